@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+// Adaptation of the ROAM mesh along coherent flights, beside refining from scratch in the same run, and the building
+// of the error tree. Real terrain when OSGTRAINER_REAL_DATA names it, else the tests' hills.
+//   OSGTRAINER_REAL_DATA=… build/bin/roam_bench
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+
+#include <benchmark/benchmark.h>
+
+#include <osgTerrainROAM/core/heightfield/DemImport.h>
+#include <osgTerrainROAM/core/roam/RoamMesh.h>
+#include <osgTerrainROAM/core/roam/ScratchRefinement.h>
+
+#include "SyntheticField.h"
+#include "flights/AnchorFlight.h"
+
+namespace
+{
+
+using namespace osgTerrainROAM::core;
+using flights::AnchorFlight;
+
+HeightField field1025()
+{
+    const char* folder = std::getenv("OSGTRAINER_REAL_DATA");
+    if (!folder) return testsupport::hills(1025, 1025, 90.0);
+    const auto imported = importDem(std::filesystem::path(folder) / "dem/N44W072.hgt");
+    if (!imported) return testsupport::hills(1025, 1025, 90.0);
+    HeightField crop;
+    crop.columns = crop.rows = 1025;
+    crop.spacingEastM = crop.spacingNorthM = 90.0;
+    for (int row = 0; row < 1025; ++row)
+        for (int column = 0; column < 1025; ++column) crop.heightsM.push_back(imported->heightM(88 + column, 88 + row));
+    return crop;
+}
+
+const std::shared_ptr<const RoamTile>& tile()
+{
+    static const auto placed = testsupport::planarTile(field1025());
+    return placed;
+}
+
+/// Frame times of one flight as median, 99th percentile and worst, in microseconds.
+void report(benchmark::State& state, std::vector<double> frameUs, double triangles)
+{
+    std::sort(frameUs.begin(), frameUs.end());
+    const auto at = [&](double share) { return frameUs[static_cast<std::size_t>(share * (frameUs.size() - 1))]; };
+    state.counters["p50_us"] = at(0.5);
+    state.counters["p99_us"] = at(0.99);
+    state.counters["max_us"] = frameUs.back();
+    state.counters["triangles"] = triangles;
+}
+
+template<class Frame>
+void fly(benchmark::State& state, const Frame& adapt)
+{
+    std::vector<double> frameUs;
+    double triangles = 0;
+    for (auto _ : state)
+    {
+        for (int frame = 0; frame < AnchorFlight::kFrames; ++frame)
+        {
+            const auto view = AnchorFlight{}.view(tile()->tile, frame);
+            const auto begin = std::chrono::steady_clock::now();
+            triangles = adapt(view);
+            const std::chrono::duration<double, std::micro> spent = std::chrono::steady_clock::now() - begin;
+            if (frame > 0) frameUs.push_back(spent.count()); // the first frame builds the mesh
+        }
+    }
+    report(state, std::move(frameUs), triangles);
+}
+
+void flightByWalk(benchmark::State& state)
+{
+    RoamMesh mesh(tile());
+    double changes = 0, frames = 0;
+    fly(state,
+        [&](const viewlod::ViewState& view)
+        {
+            const auto result = mesh.refine(view, {.errorTolerancePx = static_cast<double>(state.range(0)) / 10.0});
+            changes += result.splits + result.merges;
+            ++frames;
+            return result.leaves;
+        });
+    state.counters["changes_per_frame"] = changes / frames;
+}
+
+void flightFromScratch(benchmark::State& state)
+{
+    std::vector<SampleTriangle> leaves;
+    fly(state,
+        [&](const viewlod::ViewState& view)
+        {
+            refineFromScratch(*tile(), view, static_cast<double>(state.range(0)) / 10.0, leaves);
+            return leaves.size();
+        });
+}
+
+void errorTree(benchmark::State& state)
+{
+    const auto side = static_cast<int>(state.range(0));
+    const PlacedTile placed(testsupport::hills(side, side), Placement::planar);
+    for (auto _ : state) benchmark::DoNotOptimize(ErrorTree(placed));
+    state.SetItemsProcessed(state.iterations() * side * side);
+}
+
+// Tolerances in tenths of a pixel; 31 gives about 30 000 triangles on the real crop.
+BENCHMARK(flightByWalk)->Arg(31)->Arg(10)->Unit(benchmark::kMillisecond);
+BENCHMARK(flightFromScratch)->Arg(31)->Arg(10)->Unit(benchmark::kMillisecond);
+BENCHMARK(errorTree)->Arg(257)->Arg(1025)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+} // namespace
+
+BENCHMARK_MAIN();

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <cstdlib>
+#include <limits>
+
+namespace osgTerrainROAM::core
+{
+
+/// A place of the sample grid.
+struct GridPoint
+{
+    int column = 0;
+    int row = 0;
+
+    friend bool operator==(const GridPoint&, const GridPoint&) = default;
+    friend GridPoint middle(GridPoint a, GridPoint b) { return {(a.column + b.column) / 2, (a.row + b.row) / 2}; }
+};
+
+/// A bintree triangle in grid indices. Its edges run along axes and diagonals, so it rasterises in integers.
+struct GridTriangle
+{
+    GridPoint apex, left, right;
+
+    /// Calls visit(row, west, east) for every row that the triangle touches within `columns` × `rows` samples;
+    /// the samples west…east, borders included, lie in it.
+    template<class Visit>
+    void forEachRow(int columns, int rows, const Visit& visit) const
+    {
+        const int south = std::min({apex.row, left.row, right.row});
+        const int north = std::min(std::max({apex.row, left.row, right.row}), rows - 1);
+        for (int row = south; row <= north; ++row)
+        {
+            int west = std::numeric_limits<int>::max(), east = std::numeric_limits<int>::min();
+            widen(apex, left, row, west, east);
+            widen(left, right, row, west, east);
+            widen(right, apex, row, west, east);
+            east = std::min(east, columns - 1);
+            if (west <= east) visit(row, west, east);
+        }
+    }
+
+    /// A place p of the plane is apex + u·(left − apex) + w·(right − apex). The legs are perpendicular and of one
+    /// length, so (u, w) are dot products over its square: exact in binary, a power of two.
+    struct Barycentric
+    {
+        double u, w;
+    };
+
+    /// What one sample eastwards and one northwards add to (u, w).
+    Barycentric perColumn() const { return scaled(left.column - apex.column, right.column - apex.column); }
+    Barycentric perRow() const { return scaled(left.row - apex.row, right.row - apex.row); }
+
+    Barycentric at(int column, int row) const
+    {
+        const Barycentric east = perColumn(), north = perRow();
+        const int c = column - apex.column, r = row - apex.row;
+        return {east.u * c + north.u * r, east.w * c + north.w * r};
+    }
+
+private:
+    Barycentric scaled(int alongLeft, int alongRight) const
+    {
+        const double lc = left.column - apex.column, lr = left.row - apex.row;
+        const double inverse = 1.0 / (lc * lc + lr * lr);
+        return {alongLeft * inverse, alongRight * inverse};
+    }
+
+    /// Widens [west, east] by where edge a–b crosses `row`.
+    static void widen(GridPoint a, GridPoint b, int row, int& west, int& east)
+    {
+        if (row < std::min(a.row, b.row) || row > std::max(a.row, b.row)) return;
+        if (a.row == b.row)
+        {
+            west = std::min({west, a.column, b.column});
+            east = std::max({east, a.column, b.column});
+            return;
+        }
+        const int column = a.column + (b.column - a.column) / (b.row - a.row) * (row - a.row);
+        west = std::min(west, column);
+        east = std::max(east, column);
+    }
+};
+
+} // namespace osgTerrainROAM::core

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+namespace osgTerrainROAM::core
+{
+
+/// A bintree node by its place in the pool.
+using NodeIndex = std::uint32_t;
+inline constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+
+/// One vertex as the graphics card takes it. The position is a sum of two floats, so that a shader can subtract
+/// the eye (split the same way) without losing the millimetres: at 100 km from the origin one float has 8 mm.
+/// Frame: the tile's local frame. Units: metres; samples for the grid place.
+struct MeshVertex
+{
+    glm::vec3 positionHigh;
+    glm::vec3 positionLow;
+    glm::vec2 grid; ///< (column, row): texture coordinates and the clip at the data's edge
+};
+static_assert(sizeof(MeshVertex) == 32);
+
+/// A drawn triangle: three vertex slots, counter-clockwise seen from above, apex first.
+struct LeafTriangle
+{
+    std::uint32_t vertices[3];
+};
+static_assert(sizeof(LeafTriangle) == 12);
+
+/// A run of elements of an array.
+struct IndexRange
+{
+    std::uint32_t first = 0;
+    std::uint32_t count = 0;
+};
+using TriangleRange = IndexRange; ///< in triangles, not in indices
+
+/// Which elements of the vertex and triangle arrays a refinement wrote: what has to be uploaded.
+struct MeshChanges
+{
+    std::vector<std::uint32_t> vertices;  ///< slots, in the order written, possibly repeated
+    std::vector<std::uint32_t> triangles; ///< likewise
+
+    void clear()
+    {
+        vertices.clear();
+        triangles.clear();
+    }
+};
+
+/// Sorts slots and joins them into ranges; gaps of up to `maxGap` untouched elements are bridged, for a few bytes
+/// more are cheaper than another call.
+std::vector<IndexRange> joinedRanges(std::vector<std::uint32_t> slots, std::uint32_t maxGap);
+
+} // namespace osgTerrainROAM::core

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+#include <glm/glm.hpp>
+
+#include <viewlod/Budget.h>
+#include <viewlod/ScreenError.h>
+#include <viewlod/ViewState.h>
+
+#include <osgTerrainROAM/core/roam/RoamTile.h>
+
+namespace osgTerrainROAM::core
+{
+
+/// Whether a split vertex is active for an eye: p_v = K·e_v / max(|eye − X_v| − r_v, n) > τ.
+/// A pure function of the eye; it nests, so the active vertices form a conforming mesh without forced splits.
+/// Source: spec 1 D, "The wheel in formulas", Priority.
+class ActiveForEye
+{
+public:
+    ActiveForEye(const viewlod::ViewState& view, double tolerancePx)
+        : _eye(view.eyeWorld), _reachPerErrorM(view.guaranteedPixelsPerTangent() / tolerancePx), _nearM(view.nearM)
+    {
+    }
+
+    /// Without a root: p > τ exactly when both K·e/τ > n and K·e/τ + r > |eye − X|.
+    bool operator()(const SplitBound& bound) const
+    {
+        const double reach = _reachPerErrorM * bound.errorM;
+        if (reach <= _nearM) return false;
+        const glm::dvec3 offset = glm::dvec3(bound.centre) - _eye;
+        const double limit = reach + bound.radiusM;
+        return limit * limit > glm::dot(offset, offset);
+    }
+
+private:
+    glm::dvec3 _eye;
+    double _reachPerErrorM;
+    double _nearM;
+};
+
+/// View-independent: e_v > errorM.
+struct ActiveForError
+{
+    double errorM;
+    bool operator()(const SplitBound& bound) const { return bound.errorM > errorM; }
+};
+
+/// p_v in pixels.
+inline double priorityPx(const viewlod::ViewState& view, const SplitBound& bound)
+{
+    return viewlod::screenErrorBoundPx(view.guaranteedPixelsPerTangent(), bound.errorM,
+                                       glm::distance(glm::dvec3(bound.centre), view.eyeWorld), bound.radiusM, view.nearM);
+}
+
+/// The smallest τ ≥ tolerancePx at which the mesh for `view` has at most `maxTriangles` leaves (tolerancePx itself
+/// when it has). A function of the eye alone. Cost: O(maxTriangles · log), whatever the terrain's size.
+double toleranceWithinCeiling(const RoamTile& tile, const viewlod::ViewState& view, const viewlod::Budget& budget);
+
+} // namespace osgTerrainROAM::core

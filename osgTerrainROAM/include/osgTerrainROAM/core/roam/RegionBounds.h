@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include <viewlod/Frustum.h>
+
+#include <osgTerrainROAM/core/roam/ErrorTree.h>
+
+namespace osgTerrainROAM::core
+{
+
+/// Bounding spheres of the bintree's nodes down to the region level: the hierarchy that culls.
+/// A node's sphere holds every vertex that any refinement of it can have.
+/// Threads: immutable after construction. Memory: 32 B per node above the region level.
+class RegionBounds
+{
+public:
+    static constexpr int kRegionLevel = 8; ///< 2·2^8 regions, unless the tile has fewer levels
+
+    RegionBounds(const PlacedTile& tile, const ErrorTree& errors);
+
+    int level() const { return _level; }                      ///< of the nodes that are regions
+    std::uint32_t regionCount() const { return 2u << _level; }
+
+    /// Appends the regions (paths at the region level) that may be seen. Plane masks are inherited: a plane that
+    /// has a node inside is not asked again below it.
+    void visible(const viewlod::Frustum& frustum, std::vector<std::uint32_t>& regions) const;
+
+private:
+    struct Sphere
+    {
+        glm::dvec3 centre;
+        double radiusM;
+    };
+    struct Corners;
+
+    Sphere& sphere(int level, std::uint32_t path) { return _spheres[(2u << level) - 2u + path]; }
+    const Sphere& sphere(int level, std::uint32_t path) const { return _spheres[(2u << level) - 2u + path]; }
+    void build(const PlacedTile& tile, const ErrorTree& errors, const Corners& corners, int level, std::uint32_t path);
+    void visit(const viewlod::Frustum& frustum, int level, std::uint32_t path, viewlod::Frustum::Mask mask,
+               std::vector<std::uint32_t>& regions) const;
+
+    int _level;
+    std::vector<Sphere> _spheres; ///< level by level, two nodes at level 0
+};
+
+} // namespace osgTerrainROAM::core

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <osgTerrainROAM/core/roam/DrawnMeshCheck.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <viewlod/ScreenError.h>
+
+#include <osgTerrainROAM/core/roam/GridTriangle.h>
+
+namespace osgTerrainROAM::core
+{
+
+namespace
+{
+
+glm::dvec3 positionOf(const MeshVertex& v) { return glm::dvec3(v.positionHigh) + glm::dvec3(v.positionLow); }
+
+GridPoint gridOf(const MeshVertex& v) { return {static_cast<int>(v.grid.x), static_cast<int>(v.grid.y)}; }
+
+/// Directed edges as sorted keys: an edge is sound when its reverse is there, too.
+std::size_t unsharedEdges(const PlacedTile& tile, std::span<const MeshVertex> vertices,
+                          std::span<const LeafTriangle> triangles)
+{
+    const auto index = [&](std::uint32_t v)
+    {
+        const GridPoint p = gridOf(vertices[v]);
+        return static_cast<std::uint64_t>(p.row) * tile.side() + p.column;
+    };
+    std::vector<std::uint64_t> edges;
+    edges.reserve(3 * triangles.size());
+    for (const LeafTriangle& t : triangles)
+        for (int i = 0; i < 3; ++i)
+            edges.push_back(index(t.vertices[i]) << 32 | index(t.vertices[(i + 1) % 3]));
+    std::sort(edges.begin(), edges.end());
+
+    const auto atDataBorder = [&](std::uint64_t a, std::uint64_t b)
+    {
+        const std::uint64_t side = tile.side();
+        const std::uint64_t lastColumn = tile.dataColumns() - 1, lastRow = tile.dataRows() - 1;
+        const auto both = [&](auto holds) { return holds(a) && holds(b); };
+        return both([&](std::uint64_t p) { return p % side == 0; }) || both([&](std::uint64_t p) { return p / side == 0; }) ||
+               both([&](std::uint64_t p) { return p % side >= lastColumn; }) ||
+               both([&](std::uint64_t p) { return p / side >= lastRow; });
+    };
+    std::size_t unshared = 0;
+    for (const std::uint64_t edge : edges)
+    {
+        const std::uint64_t from = edge >> 32, to = edge & 0xffffffffu;
+        if (!std::binary_search(edges.begin(), edges.end(), to << 32 | from) && !atDataBorder(from, to)) ++unshared;
+    }
+    return unshared;
+}
+
+/// Compares samples and surface, triangle by triangle.
+class SampleSweep
+{
+public:
+    SampleSweep(const RoamTile& tile, const viewlod::ViewState* view)
+        : _tile(tile), _view(view),
+          _covered(static_cast<std::size_t>(tile.tile.dataColumns()) * tile.tile.dataRows(), false)
+    {
+    }
+
+    void visit(const MeshVertex& apex, const MeshVertex& left, const MeshVertex& right)
+    {
+        const PlacedTile& placed = _tile.tile;
+        const GridTriangle triangle{gridOf(apex), gridOf(left), gridOf(right)};
+        const glm::dvec3 a = positionOf(apex), du = positionOf(left) - a, dw = positionOf(right) - a;
+        const bool projected = _view && mayBeSeen(triangle, a, du, dw);
+        triangle.forEachRow(placed.dataColumns(), placed.dataRows(),
+                            [&](int row, int west, int east)
+                            {
+                                for (int column = west; column <= east; ++column)
+                                {
+                                    _covered[static_cast<std::size_t>(row) * placed.dataColumns() + column] = true;
+                                    if (!projected) continue;
+                                    const auto b = triangle.at(column, row);
+                                    compare(placed.position(column, row), a + du * b.u + dw * b.w);
+                                }
+                            });
+    }
+
+    std::size_t uncovered() const { return std::count(_covered.begin(), _covered.end(), false); }
+    double maxErrorPx() const { return _maxErrorPx; }
+
+private:
+    /// The samples of a triangle lie within its error of it, so a sphere around both tells whether any can be seen.
+    bool mayBeSeen(const GridTriangle& t, const glm::dvec3& a, const glm::dvec3& du, const glm::dvec3& dw) const
+    {
+        const GridPoint mid = middle(t.left, t.right);
+        const bool finest = (t.left.column + t.right.column) % 2 != 0 || (t.left.row + t.right.row) % 2 != 0;
+        const auto split = static_cast<SampleIndex>(mid.row) * _tile.tile.side() + mid.column;
+        const double error = finest ? 0.0 : _tile.errors.errorM(split);
+        const glm::dvec3 centre = a + (du + dw) * 0.5;
+        const double radius = std::max(glm::length(du - dw) * 0.5, glm::distance(centre, a)) + error;
+        return !_view->frustum.classify(centre, radius).outside;
+    }
+
+    void compare(const glm::dvec3& sample, const glm::dvec3& drawn)
+    {
+        const auto wanted = viewlod::projectPx(*_view, sample);
+        if (!wanted || wanted->x < 0 || wanted->y < 0 || wanted->x > _view->widthPx || wanted->y > _view->heightPx) return;
+        const auto shown = viewlod::projectPx(*_view, drawn);
+        const double error = shown ? glm::distance(*wanted, *shown) : std::numeric_limits<double>::infinity();
+        _maxErrorPx = std::max(_maxErrorPx, error);
+    }
+
+    const RoamTile& _tile;
+    const viewlod::ViewState* _view;
+    std::vector<bool> _covered;
+    double _maxErrorPx = 0.0;
+};
+
+} // namespace
+
+std::vector<LeafTriangle> gathered(std::span<const LeafTriangle> triangles, std::span<const TriangleRange> ranges)
+{
+    std::vector<LeafTriangle> all;
+    for (const TriangleRange& range : ranges)
+    {
+        const auto part = triangles.subspan(range.first, range.count);
+        all.insert(all.end(), part.begin(), part.end());
+    }
+    return all;
+}
+
+DrawnMeshReport checkDrawnMesh(const RoamTile& tile, std::span<const MeshVertex> vertices,
+                               std::span<const LeafTriangle> triangles, const viewlod::ViewState* view)
+{
+    DrawnMeshReport report;
+    report.tJunctions = unsharedEdges(tile.tile, vertices, triangles);
+    SampleSweep sweep(tile, view);
+    for (const LeafTriangle& t : triangles)
+    {
+        for (const std::uint32_t v : t.vertices)
+        {
+            const GridPoint p = gridOf(vertices[v]);
+            // High and low float together keep 2^-48 of a coordinate: 0.1 mm of slack is far more.
+            if (glm::distance(positionOf(vertices[v]), tile.tile.position(p.column, p.row)) > 1e-4) ++report.cracks;
+        }
+        sweep.visit(vertices[t.vertices[0]], vertices[t.vertices[1]], vertices[t.vertices[2]]);
+    }
+    report.cracks += sweep.uncovered();
+    report.maxErrorPx = sweep.maxErrorPx();
+    return report;
+}
+
+} // namespace osgTerrainROAM::core

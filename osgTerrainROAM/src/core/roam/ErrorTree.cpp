@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: Apache-2.0
+// Exact error bounds of a triangle bintree: every data sample is compared with the plane of every triangle that
+// holds it, then errors and radii are nested over the diamonds (spec 1 D; Lindstrom & Pascucci 2001 nest so too,
+// but bound the error of a triangle by its split vertex alone, which is no bound on the samples in between).
+#include <osgTerrainROAM/core/roam/ErrorTree.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <thread>
+
+#include <osgTerrainROAM/core/roam/GridTriangle.h>
+
+namespace osgTerrainROAM::core
+{
+
+namespace
+{
+
+float roundedUp(double value)
+{
+    const float rounded = static_cast<float>(value);
+    return rounded < value ? std::nextafter(rounded, std::numeric_limits<float>::infinity()) : rounded;
+}
+
+/// Rasterises the triangles of the bintree over the samples.
+class TriangleErrors
+{
+public:
+    TriangleErrors(const PlacedTile& tile, std::vector<float>& errors)
+        : _tile(tile), _side(tile.side()), _columns(tile.dataColumns()), _errors(errors)
+    {
+        _positions.resize(static_cast<std::size_t>(_columns) * tile.dataRows());
+        for (int row = 0; row < tile.dataRows(); ++row)
+            for (int column = 0; column < _columns; ++column)
+                _positions[static_cast<std::size_t>(row) * _columns + column] = tile.position(column, row);
+    }
+
+    /// Errors of the triangle (apex, left, right) and everything below it, depth first: the samples of the small
+    /// triangles are still in the cache when the larger ones read them again. Two threads may measure the two
+    /// roots: they meet only at split vertices on the shared base, where the larger error wins in any order.
+    void measure(const GridTriangle& t, int level)
+    {
+        if (level == _tile.levels() || outsideData(t)) return;
+        const GridPoint mid = middle(t.left, t.right);
+        measure({mid, t.apex, t.left}, level + 1);
+        measure({mid, t.right, t.apex}, level + 1);
+        raise(mid, std::sqrt(largestSquaredError(t)));
+    }
+
+private:
+    bool outsideData(const GridTriangle& t) const
+    {
+        return std::min({t.apex.column, t.left.column, t.right.column}) >= _columns ||
+               std::min({t.apex.row, t.left.row, t.right.row}) >= _tile.dataRows();
+    }
+
+    void raise(GridPoint v, double error)
+    {
+        std::atomic_ref<float> stored(_errors[static_cast<std::size_t>(v.row) * _side + v.column]);
+        const float wanted = roundedUp(error);
+        float seen = stored.load(std::memory_order_relaxed);
+        while (seen < wanted && !stored.compare_exchange_weak(seen, wanted, std::memory_order_relaxed)) {}
+    }
+
+    double largestSquaredError(const GridTriangle& t) const
+    {
+        const auto position = [this](GridPoint p) { return _tile.position(p.column, p.row); };
+        const glm::dvec3 origin = position(t.apex), du = position(t.left) - origin, dw = position(t.right) - origin;
+        // The plane's point moves by one vector from sample to sample: no division inside the loops.
+        const auto east = t.perColumn(), north = t.perRow();
+        const glm::dvec3 perColumn = du * east.u + dw * east.w, perRow = du * north.u + dw * north.w;
+        double largest = 0.0;
+        t.forEachRow(_columns, _tile.dataRows(),
+                     [&](int row, int west, int eastmost)
+                     {
+                         const glm::dvec3 start = origin + perRow * static_cast<double>(row - t.apex.row);
+                         const glm::dvec3* samples = &_positions[static_cast<std::size_t>(row) * _columns];
+                         for (int column = west; column <= eastmost; ++column)
+                         {
+                             const glm::dvec3 drawn = start + perColumn * static_cast<double>(column - t.apex.column);
+                             const glm::dvec3 error = samples[column] - drawn;
+                             largest = std::max(largest, glm::dot(error, error));
+                         }
+                     });
+        return largest;
+    }
+
+    const PlacedTile& _tile;
+    const int _side;
+    const int _columns;
+    std::vector<glm::dvec3> _positions;
+    std::vector<float>& _errors;
+};
+
+/// Calls visit(v, children[], count) for every split vertex, deepest level first.
+template<class Visit>
+void forEachDiamondBottomUp(int side, const Visit& visit)
+{
+    GridPoint children[4];
+    const auto gather = [&](GridPoint v, int step, bool diagonal)
+    {
+        static constexpr int kAxis[4][2] = {{-1, 0}, {1, 0}, {0, -1}, {0, 1}};
+        static constexpr int kDiagonal[4][2] = {{-1, -1}, {1, -1}, {-1, 1}, {1, 1}};
+        int count = 0;
+        for (const auto& offset : diagonal ? kDiagonal : kAxis)
+        {
+            const GridPoint c{v.column + offset[0] * step, v.row + offset[1] * step};
+            if (c.column >= 0 && c.row >= 0 && c.column < side && c.row < side) children[count++] = c;
+        }
+        visit(v, children, count);
+    };
+    for (int half = 1; half < side; half *= 2)
+    {
+        // Middles of the edges of squares of side 2·half; their children are centres of squares of side half.
+        for (int row = 0; row < side; row += half)
+            for (int column = (row / half) % 2 ? 0 : half; column < side; column += 2 * half)
+                if (half > 1)
+                    gather({column, row}, half / 2, true);
+                else
+                    visit(GridPoint{column, row}, children, 0);
+        // Centres of those squares; their children are the edge middles.
+        for (int row = half; row < side; row += 2 * half)
+            for (int column = half; column < side; column += 2 * half) gather({column, row}, half, false);
+    }
+}
+
+std::size_t indexOf(const PlacedTile& tile, GridPoint p)
+{
+    return static_cast<std::size_t>(p.row) * tile.side() + p.column;
+}
+
+/// X_v as the predicate sees it.
+glm::dvec3 centreOf(const PlacedTile& tile, GridPoint p) { return glm::vec3(tile.position(p.column, p.row)); }
+
+/// More than double arithmetic can lose on the way, so that nesting survives rounding in the predicate, too.
+constexpr double kRadiusSlack = 1.0 + 2e-7;
+
+} // namespace
+
+ErrorTree::ErrorTree(const PlacedTile& tile)
+    : _errorsM(static_cast<std::size_t>(tile.side()) * tile.side(), 0.0f), _radiiM(_errorsM.size(), 0.0f)
+{
+    const int last = tile.side() - 1;
+    {
+        TriangleErrors triangles(tile, _errorsM);
+        std::thread other([&] { triangles.measure({{last, 0}, {last, last}, {0, 0}}, 0); });
+        triangles.measure({{0, last}, {0, 0}, {last, last}}, 0);
+        other.join();
+    }
+    forEachDiamondBottomUp(tile.side(),
+                           [&](GridPoint v, const GridPoint* children, int count)
+                           {
+                               const std::size_t index = indexOf(tile, v);
+                               const glm::dvec3 centre = centreOf(tile, v);
+                               double radius = glm::distance(centre, tile.position(v.column, v.row));
+                               for (int i = 0; i < count; ++i)
+                               {
+                                   const std::size_t child = indexOf(tile, children[i]);
+                                   _errorsM[index] = std::max(_errorsM[index], _errorsM[child]);
+                                   radius = std::max(radius, glm::distance(centre, centreOf(tile, children[i])) +
+                                                                 _radiiM[child]);
+                               }
+                               _radiiM[index] = roundedUp(radius * kRadiusSlack);
+                           });
+}
+
+bool ErrorTree::isNested(const PlacedTile& tile) const
+{
+    bool nested = true;
+    forEachDiamondBottomUp(tile.side(),
+                           [&](GridPoint v, const GridPoint* children, int count)
+                           {
+                               const std::size_t index = indexOf(tile, v);
+                               for (int i = 0; i < count; ++i)
+                               {
+                                   const std::size_t child = indexOf(tile, children[i]);
+                                   const double reach =
+                                       glm::distance(centreOf(tile, v), centreOf(tile, children[i])) + _radiiM[child];
+                                   nested = nested && _errorsM[index] >= _errorsM[child] && _radiiM[index] >= reach;
+                               }
+                           });
+    return nested;
+}
+
+} // namespace osgTerrainROAM::core

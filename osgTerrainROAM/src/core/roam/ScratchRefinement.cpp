@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <osgTerrainROAM/core/roam/ScratchRefinement.h>
+
+namespace osgTerrainROAM::core
+{
+
+namespace
+{
+
+struct Descent
+{
+    const RoamTile& tile;
+    const ActiveForEye active;
+    std::vector<SampleTriangle>& leaves;
+
+    void visit(const SampleTriangle& t, int level)
+    {
+        const SampleIndex middle = (t[1] + t[2]) / 2;
+        if (level == tile.tile.levels() || !active(tile.bound(middle)))
+        {
+            leaves.push_back(t);
+            return;
+        }
+        visit({middle, t[0], t[1]}, level + 1);
+        visit({middle, t[2], t[0]}, level + 1);
+    }
+};
+
+} // namespace
+
+void refineFromScratch(const RoamTile& tile, const viewlod::ViewState& view, double tolerancePx,
+                       std::vector<SampleTriangle>& leaves)
+{
+    leaves.clear();
+    Descent descent{tile, ActiveForEye(view, tolerancePx), leaves};
+    const auto side = static_cast<SampleIndex>(tile.tile.side());
+    const SampleIndex southEast = side - 1, northWest = side * (side - 1), northEast = side * side - 1;
+    descent.visit({southEast, northEast, 0}, 0);
+    descent.visit({northWest, 0, northEast}, 0);
+}
+
+} // namespace osgTerrainROAM::core

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <osgTerrainROAM/core/roam/DrawnMeshCheck.h>
+#include <osgTerrainROAM/core/roam/RoamMesh.h>
+
+#include "SyntheticField.h"
+
+namespace
+{
+
+using namespace osgTerrainROAM::core;
+
+/// A refined mesh as plain arrays, to be damaged.
+struct Drawn
+{
+    explicit Drawn(int columns, int rows) : tile(testsupport::planarTile(testsupport::hills(columns, rows))), mesh(tile)
+    {
+        mesh.refine(20.0);
+        vertices.assign(mesh.vertices().begin(), mesh.vertices().end());
+        std::vector<TriangleRange> ranges;
+        mesh.visibleRanges(viewlod::Frustum(glm::dmat4(0.0)), ranges);
+        triangles = gathered(mesh.triangles(), ranges);
+    }
+
+    DrawnMeshReport check() const { return checkDrawnMesh(*tile, vertices, triangles, nullptr); }
+
+    std::shared_ptr<const RoamTile> tile;
+    RoamMesh mesh;
+    std::vector<MeshVertex> vertices;
+    std::vector<LeafTriangle> triangles;
+};
+
+TEST(DrawnMeshCheck, FindsNothingInASoundMesh)
+{
+    for (const auto& [columns, rows] : {std::pair{33, 33}, {20, 33}, {33, 19}, {40, 21}})
+    {
+        const DrawnMeshReport report = Drawn(columns, rows).check();
+        EXPECT_EQ(report.tJunctions, 0u) << columns << "x" << rows;
+        EXPECT_EQ(report.cracks, 0u) << columns << "x" << rows;
+    }
+}
+
+TEST(DrawnMeshCheck, SeesAMissingTriangle)
+{
+    Drawn drawn(33, 33);
+    drawn.triangles.erase(drawn.triangles.begin() + 5);
+    EXPECT_GT(drawn.check().tJunctions, 0u);
+}
+
+TEST(DrawnMeshCheck, SeesAHoleInTheSamples)
+{
+    Drawn drawn(33, 33);
+    drawn.mesh.refine(1e9);
+    drawn.triangles.assign(1, drawn.triangles.front());
+    EXPECT_GT(drawn.check().cracks, 0u);
+}
+
+TEST(DrawnMeshCheck, SeesAVertexOffItsPlace)
+{
+    Drawn drawn(33, 33);
+    drawn.vertices[drawn.triangles[7].vertices[0]].positionLow.z += 0.01f;
+    EXPECT_GT(drawn.check().cracks, 0u);
+}
+
+TEST(DrawnMeshCheck, SeesATJunction)
+{
+    Drawn drawn(33, 33);
+    // Two neighbouring triangles become one large one of three corners: its long side has a vertex in it.
+    const LeafTriangle t = drawn.triangles[3];
+    drawn.triangles.push_back({{t.vertices[0], t.vertices[2], t.vertices[1]}});
+    drawn.triangles.pop_back();
+    drawn.triangles[3] = {{t.vertices[1], t.vertices[2], t.vertices[2]}};
+    EXPECT_GT(drawn.check().tJunctions, 0u);
+}
+
+} // namespace

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <memory>
+
+#include <osgTerrainROAM/core/roam/RoamTile.h>
+
+namespace testsupport
+{
+
+/// A small seeded generator, the same on every machine (SplitMix64).
+class Random
+{
+public:
+    explicit Random(std::uint64_t seed) : _state(seed) {}
+
+    std::uint64_t next()
+    {
+        std::uint64_t z = (_state += 0x9e3779b97f4a7c15ull);
+        z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ull;
+        z = (z ^ (z >> 27)) * 0x94d049bb133111ebull;
+        return z ^ (z >> 31);
+    }
+
+    std::uint32_t below(std::uint32_t n) { return static_cast<std::uint32_t>(next() % n); }
+    double unit() { return static_cast<double>(next() >> 11) * 0x1p-53; }
+
+private:
+    std::uint64_t _state;
+};
+
+/// Rolling hills with rough ground on top; no two samples alike. Heights are multiples of 1/64 m, so that they do not
+/// depend on a library's last bit.
+inline osgTerrainROAM::core::HeightField hills(int columns, int rows, double spacingM = 30.0, std::uint64_t seed = 1)
+{
+    osgTerrainROAM::core::HeightField field;
+    field.name = "hills";
+    field.columns = columns;
+    field.rows = rows;
+    field.spacingEastM = field.spacingNorthM = spacingM;
+    Random random(seed);
+    for (int row = 0; row < rows; ++row)
+        for (int column = 0; column < columns; ++column)
+        {
+            const double x = column * 0.11, y = row * 0.07;
+            const double height = 400.0 + 250.0 * std::sin(x) * std::cos(y) + 90.0 * std::sin(0.31 * x + 2.3 * y) +
+                                  12.0 * random.unit();
+            field.heightsM.push_back(static_cast<float>(std::floor(height * 64.0) / 64.0));
+        }
+    return field;
+}
+
+inline std::shared_ptr<const osgTerrainROAM::core::RoamTile> planarTile(osgTerrainROAM::core::HeightField field)
+{
+    using namespace osgTerrainROAM::core;
+    return std::make_shared<const RoamTile>(PlacedTile(std::move(field), Placement::planar));
+}
+
+} // namespace testsupport
