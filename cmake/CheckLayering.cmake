@@ -1,0 +1,119 @@
+# SPDX-License-Identifier: Apache-2.0
+# cmake -DROOT=tree -P CheckLayering.cmake: reads the include lines of the tree and fails on a breach of the arrows
+# in docs/architecture.md, or when a layer that must be there matches no file (a check of nothing passes always).
+# Not linking OSG would not keep it out of a core: its headers lie in the system include path.
+cmake_minimum_required(VERSION 3.25)
+if(NOT IS_DIRECTORY "${ROOT}")
+    message(FATAL_ERROR "layering: -DROOT= names no folder: '${ROOT}'")
+endif()
+get_filename_component(ROOT "${ROOT}" REALPATH)
+
+# A layer: a regular expression of its files (relative to ROOT, first match wins) and the layers that it may include
+# besides itself. "graphics" are the headers of OSG, OpenGL, EGL and GLX; whatever else is outside the tree is free.
+set(layers)
+macro(layer name files)
+    list(APPEND layers ${name})
+    set(${name}_files "${files}")
+    set(${name}_may ${ARGN})
+    set(${name}_count 0)
+endmacro()
+
+layer(viewlod        "^viewlod/")
+layer(objects-core   "^osgPMObjects/(include/osgPMObjects|src)/core/"     viewlod)
+layer(terrain-core   "^osgTerrainROAM/(include/osgTerrainROAM|src)/core/" viewlod objects-core)
+layer(sim            "^apps/trainer/sim/"  viewlod)
+layer(terminal       "^apps/terminal/"     viewlod)
+layer(ground         "^apps/ground/"       viewlod objects-core terrain-core sim)
+layer(generator      "^data/generator/"    viewlod)
+layer(render-support "^tests/support/Rendered" graphics viewlod objects-core terrain-core sim objects terrain offscreen
+    trainer test-support)
+layer(test-support   "^tests/support/"     viewlod objects-core terrain-core sim generator)
+layer(core-tests     "^tests/(core|fuzz)/" viewlod objects-core terrain-core sim generator test-support)
+layer(objects        "^osgPMObjects/"      graphics viewlod objects-core)
+layer(terrain        "^osgTerrainROAM/"    graphics viewlod objects-core terrain-core objects)
+layer(offscreen      "^osgOffscreen/"      graphics viewlod)
+layer(trainer        "^apps/trainer/"      graphics viewlod objects-core terrain-core sim objects terrain offscreen
+    terminal ground)
+layer(tools          "^apps/"              graphics viewlod objects-core terrain-core sim objects terrain offscreen
+    terminal ground)
+set(required viewlod terrain-core)
+
+set(graphics_includes "^(osg|osg[A-Z][A-Za-z]*|OpenThreads|GL|GLES[0-9]*|EGL|KHR|X11)/")
+
+# The layer of a path relative to ROOT, or nothing.
+function(layerOfPath path out)
+    set(${out} "" PARENT_SCOPE)
+    foreach(name IN LISTS layers)
+        if(path MATCHES "${${name}_files}")
+            set(${out} ${name} PARENT_SCOPE)
+            return()
+        endif()
+    endforeach()
+endfunction()
+
+# The layer of what an include line names: a file of the tree, seen from the including file or from an include
+# folder, graphics, or nothing (standard library, third party).
+function(layerOfInclude includer target out)
+    set(${out} "" PARENT_SCOPE)
+    cmake_path(GET includer PARENT_PATH folder)
+    string(REGEX MATCH "^[^/]+" component "${target}")
+    foreach(candidate "${folder}/${target}" "${component}/include/${target}" "apps/${target}" "apps/trainer/${target}"
+            "tests/support/${target}" "data/${target}" "${target}")
+        cmake_path(NORMAL_PATH candidate)
+        if(EXISTS "${ROOT}/${candidate}" AND NOT IS_DIRECTORY "${ROOT}/${candidate}")
+            layerOfPath("${candidate}" found)
+            set(${out} "${found}" PARENT_SCOPE)
+            return()
+        endif()
+    endforeach()
+    if(target MATCHES "^(osgTerrainROAM|osgPMObjects|osgOffscreen)/")
+        layerOfPath("${component}/include/${target}" found) # a header that is not there still shows the intent
+        set(${out} "${found}" PARENT_SCOPE)
+    elseif(target MATCHES "${graphics_includes}")
+        set(${out} graphics PARENT_SCOPE)
+    endif()
+endfunction()
+
+file(GLOB_RECURSE files RELATIVE "${ROOT}" "${ROOT}/viewlod/*" "${ROOT}/osg*/*" "${ROOT}/apps/*" "${ROOT}/tests/*"
+    "${ROOT}/data/generator/*")
+set(breaches)
+set(lineCount 0)
+foreach(file IN LISTS files)
+    get_filename_component(extension "${file}" LAST_EXT)
+    if(NOT (extension STREQUAL "" OR extension MATCHES "^\\.(h|hpp|cpp|inl)$"))
+        continue()
+    endif()
+    layerOfPath("${file}" from)
+    if(from STREQUAL "")
+        continue()
+    endif()
+    math(EXPR ${from}_count "${${from}_count} + 1")
+    file(STRINGS "${ROOT}/${file}" lines REGEX "^[ \t]*#[ \t]*include[ \t]*[<\"]")
+    foreach(line IN LISTS lines)
+        math(EXPR lineCount "${lineCount} + 1")
+        string(REGEX REPLACE "^[^<\"]*[<\"]([^>\"]+).*$" "\\1" target "${line}")
+        layerOfInclude("${file}" "${target}" to)
+        if(NOT to STREQUAL "" AND NOT to STREQUAL from AND NOT to IN_LIST ${from}_may)
+            list(APPEND breaches "${file}: ${from} must not include ${to} (<${target}>)")
+        endif()
+    endforeach()
+endforeach()
+
+foreach(name IN LISTS required)
+    if(${name}_count EQUAL 0)
+        list(APPEND breaches "${name}: no file matches ${${name}_files}")
+    endif()
+endforeach()
+if(lineCount EQUAL 0)
+    list(APPEND breaches "no include line was read")
+endif()
+if(breaches)
+    list(JOIN breaches "\n  " text)
+    message(FATAL_ERROR "layering:\n  ${text}")
+endif()
+
+set(summary)
+foreach(name IN LISTS layers)
+    string(APPEND summary " ${name} ${${name}_count}")
+endforeach()
+message(STATUS "layering: ${lineCount} include lines, no breach; files:${summary}")

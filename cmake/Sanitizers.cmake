@@ -1,0 +1,17 @@
+# SPDX-License-Identifier: Apache-2.0
+# OSGTRAINER_SANITIZE names the sanitizers; a report ends the test that made it. What is suppressed, and why,
+# stands in cmake/suppressions/: third-party code only.
+if(OSGTRAINER_SANITIZE)
+    string(REPLACE ";" "," sanitizers "${OSGTRAINER_SANITIZE}")
+    add_compile_options(-fsanitize=${sanitizers} -fno-sanitize-recover=all -fno-omit-frame-pointer -g)
+    add_link_options(-fsanitize=${sanitizers})
+endif()
+
+# Fuzzing needs its coverage counters in the libraries too, not only in the program that drives them.
+if(OSGTRAINER_FUZZ)
+    if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+        message(FATAL_ERROR "OSGTRAINER_FUZZ needs clang: configure with the preset `fuzz`")
+    endif()
+    add_compile_options(-fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer -g)
+    add_link_options(-fsanitize=address,undefined)
+endif()

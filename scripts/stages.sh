@@ -1,0 +1,49 @@
+# SPDX-License-Identifier: Apache-2.0
+# Shell functions that ./demo and ./check share: timed stages, and the build of a preset. To be sourced.
+
+jobs=$(nproc)
+[ "$jobs" -ge 2 ] || jobs=2
+
+# stage NAME COMMAND…: runs the command, says what it does and how long it took; a failure ends the script.
+stage()
+{
+    local name=$1 started=$EPOCHREALTIME status=0
+    shift
+    printf '== %s\n' "$name"
+    # Not `if "$@"`: that would switch errexit off inside the command.
+    set +e
+    (set -e; "$@")
+    status=$?
+    set -e
+    local seconds
+    seconds=$(awk -v a="$started" -v b="$EPOCHREALTIME" 'BEGIN { printf "%.1f", b - a }')
+    if [ "$status" -ne 0 ]; then
+        printf '== %s: FAILED after %s s\n' "$name" "$seconds" >&2
+        exit "$status"
+    fi
+    printf '== %s: %s s\n' "$name" "$seconds"
+}
+
+# quietly LOG COMMAND…: the command's output goes to the log, and to the terminal only when it fails.
+quietly()
+{
+    local log=$1
+    shift
+    if ! "$@" >"$log" 2>&1; then
+        cat "$log" >&2
+        return 1
+    fi
+}
+
+# buildPreset PRESET [TARGET…]: configures the preset's build folder and builds (everything, or the targets).
+# ccache, where installed, makes a fresh clone as quick as a second build; nothing depends on it.
+buildPreset()
+{
+    local preset=$1 folder=build launcher=()
+    shift
+    [ "$preset" = release ] || folder=build-$preset
+    mkdir -p "$folder"
+    if command -v ccache >/dev/null; then launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache); fi
+    quietly "$folder/configure.log" cmake --preset "$preset" "${launcher[@]}" ${CONFIGURE_WITH:-}
+    NINJA_STATUS='[%f/%t %es] ' cmake --build "$folder" --parallel "$jobs" ${1:+--target "$@"}
+}

@@ -1,0 +1,33 @@
+# SPDX-License-Identifier: Apache-2.0
+# MODE=install: installs the tree built in BUILD to PREFIX. MODE=consume: configures SOURCE, a project outside the
+# tree, against PREFIX in SCRATCH, builds it and runs RUN there. MODE=refuse: the configuring must fail.
+cmake_minimum_required(VERSION 3.25)
+
+function(run what)
+    execute_process(COMMAND ${ARGN} RESULT_VARIABLE failed OUTPUT_VARIABLE said ERROR_VARIABLE said)
+    if(failed)
+        message(FATAL_ERROR "${what}: ${failed}\n${said}")
+    endif()
+    message(STATUS "${what}\n${said}")
+endfunction()
+
+if(MODE STREQUAL "install")
+    file(REMOVE_RECURSE ${PREFIX})
+    run("install" ${CMAKE_COMMAND} --install ${BUILD} --prefix ${PREFIX})
+    return()
+endif()
+
+file(REMOVE_RECURSE ${SCRATCH})
+set(configure ${CMAKE_COMMAND} -S ${SOURCE} -B ${SCRATCH} -G Ninja -DCMAKE_BUILD_TYPE=Release
+    -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_PREFIX_PATH=${PREFIX})
+if(MODE STREQUAL "refuse")
+    execute_process(COMMAND ${configure} RESULT_VARIABLE failed OUTPUT_VARIABLE said ERROR_VARIABLE said)
+    if(NOT failed OR NOT said MATCHES "no-such-component")
+        message(FATAL_ERROR "a component that does not exist was accepted:\n${said}")
+    endif()
+    return()
+endif()
+run("configure" ${configure})
+run("build" ${CMAKE_COMMAND} --build ${SCRATCH})
+set(ENV{PREFIX} ${PREFIX})
+run("run" ${CMAKE_COMMAND} -E chdir ${SCRATCH} ${RUN})

@@ -1,0 +1,85 @@
+# SPDX-License-Identifier: Apache-2.0
+# Proves that the layering check can fail: a small tree that keeps the arrows passes, the same tree with one include
+# line more does not, nor does an empty one.
+cmake_minimum_required(VERSION 3.25)
+
+function(plantTree)
+    file(REMOVE_RECURSE "${SCRATCH}")
+    foreach(entry
+            "viewlod/include/viewlod/Frustum.h|array"
+            "osgTerrainROAM/include/osgTerrainROAM/core/Tile.h|viewlod/Frustum.h"
+            "osgTerrainROAM/src/core/Tile.cpp|osgTerrainROAM/core/Tile.h"
+            "osgTerrainROAM/include/osgTerrainROAM/Terrain|osgTerrainROAM/core/Tile.h"
+            "osgTerrainROAM/src/Terrain.cpp|osg/Drawable"
+            "osgPMObjects/include/osgPMObjects/core/Mesh.h|viewlod/Frustum.h"
+            "osgPMObjects/include/osgPMObjects/Object|osg/Drawable"
+            "osgOffscreen/include/osgOffscreen/Capture|osg/Image"
+            "apps/trainer/sim/Clock.h|cstdint"
+            "apps/trainer/view/Scene.cpp|osgTerrainROAM/Terrain"
+            "apps/terraintool/main.cpp|osgTerrainROAM/core/Tile.h"
+            "data/generator/Noise.h|cmath"
+            "tests/core/TileTest.cpp|osgTerrainROAM/core/Tile.h")
+        string(REPLACE "|" ";" entry "${entry}")
+        list(GET entry 0 file)
+        list(GET entry 1 include)
+        file(WRITE "${SCRATCH}/${file}" "#pragma once\n#include <${include}>\n")
+    endforeach()
+endfunction()
+
+# Runs the check over the scratch tree; `expected` is pass, or what the complaint must say.
+function(expect expected case)
+    execute_process(COMMAND ${CMAKE_COMMAND} -DROOT=${SCRATCH} -P ${CHECK}
+        RESULT_VARIABLE failed OUTPUT_VARIABLE said ERROR_VARIABLE said)
+    string(REGEX REPLACE "[ \n]+" " " said "${said}")
+    if(expected STREQUAL "pass")
+        if(failed)
+            message(SEND_ERROR "${case}: a tree without a breach was refused: ${said}")
+        endif()
+    elseif(NOT failed)
+        message(SEND_ERROR "${case}: passed")
+    else()
+        string(FIND "${said}" "${expected}" place)
+        if(place EQUAL -1)
+            message(SEND_ERROR "${case}: failed, but without '${expected}': ${said}")
+        endif()
+    endif()
+endfunction()
+
+# One include line more in one file of the tree must be refused, by the file's name.
+function(expectBreach file line)
+    plantTree()
+    file(APPEND "${SCRATCH}/${file}" "${line}\n")
+    expect("${file}: " "${file} with ${line}")
+endfunction()
+
+plantTree()
+expect(pass "the clean tree")
+
+expectBreach(viewlod/include/viewlod/Frustum.h "#include <osg/Matrixd>")
+expectBreach(viewlod/include/viewlod/Frustum.h "#include <osgTerrainROAM/core/Tile.h>")
+expectBreach(viewlod/include/viewlod/Frustum.h "#include <osgTerrainROAM/core/NotThere.h>")
+expectBreach(osgTerrainROAM/src/core/Tile.cpp "#include <osg/Vec3d>")
+expectBreach(osgTerrainROAM/src/core/Tile.cpp "  #  include <GL/gl.h>")
+expectBreach(osgTerrainROAM/src/core/Tile.cpp "#include <EGL/egl.h>")
+expectBreach(osgTerrainROAM/src/core/Tile.cpp "#include <OpenThreads/Mutex>")
+expectBreach(osgTerrainROAM/src/core/Tile.cpp "#include <osgTerrainROAM/Terrain>")
+expectBreach(osgTerrainROAM/src/core/Tile.cpp "#include \"../../include/osgTerrainROAM/Terrain\"")
+expectBreach(osgTerrainROAM/include/osgTerrainROAM/core/Tile.h "#include <osgViewer/Viewer> // one day")
+expectBreach(osgPMObjects/include/osgPMObjects/core/Mesh.h "#include <osgTerrainROAM/core/Tile.h>")
+expectBreach(osgPMObjects/include/osgPMObjects/Object "#include <osgTerrainROAM/Terrain>")
+expectBreach(osgOffscreen/include/osgOffscreen/Capture "#include <osgTerrainROAM/Terrain>")
+expectBreach(osgTerrainROAM/src/Terrain.cpp "#include <osgOffscreen/Capture>")
+expectBreach(apps/trainer/sim/Clock.h "#include <osg/Timer>")
+expectBreach(apps/trainer/sim/Clock.h "#include \"../view/Scene.cpp\"")
+expectBreach(apps/terraintool/main.cpp "#include \"../trainer/view/Scene.cpp\"")
+expectBreach(data/generator/Noise.h "#include <osgTerrainROAM/core/Tile.h>")
+expectBreach(tests/core/TileTest.cpp "#include <osgDB/ReadFile>")
+
+plantTree()
+file(REMOVE_RECURSE "${SCRATCH}/osgTerrainROAM/src/core" "${SCRATCH}/osgTerrainROAM/include/osgTerrainROAM/core")
+expect("terrain-core: no file matches" "a tree without its terrain core")
+file(REMOVE_RECURSE "${SCRATCH}")
+file(MAKE_DIRECTORY "${SCRATCH}")
+expect("no include line was read" "an empty tree")
+file(REMOVE_RECURSE "${SCRATCH}")
+expect("names no folder" "a folder that is not there")
