@@ -6,12 +6,16 @@
 #include <algorithm>
 
 #include <osgTerrainROAM/core/roam/Refinement.h>
+#include <osgTerrainROAM/core/roam/TriangleCeiling.h>
 
 namespace osgTerrainROAM::core
 {
 
 namespace
 {
+
+/// Where the search for the ceiling's tolerance begins: somewhat below the last frame's, or far above the target.
+constexpr double kWarmGuess = 0.97, kColdGuess = 64.0;
 
 /// Splits and merges below `t` until exactly the active vertices are split. Stops early, returning false, when the
 /// mesh outgrows `maxLeaves`: it is valid then, too.
@@ -50,14 +54,15 @@ RefineResult RoamMesh::refine(const viewlod::ViewState& view, const viewlod::Bud
     RefineResult result;
     result.tolerancePx = budget.errorTolerancePx;
     // A mesh that was at the ceiling is likely to be there again; else the search waits until it is needed.
-    if (_ceilingBound) result.tolerancePx = toleranceWithinCeiling(*_tile, view, budget);
+    if (_ceilingBound) result.tolerancePx = toleranceWithinCeiling(*_tile, _tree, view, budget, kWarmGuess * _lastTolerancePx);
     constexpr auto kUnlimited = std::numeric_limits<std::uint32_t>::max();
     if (!walkRoots(_tree, ActiveForEye(view, result.tolerancePx), _ceilingBound ? kUnlimited : budget.maxTriangles, result))
     {
-        result.tolerancePx = toleranceWithinCeiling(*_tile, view, budget);
+        result.tolerancePx = toleranceWithinCeiling(*_tile, _tree, view, budget, kColdGuess * budget.errorTolerancePx);
         walkRoots(_tree, ActiveForEye(view, result.tolerancePx), kUnlimited, result);
     }
     _ceilingBound = result.ceilingBound = result.tolerancePx > budget.errorTolerancePx;
+    _lastTolerancePx = result.tolerancePx;
     result.leaves = _tree.leafCount();
     result.triangles = _tree.leaves().leafCount();
     return result;

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <algorithm>
-#include <cstdint>
-
 #include <glm/glm.hpp>
 
-#include <viewlod/Budget.h>
 #include <viewlod/ScreenError.h>
 #include <viewlod/ViewState.h>
 
@@ -55,9 +51,5 @@ inline double priorityPx(const viewlod::ViewState& view, const SplitBound& bound
     return viewlod::screenErrorBoundPx(view.guaranteedPixelsPerTangent(), bound.errorM,
                                        glm::distance(glm::dvec3(bound.centre), view.eyeWorld), bound.radiusM, view.nearM);
 }
-
-/// The smallest τ ≥ tolerancePx at which the mesh for `view` has at most `maxTriangles` leaves (tolerancePx itself
-/// when it has). A function of the eye alone. Cost: O(maxTriangles · log), whatever the terrain's size.
-double toleranceWithinCeiling(const RoamTile& tile, const viewlod::ViewState& view, const viewlod::Budget& budget);
 
 } // namespace osgTerrainROAM::core

@@ -42,7 +42,7 @@ public:
     explicit RoamMesh(std::shared_ptr<const RoamTile> tile);
 
     /// Adapts to an eye. Errors are bounded in the whole picture (ViewState::guaranteedPixelsPerTangent).
-    /// The triangle ceiling binds the whole frame: τ rises until the mesh fits (Refinement.h). The time budget is
+    /// The triangle ceiling binds the whole frame: τ rises until the mesh fits (TriangleCeiling.h). The time budget is
     /// not consulted: this driver finishes the frame it has begun.
     /// Frame of `view`: the tile's local frame. Cost: one visit per node of the mesh, plus the changes.
     RefineResult refine(const viewlod::ViewState& view, const viewlod::Budget& budget);
@@ -67,6 +67,7 @@ private:
     std::shared_ptr<const RoamTile> _tile;
     BinTriangleTree _tree;
     bool _ceilingBound = false; ///< in the last frame
+    double _lastTolerancePx = 0.0;
 };
 
 } // namespace osgTerrainROAM::core

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include <viewlod/Result.h>
+
+#include <osgTerrainROAM/core/heightfield/DemImport.h>
+#include <osgTerrainROAM/core/heightfield/PlacedTile.h>
+
+namespace osgTerrainROAM::core
+{
+
+/// How the land shall look; what is absent follows from the place on Earth (osgTerrainROAM::Climate).
+/// Units: metres as the samples are counted, share 0…1.
+struct LandParameters
+{
+    std::optional<double> aridity; ///< 0 wet and green … 1 desert
+    std::optional<double> treeLineM;
+    std::optional<double> snowLineM;
+    std::optional<double> seaLevelM;
+};
+
+/// A `.roam` file: a terrain in words. Text, one `key = value` a line, `#` starts a comment.
+///   dem = FILE                        the elevation raster; the only key that must be there
+///   imagery = FILE                    any raster GDAL opens, draped over the terrain
+///   origin = LAT LON [HEIGHT]         of the local frame, degrees and metres
+///   placement = curved | planar
+///   spacing = METRES                  of a raster without georeference
+///   vertical_datum = automatic | egm96 | ellipsoid
+///   error_tolerance = PIXELS          max_triangles = COUNT
+///   aridity = 0…1    tree_line = METRES    snow_line = METRES    sea_level = METRES
+///   sun = AZIMUTH ELEVATION           degrees        visibility = METRES
+/// Relative paths are relative to the file's folder; names that begin with /vsi are GDAL's and stay as they
+/// are. Errors: unknown or repeated key, missing dem, bad number: Error with place "file:line".
+struct RoamFile
+{
+    std::filesystem::path dem;
+    std::filesystem::path imagery; ///< empty: none
+    std::optional<Geodetic> origin;
+    Placement placement = Placement::curved;
+    DemImportOptions import;
+    double errorTolerancePx = 1.0;
+    std::uint32_t maxTriangles = std::numeric_limits<std::uint32_t>::max();
+    LandParameters land;
+    std::optional<double> sunAzimuthDeg; ///< absent, or both are there
+    std::optional<double> sunElevationDeg;
+    std::optional<double> visibilityM;
+};
+
+/// Parses the text of a .roam file that is called `name` (for messages and for relative paths). Reads no
+/// file.
+viewlod::Result<RoamFile> parseRoamFile(std::string_view text, const std::filesystem::path& name);
+
+/// Reads and parses a .roam file; the files it names must exist (those behind /vsi names are not looked for).
+viewlod::Result<RoamFile> readRoamFile(const std::filesystem::path& file);
+
+} // namespace osgTerrainROAM::core

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace osgTerrainROAM::core
+{
+
+/// Geodetic positions at a coarse, regular subset of a height field's samples, from which every sample's
+/// place on the Earth follows by interpolation. One mechanism serves geographic and projected rasters alike,
+/// and keeps map projections (PROJ) out of everything but the import. Node (a, b) is sample (column, row) =
+/// (a·step, b·step); nodes cover the padded 2^n+1 tile.
+/// Units: degrees; metres for the geoid's height above the ellipsoid.
+struct GeodeticNet
+{
+    struct Node
+    {
+        double latitudeDeg;
+        double longitudeDeg;
+        double geoidM; ///< added to the samples' heights to make them ellipsoidal; 0 when they already are
+    };
+
+    int step = 0; ///< samples between nodes, a power of two
+    int nodesPerSide = 0;
+    std::vector<Node> nodes; ///< row-major, southernmost row first
+
+    const Node& node(int a, int b) const { return nodes[static_cast<std::size_t>(b) * nodesPerSide + a]; }
+};
+
+/// What the import found missing and how it was replaced.
+struct VoidReport
+{
+    std::size_t count = 0;
+    double share = 0.0; ///< of all samples, 0…1
+    std::string method; ///< empty when there was nothing to fill
+};
+
+/// A regular grid of height samples, complete (voids already filled).
+/// Sample (column, row): column 0 is the westernmost, row 0 the *southernmost*; storage is row-major.
+/// Units: metres, as in the file (above the geoid or the ellipsoid: GeodeticNet::Node::geoidM tells).
+/// Invariant: heights.size() == columns·rows, both ≥ 2, all finite; isComplete() checks.
+struct HeightField
+{
+    std::string name; ///< where it came from, for messages
+    int columns = 0;
+    int rows = 0;
+    std::vector<float> heightsM;
+    double spacingEastM = 0.0; ///< mean sample distance on the ground
+    double spacingNorthM = 0.0;
+    std::optional<GeodeticNet> net; ///< absent: no georeference, a plane with the spacings above
+    VoidReport voids;
+
+    /// Height of a sample; positions beyond the data take the nearest edge sample (constant extrapolation).
+    float heightM(int column, int row) const
+    {
+        const int c = std::clamp(column, 0, columns - 1);
+        const int r = std::clamp(row, 0, rows - 1);
+        return heightsM[static_cast<std::size_t>(r) * columns + c];
+    }
+
+    /// Side, in samples, of the smallest 2^n+1 square that holds the grid.
+    int tileSide() const
+    {
+        int cells = 2;
+        while (cells < std::max(columns, rows) - 1)
+            cells *= 2;
+        return cells + 1;
+    }
+
+    bool isComplete() const;
+};
+
+} // namespace osgTerrainROAM::core

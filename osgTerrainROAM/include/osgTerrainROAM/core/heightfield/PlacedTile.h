@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include <osgTerrainROAM/core/heightfield/HeightField.h>
+
+namespace osgTerrainROAM::core
+{
+
+/// WGS84 position. Units: degrees, metres above the ellipsoid.
+struct Geodetic
+{
+    double latitudeDeg = 0.0;
+    double longitudeDeg = 0.0;
+    double heightM = 0.0;
+};
+
+/// How samples become 3D positions.
+enum class Placement
+{
+    curved, ///< on the WGS84 ellipsoid, east-north-up about an origin; needs a georeference
+    planar, ///< x = column·spacing, y = row·spacing, z = height: the anchors' convention
+};
+
+/// A height field as a square tile of 2^n+1 samples whose every sample has a position in the local frame.
+/// Samples beyond the data repeat the edge's height; they exist only so that the bintree is complete, count
+/// in no error and are clipped when drawn (dataColumns, dataRows). Curved: a lattice of exact positions and
+/// ellipsoid normals at the nodes of the field's GeodeticNet is interpolated biquadratically, so a position
+/// is a pure function of its sample, the same bits on every call.
+/// Frame: local east-north-up metres about `origin()`; planar: about the south-west sample.
+/// Threads: immutable after construction. Memory: the height field, plus 48 B per lattice node.
+/// Source: spec 1, "The wheel in formulas": X(s), the placed 3D position of a sample.
+class PlacedTile
+{
+public:
+    /// `origin` of the frame; absent: the data's centre at ellipsoidal height 0. A field without
+    /// georeference is always planar.
+    explicit PlacedTile(HeightField field, Placement placement = Placement::curved);
+    PlacedTile(HeightField field, const Geodetic& origin);
+
+    int side() const { return _side; }     ///< samples along the tile, 2^n+1
+    int levels() const { return _levels; } ///< 2n: bintree levels below the two roots that can split
+    int dataColumns() const { return _field.columns; }
+    int dataRows() const { return _field.rows; }
+    const HeightField& field() const { return _field; }
+    const Geodetic& origin() const { return _origin; }
+    Placement placement() const { return _placement; }
+
+    float heightM(int column, int row) const { return _field.heightM(column, row); }
+
+    /// Position of a sample of the tile, 0 ≤ column, row < side. Cost: about 60 flops (curved), 2 (planar).
+    glm::dvec3 position(int column, int row) const;
+
+    /// Position of a fractional grid place at a given height (metres, as the samples are counted).
+    glm::dvec3 positionAt(double column, double row, double heightM) const;
+
+    /// Grid place (column, row) under or above `local`, along the ellipsoid's normal there (planar: along z):
+    /// positionAt(gridAt(p), h) = p for the height h of p. Places beyond the tile are extrapolated.
+    glm::dvec2 gridAt(const glm::dvec3& local) const;
+
+    /// Conversions of the frame (identity-like about the origin for planar tiles: unavailable, asserted).
+    glm::dvec3 localFromGeodetic(const Geodetic& geodetic) const;
+    Geodetic geodeticFromLocal(const glm::dvec3& local) const;
+
+private:
+    struct LatticeNode
+    {
+        glm::dvec3 base; ///< local position at sample height 0
+        glm::dvec3 up;   ///< ellipsoid normal in the local frame
+    };
+
+    /// Quadratic Lagrange weights of three nodes in a row, or their derivatives.
+    struct Weights
+    {
+        double w[3];
+    };
+
+    /// Where a grid place falls: its macro cell (3×3 nodes) and how many nodes into it.
+    struct LatticePlace
+    {
+        int macroColumn, macroRow;
+        double east, north; ///< 0…2
+    };
+
+    static Weights weightsAt(double nodesFromFirst);
+    static Weights slopesAt(double nodesFromFirst);
+    void initSide();
+    void buildLattice();
+    Geodetic dataCentre() const;
+    LatticePlace latticePlace(double column, double row) const;
+    LatticeNode blend(int macroColumn, int macroRow, const Weights& wx, const Weights& wy) const;
+    glm::dvec2 newtonStep(const glm::dvec2& grid, const glm::dvec3& local) const;
+
+    HeightField _field;
+    Placement _placement;
+    Geodetic _origin;
+    int _side = 0;
+    int _levels = 0;
+    int _latticeStep = 0;          ///< samples between nodes
+    int _latticeSide = 0;          ///< nodes along the tile, odd: whole macro cells of 2×2 steps
+    int _macroShift = 0;           ///< log2(2·step): a sample's macro cell is index >> shift
+    std::vector<Weights> _weights; ///< per sample offset 0…2·step within a macro cell
+    std::vector<LatticeNode> _lattice;
+};
+
+} // namespace osgTerrainROAM::core

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <viewlod/Budget.h>
+#include <viewlod/ViewState.h>
+
+#include <osgTerrainROAM/core/roam/BinTriangleTree.h>
+
+namespace osgTerrainROAM::core
+{
+
+/// The smallest τ ≥ budget.errorTolerancePx at which the mesh for `view` has at most budget.maxTriangles leaves (the
+/// target itself when it has). A function of tile and eye alone: the present `mesh`, of the same tile, and `guessPx`,
+/// the τ of the frame before or any other number, change only the time it takes.
+/// Cost: O(maxTriangles), whatever the terrain's size. Source: spec 1 D, "Triangle ceiling".
+double toleranceWithinCeiling(const RoamTile& tile, const BinTriangleTree& mesh, const viewlod::ViewState& view,
+                              const viewlod::Budget& budget, double guessPx);
+
+} // namespace osgTerrainROAM::core

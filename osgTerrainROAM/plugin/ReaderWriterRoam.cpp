@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <filesystem>
+#include <system_error>
+
+#include <osgDB/FileNameUtils>
+#include <osgDB/FileUtils>
+#include <osgDB/Registry>
+
+#include <osgTerrainROAM/RoamTerrain>
+
+#include "FirstLook.h"
+
+namespace
+{
+
+/// osgDB's way to our terrains. An existing file that ends in .roam is a text that describes one; of any other name
+/// the suffix is taken off and the rest opened as elevation raster: osgviewer dem.tif.roam, osgviewer
+/// /vsigzip/dem.hgt.gz.roam.
+/// Errors: ReadResult::message() is the Error's line, with file, place and remedy.
+class ReaderWriterRoam : public osgDB::ReaderWriter
+{
+public:
+    ReaderWriterRoam()
+    {
+        supportsExtension("roam", "terrain description, or suffix of an elevation raster (dem.tif.roam)");
+    }
+
+    const char* className() const override { return "osgTerrainROAM reader"; }
+
+    ReadResult readObject(const std::string& name, const Options* options) const override
+    {
+        return readNode(name, options);
+    }
+
+    ReadResult readNode(const std::string& name, const Options* options) const override
+    {
+        if (!acceptsExtension(osgDB::getLowerCaseFileExtension(name))) return ReadResult::FILE_NOT_HANDLED;
+        const auto terrain = osgTerrainROAM::openTerrain(fileToOpen(name, options));
+        if (!terrain) return ReadResult(terrain.error().message());
+        (*terrain)->addEventCallback(firstLook(**terrain));
+        return ReadResult(terrain->get(), ReadResult::FILE_LOADED);
+    }
+
+private:
+    static osgTerrainROAM::FirstLook* firstLook(const osgTerrainROAM::RoamTerrain& terrain)
+    {
+        const osg::Vec3f horizon = osgTerrainROAM::displayColour(terrain.atmosphere()->light().horizon);
+        return new osgTerrainROAM::FirstLook(terrain.drawable()->getBoundingBox(), osg::Vec4f(horizon, 1.0f));
+    }
+
+    /// osgDB's search path applies to plain names; it knows nothing of GDAL's /vsi names.
+    static std::filesystem::path fileToOpen(const std::string& name, const Options* options)
+    {
+        if (const std::string found = osgDB::findDataFile(name, options); !found.empty()) return found;
+        const std::string stripped = osgDB::getNameLessExtension(name);
+        if (stripped.starts_with("/vsi")) return stripped;
+        const std::string found = osgDB::findDataFile(stripped, options);
+        return found.empty() ? stripped : found;
+    }
+};
+
+} // namespace
+
+REGISTER_OSGPLUGIN(roam, ReaderWriterRoam)

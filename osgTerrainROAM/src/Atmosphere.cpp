@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <osg/Math>
+#include <osg/Uniform>
+
+#include <osgTerrainROAM/Atmosphere>
+
+namespace osgTerrainROAM
+{
+
+namespace
+{
+
+/// Clear air at one height of the sun.
+struct SkyKey
+{
+    double elevationDeg;
+    osg::Vec3f sun, zenith, horizon, glow;
+};
+
+// Chosen by eye against photographs: blue by day, warm at the horizon, steel-blue dusk, dark but not black
+// night.
+constexpr int kKeys = 8;
+const std::array<SkyKey, kKeys>& skyKeys()
+{
+    static const std::array<SkyKey, kKeys> keys{{
+        {-18.0,
+         {0.00f, 0.00f, 0.00f},
+         {0.002f, 0.003f, 0.007f},
+         {0.003f, 0.004f, 0.008f},
+         {0.0f, 0.0f, 0.0f}},
+        {-8.0,
+         {0.00f, 0.00f, 0.00f},
+         {0.010f, 0.017f, 0.040f},
+         {0.030f, 0.036f, 0.055f},
+         {0.04f, 0.02f, 0.02f}},
+        {-3.0,
+         {0.00f, 0.00f, 0.00f},
+         {0.035f, 0.058f, 0.120f},
+         {0.130f, 0.120f, 0.140f},
+         {0.35f, 0.15f, 0.08f}},
+        {0.0,
+         {0.10f, 0.03f, 0.01f},
+         {0.060f, 0.100f, 0.210f},
+         {0.270f, 0.230f, 0.230f},
+         {0.95f, 0.45f, 0.18f}},
+        {5.0,
+         {0.95f, 0.55f, 0.28f},
+         {0.080f, 0.150f, 0.320f},
+         {0.420f, 0.420f, 0.450f},
+         {1.10f, 0.72f, 0.38f}},
+        {15.0,
+         {1.60f, 1.25f, 0.90f},
+         {0.090f, 0.190f, 0.420f},
+         {0.480f, 0.560f, 0.670f},
+         {1.00f, 0.88f, 0.68f}},
+        {35.0,
+         {1.90f, 1.72f, 1.48f},
+         {0.095f, 0.215f, 0.490f},
+         {0.510f, 0.640f, 0.800f},
+         {0.90f, 0.88f, 0.80f}},
+        {90.0,
+         {2.00f, 1.88f, 1.70f},
+         {0.100f, 0.225f, 0.510f},
+         {0.520f, 0.660f, 0.830f},
+         {0.90f, 0.90f, 0.85f}},
+    }};
+    return keys;
+}
+
+osg::Vec3f mixed(const osg::Vec3f& a, const osg::Vec3f& b, float t)
+{
+    return a * (1.0f - t) + b * t;
+}
+
+SkyKey keyAt(double elevationDeg)
+{
+    const auto& keys = skyKeys();
+    const double e = std::clamp(elevationDeg, keys.front().elevationDeg, keys.back().elevationDeg);
+    int i = 0;
+    while (i < kKeys - 2 && e > keys[i + 1].elevationDeg)
+        ++i;
+    const float t =
+        static_cast<float>((e - keys[i].elevationDeg) / (keys[i + 1].elevationDeg - keys[i].elevationDeg));
+    return {e, mixed(keys[i].sun, keys[i + 1].sun, t), mixed(keys[i].zenith, keys[i + 1].zenith, t),
+            mixed(keys[i].horizon, keys[i + 1].horizon, t), mixed(keys[i].glow, keys[i + 1].glow, t)};
+}
+
+float luminance(const osg::Vec3f& c)
+{
+    return 0.30f * c.x() + 0.59f * c.y() + 0.11f * c.z();
+}
+
+osg::Vec3f grey(float value)
+{
+    return {value, value, value};
+}
+
+} // namespace
+
+osg::Vec3d sunDirectionFromAngles(double azimuthDeg, double elevationDeg)
+{
+    const double azimuth = osg::DegreesToRadians(azimuthDeg);
+    const double elevation = osg::DegreesToRadians(elevationDeg);
+    return {std::sin(azimuth) * std::cos(elevation), std::cos(azimuth) * std::cos(elevation),
+            std::sin(elevation)};
+}
+
+osg::Vec3f displayColour(const osg::Vec3f& linear)
+{
+    const auto channel = [](float x) { return std::sqrt(1.0f - std::exp(-1.6f * x)); };
+    return {channel(linear.x()), channel(linear.y()), channel(linear.z())};
+}
+
+AtmosphereLight atmosphereLight(const AtmosphereSettings& settings)
+{
+    osg::Vec3d direction = settings.sunDirectionWorld;
+    if (direction.normalize() == 0.0) direction.set(0.0, 0.0, 1.0);
+    const SkyKey key = keyAt(osg::RadiansToDegrees(std::asin(std::clamp(direction.z(), -1.0, 1.0))));
+    const float cloud = static_cast<float>(std::clamp(settings.cloudCover, 0.0, 1.0));
+
+    AtmosphereLight light;
+    // -ln(0.05) over the visibility; shorter waves are scattered more, which makes distant hills blue.
+    const double green = 2.995732 / std::max(settings.visibilityM, 1.0);
+    // In dense fog (large drops) all waves fare alike.
+    const float blueness = static_cast<float>(std::clamp((settings.visibilityM - 1000.0) / 9000.0, 0.0, 1.0));
+    light.extinction = mixed({1.0f, 1.0f, 1.0f}, {0.82f, 1.0f, 1.30f}, blueness) * static_cast<float>(green);
+
+    // Haze thins out with height; fog fills the valleys up to any height the eye is at.
+    light.hazeScaleHeightM = static_cast<float>(
+        2500.0 / std::clamp((settings.visibilityM - 2000.0) / 18000.0, 1e-5, 1.0));
+
+    // An equivalent layer of 1200 m of that air between the ground and space.
+    const float clear = static_cast<float>(std::exp(-green * 1200.0));
+    const float direct = clear * (1.0f - 0.92f * cloud) * static_cast<float>(settings.sunIntensity);
+    light.sun = direction.z() > -0.02 ? key.sun * direct : osg::Vec3f();
+    light.glow = key.glow * (clear * (1.0f - 0.9f * cloud));
+
+    const osg::Vec3f overcast = mixed(grey(0.62f * luminance(key.horizon)), key.horizon * 0.62f, 0.25f);
+    const osg::Vec3f fog =
+        settings.fogColour.value_or(mixed(grey(luminance(key.horizon)), key.horizon, 0.3f));
+    light.zenith = mixed(fog, mixed(key.zenith, overcast * 0.9f, cloud), clear);
+    light.horizon = mixed(fog, mixed(key.horizon, overcast, cloud), clear);
+    light.sky = light.zenith * 0.65f + light.horizon * 0.25f;
+    light.ground = (light.sun * static_cast<float>(std::max(direction.z(), 0.0)) + light.sky) * 0.16f;
+    return light;
+}
+
+Atmosphere::Atmosphere(const AtmosphereSettings& settings) : _stateSet(new osg::StateSet)
+{
+    _stateSet->setDataVariance(osg::Object::DYNAMIC);
+    apply(settings);
+}
+
+void Atmosphere::apply(const AtmosphereSettings& settings)
+{
+    _settings = settings;
+    _light = atmosphereLight(settings);
+    osg::Vec3f direction(settings.sunDirectionWorld);
+    if (direction.normalize() == 0.0f) direction.set(0.0f, 0.0f, 1.0f);
+    const auto set = [this](const char* name, const osg::Vec3f& value)
+    { _stateSet->getOrCreateUniform(name, osg::Uniform::FLOAT_VEC3)->set(value); };
+    set("atmosphereSunDirection", direction);
+    set("atmosphereSun", _light.sun);
+    set("atmosphereSky", _light.sky);
+    set("atmosphereGround", _light.ground);
+    set("atmosphereZenith", _light.zenith);
+    set("atmosphereHorizon", _light.horizon);
+    set("atmosphereGlow", _light.glow);
+    set("atmosphereExtinction", _light.extinction);
+    _stateSet->getOrCreateUniform("atmosphereLayer", osg::Uniform::FLOAT_VEC2)
+        ->set(osg::Vec2f(static_cast<float>(settings.hazeBaseM), 1.0f / _light.hazeScaleHeightM));
+}
+
+void Atmosphere::addUniformsTo(osg::StateSet& stateSet) const
+{
+    for (const auto& [name, entry] : _stateSet->getUniformList())
+        stateSet.addUniform(entry.first.get(), entry.second);
+    stateSet.setDataVariance(osg::Object::DYNAMIC);
+}
+
+void Atmosphere::applyTo(osg::Light& light) const
+{
+    const osg::Vec3d direction = _settings.sunDirectionWorld;
+    light.setPosition(osg::Vec4(osg::Vec3f(direction), 0.0f));
+    light.setAmbient(osg::Vec4f(displayColour(_light.sky * 0.5f), 1.0f));
+    light.setDiffuse(osg::Vec4f(displayColour(_light.sun * 0.6f), 1.0f));
+    light.setSpecular(osg::Vec4f(displayColour(_light.sun * 0.6f), 1.0f));
+}
+
+} // namespace osgTerrainROAM

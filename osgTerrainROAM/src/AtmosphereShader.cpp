@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <osgTerrainROAM/Atmosphere>
+
+namespace osgTerrainROAM
+{
+
+const char* Atmosphere::glslFunctions()
+{
+    return R"(
+uniform vec3 atmosphereSunDirection;
+uniform vec3 atmosphereSun;
+uniform vec3 atmosphereSky;
+uniform vec3 atmosphereGround;
+uniform vec3 atmosphereZenith;
+uniform vec3 atmosphereHorizon;
+uniform vec3 atmosphereGlow;
+uniform vec3 atmosphereExtinction;
+uniform vec2 atmosphereLayer; // height of the haze's base in the world, 1 / scale height
+uniform mat4 osg_ViewMatrixInverse;
+
+vec3 sunDirection() { return atmosphereSunDirection; }
+vec3 sunLight() { return atmosphereSun; }
+
+vec3 skyColour(vec3 directionWorld)
+{
+    // Below the horizon the direction is flattened: continuous, and the haze over the ground keeps its glow.
+    vec3 direction = vec3(directionWorld.xy, max(directionWorld.z, 0.0));
+    float low = 1.0 - direction.z;
+    float low2 = low * low;
+    float horizonShare = low2 * low2 * low;
+    float toSun = max(dot(direction, atmosphereSunDirection), 0.0);
+    float s2 = toSun * toSun;
+    float s4 = s2 * s2;
+    float s16 = s4 * s4 * s4 * s4;
+    float s64 = s16 * s16 * s16 * s16;
+    float glow = s4 * (0.10 + 0.25 * horizonShare) + 0.22 * s16 + 0.45 * s64 * s64;
+    return mix(atmosphereZenith, atmosphereHorizon, horizonShare) + glow * atmosphereGlow;
+}
+
+vec3 sunDisc(vec3 directionWorld)
+{
+    // 0.53 degrees across, with a soft limb so that it does not crawl.
+    float edge = smoothstep(0.999960, 0.999990, dot(directionWorld, atmosphereSunDirection));
+    return edge * 12.0 * atmosphereGlow;
+}
+
+vec3 applyHaze(vec3 colour, vec3 directionWorld, float distanceM)
+{
+    // Density falls off exponentially with the height: its integral along the ray has a closed form.
+    float rise = clamp(directionWorld.z * distanceM * atmosphereLayer.y, -20.0, 20.0);
+    float mean = abs(rise) < 0.01 ? 1.0 - 0.5 * rise : (1.0 - exp(-rise)) / rise;
+    float eye = exp(-max(osg_ViewMatrixInverse[3].z - atmosphereLayer.x, 0.0) * atmosphereLayer.y);
+    vec3 transmittance = exp(-atmosphereExtinction * (distanceM * mean * eye));
+    return mix(skyColour(directionWorld), colour, transmittance);
+}
+
+vec3 ambientLight(vec3 normalWorld)
+{
+    return mix(atmosphereGround, atmosphereSky, 0.5 + 0.5 * normalWorld.z);
+}
+
+vec3 displayColour(vec3 linear)
+{
+    // Exposure, a film's shoulder, then gamma 2.
+    return sqrt(1.0 - exp(-1.6 * linear));
+}
+)";
+}
+
+} // namespace osgTerrainROAM

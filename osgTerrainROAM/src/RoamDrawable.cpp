@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <osgTerrainROAM/RoamDrawable>
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/gtc/type_ptr.hpp>
+
+#include <osgUtil/CullVisitor>
+
+#include "view/ClippedTriangles.h"
+#include "view/TileBounds.h"
+#include "view/ViewGroupTable.h"
+#include "view/ViewPart.h"
+
+namespace osgTerrainROAM
+{
+
+namespace
+{
+
+/// OSG multiplies row vectors and stores rows, GLM columns: the same sixteen numbers.
+glm::dmat4 toGlm(const osg::Matrixd& matrix) { return glm::make_mat4(matrix.ptr()); }
+
+bool computesNearFar(const osgUtil::CullVisitor& visitor)
+{
+    return visitor.getComputeNearFarMode() != osg::CullSettings::DO_NOT_COMPUTE_NEAR_FAR;
+}
+
+bool isParallel(const glm::dmat4& projection) { return projection[2][3] == 0.0; }
+
+/// The projection without a far plane, its near plane where we want it: while OSG is still looking for both, what
+/// stands in the matrix means nothing.
+glm::dmat4 withoutDepth(glm::dmat4 projection, double nearM)
+{
+    projection[2][2] = isParallel(projection) ? 0.0 : -1.0;
+    projection[3][2] = isParallel(projection) ? 0.0 : -2.0 * nearM;
+    return projection;
+}
+
+viewlod::ViewState viewOf(osgUtil::CullVisitor& visitor, double nearestM)
+{
+    glm::dmat4 projection = toGlm(*visitor.getProjectionMatrix());
+    if (computesNearFar(visitor)) projection = withoutDepth(projection, nearestM);
+    const osg::Viewport* viewport = visitor.getViewport();
+    const int width = viewport ? static_cast<int>(viewport->width()) : 1;
+    const int height = viewport ? static_cast<int>(viewport->height()) : 1;
+    auto view = viewlod::ViewState::fromMatrices(toGlm(*visitor.getModelViewMatrix()), projection, width, height);
+    if (isParallel(projection))
+    {
+        view.cornerStretch = 1.0;
+        view.nearM = nearestM;
+    }
+    view.nearM = std::max(view.nearM, 1e-3);
+    // OSG's own knob for coarser (> 1) or finer detail.
+    view.pixelsPerTangent /= std::max(static_cast<double>(visitor.getLODScale()), 1e-6);
+    return view;
+}
+
+/// Tells OSG how near and how far this surface reaches, and lets it have so near a plane.
+void tellNearFar(osgUtil::CullVisitor& visitor, const osg::BoundingBox& box, const viewlod::ViewState& view,
+                 double nearestM)
+{
+    const osg::Matrixd& eyeFromLocal = *visitor.getModelViewMatrix();
+    double farM = 0.0;
+    for (unsigned int i = 0; i < 8; ++i) farM = std::max(farM, -(osg::Vec3d(box.corner(i)) * eyeFromLocal).z());
+    if (farM <= 0.0) return;
+    // A point at the picture's corner is farther away than it is deep.
+    const double nearM = std::max(0.95 * nearestM / std::sqrt(view.cornerStretch), farM * 1e-6);
+    if (nearM < visitor.getCalculatedNearPlane()) visitor.setCalculatedNearPlane(nearM);
+    if (farM > visitor.getCalculatedFarPlane()) visitor.setCalculatedFarPlane(farM);
+    const double ratio = 0.95 * visitor.getCalculatedNearPlane() / visitor.getCalculatedFarPlane();
+    if (ratio < visitor.getNearFarRatio()) visitor.setNearFarRatio(ratio);
+}
+
+/// The camera whose mesh a nested camera uses: shadow and reflection passes hang below their main view, relative
+/// to it or with its viewpoint. A nested camera with a frame of its own looks for itself.
+const osg::Camera* mainCameraOf(osgUtil::CullVisitor& visitor)
+{
+    const osg::Camera* current = visitor.getCurrentCamera();
+    const osg::Camera* root = visitor.getRenderStage()->getCamera();
+    const bool depends = current && root && current != root &&
+                         current->getReferenceFrame() != osg::Transform::ABSOLUTE_RF;
+    return depends ? root : nullptr;
+}
+
+} // namespace
+
+RoamDrawable::RoamDrawable() : RoamDrawable(nullptr) {}
+
+RoamDrawable::RoamDrawable(std::shared_ptr<const core::RoamTile> tile)
+    : _tile(std::move(tile)), _groups(std::make_unique<ViewGroupTable>(_tile))
+{
+    setUseDisplayList(false);
+    setSupportsDisplayList(false);
+    setUseVertexBufferObjects(true);
+    if (_tile) _defaultErrorM = 0.25 * std::max(_tile->tile.field().spacingEastM, 0.01);
+}
+
+RoamDrawable::RoamDrawable(const RoamDrawable& other, const osg::CopyOp& copyOp)
+    : osg::Drawable(other, copyOp), _tile(other._tile), _groups(std::make_unique<ViewGroupTable>(_tile)),
+      _errorTolerancePx(other._errorTolerancePx), _maxTriangles(other._maxTriangles), _nearestM(other._nearestM),
+      _defaultErrorM(other._defaultErrorM)
+{
+}
+
+RoamDrawable::~RoamDrawable() = default;
+
+std::vector<ViewGroupStatistics> RoamDrawable::statistics() const { return _groups->statistics(); }
+
+void RoamDrawable::accept(osg::NodeVisitor& visitor)
+{
+    osgUtil::CullVisitor* cullVisitor = visitor.asCullVisitor();
+    if (!cullVisitor) return osg::Drawable::accept(visitor);
+    if (!_tile || !visitor.validNodeMask(*this)) return;
+    visitor.pushOntoNodePath(this);
+    cull(*cullVisitor);
+    visitor.popFromNodePath();
+}
+
+void RoamDrawable::cull(osgUtil::CullVisitor& visitor)
+{
+    const osg::BoundingBox& box = getBoundingBox();
+    if (isCullingActive() && visitor.isCulled(box)) return;
+
+    ViewRequest request;
+    request.camera = visitor.getCurrentCamera();
+    request.mainCamera = mainCameraOf(visitor);
+    request.frame = visitor.getFrameStamp() ? visitor.getFrameStamp()->getFrameNumber() : 0;
+    request.target.view = viewOf(visitor, _nearestM);
+    request.target.budget.errorTolerancePx = _errorTolerancePx;
+    request.target.budget.maxTriangles = _maxTriangles;
+    const viewlod::ViewState view = request.target.view;
+    if (isParallel(toGlm(*visitor.getProjectionMatrix())))
+        request.target.errorM = _errorTolerancePx / view.pixelsPerTangent;
+
+    std::optional<unsigned int> contextId;
+    if (visitor.getState()) contextId = visitor.getState()->getContextID();
+    const ViewGroupTable::Match match = _groups->find(request);
+    ViewAnswer answer = match.borrowed
+                            ? match.group->answerAsIs(view.frustum, view.eyeWorld, contextId)
+                            : match.group->answer(request.frame, match.target, view.frustum, contextId);
+    if (answer.ranges.empty()) return;
+    if (computesNearFar(visitor)) tellNearFar(visitor, box, view, answer.nearestM);
+
+    if (getStateSet()) visitor.pushStateSet(getStateSet());
+    const auto depth = static_cast<float>(answer.nearestM);
+    osg::ref_ptr<ViewPart> part = new ViewPart(match.group, std::move(answer), view.frustum, box);
+    visitor.addDrawableAndDepth(part.get(), visitor.getModelViewMatrix(), depth);
+    if (getStateSet()) visitor.popStateSet();
+}
+
+void RoamDrawable::accept(osg::PrimitiveFunctor& functor) const
+{
+    if (!_tile) return;
+    ClippedTriangles triangles;
+    _groups->latest(_defaultErrorM)->visitMesh([&](const core::RoamMesh& mesh) { triangles = clippedTriangles(mesh); });
+    triangles.accept(functor);
+}
+
+osg::BoundingBox RoamDrawable::computeBoundingBox() const
+{
+    return _tile ? tileBounds(_tile->tile) : osg::BoundingBox();
+}
+
+void RoamDrawable::releaseGLObjects(osg::State* state) const
+{
+    osg::Drawable::releaseGLObjects(state);
+    _groups->releaseGLObjects(state);
+}
+
+} // namespace osgTerrainROAM

@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <set>
+#include <system_error>
+#include <vector>
+
+#include <osgTerrainROAM/core/RoamFile.h>
+
+namespace osgTerrainROAM::core
+{
+
+namespace
+{
+
+using viewlod::Error;
+using viewlod::Outcome;
+using viewlod::Result;
+using viewlod::success;
+
+constexpr std::size_t kMaxBytes = 1 << 20; ///< a larger "text" is some other file under a wrong name
+
+std::string_view trimmed(std::string_view text)
+{
+    constexpr std::string_view kBlank = " \t\r";
+    const std::size_t first = text.find_first_not_of(kBlank);
+    if (first == std::string_view::npos) return {};
+    return text.substr(first, text.find_last_not_of(kBlank) - first + 1);
+}
+
+/// One `key = value` with what a message and a path need.
+struct Entry
+{
+    std::string place; ///< file:line
+    std::string_view key, value;
+    std::filesystem::path folder;
+
+    Error error(const std::string& what, const std::string& remedy) const { return {place, what, remedy}; }
+};
+
+Result<std::vector<double>> numbers(const Entry& entry, std::size_t least, std::size_t most)
+{
+    std::vector<double> found;
+    const char* at = entry.value.data();
+    const char* const end = at + entry.value.size();
+    while (at != end)
+    {
+        if (*at == ' ' || *at == '\t')
+        {
+            ++at;
+            continue;
+        }
+        double number = 0.0;
+        const auto [next, failure] = std::from_chars(at, end, number);
+        const bool ends = next == end || *next == ' ' || *next == '\t';
+        if (failure != std::errc() || !ends || !std::isfinite(number))
+            return entry.error("'" + std::string(entry.value) + "' is not a number that " +
+                                   std::string(entry.key) + " can have",
+                               "write plain decimal numbers");
+        found.push_back(number);
+        at = next;
+    }
+    if (found.size() < least || found.size() > most)
+        return entry.error(std::string(entry.key) + " has " + std::to_string(found.size()) + " numbers",
+                           "give " + std::to_string(least) +
+                               (most > least ? " to " + std::to_string(most) : std::string()));
+    return found;
+}
+
+/// A number within [low, high].
+Result<double> numberWithin(const Entry& entry, double low, double high)
+{
+    const auto found = numbers(entry, 1, 1);
+    if (!found) return found.error();
+    const double number = found->front();
+    if (number < low || number > high)
+        return entry.error(std::string(entry.key) + " = " + std::string(entry.value) + " is out of range",
+                           "give a number from " + std::to_string(low) + " to " + std::to_string(high));
+    return number;
+}
+
+template<class Target>
+Outcome assignNumber(Target& target, const Entry& entry, double low, double high)
+{
+    const auto number = numberWithin(entry, low, high);
+    if (!number) return number.error();
+    target = *number;
+    return success();
+}
+
+Outcome assignPath(std::filesystem::path& target, const Entry& entry)
+{
+    const std::filesystem::path path{std::string(entry.value)};
+    target = path.is_absolute() ? path : entry.folder / path;
+    return success();
+}
+
+Outcome assignOrigin(RoamFile& file, const Entry& entry)
+{
+    const auto found = numbers(entry, 2, 3);
+    if (!found) return found.error();
+    const auto& list = *found;
+    if (std::abs(list[0]) > 90.0 || std::abs(list[1]) > 360.0)
+        return entry.error("origin = " + std::string(entry.value) + " is no place on Earth",
+                           "give latitude, longitude in degrees and perhaps the height in metres");
+    file.origin = Geodetic{list[0], list[1], list.size() > 2 ? list[2] : 0.0};
+    return success();
+}
+
+Outcome assignSun(RoamFile& file, const Entry& entry)
+{
+    const auto found = numbers(entry, 2, 2);
+    if (!found) return found.error();
+    if (std::abs((*found)[1]) > 90.0)
+        return entry.error("the sun cannot stand " + std::to_string((*found)[1]) + " degrees high",
+                           "give azimuth (clockwise from north) and elevation in degrees");
+    file.sunAzimuthDeg = (*found)[0];
+    file.sunElevationDeg = (*found)[1];
+    return success();
+}
+
+Outcome unknownWord(const Entry& entry, const std::string& choices)
+{
+    return entry.error(std::string(entry.key) + " = '" + std::string(entry.value) + "' is unknown",
+                       "use one of: " + choices);
+}
+
+Outcome assignPlacement(RoamFile& file, const Entry& entry)
+{
+    if (entry.value == "curved")
+        file.placement = Placement::curved;
+    else if (entry.value == "planar")
+        file.placement = Placement::planar;
+    else
+        return unknownWord(entry, "curved, planar");
+    return success();
+}
+
+Outcome assignDatum(RoamFile& file, const Entry& entry)
+{
+    if (entry.value == "automatic")
+        file.import.verticalDatum = VerticalDatum::automatic;
+    else if (entry.value == "egm96")
+        file.import.verticalDatum = VerticalDatum::egm96;
+    else if (entry.value == "ellipsoid")
+        file.import.verticalDatum = VerticalDatum::ellipsoid;
+    else
+        return unknownWord(entry, "automatic, egm96, ellipsoid");
+    return success();
+}
+
+Outcome assignTriangles(RoamFile& file, const Entry& entry)
+{
+    const auto number = numberWithin(entry, 2.0, 4.0e9);
+    if (!number) return number.error();
+    file.maxTriangles = static_cast<std::uint32_t>(*number);
+    return success();
+}
+
+/// A key and what it does to the file.
+struct Key
+{
+    std::string_view name;
+    Outcome (*assign)(RoamFile&, const Entry&);
+};
+
+constexpr double kFar = 1.0e7; ///< metres; nothing on Earth is higher or wider than its own radius
+
+constexpr std::array kKeys{
+    Key{"dem", [](RoamFile& f, const Entry& e) { return assignPath(f.dem, e); }},
+    Key{"imagery", [](RoamFile& f, const Entry& e) { return assignPath(f.imagery, e); }},
+    Key{"origin", assignOrigin},
+    Key{"placement", assignPlacement},
+    Key{"spacing",
+        [](RoamFile& f, const Entry& e) { return assignNumber(f.import.spacingM, e, 1e-3, kFar); }},
+    Key{"vertical_datum", assignDatum},
+    Key{"error_tolerance",
+        [](RoamFile& f, const Entry& e) { return assignNumber(f.errorTolerancePx, e, 1e-3, 1e3); }},
+    Key{"max_triangles", assignTriangles},
+    Key{"aridity", [](RoamFile& f, const Entry& e) { return assignNumber(f.land.aridity, e, 0.0, 1.0); }},
+    Key{"tree_line",
+        [](RoamFile& f, const Entry& e) { return assignNumber(f.land.treeLineM, e, -kFar, kFar); }},
+    Key{"snow_line",
+        [](RoamFile& f, const Entry& e) { return assignNumber(f.land.snowLineM, e, -kFar, kFar); }},
+    Key{"sea_level",
+        [](RoamFile& f, const Entry& e) { return assignNumber(f.land.seaLevelM, e, -kFar, kFar); }},
+    Key{"sun", assignSun},
+    Key{"visibility", [](RoamFile& f, const Entry& e) { return assignNumber(f.visibilityM, e, 1.0, kFar); }},
+};
+
+std::string keyNames()
+{
+    std::string names;
+    for (const Key& key : kKeys)
+        names += (names.empty() ? "" : ", ") + std::string(key.name);
+    return names;
+}
+
+Outcome assignEntry(RoamFile& file, const Entry& entry)
+{
+    if (entry.value.empty())
+        return entry.error(std::string(entry.key) + " has no value",
+                           "write key = value, or take the line out");
+    for (const Key& key : kKeys)
+        if (key.name == entry.key) return key.assign(file, entry);
+    return entry.error("unknown key '" + std::string(entry.key) + "'", "known keys: " + keyNames());
+}
+
+/// Line (from 1) of `key` in text that has been parsed before.
+std::string placeOfKey(std::string_view text, std::string_view key, const std::filesystem::path& name)
+{
+    std::size_t line = 1;
+    for (std::size_t at = 0; at < text.size(); ++line)
+    {
+        const std::size_t end = std::min(text.find('\n', at), text.size());
+        const std::string_view content = text.substr(at, end - at);
+        if (trimmed(content.substr(0, content.find('='))) == key) break;
+        at = end + 1;
+    }
+    return name.string() + ":" + std::to_string(line);
+}
+
+} // namespace
+
+Result<RoamFile> parseRoamFile(std::string_view text, const std::filesystem::path& name)
+{
+    RoamFile file;
+    std::set<std::string, std::less<>> seen;
+    std::size_t line = 0;
+    for (std::size_t at = 0; at < text.size();)
+    {
+        const std::size_t end = std::min(text.find('\n', at), text.size());
+        std::string_view content = text.substr(at, end - at);
+        at = end + 1;
+        ++line;
+        content = trimmed(content.substr(0, content.find('#')));
+        if (content.empty()) continue;
+        Entry entry{name.string() + ":" + std::to_string(line), {}, {}, name.parent_path()};
+        const std::size_t equals = content.find('=');
+        if (equals == std::string_view::npos || content.find('\0') != std::string_view::npos)
+            return entry.error("not of the form key = value", "see the keys: " + keyNames());
+        entry.key = trimmed(content.substr(0, equals));
+        entry.value = trimmed(content.substr(equals + 1));
+        if (!seen.emplace(entry.key).second)
+            return entry.error("'" + std::string(entry.key) + "' stands here a second time",
+                               "keep one of them");
+        if (const auto assigned = assignEntry(file, entry); !assigned) return assigned.error();
+    }
+    if (file.dem.empty())
+        return Error{name.string() + ":" + std::to_string(line + 1), "no dem is named",
+                     "add a line dem = FILE"};
+    return file;
+}
+
+Result<RoamFile> readRoamFile(const std::filesystem::path& file)
+{
+    std::ifstream stream(file, std::ios::binary);
+    if (!stream) return Error{file.string(), "cannot be read", "check the path and its permissions"};
+    std::string text(kMaxBytes + 1, '\0');
+    stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+    text.resize(static_cast<std::size_t>(std::max<std::streamsize>(stream.gcount(), 0)));
+    if (text.size() > kMaxBytes || text.find('\0') != std::string::npos)
+        return Error{file.string(), "is no .roam text", "a .roam file holds lines key = value"};
+
+    const auto parsed = parseRoamFile(text, file);
+    if (!parsed) return parsed;
+    for (const auto& [key, path] : {std::pair{"dem", parsed->dem}, std::pair{"imagery", parsed->imagery}})
+    {
+        std::error_code ignored;
+        if (path.empty() || path.string().starts_with("/vsi") || std::filesystem::exists(path, ignored))
+            continue;
+        return Error{placeOfKey(text, key, file),
+                     std::string(key) + " '" + path.string() + "' does not exist",
+                     "paths are relative to the .roam file"};
+    }
+    return parsed;
+}
+
+} // namespace osgTerrainROAM::core

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "GeodeticLocator.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <limits>
+#include <type_traits>
+#include <utility>
+
+#include <ogr_srs_api.h>
+
+namespace osgTerrainROAM::core
+{
+
+namespace
+{
+
+using viewlod::Error;
+using viewlod::Result;
+
+struct CrsCloser
+{
+    void operator()(OGRSpatialReferenceH crs) const { OSRDestroySpatialReference(crs); }
+};
+using Crs = std::unique_ptr<std::remove_pointer_t<OGRSpatialReferenceH>, CrsCloser>;
+
+/// Adds the undulation to a height; fails, unlike a search between named systems, when the grid is missing.
+constexpr const char* kGeoidPipeline = "+proj=pipeline +step +proj=unitconvert +xy_in=deg +xy_out=rad"
+                                       " +step +proj=vgridshift +grids=egm96_15.gtx +multiplier=1"
+                                       " +step +proj=unitconvert +xy_in=rad +xy_out=deg";
+
+bool namesEllipsoid(const char* text)
+{
+    if (!text) return false;
+    std::string lower(text);
+    std::transform(lower.begin(), lower.end(), lower.begin(),
+                   [](unsigned char c) { return std::tolower(c); });
+    return lower.find("ellipsoid") != std::string::npos;
+}
+
+bool heightsAreEllipsoidal(OGRSpatialReferenceH crs)
+{
+    if (!OSRIsCompound(crs)) return OSRGetAxesCount(crs) == 3;
+    constexpr const char* kEllipsoidalDatum = "2002"; // datum type of OGC 01-009
+    const char* type = OSRGetAttrValue(crs, "VERT_DATUM", 1);
+    return (type && std::string(type) == kEllipsoidalDatum) ||
+           namesEllipsoid(OSRGetAttrValue(crs, "VERT_CS", 0)) ||
+           namesEllipsoid(OSRGetAttrValue(crs, "VERT_DATUM", 0));
+}
+
+} // namespace
+
+void GeodeticLocator::TransformCloser::operator()(void* transform) const
+{
+    OCTDestroyCoordinateTransformation(static_cast<OGRCoordinateTransformationH>(transform));
+}
+
+Result<GeodeticLocator> GeodeticLocator::create(const std::string& name, const Raster& raster,
+                                                VerticalDatum datum, GdalSession& gdal)
+{
+    gdal.clear();
+    const Crs source(OSRNewSpatialReference(raster.crsWkt.c_str()));
+    const Crs wgs84(OSRNewSpatialReference(nullptr));
+    OSRImportFromEPSG(wgs84.get(), 4326);
+    const bool ellipsoidal = datum == VerticalDatum::ellipsoid ||
+                             (datum == VerticalDatum::automatic && heightsAreEllipsoidal(source.get()));
+    OSRStripVertical(source.get());
+    OSRDemoteTo2D(source.get(), nullptr);
+    OSRSetAxisMappingStrategy(source.get(), OAMS_TRADITIONAL_GIS_ORDER);
+    OSRSetAxisMappingStrategy(wgs84.get(), OAMS_TRADITIONAL_GIS_ORDER);
+
+    GeodeticLocator locator;
+    locator._frame = *raster.frame;
+    constexpr double kDegree = 0.017453292519943295;
+    locator._inDegrees = OSRIsGeographic(source.get()) &&
+                         std::abs(OSRGetAngularUnits(source.get(), nullptr) / kDegree - 1.0) < 1e-6;
+    locator._toWgs84.reset(OCTNewCoordinateTransformation(source.get(), wgs84.get()));
+    if (!locator._toWgs84)
+        return Error{name, "has coordinates that cannot be related to WGS84 (" + gdal.firstError() + ")",
+                     "reproject it with gdalwarp -t_srs EPSG:4326"};
+    if (ellipsoidal) return locator;
+
+    const OGRCoordinateTransformationOptionsH options = OCTNewCoordinateTransformationOptions();
+    OCTCoordinateTransformationOptionsSetOperation(options, kGeoidPipeline, FALSE);
+    locator._geoid.reset(OCTNewCoordinateTransformationEx(nullptr, nullptr, options));
+    OCTDestroyCoordinateTransformationOptions(options);
+    GeodeticNet::Node probe{0.0, 0.0, 0.0};
+    if (locator._geoid) locator.addGeoid({&probe, 1});
+    if (!locator._geoid || !std::isfinite(probe.geoidM))
+        return Error{name, "has heights above EGM96, whose grid egm96_15.gtx PROJ does not find",
+                     "install Debian's proj-data, or say that the heights are ellipsoidal"};
+    return locator;
+}
+
+void GeodeticLocator::locate(std::span<const glm::dvec2> grid, std::span<GeodeticNet::Node> nodes) const
+{
+    std::vector<double> x(grid.size()), y(grid.size());
+    for (std::size_t i = 0; i < grid.size(); ++i)
+    {
+        x[i] = _frame.firstX + grid[i].x * _frame.stepX;
+        y[i] = _frame.firstY + grid[i].y * _frame.stepY;
+        if (!_inDegrees || std::abs(y[i]) <= 90.0) continue;
+        y[i] = std::copysign(180.0, y[i]) - y[i];
+        x[i] += 180.0;
+    }
+    std::vector<int> good(grid.size(), FALSE);
+    OCTTransformEx(_toWgs84.get(), static_cast<int>(grid.size()), x.data(), y.data(), nullptr, good.data());
+    for (std::size_t i = 0; i < grid.size(); ++i)
+    {
+        const bool valid = good[i] && std::isfinite(x[i]) && std::isfinite(y[i]) && std::abs(y[i]) <= 90.0;
+        constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+        nodes[i] = valid ? GeodeticNet::Node{y[i], x[i], 0.0} : GeodeticNet::Node{kNaN, kNaN, kNaN};
+    }
+    if (_geoid) addGeoid(nodes);
+}
+
+void GeodeticLocator::addGeoid(std::span<GeodeticNet::Node> nodes) const
+{
+    std::vector<double> x(nodes.size()), y(nodes.size()), z(nodes.size(), 0.0);
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+    {
+        x[i] = std::remainder(nodes[i].longitudeDeg, 360.0);
+        y[i] = nodes[i].latitudeDeg;
+    }
+    std::vector<int> good(nodes.size(), FALSE);
+    OCTTransformEx(_geoid.get(), static_cast<int>(nodes.size()), x.data(), y.data(), z.data(), good.data());
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+        nodes[i].geoidM = good[i] && std::isfinite(z[i]) ? z[i] : std::numeric_limits<double>::quiet_NaN();
+}
+
+} // namespace osgTerrainROAM::core

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include <viewlod/Result.h>
+
+#include <osgTerrainROAM/core/heightfield/HeightField.h>
+
+#include "GeodeticLocator.h"
+
+namespace osgTerrainROAM::core
+{
+
+/// Gives a field, whose columns and rows are known, its net and its mean spacings on the ground. The net is as
+/// coarse as leaves every data sample within half a millimetre of its true place on the ellipsoid, and within a
+/// centimetre of the geoid grid, when interpolated biquadratically as PlacedTile does; at most 2049² nodes.
+/// (PROJ joins the geoid's 15' posts by flat pieces with creases; the real geoid has none, and EGM96 knows it to
+/// half a metre.)
+/// Errors: part of the data lies where its map projection is not defined; the grid is mirrored.
+viewlod::Outcome georeference(HeightField& field, const GeodeticLocator& locator);
+
+} // namespace osgTerrainROAM::core

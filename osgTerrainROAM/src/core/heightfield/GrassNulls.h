@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include <viewlod/Result.h>
+
+namespace osgTerrainROAM::core
+{
+
+/// Which values of a GRASS ASCII grid are null ("*"), as running numbers in file order. GDAL's reader gives
+/// them as 0, which on a coast is a height like any other.
+/// Source: GRASS GIS manual, r.in.ascii: a header of "key: value" lines, then rows of numbers or null
+/// strings.
+/// Errors: the file holds fewer values than `expected`.
+viewlod::Result<std::vector<std::size_t>> grassNulls(const std::string& gdalPath, std::size_t expected);
+
+} // namespace osgTerrainROAM::core

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <bit>
+#include <cassert>
+#include <cmath>
+#include <utility>
+
+#include <GeographicLib/Geocentric.hpp>
+#include <GeographicLib/LocalCartesian.hpp>
+
+#include <osgTerrainROAM/core/heightfield/PlacedTile.h>
+
+namespace osgTerrainROAM::core
+{
+
+namespace
+{
+
+GeographicLib::LocalCartesian frameAt(const Geodetic& origin)
+{
+    return {origin.latitudeDeg, origin.longitudeDeg, origin.heightM, GeographicLib::Geocentric::WGS84()};
+}
+
+} // namespace
+
+PlacedTile::PlacedTile(HeightField field, Placement placement)
+    : _field(std::move(field)), _placement(_field.net ? placement : Placement::planar)
+{
+    initSide();
+    if (_placement == Placement::planar) return;
+    _origin = dataCentre();
+    buildLattice();
+}
+
+PlacedTile::PlacedTile(HeightField field, const Geodetic& origin)
+    : _field(std::move(field)), _placement(_field.net ? Placement::curved : Placement::planar)
+{
+    initSide();
+    if (_placement == Placement::planar) return;
+    _origin = origin;
+    buildLattice();
+}
+
+void PlacedTile::initSide()
+{
+    assert(_field.isComplete());
+    _side = _field.tileSide();
+    _levels = 2 * (std::bit_width(static_cast<unsigned>(_side - 1)) - 1);
+    if (_placement == Placement::planar) return;
+
+    const GeodeticNet& net = *_field.net;
+    assert(net.step > 0 && std::has_single_bit(static_cast<unsigned>(net.step)));
+    assert(net.nodesPerSide == (_side - 1) / net.step + 1 && net.nodesPerSide % 2 == 1);
+    _latticeStep = net.step;
+    _latticeSide = net.nodesPerSide;
+    _macroShift = std::bit_width(static_cast<unsigned>(net.step));
+    _weights.reserve(2 * static_cast<std::size_t>(net.step) + 1);
+    for (int offset = 0; offset <= 2 * net.step; ++offset)
+        _weights.push_back(weightsAt(static_cast<double>(offset) / net.step));
+}
+
+/// The middle of the samples, on the ellipsoid. Interpolated between geocentric positions, which unlike
+/// longitudes are continuous everywhere.
+Geodetic PlacedTile::dataCentre() const
+{
+    const auto& earth = GeographicLib::Geocentric::WGS84();
+    const GeodeticNet& net = *_field.net;
+    const LatticePlace place = latticePlace(0.5 * (_field.columns - 1), 0.5 * (_field.rows - 1));
+    const Weights wx = weightsAt(place.east);
+    const Weights wy = weightsAt(place.north);
+    glm::dvec3 centre(0.0);
+    for (int j = 0; j < 3; ++j)
+        for (int i = 0; i < 3; ++i)
+        {
+            const GeodeticNet::Node& node = net.node(2 * place.macroColumn + i, 2 * place.macroRow + j);
+            glm::dvec3 p;
+            earth.Forward(node.latitudeDeg, node.longitudeDeg, 0.0, p.x, p.y, p.z);
+            centre += wx.w[i] * wy.w[j] * p;
+        }
+    Geodetic result;
+    earth.Reverse(centre.x, centre.y, centre.z, result.latitudeDeg, result.longitudeDeg, result.heightM);
+    result.heightM = 0.0;
+    return result;
+}
+
+void PlacedTile::buildLattice()
+{
+    const GeographicLib::LocalCartesian frame = frameAt(_origin);
+    _lattice.reserve(_field.net->nodes.size());
+    std::vector<double> rotation(9); // row-major, local from the node's own east-north-up
+    for (const GeodeticNet::Node& node : _field.net->nodes)
+    {
+        LatticeNode placed;
+        frame.Forward(node.latitudeDeg, node.longitudeDeg, node.geoidM, placed.base.x, placed.base.y,
+                      placed.base.z, rotation);
+        placed.up = {rotation[2], rotation[5], rotation[8]};
+        _lattice.push_back(placed);
+    }
+}
+
+PlacedTile::Weights PlacedTile::weightsAt(double t)
+{
+    return {{0.5 * (t - 1.0) * (t - 2.0), t * (2.0 - t), 0.5 * t * (t - 1.0)}};
+}
+
+PlacedTile::Weights PlacedTile::slopesAt(double t)
+{
+    return {{t - 1.5, 2.0 - 2.0 * t, t - 0.5}};
+}
+
+PlacedTile::LatticePlace PlacedTile::latticePlace(double column, double row) const
+{
+    // Places beyond the tile, and those that are not a number, go to a cell at its edge.
+    const int last = (_latticeSide - 1) / 2 - 1;
+    const auto cell = [last](double nodes) {
+        return !(nodes > 0.0) ? 0 : nodes < 2.0 * last ? static_cast<int>(0.5 * nodes) : last;
+    };
+    const double east = column / _latticeStep;
+    const double north = row / _latticeStep;
+    const int a = cell(east);
+    const int b = cell(north);
+    return {a, b, east - 2 * a, north - 2 * b};
+}
+
+PlacedTile::LatticeNode PlacedTile::blend(int macroColumn, int macroRow, const Weights& wx,
+                                          const Weights& wy) const
+{
+    const LatticeNode* node =
+        &_lattice[static_cast<std::size_t>(2 * macroRow) * _latticeSide + 2 * macroColumn];
+    LatticeNode sum{glm::dvec3(0.0), glm::dvec3(0.0)};
+    for (int j = 0; j < 3; ++j, node += _latticeSide)
+        for (int i = 0; i < 3; ++i)
+        {
+            const double w = wx.w[i] * wy.w[j];
+            sum.base += w * node[i].base;
+            sum.up += w * node[i].up;
+        }
+    return sum;
+}
+
+glm::dvec3 PlacedTile::position(int column, int row) const
+{
+    const double height = heightM(column, row);
+    if (_placement == Placement::planar)
+        return {column * _field.spacingEastM, row * _field.spacingNorthM, height};
+    // The last sample belongs to the last macro cell, not to one that would begin there.
+    const int last = (_latticeSide - 1) / 2 - 1;
+    const int a = std::min(column >> _macroShift, last);
+    const int b = std::min(row >> _macroShift, last);
+    const LatticeNode place = blend(a, b, _weights[static_cast<std::size_t>(column - (a << _macroShift))],
+                                    _weights[static_cast<std::size_t>(row - (b << _macroShift))]);
+    return place.base + height * place.up;
+}
+
+glm::dvec3 PlacedTile::positionAt(double column, double row, double heightM) const
+{
+    if (_placement == Placement::planar)
+        return {column * _field.spacingEastM, row * _field.spacingNorthM, heightM};
+    const LatticePlace place = latticePlace(column, row);
+    const LatticeNode node =
+        blend(place.macroColumn, place.macroRow, weightsAt(place.east), weightsAt(place.north));
+    return node.base + heightM * node.up;
+}
+
+/// One Newton step of positionAt(grid, h) = local in column, row and h; h is eliminated by looking along
+/// `up`.
+glm::dvec2 PlacedTile::newtonStep(const glm::dvec2& grid, const glm::dvec3& local) const
+{
+    const LatticePlace place = latticePlace(grid.x, grid.y);
+    const Weights wx = weightsAt(place.east);
+    const Weights wy = weightsAt(place.north);
+    const LatticeNode here = blend(place.macroColumn, place.macroRow, wx, wy);
+    const LatticeNode alongEast = blend(place.macroColumn, place.macroRow, slopesAt(place.east), wy);
+    const LatticeNode alongNorth = blend(place.macroColumn, place.macroRow, wx, slopesAt(place.north));
+    const double height = glm::dot(local - here.base, here.up);
+    const glm::dmat3 jacobian(alongEast.base + height * alongEast.up,
+                              alongNorth.base + height * alongNorth.up, here.up);
+    const glm::dvec3 residual = local - (here.base + height * here.up);
+    return glm::dvec2(glm::inverse(jacobian) * residual) * static_cast<double>(_latticeStep);
+}
+
+glm::dvec2 PlacedTile::gridAt(const glm::dvec3& local) const
+{
+    if (_placement == Placement::planar)
+        return {local.x / _field.spacingEastM, local.y / _field.spacingNorthM};
+    constexpr int kMaxSteps = 20;
+    constexpr double kTinyStep = 1e-10; // samples: far below what a double resolves on the ground
+    glm::dvec2 grid(0.5 * (_side - 1));
+    for (int i = 0; i < kMaxSteps; ++i)
+    {
+        const glm::dvec2 step = newtonStep(grid, local);
+        grid += step;
+        if (std::max(std::abs(step.x), std::abs(step.y)) < kTinyStep * _side) break;
+    }
+    return grid;
+}
+
+glm::dvec3 PlacedTile::localFromGeodetic(const Geodetic& geodetic) const
+{
+    assert(_placement == Placement::curved);
+    glm::dvec3 local;
+    frameAt(_origin).Forward(geodetic.latitudeDeg, geodetic.longitudeDeg, geodetic.heightM, local.x, local.y,
+                             local.z);
+    return local;
+}
+
+Geodetic PlacedTile::geodeticFromLocal(const glm::dvec3& local) const
+{
+    assert(_placement == Placement::curved);
+    Geodetic geodetic;
+    frameAt(_origin).Reverse(local.x, local.y, local.z, geodetic.latitudeDeg, geodetic.longitudeDeg,
+                             geodetic.heightM);
+    return geodetic;
+}
+
+} // namespace osgTerrainROAM::core

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <viewlod/Result.h>
+
+#include "GdalSession.h"
+
+namespace osgTerrainROAM::core
+{
+
+/// Where the samples of a raster lie in its own coordinate reference system. A sample is the centre of GDAL's
+/// pixel, for area and point rasters alike (GDAL shifts the latter by half a pixel itself).
+struct GridFrame
+{
+    double firstX, firstY; ///< of the south-western sample
+    double stepX, stepY;   ///< from one sample to the next, eastwards and northwards, both positive
+};
+
+/// The samples of an elevation raster as found: row 0 the southernmost, column 0 the westernmost, voids NaN.
+struct Raster
+{
+    int columns = 0;
+    int rows = 0;
+    std::vector<float> heightsM;
+    std::size_t implausible = 0;    ///< samples taken for voids because no place on Earth is so high or deep
+    std::optional<GridFrame> frame; ///< absent: no georeference
+    std::string crsWkt;             ///< empty: none given
+};
+
+/// Opens and reads a single-band raster through GDAL, inside zip and gzip archives too.
+/// Errors: missing, a folder, not a raster GDAL knows, damaged, truncated, not one band of plain numbers,
+/// rotated, fewer than 2×2 or more than 32769×32769 samples.
+viewlod::Result<Raster> readRaster(const std::filesystem::path& file, GdalSession& gdal);
+
+} // namespace osgTerrainROAM::core

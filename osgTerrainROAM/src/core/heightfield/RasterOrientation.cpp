@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "RasterOrientation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace osgTerrainROAM::core
+{
+
+namespace
+{
+
+using viewlod::Error;
+using viewlod::Outcome;
+
+constexpr double kRotationSlack = 1e-6; ///< of a pixel per pixel: a grid this straight is not rotated
+
+void flipRows(Raster& raster)
+{
+    const auto columns = static_cast<std::ptrdiff_t>(raster.columns);
+    for (int low = 0, high = raster.rows - 1; low < high; ++low, --high)
+        std::swap_ranges(raster.heightsM.begin() + low * columns,
+                         raster.heightsM.begin() + (low + 1) * columns,
+                         raster.heightsM.begin() + high * columns);
+}
+
+void flipColumns(Raster& raster)
+{
+    const auto columns = static_cast<std::ptrdiff_t>(raster.columns);
+    for (int r = 0; r < raster.rows; ++r)
+        std::reverse(raster.heightsM.begin() + r * columns, raster.heightsM.begin() + (r + 1) * columns);
+}
+
+} // namespace
+
+Outcome orientRaster(const std::string& name, GDALDatasetH dataset, Raster& raster)
+{
+    double t[6];
+    if (GDALGetGeoTransform(dataset, t) != CE_None)
+    {
+        flipRows(raster); // pictures begin at the top
+        return viewlod::success();
+    }
+    const double size = std::max({std::abs(t[1]), std::abs(t[2]), std::abs(t[4]), std::abs(t[5])});
+    if (!std::isfinite(size) || !std::isfinite(t[0]) || !std::isfinite(t[3]))
+        return Error{name, "has a georeference that is no number", "assign one with gdal_translate -a_ullr"};
+    if (std::max(std::abs(t[2]), std::abs(t[4])) > kRotationSlack * size)
+        return Error{name, "is a rotated grid", "straighten it with gdalwarp"};
+    if (t[1] == 0.0 || t[5] == 0.0)
+        return Error{name, "has pixels of no size", "assign a georeference with gdal_translate -a_ullr"};
+
+    raster.frame = GridFrame{t[0] + 0.5 * t[1], t[3] + 0.5 * t[5], t[1], t[5]};
+    GridFrame& frame = *raster.frame;
+    if (frame.stepX < 0.0)
+    {
+        flipColumns(raster);
+        frame.firstX += frame.stepX * (raster.columns - 1);
+        frame.stepX = -frame.stepX;
+    }
+    if (frame.stepY < 0.0)
+    {
+        flipRows(raster);
+        frame.firstY += frame.stepY * (raster.rows - 1);
+        frame.stepY = -frame.stepY;
+    }
+    return viewlod::success();
+}
+
+} // namespace osgTerrainROAM::core

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ImageryDrape.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <vector>
+
+#include <gdal_priv.h>
+#include <ogr_spatialref.h>
+
+#include "../core/heightfield/GdalSession.h"
+#include "ParallelRows.h"
+
+namespace osgTerrainROAM
+{
+
+namespace
+{
+
+using viewlod::Error;
+using viewlod::Result;
+
+constexpr int kMaxSide = 8192; ///< texels; 256 MiB at four bytes
+
+struct DatasetCloser
+{
+    void operator()(GDALDataset* dataset) const { GDALClose(dataset); }
+};
+using DatasetPtr = std::unique_ptr<GDALDataset, DatasetCloser>;
+
+/// The imagery's pixels, perhaps reduced, as RGBA.
+struct Pixels
+{
+    int width = 0;
+    int height = 0;
+    double reduction = 1.0; ///< file pixels per pixel here
+    std::vector<unsigned char> rgba;
+
+    const unsigned char* at(int x, int y) const
+    {
+        return &rgba[4 * (static_cast<std::size_t>(std::clamp(y, 0, height - 1)) * width + std::clamp(x, 0, width - 1))];
+    }
+
+    /// Bilinear; pixel centres at half-integers, as GDAL counts. Beyond the imagery: alpha 0.
+    std::array<unsigned char, 4> sample(double x, double y) const
+    {
+        x /= reduction;
+        y /= reduction;
+        if (!(x >= 0.0 && y >= 0.0 && x <= width && y <= height)) return {0, 0, 0, 0};
+        const int i = static_cast<int>(std::floor(x - 0.5));
+        const int j = static_cast<int>(std::floor(y - 0.5));
+        const double fx = x - 0.5 - i;
+        const double fy = y - 0.5 - j;
+        std::array<unsigned char, 4> result{};
+        for (int c = 0; c < 4; ++c)
+            result[c] = static_cast<unsigned char>(std::lround(
+                std::lerp(std::lerp<double, double, double>(at(i, j)[c], at(i + 1, j)[c], fx),
+                          std::lerp<double, double, double>(at(i, j + 1)[c], at(i + 1, j + 1)[c], fx), fy)));
+        return result;
+    }
+};
+
+/// One band into every fourth byte; more than eight bits are stretched between the band's extremes.
+bool readBand(GDALRasterBand& band, Pixels& pixels, int channel)
+{
+    double extremes[2] = {0.0, 255.0};
+    if (band.GetRasterDataType() != GDT_Byte && band.ComputeRasterMinMax(TRUE, extremes) != CE_None) return false;
+    std::vector<float> values(static_cast<std::size_t>(pixels.width) * pixels.height);
+    if (band.RasterIO(GF_Read, 0, 0, band.GetXSize(), band.GetYSize(), values.data(), pixels.width, pixels.height,
+                      GDT_Float32, 0, 0, nullptr) != CE_None)
+        return false;
+    const double scale = 255.0 / std::max(extremes[1] - extremes[0], 1e-9);
+    for (std::size_t i = 0; i < values.size(); ++i)
+        pixels.rgba[4 * i + channel] =
+            static_cast<unsigned char>(std::lround(std::clamp((values[i] - extremes[0]) * scale, 0.0, 255.0)));
+    return true;
+}
+
+void applyPalette(const GDALColorTable& table, Pixels& pixels)
+{
+    for (std::size_t i = 0; i < pixels.rgba.size(); i += 4)
+    {
+        GDALColorEntry entry{};
+        table.GetColorEntryAsRGB(std::min<int>(pixels.rgba[i], table.GetColorEntryCount() - 1), &entry);
+        pixels.rgba[i] = static_cast<unsigned char>(entry.c1);
+        pixels.rgba[i + 1] = static_cast<unsigned char>(entry.c2);
+        pixels.rgba[i + 2] = static_cast<unsigned char>(entry.c3);
+    }
+}
+
+bool readPixels(GDALDataset& dataset, Pixels& pixels)
+{
+    const int longest = std::max(dataset.GetRasterXSize(), dataset.GetRasterYSize());
+    pixels.reduction = std::max(1.0, static_cast<double>(longest) / kMaxSide);
+    pixels.width = std::max(1, static_cast<int>(dataset.GetRasterXSize() / pixels.reduction));
+    pixels.height = std::max(1, static_cast<int>(dataset.GetRasterYSize() / pixels.reduction));
+    pixels.rgba.assign(static_cast<std::size_t>(4) * pixels.width * pixels.height, 255);
+    const int bands = dataset.GetRasterCount();
+    const bool colour = bands >= 3;
+    for (int channel = 0; channel < 3; ++channel)
+        if (!readBand(*dataset.GetRasterBand(colour ? channel + 1 : 1), pixels, channel)) return false;
+    if (bands == 2 || bands >= 4)
+    {
+        GDALRasterBand& last = *dataset.GetRasterBand(colour ? 4 : 2);
+        if (last.GetColorInterpretation() == GCI_AlphaBand && !readBand(last, pixels, 3)) return false;
+    }
+    if (const GDALColorTable* table = dataset.GetRasterBand(1)->GetColorTable(); table && !colour)
+        applyPalette(*table, pixels);
+    return true;
+}
+
+/// Imagery pixel under each node of the tile's geodetic net; between nodes it is interpolated.
+class PixelNet
+{
+public:
+    static Result<PixelNet> make(GDALDataset& dataset, const core::PlacedTile& tile, const std::string& name)
+    {
+        PixelNet net;
+        double transform[6];
+        const OGRSpatialReference* reference = dataset.GetSpatialRef();
+        if (dataset.GetGeoTransform(transform) != CE_None || !reference)
+        {
+            net.stretch(dataset, tile);
+            return net;
+        }
+        if (!tile.field().net)
+            return Error{name, "the elevation data have no georeference to lay this imagery by",
+                         "use an elevation raster with one, or an imagery without"};
+        double inverse[6];
+        OGRSpatialReference geodetic;
+        geodetic.SetWellKnownGeogCS("WGS84");
+        geodetic.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+        const std::unique_ptr<OGRSpatialReference> own(reference->Clone());
+        own->SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+        const std::unique_ptr<OGRCoordinateTransformation> toImagery(
+            OGRCreateCoordinateTransformation(&geodetic, own.get()));
+        if (!toImagery || !GDALInvGeoTransform(transform, inverse))
+            return Error{name, "its coordinate system cannot be related to the terrain's", "reproject the imagery"};
+        const core::GeodeticNet& nodes = *tile.field().net;
+        net._step = nodes.step;
+        net._side = nodes.nodesPerSide;
+        for (const core::GeodeticNet::Node& node : nodes.nodes)
+        {
+            double x = node.longitudeDeg;
+            double y = node.latitudeDeg;
+            glm::dvec2 pixel(-1e9);
+            if (toImagery->Transform(1, &x, &y))
+                pixel = {inverse[0] + inverse[1] * x + inverse[2] * y, inverse[3] + inverse[4] * x + inverse[5] * y};
+            net._pixels.push_back(pixel);
+        }
+        return net;
+    }
+
+    glm::dvec2 pixelAt(double column, double row) const
+    {
+        const double a = column / _step;
+        const double b = row / _step;
+        const int i = std::clamp(static_cast<int>(a), 0, _side - 2);
+        const int j = std::clamp(static_cast<int>(b), 0, _side - 2);
+        const auto at = [&](int x, int y) { return _pixels[static_cast<std::size_t>(y) * _side + x]; };
+        return glm::mix(glm::mix(at(i, j), at(i + 1, j), a - i), glm::mix(at(i, j + 1), at(i + 1, j + 1), a - i), b - j);
+    }
+
+private:
+    void stretch(GDALDataset& dataset, const core::PlacedTile& tile)
+    {
+        _step = tile.side() - 1;
+        _side = 2;
+        const double scaleX = static_cast<double>(dataset.GetRasterXSize()) / (tile.dataColumns() - 1);
+        const double scaleY = static_cast<double>(dataset.GetRasterYSize()) / (tile.dataRows() - 1);
+        const double height = dataset.GetRasterYSize();
+        for (const double row : {0.0, static_cast<double>(_step)})
+            for (const double column : {0.0, static_cast<double>(_step)})
+                _pixels.emplace_back(column * scaleX, height - row * scaleY);
+    }
+
+    int _step = 1;
+    int _side = 0;
+    std::vector<glm::dvec2> _pixels;
+};
+
+/// Texels along one axis that keep the imagery's resolution.
+int drapeSide(double imageryPixels)
+{
+    return static_cast<int>(std::clamp(std::ceil(imageryPixels), 2.0, static_cast<double>(kMaxSide)));
+}
+
+} // namespace
+
+Result<osg::ref_ptr<osg::Image>> imageryDrape(const std::filesystem::path& file, const core::PlacedTile& tile)
+{
+    core::GdalSession session;
+    GDALAllRegister();
+    const std::string name = file.string();
+    const DatasetPtr dataset(GDALDataset::Open(name.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY));
+    if (!dataset || dataset->GetRasterCount() < 1)
+        return Error{name, session.firstError().empty() ? "is no raster GDAL can open" : session.firstError(),
+                     "give an image or a georeferenced raster"};
+    const auto net = PixelNet::make(*dataset, tile, name);
+    if (!net) return net.error();
+    Pixels pixels;
+    if (!readPixels(*dataset, pixels)) return Error{name, "cannot be read: " + session.firstError(), "check the file"};
+
+    const int lastColumn = tile.dataColumns() - 1;
+    const int lastRow = tile.dataRows() - 1;
+    const glm::dvec2 corner = net->pixelAt(0, 0);
+    osg::ref_ptr<osg::Image> image = new osg::Image;
+    image->allocateImage(drapeSide(glm::distance(corner, net->pixelAt(lastColumn, 0)) / pixels.reduction),
+                         drapeSide(glm::distance(corner, net->pixelAt(0, lastRow)) / pixels.reduction), 1,
+                         GL_RGBA, GL_UNSIGNED_BYTE);
+    std::vector<int> covered(static_cast<std::size_t>(image->t()), 0);
+    parallelRows(image->t(),
+                 [&](int first, int end)
+                 {
+                     for (int y = first; y < end; ++y)
+                         for (int x = 0; x < image->s(); ++x)
+                         {
+                             const glm::dvec2 pixel = net->pixelAt(static_cast<double>(x) * lastColumn / (image->s() - 1),
+                                                                   static_cast<double>(y) * lastRow / (image->t() - 1));
+                             const auto rgba = pixels.sample(pixel.x, pixel.y);
+                             std::copy(rgba.begin(), rgba.end(), image->data(x, y));
+                             covered[static_cast<std::size_t>(y)] += rgba[3] > 0;
+                         }
+                 });
+    if (std::all_of(covered.begin(), covered.end(), [](int count) { return count == 0; }))
+        return Error{name, "covers nothing of the terrain", "give an imagery of the same place"};
+    return image;
+}
+
+} // namespace osgTerrainROAM

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+
+#include <osg/Image>
+
+#include <viewlod/Result.h>
+
+#include <osgTerrainROAM/core/heightfield/PlacedTile.h>
+
+namespace osgTerrainROAM
+{
+
+/// Any raster GDAL opens (one band: grey; three: RGB; four: with coverage; a palette), resampled bilinearly onto the
+/// tile's data grid, texel for sample times a factor that keeps the imagery's own resolution up to 8192 texels a side.
+/// Alpha tells where the imagery covers the terrain. Both rasters need a georeference; an imagery without one is
+/// stretched over the data.
+/// Errors: missing file, unreadable, no georeference on the terrain's side, nothing in common.
+viewlod::Result<osg::ref_ptr<osg::Image>> imageryDrape(const std::filesystem::path& file, const core::PlacedTile& tile);
+
+} // namespace osgTerrainROAM

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <osg/Image>
+
+#include <osgTerrainROAM/Climate>
+
+#include "MapGrid.h"
+
+namespace osgTerrainROAM
+{
+
+/// What grows and lies where, at the resolution of the data; the shader sharpens it with finer noise:
+/// red: vegetation (0 rock, 0.25 scree and soil, 0.5 grass, 0.75 meadow and shrub, 1 forest); green: snow (½: half
+/// covered); blue: water (WaterMask.h); alpha: visible share of the sky. 8 bits each.
+/// By height against the tree and snow lines, slope, hollows (wet, sheltered), slopes that face the sun, and noise.
+/// Cost: about 0.5 µs a texel and core.
+osg::ref_ptr<osg::Image> landMap(const core::PlacedTile& tile, const MapGrid& grid, const Climate& climate);
+
+} // namespace osgTerrainROAM

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <functional>
+#include <thread>
+#include <vector>
+
+namespace osgTerrainROAM
+{
+
+/// Calls work(firstRow, endRow) on bands of rows from several threads and returns when all are done. Each row
+/// belongs to one band, so a result that is computed row by row does not depend on the number of threads.
+inline void parallelRows(int rows, const std::function<void(int, int)>& work)
+{
+    const int bands = std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, 8);
+    if (rows < 64 || bands == 1) return work(0, rows);
+    std::vector<std::thread> threads;
+    for (int band = 0; band < bands; ++band)
+        threads.emplace_back(work, static_cast<int>(static_cast<long long>(rows) * band / bands),
+                             static_cast<int>(static_cast<long long>(rows) * (band + 1) / bands));
+    for (std::thread& thread : threads) thread.join();
+}
+
+} // namespace osgTerrainROAM

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "TerrainShader.h"
+
+#include <string>
+
+#include <osgTerrainROAM/Atmosphere>
+
+namespace osgTerrainROAM
+{
+
+namespace
+{
+
+const char* kVertex = R"(#version 330 compatibility
+layout(location = 0) in vec3 positionHigh;
+layout(location = 1) in vec3 positionLow;
+layout(location = 2) in vec2 gridPlace;
+uniform vec3 terrainEyeHigh;
+uniform vec3 terrainEyeLow;
+uniform mat3 terrainEyeFromLocal;
+uniform vec2 terrainLastSample;
+out vec3 fromEye;
+out vec2 grid;
+
+void main()
+{
+    // Differences first, then the sum: millimetres survive any distance from the origin.
+    fromEye = (positionHigh - terrainEyeHigh) + (positionLow - terrainEyeLow);
+    grid = gridPlace;
+    gl_Position = gl_ProjectionMatrix * vec4(terrainEyeFromLocal * fromEye, 1.0);
+    gl_ClipDistance[0] = terrainLastSample.x - gridPlace.x;
+    gl_ClipDistance[1] = terrainLastSample.y - gridPlace.y;
+}
+)";
+
+const char* kFragmentHead = R"(
+in vec3 fromEye;
+in vec2 grid;
+uniform sampler2D terrainNormals;
+uniform sampler2D terrainLand;
+uniform sampler2D terrainGrain;
+uniform sampler2D terrainDrape;
+uniform vec4 terrainMapFromGrid;
+uniform vec4 terrainDrapeFromGrid;
+uniform vec3 terrainEyeWrapped;
+uniform mat3 terrainWorldFromLocal;
+uniform vec4 terrainBumpiness;
+uniform vec3 terrainRock;
+uniform vec3 terrainSoil;
+uniform vec3 terrainDryGrass;
+uniform vec3 terrainMeadow;
+uniform vec3 terrainForest;
+uniform vec3 terrainSand;
+uniform vec3 terrainSnow;
+uniform vec3 terrainWater;
+uniform float terrainStrata;
+
+struct Grain
+{
+    vec4 metres2; // period of about 2 m
+    vec4 metres28;
+    vec4 metres324;
+    vec4 metres1831;
+};
+
+// Periods divide the 4096 m that the eye's place is wrapped by; the layers are turned against each other by
+// integer matrices, so that they wrap as well and their repetitions do not line up.
+Grain grainAt(vec2 place)
+{
+    Grain g;
+    g.metres2 = texture(terrainGrain, place * (1.0 / 2.0)) - 0.5;
+    g.metres28 = texture(terrainGrain, vec2(2.0 * place.x + place.y, 2.0 * place.y - place.x) * (1.0 / 64.0)) - 0.5;
+    g.metres324 = texture(terrainGrain, vec2(3.0 * place.x - place.y, 3.0 * place.y + place.x) * (1.0 / 1024.0)) - 0.5;
+    g.metres1831 = texture(terrainGrain, vec2(place.x + 2.0 * place.y, place.y - 2.0 * place.x) * (1.0 / 4096.0)) - 0.5;
+    return g;
+}
+
+vec2 bumps(Grain g, float roughness)
+{
+    vec2 b = g.metres2.xy * terrainBumpiness.x + g.metres28.xy * terrainBumpiness.y;
+    b += g.metres324.xy * terrainBumpiness.z + g.metres1831.xy * terrainBumpiness.w;
+    return b * roughness;
+}
+)";
+
+const char* kFragmentLand = R"(
+// Colour of dry land without snow.
+vec3 groundColour(float green, float steep, float heightM, Grain g)
+{
+    green += 0.75 * g.metres324.w + 0.40 * g.metres28.w + 0.45 * g.metres1831.w + 0.20 * g.metres2.w;
+    vec3 colour = mix(terrainSoil, terrainDryGrass, smoothstep(0.22, 0.42, green));
+    colour = mix(colour, terrainMeadow, smoothstep(0.45, 0.62, green));
+    float wood = smoothstep(0.68, 0.80, green + 0.10 * g.metres28.z);
+    colour = mix(colour, terrainForest, wood);
+
+    float bare = steep + 0.30 * g.metres28.w + 0.24 * g.metres324.w + 0.16 * (0.35 - green);
+    float rock = smoothstep(0.22, 0.34, bare) * (1.0 - 0.55 * wood);
+    // Beds of rock: bands over the height, bent by the noise.
+    float bed = heightM * 0.045 + 2.2 * g.metres324.w + 0.8 * g.metres28.w;
+    vec3 rockColour = terrainRock * (1.0 + terrainStrata * (0.6 * sin(bed) + 0.4 * sin(bed * 2.7 + 1.3)));
+    colour = mix(colour, rockColour, rock);
+
+    float speckle = 1.1 * g.metres2.z + 0.65 * g.metres28.z + 0.45 * g.metres324.z + 0.35 * g.metres1831.z;
+    return colour * max(1.0 + speckle * (1.0 + 0.5 * wood), 0.2);
+}
+
+vec3 waterColour(vec3 directionWorld, Grain g)
+{
+    // Ripples small enough to leave the sky's reflection in one piece; they fade with the grain's mip levels.
+    vec3 normal = normalize(vec3(0.10 * g.metres2.xy + 0.05 * g.metres28.xy, 1.0));
+    vec3 mirrored = reflect(directionWorld, normal);
+    mirrored.z = abs(mirrored.z);
+    float facing = clamp(-dot(directionWorld, normal), 0.0, 1.0);
+    float away = 1.0 - facing;
+    float away2 = away * away;
+    float fresnel = 0.02 + 0.98 * away2 * away2 * away;
+    vec3 deep = terrainWater * (sunLight() * max(sunDirection().z, 0.0) + ambientLight(vec3(0.0, 0.0, 1.0)));
+    return mix(deep, skyColour(normalize(mirrored)), fresnel * 0.85);
+}
+)";
+
+const char* kFragmentMain = R"(
+void main()
+{
+    float distanceM = length(fromEye);
+    vec3 directionWorld = terrainWorldFromLocal * (fromEye / distanceM);
+    vec2 mapPlace = grid * terrainMapFromGrid.xy + terrainMapFromGrid.zw;
+    vec2 tilt = texture(terrainNormals, mapPlace).rg * 2.0 - 1.0;
+    vec4 land = texture(terrainLand, mapPlace);
+    vec3 place = fromEye + terrainEyeWrapped;
+    Grain g = grainAt(place.xy);
+
+    float steep = 1.0 - sqrt(max(1.0 - dot(tilt, tilt), 0.0));
+    float snow = smoothstep(0.38, 0.62, land.g + 0.30 * g.metres324.w + 0.22 * g.metres28.w + 0.25 * g.metres1831.w
+                                            - 0.9 * max(steep - 0.25, 0.0));
+    float roughness = mix(1.0 + 1.5 * smoothstep(0.12, 0.35, steep), 0.35, snow);
+    vec2 bent = tilt - bumps(g, roughness);
+    vec3 normal = normalize(vec3(bent, sqrt(max(1.0 - dot(tilt, tilt), 0.02))));
+
+    vec3 albedo = groundColour(land.r, steep, place.z, g);
+    float shore = smoothstep(0.24, 0.36, land.b + 0.08 * g.metres28.w) * (1.0 - smoothstep(0.02, 0.08, steep));
+    albedo = mix(albedo, terrainSand * (1.0 + 0.5 * g.metres2.z + 0.3 * g.metres28.z), shore);
+    albedo = mix(albedo, terrainSnow * (1.0 + 0.10 * g.metres2.z + 0.06 * g.metres28.z), snow);
+#ifdef TERRAIN_DRAPE
+    vec4 imagery = texture(terrainDrape, grid * terrainDrapeFromGrid.xy + terrainDrapeFromGrid.zw);
+    float fine = 1.0 + 0.5 * g.metres2.z + 0.2 * g.metres28.z;
+    albedo = mix(albedo, imagery.rgb * imagery.rgb * fine, imagery.a);
+    float water = (1.0 - imagery.a) * smoothstep(0.47, 0.53, land.b);
+#else
+    float water = smoothstep(0.47, 0.53, land.b);
+#endif
+
+    vec3 normalWorld = terrainWorldFromLocal * normal;
+    float sunlit = max(dot(normalWorld, sunDirection()), 0.0) * smoothstep(0.15, 0.6, land.a);
+    vec3 colour = albedo * (sunLight() * sunlit + ambientLight(normalWorld) * land.a);
+    if (water > 0.0) colour = mix(colour, waterColour(directionWorld, g), water);
+    gl_FragColor = vec4(displayColour(applyHaze(colour, directionWorld, distanceM)), 1.0);
+}
+)";
+
+} // namespace
+
+osg::ref_ptr<osg::Program> terrainProgram(bool draped)
+{
+    const std::string fragment = std::string("#version 330 compatibility\n") +
+                                 (draped ? "#define TERRAIN_DRAPE\n" : "") + Atmosphere::glslFunctions() +
+                                 kFragmentHead + kFragmentLand + kFragmentMain;
+    osg::ref_ptr<osg::Program> program = new osg::Program;
+    program->setName("terrain");
+    program->addShader(new osg::Shader(osg::Shader::VERTEX, kVertex));
+    program->addShader(new osg::Shader(osg::Shader::FRAGMENT, fragment));
+    return program;
+}
+
+} // namespace osgTerrainROAM

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "GpuMesh.h"
+
+#include <cassert>
+#include <vector>
+
+#include <osg/ContextData>
+#include <osg/GLObjects>
+
+namespace osgTerrainROAM
+{
+
+namespace
+{
+
+/// Buffers of a context that wait for its thread to delete them; OSG keeps one of these per context.
+class BufferDeletion : public osg::GLObjectManager
+{
+public:
+    explicit BufferDeletion(unsigned int contextId) : osg::GLObjectManager("osgTerrainROAM::GpuMesh", contextId) {}
+
+    void deleteGLObject(GLuint buffer) override
+    {
+        if (const osg::GLExtensions* gl = osg::GLExtensions::Get(_contextID, true)) gl->glDeleteBuffers(1, &buffer);
+    }
+};
+
+template<class Element>
+std::size_t uploadRanges(osg::GLExtensions& gl, GLenum target, const std::vector<core::IndexRange>& ranges,
+                         const std::vector<Element>& elements)
+{
+    const Element* source = elements.data();
+    for (const core::IndexRange& range : ranges)
+    {
+        gl.glBufferSubData(target, static_cast<GLintptr>(range.first * sizeof(Element)),
+                           static_cast<GLsizeiptr>(range.count * sizeof(Element)), source);
+        source += range.count;
+    }
+    return elements.size() * sizeof(Element);
+}
+
+const void* bufferOffset(std::size_t bytes) { return reinterpret_cast<const void*>(bytes); }
+
+} // namespace
+
+bool GpuMesh::canTake(const MeshPacket& packet) const
+{
+    if (packet.whole || packet.serial == _serial) return true;
+    return packet.serial == _serial + 1 && _serial != 0 && packet.vertexCount <= _vertexCapacity &&
+           packet.triangleCount <= _triangleCapacity;
+}
+
+void GpuMesh::allocate(osg::GLExtensions& gl, const MeshPacket& packet)
+{
+    if (_vertexBuffer == 0) gl.glGenBuffers(1, &_vertexBuffer);
+    if (_indexBuffer == 0) gl.glGenBuffers(1, &_indexBuffer);
+    gl.glBindBuffer(GL_ARRAY_BUFFER_ARB, _vertexBuffer);
+    gl.glBindBuffer(GL_ELEMENT_ARRAY_BUFFER_ARB, _indexBuffer);
+    const std::uint32_t vertices = bufferCapacity(packet.vertexCount);
+    const std::uint32_t triangles = bufferCapacity(packet.triangleCount);
+    if (vertices != _vertexCapacity)
+        gl.glBufferData(GL_ARRAY_BUFFER_ARB, static_cast<GLsizeiptr>(vertices * sizeof(core::MeshVertex)), nullptr,
+                        GL_DYNAMIC_DRAW_ARB);
+    if (triangles != _triangleCapacity)
+        gl.glBufferData(GL_ELEMENT_ARRAY_BUFFER_ARB, static_cast<GLsizeiptr>(triangles * sizeof(core::LeafTriangle)),
+                        nullptr, GL_DYNAMIC_DRAW_ARB);
+    _vertexCapacity = vertices;
+    _triangleCapacity = triangles;
+}
+
+std::size_t GpuMesh::upload(osg::State& state, const MeshPacket& packet)
+{
+    assert(canTake(packet));
+    if (packet.serial == _serial) return 0;
+    osg::GLExtensions& gl = *state.get<osg::GLExtensions>();
+    state.unbindVertexBufferObject();
+    state.unbindElementBufferObject();
+    if (packet.whole) allocate(gl, packet);
+    gl.glBindBuffer(GL_ARRAY_BUFFER_ARB, _vertexBuffer);
+    gl.glBindBuffer(GL_ELEMENT_ARRAY_BUFFER_ARB, _indexBuffer);
+    const std::size_t bytes = uploadRanges(gl, GL_ARRAY_BUFFER_ARB, packet.vertexRanges, packet.vertices) +
+                              uploadRanges(gl, GL_ELEMENT_ARRAY_BUFFER_ARB, packet.triangleRanges, packet.triangles);
+    gl.glBindBuffer(GL_ARRAY_BUFFER_ARB, 0);
+    gl.glBindBuffer(GL_ELEMENT_ARRAY_BUFFER_ARB, 0);
+    _serial = packet.serial;
+    return bytes;
+}
+
+void GpuMesh::draw(osg::State& state, std::span<const core::TriangleRange> ranges) const
+{
+    if (ranges.empty() || _serial == 0) return;
+    osg::GLExtensions& gl = *state.get<osg::GLExtensions>();
+    std::vector<GLsizei> counts;
+    std::vector<const void*> offsets;
+    for (const core::TriangleRange& range : ranges)
+    {
+        counts.push_back(static_cast<GLsizei>(range.count * 3));
+        offsets.push_back(bufferOffset(range.first * sizeof(core::LeafTriangle)));
+    }
+
+    // What drew before may have left arrays enabled that OSG means to switch off only with the next Geometry.
+    state.disableAllVertexArrays();
+    state.unbindVertexBufferObject();
+    state.unbindElementBufferObject();
+    gl.glBindBuffer(GL_ARRAY_BUFFER_ARB, _vertexBuffer);
+    gl.glBindBuffer(GL_ELEMENT_ARRAY_BUFFER_ARB, _indexBuffer);
+    const GLsizei stride = sizeof(core::MeshVertex);
+    gl.glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, stride, bufferOffset(offsetof(core::MeshVertex, positionHigh)));
+    gl.glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, stride, bufferOffset(offsetof(core::MeshVertex, positionLow)));
+    gl.glVertexAttribPointer(2, 2, GL_FLOAT, GL_FALSE, stride, bufferOffset(offsetof(core::MeshVertex, grid)));
+    for (GLuint attribute = 0; attribute < 3; ++attribute) gl.glEnableVertexAttribArray(attribute);
+    gl.glMultiDrawElements(GL_TRIANGLES, counts.data(), GL_UNSIGNED_INT, offsets.data(),
+                           static_cast<GLsizei>(counts.size()));
+    for (GLuint attribute = 0; attribute < 3; ++attribute) gl.glDisableVertexAttribArray(attribute);
+    gl.glBindBuffer(GL_ARRAY_BUFFER_ARB, 0);
+    gl.glBindBuffer(GL_ELEMENT_ARRAY_BUFFER_ARB, 0);
+}
+
+void GpuMesh::release()
+{
+    for (GLuint* buffer : {&_vertexBuffer, &_indexBuffer})
+    {
+        if (*buffer != 0) osg::get<BufferDeletion>(_contextId)->scheduleGLObjectForDeletion(*buffer);
+        *buffer = 0;
+    }
+    _vertexCapacity = _triangleCapacity = 0;
+    _serial = 0;
+}
+
+} // namespace osgTerrainROAM

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+#include <osg/GLExtensions>
+#include <osg/State>
+
+#include "MeshPacket.h"
+
+namespace osgTerrainROAM
+{
+
+/// One graphics context's copy of a mesh: a vertex and an index buffer.
+/// Threads: the context's draw thread. The buffers go back through the context's own deletion list, from any thread.
+class GpuMesh
+{
+public:
+    explicit GpuMesh(unsigned int contextId) : _contextId(contextId) {}
+    ~GpuMesh() { release(); }
+    GpuMesh(const GpuMesh&) = delete;
+    GpuMesh& operator=(const GpuMesh&) = delete;
+
+    /// Whether upload(packet) leads to the packet's state.
+    bool canTake(const MeshPacket& packet) const;
+
+    /// Writes the packet's ranges (none when it is there already). Returns the bytes sent.
+    /// Precondition: canTake(packet).
+    std::size_t upload(osg::State& state, const MeshPacket& packet);
+
+    /// Draws ranges of triangles with the vertex attributes 0 (high), 1 (low) and 2 (grid).
+    void draw(osg::State& state, std::span<const core::TriangleRange> ranges) const;
+
+    /// Hands the buffers to the deletion list of the context; the next packet has to be whole.
+    void release();
+
+private:
+    void allocate(osg::GLExtensions& gl, const MeshPacket& packet);
+
+    unsigned int _contextId;
+    GLuint _vertexBuffer = 0;
+    GLuint _indexBuffer = 0;
+    std::uint32_t _vertexCapacity = 0;
+    std::uint32_t _triangleCapacity = 0;
+    std::uint64_t _serial = 0; ///< state of the mesh in the buffers; 0: none
+};
+
+} // namespace osgTerrainROAM

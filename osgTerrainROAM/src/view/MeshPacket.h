@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include <osgTerrainROAM/core/roam/RoamMesh.h>
+
+namespace osgTerrainROAM
+{
+
+/// What one refinement changed, copied out of the mesh so that a later refinement may run while this one is drawn.
+/// It leads a copy of the mesh from state `serial - 1` to state `serial`, or from nothing when `whole`.
+/// Threads: immutable once made.
+struct MeshPacket
+{
+    std::uint64_t serial = 0;
+    bool whole = false;
+    std::uint32_t vertexCount = 0; ///< of the mesh in state `serial`, free slots included
+    std::uint32_t triangleCount = 0;
+    std::vector<core::IndexRange> vertexRanges; ///< where `vertices` go, one range after the other
+    std::vector<core::MeshVertex> vertices;
+    std::vector<core::TriangleRange> triangleRanges;
+    std::vector<core::LeafTriangle> triangles;
+};
+
+using PacketPtr = std::shared_ptr<const MeshPacket>;
+
+/// Elements that a buffer for `count` elements holds: a power of two, so that it rarely has to move.
+std::uint32_t bufferCapacity(std::uint32_t count);
+
+PacketPtr changedPacket(const core::RoamMesh& mesh, std::uint64_t serial);
+PacketPtr wholePacket(const core::RoamMesh& mesh, std::uint64_t serial);
+
+} // namespace osgTerrainROAM

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include <osgTerrainROAM/core/roam/BinTriangleTree.h>
+
+namespace osgTerrainROAM
+{
+
+/// Distance from a point to the drawn mesh (its leaves), in metres: what a near plane must not cut.
+/// Branch and bound down the bintree: a triangle's leaves lie in the convex hull of its corners and of the split
+/// vertices below, all of them within max(corner distance, r_v) of its split vertex.
+/// Frame: the tile's. Cost: a few nodes per level.
+double nearestSurfaceM(const core::BinTriangleTree& tree, const glm::dvec3& point);
+
+} // namespace osgTerrainROAM

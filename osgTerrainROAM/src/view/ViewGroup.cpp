@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ViewGroup.h"
+
+#include <chrono>
+
+#include "NearestSurface.h"
+
+namespace osgTerrainROAM
+{
+
+namespace
+{
+
+std::uint32_t triangleSum(const std::vector<core::TriangleRange>& ranges)
+{
+    std::uint32_t sum = 0;
+    for (const core::TriangleRange& range : ranges) sum += range.count;
+    return sum;
+}
+
+double microseconds(std::chrono::steady_clock::duration time)
+{
+    return std::chrono::duration<double, std::micro>(time).count();
+}
+
+double scaleOf(const RefineTarget& target)
+{
+    if (target.errorM) return 1.0 / *target.errorM;
+    return target.view.guaranteedPixelsPerTangent() / target.budget.errorTolerancePx;
+}
+
+} // namespace
+
+bool ViewGroup::isMetBy(unsigned int frame, const RefineTarget& target) const
+{
+    const bool sameKind = _serial != 0 && target.errorM == _target.errorM &&
+                          target.view.eyeWorld == _target.view.eyeWorld &&
+                          target.budget.maxTriangles == _target.budget.maxTriangles;
+    if (!sameKind) return false;
+    const double scale = scaleOf(target);
+    const double present = scaleOf(_target);
+    // What another camera of the group has asked for in this frame may be stricter; an older frame must be equal.
+    if (_frame == frame && scale <= present && target.view.nearM >= _target.view.nearM) return true;
+    return scale == present && target.view.nearM == _target.view.nearM;
+}
+
+void ViewGroup::refine(const RefineTarget& target)
+{
+    using Clock = std::chrono::steady_clock;
+    const auto start = Clock::now();
+    _statistics.refine = target.errorM ? _mesh.refine(*target.errorM) : _mesh.refine(target.view, target.budget);
+    const auto refined = Clock::now();
+    const core::MeshChanges& changes = _mesh.changes();
+    if (_serial == 0 || !changes.vertices.empty() || !changes.triangles.empty())
+    {
+        _changed = _serial == 0 ? nullptr : changedPacket(_mesh, _serial + 1);
+        _whole = nullptr;
+        ++_serial;
+    }
+    _statistics.adaptUs = microseconds(refined - start);
+    _statistics.packetUs = microseconds(Clock::now() - refined);
+    _target = target;
+}
+
+ViewAnswer ViewGroup::answer(unsigned int frame, const RefineTarget& target, const viewlod::Frustum& frustum,
+                             std::optional<unsigned int> contextId)
+{
+    const std::lock_guard lock(_meshMutex);
+    if (!isMetBy(frame, target)) refine(target);
+    else if (_frame != frame)
+    {
+        // The same eye again: refining would find nothing to do.
+        _statistics.refine.splits = _statistics.refine.merges = 0;
+        _statistics.adaptUs = _statistics.packetUs = 0.0;
+    }
+    _frame = _statistics.frame = frame;
+    return answerLocked(frustum, target.view.eyeWorld, contextId);
+}
+
+ViewAnswer ViewGroup::answerAsIs(const viewlod::Frustum& frustum, const glm::dvec3& eye,
+                                 std::optional<unsigned int> contextId)
+{
+    const std::lock_guard lock(_meshMutex);
+    return answerLocked(frustum, eye, contextId);
+}
+
+ViewAnswer ViewGroup::answerLocked(const viewlod::Frustum& frustum, const glm::dvec3& eye,
+                                   std::optional<unsigned int> contextId)
+{
+    ViewAnswer answer;
+    _mesh.visibleRanges(frustum, answer.ranges);
+    answer.nearestM = nearestSurfaceM(_mesh.tree(), eye);
+    answer.serial = _serial;
+    if (contextId) answer.packet = packetFor(*contextId);
+    return answer;
+}
+
+PacketPtr ViewGroup::packetFor(unsigned int contextId)
+{
+    PacketPtr& given = _given[contextId];
+    if (given && given->serial == _serial) return given;
+    const bool follows = given && _changed && given->serial + 1 == _serial &&
+                         bufferCapacity(given->vertexCount) == bufferCapacity(_changed->vertexCount) &&
+                         bufferCapacity(given->triangleCount) == bufferCapacity(_changed->triangleCount);
+    given = follows ? _changed : wholeNow();
+    return given;
+}
+
+PacketPtr ViewGroup::wholeNow()
+{
+    if (!_whole) _whole = wholePacket(_mesh, _serial);
+    return _whole;
+}
+
+std::uint32_t ViewGroup::draw(osg::State& state, const ViewAnswer& answer, const viewlod::Frustum& frustum)
+{
+    GpuMesh* gpu = nullptr;
+    {
+        const std::lock_guard lock(_gpuMutex);
+        auto& slot = _gpuMeshes[state.getContextID()];
+        if (!slot) slot = std::make_unique<GpuMesh>(state.getContextID());
+        gpu = slot.get();
+    }
+    PacketPtr packet = answer.packet;
+    std::vector<core::TriangleRange> ranges = answer.ranges;
+    if (!packet || !gpu->canTake(*packet))
+    {
+        const std::lock_guard lock(_meshMutex);
+        packet = wholeNow();
+        ranges.clear();
+        _mesh.visibleRanges(frustum, ranges);
+    }
+    const std::size_t bytes = gpu->upload(state, *packet);
+    gpu->draw(state, ranges);
+    const std::uint32_t triangles = triangleSum(ranges);
+    const std::lock_guard lock(_gpuMutex);
+    _bytesUploaded += bytes;
+    _trianglesDrawn = triangles;
+    return triangles;
+}
+
+void ViewGroup::releaseGLObjects(osg::State* state)
+{
+    const std::lock_guard lock(_gpuMutex);
+    for (auto& [contextId, gpu] : _gpuMeshes)
+        if (!state || state->getContextID() == contextId) gpu->release();
+}
+
+ViewGroupStatistics ViewGroup::statistics() const
+{
+    ViewGroupStatistics result;
+    {
+        const std::lock_guard lock(_meshMutex);
+        result = _statistics;
+    }
+    const std::lock_guard lock(_gpuMutex);
+    result.bytesUploaded = _bytesUploaded;
+    result.trianglesDrawn = _trianglesDrawn;
+    return result;
+}
+
+} // namespace osgTerrainROAM

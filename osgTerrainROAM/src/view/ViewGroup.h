@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <vector>
+
+#include <osg/GLExtensions>
+#include <osg/State>
+
+#include <viewlod/Budget.h>
+#include <viewlod/ViewState.h>
+
+#include <osgTerrainROAM/RoamStatistics>
+
+#include "GpuMesh.h"
+#include "MeshPacket.h"
+
+namespace osgTerrainROAM
+{
+
+/// What the mesh of a group is refined for in one frame: the eye its cameras share, the strictest of their scales.
+struct RefineTarget
+{
+    viewlod::ViewState view;
+    viewlod::Budget budget;
+    std::optional<double> errorM; ///< of a parallel projection: view-independent refinement instead
+};
+
+/// What one cull traversal takes along to the draw.
+struct ViewAnswer
+{
+    std::uint64_t serial = 0;                ///< state of the mesh that `ranges` belong to
+    PacketPtr packet;                        ///< leads to that state; null when nobody was known to draw
+    std::vector<core::TriangleRange> ranges;
+    double nearestM = 0.0;                   ///< from the eye to the drawn surface
+};
+
+/// The mesh of one view group, and its copies in the graphics contexts.
+/// Invariant: the mesh is in state `serial()`; packets lead from state to state.
+/// Threads: any; the mesh under one lock, each context's buffers under another that is never held while waiting
+/// for the first, except by the repair in draw(), which takes buffers, then mesh; nobody takes them in reverse.
+class ViewGroup
+{
+public:
+    explicit ViewGroup(std::shared_ptr<const core::RoamTile> tile) : _mesh(std::move(tile)) {}
+
+    /// Refines for the target, unless this frame's mesh is as strict already, and answers for one frustum.
+    /// `contextId`: who will draw, so that it can be given the whole mesh if it needs it; absent: nobody.
+    ViewAnswer answer(unsigned int frame, const RefineTarget& target, const viewlod::Frustum& frustum,
+                      std::optional<unsigned int> contextId);
+
+    /// As it is, for cameras that borrow another's mesh.
+    ViewAnswer answerAsIs(const viewlod::Frustum& frustum, const glm::dvec3& eye,
+                          std::optional<unsigned int> contextId);
+
+    /// Uploads and draws an answer. A context that has missed packets (its draw was left out, its objects
+    /// were released) gets the whole mesh in its present state, with ranges found anew. Returns triangles drawn.
+    std::uint32_t draw(osg::State& state, const ViewAnswer& answer, const viewlod::Frustum& frustum);
+
+    /// Calls visit(mesh, ranges) under the lock with ranges that are valid now.
+    template<class Visit>
+    void visitMesh(const ViewAnswer& answer, const viewlod::Frustum& frustum, Visit visit) const
+    {
+        const std::lock_guard lock(_meshMutex);
+        if (answer.serial == _serial) return visit(_mesh, answer.ranges);
+        std::vector<core::TriangleRange> ranges;
+        _mesh.visibleRanges(frustum, ranges);
+        visit(_mesh, ranges);
+    }
+
+    /// Calls visit(mesh) under the lock.
+    template<class Visit>
+    void visitMesh(Visit visit) const
+    {
+        const std::lock_guard lock(_meshMutex);
+        visit(_mesh);
+    }
+
+    /// Gives back the buffers of one context, or (nullptr) of all.
+    void releaseGLObjects(osg::State* state);
+
+    ViewGroupStatistics statistics() const;
+
+private:
+    void refine(const RefineTarget& target);
+    ViewAnswer answerLocked(const viewlod::Frustum& frustum, const glm::dvec3& eye,
+                            std::optional<unsigned int> contextId);
+    PacketPtr packetFor(unsigned int contextId);
+    PacketPtr wholeNow();
+    bool isMetBy(unsigned int frame, const RefineTarget& target) const;
+
+    mutable std::mutex _meshMutex; ///< guards everything down to _statistics
+    core::RoamMesh _mesh;
+    std::uint64_t _serial = 0;
+    PacketPtr _changed; ///< to _serial from the state before; null: _whole alone leads there
+    PacketPtr _whole;   ///< to _serial from nothing; made when asked for
+    std::map<unsigned int, PacketPtr> _given; ///< last packet that each context was given
+    std::optional<unsigned int> _frame;
+    RefineTarget _target; ///< of the last refinement
+    ViewGroupStatistics _statistics;
+
+    mutable std::mutex _gpuMutex; ///< guards the map and the numbers; each GpuMesh belongs to its draw thread
+    std::map<unsigned int, std::unique_ptr<GpuMesh>> _gpuMeshes;
+    std::size_t _bytesUploaded = 0;
+    std::uint32_t _trianglesDrawn = 0;
+};
+
+} // namespace osgTerrainROAM

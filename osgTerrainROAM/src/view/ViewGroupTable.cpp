@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ViewGroupTable.h"
+
+#include <algorithm>
+
+namespace osgTerrainROAM
+{
+
+ViewGroupTable::Member* ViewGroupTable::Entry::memberOf(const osg::Camera* camera)
+{
+    const auto found =
+        std::find_if(members.begin(), members.end(), [=](const Member& m) { return m.identity == camera; });
+    return found == members.end() ? nullptr : &*found;
+}
+
+ViewGroupTable::Entry* ViewGroupTable::entryOf(const osg::Camera* camera)
+{
+    const auto found =
+        std::find_if(_entries.begin(), _entries.end(), [=](Entry& e) { return e.memberOf(camera) != nullptr; });
+    return found == _entries.end() ? nullptr : &*found;
+}
+
+ViewGroupTable::Match ViewGroupTable::find(const ViewRequest& request)
+{
+    const std::lock_guard lock(_mutex);
+    dropUnused(request.frame);
+    if (request.mainCamera)
+        if (const Entry* main = entryOf(request.mainCamera)) return {main->group, request.target, true};
+
+    Entry& entry = entryFor(request);
+    entry.frame = request.frame;
+    _latest = entry.group;
+    leave(request.camera, &entry);
+    Member* member = entry.memberOf(request.camera);
+    if (!member)
+    {
+        entry.members.push_back({request.camera, request.camera, {}});
+        member = &entry.members.back();
+    }
+    member->target = request.target;
+    return {entry.group, strictest(entry), false};
+}
+
+ViewGroupTable::Entry& ViewGroupTable::entryFor(const ViewRequest& request)
+{
+    const glm::dvec3 eye = request.target.view.eyeWorld;
+    const auto sharesEye = [&](const Entry& entry)
+    {
+        return entry.frame == request.frame && !entry.members.empty() &&
+               glm::distance(entry.eye, eye) <= kSameEyeM &&
+               entry.members.front().target.errorM == request.target.errorM;
+    };
+    Entry* const own = entryOf(request.camera);
+    if (own && sharesEye(*own)) return *own;
+    const auto shared = std::find_if(_entries.begin(), _entries.end(), sharesEye);
+    if (shared != _entries.end()) return *shared;
+
+    // Its own group goes with it, unless another camera has already taken that elsewhere in this frame.
+    if (own && (own->frame != request.frame || own->members.size() == 1))
+    {
+        own->eye = eye;
+        return *own;
+    }
+    Entry& fresh = _entries.emplace_back();
+    fresh.group = std::make_shared<ViewGroup>(_tile);
+    fresh.eye = eye;
+    return fresh;
+}
+
+void ViewGroupTable::leave(const osg::Camera* camera, const Entry* except)
+{
+    for (Entry& entry : _entries)
+        if (&entry != except) std::erase_if(entry.members, [=](const Member& m) { return m.identity == camera; });
+}
+
+void ViewGroupTable::dropUnused(unsigned int frame)
+{
+    for (Entry& entry : _entries)
+        std::erase_if(entry.members, [](const Member& m) { return m.identity && !m.camera.valid(); });
+    std::erase_if(_entries,
+                  [=](const Entry& entry)
+                  {
+                      const bool old = frame > entry.frame && frame - entry.frame > kUnusedFrames;
+                      return old || entry.members.empty();
+                  });
+}
+
+RefineTarget ViewGroupTable::strictest(const Entry& entry)
+{
+    RefineTarget target = entry.members.front().target;
+    double scale = 0.0;
+    for (const Member& member : entry.members)
+    {
+        const viewlod::ViewState& view = member.target.view;
+        scale = std::max(scale, view.guaranteedPixelsPerTangent() / member.target.budget.errorTolerancePx);
+        target.view.nearM = std::min(target.view.nearM, view.nearM);
+    }
+    target.view.eyeWorld = entry.eye;
+    target.view.pixelsPerTangent = scale * target.budget.errorTolerancePx;
+    target.view.cornerStretch = 1.0;
+    return target;
+}
+
+std::shared_ptr<ViewGroup> ViewGroupTable::latest(double defaultErrorM)
+{
+    const std::lock_guard lock(_mutex);
+    if (_latest) return _latest;
+    _latest = std::make_shared<ViewGroup>(_tile);
+    RefineTarget target;
+    target.errorM = defaultErrorM;
+    _latest->answer(0, target, viewlod::Frustum(), std::nullopt);
+    return _latest;
+}
+
+std::vector<ViewGroupStatistics> ViewGroupTable::statistics() const
+{
+    const std::lock_guard lock(_mutex);
+    std::vector<ViewGroupStatistics> all;
+    for (const Entry& entry : _entries)
+    {
+        all.push_back(entry.group->statistics());
+        all.back().cameras = static_cast<std::uint32_t>(entry.members.size());
+    }
+    return all;
+}
+
+void ViewGroupTable::releaseGLObjects(osg::State* state)
+{
+    const std::lock_guard lock(_mutex);
+    for (Entry& entry : _entries) entry.group->releaseGLObjects(state);
+}
+
+} // namespace osgTerrainROAM

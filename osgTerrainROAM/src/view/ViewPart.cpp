@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ViewPart.h"
+
+#include <cmath>
+
+#include <osg/Program>
+#include <osg/Uniform>
+
+#include "ClippedTriangles.h"
+
+namespace osgTerrainROAM
+{
+
+namespace
+{
+
+/// Where the shader's mesh and noise are counted from. Metres; every period of the detail texture divides it.
+constexpr double kWrapM = 4096.0;
+
+struct EyeUniforms
+{
+    osg::Vec3f high, low, wrapped;
+};
+
+EyeUniforms eyeUniforms(const osg::Vec3d& eye)
+{
+    EyeUniforms uniforms;
+    uniforms.high = osg::Vec3f(eye);
+    uniforms.low = osg::Vec3f(eye - osg::Vec3d(uniforms.high));
+    for (int i = 0; i < 3; ++i) uniforms.wrapped[i] = static_cast<float>(eye[i] - kWrapM * std::floor(eye[i] / kWrapM));
+    return uniforms;
+}
+
+/// Sets a uniform of the program in use; nothing when it has none of that name (a depth pass, say).
+class ProgramUniforms
+{
+public:
+    explicit ProgramUniforms(osg::State& state)
+        : _gl(*state.get<osg::GLExtensions>()), _program(state.getLastAppliedProgramObject())
+    {
+    }
+
+    void set(const char* name, const osg::Vec3f& value) const
+    {
+        if (const GLint at = location(name); at >= 0) _gl.glUniform3fv(at, 1, value.ptr());
+    }
+
+    /// The rotation of `matrix`, for column vectors.
+    void setRotation(const char* name, const osg::Matrixd& matrix) const
+    {
+        float columns[9];
+        for (int row = 0; row < 3; ++row)
+            for (int column = 0; column < 3; ++column)
+                columns[3 * row + column] = static_cast<float>(matrix(row, column));
+        if (const GLint at = location(name); at >= 0) _gl.glUniformMatrix3fv(at, 1, GL_FALSE, columns);
+    }
+
+private:
+    GLint location(const char* name) const
+    {
+        return _program ? _program->getUniformLocation(osg::Uniform::getNameID(name)) : -1;
+    }
+
+    osg::GLExtensions& _gl;
+    const osg::Program::PerContextProgram* _program;
+};
+
+} // namespace
+
+ViewPart::ViewPart(std::shared_ptr<ViewGroup> group, ViewAnswer answer, const viewlod::Frustum& frustum,
+                   const osg::BoundingBox& bounds)
+    : _group(std::move(group)), _answer(std::move(answer)), _frustum(frustum), _bounds(bounds)
+{
+    setUseDisplayList(false);
+    setSupportsDisplayList(false);
+    setUseVertexBufferObjects(true);
+    setUseVertexArrayObject(false);
+    setDataVariance(osg::Object::STATIC);
+}
+
+void ViewPart::drawImplementation(osg::RenderInfo& renderInfo) const
+{
+    osg::State& state = *renderInfo.getState();
+    const osg::Matrixd& eyeFromLocal = state.getModelViewMatrix();
+    osg::Matrixd localFromEye;
+    localFromEye.invert(eyeFromLocal);
+    const EyeUniforms eye = eyeUniforms(localFromEye.getTrans());
+
+    const ProgramUniforms uniforms(state);
+    uniforms.set("terrainEyeHigh", eye.high);
+    uniforms.set("terrainEyeLow", eye.low);
+    uniforms.set("terrainEyeWrapped", eye.wrapped);
+    uniforms.setRotation("terrainEyeFromLocal", eyeFromLocal);
+    uniforms.setRotation("terrainWorldFromLocal", eyeFromLocal * state.getInitialInverseViewMatrix());
+    _group->draw(state, _answer, _frustum);
+}
+
+void ViewPart::accept(osg::PrimitiveFunctor& functor) const
+{
+    ClippedTriangles triangles;
+    _group->visitMesh(_answer, _frustum,
+                      [&](const core::RoamMesh& mesh, const std::vector<core::TriangleRange>& ranges)
+                      { triangles = clippedTriangles(mesh, ranges); });
+    triangles.accept(functor);
+}
+
+} // namespace osgTerrainROAM

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <osgTerrainROAM/core/RoamFile.h>
+
+#include <fstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "SyntheticField.h"
+
+namespace
+{
+
+using namespace osgTerrainROAM::core;
+
+constexpr const char* kWhole = R"(# a place
+dem = heights/dem.tif
+imagery = /far/image.tif   # absolute
+origin = 46.5 8.25 1200
+placement = curved
+spacing = 30
+vertical_datum = ellipsoid
+error_tolerance = 1.5
+max_triangles = 60000
+aridity = 0.4
+tree_line = 1900
+snow_line = 2500
+sea_level = -1.5
+sun = 230 40
+visibility = 35000
+)";
+
+std::string messageOf(const std::string& text)
+{
+    const auto file = parseRoamFile(text, "folder/place.roam");
+    return file ? "" : file.error().message();
+}
+
+} // namespace
+
+TEST(RoamFile, HasEveryKey)
+{
+    const auto file = parseRoamFile(kWhole, "folder/place.roam");
+    ASSERT_TRUE(file) << file.error().message();
+    EXPECT_EQ(file->dem, std::filesystem::path("folder/heights/dem.tif"));
+    EXPECT_EQ(file->imagery, std::filesystem::path("/far/image.tif"));
+    ASSERT_TRUE(file->origin);
+    EXPECT_EQ(file->origin->latitudeDeg, 46.5);
+    EXPECT_EQ(file->origin->longitudeDeg, 8.25);
+    EXPECT_EQ(file->origin->heightM, 1200.0);
+    EXPECT_EQ(file->placement, Placement::curved);
+    EXPECT_EQ(file->import.spacingM, 30.0);
+    EXPECT_EQ(file->import.verticalDatum, VerticalDatum::ellipsoid);
+    EXPECT_EQ(file->errorTolerancePx, 1.5);
+    EXPECT_EQ(file->maxTriangles, 60000u);
+    EXPECT_EQ(file->land.aridity, 0.4);
+    EXPECT_EQ(file->land.treeLineM, 1900.0);
+    EXPECT_EQ(file->land.snowLineM, 2500.0);
+    EXPECT_EQ(file->land.seaLevelM, -1.5);
+    EXPECT_EQ(file->sunAzimuthDeg, 230.0);
+    EXPECT_EQ(file->sunElevationDeg, 40.0);
+    EXPECT_EQ(file->visibilityM, 35000.0);
+}
+
+TEST(RoamFile, NeedsOnlyADem)
+{
+    const auto file = parseRoamFile("dem=/vsigzip/a.hgt.gz\r\n", "place.roam");
+    ASSERT_TRUE(file) << file.error().message();
+    EXPECT_EQ(file->dem, std::filesystem::path("/vsigzip/a.hgt.gz"));
+    EXPECT_FALSE(file->origin);
+    EXPECT_FALSE(file->land.aridity);
+    EXPECT_EQ(messageOf("dem = a b.tif"), "") << "names may have blanks";
+}
+
+TEST(RoamFile, ErrorsNameFileAndLine)
+{
+    using testing::HasSubstr;
+    EXPECT_THAT(messageOf("# nothing\n"), HasSubstr("place.roam:2: no dem is named"));
+    EXPECT_THAT(messageOf("dem = a.tif\n\ncolour = red\n"), HasSubstr("folder/place.roam:3: unknown key 'colour'"));
+    EXPECT_THAT(messageOf("dem = a.tif\nspacing = 3x\n"), HasSubstr("place.roam:2: '3x' is not a number"));
+    EXPECT_THAT(messageOf("dem = a.tif\nspacing = nan\n"), HasSubstr("place.roam:2: 'nan' is not a number"));
+    EXPECT_THAT(messageOf("dem = a.tif\nspacing = -3\n"), HasSubstr("out of range"));
+    EXPECT_THAT(messageOf("dem = a.tif\nspacing = 1 2\n"), HasSubstr("2 numbers"));
+    EXPECT_THAT(messageOf("dem = a.tif\norigin = 46\n"), HasSubstr("place.roam:2: origin has 1 numbers"));
+    EXPECT_THAT(messageOf("dem = a.tif\norigin = 96 8\n"), HasSubstr("no place on Earth"));
+    EXPECT_THAT(messageOf("dem = a.tif\ndem = b.tif\n"), HasSubstr("place.roam:2: 'dem' stands here a second time"));
+    EXPECT_THAT(messageOf("dem = a.tif\nplacement = round\n"), HasSubstr("use one of: curved, planar"));
+    EXPECT_THAT(messageOf("dem = a.tif\nsun = 10 100\n"), HasSubstr("place.roam:2"));
+    EXPECT_THAT(messageOf("dem = a.tif\nmax_triangles =\n"), HasSubstr("has no value"));
+    EXPECT_THAT(messageOf("dem a.tif\n"), HasSubstr("place.roam:1: not of the form key = value"));
+}
+
+TEST(RoamFile, AMissingDemIsNamedWithItsLine)
+{
+    const auto folder = std::filesystem::temp_directory_path() / "osgtrainer-roamfile-test";
+    std::filesystem::create_directories(folder);
+    const auto path = folder / "place.roam";
+    std::ofstream(path) << "# here\nspacing = 3\ndem = missing.tif\n";
+    const auto file = readRoamFile(path);
+    ASSERT_FALSE(file);
+    EXPECT_THAT(file.error().place, testing::EndsWith("place.roam:3"));
+    EXPECT_THAT(file.error().what, testing::HasSubstr("missing.tif' does not exist"));
+    EXPECT_THAT(readRoamFile(folder / "none.roam").error().message(), testing::HasSubstr("none.roam: cannot be read"));
+    std::ofstream(folder / "binary.roam") << std::string("dem = a\0b", 9);
+    EXPECT_FALSE(readRoamFile(folder / "binary.roam"));
+    std::filesystem::remove_all(folder);
+}
+
+TEST(RoamFile, ATextDamagedAtRandomIsReadOrRefusedWithItsPlace)
+{
+    testsupport::Random random(2024);
+    const std::string whole = kWhole;
+    int refused = 0;
+    for (int round = 0; round < 20000; ++round)
+    {
+        std::string text = whole;
+        for (std::uint32_t change = 0; change <= random.below(4); ++change)
+        {
+            const std::size_t at = random.below(static_cast<std::uint32_t>(text.size()));
+            switch (random.below(4))
+            {
+            case 0: text[at] = static_cast<char>(random.below(256)); break;
+            case 1: text.erase(at, 1 + random.below(12)); break;
+            case 2: text.insert(at, 1, static_cast<char>(random.below(256))); break;
+            default: text.insert(at, text.substr(random.below(static_cast<std::uint32_t>(text.size())), 20)); break;
+            }
+            if (text.empty()) text = "x";
+        }
+        const auto file = parseRoamFile(text, "folder/place.roam");
+        if (file)
+        {
+            EXPECT_FALSE(file->dem.empty());
+            continue;
+        }
+        ++refused;
+        EXPECT_THAT(file.error().place, testing::MatchesRegex("folder/place\\.roam:[0-9]+"));
+        EXPECT_FALSE(file.error().remedy.empty());
+    }
+    EXPECT_GT(refused, 5000) << "damage must show";
+    EXPECT_LT(refused, 20000) << "and not everything is damage";
+}
