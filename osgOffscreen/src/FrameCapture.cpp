@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cstdio>
+#include <system_error>
+#include <utility>
+
+#include <osgOffscreen/FrameCapture>
+
+namespace osgOffscreen
+{
+
+using viewlod::Error;
+using viewlod::Outcome;
+using viewlod::Result;
+
+Result<std::unique_ptr<FrameCapture>> FrameCapture::begin(osg::GraphicsContext* context,
+                                                          std::filesystem::path folder)
+{
+    std::error_code failed;
+    std::filesystem::create_directories(folder, failed);
+    if (failed)
+        return Error{folder.string(), "this folder cannot be made: " + failed.message(),
+                     "choose a folder that can be written to"};
+    return std::unique_ptr<FrameCapture>(new FrameCapture(context, std::move(folder)));
+}
+
+FrameCapture::FrameCapture(osg::GraphicsContext* context, std::filesystem::path folder)
+    : _context(context),
+      _folder(std::move(folder)),
+      _grabber(new FrameGrabber([this](const GrabbedFrame& frame) { receive(frame); }))
+{
+    _context->setSwapCallback(_grabber);
+}
+
+FrameCapture::~FrameCapture()
+{
+    // Without finish() the last frames are dropped; the callback must not outlive this.
+    if (_context->getSwapCallback() == _grabber) _context->setSwapCallback(nullptr);
+}
+
+void FrameCapture::receive(const GrabbedFrame& frame)
+{
+    char name[32];
+    std::snprintf(name, sizeof name, "frame_%05zu.png", _next++);
+    const Outcome given = _writer.write(frame.picture, _folder / name);
+    const std::lock_guard lock(_mutex);
+    if (!given && !_error) _error = given.error();
+}
+
+Outcome FrameCapture::outcome() const
+{
+    const std::lock_guard lock(_mutex);
+    if (_error) return *_error;
+    return viewlod::success();
+}
+
+Result<std::size_t> FrameCapture::finish()
+{
+    if (_context->getSwapCallback() == _grabber) _context->setSwapCallback(nullptr);
+    _grabber->drain(_context);
+    const Outcome all = _writer.finish();
+    if (!all) return all.error();
+    return _writer.written();
+}
+
+} // namespace osgOffscreen

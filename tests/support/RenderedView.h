@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <osg/Geode>
+#include <osg/Group>
+
+#include <osgOffscreen/OffscreenViewer>
+#include <osgTerrainROAM/Atmosphere>
+
+#include "view/ModelMesh.h"
+#include "view/ObjectShading.h"
+#include "view/Pose.h"
+#include "view/Sky.h"
+
+namespace rendered
+{
+
+/// Sky and a flat grey ground, in an atmosphere; add what else is to be seen.
+struct ViewScene
+{
+    explicit ViewScene(const osgTerrainROAM::AtmosphereSettings& air = {})
+        : atmosphere(new osgTerrainROAM::Atmosphere(air)), root(new osg::Group)
+    {
+        root->setStateSet(atmosphere->stateSet());
+        root->addChild(trainer::makeSky());
+        trainer::ModelMesh slab;
+        slab.addBox({-1.5e5F, -1.5e5F, -1.0F}, {1.5e5F, 1.5e5F, 0.0F}, {0.5F, 0.5F, 0.5F, 1.0F});
+        const osg::ref_ptr<osg::Geode> ground = new osg::Geode;
+        ground->addDrawable(slab.geometry());
+        trainer::setObjectShading(*ground, trainer::Finish::matt);
+        root->addChild(ground);
+    }
+
+    osg::ref_ptr<osgTerrainROAM::Atmosphere> atmosphere;
+    osg::ref_ptr<osg::Group> root;
+};
+
+/// A picture of a scene from an eye, 40° high.
+inline osg::ref_ptr<osg::Image> pictureFrom(osg::Node* scene, const trainer::Pose& eye,
+                                            const osgOffscreen::OffscreenSettings& settings)
+{
+    auto made = osgOffscreen::OffscreenViewer::create(settings);
+    if (!made)
+    {
+        ADD_FAILURE() << made.error().message();
+        return new osg::Image;
+    }
+    osgOffscreen::OffscreenViewer& viewer = **made;
+    viewer.viewer().setSceneData(scene);
+    viewer.camera().setProjectionMatrixAsPerspective(
+        40.0, static_cast<double>(settings.widthPx) / settings.heightPx, 0.5, 2e5);
+    const glm::dmat4 view = trainer::viewFromWorld(eye);
+    viewer.camera().setViewMatrix(osg::Matrixd(&view[0][0]));
+    return viewer.picture();
+}
+
+} // namespace rendered
