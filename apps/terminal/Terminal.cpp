@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "terminal/Terminal.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+
+#include <unistd.h>
+
+namespace terminal
+{
+
+int fail(const std::string& program, const viewlod::Error& error)
+{
+    std::cerr << program << ": " << error.message() << '\n';
+    return kFailed;
+}
+
+Progress::Progress(std::string label, std::size_t total)
+    : _label(std::move(label)), _total(total), _isTerminal(isatty(STDERR_FILENO) != 0)
+{
+}
+
+Progress::~Progress()
+{
+    if (_isTerminal && _done > 0) std::cerr << '\n';
+}
+
+void Progress::advance()
+{
+    ++_done;
+    const std::size_t step = _total > 0 ? std::max<std::size_t>(_total / 10, 1) : 100;
+    if (_isTerminal || _done % step == 0 || _done == _total) print();
+}
+
+void Progress::print() const
+{
+    constexpr std::size_t kWidth = 40;
+    const std::string count = _total > 0 ? std::to_string(_done) + '/' + std::to_string(_total) : std::to_string(_done);
+    if (!_isTerminal)
+    {
+        std::cerr << _label << ": " << count << '\n';
+        return;
+    }
+    const std::size_t filled = _total > 0 ? kWidth * _done / _total : 0;
+    const std::string bar = _total > 0 ? " [" + std::string(filled, '=') + std::string(kWidth - filled, ' ') + "] " : " ";
+    std::cerr << '\r' << _label << bar << count << std::flush;
+}
+
+viewlod::Outcome writeFile(const std::string& file, const std::string& text)
+{
+    const std::string temporary = file + ".part";
+    const auto failure = [&](const char* what)
+    {
+        const std::string reason = std::strerror(errno);
+        std::error_code ignored;
+        std::filesystem::remove(temporary, ignored);
+        return viewlod::Error{file, std::string(what) + ": " + reason, "check that the folder exists, is writable and has room"};
+    };
+    std::ofstream stream(temporary, std::ios::binary);
+    if (!stream) return failure("cannot be created");
+    stream << text;
+    stream.close();
+    if (!stream) return failure("cannot be written");
+    if (std::rename(temporary.c_str(), file.c_str()) != 0) return failure("cannot be put in place");
+    return viewlod::success();
+}
+
+} // namespace terminal

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include <viewlod/Result.h>
+
+#include <osgTerrainROAM/core/heightfield/DemImport.h>
+
+namespace terraintool
+{
+
+/// What was asked on the command line.
+struct Request
+{
+    std::vector<std::string> files; ///< .roam files or elevation rasters
+    osgTerrainROAM::core::DemImportOptions import;
+    int frames = 240;
+    double tolerancePx = 1.0;
+    unsigned maxTriangles = 200000;
+};
+
+/// A command's table, and whether everything in it is as it must be.
+struct Report
+{
+    nlohmann::ordered_json json;
+    bool sound = true;
+};
+
+/// Sizes, heights, voids and placement of each file.
+viewlod::Result<Report> info(const Request& request);
+
+/// Flies the tour over each terrain and checks the mesh of every frame by brute force.
+viewlod::Result<Report> validate(const Request& request);
+
+} // namespace terraintool

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <iostream>
+
+#include <osgTerrainROAM/core/LoadTerrain.h>
+
+#include "terraintool/Commands.h"
+
+namespace terraintool
+{
+
+namespace
+{
+
+using namespace osgTerrainROAM::core;
+
+nlohmann::ordered_json describe(const std::string& file, const PlacedTile& tile)
+{
+    const HeightField& field = tile.field();
+    const auto [lowest, highest] = std::minmax_element(field.heightsM.begin(), field.heightsM.end());
+    nlohmann::ordered_json row;
+    row["file"] = file;
+    row["columns"] = field.columns;
+    row["rows"] = field.rows;
+    row["samples"] = field.heightsM.size();
+    row["tileSide"] = tile.side();
+    row["spacingEastM"] = field.spacingEastM;
+    row["spacingNorthM"] = field.spacingNorthM;
+    row["lowestM"] = *lowest;
+    row["highestM"] = *highest;
+    row["voids"] = field.voids.count;
+    row["voidShare"] = field.voids.share;
+    if (field.voids.count > 0) row["voidFill"] = field.voids.method;
+    row["georeferenced"] = field.net.has_value();
+    if (field.net)
+    {
+        row["originLatitudeDeg"] = tile.origin().latitudeDeg;
+        row["originLongitudeDeg"] = tile.origin().longitudeDeg;
+        row["geoidM"] = field.net->nodes.front().geoidM;
+    }
+    return row;
+}
+
+void print(const nlohmann::ordered_json& row)
+{
+    std::cout << row["file"].get<std::string>() << '\n';
+    for (const auto& [key, value] : row.items())
+        if (key != "file") std::cout << "  " << key << ": " << (value.is_string() ? value.get<std::string>() : value.dump()) << '\n';
+}
+
+} // namespace
+
+viewlod::Result<Report> info(const Request& request)
+{
+    Report report;
+    for (const std::string& file : request.files)
+    {
+        const auto description = describeTerrain(file, request.import);
+        if (!description) return description.error();
+        const auto tile = loadTile(*description);
+        if (!tile) return tile.error();
+        report.json["files"].push_back(describe(file, *tile));
+        print(report.json["files"].back());
+    }
+    return report;
+}
+
+} // namespace terraintool

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "EntityModel.h"
+
+#include <osg/Geode>
+#include <osg/ShapeDrawable>
+#include <osgDB/ReadFile>
+
+#include "view/AircraftModel.h"
+#include "view/ObjectShading.h"
+#include "view/Pose.h"
+
+namespace trainer
+{
+
+namespace
+{
+
+/// Stands in for what has no model: a box of the entity's size, light grey.
+osg::ref_ptr<osg::Node> makeBox(const BoundingBox& box)
+{
+    const osg::Vec3 centre(box.centre.x, box.centre.y, box.centre.z);
+    const auto extent = [](double metres) { return static_cast<float>(metres > 0 ? metres : 1.0); };
+    const osg::ref_ptr<osg::ShapeDrawable> shape =
+        new osg::ShapeDrawable(new osg::Box(centre, extent(box.lengthM), extent(box.widthM), extent(box.heightM)));
+    shape->setColor({0.6F, 0.6F, 0.6F, 1.0F});
+    const osg::ref_ptr<osg::Geode> geode = new osg::Geode;
+    geode->addDrawable(shape);
+    setObjectShading(*geode, Finish::matt);
+    return geode;
+}
+
+osg::Matrixd matrixOf(const Pose& pose)
+{
+    const glm::dmat4 matrix = worldFromModel(pose);
+    return osg::Matrixd(&matrix[0][0]); // GLM's columns are OSG's rows
+}
+
+} // namespace
+
+viewlod::Result<EntityModel> EntityModel::create(const ScenarioObject& object, const std::filesystem::path& folder)
+{
+    EntityModel model;
+    model._placed = new osg::MatrixTransform;
+    model._placed->setDataVariance(osg::Object::DYNAMIC);
+    const std::filesystem::path file = folder / object.model3d();
+    if (!object.model3d().empty() && std::filesystem::exists(file))
+    {
+        const osg::ref_ptr<osg::Node> loaded = osgDB::readRefNodeFile(file.string());
+        if (!loaded)
+            return viewlod::Error{file.string(), "OpenSceneGraph cannot read the model of " + object.name, "give another model3d"};
+        setObjectShading(*loaded, Finish::matt);
+        model._placed->addChild(loaded);
+    }
+    else if (object.isAirborne())
+        model._placed->addChild(makeLightAircraft());
+    else if (std::holds_alternative<Vehicle>(object.object))
+        model._car = std::make_shared<CarModel>();
+    else
+        model._placed->addChild(makeBox(object.box()));
+    return model;
+}
+
+void EntityModel::show(const EntityState& state)
+{
+    if (_car)
+        _car->setState(state);
+    else
+        _placed->setMatrix(matrixOf(poseOf(state)));
+}
+
+} // namespace trainer

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <memory>
+
+#include <osg/MatrixTransform>
+
+#include <viewlod/Result.h>
+
+#include "sim/player/EntityState.h"
+#include "sim/scenario/Entity.h"
+#include "view/CarModel.h"
+
+namespace trainer
+{
+
+/// What an entity looks like: the file that its `model3d` names, else a model of the program by its category, a box of
+/// its size at last. Frame: the entity's own, placed by show(). Threads: show() between frames.
+class EntityModel
+{
+public:
+    /// `folder`: what model3d is relative to. Errors: a model file that is there but cannot be read.
+    static viewlod::Result<EntityModel> create(const ScenarioObject& object, const std::filesystem::path& folder);
+
+    osg::Node* node() const { return _car ? _car->node() : _placed.get(); }
+    void show(const EntityState& state);
+
+private:
+    std::shared_ptr<CarModel> _car; ///< has wheels to move; else
+    osg::ref_ptr<osg::MatrixTransform> _placed;
+};
+
+} // namespace trainer

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "PlayCommand.h"
+
+#include <iostream>
+
+#include <osgTerrainROAM/core/LoadTerrain.h>
+
+#include "PlaySession.h"
+#include "ground/TileGround.h"
+#include "sim/parser/ParseScenario.h"
+#include "sim/tour/LayTour.h"
+#include "sim/writer/WriteScenario.h"
+#include "terminal/Terminal.h"
+#include "view/HtmlReport.h"
+#include "view/StatisticsFile.h"
+
+namespace trainer
+{
+
+namespace
+{
+
+constexpr double kLongestPlayS = 3600.0; ///< of a scenario that never ends by itself
+
+viewlod::Outcome playToTheEnd(PlaySession& session, const PlayRequest& request)
+{
+    const int limit = request.frames.value_or(static_cast<int>(kLongestPlayS * request.framesPerSecond));
+    terminal::Progress progress("frames", request.frames ? static_cast<std::size_t>(limit) : 0);
+    for (int frame = 0; frame < limit && (request.frames || !session.isFinished()); ++frame)
+    {
+        if (const auto drawn = session.frame(); !drawn) return drawn;
+        progress.advance();
+    }
+    return session.finish();
+}
+
+/// The report points at pictures beside it by the names that ./demo gives them, where they are there.
+ReportContent reportOf(const PlaySession& session, const PlayRequest& request)
+{
+    ReportContent content;
+    const FileHeader& header = session.player().scenario().header;
+    content.title = header.description.empty() ? request.scenario.stem().string() : header.description;
+    content.facts = {{"Scenario", request.scenario.filename().string()},
+                     {"Simulated", std::to_string(session.statistics().size()) + " frames at " +
+                                       std::to_string(request.framesPerSecond) + " per second"},
+                     {"Picture", std::to_string(request.widthPx) + " x " + std::to_string(request.heightPx)},
+                     {"Error target", std::to_string(request.errorTolerancePx) + " px anywhere in the picture"},
+                     {"Triangle ceiling", std::to_string(request.maxTriangles)}};
+    content.contactSheet = request.contactSheet;
+    content.video = request.video;
+    return content;
+}
+
+viewlod::Outcome leaveResults(const PlaySession& session, const PlayRequest& request)
+{
+    if (!request.statsFile.empty())
+        if (const auto written = writeStatistics(session.statistics(), request.statsFile); !written) return written;
+    if (!request.reportFile.empty())
+        return writeReport(reportOf(session, request), session.statistics(), request.reportFile);
+    return viewlod::success();
+}
+
+} // namespace
+
+viewlod::Outcome play(Scenario scenario, const PlayRequest& request)
+{
+    auto session = PlaySession::create(std::move(scenario), request);
+    if (!session) return session.error();
+    if (const auto played = playToTheEnd(**session, request); !played) return played;
+    return leaveResults(**session, request);
+}
+
+viewlod::Outcome play(const PlayRequest& request)
+{
+    auto parsed = readScenario(request.scenario);
+    if (!parsed) return parsed.error();
+    return play(std::move(parsed->scenario), request);
+}
+
+viewlod::Outcome tour(const PlayRequest& request, const std::filesystem::path& saveFile, double durationS)
+{
+    const auto description = osgTerrainROAM::core::describeTerrain(request.terrain, request.import);
+    if (!description) return description.error();
+    const auto tile = osgTerrainROAM::core::loadTile(*description);
+    if (!tile) return tile.error();
+    TourOptions options;
+    options.durationS = durationS;
+    auto laid = layTour(ground::tourTerrainOf(*tile, std::filesystem::absolute(request.terrain).string()), options);
+    if (!laid) return laid.error();
+    if (!saveFile.empty())
+        if (const auto written = writeScenario(laid->scenario, saveFile); !written) return written;
+    return play(std::move(laid->scenario), request);
+}
+
+viewlod::Outcome check(const std::filesystem::path& scenario)
+{
+    const auto parsed = readScenario(scenario, {.tolerant = true, .parameters = {}});
+    if (!parsed) return parsed.error();
+    for (const Problem& problem : parsed->problems) std::cout << problem.error.message() << '\n';
+    if (parsed->problems.empty()) return viewlod::success();
+    return viewlod::Error{scenario.string(), std::to_string(parsed->problems.size()) + " problems", "see the lines above"};
+}
+
+} // namespace trainer

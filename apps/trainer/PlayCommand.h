@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+
+#include <viewlod/Result.h>
+
+#include "PlayRequest.h"
+#include "sim/scenario/Scenario.h"
+
+namespace trainer
+{
+
+/// Plays request.scenario to its end and leaves the pictures, statistics and report that were asked for.
+viewlod::Outcome play(const PlayRequest& request);
+
+/// The same for a scenario that is already there.
+viewlod::Outcome play(Scenario scenario, const PlayRequest& request);
+
+/// Lays a tour over the terrain request.terrain, writes it to `saveFile` unless that is empty, and plays it.
+/// Units: seconds.
+viewlod::Outcome tour(const PlayRequest& request, const std::filesystem::path& saveFile, double durationS);
+
+/// Reads a scenario tolerantly and prints everything that is wrong or not supported, one line each.
+/// Errors: the text is no scenario at all, or anything was found.
+viewlod::Outcome check(const std::filesystem::path& scenario);
+
+} // namespace trainer

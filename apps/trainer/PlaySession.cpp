@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "PlaySession.h"
+
+#include <osgOffscreen/OffscreenContext>
+
+#include "view/CameraTimings.h"
+#include "view/ViewFile.h"
+
+namespace trainer
+{
+
+namespace
+{
+
+viewlod::Result<std::filesystem::path> sceneFileOf(const Scenario& scenario, const PlayRequest& request)
+{
+    if (!request.terrain.empty()) return request.terrain;
+    if (!scenario.roadNetwork.sceneGraphFile.empty())
+        return request.scenario.parent_path() / scenario.roadNetwork.sceneGraphFile;
+    return viewlod::Error{request.scenario.string(), "RoadNetwork names no SceneGraphFile", "add one, or give --terrain FILE"};
+}
+
+viewlod::Result<ViewSetup> viewOf(const PlayRequest& request)
+{
+    if (request.viewFile.empty()) return singleChannel(request.widthPx, request.heightPx);
+    return readView(request.viewFile);
+}
+
+osg::ref_ptr<osgViewer::Viewer> makeViewer(osg::Group& scene)
+{
+    const osg::ref_ptr<osgViewer::Viewer> viewer = new osgViewer::Viewer;
+    viewer->setThreadingModel(osgViewer::ViewerBase::SingleThreaded);
+    viewer->setKeyEventSetsDone(0);
+    viewer->setLightingMode(osg::View::NO_LIGHT);
+    viewer->setSceneData(&scene);
+    return viewer;
+}
+
+} // namespace
+
+PlaySession::PlaySession(const PlayRequest& request, SceneTerrain terrain) : _request(request), _terrain(std::move(terrain)) {}
+
+viewlod::Result<std::unique_ptr<PlaySession>> PlaySession::create(Scenario scenario, const PlayRequest& request)
+{
+    if (scenario.entities.empty())
+        return viewlod::Error{request.scenario.string(), "no ScenarioObject in Entities", "add the one whose eye shall look"};
+    const auto setup = viewOf(request);
+    if (!setup) return setup.error();
+    const auto sceneFile = sceneFileOf(scenario, request);
+    if (!sceneFile) return sceneFile.error();
+    auto terrain = openScene(*sceneFile, request.import);
+    if (!terrain) return terrain.error();
+    if (terrain->terrain)
+    {
+        terrain->terrain->setErrorTolerancePx(request.errorTolerancePx);
+        terrain->terrain->setMaxTriangles(request.maxTriangles);
+    }
+
+    std::unique_ptr<PlaySession> session(new PlaySession(request, std::move(*terrain)));
+    auto player = ScenarioPlayer::create(std::move(scenario), {session->_terrain.origin(), session->_terrain.ground(),
+                                                              FixedClock::forFrameRate(request.framesPerSecond)});
+    if (!player) return player.error();
+    session->_player = std::move(*player);
+    auto scene = ScenarioScene::create(session->_player->scenario(), session->_terrain, request.scenario.parent_path());
+    if (!scene) return scene.error();
+    session->_scene = std::make_unique<ScenarioScene>(std::move(*scene));
+    session->_eye = std::make_unique<OwnshipEye>(session->_player->scenario().entities.front(), request,
+                                                 session->_terrain.ground());
+    if (request.eye == EyePoint::own) session->_scene->hide(0);
+    if (const auto opened = session->openPictures(*setup); !opened) return opened.error();
+    return session;
+}
+
+viewlod::Outcome PlaySession::openPictures(const ViewSetup& setup)
+{
+    const std::vector<PictureShape> pictures = picturesOf(setup);
+    for (const PictureShape& picture : pictures)
+    {
+        const auto context = osgOffscreen::OffscreenContext::create(
+            {_request.backend, picture.widthPx, picture.heightPx, _request.samples});
+        if (!context) return context.error();
+        _contexts.push_back(*context);
+        if (_request.captureFolder.empty()) continue;
+        const auto folder = pictures.size() == 1 ? _request.captureFolder : _request.captureFolder / picture.name;
+        auto capture = osgOffscreen::FrameCapture::begin(_contexts.back(), folder);
+        if (!capture) return capture.error();
+        _captures.push_back(std::move(*capture));
+    }
+    _viewer = makeViewer(_scene->root());
+    _rig = std::make_unique<ChannelRig>(*_viewer, setup, _contexts);
+    keepCameraTimings(*_viewer);
+    return viewlod::success();
+}
+
+viewlod::Outcome PlaySession::frame()
+{
+    const double frameS = 1.0 / _request.framesPerSecond;
+    _scene->show(*_player);
+    _rig->setEye(_eye->update(_player->entities().front(), _statistics.empty() ? 0.0 : frameS));
+    _viewer->frame(_player->timeS());
+    _statistics.push_back(measured());
+    for (auto i = _player->clock().stepsPerSecond() / _request.framesPerSecond; i > 0; --i) _player->step();
+    for (const auto& capture : _captures)
+        if (const auto outcome = capture->outcome(); !outcome) return outcome.error();
+    return viewlod::success();
+}
+
+FrameStatistics PlaySession::measured() const
+{
+    FrameStatistics row;
+    row.frame = static_cast<std::uint32_t>(_statistics.size());
+    row.timeS = _player->timeS();
+    const unsigned drawn = _viewer->getFrameStamp()->getFrameNumber();
+    const CameraTimings timings = cameraTimings(*_viewer, drawn);
+    row.cullMs = timings.cullMs;
+    row.drawMs = timings.drawMs;
+    if (!_terrain.terrain) return row;
+    for (const auto& group : _terrain.terrain->statistics())
+    {
+        if (group.frame != drawn) continue; // an eye that has gone
+        row.triangles += group.refine.triangles;
+        row.splits += group.refine.splits;
+        row.merges += group.refine.merges;
+        row.adaptUs += group.adaptUs;
+        row.maxErrorPx = std::max(row.maxErrorPx, group.refine.tolerancePx);
+    }
+    return row;
+}
+
+viewlod::Outcome PlaySession::finish()
+{
+    for (const auto& capture : _captures)
+        if (const auto written = capture->finish(); !written) return written.error();
+    return viewlod::success();
+}
+
+} // namespace trainer

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ScenarioScene.h"
+
+#include <map>
+
+#include "view/Sky.h"
+
+namespace trainer
+{
+
+namespace
+{
+
+/// Cloud states of OpenSCENARIO 1.0 and, in oktas, of 1.2, as cover 0…1.
+double cloudCover(const std::string& state)
+{
+    static const std::map<std::string, double> kCover{{"free", 0.0},        {"cloudy", 0.6},      {"overcast", 1.0},
+                                                      {"rainy", 1.0},       {"zeroOktas", 0.0},   {"oneOktas", 0.125},
+                                                      {"twoOktas", 0.25},   {"threeOktas", 0.375}, {"fourOktas", 0.5},
+                                                      {"fiveOktas", 0.625}, {"sixOktas", 0.75},   {"sevenOktas", 0.875},
+                                                      {"eightOktas", 1.0}};
+    const auto found = kCover.find(state);
+    return found == kCover.end() ? 0.0 : found->second;
+}
+
+osgTerrainROAM::AtmosphereSettings airOf(const EnvironmentState& environment)
+{
+    osgTerrainROAM::AtmosphereSettings air;
+    air.sunDirectionWorld =
+        osgTerrainROAM::sunDirectionFromAngles(environment.sun.azimuthDeg, environment.sun.elevationDeg);
+    if (environment.fogVisualRangeM) air.visibilityM = *environment.fogVisualRangeM;
+    air.cloudCover = cloudCover(environment.cloudState);
+    return air;
+}
+
+} // namespace
+
+ScenarioScene::ScenarioScene() : _root(new osg::Group), _atmosphere(new osgTerrainROAM::Atmosphere)
+{
+    _atmosphere->addUniformsTo(*_root->getOrCreateStateSet());
+    _root->getStateSet()->setDataVariance(osg::Object::DYNAMIC);
+}
+
+viewlod::Result<ScenarioScene> ScenarioScene::create(const Scenario& scenario, const SceneTerrain& terrain,
+                                                     const std::filesystem::path& folder)
+{
+    ScenarioScene scene;
+    if (terrain.terrain) terrain.terrain->setAtmosphere(scene._atmosphere);
+    scene._root->addChild(makeSky());
+    scene._root->addChild(terrain.node);
+    for (const ScenarioObject& object : scenario.entities)
+    {
+        auto model = EntityModel::create(object, folder);
+        if (!model) return model.error();
+        scene._root->addChild(model->node());
+        scene._entities.push_back(std::move(*model));
+    }
+    return scene;
+}
+
+void ScenarioScene::show(const ScenarioPlayer& player)
+{
+    for (std::size_t i = 0; i < _entities.size(); ++i) _entities[i].show(player.entities()[i]);
+    _atmosphere->apply(airOf(player.environment()));
+}
+
+} // namespace trainer

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include <osg/Group>
+
+#include <viewlod/Result.h>
+
+#include <osgTerrainROAM/Atmosphere>
+
+#include "EntityModel.h"
+#include "SceneTerrain.h"
+#include "sim/player/ScenarioPlayer.h"
+
+namespace trainer
+{
+
+/// The scene graph of a scenario: terrain, sky, air, and one model for each entity.
+/// Frame: world, the scene's east-north-up. Threads: show() between frames.
+class ScenarioScene
+{
+public:
+    /// `folder`: the scenario's. Errors: as EntityModel.
+    static viewlod::Result<ScenarioScene> create(const Scenario& scenario, const SceneTerrain& terrain,
+                                                 const std::filesystem::path& folder);
+
+    osg::Group& root() { return *_root; }
+
+    /// Moves everything to where the player has it, and sets sun and air.
+    void show(const ScenarioPlayer& player);
+
+    /// Leaves an entity out of the picture: the one whose eye looks.
+    void hide(std::size_t entity) { _entities[entity].node()->setNodeMask(0); }
+
+private:
+    ScenarioScene();
+
+    osg::ref_ptr<osg::Group> _root;
+    osg::ref_ptr<osgTerrainROAM::Atmosphere> _atmosphere;
+    std::vector<EntityModel> _entities; ///< in the order of Scenario::entities
+};
+
+} // namespace trainer

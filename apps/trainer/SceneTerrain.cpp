@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "SceneTerrain.h"
+
+#include <array>
+
+#include <osg/NodeVisitor>
+#include <osgDB/FileNameUtils>
+#include <osgDB/ReadFile>
+
+#include <osgTerrainROAM/core/LoadTerrain.h>
+
+#include "ground/TileGround.h"
+
+namespace trainer
+{
+
+namespace
+{
+
+using osgTerrainROAM::RoamTerrain;
+
+/// The first ROAM terrain in a scene.
+class TerrainFinder : public osg::NodeVisitor
+{
+public:
+    TerrainFinder() : osg::NodeVisitor(TRAVERSE_ALL_CHILDREN) {}
+
+    void apply(osg::Group& group) override
+    {
+        if (auto* terrain = dynamic_cast<RoamTerrain*>(&group); terrain && !found) found = terrain;
+        traverse(group);
+    }
+
+    osg::ref_ptr<RoamTerrain> found;
+};
+
+bool isTerrainFile(const std::filesystem::path& file)
+{
+    static constexpr std::array kSuffixes{"roam", "tif", "tiff", "hgt", "gz", "zip", "asc", "dt0", "dt1", "dt2", "png", "img", "vrt", "bil"};
+    const std::string suffix = osgDB::getLowerCaseFileExtension(file.string());
+    return std::find(kSuffixes.begin(), kSuffixes.end(), suffix) != kSuffixes.end();
+}
+
+} // namespace
+
+std::optional<Geodetic> SceneTerrain::origin() const
+{
+    return terrain ? ground::originOf(terrain->tile()->tile) : std::nullopt;
+}
+
+GroundProvider SceneTerrain::ground() const
+{
+    return terrain ? ground::groundOf(terrain->tile()->tile) : GroundProvider{};
+}
+
+viewlod::Result<SceneTerrain> openScene(const std::filesystem::path& file,
+                                        const osgTerrainROAM::core::DemImportOptions& import)
+{
+    if (isTerrainFile(file))
+    {
+        const auto description = osgTerrainROAM::core::describeTerrain(file, import);
+        if (!description) return description.error();
+        auto terrain = osgTerrainROAM::makeTerrain(*description);
+        if (!terrain) return terrain.error();
+        return SceneTerrain{terrain->get(), *terrain};
+    }
+    if (!std::filesystem::exists(file))
+        return viewlod::Error{file.string(), "there is no such file", "check the path of the scene"};
+    const osg::ref_ptr<osg::Node> node = osgDB::readRefNodeFile(file.string());
+    if (!node)
+        return viewlod::Error{file.string(), "OpenSceneGraph cannot read it as a scene", "give a .roam file, an elevation raster or a model"};
+    TerrainFinder finder;
+    node->accept(finder);
+    return SceneTerrain{node, finder.found};
+}
+
+} // namespace trainer

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <GeographicLib/LocalCartesian.hpp>
+#include <glm/glm.hpp>
+
+namespace trainer
+{
+
+/// WGS84 position. Units: degrees, metres above the ellipsoid.
+struct Geodetic
+{
+    double latitudeDeg = 0.0;
+    double longitudeDeg = 0.0;
+    double heightM = 0.0;
+
+    bool operator==(const Geodetic&) const = default;
+};
+
+/// The scene's east-north-up frame about its geodetic origin.
+/// Frame: right-handed, x east, y north, z up at the origin; the Earth curves away from the plane z = 0.
+/// Units: metres; degrees for geodetic positions. Threads: immutable, any.
+/// Source: GeographicLib::LocalCartesian.
+class LocalFrame
+{
+public:
+    explicit LocalFrame(const Geodetic& origin);
+
+    const Geodetic& origin() const { return _origin; }
+    glm::dvec3 localFromGeodetic(const Geodetic& geodetic) const;
+    Geodetic geodeticFromLocal(const glm::dvec3& local) const;
+
+private:
+    Geodetic _origin;
+    GeographicLib::LocalCartesian _cartesian;
+};
+
+} // namespace trainer

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <viewlod/Result.h>
+
+#include "sim/player/SceneFrame.h"
+#include "sim/scenario/Scenario.h"
+
+namespace trainer
+{
+
+/// Whether a scenario can be played in a scene: every position has a place, every trajectory can be run, every
+/// reference to an entity or a storyboard element has its object. Unsupported content is passed over.
+/// Errors: the first that cannot, as `scenario:line`.
+viewlod::Outcome checkPlayable(const Scenario& scenario, const SceneFrame& frame);
+
+} // namespace trainer

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sim/player/SceneFrame.h"
+
+#include <cassert>
+#include <utility>
+
+namespace trainer
+{
+
+SceneFrame::SceneFrame(const std::optional<Geodetic>& origin, GroundProvider ground)
+    : _ground(std::move(ground))
+{
+    if (origin) _frame.emplace(*origin);
+}
+
+bool SceneFrame::canPlace(const Position& position) const
+{
+    if (std::holds_alternative<GeoPosition>(position)) return _frame.has_value();
+    return std::holds_alternative<WorldPosition>(position);
+}
+
+glm::dvec3 SceneFrame::place(const Position& position) const
+{
+    assert(canPlace(position));
+    if (const auto* geo = std::get_if<GeoPosition>(&position)) return place(*geo);
+    if (const auto* world = std::get_if<WorldPosition>(&position)) return place(*world);
+    return glm::dvec3(0.0);
+}
+
+glm::dvec3 SceneFrame::place(const WorldPosition& position) const
+{
+    glm::dvec3 local(position.xM, position.yM, position.zM.value_or(0.0));
+    if (!position.zM)
+        if (const std::optional<GroundSample> ground = groundAt(local.x, local.y)) local.z = ground->heightM;
+    return local;
+}
+
+glm::dvec3 SceneFrame::place(const GeoPosition& position) const
+{
+    glm::dvec3 local =
+        _frame->localFromGeodetic({position.latitudeDeg, position.longitudeDeg,
+                                   position.heightM.value_or(position.altitudeM.value_or(0.0))});
+    if (position.heightM) return local;
+    if (const std::optional<GroundSample> ground = groundAt(local.x, local.y))
+        local.z = ground->heightM + position.altitudeM.value_or(0.0);
+    return local;
+}
+
+std::optional<GroundSample> SceneFrame::groundAt(double eastM, double northM) const
+{
+    return _ground ? _ground(eastM, northM) : std::nullopt;
+}
+
+Orientation orientationOf(const Position& position)
+{
+    if (const auto* geo = std::get_if<GeoPosition>(&position)) return geo->orientation;
+    if (const auto* world = std::get_if<WorldPosition>(&position)) return world->orientation;
+    return {};
+}
+
+} // namespace trainer

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "sim/scenario/Position.h"
+
+namespace trainer
+{
+
+struct Vertex
+{
+    SourceLine source;
+    std::optional<double> timeS;
+    Position position;
+
+    bool operator==(const Vertex&) const = default;
+};
+
+struct Polyline
+{
+    SourceLine source;
+    std::vector<Vertex> vertices; ///< two at least
+
+    bool operator==(const Polyline&) const = default;
+};
+
+using TrajectoryShape = std::variant<Polyline, Unsupported>;
+
+struct Trajectory
+{
+    SourceLine source;
+    std::string name;
+    bool closed = false; ///< the last vertex is joined to the first, and the path is run again and again
+    TrajectoryShape shape;
+
+    bool operator==(const Trajectory&) const = default;
+};
+
+/// How the vertices' times become the simulation's: t = offset + scale·vertex, counted from the start of the
+/// action (relative) or of the simulation (absolute).
+struct Timing
+{
+    enum class Domain
+    {
+        absolute,
+        relative,
+    };
+
+    Domain domain = Domain::relative;
+    double scale = 1.0;
+    double offsetS = 0.0;
+
+    bool operator==(const Timing&) const = default;
+};
+
+enum class FollowingMode
+{
+    position,
+    follow,
+};
+
+} // namespace trainer

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include <viewlod/Result.h>
+
+#include "sim/scenario/Scenario.h"
+
+namespace trainer
+{
+
+/// The scenario as OpenSCENARIO XML 1.3: reading the text back strictly gives an equal model, but for the
+/// version in its header. Catalogue entries and parameters stand where they were put in. Errors: content that
+/// the model keeps only by name (Unsupported).
+viewlod::Result<std::string> scenarioText(const Scenario& scenario);
+
+/// Writes scenarioText() to a file: under a temporary name beside it first, so that no partial file ever
+/// bears the final one.
+viewlod::Outcome writeScenario(const Scenario& scenario, const std::filesystem::path& file);
+
+} // namespace trainer

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "view/ChannelRig.h"
+
+#include <cassert>
+#include <utility>
+
+namespace trainer
+{
+
+namespace
+{
+
+osg::Matrixd toOsg(const glm::dmat4& matrix)
+{
+    return osg::Matrixd(&matrix[0][0]); // both keep the translation in the last four
+}
+
+} // namespace
+
+ChannelRig::ChannelRig(osgViewer::View& view, ViewSetup setup,
+                       const std::vector<osg::ref_ptr<osg::GraphicsContext>>& contexts)
+    : _master(view.getCamera()), _setup(std::move(setup))
+{
+    assert(contexts.size() == picturesOf(_setup).size());
+    const bool isTiled = _setup.layout == ViewSetup::Layout::tiled;
+    // Slaves inherit cull settings from it every frame.
+    _master->setComputeNearFarMode(osg::Camera::DO_NOT_COMPUTE_NEAR_FAR);
+    _master->setProjectionMatrix(
+        toOsg(channelProjection(_setup.channels.front(), _setup.nearM, _setup.farM)));
+    int leftPx = 0;
+    for (std::size_t i = 0; i < _setup.channels.size(); ++i)
+    {
+        const Channel& channel = _setup.channels[i];
+        const osg::ref_ptr<osg::Camera> camera = new osg::Camera;
+        camera->setName(channel.name);
+        camera->setReferenceFrame(osg::Transform::ABSOLUTE_RF);
+        camera->setGraphicsContext(contexts[isTiled ? 0 : i]);
+        camera->setViewport(isTiled ? leftPx : 0, 0, channel.widthPx, channel.heightPx);
+        camera->setComputeNearFarMode(osg::Camera::DO_NOT_COMPUTE_NEAR_FAR);
+        camera->setProjectionMatrix(toOsg(channelProjection(channel, _setup.nearM, _setup.farM)));
+        view.addSlave(camera, true);
+        _cameras.push_back(camera);
+        leftPx += channel.widthPx;
+    }
+}
+
+void ChannelRig::setEye(const Pose& eye)
+{
+    _master->setViewMatrix(toOsg(viewFromWorld(eye)));
+    for (std::size_t i = 0; i < _cameras.size(); ++i)
+        _cameras[i]->setViewMatrix(toOsg(viewFromWorld(channelEye(_setup.channels[i], eye))));
+}
+
+} // namespace trainer

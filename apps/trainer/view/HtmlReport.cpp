@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "view/HtmlReport.h"
+
+#include <cstdio>
+
+#include "terminal/Terminal.h"
+#include "view/SvgPlot.h"
+
+namespace trainer
+{
+
+namespace
+{
+
+const char* const kStyle = R"(<style>
+body { font: 16px/1.5 system-ui, sans-serif; max-width: 60rem; margin: 2rem auto; padding: 0 1rem; color: #1b2733; background: #fff }
+h1 { font-size: 1.6rem } h2 { font-size: 1.15rem; margin-top: 2rem }
+table { border-collapse: collapse } td, th { padding: .2rem .8rem .2rem 0; text-align: left; vertical-align: top }
+td.number, th.number { text-align: right; font-variant-numeric: tabular-nums }
+tr + tr td { border-top: 1px solid #dde3e8 }
+img, video, svg { width: 100%; height: auto; margin: .5rem 0 }
+svg text { font: 11px system-ui, sans-serif; fill: #44525e } svg g text { fill: inherit }
+svg .grid { stroke: #dde3e8; stroke-width: 1 } svg polyline { stroke-width: 1.4; stroke-linejoin: round }
+</style>
+)";
+
+std::string number(double value)
+{
+    char text[48];
+    std::snprintf(text, sizeof text, "%.4g", value);
+    if (value >= 1000.0) std::snprintf(text, sizeof text, "%.0f", value);
+    return text;
+}
+
+std::string factsTable(const ReportContent& content)
+{
+    std::string html = "<table>\n";
+    for (const auto& [name, value] : content.facts)
+        html += "<tr><th>" + escapedMarkup(name) + "</th><td>" + escapedMarkup(value) + "</td></tr>\n";
+    return html + "</table>\n";
+}
+
+std::string summaryTable(const std::vector<FrameStatistics>& frames)
+{
+    std::string html = "<table>\n<tr><th></th><th class=\"number\">median</th><th class=\"number\">99 %</th>"
+                       "<th class=\"number\">largest</th></tr>\n";
+    for (const StatisticsColumn& column : statisticsColumns())
+    {
+        const ColumnSummary summary = summaryOf(frames, column);
+        html += "<tr><td>" + std::string(column.name) + (column.isMeasured ? " (measured)" : "") + "</td>";
+        for (const double value : {summary.median, summary.p99, summary.largest})
+            html += "<td class=\"number\">" + number(value) + "</td>";
+        html += "</tr>\n";
+    }
+    return html + "</table>\n";
+}
+
+PlotSeries seriesOf(const std::vector<FrameStatistics>& frames, std::string_view name,
+                    const std::string& colour)
+{
+    PlotSeries series{std::string(name), colour, {}};
+    for (const StatisticsColumn& column : statisticsColumns())
+        if (column.name == name)
+            for (const FrameStatistics& frame : frames)
+                series.values.push_back(column.value(frame));
+    return series;
+}
+
+std::string plots(const std::vector<FrameStatistics>& frames)
+{
+    std::vector<double> times;
+    for (const FrameStatistics& frame : frames)
+        times.push_back(frame.timeS);
+    const std::string x = "simulated time, s";
+    std::string html = svgPlot({"Triangles drawn", x, times, {seriesOf(frames, "triangles", "#1f6feb")}});
+    html += svgPlot({"Changes per frame",
+                     x,
+                     times,
+                     {seriesOf(frames, "splits", "#0a7d4f"), seriesOf(frames, "merges", "#b4451f")}});
+    html += svgPlot({"Adaptation, µs", x, times, {seriesOf(frames, "adaptUs", "#7a3fb0")}});
+    html += svgPlot({"Error bound, pixels", x, times, {seriesOf(frames, "maxErrorPx", "#c02a4a")}});
+    return html + svgPlot({"Cull and draw, ms",
+                           x,
+                           times,
+                           {seriesOf(frames, "cullMs", "#7a5c00"), seriesOf(frames, "drawMs", "#00738a")}});
+}
+
+} // namespace
+
+std::string reportHtml(const ReportContent& content, const std::vector<FrameStatistics>& frames)
+{
+    const std::string title = escapedMarkup(content.title);
+    std::string html = "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+                       "<meta name=\"viewport\" content=\"width=device-width\">\n<title>" +
+                       title + "</title>\n" + kStyle + "</head>\n<body>\n<h1>" + title + "</h1>\n" +
+                       factsTable(content);
+    if (!content.video.empty())
+        html += "<video controls loop muted src=\"" + escapedMarkup(content.video) + "\"></video>\n";
+    if (!content.contactSheet.empty())
+        html += "<h2>Pictures</h2>\n<img alt=\"Frames at equal intervals\" src=\"" +
+                escapedMarkup(content.contactSheet) + "\">\n";
+    html += "<h2>Figures</h2>\n" + summaryTable(frames) + "<h2>Over time</h2>\n" + plots(frames);
+    return html + "</body>\n</html>\n";
+}
+
+viewlod::Outcome writeReport(const ReportContent& content, const std::vector<FrameStatistics>& frames,
+                             const std::filesystem::path& file)
+{
+    return terminal::writeFile(file.string(), reportHtml(content, frames));
+}
+
+} // namespace trainer

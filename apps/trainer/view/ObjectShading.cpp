@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "view/ObjectShading.h"
+
+#include <string>
+
+#include <osg/BlendFunc>
+#include <osg/Depth>
+#include <osg/Image>
+#include <osg/Program>
+#include <osg/Texture2D>
+
+#include <osgTerrainROAM/Atmosphere>
+
+namespace trainer
+{
+
+namespace
+{
+
+// Everything relative to the eye: positions of a world tens of kilometres wide do not fit floats.
+const char* const kVertexShader = R"(#version 130
+out vec3 fromEye;      // world axes, origin at the eye
+out vec3 normalWorld;
+out vec4 colour;
+out vec2 textureAt;
+out vec3 inObject;
+uniform mat4 osg_ViewMatrixInverse;
+void main()
+{
+    vec4 inView = gl_ModelViewMatrix * gl_Vertex;
+    mat3 worldFromView = mat3(osg_ViewMatrixInverse);
+    fromEye = worldFromView * inView.xyz;
+    normalWorld = worldFromView * (gl_NormalMatrix * gl_Normal);
+    inObject = gl_Vertex.xyz;
+    colour = gl_Color;
+    textureAt = gl_MultiTexCoord0.xy;
+    gl_Position = gl_ProjectionMatrix * inView;
+}
+)";
+
+const char* const kFragmentShader = R"(
+in vec3 fromEye;
+in vec3 normalWorld;
+in vec4 colour;
+in vec2 textureAt;
+in vec3 inObject;
+uniform sampler2D objectTexture;
+uniform vec4 objectHolesXz;   // of both axes
+uniform vec2 objectHolesSize; // radius, distance from the middle
+uniform float objectLacquer;
+void main()
+{
+    float toAxis = min(distance(inObject.xz, objectHolesXz.xy), distance(inObject.xz, objectHolesXz.zw));
+    if (toAxis < objectHolesSize.x && abs(inObject.y) > objectHolesSize.y) discard;
+    float distanceM = length(fromEye);
+    vec3 towards = fromEye / distanceM;
+    vec3 normal = normalize(normalWorld);
+    if (!gl_FrontFacing) normal = -normal; // open surfaces have two sides
+    vec4 paint = colour * texture(objectTexture, textureAt);
+    vec3 albedo = paint.rgb * paint.rgb;              // the inverse of displayColour's gamma
+
+    float sunHeight = max(dot(normal, sunDirection()), 0.0);
+    vec3 lit = albedo * (sunLight() * sunHeight + ambientLight(normal));
+    // Schlick's approximation with the 4 % of lacquer and glass; the mirrored scene is sky above, ground below.
+    float fresnel = objectLacquer * (0.04 + 0.96 * pow(1.0 - max(-dot(normal, towards), 0.0), 5.0));
+    vec3 mirrored = reflect(towards, normal);
+    vec3 scene = mix(0.3 * ambientLight(vec3(0.0, 0.0, -1.0)), skyColour(mirrored), smoothstep(-0.08, 0.08, mirrored.z));
+    vec3 highlight = sunLight() * (objectLacquer * 0.35 * pow(max(dot(mirrored, sunDirection()), 0.0), 120.0));
+    lit = mix(lit, scene, fresnel) + highlight;
+    gl_FragColor = vec4(displayColour(applyHaze(lit, towards, distanceM)), paint.a);
+}
+)";
+
+osg::ref_ptr<osg::Texture2D> white()
+{
+    osg::ref_ptr<osg::Image> pixel = new osg::Image;
+    pixel->allocateImage(1, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE);
+    for (int i = 0; i < 4; ++i)
+        pixel->data()[i] = 255;
+    osg::ref_ptr<osg::Texture2D> texture = new osg::Texture2D(pixel);
+    texture->setFilter(osg::Texture::MIN_FILTER, osg::Texture::NEAREST);
+    texture->setFilter(osg::Texture::MAG_FILTER, osg::Texture::NEAREST);
+    return texture;
+}
+
+} // namespace
+
+void setObjectShading(osg::Node& node, Finish finish, const FlankHoles& holes)
+{
+    osg::ref_ptr<osg::Program> program = new osg::Program;
+    program->setName("object");
+    program->addShader(new osg::Shader(osg::Shader::VERTEX, kVertexShader));
+    program->addShader(new osg::Shader(osg::Shader::FRAGMENT,
+                                       std::string("#version 130\n") +
+                                           osgTerrainROAM::Atmosphere::glslFunctions() + kFragmentShader));
+    osg::StateSet* state = node.getOrCreateStateSet();
+    state->setAttributeAndModes(program);
+    state->addUniform(new osg::Uniform("objectTexture", 0));
+    state->addUniform(new osg::Uniform("objectLacquer", finish == Finish::lacquered ? 1.0F : 0.0F));
+    state->addUniform(new osg::Uniform("objectHolesXz", osg::Vec4f(holes.firstXz.x(), holes.firstXz.y(),
+                                                                   holes.secondXz.x(), holes.secondXz.y())));
+    state->addUniform(new osg::Uniform("objectHolesSize", osg::Vec2f(holes.radiusM, holes.innerYM)));
+    state->setTextureAttributeAndModes(0, white());
+    if (finish != Finish::seeThrough) return;
+    state->setAttributeAndModes(new osg::BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA));
+    state->setAttributeAndModes(new osg::Depth(osg::Depth::LESS, 0.0, 1.0, false));
+    state->setRenderingHint(osg::StateSet::TRANSPARENT_BIN);
+}
+
+} // namespace trainer

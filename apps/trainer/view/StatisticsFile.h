@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <viewlod/Result.h>
+
+#include "view/FrameStatistics.h"
+
+namespace trainer
+{
+
+/// {"frames": [{"frame", "timeS", "triangles", "splits", "merges", "adaptUs", "cullMs", "drawMs", "maxErrorPx"}, …],
+///  "summary": {"frames": n, "triangles": {"median", "p99", "max"}, …}} as JSON text.
+/// `withTimings` false leaves the measured columns out: two runs then give the same bytes.
+std::string statisticsJson(const std::vector<FrameStatistics>& frames, bool withTimings = true);
+
+/// Errors: the file cannot be written; nothing half-written stays.
+viewlod::Outcome writeStatistics(const std::vector<FrameStatistics>& frames,
+                                 const std::filesystem::path& file);
+
+} // namespace trainer

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <osgTerrainROAM/Atmosphere>
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace
+{
+
+using namespace osgTerrainROAM;
+
+AtmosphereSettings withSun(double elevationDeg)
+{
+    AtmosphereSettings settings;
+    settings.sunDirectionWorld = sunDirectionFromAngles(180.0, elevationDeg);
+    return settings;
+}
+
+float brightness(const osg::Vec3f& c) { return (c.x() + c.y() + c.z()) / 3.0f; }
+
+} // namespace
+
+TEST(Atmosphere, ContrastOverTheVisibilityIsFivePercent)
+{
+    for (const double visibilityM : {200.0, 1500.0, 20000.0, 80000.0})
+    {
+        AtmosphereSettings settings;
+        settings.visibilityM = visibilityM;
+        const AtmosphereLight light = atmosphereLight(settings);
+        EXPECT_NEAR(std::exp(-light.extinction.y() * visibilityM), 0.05, 1e-3);
+    }
+}
+
+TEST(Atmosphere, BlueIsScatteredMoreInHazeAndNotInFog)
+{
+    const AtmosphereLight haze = atmosphereLight({});
+    EXPECT_GT(haze.extinction.z(), 1.1f * haze.extinction.x());
+    AtmosphereSettings fog;
+    fog.visibilityM = 300.0;
+    const AtmosphereLight dense = atmosphereLight(fog);
+    EXPECT_NEAR(dense.extinction.z(), dense.extinction.x(), 1e-6f * dense.extinction.x());
+}
+
+TEST(Atmosphere, FogHidesTheSunAndTheSkyIsTheFogs)
+{
+    AtmosphereSettings fog;
+    fog.visibilityM = 300.0;
+    fog.fogColour = osg::Vec3f(0.5f, 0.4f, 0.3f);
+    const AtmosphereLight light = atmosphereLight(fog);
+    EXPECT_LT(brightness(light.sun), 0.01f);
+    EXPECT_NEAR((light.zenith - *fog.fogColour).length(), 0.0f, 0.01f);
+    EXPECT_NEAR((light.horizon - *fog.fogColour).length(), 0.0f, 0.01f);
+}
+
+TEST(Atmosphere, TheSunsHeightDecidesTheColours)
+{
+    const AtmosphereLight noon = atmosphereLight(withSun(60));
+    const AtmosphereLight evening = atmosphereLight(withSun(4));
+    const AtmosphereLight night = atmosphereLight(withSun(-20));
+    EXPECT_GT(noon.zenith.z(), 2.0f * noon.zenith.x()) << "blue by day";
+    EXPECT_GT(evening.sun.x(), 1.5f * evening.sun.z()) << "warm in the evening";
+    EXPECT_EQ(brightness(night.sun), 0.0f);
+    EXPECT_LT(brightness(night.sky), 0.05f * brightness(noon.sky));
+}
+
+TEST(Atmosphere, LightChangesSteadilyWithTheSun)
+{
+    AtmosphereLight before = atmosphereLight(withSun(-20.0));
+    for (double elevation = -19.9; elevation < 90.0; elevation += 0.1)
+    {
+        const AtmosphereLight light = atmosphereLight(withSun(elevation));
+        EXPECT_LT((light.horizon - before.horizon).length(), 0.02f) << elevation;
+        EXPECT_LT((light.sun - before.sun).length(), 0.08f) << elevation;
+        before = light;
+    }
+}
+
+TEST(Atmosphere, ASunWithoutADirectionStandsOverhead)
+{
+    AtmosphereSettings settings;
+    settings.sunDirectionWorld.set(0, 0, 0);
+    const AtmosphereLight light = atmosphereLight(settings);
+    EXPECT_EQ(light.sun, atmosphereLight(withSun(90.0)).sun);
+}
+
+TEST(Atmosphere, ApplyingChangesTheSameUniforms)
+{
+    const osg::ref_ptr<Atmosphere> air = new Atmosphere;
+    osg::ref_ptr<osg::StateSet> shared = new osg::StateSet;
+    air->addUniformsTo(*shared);
+    AtmosphereSettings fog;
+    fog.visibilityM = 100.0;
+    air->apply(fog);
+    osg::Vec3f extinction;
+    ASSERT_TRUE(shared->getUniform("atmosphereExtinction")->get(extinction));
+    EXPECT_NEAR(std::exp(-extinction.y() * 100.0f), 0.05f, 1e-3f);
+    EXPECT_EQ(air->stateSet()->getDataVariance(), osg::Object::DYNAMIC) << "frames being drawn must be waited for";
+}
+
+TEST(Atmosphere, AnglesAreClockwiseFromNorth)
+{
+    EXPECT_NEAR((sunDirectionFromAngles(90.0, 0.0) - osg::Vec3d(1, 0, 0)).length(), 0.0, 1e-12);
+    EXPECT_NEAR((sunDirectionFromAngles(0.0, 0.0) - osg::Vec3d(0, 1, 0)).length(), 0.0, 1e-12);
+    EXPECT_NEAR((sunDirectionFromAngles(123.0, 90.0) - osg::Vec3d(0, 0, 1)).length(), 0.0, 1e-12);
+}

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <thread>
+
+#include <gtest/gtest.h>
+
+#include <osgTerrainROAM/RoamDrawable>
+
+#include "HandCull.h"
+#include "SyntheticField.h"
+#include "view/ViewGroupTable.h"
+
+namespace
+{
+
+using handcull::cameraAt;
+using handcull::cull;
+using osgTerrainROAM::RoamDrawable;
+
+osg::ref_ptr<RoamDrawable> drawableOf()
+{
+    return new RoamDrawable(testsupport::planarTile(testsupport::hills(129, 129)));
+}
+
+const osg::Vec3d kEye(1900, 300, 900);
+const osg::Vec3d kOtherEye(1900, 3300, 1200);
+const osg::Vec3d kNorth(1900, 4000, 500);
+const osg::Vec3d kWest(-4000, 300, 500);
+
+} // namespace
+
+TEST(ViewGroups, CamerasWithOneEyeShareAMesh)
+{
+    const auto drawable = drawableOf();
+    const auto left = cameraAt(kEye, kNorth);
+    const auto right = cameraAt(kEye, kWest);
+    for (unsigned int frame = 1; frame < 4; ++frame)
+    {
+        cull(*drawable, *left, frame);
+        cull(*drawable, *right, frame);
+    }
+    const auto statistics = drawable->statistics();
+    ASSERT_EQ(statistics.size(), 1u);
+    EXPECT_EQ(statistics.front().cameras, 2u);
+}
+
+TEST(ViewGroups, IndependentEyesHaveMeshesOfTheirOwn)
+{
+    const auto drawable = drawableOf();
+    const auto one = cameraAt(kEye, kNorth);
+    const auto other = cameraAt(kOtherEye, kNorth);
+    cull(*drawable, *one, 1);
+    cull(*drawable, *other, 1);
+    EXPECT_EQ(drawable->statistics().size(), 2u);
+}
+
+TEST(ViewGroups, TheStrictestCameraOfAGroupDecides)
+{
+    const auto drawable = drawableOf();
+    const auto wide = cameraAt(kEye, kNorth);
+    const auto narrow = cameraAt(kEye, kNorth);
+    narrow->setProjectionMatrixAsPerspective(6.0, 800.0 / 600.0, 1.0, 1.0e6);
+    cull(*drawable, *narrow, 1);
+    const std::uint32_t strict = drawable->statistics().front().refine.triangles;
+    for (unsigned int frame = 2; frame < 4; ++frame)
+    {
+        cull(*drawable, *wide, frame);
+        EXPECT_EQ(drawable->statistics().front().refine.triangles, strict);
+        cull(*drawable, *narrow, frame);
+        EXPECT_EQ(drawable->statistics().front().refine.triangles, strict);
+    }
+    ASSERT_EQ(drawable->statistics().size(), 1u);
+}
+
+TEST(ViewGroups, ACameraThatMovesAwayLeavesItsGroup)
+{
+    const auto drawable = drawableOf();
+    const auto stays = cameraAt(kEye, kNorth);
+    const auto goes = cameraAt(kEye, kWest);
+    cull(*drawable, *stays, 1);
+    cull(*drawable, *goes, 1);
+    ASSERT_EQ(drawable->statistics().size(), 1u);
+    goes->setViewMatrixAsLookAt(kOtherEye, kNorth, osg::Vec3d(0, 0, 1));
+    cull(*drawable, *stays, 2);
+    cull(*drawable, *goes, 2);
+    const auto statistics = drawable->statistics();
+    ASSERT_EQ(statistics.size(), 2u);
+    EXPECT_EQ(statistics[0].cameras, 1u);
+    EXPECT_EQ(statistics[1].cameras, 1u);
+}
+
+TEST(ViewGroups, AGroupThatMovesTogetherStaysTogether)
+{
+    const auto drawable = drawableOf();
+    const auto left = cameraAt(kEye, kNorth);
+    const auto right = cameraAt(kEye, kWest);
+    for (unsigned int frame = 1; frame < 5; ++frame)
+    {
+        const osg::Vec3d eye = kEye + osg::Vec3d(0, 40.0 * frame, 0);
+        left->setViewMatrixAsLookAt(eye, kNorth, osg::Vec3d(0, 0, 1));
+        right->setViewMatrixAsLookAt(eye, kWest, osg::Vec3d(0, 0, 1));
+        cull(*drawable, *left, frame);
+        cull(*drawable, *right, frame);
+        ASSERT_EQ(drawable->statistics().size(), 1u);
+    }
+}
+
+TEST(ViewGroups, StateOfAnUnusedCameraIsDropped)
+{
+    const auto drawable = drawableOf();
+    const auto stays = cameraAt(kEye, kNorth);
+    const auto idle = cameraAt(kOtherEye, kNorth);
+    cull(*drawable, *stays, 1);
+    cull(*drawable, *idle, 1);
+    const unsigned int kept = osgTerrainROAM::ViewGroupTable::kUnusedFrames;
+    cull(*drawable, *stays, 1 + kept);
+    EXPECT_EQ(drawable->statistics().size(), 2u);
+    cull(*drawable, *stays, 2 + kept);
+    EXPECT_EQ(drawable->statistics().size(), 1u);
+}
+
+TEST(ViewGroups, StateOfADeletedCameraIsDropped)
+{
+    const auto drawable = drawableOf();
+    const auto stays = cameraAt(kEye, kNorth);
+    auto gone = cameraAt(kOtherEye, kNorth);
+    cull(*drawable, *gone, 1);
+    gone = nullptr;
+    cull(*drawable, *stays, 2);
+    EXPECT_EQ(drawable->statistics().size(), 1u);
+}
+
+TEST(ViewGroups, AShadowCameraUsesItsMainViewsMesh)
+{
+    const auto drawable = drawableOf();
+    const auto main = cameraAt(kEye, kNorth);
+    const osg::ref_ptr<osg::Group> scene = new osg::Group;
+    const osg::ref_ptr<osg::Camera> shadow = new osg::Camera;
+    shadow->setReferenceFrame(osg::Transform::ABSOLUTE_RF_INHERIT_VIEWPOINT);
+    shadow->setRenderOrder(osg::Camera::PRE_RENDER);
+    shadow->setViewport(0, 0, 512, 512);
+    shadow->setViewMatrixAsLookAt(osg::Vec3d(1900, 1900, 6000), osg::Vec3d(1900, 1900.1, 0), osg::Vec3d(0, 0, 1));
+    shadow->setProjectionMatrixAsOrtho(-2500, 2500, -2500, 2500, 1, 10000);
+    shadow->addChild(drawable);
+    scene->addChild(drawable);
+    scene->addChild(shadow);
+    for (unsigned int frame = 1; frame < 4; ++frame) cull(*scene, *main, frame);
+    ASSERT_EQ(drawable->statistics().size(), 1u);
+    EXPECT_EQ(drawable->statistics().front().cameras, 1u);
+
+    // With a frame of its own the same camera looks for itself.
+    shadow->setReferenceFrame(osg::Transform::ABSOLUTE_RF);
+    cull(*scene, *main, 4);
+    EXPECT_EQ(drawable->statistics().size(), 2u);
+}
+
+TEST(ViewGroups, TheMeshOfAnEyeDoesNotDependOnThePathThere)
+{
+    const auto travelled = drawableOf();
+    const auto fresh = drawableOf();
+    const auto camera = cameraAt(kEye, kNorth);
+    testsupport::Random random(3);
+    for (unsigned int frame = 1; frame < 60; ++frame)
+    {
+        const osg::Vec3d eye(random.unit() * 3800, random.unit() * 3800, 700 + random.unit() * 900);
+        camera->setViewMatrixAsLookAt(eye, kNorth, osg::Vec3d(0, 0, 1));
+        cull(*travelled, *camera, frame);
+    }
+    camera->setViewMatrixAsLookAt(kEye, kNorth, osg::Vec3d(0, 0, 1));
+    const auto after = cull(*travelled, *camera, 60);
+    const auto direct = cull(*fresh, *camera, 60);
+    EXPECT_EQ(after.triangles(), direct.triangles());
+    EXPECT_EQ(travelled->statistics().front().refine.triangles, fresh->statistics().front().refine.triangles);
+}
+
+TEST(ViewGroups, ManyThreadsMayCullAndReadAtOnce)
+{
+    const auto drawable = drawableOf();
+    drawable->getBound();
+    const auto work = [&](unsigned int which)
+    {
+        const auto camera = cameraAt(which % 2 ? kEye : kOtherEye, kNorth);
+        for (unsigned int frame = 1; frame < 30; ++frame)
+        {
+            const osg::Vec3d eye = (which % 2 ? kEye : kOtherEye) + osg::Vec3d(0, 10.0 * frame, 0);
+            camera->setViewMatrixAsLookAt(eye, kNorth, osg::Vec3d(0, 0, 1));
+            EXPECT_GT(cull(*drawable, *camera, frame).triangles(), 0u);
+            EXPECT_GE(drawable->statistics().size(), 1u);
+        }
+    };
+    std::vector<std::thread> threads;
+    for (unsigned int i = 0; i < 4; ++i) threads.emplace_back(work, i);
+    for (std::thread& thread : threads) thread.join();
+}
