@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+
+namespace islandgen
+{
+
+/// A well mixed 64-bit hash. Source: the finaliser of SplitMix64 (Steele, Lea, Flood 2014).
+constexpr std::uint64_t mixedBits(std::uint64_t value)
+{
+    value += 0x9e3779b97f4a7c15ull;
+    value = (value ^ (value >> 30)) * 0xbf58476d1ce4e5b9ull;
+    value = (value ^ (value >> 27)) * 0x94d049bb133111ebull;
+    return value ^ (value >> 31);
+}
+
+/// A hash as a number in [0, 1).
+constexpr float unitFloat(std::uint64_t bits)
+{
+    return static_cast<float>(bits >> 40) * (1.0f / 16777216.0f);
+}
+
+/// Band-limited random functions of the plane, without state: the seed and the place decide alone.
+/// They use + − · / only, so every machine with IEEE arithmetic gets the same bits.
+/// Frame: any; one unit is the wavelength of the first octave.
+class Noise
+{
+public:
+    explicit constexpr Noise(std::uint64_t seed) : _seed(mixedBits(seed)) {}
+
+    /// Another, unrelated function.
+    constexpr Noise channel(std::uint64_t number) const { return Noise(_seed ^ mixedBits(number + 17)); }
+
+    /// White noise: a number in [0, 1) for each whole number.
+    constexpr float at(int number) const
+    {
+        return unitFloat(mixedBits(_seed ^ static_cast<std::uint64_t>(number)));
+    }
+
+    /// Gradient noise, about −1…1, mean 0. Source: Perlin 2002 (quintic weights); ours: hashed gradients.
+    float gradient(float x, float y) const;
+
+    /// Sum of octaves, each turned against the one before so that no lattice shows. About −1…1 (gain 0.5).
+    float fractal(float x, float y, int octaves, float gain = 0.5f) const;
+
+    /// As fractal, with sharp crests at 1 and wide floors towards 0. Source: Musgrave's ridged multifractal.
+    float ridged(float x, float y, int octaves, float gain = 0.5f) const;
+
+private:
+    std::uint64_t _seed;
+};
+
+} // namespace islandgen
