@@ -18,7 +18,7 @@ struct Request
 {
     std::vector<std::string> files; ///< .roam files or elevation rasters
     osgTerrainROAM::core::DemImportOptions import;
-    int frames = 240;
+    int frames = 480; ///< of the tour's 20 seconds: every one at 24 per second
     double tolerancePx = 1.0;
     unsigned maxTriangles = 200000;
 };

@@ -30,18 +30,20 @@ viewlod::ViewState viewOf(const trainer::EntityState& state)
 
 viewlod::Result<std::vector<viewlod::ViewState>> tourViews(const osgTerrainROAM::core::PlacedTile& tile, int frames)
 {
-    trainer::TourOptions options;
-    options.durationS = static_cast<double>(frames) / kFramesPerSecond;
+    const trainer::TourOptions options;
     auto tour = trainer::layTour(ground::tourTerrainOf(tile, ""), options);
     if (!tour) return tour.error();
-    trainer::PlayerOptions stage{ground::originOf(tile), ground::groundOf(tile), trainer::FixedClock::forFrameRate(kFramesPerSecond)};
-    auto player = trainer::ScenarioPlayer::create(std::move(tour->scenario), std::move(stage));
+    const trainer::FixedClock clock = trainer::FixedClock::forFrameRate(kFramesPerSecond);
+    auto player = trainer::ScenarioPlayer::create(std::move(tour->scenario),
+                                                  {ground::originOf(tile), ground::groundOf(tile), clock});
     if (!player) return player.error();
+    const double stepsPerView = options.durationS * static_cast<double>(clock.stepsPerSecond()) / frames;
     std::vector<viewlod::ViewState> views;
     for (int frame = 0; frame < frames; ++frame)
     {
+        const auto due = static_cast<std::int64_t>(frame * stepsPerView);
+        while ((*player)->clock().step() < due && !(*player)->isFinished()) (*player)->step();
         views.push_back(viewOf((*player)->entities().front()));
-        for (auto i = (*player)->clock().stepsPerSecond() / kFramesPerSecond; i > 0; --i) (*player)->step();
     }
     return views;
 }

@@ -6,6 +6,12 @@
 
 namespace trainer
 {
+namespace
+{
+
+constexpr int kPlaceRounds = 3;
+
+} // namespace
 
 SceneFrame::SceneFrame(const std::optional<Geodetic>& origin, GroundProvider ground)
     : _ground(std::move(ground))
@@ -37,12 +43,21 @@ glm::dvec3 SceneFrame::place(const WorldPosition& position) const
 
 glm::dvec3 SceneFrame::place(const GeoPosition& position) const
 {
-    glm::dvec3 local =
-        _frame->localFromGeodetic({position.latitudeDeg, position.longitudeDeg,
-                                   position.heightM.value_or(position.altitudeM.value_or(0.0))});
-    if (position.heightM) return local;
-    if (const std::optional<GroundSample> ground = groundAt(local.x, local.y))
-        local.z = ground->heightM + position.altitudeM.value_or(0.0);
+    if (position.heightM)
+        return _frame->localFromGeodetic({position.latitudeDeg, position.longitudeDeg, *position.heightM});
+    // Far from the origin the place's vertical leans against the scene's: the height found there moves the place.
+    const double altitude = position.altitudeM.value_or(0.0);
+    double height = altitude;
+    glm::dvec3 local(0.0);
+    for (int round = 0; round < kPlaceRounds; ++round)
+    {
+        local = _frame->localFromGeodetic({position.latitudeDeg, position.longitudeDeg, height});
+        const std::optional<GroundSample> ground = groundAt(local.x, local.y);
+        if (!ground)
+            return _frame->localFromGeodetic({position.latitudeDeg, position.longitudeDeg, altitude});
+        height += ground->heightM + altitude - local.z;
+        local.z = ground->heightM + altitude;
+    }
     return local;
 }
 

@@ -46,7 +46,7 @@ Environment tourEnvironment(const TourTerrain& terrain, double headingRad)
     environment.name = "tour";
     environment.weather.emplace();
     environment.weather->cloudState = "zeroOktas";
-    environment.weather->fogVisualRangeM = std::round(std::clamp(0.6 * side, 15'000.0, 60'000.0));
+    environment.weather->fogVisualRangeM = std::round(std::clamp(1.5 * side, 20'000.0, 60'000.0));
     const bool isSouth = terrain.origin && terrain.origin->latitudeDeg < 0.0;
     const DateTime midnight = *parseDateTime(isSouth ? "2024-12-21T00:00:00Z" : "2024-06-21T00:00:00Z");
     DateTime best = midnight.plusSeconds(36'000.0);
