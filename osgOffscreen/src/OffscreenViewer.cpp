@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <utility>
-
 #include <osgOffscreen/OffscreenViewer>
 
 namespace osgOffscreen
@@ -14,7 +12,7 @@ viewlod::Result<std::unique_ptr<OffscreenViewer>> OffscreenViewer::create(const 
 }
 
 OffscreenViewer::OffscreenViewer(osg::ref_ptr<OffscreenContext> context)
-    : _context(std::move(context)), _viewer(new osgViewer::Viewer)
+    : _context(context), _viewer(new osgViewer::Viewer)
 {
     const OffscreenSettings& settings = _context->settings();
     _viewer->setThreadingModel(osgViewer::Viewer::SingleThreaded);

@@ -34,7 +34,7 @@ Outcome PngWriter::write(osg::ref_ptr<osg::Image> picture, std::filesystem::path
         _error =
             viewlod::Error{path.string(), "no picture came back from the graphics context", "draw again"};
     _changed.wait(lock, [this] { return _error || _waiting.size() < _mostWaiting; });
-    if (!_error) _waiting.push_back({std::move(picture), std::move(path)});
+    if (!_error) _waiting.push_back({picture, std::move(path)});
     _changed.notify_all();
     return outcome();
 }

@@ -13,6 +13,8 @@
 #include <osgOffscreen/ImageComparison>
 #include <osgOffscreen/PngFile>
 
+#include "RenderedSuppressions.h"
+
 namespace rendered
 {
 

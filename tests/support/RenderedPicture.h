@@ -6,6 +6,7 @@
 #include <osgOffscreen/OffscreenViewer>
 
 #include "RenderedScene.h"
+#include "RenderedSuppressions.h"
 
 namespace rendered
 {

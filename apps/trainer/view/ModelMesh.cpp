@@ -187,7 +187,8 @@ void ModelMesh::mirrorSince(std::size_t since)
     for (std::size_t t = since; t < end; ++t)
     {
         const auto corner = [&](std::size_t i) { return Corner{across(_positions[i]), across(_normals[i])}; };
-        addTriangle(corner(3 * t), corner(3 * t + 1), corner(3 * t + 2), _colours[3 * t]);
+        const osg::Vec4f colour = _colours[3 * t]; // a copy: the array grows
+        addTriangle(corner(3 * t), corner(3 * t + 1), corner(3 * t + 2), colour);
     }
 }
 

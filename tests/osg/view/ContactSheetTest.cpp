@@ -16,8 +16,8 @@ namespace
 class ContactSheet : public testing::Test
 {
 protected:
-    void SetUp() override { std::filesystem::create_directories(folder); }
-    void TearDown() override { std::filesystem::remove_all(folder); }
+    void SetUp() override { std::filesystem::create_directories(_folder); }
+    void TearDown() override { std::filesystem::remove_all(_folder); }
 
     /// A picture whose left half has one level and whose right half another.
     std::filesystem::path picture(const std::string& name, int left, int right, int widthPx = 64)
@@ -29,11 +29,11 @@ protected:
                 for (int c = 0; c < 3; ++c)
                     image->data(x, y)[c] =
                         static_cast<unsigned char>(static_cast<int>(x) < widthPx / 2 ? left : right);
-        EXPECT_TRUE(osgOffscreen::writePng(*image, folder / name));
-        return folder / name;
+        EXPECT_TRUE(osgOffscreen::writePng(*image, _folder / name));
+        return _folder / name;
     }
 
-    const std::filesystem::path folder =
+    const std::filesystem::path _folder =
         std::filesystem::temp_directory_path() / ("osgtrainer-sheet-" + std::to_string(getpid()));
 };
 
@@ -64,7 +64,7 @@ TEST_F(ContactSheet, LaysFramesOutInRowsFromTheTopLeft)
 TEST_F(ContactSheet, WhatCannotBeLaidOutIsAnError)
 {
     EXPECT_FALSE(trainer::makeContactSheet({}, {}));
-    EXPECT_FALSE(trainer::makeContactSheet({folder / "missing.png"}, {}));
+    EXPECT_FALSE(trainer::makeContactSheet({_folder / "missing.png"}, {}));
     EXPECT_FALSE(trainer::makeContactSheet({picture("a.png", 1, 2), picture("wide.png", 1, 2, 80)}, {}));
 }
 

@@ -29,9 +29,9 @@ struct Mutation
     const char* what; ///< what it must name
 };
 
-void PrintTo(const Mutation& mutation, std::ostream* out)
+std::ostream& operator<<(std::ostream& out, const Mutation& mutation)
 {
-    *out << mutation.from << " -> " << mutation.to;
+    return out << mutation.from << " -> " << mutation.to;
 }
 
 class ViewFileMutation : public testing::TestWithParam<Mutation>
