@@ -32,7 +32,8 @@ HeightField field1025()
     crop.columns = crop.rows = 1025;
     crop.spacingEastM = crop.spacingNorthM = 90.0;
     for (int row = 0; row < 1025; ++row)
-        for (int column = 0; column < 1025; ++column) crop.heightsM.push_back(imported->heightM(88 + column, 88 + row));
+        for (int column = 0; column < 1025; ++column)
+            crop.heightsM.push_back(imported->heightM(88 + column, 88 + row));
     return crop;
 }
 
@@ -46,7 +47,8 @@ const std::shared_ptr<const RoamTile>& tile()
 void report(benchmark::State& state, std::vector<double> frameUs, double triangles)
 {
     std::sort(frameUs.begin(), frameUs.end());
-    const auto at = [&](double share) { return frameUs[static_cast<std::size_t>(share * (frameUs.size() - 1))]; };
+    const auto at = [&](double share)
+    { return frameUs[static_cast<std::size_t>(share * (frameUs.size() - 1))]; };
     state.counters["p50_us"] = at(0.5);
     state.counters["p99_us"] = at(0.99);
     state.counters["max_us"] = frameUs.back();
@@ -79,7 +81,8 @@ void flightByWalk(benchmark::State& state)
     fly(state,
         [&](const viewlod::ViewState& view)
         {
-            const auto result = mesh.refine(view, {.errorTolerancePx = static_cast<double>(state.range(0)) / 10.0});
+            const auto result =
+                mesh.refine(view, {.errorTolerancePx = static_cast<double>(state.range(0)) / 10.0});
             changes += result.splits + result.merges;
             ++frames;
             return result.leaves;
@@ -102,7 +105,8 @@ void errorTree(benchmark::State& state)
 {
     const auto side = static_cast<int>(state.range(0));
     const PlacedTile placed(testsupport::hills(side, side), Placement::planar);
-    for (auto _ : state) benchmark::DoNotOptimize(ErrorTree(placed));
+    for (auto _ : state)
+        benchmark::DoNotOptimize(ErrorTree(placed));
     state.SetItemsProcessed(state.iterations() * side * side);
 }
 

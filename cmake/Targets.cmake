@@ -41,7 +41,7 @@ function(osgtrainer_test name)
 endfunction()
 
 # osgtrainer_fuzzer(NAME SOURCES … LINK …): a libFuzzer program of the tree configured with OSGTRAINER_FUZZ=ON,
-# bin/fuzz/NAME, built by the target `fuzzers`; seeds lie in tests/fuzz/corpus/NAME. A finding becomes a test.
+# bin/fuzz/NAME, built by the target `fuzzers` and run by scripts/fuzz from the seeds in tests/fuzz/corpus.
 function(osgtrainer_fuzzer name)
     if(NOT OSGTRAINER_FUZZ)
         return()

@@ -3,4 +3,4 @@
 add_library(osgTrainer_warnings INTERFACE)
 target_compile_options(osgTrainer_warnings INTERFACE
     -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wcast-qual -Wextra-semi -Wundef -Werror
-    -Wno-restrict) # false alarms of gcc 12 on std::string::operator+ (GCC bug 105651)
+    $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>) # false alarms of gcc 12 on std::string::operator+ (GCC bug 105651)

@@ -24,6 +24,7 @@ std::optional<trainer::Geodetic> originOf(const osgTerrainROAM::core::PlacedTile
 trainer::GroundProvider groundOf(const osgTerrainROAM::core::PlacedTile& tile);
 
 /// What a tour is laid over: the largest rectangle of the frame that lies within the data.
-trainer::TourTerrain tourTerrainOf(const osgTerrainROAM::core::PlacedTile& tile, const std::string& sceneFile);
+trainer::TourTerrain tourTerrainOf(const osgTerrainROAM::core::PlacedTile& tile,
+                                   const std::string& sceneFile);
 
 } // namespace ground

@@ -2,10 +2,7 @@
 #include "terminal/Terminal.h"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
-#include <filesystem>
-#include <fstream>
+#include <cctype>
 #include <iostream>
 
 #include <unistd.h>
@@ -15,7 +12,10 @@ namespace terminal
 
 int fail(const std::string& program, const viewlod::Error& error)
 {
-    std::cerr << program << ": " << error.message() << '\n';
+    std::string message = error.message();
+    std::replace_if(
+        message.begin(), message.end(), [](unsigned char c) { return std::iscntrl(c) != 0; }, '?');
+    std::cerr << program << ": " << message << '\n';
     return kFailed;
 }
 
@@ -39,34 +39,17 @@ void Progress::advance()
 void Progress::print() const
 {
     constexpr std::size_t kWidth = 40;
-    const std::string count = _total > 0 ? std::to_string(_done) + '/' + std::to_string(_total) : std::to_string(_done);
+    const std::string count =
+        _total > 0 ? std::to_string(_done) + '/' + std::to_string(_total) : std::to_string(_done);
     if (!_isTerminal)
     {
         std::cerr << _label << ": " << count << '\n';
         return;
     }
     const std::size_t filled = _total > 0 ? kWidth * _done / _total : 0;
-    const std::string bar = _total > 0 ? " [" + std::string(filled, '=') + std::string(kWidth - filled, ' ') + "] " : " ";
+    const std::string bar =
+        _total > 0 ? " [" + std::string(filled, '=') + std::string(kWidth - filled, ' ') + "] " : " ";
     std::cerr << '\r' << _label << bar << count << std::flush;
-}
-
-viewlod::Outcome writeFile(const std::string& file, const std::string& text)
-{
-    const std::string temporary = file + ".part";
-    const auto failure = [&](const char* what)
-    {
-        const std::string reason = std::strerror(errno);
-        std::error_code ignored;
-        std::filesystem::remove(temporary, ignored);
-        return viewlod::Error{file, std::string(what) + ": " + reason, "check that the folder exists, is writable and has room"};
-    };
-    std::ofstream stream(temporary, std::ios::binary);
-    if (!stream) return failure("cannot be created");
-    stream << text;
-    stream.close();
-    if (!stream) return failure("cannot be written");
-    if (std::rename(temporary.c_str(), file.c_str()) != 0) return failure("cannot be put in place");
-    return viewlod::success();
 }
 
 } // namespace terminal

@@ -17,7 +17,7 @@ enum ExitCode
     kWrongUse = 2,
 };
 
-/// Prints "program: place: what; remedy" on stderr and returns kFailed.
+/// Prints "program: place: what; remedy" on stderr, one line whatever a file is called, and returns kFailed.
 int fail(const std::string& program, const viewlod::Error& error);
 
 /// Progress of a long piece of work: a bar that redraws itself on a terminal, a plain line at every tenth elsewhere.
@@ -40,8 +40,5 @@ private:
     std::size_t _done = 0;
     bool _isTerminal;
 };
-
-/// Writes text to a temporary name beside `file`, then renames it: a reader never sees half a file.
-viewlod::Outcome writeFile(const std::string& file, const std::string& text);
 
 } // namespace terminal

@@ -45,7 +45,9 @@ void print(const nlohmann::ordered_json& row)
 {
     std::cout << row["file"].get<std::string>() << '\n';
     for (const auto& [key, value] : row.items())
-        if (key != "file") std::cout << "  " << key << ": " << (value.is_string() ? value.get<std::string>() : value.dump()) << '\n';
+        if (key != "file")
+            std::cout << "  " << key << ": " << (value.is_string() ? value.get<std::string>() : value.dump())
+                      << '\n';
 }
 
 } // namespace

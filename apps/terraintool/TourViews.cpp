@@ -22,13 +22,14 @@ viewlod::ViewState viewOf(const trainer::EntityState& state)
     const glm::dmat3 body = state.bodyToLocal(); // forward, left, up
     const glm::dmat4 view = glm::lookAt(state.position, state.position + body[0], body[2]);
     const double aspect = static_cast<double>(kWidthPx) / kHeightPx;
-    return viewlod::ViewState::fromMatrices(view, glm::perspective(glm::radians(kFovYDeg), aspect, kNearM, kFarM), kWidthPx,
-                                            kHeightPx);
+    return viewlod::ViewState::fromMatrices(
+        view, glm::perspective(glm::radians(kFovYDeg), aspect, kNearM, kFarM), kWidthPx, kHeightPx);
 }
 
 } // namespace
 
-viewlod::Result<std::vector<viewlod::ViewState>> tourViews(const osgTerrainROAM::core::PlacedTile& tile, int frames)
+viewlod::Result<std::vector<viewlod::ViewState>> tourViews(const osgTerrainROAM::core::PlacedTile& tile,
+                                                           int frames)
 {
     const trainer::TourOptions options;
     auto tour = trainer::layTour(ground::tourTerrainOf(tile, ""), options);
@@ -42,7 +43,8 @@ viewlod::Result<std::vector<viewlod::ViewState>> tourViews(const osgTerrainROAM:
     for (int frame = 0; frame < frames; ++frame)
     {
         const auto due = static_cast<std::int64_t>(frame * stepsPerView);
-        while ((*player)->clock().step() < due && !(*player)->isFinished()) (*player)->step();
+        while ((*player)->clock().step() < due && !(*player)->isFinished())
+            (*player)->step();
         views.push_back(viewOf((*player)->entities().front()));
     }
     return views;

@@ -13,6 +13,7 @@ namespace terraintool
 
 /// The views of `frames` moments, evenly spread, of the tour that `trainer tour` flies over a terrain; 960×540 pixels.
 /// Frame: the tile's local frame.
-viewlod::Result<std::vector<viewlod::ViewState>> tourViews(const osgTerrainROAM::core::PlacedTile& tile, int frames);
+viewlod::Result<std::vector<viewlod::ViewState>> tourViews(const osgTerrainROAM::core::PlacedTile& tile,
+                                                           int frames);
 
 } // namespace terraintool

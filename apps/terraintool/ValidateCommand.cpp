@@ -36,7 +36,8 @@ void checkFrame(RoamMesh& mesh, const viewlod::ViewState& view, const viewlod::B
 {
     const RefineResult result = mesh.refine(view, budget);
     std::vector<TriangleRange> everything;
-    mesh.visibleRanges(viewlod::Frustum(glm::dmat4(0.0)), everything); // planes without direction cull nothing
+    mesh.visibleRanges(viewlod::Frustum(glm::dmat4(0.0)),
+                       everything); // planes without direction cull nothing
     const auto drawn = gathered(mesh.triangles(), everything);
     const DrawnMeshReport report = checkDrawnMesh(mesh.tile(), mesh.vertices(), drawn, &view);
     flight.tJunctions += report.tJunctions;
@@ -63,7 +64,8 @@ viewlod::Result<Flight> fly(const Request& request, const std::string& file, nlo
     terminal::Progress progress(file, views->size());
     for (const viewlod::ViewState& view : *views)
     {
-        checkFrame(mesh, view, {.errorTolerancePx = request.tolerancePx, .maxTriangles = request.maxTriangles}, flight);
+        checkFrame(mesh, view,
+                   {.errorTolerancePx = request.tolerancePx, .maxTriangles = request.maxTriangles}, flight);
         progress.advance();
     }
     return flight;

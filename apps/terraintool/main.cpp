@@ -38,16 +38,20 @@ int main(int argc, char** argv)
         CLI::App* sub = app.add_subcommand(name, what);
         sub->add_option("FILE", request.files, ".roam files or elevation rasters")->required();
         sub->add_option("--json", jsonFile, "write the table there, too");
-        sub->add_option("--spacing", request.import.spacingM, "metres between samples of a raster without georeference")
+        sub->add_option("--spacing", request.import.spacingM,
+                        "metres between samples of a raster without georeference")
             ->check(CLI::PositiveNumber);
         sub->callback([&command, action] { command = action; });
         return sub;
     };
     add("info", "size, heights, voids and placement", terraintool::info);
-    CLI::App* validate = add("validate", "fly the tour and check every mesh by brute force", terraintool::validate);
+    CLI::App* validate =
+        add("validate", "fly the tour and check every mesh by brute force", terraintool::validate);
     validate->add_option("--frames", request.frames, "frames of the flight")->check(CLI::PositiveNumber);
-    validate->add_option("--tolerance", request.tolerancePx, "error target in pixels")->check(CLI::PositiveNumber);
-    validate->add_option("--max-triangles", request.maxTriangles, "triangle ceiling")->check(CLI::Range(2u, 100000000u));
+    validate->add_option("--tolerance", request.tolerancePx, "error target in pixels")
+        ->check(CLI::PositiveNumber);
+    validate->add_option("--max-triangles", request.maxTriangles, "triangle ceiling")
+        ->check(CLI::Range(2u, 100000000u));
     try
     {
         app.parse(argc, argv);

@@ -20,8 +20,8 @@ osg::ref_ptr<osg::Node> makeBox(const BoundingBox& box)
 {
     const osg::Vec3 centre(box.centre.x, box.centre.y, box.centre.z);
     const auto extent = [](double metres) { return static_cast<float>(metres > 0 ? metres : 1.0); };
-    const osg::ref_ptr<osg::ShapeDrawable> shape =
-        new osg::ShapeDrawable(new osg::Box(centre, extent(box.lengthM), extent(box.widthM), extent(box.heightM)));
+    const osg::ref_ptr<osg::ShapeDrawable> shape = new osg::ShapeDrawable(
+        new osg::Box(centre, extent(box.lengthM), extent(box.widthM), extent(box.heightM)));
     shape->setColor({0.6F, 0.6F, 0.6F, 1.0F});
     const osg::ref_ptr<osg::Geode> geode = new osg::Geode;
     geode->addDrawable(shape);
@@ -37,17 +37,20 @@ osg::Matrixd matrixOf(const Pose& pose)
 
 } // namespace
 
-viewlod::Result<EntityModel> EntityModel::create(const ScenarioObject& object, const std::filesystem::path& folder)
+viewlod::Result<EntityModel> EntityModel::create(const ScenarioObject& object,
+                                                 const std::filesystem::path& folder)
 {
     EntityModel model;
     model._placed = new osg::MatrixTransform;
     model._placed->setDataVariance(osg::Object::DYNAMIC);
     const std::filesystem::path file = folder / object.model3d();
-    if (!object.model3d().empty() && std::filesystem::exists(file))
+    std::error_code ignored;
+    if (!object.model3d().empty() && std::filesystem::exists(file, ignored))
     {
         const osg::ref_ptr<osg::Node> loaded = osgDB::readRefNodeFile(file.string());
         if (!loaded)
-            return viewlod::Error{file.string(), "OpenSceneGraph cannot read the model of " + object.name, "give another model3d"};
+            return viewlod::Error{file.string(), "OpenSceneGraph cannot read the model of " + object.name,
+                                  "give another model3d"};
         setObjectShading(*loaded, Finish::matt);
         model._placed->addChild(loaded);
     }

@@ -21,7 +21,8 @@ class EntityModel
 {
 public:
     /// `folder`: what model3d is relative to. Errors: a model file that is there but cannot be read.
-    static viewlod::Result<EntityModel> create(const ScenarioObject& object, const std::filesystem::path& folder);
+    static viewlod::Result<EntityModel> create(const ScenarioObject& object,
+                                               const std::filesystem::path& folder);
 
     osg::Node* node() const { return _car ? _car->node() : _placed.get(); }
     void show(const EntityState& state);

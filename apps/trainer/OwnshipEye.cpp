@@ -18,8 +18,10 @@ glm::dvec3 ownEye(const ScenarioObject& ownship, double eyeHeightM)
 } // namespace
 
 OwnshipEye::OwnshipEye(const ScenarioObject& ownship, const PlayRequest& request, GroundProvider ground)
-    : _eye(request.eye), _eyeInBody(ownEye(ownship, request.eyeHeightM)),
-      _chase(ownship.isAirborne() ? ChaseSettings::forAircraft() : ChaseSettings::forCar()), _ground(std::move(ground))
+    : _eye(request.eye),
+      _eyeInBody(ownEye(ownship, request.eyeHeightM)),
+      _chase(ownship.isAirborne() ? ChaseSettings::forAircraft() : ChaseSettings::forCar()),
+      _ground(std::move(ground))
 {
 }
 

@@ -10,6 +10,7 @@
 #include "sim/parser/ParseScenario.h"
 #include "sim/tour/LayTour.h"
 #include "sim/writer/WriteScenario.h"
+#include "terminal/ResultFile.h"
 #include "terminal/Terminal.h"
 #include "view/HtmlReport.h"
 #include "view/StatisticsFile.h"
@@ -21,6 +22,26 @@ namespace
 {
 
 constexpr double kLongestPlayS = 3600.0; ///< of a scenario that never ends by itself
+
+/// Said before the work begins: a result that has no place to go.
+viewlod::Outcome checkResultPlaces(const PlayRequest& request)
+{
+    std::vector<std::filesystem::path> files{request.statsFile, request.reportFile};
+    std::error_code ignored;
+    if (!request.captureFolder.empty() && std::filesystem::is_directory(request.captureFolder, ignored))
+        files.push_back(request.captureFolder / "frame_00000.png"); // a folder that is not there is made
+    for (const auto& file : files)
+        if (const auto writable = terminal::checkWritable(file); !writable) return writable;
+    return viewlod::success();
+}
+
+viewlod::Outcome saveScenario(const Scenario& scenario, const std::filesystem::path& file)
+{
+    if (file.empty()) return viewlod::success();
+    const auto text = scenarioText(scenario);
+    if (!text) return text.error();
+    return terminal::writeFile(file, *text);
+}
 
 viewlod::Outcome playToTheEnd(PlaySession& session, const PlayRequest& request)
 {
@@ -40,12 +61,17 @@ ReportContent reportOf(const PlaySession& session, const PlayRequest& request)
     ReportContent content;
     const FileHeader& header = session.player().scenario().header;
     content.title = header.description.empty() ? request.scenario.stem().string() : header.description;
-    content.facts = {{"Scenario", request.scenario.filename().string()},
-                     {"Simulated", std::to_string(session.statistics().size()) + " frames at " +
-                                       std::to_string(request.framesPerSecond) + " per second"},
-                     {"Picture", std::to_string(request.widthPx) + " x " + std::to_string(request.heightPx)},
-                     {"Error target", std::to_string(request.errorTolerancePx) + " px anywhere in the picture"},
-                     {"Triangle ceiling", std::to_string(request.maxTriangles)}};
+    content.facts = {
+        request.scenario.empty()
+            ? std::pair<std::string, std::string>{"Tour over", request.terrain.filename().string()}
+            : std::pair<std::string, std::string>{"Scenario", request.scenario.filename().string()},
+        {"Simulated", std::to_string(session.statistics().size()) + " frames at " +
+                          std::to_string(request.framesPerSecond) + " per second"},
+        {"Picture", request.viewFile.empty()
+                        ? std::to_string(request.widthPx) + " x " + std::to_string(request.heightPx)
+                        : request.viewFile.filename().string()},
+        {"Error target", std::to_string(request.errorTolerancePx) + " px anywhere in the picture"},
+        {"Triangle ceiling", std::to_string(request.maxTriangles)}};
     content.contactSheet = request.contactSheet;
     content.video = request.video;
     return content;
@@ -54,7 +80,8 @@ ReportContent reportOf(const PlaySession& session, const PlayRequest& request)
 viewlod::Outcome leaveResults(const PlaySession& session, const PlayRequest& request)
 {
     if (!request.statsFile.empty())
-        if (const auto written = writeStatistics(session.statistics(), request.statsFile); !written) return written;
+        if (const auto written = writeStatistics(session.statistics(), request.statsFile); !written)
+            return written;
     if (!request.reportFile.empty())
         return writeReport(reportOf(session, request), session.statistics(), request.reportFile);
     return viewlod::success();
@@ -64,6 +91,7 @@ viewlod::Outcome leaveResults(const PlaySession& session, const PlayRequest& req
 
 viewlod::Outcome play(Scenario scenario, const PlayRequest& request)
 {
+    if (const auto writable = checkResultPlaces(request); !writable) return writable;
     auto session = PlaySession::create(std::move(scenario), request);
     if (!session) return session.error();
     if (const auto played = playToTheEnd(**session, request); !played) return played;
@@ -79,16 +107,19 @@ viewlod::Outcome play(const PlayRequest& request)
 
 viewlod::Outcome tour(const PlayRequest& request, const std::filesystem::path& saveFile, double durationS)
 {
+    if (const auto writable = checkResultPlaces(request); !writable) return writable;
+    if (const auto writable = terminal::checkWritable(saveFile); !writable) return writable;
     const auto description = osgTerrainROAM::core::describeTerrain(request.terrain, request.import);
     if (!description) return description.error();
     const auto tile = osgTerrainROAM::core::loadTile(*description);
     if (!tile) return tile.error();
     TourOptions options;
     options.durationS = durationS;
-    auto laid = layTour(ground::tourTerrainOf(*tile, std::filesystem::absolute(request.terrain).string()), options);
+    std::error_code failed; // of a working folder that is gone
+    const std::filesystem::path terrain = std::filesystem::absolute(request.terrain, failed);
+    auto laid = layTour(ground::tourTerrainOf(*tile, (failed ? request.terrain : terrain).string()), options);
     if (!laid) return laid.error();
-    if (!saveFile.empty())
-        if (const auto written = writeScenario(laid->scenario, saveFile); !written) return written;
+    if (const auto saved = saveScenario(laid->scenario, saveFile); !saved) return saved;
     return play(std::move(laid->scenario), request);
 }
 
@@ -96,9 +127,11 @@ viewlod::Outcome check(const std::filesystem::path& scenario)
 {
     const auto parsed = readScenario(scenario, {.tolerant = true, .parameters = {}});
     if (!parsed) return parsed.error();
-    for (const Problem& problem : parsed->problems) std::cout << problem.error.message() << '\n';
+    for (const Problem& problem : parsed->problems)
+        std::cout << problem.error.message() << '\n';
     if (parsed->problems.empty()) return viewlod::success();
-    return viewlod::Error{scenario.string(), std::to_string(parsed->problems.size()) + " problems", "see the lines above"};
+    return viewlod::Error{scenario.string(), std::to_string(parsed->problems.size()) + " problems",
+                          "see the lines above"};
 }
 
 } // namespace trainer

@@ -17,7 +17,8 @@ viewlod::Result<std::filesystem::path> sceneFileOf(const Scenario& scenario, con
     if (!request.terrain.empty()) return request.terrain;
     if (!scenario.roadNetwork.sceneGraphFile.empty())
         return request.scenario.parent_path() / scenario.roadNetwork.sceneGraphFile;
-    return viewlod::Error{request.scenario.string(), "RoadNetwork names no SceneGraphFile", "add one, or give --terrain FILE"};
+    return viewlod::Error{request.scenario.string(), "RoadNetwork names no SceneGraphFile",
+                          "add one, or give --terrain FILE"};
 }
 
 viewlod::Result<ViewSetup> viewOf(const PlayRequest& request)
@@ -38,12 +39,17 @@ osg::ref_ptr<osgViewer::Viewer> makeViewer(osg::Group& scene)
 
 } // namespace
 
-PlaySession::PlaySession(const PlayRequest& request, SceneTerrain terrain) : _request(request), _terrain(std::move(terrain)) {}
+PlaySession::PlaySession(const PlayRequest& request, SceneTerrain terrain)
+    : _request(request), _terrain(std::move(terrain))
+{
+}
 
-viewlod::Result<std::unique_ptr<PlaySession>> PlaySession::create(Scenario scenario, const PlayRequest& request)
+viewlod::Result<std::unique_ptr<PlaySession>> PlaySession::create(Scenario scenario,
+                                                                  const PlayRequest& request)
 {
     if (scenario.entities.empty())
-        return viewlod::Error{request.scenario.string(), "no ScenarioObject in Entities", "add the one whose eye shall look"};
+        return viewlod::Error{request.scenario.string(), "no ScenarioObject in Entities",
+                              "add the one whose eye shall look"};
     const auto setup = viewOf(request);
     if (!setup) return setup.error();
     const auto sceneFile = sceneFileOf(scenario, request);
@@ -57,11 +63,13 @@ viewlod::Result<std::unique_ptr<PlaySession>> PlaySession::create(Scenario scena
     }
 
     std::unique_ptr<PlaySession> session(new PlaySession(request, std::move(*terrain)));
-    auto player = ScenarioPlayer::create(std::move(scenario), {session->_terrain.origin(), session->_terrain.ground(),
-                                                              FixedClock::forFrameRate(request.framesPerSecond)});
+    auto player =
+        ScenarioPlayer::create(std::move(scenario), {session->_terrain.origin(), session->_terrain.ground(),
+                                                     FixedClock::forFrameRate(request.framesPerSecond)});
     if (!player) return player.error();
     session->_player = std::move(*player);
-    auto scene = ScenarioScene::create(session->_player->scenario(), session->_terrain, request.scenario.parent_path());
+    auto scene = ScenarioScene::create(session->_player->scenario(), session->_terrain,
+                                       request.scenario.parent_path());
     if (!scene) return scene.error();
     session->_scene = std::make_unique<ScenarioScene>(std::move(*scene));
     session->_eye = std::make_unique<OwnshipEye>(session->_player->scenario().entities.front(), request,
@@ -81,7 +89,8 @@ viewlod::Outcome PlaySession::openPictures(const ViewSetup& setup)
         if (!context) return context.error();
         _contexts.push_back(*context);
         if (_request.captureFolder.empty()) continue;
-        const auto folder = pictures.size() == 1 ? _request.captureFolder : _request.captureFolder / picture.name;
+        const auto folder =
+            pictures.size() == 1 ? _request.captureFolder : _request.captureFolder / picture.name;
         auto capture = osgOffscreen::FrameCapture::begin(_contexts.back(), folder);
         if (!capture) return capture.error();
         _captures.push_back(std::move(*capture));
@@ -99,7 +108,8 @@ viewlod::Outcome PlaySession::frame()
     _rig->setEye(_eye->update(_player->entities().front(), _statistics.empty() ? 0.0 : frameS));
     _viewer->frame(_player->timeS());
     _statistics.push_back(measured());
-    for (auto i = _player->clock().stepsPerSecond() / _request.framesPerSecond; i > 0; --i) _player->step();
+    for (auto i = _player->clock().stepsPerSecond() / _request.framesPerSecond; i > 0; --i)
+        _player->step();
     for (const auto& capture : _captures)
         if (const auto outcome = capture->outcome(); !outcome) return outcome.error();
     return viewlod::success();

@@ -24,7 +24,8 @@ class PlaySession
 public:
     /// Errors: whatever keeps terrain, scenario, view, graphics or folders from being used; a scenario without
     /// entities.
-    static viewlod::Result<std::unique_ptr<PlaySession>> create(Scenario scenario, const PlayRequest& request);
+    static viewlod::Result<std::unique_ptr<PlaySession>> create(Scenario scenario,
+                                                                const PlayRequest& request);
 
     /// Draws the present moment, then lets one frame's time pass. Errors: a picture that could not be written.
     viewlod::Outcome frame();

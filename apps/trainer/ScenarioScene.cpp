@@ -14,11 +14,11 @@ namespace
 /// Cloud states of OpenSCENARIO 1.0 and, in oktas, of 1.2, as cover 0…1.
 double cloudCover(const std::string& state)
 {
-    static const std::map<std::string, double> kCover{{"free", 0.0},        {"cloudy", 0.6},      {"overcast", 1.0},
-                                                      {"rainy", 1.0},       {"zeroOktas", 0.0},   {"oneOktas", 0.125},
-                                                      {"twoOktas", 0.25},   {"threeOktas", 0.375}, {"fourOktas", 0.5},
-                                                      {"fiveOktas", 0.625}, {"sixOktas", 0.75},   {"sevenOktas", 0.875},
-                                                      {"eightOktas", 1.0}};
+    static const std::map<std::string, double> kCover{
+        {"free", 0.0},      {"cloudy", 0.6},      {"overcast", 1.0},  {"rainy", 1.0},
+        {"zeroOktas", 0.0}, {"oneOktas", 0.125},  {"twoOktas", 0.25}, {"threeOktas", 0.375},
+        {"fourOktas", 0.5}, {"fiveOktas", 0.625}, {"sixOktas", 0.75}, {"sevenOktas", 0.875},
+        {"eightOktas", 1.0}};
     const auto found = kCover.find(state);
     return found == kCover.end() ? 0.0 : found->second;
 }
@@ -60,7 +60,8 @@ viewlod::Result<ScenarioScene> ScenarioScene::create(const Scenario& scenario, c
 
 void ScenarioScene::show(const ScenarioPlayer& player)
 {
-    for (std::size_t i = 0; i < _entities.size(); ++i) _entities[i].show(player.entities()[i]);
+    for (std::size_t i = 0; i < _entities.size(); ++i)
+        _entities[i].show(player.entities()[i]);
     _atmosphere->apply(airOf(player.environment()));
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "SceneTerrain.h"
 
+#include <algorithm>
 #include <array>
 
 #include <osg/NodeVisitor>
@@ -36,7 +37,8 @@ public:
 
 bool isTerrainFile(const std::filesystem::path& file)
 {
-    static constexpr std::array kSuffixes{"roam", "tif", "tiff", "hgt", "gz", "zip", "asc", "dt0", "dt1", "dt2", "png", "img", "vrt", "bil"};
+    static constexpr std::array kSuffixes{"roam", "tif", "tiff", "hgt", "gz",  "zip", "asc",
+                                          "dt0",  "dt1", "dt2",  "png", "img", "vrt", "bil"};
     const std::string suffix = osgDB::getLowerCaseFileExtension(file.string());
     return std::find(kSuffixes.begin(), kSuffixes.end(), suffix) != kSuffixes.end();
 }
@@ -64,11 +66,13 @@ viewlod::Result<SceneTerrain> openScene(const std::filesystem::path& file,
         if (!terrain) return terrain.error();
         return SceneTerrain{terrain->get(), *terrain};
     }
-    if (!std::filesystem::exists(file))
+    std::error_code ignored; // a name too long is a file that is not there
+    if (!std::filesystem::exists(file, ignored))
         return viewlod::Error{file.string(), "there is no such file", "check the path of the scene"};
     const osg::ref_ptr<osg::Node> node = osgDB::readRefNodeFile(file.string());
     if (!node)
-        return viewlod::Error{file.string(), "OpenSceneGraph cannot read it as a scene", "give a .roam file, an elevation raster or a model"};
+        return viewlod::Error{file.string(), "OpenSceneGraph cannot read it as a scene",
+                              "give a .roam file, an elevation raster or a model"};
     TerrainFinder finder;
     node->accept(finder);
     return SceneTerrain{node, finder.found};

@@ -21,8 +21,8 @@ namespace trainer
 /// The ground that a scenario plays on.
 struct SceneTerrain
 {
-    osg::ref_ptr<osg::Node> node;                       ///< what is drawn
-    osg::ref_ptr<osgTerrainROAM::RoamTerrain> terrain;  ///< within it; null when the scene has no ROAM terrain
+    osg::ref_ptr<osg::Node> node;                      ///< what is drawn
+    osg::ref_ptr<osgTerrainROAM::RoamTerrain> terrain; ///< within it; null when the scene has no ROAM terrain
 
     /// Of the scene's frame; absent without georeference.
     std::optional<Geodetic> origin() const;

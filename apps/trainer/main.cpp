@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // trainer: plays scenarios over terrain and takes pictures of them.
-#include <functional>
-
-#include <CLI/CLI.hpp>
-
 #include "PlayCommand.h"
+#include "terminal/CommandLine.h"
 #include "terminal/Terminal.h"
 
 namespace
@@ -18,6 +15,7 @@ struct Arguments
     PlayRequest request;
     std::string size = "960x540";
     std::string backend{osgOffscreen::backendName(osgOffscreen::defaultBackend())};
+    std::string eye = "own";
     std::filesystem::path saveFile;
     double durationS = 20.0;
 };
@@ -28,22 +26,28 @@ void addPlayOptions(CLI::App& command, Arguments& arguments)
     command.add_option("--capture", request.captureFolder, "folder for the pictures, frame_00000.png and on");
     command.add_option("--stats", request.statsFile, "JSON file for the figures of every frame");
     command.add_option("--report", request.reportFile, "HTML file with plots of them");
-    command.add_option("--report-sheet", request.contactSheet, "picture beside the report that it shall show");
+    command.add_option("--report-sheet", request.contactSheet,
+                       "picture beside the report that it shall show");
     command.add_option("--report-video", request.video, "video beside the report that it shall show");
     command.add_option("--view", request.viewFile, "XML file that describes one or several channels");
     command.add_option("--size", arguments.size, "WIDTHxHEIGHT in pixels, where there is no view file");
     command.add_option("--fps", request.framesPerSecond, "frames per second")->check(CLI::Range(1, 240));
-    command.add_option("--frames", request.frames, "draw this many, whatever the scenario says")->check(CLI::PositiveNumber);
+    command.add_option("--frames", request.frames, "draw this many, whatever the scenario says")
+        ->check(CLI::PositiveNumber);
     command.add_option("--backend", arguments.backend, "osmesa or egl");
     command.add_option("--samples", request.samples, "per pixel: 1 or 4")->check(CLI::IsMember({1, 4}));
-    command.add_option("--eye", request.eye, "own (driver, pilot) or chase")
-        ->transform(CLI::CheckedTransformer(
-            std::map<std::string, trainer::EyePoint>{{"own", trainer::EyePoint::own}, {"chase", trainer::EyePoint::chase}}));
-    command.add_option("--eye-height", request.eyeHeightM, "of a driver, metres above the ground")->check(CLI::Range(0.3, 10.0));
-    command.add_option("--tolerance", request.errorTolerancePx, "error target in pixels")->check(CLI::Range(0.01, 1000.0));
-    command.add_option("--max-triangles", request.maxTriangles, "ceiling for the terrain")->check(CLI::Range(2u, 100000000u));
-    command.add_option("--spacing", request.import.spacingM, "metres between samples of a raster without georeference")
-        ->check(CLI::PositiveNumber);
+    command.add_option("--eye", arguments.eye, "own (driver, pilot) or chase")
+        ->check(CLI::IsMember({"own", "chase"}));
+    command.add_option("--eye-height", request.eyeHeightM, "of a driver, metres above the ground")
+        ->check(terminal::between(0.3, 10.0));
+    command.add_option("--tolerance", request.errorTolerancePx, "error target in pixels")
+        ->check(terminal::between(0.01, 1000.0));
+    command.add_option("--max-triangles", request.maxTriangles, "ceiling for the terrain")
+        ->check(CLI::Range(2u, 100000000u));
+    command
+        .add_option("--spacing", request.import.spacingM,
+                    "metres between samples of a raster without georeference")
+        ->check(terminal::between(0.001, 1e5));
 }
 
 viewlod::Outcome complete(Arguments& arguments)
@@ -56,6 +60,7 @@ viewlod::Outcome complete(Arguments& arguments)
     const auto backend = osgOffscreen::parseBackend(arguments.backend);
     if (!backend) return backend.error();
     request.backend = *backend;
+    request.eye = arguments.eye == "chase" ? trainer::EyePoint::chase : trainer::EyePoint::own;
     return viewlod::success();
 }
 
@@ -63,7 +68,8 @@ viewlod::Outcome complete(Arguments& arguments)
 
 int main(int argc, char** argv)
 {
-    CLI::App app("Plays driving and flight scenarios over terrain, offscreen, the same way every time.", "trainer");
+    CLI::App app("Plays driving and flight scenarios over terrain, offscreen, the same way every time.",
+                 "trainer");
     app.set_version_flag("--version", OSGTRAINER_VERSION);
     app.require_subcommand(1);
     Arguments arguments;
@@ -76,19 +82,14 @@ int main(int argc, char** argv)
     CLI::App* tour = app.add_subcommand("tour", "fly over an elevation file");
     tour->add_option("DEM", request.terrain, "any elevation raster, or a .roam file")->required();
     tour->add_option("--save", arguments.saveFile, "write the scenario that is played");
-    tour->add_option("--duration", arguments.durationS, "seconds")->check(CLI::Range(4.0, 3600.0));
+    tour->add_option("--duration", arguments.durationS, "seconds")->check(terminal::between(4.0, 3600.0));
     addPlayOptions(*tour, arguments);
-    CLI::App* check = app.add_subcommand("check", "list everything that is wrong or not supported in a scenario");
+    CLI::App* check =
+        app.add_subcommand("check", "list everything that is wrong or not supported in a scenario");
     check->add_option("SCENARIO", request.scenario, "OpenSCENARIO XML")->required();
-    try
-    {
-        app.parse(argc, argv);
-    }
-    catch (const CLI::ParseError& error)
-    {
-        return app.exit(error) == 0 ? terminal::kDone : terminal::kWrongUse;
-    }
-    if (const auto sound = complete(arguments); !sound) return terminal::fail("trainer", sound.error()), terminal::kWrongUse;
+    if (const auto ends = terminal::parse(app, argc, argv)) return *ends;
+    if (const auto sound = complete(arguments); !sound)
+        return terminal::fail("trainer", sound.error()), terminal::kWrongUse;
     const auto outcome = *check  ? trainer::check(request.scenario)
                          : *tour ? trainer::tour(request, arguments.saveFile, arguments.durationS)
                                  : trainer::play(request);

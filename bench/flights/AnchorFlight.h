@@ -28,12 +28,15 @@ struct AnchorFlight
         const double last = tile.dataColumns() - 1, s = cellsPerFrame * frame;
         const double column = 0.12 * last + 0.8 * s, row = 0.15 * last + 0.6 * s;
         const glm::dvec3 eye = tile.positionAt(column, row, groundM(tile, column, row) + aboveGroundM);
-        const double yaw = std::atan2(0.6, 0.8) + 0.6 * std::sin(2.0 * std::numbers::pi * frame / kFrames), pitch = -0.12;
-        const glm::dvec3 ahead(std::cos(yaw) * std::cos(pitch), std::sin(yaw) * std::cos(pitch), std::sin(pitch));
+        const double yaw = std::atan2(0.6, 0.8) + 0.6 * std::sin(2.0 * std::numbers::pi * frame / kFrames),
+                     pitch = -0.12;
+        const glm::dvec3 ahead(std::cos(yaw) * std::cos(pitch), std::sin(yaw) * std::cos(pitch),
+                               std::sin(pitch));
         const double aspect = static_cast<double>(kWidth) / kHeight;
         const double fovY = 2.0 * std::atan(std::tan(std::numbers::pi / 6.0) / aspect);
         return viewlod::ViewState::fromMatrices(glm::lookAt(eye, eye + ahead, glm::dvec3(0, 0, 1)),
-                                                glm::perspective(fovY, aspect, 1.0, 200000.0), kWidth, kHeight);
+                                                glm::perspective(fovY, aspect, 1.0, 200000.0), kWidth,
+                                                kHeight);
     }
 
 private:

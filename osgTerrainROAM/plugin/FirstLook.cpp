@@ -20,7 +20,8 @@ bool FirstLook::handle(const osgGA::GUIEventAdapter& event, osgGA::GUIActionAdap
     if (!manipulator || !manipulator->getAutoComputeHomePosition()) return false;
     const osg::Vec3d centre = _bounds.center();
     const double across = std::max(_bounds.xMax() - _bounds.xMin(), _bounds.yMax() - _bounds.yMin());
-    manipulator->setHomePosition(centre + osg::Vec3d(0.0, -0.62, 0.30) * across, centre, osg::Vec3d(0.0, 0.0, 1.0));
+    manipulator->setHomePosition(centre + osg::Vec3d(0.0, -0.62, 0.30) * across, centre,
+                                 osg::Vec3d(0.0, 0.0, 1.0));
     manipulator->home(event, action);
     return false;
 }

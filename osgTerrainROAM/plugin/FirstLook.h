@@ -15,7 +15,9 @@ namespace osgTerrainROAM
 class FirstLook : public osgGA::GUIEventHandler
 {
 public:
-    FirstLook(const osg::BoundingBox& bounds, const osg::Vec4f& horizon) : _bounds(bounds), _horizon(horizon) {}
+    FirstLook(const osg::BoundingBox& bounds, const osg::Vec4f& horizon) : _bounds(bounds), _horizon(horizon)
+    {
+    }
 
     bool handle(const osgGA::GUIEventAdapter& event, osgGA::GUIActionAdapter& action, osg::Object* object,
                 osg::NodeVisitor* visitor) override;

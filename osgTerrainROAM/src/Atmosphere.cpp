@@ -130,8 +130,8 @@ AtmosphereLight atmosphereLight(const AtmosphereSettings& settings)
     light.extinction = mixed({1.0f, 1.0f, 1.0f}, {0.82f, 1.0f, 1.30f}, blueness) * static_cast<float>(green);
 
     // Haze thins out with height; fog fills the valleys up to any height the eye is at.
-    light.hazeScaleHeightM = static_cast<float>(
-        2500.0 / std::clamp((settings.visibilityM - 2000.0) / 18000.0, 1e-5, 1.0));
+    light.hazeScaleHeightM =
+        static_cast<float>(2500.0 / std::clamp((settings.visibilityM - 2000.0) / 18000.0, 1e-5, 1.0));
 
     // An equivalent layer of 1200 m of that air between the ground and space.
     const float clear = static_cast<float>(std::exp(-green * 1200.0));

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // The fixed points are round numbers of the order of the zonal means in Körner & Paulsen, "A world-wide study of high
 // altitude treeline temperatures" (2004); they are no fit.
-#include <osgTerrainROAM/Climate>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <span>
+
+#include <osgTerrainROAM/Climate>
 
 namespace osgTerrainROAM
 {
@@ -22,8 +22,13 @@ struct LinePoint
 
 constexpr std::array<LinePoint, 6> kTreeLine{
     {{0.0, 3700.0}, {30.0, 3900.0}, {47.0, 2050.0}, {60.0, 1050.0}, {70.0, 350.0}, {80.0, 0.0}}};
-constexpr std::array<LinePoint, 7> kSnowLine{
-    {{0.0, 4700.0}, {30.0, 4800.0}, {36.0, 3250.0}, {47.0, 2550.0}, {60.0, 1300.0}, {70.0, 600.0}, {85.0, 0.0}}};
+constexpr std::array<LinePoint, 7> kSnowLine{{{0.0, 4700.0},
+                                              {30.0, 4800.0},
+                                              {36.0, 3250.0},
+                                              {47.0, 2550.0},
+                                              {60.0, 1300.0},
+                                              {70.0, 600.0},
+                                              {85.0, 0.0}}};
 
 struct DryLand
 {
@@ -33,17 +38,17 @@ struct DryLand
 };
 
 constexpr std::array<DryLand, 11> kDryLands{{
-    {23.0, 8.0, 10.0, 26.0, 1.0},    // Sahara
-    {25.0, 45.0, 10.0, 14.0, 1.0},   // Arabia
-    {37.0, 60.0, 10.0, 12.0, 0.85},  // Iran, Turkestan
-    {42.0, 95.0, 8.0, 20.0, 0.9},    // Tarim, Gobi
-    {27.0, 70.0, 5.0, 6.0, 0.85},    // Thar
-    {37.5, -112.0, 7.5, 7.0, 0.9},   // Great Basin, Colorado Plateau, Mojave, Sonora
-    {-25.0, -69.5, 10.5, 3.0, 1.0},  // Atacama, dry Andes
-    {-43.5, -68.0, 7.5, 4.0, 0.75},  // eastern Patagonia
-    {-24.0, 18.0, 7.0, 7.0, 0.85},   // Namib, Kalahari
-    {-25.0, 130.0, 8.0, 14.0, 0.9},  // inner Australia
-    {8.0, 47.0, 7.0, 5.0, 0.8},      // Horn of Africa
+    {23.0, 8.0, 10.0, 26.0, 1.0},   // Sahara
+    {25.0, 45.0, 10.0, 14.0, 1.0},  // Arabia
+    {37.0, 60.0, 10.0, 12.0, 0.85}, // Iran, Turkestan
+    {42.0, 95.0, 8.0, 20.0, 0.9},   // Tarim, Gobi
+    {27.0, 70.0, 5.0, 6.0, 0.85},   // Thar
+    {37.5, -112.0, 7.5, 7.0, 0.9},  // Great Basin, Colorado Plateau, Mojave, Sonora
+    {-25.0, -69.5, 10.5, 3.0, 1.0}, // Atacama, dry Andes
+    {-43.5, -68.0, 7.5, 4.0, 0.75}, // eastern Patagonia
+    {-24.0, 18.0, 7.0, 7.0, 0.85},  // Namib, Kalahari
+    {-25.0, 130.0, 8.0, 14.0, 0.9}, // inner Australia
+    {8.0, 47.0, 7.0, 5.0, 0.8},     // Horn of Africa
 }};
 constexpr double kHumid = 0.12;
 
@@ -53,7 +58,8 @@ double interpolated(std::span<const LinePoint> line, double latitudeDeg)
     for (std::size_t i = 1; i < line.size(); ++i)
     {
         if (latitudeDeg > line[i].latitudeDeg) continue;
-        const double t = (latitudeDeg - line[i - 1].latitudeDeg) / (line[i].latitudeDeg - line[i - 1].latitudeDeg);
+        const double t =
+            (latitudeDeg - line[i - 1].latitudeDeg) / (line[i].latitudeDeg - line[i - 1].latitudeDeg);
         return std::lerp(line[i - 1].heightM, line[i].heightM, t);
     }
     return line.back().heightM;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <osgTerrainROAM/RoamDrawable>
-
 #include <algorithm>
 #include <cmath>
 
 #include <glm/gtc/type_ptr.hpp>
 
 #include <osgUtil/CullVisitor>
+
+#include <osgTerrainROAM/RoamDrawable>
 
 #include "view/ClippedTriangles.h"
 #include "view/TileBounds.h"
@@ -20,14 +20,20 @@ namespace
 {
 
 /// OSG multiplies row vectors and stores rows, GLM columns: the same sixteen numbers.
-glm::dmat4 toGlm(const osg::Matrixd& matrix) { return glm::make_mat4(matrix.ptr()); }
+glm::dmat4 toGlm(const osg::Matrixd& matrix)
+{
+    return glm::make_mat4(matrix.ptr());
+}
 
 bool computesNearFar(const osgUtil::CullVisitor& visitor)
 {
     return visitor.getComputeNearFarMode() != osg::CullSettings::DO_NOT_COMPUTE_NEAR_FAR;
 }
 
-bool isParallel(const glm::dmat4& projection) { return projection[2][3] == 0.0; }
+bool isParallel(const glm::dmat4& projection)
+{
+    return projection[2][3] == 0.0;
+}
 
 /// The projection without a far plane, its near plane where we want it: while OSG is still looking for both, what
 /// stands in the matrix means nothing.
@@ -45,7 +51,8 @@ viewlod::ViewState viewOf(osgUtil::CullVisitor& visitor, double nearestM)
     const osg::Viewport* viewport = visitor.getViewport();
     const int width = viewport ? static_cast<int>(viewport->width()) : 1;
     const int height = viewport ? static_cast<int>(viewport->height()) : 1;
-    auto view = viewlod::ViewState::fromMatrices(toGlm(*visitor.getModelViewMatrix()), projection, width, height);
+    auto view =
+        viewlod::ViewState::fromMatrices(toGlm(*visitor.getModelViewMatrix()), projection, width, height);
     if (isParallel(projection))
     {
         view.cornerStretch = 1.0;
@@ -63,7 +70,8 @@ void tellNearFar(osgUtil::CullVisitor& visitor, const osg::BoundingBox& box, con
 {
     const osg::Matrixd& eyeFromLocal = *visitor.getModelViewMatrix();
     double farM = 0.0;
-    for (unsigned int i = 0; i < 8; ++i) farM = std::max(farM, -(osg::Vec3d(box.corner(i)) * eyeFromLocal).z());
+    for (unsigned int i = 0; i < 8; ++i)
+        farM = std::max(farM, -(osg::Vec3d(box.corner(i)) * eyeFromLocal).z());
     if (farM <= 0.0) return;
     // A point at the picture's corner is farther away than it is deep.
     const double nearM = std::max(0.95 * nearestM / std::sqrt(view.cornerStretch), farM * 1e-6);
@@ -79,8 +87,8 @@ const osg::Camera* mainCameraOf(osgUtil::CullVisitor& visitor)
 {
     const osg::Camera* current = visitor.getCurrentCamera();
     const osg::Camera* root = visitor.getRenderStage()->getCamera();
-    const bool depends = current && root && current != root &&
-                         current->getReferenceFrame() != osg::Transform::ABSOLUTE_RF;
+    const bool depends =
+        current && root && current != root && current->getReferenceFrame() != osg::Transform::ABSOLUTE_RF;
     return depends ? root : nullptr;
 }
 
@@ -98,15 +106,22 @@ RoamDrawable::RoamDrawable(std::shared_ptr<const core::RoamTile> tile)
 }
 
 RoamDrawable::RoamDrawable(const RoamDrawable& other, const osg::CopyOp& copyOp)
-    : osg::Drawable(other, copyOp), _tile(other._tile), _groups(std::make_unique<ViewGroupTable>(_tile)),
-      _errorTolerancePx(other._errorTolerancePx), _maxTriangles(other._maxTriangles), _nearestM(other._nearestM),
+    : osg::Drawable(other, copyOp),
+      _tile(other._tile),
+      _groups(std::make_unique<ViewGroupTable>(_tile)),
+      _errorTolerancePx(other._errorTolerancePx),
+      _maxTriangles(other._maxTriangles),
+      _nearestM(other._nearestM),
       _defaultErrorM(other._defaultErrorM)
 {
 }
 
 RoamDrawable::~RoamDrawable() = default;
 
-std::vector<ViewGroupStatistics> RoamDrawable::statistics() const { return _groups->statistics(); }
+std::vector<ViewGroupStatistics> RoamDrawable::statistics() const
+{
+    return _groups->statistics();
+}
 
 void RoamDrawable::accept(osg::NodeVisitor& visitor)
 {
@@ -154,7 +169,8 @@ void RoamDrawable::accept(osg::PrimitiveFunctor& functor) const
 {
     if (!_tile) return;
     ClippedTriangles triangles;
-    _groups->latest(_defaultErrorM)->visitMesh([&](const core::RoamMesh& mesh) { triangles = clippedTriangles(mesh); });
+    _groups->latest(_defaultErrorM)
+        ->visitMesh([&](const core::RoamMesh& mesh) { triangles = clippedTriangles(mesh); });
     triangles.accept(functor);
 }
 

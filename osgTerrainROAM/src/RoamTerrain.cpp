@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <osgTerrainROAM/RoamTerrain>
-
 #include <osgTerrainROAM/core/LoadTerrain.h>
+
+#include <osgTerrainROAM/RoamTerrain>
 
 #include "material/ImageryDrape.h"
 
@@ -34,7 +34,9 @@ RoamTerrain::RoamTerrain(std::shared_ptr<const core::RoamTile> tile, TerrainMate
 }
 
 RoamTerrain::RoamTerrain(const RoamTerrain& other, const osg::CopyOp& copyOp)
-    : osg::Group(), _tile(other._tile), _drawable(new RoamDrawable(*other._drawable, copyOp)),
+    : osg::Group(),
+      _tile(other._tile),
+      _drawable(new RoamDrawable(*other._drawable, copyOp)),
       _material(other._material)
 {
     setName(other.getName());

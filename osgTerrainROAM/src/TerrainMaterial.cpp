@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <osgTerrainROAM/TerrainMaterial>
-
 #include <algorithm>
 #include <cmath>
 
 #include <osg/Texture2D>
 #include <osg/Uniform>
+
+#include <osgTerrainROAM/TerrainMaterial>
 
 #include "material/GrainImage.h"
 #include "material/LandMap.h"
@@ -26,7 +26,6 @@ void addTexture(osg::StateSet& stateSet, const char* name, TerrainMaterial::Unit
     texture->setResizeNonPowerOfTwoHint(false);
     texture->setFilter(osg::Texture::MIN_FILTER, osg::Texture::LINEAR_MIPMAP_LINEAR);
     texture->setFilter(osg::Texture::MAG_FILTER, osg::Texture::LINEAR);
-    if (const char* a = getenv("ANISO"); a && unit == 2) texture->setMaxAnisotropy(atof(a));
     texture->setWrap(osg::Texture::WRAP_S, wrap);
     texture->setWrap(osg::Texture::WRAP_T, wrap);
     stateSet.setTextureAttributeAndModes(unit, texture);
@@ -47,20 +46,26 @@ TerrainMaterial::TerrainMaterial(const core::PlacedTile& tile, const Climate& cl
     : _climate(climate), _stateSet(new osg::StateSet)
 {
     addMaps(tile, drapeImage);
+    addScales(tile);
     addColours();
     addClipping(tile);
     _stateSet->setAttributeAndModes(terrainProgram(drapeImage != nullptr));
+    // The ground has no underside, and a far slope must not win against the near one in the depth buffer's last step.
+    _stateSet->setMode(GL_CULL_FACE, osg::StateAttribute::ON);
 }
 
 void TerrainMaterial::addMaps(const core::PlacedTile& tile, osg::Image* drapeImage)
 {
     const MapGrid grid(tile);
-    addTexture(*_stateSet, "terrainNormals", normals, normalMap(tile, grid).get(), osg::Texture::CLAMP_TO_EDGE);
-    addTexture(*_stateSet, "terrainLand", land, landMap(tile, grid, _climate).get(), osg::Texture::CLAMP_TO_EDGE);
+    const osg::ref_ptr<osg::Image> normalImage = normalMap(tile, grid);
+    const osg::ref_ptr<osg::Image> landImage = landMap(tile, grid, _climate, *normalImage);
+    addTexture(*_stateSet, "terrainNormals", normals, normalImage.get(), osg::Texture::CLAMP_TO_EDGE);
+    addTexture(*_stateSet, "terrainLand", land, landImage.get(), osg::Texture::CLAMP_TO_EDGE);
     addTexture(*_stateSet, "terrainGrain", grain, grainImage().get(), osg::Texture::REPEAT);
     const double perSample = 1.0 / grid.step;
-    _stateSet->addUniform(new osg::Uniform("terrainMapFromGrid", mapFromGrid(perSample, 0.5, grid.width, true) +
-                                                                     mapFromGrid(perSample, 0.5, grid.height, false)));
+    _stateSet->addUniform(
+        new osg::Uniform("terrainMapFromGrid", mapFromGrid(perSample, 0.5, grid.width, true) +
+                                                   mapFromGrid(perSample, 0.5, grid.height, false)));
     if (drapeImage)
     {
         addTexture(*_stateSet, "terrainDrape", drape, drapeImage, osg::Texture::CLAMP_TO_EDGE);
@@ -70,15 +75,23 @@ void TerrainMaterial::addMaps(const core::PlacedTile& tile, osg::Image* drapeIma
             new osg::Uniform("terrainDrapeFromGrid", mapFromGrid(perColumn, 0.5, drapeImage->s(), true) +
                                                          mapFromGrid(perRow, 0.5, drapeImage->t(), false)));
     }
+}
 
+void TerrainMaterial::addScales(const core::PlacedTile& tile)
+{
     // Bumps that the data themselves show are not invented a second time: a layer counts where its features, an
     // eighth of its period, are finer than two samples.
     const double spacingM = 0.5 * (tile.field().spacingEastM + tile.field().spacingNorthM);
     const auto finer = [=](double periodM)
     { return static_cast<float>(std::clamp((2.0 * spacingM - periodM / 8.0) / spacingM, 0.0, 1.0)); };
+    _stateSet->addUniform(
+        new osg::Uniform("terrainBumpiness",
+                         osg::Vec4f(0.55f * std::max(finer(2.0), 0.8f), 0.45f * std::max(finer(28.0), 0.3f),
+                                    0.40f * finer(324.0), 0.35f * finer(1831.0))));
+    // A beach some 25 m wide, within the two samples that the water mask slopes over.
     _stateSet->addUniform(new osg::Uniform(
-        "terrainBumpiness", osg::Vec4f(0.55f * std::max(finer(2.0), 0.8f), 0.45f * std::max(finer(28.0), 0.3f),
-                                       0.40f * finer(324.0), 0.35f * finer(1831.0))));
+        "terrainShore",
+        static_cast<float>(std::clamp(0.5 - 0.69 * 25.0 / std::max(spacingM, 0.1), 0.05, 0.42))));
 }
 
 void TerrainMaterial::addColours()
@@ -91,7 +104,7 @@ void TerrainMaterial::addColours()
     add("terrainSoil", {0.175f, 0.150f, 0.115f}, {0.370f, 0.245f, 0.155f});
     add("terrainDryGrass", {0.165f, 0.165f, 0.070f}, {0.330f, 0.260f, 0.150f});
     add("terrainMeadow", {0.085f, 0.130f, 0.032f}, {0.200f, 0.190f, 0.095f});
-    add("terrainForest", {0.026f, 0.050f, 0.018f}, {0.080f, 0.095f, 0.045f});
+    add("terrainForest", {0.032f, 0.056f, 0.022f}, {0.080f, 0.095f, 0.045f});
     add("terrainSand", {0.380f, 0.320f, 0.225f}, {0.420f, 0.330f, 0.220f});
     add("terrainSnow", {0.800f, 0.830f, 0.880f}, {0.800f, 0.830f, 0.880f});
     add("terrainWater", {0.012f, 0.040f, 0.055f}, {0.015f, 0.045f, 0.055f});
@@ -100,9 +113,9 @@ void TerrainMaterial::addColours()
 
 void TerrainMaterial::addClipping(const core::PlacedTile& tile)
 {
-    _stateSet->addUniform(new osg::Uniform("terrainLastSample",
-                                           osg::Vec2f(static_cast<float>(tile.dataColumns() - 1),
-                                                      static_cast<float>(tile.dataRows() - 1))));
+    _stateSet->addUniform(
+        new osg::Uniform("terrainLastSample", osg::Vec2f(static_cast<float>(tile.dataColumns() - 1),
+                                                         static_cast<float>(tile.dataRows() - 1))));
     // GL_CLIP_DISTANCE0 and 1 have the numbers of the first two clip planes.
     _stateSet->setMode(GL_CLIP_PLANE0, osg::StateAttribute::ON);
     _stateSet->setMode(GL_CLIP_PLANE1, osg::StateAttribute::ON);

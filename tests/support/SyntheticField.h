@@ -33,7 +33,8 @@ private:
 
 /// Rolling hills with rough ground on top; no two samples alike. Heights are multiples of 1/64 m, so that they do not
 /// depend on a library's last bit.
-inline osgTerrainROAM::core::HeightField hills(int columns, int rows, double spacingM = 30.0, std::uint64_t seed = 1)
+inline osgTerrainROAM::core::HeightField hills(int columns, int rows, double spacingM = 30.0,
+                                               std::uint64_t seed = 1)
 {
     osgTerrainROAM::core::HeightField field;
     field.name = "hills";
@@ -45,14 +46,15 @@ inline osgTerrainROAM::core::HeightField hills(int columns, int rows, double spa
         for (int column = 0; column < columns; ++column)
         {
             const double x = column * 0.11, y = row * 0.07;
-            const double height = 400.0 + 250.0 * std::sin(x) * std::cos(y) + 90.0 * std::sin(0.31 * x + 2.3 * y) +
-                                  12.0 * random.unit();
+            const double height = 400.0 + 250.0 * std::sin(x) * std::cos(y) +
+                                  90.0 * std::sin(0.31 * x + 2.3 * y) + 12.0 * random.unit();
             field.heightsM.push_back(static_cast<float>(std::floor(height * 64.0) / 64.0));
         }
     return field;
 }
 
-inline std::shared_ptr<const osgTerrainROAM::core::RoamTile> planarTile(osgTerrainROAM::core::HeightField field)
+inline std::shared_ptr<const osgTerrainROAM::core::RoamTile>
+planarTile(osgTerrainROAM::core::HeightField field)
 {
     using namespace osgTerrainROAM::core;
     return std::make_shared<const RoamTile>(PlacedTile(std::move(field), Placement::planar));

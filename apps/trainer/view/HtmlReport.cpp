@@ -3,7 +3,7 @@
 
 #include <cstdio>
 
-#include "terminal/Terminal.h"
+#include "terminal/ResultFile.h"
 #include "view/SvgPlot.h"
 
 namespace trainer
@@ -106,7 +106,7 @@ std::string reportHtml(const ReportContent& content, const std::vector<FrameStat
 viewlod::Outcome writeReport(const ReportContent& content, const std::vector<FrameStatistics>& frames,
                              const std::filesystem::path& file)
 {
-    return terminal::writeFile(file.string(), reportHtml(content, frames));
+    return terminal::writeFile(file, reportHtml(content, frames));
 }
 
 } // namespace trainer

@@ -40,7 +40,8 @@ struct Pixels
 
     const unsigned char* at(int x, int y) const
     {
-        return &rgba[4 * (static_cast<std::size_t>(std::clamp(y, 0, height - 1)) * width + std::clamp(x, 0, width - 1))];
+        return &rgba[4 * (static_cast<std::size_t>(std::clamp(y, 0, height - 1)) * width +
+                          std::clamp(x, 0, width - 1))];
     }
 
     /// Bilinear; pixel centres at half-integers, as GDAL counts. Beyond the imagery: alpha 0.
@@ -66,15 +67,16 @@ struct Pixels
 bool readBand(GDALRasterBand& band, Pixels& pixels, int channel)
 {
     double extremes[2] = {0.0, 255.0};
-    if (band.GetRasterDataType() != GDT_Byte && band.ComputeRasterMinMax(TRUE, extremes) != CE_None) return false;
+    if (band.GetRasterDataType() != GDT_Byte && band.ComputeRasterMinMax(TRUE, extremes) != CE_None)
+        return false;
     std::vector<float> values(static_cast<std::size_t>(pixels.width) * pixels.height);
-    if (band.RasterIO(GF_Read, 0, 0, band.GetXSize(), band.GetYSize(), values.data(), pixels.width, pixels.height,
-                      GDT_Float32, 0, 0, nullptr) != CE_None)
+    if (band.RasterIO(GF_Read, 0, 0, band.GetXSize(), band.GetYSize(), values.data(), pixels.width,
+                      pixels.height, GDT_Float32, 0, 0, nullptr) != CE_None)
         return false;
     const double scale = 255.0 / std::max(extremes[1] - extremes[0], 1e-9);
     for (std::size_t i = 0; i < values.size(); ++i)
-        pixels.rgba[4 * i + channel] =
-            static_cast<unsigned char>(std::lround(std::clamp((values[i] - extremes[0]) * scale, 0.0, 255.0)));
+        pixels.rgba[4 * i + channel] = static_cast<unsigned char>(
+            std::lround(std::clamp((values[i] - extremes[0]) * scale, 0.0, 255.0)));
     return true;
 }
 
@@ -137,7 +139,8 @@ public:
         const std::unique_ptr<OGRCoordinateTransformation> toImagery(
             OGRCreateCoordinateTransformation(&geodetic, own.get()));
         if (!toImagery || !GDALInvGeoTransform(transform, inverse))
-            return Error{name, "its coordinate system cannot be related to the terrain's", "reproject the imagery"};
+            return Error{name, "its coordinate system cannot be related to the terrain's",
+                         "reproject the imagery"};
         const core::GeodeticNet& nodes = *tile.field().net;
         net._step = nodes.step;
         net._side = nodes.nodesPerSide;
@@ -147,7 +150,8 @@ public:
             double y = node.latitudeDeg;
             glm::dvec2 pixel(-1e9);
             if (toImagery->Transform(1, &x, &y))
-                pixel = {inverse[0] + inverse[1] * x + inverse[2] * y, inverse[3] + inverse[4] * x + inverse[5] * y};
+                pixel = {inverse[0] + inverse[1] * x + inverse[2] * y,
+                         inverse[3] + inverse[4] * x + inverse[5] * y};
             net._pixels.push_back(pixel);
         }
         return net;
@@ -160,7 +164,8 @@ public:
         const int i = std::clamp(static_cast<int>(a), 0, _side - 2);
         const int j = std::clamp(static_cast<int>(b), 0, _side - 2);
         const auto at = [&](int x, int y) { return _pixels[static_cast<std::size_t>(y) * _side + x]; };
-        return glm::mix(glm::mix(at(i, j), at(i + 1, j), a - i), glm::mix(at(i, j + 1), at(i + 1, j + 1), a - i), b - j);
+        return glm::mix(glm::mix(at(i, j), at(i + 1, j), a - i),
+                        glm::mix(at(i, j + 1), at(i + 1, j + 1), a - i), b - j);
     }
 
 private:
@@ -201,7 +206,8 @@ Result<osg::ref_ptr<osg::Image>> imageryDrape(const std::filesystem::path& file,
     const auto net = PixelNet::make(*dataset, tile, name);
     if (!net) return net.error();
     Pixels pixels;
-    if (!readPixels(*dataset, pixels)) return Error{name, "cannot be read: " + session.firstError(), "check the file"};
+    if (!readPixels(*dataset, pixels))
+        return Error{name, "cannot be read: " + session.firstError(), "check the file"};
 
     const int lastColumn = tile.dataColumns() - 1;
     const int lastRow = tile.dataRows() - 1;
@@ -217,8 +223,9 @@ Result<osg::ref_ptr<osg::Image>> imageryDrape(const std::filesystem::path& file,
                      for (int y = first; y < end; ++y)
                          for (int x = 0; x < image->s(); ++x)
                          {
-                             const glm::dvec2 pixel = net->pixelAt(static_cast<double>(x) * lastColumn / (image->s() - 1),
-                                                                   static_cast<double>(y) * lastRow / (image->t() - 1));
+                             const glm::dvec2 pixel =
+                                 net->pixelAt(static_cast<double>(x) * lastColumn / (image->s() - 1),
+                                              static_cast<double>(y) * lastRow / (image->t() - 1));
                              const auto rgba = pixels.sample(pixel.x, pixel.y);
                              std::copy(rgba.begin(), rgba.end(), image->data(x, y));
                              covered[static_cast<std::size_t>(y)] += rgba[3] > 0;

@@ -17,6 +17,7 @@ namespace osgTerrainROAM
 /// Alpha tells where the imagery covers the terrain. Both rasters need a georeference; an imagery without one is
 /// stretched over the data.
 /// Errors: missing file, unreadable, no georeference on the terrain's side, nothing in common.
-viewlod::Result<osg::ref_ptr<osg::Image>> imageryDrape(const std::filesystem::path& file, const core::PlacedTile& tile);
+viewlod::Result<osg::ref_ptr<osg::Image>> imageryDrape(const std::filesystem::path& file,
+                                                       const core::PlacedTile& tile);
 
 } // namespace osgTerrainROAM

@@ -18,10 +18,10 @@ namespace
 struct Place
 {
     double heightM;
-    double steepness;  ///< tangent of the slope
-    double southness;  ///< −1 faces away from the midday sun … 1 faces it
-    double hollow;     ///< SkyVisibility.h
-    double noise;      ///< −½…½, patches of many sizes
+    double steepness; ///< tangent of the slope
+    double southness; ///< −1 faces away from the midday sun … 1 faces it
+    double hollow;    ///< SkyVisibility.h
+    double noise;     ///< −½…½, patches of many sizes
 };
 
 double stepped(double low, double high, double x)
@@ -45,11 +45,13 @@ public:
         const double line = _climate.treeLineM + 120.0 * p.southness + 300.0 * p.noise;
         const double below = line - p.heightM;
         const double band = std::max(0.12 * _climate.treeLineM, 120.0);
-        double green = 0.30 + 0.32 * stepped(-3.2 * band, -0.5 * band, below) + 0.36 * stepped(-0.6 * band, 1.1 * band, below);
+        double green = 0.30 + 0.32 * stepped(-3.2 * band, -0.5 * band, below) +
+                       0.36 * stepped(-0.6 * band, 1.1 * band, below);
         green -= 0.25 * stepped(-1.5 * band, -5.0 * band, below);
         // Valley floors and gentle ground are open land, slopes carry the woods.
         const double gentle = 1.0 - stepped(0.04, 0.16, p.steepness * _slopeGain);
-        green -= 0.33 * gentle * stepped(0.5 * band, 1.5 * band, below) * stepped(-0.25, 0.1, p.hollow + 0.5 * p.noise);
+        green -= 0.33 * gentle * stepped(0.5 * band, 1.5 * band, below) *
+                 stepped(-0.25, 0.1, p.hollow + 0.5 * p.noise);
         green += 0.75 * p.noise + 0.25 * std::clamp(p.hollow, -0.6, 0.6);
         // Below the tree line roots hold slopes that above it are scree.
         const double holds = 0.75 + 0.45 * stepped(-band, band, below);
@@ -59,8 +61,8 @@ public:
 
     double snow(const Place& p) const
     {
-        const double line = _climate.snowLineM + 250.0 * p.southness - 220.0 * std::clamp(p.hollow, -0.7, 0.7) +
-                            350.0 * p.noise;
+        const double line = _climate.snowLineM + 250.0 * p.southness -
+                            220.0 * std::clamp(p.hollow, -0.7, 0.7) + 350.0 * p.noise;
         const double deep = stepped(-450.0, 450.0, p.heightM - line);
         return deep * (1.0 - 0.85 * stepped(0.9, 1.7, p.steepness * _slopeGain));
     }
@@ -81,12 +83,14 @@ double landNoise(const TileableNoise& noise, double eastM, double northM, double
     const double fine = std::clamp(spacingM * 60.0, 300.0, 6000.0);
     const double coarse = 3.73 * fine;
     return 0.6 * noise.sample(eastM / fine, northM / fine) +
-           0.6 * noise.sample((0.8 * eastM - 0.6 * northM) / coarse, (0.6 * eastM + 0.8 * northM) / coarse) - 0.6;
+           0.6 * noise.sample((0.8 * eastM - 0.6 * northM) / coarse, (0.6 * eastM + 0.8 * northM) / coarse) -
+           0.6;
 }
 
 } // namespace
 
-osg::ref_ptr<osg::Image> landMap(const core::PlacedTile& tile, const MapGrid& grid, const Climate& climate)
+osg::ref_ptr<osg::Image> landMap(const core::PlacedTile& tile, const MapGrid& grid, const Climate& climate,
+                                 const osg::Image& normals)
 {
     const double spacingM = 0.5 * (tile.field().spacingEastM + tile.field().spacingNorthM) * grid.step;
     const MapField heights = mapHeights(tile, grid);
@@ -107,8 +111,9 @@ osg::ref_ptr<osg::Image> landMap(const core::PlacedTile& tile, const MapGrid& gr
             for (int x = 0; x < grid.width; ++x, out += 4)
             {
                 const std::size_t at = static_cast<std::size_t>(y) * grid.width + x;
-                const glm::dvec3 n = sampleNormal(tile, x * grid.step, y * grid.step, grid.step);
-                const Place place{heights[at], std::hypot(n.x, n.y) / std::max(n.z, 0.05), sunSide * n.y, hollow[at],
+                const glm::dvec2 tilt = tiltAt(normals, x, y);
+                const double tilt2 = std::min(glm::dot(tilt, tilt), 0.9975);
+                const Place place{heights[at], std::sqrt(tilt2 / (1.0 - tilt2)), sunSide * tilt.y, hollow[at],
                                   landNoise(noise, x * spacingM, y * spacingM, spacingM)};
                 out[0] = byteOf(growth.vegetation(place));
                 out[1] = byteOf(growth.snow(place));

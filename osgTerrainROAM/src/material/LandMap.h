@@ -15,6 +15,8 @@ namespace osgTerrainROAM
 /// covered); blue: water (WaterMask.h); alpha: visible share of the sky. 8 bits each.
 /// By height against the tree and snow lines, slope, hollows (wet, sheltered), slopes that face the sun, and noise.
 /// Cost: about 0.5 µs a texel and core.
-osg::ref_ptr<osg::Image> landMap(const core::PlacedTile& tile, const MapGrid& grid, const Climate& climate);
+/// `normals`: the tile's normalMap().
+osg::ref_ptr<osg::Image> landMap(const core::PlacedTile& tile, const MapGrid& grid, const Climate& climate,
+                                 const osg::Image& normals);
 
 } // namespace osgTerrainROAM

@@ -20,7 +20,8 @@ struct MapGrid
 
     explicit MapGrid(const core::PlacedTile& tile)
     {
-        while ((std::max(tile.dataColumns(), tile.dataRows()) - 1) / step + 1 > kMaxSide) step *= 2;
+        while ((std::max(tile.dataColumns(), tile.dataRows()) - 1) / step + 1 > kMaxSide)
+            step *= 2;
         width = (tile.dataColumns() - 1) / step + 1;
         height = (tile.dataRows() - 1) / step + 1;
     }

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <vector>
 
 #include "ParallelRows.h"
 
@@ -17,17 +18,24 @@ std::uint16_t packed(double component)
     return static_cast<std::uint16_t>(std::lround((std::clamp(component, -1.0, 1.0) * 0.5 + 0.5) * 65535.0));
 }
 
+/// Placed positions of one row of the map, with the neighbours' rows at hand.
+using Row = std::vector<glm::dvec3>;
+
+Row placedRow(const core::PlacedTile& tile, const MapGrid& grid, int row)
+{
+    Row positions(static_cast<std::size_t>(grid.width));
+    const int sampleRow = std::clamp(row, 0, grid.height - 1) * grid.step;
+    for (int column = 0; column < grid.width; ++column)
+        positions[static_cast<std::size_t>(column)] = tile.position(column * grid.step, sampleRow);
+    return positions;
+}
+
 } // namespace
 
-glm::dvec3 sampleNormal(const core::PlacedTile& tile, int column, int row, int step)
+glm::dvec2 tiltAt(const osg::Image& normalMap, int x, int y)
 {
-    const int lastColumn = tile.dataColumns() - 1;
-    const int lastRow = tile.dataRows() - 1;
-    const glm::dvec3 east =
-        tile.position(std::min(column + step, lastColumn), row) - tile.position(std::max(column - step, 0), row);
-    const glm::dvec3 north =
-        tile.position(column, std::min(row + step, lastRow)) - tile.position(column, std::max(row - step, 0));
-    return glm::normalize(glm::cross(east, north));
+    const auto* texel = reinterpret_cast<const std::uint16_t*>(normalMap.data(x, y));
+    return glm::dvec2(texel[0], texel[1]) * (2.0 / 65535.0) - 1.0;
 }
 
 osg::ref_ptr<osg::Image> normalMap(const core::PlacedTile& tile, const MapGrid& grid)
@@ -35,21 +43,29 @@ osg::ref_ptr<osg::Image> normalMap(const core::PlacedTile& tile, const MapGrid& 
     osg::ref_ptr<osg::Image> image = new osg::Image;
     image->allocateImage(grid.width, grid.height, 1, GL_RG, GL_UNSIGNED_SHORT);
     image->setInternalTextureFormat(GL_RG16);
-    parallelRows(grid.height,
-                 [&](int first, int end)
-                 {
-                     for (int row = first; row < end; ++row)
-                     {
-                         auto* out = reinterpret_cast<std::uint16_t*>(image->data(0, row));
-                         for (int column = 0; column < grid.width; ++column)
-                         {
-                             const glm::dvec3 n =
-                                 sampleNormal(tile, column * grid.step, row * grid.step, grid.step);
-                             *out++ = packed(n.x);
-                             *out++ = packed(n.y);
-                         }
-                     }
-                 });
+    const auto rows = [&](int first, int end)
+    {
+        Row below = placedRow(tile, grid, first - 1);
+        Row here = placedRow(tile, grid, first);
+        for (int row = first; row < end; ++row)
+        {
+            Row above = placedRow(tile, grid, row + 1);
+            auto* out = reinterpret_cast<std::uint16_t*>(image->data(0, row));
+            for (int column = 0; column < grid.width; ++column)
+            {
+                const auto west = static_cast<std::size_t>(std::max(column - 1, 0));
+                const auto east = static_cast<std::size_t>(std::min(column + 1, grid.width - 1));
+                const auto at = static_cast<std::size_t>(column);
+                const glm::dvec3 n =
+                    glm::normalize(glm::cross(here[east] - here[west], above[at] - below[at]));
+                *out++ = packed(n.x);
+                *out++ = packed(n.y);
+            }
+            below = std::move(here);
+            here = std::move(above);
+        }
+    };
+    parallelRows(grid.height, rows);
     return image;
 }
 

@@ -13,7 +13,7 @@ namespace osgTerrainROAM
 /// detail nor shows bands. z follows, for it is positive.
 osg::ref_ptr<osg::Image> normalMap(const core::PlacedTile& tile, const MapGrid& grid);
 
-/// Unit normal of a data sample, tile's frame.
-glm::dvec3 sampleNormal(const core::PlacedTile& tile, int column, int row, int step = 1);
+/// x and y of the unit normal at a texel of a normalMap().
+glm::dvec2 tiltAt(const osg::Image& normalMap, int x, int y);
 
 } // namespace osgTerrainROAM

@@ -19,7 +19,8 @@ inline void parallelRows(int rows, const std::function<void(int, int)>& work)
     for (int band = 0; band < bands; ++band)
         threads.emplace_back(work, static_cast<int>(static_cast<long long>(rows) * band / bands),
                              static_cast<int>(static_cast<long long>(rows) * (band + 1) / bands));
-    for (std::thread& thread : threads) thread.join();
+    for (std::thread& thread : threads)
+        thread.join();
 }
 
 } // namespace osgTerrainROAM

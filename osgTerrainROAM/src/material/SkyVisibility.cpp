@@ -20,7 +20,8 @@ struct Level
 
     float at(int x, int y) const
     {
-        return values[static_cast<std::size_t>(std::clamp(y, 0, height - 1)) * width + std::clamp(x, 0, width - 1)];
+        return values[static_cast<std::size_t>(std::clamp(y, 0, height - 1)) * width +
+                      std::clamp(x, 0, width - 1)];
     }
     float sample(float x, float y) const
     {
@@ -28,7 +29,8 @@ struct Level
         const int j = static_cast<int>(std::floor(y));
         const float fx = x - static_cast<float>(i);
         const float fy = y - static_cast<float>(j);
-        return std::lerp(std::lerp(at(i, j), at(i + 1, j), fx), std::lerp(at(i, j + 1), at(i + 1, j + 1), fx), fy);
+        return std::lerp(std::lerp(at(i, j), at(i + 1, j), fx), std::lerp(at(i, j + 1), at(i + 1, j + 1), fx),
+                         fy);
     }
 };
 
@@ -61,7 +63,8 @@ MapField mapHeights(const core::PlacedTile& tile, const MapGrid& grid)
     MapField heights(static_cast<std::size_t>(grid.width) * grid.height);
     for (int y = 0; y < grid.height; ++y)
         for (int x = 0; x < grid.width; ++x)
-            heights[static_cast<std::size_t>(y) * grid.width + x] = tile.heightM(x * grid.step, y * grid.step);
+            heights[static_cast<std::size_t>(y) * grid.width + x] =
+                tile.heightM(x * grid.step, y * grid.step);
     return heights;
 }
 
@@ -82,8 +85,9 @@ MapField hollowness(const MapField& heights, const MapGrid& grid, double spacing
                              for (int x = 0; x < grid.width; ++x)
                              {
                                  const std::size_t at = static_cast<std::size_t>(y) * grid.width + x;
-                                 const float mean = level.sample((static_cast<float>(x) + 0.5f) / scale - 0.5f,
-                                                                 (static_cast<float>(y) + 0.5f) / scale - 0.5f);
+                                 const float mean =
+                                     level.sample((static_cast<float>(x) + 0.5f) / scale - 0.5f,
+                                                  (static_cast<float>(y) + 0.5f) / scale - 0.5f);
                                  hollow[at] += (mean - heights[at]) * gain;
                              }
                      });

@@ -54,6 +54,7 @@ uniform vec3 terrainSand;
 uniform vec3 terrainSnow;
 uniform vec3 terrainWater;
 uniform float terrainStrata;
+uniform float terrainShore; // where on the way from land (0) to water (1) the beach begins
 
 struct Grain
 {
@@ -63,31 +64,50 @@ struct Grain
     vec4 metres1831;
 };
 
+// On ground seen at a grazing angle a mip level chosen for the footprint's length blurs its width away. Four taps along
+// the length, each at a level for the quarter of it: what an anisotropic filter does, where the renderer's own costs
+// hundreds of times as much.
+vec4 grazingGrain(vec2 at)
+{
+    vec2 alongX = dFdx(at);
+    vec2 alongY = dFdy(at);
+    float x2 = dot(alongX, alongX);
+    float y2 = dot(alongY, alongY);
+    vec2 length4 = (x2 > y2 ? alongX : alongY) * 0.25;
+    float cross2 = abs(alongX.x * alongY.y - alongX.y * alongY.x);
+    // log2 of length over width, by which the level may be finer.
+    float finer = clamp(log2(max(x2, y2) / max(cross2, 1e-20)), 0.0, 2.0);
+    vec4 sum = texture(terrainGrain, at - 1.5 * length4, -finer) + texture(terrainGrain, at - 0.5 * length4, -finer);
+    sum += texture(terrainGrain, at + 0.5 * length4, -finer) + texture(terrainGrain, at + 1.5 * length4, -finer);
+    return 0.25 * sum - 0.5;
+}
+
 // Periods divide the 4096 m that the eye's place is wrapped by; the layers are turned against each other by
 // integer matrices, so that they wrap as well and their repetitions do not line up.
 Grain grainAt(vec2 place)
 {
     Grain g;
-    g.metres2 = texture(terrainGrain, place * (1.0 / 2.0)) - 0.5;
-    g.metres28 = texture(terrainGrain, vec2(2.0 * place.x + place.y, 2.0 * place.y - place.x) * (1.0 / 64.0)) - 0.5;
+    g.metres2 = grazingGrain(place * (1.0 / 2.0));
+    g.metres28 = grazingGrain(vec2(2.0 * place.x + place.y, 2.0 * place.y - place.x) * (1.0 / 64.0));
     g.metres324 = texture(terrainGrain, vec2(3.0 * place.x - place.y, 3.0 * place.y + place.x) * (1.0 / 1024.0)) - 0.5;
     g.metres1831 = texture(terrainGrain, vec2(place.x + 2.0 * place.y, place.y - 2.0 * place.x) * (1.0 / 4096.0)) - 0.5;
     return g;
 }
 
-vec2 bumps(Grain g, float roughness)
+// `wood`: treetops, some metres across and as high.
+vec2 bumps(Grain g, float roughness, float wood)
 {
-    vec2 b = g.metres2.xy * terrainBumpiness.x + g.metres28.xy * terrainBumpiness.y;
+    vec2 b = g.metres2.xy * terrainBumpiness.x + g.metres28.xy * (terrainBumpiness.y + 0.5 * wood);
     b += g.metres324.xy * terrainBumpiness.z + g.metres1831.xy * terrainBumpiness.w;
     return b * roughness;
 }
 )";
 
 const char* kFragmentLand = R"(
-// Colour of dry land without snow.
-vec3 groundColour(float green, float steep, float heightM, Grain g)
+// Colour of dry land without snow, and in alpha the share of wood.
+vec4 groundColour(float green, float steep, float heightM, Grain g)
 {
-    green += 0.75 * g.metres324.w + 0.40 * g.metres28.w + 0.45 * g.metres1831.w + 0.20 * g.metres2.w;
+    green += 0.50 * g.metres324.w + 0.36 * g.metres28.w + 0.60 * g.metres1831.w + 0.20 * g.metres2.w;
     vec3 colour = mix(terrainSoil, terrainDryGrass, smoothstep(0.22, 0.42, green));
     colour = mix(colour, terrainMeadow, smoothstep(0.45, 0.62, green));
     float wood = smoothstep(0.68, 0.80, green + 0.10 * g.metres28.z);
@@ -101,7 +121,7 @@ vec3 groundColour(float green, float steep, float heightM, Grain g)
     colour = mix(colour, rockColour, rock);
 
     float speckle = 1.1 * g.metres2.z + 0.65 * g.metres28.z + 0.45 * g.metres324.z + 0.35 * g.metres1831.z;
-    return colour * max(1.0 + speckle * (1.0 + 0.5 * wood), 0.2);
+    return vec4(colour * max(1.0 + speckle * (1.0 + 0.7 * wood), 0.25), wood * (1.0 - rock));
 }
 
 vec3 waterColour(vec3 directionWorld, Grain g)
@@ -134,11 +154,13 @@ void main()
     float snow = smoothstep(0.38, 0.62, land.g + 0.30 * g.metres324.w + 0.22 * g.metres28.w + 0.25 * g.metres1831.w
                                             - 0.9 * max(steep - 0.25, 0.0));
     float roughness = mix(1.0 + 1.5 * smoothstep(0.12, 0.35, steep), 0.35, snow);
-    vec2 bent = tilt - bumps(g, roughness);
+    vec4 ground = groundColour(land.r, steep, place.z, g);
+    vec2 bent = tilt - bumps(g, roughness, ground.a * (1.0 - snow));
     vec3 normal = normalize(vec3(bent, sqrt(max(1.0 - dot(tilt, tilt), 0.02))));
 
-    vec3 albedo = groundColour(land.r, steep, place.z, g);
-    float shore = smoothstep(0.24, 0.36, land.b + 0.08 * g.metres28.w) * (1.0 - smoothstep(0.02, 0.08, steep));
+    vec3 albedo = ground.rgb;
+    float shore = smoothstep(terrainShore, terrainShore + 0.08, land.b + 0.12 * g.metres28.w + 0.12 * g.metres324.w)
+                * (1.0 - smoothstep(0.01, 0.05, steep));
     albedo = mix(albedo, terrainSand * (1.0 + 0.5 * g.metres2.z + 0.3 * g.metres28.z), shore);
     albedo = mix(albedo, terrainSnow * (1.0 + 0.10 * g.metres2.z + 0.06 * g.metres28.z), snow);
 #ifdef TERRAIN_DRAPE

@@ -31,7 +31,10 @@ double gradientDot(std::uint32_t hash, double x, double y)
     return kCos[hash & 15u] * x + kCos[(hash + 12u) & 15u] * y;
 }
 
-double faded(double t) { return t * t * t * (t * (t * 6.0 - 15.0) + 10.0); }
+double faded(double t)
+{
+    return t * t * t * (t * (t * 6.0 - 15.0) + 10.0);
+}
 
 } // namespace
 
@@ -52,8 +55,10 @@ TileableNoise::TileableNoise(int side, const Octaves& octaves)
 
 void TileableNoise::addOctave(int frequency, double amplitude, std::uint32_t seed)
 {
-    const auto corner = [=](int x, int y) {
-        return hashed(static_cast<std::uint32_t>(x % frequency), static_cast<std::uint32_t>(y % frequency), seed);
+    const auto corner = [=](int x, int y)
+    {
+        return hashed(static_cast<std::uint32_t>(x % frequency), static_cast<std::uint32_t>(y % frequency),
+                      seed);
     };
     const auto rows = [&](int first, int end)
     {
@@ -68,8 +73,9 @@ void TileableNoise::addOctave(int frequency, double amplitude, std::uint32_t see
                 const double fy = v - j;
                 const double low = std::lerp(gradientDot(corner(i, j), fx, fy),
                                              gradientDot(corner(i + 1, j), fx - 1.0, fy), faded(fx));
-                const double high = std::lerp(gradientDot(corner(i, j + 1), fx, fy - 1.0),
-                                              gradientDot(corner(i + 1, j + 1), fx - 1.0, fy - 1.0), faded(fx));
+                const double high =
+                    std::lerp(gradientDot(corner(i, j + 1), fx, fy - 1.0),
+                              gradientDot(corner(i + 1, j + 1), fx - 1.0, fy - 1.0), faded(fx));
                 _values[static_cast<std::size_t>(y) * _side + x] +=
                     static_cast<float>(amplitude * std::lerp(low, high, faded(fy)));
             }
@@ -87,7 +93,8 @@ void TileableNoise::normalize()
         squares += static_cast<double>(value) * value;
     }
     const double mean = sum / static_cast<double>(_values.size());
-    const double deviation = std::sqrt(std::max(squares / static_cast<double>(_values.size()) - mean * mean, 1e-12));
+    const double deviation =
+        std::sqrt(std::max(squares / static_cast<double>(_values.size()) - mean * mean, 1e-12));
     for (float& value : _values)
         value = static_cast<float>(std::clamp(0.5 + (value - mean) / (6.0 * deviation), 0.0, 1.0));
 }
@@ -102,7 +109,8 @@ float TileableNoise::sample(double u, double v) const
     const auto fy = static_cast<float>(y - static_cast<double>(j));
     const int a = static_cast<int>(i & (_side - 1));
     const int b = static_cast<int>(j & (_side - 1));
-    return std::lerp(std::lerp(at(a, b), at(a + 1, b), fx), std::lerp(at(a, b + 1), at(a + 1, b + 1), fx), fy);
+    return std::lerp(std::lerp(at(a, b), at(a + 1, b), fx), std::lerp(at(a, b + 1), at(a + 1, b + 1), fx),
+                     fy);
 }
 
 } // namespace osgTerrainROAM

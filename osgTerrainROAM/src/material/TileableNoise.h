@@ -15,9 +15,9 @@ class TileableNoise
 public:
     struct Octaves
     {
-        int firstFrequency;  ///< lattice cells per period in the first octave; doubles with each
+        int firstFrequency; ///< lattice cells per period in the first octave; doubles with each
         int count;
-        double persistence;  ///< amplitude of an octave relative to the one before
+        double persistence; ///< amplitude of an octave relative to the one before
         std::uint32_t seed;
     };
 
@@ -25,7 +25,10 @@ public:
 
     int side() const { return _side; }
     /// Texel, indices wrap.
-    float at(int x, int y) const { return _values[static_cast<std::size_t>(y & (_side - 1)) * _side + (x & (_side - 1))]; }
+    float at(int x, int y) const
+    {
+        return _values[static_cast<std::size_t>(y & (_side - 1)) * _side + (x & (_side - 1))];
+    }
     /// Bilinear; one period is 1.
     float sample(double u, double v) const;
 

@@ -8,8 +8,8 @@ namespace
 {
 
 constexpr std::uint8_t kWater = 255;
-constexpr std::uint8_t kShore = 112;    ///< next to water
-constexpr std::uint8_t kFarShore = 48;  ///< one farther
+constexpr std::uint8_t kShore = 80;    ///< next to water
+constexpr std::uint8_t kFarShore = 24; ///< one farther
 constexpr double kLowerRimShare = 0.04;
 
 /// Flood fill with a stack of texels; every texel is visited once.
@@ -17,7 +17,10 @@ class WaterSearch
 {
 public:
     WaterSearch(const MapField& heights, const MapGrid& grid, double seaLevelM)
-        : _heights(heights), _width(grid.width), _height(grid.height), _seaLevel(static_cast<float>(seaLevelM) + 0.01f),
+        : _heights(heights),
+          _width(grid.width),
+          _height(grid.height),
+          _seaLevel(static_cast<float>(seaLevelM) + 0.01f),
           _visited(heights.size(), 0)
     {
     }
@@ -30,9 +33,11 @@ public:
             if (_visited[start] || !startsWater(start)) continue;
             fill(start);
             const bool sea = isSea(start);
-            const bool calm = sea || static_cast<double>(_lowerRim) <= kLowerRimShare * static_cast<double>(_rim);
+            const bool calm =
+                sea || static_cast<double>(_lowerRim) <= kLowerRimShare * static_cast<double>(_rim);
             if (_component.size() < kLeastWaterSamples || !calm) continue;
-            for (const std::size_t at : _component) result[at] = kWater;
+            for (const std::size_t at : _component)
+                result[at] = kWater;
         }
         return result;
     }

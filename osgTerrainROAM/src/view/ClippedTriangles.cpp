@@ -38,7 +38,8 @@ class Collector
 {
 public:
     explicit Collector(const core::RoamMesh& mesh)
-        : _mesh(mesh), _limit(mesh.tile().tile.dataColumns() - 1, mesh.tile().tile.dataRows() - 1),
+        : _mesh(mesh),
+          _limit(mesh.tile().tile.dataColumns() - 1, mesh.tile().tile.dataRows() - 1),
           _slotToOut(mesh.vertices().size(), core::kNone)
     {
     }
@@ -52,8 +53,10 @@ public:
             inside = inside && grid.x <= _limit.x && grid.y <= _limit.y;
         }
         if (inside)
-            for (const std::uint32_t slot : triangle.vertices) out.indices.push_back(shared(slot));
-        else addClipped(triangle);
+            for (const std::uint32_t slot : triangle.vertices)
+                out.indices.push_back(shared(slot));
+        else
+            addClipped(triangle);
     }
 
     ClippedTriangles out;

@@ -17,11 +17,15 @@ namespace
 class BufferDeletion : public osg::GLObjectManager
 {
 public:
-    explicit BufferDeletion(unsigned int contextId) : osg::GLObjectManager("osgTerrainROAM::GpuMesh", contextId) {}
+    explicit BufferDeletion(unsigned int contextId)
+        : osg::GLObjectManager("osgTerrainROAM::GpuMesh", contextId)
+    {
+    }
 
     void deleteGLObject(GLuint buffer) override
     {
-        if (const osg::GLExtensions* gl = osg::GLExtensions::Get(_contextID, true)) gl->glDeleteBuffers(1, &buffer);
+        if (const osg::GLExtensions* gl = osg::GLExtensions::Get(_contextID, true))
+            gl->glDeleteBuffers(1, &buffer);
     }
 };
 
@@ -39,7 +43,10 @@ std::size_t uploadRanges(osg::GLExtensions& gl, GLenum target, const std::vector
     return elements.size() * sizeof(Element);
 }
 
-const void* bufferOffset(std::size_t bytes) { return reinterpret_cast<const void*>(bytes); }
+const void* bufferOffset(std::size_t bytes)
+{
+    return reinterpret_cast<const void*>(bytes);
+}
 
 } // namespace
 
@@ -59,11 +66,12 @@ void GpuMesh::allocate(osg::GLExtensions& gl, const MeshPacket& packet)
     const std::uint32_t vertices = bufferCapacity(packet.vertexCount);
     const std::uint32_t triangles = bufferCapacity(packet.triangleCount);
     if (vertices != _vertexCapacity)
-        gl.glBufferData(GL_ARRAY_BUFFER_ARB, static_cast<GLsizeiptr>(vertices * sizeof(core::MeshVertex)), nullptr,
-                        GL_DYNAMIC_DRAW_ARB);
-    if (triangles != _triangleCapacity)
-        gl.glBufferData(GL_ELEMENT_ARRAY_BUFFER_ARB, static_cast<GLsizeiptr>(triangles * sizeof(core::LeafTriangle)),
+        gl.glBufferData(GL_ARRAY_BUFFER_ARB, static_cast<GLsizeiptr>(vertices * sizeof(core::MeshVertex)),
                         nullptr, GL_DYNAMIC_DRAW_ARB);
+    if (triangles != _triangleCapacity)
+        gl.glBufferData(GL_ELEMENT_ARRAY_BUFFER_ARB,
+                        static_cast<GLsizeiptr>(triangles * sizeof(core::LeafTriangle)), nullptr,
+                        GL_DYNAMIC_DRAW_ARB);
     _vertexCapacity = vertices;
     _triangleCapacity = triangles;
 }
@@ -78,8 +86,9 @@ std::size_t GpuMesh::upload(osg::State& state, const MeshPacket& packet)
     if (packet.whole) allocate(gl, packet);
     gl.glBindBuffer(GL_ARRAY_BUFFER_ARB, _vertexBuffer);
     gl.glBindBuffer(GL_ELEMENT_ARRAY_BUFFER_ARB, _indexBuffer);
-    const std::size_t bytes = uploadRanges(gl, GL_ARRAY_BUFFER_ARB, packet.vertexRanges, packet.vertices) +
-                              uploadRanges(gl, GL_ELEMENT_ARRAY_BUFFER_ARB, packet.triangleRanges, packet.triangles);
+    const std::size_t bytes =
+        uploadRanges(gl, GL_ARRAY_BUFFER_ARB, packet.vertexRanges, packet.vertices) +
+        uploadRanges(gl, GL_ELEMENT_ARRAY_BUFFER_ARB, packet.triangleRanges, packet.triangles);
     gl.glBindBuffer(GL_ARRAY_BUFFER_ARB, 0);
     gl.glBindBuffer(GL_ELEMENT_ARRAY_BUFFER_ARB, 0);
     _serial = packet.serial;
@@ -105,13 +114,18 @@ void GpuMesh::draw(osg::State& state, std::span<const core::TriangleRange> range
     gl.glBindBuffer(GL_ARRAY_BUFFER_ARB, _vertexBuffer);
     gl.glBindBuffer(GL_ELEMENT_ARRAY_BUFFER_ARB, _indexBuffer);
     const GLsizei stride = sizeof(core::MeshVertex);
-    gl.glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, stride, bufferOffset(offsetof(core::MeshVertex, positionHigh)));
-    gl.glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, stride, bufferOffset(offsetof(core::MeshVertex, positionLow)));
-    gl.glVertexAttribPointer(2, 2, GL_FLOAT, GL_FALSE, stride, bufferOffset(offsetof(core::MeshVertex, grid)));
-    for (GLuint attribute = 0; attribute < 3; ++attribute) gl.glEnableVertexAttribArray(attribute);
+    gl.glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, stride,
+                             bufferOffset(offsetof(core::MeshVertex, positionHigh)));
+    gl.glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, stride,
+                             bufferOffset(offsetof(core::MeshVertex, positionLow)));
+    gl.glVertexAttribPointer(2, 2, GL_FLOAT, GL_FALSE, stride,
+                             bufferOffset(offsetof(core::MeshVertex, grid)));
+    for (GLuint attribute = 0; attribute < 3; ++attribute)
+        gl.glEnableVertexAttribArray(attribute);
     gl.glMultiDrawElements(GL_TRIANGLES, counts.data(), GL_UNSIGNED_INT, offsets.data(),
                            static_cast<GLsizei>(counts.size()));
-    for (GLuint attribute = 0; attribute < 3; ++attribute) gl.glDisableVertexAttribArray(attribute);
+    for (GLuint attribute = 0; attribute < 3; ++attribute)
+        gl.glDisableVertexAttribArray(attribute);
     gl.glBindBuffer(GL_ARRAY_BUFFER_ARB, 0);
     gl.glBindBuffer(GL_ELEMENT_ARRAY_BUFFER_ARB, 0);
 }

@@ -16,7 +16,8 @@ constexpr std::uint32_t kMaxTriangleGap = 21;
 constexpr std::uint32_t kLeastCapacity = 4096;
 
 template<class Element>
-std::vector<Element> copiedRanges(std::span<const Element> source, const std::vector<core::IndexRange>& ranges)
+std::vector<Element> copiedRanges(std::span<const Element> source,
+                                  const std::vector<core::IndexRange>& ranges)
 {
     std::vector<Element> copy;
     for (const core::IndexRange& range : ranges)

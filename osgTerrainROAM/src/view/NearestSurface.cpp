@@ -63,7 +63,8 @@ struct Search
     {
         const glm::dvec3 centre(t.bound.centre);
         double radius = t.bound.radiusM;
-        for (const glm::dvec3& corner : corners(t)) radius = std::max(radius, glm::distance(corner, centre));
+        for (const glm::dvec3& corner : corners(t))
+            radius = std::max(radius, glm::distance(corner, centre));
         return glm::distance(point, centre) - radius;
     }
 
@@ -96,7 +97,8 @@ struct Search
 double nearestSurfaceM(const core::BinTriangleTree& tree, const glm::dvec3& point)
 {
     Search search{tree, point, std::numeric_limits<double>::infinity()};
-    for (const core::NodeIndex root : core::BinTriangleTree::kRoots) search.descend(root);
+    for (const core::NodeIndex root : core::BinTriangleTree::kRoots)
+        search.descend(root);
     return search.leastM;
 }
 

@@ -15,8 +15,7 @@ constexpr int kBlock = 16; ///< cells
 /// Between its corners a block of the round Earth bulges by chord²/8R; 16 cells of 1 km make 5 m.
 double bulgeM(const core::PlacedTile& tile)
 {
-    const double chord =
-        1.5 * kBlock * std::max(tile.field().spacingEastM, tile.field().spacingNorthM);
+    const double chord = 1.5 * kBlock * std::max(tile.field().spacingEastM, tile.field().spacingNorthM);
     return chord * chord / (8.0 * 6.35e6) + 0.01;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ViewGroup.h"
 
+#include <algorithm>
 #include <chrono>
 
 #include "NearestSurface.h"
@@ -14,8 +15,28 @@ namespace
 std::uint32_t triangleSum(const std::vector<core::TriangleRange>& ranges)
 {
     std::uint32_t sum = 0;
-    for (const core::TriangleRange& range : ranges) sum += range.count;
+    for (const core::TriangleRange& range : ranges)
+        sum += range.count;
     return sum;
+}
+
+/// Near regions first, so that the depth test spares what they hide: about half the fragments in hills. A region is
+/// where its first triangle is.
+void sortFrontToBack(const core::RoamMesh& mesh, const glm::dvec3& eye,
+                     std::vector<core::TriangleRange>& ranges)
+{
+    std::vector<std::pair<float, core::TriangleRange>> keyed;
+    keyed.reserve(ranges.size());
+    for (const core::TriangleRange& range : ranges)
+    {
+        const core::MeshVertex& vertex = mesh.vertices()[mesh.triangles()[range.first].vertices[0]];
+        keyed.emplace_back(glm::distance(vertex.positionHigh, glm::vec3(eye)), range);
+    }
+    std::sort(keyed.begin(), keyed.end(),
+              [](const auto& a, const auto& b)
+              { return a.first != b.first ? a.first < b.first : a.second.first < b.second.first; });
+    std::transform(keyed.begin(), keyed.end(), ranges.begin(),
+                   [](const auto& entry) { return entry.second; });
 }
 
 double microseconds(std::chrono::steady_clock::duration time)
@@ -48,7 +69,8 @@ void ViewGroup::refine(const RefineTarget& target)
 {
     using Clock = std::chrono::steady_clock;
     const auto start = Clock::now();
-    _statistics.refine = target.errorM ? _mesh.refine(*target.errorM) : _mesh.refine(target.view, target.budget);
+    _statistics.refine =
+        target.errorM ? _mesh.refine(*target.errorM) : _mesh.refine(target.view, target.budget);
     const auto refined = Clock::now();
     const core::MeshChanges& changes = _mesh.changes();
     if (_serial == 0 || !changes.vertices.empty() || !changes.triangles.empty())
@@ -66,7 +88,8 @@ ViewAnswer ViewGroup::answer(unsigned int frame, const RefineTarget& target, con
                              std::optional<unsigned int> contextId)
 {
     const std::lock_guard lock(_meshMutex);
-    if (!isMetBy(frame, target)) refine(target);
+    if (!isMetBy(frame, target))
+        refine(target);
     else if (_frame != frame)
     {
         // The same eye again: refining would find nothing to do.
@@ -89,6 +112,7 @@ ViewAnswer ViewGroup::answerLocked(const viewlod::Frustum& frustum, const glm::d
 {
     ViewAnswer answer;
     _mesh.visibleRanges(frustum, answer.ranges);
+    sortFrontToBack(_mesh, eye, answer.ranges);
     answer.nearestM = nearestSurfaceM(_mesh.tree(), eye);
     answer.serial = _serial;
     if (contextId) answer.packet = packetFor(*contextId);

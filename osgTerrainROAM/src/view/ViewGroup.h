@@ -32,10 +32,10 @@ struct RefineTarget
 /// What one cull traversal takes along to the draw.
 struct ViewAnswer
 {
-    std::uint64_t serial = 0;                ///< state of the mesh that `ranges` belong to
-    PacketPtr packet;                        ///< leads to that state; null when nobody was known to draw
+    std::uint64_t serial = 0; ///< state of the mesh that `ranges` belong to
+    PacketPtr packet;         ///< leads to that state; null when nobody was known to draw
     std::vector<core::TriangleRange> ranges;
-    double nearestM = 0.0;                   ///< from the eye to the drawn surface
+    double nearestM = 0.0; ///< from the eye to the drawn surface
 };
 
 /// The mesh of one view group, and its copies in the graphics contexts.

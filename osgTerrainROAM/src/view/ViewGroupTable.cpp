@@ -15,8 +15,8 @@ ViewGroupTable::Member* ViewGroupTable::Entry::memberOf(const osg::Camera* camer
 
 ViewGroupTable::Entry* ViewGroupTable::entryOf(const osg::Camera* camera)
 {
-    const auto found =
-        std::find_if(_entries.begin(), _entries.end(), [=](Entry& e) { return e.memberOf(camera) != nullptr; });
+    const auto found = std::find_if(_entries.begin(), _entries.end(),
+                                    [=](Entry& e) { return e.memberOf(camera) != nullptr; });
     return found == _entries.end() ? nullptr : &*found;
 }
 
@@ -70,7 +70,8 @@ ViewGroupTable::Entry& ViewGroupTable::entryFor(const ViewRequest& request)
 void ViewGroupTable::leave(const osg::Camera* camera, const Entry* except)
 {
     for (Entry& entry : _entries)
-        if (&entry != except) std::erase_if(entry.members, [=](const Member& m) { return m.identity == camera; });
+        if (&entry != except)
+            std::erase_if(entry.members, [=](const Member& m) { return m.identity == camera; });
 }
 
 void ViewGroupTable::dropUnused(unsigned int frame)
@@ -127,7 +128,8 @@ std::vector<ViewGroupStatistics> ViewGroupTable::statistics() const
 void ViewGroupTable::releaseGLObjects(osg::State* state)
 {
     const std::lock_guard lock(_mutex);
-    for (Entry& entry : _entries) entry.group->releaseGLObjects(state);
+    for (Entry& entry : _entries)
+        entry.group->releaseGLObjects(state);
 }
 
 } // namespace osgTerrainROAM

@@ -17,7 +17,8 @@ namespace osgTerrainROAM
 struct ViewRequest
 {
     osg::Camera* camera = nullptr;
-    const osg::Camera* mainCamera = nullptr; ///< of a shadow or reflection camera: whose mesh it uses, once there is one
+    const osg::Camera* mainCamera =
+        nullptr; ///< of a shadow or reflection camera: whose mesh it uses, once there is one
     unsigned int frame = 0;
     RefineTarget target;
 };

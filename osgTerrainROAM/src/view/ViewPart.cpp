@@ -27,7 +27,8 @@ EyeUniforms eyeUniforms(const osg::Vec3d& eye)
     EyeUniforms uniforms;
     uniforms.high = osg::Vec3f(eye);
     uniforms.low = osg::Vec3f(eye - osg::Vec3d(uniforms.high));
-    for (int i = 0; i < 3; ++i) uniforms.wrapped[i] = static_cast<float>(eye[i] - kWrapM * std::floor(eye[i] / kWrapM));
+    for (int i = 0; i < 3; ++i)
+        uniforms.wrapped[i] = static_cast<float>(eye[i] - kWrapM * std::floor(eye[i] / kWrapM));
     return uniforms;
 }
 

@@ -59,15 +59,12 @@ TEST_P(Anchors, OneRaisedSampleChangesTheCount)
     EXPECT_NE(mesh.refine(errorM).triangles, triangles);
 }
 
-INSTANTIATE_TEST_SUITE_P(Crops, Anchors,
-                         testing::Values(Crop{"N44W072.hgt", 88, 88, 1025, 90.0, {{20, 129615}, {10, 307452}, {5, 652220}}},
-                                         Crop{"S33W071.tif", 88, 88, 1025, 90.0, {{50, 171580}, {20, 569718}}},
-                                         Crop{"greenriver.tif",
-                                              700,
-                                              300,
-                                              513,
-                                              1.0,
-                                              {{1, 1345}, {0.5, 4340}, {0.25, 12927}, {0.1, 51929}}}),
-                         [](const auto& crop) { return std::string(crop.param.file, 6); });
+INSTANTIATE_TEST_SUITE_P(
+    Crops, Anchors,
+    testing::Values(
+        Crop{"N44W072.hgt", 88, 88, 1025, 90.0, {{20, 129615}, {10, 307452}, {5, 652220}}},
+        Crop{"S33W071.tif", 88, 88, 1025, 90.0, {{50, 171580}, {20, 569718}}},
+        Crop{"greenriver.tif", 700, 300, 513, 1.0, {{1, 1345}, {0.5, 4340}, {0.25, 12927}, {0.1, 51929}}}),
+    [](const auto& crop) { return std::string(crop.param.file, 6); });
 
 } // namespace

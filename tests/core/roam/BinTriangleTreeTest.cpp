@@ -26,7 +26,10 @@ namespace
 using namespace osgTerrainROAM::core;
 using testsupport::Random;
 
-BinTriangleTree hillTree(int side = 33) { return BinTriangleTree(testsupport::planarTile(testsupport::hills(side, side))); }
+BinTriangleTree hillTree(int side = 33)
+{
+    return BinTriangleTree(testsupport::planarTile(testsupport::hills(side, side)));
+}
 
 /// A random leaf that can split, or a random split triangle: found by a random way down.
 NodeIndex randomNode(const BinTriangleTree& tree, Random& random, bool leaf)
@@ -111,7 +114,8 @@ TEST(BinTriangleTree, MergeUndoesSplitToTheLastBit)
         tree.merge(t);
         if (chained) continue; // what was forced stays
         const BinTriangle& after = tree.node(t);
-        ASSERT_EQ(std::tie(after.base, after.left, after.right), std::tie(before.base, before.left, before.right));
+        ASSERT_EQ(std::tie(after.base, after.left, after.right),
+                  std::tie(before.base, before.left, before.right));
     }
     EXPECT_GE(tree.leafCount(), leaves);
     EXPECT_TRUE(tree.isConforming());
@@ -131,7 +135,8 @@ TEST(BinTriangleTree, PoolsAreReusedSoThatRepetitionNeedsNoMemory)
             const NodeIndex t = open.back();
             open.pop_back();
             if (tree.canSplit(t)) tree.forceSplit(t);
-            if (!tree.node(t).isLeaf()) open.insert(open.end(), {tree.node(t).firstChild, tree.node(t).firstChild + 1});
+            if (!tree.node(t).isLeaf())
+                open.insert(open.end(), {tree.node(t).firstChild, tree.node(t).firstChild + 1});
         }
     };
     flood();
@@ -170,7 +175,8 @@ TEST(BinTriangleTree, CheckSeesEveryKindOfDamage)
         for (int i = 0; i < 4; ++i)
         {
             NodeIndex t = 0;
-            while (!tree.node(t).isLeaf()) t = tree.node(t).firstChild + 1;
+            while (!tree.node(t).isLeaf())
+                t = tree.node(t).firstChild + 1;
             tree.forceSplit(t);
         }
         EXPECT_TRUE(tree.isConforming());
@@ -182,13 +188,16 @@ TEST(BinTriangleTree, CheckSeesEveryKindOfDamage)
     const auto findLeaf = [&leaf](const BinTriangleTree& tree)
     {
         leaf = 0;
-        while (!tree.node(leaf).isLeaf() || tree.node(leaf).base == kNone) leaf = tree.node(leaf).isLeaf() ? 1 : tree.node(leaf).firstChild;
+        while (!tree.node(leaf).isLeaf() || tree.node(leaf).base == kNone)
+            leaf = tree.node(leaf).isLeaf() ? 1 : tree.node(leaf).firstChild;
         return leaf;
     };
     EXPECT_TRUE(damaged([&](auto& tree, auto& m) { m.node(findLeaf(tree)).base = kNone; }));
-    EXPECT_TRUE(damaged([&](auto& tree, auto& m) { std::swap(m.node(findLeaf(tree)).left, m.node(leaf).right); }));
+    EXPECT_TRUE(
+        damaged([&](auto& tree, auto& m) { std::swap(m.node(findLeaf(tree)).left, m.node(leaf).right); }));
     EXPECT_TRUE(damaged([&](auto& tree, auto& m) { m.node(findLeaf(tree)).level += 3; }));
-    EXPECT_TRUE(damaged([&](auto& tree, auto& m) { std::swap(m.node(findLeaf(tree)).vertices[0], m.node(leaf).vertices[1]); }));
+    EXPECT_TRUE(damaged([&](auto& tree, auto& m)
+                        { std::swap(m.node(findLeaf(tree)).vertices[0], m.node(leaf).vertices[1]); }));
     EXPECT_TRUE(damaged([](auto&, auto& m) { m.moveVertex(4, 17); }));
     EXPECT_TRUE(damaged([](auto&, auto& m) { m.loseVertexSlot(); }));
     EXPECT_TRUE(damaged([&](auto& tree, auto& m) { m.splitAlone(findLeaf(tree)); })); // a T-junction

@@ -14,7 +14,8 @@ using namespace osgTerrainROAM::core;
 /// A refined mesh as plain arrays, to be damaged.
 struct Drawn
 {
-    explicit Drawn(int columns, int rows) : tile(testsupport::planarTile(testsupport::hills(columns, rows))), mesh(tile)
+    explicit Drawn(int columns, int rows)
+        : tile(testsupport::planarTile(testsupport::hills(columns, rows))), mesh(tile)
     {
         mesh.refine(20.0);
         vertices.assign(mesh.vertices().begin(), mesh.vertices().end());

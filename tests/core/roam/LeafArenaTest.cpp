@@ -38,7 +38,8 @@ TEST(LeafArena, KeepsEveryRegionsLeavesTogetherThroughRandomChanges)
     for (std::uint32_t region = 0; region < arena.regionCount(); ++region)
     {
         const TriangleRange range = arena.region(region);
-        for (std::uint32_t i = 0; i < range.count; ++i) seen[arena.triangles()[range.first + i].vertices[0]] = region;
+        for (std::uint32_t i = 0; i < range.count; ++i)
+            seen[arena.triangles()[range.first + i].vertices[0]] = region;
     }
     EXPECT_EQ(seen, regionOf);
     EXPECT_EQ(arena.leafCount(), regionOf.size());
@@ -67,7 +68,8 @@ TEST(LeafArena, ReportsEverySlotItWrites)
             }
         }
         mirror.resize(arena.triangles().size());
-        for (const std::uint32_t slot : changes.triangles) mirror[slot] = arena.triangles()[slot];
+        for (const std::uint32_t slot : changes.triangles)
+            mirror[slot] = arena.triangles()[slot];
         for (std::uint32_t region = 0; region < 3; ++region)
             for (std::uint32_t i = 0; i < arena.region(region).count; ++i)
             {

@@ -50,8 +50,10 @@ TEST(RegionBounds, NoTriangleWithACornerInThePictureIsCulled)
         const auto view = lookingFrom(eye, eye + glm::dvec3(std::cos(i * 0.8), std::sin(i * 0.8), -0.2));
         const auto visible = visibleTriangles(mesh, view);
         std::size_t withCorner = 0, drawnWithCorner = 0;
-        for (const auto& t : every) withCorner += anyCornerSeen(mesh, view, t);
-        for (const auto& t : visible) drawnWithCorner += anyCornerSeen(mesh, view, t);
+        for (const auto& t : every)
+            withCorner += anyCornerSeen(mesh, view, t);
+        for (const auto& t : visible)
+            drawnWithCorner += anyCornerSeen(mesh, view, t);
         EXPECT_EQ(drawnWithCorner, withCorner);
         EXPECT_LT(visible.size(), every.size() / 2); // and it culls at all
     }

@@ -44,7 +44,8 @@ std::uint64_t hashOf(const std::set<SampleTriangle>& leaves)
 {
     std::uint64_t hash = 0xcbf29ce484222325ull;
     for (const SampleTriangle& corners : leaves)
-        for (const SampleIndex s : corners) hash = (hash ^ s) * 0x100000001b3ull;
+        for (const SampleIndex s : corners)
+            hash = (hash ^ s) * 0x100000001b3ull;
     return hash;
 }
 
@@ -65,7 +66,8 @@ TEST(RoamMesh, FollowsAFlightToTheMeshThatStartsFromScratch)
 TEST(RoamMesh, GivesTheSameMeshWhateverCameBefore)
 {
     RoamMesh travelled(flightTile()), fresh(flightTile());
-    for (int frame = 0; frame <= 200; frame += 10) travelled.refine(AnchorFlight{}.view(flightTile()->tile, frame), {});
+    for (int frame = 0; frame <= 200; frame += 10)
+        travelled.refine(AnchorFlight{}.view(flightTile()->tile, frame), {});
     fresh.refine(AnchorFlight{}.view(flightTile()->tile, 200), {});
     EXPECT_EQ(leavesOf(travelled), leavesOf(fresh));
     const auto again = travelled.refine(AnchorFlight{}.view(flightTile()->tile, 200), {});
@@ -83,7 +85,8 @@ TEST(RoamMesh, NoVisibleSampleIsOffByMoreThanTheTolerance)
         mesh.refine(view, {.errorTolerancePx = 3.0});
         std::vector<TriangleRange> ranges;
         mesh.visibleRanges(viewlod::Frustum(glm::dmat4(0.0)), ranges);
-        const auto report = checkDrawnMesh(*flightTile(), mesh.vertices(), gathered(mesh.triangles(), ranges), &view);
+        const auto report =
+            checkDrawnMesh(*flightTile(), mesh.vertices(), gathered(mesh.triangles(), ranges), &view);
         EXPECT_EQ(report.tJunctions + report.cracks, 0u);
         EXPECT_LE(report.maxErrorPx, 3.0);
         worst = std::max(worst, report.maxErrorPx);
@@ -95,7 +98,9 @@ TEST(RoamMesh, NoVisibleSampleIsOffByMoreThanTheTolerance)
     mesh.refine(view, {.errorTolerancePx = 12.0});
     std::vector<TriangleRange> ranges;
     mesh.visibleRanges(viewlod::Frustum(glm::dmat4(0.0)), ranges);
-    EXPECT_GT(checkDrawnMesh(*flightTile(), mesh.vertices(), gathered(mesh.triangles(), ranges), &view).maxErrorPx, 3.0);
+    EXPECT_GT(
+        checkDrawnMesh(*flightTile(), mesh.vertices(), gathered(mesh.triangles(), ranges), &view).maxErrorPx,
+        3.0);
 }
 
 TEST(RoamMesh, CeilingIsNeverExceededAndRaisesTheToleranceForTheWholeFrame)
@@ -110,7 +115,8 @@ TEST(RoamMesh, CeilingIsNeverExceededAndRaisesTheToleranceForTheWholeFrame)
             ASSERT_TRUE(result.ceilingBound);
             ASSERT_GT(result.tolerancePx, 0.5);
             ASSERT_EQ(leavesOf(mesh), meshFromScratch(view, result.tolerancePx));
-            EXPECT_GE(result.leaves, ceiling < 1000 ? 2 : ceiling * 98 / 100); // detail is used where it may be
+            EXPECT_GE(result.leaves,
+                      ceiling < 1000 ? 2 : ceiling * 98 / 100); // detail is used where it may be
         }
     EXPECT_TRUE(mesh.isConforming());
 }
@@ -133,7 +139,8 @@ TEST(RoamMesh, RecordedFlightHasItsGoldenHash)
         std::uint64_t hash = 0;
         for (int frame = 0; frame < AnchorFlight::kFrames; frame += 4)
         {
-            mesh.refine(AnchorFlight{.aboveGroundM = aboveGroundM}.view(flightTile()->tile, frame), {.errorTolerancePx = 2.0});
+            mesh.refine(AnchorFlight{.aboveGroundM = aboveGroundM}.view(flightTile()->tile, frame),
+                        {.errorTolerancePx = 2.0});
             hash = hash * 31 + hashOf(leavesOf(mesh));
         }
         return hash;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <osgTerrainROAM/core/RoamFile.h>
-
 #include <fstream>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include <osgTerrainROAM/core/RoamFile.h>
 
 #include "SyntheticField.h"
 
@@ -76,14 +76,16 @@ TEST(RoamFile, ErrorsNameFileAndLine)
 {
     using testing::HasSubstr;
     EXPECT_THAT(messageOf("# nothing\n"), HasSubstr("place.roam:2: no dem is named"));
-    EXPECT_THAT(messageOf("dem = a.tif\n\ncolour = red\n"), HasSubstr("folder/place.roam:3: unknown key 'colour'"));
+    EXPECT_THAT(messageOf("dem = a.tif\n\ncolour = red\n"),
+                HasSubstr("folder/place.roam:3: unknown key 'colour'"));
     EXPECT_THAT(messageOf("dem = a.tif\nspacing = 3x\n"), HasSubstr("place.roam:2: '3x' is not a number"));
     EXPECT_THAT(messageOf("dem = a.tif\nspacing = nan\n"), HasSubstr("place.roam:2: 'nan' is not a number"));
     EXPECT_THAT(messageOf("dem = a.tif\nspacing = -3\n"), HasSubstr("out of range"));
     EXPECT_THAT(messageOf("dem = a.tif\nspacing = 1 2\n"), HasSubstr("2 numbers"));
     EXPECT_THAT(messageOf("dem = a.tif\norigin = 46\n"), HasSubstr("place.roam:2: origin has 1 numbers"));
     EXPECT_THAT(messageOf("dem = a.tif\norigin = 96 8\n"), HasSubstr("no place on Earth"));
-    EXPECT_THAT(messageOf("dem = a.tif\ndem = b.tif\n"), HasSubstr("place.roam:2: 'dem' stands here a second time"));
+    EXPECT_THAT(messageOf("dem = a.tif\ndem = b.tif\n"),
+                HasSubstr("place.roam:2: 'dem' stands here a second time"));
     EXPECT_THAT(messageOf("dem = a.tif\nplacement = round\n"), HasSubstr("use one of: curved, planar"));
     EXPECT_THAT(messageOf("dem = a.tif\nsun = 10 100\n"), HasSubstr("place.roam:2"));
     EXPECT_THAT(messageOf("dem = a.tif\nmax_triangles =\n"), HasSubstr("has no value"));
@@ -100,7 +102,8 @@ TEST(RoamFile, AMissingDemIsNamedWithItsLine)
     ASSERT_FALSE(file);
     EXPECT_THAT(file.error().place, testing::EndsWith("place.roam:3"));
     EXPECT_THAT(file.error().what, testing::HasSubstr("missing.tif' does not exist"));
-    EXPECT_THAT(readRoamFile(folder / "none.roam").error().message(), testing::HasSubstr("none.roam: cannot be read"));
+    EXPECT_THAT(readRoamFile(folder / "none.roam").error().message(),
+                testing::HasSubstr("none.roam: cannot be read"));
     std::ofstream(folder / "binary.roam") << std::string("dem = a\0b", 9);
     EXPECT_FALSE(readRoamFile(folder / "binary.roam"));
     std::filesystem::remove_all(folder);
@@ -119,10 +122,18 @@ TEST(RoamFile, ATextDamagedAtRandomIsReadOrRefusedWithItsPlace)
             const std::size_t at = random.below(static_cast<std::uint32_t>(text.size()));
             switch (random.below(4))
             {
-            case 0: text[at] = static_cast<char>(random.below(256)); break;
-            case 1: text.erase(at, 1 + random.below(12)); break;
-            case 2: text.insert(at, 1, static_cast<char>(random.below(256))); break;
-            default: text.insert(at, text.substr(random.below(static_cast<std::uint32_t>(text.size())), 20)); break;
+            case 0:
+                text[at] = static_cast<char>(random.below(256));
+                break;
+            case 1:
+                text.erase(at, 1 + random.below(12));
+                break;
+            case 2:
+                text.insert(at, 1, static_cast<char>(random.below(256)));
+                break;
+            default:
+                text.insert(at, text.substr(random.below(static_cast<std::uint32_t>(text.size())), 20));
+                break;
             }
             if (text.empty()) text = "x";
         }

@@ -140,5 +140,55 @@ TEST(RealScenario, ComparisonNoticesATenthOfAMetreOrASmoothedPath)
     EXPECT_GT(deviation(moved, track, 1, 0.0, 100.0).headingDeg, kHeadingToleranceDeg);
 }
 
+/// The polyline that the recorded entity 2 of trajectory-test ran from 1.99 s to 7.99 s: its corners lie where the
+/// recorded straight motions meet, a hundredth of a second before a row. (The scenario itself places its vertices on
+/// a road.)
+std::vector<glm::dvec2> recordedCorners(const SimulatedTrack& track)
+{
+    const auto rowAt = [&](double time)
+    { return static_cast<std::size_t>(std::lround((time - track.timeS.front()) * 10.0)); };
+    const auto place = [&](double time, double shiftS)
+    {
+        const std::size_t row = rowAt(time);
+        return glm::dvec2(track.column(2, "World_Position_X")[row] + shiftS * track.column(2, "Vel_X")[row],
+                          track.column(2, "World_Position_Y")[row] + shiftS * track.column(2, "Vel_Y")[row]);
+    };
+    return {place(2.0, -0.01), place(4.0, -0.01), place(6.0, -0.01), place(7.9, 0.09)};
+}
+
+Scenario cornerScenario(const std::vector<glm::dvec2>& corners)
+{
+    Polyline polyline;
+    for (std::size_t i = 0; i < corners.size(); ++i)
+        polyline.vertices.push_back(
+            {{}, 1.99 + 2.0 * static_cast<double>(i), WorldPosition{{}, corners[i].x, corners[i].y, {}, {}}});
+    FollowTrajectoryAction follow;
+    follow.timing = Timing{Timing::Domain::absolute, 1.0, 0.0};
+    follow.trajectory.shape = polyline;
+    Scenario scenario;
+    for (const char* name : {"Ego", "Target"})
+    {
+        MiscObject object;
+        object.box.lengthM = 4.0;
+        scenario.entities.push_back({{}, name, object});
+    }
+    scenario.storyboard.init.privates.push_back({{}, "Target", {follow}});
+    return scenario;
+}
+
+TEST(RealScenario, TimedPolylineWithoutHeadingsPlaysAsRecorded)
+{
+    SKIP_WITHOUT_REAL_DATA();
+    const SimulatedTrack track = readSimulatedTrack(*realData() / "openscenario" / "esmini" / "tracks" /
+                                                    "trajectory-test.10hz.csv.gz");
+    std::vector<glm::dvec2> corners = recordedCorners(track);
+    const Deviation worst = deviation(cornerScenario(corners), track, 2, 1.999, 7.95);
+    EXPECT_EQ(worst.rows, 60u);
+    EXPECT_LT(worst.positionM, kPositionToleranceM);
+    EXPECT_LT(worst.headingDeg, kHeadingToleranceDeg);
+    corners[1].y += 0.1;
+    EXPECT_GT(deviation(cornerScenario(corners), track, 2, 1.999, 7.95).positionM, kPositionToleranceM);
+}
+
 } // namespace
 } // namespace trainer

@@ -27,7 +27,8 @@ TEST(Frustum, SphereAheadIsInsideAndCrossesNothing)
 
 TEST(Frustum, SphereBehindAsideAndBeyondIsOutside)
 {
-    for (const glm::dvec3 centre : {glm::dvec3(0, -100, 0), {200, 100, 0}, {-200, 100, 0}, {0, 100, 200}, {0, 2000, 0}})
+    for (const glm::dvec3 centre :
+         {glm::dvec3(0, -100, 0), {200, 100, 0}, {-200, 100, 0}, {0, 100, 200}, {0, 2000, 0}})
         EXPECT_TRUE(lookingNorth().classify(centre, 5.0).outside);
 }
 

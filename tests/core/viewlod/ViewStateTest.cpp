@@ -15,8 +15,9 @@ using viewlod::ViewState;
 ViewState sixtyDegrees()
 {
     const double aspect = 1280.0 / 1024.0, fovY = 2.0 * std::atan(std::tan(glm::radians(30.0)) / aspect);
-    return ViewState::fromMatrices(glm::lookAt(glm::dvec3(1e5, 2e5, 300), glm::dvec3(1e5, 3e5, 300), glm::dvec3(0, 0, 1)),
-                                   glm::perspective(fovY, aspect, 2.0, 1e5), 1280, 1024);
+    return ViewState::fromMatrices(
+        glm::lookAt(glm::dvec3(1e5, 2e5, 300), glm::dvec3(1e5, 3e5, 300), glm::dvec3(0, 0, 1)),
+        glm::perspective(fovY, aspect, 2.0, 1e5), 1280, 1024);
 }
 
 TEST(ViewState, ComesFromMatricesAsTheyAre)
@@ -34,7 +35,8 @@ TEST(ViewState, CornersStretchPixelsAsTheSpecificationSays)
 
 TEST(ViewState, OffAxisFrustumHasItsFarCornerCounted)
 {
-    const ViewState view = ViewState::fromMatrices(glm::dmat4(1.0), glm::frustum(-1.0, 3.0, -1.0, 1.0, 1.0, 100.0), 400, 200);
+    const ViewState view =
+        ViewState::fromMatrices(glm::dmat4(1.0), glm::frustum(-1.0, 3.0, -1.0, 1.0, 1.0, 100.0), 400, 200);
     EXPECT_NEAR(view.cornerStretch, 1.0 + 9.0 + 1.0, 1e-12);
     EXPECT_NEAR(view.pixelsPerTangent, 100.0, 1e-12);
 }

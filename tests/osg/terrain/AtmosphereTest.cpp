@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <osgTerrainROAM/Atmosphere>
-
 #include <cmath>
 
 #include <gtest/gtest.h>
+
+#include <osgTerrainROAM/Atmosphere>
 
 namespace
 {
@@ -17,7 +17,10 @@ AtmosphereSettings withSun(double elevationDeg)
     return settings;
 }
 
-float brightness(const osg::Vec3f& c) { return (c.x() + c.y() + c.z()) / 3.0f; }
+float brightness(const osg::Vec3f& c)
+{
+    return (c.x() + c.y() + c.z()) / 3.0f;
+}
 
 } // namespace
 
@@ -95,7 +98,8 @@ TEST(Atmosphere, ApplyingChangesTheSameUniforms)
     osg::Vec3f extinction;
     ASSERT_TRUE(shared->getUniform("atmosphereExtinction")->get(extinction));
     EXPECT_NEAR(std::exp(-extinction.y() * 100.0f), 0.05f, 1e-3f);
-    EXPECT_EQ(air->stateSet()->getDataVariance(), osg::Object::DYNAMIC) << "frames being drawn must be waited for";
+    EXPECT_EQ(air->stateSet()->getDataVariance(), osg::Object::DYNAMIC)
+        << "frames being drawn must be waited for";
 }
 
 TEST(Atmosphere, AnglesAreClockwiseFromNorth)

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <osgTerrainROAM/Climate>
-
 #include <cmath>
 
 #include <gtest/gtest.h>
+
+#include <osgTerrainROAM/Climate>
 
 using namespace osgTerrainROAM;
 

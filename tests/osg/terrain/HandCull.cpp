@@ -18,8 +18,10 @@ struct TriangleCount
 
 void collect(const osgUtil::StateGraph& graph, std::vector<osg::ref_ptr<osg::Drawable>>& drawables)
 {
-    for (const auto& leaf : graph._leaves) drawables.push_back(leaf->_drawable);
-    for (const auto& [stateSet, child] : graph._children) collect(*child, drawables);
+    for (const auto& leaf : graph._leaves)
+        drawables.push_back(leaf->_drawable);
+    for (const auto& [stateSet, child] : graph._children)
+        collect(*child, drawables);
 }
 
 } // namespace

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "view/MeshPacket.h"
+
 #include <cstring>
 
 #include <gtest/gtest.h>
 
 #include "SyntheticField.h"
-#include "view/MeshPacket.h"
 #include "view/ViewGroup.h"
 
 namespace
@@ -51,7 +52,8 @@ struct Buffers
                 {
                     const std::uint32_t slot = triangles[i].vertices[corner];
                     if (slot != mesh.triangles()[i].vertices[corner]) return false;
-                    if (std::memcmp(&vertices[slot], &mesh.vertices()[slot], sizeof(core::MeshVertex)) != 0) return false;
+                    if (std::memcmp(&vertices[slot], &mesh.vertices()[slot], sizeof(core::MeshVertex)) != 0)
+                        return false;
                 }
         return true;
     }

@@ -76,7 +76,8 @@ TEST_F(RoamPlugin, SaysFilePlaceAndRemedy)
 
 TEST_F(RoamPlugin, LeavesOtherNamesToOthers)
 {
-    const auto result = osgDB::Registry::instance()->getReaderWriterForExtension("roam")->readNode("a.tif", nullptr);
+    const auto result =
+        osgDB::Registry::instance()->getReaderWriterForExtension("roam")->readNode("a.tif", nullptr);
     EXPECT_EQ(result.status(), osgDB::ReaderWriter::ReadResult::FILE_NOT_HANDLED);
 }
 

@@ -19,7 +19,8 @@ using osgTerrainROAM::RoamDrawable;
 /// 200×150 samples, 30 m apart; the data end inside the 257² tile.
 osg::ref_ptr<RoamDrawable> drawableOf(double tolerancePx = 2.0)
 {
-    osg::ref_ptr<RoamDrawable> drawable = new RoamDrawable(testsupport::planarTile(testsupport::hills(200, 150)));
+    osg::ref_ptr<RoamDrawable> drawable =
+        new RoamDrawable(testsupport::planarTile(testsupport::hills(200, 150)));
     drawable->setErrorTolerancePx(tolerancePx);
     return drawable;
 }
@@ -78,7 +79,8 @@ TEST(RoamDrawableCull, RefinesOnceForOneEyeInOneFrame)
     const auto first = drawable->statistics().front();
     EXPECT_GT(first.refine.splits, 0u);
     cull(*drawable, *camera, 1);
-    EXPECT_EQ(drawable->statistics().front().adaptUs, first.adaptUs) << "the second cull must not refine again";
+    EXPECT_EQ(drawable->statistics().front().adaptUs, first.adaptUs)
+        << "the second cull must not refine again";
     cull(*drawable, *camera, 2);
     EXPECT_EQ(drawable->statistics().front().refine.splits, 0u);
     EXPECT_EQ(drawable->statistics().front().frame, 2u);
@@ -91,7 +93,8 @@ TEST(RoamDrawableCull, ATransformMovesTheEyeIntoTheTilesFrame)
     const std::uint64_t expected = cull(*plain, *camera, 1).triangles();
 
     const auto moved = drawableOf();
-    const osg::Matrixd placing = osg::Matrixd::rotate(0.7, 0, 0, 1) * osg::Matrixd::translate(50000, -20000, 10);
+    const osg::Matrixd placing =
+        osg::Matrixd::rotate(0.7, 0, 0, 1) * osg::Matrixd::translate(50000, -20000, 10);
     const osg::ref_ptr<osg::MatrixTransform> transform = new osg::MatrixTransform(placing);
     transform->addChild(moved);
     camera->setViewMatrixAsLookAt(kEye * placing, kNorth * placing, osg::Vec3d(0, 0, 1));
@@ -104,7 +107,8 @@ TEST(RoamDrawableCull, TheNearPlaneDoesNotCutTheGroundUnderADriver)
     const auto drawable = drawableOf();
     const auto& tile = drawable->tile()->tile;
     osg::Vec3d ground;
-    for (int i = 0; i < 3; ++i) ground[i] = tile.position(100, 75)[i];
+    for (int i = 0; i < 3; ++i)
+        ground[i] = tile.position(100, 75)[i];
     const auto camera = cameraAt(ground + osg::Vec3d(0, 0, 1.5), ground + osg::Vec3d(0, 300, -30));
     const Culled culled = cull(*drawable, *camera, 1, true);
     double left, right, bottom, top, nearM, farM;

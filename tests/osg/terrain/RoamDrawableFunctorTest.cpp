@@ -8,8 +8,9 @@
 #include <osgUtil/LineSegmentIntersector>
 #include <osgUtil/Statistics>
 
-#include <osgTerrainROAM/RoamTerrain>
 #include <osgTerrainROAM/core/heightfield/GroundQuery.h>
+
+#include <osgTerrainROAM/RoamTerrain>
 
 #include "HandCull.h"
 #include "SyntheticField.h"
@@ -42,7 +43,8 @@ struct Ground
         const double cross = (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
         if (cross < 0.0) ++downward;
         area2 += cross;
-        for (const osg::Vec3& p : {a, b, c}) box.expandBy(p);
+        for (const osg::Vec3& p : {a, b, c})
+            box.expandBy(p);
     }
 };
 
@@ -73,7 +75,8 @@ TEST(RoamDrawableFunctor, CoversExactlyTheDataWithUpwardTriangles)
 TEST(RoamDrawableFunctor, AMissingRangeShowsInTheArea)
 {
     // The mutation for the test above: one region less.
-    osgTerrainROAM::core::RoamMesh mesh(testsupport::planarTile(testsupport::hills(kColumns, kRows, kSpacingM)));
+    osgTerrainROAM::core::RoamMesh mesh(
+        testsupport::planarTile(testsupport::hills(kColumns, kRows, kSpacingM)));
     mesh.refine(1.0);
     std::vector<osgTerrainROAM::core::TriangleRange> ranges;
     for (std::uint32_t i = 0; i < mesh.tree().leaves().regionCount(); ++i)
@@ -90,7 +93,8 @@ TEST(RoamDrawableFunctor, BoundsHoldEveryTriangleTightly)
     terrain->drawable()->setDefaultErrorM(0.0);
     const auto ground = groundOf(*terrain->drawable());
     const osg::BoundingBox& box = terrain->drawable()->getBoundingBox();
-    for (unsigned int i = 0; i < 8; ++i) EXPECT_TRUE(box.contains(ground.box.corner(i)));
+    for (unsigned int i = 0; i < 8; ++i)
+        EXPECT_TRUE(box.contains(ground.box.corner(i)));
     EXPECT_LT(box.zMax() - ground.box.zMax(), 0.1);
     EXPECT_LT(ground.box.zMin() - box.zMin(), 0.1);
     EXPECT_TRUE(terrain->getBound().valid());

@@ -138,12 +138,14 @@ TEST(ViewGroups, AShadowCameraUsesItsMainViewsMesh)
     shadow->setReferenceFrame(osg::Transform::ABSOLUTE_RF_INHERIT_VIEWPOINT);
     shadow->setRenderOrder(osg::Camera::PRE_RENDER);
     shadow->setViewport(0, 0, 512, 512);
-    shadow->setViewMatrixAsLookAt(osg::Vec3d(1900, 1900, 6000), osg::Vec3d(1900, 1900.1, 0), osg::Vec3d(0, 0, 1));
+    shadow->setViewMatrixAsLookAt(osg::Vec3d(1900, 1900, 6000), osg::Vec3d(1900, 1900.1, 0),
+                                  osg::Vec3d(0, 0, 1));
     shadow->setProjectionMatrixAsOrtho(-2500, 2500, -2500, 2500, 1, 10000);
     shadow->addChild(drawable);
     scene->addChild(drawable);
     scene->addChild(shadow);
-    for (unsigned int frame = 1; frame < 4; ++frame) cull(*scene, *main, frame);
+    for (unsigned int frame = 1; frame < 4; ++frame)
+        cull(*scene, *main, frame);
     ASSERT_EQ(drawable->statistics().size(), 1u);
     EXPECT_EQ(drawable->statistics().front().cameras, 1u);
 
@@ -188,6 +190,8 @@ TEST(ViewGroups, ManyThreadsMayCullAndReadAtOnce)
         }
     };
     std::vector<std::thread> threads;
-    for (unsigned int i = 0; i < 4; ++i) threads.emplace_back(work, i);
-    for (std::thread& thread : threads) thread.join();
+    for (unsigned int i = 0; i < 4; ++i)
+        threads.emplace_back(work, i);
+    for (std::thread& thread : threads)
+        thread.join();
 }

@@ -11,9 +11,9 @@ namespace viewlod
 /// an error: the result reports the error reached.
 struct Budget
 {
-    double errorTolerancePx = 1.0;                                     ///< τ: refine while the bound exceeds it
+    double errorTolerancePx = 1.0; ///< τ: refine while the bound exceeds it
     std::uint32_t maxTriangles = std::numeric_limits<std::uint32_t>::max(); ///< never exceeded
-    double maxTimeUs = std::numeric_limits<double>::infinity();        ///< thread time for adapting
+    double maxTimeUs = std::numeric_limits<double>::infinity();             ///< thread time for adapting
 };
 
 } // namespace viewlod

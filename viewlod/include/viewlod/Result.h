@@ -53,6 +53,9 @@ private:
 /// The result of an action that has no value to return.
 using Outcome = Result<std::monostate>;
 
-inline Outcome success() { return std::monostate{}; }
+inline Outcome success()
+{
+    return std::monostate{};
+}
 
 } // namespace viewlod

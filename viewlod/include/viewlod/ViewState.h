@@ -20,13 +20,14 @@ struct ViewState
     glm::dmat4 clipFromWorld{1.0}; ///< projection × view; the tests project with it
     Frustum frustum;
     double pixelsPerTangent = 0.0; ///< K of spec 1: pixels per unit of tangent at the picture's centre
-    double cornerStretch = 1.0;    ///< 1/cos² of the angle to the farthest corner: what a pixel grows by there
-    double nearM = 1.0;            ///< distance under which nothing is guaranteed
+    double cornerStretch = 1.0; ///< 1/cos² of the angle to the farthest corner: what a pixel grows by there
+    double nearM = 1.0;         ///< distance under which nothing is guaranteed
     int widthPx = 0;
     int heightPx = 0;
 
     /// From an OpenGL view and (possibly off-axis) perspective projection matrix and the viewport in pixels.
-    static ViewState fromMatrices(const glm::dmat4& view, const glm::dmat4& projection, int widthPx, int heightPx)
+    static ViewState fromMatrices(const glm::dmat4& view, const glm::dmat4& projection, int widthPx,
+                                  int heightPx)
     {
         ViewState state;
         state.eyeWorld = glm::dvec3(glm::inverse(view)[3]);
@@ -34,7 +35,8 @@ struct ViewState
         state.frustum = Frustum(state.clipFromWorld);
         state.widthPx = widthPx;
         state.heightPx = heightPx;
-        state.pixelsPerTangent = std::max(0.5 * widthPx * projection[0][0], 0.5 * heightPx * projection[1][1]);
+        state.pixelsPerTangent =
+            std::max(0.5 * widthPx * projection[0][0], 0.5 * heightPx * projection[1][1]);
         // The edges of an off-axis frustum in tangents: (±1 + offset) / scale.
         const double tangentX = (1.0 + std::abs(projection[2][0])) / projection[0][0];
         const double tangentY = (1.0 + std::abs(projection[2][1])) / projection[1][1];

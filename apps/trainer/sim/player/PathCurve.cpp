@@ -14,6 +14,7 @@ namespace
 constexpr std::size_t kWrapVertices = 8;    ///< a spline forgets a knot by a factor of 0.27 per knot
 constexpr std::size_t kTableDivisions = 32; ///< of a curved segment, in the table of distances
 constexpr double kStandstillM = 1e-9;
+constexpr double kCornerM = 2.0;
 
 /// Continues a closed path over its own ends, so that the natural spline inside is nearly periodic.
 std::vector<PathVertex> wrappedVertices(const std::vector<PathVertex>& vertices, double period)
@@ -38,6 +39,29 @@ double near(double angle, double reference)
 {
     return angle + 2.0 * std::numbers::pi * std::round((reference - angle) / (2.0 * std::numbers::pi));
 }
+
+/// Headings at rising parameters, unwrapped.
+class HeadingKnots
+{
+public:
+    void append(double parameter, double heading)
+    {
+        if (!_parameters.empty() && !(parameter > _parameters.back())) return;
+        _parameters.push_back(parameter);
+        _headings.push_back(_headings.empty() ? heading : near(heading, _headings.back()));
+    }
+
+    std::optional<CubicSpline> spline()
+    {
+        if (_parameters.empty()) return std::nullopt;
+        if (_parameters.size() == 1) append(_parameters.back() + 1.0, _headings.back());
+        return CubicSpline(_parameters, _headings, CubicSpline::Kind::linear);
+    }
+
+private:
+    std::vector<double> _parameters;
+    std::vector<double> _headings;
+};
 
 template<class Get>
 std::vector<double> collect(const std::vector<PathVertex>& vertices, Get get)
@@ -100,32 +124,45 @@ void PathCurve::buildAngles(const std::vector<PathVertex>& vertices)
     _roll = angleSpline(vertices, &Orientation::rollRad, kind);
     if (_mode == FollowingMode::follow)
         _heading = angleSpline(vertices, &Orientation::headingRad, kind);
+    else if (std::all_of(vertices.begin(), vertices.end(),
+                         [](const PathVertex& vertex) { return vertex.orientation.headingRad.has_value(); }))
+        buildGivenHeadings(vertices);
     else
         buildSegmentHeadings(vertices);
 }
 
+void PathCurve::buildGivenHeadings(const std::vector<PathVertex>& vertices)
+{
+    HeadingKnots knots;
+    for (std::size_t i = 0; i + 1 < vertices.size(); ++i)
+        knots.append(0.5 * (vertices[i].parameter + vertices[i + 1].parameter),
+                     *vertices[i].orientation.headingRad);
+    knots.append(vertices.back().parameter, *vertices.back().orientation.headingRad);
+    _heading = knots.spline();
+}
+
 void PathCurve::buildSegmentHeadings(const std::vector<PathVertex>& vertices)
 {
-    std::vector<double> knots;
-    std::vector<double> headings;
-    const auto append = [&](double knot, double heading)
-    {
-        knots.push_back(knot);
-        headings.push_back(headings.empty() ? heading : near(heading, headings.back()));
-    };
+    HeadingKnots knots;
+    std::optional<double> before;
+    double beforeShare = 0.0; // of the last segment, in parameters, that its end's turn takes
     for (std::size_t i = 0; i + 1 < vertices.size(); ++i)
     {
         const glm::dvec3 along = vertices[i + 1].position - vertices[i].position;
-        const bool stands = std::hypot(along.x, along.y) < kStandstillM;
-        if (!vertices[i].orientation.headingRad && stands) continue;
-        append(0.5 * (vertices[i].parameter + vertices[i + 1].parameter),
-               vertices[i].orientation.headingRad.value_or(std::atan2(along.y, along.x)));
+        if (std::hypot(along.x, along.y) < kStandstillM) continue;
+        const double width = vertices[i + 1].parameter - vertices[i].parameter;
+        const double share = width * std::min(0.5, kCornerM / glm::length(along));
+        const double heading = near(std::atan2(along.y, along.x), before.value_or(0.0));
+        if (before)
+        {
+            knots.append(vertices[i].parameter - beforeShare, *before);
+            knots.append(vertices[i].parameter, 0.5 * (*before + heading));
+        }
+        knots.append(vertices[i].parameter + (before ? share : 0.0), heading);
+        before = heading;
+        beforeShare = share;
     }
-    if (const std::optional<double>& last = vertices.back().orientation.headingRad)
-        append(vertices.back().parameter, *last);
-    if (knots.empty()) return;
-    if (knots.size() == 1) append(knots.back() + 1.0, headings.back());
-    _heading = CubicSpline(std::move(knots), std::move(headings), CubicSpline::Kind::linear);
+    _heading = knots.spline();
 }
 
 /// Distances at the knots, and inside the segments of a spline, where each small piece is measured with Simpson's

@@ -36,8 +36,9 @@ struct PathPoint
 };
 
 /// A polyline as a curve. It meets every vertex exactly at its parameter, in both modes:
-/// - `position`: straight from vertex to vertex. Headings, given or along the segments, are reached in the middle of
-///   the segment that the vertex begins, and turn evenly from middle to middle (esmini plays it so);
+/// - `position`: straight from vertex to vertex. Headings that the vertices give are reached in the middle of the
+///   segment that the vertex begins, and turn evenly from middle to middle; where they leave theirs out, the heading is
+///   the segment's, and turns within 2 m before and after each corner (esmini plays both so);
 /// - `follow`: the natural cubic spline through the vertices, so that speed, bank and pitch do not jump. Headings are
 ///   the curve's own where any vertex leaves its own out, else the spline through them.
 /// Pitch and roll: interpolated when every vertex gives one, else absent.
@@ -64,6 +65,7 @@ public:
 private:
     double wrapped(double parameter) const;
     void buildAngles(const std::vector<PathVertex>& vertices);
+    void buildGivenHeadings(const std::vector<PathVertex>& vertices);
     void buildSegmentHeadings(const std::vector<PathVertex>& vertices);
     void buildDistances();
 

@@ -28,9 +28,8 @@ struct Choice
     HeightProfile profile;
 };
 
-Choice bestChoice(const TourTerrain& terrain, const TourScale& scale)
+Choice bestChoice(const TourTerrain& terrain, const ReliefMap& map, const TourScale& scale)
 {
-    const ReliefMap map(terrain);
     Choice best;
     double bestScore = -1e300;
     for (const FlightPlan& plan : flightPlans(terrain, map, scale))
@@ -105,8 +104,9 @@ viewlod::Result<Tour> layTour(const TourTerrain& terrain, const TourOptions& opt
         !std::isfinite(terrain.widthM() + terrain.depthM()))
         return viewlod::Error{"tour", "the terrain has no extent", "give a terrain of two samples at least"};
     const TourScale scale = TourScale::of(terrain, options.durationS);
-    const Choice choice = bestChoice(terrain, scale);
-    if (choice.plan.places.empty() || !std::isfinite(choice.profile.smallestClearanceM()))
+    const ReliefMap map(terrain);
+    const Choice choice = bestChoice(terrain, map, scale);
+    if (!map.isFinite() || choice.plan.places.empty())
         return viewlod::Error{"tour", "the terrain has heights that are not numbers", "fill its voids"};
 
     std::vector<PathVertex> vertices = timedVertices(choice, options.durationS);

@@ -70,6 +70,7 @@ void ReliefMap::sampleHeights(const TourTerrain& terrain)
                 const glm::dvec2 place = centre(column, row) + offset * _cellM;
                 const double bend = terrain.origin ? glm::dot(place, place) / (2.0 * kEarthRadiusM) : 0.0;
                 const double height = terrain.heightM(place.x, place.y) + bend;
+                _isFinite = _isFinite && std::isfinite(height);
                 high = std::max(high, height);
                 low = std::min(low, height);
             }

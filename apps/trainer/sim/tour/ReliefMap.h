@@ -16,6 +16,9 @@ class ReliefMap
 public:
     explicit ReliefMap(const TourTerrain& terrain);
 
+    /// False when any sampled height is infinite or not a number.
+    bool isFinite() const { return _isFinite; }
+
     int columns() const { return _columns; }
     int rows() const { return _rows; }
     glm::dvec2 centre(int column, int row) const;
@@ -48,6 +51,7 @@ private:
     int _columns = 0;
     int _rows = 0;
     double _reliefM = 0.0;
+    bool _isFinite = true;
     std::vector<double> _heights; ///< highest sample of the cell
     std::vector<double> _lows;    ///< lowest
     std::vector<double> _prominence;

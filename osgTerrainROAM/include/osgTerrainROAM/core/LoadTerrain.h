@@ -13,7 +13,8 @@ namespace osgTerrainROAM::core
 
 /// What a terrain file says: a .roam text is read, any other file is taken for the elevation raster itself, with
 /// `import` and everything else at its default. Errors: as readRoamFile; a missing raster shows in loadTile.
-viewlod::Result<RoamFile> describeTerrain(const std::filesystem::path& file, const DemImportOptions& import = {});
+viewlod::Result<RoamFile> describeTerrain(const std::filesystem::path& file,
+                                          const DemImportOptions& import = {});
 
 /// Imports and places the samples that a description names. Errors: as importDem.
 viewlod::Result<PlacedTile> loadTile(const RoamFile& description);

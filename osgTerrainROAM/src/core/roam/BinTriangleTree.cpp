@@ -2,10 +2,10 @@
 // ROAM's triangle bintree: split, forced split and the merge of diamonds after Duchaineau et al. 1997, §4.
 // Differences: an index pool instead of pointers, children in pairs, vertices shared through slots, and each
 // node keeps the error bound of its split vertex, so that the walk touches one cache line a triangle.
-#include <osgTerrainROAM/core/roam/BinTriangleTree.h>
-
 #include <algorithm>
 #include <cassert>
+
+#include <osgTerrainROAM/core/roam/BinTriangleTree.h>
 
 namespace osgTerrainROAM::core
 {
@@ -22,7 +22,8 @@ BinTriangleTree::BinTriangleTree(std::shared_ptr<const RoamTile> tile)
     const SampleIndex last = side - 1;
     const std::uint32_t southWest = addVertex(0), southEast = addVertex(last);
     const std::uint32_t northWest = addVertex(last * side), northEast = addVertex(last * side + last);
-    const std::uint32_t corners[2][3] = {{southEast, northEast, southWest}, {northWest, southWest, northEast}};
+    const std::uint32_t corners[2][3] = {{southEast, northEast, southWest},
+                                         {northWest, southWest, northEast}};
     takePair();
     for (const NodeIndex root : kRoots)
     {
@@ -97,7 +98,8 @@ bool BinTriangleTree::overlapsData(const BinTriangle& t) const
         west = std::min(west, _sampleOfVertex[vertex] % side);
         south = std::min(south, _sampleOfVertex[vertex] / side);
     }
-    return static_cast<int>(west) < _tile->tile.dataColumns() - 1 && static_cast<int>(south) < _tile->tile.dataRows() - 1;
+    return static_cast<int>(west) < _tile->tile.dataColumns() - 1 &&
+           static_cast<int>(south) < _tile->tile.dataRows() - 1;
 }
 
 void BinTriangleTree::insertLeaf(NodeIndex t)
@@ -136,7 +138,8 @@ void BinTriangleTree::splitOne(NodeIndex t, std::uint32_t middle)
     BinTriangle& parent = _nodes[t];
     parent.firstChild = pair;
     const std::uint32_t apex = parent.vertices[kApex];
-    const std::uint32_t corners[2][3] = {{middle, apex, parent.vertices[kLeft]}, {middle, parent.vertices[kRight], apex}};
+    const std::uint32_t corners[2][3] = {{middle, apex, parent.vertices[kLeft]},
+                                         {middle, parent.vertices[kRight], apex}};
     const NodeIndex outer[2] = {parent.left, parent.right};
     for (int which = 0; which < 2; ++which)
     {
@@ -146,7 +149,8 @@ void BinTriangleTree::splitOne(NodeIndex t, std::uint32_t middle)
         child.parent = t;
         child.base = outer[which];
         child.level = static_cast<std::uint8_t>(parent.level + 1);
-        child.path = child.level <= _regionLevel ? static_cast<std::uint16_t>(2 * parent.path + which) : parent.path;
+        child.path =
+            child.level <= _regionLevel ? static_cast<std::uint16_t>(2 * parent.path + which) : parent.path;
         completeNode(child);
         replaceNeighbour(outer[which], t, pair + static_cast<NodeIndex>(which));
         insertLeaf(pair + static_cast<NodeIndex>(which));
@@ -159,7 +163,8 @@ std::uint32_t BinTriangleTree::forceSplit(NodeIndex t)
 {
     assert(canSplit(t));
     std::uint32_t splits = 0;
-    if (const NodeIndex base = _nodes[t].base; base != kNone && _nodes[base].base != t) splits += forceSplit(base);
+    if (const NodeIndex base = _nodes[t].base; base != kNone && _nodes[base].base != t)
+        splits += forceSplit(base);
 
     const NodeIndex partner = _nodes[t].base; // forced or not, now of the same level
     const std::uint32_t middle = addVertex(_nodes[t].splitSample);

@@ -36,7 +36,8 @@ using EdgeOwners = std::map<std::pair<SampleIndex, SampleIndex>, NodeIndex>;
 
 std::vector<NodeIndex> leavesOf(const BinTriangleTree& tree)
 {
-    std::vector<NodeIndex> open(std::begin(BinTriangleTree::kRoots), std::end(BinTriangleTree::kRoots)), leaves;
+    std::vector<NodeIndex> open(std::begin(BinTriangleTree::kRoots), std::end(BinTriangleTree::kRoots)),
+        leaves;
     while (!open.empty())
     {
         const NodeIndex t = open.back();
@@ -66,7 +67,8 @@ bool BinTriangleTree::isConforming() const
         for (int i = 0; i < 3; ++i)
         {
             s[i] = _sampleOfVertex[node.vertices[i]];
-            if (slotOfSample.try_emplace(s[i], node.vertices[i]).first->second != node.vertices[i]) return false;
+            if (slotOfSample.try_emplace(s[i], node.vertices[i]).first->second != node.vertices[i])
+                return false;
         }
         const std::int64_t area = grid.doubleArea(s[0], s[1], s[2]);
         if (area <= 0) return false;
@@ -88,7 +90,8 @@ bool BinTriangleTree::isConforming() const
     for (const NodeIndex t : leaves)
     {
         const BinTriangle& node = _nodes[t];
-        if (!acrossEdge(t, 0, node.left) || !acrossEdge(t, 1, node.base) || !acrossEdge(t, 2, node.right)) return false;
+        if (!acrossEdge(t, 0, node.left) || !acrossEdge(t, 1, node.base) || !acrossEdge(t, 2, node.right))
+            return false;
     }
     return leaves.size() == _leafCount && drawn == _leaves.leafCount() && _leaves.isConsistent() &&
            slotOfSample.size() + _freeVertices.size() == _vertices.size() &&

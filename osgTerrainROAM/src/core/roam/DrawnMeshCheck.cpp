@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <osgTerrainROAM/core/roam/DrawnMeshCheck.h>
-
 #include <algorithm>
 #include <cmath>
 
 #include <viewlod/ScreenError.h>
 
+#include <osgTerrainROAM/core/roam/DrawnMeshCheck.h>
 #include <osgTerrainROAM/core/roam/GridTriangle.h>
 
 namespace osgTerrainROAM::core
@@ -14,9 +13,15 @@ namespace osgTerrainROAM::core
 namespace
 {
 
-glm::dvec3 positionOf(const MeshVertex& v) { return glm::dvec3(v.positionHigh) + glm::dvec3(v.positionLow); }
+glm::dvec3 positionOf(const MeshVertex& v)
+{
+    return glm::dvec3(v.positionHigh) + glm::dvec3(v.positionLow);
+}
 
-GridPoint gridOf(const MeshVertex& v) { return {static_cast<int>(v.grid.x), static_cast<int>(v.grid.y)}; }
+GridPoint gridOf(const MeshVertex& v)
+{
+    return {static_cast<int>(v.grid.x), static_cast<int>(v.grid.y)};
+}
 
 /// Directed edges as sorted keys: an edge is sound when its reverse is there, too.
 std::size_t unsharedEdges(const PlacedTile& tile, std::span<const MeshVertex> vertices,
@@ -39,7 +44,8 @@ std::size_t unsharedEdges(const PlacedTile& tile, std::span<const MeshVertex> ve
         const std::uint64_t side = tile.side();
         const std::uint64_t lastColumn = tile.dataColumns() - 1, lastRow = tile.dataRows() - 1;
         const auto both = [&](auto holds) { return holds(a) && holds(b); };
-        return both([&](std::uint64_t p) { return p % side == 0; }) || both([&](std::uint64_t p) { return p / side == 0; }) ||
+        return both([&](std::uint64_t p) { return p % side == 0; }) ||
+               both([&](std::uint64_t p) { return p / side == 0; }) ||
                both([&](std::uint64_t p) { return p % side >= lastColumn; }) ||
                both([&](std::uint64_t p) { return p / side >= lastRow; });
     };
@@ -47,7 +53,8 @@ std::size_t unsharedEdges(const PlacedTile& tile, std::span<const MeshVertex> ve
     for (const std::uint64_t edge : edges)
     {
         const std::uint64_t from = edge >> 32, to = edge & 0xffffffffu;
-        if (!std::binary_search(edges.begin(), edges.end(), to << 32 | from) && !atDataBorder(from, to)) ++unshared;
+        if (!std::binary_search(edges.begin(), edges.end(), to << 32 | from) && !atDataBorder(from, to))
+            ++unshared;
     }
     return unshared;
 }
@@ -57,7 +64,8 @@ class SampleSweep
 {
 public:
     SampleSweep(const RoamTile& tile, const viewlod::ViewState* view)
-        : _tile(tile), _view(view),
+        : _tile(tile),
+          _view(view),
           _covered(static_cast<std::size_t>(tile.tile.dataColumns()) * tile.tile.dataRows(), false)
     {
     }
@@ -73,7 +81,8 @@ public:
                             {
                                 for (int column = west; column <= east; ++column)
                                 {
-                                    _covered[static_cast<std::size_t>(row) * placed.dataColumns() + column] = true;
+                                    _covered[static_cast<std::size_t>(row) * placed.dataColumns() + column] =
+                                        true;
                                     if (!projected) continue;
                                     const auto b = triangle.at(column, row);
                                     compare(placed.position(column, row), a + du * b.u + dw * b.w);
@@ -86,7 +95,8 @@ public:
 
 private:
     /// The samples of a triangle lie within its error of it, so a sphere around both tells whether any can be seen.
-    bool mayBeSeen(const GridTriangle& t, const glm::dvec3& a, const glm::dvec3& du, const glm::dvec3& dw) const
+    bool mayBeSeen(const GridTriangle& t, const glm::dvec3& a, const glm::dvec3& du,
+                   const glm::dvec3& dw) const
     {
         const GridPoint mid = middle(t.left, t.right);
         const bool finest = (t.left.column + t.right.column) % 2 != 0 || (t.left.row + t.right.row) % 2 != 0;
@@ -100,7 +110,9 @@ private:
     void compare(const glm::dvec3& sample, const glm::dvec3& drawn)
     {
         const auto wanted = viewlod::projectPx(*_view, sample);
-        if (!wanted || wanted->x < 0 || wanted->y < 0 || wanted->x > _view->widthPx || wanted->y > _view->heightPx) return;
+        if (!wanted || wanted->x < 0 || wanted->y < 0 || wanted->x > _view->widthPx ||
+            wanted->y > _view->heightPx)
+            return;
         const auto shown = viewlod::projectPx(*_view, drawn);
         const double error = shown ? glm::distance(*wanted, *shown) : std::numeric_limits<double>::infinity();
         _maxErrorPx = std::max(_maxErrorPx, error);
@@ -114,7 +126,8 @@ private:
 
 } // namespace
 
-std::vector<LeafTriangle> gathered(std::span<const LeafTriangle> triangles, std::span<const TriangleRange> ranges)
+std::vector<LeafTriangle> gathered(std::span<const LeafTriangle> triangles,
+                                   std::span<const TriangleRange> ranges)
 {
     std::vector<LeafTriangle> all;
     for (const TriangleRange& range : ranges)
@@ -137,7 +150,8 @@ DrawnMeshReport checkDrawnMesh(const RoamTile& tile, std::span<const MeshVertex>
         {
             const GridPoint p = gridOf(vertices[v]);
             // High and low float together keep 2^-48 of a coordinate: 0.1 mm of slack is far more.
-            if (glm::distance(positionOf(vertices[v]), tile.tile.position(p.column, p.row)) > 1e-4) ++report.cracks;
+            if (glm::distance(positionOf(vertices[v]), tile.tile.position(p.column, p.row)) > 1e-4)
+                ++report.cracks;
         }
         sweep.visit(vertices[t.vertices[0]], vertices[t.vertices[1]], vertices[t.vertices[2]]);
     }

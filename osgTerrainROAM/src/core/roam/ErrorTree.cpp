@@ -2,14 +2,13 @@
 // Exact error bounds of a triangle bintree: every data sample is compared with the plane of every triangle that
 // holds it, then errors and radii are nested over the diamonds (spec 1 D; Lindstrom & Pascucci 2001 nest so too,
 // but bound the error of a triangle by its split vertex alone, which is no bound on the samples in between).
-#include <osgTerrainROAM/core/roam/ErrorTree.h>
-
 #include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <limits>
 #include <thread>
 
+#include <osgTerrainROAM/core/roam/ErrorTree.h>
 #include <osgTerrainROAM/core/roam/GridTriangle.h>
 
 namespace osgTerrainROAM::core
@@ -61,13 +60,16 @@ private:
         std::atomic_ref<float> stored(_errors[static_cast<std::size_t>(v.row) * _side + v.column]);
         const float wanted = roundedUp(error);
         float seen = stored.load(std::memory_order_relaxed);
-        while (seen < wanted && !stored.compare_exchange_weak(seen, wanted, std::memory_order_relaxed)) {}
+        while (seen < wanted && !stored.compare_exchange_weak(seen, wanted, std::memory_order_relaxed))
+        {
+        }
     }
 
     double largestSquaredError(const GridTriangle& t) const
     {
         const auto position = [this](GridPoint p) { return _tile.position(p.column, p.row); };
-        const glm::dvec3 origin = position(t.apex), du = position(t.left) - origin, dw = position(t.right) - origin;
+        const glm::dvec3 origin = position(t.apex), du = position(t.left) - origin,
+                         dw = position(t.right) - origin;
         // The plane's point moves by one vector from sample to sample: no division inside the loops.
         const auto east = t.perColumn(), north = t.perRow();
         const glm::dvec3 perColumn = du * east.u + dw * east.w, perRow = du * north.u + dw * north.w;
@@ -79,7 +81,8 @@ private:
                          const glm::dvec3* samples = &_positions[static_cast<std::size_t>(row) * _columns];
                          for (int column = west; column <= eastmost; ++column)
                          {
-                             const glm::dvec3 drawn = start + perColumn * static_cast<double>(column - t.apex.column);
+                             const glm::dvec3 drawn =
+                                 start + perColumn * static_cast<double>(column - t.apex.column);
                              const glm::dvec3 error = samples[column] - drawn;
                              largest = std::max(largest, glm::dot(error, error));
                          }
@@ -122,7 +125,8 @@ void forEachDiamondBottomUp(int side, const Visit& visit)
                     visit(GridPoint{column, row}, children, 0);
         // Centres of those squares; their children are the edge middles.
         for (int row = half; row < side; row += 2 * half)
-            for (int column = half; column < side; column += 2 * half) gather({column, row}, half, false);
+            for (int column = half; column < side; column += 2 * half)
+                gather({column, row}, half, false);
     }
 }
 
@@ -132,7 +136,10 @@ std::size_t indexOf(const PlacedTile& tile, GridPoint p)
 }
 
 /// X_v as the predicate sees it.
-glm::dvec3 centreOf(const PlacedTile& tile, GridPoint p) { return glm::vec3(tile.position(p.column, p.row)); }
+glm::dvec3 centreOf(const PlacedTile& tile, GridPoint p)
+{
+    return glm::vec3(tile.position(p.column, p.row));
+}
 
 /// More than double arithmetic can lose on the way, so that nesting survives rounding in the predicate, too.
 constexpr double kRadiusSlack = 1.0 + 2e-7;
@@ -159,8 +166,9 @@ ErrorTree::ErrorTree(const PlacedTile& tile)
                                {
                                    const std::size_t child = indexOf(tile, children[i]);
                                    _errorsM[index] = std::max(_errorsM[index], _errorsM[child]);
-                                   radius = std::max(radius, glm::distance(centre, centreOf(tile, children[i])) +
-                                                                 _radiiM[child]);
+                                   radius =
+                                       std::max(radius, glm::distance(centre, centreOf(tile, children[i])) +
+                                                            _radiiM[child]);
                                }
                                _radiiM[index] = roundedUp(radius * kRadiusSlack);
                            });
@@ -169,18 +177,19 @@ ErrorTree::ErrorTree(const PlacedTile& tile)
 bool ErrorTree::isNested(const PlacedTile& tile) const
 {
     bool nested = true;
-    forEachDiamondBottomUp(tile.side(),
-                           [&](GridPoint v, const GridPoint* children, int count)
-                           {
-                               const std::size_t index = indexOf(tile, v);
-                               for (int i = 0; i < count; ++i)
-                               {
-                                   const std::size_t child = indexOf(tile, children[i]);
-                                   const double reach =
-                                       glm::distance(centreOf(tile, v), centreOf(tile, children[i])) + _radiiM[child];
-                                   nested = nested && _errorsM[index] >= _errorsM[child] && _radiiM[index] >= reach;
-                               }
-                           });
+    forEachDiamondBottomUp(
+        tile.side(),
+        [&](GridPoint v, const GridPoint* children, int count)
+        {
+            const std::size_t index = indexOf(tile, v);
+            for (int i = 0; i < count; ++i)
+            {
+                const std::size_t child = indexOf(tile, children[i]);
+                const double reach =
+                    glm::distance(centreOf(tile, v), centreOf(tile, children[i])) + _radiiM[child];
+                nested = nested && _errorsM[index] >= _errorsM[child] && _radiiM[index] >= reach;
+            }
+        });
     return nested;
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <osgTerrainROAM/core/roam/LeafArena.h>
-
 #include <algorithm>
 #include <cassert>
+
+#include <osgTerrainROAM/core/roam/LeafArena.h>
 
 namespace osgTerrainROAM::core
 {
@@ -14,14 +14,16 @@ constexpr std::uint32_t kSmallestClass = 5; // 32 leaves: two cache lines of own
 
 LeafArena::LeafArena(std::uint32_t regions) : _blocks(regions) {}
 
-void LeafArena::insert(NodeIndex owner, std::uint32_t region, const LeafTriangle& triangle, MeshChanges& changes)
+void LeafArena::insert(NodeIndex owner, std::uint32_t region, const LeafTriangle& triangle,
+                       MeshChanges& changes)
 {
     Block& block = _blocks[region];
     if (block.sizeClass == 0 || block.count == 1u << block.sizeClass) grow(block, changes);
     const std::uint32_t slot = block.first + block.count++;
     _triangles[slot] = triangle;
     _ownerOfSlot[slot] = owner;
-    if (owner >= _slotOfNode.size()) _slotOfNode.resize(std::max<std::size_t>(owner + 1, 2 * _slotOfNode.size()), kNone);
+    if (owner >= _slotOfNode.size())
+        _slotOfNode.resize(std::max<std::size_t>(owner + 1, 2 * _slotOfNode.size()), kNone);
     _slotOfNode[owner] = slot;
     changes.triangles.push_back(slot);
     ++_leafCount;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <osgTerrainROAM/core/roam/MeshData.h>
-
 #include <algorithm>
+
+#include <osgTerrainROAM/core/roam/MeshData.h>
 
 namespace osgTerrainROAM::core
 {

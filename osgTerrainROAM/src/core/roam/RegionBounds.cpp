@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <osgTerrainROAM/core/roam/RegionBounds.h>
-
 #include <algorithm>
+
+#include <osgTerrainROAM/core/roam/RegionBounds.h>
 
 namespace osgTerrainROAM::core
 {
@@ -40,11 +40,12 @@ void RegionBounds::build(const PlacedTile& tile, const ErrorTree& errors, const 
 
 void RegionBounds::visible(const viewlod::Frustum& frustum, std::vector<std::uint32_t>& regions) const
 {
-    for (const std::uint32_t root : {0u, 1u}) visit(frustum, 0, root, viewlod::Frustum::kAllPlanes, regions);
+    for (const std::uint32_t root : {0u, 1u})
+        visit(frustum, 0, root, viewlod::Frustum::kAllPlanes, regions);
 }
 
-void RegionBounds::visit(const viewlod::Frustum& frustum, int level, std::uint32_t path, viewlod::Frustum::Mask mask,
-                         std::vector<std::uint32_t>& regions) const
+void RegionBounds::visit(const viewlod::Frustum& frustum, int level, std::uint32_t path,
+                         viewlod::Frustum::Mask mask, std::vector<std::uint32_t>& regions) const
 {
     const Sphere& bound = sphere(level, path);
     const auto verdict = frustum.classify(bound.centre, bound.radiusM, mask);
@@ -52,7 +53,8 @@ void RegionBounds::visit(const viewlod::Frustum& frustum, int level, std::uint32
     if (verdict.crossing == 0 || level == _level)
     {
         const int below = _level - level;
-        for (std::uint32_t i = 0; i < 1u << below; ++i) regions.push_back((path << below) + i);
+        for (std::uint32_t i = 0; i < 1u << below; ++i)
+            regions.push_back((path << below) + i);
         return;
     }
     visit(frustum, level + 1, 2 * path, verdict.crossing, regions);

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // The paper's own frame loop (paper 1, §5.2): walk the tree of the last frame, split or merge by the screen error.
 // Difference: the bounds nest in space, too (spec 1 D), so the result does not depend on the visiting order.
-#include <osgTerrainROAM/core/roam/RoamMesh.h>
-
 #include <algorithm>
 
 #include <osgTerrainROAM/core/roam/Refinement.h>
+#include <osgTerrainROAM/core/roam/RoamMesh.h>
 #include <osgTerrainROAM/core/roam/TriangleCeiling.h>
 
 namespace osgTerrainROAM::core
@@ -20,7 +19,8 @@ constexpr double kWarmGuess = 0.97, kColdGuess = 64.0;
 /// Splits and merges below `t` until exactly the active vertices are split. Stops early, returning false, when the
 /// mesh outgrows `maxLeaves`: it is valid then, too.
 template<class Active>
-bool walk(BinTriangleTree& tree, NodeIndex t, const Active& active, std::uint32_t maxLeaves, RefineResult& result)
+bool walk(BinTriangleTree& tree, NodeIndex t, const Active& active, std::uint32_t maxLeaves,
+          RefineResult& result)
 {
     if (tree.node(t).isLeaf())
     {
@@ -54,11 +54,15 @@ RefineResult RoamMesh::refine(const viewlod::ViewState& view, const viewlod::Bud
     RefineResult result;
     result.tolerancePx = budget.errorTolerancePx;
     // A mesh that was at the ceiling is likely to be there again; else the search waits until it is needed.
-    if (_ceilingBound) result.tolerancePx = toleranceWithinCeiling(*_tile, _tree, view, budget, kWarmGuess * _lastTolerancePx);
+    if (_ceilingBound)
+        result.tolerancePx =
+            toleranceWithinCeiling(*_tile, _tree, view, budget, kWarmGuess * _lastTolerancePx);
     constexpr auto kUnlimited = std::numeric_limits<std::uint32_t>::max();
-    if (!walkRoots(_tree, ActiveForEye(view, result.tolerancePx), _ceilingBound ? kUnlimited : budget.maxTriangles, result))
+    if (!walkRoots(_tree, ActiveForEye(view, result.tolerancePx),
+                   _ceilingBound ? kUnlimited : budget.maxTriangles, result))
     {
-        result.tolerancePx = toleranceWithinCeiling(*_tile, _tree, view, budget, kColdGuess * budget.errorTolerancePx);
+        result.tolerancePx =
+            toleranceWithinCeiling(*_tile, _tree, view, budget, kColdGuess * budget.errorTolerancePx);
         walkRoots(_tree, ActiveForEye(view, result.tolerancePx), kUnlimited, result);
     }
     _ceilingBound = result.ceilingBound = result.tolerancePx > budget.errorTolerancePx;
@@ -88,7 +92,8 @@ void RoamMesh::visibleRanges(const viewlod::Frustum& frustum, std::vector<Triang
         if (range.count > 0) ranges.push_back(range);
     };
     append(0); // leaves coarser than a region: few, and never worth a test
-    for (const std::uint32_t path : regions) append(path + 1);
+    for (const std::uint32_t path : regions)
+        append(path + 1);
 }
 
 } // namespace osgTerrainROAM::core

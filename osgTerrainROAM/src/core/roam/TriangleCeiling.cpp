@@ -3,12 +3,11 @@
 // triangle of the bintree whose priority exceeds it; the ceiling's tolerance is therefore an order statistic of the
 // priorities. They are gathered above a guess that comes down until enough are there. (A best-first expansion with a
 // heap gives the same number at ten times the cost. Refining in visit order until full would not: spec 1 D.)
-#include <osgTerrainROAM/core/roam/TriangleCeiling.h>
-
 #include <algorithm>
 #include <vector>
 
 #include <osgTerrainROAM/core/roam/Refinement.h>
+#include <osgTerrainROAM/core/roam/TriangleCeiling.h>
 
 namespace osgTerrainROAM::core
 {
@@ -24,7 +23,8 @@ constexpr double kRoundingMargin = 1.0 + 1e-12;
 class PrioritySweep
 {
 public:
-    PrioritySweep(const RoamTile& tile, const BinTriangleTree& mesh, const viewlod::ViewState& view, std::size_t limit)
+    PrioritySweep(const RoamTile& tile, const BinTriangleTree& mesh, const viewlod::ViewState& view,
+                  std::size_t limit)
         : _tile(tile), _mesh(mesh), _view(view), _limit(limit)
     {
     }
@@ -33,7 +33,8 @@ public:
     {
         _thresholdPx = thresholdPx;
         _priorities.clear();
-        for (const NodeIndex root : BinTriangleTree::kRoots) visitNode(root);
+        for (const NodeIndex root : BinTriangleTree::kRoots)
+            visitNode(root);
         return _priorities;
     }
 
@@ -82,8 +83,8 @@ private:
 
 } // namespace
 
-double toleranceWithinCeiling(const RoamTile& tile, const BinTriangleTree& mesh, const viewlod::ViewState& view,
-                              const viewlod::Budget& budget, double guessPx)
+double toleranceWithinCeiling(const RoamTile& tile, const BinTriangleTree& mesh,
+                              const viewlod::ViewState& view, const viewlod::Budget& budget, double guessPx)
 {
     const std::size_t splits = std::max(budget.maxTriangles, 2u) - 2u;
     PrioritySweep sweep(tile, mesh, view, 4 * splits + 1024);

@@ -21,8 +21,8 @@ struct alignas(64) BinTriangle
     NodeIndex left = kNone;  ///< across apex–left
     NodeIndex right = kNone; ///< across right–apex
     NodeIndex parent = kNone;
-    NodeIndex firstChild = kNone; ///< the children are neighbours in the pool; kNone: a leaf
-    std::uint32_t vertices[3];    ///< slots of apex, left, right
+    NodeIndex firstChild = kNone;    ///< the children are neighbours in the pool; kNone: a leaf
+    std::uint32_t vertices[3];       ///< slots of apex, left, right
     SampleIndex splitSample = kNone; ///< middle of the base; kNone at the finest level
     SplitBound bound{};              ///< of that sample, kept here because the walk asks for nothing else
     std::uint16_t path = 0;          ///< which of the nodes of its level, down to the region level
@@ -57,7 +57,10 @@ public:
 
     const BinTriangle& node(NodeIndex t) const { return _nodes[t]; }
     static constexpr NodeIndex kRoots[2] = {0, 1};
-    std::uint32_t leafCount() const { return _leafCount; } ///< all leaves, those beyond the data's edge included
+    std::uint32_t leafCount() const
+    {
+        return _leafCount;
+    } ///< all leaves, those beyond the data's edge included
 
     SampleIndex sampleOf(std::uint32_t vertexSlot) const { return _sampleOfVertex[vertexSlot]; }
     std::span<const MeshVertex> vertices() const { return _vertices; }
@@ -74,7 +77,8 @@ public:
     bool isConforming() const;
 
 private:
-    friend struct BinTriangleTreeMutator; ///< tests break the tree through it, to prove that isConforming() can fail
+    friend struct
+        BinTriangleTreeMutator; ///< tests break the tree through it, to prove that isConforming() can fail
 
     NodeIndex takePair();
     std::uint32_t addVertex(SampleIndex sample);

@@ -18,11 +18,13 @@ struct DrawnMeshReport
 {
     std::size_t tJunctions = 0; ///< edges inside the data that no neighbouring triangle shares
     std::size_t cracks = 0;     ///< data samples under no triangle, and vertices off their sample's position
-    double maxErrorPx = 0.0;    ///< largest distance in the picture between a visible sample and the drawn surface
+    double maxErrorPx =
+        0.0; ///< largest distance in the picture between a visible sample and the drawn surface
 };
 
 /// The triangles a graphics card would be given, gathered from arena ranges.
-std::vector<LeafTriangle> gathered(std::span<const LeafTriangle> triangles, std::span<const TriangleRange> ranges);
+std::vector<LeafTriangle> gathered(std::span<const LeafTriangle> triangles,
+                                   std::span<const TriangleRange> ranges);
 
 /// Checks a mesh from outside: it sees only what is drawn, not the tree that made it.
 /// Every data sample is compared with the triangle that covers it, both projected with the view's real matrix;

@@ -15,7 +15,10 @@ struct GridPoint
     int row = 0;
 
     friend bool operator==(const GridPoint&, const GridPoint&) = default;
-    friend GridPoint middle(GridPoint a, GridPoint b) { return {(a.column + b.column) / 2, (a.row + b.row) / 2}; }
+    friend GridPoint middle(GridPoint a, GridPoint b)
+    {
+        return {(a.column + b.column) / 2, (a.row + b.row) / 2};
+    }
 };
 
 /// A bintree triangle in grid indices. Its edges run along axes and diagonals, so it rasterises in integers.

@@ -18,7 +18,9 @@ class ActiveForEye
 {
 public:
     ActiveForEye(const viewlod::ViewState& view, double tolerancePx)
-        : _eye(view.eyeWorld), _reachPerErrorM(view.guaranteedPixelsPerTangent() / tolerancePx), _nearM(view.nearM)
+        : _eye(view.eyeWorld),
+          _reachPerErrorM(view.guaranteedPixelsPerTangent() / tolerancePx),
+          _nearM(view.nearM)
     {
     }
 
@@ -49,7 +51,8 @@ struct ActiveForError
 inline double priorityPx(const viewlod::ViewState& view, const SplitBound& bound)
 {
     return viewlod::screenErrorBoundPx(view.guaranteedPixelsPerTangent(), bound.errorM,
-                                       glm::distance(glm::dvec3(bound.centre), view.eyeWorld), bound.radiusM, view.nearM);
+                                       glm::distance(glm::dvec3(bound.centre), view.eyeWorld), bound.radiusM,
+                                       view.nearM);
 }
 
 } // namespace osgTerrainROAM::core

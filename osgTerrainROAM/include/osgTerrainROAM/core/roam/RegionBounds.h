@@ -23,7 +23,7 @@ public:
 
     RegionBounds(const PlacedTile& tile, const ErrorTree& errors);
 
-    int level() const { return _level; }                      ///< of the nodes that are regions
+    int level() const { return _level; } ///< of the nodes that are regions
     std::uint32_t regionCount() const { return 2u << _level; }
 
     /// Appends the regions (paths at the region level) that may be seen. Plane masks are inherited: a plane that
@@ -40,7 +40,8 @@ private:
 
     Sphere& sphere(int level, std::uint32_t path) { return _spheres[(2u << level) - 2u + path]; }
     const Sphere& sphere(int level, std::uint32_t path) const { return _spheres[(2u << level) - 2u + path]; }
-    void build(const PlacedTile& tile, const ErrorTree& errors, const Corners& corners, int level, std::uint32_t path);
+    void build(const PlacedTile& tile, const ErrorTree& errors, const Corners& corners, int level,
+               std::uint32_t path);
     void visit(const viewlod::Frustum& frustum, int level, std::uint32_t path, viewlod::Frustum::Mask mask,
                std::vector<std::uint32_t>& regions) const;
 

@@ -21,11 +21,11 @@ namespace osgTerrainROAM::core
 struct RefineResult
 {
     std::uint32_t triangles = 0; ///< leaves that overlap the data: what is there to draw
-    std::uint32_t leaves = 0;    ///< all leaves, those beyond the data's edge included: what the ceiling counts
-    std::uint32_t splits = 0;    ///< triangles split, forced ones included
-    std::uint32_t merges = 0;    ///< triangles merged back
-    double tolerancePx = 0.0;    ///< τ reached: the target, or what the triangle ceiling allowed (0: none asked)
-    bool ceilingBound = false;   ///< the ceiling raised τ
+    std::uint32_t leaves = 0; ///< all leaves, those beyond the data's edge included: what the ceiling counts
+    std::uint32_t splits = 0; ///< triangles split, forced ones included
+    std::uint32_t merges = 0; ///< triangles merged back
+    double tolerancePx = 0.0; ///< τ reached: the target, or what the triangle ceiling allowed (0: none asked)
+    bool ceilingBound = false; ///< the ceiling raised τ
 };
 
 /// The triangulation of one terrain tile for one view group: it follows the eye from frame to frame.

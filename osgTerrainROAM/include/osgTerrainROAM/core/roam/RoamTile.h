@@ -16,21 +16,25 @@ namespace osgTerrainROAM::core
 struct SplitBound
 {
     glm::vec3 centre{0.0f}; ///< X_v, rounded to float; the radius has the rounding included
-    float errorM = 0.0f;    ///< e_v: no sample in the vertex's diamond, nor in any below, is farther from its plane
-    float radiusM = 0.0f;   ///< r_v: all split vertices below lie within
+    float errorM =
+        0.0f; ///< e_v: no sample in the vertex's diamond, nor in any below, is farther from its plane
+    float radiusM = 0.0f; ///< r_v: all split vertices below lie within
 };
 
 /// What all views of one terrain tile share: samples, positions, bounds.
 /// Threads: immutable after construction.
 struct RoamTile
 {
-    explicit RoamTile(PlacedTile placedTile) : tile(std::move(placedTile)), errors(tile), regions(tile, errors) {}
+    explicit RoamTile(PlacedTile placedTile)
+        : tile(std::move(placedTile)), errors(tile), regions(tile, errors)
+    {
+    }
 
     SplitBound bound(SampleIndex v) const
     {
         const auto side = static_cast<SampleIndex>(tile.side());
-        return {glm::vec3(tile.position(static_cast<int>(v % side), static_cast<int>(v / side))), errors.errorM(v),
-                errors.radiusM(v)};
+        return {glm::vec3(tile.position(static_cast<int>(v % side), static_cast<int>(v / side))),
+                errors.errorM(v), errors.radiusM(v)};
     }
 
     PlacedTile tile;

@@ -13,7 +13,7 @@ namespace osgTerrainROAM::core
 /// target itself when it has). A function of tile and eye alone: the present `mesh`, of the same tile, and `guessPx`,
 /// the τ of the frame before or any other number, change only the time it takes.
 /// Cost: O(maxTriangles), whatever the terrain's size. Source: spec 1 D, "Triangle ceiling".
-double toleranceWithinCeiling(const RoamTile& tile, const BinTriangleTree& mesh, const viewlod::ViewState& view,
-                              const viewlod::Budget& budget, double guessPx);
+double toleranceWithinCeiling(const RoamTile& tile, const BinTriangleTree& mesh,
+                              const viewlod::ViewState& view, const viewlod::Budget& budget, double guessPx);
 
 } // namespace osgTerrainROAM::core

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+// Any bytes may be given as a scenario: they are read, played and written, or refused.
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <string_view>
+
+#include "sim/parser/ParseScenario.h"
+#include "sim/player/ScenarioPlayer.h"
+#include "sim/writer/WriteScenario.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
+
+namespace
+{
+
+constexpr int kSteps = 50;
+
+trainer::PlayerOptions fuzzStage()
+{
+    trainer::PlayerOptions options;
+    options.origin = trainer::Geodetic{46.5, 8.0, 0.0};
+    options.clock = trainer::FixedClock(10);
+    options.ground = [](double east, double north) -> std::optional<trainer::GroundSample>
+    {
+        if (!(std::fabs(east) < 1e4 && std::fabs(north) < 1e4)) return std::nullopt;
+        return trainer::GroundSample{100.0 + 0.1 * east - 0.05 * north};
+    };
+    return options;
+}
+
+/// What the writer makes of a scenario must read back as the same.
+void checkRoundTrip(const trainer::Scenario& scenario)
+{
+    const auto text = trainer::scenarioText(scenario);
+    if (!text) std::abort(); // a strict reading leaves nothing that cannot be written
+    const auto again = trainer::parseScenario(*text, "again");
+    if (!again) std::abort();
+    trainer::Scenario expected = scenario;
+    expected.header.revMajor = 1;
+    expected.header.revMinor = 3;
+    if (!(again->scenario == expected)) std::abort();
+}
+
+} // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+{
+    const std::string_view text(reinterpret_cast<const char*>(data), size);
+    for (const bool tolerant : {false, true})
+    {
+        trainer::ParseOptions options;
+        options.tolerant = tolerant;
+        const auto parsed = trainer::parseScenario(text, "fuzz", options);
+        if (!parsed) continue;
+        if (!tolerant && !parsed->scenario.isConsistent()) std::abort();
+        if (!tolerant) checkRoundTrip(parsed->scenario);
+        auto player = trainer::ScenarioPlayer::create(parsed->scenario, fuzzStage());
+        for (int i = 0; player && i < kSteps; ++i)
+            (*player)->step();
+    }
+    return 0;
+}
