@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-# OSGTRAINER_SANITIZE names the sanitizers; a report ends the test that made it. What is suppressed, and why,
-# stands in cmake/suppressions/: third-party code only.
+# OSGTRAINER_SANITIZE names the sanitizers; a report ends the test that made it. What is suppressed, and why, stands in
+# tests/support/RenderedSuppressions.h: Mesa and OSG, which are not built with them.
 if(OSGTRAINER_SANITIZE)
     string(REPLACE ";" "," sanitizers "${OSGTRAINER_SANITIZE}")
     add_compile_options(-fsanitize=${sanitizers} -fno-sanitize-recover=all -fno-omit-frame-pointer -g)

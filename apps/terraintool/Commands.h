@@ -20,7 +20,7 @@ struct Request
     osgTerrainROAM::core::DemImportOptions import;
     int frames = 480; ///< of the tour's 20 seconds: every one at 24 per second
     double tolerancePx = 1.0;
-    unsigned maxTriangles = 200000;
+    unsigned maxTriangles = 500000;
 };
 
 /// A command's table, and whether everything in it is as it must be.

@@ -41,7 +41,7 @@ struct PlayRequest
     std::optional<int> frames; ///< absent: until the scenario ends
     double eyeHeightM = 1.5;   ///< of a driver
     double errorTolerancePx = 1.0;
-    std::uint32_t maxTriangles = 200000;
+    std::uint32_t maxTriangles = 500000;
 };
 
 } // namespace trainer

@@ -23,9 +23,9 @@ unsigned char byteOf(float value)
 
 osg::ref_ptr<osg::Image> grainImage()
 {
-    const TileableNoise bumps(kSide, {8, 6, 0.62, 11});
+    const TileableNoise bumps(kSide, {12, 5, 0.62, 11});
     const TileableNoise speckle(kSide, {24, 4, 0.85, 23});
-    const TileableNoise patches(kSide, {4, 6, 0.55, 37});
+    const TileableNoise patches(kSide, {10, 5, 0.62, 37});
     osg::ref_ptr<osg::Image> image = new osg::Image;
     image->allocateImage(kSide, kSide, 1, GL_RGBA, GL_UNSIGNED_BYTE);
     image->setInternalTextureFormat(GL_RGBA8);

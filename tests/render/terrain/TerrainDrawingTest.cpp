@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include <osg/MatrixTransform>
@@ -168,4 +170,41 @@ TEST(TerrainDrawing, UploadsOnlyWhatChanged)
     pictureFrom(*viewer, view);
     EXPECT_EQ(terrain->statistics().front().bytesUploaded, moved.bytesUploaded)
         << "standing still costs nothing";
+}
+
+TEST(TerrainDrawing, EveryThreadingModelOfOsgViewerLeadsToTheSamePicture)
+{
+    osg::ref_ptr<osg::Image> expected;
+    std::size_t expectedBytes = 0;
+    for (const auto model : {osgViewer::Viewer::SingleThreaded, osgViewer::Viewer::CullDrawThreadPerContext,
+                             osgViewer::Viewer::DrawThreadPerContext,
+                             osgViewer::Viewer::CullThreadPerCameraDrawThreadPerContext})
+    {
+        const auto terrain = islandTerrain(2.0);
+        const auto viewer = viewerOn(terrain, rendered::backends().front());
+        ASSERT_TRUE(viewer);
+        viewer->viewer().realize();
+        viewer->context().releaseContext();
+        viewer->viewer().setThreadingModel(model);
+        viewer->viewer().startThreading();
+        for (int frame = 0; frame < 60; ++frame)
+        {
+            const double angle = 0.1 * frame;
+            look(*viewer, {"", osg::Vec3d(2500 + 1800 * std::cos(angle), 2200 + 1800 * std::sin(angle), 1300),
+                           osg::Vec3d(2500, 2200, 0)});
+            viewer->frame(0.1 * frame);
+        }
+        // The picture is taken by one thread, from the buffers that the others have filled.
+        viewer->viewer().stopThreading();
+        viewer->viewer().setThreadingModel(osgViewer::Viewer::SingleThreaded);
+        const auto picture = viewer->picture(7.0);
+        if (!expected)
+        {
+            expected = picture;
+            expectedBytes = terrain->statistics().front().bytesUploaded;
+        }
+        EXPECT_TRUE(compareImages(*picture, *expected).identical()) << model;
+        EXPECT_EQ(terrain->statistics().front().bytesUploaded, expectedBytes)
+            << "no packet was lost or repeated";
+    }
 }

@@ -12,6 +12,7 @@ namespace
 {
 
 constexpr std::size_t kMaximumName = 256;
+constexpr double kLargestNumber = 1e9;
 
 } // namespace
 
@@ -71,7 +72,14 @@ double ElementReader::number(const char* attribute)
 {
     const std::optional<std::string> content = has(attribute) ? substituted(attribute) : text(attribute);
     if (!has(attribute) || !content) return 0.0;
-    if (const std::optional<double> value = parseNumber(*content)) return *value;
+    const std::optional<double> value = parseNumber(*content);
+    if (value && std::fabs(*value) <= kLargestNumber) return *value;
+    if (value)
+    {
+        context.invalid(node, std::string(node.name()) + "/" + attribute + " is beyond 1e9",
+                        "write a smaller number");
+        return 0.0;
+    }
     context.invalid(node,
                     std::string(node.name()) + "/" + attribute + " is not a finite number: \"" +
                         content->substr(0, 40) + "\"",

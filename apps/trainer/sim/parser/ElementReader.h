@@ -29,6 +29,7 @@ public:
     /// The attribute `name`, at most 256 characters: paths of names are kept for every storyboard element. Names are
     /// text: `${…}` in one is no expression.
     std::string name();
+    /// Finite and within ±1e9: nothing in a scene is larger, and what is computed from it stays finite.
     double number(const char* attribute);
     double numberOr(const char* attribute, double fallback);
     std::optional<double> optionalNumber(const char* attribute);

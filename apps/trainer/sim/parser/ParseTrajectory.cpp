@@ -46,7 +46,8 @@ std::optional<Timing> parseTimeReference(ElementReader reader)
     }
     Timing timing{content.choice("domainAbsoluteRelative", kTimingDomains), content.number("scale"),
                   content.number("offset")};
-    if (!(timing.scale > 0.0)) content.context.invalid(content.node, "Timing/scale is not positive", "use 1");
+    if (!Timing::isScale(timing.scale))
+        content.context.invalid(content.node, "Timing/scale is not within 1e-6 and 1e6", "use 1");
     return timing;
 }
 
@@ -62,7 +63,7 @@ void checkTimes(ParseContext& context, pugi::xml_node node, const Trajectory& tr
                                    std::to_string(polyline->vertices[i].source.line) + ")";
         if (!time)
             context.invalid(node, vertex + " has no time, but the trajectory has a Timing", "add its time");
-        else if (i > 0 && !(*time > polyline->vertices[i - 1].timeS.value_or(*time - 1.0)))
+        else if (i > 0 && !Vertex::isLater(polyline->vertices[i - 1].timeS.value_or(*time - 1.0), *time))
             context.invalid(node, "the time of " + vertex + " is not later than the one before",
                             "order the vertices");
         else

@@ -2,6 +2,7 @@
 #include "sim/player/SceneFrame.h"
 
 #include <cassert>
+#include <cmath>
 #include <utility>
 
 namespace trainer
@@ -10,6 +11,8 @@ namespace
 {
 
 constexpr int kPlaceRounds = 3;
+constexpr double kLargestCoordinate = 1e9;
+constexpr double kFarthestGroundM = 1e8;
 
 } // namespace
 
@@ -21,8 +24,12 @@ SceneFrame::SceneFrame(const std::optional<Geodetic>& origin, GroundProvider gro
 
 bool SceneFrame::canPlace(const Position& position) const
 {
-    if (std::holds_alternative<GeoPosition>(position)) return _frame.has_value();
-    return std::holds_alternative<WorldPosition>(position);
+    const auto isSane = [](double value) { return std::fabs(value) <= kLargestCoordinate; };
+    if (const auto* geo = std::get_if<GeoPosition>(&position))
+        return _frame.has_value() && isSane(geo->latitudeDeg) && isSane(geo->longitudeDeg) &&
+               isSane(geo->heightM.value_or(0.0)) && isSane(geo->altitudeM.value_or(0.0));
+    const auto* world = std::get_if<WorldPosition>(&position);
+    return world && isSane(world->xM) && isSane(world->yM) && isSane(world->zM.value_or(0.0));
 }
 
 glm::dvec3 SceneFrame::place(const Position& position) const
@@ -63,7 +70,8 @@ glm::dvec3 SceneFrame::place(const GeoPosition& position) const
 
 std::optional<GroundSample> SceneFrame::groundAt(double eastM, double northM) const
 {
-    return _ground ? _ground(eastM, northM) : std::nullopt;
+    const bool isNear = std::fabs(eastM) <= kFarthestGroundM && std::fabs(northM) <= kFarthestGroundM;
+    return _ground && isNear ? _ground(eastM, northM) : std::nullopt;
 }
 
 Orientation orientationOf(const Position& position)

@@ -31,12 +31,13 @@ public:
 
     bool hasOrigin() const { return _frame.has_value(); }
 
-    /// False for a GeoPosition without an origin, and for an unsupported position.
+    /// False for a GeoPosition without an origin, for an unsupported position, and for coordinates beyond 1e9.
     bool canPlace(const Position& position) const;
 
     /// Precondition: canPlace(). Frame: the scene's.
     glm::dvec3 place(const Position& position) const;
 
+    /// Nothing beyond 1e8 m either: providers count in samples.
     std::optional<GroundSample> groundAt(double eastM, double northM) const;
     const std::optional<LocalFrame>& frame() const { return _frame; }
 

@@ -2,6 +2,7 @@
 #include "sim/player/TrajectoryRun.h"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace trainer
@@ -10,6 +11,7 @@ namespace
 {
 
 constexpr double kSamePlaceM = 1e-9;
+constexpr double kLargestTimeS = 1e9;
 
 std::vector<PathVertex> placedVertices(const FollowTrajectoryAction& action, const SceneFrame& frame)
 {
@@ -63,9 +65,10 @@ std::optional<std::string> TrajectoryRun::obstacle(const FollowTrajectoryAction&
         const Vertex& vertex = polyline->vertices[i];
         if (!frame.canPlace(vertex.position)) return "a vertex cannot be placed in this scene";
         if (!action.timing) continue;
-        if (!vertex.timeS) return "a vertex has no time";
-        if (i > 0 && !(*vertex.timeS > *polyline->vertices[i - 1].timeS)) return "its times do not rise";
-        if (!(action.timing->scale > 0.0)) return "its time scale is not positive";
+        if (!vertex.timeS || !(std::fabs(*vertex.timeS) <= kLargestTimeS)) return "a vertex has no time";
+        if (i > 0 && !Vertex::isLater(*polyline->vertices[i - 1].timeS, *vertex.timeS))
+            return "its times do not rise";
+        if (!Timing::isScale(action.timing->scale)) return "its time scale is not within 1e-6 and 1e6";
     }
     if (polyline->vertices.size() < 2 || placedVertices(action, frame).size() < 2)
         return "it has fewer than two different vertices";

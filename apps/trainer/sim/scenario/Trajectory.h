@@ -17,6 +17,9 @@ struct Vertex
     std::optional<double> timeS;
     Position position;
 
+    /// Whether a vertex's time is enough (a microsecond) after the one before.
+    static bool isLater(double before, double time) { return time - before >= 1e-6; }
+
     bool operator==(const Vertex&) const = default;
 };
 
@@ -53,6 +56,8 @@ struct Timing
     Domain domain = Domain::relative;
     double scale = 1.0;
     double offsetS = 0.0;
+
+    static bool isScale(double scale) { return scale >= 1e-6 && scale <= 1e6; }
 
     bool operator==(const Timing&) const = default;
 };
