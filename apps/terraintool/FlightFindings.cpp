@@ -22,9 +22,10 @@ void FlightFindings::add(const osgTerrainROAM::core::DrawnMeshReport& found,
 std::string FlightFindings::text() const
 {
     std::ostringstream words;
-    words << frames << " frames, " << tJunctions << " T-junctions, " << cracks << " cracks, " << ceilingExceeded
-          << " frames above the ceiling, " << toleranceExceeded << " beyond their tolerance; at most " << maxErrorPx
-          << " px off where " << tolerancePx << " px are allowed";
+    words << frames << " frames, " << tJunctions << " T-junctions, " << cracks << " cracks, "
+          << ceilingExceeded << " frames above the ceiling, " << toleranceExceeded
+          << " beyond their tolerance; at most " << maxErrorPx << " px off where " << tolerancePx
+          << " px are allowed";
     return words.str();
 }
 

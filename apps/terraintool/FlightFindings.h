@@ -24,8 +24,8 @@ struct FlightFindings
     double tolerancePx = 0.0; ///< the largest that a frame reported
 
     /// Takes one frame in: what brute force found in it, what its refinement says of itself, and what was asked.
-    void add(const osgTerrainROAM::core::DrawnMeshReport& found, const osgTerrainROAM::core::RefineResult& said,
-             const viewlod::Budget& asked);
+    void add(const osgTerrainROAM::core::DrawnMeshReport& found,
+             const osgTerrainROAM::core::RefineResult& said, const viewlod::Budget& asked);
 
     bool isSound() const { return tJunctions + cracks + ceilingExceeded + toleranceExceeded == 0; }
 

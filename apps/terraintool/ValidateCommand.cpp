@@ -17,7 +17,8 @@ namespace
 
 using namespace osgTerrainROAM::core;
 
-void checkFrame(RoamMesh& mesh, const viewlod::ViewState& view, const viewlod::Budget& budget, FlightFindings& flight)
+void checkFrame(RoamMesh& mesh, const viewlod::ViewState& view, const viewlod::Budget& budget,
+                FlightFindings& flight)
 {
     const RefineResult result = mesh.refine(view, budget);
     std::vector<TriangleRange> everything;
@@ -27,7 +28,8 @@ void checkFrame(RoamMesh& mesh, const viewlod::ViewState& view, const viewlod::B
     flight.add(checkDrawnMesh(mesh.tile(), mesh.vertices(), drawn, &view), result, budget);
 }
 
-viewlod::Result<FlightFindings> fly(const Request& request, const std::string& file, nlohmann::ordered_json& row)
+viewlod::Result<FlightFindings> fly(const Request& request, const std::string& file,
+                                    nlohmann::ordered_json& row)
 {
     const auto description = describeTerrain(file, request.import);
     if (!description) return description.error();

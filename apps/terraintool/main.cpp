@@ -16,16 +16,20 @@ int main(int argc, char** argv)
         CLI::App* sub = app.add_subcommand(name, what);
         sub->add_option("FILE", request.files, ".roam files or elevation rasters")->required();
         sub->add_option("--json", jsonFile, "write the table there, too");
-        sub->add_option("--spacing", request.import.spacingM, "metres between samples of a raster without georeference")
+        sub->add_option("--spacing", request.import.spacingM,
+                        "metres between samples of a raster without georeference")
             ->check(terminal::between(0.001, 1e5));
         sub->callback([&command, action] { command = action; });
         return sub;
     };
     add("info", "size, heights, voids and placement", terraintool::info);
-    CLI::App* validate = add("validate", "fly the tour and check every mesh by brute force", terraintool::validate);
+    CLI::App* validate =
+        add("validate", "fly the tour and check every mesh by brute force", terraintool::validate);
     validate->add_option("--frames", request.frames, "frames of the flight")->check(CLI::PositiveNumber);
-    validate->add_option("--tolerance", request.tolerancePx, "error target in pixels")->check(terminal::between(0.01, 1000.0));
-    validate->add_option("--max-triangles", request.maxTriangles, "triangle ceiling")->check(CLI::Range(2u, 100000000u));
+    validate->add_option("--tolerance", request.tolerancePx, "error target in pixels")
+        ->check(terminal::between(0.01, 1000.0));
+    validate->add_option("--max-triangles", request.maxTriangles, "triangle ceiling")
+        ->check(CLI::Range(2u, 100000000u));
     if (const auto ends = terminal::parse(app, argc, argv)) return *ends;
     return terraintool::run(command, request, jsonFile);
 }

@@ -3,8 +3,8 @@
 
 #include <osg/Geode>
 #include <osg/ShapeDrawable>
-#include <osgDB/ReadFile>
 
+#include "ModelFile.h"
 #include "view/AircraftModel.h"
 #include "view/ObjectShading.h"
 #include "view/Pose.h"
@@ -47,12 +47,10 @@ viewlod::Result<EntityModel> EntityModel::create(const ScenarioObject& object,
     std::error_code ignored;
     if (!object.model3d().empty() && std::filesystem::exists(file, ignored))
     {
-        const osg::ref_ptr<osg::Node> loaded = osgDB::readRefNodeFile(file.string());
-        if (!loaded)
-            return viewlod::Error{file.string(), "OpenSceneGraph cannot read the model of " + object.name,
-                                  "give another model3d"};
-        setObjectShading(*loaded, Finish::matt);
-        model._placed->addChild(loaded);
+        const auto loaded = readModel(file, "give " + object.name + " another model3d");
+        if (!loaded) return loaded.error();
+        setObjectShading(**loaded, Finish::matt);
+        model._placed->addChild(*loaded);
     }
     else if (object.isAirborne())
         model._placed->addChild(makeLightAircraft());

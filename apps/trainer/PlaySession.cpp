@@ -21,10 +21,16 @@ viewlod::Result<std::filesystem::path> sceneFileOf(const Scenario& scenario, con
                           "add one, or give --terrain FILE"};
 }
 
-viewlod::Result<ViewSetup> viewOf(const PlayRequest& request)
+/// The near plane of a view that says nothing of its own: as far out as the eye allows, for the depth buffer's
+/// resolution far away is in proportion to it. A driver sees the ground from 4 m on, a pilot from much farther.
+double nearPlaneM(const ScenarioObject& ownship) { return ownship.isAirborne() ? 5.0 : 1.0; }
+
+viewlod::Result<ViewSetup> viewOf(const PlayRequest& request, const ScenarioObject& ownship)
 {
-    if (request.viewFile.empty()) return singleChannel(request.widthPx, request.heightPx);
-    return readView(request.viewFile);
+    if (!request.viewFile.empty()) return readView(request.viewFile);
+    ViewSetup setup = singleChannel(request.widthPx, request.heightPx);
+    setup.nearM = nearPlaneM(ownship);
+    return setup;
 }
 
 osg::ref_ptr<osgViewer::Viewer> makeViewer(osg::Group& scene)
@@ -50,7 +56,7 @@ viewlod::Result<std::unique_ptr<PlaySession>> PlaySession::create(Scenario scena
     if (scenario.entities.empty())
         return viewlod::Error{request.scenario.string(), "no ScenarioObject in Entities",
                               "add the one whose eye shall look"};
-    const auto setup = viewOf(request);
+    const auto setup = viewOf(request, scenario.entities.front());
     if (!setup) return setup.error();
     const auto sceneFile = sceneFileOf(scenario, request);
     if (!sceneFile) return sceneFile.error();

@@ -6,10 +6,10 @@
 
 #include <osg/NodeVisitor>
 #include <osgDB/FileNameUtils>
-#include <osgDB/ReadFile>
 
 #include <osgTerrainROAM/core/LoadTerrain.h>
 
+#include "ModelFile.h"
 #include "ground/TileGround.h"
 
 namespace trainer
@@ -66,16 +66,11 @@ viewlod::Result<SceneTerrain> openScene(const std::filesystem::path& file,
         if (!terrain) return terrain.error();
         return SceneTerrain{terrain->get(), *terrain};
     }
-    std::error_code ignored; // a name too long is a file that is not there
-    if (!std::filesystem::exists(file, ignored))
-        return viewlod::Error{file.string(), "there is no such file", "check the path of the scene"};
-    const osg::ref_ptr<osg::Node> node = osgDB::readRefNodeFile(file.string());
-    if (!node)
-        return viewlod::Error{file.string(), "OpenSceneGraph cannot read it as a scene",
-                              "give a .roam file, an elevation raster or a model"};
+    const auto node = readModel(file, "give a .roam file, an elevation raster or a model");
+    if (!node) return node.error();
     TerrainFinder finder;
-    node->accept(finder);
-    return SceneTerrain{node, finder.found};
+    (*node)->accept(finder);
+    return SceneTerrain{*node, finder.found};
 }
 
 } // namespace trainer

@@ -10,6 +10,7 @@
 #include "sim/player/ScenarioPlayer.h"
 #include "sim/writer/WriteScenario.h"
 
+// NOLINTNEXTLINE(readability-identifier-naming): the name is libFuzzer's
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
 namespace
@@ -45,6 +46,7 @@ void checkRoundTrip(const trainer::Scenario& scenario)
 
 } // namespace
 
+// NOLINTNEXTLINE(readability-identifier-naming)
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
     const std::string_view text(reinterpret_cast<const char*>(data), size);

@@ -4,6 +4,8 @@
 #include <osg/TriangleFunctor>
 #include <osgUtil/CullVisitor>
 
+#include "RenderedSuppressions.h"
+
 namespace handcull
 {
 

@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <numbers>
+
+#include "sim/player/PathHeadings.h"
 
 namespace trainer
 {
@@ -14,7 +15,6 @@ namespace
 constexpr std::size_t kWrapVertices = 8;    ///< a spline forgets a knot by a factor of 0.27 per knot
 constexpr std::size_t kTableDivisions = 32; ///< of a curved segment, in the table of distances
 constexpr double kStandstillM = 1e-9;
-constexpr double kCornerM = 2.0;
 
 /// Continues a closed path over its own ends, so that the natural spline inside is nearly periodic.
 std::vector<PathVertex> wrappedVertices(const std::vector<PathVertex>& vertices, double period)
@@ -24,7 +24,8 @@ std::vector<PathVertex> wrappedVertices(const std::vector<PathVertex>& vertices,
     const auto append = [&](std::size_t index, double shift)
     {
         wrapped.push_back(vertices[index % count]);
-        wrapped.back().parameter += shift + period * static_cast<double>(index / count);
+        const std::size_t round = index / count;
+        wrapped.back().parameter += shift + period * static_cast<double>(round);
     };
     const std::size_t rounds = (kWrapVertices + count - 1) / count;
     for (std::size_t i = 0; i < count * (2 * rounds + 1); ++i)
@@ -34,35 +35,6 @@ std::vector<PathVertex> wrappedVertices(const std::vector<PathVertex>& vertices,
     return wrapped;
 }
 
-/// The angle nearest to `reference` among those that differ from `angle` by full turns.
-double near(double angle, double reference)
-{
-    return angle + 2.0 * std::numbers::pi * std::round((reference - angle) / (2.0 * std::numbers::pi));
-}
-
-/// Headings at rising parameters, unwrapped.
-class HeadingKnots
-{
-public:
-    void append(double parameter, double heading)
-    {
-        if (!_parameters.empty() && !(parameter > _parameters.back())) return;
-        _parameters.push_back(parameter);
-        _headings.push_back(_headings.empty() ? heading : near(heading, _headings.back()));
-    }
-
-    std::optional<CubicSpline> spline()
-    {
-        if (_parameters.empty()) return std::nullopt;
-        if (_parameters.size() == 1) append(_parameters.back() + 1.0, _headings.back());
-        return CubicSpline(_parameters, _headings, CubicSpline::Kind::linear);
-    }
-
-private:
-    std::vector<double> _parameters;
-    std::vector<double> _headings;
-};
-
 template<class Get>
 std::vector<double> collect(const std::vector<PathVertex>& vertices, Get get)
 {
@@ -71,21 +43,6 @@ std::vector<double> collect(const std::vector<PathVertex>& vertices, Get get)
     for (const PathVertex& vertex : vertices)
         values.push_back(get(vertex));
     return values;
-}
-
-/// Spline through one angle of every vertex, unwrapped; nothing where a vertex leaves it out.
-std::optional<CubicSpline> angleSpline(const std::vector<PathVertex>& vertices,
-                                       std::optional<double> Orientation::*member, CubicSpline::Kind kind)
-{
-    std::vector<double> values;
-    for (const PathVertex& vertex : vertices)
-    {
-        const std::optional<double>& angle = vertex.orientation.*member;
-        if (!angle) return std::nullopt;
-        values.push_back(values.empty() ? *angle : near(*angle, values.back()));
-    }
-    return CubicSpline(collect(vertices, [](const PathVertex& v) { return v.parameter; }), std::move(values),
-                       kind);
 }
 
 } // namespace
@@ -120,49 +77,15 @@ void PathCurve::buildAngles(const std::vector<PathVertex>& vertices)
 {
     const CubicSpline::Kind kind =
         _mode == FollowingMode::follow ? CubicSpline::Kind::natural : CubicSpline::Kind::linear;
-    _pitch = angleSpline(vertices, &Orientation::pitchRad, kind);
-    _roll = angleSpline(vertices, &Orientation::rollRad, kind);
+    _pitch = vertexAngles(vertices, &Orientation::pitchRad, kind);
+    _roll = vertexAngles(vertices, &Orientation::rollRad, kind);
     if (_mode == FollowingMode::follow)
-        _heading = angleSpline(vertices, &Orientation::headingRad, kind);
+        _heading = vertexAngles(vertices, &Orientation::headingRad, kind);
     else if (std::all_of(vertices.begin(), vertices.end(),
                          [](const PathVertex& vertex) { return vertex.orientation.headingRad.has_value(); }))
-        buildGivenHeadings(vertices);
+        _heading = givenHeadings(vertices);
     else
-        buildSegmentHeadings(vertices);
-}
-
-void PathCurve::buildGivenHeadings(const std::vector<PathVertex>& vertices)
-{
-    HeadingKnots knots;
-    for (std::size_t i = 0; i + 1 < vertices.size(); ++i)
-        knots.append(0.5 * (vertices[i].parameter + vertices[i + 1].parameter),
-                     *vertices[i].orientation.headingRad);
-    knots.append(vertices.back().parameter, *vertices.back().orientation.headingRad);
-    _heading = knots.spline();
-}
-
-void PathCurve::buildSegmentHeadings(const std::vector<PathVertex>& vertices)
-{
-    HeadingKnots knots;
-    std::optional<double> before;
-    double beforeShare = 0.0; // of the last segment, in parameters, that its end's turn takes
-    for (std::size_t i = 0; i + 1 < vertices.size(); ++i)
-    {
-        const glm::dvec3 along = vertices[i + 1].position - vertices[i].position;
-        if (std::hypot(along.x, along.y) < kStandstillM) continue;
-        const double width = vertices[i + 1].parameter - vertices[i].parameter;
-        const double share = width * std::min(0.5, kCornerM / glm::length(along));
-        const double heading = near(std::atan2(along.y, along.x), before.value_or(0.0));
-        if (before)
-        {
-            knots.append(vertices[i].parameter - beforeShare, *before);
-            knots.append(vertices[i].parameter, 0.5 * (*before + heading));
-        }
-        knots.append(vertices[i].parameter + (before ? share : 0.0), heading);
-        before = heading;
-        beforeShare = share;
-    }
-    _heading = knots.spline();
+        _heading = segmentHeadings(vertices);
 }
 
 /// Distances at the knots, and inside the segments of a spline, where each small piece is measured with Simpson's

@@ -7,19 +7,11 @@
 #include <glm/glm.hpp>
 
 #include "sim/player/CubicSpline.h"
-#include "sim/scenario/Position.h"
+#include "sim/player/PathVertex.h"
 #include "sim/scenario/Trajectory.h"
 
 namespace trainer
 {
-
-/// A vertex of a polyline, placed in the scene.
-struct PathVertex
-{
-    double parameter = 0.0; ///< time in seconds, or distance along the chords in metres
-    glm::dvec3 position{0.0};
-    Orientation orientation;
-};
 
 /// A place on a path. Frame: the scene's. Units: metres, radians; tangent and bend per unit of the parameter.
 struct PathPoint
@@ -65,8 +57,6 @@ public:
 private:
     double wrapped(double parameter) const;
     void buildAngles(const std::vector<PathVertex>& vertices);
-    void buildGivenHeadings(const std::vector<PathVertex>& vertices);
-    void buildSegmentHeadings(const std::vector<PathVertex>& vertices);
     void buildDistances();
 
     FollowingMode _mode;

@@ -15,7 +15,10 @@ namespace
 class Walk
 {
 public:
-    Walk(const Scenario& scenario, const SceneFrame& frame) : _scenario(scenario), _frame(frame) {}
+    Walk(const Scenario& scenario, const SceneFrame& frame, const std::string& name)
+        : _scenario(scenario), _frame(frame), _name(name)
+    {
+    }
 
     viewlod::Outcome run()
     {
@@ -126,11 +129,12 @@ private:
 
     void fail(SourceLine source, const std::string& what, const std::string& remedy)
     {
-        if (!_error) _error = viewlod::Error{"scenario:" + std::to_string(source.line), what, remedy};
+        if (!_error) _error = viewlod::Error{_name + ":" + std::to_string(source.line), what, remedy};
     }
 
     const Scenario& _scenario;
     const SceneFrame& _frame;
+    const std::string& _name;
     std::set<Name> _names;
     std::vector<std::pair<const StoryboardElementStateCondition*, SourceLine>> _references;
     std::optional<viewlod::Error> _error;
@@ -138,9 +142,9 @@ private:
 
 } // namespace
 
-viewlod::Outcome checkPlayable(const Scenario& scenario, const SceneFrame& frame)
+viewlod::Outcome checkPlayable(const Scenario& scenario, const SceneFrame& frame, const std::string& name)
 {
-    return Walk(scenario, frame).run();
+    return Walk(scenario, frame, name).run();
 }
 
 } // namespace trainer

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <string>
+
 #include <viewlod/Result.h>
 
 #include "sim/player/SceneFrame.h"
@@ -11,7 +13,7 @@ namespace trainer
 
 /// Whether a scenario can be played in a scene: every position has a place, every trajectory can be run, every
 /// reference to an entity or a storyboard element has its object. Unsupported content is passed over.
-/// Errors: the first that cannot, as `scenario:line`.
-viewlod::Outcome checkPlayable(const Scenario& scenario, const SceneFrame& frame);
+/// Errors: the first that cannot, as `name:line`.
+viewlod::Outcome checkPlayable(const Scenario& scenario, const SceneFrame& frame, const std::string& name);
 
 } // namespace trainer

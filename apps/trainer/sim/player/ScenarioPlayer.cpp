@@ -105,7 +105,8 @@ viewlod::Result<std::unique_ptr<ScenarioPlayer>> ScenarioPlayer::create(Scenario
                                                                         PlayerOptions options)
 {
     const SceneFrame frame(options.origin, options.ground);
-    if (viewlod::Outcome playable = checkPlayable(scenario, frame); !playable) return playable.error();
+    if (viewlod::Outcome playable = checkPlayable(scenario, frame, options.scenarioName); !playable)
+        return playable.error();
     return std::unique_ptr<ScenarioPlayer>(new ScenarioPlayer(std::move(scenario), std::move(options)));
 }
 

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include <viewlod/Result.h>
@@ -22,6 +23,7 @@ struct PlayerOptions
     std::optional<Geodetic> origin; ///< of the scene; absent: no georeference
     GroundProvider ground;          ///< may be empty: everything goes where the scenario puts it
     FixedClock clock = FixedClock(120);
+    std::string scenarioName = "scenario"; ///< stands for the file in errors: scenarioName:line
 };
 
 /// Plays a scenario in fixed steps. What it does depends on the scenario, the options and the number of steps, on

@@ -65,8 +65,10 @@ void ReliefMap::sampleHeights(const TourTerrain& terrain)
             double low = 1e300;
             for (int k = 0; k < kSamplesPerCell * kSamplesPerCell; ++k)
             {
-                const glm::dvec2 offset(((k % kSamplesPerCell) + 0.5) / kSamplesPerCell - 0.5,
-                                        ((k / kSamplesPerCell) + 0.5) / kSamplesPerCell - 0.5);
+                const int across = k % kSamplesPerCell;
+                const int up = k / kSamplesPerCell;
+                const glm::dvec2 offset((across + 0.5) / kSamplesPerCell - 0.5,
+                                        (up + 0.5) / kSamplesPerCell - 0.5);
                 const glm::dvec2 place = centre(column, row) + offset * _cellM;
                 const double bend = terrain.origin ? glm::dot(place, place) / (2.0 * kEarthRadiusM) : 0.0;
                 const double height = terrain.heightM(place.x, place.y) + bend;

@@ -1,41 +1,69 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <limits>
 
 #include <osgTerrainROAM/core/roam/RegionBounds.h>
 
 namespace osgTerrainROAM::core
 {
 
-/// (apex, left, right) of a node, as samples.
-struct RegionBounds::Corners
+namespace
 {
-    SampleIndex apex, left, right;
-};
 
-RegionBounds::RegionBounds(const PlacedTile& tile, const ErrorTree& errors)
-    : _level(std::min(kRegionLevel, tile.levels() - 1)), _spheres((4u << _level) - 2u)
+/// The smallest sphere about the middle of the samples' box.
+template<class Sphere>
+Sphere fitted(const PlacedTile& tile, const GridTriangle& triangle)
 {
-    const auto side = static_cast<SampleIndex>(tile.side());
-    const SampleIndex southEast = side - 1, northWest = side * (side - 1), northEast = side * side - 1;
-    build(tile, errors, {southEast, northEast, 0}, 0, 0);
-    build(tile, errors, {northWest, 0, northEast}, 0, 1);
+    glm::dvec3 lowest(std::numeric_limits<double>::max()), highest(std::numeric_limits<double>::lowest());
+    const auto forEachSample = [&](auto visit)
+    {
+        triangle.forEachRow(tile.side(), tile.side(),
+                            [&](int row, int west, int east)
+                            {
+                                for (int column = west; column <= east; ++column) visit(tile.position(column, row));
+                            });
+    };
+    forEachSample(
+        [&](const glm::dvec3& position)
+        {
+            lowest = glm::min(lowest, position);
+            highest = glm::max(highest, position);
+        });
+    Sphere sphere{(lowest + highest) * 0.5, 0.0};
+    forEachSample([&](const glm::dvec3& position)
+                  { sphere.radiusM = std::max(sphere.radiusM, glm::distance(sphere.centre, position)); });
+    return sphere;
 }
 
-void RegionBounds::build(const PlacedTile& tile, const ErrorTree& errors, const Corners& c, int level,
-                         std::uint32_t path)
+/// About the middle of both centres.
+template<class Sphere>
+Sphere joined(const Sphere& a, const Sphere& b)
 {
-    const auto side = static_cast<SampleIndex>(tile.side());
-    const auto position = [&](SampleIndex s)
-    { return tile.position(static_cast<int>(s % side), static_cast<int>(s / side)); };
-    const SampleIndex middle = (c.left + c.right) / 2;
-    const glm::dvec3 centre = position(middle);
-    double radius = errors.radiusM(middle);
-    for (const SampleIndex corner : {c.apex, c.left, c.right})
-        radius = std::max(radius, glm::distance(centre, position(corner)));
-    sphere(level, path) = {centre, radius};
-    if (level == _level) return;
-    build(tile, errors, {middle, c.apex, c.left}, level + 1, 2 * path);
-    build(tile, errors, {middle, c.right, c.apex}, level + 1, 2 * path + 1);
+    const glm::dvec3 centre = (a.centre + b.centre) * 0.5;
+    return {centre, 0.5 * glm::distance(a.centre, b.centre) + std::max(a.radiusM, b.radiusM)};
+}
+
+} // namespace
+
+RegionBounds::RegionBounds(const PlacedTile& tile)
+    : _level(std::min(kRegionLevel, tile.levels() - 1)), _spheres((4u << _level) - 2u)
+{
+    const int last = tile.side() - 1;
+    build(tile, {{last, 0}, {last, last}, {0, 0}}, 0, 0);
+    build(tile, {{0, last}, {0, 0}, {last, last}}, 0, 1);
+}
+
+void RegionBounds::build(const PlacedTile& tile, const GridTriangle& t, int level, std::uint32_t path)
+{
+    if (level == _level)
+    {
+        sphere(level, path) = fitted<Sphere>(tile, t);
+        return;
+    }
+    const GridPoint mid = middle(t.left, t.right);
+    build(tile, {mid, t.apex, t.left}, level + 1, 2 * path);
+    build(tile, {mid, t.right, t.apex}, level + 1, 2 * path + 1);
+    sphere(level, path) = joined(sphere(level + 1, 2 * path), sphere(level + 1, 2 * path + 1));
 }
 
 void RegionBounds::visible(const viewlod::Frustum& frustum, std::vector<std::uint32_t>& regions) const

@@ -8,20 +8,22 @@
 
 #include <viewlod/Frustum.h>
 
-#include <osgTerrainROAM/core/roam/ErrorTree.h>
+#include <osgTerrainROAM/core/heightfield/PlacedTile.h>
+#include <osgTerrainROAM/core/roam/GridTriangle.h>
 
 namespace osgTerrainROAM::core
 {
 
 /// Bounding spheres of the bintree's nodes down to the region level: the hierarchy that culls.
-/// A node's sphere holds every vertex that any refinement of it can have.
-/// Threads: immutable after construction. Memory: 32 B per node above the region level.
+/// A node's sphere holds every sample of its triangle, and so every refinement of it. It is fitted to the samples: the
+/// nested radii of ErrorTree, made for refinement, are up to twice as large.
+/// Threads: immutable after construction. Memory: 32 B per node above the region level. Cost: two visits per sample.
 class RegionBounds
 {
 public:
-    static constexpr int kRegionLevel = 8; ///< 2·2^8 regions, unless the tile has fewer levels
+    static constexpr int kRegionLevel = 9; ///< 2·2^9 regions, unless the tile has fewer levels
 
-    RegionBounds(const PlacedTile& tile, const ErrorTree& errors);
+    explicit RegionBounds(const PlacedTile& tile);
 
     int level() const { return _level; } ///< of the nodes that are regions
     std::uint32_t regionCount() const { return 2u << _level; }
@@ -36,12 +38,10 @@ private:
         glm::dvec3 centre;
         double radiusM;
     };
-    struct Corners;
 
     Sphere& sphere(int level, std::uint32_t path) { return _spheres[(2u << level) - 2u + path]; }
     const Sphere& sphere(int level, std::uint32_t path) const { return _spheres[(2u << level) - 2u + path]; }
-    void build(const PlacedTile& tile, const ErrorTree& errors, const Corners& corners, int level,
-               std::uint32_t path);
+    void build(const PlacedTile& tile, const GridTriangle& triangle, int level, std::uint32_t path);
     void visit(const viewlod::Frustum& frustum, int level, std::uint32_t path, viewlod::Frustum::Mask mask,
                std::vector<std::uint32_t>& regions) const;
 

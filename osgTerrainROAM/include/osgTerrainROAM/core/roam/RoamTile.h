@@ -26,7 +26,7 @@ struct SplitBound
 struct RoamTile
 {
     explicit RoamTile(PlacedTile placedTile)
-        : tile(std::move(placedTile)), errors(tile), regions(tile, errors)
+        : tile(std::move(placedTile)), errors(tile), regions(tile)
     {
     }
 

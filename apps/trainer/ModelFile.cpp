@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ModelFile.h"
+
+#include <algorithm>
+#include <system_error>
+
+#include <osg/Notify>
+#include <osgDB/ReadFile>
+
+namespace trainer
+{
+
+namespace
+{
+
+/// Keeps the first line that is said while it is installed.
+class FirstWords : public osg::NotifyHandler
+{
+public:
+    void notify(osg::NotifySeverity, const char* message) override
+    {
+        if (_line.empty()) _line = message;
+    }
+
+    std::string line() const { return _line.substr(0, _line.find('\n')); }
+
+private:
+    std::string _line;
+};
+
+} // namespace
+
+viewlod::Result<osg::ref_ptr<osg::Node>> readModel(const std::filesystem::path& file,
+                                                   const std::string& remedy)
+{
+    std::error_code ignored; // a name too long is a file that is not there
+    if (!std::filesystem::exists(file, ignored))
+        return viewlod::Error{file.string(), "there is no such file", "check its path"};
+    const osg::ref_ptr<osg::NotifyHandler> before = osg::getNotifyHandler();
+    const osg::ref_ptr<FirstWords> words = new FirstWords;
+    osg::setNotifyHandler(words);
+    osg::ref_ptr<osg::Node> node = osgDB::readRefNodeFile(file.string());
+    osg::setNotifyHandler(before);
+    if (node) return node;
+    const std::string reason = words->line().empty() ? "" : " (" + words->line() + ")";
+    return viewlod::Error{file.string(), "cannot be read by OpenSceneGraph" + reason, remedy};
+}
+
+} // namespace trainer

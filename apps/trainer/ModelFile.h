@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+
+#include <osg/Node>
+#include <osg/ref_ptr>
+
+#include <viewlod/Result.h>
+
+namespace trainer
+{
+
+/// Reads a file in any format that OpenSceneGraph has a plugin for.
+/// Threads: none besides may speak through osg::notify meanwhile.
+/// Errors: no such file, no plugin, a plugin that refuses it; what OpenSceneGraph says of it stands in the error, and
+/// not on the terminal. `remedy` is for the last two.
+viewlod::Result<osg::ref_ptr<osg::Node>> readModel(const std::filesystem::path& file,
+                                                   const std::string& remedy);
+
+} // namespace trainer

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a play leaves: pictures, figures, a report.
+#include <algorithm>
+
+#include "Playing.h"
+
+namespace
+{
+
+using Keys = std::vector<std::string>;
+
+Keys keysOf(const nlohmann::ordered_json& object)
+{
+    Keys keys;
+    for (const auto& [key, value] : object.items())
+        keys.push_back(key);
+    return keys;
+}
+
+class Results : public testing::Test
+{
+protected:
+    Results() { place.write("drive.xosc", driveText("hill.tif")); }
+
+    Playing play(const std::string& name, const std::vector<std::string>& more = {}) const
+    {
+        return playedAs(place, name, {"play", place.path("drive.xosc")}, more);
+    }
+
+    /// Plays to the scenario's own end, a quarter of a second.
+    void playToTheEnd(const std::string& name, const std::vector<std::string>& more = {}) const
+    {
+        std::vector<std::string> arguments{"play",      place.path("drive.xosc"), "--size", "64x36",
+                                           "--capture", place.path(name)};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        EXPECT_TRUE(succeeds(runTrainer(arguments)));
+    }
+
+    Workplace place;
+};
+
+TEST_F(Results, PicturesAreNumberedAndOfTheSizeAskedFor)
+{
+    const Playing playing = play("frames", {"--size", "112x63", "--frames", "3"});
+    Keys names;
+    for (const auto& [name, bytes] : playing.frames)
+        names.push_back(name);
+    EXPECT_EQ(names, (Keys{"frame_00000.png", "frame_00001.png", "frame_00002.png"}));
+    for (const std::string& name : names)
+    {
+        const PictureFacts facts = factsOf(place.path("frames/" + name));
+        EXPECT_EQ(facts.widthPx, 112);
+        EXPECT_EQ(facts.heightPx, 63);
+        EXPECT_GT(facts.colours, 100U) << name;
+    }
+}
+
+TEST_F(Results, WithoutFramesTheScenarioEndsByItself)
+{
+    playToTheEnd("at24");
+    EXPECT_EQ(bytesIn(place.path("at24")).size(), 6U);
+    playToTheEnd("at48", {"--fps", "48"});
+    EXPECT_EQ(bytesIn(place.path("at48")).size(), 12U);
+}
+
+TEST_F(Results, StatisticsHaveTheKeysThatWereAgreed)
+{
+    play("frames", {"--fps", "10", "--frames", "3"});
+    const auto root = nlohmann::ordered_json::parse(readBytes(place.path("frames.json")));
+    EXPECT_EQ(keysOf(root), (Keys{"frames", "summary"}));
+    ASSERT_EQ(root["frames"].size(), 3U);
+    const Keys columns{"triangles", "splits", "merges", "adaptUs", "cullMs", "drawMs", "maxErrorPx"};
+    Keys row{"frame", "timeS"};
+    row.insert(row.end(), columns.begin(), columns.end());
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+        const auto& frame = root["frames"][i];
+        EXPECT_EQ(keysOf(frame), row);
+        EXPECT_EQ(frame["frame"], i);
+        EXPECT_NEAR(frame["timeS"].get<double>(), 0.1 * static_cast<double>(i), 1e-12);
+        EXPECT_GT(frame["triangles"], 2);
+        EXPECT_GT(frame["drawMs"], 0.0);
+        EXPECT_EQ(frame["maxErrorPx"], 1.0); // the target, where the ceiling is far
+    }
+    EXPECT_GT(root["frames"][0]["splits"], 0);
+    Keys summary{"frames"};
+    summary.insert(summary.end(), columns.begin(), columns.end());
+    EXPECT_EQ(keysOf(root["summary"]), summary);
+}
+
+TEST_F(Results, TheErrorTargetAndTheCeilingAreKept)
+{
+    const auto largest = [](const Playing& playing, const char* column)
+    { return playing.statistics.at("summary").at(column).at("max").get<double>(); };
+    const Playing fine = play("fine");
+    const Playing coarse = play("coarse", {"--tolerance", "8"});
+    EXPECT_LT(largest(coarse, "triangles"), largest(fine, "triangles"));
+    EXPECT_EQ(largest(coarse, "maxErrorPx"), 8.0);
+    const Playing few = play("few", {"--max-triangles", "300"});
+    EXPECT_LE(largest(few, "triangles"), 300.0);
+    EXPECT_GT(largest(few, "maxErrorPx"), 1.0) << "the tolerance reached is not reported";
+}
+
+TEST_F(Results, TheReportShowsThePlots)
+{
+    const std::string file = place.path("report.html");
+    play("frames", {"--report", file, "--report-sheet", "sheet & all.png", "--report-video", "drive.mp4"});
+    const std::string html = readBytes(file);
+    EXPECT_TRUE(html.starts_with("<!doctype html>"));
+    EXPECT_TRUE(html.ends_with("</html>\n"));
+    for (const char* part :
+         {"aria-label=\"Triangles drawn\"", "aria-label=\"Changes per frame\"", "aria-label=\"Adaptation",
+          "aria-label=\"Error bound, pixels\"", "aria-label=\"Cull and draw, ms\"", "<polyline", "drive.xosc",
+          "96 x 54", "src=\"sheet &amp; all.png\"", "src=\"drive.mp4\""})
+        EXPECT_NE(html.find(part), std::string::npos) << part;
+}
+
+TEST_F(Results, ATourNamesItsTerrainInTheReport)
+{
+    playedAs(place, "tour", {"tour", place.hill()}, {"--report", place.path("tour.html")});
+    EXPECT_NE(readBytes(place.path("tour.html")).find("<td>hill.tif</td>"), std::string::npos);
+}
+
+TEST_F(Results, NothingIsLeftThatWasNotAskedFor)
+{
+    const auto before = place.files();
+    EXPECT_TRUE(succeeds(runTrainer({"play", place.path("drive.xosc"), "--size", "64x36", "--frames", "2"})));
+    EXPECT_EQ(place.files(), before);
+    play("frames", {"--frames", "1"});
+    auto after = before;
+    after.insert(after.end(), {"frames", "frames.json", "frames/frame_00000.png"});
+    std::sort(after.begin(), after.end());
+    EXPECT_EQ(place.files(), after);
+}
+
+} // namespace
