@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "PlayCommand.h"
 
+#include <cmath>
 #include <iostream>
 
 #include <osgTerrainROAM/core/LoadTerrain.h>
@@ -120,6 +121,8 @@ viewlod::Outcome tour(const PlayRequest& request, const std::filesystem::path& s
     auto laid = layTour(ground::tourTerrainOf(*tile, (failed ? request.terrain : terrain).string()), options);
     if (!laid) return laid.error();
     if (const auto saved = saveScenario(laid->scenario, saveFile); !saved) return saved;
+    std::cout << "tour: " << std::lround(laid->lowestM) << " to " << std::lround(laid->highestM)
+              << " m above the ground at " << std::lround(laid->speedMps) << " m/s\n";
     return play(std::move(laid->scenario), request);
 }
 

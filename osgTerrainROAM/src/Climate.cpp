@@ -20,8 +20,13 @@ struct LinePoint
     double heightM;
 };
 
-constexpr std::array<LinePoint, 6> kTreeLine{
-    {{0.0, 3700.0}, {30.0, 3900.0}, {47.0, 2050.0}, {60.0, 1050.0}, {70.0, 350.0}, {80.0, 0.0}}};
+constexpr std::array<LinePoint, 7> kTreeLine{{{0.0, 3700.0},
+                                              {30.0, 3900.0},
+                                              {36.0, 2550.0},
+                                              {47.0, 2050.0},
+                                              {60.0, 1050.0},
+                                              {70.0, 350.0},
+                                              {80.0, 0.0}}};
 constexpr std::array<LinePoint, 7> kSnowLine{{{0.0, 4700.0},
                                               {30.0, 4800.0},
                                               {36.0, 3250.0},
