@@ -36,7 +36,7 @@ quietly()
 }
 
 # buildPreset PRESET [TARGET…]: configures the preset's build folder and builds (everything, or the targets).
-# ccache, where installed, makes a fresh clone as quick as a second build; nothing depends on it.
+# ccache spares the core-only tree, and a fresh clone, what the release tree has compiled; nothing depends on it.
 buildPreset()
 {
     local preset=$1 folder=build launcher=()

@@ -35,8 +35,8 @@ viewlod::Result<std::vector<viewlod::ViewState>> tourViews(const osgTerrainROAM:
     auto tour = trainer::layTour(ground::tourTerrainOf(tile, ""), options);
     if (!tour) return tour.error();
     const trainer::FixedClock clock = trainer::FixedClock::forFrameRate(kFramesPerSecond);
-    auto player = trainer::ScenarioPlayer::create(std::move(tour->scenario),
-                                                  {ground::originOf(tile), ground::groundOf(tile), clock});
+    auto player = trainer::ScenarioPlayer::create(
+        std::move(tour->scenario), {ground::originOf(tile), ground::groundOf(tile), clock, "tour"});
     if (!player) return player.error();
     const double stepsPerView = options.durationS * static_cast<double>(clock.stepsPerSecond()) / frames;
     std::vector<viewlod::ViewState> views;

@@ -11,7 +11,7 @@ int main(int argc, char** argv)
     terraintool::Request request;
     std::filesystem::path jsonFile;
     terraintool::Command command;
-    const auto add = [&](const char* name, const char* what, terraintool::Command action)
+    const auto add = [&](const char* name, const char* what, const terraintool::Command& action)
     {
         CLI::App* sub = app.add_subcommand(name, what);
         sub->add_option("FILE", request.files, ".roam files or elevation rasters")->required();

@@ -23,7 +23,10 @@ viewlod::Result<std::filesystem::path> sceneFileOf(const Scenario& scenario, con
 
 /// The near plane of a view that says nothing of its own: as far out as the eye allows, for the depth buffer's
 /// resolution far away is in proportion to it. A driver sees the ground from 4 m on, a pilot from much farther.
-double nearPlaneM(const ScenarioObject& ownship) { return ownship.isAirborne() ? 5.0 : 1.0; }
+double nearPlaneM(const ScenarioObject& ownship)
+{
+    return ownship.isAirborne() ? 5.0 : 1.0;
+}
 
 viewlod::Result<ViewSetup> viewOf(const PlayRequest& request, const ScenarioObject& ownship)
 {
@@ -69,9 +72,10 @@ viewlod::Result<std::unique_ptr<PlaySession>> PlaySession::create(Scenario scena
     }
 
     std::unique_ptr<PlaySession> session(new PlaySession(request, std::move(*terrain)));
-    auto player =
-        ScenarioPlayer::create(std::move(scenario), {session->_terrain.origin(), session->_terrain.ground(),
-                                                     FixedClock::forFrameRate(request.framesPerSecond)});
+    PlayerOptions stage{session->_terrain.origin(), session->_terrain.ground(),
+                        FixedClock::forFrameRate(request.framesPerSecond), "scenario"};
+    if (!request.scenario.empty()) stage.scenarioName = request.scenario.string();
+    auto player = ScenarioPlayer::create(std::move(scenario), std::move(stage));
     if (!player) return player.error();
     session->_player = std::move(*player);
     auto scene = ScenarioScene::create(session->_player->scenario(), session->_terrain,

@@ -6,6 +6,7 @@
 
 #include <osg/NodeVisitor>
 #include <osgDB/FileNameUtils>
+#include <osgDB/Registry>
 
 #include <osgTerrainROAM/core/LoadTerrain.h>
 
@@ -43,6 +44,16 @@ bool isTerrainFile(const std::filesystem::path& file)
     return std::find(kSuffixes.begin(), kSuffixes.end(), suffix) != kSuffixes.end();
 }
 
+viewlod::Result<SceneTerrain> openTerrain(const std::filesystem::path& file,
+                                          const osgTerrainROAM::core::DemImportOptions& import)
+{
+    const auto description = osgTerrainROAM::core::describeTerrain(file, import);
+    if (!description) return description.error();
+    auto terrain = osgTerrainROAM::makeTerrain(*description);
+    if (!terrain) return terrain.error();
+    return SceneTerrain{terrain->get(), *terrain};
+}
+
 } // namespace
 
 std::optional<Geodetic> SceneTerrain::origin() const
@@ -58,19 +69,20 @@ GroundProvider SceneTerrain::ground() const
 viewlod::Result<SceneTerrain> openScene(const std::filesystem::path& file,
                                         const osgTerrainROAM::core::DemImportOptions& import)
 {
-    if (isTerrainFile(file))
-    {
-        const auto description = osgTerrainROAM::core::describeTerrain(file, import);
-        if (!description) return description.error();
-        auto terrain = osgTerrainROAM::makeTerrain(*description);
-        if (!terrain) return terrain.error();
-        return SceneTerrain{terrain->get(), *terrain};
-    }
+    if (isTerrainFile(file)) return openTerrain(file, import);
     const auto node = readModel(file, "give a .roam file, an elevation raster or a model");
-    if (!node) return node.error();
-    TerrainFinder finder;
-    (*node)->accept(finder);
-    return SceneTerrain{*node, finder.found};
+    if (node)
+    {
+        TerrainFinder finder;
+        (*node)->accept(finder);
+        return SceneTerrain{*node, finder.found};
+    }
+    // GDAL reads rasters of more names than anybody can list, and some are those of models (.flt, .dem).
+    auto terrain = openTerrain(file, import);
+    if (terrain) return terrain;
+    const std::string suffix = osgDB::getLowerCaseFileExtension(file.string());
+    const bool isModel = osgDB::Registry::instance()->getReaderWriterForExtension(suffix) != nullptr;
+    return isModel ? node.error() : terrain.error();
 }
 
 } // namespace trainer

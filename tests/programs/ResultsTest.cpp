@@ -20,23 +20,23 @@ Keys keysOf(const nlohmann::ordered_json& object)
 class Results : public testing::Test
 {
 protected:
-    Results() { place.write("drive.xosc", driveText("hill.tif")); }
+    Results() { _place.write("drive.xosc", driveText("hill.tif")); }
 
     Playing play(const std::string& name, const std::vector<std::string>& more = {}) const
     {
-        return playedAs(place, name, {"play", place.path("drive.xosc")}, more);
+        return playedAs(_place, name, {"play", _place.path("drive.xosc")}, more);
     }
 
     /// Plays to the scenario's own end, a quarter of a second.
     void playToTheEnd(const std::string& name, const std::vector<std::string>& more = {}) const
     {
-        std::vector<std::string> arguments{"play",      place.path("drive.xosc"), "--size", "64x36",
-                                           "--capture", place.path(name)};
+        std::vector<std::string> arguments{"play",      _place.path("drive.xosc"), "--size", "64x36",
+                                           "--capture", _place.path(name)};
         arguments.insert(arguments.end(), more.begin(), more.end());
         EXPECT_TRUE(succeeds(runTrainer(arguments)));
     }
 
-    Workplace place;
+    Workplace _place;
 };
 
 TEST_F(Results, PicturesAreNumberedAndOfTheSizeAskedFor)
@@ -48,7 +48,7 @@ TEST_F(Results, PicturesAreNumberedAndOfTheSizeAskedFor)
     EXPECT_EQ(names, (Keys{"frame_00000.png", "frame_00001.png", "frame_00002.png"}));
     for (const std::string& name : names)
     {
-        const PictureFacts facts = factsOf(place.path("frames/" + name));
+        const PictureFacts facts = factsOf(_place.path("frames/" + name));
         EXPECT_EQ(facts.widthPx, 112);
         EXPECT_EQ(facts.heightPx, 63);
         EXPECT_GT(facts.colours, 100U) << name;
@@ -58,15 +58,15 @@ TEST_F(Results, PicturesAreNumberedAndOfTheSizeAskedFor)
 TEST_F(Results, WithoutFramesTheScenarioEndsByItself)
 {
     playToTheEnd("at24");
-    EXPECT_EQ(bytesIn(place.path("at24")).size(), 6U);
+    EXPECT_EQ(bytesIn(_place.path("at24")).size(), 6U);
     playToTheEnd("at48", {"--fps", "48"});
-    EXPECT_EQ(bytesIn(place.path("at48")).size(), 12U);
+    EXPECT_EQ(bytesIn(_place.path("at48")).size(), 12U);
 }
 
 TEST_F(Results, StatisticsHaveTheKeysThatWereAgreed)
 {
     play("frames", {"--fps", "10", "--frames", "3"});
-    const auto root = nlohmann::ordered_json::parse(readBytes(place.path("frames.json")));
+    const auto root = nlohmann::ordered_json::parse(readBytes(_place.path("frames.json")));
     EXPECT_EQ(keysOf(root), (Keys{"frames", "summary"}));
     ASSERT_EQ(root["frames"].size(), 3U);
     const Keys columns{"triangles", "splits", "merges", "adaptUs", "cullMs", "drawMs", "maxErrorPx"};
@@ -103,7 +103,7 @@ TEST_F(Results, TheErrorTargetAndTheCeilingAreKept)
 
 TEST_F(Results, TheReportShowsThePlots)
 {
-    const std::string file = place.path("report.html");
+    const std::string file = _place.path("report.html");
     play("frames", {"--report", file, "--report-sheet", "sheet & all.png", "--report-video", "drive.mp4"});
     const std::string html = readBytes(file);
     EXPECT_TRUE(html.starts_with("<!doctype html>"));
@@ -117,20 +117,21 @@ TEST_F(Results, TheReportShowsThePlots)
 
 TEST_F(Results, ATourNamesItsTerrainInTheReport)
 {
-    playedAs(place, "tour", {"tour", place.hill()}, {"--report", place.path("tour.html")});
-    EXPECT_NE(readBytes(place.path("tour.html")).find("<td>hill.tif</td>"), std::string::npos);
+    playedAs(_place, "tour", {"tour", _place.hill()}, {"--report", _place.path("tour.html")});
+    EXPECT_NE(readBytes(_place.path("tour.html")).find("<td>hill.tif</td>"), std::string::npos);
 }
 
 TEST_F(Results, NothingIsLeftThatWasNotAskedFor)
 {
-    const auto before = place.files();
-    EXPECT_TRUE(succeeds(runTrainer({"play", place.path("drive.xosc"), "--size", "64x36", "--frames", "2"})));
-    EXPECT_EQ(place.files(), before);
+    const auto before = _place.files();
+    EXPECT_TRUE(
+        succeeds(runTrainer({"play", _place.path("drive.xosc"), "--size", "64x36", "--frames", "2"})));
+    EXPECT_EQ(_place.files(), before);
     play("frames", {"--frames", "1"});
     auto after = before;
     after.insert(after.end(), {"frames", "frames.json", "frames/frame_00000.png"});
     std::sort(after.begin(), after.end());
-    EXPECT_EQ(place.files(), after);
+    EXPECT_EQ(_place.files(), after);
 }
 
 } // namespace

@@ -20,7 +20,8 @@ Sphere fitted(const PlacedTile& tile, const GridTriangle& triangle)
         triangle.forEachRow(tile.side(), tile.side(),
                             [&](int row, int west, int east)
                             {
-                                for (int column = west; column <= east; ++column) visit(tile.position(column, row));
+                                for (int column = west; column <= east; ++column)
+                                    visit(tile.position(column, row));
                             });
     };
     forEachSample(

@@ -25,10 +25,7 @@ struct SplitBound
 /// Threads: immutable after construction.
 struct RoamTile
 {
-    explicit RoamTile(PlacedTile placedTile)
-        : tile(std::move(placedTile)), errors(tile), regions(tile)
-    {
-    }
+    explicit RoamTile(PlacedTile placedTile) : tile(std::move(placedTile)), errors(tile), regions(tile) {}
 
     SplitBound bound(SampleIndex v) const
     {
