@@ -45,7 +45,10 @@ viewlod::Result<EntityModel> EntityModel::create(const ScenarioObject& object,
     model._placed->setDataVariance(osg::Object::DYNAMIC);
     const std::filesystem::path file = folder / object.model3d();
     std::error_code ignored;
-    if (!object.model3d().empty() && std::filesystem::exists(file, ignored))
+    const bool isThere = std::filesystem::exists(file, ignored);
+    if (!object.model3d().empty() && !isThere)
+        model._note = object.name + ": there is no " + file.string() + "; a stand-in is drawn";
+    if (!object.model3d().empty() && isThere)
     {
         const auto loaded = readModel(file, "give " + object.name + " another model3d");
         if (!loaded) return loaded.error();

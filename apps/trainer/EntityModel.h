@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <string>
 
 #include <osg/MatrixTransform>
 
@@ -27,7 +28,11 @@ public:
     osg::Node* node() const { return _car ? _car->node() : _placed.get(); }
     void show(const EntityState& state);
 
+    /// What was drawn instead of what was asked for; empty: nothing.
+    const std::string& note() const { return _note; }
+
 private:
+    std::string _note;
     std::shared_ptr<CarModel> _car; ///< has wheels to move; else
     osg::ref_ptr<osg::MatrixTransform> _placed;
 };

@@ -95,6 +95,8 @@ viewlod::Outcome play(Scenario scenario, const PlayRequest& request)
     if (const auto writable = checkResultPlaces(request); !writable) return writable;
     auto session = PlaySession::create(std::move(scenario), request);
     if (!session) return session.error();
+    for (const std::string& note : (*session)->notes())
+        std::cout << "note: " << note << '\n';
     if (const auto played = playToTheEnd(**session, request); !played) return played;
     return leaveResults(**session, request);
 }

@@ -34,6 +34,9 @@ public:
     const std::vector<FrameStatistics>& statistics() const { return _statistics; }
     const ScenarioPlayer& player() const { return *_player; }
 
+    /// What is not as the scenario asks, one line each.
+    std::vector<std::string> notes() const { return _scene->notes(); }
+
     /// Waits for the last pictures.
     viewlod::Outcome finish();
 

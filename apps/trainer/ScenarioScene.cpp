@@ -58,6 +58,14 @@ viewlod::Result<ScenarioScene> ScenarioScene::create(const Scenario& scenario, c
     return scene;
 }
 
+std::vector<std::string> ScenarioScene::notes() const
+{
+    std::vector<std::string> notes;
+    for (const EntityModel& entity : _entities)
+        if (!entity.note().empty()) notes.push_back(entity.note());
+    return notes;
+}
+
 void ScenarioScene::show(const ScenarioPlayer& player)
 {
     for (std::size_t i = 0; i < _entities.size(); ++i)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include <osg/Group>
@@ -27,6 +28,9 @@ public:
                                                  const std::filesystem::path& folder);
 
     osg::Group& root() { return *_root; }
+
+    /// One line for each model that is not the one that was asked for.
+    std::vector<std::string> notes() const;
 
     /// Moves everything to where the player has it, and sets sun and air.
     void show(const ScenarioPlayer& player);

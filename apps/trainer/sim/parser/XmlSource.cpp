@@ -30,7 +30,7 @@ viewlod::Result<std::unique_ptr<XmlSource>> XmlSource::read(const std::filesyste
     if (!std::filesystem::is_regular_file(file, code))
         return viewlod::Error{name,
                               std::filesystem::exists(file, code) ? "not a regular file" : "no such file",
-                              "give the path of an OpenSCENARIO file"};
+                              "check the path"};
     const std::uintmax_t bytes = std::filesystem::file_size(file, code);
     if (code || bytes > maximumBytes)
         return viewlod::Error{name, "larger than the limit of " + std::to_string(maximumBytes) + " bytes",
