@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
 # OSGTRAINER_SANITIZE names the sanitizers; a report ends the test that made it. What is suppressed, and why, stands in
-# tests/support/RenderedSuppressions.h: Mesa and OSG, which are not built with them.
+# SanitizerSuppressions.cpp, which every program carries: Mesa, OSG and GDAL, which are not built with them.
 if(OSGTRAINER_SANITIZE)
     string(REPLACE ";" "," sanitizers "${OSGTRAINER_SANITIZE}")
     add_compile_options(-fsanitize=${sanitizers} -fno-sanitize-recover=all -fno-omit-frame-pointer -g)
     add_link_options(-fsanitize=${sanitizers})
+    add_library(sanitizer_suppressions OBJECT ${CMAKE_CURRENT_LIST_DIR}/SanitizerSuppressions.cpp)
+    link_libraries($<TARGET_OBJECTS:sanitizer_suppressions>)
 endif()
 
 # Fuzzing needs its coverage counters in the libraries too, not only in the program that drives them.

@@ -2,6 +2,7 @@
 #include "ground/TileGround.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include <osgTerrainROAM/core/heightfield/GroundQuery.h>
@@ -49,8 +50,8 @@ trainer::TourTerrain tourTerrainOf(const PlacedTile& tile, const std::string& sc
         // The rectangle's rim may miss the data by a rounding error: its nearest sample stands in.
         if (const auto point = osgTerrainROAM::core::groundAt(tile, eastM, northM)) return point->position.z;
         const glm::dvec2 place = tile.gridAt({eastM, northM, 0.0});
-        const int column = std::clamp(static_cast<int>(place.x + 0.5), 0, tile.dataColumns() - 1);
-        const int row = std::clamp(static_cast<int>(place.y + 0.5), 0, tile.dataRows() - 1);
+        const int column = std::clamp(static_cast<int>(std::lround(place.x)), 0, tile.dataColumns() - 1);
+        const int row = std::clamp(static_cast<int>(std::lround(place.y)), 0, tile.dataRows() - 1);
         return tile.position(column, row).z;
     };
     return terrain;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "terraintool/RunCommand.h"
 
-#include "terminal/ResultFile.h"
+#include <viewlod/WholeFile.h>
+
 #include "terminal/Terminal.h"
 
 namespace terraintool
@@ -20,12 +21,12 @@ std::string textOf(const nlohmann::ordered_json& json)
 
 int run(const Command& command, const Request& request, const std::filesystem::path& jsonFile)
 {
-    if (const auto writable = terminal::checkWritable(jsonFile); !writable)
+    if (const auto writable = viewlod::checkWritable(jsonFile); !writable)
         return terminal::fail("terraintool", writable.error());
     const auto report = command(request);
     if (!report) return terminal::fail("terraintool", report.error());
     if (!jsonFile.empty())
-        if (const auto written = terminal::writeFile(jsonFile, textOf(report->json)); !written)
+        if (const auto written = viewlod::writeWholeFile(jsonFile, textOf(report->json)); !written)
             return terminal::fail("terraintool", written.error());
     return report->sound ? terminal::kDone : terminal::kFailed;
 }

@@ -4,14 +4,13 @@
 #include <cmath>
 #include <iostream>
 
-#include <osgTerrainROAM/core/LoadTerrain.h>
+#include <viewlod/WholeFile.h>
 
 #include "PlaySession.h"
 #include "ground/TileGround.h"
 #include "sim/parser/ParseScenario.h"
 #include "sim/tour/LayTour.h"
 #include "sim/writer/WriteScenario.h"
-#include "terminal/ResultFile.h"
 #include "terminal/Terminal.h"
 #include "view/HtmlReport.h"
 #include "view/StatisticsFile.h"
@@ -32,8 +31,17 @@ viewlod::Outcome checkResultPlaces(const PlayRequest& request)
     if (!request.captureFolder.empty() && std::filesystem::is_directory(request.captureFolder, ignored))
         files.push_back(request.captureFolder / "frame_00000.png"); // a folder that is not there is made
     for (const auto& file : files)
-        if (const auto writable = terminal::checkWritable(file); !writable) return writable;
+        if (const auto writable = viewlod::checkWritable(file); !writable) return writable;
     return viewlod::success();
+}
+
+viewlod::Result<std::filesystem::path> sceneFileOf(const Scenario& scenario, const PlayRequest& request)
+{
+    if (!request.terrain.empty()) return request.terrain;
+    if (!scenario.roadNetwork.sceneGraphFile.empty())
+        return request.scenario.parent_path() / scenario.roadNetwork.sceneGraphFile;
+    return viewlod::Error{request.scenario.string(), "RoadNetwork names no SceneGraphFile",
+                          "add one, or give --terrain FILE"};
 }
 
 viewlod::Outcome saveScenario(const Scenario& scenario, const std::filesystem::path& file)
@@ -41,7 +49,7 @@ viewlod::Outcome saveScenario(const Scenario& scenario, const std::filesystem::p
     if (file.empty()) return viewlod::success();
     const auto text = scenarioText(scenario);
     if (!text) return text.error();
-    return terminal::writeFile(file, *text);
+    return viewlod::writeWholeFile(file, *text);
 }
 
 viewlod::Outcome playToTheEnd(PlaySession& session, const PlayRequest& request)
@@ -88,12 +96,9 @@ viewlod::Outcome leaveResults(const PlaySession& session, const PlayRequest& req
     return viewlod::success();
 }
 
-} // namespace
-
-viewlod::Outcome play(Scenario scenario, const PlayRequest& request)
+viewlod::Outcome playOver(SceneTerrain terrain, Scenario scenario, const PlayRequest& request)
 {
-    if (const auto writable = checkResultPlaces(request); !writable) return writable;
-    auto session = PlaySession::create(std::move(scenario), request);
+    auto session = PlaySession::create(std::move(scenario), std::move(terrain), request);
     if (!session) return session.error();
     for (const std::string& note : (*session)->notes())
         std::cout << "note: " << note << '\n';
@@ -101,31 +106,43 @@ viewlod::Outcome play(Scenario scenario, const PlayRequest& request)
     return leaveResults(**session, request);
 }
 
+/// As the saved scenario shall name it: found from any folder.
+std::string absoluteName(const std::filesystem::path& file)
+{
+    std::error_code failed; // of a working folder that is gone
+    const std::filesystem::path absolute = std::filesystem::absolute(file, failed);
+    return (failed ? file : absolute).string();
+}
+
+} // namespace
+
 viewlod::Outcome play(const PlayRequest& request)
 {
+    if (const auto writable = checkResultPlaces(request); !writable) return writable;
     auto parsed = readScenario(request.scenario);
     if (!parsed) return parsed.error();
-    return play(std::move(parsed->scenario), request);
+    const auto file = sceneFileOf(parsed->scenario, request);
+    if (!file) return file.error();
+    auto terrain = openScene(*file, request.import);
+    if (!terrain) return terrain.error();
+    return playOver(std::move(*terrain), std::move(parsed->scenario), request);
 }
 
 viewlod::Outcome tour(const PlayRequest& request, const std::filesystem::path& saveFile, double durationS)
 {
     if (const auto writable = checkResultPlaces(request); !writable) return writable;
-    if (const auto writable = terminal::checkWritable(saveFile); !writable) return writable;
-    const auto description = osgTerrainROAM::core::describeTerrain(request.terrain, request.import);
-    if (!description) return description.error();
-    const auto tile = osgTerrainROAM::core::loadTile(*description);
-    if (!tile) return tile.error();
+    if (const auto writable = viewlod::checkWritable(saveFile); !writable) return writable;
+    auto terrain = openElevation(request.terrain, request.import);
+    if (!terrain) return terrain.error();
     TourOptions options;
     options.durationS = durationS;
-    std::error_code failed; // of a working folder that is gone
-    const std::filesystem::path terrain = std::filesystem::absolute(request.terrain, failed);
-    auto laid = layTour(ground::tourTerrainOf(*tile, (failed ? request.terrain : terrain).string()), options);
+    const auto& tile = terrain->terrain->tile()->tile;
+    auto laid = layTour(ground::tourTerrainOf(tile, absoluteName(request.terrain)), options);
     if (!laid) return laid.error();
     if (const auto saved = saveScenario(laid->scenario, saveFile); !saved) return saved;
     std::cout << "tour: " << std::lround(laid->lowestM) << " to " << std::lround(laid->highestM)
               << " m above the ground at " << std::lround(laid->speedMps) << " m/s\n";
-    return play(std::move(laid->scenario), request);
+    return playOver(std::move(*terrain), std::move(laid->scenario), request);
 }
 
 viewlod::Outcome check(const std::filesystem::path& scenario)

@@ -6,16 +6,12 @@
 #include <viewlod/Result.h>
 
 #include "PlayRequest.h"
-#include "sim/scenario/Scenario.h"
 
 namespace trainer
 {
 
 /// Plays request.scenario to its end and leaves the pictures, statistics and report that were asked for.
 viewlod::Outcome play(const PlayRequest& request);
-
-/// The same for a scenario that is already there.
-viewlod::Outcome play(Scenario scenario, const PlayRequest& request);
 
 /// Lays a tour over the terrain request.terrain, writes it to `saveFile` unless that is empty, and plays it.
 /// Units: seconds.

@@ -12,15 +12,6 @@ namespace trainer
 namespace
 {
 
-viewlod::Result<std::filesystem::path> sceneFileOf(const Scenario& scenario, const PlayRequest& request)
-{
-    if (!request.terrain.empty()) return request.terrain;
-    if (!scenario.roadNetwork.sceneGraphFile.empty())
-        return request.scenario.parent_path() / scenario.roadNetwork.sceneGraphFile;
-    return viewlod::Error{request.scenario.string(), "RoadNetwork names no SceneGraphFile",
-                          "add one, or give --terrain FILE"};
-}
-
 /// The near plane of a view that says nothing of its own: as far out as the eye allows, for the depth buffer's
 /// resolution far away is in proportion to it. A driver sees the ground from 4 m on, a pilot from much farther.
 double nearPlaneM(const ScenarioObject& ownship)
@@ -53,7 +44,7 @@ PlaySession::PlaySession(const PlayRequest& request, SceneTerrain terrain)
 {
 }
 
-viewlod::Result<std::unique_ptr<PlaySession>> PlaySession::create(Scenario scenario,
+viewlod::Result<std::unique_ptr<PlaySession>> PlaySession::create(Scenario scenario, SceneTerrain terrain,
                                                                   const PlayRequest& request)
 {
     if (scenario.entities.empty())
@@ -61,17 +52,13 @@ viewlod::Result<std::unique_ptr<PlaySession>> PlaySession::create(Scenario scena
                               "add the one whose eye shall look"};
     const auto setup = viewOf(request, scenario.entities.front());
     if (!setup) return setup.error();
-    const auto sceneFile = sceneFileOf(scenario, request);
-    if (!sceneFile) return sceneFile.error();
-    auto terrain = openScene(*sceneFile, request.import);
-    if (!terrain) return terrain.error();
-    if (terrain->terrain)
+    if (terrain.terrain)
     {
-        terrain->terrain->setErrorTolerancePx(request.errorTolerancePx);
-        terrain->terrain->setMaxTriangles(request.maxTriangles);
+        terrain.terrain->setErrorTolerancePx(request.errorTolerancePx);
+        terrain.terrain->setMaxTriangles(request.maxTriangles);
     }
 
-    std::unique_ptr<PlaySession> session(new PlaySession(request, std::move(*terrain)));
+    std::unique_ptr<PlaySession> session(new PlaySession(request, std::move(terrain)));
     PlayerOptions stage{session->_terrain.origin(), session->_terrain.ground(),
                         FixedClock::forFrameRate(request.framesPerSecond), "scenario"};
     if (!request.scenario.empty()) stage.scenarioName = request.scenario.string();

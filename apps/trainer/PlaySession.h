@@ -22,9 +22,9 @@ namespace trainer
 class PlaySession
 {
 public:
-    /// Errors: whatever keeps terrain, scenario, view, graphics or folders from being used; a scenario without
-    /// entities.
-    static viewlod::Result<std::unique_ptr<PlaySession>> create(Scenario scenario,
+    /// `terrain`: what openScene() gave. Errors: whatever keeps scenario, view, graphics or folders from being used; a
+    /// scenario without entities.
+    static viewlod::Result<std::unique_ptr<PlaySession>> create(Scenario scenario, SceneTerrain terrain,
                                                                 const PlayRequest& request);
 
     /// Draws the present moment, then lets one frame's time pass. Errors: a picture that could not be written.

@@ -44,16 +44,6 @@ bool isTerrainFile(const std::filesystem::path& file)
     return std::find(kSuffixes.begin(), kSuffixes.end(), suffix) != kSuffixes.end();
 }
 
-viewlod::Result<SceneTerrain> openTerrain(const std::filesystem::path& file,
-                                          const osgTerrainROAM::core::DemImportOptions& import)
-{
-    const auto description = osgTerrainROAM::core::describeTerrain(file, import);
-    if (!description) return description.error();
-    auto terrain = osgTerrainROAM::makeTerrain(*description);
-    if (!terrain) return terrain.error();
-    return SceneTerrain{terrain->get(), *terrain};
-}
-
 } // namespace
 
 std::optional<Geodetic> SceneTerrain::origin() const
@@ -66,10 +56,20 @@ GroundProvider SceneTerrain::ground() const
     return terrain ? ground::groundOf(terrain->tile()->tile) : GroundProvider{};
 }
 
+viewlod::Result<SceneTerrain> openElevation(const std::filesystem::path& file,
+                                            const osgTerrainROAM::core::DemImportOptions& import)
+{
+    const auto description = osgTerrainROAM::core::describeTerrain(file, import);
+    if (!description) return description.error();
+    auto terrain = osgTerrainROAM::makeTerrain(*description);
+    if (!terrain) return terrain.error();
+    return SceneTerrain{terrain->get(), *terrain};
+}
+
 viewlod::Result<SceneTerrain> openScene(const std::filesystem::path& file,
                                         const osgTerrainROAM::core::DemImportOptions& import)
 {
-    if (isTerrainFile(file)) return openTerrain(file, import);
+    if (isTerrainFile(file)) return openElevation(file, import);
     const auto node = readModel(file, "give a .roam file, an elevation raster or a model");
     if (node)
     {
@@ -78,7 +78,7 @@ viewlod::Result<SceneTerrain> openScene(const std::filesystem::path& file,
         return SceneTerrain{*node, finder.found};
     }
     // GDAL reads rasters of more names than anybody can list, and some are those of models (.flt, .dem).
-    auto terrain = openTerrain(file, import);
+    auto terrain = openElevation(file, import);
     if (terrain) return terrain;
     const std::string suffix = osgDB::getLowerCaseFileExtension(file.string());
     const bool isModel = osgDB::Registry::instance()->getReaderWriterForExtension(suffix) != nullptr;

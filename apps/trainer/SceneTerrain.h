@@ -31,9 +31,13 @@ struct SceneTerrain
     GroundProvider ground() const;
 };
 
-/// Opens a .roam file or an elevation raster with the terrain library itself (so that errors keep their words), any
-/// other file through osgDB, and what osgDB does not read as a raster after all.
-/// Errors: no such file, no reader, nothing in it.
+/// Opens a .roam file or an elevation raster with the terrain library itself, so that errors keep their words; `terrain`
+/// is never null. Errors: as makeTerrain().
+viewlod::Result<SceneTerrain> openElevation(const std::filesystem::path& file,
+                                            const osgTerrainROAM::core::DemImportOptions& import);
+
+/// Opens terrain as openElevation() does, any other file through osgDB, and what osgDB does not read as a raster after
+/// all. Errors: no such file, no reader, nothing in it.
 viewlod::Result<SceneTerrain> openScene(const std::filesystem::path& file,
                                         const osgTerrainROAM::core::DemImportOptions& import);
 

@@ -2,11 +2,12 @@
 #include "TerrainFile.h"
 
 #include <memory>
-#include <system_error>
 
 #include <cpl_error.h>
 #include <gdal_priv.h>
 #include <ogr_spatialref.h>
+
+#include <viewlod/WholeFile.h>
 
 namespace islandgen
 {
@@ -65,8 +66,8 @@ viewlod::Outcome writeTerrain(const Terrain& terrain, const std::filesystem::pat
     GDALAllRegister();
     CPLPushErrorHandler(CPLQuietErrorHandler);
     CPLErrorReset();
-    const std::filesystem::path unfinished = file.string() + ".part";
-    Dataset dataset = createRaster(unfinished, terrain.heightM.side);
+    viewlod::WholeFile whole(file);
+    Dataset dataset = createRaster(whole.written(), terrain.heightM.side);
     bool written = dataset != nullptr;
     if (dataset)
     {
@@ -77,13 +78,8 @@ viewlod::Outcome writeTerrain(const Terrain& terrain, const std::filesystem::pat
     }
     const std::string reason = CPLGetLastErrorMsg();
     CPLPopErrorHandler();
-    std::error_code failure;
-    if (written) std::filesystem::rename(unfinished, file, failure);
-    if (written && !failure) return viewlod::success();
-    std::error_code ignored;
-    std::filesystem::remove(unfinished, ignored);
-    return viewlod::Error{file.string(), "cannot write: " + (failure ? failure.message() : reason),
-                          "check that the folder exists, is writable and has space"};
+    if (!written) return whole.failure("cannot be written", reason);
+    return whole.commit();
 }
 
 } // namespace islandgen

@@ -37,11 +37,16 @@ FrameCapture::~FrameCapture()
     if (_context->getSwapCallback() == _grabber) _context->setSwapCallback(nullptr);
 }
 
-void FrameCapture::receive(const GrabbedFrame& frame)
+std::filesystem::path FrameCapture::pathOf(std::size_t frame) const
 {
     char name[32];
-    std::snprintf(name, sizeof name, "frame_%05zu.png", _next++);
-    const Outcome given = _writer.write(frame.picture, _folder / name);
+    std::snprintf(name, sizeof name, "frame_%05zu.png", frame);
+    return _folder / name;
+}
+
+void FrameCapture::receive(const GrabbedFrame& frame)
+{
+    const Outcome given = _writer.write(frame.picture, pathOf(_next++));
     const std::lock_guard lock(_mutex);
     if (!given && !_error) _error = given.error();
 }
@@ -59,6 +64,10 @@ Result<std::size_t> FrameCapture::finish()
     _grabber->drain(_context);
     const Outcome all = _writer.finish();
     if (!all) return all.error();
+    std::error_code ignored;
+    for (std::size_t stale = _next; std::filesystem::remove(pathOf(stale), ignored); ++stale)
+    {
+    }
     return _writer.written();
 }
 

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <cerrno>
-#include <cstring>
-#include <fstream>
 #include <sstream>
 #include <string>
 #include <system_error>
 
 #include <osgDB/ReadFile>
 #include <osgDB/Registry>
+
+#include <viewlod/WholeFile.h>
 
 #include <osgOffscreen/PngFile>
 
@@ -17,41 +16,6 @@ namespace osgOffscreen
 using viewlod::Error;
 using viewlod::Outcome;
 using viewlod::Result;
-
-namespace
-{
-
-std::string reasonOf(int errorNumber)
-{
-    return std::generic_category().message(errorNumber);
-}
-
-/// Whole under its final name, or not there.
-Outcome writeWhole(const std::string& bytes, const std::filesystem::path& path)
-{
-    std::filesystem::path temporary = path;
-    temporary += ".part";
-    errno = 0;
-    std::ofstream file(temporary, std::ios::binary | std::ios::trunc);
-    file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    file.close();
-    if (!file)
-    {
-        const std::string reason = reasonOf(errno);
-        std::error_code ignored;
-        std::filesystem::remove(temporary, ignored);
-        return Error{path.string(), "cannot be written: " + reason, "choose a folder that can be written to"};
-    }
-    std::error_code failed;
-    std::filesystem::rename(temporary, path, failed);
-    if (!failed) return viewlod::success();
-    std::error_code ignored;
-    std::filesystem::remove(temporary, ignored);
-    return Error{path.string(), "cannot be renamed into place: " + failed.message(),
-                 "choose a folder that can be written to"};
-}
-
-} // namespace
 
 Outcome writePng(const osg::Image& picture, const std::filesystem::path& path)
 {
@@ -65,7 +29,7 @@ Outcome writePng(const osg::Image& picture, const std::filesystem::path& path)
     if (!result.success())
         return Error{path.string(), "the picture cannot be written as PNG " + result.message(),
                      "give an RGB or RGBA picture of 8 bits"};
-    return writeWhole(encoded.str(), path);
+    return viewlod::writeWholeFile(path, encoded.str());
 }
 
 Result<osg::ref_ptr<osg::Image>> readPng(const std::filesystem::path& path)

@@ -34,13 +34,12 @@ RoamTerrain::RoamTerrain(std::shared_ptr<const core::RoamTile> tile, TerrainMate
 }
 
 RoamTerrain::RoamTerrain(const RoamTerrain& other, const osg::CopyOp& copyOp)
-    : osg::Group(),
+    : osg::Group(other, copyOp),
       _tile(other._tile),
       _drawable(new RoamDrawable(*other._drawable, copyOp)),
       _material(other._material)
 {
-    setName(other.getName());
-    addChild(_drawable);
+    setChild(other.getChildIndex(other._drawable.get()), _drawable);
     setAtmosphere(other._atmosphere);
 }
 

@@ -12,7 +12,6 @@
 #include <unistd.h>
 
 #include "RasterWriter.h"
-#include "RenderedSuppressions.h"
 
 namespace
 {

@@ -89,6 +89,24 @@ TEST(FrameCapture, LeavesEveryFrameInOrder)
     EXPECT_EQ(files, 7U) << "no temporary file may stay";
 }
 
+TEST(FrameCapture, RemovesTheFramesOfALongerCapture)
+{
+    const FolderOfTest folder;
+    for (int i = 0; i < 5; ++i)
+        std::ofstream(frameFile(folder.path, i)) << "old";
+    std::ofstream(folder.path / "frame_notes.txt") << "not a frame";
+    const auto viewer = rendered::viewerOf(rendered::smallScene(), smallPicture());
+    ASSERT_NE(viewer, nullptr);
+    auto capture = FrameCapture::begin(&viewer->context(), folder.path);
+    ASSERT_TRUE(capture) << capture.error().message();
+    viewer->frame(0.0);
+    viewer->frame(1.0);
+    ASSERT_TRUE((*capture)->finish());
+    for (int i = 0; i < 5; ++i)
+        EXPECT_EQ(std::filesystem::exists(frameFile(folder.path, i)), i < 2) << i;
+    EXPECT_TRUE(std::filesystem::exists(folder.path / "frame_notes.txt"));
+}
+
 TEST(FrameCapture, AFolderThatCannotBeMadeIsAnError)
 {
     const FolderOfTest folder;

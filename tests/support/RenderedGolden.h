@@ -13,8 +13,6 @@
 #include <osgOffscreen/ImageComparison>
 #include <osgOffscreen/PngFile>
 
-#include "RenderedSuppressions.h"
-
 namespace rendered
 {
 

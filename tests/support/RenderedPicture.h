@@ -6,7 +6,6 @@
 #include <osgOffscreen/OffscreenViewer>
 
 #include "RenderedScene.h"
-#include "RenderedSuppressions.h"
 
 namespace rendered
 {

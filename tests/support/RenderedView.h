@@ -9,7 +9,6 @@
 #include <osgOffscreen/OffscreenViewer>
 #include <osgTerrainROAM/Atmosphere>
 
-#include "RenderedSuppressions.h"
 #include "view/ModelMesh.h"
 #include "view/ObjectShading.h"
 #include "view/Pose.h"

@@ -3,7 +3,8 @@
 
 #include <cstdio>
 
-#include "terminal/ResultFile.h"
+#include <viewlod/WholeFile.h>
+
 #include "view/SvgPlot.h"
 
 namespace trainer
@@ -106,7 +107,7 @@ std::string reportHtml(const ReportContent& content, const std::vector<FrameStat
 viewlod::Outcome writeReport(const ReportContent& content, const std::vector<FrameStatistics>& frames,
                              const std::filesystem::path& file)
 {
-    return terminal::writeFile(file, reportHtml(content, frames));
+    return viewlod::writeWholeFile(file, reportHtml(content, frames));
 }
 
 } // namespace trainer

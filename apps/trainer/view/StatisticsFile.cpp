@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "terminal/ResultFile.h"
+#include <viewlod/WholeFile.h>
 
 namespace trainer
 {
@@ -50,7 +50,7 @@ std::string statisticsJson(const std::vector<FrameStatistics>& frames, bool with
 viewlod::Outcome writeStatistics(const std::vector<FrameStatistics>& frames,
                                  const std::filesystem::path& file)
 {
-    return terminal::writeFile(file, statisticsJson(frames));
+    return viewlod::writeWholeFile(file, statisticsJson(frames));
 }
 
 } // namespace trainer

@@ -66,17 +66,27 @@ std::string gridLine(double x1, double y1, double x2, double y2)
            formatted("%.1f", x2) + "\" y2=\"" + formatted("%.1f", y2) + "\" class=\"grid\"/>";
 }
 
+/// Multiples of a nice step within [from, to].
+std::vector<double> ticks(double from, double to, int wanted)
+{
+    const double step = niceStep(to - from, wanted);
+    const auto first = static_cast<long>(std::ceil(from / step)),
+               last = static_cast<long>(std::floor(to / step));
+    std::vector<double> places;
+    for (long i = first; i <= last; ++i)
+        places.push_back(static_cast<double>(i) * step);
+    return places;
+}
+
 std::string grid(const Axes& axes)
 {
     std::string svg;
-    const double yStep = niceStep(axes.y1 - axes.y0, 4);
-    for (double y = std::ceil(axes.y0 / yStep) * yStep; y <= axes.y1; y += yStep)
+    for (const double y : ticks(axes.y0, axes.y1, 4))
     {
         svg += gridLine(kLeft, axes.py(y), kWidth - kRight, axes.py(y));
         svg += textAt(kLeft - 6.0, axes.py(y) + 4.0, "end", formatted("%.6g", y));
     }
-    const double xStep = niceStep(axes.x1 - axes.x0, 6);
-    for (double x = std::ceil(axes.x0 / xStep) * xStep; x <= axes.x1; x += xStep)
+    for (const double x : ticks(axes.x0, axes.x1, 6))
     {
         svg += gridLine(axes.px(x), kTop, axes.px(x), kHeight - kBottom);
         svg += textAt(axes.px(x), kHeight - kBottom + 15.0, "middle", formatted("%.6g", x));

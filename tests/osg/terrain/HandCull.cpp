@@ -4,8 +4,6 @@
 #include <osg/TriangleFunctor>
 #include <osgUtil/CullVisitor>
 
-#include "RenderedSuppressions.h"
-
 namespace handcull
 {
 

@@ -11,7 +11,7 @@ namespace trainer
 {
 
 /// Everything that moves: the player's inside, and the performer of the storyboard's actions.
-class ScenarioPlayer::Stage : public ActionPerformer
+class ScenarioPlayer::Stage final : public ActionPerformer
 {
 public:
     Stage(Scenario scenarioIn, PlayerOptions options)

@@ -118,7 +118,7 @@ viewlod::Result<Tour> layDrive(const TourTerrain& terrain, const DriveOptions& o
     Tour tour;
     tour.speedMps = options.largestSpeedMps;
     tour.highlight = glm::dvec3(options.toM, terrain.heightM(options.toM.x, options.toM.y));
-    tour.scenario = tourScenario(terrain, car(), vertices, "A drive over " + terrain.sceneFile);
+    tour.scenario = tourScenario(terrain, car(), vertices, "A drive over " + terrain.name());
     dropHeights(tour.scenario);
     return tour;
 }

@@ -70,9 +70,10 @@ std::pair<double, double> heightsAboveGround(const std::vector<PathVertex>& vert
 {
     const PathCurve curve(vertices, FollowingMode::follow, std::nullopt);
     std::pair<double, double> range(1e300, -1e300);
-    for (double time = 0.0; time <= curve.end(); time += kCheckEveryS)
+    const auto checks = static_cast<int>(std::floor(curve.end() / kCheckEveryS));
+    for (int i = 0; i <= checks; ++i)
     {
-        const glm::dvec3 place = curve.at(time).position;
+        const glm::dvec3 place = curve.at(i * kCheckEveryS).position;
         const double above = place.z - terrain.heightM(place.x, place.y);
         range = {std::min(range.first, above), std::max(range.second, above)};
     }
@@ -124,7 +125,7 @@ viewlod::Result<Tour> layTour(const TourTerrain& terrain, const TourOptions& opt
     tour.highestM = heights.second;
     tour.highlight = {choice.plan.highlight.x, choice.plan.highlight.y,
                       terrain.heightM(choice.plan.highlight.x, choice.plan.highlight.y)};
-    tour.scenario = tourScenario(terrain, airborneOwnship(), vertices, "A flight over " + terrain.sceneFile);
+    tour.scenario = tourScenario(terrain, airborneOwnship(), vertices, "A flight over " + terrain.name());
     return tour;
 }
 

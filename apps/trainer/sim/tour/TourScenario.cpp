@@ -15,7 +15,7 @@ namespace
 constexpr double kDegPerRad = 180.0 / std::numbers::pi;
 constexpr double kWantedElevationDeg = 33.0;
 constexpr double kWantedSideDeg = 115.0; ///< between flight and sun
-constexpr double kMinutesPerTry = 15.0;
+constexpr int kMinutesPerTry = 15;
 
 /// Smaller is better.
 double lightFault(const SunDirection& sun, double compassDeg)
@@ -56,7 +56,7 @@ Environment tourEnvironment(const TourTerrain& terrain, double headingRad)
     else
     {
         double smallest = 1e300;
-        for (double minutes = 0.0; minutes < 24.0 * 60.0; minutes += kMinutesPerTry)
+        for (int minutes = 0; minutes < 24 * 60; minutes += kMinutesPerTry)
         {
             const DateTime candidate = midnight.plusSeconds(60.0 * minutes);
             const double fault =

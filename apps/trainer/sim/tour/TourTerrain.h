@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
@@ -29,6 +30,9 @@ struct TourTerrain
 
     double widthM() const { return eastM - westM; }
     double depthM() const { return northM - southM; }
+
+    /// For people: the scene file without its folders.
+    std::string name() const { return std::filesystem::path(sceneFile).filename().string(); }
 };
 
 /// A path laid over a terrain, as a scenario, with what was chosen for it.

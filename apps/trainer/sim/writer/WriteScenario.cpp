@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sim/writer/WriteScenario.h"
 
-#include <fstream>
 #include <sstream>
-#include <system_error>
 
 #include "sim/writer/ElementWriter.h"
 
@@ -46,30 +44,6 @@ viewlod::Result<std::string> scenarioText(const Scenario& scenario)
     std::ostringstream text;
     document.save(text, "    ");
     return text.str();
-}
-
-viewlod::Outcome writeScenario(const Scenario& scenario, const std::filesystem::path& file)
-{
-    const viewlod::Result<std::string> text = scenarioText(scenario);
-    if (!text) return text.error();
-    std::filesystem::path temporary = file;
-    temporary += ".part";
-    std::error_code code;
-    {
-        std::ofstream stream(temporary, std::ios::binary | std::ios::trunc);
-        stream << *text;
-        stream.flush();
-        if (!stream)
-        {
-            std::filesystem::remove(temporary, code);
-            return viewlod::Error{file.string(), "cannot be written", "check the folder and its free space"};
-        }
-    }
-    std::filesystem::rename(temporary, file, code);
-    if (!code) return viewlod::success();
-    const std::string reason = code.message();
-    std::filesystem::remove(temporary, code);
-    return viewlod::Error{file.string(), "cannot be written: " + reason, "choose another path"};
 }
 
 } // namespace trainer

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <filesystem>
 #include <string>
 
 #include <viewlod/Result.h>
@@ -15,9 +14,5 @@ namespace trainer
 /// version in its header. Catalogue entries and parameters stand where they were put in. Errors: content that
 /// the model keeps only by name (Unsupported).
 viewlod::Result<std::string> scenarioText(const Scenario& scenario);
-
-/// Writes scenarioText() to a file: under a temporary name beside it first, so that no partial file ever
-/// bears the final one.
-viewlod::Outcome writeScenario(const Scenario& scenario, const std::filesystem::path& file);
 
 } // namespace trainer

@@ -18,12 +18,12 @@ constexpr int kApex = 0, kLeft = 1, kRight = 2;
 BinTriangleTree::BinTriangleTree(std::shared_ptr<const RoamTile> tile)
     : _tile(std::move(tile)), _regionLevel(_tile->regions.level()), _leaves(_tile->regions.regionCount() + 1)
 {
-    const auto side = static_cast<SampleIndex>(_tile->tile.side());
-    const SampleIndex last = side - 1;
-    const std::uint32_t southWest = addVertex(0), southEast = addVertex(last);
-    const std::uint32_t northWest = addVertex(last * side), northEast = addVertex(last * side + last);
-    const std::uint32_t corners[2][3] = {{southEast, northEast, southWest},
-                                         {northWest, southWest, northEast}};
+    const int side = _tile->tile.side();
+    const auto add = [&](GridPoint p)
+    { return addVertex(static_cast<SampleIndex>(p.row * side + p.column)); };
+    const auto [first, second] = rootTriangles(side);
+    const std::uint32_t apex = add(first.apex), left = add(first.left), right = add(first.right);
+    const std::uint32_t corners[2][3] = {{apex, left, right}, {add(second.apex), right, left}};
     takePair();
     for (const NodeIndex root : kRoots)
     {

@@ -149,11 +149,11 @@ constexpr double kRadiusSlack = 1.0 + 2e-7;
 ErrorTree::ErrorTree(const PlacedTile& tile)
     : _errorsM(static_cast<std::size_t>(tile.side()) * tile.side(), 0.0f), _radiiM(_errorsM.size(), 0.0f)
 {
-    const int last = tile.side() - 1;
     {
         TriangleErrors triangles(tile, _errorsM);
-        std::thread other([&] { triangles.measure({{last, 0}, {last, last}, {0, 0}}, 0); });
-        triangles.measure({{0, last}, {0, 0}, {last, last}}, 0);
+        const auto roots = rootTriangles(tile.side());
+        std::thread other([&] { triangles.measure(roots[0], 0); });
+        triangles.measure(roots[1], 0);
         other.join();
     }
     forEachDiamondBottomUp(tile.side(),

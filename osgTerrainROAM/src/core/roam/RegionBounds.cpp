@@ -49,9 +49,9 @@ Sphere joined(const Sphere& a, const Sphere& b)
 RegionBounds::RegionBounds(const PlacedTile& tile)
     : _level(std::min(kRegionLevel, tile.levels() - 1)), _spheres((4u << _level) - 2u)
 {
-    const int last = tile.side() - 1;
-    build(tile, {{last, 0}, {last, last}, {0, 0}}, 0, 0);
-    build(tile, {{0, last}, {0, 0}, {last, last}}, 0, 1);
+    const auto roots = rootTriangles(tile.side());
+    build(tile, roots[0], 0, 0);
+    build(tile, roots[1], 0, 1);
 }
 
 void RegionBounds::build(const PlacedTile& tile, const GridTriangle& t, int level, std::uint32_t path)

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <osgTerrainROAM/core/roam/GridTriangle.h>
 #include <osgTerrainROAM/core/roam/ScratchRefinement.h>
 
 namespace osgTerrainROAM::core
@@ -33,10 +34,10 @@ void refineFromScratch(const RoamTile& tile, const viewlod::ViewState& view, dou
 {
     leaves.clear();
     Descent descent{tile, ActiveForEye(view, tolerancePx), leaves};
-    const auto side = static_cast<SampleIndex>(tile.tile.side());
-    const SampleIndex southEast = side - 1, northWest = side * (side - 1), northEast = side * side - 1;
-    descent.visit({southEast, northEast, 0}, 0);
-    descent.visit({northWest, 0, northEast}, 0);
+    const int side = tile.tile.side();
+    const auto sample = [side](GridPoint p) { return static_cast<SampleIndex>(p.row * side + p.column); };
+    for (const GridTriangle& root : rootTriangles(side))
+        descent.visit({sample(root.apex), sample(root.left), sample(root.right)}, 0);
 }
 
 } // namespace osgTerrainROAM::core

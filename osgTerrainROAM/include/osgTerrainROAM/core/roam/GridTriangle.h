@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <limits>
 
@@ -85,5 +86,14 @@ private:
         east = std::max(east, column);
     }
 };
+
+/// The two triangles that cover a tile of side × side samples: they share the diagonal from south-west to north-east
+/// as base, and either is the other turned about its middle.
+inline std::array<GridTriangle, 2> rootTriangles(int side)
+{
+    const int last = side - 1;
+    const GridPoint southWest{0, 0}, southEast{last, 0}, northWest{0, last}, northEast{last, last};
+    return {{{southEast, northEast, southWest}, {northWest, southWest, northEast}}};
+}
 
 } // namespace osgTerrainROAM::core

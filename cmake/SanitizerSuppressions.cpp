@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// What sanitizers say of libraries that are not built with them. OSMesa keeps a buffer per context for good (osmesa.c,
+// osmesa_destroy_buffer is never reached); the locks inside Mesa and OSG are not seen; OSG (RenderStageCache against
+// ObserverSet, when a nested camera dies) and GDAL (opening against creating) take locks of their own in either order.
+// Reports that have none of these libraries in their stacks stay. Inline, for the object may be linked twice.
+#if defined(__SANITIZE_ADDRESS__)
+extern "C" [[gnu::used]] inline const char* __lsan_default_suppressions()
+{
+    return "leak:libOSMesa.so\nleak:libEGL\nleak:libGLdispatch\nleak:swrast_dri.so\nleak:libX11.so\n"
+           "leak:osgdb_osg.so\n"; // its options, after a file that it cannot read
+}
+#elif defined(__SANITIZE_THREAD__)
+extern "C" [[gnu::used]] inline const char* __tsan_default_suppressions()
+{
+    return "race:libOSMesa.so\nrace:swrast_dri.so\nrace:libEGL\nmutex:libOSMesa.so\nmutex:swrast_dri.so\n"
+           "deadlock:libOSMesa.so\ndeadlock:swrast_dri.so\nrace:libosg\nrace:libOpenThreads.so\n"
+           "deadlock:libosg\ndeadlock:libgdal.so\n";
+}
+#endif
