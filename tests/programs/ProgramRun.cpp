@@ -18,23 +18,8 @@ namespace
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 constexpr double kSlowness = 5.0;
-
-/// The programs draw with the libraries that the render tests do, and have no suppressions built in.
-void suppressReports(const TemporaryFolder& folder)
-{
-    const std::string file = (folder / "suppressions").string();
-#if defined(__SANITIZE_ADDRESS__)
-    writeBytes(file, __lsan_default_suppressions());
-    setenv("LSAN_OPTIONS", ("print_suppressions=0:suppressions=" + file).c_str(), 1);
-#else
-    writeBytes(file, __tsan_default_suppressions());
-    setenv("TSAN_OPTIONS", ("print_suppressions=0:suppressions=" + file).c_str(), 1);
-#endif
-}
 #else
 constexpr double kSlowness = 1.0;
-
-void suppressReports(const TemporaryFolder&) {}
 #endif
 
 /// Becomes the command, with its words going to files; never comes back.
@@ -51,7 +36,6 @@ void suppressReports(const TemporaryFolder&) {}
                          open((folder / "err").c_str(), O_WRONLY | O_CREAT, 0600)};
     for (int stream = 0; stream < 3; ++stream)
         dup2(words[stream], stream);
-    suppressReports(folder);
     execvp(arguments.front(), arguments.data());
     _exit(127);
 }
