@@ -45,7 +45,7 @@ std::size_t uploadRanges(osg::GLExtensions& gl, GLenum target, const std::vector
 
 const void* bufferOffset(std::size_t bytes)
 {
-    return reinterpret_cast<const void*>(bytes);
+    return reinterpret_cast<const void*>(bytes); // NOLINT(performance-no-int-to-ptr): how GL wants it
 }
 
 } // namespace

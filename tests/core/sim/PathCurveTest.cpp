@@ -11,6 +11,16 @@ namespace trainer
 namespace
 {
 
+/// from, from + step, … up to `to`.
+std::vector<double> places(double from, double to, double step)
+{
+    std::vector<double> all;
+    const auto last = static_cast<int>(std::floor((to - from) / step + 1e-9));
+    for (int i = 0; i <= last; ++i)
+        all.push_back(std::min(from + i * step, to));
+    return all;
+}
+
 std::vector<PathVertex> bend()
 {
     return {{0.0, {0, 0, 0}, {}},  {1.0, {10, 0, 1}, {}},  {2.5, {20, 5, 3}, {}},
@@ -20,7 +30,7 @@ std::vector<PathVertex> bend()
 TEST(CubicSpline, ReproducesAStraightLineAndItsSlope)
 {
     const CubicSpline spline({0.0, 1.0, 4.0, 5.0}, {1.0, 3.0, 9.0, 11.0}, CubicSpline::Kind::natural);
-    for (double u = 0.0; u <= 5.0; u += 0.125)
+    for (const double u : places(0.0, 5.0, 0.125))
     {
         EXPECT_NEAR(spline.at(u).value, 1.0 + 2.0 * u, 1e-12);
         EXPECT_NEAR(spline.at(u).first, 2.0, 1e-12);
@@ -68,7 +78,7 @@ TEST(PathCurve, AClosedCurveComesRoundSmoothly)
 TEST(PathCurve, TangentIsTheDerivativeOfThePosition)
 {
     const PathCurve curve(bend(), FollowingMode::follow, std::nullopt);
-    for (double u = 0.1; u < 5.9; u += 0.1)
+    for (const double u : places(0.1, 5.8, 0.1))
     {
         const glm::dvec3 slope = (curve.at(u + 1e-6).position - curve.at(u - 1e-6).position) / 2e-6;
         EXPECT_NEAR(glm::length(slope - curve.at(u).tangent), 0.0, 1e-5);
@@ -80,7 +90,7 @@ TEST(PathCurve, DistanceAndParameterAreInverse)
     for (const FollowingMode mode : {FollowingMode::position, FollowingMode::follow})
     {
         const PathCurve curve(bend(), mode, std::nullopt);
-        for (double s = 0.0; s <= curve.lengthM(); s += 0.37)
+        for (const double s : places(0.0, curve.lengthM(), 0.37))
             EXPECT_NEAR(curve.distanceAt(curve.parameterAt(s)), s, 1e-9);
         double length = 0.0;
         for (int i = 0; i < 60'000; ++i)
@@ -98,7 +108,7 @@ TEST(PathCurve, CurvatureOfACircleIsItsInverseRadius)
         circle.push_back({i * 1.0, {50.0 * std::cos(angle), 50.0 * std::sin(angle), 0.0}, {}});
     }
     const PathCurve curve(circle, FollowingMode::follow, 1.0);
-    for (double u = 0.0; u < 36.0; u += 0.7)
+    for (const double u : places(0.0, 35.7, 0.7))
         EXPECT_NEAR(curve.at(u).planCurvature(), 1.0 / 50.0, 1e-4);
 }
 
@@ -108,7 +118,7 @@ TEST(PathCurve, GivenHeadingsCrossTheFullTurnTheShortWay)
     for (std::size_t i = 0; i < vertices.size(); ++i)
         vertices[i].orientation.headingRad = i % 2 == 0 ? 3.1 : -3.1;
     const PathCurve curve(vertices, FollowingMode::follow, std::nullopt);
-    for (double u = 0.0; u <= 6.0; u += 0.05)
+    for (const double u : places(0.0, 6.0, 0.05))
         EXPECT_GT(std::fabs(std::remainder(*curve.at(u).headingRad, 2.0 * std::numbers::pi)), 3.0);
 }
 
