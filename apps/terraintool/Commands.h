@@ -16,7 +16,7 @@ namespace terraintool
 /// What was asked on the command line.
 struct Request
 {
-    std::vector<std::string> files; ///< .roam files or elevation rasters
+    std::vector<std::string> files; ///< .roam files, elevation rasters; to validate also .xosc
     osgTerrainROAM::core::DemImportOptions import;
     int frames = 480; ///< of the tour's 20 seconds: every one at 24 per second
     double tolerancePx = 1.0;
@@ -33,7 +33,8 @@ struct Report
 /// Sizes, heights, voids and placement of each file.
 viewlod::Result<Report> info(const Request& request);
 
-/// Flies the tour over each terrain and checks the mesh of every frame by brute force.
+/// Flies the tour over each terrain, and the path of each scenario (.xosc) over the terrain that it names, and checks the
+/// mesh of every frame by brute force.
 viewlod::Result<Report> validate(const Request& request);
 
 } // namespace terraintool

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <filesystem>
 #include <iostream>
 #include <memory>
+#include <optional>
 
 #include <osgTerrainROAM/core/LoadTerrain.h>
 
+#include "sim/parser/ParseScenario.h"
 #include "terminal/Terminal.h"
 #include "terraintool/Commands.h"
 #include "terraintool/FlightFindings.h"
-#include "terraintool/TourViews.h"
+#include "terraintool/FlightViews.h"
 
 namespace terraintool
 {
@@ -28,16 +31,40 @@ void checkFrame(RoamMesh& mesh, const viewlod::ViewState& view, const viewlod::B
     flight.add(checkDrawnMesh(mesh.tile(), mesh.vertices(), drawn, &view), result, budget);
 }
 
+/// The scenario that a .xosc file holds; nothing for any other file, which is a terrain.
+viewlod::Result<std::optional<trainer::Scenario>> scenarioOf(const std::filesystem::path& file)
+{
+    if (file.extension() != ".xosc") return std::optional<trainer::Scenario>();
+    auto parsed = trainer::readScenario(file);
+    if (!parsed) return parsed.error();
+    return std::optional(std::move(parsed->scenario));
+}
+
+/// The terrain that a scenario plays on; any other file is one itself.
+viewlod::Result<std::filesystem::path> terrainOf(const std::optional<trainer::Scenario>& scenario,
+                                                 const std::filesystem::path& file)
+{
+    if (!scenario) return file;
+    if (!scenario->roadNetwork.sceneGraphFile.empty())
+        return file.parent_path() / scenario->roadNetwork.sceneGraphFile;
+    return viewlod::Error{file.string(), "RoadNetwork names no SceneGraphFile", "add one"};
+}
+
 viewlod::Result<FlightFindings> fly(const Request& request, const std::string& file,
                                     nlohmann::ordered_json& row)
 {
-    const auto description = describeTerrain(file, request.import);
+    const auto scenario = scenarioOf(file);
+    if (!scenario) return scenario.error();
+    const auto terrain = terrainOf(*scenario, file);
+    if (!terrain) return terrain.error();
+    const auto description = describeTerrain(*terrain, request.import);
     if (!description) return description.error();
     auto placed = loadTile(*description);
     if (!placed) return placed.error();
     row["samples"] = placed->field().heightsM.size();
     row["voids"] = placed->field().voids.count;
-    const auto views = tourViews(*placed, request.frames);
+    const auto views = *scenario ? scenarioViews(**scenario, file, *placed, request.frames)
+                                 : tourViews(*placed, request.frames);
     if (!views) return views.error();
 
     RoamMesh mesh(std::make_shared<const RoamTile>(std::move(*placed)));

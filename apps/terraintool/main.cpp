@@ -24,7 +24,8 @@ int main(int argc, char** argv)
     };
     add("info", "size, heights, voids and placement", terraintool::info);
     CLI::App* validate =
-        add("validate", "fly the tour and check every mesh by brute force", terraintool::validate);
+        add("validate", "fly the tour, or a scenario (.xosc), and check every mesh by brute force",
+            terraintool::validate);
     validate->add_option("--frames", request.frames, "frames of the flight")->check(CLI::PositiveNumber);
     validate->add_option("--tolerance", request.tolerancePx, "error target in pixels")
         ->check(terminal::between(0.01, 1000.0));

@@ -101,6 +101,38 @@ TEST(TerrainTool, TablesAreTheSameTwice)
     EXPECT_NE(first, rowsOf(place, {"validate", place.writeHill("raised.tif", 50.0), "--frames", "3"}));
 }
 
+TEST(TerrainTool, ValidateFliesAScenario)
+{
+    const Workplace place;
+    const std::string scenario = place.path("tour.xosc");
+    ASSERT_TRUE(
+        succeeds(runTrainer({"tour", place.hill(), "--size", "32x18", "--frames", "1", "--save", scenario})));
+    const ordered_json rows = rowsOf(place, {"validate", scenario, place.hill(), "--frames", "480"});
+    ASSERT_EQ(rows.size(), 2U);
+    EXPECT_EQ(rows[0]["samples"], 65 * 65);
+    EXPECT_EQ(rows[0]["frames"], 480) << "20 s at 24 a second";
+    EXPECT_NEAR(rows[0]["maxErrorPx"].get<double>(), rows[1]["maxErrorPx"].get<double>(), 1e-3)
+        << "the same tour";
+    const ordered_json start = rowsOf(place, {"validate", scenario, "--frames", "2"});
+    EXPECT_EQ(start[0]["frames"], 2);
+}
+
+TEST(TerrainTool, ValidateNamesAScenarioWithoutTerrain)
+{
+    const Workplace place;
+    const std::string scenario = place.path("tour.xosc");
+    ASSERT_TRUE(
+        succeeds(runTrainer({"tour", place.hill(), "--size", "32x18", "--frames", "1", "--save", scenario})));
+    std::string text = readBytes(scenario);
+    const std::size_t begin = text.find("<SceneGraphFile");
+    text.erase(begin, text.find("/>", begin) + 2 - begin);
+    writeBytes(scenario, text);
+    const ProgramRun run = runTerrainTool({"validate", scenario});
+    EXPECT_EQ(run.exitCode, 1);
+    EXPECT_NE(run.errors.find("tour.xosc: RoadNetwork names no SceneGraphFile"), std::string::npos)
+        << run.text();
+}
+
 TEST(TerrainTool, PrintsOneLineForEachFileItValidated)
 {
     const Workplace place;
