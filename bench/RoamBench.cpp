@@ -105,14 +105,63 @@ void errorTree(benchmark::State& state)
 {
     const auto side = static_cast<int>(state.range(0));
     const PlacedTile placed(testsupport::hills(side, side), Placement::planar);
-    for (auto _ : state)
+    for ([[maybe_unused]] auto _ : state)
         benchmark::DoNotOptimize(ErrorTree(placed));
     state.SetItemsProcessed(state.iterations() * side * side);
+}
+
+/// Removes the subtree of one node of level `state.range(0)`, at one sample a triangle, and lets it grow again untimed.
+template<class Merge>
+void mergeSubtree(benchmark::State& state, const Merge& merge)
+{
+    BinTriangleTree tree(tile());
+    const auto grown = [&tree](NodeIndex root)
+    {
+        std::vector<NodeIndex> open{root};
+        while (!open.empty())
+        {
+            const NodeIndex t = open.back();
+            open.pop_back();
+            if (tree.canSplit(t)) tree.forceSplit(t);
+            if (!tree.node(t).isLeaf())
+                open.insert(open.end(), {tree.node(t).firstChild, tree.node(t).firstChild + 1});
+        }
+    };
+    NodeIndex top = 0;
+    for (int level = 0; level < state.range(0); ++level)
+    {
+        if (tree.node(top).isLeaf()) tree.forceSplit(top);
+        top = tree.node(top).firstChild + static_cast<NodeIndex>(level % 2);
+    }
+    double removed = 0;
+    for (auto _ : state)
+    {
+        state.PauseTiming();
+        grown(top);
+        tree.clearChanges();
+        state.ResumeTiming();
+        removed += merge(tree, top);
+    }
+    state.counters["removed"] = removed / static_cast<double>(state.iterations());
+    state.counters["ns_per_removed"] =
+        benchmark::Counter(removed * 1e-9, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+}
+
+void enhMerge(benchmark::State& state)
+{
+    mergeSubtree(state, [](BinTriangleTree& tree, NodeIndex t) { return tree.enhMerge(t); });
+}
+
+void singleMerges(benchmark::State& state)
+{
+    mergeSubtree(state, [](BinTriangleTree& tree, NodeIndex t) { return tree.forceMerge(t); });
 }
 
 // Tolerances in tenths of a pixel; 36 gives about 30 000 triangles on the real crop.
 BENCHMARK(flightByWalk)->Arg(36)->Arg(10)->Unit(benchmark::kMillisecond);
 BENCHMARK(flightFromScratch)->Arg(36)->Arg(10)->Unit(benchmark::kMillisecond);
+BENCHMARK(enhMerge)->DenseRange(2, 12, 2)->Unit(benchmark::kMicrosecond);
+BENCHMARK(singleMerges)->DenseRange(2, 12, 2)->Unit(benchmark::kMicrosecond);
 BENCHMARK(errorTree)->Arg(257)->Arg(1025)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 } // namespace

@@ -16,7 +16,10 @@ constexpr int kApex = 0, kLeft = 1, kRight = 2;
 }
 
 BinTriangleTree::BinTriangleTree(std::shared_ptr<const RoamTile> tile)
-    : _tile(std::move(tile)), _regionLevel(_tile->regions.level()), _leaves(_tile->regions.regionCount() + 1)
+    : _tile(std::move(tile)),
+      _regionLevel(_tile->regions.level()),
+      _leaves(_tile->regions.regionCount() + 1),
+      _undrawnLeaves(_tile->regions.regionCount() + 1)
 {
     const int side = _tile->tile.side();
     const auto add = [&](GridPoint p)
@@ -38,6 +41,7 @@ BinTriangleTree::BinTriangleTree(std::shared_ptr<const RoamTile> tile)
 
 NodeIndex BinTriangleTree::takePair()
 {
+    if (_freePairs.empty() && !_deadPairs.empty()) dismantleOne();
     if (!_freePairs.empty())
     {
         const NodeIndex first = _freePairs.back();
@@ -52,6 +56,8 @@ NodeIndex BinTriangleTree::takePair()
 std::uint32_t BinTriangleTree::addVertex(SampleIndex sample)
 {
     std::uint32_t slot;
+    while (_freeVertices.empty() && !_deadPairs.empty())
+        dismantleOne();
     if (_freeVertices.empty())
     {
         slot = static_cast<std::uint32_t>(_vertices.size());
@@ -106,14 +112,20 @@ void BinTriangleTree::insertLeaf(NodeIndex t)
 {
     const BinTriangle& node = _nodes[t];
     ++_leafCount;
-    if (!node.inData) return;
-    _leaves.insert(t, regionOf(node), {{node.vertices[0], node.vertices[1], node.vertices[2]}}, _changes);
+    if (node.inData)
+        _leaves.insert(t, regionOf(node), {{node.vertices[0], node.vertices[1], node.vertices[2]}}, _changes);
+    else
+        ++_undrawnLeaves[regionOf(node)];
 }
 
 void BinTriangleTree::eraseLeaf(NodeIndex t)
 {
     --_leafCount;
-    if (_nodes[t].inData) _leaves.erase(t, regionOf(_nodes[t]), _changes);
+    const BinTriangle& node = _nodes[t];
+    if (node.inData)
+        _leaves.erase(t, regionOf(node), _changes);
+    else
+        --_undrawnLeaves[regionOf(node)];
 }
 
 void BinTriangleTree::replaceNeighbour(NodeIndex of, NodeIndex from, NodeIndex to)
@@ -169,6 +181,7 @@ std::uint32_t BinTriangleTree::forceSplit(NodeIndex t)
     const NodeIndex partner = _nodes[t].base; // forced or not, now of the same level
     const std::uint32_t middle = addVertex(_nodes[t].splitSample);
     splitOne(t, middle);
+    _nodes[_nodes[t].firstChild].freesApex = true;
     if (partner == kNone) return splits + 1;
     splitOne(partner, middle);
     // The two halves meet crosswise along the former base.

@@ -3,6 +3,7 @@
 // edges of all leaves are matched by their end samples, so that a T-junction shows as an edge without its twin.
 #include <algorithm>
 #include <map>
+#include <numeric>
 #include <set>
 
 #include <osgTerrainROAM/core/roam/BinTriangleTree.h>
@@ -93,9 +94,12 @@ bool BinTriangleTree::isConforming() const
         if (!acrossEdge(t, 0, node.left) || !acrossEdge(t, 1, node.base) || !acrossEdge(t, 2, node.right))
             return false;
     }
-    return leaves.size() == _leafCount && drawn == _leaves.leafCount() && _leaves.isConsistent() &&
-           slotOfSample.size() + _freeVertices.size() == _vertices.size() &&
-           2 * (leaves.size() - 1) + 2 * _freePairs.size() == _nodes.size();
+    std::size_t sparePairs = _freePairs.size(), spareVertices = _freeVertices.size();
+    countUndismantled(sparePairs, spareVertices);
+    const std::size_t undrawn = std::accumulate(_undrawnLeaves.begin(), _undrawnLeaves.end(), std::size_t{0});
+    return leaves.size() == _leafCount && drawn == _leaves.leafCount() && undrawn == leaves.size() - drawn &&
+           _leaves.isConsistent() && slotOfSample.size() + spareVertices == _vertices.size() &&
+           2 * (leaves.size() - 1) + 2 * sparePairs == _nodes.size();
 }
 
 } // namespace osgTerrainROAM::core

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cassert>
+#include <utility>
 
 #include <osgTerrainROAM/core/roam/LeafArena.h>
 
@@ -44,6 +45,14 @@ void LeafArena::erase(NodeIndex owner, std::uint32_t region, MeshChanges& change
     }
     _slotOfNode[owner] = kNone;
     --_leafCount;
+}
+
+std::uint32_t LeafArena::clear(std::uint32_t region)
+{
+    const Block old = std::exchange(_blocks[region], Block{});
+    if (old.sizeClass != 0) _freeBlocks[old.sizeClass].push_back(old.first);
+    _leafCount -= old.count;
+    return old.count;
 }
 
 void LeafArena::grow(Block& block, MeshChanges& changes)

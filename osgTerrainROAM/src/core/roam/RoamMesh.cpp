@@ -30,7 +30,7 @@ bool walk(BinTriangleTree& tree, NodeIndex t, const Active& active, std::uint32_
     }
     else if (!active(tree.node(t).bound))
     {
-        result.merges += tree.forceMerge(t);
+        result.merges += tree.enhMerge(t);
         return true;
     }
     const NodeIndex child = tree.node(t).firstChild;

@@ -27,7 +27,8 @@ struct alignas(64) BinTriangle
     SplitBound bound{};              ///< of that sample, kept here because the walk asks for nothing else
     std::uint16_t path = 0;          ///< which of the nodes of its level, down to the region level
     std::uint8_t level = 0;
-    bool inData = true; ///< overlaps the data; only such leaves are drawn
+    bool inData = true;     ///< overlaps the data; only such leaves are drawn
+    bool freesApex = false; ///< of a pair, the first node: the vertex at its apex goes when the pair goes
 
     bool isLeaf() const { return firstChild == kNone; }
 };
@@ -48,9 +49,17 @@ public:
     /// Merges the diamond of the split triangle `t`, whose four (at the border two) children are leaves.
     void merge(NodeIndex t);
 
-    /// Merges the split triangle `t` back to a leaf, after everything that stands on its children.
-    /// Returns triangles merged.
+    /// Merges the split triangle `t` back to a leaf, after everything that stands on its children, one diamond after the
+    /// other. Returns triangles merged. What enhMerge() is measured against.
     std::uint32_t forceMerge(NodeIndex t);
+
+    /// The paper's operation: makes the split triangle `t` a leaf in one step. Its subtree goes, its diamond partner's
+    /// too, and so does, outwards, every triangle whose base has lost its middle. The same mesh as forceMerge() leaves.
+    /// Returns triangles merged.
+    /// Cost: the boundary of what goes, and its leaves where it is smaller than a region; nodes and vertices are
+    /// dismantled when a later split needs them.
+    /// Source: paper 1, §5.2 (enhMerge); terrain anchors, point 8.
+    std::uint32_t enhMerge(NodeIndex t);
 
     bool canSplit(NodeIndex t) const { return _nodes[t].isLeaf() && _nodes[t].splitSample != kNone; }
     bool isMergeable(NodeIndex t) const;
@@ -88,16 +97,23 @@ private:
     void replaceNeighbour(NodeIndex of, NodeIndex from, NodeIndex to);
     void insertLeaf(NodeIndex t);
     void eraseLeaf(NodeIndex t);
+    std::uint32_t collapse(NodeIndex t); // EnhMerge.cpp, as all up to countUndismantled
+    std::uint32_t releaseLeaves(NodeIndex t);
+    void dismantleOne();
+    void countUndismantled(std::size_t& pairs, std::size_t& vertices) const;
     bool overlapsData(const BinTriangle& t) const;
 
     std::shared_ptr<const RoamTile> _tile;
     int _regionLevel;
     std::vector<BinTriangle> _nodes;
     std::vector<NodeIndex> _freePairs;
+    std::vector<NodeIndex> _deadPairs;  ///< cut off with everything below them, not yet taken apart
+    std::vector<NodeIndex> _collapsing; ///< work list of enhMerge(), empty between operations
     std::vector<MeshVertex> _vertices;
     std::vector<SampleIndex> _sampleOfVertex;
     std::vector<std::uint32_t> _freeVertices;
     LeafArena _leaves;
+    std::vector<std::uint32_t> _undrawnLeaves; ///< beyond the data's edge: their number in each region
     MeshChanges _changes;
     std::uint32_t _leafCount = 0;
 };

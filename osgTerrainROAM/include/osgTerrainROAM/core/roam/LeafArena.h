@@ -25,6 +25,9 @@ public:
     void insert(NodeIndex owner, std::uint32_t region, const LeafTriangle& triangle, MeshChanges& changes);
     void erase(NodeIndex owner, std::uint32_t region, MeshChanges& changes);
 
+    /// Erases all leaves of a region, whatever their number, in one step; its block is free. Returns their number.
+    std::uint32_t clear(std::uint32_t region);
+
     std::span<const LeafTriangle> triangles() const { return _triangles; }
     TriangleRange region(std::uint32_t index) const { return {_blocks[index].first, _blocks[index].count}; }
     std::uint32_t regionCount() const { return static_cast<std::uint32_t>(_blocks.size()); }
