@@ -70,8 +70,9 @@ TEST(Atmosphere, TheSunsHeightDecidesTheColours)
 TEST(Atmosphere, LightChangesSteadilyWithTheSun)
 {
     AtmosphereLight before = atmosphereLight(withSun(-20.0));
-    for (double elevation = -19.9; elevation < 90.0; elevation += 0.1)
+    for (int tenths = -199; tenths < 900; ++tenths)
     {
+        const double elevation = 0.1 * tenths;
         const AtmosphereLight light = atmosphereLight(withSun(elevation));
         EXPECT_LT((light.horizon - before.horizon).length(), 0.02f) << elevation;
         EXPECT_LT((light.sun - before.sun).length(), 0.08f) << elevation;

@@ -21,7 +21,7 @@ TEST(Climate, PutsDesertsWhereTheyAre)
 TEST(Climate, LinesFallTowardsThePolesAndSnowLiesAboveTrees)
 {
     EXPECT_NEAR(climateAt(46.5, 8.5).treeLineM, 2100.0, 200.0);
-    for (double latitude = 30.0; latitude < 85.0; latitude += 1.0)
+    for (int latitude = 30; latitude < 85; ++latitude)
     {
         const Climate here = climateAt(latitude, -30.0);
         const Climate farther = climateAt(latitude + 1.0, -30.0);
@@ -33,8 +33,8 @@ TEST(Climate, LinesFallTowardsThePolesAndSnowLiesAboveTrees)
 
 TEST(Climate, IsContinuous)
 {
-    for (double longitude = -180.0; longitude < 180.0; longitude += 1.0)
-        for (double latitude = -89.0; latitude < 89.0; latitude += 1.0)
+    for (int longitude = -180; longitude < 180; ++longitude)
+        for (int latitude = -89; latitude < 89; ++latitude)
         {
             const double a = climateAt(latitude, longitude).aridity;
             EXPECT_LT(std::abs(a - climateAt(latitude + 0.01, longitude).aridity), 0.02);

@@ -50,8 +50,8 @@ void writeImagery(const std::filesystem::path& file, double eastM, double northM
 
 const unsigned char* texelAt(const osg::Image& image, double columnShare, double rowShare)
 {
-    return image.data(static_cast<int>(columnShare * (image.s() - 1) + 0.5),
-                      static_cast<int>(rowShare * (image.t() - 1) + 0.5));
+    return image.data(static_cast<int>(std::lround(columnShare * (image.s() - 1))),
+                      static_cast<int>(std::lround(rowShare * (image.t() - 1))));
 }
 
 } // namespace
