@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // enhMerge, paper 1, §5.2. The paper descends from each merged triangle to its neighbours at once. Here they wait their
 // turn, coarser ones first: then everything coarser than a triangle has its final neighbours when the triangle's turn
-// comes, and no way around a corner leads into a subtree that is gone already.
+// comes, and no way around a corner leads into a subtree that is gone already. docs/decisions/0009.
 #include <cassert>
 #include <utility>
 

@@ -32,7 +32,7 @@ struct RefineResult
 /// A vertex is *active* exactly when K·e_v / max(|eye − X_v| − r_v, n) > τ; this nests, so the active set is a
 /// conforming mesh, the same for a given eye whatever came before.
 /// Driver: the paper's recursive walk over the previous frame's tree (§5.2), forceSplit where a leaf's vertex is
-/// active, merging where a split vertex is not.
+/// active, enhMerge where a split vertex is not.
 /// Invariant: isConforming() after every operation. Threads: one at a time; the tile is shared and immutable.
 /// Memory: 64 B per bintree node, 12 B per leaf, 32 B per vertex; pools grow, and no split allocates otherwise.
 /// Source: "Methods of continuous level of detail for terrain" (2002), §5; spec 1 D.
