@@ -13,6 +13,7 @@
 #include <osgTerrainROAM/core/roam/RoamMesh.h>
 #include <osgTerrainROAM/core/roam/ScratchRefinement.h>
 
+#include "FullSplit.h"
 #include "SyntheticField.h"
 #include "flights/AnchorFlight.h"
 
@@ -115,18 +116,6 @@ template<class Merge>
 void mergeSubtree(benchmark::State& state, const Merge& merge)
 {
     BinTriangleTree tree(tile());
-    const auto grown = [&tree](NodeIndex root)
-    {
-        std::vector<NodeIndex> open{root};
-        while (!open.empty())
-        {
-            const NodeIndex t = open.back();
-            open.pop_back();
-            if (tree.canSplit(t)) tree.forceSplit(t);
-            if (!tree.node(t).isLeaf())
-                open.insert(open.end(), {tree.node(t).firstChild, tree.node(t).firstChild + 1});
-        }
-    };
     NodeIndex top = 0;
     for (int level = 0; level < state.range(0); ++level)
     {
@@ -137,7 +126,7 @@ void mergeSubtree(benchmark::State& state, const Merge& merge)
     for (auto _ : state)
     {
         state.PauseTiming();
-        grown(top);
+        testsupport::splitFully(tree, {top});
         tree.clearChanges();
         state.ResumeTiming();
         removed += merge(tree, top);

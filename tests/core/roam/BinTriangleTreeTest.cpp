@@ -3,6 +3,7 @@
 
 #include <osgTerrainROAM/core/roam/BinTriangleTree.h>
 
+#include "FullSplit.h"
 #include "SyntheticField.h"
 
 namespace osgTerrainROAM::core
@@ -127,25 +128,13 @@ TEST(BinTriangleTree, MergeUndoesSplitToTheLastBit)
 TEST(BinTriangleTree, PoolsAreReusedSoThatRepetitionNeedsNoMemory)
 {
     BinTriangleTree tree = hillTree();
-    const auto flood = [&tree]
-    {
-        std::vector<NodeIndex> open{0, 1};
-        while (!open.empty())
-        {
-            const NodeIndex t = open.back();
-            open.pop_back();
-            if (tree.canSplit(t)) tree.forceSplit(t);
-            if (!tree.node(t).isLeaf())
-                open.insert(open.end(), {tree.node(t).firstChild, tree.node(t).firstChild + 1});
-        }
-    };
-    flood();
+    testsupport::splitFully(tree);
     EXPECT_EQ(tree.leafCount(), 2u * 32 * 32);
     const std::size_t vertices = tree.vertices().size(), slots = tree.leaves().triangles().size();
     for (int i = 0; i < 5; ++i)
     {
         tree.forceMerge(0);
-        flood();
+        testsupport::splitFully(tree);
     }
     EXPECT_EQ(tree.vertices().size(), vertices);
     EXPECT_EQ(tree.leaves().triangles().size(), slots);

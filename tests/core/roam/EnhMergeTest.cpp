@@ -5,6 +5,7 @@
 
 #include <osgTerrainROAM/core/roam/BinTriangleTree.h>
 
+#include "FullSplit.h"
 #include "SyntheticField.h"
 
 namespace
@@ -176,19 +177,7 @@ TEST(EnhMerge, EveryOperationOfARandomMixLeavesAConformingMesh)
 TEST(EnhMerge, WhatItCutOffIsUsedAgain)
 {
     BinTriangleTree tree(testsupport::planarTile(testsupport::hills(65, 65)));
-    const auto flood = [&tree]
-    {
-        std::vector<NodeIndex> open{0, 1};
-        while (!open.empty())
-        {
-            const NodeIndex t = open.back();
-            open.pop_back();
-            if (tree.canSplit(t)) tree.forceSplit(t);
-            if (!tree.node(t).isLeaf())
-                open.insert(open.end(), {tree.node(t).firstChild, tree.node(t).firstChild + 1});
-        }
-    };
-    flood();
+    testsupport::splitFully(tree);
     const std::size_t vertices = tree.vertices().size(), slots = tree.leaves().triangles().size();
     const std::uint32_t leaves = tree.leafCount();
     for (int i = 0; i < 4; ++i)
@@ -196,7 +185,7 @@ TEST(EnhMerge, WhatItCutOffIsUsedAgain)
         const std::uint32_t merges = tree.enhMerge(i % 2 == 0 ? 0 : tree.node(0).firstChild);
         EXPECT_EQ(merges, leaves - tree.leafCount());
         EXPECT_TRUE(tree.isConforming());
-        flood();
+        testsupport::splitFully(tree);
         EXPECT_EQ(tree.leafCount(), leaves);
     }
     EXPECT_EQ(tree.vertices().size(), vertices);
