@@ -10,6 +10,8 @@
 #include <benchmark/benchmark.h>
 
 #include <osgTerrainROAM/core/heightfield/DemImport.h>
+#include <osgTerrainROAM/core/heightfield/GroundQuery.h>
+#include <osgTerrainROAM/core/roam/DrawnGround.h>
 #include <osgTerrainROAM/core/roam/RoamMesh.h>
 #include <osgTerrainROAM/core/roam/ScratchRefinement.h>
 
@@ -102,6 +104,32 @@ void flightFromScratch(benchmark::State& state)
         });
 }
 
+template<class Query>
+void queries(benchmark::State& state, const Query& query)
+{
+    std::vector<glm::dvec2> places;
+    testsupport::Random random(9);
+    for (int i = 0; i < 4096; ++i)
+        places.emplace_back(tile()->tile.positionAt(random.unit() * 1023.0, random.unit() * 1023.0, 0.0));
+    std::size_t next = 0;
+    for ([[maybe_unused]] auto _ : state)
+        benchmark::DoNotOptimize(query(places[next++ % places.size()]));
+    state.SetItemsProcessed(state.iterations());
+}
+
+void trueGround(benchmark::State& state)
+{
+    queries(state, [](const glm::dvec2& p) { return groundAt(tile()->tile, p.x, p.y); });
+}
+
+/// Over the mesh of the anchors' flight, 30 000 triangles.
+void drawnGround(benchmark::State& state)
+{
+    RoamMesh mesh(tile());
+    mesh.refine(AnchorFlight{}.view(tile()->tile, 0), {.errorTolerancePx = 3.6});
+    queries(state, [&](const glm::dvec2& p) { return drawnGroundAt(tile()->tile, mesh.tree(), p.x, p.y); });
+}
+
 void errorTree(benchmark::State& state)
 {
     const auto side = static_cast<int>(state.range(0));
@@ -151,6 +179,8 @@ BENCHMARK(flightByWalk)->Arg(36)->Arg(10)->Unit(benchmark::kMillisecond);
 BENCHMARK(flightFromScratch)->Arg(36)->Arg(10)->Unit(benchmark::kMillisecond);
 BENCHMARK(enhMerge)->DenseRange(2, 12, 2)->Unit(benchmark::kMicrosecond);
 BENCHMARK(singleMerges)->DenseRange(2, 12, 2)->Unit(benchmark::kMicrosecond);
+BENCHMARK(trueGround);
+BENCHMARK(drawnGround);
 BENCHMARK(errorTree)->Arg(257)->Arg(1025)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 } // namespace

@@ -53,6 +53,19 @@ inline osgTerrainROAM::core::HeightField hills(int columns, int rows, double spa
     return field;
 }
 
+/// Puts a field on the Earth: 3 seconds of arc a sample, in the Alps, geoid 50 m above the ellipsoid.
+inline osgTerrainROAM::core::HeightField onTheEarth(osgTerrainROAM::core::HeightField field)
+{
+    osgTerrainROAM::core::GeodeticNet net;
+    net.step = 4;
+    net.nodesPerSide = (field.tileSide() - 1) / net.step + 1;
+    for (int b = 0; b < net.nodesPerSide; ++b)
+        for (int a = 0; a < net.nodesPerSide; ++a)
+            net.nodes.push_back({46.0 + b * net.step / 1200.0, 8.0 + a * net.step / 1200.0, 50.0});
+    field.net = net;
+    return field;
+}
+
 inline std::shared_ptr<const osgTerrainROAM::core::RoamTile>
 planarTile(osgTerrainROAM::core::HeightField field)
 {

@@ -7,6 +7,8 @@
 
 #include <osgTerrainROAM/core/heightfield/GroundQuery.h>
 
+#include "SyntheticField.h"
+
 namespace
 {
 
@@ -28,15 +30,7 @@ HeightField roughField(int columns, int rows)
 
 HeightField curvedField(int columns, int rows)
 {
-    HeightField field = roughField(columns, rows);
-    GeodeticNet net;
-    net.step = 4;
-    net.nodesPerSide = (field.tileSide() - 1) / net.step + 1;
-    for (int b = 0; b < net.nodesPerSide; ++b)
-        for (int a = 0; a < net.nodesPerSide; ++a)
-            net.nodes.push_back({46.0 + b * net.step / 1200.0, 8.0 + a * net.step / 1200.0, 50.0});
-    field.net = net;
-    return field;
+    return testsupport::onTheEarth(roughField(columns, rows));
 }
 
 using Triangle = std::array<glm::ivec2, 3>; ///< apex, left, right

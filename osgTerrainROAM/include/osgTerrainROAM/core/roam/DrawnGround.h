@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+
+#include <glm/glm.hpp>
+
+#include <osgTerrainROAM/core/roam/BinTriangleTree.h>
+
+namespace osgTerrainROAM::core
+{
+
+/// The ground as the mesh shows it at a place: what wheels must stand on to touch what is seen.
+struct DrawnGround
+{
+    glm::dvec3 position; ///< on the drawn triangle, local frame
+    glm::dvec3 normal;   ///< of that triangle, unit length, pointing up
+    double boundM;       ///< the true surface over that triangle is nowhere farther from it than this
+    NodeIndex leaf;      ///< the triangle
+};
+
+/// The *drawn* surface vertically above or below a local position; nothing beyond the edge of the data. groundAt() gives
+/// the *true* one.
+/// Frame: the tile's. Units: metres. Cost: O(depth of the mesh). Threads: while no operation changes the tree, any.
+/// Source: terrain anchors, point 9.
+std::optional<DrawnGround> drawnGroundAt(const PlacedTile& tile, const BinTriangleTree& tree, double eastM,
+                                         double northM);
+
+} // namespace osgTerrainROAM::core
