@@ -12,6 +12,7 @@
 #include <osgTerrainROAM/core/heightfield/DemImport.h>
 #include <osgTerrainROAM/core/heightfield/GroundQuery.h>
 #include <osgTerrainROAM/core/roam/DrawnGround.h>
+#include <osgTerrainROAM/core/roam/GroundRay.h>
 #include <osgTerrainROAM/core/roam/RoamMesh.h>
 #include <osgTerrainROAM/core/roam/ScratchRefinement.h>
 
@@ -130,6 +131,22 @@ void drawnGround(benchmark::State& state)
     queries(state, [&](const glm::dvec2& p) { return drawnGroundAt(tile()->tile, mesh.tree(), p.x, p.y); });
 }
 
+/// Lines of sight 5 km long from 300 m above the ground.
+void groundRay(benchmark::State& state)
+{
+    testsupport::Random random(10);
+    queries(state,
+            [&](const glm::dvec2& p)
+            {
+                const double heading = 6.283 * random.unit();
+                const glm::dvec3 direction =
+                    glm::normalize(glm::dvec3(std::cos(heading), std::sin(heading), -0.05));
+                const auto ground = groundAt(tile()->tile, p.x, p.y);
+                return hitGround(*tile(), {p.x, p.y, ground ? ground->position.z + 300.0 : 0.0}, direction,
+                                 5000.0);
+            });
+}
+
 void errorTree(benchmark::State& state)
 {
     const auto side = static_cast<int>(state.range(0));
@@ -181,6 +198,7 @@ BENCHMARK(enhMerge)->DenseRange(2, 12, 2)->Unit(benchmark::kMicrosecond);
 BENCHMARK(singleMerges)->DenseRange(2, 12, 2)->Unit(benchmark::kMicrosecond);
 BENCHMARK(trueGround);
 BENCHMARK(drawnGround);
+BENCHMARK(groundRay);
 BENCHMARK(errorTree)->Arg(257)->Arg(1025)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 } // namespace

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <osgTerrainROAM/core/heightfield/GroundQuery.h>
+#include <osgTerrainROAM/core/roam/BinTriangleTree.h>
+#include <osgTerrainROAM/core/roam/GroundRay.h>
+
+#include "FullSplit.h"
+#include "SyntheticField.h"
+
+namespace
+{
+
+using namespace osgTerrainROAM::core;
+using testsupport::Random;
+
+class GroundRay : public testing::TestWithParam<bool>
+{
+protected:
+    GroundRay() : _tile(tileOf(GetParam())), _tree(_tile) { testsupport::splitFully(_tree); }
+
+    static std::shared_ptr<const RoamTile> tileOf(bool curved)
+    {
+        HeightField field = testsupport::hills(30, 33);
+        return std::make_shared<const RoamTile>(curved ? PlacedTile(testsupport::onTheEarth(std::move(field)))
+                                                       : PlacedTile(std::move(field), Placement::planar));
+    }
+
+    glm::dvec3 placeAt(Random& random, double aboveM) const
+    {
+        const PlacedTile& tile = _tile->tile;
+        return tile.positionAt(random.unit() * (tile.dataColumns() - 1),
+                               random.unit() * (tile.dataRows() - 1), 400.0 + aboveM);
+    }
+
+    /// The nearest of all full-resolution triangles, each solved as a system of three equations.
+    double bruteForce(const glm::dvec3& origin, const glm::dvec3& direction) const
+    {
+        double nearest = 1e300;
+        for (const LeafTriangle& t : drawnLeaves())
+        {
+            const auto at = [&](int i)
+            {
+                return _tile->tile.position(static_cast<int>(_tree.sampleOf(t.vertices[i]) % 33),
+                                            static_cast<int>(_tree.sampleOf(t.vertices[i]) / 33));
+            };
+            const glm::dvec3 a = at(0), b = at(1), c = at(2);
+            const glm::dvec3 solved = glm::inverse(glm::dmat3(b - a, c - a, -direction)) * (origin - a);
+            if (std::min({solved.x, solved.y, 1.0 - solved.x - solved.y}) >= -1e-9 && solved.z >= 0.0)
+                nearest = std::min(nearest, solved.z);
+        }
+        return nearest;
+    }
+
+    std::vector<LeafTriangle> drawnLeaves() const
+    {
+        std::vector<LeafTriangle> leaves;
+        for (std::uint32_t region = 0; region < _tree.leaves().regionCount(); ++region)
+        {
+            const TriangleRange range = _tree.leaves().region(region);
+            const auto all = _tree.leaves().triangles().subspan(range.first, range.count);
+            leaves.insert(leaves.end(), all.begin(), all.end());
+        }
+        return leaves;
+    }
+
+    std::shared_ptr<const RoamTile> _tile;
+    BinTriangleTree _tree;
+};
+
+TEST_P(GroundRay, MeetsWhatBruteForceMeets)
+{
+    Random random(4);
+    int hits = 0, misses = 0;
+    for (int i = 0; i < 400; ++i)
+    {
+        const glm::dvec3 origin = placeAt(random, 700.0 * (random.unit() - 0.4));
+        const glm::dvec3 direction = glm::normalize(placeAt(random, 900.0 * (random.unit() - 0.5)) - origin);
+        const double expected = bruteForce(origin, direction);
+        const auto hit = hitGround(*_tile, origin, direction, 1e9);
+        ASSERT_EQ(hit.has_value(), expected < 1e299) << "ray " << i;
+        if (!hit)
+        {
+            ++misses;
+            continue;
+        }
+        ++hits;
+        EXPECT_NEAR(hit->distanceM, expected, 1e-6) << "ray " << i;
+        EXPECT_NEAR(glm::distance(hit->position, origin), expected, 1e-6);
+        EXPECT_NEAR(glm::length(hit->normal), 1.0, 1e-12);
+        EXPECT_FALSE(hitGround(*_tile, origin, direction, 0.999 * expected)) << "beyond what was asked";
+    }
+    EXPECT_GT(hits, 100);
+    EXPECT_GT(misses, 30);
+}
+
+TEST_P(GroundRay, StraightDownIsTheGroundThere)
+{
+    Random random(6);
+    for (int i = 0; i < 300; ++i)
+    {
+        const glm::dvec3 origin = placeAt(random, 2000.0);
+        const auto ground = groundAt(_tile->tile, origin.x, origin.y);
+        const auto hit = hitGround(*_tile, origin, {0.0, 0.0, -1.0}, 1e5);
+        ASSERT_EQ(ground.has_value(), hit.has_value());
+        if (!hit) continue;
+        EXPECT_NEAR(hit->position.z, ground->position.z, 1e-6);
+    }
+}
+
+TEST_P(GroundRay, SkyAndBackAreEmpty)
+{
+    Random random(8);
+    const glm::dvec3 origin = placeAt(random, 3000.0);
+    EXPECT_FALSE(hitGround(*_tile, origin, {0.0, 0.0, 1.0}, 1e9));
+    EXPECT_FALSE(hitGround(*_tile, origin, {1.0, 0.0, 0.0}, 1e9));
+    EXPECT_FALSE(hitGround(*_tile, {1e7, 1e7, 500.0}, {0.0, 0.0, -1.0}, 1e9));
+}
+
+INSTANTIATE_TEST_SUITE_P(Placements, GroundRay, testing::Bool(),
+                         [](const auto& given) { return given.param ? "curved" : "planar"; });
+
+} // namespace
