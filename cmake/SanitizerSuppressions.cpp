@@ -11,6 +11,12 @@ extern "C" [[gnu::used]] inline const char* __lsan_default_suppressions()
     return "leak:libOSMesa.so\nleak:libEGL\nleak:libGLdispatch\nleak:swrast_dri.so\nleak:libX11.so\n"
            "leak:osgdb_osg.so\n"; // its options, after a file that it cannot read
 }
+
+/// What a program says on stderr is its own words, and tests read them.
+extern "C" [[gnu::used]] inline const char* __lsan_default_options()
+{
+    return "print_suppressions=0";
+}
 #elif defined(__SANITIZE_THREAD__)
 extern "C" [[gnu::used]] inline const char* __tsan_default_suppressions()
 {
@@ -18,5 +24,10 @@ extern "C" [[gnu::used]] inline const char* __tsan_default_suppressions()
            "deadlock:libOSMesa.so\ndeadlock:swrast_dri.so\nrace_top:libosg\nrace_top:libOpenThreads.so\n"
            "race:OpenThreads::Mutex::~Mutex\n"
            "deadlock:libosg\ndeadlock:libgdal.so\n";
+}
+
+extern "C" [[gnu::used]] inline const char* __tsan_default_options()
+{
+    return "print_suppressions=0";
 }
 #endif
