@@ -17,7 +17,6 @@ namespace
 
 constexpr int kWidthPx = 960, kHeightPx = 540, kFramesPerSecond = 24;
 constexpr double kFovYDeg = 40.0, kNearM = 1.0, kFarM = 300000.0;
-
 constexpr double kDriverEyeM = 1.5;
 
 using Player = std::unique_ptr<trainer::ScenarioPlayer>;

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include <osgTerrainROAM/core/heightfield/GroundQuery.h>
+#include <osgTerrainROAM/core/heightfield/VerticalHit.h>
 
 namespace osgTerrainROAM::core
 {
@@ -14,22 +15,8 @@ namespace osgTerrainROAM::core
 namespace
 {
 
-/// How far outside (as a barycentric coordinate) a point may lie and still belong: rounding on shared edges.
-constexpr double kEdgeSlack = 1e-9;
-
 /// A triangle of the finest level by grid corners, counter-clockwise from above.
 using GridTriangle = std::array<glm::ivec2, 3>;
-
-/// Where a vertical line meets the plane of a placed triangle.
-struct Hit
-{
-    glm::dvec3 barycentric;
-    glm::dvec3 position;
-    glm::dvec3 normal;
-    glm::dvec2 grid; ///< the line's grid place by this triangle's linear map
-
-    double inside() const { return std::min({barycentric.x, barycentric.y, barycentric.z}); }
-};
 
 /// The half of cell (column, row) that holds a point at `fraction` (0…1 each way) of it. Every diagonal of
 /// the finest level joins samples with an even column + row: those of odd column and row are the last
@@ -48,22 +35,16 @@ class Search
 public:
     Search(const PlacedTile& tile, glm::dvec2 target) : _tile(tile), _target(target) {}
 
-    Hit intersect(const GridTriangle& triangle) const
+    VerticalHit intersect(const GridTriangle& triangle) const
     {
-        std::array<glm::dvec3, 3> p;
+        std::array<glm::dvec3, 3> positions;
+        std::array<glm::dvec2, 3> grid;
         for (std::size_t k = 0; k < 3; ++k)
-            p[k] = _tile.position(triangle[k].x, triangle[k].y);
-        const glm::dvec3 e1 = p[1] - p[0], e2 = p[2] - p[0];
-        const glm::dvec2 d = _target - glm::dvec2(p[0]);
-        const double area = e1.x * e2.y - e1.y * e2.x;
-        const double b1 = (d.x * e2.y - d.y * e2.x) / area;
-        const double b2 = (e1.x * d.y - e1.y * d.x) / area;
-        const glm::dvec3 normal = glm::normalize(glm::cross(e1, e2));
-        const glm::dvec2 g0(triangle[0]);
-        return {{1.0 - b1 - b2, b1, b2},
-                {_target, p[0].z + b1 * e1.z + b2 * e2.z},
-                normal.z < 0.0 ? -normal : normal,
-                g0 + b1 * (glm::dvec2(triangle[1]) - g0) + b2 * (glm::dvec2(triangle[2]) - g0)};
+        {
+            positions[k] = _tile.position(triangle[k].x, triangle[k].y);
+            grid[k] = triangle[k];
+        }
+        return verticalHit(positions, grid, _target);
     }
 
     /// Cell of the data nearest to a grid place.
@@ -74,14 +55,14 @@ public:
     }
 
     /// Follows the triangles' own maps; a few steps suffice except where relief and tilt conspire.
-    std::optional<Hit> follow(glm::dvec2& grid) const
+    std::optional<VerticalHit> follow(glm::dvec2& grid) const
     {
         constexpr int kMaxSteps = 12;
         for (int step = 0; step < kMaxSteps; ++step)
         {
             const glm::ivec2 cell = cellAt(grid);
-            const Hit hit = intersect(triangleIn(cell, grid - glm::dvec2(cell)));
-            if (hit.inside() >= -kEdgeSlack) return hit;
+            const VerticalHit hit = intersect(triangleIn(cell, grid - glm::dvec2(cell)));
+            if (hit.isInside()) return hit;
             if (!std::isfinite(hit.grid.x) || !std::isfinite(hit.grid.y)) return std::nullopt;
             grid = hit.grid;
         }
@@ -89,7 +70,7 @@ public:
     }
 
     /// Tries every triangle of the cells around a grid place.
-    std::optional<Hit> scan(glm::dvec2 grid) const
+    std::optional<VerticalHit> scan(glm::dvec2 grid) const
     {
         constexpr int kReach = 2;
         const glm::ivec2 middle = cellAt(grid);
@@ -100,8 +81,7 @@ public:
                 if (cell != cellAt(glm::dvec2(cell))) continue;
                 // These two places lie in different halves whichever way the diagonal runs.
                 for (const glm::dvec2 half : {glm::dvec2(0.75, 0.5), glm::dvec2(0.25, 0.5)})
-                    if (const Hit hit = intersect(triangleIn(cell, half)); hit.inside() >= -kEdgeSlack)
-                        return hit;
+                    if (const VerticalHit hit = intersect(triangleIn(cell, half)); hit.isInside()) return hit;
             }
         return std::nullopt;
     }
@@ -123,7 +103,7 @@ std::optional<GroundPoint> groundAt(const PlacedTile& tile, double east, double 
     if (grid.x < -margin || grid.y < -margin || grid.x > tile.dataColumns() + margin ||
         grid.y > tile.dataRows() + margin)
         return std::nullopt;
-    std::optional<Hit> hit = search.follow(grid);
+    std::optional<VerticalHit> hit = search.follow(grid);
     if (!hit) hit = search.scan(grid);
     if (!hit) return std::nullopt;
     return GroundPoint{hit->position, hit->normal};

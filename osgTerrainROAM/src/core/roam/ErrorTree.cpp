@@ -42,10 +42,9 @@ public:
     void measure(const GridTriangle& t, int level)
     {
         if (level == _tile.levels() || outsideData(t)) return;
-        const GridPoint mid = middle(t.left, t.right);
-        measure({mid, t.apex, t.left}, level + 1);
-        measure({mid, t.right, t.apex}, level + 1);
-        raise(mid, std::sqrt(largestSquaredError(t)));
+        for (const GridTriangle& child : t.children())
+            measure(child, level + 1);
+        raise(middle(t.left, t.right), std::sqrt(largestSquaredError(t)));
     }
 
 private:

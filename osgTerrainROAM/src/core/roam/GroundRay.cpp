@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include <osgTerrainROAM/core/heightfield/VerticalHit.h>
 #include <osgTerrainROAM/core/roam/GridTriangle.h>
 #include <osgTerrainROAM/core/roam/GroundRay.h>
 
@@ -15,7 +16,6 @@ namespace
 {
 
 constexpr double kNowhere = std::numeric_limits<double>::infinity();
-constexpr double kEdgeSlack = 1e-9; ///< rounding on shared edges, as a barycentric coordinate
 constexpr double kBoundSlack = 1.0 + 1e-6;
 
 /// A triangle with the positions of its corners.
@@ -53,13 +53,14 @@ private:
             meet(t);
             return;
         }
-        const GridPoint mid = middle(t.grid.left, t.grid.right);
+        const auto halves = t.grid.children();
+        const GridPoint mid = halves[0].apex;
         if (entry(t, _tile.errors.errorM(
                          static_cast<SampleIndex>(mid.row * _tile.tile.side() + mid.column))) > _nearestM)
             return;
         const glm::dvec3 top = position(mid);
-        const PlacedTriangle children[2] = {{{mid, t.grid.apex, t.grid.left}, top, t.apex, t.left},
-                                            {{mid, t.grid.right, t.grid.apex}, top, t.right, t.apex}};
+        const PlacedTriangle children[2] = {{halves[0], top, t.apex, t.left},
+                                            {halves[1], top, t.right, t.apex}};
         // The nearer one first: what it finds cuts the other short.
         const int first = glm::dot(_direction, t.left - t.right) > 0.0 ? 1 : 0;
         visit(children[first], level + 1);

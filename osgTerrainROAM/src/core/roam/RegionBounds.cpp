@@ -61,9 +61,9 @@ void RegionBounds::build(const PlacedTile& tile, const GridTriangle& t, int leve
         sphere(level, path) = fitted<Sphere>(tile, t);
         return;
     }
-    const GridPoint mid = middle(t.left, t.right);
-    build(tile, {mid, t.apex, t.left}, level + 1, 2 * path);
-    build(tile, {mid, t.right, t.apex}, level + 1, 2 * path + 1);
+    const auto children = t.children();
+    build(tile, children[0], level + 1, 2 * path);
+    build(tile, children[1], level + 1, 2 * path + 1);
     sphere(level, path) = joined(sphere(level + 1, 2 * path), sphere(level + 1, 2 * path + 1));
 }
 

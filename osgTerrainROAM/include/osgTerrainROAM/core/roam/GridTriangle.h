@@ -27,6 +27,13 @@ struct GridTriangle
 {
     GridPoint apex, left, right;
 
+    /// The halves, from the apex to the middle of the base: with the left corner, with the right.
+    std::array<GridTriangle, 2> children() const
+    {
+        const GridPoint mid = middle(left, right);
+        return {{{mid, apex, left}, {mid, right, apex}}};
+    }
+
     /// Calls visit(row, west, east) for every row that the triangle touches within `columns` × `rows` samples;
     /// the samples west…east, borders included, lie in it.
     template<class Visit>
