@@ -78,25 +78,29 @@ void fly(benchmark::State& state, const Frame& adapt)
     report(state, std::move(frameUs), triangles);
 }
 
-void flightByWalk(benchmark::State& state)
+template<Driver driver>
+void flight(benchmark::State& state)
 {
-    RoamMesh mesh(tile());
-    double changes = 0, frames = 0;
+    RoamMesh mesh(tile(), driver);
+    double changes = 0, checks = 0, frames = 0;
     fly(state,
         [&](const viewlod::ViewState& view)
         {
             const auto result =
                 mesh.refine(view, {.errorTolerancePx = static_cast<double>(state.range(0)) / 10.0});
             changes += result.splits + result.merges;
+            checks += result.checks;
             ++frames;
             return result.leaves;
         });
     state.counters["changes_per_frame"] = changes / frames;
+    state.counters["checks_per_frame"] = checks / frames;
+    state.counters["bytes_per_triangle"] = static_cast<double>(mesh.memoryBytes()) / mesh.tree().leafCount();
 }
 
 void flightFromScratch(benchmark::State& state)
 {
-    std::vector<SampleTriangle> leaves;
+    std::vector<GridTriangle> leaves;
     fly(state,
         [&](const viewlod::ViewState& view)
         {
@@ -128,7 +132,7 @@ void drawnGround(benchmark::State& state)
 {
     RoamMesh mesh(tile());
     mesh.refine(AnchorFlight{}.view(tile()->tile, 0), {.errorTolerancePx = 3.6});
-    queries(state, [&](const glm::dvec2& p) { return drawnGroundAt(tile()->tile, mesh.tree(), p.x, p.y); });
+    queries(state, [&](const glm::dvec2& p) { return drawnGroundAt(mesh.tree(), p.x, p.y); });
 }
 
 /// Lines of sight 5 km long from 300 m above the ground.
@@ -160,12 +164,12 @@ void errorTree(benchmark::State& state)
 template<class Merge>
 void mergeSubtree(benchmark::State& state, const Merge& merge)
 {
-    BinTriangleTree tree(tile());
-    NodeIndex top = 0;
+    DiamondTree tree(tile());
+    TriangleId top = DiamondTree::kRoots[0];
     for (int level = 0; level < state.range(0); ++level)
     {
-        if (tree.node(top).isLeaf()) tree.forceSplit(top);
-        top = tree.node(top).firstChild + static_cast<NodeIndex>(level % 2);
+        if (tree.isLeaf(top)) tree.forceSplit(top);
+        top = tree.children(top)[static_cast<std::size_t>(level % 2)];
     }
     double removed = 0;
     for (auto _ : state)
@@ -174,7 +178,7 @@ void mergeSubtree(benchmark::State& state, const Merge& merge)
         testsupport::splitFully(tree, {top});
         tree.clearChanges();
         state.ResumeTiming();
-        removed += merge(tree, top);
+        removed += merge(tree, tree.splitVertex(top));
     }
     state.counters["removed"] = removed / static_cast<double>(state.iterations());
     state.counters["ns_per_removed"] =
@@ -183,16 +187,18 @@ void mergeSubtree(benchmark::State& state, const Merge& merge)
 
 void enhMerge(benchmark::State& state)
 {
-    mergeSubtree(state, [](BinTriangleTree& tree, NodeIndex t) { return tree.enhMerge(t); });
+    mergeSubtree(state, [](DiamondTree& tree, VertexSlot v) { return tree.enhMerge(v); });
 }
 
 void singleMerges(benchmark::State& state)
 {
-    mergeSubtree(state, [](BinTriangleTree& tree, NodeIndex t) { return tree.forceMerge(t); });
+    mergeSubtree(state, [](DiamondTree& tree, VertexSlot v) { return tree.forceMerge(v); });
 }
 
 // Tolerances in tenths of a pixel; 36 gives about 30 000 triangles on the real crop.
-BENCHMARK(flightByWalk)->Arg(36)->Arg(10)->Unit(benchmark::kMillisecond);
+BENCHMARK(flight<Driver::wheel>)->Arg(36)->Arg(10)->Unit(benchmark::kMillisecond);
+BENCHMARK(flight<Driver::walk>)->Arg(36)->Arg(10)->Unit(benchmark::kMillisecond);
+BENCHMARK(flight<Driver::queue>)->Arg(36)->Unit(benchmark::kMillisecond);
 BENCHMARK(flightFromScratch)->Arg(36)->Arg(10)->Unit(benchmark::kMillisecond);
 BENCHMARK(enhMerge)->DenseRange(2, 12, 2)->Unit(benchmark::kMicrosecond);
 BENCHMARK(singleMerges)->DenseRange(2, 12, 2)->Unit(benchmark::kMicrosecond);

@@ -24,11 +24,7 @@ void checkFrame(RoamMesh& mesh, const viewlod::ViewState& view, const viewlod::B
                 FlightFindings& flight)
 {
     const RefineResult result = mesh.refine(view, budget);
-    std::vector<TriangleRange> everything;
-    mesh.visibleRanges(viewlod::Frustum(glm::dmat4(0.0)),
-                       everything); // planes without direction cull nothing
-    const auto drawn = gathered(mesh.triangles(), everything);
-    flight.add(checkDrawnMesh(mesh.tile(), mesh.vertices(), drawn, &view), result, budget);
+    flight.add(checkDrawnMesh(mesh.tile(), mesh.drawn(), &view), result, budget);
 }
 
 /// The scenario that a .xosc file holds; nothing for any other file, which is a terrain.

@@ -25,16 +25,13 @@ struct Frame
     {
         said = mesh.refine(20.0);
         said.tolerancePx = 1.0;
-        vertices.assign(mesh.vertices().begin(), mesh.vertices().end());
-        std::vector<TriangleRange> ranges;
-        mesh.visibleRanges(viewlod::Frustum(glm::dmat4(0.0)), ranges);
-        triangles = gathered(mesh.triangles(), ranges);
+        drawn = mesh.drawn();
     }
 
     FlightFindings findings() const
     {
         FlightFindings flight;
-        DrawnMeshReport report = checkDrawnMesh(*tile, vertices, triangles, nullptr);
+        DrawnMeshReport report = checkDrawnMesh(*tile, drawn, nullptr);
         report.maxErrorPx = errorPx;
         flight.add(report, said, {.errorTolerancePx = 1.0, .maxTriangles = ceiling});
         return flight;
@@ -43,8 +40,7 @@ struct Frame
     std::shared_ptr<const RoamTile> tile;
     RoamMesh mesh;
     RefineResult said;
-    std::vector<MeshVertex> vertices;
-    std::vector<LeafTriangle> triangles;
+    DrawnMesh drawn;
     double errorPx = 0.7;
     std::uint32_t ceiling = 200000;
 };
@@ -61,7 +57,7 @@ TEST(FlightFindings, OfASoundMeshAreSound)
 TEST(FlightFindings, ATriangleThatIsMissingIsNotSound)
 {
     Frame frame;
-    frame.triangles.erase(frame.triangles.begin() + 5);
+    frame.drawn.triangles.erase(frame.drawn.triangles.begin() + 5);
     EXPECT_FALSE(frame.findings().isSound());
     EXPECT_GT(frame.findings().tJunctions, 0U);
 }
@@ -69,7 +65,7 @@ TEST(FlightFindings, ATriangleThatIsMissingIsNotSound)
 TEST(FlightFindings, AVertexOffItsPlaceIsNotSound)
 {
     Frame frame;
-    frame.vertices[frame.triangles[7].vertices[0]].positionLow.z += 0.01F;
+    frame.drawn.vertices[frame.drawn.triangles[7].vertices[0]].positionLow.z += 0.01F;
     EXPECT_FALSE(frame.findings().isSound());
     EXPECT_GT(frame.findings().cracks, 0U);
 }

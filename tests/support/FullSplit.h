@@ -4,22 +4,25 @@
 #include <utility>
 #include <vector>
 
-#include <osgTerrainROAM/core/roam/BinTriangleTree.h>
+#include <osgTerrainROAM/core/roam/DiamondTree.h>
 
 namespace testsupport
 {
 
 /// Splits everything below the given triangles to the finest level.
-inline void splitFully(osgTerrainROAM::core::BinTriangleTree& tree,
-                       std::vector<osgTerrainROAM::core::NodeIndex> open = {0, 1})
+inline void splitFully(osgTerrainROAM::core::DiamondTree& tree,
+                       std::vector<osgTerrainROAM::core::TriangleId> open = {
+                           osgTerrainROAM::core::DiamondTree::kRoots[0],
+                           osgTerrainROAM::core::DiamondTree::kRoots[1]})
 {
     while (!open.empty())
     {
-        const osgTerrainROAM::core::NodeIndex t = open.back();
+        const osgTerrainROAM::core::TriangleId t = open.back();
         open.pop_back();
         if (tree.canSplit(t)) tree.forceSplit(t);
-        if (!tree.node(t).isLeaf())
-            open.insert(open.end(), {tree.node(t).firstChild, tree.node(t).firstChild + 1});
+        if (tree.isLeaf(t)) continue;
+        for (const osgTerrainROAM::core::TriangleId child : tree.children(t))
+            open.push_back(child);
     }
 }
 

@@ -40,7 +40,7 @@ public:
     explicit Collector(const core::RoamMesh& mesh)
         : _mesh(mesh),
           _limit(mesh.tile().tile.dataColumns() - 1, mesh.tile().tile.dataRows() - 1),
-          _slotToOut(mesh.vertices().size(), core::kNone)
+          _slotToOut(mesh.vertexSlots(), core::kNone)
     {
     }
 
@@ -49,8 +49,8 @@ public:
         bool inside = true;
         for (const std::uint32_t slot : triangle.vertices)
         {
-            const glm::dvec2 grid(_mesh.vertices()[slot].grid);
-            inside = inside && grid.x <= _limit.x && grid.y <= _limit.y;
+            const core::GridPoint p = _mesh.tree().place(slot).point();
+            inside = inside && p.column <= _limit.x && p.row <= _limit.y;
         }
         if (inside)
             for (const std::uint32_t slot : triangle.vertices)
@@ -62,9 +62,10 @@ public:
     ClippedTriangles out;
 
 private:
-    static glm::dvec3 positionOf(const core::MeshVertex& vertex)
+    Corner corner(core::VertexSlot slot) const
     {
-        return glm::dvec3(vertex.positionHigh) + glm::dvec3(vertex.positionLow);
+        const core::GridPoint p = _mesh.tree().place(slot).point();
+        return {_mesh.tile().tile.position(p.column, p.row), glm::dvec2(p.column, p.row)};
     }
 
     GLuint append(const glm::dvec3& position)
@@ -75,7 +76,7 @@ private:
 
     GLuint shared(std::uint32_t slot)
     {
-        if (_slotToOut[slot] == core::kNone) _slotToOut[slot] = append(positionOf(_mesh.vertices()[slot]));
+        if (_slotToOut[slot] == core::kNone) _slotToOut[slot] = append(corner(slot).position);
         return _slotToOut[slot];
     }
 
@@ -83,7 +84,7 @@ private:
     {
         Polygon polygon;
         for (const std::uint32_t slot : triangle.vertices)
-            polygon.push_back({positionOf(_mesh.vertices()[slot]), glm::dvec2(_mesh.vertices()[slot].grid)});
+            polygon.push_back(corner(slot));
         polygon = clipped(clipped(polygon, 0, _limit.x), 1, _limit.y);
         if (polygon.size() < 3) return;
         const GLuint first = append(polygon[0].position);
@@ -114,8 +115,8 @@ ClippedTriangles clippedTriangles(const core::RoamMesh& mesh, std::span<const co
 {
     Collector collector(mesh);
     for (const core::TriangleRange& range : ranges)
-        for (const core::LeafTriangle& triangle : mesh.triangles().subspan(range.first, range.count))
-            collector.add(triangle);
+        for (std::uint32_t slot = range.first; slot < range.first + range.count; ++slot)
+            collector.add(mesh.triangle(slot));
     return std::move(collector.out);
 }
 

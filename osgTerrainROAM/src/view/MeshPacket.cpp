@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <span>
 
 namespace osgTerrainROAM
 {
@@ -15,22 +14,22 @@ constexpr std::uint32_t kMaxVertexGap = 8; ///< 256 B bridged: about what anothe
 constexpr std::uint32_t kMaxTriangleGap = 21;
 constexpr std::uint32_t kLeastCapacity = 4096;
 
-template<class Element>
-std::vector<Element> copiedRanges(std::span<const Element> source,
-                                  const std::vector<core::IndexRange>& ranges)
+void copyRanges(const core::RoamMesh& mesh, MeshPacket& packet)
 {
-    std::vector<Element> copy;
-    for (const core::IndexRange& range : ranges)
-        copy.insert(copy.end(), source.begin() + range.first, source.begin() + range.first + range.count);
-    return copy;
+    for (const core::IndexRange& range : packet.vertexRanges)
+        for (std::uint32_t slot = range.first; slot < range.first + range.count; ++slot)
+            packet.vertices.push_back(mesh.vertex(slot));
+    for (const core::TriangleRange& range : packet.triangleRanges)
+        for (std::uint32_t slot = range.first; slot < range.first + range.count; ++slot)
+            packet.triangles.push_back(mesh.triangle(slot));
 }
 
 MeshPacket emptyPacket(const core::RoamMesh& mesh, std::uint64_t serial)
 {
     MeshPacket packet;
     packet.serial = serial;
-    packet.vertexCount = static_cast<std::uint32_t>(mesh.vertices().size());
-    packet.triangleCount = static_cast<std::uint32_t>(mesh.triangles().size());
+    packet.vertexCount = mesh.vertexSlots();
+    packet.triangleCount = mesh.triangleSlots();
     return packet;
 }
 
@@ -45,9 +44,8 @@ PacketPtr changedPacket(const core::RoamMesh& mesh, std::uint64_t serial)
 {
     MeshPacket packet = emptyPacket(mesh, serial);
     packet.vertexRanges = core::joinedRanges(mesh.changes().vertices, kMaxVertexGap);
-    packet.vertices = copiedRanges(mesh.vertices(), packet.vertexRanges);
     packet.triangleRanges = core::joinedRanges(mesh.changes().triangles, kMaxTriangleGap);
-    packet.triangles = copiedRanges(mesh.triangles(), packet.triangleRanges);
+    copyRanges(mesh, packet);
     return std::make_shared<const MeshPacket>(std::move(packet));
 }
 
@@ -56,9 +54,10 @@ PacketPtr wholePacket(const core::RoamMesh& mesh, std::uint64_t serial)
     MeshPacket packet = emptyPacket(mesh, serial);
     packet.whole = true;
     packet.vertexRanges = {{0, packet.vertexCount}};
-    packet.vertices.assign(mesh.vertices().begin(), mesh.vertices().end());
-    packet.triangleRanges = {{0, packet.triangleCount}};
-    packet.triangles.assign(mesh.triangles().begin(), mesh.triangles().end());
+    const core::LeafArena& leaves = mesh.tree().leaves();
+    for (std::uint32_t region = 0; region < leaves.regionCount(); ++region)
+        if (leaves.region(region).count > 0) packet.triangleRanges.push_back(leaves.region(region));
+    copyRanges(mesh, packet);
     return std::make_shared<const MeshPacket>(std::move(packet));
 }
 

@@ -43,62 +43,57 @@ double distanceToTriangle(const glm::dvec3& point, const Corners& c)
 /// The search and the best it has found.
 struct Search
 {
-    const core::BinTriangleTree& tree;
+    const core::DiamondTree& tree;
     glm::dvec3 point;
     double leastM;
 
-    Corners corners(const core::BinTriangle& t) const
+    glm::dvec3 position(core::GridPoint p) const { return tree.tile().tile.position(p.column, p.row); }
+
+    Corners corners(const core::GridTriangle& t) const
     {
-        Corners found;
-        for (int i = 0; i < 3; ++i)
-        {
-            const core::MeshVertex& vertex = tree.vertices()[t.vertices[i]];
-            found[i] = glm::dvec3(vertex.positionHigh) + glm::dvec3(vertex.positionLow);
-        }
-        return found;
+        return {position(t.apex), position(t.left), position(t.right)};
     }
 
     /// No leaf below is nearer than this.
-    double boundM(const core::BinTriangle& t) const
+    double boundM(const core::SplitBound& bound, const Corners& corners) const
     {
-        const glm::dvec3 centre(t.bound.centre);
-        double radius = t.bound.radiusM;
-        for (const glm::dvec3& corner : corners(t))
+        const glm::dvec3 centre(bound.centre);
+        double radius = bound.radiusM;
+        for (const glm::dvec3& corner : corners)
             radius = std::max(radius, glm::distance(corner, centre));
         return glm::distance(point, centre) - radius;
     }
 
-    void descend(core::NodeIndex index)
+    void descend(core::TriangleId t, const core::GridTriangle& g)
     {
-        const core::BinTriangle& t = tree.node(index);
-        if (!t.inData) return;
-        if (t.isLeaf())
+        const core::PlacedTile& tile = tree.tile().tile;
+        const bool beyondData =
+            std::min({g.apex.column, g.left.column, g.right.column}) >= tile.dataColumns() - 1 ||
+            std::min({g.apex.row, g.left.row, g.right.row}) >= tile.dataRows() - 1;
+        if (beyondData) return;
+        const Corners c = corners(g);
+        if (tree.isLeaf(t))
         {
-            leastM = std::min(leastM, distanceToTriangle(point, corners(t)));
+            leastM = std::min(leastM, distanceToTriangle(point, c));
             return;
         }
-        if (boundM(t) >= leastM) return;
-        const core::NodeIndex children[2] = {t.firstChild, t.firstChild + 1};
-        const bool swap = centreDistance2(children[1]) < centreDistance2(children[0]);
-        descend(children[swap ? 1 : 0]);
-        descend(children[swap ? 0 : 1]);
-    }
-
-    double centreDistance2(core::NodeIndex index) const
-    {
-        const Corners c = corners(tree.node(index));
-        const glm::dvec3 away = (c[0] + c[1] + c[2]) / 3.0 - point;
-        return glm::dot(away, away);
+        if (boundM(tree.bound(t), c) >= leastM) return;
+        // The nearer half first: the children share apex and middle, and differ by the base's ends.
+        const bool rightFirst = glm::distance(point, c[2]) < glm::distance(point, c[1]);
+        const auto children = tree.children(t);
+        const auto halves = g.children();
+        for (const std::size_t half : {rightFirst ? 1u : 0u, rightFirst ? 0u : 1u})
+            descend(children[half], halves[half]);
     }
 };
 
 } // namespace
 
-double nearestSurfaceM(const core::BinTriangleTree& tree, const glm::dvec3& point)
+double nearestSurfaceM(const core::DiamondTree& tree, const glm::dvec3& point)
 {
     Search search{tree, point, std::numeric_limits<double>::infinity()};
-    for (const core::NodeIndex root : core::BinTriangleTree::kRoots)
-        search.descend(root);
+    for (const core::TriangleId root : core::DiamondTree::kRoots)
+        search.descend(root, tree.gridTriangle(root));
     return search.leastM;
 }
 

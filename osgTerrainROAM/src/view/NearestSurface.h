@@ -3,7 +3,7 @@
 
 #include <glm/glm.hpp>
 
-#include <osgTerrainROAM/core/roam/BinTriangleTree.h>
+#include <osgTerrainROAM/core/roam/DiamondTree.h>
 
 namespace osgTerrainROAM
 {
@@ -12,6 +12,6 @@ namespace osgTerrainROAM
 /// Branch and bound down the bintree: a triangle's leaves lie in the convex hull of its corners and of the split
 /// vertices below, all of them within max(corner distance, r_v) of its split vertex.
 /// Frame: the tile's. Cost: a few nodes per level.
-double nearestSurfaceM(const core::BinTriangleTree& tree, const glm::dvec3& point);
+double nearestSurfaceM(const core::DiamondTree& tree, const glm::dvec3& point);
 
 } // namespace osgTerrainROAM

@@ -29,8 +29,8 @@ void sortFrontToBack(const core::RoamMesh& mesh, const glm::dvec3& eye,
     keyed.reserve(ranges.size());
     for (const core::TriangleRange& range : ranges)
     {
-        const core::MeshVertex& vertex = mesh.vertices()[mesh.triangles()[range.first].vertices[0]];
-        keyed.emplace_back(glm::distance(vertex.positionHigh, glm::vec3(eye)), range);
+        const core::MeshVertex apex = mesh.vertex(mesh.tree().leaves().leaf(range.first).apex());
+        keyed.emplace_back(glm::distance(apex.positionHigh, glm::vec3(eye)), range);
     }
     std::sort(keyed.begin(), keyed.end(),
               [](const auto& a, const auto& b)
@@ -57,7 +57,7 @@ bool ViewGroup::isMetBy(unsigned int frame, const RefineTarget& target) const
     const bool sameKind = _serial != 0 && target.errorM == _target.errorM &&
                           target.view.eyeWorld == _target.view.eyeWorld &&
                           target.budget.maxTriangles == _target.budget.maxTriangles;
-    if (!sameKind) return false;
+    if (!sameKind || (_frame != frame && _statistics.refine.sliceBound)) return false;
     const double scale = scaleOf(target);
     const double present = scaleOf(_target);
     // What another camera of the group has asked for in this frame may be stricter; an older frame must be equal.

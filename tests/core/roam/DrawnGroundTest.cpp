@@ -36,13 +36,13 @@ class DrawnGround : public testing::TestWithParam<bool>
 TEST_P(DrawnGround, IsTheTrueOneAtFullResolution)
 {
     const auto tile = tileOf(GetParam());
-    BinTriangleTree tree(tile);
+    DiamondTree tree(tile);
     testsupport::splitFully(tree);
     Random random(2);
     for (int i = 0; i < 2000; ++i)
     {
         const glm::dvec2 place = randomPlace(tile->tile, random);
-        const auto drawn = drawnGroundAt(tile->tile, tree, place.x, place.y);
+        const auto drawn = drawnGroundAt(tree, place.x, place.y);
         const auto truth = groundAt(tile->tile, place.x, place.y);
         ASSERT_TRUE(drawn && truth) << place.x << ' ' << place.y;
         EXPECT_NEAR(drawn->position.z, truth->position.z, 1e-6);
@@ -63,7 +63,7 @@ TEST_P(DrawnGround, KeepsTheBoundToTheTrueOne)
         for (int i = 0; i < 500; ++i)
         {
             const glm::dvec2 place = randomPlace(tile->tile, random);
-            const auto drawn = drawnGroundAt(tile->tile, mesh.tree(), place.x, place.y);
+            const auto drawn = drawnGroundAt(mesh.tree(), place.x, place.y);
             const auto truth = groundAt(tile->tile, place.x, place.y);
             ASSERT_TRUE(drawn && truth);
             const double off = GetParam()
@@ -71,7 +71,7 @@ TEST_P(DrawnGround, KeepsTheBoundToTheTrueOne)
                                    : std::fabs(truth->position.z - drawn->position.z);
             EXPECT_LE(off, drawn->boundM + 1e-3);
             EXPECT_LE(drawn->boundM, errorM) << "a leaf that should have been split";
-            EXPECT_TRUE(mesh.tree().node(drawn->leaf).isLeaf());
+            EXPECT_TRUE(mesh.tree().isLeaf(drawn->leaf));
             largest = std::max(largest, off);
             if (drawn->boundM > 0.0) largestShare = std::max(largestShare, off / drawn->boundM);
         }
@@ -90,9 +90,9 @@ TEST_P(DrawnGround, IsNowhereBeyondTheData)
                                   glm::dvec2(20.0, 66.0), glm::dvec2(20.0, -2.0), glm::dvec2(1e6, 1e6)})
     {
         const glm::dvec3 place = placed.positionAt(grid.x, grid.y, 400.0);
-        EXPECT_FALSE(drawnGroundAt(placed, mesh.tree(), place.x, place.y)) << grid.x << ' ' << grid.y;
+        EXPECT_FALSE(drawnGroundAt(mesh.tree(), place.x, place.y)) << grid.x << ' ' << grid.y;
     }
-    EXPECT_FALSE(drawnGroundAt(placed, mesh.tree(), std::nan(""), 0.0));
+    EXPECT_FALSE(drawnGroundAt(mesh.tree(), std::nan(""), 0.0));
 }
 
 INSTANTIATE_TEST_SUITE_P(Placements, DrawnGround, testing::Bool(),

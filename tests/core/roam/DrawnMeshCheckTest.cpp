@@ -18,18 +18,14 @@ struct Drawn
         : tile(testsupport::planarTile(testsupport::hills(columns, rows))), mesh(tile)
     {
         mesh.refine(20.0);
-        vertices.assign(mesh.vertices().begin(), mesh.vertices().end());
-        std::vector<TriangleRange> ranges;
-        mesh.visibleRanges(viewlod::Frustum(glm::dmat4(0.0)), ranges);
-        triangles = gathered(mesh.triangles(), ranges);
+        drawn = mesh.drawn();
     }
 
-    DrawnMeshReport check() const { return checkDrawnMesh(*tile, vertices, triangles, nullptr); }
+    DrawnMeshReport check() const { return checkDrawnMesh(*tile, drawn, nullptr); }
 
     std::shared_ptr<const RoamTile> tile;
     RoamMesh mesh;
-    std::vector<MeshVertex> vertices;
-    std::vector<LeafTriangle> triangles;
+    DrawnMesh drawn;
 };
 
 TEST(DrawnMeshCheck, FindsNothingInASoundMesh)
@@ -45,7 +41,7 @@ TEST(DrawnMeshCheck, FindsNothingInASoundMesh)
 TEST(DrawnMeshCheck, SeesAMissingTriangle)
 {
     Drawn drawn(33, 33);
-    drawn.triangles.erase(drawn.triangles.begin() + 5);
+    drawn.drawn.triangles.erase(drawn.drawn.triangles.begin() + 5);
     EXPECT_GT(drawn.check().tJunctions, 0u);
 }
 
@@ -53,14 +49,14 @@ TEST(DrawnMeshCheck, SeesAHoleInTheSamples)
 {
     Drawn drawn(33, 33);
     drawn.mesh.refine(1e9);
-    drawn.triangles.assign(1, drawn.triangles.front());
+    drawn.drawn.triangles.assign(1, drawn.drawn.triangles.front());
     EXPECT_GT(drawn.check().cracks, 0u);
 }
 
 TEST(DrawnMeshCheck, SeesAVertexOffItsPlace)
 {
     Drawn drawn(33, 33);
-    drawn.vertices[drawn.triangles[7].vertices[0]].positionLow.z += 0.01f;
+    drawn.drawn.vertices[drawn.drawn.triangles[7].vertices[0]].positionLow.z += 0.01f;
     EXPECT_GT(drawn.check().cracks, 0u);
 }
 
@@ -68,10 +64,10 @@ TEST(DrawnMeshCheck, SeesATJunction)
 {
     Drawn drawn(33, 33);
     // Two neighbouring triangles become one large one of three corners: its long side has a vertex in it.
-    const LeafTriangle t = drawn.triangles[3];
-    drawn.triangles.push_back({{t.vertices[0], t.vertices[2], t.vertices[1]}});
-    drawn.triangles.pop_back();
-    drawn.triangles[3] = {{t.vertices[1], t.vertices[2], t.vertices[2]}};
+    const LeafTriangle t = drawn.drawn.triangles[3];
+    drawn.drawn.triangles.push_back({{t.vertices[0], t.vertices[2], t.vertices[1]}});
+    drawn.drawn.triangles.pop_back();
+    drawn.drawn.triangles[3] = {{t.vertices[1], t.vertices[2], t.vertices[2]}};
     EXPECT_GT(drawn.check().tJunctions, 0u);
 }
 

@@ -2,11 +2,12 @@
 #include <gtest/gtest.h>
 
 #include <osgTerrainROAM/core/heightfield/GroundQuery.h>
-#include <osgTerrainROAM/core/roam/BinTriangleTree.h>
+#include <osgTerrainROAM/core/roam/DiamondTree.h>
 #include <osgTerrainROAM/core/roam/GroundRay.h>
 
 #include "FullSplit.h"
 #include "SyntheticField.h"
+#include "TreeWalks.h"
 
 namespace
 {
@@ -37,13 +38,13 @@ protected:
     double bruteForce(const glm::dvec3& origin, const glm::dvec3& direction) const
     {
         double nearest = 1e300;
-        for (const LeafTriangle& t : drawnLeaves())
+        for (const testsupport::CornerIndices& t : testsupport::leafSet(_tree))
         {
-            const auto at = [&](int i)
-            {
-                return _tile->tile.position(static_cast<int>(_tree.sampleOf(t.vertices[i]) % 33),
-                                            static_cast<int>(_tree.sampleOf(t.vertices[i]) / 33));
+            const auto at = [&](std::size_t i) { return _tile->tile.position(t[2 * i], t[2 * i + 1]); };
+            const auto beyond = [&](std::size_t axis, int limit) {
+                return std::min({t[axis], t[2 + axis], t[4 + axis]}) >= limit - 1;
             };
+            if (beyond(0, _tile->tile.dataColumns()) || beyond(1, _tile->tile.dataRows())) continue;
             const glm::dvec3 a = at(0), b = at(1), c = at(2);
             const glm::dvec3 solved = glm::inverse(glm::dmat3(b - a, c - a, -direction)) * (origin - a);
             if (std::min({solved.x, solved.y, 1.0 - solved.x - solved.y}) >= -1e-9 && solved.z >= 0.0)
@@ -52,20 +53,8 @@ protected:
         return nearest;
     }
 
-    std::vector<LeafTriangle> drawnLeaves() const
-    {
-        std::vector<LeafTriangle> leaves;
-        for (std::uint32_t region = 0; region < _tree.leaves().regionCount(); ++region)
-        {
-            const TriangleRange range = _tree.leaves().region(region);
-            const auto all = _tree.leaves().triangles().subspan(range.first, range.count);
-            leaves.insert(leaves.end(), all.begin(), all.end());
-        }
-        return leaves;
-    }
-
     std::shared_ptr<const RoamTile> _tile;
-    BinTriangleTree _tree;
+    DiamondTree _tree;
 };
 
 TEST_P(GroundRay, MeetsWhatBruteForceMeets)

@@ -12,71 +12,114 @@ namespace
 
 using namespace osgTerrainROAM::core;
 
+/// Keeps the slots of an arena's leaves, as its user must.
+struct Keeper
+{
+    explicit Keeper(std::uint32_t regions) : arena(regions) {}
+
+    struct Leaf
+    {
+        std::uint32_t region, slot;
+    };
+
+    void note(TriangleRange slots)
+    {
+        for (std::uint32_t slot = slots.first; slot < slots.first + slots.count; ++slot)
+            leaves[arena.leaf(slot).apex()].slot = slot;
+    }
+
+    void insert(VertexSlot apex, std::uint32_t region, MeshChanges& changes)
+    {
+        leaves[apex].region = region;
+        note(arena.insert(TriangleId(apex, 0), region, changes));
+    }
+
+    void erase(VertexSlot apex, MeshChanges& changes)
+    {
+        const Leaf leaf = leaves.at(apex);
+        leaves.erase(apex);
+        note(arena.erase(leaf.slot, leaf.region, changes));
+    }
+
+    bool isRight() const
+    {
+        for (const auto& [apex, leaf] : leaves)
+        {
+            const TriangleRange range = arena.region(leaf.region);
+            const bool inRegion = leaf.slot >= range.first && leaf.slot < range.first + range.count;
+            if (!inRegion || arena.leaf(leaf.slot) != TriangleId(apex, 0)) return false;
+        }
+        return arena.isConsistent() && arena.leafCount() == leaves.size();
+    }
+
+    LeafArena arena;
+    std::map<VertexSlot, Leaf> leaves;
+};
+
 TEST(LeafArena, KeepsEveryRegionsLeavesTogetherThroughRandomChanges)
 {
-    LeafArena arena(5);
+    Keeper keeper(5);
     MeshChanges changes;
     testsupport::Random random(11);
-    std::map<NodeIndex, std::uint32_t> regionOf;
     for (int i = 0; i < 20000; ++i)
     {
-        const NodeIndex node = random.below(700);
-        if (const auto known = regionOf.find(node); known != regionOf.end())
-        {
-            arena.erase(node, known->second, changes);
-            regionOf.erase(known);
-        }
+        const VertexSlot apex = random.below(700);
+        if (keeper.leaves.count(apex))
+            keeper.erase(apex, changes);
         else
-        {
-            const std::uint32_t region = random.below(5);
-            arena.insert(node, region, {{node, node + 1, node + 2}}, changes);
-            regionOf[node] = region;
-        }
-        ASSERT_TRUE(i % 100 != 0 || arena.isConsistent());
+            keeper.insert(apex, random.below(5), changes);
+        ASSERT_TRUE(i % 100 != 0 || keeper.isRight());
     }
-    std::map<NodeIndex, std::uint32_t> seen;
-    for (std::uint32_t region = 0; region < arena.regionCount(); ++region)
-    {
-        const TriangleRange range = arena.region(region);
-        for (std::uint32_t i = 0; i < range.count; ++i)
-            seen[arena.triangles()[range.first + i].vertices[0]] = region;
-    }
-    EXPECT_EQ(seen, regionOf);
-    EXPECT_EQ(arena.leafCount(), regionOf.size());
 }
 
 TEST(LeafArena, ReportsEverySlotItWrites)
 {
-    LeafArena arena(3);
+    Keeper keeper(3);
     testsupport::Random random(5);
-    std::vector<LeafTriangle> mirror; // what a graphics card would hold that was sent the changes alone
-    std::map<NodeIndex, std::uint32_t> regionOf;
+    std::vector<TriangleId> mirror; // what a graphics card would hold that was sent the changes alone
     for (int frame = 0; frame < 300; ++frame)
     {
         MeshChanges changes;
         for (int i = 0; i < 25; ++i)
         {
-            const NodeIndex node = random.below(400);
-            if (const auto known = regionOf.find(node); known != regionOf.end())
+            const VertexSlot apex = random.below(400);
+            if (!keeper.leaves.count(apex))
+                keeper.insert(apex, apex % 3, changes);
+            else if (random.below(3) != 0)
+                keeper.erase(apex, changes);
+            else // its slot goes to another leaf of the region
             {
-                arena.erase(node, known->second, changes);
-                regionOf.erase(known);
-            }
-            else
-            {
-                arena.insert(node, regionOf[node] = node % 3, {{node, node, node}}, changes);
+                const Keeper::Leaf leaf = keeper.leaves.at(apex);
+                const VertexSlot heir = apex + 400;
+                if (keeper.leaves.count(heir)) continue;
+                keeper.arena.replace(leaf.slot, TriangleId(heir, 0), changes);
+                keeper.leaves.erase(apex);
+                keeper.leaves[heir] = leaf;
             }
         }
-        mirror.resize(arena.triangles().size());
+        mirror.resize(keeper.arena.slotCount());
         for (const std::uint32_t slot : changes.triangles)
-            mirror[slot] = arena.triangles()[slot];
-        for (std::uint32_t region = 0; region < 3; ++region)
-            for (std::uint32_t i = 0; i < arena.region(region).count; ++i)
-            {
-                const std::uint32_t slot = arena.region(region).first + i;
-                ASSERT_EQ(mirror[slot].vertices[0], arena.triangles()[slot].vertices[0]);
-            }
+            mirror[slot] = keeper.arena.leaf(slot);
+        for (const auto& [apex, leaf] : keeper.leaves)
+            ASSERT_EQ(mirror[leaf.slot], TriangleId(apex, 0));
+        ASSERT_TRUE(keeper.isRight());
     }
+}
+
+TEST(LeafArena, ClearsARegionInOneStep)
+{
+    Keeper keeper(2);
+    MeshChanges changes;
+    for (VertexSlot apex = 0; apex < 100; ++apex)
+        keeper.insert(apex, apex % 2, changes);
+    EXPECT_EQ(keeper.arena.clear(0), 50u);
+    std::erase_if(keeper.leaves, [](const auto& entry) { return entry.second.region == 0; });
+    EXPECT_TRUE(keeper.isRight());
+    const std::uint32_t slots = keeper.arena.slotCount();
+    for (VertexSlot apex = 0; apex < 50; ++apex)
+        keeper.insert(1000 + apex, 0, changes);
+    EXPECT_TRUE(keeper.isRight());
+    EXPECT_EQ(keeper.arena.slotCount(), slots); // the block was free
 }
 
 TEST(MeshChanges, SlotsJoinIntoRangesAcrossSmallGaps)

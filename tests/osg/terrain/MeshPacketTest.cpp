@@ -49,8 +49,8 @@ struct Buffers
                 for (int corner = 0; corner < 3; ++corner)
                 {
                     const std::uint32_t slot = triangles[i].vertices[corner];
-                    if (slot != mesh.triangles()[i].vertices[corner]) return false;
-                    const core::MeshVertex &mine = vertices[slot], &theirs = mesh.vertices()[slot];
+                    if (slot != mesh.triangle(i).vertices[corner]) return false;
+                    const core::MeshVertex &mine = vertices[slot], theirs = mesh.vertex(slot);
                     if (mine.positionHigh != theirs.positionHigh || mine.positionLow != theirs.positionLow ||
                         mine.grid != theirs.grid)
                         return false;

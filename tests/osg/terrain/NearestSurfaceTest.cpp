@@ -27,7 +27,7 @@ double sampledDistance(const core::RoamMesh& mesh, const glm::dvec3& point)
             glm::dvec3 p[3];
             for (int c = 0; c < 3; ++c)
             {
-                const core::MeshVertex& v = mesh.vertices()[mesh.triangles()[i].vertices[c]];
+                const core::MeshVertex v = mesh.vertex(mesh.triangle(i).vertices[c]);
                 p[c] = glm::dvec3(v.positionHigh) + glm::dvec3(v.positionLow);
             }
             for (int a = 0; a <= kSteps; ++a)

@@ -24,17 +24,16 @@ GridPoint gridOf(const MeshVertex& v)
 }
 
 /// Directed edges as sorted keys: an edge is sound when its reverse is there, too.
-std::size_t unsharedEdges(const PlacedTile& tile, std::span<const MeshVertex> vertices,
-                          std::span<const LeafTriangle> triangles)
+std::size_t unsharedEdges(const PlacedTile& tile, const DrawnMesh& mesh)
 {
     const auto index = [&](std::uint32_t v)
     {
-        const GridPoint p = gridOf(vertices[v]);
+        const GridPoint p = gridOf(mesh.vertices[v]);
         return static_cast<std::uint64_t>(p.row) * tile.side() + p.column;
     };
     std::vector<std::uint64_t> edges;
-    edges.reserve(3 * triangles.size());
-    for (const LeafTriangle& t : triangles)
+    edges.reserve(3 * mesh.triangles.size());
+    for (const LeafTriangle& t : mesh.triangles)
         for (int i = 0; i < 3; ++i)
             edges.push_back(index(t.vertices[i]) << 32 | index(t.vertices[(i + 1) % 3]));
     std::sort(edges.begin(), edges.end());
@@ -126,34 +125,21 @@ private:
 
 } // namespace
 
-std::vector<LeafTriangle> gathered(std::span<const LeafTriangle> triangles,
-                                   std::span<const TriangleRange> ranges)
-{
-    std::vector<LeafTriangle> all;
-    for (const TriangleRange& range : ranges)
-    {
-        const auto part = triangles.subspan(range.first, range.count);
-        all.insert(all.end(), part.begin(), part.end());
-    }
-    return all;
-}
-
-DrawnMeshReport checkDrawnMesh(const RoamTile& tile, std::span<const MeshVertex> vertices,
-                               std::span<const LeafTriangle> triangles, const viewlod::ViewState* view)
+DrawnMeshReport checkDrawnMesh(const RoamTile& tile, const DrawnMesh& mesh, const viewlod::ViewState* view)
 {
     DrawnMeshReport report;
-    report.tJunctions = unsharedEdges(tile.tile, vertices, triangles);
+    report.tJunctions = unsharedEdges(tile.tile, mesh);
     SampleSweep sweep(tile, view);
-    for (const LeafTriangle& t : triangles)
+    for (const LeafTriangle& t : mesh.triangles)
     {
         for (const std::uint32_t v : t.vertices)
         {
-            const GridPoint p = gridOf(vertices[v]);
+            const GridPoint p = gridOf(mesh.vertices[v]);
             // High and low float together keep 2^-48 of a coordinate: 0.1 mm of slack is far more.
-            if (glm::distance(positionOf(vertices[v]), tile.tile.position(p.column, p.row)) > 1e-4)
+            if (glm::distance(positionOf(mesh.vertices[v]), tile.tile.position(p.column, p.row)) > 1e-4)
                 ++report.cracks;
         }
-        sweep.visit(vertices[t.vertices[0]], vertices[t.vertices[1]], vertices[t.vertices[2]]);
+        sweep.visit(mesh.vertices[t.vertices[0]], mesh.vertices[t.vertices[1]], mesh.vertices[t.vertices[2]]);
     }
     report.cracks += sweep.uncovered();
     report.maxErrorPx = sweep.maxErrorPx();

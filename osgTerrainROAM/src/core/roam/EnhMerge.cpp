@@ -5,22 +5,22 @@
 #include <cassert>
 #include <utility>
 
-#include <osgTerrainROAM/core/roam/BinTriangleTree.h>
+#include <osgTerrainROAM/core/roam/DiamondTree.h>
 
 namespace osgTerrainROAM::core
 {
 
-std::uint32_t BinTriangleTree::enhMerge(NodeIndex t)
+std::uint32_t DiamondTree::enhMerge(VertexSlot v)
 {
-    assert(!_nodes[t].isLeaf());
-    _collapsing.assign(1, t);
-    if (_nodes[t].base != kNone) _collapsing.push_back(_nodes[t].base);
+    assert(v >= kCorners && !_places[v].isFree());
+    for (const TriangleId t : parents(v))
+        if (t.exists()) _collapsing.push_back(t);
     std::uint32_t merges = 0;
     for (std::size_t next = 0; next < _collapsing.size(); ++next) // in the order of levels
     {
-        const NodeIndex waiting = _collapsing[next];
-        const NodeIndex parent = _nodes[waiting].parent;
-        const bool isGone = parent != kNone && _nodes[parent].isLeaf(); // with its parent, meanwhile
+        const TriangleId waiting = _collapsing[next];
+        const bool isGone =
+            _places[waiting.apex()].isFree() || isLeaf(waiting); // with a coarser one, meanwhile
         if (!isGone) merges += collapse(waiting);
     }
     _collapsing.clear();
@@ -28,68 +28,50 @@ std::uint32_t BinTriangleTree::enhMerge(NodeIndex t)
 }
 
 /// Makes `t` a leaf and queues what stands on its legs. Returns triangles merged.
-std::uint32_t BinTriangleTree::collapse(NodeIndex t)
+std::uint32_t DiamondTree::collapse(TriangleId t)
 {
-    const std::uint32_t leaves = releaseLeaves(t);
-    BinTriangle& node = _nodes[t];
-    const NodeIndex pair = node.firstChild;
-    for (const NodeIndex child : {pair, pair + 1})
+    for (const TriangleId child : children(t))
     {
-        const NodeIndex outside = _nodes[child].base; // across a leg of t
-        (child == pair ? node.left : node.right) = outside;
-        const bool losesItsMiddle = outside != kNone && !_nodes[child].isLeaf() && !_nodes[outside].isLeaf();
-        if (losesItsMiddle) _collapsing.push_back(outside);
-        replaceNeighbour(outside, child, t);
+        if (isLeaf(child)) continue;
+        for (const TriangleId half : parents(splitVertex(child))) // the base of a half is a leg of t
+            if (half.exists() && half != child) _collapsing.push_back(half);
     }
-    node.firstChild = kNone;
-    _deadPairs.push_back(pair);
-    insertLeaf(t);
+    const std::uint32_t leaves = dismantle(t);
+    addLeaf(t);
     return leaves - 1;
 }
 
-/// Takes all leaves below the split triangle `t` out of what is drawn: whole regions at once where it is larger than
-/// they are. Returns their number.
-std::uint32_t BinTriangleTree::releaseLeaves(NodeIndex t)
+/// Takes everything below the split triangle `t` out: leaves by whole regions where it is larger than they are. Returns
+/// the number of leaves.
+std::uint32_t DiamondTree::dismantle(TriangleId t)
 {
-    const BinTriangle& node = _nodes[t];
-    if (node.level == _regionLevel)
+    if (level(t) == _regionLevel)
     {
-        const std::uint32_t region = regionOf(node);
+        const std::uint32_t region = regionOf(t);
         const std::uint32_t leaves = _leaves.clear(region) + std::exchange(_undrawnLeaves[region], 0u);
         _leafCount -= leaves;
+        freeVertices(t);
         return leaves;
     }
-    if (node.isLeaf())
+    if (isLeaf(t))
     {
-        eraseLeaf(t);
+        removeLeaf(t);
         return 1;
     }
-    return releaseLeaves(node.firstChild) + releaseLeaves(node.firstChild + 1);
+    const auto [first, second] = children(t);
+    if (const VertexSlot v = splitVertex(t); !_places[v].isFree()) removeVertex(v);
+    return dismantle(first) + dismantle(second);
 }
 
-/// Puts one of the pairs that enhMerge() cut off on the free list, and those below it among the dead.
-void BinTriangleTree::dismantleOne()
+/// Frees the vertices below `t`. Each is met from both of its sides; its place and links stay readable until the slot is
+/// taken again.
+void DiamondTree::freeVertices(TriangleId t)
 {
-    const NodeIndex pair = _deadPairs.back();
-    _deadPairs.pop_back();
-    for (const NodeIndex child : {pair, pair + 1})
-        if (!_nodes[child].isLeaf()) _deadPairs.push_back(_nodes[child].firstChild);
-    if (_nodes[pair].freesApex) _freeVertices.push_back(_nodes[pair].vertices[0]);
-    _freePairs.push_back(pair);
-}
-
-void BinTriangleTree::countUndismantled(std::size_t& pairs, std::size_t& vertices) const
-{
-    std::vector<NodeIndex> open = _deadPairs;
-    while (!open.empty())
-    {
-        const NodeIndex pair = open.back();
-        open.pop_back();
-        ++pairs;
-        vertices += _nodes[pair].freesApex ? 1 : 0;
-        for (const NodeIndex child : {pair, pair + 1})
-            if (!_nodes[child].isLeaf()) open.push_back(_nodes[child].firstChild);
-    }
+    if (isLeaf(t)) return;
+    const auto [first, second] = children(t);
+    if (const VertexSlot v = splitVertex(t); !_places[v].isFree()) removeVertex(v);
+    freeVertices(first);
+    freeVertices(second);
 }
 
 } // namespace osgTerrainROAM::core

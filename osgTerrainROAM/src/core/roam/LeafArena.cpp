@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <algorithm>
 #include <cassert>
 #include <utility>
 
@@ -10,41 +9,37 @@ namespace osgTerrainROAM::core
 
 namespace
 {
-constexpr std::uint32_t kSmallestClass = 5; // 32 leaves: two cache lines of owners, six of triangles
+constexpr std::uint32_t kSmallestClass = 4; // 16 leaves: one cache line
 }
 
-LeafArena::LeafArena(std::uint32_t regions) : _blocks(regions) {}
-
-void LeafArena::insert(NodeIndex owner, std::uint32_t region, const LeafTriangle& triangle,
-                       MeshChanges& changes)
+TriangleRange LeafArena::insert(TriangleId leaf, std::uint32_t region, MeshChanges& changes)
 {
     Block& block = _blocks[region];
-    if (block.sizeClass == 0 || block.count == 1u << block.sizeClass) grow(block, changes);
+    const bool full = block.sizeClass == 0 || block.count == 1u << block.sizeClass;
+    if (full) grow(block, changes);
     const std::uint32_t slot = block.first + block.count++;
-    _triangles[slot] = triangle;
-    _ownerOfSlot[slot] = owner;
-    if (owner >= _slotOfNode.size())
-        _slotOfNode.resize(std::max<std::size_t>(owner + 1, 2 * _slotOfNode.size()), kNone);
-    _slotOfNode[owner] = slot;
+    _leaves[slot] = leaf;
     changes.triangles.push_back(slot);
     ++_leafCount;
+    return full ? TriangleRange{block.first, block.count} : TriangleRange{slot, 1};
 }
 
-void LeafArena::erase(NodeIndex owner, std::uint32_t region, MeshChanges& changes)
+TriangleRange LeafArena::erase(std::uint32_t slot, std::uint32_t region, MeshChanges& changes)
 {
     Block& block = _blocks[region];
-    const std::uint32_t slot = _slotOfNode[owner];
     const std::uint32_t last = block.first + --block.count;
     assert(slot >= block.first && slot <= last);
-    if (slot != last)
-    {
-        _triangles[slot] = _triangles[last];
-        _ownerOfSlot[slot] = _ownerOfSlot[last];
-        _slotOfNode[_ownerOfSlot[slot]] = slot;
-        changes.triangles.push_back(slot);
-    }
-    _slotOfNode[owner] = kNone;
     --_leafCount;
+    if (slot == last) return {};
+    _leaves[slot] = _leaves[last];
+    changes.triangles.push_back(slot);
+    return {slot, 1};
+}
+
+void LeafArena::replace(std::uint32_t slot, TriangleId leaf, MeshChanges& changes)
+{
+    _leaves[slot] = leaf;
+    changes.triangles.push_back(slot);
 }
 
 std::uint32_t LeafArena::clear(std::uint32_t region)
@@ -62,11 +57,8 @@ void LeafArena::grow(Block& block, MeshChanges& changes)
     block.first = takeBlock(block.sizeClass);
     for (std::uint32_t i = 0; i < old.count; ++i)
     {
-        const std::uint32_t slot = block.first + i;
-        _triangles[slot] = _triangles[old.first + i];
-        _ownerOfSlot[slot] = _ownerOfSlot[old.first + i];
-        _slotOfNode[_ownerOfSlot[slot]] = slot;
-        changes.triangles.push_back(slot);
+        _leaves[block.first + i] = _leaves[old.first + i];
+        changes.triangles.push_back(block.first + i);
     }
     if (old.sizeClass != 0) _freeBlocks[old.sizeClass].push_back(old.first);
 }
@@ -80,16 +72,23 @@ std::uint32_t LeafArena::takeBlock(std::uint32_t sizeClass)
         free.pop_back();
         return first;
     }
-    const auto first = static_cast<std::uint32_t>(_triangles.size());
-    _triangles.resize(_triangles.size() + (std::size_t{1} << sizeClass));
-    _ownerOfSlot.resize(_triangles.size(), kNone);
+    const std::uint32_t first = slotCount();
+    _leaves.resize(_leaves.size() + (std::size_t{1} << sizeClass));
     return first;
+}
+
+std::size_t LeafArena::memoryBytes() const
+{
+    std::size_t bytes = _leaves.capacity() * sizeof(TriangleId) + _blocks.capacity() * sizeof(Block);
+    for (const auto& free : _freeBlocks)
+        bytes += free.capacity() * sizeof(std::uint32_t);
+    return bytes;
 }
 
 bool LeafArena::isConsistent() const
 {
     std::size_t leaves = 0;
-    std::vector<bool> used(_triangles.size(), false);
+    std::vector<bool> used(_leaves.size(), false);
     for (const Block& block : _blocks)
     {
         if (block.sizeClass == 0) continue;
@@ -100,7 +99,6 @@ bool LeafArena::isConsistent() const
             const std::uint32_t slot = block.first + i;
             if (slot >= used.size() || used[slot]) return false; // blocks overlap
             used[slot] = true;
-            if (i < block.count && _slotOfNode[_ownerOfSlot[slot]] != slot) return false;
         }
     }
     return leaves == _leafCount;

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <bit>
+#include <cassert>
+#include <cstdlib>
 #include <limits>
 
 #include <osgTerrainROAM/core/roam/RegionBounds.h>
@@ -47,8 +50,12 @@ Sphere joined(const Sphere& a, const Sphere& b)
 } // namespace
 
 RegionBounds::RegionBounds(const PlacedTile& tile)
-    : _level(std::min(kRegionLevel, tile.levels() - 1)), _spheres((4u << _level) - 2u)
+    : _level(std::min(kRegionLevel, tile.levels() - 1)),
+      _cellShift(std::bit_width(4u * static_cast<unsigned>(tile.side() - 1)) - 1 - (_level - 1) / 2),
+      _paths(regionCount()),
+      _spheres((4u << _level) - 2u)
 {
+    assert(_level % 2 == 1);
     const auto roots = rootTriangles(tile.side());
     build(tile, roots[0], 0, 0);
     build(tile, roots[1], 0, 1);
@@ -58,6 +65,9 @@ void RegionBounds::build(const PlacedTile& tile, const GridTriangle& t, int leve
 {
     if (level == _level)
     {
+        const GridPoint inside{2 * t.apex.column + t.left.column + t.right.column,
+                               2 * t.apex.row + t.left.row + t.right.row};
+        _paths[cellQuarter(inside)] = static_cast<std::uint16_t>(path);
         sphere(level, path) = fitted<Sphere>(tile, t);
         return;
     }
@@ -65,6 +75,23 @@ void RegionBounds::build(const PlacedTile& tile, const GridTriangle& t, int leve
     build(tile, children[0], level + 1, 2 * path);
     build(tile, children[1], level + 1, 2 * path + 1);
     sphere(level, path) = joined(sphere(level + 1, 2 * path), sphere(level + 1, 2 * path + 1));
+}
+
+/// At the odd region level four triangles meet in the middle of a square.
+std::size_t RegionBounds::cellQuarter(GridPoint quarters) const
+{
+    const int column = quarters.column >> _cellShift, row = quarters.row >> _cellShift;
+    const int half = 1 << _cellShift >> 1;
+    const int east = quarters.column - (column << _cellShift) - half,
+              north = quarters.row - (row << _cellShift) - half;
+    const int side = std::abs(east) > std::abs(north) ? (east > 0 ? 0 : 2) : (north > 0 ? 1 : 3);
+    return (static_cast<std::size_t>(row) << ((_level - 1) / 2 + 2)) +
+           static_cast<std::size_t>(4 * column + side);
+}
+
+std::uint32_t RegionBounds::pathAt(GridPoint quarters) const
+{
+    return _paths[cellQuarter(quarters)];
 }
 
 void RegionBounds::visible(const viewlod::Frustum& frustum, std::vector<std::uint32_t>& regions) const

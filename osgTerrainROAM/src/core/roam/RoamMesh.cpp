@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// The paper's own frame loop (paper 1, §5.2): walk the tree of the last frame, split or merge by the screen error.
-// Difference: the bounds nest in space, too (spec 1 D), so the result does not depend on the visiting order.
-#include <algorithm>
+#include <limits>
 
 #include <osgTerrainROAM/core/roam/Refinement.h>
 #include <osgTerrainROAM/core/roam/RoamMesh.h>
 #include <osgTerrainROAM/core/roam/TriangleCeiling.h>
+
+#include "QueueDriver.h"
+#include "WalkDriver.h"
 
 namespace osgTerrainROAM::core
 {
@@ -15,57 +16,54 @@ namespace
 
 /// Where the search for the ceiling's tolerance begins: somewhat below the last frame's, or far above the target.
 constexpr double kWarmGuess = 0.97, kColdGuess = 64.0;
-
-/// Splits and merges below `t` until exactly the active vertices are split. Stops early, returning false, when the
-/// mesh outgrows `maxLeaves`: it is valid then, too.
-template<class Active>
-bool walk(BinTriangleTree& tree, NodeIndex t, const Active& active, std::uint32_t maxLeaves,
-          RefineResult& result)
-{
-    if (tree.node(t).isLeaf())
-    {
-        if (!tree.canSplit(t) || !active(tree.node(t).bound)) return true;
-        result.splits += tree.forceSplit(t);
-        if (tree.leafCount() > maxLeaves) return false;
-    }
-    else if (!active(tree.node(t).bound))
-    {
-        result.merges += tree.enhMerge(t);
-        return true;
-    }
-    const NodeIndex child = tree.node(t).firstChild;
-    return walk(tree, child, active, maxLeaves, result) && walk(tree, child + 1, active, maxLeaves, result);
-}
-
-template<class Active>
-bool walkRoots(BinTriangleTree& tree, const Active& active, std::uint32_t maxLeaves, RefineResult& result)
-{
-    return std::all_of(std::begin(BinTriangleTree::kRoots), std::end(BinTriangleTree::kRoots),
-                       [&](NodeIndex root) { return walk(tree, root, active, maxLeaves, result); });
-}
+constexpr auto kUnlimited = std::numeric_limits<std::uint32_t>::max();
 
 } // namespace
 
-RoamMesh::RoamMesh(std::shared_ptr<const RoamTile> tile) : _tile(std::move(tile)), _tree(_tile) {}
+RoamMesh::RoamMesh(std::shared_ptr<const RoamTile> tile, Driver driver)
+    : _tile(std::move(tile)), _driver(driver), _tree(_tile), _wheel(*_tile)
+{
+}
+
+void RoamMesh::setDriver(Driver driver)
+{
+    if (driver != _driver) _wheel.forget();
+    _driver = driver;
+}
+
+/// One run of the walk or the wheel. False when a limit has stopped it.
+bool RoamMesh::run(const viewlod::ViewState& view, double tolerancePx, std::uint32_t maxLeaves,
+                   viewlod::Slice& slice, RefineResult& result)
+{
+    result.tolerancePx = tolerancePx;
+    if (_driver == Driver::wheel) return _wheel.refine(_tree, view, tolerancePx, maxLeaves, slice, result);
+    const ActiveForEye active(view, tolerancePx);
+    return WalkDriver(_tree, active, maxLeaves, slice, result).refine();
+}
 
 RefineResult RoamMesh::refine(const viewlod::ViewState& view, const viewlod::Budget& budget)
 {
     _tree.clearChanges();
     RefineResult result;
-    result.tolerancePx = budget.errorTolerancePx;
-    // A mesh that was at the ceiling is likely to be there again; else the search waits until it is needed.
-    if (_ceilingBound)
-        result.tolerancePx =
-            toleranceWithinCeiling(*_tile, _tree, view, budget, kWarmGuess * _lastTolerancePx);
-    constexpr auto kUnlimited = std::numeric_limits<std::uint32_t>::max();
-    if (!walkRoots(_tree, ActiveForEye(view, result.tolerancePx),
-                   _ceilingBound ? kUnlimited : budget.maxTriangles, result))
+    viewlod::Slice slice(budget);
+    const double targetPx = budget.errorTolerancePx;
+    if (_driver == Driver::queue)
     {
-        result.tolerancePx =
-            toleranceWithinCeiling(*_tile, _tree, view, budget, kColdGuess * budget.errorTolerancePx);
-        walkRoots(_tree, ActiveForEye(view, result.tolerancePx), kUnlimited, result);
+        result.sliceBound = !QueueDriver(_tree, view, targetPx, budget.maxTriangles, slice, result).refine();
     }
-    _ceilingBound = result.ceilingBound = result.tolerancePx > budget.errorTolerancePx;
+    else
+    {
+        // A mesh that was at the ceiling is likely to be there again; else the search waits until it is needed.
+        const double tolerancePx =
+            _ceilingBound ? toleranceWithinCeiling(*_tile, view, budget, kWarmGuess * _lastTolerancePx)
+                          : targetPx;
+        bool finished = run(view, tolerancePx, budget.maxTriangles, slice, result);
+        if (!finished && !slice.isSpent() && !_ceilingBound)
+            finished = run(view, toleranceWithinCeiling(*_tile, view, budget, kColdGuess * targetPx),
+                           kUnlimited, slice, result);
+        result.sliceBound = !finished;
+    }
+    _ceilingBound = result.ceilingBound = result.tolerancePx > targetPx && !result.sliceBound;
     _lastTolerancePx = result.tolerancePx;
     result.leaves = _tree.leafCount();
     result.triangles = _tree.leaves().leafCount();
@@ -75,8 +73,11 @@ RefineResult RoamMesh::refine(const viewlod::ViewState& view, const viewlod::Bud
 RefineResult RoamMesh::refine(double errorM)
 {
     _tree.clearChanges();
+    _wheel.forget();
     RefineResult result;
-    walkRoots(_tree, ActiveForError{errorM}, std::numeric_limits<std::uint32_t>::max(), result);
+    viewlod::Slice unlimited({});
+    const ActiveForError active{errorM};
+    WalkDriver(_tree, active, kUnlimited, unlimited, result).refine();
     result.leaves = _tree.leafCount();
     result.triangles = _tree.leaves().leafCount();
     return result;
@@ -94,6 +95,20 @@ void RoamMesh::visibleRanges(const viewlod::Frustum& frustum, std::vector<Triang
     append(0); // leaves coarser than a region: few, and never worth a test
     for (const std::uint32_t path : regions)
         append(path + 1);
+}
+
+DrawnMesh RoamMesh::drawn() const
+{
+    DrawnMesh mesh;
+    mesh.vertices.reserve(_tree.vertexSlots());
+    for (VertexSlot v = 0; v < _tree.vertexSlots(); ++v)
+        mesh.vertices.push_back(vertex(v));
+    std::vector<TriangleRange> ranges;
+    visibleRanges(viewlod::Frustum(glm::dmat4(0.0)), ranges); // planes without direction cull nothing
+    for (const TriangleRange& range : ranges)
+        for (std::uint32_t slot = range.first; slot < range.first + range.count; ++slot)
+            mesh.triangles.push_back(triangle(slot));
+    return mesh;
 }
 
 } // namespace osgTerrainROAM::core

@@ -5,7 +5,7 @@
 
 #include <glm/glm.hpp>
 
-#include <osgTerrainROAM/core/roam/BinTriangleTree.h>
+#include <osgTerrainROAM/core/roam/DiamondTree.h>
 
 namespace osgTerrainROAM::core
 {
@@ -16,14 +16,13 @@ struct DrawnGround
     glm::dvec3 position; ///< on the drawn triangle, local frame
     glm::dvec3 normal;   ///< of that triangle, unit length, pointing up
     double boundM;       ///< the true surface over that triangle is nowhere farther from it than this
-    NodeIndex leaf;      ///< the triangle
+    TriangleId leaf;     ///< the triangle
 };
 
 /// The *drawn* surface vertically above or below a local position; nothing beyond the edge of the data. groundAt() gives
 /// the *true* one.
 /// Frame: the tile's. Units: metres. Cost: O(depth of the mesh). Threads: while no operation changes the tree, any.
 /// Source: terrain anchors, point 9.
-std::optional<DrawnGround> drawnGroundAt(const PlacedTile& tile, const BinTriangleTree& tree, double eastM,
-                                         double northM);
+std::optional<DrawnGround> drawnGroundAt(const DiamondTree& tree, double eastM, double northM);
 
 } // namespace osgTerrainROAM::core

@@ -2,8 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <span>
-#include <vector>
 
 #include <viewlod/ViewState.h>
 
@@ -22,16 +20,11 @@ struct DrawnMeshReport
         0.0; ///< largest distance in the picture between a visible sample and the drawn surface
 };
 
-/// The triangles a graphics card would be given, gathered from arena ranges.
-std::vector<LeafTriangle> gathered(std::span<const LeafTriangle> triangles,
-                                   std::span<const TriangleRange> ranges);
-
 /// Checks a mesh from outside: it sees only what is drawn, not the tree that made it.
 /// Every data sample is compared with the triangle that covers it, both projected with the view's real matrix;
 /// samples nearer than the near distance or outside the picture have no error (spec 1 D, goal L2).
 /// `view` absent: topology alone. Frame: the tile's local frame.
 /// Cost: one visit per data sample, about 0.1 µs each where it can be visible.
-DrawnMeshReport checkDrawnMesh(const RoamTile& tile, std::span<const MeshVertex> vertices,
-                               std::span<const LeafTriangle> triangles, const viewlod::ViewState* view);
+DrawnMeshReport checkDrawnMesh(const RoamTile& tile, const DrawnMesh& mesh, const viewlod::ViewState* view);
 
 } // namespace osgTerrainROAM::core

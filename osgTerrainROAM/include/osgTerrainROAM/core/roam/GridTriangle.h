@@ -27,10 +27,15 @@ struct GridTriangle
 {
     GridPoint apex, left, right;
 
+    /// The sample that splits it; the triangle is not of the finest level.
+    GridPoint middleOfBase() const { return middle(left, right); }
+
+    friend bool operator==(const GridTriangle&, const GridTriangle&) = default;
+
     /// The halves, from the apex to the middle of the base: with the left corner, with the right.
     std::array<GridTriangle, 2> children() const
     {
-        const GridPoint mid = middle(left, right);
+        const GridPoint mid = middleOfBase();
         return {{{mid, apex, left}, {mid, right, apex}}};
     }
 

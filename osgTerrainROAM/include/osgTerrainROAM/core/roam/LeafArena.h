@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include <osgTerrainROAM/core/roam/MeshData.h>
@@ -11,27 +10,36 @@
 namespace osgTerrainROAM::core
 {
 
-/// The leaves of the mesh as one index array in which every region of the tree keeps its leaves together, so
-/// that a draw call can leave out the regions that no camera sees. A leaf has a slot; inserting takes the next
-/// slot of its region, erasing moves the region's last leaf into the gap: a change touches two slots.
+/// Which leaf has which slot of the index buffer. Every region of the tree keeps its leaves together, so that a draw call
+/// can leave out the regions that no camera sees. Inserting takes the next slot of the leaf's region, erasing moves the
+/// region's last leaf into the gap: a change touches two slots.
 /// A region that outgrows its block moves to one of twice the size; blocks are powers of two on free lists.
-/// Invariant: isConsistent(). Memory: 12 B per slot, 4 B per slot and per node for the two maps.
+/// Who inserts and erases keeps the slots of the leaves, and is told which to note again.
+/// Invariant: isConsistent(). Memory: 4 B per slot.
 /// Source: terrain anchors, point 4 (stable slots, swap with the last).
 class LeafArena
 {
 public:
-    explicit LeafArena(std::uint32_t regions);
+    explicit LeafArena(std::uint32_t regions) : _blocks(regions) {}
 
-    void insert(NodeIndex owner, std::uint32_t region, const LeafTriangle& triangle, MeshChanges& changes);
-    void erase(NodeIndex owner, std::uint32_t region, MeshChanges& changes);
+    /// Returns the slots to note: the new leaf's own, the last of them, and when the block has moved all of its leaves'.
+    TriangleRange insert(TriangleId leaf, std::uint32_t region, MeshChanges& changes);
+
+    /// Returns the slot to note, if a leaf has moved into the gap.
+    TriangleRange erase(std::uint32_t slot, std::uint32_t region, MeshChanges& changes);
+
+    /// Gives a slot to another leaf of the same region.
+    void replace(std::uint32_t slot, TriangleId leaf, MeshChanges& changes);
 
     /// Erases all leaves of a region, whatever their number, in one step; its block is free. Returns their number.
     std::uint32_t clear(std::uint32_t region);
 
-    std::span<const LeafTriangle> triangles() const { return _triangles; }
+    TriangleId leaf(std::uint32_t slot) const { return _leaves[slot]; }
+    std::uint32_t slotCount() const { return static_cast<std::uint32_t>(_leaves.size()); }
     TriangleRange region(std::uint32_t index) const { return {_blocks[index].first, _blocks[index].count}; }
     std::uint32_t regionCount() const { return static_cast<std::uint32_t>(_blocks.size()); }
     std::uint32_t leafCount() const { return _leafCount; }
+    std::size_t memoryBytes() const;
     bool isConsistent() const;
 
 private:
@@ -45,9 +53,7 @@ private:
     void grow(Block& block, MeshChanges& changes);
     std::uint32_t takeBlock(std::uint32_t sizeClass);
 
-    std::vector<LeafTriangle> _triangles;
-    std::vector<NodeIndex> _ownerOfSlot;
-    std::vector<std::uint32_t> _slotOfNode;
+    std::vector<TriangleId> _leaves; ///< by slot
     std::vector<Block> _blocks;
     std::array<std::vector<std::uint32_t>, 32> _freeBlocks;
     std::uint32_t _leafCount = 0;

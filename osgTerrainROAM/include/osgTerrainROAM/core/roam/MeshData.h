@@ -10,9 +10,26 @@
 namespace osgTerrainROAM::core
 {
 
-/// A bintree node by its place in the pool.
-using NodeIndex = std::uint32_t;
 inline constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+
+/// A vertex of the mesh, and the diamond around it, by its place in the pool.
+using VertexSlot = std::uint32_t;
+
+/// A triangle of the bintree by its apex: one of the quadrants, counter-clockwise, of the diamond around that vertex.
+class TriangleId
+{
+public:
+    constexpr TriangleId() = default;
+    constexpr TriangleId(VertexSlot apex, unsigned quadrant) : _value(apex << 2 | quadrant) {}
+
+    constexpr bool exists() const { return _value != kNone; }
+    constexpr VertexSlot apex() const { return _value >> 2; }
+    constexpr unsigned quadrant() const { return _value & 3u; }
+    friend constexpr bool operator==(TriangleId, TriangleId) = default;
+
+private:
+    std::uint32_t _value = kNone;
+};
 
 /// One vertex as the graphics card takes it. The position is a sum of two floats, so that a shader can subtract
 /// the eye (split the same way) without losing the millimetres: at 100 km from the origin one float has 8 mm.
@@ -31,6 +48,13 @@ struct LeafTriangle
     std::uint32_t vertices[3];
 };
 static_assert(sizeof(LeafTriangle) == 12);
+
+/// A mesh as a graphics card would hold it, all of it.
+struct DrawnMesh
+{
+    std::vector<MeshVertex> vertices;    ///< by slot, free ones included
+    std::vector<LeafTriangle> triangles; ///< in arena order
+};
 
 /// A run of elements of an array.
 struct IndexRange

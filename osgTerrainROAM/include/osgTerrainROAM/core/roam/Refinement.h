@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
+
 #include <glm/glm.hpp>
 
 #include <viewlod/ScreenError.h>
@@ -34,6 +36,15 @@ public:
         return limit * limit > glm::dot(offset, offset);
     }
 
+    /// How much the eye may travel, plus e_v times the change of K/τ, before the answer for v can change.
+    double marginM(const SplitBound& bound) const
+    {
+        const double reach = _reachPerErrorM * bound.errorM;
+        const double beyond = glm::distance(glm::dvec3(bound.centre), _eye) - (reach + bound.radiusM);
+        // To be active takes both conditions: an inactive vertex has as long as the one that it misses by more.
+        return operator()(bound) ? std::min(reach - _nearM, -beyond) : std::max(_nearM - reach, beyond);
+    }
+
 private:
     glm::dvec3 _eye;
     double _reachPerErrorM;
@@ -46,6 +57,9 @@ struct ActiveForError
     double errorM;
     bool operator()(const SplitBound& bound) const { return bound.errorM > errorM; }
 };
+
+/// The predicate compares squares where priorities divide: a tolerance that shall exclude a priority is this much larger.
+inline constexpr double kPriorityRounding = 1.0 + 1e-12;
 
 /// p_v in pixels.
 inline double priorityPx(const viewlod::ViewState& view, const SplitBound& bound)

@@ -28,6 +28,10 @@ public:
     int level() const { return _level; } ///< of the nodes that are regions
     std::uint32_t regionCount() const { return 2u << _level; }
 
+    /// The region (path at the region level) that holds a place which is on no region's border.
+    /// Units: quarters of samples.
+    std::uint32_t pathAt(GridPoint quarters) const;
+
     /// Appends the regions (paths at the region level) that may be seen. Plane masks are inherited: a plane that
     /// has a node inside is not asked again below it.
     void visible(const viewlod::Frustum& frustum, std::vector<std::uint32_t>& regions) const;
@@ -41,11 +45,15 @@ private:
 
     Sphere& sphere(int level, std::uint32_t path) { return _spheres[(2u << level) - 2u + path]; }
     const Sphere& sphere(int level, std::uint32_t path) const { return _spheres[(2u << level) - 2u + path]; }
+    std::size_t cellQuarter(GridPoint quarters) const;
     void build(const PlacedTile& tile, const GridTriangle& triangle, int level, std::uint32_t path);
     void visit(const viewlod::Frustum& frustum, int level, std::uint32_t path, viewlod::Frustum::Mask mask,
                std::vector<std::uint32_t>& regions) const;
 
     int _level;
+    int _cellShift; ///< log2 of the side, in quarters of samples, of a square that its diagonals cut into four regions
+    std::vector<std::uint16_t>
+        _paths; ///< of those squares, row by row, east, north, west and south of their middles
     std::vector<Sphere> _spheres; ///< level by level, two nodes at level 0
 };
 

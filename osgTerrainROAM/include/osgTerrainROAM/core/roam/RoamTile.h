@@ -27,11 +27,11 @@ struct RoamTile
 {
     explicit RoamTile(PlacedTile placedTile) : tile(std::move(placedTile)), errors(tile), regions(tile) {}
 
-    SplitBound bound(SampleIndex v) const
+    SplitBound bound(GridPoint v) const
     {
-        const auto side = static_cast<SampleIndex>(tile.side());
-        return {glm::vec3(tile.position(static_cast<int>(v % side), static_cast<int>(v / side))),
-                errors.errorM(v), errors.radiusM(v)};
+        const SampleIndex index = static_cast<SampleIndex>(v.row) * static_cast<SampleIndex>(tile.side()) +
+                                  static_cast<SampleIndex>(v.column);
+        return {glm::vec3(tile.position(v.column, v.row)), errors.errorM(index), errors.radiusM(index)};
     }
 
     PlacedTile tile;

@@ -1,21 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
 #include <vector>
 
+#include <osgTerrainROAM/core/roam/GridTriangle.h>
 #include <osgTerrainROAM/core/roam/Refinement.h>
 
 namespace osgTerrainROAM::core
 {
 
-/// Samples of a triangle: apex, left, right.
-using SampleTriangle = std::array<SampleIndex, 3>;
-
 /// Writes the leaves of the mesh for an eye into `leaves`, top-down and without memory of earlier frames: the
 /// reference that every incremental driver must equal, and the rival that it must beat.
 /// Cost: O(leaves). Source: Lindstrom & Pascucci 2001 (SOAR), with exact errors.
 void refineFromScratch(const RoamTile& tile, const viewlod::ViewState& view, double tolerancePx,
-                       std::vector<SampleTriangle>& leaves);
+                       std::vector<GridTriangle>& leaves);
 
 } // namespace osgTerrainROAM::core

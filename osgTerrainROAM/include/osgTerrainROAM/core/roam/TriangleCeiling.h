@@ -4,16 +4,16 @@
 #include <viewlod/Budget.h>
 #include <viewlod/ViewState.h>
 
-#include <osgTerrainROAM/core/roam/BinTriangleTree.h>
+#include <osgTerrainROAM/core/roam/RoamTile.h>
 
 namespace osgTerrainROAM::core
 {
 
 /// The smallest τ ≥ budget.errorTolerancePx at which the mesh for `view` has at most budget.maxTriangles leaves (the
-/// target itself when it has). A function of tile and eye alone: the present `mesh`, of the same tile, and `guessPx`,
-/// the τ of the frame before or any other number, change only the time it takes.
+/// target itself when it has). A function of tile and eye alone: `guessPx`, the τ of the frame before or any other number,
+/// changes only the time it takes.
 /// Cost: O(maxTriangles), whatever the terrain's size. Source: spec 1 D, "Triangle ceiling".
-double toleranceWithinCeiling(const RoamTile& tile, const BinTriangleTree& mesh,
-                              const viewlod::ViewState& view, const viewlod::Budget& budget, double guessPx);
+double toleranceWithinCeiling(const RoamTile& tile, const viewlod::ViewState& view,
+                              const viewlod::Budget& budget, double guessPx);
 
 } // namespace osgTerrainROAM::core

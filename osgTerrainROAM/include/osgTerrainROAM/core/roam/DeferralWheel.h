@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace osgTerrainROAM::core
+{
+
+/// Hands out what has to be looked at again, and no sooner than its margin is used up.
+/// Whoever watches a split vertex v asks for it at margin |f_v|: f_v changes by no more than the eye travels plus e_v
+/// times the change of the scale K/τ. So there is one clock per octave of e, which advances by the travel and by the
+/// octave's upper end times the change of scale; a watch is due when its octave's clock has advanced by its margin,
+/// rounded down: to a tick, and where the margin is long by up to a quarter.
+/// Each octave has a timing wheel of levels, each four times as coarse as the one before, whose entries never move between
+/// levels. Numbers are all that is kept: a watch that is no longer wanted is still handed out, and who asked for it
+/// recognises it by its mark.
+/// Memory: 4 B per watch, in blocks of 64 B. Cost: O(1) for a watch, a few words per octave for a step.
+/// Source: spec 1 D, "Deferral"; terrain anchors, point 2. The wheel without cascades is that of Linux timers.
+class DeferralWheel
+{
+public:
+    using Mark = std::uint8_t; ///< of a bucket, never 0; different buckets seldom share one
+
+    /// `tickM`: margins below it are due at the next step.
+    explicit DeferralWheel(double tickM);
+
+    /// Asks for `watch` (any number) once its margin is used up. Returns the mark it will be handed out with.
+    Mark add(std::uint32_t watch, double errorM, double marginM);
+
+    /// The eye has travelled, the scale K/τ has changed: calls due(watch, mark), larger errors first, for whatever may
+    /// have used up its margin. `due` may add.
+    template<class Due>
+    void advance(double travelM, double scaleChange, const Due& due)
+    {
+        for (int octave = kOctaves - 1; octave >= 0; --octave)
+        {
+            collect(octave, travelM, scaleChange);
+            for (const Handout& handout : _collected)
+                due(handout.watch, handout.mark);
+        }
+    }
+
+    void clear();
+    std::size_t memoryBytes() const;
+
+private:
+    static constexpr int kOctaves = 32, kLowestExponent = -16; ///< 2^-16 m … 2^16 m
+    static constexpr int kLevels = 13, kSlots = 16, kLevelShift = 2;
+
+    struct Block
+    {
+        std::uint32_t next;
+        std::uint32_t count;
+        std::uint32_t watches[14];
+    };
+    static_assert(sizeof(Block) == 64);
+
+    struct Octave
+    {
+        double clockM = 0.0;
+        std::uint32_t soon;                            ///< blocks of what is due at the next step
+        std::array<std::uint16_t, kLevels> occupied{}; ///< slots that have blocks
+        std::array<std::array<std::uint32_t, kSlots>, kLevels> slots; ///< first blocks
+    };
+
+    struct Handout
+    {
+        std::uint32_t watch;
+        Mark mark;
+    };
+
+    static Mark markOf(int octave, int level, int slot);
+    void push(std::uint32_t& first, std::uint32_t watch);
+    void collect(int octave, double travelM, double scaleChange);
+    void drain(std::uint32_t& first, Mark mark);
+
+    double _tickM;
+    std::vector<Octave> _octaves;
+    std::vector<Block> _blocks;
+    std::uint32_t _freeBlock;
+    std::vector<Handout> _collected; ///< by one step from one octave
+};
+
+} // namespace osgTerrainROAM::core

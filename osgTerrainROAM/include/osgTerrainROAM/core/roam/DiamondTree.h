@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include <osgTerrainROAM/core/roam/GridTriangle.h>
+#include <osgTerrainROAM/core/roam/LeafArena.h>
+#include <osgTerrainROAM/core/roam/MeshData.h>
+#include <osgTerrainROAM/core/roam/RoamTile.h>
+
+namespace osgTerrainROAM::core
+{
+
+/// Where a vertex lies in the grid and in the bintree.
+struct DiamondPlace
+{
+    static constexpr std::uint8_t kFree = 0x80; ///< set in `direction`: no vertex has this slot
+
+    std::uint16_t column = 0, row = 0;
+    std::int8_t level = -1;         ///< of the triangles that the vertex split; -1: a corner of the tile
+    std::uint8_t direction = kFree; ///< of the diamond's first corner: 0 east, 1 north-east … 7 south-east
+    std::uint8_t parentQuadrants[2] = {0, 0}; ///< which quadrants of corners 0 and 2 it split
+
+    bool isFree() const { return (direction & kFree) != 0; }
+    GridPoint point() const { return {column, row}; }
+};
+static_assert(sizeof(DiamondPlace) == 8);
+
+/// The triangle bintree of one tile, kept by its diamonds, and the operations that keep its leaves a conforming mesh.
+/// A vertex in the middle of a base has split the two triangles on either side, and the four (at the border two)
+/// triangles around it are the quadrants of its diamond. Each quadrant is a leaf, or is split by a vertex one level
+/// finer, which it shares with a quadrant of the diamond next to it. So 40 B a vertex, 20 B a leaf, hold the whole
+/// bintree: places, neighbours and parents follow from a few links.
+/// Corners of a diamond, counter-clockwise: apex of one split triangle, its left, apex of the other, its right. Quadrant
+/// i lies between corners i and i + 1.
+/// Invariant: isConforming() after every public operation. No operation allocates but to grow a pool.
+/// Source: Duchaineau et al. 1997, §4 (split, forced split, merge of diamonds); paper 1, §5.2; spec 1 D;
+/// docs/decisions/0010.
+class DiamondTree
+{
+public:
+    explicit DiamondTree(std::shared_ptr<const RoamTile> tile);
+
+    /// Splits leaf `t`, whatever has to split before it, and its base neighbour. Returns triangles split.
+    /// Precondition: canSplit(t).
+    std::uint32_t forceSplit(TriangleId t);
+
+    /// How many triangles forceSplit(t) would split.
+    std::uint32_t splitsNeeded(TriangleId t) const;
+
+    /// Takes vertex `v`, whose quadrants are leaves, out again: its diamond merges.
+    void merge(VertexSlot v);
+
+    /// Takes out `v` after everything that stands on it, one diamond after the other. Returns triangles merged. What
+    /// enhMerge() is measured against.
+    std::uint32_t forceMerge(VertexSlot v);
+
+    /// The paper's operation: both triangles that `v` has split become leaves in one step. Their subtrees go, and so
+    /// does, outwards, that of every triangle whose base has lost its middle. The same mesh as forceMerge() leaves.
+    /// Returns triangles merged. Cost: one visit per removed triangle; leaves go by whole regions where they can.
+    /// Source: paper 1, §5.2 (enhMerge); docs/decisions/0009.
+    std::uint32_t enhMerge(VertexSlot v);
+
+    static constexpr TriangleId kRoots[2] = {TriangleId(0, 0), TriangleId(1, 0)};
+    static constexpr VertexSlot kCorners = 4; ///< slots below are the corners of the tile
+
+    bool exists(TriangleId t) const { return link(t) != kAbsent; }
+    bool isLeaf(TriangleId t) const { return link(t) < kSplit; }
+    bool canSplit(TriangleId t) const { return isLeaf(t) && level(t) < _levels; }
+    bool isMergeable(VertexSlot v) const;
+
+    int level(TriangleId t) const { return _places[t.apex()].level + 1; }
+    GridTriangle gridTriangle(TriangleId t) const;
+    LeafTriangle vertices(TriangleId t) const;
+    SplitBound bound(TriangleId t) const
+    {
+        return _tile->bound(middle(t));
+    } ///< of what splits it; as middle()
+    GridPoint
+    middle(TriangleId t) const; ///< of the base: where `t` splits. Precondition: level(t) < tile levels
+
+    /// The vertex that splits `t`, and its two halves: with the left corner, with the right. Precondition: !isLeaf(t).
+    VertexSlot splitVertex(TriangleId t) const { return link(t) & ~kSplit; }
+    std::array<TriangleId, 2> children(TriangleId t) const;
+
+    /// The triangles that vertex `v` has split; the second does not exist where `v` lies on the border.
+    std::array<TriangleId, 2> parents(VertexSlot v) const;
+
+    /// Neighbours of a leaf: what shares its base, and the leaf that shares its leg to the left or right corner. None at
+    /// the border. Across the base it is of the same level (and, split or not, its diamond partner) or a coarser leaf.
+    TriangleId acrossBase(TriangleId t) const;
+    TriangleId acrossLeg(TriangleId t, bool right) const;
+
+    /// Vertices: slots up to vertexSlots(), those that place(v).isFree() left out.
+    std::uint32_t vertexSlots() const { return static_cast<std::uint32_t>(_places.size()); }
+    const DiamondPlace& place(VertexSlot v) const { return _places[v]; }
+    MeshVertex vertex(VertexSlot v) const;
+
+    const LeafArena& leaves() const { return _leaves; }
+    std::uint32_t leafCount() const { return _leafCount; } ///< those beyond the data's edge included
+
+    /// Arena region of a leaf: 0 for those coarser than a region, else 1 + path at the region level.
+    std::uint32_t regionOf(TriangleId t) const;
+
+    const MeshChanges& changes() const { return _changes; }
+    void clearChanges() { _changes.clear(); }
+
+    const RoamTile& tile() const { return *_tile; }
+    std::size_t memoryBytes() const;
+
+    /// Exhaustive: links mutual, places and levels right, neighbours sharing whole edges, areas adding up to the tile, no
+    /// T-junction, pools consistent. For tests: O(n log n).
+    bool isConforming() const;
+
+private:
+    friend struct
+        DiamondTreeMutator; ///< tests break the tree through it, to prove that isConforming() can fail
+
+    /// What a quadrant's link says besides the arena slot of a drawn leaf.
+    static constexpr std::uint32_t kSplit = 0x80000000u;   ///< set: the rest is the vertex that splits it
+    static constexpr std::uint32_t kUndrawn = 0x7fffffffu; ///< a leaf beyond the data's edge
+    static constexpr std::uint32_t kAbsent = kNone;        ///< beyond the tile's edge
+
+    struct alignas(32) Diamond
+    {
+        VertexSlot corners[4] = {kNone, kNone, kNone, kNone};
+        std::uint32_t links[4] = {kAbsent, kAbsent, kAbsent, kAbsent};
+    };
+
+    std::uint32_t link(TriangleId t) const { return _diamonds[t.apex()].links[t.quadrant()]; }
+    std::uint32_t& link(TriangleId t) { return _diamonds[t.apex()].links[t.quadrant()]; }
+    GridPoint towardsMiddle(TriangleId t, int scale) const;
+    VertexSlot takeSlot();
+    VertexSlot addVertex(TriangleId t, TriangleId partner);
+    void removeVertex(VertexSlot v);
+    void splitLeaf(TriangleId t, VertexSlot v);
+    void mergeLeaves(TriangleId t);
+    void addLeaf(TriangleId t);
+    void removeLeaf(TriangleId t);
+    void relink(TriangleRange slots);
+    bool isInData(TriangleId t) const;
+    std::uint32_t collapse(TriangleId t); // EnhMerge.cpp, as the two below
+    std::uint32_t dismantle(TriangleId t);
+    void freeVertices(TriangleId t);
+    bool linksAreSound(VertexSlot v) const; // DiamondTreeCheck.cpp
+
+    std::shared_ptr<const RoamTile> _tile;
+    int _levels;
+    int _regionLevel;
+    bool _dataFillsTile;
+    std::vector<DiamondPlace> _places; ///< apart from the links: the deferral wheel reads nothing else
+    std::vector<Diamond> _diamonds;
+    std::vector<VertexSlot> _freeSlots;
+    std::vector<TriangleId> _collapsing; ///< work list of enhMerge(), empty between operations
+    LeafArena _leaves;
+    std::vector<std::uint32_t> _undrawnLeaves; ///< beyond the data's edge: their number in each region
+    MeshChanges _changes;
+    std::uint32_t _leafCount = 0;
+};
+
+} // namespace osgTerrainROAM::core

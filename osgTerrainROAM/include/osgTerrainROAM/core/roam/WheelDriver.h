@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include <viewlod/Slice.h>
+#include <viewlod/ViewState.h>
+
+#include <osgTerrainROAM/core/roam/DeferralWheel.h>
+#include <osgTerrainROAM/core/roam/DiamondTree.h>
+#include <osgTerrainROAM/core/roam/RefineResult.h>
+#include <osgTerrainROAM/core/roam/Refinement.h>
+
+namespace osgTerrainROAM::core
+{
+
+/// Takes a tree from eye to eye and looks only at vertices that may have changed sides.
+/// Watched are the active vertices, and the vertices that could come next: those whose parents both are active. When one
+/// comes, what may follow it is watched; when one goes, its whole subtree goes (enhMerge).
+/// A frame that is stopped by its limits leaves the rest for the next one.
+/// Invariant: each vertex that could come is watched from one of its parents' quadrants, or waits.
+/// Cost: what changes, and what is due; nothing when eye and scale stand still. Memory: 5 B per vertex and 4 B per watch.
+/// Source: spec 1 D, "Deferral".
+class WheelDriver
+{
+public:
+    explicit WheelDriver(const RoamTile& tile) : _wheel(tile.tile.field().spacingEastM * kTicksPerCell) {}
+
+    /// The tree has changed by other hands: everything is looked at again.
+    void forget() { _knowsTree = false; }
+
+    /// Splits and merges until exactly the active vertices are split. False when it stopped before: the next split would
+    /// have exceeded `maxLeaves`, or the slice is spent. The mesh is valid then, too.
+    bool refine(DiamondTree& tree, const viewlod::ViewState& view, double tolerancePx,
+                std::uint32_t maxLeaves, viewlod::Slice& slice, RefineResult& result);
+
+    std::size_t memoryBytes() const;
+
+private:
+    static constexpr double kTicksPerCell = 1.0 / 256.0;
+    static constexpr unsigned kItself = 4; ///< a watch on the vertex; less: on what would split that quadrant
+    static constexpr DeferralWheel::Mark kNotWatched = 0, kWaits = 255;
+
+    /// One refinement.
+    struct Frame
+    {
+        DiamondTree& tree;
+        const ActiveForEye active;
+        std::uint32_t maxLeaves;
+        viewlod::Slice& slice;
+        RefineResult& result;
+    };
+
+    void startOver(Frame& frame);
+    void lookAtRest(Frame& frame);
+    void lookAgain(Frame& frame, std::uint32_t watch, DeferralWheel::Mark mark);
+    void look(Frame& frame, VertexSlot v, unsigned kind);
+    void watch(Frame& frame, VertexSlot v, unsigned kind, const SplitBound& bound);
+    void follow(Frame& frame, VertexSlot v);
+    void followNew(Frame& frame);
+    bool letGo(Frame& frame);
+    bool letCome(Frame& frame);
+
+    DeferralWheel _wheel;
+    std::vector<std::array<DeferralWheel::Mark, 5>> _marks; ///< by vertex and kind
+    std::vector<std::uint32_t> _waiting; ///< watches that are due, left over from the last frame
+    std::vector<VertexSlot> _leaving;    ///< vertices that are active no longer
+    std::vector<TriangleId> _coming;     ///< triangles whose split vertex has become active
+    std::size_t _followed = 0;           ///< of the tree's new vertices in this frame
+    bool _knowsTree = false;
+    glm::dvec3 _eye{0.0};
+    double _scale = 0.0, _nearM = 0.0;
+};
+
+} // namespace osgTerrainROAM::core

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <utility>
+
+#include <osgTerrainROAM/core/roam/DeferralWheel.h>
+
+namespace osgTerrainROAM::core
+{
+
+namespace
+{
+
+constexpr std::uint32_t kNoBlock = 0xffffffffu;
+
+} // namespace
+
+DeferralWheel::DeferralWheel(double tickM) : _tickM(tickM)
+{
+    clear();
+}
+
+void DeferralWheel::clear()
+{
+    Octave empty;
+    empty.soon = kNoBlock;
+    for (auto& level : empty.slots)
+        level.fill(kNoBlock);
+    _octaves.assign(kOctaves, empty);
+    _blocks.clear();
+    _freeBlock = kNoBlock;
+}
+
+DeferralWheel::Mark DeferralWheel::markOf(int octave, int level, int slot)
+{
+    return static_cast<Mark>(1 + (octave * 97 + level * 31 + slot) % 255);
+}
+
+void DeferralWheel::push(std::uint32_t& first, std::uint32_t watch)
+{
+    if (first == kNoBlock || _blocks[first].count == std::size(_blocks[first].watches))
+    {
+        std::uint32_t block = _freeBlock;
+        if (block == kNoBlock)
+        {
+            block = static_cast<std::uint32_t>(_blocks.size());
+            _blocks.emplace_back();
+        }
+        else
+        {
+            _freeBlock = _blocks[block].next;
+        }
+        _blocks[block].next = first;
+        _blocks[block].count = 0;
+        first = block;
+    }
+    Block& block = _blocks[first];
+    block.watches[block.count++] = watch;
+}
+
+DeferralWheel::Mark DeferralWheel::add(std::uint32_t watch, double errorM, double marginM)
+{
+    // The exponent of a float, without a call: |f| and e are finite and not negative.
+    const int exponent = static_cast<int>(std::bit_cast<std::uint64_t>(errorM) >> 52) - 1023;
+    const int which = std::clamp(exponent - kLowestExponent, 0, kOctaves - 1);
+    Octave& octave = _octaves[static_cast<std::size_t>(which)];
+    const auto now = static_cast<std::int64_t>(octave.clockM / _tickM);
+    const auto due = static_cast<std::int64_t>((octave.clockM + marginM) / _tickM);
+    if (due == now)
+    {
+        push(octave.soon, watch);
+        return markOf(which, kLevels, 0);
+    }
+    int level = 0;
+    while (level < kLevels - 1 && (due >> (kLevelShift * level)) - (now >> (kLevelShift * level)) >= kSlots)
+        ++level;
+    const int shift = kLevelShift * level;
+    const std::int64_t bucket =
+        std::min(due >> shift, (now >> shift) + kSlots - 1); // the last level holds the rest
+    const auto slot = static_cast<std::size_t>(bucket & (kSlots - 1));
+    octave.occupied[static_cast<std::size_t>(level)] |= static_cast<std::uint16_t>(1u << slot);
+    push(octave.slots[static_cast<std::size_t>(level)][slot], watch);
+    return markOf(which, level, static_cast<int>(slot));
+}
+
+/// Takes all watches out of a list.
+void DeferralWheel::drain(std::uint32_t& first, Mark mark)
+{
+    for (std::uint32_t block = std::exchange(first, kNoBlock); block != kNoBlock;)
+    {
+        for (std::uint32_t i = 0; i < _blocks[block].count; ++i)
+            _collected.push_back({_blocks[block].watches[i], mark});
+        const std::uint32_t next = _blocks[block].next;
+        _blocks[block].next = _freeBlock;
+        _freeBlock = block;
+        block = next;
+    }
+}
+
+void DeferralWheel::collect(int which, double travelM, double scaleChange)
+{
+    _collected.clear();
+    Octave& octave = _octaves[static_cast<std::size_t>(which)];
+    const double steppedM = travelM + std::ldexp(scaleChange, which + kLowestExponent + 1);
+    if (steppedM <= 0.0) return;
+    const auto before = static_cast<std::int64_t>(octave.clockM / _tickM);
+    octave.clockM += steppedM;
+    const auto now = static_cast<std::int64_t>(octave.clockM / _tickM);
+    drain(octave.soon, markOf(which, kLevels, 0));
+    for (int level = 0; level < kLevels; ++level)
+    {
+        const std::int64_t from = before >> (kLevelShift * level), to = now >> (kLevelShift * level);
+        if (from == to) break; // coarser levels have not moved either
+        std::uint16_t& occupied = octave.occupied[static_cast<std::size_t>(level)];
+        if (occupied == 0) continue;
+        for (std::int64_t bucket = from + 1; bucket <= std::min(to, from + kSlots); ++bucket)
+        {
+            const auto slot = static_cast<std::size_t>(bucket & (kSlots - 1));
+            if (!(occupied >> slot & 1u)) continue;
+            occupied &= static_cast<std::uint16_t>(~(1u << slot));
+            drain(octave.slots[static_cast<std::size_t>(level)][slot],
+                  markOf(which, level, static_cast<int>(slot)));
+        }
+    }
+}
+
+std::size_t DeferralWheel::memoryBytes() const
+{
+    return _octaves.capacity() * sizeof(Octave) + _blocks.capacity() * sizeof(Block) +
+           _collected.capacity() * sizeof(Handout);
+}
+
+} // namespace osgTerrainROAM::core

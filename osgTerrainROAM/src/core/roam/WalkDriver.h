@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+#include <viewlod/Slice.h>
+
+#include <osgTerrainROAM/core/roam/DiamondTree.h>
+#include <osgTerrainROAM/core/roam/RefineResult.h>
+
+namespace osgTerrainROAM::core
+{
+
+/// The paper's own frame loop (paper 1, §5.2): walks the tree of the last frame, splits or merges by the screen error.
+/// Difference: the bounds nest in space, too (spec 1 D), so the result does not depend on the visiting order.
+template<class Active>
+class WalkDriver
+{
+public:
+    WalkDriver(DiamondTree& tree, const Active& active, std::uint32_t maxLeaves, viewlod::Slice& slice,
+               RefineResult& result)
+        : _tree(tree), _active(active), _maxLeaves(maxLeaves), _slice(slice), _result(result)
+    {
+    }
+
+    /// Splits and merges until exactly the active vertices are split. False when the slice was spent before, or when that
+    /// takes more than `maxLeaves`: the mesh is valid then, too.
+    bool refine()
+    {
+        // What does not fit at first may when the walk has merged what comes later.
+        return (walkRoots() && !_leftOut) || (!_slice.isSpent() && walkRoots() && !_leftOut);
+    }
+
+private:
+    bool walkRoots()
+    {
+        _leftOut = false;
+        return std::all_of(std::begin(DiamondTree::kRoots), std::end(DiamondTree::kRoots),
+                           [this](TriangleId root) { return walk(root); });
+    }
+
+    bool walk(TriangleId t)
+    {
+        if (_tree.isLeaf(t) && !_tree.canSplit(t)) return true;
+        if (_slice.isSpent()) return false;
+        ++_result.checks;
+        _slice.check();
+        const bool active = _active(_tree.bound(t));
+        if (_tree.isLeaf(t))
+        {
+            if (!active) return true;
+            if (_tree.leafCount() + _tree.splitsNeeded(t) > _maxLeaves)
+            {
+                _leftOut = true;
+                return true;
+            }
+            count(_result.splits, _tree.forceSplit(t));
+        }
+        else if (!active)
+        {
+            count(_result.merges, _tree.enhMerge(_tree.splitVertex(t)));
+            return true;
+        }
+        const auto [first, second] = _tree.children(t);
+        return walk(first) && walk(second);
+    }
+
+    void count(std::uint32_t& sum, std::uint32_t triangles)
+    {
+        sum += triangles;
+        _slice.change(triangles);
+    }
+
+    DiamondTree& _tree;
+    const Active& _active;
+    std::uint32_t _maxLeaves;
+    viewlod::Slice& _slice;
+    RefineResult& _result;
+    bool _leftOut = false; ///< a split for want of room
+};
+
+} // namespace osgTerrainROAM::core

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cmath>
+#include <ctime>
+
+#include <viewlod/Budget.h>
+
+namespace viewlod
+{
+
+/// The time slice of one frame: work says what it does, and asks whether to go on.
+/// The thread's clock costs as much as several steps of work, so it is read only when about kBetweenReadingsUs may have
+/// passed by the model.
+class Slice
+{
+public:
+    /// Modelled cost of looking at a vertex again and of splitting or merging a triangle; medians measured on one machine.
+    static constexpr double kCheckUs = 0.02, kChangeUs = 0.15;
+
+    explicit Slice(const Budget& budget)
+        : _limitUs(budget.maxTimeUs), _modelled(budget.clock == Budget::Clock::modelled)
+    {
+        if (!std::isinf(_limitUs) && !_modelled) _startUs = threadUs();
+    }
+
+    void check() { _workUs += kCheckUs; }
+    void change(unsigned triangles) { _workUs += kChangeUs * triangles; }
+
+    /// Whether the slice is used up; once it is, it stays so.
+    bool isSpent()
+    {
+        if (_spent || std::isinf(_limitUs)) return _spent;
+        if (_modelled) return _spent = _workUs >= _limitUs;
+        if (_workUs < _nextReadingUs) return false;
+        _nextReadingUs = _workUs + kBetweenReadingsUs;
+        return _spent = threadUs() - _startUs >= _limitUs;
+    }
+
+private:
+    static constexpr double kBetweenReadingsUs = 2.0;
+
+    static double threadUs()
+    {
+        std::timespec now{};
+        clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+        return static_cast<double>(now.tv_sec) * 1e6 + static_cast<double>(now.tv_nsec) * 1e-3;
+    }
+
+    double _limitUs;
+    bool _modelled;
+    bool _spent = false;
+    double _startUs = 0.0, _workUs = 0.0, _nextReadingUs = 0.0;
+};
+
+} // namespace viewlod
