@@ -17,17 +17,24 @@ using namespace osgTerrainROAM::core;
 nlohmann::ordered_json describe(const std::string& file, const PlacedTile& tile)
 {
     const HeightField& field = tile.field();
-    const auto [lowest, highest] = std::minmax_element(field.heightsM.begin(), field.heightsM.end());
+    const SampleTable& samples = tile.samples();
+    float lowestM = samples.heightM(0), highestM = lowestM;
+    for (std::size_t i = 1; i < samples.size(); ++i)
+    {
+        lowestM = std::min(lowestM, samples.heightM(i));
+        highestM = std::max(highestM, samples.heightM(i));
+    }
     nlohmann::ordered_json row;
     row["file"] = file;
     row["columns"] = field.columns;
     row["rows"] = field.rows;
-    row["samples"] = field.heightsM.size();
+    row["samples"] = samples.size();
     row["tileSide"] = tile.side();
     row["spacingEastM"] = field.spacingEastM;
     row["spacingNorthM"] = field.spacingNorthM;
-    row["lowestM"] = *lowest;
-    row["highestM"] = *highest;
+    row["lowestM"] = lowestM;
+    row["highestM"] = highestM;
+    row["heightQuantumM"] = samples.heightQuantumM();
     row["voids"] = field.voids.count;
     row["voidShare"] = field.voids.share;
     if (field.voids.count > 0) row["voidFill"] = field.voids.method;

@@ -57,7 +57,7 @@ viewlod::Result<FlightFindings> fly(const Request& request, const std::string& f
     if (!description) return description.error();
     auto placed = loadTile(*description);
     if (!placed) return placed.error();
-    row["samples"] = placed->field().heightsM.size();
+    row["samples"] = placed->samples().size();
     row["voids"] = placed->field().voids.count;
     const auto views = *scenario ? scenarioViews(**scenario, file, *placed, request.frames)
                                  : tourViews(*placed, request.frames);

@@ -67,10 +67,11 @@ inline osgTerrainROAM::core::HeightField onTheEarth(osgTerrainROAM::core::Height
 }
 
 inline std::shared_ptr<const osgTerrainROAM::core::RoamTile>
-planarTile(osgTerrainROAM::core::HeightField field)
+planarTile(osgTerrainROAM::core::HeightField field,
+           osgTerrainROAM::core::Storage storage = osgTerrainROAM::core::Storage::compact)
 {
     using namespace osgTerrainROAM::core;
-    return std::make_shared<const RoamTile>(PlacedTile(std::move(field), Placement::planar));
+    return std::make_shared<const RoamTile>(PlacedTile(std::move(field), Placement::planar, storage));
 }
 
 } // namespace testsupport

@@ -42,7 +42,7 @@ TEST_P(Anchors, NestedRowIsMetExactly)
     OSGTRAINER_REAL_DATA_OR_SKIP(file, std::filesystem::path("dem") / GetParam().file);
     const auto imported = importDem(file);
     ASSERT_TRUE(imported) << imported.error().message();
-    RoamMesh mesh(testsupport::planarTile(cropped(*imported, GetParam())));
+    RoamMesh mesh(testsupport::planarTile(cropped(*imported, GetParam()), Storage::exact));
     for (const auto& [errorM, triangles] : GetParam().trianglesAtErrorM)
         EXPECT_EQ(mesh.refine(errorM).triangles, triangles) << GetParam().file << " at " << errorM << " m";
 }
@@ -54,7 +54,7 @@ TEST_P(Anchors, OneRaisedSampleChangesTheCount)
     ASSERT_TRUE(imported) << imported.error().message();
     HeightField field = cropped(*imported, GetParam());
     field.heightsM[field.heightsM.size() / 2 + 101] += 500.0f;
-    RoamMesh mesh(testsupport::planarTile(field));
+    RoamMesh mesh(testsupport::planarTile(field, Storage::exact));
     const auto& [errorM, triangles] = GetParam().trianglesAtErrorM.front();
     EXPECT_NE(mesh.refine(errorM).triangles, triangles);
 }

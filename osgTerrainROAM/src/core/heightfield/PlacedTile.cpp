@@ -20,10 +20,18 @@ GeographicLib::LocalCartesian frameAt(const Geodetic& origin)
     return {origin.latitudeDeg, origin.longitudeDeg, origin.heightM, GeographicLib::Geocentric::WGS84()};
 }
 
+HeightField complete(HeightField field)
+{
+    assert(field.isComplete());
+    return field;
+}
+
 } // namespace
 
-PlacedTile::PlacedTile(HeightField field, Placement placement)
-    : _field(std::move(field)), _placement(_field.net ? placement : Placement::planar)
+PlacedTile::PlacedTile(HeightField field, Placement placement, Storage storage)
+    : _field(complete(std::move(field))),
+      _samples(_field, storage),
+      _placement(_field.net ? placement : Placement::planar)
 {
     initSide();
     if (_placement == Placement::planar) return;
@@ -32,7 +40,9 @@ PlacedTile::PlacedTile(HeightField field, Placement placement)
 }
 
 PlacedTile::PlacedTile(HeightField field, const Geodetic& origin)
-    : _field(std::move(field)), _placement(_field.net ? Placement::curved : Placement::planar)
+    : _field(complete(std::move(field))),
+      _samples(_field, Storage::compact),
+      _placement(_field.net ? Placement::curved : Placement::planar)
 {
     initSide();
     if (_placement == Placement::planar) return;
@@ -42,7 +52,6 @@ PlacedTile::PlacedTile(HeightField field, const Geodetic& origin)
 
 void PlacedTile::initSide()
 {
-    assert(_field.isComplete());
     _side = _field.tileSide();
     _levels = 2 * (std::bit_width(static_cast<unsigned>(_side - 1)) - 1);
     if (_placement == Placement::planar) return;
@@ -137,18 +146,15 @@ PlacedTile::LatticeNode PlacedTile::blend(int macroColumn, int macroRow, const W
     return sum;
 }
 
-glm::dvec3 PlacedTile::position(int column, int row) const
+glm::dvec3 PlacedTile::curvedPosition(int column, int row, double heightM) const
 {
-    const double height = heightM(column, row);
-    if (_placement == Placement::planar)
-        return {column * _field.spacingEastM, row * _field.spacingNorthM, height};
     // The last sample belongs to the last macro cell, not to one that would begin there.
     const int last = (_latticeSide - 1) / 2 - 1;
     const int a = std::min(column >> _macroShift, last);
     const int b = std::min(row >> _macroShift, last);
     const LatticeNode place = blend(a, b, _weights[static_cast<std::size_t>(column - (a << _macroShift))],
                                     _weights[static_cast<std::size_t>(row - (b << _macroShift))]);
-    return place.base + height * place.up;
+    return place.base + heightM * place.up;
 }
 
 glm::dvec3 PlacedTile::positionAt(double column, double row, double heightM) const

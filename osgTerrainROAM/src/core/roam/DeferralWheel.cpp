@@ -5,6 +5,7 @@
 #include <utility>
 
 #include <osgTerrainROAM/core/roam/DeferralWheel.h>
+#include <osgTerrainROAM/core/roam/MeshData.h>
 
 namespace osgTerrainROAM::core
 {
@@ -16,7 +17,7 @@ constexpr std::uint32_t kNoBlock = 0xffffffffu;
 
 } // namespace
 
-DeferralWheel::DeferralWheel(double tickM) : _tickM(tickM)
+DeferralWheel::DeferralWheel(double tickM) : _ticksPerM(1.0 / tickM)
 {
     clear();
 }
@@ -45,7 +46,7 @@ void DeferralWheel::push(std::uint32_t& first, std::uint32_t watch)
         if (block == kNoBlock)
         {
             block = static_cast<std::uint32_t>(_blocks.size());
-            _blocks.emplace_back();
+            appendTightly(_blocks);
         }
         else
         {
@@ -65,16 +66,18 @@ DeferralWheel::Mark DeferralWheel::add(std::uint32_t watch, double errorM, doubl
     const int exponent = static_cast<int>(std::bit_cast<std::uint64_t>(errorM) >> 52) - 1023;
     const int which = std::clamp(exponent - kLowestExponent, 0, kOctaves - 1);
     Octave& octave = _octaves[static_cast<std::size_t>(which)];
-    const auto now = static_cast<std::int64_t>(octave.clockM / _tickM);
-    const auto due = static_cast<std::int64_t>((octave.clockM + marginM) / _tickM);
+    const auto now = static_cast<std::int64_t>(octave.clockTicks);
+    const auto due = static_cast<std::int64_t>(octave.clockTicks + marginM * _ticksPerM);
     if (due == now)
     {
         push(octave.soon, watch);
         return markOf(which, kLevels, 0);
     }
-    int level = 0;
-    while (level < kLevels - 1 && (due >> (kLevelShift * level)) - (now >> (kLevelShift * level)) >= kSlots)
-        ++level;
+    // The finest level whose slots reach so far; from bit to bit that is half a level.
+    const int bits = static_cast<int>(std::bit_width(static_cast<std::uint64_t>(due - now)));
+    int level = std::clamp((bits - 3) / kLevelShift, 0, kLevels - 1);
+    if ((due >> (kLevelShift * level)) - (now >> (kLevelShift * level)) >= kSlots)
+        level = std::min(level + 1, kLevels - 1);
     const int shift = kLevelShift * level;
     const std::int64_t bucket =
         std::min(due >> shift, (now >> shift) + kSlots - 1); // the last level holds the rest
@@ -98,15 +101,16 @@ void DeferralWheel::drain(std::uint32_t& first, Mark mark)
     }
 }
 
-void DeferralWheel::collect(int which, double travelM, double scaleChange)
+/// Whether there is anything.
+bool DeferralWheel::collect(int which, double travelM, double scaleChange)
 {
     _collected.clear();
     Octave& octave = _octaves[static_cast<std::size_t>(which)];
     const double steppedM = travelM + std::ldexp(scaleChange, which + kLowestExponent + 1);
-    if (steppedM <= 0.0) return;
-    const auto before = static_cast<std::int64_t>(octave.clockM / _tickM);
-    octave.clockM += steppedM;
-    const auto now = static_cast<std::int64_t>(octave.clockM / _tickM);
+    if (steppedM <= 0.0) return false;
+    const auto before = static_cast<std::int64_t>(octave.clockTicks);
+    octave.clockTicks += steppedM * _ticksPerM;
+    const auto now = static_cast<std::int64_t>(octave.clockTicks);
     drain(octave.soon, markOf(which, kLevels, 0));
     for (int level = 0; level < kLevels; ++level)
     {
@@ -123,6 +127,7 @@ void DeferralWheel::collect(int which, double travelM, double scaleChange)
                   markOf(which, level, static_cast<int>(slot)));
         }
     }
+    return !_collected.empty();
 }
 
 std::size_t DeferralWheel::memoryBytes() const

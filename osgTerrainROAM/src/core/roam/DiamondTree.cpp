@@ -51,8 +51,6 @@ DiamondTree::DiamondTree(std::shared_ptr<const RoamTile> tile)
         const VertexSlot slot = takeSlot();
         _places[slot] = {static_cast<std::uint16_t>(p.column), static_cast<std::uint16_t>(p.row), -1, 0, {}};
     }
-    _diamonds[0].corners[0] = _diamonds[1].corners[1] = 2;
-    _diamonds[0].corners[1] = _diamonds[1].corners[0] = 3;
     _places[0].direction = 2;
     _places[1].direction = 6;
     for (const TriangleId root : kRoots)
@@ -65,8 +63,8 @@ VertexSlot DiamondTree::takeSlot()
     if (_freeSlots.empty())
     {
         slot = vertexSlots();
-        _places.emplace_back();
-        _diamonds.emplace_back();
+        appendTightly(_places);
+        appendTightly(_diamonds);
     }
     else
     {
@@ -105,10 +103,8 @@ VertexSlot DiamondTree::addVertex(TriangleId t, TriangleId partner)
         static_cast<std::uint8_t>((apex.direction + 2u * t.quadrant() + 5u) & 7u); // back to the apex
     place.parentQuadrants[0] = static_cast<std::uint8_t>(t.quadrant());
     place.parentQuadrants[1] = static_cast<std::uint8_t>(partner.exists() ? partner.quadrant() : 0u);
-    const VertexSlot* around = _diamonds[t.apex()].corners;
     const std::uint32_t beyond = partner.exists() ? kUndrawn : kAbsent;
-    _diamonds[v] = {{t.apex(), around[t.quadrant()], partner.exists() ? partner.apex() : kNone,
-                     around[next(t.quadrant())]},
+    _diamonds[v] = {{t.apex(), partner.exists() ? partner.apex() : kNone},
                     {kUndrawn, beyond, beyond, kUndrawn}};
     return v;
 }
@@ -121,15 +117,28 @@ void DiamondTree::removeVertex(VertexSlot v)
 
 GridTriangle DiamondTree::gridTriangle(TriangleId t) const
 {
-    const LeafTriangle corners = vertices(t);
-    return {place(corners.vertices[0]).point(), place(corners.vertices[1]).point(),
-            place(corners.vertices[2]).point()};
+    const DiamondPlace& apex = _places[t.apex()];
+    const int leg = (_tile->tile.side() - 1) >> ((apex.level + 2) / 2);
+    const auto cornerAt = [&](unsigned index)
+    {
+        const unsigned direction = (apex.direction + 2u * index) & 7u;
+        return GridPoint{apex.column + kColumnStep[direction] * leg, apex.row + kRowStep[direction] * leg};
+    };
+    return {apex.point(), cornerAt(t.quadrant()), cornerAt(t.quadrant() + 1u)};
+}
+
+/// Corners 1 and 3 are those of the first parent's quadrant that the vertex has split.
+VertexSlot DiamondTree::corner(VertexSlot v, unsigned index) const
+{
+    if (v < kCorners) return 2u + ((v + index) & 1u); // the roots' bases
+    if (index % 2 == 0) return _diamonds[v].parents[index / 2];
+    const unsigned quadrant = _places[v].parentQuadrants[0];
+    return corner(_diamonds[v].parents[0], index == 1 ? quadrant : next(quadrant));
 }
 
 LeafTriangle DiamondTree::vertices(TriangleId t) const
 {
-    const VertexSlot* corners = _diamonds[t.apex()].corners;
-    return {{t.apex(), corners[t.quadrant()], corners[next(t.quadrant())]}};
+    return {{t.apex(), corner(t.apex(), t.quadrant()), corner(t.apex(), next(t.quadrant()))}};
 }
 
 MeshVertex DiamondTree::vertex(VertexSlot v) const
@@ -143,7 +152,7 @@ MeshVertex DiamondTree::vertex(VertexSlot v) const
 std::array<TriangleId, 2> DiamondTree::children(TriangleId t) const
 {
     const VertexSlot v = splitVertex(t);
-    const unsigned slot = _diamonds[v].corners[0] == t.apex() ? 0u : 2u;
+    const unsigned slot = _diamonds[v].parents[0] == t.apex() ? 0u : 2u;
     return {TriangleId(v, slot), TriangleId(v, previous(slot))};
 }
 
@@ -151,8 +160,8 @@ std::array<TriangleId, 2> DiamondTree::parents(VertexSlot v) const
 {
     const Diamond& diamond = _diamonds[v];
     const auto& quadrants = _places[v].parentQuadrants;
-    return {TriangleId(diamond.corners[0], quadrants[0]),
-            diamond.corners[2] == kNone ? TriangleId() : TriangleId(diamond.corners[2], quadrants[1])};
+    return {TriangleId(diamond.parents[0], quadrants[0]),
+            diamond.parents[1] == kNone ? TriangleId() : TriangleId(diamond.parents[1], quadrants[1])};
 }
 
 TriangleId DiamondTree::acrossBase(TriangleId t) const
@@ -160,14 +169,14 @@ TriangleId DiamondTree::acrossBase(TriangleId t) const
     if (t.apex() < kCorners) return kRoots[t == kRoots[0] ? 1 : 0];
     // The base ends at one of the diamond's parents. What lies across hangs on that parent, too, one quadrant further.
     const unsigned slot = parentOnEdge(t.quadrant());
-    const VertexSlot parent = _diamonds[t.apex()].corners[slot];
+    const VertexSlot parent = _diamonds[t.apex()].parents[slot / 2];
     const unsigned mine = _places[t.apex()].parentQuadrants[slot / 2];
     const bool clockwise = t.quadrant() % 2 == 0;
     const TriangleId coarser(parent, clockwise ? previous(mine) : next(mine));
     if (!exists(coarser)) return {};
     if (isLeaf(coarser)) return coarser;
     const VertexSlot v = splitVertex(coarser);
-    const unsigned back = _diamonds[v].corners[0] == parent ? 0u : 2u;
+    const unsigned back = _diamonds[v].parents[0] == parent ? 0u : 2u;
     return {v, clockwise ? previous(back) : back};
 }
 

@@ -95,6 +95,10 @@ bool DiamondTree::isConforming() const
     {
         const GridTriangle g = gridTriangle(t);
         if (doubleArea(g) <= 0) return false;
+        const LeafTriangle corners = vertices(t);
+        const GridPoint places[3] = {g.apex, g.left, g.right};
+        for (std::size_t i = 0; i < 3; ++i)
+            if (place(corners.vertices[i]).point() != places[i]) return false;
         area += doubleArea(g);
         const bool drawn = link(t) != kUndrawn;
         if (drawn != isInData(t) || (drawn && _leaves.leaf(link(t)) != t)) return false;

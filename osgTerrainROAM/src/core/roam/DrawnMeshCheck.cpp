@@ -99,8 +99,7 @@ private:
     {
         const GridPoint mid = middle(t.left, t.right);
         const bool finest = (t.left.column + t.right.column) % 2 != 0 || (t.left.row + t.right.row) % 2 != 0;
-        const auto split = static_cast<SampleIndex>(mid.row) * _tile.tile.side() + mid.column;
-        const double error = finest ? 0.0 : _tile.errors.errorM(split);
+        const double error = finest ? 0.0 : _tile.bound(mid).errorM;
         const glm::dvec3 centre = a + (du + dw) * 0.5;
         const double radius = std::max(glm::length(du - dw) * 0.5, glm::distance(centre, a)) + error;
         return !_view->frustum.classify(centre, radius).outside;

@@ -17,12 +17,6 @@ namespace osgTerrainROAM::core
 namespace
 {
 
-float roundedUp(double value)
-{
-    const float rounded = static_cast<float>(value);
-    return rounded < value ? std::nextafter(rounded, std::numeric_limits<float>::infinity()) : rounded;
-}
-
 /// Rasterises the triangles of the bintree over the samples.
 class TriangleErrors
 {
@@ -57,7 +51,7 @@ private:
     void raise(GridPoint v, double error)
     {
         std::atomic_ref<float> stored(_errors[static_cast<std::size_t>(v.row) * _side + v.column]);
-        const float wanted = roundedUp(error);
+        const float wanted = _tile.samples().roundedUpError(error);
         float seen = stored.load(std::memory_order_relaxed);
         while (seen < wanted && !stored.compare_exchange_weak(seen, wanted, std::memory_order_relaxed))
         {
@@ -169,7 +163,7 @@ ErrorTree::ErrorTree(const PlacedTile& tile)
                                        std::max(radius, glm::distance(centre, centreOf(tile, children[i])) +
                                                             _radiiM[child]);
                                }
-                               _radiiM[index] = roundedUp(radius * kRadiusSlack);
+                               _radiiM[index] = tile.samples().roundedUpRadius(radius * kRadiusSlack);
                            });
 }
 

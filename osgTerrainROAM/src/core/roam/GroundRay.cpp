@@ -55,9 +55,7 @@ private:
         }
         const auto halves = t.grid.children();
         const GridPoint mid = halves[0].apex;
-        if (entry(t, _tile.errors.errorM(
-                         static_cast<SampleIndex>(mid.row * _tile.tile.side() + mid.column))) > _nearestM)
-            return;
+        if (entry(t, _tile.bound(mid).errorM) > _nearestM) return;
         const glm::dvec3 top = position(mid);
         const PlacedTriangle children[2] = {{halves[0], top, t.apex, t.left},
                                             {halves[1], top, t.right, t.apex}};

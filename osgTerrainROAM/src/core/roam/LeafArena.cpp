@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <bit>
 #include <cassert>
 #include <utility>
 
@@ -9,14 +11,14 @@ namespace osgTerrainROAM::core
 
 namespace
 {
-constexpr std::uint32_t kSmallestClass = 4; // 16 leaves: one cache line
+constexpr std::uint32_t kSmallestClass = 2; // four leaves
 }
 
 TriangleRange LeafArena::insert(TriangleId leaf, std::uint32_t region, MeshChanges& changes)
 {
     Block& block = _blocks[region];
     const bool full = block.sizeClass == 0 || block.count == 1u << block.sizeClass;
-    if (full) grow(block, changes);
+    if (full) move(block, block.sizeClass == 0 ? kSmallestClass : block.sizeClass + 1, changes);
     const std::uint32_t slot = block.first + block.count++;
     _leaves[slot] = leaf;
     changes.triangles.push_back(slot);
@@ -30,8 +32,13 @@ TriangleRange LeafArena::erase(std::uint32_t slot, std::uint32_t region, MeshCha
     const std::uint32_t last = block.first + --block.count;
     assert(slot >= block.first && slot <= last);
     --_leafCount;
-    if (slot == last) return {};
     _leaves[slot] = _leaves[last];
+    if (block.sizeClass > kSmallestClass && block.count <= 1u << (block.sizeClass - 2))
+    {
+        move(block, block.sizeClass - 1, changes);
+        return {block.first, block.count};
+    }
+    if (slot == last) return {};
     changes.triangles.push_back(slot);
     return {slot, 1};
 }
@@ -45,43 +52,79 @@ void LeafArena::replace(std::uint32_t slot, TriangleId leaf, MeshChanges& change
 std::uint32_t LeafArena::clear(std::uint32_t region)
 {
     const Block old = std::exchange(_blocks[region], Block{});
-    if (old.sizeClass != 0) _freeBlocks[old.sizeClass].push_back(old.first);
+    if (old.sizeClass != 0) freeBlock(old.first, old.sizeClass);
     _leafCount -= old.count;
     return old.count;
 }
 
-void LeafArena::grow(Block& block, MeshChanges& changes)
+/// Gives a block another size.
+void LeafArena::move(Block& block, std::uint32_t sizeClass, MeshChanges& changes)
 {
     const Block old = block;
-    block.sizeClass = old.sizeClass == 0 ? kSmallestClass : old.sizeClass + 1;
-    block.first = takeBlock(block.sizeClass);
+    block.sizeClass = sizeClass;
+    block.first = takeBlock(sizeClass);
     for (std::uint32_t i = 0; i < old.count; ++i)
     {
         _leaves[block.first + i] = _leaves[old.first + i];
         changes.triangles.push_back(block.first + i);
     }
-    if (old.sizeClass != 0) _freeBlocks[old.sizeClass].push_back(old.first);
+    if (old.sizeClass != 0) freeBlock(old.first, old.sizeClass);
 }
 
+/// The smallest free block that is large enough, halved until it fits; else new slots at the end.
 std::uint32_t LeafArena::takeBlock(std::uint32_t sizeClass)
 {
-    auto& free = _freeBlocks[sizeClass];
-    if (!free.empty())
+    std::uint32_t larger = sizeClass;
+    while (larger < _freeBlocks.size() && _freeBlocks[larger].empty())
+        ++larger;
+    if (larger < _freeBlocks.size())
     {
-        const std::uint32_t first = free.back();
-        free.pop_back();
+        const std::uint32_t first = *_freeBlocks[larger].begin();
+        _freeBlocks[larger].erase(_freeBlocks[larger].begin());
+        while (larger > sizeClass)
+        {
+            --larger;
+            _freeBlocks[larger].insert(first + (1u << larger));
+        }
         return first;
     }
+    // Blocks lie at multiples of their size: what that leaves out is free, too.
+    const std::uint32_t size = 1u << sizeClass;
+    while (slotCount() % size != 0)
+    {
+        const auto gap = static_cast<std::uint32_t>(std::countr_zero(slotCount()));
+        const std::uint32_t first = slotCount();
+        addSlots(1u << gap);
+        freeBlock(first, gap);
+    }
     const std::uint32_t first = slotCount();
-    _leaves.resize(_leaves.size() + (std::size_t{1} << sizeClass));
+    addSlots(size);
     return first;
+}
+
+void LeafArena::addSlots(std::uint32_t count)
+{
+    for (std::uint32_t i = 0; i < count; ++i)
+        appendTightly(_leaves);
+}
+
+void LeafArena::freeBlock(std::uint32_t first, std::uint32_t sizeClass)
+{
+    for (;; ++sizeClass)
+    {
+        const std::uint32_t buddy = first ^ (1u << sizeClass);
+        if (_freeBlocks[sizeClass].erase(buddy) == 0) break;
+        first = std::min(first, buddy);
+    }
+    _freeBlocks[sizeClass].insert(first);
 }
 
 std::size_t LeafArena::memoryBytes() const
 {
     std::size_t bytes = _leaves.capacity() * sizeof(TriangleId) + _blocks.capacity() * sizeof(Block);
+    constexpr std::size_t kNodeBytes = 48; // of a set, with what the heap adds
     for (const auto& free : _freeBlocks)
-        bytes += free.capacity() * sizeof(std::uint32_t);
+        bytes += free.size() * kNodeBytes;
     return bytes;
 }
 
@@ -101,7 +144,14 @@ bool LeafArena::isConsistent() const
             used[slot] = true;
         }
     }
-    return leaves == _leafCount;
+    for (std::size_t sizeClass = 0; sizeClass < _freeBlocks.size(); ++sizeClass)
+        for (const std::uint32_t first : _freeBlocks[sizeClass])
+            for (std::uint32_t i = 0; i < 1u << sizeClass; ++i)
+            {
+                if (first + i >= used.size() || used[first + i]) return false;
+                used[first + i] = true;
+            }
+    return leaves == _leafCount && std::all_of(used.begin(), used.end(), [](bool isUsed) { return isUsed; });
 }
 
 } // namespace osgTerrainROAM::core

@@ -31,7 +31,7 @@ bool WheelDriver::refine(DiamondTree& tree, const viewlod::ViewState& view, doub
         lookAtRest(frame);
         _wheel.advance(glm::distance(view.eyeWorld, _eye) + std::abs(view.nearM - _nearM),
                        std::abs(scale - _scale),
-                       [&](std::uint32_t watch, DeferralWheel::Mark mark) { lookAgain(frame, watch, mark); });
+                       [&](std::span<const DeferralWheel::Handout> due) { lookAtDue(frame, due); });
     }
     else
     {
@@ -70,6 +70,32 @@ void WheelDriver::lookAtRest(Frame& frame)
         lookAgain(frame, watch, kWaits);
 }
 
+/// The work is waiting for memory; so each watch announces those that come later.
+void WheelDriver::lookAtDue(Frame& frame, std::span<const DeferralWheel::Handout> due)
+{
+    constexpr std::size_t kPlaceAhead = 16, kSampleAhead = 8;
+    for (std::size_t i = 0; i < due.size(); ++i)
+    {
+        if (i + kPlaceAhead < due.size())
+        {
+            const VertexSlot v = due[i + kPlaceAhead].watch >> 3;
+            __builtin_prefetch(&_marks[v]);
+            __builtin_prefetch(&frame.tree.place(v));
+        }
+        if (i + kSampleAhead < due.size())
+        {
+            const std::uint32_t watch = due[i + kSampleAhead].watch;
+            frame.tree.tile().prefetch(watchedPlace(frame.tree, watch >> 3, watch & 7u));
+        }
+        lookAgain(frame, due[i].watch, due[i].mark);
+    }
+}
+
+GridPoint WheelDriver::watchedPlace(const DiamondTree& tree, VertexSlot v, unsigned kind)
+{
+    return kind == kItself ? tree.place(v).point() : tree.middle(TriangleId(v, kind));
+}
+
 void WheelDriver::lookAgain(Frame& frame, std::uint32_t watch, DeferralWheel::Mark mark)
 {
     const VertexSlot v = watch >> 3;
@@ -89,8 +115,7 @@ void WheelDriver::look(Frame& frame, VertexSlot v, unsigned kind)
     ++frame.result.checks;
     frame.slice.check();
     const bool itself = kind == kItself;
-    const SplitBound bound = frame.tree.tile().bound(itself ? frame.tree.place(v).point()
-                                                            : frame.tree.middle(TriangleId(v, kind)));
+    const SplitBound bound = frame.tree.tile().bound(watchedPlace(frame.tree, v, kind));
     if (frame.active(bound) == itself) return watch(frame, v, kind, bound);
     _marks[v][kind] = kWaits;
     if (itself)
@@ -126,7 +151,8 @@ void WheelDriver::follow(Frame& frame, VertexSlot v)
 void WheelDriver::followNew(Frame& frame)
 {
     const std::vector<VertexSlot>& added = frame.tree.changes().vertices;
-    _marks.resize(frame.tree.vertexSlots());
+    while (_marks.size() < frame.tree.vertexSlots())
+        appendTightly(_marks);
     for (std::size_t i = _followed; i < added.size(); ++i)
     {
         _marks[added[i]] = {};

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
 #include <glm/glm.hpp>
 
 #include <osgTerrainROAM/core/heightfield/HeightField.h>
+#include <osgTerrainROAM/core/heightfield/SampleTable.h>
 
 namespace osgTerrainROAM::core
 {
@@ -32,28 +34,48 @@ enum class Placement
 /// ellipsoid normals at the nodes of the field's GeodeticNet is interpolated biquadratically, so a position
 /// is a pure function of its sample, the same bits on every call.
 /// Frame: local east-north-up metres about `origin()`; planar: about the south-west sample.
-/// Threads: immutable after construction. Memory: the height field, plus 48 B per lattice node.
+/// Threads: immutable after construction. Memory: the samples (SampleTable), plus 48 B per lattice node.
 /// Source: spec 1, "The wheel in formulas": X(s), the placed 3D position of a sample.
 class PlacedTile
 {
 public:
     /// `origin` of the frame; absent: the data's centre at ellipsoidal height 0. A field without
     /// georeference is always planar.
-    explicit PlacedTile(HeightField field, Placement placement = Placement::curved);
+    explicit PlacedTile(HeightField field, Placement placement = Placement::curved,
+                        Storage storage = Storage::compact);
     PlacedTile(HeightField field, const Geodetic& origin);
 
     int side() const { return _side; }     ///< samples along the tile, 2^n+1
     int levels() const { return _levels; } ///< 2n: bintree levels below the two roots that can split
     int dataColumns() const { return _field.columns; }
     int dataRows() const { return _field.rows; }
+
+    /// What the field says of itself; its heights are in samples().
     const HeightField& field() const { return _field; }
+    const SampleTable& samples() const { return _samples; }
+    SampleTable& samples() { return _samples; }
     const Geodetic& origin() const { return _origin; }
     Placement placement() const { return _placement; }
 
-    float heightM(int column, int row) const { return _field.heightM(column, row); }
+    float heightM(int column, int row) const { return _samples.heightM(sampleIndex(column, row)); }
+
+    bool isInData(int column, int row) const { return column < _field.columns && row < _field.rows; }
+
+    /// Of a sample, or of the nearest one at the edge of the data.
+    std::size_t sampleIndex(int column, int row) const
+    {
+        const int c = std::clamp(column, 0, _field.columns - 1), r = std::clamp(row, 0, _field.rows - 1);
+        return static_cast<std::size_t>(r) * static_cast<std::size_t>(_field.columns) +
+               static_cast<std::size_t>(c);
+    }
 
     /// Position of a sample of the tile, 0 ≤ column, row < side. Cost: about 60 flops (curved), 2 (planar).
-    glm::dvec3 position(int column, int row) const;
+    glm::dvec3 position(int column, int row) const
+    {
+        const double height = heightM(column, row);
+        if (_placement == Placement::curved) return curvedPosition(column, row, height);
+        return {column * _field.spacingEastM, row * _field.spacingNorthM, height};
+    }
 
     /// Position of a fractional grid place at a given height (metres, as the samples are counted).
     glm::dvec3 positionAt(double column, double row, double heightM) const;
@@ -86,6 +108,7 @@ private:
         double east, north; ///< 0…2
     };
 
+    glm::dvec3 curvedPosition(int column, int row, double heightM) const;
     static Weights weightsAt(double nodesFromFirst);
     static Weights slopesAt(double nodesFromFirst);
     void initSide();
@@ -96,6 +119,7 @@ private:
     glm::dvec2 newtonStep(const glm::dvec2& grid, const glm::dvec3& local) const;
 
     HeightField _field;
+    SampleTable _samples;
     Placement _placement;
     Geodetic _origin;
     int _side = 0;

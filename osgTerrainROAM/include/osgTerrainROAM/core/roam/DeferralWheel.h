@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace osgTerrainROAM::core
@@ -30,17 +31,20 @@ public:
     /// Asks for `watch` (any number) once its margin is used up. Returns the mark it will be handed out with.
     Mark add(std::uint32_t watch, double errorM, double marginM);
 
-    /// The eye has travelled, the scale K/τ has changed: calls due(watch, mark), larger errors first, for whatever may
+    /// What is due, and the mark that it was asked for with.
+    struct Handout
+    {
+        std::uint32_t watch;
+        Mark mark;
+    };
+
+    /// The eye has travelled, the scale K/τ has changed: calls due(span of Handout), larger errors first, with whatever may
     /// have used up its margin. `due` may add.
     template<class Due>
     void advance(double travelM, double scaleChange, const Due& due)
     {
         for (int octave = kOctaves - 1; octave >= 0; --octave)
-        {
-            collect(octave, travelM, scaleChange);
-            for (const Handout& handout : _collected)
-                due(handout.watch, handout.mark);
-        }
+            if (collect(octave, travelM, scaleChange)) due(std::span<const Handout>(_collected));
     }
 
     void clear();
@@ -60,24 +64,18 @@ private:
 
     struct Octave
     {
-        double clockM = 0.0;
+        double clockTicks = 0.0;
         std::uint32_t soon;                            ///< blocks of what is due at the next step
         std::array<std::uint16_t, kLevels> occupied{}; ///< slots that have blocks
         std::array<std::array<std::uint32_t, kSlots>, kLevels> slots; ///< first blocks
     };
 
-    struct Handout
-    {
-        std::uint32_t watch;
-        Mark mark;
-    };
-
     static Mark markOf(int octave, int level, int slot);
     void push(std::uint32_t& first, std::uint32_t watch);
-    void collect(int octave, double travelM, double scaleChange);
+    bool collect(int octave, double travelM, double scaleChange);
     void drain(std::uint32_t& first, Mark mark);
 
-    double _tickM;
+    double _ticksPerM;
     std::vector<Octave> _octaves;
     std::vector<Block> _blocks;
     std::uint32_t _freeBlock;

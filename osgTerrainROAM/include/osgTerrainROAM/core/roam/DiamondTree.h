@@ -32,8 +32,8 @@ static_assert(sizeof(DiamondPlace) == 8);
 /// The triangle bintree of one tile, kept by its diamonds, and the operations that keep its leaves a conforming mesh.
 /// A vertex in the middle of a base has split the two triangles on either side, and the four (at the border two)
 /// triangles around it are the quadrants of its diamond. Each quadrant is a leaf, or is split by a vertex one level
-/// finer, which it shares with a quadrant of the diamond next to it. So 40 B a vertex, 20 B a leaf, hold the whole
-/// bintree: places, neighbours and parents follow from a few links.
+/// finer, which it shares with a quadrant of the diamond next to it. So 32 B a vertex, 16 B a leaf, hold the whole
+/// bintree: places, neighbours and corners follow from a few links.
 /// Corners of a diamond, counter-clockwise: apex of one split triangle, its left, apex of the other, its right. Quadrant
 /// i lies between corners i and i + 1.
 /// Invariant: isConforming() after every public operation. No operation allocates but to grow a pool.
@@ -124,14 +124,15 @@ private:
     static constexpr std::uint32_t kUndrawn = 0x7fffffffu; ///< a leaf beyond the data's edge
     static constexpr std::uint32_t kAbsent = kNone;        ///< beyond the tile's edge
 
-    struct alignas(32) Diamond
+    struct Diamond
     {
-        VertexSlot corners[4] = {kNone, kNone, kNone, kNone};
+        VertexSlot parents[2] = {kNone, kNone}; ///< corners 0 and 2: the apexes of what the vertex has split
         std::uint32_t links[4] = {kAbsent, kAbsent, kAbsent, kAbsent};
     };
 
     std::uint32_t link(TriangleId t) const { return _diamonds[t.apex()].links[t.quadrant()]; }
     std::uint32_t& link(TriangleId t) { return _diamonds[t.apex()].links[t.quadrant()]; }
+    VertexSlot corner(VertexSlot v, unsigned index) const;
     GridPoint towardsMiddle(TriangleId t, int scale) const;
     VertexSlot takeSlot();
     VertexSlot addVertex(TriangleId t, TriangleId partner);

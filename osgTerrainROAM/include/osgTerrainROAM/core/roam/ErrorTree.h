@@ -15,7 +15,7 @@ using SampleIndex = std::uint32_t;
 /// Exact nested error bounds and radii of every split vertex of a tile's bintree: the paper's wedgies, in 3D.
 /// e_v is the largest |X(s) − Σ b_k X_k| over all *data* samples s in the two triangles of v's diamond
 /// (b barycentric in grid indices), nested: e_v ≥ e_c for each child c. r_v ≥ |X_v − X_c| + r_c likewise.
-/// Both are rounded up to float.
+/// Both are rounded up to what the tile's SampleTable can keep, each from what its children keep.
 /// Invariant: isNested(). Threads: immutable after construction. Memory: 8 B per sample of the tile.
 /// Cost: every sample is visited once per level, 2n times; about 0.3 µs a sample in all.
 /// Source: spec 1 D, "The wheel in formulas" (Lindstrom & Pascucci 2001 nest the same way).

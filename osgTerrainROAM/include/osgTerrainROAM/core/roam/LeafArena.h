@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <set>
 #include <vector>
 
 #include <osgTerrainROAM/core/roam/MeshData.h>
@@ -13,10 +14,11 @@ namespace osgTerrainROAM::core
 /// Which leaf has which slot of the index buffer. Every region of the tree keeps its leaves together, so that a draw call
 /// can leave out the regions that no camera sees. Inserting takes the next slot of the leaf's region, erasing moves the
 /// region's last leaf into the gap: a change touches two slots.
-/// A region that outgrows its block moves to one of twice the size; blocks are powers of two on free lists.
+/// A region's block has a power of two of slots. One that is full moves to twice its size, one that is down to a quarter
+/// to half; free blocks join with their neighbours (buddies).
 /// Who inserts and erases keeps the slots of the leaves, and is told which to note again.
 /// Invariant: isConsistent(). Memory: 4 B per slot.
-/// Source: terrain anchors, point 4 (stable slots, swap with the last).
+/// Source: terrain anchors, point 4 (stable slots, swap with the last); Knuth, TAOCP 1, §2.5 (buddies).
 class LeafArena
 {
 public:
@@ -25,7 +27,7 @@ public:
     /// Returns the slots to note: the new leaf's own, the last of them, and when the block has moved all of its leaves'.
     TriangleRange insert(TriangleId leaf, std::uint32_t region, MeshChanges& changes);
 
-    /// Returns the slot to note, if a leaf has moved into the gap.
+    /// Returns the slots to note: that of the leaf that moved into the gap, and when the block has moved all.
     TriangleRange erase(std::uint32_t slot, std::uint32_t region, MeshChanges& changes);
 
     /// Gives a slot to another leaf of the same region.
@@ -50,12 +52,14 @@ private:
         std::uint32_t sizeClass = 0; ///< capacity 2^sizeClass; 0: no block yet
     };
 
-    void grow(Block& block, MeshChanges& changes);
+    void move(Block& block, std::uint32_t sizeClass, MeshChanges& changes);
     std::uint32_t takeBlock(std::uint32_t sizeClass);
+    void addSlots(std::uint32_t count);
+    void freeBlock(std::uint32_t first, std::uint32_t sizeClass);
 
     std::vector<TriangleId> _leaves; ///< by slot
     std::vector<Block> _blocks;
-    std::array<std::vector<std::uint32_t>, 32> _freeBlocks;
+    std::array<std::set<std::uint32_t>, 32> _freeBlocks; ///< first slots, by size class
     std::uint32_t _leafCount = 0;
 };
 

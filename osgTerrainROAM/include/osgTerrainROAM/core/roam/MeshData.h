@@ -56,6 +56,14 @@ struct DrawnMesh
     std::vector<LeafTriangle> triangles; ///< in arena order
 };
 
+/// Appends one element; a full vector grows by a quarter, where the library would double it.
+template<class Element>
+Element& appendTightly(std::vector<Element>& elements, const Element& element = {})
+{
+    if (elements.size() == elements.capacity()) elements.reserve(elements.size() + elements.size() / 4 + 64);
+    return elements.emplace_back(element);
+}
+
 /// A run of elements of an array.
 struct IndexRange
 {
@@ -70,10 +78,15 @@ struct MeshChanges
     std::vector<std::uint32_t> vertices;  ///< slots, in the order written, possibly repeated
     std::vector<std::uint32_t> triangles; ///< likewise
 
+    /// Gives memory back that one large change has left.
     void clear()
     {
-        vertices.clear();
-        triangles.clear();
+        for (std::vector<std::uint32_t>* slots : {&vertices, &triangles})
+        {
+            const bool isOversized = slots->capacity() > 4096 && slots->size() < slots->capacity() / 8;
+            if (isOversized) std::vector<std::uint32_t>().swap(*slots);
+            slots->clear();
+        }
     }
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <utility>
+#include <unordered_map>
 
 #include <glm/glm.hpp>
 
@@ -22,21 +22,37 @@ struct SplitBound
 };
 
 /// What all views of one terrain tile share: samples, positions, bounds.
-/// Threads: immutable after construction.
-struct RoamTile
+/// Threads: immutable after construction. Memory: that of the placed tile, 32 B per culling node, and some bytes for each
+/// vertex beyond the data's edge that triangles across the edge split at.
+class RoamTile
 {
-    explicit RoamTile(PlacedTile placedTile) : tile(std::move(placedTile)), errors(tile), regions(tile) {}
+public:
+    explicit RoamTile(PlacedTile placedTile);
 
+    /// Of the bintree vertex at a place of the grid.
     SplitBound bound(GridPoint v) const
     {
-        const SampleIndex index = static_cast<SampleIndex>(v.row) * static_cast<SampleIndex>(tile.side()) +
-                                  static_cast<SampleIndex>(v.column);
-        return {glm::vec3(tile.position(v.column, v.row)), errors.errorM(index), errors.radiusM(index)};
+        if (!tile.isInData(v.column, v.row)) return boundBeyond(v);
+        const std::size_t index = tile.sampleIndex(v.column, v.row);
+        return {glm::vec3(tile.position(v.column, v.row)), tile.samples().errorM(index),
+                tile.samples().radiusM(index)};
     }
 
+    /// Tells the processor that bound(v) will be asked for.
+    void prefetch(GridPoint v) const { tile.samples().prefetch(tile.sampleIndex(v.column, v.row)); }
+
     PlacedTile tile;
-    ErrorTree errors;
     RegionBounds regions;
+
+private:
+    struct Bound
+    {
+        float errorM, radiusM;
+    };
+
+    SplitBound boundBeyond(GridPoint v) const;
+
+    std::unordered_map<SampleIndex, Bound> _beyond; ///< only those that have an error
 };
 
 } // namespace osgTerrainROAM::core

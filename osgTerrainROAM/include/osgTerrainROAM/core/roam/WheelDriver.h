@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include <glm/glm.hpp>
@@ -57,6 +58,8 @@ private:
 
     void startOver(Frame& frame);
     void lookAtRest(Frame& frame);
+    void lookAtDue(Frame& frame, std::span<const DeferralWheel::Handout> due);
+    static GridPoint watchedPlace(const DiamondTree& tree, VertexSlot v, unsigned kind);
     void lookAgain(Frame& frame, std::uint32_t watch, DeferralWheel::Mark mark);
     void look(Frame& frame, VertexSlot v, unsigned kind);
     void watch(Frame& frame, VertexSlot v, unsigned kind, const SplitBound& bound);

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include <osgTerrainROAM/core/heightfield/HeightField.h>
+
+namespace osgTerrainROAM::core
+{
+
+/// How a tile keeps its samples.
+enum class Storage
+{
+    compact, ///< 6 B a sample, heights in steps of a quantum, bounds rounded up
+    exact,   ///< 12 B a sample, floats: for comparisons with published figures
+};
+
+/// What a tile keeps of each data sample: its height, and error and radius of the bintree vertex there (ErrorTree).
+/// Compact: 16-bit heights in steps of heightQuantumM(), a power of two: heights that are multiples of it, whole metres
+/// among them, are kept exactly. Errors have 5 bits of exponent and 11 of mantissa, radii 254 logarithmic steps; both are
+/// rounded up. All of a sample lies side by side: who looks at a vertex misses the cache once.
+/// Sample `index` is row·columns + column. Units: metres.
+class SampleTable
+{
+public:
+    /// Takes the heights out of `field`.
+    SampleTable(HeightField& field, Storage storage);
+
+    float heightM(std::size_t index) const
+    {
+        return _samples.empty() ? _exact[index].heightM : _offsetM + _quantumM * _samples[index].height;
+    }
+    float errorM(std::size_t index) const
+    {
+        return _samples.empty() ? _exact[index].errorM : decodedError(_samples[index].error);
+    }
+    float radiusM(std::size_t index) const
+    {
+        return _samples.empty() ? _exact[index].radiusM : _radiiM[_samples[index].radius];
+    }
+
+    /// Tells the processor that a sample will be asked for.
+    void prefetch(std::size_t index) const
+    {
+        __builtin_prefetch(_samples.empty() ? static_cast<const void*>(&_exact[index]) : &_samples[index]);
+    }
+
+    /// The least values that can be kept and are not less.
+    float roundedUpError(double errorM) const;
+    float roundedUpRadius(double radiusM) const;
+
+    /// Keeps what roundedUp…() gave.
+    void setBound(std::size_t index, float errorM, float radiusM);
+
+    double heightQuantumM() const { return _quantumM; } ///< heights are off by at most half of it; 0: exact
+    std::size_t size() const { return _samples.size() + _exact.size(); }
+    std::size_t memoryBytes() const;
+
+private:
+    struct Packed
+    {
+        std::int16_t height;
+        std::uint16_t error;
+        std::uint8_t radius;
+        std::uint8_t flags; ///< none yet
+    };
+    static_assert(sizeof(Packed) == 6);
+
+    struct Exact
+    {
+        float heightM, errorM, radiusM;
+    };
+
+    /// A float's bits without sign, its exponents from 2^-14 on, and the lower twelve of its mantissa.
+    static constexpr std::uint32_t kErrorBias = (127u - 14u) << 11;
+    static constexpr int kErrorShift = 12;
+
+    static float decodedError(std::uint16_t code)
+    {
+        return code == 0 ? 0.0f : std::bit_cast<float>((code + kErrorBias) << kErrorShift);
+    }
+
+    void pack(const std::vector<float>& heightsM);
+    std::uint16_t errorCode(double errorM) const;
+    std::uint8_t radiusCode(double radiusM) const;
+
+    float _offsetM = 0.0f, _quantumM = 0.0f;
+    std::array<float, 256> _radiiM{}; ///< by code; the first is 0
+    std::vector<Packed> _samples;     ///< compact
+    std::vector<Exact> _exact;
+};
+
+} // namespace osgTerrainROAM::core

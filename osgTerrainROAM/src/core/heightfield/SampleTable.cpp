@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+#include <osgTerrainROAM/core/heightfield/SampleTable.h>
+
+namespace osgTerrainROAM::core
+{
+
+namespace
+{
+
+constexpr double kMostSteps = 65534.0;
+constexpr int kFinestExponent = -10; ///< of the quantum: 1 mm
+
+/// The next float that is not less.
+float roundedUp(double value)
+{
+    const float rounded = static_cast<float>(value);
+    return rounded < value ? std::nextafter(rounded, std::numeric_limits<float>::infinity()) : rounded;
+}
+
+} // namespace
+
+SampleTable::SampleTable(HeightField& field, Storage storage)
+{
+    const std::vector<float> heightsM = std::move(field.heightsM);
+    field.heightsM = {};
+    if (storage == Storage::exact)
+    {
+        for (const float h : heightsM)
+            _exact.push_back({h, 0.0f, 0.0f});
+        return;
+    }
+    pack(heightsM);
+    // From a fraction of a cell to more than anything in the tile is away from anything else.
+    const auto [low, high] = std::minmax_element(heightsM.begin(), heightsM.end());
+    const double cellM = std::max(field.spacingEastM, field.spacingNorthM);
+    const double least = cellM / 16.0, most = 8.0 * (field.tileSide() * cellM + double{*high} - double{*low});
+    for (int code = 1; code < 256; ++code)
+        _radiiM[static_cast<std::size_t>(code)] =
+            roundedUp(least * std::pow(most / least, (code - 1) / 254.0));
+}
+
+void SampleTable::pack(const std::vector<float>& heightsM)
+{
+    const auto [low, high] = std::minmax_element(heightsM.begin(), heightsM.end());
+    const double range = double{*high} - double{*low};
+    const int exponent =
+        range > 0.0 ? static_cast<int>(std::ceil(std::log2(range / kMostSteps))) : kFinestExponent;
+    const double quantum = std::ldexp(1.0, std::max(exponent, kFinestExponent));
+    const double offset = quantum * std::round(0.5 * (double{*high} + double{*low}) / quantum);
+    _quantumM = static_cast<float>(quantum);
+    _offsetM = static_cast<float>(offset);
+    _samples.reserve(heightsM.size());
+    for (const float h : heightsM)
+        _samples.push_back({static_cast<std::int16_t>(std::lround((h - offset) / quantum)), 0, 0, 0});
+}
+
+std::uint16_t SampleTable::errorCode(double errorM) const
+{
+    if (errorM <= 0.0) return 0;
+    const std::uint32_t bits = std::bit_cast<std::uint32_t>(roundedUp(errorM));
+    const std::uint32_t up = (bits + (1u << kErrorShift) - 1u) >> kErrorShift;
+    return static_cast<std::uint16_t>(std::clamp(up, kErrorBias + 1u, kErrorBias + 0xffffu) - kErrorBias);
+}
+
+std::uint8_t SampleTable::radiusCode(double radiusM) const
+{
+    const auto found = std::lower_bound(_radiiM.begin(), _radiiM.end(), radiusM);
+    assert(found != _radiiM.end());
+    return static_cast<std::uint8_t>(found - _radiiM.begin());
+}
+
+float SampleTable::roundedUpError(double errorM) const
+{
+    return _samples.empty() ? roundedUp(errorM) : decodedError(errorCode(errorM));
+}
+
+float SampleTable::roundedUpRadius(double radiusM) const
+{
+    return _samples.empty() ? roundedUp(radiusM) : _radiiM[radiusCode(radiusM)];
+}
+
+void SampleTable::setBound(std::size_t index, float errorM, float radiusM)
+{
+    if (_samples.empty())
+    {
+        _exact[index].errorM = errorM;
+        _exact[index].radiusM = radiusM;
+        return;
+    }
+    _samples[index].error = errorCode(errorM);
+    _samples[index].radius = radiusCode(radiusM);
+}
+
+std::size_t SampleTable::memoryBytes() const
+{
+    return _samples.capacity() * sizeof(Packed) + _exact.capacity() * sizeof(Exact);
+}
+
+} // namespace osgTerrainROAM::core
