@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +23,14 @@ struct Request
     int frames = 480; ///< of the tour's 20 seconds: every one at 24 per second
     double tolerancePx = 1.0;
     unsigned maxTriangles = 500000;
+
+    // Of bench alone.
+    int benchFrames = 240;
+    std::vector<double> tolerancesPx{2.0, 1.0};
+    bool centrePixels = false;   ///< the tolerance holds in the middle of the picture
+    std::vector<int> crop;       ///< side in samples; column and row of its north-west sample
+    std::optional<double> cellM; ///< sample distance instead of the file's
+    std::filesystem::path dumpFolder;
 };
 
 /// A command's table, and whether everything in it is as it must be.
@@ -36,5 +46,8 @@ viewlod::Result<Report> info(const Request& request);
 /// Flies the tour over each terrain, and the path of each scenario (.xosc) over the terrain that it names, and checks the
 /// mesh of every frame by brute force.
 viewlod::Result<Report> validate(const Request& request);
+
+/// Measures every driver on the comparison paths over a planar square of each terrain.
+viewlod::Result<Report> bench(const Request& request);
 
 } // namespace terraintool

@@ -31,6 +31,22 @@ int main(int argc, char** argv)
         ->check(terminal::between(0.01, 1000.0));
     validate->add_option("--max-triangles", request.maxTriangles, "triangle ceiling")
         ->check(CLI::Range(2u, 100000000u));
+    CLI::App* bench =
+        add("bench", "measure the drivers on the comparison paths, over a planar square of the terrain",
+            terraintool::bench);
+    bench->add_option("--tolerance", request.tolerancesPx, "error targets in pixels")
+        ->check(terminal::between(0.01, 1000.0));
+    bench->add_flag("--centre", request.centrePixels, "hold the target in the middle of the picture only");
+    bench
+        ->add_option("--crop", request.crop,
+                     "SIDE [COLUMN ROW]: which square, in samples from the north-west")
+        ->expected(1, 3)
+        ->check(CLI::Range(0, 65536));
+    bench->add_option("--cell", request.cellM, "metres between samples, instead of the file's")
+        ->check(terminal::between(0.001, 1e5));
+    bench->add_option("--dump", request.dumpFolder, "write eye, matrix and triangles of some frames there");
+    bench->add_option("--frames", request.benchFrames, "frames of each path (240)")
+        ->check(CLI::Range(1, 100000));
     if (const auto ends = terminal::parse(app, argc, argv)) return *ends;
     return terraintool::run(command, request, jsonFile);
 }

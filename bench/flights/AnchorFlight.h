@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string_view>
 
 #include <glm/glm.hpp>
 #include <glm/gtc/matrix_transform.hpp>
@@ -14,22 +16,52 @@
 namespace flights
 {
 
+/// What the eye does on its way.
+enum class Path
+{
+    flight, ///< straight on, the head swaying
+    drive,  ///< the same close to the ground
+    still,  ///< nothing
+    turn,   ///< the head turns once around, the eye stays
+    uturn,  ///< straight on, and in every frame about-face
+    jump,   ///< straight on, and in every frame 1 km aside or back
+};
+
+inline constexpr Path kPaths[] = {Path::flight, Path::drive, Path::still,
+                                  Path::turn,   Path::uturn, Path::jump};
+
+constexpr std::string_view pathName(Path path)
+{
+    constexpr std::string_view kNames[] = {"flight", "drive", "still", "turn", "uturn", "jump"};
+    return kNames[static_cast<int>(path)];
+}
+
 /// The coherent straight flights that terrain engines are compared on: 240 frames over a square tile with planar
-/// placement, the head swaying. 1280×1024 pixels, horizontal field 60°.
+/// placement, 1280×1024 pixels, horizontal field 60°; and paths that are less kind.
 struct AnchorFlight
 {
     double cellsPerFrame = 0.5;
     double aboveGroundM = 300.0;
+    Path path = Path::flight;
     static constexpr int kFrames = 240;
+
+    static AnchorFlight along(Path path) { return {0.5, path == Path::drive ? 2.0 : 300.0, path}; }
 
     viewlod::ViewState view(const osgTerrainROAM::core::PlacedTile& tile, int frame) const
     {
         constexpr int kWidth = 1280, kHeight = 1024;
-        const double last = tile.dataColumns() - 1, s = cellsPerFrame * frame;
-        const double column = 0.12 * last + 0.8 * s, row = 0.15 * last + 0.6 * s;
+        const bool stays = path == Path::still || path == Path::turn, away = frame % 2 == 1;
+        const double last = tile.dataColumns() - 1, s = stays ? 0.0 : cellsPerFrame * frame;
+        double column = 0.12 * last + 0.8 * s;
+        const double row = 0.15 * last + 0.6 * s;
+        if (path == Path::jump && away) column += std::min(1000.0 / tile.field().spacingEastM, 0.5 * last);
         const glm::dvec3 eye = tile.positionAt(column, row, groundM(tile, column, row) + aboveGroundM);
-        const double yaw = std::atan2(0.6, 0.8) + 0.6 * std::sin(2.0 * std::numbers::pi * frame / kFrames),
-                     pitch = -0.12;
+        const double circle = 2.0 * std::numbers::pi * frame / kFrames;
+        double yaw = std::atan2(0.6, 0.8);
+        if (path == Path::turn) yaw += circle;
+        if (path != Path::turn && path != Path::still) yaw += 0.6 * std::sin(circle);
+        if (path == Path::uturn && away) yaw += std::numbers::pi;
+        const double pitch = -0.12;
         const glm::dvec3 ahead(std::cos(yaw) * std::cos(pitch), std::sin(yaw) * std::cos(pitch),
                                std::sin(pitch));
         const double aspect = static_cast<double>(kWidth) / kHeight;

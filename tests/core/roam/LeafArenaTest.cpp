@@ -22,23 +22,28 @@ struct Keeper
         std::uint32_t region, slot;
     };
 
-    void note(TriangleRange slots)
+    void note(const MeshChanges& changes, std::size_t from)
     {
-        for (std::uint32_t slot = slots.first; slot < slots.first + slots.count; ++slot)
-            leaves[arena.leaf(slot).apex()].slot = slot;
+        for (std::size_t i = from; i < changes.triangles.size(); ++i)
+            if (const TriangleId leaf = arena.leaf(changes.triangles[i]); leaf.exists())
+                leaves[leaf.apex()].slot = changes.triangles[i];
     }
 
     void insert(VertexSlot apex, std::uint32_t region, MeshChanges& changes)
     {
         leaves[apex].region = region;
-        note(arena.insert(TriangleId(apex, 0), region, changes));
+        const std::size_t from = changes.triangles.size();
+        arena.insert(TriangleId(apex, 0), region, changes);
+        note(changes, from);
     }
 
     void erase(VertexSlot apex, MeshChanges& changes)
     {
         const Leaf leaf = leaves.at(apex);
         leaves.erase(apex);
-        note(arena.erase(leaf.slot, leaf.region, changes));
+        const std::size_t from = changes.triangles.size();
+        arena.erase(leaf.slot, changes);
+        note(changes, from);
     }
 
     bool isRight() const
@@ -106,20 +111,32 @@ TEST(LeafArena, ReportsEverySlotItWrites)
     }
 }
 
-TEST(LeafArena, ClearsARegionInOneStep)
+TEST(LeafArena, ClosesManyGapsAtOnceAndReusesTheRoom)
 {
-    Keeper keeper(2);
+    Keeper keeper(3);
     MeshChanges changes;
-    for (VertexSlot apex = 0; apex < 100; ++apex)
-        keeper.insert(apex, apex % 2, changes);
-    EXPECT_EQ(keeper.arena.clear(0), 50u);
-    std::erase_if(keeper.leaves, [](const auto& entry) { return entry.second.region == 0; });
-    EXPECT_TRUE(keeper.isRight());
-    const std::uint32_t slots = keeper.arena.slotCount();
-    for (VertexSlot apex = 0; apex < 50; ++apex)
-        keeper.insert(1000 + apex, 0, changes);
-    EXPECT_TRUE(keeper.isRight());
-    EXPECT_EQ(keeper.arena.slotCount(), slots); // the block was free
+    testsupport::Random random(4);
+    std::uint32_t most = 0;
+    for (int round = 0; round < 50; ++round)
+    {
+        for (VertexSlot apex = 0; apex < 300; ++apex)
+            if (!keeper.leaves.count(apex)) keeper.insert(apex, apex % 3, changes);
+        ASSERT_TRUE(keeper.isRight());
+        if (round == 0) most = keeper.arena.slotCount();
+        const std::uint32_t share = random.below(101);
+        const std::size_t from = changes.triangles.size();
+        for (VertexSlot apex = 0; apex < 300; ++apex)
+        {
+            if (random.below(100) >= share) continue;
+            const Keeper::Leaf leaf = keeper.leaves.at(apex);
+            keeper.arena.cutOut(leaf.slot);
+            keeper.leaves.erase(apex);
+        }
+        keeper.arena.closeGaps(changes);
+        keeper.note(changes, from);
+        ASSERT_TRUE(keeper.isRight());
+    }
+    EXPECT_LE(keeper.arena.slotCount(), 2 * most);
 }
 
 TEST(MeshChanges, SlotsJoinIntoRangesAcrossSmallGaps)

@@ -98,7 +98,7 @@ void SampleTable::setBound(std::size_t index, float errorM, float radiusM)
 
 std::size_t SampleTable::memoryBytes() const
 {
-    return _samples.capacity() * sizeof(Packed) + _exact.capacity() * sizeof(Exact);
+    return _samples.capacity() * sizeof(Packed) + _exact.capacity() * sizeof(Sample);
 }
 
 } // namespace osgTerrainROAM::core

@@ -35,7 +35,7 @@ void DeferralWheel::clear()
 
 DeferralWheel::Mark DeferralWheel::markOf(int octave, int level, int slot)
 {
-    return static_cast<Mark>(1 + (octave * 97 + level * 31 + slot) % 255);
+    return static_cast<Mark>(1 + ((octave * 97 + level * 31 + slot) & 127));
 }
 
 void DeferralWheel::push(std::uint32_t& first, std::uint32_t watch)

@@ -10,38 +10,13 @@
 namespace osgTerrainROAM::core
 {
 
-namespace
-{
-
-/// The eight directions, counter-clockwise from east.
-constexpr int kColumnStep[8] = {1, 1, 0, -1, -1, -1, 0, 1};
-constexpr int kRowStep[8] = {0, 1, 1, 1, 0, -1, -1, -1};
-
-constexpr unsigned next(unsigned quadrant)
-{
-    return (quadrant + 1u) & 3u;
-}
-
-constexpr unsigned previous(unsigned quadrant)
-{
-    return (quadrant + 3u) & 3u;
-}
-
-/// Which of the corners 0 and 2, those that are parents, is an end of the outer edge of a quadrant.
-constexpr unsigned parentOnEdge(unsigned quadrant)
-{
-    return (quadrant + 1u) & 2u;
-}
-
-} // namespace
-
 DiamondTree::DiamondTree(std::shared_ptr<const RoamTile> tile)
     : _tile(std::move(tile)),
+      _lastSample(_tile->tile.side() - 1),
       _levels(_tile->tile.levels()),
       _regionLevel(_tile->regions.level()),
       _dataFillsTile(std::min(_tile->tile.dataColumns(), _tile->tile.dataRows()) == _tile->tile.side()),
-      _leaves(_tile->regions.regionCount() + 1),
-      _undrawnLeaves(_tile->regions.regionCount() + 1)
+      _leaves(_tile->regions.regionCount() + 1)
 {
     // The corners as if they had split something larger: the apexes of the two roots have one quadrant each.
     const auto [first, second] = rootTriangles(_tile->tile.side());
@@ -75,21 +50,6 @@ VertexSlot DiamondTree::takeSlot()
     return slot;
 }
 
-/// From the apex towards the middle of the base, as far as that times `scale` / 4, in quarters of samples.
-GridPoint DiamondTree::towardsMiddle(TriangleId t, int scale) const
-{
-    const DiamondPlace& apex = _places[t.apex()];
-    const unsigned direction = (apex.direction + 2u * t.quadrant() + 1u) & 7u;
-    const int height = (scale * (_tile->tile.side() - 1)) >> ((apex.level + 3) / 2);
-    return {4 * apex.column + kColumnStep[direction] * height, 4 * apex.row + kRowStep[direction] * height};
-}
-
-GridPoint DiamondTree::middle(TriangleId t) const
-{
-    const GridPoint quarters = towardsMiddle(t, 4);
-    return {quarters.column / 4, quarters.row / 4};
-}
-
 VertexSlot DiamondTree::addVertex(TriangleId t, TriangleId partner)
 {
     const VertexSlot v = takeSlot(); // may move the pools: no reference is taken before
@@ -118,11 +78,12 @@ void DiamondTree::removeVertex(VertexSlot v)
 GridTriangle DiamondTree::gridTriangle(TriangleId t) const
 {
     const DiamondPlace& apex = _places[t.apex()];
-    const int leg = (_tile->tile.side() - 1) >> ((apex.level + 2) / 2);
+    const int leg = _lastSample >> ((apex.level + 2) / 2);
     const auto cornerAt = [&](unsigned index)
     {
         const unsigned direction = (apex.direction + 2u * index) & 7u;
-        return GridPoint{apex.column + kColumnStep[direction] * leg, apex.row + kRowStep[direction] * leg};
+        return GridPoint{apex.column + detail::kColumnStep[direction] * leg,
+                         apex.row + detail::kRowStep[direction] * leg};
     };
     return {apex.point(), cornerAt(t.quadrant()), cornerAt(t.quadrant() + 1u)};
 }
@@ -133,12 +94,12 @@ VertexSlot DiamondTree::corner(VertexSlot v, unsigned index) const
     if (v < kCorners) return 2u + ((v + index) & 1u); // the roots' bases
     if (index % 2 == 0) return _diamonds[v].parents[index / 2];
     const unsigned quadrant = _places[v].parentQuadrants[0];
-    return corner(_diamonds[v].parents[0], index == 1 ? quadrant : next(quadrant));
+    return corner(_diamonds[v].parents[0], index == 1 ? quadrant : detail::next(quadrant));
 }
 
 LeafTriangle DiamondTree::vertices(TriangleId t) const
 {
-    return {{t.apex(), corner(t.apex(), t.quadrant()), corner(t.apex(), next(t.quadrant()))}};
+    return {{t.apex(), corner(t.apex(), t.quadrant()), corner(t.apex(), detail::next(t.quadrant()))}};
 }
 
 MeshVertex DiamondTree::vertex(VertexSlot v) const
@@ -149,40 +110,9 @@ MeshVertex DiamondTree::vertex(VertexSlot v) const
     return {high, glm::vec3(position - glm::dvec3(high)), glm::vec2(at.column, at.row)};
 }
 
-std::array<TriangleId, 2> DiamondTree::children(TriangleId t) const
-{
-    const VertexSlot v = splitVertex(t);
-    const unsigned slot = _diamonds[v].parents[0] == t.apex() ? 0u : 2u;
-    return {TriangleId(v, slot), TriangleId(v, previous(slot))};
-}
-
-std::array<TriangleId, 2> DiamondTree::parents(VertexSlot v) const
-{
-    const Diamond& diamond = _diamonds[v];
-    const auto& quadrants = _places[v].parentQuadrants;
-    return {TriangleId(diamond.parents[0], quadrants[0]),
-            diamond.parents[1] == kNone ? TriangleId() : TriangleId(diamond.parents[1], quadrants[1])};
-}
-
-TriangleId DiamondTree::acrossBase(TriangleId t) const
-{
-    if (t.apex() < kCorners) return kRoots[t == kRoots[0] ? 1 : 0];
-    // The base ends at one of the diamond's parents. What lies across hangs on that parent, too, one quadrant further.
-    const unsigned slot = parentOnEdge(t.quadrant());
-    const VertexSlot parent = _diamonds[t.apex()].parents[slot / 2];
-    const unsigned mine = _places[t.apex()].parentQuadrants[slot / 2];
-    const bool clockwise = t.quadrant() % 2 == 0;
-    const TriangleId coarser(parent, clockwise ? previous(mine) : next(mine));
-    if (!exists(coarser)) return {};
-    if (isLeaf(coarser)) return coarser;
-    const VertexSlot v = splitVertex(coarser);
-    const unsigned back = _diamonds[v].parents[0] == parent ? 0u : 2u;
-    return {v, clockwise ? previous(back) : back};
-}
-
 TriangleId DiamondTree::acrossLeg(TriangleId t, bool right) const
 {
-    const TriangleId beside(t.apex(), right ? next(t.quadrant()) : previous(t.quadrant()));
+    const TriangleId beside(t.apex(), right ? detail::next(t.quadrant()) : detail::previous(t.quadrant()));
     if (!exists(beside) || isLeaf(beside)) return exists(beside) ? beside : TriangleId();
     return children(beside)[right ? 0 : 1];
 }
@@ -195,58 +125,52 @@ bool DiamondTree::isInData(TriangleId t) const
            std::min({g.apex.row, g.left.row, g.right.row}) < _tile->tile.dataRows() - 1;
 }
 
-std::uint32_t DiamondTree::regionOf(TriangleId t) const
+/// Notes the slots that the arena has written. One may have been written more than once, or be in use no more.
+void DiamondTree::relink()
 {
-    if (level(t) < _regionLevel) return 0;
-    return 1 + _tile->regions.pathAt(towardsMiddle(t, 2)); // half-way to the base: inside, on no border
-}
-
-void DiamondTree::relink(TriangleRange slots)
-{
-    for (std::uint32_t slot = slots.first; slot < slots.first + slots.count; ++slot)
-        link(_leaves.leaf(slot)) = slot;
+    for (; _linked < _changes.triangles.size(); ++_linked)
+        if (const TriangleId t = _leaves.leaf(_changes.triangles[_linked]); t.exists())
+            link(t) = _changes.triangles[_linked];
 }
 
 void DiamondTree::addLeaf(TriangleId t)
 {
     ++_leafCount;
-    const std::uint32_t region = regionOf(t);
-    if (isInData(t)) return relink(_leaves.insert(t, region, _changes));
-    link(t) = kUndrawn;
-    ++_undrawnLeaves[region];
+    if (!isInData(t))
+    {
+        link(t) = kUndrawn;
+        ++_undrawnLeaves;
+        return;
+    }
+    _leaves.insert(t, regionOf(t), _changes);
+    relink();
 }
 
 void DiamondTree::removeLeaf(TriangleId t)
 {
     --_leafCount;
-    const std::uint32_t region = regionOf(t);
-    if (link(t) != kUndrawn)
-        relink(_leaves.erase(link(t), region, _changes));
-    else
-        --_undrawnLeaves[region];
+    if (link(t) == kUndrawn)
+    {
+        --_undrawnLeaves;
+        return;
+    }
+    _leaves.erase(link(t), _changes);
+    relink();
 }
 
 /// Makes `t` split by `v`, whose two quadrants in it become leaves. The first takes over the slot of `t` where it can.
 void DiamondTree::splitLeaf(TriangleId t, VertexSlot v)
 {
     const std::uint32_t slot = link(t);
-    const bool staysInRegion = slot != kUndrawn && level(t) >= _regionLevel;
-    if (!staysInRegion) removeLeaf(t);
+    const TriangleId first(v, _diamonds[v].parents[0] == t.apex() ? 0u : 2u),
+        second(v, detail::previous(first.quadrant()));
+    const bool inherits = slot != kUndrawn && level(t) >= _regionLevel && isInData(first);
+    if (!inherits) removeLeaf(t);
     link(t) = kSplit | v;
-    const auto [first, second] = children(t);
-    if (staysInRegion && isInData(first))
-    {
-        _leaves.replace(slot, first, _changes);
-        link(first) = slot;
-        addLeaf(second);
-        return;
-    }
-    if (staysInRegion)
-    {
-        --_leafCount;
-        relink(_leaves.erase(slot, regionOf(first), _changes));
-    }
-    addLeaf(first);
+    if (inherits)
+        inherit(slot, first);
+    else
+        addLeaf(first);
     addLeaf(second);
 }
 
@@ -256,14 +180,16 @@ void DiamondTree::mergeLeaves(TriangleId t)
     const auto [first, second] = children(t);
     removeLeaf(second);
     const std::uint32_t slot = link(first);
-    if (slot != kUndrawn && level(t) >= _regionLevel)
-    {
-        _leaves.replace(slot, t, _changes);
-        link(t) = slot;
-        return;
-    }
+    if (slot != kUndrawn && level(t) >= _regionLevel) return inherit(slot, t);
     removeLeaf(first);
     addLeaf(t);
+}
+
+/// Gives the slot of one leaf to another of the same region.
+void DiamondTree::inherit(std::uint32_t slot, TriangleId t)
+{
+    _leaves.replace(slot, t, _changes);
+    relink();
 }
 
 std::uint32_t DiamondTree::forceSplit(TriangleId t)
@@ -323,8 +249,7 @@ std::uint32_t DiamondTree::forceMerge(VertexSlot v)
 std::size_t DiamondTree::memoryBytes() const
 {
     return _places.capacity() * sizeof(DiamondPlace) + _diamonds.capacity() * sizeof(Diamond) +
-           _freeSlots.capacity() * sizeof(VertexSlot) + _collapsing.capacity() * sizeof(TriangleId) +
-           _leaves.memoryBytes() + _undrawnLeaves.capacity() * sizeof(std::uint32_t) +
+           _freeSlots.capacity() * sizeof(VertexSlot) + _leaves.memoryBytes() +
            (_changes.vertices.capacity() + _changes.triangles.capacity()) * sizeof(std::uint32_t);
 }
 

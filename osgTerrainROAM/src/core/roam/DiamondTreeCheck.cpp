@@ -3,7 +3,6 @@
 // are matched by their end samples, so that a T-junction shows as an edge without its twin.
 #include <algorithm>
 #include <cstdlib>
-#include <numeric>
 
 #include <osgTerrainROAM/core/roam/DiamondTree.h>
 
@@ -132,8 +131,7 @@ bool DiamondTree::isConforming() const
         if (!linksAreSound(v)) return false;
         ++used;
     }
-    const std::size_t undrawn = std::accumulate(_undrawnLeaves.begin(), _undrawnLeaves.end(), std::size_t{0});
-    return leaves.size() == _leafCount && _leaves.leafCount() + undrawn == leaves.size() &&
+    return leaves.size() == _leafCount && _leaves.leafCount() + _undrawnLeaves == leaves.size() &&
            _leaves.isConsistent() && used + _freeSlots.size() == _places.size();
 }
 

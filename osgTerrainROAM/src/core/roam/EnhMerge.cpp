@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// enhMerge, paper 1, §5.2. The paper descends from each merged triangle to its neighbours at once. Here they wait their
-// turn, coarser ones first: then everything coarser than a triangle has its final neighbours when the triangle's turn
-// comes, and no way around a corner leads into a subtree that is gone already. docs/decisions/0009.
+// enhMerge, paper 1, §5.2. What the paper finds by descending from neighbour to neighbour is, among the diamonds, simply
+// everything below: a vertex goes when one of the two that it hangs on goes. The boundary shows afterwards: vertices that
+// went and hang, with one hand, on one that stays.
 #include <cassert>
-#include <utility>
 
 #include <osgTerrainROAM/core/roam/DiamondTree.h>
 
@@ -13,65 +12,56 @@ namespace osgTerrainROAM::core
 std::uint32_t DiamondTree::enhMerge(VertexSlot v)
 {
     assert(v >= kCorners && !_places[v].isFree());
-    for (const TriangleId t : parents(v))
-        if (t.exists()) _collapsing.push_back(t);
+    const std::size_t first = _freeSlots.size();
     std::uint32_t merges = 0;
-    for (std::size_t next = 0; next < _collapsing.size(); ++next) // in the order of levels
+    removeVertex(v);
+    for (std::size_t next = first; next < _freeSlots.size(); ++next)
     {
-        const TriangleId waiting = _collapsing[next];
-        const bool isGone =
-            _places[waiting.apex()].isFree() || isLeaf(waiting); // with a coarser one, meanwhile
-        if (!isGone) merges += collapse(waiting);
+        constexpr std::size_t kAhead = 8;
+        if (next + kAhead < _freeSlots.size()) __builtin_prefetch(&_diamonds[_freeSlots[next + kAhead]]);
+        merges += takeApart(_freeSlots[next]);
     }
-    _collapsing.clear();
+    _leaves.closeGaps(_changes);
+    relink();
+    for (std::size_t i = first; i < _freeSlots.size(); ++i)
+    {
+        const VertexSlot gone = _freeSlots[i];
+        if (_places[gone].direction & DiamondPlace::kLostBoth) continue;
+        for (const TriangleId t : parents(gone))
+            if (t.exists() && !_places[t.apex()].isFree()) addLeaf(t);
+    }
     return merges;
 }
 
-/// Makes `t` a leaf and queues what stands on its legs. Returns triangles merged.
-std::uint32_t DiamondTree::collapse(TriangleId t)
+/// Cuts the leaves around a vertex out of what is drawn, and frees the vertices that hang on it. Returns the number of
+/// triangles that it had split.
+std::uint32_t DiamondTree::takeApart(VertexSlot v)
 {
-    for (const TriangleId child : children(t))
+    bool atBorder = false;
+    for (const std::uint32_t here : _diamonds[v].links)
     {
-        if (isLeaf(child)) continue;
-        for (const TriangleId half : parents(splitVertex(child))) // the base of a half is a leg of t
-            if (half.exists() && half != child) _collapsing.push_back(half);
+        if (here == kAbsent)
+        {
+            atBorder = true;
+        }
+        else if (here >= kSplit)
+        {
+            const VertexSlot below = here & ~kSplit;
+            if (_places[below].isFree())
+                _places[below].direction |= DiamondPlace::kLostBoth;
+            else
+                removeVertex(below);
+        }
+        else
+        {
+            --_leafCount;
+            if (here == kUndrawn)
+                --_undrawnLeaves;
+            else
+                _leaves.cutOut(here);
+        }
     }
-    const std::uint32_t leaves = dismantle(t);
-    addLeaf(t);
-    return leaves - 1;
-}
-
-/// Takes everything below the split triangle `t` out: leaves by whole regions where it is larger than they are. Returns
-/// the number of leaves.
-std::uint32_t DiamondTree::dismantle(TriangleId t)
-{
-    if (level(t) == _regionLevel)
-    {
-        const std::uint32_t region = regionOf(t);
-        const std::uint32_t leaves = _leaves.clear(region) + std::exchange(_undrawnLeaves[region], 0u);
-        _leafCount -= leaves;
-        freeVertices(t);
-        return leaves;
-    }
-    if (isLeaf(t))
-    {
-        removeLeaf(t);
-        return 1;
-    }
-    const auto [first, second] = children(t);
-    if (const VertexSlot v = splitVertex(t); !_places[v].isFree()) removeVertex(v);
-    return dismantle(first) + dismantle(second);
-}
-
-/// Frees the vertices below `t`. Each is met from both of its sides; its place and links stay readable until the slot is
-/// taken again.
-void DiamondTree::freeVertices(TriangleId t)
-{
-    if (isLeaf(t)) return;
-    const auto [first, second] = children(t);
-    if (const VertexSlot v = splitVertex(t); !_places[v].isFree()) removeVertex(v);
-    freeVertices(first);
-    freeVertices(second);
+    return atBorder ? 1 : 2;
 }
 
 } // namespace osgTerrainROAM::core

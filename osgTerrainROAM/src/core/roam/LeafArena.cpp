@@ -2,45 +2,46 @@
 #include <algorithm>
 #include <bit>
 #include <cassert>
-#include <utility>
 
 #include <osgTerrainROAM/core/roam/LeafArena.h>
 
 namespace osgTerrainROAM::core
 {
 
-namespace
-{
-constexpr std::uint32_t kSmallestClass = 2; // four leaves
-}
-
-TriangleRange LeafArena::insert(TriangleId leaf, std::uint32_t region, MeshChanges& changes)
+void LeafArena::insert(TriangleId leaf, std::uint32_t region, MeshChanges& changes)
 {
     Block& block = _blocks[region];
-    const bool full = block.sizeClass == 0 || block.count == 1u << block.sizeClass;
-    if (full) move(block, block.sizeClass == 0 ? kSmallestClass : block.sizeClass + 1, changes);
+    if (block.sizeClass == 0 || block.count == 1u << block.sizeClass)
+        move(region, block.sizeClass == 0 ? kSmallestClass : block.sizeClass + 1, changes);
     const std::uint32_t slot = block.first + block.count++;
     _leaves[slot] = leaf;
     changes.triangles.push_back(slot);
     ++_leafCount;
-    return full ? TriangleRange{block.first, block.count} : TriangleRange{slot, 1};
 }
 
-TriangleRange LeafArena::erase(std::uint32_t slot, std::uint32_t region, MeshChanges& changes)
+void LeafArena::erase(std::uint32_t slot, MeshChanges& changes)
 {
-    Block& block = _blocks[region];
-    const std::uint32_t last = block.first + --block.count;
-    assert(slot >= block.first && slot <= last);
-    --_leafCount;
-    _leaves[slot] = _leaves[last];
-    if (block.sizeClass > kSmallestClass && block.count <= 1u << (block.sizeClass - 2))
+    cutOut(slot);
+    closeGaps(changes);
+}
+
+void LeafArena::closeGaps(MeshChanges& changes)
+{
+    for (const std::uint32_t gap : _gaps)
     {
-        move(block, block.sizeClass - 1, changes);
-        return {block.first, block.count};
+        Block& block = _blocks[regionOf(gap)];
+        while (block.count > 0 && !_leaves[block.first + block.count - 1].exists())
+            --block.count;
+        if (gap >= block.first + block.count) continue; // was at the end
+        _leaves[gap] = _leaves[block.first + --block.count];
+        changes.triangles.push_back(gap);
     }
-    if (slot == last) return {};
-    changes.triangles.push_back(slot);
-    return {slot, 1};
+    _leafCount -= static_cast<std::uint32_t>(_gaps.size());
+    // Not before all are closed: a block that moves takes its leaves along, not its gaps.
+    std::uint32_t last = kNone;
+    for (const std::uint32_t gap : _gaps)
+        if (const std::uint32_t region = regionOf(gap); region != last) shrink(last = region, changes);
+    _gaps.clear();
 }
 
 void LeafArena::replace(std::uint32_t slot, TriangleId leaf, MeshChanges& changes)
@@ -49,20 +50,31 @@ void LeafArena::replace(std::uint32_t slot, TriangleId leaf, MeshChanges& change
     changes.triangles.push_back(slot);
 }
 
-std::uint32_t LeafArena::clear(std::uint32_t region)
+void LeafArena::shrink(std::uint32_t region, MeshChanges& changes)
 {
-    const Block old = std::exchange(_blocks[region], Block{});
-    if (old.sizeClass != 0) freeBlock(old.first, old.sizeClass);
-    _leafCount -= old.count;
-    return old.count;
+    Block& block = _blocks[region];
+    if (block.sizeClass == 0 || block.count > 1u << block.sizeClass >> 2) return;
+    if (block.count == 0)
+    {
+        freeBlock(block.first, block.sizeClass);
+        block = {};
+        return;
+    }
+    std::uint32_t sizeClass = block.sizeClass;
+    while (sizeClass > kSmallestClass && block.count <= 1u << sizeClass >> 2)
+        --sizeClass;
+    if (sizeClass < block.sizeClass) move(region, sizeClass, changes);
 }
 
-/// Gives a block another size.
-void LeafArena::move(Block& block, std::uint32_t sizeClass, MeshChanges& changes)
+/// Gives a region's block another size.
+void LeafArena::move(std::uint32_t region, std::uint32_t sizeClass, MeshChanges& changes)
 {
+    Block& block = _blocks[region];
     const Block old = block;
     block.sizeClass = sizeClass;
     block.first = takeBlock(sizeClass);
+    for (std::uint32_t slot = block.first; slot < block.first + (1u << sizeClass); slot += kSmallest)
+        _regionOfGroup[slot / kSmallest] = static_cast<std::uint16_t>(region);
     for (std::uint32_t i = 0; i < old.count; ++i)
     {
         _leaves[block.first + i] = _leaves[old.first + i];
@@ -106,6 +118,7 @@ void LeafArena::addSlots(std::uint32_t count)
 {
     for (std::uint32_t i = 0; i < count; ++i)
         appendTightly(_leaves);
+    _regionOfGroup.resize(_leaves.size() / kSmallest);
 }
 
 void LeafArena::freeBlock(std::uint32_t first, std::uint32_t sizeClass)
@@ -121,7 +134,9 @@ void LeafArena::freeBlock(std::uint32_t first, std::uint32_t sizeClass)
 
 std::size_t LeafArena::memoryBytes() const
 {
-    std::size_t bytes = _leaves.capacity() * sizeof(TriangleId) + _blocks.capacity() * sizeof(Block);
+    std::size_t bytes = _leaves.capacity() * sizeof(TriangleId) +
+                        _regionOfGroup.capacity() * sizeof(std::uint16_t) +
+                        _gaps.capacity() * sizeof(std::uint32_t) + _blocks.capacity() * sizeof(Block);
     constexpr std::size_t kNodeBytes = 48; // of a set, with what the heap adds
     for (const auto& free : _freeBlocks)
         bytes += free.size() * kNodeBytes;

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <bit>
 #include <cassert>
-#include <cstdlib>
 #include <limits>
 
 #include <osgTerrainROAM/core/roam/RegionBounds.h>
@@ -75,23 +74,6 @@ void RegionBounds::build(const PlacedTile& tile, const GridTriangle& t, int leve
     build(tile, children[0], level + 1, 2 * path);
     build(tile, children[1], level + 1, 2 * path + 1);
     sphere(level, path) = joined(sphere(level + 1, 2 * path), sphere(level + 1, 2 * path + 1));
-}
-
-/// At the odd region level four triangles meet in the middle of a square.
-std::size_t RegionBounds::cellQuarter(GridPoint quarters) const
-{
-    const int column = quarters.column >> _cellShift, row = quarters.row >> _cellShift;
-    const int half = 1 << _cellShift >> 1;
-    const int east = quarters.column - (column << _cellShift) - half,
-              north = quarters.row - (row << _cellShift) - half;
-    const int side = std::abs(east) > std::abs(north) ? (east > 0 ? 0 : 2) : (north > 0 ? 1 : 3);
-    return (static_cast<std::size_t>(row) << ((_level - 1) / 2 + 2)) +
-           static_cast<std::size_t>(4 * column + side);
-}
-
-std::uint32_t RegionBounds::pathAt(GridPoint quarters) const
-{
-    return _paths[cellQuarter(quarters)];
 }
 
 void RegionBounds::visible(const viewlod::Frustum& frustum, std::vector<std::uint32_t>& regions) const

@@ -67,27 +67,36 @@ void WheelDriver::lookAtRest(Frame& frame)
     _leaving.clear();
     _coming.clear();
     for (const std::uint32_t watch : std::exchange(_waiting, {}))
-        lookAgain(frame, watch, kWaits);
+        if (isWanted(frame, watch, kWaits))
+            lookAgain(frame, watch, watchedPlace(frame.tree, watch >> 3, watch & 7u));
 }
 
-/// The work is waiting for memory; so each watch announces those that come later.
+/// The work is waiting for memory; so it goes in small batches, of which all places are found before the first is looked at.
 void WheelDriver::lookAtDue(Frame& frame, std::span<const DeferralWheel::Handout> due)
 {
-    constexpr std::size_t kPlaceAhead = 16, kSampleAhead = 8;
-    for (std::size_t i = 0; i < due.size(); ++i)
+    constexpr std::size_t kBatch = 16;
+    std::array<GridPoint, kBatch> places;
+    std::array<DeferralWheel::Handout, kBatch> wanted;
+    while (!due.empty())
     {
-        if (i + kPlaceAhead < due.size())
+        const auto batch = due.first(std::min(due.size(), kBatch));
+        due = due.subspan(batch.size());
+        for (const DeferralWheel::Handout& next : due.first(std::min(due.size(), kBatch)))
         {
-            const VertexSlot v = due[i + kPlaceAhead].watch >> 3;
-            __builtin_prefetch(&_marks[v]);
-            __builtin_prefetch(&frame.tree.place(v));
+            __builtin_prefetch(&_marks[next.watch >> 3]);
+            __builtin_prefetch(&frame.tree.place(next.watch >> 3));
         }
-        if (i + kSampleAhead < due.size())
+        std::size_t count = 0;
+        for (const DeferralWheel::Handout& handout : batch)
         {
-            const std::uint32_t watch = due[i + kSampleAhead].watch;
-            frame.tree.tile().prefetch(watchedPlace(frame.tree, watch >> 3, watch & 7u));
+            if (!isWanted(frame, handout.watch, handout.mark)) continue;
+            places[count] = watchedPlace(frame.tree, handout.watch >> 3, handout.watch & 7u);
+            frame.tree.tile().prefetch(places[count]);
+            wanted[count++] = handout;
         }
-        lookAgain(frame, due[i].watch, due[i].mark);
+        for (std::size_t i = 0; i < count; ++i)
+            if (isWanted(frame, wanted[i].watch, wanted[i].mark))
+                lookAgain(frame, wanted[i].watch, places[i]);
     }
 }
 
@@ -96,40 +105,44 @@ GridPoint WheelDriver::watchedPlace(const DiamondTree& tree, VertexSlot v, unsig
     return kind == kItself ? tree.place(v).point() : tree.middle(TriangleId(v, kind));
 }
 
-void WheelDriver::lookAgain(Frame& frame, std::uint32_t watch, DeferralWheel::Mark mark)
+/// Whether anybody still waits for a watch that is handed out.
+bool WheelDriver::isWanted(const Frame& frame, std::uint32_t watch, DeferralWheel::Mark mark) const
 {
-    const VertexSlot v = watch >> 3;
-    const unsigned kind = watch & 7u;
-    if (_marks[v][kind] != mark || frame.tree.place(v).isFree()) return; // nobody waits for this any more
-    if (frame.slice.isSpent())
-    {
-        _marks[v][kind] = kWaits;
-        _waiting.push_back(watch);
-        return;
-    }
-    look(frame, v, kind);
+    return _marks[watch >> 3][watch & 7u] == mark && !frame.tree.place(watch >> 3).isFree();
+}
+
+void WheelDriver::lookAgain(Frame& frame, std::uint32_t watch, GridPoint place)
+{
+    if (!frame.slice.isSpent()) return look(frame, watch >> 3, watch & 7u, place);
+    _marks[watch >> 3][watch & 7u] = kWaits;
+    _waiting.push_back(watch);
 }
 
 void WheelDriver::look(Frame& frame, VertexSlot v, unsigned kind)
 {
+    look(frame, v, kind, watchedPlace(frame.tree, v, kind));
+}
+
+void WheelDriver::look(Frame& frame, VertexSlot v, unsigned kind, GridPoint place)
+{
     ++frame.result.checks;
     frame.slice.check();
-    const bool itself = kind == kItself;
-    const SplitBound bound = frame.tree.tile().bound(watchedPlace(frame.tree, v, kind));
-    if (frame.active(bound) == itself) return watch(frame, v, kind, bound);
-    _marks[v][kind] = kWaits;
-    if (itself)
+    const SplitBound bound = frame.tree.tile().bound(place);
+    const ActiveForEye::Verdict verdict = frame.active.verdict(bound);
+    DeferralWheel::Mark& mark = _marks[v][kind];
+    if (verdict.active == (kind == kItself))
+    {
+        const bool canChange = bound.errorM > 0.0f;
+        mark = canChange
+                   ? _wheel.add(watchOf(v, kind), bound.errorM, std::max(verdict.marginM - kRoundingM, 0.0))
+                   : kNotWatched;
+        return;
+    }
+    mark = kWaits;
+    if (kind == kItself)
         _leaving.push_back(v);
     else
         _coming.emplace_back(v, kind);
-}
-
-void WheelDriver::watch(Frame& frame, VertexSlot v, unsigned kind, const SplitBound& bound)
-{
-    _marks[v][kind] = kNotWatched;
-    if (bound.errorM <= 0.0f) return; // never active
-    const double marginM = std::max(frame.active.marginM(bound) - kRoundingM, 0.0);
-    _marks[v][kind] = _wheel.add(watchOf(v, kind), bound.errorM, marginM);
 }
 
 /// Watches a new vertex, and what could come after it: the vertices on its diamond's edges that have both parents now.

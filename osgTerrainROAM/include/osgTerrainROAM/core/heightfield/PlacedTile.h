@@ -70,11 +70,13 @@ public:
     }
 
     /// Position of a sample of the tile, 0 ≤ column, row < side. Cost: about 60 flops (curved), 2 (planar).
-    glm::dvec3 position(int column, int row) const
+    glm::dvec3 position(int column, int row) const { return positionOf(column, row, heightM(column, row)); }
+
+    /// The same for who has looked the sample's height up already.
+    glm::dvec3 positionOf(int column, int row, double heightM) const
     {
-        const double height = heightM(column, row);
-        if (_placement == Placement::curved) return curvedPosition(column, row, height);
-        return {column * _field.spacingEastM, row * _field.spacingNorthM, height};
+        if (_placement == Placement::curved) return curvedPosition(column, row, heightM);
+        return {column * _field.spacingEastM, row * _field.spacingNorthM, heightM};
     }
 
     /// Position of a fractional grid place at a given height (metres, as the samples are counted).

@@ -43,6 +43,18 @@ public:
         return _samples.empty() ? _exact[index].radiusM : _radiiM[_samples[index].radius];
     }
 
+    /// All of a sample in one read.
+    struct Sample
+    {
+        float heightM, errorM, radiusM;
+    };
+    Sample sample(std::size_t index) const
+    {
+        if (_samples.empty()) return _exact[index];
+        const Packed& packed = _samples[index];
+        return {_offsetM + _quantumM * packed.height, decodedError(packed.error), _radiiM[packed.radius]};
+    }
+
     /// Tells the processor that a sample will be asked for.
     void prefetch(std::size_t index) const
     {
@@ -70,11 +82,6 @@ private:
     };
     static_assert(sizeof(Packed) == 6);
 
-    struct Exact
-    {
-        float heightM, errorM, radiusM;
-    };
-
     /// A float's bits without sign, its exponents from 2^-14 on, and the lower twelve of its mantissa.
     static constexpr std::uint32_t kErrorBias = (127u - 14u) << 11;
     static constexpr int kErrorShift = 12;
@@ -91,7 +98,7 @@ private:
     float _offsetM = 0.0f, _quantumM = 0.0f;
     std::array<float, 256> _radiiM{}; ///< by code; the first is 0
     std::vector<Packed> _samples;     ///< compact
-    std::vector<Exact> _exact;
+    std::vector<Sample> _exact;
 };
 
 } // namespace osgTerrainROAM::core

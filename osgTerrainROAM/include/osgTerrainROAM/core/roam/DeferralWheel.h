@@ -23,7 +23,7 @@ namespace osgTerrainROAM::core
 class DeferralWheel
 {
 public:
-    using Mark = std::uint8_t; ///< of a bucket, never 0; different buckets seldom share one
+    using Mark = std::uint8_t; ///< of a bucket, 1 to 128; different buckets seldom share one
 
     /// `tickM`: margins below it are due at the next step.
     explicit DeferralWheel(double tickM);

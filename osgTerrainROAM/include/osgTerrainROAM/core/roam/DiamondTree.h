@@ -14,10 +14,37 @@
 namespace osgTerrainROAM::core
 {
 
+namespace detail
+{
+
+/// The eight directions, counter-clockwise from east.
+inline constexpr int kColumnStep[8] = {1, 1, 0, -1, -1, -1, 0, 1};
+inline constexpr int kRowStep[8] = {0, 1, 1, 1, 0, -1, -1, -1};
+
+constexpr unsigned next(unsigned quadrant)
+{
+    return (quadrant + 1u) & 3u;
+}
+
+constexpr unsigned previous(unsigned quadrant)
+{
+    return (quadrant + 3u) & 3u;
+}
+
+/// Which of the corners 0 and 2, those that are parents, is an end of the outer edge of a quadrant.
+constexpr unsigned parentOnEdge(unsigned quadrant)
+{
+    return (quadrant + 1u) & 2u;
+}
+
+} // namespace detail
+
 /// Where a vertex lies in the grid and in the bintree.
 struct DiamondPlace
 {
     static constexpr std::uint8_t kFree = 0x80; ///< set in `direction`: no vertex has this slot
+    static constexpr std::uint8_t kLostBoth =
+        0x40; ///< besides: both of its parents went in the same enhMerge
 
     std::uint16_t column = 0, row = 0;
     std::int8_t level = -1;         ///< of the triangles that the vertex split; -1: a corner of the tile
@@ -60,8 +87,7 @@ public:
 
     /// The paper's operation: both triangles that `v` has split become leaves in one step. Their subtrees go, and so
     /// does, outwards, that of every triangle whose base has lost its middle. The same mesh as forceMerge() leaves.
-    /// Returns triangles merged. Cost: one visit per removed triangle; leaves go by whole regions where they can.
-    /// Source: paper 1, §5.2 (enhMerge); docs/decisions/0009.
+    /// Returns triangles merged. Cost: one visit per removed vertex. Source: paper 1, §5.2 (enhMerge); docs/decisions/0009.
     std::uint32_t enhMerge(VertexSlot v);
 
     static constexpr TriangleId kRoots[2] = {TriangleId(0, 0), TriangleId(1, 0)};
@@ -106,7 +132,11 @@ public:
     std::uint32_t regionOf(TriangleId t) const;
 
     const MeshChanges& changes() const { return _changes; }
-    void clearChanges() { _changes.clear(); }
+    void clearChanges()
+    {
+        _changes.clear();
+        _linked = 0;
+    }
 
     const RoamTile& tile() const { return *_tile; }
     std::size_t memoryBytes() const;
@@ -133,33 +163,36 @@ private:
     std::uint32_t link(TriangleId t) const { return _diamonds[t.apex()].links[t.quadrant()]; }
     std::uint32_t& link(TriangleId t) { return _diamonds[t.apex()].links[t.quadrant()]; }
     VertexSlot corner(VertexSlot v, unsigned index) const;
+    /// From the apex towards the middle of the base, as far as that times `scale` / 4. Units: quarters of samples.
     GridPoint towardsMiddle(TriangleId t, int scale) const;
     VertexSlot takeSlot();
     VertexSlot addVertex(TriangleId t, TriangleId partner);
     void removeVertex(VertexSlot v);
     void splitLeaf(TriangleId t, VertexSlot v);
     void mergeLeaves(TriangleId t);
+    void inherit(std::uint32_t slot, TriangleId t);
     void addLeaf(TriangleId t);
     void removeLeaf(TriangleId t);
-    void relink(TriangleRange slots);
+    void relink();
     bool isInData(TriangleId t) const;
-    std::uint32_t collapse(TriangleId t); // EnhMerge.cpp, as the two below
-    std::uint32_t dismantle(TriangleId t);
-    void freeVertices(TriangleId t);
+    std::uint32_t takeApart(VertexSlot v);  // EnhMerge.cpp
     bool linksAreSound(VertexSlot v) const; // DiamondTreeCheck.cpp
 
     std::shared_ptr<const RoamTile> _tile;
+    int _lastSample; ///< of the tile along a side
     int _levels;
     int _regionLevel;
     bool _dataFillsTile;
     std::vector<DiamondPlace> _places; ///< apart from the links: the deferral wheel reads nothing else
     std::vector<Diamond> _diamonds;
     std::vector<VertexSlot> _freeSlots;
-    std::vector<TriangleId> _collapsing; ///< work list of enhMerge(), empty between operations
     LeafArena _leaves;
-    std::vector<std::uint32_t> _undrawnLeaves; ///< beyond the data's edge: their number in each region
+    std::uint32_t _undrawnLeaves = 0; ///< those beyond the data's edge
     MeshChanges _changes;
+    std::size_t _linked = 0; ///< slots among the changes that the leaves' links agree with
     std::uint32_t _leafCount = 0;
 };
 
 } // namespace osgTerrainROAM::core
+
+#include <osgTerrainROAM/core/roam/DiamondTreeWays.h>

@@ -16,25 +16,27 @@ namespace osgTerrainROAM::core
 /// region's last leaf into the gap: a change touches two slots.
 /// A region's block has a power of two of slots. One that is full moves to twice its size, one that is down to a quarter
 /// to half; free blocks join with their neighbours (buddies).
-/// Who inserts and erases keeps the slots of the leaves, and is told which to note again.
-/// Invariant: isConsistent(). Memory: 4 B per slot.
+/// Who inserts and erases keeps the slots of the leaves, and has to note again those that are written to the changes.
+/// Invariant: isConsistent(). Memory: 4.5 B per slot.
 /// Source: terrain anchors, point 4 (stable slots, swap with the last); Knuth, TAOCP 1, §2.5 (buddies).
 class LeafArena
 {
 public:
     explicit LeafArena(std::uint32_t regions) : _blocks(regions) {}
 
-    /// Returns the slots to note: the new leaf's own, the last of them, and when the block has moved all of its leaves'.
-    TriangleRange insert(TriangleId leaf, std::uint32_t region, MeshChanges& changes);
+    void insert(TriangleId leaf, std::uint32_t region, MeshChanges& changes);
+    void erase(std::uint32_t slot, MeshChanges& changes);
 
-    /// Returns the slots to note: that of the leaf that moved into the gap, and when the block has moved all.
-    TriangleRange erase(std::uint32_t slot, std::uint32_t region, MeshChanges& changes);
+    /// Erases many leaves: first all are cut out, then the gaps are closed, so that no leaf moves that goes as well.
+    void cutOut(std::uint32_t slot)
+    {
+        _leaves[slot] = {};
+        _gaps.push_back(slot);
+    }
+    void closeGaps(MeshChanges& changes);
 
     /// Gives a slot to another leaf of the same region.
     void replace(std::uint32_t slot, TriangleId leaf, MeshChanges& changes);
-
-    /// Erases all leaves of a region, whatever their number, in one step; its block is free. Returns their number.
-    std::uint32_t clear(std::uint32_t region);
 
     TriangleId leaf(std::uint32_t slot) const { return _leaves[slot]; }
     std::uint32_t slotCount() const { return static_cast<std::uint32_t>(_leaves.size()); }
@@ -52,14 +54,20 @@ private:
         std::uint32_t sizeClass = 0; ///< capacity 2^sizeClass; 0: no block yet
     };
 
-    void move(Block& block, std::uint32_t sizeClass, MeshChanges& changes);
+    static constexpr std::uint32_t kSmallestClass = 2, kSmallest = 1u << kSmallestClass;
+
+    std::uint32_t regionOf(std::uint32_t slot) const { return _regionOfGroup[slot / kSmallest]; }
+    void shrink(std::uint32_t region, MeshChanges& changes);
+    void move(std::uint32_t region, std::uint32_t sizeClass, MeshChanges& changes);
     std::uint32_t takeBlock(std::uint32_t sizeClass);
     void addSlots(std::uint32_t count);
     void freeBlock(std::uint32_t first, std::uint32_t sizeClass);
 
-    std::vector<TriangleId> _leaves; ///< by slot
-    std::vector<Block> _blocks;
+    std::vector<TriangleId> _leaves;                     ///< by slot
+    std::vector<std::uint16_t> _regionOfGroup;           ///< of kSmallest slots, the smallest block
+    std::vector<Block> _blocks;                          ///< by region
     std::array<std::set<std::uint32_t>, 32> _freeBlocks; ///< first slots, by size class
+    std::vector<std::uint32_t> _gaps;                    ///< slots, between cutOut() and closeGaps()
     std::uint32_t _leafCount = 0;
 };
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 
 #include <glm/glm.hpp>
 
@@ -36,13 +37,21 @@ public:
         return limit * limit > glm::dot(offset, offset);
     }
 
-    /// How much the eye may travel, plus e_v times the change of K/τ, before the answer for v can change.
-    double marginM(const SplitBound& bound) const
+    /// The answer, and how much the eye may travel, plus e_v times the change of K/τ, before it can change.
+    struct Verdict
     {
-        const double reach = _reachPerErrorM * bound.errorM;
-        const double beyond = glm::distance(glm::dvec3(bound.centre), _eye) - (reach + bound.radiusM);
+        bool active;
+        double marginM;
+    };
+    Verdict verdict(const SplitBound& bound) const
+    {
+        const double reach = _reachPerErrorM * bound.errorM, limit = reach + bound.radiusM;
+        const glm::dvec3 offset = glm::dvec3(bound.centre) - _eye;
+        const double distance2 = glm::dot(offset, offset);
+        const bool active = reach > _nearM && limit * limit > distance2;
+        const double beyond = std::sqrt(distance2) - limit;
         // To be active takes both conditions: an inactive vertex has as long as the one that it misses by more.
-        return operator()(bound) ? std::min(reach - _nearM, -beyond) : std::max(_nearM - reach, beyond);
+        return {active, active ? std::min(reach - _nearM, -beyond) : std::max(_nearM - reach, beyond)};
     }
 
 private:

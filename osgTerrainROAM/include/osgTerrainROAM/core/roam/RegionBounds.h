@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <cstdlib>
 #include <vector>
 
 #include <glm/glm.hpp>
@@ -30,7 +31,7 @@ public:
 
     /// The region (path at the region level) that holds a place which is on no region's border.
     /// Units: quarters of samples.
-    std::uint32_t pathAt(GridPoint quarters) const;
+    std::uint32_t pathAt(GridPoint quarters) const { return _paths[cellQuarter(quarters)]; }
 
     /// Appends the regions (paths at the region level) that may be seen. Plane masks are inherited: a plane that
     /// has a node inside is not asked again below it.
@@ -45,7 +46,18 @@ private:
 
     Sphere& sphere(int level, std::uint32_t path) { return _spheres[(2u << level) - 2u + path]; }
     const Sphere& sphere(int level, std::uint32_t path) const { return _spheres[(2u << level) - 2u + path]; }
-    std::size_t cellQuarter(GridPoint quarters) const;
+    /// At the odd region level four triangles meet in the middle of a square.
+    std::size_t cellQuarter(GridPoint quarters) const
+    {
+        const int column = quarters.column >> _cellShift, row = quarters.row >> _cellShift;
+        const int half = 1 << _cellShift >> 1;
+        const int east = quarters.column - (column << _cellShift) - half;
+        const int north = quarters.row - (row << _cellShift) - half;
+        const int side = std::abs(east) > std::abs(north) ? (east > 0 ? 0 : 2) : (north > 0 ? 1 : 3);
+        return (static_cast<std::size_t>(row) << ((_level - 1) / 2 + 2)) +
+               static_cast<std::size_t>(4 * column + side);
+    }
+
     void build(const PlacedTile& tile, const GridTriangle& triangle, int level, std::uint32_t path);
     void visit(const viewlod::Frustum& frustum, int level, std::uint32_t path, viewlod::Frustum::Mask mask,
                std::vector<std::uint32_t>& regions) const;

@@ -33,13 +33,15 @@ public:
     SplitBound bound(GridPoint v) const
     {
         if (!tile.isInData(v.column, v.row)) return boundBeyond(v);
-        const std::size_t index = tile.sampleIndex(v.column, v.row);
-        return {glm::vec3(tile.position(v.column, v.row)), tile.samples().errorM(index),
-                tile.samples().radiusM(index)};
+        const SampleTable::Sample sample = tile.samples().sample(indexInData(v));
+        return {glm::vec3(tile.positionOf(v.column, v.row, sample.heightM)), sample.errorM, sample.radiusM};
     }
 
     /// Tells the processor that bound(v) will be asked for.
-    void prefetch(GridPoint v) const { tile.samples().prefetch(tile.sampleIndex(v.column, v.row)); }
+    void prefetch(GridPoint v) const
+    {
+        if (tile.isInData(v.column, v.row)) tile.samples().prefetch(indexInData(v));
+    }
 
     PlacedTile tile;
     RegionBounds regions;
@@ -49,6 +51,12 @@ private:
     {
         float errorM, radiusM;
     };
+
+    std::size_t indexInData(GridPoint v) const
+    {
+        return static_cast<std::size_t>(v.row) * static_cast<std::size_t>(tile.dataColumns()) +
+               static_cast<std::size_t>(v.column);
+    }
 
     SplitBound boundBeyond(GridPoint v) const;
 

@@ -60,9 +60,10 @@ private:
     void lookAtRest(Frame& frame);
     void lookAtDue(Frame& frame, std::span<const DeferralWheel::Handout> due);
     static GridPoint watchedPlace(const DiamondTree& tree, VertexSlot v, unsigned kind);
-    void lookAgain(Frame& frame, std::uint32_t watch, DeferralWheel::Mark mark);
+    bool isWanted(const Frame& frame, std::uint32_t watch, DeferralWheel::Mark mark) const;
+    void lookAgain(Frame& frame, std::uint32_t watch, GridPoint place);
     void look(Frame& frame, VertexSlot v, unsigned kind);
-    void watch(Frame& frame, VertexSlot v, unsigned kind, const SplitBound& bound);
+    void look(Frame& frame, VertexSlot v, unsigned kind, GridPoint place);
     void follow(Frame& frame, VertexSlot v);
     void followNew(Frame& frame);
     bool letGo(Frame& frame);

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+#include <filesystem>
+#include <iomanip>
+#include <iostream>
+#include <limits>
+
+#include <osgTerrainROAM/core/heightfield/DemImport.h>
+
+#include "terminal/Terminal.h"
+#include "terraintool/Commands.h"
+#include "terraintool/bench/BenchDump.h"
+#include "terraintool/bench/BenchParts.h"
+#include "terraintool/bench/BenchRun.h"
+
+namespace terraintool
+{
+
+namespace
+{
+
+using namespace osgTerrainROAM::core;
+
+/// Cells of whole seconds of arc count as squares of 30 m a second, as others count them.
+double nominalCellM(double spacingM)
+{
+    const double seconds = std::round(spacingM / 30.0);
+    return seconds >= 1.0 && std::abs(spacingM - 30.0 * seconds) < 0.04 * spacingM ? 30.0 * seconds
+                                                                                   : spacingM;
+}
+
+/// The square of samples that was asked for, from the north-west; else the largest of 2^n+1 in the middle.
+viewlod::Result<HeightField> squareOf(const HeightField& all, const Request& request, const std::string& file)
+{
+    int size = 2;
+    while (2 * size < std::min(all.columns, all.rows))
+        size *= 2;
+    int side = size + 1;
+    int column = (all.columns - side) / 2, fromNorth = (all.rows - side) / 2;
+    if (!request.crop.empty()) side = request.crop[0];
+    if (request.crop.size() == 3)
+    {
+        column = request.crop[1];
+        fromNorth = request.crop[2];
+    }
+    const bool fits = side >= 3 && column >= 0 && fromNorth >= 0 && column + side <= all.columns &&
+                      fromNorth + side <= all.rows;
+    if (!fits)
+        return viewlod::Error{file, "the square is no part of the raster, or too small",
+                              "choose at least 3 samples within it"};
+    HeightField square;
+    square.name = all.name;
+    square.columns = square.rows = side;
+    square.spacingEastM = square.spacingNorthM = request.cellM.value_or(nominalCellM(all.spacingNorthM));
+    for (int row = all.rows - fromNorth - side; row < all.rows - fromNorth; ++row)
+        for (int c = column; c < column + side; ++c)
+            square.heightsM.push_back(all.heightM(c, row));
+    return square;
+}
+
+void print(const nlohmann::ordered_json& row)
+{
+    const auto number = [&](const char* key) { return row[key].get<double>(); };
+    std::cout << std::left << std::setw(8) << row["driver"].get<std::string>() << std::setw(8)
+              << row["path"].get<std::string>() << std::right << std::fixed << std::setprecision(1)
+              << std::setw(6) << number("tolerancePx") << " px" << std::setw(10) << number("triangles")
+              << " triangles" << std::setw(10) << number("adaptUsP50") << " us" << std::setw(10)
+              << number("adaptUsP99") << " us p99" << std::setw(9) << number("changesPerFrame") << " changes"
+              << std::setprecision(2) << std::setw(7) << number("maxErrorPx") << " px off\n";
+}
+
+viewlod::Outcome benchTile(const Request& request, const std::string& file,
+                           const std::shared_ptr<const RoamTile>& tile, nlohmann::ordered_json& json)
+{
+    const std::optional<Driver> drivers[] = {Driver::wheel, Driver::walk, Driver::queue, std::nullopt};
+    for (const double tolerancePx : request.tolerancesPx)
+        for (const flights::Path path : flights::kPaths)
+            for (const auto& driver : drivers)
+            {
+                BenchRun run{std::filesystem::path(file).filename().string(),
+                             tile,
+                             driver,
+                             path,
+                             tolerancePx,
+                             request.centrePixels,
+                             request.benchFrames};
+                auto row =
+                    measure(run, request.dumpFolder.empty() ? FrameSink() : dumpTo(request.dumpFolder, run));
+                if (!row) return row.error();
+                print(*row);
+                json["runs"].push_back(std::move(*row));
+            }
+    return viewlod::success();
+}
+
+} // namespace
+
+viewlod::Result<Report> bench(const Request& request)
+{
+    Report report;
+    if (!request.dumpFolder.empty())
+    {
+        std::error_code failed;
+        std::filesystem::create_directories(request.dumpFolder, failed);
+        if (failed)
+            return viewlod::Error{request.dumpFolder.string(), failed.message(),
+                                  "name a folder that can be made"};
+    }
+    for (const std::string& file : request.files)
+    {
+        const auto field = importDem(file, request.import);
+        if (!field) return field.error();
+        auto square = squareOf(*field, request, file);
+        if (!square) return square.error();
+        const auto tile = std::make_shared<const RoamTile>(PlacedTile(std::move(*square), Placement::planar));
+        std::cout << file << ": " << tile->tile.side() << " x " << tile->tile.side() << " samples of "
+                  << tile->tile.field().spacingEastM << " m\n";
+        if (const auto done = benchTile(request, file, tile, report.json); !done) return done.error();
+        if (report.json.contains("enhMerge"))
+            continue; // the first terrain serves for what hardly depends on it
+        report.json["enhMerge"] = measureMerges(tile);
+        report.json["bytesPerSample"] = static_cast<double>(tile->tile.samples().memoryBytes()) /
+                                        static_cast<double>(tile->tile.samples().size());
+        report.json["bytesPerActiveTriangle"] = report.json["runs"][0]["bytesPerActiveTriangle"];
+        report.json["queriesPerSecond"] = measureQueries(tile);
+    }
+    for (const char* key : {"enhMerge", "bytesPerSample", "bytesPerActiveTriangle", "queriesPerSecond"})
+        std::cout << key << ": " << report.json[key].dump() << '\n';
+    return report;
+}
+
+} // namespace terraintool

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "terraintool/bench/BenchParts.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdint>
+#include <random>
+#include <vector>
+
+#include <osgTerrainROAM/core/roam/DrawnGround.h>
+#include <osgTerrainROAM/core/roam/RoamMesh.h>
+
+#include "flights/AnchorFlight.h"
+
+namespace terraintool
+{
+
+namespace
+{
+
+using namespace osgTerrainROAM::core;
+using Clock = std::chrono::steady_clock;
+
+double nanoseconds(Clock::duration time)
+{
+    return std::chrono::duration<double, std::nano>(time).count();
+}
+
+void splitFully(DiamondTree& tree, TriangleId top)
+{
+    std::vector<TriangleId> open{top};
+    while (!open.empty())
+    {
+        const TriangleId t = open.back();
+        open.pop_back();
+        if (tree.canSplit(t)) tree.forceSplit(t);
+        if (tree.isLeaf(t)) continue;
+        for (const TriangleId child : tree.children(t))
+            open.push_back(child);
+    }
+}
+
+/// Median over repetitions of one subtree's removal; 0 when it has fewer than a thousand triangles.
+template<class Merge>
+double nsPerRemoved(const std::shared_ptr<const RoamTile>& tile, int level, const Merge& merge)
+{
+    constexpr int kRepetitions = 15;
+    constexpr std::uint32_t kLeast = 1000;
+    DiamondTree tree(tile);
+    TriangleId top = DiamondTree::kRoots[0];
+    for (int i = 0; i < level; ++i)
+    {
+        if (tree.isLeaf(top)) tree.forceSplit(top);
+        top = tree.children(top)[static_cast<std::size_t>(i % 2)];
+    }
+    std::vector<double> ns;
+    for (int i = 0; i < kRepetitions; ++i)
+    {
+        splitFully(tree, top);
+        tree.clearChanges();
+        const VertexSlot v = tree.splitVertex(top);
+        const auto begin = Clock::now();
+        const std::uint32_t removed = merge(tree, v);
+        ns.push_back(nanoseconds(Clock::now() - begin) / removed);
+        if (removed < kLeast) return 0.0;
+    }
+    std::nth_element(ns.begin(), ns.begin() + kRepetitions / 2, ns.end());
+    return ns[kRepetitions / 2];
+}
+
+} // namespace
+
+nlohmann::ordered_json measureMerges(const std::shared_ptr<const RoamTile>& tile)
+{
+    double bulkNs = 0.0, singleNs = 0.0;
+    for (int level = 2; level < tile->tile.levels(); level += 2)
+    {
+        bulkNs =
+            std::max(bulkNs, nsPerRemoved(tile, level,
+                                          [](DiamondTree& tree, VertexSlot v) { return tree.enhMerge(v); }));
+        singleNs = std::max(
+            singleNs,
+            nsPerRemoved(tile, level, [](DiamondTree& tree, VertexSlot v) { return tree.forceMerge(v); }));
+    }
+    return {{"nsPerRemovedTriangle", bulkNs}, {"singleMergeNsPerRemovedTriangle", singleNs}};
+}
+
+double measureQueries(const std::shared_ptr<const RoamTile>& tile)
+{
+    constexpr int kPlaces = 4096, kRounds = 25;
+    RoamMesh mesh(tile);
+    mesh.refine(flights::AnchorFlight{}.view(tile->tile, 0), {.errorTolerancePx = 3.6});
+    std::mt19937 random(9);
+    std::vector<glm::dvec2> places;
+    for (int i = 0; i < kPlaces; ++i)
+    {
+        const double column = random() / 4294967296.0 * (tile->tile.dataColumns() - 1);
+        const double row = random() / 4294967296.0 * (tile->tile.dataRows() - 1);
+        places.emplace_back(tile->tile.positionAt(column, row, 0.0));
+    }
+    int found = 0;
+    const auto begin = Clock::now();
+    for (int round = 0; round < kRounds; ++round)
+        for (const glm::dvec2& place : places)
+            found += drawnGroundAt(mesh.tree(), place.x, place.y) ? 1 : 0;
+    return found / nanoseconds(Clock::now() - begin) * 1e9;
+}
+
+} // namespace terraintool

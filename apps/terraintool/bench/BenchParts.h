@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+
+#include <nlohmann/json.hpp>
+
+#include <osgTerrainROAM/core/roam/RoamTile.h>
+
+namespace terraintool
+{
+
+/// What one triangle of a subtree of at least a thousand costs to remove, by enhMerge and by the same merges one after the
+/// other: medians over subtrees at one sample a triangle, that at even levels have at least a thousand, the dearest level
+/// of each kind. Units: nanoseconds.
+nlohmann::ordered_json measureMerges(const std::shared_ptr<const osgTerrainROAM::core::RoamTile>& tile);
+
+/// Heights of the drawn surface, with the bound, at random places over a mesh of the flight. Units: queries per second.
+double measureQueries(const std::shared_ptr<const osgTerrainROAM::core::RoamTile>& tile);
+
+} // namespace terraintool

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "terraintool/bench/BenchRun.h"
+
+#include <algorithm>
+#include <chrono>
+#include <unordered_set>
+#include <vector>
+
+#include <osgTerrainROAM/core/roam/DrawnMeshCheck.h>
+#include <osgTerrainROAM/core/roam/ScratchRefinement.h>
+
+namespace terraintool
+{
+
+namespace
+{
+
+using namespace osgTerrainROAM::core;
+
+constexpr int kFramesBetweenChecks = 120;
+
+/// Sums over the measured frames.
+struct Totals
+{
+    std::vector<double> frameUs;
+    double triangles = 0.0, changes = 0.0, checks = 0.0, uploadBytes = 0.0, maxErrorPx = 0.0;
+};
+
+double percentile(std::vector<double>& values, double share)
+{
+    const auto place =
+        values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+    std::nth_element(values.begin(), place, values.end());
+    return *place;
+}
+
+template<class Work>
+double microsecondsOf(const Work& work)
+{
+    const auto begin = std::chrono::steady_clock::now();
+    work();
+    return std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - begin).count();
+}
+
+double uploadBytes(const MeshChanges& changes)
+{
+    const auto distinct = [](const std::vector<std::uint32_t>& slots)
+    { return static_cast<double>(std::unordered_set<std::uint32_t>(slots.begin(), slots.end()).size()); };
+    return distinct(changes.vertices) * sizeof(MeshVertex) +
+           distinct(changes.triangles) * sizeof(LeafTriangle);
+}
+
+/// A mesh without slots: every triangle with corners of its own.
+DrawnMesh meshOf(const RoamTile& tile, const std::vector<GridTriangle>& leaves)
+{
+    DrawnMesh mesh;
+    for (const GridTriangle& t : leaves)
+    {
+        const bool beyond =
+            std::min({t.apex.column, t.left.column, t.right.column}) >= tile.tile.dataColumns() - 1 ||
+            std::min({t.apex.row, t.left.row, t.right.row}) >= tile.tile.dataRows() - 1;
+        if (beyond) continue;
+        const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+        for (const GridPoint p : {t.apex, t.left, t.right})
+        {
+            const glm::dvec3 position = tile.tile.position(p.column, p.row);
+            const glm::vec3 high(position);
+            mesh.vertices.push_back(
+                {high, glm::vec3(position - glm::dvec3(high)), glm::vec2(p.column, p.row)});
+        }
+        mesh.triangles.push_back({{first, first + 1, first + 2}});
+    }
+    return mesh;
+}
+
+/// What is measured: one of the drivers, or starting over.
+class Subject
+{
+public:
+    explicit Subject(const BenchRun& run) : _run(run)
+    {
+        if (run.driver) _mesh.emplace(run.tile, *run.driver);
+    }
+
+    void frame(const viewlod::ViewState& view, bool counts, Totals& totals)
+    {
+        RefineResult result;
+        const double us = microsecondsOf(
+            [&]
+            {
+                if (_mesh)
+                    result = _mesh->refine(view, {.errorTolerancePx = _run.tolerancePx});
+                else
+                    refineFromScratch(*_run.tile, view, _run.tolerancePx, _leaves);
+            });
+        if (!counts) return;
+        totals.frameUs.push_back(us);
+        totals.triangles += _mesh ? result.leaves : static_cast<double>(_leaves.size());
+        totals.changes += 0.5 * (result.splits + result.merges);
+        totals.checks += result.checks;
+        if (_mesh) totals.uploadBytes += uploadBytes(_mesh->changes());
+    }
+
+    DrawnMesh drawn() const { return _mesh ? _mesh->drawn() : meshOf(*_run.tile, _leaves); }
+
+    double bytesPerTriangle() const
+    {
+        return _mesh ? static_cast<double>(_mesh->memoryBytes()) / _mesh->tree().leafCount() : 0.0;
+    }
+
+private:
+    const BenchRun& _run;
+    std::optional<RoamMesh> _mesh;
+    std::vector<GridTriangle> _leaves;
+};
+
+nlohmann::ordered_json rowOf(const BenchRun& run, Totals totals, double bytesPerTriangle)
+{
+    const auto frames = static_cast<double>(totals.frameUs.size());
+    const auto per = [](double sum, double count) { return count > 0.0 ? sum / count : 0.0; };
+    double spentUs = 0.0;
+    for (const double us : totals.frameUs)
+        spentUs += us;
+    nlohmann::ordered_json row;
+    row["dem"] = run.dem;
+    row["driver"] = run.driverName();
+    row["path"] = flights::pathName(run.path);
+    row["patchExponent"] = 0;
+    row["tolerancePx"] = run.tolerancePx;
+    row["centrePixels"] = run.centrePixels;
+    row["triangles"] = per(totals.triangles, frames);
+    row["adaptUsP50"] = percentile(totals.frameUs, 0.5);
+    row["adaptUsP99"] = percentile(totals.frameUs, 0.99);
+    row["adaptUsMax"] = percentile(totals.frameUs, 1.0);
+    row["changesPerFrame"] = per(totals.changes, frames);
+    row["checksPerFrame"] = per(totals.checks, frames);
+    row["nsPerChange"] = per(spentUs * 1e3, totals.changes);
+    row["nsPerTriangle"] = per(spentUs * 1e3, totals.triangles);
+    row["maxErrorPx"] = totals.maxErrorPx;
+    row["uploadBytesPerChange"] =
+        per(totals.uploadBytes, 6.0 * totals.changes); // a diamond: four came, two went, or back
+    if (run.driver) row["bytesPerActiveTriangle"] = bytesPerTriangle;
+    return row;
+}
+
+} // namespace
+
+std::string BenchRun::driverName() const
+{
+    return driver ? std::string(osgTerrainROAM::core::driverName(*driver)) : "scratch";
+}
+
+viewlod::ViewState BenchRun::view(int frame) const
+{
+    viewlod::ViewState view = flights::AnchorFlight::along(path).view(tile->tile, frame);
+    if (centrePixels) view.cornerStretch = 1.0;
+    return view;
+}
+
+viewlod::Result<nlohmann::ordered_json> measure(const BenchRun& run, const FrameSink& sink)
+{
+    Subject subject(run);
+    Totals totals;
+    for (int frame = 0; frame < run.frames; ++frame)
+    {
+        const viewlod::ViewState view = run.view(frame);
+        subject.frame(view, frame > 0 || run.frames == 1, totals);
+        if (frame % kFramesBetweenChecks != kFramesBetweenChecks - 1 && frame != run.frames - 1) continue;
+        const DrawnMesh drawn = subject.drawn();
+        totals.maxErrorPx = std::max(totals.maxErrorPx, checkDrawnMesh(*run.tile, drawn, &view).maxErrorPx);
+        if (!sink) continue;
+        if (const auto taken = sink(frame, view, drawn); !taken) return taken.error();
+    }
+    return rowOf(run, std::move(totals), subject.bytesPerTriangle());
+}
+
+} // namespace terraintool

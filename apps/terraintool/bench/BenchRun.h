@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include <viewlod/Result.h>
+#include <viewlod/ViewState.h>
+
+#include <osgTerrainROAM/core/roam/RoamMesh.h>
+
+#include "flights/AnchorFlight.h"
+
+namespace terraintool
+{
+
+/// One measurement: a driver on a path. No driver: refinement from scratch.
+struct BenchRun
+{
+    std::string dem;
+    std::shared_ptr<const osgTerrainROAM::core::RoamTile> tile;
+    std::optional<osgTerrainROAM::core::Driver> driver;
+    flights::Path path = flights::Path::flight;
+    double tolerancePx = 1.0;
+    bool centrePixels = false; ///< the tolerance holds in the picture's middle only, as others measure
+    int frames = flights::AnchorFlight::kFrames;
+
+    std::string driverName() const;
+    viewlod::ViewState view(int frame) const;
+};
+
+/// Sees the triangles of a frame, positions in the tile's frame.
+using FrameSink = std::function<viewlod::Outcome(int frame, const viewlod::ViewState&,
+                                                 const osgTerrainROAM::core::DrawnMesh&)>;
+
+/// Flies the path and measures each frame but the first, which builds the mesh; checks some of the frames by brute force.
+/// `sink`: is given those frames, too. Returns the row of the table: times in microseconds of this thread, changes in
+/// diamonds split or merged, upload in bytes per triangle that came or went.
+viewlod::Result<nlohmann::ordered_json> measure(const BenchRun& run, const FrameSink& sink);
+
+} // namespace terraintool
