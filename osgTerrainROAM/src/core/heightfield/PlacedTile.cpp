@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <bit>
 #include <cassert>
 #include <cmath>
@@ -34,9 +35,12 @@ PlacedTile::PlacedTile(HeightField field, Placement placement, Storage storage)
       _placement(_field.net ? placement : Placement::planar)
 {
     initSide();
-    if (_placement == Placement::planar) return;
-    _origin = dataCentre();
-    buildLattice();
+    if (_placement == Placement::curved)
+    {
+        _origin = dataCentre();
+        buildLattice();
+    }
+    initRadiusRange();
 }
 
 PlacedTile::PlacedTile(HeightField field, const Geodetic& origin)
@@ -45,9 +49,12 @@ PlacedTile::PlacedTile(HeightField field, const Geodetic& origin)
       _placement(_field.net ? Placement::curved : Placement::planar)
 {
     initSide();
-    if (_placement == Placement::planar) return;
-    _origin = origin;
-    buildLattice();
+    if (_placement == Placement::curved)
+    {
+        _origin = origin;
+        buildLattice();
+    }
+    initRadiusRange();
 }
 
 void PlacedTile::initSide()
@@ -65,6 +72,14 @@ void PlacedTile::initSide()
     _weights.reserve(2 * static_cast<std::size_t>(net.step) + 1);
     for (int offset = 0; offset <= 2 * net.step; ++offset)
         _weights.push_back(weightsAt(static_cast<double>(offset) / net.step));
+}
+
+void PlacedTile::initRadiusRange()
+{
+    const double last = _side - 1;
+    const double acrossM = std::max(glm::distance(positionAt(0, 0, 0.0), positionAt(last, last, 0.0)),
+                                    glm::distance(positionAt(last, 0, 0.0), positionAt(0, last, 0.0)));
+    _samples.setRadiusRange(acrossM / last / 16.0, 8.0 * (acrossM + _samples.heightRangeM()));
 }
 
 /// The middle of the samples, on the ellipsoid. Interpolated between geocentric positions, which unlike

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -28,30 +27,31 @@ SampleTable::SampleTable(HeightField& field, Storage storage)
 {
     const std::vector<float> heightsM = std::move(field.heightsM);
     field.heightsM = {};
+    const auto [low, high] = std::minmax_element(heightsM.begin(), heightsM.end());
+    _rangeM = double{*high} - double{*low};
     if (storage == Storage::exact)
     {
         for (const float h : heightsM)
             _exact.push_back({h, 0.0f, 0.0f});
         return;
     }
-    pack(heightsM);
-    // From a fraction of a cell to more than anything in the tile is away from anything else.
-    const auto [low, high] = std::minmax_element(heightsM.begin(), heightsM.end());
-    const double cellM = std::max(field.spacingEastM, field.spacingNorthM);
-    const double least = cellM / 16.0, most = 8.0 * (field.tileSide() * cellM + double{*high} - double{*low});
-    for (int code = 1; code < 256; ++code)
-        _radiiM[static_cast<std::size_t>(code)] =
-            roundedUp(least * std::pow(most / least, (code - 1) / 254.0));
+    pack(heightsM, 0.5 * (double{*high} + double{*low}));
 }
 
-void SampleTable::pack(const std::vector<float>& heightsM)
+void SampleTable::setRadiusRange(double leastM, double mostM)
 {
-    const auto [low, high] = std::minmax_element(heightsM.begin(), heightsM.end());
-    const double range = double{*high} - double{*low};
+    for (int code = 1; code < 255; ++code)
+        _radiiM[static_cast<std::size_t>(code)] =
+            roundedUp(leastM * std::pow(mostM / leastM, (code - 1) / 253.0));
+    _radiiM[255] = std::numeric_limits<float>::infinity();
+}
+
+void SampleTable::pack(const std::vector<float>& heightsM, double middleM)
+{
     const int exponent =
-        range > 0.0 ? static_cast<int>(std::ceil(std::log2(range / kMostSteps))) : kFinestExponent;
+        _rangeM > 0.0 ? static_cast<int>(std::ceil(std::log2(_rangeM / kMostSteps))) : kFinestExponent;
     const double quantum = std::ldexp(1.0, std::max(exponent, kFinestExponent));
-    const double offset = quantum * std::round(0.5 * (double{*high} + double{*low}) / quantum);
+    const double offset = quantum * std::round(middleM / quantum);
     _quantumM = static_cast<float>(quantum);
     _offsetM = static_cast<float>(offset);
     _samples.reserve(heightsM.size());
@@ -69,9 +69,8 @@ std::uint16_t SampleTable::errorCode(double errorM) const
 
 std::uint8_t SampleTable::radiusCode(double radiusM) const
 {
-    const auto found = std::lower_bound(_radiiM.begin(), _radiiM.end(), radiusM);
-    assert(found != _radiiM.end());
-    return static_cast<std::uint8_t>(found - _radiiM.begin());
+    return static_cast<std::uint8_t>(std::lower_bound(_radiiM.begin(), _radiiM.end() - 1, radiusM) -
+                                     _radiiM.begin());
 }
 
 float SampleTable::roundedUpError(double errorM) const

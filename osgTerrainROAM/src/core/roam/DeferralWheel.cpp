@@ -87,13 +87,19 @@ DeferralWheel::Mark DeferralWheel::add(std::uint32_t watch, double errorM, doubl
     return markOf(which, level, static_cast<int>(slot));
 }
 
+void DeferralWheel::advance(double travelM, double scaleChange, std::vector<Handout>& due)
+{
+    for (int octave = kOctaves - 1; octave >= 0; --octave)
+        collect(octave, travelM, scaleChange, due);
+}
+
 /// Takes all watches out of a list.
-void DeferralWheel::drain(std::uint32_t& first, Mark mark)
+void DeferralWheel::drain(std::uint32_t& first, Mark mark, std::vector<Handout>& due)
 {
     for (std::uint32_t block = std::exchange(first, kNoBlock); block != kNoBlock;)
     {
         for (std::uint32_t i = 0; i < _blocks[block].count; ++i)
-            _collected.push_back({_blocks[block].watches[i], mark});
+            due.push_back({_blocks[block].watches[i], mark});
         const std::uint32_t next = _blocks[block].next;
         _blocks[block].next = _freeBlock;
         _freeBlock = block;
@@ -101,17 +107,15 @@ void DeferralWheel::drain(std::uint32_t& first, Mark mark)
     }
 }
 
-/// Whether there is anything.
-bool DeferralWheel::collect(int which, double travelM, double scaleChange)
+void DeferralWheel::collect(int which, double travelM, double scaleChange, std::vector<Handout>& due)
 {
-    _collected.clear();
-    Octave& octave = _octaves[static_cast<std::size_t>(which)];
     const double steppedM = travelM + std::ldexp(scaleChange, which + kLowestExponent + 1);
-    if (steppedM <= 0.0) return false;
+    if (steppedM <= 0.0) return;
+    Octave& octave = _octaves[static_cast<std::size_t>(which)];
     const auto before = static_cast<std::int64_t>(octave.clockTicks);
     octave.clockTicks += steppedM * _ticksPerM;
     const auto now = static_cast<std::int64_t>(octave.clockTicks);
-    drain(octave.soon, markOf(which, kLevels, 0));
+    drain(octave.soon, markOf(which, kLevels, 0), due);
     for (int level = 0; level < kLevels; ++level)
     {
         const std::int64_t from = before >> (kLevelShift * level), to = now >> (kLevelShift * level);
@@ -124,16 +128,14 @@ bool DeferralWheel::collect(int which, double travelM, double scaleChange)
             if (!(occupied >> slot & 1u)) continue;
             occupied &= static_cast<std::uint16_t>(~(1u << slot));
             drain(octave.slots[static_cast<std::size_t>(level)][slot],
-                  markOf(which, level, static_cast<int>(slot)));
+                  markOf(which, level, static_cast<int>(slot)), due);
         }
     }
-    return !_collected.empty();
 }
 
 std::size_t DeferralWheel::memoryBytes() const
 {
-    return _octaves.capacity() * sizeof(Octave) + _blocks.capacity() * sizeof(Block) +
-           _collected.capacity() * sizeof(Handout);
+    return _octaves.capacity() * sizeof(Octave) + _blocks.capacity() * sizeof(Block);
 }
 
 } // namespace osgTerrainROAM::core

@@ -60,9 +60,14 @@ RefineResult RoamMesh::refine(const viewlod::ViewState& view, const viewlod::Bud
         bool finished = run(view, tolerancePx, budget.maxTriangles, slice, result);
         if (!finished && !slice.isSpent() && !_ceilingBound)
             finished = run(view, toleranceWithinCeiling(*_tile, view, budget, kColdGuess * targetPx),
-                           kUnlimited, slice, result);
+                           budget.maxTriangles, slice, result);
         result.sliceBound = !finished;
     }
+    result.errorBoundPx = result.tolerancePx;
+    if (_driver == Driver::wheel)
+        result.errorBoundPx = _wheel.errorBoundPx(view, result.tolerancePx);
+    else if (result.sliceBound)
+        result.errorBoundPx = std::numeric_limits<double>::infinity();
     _ceilingBound = result.ceilingBound = result.tolerancePx > targetPx && !result.sliceBound;
     _lastTolerancePx = result.tolerancePx;
     result.leaves = _tree.leafCount();

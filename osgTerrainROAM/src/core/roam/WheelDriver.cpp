@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include <osgTerrainROAM/core/roam/WheelDriver.h>
@@ -25,13 +26,20 @@ bool WheelDriver::refine(DiamondTree& tree, const viewlod::ViewState& view, doub
 {
     Frame frame{tree, ActiveForEye(view, tolerancePx), maxLeaves, slice, result};
     const double scale = view.guaranteedPixelsPerTangent() / tolerancePx;
+    const double travelM = glm::distance(view.eyeWorld, _eye) + std::abs(view.nearM - _nearM);
     _followed = tree.changes().vertices.size();
+    _wayM += travelM;
+    bool leavingLeft = false;
+    std::size_t comingLeft = 0;
     if (_knowsTree)
     {
-        lookAtRest(frame);
-        _wheel.advance(glm::distance(view.eyeWorld, _eye) + std::abs(view.nearM - _nearM),
-                       std::abs(scale - _scale),
-                       [&](std::span<const DeferralWheel::Handout> due) { lookAtDue(frame, due); });
+        _wheel.advance(travelM, std::abs(scale - _scale), _due);
+        // First what the last frame has left over, so that it is not left over for ever.
+        change(frame, !_leaving.empty(), _coming.size());
+        leavingLeft = !_leaving.empty();
+        comingLeft = _coming.size();
+        const std::vector<DeferralWheel::Handout> due = std::exchange(_due, {});
+        lookAtAll(frame, due);
     }
     else
     {
@@ -40,44 +48,31 @@ bool WheelDriver::refine(DiamondTree& tree, const viewlod::ViewState& view, doub
     _eye = view.eyeWorld;
     _scale = scale;
     _nearM = view.nearM;
-    const bool finished = letGo(frame) && letCome(frame);
-    return finished && _waiting.empty();
+    return change(frame, leavingLeft, comingLeft) && _due.empty();
 }
 
 void WheelDriver::startOver(Frame& frame)
 {
     _wheel.clear();
-    _waiting.clear();
+    _due.clear();
     _leaving.clear();
     _coming.clear();
     _marks.assign(frame.tree.vertexSlots(), {});
     _knowsTree = true;
-    look(frame, DiamondTree::kRoots[0].apex(), DiamondTree::kRoots[0].quadrant());
+    if (const TriangleId root = DiamondTree::kRoots[0]; frame.tree.isLeaf(root))
+        look(frame, root.apex(), root.quadrant());
     for (VertexSlot v = DiamondTree::kCorners; v < frame.tree.vertexSlots(); ++v)
         if (!frame.tree.place(v).isFree()) follow(frame, v);
 }
 
-/// What the last frame has left over.
-void WheelDriver::lookAtRest(Frame& frame)
-{
-    for (const VertexSlot v : _leaving)
-        _waiting.push_back(watchOf(v, kItself));
-    for (const TriangleId t : _coming)
-        _waiting.push_back(watchOf(t.apex(), t.quadrant()));
-    _leaving.clear();
-    _coming.clear();
-    for (const std::uint32_t watch : std::exchange(_waiting, {}))
-        if (isWanted(frame, watch, kWaits))
-            lookAgain(frame, watch, watchedPlace(frame.tree, watch >> 3, watch & 7u));
-}
-
-/// The work is waiting for memory; so it goes in small batches, of which all places are found before the first is looked at.
-void WheelDriver::lookAtDue(Frame& frame, std::span<const DeferralWheel::Handout> due)
+/// The work is waiting for memory; so it goes in small batches, of which all places are found before the first is looked
+/// at. What the slice does not allow for stays due.
+void WheelDriver::lookAtAll(Frame& frame, std::span<const DeferralWheel::Handout> due)
 {
     constexpr std::size_t kBatch = 16;
     std::array<GridPoint, kBatch> places;
     std::array<DeferralWheel::Handout, kBatch> wanted;
-    while (!due.empty())
+    while (!due.empty() && !frame.slice.isSpent())
     {
         const auto batch = due.first(std::min(due.size(), kBatch));
         due = due.subspan(batch.size());
@@ -89,14 +84,20 @@ void WheelDriver::lookAtDue(Frame& frame, std::span<const DeferralWheel::Handout
         std::size_t count = 0;
         for (const DeferralWheel::Handout& handout : batch)
         {
-            if (!isWanted(frame, handout.watch, handout.mark)) continue;
+            if (!isWanted(frame, handout)) continue;
             places[count] = watchedPlace(frame.tree, handout.watch >> 3, handout.watch & 7u);
             frame.tree.tile().prefetch(places[count]);
             wanted[count++] = handout;
         }
         for (std::size_t i = 0; i < count; ++i)
-            if (isWanted(frame, wanted[i].watch, wanted[i].mark))
-                lookAgain(frame, wanted[i].watch, places[i]);
+            if (isWanted(frame, wanted[i]))
+                look(frame, wanted[i].watch >> 3, wanted[i].watch & 7u, places[i]);
+    }
+    for (const DeferralWheel::Handout& handout : due)
+    {
+        if (!isWanted(frame, handout)) continue;
+        _marks[handout.watch >> 3][handout.watch & 7u] = kWaits;
+        _due.push_back({handout.watch, kWaits});
     }
 }
 
@@ -106,16 +107,10 @@ GridPoint WheelDriver::watchedPlace(const DiamondTree& tree, VertexSlot v, unsig
 }
 
 /// Whether anybody still waits for a watch that is handed out.
-bool WheelDriver::isWanted(const Frame& frame, std::uint32_t watch, DeferralWheel::Mark mark) const
+bool WheelDriver::isWanted(const Frame& frame, const DeferralWheel::Handout& handout) const
 {
-    return _marks[watch >> 3][watch & 7u] == mark && !frame.tree.place(watch >> 3).isFree();
-}
-
-void WheelDriver::lookAgain(Frame& frame, std::uint32_t watch, GridPoint place)
-{
-    if (!frame.slice.isSpent()) return look(frame, watch >> 3, watch & 7u, place);
-    _marks[watch >> 3][watch & 7u] = kWaits;
-    _waiting.push_back(watch);
+    const VertexSlot v = handout.watch >> 3;
+    return _marks[v][handout.watch & 7u] == handout.mark && !frame.tree.place(v).isFree();
 }
 
 void WheelDriver::look(Frame& frame, VertexSlot v, unsigned kind)
@@ -132,17 +127,15 @@ void WheelDriver::look(Frame& frame, VertexSlot v, unsigned kind, GridPoint plac
     DeferralWheel::Mark& mark = _marks[v][kind];
     if (verdict.active == (kind == kItself))
     {
-        const bool canChange = bound.errorM > 0.0f;
-        mark = canChange
-                   ? _wheel.add(watchOf(v, kind), bound.errorM, std::max(verdict.marginM - kRoundingM, 0.0))
-                   : kNotWatched;
+        const double marginM = std::max(verdict.marginM - kRoundingM, 0.0);
+        mark = bound.errorM > 0.0f ? _wheel.add(watchOf(v, kind), bound.errorM, marginM) : kNotWatched;
         return;
     }
     mark = kWaits;
     if (kind == kItself)
         _leaving.push_back(v);
     else
-        _coming.emplace_back(v, kind);
+        _coming.push_back({TriangleId(v, kind), bound.errorM, verdict.distanceM + _wayM});
 }
 
 /// Watches a new vertex, and what could come after it: the vertices on its diamond's edges that have both parents now.
@@ -176,8 +169,14 @@ void WheelDriver::followNew(Frame& frame)
         follow(frame, added[_followed++]);
 }
 
+/// Does what has been found to do. Stale is what was found for an earlier eye: it has to be looked at once more.
+bool WheelDriver::change(Frame& frame, bool staleLeaving, std::size_t staleComing)
+{
+    return letGo(frame, staleLeaving) && letCome(frame, staleComing);
+}
+
 /// Coarser vertices first: what stands on them goes along.
-bool WheelDriver::letGo(Frame& frame)
+bool WheelDriver::letGo(Frame& frame, bool areStale)
 {
     DiamondTree& tree = frame.tree;
     std::sort(_leaving.begin(), _leaving.end(),
@@ -187,7 +186,12 @@ bool WheelDriver::letGo(Frame& frame)
         if (frame.slice.isSpent()) return false;
         const VertexSlot v = _leaving.back();
         _leaving.pop_back();
-        if (tree.place(v).isFree()) continue;
+        if (tree.place(v).isFree() || _marks[v][kItself] != kWaits) continue;
+        if (areStale && frame.active(tree.tile().bound(tree.place(v).point())))
+        {
+            look(frame, v, kItself); // came back
+            continue;
+        }
         const TriangleId parent = tree.parents(v)[0];
         const std::uint32_t merges = tree.enhMerge(v);
         frame.result.merges += merges;
@@ -197,17 +201,25 @@ bool WheelDriver::letGo(Frame& frame)
     return true;
 }
 
-bool WheelDriver::letCome(Frame& frame)
+/// The first `stale` are of an earlier eye.
+bool WheelDriver::letCome(Frame& frame, std::size_t stale)
 {
     DiamondTree& tree = frame.tree;
     while (!_coming.empty())
     {
-        const TriangleId t = _coming.back();
-        const bool isDone = _marks[t.apex()][t.quadrant()] != kWaits; // a forced split was first
-        if (!isDone && (frame.slice.isSpent() || tree.leafCount() + tree.splitsNeeded(t) > frame.maxLeaves))
-            return false;
+        if (frame.slice.isSpent()) return false;
+        const TriangleId t = _coming.back().triangle;
+        const bool isDone = tree.place(t.apex()).isFree() || _marks[t.apex()][t.quadrant()] != kWaits;
+        const bool hasGone = !isDone && _coming.size() <= stale && !frame.active(tree.bound(t));
+        if (!isDone && !hasGone && tree.leafCount() + tree.splitsNeeded(t) > frame.maxLeaves) return false;
         _coming.pop_back();
-        if (isDone) continue;
+        stale = std::min(stale, _coming.size());
+        if (isDone) continue; // a forced split was first
+        if (hasGone)
+        {
+            look(frame, t.apex(), t.quadrant());
+            continue;
+        }
         const std::uint32_t splits = tree.forceSplit(t);
         frame.result.splits += splits;
         frame.slice.change(splits);
@@ -216,10 +228,21 @@ bool WheelDriver::letCome(Frame& frame)
     return true;
 }
 
+double WheelDriver::errorBoundPx(const viewlod::ViewState& view, double tolerancePx) const
+{
+    if (!_due.empty()) return std::numeric_limits<double>::infinity();
+    double boundPx = tolerancePx;
+    for (const Coming& coming : _coming)
+        boundPx =
+            std::max(boundPx, viewlod::screenErrorBoundPx(view.guaranteedPixelsPerTangent(), coming.errorM,
+                                                          coming.nearestM - _wayM, 0.0, view.nearM));
+    return boundPx;
+}
+
 std::size_t WheelDriver::memoryBytes() const
 {
-    return _wheel.memoryBytes() + _marks.capacity() * sizeof(_marks[0]) +
-           (_waiting.capacity() + _leaving.capacity() + _coming.capacity()) * sizeof(std::uint32_t);
+    return _wheel.memoryBytes() + _marks.capacity() * sizeof(_marks[0]) + _due.capacity() * sizeof(_due[0]) +
+           _leaving.capacity() * sizeof(VertexSlot) + _coming.capacity() * sizeof(Coming);
 }
 
 } // namespace osgTerrainROAM::core

@@ -114,6 +114,7 @@ private:
     static Weights weightsAt(double nodesFromFirst);
     static Weights slopesAt(double nodesFromFirst);
     void initSide();
+    void initRadiusRange();
     void buildLattice();
     Geodetic dataCentre() const;
     LatticePlace latticePlace(double column, double row) const;

@@ -21,7 +21,7 @@ enum class Storage
 
 /// What a tile keeps of each data sample: its height, and error and radius of the bintree vertex there (ErrorTree).
 /// Compact: 16-bit heights in steps of heightQuantumM(), a power of two: heights that are multiples of it, whole metres
-/// among them, are kept exactly. Errors have 5 bits of exponent and 11 of mantissa, radii 254 logarithmic steps; both are
+/// among them, are kept exactly. Errors have 5 bits of exponent and 11 of mantissa, radii 253 logarithmic steps; both are
 /// rounded up. All of a sample lies side by side: who looks at a vertex misses the cache once.
 /// Sample `index` is row·columns + column. Units: metres.
 class SampleTable
@@ -29,6 +29,9 @@ class SampleTable
 public:
     /// Takes the heights out of `field`.
     SampleTable(HeightField& field, Storage storage);
+
+    /// Which radii can be told apart, once the samples have places: from a fraction of a cell to several tiles.
+    void setRadiusRange(double leastM, double mostM);
 
     float heightM(std::size_t index) const
     {
@@ -69,6 +72,7 @@ public:
     void setBound(std::size_t index, float errorM, float radiusM);
 
     double heightQuantumM() const { return _quantumM; } ///< heights are off by at most half of it; 0: exact
+    double heightRangeM() const { return _rangeM; }     ///< from the lowest to the highest
     std::size_t size() const { return _samples.size() + _exact.size(); }
     std::size_t memoryBytes() const;
 
@@ -91,12 +95,13 @@ private:
         return code == 0 ? 0.0f : std::bit_cast<float>((code + kErrorBias) << kErrorShift);
     }
 
-    void pack(const std::vector<float>& heightsM);
+    void pack(const std::vector<float>& heightsM, double middleM);
     std::uint16_t errorCode(double errorM) const;
     std::uint8_t radiusCode(double radiusM) const;
 
+    double _rangeM = 0.0;
     float _offsetM = 0.0f, _quantumM = 0.0f;
-    std::array<float, 256> _radiiM{}; ///< by code; the first is 0
+    std::array<float, 256> _radiiM{}; ///< by code; the first is 0, the last infinite
     std::vector<Packed> _samples;     ///< compact
     std::vector<Sample> _exact;
 };

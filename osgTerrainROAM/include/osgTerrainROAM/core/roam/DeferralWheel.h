@@ -4,7 +4,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 namespace osgTerrainROAM::core
@@ -38,14 +37,8 @@ public:
         Mark mark;
     };
 
-    /// The eye has travelled, the scale K/τ has changed: calls due(span of Handout), larger errors first, with whatever may
-    /// have used up its margin. `due` may add.
-    template<class Due>
-    void advance(double travelM, double scaleChange, const Due& due)
-    {
-        for (int octave = kOctaves - 1; octave >= 0; --octave)
-            if (collect(octave, travelM, scaleChange)) due(std::span<const Handout>(_collected));
-    }
+    /// The eye has travelled, the scale K/τ has changed: appends whatever may have used up its margin, larger errors first.
+    void advance(double travelM, double scaleChange, std::vector<Handout>& due);
 
     void clear();
     std::size_t memoryBytes() const;
@@ -72,14 +65,13 @@ private:
 
     static Mark markOf(int octave, int level, int slot);
     void push(std::uint32_t& first, std::uint32_t watch);
-    bool collect(int octave, double travelM, double scaleChange);
-    void drain(std::uint32_t& first, Mark mark);
+    void collect(int octave, double travelM, double scaleChange, std::vector<Handout>& due);
+    void drain(std::uint32_t& first, Mark mark, std::vector<Handout>& due);
 
     double _ticksPerM;
     std::vector<Octave> _octaves;
     std::vector<Block> _blocks;
     std::uint32_t _freeBlock;
-    std::vector<Handout> _collected; ///< by one step from one octave
 };
 
 } // namespace osgTerrainROAM::core

@@ -31,6 +31,9 @@ struct RefineResult
     std::uint32_t merges = 0; ///< triangles merged back
     std::uint32_t checks = 0; ///< vertices looked at
     double tolerancePx = 0.0; ///< τ reached: the target, or what the triangle ceiling allowed (0: none asked)
+    double errorBoundPx =
+        0.0; ///< no sample is off by more: τ reached, or more while a slice's work is left over; infinite
+             ///< while vertices that may have become active wait to be looked at
     bool ceilingBound = false; ///< the ceiling raised τ
     bool sliceBound = false;   ///< the time slice ended before the work: the next frame goes on
 };

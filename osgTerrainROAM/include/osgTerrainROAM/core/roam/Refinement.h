@@ -37,11 +37,15 @@ public:
         return limit * limit > glm::dot(offset, offset);
     }
 
+    /// K·e_v / τ: nearer than this, e_v is more than the tolerance.
+    double reachM(const SplitBound& bound) const { return _reachPerErrorM * bound.errorM; }
+
     /// The answer, and how much the eye may travel, plus e_v times the change of K/τ, before it can change.
     struct Verdict
     {
         bool active;
         double marginM;
+        double distanceM; ///< from the eye to what lies below the vertex, at least
     };
     Verdict verdict(const SplitBound& bound) const
     {
@@ -49,9 +53,10 @@ public:
         const glm::dvec3 offset = glm::dvec3(bound.centre) - _eye;
         const double distance2 = glm::dot(offset, offset);
         const bool active = reach > _nearM && limit * limit > distance2;
-        const double beyond = std::sqrt(distance2) - limit;
+        const double distance = std::sqrt(distance2), beyond = distance - limit;
         // To be active takes both conditions: an inactive vertex has as long as the one that it misses by more.
-        return {active, active ? std::min(reach - _nearM, -beyond) : std::max(_nearM - reach, beyond)};
+        return {active, active ? std::min(reach - _nearM, -beyond) : std::max(_nearM - reach, beyond),
+                distance - bound.radiusM};
     }
 
 private:

@@ -36,7 +36,8 @@ public:
 
     /// Adapts to an eye. Errors are bounded in the whole picture (ViewState::guaranteedPixelsPerTangent).
     /// The triangle ceiling binds the whole frame: τ rises until the mesh fits (TriangleCeiling.h; the queue: by merging
-    /// what matters least). The time slice stops the work where it is, the next call goes on.
+    /// what matters least). The time slice stops the work where it is, and the next call goes on: the wheel with what is
+    /// left over, the others from the start.
     /// Frame of `view`: the tile's local frame. Cost: the driver's.
     RefineResult refine(const viewlod::ViewState& view, const viewlod::Budget& budget);
 

@@ -22,7 +22,7 @@ namespace osgTerrainROAM::core
 /// Takes a tree from eye to eye and looks only at vertices that may have changed sides.
 /// Watched are the active vertices, and the vertices that could come next: those whose parents both are active. When one
 /// comes, what may follow it is watched; when one goes, its whole subtree goes (enhMerge).
-/// A frame that is stopped by its limits leaves the rest for the next one.
+/// A frame that is stopped by its limits leaves the rest for the next one, which begins with it.
 /// Invariant: each vertex that could come is watched from one of its parents' quadrants, or waits.
 /// Cost: what changes, and what is due; nothing when eye and scale stand still. Memory: 5 B per vertex and 4 B per watch.
 /// Source: spec 1 D, "Deferral".
@@ -39,12 +39,25 @@ public:
     bool refine(DiamondTree& tree, const viewlod::ViewState& view, double tolerancePx,
                 std::uint32_t maxLeaves, viewlod::Slice& slice, RefineResult& result);
 
+    /// No sample is off by more after a refinement for `view` and `tolerancePx`: that, or more when it was stopped;
+    /// infinite while vertices that are due have not been looked at. Cost: what is left over.
+    double errorBoundPx(const viewlod::ViewState& view, double tolerancePx) const;
+
     std::size_t memoryBytes() const;
 
 private:
     static constexpr double kTicksPerCell = 1.0 / 256.0;
     static constexpr unsigned kItself = 4; ///< a watch on the vertex; less: on what would split that quadrant
     static constexpr DeferralWheel::Mark kNotWatched = 0, kWaits = 255;
+
+    /// A triangle whose split vertex has become active.
+    struct Coming
+    {
+        TriangleId triangle;
+        float errorM;
+        double
+            nearestM; ///< what lies below is no nearer than this, less what the eye's way is longer by then
+    };
 
     /// One refinement.
     struct Frame
@@ -57,27 +70,27 @@ private:
     };
 
     void startOver(Frame& frame);
-    void lookAtRest(Frame& frame);
-    void lookAtDue(Frame& frame, std::span<const DeferralWheel::Handout> due);
+    void lookAtAll(Frame& frame, std::span<const DeferralWheel::Handout> due);
     static GridPoint watchedPlace(const DiamondTree& tree, VertexSlot v, unsigned kind);
-    bool isWanted(const Frame& frame, std::uint32_t watch, DeferralWheel::Mark mark) const;
-    void lookAgain(Frame& frame, std::uint32_t watch, GridPoint place);
+    bool isWanted(const Frame& frame, const DeferralWheel::Handout& handout) const;
     void look(Frame& frame, VertexSlot v, unsigned kind);
     void look(Frame& frame, VertexSlot v, unsigned kind, GridPoint place);
     void follow(Frame& frame, VertexSlot v);
     void followNew(Frame& frame);
-    bool letGo(Frame& frame);
-    bool letCome(Frame& frame);
+    bool change(Frame& frame, bool staleLeaving, std::size_t staleComing);
+    bool letGo(Frame& frame, bool areStale);
+    bool letCome(Frame& frame, std::size_t stale);
 
     DeferralWheel _wheel;
     std::vector<std::array<DeferralWheel::Mark, 5>> _marks; ///< by vertex and kind
-    std::vector<std::uint32_t> _waiting; ///< watches that are due, left over from the last frame
-    std::vector<VertexSlot> _leaving;    ///< vertices that are active no longer
-    std::vector<TriangleId> _coming;     ///< triangles whose split vertex has become active
-    std::size_t _followed = 0;           ///< of the tree's new vertices in this frame
+    std::vector<DeferralWheel::Handout> _due;               ///< to be looked at; left over: what waits
+    std::vector<VertexSlot> _leaving;                       ///< vertices that are active no longer
+    std::vector<Coming> _coming;
+    std::size_t _followed = 0; ///< of the tree's new vertices in this frame
     bool _knowsTree = false;
     glm::dvec3 _eye{0.0};
     double _scale = 0.0, _nearM = 0.0;
+    double _wayM = 0.0; ///< that the eye has come
 };
 
 } // namespace osgTerrainROAM::core

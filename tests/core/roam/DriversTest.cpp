@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: Apache-2.0
+// The drivers against brute force, from eye to eye without coherence; and what they do with a slice of time.
+#include <gtest/gtest.h>
+
+#include <osgTerrainROAM/core/roam/RoamMesh.h>
+#include <osgTerrainROAM/core/roam/ScratchRefinement.h>
+
+#include "SyntheticField.h"
+#include "TreeWalks.h"
+
+namespace
+{
+
+using namespace osgTerrainROAM::core;
+using testsupport::leafSet;
+using testsupport::Random;
+
+std::shared_ptr<const RoamTile> tileOf(bool padded, bool curved)
+{
+    HeightField field = testsupport::hills(padded ? 100 : 129, 129);
+    if (!curved) return testsupport::planarTile(std::move(field));
+    return std::make_shared<const RoamTile>(PlacedTile(testsupport::onTheEarth(std::move(field))));
+}
+
+/// Anywhere above and around the tile, with any field of view; only what refinement needs.
+viewlod::ViewState randomView(const PlacedTile& tile, Random& random)
+{
+    viewlod::ViewState view;
+    view.eyeWorld =
+        tile.positionAt((1.4 * random.unit() - 0.2) * tile.side(), (1.4 * random.unit() - 0.2) * tile.side(),
+                        200.0 + 2000.0 * random.unit() * random.unit());
+    view.pixelsPerTangent = 200.0 * std::exp(3.0 * random.unit());
+    view.cornerStretch = 1.0 + random.unit();
+    view.nearM = 0.5 + 20.0 * random.unit();
+    return view;
+}
+
+/// For every vertex that the bintree could split: whether it is split. Asks the predicate of each, not of its parents.
+std::vector<bool> activeByBruteForce(const RoamTile& tile, const ActiveForEye& active)
+{
+    const int side = tile.tile.side();
+    std::vector<bool> found;
+    for (int row = 0; row < side; ++row)
+        for (int column = 0; column < side; ++column)
+        {
+            const bool corner = column % (side - 1) == 0 && row % (side - 1) == 0;
+            found.push_back(!corner && active(tile.bound({column, row})));
+        }
+    return found;
+}
+
+std::vector<bool> activeIn(const DiamondTree& tree)
+{
+    const auto side = static_cast<std::size_t>(tree.tile().tile.side());
+    std::vector<bool> found(side * side, false);
+    for (VertexSlot v = DiamondTree::kCorners; v < tree.vertexSlots(); ++v)
+        if (const DiamondPlace& place = tree.place(v); !place.isFree())
+            found[place.row * side + place.column] = true;
+    return found;
+}
+
+using Setting = std::tuple<Driver, bool, bool>;
+
+class Drivers : public testing::TestWithParam<Setting>
+{
+};
+
+TEST_P(Drivers, AreWhereBruteForceIsForAThousandEyes)
+{
+    const auto [driver, padded, curved] = GetParam();
+    const auto tile = tileOf(padded, curved);
+    RoamMesh mesh(tile, driver);
+    Random random(77);
+    std::uint32_t most = 0;
+    viewlod::ViewState view = randomView(tile->tile, random);
+    double tolerancePx = 2.0;
+    for (int i = 0; i < 1000; ++i)
+    {
+        // Leaps, steps, changes of the lens and of the tolerance, alone and together.
+        const std::uint32_t change = random.below(4);
+        if (change == 0) view = randomView(tile->tile, random);
+        if (change == 1)
+            view.eyeWorld += glm::dvec3(random.unit() - 0.5, random.unit() - 0.5, 0.1 * random.unit()) * 60.0;
+        if (change == 2) view.pixelsPerTangent *= 0.8 + 0.4 * random.unit();
+        if (change == 3) tolerancePx = 0.5 * std::exp(3.0 * random.unit());
+        const RefineResult result = mesh.refine(view, {.errorTolerancePx = tolerancePx});
+        ASSERT_EQ(activeIn(mesh.tree()), activeByBruteForce(*tile, ActiveForEye(view, tolerancePx)))
+            << "eye " << i;
+        EXPECT_EQ(result.errorBoundPx, tolerancePx);
+        most = std::max(most, result.leaves);
+    }
+    EXPECT_TRUE(mesh.isConforming());
+    EXPECT_GT(most, 3000u) << "nothing was refined: nothing was checked";
+}
+
+INSTANTIATE_TEST_SUITE_P(Settings, Drivers,
+                         testing::Combine(testing::ValuesIn(kDrivers), testing::Bool(), testing::Bool()),
+                         [](const auto& given)
+                         {
+                             return std::string(driverName(std::get<0>(given.param))) +
+                                    (std::get<1>(given.param) ? "OnPaddedData" : "OnWholeTile") +
+                                    (std::get<2>(given.param) ? "Curved" : "Planar");
+                         });
+
+TEST(DriverSwitch, GoesOnFromAnyOtherDriversMesh)
+{
+    const auto tile = tileOf(false, false);
+    RoamMesh mesh(tile);
+    Random random(5);
+    for (int i = 0; i < 60; ++i)
+    {
+        mesh.setDriver(kDrivers[random.below(3)]);
+        if (random.below(5) == 0) mesh.refine(5.0); // for no eye at all
+        const auto view = randomView(tile->tile, random);
+        mesh.refine(view, {.errorTolerancePx = 2.0});
+        ASSERT_EQ(activeIn(mesh.tree()), activeByBruteForce(*tile, ActiveForEye(view, 2.0))) << i;
+    }
+}
+
+class Slices : public testing::Test
+{
+protected:
+    static viewlod::Budget sliceOf(double us)
+    {
+        return {.errorTolerancePx = 1.0, .maxTimeUs = us, .clock = viewlod::Budget::Clock::modelled};
+    }
+
+    const std::shared_ptr<const RoamTile> tile = tileOf(true, false);
+    Random random{9};
+};
+
+TEST_F(Slices, LeaveAValidMeshAndFinishInLaterFrames)
+{
+    RoamMesh mesh(tile);
+    int sliced = 0;
+    for (int eye = 0; eye < 20; ++eye)
+    {
+        const auto view = randomView(tile->tile, random);
+        double boundPx = std::numeric_limits<double>::infinity();
+        for (int frame = 0;; ++frame)
+        {
+            ASSERT_LT(frame, 2000) << "does not come to an end";
+            const RefineResult result = mesh.refine(view, sliceOf(30.0));
+            ASSERT_TRUE(mesh.isConforming());
+            // One operation may end past the slice: a forced chain has some tens of triangles.
+            const double spentUs = result.checks * viewlod::Slice::kCheckUs +
+                                   (result.splits + result.merges) * viewlod::Slice::kChangeUs;
+            ASSERT_LE(spentUs, 30.0 + 4000.0 * viewlod::Slice::kChangeUs);
+            ASSERT_GE(result.errorBoundPx, 1.0);
+            boundPx = result.errorBoundPx;
+            if (!result.sliceBound) break;
+            ++sliced;
+        }
+        EXPECT_EQ(boundPx, 1.0);
+        ASSERT_EQ(activeIn(mesh.tree()), activeByBruteForce(*tile, ActiveForEye(view, 1.0)));
+    }
+    EXPECT_GT(sliced, 100) << "no slice was ever used up";
+}
+
+TEST_F(Slices, FollowAnEyeThatDoesNotWait)
+{
+    RoamMesh mesh(tile);
+    auto view = randomView(tile->tile, random);
+    int sliced = 0;
+    for (int frame = 0; frame < 400; ++frame)
+    {
+        view.eyeWorld += glm::dvec3(20.0 * std::cos(frame * 0.01), 20.0 * std::sin(frame * 0.01), 0.0);
+        if (frame % 50 == 49) view = randomView(tile->tile, random);
+        sliced += mesh.refine(view, sliceOf(20.0)).sliceBound ? 1 : 0;
+        ASSERT_TRUE(frame % 10 != 0 || mesh.isConforming());
+    }
+    EXPECT_GT(sliced, 50);
+    mesh.refine(view, {.errorTolerancePx = 1.0}); // what was left over is not forgotten
+    EXPECT_EQ(activeIn(mesh.tree()), activeByBruteForce(*tile, ActiveForEye(view, 1.0)));
+}
+
+TEST_F(Slices, OfModelledTimeAreTheSameTwice)
+{
+    RoamMesh one(tile), other(tile);
+    for (int frame = 0; frame < 100; ++frame)
+    {
+        const auto view = randomView(tile->tile, random);
+        const RefineResult a = one.refine(view, sliceOf(25.0)), b = other.refine(view, sliceOf(25.0));
+        ASSERT_EQ(std::tie(a.leaves, a.splits, a.merges, a.checks),
+                  std::tie(b.leaves, b.splits, b.merges, b.checks));
+        ASSERT_EQ(leafSet(one.tree()), leafSet(other.tree()));
+    }
+}
+
+TEST_F(Slices, KeepTheTriangleCeilingToo)
+{
+    RoamMesh mesh(tile);
+    for (int frame = 0; frame < 200; ++frame)
+    {
+        const auto view = randomView(tile->tile, random);
+        viewlod::Budget budget = sliceOf(40.0);
+        budget.errorTolerancePx = 0.3;
+        budget.maxTriangles = 900;
+        for (int again = 0; again < 3; ++again)
+        {
+            const RefineResult result = mesh.refine(view, budget);
+            ASSERT_LE(result.leaves, 900u) << "frame " << frame;
+            ASSERT_TRUE(mesh.isConforming());
+        }
+    }
+}
+
+} // namespace
