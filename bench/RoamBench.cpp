@@ -135,6 +135,21 @@ void drawnGround(benchmark::State& state)
     queries(state, [&](const glm::dvec2& p) { return drawnGroundAt(mesh.tree(), p.x, p.y); });
 }
 
+/// The same, all places in one call.
+void drawnGroundBatch(benchmark::State& state)
+{
+    RoamMesh mesh(tile());
+    mesh.refine(AnchorFlight{}.view(tile()->tile, 0), {.errorTolerancePx = 3.6});
+    std::vector<glm::dvec2> places;
+    testsupport::Random random(9);
+    for (int i = 0; i < 4096; ++i)
+        places.emplace_back(tile()->tile.positionAt(random.unit() * 1023.0, random.unit() * 1023.0, 0.0));
+    std::vector<std::optional<DrawnGround>> grounds(places.size());
+    for ([[maybe_unused]] auto _ : state)
+        drawnGroundAt(mesh.tree(), places, grounds);
+    state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(places.size()));
+}
+
 /// Lines of sight 5 km long from 300 m above the ground.
 void groundRay(benchmark::State& state)
 {
@@ -204,6 +219,7 @@ BENCHMARK(enhMerge)->DenseRange(2, 12, 2)->Unit(benchmark::kMicrosecond);
 BENCHMARK(singleMerges)->DenseRange(2, 12, 2)->Unit(benchmark::kMicrosecond);
 BENCHMARK(trueGround);
 BENCHMARK(drawnGround);
+BENCHMARK(drawnGroundBatch);
 BENCHMARK(groundRay);
 BENCHMARK(errorTree)->Arg(257)->Arg(1025)->Unit(benchmark::kMillisecond)->UseRealTime();
 

@@ -111,6 +111,8 @@ RoamDrawable::RoamDrawable(const RoamDrawable& other, const osg::CopyOp& copyOp)
       _groups(std::make_unique<ViewGroupTable>(_tile)),
       _errorTolerancePx(other._errorTolerancePx),
       _maxTriangles(other._maxTriangles),
+      _maxAdaptTimeUs(other._maxAdaptTimeUs),
+      _clock(other._clock),
       _nearestM(other._nearestM),
       _defaultErrorM(other._defaultErrorM)
 {
@@ -145,6 +147,8 @@ void RoamDrawable::cull(osgUtil::CullVisitor& visitor)
     request.target.view = viewOf(visitor, _nearestM);
     request.target.budget.errorTolerancePx = _errorTolerancePx;
     request.target.budget.maxTriangles = _maxTriangles;
+    request.target.budget.maxTimeUs = _maxAdaptTimeUs;
+    request.target.budget.clock = _clock;
     const viewlod::ViewState view = request.target.view;
     if (isParallel(toGlm(*visitor.getProjectionMatrix())))
         request.target.errorM = _errorTolerancePx / view.pixelsPerTangent;

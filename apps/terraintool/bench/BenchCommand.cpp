@@ -122,9 +122,11 @@ viewlod::Result<Report> bench(const Request& request)
         report.json["bytesPerSample"] = static_cast<double>(tile->tile.samples().memoryBytes()) /
                                         static_cast<double>(tile->tile.samples().size());
         report.json["bytesPerActiveTriangle"] = report.json["runs"][0]["bytesPerActiveTriangle"];
+        report.json["slices"] = measureSlices(tile);
         report.json["queriesPerSecond"] = measureQueries(tile);
     }
-    for (const char* key : {"enhMerge", "bytesPerSample", "bytesPerActiveTriangle", "queriesPerSecond"})
+    for (const char* key :
+         {"enhMerge", "bytesPerSample", "bytesPerActiveTriangle", "slices", "queriesPerSecond"})
         std::cout << key << ": " << report.json[key].dump() << '\n';
     return report;
 }

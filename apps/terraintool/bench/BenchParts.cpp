@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
+#include <optional>
 #include <random>
 #include <vector>
 
@@ -85,6 +86,42 @@ nlohmann::ordered_json measureMerges(const std::shared_ptr<const RoamTile>& tile
     return {{"nsPerRemovedTriangle", bulkNs}, {"singleMergeNsPerRemovedTriangle", singleNs}};
 }
 
+nlohmann::ordered_json measureSlices(const std::shared_ptr<const RoamTile>& tile)
+{
+    constexpr int kFrames = 10000, kFramesBetweenLeaps = 100;
+    constexpr double kSliceUs = 200.0;
+    RoamMesh mesh(tile);
+    std::mt19937 random(3);
+    const auto unit = [&] { return random() / 4294967296.0; };
+    viewlod::ViewState view = flights::AnchorFlight{}.view(tile->tile, 0);
+    std::vector<double> us;
+    int leftOver = 0;
+    for (int frame = 0; frame < kFrames; ++frame)
+    {
+        const double last = tile->tile.dataColumns() - 1;
+        if (frame % kFramesBetweenLeaps == 0)
+        {
+            const double column = unit() * last, row = unit() * last;
+            const auto ground = tile->tile.heightM(static_cast<int>(column), static_cast<int>(row));
+            view.eyeWorld = tile->tile.positionAt(column, row, ground + 300.0);
+        }
+        view.eyeWorld += (glm::dvec3(unit(), unit(), unit()) - 0.5) * tile->tile.field().spacingEastM;
+        const double before = viewlod::Slice::threadUs();
+        const RefineResult result = mesh.refine(view, {.errorTolerancePx = 2.0, .maxTimeUs = kSliceUs});
+        us.push_back(viewlod::Slice::threadUs() - before);
+        leftOver += result.sliceBound ? 1 : 0;
+    }
+    std::sort(us.begin(), us.end());
+    const auto pastPercent = [&](double share)
+    { return std::max(us[static_cast<std::size_t>(share * (kFrames - 1))] / kSliceUs - 1.0, 0.0) * 100.0; };
+    return {{"sliceUs", kSliceUs},
+            {"frames", kFrames},
+            {"framesLeftOver", leftOver},
+            {"pastSlicePercentP99", pastPercent(0.99)},
+            {"pastSlicePercentMax", pastPercent(1.0)},
+            {"worstOverMedian", us.back() / us[kFrames / 2]}};
+}
+
 double measureQueries(const std::shared_ptr<const RoamTile>& tile)
 {
     constexpr int kPlaces = 4096, kRounds = 25;
@@ -98,11 +135,15 @@ double measureQueries(const std::shared_ptr<const RoamTile>& tile)
         const double row = random() / 4294967296.0 * (tile->tile.dataRows() - 1);
         places.emplace_back(tile->tile.positionAt(column, row, 0.0));
     }
+    std::vector<std::optional<DrawnGround>> grounds(places.size());
     int found = 0;
     const auto begin = Clock::now();
     for (int round = 0; round < kRounds; ++round)
-        for (const glm::dvec2& place : places)
-            found += drawnGroundAt(mesh.tree(), place.x, place.y) ? 1 : 0;
+    {
+        drawnGroundAt(mesh.tree(), places, grounds);
+        found += static_cast<int>(
+            std::count_if(grounds.begin(), grounds.end(), [](const auto& g) { return g.has_value(); }));
+    }
     return found / nanoseconds(Clock::now() - begin) * 1e9;
 }
 

@@ -15,6 +15,10 @@ namespace terraintool
 /// of each kind. Units: nanoseconds.
 nlohmann::ordered_json measureMerges(const std::shared_ptr<const osgTerrainROAM::core::RoamTile>& tile);
 
+/// A restless eye with leaps, each frame with a slice of thread time: how far past it the frames end, how the dearest
+/// compares with the median, and how often work was left over.
+nlohmann::ordered_json measureSlices(const std::shared_ptr<const osgTerrainROAM::core::RoamTile>& tile);
+
 /// Heights of the drawn surface, with the bound, at random places over a mesh of the flight. Units: queries per second.
 double measureQueries(const std::shared_ptr<const osgTerrainROAM::core::RoamTile>& tile);
 

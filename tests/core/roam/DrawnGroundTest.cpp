@@ -80,6 +80,31 @@ TEST_P(DrawnGround, KeepsTheBoundToTheTrueOne)
     EXPECT_GT(largestShare, 0.5) << "a bound that nothing comes near to could be anything";
 }
 
+TEST_P(DrawnGround, IsTheSameForManyPlacesAtOnce)
+{
+    const auto tile = tileOf(GetParam());
+    RoamMesh mesh(tile);
+    mesh.refine(8.0);
+    Random random(6);
+    std::vector<glm::dvec2> places;
+    for (int i = 0; i < 101; ++i)
+        places.push_back(randomPlace(tile->tile, random));
+    places[40] = {-1e7, 0.0};
+    places[41] = {std::nan(""), 0.0};
+    std::vector<std::optional<osgTerrainROAM::core::DrawnGround>> grounds(places.size());
+    drawnGroundAt(mesh.tree(), places, grounds);
+    for (std::size_t i = 0; i < places.size(); ++i)
+    {
+        const auto alone = drawnGroundAt(mesh.tree(), places[i].x, places[i].y);
+        ASSERT_EQ(alone.has_value(), grounds[i].has_value()) << i;
+        if (!alone) continue;
+        EXPECT_EQ(alone->position, grounds[i]->position);
+        EXPECT_EQ(alone->boundM, grounds[i]->boundM);
+        EXPECT_EQ(alone->leaf, grounds[i]->leaf);
+    }
+    EXPECT_FALSE(grounds[40] || grounds[41]);
+}
+
 TEST_P(DrawnGround, IsNowhereBeyondTheData)
 {
     const auto tile = tileOf(GetParam());

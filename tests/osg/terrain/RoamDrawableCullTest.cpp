@@ -50,6 +50,21 @@ TEST(RoamDrawableCull, LeavesItsBoundingBoxBehindTheCameraOut)
     EXPECT_TRUE(cull(*drawable, *camera, 1).drawables.empty());
 }
 
+TEST(RoamDrawableCull, ATimeSliceSpreadsTheWorkOverFrames)
+{
+    const auto whole = drawableOf(), sliced = drawableOf();
+    const auto camera = cameraAt(kEye, kNorth);
+    const std::uint64_t wanted = cull(*whole, *camera, 1).triangles();
+    sliced->setMaxAdaptTimeUs(40.0, viewlod::Budget::Clock::modelled);
+    unsigned int frame = 1;
+    EXPECT_LT(cull(*sliced, *camera, frame).triangles(), wanted);
+    EXPECT_TRUE(sliced->statistics().front().refine.sliceBound);
+    while (sliced->statistics().front().refine.sliceBound && frame < 1000)
+        cull(*sliced, *camera, ++frame);
+    EXPECT_EQ(cull(*sliced, *camera, ++frame).triangles(), wanted);
+    EXPECT_GT(frame, 5u);
+}
+
 TEST(RoamDrawableCull, AStricterToleranceDrawsMoreTriangles)
 {
     const auto drawable = drawableOf(8.0);

@@ -37,15 +37,16 @@ public:
         return _spent = threadUs() - _startUs >= _limitUs;
     }
 
-private:
-    static constexpr double kBetweenReadingsUs = 2.0;
-
+    /// Time that this thread has computed. Units: microseconds.
     static double threadUs()
     {
         std::timespec now{};
         clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
         return static_cast<double>(now.tv_sec) * 1e6 + static_cast<double>(now.tv_nsec) * 1e-3;
     }
+
+private:
+    static constexpr double kBetweenReadingsUs = 2.0;
 
     double _limitUs;
     bool _modelled;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The leaf is found from the place in the sample grid, going down the bintree. On the curved Earth a sample's horizontal
 // place depends on its height, so that the line may miss this leaf by a little: from there it is walked over neighbours.
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -30,24 +31,33 @@ VerticalHit meet(const DiamondTree& tree, TriangleId t, const glm::dvec2& place)
     return verticalHit(positions, grid, place);
 }
 
-TriangleId leafAt(const DiamondTree& tree, int side, const glm::dvec2& grid)
+/// A way down the tree to the leaf over a grid place.
+struct Descent
 {
-    // The roots share the diagonal along which column and row are equal; the first lies south-east of it.
-    const std::size_t which = grid.x >= grid.y ? 0 : 1;
-    GridTriangle triangle = rootTriangles(side)[which];
-    TriangleId t = DiamondTree::kRoots[which];
-    while (!tree.isLeaf(t))
+    glm::dvec2 grid{0.0};
+    TriangleId triangle;
+
+    Descent() = default;
+    Descent(const DiamondTree& tree, const glm::dvec2& local)
+        : grid(tree.tile().tile.gridAt({local.x, local.y, 0.0}))
     {
-        const auto children = triangle.children();
-        const GridPoint mid = children[0].apex, apex = triangle.apex;
+        // The roots share the diagonal along which column and row are equal; the first lies south-east of it.
+        if (std::isfinite(grid.x) && std::isfinite(grid.y))
+            triangle = DiamondTree::kRoots[grid.x >= grid.y ? 0 : 1];
+    }
+
+    bool isDone(const DiamondTree& tree) const { return !triangle.exists() || tree.isLeaf(triangle); }
+
+    void step(const DiamondTree& tree)
+    {
+        const GridPoint mid = tree.place(tree.splitVertex(triangle)).point();
+        const GridPoint apex = tree.place(triangle.apex()).point();
         const double across =
             (mid.column - apex.column) * (grid.y - apex.row) - (mid.row - apex.row) * (grid.x - apex.column);
-        const bool isRight = across > 0.0; // on the right corner's side of the line from apex to middle
-        triangle = children[isRight ? 1 : 0];
-        t = tree.children(t)[isRight ? 1 : 0];
+        triangle =
+            tree.children(triangle)[across > 0.0 ? 1 : 0]; // on the right corner's side of apex and middle
     }
-    return t;
-}
+};
 
 /// Across the edge that a place lies beyond the farthest.
 TriangleId towards(const DiamondTree& tree, TriangleId t, const glm::dvec3& weights)
@@ -56,15 +66,10 @@ TriangleId towards(const DiamondTree& tree, TriangleId t, const glm::dvec3& weig
     return tree.acrossLeg(t, weights.y <= weights.z);
 }
 
-} // namespace
-
-std::optional<DrawnGround> drawnGroundAt(const DiamondTree& tree, double eastM, double northM)
+/// From the leaf under the place in the grid to the one that the vertical line meets.
+std::optional<DrawnGround> groundFrom(const DiamondTree& tree, TriangleId t, const glm::dvec2& place)
 {
     const PlacedTile& tile = tree.tile().tile;
-    const glm::dvec2 place(eastM, northM);
-    const glm::dvec2 grid(tile.gridAt({eastM, northM, 0.0}));
-    if (!std::isfinite(grid.x) || !std::isfinite(grid.y)) return std::nullopt;
-    TriangleId t = leafAt(tree, tile.side(), grid);
     for (int step = 0; step < kMostSteps && t.exists(); ++step)
     {
         const VerticalHit hit = meet(tree, t, place);
@@ -79,6 +84,41 @@ std::optional<DrawnGround> drawnGroundAt(const DiamondTree& tree, double eastM, 
         return DrawnGround{hit.position, hit.normal, boundM, t};
     }
     return std::nullopt;
+}
+
+} // namespace
+
+std::optional<DrawnGround> drawnGroundAt(const DiamondTree& tree, double eastM, double northM)
+{
+    Descent descent(tree, {eastM, northM});
+    while (!descent.isDone(tree))
+        descent.step(tree);
+    return groundFrom(tree, descent.triangle, {eastM, northM});
+}
+
+void drawnGroundAt(const DiamondTree& tree, std::span<const glm::dvec2> places,
+                   std::span<std::optional<DrawnGround>> grounds)
+{
+    constexpr std::size_t kTogether = 8;
+    std::array<Descent, kTogether> descents;
+    for (std::size_t first = 0; first < places.size(); first += kTogether)
+    {
+        const std::size_t count = std::min(kTogether, places.size() - first);
+        for (std::size_t i = 0; i < count; ++i)
+            descents[i] = Descent(tree, places[first + i]);
+        for (bool anyLeft = true; anyLeft;)
+        {
+            anyLeft = false;
+            for (std::size_t i = 0; i < count; ++i)
+            {
+                if (descents[i].isDone(tree)) continue;
+                descents[i].step(tree);
+                anyLeft = true;
+            }
+        }
+        for (std::size_t i = 0; i < count; ++i)
+            grounds[first + i] = groundFrom(tree, descents[i].triangle, places[first + i]);
+    }
 }
 
 } // namespace osgTerrainROAM::core

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include <glm/glm.hpp>
 
@@ -24,5 +25,10 @@ struct DrawnGround
 /// Frame: the tile's. Units: metres. Cost: O(depth of the mesh). Threads: while no operation changes the tree, any.
 /// Source: terrain anchors, point 9.
 std::optional<DrawnGround> drawnGroundAt(const DiamondTree& tree, double eastM, double northM);
+
+/// The same for many places (east, north), into as many `grounds`: several ways down the tree at once, so that one need
+/// not wait for another's memory.
+void drawnGroundAt(const DiamondTree& tree, std::span<const glm::dvec2> places,
+                   std::span<std::optional<DrawnGround>> grounds);
 
 } // namespace osgTerrainROAM::core
