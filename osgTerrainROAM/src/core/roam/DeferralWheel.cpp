@@ -31,6 +31,8 @@ void DeferralWheel::clear()
     _octaves.assign(kOctaves, empty);
     _blocks.clear();
     _freeBlock = kNoBlock;
+    _due.clear();
+    _nextDue = 0;
 }
 
 DeferralWheel::Mark DeferralWheel::markOf(int octave, int level, int slot)
@@ -87,27 +89,39 @@ DeferralWheel::Mark DeferralWheel::add(std::uint32_t watch, double errorM, doubl
     return markOf(which, level, static_cast<int>(slot));
 }
 
-void DeferralWheel::advance(double travelM, double scaleChange, std::vector<Handout>& due)
+void DeferralWheel::advance(double travelM, double scaleChange)
 {
     for (int octave = kOctaves - 1; octave >= 0; --octave)
-        collect(octave, travelM, scaleChange, due);
+        collect(octave, travelM, scaleChange);
 }
 
-/// Takes all watches out of a list.
-void DeferralWheel::drain(std::uint32_t& first, Mark mark, std::vector<Handout>& due)
+void DeferralWheel::makeDue(std::uint32_t& first, Mark mark)
 {
-    for (std::uint32_t block = std::exchange(first, kNoBlock); block != kNoBlock;)
-    {
-        for (std::uint32_t i = 0; i < _blocks[block].count; ++i)
-            due.push_back({_blocks[block].watches[i], mark});
-        const std::uint32_t next = _blocks[block].next;
-        _blocks[block].next = _freeBlock;
-        _freeBlock = block;
-        block = next;
-    }
+    if (first != kNoBlock) _due.push_back({std::exchange(first, kNoBlock), mark});
 }
 
-void DeferralWheel::collect(int which, double travelM, double scaleChange, std::vector<Handout>& due)
+DeferralWheel::Batch DeferralWheel::nextDue()
+{
+    Batch batch;
+    if (!hasDue()) return batch;
+    Chain& chain = _due[_nextDue];
+    const std::uint32_t block = chain.block;
+    batch.count = _blocks[block].count;
+    batch.mark = chain.mark;
+    std::copy_n(_blocks[block].watches, batch.count, batch.watches.begin());
+    chain.block = _blocks[block].next;
+    _blocks[block].next = _freeBlock;
+    _freeBlock = block;
+    if (chain.block == kNoBlock) ++_nextDue;
+    if (_nextDue == _due.size())
+    {
+        _due.clear();
+        _nextDue = 0;
+    }
+    return batch;
+}
+
+void DeferralWheel::collect(int which, double travelM, double scaleChange)
 {
     const double steppedM = travelM + std::ldexp(scaleChange, which + kLowestExponent + 1);
     if (steppedM <= 0.0) return;
@@ -115,7 +129,7 @@ void DeferralWheel::collect(int which, double travelM, double scaleChange, std::
     const auto before = static_cast<std::int64_t>(octave.clockTicks);
     octave.clockTicks += steppedM * _ticksPerM;
     const auto now = static_cast<std::int64_t>(octave.clockTicks);
-    drain(octave.soon, markOf(which, kLevels, 0), due);
+    makeDue(octave.soon, markOf(which, kLevels, 0));
     for (int level = 0; level < kLevels; ++level)
     {
         const std::int64_t from = before >> (kLevelShift * level), to = now >> (kLevelShift * level);
@@ -127,15 +141,16 @@ void DeferralWheel::collect(int which, double travelM, double scaleChange, std::
             const auto slot = static_cast<std::size_t>(bucket & (kSlots - 1));
             if (!(occupied >> slot & 1u)) continue;
             occupied &= static_cast<std::uint16_t>(~(1u << slot));
-            drain(octave.slots[static_cast<std::size_t>(level)][slot],
-                  markOf(which, level, static_cast<int>(slot)), due);
+            makeDue(octave.slots[static_cast<std::size_t>(level)][slot],
+                    markOf(which, level, static_cast<int>(slot)));
         }
     }
 }
 
 std::size_t DeferralWheel::memoryBytes() const
 {
-    return _octaves.capacity() * sizeof(Octave) + _blocks.capacity() * sizeof(Block);
+    return _octaves.capacity() * sizeof(Octave) + _blocks.capacity() * sizeof(Block) +
+           _due.capacity() * sizeof(Chain);
 }
 
 } // namespace osgTerrainROAM::core

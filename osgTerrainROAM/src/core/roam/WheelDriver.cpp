@@ -24,7 +24,7 @@ constexpr std::uint32_t watchOf(VertexSlot v, unsigned kind)
 bool WheelDriver::refine(DiamondTree& tree, const viewlod::ViewState& view, double tolerancePx,
                          std::uint32_t maxLeaves, viewlod::Slice& slice, RefineResult& result)
 {
-    Frame frame{tree, ActiveForEye(view, tolerancePx), maxLeaves, slice, result};
+    Frame frame{tree, ActiveForEye(view, tolerancePx), view.nearM, maxLeaves, slice, result};
     const double scale = view.guaranteedPixelsPerTangent() / tolerancePx;
     const double travelM = glm::distance(view.eyeWorld, _eye) + std::abs(view.nearM - _nearM);
     _followed = tree.changes().vertices.size();
@@ -33,13 +33,12 @@ bool WheelDriver::refine(DiamondTree& tree, const viewlod::ViewState& view, doub
     std::size_t comingLeft = 0;
     if (_knowsTree)
     {
-        _wheel.advance(travelM, std::abs(scale - _scale), _due);
+        _wheel.advance(travelM, std::abs(scale - _scale));
         // First what the last frame has left over, so that it is not left over for ever.
-        change(frame, !_leaving.empty(), _coming.size());
-        leavingLeft = !_leaving.empty();
+        change(frame, isAnyLeaving(), _coming.size());
+        leavingLeft = isAnyLeaving();
         comingLeft = _coming.size();
-        const std::vector<DeferralWheel::Handout> due = std::exchange(_due, {});
-        lookAtAll(frame, due);
+        lookAtDue(frame);
     }
     else
     {
@@ -48,15 +47,15 @@ bool WheelDriver::refine(DiamondTree& tree, const viewlod::ViewState& view, doub
     _eye = view.eyeWorld;
     _scale = scale;
     _nearM = view.nearM;
-    return change(frame, leavingLeft, comingLeft) && _due.empty();
+    return change(frame, leavingLeft, comingLeft) && !_wheel.hasDue();
 }
 
 void WheelDriver::startOver(Frame& frame)
 {
     _wheel.clear();
-    _due.clear();
-    _leaving.clear();
+    _leaving = {};
     _coming.clear();
+    _backlog = {};
     _marks.assign(frame.tree.vertexSlots(), {});
     _knowsTree = true;
     if (const TriangleId root = DiamondTree::kRoots[0]; frame.tree.isLeaf(root))
@@ -65,39 +64,42 @@ void WheelDriver::startOver(Frame& frame)
         if (!frame.tree.place(v).isFree()) follow(frame, v);
 }
 
-/// The work is waiting for memory; so it goes in small batches, of which all places are found before the first is looked
-/// at. What the slice does not allow for stays due.
-void WheelDriver::lookAtAll(Frame& frame, std::span<const DeferralWheel::Handout> due)
+/// The work is waiting for memory; so it goes in batches, and each is announced while the one before is looked at. What the
+/// slice does not allow for stays due.
+void WheelDriver::lookAtDue(Frame& frame)
 {
-    constexpr std::size_t kBatch = 16;
-    std::array<GridPoint, kBatch> places;
-    std::array<DeferralWheel::Handout, kBatch> wanted;
-    while (!due.empty() && !frame.slice.isSpent())
+    DeferralWheel::Batch batch = _wheel.nextDue();
+    while (batch.count > 0)
     {
-        const auto batch = due.first(std::min(due.size(), kBatch));
-        due = due.subspan(batch.size());
-        for (const DeferralWheel::Handout& next : due.first(std::min(due.size(), kBatch)))
+        const bool goesOn = !frame.slice.isSpent();
+        const DeferralWheel::Batch next = goesOn ? _wheel.nextDue() : DeferralWheel::Batch{};
+        for (std::uint32_t i = 0; i < next.count; ++i)
         {
-            __builtin_prefetch(&_marks[next.watch >> 3]);
-            __builtin_prefetch(&frame.tree.place(next.watch >> 3));
+            __builtin_prefetch(&_marks[next.watches[i] >> 3]);
+            __builtin_prefetch(&frame.tree.place(next.watches[i] >> 3));
         }
-        std::size_t count = 0;
-        for (const DeferralWheel::Handout& handout : batch)
-        {
-            if (!isWanted(frame, handout)) continue;
-            places[count] = watchedPlace(frame.tree, handout.watch >> 3, handout.watch & 7u);
-            frame.tree.tile().prefetch(places[count]);
-            wanted[count++] = handout;
-        }
-        for (std::size_t i = 0; i < count; ++i)
-            if (isWanted(frame, wanted[i]))
-                look(frame, wanted[i].watch >> 3, wanted[i].watch & 7u, places[i]);
+        lookAtBatch(frame, batch);
+        batch = next;
     }
-    for (const DeferralWheel::Handout& handout : due)
+}
+
+/// All places are found before the first is looked at.
+void WheelDriver::lookAtBatch(Frame& frame, const DeferralWheel::Batch& batch)
+{
+    std::array<GridPoint, std::tuple_size_v<decltype(batch.watches)>> places;
+    std::array<bool, places.size()> wanted;
+    for (std::uint32_t i = 0; i < batch.count; ++i)
     {
-        if (!isWanted(frame, handout)) continue;
-        _marks[handout.watch >> 3][handout.watch & 7u] = kWaits;
-        _due.push_back({handout.watch, kWaits});
+        const std::uint32_t watch = batch.watches[i];
+        wanted[i] = isWanted(frame, watch, batch.mark);
+        if (!wanted[i]) continue;
+        places[i] = watchedPlace(frame.tree, watch >> 3, watch & 7u);
+        frame.tree.tile().prefetch(places[i]);
+    }
+    for (std::uint32_t i = 0; i < batch.count; ++i)
+    {
+        const std::uint32_t watch = batch.watches[i];
+        if (wanted[i] && isWanted(frame, watch, batch.mark)) look(frame, watch >> 3, watch & 7u, places[i]);
     }
 }
 
@@ -107,10 +109,9 @@ GridPoint WheelDriver::watchedPlace(const DiamondTree& tree, VertexSlot v, unsig
 }
 
 /// Whether anybody still waits for a watch that is handed out.
-bool WheelDriver::isWanted(const Frame& frame, const DeferralWheel::Handout& handout) const
+bool WheelDriver::isWanted(const Frame& frame, std::uint32_t watch, DeferralWheel::Mark mark) const
 {
-    const VertexSlot v = handout.watch >> 3;
-    return _marks[v][handout.watch & 7u] == handout.mark && !frame.tree.place(v).isFree();
+    return _marks[watch >> 3][watch & 7u] == mark && !frame.tree.place(watch >> 3).isFree();
 }
 
 void WheelDriver::look(Frame& frame, VertexSlot v, unsigned kind)
@@ -133,9 +134,15 @@ void WheelDriver::look(Frame& frame, VertexSlot v, unsigned kind, GridPoint plac
     }
     mark = kWaits;
     if (kind == kItself)
-        _leaving.push_back(v);
-    else
-        _coming.push_back({TriangleId(v, kind), bound.errorM, verdict.distanceM + _wayM});
+    {
+        _leaving[static_cast<std::size_t>(frame.tree.place(v).level)].push_back(v);
+        return;
+    }
+    if (_coming.empty()) _backlog = {.sinceM = _wayM};
+    const double distanceM = std::max(verdict.distanceM, frame.nearM);
+    _backlog.errorPerM = std::max(_backlog.errorPerM, bound.errorM / distanceM);
+    _backlog.nearestM = std::min(_backlog.nearestM, distanceM);
+    _coming.emplace_back(v, kind);
 }
 
 /// Watches a new vertex, and what could come after it: the vertices on its diamond's edges that have both parents now.
@@ -175,30 +182,36 @@ bool WheelDriver::change(Frame& frame, bool staleLeaving, std::size_t staleComin
     return letGo(frame, staleLeaving) && letCome(frame, staleComing);
 }
 
+bool WheelDriver::isAnyLeaving() const
+{
+    return std::any_of(_leaving.begin(), _leaving.end(),
+                       [](const auto& ofLevel) { return !ofLevel.empty(); });
+}
+
 /// Coarser vertices first: what stands on them goes along.
 bool WheelDriver::letGo(Frame& frame, bool areStale)
 {
-    DiamondTree& tree = frame.tree;
-    std::sort(_leaving.begin(), _leaving.end(),
-              [&](VertexSlot a, VertexSlot b) { return tree.place(a).level > tree.place(b).level; });
-    while (!_leaving.empty())
-    {
-        if (frame.slice.isSpent()) return false;
-        const VertexSlot v = _leaving.back();
-        _leaving.pop_back();
-        if (tree.place(v).isFree() || _marks[v][kItself] != kWaits) continue;
-        if (areStale && frame.active(tree.tile().bound(tree.place(v).point())))
+    for (std::vector<VertexSlot>& ofLevel : _leaving)
+        while (!ofLevel.empty())
         {
-            look(frame, v, kItself); // came back
-            continue;
+            if (frame.slice.isSpent()) return false;
+            const VertexSlot v = ofLevel.back();
+            ofLevel.pop_back();
+            if (!frame.tree.place(v).isFree() && _marks[v][kItself] == kWaits) takeOut(frame, v, areStale);
         }
-        const TriangleId parent = tree.parents(v)[0];
-        const std::uint32_t merges = tree.enhMerge(v);
-        frame.result.merges += merges;
-        frame.slice.change(merges);
-        look(frame, parent.apex(), parent.quadrant());
-    }
     return true;
+}
+
+void WheelDriver::takeOut(Frame& frame, VertexSlot v, bool isStale)
+{
+    DiamondTree& tree = frame.tree;
+    if (isStale && frame.active(tree.tile().bound(tree.place(v).point())))
+        return look(frame, v, kItself); // came back
+    const TriangleId parent = tree.parents(v)[0];
+    const std::uint32_t merges = tree.enhMerge(v);
+    frame.result.merges += merges;
+    frame.slice.change(merges);
+    look(frame, parent.apex(), parent.quadrant());
 }
 
 /// The first `stale` are of an earlier eye.
@@ -208,7 +221,7 @@ bool WheelDriver::letCome(Frame& frame, std::size_t stale)
     while (!_coming.empty())
     {
         if (frame.slice.isSpent()) return false;
-        const TriangleId t = _coming.back().triangle;
+        const TriangleId t = _coming.back();
         const bool isDone = tree.place(t.apex()).isFree() || _marks[t.apex()][t.quadrant()] != kWaits;
         const bool hasGone = !isDone && _coming.size() <= stale && !frame.active(tree.bound(t));
         if (!isDone && !hasGone && tree.leafCount() + tree.splitsNeeded(t) > frame.maxLeaves) return false;
@@ -230,19 +243,22 @@ bool WheelDriver::letCome(Frame& frame, std::size_t stale)
 
 double WheelDriver::errorBoundPx(const viewlod::ViewState& view, double tolerancePx) const
 {
-    if (!_due.empty()) return std::numeric_limits<double>::infinity();
-    double boundPx = tolerancePx;
-    for (const Coming& coming : _coming)
-        boundPx =
-            std::max(boundPx, viewlod::screenErrorBoundPx(view.guaranteedPixelsPerTangent(), coming.errorM,
-                                                          coming.nearestM - _wayM, 0.0, view.nearM));
-    return boundPx;
+    if (_wheel.hasDue()) return std::numeric_limits<double>::infinity();
+    if (_coming.empty()) return tolerancePx;
+    // Since then the eye may have come nearer, by as much as its way has grown. d / max(d - nearer, near) is largest for
+    // the nearest, or where the difference reaches the near distance.
+    const double scale = view.guaranteedPixelsPerTangent(), nearerM = _wayM - _backlog.sinceM;
+    const double atM = std::max(_backlog.nearestM, nearerM + view.nearM);
+    return std::max(scale * _backlog.errorPerM * atM / (atM - nearerM), tolerancePx);
 }
 
 std::size_t WheelDriver::memoryBytes() const
 {
-    return _wheel.memoryBytes() + _marks.capacity() * sizeof(_marks[0]) + _due.capacity() * sizeof(_due[0]) +
-           _leaving.capacity() * sizeof(VertexSlot) + _coming.capacity() * sizeof(Coming);
+    std::size_t bytes = _wheel.memoryBytes() + _marks.capacity() * sizeof(_marks[0]) +
+                        _coming.capacity() * sizeof(TriangleId);
+    for (const auto& ofLevel : _leaving)
+        bytes += ofLevel.capacity() * sizeof(VertexSlot);
+    return bytes;
 }
 
 } // namespace osgTerrainROAM::core

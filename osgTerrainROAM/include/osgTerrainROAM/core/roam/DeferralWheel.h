@@ -30,15 +30,21 @@ public:
     /// Asks for `watch` (any number) once its margin is used up. Returns the mark it will be handed out with.
     Mark add(std::uint32_t watch, double errorM, double marginM);
 
-    /// What is due, and the mark that it was asked for with.
-    struct Handout
+    /// Some watches that are due, and the mark that they were asked for with.
+    struct Batch
     {
-        std::uint32_t watch;
-        Mark mark;
+        std::array<std::uint32_t, 14> watches;
+        std::uint32_t count = 0;
+        Mark mark = 0;
     };
 
-    /// The eye has travelled, the scale K/τ has changed: appends whatever may have used up its margin, larger errors first.
-    void advance(double travelM, double scaleChange, std::vector<Handout>& due);
+    /// The eye has travelled, the scale K/τ has changed: whatever may have used up its margin is due, larger errors first,
+    /// after what was due before. Cost: that of the buckets, not of what is in them.
+    void advance(double travelM, double scaleChange);
+
+    /// The next of what is due; an empty batch when there is no more.
+    Batch nextDue();
+    bool hasDue() const { return _nextDue < _due.size(); }
 
     void clear();
     std::size_t memoryBytes() const;
@@ -63,15 +69,23 @@ private:
         std::array<std::array<std::uint32_t, kSlots>, kLevels> slots; ///< first blocks
     };
 
+    struct Chain
+    {
+        std::uint32_t block;
+        Mark mark;
+    };
+
     static Mark markOf(int octave, int level, int slot);
     void push(std::uint32_t& first, std::uint32_t watch);
-    void collect(int octave, double travelM, double scaleChange, std::vector<Handout>& due);
-    void drain(std::uint32_t& first, Mark mark, std::vector<Handout>& due);
+    void collect(int octave, double travelM, double scaleChange);
+    void makeDue(std::uint32_t& first, Mark mark);
 
     double _ticksPerM;
     std::vector<Octave> _octaves;
     std::vector<Block> _blocks;
     std::uint32_t _freeBlock;
+    std::vector<Chain> _due; ///< from _nextDue on
+    std::size_t _nextDue = 0;
 };
 
 } // namespace osgTerrainROAM::core

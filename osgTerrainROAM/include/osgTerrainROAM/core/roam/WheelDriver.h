@@ -3,7 +3,7 @@
 
 #include <array>
 #include <cstdint>
-#include <span>
+#include <limits>
 #include <vector>
 
 #include <glm/glm.hpp>
@@ -40,23 +40,23 @@ public:
                 std::uint32_t maxLeaves, viewlod::Slice& slice, RefineResult& result);
 
     /// No sample is off by more after a refinement for `view` and `tolerancePx`: that, or more when it was stopped;
-    /// infinite while vertices that are due have not been looked at. Cost: what is left over.
+    /// infinite while vertices that are due have not been looked at.
     double errorBoundPx(const viewlod::ViewState& view, double tolerancePx) const;
 
     std::size_t memoryBytes() const;
 
 private:
     static constexpr double kTicksPerCell = 1.0 / 256.0;
+    static constexpr std::size_t kLevels = 32; ///< of a bintree over 2^16 samples a side
     static constexpr unsigned kItself = 4; ///< a watch on the vertex; less: on what would split that quadrant
     static constexpr DeferralWheel::Mark kNotWatched = 0, kWaits = 255;
 
-    /// A triangle whose split vertex has become active.
-    struct Coming
+    /// What all that waits to be split comes up to.
+    struct Backlog
     {
-        TriangleId triangle;
-        float errorM;
-        double
-            nearestM; ///< what lies below is no nearer than this, less what the eye's way is longer by then
+        double errorPerM = 0.0; ///< the largest e / distance when it was found …
+        double nearestM = std::numeric_limits<double>::infinity(); ///< … and the least distance
+        double sinceM = 0.0; ///< the eye's way when the first of it was found
     };
 
     /// One refinement.
@@ -64,29 +64,33 @@ private:
     {
         DiamondTree& tree;
         const ActiveForEye active;
+        double nearM;
         std::uint32_t maxLeaves;
         viewlod::Slice& slice;
         RefineResult& result;
     };
 
     void startOver(Frame& frame);
-    void lookAtAll(Frame& frame, std::span<const DeferralWheel::Handout> due);
+    void lookAtDue(Frame& frame);
+    void lookAtBatch(Frame& frame, const DeferralWheel::Batch& batch);
     static GridPoint watchedPlace(const DiamondTree& tree, VertexSlot v, unsigned kind);
-    bool isWanted(const Frame& frame, const DeferralWheel::Handout& handout) const;
+    bool isWanted(const Frame& frame, std::uint32_t watch, DeferralWheel::Mark mark) const;
     void look(Frame& frame, VertexSlot v, unsigned kind);
     void look(Frame& frame, VertexSlot v, unsigned kind, GridPoint place);
     void follow(Frame& frame, VertexSlot v);
     void followNew(Frame& frame);
     bool change(Frame& frame, bool staleLeaving, std::size_t staleComing);
+    bool isAnyLeaving() const;
     bool letGo(Frame& frame, bool areStale);
+    void takeOut(Frame& frame, VertexSlot v, bool isStale);
     bool letCome(Frame& frame, std::size_t stale);
 
     DeferralWheel _wheel;
     std::vector<std::array<DeferralWheel::Mark, 5>> _marks; ///< by vertex and kind
-    std::vector<DeferralWheel::Handout> _due;               ///< to be looked at; left over: what waits
-    std::vector<VertexSlot> _leaving;                       ///< vertices that are active no longer
-    std::vector<Coming> _coming;
-    std::size_t _followed = 0; ///< of the tree's new vertices in this frame
+    std::array<std::vector<VertexSlot>, kLevels> _leaving;  ///< vertices that are active no longer, by level
+    std::vector<TriangleId> _coming; ///< triangles whose split vertex has become active
+    Backlog _backlog;                ///< of _coming since it was empty last
+    std::size_t _followed = 0;       ///< of the tree's new vertices in this frame
     bool _knowsTree = false;
     glm::dvec3 _eye{0.0};
     double _scale = 0.0, _nearM = 0.0;
