@@ -98,6 +98,24 @@ void flight(benchmark::State& state)
     state.counters["bytes_per_triangle"] = static_cast<double>(mesh.memoryBytes()) / mesh.tree().leafCount();
 }
 
+/// With morphing, the tolerance holds for what is drawn: the mesh is finer.
+void flightMorphing(benchmark::State& state)
+{
+    RoamMesh mesh(tile());
+    mesh.setMorphing(true);
+    double moved = 0, frames = 0;
+    fly(state,
+        [&](const viewlod::ViewState& view)
+        {
+            const auto result =
+                mesh.refine(view, {.errorTolerancePx = static_cast<double>(state.range(0)) / 10.0});
+            moved += static_cast<double>(mesh.changes().vertices.size());
+            ++frames;
+            return result.leaves;
+        });
+    state.counters["vertices_uploaded"] = moved / frames;
+}
+
 void flightFromScratch(benchmark::State& state)
 {
     std::vector<GridTriangle> leaves;
@@ -214,6 +232,7 @@ void singleMerges(benchmark::State& state)
 BENCHMARK(flight<Driver::wheel>)->Arg(36)->Arg(10)->Unit(benchmark::kMillisecond);
 BENCHMARK(flight<Driver::walk>)->Arg(36)->Arg(10)->Unit(benchmark::kMillisecond);
 BENCHMARK(flight<Driver::queue>)->Arg(36)->Unit(benchmark::kMillisecond);
+BENCHMARK(flightMorphing)->Arg(36)->Unit(benchmark::kMillisecond);
 BENCHMARK(flightFromScratch)->Arg(36)->Arg(10)->Unit(benchmark::kMillisecond);
 BENCHMARK(enhMerge)->DenseRange(2, 12, 2)->Unit(benchmark::kMicrosecond);
 BENCHMARK(singleMerges)->DenseRange(2, 12, 2)->Unit(benchmark::kMicrosecond);

@@ -23,6 +23,7 @@ struct Request
     int frames = 480; ///< of the tour's 20 seconds: every one at 24 per second
     double tolerancePx = 1.0;
     unsigned maxTriangles = 500000;
+    bool morphing = false; ///< check what is drawn with morphing
 
     // Of bench alone.
     int benchFrames = 240;

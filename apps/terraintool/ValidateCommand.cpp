@@ -64,6 +64,7 @@ viewlod::Result<FlightFindings> fly(const Request& request, const std::string& f
     if (!views) return views.error();
 
     RoamMesh mesh(std::make_shared<const RoamTile>(std::move(*placed)));
+    mesh.setMorphing(request.morphing);
     FlightFindings flight;
     terminal::Progress progress(file, views->size());
     for (const viewlod::ViewState& view : *views)

@@ -31,6 +31,7 @@ int main(int argc, char** argv)
         ->check(terminal::between(0.01, 1000.0));
     validate->add_option("--max-triangles", request.maxTriangles, "triangle ceiling")
         ->check(CLI::Range(2u, 100000000u));
+    validate->add_flag("--morph", request.morphing, "check what is drawn with morphing");
     CLI::App* bench =
         add("bench", "measure the drivers on the comparison paths, over a planar square of the terrain",
             terraintool::bench);

@@ -42,6 +42,7 @@ struct PlayRequest
     double eyeHeightM = 1.5;   ///< of a driver
     double errorTolerancePx = 1.0;
     std::uint32_t maxTriangles = 500000;
+    bool morphing = false; ///< detail comes and goes without a jump
 };
 
 } // namespace trainer

@@ -56,6 +56,7 @@ viewlod::Result<std::unique_ptr<PlaySession>> PlaySession::create(Scenario scena
     {
         terrain.terrain->setErrorTolerancePx(request.errorTolerancePx);
         terrain.terrain->setMaxTriangles(request.maxTriangles);
+        terrain.terrain->setMorphing(request.morphing);
     }
 
     std::unique_ptr<PlaySession> session(new PlaySession(request, std::move(terrain)));

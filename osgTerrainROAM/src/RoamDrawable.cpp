@@ -113,6 +113,7 @@ RoamDrawable::RoamDrawable(const RoamDrawable& other, const osg::CopyOp& copyOp)
       _maxTriangles(other._maxTriangles),
       _maxAdaptTimeUs(other._maxAdaptTimeUs),
       _clock(other._clock),
+      _isMorphing(other._isMorphing),
       _nearestM(other._nearestM),
       _defaultErrorM(other._defaultErrorM)
 {
@@ -149,6 +150,7 @@ void RoamDrawable::cull(osgUtil::CullVisitor& visitor)
     request.target.budget.maxTriangles = _maxTriangles;
     request.target.budget.maxTimeUs = _maxAdaptTimeUs;
     request.target.budget.clock = _clock;
+    request.target.isMorphing = _isMorphing;
     const viewlod::ViewState view = request.target.view;
     if (isParallel(toGlm(*visitor.getProjectionMatrix())))
         request.target.errorM = _errorTolerancePx / view.pixelsPerTangent;

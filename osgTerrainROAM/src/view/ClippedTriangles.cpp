@@ -65,7 +65,7 @@ private:
     Corner corner(core::VertexSlot slot) const
     {
         const core::GridPoint p = _mesh.tree().place(slot).point();
-        return {_mesh.tile().tile.position(p.column, p.row), glm::dvec2(p.column, p.row)};
+        return {_mesh.tree().position(slot), glm::dvec2(p.column, p.row)};
     }
 
     GLuint append(const glm::dvec3& position)

@@ -74,7 +74,11 @@ struct Search
         const Corners c = corners(g);
         if (tree.isLeaf(t))
         {
-            leastM = std::min(leastM, distanceToTriangle(point, c));
+            Corners drawn;
+            const core::LeafTriangle leaf = tree.vertices(t);
+            std::transform(std::begin(leaf.vertices), std::end(leaf.vertices), drawn.begin(),
+                           [this](core::VertexSlot v) { return tree.position(v); });
+            leastM = std::min(leastM, distanceToTriangle(point, drawn));
             return;
         }
         if (boundM(tree.bound(t), c) >= leastM) return;

@@ -55,6 +55,7 @@ double scaleOf(const RefineTarget& target)
 bool ViewGroup::isMetBy(unsigned int frame, const RefineTarget& target) const
 {
     const bool sameKind = _serial != 0 && target.errorM == _target.errorM &&
+                          target.isMorphing == _target.isMorphing &&
                           target.view.eyeWorld == _target.view.eyeWorld &&
                           target.budget.maxTriangles == _target.budget.maxTriangles;
     if (!sameKind || (_frame != frame && _statistics.refine.sliceBound)) return false;
@@ -69,6 +70,7 @@ void ViewGroup::refine(const RefineTarget& target)
 {
     using Clock = std::chrono::steady_clock;
     const auto start = Clock::now();
+    _mesh.setMorphing(target.isMorphing);
     _statistics.refine =
         target.errorM ? _mesh.refine(*target.errorM) : _mesh.refine(target.view, target.budget);
     const auto refined = Clock::now();

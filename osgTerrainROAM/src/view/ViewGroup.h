@@ -26,6 +26,7 @@ struct RefineTarget
 {
     viewlod::ViewState view;
     viewlod::Budget budget;
+    bool isMorphing = false;
     std::optional<double> errorM; ///< of a parallel projection: view-independent refinement instead
 };
 

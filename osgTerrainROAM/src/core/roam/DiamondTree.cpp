@@ -105,9 +105,16 @@ LeafTriangle DiamondTree::vertices(TriangleId t) const
 MeshVertex DiamondTree::vertex(VertexSlot v) const
 {
     const DiamondPlace& at = _places[v];
-    const glm::dvec3 position = _tile->tile.position(at.column, at.row);
-    const glm::vec3 high(position);
-    return {high, glm::vec3(position - glm::dvec3(high)), glm::vec2(at.column, at.row)};
+    const glm::dvec3 drawn = position(v);
+    const glm::vec3 high(drawn);
+    return {high, glm::vec3(drawn - glm::dvec3(high)), glm::vec2(at.column, at.row)};
+}
+
+void DiamondTree::stopDisplacing()
+{
+    for (VertexSlot v = 0; v < _displacements.size(); ++v)
+        if (_displacements[v] != glm::vec3(0.0f)) _changes.vertices.push_back(v);
+    _displacements = {};
 }
 
 TriangleId DiamondTree::acrossLeg(TriangleId t, bool right) const
@@ -249,7 +256,8 @@ std::uint32_t DiamondTree::forceMerge(VertexSlot v)
 std::size_t DiamondTree::memoryBytes() const
 {
     return _places.capacity() * sizeof(DiamondPlace) + _diamonds.capacity() * sizeof(Diamond) +
-           _freeSlots.capacity() * sizeof(VertexSlot) + _leaves.memoryBytes() +
+           _displacements.capacity() * sizeof(glm::vec3) + _freeSlots.capacity() * sizeof(VertexSlot) +
+           _leaves.memoryBytes() +
            (_changes.vertices.capacity() + _changes.triangles.capacity()) * sizeof(std::uint32_t);
 }
 

@@ -25,7 +25,7 @@ VerticalHit meet(const DiamondTree& tree, TriangleId t, const glm::dvec2& place)
     for (std::size_t i = 0; i < 3; ++i)
     {
         const GridPoint p = tree.place(corners.vertices[i]).point();
-        positions[i] = tree.tile().tile.position(p.column, p.row);
+        positions[i] = tree.position(corners.vertices[i]);
         grid[i] = glm::dvec2(p.column, p.row);
     }
     return verticalHit(positions, grid, place);
@@ -80,7 +80,10 @@ std::optional<DrawnGround> groundFrom(const DiamondTree& tree, TriangleId t, con
         }
         if (hit.grid.x > tile.dataColumns() - 1 + kEdgeSlack || hit.grid.y > tile.dataRows() - 1 + kEdgeSlack)
             return std::nullopt;
-        const double boundM = tree.canSplit(t) ? tree.bound(t).errorM : 0.0;
+        double movedM = 0.0;
+        for (const VertexSlot v : tree.vertices(t).vertices)
+            movedM = std::max<double>(movedM, glm::length(tree.displacement(v)));
+        const double boundM = movedM + (tree.canSplit(t) ? tree.bound(t).errorM : 0.0);
         return DrawnGround{hit.position, hit.normal, boundM, t};
     }
     return std::nullopt;

@@ -44,6 +44,23 @@ bool RoamMesh::run(const viewlod::ViewState& view, double tolerancePx, std::uint
 RefineResult RoamMesh::refine(const viewlod::ViewState& view, const viewlod::Budget& budget)
 {
     _tree.clearChanges();
+    if (!_isMorphing)
+    {
+        _tree.stopDisplacing();
+        return adapt(view, budget);
+    }
+    viewlod::Budget finer = budget;
+    finer.errorTolerancePx *= Morph::kRefineShare;
+    RefineResult result = adapt(view, finer);
+    _morph.update(_tree, view, result.tolerancePx);
+    result.tolerancePx /= Morph::kRefineShare;
+    result.errorBoundPx /= Morph::kRefineShare;
+    return result;
+}
+
+/// Takes the mesh to an eye, without morphing.
+RefineResult RoamMesh::adapt(const viewlod::ViewState& view, const viewlod::Budget& budget)
+{
     RefineResult result;
     viewlod::Slice slice(budget);
     const double targetPx = budget.errorTolerancePx;
@@ -78,6 +95,7 @@ RefineResult RoamMesh::refine(const viewlod::ViewState& view, const viewlod::Bud
 RefineResult RoamMesh::refine(double errorM)
 {
     _tree.clearChanges();
+    _tree.stopDisplacing();
     _wheel.forget();
     RefineResult result;
     viewlod::Slice unlimited({});
@@ -105,6 +123,7 @@ void RoamMesh::visibleRanges(const viewlod::Frustum& frustum, std::vector<Triang
 DrawnMesh RoamMesh::drawn() const
 {
     DrawnMesh mesh;
+    mesh.isMorphed = _isMorphing;
     mesh.vertices.reserve(_tree.vertexSlots());
     for (VertexSlot v = 0; v < _tree.vertexSlots(); ++v)
         mesh.vertices.push_back(vertex(v));

@@ -125,6 +125,30 @@ public:
     const DiamondPlace& place(VertexSlot v) const { return _places[v]; }
     MeshVertex vertex(VertexSlot v) const;
 
+    /// Where a vertex's sample lies, and how far from there it is drawn (Morph.h). Units: metres.
+    glm::dvec3 samplePosition(VertexSlot v) const
+    {
+        return _tile->tile.position(_places[v].column, _places[v].row);
+    }
+    glm::vec3 displacement(VertexSlot v) const
+    {
+        return v < _displacements.size() ? _displacements[v] : glm::vec3(0.0f);
+    }
+    glm::dvec3 position(VertexSlot v) const { return samplePosition(v) + glm::dvec3(displacement(v)); }
+
+    /// Ends of the base that a vertex lies in the middle of.
+    std::array<VertexSlot, 2> baseEnds(VertexSlot v) const { return {corner(v, 1), corner(v, 3)}; }
+
+    /// Displaces vertices; the changes say which have moved. Every vertex is to be displaced after an operation.
+    void startDisplacing() { _displacements.resize(_places.size()); }
+    void displace(VertexSlot v, const glm::vec3& metres)
+    {
+        if (_displacements[v] == metres) return;
+        _displacements[v] = metres;
+        _changes.vertices.push_back(v);
+    }
+    void stopDisplacing();
+
     const LeafArena& leaves() const { return _leaves; }
     std::uint32_t leafCount() const { return _leafCount; } ///< those beyond the data's edge included
 
@@ -185,6 +209,7 @@ private:
     bool _dataFillsTile;
     std::vector<DiamondPlace> _places; ///< apart from the links: the deferral wheel reads nothing else
     std::vector<Diamond> _diamonds;
+    std::vector<glm::vec3> _displacements; ///< empty: none
     std::vector<VertexSlot> _freeSlots;
     LeafArena _leaves;
     std::uint32_t _undrawnLeaves = 0; ///< those beyond the data's edge

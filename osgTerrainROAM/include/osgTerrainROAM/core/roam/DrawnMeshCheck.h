@@ -15,7 +15,8 @@ namespace osgTerrainROAM::core
 struct DrawnMeshReport
 {
     std::size_t tJunctions = 0; ///< edges inside the data that no neighbouring triangle shares
-    std::size_t cracks = 0;     ///< data samples under no triangle, and vertices off their sample's position
+    std::size_t cracks =
+        0; ///< data samples under no triangle, and vertices that, without morphing, are off their samples
     double maxErrorPx =
         0.0; ///< largest distance in the picture between a visible sample and the drawn surface
 };

@@ -54,6 +54,7 @@ struct DrawnMesh
 {
     std::vector<MeshVertex> vertices;    ///< by slot, free ones included
     std::vector<LeafTriangle> triangles; ///< in arena order
+    bool isMorphed = false;              ///< vertices need not lie where their samples are
 };
 
 /// Appends one element; a full vector grows by a quarter, where the library would double it.

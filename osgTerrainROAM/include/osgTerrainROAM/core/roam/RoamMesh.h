@@ -12,6 +12,7 @@
 #include <viewlod/ViewState.h>
 
 #include <osgTerrainROAM/core/roam/DiamondTree.h>
+#include <osgTerrainROAM/core/roam/Morph.h>
 #include <osgTerrainROAM/core/roam/RefineResult.h>
 #include <osgTerrainROAM/core/roam/WheelDriver.h>
 
@@ -41,6 +42,11 @@ public:
     /// Frame of `view`: the tile's local frame. Cost: the driver's.
     RefineResult refine(const viewlod::ViewState& view, const viewlod::Budget& budget);
 
+    /// Morphing: from the next refinement for an eye on, vertices come and go without a jump, and the error target holds
+    /// for what is drawn; the mesh is refined to two thirds of it (Morph).
+    void setMorphing(bool on) { _isMorphing = on; }
+    bool isMorphing() const { return _isMorphing; }
+
     /// View-independent: a vertex is active exactly when e_v > errorM.
     RefineResult refine(double errorM);
 
@@ -66,6 +72,7 @@ public:
     std::size_t memoryBytes() const { return _tree.memoryBytes() + _wheel.memoryBytes(); }
 
 private:
+    RefineResult adapt(const viewlod::ViewState& view, const viewlod::Budget& budget);
     bool run(const viewlod::ViewState& view, double tolerancePx, std::uint32_t maxLeaves,
              viewlod::Slice& slice, RefineResult& result);
 
@@ -73,6 +80,8 @@ private:
     Driver _driver;
     DiamondTree _tree;
     WheelDriver _wheel;
+    Morph _morph;
+    bool _isMorphing = false;
     bool _ceilingBound = false; ///< in the last frame
     double _lastTolerancePx = 0.0;
 };
