@@ -42,7 +42,8 @@ void addPlayOptions(CLI::App& command, Arguments& arguments)
         ->check(terminal::between(0.3, 10.0));
     command.add_option("--tolerance", request.errorTolerancePx, "error target in pixels")
         ->check(terminal::between(0.01, 1000.0));
-    command.add_flag("--morph", request.morphing, "let detail come and go without a jump, with more triangles");
+    command.add_flag("--morph", request.morphing,
+                     "let detail come and go without a jump, with more triangles");
     command.add_option("--max-triangles", request.maxTriangles, "ceiling for the terrain")
         ->check(CLI::Range(2u, 100000000u));
     command

@@ -77,14 +77,14 @@ DeferralWheel::Mark DeferralWheel::add(std::uint32_t watch, double errorM, doubl
     }
     // The finest level whose slots reach so far; from bit to bit that is half a level.
     const int bits = static_cast<int>(std::bit_width(static_cast<std::uint64_t>(due - now)));
-    int level = std::clamp((bits - 3) / kLevelShift, 0, kLevels - 1);
+    int level = std::clamp((bits - 4) / kLevelShift, 0, kLevels - 1);
     if ((due >> (kLevelShift * level)) - (now >> (kLevelShift * level)) >= kSlots)
         level = std::min(level + 1, kLevels - 1);
     const int shift = kLevelShift * level;
     const std::int64_t bucket =
         std::min(due >> shift, (now >> shift) + kSlots - 1); // the last level holds the rest
     const auto slot = static_cast<std::size_t>(bucket & (kSlots - 1));
-    octave.occupied[static_cast<std::size_t>(level)] |= static_cast<std::uint16_t>(1u << slot);
+    octave.occupied[static_cast<std::size_t>(level)] |= static_cast<std::uint32_t>(std::uint32_t{1} << slot);
     push(octave.slots[static_cast<std::size_t>(level)][slot], watch);
     return markOf(which, level, static_cast<int>(slot));
 }
@@ -134,13 +134,13 @@ void DeferralWheel::collect(int which, double travelM, double scaleChange)
     {
         const std::int64_t from = before >> (kLevelShift * level), to = now >> (kLevelShift * level);
         if (from == to) break; // coarser levels have not moved either
-        std::uint16_t& occupied = octave.occupied[static_cast<std::size_t>(level)];
+        std::uint32_t& occupied = octave.occupied[static_cast<std::size_t>(level)];
         if (occupied == 0) continue;
         for (std::int64_t bucket = from + 1; bucket <= std::min(to, from + kSlots); ++bucket)
         {
             const auto slot = static_cast<std::size_t>(bucket & (kSlots - 1));
             if (!(occupied >> slot & 1u)) continue;
-            occupied &= static_cast<std::uint16_t>(~(1u << slot));
+            occupied &= static_cast<std::uint32_t>(~(std::uint32_t{1} << slot));
             makeDue(octave.slots[static_cast<std::size_t>(level)][slot],
                     markOf(which, level, static_cast<int>(slot)));
         }

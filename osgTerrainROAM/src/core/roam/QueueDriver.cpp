@@ -126,7 +126,7 @@ bool QueueDriver::refine()
             merge(worst->vertex);
         else if (wanted <= _tolerancePx)
             return true;
-        else if (_tree.leafCount() + _tree.splitsNeeded(best->triangle) <= _maxLeaves)
+        else if (_tree.hasRoomToSplit(best->triangle, _maxLeaves))
             split(best->triangle);
         else if (spared < wanted)
             merge(worst->vertex); // makes room

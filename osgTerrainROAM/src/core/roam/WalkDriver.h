@@ -50,7 +50,7 @@ private:
         if (_tree.isLeaf(t))
         {
             if (!active) return true;
-            if (_tree.leafCount() + _tree.splitsNeeded(t) > _maxLeaves)
+            if (!_tree.hasRoomToSplit(t, _maxLeaves))
             {
                 _leftOut = true;
                 return true;

@@ -224,7 +224,7 @@ bool WheelDriver::letCome(Frame& frame, std::size_t stale)
         const TriangleId t = _coming.back();
         const bool isDone = tree.place(t.apex()).isFree() || _marks[t.apex()][t.quadrant()] != kWaits;
         const bool hasGone = !isDone && _coming.size() <= stale && !frame.active(tree.bound(t));
-        if (!isDone && !hasGone && tree.leafCount() + tree.splitsNeeded(t) > frame.maxLeaves) return false;
+        if (!isDone && !hasGone && !tree.hasRoomToSplit(t, frame.maxLeaves)) return false;
         _coming.pop_back();
         stale = std::min(stale, _coming.size());
         if (isDone) continue; // a forced split was first

@@ -13,7 +13,7 @@ namespace osgTerrainROAM::core
 /// Whoever watches a split vertex v asks for it at margin |f_v|: f_v changes by no more than the eye travels plus e_v
 /// times the change of the scale K/τ. So there is one clock per octave of e, which advances by the travel and by the
 /// octave's upper end times the change of scale; a watch is due when its octave's clock has advanced by its margin,
-/// rounded down: to a tick, and where the margin is long by up to a quarter.
+/// rounded down: to a tick, and where the margin is long by up to an eighth.
 /// Each octave has a timing wheel of levels, each four times as coarse as the one before, whose entries never move between
 /// levels. Numbers are all that is kept: a watch that is no longer wanted is still handed out, and who asked for it
 /// recognises it by its mark.
@@ -51,7 +51,7 @@ public:
 
 private:
     static constexpr int kOctaves = 32, kLowestExponent = -16; ///< 2^-16 m … 2^16 m
-    static constexpr int kLevels = 13, kSlots = 16, kLevelShift = 2;
+    static constexpr int kLevels = 13, kSlots = 32, kLevelShift = 2;
 
     struct Block
     {
@@ -65,7 +65,7 @@ private:
     {
         double clockTicks = 0.0;
         std::uint32_t soon;                            ///< blocks of what is due at the next step
-        std::array<std::uint16_t, kLevels> occupied{}; ///< slots that have blocks
+        std::array<std::uint32_t, kLevels> occupied{}; ///< slots that have blocks
         std::array<std::array<std::uint32_t, kSlots>, kLevels> slots; ///< first blocks
     };
 

@@ -78,6 +78,15 @@ public:
     /// How many triangles forceSplit(t) would split.
     std::uint32_t splitsNeeded(TriangleId t) const;
 
+    /// Whether forceSplit(t) leaves no more than `maxLeaves`.
+    bool hasRoomToSplit(TriangleId t, std::uint32_t maxLeaves) const
+    {
+        const std::uint32_t mostNeeded =
+            2u * static_cast<std::uint32_t>(level(t) + 1); // a chain of diamonds, one a level
+        if (_leafCount <= maxLeaves && maxLeaves - _leafCount >= mostNeeded) return true;
+        return _leafCount + splitsNeeded(t) <= maxLeaves;
+    }
+
     /// Takes vertex `v`, whose quadrants are leaves, out again: its diamond merges.
     void merge(VertexSlot v);
 
