@@ -2,11 +2,12 @@
 #include "terraintool/bench/BenchParts.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cstdint>
 #include <optional>
 #include <random>
 #include <vector>
+
+#include <viewlod/Slice.h>
 
 #include <osgTerrainROAM/core/roam/DrawnGround.h>
 #include <osgTerrainROAM/core/roam/RoamMesh.h>
@@ -20,11 +21,9 @@ namespace
 {
 
 using namespace osgTerrainROAM::core;
-using Clock = std::chrono::steady_clock;
-
-double nanoseconds(Clock::duration time)
+double threadNs()
 {
-    return std::chrono::duration<double, std::nano>(time).count();
+    return 1e3 * viewlod::Slice::threadUs();
 }
 
 void splitFully(DiamondTree& tree, TriangleId top)
@@ -60,9 +59,9 @@ double nsPerRemoved(const std::shared_ptr<const RoamTile>& tile, int level, cons
         splitFully(tree, top);
         tree.clearChanges();
         const VertexSlot v = tree.splitVertex(top);
-        const auto begin = Clock::now();
+        const double begin = threadNs();
         const std::uint32_t removed = merge(tree, v);
-        ns.push_back(nanoseconds(Clock::now() - begin) / removed);
+        ns.push_back((threadNs() - begin) / removed);
         if (removed < kLeast) return 0.0;
     }
     std::nth_element(ns.begin(), ns.begin() + kRepetitions / 2, ns.end());
@@ -137,14 +136,14 @@ double measureQueries(const std::shared_ptr<const RoamTile>& tile)
     }
     std::vector<std::optional<DrawnGround>> grounds(places.size());
     int found = 0;
-    const auto begin = Clock::now();
+    const double begin = threadNs();
     for (int round = 0; round < kRounds; ++round)
     {
         drawnGroundAt(mesh.tree(), places, grounds);
         found += static_cast<int>(
             std::count_if(grounds.begin(), grounds.end(), [](const auto& g) { return g.has_value(); }));
     }
-    return found / nanoseconds(Clock::now() - begin) * 1e9;
+    return found / (threadNs() - begin) * 1e9;
 }
 
 } // namespace terraintool

@@ -2,9 +2,10 @@
 #include "terraintool/bench/BenchRun.h"
 
 #include <algorithm>
-#include <chrono>
 #include <unordered_set>
 #include <vector>
+
+#include <viewlod/Slice.h>
 
 #include <osgTerrainROAM/core/roam/DrawnMeshCheck.h>
 #include <osgTerrainROAM/core/roam/ScratchRefinement.h>
@@ -34,12 +35,13 @@ double percentile(std::vector<double>& values, double share)
     return *place;
 }
 
+/// Of this thread, so that other work on the machine does not count.
 template<class Work>
 double microsecondsOf(const Work& work)
 {
-    const auto begin = std::chrono::steady_clock::now();
+    const double begin = viewlod::Slice::threadUs();
     work();
-    return std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - begin).count();
+    return viewlod::Slice::threadUs() - begin;
 }
 
 double uploadBytes(const MeshChanges& changes)
