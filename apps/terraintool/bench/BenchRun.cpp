@@ -58,18 +58,10 @@ DrawnMesh meshOf(const RoamTile& tile, const std::vector<GridTriangle>& leaves)
     DrawnMesh mesh;
     for (const GridTriangle& t : leaves)
     {
-        const bool beyond =
-            std::min({t.apex.column, t.left.column, t.right.column}) >= tile.tile.dataColumns() - 1 ||
-            std::min({t.apex.row, t.left.row, t.right.row}) >= tile.tile.dataRows() - 1;
-        if (beyond) continue;
+        if (!t.overlaps(tile.tile.dataColumns(), tile.tile.dataRows())) continue;
         const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
         for (const GridPoint p : {t.apex, t.left, t.right})
-        {
-            const glm::dvec3 position = tile.tile.position(p.column, p.row);
-            const glm::vec3 high(position);
-            mesh.vertices.push_back(
-                {high, glm::vec3(position - glm::dvec3(high)), glm::vec2(p.column, p.row)});
-        }
+            mesh.vertices.push_back(meshVertex(tile.tile.position(p.column, p.row), p));
         mesh.triangles.push_back({{first, first + 1, first + 2}});
     }
     return mesh;

@@ -67,10 +67,7 @@ struct Search
     void descend(core::TriangleId t, const core::GridTriangle& g)
     {
         const core::PlacedTile& tile = tree.tile().tile;
-        const bool beyondData =
-            std::min({g.apex.column, g.left.column, g.right.column}) >= tile.dataColumns() - 1 ||
-            std::min({g.apex.row, g.left.row, g.right.row}) >= tile.dataRows() - 1;
-        if (beyondData) return;
+        if (!g.overlaps(tile.dataColumns(), tile.dataRows())) return;
         const Corners c = corners(g);
         if (tree.isLeaf(t))
         {

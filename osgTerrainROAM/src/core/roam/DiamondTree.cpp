@@ -104,10 +104,7 @@ LeafTriangle DiamondTree::vertices(TriangleId t) const
 
 MeshVertex DiamondTree::vertex(VertexSlot v) const
 {
-    const DiamondPlace& at = _places[v];
-    const glm::dvec3 drawn = position(v);
-    const glm::vec3 high(drawn);
-    return {high, glm::vec3(drawn - glm::dvec3(high)), glm::vec2(at.column, at.row)};
+    return meshVertex(position(v), _places[v].point());
 }
 
 void DiamondTree::stopDisplacing()
@@ -126,10 +123,7 @@ TriangleId DiamondTree::acrossLeg(TriangleId t, bool right) const
 
 bool DiamondTree::isInData(TriangleId t) const
 {
-    if (_dataFillsTile) return true;
-    const GridTriangle g = gridTriangle(t);
-    return std::min({g.apex.column, g.left.column, g.right.column}) < _tile->tile.dataColumns() - 1 &&
-           std::min({g.apex.row, g.left.row, g.right.row}) < _tile->tile.dataRows() - 1;
+    return _dataFillsTile || gridTriangle(t).overlaps(_tile->tile.dataColumns(), _tile->tile.dataRows());
 }
 
 /// Notes the slots that the arena has written. One may have been written more than once, or be in use no more.

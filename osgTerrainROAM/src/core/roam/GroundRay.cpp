@@ -47,7 +47,7 @@ private:
 
     void visit(const PlacedTriangle& t, int level)
     {
-        if (isBeyondData(t.grid)) return;
+        if (!t.grid.overlaps(_tile.tile.dataColumns(), _tile.tile.dataRows())) return;
         if (level == _tile.tile.levels())
         {
             meet(t);
@@ -63,12 +63,6 @@ private:
         const int first = glm::dot(_direction, t.left - t.right) > 0.0 ? 1 : 0;
         visit(children[first], level + 1);
         visit(children[1 - first], level + 1);
-    }
-
-    bool isBeyondData(const GridTriangle& t) const
-    {
-        return std::min({t.apex.column, t.left.column, t.right.column}) >= _tile.tile.dataColumns() - 1 ||
-               std::min({t.apex.row, t.left.row, t.right.row}) >= _tile.tile.dataRows() - 1;
     }
 
     /// Distance at which the ray comes into what holds the surface below `t`; kNowhere: never.

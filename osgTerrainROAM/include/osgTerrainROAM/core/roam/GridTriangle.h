@@ -30,6 +30,13 @@ struct GridTriangle
     /// The sample that splits it; the triangle is not of the finest level.
     GridPoint middleOfBase() const { return middle(left, right); }
 
+    /// Whether more of it than its border lies in a field of `columns` × `rows` samples.
+    bool overlaps(int columns, int rows) const
+    {
+        return std::min({apex.column, left.column, right.column}) < columns - 1 &&
+               std::min({apex.row, left.row, right.row}) < rows - 1;
+    }
+
     friend bool operator==(const GridTriangle&, const GridTriangle&) = default;
 
     /// The halves, from the apex to the middle of the base: with the left corner, with the right.

@@ -7,6 +7,8 @@
 
 #include <glm/glm.hpp>
 
+#include <osgTerrainROAM/core/roam/GridTriangle.h>
+
 namespace osgTerrainROAM::core
 {
 
@@ -41,6 +43,13 @@ struct MeshVertex
     glm::vec2 grid; ///< (column, row): texture coordinates and the clip at the data's edge
 };
 static_assert(sizeof(MeshVertex) == 32);
+
+/// The vertex of a sample that is drawn at `position`.
+inline MeshVertex meshVertex(const glm::dvec3& position, GridPoint grid)
+{
+    const glm::vec3 high(position);
+    return {high, glm::vec3(position - glm::dvec3(high)), glm::vec2(grid.column, grid.row)};
+}
 
 /// A drawn triangle: three vertex slots, counter-clockwise seen from above, apex first.
 struct LeafTriangle
