@@ -208,7 +208,7 @@ void mergeSubtree(benchmark::State& state, const Merge& merge)
     for (auto _ : state)
     {
         state.PauseTiming();
-        testsupport::splitFully(tree, {top});
+        roambench::splitFully(tree, {top});
         tree.clearChanges();
         state.ResumeTiming();
         removed += merge(tree, tree.splitVertex(top));

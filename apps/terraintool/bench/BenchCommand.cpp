@@ -3,7 +3,6 @@
 #include <filesystem>
 #include <iomanip>
 #include <iostream>
-#include <limits>
 
 #include <osgTerrainROAM/core/heightfield/DemImport.h>
 

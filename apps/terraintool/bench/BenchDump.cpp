@@ -2,7 +2,6 @@
 #include "terraintool/bench/BenchDump.h"
 
 #include <bit>
-#include <cstring>
 #include <sstream>
 
 #include <glm/gtc/type_ptr.hpp>
@@ -27,7 +26,7 @@ std::string cornersOf(const DrawnMesh& mesh)
         for (const std::uint32_t slot : triangle.vertices)
         {
             const auto& v = mesh.vertices[slot];
-            const glm::dvec3 p = glm::dvec3(v.positionHigh) + glm::dvec3(v.positionLow);
+            const glm::dvec3 p = positionOf(v);
             const double corner[5] = {p.x, p.y, p.z, v.grid.x, v.grid.y};
             bytes.append(reinterpret_cast<const char*>(corner), sizeof(corner));
         }

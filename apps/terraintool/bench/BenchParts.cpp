@@ -12,6 +12,7 @@
 #include <osgTerrainROAM/core/roam/DrawnGround.h>
 #include <osgTerrainROAM/core/roam/RoamMesh.h>
 
+#include "FullSplit.h"
 #include "flights/AnchorFlight.h"
 
 namespace terraintool
@@ -21,23 +22,10 @@ namespace
 {
 
 using namespace osgTerrainROAM::core;
+
 double threadNs()
 {
     return 1e3 * viewlod::Slice::threadUs();
-}
-
-void splitFully(DiamondTree& tree, TriangleId top)
-{
-    std::vector<TriangleId> open{top};
-    while (!open.empty())
-    {
-        const TriangleId t = open.back();
-        open.pop_back();
-        if (tree.canSplit(t)) tree.forceSplit(t);
-        if (tree.isLeaf(t)) continue;
-        for (const TriangleId child : tree.children(t))
-            open.push_back(child);
-    }
 }
 
 /// Median over repetitions of one subtree's removal; 0 when it has fewer than a thousand triangles.
@@ -56,7 +44,7 @@ double nsPerRemoved(const std::shared_ptr<const RoamTile>& tile, int level, cons
     std::vector<double> ns;
     for (int i = 0; i < kRepetitions; ++i)
     {
-        splitFully(tree, top);
+        roambench::splitFully(tree, {top});
         tree.clearChanges();
         const VertexSlot v = tree.splitVertex(top);
         const double begin = threadNs();

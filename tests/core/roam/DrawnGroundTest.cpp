@@ -37,7 +37,7 @@ TEST_P(DrawnGround, IsTheTrueOneAtFullResolution)
 {
     const auto tile = tileOf(GetParam());
     DiamondTree tree(tile);
-    testsupport::splitFully(tree);
+    roambench::splitFully(tree);
     Random random(2);
     for (int i = 0; i < 2000; ++i)
     {

@@ -18,7 +18,7 @@ using testsupport::Random;
 class GroundRay : public testing::TestWithParam<bool>
 {
 protected:
-    GroundRay() : _tile(tileOf(GetParam())), _tree(_tile) { testsupport::splitFully(_tree); }
+    GroundRay() : _tile(tileOf(GetParam())), _tree(_tile) { roambench::splitFully(_tree); }
 
     static std::shared_ptr<const RoamTile> tileOf(bool curved)
     {

@@ -10,13 +10,6 @@
 namespace osgTerrainROAM::core
 {
 
-namespace
-{
-
-constexpr std::uint32_t kNoBlock = 0xffffffffu;
-
-} // namespace
-
 DeferralWheel::DeferralWheel(double tickM) : _ticksPerM(1.0 / tickM)
 {
     clear();
@@ -25,12 +18,12 @@ DeferralWheel::DeferralWheel(double tickM) : _ticksPerM(1.0 / tickM)
 void DeferralWheel::clear()
 {
     Octave empty;
-    empty.soon = kNoBlock;
+    empty.soon = kNone;
     for (auto& level : empty.slots)
-        level.fill(kNoBlock);
+        level.fill(kNone);
     _octaves.assign(kOctaves, empty);
     _blocks.clear();
-    _freeBlock = kNoBlock;
+    _freeBlock = kNone;
     _due.clear();
     _nextDue = 0;
 }
@@ -42,10 +35,10 @@ DeferralWheel::Mark DeferralWheel::markOf(int octave, int level, int slot)
 
 void DeferralWheel::push(std::uint32_t& first, std::uint32_t watch)
 {
-    if (first == kNoBlock || _blocks[first].count == std::size(_blocks[first].watches))
+    if (first == kNone || _blocks[first].count == kPerBlock)
     {
         std::uint32_t block = _freeBlock;
-        if (block == kNoBlock)
+        if (block == kNone)
         {
             block = static_cast<std::uint32_t>(_blocks.size());
             appendTightly(_blocks);
@@ -77,14 +70,14 @@ DeferralWheel::Mark DeferralWheel::add(std::uint32_t watch, double errorM, doubl
     }
     // The finest level whose slots reach so far; from bit to bit that is half a level.
     const int bits = static_cast<int>(std::bit_width(static_cast<std::uint64_t>(due - now)));
-    int level = std::clamp((bits - 4) / kLevelShift, 0, kLevels - 1);
+    int level = std::clamp((bits - kSlotBits + 1) / kLevelShift, 0, kLevels - 1);
     if ((due >> (kLevelShift * level)) - (now >> (kLevelShift * level)) >= kSlots)
         level = std::min(level + 1, kLevels - 1);
     const int shift = kLevelShift * level;
     const std::int64_t bucket =
         std::min(due >> shift, (now >> shift) + kSlots - 1); // the last level holds the rest
     const auto slot = static_cast<std::size_t>(bucket & (kSlots - 1));
-    octave.occupied[static_cast<std::size_t>(level)] |= static_cast<std::uint32_t>(std::uint32_t{1} << slot);
+    octave.occupied[static_cast<std::size_t>(level)] |= 1u << slot;
     push(octave.slots[static_cast<std::size_t>(level)][slot], watch);
     return markOf(which, level, static_cast<int>(slot));
 }
@@ -97,7 +90,7 @@ void DeferralWheel::advance(double travelM, double scaleChange)
 
 void DeferralWheel::makeDue(std::uint32_t& first, Mark mark)
 {
-    if (first != kNoBlock) _due.push_back({std::exchange(first, kNoBlock), mark});
+    if (first != kNone) _due.push_back({std::exchange(first, kNone), mark});
 }
 
 DeferralWheel::Batch DeferralWheel::nextDue()
@@ -108,11 +101,11 @@ DeferralWheel::Batch DeferralWheel::nextDue()
     const std::uint32_t block = chain.block;
     batch.count = _blocks[block].count;
     batch.mark = chain.mark;
-    std::copy_n(_blocks[block].watches, batch.count, batch.watches.begin());
+    batch.watches = _blocks[block].watches;
     chain.block = _blocks[block].next;
     _blocks[block].next = _freeBlock;
     _freeBlock = block;
-    if (chain.block == kNoBlock) ++_nextDue;
+    if (chain.block == kNone) ++_nextDue;
     if (_nextDue == _due.size())
     {
         _due.clear();
@@ -140,7 +133,7 @@ void DeferralWheel::collect(int which, double travelM, double scaleChange)
         {
             const auto slot = static_cast<std::size_t>(bucket & (kSlots - 1));
             if (!(occupied >> slot & 1u)) continue;
-            occupied &= static_cast<std::uint32_t>(~(std::uint32_t{1} << slot));
+            occupied &= ~(1u << slot);
             makeDue(octave.slots[static_cast<std::size_t>(level)][slot],
                     markOf(which, level, static_cast<int>(slot)));
         }

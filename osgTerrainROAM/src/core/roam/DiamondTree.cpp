@@ -117,7 +117,8 @@ void DiamondTree::stopDisplacing()
 TriangleId DiamondTree::acrossLeg(TriangleId t, bool right) const
 {
     const TriangleId beside(t.apex(), right ? detail::next(t.quadrant()) : detail::previous(t.quadrant()));
-    if (!exists(beside) || isLeaf(beside)) return exists(beside) ? beside : TriangleId();
+    if (!exists(beside)) return {};
+    if (isLeaf(beside)) return beside;
     return children(beside)[right ? 0 : 1];
 }
 

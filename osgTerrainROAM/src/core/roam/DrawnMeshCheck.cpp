@@ -13,11 +13,6 @@ namespace osgTerrainROAM::core
 namespace
 {
 
-glm::dvec3 positionOf(const MeshVertex& v)
-{
-    return glm::dvec3(v.positionHigh) + glm::dvec3(v.positionLow);
-}
-
 GridPoint gridOf(const MeshVertex& v)
 {
     return {static_cast<int>(v.grid.x), static_cast<int>(v.grid.y)};

@@ -10,12 +10,12 @@ namespace osgTerrainROAM::core
 void Morph::update(DiamondTree& tree, const viewlod::ViewState& view, double tolerance0Px)
 {
     tree.startDisplacing();
-    const double span0Px = tolerance0Px, perPx = 1.0 / (tolerance0Px * (kSpan - 1.0));
+    const double perPx = 1.0 / (tolerance0Px * (kSpan - 1.0));
     for (VertexSlot v = DiamondTree::kCorners; v < tree.vertexSlots(); ++v)
     {
         if (tree.place(v).isFree()) continue;
-        const double priority = priorityPx(view, tree.tile().bound(tree.place(v).point()));
-        const double weight = std::clamp((priority - span0Px) * perPx, 0.0, 1.0);
+        const double priority = priorityPx(view, tree.bound(v));
+        const double weight = std::clamp((priority - tolerance0Px) * perPx, 0.0, 1.0);
         if (weight < 1.0)
             _moving[static_cast<std::size_t>(tree.place(v).level)].push_back({v, static_cast<float>(weight)});
         else

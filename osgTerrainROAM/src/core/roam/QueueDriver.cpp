@@ -26,8 +26,7 @@ QueueDriver::QueueDriver(DiamondTree& tree, const viewlod::ViewState& view, doub
         for (unsigned quadrant = 0; quadrant < 4; ++quadrant)
             if (const TriangleId t(v, quadrant); _tree.exists(t) && _tree.canSplit(t))
                 _splits.push_back({priority(_tree.bound(t)), t});
-        if (_tree.isMergeable(v))
-            _merges.push_back({priority(_tree.tile().bound(_tree.place(v).point())), v});
+        if (_tree.isMergeable(v)) _merges.push_back({priority(_tree.bound(v)), v});
     }
     std::make_heap(_splits.begin(), _splits.end());
     std::make_heap(_merges.begin(), _merges.end());
@@ -54,7 +53,7 @@ void QueueDriver::offer(TriangleId t)
 void QueueDriver::offer(VertexSlot v)
 {
     if (!_tree.isMergeable(v)) return;
-    _merges.push_back({priority(_tree.tile().bound(_tree.place(v).point())), v});
+    _merges.push_back({priority(_tree.bound(v)), v});
     std::push_heap(_merges.begin(), _merges.end());
 }
 

@@ -19,6 +19,16 @@ constexpr std::uint32_t watchOf(VertexSlot v, unsigned kind)
     return v << 3 | kind;
 }
 
+constexpr VertexSlot vertexOf(std::uint32_t watch)
+{
+    return watch >> 3;
+}
+
+constexpr unsigned kindOf(std::uint32_t watch)
+{
+    return watch & 7u;
+}
+
 } // namespace
 
 bool WheelDriver::refine(DiamondTree& tree, const viewlod::ViewState& view, double tolerancePx,
@@ -75,8 +85,8 @@ void WheelDriver::lookAtDue(Frame& frame)
         const DeferralWheel::Batch next = goesOn ? _wheel.nextDue() : DeferralWheel::Batch{};
         for (std::uint32_t i = 0; i < next.count; ++i)
         {
-            __builtin_prefetch(&_marks[next.watches[i] >> 3]);
-            __builtin_prefetch(&frame.tree.place(next.watches[i] >> 3));
+            __builtin_prefetch(&_marks[vertexOf(next.watches[i])]);
+            __builtin_prefetch(&frame.tree.place(vertexOf(next.watches[i])));
         }
         lookAtBatch(frame, batch);
         batch = next;
@@ -93,13 +103,14 @@ void WheelDriver::lookAtBatch(Frame& frame, const DeferralWheel::Batch& batch)
         const std::uint32_t watch = batch.watches[i];
         wanted[i] = isWanted(frame, watch, batch.mark);
         if (!wanted[i]) continue;
-        places[i] = watchedPlace(frame.tree, watch >> 3, watch & 7u);
+        places[i] = watchedPlace(frame.tree, vertexOf(watch), kindOf(watch));
         frame.tree.tile().prefetch(places[i]);
     }
     for (std::uint32_t i = 0; i < batch.count; ++i)
     {
         const std::uint32_t watch = batch.watches[i];
-        if (wanted[i] && isWanted(frame, watch, batch.mark)) look(frame, watch >> 3, watch & 7u, places[i]);
+        if (wanted[i] && isWanted(frame, watch, batch.mark))
+            look(frame, vertexOf(watch), kindOf(watch), places[i]);
     }
 }
 
@@ -111,7 +122,7 @@ GridPoint WheelDriver::watchedPlace(const DiamondTree& tree, VertexSlot v, unsig
 /// Whether anybody still waits for a watch that is handed out.
 bool WheelDriver::isWanted(const Frame& frame, std::uint32_t watch, DeferralWheel::Mark mark) const
 {
-    return _marks[watch >> 3][watch & 7u] == mark && !frame.tree.place(watch >> 3).isFree();
+    return _marks[vertexOf(watch)][kindOf(watch)] == mark && !frame.tree.place(vertexOf(watch)).isFree();
 }
 
 void WheelDriver::look(Frame& frame, VertexSlot v, unsigned kind)
@@ -205,8 +216,7 @@ bool WheelDriver::letGo(Frame& frame, bool areStale)
 void WheelDriver::takeOut(Frame& frame, VertexSlot v, bool isStale)
 {
     DiamondTree& tree = frame.tree;
-    if (isStale && frame.active(tree.tile().bound(tree.place(v).point())))
-        return look(frame, v, kItself); // came back
+    if (isStale && frame.active(tree.bound(v))) return look(frame, v, kItself); // came back
     const TriangleId parent = tree.parents(v)[0];
     const std::uint32_t merges = tree.enhMerge(v);
     frame.result.merges += merges;

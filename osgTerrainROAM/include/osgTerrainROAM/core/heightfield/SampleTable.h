@@ -37,14 +37,6 @@ public:
     {
         return _samples.empty() ? _exact[index].heightM : _offsetM + _quantumM * _samples[index].height;
     }
-    float errorM(std::size_t index) const
-    {
-        return _samples.empty() ? _exact[index].errorM : decodedError(_samples[index].error);
-    }
-    float radiusM(std::size_t index) const
-    {
-        return _samples.empty() ? _exact[index].radiusM : _radiiM[_samples[index].radius];
-    }
 
     /// All of a sample in one read.
     struct Sample

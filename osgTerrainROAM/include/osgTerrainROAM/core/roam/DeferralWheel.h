@@ -22,6 +22,7 @@ namespace osgTerrainROAM::core
 class DeferralWheel
 {
 public:
+    static constexpr std::size_t kPerBlock = 14;
     using Mark = std::uint8_t; ///< of a bucket, 1 to 128; different buckets seldom share one
 
     /// `tickM`: margins below it are due at the next step.
@@ -33,7 +34,7 @@ public:
     /// Some watches that are due, and the mark that they were asked for with.
     struct Batch
     {
-        std::array<std::uint32_t, 14> watches;
+        std::array<std::uint32_t, kPerBlock> watches;
         std::uint32_t count = 0;
         Mark mark = 0;
     };
@@ -51,13 +52,13 @@ public:
 
 private:
     static constexpr int kOctaves = 32, kLowestExponent = -16; ///< 2^-16 m … 2^16 m
-    static constexpr int kLevels = 13, kSlots = 32, kLevelShift = 2;
+    static constexpr int kLevels = 13, kSlotBits = 5, kSlots = 1 << kSlotBits, kLevelShift = 2;
 
     struct Block
     {
         std::uint32_t next;
         std::uint32_t count;
-        std::uint32_t watches[14];
+        std::array<std::uint32_t, kPerBlock> watches;
     };
     static_assert(sizeof(Block) == 64);
 

@@ -110,6 +110,7 @@ public:
     int level(TriangleId t) const { return _places[t.apex()].level + 1; }
     GridTriangle gridTriangle(TriangleId t) const;
     LeafTriangle vertices(TriangleId t) const;
+    SplitBound bound(VertexSlot v) const { return _tile->bound(_places[v].point()); }
     SplitBound bound(TriangleId t) const
     {
         return _tile->bound(middle(t));

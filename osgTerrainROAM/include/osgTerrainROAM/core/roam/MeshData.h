@@ -51,6 +51,11 @@ inline MeshVertex meshVertex(const glm::dvec3& position, GridPoint grid)
     return {high, glm::vec3(position - glm::dvec3(high)), glm::vec2(grid.column, grid.row)};
 }
 
+inline glm::dvec3 positionOf(const MeshVertex& v)
+{
+    return glm::dvec3(v.positionHigh) + glm::dvec3(v.positionLow);
+}
+
 /// A drawn triangle: three vertex slots, counter-clockwise seen from above, apex first.
 struct LeafTriangle
 {

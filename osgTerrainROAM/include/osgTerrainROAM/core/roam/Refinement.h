@@ -31,14 +31,9 @@ public:
     bool operator()(const SplitBound& bound) const
     {
         const double reach = _reachPerErrorM * bound.errorM;
-        if (reach <= _nearM) return false;
         const glm::dvec3 offset = glm::dvec3(bound.centre) - _eye;
-        const double limit = reach + bound.radiusM;
-        return limit * limit > glm::dot(offset, offset);
+        return isActive(reach, reach + bound.radiusM, glm::dot(offset, offset));
     }
-
-    /// K·e_v / τ: nearer than this, e_v is more than the tolerance.
-    double reachM(const SplitBound& bound) const { return _reachPerErrorM * bound.errorM; }
 
     /// The answer, and how much the eye may travel, plus e_v times the change of K/τ, before it can change.
     struct Verdict
@@ -52,7 +47,7 @@ public:
         const double reach = _reachPerErrorM * bound.errorM, limit = reach + bound.radiusM;
         const glm::dvec3 offset = glm::dvec3(bound.centre) - _eye;
         const double distance2 = glm::dot(offset, offset);
-        const bool active = reach > _nearM && limit * limit > distance2;
+        const bool active = isActive(reach, limit, distance2);
         const double distance = std::sqrt(distance2), beyond = distance - limit;
         // To be active takes both conditions: an inactive vertex has as long as the one that it misses by more.
         return {active, active ? std::min(reach - _nearM, -beyond) : std::max(_nearM - reach, beyond),
@@ -60,6 +55,11 @@ public:
     }
 
 private:
+    bool isActive(double reach, double limit, double distance2) const
+    {
+        return reach > _nearM && limit * limit > distance2;
+    }
+
     glm::dvec3 _eye;
     double _reachPerErrorM;
     double _nearM;
