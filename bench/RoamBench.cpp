@@ -122,7 +122,7 @@ void flightFromScratch(benchmark::State& state)
     fly(state,
         [&](const viewlod::ViewState& view)
         {
-            refineFromScratch(*tile(), view, static_cast<double>(state.range(0)) / 10.0, leaves);
+            refineFromScratch(tile(), view, static_cast<double>(state.range(0)) / 10.0, leaves);
             return leaves.size();
         });
 }

@@ -24,6 +24,7 @@ struct Request
     double tolerancePx = 1.0;
     unsigned maxTriangles = 500000;
     bool morphing = false; ///< check what is drawn with morphing
+    int patchExponent = 0; ///< 2^k triangles for each leaf
 
     // Of bench alone.
     int benchFrames = 240;

@@ -63,7 +63,7 @@ viewlod::Result<FlightFindings> fly(const Request& request, const std::string& f
                                  : tourViews(*placed, request.frames);
     if (!views) return views.error();
 
-    RoamMesh mesh(std::make_shared<const RoamTile>(std::move(*placed)));
+    RoamMesh mesh(SplitBounds(std::make_shared<const RoamTile>(std::move(*placed)), request.patchExponent));
     mesh.setMorphing(request.morphing);
     FlightFindings flight;
     terminal::Progress progress(file, views->size());

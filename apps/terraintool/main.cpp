@@ -32,9 +32,16 @@ int main(int argc, char** argv)
     validate->add_option("--max-triangles", request.maxTriangles, "triangle ceiling")
         ->check(CLI::Range(2u, 100000000u));
     validate->add_flag("--morph", request.morphing, "check what is drawn with morphing");
+    const auto addPatches = [&](CLI::App* sub)
+    {
+        sub->add_option("--patch-exponent", request.patchExponent, "2^K triangles for each leaf")
+            ->check(CLI::IsMember({0, 2, 4, 6, 8, 10}));
+    };
+    addPatches(validate);
     CLI::App* bench =
         add("bench", "measure the drivers on the comparison paths, over a planar square of the terrain",
             terraintool::bench);
+    addPatches(bench);
     bench->add_option("--tolerance", request.tolerancesPx, "error targets in pixels")
         ->check(terminal::between(0.01, 1000.0));
     bench->add_flag("--centre", request.centrePixels, "hold the target in the middle of the picture only");

@@ -43,6 +43,8 @@ struct PlayRequest
     double errorTolerancePx = 1.0;
     std::uint32_t maxTriangles = 500000;
     bool morphing = false; ///< detail comes and goes without a jump
+    std::optional<int> patchExponent =
+        0; ///< 2^k triangles a leaf; absent: what this machine draws fastest with
 };
 
 } // namespace trainer

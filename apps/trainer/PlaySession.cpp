@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "PlaySession.h"
 
+#include <algorithm>
+
 #include <osgOffscreen/OffscreenContext>
 
+#include "MeasurePatches.h"
 #include "view/CameraTimings.h"
 #include "view/ViewFile.h"
 
@@ -57,6 +60,7 @@ viewlod::Result<std::unique_ptr<PlaySession>> PlaySession::create(Scenario scena
         terrain.terrain->setErrorTolerancePx(request.errorTolerancePx);
         terrain.terrain->setMaxTriangles(request.maxTriangles);
         terrain.terrain->setMorphing(request.morphing);
+        terrain.terrain->setPatchExponent(request.patchExponent.value_or(0));
     }
 
     std::unique_ptr<PlaySession> session(new PlaySession(request, std::move(terrain)));
@@ -86,17 +90,50 @@ viewlod::Outcome PlaySession::openPictures(const ViewSetup& setup)
             {_request.backend, picture.widthPx, picture.heightPx, _request.samples});
         if (!context) return context.error();
         _contexts.push_back(*context);
-        if (_request.captureFolder.empty()) continue;
-        const auto folder =
-            pictures.size() == 1 ? _request.captureFolder : _request.captureFolder / picture.name;
-        auto capture = osgOffscreen::FrameCapture::begin(_contexts.back(), folder);
-        if (!capture) return capture.error();
-        _captures.push_back(std::move(*capture));
     }
     _viewer = makeViewer(_scene->root());
     _rig = std::make_unique<ChannelRig>(*_viewer, setup, _contexts);
     keepCameraTimings(*_viewer);
+    if (!_request.patchExponent && _terrain.terrain) tunePatches();
+    return beginCaptures(setup);
+}
+
+viewlod::Outcome PlaySession::beginCaptures(const ViewSetup& setup)
+{
+    if (_request.captureFolder.empty()) return viewlod::success();
+    const std::vector<PictureShape> pictures = picturesOf(setup);
+    for (std::size_t i = 0; i < pictures.size(); ++i)
+    {
+        const auto folder =
+            pictures.size() == 1 ? _request.captureFolder : _request.captureFolder / pictures[i].name;
+        auto capture = osgOffscreen::FrameCapture::begin(_contexts[i], folder);
+        if (!capture) return capture.error();
+        _captures.push_back(std::move(*capture));
+    }
     return viewlod::success();
+}
+
+/// In the first moment, the eye going ahead as fast as the ownship sets out.
+void PlaySession::tunePatches()
+{
+    constexpr double kLeastStepM = 0.5;
+    _scene->show(*_player);
+    const EntityState& ownship = _player->entities().front();
+    Pose eye = _eye->update(ownship, 0.0);
+    const double stepM = std::max(kLeastStepM, ownship.speedMps / _request.framesPerSecond);
+    _patchNote = measurePatches(*_terrain.terrain, *_viewer, _contexts,
+                                [&]
+                                {
+                                    eye.positionWorld += stepM * eye.forward();
+                                    _rig->setEye(eye);
+                                });
+}
+
+std::vector<std::string> PlaySession::notes() const
+{
+    std::vector<std::string> notes = _scene->notes();
+    if (!_patchNote.empty()) notes.push_back(_patchNote);
+    return notes;
 }
 
 viewlod::Outcome PlaySession::frame()

@@ -34,8 +34,8 @@ public:
     const std::vector<FrameStatistics>& statistics() const { return _statistics; }
     const ScenarioPlayer& player() const { return *_player; }
 
-    /// What is not as the scenario asks, one line each.
-    std::vector<std::string> notes() const { return _scene->notes(); }
+    /// What is not as the scenario asks, and what was measured before it began, one line each.
+    std::vector<std::string> notes() const;
 
     /// Waits for the last pictures.
     viewlod::Outcome finish();
@@ -43,6 +43,8 @@ public:
 private:
     PlaySession(const PlayRequest& request, SceneTerrain terrain);
     viewlod::Outcome openPictures(const ViewSetup& setup);
+    viewlod::Outcome beginCaptures(const ViewSetup& setup);
+    void tunePatches();
     FrameStatistics measured() const;
 
     PlayRequest _request;
@@ -55,6 +57,7 @@ private:
     std::unique_ptr<ChannelRig> _rig;
     std::vector<std::unique_ptr<osgOffscreen::FrameCapture>> _captures;
     std::vector<FrameStatistics> _statistics; ///< of the frames drawn so far
+    std::string _patchNote;
 };
 
 } // namespace trainer

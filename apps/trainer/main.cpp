@@ -18,6 +18,7 @@ struct Arguments
     std::string eye = "own";
     std::filesystem::path saveFile;
     double durationS = 20.0;
+    std::string patchExponent = "0";
 };
 
 void addPlayOptions(CLI::App& command, Arguments& arguments)
@@ -44,12 +45,28 @@ void addPlayOptions(CLI::App& command, Arguments& arguments)
         ->check(terminal::between(0.01, 1000.0));
     command.add_flag("--morph", request.morphing,
                      "let detail come and go without a jump, with more triangles");
+    command.add_option("--patch-exponent", arguments.patchExponent,
+                       "2^K triangles for each leaf, K even from 0 to 10; or 'measure': what this machine "
+                       "draws fastest with");
     command.add_option("--max-triangles", request.maxTriangles, "ceiling for the terrain")
         ->check(CLI::Range(2u, 100000000u));
     command
         .add_option("--spacing", request.import.spacingM,
                     "metres between samples of a raster without georeference")
         ->check(terminal::between(0.001, 1e5));
+}
+
+viewlod::Outcome readPatchExponent(const std::string& text, std::optional<int>& exponent)
+{
+    exponent = std::nullopt;
+    if (text == "measure") return viewlod::success();
+    int value = -1;
+    char rest = 0;
+    if (std::sscanf(text.c_str(), "%d%c", &value, &rest) != 1 || value < 0 || value > 10 || value % 2 != 0)
+        return viewlod::Error{"--patch-exponent", "'" + text + "' is no even number from 0 to 10",
+                              "write 0, 2, 4, 6, 8 or 10, or measure"};
+    exponent = value;
+    return viewlod::success();
 }
 
 viewlod::Outcome complete(Arguments& arguments)
@@ -63,7 +80,7 @@ viewlod::Outcome complete(Arguments& arguments)
     if (!backend) return backend.error();
     request.backend = *backend;
     request.eye = arguments.eye == "chase" ? trainer::EyePoint::chase : trainer::EyePoint::own;
-    return viewlod::success();
+    return readPatchExponent(arguments.patchExponent, request.patchExponent);
 }
 
 } // namespace

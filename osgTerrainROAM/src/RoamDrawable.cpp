@@ -97,7 +97,7 @@ const osg::Camera* mainCameraOf(osgUtil::CullVisitor& visitor)
 RoamDrawable::RoamDrawable() : RoamDrawable(nullptr) {}
 
 RoamDrawable::RoamDrawable(std::shared_ptr<const core::RoamTile> tile)
-    : _tile(std::move(tile)), _groups(std::make_unique<ViewGroupTable>(_tile))
+    : _tile(std::move(tile)), _groups(newGroups(0))
 {
     setUseDisplayList(false);
     setSupportsDisplayList(false);
@@ -108,7 +108,8 @@ RoamDrawable::RoamDrawable(std::shared_ptr<const core::RoamTile> tile)
 RoamDrawable::RoamDrawable(const RoamDrawable& other, const osg::CopyOp& copyOp)
     : osg::Drawable(other, copyOp),
       _tile(other._tile),
-      _groups(std::make_unique<ViewGroupTable>(_tile)),
+      _groups(newGroups(other._patchExponent)),
+      _patchExponent(other._patchExponent),
       _errorTolerancePx(other._errorTolerancePx),
       _maxTriangles(other._maxTriangles),
       _maxAdaptTimeUs(other._maxAdaptTimeUs),
@@ -120,6 +121,20 @@ RoamDrawable::RoamDrawable(const RoamDrawable& other, const osg::CopyOp& copyOp)
 }
 
 RoamDrawable::~RoamDrawable() = default;
+
+std::unique_ptr<ViewGroupTable> RoamDrawable::newGroups(int patchExponent) const
+{
+    std::optional<core::SplitBounds> bounds;
+    if (_tile) bounds.emplace(_tile, patchExponent);
+    return std::make_unique<ViewGroupTable>(std::move(bounds));
+}
+
+void RoamDrawable::setPatchExponent(int exponent)
+{
+    if (exponent == _patchExponent) return;
+    _patchExponent = exponent;
+    _groups = newGroups(exponent);
+}
 
 std::vector<ViewGroupStatistics> RoamDrawable::statistics() const
 {
@@ -176,7 +191,8 @@ void RoamDrawable::accept(osg::PrimitiveFunctor& functor) const
     if (!_tile) return;
     ClippedTriangles triangles;
     _groups->latest(_defaultErrorM)
-        ->visitMesh([&](const core::RoamMesh& mesh) { triangles = clippedTriangles(mesh); });
+        ->visitMesh([&](const core::RoamMesh& mesh)
+                    { triangles = clippedTriangles(mesh.tile().tile, mesh.drawn()); });
     triangles.accept(functor);
 }
 

@@ -65,6 +65,11 @@ INSTANTIATE_TEST_SUITE_P(
         WrongUse{"ToleranceNan", {"tour", "HILL", "--tolerance", "nan"}, {"--tolerance: 'nan'"}},
         WrongUse{"ToleranceZero", {"tour", "HILL", "--tolerance", "0"}, {"--tolerance: '0'"}},
         WrongUse{"Ceiling", {"tour", "HILL", "--max-triangles", "1"}, {"--max-triangles: "}},
+        WrongUse{"PatchesOdd",
+                 {"tour", "HILL", "--patch-exponent", "3"},
+                 {"--patch-exponent: '3'", "0, 2, 4, 6, 8 or 10"}},
+        WrongUse{
+            "PatchesNoNumber", {"tour", "HILL", "--patch-exponent", "fast"}, {"--patch-exponent: 'fast'"}},
         WrongUse{"DurationNan", {"tour", "HILL", "--duration", "nan"}, {"--duration: 'nan'", "4 to 3600"}},
         WrongUse{"DurationShort", {"tour", "HILL", "--duration", "1"}, {"--duration: '1'", "4 to 3600"}},
         WrongUse{"SpacingNegative", {"tour", "HILL", "--spacing", "-1"}, {"--spacing: '-1'"}},
@@ -93,6 +98,7 @@ INSTANTIATE_TEST_SUITE_P(
         WrongUse{"FramesOfInfo", {"info", "a.tif", "--frames", "4"}, {"--frames"}},
         WrongUse{"ToleranceNan", {"validate", "a.tif", "--tolerance", "nan"}, {"--tolerance: 'nan'"}},
         WrongUse{"Ceiling", {"validate", "a.tif", "--max-triangles", "0"}, {"--max-triangles: "}},
+        WrongUse{"PatchesOdd", {"validate", "a.tif", "--patch-exponent", "5"}, {"--patch-exponent: 5"}},
         WrongUse{"Spacing", {"info", "a.tif", "--spacing", "wide"}, {"--spacing: 'wide'"}}),
     nameOf);
 

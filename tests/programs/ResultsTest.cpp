@@ -101,6 +101,29 @@ TEST_F(Results, TheErrorTargetAndTheCeilingAreKept)
     EXPECT_GT(largest(few, "maxErrorPx"), 1.0) << "the tolerance reached is not reported";
 }
 
+TEST_F(Results, PatchesAreDrawnAndCounted)
+{
+    const auto triangles = [](const Playing& playing)
+    { return playing.statistics.at("summary").at("triangles").at("max").get<double>(); };
+    const Playing plain = play("plain");
+    const Playing patched = play("patched", {"--patch-exponent", "4"});
+    EXPECT_GE(triangles(patched), triangles(plain));
+    EXPECT_EQ(std::fmod(triangles(patched), 16.0), 0.0);
+    EXPECT_EQ(patched.statistics.at("summary").at("maxErrorPx").at("max"), 1.0);
+}
+
+TEST_F(Results, TheFastestPatchesAreFoundByMeasuring)
+{
+    const ProgramRun run = runTrainer({"play", _place.path("drive.xosc"), "--size", "64x36", "--frames", "2",
+                                       "--patch-exponent", "measure", "--capture", _place.path("measured")});
+    ASSERT_TRUE(succeeds(run));
+    EXPECT_NE(run.output.find("draws fastest here (0: "), std::string::npos) << run.output;
+    std::size_t pictures = 0;
+    for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(_place.path("measured")))
+        ++pictures;
+    EXPECT_EQ(pictures, 2u) << "what was drawn to measure is no picture of the play";
+}
+
 TEST_F(Results, TheReportShowsThePlots)
 {
     const std::string file = _place.path("report.html");

@@ -53,6 +53,20 @@ TEST(TerrainBench, HasARowForEveryDriverOnEveryPath)
     EXPECT_GT(table["queriesPerSecond"], 1000.0);
 }
 
+TEST(TerrainBench, MeasuresPatchesToo)
+{
+    const Workplace place;
+    const ordered_json plain = tableOf(place), patched = tableOf(place, {"--patch-exponent", "4"});
+    ASSERT_EQ(plain["runs"].size(), patched["runs"].size());
+    for (std::size_t i = 0; i < plain["runs"].size(); ++i)
+    {
+        const ordered_json& row = patched["runs"][i];
+        EXPECT_EQ(row["patchExponent"], 4);
+        EXPECT_GE(row["triangles"], plain["runs"][i]["triangles"]) << "patches draw more for the same bound";
+        EXPECT_LE(row["maxErrorPx"], 0.5);
+    }
+}
+
 TEST(TerrainBench, DumpsWhatCanBeCheckedFromOutside)
 {
     const Workplace place;

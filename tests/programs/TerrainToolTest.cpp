@@ -93,6 +93,24 @@ TEST(TerrainTool, ValidateReportsTheToleranceThatTheCeilingAllowed)
     EXPECT_EQ(few[0]["ceilingExceeded"], 0);
 }
 
+TEST(TerrainTool, ValidateChecksPatches)
+{
+    const Workplace place;
+    for (const std::string exponent : {"2", "6"})
+    {
+        const ordered_json row =
+            rowsOf(place, {"validate", place.hill(), "--frames", "4", "--patch-exponent", exponent})[0];
+        EXPECT_EQ(row["tJunctions"], 0);
+        EXPECT_EQ(row["cracks"], 0);
+        EXPECT_LE(row["maxErrorPx"], 1.0);
+    }
+    // The patches of a tile's two largest leaves, and so no error at all.
+    const ordered_json whole = rowsOf(
+        place, {"validate", place.hill(), "--frames", "2", "--tolerance", "9", "--patch-exponent", "10"});
+    EXPECT_LT(whole[0]["maxErrorPx"], rowsOf(place, {"validate", place.hill(), "--frames", "2", "--tolerance",
+                                                     "9"})[0]["maxErrorPx"]);
+}
+
 TEST(TerrainTool, TablesAreTheSameTwice)
 {
     const Workplace place;

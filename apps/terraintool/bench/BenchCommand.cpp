@@ -68,8 +68,8 @@ void print(const nlohmann::ordered_json& row)
               << std::setprecision(2) << std::setw(7) << number("maxErrorPx") << " px off\n";
 }
 
-viewlod::Outcome benchTile(const Request& request, const std::string& file,
-                           const std::shared_ptr<const RoamTile>& tile, nlohmann::ordered_json& json)
+viewlod::Outcome benchTile(const Request& request, const std::string& file, const SplitBounds& bounds,
+                           nlohmann::ordered_json& json)
 {
     const std::optional<Driver> drivers[] = {Driver::wheel, Driver::walk, Driver::queue, std::nullopt};
     for (const double tolerancePx : request.tolerancesPx)
@@ -77,7 +77,7 @@ viewlod::Outcome benchTile(const Request& request, const std::string& file,
             for (const auto& driver : drivers)
             {
                 BenchRun run{std::filesystem::path(file).filename().string(),
-                             tile,
+                             bounds,
                              driver,
                              path,
                              tolerancePx,
@@ -114,7 +114,8 @@ viewlod::Result<Report> bench(const Request& request)
         const auto tile = std::make_shared<const RoamTile>(PlacedTile(std::move(*square), Placement::planar));
         std::cout << file << ": " << tile->tile.side() << " x " << tile->tile.side() << " samples of "
                   << tile->tile.field().spacingEastM << " m\n";
-        if (const auto done = benchTile(request, file, tile, report.json); !done) return done.error();
+        const SplitBounds bounds(tile, request.patchExponent);
+        if (const auto done = benchTile(request, file, bounds, report.json); !done) return done.error();
         if (report.json.contains("enhMerge"))
             continue; // the first terrain serves for what hardly depends on it
         report.json["enhMerge"] = measureMerges(tile);

@@ -2,6 +2,7 @@
 #include "terraintool/bench/BenchRun.h"
 
 #include <algorithm>
+#include <cmath>
 #include <unordered_set>
 #include <vector>
 
@@ -44,26 +45,26 @@ double microsecondsOf(const Work& work)
     return viewlod::Slice::threadUs() - begin;
 }
 
-double uploadBytes(const MeshChanges& changes)
+double uploadBytes(const RoamMesh& mesh)
 {
+    if (const PatchPool* patches = mesh.patches())
+        return static_cast<double>(patches->written().size() * patches->shape().vertices.size() *
+                                   sizeof(MeshVertex));
+    const MeshChanges& changes = mesh.changes();
     const auto distinct = [](const std::vector<std::uint32_t>& slots)
     { return static_cast<double>(std::unordered_set<std::uint32_t>(slots.begin(), slots.end()).size()); };
     return distinct(changes.vertices) * sizeof(MeshVertex) +
            distinct(changes.triangles) * sizeof(LeafTriangle);
 }
 
-/// A mesh without slots: every triangle with corners of its own.
-DrawnMesh meshOf(const RoamTile& tile, const std::vector<GridTriangle>& leaves)
+/// A mesh without slots: every leaf, or its patch, with vertices of its own.
+DrawnMesh meshOf(const SplitBounds& bounds, const std::vector<GridTriangle>& leaves)
 {
+    const PlacedTile& tile = bounds.tile().tile;
     DrawnMesh mesh;
     for (const GridTriangle& t : leaves)
-    {
-        if (!t.overlaps(tile.tile.dataColumns(), tile.tile.dataRows())) continue;
-        const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
-        for (const GridPoint p : {t.apex, t.left, t.right})
-            mesh.vertices.push_back(meshVertex(tile.tile.position(p.column, p.row), p));
-        mesh.triangles.push_back({{first, first + 1, first + 2}});
-    }
+        if (t.overlaps(tile.dataColumns(), tile.dataRows()))
+            PatchShape::of(bounds.patchExponent()).append(tile, t, mesh);
     return mesh;
 }
 
@@ -73,7 +74,7 @@ class Subject
 public:
     explicit Subject(const BenchRun& run) : _run(run)
     {
-        if (run.driver) _mesh.emplace(run.tile, *run.driver);
+        if (run.driver) _mesh.emplace(run.bounds, *run.driver);
     }
 
     void frame(const viewlod::ViewState& view, bool counts, Totals& totals)
@@ -85,21 +86,25 @@ public:
                 if (_mesh)
                     result = _mesh->refine(view, {.errorTolerancePx = _run.tolerancePx});
                 else
-                    refineFromScratch(*_run.tile, view, _run.tolerancePx, _leaves);
+                    refineFromScratch(_run.bounds, view, _run.tolerancePx, _leaves);
             });
         if (!counts) return;
         totals.frameUs.push_back(us);
-        totals.triangles += _mesh ? result.leaves : static_cast<double>(_leaves.size());
+        totals.triangles +=
+            _mesh ? result.leaves
+                  : std::ldexp(static_cast<double>(_leaves.size()), _run.bounds.patchExponent());
         totals.changes += 0.5 * (result.splits + result.merges);
         totals.checks += result.checks;
-        if (_mesh) totals.uploadBytes += uploadBytes(_mesh->changes());
+        if (_mesh) totals.uploadBytes += uploadBytes(*_mesh);
     }
 
-    DrawnMesh drawn() const { return _mesh ? _mesh->drawn() : meshOf(*_run.tile, _leaves); }
+    DrawnMesh drawn() const { return _mesh ? _mesh->drawn() : meshOf(_run.bounds, _leaves); }
 
     double bytesPerTriangle() const
     {
-        return _mesh ? static_cast<double>(_mesh->memoryBytes()) / _mesh->tree().leafCount() : 0.0;
+        return _mesh ? std::ldexp(static_cast<double>(_mesh->memoryBytes()) / _mesh->tree().leafCount(),
+                                  -_run.bounds.patchExponent())
+                     : 0.0;
     }
 
 private:
@@ -119,7 +124,7 @@ nlohmann::ordered_json rowOf(const BenchRun& run, Totals totals, double bytesPer
     row["dem"] = run.dem;
     row["driver"] = run.driverName();
     row["path"] = flights::pathName(run.path);
-    row["patchExponent"] = 0;
+    row["patchExponent"] = run.bounds.patchExponent();
     row["tolerancePx"] = run.tolerancePx;
     row["centrePixels"] = run.centrePixels;
     row["triangles"] = per(totals.triangles, frames);
@@ -131,8 +136,8 @@ nlohmann::ordered_json rowOf(const BenchRun& run, Totals totals, double bytesPer
     row["nsPerChange"] = per(spentUs * 1e3, totals.changes);
     row["nsPerTriangle"] = per(spentUs * 1e3, totals.triangles);
     row["maxErrorPx"] = totals.maxErrorPx;
-    row["uploadBytesPerChange"] =
-        per(totals.uploadBytes, 6.0 * totals.changes); // a diamond: four came, two went, or back
+    row["uploadBytesPerChange"] = per(totals.uploadBytes, // a diamond: four leaves came, two went, or back
+                                      std::ldexp(6.0 * totals.changes, run.bounds.patchExponent()));
     if (run.driver) row["bytesPerActiveTriangle"] = bytesPerTriangle;
     return row;
 }
@@ -146,7 +151,7 @@ std::string BenchRun::driverName() const
 
 viewlod::ViewState BenchRun::view(int frame) const
 {
-    viewlod::ViewState view = flights::AnchorFlight::along(path).view(tile->tile, frame);
+    viewlod::ViewState view = flights::AnchorFlight::along(path).view(bounds.tile().tile, frame);
     if (centrePixels) view.cornerStretch = 1.0;
     return view;
 }
@@ -161,7 +166,8 @@ viewlod::Result<nlohmann::ordered_json> measure(const BenchRun& run, const Frame
         subject.frame(view, frame > 0 || run.frames == 1, totals);
         if (frame % kFramesBetweenChecks != kFramesBetweenChecks - 1 && frame != run.frames - 1) continue;
         const DrawnMesh drawn = subject.drawn();
-        totals.maxErrorPx = std::max(totals.maxErrorPx, checkDrawnMesh(*run.tile, drawn, &view).maxErrorPx);
+        totals.maxErrorPx =
+            std::max(totals.maxErrorPx, checkDrawnMesh(run.bounds.tile(), drawn, &view).maxErrorPx);
         if (!sink) continue;
         if (const auto taken = sink(frame, view, drawn); !taken) return taken.error();
     }

@@ -24,7 +24,7 @@ namespace terraintool
 struct BenchRun
 {
     std::string dem;
-    std::shared_ptr<const osgTerrainROAM::core::RoamTile> tile;
+    osgTerrainROAM::core::SplitBounds bounds; ///< of the tile, with or without patches
     std::optional<osgTerrainROAM::core::Driver> driver;
     flights::Path path = flights::Path::flight;
     double tolerancePx = 1.0;

@@ -37,10 +37,10 @@ Polygon clipped(const Polygon& polygon, int axis, double limit)
 class Collector
 {
 public:
-    explicit Collector(const core::RoamMesh& mesh)
+    Collector(const core::PlacedTile& tile, const core::DrawnMesh& mesh)
         : _mesh(mesh),
-          _limit(mesh.tile().tile.dataColumns() - 1, mesh.tile().tile.dataRows() - 1),
-          _slotToOut(mesh.vertexSlots(), core::kNone)
+          _limit(tile.dataColumns() - 1, tile.dataRows() - 1),
+          _slotToOut(mesh.vertices.size(), core::kNone)
     {
     }
 
@@ -49,8 +49,8 @@ public:
         bool inside = true;
         for (const std::uint32_t slot : triangle.vertices)
         {
-            const core::GridPoint p = _mesh.tree().place(slot).point();
-            inside = inside && p.column <= _limit.x && p.row <= _limit.y;
+            const glm::vec2 grid = _mesh.vertices[slot].grid;
+            inside = inside && grid.x <= _limit.x && grid.y <= _limit.y;
         }
         if (inside)
             for (const std::uint32_t slot : triangle.vertices)
@@ -62,10 +62,10 @@ public:
     ClippedTriangles out;
 
 private:
-    Corner corner(core::VertexSlot slot) const
+    Corner corner(std::uint32_t slot) const
     {
-        const core::GridPoint p = _mesh.tree().place(slot).point();
-        return {_mesh.tree().position(slot), glm::dvec2(p.column, p.row)};
+        const core::MeshVertex& vertex = _mesh.vertices[slot];
+        return {core::positionOf(vertex), glm::dvec2(vertex.grid)};
     }
 
     GLuint append(const glm::dvec3& position)
@@ -97,7 +97,7 @@ private:
         }
     }
 
-    const core::RoamMesh& _mesh;
+    const core::DrawnMesh& _mesh;
     glm::dvec2 _limit;
     std::vector<GLuint> _slotToOut;
 };
@@ -111,21 +111,12 @@ void ClippedTriangles::accept(osg::PrimitiveFunctor& functor) const
     functor.drawElements(GL_TRIANGLES, static_cast<GLsizei>(indices.size()), indices.data());
 }
 
-ClippedTriangles clippedTriangles(const core::RoamMesh& mesh, std::span<const core::TriangleRange> ranges)
+ClippedTriangles clippedTriangles(const core::PlacedTile& tile, const core::DrawnMesh& mesh)
 {
-    Collector collector(mesh);
-    for (const core::TriangleRange& range : ranges)
-        for (std::uint32_t slot = range.first; slot < range.first + range.count; ++slot)
-            collector.add(mesh.triangle(slot));
+    Collector collector(tile, mesh);
+    for (const core::LeafTriangle& triangle : mesh.triangles)
+        collector.add(triangle);
     return std::move(collector.out);
-}
-
-ClippedTriangles clippedTriangles(const core::RoamMesh& mesh)
-{
-    std::vector<core::TriangleRange> ranges;
-    for (std::uint32_t region = 0; region < mesh.tree().leaves().regionCount(); ++region)
-        ranges.push_back(mesh.tree().leaves().region(region));
-    return clippedTriangles(mesh, ranges);
 }
 
 } // namespace osgTerrainROAM

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <span>
 #include <vector>
 
 #include <osg/PrimitiveSet>
 #include <osg/Vec3f>
 
-#include <osgTerrainROAM/core/roam/RoamMesh.h>
+#include <osgTerrainROAM/core/heightfield/PlacedTile.h>
+#include <osgTerrainROAM/core/roam/MeshData.h>
 
 namespace osgTerrainROAM
 {
 
-/// Triangles of a mesh, cut where the data end, as OSG's functors take them.
+/// Triangles that are drawn, cut where the data end, as OSG's functors take them.
 /// Frame: the tile's. Units: metres, single precision.
 struct ClippedTriangles
 {
@@ -22,9 +22,6 @@ struct ClippedTriangles
     void accept(osg::PrimitiveFunctor& functor) const;
 };
 
-ClippedTriangles clippedTriangles(const core::RoamMesh& mesh, std::span<const core::TriangleRange> ranges);
-
-/// All triangles of the mesh.
-ClippedTriangles clippedTriangles(const core::RoamMesh& mesh);
+ClippedTriangles clippedTriangles(const core::PlacedTile& tile, const core::DrawnMesh& mesh);
 
 } // namespace osgTerrainROAM

@@ -84,6 +84,7 @@ std::size_t GpuMesh::upload(osg::State& state, const MeshPacket& packet)
     state.unbindVertexBufferObject();
     state.unbindElementBufferObject();
     if (packet.whole) allocate(gl, packet);
+    _patchExponent = packet.patchExponent;
     gl.glBindBuffer(GL_ARRAY_BUFFER_ARB, _vertexBuffer);
     gl.glBindBuffer(GL_ELEMENT_ARRAY_BUFFER_ARB, _indexBuffer);
     const std::size_t bytes =
@@ -95,18 +96,10 @@ std::size_t GpuMesh::upload(osg::State& state, const MeshPacket& packet)
     return bytes;
 }
 
-void GpuMesh::draw(osg::State& state, std::span<const core::TriangleRange> ranges) const
+void GpuMesh::draw(osg::State& state, std::span<const core::IndexRange> ranges) const
 {
     if (ranges.empty() || _serial == 0) return;
     osg::GLExtensions& gl = *state.get<osg::GLExtensions>();
-    std::vector<GLsizei> counts;
-    std::vector<const void*> offsets;
-    for (const core::TriangleRange& range : ranges)
-    {
-        counts.push_back(static_cast<GLsizei>(range.count * 3));
-        offsets.push_back(bufferOffset(range.first * sizeof(core::LeafTriangle)));
-    }
-
     // What drew before may have left arrays enabled that OSG means to switch off only with the next Geometry.
     state.disableAllVertexArrays();
     state.unbindVertexBufferObject();
@@ -122,12 +115,41 @@ void GpuMesh::draw(osg::State& state, std::span<const core::TriangleRange> range
                              bufferOffset(offsetof(core::MeshVertex, grid)));
     for (GLuint attribute = 0; attribute < 3; ++attribute)
         gl.glEnableVertexAttribArray(attribute);
-    gl.glMultiDrawElements(GL_TRIANGLES, counts.data(), GL_UNSIGNED_INT, offsets.data(),
-                           static_cast<GLsizei>(counts.size()));
+    if (_patchExponent > 0)
+        drawPatches(gl, ranges);
+    else
+        drawTriangles(gl, ranges);
     for (GLuint attribute = 0; attribute < 3; ++attribute)
         gl.glDisableVertexAttribArray(attribute);
     gl.glBindBuffer(GL_ARRAY_BUFFER_ARB, 0);
     gl.glBindBuffer(GL_ELEMENT_ARRAY_BUFFER_ARB, 0);
+}
+
+void GpuMesh::drawTriangles(osg::GLExtensions& gl, std::span<const core::IndexRange> ranges) const
+{
+    std::vector<GLsizei> counts;
+    std::vector<const void*> offsets;
+    for (const core::IndexRange& range : ranges)
+    {
+        counts.push_back(static_cast<GLsizei>(range.count * 3));
+        offsets.push_back(bufferOffset(range.first * sizeof(core::LeafTriangle)));
+    }
+    gl.glMultiDrawElements(GL_TRIANGLES, counts.data(), GL_UNSIGNED_INT, offsets.data(),
+                           static_cast<GLsizei>(counts.size()));
+}
+
+/// One patch's triangles serve all: each draw counts from its own patch's first vertex.
+void GpuMesh::drawPatches(osg::GLExtensions& gl, std::span<const core::IndexRange> ranges) const
+{
+    const core::PatchShape& shape = core::PatchShape::of(_patchExponent);
+    std::vector<GLint> firstVertices;
+    for (const core::IndexRange& range : ranges)
+        for (std::uint32_t slot = range.first; slot < range.first + range.count; ++slot)
+            firstVertices.push_back(static_cast<GLint>(slot * shape.vertices.size()));
+    const std::vector<GLsizei> counts(firstVertices.size(), static_cast<GLsizei>(3 * shape.triangles.size()));
+    const std::vector<const void*> offsets(firstVertices.size(), nullptr);
+    gl.glMultiDrawElementsBaseVertex(GL_TRIANGLES, counts.data(), GL_UNSIGNED_INT, offsets.data(),
+                                     static_cast<GLsizei>(counts.size()), firstVertices.data());
 }
 
 void GpuMesh::release()

@@ -29,20 +29,23 @@ public:
     /// Precondition: canTake(packet).
     std::size_t upload(osg::State& state, const MeshPacket& packet);
 
-    /// Draws ranges of triangles with the vertex attributes 0 (high), 1 (low) and 2 (grid).
-    void draw(osg::State& state, std::span<const core::TriangleRange> ranges) const;
+    /// Draws ranges of triangles, or of patches, with the vertex attributes 0 (high), 1 (low) and 2 (grid).
+    void draw(osg::State& state, std::span<const core::IndexRange> ranges) const;
 
     /// Hands the buffers to the deletion list of the context; the next packet has to be whole.
     void release();
 
 private:
     void allocate(osg::GLExtensions& gl, const MeshPacket& packet);
+    void drawTriangles(osg::GLExtensions& gl, std::span<const core::IndexRange> ranges) const;
+    void drawPatches(osg::GLExtensions& gl, std::span<const core::IndexRange> ranges) const;
 
     unsigned int _contextId;
     GLuint _vertexBuffer = 0;
     GLuint _indexBuffer = 0;
     std::uint32_t _vertexCapacity = 0;
     std::uint32_t _triangleCapacity = 0;
+    int _patchExponent = 0;    ///< of what the buffers hold
     std::uint64_t _serial = 0; ///< state of the mesh in the buffers; 0: none
 };
 

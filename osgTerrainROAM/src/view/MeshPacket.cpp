@@ -19,7 +19,7 @@ void copyRanges(const core::RoamMesh& mesh, MeshPacket& packet)
     for (const core::IndexRange& range : packet.vertexRanges)
         for (std::uint32_t slot = range.first; slot < range.first + range.count; ++slot)
             packet.vertices.push_back(mesh.vertex(slot));
-    for (const core::TriangleRange& range : packet.triangleRanges)
+    for (const core::IndexRange& range : packet.triangleRanges)
         for (std::uint32_t slot = range.first; slot < range.first + range.count; ++slot)
             packet.triangles.push_back(mesh.triangle(slot));
 }
@@ -28,8 +28,42 @@ MeshPacket emptyPacket(const core::RoamMesh& mesh, std::uint64_t serial)
 {
     MeshPacket packet;
     packet.serial = serial;
+    packet.patchExponent = mesh.patchExponent();
     packet.vertexCount = mesh.vertexSlots();
     packet.triangleCount = mesh.triangleSlots();
+    return packet;
+}
+
+/// A packet with the patches of some slots: their vertices one patch after the other.
+MeshPacket patchPacket(const core::RoamMesh& mesh, std::uint64_t serial, std::vector<std::uint32_t> slots)
+{
+    MeshPacket packet = emptyPacket(mesh, serial);
+    const core::PatchPool& patches = *mesh.patches();
+    const core::PatchShape& shape = patches.shape();
+    const auto perPatch = static_cast<std::uint32_t>(shape.vertices.size());
+    packet.vertexCount = patches.slotCount() * perPatch;
+    packet.triangleCount = static_cast<std::uint32_t>(shape.triangles.size());
+    packet.vertexRanges = core::joinedRanges(std::move(slots), 0);
+    for (core::IndexRange& range : packet.vertexRanges)
+    {
+        for (std::uint32_t slot = range.first; slot < range.first + range.count; ++slot)
+            shape.appendVertices(mesh.tile().tile, mesh.tree().gridTriangle(patches.leaf(slot)),
+                                 packet.vertices);
+        range = {range.first * perPatch, range.count * perPatch};
+    }
+    return packet;
+}
+
+MeshPacket wholePatchPacket(const core::RoamMesh& mesh, std::uint64_t serial)
+{
+    const core::PatchPool& patches = *mesh.patches();
+    std::vector<std::uint32_t> slots;
+    for (std::uint32_t slot = 0; slot < patches.slotCount(); ++slot)
+        if (patches.leaf(slot).exists()) slots.push_back(slot);
+    MeshPacket packet = patchPacket(mesh, serial, std::move(slots));
+    packet.triangleRanges = {{0, packet.triangleCount}};
+    for (const core::PatchShape::Triangle& t : patches.shape().triangles)
+        packet.triangles.push_back({{t[0], t[1], t[2]}});
     return packet;
 }
 
@@ -42,6 +76,8 @@ std::uint32_t bufferCapacity(std::uint32_t count)
 
 PacketPtr changedPacket(const core::RoamMesh& mesh, std::uint64_t serial)
 {
+    if (mesh.patches())
+        return std::make_shared<const MeshPacket>(patchPacket(mesh, serial, mesh.patches()->written()));
     MeshPacket packet = emptyPacket(mesh, serial);
     packet.vertexRanges = core::joinedRanges(mesh.changes().vertices, kMaxVertexGap);
     packet.triangleRanges = core::joinedRanges(mesh.changes().triangles, kMaxTriangleGap);
@@ -51,8 +87,9 @@ PacketPtr changedPacket(const core::RoamMesh& mesh, std::uint64_t serial)
 
 PacketPtr wholePacket(const core::RoamMesh& mesh, std::uint64_t serial)
 {
-    MeshPacket packet = emptyPacket(mesh, serial);
+    MeshPacket packet = mesh.patches() ? wholePatchPacket(mesh, serial) : emptyPacket(mesh, serial);
     packet.whole = true;
+    if (mesh.patches()) return std::make_shared<const MeshPacket>(std::move(packet));
     packet.vertexRanges = {{0, packet.vertexCount}};
     const core::LeafArena& leaves = mesh.tree().leaves();
     for (std::uint32_t region = 0; region < leaves.regionCount(); ++region)

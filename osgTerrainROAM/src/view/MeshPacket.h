@@ -17,11 +17,13 @@ struct MeshPacket
 {
     std::uint64_t serial = 0;
     bool whole = false;
+    int patchExponent =
+        0; ///< of the patches that the vertices are those of, slot by slot; the triangles are one patch's
     std::uint32_t vertexCount = 0; ///< of the mesh in state `serial`, free slots included
     std::uint32_t triangleCount = 0;
     std::vector<core::IndexRange> vertexRanges; ///< where `vertices` go, one range after the other
     std::vector<core::MeshVertex> vertices;
-    std::vector<core::TriangleRange> triangleRanges;
+    std::vector<core::IndexRange> triangleRanges;
     std::vector<core::LeafTriangle> triangles;
 };
 

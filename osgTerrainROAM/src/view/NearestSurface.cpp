@@ -64,11 +64,27 @@ struct Search
         return glm::distance(point, centre) - radius;
     }
 
+    /// Into a leaf's patch.
+    void descendPatch(const core::GridTriangle& g, const Corners& c, int level)
+    {
+        const core::RoamTile& tile = tree.tile();
+        if (!g.overlaps(tile.tile.dataColumns(), tile.tile.dataRows())) return;
+        if (level == tree.bounds().patchExponent())
+        {
+            leastM = std::min(leastM, distanceToTriangle(point, c));
+            return;
+        }
+        if (boundM(tile.bound(g.middleOfBase()), c) >= leastM) return;
+        for (const core::GridTriangle& half : g.children())
+            descendPatch(half, corners(half), level + 1);
+    }
+
     void descend(core::TriangleId t, const core::GridTriangle& g)
     {
         const core::PlacedTile& tile = tree.tile().tile;
         if (!g.overlaps(tile.dataColumns(), tile.dataRows())) return;
         const Corners c = corners(g);
+        if (tree.isLeaf(t) && tree.bounds().patchExponent() > 0) return descendPatch(g, c, 0);
         if (tree.isLeaf(t))
         {
             Corners drawn;

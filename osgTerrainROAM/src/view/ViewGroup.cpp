@@ -12,26 +12,28 @@ namespace osgTerrainROAM
 namespace
 {
 
-std::uint32_t triangleSum(const std::vector<core::TriangleRange>& ranges)
+std::uint32_t sumOf(const std::vector<core::IndexRange>& ranges)
 {
     std::uint32_t sum = 0;
-    for (const core::TriangleRange& range : ranges)
+    for (const core::IndexRange& range : ranges)
         sum += range.count;
     return sum;
 }
 
-/// Near regions first, so that the depth test spares what they hide: about half the fragments in hills. A region is
-/// where its first triangle is.
-void sortFrontToBack(const core::RoamMesh& mesh, const glm::dvec3& eye,
-                     std::vector<core::TriangleRange>& ranges)
+/// A place in the first of what a range draws.
+glm::vec3 placeOf(const core::RoamMesh& mesh, const core::IndexRange& range)
 {
-    std::vector<std::pair<float, core::TriangleRange>> keyed;
+    if (const core::PatchPool* patches = mesh.patches()) return glm::vec3(patches->centre(range.first));
+    return mesh.vertex(mesh.tree().leaves().leaf(range.first).apex()).positionHigh;
+}
+
+/// Near ranges first, so that the depth test spares what they hide: about half the fragments in hills.
+void sortFrontToBack(const core::RoamMesh& mesh, const glm::dvec3& eye, std::vector<core::IndexRange>& ranges)
+{
+    std::vector<std::pair<float, core::IndexRange>> keyed;
     keyed.reserve(ranges.size());
-    for (const core::TriangleRange& range : ranges)
-    {
-        const core::MeshVertex apex = mesh.vertex(mesh.tree().leaves().leaf(range.first).apex());
-        keyed.emplace_back(glm::distance(apex.positionHigh, glm::vec3(eye)), range);
-    }
+    for (const core::IndexRange& range : ranges)
+        keyed.emplace_back(glm::distance(placeOf(mesh, range), glm::vec3(eye)), range);
     std::sort(keyed.begin(), keyed.end(),
               [](const auto& a, const auto& b)
               { return a.first != b.first ? a.first < b.first : a.second.first < b.second.first; });
@@ -148,7 +150,7 @@ std::uint32_t ViewGroup::draw(osg::State& state, const ViewAnswer& answer, const
         gpu = slot.get();
     }
     PacketPtr packet = answer.packet;
-    std::vector<core::TriangleRange> ranges = answer.ranges;
+    std::vector<core::IndexRange> ranges = answer.ranges;
     if (!packet || !gpu->canTake(*packet))
     {
         const std::lock_guard lock(_meshMutex);
@@ -158,7 +160,7 @@ std::uint32_t ViewGroup::draw(osg::State& state, const ViewAnswer& answer, const
     }
     const std::size_t bytes = gpu->upload(state, *packet);
     gpu->draw(state, ranges);
-    const std::uint32_t triangles = triangleSum(ranges);
+    const std::uint32_t triangles = sumOf(ranges) << packet->patchExponent;
     const std::lock_guard lock(_gpuMutex);
     _bytesUploaded += bytes;
     _trianglesDrawn = triangles;

@@ -33,10 +33,10 @@ struct RefineTarget
 /// What one cull traversal takes along to the draw.
 struct ViewAnswer
 {
-    std::uint64_t serial = 0; ///< state of the mesh that `ranges` belong to
-    PacketPtr packet;         ///< leads to that state; null when nobody was known to draw
-    std::vector<core::TriangleRange> ranges;
-    double nearestM = 0.0; ///< from the eye to the drawn surface
+    std::uint64_t serial = 0;             ///< state of the mesh that `ranges` belong to
+    PacketPtr packet;                     ///< leads to that state; null when nobody was known to draw
+    std::vector<core::IndexRange> ranges; ///< RoamMesh::visibleRanges()
+    double nearestM = 0.0;                ///< from the eye to the drawn surface
 };
 
 /// The mesh of one view group, and its copies in the graphics contexts.
@@ -46,7 +46,7 @@ struct ViewAnswer
 class ViewGroup
 {
 public:
-    explicit ViewGroup(std::shared_ptr<const core::RoamTile> tile) : _mesh(std::move(tile)) {}
+    explicit ViewGroup(core::SplitBounds bounds) : _mesh(std::move(bounds)) {}
 
     /// Refines for the target, unless this frame's mesh is as strict already, and answers for one frustum.
     /// `contextId`: who will draw, so that it can be given the whole mesh if it needs it; absent: nobody.
@@ -67,7 +67,7 @@ public:
     {
         const std::lock_guard lock(_meshMutex);
         if (answer.serial == _serial) return visit(_mesh, answer.ranges);
-        std::vector<core::TriangleRange> ranges;
+        std::vector<core::IndexRange> ranges;
         _mesh.visibleRanges(frustum, ranges);
         visit(_mesh, ranges);
     }

@@ -62,7 +62,7 @@ ViewGroupTable::Entry& ViewGroupTable::entryFor(const ViewRequest& request)
         return *own;
     }
     Entry& fresh = _entries.emplace_back();
-    fresh.group = std::make_shared<ViewGroup>(_tile);
+    fresh.group = std::make_shared<ViewGroup>(_bounds.value());
     fresh.eye = eye;
     return fresh;
 }
@@ -106,7 +106,7 @@ std::shared_ptr<ViewGroup> ViewGroupTable::latest(double defaultErrorM)
 {
     const std::lock_guard lock(_mutex);
     if (_latest) return _latest;
-    _latest = std::make_shared<ViewGroup>(_tile);
+    _latest = std::make_shared<ViewGroup>(_bounds.value());
     RefineTarget target;
     target.errorM = defaultErrorM;
     _latest->answer(0, target, viewlod::Frustum(), std::nullopt);

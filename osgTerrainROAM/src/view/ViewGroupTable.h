@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <vector>
 
 #include <osg/Camera>
@@ -33,7 +34,8 @@ public:
     static constexpr unsigned int kUnusedFrames = 30;
     static constexpr double kSameEyeM = 1e-4; ///< eyes of channels differ by the rounding of their matrices
 
-    explicit ViewGroupTable(std::shared_ptr<const core::RoamTile> tile) : _tile(std::move(tile)) {}
+    /// `bounds`: none makes a table that is never asked.
+    explicit ViewGroupTable(std::optional<core::SplitBounds> bounds) : _bounds(std::move(bounds)) {}
 
     /// The group for a request, and the target with the strictest scale among the group's cameras.
     struct Match
@@ -72,7 +74,7 @@ private:
     void dropUnused(unsigned int frame);
     static RefineTarget strictest(const Entry& entry);
 
-    std::shared_ptr<const core::RoamTile> _tile;
+    std::optional<core::SplitBounds> _bounds;
     mutable std::mutex _mutex;
     std::vector<Entry> _entries;
     std::shared_ptr<ViewGroup> _latest;

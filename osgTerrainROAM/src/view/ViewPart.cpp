@@ -100,8 +100,8 @@ void ViewPart::accept(osg::PrimitiveFunctor& functor) const
 {
     ClippedTriangles triangles;
     _group->visitMesh(_answer, _frustum,
-                      [&](const core::RoamMesh& mesh, const std::vector<core::TriangleRange>& ranges)
-                      { triangles = clippedTriangles(mesh, ranges); });
+                      [&](const core::RoamMesh& mesh, const std::vector<core::IndexRange>& ranges)
+                      { triangles = clippedTriangles(mesh.tile().tile, mesh.drawn(ranges)); });
     triangles.accept(functor);
 }
 

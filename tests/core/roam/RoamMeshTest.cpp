@@ -31,7 +31,7 @@ using testsupport::leafSet;
 std::vector<CornerIndices> meshFromScratch(const viewlod::ViewState& view, double tolerancePx)
 {
     std::vector<GridTriangle> leaves;
-    refineFromScratch(*flightTile(), view, tolerancePx, leaves);
+    refineFromScratch(flightTile(), view, tolerancePx, leaves);
     return leafSet(leaves);
 }
 

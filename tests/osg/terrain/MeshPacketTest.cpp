@@ -41,20 +41,41 @@ struct Buffers
         serial = packet.serial;
     }
 
-    /// Whether the drawn triangles have the vertices that the mesh has there.
-    bool shows(const core::RoamMesh& mesh, const std::vector<core::TriangleRange>& ranges) const
+    /// The vertices that a draw of some ranges reads, triangle by triangle.
+    std::vector<core::MeshVertex> drawn(const core::RoamMesh& mesh,
+                                        const std::vector<core::IndexRange>& ranges) const
     {
-        for (const core::TriangleRange& range : ranges)
-            for (std::uint32_t i = range.first; i < range.first + range.count; ++i)
-                for (int corner = 0; corner < 3; ++corner)
-                {
-                    const std::uint32_t slot = triangles[i].vertices[corner];
-                    if (slot != mesh.triangle(i).vertices[corner]) return false;
-                    const core::MeshVertex &mine = vertices[slot], theirs = mesh.vertex(slot);
-                    if (mine.positionHigh != theirs.positionHigh || mine.positionLow != theirs.positionLow ||
-                        mine.grid != theirs.grid)
-                        return false;
-                }
+        std::vector<core::MeshVertex> read;
+        const auto draw = [&](std::size_t first, std::size_t count, std::size_t baseVertex)
+        {
+            for (std::size_t i = first; i < first + count; ++i)
+                for (const std::uint32_t slot : triangles[i].vertices)
+                    read.push_back(vertices[baseVertex + slot]);
+        };
+        for (const core::IndexRange& range : ranges)
+        {
+            if (!mesh.patches())
+                draw(range.first, range.count, 0);
+            else
+                for (std::uint32_t slot = range.first; slot < range.first + range.count; ++slot)
+                    draw(0, triangles.size(), slot * mesh.patches()->shape().vertices.size());
+        }
+        return read;
+    }
+
+    /// Whether what is drawn are the triangles that the mesh draws.
+    bool shows(const core::RoamMesh& mesh, const std::vector<core::IndexRange>& ranges) const
+    {
+        const std::vector<core::MeshVertex> mine = drawn(mesh, ranges);
+        const core::DrawnMesh wanted = mesh.drawn(ranges);
+        if (mine.size() != 3 * wanted.triangles.size()) return false;
+        for (std::size_t i = 0; i < mine.size(); ++i)
+        {
+            const core::MeshVertex& theirs = wanted.vertices[wanted.triangles[i / 3].vertices[i % 3]];
+            if (mine[i].positionHigh != theirs.positionHigh || mine[i].positionLow != theirs.positionLow ||
+                mine[i].grid != theirs.grid)
+                return false;
+        }
         return true;
     }
 };
@@ -92,12 +113,36 @@ void fly(ViewGroup& group, Buffers& steady, Buffers* seldom)
 
 } // namespace
 
-TEST(MeshPacket, ChangesLeadEveryContextToTheMesh)
+class MeshPackets : public testing::TestWithParam<int>
 {
-    ViewGroup group(testsupport::planarTile(testsupport::hills(129, 129)));
+};
+
+TEST_P(MeshPackets, LeadEveryContextToTheMesh)
+{
+    ViewGroup group(core::SplitBounds(testsupport::planarTile(testsupport::hills(129, 129)), GetParam()));
     Buffers steady, seldom;
     fly(group, steady, &seldom);
     EXPECT_GT(steady.serial, 50u);
+}
+
+INSTANTIATE_TEST_SUITE_P(Patches, MeshPackets, testing::Values(0, 2, 6));
+
+TEST(MeshPacket, ALostPatchIsNoticed)
+{
+    core::RoamMesh mesh(core::SplitBounds(testsupport::planarTile(testsupport::hills(129, 129)), 4));
+    mesh.refine(40.0);
+    Buffers buffers;
+    buffers.take(*wholePacket(mesh, 1));
+    mesh.refine(20.0);
+    MeshPacket packet = *changedPacket(mesh, 2);
+    ASSERT_GT(packet.vertexRanges.size(), 0u);
+    EXPECT_TRUE(packet.triangles.empty()) << "the patch's triangles never change";
+    packet.vertices.resize(packet.vertices.size() - packet.vertexRanges.back().count);
+    packet.vertexRanges.pop_back();
+    buffers.take(packet);
+    std::vector<core::IndexRange> all;
+    mesh.visibleRanges(viewlod::Frustum(glm::dmat4(0.0)), all);
+    EXPECT_FALSE(buffers.shows(mesh, all));
 }
 
 TEST(MeshPacket, ALostRangeIsNoticed)
@@ -113,7 +158,7 @@ TEST(MeshPacket, ALostRangeIsNoticed)
     packet.triangles.resize(packet.triangles.size() - packet.triangleRanges.back().count);
     packet.triangleRanges.pop_back();
     buffers.take(packet);
-    std::vector<core::TriangleRange> all;
+    std::vector<core::IndexRange> all;
     for (std::uint32_t i = 0; i < mesh.tree().leaves().regionCount(); ++i)
         all.push_back(mesh.tree().leaves().region(i));
     EXPECT_FALSE(buffers.shows(mesh, all));

@@ -19,33 +19,31 @@ double sampledDistance(const core::RoamMesh& mesh, const glm::dvec3& point)
 {
     double least = 1e30;
     constexpr int kSteps = 12;
-    for (std::uint32_t region = 0; region < mesh.tree().leaves().regionCount(); ++region)
+    const core::DrawnMesh drawn = mesh.drawn();
+    for (const core::LeafTriangle& t : drawn.triangles)
     {
-        const core::TriangleRange range = mesh.tree().leaves().region(region);
-        for (std::uint32_t i = range.first; i < range.first + range.count; ++i)
-        {
-            glm::dvec3 p[3];
-            for (int c = 0; c < 3; ++c)
+        glm::dvec3 p[3];
+        for (int c = 0; c < 3; ++c)
+            p[c] = core::positionOf(drawn.vertices[t.vertices[c]]);
+        for (int a = 0; a <= kSteps; ++a)
+            for (int b = 0; a + b <= kSteps; ++b)
             {
-                const core::MeshVertex v = mesh.vertex(mesh.triangle(i).vertices[c]);
-                p[c] = glm::dvec3(v.positionHigh) + glm::dvec3(v.positionLow);
+                const double u = static_cast<double>(a) / kSteps, v = static_cast<double>(b) / kSteps;
+                least = std::min(least, glm::distance(point, p[0] * (1 - u - v) + p[1] * u + p[2] * v));
             }
-            for (int a = 0; a <= kSteps; ++a)
-                for (int b = 0; a + b <= kSteps; ++b)
-                {
-                    const double u = static_cast<double>(a) / kSteps, v = static_cast<double>(b) / kSteps;
-                    least = std::min(least, glm::distance(point, p[0] * (1 - u - v) + p[1] * u + p[2] * v));
-                }
-        }
     }
     return least;
 }
 
 } // namespace
 
-TEST(NearestSurface, AgreesWithBruteForce)
+class NearestSurfaces : public testing::TestWithParam<int>
 {
-    core::RoamMesh mesh(testsupport::planarTile(testsupport::hills(65, 65)));
+};
+
+TEST_P(NearestSurfaces, AgreesWithBruteForce)
+{
+    core::RoamMesh mesh(core::SplitBounds(testsupport::planarTile(testsupport::hills(65, 65)), GetParam()));
     mesh.refine(4.0);
     testsupport::Random random(21);
     for (int i = 0; i < 40; ++i)
@@ -57,6 +55,8 @@ TEST(NearestSurface, AgreesWithBruteForce)
         EXPECT_GE(exact, sampled - 25.0);
     }
 }
+
+INSTANTIATE_TEST_SUITE_P(Patches, NearestSurfaces, testing::Values(0, 4));
 
 TEST(NearestSurface, IsTheHeightOverAPlain)
 {

@@ -63,7 +63,9 @@ TEST(RoamDrawableFunctor, CoversExactlyTheDataWithUpwardTriangles)
     const auto before = groundOf(*terrain->drawable());
     handcull::cull(*terrain, *handcull::cameraAt({3000, 300, 900}, {3000, 4000, 500}), 1);
     const auto after = groundOf(*terrain->drawable());
-    for (const auto* ground : {&before, &after})
+    terrain->drawable()->setPatchExponent(4);
+    const auto patched = groundOf(*terrain->drawable());
+    for (const auto* ground : {&before, &after, &patched})
     {
         EXPECT_NEAR(ground->area2 / 2.0, (kColumns - 1) * (kRows - 1) * kSpacingM * kSpacingM, 1.0);
         EXPECT_EQ(ground->downward, 0u);
@@ -78,12 +80,12 @@ TEST(RoamDrawableFunctor, AMissingRangeShowsInTheArea)
     osgTerrainROAM::core::RoamMesh mesh(
         testsupport::planarTile(testsupport::hills(kColumns, kRows, kSpacingM)));
     mesh.refine(1.0);
-    std::vector<osgTerrainROAM::core::TriangleRange> ranges;
+    std::vector<osgTerrainROAM::core::IndexRange> ranges;
     for (std::uint32_t i = 0; i < mesh.tree().leaves().regionCount(); ++i)
         if (mesh.tree().leaves().region(i).count > 0) ranges.push_back(mesh.tree().leaves().region(i));
     ranges.erase(ranges.begin() + static_cast<std::ptrdiff_t>(ranges.size() / 2));
     osg::TriangleFunctor<Ground> ground;
-    osgTerrainROAM::clippedTriangles(mesh, ranges).accept(ground);
+    osgTerrainROAM::clippedTriangles(mesh.tile().tile, mesh.drawn(ranges)).accept(ground);
     EXPECT_GT(std::abs(ground.area2 / 2.0 - (kColumns - 1) * (kRows - 1) * kSpacingM * kSpacingM), 100.0);
 }
 

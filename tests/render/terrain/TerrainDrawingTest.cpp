@@ -66,6 +66,32 @@ TEST(TerrainDrawing, APictureDoesNotDependOnTheWayThere)
     }
 }
 
+// Where every sample is drawn, patches are another way to the same triangles.
+TEST(TerrainDrawing, PatchesDrawTheSameGround)
+{
+    for (const auto backend : rendered::backends())
+    {
+        const auto terrain = islandTerrain(1e-4);
+        const auto viewer = viewerOn(terrain, backend);
+        ASSERT_TRUE(viewer);
+        const auto views = viewpoints(terrain->tile()->tile);
+        viewer->camera().setProjectionMatrixAsPerspective(45.0, 320.0 / 180.0, 5.0, 30000.0);
+        for (const Viewpoint& view : views)
+        {
+            terrain->setPatchExponent(0);
+            const auto plain = pictureFrom(*viewer, view);
+            for (const int exponent : {2, 6})
+            {
+                terrain->setPatchExponent(exponent);
+                const auto difference = compareImages(*plain, *pictureFrom(*viewer, view));
+                EXPECT_TRUE(difference.within(16, 4))
+                    << view.name << ' ' << exponent << ": " << difference.message();
+                EXPECT_EQ(terrain->statistics().front().trianglesDrawn % (1u << exponent), 0u);
+            }
+        }
+    }
+}
+
 TEST(TerrainDrawing, BothBackendsDrawTheSame)
 {
     const auto backends = rendered::backends();

@@ -10,16 +10,16 @@
 namespace osgTerrainROAM::core
 {
 
-DiamondTree::DiamondTree(std::shared_ptr<const RoamTile> tile)
-    : _tile(std::move(tile)),
-      _lastSample(_tile->tile.side() - 1),
-      _levels(_tile->tile.levels()),
-      _regionLevel(_tile->regions.level()),
-      _dataFillsTile(std::min(_tile->tile.dataColumns(), _tile->tile.dataRows()) == _tile->tile.side()),
-      _leaves(_tile->regions.regionCount() + 1)
+DiamondTree::DiamondTree(SplitBounds bounds)
+    : _bounds(std::move(bounds)),
+      _lastSample(tile().tile.side() - 1),
+      _levels(_bounds.levels()),
+      _regionLevel(tile().regions.level()),
+      _dataFillsTile(std::min(tile().tile.dataColumns(), tile().tile.dataRows()) == tile().tile.side()),
+      _leaves(tile().regions.regionCount() + 1)
 {
     // The corners as if they had split something larger: the apexes of the two roots have one quadrant each.
-    const auto [first, second] = rootTriangles(_tile->tile.side());
+    const auto [first, second] = rootTriangles(tile().tile.side());
     const GridPoint corners[kCorners] = {first.apex, second.apex, first.left, first.right};
     for (const GridPoint p : corners)
     {
@@ -73,6 +73,7 @@ void DiamondTree::removeVertex(VertexSlot v)
 {
     _places[v].direction |= DiamondPlace::kFree;
     _freeSlots.push_back(v);
+    if (_notesGone) _changes.gone.push_back(v);
 }
 
 GridTriangle DiamondTree::gridTriangle(TriangleId t) const
@@ -124,7 +125,7 @@ TriangleId DiamondTree::acrossLeg(TriangleId t, bool right) const
 
 bool DiamondTree::isInData(TriangleId t) const
 {
-    return _dataFillsTile || gridTriangle(t).overlaps(_tile->tile.dataColumns(), _tile->tile.dataRows());
+    return _dataFillsTile || gridTriangle(t).overlaps(tile().tile.dataColumns(), tile().tile.dataRows());
 }
 
 /// Notes the slots that the arena has written. One may have been written more than once, or be in use no more.
@@ -253,7 +254,8 @@ std::size_t DiamondTree::memoryBytes() const
     return _places.capacity() * sizeof(DiamondPlace) + _diamonds.capacity() * sizeof(Diamond) +
            _displacements.capacity() * sizeof(glm::vec3) + _freeSlots.capacity() * sizeof(VertexSlot) +
            _leaves.memoryBytes() +
-           (_changes.vertices.capacity() + _changes.triangles.capacity()) * sizeof(std::uint32_t);
+           (_changes.vertices.capacity() + _changes.triangles.capacity() + _changes.gone.capacity()) *
+               sizeof(std::uint32_t);
 }
 
 } // namespace osgTerrainROAM::core

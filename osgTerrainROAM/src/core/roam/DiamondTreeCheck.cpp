@@ -85,7 +85,7 @@ bool DiamondTree::linksAreSound(VertexSlot v) const
 
 bool DiamondTree::isConforming() const
 {
-    const Grid grid{_tile->tile.side()};
+    const Grid grid{tile().tile.side()};
     const std::vector<TriangleId> leaves = leavesOf(*this);
     std::vector<Edge> edges;
     edges.reserve(3 * leaves.size());

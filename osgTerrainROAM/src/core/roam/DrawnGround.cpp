@@ -31,6 +31,13 @@ VerticalHit meet(const DiamondTree& tree, TriangleId t, const glm::dvec2& place)
     return verticalHit(positions, grid, place);
 }
 
+/// Whether a grid place lies on the right corner's side of apex and middle of the base.
+bool isOnTheRight(GridPoint apex, GridPoint mid, const glm::dvec2& grid)
+{
+    return (mid.column - apex.column) * (grid.y - apex.row) - (mid.row - apex.row) * (grid.x - apex.column) >
+           0.0;
+}
+
 /// A way down the tree to the leaf over a grid place.
 struct Descent
 {
@@ -38,12 +45,15 @@ struct Descent
     TriangleId triangle;
 
     Descent() = default;
-    Descent(const DiamondTree& tree, const glm::dvec2& local)
-        : grid(tree.tile().tile.gridAt({local.x, local.y, 0.0}))
+    explicit Descent(const glm::dvec2& gridPlace) : grid(gridPlace)
     {
         // The roots share the diagonal along which column and row are equal; the first lies south-east of it.
         if (std::isfinite(grid.x) && std::isfinite(grid.y))
             triangle = DiamondTree::kRoots[grid.x >= grid.y ? 0 : 1];
+    }
+    Descent(const DiamondTree& tree, const glm::dvec2& local)
+        : Descent(tree.tile().tile.gridAt({local.x, local.y, 0.0}))
+    {
     }
 
     bool isDone(const DiamondTree& tree) const { return !triangle.exists() || tree.isLeaf(triangle); }
@@ -52,10 +62,7 @@ struct Descent
     {
         const GridPoint mid = tree.place(tree.splitVertex(triangle)).point();
         const GridPoint apex = tree.place(triangle.apex()).point();
-        const double across =
-            (mid.column - apex.column) * (grid.y - apex.row) - (mid.row - apex.row) * (grid.x - apex.column);
-        triangle =
-            tree.children(triangle)[across > 0.0 ? 1 : 0]; // on the right corner's side of apex and middle
+        triangle = tree.children(triangle)[isOnTheRight(apex, mid, grid) ? 1 : 0];
     }
 };
 
@@ -66,10 +73,20 @@ TriangleId towards(const DiamondTree& tree, TriangleId t, const glm::dvec3& weig
     return tree.acrossLeg(t, weights.y <= weights.z);
 }
 
-/// From the leaf under the place in the grid to the one that the vertical line meets.
-std::optional<DrawnGround> groundFrom(const DiamondTree& tree, TriangleId t, const glm::dvec2& place)
+bool isBeyondData(const PlacedTile& tile, const glm::dvec2& grid)
 {
-    const PlacedTile& tile = tree.tile().tile;
+    return grid.x > tile.dataColumns() - 1 + kEdgeSlack || grid.y > tile.dataRows() - 1 + kEdgeSlack;
+}
+
+/// How far the true surface may be from a leaf, or from its patch, when none of its vertices is displaced.
+double boundM(const DiamondTree& tree, TriangleId leaf)
+{
+    return tree.canSplit(leaf) ? tree.bound(leaf).errorM : 0.0;
+}
+
+/// From the leaf under the place in the grid to the one that the vertical line meets.
+std::optional<DrawnGround> onLeaves(const DiamondTree& tree, TriangleId t, const glm::dvec2& place)
+{
     for (int step = 0; step < kMostSteps && t.exists(); ++step)
     {
         const VerticalHit hit = meet(tree, t, place);
@@ -78,15 +95,60 @@ std::optional<DrawnGround> groundFrom(const DiamondTree& tree, TriangleId t, con
             t = towards(tree, t, hit.barycentric);
             continue;
         }
-        if (hit.grid.x > tile.dataColumns() - 1 + kEdgeSlack || hit.grid.y > tile.dataRows() - 1 + kEdgeSlack)
-            return std::nullopt;
+        if (isBeyondData(tree.tile().tile, hit.grid)) return std::nullopt;
         double movedM = 0.0;
         for (const VertexSlot v : tree.vertices(t).vertices)
             movedM = std::max<double>(movedM, glm::length(tree.displacement(v)));
-        const double boundM = movedM + (tree.canSplit(t) ? tree.bound(t).errorM : 0.0);
-        return DrawnGround{hit.position, hit.normal, boundM, t};
+        return DrawnGround{hit.position, hit.normal, movedM + boundM(tree, t), t};
     }
     return std::nullopt;
+}
+
+/// The triangle of a leaf's patch over a grid place.
+GridTriangle inPatch(const DiamondTree& tree, const Descent& leaf)
+{
+    GridTriangle t = tree.gridTriangle(leaf.triangle);
+    for (int level = 0; level < tree.bounds().patchExponent(); ++level)
+        t = t.children()[isOnTheRight(t.apex, t.middleOfBase(), leaf.grid) ? 1 : 0];
+    return t;
+}
+
+/// Where a patch triangle's plane says that the place is instead, the way down begins again.
+std::optional<DrawnGround> onPatches(const DiamondTree& tree, Descent descent, const glm::dvec2& place)
+{
+    const PlacedTile& tile = tree.tile().tile;
+    const double last = tile.side() - 1;
+    for (int step = 0; step < kMostSteps && descent.triangle.exists(); ++step)
+    {
+        const GridTriangle t = inPatch(tree, descent);
+        std::array<glm::dvec3, 3> positions;
+        std::array<glm::dvec2, 3> grid;
+        for (std::size_t i = 0; i < 3; ++i)
+        {
+            const GridPoint p = i == 0 ? t.apex : i == 1 ? t.left : t.right;
+            positions[i] = tile.position(p.column, p.row);
+            grid[i] = glm::dvec2(p.column, p.row);
+        }
+        const VerticalHit hit = verticalHit(positions, grid, place);
+        if (hit.isInside())
+        {
+            if (isBeyondData(tile, hit.grid)) return std::nullopt;
+            return DrawnGround{hit.position, hit.normal, boundM(tree, descent.triangle), descent.triangle};
+        }
+        if (std::min(hit.grid.x, hit.grid.y) < -1.0 || std::max(hit.grid.x, hit.grid.y) > last + 1.0)
+            return std::nullopt;
+        descent = Descent(hit.grid);
+        while (!descent.isDone(tree))
+            descent.step(tree);
+    }
+    return std::nullopt;
+}
+
+std::optional<DrawnGround> groundFrom(const DiamondTree& tree, const Descent& descent,
+                                      const glm::dvec2& place)
+{
+    if (tree.bounds().patchExponent() > 0) return onPatches(tree, descent, place);
+    return onLeaves(tree, descent.triangle, place);
 }
 
 } // namespace
@@ -96,7 +158,7 @@ std::optional<DrawnGround> drawnGroundAt(const DiamondTree& tree, double eastM, 
     Descent descent(tree, {eastM, northM});
     while (!descent.isDone(tree))
         descent.step(tree);
-    return groundFrom(tree, descent.triangle, {eastM, northM});
+    return groundFrom(tree, descent, {eastM, northM});
 }
 
 void drawnGroundAt(const DiamondTree& tree, std::span<const glm::dvec2> places,
@@ -120,7 +182,7 @@ void drawnGroundAt(const DiamondTree& tree, std::span<const glm::dvec2> places,
             }
         }
         for (std::size_t i = 0; i < count; ++i)
-            grounds[first + i] = groundFrom(tree, descents[i].triangle, places[first + i]);
+            grounds[first + i] = groundFrom(tree, descents[i], places[first + i]);
     }
 }
 

@@ -20,9 +20,12 @@ constexpr auto kUnlimited = std::numeric_limits<std::uint32_t>::max();
 
 } // namespace
 
-RoamMesh::RoamMesh(std::shared_ptr<const RoamTile> tile, Driver driver)
-    : _tile(std::move(tile)), _driver(driver), _tree(_tile), _wheel(*_tile)
+RoamMesh::RoamMesh(SplitBounds bounds, Driver driver)
+    : _driver(driver), _tree(std::move(bounds)), _wheel(_tree.tile())
 {
+    if (patchExponent() == 0) return;
+    _tree.noteGone();
+    _patches.emplace(_tree);
 }
 
 void RoamMesh::setDriver(Driver driver)
@@ -59,9 +62,11 @@ RefineResult RoamMesh::refine(const viewlod::ViewState& view, const viewlod::Bud
 }
 
 /// Takes the mesh to an eye, without morphing.
-RefineResult RoamMesh::adapt(const viewlod::ViewState& view, const viewlod::Budget& budget)
+RefineResult RoamMesh::adapt(const viewlod::ViewState& view, const viewlod::Budget& ofTriangles)
 {
     RefineResult result;
+    viewlod::Budget budget = ofTriangles;
+    budget.maxTriangles >>= patchExponent();
     viewlod::Slice slice(budget);
     const double targetPx = budget.errorTolerancePx;
     if (_driver == Driver::queue)
@@ -71,12 +76,12 @@ RefineResult RoamMesh::adapt(const viewlod::ViewState& view, const viewlod::Budg
     else
     {
         // A mesh that was at the ceiling is likely to be there again; else the search waits until it is needed.
-        const double tolerancePx =
-            _ceilingBound ? toleranceWithinCeiling(*_tile, view, budget, kWarmGuess * _lastTolerancePx)
-                          : targetPx;
+        const double tolerancePx = _ceilingBound ? toleranceWithinCeiling(_tree.bounds(), view, budget,
+                                                                          kWarmGuess * _lastTolerancePx)
+                                                 : targetPx;
         bool finished = run(view, tolerancePx, budget.maxTriangles, slice, result);
         if (!finished && !slice.isSpent() && !_ceilingBound)
-            finished = run(view, toleranceWithinCeiling(*_tile, view, budget, kColdGuess * targetPx),
+            finished = run(view, toleranceWithinCeiling(_tree.bounds(), view, budget, kColdGuess * targetPx),
                            budget.maxTriangles, slice, result);
         result.sliceBound = !finished;
     }
@@ -87,9 +92,16 @@ RefineResult RoamMesh::adapt(const viewlod::ViewState& view, const viewlod::Budg
         result.errorBoundPx = std::numeric_limits<double>::infinity();
     _ceilingBound = result.ceilingBound = result.tolerancePx > targetPx && !result.sliceBound;
     _lastTolerancePx = result.tolerancePx;
-    result.leaves = _tree.leafCount();
-    result.triangles = _tree.leaves().leafCount();
+    finish(result);
     return result;
+}
+
+/// What every refinement ends with.
+void RoamMesh::finish(RefineResult& result)
+{
+    if (_patches) _patches->follow(_tree);
+    result.leaves = _tree.leafCount() << patchExponent();
+    result.triangles = _tree.leaves().leafCount() << patchExponent();
 }
 
 RefineResult RoamMesh::refine(double errorM)
@@ -101,19 +113,23 @@ RefineResult RoamMesh::refine(double errorM)
     viewlod::Slice unlimited({});
     const ActiveForError active{errorM};
     WalkDriver(_tree, active, kUnlimited, unlimited, result).refine();
-    result.leaves = _tree.leafCount();
-    result.triangles = _tree.leaves().leafCount();
+    finish(result);
     return result;
 }
 
-void RoamMesh::visibleRanges(const viewlod::Frustum& frustum, std::vector<TriangleRange>& ranges) const
+void RoamMesh::visibleRanges(const viewlod::Frustum& frustum, std::vector<IndexRange>& ranges) const
 {
     std::vector<std::uint32_t> regions;
-    _tile->regions.visible(frustum, regions);
+    tile().regions.visible(frustum, regions);
     const auto append = [&](std::uint32_t region)
     {
-        const TriangleRange range = _tree.leaves().region(region);
-        if (range.count > 0) ranges.push_back(range);
+        const IndexRange range = _tree.leaves().region(region);
+        if (range.count > 0 && !_patches) ranges.push_back(range);
+        for (std::uint32_t i = 0; i < range.count && _patches; ++i)
+        {
+            const std::uint32_t slot = _patches->slotOf(_tree.leaves().leaf(range.first + i));
+            if (_patches->mayBeSeen(slot, frustum)) ranges.push_back({slot, 1});
+        }
     };
     append(0); // leaves coarser than a region: few, and never worth a test
     for (const std::uint32_t path : regions)
@@ -122,16 +138,23 @@ void RoamMesh::visibleRanges(const viewlod::Frustum& frustum, std::vector<Triang
 
 DrawnMesh RoamMesh::drawn() const
 {
+    std::vector<IndexRange> ranges;
+    visibleRanges(viewlod::Frustum(glm::dmat4(0.0)), ranges); // planes without direction cull nothing
+    return drawn(ranges);
+}
+
+DrawnMesh RoamMesh::drawn(std::span<const IndexRange> ranges) const
+{
     DrawnMesh mesh;
     mesh.isMorphed = _isMorphing;
-    mesh.vertices.reserve(_tree.vertexSlots());
-    for (VertexSlot v = 0; v < _tree.vertexSlots(); ++v)
+    for (VertexSlot v = 0; v < _tree.vertexSlots() && !_patches; ++v)
         mesh.vertices.push_back(vertex(v));
-    std::vector<TriangleRange> ranges;
-    visibleRanges(viewlod::Frustum(glm::dmat4(0.0)), ranges); // planes without direction cull nothing
-    for (const TriangleRange& range : ranges)
+    for (const IndexRange& range : ranges)
         for (std::uint32_t slot = range.first; slot < range.first + range.count; ++slot)
-            mesh.triangles.push_back(triangle(slot));
+            if (_patches)
+                _patches->shape().append(tile().tile, _tree.gridTriangle(_patches->leaf(slot)), mesh);
+            else
+                mesh.triangles.push_back(triangle(slot));
     return mesh;
 }
 

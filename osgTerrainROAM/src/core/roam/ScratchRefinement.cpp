@@ -9,13 +9,13 @@ namespace
 
 struct Descent
 {
-    const RoamTile& tile;
+    const SplitBounds& bounds;
     const ActiveForEye active;
     std::vector<GridTriangle>& leaves;
 
     void visit(const GridTriangle& t, int level)
     {
-        if (level == tile.tile.levels() || !active(tile.bound(t.middleOfBase())))
+        if (level == bounds.levels() || !active(bounds.bound(t.middleOfBase())))
         {
             leaves.push_back(t);
             return;
@@ -28,12 +28,12 @@ struct Descent
 
 } // namespace
 
-void refineFromScratch(const RoamTile& tile, const viewlod::ViewState& view, double tolerancePx,
+void refineFromScratch(const SplitBounds& bounds, const viewlod::ViewState& view, double tolerancePx,
                        std::vector<GridTriangle>& leaves)
 {
     leaves.clear();
-    Descent descent{tile, ActiveForEye(view, tolerancePx), leaves};
-    for (const GridTriangle& root : rootTriangles(tile.tile.side()))
+    Descent descent{bounds, ActiveForEye(view, tolerancePx), leaves};
+    for (const GridTriangle& root : rootTriangles(bounds.tile().tile.side()))
         descent.visit(root, 0);
 }
 

@@ -20,8 +20,8 @@ namespace
 class PrioritySweep
 {
 public:
-    PrioritySweep(const RoamTile& tile, const viewlod::ViewState& view, std::size_t limit)
-        : _tile(tile), _view(view), _limit(limit)
+    PrioritySweep(const SplitBounds& bounds, const viewlod::ViewState& view, std::size_t limit)
+        : _bounds(bounds), _view(view), _limit(limit)
     {
     }
 
@@ -29,7 +29,7 @@ public:
     {
         _thresholdPx = thresholdPx;
         _priorities.clear();
-        for (const GridTriangle& root : rootTriangles(_tile.tile.side()))
+        for (const GridTriangle& root : rootTriangles(_bounds.tile().tile.side()))
             visit(root, 0);
         return _priorities;
     }
@@ -39,8 +39,8 @@ public:
 private:
     void visit(const GridTriangle& t, int level)
     {
-        if (level == _tile.tile.levels()) return;
-        const double priority = priorityPx(_view, _tile.bound(t.middleOfBase()));
+        if (level == _bounds.levels()) return;
+        const double priority = priorityPx(_view, _bounds.bound(t.middleOfBase()));
         if (priority <= _thresholdPx || isFull()) return;
         _priorities.push_back(priority);
         const auto children = t.children();
@@ -48,7 +48,7 @@ private:
         visit(children[1], level + 1);
     }
 
-    const RoamTile& _tile;
+    const SplitBounds& _bounds;
     const viewlod::ViewState& _view;
     std::size_t _limit;
     double _thresholdPx = 0.0;
@@ -57,11 +57,11 @@ private:
 
 } // namespace
 
-double toleranceWithinCeiling(const RoamTile& tile, const viewlod::ViewState& view,
+double toleranceWithinCeiling(const SplitBounds& bounds, const viewlod::ViewState& view,
                               const viewlod::Budget& budget, double guessPx)
 {
     const std::size_t splits = std::max(budget.maxTriangles, 2u) - 2u;
-    PrioritySweep sweep(tile, view, 4 * splits + 1024);
+    PrioritySweep sweep(bounds, view, 4 * splits + 1024);
     double thresholdPx = std::max(guessPx, budget.errorTolerancePx);
     for (double factor = 0.5;;)
     {

@@ -104,7 +104,7 @@ void WheelDriver::lookAtBatch(Frame& frame, const DeferralWheel::Batch& batch)
         wanted[i] = isWanted(frame, watch, batch.mark);
         if (!wanted[i]) continue;
         places[i] = watchedPlace(frame.tree, vertexOf(watch), kindOf(watch));
-        frame.tree.tile().prefetch(places[i]);
+        frame.tree.bounds().prefetch(places[i]);
     }
     for (std::uint32_t i = 0; i < batch.count; ++i)
     {
@@ -134,7 +134,7 @@ void WheelDriver::look(Frame& frame, VertexSlot v, unsigned kind, GridPoint plac
 {
     ++frame.result.checks;
     frame.slice.check();
-    const SplitBound bound = frame.tree.tile().bound(place);
+    const SplitBound bound = frame.tree.bounds().bound(place);
     const ActiveForEye::Verdict verdict = frame.active.verdict(bound);
     DeferralWheel::Mark& mark = _marks[v][kind];
     if (verdict.active == (kind == kItself))

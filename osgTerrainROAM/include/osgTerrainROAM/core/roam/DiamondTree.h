@@ -9,7 +9,7 @@
 #include <osgTerrainROAM/core/roam/GridTriangle.h>
 #include <osgTerrainROAM/core/roam/LeafArena.h>
 #include <osgTerrainROAM/core/roam/MeshData.h>
-#include <osgTerrainROAM/core/roam/RoamTile.h>
+#include <osgTerrainROAM/core/roam/SplitBounds.h>
 
 namespace osgTerrainROAM::core
 {
@@ -69,7 +69,7 @@ static_assert(sizeof(DiamondPlace) == 8);
 class DiamondTree
 {
 public:
-    explicit DiamondTree(std::shared_ptr<const RoamTile> tile);
+    explicit DiamondTree(SplitBounds bounds);
 
     /// Splits leaf `t`, whatever has to split before it, and its base neighbour. Returns triangles split.
     /// Precondition: canSplit(t).
@@ -104,16 +104,17 @@ public:
 
     bool exists(TriangleId t) const { return link(t) != kAbsent; }
     bool isLeaf(TriangleId t) const { return link(t) < kSplit; }
+    bool isDrawn(TriangleId t) const { return link(t) < kUndrawn; } ///< a leaf not wholly beyond the data
     bool canSplit(TriangleId t) const { return isLeaf(t) && level(t) < _levels; }
     bool isMergeable(VertexSlot v) const;
 
     int level(TriangleId t) const { return _places[t.apex()].level + 1; }
     GridTriangle gridTriangle(TriangleId t) const;
     LeafTriangle vertices(TriangleId t) const;
-    SplitBound bound(VertexSlot v) const { return _tile->bound(_places[v].point()); }
+    SplitBound bound(VertexSlot v) const { return _bounds.bound(_places[v].point()); }
     SplitBound bound(TriangleId t) const
     {
-        return _tile->bound(middle(t));
+        return _bounds.bound(middle(t));
     } ///< of what splits it; as middle()
     GridPoint
     middle(TriangleId t) const; ///< of the base: where `t` splits. Precondition: level(t) < tile levels
@@ -138,7 +139,7 @@ public:
     /// Where a vertex's sample lies, and how far from there it is drawn (Morph.h). Units: metres.
     glm::dvec3 samplePosition(VertexSlot v) const
     {
-        return _tile->tile.position(_places[v].column, _places[v].row);
+        return tile().tile.position(_places[v].column, _places[v].row);
     }
     glm::vec3 displacement(VertexSlot v) const
     {
@@ -165,6 +166,9 @@ public:
     /// Arena region of a leaf: 0 for those coarser than a region, else 1 + path at the region level.
     std::uint32_t regionOf(TriangleId t) const;
 
+    /// From now on the changes say which vertices have gone (PatchPool).
+    void noteGone() { _notesGone = true; }
+
     const MeshChanges& changes() const { return _changes; }
     void clearChanges()
     {
@@ -172,7 +176,8 @@ public:
         _linked = 0;
     }
 
-    const RoamTile& tile() const { return *_tile; }
+    const RoamTile& tile() const { return _bounds.tile(); }
+    const SplitBounds& bounds() const { return _bounds; }
     std::size_t memoryBytes() const;
 
     /// Exhaustive: links mutual, places and levels right, neighbours sharing whole edges, areas adding up to the tile, no
@@ -212,11 +217,12 @@ private:
     std::uint32_t takeApart(VertexSlot v);  // EnhMerge.cpp
     bool linksAreSound(VertexSlot v) const; // DiamondTreeCheck.cpp
 
-    std::shared_ptr<const RoamTile> _tile;
+    SplitBounds _bounds;
     int _lastSample; ///< of the tile along a side
     int _levels;
     int _regionLevel;
     bool _dataFillsTile;
+    bool _notesGone = false;
     std::vector<DiamondPlace> _places; ///< apart from the links: the deferral wheel reads nothing else
     std::vector<Diamond> _diamonds;
     std::vector<glm::vec3> _displacements; ///< empty: none

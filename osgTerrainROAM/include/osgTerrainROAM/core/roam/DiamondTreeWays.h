@@ -57,7 +57,7 @@ inline TriangleId DiamondTree::acrossBase(TriangleId t) const
 inline std::uint32_t DiamondTree::regionOf(TriangleId t) const
 {
     if (level(t) < _regionLevel) return 0;
-    return 1 + _tile->regions.pathAt(towardsMiddle(t, 2)); // half-way to the base: inside, on no border
+    return 1 + tile().regions.pathAt(towardsMiddle(t, 2)); // half-way to the base: inside, on no border
 }
 
 } // namespace osgTerrainROAM::core

@@ -14,10 +14,10 @@ namespace osgTerrainROAM::core
 /// The ground as the mesh shows it at a place: what wheels must stand on to touch what is seen.
 struct DrawnGround
 {
-    glm::dvec3 position; ///< on the drawn triangle, local frame
+    glm::dvec3 position; ///< on the drawn triangle (of the leaf's patch, if it carries one), local frame
     glm::dvec3 normal;   ///< of that triangle, unit length, pointing up
     double boundM;       ///< the true surface over that triangle is nowhere farther from it than this
-    TriangleId leaf;     ///< the triangle
+    TriangleId leaf;
 };
 
 /// The *drawn* surface vertically above or below a local position; nothing beyond the edge of the data. groundAt() gives

@@ -92,11 +92,12 @@ struct MeshChanges
 {
     std::vector<std::uint32_t> vertices;  ///< slots, in the order written, possibly repeated
     std::vector<std::uint32_t> triangles; ///< likewise
+    std::vector<std::uint32_t> gone;      ///< vertex slots that were given back, where that is noted
 
     /// Gives memory back that one large change has left.
     void clear()
     {
-        for (std::vector<std::uint32_t>* slots : {&vertices, &triangles})
+        for (std::vector<std::uint32_t>* slots : {&vertices, &triangles, &gone})
         {
             const bool isOversized = slots->capacity() > 4096 && slots->size() < slots->capacity() / 8;
             if (isOversized) std::vector<std::uint32_t>().swap(*slots);

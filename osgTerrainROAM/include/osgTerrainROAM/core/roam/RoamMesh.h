@@ -2,7 +2,8 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include <glm/glm.hpp>
@@ -13,6 +14,7 @@
 
 #include <osgTerrainROAM/core/roam/DiamondTree.h>
 #include <osgTerrainROAM/core/roam/Morph.h>
+#include <osgTerrainROAM/core/roam/PatchPool.h>
 #include <osgTerrainROAM/core/roam/RefineResult.h>
 #include <osgTerrainROAM/core/roam/WheelDriver.h>
 
@@ -29,7 +31,8 @@ namespace osgTerrainROAM::core
 class RoamMesh
 {
 public:
-    explicit RoamMesh(std::shared_ptr<const RoamTile> tile, Driver driver = Driver::wheel);
+    /// `bounds`: a tile, or what SplitBounds makes of it for patches.
+    explicit RoamMesh(SplitBounds bounds, Driver driver = Driver::wheel);
 
     /// Takes effect with the next refinement.
     void setDriver(Driver driver);
@@ -43,8 +46,8 @@ public:
     RefineResult refine(const viewlod::ViewState& view, const viewlod::Budget& budget);
 
     /// Morphing: from the next refinement for an eye on, vertices come and go without a jump, and the error target holds
-    /// for what is drawn; the mesh is refined to two thirds of it (Morph).
-    void setMorphing(bool on) { _isMorphing = on; }
+    /// for what is drawn; the mesh is refined to two thirds of it (Morph). Patches do not morph: with them it stays off.
+    void setMorphing(bool on) { _isMorphing = on && !patches(); }
     bool isMorphing() const { return _isMorphing; }
 
     /// View-independent: a vertex is active exactly when e_v > errorM.
@@ -60,26 +63,37 @@ public:
         return leaf.exists() ? _tree.vertices(leaf) : LeafTriangle{};
     }
     const MeshChanges& changes() const { return _tree.changes(); }
+
+    /// Where leaves carry patches, those are what is drawn, and have slots of their own; null: they do not.
+    const PatchPool* patches() const { return _patches ? &*_patches : nullptr; }
+    int patchExponent() const { return _tree.bounds().patchExponent(); }
+
+    /// Ranges of slots, of triangles or of patches, that can be seen: conservative, by regions of the tree (RegionBounds),
+    /// then patch by patch. Only ranges given here hold live ones. Appends to `ranges`.
+    void visibleRanges(const viewlod::Frustum& frustum, std::vector<IndexRange>& ranges) const;
+
+    /// What such ranges draw; all that there is to draw.
+    DrawnMesh drawn(std::span<const IndexRange> ranges) const;
     DrawnMesh drawn() const;
 
-    /// Ranges of triangle slots that can be seen: conservative, by regions of the tree (RegionBounds).
-    /// Only ranges given here hold live triangles. Appends to `ranges`.
-    void visibleRanges(const viewlod::Frustum& frustum, std::vector<TriangleRange>& ranges) const;
-
     const DiamondTree& tree() const { return _tree; }
-    const RoamTile& tile() const { return *_tile; }
+    const RoamTile& tile() const { return _tree.tile(); }
     bool isConforming() const { return _tree.isConforming(); }
-    std::size_t memoryBytes() const { return _tree.memoryBytes() + _wheel.memoryBytes(); }
+    std::size_t memoryBytes() const
+    {
+        return _tree.memoryBytes() + _wheel.memoryBytes() + (_patches ? _patches->memoryBytes() : 0);
+    }
 
 private:
     RefineResult adapt(const viewlod::ViewState& view, const viewlod::Budget& budget);
     bool run(const viewlod::ViewState& view, double tolerancePx, std::uint32_t maxLeaves,
              viewlod::Slice& slice, RefineResult& result);
+    void finish(RefineResult& result);
 
-    std::shared_ptr<const RoamTile> _tile;
     Driver _driver;
     DiamondTree _tree;
     WheelDriver _wheel;
+    std::optional<PatchPool> _patches;
     Morph _morph;
     bool _isMorphing = false;
     bool _ceilingBound = false; ///< in the last frame

@@ -5,6 +5,7 @@
 
 #include <osgTerrainROAM/core/roam/GridTriangle.h>
 #include <osgTerrainROAM/core/roam/Refinement.h>
+#include <osgTerrainROAM/core/roam/SplitBounds.h>
 
 namespace osgTerrainROAM::core
 {
@@ -12,7 +13,7 @@ namespace osgTerrainROAM::core
 /// Writes the leaves of the mesh for an eye into `leaves`, top-down and without memory of earlier frames: the
 /// reference that every incremental driver must equal, and the rival that it must beat.
 /// Cost: O(leaves). Source: Lindstrom & Pascucci 2001 (SOAR), with exact errors.
-void refineFromScratch(const RoamTile& tile, const viewlod::ViewState& view, double tolerancePx,
+void refineFromScratch(const SplitBounds& bounds, const viewlod::ViewState& view, double tolerancePx,
                        std::vector<GridTriangle>& leaves);
 
 } // namespace osgTerrainROAM::core

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+
+#include <osgTerrainROAM/core/roam/PatchPool.h>
+
+namespace osgTerrainROAM::core
+{
+
+PatchPool::PatchPool(const DiamondTree& tree) : _shape(&PatchShape::of(tree.bounds().patchExponent()))
+{
+    _slots.resize(tree.vertexSlots(), kNoSlots);
+    const LeafArena& leaves = tree.leaves();
+    for (std::uint32_t region = 0; region < leaves.regionCount(); ++region)
+        for (std::uint32_t i = 0; i < leaves.region(region).count; ++i)
+            take(tree, leaves.leaf(leaves.region(region).first + i));
+}
+
+/// Slots are released first: of vertices that went, of vertices whose place in the pool another has taken since, and of
+/// triangles that were split. What is new among the arena's leaves, or moved only, then has none or still has its own.
+void PatchPool::follow(const DiamondTree& tree)
+{
+    _written.clear();
+    const MeshChanges& changes = tree.changes();
+    _slots.resize(std::max<std::size_t>(_slots.size(), tree.vertexSlots()), kNoSlots);
+    for (const auto* vertices : {&changes.gone, &changes.vertices})
+        for (const VertexSlot v : *vertices)
+            for (unsigned quadrant = 0; quadrant < 4; ++quadrant)
+                release({v, quadrant});
+    for (const VertexSlot v : changes.vertices)
+    {
+        if (tree.place(v).isFree() || v < DiamondTree::kCorners) continue;
+        for (const TriangleId t : tree.parents(v))
+            if (t.exists()) release(t);
+    }
+    for (const std::uint32_t arenaSlot : changes.triangles)
+    {
+        const TriangleId t =
+            tree.leaves().leaf(arenaSlot); // or what was there before the slot was given back
+        const bool isDrawn = t.exists() && !tree.place(t.apex()).isFree() && tree.isDrawn(t);
+        if (isDrawn && slotOf(t) == kNone) take(tree, t);
+    }
+}
+
+void PatchPool::take(const DiamondTree& tree, TriangleId leaf)
+{
+    std::uint32_t slot = slotCount();
+    if (_freeSlots.empty())
+    {
+        appendTightly(_patches);
+    }
+    else
+    {
+        slot = _freeSlots.back();
+        _freeSlots.pop_back();
+    }
+    _patches[slot] = boundOf(tree.tile(), tree.gridTriangle(leaf));
+    _patches[slot].leaf = leaf;
+    _slots[leaf.apex()][leaf.quadrant()] = slot;
+    _written.push_back(slot);
+}
+
+/// Data samples of a triangle are within its error of its plane, which here is that of the leaf without a patch. Vertices
+/// beyond the data's edge need not be.
+PatchPool::Patch PatchPool::boundOf(const RoamTile& tile, const GridTriangle& t) const
+{
+    const auto position = [&](GridPoint p) { return tile.tile.position(p.column, p.row); };
+    const glm::dvec3 left = position(t.left), right = position(t.right);
+    Patch patch;
+    patch.centre = 0.5 * (left + right);
+    const auto isInData = [&](GridPoint p) { return tile.tile.isInData(p.column, p.row); };
+    if (isInData(t.apex) && isInData(t.left) && isInData(t.right))
+    {
+        const double cornersM =
+            std::max(glm::distance(patch.centre, position(t.apex)), glm::distance(patch.centre, left));
+        patch.radiusM = cornersM + tile.bound(t.middleOfBase()).errorM;
+        return patch;
+    }
+    for (const PatchShape::Place place : _shape->vertices)
+        patch.radiusM =
+            std::max(patch.radiusM, glm::distance(patch.centre, position(_shape->gridPoint(t, place))));
+    return patch;
+}
+
+void PatchPool::release(TriangleId t)
+{
+    std::uint32_t& slot = _slots[t.apex()][t.quadrant()];
+    if (slot == kNone) return;
+    _patches[slot].leaf = {};
+    _freeSlots.push_back(slot);
+    slot = kNone;
+}
+
+std::size_t PatchPool::memoryBytes() const
+{
+    return _slots.capacity() * sizeof(Slots) + _patches.capacity() * sizeof(Patch) +
+           (_freeSlots.capacity() + _written.capacity()) * sizeof(std::uint32_t);
+}
+
+} // namespace osgTerrainROAM::core
