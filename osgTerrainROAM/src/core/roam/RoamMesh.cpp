@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include <osgTerrainROAM/core/roam/Refinement.h>
@@ -14,8 +16,9 @@ namespace osgTerrainROAM::core
 namespace
 {
 
-/// Where the search for the ceiling's tolerance begins: somewhat below the last frame's, or far above the target.
-constexpr double kWarmGuess = 0.97, kColdGuess = 64.0;
+constexpr double kColdGuess = 64.0; ///< times the target: where the search for a ceiling's tolerance begins
+constexpr int kMostAttempts = 4;    ///< to follow it from frame to frame instead …
+constexpr double kNear = 0.2;       ///< … while the mesh is not farther from it than this share
 constexpr auto kUnlimited = std::numeric_limits<std::uint32_t>::max();
 
 } // namespace
@@ -42,6 +45,33 @@ bool RoamMesh::run(const viewlod::ViewState& view, double tolerancePx, std::uint
     if (_driver == Driver::wheel) return _wheel.refine(_tree, view, tolerancePx, maxLeaves, slice, result);
     const ActiveForEye active(view, tolerancePx);
     return WalkDriver(_tree, active, maxLeaves, slice, result).refine();
+}
+
+/// The walk or the wheel, at the lowest tolerance that the ceiling allows. A mesh that was at the ceiling begins with the
+/// tolerance that it had: while the leaves stay in a band below the ceiling nothing else is to be done, and a little more
+/// or less of tolerance brings them back into it. What that does not settle, a sweep over the bintree does.
+/// False when the slice has ended before.
+bool RoamMesh::runWithinCeiling(const viewlod::ViewState& view, const viewlod::Budget& budget,
+                                viewlod::Slice& slice, RefineResult& result)
+{
+    const std::uint32_t most = budget.maxTriangles, unused = std::max(most / 100, 4u);
+    const double aim = most - 0.5 * unused, targetPx = budget.errorTolerancePx;
+    double tolerancePx = _ceilingBound ? std::max(_lastTolerancePx, targetPx) : targetPx;
+    for (int attempt = 1;; ++attempt)
+    {
+        const bool ran = run(view, tolerancePx, most, slice, result);
+        const bool finished = ran && _tree.leafCount() <= most; // the ceiling may have come down
+        if (finished && (tolerancePx <= targetPx || _tree.leafCount() + unused >= most)) return true;
+        if (slice.isSpent()) return false;
+        if (attempt > kMostAttempts) return finished;
+        const double wanted = ran ? _tree.leafCount() : most + 2.0 * _wheel.waiting();
+        const bool isNear = attempt < kMostAttempts && std::abs(wanted - aim) < kNear * aim;
+        if (!isNear) attempt = kMostAttempts;
+        // The number of leaves falls about as the tolerance rises.
+        tolerancePx = isNear ? std::max(tolerancePx * wanted / aim, targetPx)
+                             : toleranceWithinCeiling(_tree.bounds(), view, budget,
+                                                      _ceilingBound ? tolerancePx : kColdGuess * targetPx);
+    }
 }
 
 RefineResult RoamMesh::refine(const viewlod::ViewState& view, const viewlod::Budget& budget)
@@ -75,22 +105,15 @@ RefineResult RoamMesh::adapt(const viewlod::ViewState& view, const viewlod::Budg
     }
     else
     {
-        // A mesh that was at the ceiling is likely to be there again; else the search waits until it is needed.
-        const double tolerancePx = _ceilingBound ? toleranceWithinCeiling(_tree.bounds(), view, budget,
-                                                                          kWarmGuess * _lastTolerancePx)
-                                                 : targetPx;
-        bool finished = run(view, tolerancePx, budget.maxTriangles, slice, result);
-        if (!finished && !slice.isSpent() && !_ceilingBound)
-            finished = run(view, toleranceWithinCeiling(_tree.bounds(), view, budget, kColdGuess * targetPx),
-                           budget.maxTriangles, slice, result);
-        result.sliceBound = !finished;
+        result.sliceBound = !runWithinCeiling(view, budget, slice, result);
     }
     result.errorBoundPx = result.tolerancePx;
     if (_driver == Driver::wheel)
         result.errorBoundPx = _wheel.errorBoundPx(view, result.tolerancePx);
     else if (result.sliceBound)
         result.errorBoundPx = std::numeric_limits<double>::infinity();
-    _ceilingBound = result.ceilingBound = result.tolerancePx > targetPx && !result.sliceBound;
+    _ceilingBound = result.tolerancePx > targetPx;
+    result.ceilingBound = _ceilingBound && !result.sliceBound;
     _lastTolerancePx = result.tolerancePx;
     finish(result);
     return result;

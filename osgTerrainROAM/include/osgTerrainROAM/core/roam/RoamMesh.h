@@ -88,6 +88,8 @@ private:
     RefineResult adapt(const viewlod::ViewState& view, const viewlod::Budget& budget);
     bool run(const viewlod::ViewState& view, double tolerancePx, std::uint32_t maxLeaves,
              viewlod::Slice& slice, RefineResult& result);
+    bool runWithinCeiling(const viewlod::ViewState& view, const viewlod::Budget& budget,
+                          viewlod::Slice& slice, RefineResult& result);
     void finish(RefineResult& result);
 
     Driver _driver;

@@ -43,6 +43,9 @@ public:
     /// infinite while vertices that are due have not been looked at.
     double errorBoundPx(const viewlod::ViewState& view, double tolerancePx) const;
 
+    /// Triangles that would have been split, had there been room or time.
+    std::size_t waiting() const { return _coming.size(); }
+
     std::size_t memoryBytes() const;
 
 private:
