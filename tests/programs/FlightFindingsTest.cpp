@@ -65,7 +65,8 @@ TEST(FlightFindings, ATriangleThatIsMissingIsNotSound)
 TEST(FlightFindings, AVertexOffItsPlaceIsNotSound)
 {
     Frame frame;
-    frame.drawn.vertices[frame.drawn.triangles[7].vertices[0]].positionLow.z += 0.01F;
+    frame.drawn.vertices[frame.drawn.triangles[7].vertices[0]].position.z +=
+        static_cast<int>(0.01 / frame.drawn.stepM);
     EXPECT_FALSE(frame.findings().isSound());
     EXPECT_GT(frame.findings().cracks, 0U);
 }

@@ -25,9 +25,9 @@ std::string cornersOf(const DrawnMesh& mesh)
     for (const auto& triangle : mesh.triangles)
         for (const std::uint32_t slot : triangle.vertices)
         {
-            const auto& v = mesh.vertices[slot];
-            const glm::dvec3 p = positionOf(v);
-            const double corner[5] = {p.x, p.y, p.z, v.grid.x, v.grid.y};
+            const glm::dvec3 p = mesh.position(slot);
+            const glm::dvec2 grid(mesh.vertices[slot].grid);
+            const double corner[5] = {p.x, p.y, p.z, grid.x, grid.y};
             bytes.append(reinterpret_cast<const char*>(corner), sizeof(corner));
         }
     return bytes;

@@ -12,11 +12,11 @@ namespace
 {
 
 const char* kVertex = R"(#version 330 compatibility
-layout(location = 0) in vec3 positionHigh;
-layout(location = 1) in vec3 positionLow;
-layout(location = 2) in vec2 gridPlace;
-uniform vec3 terrainEyeHigh;
-uniform vec3 terrainEyeLow;
+layout(location = 0) in ivec3 position; // in steps
+layout(location = 1) in vec2 gridPlace;
+uniform ivec3 terrainEyeSteps;
+uniform vec3 terrainEyeRest; // metres
+uniform float terrainStep;
 uniform mat3 terrainEyeFromLocal;
 uniform vec2 terrainLastSample;
 out vec3 fromEye;
@@ -24,8 +24,8 @@ out vec2 grid;
 
 void main()
 {
-    // Differences first, then the sum: millimetres survive any distance from the origin.
-    fromEye = (positionHigh - terrainEyeHigh) + (positionLow - terrainEyeLow);
+    // A difference of whole numbers: it is exact at any distance from the origin.
+    fromEye = vec3(position - terrainEyeSteps) * terrainStep - terrainEyeRest;
     grid = gridPlace;
     gl_Position = gl_ProjectionMatrix * vec4(terrainEyeFromLocal * fromEye, 1.0);
     gl_ClipDistance[0] = terrainLastSample.x - gridPlace.x;

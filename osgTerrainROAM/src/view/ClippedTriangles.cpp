@@ -49,7 +49,7 @@ public:
         bool inside = true;
         for (const std::uint32_t slot : triangle.vertices)
         {
-            const glm::vec2 grid = _mesh.vertices[slot].grid;
+            const glm::u16vec2 grid = _mesh.vertices[slot].grid;
             inside = inside && grid.x <= _limit.x && grid.y <= _limit.y;
         }
         if (inside)
@@ -64,8 +64,7 @@ public:
 private:
     Corner corner(std::uint32_t slot) const
     {
-        const core::MeshVertex& vertex = _mesh.vertices[slot];
-        return {core::positionOf(vertex), glm::dvec2(vertex.grid)};
+        return {_mesh.position(slot), glm::dvec2(_mesh.vertices[slot].grid)};
     }
 
     GLuint append(const glm::dvec3& position)

@@ -107,19 +107,16 @@ void GpuMesh::draw(osg::State& state, std::span<const core::IndexRange> ranges) 
     gl.glBindBuffer(GL_ARRAY_BUFFER_ARB, _vertexBuffer);
     gl.glBindBuffer(GL_ELEMENT_ARRAY_BUFFER_ARB, _indexBuffer);
     const GLsizei stride = sizeof(core::MeshVertex);
-    gl.glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, stride,
-                             bufferOffset(offsetof(core::MeshVertex, positionHigh)));
-    gl.glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, stride,
-                             bufferOffset(offsetof(core::MeshVertex, positionLow)));
-    gl.glVertexAttribPointer(2, 2, GL_FLOAT, GL_FALSE, stride,
+    gl.glVertexAttribIPointer(0, 3, GL_INT, stride, bufferOffset(offsetof(core::MeshVertex, position)));
+    gl.glVertexAttribPointer(1, 2, GL_UNSIGNED_SHORT, GL_FALSE, stride,
                              bufferOffset(offsetof(core::MeshVertex, grid)));
-    for (GLuint attribute = 0; attribute < 3; ++attribute)
+    for (const GLuint attribute : {0u, 1u})
         gl.glEnableVertexAttribArray(attribute);
     if (_patchExponent > 0)
         drawPatches(gl, ranges);
     else
         drawTriangles(gl, ranges);
-    for (GLuint attribute = 0; attribute < 3; ++attribute)
+    for (const GLuint attribute : {0u, 1u})
         gl.glDisableVertexAttribArray(attribute);
     gl.glBindBuffer(GL_ARRAY_BUFFER_ARB, 0);
     gl.glBindBuffer(GL_ELEMENT_ARRAY_BUFFER_ARB, 0);

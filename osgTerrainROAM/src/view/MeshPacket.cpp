@@ -10,7 +10,7 @@ namespace osgTerrainROAM
 namespace
 {
 
-constexpr std::uint32_t kMaxVertexGap = 8; ///< 256 B bridged: about what another upload call costs
+constexpr std::uint32_t kMaxVertexGap = 16; ///< 256 B bridged: about what another upload call costs
 constexpr std::uint32_t kMaxTriangleGap = 21;
 constexpr std::uint32_t kLeastCapacity = 4096;
 

@@ -24,7 +24,7 @@ std::uint32_t sumOf(const std::vector<core::IndexRange>& ranges)
 glm::vec3 placeOf(const core::RoamMesh& mesh, const core::IndexRange& range)
 {
     if (const core::PatchPool* patches = mesh.patches()) return glm::vec3(patches->centre(range.first));
-    return mesh.vertex(mesh.tree().leaves().leaf(range.first).apex()).positionHigh;
+    return glm::vec3(mesh.tree().position(mesh.tree().leaves().leaf(range.first).apex()));
 }
 
 /// Near ranges first, so that the depth test spares what they hide: about half the fragments in hills.

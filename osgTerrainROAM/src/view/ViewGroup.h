@@ -72,6 +72,9 @@ public:
         visit(_mesh, ranges);
     }
 
+    /// Threads: any, without the lock.
+    const core::PlacedTile& tile() const { return _mesh.tile().tile; }
+
     /// Calls visit(mesh) under the lock.
     template<class Visit>
     void visitMesh(Visit visit) const

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ViewPart.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <osg/Program>
@@ -17,18 +18,25 @@ namespace
 /// Where the shader's mesh and noise are counted from. Metres; every period of the detail texture divides it.
 constexpr double kWrapM = 4096.0;
 
+/// The eye as vertices are counted, and what is left of it.
 struct EyeUniforms
 {
-    osg::Vec3f high, low, wrapped;
+    osg::Vec3i steps;
+    osg::Vec3f rest, wrapped;
 };
 
-EyeUniforms eyeUniforms(const osg::Vec3d& eye)
+EyeUniforms eyeUniforms(const osg::Vec3d& eye, double stepM)
 {
+    // Vertices have 31 bits; an eye farther out than they can be is as far as they, and the rest need not be exact.
+    constexpr double kFarthest = 1 << 30;
     EyeUniforms uniforms;
-    uniforms.high = osg::Vec3f(eye);
-    uniforms.low = osg::Vec3f(eye - osg::Vec3d(uniforms.high));
     for (int i = 0; i < 3; ++i)
+    {
+        const double steps = std::clamp(std::round(eye[i] / stepM), -kFarthest, kFarthest);
+        uniforms.steps[i] = static_cast<int>(steps);
+        uniforms.rest[i] = static_cast<float>(eye[i] - steps * stepM);
         uniforms.wrapped[i] = static_cast<float>(eye[i] - kWrapM * std::floor(eye[i] / kWrapM));
+    }
     return uniforms;
 }
 
@@ -44,6 +52,16 @@ public:
     void set(const char* name, const osg::Vec3f& value) const
     {
         if (const GLint at = location(name); at >= 0) _gl.glUniform3fv(at, 1, value.ptr());
+    }
+
+    void set(const char* name, const osg::Vec3i& value) const
+    {
+        if (const GLint at = location(name); at >= 0) _gl.glUniform3iv(at, 1, value.ptr());
+    }
+
+    void set(const char* name, float value) const
+    {
+        if (const GLint at = location(name); at >= 0) _gl.glUniform1f(at, value);
     }
 
     /// The rotation of `matrix`, for column vectors.
@@ -85,11 +103,13 @@ void ViewPart::drawImplementation(osg::RenderInfo& renderInfo) const
     const osg::Matrixd& eyeFromLocal = state.getModelViewMatrix();
     osg::Matrixd localFromEye;
     localFromEye.invert(eyeFromLocal);
-    const EyeUniforms eye = eyeUniforms(localFromEye.getTrans());
+    const double stepM = _group->tile().vertexStepM();
+    const EyeUniforms eye = eyeUniforms(localFromEye.getTrans(), stepM);
 
     const ProgramUniforms uniforms(state);
-    uniforms.set("terrainEyeHigh", eye.high);
-    uniforms.set("terrainEyeLow", eye.low);
+    uniforms.set("terrainStep", static_cast<float>(stepM));
+    uniforms.set("terrainEyeSteps", eye.steps);
+    uniforms.set("terrainEyeRest", eye.rest);
     uniforms.set("terrainEyeWrapped", eye.wrapped);
     uniforms.setRotation("terrainEyeFromLocal", eyeFromLocal);
     uniforms.setRotation("terrainWorldFromLocal", eyeFromLocal * state.getInitialInverseViewMatrix());

@@ -56,7 +56,8 @@ TEST(DrawnMeshCheck, SeesAHoleInTheSamples)
 TEST(DrawnMeshCheck, SeesAVertexOffItsPlace)
 {
     Drawn drawn(33, 33);
-    drawn.drawn.vertices[drawn.drawn.triangles[7].vertices[0]].positionLow.z += 0.01f;
+    drawn.drawn.vertices[drawn.drawn.triangles[7].vertices[0]].position.z +=
+        static_cast<int>(0.01 / drawn.drawn.stepM);
     EXPECT_GT(drawn.check().cracks, 0u);
 }
 

@@ -197,7 +197,7 @@ TEST_P(Patches, AreCulledOneByOneAndNoneThatIsSeen)
             const IndexRange alone{slot, 1};
             for (const MeshVertex& v : mesh.drawn({&alone, 1}).vertices)
             {
-                const auto px = viewlod::projectPx(view, positionOf(v));
+                const auto px = viewlod::projectPx(view, positionOf(v, _tile->tile.vertexStepM()));
                 EXPECT_FALSE(px && px->x > 0 && px->y > 0 && px->x < view.widthPx && px->y < view.heightPx);
             }
         }

@@ -72,9 +72,7 @@ struct Buffers
         for (std::size_t i = 0; i < mine.size(); ++i)
         {
             const core::MeshVertex& theirs = wanted.vertices[wanted.triangles[i / 3].vertices[i % 3]];
-            if (mine[i].positionHigh != theirs.positionHigh || mine[i].positionLow != theirs.positionLow ||
-                mine[i].grid != theirs.grid)
-                return false;
+            if (mine[i] != theirs) return false;
         }
         return true;
     }

@@ -24,7 +24,7 @@ double sampledDistance(const core::RoamMesh& mesh, const glm::dvec3& point)
     {
         glm::dvec3 p[3];
         for (int c = 0; c < 3; ++c)
-            p[c] = core::positionOf(drawn.vertices[t.vertices[c]]);
+            p[c] = drawn.position(t.vertices[c]);
         for (int a = 0; a <= kSteps; ++a)
             for (int b = 0; a + b <= kSteps; ++b)
             {

@@ -41,6 +41,7 @@ PlacedTile::PlacedTile(HeightField field, Placement placement, Storage storage)
         buildLattice();
     }
     initRadiusRange();
+    initVertexStep();
 }
 
 PlacedTile::PlacedTile(HeightField field, const Geodetic& origin)
@@ -55,6 +56,7 @@ PlacedTile::PlacedTile(HeightField field, const Geodetic& origin)
         buildLattice();
     }
     initRadiusRange();
+    initVertexStep();
 }
 
 void PlacedTile::initSide()
@@ -80,6 +82,18 @@ void PlacedTile::initRadiusRange()
     const double acrossM = std::max(glm::distance(positionAt(0, 0, 0.0), positionAt(last, last, 0.0)),
                                     glm::distance(positionAt(last, 0, 0.0), positionAt(0, last, 0.0)));
     _samples.setRadiusRange(acrossM / last / 16.0, 8.0 * (acrossM + _samples.heightRangeM()));
+}
+
+void PlacedTile::initVertexStep()
+{
+    constexpr double kBeyondM = 20000.0; // higher than any land, or displaced by morphing
+    const double last = _side - 1;
+    double farthestM = 0.0;
+    for (const double column : {0.0, 0.5 * last, last})
+        for (const double row : {0.0, 0.5 * last, last})
+            for (int axis = 0; axis < 3; ++axis)
+                farthestM = std::max(farthestM, std::abs(positionAt(column, row, 0.0)[axis]));
+    _vertexStepM = std::exp2(std::ceil(std::log2(1.1 * farthestM + kBeyondM)) - 30.0);
 }
 
 /// The middle of the samples, on the ellipsoid. Interpolated between geocentric positions, which unlike

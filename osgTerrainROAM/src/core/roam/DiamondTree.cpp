@@ -105,7 +105,7 @@ LeafTriangle DiamondTree::vertices(TriangleId t) const
 
 MeshVertex DiamondTree::vertex(VertexSlot v) const
 {
-    return meshVertex(position(v), _places[v].point());
+    return meshVertex(position(v), _places[v].point(), tile().tile.vertexStepM());
 }
 
 void DiamondTree::stopDisplacing()

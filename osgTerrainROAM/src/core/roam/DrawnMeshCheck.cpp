@@ -15,7 +15,7 @@ namespace
 
 GridPoint gridOf(const MeshVertex& v)
 {
-    return {static_cast<int>(v.grid.x), static_cast<int>(v.grid.y)};
+    return {v.grid.x, v.grid.y};
 }
 
 /// Directed edges as sorted keys: an edge is sound when its reverse is there, too.
@@ -64,11 +64,13 @@ public:
     {
     }
 
-    void visit(const MeshVertex& apex, const MeshVertex& left, const MeshVertex& right)
+    void visit(const DrawnMesh& mesh, const LeafTriangle& t)
     {
         const PlacedTile& placed = _tile.tile;
-        const GridTriangle triangle{gridOf(apex), gridOf(left), gridOf(right)};
-        const glm::dvec3 a = positionOf(apex), du = positionOf(left) - a, dw = positionOf(right) - a;
+        const auto corner = [&](int i) { return gridOf(mesh.vertices[t.vertices[i]]); };
+        const GridTriangle triangle{corner(0), corner(1), corner(2)};
+        const glm::dvec3 a = mesh.position(t.vertices[0]), du = mesh.position(t.vertices[1]) - a,
+                         dw = mesh.position(t.vertices[2]) - a;
         const bool projected = _view && mayBeSeen(triangle, a, du, dw);
         triangle.forEachRow(placed.dataColumns(), placed.dataRows(),
                             [&](int row, int west, int east)
@@ -129,12 +131,10 @@ DrawnMeshReport checkDrawnMesh(const RoamTile& tile, const DrawnMesh& mesh, cons
         for (const std::uint32_t v : t.vertices)
         {
             const GridPoint p = gridOf(mesh.vertices[v]);
-            // High and low float together keep 2^-48 of a coordinate: 0.1 mm of slack is far more.
-            const double offM =
-                glm::distance(positionOf(mesh.vertices[v]), tile.tile.position(p.column, p.row));
-            if (!mesh.isMorphed && offM > 1e-4) ++report.cracks;
+            const double offM = glm::distance(mesh.position(v), tile.tile.position(p.column, p.row));
+            if (!mesh.isMorphed && offM > mesh.stepM) ++report.cracks; // rounding: half a step on each axis
         }
-        sweep.visit(mesh.vertices[t.vertices[0]], mesh.vertices[t.vertices[1]], mesh.vertices[t.vertices[2]]);
+        sweep.visit(mesh, t);
     }
     report.cracks += sweep.uncovered();
     report.maxErrorPx = sweep.maxErrorPx();

@@ -169,6 +169,7 @@ DrawnMesh RoamMesh::drawn() const
 DrawnMesh RoamMesh::drawn(std::span<const IndexRange> ranges) const
 {
     DrawnMesh mesh;
+    mesh.stepM = tile().tile.vertexStepM();
     mesh.isMorphed = _isMorphing;
     for (VertexSlot v = 0; v < _tree.vertexSlots() && !_patches; ++v)
         mesh.vertices.push_back(vertex(v));

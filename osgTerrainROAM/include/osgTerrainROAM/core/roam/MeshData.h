@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <glm/glm.hpp>
+#include <glm/gtc/type_precision.hpp>
 
 #include <osgTerrainROAM/core/roam/GridTriangle.h>
 
@@ -33,27 +34,27 @@ private:
     std::uint32_t _value = kNone;
 };
 
-/// One vertex as the graphics card takes it. The position is a sum of two floats, so that a shader can subtract
-/// the eye (split the same way) without losing the millimetres: at 100 km from the origin one float has 8 mm.
-/// Frame: the tile's local frame. Units: metres; samples for the grid place.
+/// One vertex as the graphics card takes it. The position counts steps of PlacedTile::vertexStepM(), so that a shader can
+/// subtract the eye (counted the same way) without losing anything: at 100 km from the origin one float has 8 mm.
+/// Frame: the tile's local frame. Units: steps; samples for the grid place.
 struct MeshVertex
 {
-    glm::vec3 positionHigh;
-    glm::vec3 positionLow;
-    glm::vec2 grid; ///< (column, row): texture coordinates and the clip at the data's edge
-};
-static_assert(sizeof(MeshVertex) == 32);
+    glm::ivec3 position{0};
+    glm::u16vec2 grid{0}; ///< (column, row): texture coordinates and the clip at the data's edge
 
-/// The vertex of a sample that is drawn at `position`.
-inline MeshVertex meshVertex(const glm::dvec3& position, GridPoint grid)
+    friend bool operator==(const MeshVertex&, const MeshVertex&) = default;
+};
+static_assert(sizeof(MeshVertex) == 16);
+
+/// The vertex of a sample that is drawn at `position`, to the nearest step.
+inline MeshVertex meshVertex(const glm::dvec3& position, GridPoint grid, double stepM)
 {
-    const glm::vec3 high(position);
-    return {high, glm::vec3(position - glm::dvec3(high)), glm::vec2(grid.column, grid.row)};
+    return {glm::ivec3(glm::round(position / stepM)), glm::u16vec2(grid.column, grid.row)};
 }
 
-inline glm::dvec3 positionOf(const MeshVertex& v)
+inline glm::dvec3 positionOf(const MeshVertex& v, double stepM)
 {
-    return glm::dvec3(v.positionHigh) + glm::dvec3(v.positionLow);
+    return glm::dvec3(v.position) * stepM;
 }
 
 /// A drawn triangle: three vertex slots, counter-clockwise seen from above, apex first.
@@ -68,7 +69,10 @@ struct DrawnMesh
 {
     std::vector<MeshVertex> vertices;    ///< by slot, free ones included
     std::vector<LeafTriangle> triangles; ///< in arena order
+    double stepM = 0.0;                  ///< that positions are counted in
     bool isMorphed = false;              ///< vertices need not lie where their samples are
+
+    glm::dvec3 position(std::uint32_t vertex) const { return positionOf(vertices[vertex], stepM); }
 };
 
 /// Appends one element; a full vector grows by a quarter, where the library would double it.

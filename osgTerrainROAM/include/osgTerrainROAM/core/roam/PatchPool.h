@@ -17,7 +17,7 @@ namespace osgTerrainROAM::core
 /// moves it: a patch is written once.
 /// Invariant: after follow(), every drawn leaf of the tree has one slot, and no other triangle has any.
 /// Memory: 16 B per vertex of the tree, 40 B per patch. Cost of following: what has changed.
-/// Source: terrain anchors, points 4 and 5; issue "multi-draw of stable slots".
+/// Source: terrain anchors, points 4 (stable slots) and 5 (chunked leaves).
 class PatchPool
 {
 public:

@@ -47,7 +47,7 @@ struct PatchShape
         for (const Place place : vertices)
         {
             const GridPoint p = gridPoint(leaf, place);
-            out.push_back(meshVertex(tile.position(p.column, p.row), p));
+            out.push_back(meshVertex(tile.position(p.column, p.row), p, tile.vertexStepM()));
         }
     }
 
@@ -55,6 +55,7 @@ struct PatchShape
     void append(const PlacedTile& tile, const GridTriangle& leaf, DrawnMesh& mesh) const
     {
         const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+        mesh.stepM = tile.vertexStepM();
         appendVertices(tile, leaf, mesh.vertices);
         for (const Triangle& t : triangles)
             mesh.triangles.push_back({{first + t[0], first + t[1], first + t[2]}});

@@ -18,7 +18,7 @@ namespace osgTerrainROAM::core
 /// k is even: then a patch divides all edges of its leaf into 2^(k/2), and neighbours of any size meet; with odd k legs
 /// and bases are divided differently and do not.
 /// Threads: immutable; copies share everything. Memory: 4 B for each 2^k samples. Cost of making: about 30 ns a sample.
-/// Source: spec 1, "The four weaknesses" (patches); issue of the BDAM rule: terrain anchors, point 5.
+/// Source: spec 1 D, "The four weaknesses" (a leaf can carry a patch); terrain anchors, point 5.
 class SplitBounds
 {
 public:
