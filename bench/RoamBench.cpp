@@ -18,6 +18,7 @@
 
 #include "FullSplit.h"
 #include "SyntheticField.h"
+#include "flights/AnchorCrop.h"
 #include "flights/AnchorFlight.h"
 
 namespace
@@ -30,15 +31,9 @@ HeightField field1025()
 {
     const char* folder = std::getenv("OSGTRAINER_REAL_DATA");
     if (!folder) return testsupport::hills(1025, 1025, 90.0);
-    const auto imported = importDem(std::filesystem::path(folder) / "dem/N44W072.hgt");
+    const auto imported = importDem(std::filesystem::path(folder) / flights::kWhiteMountains.file);
     if (!imported) return testsupport::hills(1025, 1025, 90.0);
-    HeightField crop;
-    crop.columns = crop.rows = 1025;
-    crop.spacingEastM = crop.spacingNorthM = 90.0;
-    for (int row = 0; row < 1025; ++row)
-        for (int column = 0; column < 1025; ++column)
-            crop.heightsM.push_back(imported->heightM(88 + column, 88 + row));
-    return crop;
+    return flights::kWhiteMountains.of(*imported);
 }
 
 const std::shared_ptr<const RoamTile>& tile()

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <cmath>
 #include <limits>
 
 #include <gtest/gtest.h>
 
 #include <osgTerrainROAM/core/roam/ErrorTree.h>
-#include <osgTerrainROAM/core/roam/RoamMesh.h>
 
 #include "SyntheticField.h"
 
@@ -62,19 +60,6 @@ TEST(ErrorTree, IsTheSameEveryTime)
     {
         ASSERT_EQ(one.errorM(v), two.errorM(v));
         ASSERT_EQ(one.radiusM(v), two.radiusM(v));
-    }
-}
-
-TEST(ErrorTree, ASpikeOfOneCellAddsTrianglesByTheDepthNotByTheSize)
-{
-    for (const int side : {65, 257})
-    {
-        HeightField flat = testsupport::hills(side, side);
-        std::fill(flat.heightsM.begin(), flat.heightsM.end(), 0.0f);
-        flat.heightsM[static_cast<std::size_t>(side) * (side / 3) + side / 3] = 100.0f;
-        RoamMesh mesh(testsupport::planarTile(flat));
-        const auto depth = static_cast<std::uint32_t>(2 * std::log2(side - 1));
-        EXPECT_LE(mesh.refine(1.0).triangles, 16 * depth) << side;
     }
 }
 

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <osgTerrainROAM/core/heightfield/HeightField.h>
+
+namespace flights
+{
+
+/// A square of a raster that terrain engines are compared on: its first sample from the north-west, cells as squares.
+struct AnchorCrop
+{
+    const char* file; ///< below the real data's folder
+    int firstColumn, firstRowFromNorth, side;
+    double cellM;
+
+    osgTerrainROAM::core::HeightField of(const osgTerrainROAM::core::HeightField& all) const
+    {
+        osgTerrainROAM::core::HeightField field;
+        field.name = all.name;
+        field.columns = field.rows = side;
+        field.spacingEastM = field.spacingNorthM = cellM;
+        const int south = all.rows - firstRowFromNorth - side;
+        for (int row = 0; row < side; ++row)
+            for (int column = 0; column < side; ++column)
+                field.heightsM.push_back(all.heightM(firstColumn + column, south + row));
+        return field;
+    }
+};
+
+inline constexpr AnchorCrop kWhiteMountains{"dem/N44W072.hgt", 88, 88, 1025, 90.0};
+inline constexpr AnchorCrop kAconcagua{"dem/S33W071.tif", 88, 88, 1025, 90.0};
+inline constexpr AnchorCrop kGreenRiver{"dem/greenriver.tif", 700, 300, 513, 1.0}; ///< lidar
+
+} // namespace flights

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <random>
+
+#include "flights/AnchorFlight.h"
+
+namespace flights
+{
+
+/// A random walk of up to half a cell a frame each way, with a leap to anywhere, 300 m above the ground, in every
+/// hundredth frame. The same on every machine.
+class RestlessEye
+{
+public:
+    static constexpr int kFrames = 10000, kFramesBetweenLeaps = 100;
+
+    explicit RestlessEye(const osgTerrainROAM::core::PlacedTile& tile)
+        : _tile(tile), _view(AnchorFlight{}.view(tile, 0))
+    {
+    }
+
+    const viewlod::ViewState& next()
+    {
+        if (_frame++ % kFramesBetweenLeaps == 0)
+        {
+            const double last = _tile.dataColumns() - 1, column = unit() * last, row = unit() * last;
+            const double groundM = _tile.heightM(static_cast<int>(column), static_cast<int>(row));
+            _view.eyeWorld = _tile.positionAt(column, row, groundM + 300.0);
+        }
+        const double east = unit(), north = unit(), up = unit();
+        _view.eyeWorld += (glm::dvec3(east, north, up) - 0.5) * _tile.field().spacingEastM;
+        return _view;
+    }
+
+private:
+    double unit() { return _random() / 4294967296.0; }
+
+    const osgTerrainROAM::core::PlacedTile& _tile;
+    viewlod::ViewState _view;
+    std::mt19937 _random{3};
+    int _frame = 0;
+};
+
+} // namespace flights
