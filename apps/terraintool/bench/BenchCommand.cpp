@@ -92,6 +92,13 @@ viewlod::Outcome benchTile(const Request& request, const std::string& file, cons
     return viewlod::success();
 }
 
+/// Over the whole raster where it belongs; nothing when it does not say where.
+nlohmann::ordered_json queriesOnTheEarth(const HeightField& field)
+{
+    if (!field.net) return nullptr;
+    return measureQueries(std::make_shared<const RoamTile>(PlacedTile(field, Placement::curved)));
+}
+
 } // namespace
 
 viewlod::Result<Report> bench(const Request& request)
@@ -123,10 +130,12 @@ viewlod::Result<Report> bench(const Request& request)
                                         static_cast<double>(tile->tile.samples().size());
         report.json["bytesPerActiveTriangle"] = report.json["runs"][0]["bytesPerActiveTriangle"];
         report.json["slices"] = measureSlices(tile);
+        report.json["pops"] = measurePops(tile);
         report.json["queriesPerSecond"] = measureQueries(tile);
+        report.json["queriesPerSecondCurved"] = queriesOnTheEarth(*field);
     }
-    for (const char* key :
-         {"enhMerge", "bytesPerSample", "bytesPerActiveTriangle", "slices", "queriesPerSecond"})
+    for (const char* key : {"enhMerge", "bytesPerSample", "bytesPerActiveTriangle", "slices", "pops",
+                            "queriesPerSecond", "queriesPerSecondCurved"})
         std::cout << key << ": " << report.json[key].dump() << '\n';
     return report;
 }

@@ -14,6 +14,7 @@
 
 #include "FullSplit.h"
 #include "flights/AnchorFlight.h"
+#include "flights/RestlessEye.h"
 
 namespace terraintool
 {
@@ -75,24 +76,15 @@ nlohmann::ordered_json measureMerges(const std::shared_ptr<const RoamTile>& tile
 
 nlohmann::ordered_json measureSlices(const std::shared_ptr<const RoamTile>& tile)
 {
-    constexpr int kFrames = 10000, kFramesBetweenLeaps = 100;
+    constexpr int kFrames = flights::RestlessEye::kFrames;
     constexpr double kSliceUs = 200.0;
     RoamMesh mesh(tile);
-    std::mt19937 random(3);
-    const auto unit = [&] { return random() / 4294967296.0; };
-    viewlod::ViewState view = flights::AnchorFlight{}.view(tile->tile, 0);
+    flights::RestlessEye eye(tile->tile);
     std::vector<double> us;
     int leftOver = 0;
     for (int frame = 0; frame < kFrames; ++frame)
     {
-        const double last = tile->tile.dataColumns() - 1;
-        if (frame % kFramesBetweenLeaps == 0)
-        {
-            const double column = unit() * last, row = unit() * last;
-            const auto ground = tile->tile.heightM(static_cast<int>(column), static_cast<int>(row));
-            view.eyeWorld = tile->tile.positionAt(column, row, ground + 300.0);
-        }
-        view.eyeWorld += (glm::dvec3(unit(), unit(), unit()) - 0.5) * tile->tile.field().spacingEastM;
+        const viewlod::ViewState& view = eye.next();
         const double before = viewlod::Slice::threadUs();
         const RefineResult result = mesh.refine(view, {.errorTolerancePx = 2.0, .maxTimeUs = kSliceUs});
         us.push_back(viewlod::Slice::threadUs() - before);

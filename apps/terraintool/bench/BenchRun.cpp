@@ -129,6 +129,7 @@ nlohmann::ordered_json rowOf(const BenchRun& run, Totals totals, double bytesPer
     row["centrePixels"] = run.centrePixels;
     row["triangles"] = per(totals.triangles, frames);
     row["adaptUsP50"] = percentile(totals.frameUs, 0.5);
+    row["adaptUsP95"] = percentile(totals.frameUs, 0.95);
     row["adaptUsP99"] = percentile(totals.frameUs, 0.99);
     row["adaptUsMax"] = percentile(totals.frameUs, 1.0);
     row["changesPerFrame"] = per(totals.changes, frames);
