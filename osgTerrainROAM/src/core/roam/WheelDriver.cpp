@@ -74,84 +74,94 @@ void WheelDriver::startOver(Frame& frame)
         if (!frame.tree.place(v).isFree()) follow(frame, v);
 }
 
+inline GridPoint WheelDriver::watchedPlace(const DiamondTree& tree, VertexSlot v, unsigned kind)
+{
+    return kind == kItself ? tree.place(v).point() : tree.middle(TriangleId(v, kind));
+}
+
+/// Compiled into the loop over what is due: most of that only has to be watched further.
+[[gnu::always_inline]] inline void WheelDriver::lookAt(Frame& frame, std::uint32_t watch,
+                                                       DeferralWheel::Mark& mark, GridPoint place)
+{
+    ++frame.result.checks;
+    frame.slice.check();
+    const SplitBound bound = frame.tree.bounds().bound(place);
+    const ActiveForEye::Verdict verdict = frame.active.verdict(bound);
+    if (verdict.active != (kindOf(watch) == kItself))
+    {
+        mark = kWaits;
+        found(frame, watch, bound.errorM, verdict.distanceM);
+        return;
+    }
+    mark = bound.errorM > 0.0f ? _wheel.add(watch, bound.errorM, verdict.marginM - kRoundingM) : kNotWatched;
+}
+
 /// The work is waiting for memory; so it goes in batches, and each is announced while the one before is looked at. What the
 /// slice does not allow for stays due.
 void WheelDriver::lookAtDue(Frame& frame)
 {
-    DeferralWheel::Batch batch = _wheel.nextDue();
-    while (batch.count > 0)
+    std::array<DeferralWheel::Batch, 2> batches;
+    for (std::size_t here = 0, there = 1;; std::swap(here, there))
     {
-        const bool goesOn = !frame.slice.isSpent();
-        const DeferralWheel::Batch next = goesOn ? _wheel.nextDue() : DeferralWheel::Batch{};
+        DeferralWheel::Batch& next = batches[here];
+        next.count = 0;
+        if (!frame.slice.isSpent()) _wheel.nextDue(next);
         for (std::uint32_t i = 0; i < next.count; ++i)
         {
             __builtin_prefetch(&_marks[vertexOf(next.watches[i])]);
             __builtin_prefetch(&frame.tree.place(vertexOf(next.watches[i])));
         }
-        lookAtBatch(frame, batch);
-        batch = next;
+        lookAtBatch(frame, batches[there]);
+        if (next.count == 0) return;
     }
 }
 
 /// All places are found before the first is looked at.
 void WheelDriver::lookAtBatch(Frame& frame, const DeferralWheel::Batch& batch)
 {
-    std::array<GridPoint, std::tuple_size_v<decltype(batch.watches)>> places;
-    std::array<bool, places.size()> wanted;
+    std::array<std::uint32_t, DeferralWheel::Batch::kMost> wanted; // places in the batch
+    std::array<std::uint16_t, DeferralWheel::Batch::kMost> columns, rows;
+    const DiamondTree& tree = frame.tree;
+    std::size_t count = 0;
     for (std::uint32_t i = 0; i < batch.count; ++i)
     {
-        const std::uint32_t watch = batch.watches[i];
-        wanted[i] = isWanted(frame, watch, batch.mark);
-        if (!wanted[i]) continue;
-        places[i] = watchedPlace(frame.tree, vertexOf(watch), kindOf(watch));
-        frame.tree.bounds().prefetch(places[i]);
+        const VertexSlot v = vertexOf(batch.watches[i]);
+        const unsigned kind = kindOf(batch.watches[i]);
+        // Whether anybody still waits for it.
+        if (_marks[v][kind] != batch.marks[i] || tree.place(v).isFree()) continue;
+        const GridPoint place = watchedPlace(tree, v, kind);
+        tree.bounds().prefetch(place);
+        wanted[count] = i;
+        columns[count] = static_cast<std::uint16_t>(place.column);
+        rows[count++] = static_cast<std::uint16_t>(place.row);
     }
-    for (std::uint32_t i = 0; i < batch.count; ++i)
+    for (std::size_t i = 0; i < count; ++i)
     {
-        const std::uint32_t watch = batch.watches[i];
-        if (wanted[i] && isWanted(frame, watch, batch.mark))
-            look(frame, vertexOf(watch), kindOf(watch), places[i]);
+        const std::uint32_t watch = batch.watches[wanted[i]];
+        DeferralWheel::Mark& mark = _marks[vertexOf(watch)][kindOf(watch)];
+        if (mark == batch.marks[wanted[i]]) // and has not just been looked at
+            lookAt(frame, watch, mark, {columns[i], rows[i]});
     }
-}
-
-GridPoint WheelDriver::watchedPlace(const DiamondTree& tree, VertexSlot v, unsigned kind)
-{
-    return kind == kItself ? tree.place(v).point() : tree.middle(TriangleId(v, kind));
-}
-
-/// Whether anybody still waits for a watch that is handed out.
-bool WheelDriver::isWanted(const Frame& frame, std::uint32_t watch, DeferralWheel::Mark mark) const
-{
-    return _marks[vertexOf(watch)][kindOf(watch)] == mark && !frame.tree.place(vertexOf(watch)).isFree();
 }
 
 void WheelDriver::look(Frame& frame, VertexSlot v, unsigned kind)
 {
-    look(frame, v, kind, watchedPlace(frame.tree, v, kind));
+    lookAt(frame, watchOf(v, kind), _marks[v][kind], watchedPlace(frame.tree, v, kind));
 }
 
-void WheelDriver::look(Frame& frame, VertexSlot v, unsigned kind, GridPoint place)
+/// A vertex has become active, or is no longer.
+void WheelDriver::found(Frame& frame, std::uint32_t watch, double errorM, double belowM)
 {
-    ++frame.result.checks;
-    frame.slice.check();
-    const SplitBound bound = frame.tree.bounds().bound(place);
-    const ActiveForEye::Verdict verdict = frame.active.verdict(bound);
-    DeferralWheel::Mark& mark = _marks[v][kind];
-    if (verdict.active == (kind == kItself))
-    {
-        const double marginM = std::max(verdict.marginM - kRoundingM, 0.0);
-        mark = bound.errorM > 0.0f ? _wheel.add(watchOf(v, kind), bound.errorM, marginM) : kNotWatched;
-        return;
-    }
-    mark = kWaits;
+    const VertexSlot v = vertexOf(watch);
+    const unsigned kind = kindOf(watch);
     if (kind == kItself)
     {
         _leaving[static_cast<std::size_t>(frame.tree.place(v).level)].push_back(v);
         return;
     }
     if (_coming.empty()) _backlog = {.sinceM = _wayM};
-    const double distanceM = std::max(verdict.distanceM, frame.nearM);
-    _backlog.errorPerM = std::max(_backlog.errorPerM, bound.errorM / distanceM);
+    const double distanceM = std::max(belowM, frame.nearM);
+    _backlog.errorPerM = std::max(_backlog.errorPerM, errorM / distanceM);
     _backlog.nearestM = std::min(_backlog.nearestM, distanceM);
     _coming.emplace_back(v, kind);
 }

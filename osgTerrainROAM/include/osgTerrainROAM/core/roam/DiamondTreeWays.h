@@ -11,7 +11,7 @@ inline GridPoint DiamondTree::towardsMiddle(TriangleId t, int scale) const
 {
     const DiamondPlace& apex = _places[t.apex()];
     const unsigned direction = (apex.direction + 2u * t.quadrant() + 1u) & 7u;
-    const int height = (scale * _lastSample) >> ((apex.level + 3) / 2);
+    const int height = (scale * _lastSample) >> ((apex.level + 3) >> 1);
     return {4 * apex.column + detail::kColumnStep[direction] * height,
             4 * apex.row + detail::kRowStep[direction] * height};
 }
@@ -19,7 +19,7 @@ inline GridPoint DiamondTree::towardsMiddle(TriangleId t, int scale) const
 inline GridPoint DiamondTree::middle(TriangleId t) const
 {
     const GridPoint quarters = towardsMiddle(t, 4);
-    return {quarters.column / 4, quarters.row / 4};
+    return {quarters.column >> 2, quarters.row >> 2};
 }
 
 inline std::array<TriangleId, 2> DiamondTree::children(TriangleId t) const

@@ -77,9 +77,9 @@ private:
     void lookAtDue(Frame& frame);
     void lookAtBatch(Frame& frame, const DeferralWheel::Batch& batch);
     static GridPoint watchedPlace(const DiamondTree& tree, VertexSlot v, unsigned kind);
-    bool isWanted(const Frame& frame, std::uint32_t watch, DeferralWheel::Mark mark) const;
     void look(Frame& frame, VertexSlot v, unsigned kind);
-    void look(Frame& frame, VertexSlot v, unsigned kind, GridPoint place);
+    void lookAt(Frame& frame, std::uint32_t watch, DeferralWheel::Mark& mark, GridPoint place);
+    void found(Frame& frame, std::uint32_t watch, double errorM, double belowM);
     void follow(Frame& frame, VertexSlot v);
     void followNew(Frame& frame);
     bool change(Frame& frame, bool staleLeaving, std::size_t staleComing);
