@@ -37,6 +37,8 @@ bool WheelDriver::refine(DiamondTree& tree, const viewlod::ViewState& view, doub
     Frame frame{tree, ActiveForEye(view, tolerancePx), view.nearM, maxLeaves, slice, result};
     const double scale = view.guaranteedPixelsPerTangent() / tolerancePx;
     const double travelM = glm::distance(view.eyeWorld, _eye) + std::abs(view.nearM - _nearM);
+    const bool isStill = _knowsTree && travelM == 0.0 && scale == _scale;
+    if (isStill && _leavingCount == 0 && _coming.empty() && !_wheel.hasDue()) return true;
     _followed = tree.changes().vertices.size();
     _wayM += travelM;
     bool leavingLeft = false;
@@ -45,8 +47,8 @@ bool WheelDriver::refine(DiamondTree& tree, const viewlod::ViewState& view, doub
     {
         _wheel.advance(travelM, std::abs(scale - _scale));
         // First what the last frame has left over, so that it is not left over for ever.
-        change(frame, isAnyLeaving(), _coming.size());
-        leavingLeft = isAnyLeaving();
+        change(frame, _leavingCount > 0, _coming.size());
+        leavingLeft = _leavingCount > 0;
         comingLeft = _coming.size();
         lookAtDue(frame);
     }
@@ -64,6 +66,7 @@ void WheelDriver::startOver(Frame& frame)
 {
     _wheel.clear();
     _leaving = {};
+    _leavingCount = 0;
     _coming.clear();
     _backlog = {};
     _marks.assign(frame.tree.vertexSlots(), {});
@@ -157,6 +160,7 @@ void WheelDriver::found(Frame& frame, std::uint32_t watch, double errorM, double
     if (kind == kItself)
     {
         _leaving[static_cast<std::size_t>(frame.tree.place(v).level)].push_back(v);
+        ++_leavingCount;
         return;
     }
     if (_coming.empty()) _backlog = {.sinceM = _wayM};
@@ -203,21 +207,16 @@ bool WheelDriver::change(Frame& frame, bool staleLeaving, std::size_t staleComin
     return letGo(frame, staleLeaving) && letCome(frame, staleComing);
 }
 
-bool WheelDriver::isAnyLeaving() const
-{
-    return std::any_of(_leaving.begin(), _leaving.end(),
-                       [](const auto& ofLevel) { return !ofLevel.empty(); });
-}
-
 /// Coarser vertices first: what stands on them goes along.
 bool WheelDriver::letGo(Frame& frame, bool areStale)
 {
-    for (std::vector<VertexSlot>& ofLevel : _leaving)
-        while (!ofLevel.empty())
+    for (std::size_t level = 0; level < kLevels && _leavingCount > 0; ++level)
+        while (!_leaving[level].empty())
         {
             if (frame.slice.isSpent()) return false;
-            const VertexSlot v = ofLevel.back();
-            ofLevel.pop_back();
+            const VertexSlot v = _leaving[level].back();
+            _leaving[level].pop_back();
+            --_leavingCount;
             if (!frame.tree.place(v).isFree() && _marks[v][kItself] == kWaits) takeOut(frame, v, areStale);
         }
     return true;

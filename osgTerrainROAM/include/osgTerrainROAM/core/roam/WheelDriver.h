@@ -83,7 +83,6 @@ private:
     void follow(Frame& frame, VertexSlot v);
     void followNew(Frame& frame);
     bool change(Frame& frame, bool staleLeaving, std::size_t staleComing);
-    bool isAnyLeaving() const;
     bool letGo(Frame& frame, bool areStale);
     void takeOut(Frame& frame, VertexSlot v, bool isStale);
     bool letCome(Frame& frame, std::size_t stale);
@@ -91,6 +90,7 @@ private:
     DeferralWheel _wheel;
     std::vector<std::array<DeferralWheel::Mark, 5>> _marks; ///< by vertex and kind
     std::array<std::vector<VertexSlot>, kLevels> _leaving;  ///< vertices that are active no longer, by level
+    std::size_t _leavingCount = 0;
     std::vector<TriangleId> _coming; ///< triangles whose split vertex has become active
     Backlog _backlog;                ///< of _coming since it was empty last
     std::size_t _followed = 0;       ///< of the tree's new vertices in this frame
