@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
+#include <optional>
 
 #include <benchmark/benchmark.h>
 
@@ -27,18 +28,32 @@ namespace
 using namespace osgTerrainROAM::core;
 using flights::AnchorFlight;
 
-HeightField field1025()
+std::optional<HeightField> realField()
 {
     const char* folder = std::getenv("OSGTRAINER_REAL_DATA");
-    if (!folder) return testsupport::hills(1025, 1025, 90.0);
-    const auto imported = importDem(std::filesystem::path(folder) / flights::kWhiteMountains.file);
-    if (!imported) return testsupport::hills(1025, 1025, 90.0);
-    return flights::kWhiteMountains.of(*imported);
+    if (!folder) return std::nullopt;
+    auto imported = importDem(std::filesystem::path(folder) / flights::kWhiteMountains.file);
+    if (!imported) return std::nullopt;
+    return std::move(*imported);
+}
+
+HeightField field1025()
+{
+    const auto real = realField();
+    return real ? flights::kWhiteMountains.of(*real) : testsupport::hills(1025, 1025, 90.0);
 }
 
 const std::shared_ptr<const RoamTile>& tile()
 {
     static const auto placed = testsupport::planarTile(field1025());
+    return placed;
+}
+
+/// On the round Earth: all of the real raster.
+const std::shared_ptr<const RoamTile>& curvedTile()
+{
+    static const auto placed = std::make_shared<const RoamTile>(
+        PlacedTile(realField().value_or(testsupport::onTheEarth(testsupport::hills(1025, 1025, 90.0)))));
     return placed;
 }
 
@@ -122,52 +137,67 @@ void flightFromScratch(benchmark::State& state)
         });
 }
 
-template<class Query>
-void queries(benchmark::State& state, const Query& query)
+std::vector<glm::dvec2> randomPlaces(const PlacedTile& placed)
 {
     std::vector<glm::dvec2> places;
     testsupport::Random random(9);
     for (int i = 0; i < 4096; ++i)
-        places.emplace_back(tile()->tile.positionAt(random.unit() * 1023.0, random.unit() * 1023.0, 0.0));
+        places.emplace_back(placed.positionAt(random.unit() * (placed.dataColumns() - 2),
+                                              random.unit() * (placed.dataRows() - 2), 0.0));
+    return places;
+}
+
+template<class Query>
+void queries(benchmark::State& state, const PlacedTile& placed, const Query& query)
+{
+    const auto places = randomPlaces(placed);
     std::size_t next = 0;
     for ([[maybe_unused]] auto _ : state)
         benchmark::DoNotOptimize(query(places[next++ % places.size()]));
     state.SetItemsProcessed(state.iterations());
 }
 
+const std::shared_ptr<const RoamTile>& tileOf(Placement placement)
+{
+    return placement == Placement::curved ? curvedTile() : tile();
+}
+
+template<Placement placement>
 void trueGround(benchmark::State& state)
 {
-    queries(state, [](const glm::dvec2& p) { return groundAt(tile()->tile, p.x, p.y); });
+    const PlacedTile& placed = tileOf(placement)->tile;
+    queries(state, placed, [&](const glm::dvec2& p) { return groundAt(placed, p.x, p.y); });
 }
 
 /// Over the mesh of the anchors' flight, 30 000 triangles.
+template<Placement placement>
 void drawnGround(benchmark::State& state)
 {
-    RoamMesh mesh(tile());
-    mesh.refine(AnchorFlight{}.view(tile()->tile, 0), {.errorTolerancePx = 3.6});
-    queries(state, [&](const glm::dvec2& p) { return drawnGroundAt(mesh.tree(), p.x, p.y); });
+    RoamMesh mesh(tileOf(placement));
+    mesh.refine(AnchorFlight{}.view(mesh.tile().tile, 0), {.errorTolerancePx = 3.6});
+    queries(state, mesh.tile().tile,
+            [&](const glm::dvec2& p) { return drawnGroundAt(mesh.tree(), p.x, p.y); });
 }
 
 /// The same, all places in one call.
+template<Placement placement>
 void drawnGroundBatch(benchmark::State& state)
 {
-    RoamMesh mesh(tile());
-    mesh.refine(AnchorFlight{}.view(tile()->tile, 0), {.errorTolerancePx = 3.6});
-    std::vector<glm::dvec2> places;
-    testsupport::Random random(9);
-    for (int i = 0; i < 4096; ++i)
-        places.emplace_back(tile()->tile.positionAt(random.unit() * 1023.0, random.unit() * 1023.0, 0.0));
+    RoamMesh mesh(tileOf(placement));
+    mesh.refine(AnchorFlight{}.view(mesh.tile().tile, 0), {.errorTolerancePx = 3.6});
+    const auto places = randomPlaces(mesh.tile().tile);
     std::vector<std::optional<DrawnGround>> grounds(places.size());
     for ([[maybe_unused]] auto _ : state)
         drawnGroundAt(mesh.tree(), places, grounds);
     state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(places.size()));
+    state.counters["triangles"] = mesh.tree().leafCount();
 }
 
 /// Lines of sight 5 km long from 300 m above the ground.
 void groundRay(benchmark::State& state)
 {
     testsupport::Random random(10);
-    queries(state,
+    queries(state, tile()->tile,
             [&](const glm::dvec2& p)
             {
                 const double heading = 6.283 * random.unit();
@@ -231,9 +261,12 @@ BENCHMARK(flightMorphing)->Arg(36)->Unit(benchmark::kMillisecond);
 BENCHMARK(flightFromScratch)->Arg(36)->Arg(10)->Unit(benchmark::kMillisecond);
 BENCHMARK(enhMerge)->DenseRange(2, 12, 2)->Unit(benchmark::kMicrosecond);
 BENCHMARK(singleMerges)->DenseRange(2, 12, 2)->Unit(benchmark::kMicrosecond);
-BENCHMARK(trueGround);
-BENCHMARK(drawnGround);
-BENCHMARK(drawnGroundBatch);
+BENCHMARK(trueGround<Placement::planar>);
+BENCHMARK(trueGround<Placement::curved>);
+BENCHMARK(drawnGround<Placement::planar>);
+BENCHMARK(drawnGround<Placement::curved>);
+BENCHMARK(drawnGroundBatch<Placement::planar>);
+BENCHMARK(drawnGroundBatch<Placement::curved>);
 BENCHMARK(groundRay);
 BENCHMARK(errorTree)->Arg(257)->Arg(1025)->Unit(benchmark::kMillisecond)->UseRealTime();
 

@@ -160,6 +160,27 @@ TEST(PlacedTile, GridAtInvertsPositionAt)
     }
 }
 
+TEST(PlacedTile, GridNearIsLessThanASampleOff)
+{
+    const PlacedTile tile(geographicField(1025, 1025, 32, 46.0, 8.0));
+    std::mt19937 random(12);
+    std::uniform_real_distribution<double> place(0.0, 1024.0), height(0.0, 4000.0);
+    double farthest = 0.0;
+    for (int i = 0; i < 1000; ++i)
+    {
+        const glm::dvec2 grid(place(random), place(random));
+        const glm::dvec2 found = tile.gridNear(glm::dvec2(tile.positionAt(grid.x, grid.y, height(random))));
+        farthest = std::max(farthest, glm::distance(grid, found));
+    }
+    EXPECT_LT(farthest, 1.0);
+    const glm::dvec2 flat = tile.positionAt(512.0, 512.0, 0.0), corner = tile.positionAt(0.0, 0.0, 0.0);
+    const glm::dvec2 alongEast = tile.positionAt(513.0, 512.0, 0.0),
+                     alongNorth = tile.positionAt(512.0, 513.0, 0.0);
+    const glm::dvec2 linear =
+        glm::inverse(glm::dmat2(alongEast - flat, alongNorth - flat)) * (corner - flat) + 512.0;
+    EXPECT_GT(glm::length(linear), 2.0) << "the first order alone would do: nothing was tested";
+}
+
 TEST(PlacedTile, GeodeticAndLocalAreInverse)
 {
     const PlacedTile tile(geographicField(33, 33, 8, 46.0, 8.0), Geodetic{46.2, 8.1, 300.0});

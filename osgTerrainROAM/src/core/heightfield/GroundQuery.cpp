@@ -96,7 +96,7 @@ private:
 std::optional<GroundPoint> groundAt(const PlacedTile& tile, double east, double north)
 {
     const Search search(tile, {east, north});
-    glm::dvec2 grid = tile.gridAt({east, north, 0.0});
+    glm::dvec2 grid = tile.gridNear({east, north});
     if (!std::isfinite(grid.x) || !std::isfinite(grid.y)) return std::nullopt;
     // Far outside nothing is near enough to search; the margin covers what height and tilt can shift.
     const double margin = 0.5 * tile.side();

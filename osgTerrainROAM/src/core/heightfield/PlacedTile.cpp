@@ -127,12 +127,26 @@ void PlacedTile::buildLattice()
     std::vector<double> rotation(9); // row-major, local from the node's own east-north-up
     for (const GeodeticNet::Node& node : _field.net->nodes)
     {
-        LatticeNode placed;
-        frame.Forward(node.latitudeDeg, node.longitudeDeg, node.geoidM, placed.base.x, placed.base.y,
-                      placed.base.z, rotation);
-        placed.up = {rotation[2], rotation[5], rotation[8]};
-        _lattice.push_back(placed);
+        glm::dvec3 base;
+        frame.Forward(node.latitudeDeg, node.longitudeDeg, node.geoidM, base.x, base.y, base.z, rotation);
+        _lattice.emplace_back(base, glm::dvec3(rotation[2], rotation[5], rotation[8]));
     }
+    drawSketch();
+}
+
+void PlacedTile::drawSketch()
+{
+    const double d = 0.5 * (_side - 1);
+    const double heightM = this->heightM(_side / 2, _side / 2);
+    const auto at = [&](int east, int north)
+    { return glm::dvec2(positionAt(d + east * d, d + north * d, heightM)); };
+    const glm::dvec2 west = at(-1, 0), east = at(1, 0), south = at(0, -1), north = at(0, 1);
+    _sketch.grid = glm::dvec2(d);
+    _sketch.local = at(0, 0);
+    _sketch.inverse = glm::inverse(glm::dmat2(east - west, north - south) / (2.0 * d));
+    _sketch.xx = (east + west - 2.0 * _sketch.local) / (2.0 * d * d);
+    _sketch.yy = (north + south - 2.0 * _sketch.local) / (2.0 * d * d);
+    _sketch.xy = (at(1, 1) - at(1, -1) - at(-1, 1) + at(-1, -1)) / (4.0 * d * d);
 }
 
 PlacedTile::Weights PlacedTile::weightsAt(double t)
@@ -164,13 +178,13 @@ PlacedTile::LatticeNode PlacedTile::blend(int macroColumn, int macroRow, const W
 {
     const LatticeNode* node =
         &_lattice[static_cast<std::size_t>(2 * macroRow) * _latticeSide + 2 * macroColumn];
-    LatticeNode sum{glm::dvec3(0.0), glm::dvec3(0.0)};
+    LatticeNode sum;
     for (int j = 0; j < 3; ++j, node += _latticeSide)
         for (int i = 0; i < 3; ++i)
         {
             const double w = wx.w[i] * wy.w[j];
-            sum.base += w * node[i].base;
-            sum.up += w * node[i].up;
+            for (std::size_t k = 0; k < sum.values.size(); ++k)
+                sum.values[k] += w * node[i].values[k];
         }
     return sum;
 }
@@ -183,7 +197,7 @@ glm::dvec3 PlacedTile::curvedPosition(int column, int row, double heightM) const
     const int b = std::min(row >> _macroShift, last);
     const LatticeNode place = blend(a, b, _weights[static_cast<std::size_t>(column - (a << _macroShift))],
                                     _weights[static_cast<std::size_t>(row - (b << _macroShift))]);
-    return place.base + heightM * place.up;
+    return place.base() + heightM * place.up();
 }
 
 glm::dvec3 PlacedTile::positionAt(double column, double row, double heightM) const
@@ -193,7 +207,7 @@ glm::dvec3 PlacedTile::positionAt(double column, double row, double heightM) con
     const LatticePlace place = latticePlace(column, row);
     const LatticeNode node =
         blend(place.macroColumn, place.macroRow, weightsAt(place.east), weightsAt(place.north));
-    return node.base + heightM * node.up;
+    return node.base() + heightM * node.up();
 }
 
 /// One Newton step of positionAt(grid, h) = local in column, row and h; h is eliminated by looking along
@@ -206,10 +220,10 @@ glm::dvec2 PlacedTile::newtonStep(const glm::dvec2& grid, const glm::dvec3& loca
     const LatticeNode here = blend(place.macroColumn, place.macroRow, wx, wy);
     const LatticeNode alongEast = blend(place.macroColumn, place.macroRow, slopesAt(place.east), wy);
     const LatticeNode alongNorth = blend(place.macroColumn, place.macroRow, wx, slopesAt(place.north));
-    const double height = glm::dot(local - here.base, here.up);
-    const glm::dmat3 jacobian(alongEast.base + height * alongEast.up,
-                              alongNorth.base + height * alongNorth.up, here.up);
-    const glm::dvec3 residual = local - (here.base + height * here.up);
+    const double height = glm::dot(local - here.base(), here.up());
+    const glm::dmat3 jacobian(alongEast.base() + height * alongEast.up(),
+                              alongNorth.base() + height * alongNorth.up(), here.up());
+    const glm::dvec3 residual = local - (here.base() + height * here.up());
     return glm::dvec2(glm::inverse(jacobian) * residual) * static_cast<double>(_latticeStep);
 }
 
@@ -219,7 +233,7 @@ glm::dvec2 PlacedTile::gridAt(const glm::dvec3& local) const
         return {local.x / _field.spacingEastM, local.y / _field.spacingNorthM};
     constexpr int kMaxSteps = 20;
     constexpr double kTinyStep = 1e-10; // samples: far below what a double resolves on the ground
-    glm::dvec2 grid(0.5 * (_side - 1));
+    glm::dvec2 grid = gridNear(local);
     for (int i = 0; i < kMaxSteps; ++i)
     {
         const glm::dvec2 step = newtonStep(grid, local);
@@ -227,6 +241,17 @@ glm::dvec2 PlacedTile::gridAt(const glm::dvec3& local) const
         if (std::max(std::abs(step.x), std::abs(step.y)) < kTinyStep * _side) break;
     }
     return grid;
+}
+
+glm::dvec2 PlacedTile::gridNear(const glm::dvec2& place) const
+{
+    if (_placement == Placement::planar)
+        return {place.x / _field.spacingEastM, place.y / _field.spacingNorthM};
+    const glm::dvec2 offset = place - _sketch.local;
+    const glm::dvec2 d =
+        _sketch.inverse * offset; // as if the Earth were flat, and that into the second order
+    const glm::dvec2 bent = d.x * d.x * _sketch.xx + d.x * d.y * _sketch.xy + d.y * d.y * _sketch.yy;
+    return _sketch.grid + _sketch.inverse * (offset - bent);
 }
 
 glm::dvec3 PlacedTile::localFromGeodetic(const Geodetic& geodetic) const

@@ -52,7 +52,7 @@ struct Descent
             triangle = DiamondTree::kRoots[grid.x >= grid.y ? 0 : 1];
     }
     Descent(const DiamondTree& tree, const glm::dvec2& local)
-        : Descent(tree.tile().tile.gridAt({local.x, local.y, 0.0}))
+        : Descent(tree.tile().tile.gridNear(local))
     {
     }
 
@@ -81,7 +81,7 @@ bool isBeyondData(const PlacedTile& tile, const glm::dvec2& grid)
 /// How far the true surface may be from a leaf, or from its patch, when none of its vertices is displaced.
 double boundM(const DiamondTree& tree, TriangleId leaf)
 {
-    return tree.canSplit(leaf) ? tree.bound(leaf).errorM : 0.0;
+    return tree.canSplit(leaf) ? tree.bounds().errorM(tree.middle(leaf)) : 0.0;
 }
 
 /// From the leaf under the place in the grid to the one that the vertical line meets.

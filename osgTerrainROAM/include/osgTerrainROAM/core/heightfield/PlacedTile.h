@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -90,15 +91,28 @@ public:
     /// positionAt(gridAt(p), h) = p for the height h of p. Places beyond the tile are extrapolated.
     glm::dvec2 gridAt(const glm::dvec3& local) const;
 
+    /// About where the vertical line through a place meets the ground: where a search for it begins. Curved: off by what
+    /// height and the third order of the Earth's curvature shift, less than a sample in tiles of up to 100 km; planar: exact.
+    /// Cost: about 30 flops.
+    glm::dvec2 gridNear(const glm::dvec2& place) const;
+
     /// Conversions of the frame (identity-like about the origin for planar tiles: unavailable, asserted).
     glm::dvec3 localFromGeodetic(const Geodetic& geodetic) const;
     Geodetic geodeticFromLocal(const glm::dvec3& local) const;
 
 private:
+    /// Local position at sample height 0, and the ellipsoid's normal in the local frame: side by side, so that they are
+    /// interpolated two numbers at a time.
     struct LatticeNode
     {
-        glm::dvec3 base; ///< local position at sample height 0
-        glm::dvec3 up;   ///< ellipsoid normal in the local frame
+        std::array<double, 6> values{};
+        LatticeNode() = default;
+        LatticeNode(const glm::dvec3& base, const glm::dvec3& up)
+            : values{base.x, base.y, base.z, up.x, up.y, up.z}
+        {
+        }
+        glm::dvec3 base() const { return {values[0], values[1], values[2]}; }
+        glm::dvec3 up() const { return {values[3], values[4], values[5]}; }
     };
 
     /// Quadratic Lagrange weights of three nodes in a row, or their derivatives.
@@ -114,6 +128,14 @@ private:
         double east, north; ///< 0…2
     };
 
+    /// The horizontal place to second order about the middle of the tile: local + J·d + d.x²·xx + d.x·d.y·xy + d.y²·yy.
+    struct Sketch
+    {
+        glm::dvec2 grid{0.0}, local{0.0};
+        glm::dmat2 inverse{1.0}; ///< of J
+        glm::dvec2 xx{0.0}, xy{0.0}, yy{0.0};
+    };
+
     glm::dvec3 curvedPosition(int column, int row, double heightM) const;
     static Weights weightsAt(double nodesFromFirst);
     static Weights slopesAt(double nodesFromFirst);
@@ -121,6 +143,7 @@ private:
     void initRadiusRange();
     void initVertexStep();
     void buildLattice();
+    void drawSketch();
     Geodetic dataCentre() const;
     LatticePlace latticePlace(double column, double row) const;
     LatticeNode blend(int macroColumn, int macroRow, const Weights& wx, const Weights& wy) const;
@@ -138,6 +161,7 @@ private:
     int _macroShift = 0;           ///< log2(2·step): a sample's macro cell is index >> shift
     std::vector<Weights> _weights; ///< per sample offset 0…2·step within a macro cell
     std::vector<LatticeNode> _lattice;
+    Sketch _sketch;
 };
 
 } // namespace osgTerrainROAM::core

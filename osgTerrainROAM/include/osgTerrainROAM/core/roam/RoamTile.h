@@ -37,6 +37,12 @@ public:
         return {glm::vec3(tile.positionOf(v.column, v.row, sample.heightM)), sample.errorM, sample.radiusM};
     }
 
+    float errorM(GridPoint v) const
+    {
+        return tile.isInData(v.column, v.row) ? tile.samples().sample(indexInData(v)).errorM
+                                              : boundBeyond(v).errorM;
+    }
+
     /// Tells the processor that bound(v) will be asked for.
     void prefetch(GridPoint v) const
     {

@@ -34,6 +34,9 @@ public:
         return bound;
     }
 
+    /// e_v alone: without the vertex's place, which costs more than the rest.
+    float errorM(GridPoint v) const { return _errorsM ? patchErrorM(v) : _tile->errorM(v); }
+
     /// Tells the processor that bound(v) will be asked for.
     void prefetch(GridPoint v) const
     {
