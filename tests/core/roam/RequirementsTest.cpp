@@ -108,7 +108,8 @@ TEST_P(Spike, OfManyCellsWouldBeNoticed)
 {
     const int side = GetParam();
     EXPECT_GT(mostAdded(flat(side), side / 8, 1.0, 1), bound(side));
-    if (side < 500) EXPECT_GT(mostAdded(flat(side), side, 1.0, 1), 20.0 * bound(side));
+    if (side > 500) return; // the larger the model, the plainer
+    EXPECT_GT(mostAdded(flat(side), side, 1.0, 1), 20.0 * bound(side));
 }
 
 INSTANTIATE_TEST_SUITE_P(Sides, Spike, testing::Values(129, 257, 513, 1025, 2049),
@@ -126,7 +127,8 @@ TEST(SpikeRealData, AddsTrianglesByTheDepthNotByTheSize)
         const double added = mostAdded(field, 1, kErrorM, placesFor(side));
         EXPECT_LE(added, bound(side)) << side;
         EXPECT_GT(added, 0.0) << side;
-        if (side < 500) EXPECT_GT(mostAdded(field, side / 4, kErrorM, 1), bound(side)) << side;
+        if (side > 500) continue;
+        EXPECT_GT(mostAdded(field, side / 4, kErrorM, 1), bound(side)) << side;
     }
 }
 
