@@ -15,8 +15,9 @@ namespace viewlod
 class Slice
 {
 public:
-    /// Modelled cost of looking at a vertex again and of splitting or merging a triangle; medians measured on one machine.
-    static constexpr double kCheckUs = 0.02, kChangeUs = 0.15;
+    /// Modelled cost of handing out a watch, wanted or not, of looking at a vertex again, and of splitting or merging a
+    /// triangle: in a ratio between that of measured times and that of counted instructions (docs/performance.md).
+    static constexpr double kHandOutUs = 0.01, kCheckUs = 0.03, kChangeUs = 0.07;
 
     explicit Slice(const Budget& budget)
         : _limitUs(budget.maxTimeUs), _modelled(budget.clock == Budget::Clock::modelled)
@@ -24,6 +25,7 @@ public:
         if (!std::isinf(_limitUs) && !_modelled) _startUs = threadUs();
     }
 
+    void handOut(unsigned watches) { _workUs += kHandOutUs * watches; }
     void check() { _workUs += kCheckUs; }
     void change(unsigned triangles) { _workUs += kChangeUs * triangles; }
 

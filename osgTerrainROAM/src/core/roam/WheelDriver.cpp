@@ -109,6 +109,7 @@ void WheelDriver::lookAtDue(Frame& frame)
         DeferralWheel::Batch& next = batches[here];
         next.count = 0;
         if (!frame.slice.isSpent()) _wheel.nextDue(next);
+        frame.slice.handOut(next.count);
         for (std::uint32_t i = 0; i < next.count; ++i)
         {
             __builtin_prefetch(&_marks[vertexOf(next.watches[i])]);
