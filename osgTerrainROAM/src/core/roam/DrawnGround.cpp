@@ -98,7 +98,8 @@ std::optional<DrawnGround> onLeaves(const DiamondTree& tree, TriangleId t, const
         if (isBeyondData(tree.tile().tile, hit.grid)) return std::nullopt;
         double movedM = 0.0;
         for (const VertexSlot v : tree.vertices(t).vertices)
-            movedM = std::max<double>(movedM, glm::length(tree.displacement(v)));
+            if (const glm::vec3 moved = tree.displacement(v); moved != glm::vec3(0.0f))
+                movedM = std::max<double>(movedM, glm::length(moved));
         return DrawnGround{hit.position, hit.normal, movedM + boundM(tree, t), t};
     }
     return std::nullopt;
