@@ -115,15 +115,17 @@ double measureQueries(const std::shared_ptr<const RoamTile>& tile)
         places.emplace_back(tile->tile.positionAt(column, row, 0.0));
     }
     std::vector<std::optional<DrawnGround>> grounds(places.size());
-    int found = 0;
-    const double begin = threadNs();
+    std::vector<double> ns; // of a query, by round
     for (int round = 0; round < kRounds; ++round)
     {
+        const double begin = threadNs();
         drawnGroundAt(mesh.tree(), places, grounds);
-        found += static_cast<int>(
-            std::count_if(grounds.begin(), grounds.end(), [](const auto& g) { return g.has_value(); }));
+        const auto found =
+            std::count_if(grounds.begin(), grounds.end(), [](const auto& g) { return g.has_value(); });
+        ns.push_back((threadNs() - begin) / static_cast<double>(found));
     }
-    return found / (threadNs() - begin) * 1e9;
+    std::nth_element(ns.begin(), ns.begin() + kRounds / 2, ns.end());
+    return 1e9 / ns[kRounds / 2];
 }
 
 } // namespace terraintool

@@ -24,7 +24,7 @@ nlohmann::ordered_json measureSlices(const std::shared_ptr<const osgTerrainROAM:
 /// eye, in centre pixels; with and without morphing at the same tolerance.
 nlohmann::ordered_json measurePops(const std::shared_ptr<const osgTerrainROAM::core::RoamTile>& tile);
 
-/// Heights of the drawn surface, with the bound, at random places over a mesh of the flight. Units: queries per second.
+/// Heights of the drawn surface, with the bound, at random places over a mesh of the flight; the median of some rounds. Units: queries per second.
 double measureQueries(const std::shared_ptr<const osgTerrainROAM::core::RoamTile>& tile);
 
 } // namespace terraintool
