@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <iomanip>
+#include <iostream>
+#include <sstream>
+
+#include <osgTerrainROAM/RoamDrawable>
+
+#include "Look.h"
+#include "Request.h"
+#include "StaticMesh.h"
+#include "TerrainTechnique.h"
+
+namespace framebench
+{
+
+namespace
+{
+
+constexpr int kWarmUpFrames = 3; ///< shaders compile, buffers fill
+constexpr int kPatchCells = 64;
+
+/// One way to draw the terrain, and what its frames took.
+struct Subject
+{
+    std::string name, draws;
+    osg::ref_ptr<osg::Node> node;
+    osg::ref_ptr<osgTerrainROAM::RoamDrawable> roam; ///< null: its triangles are counted in the draws
+    std::vector<double> wallMs, cpuMs;
+    double triangles = 0.0;
+};
+
+double percentile(std::vector<double> values, double share)
+{
+    const auto place =
+        values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+    std::nth_element(values.begin(), place, values.end());
+    return *place;
+}
+
+std::string textOf(double number)
+{
+    std::ostringstream text;
+    text << number;
+    return text.str();
+}
+
+Subject ours(const Request& request, double tolerancePx, bool morphing)
+{
+    Subject subject;
+    subject.name = "RoamDrawable " + textOf(tolerancePx) + " px" + (morphing ? ", morphing" : "");
+    subject.draws = "the wheel's mesh, visible regions only; two-float vertices";
+    subject.roam = new osgTerrainROAM::RoamDrawable(request.tile);
+    subject.roam->setErrorTolerancePx(tolerancePx);
+    subject.roam->setMorphing(morphing);
+    subject.node = subject.roam;
+    return subject;
+}
+
+std::vector<Subject> subjectsOf(const Request& request, Look look)
+{
+    const auto& tile = request.tile->tile;
+    std::vector<Subject> subjects;
+    for (const double tolerancePx : request.tolerancesPx)
+        for (const bool morphing : {false, true})
+            subjects.push_back(ours(request, tolerancePx, morphing));
+    subjects.push_back({"full grid",
+                        "every cell, one static buffer, the same vertices and program as ours",
+                        fullGrid(tile, tile.side()),
+                        nullptr,
+                        {},
+                        {}});
+    subjects.push_back({"full grid in patches",
+                        "the same in patches of 64 cells that OSG culls",
+                        fullGrid(tile, kPatchCells),
+                        nullptr,
+                        {},
+                        {}});
+    subjects.push_back({"GeometryTechnique",
+                        "osgTerrain's defaults, sample ratio 1; our fragment shader behind a vertex shader "
+                        "for its gl_Vertex",
+                        terrainTechnique(tile, request.material, look),
+                        nullptr,
+                        {},
+                        {}});
+    if (look == Look::relief)
+        subjects.push_back({"GeometryTechnique, fixed function",
+                            "osgTerrain's defaults, sample ratio 1, its own normals under OSG's light",
+                            terrainTechnique(tile, nullptr, look),
+                            nullptr,
+                            {},
+                            {}});
+    return subjects;
+}
+
+/// Draws one frame of a subject, and takes note of it unless it warms up.
+void drawOnce(Stage& stage, Subject& subject, const Eye& eye, DrawCount& drawn, bool counts)
+{
+    drawn.triangles = 0;
+    const FrameCost cost = stage.draw(eye);
+    if (!counts) return;
+    subject.wallMs.push_back(cost.wallMs);
+    subject.cpuMs.push_back(cost.cpuMs);
+    const auto groups =
+        subject.roam ? subject.roam->statistics() : std::vector<osgTerrainROAM::ViewGroupStatistics>();
+    subject.triangles += groups.empty() ? static_cast<double>(drawn.triangles)
+                                        : static_cast<double>(groups.front().trianglesDrawn);
+}
+
+Report rowOf(const Subject& subject, Look look)
+{
+    Report row;
+    row["look"] = lookName(look);
+    row["subject"] = subject.name;
+    row["draws"] = subject.draws;
+    row["frames"] = subject.wallMs.size();
+    row["triangles"] = subject.triangles / static_cast<double>(subject.wallMs.size());
+    row["wallMsP50"] = percentile(subject.wallMs, 0.5);
+    row["wallMsP99"] = percentile(subject.wallMs, 0.99);
+    row["cpuMsP50"] = percentile(subject.cpuMs, 0.5);
+    row["cpuMsP99"] = percentile(subject.cpuMs, 0.99);
+    return row;
+}
+
+void print(const Report& row)
+{
+    const auto number = [&](const char* key) { return row[key].get<double>(); };
+    std::cout << std::left << std::setw(8) << row["look"].get<std::string>() << std::setw(36)
+              << row["subject"].get<std::string>() << std::right << std::fixed << std::setprecision(0)
+              << std::setw(10) << number("triangles") << " triangles" << std::setprecision(1) << std::setw(9)
+              << number("wallMsP50") << " ms" << std::setw(9) << number("wallMsP99") << " ms p99"
+              << std::setw(9) << number("cpuMsP50") << " ms cpu" << std::setprecision(2) << std::setw(8)
+              << number("wallMsP50OverOurs") << " x" << std::endl;
+}
+
+void measureLook(const Request& request, Stage& stage, Look look, Report& report)
+{
+    const osg::ref_ptr<osg::StateSet> state = lookState(*request.material, look);
+    std::vector<Subject> subjects = subjectsOf(request, look);
+    DrawCount drawn;
+    for (int frame = -kWarmUpFrames; frame < request.frames; ++frame)
+        for (Subject& subject : subjects)
+        {
+            stage.show(subject.node, state);
+            drawOnce(stage, subject, request.eye(frame), drawn, frame >= 0);
+            // osgTerrain builds its geometry in its first frame.
+            if (frame == -kWarmUpFrames) countDraws(*subject.node, drawn);
+        }
+    const double oursMs = percentile(subjects.front().wallMs, 0.5);
+    for (const Subject& subject : subjects)
+    {
+        Report row = rowOf(subject, look);
+        row["wallMsP50OverOurs"] = row["wallMsP50"].get<double>() / oursMs;
+        print(row);
+        report["rows"].push_back(std::move(row));
+    }
+}
+
+} // namespace
+
+viewlod::Result<Report> measureFrames(const Request& request)
+{
+    auto stage = Stage::open(request.picture, request.tile->tile.vertexStepM());
+    if (!stage) return stage.error();
+    Report report;
+    report["renderer"] = (*stage)->rendererName();
+    std::cout << (*stage)->rendererName() << '\n';
+    for (const Look look : {Look::full, Look::relief})
+        measureLook(request, **stage, look, report);
+    return report;
+}
+
+} // namespace framebench
