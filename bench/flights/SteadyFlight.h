@@ -14,7 +14,8 @@ namespace flights
 {
 
 /// An eye that moves as a vehicle does, at 60 frames a second over a square tile with planar placement: straight on at a
-/// constant speed, its height the smoothed ground's, the head swaying by a few degrees in eight seconds. Where
+/// constant speed, its height the smoothed ground's, the head swaying by a few degrees in eight seconds; an
+/// eye of no speed stands quite still. Where
 /// AnchorFlight measures how much can change, this one moves as somebody who looks at the pictures does.
 /// Units: metres, seconds; the angle of view is horizontal.
 struct SteadyFlight
@@ -34,9 +35,9 @@ struct SteadyFlight
     glm::dmat4 view(const osgTerrainROAM::core::PlacedTile& tile, int frame) const
     {
         const glm::dvec3 from = eye(tile, frame);
-        const double swayS = 8.0;
+        const double swayS = 8.0, swayRad = speedMps > 0.0 ? 0.1 : 0.0;
         const double yaw = std::atan2(along().y, along().x) +
-                           0.1 * std::sin(2.0 * std::numbers::pi * frame / (swayS * kFramesPerSecond));
+                           swayRad * std::sin(2.0 * std::numbers::pi * frame / (swayS * kFramesPerSecond));
         const double pitch = -0.08;
         const glm::dvec3 ahead(std::cos(yaw) * std::cos(pitch), std::sin(yaw) * std::cos(pitch),
                                std::sin(pitch));

@@ -18,21 +18,34 @@ constexpr int kPatchCells = 64;
 using Edges = std::vector<std::vector<bool>>; ///< of every frame
 
 /// The silhouettes of the full mesh in each frame, widened by a pixel, with those of the frame before.
-viewlod::Result<Edges> edgesOf(const Request& request, osg::Node* full)
+Edges edgesOf(const Request& request, Stage& stage, osg::Node* full)
 {
-    auto stage = Stage::open(request.picture, request.tile->tile.vertexStepM());
-    if (!stage) return stage.error();
-    (*stage)->show(full, lookState(*request.material, Look::distance), false);
+    stage.show(full, lookState(*request.material, Look::distance), false);
     Edges edges;
     std::vector<bool> before;
     for (int frame = 0; frame < request.frames; ++frame)
     {
-        std::vector<bool> now = silhouettes(*(*stage)->picture(request.eye(frame)));
+        std::vector<bool> now = silhouettes(*stage.picture(request.eye(frame)));
         edges.push_back(widened(now, before.empty() ? now : before, request.picture.widthPx));
         before = std::move(now);
     }
     return edges;
 }
+
+/// How much the full mesh's own picture changes from frame to frame, for comparison.
+struct FullSteps
+{
+    void add(const Picture& picture)
+    {
+        if (!before.values.empty())
+            for (const int v : difference(picture, before).values)
+                levels.add(v);
+        before = picture;
+    }
+
+    Picture before;
+    LevelHistogram levels;
+};
 
 /// One way to antialias: samples of the renderer, or a larger picture that is filtered down.
 struct Antialiasing
@@ -42,68 +55,65 @@ struct Antialiasing
     osgOffscreen::OffscreenSettings picture;
 };
 
-viewlod::Result<Antialiasing> antialiasingOf(const std::string& name, osgOffscreen::OffscreenSettings picture)
+/// `name`: as main.cpp lets through.
+Antialiasing antialiasingOf(const std::string& name, osgOffscreen::OffscreenSettings picture)
 {
-    static const std::map<std::string, std::pair<int, int>> kKnown{
-        {"none", {1, 0}}, {"msaa4", {1, 4}}, {"ssaa2", {2, 0}}, {"ssaa4", {4, 0}}};
-    const auto known = kKnown.find(name);
-    if (known == kKnown.end())
-        return viewlod::Error{"--antialiasing", "'" + name + "' is not known",
-                              "choose none, msaa4, ssaa2 or ssaa4"};
-    const auto [perAxis, samples] = known->second;
+    const int perAxis = name == "ssaa4" ? 4 : name == "ssaa2" ? 2 : 1;
     picture.widthPx *= perAxis;
     picture.heightPx *= perAxis;
-    picture.samples = samples;
-    return Antialiasing{name, perAxis, picture};
+    picture.samples = name == "msaa4" ? 4 : 0;
+    return {name, perAxis, picture};
 }
 
-std::vector<PopRow> rowsOf(const Request& request, int samplesPerPx)
+std::vector<PopRow> rowsOf(const Request& request, const Antialiasing& way, Stage& stage)
 {
     std::vector<PopRow> rows;
     for (const Look look : kLooks)
         for (const double tolerancePx : request.tolerancesPx)
-            for (const bool morphing : {false, true})
-                rows.emplace_back(request, look, tolerancePx, morphing, samplesPerPx);
+            for (const Following following : {Following::switching, Following::morphing, Following::frozen})
+                rows.emplace_back(request, stage,
+                                  PopRow::Setting{look, tolerancePx, following, way.name, way.samplesPerPx});
     return rows;
 }
 
 void print(const Report& row)
 {
-    const auto p999 = [&](const char* key) { return row[key]["p999"].get<int>(); };
     std::cout << std::left << std::setw(8) << row["look"].get<std::string>() << std::setw(7)
-              << row["antialiasing"].get<std::string>() << std::setw(5) << row["tolerancePx"].get<double>()
-              << (row["morphing"].get<bool>() ? "morphing " : "         ") << std::right << "p99.9: apart"
-              << std::setw(4) << p999("lodMinusFull") << "  delta" << std::setw(4) << p999("delta")
-              << "  at edges" << std::setw(4) << p999("deltaAtEdges") << "  inside" << std::setw(4)
-              << p999("deltaInside") << "  pop" << std::setw(4) << p999("pop") << "  inside" << std::setw(4)
-              << p999("popInside") << "  max pop" << std::setw(4) << row["pop"]["max"].get<int>()
-              << std::endl;
+              << row["antialiasing"].get<std::string>() << std::setw(6) << row["tolerancePx"].get<double>()
+              << std::setw(10) << row["mesh"].get<std::string>() << std::right << "p99.9:";
+    for (const char* key : {"lodMinusFull", "delta", "deltaAtEdges", "deltaInside", "pop", "popInside"})
+        if (row.contains(key))
+            std::cout << "  " << key << std::setw(4) << row[key]["p999"].get<int>() << " (max" << std::setw(4)
+                      << row[key]["max"].get<int>() << ')';
+    std::cout << std::endl;
 }
 
-viewlod::Outcome measure(const Request& request, const Antialiasing& way, osg::Node* full, const Edges& edges,
-                         Report& report)
+viewlod::Outcome measure(const Request& request, const Antialiasing& way, Stage& stage, osg::Node* full,
+                         const Edges& edges, Report& report)
 {
-    auto opened = Stage::open(way.picture, request.tile->tile.vertexStepM());
-    if (!opened) return opened.error();
-    Stage& stage = **opened;
     report["renderer"] = stage.rendererName();
-    std::vector<PopRow> rows = rowsOf(request, way.samplesPerPx);
+    std::map<Look, osg::ref_ptr<osg::StateSet>> states;
+    for (const Look look : kLooks)
+        states[look] = lookState(*request.material, look);
+    std::vector<PopRow> rows = rowsOf(request, way, stage);
+    std::map<Look, FullSteps> steps;
     for (int frame = 0; frame < request.frames; ++frame)
         for (const Look look : kLooks)
         {
-            stage.show(full, lookState(*request.material, look));
+            stage.show(full, states[look]);
             const Picture whole = boxFiltered(*stage.picture(request.eye(frame)), way.samplesPerPx);
+            steps[look].add(whole);
             for (PopRow& row : rows)
             {
                 if (row.look() != look) continue;
-                const auto& at = edges[static_cast<std::size_t>(frame)];
-                if (const auto done = row.frame(request, stage, frame, whole, at, way.name); !done)
+                if (const auto done = row.frame(frame, whole, edges[static_cast<std::size_t>(frame)]); !done)
                     return done.error();
             }
         }
     for (const PopRow& row : rows)
     {
-        report["rows"].push_back(row.json(way.name));
+        report["rows"].push_back(row.json());
+        report["rows"].back()["fullStepP999"] = steps[row.look()].levels.percentile(0.999);
         print(report["rows"].back());
     }
     return viewlod::success();
@@ -114,14 +124,25 @@ viewlod::Outcome measure(const Request& request, const Antialiasing& way, osg::N
 viewlod::Result<Report> measurePop(const Request& request)
 {
     const osg::ref_ptr<osg::Node> full = fullGrid(request.tile->tile, kPatchCells);
-    const auto edges = edgesOf(request, full);
-    if (!edges) return edges.error();
+    // None is closed before the end: OSG would give its number to the next, and what both draw would take its buffers
+    // to be there.
+    std::vector<std::unique_ptr<Stage>> stages;
+    const auto open = [&](const osgOffscreen::OffscreenSettings& picture) -> viewlod::Outcome
+    {
+        auto stage = Stage::open(picture, request.tile->tile.vertexStepM());
+        if (!stage) return stage.error();
+        stages.push_back(std::move(*stage));
+        return viewlod::success();
+    };
+    if (const auto opened = open(request.picture); !opened) return opened.error();
+    const Edges edges = edgesOf(request, *stages.front(), full);
     Report report;
     for (const std::string& name : request.antialiasing)
     {
-        const auto way = antialiasingOf(name, request.picture);
-        if (!way) return way.error();
-        if (const auto done = measure(request, *way, full, *edges, report); !done) return done.error();
+        const Antialiasing way = antialiasingOf(name, request.picture);
+        if (const auto opened = open(way.picture); !opened) return opened.error();
+        if (const auto done = measure(request, way, *stages.back(), full, edges, report); !done)
+            return done.error();
     }
     return report;
 }

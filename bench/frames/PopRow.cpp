@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "PopRow.h"
 
+#include <sstream>
+
 #include "StaticMesh.h"
 
 namespace framebench
@@ -11,6 +13,12 @@ namespace
 
 /// The coarse frame's share of the detail: what the measure has to see.
 constexpr double kCoarser = 10.0;
+
+constexpr std::string_view followingName(Following following)
+{
+    constexpr std::string_view kNames[] = {"switching", "morphing", "frozen"};
+    return kNames[static_cast<int>(following)];
+}
 
 Report levels(const LevelHistogram& histogram)
 {
@@ -25,98 +33,112 @@ Report levels(const LevelHistogram& histogram)
 
 } // namespace
 
-PopRow::PopRow(const Request& request, Look look, double tolerancePx, bool morphing, int samplesPerPx)
-    : _look(look),
-      _tolerancePx(tolerancePx),
-      _morphing(morphing),
-      _samplesPerPx(samplesPerPx),
-      _state(lookState(*request.material, look)),
+PopRow::PopRow(const Request& request, Stage& stage, Setting setting)
+    : _request(request),
+      _stage(stage),
+      _setting(std::move(setting)),
+      _state(lookState(*request.material, _setting.look)),
       _drawable(new osgTerrainROAM::RoamDrawable(request.tile)),
       _mesh(request.tile)
 {
-    _drawable->setMorphing(morphing);
-    _mesh.setMorphing(morphing);
+    _drawable->setMorphing(_setting.following == Following::morphing);
+    _mesh.setMorphing(_setting.following == Following::morphing);
+    if (_setting.following != Following::frozen) return;
+    refine(request.frames / 2);
+    _frozen = staticMesh(_mesh.drawn());
 }
 
-viewlod::Outcome PopRow::frame(const Request& request, Stage& stage, int frame, const Picture& full,
-                               const std::vector<bool>& edges, const std::string& antialiasing)
+bool PopRow::measuresPop() const
 {
-    const Eye eye = request.eye(frame);
-    std::optional<Picture> late;
-    if (_before)
-    {
-        stage.show(staticMesh(_mesh.drawn()), _state);
-        late = boxFiltered(*stage.picture(eye), _samplesPerPx);
-    }
+    // At four samples an axis a picture takes seconds, and what pops shows as well with two.
+    return _setting.following != Following::frozen && _setting.samplesPerPx <= 2;
+}
 
-    const double tolerancePx = _tolerancePx * _samplesPerPx * (frame == request.coarseFrame ? kCoarser : 1.0);
-    const auto view = viewlod::ViewState::fromMatrices(eye.view, eye.projection, stage.settings().widthPx,
-                                                       stage.settings().heightPx);
-    _mesh.refine(view, {.errorTolerancePx = tolerancePx});
+void PopRow::refine(int frame)
+{
+    const double coarser = frame == _request.coarseFrame ? kCoarser : 1.0;
+    const double tolerancePx = _setting.tolerancePx * _setting.samplesPerPx * coarser;
     _drawable->setErrorTolerancePx(tolerancePx);
-    stage.show(_drawable, _state);
-    const Picture lod = boxFiltered(*stage.picture(eye), _samplesPerPx);
-    _triangles += _drawable->statistics().front().trianglesDrawn;
-    ++_frames;
+    const Eye eye = _request.eye(frame);
+    const auto view = viewlod::ViewState::fromMatrices(eye.view, eye.projection, _stage.settings().widthPx,
+                                                       _stage.settings().heightPx);
+    _mesh.refine(view, {.errorTolerancePx = tolerancePx});
+}
+
+Picture PopRow::drawn(osg::Node* node, int frame)
+{
+    _stage.show(node, _state);
+    return boxFiltered(*_stage.picture(_request.eye(frame)), _setting.samplesPerPx);
+}
+
+viewlod::Outcome PopRow::frame(int frame, const Picture& full, const std::vector<bool>& edges)
+{
+    std::optional<Picture> pop;
+    if (_before && measuresPop()) pop = drawn(staticMesh(_mesh.drawn()), frame);
+    if (!_frozen) refine(frame);
+    const Picture lod = drawn(_frozen ? static_cast<osg::Node*>(_frozen) : _drawable, frame);
+    if (pop) pop = difference(lod, *pop);
 
     Picture apart = difference(lod, full);
     viewlod::Outcome kept = viewlod::success();
     if (_before)
     {
         const Picture delta = difference(apart, *_before);
-        count(delta, difference(lod, *late), edges);
-        if (frame == request.pictureFrame) kept = keep(request, antialiasing, lod, full, delta);
+        count(delta, pop ? &*pop : nullptr, edges);
+        if (frame == _request.pictureFrame) kept = keep(lod, full, delta);
     }
     for (const int v : apart.values)
-        _difference.add(v);
+        _counts.difference.add(v);
     _before = std::move(apart);
     return kept;
 }
 
-void PopRow::count(const Picture& delta, const Picture& pop, const std::vector<bool>& edges)
+void PopRow::count(const Picture& delta, const Picture* pop, const std::vector<bool>& edges)
 {
     for (std::size_t i = 0; i < delta.values.size(); ++i)
     {
         const bool isEdge = edges[i / 3];
-        _delta.add(delta.values[i]);
-        (isEdge ? _deltaAtEdges : _deltaInside).add(delta.values[i]);
-        _pop.add(pop.values[i]);
-        if (!isEdge) _popInside.add(pop.values[i]);
+        _counts.delta.add(delta.values[i]);
+        (isEdge ? _counts.deltaAtEdges : _counts.deltaInside).add(delta.values[i]);
+        if (!pop) continue;
+        _counts.pop.add(pop->values[i]);
+        if (!isEdge) _counts.popInside.add(pop->values[i]);
     }
 }
 
-viewlod::Outcome PopRow::keep(const Request& request, const std::string& antialiasing, const Picture& lod,
-                              const Picture& full, const Picture& delta) const
+viewlod::Outcome PopRow::keep(const Picture& lod, const Picture& full, const Picture& delta) const
 {
     constexpr int kGain = 16;
-    const std::string stem = std::string(lookName(_look)) + "-" + antialiasing + "-" +
-                             std::to_string(_tolerancePx).substr(0, 4) + "px" +
-                             (_morphing ? "-morphing" : "");
-    const auto file = [&](const char* what) { return request.pictureFolder / (stem + "-" + what + ".png"); };
+    std::ostringstream stem;
+    stem << lookName(_setting.look) << '-' << _setting.antialiasing << '-' << _setting.tolerancePx << "px-"
+         << followingName(_setting.following) << '-';
     for (const auto& [what, picture, gain] : {std::tuple{"lod", lod, 1},
                                               {"full", full, 1},
                                               {"apart", difference(lod, full), kGain},
                                               {"delta", delta, kGain}})
-        if (const auto done = writePicture(picture, gain, file(what)); !done) return done.error();
+    {
+        const auto file = _request.pictureFolder / (stem.str() + what + ".png");
+        if (const auto done = writePicture(picture, gain, file); !done) return done.error();
+    }
     return viewlod::success();
 }
 
-Report PopRow::json(const std::string& antialiasing) const
+Report PopRow::json() const
 {
+    const auto values = static_cast<double>(std::max<std::uint64_t>(_counts.delta.total(), 1));
     Report row;
-    row["look"] = lookName(_look);
-    row["antialiasing"] = antialiasing;
-    row["tolerancePx"] = _tolerancePx;
-    row["morphing"] = _morphing;
-    row["triangles"] = _triangles / std::max(_frames, 1);
-    row["edgeShare"] = static_cast<double>(_deltaAtEdges.total()) /
-                       static_cast<double>(std::max<std::uint64_t>(_delta.total(), 1));
-    row["lodMinusFull"] = levels(_difference);
-    row["delta"] = levels(_delta);
-    row["deltaAtEdges"] = levels(_deltaAtEdges);
-    row["deltaInside"] = levels(_deltaInside);
-    row["pop"] = levels(_pop);
-    row["popInside"] = levels(_popInside);
+    row["look"] = lookName(_setting.look);
+    row["antialiasing"] = _setting.antialiasing;
+    row["tolerancePx"] = _setting.tolerancePx;
+    row["mesh"] = followingName(_setting.following);
+    row["edgeShare"] = static_cast<double>(_counts.deltaAtEdges.total()) / values;
+    row["lodMinusFull"] = levels(_counts.difference);
+    row["delta"] = levels(_counts.delta);
+    row["deltaAtEdges"] = levels(_counts.deltaAtEdges);
+    row["deltaInside"] = levels(_counts.deltaInside);
+    if (!measuresPop()) return row;
+    row["pop"] = levels(_counts.pop);
+    row["popInside"] = levels(_counts.popInside);
     return row;
 }
 

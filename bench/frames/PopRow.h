@@ -15,40 +15,61 @@
 namespace framebench
 {
 
+/// How the mesh follows the eye.
+enum class Following
+{
+    switching, ///< detail comes and goes at once
+    morphing,  ///< without a jump
+    frozen,    ///< not at all: the mesh of the flight's middle, the control that by construction never pops
+};
+
 /// One setting of the level of detail in one look, and what its pictures showed along the flight.
 /// D_t = LOD_t − Full_t, both from the eye of frame t; Δ_t = D_t − D_{t−1}.
 /// Pop_t = LOD_t − the mesh of frame t−1 from the eye of frame t: what the change of the mesh alone does to the picture.
 class PopRow
 {
 public:
-    /// `samplesPerPx`: along an axis of the picture; the tolerance is one of finished pixels.
-    PopRow(const Request& request, Look look, double tolerancePx, bool morphing, int samplesPerPx);
+    struct Setting
+    {
+        Look look = Look::full;
+        double tolerancePx = 1.0; ///< of the finished picture
+        Following following = Following::switching;
+        std::string antialiasing;
+        int samplesPerPx = 1; ///< along an axis
+    };
 
-    Look look() const { return _look; }
+    /// Frames are drawn on `stage`, which has to outlive it.
+    PopRow(const Request& request, Stage& stage, Setting setting);
 
-    /// Draws a frame and counts it. `edges`: its silhouettes and those of the frame before.
-    /// Errors: pictures that cannot be written.
-    viewlod::Outcome frame(const Request& request, Stage& stage, int frame, const Picture& full,
-                           const std::vector<bool>& edges, const std::string& antialiasing);
+    Look look() const { return _setting.look; }
 
-    Report json(const std::string& antialiasing) const;
+    /// Draws a frame and counts it. `full`: the full mesh's picture; `edges`: its silhouettes and those of the frame
+    /// before. Errors: pictures that cannot be written.
+    viewlod::Outcome frame(int frame, const Picture& full, const std::vector<bool>& edges);
+
+    Report json() const;
 
 private:
-    void count(const Picture& delta, const Picture& pop, const std::vector<bool>& edges);
-    viewlod::Outcome keep(const Request& request, const std::string& antialiasing, const Picture& lod,
-                          const Picture& full, const Picture& delta) const;
+    struct Counts
+    {
+        LevelHistogram difference, delta, deltaAtEdges, deltaInside, pop, popInside;
+    };
 
-    Look _look;
-    double _tolerancePx;
-    bool _morphing;
-    int _samplesPerPx;
+    bool measuresPop() const;
+    void refine(int frame);
+    Picture drawn(osg::Node* node, int frame);
+    void count(const Picture& delta, const Picture* pop, const std::vector<bool>& edges);
+    viewlod::Outcome keep(const Picture& lod, const Picture& full, const Picture& delta) const;
+
+    const Request& _request;
+    Stage& _stage;
+    Setting _setting;
     osg::ref_ptr<osg::StateSet> _state;
     osg::ref_ptr<osgTerrainROAM::RoamDrawable> _drawable;
-    osgTerrainROAM::core::RoamMesh _mesh; ///< the same mesh once more, to be drawn a frame late
-    std::optional<Picture> _before;       ///< D of the frame before
-    LevelHistogram _difference, _delta, _deltaAtEdges, _deltaInside, _pop, _popInside;
-    double _triangles = 0.0;
-    int _frames = 0;
+    osgTerrainROAM::core::RoamMesh _mesh; ///< the same mesh once more, to be drawn a frame late, or frozen
+    osg::ref_ptr<osg::Geode> _frozen;
+    std::optional<Picture> _before; ///< D of the frame before
+    Counts _counts;
 };
 
 } // namespace framebench

@@ -82,7 +82,8 @@ int main(int argc, char** argv)
         addOptions(*sub, request);
     times->callback([&] { command = measureFrames; });
     pop->callback([&] { command = measurePop; });
-    pop->add_option("--antialiasing", request.antialiasing, "none, msaa4, ssaa2, ssaa4");
+    pop->add_option("--antialiasing", request.antialiasing, "none, msaa4, ssaa2, ssaa4")
+        ->check(CLI::IsMember({"none", "msaa4", "ssaa2", "ssaa4"}));
     pop->add_option("--coarse-frame", request.coarseFrame,
                     "refine this frame ten times coarser, to see the measure fail");
     pop->add_option("--pictures", request.pictureFolder, "keep pictures of one frame in this folder")
