@@ -2,14 +2,11 @@
 #include <algorithm>
 #include <iomanip>
 #include <iostream>
-#include <sstream>
-
-#include <osgTerrainROAM/RoamDrawable>
 
 #include "Look.h"
 #include "Request.h"
 #include "StaticMesh.h"
-#include "TerrainTechnique.h"
+#include "Subjects.h"
 
 namespace framebench
 {
@@ -18,17 +15,6 @@ namespace
 {
 
 constexpr int kWarmUpFrames = 3; ///< shaders compile, buffers fill
-constexpr int kPatchCells = 64;
-
-/// One way to draw the terrain, and what its frames took.
-struct Subject
-{
-    std::string name, draws;
-    osg::ref_ptr<osg::Node> node;
-    osg::ref_ptr<osgTerrainROAM::RoamDrawable> roam; ///< null: its triangles are counted in the draws
-    std::vector<double> wallMs, cpuMs;
-    double triangles = 0.0;
-};
 
 double percentile(std::vector<double> values, double share)
 {
@@ -36,61 +22,6 @@ double percentile(std::vector<double> values, double share)
         values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
     std::nth_element(values.begin(), place, values.end());
     return *place;
-}
-
-std::string textOf(double number)
-{
-    std::ostringstream text;
-    text << number;
-    return text.str();
-}
-
-Subject ours(const Request& request, double tolerancePx, bool morphing)
-{
-    Subject subject;
-    subject.name = "RoamDrawable " + textOf(tolerancePx) + " px" + (morphing ? ", morphing" : "");
-    subject.draws = "the wheel's mesh, visible regions only; two-float vertices";
-    subject.roam = new osgTerrainROAM::RoamDrawable(request.tile);
-    subject.roam->setErrorTolerancePx(tolerancePx);
-    subject.roam->setMorphing(morphing);
-    subject.node = subject.roam;
-    return subject;
-}
-
-std::vector<Subject> subjectsOf(const Request& request, Look look)
-{
-    const auto& tile = request.tile->tile;
-    std::vector<Subject> subjects;
-    for (const double tolerancePx : request.tolerancesPx)
-        for (const bool morphing : {false, true})
-            subjects.push_back(ours(request, tolerancePx, morphing));
-    subjects.push_back({"full grid",
-                        "every cell, one static buffer, the same vertices and program as ours",
-                        fullGrid(tile, tile.side()),
-                        nullptr,
-                        {},
-                        {}});
-    subjects.push_back({"full grid in patches",
-                        "the same in patches of 64 cells that OSG culls",
-                        fullGrid(tile, kPatchCells),
-                        nullptr,
-                        {},
-                        {}});
-    subjects.push_back({"GeometryTechnique",
-                        "osgTerrain's defaults, sample ratio 1; our fragment shader behind a vertex shader "
-                        "for its gl_Vertex",
-                        terrainTechnique(tile, request.material, look),
-                        nullptr,
-                        {},
-                        {}});
-    if (look == Look::relief)
-        subjects.push_back({"GeometryTechnique, fixed function",
-                            "osgTerrain's defaults, sample ratio 1, its own normals under OSG's light",
-                            terrainTechnique(tile, nullptr, look),
-                            nullptr,
-                            {},
-                            {}});
-    return subjects;
 }
 
 /// Draws one frame of a subject, and takes note of it unless it warms up.
