@@ -88,7 +88,8 @@ osg::ref_ptr<osg::Geometry> patchOf(const PlacedTile& tile, const VertexArrays& 
     const auto at = [&](int c, int r) { return static_cast<GLuint>(r * tile.side() + c); };
     osg::ref_ptr<osg::DrawElementsUInt> triangles = new osg::DrawElementsUInt(GL_TRIANGLES);
     triangles->reserve(static_cast<std::size_t>(cells) * cells * 6);
-    osg::BoundingBox box;
+    osg::BoundingBoxd box;
+    const double stepM = tile.vertexStepM();
     for (int r = bottom; r < bottom + cells; ++r)
         for (int c = left; c < left + cells; ++c)
         {
@@ -100,9 +101,12 @@ osg::ref_ptr<osg::Geometry> patchOf(const PlacedTile& tile, const VertexArrays& 
                 for (const GLuint i : {sw, se, nw, se, ne, nw})
                     triangles->push_back(i);
             for (const GLuint i : {sw, se, ne, nw})
-                box.expandBy(osg::Vec3f(osg::Vec3d((*arrays.position)[i]) * tile.vertexStepM()));
+            {
+                const auto p = (*arrays.position)[i];
+                box.expandBy(p.x() * stepM, p.y() * stepM, p.z() * stepM);
+            }
         }
-    return arrays.geometry(triangles, box);
+    return arrays.geometry(triangles, osg::BoundingBox(box._min, box._max));
 }
 
 } // namespace

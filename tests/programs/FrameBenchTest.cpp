@@ -71,7 +71,7 @@ TEST(FrameBench, ShowsNothingWhereNothingIsLeftOutAndTheEyeStandsStill)
         tableOf(place, {"pop", "--tolerance", "0.000001", "--antialiasing", "none", "ssaa2"});
     // The grid's triangles begin with other corners than the bintree's: interpolation may round the other way.
     for (const char* what : {"lodMinusFull", "delta"})
-        EXPECT_LE(most(exact, what, "max"), 1) << what;
+        EXPECT_LE(most(exact, what, "max"), 2) << what;
     EXPECT_EQ(most(exact, "pop", "max"), 0);
     EXPECT_EQ(exact["rows"].size(), 2U * 2U * 3U);
     const ordered_json still =

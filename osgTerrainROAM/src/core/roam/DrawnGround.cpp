@@ -51,10 +51,7 @@ struct Descent
         if (std::isfinite(grid.x) && std::isfinite(grid.y))
             triangle = DiamondTree::kRoots[grid.x >= grid.y ? 0 : 1];
     }
-    Descent(const DiamondTree& tree, const glm::dvec2& local)
-        : Descent(tree.tile().tile.gridNear(local))
-    {
-    }
+    Descent(const DiamondTree& tree, const glm::dvec2& local) : Descent(tree.tile().tile.gridNear(local)) {}
 
     bool isDone(const DiamondTree& tree) const { return !triangle.exists() || tree.isLeaf(triangle); }
 
