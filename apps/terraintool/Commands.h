@@ -29,6 +29,7 @@ struct Request
     // Of bench alone.
     int benchFrames = 240;
     std::vector<double> tolerancesPx{2.0, 1.0};
+    bool leavesNearby = false;   ///< LeafPlacement::nearby
     bool centrePixels = false;   ///< the tolerance holds in the middle of the picture
     std::vector<int> crop;       ///< side in samples; column and row of its north-west sample
     std::optional<double> cellM; ///< sample distance instead of the file's

@@ -44,6 +44,7 @@ int main(int argc, char** argv)
     addPatches(bench);
     bench->add_option("--tolerance", request.tolerancesPx, "error targets in pixels")
         ->check(terminal::between(0.01, 1000.0));
+    bench->add_flag("--nearby", request.leavesNearby, "put leaves where there is a gap, not in order");
     bench->add_flag("--centre", request.centrePixels, "hold the target in the middle of the picture only");
     bench
         ->add_option("--crop", request.crop,

@@ -79,6 +79,7 @@ viewlod::Outcome benchTile(const Request& request, const std::string& file, cons
                 BenchRun run{std::filesystem::path(file).filename().string(),
                              bounds,
                              driver,
+                             request.leavesNearby ? LeafPlacement::nearby : LeafPlacement::inOrder,
                              path,
                              tolerancePx,
                              request.centrePixels,

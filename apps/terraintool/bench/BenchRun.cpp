@@ -9,6 +9,7 @@
 #include <viewlod/Slice.h>
 
 #include <osgTerrainROAM/core/roam/DrawnMeshCheck.h>
+#include <osgTerrainROAM/core/roam/LeafOrder.h>
 #include <osgTerrainROAM/core/roam/ScratchRefinement.h>
 
 namespace terraintool
@@ -74,7 +75,7 @@ class Subject
 public:
     explicit Subject(const BenchRun& run) : _run(run)
     {
-        if (run.driver) _mesh.emplace(run.bounds, *run.driver);
+        if (run.driver) _mesh.emplace(run.bounds, *run.driver, run.placement);
     }
 
     void frame(const viewlod::ViewState& view, bool counts, Totals& totals)
@@ -100,6 +101,9 @@ public:
 
     DrawnMesh drawn() const { return _mesh ? _mesh->drawn() : meshOf(_run.bounds, _leaves); }
 
+    /// How the triangles lie that the last frame would draw.
+    std::optional<LeafOrder> order() const { return _mesh ? std::optional(orderOf(*_mesh)) : std::nullopt; }
+
     double bytesPerTriangle() const
     {
         return _mesh ? std::ldexp(static_cast<double>(_mesh->memoryBytes()) / _mesh->tree().leafCount(),
@@ -113,7 +117,7 @@ private:
     std::vector<GridTriangle> _leaves;
 };
 
-nlohmann::ordered_json rowOf(const BenchRun& run, Totals totals, double bytesPerTriangle)
+nlohmann::ordered_json rowOf(const BenchRun& run, Totals totals, const Subject& subject)
 {
     const auto frames = static_cast<double>(totals.frameUs.size());
     const auto per = [](double sum, double count) { return count > 0.0 ? sum / count : 0.0; };
@@ -139,7 +143,16 @@ nlohmann::ordered_json rowOf(const BenchRun& run, Totals totals, double bytesPer
     row["maxErrorPx"] = totals.maxErrorPx;
     row["uploadBytesPerChange"] = per(totals.uploadBytes, // a diamond: four leaves came, two went, or back
                                       std::ldexp(6.0 * totals.changes, run.bounds.patchExponent()));
-    if (run.driver) row["bytesPerActiveTriangle"] = bytesPerTriangle;
+    if (run.driver) row["bytesPerActiveTriangle"] = subject.bytesPerTriangle();
+    if (const auto order = subject.order())
+    {
+        row["stripLength"] = order->stripLength;
+        row["stripVerticesPerTriangle"] = order->stripVertices;
+        row["transformsPerTriangleFifo16"] = order->missesFifo16;
+        row["transformsPerTriangleFifo32"] = order->missesFifo32;
+        row["transformsPerTriangleBatch32"] = order->missesBatch32;
+        row["gapsPerTriangle"] = order->gaps;
+    }
     return row;
 }
 
@@ -172,7 +185,7 @@ viewlod::Result<nlohmann::ordered_json> measure(const BenchRun& run, const Frame
         if (!sink) continue;
         if (const auto taken = sink(frame, view, drawn); !taken) return taken.error();
     }
-    return rowOf(run, std::move(totals), subject.bytesPerTriangle());
+    return rowOf(run, std::move(totals), subject);
 }
 
 } // namespace terraintool

@@ -26,6 +26,7 @@ struct BenchRun
     std::string dem;
     osgTerrainROAM::core::SplitBounds bounds; ///< of the tile, with or without patches
     std::optional<osgTerrainROAM::core::Driver> driver;
+    osgTerrainROAM::core::LeafPlacement placement = osgTerrainROAM::core::LeafPlacement::inOrder;
     flights::Path path = flights::Path::flight;
     double tolerancePx = 1.0;
     bool centrePixels = false; ///< the tolerance holds in the picture's middle only, as others measure

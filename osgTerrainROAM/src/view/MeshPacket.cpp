@@ -93,7 +93,7 @@ PacketPtr wholePacket(const core::RoamMesh& mesh, std::uint64_t serial)
     packet.vertexRanges = {{0, packet.vertexCount}};
     const core::LeafArena& leaves = mesh.tree().leaves();
     for (std::uint32_t region = 0; region < leaves.regionCount(); ++region)
-        if (leaves.region(region).count > 0) packet.triangleRanges.push_back(leaves.region(region));
+        leaves.appendRanges(region, packet.triangleRanges);
     copyRanges(mesh, packet);
     return std::make_shared<const MeshPacket>(std::move(packet));
 }

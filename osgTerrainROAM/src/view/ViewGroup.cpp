@@ -12,35 +12,6 @@ namespace osgTerrainROAM
 namespace
 {
 
-std::uint32_t sumOf(const std::vector<core::IndexRange>& ranges)
-{
-    std::uint32_t sum = 0;
-    for (const core::IndexRange& range : ranges)
-        sum += range.count;
-    return sum;
-}
-
-/// A place in the first of what a range draws.
-glm::vec3 placeOf(const core::RoamMesh& mesh, const core::IndexRange& range)
-{
-    if (const core::PatchPool* patches = mesh.patches()) return glm::vec3(patches->centre(range.first));
-    return glm::vec3(mesh.tree().position(mesh.tree().leaves().leaf(range.first).apex()));
-}
-
-/// Near ranges first, so that the depth test spares what they hide: about half the fragments in hills.
-void sortFrontToBack(const core::RoamMesh& mesh, const glm::dvec3& eye, std::vector<core::IndexRange>& ranges)
-{
-    std::vector<std::pair<float, core::IndexRange>> keyed;
-    keyed.reserve(ranges.size());
-    for (const core::IndexRange& range : ranges)
-        keyed.emplace_back(glm::distance(placeOf(mesh, range), glm::vec3(eye)), range);
-    std::sort(keyed.begin(), keyed.end(),
-              [](const auto& a, const auto& b)
-              { return a.first != b.first ? a.first < b.first : a.second.first < b.second.first; });
-    std::transform(keyed.begin(), keyed.end(), ranges.begin(),
-                   [](const auto& entry) { return entry.second; });
-}
-
 double microseconds(std::chrono::steady_clock::duration time)
 {
     return std::chrono::duration<double, std::micro>(time).count();
@@ -101,22 +72,23 @@ ViewAnswer ViewGroup::answer(unsigned int frame, const RefineTarget& target, con
         _statistics.adaptUs = _statistics.packetUs = 0.0;
     }
     _frame = _statistics.frame = frame;
-    return answerLocked(frustum, target.view.eyeWorld, contextId);
+    const glm::dvec3& eye = target.view.eyeWorld;
+    return answerLocked(frustum, eye, _mesh.horizon(eye), contextId);
 }
 
 ViewAnswer ViewGroup::answerAsIs(const viewlod::Frustum& frustum, const glm::dvec3& eye,
                                  std::optional<unsigned int> contextId)
 {
     const std::lock_guard lock(_meshMutex);
-    return answerLocked(frustum, eye, contextId);
+    return answerLocked(frustum, eye, std::nullopt, contextId);
 }
 
 ViewAnswer ViewGroup::answerLocked(const viewlod::Frustum& frustum, const glm::dvec3& eye,
+                                   const std::optional<core::Horizon>& horizon,
                                    std::optional<unsigned int> contextId)
 {
     ViewAnswer answer;
-    _mesh.visibleRanges(frustum, answer.ranges);
-    sortFrontToBack(_mesh, eye, answer.ranges);
+    answer.triangles = _mesh.visibleRanges(frustum, eye, horizon ? &*horizon : nullptr, answer.ranges);
     answer.nearestM = nearestSurfaceM(_mesh.tree(), eye);
     answer.serial = _serial;
     if (contextId) answer.packet = packetFor(*contextId);
@@ -151,16 +123,16 @@ std::uint32_t ViewGroup::draw(osg::State& state, const ViewAnswer& answer, const
     }
     PacketPtr packet = answer.packet;
     std::vector<core::IndexRange> ranges = answer.ranges;
+    std::uint32_t triangles = answer.triangles;
     if (!packet || !gpu->canTake(*packet))
     {
         const std::lock_guard lock(_meshMutex);
         packet = wholeNow();
         ranges.clear();
-        _mesh.visibleRanges(frustum, ranges);
+        triangles = _mesh.visibleRanges(frustum, ranges);
     }
     const std::size_t bytes = gpu->upload(state, *packet);
     gpu->draw(state, ranges);
-    const std::uint32_t triangles = sumOf(ranges) << packet->patchExponent;
     const std::lock_guard lock(_gpuMutex);
     _bytesUploaded += bytes;
     _trianglesDrawn = triangles;

@@ -36,6 +36,7 @@ struct ViewAnswer
     std::uint64_t serial = 0;             ///< state of the mesh that `ranges` belong to
     PacketPtr packet;                     ///< leads to that state; null when nobody was known to draw
     std::vector<core::IndexRange> ranges; ///< RoamMesh::visibleRanges()
+    std::uint32_t triangles = 0;          ///< in them, gaps not counted
     double nearestM = 0.0;                ///< from the eye to the drawn surface
 };
 
@@ -91,6 +92,7 @@ public:
 private:
     void refine(const RefineTarget& target);
     ViewAnswer answerLocked(const viewlod::Frustum& frustum, const glm::dvec3& eye,
+                            const std::optional<core::Horizon>& horizon,
                             std::optional<unsigned int> contextId);
     PacketPtr packetFor(unsigned int contextId);
     PacketPtr wholeNow();

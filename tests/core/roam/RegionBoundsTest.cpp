@@ -26,7 +26,7 @@ std::vector<LeafTriangle> visibleTriangles(const RoamMesh& mesh, const viewlod::
     std::vector<LeafTriangle> triangles;
     for (const TriangleRange& range : ranges)
         for (std::uint32_t slot = range.first; slot < range.first + range.count; ++slot)
-            triangles.push_back(mesh.triangle(slot));
+            if (mesh.tree().leaves().leaf(slot).exists()) triangles.push_back(mesh.triangle(slot));
     return triangles;
 }
 

@@ -82,7 +82,7 @@ TEST(RoamDrawableFunctor, AMissingRangeShowsInTheArea)
     mesh.refine(1.0);
     std::vector<osgTerrainROAM::core::IndexRange> ranges;
     for (std::uint32_t i = 0; i < mesh.tree().leaves().regionCount(); ++i)
-        if (mesh.tree().leaves().region(i).count > 0) ranges.push_back(mesh.tree().leaves().region(i));
+        mesh.tree().leaves().appendRanges(i, ranges);
     ranges.erase(ranges.begin() + static_cast<std::ptrdiff_t>(ranges.size() / 2));
     osg::TriangleFunctor<Ground> ground;
     osgTerrainROAM::clippedTriangles(mesh.tile().tile, mesh.drawn(ranges)).accept(ground);

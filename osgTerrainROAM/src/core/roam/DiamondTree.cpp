@@ -4,19 +4,20 @@
 // an edge hang on the same corner, in neighbouring quadrants, so that neighbours are found with two steps.
 #include <algorithm>
 #include <cassert>
+#include <utility>
 
 #include <osgTerrainROAM/core/roam/DiamondTree.h>
 
 namespace osgTerrainROAM::core
 {
 
-DiamondTree::DiamondTree(SplitBounds bounds)
+DiamondTree::DiamondTree(SplitBounds bounds, LeafPlacement placement)
     : _bounds(std::move(bounds)),
       _lastSample(tile().tile.side() - 1),
       _levels(_bounds.levels()),
       _regionLevel(tile().regions.level()),
       _dataFillsTile(std::min(tile().tile.dataColumns(), tile().tile.dataRows()) == tile().tile.side()),
-      _leaves(tile().regions.regionCount() + 1)
+      _leaves(tile().regions.regionCount() + 1, placement)
 {
     // The corners as if they had split something larger: the apexes of the two roots have one quadrant each.
     const auto [first, second] = rootTriangles(tile().tile.side());
@@ -161,30 +162,42 @@ void DiamondTree::removeLeaf(TriangleId t)
     relink();
 }
 
-/// Makes `t` split by `v`, whose two quadrants in it become leaves. The first takes over the slot of `t` where it can.
+/// Makes `t` split by `v`, whose two quadrants in it become leaves. They take over its place where it can be seen.
 void DiamondTree::splitLeaf(TriangleId t, VertexSlot v)
 {
     const std::uint32_t slot = link(t);
-    const TriangleId first(v, _diamonds[v].parents[0] == t.apex() ? 0u : 2u),
-        second(v, detail::previous(first.quadrant()));
-    const bool inherits = slot != kUndrawn && level(t) >= _regionLevel && isInData(first);
-    if (!inherits) removeLeaf(t);
+    if (slot == kUndrawn || level(t) < _regionLevel)
+    {
+        removeLeaf(t);
+        link(t) = kSplit | v;
+        for (const TriangleId half : children(t))
+            addLeaf(half);
+        return;
+    }
     link(t) = kSplit | v;
-    if (inherits)
-        inherit(slot, first);
-    else
-        addLeaf(first);
-    addLeaf(second);
+    ++_leafCount;
+    auto [earlier, later] = children(t);
+    if (isAgainstOrder(t)) std::swap(earlier, later);
+    const bool isFirstDrawn = isInData(earlier), isLaterDrawn = isInData(later);
+    if (isFirstDrawn && isLaterDrawn)
+    {
+        _leaves.split(slot, earlier, later, _changes);
+        return relink();
+    }
+    link(isFirstDrawn ? later : earlier) = kUndrawn;
+    ++_undrawnLeaves;
+    inherit(slot, isFirstDrawn ? earlier : later);
 }
 
-/// Makes `t`, whose halves are leaves, one again. It takes over the slot of the first.
+/// Makes `t`, whose halves are leaves, one again. It takes over a place of theirs.
 void DiamondTree::mergeLeaves(TriangleId t)
 {
-    const auto [first, second] = children(t);
-    removeLeaf(second);
-    const std::uint32_t slot = link(first);
+    auto [kept, other] = children(t);
+    if (link(kept) == kUndrawn) std::swap(kept, other);
+    removeLeaf(other);
+    const std::uint32_t slot = link(kept);
     if (slot != kUndrawn && level(t) >= _regionLevel) return inherit(slot, t);
-    removeLeaf(first);
+    removeLeaf(kept);
     addLeaf(t);
 }
 

@@ -101,8 +101,7 @@ bool DiamondTree::isConforming() const
         area += doubleArea(g);
         const bool drawn = link(t) != kUndrawn;
         if (drawn != isInData(t) || (drawn && _leaves.leaf(link(t)) != t)) return false;
-        const TriangleRange region = _leaves.region(regionOf(t));
-        if (drawn && (link(t) < region.first || link(t) >= region.first + region.count)) return false;
+        if (drawn && _leaves.regionOf(link(t)) != regionOf(t)) return false;
         edges.push_back({grid.ends(g.apex, g.left), t});
         edges.push_back({grid.ends(g.left, g.right), t});
         edges.push_back({grid.ends(g.right, g.apex), t});

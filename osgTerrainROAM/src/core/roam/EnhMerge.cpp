@@ -21,15 +21,37 @@ std::uint32_t DiamondTree::enhMerge(VertexSlot v)
         if (next + kAhead < _freeSlots.size()) __builtin_prefetch(&_diamonds[_freeSlots[next + kAhead]]);
         merges += takeApart(_freeSlots[next]);
     }
+    // What becomes a leaf takes the place of one that was below it, and, coarser than a region, any, once that is empty.
+    const auto forEachNewLeaf = [&](auto add)
+    {
+        for (std::size_t i = first; i < _freeSlots.size(); ++i)
+        {
+            const VertexSlot gone = _freeSlots[i];
+            if (_places[gone].direction & DiamondPlace::kLostBoth) continue;
+            for (const TriangleId t : parents(gone))
+                if (t.exists() && !_places[t.apex()].isFree()) add(t);
+        }
+    };
+    bool isAnyLeft = false;
+    forEachNewLeaf(
+        [&](TriangleId t)
+        {
+            if (level(t) < _regionLevel || !isInData(t))
+            {
+                isAnyLeft = true;
+                return;
+            }
+            _leaves.fillGap(link(t) = cutBelow(t), t);
+            ++_leafCount;
+        });
     _leaves.closeGaps(_changes);
     relink();
-    for (std::size_t i = first; i < _freeSlots.size(); ++i)
-    {
-        const VertexSlot gone = _freeSlots[i];
-        if (_places[gone].direction & DiamondPlace::kLostBoth) continue;
-        for (const TriangleId t : parents(gone))
-            if (t.exists() && !_places[t.apex()].isFree()) addLeaf(t);
-    }
+    if (!isAnyLeft) return merges;
+    forEachNewLeaf(
+        [&](TriangleId t)
+        {
+            if (!isLeaf(t)) addLeaf(t);
+        });
     return merges;
 }
 
@@ -62,6 +84,16 @@ std::uint32_t DiamondTree::takeApart(VertexSlot v)
         }
     }
     return atBorder ? 1 : 2;
+}
+
+/// The slot of a leaf that was cut out below a triangle that overlaps the data.
+std::uint32_t DiamondTree::cutBelow(TriangleId t) const
+{
+    const std::uint32_t here = link(t);
+    if (here < kSplit) return here;
+    const auto halves = children(t);
+    const std::uint32_t slot = cutBelow(halves[0]);
+    return slot != kUndrawn ? slot : cutBelow(halves[1]);
 }
 
 } // namespace osgTerrainROAM::core

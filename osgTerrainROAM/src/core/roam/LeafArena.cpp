@@ -1,22 +1,44 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <bit>
-#include <cassert>
 
 #include <osgTerrainROAM/core/roam/LeafArena.h>
 
 namespace osgTerrainROAM::core
 {
 
+namespace
+{
+
+std::uint64_t bit(std::uint32_t place)
+{
+    return std::uint64_t{1} << place;
+}
+
+} // namespace
+
 void LeafArena::insert(TriangleId leaf, std::uint32_t region, MeshChanges& changes)
 {
-    Block& block = _blocks[region];
-    if (block.sizeClass == 0 || block.count == 1u << block.sizeClass)
-        move(region, block.sizeClass == 0 ? kSmallestClass : block.sizeClass + 1, changes);
-    const std::uint32_t slot = block.first + block.count++;
-    _leaves[slot] = leaf;
-    changes.triangles.push_back(slot);
     ++_leafCount;
+    std::uint32_t index = _firstArena[region];
+    if (index == kNone)
+    {
+        index = addArena(region, kNone, SlotBlocks::kSmallestClass);
+        return lay(index, {&leaf, 1}, true, changes);
+    }
+    while (_arenas[index].count() == _arenas[index].slots() && _arenas[index].next != kNone)
+        index = _arenas[index].next;
+    Arena& arena = _arenas[index];
+    if (arena.count() == arena.slots())
+    {
+        _taken.clear();
+        takeUp(arena);
+        _taken.push_back(leaf);
+        return layInMore(index, changes);
+    }
+    const auto gap = static_cast<std::uint32_t>(std::countr_one(arena.used));
+    replace(arena.first + gap, leaf, changes);
+    arena.used |= bit(gap);
 }
 
 void LeafArena::erase(std::uint32_t slot, MeshChanges& changes)
@@ -25,148 +47,90 @@ void LeafArena::erase(std::uint32_t slot, MeshChanges& changes)
     closeGaps(changes);
 }
 
+void LeafArena::split(std::uint32_t slot, TriangleId earlier, TriangleId later, MeshChanges& changes)
+{
+    ++_leafCount;
+    const std::uint32_t index = arenaAt(slot);
+    Arena& arena = _arenas[index];
+    const std::uint32_t place = slot - arena.first, last = arena.slots() - 1;
+    // How many leaves stand between it and the nearest gap, on either side; what is beyond the arena's ends is none.
+    const auto after = static_cast<std::uint32_t>(std::countr_one(arena.used >> place)) - 1;
+    const auto before = static_cast<std::uint32_t>(std::countl_one(arena.used << (63 - place))) - 1;
+    const bool isAfter = place + after < last && (after <= before || before == place);
+    if (!isAfter && before == place)
+    {
+        _taken.clear();
+        takeUp(arena); // it is full
+        const auto taken = _taken.begin() + place;
+        *taken = earlier;
+        _taken.insert(taken + 1, later);
+        return layInMore(index, changes);
+    }
+    const std::uint32_t gap = isAfter ? slot + after + 1 : slot - before - 1;
+    const std::uint32_t beside = !_isInOrder ? gap : isAfter ? slot + 1 : slot - 1;
+    if (_isInOrder) shift(slot, gap, changes);
+    replace(isAfter ? slot : beside, earlier, changes);
+    replace(isAfter ? beside : slot, later, changes);
+    arena.used |= bit(gap - arena.first);
+}
+
+/// Moves the leaves between a slot and a gap, on either side, by one into the gap.
+void LeafArena::shift(std::uint32_t slot, std::uint32_t gap, MeshChanges& changes)
+{
+    for (; gap > slot + 1; --gap)
+        replace(gap, _leaves[gap - 1], changes);
+    for (; gap + 1 < slot; ++gap)
+        replace(gap, _leaves[gap + 1], changes);
+}
+
 void LeafArena::closeGaps(MeshChanges& changes)
 {
     for (const std::uint32_t gap : _gaps)
     {
-        Block& block = _blocks[regionOf(gap)];
-        while (block.count > 0 && !_leaves[block.first + block.count - 1].exists())
-            --block.count;
-        if (gap >= block.first + block.count) continue; // was at the end
-        _leaves[gap] = _leaves[block.first + --block.count];
-        changes.triangles.push_back(gap);
+        if (_leaves[gap].exists()) continue;
+        Arena& arena = _arenas[arenaAt(gap)];
+        arena.used &= ~bit(gap & (arena.slots() - 1)); // blocks lie at multiples of their size
+        --_leafCount;
     }
-    _leafCount -= static_cast<std::uint32_t>(_gaps.size());
-    // Not before all are closed: a block that moves takes its leaves along, not its gaps.
+    // Empty arenas go first: their slots are not written, and so none may join them.
+    for (const std::uint32_t gap : _gaps)
+        if (const std::uint32_t index = arenaAt(gap); index != kNone)
+        {
+            if (_arenas[index].used == 0)
+                removeArena(index);
+            else
+                changes.triangles.push_back(gap);
+        }
     std::uint32_t last = kNone;
     for (const std::uint32_t gap : _gaps)
-        if (const std::uint32_t region = regionOf(gap); region != last) shrink(last = region, changes);
+        if (const std::uint32_t index = arenaAt(gap); index != last && index != kNone)
+            settle(last = index, changes);
     _gaps.clear();
 }
 
-void LeafArena::replace(std::uint32_t slot, TriangleId leaf, MeshChanges& changes)
+std::uint32_t LeafArena::appendRanges(std::uint32_t region, std::vector<TriangleRange>& ranges) const
 {
-    _leaves[slot] = leaf;
-    changes.triangles.push_back(slot);
-}
-
-void LeafArena::shrink(std::uint32_t region, MeshChanges& changes)
-{
-    Block& block = _blocks[region];
-    if (block.sizeClass == 0 || block.count > 1u << block.sizeClass >> 2) return;
-    if (block.count == 0)
+    const std::size_t before = ranges.size();
+    std::uint32_t leaves = 0;
+    for (std::uint32_t index = _firstArena[region]; index != kNone; index = _arenas[index].next)
     {
-        freeBlock(block.first, block.sizeClass);
-        block = {};
-        return;
+        const Arena& arena = _arenas[index];
+        leaves += arena.count();
+        if (ranges.size() > before && ranges.back().first + ranges.back().count == arena.first)
+            ranges.back().count += drawnSlots(arena);
+        else
+            ranges.push_back({arena.first, drawnSlots(arena)});
     }
-    std::uint32_t sizeClass = block.sizeClass;
-    while (sizeClass > kSmallestClass && block.count <= 1u << sizeClass >> 2)
-        --sizeClass;
-    if (sizeClass < block.sizeClass) move(region, sizeClass, changes);
-}
-
-/// Gives a region's block another size.
-void LeafArena::move(std::uint32_t region, std::uint32_t sizeClass, MeshChanges& changes)
-{
-    Block& block = _blocks[region];
-    const Block old = block;
-    block.sizeClass = sizeClass;
-    block.first = takeBlock(sizeClass);
-    for (std::uint32_t slot = block.first; slot < block.first + (1u << sizeClass); slot += kSmallest)
-        _regionOfGroup[slot / kSmallest] = static_cast<std::uint16_t>(region);
-    for (std::uint32_t i = 0; i < old.count; ++i)
-    {
-        _leaves[block.first + i] = _leaves[old.first + i];
-        changes.triangles.push_back(block.first + i);
-    }
-    if (old.sizeClass != 0) freeBlock(old.first, old.sizeClass);
-}
-
-/// The smallest free block that is large enough, halved until it fits; else new slots at the end.
-std::uint32_t LeafArena::takeBlock(std::uint32_t sizeClass)
-{
-    std::uint32_t larger = sizeClass;
-    while (larger < _freeBlocks.size() && _freeBlocks[larger].empty())
-        ++larger;
-    if (larger < _freeBlocks.size())
-    {
-        const std::uint32_t first = *_freeBlocks[larger].begin();
-        _freeBlocks[larger].erase(_freeBlocks[larger].begin());
-        while (larger > sizeClass)
-        {
-            --larger;
-            _freeBlocks[larger].insert(first + (1u << larger));
-        }
-        return first;
-    }
-    // Blocks lie at multiples of their size: what that leaves out is free, too.
-    const std::uint32_t size = 1u << sizeClass;
-    while (slotCount() % size != 0)
-    {
-        const auto gap = static_cast<std::uint32_t>(std::countr_zero(slotCount()));
-        const std::uint32_t first = slotCount();
-        addSlots(1u << gap);
-        freeBlock(first, gap);
-    }
-    const std::uint32_t first = slotCount();
-    addSlots(size);
-    return first;
-}
-
-void LeafArena::addSlots(std::uint32_t count)
-{
-    for (std::uint32_t i = 0; i < count; ++i)
-        appendTightly(_leaves);
-    _regionOfGroup.resize(_leaves.size() / kSmallest);
-}
-
-void LeafArena::freeBlock(std::uint32_t first, std::uint32_t sizeClass)
-{
-    for (;; ++sizeClass)
-    {
-        const std::uint32_t buddy = first ^ (1u << sizeClass);
-        if (_freeBlocks[sizeClass].erase(buddy) == 0) break;
-        first = std::min(first, buddy);
-    }
-    _freeBlocks[sizeClass].insert(first);
+    return leaves;
 }
 
 std::size_t LeafArena::memoryBytes() const
 {
-    std::size_t bytes = _leaves.capacity() * sizeof(TriangleId) +
-                        _regionOfGroup.capacity() * sizeof(std::uint16_t) +
-                        _gaps.capacity() * sizeof(std::uint32_t) + _blocks.capacity() * sizeof(Block);
-    constexpr std::size_t kNodeBytes = 48; // of a set, with what the heap adds
-    for (const auto& free : _freeBlocks)
-        bytes += free.size() * kNodeBytes;
+    std::size_t bytes = _leaves.capacity() * sizeof(TriangleId) + _arenas.capacity() * sizeof(Arena) +
+                        _taken.capacity() * sizeof(TriangleId) + _blocks.memoryBytes();
+    for (const auto* indices : {&_arenaOfGroup, &_freeArenas, &_firstArena, &_gaps})
+        bytes += indices->capacity() * sizeof(std::uint32_t);
     return bytes;
-}
-
-bool LeafArena::isConsistent() const
-{
-    std::size_t leaves = 0;
-    std::vector<bool> used(_leaves.size(), false);
-    for (const Block& block : _blocks)
-    {
-        if (block.sizeClass == 0) continue;
-        if (block.count > 1u << block.sizeClass) return false;
-        leaves += block.count;
-        for (std::uint32_t i = 0; i < 1u << block.sizeClass; ++i)
-        {
-            const std::uint32_t slot = block.first + i;
-            if (slot >= used.size() || used[slot]) return false; // blocks overlap
-            used[slot] = true;
-        }
-    }
-    for (std::size_t sizeClass = 0; sizeClass < _freeBlocks.size(); ++sizeClass)
-        for (const std::uint32_t first : _freeBlocks[sizeClass])
-            for (std::uint32_t i = 0; i < 1u << sizeClass; ++i)
-            {
-                if (first + i >= used.size() || used[first + i]) return false;
-                used[first + i] = true;
-            }
-    return leaves == _leafCount && std::all_of(used.begin(), used.end(), [](bool isUsed) { return isUsed; });
 }
 
 } // namespace osgTerrainROAM::core

@@ -9,10 +9,8 @@ namespace osgTerrainROAM::core
 PatchPool::PatchPool(const DiamondTree& tree) : _shape(&PatchShape::of(tree.bounds().patchExponent()))
 {
     _slots.resize(tree.vertexSlots(), kNoSlots);
-    const LeafArena& leaves = tree.leaves();
-    for (std::uint32_t region = 0; region < leaves.regionCount(); ++region)
-        for (std::uint32_t i = 0; i < leaves.region(region).count; ++i)
-            take(tree, leaves.leaf(leaves.region(region).first + i));
+    for (std::uint32_t arenaSlot = 0; arenaSlot < tree.leaves().slotCount(); ++arenaSlot)
+        if (const TriangleId t = tree.leaves().leaf(arenaSlot); t.exists()) take(tree, t);
 }
 
 /// Slots are released first: of vertices that went, of vertices whose place in the pool another has taken since, and of
@@ -33,12 +31,8 @@ void PatchPool::follow(const DiamondTree& tree)
             if (t.exists()) release(t);
     }
     for (const std::uint32_t arenaSlot : changes.triangles)
-    {
-        const TriangleId t =
-            tree.leaves().leaf(arenaSlot); // or what was there before the slot was given back
-        const bool isDrawn = t.exists() && !tree.place(t.apex()).isFree() && tree.isDrawn(t);
-        if (isDrawn && slotOf(t) == kNone) take(tree, t);
-    }
+        if (const TriangleId t = tree.leaves().leaf(arenaSlot); t.exists() && slotOf(t) == kNone)
+            take(tree, t);
 }
 
 void PatchPool::take(const DiamondTree& tree, TriangleId leaf)

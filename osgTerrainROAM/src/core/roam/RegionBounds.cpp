@@ -14,7 +14,7 @@ namespace
 
 /// The smallest sphere about the middle of the samples' box.
 template<class Sphere>
-Sphere fitted(const PlacedTile& tile, const GridTriangle& triangle)
+Sphere fitted(const PlacedTile& tile, const GridTriangle& triangle, double highestGeoidM)
 {
     glm::dvec3 lowest(std::numeric_limits<double>::max()), highest(std::numeric_limits<double>::lowest());
     const auto forEachSample = [&](auto visit)
@@ -32,9 +32,17 @@ Sphere fitted(const PlacedTile& tile, const GridTriangle& triangle)
             lowest = glm::min(lowest, position);
             highest = glm::max(highest, position);
         });
-    Sphere sphere{(lowest + highest) * 0.5, 0.0};
+    Sphere sphere{(lowest + highest) * 0.5, 0.0, std::numeric_limits<double>::lowest()};
     forEachSample([&](const glm::dvec3& position)
                   { sphere.radiusM = std::max(sphere.radiusM, glm::distance(sphere.centre, position)); });
+    triangle.forEachRow(tile.side(), tile.side(),
+                        [&](int row, int west, int east)
+                        {
+                            for (int column = west; column <= east; ++column)
+                                sphere.highestM =
+                                    std::max(sphere.highestM, static_cast<double>(tile.heightM(column, row)));
+                        });
+    sphere.highestM += highestGeoidM;
     return sphere;
 }
 
@@ -43,7 +51,8 @@ template<class Sphere>
 Sphere joined(const Sphere& a, const Sphere& b)
 {
     const glm::dvec3 centre = (a.centre + b.centre) * 0.5;
-    return {centre, 0.5 * glm::distance(a.centre, b.centre) + std::max(a.radiusM, b.radiusM)};
+    return {centre, 0.5 * glm::distance(a.centre, b.centre) + std::max(a.radiusM, b.radiusM),
+            std::max(a.highestM, b.highestM)};
 }
 
 } // namespace
@@ -56,47 +65,51 @@ RegionBounds::RegionBounds(const PlacedTile& tile)
 {
     assert(_level % 2 == 1);
     const auto roots = rootTriangles(tile.side());
-    build(tile, roots[0], 0, 0);
-    build(tile, roots[1], 0, 1);
+    const double geoidM = highestGeoidM(tile.field());
+    build(tile, roots[0], 0, 0, geoidM);
+    build(tile, roots[1], 0, 1, geoidM);
 }
 
-void RegionBounds::build(const PlacedTile& tile, const GridTriangle& t, int level, std::uint32_t path)
+void RegionBounds::build(const PlacedTile& tile, const GridTriangle& t, int level, std::uint32_t path,
+                         double highestGeoidM)
 {
     if (level == _level)
     {
         const GridPoint inside{2 * t.apex.column + t.left.column + t.right.column,
                                2 * t.apex.row + t.left.row + t.right.row};
         _paths[cellQuarter(inside)] = static_cast<std::uint16_t>(path);
-        sphere(level, path) = fitted<Sphere>(tile, t);
+        sphere(level, path) = fitted<Sphere>(tile, t, highestGeoidM);
         return;
     }
     const auto children = t.children();
-    build(tile, children[0], level + 1, 2 * path);
-    build(tile, children[1], level + 1, 2 * path + 1);
+    build(tile, children[0], level + 1, 2 * path, highestGeoidM);
+    build(tile, children[1], level + 1, 2 * path + 1, highestGeoidM);
     sphere(level, path) = joined(sphere(level + 1, 2 * path), sphere(level + 1, 2 * path + 1));
 }
 
-void RegionBounds::visible(const viewlod::Frustum& frustum, std::vector<std::uint32_t>& regions) const
+void RegionBounds::visible(const viewlod::Frustum& frustum, const Horizon* horizon,
+                           std::vector<std::uint32_t>& regions) const
 {
+    Search search{frustum, horizon, regions};
     for (const std::uint32_t root : {0u, 1u})
-        visit(frustum, 0, root, viewlod::Frustum::kAllPlanes, regions);
+        visit(search, 0, root, viewlod::Frustum::kAllPlanes);
 }
 
-void RegionBounds::visit(const viewlod::Frustum& frustum, int level, std::uint32_t path,
-                         viewlod::Frustum::Mask mask, std::vector<std::uint32_t>& regions) const
+void RegionBounds::visit(Search& search, int level, std::uint32_t path, viewlod::Frustum::Mask mask) const
 {
     const Sphere& bound = sphere(level, path);
-    const auto verdict = frustum.classify(bound.centre, bound.radiusM, mask);
+    const auto verdict = search.frustum.classify(bound.centre, bound.radiusM, mask);
     if (verdict.outside) return;
-    if (verdict.crossing == 0 || level == _level)
+    if (search.horizon && search.horizon->hides(bound.centre, bound.radiusM, bound.highestM)) return;
+    if ((verdict.crossing == 0 && !search.horizon) || level == _level)
     {
         const int below = _level - level;
         for (std::uint32_t i = 0; i < 1u << below; ++i)
-            regions.push_back((path << below) + i);
+            search.regions.push_back((path << below) + i);
         return;
     }
-    visit(frustum, level + 1, 2 * path, verdict.crossing, regions);
-    visit(frustum, level + 1, 2 * path + 1, verdict.crossing, regions);
+    visit(search, level + 1, 2 * path, verdict.crossing);
+    visit(search, level + 1, 2 * path + 1, verdict.crossing);
 }
 
 } // namespace osgTerrainROAM::core

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include <osgTerrainROAM/core/roam/DrawnGround.h>
 #include <osgTerrainROAM/core/roam/Refinement.h>
 #include <osgTerrainROAM/core/roam/RoamMesh.h>
 #include <osgTerrainROAM/core/roam/TriangleCeiling.h>
@@ -21,10 +22,23 @@ constexpr int kMostAttempts = 4;    ///< to follow it from frame to frame instea
 constexpr double kNear = 0.2;       ///< … while the mesh is not farther from it than this share
 constexpr auto kUnlimited = std::numeric_limits<std::uint32_t>::max();
 
+/// Nearest first; elements at equal distances keep their order.
+template<class Elements, class CentreOf>
+void sortByDistance(Elements&& elements, const glm::dvec3& eye, const CentreOf& centreOf)
+{
+    std::vector<std::pair<double, std::size_t>> keys;
+    for (std::size_t i = 0; i < elements.size(); ++i)
+        keys.emplace_back(glm::distance(centreOf(elements[i]), eye), i);
+    std::sort(keys.begin(), keys.end());
+    const std::vector before(elements.begin(), elements.end());
+    for (std::size_t i = 0; i < keys.size(); ++i)
+        elements[i] = before[keys[i].second];
+}
+
 } // namespace
 
-RoamMesh::RoamMesh(SplitBounds bounds, Driver driver)
-    : _driver(driver), _tree(std::move(bounds)), _wheel(_tree.tile())
+RoamMesh::RoamMesh(SplitBounds bounds, Driver driver, LeafPlacement placement)
+    : _driver(driver), _tree(std::move(bounds), placement), _wheel(_tree.tile())
 {
     if (patchExponent() == 0) return;
     _tree.noteGone();
@@ -77,11 +91,23 @@ bool RoamMesh::runWithinCeiling(const viewlod::ViewState& view, const viewlod::B
 RefineResult RoamMesh::refine(const viewlod::ViewState& view, const viewlod::Budget& budget)
 {
     _tree.clearChanges();
+    RefineResult result;
     if (!_isMorphing)
     {
         _tree.stopDisplacing();
-        return adapt(view, budget);
+        result = adapt(view, budget);
     }
+    else
+        result = adaptAndMorph(view, budget);
+    _eye = view.eyeWorld;
+    _nearM = view.nearM;
+    // Of the meshes that morphing mixes, the coarsest is off by less than twice what the mixture is.
+    _errorPerM = (_isMorphing ? 2.0 : 1.0) * result.errorBoundPx / view.guaranteedPixelsPerTangent();
+    return result;
+}
+
+RefineResult RoamMesh::adaptAndMorph(const viewlod::ViewState& view, const viewlod::Budget& budget)
+{
     viewlod::Budget finer = budget;
     finer.errorTolerancePx *= Morph::kRefineShare;
     RefineResult result = adapt(view, finer);
@@ -132,6 +158,7 @@ RefineResult RoamMesh::refine(double errorM)
     _tree.clearChanges();
     _tree.stopDisplacing();
     _wheel.forget();
+    _eye.reset();
     RefineResult result;
     viewlod::Slice unlimited({});
     const ActiveForError active{errorM};
@@ -140,23 +167,63 @@ RefineResult RoamMesh::refine(double errorM)
     return result;
 }
 
-void RoamMesh::visibleRanges(const viewlod::Frustum& frustum, std::vector<IndexRange>& ranges) const
+std::optional<Horizon> RoamMesh::horizon(const glm::dvec3& eye) const
+{
+    if (!_eye || *_eye != eye || !tile().hidingGround.exists) return std::nullopt;
+    const auto ground = drawnGroundAt(_tree, eye.x, eye.y);
+    if (!ground || ground->position.z >= eye.z) return std::nullopt;
+    return Horizon::around(tile().tile, tile().hidingGround, eye, _errorPerM, _nearM);
+}
+
+std::uint32_t RoamMesh::visibleRanges(const viewlod::Frustum& frustum, std::vector<IndexRange>& ranges) const
 {
     std::vector<std::uint32_t> regions;
-    tile().regions.visible(frustum, regions);
-    const auto append = [&](std::uint32_t region)
-    {
-        const IndexRange range = _tree.leaves().region(region);
-        if (range.count > 0 && !_patches) ranges.push_back(range);
-        for (std::uint32_t i = 0; i < range.count && _patches; ++i)
+    tile().regions.visible(frustum, nullptr, regions);
+    return appendRanges(regions, frustum, ranges);
+}
+
+std::uint32_t RoamMesh::visibleRanges(const viewlod::Frustum& frustum, const glm::dvec3& eye,
+                                      const Horizon* horizon, std::vector<IndexRange>& ranges) const
+{
+    std::vector<std::uint32_t> regions;
+    tile().regions.visible(frustum, horizon, regions);
+    sortByDistance(regions, eye, [this](std::uint32_t region) { return tile().regions.centre(region); });
+    const auto first = static_cast<std::ptrdiff_t>(ranges.size());
+    const std::uint32_t triangles = appendRanges(regions, frustum, ranges);
+    if (_patches)
+        sortByDistance(std::span(ranges).subspan(static_cast<std::size_t>(first)), eye,
+                       [this](const IndexRange& patch) { return _patches->centre(patch.first); });
+    return triangles;
+}
+
+std::uint32_t RoamMesh::appendRanges(const std::vector<std::uint32_t>& regions,
+                                     const viewlod::Frustum& frustum, std::vector<IndexRange>& ranges) const
+{
+    const auto append = [&](std::uint32_t region) {
+        return _patches ? appendPatches(region, frustum, ranges)
+                        : _tree.leaves().appendRanges(region, ranges);
+    };
+    std::uint32_t triangles = append(0); // coarser than a region: few, and never worth a test
+    for (const std::uint32_t region : regions)
+        triangles += append(region + 1);
+    return triangles;
+}
+
+std::uint32_t RoamMesh::appendPatches(std::uint32_t region, const viewlod::Frustum& frustum,
+                                      std::vector<IndexRange>& ranges) const
+{
+    std::vector<IndexRange> arenas;
+    _tree.leaves().appendRanges(region, arenas);
+    const std::size_t before = ranges.size();
+    for (const IndexRange& arena : arenas)
+        for (std::uint32_t i = arena.first; i < arena.first + arena.count; ++i)
         {
-            const std::uint32_t slot = _patches->slotOf(_tree.leaves().leaf(range.first + i));
+            const TriangleId leaf = _tree.leaves().leaf(i);
+            if (!leaf.exists()) continue;
+            const std::uint32_t slot = _patches->slotOf(leaf);
             if (_patches->mayBeSeen(slot, frustum)) ranges.push_back({slot, 1});
         }
-    };
-    append(0); // leaves coarser than a region: few, and never worth a test
-    for (const std::uint32_t path : regions)
-        append(path + 1);
+    return static_cast<std::uint32_t>(ranges.size() - before) << patchExponent();
 }
 
 DrawnMesh RoamMesh::drawn() const
@@ -177,7 +244,7 @@ DrawnMesh RoamMesh::drawn(std::span<const IndexRange> ranges) const
         for (std::uint32_t slot = range.first; slot < range.first + range.count; ++slot)
             if (_patches)
                 _patches->shape().append(tile().tile, _tree.gridTriangle(_patches->leaf(slot)), mesh);
-            else
+            else if (_tree.leaves().leaf(slot).exists())
                 mesh.triangles.push_back(triangle(slot));
     return mesh;
 }

@@ -6,7 +6,7 @@
 namespace osgTerrainROAM::core
 {
 
-RoamTile::RoamTile(PlacedTile placedTile) : tile(std::move(placedTile)), regions(tile)
+RoamTile::RoamTile(PlacedTile placedTile) : tile(std::move(placedTile)), regions(tile), hidingGround(tile)
 {
     const ErrorTree measured(tile);
     const auto side = static_cast<SampleIndex>(tile.side());

@@ -69,7 +69,7 @@ static_assert(sizeof(DiamondPlace) == 8);
 class DiamondTree
 {
 public:
-    explicit DiamondTree(SplitBounds bounds);
+    explicit DiamondTree(SplitBounds bounds, LeafPlacement placement = LeafPlacement::inOrder);
 
     /// Splits leaf `t`, whatever has to split before it, and its base neighbour. Returns triangles split.
     /// Precondition: canSplit(t).
@@ -104,7 +104,6 @@ public:
 
     bool exists(TriangleId t) const { return link(t) != kAbsent; }
     bool isLeaf(TriangleId t) const { return link(t) < kSplit; }
-    bool isDrawn(TriangleId t) const { return link(t) < kUndrawn; } ///< a leaf not wholly beyond the data
     bool canSplit(TriangleId t) const { return isLeaf(t) && level(t) < _levels; }
     bool isMergeable(VertexSlot v) const;
 
@@ -122,6 +121,11 @@ public:
     /// The vertex that splits `t`, and its two halves: with the left corner, with the right. Precondition: !isLeaf(t).
     VertexSlot splitVertex(TriangleId t) const { return link(t) & ~kSplit; }
     std::array<TriangleId, 2> children(TriangleId t) const;
+
+    /// The order in which the leaves of a region are kept: all below the first half before all below the other, and the
+    /// half with the right corner first on every other level. So the way goes in and out at the ends of the base, and
+    /// each leaf shares an edge with the one before (Sierpinski's curve).
+    bool isAgainstOrder(TriangleId t) const { return level(t) % 2 != 0; } ///< of children(t)
 
     /// The triangles that vertex `v` has split; the second does not exist where `v` lies on the border.
     std::array<TriangleId, 2> parents(VertexSlot v) const;
@@ -210,6 +214,7 @@ private:
     void splitLeaf(TriangleId t, VertexSlot v);
     void mergeLeaves(TriangleId t);
     void inherit(std::uint32_t slot, TriangleId t);
+    std::uint32_t cutBelow(TriangleId t) const; // EnhMerge.cpp
     void addLeaf(TriangleId t);
     void removeLeaf(TriangleId t);
     void relink();

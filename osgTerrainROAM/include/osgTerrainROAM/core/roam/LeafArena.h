@@ -1,73 +1,119 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
+#include <bit>
 #include <cstdint>
-#include <set>
+#include <span>
 #include <vector>
 
 #include <osgTerrainROAM/core/roam/MeshData.h>
+#include <osgTerrainROAM/core/roam/SlotBlocks.h>
 
 namespace osgTerrainROAM::core
 {
 
-/// Which leaf has which slot of the index buffer. Every region of the tree keeps its leaves together, so that a draw call
-/// can leave out the regions that no camera sees. Inserting takes the next slot of the leaf's region, erasing moves the
-/// region's last leaf into the gap: a change touches two slots.
-/// A region's block has a power of two of slots. One that is full moves to twice its size, one that is down to a quarter
-/// to half; free blocks join with their neighbours (buddies).
-/// Who inserts and erases keeps the slots of the leaves, and has to note again those that are written to the changes.
-/// Invariant: isConsistent(). Memory: 4.5 B per slot.
-/// Source: terrain anchors, point 4 (stable slots, swap with the last); Knuth, TAOCP 1, §2.5 (buddies).
+/// How leaves lie in the arenas of their region.
+enum class LeafPlacement
+{
+    inOrder, ///< in that of the bintree: long strips, few vertices transformed
+    nearby,  ///< where there is a gap close by: fewer slots are written
+};
+
+/// Which leaf has which slot of the index buffer. Every region of the tree keeps its leaves in arenas of up to 64 slots,
+/// so that a draw call can leave out the regions that no camera sees, and in the order of the bintree, so that each shares
+/// an edge with the one before: what is drawn together lies together.
+/// Arenas have gaps, drawn as triangles without extent. Where a leaf splits, its two halves take its place and the nearest
+/// gap of the arena, and those between move up by one. A full arena moves to twice its size, and one of 64 slots gives
+/// half of its leaves to a new one behind it, each half spread evenly. One with few leaves joins a neighbour, or moves to
+/// half its size. LeafPlacement::nearby moves none up and spreads none: the gaps are at the arena's end.
+/// Who splits, inserts and erases keeps the slots of the leaves, and has to note again those that are written to the
+/// changes.
+/// Invariant: isConsistent(). Memory: 6 B per slot.
+/// Source: Bayer & McCreight 1972 (leaves of a B-tree: they split, and join); Itai, Konheim & Rodeh 1981 (gaps among what
+/// is in order); docs/decisions/0011.
 class LeafArena
 {
 public:
-    explicit LeafArena(std::uint32_t regions) : _blocks(regions) {}
+    explicit LeafArena(std::uint32_t regions, LeafPlacement placement = LeafPlacement::inOrder)
+        : _isInOrder(placement == LeafPlacement::inOrder), _firstArena(regions, kNone)
+    {
+    }
 
+    /// Anywhere in the region: in order where that was empty.
     void insert(TriangleId leaf, std::uint32_t region, MeshChanges& changes);
     void erase(std::uint32_t slot, MeshChanges& changes);
 
-    /// Erases many leaves: first all are cut out, then the gaps are closed, so that no leaf moves that goes as well.
+    /// Puts two leaves in the place of one, in their order.
+    void split(std::uint32_t slot, TriangleId earlier, TriangleId later, MeshChanges& changes);
+
+    /// Gives a slot to another leaf of the same region.
+    void replace(std::uint32_t slot, TriangleId leaf, MeshChanges& changes)
+    {
+        _leaves[slot] = leaf;
+        changes.triangles.push_back(slot);
+    }
+
+    /// Erases many leaves: cuts out all, then gives the place of one or another to a new leaf of its region, then accounts
+    /// for the gaps. No leaf moves before that.
     void cutOut(std::uint32_t slot)
     {
         _leaves[slot] = {};
         _gaps.push_back(slot);
     }
+    void fillGap(std::uint32_t slot, TriangleId leaf) { _leaves[slot] = leaf; }
     void closeGaps(MeshChanges& changes);
 
-    /// Gives a slot to another leaf of the same region.
-    void replace(std::uint32_t slot, TriangleId leaf, MeshChanges& changes);
-
-    TriangleId leaf(std::uint32_t slot) const { return _leaves[slot]; }
+    TriangleId leaf(std::uint32_t slot) const { return _leaves[slot]; } ///< none: a gap
     std::uint32_t slotCount() const { return static_cast<std::uint32_t>(_leaves.size()); }
-    TriangleRange region(std::uint32_t index) const { return {_blocks[index].first, _blocks[index].count}; }
-    std::uint32_t regionCount() const { return static_cast<std::uint32_t>(_blocks.size()); }
     std::uint32_t leafCount() const { return _leafCount; }
+    std::uint32_t regionCount() const { return static_cast<std::uint32_t>(_firstArena.size()); }
+    std::uint32_t regionOf(std::uint32_t slot) const { return _arenas[arenaAt(slot)].region; }
+
+    /// Appends what to draw for a region, gaps included, in its order. Returns the number of leaves in it.
+    std::uint32_t appendRanges(std::uint32_t region, std::vector<TriangleRange>& ranges) const;
+
     std::size_t memoryBytes() const;
-    bool isConsistent() const;
+    bool isConsistent() const; // LeafArenaCheck.cpp
 
 private:
-    struct Block
+    struct Arena
     {
-        std::uint32_t first = 0;
-        std::uint32_t count = 0;
-        std::uint32_t sizeClass = 0; ///< capacity 2^sizeClass; 0: no block yet
+        std::uint64_t used = 0;      ///< by slot from the first: 1 where there is a leaf
+        std::uint32_t first = 0;     ///< slot
+        std::uint32_t sizeClass = 0; ///< 2^sizeClass slots
+        std::uint32_t region = 0;
+        std::uint32_t previous = kNone, next = kNone; ///< arenas of the region, in order
+
+        std::uint32_t slots() const { return 1u << sizeClass; }
+        std::uint32_t count() const { return static_cast<std::uint32_t>(std::popcount(used)); }
     };
 
-    static constexpr std::uint32_t kSmallestClass = 2, kSmallest = 1u << kSmallestClass;
+    std::uint32_t arenaAt(std::uint32_t slot) const { return _arenaOfGroup[slot / SlotBlocks::kSmallest]; }
+    std::uint32_t drawnSlots(const Arena& arena) const
+    {
+        return _isInOrder ? arena.slots() : static_cast<std::uint32_t>(std::bit_width(arena.used));
+    }
+    void shift(std::uint32_t slot, std::uint32_t gap, MeshChanges& changes);
+    void takeUp(const Arena& arena);
+    void layInMore(std::uint32_t index, MeshChanges& changes);
+    void lay(std::uint32_t index, std::span<const TriangleId> leaves, bool isFresh, MeshChanges& changes);
+    void settle(std::uint32_t index, MeshChanges& changes);
+    bool join(std::uint32_t earlier, std::uint32_t later, MeshChanges& changes);
+    std::uint32_t addArena(std::uint32_t region, std::uint32_t previous, std::uint32_t sizeClass);
+    void removeArena(std::uint32_t index);
+    void takeSlots(std::uint32_t index, std::uint32_t sizeClass);
+    void giveSlots(std::uint32_t index);
+    bool isSound(std::uint32_t index) const; // LeafArenaCheck.cpp
 
-    std::uint32_t regionOf(std::uint32_t slot) const { return _regionOfGroup[slot / kSmallest]; }
-    void shrink(std::uint32_t region, MeshChanges& changes);
-    void move(std::uint32_t region, std::uint32_t sizeClass, MeshChanges& changes);
-    std::uint32_t takeBlock(std::uint32_t sizeClass);
-    void addSlots(std::uint32_t count);
-    void freeBlock(std::uint32_t first, std::uint32_t sizeClass);
-
-    std::vector<TriangleId> _leaves;                     ///< by slot
-    std::vector<std::uint16_t> _regionOfGroup;           ///< of kSmallest slots, the smallest block
-    std::vector<Block> _blocks;                          ///< by region
-    std::array<std::set<std::uint32_t>, 32> _freeBlocks; ///< first slots, by size class
-    std::vector<std::uint32_t> _gaps;                    ///< slots, between cutOut() and closeGaps()
+    bool _isInOrder;
+    std::vector<TriangleId> _leaves;          ///< by slot
+    std::vector<std::uint32_t> _arenaOfGroup; ///< of the smallest block's slots
+    std::vector<Arena> _arenas;
+    std::vector<std::uint32_t> _freeArenas;
+    std::vector<std::uint32_t> _firstArena; ///< by region
+    SlotBlocks _blocks;
+    std::vector<std::uint32_t> _gaps; ///< slots, between cutOut() and closeGaps()
+    std::vector<TriangleId> _taken;   ///< leaves on their way to where they are laid
     std::uint32_t _leafCount = 0;
 };
 

@@ -11,6 +11,7 @@
 
 #include <osgTerrainROAM/core/heightfield/PlacedTile.h>
 #include <osgTerrainROAM/core/roam/GridTriangle.h>
+#include <osgTerrainROAM/core/roam/Horizon.h>
 
 namespace osgTerrainROAM::core
 {
@@ -18,7 +19,7 @@ namespace osgTerrainROAM::core
 /// Bounding spheres of the bintree's nodes down to the region level: the hierarchy that culls.
 /// A node's sphere holds every sample of its triangle, and so every refinement of it. It is fitted to the samples: the
 /// nested radii of ErrorTree, made for refinement, are up to twice as large.
-/// Threads: immutable after construction. Memory: 32 B per node above the region level. Cost: two visits per sample.
+/// Threads: immutable after construction. Memory: 40 B per node above the region level. Cost: two visits per sample.
 class RegionBounds
 {
 public:
@@ -34,14 +35,18 @@ public:
     std::uint32_t pathAt(GridPoint quarters) const { return _paths[cellQuarter(quarters)]; }
 
     /// Appends the regions (paths at the region level) that may be seen. Plane masks are inherited: a plane that
-    /// has a node inside is not asked again below it.
-    void visible(const viewlod::Frustum& frustum, std::vector<std::uint32_t>& regions) const;
+    /// has a node inside is not asked again below it. With a horizon, none is given that lies wholly below it.
+    void visible(const viewlod::Frustum& frustum, const Horizon* horizon,
+                 std::vector<std::uint32_t>& regions) const;
+
+    glm::dvec3 centre(std::uint32_t region) const { return sphere(_level, region).centre; }
 
 private:
     struct Sphere
     {
         glm::dvec3 centre;
         double radiusM;
+        double highestM; ///< of the samples, above the ellipsoid, or more
     };
 
     Sphere& sphere(int level, std::uint32_t path) { return _spheres[(2u << level) - 2u + path]; }
@@ -58,9 +63,16 @@ private:
                static_cast<std::size_t>(4 * column + side);
     }
 
-    void build(const PlacedTile& tile, const GridTriangle& triangle, int level, std::uint32_t path);
-    void visit(const viewlod::Frustum& frustum, int level, std::uint32_t path, viewlod::Frustum::Mask mask,
-               std::vector<std::uint32_t>& regions) const;
+    void build(const PlacedTile& tile, const GridTriangle& triangle, int level, std::uint32_t path,
+               double highestGeoidM);
+    /// What one camera sees, and what of it has been found.
+    struct Search
+    {
+        const viewlod::Frustum& frustum;
+        const Horizon* horizon;
+        std::vector<std::uint32_t>& regions;
+    };
+    void visit(Search& search, int level, std::uint32_t path, viewlod::Frustum::Mask mask) const;
 
     int _level;
     int _cellShift; ///< log2 of the side, in quarters of samples, of a square that its diagonals cut into four regions

@@ -13,6 +13,7 @@
 #include <viewlod/ViewState.h>
 
 #include <osgTerrainROAM/core/roam/DiamondTree.h>
+#include <osgTerrainROAM/core/roam/Horizon.h>
 #include <osgTerrainROAM/core/roam/Morph.h>
 #include <osgTerrainROAM/core/roam/PatchPool.h>
 #include <osgTerrainROAM/core/roam/RefineResult.h>
@@ -32,7 +33,8 @@ class RoamMesh
 {
 public:
     /// `bounds`: a tile, or what SplitBounds makes of it for patches.
-    explicit RoamMesh(SplitBounds bounds, Driver driver = Driver::wheel);
+    explicit RoamMesh(SplitBounds bounds, Driver driver = Driver::wheel,
+                      LeafPlacement placement = LeafPlacement::inOrder);
 
     /// Takes effect with the next refinement.
     void setDriver(Driver driver);
@@ -69,8 +71,18 @@ public:
     int patchExponent() const { return _tree.bounds().patchExponent(); }
 
     /// Ranges of slots, of triangles or of patches, that can be seen: conservative, by regions of the tree (RegionBounds),
-    /// then patch by patch. Only ranges given here hold live ones. Appends to `ranges`.
-    void visibleRanges(const viewlod::Frustum& frustum, std::vector<IndexRange>& ranges) const;
+    /// then patch by patch. Only ranges given here hold live ones, and gaps: triangles without extent (triangle() says so
+    /// too). Appends to `ranges`. Returns the number of triangles in them, gaps not counted.
+    std::uint32_t visibleRanges(const viewlod::Frustum& frustum, std::vector<IndexRange>& ranges) const;
+
+    /// The same, near ones first, so that the depth test spares what they hide: about half the fragments in hills; and
+    /// without those that are wholly below the horizon, where one is given.
+    std::uint32_t visibleRanges(const viewlod::Frustum& frustum, const glm::dvec3& eye,
+                                const Horizon* horizon, std::vector<IndexRange>& ranges) const;
+
+    /// For a camera that looks along rays from the eye that the mesh was last refined for, its horizon. None for any other
+    /// eye, and where it cannot be told.
+    std::optional<Horizon> horizon(const glm::dvec3& eye) const;
 
     /// What such ranges draw; all that there is to draw.
     DrawnMesh drawn(std::span<const IndexRange> ranges) const;
@@ -86,6 +98,11 @@ public:
 
 private:
     RefineResult adapt(const viewlod::ViewState& view, const viewlod::Budget& budget);
+    RefineResult adaptAndMorph(const viewlod::ViewState& view, const viewlod::Budget& budget);
+    std::uint32_t appendRanges(const std::vector<std::uint32_t>& regions, const viewlod::Frustum& frustum,
+                               std::vector<IndexRange>& ranges) const;
+    std::uint32_t appendPatches(std::uint32_t region, const viewlod::Frustum& frustum,
+                                std::vector<IndexRange>& ranges) const;
     bool run(const viewlod::ViewState& view, double tolerancePx, std::uint32_t maxLeaves,
              viewlod::Slice& slice, RefineResult& result);
     bool runWithinCeiling(const viewlod::ViewState& view, const viewlod::Budget& budget,
@@ -100,6 +117,9 @@ private:
     bool _isMorphing = false;
     bool _ceilingBound = false; ///< in the last frame
     double _lastTolerancePx = 0.0;
+    std::optional<glm::dvec3> _eye; ///< last refined for
+    double _errorPerM = 0.0;        ///< by how much of its distance from there what is drawn may be off
+    double _nearM = 0.0;
 };
 
 } // namespace osgTerrainROAM::core

@@ -51,6 +51,7 @@ public:
 
     PlacedTile tile;
     RegionBounds regions;
+    HidingGround hidingGround;
 
 private:
     struct Bound

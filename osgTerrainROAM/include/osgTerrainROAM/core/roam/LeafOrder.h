@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <osgTerrainROAM/core/roam/MeshData.h>
+
+namespace osgTerrainROAM::core
+{
+
+class RoamMesh;
+
+/// How well the order of triangles suits the hardware that draws them. Units: per triangle, but for the strips.
+struct LeafOrder
+{
+    double stripLength = 0.0; ///< mean number of triangles in a row that share an edge with the one before
+    double stripVertices =
+        0.0; ///< sent, were those rows drawn as strips: 3, then 1 each, 1 more for a turn to the same side
+    double missesFifo16 = 0.0;  ///< vertices transformed, by a cache of the last 16 …
+    double missesFifo32 = 0.0;  ///< … or 32 of them,
+    double missesBatch32 = 0.0; ///< or of 32 triangles at a time, that share theirs
+    double gaps = 0.0;          ///< triangles without extent, sent besides
+};
+
+/// Plays draw calls through models of what keeps transformed vertices: each call begins with nothing. Triangles whose
+/// corners are one vertex are gaps: they send that vertex, but neither count nor break a strip.
+/// Memory: 16 B per vertex. Cost: some 20 ns a triangle.
+/// Source: Hoppe, "Optimization of mesh locality for transparent vertex caching" (1999), §3 (FIFO, misses per triangle).
+class LeafOrderMeter
+{
+public:
+    explicit LeafOrderMeter(std::uint32_t vertexCount) : _lastMiss(vertexCount), _lastBatch(vertexCount) {}
+
+    void draw(std::span<const LeafTriangle> triangles);
+    LeafOrder result() const;
+
+    static constexpr std::array<std::uint64_t, 2> kFifoSizes = {16, 32};
+    static constexpr std::uint32_t kBatchTriangles = 32;
+
+private:
+    /// The strip's last triangle: what it shares with the one before, older vertex first once that is known, and its new
+    /// vertex.
+    struct Strip
+    {
+        std::uint32_t older = kNone, newer = kNone, newest = kNone;
+        std::uint32_t length = 0;
+    };
+
+    void transform(std::uint32_t vertex);
+    void extendStrip(const LeafTriangle& triangle);
+    bool continuesStrip(const LeafTriangle& triangle);
+
+    std::vector<std::array<std::uint64_t, 2>>
+        _lastMiss;                         ///< by vertex: number of the miss that brought it in; 0: none
+    std::vector<std::uint32_t> _lastBatch; ///< by vertex: the batch that has it
+    std::array<std::uint64_t, 2> _misses{}, _firstMiss{}; ///< in all, and before this draw call
+    std::uint64_t _batchMisses = 0;
+    std::uint32_t _batch = 0;
+    Strip _strip;
+    std::uint64_t _triangles = 0, _gaps = 0, _strips = 0, _stripVertices = 0;
+};
+
+/// Of a whole mesh as it is drawn, one call a region.
+LeafOrder orderOf(const RoamMesh& mesh);
+
+} // namespace osgTerrainROAM::core
