@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <bit>
+#include <utility>
 
 #include <osgTerrainROAM/core/roam/LeafArena.h>
 
@@ -83,29 +84,24 @@ void LeafArena::shift(std::uint32_t slot, std::uint32_t gap, MeshChanges& change
         replace(gap, _leaves[gap + 1], changes);
 }
 
+/// Empty arenas go first: their slots are not written, and so none may join them.
 void LeafArena::closeGaps(MeshChanges& changes)
 {
-    for (const std::uint32_t gap : _gaps)
+    for (const std::uint32_t index : _touched)
     {
-        if (_leaves[gap].exists()) continue;
-        Arena& arena = _arenas[arenaAt(gap)];
-        arena.used &= ~bit(gap & (arena.slots() - 1)); // blocks lie at multiples of their size
-        --_leafCount;
-    }
-    // Empty arenas go first: their slots are not written, and so none may join them.
-    for (const std::uint32_t gap : _gaps)
-        if (const std::uint32_t index = arenaAt(gap); index != kNone)
+        Arena& arena = _arenas[index];
+        std::uint64_t cut = std::exchange(arena.cut, 0);
+        if (arena.used == 0)
         {
-            if (_arenas[index].used == 0)
-                removeArena(index);
-            else
-                changes.triangles.push_back(gap);
+            removeArena(index);
+            continue;
         }
-    std::uint32_t last = kNone;
-    for (const std::uint32_t gap : _gaps)
-        if (const std::uint32_t index = arenaAt(gap); index != last && index != kNone)
-            settle(last = index, changes);
-    _gaps.clear();
+        for (; cut != 0; cut &= cut - 1)
+            changes.triangles.push_back(arena.first + static_cast<std::uint32_t>(std::countr_zero(cut)));
+    }
+    for (const std::uint32_t index : _touched)
+        if (_arenas[index].region != kNone) settle(index, changes);
+    _touched.clear();
 }
 
 std::uint32_t LeafArena::appendRanges(std::uint32_t region, std::vector<TriangleRange>& ranges) const
@@ -128,7 +124,7 @@ std::size_t LeafArena::memoryBytes() const
 {
     std::size_t bytes = _leaves.capacity() * sizeof(TriangleId) + _arenas.capacity() * sizeof(Arena) +
                         _taken.capacity() * sizeof(TriangleId) + _blocks.memoryBytes();
-    for (const auto* indices : {&_arenaOfGroup, &_freeArenas, &_firstArena, &_gaps})
+    for (const auto* indices : {&_arenaOfGroup, &_freeArenas, &_firstArena, &_touched})
         bytes += indices->capacity() * sizeof(std::uint32_t);
     return bytes;
 }

@@ -43,7 +43,7 @@ bool LeafArena::isSound(std::uint32_t index) const
     const Arena& arena = _arenas[index];
     if (arena.sizeClass < SlotBlocks::kSmallestClass || arena.sizeClass > SlotBlocks::kLargestClass)
         return false;
-    if (arena.used == 0 || arena.first + arena.slots() > slotCount()) return false;
+    if (arena.used == 0 || arena.cut != 0 || arena.first + arena.slots() > slotCount()) return false;
     for (std::uint32_t i = 0; i < 64; ++i)
     {
         const bool isUsed = (arena.used >> i & 1u) != 0;
@@ -75,7 +75,7 @@ bool LeafArena::isConsistent() const
                                        [](TriangleId leaf) { return leaf.exists(); });
         });
     return isFreeSound && claims.areAll() && leaves == _leafCount && arenas == _arenas.size() &&
-           _gaps.empty();
+           _touched.empty();
 }
 
 } // namespace osgTerrainROAM::core

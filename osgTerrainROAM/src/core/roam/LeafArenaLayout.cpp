@@ -118,9 +118,10 @@ std::uint32_t LeafArena::addArena(std::uint32_t region, std::uint32_t previous, 
 void LeafArena::removeArena(std::uint32_t index)
 {
     giveSlots(index);
-    const Arena& arena = _arenas[index];
+    Arena& arena = _arenas[index];
     (arena.previous == kNone ? _firstArena[arena.region] : _arenas[arena.previous].next) = arena.next;
     if (arena.next != kNone) _arenas[arena.next].previous = arena.previous;
+    arena.region = kNone;
     _freeArenas.push_back(index);
 }
 

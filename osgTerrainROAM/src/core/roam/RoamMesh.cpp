@@ -3,7 +3,6 @@
 #include <cmath>
 #include <limits>
 
-#include <osgTerrainROAM/core/roam/DrawnGround.h>
 #include <osgTerrainROAM/core/roam/Refinement.h>
 #include <osgTerrainROAM/core/roam/RoamMesh.h>
 #include <osgTerrainROAM/core/roam/TriangleCeiling.h>
@@ -21,19 +20,6 @@ constexpr double kColdGuess = 64.0; ///< times the target: where the search for 
 constexpr int kMostAttempts = 4;    ///< to follow it from frame to frame instead …
 constexpr double kNear = 0.2;       ///< … while the mesh is not farther from it than this share
 constexpr auto kUnlimited = std::numeric_limits<std::uint32_t>::max();
-
-/// Nearest first; elements at equal distances keep their order.
-template<class Elements, class CentreOf>
-void sortByDistance(Elements&& elements, const glm::dvec3& eye, const CentreOf& centreOf)
-{
-    std::vector<std::pair<double, std::size_t>> keys;
-    for (std::size_t i = 0; i < elements.size(); ++i)
-        keys.emplace_back(glm::distance(centreOf(elements[i]), eye), i);
-    std::sort(keys.begin(), keys.end());
-    const std::vector before(elements.begin(), elements.end());
-    for (std::size_t i = 0; i < keys.size(); ++i)
-        elements[i] = before[keys[i].second];
-}
 
 } // namespace
 
@@ -122,7 +108,7 @@ RefineResult RoamMesh::adapt(const viewlod::ViewState& view, const viewlod::Budg
 {
     RefineResult result;
     viewlod::Budget budget = ofTriangles;
-    budget.maxTriangles >>= patchExponent();
+    budget.maxTriangles = std::max(budget.maxTriangles >> patchExponent(), 2u); // the roots
     viewlod::Slice slice(budget);
     const double targetPx = budget.errorTolerancePx;
     if (_driver == Driver::queue)
@@ -165,88 +151,6 @@ RefineResult RoamMesh::refine(double errorM)
     WalkDriver(_tree, active, kUnlimited, unlimited, result).refine();
     finish(result);
     return result;
-}
-
-std::optional<Horizon> RoamMesh::horizon(const glm::dvec3& eye) const
-{
-    if (!_eye || *_eye != eye || !tile().hidingGround.exists) return std::nullopt;
-    const auto ground = drawnGroundAt(_tree, eye.x, eye.y);
-    if (!ground || ground->position.z >= eye.z) return std::nullopt;
-    return Horizon::around(tile().tile, tile().hidingGround, eye, _errorPerM, _nearM);
-}
-
-std::uint32_t RoamMesh::visibleRanges(const viewlod::Frustum& frustum, std::vector<IndexRange>& ranges) const
-{
-    std::vector<std::uint32_t> regions;
-    tile().regions.visible(frustum, nullptr, regions);
-    return appendRanges(regions, frustum, ranges);
-}
-
-std::uint32_t RoamMesh::visibleRanges(const viewlod::Frustum& frustum, const glm::dvec3& eye,
-                                      const Horizon* horizon, std::vector<IndexRange>& ranges) const
-{
-    std::vector<std::uint32_t> regions;
-    tile().regions.visible(frustum, horizon, regions);
-    sortByDistance(regions, eye, [this](std::uint32_t region) { return tile().regions.centre(region); });
-    const auto first = static_cast<std::ptrdiff_t>(ranges.size());
-    const std::uint32_t triangles = appendRanges(regions, frustum, ranges);
-    if (_patches)
-        sortByDistance(std::span(ranges).subspan(static_cast<std::size_t>(first)), eye,
-                       [this](const IndexRange& patch) { return _patches->centre(patch.first); });
-    return triangles;
-}
-
-std::uint32_t RoamMesh::appendRanges(const std::vector<std::uint32_t>& regions,
-                                     const viewlod::Frustum& frustum, std::vector<IndexRange>& ranges) const
-{
-    const auto append = [&](std::uint32_t region) {
-        return _patches ? appendPatches(region, frustum, ranges)
-                        : _tree.leaves().appendRanges(region, ranges);
-    };
-    std::uint32_t triangles = append(0); // coarser than a region: few, and never worth a test
-    for (const std::uint32_t region : regions)
-        triangles += append(region + 1);
-    return triangles;
-}
-
-std::uint32_t RoamMesh::appendPatches(std::uint32_t region, const viewlod::Frustum& frustum,
-                                      std::vector<IndexRange>& ranges) const
-{
-    std::vector<IndexRange> arenas;
-    _tree.leaves().appendRanges(region, arenas);
-    const std::size_t before = ranges.size();
-    for (const IndexRange& arena : arenas)
-        for (std::uint32_t i = arena.first; i < arena.first + arena.count; ++i)
-        {
-            const TriangleId leaf = _tree.leaves().leaf(i);
-            if (!leaf.exists()) continue;
-            const std::uint32_t slot = _patches->slotOf(leaf);
-            if (_patches->mayBeSeen(slot, frustum)) ranges.push_back({slot, 1});
-        }
-    return static_cast<std::uint32_t>(ranges.size() - before) << patchExponent();
-}
-
-DrawnMesh RoamMesh::drawn() const
-{
-    std::vector<IndexRange> ranges;
-    visibleRanges(viewlod::Frustum(glm::dmat4(0.0)), ranges); // planes without direction cull nothing
-    return drawn(ranges);
-}
-
-DrawnMesh RoamMesh::drawn(std::span<const IndexRange> ranges) const
-{
-    DrawnMesh mesh;
-    mesh.stepM = tile().tile.vertexStepM();
-    mesh.isMorphed = _isMorphing;
-    for (VertexSlot v = 0; v < _tree.vertexSlots() && !_patches; ++v)
-        mesh.vertices.push_back(vertex(v));
-    for (const IndexRange& range : ranges)
-        for (std::uint32_t slot = range.first; slot < range.first + range.count; ++slot)
-            if (_patches)
-                _patches->shape().append(tile().tile, _tree.gridTriangle(_patches->leaf(slot)), mesh);
-            else if (_tree.leaves().leaf(slot).exists())
-                mesh.triangles.push_back(triangle(slot));
-    return mesh;
 }
 
 } // namespace osgTerrainROAM::core

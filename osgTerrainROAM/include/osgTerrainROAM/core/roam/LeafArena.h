@@ -57,10 +57,21 @@ public:
     /// for the gaps. No leaf moves before that.
     void cutOut(std::uint32_t slot)
     {
+        const std::uint32_t index = arenaAt(slot);
+        Arena& arena = _arenas[index];
+        if (arena.cut == 0) _touched.push_back(index);
+        arena.cut |= arena.bitOf(slot);
+        arena.used &= ~arena.bitOf(slot);
         _leaves[slot] = {};
-        _gaps.push_back(slot);
+        --_leafCount;
     }
-    void fillGap(std::uint32_t slot, TriangleId leaf) { _leaves[slot] = leaf; }
+    void fillGap(std::uint32_t slot, TriangleId leaf)
+    {
+        Arena& arena = _arenas[arenaAt(slot)];
+        arena.used |= arena.bitOf(slot);
+        _leaves[slot] = leaf;
+        ++_leafCount;
+    }
     void closeGaps(MeshChanges& changes);
 
     TriangleId leaf(std::uint32_t slot) const { return _leaves[slot]; } ///< none: a gap
@@ -78,14 +89,16 @@ public:
 private:
     struct Arena
     {
-        std::uint64_t used = 0;      ///< by slot from the first: 1 where there is a leaf
-        std::uint32_t first = 0;     ///< slot
-        std::uint32_t sizeClass = 0; ///< 2^sizeClass slots
-        std::uint32_t region = 0;
+        std::uint64_t used = 0;       ///< by slot from the first: 1 where there is a leaf
+        std::uint64_t cut = 0;        ///< likewise, between cutOut() and closeGaps(): where one was cut out
+        std::uint32_t first = 0;      ///< slot
+        std::uint32_t sizeClass = 0;  ///< 2^sizeClass slots
+        std::uint32_t region = kNone; ///< none: the arena is free
         std::uint32_t previous = kNone, next = kNone; ///< arenas of the region, in order
 
         std::uint32_t slots() const { return 1u << sizeClass; }
         std::uint32_t count() const { return static_cast<std::uint32_t>(std::popcount(used)); }
+        std::uint64_t bitOf(std::uint32_t slot) const { return std::uint64_t{1} << (slot - first); }
     };
 
     std::uint32_t arenaAt(std::uint32_t slot) const { return _arenaOfGroup[slot / SlotBlocks::kSmallest]; }
@@ -112,8 +125,8 @@ private:
     std::vector<std::uint32_t> _freeArenas;
     std::vector<std::uint32_t> _firstArena; ///< by region
     SlotBlocks _blocks;
-    std::vector<std::uint32_t> _gaps; ///< slots, between cutOut() and closeGaps()
-    std::vector<TriangleId> _taken;   ///< leaves on their way to where they are laid
+    std::vector<std::uint32_t> _touched; ///< arenas that leaves were cut out of, until closeGaps()
+    std::vector<TriangleId> _taken;      ///< leaves on their way to where they are laid
     std::uint32_t _leafCount = 0;
 };
 

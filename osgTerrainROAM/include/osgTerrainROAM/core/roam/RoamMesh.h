@@ -41,9 +41,11 @@ public:
     Driver driver() const { return _driver; }
 
     /// Adapts to an eye. Errors are bounded in the whole picture (ViewState::guaranteedPixelsPerTangent).
-    /// The triangle ceiling binds the whole frame: τ rises until the mesh fits (TriangleCeiling.h; the queue: by merging
-    /// what matters least). The time slice stops the work where it is, and the next call goes on: the wheel with what is
-    /// left over, the others from the start.
+    /// The triangle ceiling binds the whole frame: τ rises until the mesh fits, and while it binds follows the number of
+    /// leaves, so that they stay within 1 % (or 4) below it (TriangleCeiling.h finds τ anew where it leaps; the queue merges
+    /// what matters least). Patches count with all their triangles; two are always drawn. A ceiling that comes down in a
+    /// sliced frame is met as soon as the slices allow. The time slice stops the work where it is, and the next call goes
+    /// on: the wheel with what is left over, the others from the start.
     /// Frame of `view`: the tile's local frame. Cost: the driver's.
     RefineResult refine(const viewlod::ViewState& view, const viewlod::Budget& budget);
 
