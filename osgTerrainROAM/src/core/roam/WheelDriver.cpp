@@ -160,7 +160,8 @@ void WheelDriver::found(Frame& frame, std::uint32_t watch, double errorM, double
     const unsigned kind = kindOf(watch);
     if (kind == kItself)
     {
-        _leaving[static_cast<std::size_t>(frame.tree.place(v).level)].push_back(v);
+        _leaving[static_cast<std::uint8_t>(frame.tree.place(v).level)].push_back(
+            v); // no corner: not negative
         ++_leavingCount;
         return;
     }
