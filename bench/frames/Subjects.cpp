@@ -25,7 +25,7 @@ Subject ours(const Request& request, double tolerancePx, bool morphing)
 {
     Subject subject;
     subject.name = "RoamDrawable " + textOf(tolerancePx) + " px" + (morphing ? ", morphing" : "");
-    subject.draws = "the wheel's mesh, visible regions only; two-float vertices";
+    subject.draws = "the wheel's mesh, visible regions only; vertices in whole steps";
     subject.roam = new osgTerrainROAM::RoamDrawable(request.tile);
     subject.roam->setErrorTolerancePx(tolerancePx);
     subject.roam->setMorphing(morphing);
