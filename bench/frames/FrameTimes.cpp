@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <algorithm>
 #include <iomanip>
 #include <iostream>
 
 #include "Look.h"
+#include "Percentile.h"
 #include "Request.h"
 #include "StaticMesh.h"
 #include "Subjects.h"
@@ -14,15 +14,9 @@ namespace framebench
 namespace
 {
 
-constexpr int kWarmUpFrames = 3; ///< shaders compile, buffers fill
+using roambench::percentile;
 
-double percentile(std::vector<double> values, double share)
-{
-    const auto place =
-        values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-    std::nth_element(values.begin(), place, values.end());
-    return *place;
-}
+constexpr int kWarmUpFrames = 3; ///< shaders compile, buffers fill
 
 /// Draws one frame of a subject, and takes note of it unless it warms up.
 void drawOnce(Stage& stage, Subject& subject, const Eye& eye, DrawCount& drawn, bool counts)

@@ -12,11 +12,15 @@
 #include <osgTerrainROAM/core/roam/LeafOrder.h>
 #include <osgTerrainROAM/core/roam/ScratchRefinement.h>
 
+#include "Percentile.h"
+
 namespace terraintool
 {
 
 namespace
 {
+
+using roambench::percentile;
 
 using namespace osgTerrainROAM::core;
 
@@ -28,14 +32,6 @@ struct Totals
     std::vector<double> frameUs;
     double triangles = 0.0, changes = 0.0, checks = 0.0, uploadBytes = 0.0, maxErrorPx = 0.0;
 };
-
-double percentile(std::vector<double>& values, double share)
-{
-    const auto place =
-        values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-    std::nth_element(values.begin(), place, values.end());
-    return *place;
-}
 
 /// Of this thread, so that other work on the machine does not count.
 template<class Work>
