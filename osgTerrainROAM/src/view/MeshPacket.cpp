@@ -67,6 +67,15 @@ MeshPacket wholePatchPacket(const core::RoamMesh& mesh, std::uint64_t serial)
     return packet;
 }
 
+MeshPacket wholeTrianglePacket(const core::RoamMesh& mesh, std::uint64_t serial)
+{
+    MeshPacket packet = emptyPacket(mesh, serial);
+    packet.vertexRanges = {{0, packet.vertexCount}};
+    packet.triangleRanges = mesh.allRanges();
+    copyRanges(mesh, packet);
+    return packet;
+}
+
 } // namespace
 
 std::uint32_t bufferCapacity(std::uint32_t count)
@@ -87,14 +96,8 @@ PacketPtr changedPacket(const core::RoamMesh& mesh, std::uint64_t serial)
 
 PacketPtr wholePacket(const core::RoamMesh& mesh, std::uint64_t serial)
 {
-    MeshPacket packet = mesh.patches() ? wholePatchPacket(mesh, serial) : emptyPacket(mesh, serial);
+    MeshPacket packet = mesh.patches() ? wholePatchPacket(mesh, serial) : wholeTrianglePacket(mesh, serial);
     packet.whole = true;
-    if (mesh.patches()) return std::make_shared<const MeshPacket>(std::move(packet));
-    packet.vertexRanges = {{0, packet.vertexCount}};
-    const core::LeafArena& leaves = mesh.tree().leaves();
-    for (std::uint32_t region = 0; region < leaves.regionCount(); ++region)
-        leaves.appendRanges(region, packet.triangleRanges);
-    copyRanges(mesh, packet);
     return std::make_shared<const MeshPacket>(std::move(packet));
 }
 

@@ -119,10 +119,8 @@ LeafOrder orderOf(const RoamMesh& mesh)
 {
     if (mesh.patches()) return orderOf(mesh.patches()->shape());
     LeafOrderMeter meter(mesh.vertexSlots());
-    std::vector<IndexRange> ranges;
-    mesh.visibleRanges(viewlod::Frustum(glm::dmat4(0.0)), ranges); // planes without direction cull nothing
     std::vector<LeafTriangle> drawn;
-    for (const IndexRange& range : ranges)
+    for (const IndexRange& range : mesh.allRanges())
     {
         drawn.clear();
         for (std::uint32_t slot = range.first; slot < range.first + range.count; ++slot)

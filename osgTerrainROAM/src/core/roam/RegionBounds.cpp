@@ -14,7 +14,7 @@ namespace
 
 /// The smallest sphere about the middle of the samples' box.
 template<class Sphere>
-Sphere fitted(const PlacedTile& tile, const GridTriangle& triangle, double highestGeoidM)
+Sphere fitted(const PlacedTile& tile, const GridTriangle& triangle)
 {
     glm::dvec3 lowest(std::numeric_limits<double>::max()), highest(std::numeric_limits<double>::lowest());
     const auto forEachSample = [&](auto visit)
@@ -23,26 +23,20 @@ Sphere fitted(const PlacedTile& tile, const GridTriangle& triangle, double highe
                             [&](int row, int west, int east)
                             {
                                 for (int column = west; column <= east; ++column)
-                                    visit(tile.position(column, row));
+                                    visit(tile.heightM(column, row), tile.position(column, row));
                             });
     };
+    Sphere sphere{glm::dvec3(0.0), 0.0, std::numeric_limits<double>::lowest()};
     forEachSample(
-        [&](const glm::dvec3& position)
+        [&](double heightM, const glm::dvec3& position)
         {
             lowest = glm::min(lowest, position);
             highest = glm::max(highest, position);
+            sphere.highestM = std::max(sphere.highestM, heightM);
         });
-    Sphere sphere{(lowest + highest) * 0.5, 0.0, std::numeric_limits<double>::lowest()};
-    forEachSample([&](const glm::dvec3& position)
+    sphere.centre = (lowest + highest) * 0.5;
+    forEachSample([&](double, const glm::dvec3& position)
                   { sphere.radiusM = std::max(sphere.radiusM, glm::distance(sphere.centre, position)); });
-    triangle.forEachRow(tile.side(), tile.side(),
-                        [&](int row, int west, int east)
-                        {
-                            for (int column = west; column <= east; ++column)
-                                sphere.highestM =
-                                    std::max(sphere.highestM, static_cast<double>(tile.heightM(column, row)));
-                        });
-    sphere.highestM += highestGeoidM;
     return sphere;
 }
 
@@ -65,51 +59,54 @@ RegionBounds::RegionBounds(const PlacedTile& tile)
 {
     assert(_level % 2 == 1);
     const auto roots = rootTriangles(tile.side());
+    build(tile, roots[0], 0, 0);
+    build(tile, roots[1], 0, 1);
     const double geoidM = highestGeoidM(tile.field());
-    build(tile, roots[0], 0, 0, geoidM);
-    build(tile, roots[1], 0, 1, geoidM);
+    for (Sphere& sphere : _spheres)
+        sphere.highestM += geoidM;
 }
 
-void RegionBounds::build(const PlacedTile& tile, const GridTriangle& t, int level, std::uint32_t path,
-                         double highestGeoidM)
+void RegionBounds::build(const PlacedTile& tile, const GridTriangle& t, int level, std::uint32_t path)
 {
     if (level == _level)
     {
         const GridPoint inside{2 * t.apex.column + t.left.column + t.right.column,
                                2 * t.apex.row + t.left.row + t.right.row};
         _paths[cellQuarter(inside)] = static_cast<std::uint16_t>(path);
-        sphere(level, path) = fitted<Sphere>(tile, t, highestGeoidM);
+        sphere(level, path) = fitted<Sphere>(tile, t);
         return;
     }
     const auto children = t.children();
-    build(tile, children[0], level + 1, 2 * path, highestGeoidM);
-    build(tile, children[1], level + 1, 2 * path + 1, highestGeoidM);
+    build(tile, children[0], level + 1, 2 * path);
+    build(tile, children[1], level + 1, 2 * path + 1);
     sphere(level, path) = joined(sphere(level + 1, 2 * path), sphere(level + 1, 2 * path + 1));
 }
 
 void RegionBounds::visible(const viewlod::Frustum& frustum, const Horizon* horizon,
                            std::vector<std::uint32_t>& regions) const
 {
-    Search search{frustum, horizon, regions};
+    Search search{frustum, regions};
     for (const std::uint32_t root : {0u, 1u})
-        visit(search, 0, root, viewlod::Frustum::kAllPlanes);
+        visit(search, 0, root, viewlod::Frustum::kAllPlanes, horizon);
 }
 
-void RegionBounds::visit(Search& search, int level, std::uint32_t path, viewlod::Frustum::Mask mask) const
+void RegionBounds::visit(Search& search, int level, std::uint32_t path, viewlod::Frustum::Mask mask,
+                         const Horizon* horizon) const
 {
     const Sphere& bound = sphere(level, path);
     const auto verdict = search.frustum.classify(bound.centre, bound.radiusM, mask);
     if (verdict.outside) return;
-    if (search.horizon && search.horizon->hides(bound.centre, bound.radiusM, bound.highestM)) return;
-    if ((verdict.crossing == 0 && !search.horizon) || level == _level)
+    if (horizon && horizon->isNearer(bound.centre, bound.radiusM)) horizon = nullptr; // for all below, too
+    if (horizon && horizon->hides(bound.centre, bound.radiusM, bound.highestM)) return;
+    if ((verdict.crossing == 0 && !horizon) || level == _level)
     {
         const int below = _level - level;
         for (std::uint32_t i = 0; i < 1u << below; ++i)
             search.regions.push_back((path << below) + i);
         return;
     }
-    visit(search, level + 1, 2 * path, verdict.crossing);
-    visit(search, level + 1, 2 * path + 1, verdict.crossing);
+    visit(search, level + 1, 2 * path, verdict.crossing, horizon);
+    visit(search, level + 1, 2 * path + 1, verdict.crossing, horizon);
 }
 
 } // namespace osgTerrainROAM::core

@@ -71,25 +71,26 @@ std::uint32_t RoamMesh::appendRanges(const std::vector<std::uint32_t>& regions,
 std::uint32_t RoamMesh::appendPatches(std::uint32_t region, const viewlod::Frustum& frustum,
                                       std::vector<IndexRange>& ranges) const
 {
-    std::vector<IndexRange> arenas;
-    _tree.leaves().appendRanges(region, arenas);
     const std::size_t before = ranges.size();
-    for (const IndexRange& arena : arenas)
-        for (std::uint32_t i = arena.first; i < arena.first + arena.count; ++i)
-        {
-            const TriangleId leaf = _tree.leaves().leaf(i);
-            if (!leaf.exists()) continue;
-            const std::uint32_t slot = _patches->slotOf(leaf);
-            if (_patches->mayBeSeen(slot, frustum)) ranges.push_back({slot, 1});
-        }
+    _tree.leaves().forEachLeaf(region,
+                               [&](TriangleId leaf)
+                               {
+                                   const std::uint32_t slot = _patches->slotOf(leaf);
+                                   if (_patches->mayBeSeen(slot, frustum)) ranges.push_back({slot, 1});
+                               });
     return static_cast<std::uint32_t>(ranges.size() - before) << patchExponent();
+}
+
+std::vector<IndexRange> RoamMesh::allRanges() const
+{
+    std::vector<IndexRange> ranges;
+    visibleRanges(viewlod::Frustum(glm::dmat4(0.0)), ranges); // planes without direction cull nothing
+    return ranges;
 }
 
 DrawnMesh RoamMesh::drawn() const
 {
-    std::vector<IndexRange> ranges;
-    visibleRanges(viewlod::Frustum(glm::dmat4(0.0)), ranges); // planes without direction cull nothing
-    return drawn(ranges);
+    return drawn(allRanges());
 }
 
 DrawnMesh RoamMesh::drawn(std::span<const IndexRange> ranges) const

@@ -54,6 +54,12 @@ public:
     /// Whether nothing within a sphere that is at most `highestM` above the ellipsoid can be seen. Cost: 30 flops, two roots.
     bool hides(const glm::dvec3& centre, double radiusM, double highestM) const;
 
+    /// Whether a sphere lies wholly nearer than the horizon: nothing within it can be hidden.
+    bool isNearer(const glm::dvec3& centre, double radiusM) const
+    {
+        return glm::distance(centre, _eye) + radiusM <= _tangentM;
+    }
+
     double distanceM() const { return _tangentM; } ///< to the horizon, at most
 
 private:

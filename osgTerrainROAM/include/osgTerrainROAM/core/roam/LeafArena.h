@@ -83,6 +83,15 @@ public:
     /// Appends what to draw for a region, gaps included, in its order. Returns the number of leaves in it.
     std::uint32_t appendRanges(std::uint32_t region, std::vector<TriangleRange>& ranges) const;
 
+    /// Calls visit(leaf) for the leaves of a region, in its order.
+    template<class Visit>
+    void forEachLeaf(std::uint32_t region, const Visit& visit) const
+    {
+        for (std::uint32_t index = _firstArena[region]; index != kNone; index = _arenas[index].next)
+            for (std::uint64_t left = _arenas[index].used; left != 0; left &= left - 1)
+                visit(_leaves[_arenas[index].first + static_cast<std::uint32_t>(std::countr_zero(left))]);
+    }
+
     std::size_t memoryBytes() const;
     bool isConsistent() const; // LeafArenaCheck.cpp
 

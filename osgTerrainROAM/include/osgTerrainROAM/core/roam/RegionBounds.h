@@ -63,16 +63,16 @@ private:
                static_cast<std::size_t>(4 * column + side);
     }
 
-    void build(const PlacedTile& tile, const GridTriangle& triangle, int level, std::uint32_t path,
-               double highestGeoidM);
+    void build(const PlacedTile& tile, const GridTriangle& triangle, int level, std::uint32_t path);
     /// What one camera sees, and what of it has been found.
     struct Search
     {
         const viewlod::Frustum& frustum;
-        const Horizon* horizon;
         std::vector<std::uint32_t>& regions;
     };
-    void visit(Search& search, int level, std::uint32_t path, viewlod::Frustum::Mask mask) const;
+    /// `horizon`: null where it hides nothing.
+    void visit(Search& search, int level, std::uint32_t path, viewlod::Frustum::Mask mask,
+               const Horizon* horizon) const;
 
     int _level;
     int _cellShift; ///< log2 of the side, in quarters of samples, of a square that its diagonals cut into four regions

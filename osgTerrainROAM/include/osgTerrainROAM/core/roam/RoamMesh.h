@@ -86,6 +86,9 @@ public:
     /// eye, and where it cannot be told.
     std::optional<Horizon> horizon(const glm::dvec3& eye) const;
 
+    /// The same without any camera: all that there is to draw.
+    std::vector<IndexRange> allRanges() const;
+
     /// What such ranges draw; all that there is to draw.
     DrawnMesh drawn(std::span<const IndexRange> ranges) const;
     DrawnMesh drawn() const;

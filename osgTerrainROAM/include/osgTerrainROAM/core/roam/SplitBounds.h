@@ -45,7 +45,6 @@ public:
     }
 
     const RoamTile& tile() const { return *_tile; }
-    const std::shared_ptr<const RoamTile>& sharedTile() const { return _tile; }
     int patchExponent() const { return 2 * _shift; }
     int levels() const { return _tile->tile.levels() - patchExponent(); } ///< of the bintree that can split
     std::size_t memoryBytes() const { return _errorsM ? _errorsM->capacity() * sizeof(float) : 0; }
