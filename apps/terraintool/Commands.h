@@ -28,6 +28,8 @@ struct Request
 
     // Of bench alone.
     int benchFrames = 240;
+    int framesBetweenChecks = 120;    ///< by brute force; 1: every frame is checked, and dumped
+    std::vector<std::string> drivers; ///< names; empty: all of them
     std::vector<double> tolerancesPx{2.0, 1.0};
     bool leavesNearby = false;   ///< LeafPlacement::nearby
     bool centrePixels = false;   ///< the tolerance holds in the middle of the picture

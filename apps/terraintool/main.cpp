@@ -56,6 +56,12 @@ int main(int argc, char** argv)
     bench->add_option("--dump", request.dumpFolder, "write eye, matrix and triangles of some frames there");
     bench->add_option("--frames", request.benchFrames, "frames of each path (240)")
         ->check(CLI::Range(1, 100000));
+    bench
+        ->add_option("--check-every", request.framesBetweenChecks,
+                     "check every so many frames by brute force (120); 1: all of them")
+        ->check(CLI::Range(1, 100000));
+    bench->add_option("--drivers", request.drivers, "only these: wheel, walk, queue, scratch")
+        ->check(CLI::IsMember({"wheel", "walk", "queue", "scratch"}));
     if (const auto ends = terminal::parse(app, argc, argv)) return *ends;
     return terraintool::run(command, request, jsonFile);
 }

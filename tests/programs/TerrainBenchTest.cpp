@@ -57,6 +57,19 @@ TEST(TerrainBench, HasARowForEveryDriverOnEveryPath)
         EXPECT_LE(pop["popPxMorphed"], pop["popPx"]) << pop;
 }
 
+TEST(TerrainBench, MeasuresOnlyTheDriversAskedFor)
+{
+    const Workplace place;
+    const std::string frames = place.path("frames");
+    const ordered_json table =
+        tableOf(place, {"--drivers", "wheel", "scratch", "--check-every", "1", "--dump", frames});
+    EXPECT_EQ(table["runs"].size(), 2u * 6u);
+    for (const ordered_json& row : table["runs"])
+        EXPECT_TRUE(row["driver"] == "wheel" || row["driver"] == "scratch") << row["driver"];
+    const auto files = std::filesystem::directory_iterator(frames);
+    EXPECT_GE(std::distance(begin(files), end(files)), 2 * 6 * 6) << "every frame is checked, and dumped";
+}
+
 TEST(TerrainBench, MeasuresPatchesToo)
 {
     const Workplace place;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <iomanip>
@@ -68,6 +69,12 @@ void print(const nlohmann::ordered_json& row)
               << std::setprecision(2) << std::setw(7) << number("maxErrorPx") << " px off\n";
 }
 
+bool isWanted(const Request& request, const BenchRun& run)
+{
+    const auto& names = request.drivers;
+    return names.empty() || std::find(names.begin(), names.end(), run.driverName()) != names.end();
+}
+
 viewlod::Outcome benchTile(const Request& request, const std::string& file, const SplitBounds& bounds,
                            nlohmann::ordered_json& json)
 {
@@ -83,7 +90,9 @@ viewlod::Outcome benchTile(const Request& request, const std::string& file, cons
                              path,
                              tolerancePx,
                              request.centrePixels,
-                             request.benchFrames};
+                             request.benchFrames,
+                             request.framesBetweenChecks};
+                if (!isWanted(request, run)) continue;
                 auto row =
                     measure(run, request.dumpFolder.empty() ? FrameSink() : dumpTo(request.dumpFolder, run));
                 if (!row) return row.error();

@@ -24,8 +24,6 @@ using roambench::percentile;
 
 using namespace osgTerrainROAM::core;
 
-constexpr int kFramesBetweenChecks = 120;
-
 /// Sums over the measured frames.
 struct Totals
 {
@@ -174,7 +172,7 @@ viewlod::Result<nlohmann::ordered_json> measure(const BenchRun& run, const Frame
     {
         const viewlod::ViewState view = run.view(frame);
         subject.frame(view, frame > 0 || run.frames == 1, totals);
-        if (frame % kFramesBetweenChecks != kFramesBetweenChecks - 1 && frame != run.frames - 1) continue;
+        if ((frame + 1) % run.framesBetweenChecks != 0 && frame != run.frames - 1) continue;
         const DrawnMesh drawn = subject.drawn();
         totals.maxErrorPx =
             std::max(totals.maxErrorPx, checkDrawnMesh(run.bounds.tile(), drawn, &view).maxErrorPx);

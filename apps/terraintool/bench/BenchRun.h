@@ -31,6 +31,7 @@ struct BenchRun
     double tolerancePx = 1.0;
     bool centrePixels = false; ///< the tolerance holds in the picture's middle only, as others measure
     int frames = flights::AnchorFlight::kFrames;
+    int framesBetweenChecks = 120; ///< 1: every frame is checked by brute force
 
     std::string driverName() const;
     viewlod::ViewState view(int frame) const;
