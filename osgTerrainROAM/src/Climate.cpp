@@ -105,8 +105,8 @@ Climate climateOf(const core::PlacedTile& tile, const core::LandParameters& land
     {
         const core::GeodeticNet& net = *tile.field().net;
         const core::GeodeticNet::Node& centre =
-            net.node(std::min(tile.dataColumns() / 2 / net.step, net.nodesPerSide - 1),
-                     std::min(tile.dataRows() / 2 / net.step, net.nodesPerSide - 1));
+            net.node(std::min(tile.field().columns / 2 / net.step, net.nodesPerSide - 1),
+                     std::min(tile.field().rows / 2 / net.step, net.nodesPerSide - 1));
         climate = climateAt(centre.latitudeDeg, centre.longitudeDeg);
     }
     climate.aridity = land.aridity.value_or(climate.aridity);

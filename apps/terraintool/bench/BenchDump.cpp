@@ -26,8 +26,8 @@ std::string cornersOf(const DrawnMesh& mesh)
         for (const std::uint32_t slot : triangle.vertices)
         {
             const glm::dvec3 p = mesh.position(slot);
-            const glm::dvec2 grid(mesh.vertices[slot].grid);
-            const double corner[5] = {p.x, p.y, p.z, grid.x, grid.y};
+            const double corner[5] = {p.x, p.y, p.z, static_cast<double>(mesh.grid[slot].column),
+                                      static_cast<double>(mesh.grid[slot].row)};
             bytes.append(reinterpret_cast<const char*>(corner), sizeof(corner));
         }
     return bytes;

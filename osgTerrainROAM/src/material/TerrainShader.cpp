@@ -13,11 +13,12 @@ namespace
 
 const char* kVertex = R"(#version 330 compatibility
 layout(location = 0) in ivec3 position; // in steps
-layout(location = 1) in vec2 gridPlace;
+layout(location = 1) in vec2 gridBits; // the lower 16 of each coordinate
 uniform ivec3 terrainEyeSteps;
 uniform vec3 terrainEyeRest; // metres
 uniform float terrainStep;
 uniform mat3 terrainEyeFromLocal;
+uniform mat3x2 terrainGridFromLocal; // about
 uniform vec2 terrainLastSample;
 out vec3 fromEye;
 out vec2 grid;
@@ -26,10 +27,11 @@ void main()
 {
     // A difference of whole numbers: it is exact at any distance from the origin.
     fromEye = vec3(position - terrainEyeSteps) * terrainStep - terrainEyeRest;
-    grid = gridPlace;
+    vec2 near = terrainGridFromLocal * vec3(vec2(position.xy) * terrainStep, 1.0);
+    grid = gridBits + 65536.0 * round((near - gridBits) * (1.0 / 65536.0));
     gl_Position = gl_ProjectionMatrix * vec4(terrainEyeFromLocal * fromEye, 1.0);
-    gl_ClipDistance[0] = terrainLastSample.x - gridPlace.x;
-    gl_ClipDistance[1] = terrainLastSample.y - gridPlace.y;
+    gl_ClipDistance[0] = terrainLastSample.x - grid.x;
+    gl_ClipDistance[1] = terrainLastSample.y - grid.y;
 }
 )";
 

@@ -49,8 +49,8 @@ public:
         bool inside = true;
         for (const std::uint32_t slot : triangle.vertices)
         {
-            const glm::u16vec2 grid = _mesh.vertices[slot].grid;
-            inside = inside && grid.x <= _limit.x && grid.y <= _limit.y;
+            const core::GridPoint grid = _mesh.grid[slot];
+            inside = inside && grid.column <= _limit.x && grid.row <= _limit.y;
         }
         if (inside)
             for (const std::uint32_t slot : triangle.vertices)
@@ -64,7 +64,7 @@ public:
 private:
     Corner corner(std::uint32_t slot) const
     {
-        return {_mesh.position(slot), glm::dvec2(_mesh.vertices[slot].grid)};
+        return {_mesh.position(slot), {_mesh.grid[slot].column, _mesh.grid[slot].row}};
     }
 
     GLuint append(const glm::dvec3& position)

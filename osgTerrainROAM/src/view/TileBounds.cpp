@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <limits>
 
+#include <osgTerrainROAM/core/heightfield/SampleRaster.h>
+
 namespace osgTerrainROAM
 {
 
@@ -21,8 +23,9 @@ double bulgeM(const core::PlacedTile& tile)
 
 } // namespace
 
-osg::BoundingBox tileBounds(const core::PlacedTile& tile)
+osg::BoundingBox tileBounds(const core::PlacedTile& placed)
 {
+    const core::SampleRaster tile(placed);
     osg::BoundingBox box;
     const int lastColumn = tile.dataColumns() - 1;
     const int lastRow = tile.dataRows() - 1;
@@ -48,7 +51,7 @@ osg::BoundingBox tileBounds(const core::PlacedTile& tile)
                                                 static_cast<float>(p.z)));
                     }
         }
-    const auto margin = static_cast<float>(bulgeM(tile));
+    const auto margin = static_cast<float>(bulgeM(placed));
     box._min -= osg::Vec3f(margin, margin, margin);
     box._max += osg::Vec3f(margin, margin, margin);
     return box;

@@ -10,6 +10,6 @@ namespace osgTerrainROAM
 
 /// Box around the placed data samples, in the tile's frame, from the lowest and highest sample of each block of
 /// 16×16 cells at the block's corners. Metres. Cost: one look at every sample.
-osg::BoundingBox tileBounds(const core::PlacedTile& tile);
+osg::BoundingBox tileBounds(const core::PlacedTile& placed);
 
 } // namespace osgTerrainROAM

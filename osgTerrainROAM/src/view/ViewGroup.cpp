@@ -27,7 +27,7 @@ double scaleOf(const RefineTarget& target)
 
 bool ViewGroup::isMetBy(unsigned int frame, const RefineTarget& target) const
 {
-    const bool sameKind = _serial != 0 && target.errorM == _target.errorM &&
+    const bool sameKind = _serial != 0 && !_mesh.isBehind() && target.errorM == _target.errorM &&
                           target.isMorphing == _target.isMorphing &&
                           target.view.eyeWorld == _target.view.eyeWorld &&
                           target.budget.maxTriangles == _target.budget.maxTriangles;
@@ -48,7 +48,8 @@ void ViewGroup::refine(const RefineTarget& target)
         target.errorM ? _mesh.refine(*target.errorM) : _mesh.refine(target.view, target.budget);
     const auto refined = Clock::now();
     const core::MeshChanges& changes = _mesh.changes();
-    if (_serial == 0 || !changes.vertices.empty() || !changes.triangles.empty())
+    const bool patchesChanged = _mesh.patches() && !_mesh.patches()->written().empty();
+    if (_serial == 0 || patchesChanged || !changes.vertices.empty() || !changes.triangles.empty())
     {
         _changed = _serial == 0 ? nullptr : changedPacket(_mesh, _serial + 1);
         _whole = nullptr;
@@ -62,7 +63,7 @@ void ViewGroup::refine(const RefineTarget& target)
 ViewAnswer ViewGroup::answer(unsigned int frame, const RefineTarget& target, const viewlod::Frustum& frustum,
                              std::optional<unsigned int> contextId)
 {
-    const std::lock_guard lock(_meshMutex);
+    const Locked lock(*this);
     if (!isMetBy(frame, target))
         refine(target);
     else if (_frame != frame)
@@ -79,7 +80,7 @@ ViewAnswer ViewGroup::answer(unsigned int frame, const RefineTarget& target, con
 ViewAnswer ViewGroup::answerAsIs(const viewlod::Frustum& frustum, const glm::dvec3& eye,
                                  std::optional<unsigned int> contextId)
 {
-    const std::lock_guard lock(_meshMutex);
+    const Locked lock(*this);
     return answerLocked(frustum, eye, std::nullopt, contextId);
 }
 
@@ -126,7 +127,7 @@ std::uint32_t ViewGroup::draw(osg::State& state, const ViewAnswer& answer, const
     std::uint32_t triangles = answer.triangles;
     if (!packet || !gpu->canTake(*packet))
     {
-        const std::lock_guard lock(_meshMutex);
+        const Locked lock(*this);
         packet = wholeNow();
         ranges.clear();
         triangles = _mesh.visibleRanges(frustum, ranges);

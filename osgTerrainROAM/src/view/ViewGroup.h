@@ -5,6 +5,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <shared_mutex>
 #include <vector>
 
 #include <osg/GLExtensions>
@@ -42,7 +43,7 @@ struct ViewAnswer
 
 /// The mesh of one view group, and its copies in the graphics contexts.
 /// Invariant: the mesh is in state `serial()`; packets lead from state to state.
-/// Threads: any; the mesh under one lock, each context's buffers under another that is never held while waiting
+/// Threads: any; the mesh under one lock, and the tile under a shared one that is taken after it; each context's buffers under another that is never held while waiting
 /// for the first, except by the repair in draw(), which takes buffers, then mesh; nobody takes them in reverse.
 class ViewGroup
 {
@@ -66,7 +67,7 @@ public:
     template<class Visit>
     void visitMesh(const ViewAnswer& answer, const viewlod::Frustum& frustum, Visit visit) const
     {
-        const std::lock_guard lock(_meshMutex);
+        const Locked lock(*this);
         if (answer.serial == _serial) return visit(_mesh, answer.ranges);
         std::vector<core::IndexRange> ranges;
         _mesh.visibleRanges(frustum, ranges);
@@ -80,7 +81,7 @@ public:
     template<class Visit>
     void visitMesh(Visit visit) const
     {
-        const std::lock_guard lock(_meshMutex);
+        const Locked lock(*this);
         visit(_mesh);
     }
 
@@ -90,6 +91,19 @@ public:
     ViewGroupStatistics statistics() const;
 
 private:
+    /// The mesh is this thread's, and nobody edits its tile.
+    class Locked
+    {
+    public:
+        explicit Locked(const ViewGroup& group) : _mesh(group._meshMutex), _tile(group._mesh.tile().mutex())
+        {
+        }
+
+    private:
+        std::lock_guard<std::mutex> _mesh;
+        std::shared_lock<std::shared_mutex> _tile;
+    };
+
     void refine(const RefineTarget& target);
     ViewAnswer answerLocked(const viewlod::Frustum& frustum, const glm::dvec3& eye,
                             const std::optional<core::Horizon>& horizon,

@@ -64,6 +64,16 @@ public:
         if (const GLint at = location(name); at >= 0) _gl.glUniform1f(at, value);
     }
 
+    void setGridMap(const core::PlacedTile::GridMap& map) const
+    {
+        float columns[6];
+        for (int i = 0; i < 2; ++i)
+            for (int j = 0; j < 3; ++j)
+                columns[2 * j + i] = static_cast<float>(j < 2 ? map.linear[j][i] : map.offset[i]);
+        if (const GLint at = location("terrainGridFromLocal"); at >= 0)
+            _gl.glUniformMatrix3x2fv(at, 1, GL_FALSE, columns);
+    }
+
     /// The rotation of `matrix`, for column vectors.
     void setRotation(const char* name, const osg::Matrixd& matrix) const
     {
@@ -111,6 +121,7 @@ void ViewPart::drawImplementation(osg::RenderInfo& renderInfo) const
     uniforms.set("terrainEyeSteps", eye.steps);
     uniforms.set("terrainEyeRest", eye.rest);
     uniforms.set("terrainEyeWrapped", eye.wrapped);
+    uniforms.setGridMap(_group->tile().gridMap());
     uniforms.setRotation("terrainEyeFromLocal", eyeFromLocal);
     uniforms.setRotation("terrainWorldFromLocal", eyeFromLocal * state.getInitialInverseViewMatrix());
     _group->draw(state, _answer, _frustum);

@@ -191,8 +191,7 @@ TEST(DiamondTree, CheckSeesEveryKindOfDamage)
     EXPECT_TRUE(damaged([](auto&, auto& m, TriangleId) { m.place(5).level += 2; }));
     EXPECT_TRUE(damaged([](auto&, auto& m, TriangleId leaf)
                         { std::swap(m.parent(leaf.apex(), 0), m.parent(leaf.apex(), 1)); }));
-    EXPECT_TRUE(
-        damaged([](auto&, auto& m, TriangleId leaf) { m.place(leaf.apex()).parentQuadrants[0] ^= 1; }));
+    EXPECT_TRUE(damaged([](auto&, auto& m, TriangleId leaf) { m.place(leaf.apex()).firstQuadrant ^= 1; }));
     EXPECT_TRUE(damaged([](auto&, auto& m, TriangleId leaf) { m.link(leaf) += 1; })); // another leaf's slot
     EXPECT_TRUE(damaged([](auto&, auto& m, TriangleId) { m.loseVertexSlot(); }));
     EXPECT_TRUE(damaged([](auto&, auto& m, TriangleId leaf) { m.splitAlone(leaf); })); // a T-junction

@@ -45,7 +45,8 @@ std::multimap<Edge, Side> sidesOf(const core::DrawnMesh& mesh, const osg::Image&
         for (int i = 0; i < 3; ++i)
         {
             const std::uint32_t a = t.vertices[i], b = t.vertices[(i + 1) % 3], c = t.vertices[(i + 2) % 3];
-            const auto grid = [&](std::uint32_t v) { return glm::dvec2(mesh.vertices[v].grid); };
+            const auto grid = [&](std::uint32_t v)
+            { return glm::dvec2(mesh.grid[v].column, mesh.grid[v].row); };
             const auto place = [&](std::uint32_t v) { return mesh.position(v); };
             const glm::dvec2 beside = (0.5 - kBeside) * (grid(a) + grid(b)) + 2.0 * kBeside * grid(c);
             const glm::dvec3 across = glm::cross(place(b) - place(a), place(c) - place(a));

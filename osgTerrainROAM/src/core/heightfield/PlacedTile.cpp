@@ -21,6 +21,8 @@ GeographicLib::LocalCartesian frameAt(const Geodetic& origin)
     return {origin.latitudeDeg, origin.longitudeDeg, origin.heightM, GeographicLib::Geocentric::WGS84()};
 }
 
+constexpr double kHeadroom = 2.0; ///< of heights on a grid for edits
+
 HeightField complete(HeightField field)
 {
     assert(field.isComplete());
@@ -29,30 +31,17 @@ HeightField complete(HeightField field)
 
 } // namespace
 
-PlacedTile::PlacedTile(HeightField field, Placement placement, Storage storage)
+PlacedTile::PlacedTile(HeightField field, const PlacedTileOptions& options)
     : _field(complete(std::move(field))),
-      _samples(_field, storage),
-      _placement(_field.net ? placement : Placement::planar)
+      _samples(_field, options.storage, options.gridExponent > 0 ? kHeadroom : 1.0),
+      _placement(_field.net ? options.placement : Placement::planar),
+      _gridExponent(options.gridExponent)
 {
     initSide();
     if (_placement == Placement::curved)
     {
-        _origin = dataCentre();
-        buildLattice();
-    }
-    initRadiusRange();
-    initVertexStep();
-}
-
-PlacedTile::PlacedTile(HeightField field, const Geodetic& origin)
-    : _field(complete(std::move(field))),
-      _samples(_field, Storage::compact),
-      _placement(_field.net ? Placement::curved : Placement::planar)
-{
-    initSide();
-    if (_placement == Placement::curved)
-    {
-        _origin = origin;
+        initLatticePlaces();
+        _origin = options.origin ? *options.origin : dataCentre();
         buildLattice();
     }
     initRadiusRange();
@@ -61,16 +50,23 @@ PlacedTile::PlacedTile(HeightField field, const Geodetic& origin)
 
 void PlacedTile::initSide()
 {
-    _side = _field.tileSide();
+    _side = ((_field.tileSide() - 1) << _gridExponent) + 1;
+    assert(_gridExponent >= 0 && _side <= kMostSide);
     _levels = 2 * (std::bit_width(static_cast<unsigned>(_side - 1)) - 1);
-    if (_placement == Placement::planar) return;
+    _dataColumns = ((_field.columns - 1) << _gridExponent) + 1;
+    _dataRows = ((_field.rows - 1) << _gridExponent) + 1;
+    _placeEastM = std::ldexp(_field.spacingEastM, -_gridExponent);
+    _placeNorthM = std::ldexp(_field.spacingNorthM, -_gridExponent);
+}
 
+void PlacedTile::initLatticePlaces()
+{
     const GeodeticNet& net = *_field.net;
     assert(net.step > 0 && std::has_single_bit(static_cast<unsigned>(net.step)));
-    assert(net.nodesPerSide == (_side - 1) / net.step + 1 && net.nodesPerSide % 2 == 1);
-    _latticeStep = net.step;
+    assert(net.nodesPerSide == ((_side - 1) >> _gridExponent) / net.step + 1 && net.nodesPerSide % 2 == 1);
+    _latticeStep = net.step << _gridExponent;
     _latticeSide = net.nodesPerSide;
-    _macroShift = std::bit_width(static_cast<unsigned>(net.step));
+    _macroShift = std::bit_width(static_cast<unsigned>(_latticeStep));
     _weights.reserve(2 * static_cast<std::size_t>(net.step) + 1);
     for (int offset = 0; offset <= 2 * net.step; ++offset)
         _weights.push_back(weightsAt(static_cast<double>(offset) / net.step));
@@ -81,7 +77,8 @@ void PlacedTile::initRadiusRange()
     const double last = _side - 1;
     const double acrossM = std::max(glm::distance(positionAt(0, 0, 0.0), positionAt(last, last, 0.0)),
                                     glm::distance(positionAt(last, 0, 0.0), positionAt(0, last, 0.0)));
-    _samples.setRadiusRange(acrossM / last / 16.0, 8.0 * (acrossM + _samples.heightRangeM()));
+    _samples.setRadiusRange(acrossM / ((_side - 1) >> _gridExponent) / 16.0,
+                            8.0 * (acrossM + _samples.heightRangeM()));
 }
 
 void PlacedTile::initVertexStep()
@@ -102,7 +99,7 @@ Geodetic PlacedTile::dataCentre() const
 {
     const auto& earth = GeographicLib::Geocentric::WGS84();
     const GeodeticNet& net = *_field.net;
-    const LatticePlace place = latticePlace(0.5 * (_field.columns - 1), 0.5 * (_field.rows - 1));
+    const LatticePlace place = latticePlace(0.5 * (_dataColumns - 1), 0.5 * (_dataRows - 1));
     const Weights wx = weightsAt(place.east);
     const Weights wy = weightsAt(place.north);
     glm::dvec3 centre(0.0);
@@ -195,15 +192,20 @@ glm::dvec3 PlacedTile::curvedPosition(int column, int row, double heightM) const
     const int last = (_latticeSide - 1) / 2 - 1;
     const int a = std::min(column >> _macroShift, last);
     const int b = std::min(row >> _macroShift, last);
-    const LatticeNode place = blend(a, b, _weights[static_cast<std::size_t>(column - (a << _macroShift))],
-                                    _weights[static_cast<std::size_t>(row - (b << _macroShift))]);
+    const auto weights = [this](int offset)
+    {
+        if ((offset & ((1 << _gridExponent) - 1)) == 0) [[likely]]
+            return _weights[static_cast<std::size_t>(offset >> _gridExponent)];
+        return weightsAt(static_cast<double>(offset) / _latticeStep);
+    };
+    const LatticeNode place =
+        blend(a, b, weights(column - (a << _macroShift)), weights(row - (b << _macroShift)));
     return place.base() + heightM * place.up();
 }
 
 glm::dvec3 PlacedTile::positionAt(double column, double row, double heightM) const
 {
-    if (_placement == Placement::planar)
-        return {column * _field.spacingEastM, row * _field.spacingNorthM, heightM};
+    if (_placement == Placement::planar) return {column * _placeEastM, row * _placeNorthM, heightM};
     const LatticePlace place = latticePlace(column, row);
     const LatticeNode node =
         blend(place.macroColumn, place.macroRow, weightsAt(place.east), weightsAt(place.north));
@@ -229,10 +231,9 @@ glm::dvec2 PlacedTile::newtonStep(const glm::dvec2& grid, const glm::dvec3& loca
 
 glm::dvec2 PlacedTile::gridAt(const glm::dvec3& local) const
 {
-    if (_placement == Placement::planar)
-        return {local.x / _field.spacingEastM, local.y / _field.spacingNorthM};
+    if (_placement == Placement::planar) return {local.x / _placeEastM, local.y / _placeNorthM};
     constexpr int kMaxSteps = 20;
-    constexpr double kTinyStep = 1e-10; // samples: far below what a double resolves on the ground
+    constexpr double kTinyStep = 1e-10; // of the tile: far below what a double resolves on the ground
     glm::dvec2 grid = gridNear(local);
     for (int i = 0; i < kMaxSteps; ++i)
     {
@@ -243,15 +244,28 @@ glm::dvec2 PlacedTile::gridAt(const glm::dvec3& local) const
     return grid;
 }
 
+double PlacedTile::heightOf(const glm::dvec3& local) const
+{
+    const glm::dvec2 grid = gridAt(local);
+    const glm::dvec3 base = positionAt(grid.x, grid.y, 0.0), up = positionAt(grid.x, grid.y, 1.0) - base;
+    return glm::dot(local - base, up) / glm::dot(up, up);
+}
+
 glm::dvec2 PlacedTile::gridNear(const glm::dvec2& place) const
 {
-    if (_placement == Placement::planar)
-        return {place.x / _field.spacingEastM, place.y / _field.spacingNorthM};
+    if (_placement == Placement::planar) return {place.x / _placeEastM, place.y / _placeNorthM};
     const glm::dvec2 offset = place - _sketch.local;
     const glm::dvec2 d =
         _sketch.inverse * offset; // as if the Earth were flat, and that into the second order
     const glm::dvec2 bent = d.x * d.x * _sketch.xx + d.x * d.y * _sketch.xy + d.y * d.y * _sketch.yy;
     return _sketch.grid + _sketch.inverse * (offset - bent);
+}
+
+PlacedTile::GridMap PlacedTile::gridMap() const
+{
+    if (_placement == Placement::planar)
+        return {glm::dmat2(1.0 / _placeEastM, 0.0, 0.0, 1.0 / _placeNorthM), {}};
+    return {_sketch.inverse, _sketch.grid - _sketch.inverse * _sketch.local};
 }
 
 glm::dvec3 PlacedTile::localFromGeodetic(const Geodetic& geodetic) const

@@ -23,7 +23,7 @@ float roundedUp(double value)
 
 } // namespace
 
-SampleTable::SampleTable(HeightField& field, Storage storage)
+SampleTable::SampleTable(HeightField& field, Storage storage, double headroom)
 {
     const std::vector<float> heightsM = std::move(field.heightsM);
     field.heightsM = {};
@@ -35,7 +35,7 @@ SampleTable::SampleTable(HeightField& field, Storage storage)
             _exact.push_back({h, 0.0f, 0.0f});
         return;
     }
-    pack(heightsM, 0.5 * (double{*high} + double{*low}));
+    pack(heightsM, 0.5 * (double{*high} + double{*low}), headroom * _rangeM);
 }
 
 void SampleTable::setRadiusRange(double leastM, double mostM)
@@ -46,17 +46,17 @@ void SampleTable::setRadiusRange(double leastM, double mostM)
     _radiiM[255] = std::numeric_limits<float>::infinity();
 }
 
-void SampleTable::pack(const std::vector<float>& heightsM, double middleM)
+void SampleTable::pack(const std::vector<float>& heightsM, double middleM, double rangeM)
 {
     const int exponent =
-        _rangeM > 0.0 ? static_cast<int>(std::ceil(std::log2(_rangeM / kMostSteps))) : kFinestExponent;
+        rangeM > 0.0 ? static_cast<int>(std::ceil(std::log2(rangeM / kMostSteps))) : kFinestExponent;
     const double quantum = std::ldexp(1.0, std::max(exponent, kFinestExponent));
     const double offset = quantum * std::round(middleM / quantum);
     _quantumM = static_cast<float>(quantum);
     _offsetM = static_cast<float>(offset);
     _samples.reserve(heightsM.size());
     for (const float h : heightsM)
-        _samples.push_back({static_cast<std::int16_t>(std::lround((h - offset) / quantum)), 0, 0, 0});
+        _samples.push_back({steps(h), 0, 0, 0});
 }
 
 std::uint16_t SampleTable::errorCode(double errorM) const
@@ -93,6 +93,25 @@ void SampleTable::setBound(std::size_t index, float errorM, float radiusM)
     }
     _samples[index].error = errorCode(errorM);
     _samples[index].radius = radiusCode(radiusM);
+}
+
+std::int16_t SampleTable::steps(float heightM) const
+{
+    const double steps = (double{heightM} - double{_offsetM}) / double{_quantumM};
+    return static_cast<std::int16_t>(std::lround(std::clamp(steps, -0.5 * kMostSteps, 0.5 * kMostSteps)));
+}
+
+void SampleTable::setHeight(std::size_t index, float heightM)
+{
+    if (_samples.empty())
+        _exact[index].heightM = heightM;
+    else
+        _samples[index].height = steps(heightM);
+}
+
+void SampleTable::setElsewhere(std::size_t index, bool elsewhere)
+{
+    if (!_samples.empty()) _samples[index].flags = elsewhere ? 1 : 0;
 }
 
 std::size_t SampleTable::memoryBytes() const

@@ -25,7 +25,9 @@ DiamondTree::DiamondTree(SplitBounds bounds, LeafPlacement placement)
     for (const GridPoint p : corners)
     {
         const VertexSlot slot = takeSlot();
-        _places[slot] = {static_cast<std::uint16_t>(p.column), static_cast<std::uint16_t>(p.row), -1, 0, {}};
+        _places[slot] = {.column = static_cast<std::uint32_t>(p.column),
+                         .row = static_cast<std::uint32_t>(p.row),
+                         .direction = 0};
     }
     _places[0].direction = 2;
     _places[1].direction = 6;
@@ -57,13 +59,12 @@ VertexSlot DiamondTree::addVertex(TriangleId t, TriangleId partner)
     const DiamondPlace& apex = _places[t.apex()];
     const GridPoint p = middle(t);
     DiamondPlace& place = _places[v];
-    place.column = static_cast<std::uint16_t>(p.column);
-    place.row = static_cast<std::uint16_t>(p.row);
-    place.level = static_cast<std::int8_t>(apex.level + 1);
-    place.direction =
-        static_cast<std::uint8_t>((apex.direction + 2u * t.quadrant() + 5u) & 7u); // back to the apex
-    place.parentQuadrants[0] = static_cast<std::uint8_t>(t.quadrant());
-    place.parentQuadrants[1] = static_cast<std::uint8_t>(partner.exists() ? partner.quadrant() : 0u);
+    place.column = static_cast<std::uint32_t>(p.column) & 0x3fffffu;
+    place.row = static_cast<std::uint32_t>(p.row) & 0x3fffffu;
+    place.level = (apex.level + 1) & 0x7f;
+    place.direction = (apex.direction + 2u * t.quadrant() + 5u) & 7u; // back to the apex
+    place.firstQuadrant = t.quadrant() & 3u;
+    place.secondQuadrant = partner.exists() ? partner.quadrant() & 3u : 0u;
     const std::uint32_t beyond = partner.exists() ? kUndrawn : kAbsent;
     _diamonds[v] = {{t.apex(), partner.exists() ? partner.apex() : kNone},
                     {kUndrawn, beyond, beyond, kUndrawn}};
@@ -84,8 +85,9 @@ GridTriangle DiamondTree::gridTriangle(TriangleId t) const
     const auto cornerAt = [&](unsigned index)
     {
         const unsigned direction = (apex.direction + 2u * index) & 7u;
-        return GridPoint{apex.column + detail::kColumnStep[direction] * leg,
-                         apex.row + detail::kRowStep[direction] * leg};
+        const GridPoint p = apex.point();
+        return GridPoint{p.column + detail::kColumnStep[direction] * leg,
+                         p.row + detail::kRowStep[direction] * leg};
     };
     return {apex.point(), cornerAt(t.quadrant()), cornerAt(t.quadrant() + 1u)};
 }
@@ -95,7 +97,7 @@ VertexSlot DiamondTree::corner(VertexSlot v, unsigned index) const
 {
     if (v < kCorners) return 2u + ((v + index) & 1u); // the roots' bases
     if (index % 2 == 0) return _diamonds[v].parents[index / 2];
-    const unsigned quadrant = _places[v].parentQuadrants[0];
+    const unsigned quadrant = _places[v].firstQuadrant;
     return corner(_diamonds[v].parents[0], index == 1 ? quadrant : detail::next(quadrant));
 }
 

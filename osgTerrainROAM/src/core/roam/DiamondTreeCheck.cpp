@@ -3,6 +3,7 @@
 // are matched by their end samples, so that a T-junction shows as an edge without its twin.
 #include <algorithm>
 #include <cstdlib>
+#include <utility>
 
 #include <osgTerrainROAM/core/roam/DiamondTree.h>
 
@@ -12,10 +13,11 @@ namespace osgTerrainROAM::core
 namespace
 {
 
-/// An edge of a leaf, from one sample to another.
+/// An edge of a leaf, from one place of the grid to another.
 struct Edge
 {
-    std::uint64_t ends; ///< linear indices of both samples
+    using Ends = std::pair<std::uint64_t, std::uint64_t>;
+    Ends ends; ///< linear indices of both places
     TriangleId leaf;
 
     friend bool operator<(const Edge& a, const Edge& b) { return a.ends < b.ends; }
@@ -25,11 +27,11 @@ struct Grid
 {
     std::int64_t side;
 
-    std::uint64_t ends(GridPoint a, GridPoint b) const
+    Edge::Ends ends(GridPoint a, GridPoint b) const
     {
         const auto index = [this](GridPoint p)
         { return static_cast<std::uint64_t>(p.row * side + p.column); };
-        return index(a) << 32 | index(b);
+        return {index(a), index(b)};
     }
 
     bool onBorder(GridPoint a, GridPoint b) const

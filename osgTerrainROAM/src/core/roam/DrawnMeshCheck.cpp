@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
+#include <unordered_set>
+#include <utility>
 
 #include <viewlod/ScreenError.h>
 
 #include <osgTerrainROAM/core/roam/DrawnMeshCheck.h>
-#include <osgTerrainROAM/core/roam/GridTriangle.h>
+#include <osgTerrainROAM/core/roam/TriangleSamples.h>
 
 namespace osgTerrainROAM::core
 {
@@ -13,24 +15,17 @@ namespace osgTerrainROAM::core
 namespace
 {
 
-GridPoint gridOf(const MeshVertex& v)
-{
-    return {v.grid.x, v.grid.y};
-}
-
 /// Directed edges as sorted keys: an edge is sound when its reverse is there, too.
 std::size_t unsharedEdges(const PlacedTile& tile, const DrawnMesh& mesh)
 {
+    using Edge = std::pair<std::uint64_t, std::uint64_t>;
     const auto index = [&](std::uint32_t v)
-    {
-        const GridPoint p = gridOf(mesh.vertices[v]);
-        return static_cast<std::uint64_t>(p.row) * tile.side() + p.column;
-    };
-    std::vector<std::uint64_t> edges;
+    { return static_cast<std::uint64_t>(mesh.grid[v].row) * tile.side() + mesh.grid[v].column; };
+    std::vector<Edge> edges;
     edges.reserve(3 * mesh.triangles.size());
     for (const LeafTriangle& t : mesh.triangles)
         for (int i = 0; i < 3; ++i)
-            edges.push_back(index(t.vertices[i]) << 32 | index(t.vertices[(i + 1) % 3]));
+            edges.emplace_back(index(t.vertices[i]), index(t.vertices[(i + 1) % 3]));
     std::sort(edges.begin(), edges.end());
 
     const auto atDataBorder = [&](std::uint64_t a, std::uint64_t b)
@@ -44,12 +39,9 @@ std::size_t unsharedEdges(const PlacedTile& tile, const DrawnMesh& mesh)
                both([&](std::uint64_t p) { return p / side >= lastRow; });
     };
     std::size_t unshared = 0;
-    for (const std::uint64_t edge : edges)
-    {
-        const std::uint64_t from = edge >> 32, to = edge & 0xffffffffu;
-        if (!std::binary_search(edges.begin(), edges.end(), to << 32 | from) && !atDataBorder(from, to))
+    for (const auto& [from, to] : edges)
+        if (!std::binary_search(edges.begin(), edges.end(), Edge{to, from}) && !atDataBorder(from, to))
             ++unshared;
-    }
     return unshared;
 }
 
@@ -57,39 +49,61 @@ std::size_t unsharedEdges(const PlacedTile& tile, const DrawnMesh& mesh)
 class SampleSweep
 {
 public:
-    SampleSweep(const RoamTile& tile, const viewlod::ViewState* view)
-        : _tile(tile),
-          _view(view),
-          _covered(static_cast<std::size_t>(tile.tile.dataColumns()) * tile.tile.dataRows(), false)
+    SampleSweep(const RoamTile& tile, const viewlod::ViewState* view) : _tile(tile), _view(view)
     {
+        const PlacedTile& placed = tile.tile;
+        _covered.assign(rasterIndex({placed.dataColumns() - 1, placed.dataRows() - 1}) + 1, false);
+        placed.fineSamples().forEachIn({0, 0, placed.side(), placed.side()},
+                                       [this](int column, int row) {
+                                           _uncovered.insert(key({column, row}));
+                                       });
     }
 
     void visit(const DrawnMesh& mesh, const LeafTriangle& t)
     {
         const PlacedTile& placed = _tile.tile;
-        const auto corner = [&](int i) { return gridOf(mesh.vertices[t.vertices[i]]); };
+        const auto corner = [&](int i) { return mesh.grid[t.vertices[i]]; };
         const GridTriangle triangle{corner(0), corner(1), corner(2)};
         const glm::dvec3 a = mesh.position(t.vertices[0]), du = mesh.position(t.vertices[1]) - a,
                          dw = mesh.position(t.vertices[2]) - a;
         const bool projected = _view && mayBeSeen(triangle, a, du, dw);
-        triangle.forEachRow(placed.dataColumns(), placed.dataRows(),
-                            [&](int row, int west, int east)
-                            {
-                                for (int column = west; column <= east; ++column)
-                                {
-                                    _covered[static_cast<std::size_t>(row) * placed.dataColumns() + column] =
-                                        true;
-                                    if (!projected) continue;
-                                    const auto b = triangle.at(column, row);
-                                    compare(placed.position(column, row), a + du * b.u + dw * b.w);
-                                }
-                            });
+        forEachSampleIn(placed, triangle,
+                        [&](GridPoint p)
+                        {
+                            cover(p);
+                            if (!projected) return;
+                            const auto b = triangle.at(p.column, p.row);
+                            compare(placed.position(p.column, p.row), a + du * b.u + dw * b.w);
+                        });
     }
 
-    std::size_t uncovered() const { return std::count(_covered.begin(), _covered.end(), false); }
+    std::size_t uncovered() const
+    {
+        return std::count(_covered.begin(), _covered.end(), false) + _uncovered.size();
+    }
     double maxErrorPx() const { return _maxErrorPx; }
 
 private:
+    static std::uint64_t key(GridPoint p)
+    {
+        return static_cast<std::uint64_t>(p.row) << 32 | static_cast<std::uint64_t>(p.column);
+    }
+
+    std::size_t rasterIndex(GridPoint p) const
+    {
+        const int shift = _tile.tile.gridExponent();
+        const int columns = ((_tile.tile.dataColumns() - 1) >> shift) + 1;
+        return static_cast<std::size_t>(p.row >> shift) * columns +
+               static_cast<std::size_t>(p.column >> shift);
+    }
+
+    void cover(GridPoint p)
+    {
+        if (((p.column | p.row) & ((1 << _tile.tile.gridExponent()) - 1)) == 0)
+            _covered[rasterIndex(p)] = true;
+        if (!_uncovered.empty()) _uncovered.erase(key(p));
+    }
+
     /// The samples of a triangle lie within its error of it, so a sphere around both tells whether any can be seen.
     bool mayBeSeen(const GridTriangle& t, const glm::dvec3& a, const glm::dvec3& du,
                    const glm::dvec3& dw) const
@@ -115,7 +129,8 @@ private:
 
     const RoamTile& _tile;
     const viewlod::ViewState* _view;
-    std::vector<bool> _covered;
+    std::vector<bool> _covered;                   ///< samples of the raster
+    std::unordered_set<std::uint64_t> _uncovered; ///< those between
     double _maxErrorPx = 0.0;
 };
 
@@ -130,7 +145,7 @@ DrawnMeshReport checkDrawnMesh(const RoamTile& tile, const DrawnMesh& mesh, cons
     {
         for (const std::uint32_t v : t.vertices)
         {
-            const GridPoint p = gridOf(mesh.vertices[v]);
+            const GridPoint p = mesh.grid[v];
             const double offM = glm::distance(mesh.position(v), tile.tile.position(p.column, p.row));
             if (!mesh.isMorphed && offM > mesh.stepM) ++report.cracks; // rounding: half a step on each axis
         }

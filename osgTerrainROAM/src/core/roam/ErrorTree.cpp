@@ -8,6 +8,7 @@
 #include <limits>
 #include <thread>
 
+#include <osgTerrainROAM/core/heightfield/SampleRaster.h>
 #include <osgTerrainROAM/core/roam/ErrorTree.h>
 #include <osgTerrainROAM/core/roam/GridTriangle.h>
 
@@ -23,7 +24,7 @@ namespace
 class TriangleErrors
 {
 public:
-    TriangleErrors(const PlacedTile& tile, std::vector<float>& errors)
+    TriangleErrors(const SampleRaster& tile, std::vector<float>& errors)
         : _tile(tile), _side(tile.side()), _columns(tile.dataColumns()), _errors(errors)
     {
         _positions.resize(static_cast<std::size_t>(_columns) * tile.dataRows());
@@ -85,32 +86,31 @@ private:
         return largest;
     }
 
-    const PlacedTile& _tile;
+    SampleRaster _tile;
     const int _side;
     const int _columns;
     std::vector<glm::dvec3> _positions;
     std::vector<float>& _errors;
 };
 
-std::size_t indexOf(const PlacedTile& tile, GridPoint p)
+std::size_t indexOf(const SampleRaster& tile, GridPoint p)
 {
     return static_cast<std::size_t>(p.row) * tile.side() + p.column;
 }
 
 /// X_v as the predicate sees it.
-glm::dvec3 centreOf(const PlacedTile& tile, GridPoint p)
+glm::dvec3 centreOf(const SampleRaster& tile, GridPoint p)
 {
     return glm::vec3(tile.position(p.column, p.row));
 }
 
-/// More than double arithmetic can lose on the way, so that nesting survives rounding in the predicate, too.
-constexpr double kRadiusSlack = 1.0 + 2e-7;
-
 } // namespace
 
-ErrorTree::ErrorTree(const PlacedTile& tile)
-    : _errorsM(static_cast<std::size_t>(tile.side()) * tile.side(), 0.0f), _radiiM(_errorsM.size(), 0.0f)
+ErrorTree::ErrorTree(const PlacedTile& placed)
 {
+    const SampleRaster tile(placed);
+    _errorsM.assign(static_cast<std::size_t>(tile.side()) * tile.side(), 0.0f);
+    _radiiM.assign(_errorsM.size(), 0.0f);
     {
         TriangleErrors triangles(tile, _errorsM);
         const auto roots = rootTriangles(tile.side());
@@ -136,8 +136,9 @@ ErrorTree::ErrorTree(const PlacedTile& tile)
                            });
 }
 
-bool ErrorTree::isNested(const PlacedTile& tile) const
+bool ErrorTree::isNested(const PlacedTile& placed) const
 {
+    const SampleRaster tile(placed);
     bool nested = true;
     forEachDiamondBottomUp(
         tile.side(),

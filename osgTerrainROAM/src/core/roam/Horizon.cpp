@@ -4,6 +4,7 @@
 
 #include <GeographicLib/Constants.hpp>
 
+#include <osgTerrainROAM/core/heightfield/SampleRaster.h>
 #include <osgTerrainROAM/core/roam/Horizon.h>
 
 namespace osgTerrainROAM::core
@@ -51,18 +52,20 @@ double highestGeoidM(const HeightField& field)
            kSlackM;
 }
 
-HidingGround::HidingGround(const PlacedTile& tile)
+HidingGround::HidingGround(const PlacedTile& placed)
 {
-    if (tile.placement() != Placement::curved) return;
+    if (placed.placement() != Placement::curved) return;
+    const SampleRaster tile(placed);
     exists = true;
     const int columns = tile.dataColumns(), rows = tile.dataRows();
     const double east = columns - 1, north = rows - 1;
-    cellM = 1.5 * (tile.field().spacingEastM + tile.field().spacingNorthM);
+    cellM = 1.5 * (placed.field().spacingEastM + placed.field().spacingNorthM);
     lowestM = 1e30;
     for (int row = 0; row < rows; ++row)
         for (int column = 0; column < columns; ++column)
             lowestM = std::min(lowestM, static_cast<double>(tile.heightM(column, row)));
-    lowestM += lowestGeoidM(tile.field()) - cellM * cellM / (8.0 * kBallM);
+    belowM = lowestGeoidM(placed.field()) - cellM * cellM / (8.0 * kBallM);
+    lowestM += belowM;
     const glm::dvec3 eastwards =
         glm::normalize(tile.positionAt(east, 0.5 * north, 0.0) - tile.positionAt(0.0, 0.5 * north, 0.0));
     const glm::dvec3 northwards =

@@ -53,6 +53,15 @@ void PatchPool::take(const DiamondTree& tree, TriangleId leaf)
     _written.push_back(slot);
 }
 
+void PatchPool::rewrite(const DiamondTree& tree, TriangleId leaf)
+{
+    const std::uint32_t slot = slotOf(leaf);
+    if (slot == kNone) return;
+    _patches[slot] = boundOf(tree.tile(), tree.gridTriangle(leaf));
+    _patches[slot].leaf = leaf;
+    _written.push_back(slot);
+}
+
 /// Data samples of a triangle are within its error of its plane, which here is that of the leaf without a patch. Vertices
 /// beyond the data's edge need not be.
 PatchPool::Patch PatchPool::boundOf(const RoamTile& tile, const GridTriangle& t) const

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <limits>
 
+#include <osgTerrainROAM/core/heightfield/SampleRaster.h>
 #include <osgTerrainROAM/core/roam/RegionBounds.h>
 
 namespace osgTerrainROAM::core
@@ -14,7 +15,7 @@ namespace
 
 /// The smallest sphere about the middle of the samples' box.
 template<class Sphere>
-Sphere fitted(const PlacedTile& tile, const GridTriangle& triangle)
+Sphere fitted(const SampleRaster& tile, const GridTriangle& triangle)
 {
     glm::dvec3 lowest(std::numeric_limits<double>::max()), highest(std::numeric_limits<double>::lowest());
     const auto forEachSample = [&](auto visit)
@@ -52,7 +53,8 @@ Sphere joined(const Sphere& a, const Sphere& b)
 } // namespace
 
 RegionBounds::RegionBounds(const PlacedTile& tile)
-    : _level(std::min(kRegionLevel, tile.levels() - 1)),
+    : _level(std::min(kRegionLevel, SampleRaster(tile).levels() - 1)),
+      _geoidM(highestGeoidM(tile.field())),
       _cellShift(std::bit_width(4u * static_cast<unsigned>(tile.side() - 1)) - 1 - (_level - 1) / 2),
       _paths(regionCount()),
       _spheres((4u << _level) - 2u)
@@ -61,9 +63,8 @@ RegionBounds::RegionBounds(const PlacedTile& tile)
     const auto roots = rootTriangles(tile.side());
     build(tile, roots[0], 0, 0);
     build(tile, roots[1], 0, 1);
-    const double geoidM = highestGeoidM(tile.field());
     for (Sphere& sphere : _spheres)
-        sphere.highestM += geoidM;
+        sphere.highestM += _geoidM;
 }
 
 void RegionBounds::build(const PlacedTile& tile, const GridTriangle& t, int level, std::uint32_t path)
@@ -73,13 +74,37 @@ void RegionBounds::build(const PlacedTile& tile, const GridTriangle& t, int leve
         const GridPoint inside{2 * t.apex.column + t.left.column + t.right.column,
                                2 * t.apex.row + t.left.row + t.right.row};
         _paths[cellQuarter(inside)] = static_cast<std::uint16_t>(path);
-        sphere(level, path) = fitted<Sphere>(tile, t);
+        const int shift = tile.gridExponent();
+        const auto sample = [shift](GridPoint p) { return GridPoint{p.column >> shift, p.row >> shift}; };
+        sphere(level, path) =
+            fitted<Sphere>(SampleRaster(tile), {sample(t.apex), sample(t.left), sample(t.right)});
         return;
     }
     const auto children = t.children();
     build(tile, children[0], level + 1, 2 * path);
     build(tile, children[1], level + 1, 2 * path + 1);
     sphere(level, path) = joined(sphere(level + 1, 2 * path), sphere(level + 1, 2 * path + 1));
+}
+
+void RegionBounds::include(const PlacedTile& tile, GridPoint place)
+{
+    const double heightM = tile.heightM(place.column, place.row) + _geoidM;
+    const auto roots = rootTriangles(tile.side());
+    for (const std::uint32_t root : {0u, 1u})
+        include(roots[root], 0, root, place, tile.position(place.column, place.row), heightM);
+}
+
+void RegionBounds::include(const GridTriangle& t, int level, std::uint32_t path, GridPoint place,
+                           const glm::dvec3& position, double heightM)
+{
+    if (!t.holds(place)) return;
+    Sphere& bound = sphere(level, path);
+    bound.radiusM = std::max(bound.radiusM, glm::distance(bound.centre, position));
+    bound.highestM = std::max(bound.highestM, heightM);
+    if (level == _level) return;
+    const auto children = t.children();
+    include(children[0], level + 1, 2 * path, place, position, heightM);
+    include(children[1], level + 1, 2 * path + 1, place, position, heightM);
 }
 
 void RegionBounds::visible(const viewlod::Frustum& frustum, const Horizon* horizon,

@@ -24,7 +24,10 @@ constexpr auto kUnlimited = std::numeric_limits<std::uint32_t>::max();
 } // namespace
 
 RoamMesh::RoamMesh(SplitBounds bounds, Driver driver, LeafPlacement placement)
-    : _driver(driver), _tree(std::move(bounds), placement), _wheel(_tree.tile())
+    : _driver(driver),
+      _tree(std::move(bounds), placement),
+      _wheel(_tree.tile()),
+      _revision(_tree.tile().revision())
 {
     if (patchExponent() == 0) return;
     _tree.noteGone();
@@ -77,6 +80,7 @@ bool RoamMesh::runWithinCeiling(const viewlod::ViewState& view, const viewlod::B
 RefineResult RoamMesh::refine(const viewlod::ViewState& view, const viewlod::Budget& budget)
 {
     _tree.clearChanges();
+    followTile();
     RefineResult result;
     if (!_isMorphing)
     {
@@ -134,7 +138,11 @@ RefineResult RoamMesh::adapt(const viewlod::ViewState& view, const viewlod::Budg
 /// What every refinement ends with.
 void RoamMesh::finish(RefineResult& result)
 {
-    if (_patches) _patches->follow(_tree);
+    if (_patches)
+    {
+        _patches->follow(_tree);
+        rewritePatches();
+    }
     result.leaves = _tree.leafCount() << patchExponent();
     result.triangles = _tree.leaves().leafCount() << patchExponent();
 }
@@ -142,6 +150,7 @@ void RoamMesh::finish(RefineResult& result)
 RefineResult RoamMesh::refine(double errorM)
 {
     _tree.clearChanges();
+    followTile();
     _tree.stopDisplacing();
     _wheel.forget();
     _eye.reset();

@@ -78,7 +78,9 @@ private:
 
 SplitBounds::SplitBounds(std::shared_ptr<const RoamTile> tile, int patchExponent)
     : _tile(std::move(tile)),
-      _shift(std::clamp(patchExponent, 0, std::min(kMostExponent, _tile->tile.levels())) / 2),
+      _shift(_tile->tile.gridExponent() > 0
+                 ? 0
+                 : std::clamp(patchExponent, 0, std::min(kMostExponent, _tile->tile.levels())) / 2),
       _side(((_tile->tile.side() - 1) >> _shift) + 1)
 {
     if (_shift > 0) _errorsM = std::make_shared<const std::vector<float>>(PatchErrors(*_tile, _shift).take());

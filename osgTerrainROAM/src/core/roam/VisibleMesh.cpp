@@ -99,7 +99,10 @@ DrawnMesh RoamMesh::drawn(std::span<const IndexRange> ranges) const
     mesh.stepM = tile().tile.vertexStepM();
     mesh.isMorphed = _isMorphing;
     for (VertexSlot v = 0; v < _tree.vertexSlots() && !_patches; ++v)
+    {
         mesh.vertices.push_back(vertex(v));
+        mesh.grid.push_back(_tree.place(v).point());
+    }
     for (const IndexRange& range : ranges)
         for (std::uint32_t slot = range.first; slot < range.first + range.count; ++slot)
             if (_patches)

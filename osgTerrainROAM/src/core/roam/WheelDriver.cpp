@@ -38,7 +38,7 @@ bool WheelDriver::refine(DiamondTree& tree, const viewlod::ViewState& view, doub
     const double scale = view.guaranteedPixelsPerTangent() / tolerancePx;
     const double travelM = glm::distance(view.eyeWorld, _eye) + std::abs(view.nearM - _nearM);
     const bool isStill = _knowsTree && travelM == 0.0 && scale == _scale;
-    if (isStill && _leavingCount == 0 && _coming.empty() && !_wheel.hasDue()) return true;
+    if (isStill && _leavingCount == 0 && _coming.empty() && _again.empty() && !_wheel.hasDue()) return true;
     _followed = tree.changes().vertices.size();
     _wayM += travelM;
     bool leavingLeft = false;
@@ -50,6 +50,7 @@ bool WheelDriver::refine(DiamondTree& tree, const viewlod::ViewState& view, doub
         change(frame, _leavingCount > 0, _coming.size());
         leavingLeft = _leavingCount > 0;
         comingLeft = _coming.size();
+        lookAgain(frame);
         lookAtDue(frame);
     }
     else
@@ -64,6 +65,7 @@ bool WheelDriver::refine(DiamondTree& tree, const viewlod::ViewState& view, doub
 
 void WheelDriver::startOver(Frame& frame)
 {
+    _again.clear();
     _wheel.clear();
     _leaving = {};
     _leavingCount = 0;
@@ -75,6 +77,25 @@ void WheelDriver::startOver(Frame& frame)
         look(frame, root.apex(), root.quadrant());
     for (VertexSlot v = DiamondTree::kCorners; v < frame.tree.vertexSlots(); ++v)
         if (!frame.tree.place(v).isFree()) follow(frame, v);
+}
+
+/// Whatever was known of those places is not true any more. What would split one leaf only, and not the coarser one across,
+/// is forgotten: who splits that one looks.
+void WheelDriver::lookAgain(Frame& frame)
+{
+    const DiamondTree& tree = frame.tree;
+    for (const GridPoint p : _again)
+    {
+        const DiamondTree::AtPlace there = tree.atPlace(p);
+        if (there.vertex != kNone) look(frame, there.vertex, kItself);
+        for (std::size_t i = 0; i < there.leafCount; ++i)
+            _marks[there.leaves[i].apex()][there.leaves[i].quadrant()] = kNotWatched;
+        if (there.leafCount == 0) continue;
+        const TriangleId t = there.leaves[0];
+        const bool hasBoth = there.leafCount == 2 || !tree.acrossBase(t).exists();
+        if (hasBoth) look(frame, t.apex(), t.quadrant());
+    }
+    _again.clear();
 }
 
 inline GridPoint WheelDriver::watchedPlace(const DiamondTree& tree, VertexSlot v, unsigned kind)
@@ -124,7 +145,7 @@ void WheelDriver::lookAtDue(Frame& frame)
 void WheelDriver::lookAtBatch(Frame& frame, const DeferralWheel::Batch& batch)
 {
     std::array<std::uint32_t, DeferralWheel::Batch::kMost> wanted; // places in the batch
-    std::array<std::uint16_t, DeferralWheel::Batch::kMost> columns, rows;
+    std::array<std::int32_t, DeferralWheel::Batch::kMost> columns, rows;
     const DiamondTree& tree = frame.tree;
     std::size_t count = 0;
     for (std::uint32_t i = 0; i < batch.count; ++i)
@@ -136,8 +157,8 @@ void WheelDriver::lookAtBatch(Frame& frame, const DeferralWheel::Batch& batch)
         const GridPoint place = watchedPlace(tree, v, kind);
         tree.bounds().prefetch(place);
         wanted[count] = i;
-        columns[count] = static_cast<std::uint16_t>(place.column);
-        rows[count++] = static_cast<std::uint16_t>(place.row);
+        columns[count] = place.column;
+        rows[count++] = place.row;
     }
     for (std::size_t i = 0; i < count; ++i)
     {
@@ -160,8 +181,7 @@ void WheelDriver::found(Frame& frame, std::uint32_t watch, double errorM, double
     const unsigned kind = kindOf(watch);
     if (kind == kItself)
     {
-        _leaving[static_cast<std::uint8_t>(frame.tree.place(v).level)].push_back(
-            v); // no corner: not negative
+        _leaving[static_cast<std::size_t>(frame.tree.place(v).level)].push_back(v); // no corner: not negative
         ++_leavingCount;
         return;
     }
@@ -212,7 +232,7 @@ bool WheelDriver::change(Frame& frame, bool staleLeaving, std::size_t staleComin
 /// Coarser vertices first: what stands on them goes along.
 bool WheelDriver::letGo(Frame& frame, bool areStale)
 {
-    for (std::size_t level = 0; level < kLevels && _leavingCount > 0; ++level)
+    for (std::size_t level = 0; level < _leaving.size() && _leavingCount > 0; ++level)
         while (!_leaving[level].empty())
         {
             if (frame.slice.isSpent()) return false;

@@ -4,10 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include <glm/glm.hpp>
 
+#include <osgTerrainROAM/core/heightfield/FineSamples.h>
 #include <osgTerrainROAM/core/heightfield/HeightField.h>
 #include <osgTerrainROAM/core/heightfield/SampleTable.h>
 
@@ -29,27 +32,50 @@ enum class Placement
     planar, ///< x = column·spacing, y = row·spacing, z = height: the anchors' convention
 };
 
-/// A height field as a square tile of 2^n+1 samples whose every sample has a position in the local frame.
-/// Samples beyond the data repeat the edge's height; they exist only so that the bintree is complete, count
+/// What a tile is made with besides its heights.
+struct PlacedTileOptions
+{
+    Placement placement = Placement::curved; ///< a field without georeference is always planar
+    Storage storage = Storage::compact;
+    std::optional<Geodetic> origin =
+        std::nullopt;     ///< of the frame; absent: the data's centre at ellipsoidal height 0
+    int gridExponent = 0; ///< the grid has 2^gridExponent places from one sample to the next
+};
+
+/// A height field as a square tile of 2^N+1 grid places a side, each of which has a position in the local frame.
+/// The grid is the samples' own, or finer by a power of two (gridExponent), so that edits can put samples between them;
+/// places without a sample lie on the surface of the samples around them and count in no error. Columns and rows are
+/// those of the grid everywhere but where samples are mentioned.
+/// Places beyond the data repeat the edge's height; they exist only so that the bintree is complete, count
 /// in no error and are clipped when drawn (dataColumns, dataRows). Curved: a lattice of exact positions and
 /// ellipsoid normals at the nodes of the field's GeodeticNet is interpolated biquadratically, so a position
-/// is a pure function of its sample, the same bits on every call.
+/// is a pure function of its place and height, the same bits on every call.
 /// Frame: local east-north-up metres about `origin()`; planar: about the south-west sample.
-/// Threads: immutable after construction. Memory: the samples (SampleTable), plus 48 B per lattice node.
+/// Threads: const from any, while nobody sets a height. Memory: the samples (SampleTable, FineSamples), plus 48 B per
+/// lattice node.
 /// Source: spec 1, "The wheel in formulas": X(s), the placed 3D position of a sample.
 class PlacedTile
 {
 public:
-    /// `origin` of the frame; absent: the data's centre at ellipsoidal height 0. A field without
-    /// georeference is always planar.
+    explicit PlacedTile(HeightField field, const PlacedTileOptions& options);
     explicit PlacedTile(HeightField field, Placement placement = Placement::curved,
-                        Storage storage = Storage::compact);
-    PlacedTile(HeightField field, const Geodetic& origin);
+                        Storage storage = Storage::compact)
+        : PlacedTile(std::move(field), PlacedTileOptions{placement, storage, std::nullopt, 0})
+    {
+    }
+    PlacedTile(HeightField field, const Geodetic& origin)
+        : PlacedTile(std::move(field), PlacedTileOptions{.origin = origin})
+    {
+    }
 
-    int side() const { return _side; }     ///< samples along the tile, 2^n+1
-    int levels() const { return _levels; } ///< 2n: bintree levels below the two roots that can split
-    int dataColumns() const { return _field.columns; }
-    int dataRows() const { return _field.rows; }
+    static constexpr int kMostSide = (1 << 20) + 1; ///< grid places
+    static constexpr int kMostLevels = 2 * 20;      ///< of its bintree
+
+    int side() const { return _side; }     ///< grid places along the tile, 2^N+1
+    int levels() const { return _levels; } ///< 2N: bintree levels below the two roots that can split
+    int dataColumns() const { return _dataColumns; }
+    int dataRows() const { return _dataRows; }
+    int gridExponent() const { return _gridExponent; }
 
     /// What the field says of itself; its heights are in samples().
     const HeightField& field() const { return _field; }
@@ -58,26 +84,99 @@ public:
     const Geodetic& origin() const { return _origin; }
     Placement placement() const { return _placement; }
 
-    float heightM(int column, int row) const { return _samples.heightM(sampleIndex(column, row)); }
+    bool isInData(int column, int row) const { return column < _dataColumns && row < _dataRows; }
 
-    bool isInData(int column, int row) const { return column < _field.columns && row < _field.rows; }
-
-    /// Of a sample, or of the nearest one at the edge of the data.
-    std::size_t sampleIndex(int column, int row) const
+    /// Height, error and radius of a place of the data. Where no sample is, the height is that of the surface, and the
+    /// rest is 0.
+    SampleTable::Sample sample(int column, int row) const
     {
-        const int c = std::clamp(column, 0, _field.columns - 1), r = std::clamp(row, 0, _field.rows - 1);
-        return static_cast<std::size_t>(r) * static_cast<std::size_t>(_field.columns) +
-               static_cast<std::size_t>(c);
+        if (isOfRaster(column, row)) [[likely]]
+        {
+            const std::size_t index = rasterIndex(column, row);
+            if (!_samples.isElsewhere(index)) [[likely]]
+                return _samples.sample(index);
+        }
+        return sampleBetween(column, row);
     }
 
-    /// Position of a sample of the tile, 0 ≤ column, row < side. Cost: about 60 flops (curved), 2 (planar).
+    /// Of a place, or of the nearest one at the edge of the data.
+    float heightM(int column, int row) const
+    {
+        const int c = std::clamp(column, 0, _dataColumns - 1), r = std::clamp(row, 0, _dataRows - 1);
+        if (isOfRaster(c, r)) [[likely]]
+        {
+            const std::size_t index = rasterIndex(c, r);
+            if (!_samples.isElsewhere(index)) [[likely]]
+                return _samples.heightM(index);
+        }
+        return sampleBetween(c, r).heightM;
+    }
+
+    /// Tells the processor that a place of the data will be asked for.
+    void prefetch(int column, int row) const { _samples.prefetch(rasterIndex(column, row)); }
+
+    /// Calls visit(column, row) for every place of a rectangle within the data that has a sample, or counts among them: the
+    /// raster's and those between. Some may be given twice.
+    template<class Visit>
+    void forEachSample(const GridRect& rect, const Visit& visit) const
+    {
+        const GridRect cut = rect.cutTo({0, 0, _dataColumns - 1, _dataRows - 1});
+        const int step = 1 << _gridExponent;
+        for (int row = (cut.south + step - 1) & -step; row <= cut.north; row += step)
+            for (int column = (cut.west + step - 1) & -step; column <= cut.east; column += step)
+                visit(column, row);
+        if (!_fine.isEmpty()) _fine.forEachIn(cut, visit);
+    }
+    const FineSamples& fineSamples() const { return _fine; }
+
+    /// Whether a sample of the raster belongs there.
+    bool isOfRaster(int column, int row) const { return ((column | row) & ((1 << _gridExponent) - 1)) == 0; }
+
+    /// Gives a sample of the raster another height: the surface between the samples follows. Kept exactly; where the table
+    /// cannot, places between follow to its nearest step.
+    void setRasterHeight(int column, int row, float heightM);
+
+    /// Puts a sample at a place of the data, or another in its place; the surface of the raster around it stays as it is.
+    void setFineHeight(int column, int row, float heightM);
+    /// Counts a place among the samples that keeps following the surface between them. Nothing where a sample is.
+    void count(int column, int row);
+
+    /// Whether a sample is kept there that is not the raster's.
+    bool hasFineSample(int column, int row) const
+    {
+        const SampleTable::Sample* kept = _fine.find(column, row);
+        return kept && FineSamples::hasHeight(*kept);
+    }
+
+    bool hasSample(int column, int row) const
+    {
+        return isOfRaster(column, row) || hasFineSample(column, row);
+    }
+
+    /// All that is kept of a place of the data; to put it back.
+    struct Kept
+    {
+        SampleTable::Sample inTable{}, inFine{};
+        bool isInTable = false, isInFine = false, isElsewhere = false;
+    };
+    Kept kept(int column, int row) const;
+    void restore(int column, int row, const Kept& kept);
+
+    /// What a place keeps of an error or a radius: the least value that is not less.
+    float roundedUpError(int column, int row, double errorM) const;
+    float roundedUpRadius(int column, int row, double radiusM) const;
+
+    /// Keeps what roundedUp…() gave.
+    void setBound(int column, int row, float errorM, float radiusM);
+
+    /// Position of a place of the grid, 0 ≤ column, row < side. Cost: about 60 flops (curved), 2 (planar).
     glm::dvec3 position(int column, int row) const { return positionOf(column, row, heightM(column, row)); }
 
-    /// The same for who has looked the sample's height up already.
+    /// The same for who has looked the height up already.
     glm::dvec3 positionOf(int column, int row, double heightM) const
     {
         if (_placement == Placement::curved) return curvedPosition(column, row, heightM);
-        return {column * _field.spacingEastM, row * _field.spacingNorthM, heightM};
+        return {column * _placeEastM, row * _placeNorthM, heightM};
     }
 
     /// Steps that the positions of drawn vertices are counted in (MeshVertex): a power of two, 0.06 mm on a tile of 60 km,
@@ -91,10 +190,22 @@ public:
     /// positionAt(gridAt(p), h) = p for the height h of p. Places beyond the tile are extrapolated.
     glm::dvec2 gridAt(const glm::dvec3& local) const;
 
+    /// Height of a local position, as the samples are counted: positionAt(gridAt(p), heightOf(p)) = p.
+    double heightOf(const glm::dvec3& local) const;
+
     /// About where the vertical line through a place meets the ground: where a search for it begins. Curved: off by what
     /// height and the third order of the Earth's curvature shift, less than a sample in tiles of up to 100 km; planar: exact.
     /// Cost: about 30 flops.
     glm::dvec2 gridNear(const glm::dvec2& place) const;
+
+    /// The grid place of a local one to first order about the tile's middle: linear · place + offset. Off by far less than
+    /// 2^15 places in tiles of up to 200 km: enough to tell a vertex's place from its lower 16 bits (MeshVertex).
+    struct GridMap
+    {
+        glm::dmat2 linear;
+        glm::dvec2 offset;
+    };
+    GridMap gridMap() const;
 
     /// Conversions of the frame (identity-like about the origin for planar tiles: unavailable, asserted).
     glm::dvec3 localFromGeodetic(const Geodetic& geodetic) const;
@@ -136,10 +247,22 @@ private:
         glm::dvec2 xx{0.0}, xy{0.0}, yy{0.0};
     };
 
+    std::size_t rasterIndex(int column, int row) const
+    {
+        return static_cast<std::size_t>(row >> _gridExponent) * static_cast<std::size_t>(_field.columns) +
+               static_cast<std::size_t>(column >> _gridExponent);
+    }
+    SampleTable::Sample sampleBetween(int column, int row) const;
+    float interpolatedHeightM(int column, int row) const;
+    bool isInTable(int column, int row) const
+    {
+        return isOfRaster(column, row) && !_samples.isElsewhere(rasterIndex(column, row));
+    }
     glm::dvec3 curvedPosition(int column, int row, double heightM) const;
     static Weights weightsAt(double nodesFromFirst);
     static Weights slopesAt(double nodesFromFirst);
     void initSide();
+    void initLatticePlaces();
     void initRadiusRange();
     void initVertexStep();
     void buildLattice();
@@ -151,15 +274,19 @@ private:
 
     HeightField _field;
     SampleTable _samples;
+    FineSamples _fine;
     Placement _placement;
     Geodetic _origin;
+    int _gridExponent = 0;
     int _side = 0;
     int _levels = 0;
+    int _dataColumns = 0, _dataRows = 0;
+    double _placeEastM = 1.0, _placeNorthM = 1.0; ///< from one grid place to the next
     double _vertexStepM = 1.0;
-    int _latticeStep = 0;          ///< samples between nodes
+    int _latticeStep = 0;          ///< grid places between nodes
     int _latticeSide = 0;          ///< nodes along the tile, odd: whole macro cells of 2×2 steps
-    int _macroShift = 0;           ///< log2(2·step): a sample's macro cell is index >> shift
-    std::vector<Weights> _weights; ///< per sample offset 0…2·step within a macro cell
+    int _macroShift = 0;           ///< log2(2·step): a place's macro cell is index >> shift
+    std::vector<Weights> _weights; ///< per sample offset within a macro cell
     std::vector<LatticeNode> _lattice;
     Sketch _sketch;
 };

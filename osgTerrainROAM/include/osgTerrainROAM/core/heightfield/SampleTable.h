@@ -28,7 +28,8 @@ class SampleTable
 {
 public:
     /// Takes the heights out of `field`.
-    SampleTable(HeightField& field, Storage storage);
+    /// `headroom`: how many times the heights' own range can be kept, compact.
+    SampleTable(HeightField& field, Storage storage, double headroom = 1.0);
 
     /// Which radii can be told apart, once the samples have places: from a fraction of a cell to several tiles.
     void setRadiusRange(double leastM, double mostM);
@@ -63,6 +64,13 @@ public:
     /// Keeps what roundedUp…() gave.
     void setBound(std::size_t index, float errorM, float radiusM);
 
+    /// Keeps a height as well as it can: to the nearest step, or the end of the range.
+    void setHeight(std::size_t index, float heightM);
+
+    /// Whether a sample's data are to be found elsewhere (FineSamples).
+    bool isElsewhere(std::size_t index) const { return !_samples.empty() && _samples[index].flags != 0; }
+    void setElsewhere(std::size_t index, bool elsewhere);
+
     double heightQuantumM() const { return _quantumM; } ///< heights are off by at most half of it; 0: exact
     double heightRangeM() const { return _rangeM; }     ///< from the lowest to the highest
     std::size_t size() const { return _samples.size() + _exact.size(); }
@@ -74,7 +82,7 @@ private:
         std::int16_t height;
         std::uint16_t error;
         std::uint8_t radius;
-        std::uint8_t flags; ///< none yet
+        std::uint8_t flags; ///< 1: FineSamples has it
     };
     static_assert(sizeof(Packed) == 6);
 
@@ -87,7 +95,8 @@ private:
         return code == 0 ? 0.0f : std::bit_cast<float>((code + kErrorBias) << kErrorShift);
     }
 
-    void pack(const std::vector<float>& heightsM, double middleM);
+    void pack(const std::vector<float>& heightsM, double middleM, double rangeM);
+    std::int16_t steps(float heightM) const;
     std::uint16_t errorCode(double errorM) const;
     std::uint8_t radiusCode(double radiusM) const;
 

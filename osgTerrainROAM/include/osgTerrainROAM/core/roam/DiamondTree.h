@@ -3,7 +3,10 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include <osgTerrainROAM/core/roam/GridTriangle.h>
@@ -42,17 +45,22 @@ constexpr unsigned parentOnEdge(unsigned quadrant)
 /// Where a vertex lies in the grid and in the bintree.
 struct DiamondPlace
 {
-    static constexpr std::uint8_t kFree = 0x80; ///< set in `direction`: no vertex has this slot
-    static constexpr std::uint8_t kLostBoth =
-        0x40; ///< besides: both of its parents went in the same enhMerge
+    static constexpr unsigned kFree = 0x80;     ///< set in `direction`: no vertex has this slot
+    static constexpr unsigned kLostBoth = 0x40; ///< besides: both of its parents went in the same enhMerge
 
-    std::uint16_t column = 0, row = 0;
-    std::int8_t level = -1;         ///< of the triangles that the vertex split; -1: a corner of the tile
-    std::uint8_t direction = kFree; ///< of the diamond's first corner: 0 east, 1 north-east … 7 south-east
-    std::uint8_t parentQuadrants[2] = {0, 0}; ///< which quadrants of corners 0 and 2 it split
+    std::uint32_t column : 22 = 0;
+    std::uint32_t firstQuadrant : 2 = 0; ///< of corner 0, which the vertex split
+    std::int32_t level : 8 = -1;         ///< of the triangles that the vertex split; -1: a corner of the tile
+    std::uint32_t row : 22 = 0;
+    std::uint32_t secondQuadrant : 2 = 0; ///< of corner 2
+    std::uint32_t direction : 8 =
+        kFree; ///< of the diamond's first corner: 0 east, 1 north-east … 7 south-east
 
     bool isFree() const { return (direction & kFree) != 0; }
-    GridPoint point() const { return {column, row}; }
+    GridPoint point() const { return {static_cast<int>(column), static_cast<int>(row)}; }
+
+    /// Which quadrant of corner 0 or 2 it split.
+    unsigned parentQuadrant(unsigned corner) const { return corner == 0 ? firstQuadrant : secondQuadrant; }
 };
 static_assert(sizeof(DiamondPlace) == 8);
 
@@ -135,6 +143,23 @@ public:
     TriangleId acrossBase(TriangleId t) const;
     TriangleId acrossLeg(TriangleId t, bool right) const;
 
+    /// What of the mesh is at a place of the grid: a vertex that it has, or the leaves that such a vertex would split.
+    struct AtPlace
+    {
+        VertexSlot vertex = kNone;
+        std::array<TriangleId, 2> leaves;
+        std::size_t leafCount = 0;
+    };
+    AtPlace atPlace(GridPoint p) const; // DiamondTreePlaces.cpp
+
+    /// Calls visit(vertex, leaf) for every vertex of the mesh in a rectangle of the grid, corners of the tile included, and
+    /// for every leaf that touches it; the other is kNone, or does not exist.
+    void forEachIn(const GridRect& rect, const std::function<void(VertexSlot, TriangleId)>& visit) const;
+
+    /// The tile has been edited: a vertex lies elsewhere.
+    void noteMoved(VertexSlot v) { _changes.vertices.push_back(v); }
+    void setBounds(SplitBounds bounds) { _bounds = std::move(bounds); }
+
     /// Vertices: slots up to vertexSlots(), those that place(v).isFree() left out.
     std::uint32_t vertexSlots() const { return static_cast<std::uint32_t>(_places.size()); }
     const DiamondPlace& place(VertexSlot v) const { return _places[v]; }
@@ -143,7 +168,8 @@ public:
     /// Where a vertex's sample lies, and how far from there it is drawn (Morph.h). Units: metres.
     glm::dvec3 samplePosition(VertexSlot v) const
     {
-        return tile().tile.position(_places[v].column, _places[v].row);
+        const GridPoint p = _places[v].point();
+        return tile().tile.position(p.column, p.row);
     }
     glm::vec3 displacement(VertexSlot v) const
     {

@@ -12,8 +12,9 @@ inline GridPoint DiamondTree::towardsMiddle(TriangleId t, int scale) const
     const DiamondPlace& apex = _places[t.apex()];
     const unsigned direction = (apex.direction + 2u * t.quadrant() + 1u) & 7u;
     const int height = (scale * _lastSample) >> ((apex.level + 3) >> 1);
-    return {4 * apex.column + detail::kColumnStep[direction] * height,
-            4 * apex.row + detail::kRowStep[direction] * height};
+    const GridPoint p = apex.point();
+    return {4 * p.column + detail::kColumnStep[direction] * height,
+            4 * p.row + detail::kRowStep[direction] * height};
 }
 
 inline GridPoint DiamondTree::middle(TriangleId t) const
@@ -32,9 +33,10 @@ inline std::array<TriangleId, 2> DiamondTree::children(TriangleId t) const
 inline std::array<TriangleId, 2> DiamondTree::parents(VertexSlot v) const
 {
     const Diamond& diamond = _diamonds[v];
-    const auto& quadrants = _places[v].parentQuadrants;
-    return {TriangleId(diamond.parents[0], quadrants[0]),
-            diamond.parents[1] == kNone ? TriangleId() : TriangleId(diamond.parents[1], quadrants[1])};
+    const DiamondPlace& place = _places[v];
+    return {TriangleId(diamond.parents[0], place.firstQuadrant),
+            diamond.parents[1] == kNone ? TriangleId()
+                                        : TriangleId(diamond.parents[1], place.secondQuadrant)};
 }
 
 inline TriangleId DiamondTree::acrossBase(TriangleId t) const
@@ -43,7 +45,7 @@ inline TriangleId DiamondTree::acrossBase(TriangleId t) const
     // The base ends at one of the diamond's parents. What lies across hangs on that parent, too, one quadrant further.
     const unsigned slot = detail::parentOnEdge(t.quadrant());
     const VertexSlot parent = _diamonds[t.apex()].parents[slot / 2];
-    const unsigned mine = _places[t.apex()].parentQuadrants[slot / 2];
+    const unsigned mine = _places[t.apex()].parentQuadrant(slot);
     const bool clockwise = t.quadrant() % 2 == 0;
     const TriangleId coarser(parent, clockwise ? detail::previous(mine) : detail::next(mine));
     const std::uint32_t there = link(coarser);

@@ -6,6 +6,8 @@
 #include <cstdlib>
 #include <limits>
 
+#include <osgTerrainROAM/core/heightfield/GridRect.h>
+
 namespace osgTerrainROAM::core
 {
 
@@ -46,20 +48,36 @@ struct GridTriangle
         return {{{mid, apex, left}, {mid, right, apex}}};
     }
 
-    /// Calls visit(row, west, east) for every row that the triangle touches within `columns` × `rows` samples;
-    /// the samples west…east, borders included, lie in it.
-    template<class Visit>
-    void forEachRow(int columns, int rows, const Visit& visit) const
+    /// The rectangle around it.
+    GridRect extent() const
     {
-        const int south = std::min({apex.row, left.row, right.row});
+        const auto [west, east] = std::minmax({apex.column, left.column, right.column});
+        const auto [south, north] = std::minmax({apex.row, left.row, right.row});
+        return {west, south, east, north};
+    }
+
+    /// Whether a place lies in it or on its border.
+    bool holds(GridPoint p) const
+    {
+        const Barycentric b = at(p.column, p.row);
+        return b.u >= 0.0 && b.w >= 0.0 && b.u + b.w <= 1.0;
+    }
+
+    /// Calls visit(row, west, east) for every row that the triangle touches within `columns` × `rows` places;
+    /// the places west…east, borders included, lie in it. Only rows and columns that are multiples of `step`, a power of two.
+    template<class Visit>
+    void forEachRow(int columns, int rows, const Visit& visit, int step = 1) const
+    {
+        const int south = (std::min({apex.row, left.row, right.row}) + step - 1) & -step;
         const int north = std::min(std::max({apex.row, left.row, right.row}), rows - 1);
-        for (int row = south; row <= north; ++row)
+        for (int row = south; row <= north; row += step)
         {
             int west = std::numeric_limits<int>::max(), east = std::numeric_limits<int>::min();
             widen(apex, left, row, west, east);
             widen(left, right, row, west, east);
             widen(right, apex, row, west, east);
-            east = std::min(east, columns - 1);
+            west = (west + step - 1) & -step;
+            east = std::min(east, columns - 1) & -step;
             if (west <= east) visit(row, west, east);
         }
     }

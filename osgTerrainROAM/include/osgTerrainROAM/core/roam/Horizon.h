@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <optional>
 
@@ -25,9 +26,16 @@ struct HidingGround
 
     explicit HidingGround(const PlacedTile& tile);
 
+    /// Another height that a sample of the tile has now.
+    void include(double heightM)
+    {
+        if (exists) lowestM = std::min(lowestM, heightM + belowM);
+    }
+
     bool exists = false;
     double lowestM =
         0.0; ///< of the samples above the ellipsoid, and of the flat triangles between them, or less
+    double belowM = 0.0;               ///< from a sample's height to what lies under the triangles beside it
     double cellM = 0.0;                ///< diagonal of a cell, or more
     std::array<glm::dvec4, 4> walls{}; ///< inside is where the product with (x, y, z, 1) is positive
 };

@@ -36,17 +36,17 @@ private:
 
 /// One vertex as the graphics card takes it. The position counts steps of PlacedTile::vertexStepM(), so that a shader can
 /// subtract the eye (counted the same way) without losing anything: at 100 km from the origin one float has 8 mm.
-/// Frame: the tile's local frame. Units: steps; samples for the grid place.
+/// Frame: the tile's local frame. Units: steps; places of the grid.
 struct MeshVertex
 {
     glm::ivec3 position{0};
-    glm::u16vec2 grid{0}; ///< (column, row): texture coordinates and the clip at the data's edge
+    glm::u16vec2 grid{0}; ///< (column, row), the lower 16 bits of each: the rest follows from the position
 
     friend bool operator==(const MeshVertex&, const MeshVertex&) = default;
 };
 static_assert(sizeof(MeshVertex) == 16);
 
-/// The vertex of a sample that is drawn at `position`, to the nearest step.
+/// The vertex of a place of the grid that is drawn at `position`, to the nearest step.
 inline MeshVertex meshVertex(const glm::dvec3& position, GridPoint grid, double stepM)
 {
     return {glm::ivec3(glm::round(position / stepM)), glm::u16vec2(grid.column, grid.row)};
@@ -68,6 +68,7 @@ static_assert(sizeof(LeafTriangle) == 12);
 struct DrawnMesh
 {
     std::vector<MeshVertex> vertices;    ///< by slot, free ones included
+    std::vector<GridPoint> grid;         ///< of the vertices
     std::vector<LeafTriangle> triangles; ///< in arena order
     double stepM = 0.0;                  ///< that positions are counted in
     bool isMorphed = false;              ///< vertices need not lie where their samples are

@@ -35,7 +35,8 @@ private:
         float weight;
     };
 
-    std::array<std::vector<Moving>, 33> _moving; ///< by level; the ends of a base are coarser than its middle
+    std::array<std::vector<Moving>, PlacedTile::kMostLevels>
+        _moving; ///< by level; the ends of a base are coarser than its middle
 };
 
 } // namespace osgTerrainROAM::core

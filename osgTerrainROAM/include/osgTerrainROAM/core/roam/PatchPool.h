@@ -27,6 +27,9 @@ public:
     /// Takes over what the tree's changes say. To be called before they are cleared.
     void follow(const DiamondTree& tree);
 
+    /// The patch of a leaf lies elsewhere: the tile has been edited. After follow().
+    void rewrite(const DiamondTree& tree, TriangleId leaf);
+
     const PatchShape& shape() const { return *_shape; }
 
     std::uint32_t slotCount() const { return static_cast<std::uint32_t>(_patches.size()); }
@@ -40,7 +43,7 @@ public:
         return !frustum.classify(_patches[slot].centre, _patches[slot].radiusM).outside;
     }
 
-    /// Slots that the last follow() gave to other leaves, each once.
+    /// Slots that the last follow() gave to other leaves, and that were rewritten.
     const std::vector<std::uint32_t>& written() const { return _written; }
 
     std::size_t memoryBytes() const;

@@ -57,6 +57,8 @@ struct PatchShape
         const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
         mesh.stepM = tile.vertexStepM();
         appendVertices(tile, leaf, mesh.vertices);
+        for (const Place place : vertices)
+            mesh.grid.push_back(gridPoint(leaf, place));
         for (const Triangle& t : triangles)
             mesh.triangles.push_back({{first + t[0], first + t[1], first + t[2]}});
     }

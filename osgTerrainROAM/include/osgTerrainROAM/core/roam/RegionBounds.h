@@ -30,6 +30,9 @@ public:
     int level() const { return _level; } ///< of the nodes that are regions
     std::uint32_t regionCount() const { return 2u << _level; }
 
+    /// Widens the spheres of the nodes that hold a place of the data to hold its position as it is now.
+    void include(const PlacedTile& tile, GridPoint place);
+
     /// The region (path at the region level) that holds a place which is on no region's border.
     /// Units: quarters of samples.
     std::uint32_t pathAt(GridPoint quarters) const { return _paths[cellQuarter(quarters)]; }
@@ -64,6 +67,8 @@ private:
     }
 
     void build(const PlacedTile& tile, const GridTriangle& triangle, int level, std::uint32_t path);
+    void include(const GridTriangle& triangle, int level, std::uint32_t path, GridPoint place,
+                 const glm::dvec3& position, double heightM);
     /// What one camera sees, and what of it has been found.
     struct Search
     {
@@ -75,6 +80,7 @@ private:
                const Horizon* horizon) const;
 
     int _level;
+    double _geoidM; ///< highest over the ellipsoid
     int _cellShift; ///< log2 of the side, in quarters of samples, of a square that its diagonals cut into four regions
     std::vector<std::uint16_t>
         _paths; ///< of those squares, row by row, east, north, west and south of their middles

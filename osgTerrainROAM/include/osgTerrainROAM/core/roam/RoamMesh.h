@@ -26,7 +26,9 @@ namespace osgTerrainROAM::core
 /// A vertex is *active* exactly when K·e_v / max(|eye − X_v| − r_v, n) > τ; this nests, so the active set is a
 /// conforming mesh, the same for a given eye whatever came before.
 /// Three drivers take it there (Driver), all with this predicate and to the same mesh.
-/// Invariant: isConforming() after every operation. Threads: one at a time; the tile is shared and immutable.
+/// The tile may be edited between refinements (TileEditor); the next one follows.
+/// Invariant: isConforming() after every operation. Threads: one at a time, holding a shared lock of the tile's mutex where
+/// that is edited.
 /// Memory: memoryBytes(), about 30 B per triangle; pools grow, and no split allocates otherwise.
 /// Source: "Methods of continuous level of detail for terrain" (2002), §5; spec 1 D.
 class RoamMesh
@@ -56,6 +58,9 @@ public:
 
     /// View-independent: a vertex is active exactly when e_v > errorM.
     RefineResult refine(double errorM);
+
+    /// Whether the tile has been edited since the last refinement.
+    bool isBehind() const { return _revision != tile().revision(); }
 
     /// GPU-ready data by slot, and what the last refinement changed of them. Slots that are not in use have any content.
     std::uint32_t vertexSlots() const { return _tree.vertexSlots(); }
@@ -108,6 +113,10 @@ private:
                                std::vector<IndexRange>& ranges) const;
     std::uint32_t appendPatches(std::uint32_t region, const viewlod::Frustum& frustum,
                                 std::vector<IndexRange>& ranges) const;
+    void followTile();
+    void followMoved(const GridRect& rect);
+    void followAll();
+    void rewritePatches();
     bool run(const viewlod::ViewState& view, double tolerancePx, std::uint32_t maxLeaves,
              viewlod::Slice& slice, RefineResult& result);
     bool runWithinCeiling(const viewlod::ViewState& view, const viewlod::Budget& budget,
@@ -119,6 +128,8 @@ private:
     WheelDriver _wheel;
     std::optional<PatchPool> _patches;
     Morph _morph;
+    std::uint64_t _revision = 0;  ///< of the tile, that the mesh has followed
+    std::vector<GridRect> _moved; ///< where vertices of patches may lie elsewhere
     bool _isMorphing = false;
     bool _ceilingBound = false; ///< in the last frame
     double _lastTolerancePx = 0.0;

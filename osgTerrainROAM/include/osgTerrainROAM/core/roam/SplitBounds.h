@@ -24,7 +24,8 @@ class SplitBounds
 public:
     static constexpr int kMostExponent = 10;
 
-    /// `patchExponent` is brought to an even number from 0 to kMostExponent that the tile has levels for.
+    /// `patchExponent` is brought to an even number from 0 to kMostExponent that the tile has levels for; to 0 where the
+    /// tile's grid is finer than its raster.
     SplitBounds(std::shared_ptr<const RoamTile> tile, int patchExponent = 0);
 
     SplitBound bound(GridPoint v) const
@@ -43,6 +44,9 @@ public:
         _tile->prefetch(v);
         if (_errorsM) __builtin_prefetch(&(*_errorsM)[patchIndex(v)]);
     }
+
+    /// The same after the tile has been edited: with patches, all is measured anew.
+    SplitBounds remade() const { return SplitBounds(_tile, patchExponent()); }
 
     const RoamTile& tile() const { return *_tile; }
     int patchExponent() const { return 2 * _shift; }

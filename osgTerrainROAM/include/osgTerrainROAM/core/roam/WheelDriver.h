@@ -34,6 +34,9 @@ public:
     /// The tree has changed by other hands: everything is looked at again.
     void forget() { _knowsTree = false; }
 
+    /// A vertex has other bounds now, or lies elsewhere: it is looked at with the next refinement.
+    void lookAgain(GridPoint p) { _again.push_back(p); }
+
     /// Splits and merges until exactly the active vertices are split. False when it stopped before: the next split would
     /// have exceeded `maxLeaves`, or the slice is spent. The mesh is valid then, too.
     bool refine(DiamondTree& tree, const viewlod::ViewState& view, double tolerancePx,
@@ -50,7 +53,6 @@ public:
 
 private:
     static constexpr double kTicksPerCell = 1.0 / 256.0;
-    static constexpr std::size_t kLevels = 32; ///< of a bintree over 2^16 samples a side
     static constexpr unsigned kItself = 4; ///< a watch on the vertex; less: on what would split that quadrant
     static constexpr DeferralWheel::Mark kNotWatched = 0, kWaits = 255;
 
@@ -74,6 +76,7 @@ private:
     };
 
     void startOver(Frame& frame);
+    void lookAgain(Frame& frame);
     void lookAtDue(Frame& frame);
     void lookAtBatch(Frame& frame, const DeferralWheel::Batch& batch);
     static GridPoint watchedPlace(const DiamondTree& tree, VertexSlot v, unsigned kind);
@@ -89,9 +92,11 @@ private:
 
     DeferralWheel _wheel;
     std::vector<std::array<DeferralWheel::Mark, 5>> _marks; ///< by vertex and kind
-    std::array<std::vector<VertexSlot>, kLevels> _leaving;  ///< vertices that are active no longer, by level
+    std::array<std::vector<VertexSlot>, PlacedTile::kMostLevels>
+        _leaving; ///< vertices that are active no longer, by level
     std::size_t _leavingCount = 0;
     std::vector<TriangleId> _coming; ///< triangles whose split vertex has become active
+    std::vector<GridPoint> _again;   ///< that lookAgain() was told of
     Backlog _backlog;                ///< of _coming since it was empty last
     std::size_t _followed = 0;       ///< of the tree's new vertices in this frame
     bool _knowsTree = false;

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+
+namespace osgTerrainROAM::core
+{
+
+/// A rectangle of grid places, its borders included; empty when east < west.
+struct GridRect
+{
+    int west = 0, south = 0, east = -1, north = -1;
+
+    bool isEmpty() const { return east < west || north < south; }
+    bool holds(int column, int row) const
+    {
+        return column >= west && column <= east && row >= south && row <= north;
+    }
+    GridRect grownBy(int places) const
+    {
+        return {west - places, south - places, east + places, north + places};
+    }
+    GridRect cutTo(const GridRect& o) const
+    {
+        return {std::max(west, o.west), std::max(south, o.south), std::min(east, o.east),
+                std::min(north, o.north)};
+    }
+    friend bool operator==(const GridRect&, const GridRect&) = default;
+};
+
+} // namespace osgTerrainROAM::core

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <osgTerrainROAM/core/heightfield/PlacedTile.h>
+
+namespace osgTerrainROAM::core
+{
+
+/// The raster of a tile alone: its samples are counted one by one, however fine the tile's grid is.
+class SampleRaster
+{
+public:
+    explicit SampleRaster(const PlacedTile& tile) : _tile(&tile) {}
+
+    int side() const { return ((_tile->side() - 1) >> shift()) + 1; } ///< of the padded tile, 2^n+1
+    int levels() const { return _tile->levels() - 2 * shift(); }
+    int dataColumns() const { return _tile->field().columns; }
+    int dataRows() const { return _tile->field().rows; }
+    float heightM(int column, int row) const { return _tile->heightM(column << shift(), row << shift()); }
+    glm::dvec3 position(int column, int row) const
+    {
+        return _tile->position(column << shift(), row << shift());
+    }
+    /// Position of a fractional place between samples.
+    glm::dvec3 positionAt(double column, double row, double heightM) const
+    {
+        const double step = 1 << shift();
+        return _tile->positionAt(column * step, row * step, heightM);
+    }
+    const SampleTable& samples() const { return _tile->samples(); }
+    const PlacedTile& tile() const { return *_tile; }
+
+private:
+    int shift() const { return _tile->gridExponent(); }
+
+    const PlacedTile* _tile;
+};
+
+} // namespace osgTerrainROAM::core

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+#include <shared_mutex>
+
+#include <osgTerrainROAM/core/edit/GroundEditor.h>
+#include <osgTerrainROAM/core/edit/NearestPlane.h>
+
+namespace osgTerrainROAM::core
+{
+
+viewlod::Error GroundEditor::refusal(const char* what, const char* remedy) const
+{
+    return {_tile->tile.field().name, what, remedy};
+}
+
+double GroundEditor::placeM() const
+{
+    const PlacedTile& tile = _tile->tile;
+    const double step = _detail == EditDetail::places ? 1.0 : std::ldexp(1.0, tile.gridExponent());
+    const double column = 0.5 * tile.dataColumns(), row = 0.5 * tile.dataRows();
+    const glm::dvec3 here = tile.positionAt(column, row, 0.0);
+    return std::max(glm::distance(here, tile.positionAt(column + step, row, 0.0)),
+                    glm::distance(here, tile.positionAt(column, row + step, 0.0)));
+}
+
+/// At the nearest place of the grid to a place in the plan; close to the vertical line through it.
+double GroundEditor::groundM(const glm::dvec2& place) const
+{
+    const PlacedTile& tile = _tile->tile;
+    const glm::dvec2 grid = tile.gridNear(place);
+    const auto nearest = [](double v, int count)
+    { return static_cast<int>(std::clamp(std::round(v), 0.0, count - 1.0)); };
+    return tile.heightM(nearest(grid.x, tile.dataColumns()), nearest(grid.y, tile.dataRows()));
+}
+
+viewlod::Result<EditReport> GroundEditor::apply(const HeightRule& rule, std::span<const PlanBox> boxes)
+{
+    const EditDetail detail = _tile->tile.gridExponent() > 0 ? _detail : EditDetail::samples;
+    viewlod::Result<std::vector<HeightChange>> changes = [&]
+    {
+        const std::shared_lock lock(_tile->mutex());
+        return changesBy(rule, _tile->tile, boxes, detail);
+    }();
+    if (!changes) return changes.error();
+    const bool ofSamples = detail == EditDetail::samples;
+    // What counts among the samples without being one follows the surface by itself.
+    if (ofSamples)
+        std::erase_if(*changes, [&](const HeightChange& change)
+                      { return !_tile->tile.hasSample(change.place.column, change.place.row); });
+    return _steps.apply(*changes, ofSamples ? TileEditor::Between::follows : TileEditor::Between::stays);
+}
+
+viewlod::Result<EditReport> GroundEditor::applyIn(const Region& region, const HeightRule& rule)
+{
+    if (region.isEmpty()) return refusal("the region has no extent", "give a radius or three corners");
+    const PlanBox box = region.box();
+    return apply(
+        [&](const glm::dvec2& place, double heightM)
+        {
+            const double insideM = region.insideM(place);
+            if (insideM < 0.0) return heightM;
+            const double share = _fadeM > 0.0 ? std::min(insideM / _fadeM, 1.0) : 1.0;
+            return std::lerp(heightM, rule(place, heightM), share * share * (3.0 - 2.0 * share));
+        },
+        {&box, 1});
+}
+
+viewlod::Result<EditReport> GroundEditor::setHeight(const Region& region, double heightM)
+{
+    return applyIn(region, [=](const glm::dvec2&, double) { return heightM; });
+}
+
+viewlod::Result<EditReport> GroundEditor::raise(const Region& region, double byM)
+{
+    return applyIn(region, [=](const glm::dvec2&, double heightM) { return heightM + byM; });
+}
+
+viewlod::Result<EditReport> GroundEditor::smooth(const Region& region, double radiusM)
+{
+    constexpr int kReach = 4; // nine by nine points, more weight in the middle
+    return applyIn(region,
+                   [&](const glm::dvec2& place, double)
+                   {
+                       double sum = 0.0, weights = 0.0;
+                       for (int y = -kReach; y <= kReach; ++y)
+                           for (int x = -kReach; x <= kReach; ++x)
+                           {
+                               const double weight =
+                                   1.0 - (x * x + y * y) / ((kReach + 1.0) * (kReach + 1.0));
+                               if (weight <= 0.0) continue;
+                               sum += weight * groundM(place + glm::dvec2(x, y) * (radiusM / kReach));
+                               weights += weight;
+                           }
+                       return sum / weights;
+                   });
+}
+
+viewlod::Result<EditReport> GroundEditor::flatten(const Region& region)
+{
+    if (region.isEmpty()) return refusal("the region has no extent", "give a radius or three corners");
+    const PlanBox box = region.box();
+    NearestPlane plane;
+    constexpr int kPoints = 64; // a side
+    for (int y = 0; y <= kPoints; ++y)
+        for (int x = 0; x <= kPoints; ++x)
+        {
+            const glm::dvec2 place = glm::mix(box.low, box.high, glm::dvec2(x, y) / double(kPoints));
+            if (region.insideM(place) >= 0.0) plane.add(place, groundM(place));
+        }
+    plane.fit();
+    return applyIn(region, [&](const glm::dvec2& place, double) { return plane.heightM(place); });
+}
+
+viewlod::Result<EditReport> GroundEditor::stamp(const Crater& crater)
+{
+    if (!(crater.radiusM > 0.0)) return refusal("the crater has no extent", "give a radius");
+    constexpr double kReach = 3.0; // radii; there the rim is a twenty-seventh of its height
+    const PlanBox box = PlanBox{crater.centre, crater.centre}.grownBy(kReach * crater.radiusM);
+    return apply(
+        [&](const glm::dvec2& place, double heightM)
+        {
+            const double r = glm::distance(place, crater.centre) / crater.radiusM;
+            if (r >= kReach) return heightM;
+            if (r < 1.0) return heightM + std::lerp(-crater.depthM, crater.rimM, r * r);
+            const double last = 1.0 / (kReach * kReach * kReach);
+            return heightM + crater.rimM * (1.0 / (r * r * r) - last) / (1.0 - last);
+        },
+        {&box, 1});
+}
+
+} // namespace osgTerrainROAM::core

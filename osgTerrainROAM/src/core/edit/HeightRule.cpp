@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include <osgTerrainROAM/core/edit/HeightRule.h>
+
+namespace osgTerrainROAM::core
+{
+
+namespace
+{
+
+constexpr double kLeastChangeM = 1e-4;
+constexpr int kBlockShift = 5; ///< places, or samples, along what is looked at together
+
+/// The places of the data that a box holds, and perhaps a few around it. The grid is bent a little on the Earth.
+GridRect placesIn(const PlacedTile& tile, const PlanBox& box)
+{
+    glm::dvec2 low(1e30), high(-1e30);
+    for (const double x : {box.low.x, box.high.x})
+        for (const double y : {box.low.y, box.high.y})
+        {
+            const glm::dvec2 grid = tile.gridNear({x, y});
+            low = glm::min(low, grid);
+            high = glm::max(high, grid);
+        }
+    const int slack =
+        (2 << tile.gridExponent()) + static_cast<int>(0.01 * std::max(high.x - low.x, high.y - low.y));
+    const auto whole = [&](double v) { return static_cast<int>(std::clamp(v, -1e9, 1e9)); };
+    return GridRect{whole(low.x), whole(low.y), whole(high.x) + 1, whole(high.y) + 1}.grownBy(slack).cutTo(
+        {0, 0, tile.dataColumns() - 1, tile.dataRows() - 1});
+}
+
+/// Blocks of the grid that boxes touch, each once.
+class Blocks
+{
+public:
+    explicit Blocks(int shift) : _shift(shift) {}
+
+    void add(const GridRect& rect)
+    {
+        if (rect.isEmpty()) return;
+        for (int row = rect.south >> _shift; row <= rect.north >> _shift; ++row)
+            for (int column = rect.west >> _shift; column <= rect.east >> _shift; ++column)
+                _blocks.emplace(row, column);
+    }
+
+    template<class Visit>
+    void forEach(const Visit& visit) const
+    {
+        for (const auto& [row, column] : _blocks)
+        {
+            const int west = column << _shift, south = row << _shift, size = 1 << _shift;
+            visit(GridRect{west, south, west + size - 1, south + size - 1});
+        }
+    }
+
+    std::size_t size() const { return _blocks.size(); }
+
+private:
+    int _shift;
+    std::set<std::pair<int, int>> _blocks;
+};
+
+} // namespace
+
+viewlod::Result<std::vector<HeightChange>> changesBy(const HeightRule& rule, const PlacedTile& tile,
+                                                     std::span<const PlanBox> boxes, EditDetail detail)
+{
+    const bool ofSamples = detail == EditDetail::samples;
+    Blocks blocks(kBlockShift + (ofSamples ? tile.gridExponent() : 0));
+    for (const PlanBox& box : boxes)
+        blocks.add(placesIn(tile, box));
+    const auto refuse = [&](const char* what, const char* remedy) {
+        return viewlod::Error{tile.field().name, what, remedy};
+    };
+    if (blocks.size() == 0) return refuse("the edit lies beyond the data", "give places in the tile's frame");
+    if (blocks.size() > kMostEditedPlaces >> (2 * kBlockShift))
+        return refuse("the edit is too large for so fine a grid", "edit samples only, or in parts");
+
+    std::vector<HeightChange> changes;
+    const auto look = [&](int column, int row)
+    {
+        const double heightM = tile.heightM(column, row);
+        const glm::dvec2 place = tile.positionOf(column, row, heightM);
+        const double wantedM = rule(place, heightM);
+        if (std::abs(wantedM - heightM) > kLeastChangeM)
+            changes.push_back({{column, row}, static_cast<float>(wantedM)});
+    };
+    const GridRect data{0, 0, tile.dataColumns() - 1, tile.dataRows() - 1};
+    blocks.forEach(
+        [&](const GridRect& whole)
+        {
+            const GridRect block = whole.cutTo(data);
+            if (ofSamples) return tile.forEachSample(block, look);
+            for (int row = block.south; row <= block.north; ++row)
+                for (int column = block.west; column <= block.east; ++column)
+                    look(column, row);
+        });
+    return changes;
+}
+
+} // namespace osgTerrainROAM::core

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <mutex>
+#include <string>
+#include <utility>
+
+#include <osgTerrainROAM/core/edit/TileEditor.h>
+
+namespace osgTerrainROAM::core
+{
+
+namespace
+{
+
+constexpr int kGroupShift = 4; ///< places, or samples, along a group of changes
+
+/// Puts the places of an edit into rectangles: groups of neighbours, each as small as its changes are.
+class Grouping
+{
+public:
+    explicit Grouping(const PlacedTile& tile) : _tile(tile) {}
+
+    void add(GridPoint p, bool ofRaster)
+    {
+        const int shift = kGroupShift + (ofRaster ? _tile.gridExponent() : 0);
+        GridRect& rect = (ofRaster ? _coarse : _fine)[{p.row >> shift, p.column >> shift}];
+        rect = rect.isEmpty() ? GridRect{p.column, p.row, p.column, p.row}
+                              : GridRect{std::min(rect.west, p.column), std::min(rect.south, p.row),
+                                         std::max(rect.east, p.column), std::max(rect.north, p.row)};
+    }
+
+    std::vector<ChangedPlaces> changed() const
+    {
+        std::vector<ChangedPlaces> all;
+        for (const auto& [place, rect] : _fine)
+            all.push_back({rect, 1});
+        for (const auto& [place, rect] : _coarse)
+            all.push_back({rect, 1 << _tile.gridExponent()});
+        return all;
+    }
+
+private:
+    using Rects = std::map<std::pair<int, int>, GridRect>;
+
+    const PlacedTile& _tile;
+    Rects _fine, _coarse;
+};
+
+/// Where vertices may lie elsewhere: between changed samples of the raster, too, and beyond the edge of the data.
+GridRect movedBy(const ChangedPlaces& changed, const PlacedTile& tile)
+{
+    GridRect moved = changed.rect.grownBy(changed.step - 1);
+    if (changed.rect.east == tile.dataColumns() - 1) moved.east = tile.side() - 1;
+    if (changed.rect.north == tile.dataRows() - 1) moved.north = tile.side() - 1;
+    return moved;
+}
+
+std::string placeText(GridPoint p)
+{
+    return "column " + std::to_string(p.column) + ", row " + std::to_string(p.row);
+}
+
+} // namespace
+
+viewlod::Outcome TileEditor::check(std::span<const HeightChange> changes, Between between) const
+{
+    const PlacedTile& placed = _tile->tile;
+    const auto refuse = [&](GridPoint p, const std::string& what, const std::string& remedy) {
+        return viewlod::Error{placed.field().name + ": " + placeText(p), what, remedy};
+    };
+    for (const HeightChange& change : changes)
+    {
+        const GridPoint p = change.place;
+        if (p.column < 0 || p.row < 0 || !placed.isInData(p.column, p.row))
+            return refuse(p, "no place of the data", "edit within its edge");
+        if (!(std::abs(change.heightM) <= kHighestM))
+            return refuse(p, "the height is no number or out of bounds", "stay within 20 km of zero");
+        if (between == Between::follows && !placed.hasSample(p.column, p.row))
+            return refuse(p, "no sample is there", "put samples between others with Between::stays");
+    }
+    return viewlod::success();
+}
+
+viewlod::Result<EditReport> TileEditor::apply(std::span<const HeightChange> changes, Between between)
+{
+    const std::unique_lock lock(_tile->mutex());
+    if (const auto sound = check(changes, between); !sound) return sound.error();
+    EditReport report;
+    Step step;
+    if (between == Between::stays) surround(changes, step);
+    write(changes, between, step, report);
+
+    Grouping groups(_tile->tile);
+    for (const auto& [place, memo] : step.samples) // those around the changes, too: they count now
+        if (!_tile->tile.isOfRaster(place.column, place.row)) groups.add(place, false);
+    for (const HeightChange& change : changes)
+    {
+        const GridPoint p = change.place;
+        groups.add(p, between == Between::follows && _tile->tile.isOfRaster(p.column, p.row));
+        _tile->include(p);
+    }
+    step.changed = groups.changed();
+    step.movedM = report.largestChangeM;
+    step.bounds = BoundsUpdate(*_tile).follow(step.changed, step.movedM);
+    report.boundsChanged = step.bounds.size();
+    note(step, step.bounds);
+    _steps.push_back(std::move(step));
+    return report;
+}
+
+void TileEditor::note(const Step& step, std::span<const BoundsUpdate::Change> bounds)
+{
+    TileChange change;
+    for (const ChangedPlaces& places : step.changed)
+        change.moved.push_back(movedBy(places, _tile->tile));
+    for (const BoundsUpdate::Change& bound : bounds)
+        change.vertices.push_back(bound.vertex);
+    _tile->note(std::move(change));
+}
+
+/// Beyond the places next to samples that are put between others the surface stays as it is: there it has its corners.
+void TileEditor::surround(std::span<const HeightChange> changes, Step& step)
+{
+    PlacedTile& placed = _tile->tile;
+    for (const HeightChange& change : changes)
+        for (int row = change.place.row - 1; row <= change.place.row + 1; ++row)
+            for (int column = change.place.column - 1; column <= change.place.column + 1; ++column)
+            {
+                if (column < 0 || row < 0 || !placed.isInData(column, row) || placed.hasSample(column, row))
+                    continue;
+                step.samples.emplace_back(GridPoint{column, row}, _tile->memo({column, row}));
+                placed.count(column, row);
+            }
+}
+
+void TileEditor::write(std::span<const HeightChange> changes, Between between, Step& step, EditReport& report)
+{
+    PlacedTile& placed = _tile->tile;
+    for (const HeightChange& change : changes)
+    {
+        const auto [column, row] = change.place;
+        step.samples.emplace_back(change.place, _tile->memo(change.place));
+        const double byM = std::abs(double{change.heightM} - placed.heightM(column, row));
+        report.largestChangeM = std::max(report.largestChangeM, byM);
+        if (between == Between::follows && placed.isOfRaster(column, row))
+            placed.setRasterHeight(column, row, change.heightM);
+        else
+            placed.setFineHeight(column, row, change.heightM);
+    }
+    report.samplesChanged = changes.size();
+}
+
+bool TileEditor::undo()
+{
+    if (_steps.empty()) return false;
+    const std::unique_lock lock(_tile->mutex());
+    Step step = std::move(_steps.back());
+    _steps.pop_back();
+    for (auto change = step.bounds.rbegin(); !step.boundsAreStale && change != step.bounds.rend(); ++change)
+        _tile->restore(change->vertex, change->before);
+    for (auto sample = step.samples.rbegin(); sample != step.samples.rend(); ++sample)
+        _tile->restore(sample->first, sample->second);
+    if (step.boundsAreStale) step.bounds = BoundsUpdate(*_tile).follow(step.changed, step.movedM);
+    note(step, step.bounds);
+    return true;
+}
+
+bool TileEditor::tighten(std::size_t mostSamples)
+{
+    const std::unique_lock lock(_tile->mutex());
+    const auto changes = BoundsUpdate(*_tile).tighten(mostSamples);
+    if (!changes.empty()) note({}, changes);
+    for (Step& step : _steps)
+        step.boundsAreStale = true;
+    return _tile->looseVertices().empty();
+}
+
+} // namespace osgTerrainROAM::core

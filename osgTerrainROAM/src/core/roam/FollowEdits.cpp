@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+// How a mesh follows edits of its tile: vertices that have moved are written again, and where bounds have changed the next
+// refinement looks again.
+#include <osgTerrainROAM/core/roam/RoamMesh.h>
+
+namespace osgTerrainROAM::core
+{
+
+void RoamMesh::followTile()
+{
+    if (!isBehind()) return;
+    const auto changes = tile().changesSince(_revision);
+    _revision = tile().revision();
+    if (patchExponent() > 0) _tree.setBounds(_tree.bounds().remade());
+    if (!changes || patchExponent() > 0) _wheel.forget();
+    if (!changes) return followAll();
+    for (const TileChange* change : *changes)
+    {
+        for (const GridPoint v : change->vertices)
+            _wheel.lookAgain(v);
+        for (const GridRect& rect : change->moved)
+        {
+            if (_patches)
+                _moved.push_back(rect);
+            else
+                followMoved(rect);
+        }
+    }
+}
+
+void RoamMesh::followMoved(const GridRect& rect)
+{
+    _tree.forEachIn(rect,
+                    [&](VertexSlot v, TriangleId leaf)
+                    {
+                        if (v != kNone)
+                        {
+                            _tree.noteMoved(v);
+                            if (v >= DiamondTree::kCorners) _wheel.lookAgain(_tree.place(v).point());
+                            return;
+                        }
+                        if (!_tree.canSplit(leaf)) return;
+                        const GridPoint mid = _tree.middle(leaf);
+                        if (rect.holds(mid.column, mid.row)) _wheel.lookAgain(mid);
+                    });
+}
+
+/// What has changed since is not known any more.
+void RoamMesh::followAll()
+{
+    const int last = tile().tile.side() - 1;
+    if (_patches)
+        _moved.assign(1, {0, 0, last, last});
+    else
+        for (VertexSlot v = 0; v < _tree.vertexSlots(); ++v)
+            if (!_tree.place(v).isFree()) _tree.noteMoved(v);
+}
+
+void RoamMesh::rewritePatches()
+{
+    for (const GridRect& rect : _moved)
+        _tree.forEachIn(rect,
+                        [&](VertexSlot, TriangleId leaf)
+                        {
+                            if (leaf.exists()) _patches->rewrite(_tree, leaf);
+                        });
+    _moved.clear();
+}
+
+} // namespace osgTerrainROAM::core

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+// The diamond of a vertex, found from its place alone, against a walk down the bintree.
+#include <map>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include <osgTerrainROAM/core/roam/SplitDiamond.h>
+
+namespace
+{
+
+using namespace osgTerrainROAM::core;
+
+using Corners = std::array<std::pair<int, int>, 3>;
+
+Corners cornersOf(const GridTriangle& t)
+{
+    return {{{t.apex.column, t.apex.row}, {t.left.column, t.left.row}, {t.right.column, t.right.row}}};
+}
+
+/// What the bintree says of each vertex: the triangles that it splits, and their level.
+struct Vertices
+{
+    struct Vertex
+    {
+        int level = -1;
+        std::set<Corners> triangles;
+    };
+    std::map<std::pair<int, int>, Vertex> all;
+
+    explicit Vertices(int side)
+    {
+        for (const GridTriangle& root : rootTriangles(side))
+            visit(root, 0);
+    }
+
+    void visit(const GridTriangle& t, int level)
+    {
+        const GridPoint mid = t.middleOfBase();
+        if (mid == t.left || (t.left.column + t.right.column) % 2 != 0 || (t.left.row + t.right.row) % 2 != 0)
+            return;
+        Vertex& vertex = all[{mid.column, mid.row}];
+        vertex.level = level;
+        vertex.triangles.insert(cornersOf(t));
+        for (const GridTriangle& child : t.children())
+            visit(child, level + 1);
+    }
+};
+
+TEST(SplitDiamond, IsWhatTheBintreeSays)
+{
+    constexpr int kSide = 33;
+    const Vertices vertices(kSide);
+    EXPECT_EQ(vertices.all.size(), static_cast<std::size_t>(kSide) * kSide - 4);
+    for (const auto& [place, vertex] : vertices.all)
+    {
+        const SplitDiamond diamond({place.first, place.second}, kSide);
+        EXPECT_EQ(diamond.level(), vertex.level) << place.first << ", " << place.second;
+        std::set<Corners> triangles;
+        diamond.forEachTriangle([&](const GridTriangle& t) { triangles.insert(cornersOf(t)); });
+        EXPECT_EQ(triangles, vertex.triangles) << place.first << ", " << place.second;
+    }
+}
+
+TEST(SplitDiamond, ParentsAndChildrenAgree)
+{
+    constexpr int kSide = 17;
+    std::set<std::array<int, 4>> down, up;
+    for (const auto& [place, vertex] : Vertices(kSide).all)
+    {
+        const SplitDiamond diamond({place.first, place.second}, kSide);
+        diamond.forEachChild([&](GridPoint c) { down.insert({place.first, place.second, c.column, c.row}); });
+        diamond.forEachParent([&](GridPoint p) { up.insert({p.column, p.row, place.first, place.second}); });
+    }
+    EXPECT_EQ(down, up);
+    EXPECT_GT(down.size(), 400u);
+}
+
+} // namespace
