@@ -35,7 +35,8 @@ PlacedTile::PlacedTile(HeightField field, const PlacedTileOptions& options)
     : _field(complete(std::move(field))),
       _samples(_field, options.storage, options.gridExponent > 0 ? kHeadroom : 1.0),
       _placement(_field.net ? options.placement : Placement::planar),
-      _gridExponent(options.gridExponent)
+      _gridExponent(options.gridExponent),
+      _betweenSamples((1 << options.gridExponent) - 1)
 {
     initSide();
     if (_placement == Placement::curved)

@@ -90,12 +90,9 @@ public:
     /// rest is 0.
     SampleTable::Sample sample(int column, int row) const
     {
-        if (isOfRaster(column, row)) [[likely]]
-        {
-            const std::size_t index = rasterIndex(column, row);
-            if (!_samples.isElsewhere(index)) [[likely]]
-                return _samples.sample(index);
-        }
+        SampleTable::Sample sample;
+        if (isOfRaster(column, row) && _samples.read(rasterIndex(column, row), sample)) [[likely]]
+            return sample;
         return sampleBetween(column, row);
     }
 
@@ -130,7 +127,7 @@ public:
     const FineSamples& fineSamples() const { return _fine; }
 
     /// Whether a sample of the raster belongs there.
-    bool isOfRaster(int column, int row) const { return ((column | row) & ((1 << _gridExponent) - 1)) == 0; }
+    bool isOfRaster(int column, int row) const { return ((column | row) & _betweenSamples) == 0; }
 
     /// Gives a sample of the raster another height: the surface between the samples follows. Kept exactly; where the table
     /// cannot, places between follow to its nearest step.
@@ -278,6 +275,7 @@ private:
     Placement _placement;
     Geodetic _origin;
     int _gridExponent = 0;
+    int _betweenSamples = 0; ///< bits of a coordinate that a sample of the raster has not
     int _side = 0;
     int _levels = 0;
     int _dataColumns = 0, _dataRows = 0;

@@ -51,6 +51,19 @@ public:
         return {_offsetM + _quantumM * packed.height, decodedError(packed.error), _radiiM[packed.radius]};
     }
 
+    /// The same, unless its data are elsewhere: false.
+    bool read(std::size_t index, Sample& sample) const
+    {
+        if (_samples.empty())
+        {
+            sample = _exact[index];
+            return true;
+        }
+        const Packed& packed = _samples[index];
+        sample = {_offsetM + _quantumM * packed.height, decodedError(packed.error), _radiiM[packed.radius]};
+        return packed.flags == 0;
+    }
+
     /// Tells the processor that a sample will be asked for.
     void prefetch(std::size_t index) const
     {
