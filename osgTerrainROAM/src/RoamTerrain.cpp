@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <osg/Notify>
+
 #include <osgTerrainROAM/core/LoadTerrain.h>
+#include <osgTerrainROAM/core/features/FeatureImport.h>
 
 #include <osgTerrainROAM/RoamTerrain>
 
@@ -21,6 +24,26 @@ AtmosphereSettings atmosphereSettings(const core::RoamFile& description)
     return settings;
 }
 
+/// Imports all sources of features and gives them to the material.
+viewlod::Result<core::FeatureReport>
+paintFeatures(TerrainMaterial& material, const core::RoamFile& description, const core::PlacedTile& tile)
+{
+    core::FeatureSet all;
+    for (const std::filesystem::path& source : description.features)
+    {
+        auto set = core::importFeatures(source, tile);
+        if (!set) return set.error();
+        if (set->report.taken < set->report.read)
+            osg::notify(osg::NOTICE) << source.string() << ": " << set->report.message() << std::endl;
+        all.append(std::move(*set));
+    }
+    if (all.features.empty()) return all.report;
+    const auto cells = core::FeatureCells::build(all.features);
+    if (!cells) return cells.error();
+    material.setFeatures(*cells);
+    return all.report;
+}
+
 } // namespace
 
 RoamTerrain::RoamTerrain() : RoamTerrain(nullptr, nullptr) {}
@@ -37,7 +60,8 @@ RoamTerrain::RoamTerrain(const RoamTerrain& other, const osg::CopyOp& copyOp)
     : osg::Group(other, copyOp),
       _tile(other._tile),
       _drawable(new RoamDrawable(*other._drawable, copyOp)),
-      _material(other._material)
+      _material(other._material),
+      _featureReport(other._featureReport)
 {
     setChild(other.getChildIndex(other._drawable.get()), _drawable);
     setAtmosphere(other._atmosphere);
@@ -64,7 +88,10 @@ viewlod::Result<osg::ref_ptr<RoamTerrain>> makeTerrain(const core::RoamFile& des
     }
     osg::ref_ptr<TerrainMaterial> material =
         new TerrainMaterial(tile->tile, climateOf(tile->tile, description.land), drape.get());
+    const auto features = paintFeatures(*material, description, tile->tile);
+    if (!features) return features.error();
     osg::ref_ptr<RoamTerrain> terrain = new RoamTerrain(tile, material.get());
+    terrain->setFeatureReport(*features);
     terrain->setErrorTolerancePx(description.errorTolerancePx);
     terrain->setMaxTriangles(description.maxTriangles);
     terrain->setAtmosphere(new Atmosphere(atmosphereSettings(description)));

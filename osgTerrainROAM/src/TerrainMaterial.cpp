@@ -7,6 +7,7 @@
 
 #include <osgTerrainROAM/TerrainMaterial>
 
+#include "material/FeatureTextures.h"
 #include "material/GrainImage.h"
 #include "material/LandMap.h"
 #include "material/MapGrid.h"
@@ -43,15 +44,37 @@ osg::Vec4f mapFromGrid(double texelsPerSample, double offsetTexels, int side, bo
 } // namespace
 
 TerrainMaterial::TerrainMaterial(const core::PlacedTile& tile, const Climate& climate, osg::Image* drapeImage)
-    : _climate(climate), _stateSet(new osg::StateSet)
+    : _climate(climate), _hasDrape(drapeImage != nullptr), _stateSet(new osg::StateSet)
 {
     addMaps(tile, drapeImage);
     addScales(tile);
     addColours();
     addClipping(tile);
-    _stateSet->setAttributeAndModes(terrainProgram(drapeImage != nullptr));
+    setProgram();
     // The ground has no underside, and a far slope must not win against the near one in the depth buffer's last step.
     _stateSet->setMode(GL_CULL_FACE, osg::StateAttribute::ON);
+}
+
+void TerrainMaterial::setProgram()
+{
+    _stateSet->setAttributeAndModes(terrainProgram({_hasDrape, _hasFeatures}));
+}
+
+void TerrainMaterial::setFeatures(const core::FeatureCells& cells)
+{
+    addFeatureTextures(*_stateSet, cells, features);
+    const auto add = [&](const char* name, int index, const osg::Vec3f& albedo)
+    {
+        _stateSet->getOrCreateUniform(name, osg::Uniform::FLOAT_VEC3, 4)
+            ->setElement(static_cast<unsigned>(index), albedo);
+    };
+    add("featureCrops", 0, {0.150f, 0.165f, 0.050f});
+    add("featureCrops", 1, {0.075f, 0.120f, 0.030f});
+    add("featureCrops", 2, {0.090f, 0.145f, 0.035f});
+    add("featureCrops", 3, {0.045f, 0.075f, 0.022f});
+    _stateSet->addUniform(new osg::Uniform("featureSoil", osg::Vec3f(0.135f, 0.105f, 0.075f)));
+    _hasFeatures = true;
+    setProgram();
 }
 
 void TerrainMaterial::addMaps(const core::PlacedTile& tile, osg::Image* drapeImage)

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -160,11 +161,17 @@ Outcome assignTriangles(RoamFile& file, const Entry& entry)
     return success();
 }
 
+Outcome appendPath(std::vector<std::filesystem::path>& target, const Entry& entry)
+{
+    return assignPath(target.emplace_back(), entry);
+}
+
 /// A key and what it does to the file.
 struct Key
 {
     std::string_view name;
     Outcome (*assign)(RoamFile&, const Entry&);
+    bool repeats = false; ///< may stand in several lines
 };
 
 constexpr double kFar = 1.0e7; ///< metres; nothing on Earth is higher or wider than its own radius
@@ -172,6 +179,7 @@ constexpr double kFar = 1.0e7; ///< metres; nothing on Earth is higher or wider 
 constexpr std::array kKeys{
     Key{"dem", [](RoamFile& f, const Entry& e) { return assignPath(f.dem, e); }},
     Key{"imagery", [](RoamFile& f, const Entry& e) { return assignPath(f.imagery, e); }},
+    Key{"features", [](RoamFile& f, const Entry& e) { return appendPath(f.features, e); }, true},
     Key{"origin", assignOrigin},
     Key{"placement", assignPlacement},
     Key{"spacing",
@@ -209,15 +217,38 @@ Outcome assignEntry(RoamFile& file, const Entry& entry)
     return entry.error("unknown key '" + std::string(entry.key) + "'", "known keys: " + keyNames());
 }
 
-/// Line (from 1) of `key` in text that has been parsed before.
-std::string placeOfKey(std::string_view text, std::string_view key, const std::filesystem::path& name)
+bool repeats(std::string_view name)
+{
+    return std::any_of(kKeys.begin(), kKeys.end(),
+                       [=](const Key& key) { return key.name == name && key.repeats; });
+}
+
+/// A file that a key names: the `nth` line with this key.
+struct NamedFile
+{
+    std::string_view key;
+    std::filesystem::path path;
+    int nth = 0;
+};
+
+std::vector<NamedFile> namedFiles(const RoamFile& file)
+{
+    std::vector<NamedFile> named{{"dem", file.dem}, {"imagery", file.imagery}};
+    for (std::size_t i = 0; i < file.features.size(); ++i)
+        named.push_back({"features", file.features[i], static_cast<int>(i)});
+    return named;
+}
+
+/// Line (from 1) of a key in text that has been parsed before.
+std::string placeOfKey(std::string_view text, const NamedFile& named, const std::filesystem::path& name)
 {
     std::size_t line = 1;
+    int before = named.nth;
     for (std::size_t at = 0; at < text.size(); ++line)
     {
         const std::size_t end = std::min(text.find('\n', at), text.size());
         const std::string_view content = text.substr(at, end - at);
-        if (trimmed(content.substr(0, content.find('='))) == key) break;
+        if (trimmed(content.substr(0, content.find('='))) == named.key && before-- == 0) break;
         at = end + 1;
     }
     return name.string() + ":" + std::to_string(line);
@@ -244,7 +275,7 @@ Result<RoamFile> parseRoamFile(std::string_view text, const std::filesystem::pat
             return entry.error("not of the form key = value", "see the keys: " + keyNames());
         entry.key = trimmed(content.substr(0, equals));
         entry.value = trimmed(content.substr(equals + 1));
-        if (!seen.emplace(entry.key).second)
+        if (!seen.emplace(entry.key).second && !repeats(entry.key))
             return entry.error("'" + std::string(entry.key) + "' stands here a second time",
                                "keep one of them");
         if (const auto assigned = assignEntry(file, entry); !assigned) return assigned.error();
@@ -267,13 +298,14 @@ Result<RoamFile> readRoamFile(const std::filesystem::path& file)
 
     const auto parsed = parseRoamFile(text, file);
     if (!parsed) return parsed;
-    for (const auto& [key, path] : {std::pair{"dem", parsed->dem}, std::pair{"imagery", parsed->imagery}})
+    for (const NamedFile& named : namedFiles(*parsed))
     {
         std::error_code ignored;
-        if (path.empty() || path.string().starts_with("/vsi") || std::filesystem::exists(path, ignored))
+        if (named.path.empty() || named.path.string().starts_with("/vsi") ||
+            std::filesystem::exists(named.path, ignored))
             continue;
-        return Error{placeOfKey(text, key, file),
-                     std::string(key) + " '" + path.string() + "' does not exist",
+        return Error{placeOfKey(text, named, file),
+                     std::string(named.key) + " '" + named.path.string() + "' does not exist",
                      "paths are relative to the .roam file"};
     }
     return parsed;

@@ -5,6 +5,8 @@
 
 #include <osgTerrainROAM/Atmosphere>
 
+#include "FeatureShader.h"
+
 namespace osgTerrainROAM
 {
 
@@ -157,6 +159,12 @@ void main()
                                             - 0.9 * max(steep - 0.25, 0.0));
     float roughness = mix(1.0 + 1.5 * smoothstep(0.12, 0.35, steep), 0.35, snow);
     vec4 ground = groundColour(land.r, steep, place.z, g);
+#ifdef TERRAIN_FEATURES
+    Paint paint = terrainPaint(place.xy, dFdx(fromEye.xy), dFdy(fromEye.xy));
+    ground = fieldAlbedo(ground, paint, g);
+    ground.a *= openShare(paint);
+    roughness *= 0.25 + 0.75 * openShare(paint);
+#endif
     vec2 bent = tilt - bumps(g, roughness, ground.a * (1.0 - snow));
     vec3 normal = normalize(vec3(bent, sqrt(max(1.0 - dot(tilt, tilt), 0.02))));
 
@@ -173,22 +181,34 @@ void main()
 #else
     float water = smoothstep(0.47, 0.53, land.b);
 #endif
+#ifdef TERRAIN_FEATURES
+    albedo = pavedAlbedo(albedo, paint, g);
+    water = max(water, paint.beds.x) * (1.0 - max(max(paint.beds.y, paint.beds.z), paint.beds.w));
+#endif
 
     vec3 normalWorld = terrainWorldFromLocal * normal;
     float sunlit = max(dot(normalWorld, sunDirection()), 0.0) * smoothstep(0.15, 0.6, land.a);
     vec3 colour = albedo * (sunLight() * sunlit + ambientLight(normalWorld) * land.a);
     if (water > 0.0) colour = mix(colour, waterColour(directionWorld, g), water);
+#ifdef TERRAIN_FEATURES
+    colour += paintLight(paint);
+#endif
     gl_FragColor = vec4(displayColour(applyHaze(colour, directionWorld, distanceM)), 1.0);
 }
 )";
 
 } // namespace
 
-osg::ref_ptr<osg::Program> terrainProgram(bool draped)
+osg::ref_ptr<osg::Program> terrainProgram(const TerrainLook& look)
 {
-    const std::string fragment = std::string("#version 330 compatibility\n") +
-                                 (draped ? "#define TERRAIN_DRAPE\n" : "") + Atmosphere::glslFunctions() +
-                                 kFragmentHead + kFragmentLand + kFragmentMain;
+    std::string fragment = "#version 330 compatibility\n";
+    if (look.drape) fragment += "#define TERRAIN_DRAPE\n";
+    if (look.features) fragment += "#define TERRAIN_FEATURES\n";
+    fragment += Atmosphere::glslFunctions();
+    fragment += kFragmentHead;
+    fragment += kFragmentLand;
+    if (look.features) fragment += std::string(featureCellsGlsl()) + featurePaintGlsl();
+    fragment += kFragmentMain;
     osg::ref_ptr<osg::Program> program = new osg::Program;
     program->setName("terrain");
     program->addShader(new osg::Shader(osg::Shader::VERTEX, kVertex));

@@ -6,7 +6,14 @@
 namespace osgTerrainROAM
 {
 
-/// The terrain's program; `draped`: with an imagery on unit 3.
-osg::ref_ptr<osg::Program> terrainProgram(bool draped);
+/// What a terrain's program has beside the land that follows from heights and climate. What it lacks costs nothing.
+struct TerrainLook
+{
+    bool drape = false;    ///< imagery (TerrainMaterial::drape)
+    bool features = false; ///< vector features (FeatureTextures.h)
+};
+
+/// The terrain's program.
+osg::ref_ptr<osg::Program> terrainProgram(const TerrainLook& look);
 
 } // namespace osgTerrainROAM

@@ -23,6 +23,7 @@ struct EyeUniforms
 {
     osg::Vec3i steps;
     osg::Vec3f rest, wrapped;
+    osg::Vec3i wraps; ///< whole kWrapM below `wrapped`
 };
 
 EyeUniforms eyeUniforms(const osg::Vec3d& eye, double stepM)
@@ -35,7 +36,9 @@ EyeUniforms eyeUniforms(const osg::Vec3d& eye, double stepM)
         const double steps = std::clamp(std::round(eye[i] / stepM), -kFarthest, kFarthest);
         uniforms.steps[i] = static_cast<int>(steps);
         uniforms.rest[i] = static_cast<float>(eye[i] - steps * stepM);
-        uniforms.wrapped[i] = static_cast<float>(eye[i] - kWrapM * std::floor(eye[i] / kWrapM));
+        const double wraps = std::clamp(std::floor(eye[i] / kWrapM), -kFarthest, kFarthest);
+        uniforms.wraps[i] = static_cast<int>(wraps);
+        uniforms.wrapped[i] = static_cast<float>(eye[i] - kWrapM * wraps);
     }
     return uniforms;
 }
@@ -122,6 +125,7 @@ void ViewPart::drawImplementation(osg::RenderInfo& renderInfo) const
     uniforms.set("terrainEyeRest", eye.rest);
     uniforms.set("terrainEyeWrapped", eye.wrapped);
     uniforms.setGridMap(_group->tile().gridMap());
+    uniforms.set("terrainEyeWraps", eye.wraps);
     uniforms.setRotation("terrainEyeFromLocal", eyeFromLocal);
     uniforms.setRotation("terrainWorldFromLocal", eyeFromLocal * state.getInitialInverseViewMatrix());
     _group->draw(state, _answer, _frustum);

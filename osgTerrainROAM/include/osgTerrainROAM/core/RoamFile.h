@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <viewlod/Result.h>
 
@@ -29,6 +30,7 @@ struct LandParameters
 /// A `.roam` file: a terrain in words. Text, one `key = value` a line, `#` starts a comment.
 ///   dem = FILE                        the elevation raster; the only key that must be there
 ///   imagery = FILE                    any raster GDAL opens, draped over the terrain
+///   features = FILE                   roads, rivers, fields, runways of any source that OGR opens; may be repeated
 ///   origin = LAT LON [HEIGHT]         of the local frame, degrees and metres
 ///   placement = curved | planar
 ///   spacing = METRES                  of a raster without georeference
@@ -42,6 +44,7 @@ struct RoamFile
 {
     std::filesystem::path dem;
     std::filesystem::path imagery; ///< empty: none
+    std::vector<std::filesystem::path> features;
     std::optional<Geodetic> origin;
     Placement placement = Placement::curved;
     DemImportOptions import;

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include <viewlod/Result.h>
+
+#include <osgTerrainROAM/core/features/GroundFeature.h>
+
+namespace osgTerrainROAM::core
+{
+
+/// Features cut into square cells for a fragment shader: each cell lists what lies in it or within kReachM of it, so that a
+/// fragment finds everything that its filter may touch in its own cell, as long as that is no wider than 2·kReachM.
+/// A record's places are relative to the middle of its cell: single precision is 8 µm there, wherever the tile ends.
+///
+/// Records are texels of four floats. A cell's list holds, in this order:
+/// - areas, in the order of painting; each is [edges, kind, crop, seed] [row direction east, north, its middle's place across and along
+///   the rows modulo kWayPeriodM]
+///   and `edges` × [east, north, east, north]: a clipped polygon's edges, less those that no ray to the east can meet;
+/// - lines, rivers before roads; each is [east, north, east, north] [half width, way to its first end modulo
+///   kWayPeriodM, code, road's number], with code = kind + 4·pavement + 16·lanes + 256·marked;
+/// - strokes; each is [east, north, east, north] [half width, paint, 0, 0]: a rectangle with a middle line.
+///
+/// Frame: the tile's local east and north. Units: metres. Cells are counted from the frame's origin, so that 4096 m are a whole
+/// number of them. Memory: 16 B a cell of the bounding rectangle and 16 B a texel.
+/// Invariant: every list lies within the records (isConsistent()). Threads: immutable after build().
+/// Source: the lists are those of Nehab and Hoppe, Random-access rendering of general vector graphics (2008), section 3; here
+/// the polygons keep even-odd parity by clipping, and lines are strokes of constant width evaluated by distance.
+struct FeatureCells
+{
+    static constexpr double kReachM = 16.0;
+    static constexpr double kWayPeriodM = 24.0; ///< a multiple of all dashes' periods
+
+    /// Where a cell's list begins and what is in it.
+    struct Cell
+    {
+        std::uint32_t first = 0, areas = 0, lines = 0, strokes = 0;
+    };
+
+    /// What a stroke paints.
+    enum Paint
+    {
+        asphalt,
+        white,
+        edgeLight, ///< of a runway, at night
+    };
+
+    double cellM = 64.0; ///< a power of two, 16 … 256
+    glm::ivec2 firstCell{0};
+    int columns = 0, rows = 0;
+    std::vector<Cell> cells; ///< row-major, southernmost first
+    std::vector<std::array<float, 4>> records;
+
+    /// The cell of a place, or null beyond all features.
+    const Cell* cellAt(const glm::dvec2& place) const;
+    /// A place as the records of its cell count it.
+    glm::dvec2 inCell(const glm::dvec2& place) const;
+    bool isConsistent() const;
+
+    /// Errors: more records than single precision can number (16 million), more than 4 million cells of 256 m.
+    static viewlod::Result<FeatureCells> build(const std::vector<GroundFeature>& features);
+};
+
+} // namespace osgTerrainROAM::core

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include <osgTerrainROAM/core/features/GroundFeature.h>
+
+#include "CellClip.h"
+#include "RunwayStrokes.h"
+
+namespace osgTerrainROAM::core
+{
+
+/// What is cut into cells, in the order of painting. Metres, local frame.
+struct FeatureShapes
+{
+    struct Area
+    {
+        std::vector<Ring> rings;
+        FeatureKind kind = FeatureKind::field;
+        Crop crop = Crop::cereal;
+        int seed = 0;              ///< 0 … 63: its own shade
+        glm::dvec2 rows{1.0, 0.0}; ///< direction of its rows, unit
+    };
+
+    /// A piece of a line.
+    struct Segment
+    {
+        glm::dvec2 a, b;
+        double halfWidthM = 0.0;
+        double wayM = 0.0; ///< from the line's beginning to `a`, modulo FeatureCells::kWayPeriodM
+        int code = 0;      ///< FeatureCells
+        int line = 0;      ///< number of the line it belongs to
+    };
+
+    std::vector<Area> areas;
+    std::vector<Segment> segments;
+    std::vector<Stroke> strokes;
+
+    explicit FeatureShapes(const std::vector<GroundFeature>& features);
+};
+
+} // namespace osgTerrainROAM::core

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "RunwayStrokes.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+
+namespace osgTerrainROAM::core
+{
+
+namespace
+{
+
+constexpr double kShortestM = 200.0; ///< with markings; below it is a strip of asphalt
+
+/// Coordinates along and across a runway, seen from one of its ends.
+struct Axis
+{
+    glm::dvec2 origin, along;
+    glm::dvec2 right() const { return {along.y, -along.x}; }
+    glm::dvec2 at(double s, double across) const { return origin + s * along + across * right(); }
+};
+
+class Painter
+{
+public:
+    explicit Painter(const RunwayFrame& frame)
+        : _frame(frame), _lengthM(glm::distance(frame.a, frame.b)), _widthM(frame.widthM)
+    {
+    }
+
+    std::vector<Stroke> strokes()
+    {
+        if (_frame.hasBed) add(_frame.a, _frame.b, 0.5 * _widthM, FeatureCells::asphalt);
+        if (_lengthM < kShortestM || _widthM < 8.0) return _strokes;
+        const Axis first{_frame.a, (_frame.b - _frame.a) / _lengthM};
+        const Axis second{_frame.b, -first.along};
+        edges(first);
+        centreLine(first);
+        for (const Axis& end : {first, second})
+        {
+            threshold(end);
+            if (_lengthM > 800.0) aimingPoints(end);
+        }
+        const auto [name, opposite] = designators(first.along);
+        write(first, name);
+        write(second, opposite);
+        return _strokes;
+    }
+
+private:
+    void add(const glm::dvec2& a, const glm::dvec2& b, double halfWidthM, FeatureCells::Paint paint)
+    {
+        _strokes.push_back({a, b, halfWidthM, paint});
+    }
+
+    void white(const Axis& axis, double from, double to, double across, double widthM)
+    {
+        add(axis.at(from, across), axis.at(to, across), 0.5 * widthM, FeatureCells::white);
+    }
+
+    void edges(const Axis& axis)
+    {
+        const double lineM = _widthM >= 30.0 ? 0.9 : 0.45;
+        for (const double side : {-0.5, 0.5})
+            white(axis, 0.0, _lengthM, side * (_widthM - lineM), lineM);
+        const int lights = static_cast<int>(_lengthM / 60.0);
+        for (int i = 0; i <= lights; ++i)
+            for (const double side : {-0.5, 0.5})
+            {
+                const double s = _lengthM * i / lights;
+                const double across = side * (_widthM + 3.0);
+                add(axis.at(s - 0.15, across), axis.at(s + 0.15, across), 0.15, FeatureCells::edgeLight);
+            }
+    }
+
+    void centreLine(const Axis& axis)
+    {
+        // 30 m of line and 20 m of gap, between the designators.
+        const double from = digitsFromM() + 9.0 + 12.0;
+        const double free = _lengthM - 2.0 * from;
+        const int dashes = static_cast<int>((free + 20.0) / 50.0);
+        const double begin = 0.5 * (_lengthM - (50.0 * dashes - 20.0));
+        for (int i = 0; i < dashes; ++i)
+            white(axis, begin + 50.0 * i, begin + 50.0 * i + 30.0, 0.0, _widthM >= 30.0 ? 0.9 : 0.3);
+    }
+
+    void threshold(const Axis& end)
+    {
+        // 4, 6, 8, 12 or 16 bars for widths of 18, 23, 30, 45 and 60 m; 1.8 m wide with gaps of as much.
+        const int each = _widthM < 20.0   ? 2
+                         : _widthM < 26.0 ? 3
+                         : _widthM < 37.0 ? 4
+                         : _widthM < 52.0 ? 6
+                                          : 8;
+        for (int i = 0; i < each; ++i)
+            for (const double side : {-1.0, 1.0})
+                white(end, 6.0, 36.0,
+                      side * (1.8 + 0.9 * (_widthM < 37.0 ? 0 : 1) + 3.6 * i * gapScale(each)),
+                      1.8 * gapScale(each));
+    }
+
+    /// The bars have to end short of the edge lines.
+    double gapScale(int each) const { return std::min(1.0, (0.5 * _widthM - 2.0) / (3.6 * each)); }
+
+    void aimingPoints(const Axis& end)
+    {
+        const double from = _lengthM < 1200.0 ? 250.0 : _lengthM < 2400.0 ? 300.0 : 400.0;
+        const double length = _lengthM < 1200.0 ? 30.0 : 45.0;
+        const double wide = _lengthM < 1200.0 ? 4.0 : 6.0;
+        const double between = std::min(0.3 * _widthM, 18.0);
+        for (const double side : {-1.0, 1.0})
+            white(end, from, from + length, side * 0.5 * (between + wide), wide);
+    }
+
+    double digitsFromM() const { return 36.0 + 12.0; }
+
+    std::pair<std::string, std::string> designators(const glm::dvec2& along) const
+    {
+        const std::string& text = _frame.designator;
+        if (const std::size_t slash = text.find('/'); slash != std::string::npos && text.size() <= 7)
+            return {text.substr(0, slash), text.substr(slash + 1)};
+        const double headingDeg = glm::degrees(std::atan2(along.x, along.y));
+        const int tens = (static_cast<int>(std::lround(headingDeg / 10.0)) + 35) % 36 + 1;
+        const auto two = [](int n) { return std::string(n < 10 ? "0" : "") + std::to_string(n); };
+        return {two(tens), two((tens + 17) % 36 + 1)};
+    }
+
+    /// Digits of seven strokes, 9 m high and 3 m wide; letters (L, C, R) of the same.
+    void write(const Axis& end, const std::string& name)
+    {
+        const double pitchM = 4.8;
+        const double half = 0.5 * (static_cast<double>(name.size()) - 1.0) * pitchM;
+        for (std::size_t i = 0; i < name.size(); ++i)
+            glyph(end, name[i], static_cast<double>(i) * pitchM - half);
+    }
+
+    void glyph(const Axis& end, char letter, double across)
+    {
+        // Strokes: top, upper left, upper right, middle, lower left, lower right, bottom.
+        static constexpr std::array<const char*, 10> kDigits{"1110111", "0010010", "1011101", "1011011",
+                                                             "0111010", "1101011", "1101111", "1010010",
+                                                             "1111111", "1111011"};
+        const char* strokes = "0000000";
+        if (std::isdigit(static_cast<unsigned char>(letter)))
+            strokes = kDigits[static_cast<std::size_t>(letter - '0')];
+        else if (letter == 'L')
+            strokes = "0100101";
+        else if (letter == 'C')
+            strokes = "1100101";
+        else if (letter == 'R')
+            strokes = "1111110";
+        constexpr double kLineM = 0.8, kHighM = 9.0, kHalfWideM = 1.5 - 0.5 * kLineM;
+        const double low = digitsFromM(), mid = low + 0.5 * kHighM, high = low + kHighM;
+        const auto upright = [&](int index, double from, double to, double side)
+        {
+            if (strokes[index] == '1') white(end, from, to, across + side * kHalfWideM, kLineM);
+        };
+        const auto level = [&](int index, double s)
+        {
+            if (strokes[index] == '1')
+                add(end.at(s, across - 1.5), end.at(s, across + 1.5), 0.5 * kLineM, FeatureCells::white);
+        };
+        level(0, high - 0.5 * kLineM);
+        upright(1, mid, high, -1.0);
+        upright(2, mid, high, 1.0);
+        level(3, mid);
+        upright(4, low, mid, -1.0);
+        upright(5, low, mid, 1.0);
+        level(6, low + 0.5 * kLineM);
+    }
+
+    const RunwayFrame& _frame;
+    double _lengthM, _widthM;
+    std::vector<Stroke> _strokes;
+};
+
+} // namespace
+
+bool runwayOfArea(const std::vector<std::vector<glm::dvec2>>& rings, RunwayFrame& frame)
+{
+    glm::dvec2 along(0.0);
+    const auto& ring = rings.front();
+    // Of the sum of all sides, folded into one half plane: points added to a straight side change nothing.
+    glm::dvec2 longest(0.0);
+    for (std::size_t i = 0; i < ring.size(); ++i)
+        if (const glm::dvec2 side = ring[(i + 1) % ring.size()] - ring[i];
+            glm::length(side) > glm::length(longest))
+            longest = side;
+    for (std::size_t i = 0; i < ring.size(); ++i)
+    {
+        const glm::dvec2 side = ring[(i + 1) % ring.size()] - ring[i];
+        const double cosine = glm::dot(side, longest);
+        if (std::abs(cosine) > 0.99 * glm::length(side) * glm::length(longest))
+            along += cosine < 0.0 ? -side : side;
+    }
+    if (glm::length(along) <= 0.0) return false;
+    along = glm::normalize(along);
+    const glm::dvec2 across(along.y, -along.x);
+    glm::dvec2 low(1e300), high(-1e300);
+    for (const glm::dvec2& point : ring)
+    {
+        const glm::dvec2 place(glm::dot(point, along), glm::dot(point, across));
+        low = glm::min(low, place);
+        high = glm::max(high, place);
+    }
+    if (high.x - low.x < 5.0 * (high.y - low.y)) return false;
+    const double middle = 0.5 * (low.y + high.y);
+    frame.a = low.x * along + middle * across;
+    frame.b = high.x * along + middle * across;
+    frame.widthM = high.y - low.y;
+    frame.hasBed = false;
+    return true;
+}
+
+std::vector<Stroke> runwayStrokes(const RunwayFrame& frame)
+{
+    return Painter(frame).strokes();
+}
+
+} // namespace osgTerrainROAM::core

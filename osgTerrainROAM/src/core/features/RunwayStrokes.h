@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <osgTerrainROAM/core/features/FeatureCells.h>
+
+namespace osgTerrainROAM::core
+{
+
+/// A rectangle: the middle line from `a` to `b`, and what it paints. Metres.
+struct Stroke
+{
+    glm::dvec2 a, b;
+    double halfWidthM = 0.0;
+    FeatureCells::Paint paint = FeatureCells::white;
+};
+
+/// A runway as a rectangle.
+struct RunwayFrame
+{
+    glm::dvec2 a, b; ///< ends of the centre line
+    double widthM = 0.0;
+    std::string designator; ///< "09/27": read at `a` first
+    bool hasBed = true;     ///< false: an area paints the asphalt
+};
+
+/// The rectangle along the longest side of an area; absent when that is no longer than 5 times its width: an apron.
+bool runwayOfArea(const std::vector<std::vector<glm::dvec2>>& rings, RunwayFrame& frame);
+
+/// Asphalt, centre line, threshold bars, edge lines, aiming points, designators and edge lights.
+/// Source: ICAO Annex 14, 8th edition, 5.2.2 to 5.2.7 and 5.3.9; simplified: no touchdown zone marking, digits of straight strokes,
+/// the designator follows from the direction when the map has none.
+std::vector<Stroke> runwayStrokes(const RunwayFrame& frame);
+
+} // namespace osgTerrainROAM::core

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "FeatureTextures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include <osg/Texture2D>
+#include <osg/Uniform>
+
+#include <osgTerrainROAM/core/features/FeatureCover.h>
+
+#include "ParallelRows.h"
+
+namespace osgTerrainROAM
+{
+
+namespace
+{
+
+constexpr int kRecordsPerRow = 1024; ///< a shift and a mask in the shader
+constexpr int kMaxFarSide = 4096;
+constexpr int kMaxFarPerCell = 8;
+
+osg::ref_ptr<osg::Image> floatImage(int width, int height)
+{
+    osg::ref_ptr<osg::Image> image = new osg::Image;
+    image->allocateImage(width, height, 1, GL_RGBA, GL_FLOAT);
+    image->setInternalTextureFormat(GL_RGBA32F_ARB);
+    std::memset(image->data(), 0, image->getTotalSizeInBytes());
+    return image;
+}
+
+osg::ref_ptr<osg::Image> cellImage(const core::FeatureCells& cells)
+{
+    const osg::ref_ptr<osg::Image> image = floatImage(cells.columns, cells.rows);
+    auto* out = reinterpret_cast<float*>(image->data());
+    for (const core::FeatureCells::Cell& cell : cells.cells)
+        for (const std::uint32_t value : {cell.first, cell.areas, cell.lines, cell.strokes})
+            *out++ = static_cast<float>(value);
+    return image;
+}
+
+osg::ref_ptr<osg::Image> recordImage(const core::FeatureCells& cells)
+{
+    const auto rows = static_cast<int>((cells.records.size() + kRecordsPerRow - 1) / kRecordsPerRow);
+    const osg::ref_ptr<osg::Image> image = floatImage(kRecordsPerRow, std::max(rows, 1));
+    if (!cells.records.empty())
+        std::memcpy(image->data(), cells.records.data(), cells.records.size() * sizeof(cells.records[0]));
+    return image;
+}
+
+/// The far maps: texels along a cell, and the two images.
+struct FarMaps
+{
+    int perCell = kMaxFarPerCell;
+    osg::ref_ptr<osg::Image> crops, beds;
+
+    explicit FarMaps(const core::FeatureCells& cells) : crops(new osg::Image), beds(new osg::Image)
+    {
+        while (perCell > 1 && std::max(cells.columns, cells.rows) * perCell > kMaxFarSide)
+            perCell /= 2;
+        for (osg::Image* image : {crops.get(), beds.get()})
+        {
+            image->allocateImage(cells.columns * perCell, cells.rows * perCell, 1, GL_RGBA, GL_UNSIGNED_BYTE);
+            image->setInternalTextureFormat(GL_RGBA8);
+            std::memset(image->data(), 0, image->getTotalSizeInBytes());
+        }
+        parallelRows(cells.rows,
+                     [&](int first, int end)
+                     {
+                         for (int row = first; row < end; ++row)
+                             for (int column = 0; column < cells.columns; ++column)
+                                 fillCell(cells, column, row);
+                     });
+    }
+
+private:
+    void fillCell(const core::FeatureCells& cells, int column, int row) const
+    {
+        const auto& cell = cells.cells[static_cast<std::size_t>(row) * cells.columns + column];
+        if (cell.areas + cell.lines + cell.strokes == 0) return;
+        for (int y = row * perCell; y < (row + 1) * perCell; ++y)
+            for (int x = column * perCell; x < (column + 1) * perCell; ++x)
+                fillTexel(cells, x, y);
+    }
+
+    void fillTexel(const core::FeatureCells& cells, int x, int y) const
+    {
+        const double texelM = cells.cellM / perCell;
+        // Lists reach 16 m: a wider texel is the mean of several filters.
+        const int parts = static_cast<int>(std::ceil(texelM / (2.0 * core::FeatureCells::kReachM)));
+        float sums[8]{};
+        for (int j = 0; j < parts; ++j)
+            for (int i = 0; i < parts; ++i)
+            {
+                const glm::dvec2 at(x + (i + 0.5) / parts, y + (j + 0.5) / parts);
+                const glm::dvec2 place = glm::dvec2(cells.firstCell) * cells.cellM + at * texelM;
+                const core::FeatureCover cover = core::featureCover(cells, place, texelM / parts);
+                for (std::size_t c = 0; c < 4; ++c)
+                    sums[c] += cover.crops[c];
+                for (const auto& [c, value] :
+                     {std::pair{4, cover.river}, {5, cover.asphalt}, {6, cover.gravel}, {7, cover.runway}})
+                    sums[c] += value;
+            }
+        for (int c = 0; c < 8; ++c)
+            (c < 4 ? crops : beds)->data(x, y)[c & 3] =
+                static_cast<unsigned char>(std::lround(255.0f * std::min(sums[c] / (parts * parts), 1.0f)));
+    }
+};
+
+void addTexture(osg::StateSet& stateSet, const char* name, int unit, osg::Image* image, bool filtered)
+{
+    osg::ref_ptr<osg::Texture2D> texture = new osg::Texture2D(image);
+    texture->setResizeNonPowerOfTwoHint(false);
+    texture->setFilter(osg::Texture::MIN_FILTER,
+                       filtered ? osg::Texture::LINEAR_MIPMAP_LINEAR : osg::Texture::NEAREST);
+    texture->setFilter(osg::Texture::MAG_FILTER, filtered ? osg::Texture::LINEAR : osg::Texture::NEAREST);
+    // Nothing lies beyond the border.
+    texture->setWrap(osg::Texture::WRAP_S, osg::Texture::CLAMP_TO_BORDER);
+    texture->setWrap(osg::Texture::WRAP_T, osg::Texture::CLAMP_TO_BORDER);
+    texture->setBorderColor(osg::Vec4d(0.0, 0.0, 0.0, 0.0));
+    stateSet.setTextureAttributeAndModes(unit, texture);
+    stateSet.addUniform(new osg::Uniform(name, unit));
+}
+
+} // namespace
+
+void addFeatureTextures(osg::StateSet& stateSet, const core::FeatureCells& cells, int firstUnit)
+{
+    const FarMaps far(cells);
+    addTexture(stateSet, "featureCells", firstUnit, cellImage(cells).get(), false);
+    addTexture(stateSet, "featureRecords", firstUnit + 1, recordImage(cells).get(), false);
+    addTexture(stateSet, "featureFarCrops", firstUnit + 2, far.crops.get(), true);
+    addTexture(stateSet, "featureFarBeds", firstUnit + 3, far.beds.get(), true);
+    osg::ref_ptr<osg::Uniform> grid = new osg::Uniform(osg::Uniform::INT_VEC4, "featureGrid");
+    grid->set(cells.firstCell.x, cells.firstCell.y, cells.columns, cells.rows);
+    stateSet.addUniform(grid);
+    stateSet.addUniform(new osg::Uniform("featureCellM", static_cast<float>(cells.cellM)));
+    stateSet.addUniform(new osg::Uniform("featureFarTexelM", static_cast<float>(cells.cellM / far.perCell)));
+}
+
+} // namespace osgTerrainROAM
