@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where what is painted lies in the picture, and whether it keeps still when the eye moves.
+#include <cmath>
+#include <cstdlib>
+#include <functional>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include <osg/Program>
+
+#include <osgOffscreen/ImageComparison>
+
+#include "FeatureScene.h"
+
+namespace
+{
+
+using namespace osgTerrainROAM;
+using namespace featurescene;
+using core::FeatureKind;
+
+const osg::Vec3d kUp(0.0, 0.0, 1.0);
+const osg::Vec3d kNorth(0.0, 1.0, 0.0);
+
+/// Middle of the brightest line within `reach` of a pixel in a row, weighted by what it is brighter than asphalt.
+double brightMiddlePx(const osg::Image& picture, double nearPx, int row, int reach)
+{
+    const int middle = static_cast<int>(nearPx);
+    double least = 255.0, sum = 0.0, moment = 0.0;
+    for (int x = middle - reach; x <= middle + reach; ++x)
+        least = std::min(least, level(picture, x, row));
+    for (int x = middle - reach; x <= middle + reach; ++x)
+    {
+        const double bright = std::max(level(picture, x, row) - least - 45.0, 0.0);
+        sum += bright;
+        moment += bright * (x + 0.5);
+    }
+    return sum > 0.0 ? moment / sum : -1e9;
+}
+
+/// The worst distance, in pixels, of the inner edge line from where it has to be; seen from 2 m above the lane's middle.
+double worstLineErrorPx(const osg::ref_ptr<RoamTerrain>& terrain, double roadEast, double halfWidthM)
+{
+    Camera camera(terrain);
+    const osg::Vec3d eye(roadEast, 20000.0, 2.0);
+    const auto picture = camera.picture(eye, osg::Vec3d(0.0, 1.0, -0.15), kUp);
+    double worst = 0.0;
+    for (const double ahead : {8.0, 12.0, 16.0})
+        for (const double side : {-1.0, 1.0})
+        {
+            const double lineEast = roadEast + side * (halfWidthM - 0.31);
+            const int row = static_cast<int>(camera.pixelOf(osg::Vec3d(lineEast, 20000.0 + ahead, 0.0)).y());
+            // The place at this row's own distance: rows are a third of a metre apart there.
+            double distance = ahead;
+            for (int i = 0; i < 40; ++i)
+                distance +=
+                    0.02 *
+                    (camera.pixelOf(osg::Vec3d(lineEast, 20000.0 + distance, 0.0)).y() < row + 0.5 ? 1 : -1);
+            const double expected = camera.pixelOf(osg::Vec3d(lineEast, 20000.0 + distance, 0.0)).x();
+            worst = std::max(worst, std::abs(brightMiddlePx(*picture, expected, row, 6) - expected));
+        }
+    return worst;
+}
+
+/// Left and right edge of a dark strip in a row, where its share crosses a half. Pixels.
+std::pair<double, double> edgesPx(const osg::Image& with, const osg::Image& without, int row)
+{
+    const auto drop = [&](int x) { return level(without, x, row) - level(with, x, row); };
+    double most = 0.0;
+    for (int x = 0; x < kWidthPx; ++x)
+        most = std::max(most, drop(x));
+    double first = -1.0, last = -1.0;
+    for (int x = 0; x + 1 < kWidthPx; ++x)
+    {
+        // The ground left of the edge has nothing to drop; its noise decides what the strip's full drop is.
+        const double a = drop(x) / most - 0.4, b = drop(x + 1) / most - 0.4;
+        if (a < 0.0 && b >= 0.0 && first < 0.0) first = x + 0.5 + a / (a - b);
+        if (a >= 0.0 && b < 0.0) last = x + 0.5 + a / (a - b);
+    }
+    return {first, last};
+}
+
+/// A program whose fragment shader has one piece of text replaced.
+void mutate(RoamTerrain& terrain, const std::string& from, const std::string& to)
+{
+    auto* program = static_cast<osg::Program*>(
+        terrain.material()->stateSet()->getAttribute(osg::StateAttribute::PROGRAM));
+    const osg::ref_ptr<osg::Program> changed = new osg::Program;
+    bool found = false;
+    for (unsigned i = 0; i < program->getNumShaders(); ++i)
+    {
+        std::string text = program->getShader(i)->getShaderSource();
+        if (const std::size_t at = text.find(from); at != std::string::npos)
+        {
+            text.replace(at, from.size(), to);
+            found = true;
+        }
+        changed->addShader(new osg::Shader(program->getShader(i)->getType(), text));
+    }
+    ASSERT_TRUE(found) << from;
+    terrain.material()->stateSet()->setAttributeAndModes(changed);
+}
+
+/// Pixels that flash: brighter or darker than in the frame before and after by more than 40 levels.
+std::size_t flashes(const osg::ref_ptr<RoamTerrain>& terrain, const osg::Vec3d& from, const osg::Vec3d& step,
+                    const osg::Vec3d& ahead)
+{
+    Camera camera(terrain);
+    std::vector<osg::ref_ptr<osg::Image>> frames;
+    std::size_t count = 0;
+    for (int frame = 0; frame < 24; ++frame)
+    {
+        frames.push_back(camera.picture(from + step * frame, ahead, kUp));
+        if (frame < 2) continue;
+        for (int y = 0; y < kHeightPx; ++y)
+            for (int x = 0; x < kWidthPx; ++x)
+            {
+                const double now = level(*frames[frame - 1], x, y);
+                const double before = now - level(*frames[frame - 2], x, y),
+                             after = now - level(*frames[frame], x, y);
+                if (before * after > 0.0 && std::min(std::abs(before), std::abs(after)) > 40.0) ++count;
+            }
+    }
+    return count;
+}
+
+std::vector<core::GroundFeature> roadsOfAPlain()
+{
+    std::vector<core::GroundFeature> features;
+    for (int i = 0; i < 12; ++i)
+    {
+        features.push_back(
+            line(FeatureKind::road, 8.0, {19000.0, 20040.0 + 70.0 * i}, {21500.0, 20090.0 + 75.0 * i}));
+        features.push_back(
+            line(FeatureKind::road, 7.0, {19800.0 + 90.0 * i, 19900.0}, {19700.0 + 95.0 * i, 23000.0}));
+    }
+    return features;
+}
+
+} // namespace
+
+TEST(FeaturePaint, ADriverSeesTheEdgeLineWhereItIs)
+{
+    for (const double roadEast : {1000.3, 4096.0, 60000.7})
+    {
+        const auto terrain = plain({line(FeatureKind::road, 8.0, {roadEast, 19000.0}, {roadEast, 23000.0})});
+        const double error = worstLineErrorPx(terrain, roadEast, 4.0);
+        EXPECT_LT(error, 0.35) << roadEast;
+        RecordProperty("worstPx", std::to_string(error));
+    }
+}
+
+TEST(FeaturePaint, ALineTenCentimetresOffIsFoundOut)
+{
+    const auto terrain = plain({line(FeatureKind::road, 8.2, {1000.3, 19000.0}, {1000.3, 23000.0})});
+    EXPECT_GT(worstLineErrorPx(terrain, 1000.3, 4.0), 1.0);
+}
+
+TEST(FeaturePaint, FromFiveHundredMetresAnEdgeLiesWithinAFractionOfAPixel)
+{
+    for (const double east : {1000.3, 60000.7})
+    {
+        // Too short for markings: a strip of asphalt.
+        const auto with = plain({line(FeatureKind::runway, 31.0, {east, 19920.0}, {east, 20080.0})});
+        Camera camera(with), bare(plain({}));
+        const osg::Vec3d eye(east + 40.0, 20000.0, 500.0);
+        const auto picture = camera.picture(eye, -kUp, kNorth);
+        const auto ground = bare.picture(eye, -kUp, kNorth);
+        double left = 0.0, right = 0.0;
+        for (int row = 120; row < 150; ++row)
+        {
+            const auto [first, last] = edgesPx(*picture, *ground, row);
+            left += first / 30.0;
+            right += last / 30.0;
+        }
+        EXPECT_NEAR(left, camera.pixelOf(osg::Vec3d(east - 15.5, 20000.0, 0.0)).x(), 0.3);
+        EXPECT_NEAR(right, camera.pixelOf(osg::Vec3d(east + 15.5, 20000.0, 0.0)).x(), 0.3);
+    }
+}
+
+TEST(FeaturePaint, TheLaterKindLiesOnTop)
+{
+    const glm::dvec2 west(800.0, 20000.0), east(1200.0, 20000.0), south(1000.0, 19900.0),
+        north(1000.0, 20050.0);
+    const auto river = line(FeatureKind::river, 30.0, west, east);
+    auto road = line(FeatureKind::road, 20.0, {960.0, 19800.0}, {1040.0, 20200.0});
+    road.style.marked = false;
+    const auto runway = line(FeatureKind::runway, 25.0, south, north);
+    const auto middle = [](const std::vector<core::GroundFeature>& features)
+    {
+        Camera camera(plain(features));
+        const auto picture = camera.picture({1000.0, 20000.0, 200.0}, -kUp, kNorth);
+        const unsigned char* p = picture->data(kWidthPx / 2, kHeightPx / 2);
+        return std::array<int, 3>{p[0], p[1], p[2]};
+    };
+    EXPECT_EQ(middle({road, river}), middle({road}));
+    EXPECT_EQ(middle({runway, river, road}), middle({runway}));
+    EXPECT_NE(middle({river}), middle({road}));
+    EXPECT_NE(middle({runway}), middle({road}));
+}
+
+TEST(FeaturePaint, DoesNotSparkleWhenTheEyeMoves)
+{
+    const auto terrain = plain(roadsOfAPlain());
+    const auto unfiltered = plain(roadsOfAPlain());
+    mutate(*unfiltered,
+           "return clamp(abs(dot(f.x, direction)) + abs(dot(f.y, direction)), 1e-3, 2.0 * kFeatureReachM);",
+           "return 1e-3;");
+    const osg::Vec3d driver(20005.0, 19950.0, 2.0), pilot(20000.0, 19700.0, 90.0);
+    const osg::Vec3d level(0.1, 1.0, -0.05), down(0.1, 1.0, -0.2);
+    const std::size_t low = flashes(terrain, driver, {0.0, 0.05, 0.0}, level);
+    const std::size_t high = flashes(terrain, pilot, {0.3, 0.4, 0.0}, down);
+    RecordProperty("driver", std::to_string(low));
+    RecordProperty("pilot", std::to_string(high));
+    EXPECT_LT(low, 60u) << "of 22 × 129 600 pixels";
+    EXPECT_LT(high, 60u);
+    EXPECT_GT(flashes(unfiltered, driver, {0.0, 0.05, 0.0}, level), 5 * low + 100)
+        << "without filters it does";
+    EXPECT_GT(flashes(unfiltered, pilot, {0.3, 0.4, 0.0}, down), 5 * high + 100);
+}
+
+TEST(FeaturePaint, NothingOfItIsDrawnWhereNothingIsPainted)
+{
+    const auto far = plain({line(FeatureKind::road, 8.0, {50000.0, 50000.0}, {50500.0, 50000.0})});
+    Camera with(far), without(plain({}));
+    const osg::Vec3d eye(20000.0, 20000.0, 100.0), ahead(0.0, 1.0, -0.4);
+    const auto difference =
+        osgOffscreen::compareImages(*with.picture(eye, ahead, kUp), *without.picture(eye, ahead, kUp));
+    EXPECT_TRUE(difference.identical()) << difference.message();
+}

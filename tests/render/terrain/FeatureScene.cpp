@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "FeatureScene.h"
+
+#include <gtest/gtest.h>
+
+#include "RenderedPicture.h"
+#include "SyntheticField.h"
+
+namespace featurescene
+{
+
+using namespace osgTerrainROAM;
+
+osg::ref_ptr<RoamTerrain> plain(const std::vector<core::GroundFeature>& features)
+{
+    core::HeightField field;
+    field.name = "plain";
+    field.columns = field.rows = 257;
+    field.spacingEastM = field.spacingNorthM = 250.0;
+    field.heightsM.assign(257 * 257, 0.0f);
+    const auto tile = testsupport::planarTile(std::move(field));
+    core::LandParameters land;
+    land.seaLevelM = -100.0;
+    const osg::ref_ptr<TerrainMaterial> material =
+        new TerrainMaterial(tile->tile, climateOf(tile->tile, land));
+    if (!features.empty())
+    {
+        const auto cells = core::FeatureCells::build(features);
+        EXPECT_TRUE(cells) << cells.error().message();
+        if (cells) material->setFeatures(*cells);
+    }
+    osg::ref_ptr<RoamTerrain> terrain = new RoamTerrain(tile, material);
+    AtmosphereSettings settings;
+    settings.sunDirectionWorld = sunDirectionFromAngles(200.0, 60.0);
+    settings.visibilityM = 100000.0;
+    terrain->setAtmosphere(new Atmosphere(settings));
+    return terrain;
+}
+
+core::GroundFeature line(core::FeatureKind kind, double widthM, const glm::dvec2& a, const glm::dvec2& b)
+{
+    core::GroundFeature feature;
+    feature.style.kind = kind;
+    feature.style.widthM = widthM;
+    feature.paths = {{a, b}};
+    return feature;
+}
+
+Camera::Camera(osg::Node* scene)
+{
+    osgOffscreen::OffscreenSettings settings;
+    settings.backend = rendered::backends().front();
+    settings.widthPx = kWidthPx;
+    settings.heightPx = kHeightPx;
+    settings.samples = 1; // a share of a pixel has to come from the shader
+    _viewer = rendered::viewerOf(scene, settings);
+    const double aspect = static_cast<double>(kWidthPx) / kHeightPx;
+    _viewer->camera().setProjectionMatrixAsPerspective(kFieldOfViewDeg, aspect, 0.3, 60000.0);
+}
+
+osg::ref_ptr<osg::Image> Camera::picture(const osg::Vec3d& eye, const osg::Vec3d& ahead, const osg::Vec3d& up)
+{
+    _viewer->camera().setViewMatrixAsLookAt(eye, eye + ahead, up);
+    return _viewer->picture();
+}
+
+osg::Vec2d Camera::pixelOf(const osg::Vec3d& place) const
+{
+    const osg::Vec3d clip =
+        place * _viewer->camera().getViewMatrix() * _viewer->camera().getProjectionMatrix();
+    return {0.5 * (clip.x() + 1.0) * kWidthPx, 0.5 * (clip.y() + 1.0) * kHeightPx};
+}
+
+double level(const osg::Image& picture, int x, int y)
+{
+    const unsigned char* p = picture.data(x, y);
+    return (p[0] + p[1] + p[2]) / 3.0;
+}
+
+} // namespace featurescene
