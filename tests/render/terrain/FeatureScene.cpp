@@ -11,16 +11,19 @@ namespace featurescene
 
 using namespace osgTerrainROAM;
 
-osg::ref_ptr<RoamTerrain> plain(const std::vector<core::GroundFeature>& features)
+osg::ref_ptr<RoamTerrain> plain(const std::vector<core::GroundFeature>& features, bool snow)
 {
     core::HeightField field;
     field.name = "plain";
     field.columns = field.rows = 257;
     field.spacingEastM = field.spacingNorthM = 250.0;
-    field.heightsM.assign(257 * 257, 0.0f);
+    // A millimetre from sample to sample: ground that is exactly level is taken for water.
+    for (int i = 0; i < 257 * 257; ++i)
+        field.heightsM.push_back(0.001f * static_cast<float>(i % 2));
     const auto tile = testsupport::planarTile(std::move(field));
     core::LandParameters land;
     land.seaLevelM = -100.0;
+    if (snow) land.snowLineM = -5000.0;
     const osg::ref_ptr<TerrainMaterial> material =
         new TerrainMaterial(tile->tile, climateOf(tile->tile, land));
     if (!features.empty())
