@@ -119,7 +119,8 @@ AtmosphereLight atmosphereLight(const AtmosphereSettings& settings)
 {
     osg::Vec3d direction = settings.sunDirectionWorld;
     if (direction.normalize() == 0.0) direction.set(0.0, 0.0, 1.0);
-    const SkyKey key = keyAt(osg::RadiansToDegrees(std::asin(std::clamp(direction.z(), -1.0, 1.0))));
+    const double elevationDeg = osg::RadiansToDegrees(std::asin(std::clamp(direction.z(), -1.0, 1.0)));
+    const SkyKey key = keyAt(elevationDeg);
     const float cloud = static_cast<float>(std::clamp(settings.cloudCover, 0.0, 1.0));
 
     AtmosphereLight light;
@@ -145,6 +146,10 @@ AtmosphereLight atmosphereLight(const AtmosphereSettings& settings)
     light.zenith = mixed(fog, mixed(key.zenith, overcast * 0.9f, cloud), clear);
     light.horizon = mixed(fog, mixed(key.horizon, overcast, cloud), clear);
     light.sky = light.zenith * 0.65f + light.horizon * 0.25f;
+    // Brighter than it measures: a pilot's eyes get used to the dark, and a picture's exposure does not.
+    const float moon = static_cast<float>(std::clamp((-2.0 - elevationDeg) / 8.0, 0.0, 1.0) *
+                                          std::clamp(settings.moonlight, 0.0, 1.0) * (1.0 - 0.8 * cloud));
+    light.sky += osg::Vec3f(0.020f, 0.025f, 0.036f) * moon;
     light.ground = (light.sun * static_cast<float>(std::max(direction.z(), 0.0)) + light.sky) * 0.16f;
     return light;
 }

@@ -91,6 +91,7 @@ Climate climateAt(double latitudeDeg, double longitudeDeg)
     const double south = std::clamp((-latitudeDeg - 38.0) / 4.0, 0.0, 1.0);
     const double lowered = 1.0 - 0.25 * south;
     Climate climate;
+    climate.latitudeDeg = latitudeDeg;
     climate.aridity = aridityAt(latitudeDeg, longitudeDeg);
     const double dry = std::clamp((climate.aridity - 0.3) / 0.7, 0.0, 1.0);
     climate.treeLineM = lowered * interpolated(kTreeLine, std::abs(latitudeDeg));

@@ -21,6 +21,7 @@ AtmosphereSettings atmosphereSettings(const core::RoamFile& description)
         settings.sunDirectionWorld =
             sunDirectionFromAngles(*description.sunAzimuthDeg, *description.sunElevationDeg);
     settings.visibilityM = description.visibilityM.value_or(settings.visibilityM);
+    settings.moonlight = description.moonlight.value_or(settings.moonlight);
     return settings;
 }
 
@@ -42,6 +43,22 @@ paintFeatures(TerrainMaterial& material, const core::RoamFile& description, cons
     if (!cells) return cells.error();
     material.setFeatures(*cells);
     return all.report;
+}
+
+/// Imports the land cover, if there is one, and gives it to the material.
+viewlod::Outcome coverGround(TerrainMaterial& material, const core::RoamFile& description,
+                             const core::PlacedTile& tile)
+{
+    if (description.landCover.empty()) return viewlod::success();
+    const auto table = core::readCoverTable(description.landCoverClasses);
+    if (!table) return table.error();
+    const auto map = core::importCover(description.landCover, *table, tile);
+    if (!map) return map.error();
+    for (const auto& [code, count] : map->unknownCodes)
+        osg::notify(osg::NOTICE) << description.landCover.string() << ": class " << code
+                                 << " has no kind in its table, " << count << " texels" << std::endl;
+    material.setCover(*map);
+    return viewlod::success();
 }
 
 } // namespace
@@ -88,6 +105,9 @@ viewlod::Result<osg::ref_ptr<RoamTerrain>> makeTerrain(const core::RoamFile& des
     }
     osg::ref_ptr<TerrainMaterial> material =
         new TerrainMaterial(tile->tile, climateOf(tile->tile, description.land), drape.get());
+    if (const auto covered = coverGround(*material, description, tile->tile); !covered)
+        return covered.error();
+    if (description.seasonOfYear) material->setSeason(description.seasonOfYear);
     const auto features = paintFeatures(*material, description, tile->tile);
     if (!features) return features.error();
     osg::ref_ptr<RoamTerrain> terrain = new RoamTerrain(tile, material.get());

@@ -7,8 +7,10 @@
 
 #include <osgTerrainROAM/TerrainMaterial>
 
+#include "material/CoverTexture.h"
 #include "material/FeatureTextures.h"
 #include "material/GrainImage.h"
+#include "material/GroundPalette.h"
 #include "material/LandMap.h"
 #include "material/MapGrid.h"
 #include "material/NormalMap.h"
@@ -48,7 +50,8 @@ TerrainMaterial::TerrainMaterial(const core::PlacedTile& tile, const Climate& cl
 {
     addMaps(tile, drapeImage);
     addScales(tile);
-    addColours();
+    measureHeights(tile);
+    setPalette();
     addClipping(tile);
     setProgram();
     // The ground has no underside, and a far slope must not win against the near one in the depth buffer's last step.
@@ -57,22 +60,13 @@ TerrainMaterial::TerrainMaterial(const core::PlacedTile& tile, const Climate& cl
 
 void TerrainMaterial::setProgram()
 {
-    _stateSet->setAttributeAndModes(terrainProgram({_hasDrape, _hasFeatures}));
+    _stateSet->setAttributeAndModes(
+        terrainProgram({_hasDrape, _hasFeatures, _hasCover, _season.has_value()}));
 }
 
 void TerrainMaterial::setFeatures(const core::FeatureCells& cells)
 {
     addFeatureTextures(*_stateSet, cells, features);
-    const auto add = [&](const char* name, int index, const osg::Vec3f& albedo)
-    {
-        _stateSet->getOrCreateUniform(name, osg::Uniform::FLOAT_VEC3, 4)
-            ->setElement(static_cast<unsigned>(index), albedo);
-    };
-    add("featureCrops", 0, {0.150f, 0.165f, 0.050f});
-    add("featureCrops", 1, {0.075f, 0.120f, 0.030f});
-    add("featureCrops", 2, {0.090f, 0.145f, 0.035f});
-    add("featureCrops", 3, {0.045f, 0.075f, 0.022f});
-    _stateSet->addUniform(new osg::Uniform("featureSoil", osg::Vec3f(0.135f, 0.105f, 0.075f)));
     _hasFeatures = true;
     setProgram();
 }
@@ -100,6 +94,19 @@ void TerrainMaterial::addMaps(const core::PlacedTile& tile, osg::Image* drapeIma
     }
 }
 
+void TerrainMaterial::measureHeights(const core::PlacedTile& tile)
+{
+    const int column = tile.dataColumns() / 2, row = tile.dataRows() / 2;
+    const glm::dvec3 middle = tile.position(column, row);
+    // Seen from the tile's frame the Earth falls away by about d²/2R; a metre more or less does not move a snow line.
+    const double fall = tile.placement() == core::Placement::curved ? 0.5 / 6371000.0 : 0.0;
+    const double over =
+        tile.heightM(column, row) - middle.z - fall * (middle.x * middle.x + middle.y * middle.y);
+    _heights.set(static_cast<float>(fall), static_cast<float>(over));
+    _lastSample.set(static_cast<float>(tile.dataColumns() - 1), static_cast<float>(tile.dataRows() - 1));
+    _spacingM = 0.5 * (tile.field().spacingEastM + tile.field().spacingNorthM);
+}
+
 void TerrainMaterial::addScales(const core::PlacedTile& tile)
 {
     // Bumps that the data themselves show are not invented a second time: a layer counts where its features, an
@@ -117,21 +124,76 @@ void TerrainMaterial::addScales(const core::PlacedTile& tile)
         static_cast<float>(std::clamp(0.5 - 0.69 * 25.0 / std::max(spacingM, 0.1), 0.05, 0.42))));
 }
 
-void TerrainMaterial::addColours()
+void TerrainMaterial::setPalette()
 {
+    const GroundPalette palette = groundPalette(_climate, _season);
+    const auto set = [&](const char* name, const osg::Vec3f& albedo)
+    { _stateSet->getOrCreateUniform(name, osg::Uniform::FLOAT_VEC3)->set(albedo); };
+    set("terrainRock", palette.rock);
+    set("terrainSoil", palette.soil);
+    set("terrainDryGrass", palette.dryGrass);
+    set("terrainMeadow", palette.meadow);
+    set("terrainForest", palette.forest);
+    set("terrainSand", palette.sand);
+    set("terrainSnow", palette.snow);
+    set("terrainWater", palette.water);
     const auto dry = static_cast<float>(std::clamp((_climate.aridity - 0.15) / 0.7, 0.0, 1.0));
-    const auto add = [&](const char* name, const osg::Vec3f& humid, const osg::Vec3f& arid)
-    { _stateSet->addUniform(new osg::Uniform(name, humid * (1.0f - dry) + arid * dry)); };
-    // Albedos, linear.
-    add("terrainRock", {0.200f, 0.190f, 0.180f}, {0.300f, 0.175f, 0.110f});
-    add("terrainSoil", {0.175f, 0.150f, 0.115f}, {0.370f, 0.245f, 0.155f});
-    add("terrainDryGrass", {0.165f, 0.165f, 0.070f}, {0.330f, 0.260f, 0.150f});
-    add("terrainMeadow", {0.085f, 0.130f, 0.032f}, {0.200f, 0.190f, 0.095f});
-    add("terrainForest", {0.032f, 0.056f, 0.022f}, {0.080f, 0.095f, 0.045f});
-    add("terrainSand", {0.380f, 0.320f, 0.225f}, {0.420f, 0.330f, 0.220f});
-    add("terrainSnow", {0.800f, 0.830f, 0.880f}, {0.800f, 0.830f, 0.880f});
-    add("terrainWater", {0.012f, 0.040f, 0.055f}, {0.015f, 0.045f, 0.055f});
-    _stateSet->addUniform(new osg::Uniform("terrainStrata", 0.10f + 0.22f * dry));
+    _stateSet->getOrCreateUniform("terrainStrata", osg::Uniform::FLOAT)->set(0.10f + 0.22f * dry);
+    set("featureSoil", palette.fieldSoil);
+    osg::Uniform* crops = _stateSet->getOrCreateUniform("featureCrops", osg::Uniform::FLOAT_VEC3, 4);
+    for (unsigned i = 0; i < 4; ++i)
+        crops->setElement(i, palette.crops[i]);
+    osg::Uniform* albedos =
+        _stateSet->getOrCreateUniform("coverAlbedo", osg::Uniform::FLOAT_VEC4, core::kGroundKinds);
+    osg::Uniform* patches =
+        _stateSet->getOrCreateUniform("coverPatch", osg::Uniform::FLOAT_VEC4, core::kGroundKinds);
+    const auto looks = kindLooks(palette);
+    for (unsigned i = 0; i < looks.size(); ++i)
+    {
+        albedos->setElement(i, osg::Vec4f(looks[i].albedo, looks[i].wood));
+        patches->setElement(i, osg::Vec4f(looks[i].patch, looks[i].patches));
+    }
+    _stateSet->getOrCreateUniform("seasonSnowLine", osg::Uniform::FLOAT_VEC4)
+        ->set(osg::Vec4f(static_cast<float>(_climate.snowLineM), palette.snowShiftM, _heights.x(),
+                         _heights.y()));
+}
+
+void TerrainMaterial::setSeason(std::optional<double> yearShare)
+{
+    const bool wasSet = _season.has_value();
+    _season = yearShare;
+    // A frame that is still being drawn is waited for.
+    _stateSet->setDataVariance(osg::Object::DYNAMIC);
+    setPalette();
+    if (wasSet != _season.has_value()) setProgram();
+}
+
+void TerrainMaterial::setCover(const core::CoverMap& map)
+{
+    const osg::ref_ptr<osg::Image> image = coverImage(map);
+    addTexture(*_stateSet, "terrainCover2D", cover, image.get(), osg::Texture::CLAMP_TO_EDGE);
+    auto* texture =
+        static_cast<osg::Texture*>(_stateSet->getTextureAttribute(cover, osg::StateAttribute::TEXTURE));
+    // Numbers of kinds: nothing lies between two of them.
+    texture->setFilter(osg::Texture::MIN_FILTER, osg::Texture::NEAREST_MIPMAP_NEAREST);
+    texture->setFilter(osg::Texture::MAG_FILTER, osg::Texture::NEAREST);
+    texture->setUseHardwareMipMapGeneration(false);
+    const double perColumn = (map.width - 1.0) / _lastSample.x(),
+                 perRow = (map.height - 1.0) / _lastSample.y();
+    _stateSet->addUniform(new osg::Uniform("coverFromGrid", mapFromGrid(perColumn, 0.5, map.width, true) +
+                                                                mapFromGrid(perRow, 0.5, map.height, false)));
+    _stateSet->addUniform(new osg::Uniform("coverLevels", static_cast<int>(image->getNumMipmapLevels())));
+    // A border is bent by half a texel by the layers whose features, an eighth of their period, are finer than texels.
+    const double texelM = _spacingM / std::max(perColumn, 1e-9);
+    const auto bend = [=](double periodM)
+    {
+        return static_cast<float>(2.2 * std::min(1.0, 8.0 * texelM / periodM) *
+                                  std::min(1.0, periodM / (2.0 * texelM)));
+    };
+    _stateSet->addUniform(
+        new osg::Uniform("coverBend", osg::Vec4f(0.3f * bend(2.0), bend(28.0), bend(324.0), bend(1831.0))));
+    _hasCover = true;
+    setProgram();
 }
 
 void TerrainMaterial::addClipping(const core::PlacedTile& tile)

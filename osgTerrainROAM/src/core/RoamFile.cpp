@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <fstream>
@@ -161,6 +162,28 @@ Outcome assignTriangles(RoamFile& file, const Entry& entry)
     return success();
 }
 
+/// The name of a built-in table stays as it is.
+Outcome assignClasses(RoamFile& file, const Entry& entry)
+{
+    if (entry.value != "worldcover" && entry.value != "corine")
+        return assignPath(file.landCoverClasses, entry);
+    file.landCoverClasses = std::string(entry.value);
+    return success();
+}
+
+Outcome assignSeason(RoamFile& file, const Entry& entry)
+{
+    constexpr std::array<std::string_view, 12> kMonths{"january",   "february", "march",    "april",
+                                                       "may",       "june",     "july",     "august",
+                                                       "september", "october",  "november", "december"};
+    const auto month = std::find(kMonths.begin(), kMonths.end(), entry.value);
+    if (month == kMonths.end() && std::isalpha(static_cast<unsigned char>(entry.value.front())))
+        return unknownWord(entry, "january … december, or a share of the year from 0 to 1");
+    if (month == kMonths.end()) return assignNumber(file.seasonOfYear, entry, 0.0, 1.0);
+    file.seasonOfYear = (static_cast<double>(month - kMonths.begin()) + 0.5) / 12.0;
+    return success();
+}
+
 Outcome appendPath(std::vector<std::filesystem::path>& target, const Entry& entry)
 {
     return assignPath(target.emplace_back(), entry);
@@ -180,6 +203,9 @@ constexpr std::array kKeys{
     Key{"dem", [](RoamFile& f, const Entry& e) { return assignPath(f.dem, e); }},
     Key{"imagery", [](RoamFile& f, const Entry& e) { return assignPath(f.imagery, e); }},
     Key{"features", [](RoamFile& f, const Entry& e) { return appendPath(f.features, e); }, true},
+    Key{"land_cover", [](RoamFile& f, const Entry& e) { return assignPath(f.landCover, e); }},
+    Key{"land_cover_classes", assignClasses},
+    Key{"season", assignSeason},
     Key{"origin", assignOrigin},
     Key{"placement", assignPlacement},
     Key{"spacing",
@@ -196,6 +222,7 @@ constexpr std::array kKeys{
     Key{"sea_level",
         [](RoamFile& f, const Entry& e) { return assignNumber(f.land.seaLevelM, e, -kFar, kFar); }},
     Key{"sun", assignSun},
+    Key{"moonlight", [](RoamFile& f, const Entry& e) { return assignNumber(f.moonlight, e, 0.0, 1.0); }},
     Key{"visibility", [](RoamFile& f, const Entry& e) { return assignNumber(f.visibilityM, e, 1.0, kFar); }},
 };
 
@@ -233,7 +260,10 @@ struct NamedFile
 
 std::vector<NamedFile> namedFiles(const RoamFile& file)
 {
-    std::vector<NamedFile> named{{"dem", file.dem}, {"imagery", file.imagery}};
+    std::vector<NamedFile> named{
+        {"dem", file.dem}, {"imagery", file.imagery}, {"land_cover", file.landCover}};
+    if (file.landCoverClasses != "worldcover" && file.landCoverClasses != "corine")
+        named.push_back({"land_cover_classes", file.landCoverClasses});
     for (std::size_t i = 0; i < file.features.size(); ++i)
         named.push_back({"features", file.features[i], static_cast<int>(i)});
     return named;

@@ -67,6 +67,8 @@ vec2 rowsOf(vec4 head, vec4 rows, vec2 at, Footprint f)
     float x = dot(at, across) + rows.z, y = dot(at, rows.xy) + rows.w;
     float wide = widthAlong(f, across), far = widthAlong(f, rows.xy);
     float shade = 1.0 + 0.5 * (head.w / 63.0 - 0.5);
+    // From afar, their mean.
+    if (wide > 12.0) return vec2(head.z < 0.5 ? 0.14 : head.z < 1.5 ? 0.44 : head.z < 2.5 ? 0.0 : 0.51, shade);
     // Wheels of the sprayer, every 24 m.
     float tracks = coveredDashes(x, wide, 24.0, 0.45) + coveredDashes(x - 1.8, wide, 24.0, 0.45);
     shade *= 1.0 + 0.08 * (coveredDashes(x, wide, 6.0, 3.0) - 0.5);

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include <gdal_priv.h>
-#include <ogr_spatialref.h>
 
+#include "../core/cover/PixelNet.h"
 #include "../core/heightfield/GdalSession.h"
 #include "ParallelRows.h"
 
@@ -113,79 +113,6 @@ bool readPixels(GDALDataset& dataset, Pixels& pixels)
     return true;
 }
 
-/// Imagery pixel under each node of the tile's geodetic net; between nodes it is interpolated.
-class PixelNet
-{
-public:
-    static Result<PixelNet> make(GDALDataset& dataset, const core::PlacedTile& tile, const std::string& name)
-    {
-        PixelNet net;
-        double transform[6];
-        const OGRSpatialReference* reference = dataset.GetSpatialRef();
-        if (dataset.GetGeoTransform(transform) != CE_None || !reference)
-        {
-            net.stretch(dataset, tile);
-            return net;
-        }
-        if (!tile.field().net)
-            return Error{name, "the elevation data have no georeference to lay this imagery by",
-                         "use an elevation raster with one, or an imagery without"};
-        double inverse[6];
-        OGRSpatialReference geodetic;
-        geodetic.SetWellKnownGeogCS("WGS84");
-        geodetic.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
-        const std::unique_ptr<OGRSpatialReference> own(reference->Clone());
-        own->SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
-        const std::unique_ptr<OGRCoordinateTransformation> toImagery(
-            OGRCreateCoordinateTransformation(&geodetic, own.get()));
-        if (!toImagery || !GDALInvGeoTransform(transform, inverse))
-            return Error{name, "its coordinate system cannot be related to the terrain's",
-                         "reproject the imagery"};
-        const core::GeodeticNet& nodes = *tile.field().net;
-        net._step = nodes.step;
-        net._side = nodes.nodesPerSide;
-        for (const core::GeodeticNet::Node& node : nodes.nodes)
-        {
-            double x = node.longitudeDeg;
-            double y = node.latitudeDeg;
-            glm::dvec2 pixel(-1e9);
-            if (toImagery->Transform(1, &x, &y))
-                pixel = {inverse[0] + inverse[1] * x + inverse[2] * y,
-                         inverse[3] + inverse[4] * x + inverse[5] * y};
-            net._pixels.push_back(pixel);
-        }
-        return net;
-    }
-
-    glm::dvec2 pixelAt(double column, double row) const
-    {
-        const double a = column / _step;
-        const double b = row / _step;
-        const int i = std::clamp(static_cast<int>(a), 0, _side - 2);
-        const int j = std::clamp(static_cast<int>(b), 0, _side - 2);
-        const auto at = [&](int x, int y) { return _pixels[static_cast<std::size_t>(y) * _side + x]; };
-        return glm::mix(glm::mix(at(i, j), at(i + 1, j), a - i),
-                        glm::mix(at(i, j + 1), at(i + 1, j + 1), a - i), b - j);
-    }
-
-private:
-    void stretch(GDALDataset& dataset, const core::PlacedTile& tile)
-    {
-        _step = tile.side() - 1;
-        _side = 2;
-        const double scaleX = static_cast<double>(dataset.GetRasterXSize()) / (tile.dataColumns() - 1);
-        const double scaleY = static_cast<double>(dataset.GetRasterYSize()) / (tile.dataRows() - 1);
-        const double height = dataset.GetRasterYSize();
-        for (const double row : {0.0, static_cast<double>(_step)})
-            for (const double column : {0.0, static_cast<double>(_step)})
-                _pixels.emplace_back(column * scaleX, height - row * scaleY);
-    }
-
-    int _step = 1;
-    int _side = 0;
-    std::vector<glm::dvec2> _pixels;
-};
-
 /// Texels along one axis that keep the imagery's resolution.
 int drapeSide(double imageryPixels)
 {
@@ -203,7 +130,7 @@ Result<osg::ref_ptr<osg::Image>> imageryDrape(const std::filesystem::path& file,
     if (!dataset || dataset->GetRasterCount() < 1)
         return Error{name, session.firstError().empty() ? "is no raster GDAL can open" : session.firstError(),
                      "give an image or a georeferenced raster"};
-    const auto net = PixelNet::make(*dataset, tile, name);
+    const auto net = core::PixelNet::make(*dataset, tile, name);
     if (!net) return net.error();
     Pixels pixels;
     if (!readPixels(*dataset, pixels))

@@ -5,6 +5,7 @@
 
 #include <osgTerrainROAM/Atmosphere>
 
+#include "CoverShader.h"
 #include "FeatureShader.h"
 
 namespace osgTerrainROAM
@@ -155,10 +156,21 @@ void main()
     Grain g = grainAt(place.xy);
 
     float steep = 1.0 - sqrt(max(1.0 - dot(tilt, tilt), 0.0));
+#ifdef TERRAIN_SEASON
+    land.g = seasonSnow(land.g, place, steep, g);
+#endif
     float snow = smoothstep(0.38, 0.62, land.g + 0.30 * g.metres324.w + 0.22 * g.metres28.w + 0.25 * g.metres1831.w
                                             - 0.9 * max(steep - 0.25, 0.0));
     float roughness = mix(1.0 + 1.5 * smoothstep(0.12, 0.35, steep), 0.35, snow);
     vec4 ground = groundColour(land.r, steep, place.z, g);
+#ifdef TERRAIN_COVER
+    Cover cover = terrainCover(grid, g);
+    ground = coveredGround(ground, cover, g);
+    snow = max(snow, smoothstep(0.35, 0.65, cover.snow));
+#endif
+#ifdef TERRAIN_SEASON
+    snow *= 1.0 - 0.45 * ground.a; // it falls between the trees
+#endif
 #ifdef TERRAIN_FEATURES
     Paint paint = terrainPaint(place.xy, dFdx(fromEye.xy), dFdy(fromEye.xy));
     ground = fieldAlbedo(ground, paint, g);
@@ -181,6 +193,9 @@ void main()
 #else
     float water = smoothstep(0.47, 0.53, land.b);
 #endif
+#ifdef TERRAIN_COVER
+    water = max(water, smoothstep(0.35, 0.65, cover.water));
+#endif
 #ifdef TERRAIN_FEATURES
     albedo = pavedAlbedo(albedo, paint, g);
     water = max(water, paint.beds.x) * (1.0 - max(max(paint.beds.y, paint.beds.z), paint.beds.w));
@@ -190,6 +205,9 @@ void main()
     float sunlit = max(dot(normalWorld, sunDirection()), 0.0) * smoothstep(0.15, 0.6, land.a);
     vec3 colour = albedo * (sunLight() * sunlit + ambientLight(normalWorld) * land.a);
     if (water > 0.0) colour = mix(colour, waterColour(directionWorld, g), water);
+#ifdef TERRAIN_COVER
+    colour += townLight(cover, place.xy, dFdx(fromEye.xy), dFdy(fromEye.xy));
+#endif
 #ifdef TERRAIN_FEATURES
     colour += paintLight(paint);
 #endif
@@ -204,10 +222,14 @@ osg::ref_ptr<osg::Program> terrainProgram(const TerrainLook& look)
     std::string fragment = "#version 330 compatibility\n";
     if (look.drape) fragment += "#define TERRAIN_DRAPE\n";
     if (look.features) fragment += "#define TERRAIN_FEATURES\n";
+    if (look.cover) fragment += "#define TERRAIN_COVER\n";
+    if (look.season) fragment += "#define TERRAIN_SEASON\n";
     fragment += Atmosphere::glslFunctions();
     fragment += kFragmentHead;
     fragment += kFragmentLand;
     if (look.features) fragment += std::string(featureCellsGlsl()) + featurePaintGlsl();
+    if (look.cover) fragment += coverGlsl();
+    if (look.season) fragment += seasonGlsl();
     fragment += kFragmentMain;
     osg::ref_ptr<osg::Program> program = new osg::Program;
     program->setName("terrain");

@@ -11,6 +11,8 @@ struct TerrainLook
 {
     bool drape = false;    ///< imagery (TerrainMaterial::drape)
     bool features = false; ///< vector features (FeatureTextures.h)
+    bool cover = false;    ///< land cover (CoverShader.h)
+    bool season = false;   ///< snow of the season (CoverShader.h)
 };
 
 /// The terrain's program.

@@ -31,13 +31,17 @@ struct LandParameters
 ///   dem = FILE                        the elevation raster; the only key that must be there
 ///   imagery = FILE                    any raster GDAL opens, draped over the terrain
 ///   features = FILE                   roads, rivers, fields, runways of any source that OGR opens; may be repeated
+///   land_cover = FILE                 a raster of classes
+///   land_cover_classes = worldcover | corine | FILE    what its classes mean (CoverTable.h)
+///   season = MONTH | 0…1              january … december, or a share of the year; absent: early summer
 ///   origin = LAT LON [HEIGHT]         of the local frame, degrees and metres
 ///   placement = curved | planar
 ///   spacing = METRES                  of a raster without georeference
 ///   vertical_datum = automatic | egm96 | ellipsoid
 ///   error_tolerance = PIXELS          max_triangles = COUNT
 ///   aridity = 0…1    tree_line = METRES    snow_line = METRES    sea_level = METRES
-///   sun = AZIMUTH ELEVATION           degrees        visibility = METRES
+///   sun = AZIMUTH ELEVATION           degrees, below the horizon at night        visibility = METRES
+///   moonlight = 0…1                   1: a full moon, high up
 /// Relative paths are relative to the file's folder; names that begin with /vsi are GDAL's and stay as they
 /// are. Errors: unknown or repeated key, missing dem, bad number: Error with place "file:line".
 struct RoamFile
@@ -45,6 +49,9 @@ struct RoamFile
     std::filesystem::path dem;
     std::filesystem::path imagery; ///< empty: none
     std::vector<std::filesystem::path> features;
+    std::filesystem::path landCover;        ///< empty: none
+    std::filesystem::path landCoverClasses; ///< a table's name or file; empty: worldcover
+    std::optional<double> seasonOfYear;     ///< 0…1
     std::optional<Geodetic> origin;
     Placement placement = Placement::curved;
     DemImportOptions import;
@@ -54,6 +61,7 @@ struct RoamFile
     std::optional<double> sunAzimuthDeg; ///< absent, or both are there
     std::optional<double> sunElevationDeg;
     std::optional<double> visibilityM;
+    std::optional<double> moonlight;
 };
 
 /// Parses the text of a .roam file that is called `name` (for messages and for relative paths). Reads no

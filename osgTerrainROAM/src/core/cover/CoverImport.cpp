@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include <gdal_priv.h>
+
+#include <osgTerrainROAM/core/cover/CoverImport.h>
+
+#include "../heightfield/GdalSession.h"
+#include "PixelNet.h"
+
+namespace osgTerrainROAM::core
+{
+
+namespace
+{
+
+using viewlod::Error;
+using viewlod::Result;
+
+constexpr int kMaxSide = 8192;         ///< texels
+constexpr std::size_t kMostCodes = 32; ///< that a report tells apart
+constexpr int kNoClass = -2000000;     ///< beyond all codes
+
+struct DatasetCloser
+{
+    void operator()(GDALDataset* dataset) const { GDALClose(dataset); }
+};
+
+/// The part of the raster under the tile, perhaps thinned out.
+struct Classes
+{
+    glm::dvec2 firstPixel{0.0}; ///< of the raster, upper left
+    glm::dvec2 perPixel{1.0};   ///< pixels here a pixel of the raster
+    int width = 0, height = 0;
+    std::vector<std::int32_t> codes;
+
+    int at(const glm::dvec2& pixel) const
+    {
+        const glm::dvec2 place = glm::floor((pixel - firstPixel) * perPixel);
+        if (!(place.x >= 0.0 && place.y >= 0.0 && place.x < width && place.y < height)) return kNoClass;
+        return codes[static_cast<std::size_t>(place.y) * width + static_cast<std::size_t>(place.x)];
+    }
+};
+
+/// What of the raster the tile's corners, edges and middle need.
+bool readClasses(GDALDataset& dataset, const PixelNet& net, const PlacedTile& tile, Classes& classes)
+{
+    glm::dvec2 low(1e9), high(-1e9);
+    for (int j = 0; j <= 32; ++j)
+        for (int i = 0; i <= 32; ++i)
+        {
+            const glm::dvec2 pixel =
+                net.pixelAt((tile.dataColumns() - 1) * i / 32.0, (tile.dataRows() - 1) * j / 32.0);
+            low = glm::min(low, pixel - 2.0);
+            high = glm::max(high, pixel + 2.0);
+        }
+    const glm::dvec2 size(dataset.GetRasterXSize(), dataset.GetRasterYSize());
+    low = glm::floor(glm::clamp(low, glm::dvec2(0.0), size));
+    high = glm::ceil(glm::clamp(high, glm::dvec2(0.0), size));
+    const glm::dvec2 extent = high - low;
+    if (!(extent.x >= 1.0 && extent.y >= 1.0)) return true; // beyond it: all unknown
+    classes.firstPixel = low;
+    classes.width = static_cast<int>(std::min<double>(extent.x, kMaxSide));
+    classes.height = static_cast<int>(std::min<double>(extent.y, kMaxSide));
+    classes.perPixel = glm::dvec2(classes.width, classes.height) / extent;
+    classes.codes.resize(static_cast<std::size_t>(classes.width) * classes.height);
+    GDALRasterBand& band = *dataset.GetRasterBand(1);
+    if (band.RasterIO(GF_Read, static_cast<int>(low.x), static_cast<int>(low.y), static_cast<int>(extent.x),
+                      static_cast<int>(extent.y), classes.codes.data(), classes.width, classes.height,
+                      GDT_Int32, 0, 0, nullptr) != CE_None)
+        return false;
+    int hasNoData = 0;
+    const double noData = band.GetNoDataValue(&hasNoData);
+    if (hasNoData && std::abs(noData) < 2.0e9)
+        std::replace(classes.codes.begin(), classes.codes.end(),
+                     static_cast<std::int32_t>(std::lround(noData)), kNoClass);
+    return true;
+}
+
+int sideOf(double pixels)
+{
+    return static_cast<int>(std::clamp(std::ceil(pixels), 2.0, static_cast<double>(kMaxSide)));
+}
+
+GroundKind kindOf(int code, const CoverTable& table, CoverMap& map)
+{
+    if (code == kNoClass) return GroundKind::unknown;
+    if (const auto found = table.find(code); found != table.end()) return found->second;
+    if (map.unknownCodes.size() < kMostCodes || map.unknownCodes.contains(code)) ++map.unknownCodes[code];
+    return GroundKind::unknown;
+}
+
+CoverMap mapOf(const Classes& classes, const PixelNet& net, const CoverTable& table, const PlacedTile& tile)
+{
+    const int lastColumn = tile.dataColumns() - 1, lastRow = tile.dataRows() - 1;
+    CoverMap map;
+    const glm::dvec2 corner = net.pixelAt(0, 0);
+    map.width = sideOf(glm::distance(corner, net.pixelAt(lastColumn, 0)));
+    map.height = sideOf(glm::distance(corner, net.pixelAt(0, lastRow)));
+    map.kinds.reserve(static_cast<std::size_t>(map.width) * map.height);
+    for (int y = 0; y < map.height; ++y)
+        for (int x = 0; x < map.width; ++x)
+        {
+            const double column = static_cast<double>(x) * lastColumn / (map.width - 1);
+            const double row = static_cast<double>(y) * lastRow / (map.height - 1);
+            map.kinds.push_back(kindOf(classes.at(net.pixelAt(column, row)), table, map));
+        }
+    return map;
+}
+
+} // namespace
+
+Result<CoverMap> importCover(const std::filesystem::path& file, const CoverTable& table,
+                             const PlacedTile& tile)
+{
+    GdalSession gdal;
+    const std::string name = file.string();
+    const std::unique_ptr<GDALDataset, DatasetCloser> dataset(
+        GDALDataset::Open(name.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR));
+    if (!dataset || dataset->GetRasterCount() < 1)
+        return Error{name, gdal.hasFailed() ? gdal.firstError() : "is no raster GDAL can open",
+                     "give a raster of classes"};
+    const auto net = PixelNet::make(*dataset, tile, name);
+    if (!net) return net.error();
+    Classes classes;
+    if (!readClasses(*dataset, *net, tile, classes))
+        return Error{name, "cannot be read: " + gdal.firstError(), "check the file"};
+    CoverMap map = mapOf(classes, *net, table, tile);
+    if (std::all_of(map.kinds.begin(), map.kinds.end(),
+                    [](GroundKind kind) { return kind == GroundKind::unknown; }))
+        return Error{name,
+                     map.unknownCodes.empty()
+                         ? "covers nothing of the terrain"
+                         : "has no class that its table knows: it has " +
+                               std::to_string(map.unknownCodes.begin()->first) + " and others",
+                     "give a land cover of the same place, and its table with land_cover_classes"};
+    return map;
+}
+
+} // namespace osgTerrainROAM::core

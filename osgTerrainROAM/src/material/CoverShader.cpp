@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "CoverShader.h"
+
+namespace osgTerrainROAM
+{
+
+const char* coverGlsl()
+{
+    return R"(
+uniform sampler2D terrainCover2D; // kinds / 255, mip levels by majority
+uniform vec4 coverFromGrid;
+uniform int coverLevels;
+uniform vec4 coverAlbedo[13];     // and share of wood
+uniform vec4 coverPatch[13];      // and share of patches
+uniform vec4 coverBend;           // how far each layer of the grain bends borders, texels
+
+struct Cover
+{
+    vec3 albedo, patched;
+    float wood, patches;
+    float known; // share of kinds that are known
+    float snow, water, town;
+};
+
+void addCover(inout Cover cover, int kind, float weight)
+{
+    if (kind == 0) return;
+    cover.known += weight;
+    cover.albedo += weight * coverAlbedo[kind].rgb;
+    cover.wood += weight * coverAlbedo[kind].a;
+    cover.patched += weight * coverPatch[kind].rgb;
+    cover.patches += weight * coverPatch[kind].a;
+    cover.snow += kind == 8 ? weight : 0.0;
+    cover.water += kind == 9 ? weight : 0.0;
+    cover.town += kind == 11 ? weight : 0.0;
+}
+
+Cover terrainCover(vec2 grid, Grain g)
+{
+    vec2 part = grid * coverFromGrid.xy + coverFromGrid.zw;
+    vec2 texels = vec2(textureSize(terrainCover2D, 0));
+    vec2 x = dFdx(part) * texels, y = dFdy(part) * texels;
+    // Between the footprint's length and its width; dithered, so that no line shows where the level changes.
+    float span = sqrt(max(length(x), length(y)) * max(abs(x.x * y.y - x.y * y.x), 1e-12)
+                      / max(max(length(x), length(y)), 1e-9));
+    int level = int(clamp(log2(max(span, 1e-3)) + 1.0 + 0.8 * g.metres1831.w, 0.0, float(coverLevels - 1)));
+    ivec2 size = textureSize(terrainCover2D, level);
+    vec2 bend = g.metres2.xy * coverBend.x + g.metres28.xy * coverBend.y + g.metres324.xy * coverBend.z
+              + g.metres1831.xy * coverBend.w;
+    vec2 at = part * vec2(size) - 0.5 + bend * exp2(-float(level));
+    ivec2 cell = ivec2(floor(at));
+    vec2 f = smoothstep(0.25, 0.75, at - vec2(cell));
+    Cover cover = Cover(vec3(0.0), vec3(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
+    for (int i = 0; i < 4; ++i)
+    {
+        ivec2 corner = ivec2(i & 1, i >> 1);
+        float weight = (corner.x == 1 ? f.x : 1.0 - f.x) * (corner.y == 1 ? f.y : 1.0 - f.y);
+        float code = texelFetch(terrainCover2D, clamp(cell + corner, ivec2(0), size - 1), level).r;
+        addCover(cover, min(int(code * 255.0 + 0.5), 12), weight);
+    }
+    return cover;
+}
+
+vec4 coveredGround(vec4 ground, Cover cover, Grain g)
+{
+    if (cover.known <= 0.0) return ground;
+    float low = 0.5 + 0.5 * (0.5 - cover.patches / cover.known);
+    float noise = 0.5 + 0.9 * g.metres28.w + 0.7 * g.metres324.w + 0.4 * g.metres2.w;
+    vec3 colour = mix(cover.albedo, cover.patched, smoothstep(low - 0.12, low + 0.12, noise)) / cover.known;
+    float speckle = 1.1 * g.metres2.z + 0.65 * g.metres28.z + 0.45 * g.metres324.z + 0.35 * g.metres1831.z;
+    float wood = cover.wood / cover.known;
+    colour *= max(1.0 + speckle * (0.8 + 0.7 * wood), 0.25);
+    return mix(ground, vec4(colour, wood), min(cover.known, 1.0));
+}
+
+// A lamp in each square of 32 m, somewhere in it; a point of the picture, and from afar their mean.
+vec3 townLight(Cover cover, vec2 place, vec2 x, vec2 y)
+{
+    float night = smoothstep(0.02, -0.09, sunDirection().z);
+    if (cover.town * night <= 0.0) return vec3(0.0);
+    vec2 cell = floor(place / 32.0);
+    vec2 wrapped = mod(cell, 128.0);
+    float h = fract(sin(dot(wrapped, vec2(12.9898, 78.233))) * 43758.5453);
+    vec2 lamp = (cell + 0.2 + 0.6 * vec2(h, fract(h * 57.31))) * 32.0;
+    vec2 from = place - lamp;
+    float area = x.x * y.y - x.y * y.x;
+    vec2 pixels = vec2(from.x * y.y - from.y * y.x, from.y * x.x - from.x * x.y) / (abs(area) > 1e-9 ? area : 1e-9);
+    float spot = exp(-1.2 * dot(pixels, pixels)) + 0.05 * exp(-0.08 * dot(pixels, pixels));
+    float fine = 1.0 - smoothstep(6.0, 16.0, max(length(x), length(y)));
+    float glow = 0.02 + 0.10 * exp(-dot(from, from) / 60.0);
+    return mix(vec3(3.0, 2.1, 1.1), vec3(2.6, 2.6, 2.4), step(0.75, fract(h * 11.7)))
+         * (cover.town * night * (mix(0.10, spot, fine) + glow));
+}
+)";
+}
+
+const char* seasonGlsl()
+{
+    return R"(
+uniform vec4 seasonSnowLine; // snow line, its shift by the season, 1 / (2 radius of the Earth), sample height over z
+uniform ivec3 terrainEyeWraps;
+
+float seasonSnow(float earlySummers, vec3 place, float steep, Grain g)
+{
+    vec3 local = place + 4096.0 * vec3(terrainEyeWraps);
+    float height = local.z + dot(local.xy, local.xy) * seasonSnowLine.z + seasonSnowLine.w;
+    height += 400.0 * g.metres1831.w + 250.0 * g.metres324.w;
+    float over = smoothstep(-450.0, 450.0, height - seasonSnowLine.x - seasonSnowLine.y);
+    if (seasonSnowLine.y > 0.0) return earlySummers * over;
+    return max(earlySummers, over * (1.0 - 0.85 * smoothstep(0.22, 0.5, steep)));
+}
+)";
+}
+
+} // namespace osgTerrainROAM
