@@ -149,7 +149,7 @@ AtmosphereLight atmosphereLight(const AtmosphereSettings& settings)
     // Brighter than it measures: a pilot's eyes get used to the dark, and a picture's exposure does not.
     const float moon = static_cast<float>(std::clamp((-2.0 - elevationDeg) / 8.0, 0.0, 1.0) *
                                           std::clamp(settings.moonlight, 0.0, 1.0) * (1.0 - 0.8 * cloud));
-    light.sky += osg::Vec3f(0.020f, 0.025f, 0.036f) * moon;
+    light.sky += osg::Vec3f(0.050f, 0.062f, 0.088f) * moon;
     light.ground = (light.sun * static_cast<float>(std::max(direction.z(), 0.0)) + light.sky) * 0.16f;
     return light;
 }

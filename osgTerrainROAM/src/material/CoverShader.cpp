@@ -40,10 +40,9 @@ Cover terrainCover(vec2 grid, Grain g)
     vec2 part = grid * coverFromGrid.xy + coverFromGrid.zw;
     vec2 texels = vec2(textureSize(terrainCover2D, 0));
     vec2 x = dFdx(part) * texels, y = dFdy(part) * texels;
-    // Between the footprint's length and its width; dithered, so that no line shows where the level changes.
-    float span = sqrt(max(length(x), length(y)) * max(abs(x.x * y.y - x.y * y.x), 1e-12)
-                      / max(max(length(x), length(y)), 1e-9));
-    int level = int(clamp(log2(max(span, 1e-3)) + 1.0 + 0.8 * g.metres1831.w, 0.0, float(coverLevels - 1)));
+    // Between the footprint's length and its width.
+    float span = sqrt(abs(x.x * y.y - x.y * y.x));
+    int level = int(clamp(log2(max(span, 1e-3)) + 1.0, 0.0, float(coverLevels - 1)));
     ivec2 size = textureSize(terrainCover2D, level);
     vec2 bend = g.metres2.xy * coverBend.x + g.metres28.xy * coverBend.y + g.metres324.xy * coverBend.z
               + g.metres1831.xy * coverBend.w;
@@ -55,7 +54,8 @@ Cover terrainCover(vec2 grid, Grain g)
     {
         ivec2 corner = ivec2(i & 1, i >> 1);
         float weight = (corner.x == 1 ? f.x : 1.0 - f.x) * (corner.y == 1 ? f.y : 1.0 - f.y);
-        float code = texelFetch(terrainCover2D, clamp(cell + corner, ivec2(0), size - 1), level).r;
+        // Not fetched: where neighbouring pixels differ in level, a texel of the wrong level is still one of this place.
+        float code = textureLod(terrainCover2D, (vec2(cell + corner) + 0.5) / vec2(size), float(level)).r;
         addCover(cover, min(int(code * 255.0 + 0.5), 12), weight);
     }
     return cover;
@@ -87,9 +87,9 @@ vec3 townLight(Cover cover, vec2 place, vec2 x, vec2 y)
     vec2 pixels = vec2(from.x * y.y - from.y * y.x, from.y * x.x - from.x * x.y) / (abs(area) > 1e-9 ? area : 1e-9);
     float spot = exp(-1.2 * dot(pixels, pixels)) + 0.05 * exp(-0.08 * dot(pixels, pixels));
     float fine = 1.0 - smoothstep(6.0, 16.0, max(length(x), length(y)));
-    float glow = 0.02 + 0.10 * exp(-dot(from, from) / 60.0);
+    float glow = 0.004 + 0.06 * exp(-dot(from, from) / 60.0);
     return mix(vec3(3.0, 2.1, 1.1), vec3(2.6, 2.6, 2.4), step(0.75, fract(h * 11.7)))
-         * (cover.town * night * (mix(0.10, spot, fine) + glow));
+         * (cover.town * night * (mix(0.03, spot, fine) + glow));
 }
 )";
 }
@@ -98,7 +98,6 @@ const char* seasonGlsl()
 {
     return R"(
 uniform vec4 seasonSnowLine; // snow line, its shift by the season, 1 / (2 radius of the Earth), sample height over z
-uniform ivec3 terrainEyeWraps;
 
 float seasonSnow(float earlySummers, vec3 place, float steep, Grain g)
 {

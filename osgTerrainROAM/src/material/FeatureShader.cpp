@@ -14,7 +14,6 @@ uniform sampler2D featureFarBeds;   // river, asphalt, gravel, runway
 uniform ivec4 featureGrid;          // first cell, number of cells
 uniform float featureCellM;
 uniform float featureFarTexelM;
-uniform ivec3 terrainEyeWraps;      // whole 4096 m below the eye's wrapped place
 
 const float kFeatureReachM = 16.0;
 

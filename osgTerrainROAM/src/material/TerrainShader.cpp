@@ -169,7 +169,8 @@ void main()
     snow = max(snow, smoothstep(0.35, 0.65, cover.snow));
 #endif
 #ifdef TERRAIN_SEASON
-    snow *= 1.0 - 0.45 * ground.a; // it falls between the trees
+    // It lies between the trees.
+    snow *= 1.0 - ground.a * clamp(0.5 + 2.2 * g.metres28.z + 1.6 * g.metres2.z, 0.0, 1.0);
 #endif
 #ifdef TERRAIN_FEATURES
     Paint paint = terrainPaint(place.xy, dFdx(fromEye.xy), dFdy(fromEye.xy));
@@ -224,6 +225,8 @@ osg::ref_ptr<osg::Program> terrainProgram(const TerrainLook& look)
     if (look.features) fragment += "#define TERRAIN_FEATURES\n";
     if (look.cover) fragment += "#define TERRAIN_COVER\n";
     if (look.season) fragment += "#define TERRAIN_SEASON\n";
+    if (look.features || look.season)
+        fragment += "uniform ivec3 terrainEyeWraps; // whole 4096 m below the eye's wrapped place\n";
     fragment += Atmosphere::glslFunctions();
     fragment += kFragmentHead;
     fragment += kFragmentLand;

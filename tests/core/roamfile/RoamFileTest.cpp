@@ -16,6 +16,11 @@ using namespace osgTerrainROAM::core;
 constexpr const char* kWhole = R"(# a place
 dem = heights/dem.tif
 imagery = /far/image.tif   # absolute
+features = roads.gpkg
+features = /far/fields.geojson
+land_cover = cover.tif
+land_cover_classes = corine
+season = october
 origin = 46.5 8.25 1200
 placement = curved
 spacing = 30
@@ -28,6 +33,7 @@ snow_line = 2500
 sea_level = -1.5
 sun = 230 40
 visibility = 35000
+moonlight = 0.5
 )";
 
 std::string messageOf(const std::string& text)
@@ -60,6 +66,28 @@ TEST(RoamFile, HasEveryKey)
     EXPECT_EQ(file->sunAzimuthDeg, 230.0);
     EXPECT_EQ(file->sunElevationDeg, 40.0);
     EXPECT_EQ(file->visibilityM, 35000.0);
+    EXPECT_EQ(file->moonlight, 0.5);
+    ASSERT_EQ(file->features.size(), 2u);
+    EXPECT_EQ(file->features[0], std::filesystem::path("folder/roads.gpkg"));
+    EXPECT_EQ(file->features[1], std::filesystem::path("/far/fields.geojson"));
+    EXPECT_EQ(file->landCover, std::filesystem::path("folder/cover.tif"));
+    EXPECT_EQ(file->landCoverClasses, std::filesystem::path("corine"));
+    EXPECT_NEAR(file->seasonOfYear.value_or(0.0), 9.5 / 12.0, 1e-12);
+}
+
+TEST(RoamFile, ASeasonIsAMonthOrAShareOfTheYear)
+{
+    EXPECT_EQ(parseRoamFile("dem = a\nseason = 0.25\n", "p.roam")->seasonOfYear, 0.25);
+    EXPECT_EQ(parseRoamFile("dem = a\nland_cover_classes = my.txt\n", "x/p.roam")->landCoverClasses,
+              std::filesystem::path("x/my.txt"));
+    EXPECT_THAT(messageOf("dem = a\nseason = summer\n"),
+                testing::HasSubstr("place.roam:2: season = 'summer' is unknown"));
+    EXPECT_THAT(messageOf("dem = a\nseason = 1.5\n"),
+                testing::HasSubstr("place.roam:2: season = 1.5 is out of range"));
+    EXPECT_THAT(messageOf("dem = a\nmoonlight = 2\n"),
+                testing::HasSubstr("place.roam:2: moonlight = 2 is out of range"));
+    EXPECT_THAT(messageOf("dem = a\nland_cover = a\nland_cover = b\n"),
+                testing::HasSubstr("place.roam:3: 'land_cover' stands"));
 }
 
 TEST(RoamFile, NeedsOnlyADem)
@@ -102,6 +130,12 @@ TEST(RoamFile, AMissingDemIsNamedWithItsLine)
     ASSERT_FALSE(file);
     EXPECT_THAT(file.error().place, testing::EndsWith("place.roam:3"));
     EXPECT_THAT(file.error().what, testing::HasSubstr("missing.tif' does not exist"));
+    std::ofstream(folder / "dem.asc") << "here";
+    std::ofstream(path) << "dem = dem.asc\nfeatures = dem.asc\n# there\nfeatures = none.gpkg\n";
+    EXPECT_THAT(readRoamFile(path).error().place, testing::EndsWith("place.roam:4"))
+        << "the second of its kind";
+    std::ofstream(path) << "dem = dem.asc\nland_cover_classes = none.txt\n";
+    EXPECT_THAT(readRoamFile(path).error().message(), testing::HasSubstr("place.roam:2: land_cover_classes"));
     EXPECT_THAT(readRoamFile(folder / "none.roam").error().message(),
                 testing::HasSubstr("none.roam: cannot be read"));
     std::ofstream(folder / "binary.roam") << std::string("dem = a\0b", 9);

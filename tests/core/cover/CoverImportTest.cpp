@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+#include <filesystem>
+
+#include <gdal_priv.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <osgTerrainROAM/core/cover/CoverImport.h>
+
+#include "SyntheticField.h"
+
+namespace
+{
+
+using namespace osgTerrainROAM::core;
+using testing::HasSubstr;
+
+constexpr int kSide = 240;
+constexpr double kStepDeg = 0.00025;
+constexpr double kWest = 8.0, kNorth = 46.052; ///< the tile reaches from 46 and 8 to 46.0533 and 8.0533
+
+/// What class the raster has at a pixel from the upper left: islands of three classes, a hole of no data, one strange code.
+int classAt(int x, int y)
+{
+    if (x < 20) return 0;
+    if (x == 100 && y == 100) return 77;
+    const double n = std::sin(x * 0.13) + std::sin(y * 0.09 + x * 0.03);
+    return n > 0.6 ? 10 : n > -0.5 ? 30 : 80;
+}
+
+class CoverImport : public testing::Test
+{
+protected:
+    void SetUp() override
+    {
+        GDALAllRegister();
+        _file = std::filesystem::temp_directory_path() /
+                ("osgtrainer-cover-" + std::to_string(::getpid()) + ".tif");
+        GDALDataset* dataset = GetGDALDriverManager()->GetDriverByName("GTiff")->Create(
+            _file.c_str(), kSide, kSide, 1, GDT_Byte, nullptr);
+        OGRSpatialReference geodetic;
+        geodetic.SetWellKnownGeogCS("WGS84");
+        double transform[6]{kWest, kStepDeg, 0.0, kNorth, 0.0, -kStepDeg};
+        dataset->SetSpatialRef(&geodetic);
+        dataset->SetGeoTransform(transform);
+        dataset->GetRasterBand(1)->SetNoDataValue(0.0);
+        std::vector<unsigned char> classes;
+        for (int y = 0; y < kSide; ++y)
+            for (int x = 0; x < kSide; ++x)
+                classes.push_back(static_cast<unsigned char>(classAt(x, y)));
+        EXPECT_EQ(dataset->GetRasterBand(1)->RasterIO(GF_Write, 0, 0, kSide, kSide, classes.data(), kSide,
+                                                      kSide, GDT_Byte, 0, 0, nullptr),
+                  CE_None);
+        GDALClose(dataset);
+    }
+    void TearDown() override { std::filesystem::remove(_file); }
+
+    std::filesystem::path _file;
+};
+
+PlacedTile alps()
+{
+    return PlacedTile(testsupport::onTheEarth(testsupport::hills(65, 65)));
+}
+
+} // namespace
+
+TEST_F(CoverImport, EachTexelIsTheClassOfItsPlaceOnEarth)
+{
+    const auto tile = alps();
+    const auto map = importCover(_file, worldCoverTable(), tile);
+    ASSERT_TRUE(map) << map.error().message();
+    EXPECT_NEAR(map->width, 213, 2) << "the raster's own resolution: 0.0533 degrees of it";
+    int compared = 0, wrong = 0, shifted = 0;
+    for (int y = 0; y < map->height; ++y)
+        for (int x = 0; x < map->width; ++x)
+        {
+            const glm::dvec3 local =
+                tile.positionAt(64.0 * x / (map->width - 1), 64.0 * y / (map->height - 1), 0.0);
+            const Geodetic at = tile.geodeticFromLocal(local);
+            const double px = (at.longitudeDeg - kWest) / kStepDeg, py = (kNorth - at.latitudeDeg) / kStepDeg;
+            const auto nearBorder = [](double p) { return std::abs(p - std::round(p)) < 0.05; };
+            if (nearBorder(px) || nearBorder(py) || px < 0 || px >= kSide || py < 0 || py >= kSide) continue;
+            const auto kindAt = [](int i, int j)
+            {
+                const CoverTable table = worldCoverTable();
+                const auto found = table.find(classAt(i, j));
+                return found == table.end() ? GroundKind::unknown : found->second;
+            };
+            ++compared;
+            wrong += map->at(x, y) != kindAt(static_cast<int>(px), static_cast<int>(py));
+            shifted +=
+                map->at(x, y) != kindAt(std::min(static_cast<int>(px) + 1, kSide - 1), static_cast<int>(py));
+        }
+    EXPECT_GT(compared, 20000);
+    EXPECT_EQ(wrong, 0);
+    EXPECT_GT(shifted, 300) << "one pixel off is found out";
+}
+
+TEST_F(CoverImport, NoDataAndStrangeCodesAreUnknownAndCounted)
+{
+    const auto map = importCover(_file, worldCoverTable(), alps());
+    ASSERT_TRUE(map);
+    EXPECT_EQ(map->at(2, map->height / 2), GroundKind::unknown);
+    ASSERT_EQ(map->unknownCodes.size(), 1u);
+    EXPECT_EQ(map->unknownCodes.begin()->first, 77);
+}
+
+TEST_F(CoverImport, ErrorsNameTheFileAndWhatToDo)
+{
+    const auto messageOf = [](const viewlod::Result<CoverMap>& map)
+    { return map ? "" : map.error().message(); };
+    EXPECT_THAT(messageOf(importCover("/none.tif", worldCoverTable(), alps())), HasSubstr("/none.tif"));
+    EXPECT_THAT(messageOf(importCover(_file, {{5, GroundKind::crop}}, alps())),
+                HasSubstr("has no class that its table knows: it has 10 and others"));
+    const PlacedTile plane(testsupport::hills(33, 33), Placement::planar);
+    EXPECT_THAT(messageOf(importCover(_file, worldCoverTable(), plane)),
+                HasSubstr("no georeference to lay this"));
+    auto elsewhere = testsupport::onTheEarth(testsupport::hills(33, 33));
+    for (auto& node : elsewhere.net->nodes)
+        node.longitudeDeg += 3.0;
+    EXPECT_THAT(messageOf(importCover(_file, worldCoverTable(), PlacedTile(std::move(elsewhere)))),
+                HasSubstr("covers nothing of the terrain"));
+}
