@@ -50,7 +50,8 @@ int main(int argc, char** argv)
     auto viewer = osgOffscreen::OffscreenViewer::create(settings);
     if (!viewer) return failed(viewer.error());
     (*viewer)->viewer().setSceneData(terrain->get());
-    (*viewer)->camera().setClearColor({0.70f, 0.78f, 0.86f, 1.0f});
+    const auto& air = (*terrain)->atmosphere()->light();
+    (*viewer)->camera().setClearColor(osg::Vec4(osgTerrainROAM::displayColour(air.horizon), 1.0f));
     (*viewer)->camera().setProjectionMatrixAsPerspective(45.0, 960.0 / 540.0, 0.5, 60000.0);
     const osg::Vec3d up(std::sin(heading) * -std::sin(pitch), std::cos(heading) * -std::sin(pitch),
                         std::cos(pitch));

@@ -187,7 +187,7 @@ void TerrainMaterial::setCover(const core::CoverMap& map)
     const double texelM = _spacingM / std::max(perColumn, 1e-9);
     const auto bend = [=](double periodM)
     {
-        return static_cast<float>(12.0 * std::min(1.0, 8.0 * texelM / periodM) *
+        return static_cast<float>(8.0 * std::min(1.0, 8.0 * texelM / periodM) *
                                   std::min(1.0, periodM / (2.0 * texelM)));
     };
     _stateSet->addUniform(

@@ -86,7 +86,7 @@ TEST(CoverPaint, ABorderDoesNotFollowTheRastersGrid)
     const double bent = strayPx(*fromAbove(terrain));
     terrain->material()->stateSet()->getUniform("coverBend")->set(osg::Vec4f());
     const double straight = strayPx(*fromAbove(terrain));
-    EXPECT_GT(bent, 6.0);
+    EXPECT_GT(bent, 4.0);
     EXPECT_LT(straight, 0.5 * bent) << "without the bending it does";
 }
 
