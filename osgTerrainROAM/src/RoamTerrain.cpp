@@ -45,6 +45,22 @@ paintFeatures(TerrainMaterial& material, const core::RoamFile& description, cons
     return all.report;
 }
 
+/// Lays imagery in several resolutions over the tile; one alone is the material's drape.
+viewlod::Outcome layImagery(TerrainMaterial& material, const core::RoamFile& description,
+                            const core::PlacedTile& tile)
+{
+    if (description.imagery.size() < 2) return viewlod::success();
+    std::vector<ImageryLayer> layers;
+    for (const std::filesystem::path& file : description.imagery)
+    {
+        auto layer = imageryLayer(file, tile);
+        if (!layer) return layer.error();
+        layers.push_back(std::move(*layer));
+    }
+    material.setImagery(std::move(layers));
+    return viewlod::success();
+}
+
 /// Imports the land cover, if there is one, and gives it to the material.
 viewlod::Outcome coverGround(TerrainMaterial& material, const core::RoamFile& description,
                              const core::PlacedTile& tile)
@@ -97,14 +113,15 @@ viewlod::Result<osg::ref_ptr<RoamTerrain>> makeTerrain(const core::RoamFile& des
     const auto tile = std::make_shared<const core::RoamTile>(std::move(*placed));
 
     osg::ref_ptr<osg::Image> drape;
-    if (!description.imagery.empty())
+    if (description.imagery.size() == 1)
     {
-        auto image = imageryDrape(description.imagery, tile->tile);
+        auto image = imageryDrape(description.imagery.front(), tile->tile);
         if (!image) return image.error();
         drape = *image;
     }
     osg::ref_ptr<TerrainMaterial> material =
         new TerrainMaterial(tile->tile, climateOf(tile->tile, description.land), drape.get());
+    if (const auto laid = layImagery(*material, description, tile->tile); !laid) return laid.error();
     if (const auto covered = coverGround(*material, description, tile->tile); !covered)
         return covered.error();
     if (description.seasonOfYear) material->setSeason(description.seasonOfYear);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <cassert>
 #include <cmath>
+#include <string>
 
 #include <osg/Texture2D>
 #include <osg/Uniform>
@@ -61,13 +63,36 @@ TerrainMaterial::TerrainMaterial(const core::PlacedTile& tile, const Climate& cl
 void TerrainMaterial::setProgram()
 {
     _stateSet->setAttributeAndModes(
-        terrainProgram({_hasDrape, _hasFeatures, _hasCover, _season.has_value()}));
+        terrainProgram({_hasDrape, _imageryLayers, _hasFeatures, _hasCover, _season.has_value()}));
 }
 
 void TerrainMaterial::setFeatures(const core::FeatureCells& cells)
 {
     addFeatureTextures(*_stateSet, cells, features);
     _hasFeatures = true;
+    setProgram();
+}
+
+void TerrainMaterial::setImagery(std::vector<ImageryLayer> layers)
+{
+    assert(layers.size() <= kMaxImagery && "more layers of imagery than texture units for them");
+    std::stable_sort(layers.begin(), layers.end(),
+                     [](const ImageryLayer& a, const ImageryLayer& b) { return a.texelM > b.texelM; });
+    _imageryLayers = static_cast<int>(std::min(layers.size(), kMaxImagery));
+    osg::Uniform* fromGrid = _stateSet->getOrCreateUniform(
+        "imageryFromGrid", osg::Uniform::FLOAT_VEC4, static_cast<unsigned>(std::max(_imageryLayers, 1)));
+    for (int i = 0; i < _imageryLayers; ++i)
+    {
+        const ImageryLayer& layer = layers[static_cast<std::size_t>(i)];
+        const auto unit = static_cast<Unit>(imagery + i);
+        addTexture(*_stateSet, ("imageryLayer" + std::to_string(i)).c_str(), unit, layer.image.get(),
+                   osg::Texture::CLAMP_TO_EDGE);
+        const glm::dvec2 size(layer.image->s(), layer.image->t());
+        const glm::dvec2 scale = (size - 1.0) / (layer.lastGrid - layer.firstGrid);
+        const glm::dvec2 offset = 0.5 - layer.firstGrid * scale;
+        fromGrid->setElement(static_cast<unsigned>(i), osg::Vec4f(scale.x / size.x, scale.y / size.y,
+                                                                  offset.x / size.x, offset.y / size.y));
+    }
     setProgram();
 }
 

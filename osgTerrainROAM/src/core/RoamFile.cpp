@@ -189,6 +189,14 @@ Outcome appendPath(std::vector<std::filesystem::path>& target, const Entry& entr
     return assignPath(target.emplace_back(), entry);
 }
 
+Outcome assignImagery(RoamFile& file, const Entry& entry)
+{
+    if (file.imagery.size() < RoamFile::kMaxImagery) return appendPath(file.imagery, entry);
+    return entry.error("is one imagery more than the " + std::to_string(RoamFile::kMaxImagery) +
+                           " that there may be",
+                       "join some with gdalbuildvrt");
+}
+
 /// A key and what it does to the file.
 struct Key
 {
@@ -201,7 +209,7 @@ constexpr double kFar = 1.0e7; ///< metres; nothing on Earth is higher or wider 
 
 constexpr std::array kKeys{
     Key{"dem", [](RoamFile& f, const Entry& e) { return assignPath(f.dem, e); }},
-    Key{"imagery", [](RoamFile& f, const Entry& e) { return assignPath(f.imagery, e); }},
+    Key{"imagery", assignImagery, true},
     Key{"features", [](RoamFile& f, const Entry& e) { return appendPath(f.features, e); }, true},
     Key{"land_cover", [](RoamFile& f, const Entry& e) { return assignPath(f.landCover, e); }},
     Key{"land_cover_classes", assignClasses},
@@ -260,10 +268,11 @@ struct NamedFile
 
 std::vector<NamedFile> namedFiles(const RoamFile& file)
 {
-    std::vector<NamedFile> named{
-        {"dem", file.dem}, {"imagery", file.imagery}, {"land_cover", file.landCover}};
+    std::vector<NamedFile> named{{"dem", file.dem}, {"land_cover", file.landCover}};
     if (file.landCoverClasses != "worldcover" && file.landCoverClasses != "corine")
         named.push_back({"land_cover_classes", file.landCoverClasses});
+    for (std::size_t i = 0; i < file.imagery.size(); ++i)
+        named.push_back({"imagery", file.imagery[i], static_cast<int>(i)});
     for (std::size_t i = 0; i < file.features.size(); ++i)
         named.push_back({"features", file.features[i], static_cast<int>(i)});
     return named;

@@ -119,9 +119,70 @@ int drapeSide(double imageryPixels)
     return static_cast<int>(std::clamp(std::ceil(imageryPixels), 2.0, static_cast<double>(kMaxSide)));
 }
 
-} // namespace
+/// The part of a tile's grid that imagery is laid over.
+struct GridBox
+{
+    glm::dvec2 first, last;
+};
 
-Result<osg::ref_ptr<osg::Image>> imageryDrape(const std::filesystem::path& file, const core::PlacedTile& tile)
+GridBox wholeGrid(const core::PlacedTile& tile)
+{
+    return {{0.0, 0.0}, {tile.dataColumns() - 1.0, tile.dataRows() - 1.0}};
+}
+
+/// The grid place over a pixel: Newton's method, on a map that is nearly a plane's.
+glm::dvec2 gridUnder(const core::PixelNet& net, const glm::dvec2& pixel, glm::dvec2 grid)
+{
+    for (int step = 0; step < 12; ++step)
+    {
+        const glm::dvec2 at = net.pixelAt(grid.x, grid.y);
+        const glm::dmat2 slope(net.pixelAt(grid.x + 1.0, grid.y) - at,
+                               net.pixelAt(grid.x, grid.y + 1.0) - at);
+        if (std::abs(glm::determinant(slope)) < 1e-12) break;
+        grid += glm::inverse(slope) * (pixel - at);
+    }
+    return grid;
+}
+
+/// The box of the tile's grid around an imagery's border; empty (last below first) where they have nothing in common.
+GridBox gridOf(const core::PixelNet& net, const core::PlacedTile& tile, const glm::dvec2& size)
+{
+    const GridBox whole = wholeGrid(tile);
+    GridBox box{glm::dvec2(1e300), glm::dvec2(-1e300)};
+    for (int i = 0; i <= 16; ++i)
+        for (const glm::dvec2& share :
+             {glm::dvec2(i / 16.0, 0.0), {i / 16.0, 1.0}, {0.0, i / 16.0}, {1.0, i / 16.0}})
+        {
+            const glm::dvec2 place = gridUnder(net, share * size, 0.5 * whole.last);
+            box.first = glm::min(box.first, place);
+            box.last = glm::max(box.last, place);
+        }
+    return {glm::max(box.first, whole.first), glm::min(box.last, whole.last)};
+}
+
+/// Samples the imagery over a box of the grid; the rows that got any are counted.
+bool sampleInto(osg::Image& image, const Pixels& pixels, const core::PixelNet& net, const GridBox& box)
+{
+    std::vector<int> covered(static_cast<std::size_t>(image.t()), 0);
+    const glm::dvec2 extent = box.last - box.first;
+    parallelRows(image.t(),
+                 [&](int first, int end)
+                 {
+                     for (int y = first; y < end; ++y)
+                         for (int x = 0; x < image.s(); ++x)
+                         {
+                             const glm::dvec2 pixel =
+                                 net.pixelAt(box.first.x + x * extent.x / (image.s() - 1),
+                                             box.first.y + y * extent.y / (image.t() - 1));
+                             const auto rgba = pixels.sample(pixel.x, pixel.y);
+                             std::copy(rgba.begin(), rgba.end(), image.data(x, y));
+                             covered[static_cast<std::size_t>(y)] += rgba[3] > 0;
+                         }
+                 });
+    return std::any_of(covered.begin(), covered.end(), [](int count) { return count > 0; });
+}
+
+Result<ImageryLayer> laid(const std::filesystem::path& file, const core::PlacedTile& tile, bool overAll)
 {
     core::GdalSession session;
     GDALAllRegister();
@@ -132,35 +193,38 @@ Result<osg::ref_ptr<osg::Image>> imageryDrape(const std::filesystem::path& file,
                      "give an image or a georeferenced raster"};
     const auto net = core::PixelNet::make(*dataset, tile, name);
     if (!net) return net.error();
+    const glm::dvec2 size(dataset->GetRasterXSize(), dataset->GetRasterYSize());
+    const GridBox box = overAll ? wholeGrid(tile) : gridOf(*net, tile, size);
+    const Error nothing{name, "covers nothing of the terrain", "give an imagery of the same place"};
+    if (!(box.first.x < box.last.x && box.first.y < box.last.y)) return nothing;
     Pixels pixels;
     if (!readPixels(*dataset, pixels))
         return Error{name, "cannot be read: " + session.firstError(), "check the file"};
 
-    const int lastColumn = tile.dataColumns() - 1;
-    const int lastRow = tile.dataRows() - 1;
-    const glm::dvec2 corner = net->pixelAt(0, 0);
-    osg::ref_ptr<osg::Image> image = new osg::Image;
-    image->allocateImage(drapeSide(glm::distance(corner, net->pixelAt(lastColumn, 0)) / pixels.reduction),
-                         drapeSide(glm::distance(corner, net->pixelAt(0, lastRow)) / pixels.reduction), 1,
-                         GL_RGBA, GL_UNSIGNED_BYTE);
-    std::vector<int> covered(static_cast<std::size_t>(image->t()), 0);
-    parallelRows(image->t(),
-                 [&](int first, int end)
-                 {
-                     for (int y = first; y < end; ++y)
-                         for (int x = 0; x < image->s(); ++x)
-                         {
-                             const glm::dvec2 pixel =
-                                 net->pixelAt(static_cast<double>(x) * lastColumn / (image->s() - 1),
-                                              static_cast<double>(y) * lastRow / (image->t() - 1));
-                             const auto rgba = pixels.sample(pixel.x, pixel.y);
-                             std::copy(rgba.begin(), rgba.end(), image->data(x, y));
-                             covered[static_cast<std::size_t>(y)] += rgba[3] > 0;
-                         }
-                 });
-    if (std::all_of(covered.begin(), covered.end(), [](int count) { return count == 0; }))
-        return Error{name, "covers nothing of the terrain", "give an imagery of the same place"};
-    return image;
+    ImageryLayer layer{new osg::Image, box.first, box.last};
+    const glm::dvec2 corner = net->pixelAt(box.first.x, box.first.y);
+    const double wide = glm::distance(corner, net->pixelAt(box.last.x, box.first.y)) / pixels.reduction;
+    layer.image->allocateImage(
+        drapeSide(wide),
+        drapeSide(glm::distance(corner, net->pixelAt(box.first.x, box.last.y)) / pixels.reduction), 1,
+        GL_RGBA, GL_UNSIGNED_BYTE);
+    if (!sampleInto(*layer.image, pixels, *net, box)) return nothing;
+    layer.texelM = (box.last.x - box.first.x) * tile.field().spacingEastM / (layer.image->s() - 1);
+    return layer;
+}
+
+} // namespace
+
+Result<osg::ref_ptr<osg::Image>> imageryDrape(const std::filesystem::path& file, const core::PlacedTile& tile)
+{
+    auto layer = laid(file, tile, true);
+    if (!layer) return layer.error();
+    return layer->image;
+}
+
+Result<ImageryLayer> imageryLayer(const std::filesystem::path& file, const core::PlacedTile& tile)
+{
+    return laid(file, tile, false);
 }
 
 } // namespace osgTerrainROAM

@@ -9,6 +9,8 @@
 
 #include <osgTerrainROAM/core/heightfield/PlacedTile.h>
 
+#include <osgTerrainROAM/ImageryLayer>
+
 namespace osgTerrainROAM
 {
 
@@ -19,5 +21,8 @@ namespace osgTerrainROAM
 /// Errors: missing file, unreadable, no georeference on the terrain's side, nothing in common.
 viewlod::Result<osg::ref_ptr<osg::Image>> imageryDrape(const std::filesystem::path& file,
                                                        const core::PlacedTile& tile);
+
+/// The same over no more of the tile than the imagery reaches, so that a small one keeps a fine resolution.
+viewlod::Result<ImageryLayer> imageryLayer(const std::filesystem::path& file, const core::PlacedTile& tile);
 
 } // namespace osgTerrainROAM

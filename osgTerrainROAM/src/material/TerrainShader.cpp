@@ -7,6 +7,7 @@
 
 #include "CoverShader.h"
 #include "FeatureShader.h"
+#include "ImageryShader.h"
 
 namespace osgTerrainROAM
 {
@@ -186,8 +187,12 @@ void main()
                 * (1.0 - smoothstep(0.01, 0.05, steep));
     albedo = mix(albedo, terrainSand * (1.0 + 0.5 * g.metres2.z + 0.3 * g.metres28.z), shore);
     albedo = mix(albedo, terrainSnow * (1.0 + 0.10 * g.metres2.z + 0.06 * g.metres28.z), snow);
-#ifdef TERRAIN_DRAPE
+#if defined(TERRAIN_LAYERS)
+    vec4 imagery = layeredImagery(grid);
+#elif defined(TERRAIN_DRAPE)
     vec4 imagery = texture(terrainDrape, grid * terrainDrapeFromGrid.xy + terrainDrapeFromGrid.zw);
+#endif
+#if defined(TERRAIN_LAYERS) || defined(TERRAIN_DRAPE)
     float fine = 1.0 + 0.5 * g.metres2.z + 0.2 * g.metres28.z;
     albedo = mix(albedo, imagery.rgb * imagery.rgb * fine, imagery.a);
     float water = (1.0 - imagery.a) * smoothstep(0.47, 0.53, land.b);
@@ -222,6 +227,7 @@ osg::ref_ptr<osg::Program> terrainProgram(const TerrainLook& look)
 {
     std::string fragment = "#version 330 compatibility\n";
     if (look.drape) fragment += "#define TERRAIN_DRAPE\n";
+    if (look.layers > 0) fragment += "#define TERRAIN_LAYERS\n";
     if (look.features) fragment += "#define TERRAIN_FEATURES\n";
     if (look.cover) fragment += "#define TERRAIN_COVER\n";
     if (look.season) fragment += "#define TERRAIN_SEASON\n";
@@ -231,6 +237,7 @@ osg::ref_ptr<osg::Program> terrainProgram(const TerrainLook& look)
     fragment += kFragmentHead;
     fragment += kFragmentLand;
     if (look.features) fragment += std::string(featureCellsGlsl()) + featurePaintGlsl();
+    if (look.layers > 0) fragment += imageryGlsl(look.layers);
     if (look.cover) fragment += coverGlsl();
     if (look.season) fragment += seasonGlsl();
     fragment += kFragmentMain;

@@ -10,6 +10,7 @@ namespace osgTerrainROAM
 struct TerrainLook
 {
     bool drape = false;    ///< imagery (TerrainMaterial::drape)
+    int layers = 0;        ///< imagery in several resolutions instead (ImageryShader.h)
     bool features = false; ///< vector features (FeatureTextures.h)
     bool cover = false;    ///< land cover (CoverShader.h)
     bool season = false;   ///< snow of the season (CoverShader.h)

@@ -49,7 +49,8 @@ TEST(RoamFile, HasEveryKey)
     const auto file = parseRoamFile(kWhole, "folder/place.roam");
     ASSERT_TRUE(file) << file.error().message();
     EXPECT_EQ(file->dem, std::filesystem::path("folder/heights/dem.tif"));
-    EXPECT_EQ(file->imagery, std::filesystem::path("/far/image.tif"));
+    ASSERT_EQ(file->imagery.size(), 1u);
+    EXPECT_EQ(file->imagery[0], std::filesystem::path("/far/image.tif"));
     ASSERT_TRUE(file->origin);
     EXPECT_EQ(file->origin->latitudeDeg, 46.5);
     EXPECT_EQ(file->origin->longitudeDeg, 8.25);
@@ -84,6 +85,10 @@ TEST(RoamFile, ASeasonIsAMonthOrAShareOfTheYear)
                 testing::HasSubstr("place.roam:2: season = 'summer' is unknown"));
     EXPECT_THAT(messageOf("dem = a\nseason = 1.5\n"),
                 testing::HasSubstr("place.roam:2: season = 1.5 is out of range"));
+    const std::string four = "dem = a\nimagery = a\nimagery = b\nimagery = c\nimagery = d\n";
+    EXPECT_EQ(messageOf(four), "");
+    EXPECT_THAT(messageOf(four + "imagery = e\n"),
+                testing::HasSubstr("place.roam:6: is one imagery more than the 4"));
     EXPECT_THAT(messageOf("dem = a\nmoonlight = 2\n"),
                 testing::HasSubstr("place.roam:2: moonlight = 2 is out of range"));
     EXPECT_THAT(messageOf("dem = a\nland_cover = a\nland_cover = b\n"),

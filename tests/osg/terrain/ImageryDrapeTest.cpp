@@ -78,6 +78,26 @@ TEST(ImageryDrape, ReprojectsToTheDataGrid)
     EXPECT_NEAR(north[0] - corner[0], 0.4 * 30 * 92.6 / 30.0 * 2.5, 4);
 }
 
+TEST(ImageryDrape, ALayerReachesAsFarAsItsImageryAndKeepsItsResolution)
+{
+    const TemporaryFolder folder;
+    const auto tile = geographicTile(folder);
+    // 1800 by 1500 m from 500 m east and 400 m north of the south-western sample: inside the tile of 2.58 by 2.78 km.
+    writeImagery(folder / "fine.tif", 422567.8 + 500.0, 5094533.6 + 400.0);
+    const auto layer = imageryLayer(folder / "fine.tif", tile);
+    ASSERT_TRUE(layer) << layer.error().message();
+    EXPECT_NEAR(layer->firstGrid.x, 500.0 / 64.5, 0.4);
+    EXPECT_NEAR(layer->firstGrid.y, 400.0 / 92.6, 0.4);
+    EXPECT_NEAR(layer->lastGrid.x, 2300.0 / 64.5, 0.8);
+    EXPECT_NEAR(layer->lastGrid.y, 1900.0 / 92.6, 0.8);
+    EXPECT_NEAR(layer->image->s(), 60, 3);
+    EXPECT_NEAR(layer->texelM, 30.0, 1.0);
+    // The imagery's middle: column 30 from the west, row 25 from the north.
+    EXPECT_NEAR(texelAt(*layer->image, 0.5, 0.5)[0], 29.5 * 2.0 + 24.5 * 2.5, 4);
+    writeImagery(folder / "far.tif", 300000.0, 4000000.0);
+    EXPECT_FALSE(imageryLayer(folder / "far.tif", tile));
+}
+
 TEST(ImageryDrape, WithoutAGeoreferenceIsStretched)
 {
     const TemporaryFolder folder;

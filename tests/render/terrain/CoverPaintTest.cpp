@@ -173,3 +173,34 @@ TEST(NightPaint, ATownIsLit)
     const auto picture = fromAbove(terrain);
     EXPECT_GT(meanOf(*picture, 0, 200).x(), 2.0 * meanOf(*picture, 280, kWidthPx).x() + 3.0);
 }
+
+TEST(ImageryPaint, TheFinestOfSeveralWinsInAnyOrder)
+{
+    const auto layer = [](int side, double firstGrid, double lastGrid, osg::Vec4ub colour)
+    {
+        ImageryLayer made{new osg::Image, glm::dvec2(firstGrid), glm::dvec2(lastGrid)};
+        made.image->allocateImage(side, side, 1, GL_RGBA, GL_UNSIGNED_BYTE);
+        for (int y = 0; y < side; ++y)
+            for (int x = 0; x < side; ++x)
+                std::copy_n(colour.ptr(), 4, made.image->data(x, y));
+        made.texelM = (lastGrid - firstGrid) * 250.0 / (side - 1);
+        return made;
+    };
+    // Samples are 250 m apart: grid place 80 is at 20 000 m. Red everywhere, blue from 20 000 m on.
+    const ImageryLayer coarse = layer(64, 0.0, 256.0, {200, 40, 40, 255});
+    const ImageryLayer fine = layer(64, 80.0, 84.0, {40, 40, 200, 255});
+    for (const auto& layers : {std::vector{coarse, fine}, std::vector{fine, coarse}})
+    {
+        const auto terrain = plain({});
+        terrain->material()->setImagery(layers);
+        Camera camera(terrain);
+        const auto picture = camera.picture({20000.0, 20500.0, 300.0}, -kUp, kNorth);
+        const osg::Vec3d west = meanOf(*picture, 0, 230), east = meanOf(*picture, 300, kWidthPx);
+        EXPECT_GT(west.x(), west.z() + 40.0);
+        EXPECT_GT(east.z(), east.x() + 40.0);
+        // The border is soft: two hundredths of 1000 m.
+        const osg::Vec3d border = meanOf(*picture, 246, 249);
+        EXPECT_GT(border.x(), east.x() + 10.0);
+        EXPECT_GT(border.z(), west.z() + 10.0);
+    }
+}

@@ -29,7 +29,7 @@ struct LandParameters
 
 /// A `.roam` file: a terrain in words. Text, one `key = value` a line, `#` starts a comment.
 ///   dem = FILE                        the elevation raster; the only key that must be there
-///   imagery = FILE                    any raster GDAL opens, draped over the terrain
+///   imagery = FILE                    any raster GDAL opens, draped over the terrain; up to four, the finest wins
 ///   features = FILE                   roads, rivers, fields, runways of any source that OGR opens; may be repeated
 ///   land_cover = FILE                 a raster of classes
 ///   land_cover_classes = worldcover | corine | FILE    what its classes mean (CoverTable.h)
@@ -47,7 +47,8 @@ struct LandParameters
 struct RoamFile
 {
     std::filesystem::path dem;
-    std::filesystem::path imagery; ///< empty: none
+    static constexpr std::size_t kMaxImagery = 4;
+    std::vector<std::filesystem::path> imagery; ///< kMaxImagery at most
     std::vector<std::filesystem::path> features;
     std::filesystem::path landCover;        ///< empty: none
     std::filesystem::path landCoverClasses; ///< a table's name or file; empty: worldcover
