@@ -236,7 +236,7 @@ osg::ref_ptr<osg::Program> terrainProgram(const TerrainLook& look)
     fragment += Atmosphere::glslFunctions();
     fragment += kFragmentHead;
     fragment += kFragmentLand;
-    if (look.features) fragment += std::string(featureCellsGlsl()) + featurePaintGlsl();
+    if (look.features) fragment += std::string(featureCellsGlsl()) + featureLinesGlsl() + featurePaintGlsl();
     if (look.layers > 0) fragment += imageryGlsl(look.layers);
     if (look.cover) fragment += coverGlsl();
     if (look.season) fragment += seasonGlsl();

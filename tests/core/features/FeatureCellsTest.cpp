@@ -194,6 +194,20 @@ TEST(FeatureCells, CrowdedMapsGetSmallerCells)
     EXPECT_EQ(FeatureCells::build({crowd[0]})->cellM, 64.0);
 }
 
+TEST(FeatureCells, MoreThanATextureNumbersIsRefusedBeforeItFillsTheMemory)
+{
+    std::vector<GroundFeature> many;
+    for (int i = 0; i < 4000; ++i)
+    {
+        GroundFeature road;
+        road.paths = {{{0.0, 10.0 * i}, {100000.0, 10.0 * i}}};
+        many.push_back(road);
+    }
+    const auto cells = FeatureCells::build(many);
+    ASSERT_FALSE(cells);
+    EXPECT_NE(cells.error().what.find("16 million"), std::string::npos);
+}
+
 TEST(FeatureCells, WhatReachesTooFarIsRefused)
 {
     GroundFeature road;

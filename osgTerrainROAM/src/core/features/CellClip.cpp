@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "CellClip.h"
 
-#include <algorithm>
-
 namespace osgTerrainROAM::core
 {
 
@@ -39,24 +37,6 @@ std::vector<Ring> clippedToBand(const std::vector<Ring>& rings, int axis, double
         if (clipped.size() >= 3) kept.push_back(std::move(clipped));
     }
     return kept;
-}
-
-bool segmentMeetsBox(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& low, const glm::dvec2& high)
-{
-    double enters = 0.0, leaves = 1.0;
-    for (int axis = 0; axis < 2; ++axis)
-    {
-        const double way = b[axis] - a[axis];
-        if (way == 0.0)
-        {
-            if (a[axis] < low[axis] || a[axis] > high[axis]) return false;
-            continue;
-        }
-        const double atLow = (low[axis] - a[axis]) / way, atHigh = (high[axis] - a[axis]) / way;
-        enters = std::max(enters, std::min(atLow, atHigh));
-        leaves = std::min(leaves, std::max(atLow, atHigh));
-    }
-    return enters <= leaves;
 }
 
 } // namespace osgTerrainROAM::core

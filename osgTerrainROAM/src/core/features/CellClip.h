@@ -15,7 +15,4 @@ using Ring = std::vector<glm::dvec2>;
 /// Source: Sutherland and Hodgman, Reentrant polygon clipping (1974), one slab at a time.
 std::vector<Ring> clippedToBand(const std::vector<Ring>& rings, int axis, double low, double high);
 
-/// Whether a segment comes within a box (Liang and Barsky, 1984).
-bool segmentMeetsBox(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& low, const glm::dvec2& high);
-
 } // namespace osgTerrainROAM::core

@@ -121,7 +121,8 @@ private:
         if (_tile.placement() == Placement::planar) return Transformation();
         const OGRSpatialReference* reference = layer.GetSpatialRef();
         // GeoPackages have systems of their own that mean "not known".
-        if (!reference || reference->IsLocal() || std::string_view(reference->GetName()).starts_with("Undefined"))
+        if (!reference || reference->IsLocal() ||
+            std::string_view(reference->GetName()).starts_with("Undefined"))
             return Error{place(layer), "has no coordinate system", "assign it with ogr2ogr -a_srs EPSG:…"};
         OGRSpatialReference geodetic;
         geodetic.SetWellKnownGeogCS("WGS84");

@@ -9,7 +9,7 @@ namespace osgTerrainROAM::core
 {
 
 /// What is painted at a place: shares 0…1 of a square filter. The same arithmetic as the fragment shader's
-/// (src/material/FeatureShader.cpp), for maps of the far ground, tests, and whoever has to know what a wheel stands on.
+/// (src/material/FeatureShader.h), for maps of the far ground, tests, and whoever has to know what a wheel stands on.
 struct FeatureCover
 {
     std::array<float, 4> crops{}; ///< by Crop
