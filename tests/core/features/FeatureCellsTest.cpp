@@ -181,6 +181,25 @@ TEST(FeatureCells, ALineThinnerThanTheFilterIsItsShareOfIt)
     }
 }
 
+TEST(FeatureCells, AFieldWhoseCropIsKnownBearsIt)
+{
+    int cereals = 0, known = 0;
+    for (int i = 0; i < 60; ++i)
+    {
+        const glm::dvec2 at(997.0 * i, 613.0 * i);
+        GroundFeature field;
+        field.isArea = true;
+        field.style.kind = FeatureKind::field;
+        field.paths = {{at, at + glm::dvec2(100.0, 0.0), at + glm::dvec2(0.0, 100.0)}};
+        cereals += featureCover(*FeatureCells::build({field}), at + 20.0, 1.0).crops[0] == 1.0f;
+        field.style.isCropKnown = true;
+        known += featureCover(*FeatureCells::build({field}), at + 20.0, 1.0).crops[0] == 1.0f;
+    }
+    EXPECT_EQ(known, 60);
+    EXPECT_GT(cereals, 25);
+    EXPECT_LT(cereals, 55) << "others bear row crops";
+}
+
 TEST(FeatureCells, CrowdedMapsGetSmallerCells)
 {
     std::vector<GroundFeature> crowd;

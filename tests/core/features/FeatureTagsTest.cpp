@@ -36,6 +36,14 @@ TEST(FeatureTags, OpenStreetMapsTagsHaveTheirKinds)
     EXPECT_FALSE(styleOf({{"highway", "track"}})->marked);
 }
 
+TEST(FeatureTags, ACropThatTheMapNamesIsKnown)
+{
+    EXPECT_TRUE(styleOf({{"landuse", "farmland"}, {"crop", "wheat"}})->isCropKnown);
+    EXPECT_TRUE(styleOf({{"kind", "maize"}})->isCropKnown);
+    EXPECT_FALSE(styleOf({{"landuse", "farmland"}})->isCropKnown);
+    EXPECT_FALSE(styleOf({{"landuse", "farmland"}, {"crop", "lotus"}})->isCropKnown);
+}
+
 TEST(FeatureTags, AnExplicitKindAndWidthWin)
 {
     const auto style = styleOf({{"kind", "River"}, {"highway", "primary"}, {"width", "12.5 m"}});

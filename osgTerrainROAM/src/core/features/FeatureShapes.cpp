@@ -44,8 +44,9 @@ FeatureShapes::Area areaOf(const GroundFeature& feature)
     FeatureShapes::Area area{feature.paths, feature.style.kind, feature.style.crop,
                              seedOf(feature.paths[0][0]), longestSide(feature.paths[0])};
     // Farmland whose crop nobody wrote down: two of three fields bear cereals.
-    if (area.kind == FeatureKind::field && area.crop == Crop::cereal && area.seed % 3 == 0)
-        area.crop = Crop::rowCrop;
+    const bool isOpen =
+        area.kind == FeatureKind::field && area.crop == Crop::cereal && !feature.style.isCropKnown;
+    if (isOpen && area.seed % 3 == 0) area.crop = Crop::rowCrop;
     return area;
 }
 

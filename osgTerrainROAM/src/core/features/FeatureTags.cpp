@@ -220,7 +220,12 @@ void applyDetails(FeatureStyle& style, const TagLookup& tag)
     if (style.pavement != kAsphalt) style.marked = false;
     const std::string marked = lower(tag("lane_markings"));
     if (!marked.empty()) style.marked = marked != "no";
-    if (const auto crop = found(crops(), lower(tag("crop")))) style.crop = crop->crop;
+    for (const char* name : {"kind", "crop"})
+        if (const auto crop = found(crops(), lower(tag(name))))
+        {
+            style.crop = crop->crop;
+            style.isCropKnown = true;
+        }
     if (style.kind == FeatureKind::runway) style.designator = tag("ref");
 }
 

@@ -46,6 +46,7 @@ struct FeatureStyle
     bool marked = true;  ///< has lines painted on it
     Pavement pavement = Pavement::asphalt;
     Crop crop = Crop::cereal;
+    bool isCropKnown = false; ///< else a third of the cereal fields are given row crops, for variety
     std::string designator; ///< of a runway, "09/27"; empty: not known
 
     bool operator==(const FeatureStyle&) const = default;
