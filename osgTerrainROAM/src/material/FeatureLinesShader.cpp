@@ -91,7 +91,7 @@ void paintStrokes(inout Paint paint, int record, int count, vec2 at, Footprint f
             // A lamp is a point of the picture, however it lies on the ground.
             vec2 pixels = vec2(from.x * f.y.y - from.y * f.y.x, from.y * f.x.x - from.x * f.x.y)
                         / (abs(area) > 1e-9 ? area : 1e-9);
-            paint.marks.w += exp(-1.2 * dot(pixels, pixels)) + 0.06 * exp(-0.08 * dot(pixels, pixels));
+            paint.marks.w += exp(-1.2 * dot(pixels, pixels)) + 0.03 * exp(-0.08 * dot(pixels, pixels));
             continue;
         }
         vec2 along = ends.zw - ends.xy;

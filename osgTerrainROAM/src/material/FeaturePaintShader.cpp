@@ -67,6 +67,7 @@ Paint terrainPaint(vec2 place, vec2 alongX, vec2 alongY)
         Paint more = paintInCell(place + longer * ((float(i) + 0.5) / float(taps) - 0.5), f);
         paint = mixed(paint, more, 1.0 / float(i + 1));
     }
+    paint.marks.w *= float(taps); // a lamp is a point, not a share of the footprint
     return far > 0.0 ? mixed(paint, distant, far) : paint;
 }
 

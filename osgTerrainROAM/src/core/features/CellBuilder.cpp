@@ -47,8 +47,8 @@ bool CellBuilder::layGrid(double cellM)
     glm::dvec2 low(1e300), high(-1e300);
     const auto add = [&](const glm::dvec2& place, double halfWidthM)
     {
-        low = glm::min(low, place - halfWidthM - FeatureCells::kReachM);
-        high = glm::max(high, place + halfWidthM + FeatureCells::kReachM);
+        low = glm::min(low, place - halfWidthM - FeatureCells::kLampReachM);
+        high = glm::max(high, place + halfWidthM + FeatureCells::kLampReachM);
     };
     for (const auto& area : _shapes.areas)
         for (const Ring& ring : area.rings)
@@ -71,11 +71,10 @@ bool CellBuilder::layGrid(double cellM)
     return true;
 }
 
-/// Calls add(draft, middle) for each cell within reach of a stroke of the pen, row by row.
+/// Calls add(draft, middle) for each cell that comes within `around` metres of a segment, row by row.
 template<class Add>
-void CellBuilder::visit(const glm::dvec2& a, const glm::dvec2& b, double halfWidthM, const Add& add)
+void CellBuilder::visit(const glm::dvec2& a, const glm::dvec2& b, double around, const Add& add)
 {
-    const double around = halfWidthM + FeatureCells::kReachM;
     const double half = 0.5 * _cells.cellM + around;
     const Range rows = rangeOf(std::min(a.y, b.y) - around, std::max(a.y, b.y) + around, 1);
     for (int row = rows.first; row <= rows.last && _records <= kMostRecords; ++row)
@@ -97,7 +96,7 @@ void CellBuilder::fill()
     for (const auto& area : _shapes.areas)
         addArea(area);
     for (const auto& segment : _shapes.segments)
-        visit(segment.a, segment.b, segment.halfWidthM,
+        visit(segment.a, segment.b, segment.halfWidthM + FeatureCells::kReachM,
               [&](Draft& draft, const glm::dvec2& middle)
               {
                   ++draft.lines;
@@ -105,13 +104,17 @@ void CellBuilder::fill()
                   draft.texels.push_back(texel(segment.halfWidthM, segment.wayM, segment.code, segment.line));
               });
     for (const Stroke& stroke : _shapes.strokes)
-        visit(stroke.a, stroke.b, stroke.halfWidthM,
+    {
+        const double reach =
+            stroke.paint == FeatureCells::edgeLight ? FeatureCells::kLampReachM : FeatureCells::kReachM;
+        visit(stroke.a, stroke.b, stroke.halfWidthM + reach,
               [&](Draft& draft, const glm::dvec2& middle)
               {
                   ++draft.strokes;
                   draft.texels.push_back(texel(stroke.a - middle, stroke.b - middle));
                   draft.texels.push_back(texel(stroke.halfWidthM, stroke.paint, 0.0, 0.0));
               });
+    }
 }
 
 double CellBuilder::crowd() const

@@ -58,7 +58,7 @@ private:
     }
 
     template<class Add>
-    void visit(const glm::dvec2& a, const glm::dvec2& b, double halfWidthM, const Add& add);
+    void visit(const glm::dvec2& a, const glm::dvec2& b, double around, const Add& add);
     void addArea(const FeatureShapes::Area& area);
     void addEdges(Draft& draft, const FeatureShapes::Area& area, const glm::dvec2& middle,
                   const std::vector<Ring>& rings);

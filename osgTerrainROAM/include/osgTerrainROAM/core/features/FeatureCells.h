@@ -34,6 +34,7 @@ namespace osgTerrainROAM::core
 struct FeatureCells
 {
     static constexpr double kReachM = 16.0;
+    static constexpr double kLampReachM = 64.0; ///< of lamps: a pixel's width of light is long on the ground
     static constexpr double kWayPeriodM = 24.0; ///< a multiple of all dashes' periods
 
     /// Where a cell's list begins and what is in it.
