@@ -129,7 +129,7 @@ void TerrainMaterial::measureHeights(const core::PlacedTile& tile)
         tile.heightM(column, row) - middle.z - fall * (middle.x * middle.x + middle.y * middle.y);
     _heights.set(static_cast<float>(fall), static_cast<float>(over));
     _lastSample.set(static_cast<float>(tile.dataColumns() - 1), static_cast<float>(tile.dataRows() - 1));
-    _spacingM = 0.5 * (tile.field().spacingEastM + tile.field().spacingNorthM);
+    _spacingM = 0.5 * (tile.field().spacingEastM + tile.field().spacingNorthM) / (1 << tile.gridExponent());
 }
 
 void TerrainMaterial::addScales(const core::PlacedTile& tile)

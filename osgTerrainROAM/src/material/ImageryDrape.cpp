@@ -209,7 +209,8 @@ Result<ImageryLayer> laid(const std::filesystem::path& file, const core::PlacedT
         drapeSide(glm::distance(corner, net->pixelAt(box.first.x, box.last.y)) / pixels.reduction), 1,
         GL_RGBA, GL_UNSIGNED_BYTE);
     if (!sampleInto(*layer.image, pixels, *net, box)) return nothing;
-    layer.texelM = (box.last.x - box.first.x) * tile.field().spacingEastM / (layer.image->s() - 1);
+    const double placeM = tile.field().spacingEastM / (1 << tile.gridExponent());
+    layer.texelM = (box.last.x - box.first.x) * placeM / (layer.image->s() - 1);
     return layer;
 }
 

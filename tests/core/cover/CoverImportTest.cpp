@@ -99,6 +99,18 @@ TEST_F(CoverImport, EachTexelIsTheClassOfItsPlaceOnEarth)
     EXPECT_GT(shifted, 300) << "one pixel off is found out";
 }
 
+TEST_F(CoverImport, AFinerGridUnderTheRasterChangesNothing)
+{
+    PlacedTileOptions options;
+    options.gridExponent = 2;
+    const PlacedTile fine(testsupport::onTheEarth(testsupport::hills(65, 65)), options);
+    const auto there = importCover(_file, worldCoverTable(), fine),
+               here = importCover(_file, worldCoverTable(), alps());
+    ASSERT_TRUE(there && here);
+    EXPECT_EQ(there->width, here->width);
+    EXPECT_TRUE(there->kinds == here->kinds);
+}
+
 TEST_F(CoverImport, NoDataAndStrangeCodesAreUnknownAndCounted)
 {
     const auto map = importCover(_file, worldCoverTable(), alps());

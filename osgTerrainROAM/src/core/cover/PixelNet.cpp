@@ -38,7 +38,7 @@ Result<PixelNet> PixelNet::make(GDALDataset& dataset, const PlacedTile& tile, co
         return Error{name, "its coordinate system cannot be related to the terrain's",
                      "reproject the imagery"};
     const GeodeticNet& nodes = *tile.field().net;
-    net._step = nodes.step;
+    net._step = nodes.step << tile.gridExponent(); // nodes count samples of the raster
     net._side = nodes.nodesPerSide;
     for (const GeodeticNet::Node& node : nodes.nodes)
     {
