@@ -60,7 +60,8 @@ public:
 
 private:
     std::vector<glm::dvec2> _points;
-    std::vector<glm::dvec2> _ways; ///< at the points, of unit length: across them lie the lines that halve the bends
+    std::vector<glm::dvec2>
+        _ways; ///< at the points, of unit length: across them lie the lines that halve the bends
     std::vector<double> _alongM;
 };
 

@@ -47,7 +47,7 @@ struct FeatureStyle
     Pavement pavement = Pavement::asphalt;
     Crop crop = Crop::cereal;
     bool isCropKnown = false; ///< else a third of the cereal fields are given row crops, for variety
-    std::string designator; ///< of a runway, "09/27"; empty: not known
+    std::string designator;   ///< of a runway, "09/27"; empty: not known
 
     bool operator==(const FeatureStyle&) const = default;
 };
