@@ -44,15 +44,24 @@ glm::dmat4 withoutDepth(glm::dmat4 projection, double nearM)
     return projection;
 }
 
+/// Eye-space length of a unit of the local frame.
+double eyePerLocal(osgUtil::CullVisitor& visitor)
+{
+    const osg::Vec3d scale = visitor.getModelViewMatrix()->getScale();
+    return std::cbrt(scale.x() * scale.y() * scale.z());
+}
+
 viewlod::ViewState viewOf(osgUtil::CullVisitor& visitor, double nearestM)
 {
+    const double scale = eyePerLocal(visitor);
     glm::dmat4 projection = toGlm(*visitor.getProjectionMatrix());
-    if (computesNearFar(visitor)) projection = withoutDepth(projection, nearestM);
+    if (computesNearFar(visitor)) projection = withoutDepth(projection, nearestM * scale);
     const osg::Viewport* viewport = visitor.getViewport();
     const int width = viewport ? static_cast<int>(viewport->width()) : 1;
     const int height = viewport ? static_cast<int>(viewport->height()) : 1;
     auto view =
         viewlod::ViewState::fromMatrices(toGlm(*visitor.getModelViewMatrix()), projection, width, height);
+    view.nearM /= scale;
     if (isParallel(projection))
     {
         view.cornerStretch = 1.0;
@@ -64,7 +73,7 @@ viewlod::ViewState viewOf(osgUtil::CullVisitor& visitor, double nearestM)
     return view;
 }
 
-/// Tells OSG how near and how far this surface reaches, and lets it have so near a plane.
+/// Tells OSG how near and how far this surface reaches, and lets it have so near a plane. In eye space.
 void tellNearFar(osgUtil::CullVisitor& visitor, const osg::BoundingBox& box, const viewlod::ViewState& view,
                  double nearestM)
 {
@@ -177,7 +186,7 @@ void RoamDrawable::cull(osgUtil::CullVisitor& visitor)
                             ? match.group->answerAsIs(view.frustum, view.eyeWorld, contextId)
                             : match.group->answer(request.frame, match.target, view.frustum, contextId);
     if (answer.ranges.empty()) return;
-    if (computesNearFar(visitor)) tellNearFar(visitor, box, view, answer.nearestM);
+    if (computesNearFar(visitor)) tellNearFar(visitor, box, view, answer.nearestM * eyePerLocal(visitor));
 
     if (getStateSet()) visitor.pushStateSet(getStateSet());
     const auto depth = static_cast<float>(answer.nearestM);

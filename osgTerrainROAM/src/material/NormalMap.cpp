@@ -13,11 +13,6 @@ namespace osgTerrainROAM
 namespace
 {
 
-std::uint16_t packed(double component)
-{
-    return static_cast<std::uint16_t>(std::lround((std::clamp(component, -1.0, 1.0) * 0.5 + 0.5) * 65535.0));
-}
-
 /// Placed positions of one row of the map, with the neighbours' rows at hand.
 using Row = std::vector<glm::dvec3>;
 
@@ -32,17 +27,20 @@ Row placedRow(const core::PlacedTile& tile, const MapGrid& grid, int row)
 
 } // namespace
 
+std::uint16_t packedComponent(double component)
+{
+    return static_cast<std::uint16_t>(std::lround((std::clamp(component, -1.0, 1.0) * 0.5 + 0.5) * 65535.0));
+}
+
 glm::dvec2 tiltAt(const osg::Image& normalMap, int x, int y)
 {
     const auto* texel = reinterpret_cast<const std::uint16_t*>(normalMap.data(x, y));
     return glm::dvec2(texel[0], texel[1]) * (2.0 / 65535.0) - 1.0;
 }
 
-osg::ref_ptr<osg::Image> normalMap(const core::PlacedTile& tile, const MapGrid& grid)
+void visitNormals(const core::PlacedTile& tile, const MapGrid& grid,
+                  const std::function<void(int, int, const glm::dvec3&)>& visit)
 {
-    osg::ref_ptr<osg::Image> image = new osg::Image;
-    image->allocateImage(grid.width, grid.height, 1, GL_RG, GL_UNSIGNED_SHORT);
-    image->setInternalTextureFormat(GL_RG16);
     const auto rows = [&](int first, int end)
     {
         Row below = placedRow(tile, grid, first - 1);
@@ -50,22 +48,33 @@ osg::ref_ptr<osg::Image> normalMap(const core::PlacedTile& tile, const MapGrid& 
         for (int row = first; row < end; ++row)
         {
             Row above = placedRow(tile, grid, row + 1);
-            auto* out = reinterpret_cast<std::uint16_t*>(image->data(0, row));
             for (int column = 0; column < grid.width; ++column)
             {
                 const auto west = static_cast<std::size_t>(std::max(column - 1, 0));
                 const auto east = static_cast<std::size_t>(std::min(column + 1, grid.width - 1));
                 const auto at = static_cast<std::size_t>(column);
-                const glm::dvec3 n =
-                    glm::normalize(glm::cross(here[east] - here[west], above[at] - below[at]));
-                *out++ = packed(n.x);
-                *out++ = packed(n.y);
+                visit(column, row,
+                      glm::normalize(glm::cross(here[east] - here[west], above[at] - below[at])));
             }
             below = std::move(here);
             here = std::move(above);
         }
     };
     parallelRows(grid.height, rows);
+}
+
+osg::ref_ptr<osg::Image> normalMap(const core::PlacedTile& tile, const MapGrid& grid)
+{
+    osg::ref_ptr<osg::Image> image = new osg::Image;
+    image->allocateImage(grid.width, grid.height, 1, GL_RG, GL_UNSIGNED_SHORT);
+    image->setInternalTextureFormat(GL_RG16);
+    visitNormals(tile, grid,
+                 [&](int column, int row, const glm::dvec3& normal)
+                 {
+                     auto* out = reinterpret_cast<std::uint16_t*>(image->data(column, row));
+                     out[0] = packedComponent(normal.x);
+                     out[1] = packedComponent(normal.y);
+                 });
     return image;
 }
 

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
+#include <functional>
+
 #include <osg/Image>
 
 #include "MapGrid.h"
@@ -8,7 +11,15 @@
 namespace osgTerrainROAM
 {
 
-/// Normals of the full-resolution surface, from central differences of placed positions: x and y of the unit
+/// Calls visit(x, y, normal) for each texel of the grid, from several threads, with the unit normal in the tile's frame of
+/// the full-resolution surface, from central differences of placed positions.
+void visitNormals(const core::PlacedTile& tile, const MapGrid& grid,
+                  const std::function<void(int, int, const glm::dvec3&)>& visit);
+
+/// -1…1 on 0…65535.
+std::uint16_t packedComponent(double component);
+
+/// Those normals: x and y of the unit
 /// normal in the tile's frame as 16 bits each (-1…1 on 0…65535), so that shading neither depends on the level of
 /// detail nor shows bands. z follows, for it is positive.
 osg::ref_ptr<osg::Image> normalMap(const core::PlacedTile& tile, const MapGrid& grid);

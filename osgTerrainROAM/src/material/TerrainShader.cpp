@@ -223,6 +223,11 @@ void main()
 
 } // namespace
 
+osg::ref_ptr<osg::Shader> terrainVertexShader()
+{
+    return new osg::Shader(osg::Shader::VERTEX, kVertex);
+}
+
 osg::ref_ptr<osg::Program> terrainProgram(const TerrainLook& look)
 {
     std::string fragment = "#version 330 compatibility\n";
@@ -243,7 +248,7 @@ osg::ref_ptr<osg::Program> terrainProgram(const TerrainLook& look)
     fragment += kFragmentMain;
     osg::ref_ptr<osg::Program> program = new osg::Program;
     program->setName("terrain");
-    program->addShader(new osg::Shader(osg::Shader::VERTEX, kVertex));
+    program->addShader(terrainVertexShader());
     program->addShader(new osg::Shader(osg::Shader::FRAGMENT, fragment));
     return program;
 }

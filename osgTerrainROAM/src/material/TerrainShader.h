@@ -6,6 +6,10 @@
 namespace osgTerrainROAM
 {
 
+/// Takes the vertices that RoamDrawable draws: gives a fragment shader `in vec3 fromEye` (metres, tile's frame) and
+/// `in vec2 grid` (samples), and clips at the uniform terrainLastSample.
+osg::ref_ptr<osg::Shader> terrainVertexShader();
+
 /// What a terrain's program has beside the land that follows from heights and climate. What it lacks costs nothing.
 struct TerrainLook
 {

@@ -8,6 +8,7 @@
 #include <osg/Uniform>
 
 #include "ClippedTriangles.h"
+#include "FixedFunction.h"
 
 namespace osgTerrainROAM
 {
@@ -60,6 +61,11 @@ public:
     void set(const char* name, const osg::Vec3i& value) const
     {
         if (const GLint at = location(name); at >= 0) _gl.glUniform3iv(at, 1, value.ptr());
+    }
+
+    void set(const char* name, int value) const
+    {
+        if (const GLint at = location(name); at >= 0) _gl.glUniform1i(at, value);
     }
 
     void set(const char* name, float value) const
@@ -128,6 +134,9 @@ void ViewPart::drawImplementation(osg::RenderInfo& renderInfo) const
     uniforms.set("terrainEyeWraps", eye.wraps);
     uniforms.setRotation("terrainEyeFromLocal", eyeFromLocal);
     uniforms.setRotation("terrainWorldFromLocal", eyeFromLocal * state.getInitialInverseViewMatrix());
+    uniforms.set("terrainLights", lightsOf(state));
+    uniforms.set("terrainFog", fogModeOf(state));
+    setColourWhite(state);
     _group->draw(state, _answer, _frustum);
 }
 

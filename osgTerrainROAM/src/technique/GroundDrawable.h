@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <mutex>
+
+#include <osg/Drawable>
+
+#include "../view/ClippedTriangles.h"
+#include "TileGround.h"
+
+namespace osgTerrainROAM
+{
+
+/// The true ground of a tile: a triangle pair for each cell, without the cells that touch a void, as intersections see it.
+/// It is never drawn. The triangles are made when first asked for, 36 B a sample; at once, and with a KdTree, where
+/// osgDB's registry asks for KdTrees.
+/// Frame: the tile's. Threads: any.
+class GroundDrawable : public osg::Drawable
+{
+public:
+    explicit GroundDrawable(const TileGround& ground);
+
+    osg::BoundingBox computeBoundingBox() const override;
+    using osg::Drawable::accept;
+    bool supports(const osg::PrimitiveFunctor&) const override { return true; }
+    void accept(osg::PrimitiveFunctor& functor) const override { triangles().accept(functor); }
+
+protected:
+    ~GroundDrawable() override = default;
+
+private:
+    const ClippedTriangles& triangles() const;
+    void buildKdTree();
+
+    std::shared_ptr<const core::RoamTile> _tile;
+    std::shared_ptr<const ElevationSamples> _samples;
+    mutable std::once_flag _made;
+    mutable ClippedTriangles _triangles;
+};
+
+} // namespace osgTerrainROAM
