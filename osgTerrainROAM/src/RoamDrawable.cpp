@@ -124,6 +124,7 @@ RoamDrawable::RoamDrawable(const RoamDrawable& other, const osg::CopyOp& copyOp)
       _maxAdaptTimeUs(other._maxAdaptTimeUs),
       _clock(other._clock),
       _isMorphing(other._isMorphing),
+      _skirtM(other._skirtM),
       _nearestM(other._nearestM),
       _defaultErrorM(other._defaultErrorM)
 {
@@ -175,6 +176,7 @@ void RoamDrawable::cull(osgUtil::CullVisitor& visitor)
     request.target.budget.maxTimeUs = _maxAdaptTimeUs;
     request.target.budget.clock = _clock;
     request.target.isMorphing = _isMorphing;
+    request.target.skirtM = _skirtM;
     const viewlod::ViewState view = request.target.view;
     if (isParallel(toGlm(*visitor.getProjectionMatrix())))
         request.target.errorM = _errorTolerancePx / view.pixelsPerTangent;

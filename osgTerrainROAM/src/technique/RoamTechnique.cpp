@@ -105,6 +105,8 @@ RoamTechnique::BufferPtr RoamTechnique::build(int dirtyMask) const
     auto buffer = std::make_shared<TechniqueBuffer>();
     buffer->ground = *ground;
     buffer->drawable = new RoamDrawable(ground->tile);
+    // Through ground that one looks through a deep skirt would show.
+    buffer->drawable->setSkirt(blends(*_terrainTile) ? 0.0 : ground->skirtM);
     buffer->drawable->setStateSet(tileState(*_terrainTile, *ground, *_programs));
     buffer->drawn = placed(ground->modelFromLocal, buffer->drawable);
     buffer->intersected =

@@ -5,6 +5,7 @@
 #include <chrono>
 
 #include "NearestSurface.h"
+#include "SkirtPacket.h"
 
 namespace osgTerrainROAM
 {
@@ -28,7 +29,7 @@ double scaleOf(const RefineTarget& target)
 bool ViewGroup::isMetBy(unsigned int frame, const RefineTarget& target) const
 {
     const bool sameKind = _serial != 0 && !_mesh.isBehind() && target.errorM == _target.errorM &&
-                          target.isMorphing == _target.isMorphing &&
+                          target.isMorphing == _target.isMorphing && target.skirtM == _target.skirtM &&
                           target.view.eyeWorld == _target.view.eyeWorld &&
                           target.budget.maxTriangles == _target.budget.maxTriangles;
     if (!sameKind || (_frame != frame && _statistics.refine.sliceBound)) return false;
@@ -93,6 +94,7 @@ ViewAnswer ViewGroup::answerLocked(const viewlod::Frustum& frustum, const glm::d
     answer.nearestM = nearestSurfaceM(_mesh.tree(), eye);
     answer.serial = _serial;
     if (contextId) answer.packet = packetFor(*contextId);
+    if (contextId && _target.skirtM) answer.skirt = skirtNow();
     return answer;
 }
 
@@ -113,15 +115,33 @@ PacketPtr ViewGroup::wholeNow()
     return _whole;
 }
 
+/// Three times as deep as what is drawn may be off at that distance: this side's error, the other side's, and a margin.
+PacketPtr ViewGroup::skirtNow()
+{
+    if (_skirt && _skirt->serial == _serial) return _skirt;
+    const double tolerancePx = std::max(_statistics.refine.tolerancePx, _target.budget.errorTolerancePx);
+    const double errorPerM = tolerancePx / _target.view.guaranteedPixelsPerTangent();
+    const auto depthM = [&](const glm::dvec3& place)
+    {
+        const double errorM =
+            _target.errorM ? *_target.errorM : errorPerM * glm::distance(place, _target.view.eyeWorld);
+        return std::max(3.0 * errorM, *_target.skirtM);
+    };
+    _skirt = skirtPacket(_mesh, _serial, depthM);
+    return _skirt;
+}
+
+GpuMesh& ViewGroup::gpuMesh(std::map<unsigned int, std::unique_ptr<GpuMesh>>& meshes, unsigned int contextId)
+{
+    const std::lock_guard lock(_gpuMutex);
+    auto& slot = meshes[contextId];
+    if (!slot) slot = std::make_unique<GpuMesh>(contextId);
+    return *slot;
+}
+
 std::uint32_t ViewGroup::draw(osg::State& state, const ViewAnswer& answer, const viewlod::Frustum& frustum)
 {
-    GpuMesh* gpu = nullptr;
-    {
-        const std::lock_guard lock(_gpuMutex);
-        auto& slot = _gpuMeshes[state.getContextID()];
-        if (!slot) slot = std::make_unique<GpuMesh>(state.getContextID());
-        gpu = slot.get();
-    }
+    GpuMesh* const gpu = &gpuMesh(_gpuMeshes, state.getContextID());
     PacketPtr packet = answer.packet;
     std::vector<core::IndexRange> ranges = answer.ranges;
     std::uint32_t triangles = answer.triangles;
@@ -132,8 +152,14 @@ std::uint32_t ViewGroup::draw(osg::State& state, const ViewAnswer& answer, const
         ranges.clear();
         triangles = _mesh.visibleRanges(frustum, ranges);
     }
-    const std::size_t bytes = gpu->upload(state, *packet);
+    std::size_t bytes = gpu->upload(state, *packet);
     gpu->draw(state, ranges);
+    if (answer.skirt && answer.skirt->triangleCount > 0)
+    {
+        GpuMesh& skirt = gpuMesh(_gpuSkirts, state.getContextID());
+        bytes += skirt.upload(state, *answer.skirt);
+        skirt.draw(state, answer.skirt->triangleRanges);
+    }
     const std::lock_guard lock(_gpuMutex);
     _bytesUploaded += bytes;
     _trianglesDrawn = triangles;
@@ -143,8 +169,9 @@ std::uint32_t ViewGroup::draw(osg::State& state, const ViewAnswer& answer, const
 void ViewGroup::releaseGLObjects(osg::State* state)
 {
     const std::lock_guard lock(_gpuMutex);
-    for (auto& [contextId, gpu] : _gpuMeshes)
-        if (!state || state->getContextID() == contextId) gpu->release();
+    for (const auto* meshes : {&_gpuMeshes, &_gpuSkirts})
+        for (auto& [contextId, gpu] : *meshes)
+            if (!state || state->getContextID() == contextId) gpu->release();
 }
 
 ViewGroupStatistics ViewGroup::statistics() const

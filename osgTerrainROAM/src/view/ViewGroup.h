@@ -28,6 +28,7 @@ struct RefineTarget
     viewlod::ViewState view;
     viewlod::Budget budget;
     bool isMorphing = false;
+    std::optional<double> skirtM; ///< no skirt is less deep; absent: there are none
     std::optional<double> errorM; ///< of a parallel projection: view-independent refinement instead
 };
 
@@ -36,6 +37,7 @@ struct ViewAnswer
 {
     std::uint64_t serial = 0;             ///< state of the mesh that `ranges` belong to
     PacketPtr packet;                     ///< leads to that state; null when nobody was known to draw
+    PacketPtr skirt;                      ///< of that state; null: none
     std::vector<core::IndexRange> ranges; ///< RoamMesh::visibleRanges()
     std::uint32_t triangles = 0;          ///< in them, gaps not counted
     double nearestM = 0.0;                ///< from the eye to the drawn surface
@@ -110,6 +112,8 @@ private:
                             std::optional<unsigned int> contextId);
     PacketPtr packetFor(unsigned int contextId);
     PacketPtr wholeNow();
+    PacketPtr skirtNow();
+    GpuMesh& gpuMesh(std::map<unsigned int, std::unique_ptr<GpuMesh>>& meshes, unsigned int contextId);
     bool isMetBy(unsigned int frame, const RefineTarget& target) const;
 
     mutable std::mutex _meshMutex; ///< guards everything down to _statistics
@@ -117,13 +121,14 @@ private:
     std::uint64_t _serial = 0;
     PacketPtr _changed; ///< to _serial from the state before; null: _whole alone leads there
     PacketPtr _whole;   ///< to _serial from nothing; made when asked for
+    PacketPtr _skirt;   ///< of _serial, if its own serial says so; made when asked for
     std::map<unsigned int, PacketPtr> _given; ///< last packet that each context was given
     std::optional<unsigned int> _frame;
     RefineTarget _target; ///< of the last refinement
     ViewGroupStatistics _statistics;
 
     mutable std::mutex _gpuMutex; ///< guards the map and the numbers; each GpuMesh belongs to its draw thread
-    std::map<unsigned int, std::unique_ptr<GpuMesh>> _gpuMeshes;
+    std::map<unsigned int, std::unique_ptr<GpuMesh>> _gpuMeshes, _gpuSkirts;
     std::size_t _bytesUploaded = 0;
     std::uint32_t _trianglesDrawn = 0;
 };

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "SkirtPacket.h"
+
+#include <algorithm>
+
+namespace osgTerrainROAM
+{
+
+namespace
+{
+
+/// A place on the border: a vertex, or between two.
+struct EdgePlace
+{
+    core::MeshVertex vertex;
+    double column, row;
+};
+
+/// One of the four sides: what lies at places with share() > 0 is inside.
+struct Side
+{
+    bool isRow;  ///< of constant row
+    double line; ///< that row, or column
+    double inwards;
+
+    double share(core::GridPoint p) const { return inwards * ((isRow ? p.row : p.column) - line); }
+};
+
+class Collector
+{
+public:
+    Collector(const core::RoamMesh& mesh, const std::function<double(const glm::dvec3&)>& depthM)
+        : _tree(mesh.tree()),
+          _tile(mesh.tile().tile),
+          _depthM(depthM),
+          _lastColumn(_tile.dataColumns() - 1),
+          _lastRow(_tile.dataRows() - 1),
+          _sides{{false, 0.0, 1.0},
+                 {true, 0.0, 1.0},
+                 {false, static_cast<double>(_lastColumn), -1.0},
+                 {true, static_cast<double>(_lastRow), -1.0}}
+    {
+        for (const core::TriangleId root : core::DiamondTree::kRoots)
+            visit(root, _tree.gridTriangle(root));
+    }
+
+    MeshPacket packet;
+
+private:
+    bool touchesBorder(const core::GridTriangle& g) const
+    {
+        const auto [west, east] = std::minmax({g.apex.column, g.left.column, g.right.column});
+        const auto [south, north] = std::minmax({g.apex.row, g.left.row, g.right.row});
+        if (west > _lastColumn || south > _lastRow) return false;
+        return west == 0 || south == 0 || east >= _lastColumn || north >= _lastRow;
+    }
+
+    void visit(core::TriangleId t, const core::GridTriangle& g)
+    {
+        if (!touchesBorder(g)) return;
+        if (_tree.isLeaf(t))
+        {
+            const core::LeafTriangle leaf = _tree.vertices(t);
+            for (const Side& side : _sides)
+                addEdge(side, g, leaf);
+            return;
+        }
+        const auto children = _tree.children(t);
+        const auto halves = g.children();
+        for (const std::size_t half : {0u, 1u})
+            visit(children[half], halves[half]);
+    }
+
+    /// Where a triangle that lies inside, in part at least, meets the line.
+    void addEdge(const Side& side, const core::GridTriangle& g, const core::LeafTriangle& leaf)
+    {
+        const core::GridPoint corners[3] = {g.apex, g.left, g.right};
+        const double shares[3] = {side.share(g.apex), side.share(g.left), side.share(g.right)};
+        if (*std::max_element(shares, shares + 3) <= 0.0) return;
+        EdgePlace ends[3];
+        int found = 0;
+        for (int i = 0; i < 3; ++i)
+        {
+            const int j = (i + 1) % 3;
+            if (shares[i] == 0.0)
+                ends[found++] = between(corners[i], corners[i], leaf.vertices[i], leaf.vertices[i], 0.0);
+            else if (shares[i] * shares[j] < 0.0)
+                ends[found++] = between(corners[i], corners[j], leaf.vertices[i], leaf.vertices[j],
+                                        shares[i] / (shares[i] - shares[j]));
+        }
+        if (found == 2) addWall(ends[0], ends[1]);
+    }
+
+    EdgePlace between(core::GridPoint a, core::GridPoint b, core::VertexSlot from, core::VertexSlot to,
+                      double t) const
+    {
+        const core::MeshVertex u = _tree.vertex(from), v = _tree.vertex(to);
+        EdgePlace place;
+        place.vertex.position =
+            glm::ivec3(glm::round(glm::mix(glm::dvec3(u.position), glm::dvec3(v.position), t)));
+        place.vertex.grid = glm::u16vec2(glm::round(glm::mix(glm::dvec2(u.grid), glm::dvec2(v.grid), t)));
+        place.column = a.column + t * (b.column - a.column);
+        place.row = a.row + t * (b.row - a.row);
+        return place;
+    }
+
+    core::MeshVertex lowered(const EdgePlace& place) const
+    {
+        const double stepM = _tile.vertexStepM();
+        glm::dvec3 up(0.0, 0.0, 1.0);
+        if (_tile.placement() == core::Placement::curved)
+            up = _tile.positionAt(place.column, place.row, 1.0) -
+                 _tile.positionAt(place.column, place.row, 0.0);
+        const double depthM = _depthM(core::positionOf(place.vertex, stepM));
+        core::MeshVertex vertex = place.vertex;
+        vertex.position -= glm::ivec3(glm::round(up * (depthM / stepM)));
+        return vertex;
+    }
+
+    void addWall(const EdgePlace& a, const EdgePlace& b)
+    {
+        const auto first = static_cast<std::uint32_t>(packet.vertices.size());
+        packet.vertices.insert(packet.vertices.end(), {a.vertex, b.vertex, lowered(a), lowered(b)});
+        packet.triangles.push_back({{first, first + 2, first + 1}});
+        packet.triangles.push_back({{first + 1, first + 2, first + 3}});
+    }
+
+    const core::DiamondTree& _tree;
+    const core::PlacedTile& _tile;
+    const std::function<double(const glm::dvec3&)>& _depthM;
+    int _lastColumn, _lastRow;
+    Side _sides[4];
+};
+
+} // namespace
+
+PacketPtr skirtPacket(const core::RoamMesh& mesh, std::uint64_t serial,
+                      const std::function<double(const glm::dvec3&)>& depthM)
+{
+    if (mesh.patches()) return nullptr;
+    MeshPacket packet = std::move(Collector(mesh, depthM).packet);
+    packet.serial = serial;
+    packet.whole = true;
+    packet.vertexCount = static_cast<std::uint32_t>(packet.vertices.size());
+    packet.triangleCount = static_cast<std::uint32_t>(packet.triangles.size());
+    packet.vertexRanges = {{0, packet.vertexCount}};
+    packet.triangleRanges = {{0, packet.triangleCount}};
+    return std::make_shared<const MeshPacket>(std::move(packet));
+}
+
+} // namespace osgTerrainROAM
