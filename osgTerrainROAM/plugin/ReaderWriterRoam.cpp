@@ -6,6 +6,7 @@
 #include <osgDB/FileUtils>
 #include <osgDB/Registry>
 
+#include <osgTerrainROAM/RoamTechnique>
 #include <osgTerrainROAM/RoamTerrain>
 
 #include "FirstLook.h"
@@ -15,14 +16,17 @@ namespace
 
 /// osgDB's way to our terrains. An existing file that ends in .roam is a text that describes one; of any other name
 /// the suffix is taken off and the rest opened as elevation raster: osgviewer dem.tif.roam, osgviewer
-/// /vsigzip/dem.hgt.gz.roam.
+/// /vsigzip/dem.hgt.gz.roam. What GDAL does not know and osgDB does is a database: its osgTerrain tiles, those of paged
+/// files as well, are drawn by RoamTechnique: osgviewer db.osgb.roam.
 /// Errors: ReadResult::message() is the Error's line, with file, place and remedy.
 class ReaderWriterRoam : public osgDB::ReaderWriter
 {
 public:
     ReaderWriterRoam()
     {
-        supportsExtension("roam", "terrain description, or suffix of an elevation raster (dem.tif.roam)");
+        supportsExtension("roam",
+                          "terrain description, or suffix of an elevation raster (dem.tif.roam) or of a "
+                          "database with osgTerrain tiles (db.osgb.roam)");
     }
 
     const char* className() const override { return "osgTerrainROAM reader"; }
@@ -35,13 +39,33 @@ public:
     ReadResult readNode(const std::string& name, const Options* options) const override
     {
         if (!acceptsExtension(osgDB::getLowerCaseFileExtension(name))) return ReadResult::FILE_NOT_HANDLED;
-        const auto terrain = osgTerrainROAM::openTerrain(fileToOpen(name, options));
-        if (!terrain) return ReadResult(terrain.error().message());
+        const std::filesystem::path file = fileToOpen(name, options);
+        const auto terrain = osgTerrainROAM::openTerrain(file);
+        if (!terrain && file.extension() == ".roam") return ReadResult(terrain.error().message());
+        if (!terrain) return readDatabase(file.string(), options, terrain.error());
         (*terrain)->addEventCallback(firstLook(**terrain));
         return ReadResult(terrain->get(), ReadResult::FILE_LOADED);
     }
 
 private:
+    /// `asRaster`: why the file is no elevation raster.
+    static ReadResult readDatabase(const std::string& file, const Options* options,
+                                   const viewlod::Error& asRaster)
+    {
+        ReadResult read = osgDB::Registry::instance()->readNode(file, options);
+        if (!read.getNode())
+            return ReadResult(
+                read.status() == ReadResult::ERROR_IN_READING_FILE
+                    ? viewlod::Error{file, "osgDB cannot read it: " + read.message(), ""}.message()
+                    : asRaster.message());
+        const osg::ref_ptr<osgTerrainROAM::RoamTechnique> technique = new osgTerrainROAM::RoamTechnique;
+        const auto count = osgTerrainROAM::installTechnique(*read.getNode(), *technique);
+        if (count.tiles + count.pagedFiles > 0) return read;
+        return ReadResult(
+            viewlod::Error{file, "has no osgTerrain tile and pages no file in", "open it without .roam"}
+                .message());
+    }
+
     static osgTerrainROAM::FirstLook* firstLook(const osgTerrainROAM::RoamTerrain& terrain)
     {
         const osg::Vec3f horizon = osgTerrainROAM::displayColour(terrain.atmosphere()->light().horizon);
