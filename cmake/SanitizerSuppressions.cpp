@@ -3,7 +3,7 @@
 // osmesa_destroy_buffer is never reached); the locks inside Mesa and OSG are not seen; OSG (RenderStageCache against
 // ObserverSet, when a nested camera dies) and GDAL (opening against creating) take locks of their own in either order.
 // OSG counts references to its observers unseen, so that the mutex of the last one seems to go while another thread
-// holds it. Races of ours below a traversal of OSG's stay: only where OSG itself reads or writes are they passed over.
+// holds it, and ends the pager's threads without joining them. Races of ours below a traversal of OSG's stay: only where OSG itself reads or writes are they passed over.
 // Inline, for the object may be linked twice.
 #if defined(__SANITIZE_ADDRESS__)
 extern "C" [[gnu::used]] inline const char* __lsan_default_suppressions()
@@ -22,7 +22,7 @@ extern "C" [[gnu::used]] inline const char* __tsan_default_suppressions()
 {
     return "race:libOSMesa.so\nrace:swrast_dri.so\nrace:libEGL\nmutex:libOSMesa.so\nmutex:swrast_dri.so\n"
            "deadlock:libOSMesa.so\ndeadlock:swrast_dri.so\nrace_top:libosg\nrace_top:libOpenThreads.so\n"
-           "race:OpenThreads::Mutex::~Mutex\n"
+           "race:OpenThreads::Mutex::~Mutex\nthread:OpenThreads::Thread::start\n"
            "deadlock:libosg\ndeadlock:libgdal.so\n";
 }
 

@@ -32,6 +32,8 @@ struct Request
     std::vector<double> tolerancesPx{1.0, 0.5};
     std::filesystem::path jsonFile;
 
+    int tileCells = 128; ///< database only
+
     std::vector<std::string> antialiasing{"none", "msaa4", "ssaa2", "ssaa4"}; ///< pop only, as the next three
     int coarseFrame = -1; ///< a frame that is refined to a tenth of the detail: the measure has to see it
     std::filesystem::path pictureFolder;
@@ -52,6 +54,10 @@ using Report = nlohmann::ordered_json;
 /// Milliseconds a frame of each way to draw the terrain, frame by frame in turn along the flight.
 /// Errors: no such graphics context.
 viewlod::Result<Report> measureFrames(const Request& request);
+
+/// Milliseconds a frame of a database of osgTerrain tiles: osgTerrain's GeometryTechnique and ours, in turn along the flight.
+/// Errors: no such graphics context; tiles that the square does not divide into.
+viewlod::Result<Report> measureDatabase(const Request& request);
 
 /// How much the pictures' distance from those of the full mesh changes from frame to frame.
 /// Errors: no such graphics context; pictures that cannot be written.

@@ -78,9 +78,13 @@ int main(int argc, char** argv)
         "times", "milliseconds a frame: ours, the full grid, osgTerrain's GeometryTechnique");
     CLI::App* pop =
         app.add_subcommand("pop", "how the distance from the full mesh's pictures changes between frames");
-    for (CLI::App* sub : {times, pop})
+    CLI::App* database = app.add_subcommand(
+        "database", "milliseconds a frame of a database of osgTerrain tiles: GeometryTechnique and ours");
+    for (CLI::App* sub : {times, pop, database})
         addOptions(*sub, request);
     times->callback([&] { command = measureFrames; });
+    database->callback([&] { command = measureDatabase; });
+    database->add_option("--tile-cells", request.tileCells, "cells along a tile")->check(CLI::Range(2, 4096));
     pop->callback([&] { command = measurePop; });
     pop->add_option("--antialiasing", request.antialiasing, "none, msaa4, ssaa2, ssaa4")
         ->check(CLI::IsMember({"none", "msaa4", "ssaa2", "ssaa4"}));

@@ -64,6 +64,26 @@ TEST(FrameBench, TimesEveryWayToDrawTheSameView)
     EXPECT_LT(triangles["RoamDrawable 1 px"], triangles["full grid"]);
 }
 
+TEST(FrameBench, TimesADatabaseOfTiles)
+{
+    const Workplace place;
+    const ordered_json table = tableOf(place, {"database", "--tolerance", "1", "--tile-cells", "16"});
+    ASSERT_EQ(table["rows"].size(), 3U);
+    for (const ordered_json& row : table["rows"])
+    {
+        EXPECT_EQ(row["tiles"], 16);
+        EXPECT_GT(row["wallMsP50"], 0.0);
+        EXPECT_LE(row["wallMsP50"], row["wallMsP99"]);
+        EXPECT_GT(row["buildMs"], 0.0);
+    }
+    EXPECT_EQ(table["rows"][0]["technique"], "GeometryTechnique");
+    EXPECT_GT(table["rows"][0]["triangles"], table["rows"][1]["triangles"]);
+    EXPECT_GT(table["rows"][1]["triangles"], 0.0);
+    const ProgramRun odd =
+        runProgram({OSGTRAINER_FRAME_BENCH, "database", place.hill(), "--tile-cells", "17"});
+    EXPECT_TRUE(failsWith(odd, 1, "frame_bench", {"--tile-cells"}));
+}
+
 TEST(FrameBench, ShowsNothingWhereNothingIsLeftOutAndTheEyeStandsStill)
 {
     const Workplace place;

@@ -20,23 +20,24 @@ uniform vec2 terrainLayerHeights;
 uniform vec4 terrainLayerS[8];
 uniform vec4 terrainLayerT[8];
 uniform int terrainLights; // a bit for each that is on; below 0: no lighting
-uniform int terrainFog;    // 0 none, 1 linear, 2 exp, 3 exp2
+uniform int terrainLightCount; // up to the last that is on, at least 1
+uniform vec4 terrainFog;       // FixedFunction.h
 )";
 
-// OpenGL 2.1, 2.14.1, without local viewer and separate specular colour.
+// OpenGL 2.1, 2.14.1, without local viewer and separate specular colour. A software renderer does all that a branch may
+// need: so the loop has as many turns as there are lights, and no more.
 const char* const kLight = R"(
 vec4 lit(vec3 normal, vec3 place)
 {
-    if (terrainLights < 0) return vec4(1.0);
     vec3 colour = gl_FrontLightModelProduct.sceneColor.rgb;
-    for (int i = 0; i < 8; ++i)
+    int i = 0;
+    do
     {
-        if ((terrainLights & (1 << i)) == 0) continue;
         vec4 position = gl_LightSource[i].position;
         vec3 way = position.w == 0.0 ? position.xyz : position.xyz / position.w - place;
         float far = length(way);
         vec3 towards = way / max(far, 1e-20);
-        float strength = 1.0;
+        float strength = (terrainLights & (1 << i)) != 0 ? 1.0 : 0.0;
         if (position.w != 0.0)
         {
             strength /= gl_LightSource[i].constantAttenuation
@@ -51,15 +52,16 @@ vec4 lit(vec3 normal, vec3 place)
         if (facing > 0.0 && gloss > 0.0)
             sum += pow(gloss, gl_FrontMaterial.shininess) * gl_FrontLightProduct[i].specular.rgb;
         colour += strength * sum;
-    }
-    return clamp(vec4(colour, gl_FrontMaterial.diffuse.a), 0.0, 1.0);
+    } while (++i < terrainLightCount);
+    vec4 all = clamp(vec4(colour, gl_FrontMaterial.diffuse.a), 0.0, 1.0);
+    return terrainLights < 0 ? vec4(1.0) : all;
 }
 
 vec3 fogged(vec3 colour, float depth)
 {
-    float clear = terrainFog == 1 ? (gl_Fog.end - depth) * gl_Fog.scale
-        : terrainFog == 2 ? exp(-gl_Fog.density * depth) : exp(-gl_Fog.density * gl_Fog.density * depth * depth);
-    return terrainFog == 0 ? colour : mix(gl_Fog.color.rgb, colour, clamp(clear, 0.0, 1.0));
+    float clear = clamp(terrainFog.x + terrainFog.y * depth, 0.0, 1.0)
+        * exp2(-depth * (terrainFog.z + terrainFog.w * depth));
+    return mix(gl_Fog.color.rgb, colour, clear);
 }
 )";
 

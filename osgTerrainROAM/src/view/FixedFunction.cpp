@@ -2,6 +2,7 @@
 #include "FixedFunction.h"
 
 #include <array>
+#include <numbers>
 
 #include <osg/Array>
 #include <osg/Fog>
@@ -18,13 +19,18 @@ int lightsOf(const osg::State& state)
     return lights;
 }
 
-int fogModeOf(const osg::State& state)
+osg::Vec4f fogOf(const osg::State& state)
 {
-    if (!state.getLastAppliedMode(GL_FOG)) return 0;
+    const osg::Vec4f none(1.0f, 0.0f, 0.0f, 0.0f);
+    if (!state.getLastAppliedMode(GL_FOG)) return none;
     const auto* fog =
         dynamic_cast<const osg::Fog*>(state.getLastAppliedAttribute(osg::StateAttribute::FOG, 0));
-    if (!fog) return 0;
-    return fog->getMode() == osg::Fog::LINEAR ? 1 : fog->getMode() == osg::Fog::EXP ? 2 : 3;
+    if (!fog) return none;
+    const float perExp = 1.0f / std::numbers::ln2_v<float>;
+    const float density = fog->getDensity(), range = fog->getEnd() - fog->getStart();
+    if (fog->getMode() == osg::Fog::EXP) return {1.0f, 0.0f, density * perExp, 0.0f};
+    if (fog->getMode() == osg::Fog::EXP2) return {1.0f, 0.0f, 0.0f, density * density * perExp};
+    return range == 0.0f ? none : osg::Vec4f(fog->getEnd() / range, -1.0f / range, 0.0f, 0.0f);
 }
 
 void setColourWhite(osg::State& state)

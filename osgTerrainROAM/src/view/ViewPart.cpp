@@ -2,6 +2,7 @@
 #include "ViewPart.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include <osg/Program>
@@ -61,6 +62,11 @@ public:
     void set(const char* name, const osg::Vec3i& value) const
     {
         if (const GLint at = location(name); at >= 0) _gl.glUniform3iv(at, 1, value.ptr());
+    }
+
+    void set(const char* name, const osg::Vec4f& value) const
+    {
+        if (const GLint at = location(name); at >= 0) _gl.glUniform4fv(at, 1, value.ptr());
     }
 
     void set(const char* name, int value) const
@@ -134,8 +140,11 @@ void ViewPart::drawImplementation(osg::RenderInfo& renderInfo) const
     uniforms.set("terrainEyeWraps", eye.wraps);
     uniforms.setRotation("terrainEyeFromLocal", eyeFromLocal);
     uniforms.setRotation("terrainWorldFromLocal", eyeFromLocal * state.getInitialInverseViewMatrix());
-    uniforms.set("terrainLights", lightsOf(state));
-    uniforms.set("terrainFog", fogModeOf(state));
+    const int lights = lightsOf(state);
+    uniforms.set("terrainLights", lights);
+    uniforms.set("terrainLightCount",
+                 std::max(1, static_cast<int>(std::bit_width(static_cast<unsigned>(std::max(lights, 0))))));
+    uniforms.set("terrainFog", fogOf(state));
     setColourWhite(state);
     _group->draw(state, _answer, _frustum);
 }

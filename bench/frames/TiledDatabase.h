@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <osgTerrain/Terrain>
+
+#include <osgTerrainROAM/core/heightfield/PlacedTile.h>
+
+namespace framebench
+{
+
+/// The tile as a database of osgTerrain has it: square tiles of `cells` cells, each a TerrainTile with a HeightFieldLayer
+/// and an ImageLayer of as many texels (colours by height), under an osgTerrain::Terrain in its defaults (sample ratio 1)
+/// with the technique as its prototype. The light is the scene's.
+osg::ref_ptr<osgTerrain::Terrain> tiledDatabase(const osgTerrainROAM::core::PlacedTile& tile, int cells,
+                                                osgTerrain::TerrainTechnique* technique);
+
+} // namespace framebench
