@@ -84,9 +84,20 @@ bool isHole()
 )";
 
 const char* const kMainBegins = R"(
+// A slope seen edge-on is much longer than wide in the map. A level chosen for the length gives it the mean normal of its
+// surroundings, a bright dot in the shade: so the level is that of twice the width.
+vec4 surfaceAt(vec2 at)
+{
+    vec2 alongX = dFdx(at);
+    vec2 alongY = dFdy(at);
+    float length2 = max(dot(alongX, alongX), dot(alongY, alongY));
+    float area = abs(alongX.x * alongY.y - alongX.y * alongY.x);
+    return texture(terrainSurface, at, -clamp(log2(length2 / max(area, 1e-20)) - 1.0, 0.0, 6.0));
+}
+
 void main()
 {
-    vec4 surface = texture(terrainSurface, grid * terrainSurfaceFromGrid.xy + terrainSurfaceFromGrid.zw);
+    vec4 surface = surfaceAt(grid * terrainSurfaceFromGrid.xy + terrainSurfaceFromGrid.zw);
     vec3 place = terrainEyeFromLocal * fromEye;
     vec2 uv = grid / terrainLastSample;
     vec4 weights = vec4(1.0, uv, uv.x * uv.y);
