@@ -48,7 +48,9 @@ glm::dmat4 withoutDepth(glm::dmat4 projection, double nearM)
 double eyePerLocal(osgUtil::CullVisitor& visitor)
 {
     const osg::Vec3d scale = visitor.getModelViewMatrix()->getScale();
-    return std::cbrt(scale.x() * scale.y() * scale.z());
+    const double mean = std::cbrt(scale.x() * scale.y() * scale.z());
+    // A rotation's rounding must not look like another near plane each time the head turns.
+    return std::abs(mean - 1.0) < 1e-9 ? 1.0 : mean;
 }
 
 viewlod::ViewState viewOf(osgUtil::CullVisitor& visitor, double nearestM)
