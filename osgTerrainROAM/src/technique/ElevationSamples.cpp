@@ -16,12 +16,15 @@ namespace
 /// Samples a side of a tile without elevation layer: enough for the Earth's curvature.
 constexpr int kFlatSide = 65;
 
+/// Larger numbers are no heights in any unit, but what stands for none where no ValidDataOperator says so.
+constexpr float kMostHeight = 1e9f;
+
 float sampleOf(const osgTerrain::Layer& layer, int column, int row)
 {
     float value = 0.0f;
     const bool valid =
         layer.getValidValue(static_cast<unsigned int>(column), static_cast<unsigned int>(row), value);
-    return valid && std::isfinite(value) ? value : std::numeric_limits<float>::quiet_NaN();
+    return valid && std::abs(value) < kMostHeight ? value : std::numeric_limits<float>::quiet_NaN();
 }
 
 bool hasValidNeighbour(const ElevationSamples& samples, int column, int row)

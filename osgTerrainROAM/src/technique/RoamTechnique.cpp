@@ -99,7 +99,8 @@ RoamTechnique::BufferPtr RoamTechnique::build(int dirtyMask) const
     if (!ground)
     {
         OSG_WARN << "osgTerrainROAM: tile '" << _terrainTile->getName()
-                 << "' has no locator or no height, and is not drawn: give its elevation layer both\n";
+                 << "' has no locator with an extent, or no height, and is not drawn: give its elevation "
+                    "layer both\n";
         return nullptr;
     }
     auto buffer = std::make_shared<TechniqueBuffer>();

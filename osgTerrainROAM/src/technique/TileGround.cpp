@@ -22,6 +22,9 @@ using core::HeightField;
 /// Angle between nodes of the net at which the biquadratic through them leaves the Earth by half a millimetre.
 constexpr double kNodeRad = 1e-3;
 
+/// Vertices of a small tile on the Earth reach so high; in a plane the units are scaled to fit.
+constexpr float kMostOnEarthM = 40000.0f;
+
 osg::Vec3d modelAt(const osgTerrain::Locator& locator, double u, double v, double height)
 {
     osg::Vec3d model;
@@ -63,6 +66,18 @@ void placeOnEarth(HeightField& field, const osgTerrain::Locator& locator)
         for (int a = 0; a < net.nodesPerSide; ++a)
             net.nodes.push_back(nodeAt(locator, a * net.step * perColumn, b * net.step * perRow));
     field.net = std::move(net);
+    for (float& height : field.heightsM)
+        height = std::clamp(height, -kMostOnEarthM, kMostOnEarthM);
+}
+
+/// Whether the unit cube keeps an extent in each direction. Asked of the transformation: on the Earth, a side may begin
+/// and end in a pole.
+bool hasExtent(const osgTerrain::Locator& locator)
+{
+    const osg::Matrixd& m = locator.getTransform();
+    const auto axis = [&](int i) { return osg::Vec3d(m(i, 0), m(i, 1), m(i, 2)); };
+    const double volume = (axis(0) ^ axis(1)) * axis(2);
+    return std::isfinite(volume) && volume != 0.0;
 }
 
 osg::Matrixd modelFromEastNorthUp(const core::Geodetic& origin)
@@ -142,7 +157,7 @@ std::optional<TileGround> tileGround(const osgTerrain::TerrainTile& tile)
     TileGround ground;
     ground.locator = masterLocator(tile);
     auto samples = elevationSamples(tile);
-    if (!ground.locator || !samples) return std::nullopt;
+    if (!ground.locator || !hasExtent(*ground.locator) || !samples) return std::nullopt;
     ground.heightScale = tile.getTerrain() ? tile.getTerrain()->getVerticalScale() : 1.0;
 
     HeightField field;

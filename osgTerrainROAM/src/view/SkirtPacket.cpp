@@ -98,9 +98,9 @@ private:
         EdgePlace place;
         place.vertex.position =
             glm::ivec3(glm::round(glm::mix(glm::dvec3(u.position), glm::dvec3(v.position), t)));
-        place.vertex.grid = glm::u16vec2(glm::round(glm::mix(glm::dvec2(u.grid), glm::dvec2(v.grid), t)));
         place.column = a.column + t * (b.column - a.column);
         place.row = a.row + t * (b.row - a.row);
+        place.vertex.grid = glm::u16vec2(glm::ivec2(glm::round(glm::dvec2(place.column, place.row))));
         return place;
     }
 

@@ -190,8 +190,32 @@ TEST(TileGround, TakesAnImageOfHeights)
     EXPECT_EQ(placed(*ground, 8, 4).z(), 44.0);
 }
 
+TEST(TileGround, KeepsHeightsOnTheEarthWithinTheReachOfItsVertices)
+{
+    const auto terrain = terrainOf(1, {.type = Locator::GEOCENTRIC});
+    terrain->setVerticalScale(1000.0f);
+    auto& tile = static_cast<osgTerrain::TerrainTile&>(*terrain->getChild(0));
+    tile.setTerrain(terrain);
+    const auto ground = tileGround(tile);
+    EXPECT_EQ(ground->tile->tile.heightM(30, 30), 40000.0f);
+    const glm::dvec3 p = ground->tile->tile.position(30, 30);
+    EXPECT_LT(std::abs(p.z) / ground->tile->tile.vertexStepM(), 2147483647.0);
+    tile.setTerrain(nullptr);
+}
+
+TEST(TileGround, TakesNumbersThatAreNoHeightsForVoids)
+{
+    const auto tile = tileOf({});
+    auto& layer = static_cast<osgTerrain::HeightFieldLayer&>(*tile->getElevationLayer());
+    layer.getHeightField()->setHeight(5, 5, -3.4e38f);
+    EXPECT_TRUE(elevationSamples(*tile)->voidAt(5, 5));
+}
+
 TEST(TileGround, HasNoneWithoutLocatorOrHeights)
 {
+    const auto flat = tileOf({});
+    flat->getLocator()->setTransform(osg::Matrixd::scale(100.0, 0.0, 1.0));
+    EXPECT_FALSE(tileGround(*flat)) << "a locator without extent";
     EXPECT_FALSE(tileGround(*osg::ref_ptr<osgTerrain::TerrainTile>(new osgTerrain::TerrainTile)));
     const auto tile = tileOf({});
     tile->getElevationLayer()->setValidDataOperator(new osgTerrain::ValidRange(9000.0f, 9001.0f));
