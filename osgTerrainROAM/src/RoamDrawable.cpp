@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
+#include <shared_mutex>
 
 #include <glm/gtc/type_ptr.hpp>
 
@@ -113,12 +114,14 @@ RoamDrawable::RoamDrawable(std::shared_ptr<const core::RoamTile> tile)
     setUseDisplayList(false);
     setSupportsDisplayList(false);
     setUseVertexBufferObjects(true);
+    if (_tile) _box = tileBounds(_tile->tile);
     if (_tile) _defaultErrorM = 0.25 * std::max(_tile->tile.field().spacingEastM, 0.01);
 }
 
 RoamDrawable::RoamDrawable(const RoamDrawable& other, const osg::CopyOp& copyOp)
     : osg::Drawable(other, copyOp),
       _tile(other._tile),
+      _box(other._box),
       _groups(newGroups(other._patchExponent)),
       _patchExponent(other._patchExponent),
       _errorTolerancePx(other._errorTolerancePx),
@@ -146,6 +149,22 @@ void RoamDrawable::setPatchExponent(int exponent)
     if (exponent == _patchExponent) return;
     _patchExponent = exponent;
     _groups = newGroups(exponent);
+}
+
+void RoamDrawable::followEdits(std::span<const core::GridRect> moved)
+{
+    const std::shared_lock lock(_tile->mutex());
+    const core::PlacedTile& tile = _tile->tile;
+    for (const core::GridRect& rect : moved)
+        tile.forEachSample(rect,
+                           [&](int column, int row)
+                           {
+                               const glm::dvec3 p = tile.position(column, row);
+                               for (const double slackM : {-0.01, 0.01}) // floats round
+                                   _box.expandBy(
+                                       osg::Vec3f(osg::Vec3d(p.x + slackM, p.y + slackM, p.z + slackM)));
+                           });
+    dirtyBound();
 }
 
 std::vector<ViewGroupStatistics> RoamDrawable::statistics() const
@@ -211,7 +230,7 @@ void RoamDrawable::accept(osg::PrimitiveFunctor& functor) const
 
 osg::BoundingBox RoamDrawable::computeBoundingBox() const
 {
-    return _tile ? tileBounds(_tile->tile) : osg::BoundingBox();
+    return _box;
 }
 
 void RoamDrawable::releaseGLObjects(osg::State* state) const

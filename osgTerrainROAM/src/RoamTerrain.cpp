@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <shared_mutex>
+
 #include <osg/Notify>
 
 #include <osgTerrainROAM/core/LoadTerrain.h>
@@ -79,7 +81,7 @@ viewlod::Outcome coverGround(TerrainMaterial& material, const core::RoamFile& de
 
 } // namespace
 
-RoamTerrain::RoamTerrain() : RoamTerrain(nullptr, nullptr) {}
+RoamTerrain::RoamTerrain() : RoamTerrain(std::shared_ptr<const core::RoamTile>(), nullptr) {}
 
 RoamTerrain::RoamTerrain(std::shared_ptr<const core::RoamTile> tile, TerrainMaterial* material)
     : _tile(std::move(tile)), _drawable(new RoamDrawable(_tile)), _material(material)
@@ -89,15 +91,48 @@ RoamTerrain::RoamTerrain(std::shared_ptr<const core::RoamTile> tile, TerrainMate
     setAtmosphere(new Atmosphere);
 }
 
+RoamTerrain::RoamTerrain(const std::shared_ptr<core::RoamTile>& tile, TerrainMaterial* material)
+    : RoamTerrain(std::shared_ptr<const core::RoamTile>(tile), material)
+{
+    _editor = std::make_shared<core::GroundEditor>(tile);
+    setNumChildrenRequiringUpdateTraversal(getNumChildrenRequiringUpdateTraversal() + 1);
+}
+
 RoamTerrain::RoamTerrain(const RoamTerrain& other, const osg::CopyOp& copyOp)
     : osg::Group(other, copyOp),
       _tile(other._tile),
+      _editor(other._editor),
+      _revision(other._revision),
       _drawable(new RoamDrawable(*other._drawable, copyOp)),
       _material(other._material),
       _featureReport(other._featureReport)
 {
     setChild(other.getChildIndex(other._drawable.get()), _drawable);
     setAtmosphere(other._atmosphere);
+    if (_editor) setNumChildrenRequiringUpdateTraversal(getNumChildrenRequiringUpdateTraversal() + 1);
+}
+
+void RoamTerrain::traverse(osg::NodeVisitor& visitor)
+{
+    if (visitor.getVisitorType() == osg::NodeVisitor::UPDATE_VISITOR) followEdits();
+    osg::Group::traverse(visitor);
+}
+
+void RoamTerrain::followEdits()
+{
+    if (!_editor) return;
+    std::vector<core::GridRect> moved;
+    {
+        const std::shared_lock lock(_tile->mutex());
+        if (_tile->revision() == _revision) return;
+        const auto changes = _tile->changesSince(_revision);
+        _revision = _tile->revision();
+        if (!changes) moved.push_back({0, 0, _tile->tile.side() - 1, _tile->tile.side() - 1});
+        for (const core::TileChange* change : changes.value_or(std::vector<const core::TileChange*>()))
+            moved.insert(moved.end(), change->moved.begin(), change->moved.end());
+        if (_material) _material->followEdits(_tile->tile, moved);
+    }
+    _drawable->followEdits(moved);
 }
 
 void RoamTerrain::setAtmosphere(Atmosphere* atmosphere)
@@ -110,7 +145,7 @@ viewlod::Result<osg::ref_ptr<RoamTerrain>> makeTerrain(const core::RoamFile& des
 {
     auto placed = core::loadTile(description);
     if (!placed) return placed.error();
-    const auto tile = std::make_shared<const core::RoamTile>(std::move(*placed));
+    const auto tile = std::make_shared<core::RoamTile>(std::move(*placed));
 
     osg::ref_ptr<osg::Image> drape;
     if (description.imagery.size() == 1)

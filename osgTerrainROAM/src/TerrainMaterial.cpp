@@ -11,6 +11,7 @@
 
 #include "material/CoverTexture.h"
 #include "material/FeatureTextures.h"
+#include "material/FineNormals.h"
 #include "material/GrainImage.h"
 #include "material/GroundPalette.h"
 #include "material/LandMap.h"
@@ -55,6 +56,8 @@ TerrainMaterial::TerrainMaterial(const core::PlacedTile& tile, const Climate& cl
     measureHeights(tile);
     setPalette();
     addClipping(tile);
+    if (tile.gridExponent() > 0)
+        _fineNormals = std::make_unique<FineNormals>(tile, *_stateSet, fineIndex, fineNormals);
     setProgram();
     // The ground has no underside, and a far slope must not win against the near one in the depth buffer's last step.
     _stateSet->setMode(GL_CULL_FACE, osg::StateAttribute::ON);
@@ -63,7 +66,12 @@ TerrainMaterial::TerrainMaterial(const core::PlacedTile& tile, const Climate& cl
 void TerrainMaterial::setProgram()
 {
     _stateSet->setAttributeAndModes(
-        terrainProgram({_hasDrape, _imageryLayers, _hasFeatures, _hasCover, _season.has_value()}));
+        terrainProgram({.drape = _hasDrape,
+                        .layers = _imageryLayers,
+                        .features = _hasFeatures,
+                        .cover = _hasCover,
+                        .fine = _fineNormals != nullptr,
+                        .season = _season.has_value()}));
 }
 
 void TerrainMaterial::setFeatures(const core::FeatureCells& cells)
@@ -99,9 +107,9 @@ void TerrainMaterial::setImagery(std::vector<ImageryLayer> layers)
 void TerrainMaterial::addMaps(const core::PlacedTile& tile, osg::Image* drapeImage)
 {
     const MapGrid grid(tile);
-    const osg::ref_ptr<osg::Image> normalImage = normalMap(tile, grid);
-    const osg::ref_ptr<osg::Image> landImage = landMap(tile, grid, _climate, *normalImage);
-    addTexture(*_stateSet, "terrainNormals", normals, normalImage.get(), osg::Texture::CLAMP_TO_EDGE);
+    _normalImage = normalMap(tile, grid);
+    const osg::ref_ptr<osg::Image> landImage = landMap(tile, grid, _climate, *_normalImage);
+    addTexture(*_stateSet, "terrainNormals", normals, _normalImage.get(), osg::Texture::CLAMP_TO_EDGE);
     addTexture(*_stateSet, "terrainLand", land, landImage.get(), osg::Texture::CLAMP_TO_EDGE);
     addTexture(*_stateSet, "terrainGrain", grain, grainImage().get(), osg::Texture::REPEAT);
     const double perSample = 1.0 / grid.step;
@@ -130,6 +138,14 @@ void TerrainMaterial::measureHeights(const core::PlacedTile& tile)
     _heights.set(static_cast<float>(fall), static_cast<float>(over));
     _lastSample.set(static_cast<float>(tile.dataColumns() - 1), static_cast<float>(tile.dataRows() - 1));
     _spacingM = 0.5 * (tile.field().spacingEastM + tile.field().spacingNorthM) / (1 << tile.gridExponent());
+}
+
+TerrainMaterial::~TerrainMaterial() = default;
+
+void TerrainMaterial::followEdits(const core::PlacedTile& tile, std::span<const core::GridRect> moved)
+{
+    updateNormals(*_normalImage, tile, MapGrid(tile), moved);
+    if (_fineNormals) _fineNormals->follow(tile, moved);
 }
 
 void TerrainMaterial::addScales(const core::PlacedTile& tile)

@@ -1,8 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+
 #include <osgTerrainROAM/core/LoadTerrain.h>
 
 namespace osgTerrainROAM::core
 {
+
+int gridExponentFor(const HeightField& field, double spacingM)
+{
+    const double coarsestM = std::max(field.spacingEastM, field.spacingNorthM);
+    int exponent = 0;
+    while (std::ldexp(coarsestM, -exponent) > spacingM &&
+           ((field.tileSide() - 1) << (exponent + 1)) + 1 <= PlacedTile::kMostSide)
+        ++exponent;
+    return exponent;
+}
 
 viewlod::Result<RoamFile> describeTerrain(const std::filesystem::path& file, const DemImportOptions& import)
 {
@@ -17,9 +30,10 @@ viewlod::Result<PlacedTile> loadTile(const RoamFile& description)
 {
     auto field = importDem(description.dem, description.import);
     if (!field) return field.error();
-    const bool curved = description.placement == Placement::curved && field->net.has_value();
-    if (curved && description.origin) return PlacedTile(std::move(*field), *description.origin);
-    return PlacedTile(std::move(*field), description.placement);
+    PlacedTileOptions options{.placement = description.placement, .origin = description.origin};
+    if (description.finestSpacingM)
+        options.gridExponent = gridExponentFor(*field, *description.finestSpacingM);
+    return PlacedTile(std::move(*field), options);
 }
 
 } // namespace osgTerrainROAM::core

@@ -219,6 +219,8 @@ constexpr std::array kKeys{
     Key{"spacing",
         [](RoamFile& f, const Entry& e) { return assignNumber(f.import.spacingM, e, 1e-3, kFar); }},
     Key{"vertical_datum", assignDatum},
+    Key{"finest_spacing",
+        [](RoamFile& f, const Entry& e) { return assignNumber(f.finestSpacingM, e, 0.01, 1000.0); }},
     Key{"error_tolerance",
         [](RoamFile& f, const Entry& e) { return assignNumber(f.errorTolerancePx, e, 1e-3, 1e3); }},
     Key{"max_triangles", assignTriangles},

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <span>
 
 #include <osg/Image>
 
@@ -23,6 +24,10 @@ std::uint16_t packedComponent(double component);
 /// normal in the tile's frame as 16 bits each (-1…1 on 0…65535), so that shading neither depends on the level of
 /// detail nor shows bands. z follows, for it is positive.
 osg::ref_ptr<osg::Image> normalMap(const core::PlacedTile& tile, const MapGrid& grid);
+
+/// Draws the texels of a normal map again whose samples or neighbours lie in what has moved. NormalUpdate.cpp.
+void updateNormals(osg::Image& map, const core::PlacedTile& tile, const MapGrid& grid,
+                   std::span<const core::GridRect> moved);
 
 /// x and y of the unit normal at a texel of a normalMap().
 glm::dvec2 tiltAt(const osg::Image& normalMap, int x, int y);

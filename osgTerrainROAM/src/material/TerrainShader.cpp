@@ -7,6 +7,7 @@
 
 #include "CoverShader.h"
 #include "FeatureShader.h"
+#include "FineNormals.h"
 #include "ImageryShader.h"
 
 namespace osgTerrainROAM
@@ -152,6 +153,9 @@ void main()
     vec3 directionWorld = terrainWorldFromLocal * (fromEye / distanceM);
     vec2 mapPlace = grid * terrainMapFromGrid.xy + terrainMapFromGrid.zw;
     vec2 tilt = texture(terrainNormals, mapPlace).rg * 2.0 - 1.0;
+#ifdef TERRAIN_FINE
+    tilt = fineTilt(tilt);
+#endif
     vec4 land = texture(terrainLand, mapPlace);
     vec3 place = fromEye + terrainEyeWrapped;
     Grain g = grainAt(place.xy);
@@ -236,10 +240,12 @@ osg::ref_ptr<osg::Program> terrainProgram(const TerrainLook& look)
     if (look.features) fragment += "#define TERRAIN_FEATURES\n";
     if (look.cover) fragment += "#define TERRAIN_COVER\n";
     if (look.season) fragment += "#define TERRAIN_SEASON\n";
+    if (look.fine) fragment += "#define TERRAIN_FINE\n";
     if (look.features || look.season)
         fragment += "uniform ivec3 terrainEyeWraps; // whole 4096 m below the eye's wrapped place\n";
     fragment += Atmosphere::glslFunctions();
     fragment += kFragmentHead;
+    if (look.fine) fragment += fineNormalsGlsl();
     fragment += kFragmentLand;
     if (look.features) fragment += std::string(featureCellsGlsl()) + featureLinesGlsl() + featurePaintGlsl();
     if (look.layers > 0) fragment += imageryGlsl(look.layers);

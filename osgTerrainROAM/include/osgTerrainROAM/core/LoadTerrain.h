@@ -16,6 +16,10 @@ namespace osgTerrainROAM::core
 viewlod::Result<RoamFile> describeTerrain(const std::filesystem::path& file,
                                           const DemImportOptions& import = {});
 
+/// How much finer than the raster a grid has to be for places that are `spacingM` apart or less (PlacedTileOptions); as fine
+/// as it can be where that is not enough. Units: metres.
+int gridExponentFor(const HeightField& field, double spacingM);
+
 /// Imports and places the samples that a description names. Errors: as importDem.
 viewlod::Result<PlacedTile> loadTile(const RoamFile& description);
 

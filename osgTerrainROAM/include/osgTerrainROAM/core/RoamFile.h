@@ -37,6 +37,7 @@ struct LandParameters
 ///   origin = LAT LON [HEIGHT]         of the local frame, degrees and metres
 ///   placement = curved | planar
 ///   spacing = METRES                  of a raster without georeference
+///   finest_spacing = METRES           of samples that edits may put between the raster's; absent: they change only those
 ///   vertical_datum = automatic | egm96 | ellipsoid
 ///   error_tolerance = PIXELS          max_triangles = COUNT
 ///   aridity = 0…1    tree_line = METRES    snow_line = METRES    sea_level = METRES
@@ -56,6 +57,7 @@ struct RoamFile
     std::optional<Geodetic> origin;
     Placement placement = Placement::curved;
     DemImportOptions import;
+    std::optional<double> finestSpacingM; ///< of samples that edits may put between the raster's
     double errorTolerancePx = 1.0;
     std::uint32_t maxTriangles = std::numeric_limits<std::uint32_t>::max();
     LandParameters land;

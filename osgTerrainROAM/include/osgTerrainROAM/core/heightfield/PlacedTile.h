@@ -187,6 +187,12 @@ public:
     /// positionAt(gridAt(p), h) = p for the height h of p. Places beyond the tile are extrapolated.
     glm::dvec2 gridAt(const glm::dvec3& local) const;
 
+    /// Position of a sample of the raster without what fine edits have put in its place: of the surface around it.
+    glm::dvec3 rasterPosition(int column, int row) const
+    {
+        return positionOf(column, row, _samples.heightM(rasterIndex(column, row)));
+    }
+
     /// Height of a local position, as the samples are counted: positionAt(gridAt(p), heightOf(p)) = p.
     double heightOf(const glm::dvec3& local) const;
 

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cstdint>
+
+#include "NormalMap.h"
+
+namespace osgTerrainROAM
+{
+
+namespace
+{
+
+glm::dvec3 normalAt(const core::PlacedTile& tile, const MapGrid& grid, int x, int y)
+{
+    const auto position = [&](int column, int row)
+    {
+        return tile.rasterPosition(std::clamp(column, 0, grid.width - 1) * grid.step,
+                                   std::clamp(row, 0, grid.height - 1) * grid.step);
+    };
+    return glm::normalize(
+        glm::cross(position(x + 1, y) - position(x - 1, y), position(x, y + 1) - position(x, y - 1)));
+}
+
+} // namespace
+
+void updateNormals(osg::Image& map, const core::PlacedTile& tile, const MapGrid& grid,
+                   std::span<const core::GridRect> moved)
+{
+    for (const core::GridRect& rect : moved)
+    {
+        const core::GridRect texels = core::GridRect{rect.west / grid.step - 1, rect.south / grid.step - 1,
+                                                     rect.east / grid.step + 1, rect.north / grid.step + 1}
+                                          .cutTo({0, 0, grid.width - 1, grid.height - 1});
+        for (int y = texels.south; y <= texels.north; ++y)
+            for (int x = texels.west; x <= texels.east; ++x)
+            {
+                const glm::dvec3 normal = normalAt(tile, grid, x, y);
+                auto* out = reinterpret_cast<std::uint16_t*>(map.data(x, y));
+                out[0] = packedComponent(normal.x);
+                out[1] = packedComponent(normal.y);
+            }
+    }
+    map.dirty();
+}
+
+} // namespace osgTerrainROAM
