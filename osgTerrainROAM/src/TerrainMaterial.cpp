@@ -65,13 +65,12 @@ TerrainMaterial::TerrainMaterial(const core::PlacedTile& tile, const Climate& cl
 
 void TerrainMaterial::setProgram()
 {
-    _stateSet->setAttributeAndModes(
-        terrainProgram({.drape = _hasDrape,
-                        .layers = _imageryLayers,
-                        .features = _hasFeatures,
-                        .cover = _hasCover,
-                        .fine = _fineNormals != nullptr,
-                        .season = _season.has_value()}));
+    _stateSet->setAttributeAndModes(terrainProgram({.drape = _hasDrape,
+                                                    .layers = _imageryLayers,
+                                                    .features = _hasFeatures,
+                                                    .cover = _hasCover,
+                                                    .fine = _fineNormals != nullptr,
+                                                    .season = _season.has_value()}));
 }
 
 void TerrainMaterial::setFeatures(const core::FeatureCells& cells)

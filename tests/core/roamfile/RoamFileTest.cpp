@@ -25,6 +25,7 @@ origin = 46.5 8.25 1200
 placement = curved
 spacing = 30
 vertical_datum = ellipsoid
+finest_spacing = 0.5
 error_tolerance = 1.5
 max_triangles = 60000
 aridity = 0.4
@@ -58,6 +59,7 @@ TEST(RoamFile, HasEveryKey)
     EXPECT_EQ(file->placement, Placement::curved);
     EXPECT_EQ(file->import.spacingM, 30.0);
     EXPECT_EQ(file->import.verticalDatum, VerticalDatum::ellipsoid);
+    EXPECT_EQ(file->finestSpacingM, 0.5);
     EXPECT_EQ(file->errorTolerancePx, 1.5);
     EXPECT_EQ(file->maxTriangles, 60000u);
     EXPECT_EQ(file->land.aridity, 0.4);

@@ -35,7 +35,7 @@ osg::Vec3d toOsg(const glm::dvec3& v)
 
 } // namespace
 
-std::shared_ptr<const core::RoamTile> islandTile()
+core::HeightField islandField()
 {
     core::HeightField field;
     field.name = "island";
@@ -53,7 +53,12 @@ std::shared_ptr<const core::RoamTile> islandTile()
             if (std::hypot(column - 95.0, row - 85.0) < 8.0) height = 70.0;
             field.heightsM.push_back(static_cast<float>(std::floor(std::max(height, 0.0) * 16.0) / 16.0));
         }
-    return testsupport::planarTile(std::move(field));
+    return field;
+}
+
+std::shared_ptr<const core::RoamTile> islandTile()
+{
+    return testsupport::planarTile(islandField());
 }
 
 std::vector<Viewpoint> viewpoints(const core::PlacedTile& tile)
@@ -66,9 +71,13 @@ std::vector<Viewpoint> viewpoints(const core::PlacedTile& tile)
             {"high", osg::Vec3d(1500, -2500, 3000), osg::Vec3d(2500, 2200, 0)}};
 }
 
-osg::ref_ptr<RoamTerrain> islandTerrain(double tolerancePx)
+namespace
 {
-    const auto tile = islandTile();
+
+/// With a material and the light of an afternoon.
+template<class Tile>
+osg::ref_ptr<RoamTerrain> dressed(const std::shared_ptr<Tile>& tile, double tolerancePx)
+{
     core::LandParameters land;
     land.treeLineM = 550.0;
     land.snowLineM = 800.0;
@@ -81,6 +90,20 @@ osg::ref_ptr<RoamTerrain> islandTerrain(double tolerancePx)
     settings.visibilityM = 30000.0;
     terrain->setAtmosphere(new Atmosphere(settings));
     return terrain;
+}
+
+} // namespace
+
+osg::ref_ptr<RoamTerrain> islandTerrain(double tolerancePx)
+{
+    return dressed(islandTile(), tolerancePx);
+}
+
+osg::ref_ptr<RoamTerrain> editableIsland()
+{
+    return dressed(std::make_shared<core::RoamTile>(core::PlacedTile(
+                       islandField(), {.placement = core::Placement::planar, .gridExponent = 5})),
+                   1.0);
 }
 
 std::unique_ptr<osgOffscreen::OffscreenViewer> viewerOn(osg::Node* node, osgOffscreen::Backend backend)

@@ -23,10 +23,14 @@ std::vector<Viewpoint> viewpoints(const osgTerrainROAM::core::PlacedTile& tile);
 
 /// An island of 200×180 samples, 25 m apart, in the sea, with hills, a peak and a lake; no library function decides
 /// a height's last bit. Planar, in the midst of a 257² tile, so that its edges are clipped.
+osgTerrainROAM::core::HeightField islandField();
 std::shared_ptr<const osgTerrainROAM::core::RoamTile> islandTile();
 
 /// With a material and the light of an afternoon.
 osg::ref_ptr<osgTerrainROAM::RoamTerrain> islandTerrain(double tolerancePx = 1.0);
+
+/// The same, to be edited on a grid of 0.78 m.
+osg::ref_ptr<osgTerrainROAM::RoamTerrain> editableIsland();
 
 /// A viewer of 320×180 pixels on a node.
 std::unique_ptr<osgOffscreen::OffscreenViewer> viewerOn(osg::Node* node, osgOffscreen::Backend backend);
