@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A road of 7 m with cuttings and embankments, built into a terrain while it is shown, and a crater beside it:
+// A road of 7 m with cuttings and embankments, built into a terrain while it is shown and painted, a crater beside it:
 //   built_road dem.tif FOLDER [LENGTH]      writes before.png, driver.png, above.png, undone.png; metres
 #include <cmath>
 #include <cstdio>
@@ -92,6 +92,9 @@ int main(int argc, char** argv)
 
     const auto built = terrain.editor()->conform(road);
     if (!built) return failed(built.error());
+    const auto paint = core::FeatureCells::build(std::vector{core::GroundFeature{.paths = {road.points}}});
+    if (!paint) return failed(paint.error());
+    terrain.material()->setFeatures(*paint);
     std::printf("%zu samples, up to %.1f m\n", built->samplesChanged, built->largestChangeM);
     if (const auto done = terrain.editor()->stamp({.centre = ahead + glm::dvec2(10.0, -40.0)}); !done)
         return failed(done.error());
