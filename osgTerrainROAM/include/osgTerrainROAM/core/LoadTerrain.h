@@ -16,7 +16,7 @@ namespace osgTerrainROAM::core
 viewlod::Result<RoamFile> describeTerrain(const std::filesystem::path& file,
                                           const DemImportOptions& import = {});
 
-/// How much finer than the raster a grid has to be for places that are `spacingM` apart or less (PlacedTileOptions); as fine
+/// How much finer than the raster a grid has to be for places that are `spacingM` apart or less, to 1 % (PlacedTileOptions); as fine
 /// as it can be where that is not enough. Units: metres.
 int gridExponentFor(const HeightField& field, double spacingM);
 
