@@ -87,7 +87,7 @@ TEST_P(RealRoad, IsExactToACentimetreAndDrawnWithinTheTarget)
     RecordProperty("worstMillimetres", static_cast<int>(worstM * 1000.0));
 
     for (const double aboveM : {1.5, 500.0})
-        for (const double tolerancePx : {0.5, 1.0, 4.0, 16.0})
+        for (const double tolerancePx : {0.5, 2.0, 16.0})
         {
             const glm::dvec2 here = line.at(0.4 * line.lengthM()),
                              there = line.at(0.4 * line.lengthM() + 120.0);
