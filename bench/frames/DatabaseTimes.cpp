@@ -10,7 +10,7 @@
 
 #include <osgTerrainROAM/RoamTechnique>
 
-#include "Percentile.h"
+#include "FrameCosts.h"
 #include "Request.h"
 #include "StaticMesh.h"
 #include "TiledDatabase.h"
@@ -32,8 +32,7 @@ struct Candidate
     std::string name;
     osg::ref_ptr<osgTerrain::Terrain> terrain;
     double buildMs = 0.0; ///< of all tiles, in one thread
-    std::vector<double> wallMs, cpuMs;
-    double triangles = 0.0;
+    FrameCosts costs;
     DrawCount drawn; ///< of geometries: GeometryTechnique's
 };
 
@@ -79,9 +78,8 @@ void drawOnce(Stage& stage, Candidate& candidate, const Eye& eye, bool counts)
     candidate.drawn.triangles = 0;
     const FrameCost cost = stage.draw(eye);
     if (!counts) return;
-    candidate.wallMs.push_back(cost.wallMs);
-    candidate.cpuMs.push_back(cost.cpuMs);
-    candidate.triangles += static_cast<double>(trianglesOf(candidate));
+    candidate.costs.add(cost);
+    candidate.costs.triangles += static_cast<double>(trianglesOf(candidate));
 }
 
 Report rowOf(const Candidate& candidate, double stockMs)
@@ -90,12 +88,7 @@ Report rowOf(const Candidate& candidate, double stockMs)
     row["technique"] = candidate.name;
     row["tiles"] = candidate.terrain->getNumChildren();
     row["buildMs"] = candidate.buildMs;
-    row["frames"] = candidate.wallMs.size();
-    row["triangles"] = candidate.triangles / static_cast<double>(candidate.wallMs.size());
-    row["wallMsP50"] = percentile(candidate.wallMs, 0.5);
-    row["wallMsP99"] = percentile(candidate.wallMs, 0.99);
-    row["cpuMsP50"] = percentile(candidate.cpuMs, 0.5);
-    row["cpuMsP99"] = percentile(candidate.cpuMs, 0.99);
+    candidate.costs.appendTo(row);
     row["stockWallMsP50OverThis"] = stockMs / row["wallMsP50"].get<double>();
     return row;
 }
@@ -117,7 +110,7 @@ std::vector<Candidate> candidatesOf(const Request& request)
     const auto& tile = request.tile->tile;
     std::vector<Candidate> candidates;
     const auto add = [&](const std::string& name, osgTerrain::TerrainTechnique* technique) {
-        candidates.push_back({name, tiledDatabase(tile, request.tileCells, technique), 0.0, {}, {}, 0.0, {}});
+        candidates.push_back({name, tiledDatabase(tile, request.tileCells, technique), 0.0, {}, {}});
     };
     add("GeometryTechnique", new osgTerrain::GeometryTechnique);
     for (const double tolerancePx : request.tolerancesPx)
@@ -149,7 +142,7 @@ viewlod::Result<Report> measureDatabase(const Request& request)
     for (int frame = -kWarmUpFrames; frame < request.frames; ++frame)
         for (Candidate& candidate : candidates)
             drawOnce(**stage, candidate, request.eye(frame), frame >= 0);
-    const double stockMs = percentile(candidates.front().wallMs, 0.5);
+    const double stockMs = percentile(candidates.front().costs.wallMs, 0.5);
     for (const Candidate& candidate : candidates)
     {
         report["rows"].push_back(rowOf(candidate, stockMs));

@@ -3,7 +3,6 @@
 #include <iostream>
 
 #include "Look.h"
-#include "Percentile.h"
 #include "Request.h"
 #include "StaticMesh.h"
 #include "Subjects.h"
@@ -24,12 +23,11 @@ void drawOnce(Stage& stage, Subject& subject, const Eye& eye, DrawCount& drawn, 
     drawn.triangles = 0;
     const FrameCost cost = stage.draw(eye);
     if (!counts) return;
-    subject.wallMs.push_back(cost.wallMs);
-    subject.cpuMs.push_back(cost.cpuMs);
+    subject.costs.add(cost);
     const auto groups =
         subject.roam ? subject.roam->statistics() : std::vector<osgTerrainROAM::ViewGroupStatistics>();
-    subject.triangles += groups.empty() ? static_cast<double>(drawn.triangles)
-                                        : static_cast<double>(groups.front().trianglesDrawn);
+    subject.costs.triangles += groups.empty() ? static_cast<double>(drawn.triangles)
+                                              : static_cast<double>(groups.front().trianglesDrawn);
 }
 
 Report rowOf(const Subject& subject, Look look)
@@ -38,12 +36,7 @@ Report rowOf(const Subject& subject, Look look)
     row["look"] = lookName(look);
     row["subject"] = subject.name;
     row["draws"] = subject.draws;
-    row["frames"] = subject.wallMs.size();
-    row["triangles"] = subject.triangles / static_cast<double>(subject.wallMs.size());
-    row["wallMsP50"] = percentile(subject.wallMs, 0.5);
-    row["wallMsP99"] = percentile(subject.wallMs, 0.99);
-    row["cpuMsP50"] = percentile(subject.cpuMs, 0.5);
-    row["cpuMsP99"] = percentile(subject.cpuMs, 0.99);
+    subject.costs.appendTo(row);
     return row;
 }
 
@@ -71,7 +64,7 @@ void measureLook(const Request& request, Stage& stage, Look look, Report& report
             // osgTerrain builds its geometry in its first frame.
             if (frame == -kWarmUpFrames) countDraws(*subject.node, drawn);
         }
-    const double oursMs = percentile(subjects.front().wallMs, 0.5);
+    const double oursMs = percentile(subjects.front().costs.wallMs, 0.5);
     for (const Subject& subject : subjects)
     {
         Report row = rowOf(subject, look);

@@ -46,27 +46,23 @@ std::vector<Subject> subjectsOf(const Request& request, Look look)
                         "every cell, one static buffer, the same vertices and program as ours",
                         fullGrid(tile, tile.side()),
                         nullptr,
-                        {},
                         {}});
     subjects.push_back({"full grid in patches",
                         "the same in patches of 64 cells that OSG culls",
                         fullGrid(tile, kPatchCells),
                         nullptr,
-                        {},
                         {}});
     subjects.push_back({"GeometryTechnique",
                         "osgTerrain's defaults, sample ratio 1; our fragment shader behind a vertex shader "
                         "for its gl_Vertex",
                         terrainTechnique(tile, request.material, look),
                         nullptr,
-                        {},
                         {}});
     if (look == Look::relief)
         subjects.push_back({"GeometryTechnique, fixed function",
                             "osgTerrain's defaults, sample ratio 1, its own normals under OSG's light",
                             terrainTechnique(tile, nullptr, look),
                             nullptr,
-                            {},
                             {}});
     return subjects;
 }

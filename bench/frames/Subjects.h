@@ -6,6 +6,7 @@
 
 #include <osgTerrainROAM/RoamDrawable>
 
+#include "FrameCosts.h"
 #include "Look.h"
 #include "Request.h"
 
@@ -18,8 +19,7 @@ struct Subject
     std::string name, draws;
     osg::ref_ptr<osg::Node> node;
     osg::ref_ptr<osgTerrainROAM::RoamDrawable> roam; ///< null: its triangles are counted in the draws
-    std::vector<double> wallMs, cpuMs;
-    double triangles = 0.0;
+    FrameCosts costs;
 };
 
 /// Ours at each tolerance without and with morphing, the full grid, osgTerrain's GeometryTechnique; the first is the one

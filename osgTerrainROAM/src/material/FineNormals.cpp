@@ -7,6 +7,8 @@
 
 #include <osg/Uniform>
 
+#include "NormalMap.h"
+
 namespace osgTerrainROAM
 {
 
@@ -14,11 +16,6 @@ namespace
 {
 
 constexpr int kFirstCapacity = 16;
-
-std::uint16_t texelOf(double share)
-{
-    return static_cast<std::uint16_t>(std::lround(std::clamp(share, 0.0, 1.0) * 65535.0));
-}
 
 std::uint64_t keyOf(int column, int row)
 {
@@ -38,10 +35,7 @@ glm::dvec3 normalAt(const core::PlacedTile& tile, int column, int row, int reach
 
 FineNormals::FineNormals(const core::PlacedTile& tile, osg::StateSet& stateSet, unsigned indexUnit,
                          unsigned pageUnit)
-    : _stateSet(&stateSet),
-      _indexUnit(indexUnit),
-      _pageUnit(pageUnit),
-      _cellShift(tile.gridExponent()),
+    : _cellShift(tile.gridExponent()),
       _side(std::min(kPageSide, 1 << tile.gridExponent())),
       _index(new osg::Image)
 {
@@ -57,18 +51,18 @@ FineNormals::FineNormals(const core::PlacedTile& tile, osg::StateSet& stateSet, 
                         filter == osg::Texture::NEAREST ? filter : osg::Texture::LINEAR);
         made->setWrap(osg::Texture::WRAP_S, osg::Texture::CLAMP_TO_EDGE);
         made->setWrap(osg::Texture::WRAP_T, osg::Texture::CLAMP_TO_EDGE);
-        _stateSet->setTextureAttribute(unit, made);
-        _stateSet->addUniform(new osg::Uniform(name, static_cast<int>(unit)));
+        stateSet.setTextureAttribute(unit, made);
+        stateSet.addUniform(new osg::Uniform(name, static_cast<int>(unit)));
     };
     _index->setDataVariance(osg::Object::DYNAMIC);
-    texture(_indexUnit, new osg::Texture2D(_index), osg::Texture::NEAREST, "terrainFineIndex");
+    texture(indexUnit, new osg::Texture2D(_index), osg::Texture::NEAREST, "terrainFineIndex");
     _pages = new osg::Texture2DArray;
     _pages->setTextureSize(_side, _side, kFirstCapacity);
     _pages->setInternalFormat(GL_RGBA16);
     _pages->setSourceFormat(GL_RGBA);
     _pages->setSourceType(GL_UNSIGNED_SHORT);
-    texture(_pageUnit, _pages, osg::Texture::LINEAR, "terrainFineNormals");
-    _stateSet->addUniform(
+    texture(pageUnit, _pages, osg::Texture::LINEAR, "terrainFineNormals");
+    stateSet.addUniform(
         new osg::Uniform("terrainCellsPerPlace", static_cast<float>(std::ldexp(1.0, -_cellShift))));
 }
 
@@ -110,8 +104,7 @@ void FineNormals::drawCell(const core::PlacedTile& tile, int column, int row)
             const bool counts = tile.hasFineSample(c, r) || tile.hasFineSample(c - reach, r - reach) ||
                                 tile.hasFineSample(c + reach, r + reach);
             const glm::dvec3 normal = counts ? normalAt(tile, c, r, reach) : glm::dvec3(0.0, 0.0, 1.0);
-            out[0] = texelOf(0.5 * normal.x + 0.5);
-            out[1] = texelOf(0.5 * normal.y + 0.5);
+            packNormal(normal, out);
             out[2] = counts ? 65535 : 0;
             out[3] = 65535;
         }

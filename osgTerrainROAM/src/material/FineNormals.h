@@ -39,8 +39,6 @@ private:
     int pageFor(int column, int row);
     void grow();
 
-    osg::ref_ptr<osg::StateSet> _stateSet;
-    unsigned _indexUnit, _pageUnit;
     int _cellShift; ///< log2 of the places along a cell
     int _side;      ///< texels along a page
     osg::ref_ptr<osg::Image> _index;

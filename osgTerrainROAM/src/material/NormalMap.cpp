@@ -70,11 +70,7 @@ osg::ref_ptr<osg::Image> normalMap(const core::PlacedTile& tile, const MapGrid& 
     image->setInternalTextureFormat(GL_RG16);
     visitNormals(tile, grid,
                  [&](int column, int row, const glm::dvec3& normal)
-                 {
-                     auto* out = reinterpret_cast<std::uint16_t*>(image->data(column, row));
-                     out[0] = packedComponent(normal.x);
-                     out[1] = packedComponent(normal.y);
-                 });
+                 { packNormal(normal, reinterpret_cast<std::uint16_t*>(image->data(column, row))); });
     return image;
 }
 

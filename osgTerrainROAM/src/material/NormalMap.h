@@ -20,6 +20,13 @@ void visitNormals(const core::PlacedTile& tile, const MapGrid& grid,
 /// -1…1 on 0…65535.
 std::uint16_t packedComponent(double component);
 
+/// Puts x and y of a normal into two texels of 16 bits, one beside the other.
+inline void packNormal(const glm::dvec3& normal, std::uint16_t* out)
+{
+    out[0] = packedComponent(normal.x);
+    out[1] = packedComponent(normal.y);
+}
+
 /// Those normals: x and y of the unit
 /// normal in the tile's frame as 16 bits each (-1…1 on 0…65535), so that shading neither depends on the level of
 /// detail nor shows bands. z follows, for it is positive.

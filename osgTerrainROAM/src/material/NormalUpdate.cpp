@@ -33,12 +33,7 @@ void updateNormals(osg::Image& map, const core::PlacedTile& tile, const MapGrid&
                                           .cutTo({0, 0, grid.width - 1, grid.height - 1});
         for (int y = texels.south; y <= texels.north; ++y)
             for (int x = texels.west; x <= texels.east; ++x)
-            {
-                const glm::dvec3 normal = normalAt(tile, grid, x, y);
-                auto* out = reinterpret_cast<std::uint16_t*>(map.data(x, y));
-                out[0] = packedComponent(normal.x);
-                out[1] = packedComponent(normal.y);
-            }
+                packNormal(normalAt(tile, grid, x, y), reinterpret_cast<std::uint16_t*>(map.data(x, y)));
     }
     map.dirty();
 }

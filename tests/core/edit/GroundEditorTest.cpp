@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Edits by their shapes: what the ground is like afterwards, on it and around it.
+#include <array>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -7,6 +8,7 @@
 #include <osgTerrainROAM/core/edit/GroundEditor.h>
 #include <osgTerrainROAM/core/heightfield/GroundQuery.h>
 
+#include "DesignedRoad.h"
 #include "SyntheticField.h"
 
 namespace
@@ -109,29 +111,10 @@ TEST(GroundEditor, ARoadIsExactToACentimetre)
         Ribbon road{.smoothM = 300.0};
         for (int i = 0; i <= 24; ++i)
             road.points.push_back(at(8.0 + 0.5 * i, 16.0 + 4.0 * std::sin(0.25 * i)));
-        const PlanLine line(road.points);
-        std::vector<double> alongM;
-        for (std::size_t i = 0; i < line.size(); ++i)
-            alongM.push_back(line.alongM(i));
-        road.heightsM = editor.profile(road, alongM);
-        ASSERT_TRUE(editor.conform(road));
-        double worstM = 0.0;
-        for (double s = 1.0; s < line.lengthM() - 1.0; s += 1.7)
-        {
-            const glm::dvec2 here = line.at(s), ahead = glm::normalize(line.at(s + 0.1) - line.at(s - 0.1));
-            for (const double side : {-3.4, -1.0, 0.0, 2.0, 3.4})
-            {
-                const glm::dvec2 place = here + side * glm::dvec2(-ahead.y, ahead.x);
-                const double footM = line.footOf(place).alongM;
-                std::size_t i = 1;
-                while (i + 1 < alongM.size() && alongM[i] < footM)
-                    ++i;
-                const double share = (footM - alongM[i - 1]) / (alongM[i] - alongM[i - 1]);
-                const double wantedM = std::lerp(road.heightsM[i - 1], road.heightsM[i], share);
-                worstM = std::max(worstM, std::abs(site.heightAt(place.x, place.y) - wantedM));
-            }
-        }
-        EXPECT_LT(worstM, 0.01) << (curved ? "curved" : "planar");
+        const DesignedRoad designed(road, editor);
+        ASSERT_TRUE(editor.conform(designed.ribbon()));
+        EXPECT_LT(designed.worstM(*site.tile, 1.7, std::array{-3.4, -1.0, 0.0, 2.0, 3.4}), 0.01)
+            << (curved ? "curved" : "planar");
         const glm::dvec2 far = at(4, 3);
         EXPECT_EQ(site.heightAt(far.x, far.y), site.heightBefore(far.x, far.y));
     }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Roads through real ground: exact over their width, and drawn within the error target from the driver's eye and from 500 m.
+#include <array>
 #include <cmath>
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -11,6 +12,7 @@
 #include <osgTerrainROAM/core/roam/DrawnMeshCheck.h>
 #include <osgTerrainROAM/core/roam/RoamMesh.h>
 
+#include "DesignedRoad.h"
 #include "RealData.h"
 
 namespace
@@ -40,11 +42,6 @@ Ribbon ribbon(double lengthM)
     return road;
 }
 
-double heightAt(const RoamTile& tile, const glm::dvec2& place)
-{
-    return tile.tile.heightOf(groundAt(tile.tile, place.x, place.y)->position);
-}
-
 } // namespace
 
 TEST_P(RealRoad, IsExactToACentimetreAndDrawnWithinTheTarget)
@@ -60,29 +57,10 @@ TEST_P(RealRoad, IsExactToACentimetreAndDrawnWithinTheTarget)
 
     RoamMesh mesh{SplitBounds(tile)};
     GroundEditor editor(tile);
-    Ribbon road = ribbon(GetParam().lengthM);
-    const PlanLine line(road.points);
-    std::vector<double> alongM;
-    for (std::size_t i = 0; i < line.size(); ++i)
-        alongM.push_back(line.alongM(i));
-    road.heightsM = editor.profile(road, alongM);
-    ASSERT_TRUE(editor.conform(road));
-
-    double worstM = 0.0;
-    for (double s = 2.0; s < line.lengthM() - 2.0; s += 4.3)
-    {
-        const glm::dvec2 ahead = glm::normalize(line.at(s + 0.1) - line.at(s - 0.1));
-        for (const double side : {-3.45, -1.7, 0.0, 1.0, 3.45})
-        {
-            const glm::dvec2 place = line.at(s) + side * glm::dvec2(-ahead.y, ahead.x);
-            const double footM = line.footOf(place).alongM;
-            const auto next = std::upper_bound(alongM.begin() + 1, alongM.end() - 1, footM);
-            const auto i = static_cast<std::size_t>(next - alongM.begin());
-            const double share = (footM - alongM[i - 1]) / (alongM[i] - alongM[i - 1]);
-            worstM = std::max(worstM, std::abs(heightAt(*tile, place) -
-                                               std::lerp(road.heightsM[i - 1], road.heightsM[i], share)));
-        }
-    }
+    const DesignedRoad road(ribbon(GetParam().lengthM), editor);
+    const PlanLine& line = road.line();
+    ASSERT_TRUE(editor.conform(road.ribbon()));
+    const double worstM = road.worstM(*tile, 4.3, std::array{-3.45, -1.7, 0.0, 1.0, 3.45});
     EXPECT_LT(worstM, 0.01);
     RecordProperty("worstMillimetres", static_cast<int>(worstM * 1000.0));
 

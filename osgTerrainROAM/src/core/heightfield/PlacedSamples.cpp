@@ -2,9 +2,10 @@
 // The samples of a PlacedTile: those of the raster in a table, those between them, and those that the table cannot keep
 // exactly, among the FineSamples.
 #include <cmath>
-#include <limits>
 
 #include <osgTerrainROAM/core/heightfield/PlacedTile.h>
+
+#include "FloatNotLess.h"
 
 namespace osgTerrainROAM::core
 {
@@ -13,12 +14,6 @@ namespace
 {
 
 constexpr double kHeightToleranceM = 0.0005;
-
-float floatNotLess(double value)
-{
-    const float rounded = static_cast<float>(value);
-    return rounded < value ? std::nextafter(rounded, std::numeric_limits<float>::infinity()) : rounded;
-}
 
 } // namespace
 

@@ -5,6 +5,8 @@
 
 #include <osgTerrainROAM/core/heightfield/SampleTable.h>
 
+#include "FloatNotLess.h"
+
 namespace osgTerrainROAM::core
 {
 
@@ -13,13 +15,6 @@ namespace
 
 constexpr double kMostSteps = 65534.0;
 constexpr int kFinestExponent = -10; ///< of the quantum: 1 mm
-
-/// The next float that is not less.
-float roundedUp(double value)
-{
-    const float rounded = static_cast<float>(value);
-    return rounded < value ? std::nextafter(rounded, std::numeric_limits<float>::infinity()) : rounded;
-}
 
 } // namespace
 
@@ -42,7 +37,7 @@ void SampleTable::setRadiusRange(double leastM, double mostM)
 {
     for (int code = 1; code < 255; ++code)
         _radiiM[static_cast<std::size_t>(code)] =
-            roundedUp(leastM * std::pow(mostM / leastM, (code - 1) / 253.0));
+            floatNotLess(leastM * std::pow(mostM / leastM, (code - 1) / 253.0));
     _radiiM[255] = std::numeric_limits<float>::infinity();
 }
 
@@ -62,7 +57,7 @@ void SampleTable::pack(const std::vector<float>& heightsM, double middleM, doubl
 std::uint16_t SampleTable::errorCode(double errorM) const
 {
     if (errorM <= 0.0) return 0;
-    const std::uint32_t bits = std::bit_cast<std::uint32_t>(roundedUp(errorM));
+    const std::uint32_t bits = std::bit_cast<std::uint32_t>(floatNotLess(errorM));
     const std::uint32_t up = (bits + (1u << kErrorShift) - 1u) >> kErrorShift;
     return static_cast<std::uint16_t>(std::clamp(up, kErrorBias + 1u, kErrorBias + 0xffffu) - kErrorBias);
 }
@@ -75,12 +70,12 @@ std::uint8_t SampleTable::radiusCode(double radiusM) const
 
 float SampleTable::roundedUpError(double errorM) const
 {
-    return _samples.empty() ? roundedUp(errorM) : decodedError(errorCode(errorM));
+    return _samples.empty() ? floatNotLess(errorM) : decodedError(errorCode(errorM));
 }
 
 float SampleTable::roundedUpRadius(double radiusM) const
 {
-    return _samples.empty() ? roundedUp(radiusM) : _radiiM[radiusCode(radiusM)];
+    return _samples.empty() ? floatNotLess(radiusM) : _radiiM[radiusCode(radiusM)];
 }
 
 void SampleTable::setBound(std::size_t index, float errorM, float radiusM)
