@@ -14,6 +14,15 @@ namespace
 
 using namespace osgTerrainROAM::core;
 
+/// Not those of holes.
+std::size_t samplesThere(const HeightField& field)
+{
+    std::size_t count = 0;
+    for (int row = 0; row < field.rows; ++row)
+        count += static_cast<std::size_t>(field.mask.countIn(row, 0, field.columns - 1));
+    return count;
+}
+
 nlohmann::ordered_json describe(const std::string& file, const PlacedTile& tile)
 {
     const HeightField& field = tile.field();
@@ -38,6 +47,13 @@ nlohmann::ordered_json describe(const std::string& file, const PlacedTile& tile)
     row["voids"] = field.voids.count;
     row["voidShare"] = field.voids.share;
     if (field.voids.count > 0) row["voidFill"] = field.voids.method;
+    row["rasters"] = field.mosaic.rasters;
+    if (field.mosaic.rasters > 1)
+    {
+        row["seamStepM"] = field.mosaic.largestStepM;
+        row["bentSamples"] = field.mosaic.bentSamples;
+    }
+    row["missing"] = samples.size() - samplesThere(field);
     row["georeferenced"] = field.net.has_value();
     if (field.net)
     {

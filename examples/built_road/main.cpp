@@ -67,7 +67,7 @@ int main(int argc, char** argv)
 {
     if (argc < 3) return std::fprintf(stderr, "usage: built_road dem.tif FOLDER [LENGTH]\n"), 2;
     core::RoamFile description;
-    description.dem = argv[1];
+    description.dems = {argv[1]};
     description.finestSpacingM = 0.5; // samples may lie that close where the road needs them
     const auto made = makeTerrain(description);
     if (!made) return failed(made.error());

@@ -167,7 +167,7 @@ viewlod::Result<osg::ref_ptr<RoamTerrain>> makeTerrain(const core::RoamFile& des
     terrain->setErrorTolerancePx(description.errorTolerancePx);
     terrain->setMaxTriangles(description.maxTriangles);
     terrain->setAtmosphere(new Atmosphere(atmosphereSettings(description)));
-    terrain->setName(description.dem.string());
+    terrain->setName(description.dems.front().string());
     return terrain;
 }
 

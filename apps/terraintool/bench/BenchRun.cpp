@@ -10,6 +10,7 @@
 
 #include <osgTerrainROAM/core/roam/DrawnMeshCheck.h>
 #include <osgTerrainROAM/core/roam/LeafOrder.h>
+#include <osgTerrainROAM/core/roam/Outline.h>
 #include <osgTerrainROAM/core/roam/ScratchRefinement.h>
 
 #include "Percentile.h"
@@ -58,8 +59,7 @@ DrawnMesh meshOf(const SplitBounds& bounds, const std::vector<GridTriangle>& lea
     const PlacedTile& tile = bounds.tile().tile;
     DrawnMesh mesh;
     for (const GridTriangle& t : leaves)
-        if (t.overlaps(tile.dataColumns(), tile.dataRows()))
-            PatchShape::of(bounds.patchExponent()).append(tile, t, mesh);
+        if (isDrawn(tile, t)) PatchShape::of(bounds.patchExponent()).append(tile, t, mesh);
     return mesh;
 }
 

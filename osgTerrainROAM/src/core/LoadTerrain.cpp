@@ -22,14 +22,14 @@ viewlod::Result<RoamFile> describeTerrain(const std::filesystem::path& file, con
 {
     if (file.extension() == ".roam") return readRoamFile(file);
     RoamFile description;
-    description.dem = file;
+    description.dems = {file};
     description.import = import;
     return description;
 }
 
 viewlod::Result<PlacedTile> loadTile(const RoamFile& description)
 {
-    auto field = importDem(description.dem, description.import);
+    auto field = importDems(description.dems, description.import);
     if (!field) return field.error();
     PlacedTileOptions options{.placement = description.placement, .origin = description.origin};
     if (description.finestSpacingM)

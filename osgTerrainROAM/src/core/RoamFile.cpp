@@ -141,6 +141,17 @@ Outcome assignPlacement(RoamFile& file, const Entry& entry)
     return success();
 }
 
+Outcome assignVoids(RoamFile& file, const Entry& entry)
+{
+    if (entry.value == "fill")
+        file.import.voids = Voids::fill;
+    else if (entry.value == "keep")
+        file.import.voids = Voids::keep;
+    else
+        return unknownWord(entry, "fill, keep");
+    return success();
+}
+
 Outcome assignDatum(RoamFile& file, const Entry& entry)
 {
     if (entry.value == "automatic")
@@ -208,7 +219,8 @@ struct Key
 constexpr double kFar = 1.0e7; ///< metres; nothing on Earth is higher or wider than its own radius
 
 constexpr std::array kKeys{
-    Key{"dem", [](RoamFile& f, const Entry& e) { return assignPath(f.dem, e); }},
+    Key{"dem", [](RoamFile& f, const Entry& e) { return appendPath(f.dems, e); }, true},
+    Key{"voids", assignVoids},
     Key{"imagery", assignImagery, true},
     Key{"features", [](RoamFile& f, const Entry& e) { return appendPath(f.features, e); }, true},
     Key{"land_cover", [](RoamFile& f, const Entry& e) { return assignPath(f.landCover, e); }},
@@ -270,13 +282,17 @@ struct NamedFile
 
 std::vector<NamedFile> namedFiles(const RoamFile& file)
 {
-    std::vector<NamedFile> named{{"dem", file.dem}, {"land_cover", file.landCover}};
+    std::vector<NamedFile> named{{"land_cover", file.landCover}};
     if (file.landCoverClasses != "worldcover" && file.landCoverClasses != "corine")
         named.push_back({"land_cover_classes", file.landCoverClasses});
-    for (std::size_t i = 0; i < file.imagery.size(); ++i)
-        named.push_back({"imagery", file.imagery[i], static_cast<int>(i)});
-    for (std::size_t i = 0; i < file.features.size(); ++i)
-        named.push_back({"features", file.features[i], static_cast<int>(i)});
+    const auto append = [&](std::string_view key, const std::vector<std::filesystem::path>& paths)
+    {
+        for (std::size_t i = 0; i < paths.size(); ++i)
+            named.push_back({key, paths[i], static_cast<int>(i)});
+    };
+    append("dem", file.dems);
+    append("imagery", file.imagery);
+    append("features", file.features);
     return named;
 }
 
@@ -321,7 +337,7 @@ Result<RoamFile> parseRoamFile(std::string_view text, const std::filesystem::pat
                                "keep one of them");
         if (const auto assigned = assignEntry(file, entry); !assigned) return assigned.error();
     }
-    if (file.dem.empty())
+    if (file.dems.empty())
         return Error{name.string() + ":" + std::to_string(line + 1), "no dem is named",
                      "add a line dem = FILE"};
     return file;

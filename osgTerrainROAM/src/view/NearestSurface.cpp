@@ -7,6 +7,8 @@
 #include <array>
 #include <limits>
 
+#include <osgTerrainROAM/core/roam/Outline.h>
+
 namespace osgTerrainROAM
 {
 
@@ -87,6 +89,7 @@ struct Search
         if (tree.isLeaf(t) && tree.bounds().patchExponent() > 0) return descendPatch(g, c, 0);
         if (tree.isLeaf(t))
         {
+            if (!core::isDrawn(tile, g)) return;
             Corners drawn;
             const core::LeafTriangle leaf = tree.vertices(t);
             std::transform(std::begin(leaf.vertices), std::end(leaf.vertices), drawn.begin(),

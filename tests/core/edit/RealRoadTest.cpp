@@ -48,7 +48,7 @@ TEST_P(RealRoad, IsExactToACentimetreAndDrawnWithinTheTarget)
 {
     OSGTRAINER_REAL_DATA_OR_SKIP(file, GetParam().file);
     RoamFile description;
-    description.dem = file;
+    description.dems = {file};
     description.finestSpacingM = 0.5;
     auto placed = loadTile(description);
     ASSERT_TRUE(placed) << placed.error().message();

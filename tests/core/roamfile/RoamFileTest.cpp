@@ -49,7 +49,7 @@ TEST(RoamFile, HasEveryKey)
 {
     const auto file = parseRoamFile(kWhole, "folder/place.roam");
     ASSERT_TRUE(file) << file.error().message();
-    EXPECT_EQ(file->dem, std::filesystem::path("folder/heights/dem.tif"));
+    EXPECT_EQ(file->dems, std::vector<std::filesystem::path>{"folder/heights/dem.tif"});
     ASSERT_EQ(file->imagery.size(), 1u);
     EXPECT_EQ(file->imagery[0], std::filesystem::path("/far/image.tif"));
     ASSERT_TRUE(file->origin);
@@ -101,7 +101,7 @@ TEST(RoamFile, NeedsOnlyADem)
 {
     const auto file = parseRoamFile("dem=/vsigzip/a.hgt.gz\r\n", "place.roam");
     ASSERT_TRUE(file) << file.error().message();
-    EXPECT_EQ(file->dem, std::filesystem::path("/vsigzip/a.hgt.gz"));
+    EXPECT_EQ(file->dems.front(), std::filesystem::path("/vsigzip/a.hgt.gz"));
     EXPECT_FALSE(file->origin);
     EXPECT_FALSE(file->land.aridity);
     EXPECT_EQ(messageOf("dem = a b.tif"), "") << "names may have blanks";

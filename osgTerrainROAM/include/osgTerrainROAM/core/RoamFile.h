@@ -28,7 +28,8 @@ struct LandParameters
 };
 
 /// A `.roam` file: a terrain in words. Text, one `key = value` a line, `#` starts a comment.
-///   dem = FILE                        the elevation raster; the only key that must be there
+///   dem = FILE                        an elevation raster; the only key that must be there. Several are joined (importDems)
+///   voids = fill | keep               samples that a raster lacks: bridged smoothly, or holes in the ground
 ///   imagery = FILE                    any raster GDAL opens, draped over the terrain; up to four, the finest wins
 ///   features = FILE                   roads, rivers, fields, runways of any source that OGR opens; may be repeated
 ///   land_cover = FILE                 a raster of classes
@@ -47,7 +48,7 @@ struct LandParameters
 /// are. Errors: unknown or repeated key, missing dem, bad number: Error with place "file:line".
 struct RoamFile
 {
-    std::filesystem::path dem;
+    std::vector<std::filesystem::path> dems; ///< at least one
     static constexpr std::size_t kMaxImagery = 4;
     std::vector<std::filesystem::path> imagery; ///< kMaxImagery at most
     std::vector<std::filesystem::path> features;

@@ -7,6 +7,7 @@
 
 #include <osgTerrainROAM/core/edit/BoundsUpdate.h>
 #include <osgTerrainROAM/core/roam/ErrorTree.h>
+#include <osgTerrainROAM/core/roam/Outline.h>
 #include <osgTerrainROAM/core/roam/TriangleSamples.h>
 
 namespace osgTerrainROAM::core
@@ -205,7 +206,7 @@ double BoundsUpdate::measuredM(const SplitDiamond& diamond) const
         {
             PlaneError error(_tile.tile, t);
             forEachSampleIn(_tile.tile, t, [&](GridPoint p) { error.add(p); });
-            largest = std::max(largest, error.largestM());
+            largest = std::max({largest, error.largestM(), outlineErrorM(_tile.tile, t)});
         });
     return largest;
 }
@@ -214,12 +215,13 @@ double BoundsUpdate::boundM(const SplitDiamond& diamond, double beforeM) const
 {
     const PlacedTile& placed = _tile.tile;
     bool cornerMoved = false;
-    double changedM = 0.0, fromChildren = 0.0;
+    double changedM = 0.0, fromChildren = 0.0, outlineM = 0.0;
     diamond.forEachTriangle(
         [&](const GridTriangle& t)
         {
             cornerMoved = cornerMoved || hasMoved(t.apex) || hasMoved(t.left) || hasMoved(t.right);
             changedM = std::max(changedM, changedErrorM(t));
+            outlineM = std::max(outlineM, outlineErrorM(placed, t));
         });
     const double fromBefore = std::max(beforeM + (cornerMoved ? _movedM : 0.0), changedM);
     diamond.forEachChild([&](GridPoint c)
@@ -227,7 +229,7 @@ double BoundsUpdate::boundM(const SplitDiamond& diamond, double beforeM) const
     const auto position = [&](GridPoint p) { return placed.position(p.column, p.row); };
     const auto [a, b] = diamond.baseEnds();
     fromChildren += glm::distance(position(diamond.vertex()), 0.5 * (position(a) + position(b)));
-    return std::min(fromBefore, fromChildren);
+    return std::max(std::min(fromBefore, fromChildren), outlineM);
 }
 
 /// Of the samples that have changed.

@@ -97,7 +97,7 @@ viewlod::Result<std::vector<HeightChange>> changesBy(const HeightRule& rule, con
             if (ofSamples) return tile.forEachSample(block, look);
             for (int row = block.south; row <= block.north; ++row)
                 for (int column = block.west; column <= block.east; ++column)
-                    look(column, row);
+                    if (tile.isGround(column, row)) look(column, row);
         });
     return changes;
 }

@@ -75,6 +75,8 @@ viewlod::Outcome TileEditor::check(std::span<const HeightChange> changes, Betwee
         const GridPoint p = change.place;
         if (p.column < 0 || p.row < 0 || !placed.isInData(p.column, p.row))
             return refuse(p, "no place of the data", "edit within its edge");
+        if (!placed.isGround(p.column, p.row))
+            return refuse(p, "a hole in the data", "edit where there is ground");
         if (!(std::abs(change.heightM) <= kHighestM))
             return refuse(p, "the height is no number or out of bounds", "stay within 20 km of zero");
         if (between == Between::follows && !placed.hasSample(p.column, p.row))
@@ -128,7 +130,8 @@ void TileEditor::surround(std::span<const HeightChange> changes, Step& step)
         for (int row = change.place.row - 1; row <= change.place.row + 1; ++row)
             for (int column = change.place.column - 1; column <= change.place.column + 1; ++column)
             {
-                if (column < 0 || row < 0 || !placed.isInData(column, row) || placed.hasSample(column, row))
+                if (column < 0 || row < 0 || !placed.isInData(column, row) || placed.hasSample(column, row) ||
+                    !placed.isGround(column, row))
                     continue;
                 step.samples.emplace_back(GridPoint{column, row}, _tile->memo({column, row}));
                 placed.count(column, row);

@@ -1,14 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <new>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include <osgTerrainROAM/core/heightfield/DemImport.h>
 
 #include "CellSizeReference.h"
+#include "DemMosaic.h"
 #include "GeodeticLocator.h"
 #include "GeodeticNetBuilder.h"
+#include "MosaicSource.h"
+#include "NearestSample.h"
 #include "RasterFile.h"
 #include "VoidFill.h"
 
@@ -36,8 +42,7 @@ Outcome place(HeightField& field, Raster& raster, const DemImportOptions& option
         field.spacingEastM = field.spacingNorthM = *options.spacingM;
         return viewlod::success();
     }
-    if (raster.crsWkt.empty() && looksLikeDegrees(*raster.frame, raster.columns, raster.rows))
-        raster.crsWkt = wgs84Wkt();
+    settleReference(raster);
     if (const std::optional<double> metres = metresOfPlane(raster.crsWkt))
     {
         field.spacingEastM = raster.frame->stepX * *metres;
@@ -50,14 +55,45 @@ Outcome place(HeightField& field, Raster& raster, const DemImportOptions& option
     return georeference(field, *locator);
 }
 
-Result<HeightField> import(const std::filesystem::path& file, const DemImportOptions& options)
+/// Marks the samples that are not there, and gives them the heights of the nearest that are: their cells are not drawn, but
+/// normals and bounds beside them look across.
+void openHoles(HeightField& field, std::vector<std::uint8_t> isOutside, Voids voids)
+{
+    isOutside.resize(field.heightsM.size(), 0);
+    if (voids == Voids::keep)
+        for (std::size_t i = 0; i < isOutside.size(); ++i)
+            isOutside[i] = isOutside[i] || std::isnan(field.heightsM[i]);
+    if (std::none_of(isOutside.begin(), isOutside.end(), [](std::uint8_t outside) { return outside != 0; }))
+        return;
+    std::vector<std::uint8_t> isThere(isOutside.size()), isKnown(isOutside.size());
+    for (std::size_t i = 0; i < isOutside.size(); ++i)
+    {
+        isThere[i] = !isOutside[i];
+        isKnown[i] = std::isfinite(field.heightsM[i]);
+    }
+    field.mask = SampleMask(isThere, field.columns, field.rows);
+    const NearestSample known(isKnown, field.columns, field.rows);
+    std::size_t i = 0;
+    for (int row = 0; row < field.rows; ++row)
+        for (int column = 0; column < field.columns; ++column, ++i)
+            if (!isThere[i]) field.heightsM[i] = field.heightsM[known.nearest(column, row)];
+}
+
+std::string namesOf(std::span<const std::filesystem::path> files)
+{
+    return files.front().string() +
+           (files.size() > 1 ? " and " + std::to_string(files.size() - 1) + " more" : "");
+}
+
+Result<HeightField> import(std::span<const std::filesystem::path> files, const DemImportOptions& options)
 {
     GdalSession gdal;
-    Result<Raster> raster = readRaster(file, gdal);
+    HeightField field;
+    Result<Raster> raster =
+        files.size() == 1 ? readRaster(files.front(), gdal) : readMosaic(files, options, gdal, field.mosaic);
     if (!raster) return raster.error();
 
-    HeightField field;
-    field.name = file.string();
+    field.name = namesOf(files);
     field.columns = raster->columns;
     field.rows = raster->rows;
     if (const Outcome placed = place(field, *raster, options, gdal); !placed) return placed.error();
@@ -68,6 +104,7 @@ Result<HeightField> import(const std::filesystem::path& file, const DemImportOpt
                      "holds no height: every sample is void" +
                          (raster->implausible ? ", or outside -12000 to 9000 m" : std::string()),
                      "check its nodata value and units with gdalinfo"};
+    openHoles(field, std::move(raster->isOutside), options.voids);
     field.voids = fillVoids(field.heightsM, field.columns, field.rows);
     if (raster->implausible)
         field.voids.method +=
@@ -79,13 +116,19 @@ Result<HeightField> import(const std::filesystem::path& file, const DemImportOpt
 
 Result<HeightField> importDem(const std::filesystem::path& file, const DemImportOptions& options)
 {
+    return importDems({&file, 1}, options);
+}
+
+Result<HeightField> importDems(std::span<const std::filesystem::path> files, const DemImportOptions& options)
+{
     try
     {
-        return import(file, options);
+        return import(files, options);
     }
     catch (const std::bad_alloc&)
     {
-        return Error{file.string(), "does not fit into memory", "cut a part out with gdal_translate -srcwin"};
+        return Error{namesOf(files), "does not fit into memory",
+                     "cut a part out with gdal_translate -srcwin"};
     }
 }
 

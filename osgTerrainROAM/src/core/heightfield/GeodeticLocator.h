@@ -33,6 +33,9 @@ public:
     /// is not defined get NaN.
     void locate(std::span<const glm::dvec2> grid, std::span<GeodeticNet::Node> nodes) const;
 
+    /// Whether heights count from the ellipsoid.
+    bool isEllipsoidal() const { return !_geoid; }
+
 private:
     struct TransformCloser
     {

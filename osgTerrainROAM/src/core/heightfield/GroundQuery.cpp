@@ -47,6 +47,12 @@ public:
         return verticalHit(positions, grid, _target);
     }
 
+    bool isGround(const GridTriangle& triangle) const
+    {
+        return std::all_of(triangle.begin(), triangle.end(),
+                           [this](const glm::ivec2& corner) { return _tile.isGround(corner.x, corner.y); });
+    }
+
     /// Cell of the data nearest to a grid place.
     glm::ivec2 cellAt(glm::dvec2 grid) const
     {
@@ -61,8 +67,9 @@ public:
         for (int step = 0; step < kMaxSteps; ++step)
         {
             const glm::ivec2 cell = cellAt(grid);
-            const VerticalHit hit = intersect(triangleIn(cell, grid - glm::dvec2(cell)));
-            if (hit.isInside()) return hit;
+            const GridTriangle triangle = triangleIn(cell, grid - glm::dvec2(cell));
+            const VerticalHit hit = intersect(triangle);
+            if (hit.isInside()) return isGround(triangle) ? std::optional(hit) : std::nullopt;
             if (!std::isfinite(hit.grid.x) || !std::isfinite(hit.grid.y)) return std::nullopt;
             grid = hit.grid;
         }
@@ -81,7 +88,11 @@ public:
                 if (cell != cellAt(glm::dvec2(cell))) continue;
                 // These two places lie in different halves whichever way the diagonal runs.
                 for (const glm::dvec2 half : {glm::dvec2(0.75, 0.5), glm::dvec2(0.25, 0.5)})
-                    if (const VerticalHit hit = intersect(triangleIn(cell, half)); hit.isInside()) return hit;
+                {
+                    const GridTriangle triangle = triangleIn(cell, half);
+                    if (!isGround(triangle)) continue;
+                    if (const VerticalHit hit = intersect(triangle); hit.isInside()) return hit;
+                }
             }
         return std::nullopt;
     }

@@ -25,6 +25,24 @@ SampleTable::Sample PlacedTile::sampleBetween(int column, int row) const
     return {interpolatedHeightM(column, row), kept->errorM, kept->radiusM};
 }
 
+/// The corners of the finest triangle that count in a place; of two where it lies on an edge between samples.
+bool PlacedTile::isGroundBetween(int column, int row) const
+{
+    const int step = 1 << _gridExponent;
+    const int west = column & -step, south = row & -step;
+    const int east = column - west, north = row - south; // in the cell
+    const auto isThere = [&](int cellsEast, int cellsNorth)
+    { return hasSampleOfRaster(west + cellsEast * step, south + cellsNorth * step); };
+    if (north == 0) return isThere(0, 0) && isThere(1, 0);
+    if (east == 0) return isThere(0, 0) && isThere(0, 1);
+    const bool isEven = (((west >> _gridExponent) + (south >> _gridExponent)) & 1) == 0;
+    if (isEven)
+        return isThere(0, 0) && isThere(1, 1) && (east <= north || isThere(1, 0)) &&
+               (east >= north || isThere(0, 1));
+    return isThere(1, 0) && isThere(0, 1) && (east + north >= step || isThere(0, 0)) &&
+           (east + north <= step || isThere(1, 1));
+}
+
 /// On the triangle of the raster's own finest level, whose diagonals join samples with an even column + row; of the
 /// raster as it is without fine samples.
 float PlacedTile::interpolatedHeightM(int column, int row) const

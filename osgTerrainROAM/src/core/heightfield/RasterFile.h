@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -31,6 +32,8 @@ struct Raster
     std::size_t implausible = 0;    ///< samples taken for voids because no place on Earth is so high or deep
     std::optional<GridFrame> frame; ///< absent: no georeference
     std::string crsWkt;             ///< empty: none given
+    std::vector<std::uint8_t>
+        isOutside; ///< 1 at places that no raster reaches (DemMosaic); empty: there are none
 };
 
 /// Opens and reads a single-band raster through GDAL, inside zip and gzip archives too.

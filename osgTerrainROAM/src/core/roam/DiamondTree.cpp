@@ -7,6 +7,7 @@
 #include <utility>
 
 #include <osgTerrainROAM/core/roam/DiamondTree.h>
+#include <osgTerrainROAM/core/roam/Outline.h>
 
 namespace osgTerrainROAM::core
 {
@@ -16,7 +17,8 @@ DiamondTree::DiamondTree(SplitBounds bounds, LeafPlacement placement)
       _lastSample(tile().tile.side() - 1),
       _levels(_bounds.levels()),
       _regionLevel(tile().regions.level()),
-      _dataFillsTile(std::min(tile().tile.dataColumns(), tile().tile.dataRows()) == tile().tile.side()),
+      _dataFillsTile(!tile().tile.hasHoles() &&
+                     std::min(tile().tile.dataColumns(), tile().tile.dataRows()) == tile().tile.side()),
       _leaves(tile().regions.regionCount() + 1, placement)
 {
     // The corners as if they had split something larger: the apexes of the two roots have one quadrant each.
@@ -126,9 +128,9 @@ TriangleId DiamondTree::acrossLeg(TriangleId t, bool right) const
     return children(beside)[right ? 0 : 1];
 }
 
-bool DiamondTree::isInData(TriangleId t) const
+bool DiamondTree::isDrawn(TriangleId t) const
 {
-    return _dataFillsTile || gridTriangle(t).overlaps(tile().tile.dataColumns(), tile().tile.dataRows());
+    return _dataFillsTile || core::isDrawn(tile().tile, gridTriangle(t));
 }
 
 /// Notes the slots that the arena has written. One may have been written more than once, or be in use no more.
@@ -142,7 +144,7 @@ void DiamondTree::relink()
 void DiamondTree::addLeaf(TriangleId t)
 {
     ++_leafCount;
-    if (!isInData(t))
+    if (!isDrawn(t))
     {
         link(t) = kUndrawn;
         ++_undrawnLeaves;
@@ -152,15 +154,16 @@ void DiamondTree::addLeaf(TriangleId t)
     relink();
 }
 
-void DiamondTree::removeLeaf(TriangleId t)
+/// Of a leaf: what its link says.
+void DiamondTree::removeLeaf(std::uint32_t slot)
 {
     --_leafCount;
-    if (link(t) == kUndrawn)
+    if (slot == kUndrawn)
     {
         --_undrawnLeaves;
         return;
     }
-    _leaves.erase(link(t), _changes);
+    _leaves.erase(slot, _changes);
     relink();
 }
 
@@ -168,19 +171,19 @@ void DiamondTree::removeLeaf(TriangleId t)
 void DiamondTree::splitLeaf(TriangleId t, VertexSlot v)
 {
     const std::uint32_t slot = link(t);
-    if (slot == kUndrawn || level(t) < _regionLevel)
+    link(t) = kSplit | v;
+    auto [earlier, later] = children(t);
+    if (isAgainstOrder(t)) std::swap(earlier, later);
+    const bool isFirstDrawn = isDrawn(earlier), isLaterDrawn = isDrawn(later);
+    const bool isInherited = slot != kUndrawn && level(t) >= _regionLevel && (isFirstDrawn || isLaterDrawn);
+    if (!isInherited)
     {
-        removeLeaf(t);
-        link(t) = kSplit | v;
+        removeLeaf(slot);
         for (const TriangleId half : children(t))
             addLeaf(half);
         return;
     }
-    link(t) = kSplit | v;
     ++_leafCount;
-    auto [earlier, later] = children(t);
-    if (isAgainstOrder(t)) std::swap(earlier, later);
-    const bool isFirstDrawn = isInData(earlier), isLaterDrawn = isInData(later);
     if (isFirstDrawn && isLaterDrawn)
     {
         _leaves.split(slot, earlier, later, _changes);
@@ -196,10 +199,10 @@ void DiamondTree::mergeLeaves(TriangleId t)
 {
     auto [kept, other] = children(t);
     if (link(kept) == kUndrawn) std::swap(kept, other);
-    removeLeaf(other);
+    removeLeaf(link(other));
     const std::uint32_t slot = link(kept);
-    if (slot != kUndrawn && level(t) >= _regionLevel) return inherit(slot, t);
-    removeLeaf(kept);
+    if (slot != kUndrawn && level(t) >= _regionLevel && isDrawn(t)) return inherit(slot, t);
+    removeLeaf(slot);
     addLeaf(t);
 }
 

@@ -102,7 +102,7 @@ bool DiamondTree::isConforming() const
             if (place(corners.vertices[i]).point() != places[i]) return false;
         area += doubleArea(g);
         const bool drawn = link(t) != kUndrawn;
-        if (drawn != isInData(t) || (drawn && _leaves.leaf(link(t)) != t)) return false;
+        if (drawn != isDrawn(t) || (drawn && _leaves.leaf(link(t)) != t)) return false;
         if (drawn && _leaves.regionOf(link(t)) != regionOf(t)) return false;
         edges.push_back({grid.ends(g.apex, g.left), t});
         edges.push_back({grid.ends(g.left, g.right), t});

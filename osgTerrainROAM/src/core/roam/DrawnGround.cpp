@@ -8,6 +8,7 @@
 #include <osgTerrainROAM/core/heightfield/VerticalHit.h>
 #include <osgTerrainROAM/core/roam/DrawnGround.h>
 #include <osgTerrainROAM/core/roam/GridTriangle.h>
+#include <osgTerrainROAM/core/roam/Outline.h>
 
 namespace osgTerrainROAM::core
 {
@@ -92,7 +93,8 @@ std::optional<DrawnGround> onLeaves(const DiamondTree& tree, TriangleId t, const
             t = towards(tree, t, hit.barycentric);
             continue;
         }
-        if (isBeyondData(tree.tile().tile, hit.grid)) return std::nullopt;
+        if (isBeyondData(tree.tile().tile, hit.grid) || !isDrawn(tree.tile().tile, tree.gridTriangle(t)))
+            return std::nullopt;
         double movedM = 0.0;
         for (const VertexSlot v : tree.vertices(t).vertices)
             if (const glm::vec3 moved = tree.displacement(v); moved != glm::vec3(0.0f))

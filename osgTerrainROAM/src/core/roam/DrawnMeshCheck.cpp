@@ -1,49 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <unordered_set>
-#include <utility>
+#include <vector>
 
 #include <viewlod/ScreenError.h>
 
 #include <osgTerrainROAM/core/roam/DrawnMeshCheck.h>
+#include <osgTerrainROAM/core/roam/Outline.h>
 #include <osgTerrainROAM/core/roam/TriangleSamples.h>
+
+#include "../heightfield/NearestSample.h"
+#include "OpenEdges.h"
 
 namespace osgTerrainROAM::core
 {
 
 namespace
 {
-
-/// Directed edges as sorted keys: an edge is sound when its reverse is there, too.
-std::size_t unsharedEdges(const PlacedTile& tile, const DrawnMesh& mesh)
-{
-    using Edge = std::pair<std::uint64_t, std::uint64_t>;
-    const auto index = [&](std::uint32_t v)
-    { return static_cast<std::uint64_t>(mesh.grid[v].row) * tile.side() + mesh.grid[v].column; };
-    std::vector<Edge> edges;
-    edges.reserve(3 * mesh.triangles.size());
-    for (const LeafTriangle& t : mesh.triangles)
-        for (int i = 0; i < 3; ++i)
-            edges.emplace_back(index(t.vertices[i]), index(t.vertices[(i + 1) % 3]));
-    std::sort(edges.begin(), edges.end());
-
-    const auto atDataBorder = [&](std::uint64_t a, std::uint64_t b)
-    {
-        const std::uint64_t side = tile.side();
-        const std::uint64_t lastColumn = tile.dataColumns() - 1, lastRow = tile.dataRows() - 1;
-        const auto both = [&](auto holds) { return holds(a) && holds(b); };
-        return both([&](std::uint64_t p) { return p % side == 0; }) ||
-               both([&](std::uint64_t p) { return p / side == 0; }) ||
-               both([&](std::uint64_t p) { return p % side >= lastColumn; }) ||
-               both([&](std::uint64_t p) { return p / side >= lastRow; });
-    };
-    std::size_t unshared = 0;
-    for (const auto& [from, to] : edges)
-        if (!std::binary_search(edges.begin(), edges.end(), Edge{to, from}) && !atDataBorder(from, to))
-            ++unshared;
-    return unshared;
-}
 
 /// Compares samples and surface, triangle by triangle.
 class SampleSweep
@@ -57,6 +33,10 @@ public:
                                        [this](int column, int row) {
                                            _uncovered.insert(key({column, row}));
                                        });
+        if (!placed.hasHoles()) return;
+        for (int row = 0; row < placed.dataRows(); row += step())
+            for (int column = 0; column < placed.dataColumns(); column += step())
+                if (!placed.isGround(column, row)) cover({column, row});
     }
 
     void visit(const DrawnMesh& mesh, const LeafTriangle& t)
@@ -75,10 +55,13 @@ public:
                             const auto b = triangle.at(p.column, p.row);
                             compare(placed.position(p.column, p.row), a + du * b.u + dw * b.w);
                         });
+        if (placed.hasHoles()) noteHoles(triangle);
     }
 
-    std::size_t uncovered() const
+    /// Where data have holes, samples beside them may lie in leaves that are left out: then the outline is off.
+    std::size_t uncovered()
     {
+        if (_tile.tile.hasHoles()) compareOutline();
         return std::count(_covered.begin(), _covered.end(), false) + _uncovered.size();
     }
     double maxErrorPx() const { return _maxErrorPx; }
@@ -87,6 +70,52 @@ private:
     static std::uint64_t key(GridPoint p)
     {
         return static_cast<std::uint64_t>(p.row) << 32 | static_cast<std::uint64_t>(p.column);
+    }
+
+    int step() const { return 1 << _tile.tile.gridExponent(); }
+
+    /// Samples that are not there and drawn all the same.
+    void noteHoles(const GridTriangle& t)
+    {
+        const PlacedTile& placed = _tile.tile;
+        t.forEachRow(
+            placed.dataColumns(), placed.dataRows(),
+            [&](int row, int west, int east)
+            {
+                if (placed.samplesIn(row, west, east) == (east - west) / step() + 1) return;
+                for (int column = west; column <= east; column += step())
+                    if (!placed.isGround(column, row)) _misplaced.push_back({column, row});
+            },
+            step());
+    }
+
+    /// How far samples that are drawn and not there, or there and not drawn, are from the nearest of the other kind.
+    void compareOutline()
+    {
+        const PlacedTile& placed = _tile.tile;
+        const int columns = placed.field().columns, rows = placed.field().rows, shift = placed.gridExponent();
+        std::vector<std::uint8_t> isThere(_covered.size());
+        for (std::size_t i = 0; i < isThere.size(); ++i)
+        {
+            const GridPoint p{static_cast<int>(i % static_cast<std::size_t>(columns)) << shift,
+                              static_cast<int>(i / static_cast<std::size_t>(columns)) << shift};
+            isThere[i] = placed.isGround(p.column, p.row);
+            if (!_covered[i] && isCornerOfGround(placed, p)) _misplaced.push_back(p);
+            _covered[i] = true;
+        }
+        if (!_view || _misplaced.empty()) return;
+        const NearestSample ground(isThere, columns, rows);
+        for (std::uint8_t& there : isThere)
+            there = !there;
+        const NearestSample hole(isThere, columns, rows);
+        for (const GridPoint& p : _misplaced)
+        {
+            const std::size_t other =
+                (placed.isGround(p.column, p.row) ? hole : ground).nearest(p.column >> shift, p.row >> shift);
+            const int column = static_cast<int>(other % static_cast<std::size_t>(columns)) << shift;
+            const int row = static_cast<int>(other / static_cast<std::size_t>(columns)) << shift;
+            compare(placed.position(p.column, p.row), placed.position(column, row));
+        }
     }
 
     std::size_t rasterIndex(GridPoint p) const
@@ -131,6 +160,7 @@ private:
     const viewlod::ViewState* _view;
     std::vector<bool> _covered;                   ///< samples of the raster
     std::unordered_set<std::uint64_t> _uncovered; ///< those between
+    std::vector<GridPoint> _misplaced;            ///< samples by which the outline is off
     double _maxErrorPx = 0.0;
 };
 
@@ -139,7 +169,7 @@ private:
 DrawnMeshReport checkDrawnMesh(const RoamTile& tile, const DrawnMesh& mesh, const viewlod::ViewState* view)
 {
     DrawnMeshReport report;
-    report.tJunctions = unsharedEdges(tile.tile, mesh);
+    report.tJunctions = tJunctions(tile.tile, mesh);
     SampleSweep sweep(tile, view);
     for (const LeafTriangle& t : mesh.triangles)
     {

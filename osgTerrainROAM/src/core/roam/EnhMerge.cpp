@@ -36,12 +36,13 @@ std::uint32_t DiamondTree::enhMerge(VertexSlot v)
     forEachNewLeaf(
         [&](TriangleId t)
         {
-            if (level(t) < _regionLevel || !isInData(t))
+            const std::uint32_t gap = level(t) < _regionLevel || !isDrawn(t) ? kUndrawn : cutBelow(t);
+            if (gap == kUndrawn)
             {
                 isAnyLeft = true;
                 return;
             }
-            _leaves.fillGap(link(t) = cutBelow(t), t);
+            _leaves.fillGap(link(t) = gap, t);
             ++_leafCount;
         });
     _leaves.closeGaps(_changes);
@@ -86,7 +87,7 @@ std::uint32_t DiamondTree::takeApart(VertexSlot v)
     return atBorder ? 1 : 2;
 }
 
-/// The slot of a leaf that was cut out below a triangle that overlaps the data.
+/// The slot of a leaf that was cut out below a triangle; kUndrawn where none below was drawn.
 std::uint32_t DiamondTree::cutBelow(TriangleId t) const
 {
     const std::uint32_t here = link(t);

@@ -11,6 +11,7 @@
 #include <osgTerrainROAM/core/heightfield/SampleRaster.h>
 #include <osgTerrainROAM/core/roam/ErrorTree.h>
 #include <osgTerrainROAM/core/roam/GridTriangle.h>
+#include <osgTerrainROAM/core/roam/Outline.h>
 
 #include "BottomUp.h"
 
@@ -27,10 +28,12 @@ public:
     TriangleErrors(const SampleRaster& tile, std::vector<float>& errors)
         : _tile(tile), _side(tile.side()), _columns(tile.dataColumns()), _errors(errors)
     {
+        const SampleMask& mask = tile.tile().field().mask;
         _positions.resize(static_cast<std::size_t>(_columns) * tile.dataRows());
         for (int row = 0; row < tile.dataRows(); ++row)
             for (int column = 0; column < _columns; ++column)
-                _positions[static_cast<std::size_t>(row) * _columns + column] = tile.position(column, row);
+                _positions[static_cast<std::size_t>(row) * _columns + column] =
+                    mask.holds(column, row) ? tile.position(column, row) : kNoSample;
     }
 
     /// Errors of the triangle (apex, left, right) and everything below it, depth first: the samples of the small
@@ -41,10 +44,21 @@ public:
         if (level == _tile.levels() || outsideData(t)) return;
         for (const GridTriangle& child : t.children())
             measure(child, level + 1);
-        raise(middle(t.left, t.right), std::sqrt(largestSquaredError(t)));
+        raise(middle(t.left, t.right),
+              std::max(std::sqrt(largestSquaredError(t)), outlineErrorM(_tile.tile(), onGrid(t))));
     }
 
 private:
+    /// No distance from it is larger than any other.
+    static constexpr glm::dvec3 kNoSample{std::numeric_limits<double>::quiet_NaN()};
+
+    GridTriangle onGrid(const GridTriangle& t) const
+    {
+        const int shift = _tile.tile().gridExponent();
+        const auto place = [shift](GridPoint p) { return GridPoint{p.column << shift, p.row << shift}; };
+        return {place(t.apex), place(t.left), place(t.right)};
+    }
+
     bool outsideData(const GridTriangle& t) const
     {
         return std::min({t.apex.column, t.left.column, t.right.column}) >= _columns ||

@@ -8,6 +8,7 @@
 #include <osgTerrainROAM/core/heightfield/VerticalHit.h>
 #include <osgTerrainROAM/core/roam/GridTriangle.h>
 #include <osgTerrainROAM/core/roam/GroundRay.h>
+#include <osgTerrainROAM/core/roam/Outline.h>
 
 namespace osgTerrainROAM::core
 {
@@ -50,7 +51,7 @@ private:
         if (!t.grid.overlaps(_tile.tile.dataColumns(), _tile.tile.dataRows())) return;
         if (level == _tile.tile.levels())
         {
-            meet(t);
+            if (isDrawn(_tile.tile, t.grid)) meet(t);
             return;
         }
         const auto halves = t.grid.children();

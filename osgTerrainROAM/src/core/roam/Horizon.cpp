@@ -54,7 +54,7 @@ double highestGeoidM(const HeightField& field)
 
 HidingGround::HidingGround(const PlacedTile& placed)
 {
-    if (placed.placement() != Placement::curved) return;
+    if (placed.placement() != Placement::curved || placed.hasHoles()) return; // one looks through holes
     const SampleRaster tile(placed);
     exists = true;
     const int columns = tile.dataColumns(), rows = tile.dataRows();

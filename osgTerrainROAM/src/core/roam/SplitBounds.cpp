@@ -78,7 +78,7 @@ private:
 
 SplitBounds::SplitBounds(std::shared_ptr<const RoamTile> tile, int patchExponent)
     : _tile(std::move(tile)),
-      _shift(_tile->tile.gridExponent() > 0
+      _shift(_tile->tile.gridExponent() > 0 || _tile->tile.hasHoles()
                  ? 0
                  : std::clamp(patchExponent, 0, std::min(kMostExponent, _tile->tile.levels())) / 2),
       _side(((_tile->tile.side() - 1) >> _shift) + 1)

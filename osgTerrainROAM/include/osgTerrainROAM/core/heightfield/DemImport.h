@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <span>
 
 #include <viewlod/Result.h>
 
@@ -19,10 +20,18 @@ enum class VerticalDatum
     ellipsoid,
 };
 
+/// What becomes of samples that a raster does not have.
+enum class Voids
+{
+    fill, ///< by a smooth surface from their rims
+    keep, ///< as holes in the ground
+};
+
 struct DemImportOptions
 {
     std::optional<double> spacingM; ///< sample distance of a raster without georeference; overrides none
     VerticalDatum verticalDatum = VerticalDatum::automatic;
+    Voids voids = Voids::fill;
 };
 
 /// Reads any single-band elevation raster that GDAL opens: SRTM .hgt (also zipped and gzipped), GeoTIFF in
@@ -36,5 +45,13 @@ struct DemImportOptions
 /// Nothing is written beside the input.
 viewlod::Result<HeightField> importDem(const std::filesystem::path& file,
                                        const DemImportOptions& options = {});
+
+/// Joins several such rasters, of any extents, spacings and coordinate reference systems, on the grid of the finest. That one's
+/// samples are kept as they are; coarser data are interpolated, and bent where they meet finer, over four of their own samples, so
+/// that there is one height along each seam. What no raster reaches is a hole (HeightField::mask).
+/// `files`: at least one. Errors: as importDem of each; no georeference; different vertical datums; a plane among rasters on the
+/// Earth; more than 2^26 samples at the finest spacing.
+viewlod::Result<HeightField> importDems(std::span<const std::filesystem::path> files,
+                                        const DemImportOptions& options = {});
 
 } // namespace osgTerrainROAM::core

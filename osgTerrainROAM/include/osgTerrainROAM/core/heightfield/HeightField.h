@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include <osgTerrainROAM/core/heightfield/SampleMask.h>
+
 namespace osgTerrainROAM::core
 {
 
@@ -39,6 +41,14 @@ struct VoidReport
     std::string method; ///< empty when there was nothing to fill
 };
 
+/// How several rasters were joined.
+struct MosaicReport
+{
+    int rasters = 1;
+    std::size_t bentSamples = 0; ///< interpolated or coarser ones that were moved to meet finer data
+    double largestStepM = 0.0;   ///< by which rasters disagreed at most, along the seams
+};
+
 /// A regular grid of height samples, complete (voids already filled).
 /// Sample (column, row): column 0 is the westernmost, row 0 the *southernmost*; storage is row-major.
 /// Units: metres, as in the file (above the geoid or the ellipsoid: GeodeticNet::Node::geoidM tells).
@@ -53,6 +63,8 @@ struct HeightField
     double spacingNorthM = 0.0;
     std::optional<GeodeticNet> net; ///< absent: no georeference, a plane with the spacings above
     VoidReport voids;
+    MosaicReport mosaic;
+    SampleMask mask; ///< which samples are there: the others have heights only so that the grid is complete
 
     /// Height of a sample; positions beyond the data take the nearest edge sample (constant extrapolation).
     float heightM(int column, int row) const

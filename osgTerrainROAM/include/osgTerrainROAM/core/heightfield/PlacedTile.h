@@ -86,6 +86,24 @@ public:
 
     bool isInData(int column, int row) const { return column < _dataColumns && row < _dataRows; }
 
+    /// Whether the data have holes, or an outline that is not a rectangle.
+    bool hasHoles() const { return !_field.mask.hasAll(); }
+
+    /// Whether the ground reaches a place of the data: a sample that is there, or a place on one of the raster's finest triangles
+    /// whose three corners are.
+    bool isGround(int column, int row) const
+    {
+        if (!hasHoles()) [[likely]]
+            return true;
+        return isOfRaster(column, row) ? hasSampleOfRaster(column, row) : isGroundBetween(column, row);
+    }
+
+    /// How many samples of the raster, from `west` to `east` along a row of it, are there. Places of the grid, all of the raster.
+    int samplesIn(int row, int west, int east) const
+    {
+        return _field.mask.countIn(row >> _gridExponent, west >> _gridExponent, east >> _gridExponent);
+    }
+
     /// Height, error and radius of a place of the data. Where no sample is, the height is that of the surface, and the
     /// rest is 0.
     SampleTable::Sample sample(int column, int row) const
@@ -121,7 +139,7 @@ public:
         const int step = 1 << _gridExponent;
         for (int row = (cut.south + step - 1) & -step; row <= cut.north; row += step)
             for (int column = (cut.west + step - 1) & -step; column <= cut.east; column += step)
-                visit(column, row);
+                if (hasSampleOfRaster(column, row)) visit(column, row);
         if (!_fine.isEmpty()) _fine.forEachIn(cut, visit);
     }
     const FineSamples& fineSamples() const { return _fine; }
@@ -255,6 +273,11 @@ private:
         return static_cast<std::size_t>(row >> _gridExponent) * static_cast<std::size_t>(_field.columns) +
                static_cast<std::size_t>(column >> _gridExponent);
     }
+    bool hasSampleOfRaster(int column, int row) const
+    {
+        return _field.mask.holds(column >> _gridExponent, row >> _gridExponent);
+    }
+    bool isGroundBetween(int column, int row) const;
     SampleTable::Sample sampleBetween(int column, int row) const;
     float interpolatedHeightM(int column, int row) const;
     bool isInTable(int column, int row) const

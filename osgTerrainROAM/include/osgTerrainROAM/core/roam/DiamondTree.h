@@ -220,7 +220,7 @@ private:
 
     /// What a quadrant's link says besides the arena slot of a drawn leaf.
     static constexpr std::uint32_t kSplit = 0x80000000u;   ///< set: the rest is the vertex that splits it
-    static constexpr std::uint32_t kUndrawn = 0x7fffffffu; ///< a leaf beyond the data's edge
+    static constexpr std::uint32_t kUndrawn = 0x7fffffffu; ///< a leaf beyond the data's outline
     static constexpr std::uint32_t kAbsent = kNone;        ///< beyond the tile's edge
 
     struct Diamond
@@ -242,9 +242,9 @@ private:
     void inherit(std::uint32_t slot, TriangleId t);
     std::uint32_t cutBelow(TriangleId t) const; // EnhMerge.cpp
     void addLeaf(TriangleId t);
-    void removeLeaf(TriangleId t);
+    void removeLeaf(std::uint32_t slot);
     void relink();
-    bool isInData(TriangleId t) const;
+    bool isDrawn(TriangleId t) const;
     std::uint32_t takeApart(VertexSlot v);  // EnhMerge.cpp
     bool linksAreSound(VertexSlot v) const; // DiamondTreeCheck.cpp
 

@@ -18,7 +18,7 @@ void forEachSampleIn(const PlacedTile& tile, const GridTriangle& triangle, const
         [&](int row, int west, int east)
         {
             for (int column = west; column <= east; column += step)
-                visit(GridPoint{column, row});
+                if (tile.isGround(column, row)) visit(GridPoint{column, row});
         },
         step);
     if (tile.fineSamples().isEmpty()) return;

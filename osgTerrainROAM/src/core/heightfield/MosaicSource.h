@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <viewlod/Result.h>
+
+#include <osgTerrainROAM/core/heightfield/DemImport.h>
+
+#include "FrameTransform.h"
+#include "RasterFile.h"
+
+namespace osgTerrainROAM::core
+{
+
+/// One of the rasters that a terrain is joined from.
+struct MosaicSource
+{
+    std::string name;      ///< for messages
+    Raster raster;         ///< has a frame
+    double spacingM = 0.0; ///< northwards on the ground, in its middle
+
+    GridReference reference() const { return {*raster.frame, raster.crsWkt}; }
+};
+
+/// Gives a raster whose numbers look like degrees the reference system that they mean. CellSizeReference.h.
+void settleReference(Raster& raster);
+
+/// Reads all of them. Errors: as readRaster; no georeference; heights that are counted from different things.
+viewlod::Result<std::vector<MosaicSource>> readSources(std::span<const std::filesystem::path> files,
+                                                       const DemImportOptions& options, GdalSession& gdal);
+
+} // namespace osgTerrainROAM::core

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "OpenEdges.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <tuple>
+#include <vector>
+
+namespace osgTerrainROAM::core
+{
+
+namespace
+{
+
+/// From one place of the grid to another; such edges run along rows, columns and diagonals.
+struct Edge
+{
+    GridPoint from, to;
+
+    std::tuple<int, int, int, int> key() const { return {from.row, from.column, to.row, to.column}; }
+    Edge reversed() const { return {to, from}; }
+    friend bool operator<(const Edge& a, const Edge& b) { return a.key() < b.key(); }
+};
+
+/// Where an edge lies on the line that it is a piece of.
+struct Piece
+{
+    int direction = 0; ///< of the line: along a row, a column, either diagonal
+    int line = 0;
+    int begin = 0, end = 0;
+    bool isForward = false;
+
+    explicit Piece(const Edge& e)
+    {
+        const int columns = e.to.column - e.from.column, rows = e.to.row - e.from.row;
+        direction = rows == 0 ? 0 : columns == 0 ? 1 : (columns > 0) == (rows > 0) ? 2 : 3;
+        const int lines[] = {e.from.row, e.from.column, e.from.column - e.from.row,
+                             e.from.column + e.from.row};
+        line = lines[direction];
+        const int a = direction == 1 ? e.from.row : e.from.column,
+                  b = direction == 1 ? e.to.row : e.to.column;
+        isForward = a < b;
+        std::tie(begin, end) = std::minmax(a, b);
+    }
+    auto key() const { return std::tuple(direction, line, begin, end, isForward); }
+};
+
+std::vector<Edge> edgesWithoutTwin(const DrawnMesh& mesh)
+{
+    std::vector<Edge> edges, open;
+    edges.reserve(3 * mesh.triangles.size());
+    for (const LeafTriangle& t : mesh.triangles)
+        for (int i = 0; i < 3; ++i)
+            edges.push_back({mesh.grid[t.vertices[i]], mesh.grid[t.vertices[(i + 1) % 3]]});
+    std::sort(edges.begin(), edges.end());
+    for (const Edge& e : edges)
+        if (!std::binary_search(edges.begin(), edges.end(), e.reversed())) open.push_back(e);
+    return open;
+}
+
+bool isAtDataBorder(const PlacedTile& tile, const Edge& e)
+{
+    const auto both = [&](auto holds) { return holds(e.from) && holds(e.to); };
+    return both([](GridPoint p) { return p.column == 0; }) || both([](GridPoint p) { return p.row == 0; }) ||
+           both([&](GridPoint p) { return p.column >= tile.dataColumns() - 1; }) ||
+           both([&](GridPoint p) { return p.row >= tile.dataRows() - 1; });
+}
+
+/// Those that a piece of the other sense runs along.
+std::size_t countOpposed(const std::vector<Edge>& open)
+{
+    std::vector<Piece> pieces(open.begin(), open.end());
+    std::sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) { return a.key() < b.key(); });
+    std::vector<bool> isOpposed(pieces.size(), false);
+    for (std::size_t i = 0; i < pieces.size(); ++i)
+        for (std::size_t j = i + 1; j < pieces.size() && pieces[j].direction == pieces[i].direction &&
+                                    pieces[j].line == pieces[i].line && pieces[j].begin < pieces[i].end;
+             ++j)
+            if (pieces[j].isForward != pieces[i].isForward) isOpposed[i] = isOpposed[j] = true;
+    return static_cast<std::size_t>(std::count(isOpposed.begin(), isOpposed.end(), true));
+}
+
+} // namespace
+
+std::size_t tJunctions(const PlacedTile& tile, const DrawnMesh& mesh)
+{
+    std::vector<Edge> open = edgesWithoutTwin(mesh);
+    std::erase_if(open, [&](const Edge& e) { return isAtDataBorder(tile, e); });
+    return tile.hasHoles() ? countOpposed(open) : open.size();
+}
+
+} // namespace osgTerrainROAM::core
