@@ -53,6 +53,10 @@ nlohmann::ordered_json describe(const std::string& file, const PlacedTile& tile)
         row["seamStepM"] = field.mosaic.largestStepM;
         row["bentSamples"] = field.mosaic.bentSamples;
     }
+    for (const SampleSheet& sheet : tile.sheets())
+        row["parts"].push_back(
+            {{"samples", sheet.table().size()},
+             {"spacingNorthM", field.spacingNorthM * sheet.step() / (1 << tile.gridExponent())}});
     row["missing"] = samples.size() - samplesThere(field);
     row["georeferenced"] = field.net.has_value();
     if (field.net)

@@ -51,6 +51,13 @@ osg::BoundingBox tileBounds(const core::PlacedTile& placed)
                                                 static_cast<float>(p.z)));
                     }
         }
+    for (const core::SampleSheet& sheet : placed.sheets())
+        sheet.rect().forEachMultipleOf(sheet.step(),
+                                       [&](int column, int row)
+                                       {
+                                           const glm::dvec3 p = placed.position(column, row);
+                                           box.expandBy(osg::Vec3d(p.x, p.y, p.z));
+                                       });
     const auto margin = static_cast<float>(bulgeM(placed));
     box._min -= osg::Vec3f(margin, margin, margin);
     box._max += osg::Vec3f(margin, margin, margin);

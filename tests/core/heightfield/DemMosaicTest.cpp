@@ -278,9 +278,12 @@ TEST_F(DemMosaic, RefusesWhatCannotBeJoined)
     ellipsoidal.geoTransform = northUp3Seconds(4);
     writeRaster(folder / "ellipsoidal.tif", "GTiff", ellipsoidal);
     EXPECT_THAT(messageOf({folder / "one.tif", folder / "ellipsoidal.tif"}), testing::HasSubstr("ellipsoid"));
-    Piece{0, 0, 20, 20, 1, 0.0, 100000.0}.write(folder / "far.tif");
-    EXPECT_THAT(messageOf({folder / "one.tif", folder / "far.tif"}),
-                testing::AllOf(testing::HasSubstr("samples"), testing::HasSubstr("-projwin")));
+    RasterSpec tiny;
+    tiny.epsg = 4326;
+    tiny.geoTransform = {20.0, 1e-9, 0.0, 40.0, 0.0, 1e-9};
+    writeRaster(folder / "tiny.tif", "GTiff", tiny);
+    EXPECT_THAT(messageOf({folder / "one.tif", folder / "tiny.tif"}),
+                testing::AllOf(testing::HasSubstr("nowhere near"), testing::HasSubstr("gdalinfo")));
     EXPECT_THAT(messageOf({folder / "one.tif", folder / "none.tif"}), testing::HasSubstr("none.tif"));
 }
 

@@ -10,6 +10,8 @@
 #include <osgTerrainROAM/core/roam/Outline.h>
 #include <osgTerrainROAM/core/roam/TriangleSamples.h>
 
+#include "../roam/SheetErrors.h"
+
 namespace osgTerrainROAM::core
 {
 
@@ -65,6 +67,15 @@ std::vector<BoundsUpdate::Change> BoundsUpdate::follow(std::span<const ChangedPl
     return run();
 }
 
+void BoundsUpdate::admit(std::span<const ChangedPlaces> added)
+{
+    _changed = added;
+    const SheetErrors errors(_tile.tile);
+    _admitted = &errors;
+    run();
+    _admitted = nullptr;
+}
+
 std::vector<BoundsUpdate::Change> BoundsUpdate::tighten(std::size_t mostSamples)
 {
     _changed = {};
@@ -112,7 +123,7 @@ void BoundsUpdate::visitLevel(int half, bool isCentre)
 }
 
 /// The vertices of a level whose diamonds touch what has changed. Where a level is finer than the places that have changed,
-/// only the samples that edits have put between them can be off.
+/// only the samples of sheets, and those that edits have put between them, can be off, or vertices beside them.
 void BoundsUpdate::collect(const ChangedPlaces& changed, int half, bool isCentre,
                            std::vector<Wanted>& wanted) const
 {
@@ -121,6 +132,9 @@ void BoundsUpdate::collect(const ChangedPlaces& changed, int half, bool isCentre
     if (changed.rect.east == _tile.tile.dataColumns() - 1) around.east += half;
     if (changed.rect.north == _tile.tile.dataRows() - 1) around.north += half;
     if (half >= changed.step) return collectIn(around, half, isCentre, wanted);
+    for (const SampleSheet& sheet : _tile.tile.sheets())
+        if (half >= sheet.step())
+            collectIn(around.cutTo(sheet.rect().grownBy(2 * half)), half, isCentre, wanted);
     _tile.tile.fineSamples().forEachIn(
         around.cutTo({0, 0, _tile.tile.side() - 1, _tile.tile.side() - 1}),
         [&](int column, int row) {
@@ -152,12 +166,12 @@ void BoundsUpdate::visit(const Wanted& wanted)
     double error = wanted.needsOwnError ? ownErrorM(diamond, before.errorM) : before.errorM;
     const glm::dvec3 centre = before.centre; // as the predicate sees the vertex
     double radius = glm::distance(centre, placed.position(v.column, v.row));
-    bool isAbove = placed.isOfRaster(v.column, v.row); // has something that counts below it, or may have
+    bool isAbove = placed.hasSample(v.column, v.row); // has something that counts below it, or may have
     diamond.forEachChild(
         [&](GridPoint c)
         {
             const SplitBound child = _tile.bound(c);
-            if (child.errorM <= 0.0f && !placed.isOfRaster(c.column, c.row)) return;
+            if (child.errorM <= 0.0f && !placed.hasSample(c.column, c.row)) return;
             isAbove = true;
             error = std::max<double>(error, child.errorM);
             radius = std::max(radius, glm::distance(centre, glm::dvec3(child.centre)) + child.radiusM);
@@ -172,7 +186,7 @@ void BoundsUpdate::visit(const Wanted& wanted)
 void BoundsUpdate::propagate(const SplitDiamond& diamond, const SplitBound& before, const SplitBound& after)
 {
     const GridPoint v = diamond.vertex();
-    _changes.push_back({v, _tile.memo(v)});
+    if (!_admitted) _changes.push_back({v, _tile.memo(v)});
     _tile.setBound(v, after.errorM, after.radiusM);
     diamond.forEachParent(
         [&](GridPoint p)
@@ -188,11 +202,20 @@ std::size_t BoundsUpdate::samplesIn(const SplitDiamond& diamond) const
 {
     const auto across = static_cast<std::size_t>(2 * diamond.half());
     const std::size_t places = across * across, ofRaster = places >> (2 * _tile.tile.gridExponent());
-    return ofRaster + std::min(places, _tile.tile.fineSamples().sampleSpace());
+    std::size_t samples = ofRaster + std::min(places, _tile.tile.fineSamples().sampleSpace());
+    for (const SampleSheet& sheet : _tile.tile.sheets())
+        samples += std::min(places, sheet.table().size());
+    return samples;
 }
 
 double BoundsUpdate::ownErrorM(const SplitDiamond& diamond, double beforeM)
 {
+    if (_admitted)
+    {
+        diamond.forEachTriangle([&](const GridTriangle& t)
+                                { beforeM = std::max(beforeM, _admitted->largestM(t)); });
+        return beforeM;
+    }
     const bool isSmall = samplesIn(diamond) <= _mostSamples;
     _tile.setLoose(diamond.vertex(), !isSmall);
     return isSmall ? measuredM(diamond) : boundM(diamond, beforeM);

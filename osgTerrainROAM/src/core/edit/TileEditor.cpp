@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <map>
 #include <mutex>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include <osgTerrainROAM/core/edit/TileEditor.h>
@@ -20,12 +22,11 @@ constexpr int kGroupShift = 4; ///< places, or samples, along a group of changes
 class Grouping
 {
 public:
-    explicit Grouping(const PlacedTile& tile) : _tile(tile) {}
-
-    void add(GridPoint p, bool ofRaster)
+    /// `step`: from the place to the next that the surface between may have followed to.
+    void add(GridPoint p, int step)
     {
-        const int shift = kGroupShift + (ofRaster ? _tile.gridExponent() : 0);
-        GridRect& rect = (ofRaster ? _coarse : _fine)[{p.row >> shift, p.column >> shift}];
+        const int shift = kGroupShift + std::bit_width(static_cast<unsigned>(step)) - 1;
+        GridRect& rect = _rects[{step, p.row >> shift, p.column >> shift}];
         rect = rect.isEmpty() ? GridRect{p.column, p.row, p.column, p.row}
                               : GridRect{std::min(rect.west, p.column), std::min(rect.south, p.row),
                                          std::max(rect.east, p.column), std::max(rect.north, p.row)};
@@ -34,18 +35,13 @@ public:
     std::vector<ChangedPlaces> changed() const
     {
         std::vector<ChangedPlaces> all;
-        for (const auto& [place, rect] : _fine)
-            all.push_back({rect, 1});
-        for (const auto& [place, rect] : _coarse)
-            all.push_back({rect, 1 << _tile.gridExponent()});
+        for (const auto& [group, rect] : _rects)
+            all.push_back({rect, std::get<0>(group)});
         return all;
     }
 
 private:
-    using Rects = std::map<std::pair<int, int>, GridRect>;
-
-    const PlacedTile& _tile;
-    Rects _fine, _coarse;
+    std::map<std::tuple<int, int, int>, GridRect> _rects; ///< by step and place
 };
 
 /// Where vertices may lie elsewhere: between changed samples of the raster, too, and beyond the edge of the data.
@@ -94,13 +90,13 @@ viewlod::Result<EditReport> TileEditor::apply(std::span<const HeightChange> chan
     if (between == Between::stays) surround(changes, step);
     write(changes, between, step, report);
 
-    Grouping groups(_tile->tile);
+    Grouping groups;
     for (const auto& [place, memo] : step.samples) // those around the changes, too: they count now
-        if (!_tile->tile.isOfRaster(place.column, place.row)) groups.add(place, false);
+        if (!_tile->tile.isOfRaster(place.column, place.row)) groups.add(place, 1);
     for (const HeightChange& change : changes)
     {
         const GridPoint p = change.place;
-        groups.add(p, between == Between::follows && _tile->tile.isOfRaster(p.column, p.row));
+        groups.add(p, between == Between::follows ? _tile->tile.sampleStep(p.column, p.row) : 1);
         _tile->include(p);
     }
     step.changed = groups.changed();
@@ -147,8 +143,8 @@ void TileEditor::write(std::span<const HeightChange> changes, Between between, S
         step.samples.emplace_back(change.place, _tile->memo(change.place));
         const double byM = std::abs(double{change.heightM} - placed.heightM(column, row));
         report.largestChangeM = std::max(report.largestChangeM, byM);
-        if (between == Between::follows && placed.isOfRaster(column, row))
-            placed.setRasterHeight(column, row, change.heightM);
+        if (between == Between::follows && placed.isMeasured(column, row))
+            placed.setSampleHeight(column, row, change.heightM);
         else
             placed.setFineHeight(column, row, change.heightM);
     }

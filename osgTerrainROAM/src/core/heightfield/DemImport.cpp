@@ -13,8 +13,8 @@
 #include "DemMosaic.h"
 #include "GeodeticLocator.h"
 #include "GeodeticNetBuilder.h"
+#include "HoleFill.h"
 #include "MosaicSource.h"
-#include "NearestSample.h"
 #include "RasterFile.h"
 #include "VoidFill.h"
 
@@ -55,8 +55,7 @@ Outcome place(HeightField& field, Raster& raster, const DemImportOptions& option
     return georeference(field, *locator);
 }
 
-/// Marks the samples that are not there, and gives them the heights of the nearest that are: their cells are not drawn, but
-/// normals and bounds beside them look across.
+/// Marks the samples that are not there.
 void openHoles(HeightField& field, std::vector<std::uint8_t> isOutside, Voids voids)
 {
     isOutside.resize(field.heightsM.size(), 0);
@@ -65,18 +64,10 @@ void openHoles(HeightField& field, std::vector<std::uint8_t> isOutside, Voids vo
             isOutside[i] = isOutside[i] || std::isnan(field.heightsM[i]);
     if (std::none_of(isOutside.begin(), isOutside.end(), [](std::uint8_t outside) { return outside != 0; }))
         return;
-    std::vector<std::uint8_t> isThere(isOutside.size()), isKnown(isOutside.size());
-    for (std::size_t i = 0; i < isOutside.size(); ++i)
-    {
-        isThere[i] = !isOutside[i];
-        isKnown[i] = std::isfinite(field.heightsM[i]);
-    }
-    field.mask = SampleMask(isThere, field.columns, field.rows);
-    const NearestSample known(isKnown, field.columns, field.rows);
-    std::size_t i = 0;
-    for (int row = 0; row < field.rows; ++row)
-        for (int column = 0; column < field.columns; ++column, ++i)
-            if (!isThere[i]) field.heightsM[i] = field.heightsM[known.nearest(column, row)];
+    fillOutside(field.heightsM, isOutside, field.columns, field.rows);
+    for (std::uint8_t& sample : isOutside)
+        sample = !sample;
+    field.mask = SampleMask(isOutside, field.columns, field.rows);
 }
 
 std::string namesOf(std::span<const std::filesystem::path> files)
@@ -99,6 +90,7 @@ Result<HeightField> import(std::span<const std::filesystem::path> files, const D
     if (const Outcome placed = place(field, *raster, options, gdal); !placed) return placed.error();
 
     field.heightsM = std::move(raster->heightsM);
+    field.parts = std::move(raster->parts);
     if (std::none_of(field.heightsM.begin(), field.heightsM.end(), [](float h) { return std::isfinite(h); }))
         return Error{field.name,
                      "holds no height: every sample is void" +

@@ -20,9 +20,12 @@ constexpr double kHeightToleranceM = 0.0005;
 SampleTable::Sample PlacedTile::sampleBetween(int column, int row) const
 {
     const SampleTable::Sample* kept = _fine.find(column, row);
-    if (!kept) return {interpolatedHeightM(column, row), 0.0f, 0.0f};
-    if (FineSamples::hasHeight(*kept)) return *kept;
-    return {interpolatedHeightM(column, row), kept->errorM, kept->radiusM};
+    if (kept && FineSamples::hasHeight(*kept)) return *kept;
+    if (const SampleSheet* sheet = sheetAt(column, row))
+        return sheet->table().sample(sheet->index(column, row));
+    const float heightM = surfaceM(column, row, _sheets.size());
+    return kept ? SampleTable::Sample{heightM, kept->errorM, kept->radiusM}
+                : SampleTable::Sample{heightM, 0.0f, 0.0f};
 }
 
 /// The corners of the finest triangle that count in a place; of two where it lies on an edge between samples.
@@ -43,41 +46,25 @@ bool PlacedTile::isGroundBetween(int column, int row) const
            (east + north <= step || isThere(1, 1));
 }
 
-/// On the triangle of the raster's own finest level, whose diagonals join samples with an even column + row; of the
-/// raster as it is without fine samples.
-float PlacedTile::interpolatedHeightM(int column, int row) const
+void PlacedTile::setSampleHeight(int column, int row, float heightM)
 {
-    const int step = 1 << _gridExponent;
-    const int west = std::min(column & -step, _dataColumns - 1 - step);
-    const int south = std::min(row & -step, _dataRows - 1 - step);
-    const double east = static_cast<double>(column - west) / step,
-                 north = static_cast<double>(row - south) / step;
-    const auto height = [this](int c, int r) -> double { return _samples.heightM(rasterIndex(c, r)); };
-    const double sw = height(west, south), se = height(west + step, south), nw = height(west, south + step),
-                 ne = height(west + step, south + step);
-    const bool isEven = (((west >> _gridExponent) + (south >> _gridExponent)) & 1) == 0;
-    double heightM = 0.0;
-    if (isEven)
-        heightM = east >= north ? sw + east * (se - sw) + north * (ne - se)
-                                : sw + north * (nw - sw) + east * (ne - nw);
-    else if (east + north <= 1.0)
-        heightM = sw + east * (se - sw) + north * (nw - sw);
-    else
-        heightM = ne + (1.0 - east) * (nw - ne) + (1.0 - north) * (se - ne);
-    return static_cast<float>(heightM);
-}
-
-void PlacedTile::setRasterHeight(int column, int row, float heightM)
-{
-    const std::size_t index = rasterIndex(column, row);
     const SampleTable::Sample before = sample(column, row);
-    _samples.setHeight(index, heightM);
-    const bool isExact = std::abs(_samples.heightM(index) - heightM) <= kHeightToleranceM;
-    if (!isExact || _samples.isElsewhere(index))
+    bool isExact = false;
+    if (SampleSheet* sheet = sheetAt(column, row))
     {
-        _samples.setElsewhere(index, true);
-        _fine.set(column, row, {heightM, before.errorM, before.radiusM});
+        sheet->table().setHeight(sheet->index(column, row), heightM);
+        isExact = std::abs(sheet->table().heightM(sheet->index(column, row)) - heightM) <= kHeightToleranceM;
+        if (isOfRaster(column, row)) _samples.setHeight(rasterIndex(column, row), heightM);
     }
+    else
+    {
+        const std::size_t index = rasterIndex(column, row);
+        _samples.setHeight(index, heightM);
+        isExact =
+            std::abs(_samples.heightM(index) - heightM) <= kHeightToleranceM && !_samples.isElsewhere(index);
+        if (!isExact) _samples.setElsewhere(index, true);
+    }
+    if (!isExact || _fine.find(column, row)) _fine.set(column, row, {heightM, before.errorM, before.radiusM});
 }
 
 void PlacedTile::setFineHeight(int column, int row, float heightM)
@@ -104,6 +91,11 @@ PlacedTile::Kept PlacedTile::kept(int column, int row) const
         kept.isElsewhere = _samples.isElsewhere(index);
         kept.inTable = _samples.sample(index);
     }
+    if (const SampleSheet* sheet = sheetAt(column, row))
+    {
+        kept.isInSheet = true;
+        kept.inSheet = sheet->table().sample(sheet->index(column, row));
+    }
     if (const SampleTable::Sample* fine = _fine.find(column, row))
     {
         kept.isInFine = true;
@@ -121,26 +113,45 @@ void PlacedTile::restore(int column, int row, const Kept& kept)
         _samples.setBound(index, kept.inTable.errorM, kept.inTable.radiusM);
         _samples.setElsewhere(index, kept.isElsewhere);
     }
+    if (kept.isInSheet)
+    {
+        SampleSheet& sheet = *sheetAt(column, row);
+        const std::size_t index = sheet.index(column, row);
+        sheet.table().setHeight(index, kept.inSheet.heightM);
+        sheet.table().setBound(index, kept.inSheet.errorM, kept.inSheet.radiusM);
+    }
     if (kept.isInFine)
         _fine.set(column, row, kept.inFine);
     else
         _fine.erase(column, row);
 }
 
+/// The table that a place's bounds are kept in; null: among the fine samples.
+const SampleTable* PlacedTile::tableOf(int column, int row) const
+{
+    if (isInTable(column, row)) return &_samples;
+    const SampleSheet* sheet = _fine.find(column, row) ? nullptr : sheetAt(column, row);
+    return sheet ? &sheet->table() : nullptr;
+}
+
 float PlacedTile::roundedUpError(int column, int row, double errorM) const
 {
-    return isInTable(column, row) ? _samples.roundedUpError(errorM) : floatNotLess(errorM);
+    const SampleTable* table = tableOf(column, row);
+    return table ? table->roundedUpError(errorM) : floatNotLess(errorM);
 }
 
 float PlacedTile::roundedUpRadius(int column, int row, double radiusM) const
 {
-    return isInTable(column, row) ? _samples.roundedUpRadius(radiusM) : floatNotLess(radiusM);
+    const SampleTable* table = tableOf(column, row);
+    return table ? table->roundedUpRadius(radiusM) : floatNotLess(radiusM);
 }
 
 void PlacedTile::setBound(int column, int row, float errorM, float radiusM)
 {
     if (isInTable(column, row)) return _samples.setBound(rasterIndex(column, row), errorM, radiusM);
     const SampleTable::Sample* before = _fine.find(column, row);
+    if (SampleSheet* sheet = before ? nullptr : sheetAt(column, row))
+        return sheet->table().setBound(sheet->index(column, row), errorM, radiusM);
     _fine.set(column, row, {before ? before->heightM : FineSamples::kNoHeight, errorM, radiusM});
 }
 

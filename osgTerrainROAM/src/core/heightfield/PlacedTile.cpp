@@ -29,16 +29,25 @@ HeightField complete(HeightField field)
     return field;
 }
 
+/// As fine as edits and the densest part need.
+int gridExponentOf(const HeightField& field, int wanted)
+{
+    for (const DensePart& part : field.parts)
+        wanted = std::max(wanted, part.exponent);
+    return wanted;
+}
+
 } // namespace
 
 PlacedTile::PlacedTile(HeightField field, const PlacedTileOptions& options)
     : _field(complete(std::move(field))),
-      _samples(_field, options.storage, options.gridExponent > 0 ? kHeadroom : 1.0),
+      _samples(_field, options.storage, gridExponentOf(_field, options.gridExponent) > 0 ? kHeadroom : 1.0),
       _placement(_field.net ? options.placement : Placement::planar),
-      _gridExponent(options.gridExponent),
-      _betweenSamples((1 << options.gridExponent) - 1)
+      _gridExponent(gridExponentOf(_field, options.gridExponent)),
+      _betweenSamples((1 << _gridExponent) - 1)
 {
     initSide();
+    laySheets(std::move(_field.parts), options.storage);
     if (_placement == Placement::curved)
     {
         initLatticePlaces();
@@ -78,8 +87,13 @@ void PlacedTile::initRadiusRange()
     const double last = _side - 1;
     const double acrossM = std::max(glm::distance(positionAt(0, 0, 0.0), positionAt(last, last, 0.0)),
                                     glm::distance(positionAt(last, 0, 0.0), positionAt(0, last, 0.0)));
-    _samples.setRadiusRange(acrossM / ((_side - 1) >> _gridExponent) / 16.0,
-                            8.0 * (acrossM + _samples.heightRangeM()));
+    double heightsM = _samples.heightRangeM();
+    for (const SampleSheet& sheet : _sheets)
+        heightsM = std::max(heightsM, sheet.table().heightRangeM());
+    const double mostM = 8.0 * (acrossM + heightsM);
+    _samples.setRadiusRange(acrossM / ((_side - 1) >> _gridExponent) / 16.0, mostM);
+    for (SampleSheet& sheet : _sheets)
+        sheet.table().setRadiusRange(acrossM / (_side - 1) / 16.0, mostM);
 }
 
 void PlacedTile::initVertexStep()

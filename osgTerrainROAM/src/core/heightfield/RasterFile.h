@@ -10,6 +10,8 @@
 
 #include <viewlod/Result.h>
 
+#include <osgTerrainROAM/core/heightfield/HeightField.h>
+
 #include "GdalSession.h"
 
 namespace osgTerrainROAM::core
@@ -33,7 +35,8 @@ struct Raster
     std::optional<GridFrame> frame; ///< absent: no georeference
     std::string crsWkt;             ///< empty: none given
     std::vector<std::uint8_t>
-        isOutside; ///< 1 at places that no raster reaches (DemMosaic); empty: there are none
+        isOutside;                ///< 1 at places that no raster reaches (DemMosaic); empty: there are none
+    std::vector<DensePart> parts; ///< of a mosaic
 };
 
 /// Opens and reads a single-band raster through GDAL, inside zip and gzip archives too.

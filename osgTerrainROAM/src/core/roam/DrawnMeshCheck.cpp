@@ -33,6 +33,8 @@ public:
                                        [this](int column, int row) {
                                            _uncovered.insert(key({column, row}));
                                        });
+        for (const SampleSheet& sheet : placed.sheets())
+            _sheetsCovered.emplace_back(sheet.table().size(), false);
         if (!placed.hasHoles()) return;
         for (int row = 0; row < placed.dataRows(); row += step())
             for (int column = 0; column < placed.dataColumns(); column += step())
@@ -62,7 +64,7 @@ public:
     std::size_t uncovered()
     {
         if (_tile.tile.hasHoles()) compareOutline();
-        return std::count(_covered.begin(), _covered.end(), false) + _uncovered.size();
+        return std::count(_covered.begin(), _covered.end(), false) + _uncovered.size() + uncoveredOfSheets();
     }
     double maxErrorPx() const { return _maxErrorPx; }
 
@@ -70,6 +72,19 @@ private:
     static std::uint64_t key(GridPoint p)
     {
         return static_cast<std::uint64_t>(p.row) << 32 | static_cast<std::uint64_t>(p.column);
+    }
+
+    std::size_t uncoveredOfSheets() const
+    {
+        if (_tile.tile.hasHoles()) return 0;
+        std::size_t count = 0;
+        for (std::size_t i = 0; i < _sheetsCovered.size(); ++i)
+        {
+            const SampleSheet& sheet = _tile.tile.sheets()[i];
+            sheet.inside().forEachMultipleOf(sheet.step(), [&](int column, int row)
+                                             { count += !_sheetsCovered[i][sheet.index(column, row)]; });
+        }
+        return count;
     }
 
     int step() const { return 1 << _tile.tile.gridExponent(); }
@@ -131,6 +146,9 @@ private:
         if (((p.column | p.row) & ((1 << _tile.tile.gridExponent()) - 1)) == 0)
             _covered[rasterIndex(p)] = true;
         if (!_uncovered.empty()) _uncovered.erase(key(p));
+        const auto& sheets = _tile.tile.sheets();
+        for (std::size_t i = 0; i < sheets.size(); ++i)
+            if (sheets[i].holds(p.column, p.row)) _sheetsCovered[i][sheets[i].index(p.column, p.row)] = true;
     }
 
     /// The samples of a triangle lie within its error of it, so a sphere around both tells whether any can be seen.
@@ -158,7 +176,8 @@ private:
 
     const RoamTile& _tile;
     const viewlod::ViewState* _view;
-    std::vector<bool> _covered;                   ///< samples of the raster
+    std::vector<bool> _covered; ///< samples of the raster
+    std::vector<std::vector<bool>> _sheetsCovered;
     std::unordered_set<std::uint64_t> _uncovered; ///< those between
     std::vector<GridPoint> _misplaced;            ///< samples by which the outline is off
     double _maxErrorPx = 0.0;

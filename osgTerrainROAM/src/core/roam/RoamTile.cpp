@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <utility>
 
+#include <osgTerrainROAM/core/edit/BoundsUpdate.h>
 #include <osgTerrainROAM/core/roam/RoamTile.h>
 
 namespace osgTerrainROAM::core
@@ -15,6 +16,21 @@ RoamTile::RoamTile(PlacedTile placedTile) : tile(std::move(placedTile)), regions
         for (int column = 0; column < tile.side(); column += step, ++v)
             if (tile.isInData(column, row) || measured.errorM(v) > 0.0f)
                 setBound({column, row}, measured.errorM(v), measured.radiusM(v));
+    admitSheets();
+}
+
+void RoamTile::admitSheets()
+{
+    std::vector<ChangedPlaces> added;
+    for (const SampleSheet& sheet : tile.sheets())
+    {
+        added.push_back({sheet.inside(), sheet.step()});
+        sheet.inside().forEachMultipleOf(sheet.step(),
+                                         [this](int column, int row) {
+                                             include({column, row});
+                                         });
+    }
+    if (!added.empty()) BoundsUpdate(*this).admit(added);
 }
 
 void RoamTile::setBound(GridPoint v, float errorM, float radiusM)

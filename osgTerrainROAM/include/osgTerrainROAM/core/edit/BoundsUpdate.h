@@ -13,6 +13,8 @@
 namespace osgTerrainROAM::core
 {
 
+class SheetErrors;
+
 /// Places whose heights may have changed: those of a rectangle that are multiples of `step`.
 struct ChangedPlaces
 {
@@ -47,6 +49,10 @@ public:
     /// vertices whose bounds have changed.
     std::vector<Change> follow(std::span<const ChangedPlaces> changed, double movedM);
 
+    /// The samples of the tile's sheets are new: no corner has moved, but errors and radii have to reach over them.
+    /// `added`: their rectangles.
+    void admit(std::span<const ChangedPlaces> added);
+
     /// Measures loose vertices, the finest first, as many as have `mostSamples` samples, but one at least. Returns as
     /// follow().
     std::vector<Change> tighten(std::size_t mostSamples);
@@ -75,6 +81,7 @@ private:
     RoamTile& _tile;
     std::span<const ChangedPlaces> _changed;
     double _movedM = 0.0;
+    const SheetErrors* _admitted = nullptr; ///< while samples of sheets are new
     std::size_t _mostSamples = 0; ///< of a diamond that is measured
     std::array<std::vector<Wanted>, PlacedTile::kMostLevels> _wanted;
     std::vector<Change> _changes;

@@ -46,11 +46,12 @@ struct DemImportOptions
 viewlod::Result<HeightField> importDem(const std::filesystem::path& file,
                                        const DemImportOptions& options = {});
 
-/// Joins several such rasters, of any extents, spacings and coordinate reference systems, on the grid of the finest. That one's
+/// Joins several such rasters, of any extents, spacings and coordinate reference systems, on the grid of the finest; where that
+/// would be more than 2^26 samples, on a coarser one, and finer data become denser parts of it (HeightField::parts). That one's
 /// samples are kept as they are; coarser data are interpolated, and bent where they meet finer, over four of their own samples, so
 /// that there is one height along each seam. What no raster reaches is a hole (HeightField::mask).
 /// `files`: at least one. Errors: as importDem of each; no georeference; different vertical datums; a plane among rasters on the
-/// Earth; more than 2^26 samples at the finest spacing.
+/// Earth; more than 2^26 samples all the same.
 viewlod::Result<HeightField> importDems(std::span<const std::filesystem::path> files,
                                         const DemImportOptions& options = {});
 

@@ -25,6 +25,15 @@ struct GridRect
         return {std::max(west, o.west), std::max(south, o.south), std::min(east, o.east),
                 std::min(north, o.north)};
     }
+    /// Calls visit(column, row) for the places whose coordinates are multiples of `step`, a power of two; row by row.
+    template<class Visit>
+    void forEachMultipleOf(int step, const Visit& visit) const
+    {
+        for (int row = (south + step - 1) & -step; row <= north; row += step)
+            for (int column = (west + step - 1) & -step; column <= east; column += step)
+                visit(column, row);
+    }
+
     friend bool operator==(const GridRect&, const GridRect&) = default;
 };
 

@@ -49,6 +49,16 @@ struct MosaicReport
     double largestStepM = 0.0;   ///< by which rasters disagreed at most, along the seams
 };
 
+/// A rectangle of a height field whose samples lie closer together, by a power of two.
+struct DensePart
+{
+    int west = 0, south = 0;   ///< the field's sample in its south-western corner
+    int columns = 0, rows = 0; ///< cells of the field that it covers
+    int exponent = 1;          ///< a cell has 2^exponent of its samples along a side
+    std::vector<float>
+        heightsM; ///< (columns·2^exponent + 1) × (rows·2^exponent + 1), row-major, southernmost first
+};
+
 /// A regular grid of height samples, complete (voids already filled).
 /// Sample (column, row): column 0 is the westernmost, row 0 the *southernmost*; storage is row-major.
 /// Units: metres, as in the file (above the geoid or the ellipsoid: GeodeticNet::Node::geoidM tells).
@@ -64,6 +74,7 @@ struct HeightField
     std::optional<GeodeticNet> net; ///< absent: no georeference, a plane with the spacings above
     VoidReport voids;
     MosaicReport mosaic;
+    std::vector<DensePart> parts; ///< coarse before fine: where they overlap the later count
     SampleMask mask; ///< which samples are there: the others have heights only so that the grid is complete
 
     /// Height of a sample; positions beyond the data take the nearest edge sample (constant extrapolation).

@@ -12,6 +12,7 @@
 
 #include <osgTerrainROAM/core/heightfield/FineSamples.h>
 #include <osgTerrainROAM/core/heightfield/HeightField.h>
+#include <osgTerrainROAM/core/heightfield/SampleSheet.h>
 #include <osgTerrainROAM/core/heightfield/SampleTable.h>
 
 namespace osgTerrainROAM::core
@@ -44,7 +45,8 @@ struct PlacedTileOptions
 
 /// A height field as a square tile of 2^N+1 grid places a side, each of which has a position in the local frame.
 /// The grid is the samples' own, or finer by a power of two (gridExponent), so that edits can put samples between them;
-/// places without a sample lie on the surface of the samples around them and count in no error. Columns and rows are
+/// places without a sample lie on the surface of the samples around them and count in no error. Parts of the field that
+/// are denser lie over it as sheets, on the same grid. Columns and rows are
 /// those of the grid everywhere but where samples are mentioned.
 /// Places beyond the data repeat the edge's height; they exist only so that the bintree is complete, count
 /// in no error and are clipped when drawn (dataColumns, dataRows). Curved: a lattice of exact positions and
@@ -136,20 +138,34 @@ public:
     void forEachSample(const GridRect& rect, const Visit& visit) const
     {
         const GridRect cut = rect.cutTo({0, 0, _dataColumns - 1, _dataRows - 1});
-        const int step = 1 << _gridExponent;
-        for (int row = (cut.south + step - 1) & -step; row <= cut.north; row += step)
-            for (int column = (cut.west + step - 1) & -step; column <= cut.east; column += step)
-                if (hasSampleOfRaster(column, row)) visit(column, row);
+        const auto visitGround = [&](int column, int row)
+        {
+            if (isGround(column, row)) visit(column, row);
+        };
+        cut.forEachMultipleOf(1 << _gridExponent, visitGround);
+        for (const SampleSheet& sheet : _sheets)
+            cut.cutTo(sheet.inside()).forEachMultipleOf(sheet.step(), visitGround);
         if (!_fine.isEmpty()) _fine.forEachIn(cut, visit);
     }
     const FineSamples& fineSamples() const { return _fine; }
+    const std::vector<SampleSheet>& sheets() const { return _sheets; }
+
+    /// Places from a sample at this one to the next: of the raster, or of a sheet; 1 for one that an edit has put there.
+    int sampleStep(int column, int row) const
+    {
+        if (const SampleSheet* sheet = sheetAt(column, row)) return sheet->step();
+        return isOfRaster(column, row) ? 1 << _gridExponent : 1;
+    }
 
     /// Whether a sample of the raster belongs there.
     bool isOfRaster(int column, int row) const { return ((column | row) & _betweenSamples) == 0; }
 
-    /// Gives a sample of the raster another height: the surface between the samples follows. Kept exactly; where the table
-    /// cannot, places between follow to its nearest step.
-    void setRasterHeight(int column, int row, float heightM);
+    /// Whether a sample of the raster or of a sheet belongs there.
+    bool isMeasured(int column, int row) const { return isOfRaster(column, row) || sheetAt(column, row); }
+
+    /// Gives a sample of the raster, or of a sheet, another height: the surface between the samples follows. Kept exactly; where
+    /// the table cannot, places between follow to its nearest step.
+    void setSampleHeight(int column, int row, float heightM);
 
     /// Puts a sample at a place of the data, or another in its place; the surface of the raster around it stays as it is.
     void setFineHeight(int column, int row, float heightM);
@@ -165,14 +181,14 @@ public:
 
     bool hasSample(int column, int row) const
     {
-        return isOfRaster(column, row) || hasFineSample(column, row);
+        return isMeasured(column, row) || hasFineSample(column, row);
     }
 
     /// All that is kept of a place of the data; to put it back.
     struct Kept
     {
-        SampleTable::Sample inTable{}, inFine{};
-        bool isInTable = false, isInFine = false, isElsewhere = false;
+        SampleTable::Sample inTable{}, inSheet{}, inFine{};
+        bool isInTable = false, isInSheet = false, isInFine = false, isElsewhere = false;
     };
     Kept kept(int column, int row) const;
     void restore(int column, int row, const Kept& kept);
@@ -279,7 +295,17 @@ private:
     }
     bool isGroundBetween(int column, int row) const;
     SampleTable::Sample sampleBetween(int column, int row) const;
-    float interpolatedHeightM(int column, int row) const;
+    /// Of the raster with the first `sheets` of its sheets over it, without what edits have put between.
+    float surfaceM(int column, int row, std::size_t sheets) const;
+    const SampleSheet* sheetAt(int column,
+                               int row) const; ///< the finest that holds a sample there; null: none
+    SampleSheet* sheetAt(int column, int row)
+    {
+        return const_cast<SampleSheet*>(std::as_const(*this).sheetAt(column, row));
+    }
+    const SampleTable* tableOf(int column, int row) const;
+    void laySheets(std::vector<DensePart> parts, Storage storage);
+    void fade(DensePart& part) const;
     bool isInTable(int column, int row) const
     {
         return isOfRaster(column, row) && !_samples.isElsewhere(rasterIndex(column, row));
@@ -300,6 +326,7 @@ private:
 
     HeightField _field;
     SampleTable _samples;
+    std::vector<SampleSheet> _sheets; ///< coarse before fine
     FineSamples _fine;
     Placement _placement;
     Geodetic _origin;

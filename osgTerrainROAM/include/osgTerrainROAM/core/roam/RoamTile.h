@@ -106,6 +106,7 @@ private:
     }
 
     SplitBound boundBeyond(GridPoint v) const;
+    void admitSheets();
 
     static constexpr std::size_t kMostNoted = 1 << 20; ///< vertices and rectangles
 

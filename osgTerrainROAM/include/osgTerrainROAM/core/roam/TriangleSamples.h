@@ -1,14 +1,36 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
+
 #include <osgTerrainROAM/core/heightfield/PlacedTile.h>
 #include <osgTerrainROAM/core/roam/GridTriangle.h>
 
 namespace osgTerrainROAM::core
 {
 
-/// Calls visit(GridPoint) for every sample of the data in a triangle, its borders included: the raster's, row by row, then
-/// those between. Some may be given twice.
+/// Calls visit(GridPoint) for every sample that the sheets of a tile hold in a triangle, its borders included, row by row.
+template<class Visit>
+void forEachSheetSampleIn(const PlacedTile& tile, const GridTriangle& triangle, const Visit& visit)
+{
+    for (const SampleSheet& sheet : tile.sheets())
+    {
+        const GridRect inside = sheet.inside();
+        if (inside.cutTo(triangle.extent()).isEmpty()) continue;
+        const int step = sheet.step();
+        triangle.forEachRow(
+            inside.east + 1, inside.north + 1,
+            [&](int row, int west, int east)
+            {
+                if (row < inside.south) return;
+                for (int column = std::max(west, inside.west); column <= east; column += step)
+                    if (tile.isGround(column, row)) visit(GridPoint{column, row});
+            },
+            step);
+    }
+}
+
+/// The same for every sample of the data: the raster's, the sheets', then those between. Some may be given twice.
 template<class Visit>
 void forEachSampleIn(const PlacedTile& tile, const GridTriangle& triangle, const Visit& visit)
 {
@@ -21,6 +43,7 @@ void forEachSampleIn(const PlacedTile& tile, const GridTriangle& triangle, const
                 if (tile.isGround(column, row)) visit(GridPoint{column, row});
         },
         step);
+    forEachSheetSampleIn(tile, triangle, visit);
     if (tile.fineSamples().isEmpty()) return;
     tile.fineSamples().forEachIn(triangle.extent(),
                                  [&](int column, int row)

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cassert>
+#include <utility>
+
+#include <osgTerrainROAM/core/heightfield/SampleSheet.h>
+
+namespace osgTerrainROAM::core
+{
+
+namespace
+{
+
+constexpr double kHeadroom = 2.0; ///< of heights, for edits
+
+HeightField heightsOf(DensePart& part)
+{
+    HeightField field;
+    field.heightsM = std::move(part.heightsM);
+    return field;
+}
+
+} // namespace
+
+SampleSheet::SampleSheet(DensePart part, int gridExponent, Storage storage)
+    : SampleSheet(heightsOf(part), part, gridExponent, storage)
+{
+}
+
+SampleSheet::SampleSheet(HeightField field, const DensePart& part, int gridExponent, Storage storage)
+    : _rect{part.west << gridExponent, part.south << gridExponent, (part.west + part.columns) << gridExponent,
+            (part.south + part.rows) << gridExponent},
+      _shift(gridExponent - part.exponent),
+      _columns((part.columns << part.exponent) + 1),
+      _table(field, storage, kHeadroom)
+{
+    assert(_shift >= 0 && part.exponent > 0);
+    assert(_table.size() ==
+           static_cast<std::size_t>(_columns) * ((static_cast<std::size_t>(part.rows) << part.exponent) + 1));
+}
+
+} // namespace osgTerrainROAM::core
