@@ -17,6 +17,7 @@
 #include "material/LandMap.h"
 #include "material/MapGrid.h"
 #include "material/NormalMap.h"
+#include "material/SheetNormals.h"
 #include "material/TerrainShader.h"
 
 namespace osgTerrainROAM
@@ -56,6 +57,8 @@ TerrainMaterial::TerrainMaterial(const core::PlacedTile& tile, const Climate& cl
     measureHeights(tile);
     setPalette();
     addClipping(tile);
+    if (!tile.sheets().empty())
+        _sheetNormals = std::make_unique<SheetNormals>(tile, *_stateSet, sheetNormals);
     if (tile.gridExponent() > 0)
         _fineNormals = std::make_unique<FineNormals>(tile, *_stateSet, fineIndex, fineNormals);
     setProgram();
@@ -69,6 +72,7 @@ void TerrainMaterial::setProgram()
                                                     .layers = _imageryLayers,
                                                     .features = _hasFeatures,
                                                     .cover = _hasCover,
+                                                    .sheets = _sheetNormals ? _sheetNormals->maps() : 0,
                                                     .fine = _fineNormals != nullptr,
                                                     .season = _season.has_value()}));
 }
@@ -144,20 +148,14 @@ TerrainMaterial::~TerrainMaterial() = default;
 void TerrainMaterial::followEdits(const core::PlacedTile& tile, std::span<const core::GridRect> moved)
 {
     updateNormals(*_normalImage, tile, MapGrid(tile), moved);
+    if (_sheetNormals) _sheetNormals->follow(tile, moved);
     if (_fineNormals) _fineNormals->follow(tile, moved);
 }
 
 void TerrainMaterial::addScales(const core::PlacedTile& tile)
 {
-    // Bumps that the data themselves show are not invented a second time: a layer counts where its features, an
-    // eighth of its period, are finer than two samples.
     const double spacingM = 0.5 * (tile.field().spacingEastM + tile.field().spacingNorthM);
-    const auto finer = [=](double periodM)
-    { return static_cast<float>(std::clamp((2.0 * spacingM - periodM / 8.0) / spacingM, 0.0, 1.0)); };
-    _stateSet->addUniform(
-        new osg::Uniform("terrainBumpiness",
-                         osg::Vec4f(0.55f * std::max(finer(2.0), 0.8f), 0.45f * std::max(finer(28.0), 0.3f),
-                                    0.40f * finer(324.0), 0.35f * finer(1831.0))));
+    _stateSet->addUniform(new osg::Uniform("terrainBumpiness", bumpinessOver(spacingM)));
     // A beach some 25 m wide, within the two samples that the water mask slopes over.
     _stateSet->addUniform(new osg::Uniform(
         "terrainShore",

@@ -8,8 +8,8 @@
 namespace osgTerrainROAM
 {
 
-/// The raster of the surface maps: one texel per sample of the raster, or per several where that would exceed what graphics
-/// cards take.
+/// The raster of a surface map: one texel per sample of a tile's raster, or of one of its sheets, or per several where that would
+/// exceed what graphics cards take.
 struct MapGrid
 {
     static constexpr int kMaxSide = 8192;
@@ -17,14 +17,33 @@ struct MapGrid
     int step = 1; ///< places of the tile's grid to a texel
     int width = 0;
     int height = 0;
+    int west = 0, south = 0; ///< place of the first texel
+    bool isOfRaster = true;
 
     explicit MapGrid(const core::PlacedTile& tile)
+        : MapGrid({0, 0, tile.dataColumns() - 1, tile.dataRows() - 1}, 1 << tile.gridExponent())
     {
-        step = 1 << tile.gridExponent();
-        while ((std::max(tile.dataColumns(), tile.dataRows()) - 1) / step + 1 > kMaxSide)
+    }
+    explicit MapGrid(const core::SampleSheet& sheet) : MapGrid(sheet.rect(), sheet.step())
+    {
+        isOfRaster = false;
+    }
+
+    /// Of a texel, or of the nearest that there is.
+    glm::dvec3 position(const core::PlacedTile& tile, int x, int y) const
+    {
+        const int column = west + std::clamp(x, 0, width - 1) * step,
+                  row = south + std::clamp(y, 0, height - 1) * step;
+        return isOfRaster ? tile.rasterPosition(column, row) : tile.position(column, row);
+    }
+
+private:
+    MapGrid(const core::GridRect& rect, int leastStep) : step(leastStep), west(rect.west), south(rect.south)
+    {
+        while (std::max(rect.east - rect.west, rect.north - rect.south) / step + 1 > kMaxSide)
             step *= 2;
-        width = (tile.dataColumns() - 1) / step + 1;
-        height = (tile.dataRows() - 1) / step + 1;
+        width = (rect.east - rect.west) / step + 1;
+        height = (rect.north - rect.south) / step + 1;
     }
 };
 

@@ -19,9 +19,8 @@ using Row = std::vector<glm::dvec3>;
 Row placedRow(const core::PlacedTile& tile, const MapGrid& grid, int row)
 {
     Row positions(static_cast<std::size_t>(grid.width));
-    const int sampleRow = std::clamp(row, 0, grid.height - 1) * grid.step;
     for (int column = 0; column < grid.width; ++column)
-        positions[static_cast<std::size_t>(column)] = tile.rasterPosition(column * grid.step, sampleRow);
+        positions[static_cast<std::size_t>(column)] = grid.position(tile, column, row);
     return positions;
 }
 

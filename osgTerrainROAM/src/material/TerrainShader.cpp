@@ -9,6 +9,7 @@
 #include "FeatureShader.h"
 #include "FineNormals.h"
 #include "ImageryShader.h"
+#include "SheetNormals.h"
 
 namespace osgTerrainROAM
 {
@@ -101,11 +102,11 @@ Grain grainAt(vec2 place)
     return g;
 }
 
-// `wood`: treetops, some metres across and as high.
-vec2 bumps(Grain g, float roughness, float wood)
+// `bumpiness`: of each layer; `wood`: treetops, some metres across and as high.
+vec2 bumps(Grain g, vec4 bumpiness, float roughness, float wood)
 {
-    vec2 b = g.metres2.xy * terrainBumpiness.x + g.metres28.xy * (terrainBumpiness.y + 0.5 * wood);
-    b += g.metres324.xy * terrainBumpiness.z + g.metres1831.xy * terrainBumpiness.w;
+    vec2 b = g.metres2.xy * bumpiness.x + g.metres28.xy * (bumpiness.y + 0.5 * wood);
+    b += g.metres324.xy * bumpiness.z + g.metres1831.xy * bumpiness.w;
     return b * roughness;
 }
 )";
@@ -153,6 +154,10 @@ void main()
     vec3 directionWorld = terrainWorldFromLocal * (fromEye / distanceM);
     vec2 mapPlace = grid * terrainMapFromGrid.xy + terrainMapFromGrid.zw;
     vec2 tilt = texture(terrainNormals, mapPlace).rg * 2.0 - 1.0;
+    vec4 bumpiness = terrainBumpiness;
+#ifdef TERRAIN_SHEETS
+    sheetTilt(tilt, bumpiness);
+#endif
 #ifdef TERRAIN_FINE
     tilt = fineTilt(tilt);
 #endif
@@ -183,7 +188,7 @@ void main()
     ground.a *= openShare(paint);
     roughness *= 0.25 + 0.75 * openShare(paint);
 #endif
-    vec2 bent = tilt - bumps(g, roughness, ground.a * (1.0 - snow));
+    vec2 bent = tilt - bumps(g, bumpiness, roughness, ground.a * (1.0 - snow));
     vec3 normal = normalize(vec3(bent, sqrt(max(1.0 - dot(tilt, tilt), 0.02))));
 
     vec3 albedo = ground.rgb;
@@ -240,11 +245,13 @@ osg::ref_ptr<osg::Program> terrainProgram(const TerrainLook& look)
     if (look.features) fragment += "#define TERRAIN_FEATURES\n";
     if (look.cover) fragment += "#define TERRAIN_COVER\n";
     if (look.season) fragment += "#define TERRAIN_SEASON\n";
+    if (look.sheets > 0) fragment += "#define TERRAIN_SHEETS\n";
     if (look.fine) fragment += "#define TERRAIN_FINE\n";
     if (look.features || look.season)
         fragment += "uniform ivec3 terrainEyeWraps; // whole 4096 m below the eye's wrapped place\n";
     fragment += Atmosphere::glslFunctions();
     fragment += kFragmentHead;
+    if (look.sheets > 0) fragment += sheetNormalsGlsl(look.sheets);
     if (look.fine) fragment += fineNormalsGlsl();
     fragment += kFragmentLand;
     if (look.features) fragment += std::string(featureCellsGlsl()) + featureLinesGlsl() + featurePaintGlsl();

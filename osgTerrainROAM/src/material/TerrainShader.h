@@ -17,6 +17,7 @@ struct TerrainLook
     int layers = 0;        ///< imagery in several resolutions instead (ImageryShader.h)
     bool features = false; ///< vector features (FeatureTextures.h)
     bool cover = false;    ///< land cover (CoverShader.h)
+    int sheets = 0;        ///< normal maps of denser parts (SheetNormals.h)
     bool fine = false;     ///< normals between the samples (FineNormals.h)
     bool season = false;   ///< snow of the season (CoverShader.h)
 };

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "SheetNormals.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <osg/Texture2D>
+#include <osg/Uniform>
+
+#include "NormalMap.h"
+
+namespace osgTerrainROAM
+{
+
+SheetNormals::SheetNormals(const core::PlacedTile& tile, osg::StateSet& stateSet, unsigned firstUnit)
+{
+    const auto& sheets = tile.sheets();
+    const std::size_t count = std::min(sheets.size(), kMostMaps);
+    const auto array = [&](const char* name)
+    {
+        return stateSet.getOrCreateUniform(name, osg::Uniform::FLOAT_VEC4,
+                                           static_cast<unsigned>(std::max<std::size_t>(count, 1)));
+    };
+    osg::Uniform *fromGrid = array("sheetFromGrid"), *rects = array("sheetRect"),
+                 *bumpiness = array("sheetBumpiness");
+    const double placeM =
+        0.5 * (tile.field().spacingEastM + tile.field().spacingNorthM) / (1 << tile.gridExponent());
+    for (std::size_t i = 0; i < count; ++i)
+    {
+        const core::SampleSheet& sheet = sheets[sheets.size() - count + i];
+        const auto n = static_cast<unsigned>(i);
+        _maps.push_back({MapGrid(sheet), nullptr});
+        Map& map = _maps.back();
+        map.image = normalMap(tile, map.grid);
+        osg::ref_ptr<osg::Texture2D> texture = new osg::Texture2D(map.image);
+        texture->setResizeNonPowerOfTwoHint(false);
+        texture->setFilter(osg::Texture::MIN_FILTER, osg::Texture::LINEAR_MIPMAP_LINEAR);
+        texture->setFilter(osg::Texture::MAG_FILTER, osg::Texture::LINEAR);
+        texture->setWrap(osg::Texture::WRAP_S, osg::Texture::CLAMP_TO_EDGE);
+        texture->setWrap(osg::Texture::WRAP_T, osg::Texture::CLAMP_TO_EDGE);
+        stateSet.setTextureAttribute(firstUnit + n, texture);
+        stateSet.addUniform(
+            new osg::Uniform(("sheetNormals" + std::to_string(i)).c_str(), static_cast<int>(firstUnit + n)));
+        const auto perTexel = static_cast<float>(map.grid.step);
+        const auto width = static_cast<float>(map.grid.width), height = static_cast<float>(map.grid.height);
+        const core::GridRect& r = sheet.rect();
+        fromGrid->setElement(n, osg::Vec4f(1.0f / (perTexel * width), 1.0f / (perTexel * height),
+                                           (0.5f - static_cast<float>(r.west) / perTexel) / width,
+                                           (0.5f - static_cast<float>(r.south) / perTexel) / height));
+        rects->setElement(n, osg::Vec4f(static_cast<float>(r.west), static_cast<float>(r.south),
+                                        static_cast<float>(r.east), static_cast<float>(r.north)));
+        bumpiness->setElement(n, bumpinessOver(placeM * sheet.step()));
+    }
+    stateSet.addUniform(new osg::Uniform("sheetCell", std::ldexp(1.0f, tile.gridExponent())));
+}
+
+void SheetNormals::follow(const core::PlacedTile& tile, std::span<const core::GridRect> moved)
+{
+    for (const Map& map : _maps)
+        updateNormals(*map.image, tile, map.grid, moved);
+}
+
+osg::Vec4f bumpinessOver(double spacingM)
+{
+    // A layer counts where its features, an eighth of its period, are finer than two samples.
+    const auto finer = [=](double periodM)
+    { return static_cast<float>(std::clamp((2.0 * spacingM - periodM / 8.0) / spacingM, 0.0, 1.0)); };
+    return {0.55f * std::max(finer(2.0), 0.8f), 0.45f * std::max(finer(28.0), 0.3f), 0.40f * finer(324.0),
+            0.35f * finer(1831.0)};
+}
+
+std::string sheetNormalsGlsl(int maps)
+{
+    const std::string count = std::to_string(maps);
+    std::string text = "uniform vec4 sheetFromGrid[" + count + "];\nuniform vec4 sheetRect[" + count +
+                       "];\nuniform vec4 sheetBumpiness[" + count + "];\nuniform float sheetCell;\n";
+    for (int i = 0; i < maps; ++i)
+        text += "uniform sampler2D sheetNormals" + std::to_string(i) + ";\n";
+    text += R"(
+// Over the last cell a sheet fades into what lies below, as its heights do.
+void addSheet(inout vec2 tilt, inout vec4 bumpiness, sampler2D normals, vec4 fromGrid, vec4 rect, vec4 bumps)
+{
+    vec2 inward = min(grid - rect.xy, rect.zw - grid) / sheetCell;
+    vec2 here = texture(normals, grid * fromGrid.xy + fromGrid.zw).rg * 2.0 - 1.0; // for all pixels: its mip level
+    float share = smoothstep(0.0, 1.0, min(inward.x, inward.y));
+    tilt = mix(tilt, here, share);
+    bumpiness = mix(bumpiness, bumps, share);
+}
+
+void sheetTilt(inout vec2 tilt, inout vec4 bumpiness)
+{
+)";
+    for (int i = 0; i < maps; ++i)
+    {
+        const std::string n = std::to_string(i);
+        text += "    addSheet(tilt, bumpiness, sheetNormals" + n + ", sheetFromGrid[" + n + "], sheetRect[" +
+                n + "], sheetBumpiness[" + n + "]);\n";
+    }
+    return text + "}\n";
+}
+
+} // namespace osgTerrainROAM
