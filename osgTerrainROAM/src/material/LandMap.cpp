@@ -92,7 +92,7 @@ double landNoise(const TileableNoise& noise, double eastM, double northM, double
 osg::ref_ptr<osg::Image> landMap(const core::PlacedTile& tile, const MapGrid& grid, const Climate& climate,
                                  const osg::Image& normals)
 {
-    const double spacingM = 0.5 * (tile.field().spacingEastM + tile.field().spacingNorthM) * grid.step;
+    const double spacingM = grid.spacingM(tile);
     const MapField heights = mapHeights(tile, grid);
     const MapField hollow = hollowness(heights, grid, spacingM);
     const std::vector<std::uint8_t> water = waterMask(heights, grid, climate.seaLevelM);

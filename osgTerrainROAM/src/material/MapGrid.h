@@ -29,6 +29,12 @@ struct MapGrid
         isOfRaster = false;
     }
 
+    /// From one texel to the next, the mean of both directions.
+    double spacingM(const core::PlacedTile& tile) const
+    {
+        return 0.5 * (tile.field().spacingEastM + tile.field().spacingNorthM) * step / (1 << tile.gridExponent());
+    }
+
     /// Of a texel, or of the nearest that there is.
     glm::dvec3 position(const core::PlacedTile& tile, int x, int y) const
     {

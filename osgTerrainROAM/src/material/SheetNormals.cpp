@@ -23,8 +23,6 @@ SheetNormals::SheetNormals(const core::PlacedTile& tile, osg::StateSet& stateSet
     };
     osg::Uniform *fromGrid = array("sheetFromGrid"), *rects = array("sheetRect"),
                  *bumpiness = array("sheetBumpiness");
-    const double placeM =
-        0.5 * (tile.field().spacingEastM + tile.field().spacingNorthM) / (1 << tile.gridExponent());
     for (std::size_t i = 0; i < count; ++i)
     {
         const core::SampleSheet& sheet = sheets[sheets.size() - count + i];
@@ -49,7 +47,7 @@ SheetNormals::SheetNormals(const core::PlacedTile& tile, osg::StateSet& stateSet
                                            (0.5f - static_cast<float>(r.south) / perTexel) / height));
         rects->setElement(n, osg::Vec4f(static_cast<float>(r.west), static_cast<float>(r.south),
                                         static_cast<float>(r.east), static_cast<float>(r.north)));
-        bumpiness->setElement(n, bumpinessOver(placeM * sheet.step()));
+        bumpiness->setElement(n, bumpinessOver(map.grid.spacingM(tile)));
     }
     stateSet.addUniform(new osg::Uniform("sheetCell", std::ldexp(1.0f, tile.gridExponent())));
 }

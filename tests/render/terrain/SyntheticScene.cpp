@@ -74,9 +74,8 @@ std::vector<Viewpoint> viewpoints(const core::PlacedTile& tile)
 namespace
 {
 
-/// With a material and the light of an afternoon.
 template<class Tile>
-osg::ref_ptr<RoamTerrain> dressed(const std::shared_ptr<Tile>& tile, double tolerancePx)
+osg::ref_ptr<RoamTerrain> withMaterial(const std::shared_ptr<Tile>& tile, double tolerancePx)
 {
     core::LandParameters land;
     land.treeLineM = 550.0;
@@ -94,9 +93,14 @@ osg::ref_ptr<RoamTerrain> dressed(const std::shared_ptr<Tile>& tile, double tole
 
 } // namespace
 
+osg::ref_ptr<RoamTerrain> dressed(const std::shared_ptr<core::RoamTile>& tile, double tolerancePx)
+{
+    return withMaterial(tile, tolerancePx);
+}
+
 osg::ref_ptr<RoamTerrain> islandTerrain(double tolerancePx)
 {
-    return dressed(islandTile(), tolerancePx);
+    return withMaterial(islandTile(), tolerancePx);
 }
 
 osg::ref_ptr<RoamTerrain> editableIsland()
