@@ -2,6 +2,7 @@
 #include "LandMap.h"
 
 #include <cmath>
+#include <limits>
 
 #include "NormalMap.h"
 #include "ParallelRows.h"
@@ -87,6 +88,17 @@ double landNoise(const TileableNoise& noise, double eastM, double northM, double
            0.6;
 }
 
+/// What stands for ground where there is none is flat, and would be taken for water: it is no number.
+MapField withoutHoles(MapField heights, const core::PlacedTile& tile, const MapGrid& grid)
+{
+    std::size_t at = 0;
+    for (int y = 0; y < grid.height && tile.hasHoles(); ++y)
+        for (int x = 0; x < grid.width; ++x, ++at)
+            if (!tile.isGround(x * grid.step, y * grid.step))
+                heights[at] = std::numeric_limits<float>::quiet_NaN();
+    return heights;
+}
+
 } // namespace
 
 osg::ref_ptr<osg::Image> landMap(const core::PlacedTile& tile, const MapGrid& grid, const Climate& climate,
@@ -95,7 +107,8 @@ osg::ref_ptr<osg::Image> landMap(const core::PlacedTile& tile, const MapGrid& gr
     const double spacingM = grid.spacingM(tile);
     const MapField heights = mapHeights(tile, grid);
     const MapField hollow = hollowness(heights, grid, spacingM);
-    const std::vector<std::uint8_t> water = waterMask(heights, grid, climate.seaLevelM);
+    const std::vector<std::uint8_t> water =
+        waterMask(withoutHoles(heights, tile, grid), grid, climate.seaLevelM);
     const TileableNoise noise(256, {4, 5, 0.6, 71});
     const Growth growth(climate, spacingM);
     const double sunSide = tile.field().net && tile.field().net->nodes.front().latitudeDeg < 0.0 ? 1.0 : -1.0;

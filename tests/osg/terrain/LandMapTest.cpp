@@ -127,6 +127,29 @@ TEST(WaterMask, FindsSeaAndLakeButNoTerrace)
     EXPECT_LT(at(20, 30), 128);
 }
 
+/// Where there is no ground, the heights that stand for it are those of the nearest: flat.
+TEST(WaterMask, FindsNoneBesideHoles)
+{
+    auto field = fieldOf(120, 60, 30.0, [](int c, int r) { return c < 60 ? 103.0 + c + 0.3 * r : 160.0; });
+    const auto landOf = [](const core::PlacedTile& tile)
+    {
+        const MapGrid grid(tile);
+        const auto image = landMap(tile, grid, Climate{}, *normalMap(tile, grid));
+        int most = 0;
+        for (int y = 0; y < grid.height; ++y)
+            for (int x = 0; x < 58; ++x)
+                most = std::max(most, int(image->data(x, y)[2]));
+        return most;
+    };
+    EXPECT_GT(landOf(planar(field)), 0) << "a lake, if it were there";
+    std::vector<std::uint8_t> isThere;
+    for (int r = 0; r < 60; ++r)
+        for (int c = 0; c < 120; ++c)
+            isThere.push_back(c < 60);
+    field.mask = core::SampleMask(isThere, 120, 60);
+    EXPECT_EQ(landOf(planar(field)), 0);
+}
+
 TEST(SkyVisibility, ValleysSeeLessSkyThanRidges)
 {
     const auto tile = planar(fieldOf(128, 128, 30.0, [](int c, int) { return 300.0 * std::cos(c * 0.2); }));
