@@ -137,7 +137,7 @@ TEST(WaterMask, FindsNoneBesideHoles)
         const auto image = landMap(tile, grid, Climate{}, *normalMap(tile, grid));
         int most = 0;
         for (int y = 0; y < grid.height; ++y)
-            for (int x = 0; x < 58; ++x)
+            for (int x = 0; x < 60; ++x)
                 most = std::max(most, int(image->data(x, y)[2]));
         return most;
     };
