@@ -14,7 +14,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     using namespace osgTerrainROAM::core;
     const std::string_view text(reinterpret_cast<const char*>(data), size);
     const auto file = parseRoamFile(text, "fuzz.roam");
-    if (file ? file->dem.empty() || file->imagery.size() > RoamFile::kMaxImagery
+    if (file ? file->dems.empty() || file->imagery.size() > RoamFile::kMaxImagery
              : !file.error().place.starts_with("fuzz.roam:"))
         std::abort();
     const auto table = parseCoverTable(text, "fuzz.txt");

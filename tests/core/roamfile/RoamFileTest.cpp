@@ -119,8 +119,9 @@ TEST(RoamFile, ErrorsNameFileAndLine)
     EXPECT_THAT(messageOf("dem = a.tif\nspacing = 1 2\n"), HasSubstr("2 numbers"));
     EXPECT_THAT(messageOf("dem = a.tif\norigin = 46\n"), HasSubstr("place.roam:2: origin has 1 numbers"));
     EXPECT_THAT(messageOf("dem = a.tif\norigin = 96 8\n"), HasSubstr("no place on Earth"));
-    EXPECT_THAT(messageOf("dem = a.tif\ndem = b.tif\n"),
-                HasSubstr("place.roam:2: 'dem' stands here a second time"));
+    EXPECT_THAT(messageOf("dem = a.tif\nspacing = 3\nspacing = 4\n"),
+                HasSubstr("place.roam:3: 'spacing' stands here a second time"));
+    EXPECT_THAT(messageOf("dem = a.tif\nvoids = dig\n"), HasSubstr("use one of: fill, keep"));
     EXPECT_THAT(messageOf("dem = a.tif\nplacement = round\n"), HasSubstr("use one of: curved, planar"));
     EXPECT_THAT(messageOf("dem = a.tif\nsun = 10 100\n"), HasSubstr("place.roam:2"));
     EXPECT_THAT(messageOf("dem = a.tif\nmax_triangles =\n"), HasSubstr("has no value"));
@@ -141,6 +142,8 @@ TEST(RoamFile, AMissingDemIsNamedWithItsLine)
     std::ofstream(path) << "dem = dem.asc\nfeatures = dem.asc\n# there\nfeatures = none.gpkg\n";
     EXPECT_THAT(readRoamFile(path).error().place, testing::EndsWith("place.roam:4"))
         << "the second of its kind";
+    std::ofstream(path) << "dem = dem.asc\n# another\ndem = none.tif\n";
+    EXPECT_THAT(readRoamFile(path).error().place, testing::EndsWith("place.roam:3"));
     std::ofstream(path) << "dem = dem.asc\nland_cover_classes = none.txt\n";
     EXPECT_THAT(readRoamFile(path).error().message(), testing::HasSubstr("place.roam:2: land_cover_classes"));
     EXPECT_THAT(readRoamFile(folder / "none.roam").error().message(),
@@ -181,7 +184,7 @@ TEST(RoamFile, ATextDamagedAtRandomIsReadOrRefusedWithItsPlace)
         const auto file = parseRoamFile(text, "folder/place.roam");
         if (file)
         {
-            EXPECT_FALSE(file->dem.empty());
+            EXPECT_FALSE(file->dems.empty());
             continue;
         }
         ++refused;

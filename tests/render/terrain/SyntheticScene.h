@@ -33,8 +33,8 @@ osg::ref_ptr<osgTerrainROAM::RoamTerrain> islandTerrain(double tolerancePx = 1.0
 osg::ref_ptr<osgTerrainROAM::RoamTerrain> editableIsland();
 
 /// A tile with a material and the light of an afternoon.
-osg::ref_ptr<osgTerrainROAM::RoamTerrain>
-dressed(const std::shared_ptr<osgTerrainROAM::core::RoamTile>& tile, double tolerancePx);
+osg::ref_ptr<osgTerrainROAM::RoamTerrain> dressed(const std::shared_ptr<osgTerrainROAM::core::RoamTile>& tile,
+                                                  double tolerancePx);
 
 /// A viewer of 320×180 pixels on a node.
 std::unique_ptr<osgOffscreen::OffscreenViewer> viewerOn(osg::Node* node, osgOffscreen::Backend backend);

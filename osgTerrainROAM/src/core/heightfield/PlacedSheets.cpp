@@ -83,7 +83,8 @@ void PlacedTile::laySheets(std::vector<DensePart> parts, Storage storage)
     for (DensePart& part : parts)
     {
         fade(part);
-        _sheets.emplace_back(std::move(part), _gridExponent, storage);
+        _sheets.emplace_back(part, _gridExponent, storage);
+        part.heightsM = {};
     }
     const int cell = 1 << _gridExponent;
     for (std::size_t i = 0; i < _sheets.size(); ++i)

@@ -41,7 +41,8 @@ int gridExponentOf(const HeightField& field, int wanted)
 
 PlacedTile::PlacedTile(HeightField field, const PlacedTileOptions& options)
     : _field(complete(std::move(field))),
-      _samples(_field, options.storage, gridExponentOf(_field, options.gridExponent) > 0 ? kHeadroom : 1.0),
+      _samples(std::exchange(_field.heightsM, {}), options.storage,
+               gridExponentOf(_field, options.gridExponent) > 0 ? kHeadroom : 1.0),
       _placement(_field.net ? options.placement : Placement::planar),
       _gridExponent(gridExponentOf(_field, options.gridExponent)),
       _betweenSamples((1 << _gridExponent) - 1)

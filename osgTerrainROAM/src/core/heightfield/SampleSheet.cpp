@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cassert>
-#include <utility>
 
 #include <osgTerrainROAM/core/heightfield/SampleSheet.h>
 
@@ -12,26 +11,14 @@ namespace
 
 constexpr double kHeadroom = 2.0; ///< of heights, for edits
 
-HeightField heightsOf(DensePart& part)
-{
-    HeightField field;
-    field.heightsM = std::move(part.heightsM);
-    return field;
-}
-
 } // namespace
 
-SampleSheet::SampleSheet(DensePart part, int gridExponent, Storage storage)
-    : SampleSheet(heightsOf(part), part, gridExponent, storage)
-{
-}
-
-SampleSheet::SampleSheet(HeightField field, const DensePart& part, int gridExponent, Storage storage)
+SampleSheet::SampleSheet(const DensePart& part, int gridExponent, Storage storage)
     : _rect{part.west << gridExponent, part.south << gridExponent, (part.west + part.columns) << gridExponent,
             (part.south + part.rows) << gridExponent},
       _shift(gridExponent - part.exponent),
       _columns((part.columns << part.exponent) + 1),
-      _table(field, storage, kHeadroom)
+      _table(part.heightsM, storage, kHeadroom)
 {
     assert(_shift >= 0 && part.exponent > 0);
     assert(_table.size() ==

@@ -18,10 +18,8 @@ constexpr int kFinestExponent = -10; ///< of the quantum: 1 mm
 
 } // namespace
 
-SampleTable::SampleTable(HeightField& field, Storage storage, double headroom)
+SampleTable::SampleTable(const std::vector<float>& heightsM, Storage storage, double headroom)
 {
-    const std::vector<float> heightsM = std::move(field.heightsM);
-    field.heightsM = {};
     const auto [low, high] = std::minmax_element(heightsM.begin(), heightsM.end());
     _rangeM = double{*high} - double{*low};
     if (storage == Storage::exact)

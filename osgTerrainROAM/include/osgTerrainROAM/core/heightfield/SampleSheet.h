@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include <osgTerrainROAM/core/heightfield/GridRect.h>
+#include <osgTerrainROAM/core/heightfield/HeightField.h>
 #include <osgTerrainROAM/core/heightfield/SampleTable.h>
 
 namespace osgTerrainROAM::core
@@ -15,8 +16,8 @@ namespace osgTerrainROAM::core
 class SampleSheet
 {
 public:
-    /// `gridExponent`: the grid has 2^gridExponent places to a cell of the field. Takes the part's heights.
-    SampleSheet(DensePart part, int gridExponent, Storage storage);
+    /// `gridExponent`: the grid has 2^gridExponent places to a cell of the field.
+    SampleSheet(const DensePart& part, int gridExponent, Storage storage);
 
     const GridRect& rect() const { return _rect; } ///< borders included
     int step() const { return 1 << _shift; }
@@ -43,8 +44,6 @@ public:
     SampleTable& table() { return _table; }
 
 private:
-    SampleSheet(HeightField field, const DensePart& part, int gridExponent, Storage storage);
-
     GridRect _rect;
     int _shift;
     int _columns;

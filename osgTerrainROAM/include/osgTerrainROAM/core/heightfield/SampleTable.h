@@ -7,8 +7,6 @@
 #include <cstdint>
 #include <vector>
 
-#include <osgTerrainROAM/core/heightfield/HeightField.h>
-
 namespace osgTerrainROAM::core
 {
 
@@ -27,9 +25,8 @@ enum class Storage
 class SampleTable
 {
 public:
-    /// Takes the heights out of `field`.
     /// `headroom`: how many times the heights' own range can be kept, compact.
-    SampleTable(HeightField& field, Storage storage, double headroom = 1.0);
+    SampleTable(const std::vector<float>& heightsM, Storage storage, double headroom = 1.0);
 
     /// Which radii can be told apart, once the samples have places: from a fraction of a cell to several tiles.
     void setRadiusRange(double leastM, double mostM);
