@@ -36,7 +36,7 @@ layer(trainer        "^apps/trainer/"      graphics viewlod objects-core terrain
     terminal ground)
 layer(tools          "^apps/"              graphics viewlod objects-core terrain-core sim objects terrain offscreen
     terminal ground)
-set(required viewlod terrain-core sim generator core-tests terrain offscreen trainer tools)
+set(required viewlod objects-core objects terrain-core sim generator core-tests terrain offscreen trainer tools)
 
 set(graphics_includes "^(osg|osg[A-Z][A-Za-z]*|OpenThreads|GL|GLES[0-9]*|EGL|KHR|X11)/")
 

@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
 #include <viewlod/Result.h>
 
 #include <osgTerrainROAM/core/heightfield/DemImport.h>
+
+#include "terminal/Report.h"
 
 namespace terraintool
 {
@@ -38,12 +38,7 @@ struct Request
     std::filesystem::path dumpFolder;
 };
 
-/// A command's table, and whether everything in it is as it must be.
-struct Report
-{
-    nlohmann::ordered_json json;
-    bool sound = true;
-};
+using terminal::Report;
 
 /// Sizes, heights, voids and placement of each file.
 viewlod::Result<Report> info(const Request& request);

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+// pmtool: looks into models, cleans them and compares what can be made of them.
+#include "pmtool/Commands.h"
+
+int main(int argc, char** argv)
+{
+    CLI::App app("Inspects, cleans and compares models of objects.", "pmtool");
+    app.set_version_flag("--version", OSGTRAINER_VERSION);
+    app.require_subcommand(1);
+    pmtool::Chosen chosen;
+    pmtool::addCompareGroup(app);
+    if (const auto ends = terminal::parse(app, argc, argv)) return *ends;
+    return terminal::report("pmtool", chosen.jsonFile, chosen.work);
+}

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "terminal/Report.h"
+
+#include <viewlod/WholeFile.h>
+
+#include "terminal/Terminal.h"
+
+namespace terminal
+{
+
+namespace
+{
+
+/// A file's name may hold any bytes; JSON holds UTF-8.
+std::string textOf(const nlohmann::ordered_json& json)
+{
+    return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+} // namespace
+
+int report(const std::string& program, const std::filesystem::path& jsonFile,
+           const std::function<viewlod::Result<Report>()>& work)
+{
+    if (const auto writable = viewlod::checkWritable(jsonFile); !writable)
+        return fail(program, writable.error());
+    const auto done = work();
+    if (!done) return fail(program, done.error());
+    if (!jsonFile.empty())
+        if (const auto written = viewlod::writeWholeFile(jsonFile, textOf(done->json)); !written)
+            return fail(program, written.error());
+    return done->sound ? kDone : kFailed;
+}
+
+} // namespace terminal
