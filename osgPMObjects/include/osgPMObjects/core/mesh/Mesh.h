@@ -17,8 +17,7 @@ namespace osgPMObjects::core
 /// What surface a face is drawn with. The state itself (textures, shaders, colours) stays with whoever imported it.
 struct Material
 {
-    /// Which attributes of its wedges mean something to it; the others are 0 in every wedge of its faces once mergeWedges()
-    /// has run, and are not exported.
+    /// What wedges can have besides their position.
     enum Attribute : std::uint32_t
     {
         normal = 1,
@@ -29,11 +28,13 @@ struct Material
 
     std::string name;
     std::uint32_t state = 0;      ///< the importer's handle, handed back on export
-    std::uint32_t attributes = 0; ///< Attribute bits
-    bool isTwoSided = false;      ///< neither side is culled
-    bool isTransparent = false;   ///< blended: faces behind it count
+    std::uint32_t attributes = 0; ///< Attribute bits: what its faces' wedges have
+    std::uint32_t unseen =
+        0; ///< of these, what the state does not look at: texture coordinates without a texture …
+    bool isTwoSided = false;    ///< neither side is culled
+    bool isTransparent = false; ///< blended: faces behind it count
 
-    bool uses(Attribute attribute) const { return (attributes & attribute) != 0; }
+    bool has(Attribute attribute) const { return (attributes & attribute) != 0; }
     bool operator==(const Material&) const = default;
 };
 

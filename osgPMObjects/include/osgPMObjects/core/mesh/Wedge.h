@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <glm/common.hpp>
+
+#include <osgPMObjects/core/mesh/Mesh.h>
+
+namespace osgPMObjects::core
+{
+
+/// One wedge by value: what Mesh keeps in parallel arrays. An attribute whose array is empty is 0.
+struct Wedge
+{
+    std::uint32_t position = 0;
+    glm::vec3 normal{};
+    std::array<glm::vec2, Mesh::kTexCoordSets> texCoords{};
+    glm::vec4 colour{};
+
+    bool operator==(const Wedge&) const = default;
+};
+
+namespace detail
+{
+
+template<class Vector>
+Vector valueOr0(const std::vector<Vector>& values, std::uint32_t i)
+{
+    return values.empty() ? Vector(0.0f) : values[i];
+}
+
+/// Appends to an attribute array that has `before` values, or none as long as all of them are 0.
+template<class Vector>
+void append(std::vector<Vector>& values, std::size_t before, const Vector& value)
+{
+    if (values.empty())
+    {
+        if (value == Vector(0.0f)) return;
+        values.resize(before, Vector(0.0f));
+    }
+    values.push_back(value);
+}
+
+} // namespace detail
+
+inline Wedge wedgeOf(const Mesh& mesh, std::uint32_t wedge)
+{
+    return {mesh.wedgePositions[wedge],
+            detail::valueOr0(mesh.normals, wedge),
+            {detail::valueOr0(mesh.texCoords[0], wedge), detail::valueOr0(mesh.texCoords[1], wedge)},
+            detail::valueOr0(mesh.colours, wedge)};
+}
+
+/// Adds a wedge and returns its number. Attribute arrays appear with the first value that is not 0.
+inline std::uint32_t appendWedge(Mesh& mesh, const Wedge& wedge)
+{
+    const std::size_t before = mesh.wedgeCount();
+    detail::append(mesh.normals, before, wedge.normal);
+    for (std::size_t set = 0; set < Mesh::kTexCoordSets; ++set)
+        detail::append(mesh.texCoords[set], before, wedge.texCoords[set]);
+    detail::append(mesh.colours, before, wedge.colour);
+    mesh.wedgePositions.push_back(wedge.position);
+    return static_cast<std::uint32_t>(before);
+}
+
+/// The wedge at `t` (0…1) of the way from a to b, as the rasteriser interpolates along an edge; at position `position`.
+inline Wedge interpolated(const Wedge& a, const Wedge& b, float t, std::uint32_t position)
+{
+    Wedge between{position, glm::mix(a.normal, b.normal, t), {}, glm::mix(a.colour, b.colour, t)};
+    for (std::size_t set = 0; set < Mesh::kTexCoordSets; ++set)
+        between.texCoords[set] = glm::mix(a.texCoords[set], b.texCoords[set], t);
+    return between;
+}
+
+} // namespace osgPMObjects::core

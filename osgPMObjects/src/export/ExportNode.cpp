@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <map>
+
+#include <glm/common.hpp>
+
+#include <osg/Geode>
+#include <osg/Geometry>
+#include <osg/MatrixTransform>
+
+#include <osgPMObjects/core/mesh/HashIndex.h>
+#include <osgPMObjects/core/mesh/Wedge.h>
+
+#include <osgPMObjects/ExportNode>
+
+namespace osgPMObjects
+{
+
+namespace
+{
+
+using core::Material;
+using core::Mesh;
+
+/// Floats keep a mesh that is this much farther away than large to a ten-thousandth of its size.
+constexpr double kFarAway = 1000.0;
+
+/// What to take off positions before they become floats.
+glm::dvec3 originOf(const Mesh& mesh)
+{
+    if (mesh.positions.empty()) return glm::dvec3(0.0);
+    glm::dvec3 low = mesh.positions[0], high = low;
+    for (const glm::dvec3& p : mesh.positions)
+        low = glm::min(low, p), high = glm::max(high, p);
+    const glm::dvec3 centre = 0.5 * (low + high), size = high - low;
+    const auto largest = [](const glm::dvec3& v) {
+        return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+    };
+    return largest(centre) > kFarAway * largest(size) ? centre : glm::dvec3(0.0);
+}
+
+template<class Array>
+Array* arrayFor(bool isWanted)
+{
+    return isWanted ? new Array(osg::Array::BIND_PER_VERTEX) : nullptr;
+}
+
+/// One geometry in the making: its vertices in order of first use.
+class GeometryMaker
+{
+public:
+    GeometryMaker(const Mesh& mesh, const Material& material, const glm::dvec3& origin)
+        : _mesh(mesh),
+          _origin(origin),
+          _normals(arrayFor<osg::Vec3Array>(material.has(Material::normal))),
+          _colours(arrayFor<osg::Vec4Array>(material.has(Material::colour)))
+    {
+        _texCoords[0] = arrayFor<osg::Vec2Array>(material.has(Material::texCoord0));
+        _texCoords[1] = arrayFor<osg::Vec2Array>(material.has(Material::texCoord1));
+    }
+
+    void add(const core::Face& face, std::vector<std::uint32_t>& vertexOfWedge)
+    {
+        for (const std::uint32_t wedge : face.wedges)
+        {
+            std::uint32_t& vertex = vertexOfWedge[wedge];
+            if (vertex == core::HashIndex::kNone || !isMine(vertex, wedge)) vertex = addVertex(wedge);
+            _indices.push_back(vertex);
+        }
+    }
+
+    osg::ref_ptr<osg::Geometry> make() const
+    {
+        osg::ref_ptr<osg::Geometry> geometry = new osg::Geometry;
+        geometry->setUseDisplayList(false);
+        geometry->setUseVertexBufferObjects(true);
+        geometry->setVertexArray(_vertices);
+        if (_normals) geometry->setNormalArray(_normals);
+        if (_colours) geometry->setColorArray(overallIfUniform());
+        for (unsigned set = 0; set < Mesh::kTexCoordSets; ++set)
+            if (_texCoords[set]) geometry->setTexCoordArray(set, _texCoords[set]);
+        geometry->addPrimitiveSet(_vertices->size() <= 65536 ? elements<osg::DrawElementsUShort>()
+                                                             : elements<osg::DrawElementsUInt>());
+        return geometry;
+    }
+
+private:
+    /// Numbers of another geometry's vertices may stand in the table still.
+    bool isMine(std::uint32_t vertex, std::uint32_t wedge) const
+    {
+        return vertex < _wedges.size() && _wedges[vertex] == wedge;
+    }
+
+    std::uint32_t addVertex(std::uint32_t wedge)
+    {
+        const core::Wedge w = core::wedgeOf(_mesh, wedge);
+        const glm::dvec3 p = _mesh.positions[w.position] - _origin;
+        _vertices->push_back(osg::Vec3d(p.x, p.y, p.z));
+        if (_normals) _normals->push_back({w.normal.x, w.normal.y, w.normal.z});
+        if (_colours) _colours->push_back({w.colour.r, w.colour.g, w.colour.b, w.colour.a});
+        for (unsigned set = 0; set < Mesh::kTexCoordSets; ++set)
+            if (_texCoords[set]) _texCoords[set]->push_back({w.texCoords[set].x, w.texCoords[set].y});
+        _wedges.push_back(wedge);
+        return static_cast<std::uint32_t>(_wedges.size() - 1);
+    }
+
+    osg::ref_ptr<osg::Vec4Array> overallIfUniform() const
+    {
+        const osg::Vec4 first = _colours->front();
+        if (std::any_of(_colours->begin(), _colours->end(), [&](const osg::Vec4& c) { return c != first; }))
+            return _colours;
+        return new osg::Vec4Array(osg::Array::BIND_OVERALL, 1, &first);
+    }
+
+    template<class Elements>
+    osg::ref_ptr<osg::PrimitiveSet> elements() const
+    {
+        osg::ref_ptr<Elements> elements = new Elements(GL_TRIANGLES);
+        elements->reserve(_indices.size());
+        for (const std::uint32_t index : _indices)
+            elements->push_back(static_cast<typename Elements::value_type>(index));
+        return elements;
+    }
+
+    const Mesh& _mesh;
+    glm::dvec3 _origin;
+    osg::ref_ptr<osg::Vec3Array> _vertices = new osg::Vec3Array(osg::Array::BIND_PER_VERTEX);
+    osg::ref_ptr<osg::Vec3Array> _normals;
+    osg::ref_ptr<osg::Vec4Array> _colours;
+    osg::ref_ptr<osg::Vec2Array> _texCoords[Mesh::kTexCoordSets];
+    std::vector<std::uint32_t> _wedges; ///< by vertex
+    std::vector<std::uint32_t> _indices;
+};
+
+/// Face numbers by part, then material, in the order of first use; within, in the order of the mesh.
+std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::uint32_t>>
+facesByGeometry(const Mesh& mesh)
+{
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::uint32_t>> groups;
+    for (std::uint32_t f = 0; f < mesh.faces.size(); ++f)
+        groups[{mesh.faces[f].part, mesh.faces[f].material}].push_back(f);
+    return groups;
+}
+
+} // namespace
+
+osg::ref_ptr<osg::Group> exportNode(const Mesh& mesh, std::span<const osg::ref_ptr<osg::StateSet>> states)
+{
+    const glm::dvec3 origin = originOf(mesh);
+    osg::ref_ptr<osg::Group> root = new osg::Group;
+    if (origin != glm::dvec3(0.0))
+        root = new osg::MatrixTransform(osg::Matrixd::translate(origin.x, origin.y, origin.z));
+    std::vector<std::uint32_t> vertexOfWedge(mesh.wedgeCount(), core::HashIndex::kNone);
+    for (const auto& [key, faces] : facesByGeometry(mesh))
+    {
+        const Material& material = mesh.materials[key.second];
+        GeometryMaker maker(mesh, material, origin);
+        for (const std::uint32_t f : faces)
+            maker.add(mesh.faces[f], vertexOfWedge);
+        const osg::ref_ptr<osg::Geometry> geometry = maker.make();
+        geometry->setName(mesh.parts[key.first].name);
+        if (material.state < states.size()) geometry->setStateSet(states[material.state]);
+        const osg::ref_ptr<osg::Geode> geode = new osg::Geode;
+        geode->setName(mesh.parts[key.first].name);
+        geode->addDrawable(geometry);
+        root->addChild(geode);
+    }
+    return root;
+}
+
+} // namespace osgPMObjects
