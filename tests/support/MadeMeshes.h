@@ -21,7 +21,7 @@ inline Mesh meshOf(std::vector<glm::dvec3> positions, const std::vector<std::arr
         mesh.wedgePositions.push_back(i);
     for (const auto& wedges : faces)
         mesh.faces.push_back({wedges, 0, 0});
-    mesh.materials.push_back({"material", 0, 0, 0, false, false});
+    mesh.materials.push_back({.name = "material"});
     mesh.parts.push_back({"part"});
     return mesh;
 }

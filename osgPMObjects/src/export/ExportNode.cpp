@@ -6,6 +6,7 @@
 
 #include <osg/Geode>
 #include <osg/Geometry>
+#include <osg/LightModel>
 #include <osg/MatrixTransform>
 
 #include <osgPMObjects/core/mesh/HashIndex.h>
@@ -22,8 +23,8 @@ namespace
 using core::Material;
 using core::Mesh;
 
-/// Floats keep a mesh that is this much farther away than large to a ten-thousandth of its size.
-constexpr double kFarAway = 1000.0;
+/// A mesh that is this much farther away than large would lose digits in floats: they keep 3e-7 of its size up to here.
+constexpr double kFarAway = 4.0;
 
 /// What to take off positions before they become floats.
 glm::dvec3 originOf(const Mesh& mesh)
@@ -132,6 +133,20 @@ private:
     std::vector<std::uint32_t> _indices;
 };
 
+/// The state of a material; where the material is seen from both sides and its state is not, a copy with nothing culled, and
+/// the backs lit as backs.
+osg::ref_ptr<osg::StateSet> stateOf(const Material& material, const osg::ref_ptr<osg::StateSet>& state)
+{
+    if (!material.isTwoSided || !state || !(state->getMode(GL_CULL_FACE) & osg::StateAttribute::ON))
+        return state;
+    osg::ref_ptr<osg::StateSet> both = new osg::StateSet(*state);
+    both->setMode(GL_CULL_FACE, osg::StateAttribute::OFF);
+    const osg::ref_ptr<osg::LightModel> lighting = new osg::LightModel;
+    lighting->setTwoSided(true);
+    both->setAttributeAndModes(lighting);
+    return both;
+}
+
 /// Face numbers by part, then material, in the order of first use; within, in the order of the mesh.
 std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::uint32_t>>
 facesByGeometry(const Mesh& mesh)
@@ -159,7 +174,7 @@ osg::ref_ptr<osg::Group> exportNode(const Mesh& mesh, std::span<const osg::ref_p
             maker.add(mesh.faces[f], vertexOfWedge);
         const osg::ref_ptr<osg::Geometry> geometry = maker.make();
         geometry->setName(mesh.parts[key.first].name);
-        if (material.state < states.size()) geometry->setStateSet(states[material.state]);
+        if (material.state < states.size()) geometry->setStateSet(stateOf(material, states[material.state]));
         const osg::ref_ptr<osg::Geode> geode = new osg::Geode;
         geode->setName(mesh.parts[key.first].name);
         geode->addDrawable(geometry);

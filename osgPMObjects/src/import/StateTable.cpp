@@ -3,6 +3,7 @@
 
 #include <tuple>
 
+#include <osg/LightModel>
 #include <osg/Material>
 
 namespace osgPMObjects
@@ -39,6 +40,7 @@ std::uint32_t unseenBy(const osg::StateSet& state)
     const bool isLit = lighting == osg::StateAttribute::INHERIT || isOn(lighting);
     const auto* material =
         dynamic_cast<const osg::Material*>(state.getAttribute(osg::StateAttribute::MATERIAL));
+    if (!isLit) unseen |= Material::normal;
     if (isLit && material && material->getColorMode() == osg::Material::OFF) unseen |= Material::colour;
     return unseen;
 }
@@ -94,8 +96,11 @@ core::Material StateTable::materialOf(const osg::ref_ptr<osg::StateSet>& given, 
     material.state = handleOf(state);
     material.name = nameOf(*_states[material.state]);
     material.attributes = attributes;
-    material.unseen = attributes & unseenBy(*state);
+    material.unseen = unseenBy(*state);
     material.isTwoSided = !isOn(state->getMode(GL_CULL_FACE));
+    const auto* lighting =
+        dynamic_cast<const osg::LightModel*>(state->getAttribute(osg::StateAttribute::LIGHTMODEL));
+    material.litFromBothSides = lighting && lighting->getTwoSided();
     material.isTransparent =
         isOn(state->getMode(GL_BLEND)) || state->getRenderingHint() == osg::StateSet::TRANSPARENT_BIN;
     return material;

@@ -199,8 +199,8 @@ TEST(ImportNode, TextureCoordinatesAreSeenOnlyWhereThereIsATexture)
     root->getChild(1)->getOrCreateStateSet()->setTextureAttributeAndModes(0, new osg::Texture2D);
     const ImportedModel model = imported(*root);
     ASSERT_EQ(model.mesh.materials.size(), 2u);
-    EXPECT_EQ(model.mesh.materials[0].unseen, Material::texCoord0);
-    EXPECT_EQ(model.mesh.materials[1].unseen, 0u);
+    EXPECT_EQ(model.mesh.materials[0].unseen, Material::texCoord0 | Material::texCoord1);
+    EXPECT_EQ(model.mesh.materials[1].unseen, Material::texCoord1);
 }
 
 TEST(ImportNode, TakesTheFinestLevelAndWhatIsOn)

@@ -30,9 +30,10 @@ struct Material
     std::uint32_t state = 0;      ///< the importer's handle, handed back on export
     std::uint32_t attributes = 0; ///< Attribute bits: what its faces' wedges have
     std::uint32_t unseen =
-        0; ///< of these, what the state does not look at: texture coordinates without a texture …
-    bool isTwoSided = false;    ///< neither side is culled
-    bool isTransparent = false; ///< blended: faces behind it count
+        0; ///< what the state does not look at, had or not: texture coordinates without a texture …
+    bool isTwoSided = false;       ///< neither side is culled
+    bool litFromBothSides = false; ///< a face seen from its back is lit by its normals turned round
+    bool isTransparent = false;    ///< blended: faces behind it count
 
     bool has(Attribute attribute) const { return (attributes & attribute) != 0; }
     bool operator==(const Material&) const = default;

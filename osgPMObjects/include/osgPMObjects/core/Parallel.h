@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <thread>
+#include <vector>
+
+namespace osgPMObjects::core
+{
+
+/// Calls `work(first, last, share)` for consecutive shares of 0 … count-1, each in a thread of its own, and waits for all.
+/// Which share is done by whom does not matter to a result that is put together in the order of the shares.
+/// Shares are at least `least` long: small work stays in the calling thread. Returns the number of shares.
+template<class Work>
+std::size_t parallelShares(std::size_t count, std::size_t least, const Work& work)
+{
+    const std::size_t threads = std::max(1u, std::thread::hardware_concurrency());
+    const std::size_t shares = std::clamp<std::size_t>(count / std::max<std::size_t>(least, 1), 1, threads);
+    std::vector<std::thread> others;
+    for (std::size_t s = 1; s < shares; ++s)
+        others.emplace_back([&work, count, shares, s]
+                            { work(count * s / shares, count * (s + 1) / shares, s); });
+    work(std::size_t{0}, count / shares, std::size_t{0});
+    for (std::thread& thread : others)
+        thread.join();
+    return shares;
+}
+
+} // namespace osgPMObjects::core

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+
+#include <glm/geometric.hpp>
+
+#include <osgPMObjects/core/mesh/EdgeTable.h>
+#include <osgPMObjects/core/mesh/Mesh.h>
+
+namespace osgPMObjects::core
+{
+
+/// Tolerances of what is counted as a defect, as shares of the diagonal: those that the figures of the test models were counted
+/// with.
+constexpr double kTJunctionTolerance = 1e-5;
+constexpr double kDegenerateHeight = 1e-9;
+
+/// What can be counted about a mesh; positions are told apart by their number.
+struct MeshCounts
+{
+    std::size_t triangles = 0;
+    std::size_t positions = 0;         ///< that faces use
+    std::size_t attributeVertices = 0; ///< distinct (position, attributes, material) that faces use
+    std::size_t tJunctions = 0;        ///< vertices in some T-junction, see findTJunctions()
+    std::size_t duplicates = 0;  ///< faces with the same three positions as an earlier one, either way round
+    std::size_t degenerates = 0; ///< faces that use a position twice, or lower than kDegenerateHeight
+    std::size_t nonManifoldEdges = 0; ///< edges with more than two faces
+    std::size_t boundaryEdges = 0;    ///< edges with one
+    std::size_t components = 0;       ///< groups of faces that share positions
+
+    bool operator==(const MeshCounts&) const = default;
+};
+
+/// Cost: about linear; a million triangles in 2 s.
+MeshCounts countMesh(const Mesh& mesh);
+
+/// The diagonal of the box around what faces use. Units: as the positions.
+double diagonalOf(const Mesh& mesh);
+
+/// The height of a triangle over its longest side; 0 where that has no length.
+inline double heightOf(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c)
+{
+    const double longest = std::max({glm::length(b - a), glm::length(c - b), glm::length(a - c)});
+    return longest > 0.0 ? glm::length(glm::cross(b - a, c - a)) / longest : 0.0;
+}
+
+inline bool repeatsCorner(const Triangle& t)
+{
+    return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
+}
+
+/// A triangle's corners in rising order: the same for all triangles on three positions.
+Triangle sortedCorners(Triangle t);
+
+} // namespace osgPMObjects::core

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include <osgPMObjects/core/mesh/EdgeTable.h>
+#include <osgPMObjects/core/mesh/Extent.h>
+
+namespace osgPMObjects::core
+{
+
+/// Triangles in a tree of boxes: how far a point is from them, and whether a ray meets one.
+/// Memory: 60 B a triangle besides what it looks at, which must stay as it is. Threads: questions from any number at once.
+/// Cost: building n log n, 0.4 s for half a million; a question some microseconds.
+class TriangleTree
+{
+public:
+    TriangleTree(std::span<const glm::dvec3> positions, std::span<const Triangle> triangles);
+
+    /// The distance of a point from the nearest triangle; `most` where none is nearer than that. Units: as the positions.
+    double distance(const glm::dvec3& point, double most = std::numeric_limits<double>::infinity()) const;
+
+    /// Whether the ray from a point meets a triangle more than `least` directions away.
+    bool isHit(const glm::dvec3& from, const glm::dvec3& direction, double least) const;
+
+private:
+    static constexpr std::uint32_t kLeafSize = 4;
+
+    struct Node
+    {
+        Extent box;
+        std::uint32_t first =
+            0; ///< leaf: in _order; else: the second child, the first comes right after its parent
+        std::uint32_t count = 0; ///< of triangles; 0: no leaf
+    };
+
+    void build(std::uint32_t first, std::uint32_t last, std::vector<glm::dvec3>& centres);
+
+    std::span<const glm::dvec3> _positions;
+    std::span<const Triangle> _triangles;
+    std::vector<std::uint32_t> _order; ///< triangle numbers, leaf by leaf
+    std::vector<Node> _nodes;
+};
+
+/// The point of a triangle that is nearest to p.
+/// Source: Ericson, "Real-time collision detection" (2005), §5.1.5 (regions of Voronoi).
+glm::dvec3 nearestPoint(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c);
+
+/// How many directions along the ray from a point a triangle is met; negative: it is not.
+/// Source: Möller and Trumbore, "Fast, minimum storage ray/triangle intersection" (1997).
+double rayDistance(const glm::dvec3& from, const glm::dvec3& direction, const glm::dvec3& a,
+                   const glm::dvec3& b, const glm::dvec3& c);
+
+} // namespace osgPMObjects::core

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <unordered_map>
+#include <unordered_set>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <osgPMObjects/core/consolidate/InsertTVertices.h>
+#include <osgPMObjects/core/mesh/EdgeTable.h>
+#include <osgPMObjects/core/mesh/MeshCounts.h>
+#include <osgPMObjects/core/mesh/TJunctions.h>
+
+#include "FaceCutter.h"
+
+namespace osgPMObjects::core
+{
+
+namespace
+{
+
+/// One pass: what is to be done to the mesh is collected before any of it is done.
+class Pass
+{
+public:
+    Pass(Mesh& mesh, TVertexState& state)
+        : _mesh(mesh),
+          _tolerance(state.tolerance),
+          _thinHeight(state.thinHeight),
+          _drift(state.drift),
+          _triangles(positionTriangles(mesh)),
+          _edges(_triangles, mesh.positions.size()),
+          _found(findTJunctions(mesh.positions, _triangles, _edges, state.tolerance, OpenEdges::notMatched))
+    {
+        _drift.resize(mesh.positions.size(), 0.0);
+    }
+
+    TVertices run()
+    {
+        stitch();
+        if (_report.stitched > 0) return _report;
+        for (const TJunction& t : _found)
+            plan(t);
+        for (const TJunction& t : _found)
+            if (t.distance > 0.5 * _tolerance) moveHalfway(t);
+        carryOut();
+        return _report;
+    }
+
+private:
+    std::pair<std::uint32_t, std::uint32_t> endsOfEdge(std::uint32_t edge) const
+    {
+        const auto [from, to] = endsOf(_triangles, _edges.sides(edge).front());
+        return std::minmax(from, to);
+    }
+
+    /// Moves a position, if that is not too far in all.
+    bool move(std::uint32_t position, const glm::dvec3& where)
+    {
+        const double after = _drift[position] + glm::length(where - _mesh.positions[position]);
+        if (after > _tolerance) return false;
+        _drift[position] = after;
+        _mesh.positions[position] = where;
+        return true;
+    }
+
+    void stitch()
+    {
+        std::unordered_map<std::uint32_t, std::uint32_t> joined; // position → what it becomes
+        std::unordered_set<std::uint32_t> isTaken;
+        for (const TJunction& t : _found)
+        {
+            const auto [low, high] = endsOfEdge(t.edge);
+            const std::uint32_t end = t.along < 0.5 ? low : high;
+            const glm::dvec3 a = _mesh.positions[end], b = _mesh.positions[t.vertex];
+            if (glm::length(b - a) > 2.0 * _tolerance || isTaken.count(end) || isTaken.count(t.vertex))
+                continue;
+            const glm::dvec3 middle = 0.5 * (a + b);
+            if (_drift[end] + glm::length(middle - a) > _tolerance || !move(t.vertex, middle) ||
+                !move(end, middle))
+                continue;
+            isTaken.insert({end, t.vertex});
+            joined[std::max(end, t.vertex)] = std::min(end, t.vertex);
+        }
+        _report.stitched = joined.size();
+        if (joined.empty()) return;
+        for (std::uint32_t& position : _mesh.wedgePositions)
+            if (const auto found = joined.find(position); found != joined.end()) position = found->second;
+    }
+
+    bool isThin(std::uint32_t f) const
+    {
+        const auto& at = _mesh.positions;
+        const Triangle& t = _triangles[f];
+        return _thinHeight > 0.0 && heightOf(at[t[0]], at[t[1]], at[t[2]]) <= _thinHeight;
+    }
+
+    void plan(const TJunction& t)
+    {
+        for (const HalfEdge side : _edges.sides(t.edge))
+        {
+            const std::uint32_t f = faceOf(side);
+            if (_triangles[f][cornerOf(previousSide(side))] == t.vertex || isThin(f))
+            {
+                _slivers.insert(f);
+                continue;
+            }
+            const auto [from, to] = endsOf(_triangles, side);
+            const float along = static_cast<float>(from < to ? t.along : 1.0 - t.along);
+            CrowdedFace& crowded =
+                _crowded.try_emplace(f, CrowdedFace{_mesh.faces[f].wedges, {}}).first->second;
+            std::vector<OnSide>& crowd = crowded.onSide[static_cast<std::size_t>(cornerOf(side))];
+            crowd.insert(from < to ? crowd.end() : crowd.begin(), {t.vertex, along});
+        }
+    }
+
+    /// Each vertex once, whatever edges it is near to.
+    void moveHalfway(const TJunction& t)
+    {
+        if (!_moved.insert(t.vertex).second) return;
+        const auto [low, high] = endsOfEdge(t.edge);
+        const glm::dvec3 foot = glm::mix(_mesh.positions[low], _mesh.positions[high], t.along);
+        _report.moved += move(t.vertex, 0.5 * (_mesh.positions[t.vertex] + foot));
+    }
+
+    void carryOut()
+    {
+        if (_crowded.empty() && _slivers.empty()) return;
+        EdgeWedges wedges(_mesh);
+        std::vector<Face> faces;
+        faces.reserve(_mesh.faces.size() + 2 * _crowded.size());
+        for (std::uint32_t f = 0; f < _mesh.faces.size(); ++f)
+        {
+            if (_slivers.count(f)) continue;
+            const auto crowded = _crowded.find(f);
+            if (crowded == _crowded.end())
+            {
+                faces.push_back(_mesh.faces[f]);
+                continue;
+            }
+            const std::size_t before = faces.size();
+            cutFace(crowded->second, _mesh.faces[f], wedges, faces);
+            _report.inserted += faces.size() - before - 1;
+        }
+        _mesh.faces = std::move(faces);
+        _report.slivers = _slivers.size();
+    }
+
+    Mesh& _mesh;
+    const double _tolerance, _thinHeight;
+    std::vector<double>& _drift;
+    const std::vector<Triangle> _triangles;
+    const EdgeTable _edges;
+    const std::vector<TJunction> _found;
+    std::unordered_map<std::uint32_t, CrowdedFace> _crowded;
+    std::unordered_set<std::uint32_t> _slivers, _moved;
+    TVertices _report;
+};
+
+} // namespace
+
+TVertices insertTVertices(Mesh& mesh, TVertexState& state)
+{
+    return Pass(mesh, state).run();
+}
+
+} // namespace osgPMObjects::core

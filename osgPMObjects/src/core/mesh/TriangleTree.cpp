@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <osgPMObjects/core/mesh/TriangleTree.h>
+
+namespace osgPMObjects::core
+{
+
+namespace
+{
+
+/// Deep enough for any tree of 2^32 triangles that is halved at every step.
+constexpr std::size_t kStack = 64;
+
+double squaredDistance(const Extent& box, const glm::dvec3& p)
+{
+    const glm::dvec3 away = glm::max(glm::max(box.low - p, p - box.high), glm::dvec3(0.0));
+    return glm::dot(away, away);
+}
+
+/// Whether a ray meets a box; `inverse`: of its direction, by coordinate.
+bool meets(const Extent& box, const glm::dvec3& from, const glm::dvec3& inverse)
+{
+    const glm::dvec3 a = (box.low - from) * inverse, b = (box.high - from) * inverse;
+    const glm::dvec3 near = glm::min(a, b), far = glm::max(a, b);
+    const double enters = std::max({near.x, near.y, near.z, 0.0}), leaves = std::min({far.x, far.y, far.z});
+    return enters <= leaves * (1.0 + 1e-12);
+}
+
+} // namespace
+
+glm::dvec3 nearestPoint(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c)
+{
+    const glm::dvec3 ab = b - a, ac = c - a, ap = p - a, bp = p - b, cp = p - c;
+    const double d1 = glm::dot(ab, ap), d2 = glm::dot(ac, ap);
+    if (d1 <= 0.0 && d2 <= 0.0) return a;
+    const double d3 = glm::dot(ab, bp), d4 = glm::dot(ac, bp);
+    if (d3 >= 0.0 && d4 <= d3) return b;
+    const double d5 = glm::dot(ab, cp), d6 = glm::dot(ac, cp);
+    if (d6 >= 0.0 && d5 <= d6) return c;
+    const double vc = d1 * d4 - d3 * d2;
+    if (vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0) return a + d1 / (d1 - d3) * ab;
+    const double vb = d5 * d2 - d1 * d6;
+    if (vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0) return a + d2 / (d2 - d6) * ac;
+    const double va = d3 * d6 - d5 * d4;
+    if (va <= 0.0 && d4 - d3 >= 0.0 && d5 - d6 >= 0.0) return b + (d4 - d3) / (d4 - d3 + d5 - d6) * (c - b);
+    const double sum = va + vb + vc;
+    return a + ab * (vb / sum) + ac * (vc / sum);
+}
+
+double rayDistance(const glm::dvec3& from, const glm::dvec3& direction, const glm::dvec3& a,
+                   const glm::dvec3& b, const glm::dvec3& c)
+{
+    const glm::dvec3 ab = b - a, ac = c - a, p = glm::cross(direction, ac);
+    const double determinant = glm::dot(ab, p);
+    if (determinant == 0.0) return -1.0;
+    const glm::dvec3 t = from - a;
+    const double u = glm::dot(t, p) / determinant;
+    const glm::dvec3 q = glm::cross(t, ab);
+    const double v = glm::dot(direction, q) / determinant;
+    return u >= 0.0 && v >= 0.0 && u + v <= 1.0 ? glm::dot(ac, q) / determinant : -1.0;
+}
+
+TriangleTree::TriangleTree(std::span<const glm::dvec3> positions, std::span<const Triangle> triangles)
+    : _positions(positions), _triangles(triangles), _order(triangles.size())
+{
+    std::iota(_order.begin(), _order.end(), 0u);
+    std::vector<glm::dvec3> centres;
+    centres.reserve(triangles.size());
+    for (const Triangle& t : triangles)
+        centres.push_back((positions[t[0]] + positions[t[1]] + positions[t[2]]) / 3.0);
+    _nodes.reserve(triangles.size());
+    if (!triangles.empty()) build(0, static_cast<std::uint32_t>(triangles.size()), centres);
+}
+
+void TriangleTree::build(std::uint32_t first, std::uint32_t last, std::vector<glm::dvec3>& centres)
+{
+    const std::size_t number = _nodes.size();
+    _nodes.emplace_back();
+    Extent spread;
+    for (std::uint32_t i = first; i < last; ++i)
+    {
+        spread.add(centres[_order[i]]);
+        for (const std::uint32_t p : _triangles[_order[i]])
+            _nodes[number].box.add(_positions[p]);
+    }
+    if (last - first <= kLeafSize)
+    {
+        _nodes[number].first = first;
+        _nodes[number].count = last - first;
+        return;
+    }
+    const glm::dvec3 size = spread.high - spread.low;
+    const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+    const std::uint32_t middle = first + (last - first) / 2;
+    std::nth_element(_order.begin() + first, _order.begin() + middle, _order.begin() + last,
+                     [&](std::uint32_t a, std::uint32_t b)
+                     {
+                         const double x = centres[a][axis], y = centres[b][axis];
+                         return x != y ? x < y : a < b;
+                     });
+    build(first, middle, centres);
+    _nodes[number].first = static_cast<std::uint32_t>(_nodes.size());
+    build(middle, last, centres);
+}
+
+double TriangleTree::distance(const glm::dvec3& point, double most) const
+{
+    if (_nodes.empty()) return most;
+    double best = most * most;
+    std::array<std::pair<double, std::uint32_t>, kStack> stack;
+    std::size_t depth = 0;
+    stack[depth++] = {squaredDistance(_nodes[0].box, point), 0};
+    while (depth > 0)
+    {
+        const auto [nodeDistance, number] = stack[--depth];
+        if (nodeDistance >= best) continue;
+        const Node& node = _nodes[number];
+        for (std::uint32_t i = node.first; i < node.first + node.count; ++i)
+        {
+            const Triangle& t = _triangles[_order[i]];
+            const glm::dvec3 away =
+                point - nearestPoint(point, _positions[t[0]], _positions[t[1]], _positions[t[2]]);
+            best = std::min(best, glm::dot(away, away));
+        }
+        if (node.count > 0) continue;
+        std::pair<double, std::uint32_t> near{squaredDistance(_nodes[number + 1].box, point), number + 1};
+        std::pair<double, std::uint32_t> far{squaredDistance(_nodes[node.first].box, point), node.first};
+        if (far.first < near.first) std::swap(near, far);
+        stack[depth++] = far;
+        stack[depth++] = near;
+    }
+    return std::sqrt(best);
+}
+
+bool TriangleTree::isHit(const glm::dvec3& from, const glm::dvec3& direction, double least) const
+{
+    if (_nodes.empty()) return false;
+    const glm::dvec3 inverse = 1.0 / direction;
+    std::array<std::uint32_t, kStack> stack;
+    std::size_t depth = 0;
+    stack[depth++] = 0;
+    while (depth > 0)
+    {
+        const std::uint32_t number = stack[--depth];
+        const Node& node = _nodes[number];
+        if (!meets(node.box, from, inverse)) continue;
+        for (std::uint32_t i = node.first; i < node.first + node.count; ++i)
+        {
+            const Triangle& t = _triangles[_order[i]];
+            if (rayDistance(from, direction, _positions[t[0]], _positions[t[1]], _positions[t[2]]) > least)
+                return true;
+        }
+        if (node.count > 0) continue;
+        stack[depth++] = node.first;
+        stack[depth++] = number + 1;
+    }
+    return false;
+}
+
+} // namespace osgPMObjects::core
