@@ -20,6 +20,12 @@ struct Chosen
     std::filesystem::path jsonFile;
 };
 
+/// `info`: what is in each model.
+void addInfo(CLI::App& app, Chosen& chosen);
+
+/// `consolidate`: cleans each model, counts before and after, writes what came out.
+void addConsolidate(CLI::App& app, Chosen& chosen);
+
 /// `compare`, to which the comparisons are added.
 CLI::App* addCompareGroup(CLI::App& app);
 

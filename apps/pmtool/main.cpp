@@ -8,6 +8,8 @@ int main(int argc, char** argv)
     app.set_version_flag("--version", OSGTRAINER_VERSION);
     app.require_subcommand(1);
     pmtool::Chosen chosen;
+    pmtool::addInfo(app, chosen);
+    pmtool::addConsolidate(app, chosen);
     pmtool::addCompareGroup(app);
     if (const auto ends = terminal::parse(app, argc, argv)) return *ends;
     return terminal::report("pmtool", chosen.jsonFile, chosen.work);

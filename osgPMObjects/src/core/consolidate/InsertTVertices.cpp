@@ -19,6 +19,9 @@ namespace osgPMObjects::core
 namespace
 {
 
+/// Of the tolerance: what is left of it is for the floats that a mesh becomes.
+constexpr double kMostDrift = 0.97;
+
 /// One pass: what is to be done to the mesh is collected before any of it is done.
 class Pass
 {
@@ -27,6 +30,7 @@ public:
         : _mesh(mesh),
           _tolerance(state.tolerance),
           _thinHeight(state.thinHeight),
+          _mostDrift(kMostDrift * state.tolerance),
           _drift(state.drift),
           _triangles(positionTriangles(mesh)),
           _edges(_triangles, mesh.positions.size()),
@@ -58,7 +62,7 @@ private:
     bool move(std::uint32_t position, const glm::dvec3& where)
     {
         const double after = _drift[position] + glm::length(where - _mesh.positions[position]);
-        if (after > _tolerance) return false;
+        if (after > _mostDrift) return false;
         _drift[position] = after;
         _mesh.positions[position] = where;
         return true;
@@ -76,7 +80,7 @@ private:
             if (glm::length(b - a) > 2.0 * _tolerance || isTaken.count(end) || isTaken.count(t.vertex))
                 continue;
             const glm::dvec3 middle = 0.5 * (a + b);
-            if (_drift[end] + glm::length(middle - a) > _tolerance || !move(t.vertex, middle) ||
+            if (_drift[end] + glm::length(middle - a) > _mostDrift || !move(t.vertex, middle) ||
                 !move(end, middle))
                 continue;
             isTaken.insert({end, t.vertex});
@@ -147,7 +151,7 @@ private:
     }
 
     Mesh& _mesh;
-    const double _tolerance, _thinHeight;
+    const double _tolerance, _thinHeight, _mostDrift;
     std::vector<double>& _drift;
     const std::vector<Triangle> _triangles;
     const EdgeTable _edges;

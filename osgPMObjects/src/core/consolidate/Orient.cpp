@@ -19,7 +19,6 @@ namespace
 /// Rays for a patch, and how one-sided what they say must be to count.
 constexpr int kRays = 128;
 constexpr double kDecided = 0.25;
-constexpr double kCertain = 0.9;
 /// Patches that rays are spent on at most.
 constexpr std::size_t kMostJudged = 4096;
 /// Two faces fold back onto each other where the directions from their edge into them have this cosine.
@@ -60,7 +59,6 @@ private:
     {
         std::vector<std::uint32_t> faces;
         double area = 0.0;
-        bool isCertain = false; ///< the open has decided, nearly without a voice against it
         bool isDecided = false;
         bool isTurned = false;
     };
@@ -130,7 +128,6 @@ private:
         {
             const double open = openness(_mesh.positions, _triangles, patch->faces, tree, kRays);
             patch->isDecided = std::abs(open) > kDecided;
-            patch->isCertain = std::abs(open) > kCertain;
             patch->isTurned = patch->isDecided && open < 0.0;
         }
     }
@@ -190,7 +187,7 @@ private:
             if (patch.isTurned)
                 for (const std::uint32_t f : patch.faces)
                 {
-                    turnFace(_mesh, f, patch.isCertain);
+                    turnFace(_mesh, f, false);
                     ++_report.turnedFaces;
                 }
     }

@@ -15,8 +15,10 @@ namespace osgPMObjects::core
 /// What consolidate() does. Distances are shares of the mesh's diagonal.
 struct ConsolidateOptions
 {
-    double weldTolerance = 1e-6;       ///< positions nearer than this are one: the noise of floats
-    double stitchTolerance = 1e-5;     ///< T-vertices nearer to an edge than this are put into it
+    double weldTolerance = 1e-6; ///< positions nearer than this are one: the noise of floats
+    double stitchTolerance =
+        1.01e-5; ///< T-vertices nearer to an edge than this are put into it: those that count (1e-5), and
+                 ///< those that would when positions have become floats
     double degenerateHeight = 1e-7;    ///< faces no higher than this go
     bool orient = true;                ///< make neighbours agree, turn what is inside out
     bool computeMissingNormals = true; ///< for lit faces without

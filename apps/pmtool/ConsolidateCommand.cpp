@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <chrono>
+#include <iostream>
+#include <memory>
+
+#include <osgPMObjects/core/consolidate/Consolidate.h>
+#include <osgPMObjects/core/mesh/SurfaceChange.h>
+
+#include "pmtool/ModelFiles.h"
+#include "pmtool/Models.h"
+
+namespace pmtool
+{
+
+namespace
+{
+
+using namespace osgPMObjects;
+using Json = nlohmann::ordered_json;
+
+struct Request
+{
+    ModelRequest models;
+    core::ConsolidateOptions options;
+    std::filesystem::path outputFolder, dumpFolder;
+    std::string format = "osgb";
+};
+
+/// Every count of a report, by name; zeros are left out.
+std::vector<std::pair<const char*, std::size_t>> countsOf(const core::ConsolidateReport& r)
+{
+    std::vector<std::pair<const char*, std::size_t>> counts = {
+        {"positions welded", r.weldedPositions},
+        {"degenerate faces removed", r.degenerateFaces},
+        {"duplicate faces removed", r.duplicates.removed},
+        {"of these hidden by another material", r.duplicates.hidden},
+        {"faces back to back made one of two sides", r.duplicates.backToBack},
+        {"pairs back to back of different look kept", r.duplicates.kept},
+        {"T-vertices inserted", r.tVertices.inserted},
+        {"vertices stitched", r.tVertices.stitched},
+        {"open slivers removed", r.tVertices.slivers},
+        {"vertices moved towards an edge", r.tVertices.moved},
+        {"patches in doubt about their front", r.orientation.doubtful},
+        {"faces turned", r.orientation.turnedFaces},
+        {"edges between faces that do not agree, cut", r.splitEdges.disagreeing},
+        {"edges of more than two faces, split", r.splitEdges.crowded},
+        {"positions doubled by that", r.splitEdges.copies},
+        {"closed groups", r.insideOut.closedGroups},
+        {"of these inside out, turned", r.insideOut.turnedGroups},
+        {"of these cavities", r.insideOut.cavities},
+        {"faces given normals", r.facesGivenNormals},
+        {"attributes dropped that no state looks at", r.wedges.unseenAttributes},
+        {"needless wedges merged", r.wedges.merged}};
+    std::erase_if(counts, [](const auto& count) { return count.second == 0; });
+    return counts;
+}
+
+viewlod::Outcome write(const Request& request, const std::string& name, const core::Mesh& before,
+                       const ImportedModel& model)
+{
+    if (!request.outputFolder.empty())
+        if (const auto done = writeModel(model, request.outputFolder / (name + '.' + request.format)); !done)
+            return done.error();
+    if (request.dumpFolder.empty()) return viewlod::success();
+    if (const auto done = writePlain(before, request.dumpFolder / (name + ".before.obj")); !done)
+        return done.error();
+    return writePlain(model.mesh, request.dumpFolder / (name + ".after.obj"));
+}
+
+void print(const std::string& file, const Json& row, const core::ConsolidateReport& report)
+{
+    std::cout << file << '\n';
+    for (const auto& [key, before] : row["before"].items())
+        std::cout << "  " << key << ": " << before << " -> " << row["after"][key] << '\n';
+    std::cout << "  surface change: " << row["surfaceChangePercent"]
+              << " % of the diagonal\n  ms: " << row["ms"] << '\n';
+    for (const auto& [what, count] : countsOf(report))
+        std::cout << "  " << what << ": " << count << '\n';
+}
+
+viewlod::Result<Json> consolidateFile(const Request& request, OutputNames& names, const std::string& file)
+{
+    auto model = read(file, request.models.limits);
+    if (!model) return model.error();
+    core::Mesh& mesh = model->imported.mesh;
+    const core::Mesh before = mesh;
+    const auto start = std::chrono::steady_clock::now();
+    const core::ConsolidateReport report = core::consolidate(mesh, request.options);
+    const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
+    const double diagonal = core::diagonalOf(before);
+    const double change = core::surfaceChange(before, mesh).largest;
+    const Json row{{"model", file},
+                   {"before", tableOf(core::countMesh(before))},
+                   {"after", tableOf(core::countMesh(mesh))},
+                   {"surfaceChangePercent", diagonal > 0.0 ? 100.0 * change / diagonal : 0.0},
+                   {"trianglesDropped", report.facesDropped()},
+                   {"ms", took.count()}};
+    if (const auto written = write(request, names.nameFor(file), before, model->imported); !written)
+        return written.error();
+    print(file, row, report);
+    const Json met = tableOf(model->imported.report);
+    for (const auto& [what, count] : met.items())
+        std::cout << "  import: " << what << ' ' << count << '\n';
+    for (const std::string& note : model->notes)
+        std::cout << "  note: " << note << '\n';
+    return row;
+}
+
+viewlod::Result<terminal::Report> run(const Request& request)
+{
+    for (const auto& folder : {request.outputFolder, request.dumpFolder})
+        if (!folder.empty())
+            if (const auto made = makeFolder(folder); !made) return made.error();
+    OutputNames names;
+    return forEachModel(request.models,
+                        [&](const std::string& file) { return consolidateFile(request, names, file); });
+}
+
+} // namespace
+
+void addConsolidate(CLI::App& app, Chosen& chosen)
+{
+    const auto request = std::make_shared<Request>();
+    CLI::App* command = app.add_subcommand(
+        "consolidate",
+        "weld, close cracks, remove what is no face, orient, merge needless splits of each model");
+    addModelOptions(*command, request->models, chosen.jsonFile);
+    command->add_option("--output", request->outputFolder, "write the models there");
+    command->add_option("--format", request->format, "of the models written (osgb)")
+        ->check(CLI::IsMember({"osgb", "osgt", "ive"}));
+    command->add_option("--dump", request->dumpFolder,
+                        "write positions and faces before and after there, as plain .obj");
+    core::ConsolidateOptions& options = request->options;
+    command
+        ->add_option("--weld", options.weldTolerance,
+                     "positions nearer than this part of the diagonal are one (1e-6)")
+        ->check(terminal::between(0.0, 0.1));
+    command
+        ->add_option("--stitch", options.stitchTolerance,
+                     "vertices nearer to an edge are put into it (1.01e-5)")
+        ->check(terminal::between(0.0, 0.1));
+    command
+        ->add_option("--crease", options.creaseAngleDeg,
+                     "sharper edges stay edges in normals that are made (45)")
+        ->check(terminal::between(0.0, 180.0));
+    command->add_flag("!--as-oriented", options.orient, "turn no faces");
+    command->add_flag(
+        "!--keep-unseen", options.wedges.dropUnseen,
+        "keep attributes that the state does not look at, such as coordinates of a missing texture");
+    command->callback([request, &chosen] { chosen.work = [request] { return run(*request); }; });
+}
+
+} // namespace pmtool

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <iostream>
+#include <memory>
+
+#include "pmtool/Models.h"
+
+namespace pmtool
+{
+
+namespace
+{
+
+using namespace osgPMObjects;
+
+nlohmann::ordered_json attributesOf(const core::Material& material)
+{
+    constexpr std::pair<core::Material::Attribute, const char*> kNames[] = {
+        {core::Material::normal, "normal"},
+        {core::Material::texCoord0, "texCoord0"},
+        {core::Material::texCoord1, "texCoord1"},
+        {core::Material::colour, "colour"}};
+    nlohmann::ordered_json names = nlohmann::ordered_json::array();
+    for (const auto& [attribute, name] : kNames)
+        if (material.has(attribute))
+            names.push_back((material.unseen & attribute) ? std::string(name) + " (unseen)" : name);
+    return names;
+}
+
+nlohmann::ordered_json describe(const std::string& file, const ReadModel& model)
+{
+    const core::Mesh& mesh = model.imported.mesh;
+    const core::MeshCounts counts = core::countMesh(mesh);
+    nlohmann::ordered_json row{{"model", file}};
+    row.update(tableOf(counts));
+    row["boundaryEdges"] = counts.boundaryEdges;
+    row["diagonal"] = core::diagonalOf(mesh);
+    row["parts"] = mesh.parts.size();
+    row["materials"] = nlohmann::ordered_json::array();
+    for (const core::Material& material : mesh.materials)
+        row["materials"].push_back({{"name", material.name},
+                                    {"attributes", attributesOf(material)},
+                                    {"twoSided", material.isTwoSided},
+                                    {"transparent", material.isTransparent}});
+    row["import"] = tableOf(model.imported.report);
+    row["notes"] = model.notes;
+    return row;
+}
+
+void print(const nlohmann::ordered_json& row)
+{
+    std::cout << row["model"].get<std::string>() << '\n';
+    for (const auto& [key, value] : row.items())
+        if (key == "materials" || key == "notes")
+            for (const auto& entry : value)
+                std::cout << "  " << key.substr(0, key.size() - 1) << ": "
+                          << (entry.is_string() ? entry.get<std::string>() : entry.dump()) << '\n';
+        else if (key != "model" && !(value.is_object() && value.empty()))
+            std::cout << "  " << key << ": " << value.dump() << '\n';
+}
+
+} // namespace
+
+void addInfo(CLI::App& app, Chosen& chosen)
+{
+    const auto request = std::make_shared<ModelRequest>();
+    CLI::App* info = app.add_subcommand("info", "triangles, defects, parts and materials of each model");
+    addModelOptions(*info, *request, chosen.jsonFile);
+    info->callback(
+        [request, &chosen]
+        {
+            chosen.work = [request]
+            {
+                return forEachModel(*request,
+                                    [&](const std::string& file) -> viewlod::Result<nlohmann::ordered_json>
+                                    {
+                                        const auto model = read(file, request->limits);
+                                        if (!model) return model.error();
+                                        nlohmann::ordered_json row = describe(file, *model);
+                                        print(row);
+                                        return row;
+                                    });
+            };
+        });
+}
+
+} // namespace pmtool

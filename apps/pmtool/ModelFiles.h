@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include <osgPMObjects/ImportNode>
+
+namespace pmtool
+{
+
+/// Names for what is made of models: the file's name without its extensions; a second one of the same name gets -2.
+class OutputNames
+{
+public:
+    std::string nameFor(const std::string& file);
+
+private:
+    std::map<std::string, int> _used;
+};
+
+/// Creates a folder, and those above it, unless it is there. Errors: it cannot be.
+viewlod::Outcome makeFolder(const std::filesystem::path& folder);
+
+/// Writes a model, with its pictures inside, in a format that OSG writes to a stream, told by the extension (.osgb, .osgt, .ive).
+/// Errors: no such format, the file cannot be written; then nothing is left behind.
+viewlod::Outcome writeModel(const osgPMObjects::ImportedModel& model, const std::filesystem::path& file);
+
+/// Writes positions and faces as a Wavefront .obj of `v x y z` and `f a b c` lines: every digit of every position, the position's
+/// number counted from 1, faces in the mesh's order.
+viewlod::Outcome writePlain(const osgPMObjects::core::Mesh& mesh, const std::filesystem::path& file);
+
+} // namespace pmtool

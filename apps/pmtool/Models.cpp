@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "pmtool/Models.h"
+
+#include "terminal/Terminal.h"
+
+namespace pmtool
+{
+
+using namespace osgPMObjects;
+
+void addModelOptions(CLI::App& command, ModelRequest& request, std::filesystem::path& jsonFile)
+{
+    command.add_option("MODEL", request.files, "files that OpenSceneGraph reads, .gltf, .glb")->required();
+    command.add_option("--json", jsonFile, "write the table there, too");
+    command.add_option("--seconds", request.limits.seconds, "most time to read a model (120)")
+        ->check(terminal::between(0.1, 86400.0));
+    command.add_option("--memory", request.limits.memoryMiB, "most memory to read a model, MiB (8192)")
+        ->check(CLI::Range(64, 1 << 20));
+}
+
+viewlod::Result<ReadModel> read(const std::string& file, const ReadLimits& limits)
+{
+    const auto node = readModelNode(file, limits);
+    if (!node) return node.error();
+    auto imported = importNode(**node, file);
+    if (!imported) return imported.error();
+    return ReadModel{std::move(*imported), (*node)->getDescriptions()};
+}
+
+viewlod::Result<terminal::Report>
+forEachModel(const ModelRequest& request,
+             const std::function<viewlod::Result<nlohmann::ordered_json>(const std::string& file)>& work)
+{
+    terminal::Report report;
+    report.json["models"] = nlohmann::ordered_json::array();
+    for (const std::string& file : request.files)
+    {
+        auto row = work(file);
+        if (row)
+            report.json["models"].push_back(std::move(*row));
+        else
+        {
+            terminal::fail("pmtool", row.error());
+            report.sound = false;
+        }
+    }
+    return report;
+}
+
+nlohmann::ordered_json tableOf(const core::MeshCounts& counts)
+{
+    return {{"triangles", counts.triangles},
+            {"positions", counts.positions},
+            {"attributeVertices", counts.attributeVertices},
+            {"tJunctions", counts.tJunctions},
+            {"duplicates", counts.duplicates},
+            {"degenerates", counts.degenerates},
+            {"nonManifoldEdges", counts.nonManifoldEdges},
+            {"components", counts.components}};
+}
+
+nlohmann::ordered_json tableOf(const ImportReport& report)
+{
+    nlohmann::ordered_json table = nlohmann::ordered_json::object();
+    const auto add = [&](const char* name, std::size_t count)
+    {
+        if (count > 0) table[name] = count;
+    };
+    add("keptDrawables", report.keptDrawables);
+    add("keptNodes", report.keptNodes);
+    add("coarserLevels", report.coarserLevels);
+    add("hiddenChildren", report.hiddenChildren);
+    add("unloadedChildren", report.unloadedChildren);
+    add("bakedAnimations", report.bakedAnimations);
+    add("refusedFaces", report.refusedFaces);
+    add("refusedPrimitives", report.refusedPrimitives);
+    add("zeroedAttributes", report.zeroedAttributes);
+    add("droppedArrays", report.droppedArrays);
+    add("droppedComponents", report.droppedComponents);
+    return table;
+}
+
+} // namespace pmtool

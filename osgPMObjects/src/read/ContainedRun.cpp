@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ContainedRun.h"
+
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstring>
+#include <exception>
+#include <new>
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace osgPMObjects
+{
+
+namespace
+{
+
+/// How the child says what follows.
+constexpr char kBytes = 'B', kError = 'E', kNoMemory = 'M';
+constexpr const char* kRepair = "repair the model, or convert it with another program";
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool kIsSanitized = true;
+#else
+constexpr bool kIsSanitized = false;
+#endif
+
+void writeAll(int descriptor, const char* bytes, std::size_t count)
+{
+    while (count > 0)
+    {
+        const ssize_t written = ::write(descriptor, bytes, count);
+        if (written < 0 && errno == EINTR) continue;
+        if (written <= 0) return; // nobody reads any more
+        bytes += written;
+        count -= static_cast<std::size_t>(written);
+    }
+}
+
+void say(int descriptor, char kind, const std::string& text)
+{
+    writeAll(descriptor, &kind, 1);
+    writeAll(descriptor, text.data(), text.size());
+}
+
+void restrain(const ReadLimits& limits)
+{
+    const rlimit none{0, 0};
+    setrlimit(RLIMIT_CORE, &none);
+    const rlim_t bytes = static_cast<rlim_t>(limits.memoryMiB) << 20;
+    const rlimit memory{bytes, bytes};
+    if (!kIsSanitized) setrlimit(RLIMIT_AS, &memory);
+    for (const int signal :
+         {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT}) // nobody's handlers, inherited by the fork
+        std::signal(signal, SIG_DFL);
+    const int nowhere = open("/dev/null", O_RDWR);
+    for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+        dup2(nowhere, descriptor);
+}
+
+[[noreturn]] void beChild(int descriptor, const std::function<viewlod::Result<std::string>()>& work,
+                          const ReadLimits& limits)
+{
+    restrain(limits);
+    try
+    {
+        const auto made = work();
+        if (made)
+            say(descriptor, kBytes, *made);
+        else
+            say(descriptor, kError, made.error().what + '\n' + made.error().remedy);
+    }
+    catch (const std::bad_alloc&)
+    {
+        say(descriptor, kNoMemory, "");
+    }
+    catch (const std::exception& thrown)
+    {
+        say(descriptor, kError, std::string(thrown.what()) + '\n' + kRepair);
+    }
+    _exit(0); // no destructors: they are the parent's, too
+}
+
+/// Reads until the child is done; false: not in time.
+bool readAll(int descriptor, double seconds, std::string& bytes)
+{
+    using Clock = std::chrono::steady_clock;
+    const auto end = Clock::now() + std::chrono::duration<double>(seconds);
+    std::string buffer(1 << 16, '\0');
+    while (true)
+    {
+        const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(end - Clock::now()).count();
+        if (left <= 0) return false;
+        pollfd waiting{descriptor, POLLIN, 0};
+        const int ready = poll(&waiting, 1, static_cast<int>(std::min<long long>(left, 1000)));
+        if (ready <= 0) continue;
+        const ssize_t got = ::read(descriptor, buffer.data(), buffer.size());
+        if (got < 0 && errno == EINTR) continue;
+        if (got <= 0) return true;
+        bytes.append(buffer, 0, static_cast<std::size_t>(got));
+    }
+}
+
+viewlod::Error asError(const std::string& file, const std::string& text)
+{
+    const std::size_t line = text.find('\n');
+    return {file, text.substr(0, line), line == std::string::npos ? "" : text.substr(line + 1)};
+}
+
+} // namespace
+
+viewlod::Result<std::string> runContained(const std::function<viewlod::Result<std::string>()>& work,
+                                          const std::string& file, const std::string& what,
+                                          const ReadLimits& limits)
+{
+    int ends[2];
+    if (pipe2(ends, O_CLOEXEC) != 0)
+        return viewlod::Error{file, std::string("no pipe to read it through: ") + std::strerror(errno),
+                              "close files"};
+    const pid_t child = fork();
+    if (child < 0)
+    {
+        close(ends[0]), close(ends[1]);
+        return viewlod::Error{file, std::string("no process to read it in: ") + std::strerror(errno),
+                              "end others"};
+    }
+    if (child == 0) beChild(ends[1], work, limits);
+    close(ends[1]);
+    std::string bytes;
+    const bool isInTime = readAll(ends[0], limits.seconds, bytes);
+    close(ends[0]);
+    if (!isInTime) kill(child, SIGKILL);
+    int status = 0;
+    while (waitpid(child, &status, 0) < 0 && errno == EINTR)
+        ;
+    if (!isInTime)
+        return viewlod::Error{file,
+                              what + " was not done after " +
+                                  std::to_string(static_cast<long long>(limits.seconds)) + " s",
+                              std::string("give it more time, or ") + kRepair};
+    if (WIFSIGNALED(status))
+        return viewlod::Error{file, what + " died of " + strsignal(WTERMSIG(status)), kRepair};
+    if (!WIFEXITED(status) || WEXITSTATUS(status) != 0 || bytes.empty())
+        return viewlod::Error{file, what + " ended itself", kRepair};
+    const char kind = bytes.front();
+    bytes.erase(0, 1);
+    if (kind == kNoMemory)
+        return viewlod::Error{file, what + " wanted more than " + std::to_string(limits.memoryMiB) + " MiB",
+                              std::string("allow it more memory, or ") + kRepair};
+    if (kind == kError) return asError(file, bytes);
+    return bytes;
+}
+
+} // namespace osgPMObjects

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <sstream>
+#include <system_error>
+
+#include <osg/Geometry>
+#include <osg/NodeVisitor>
+#include <osg/Notify>
+#include <osgDB/ReadFile>
+#include <osgDB/Registry>
+
+#include <osgPMObjects/ReadModel>
+
+#include "ContainedRun.h"
+
+namespace osgPMObjects
+{
+
+namespace
+{
+
+constexpr const char* kRemedy = "check that OSG has a plugin for it (osgversion, osgconv --plugins)";
+
+/// Keeps the first line that is said while it is installed.
+class FirstWords : public osg::NotifyHandler
+{
+public:
+    void notify(osg::NotifySeverity, const char* message) override
+    {
+        if (_line.empty()) _line = message;
+    }
+
+    std::string inBrackets() const
+    {
+        return _line.empty() ? "" : " (" + _line.substr(0, _line.find('\n')) + ")";
+    }
+
+private:
+    std::string _line;
+};
+
+bool isGltf(const std::filesystem::path& file)
+{
+    std::string extension = file.extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return extension == ".gltf" || extension == ".glb";
+}
+
+/// What must not leave the child: graphs too deep to be written or read, and index arrays, which .osgb keeps.
+class Preparation : public osg::NodeVisitor
+{
+public:
+    Preparation() : NodeVisitor(TRAVERSE_ALL_CHILDREN) { setNodeMaskOverride(~0u); }
+
+    void apply(osg::Node& node) override
+    {
+        isTooDeep = isTooDeep || getNodePath().size() > kDeepest;
+        if (!isTooDeep) traverse(node);
+    }
+
+    void apply(osg::Geometry& geometry) override
+    {
+        if (geometry.containsDeprecatedData()) geometry.fixDeprecatedData();
+    }
+
+    static constexpr std::size_t kDeepest = 1000;
+    bool isTooDeep = false;
+};
+
+osg::ref_ptr<osgDB::ReaderWriter> osgb()
+{
+    return osgDB::Registry::instance()->getReaderWriterForExtension("osgb");
+}
+
+viewlod::Result<std::string> readAndWrite(const std::filesystem::path& file)
+{
+    const auto node = readModelNodeHere(file);
+    if (!node) return node.error();
+    Preparation preparation;
+    (*node)->accept(preparation);
+    if (preparation.isTooDeep)
+        return viewlod::Error{file.string(),
+                              "nodes are nested deeper than " + std::to_string(Preparation::kDeepest),
+                              "look for a group that contains itself, or flatten the graph"};
+    std::ostringstream stream;
+    const osg::ref_ptr<osgDB::Options> options = new osgDB::Options("WriteImageHint=IncludeData");
+    if (const auto written = osgb()->writeNode(**node, stream, options); !written.success())
+        return viewlod::Error{file.string(), "cannot be handed over: " + written.message(), kRemedy};
+    return stream.str();
+}
+
+} // namespace
+
+viewlod::Result<osg::ref_ptr<osg::Node>> readModelNodeHere(const std::filesystem::path& file)
+{
+    if (isGltf(file))
+    {
+        const auto model = core::readGltf(file);
+        if (!model) return model.error();
+        return osg::ref_ptr<osg::Node>(nodeOf(*model));
+    }
+    const osg::ref_ptr<osg::NotifyHandler> before = osg::getNotifyHandler();
+    const osg::ref_ptr<FirstWords> words = new FirstWords;
+    osg::setNotifyHandler(words);
+    const osg::ref_ptr<osg::Node> node = osgDB::readRefNodeFile(file.string());
+    osg::setNotifyHandler(before);
+    if (node) return node;
+    return viewlod::Error{file.string(), "cannot be read by OpenSceneGraph" + words->inBrackets(), kRemedy};
+}
+
+viewlod::Result<osg::ref_ptr<osg::Node>> readModelNode(const std::filesystem::path& file,
+                                                       const ReadLimits& limits)
+{
+    std::error_code ignored; // a name too long is a file that is not there
+    if (!std::filesystem::exists(file, ignored))
+        return viewlod::Error{file.string(), "there is no such file", "check its path"};
+    if (!osgb())
+        return viewlod::Error{"OpenSceneGraph", "has no plugin for .osgb",
+                              "install the package openscenegraph"};
+    const auto bytes = runContained([&] { return readAndWrite(file); }, file.string(),
+                                    isGltf(file) ? "the glTF loader" : "OpenSceneGraph's loader", limits);
+    if (!bytes) return bytes.error();
+    std::istringstream stream(*bytes);
+    osgDB::ReaderWriter::ReadResult read = osgb()->readNode(stream);
+    if (!read.validNode())
+        return viewlod::Error{file.string(), "was not handed over whole: " + read.message(), kRemedy};
+    return osg::ref_ptr<osg::Node>(read.getNode());
+}
+
+} // namespace osgPMObjects
