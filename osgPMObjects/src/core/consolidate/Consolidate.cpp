@@ -33,8 +33,7 @@ void add(TVertices& sum, const TVertices& more)
 void closeCracks(Mesh& mesh, double diagonal, const ConsolidateOptions& options, TVertexState& state,
                  ConsolidateReport& report)
 {
-    const int last = report.tVertexPasses + kMostPasses;
-    while (report.tVertexPasses < last)
+    while (report.tVertexPasses < kMostPasses)
     {
         ++report.tVertexPasses;
         report.degenerateFaces += removeDegenerateFaces(mesh, options.degenerateHeight * diagonal);
@@ -42,7 +41,7 @@ void closeCracks(Mesh& mesh, double diagonal, const ConsolidateOptions& options,
         const TVertices pass = insertTVertices(mesh, state);
         add(report.tVertices, pass);
         if (pass.isNothing()) return;
-        if (report.tVertexPasses >= kPatientPasses) state.thinHeight = 0.5 * state.tolerance;
+        if (report.tVertexPasses >= kPatientPasses) state.thinHeight = state.tolerance;
     }
 }
 
@@ -56,7 +55,7 @@ void splitEdges(Mesh& mesh, double diagonal, const ConsolidateOptions& options, 
         report.splitEdges.crowded += split.crowded;
         report.splitEdges.disagreeing += split.disagreeing;
         report.splitEdges.copies += split.copies;
-        if (split.copies == 0) return;
+        if (split.copies == 0 || report.tVertexPasses >= kMostPasses) return;
         closeCracks(mesh, diagonal, options, state, report);
     }
 }

@@ -4,6 +4,7 @@
 
 #include <glm/geometric.hpp>
 
+#include <osgPMObjects/core/Parallel.h>
 #include <osgPMObjects/core/consolidate/Orient.h>
 #include <osgPMObjects/core/mesh/EdgeTable.h>
 #include <osgPMObjects/core/mesh/UnionFind.h>
@@ -17,10 +18,10 @@ namespace
 {
 
 /// Rays for a patch, and how one-sided what they say must be to count.
-constexpr int kRays = 128;
+constexpr int kRays = 48;
 constexpr double kDecided = 0.25;
 /// Patches that rays are spent on at most.
-constexpr std::size_t kMostJudged = 4096;
+constexpr std::size_t kMostJudged = 2048;
 /// Two faces fold back onto each other where the directions from their edge into them have this cosine.
 constexpr double kFold = 0.5;
 
@@ -124,12 +125,19 @@ private:
         const TriangleTree tree(_mesh.positions, _triangles);
         std::vector<Patch*> patches = largestFirst();
         patches.resize(std::min(patches.size(), kMostJudged));
-        for (Patch* patch : patches)
-        {
-            const double open = openness(_mesh.positions, _triangles, patch->faces, tree, kRays);
-            patch->isDecided = std::abs(open) > kDecided;
-            patch->isTurned = patch->isDecided && open < 0.0;
-        }
+        parallelShares(patches.size(), 4,
+                       [&](std::size_t first, std::size_t last, std::size_t)
+                       {
+                           for (std::size_t i = first; i < last; ++i)
+                               judge(*patches[i], tree);
+                       });
+    }
+
+    void judge(Patch& patch, const TriangleTree& tree) const
+    {
+        const double open = openness(_mesh.positions, _triangles, patch.faces, tree, kRays);
+        patch.isDecided = std::abs(open) > kDecided;
+        patch.isTurned = patch.isDecided && open < 0.0;
     }
 
     /// The largest neighbour speaks first.

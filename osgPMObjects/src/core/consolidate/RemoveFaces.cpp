@@ -4,6 +4,7 @@
 
 #include <osgPMObjects/core/consolidate/RemoveFaces.h>
 #include <osgPMObjects/core/mesh/EdgeTable.h>
+#include <osgPMObjects/core/mesh/HashIndex.h>
 #include <osgPMObjects/core/mesh/MeshCounts.h>
 
 namespace osgPMObjects::core
@@ -21,6 +22,20 @@ std::size_t removeMarked(Mesh& mesh, const std::vector<bool>& isDead)
     const std::size_t removed = mesh.faces.size() - kept;
     mesh.faces.resize(kept);
     return removed;
+}
+
+/// For each position the first that stands at the very same place: splits have doubled some.
+std::vector<std::uint32_t> firstAtPlace(const std::vector<glm::dvec3>& positions)
+{
+    const auto hashOf = [&](std::uint32_t i)
+    { return stir(stir(stir(0, bitsOf(positions[i].x)), bitsOf(positions[i].y)), bitsOf(positions[i].z)); };
+    HashIndex index(positions.size());
+    std::vector<std::uint32_t> first;
+    first.reserve(positions.size());
+    for (std::uint32_t p = 0; p < positions.size(); ++p)
+        first.push_back(index.findOrAdd(
+            p, hashOf(p), [&](std::uint32_t i) { return positions[i] == positions[p]; }, hashOf));
+    return first;
 }
 
 /// Whether the corners, sorted, turn the same way as they stand: equal for two faces with the same front.
@@ -120,7 +135,10 @@ std::size_t removeDegenerateFaces(Mesh& mesh, double height)
 
 DuplicateFaces removeDuplicateFaces(Mesh& mesh)
 {
-    const std::vector<Triangle> triangles = positionTriangles(mesh);
+    std::vector<Triangle> triangles = positionTriangles(mesh);
+    const std::vector<std::uint32_t> first = firstAtPlace(mesh.positions);
+    for (Triangle& t : triangles)
+        t = {first[t[0]], first[t[1]], first[t[2]]};
     std::vector<std::pair<Triangle, std::uint32_t>> byCorners;
     for (std::uint32_t f = 0; f < triangles.size(); ++f)
         byCorners.emplace_back(sortedCorners(triangles[f]), f);

@@ -55,6 +55,6 @@ struct ConsolidateReport
 /// Cost: a million triangles in some 3 s. Source: spec 3, Consolidation.
 ConsolidateReport consolidate(Mesh& mesh, const ConsolidateOptions& options = {});
 
-constexpr int kMostPasses = 32;
+constexpr int kMostPasses = 20;
 
 } // namespace osgPMObjects::core

@@ -26,7 +26,7 @@ struct Orientation
 /// Patches without such a neighbour stay as they are, however they stand.
 /// Source: spec 3, Consolidation 3 (neighbours of any start polygon are flipped); the open as a judge is Takayama et al. (2014), see
 /// Visibility.h. The lecture's rule alone, with the largest area as the start, turned pirate's cuffs and CG-57's hull to black.
-/// Cost: linear; a tree of the triangles, and 128 rays a side for the 4 096 largest doubtful patches.
+/// Cost: linear; a tree of the triangles, and 48 rays a side for the 2 048 largest doubtful patches.
 Orientation orientFaces(Mesh& mesh);
 
 /// What turnInsideOut() did.

@@ -22,7 +22,7 @@ struct DuplicateFaces
     std::size_t kept = 0; ///< pairs back to back of different look, which no single face shows: both stay
 };
 
-/// Of faces on the same three positions keeps one; of faces with the same front the first opaque one, for it hides the others
+/// Of faces on the same three positions, or copies of them at the same places, keeps one; of faces with the same front the first opaque one, for it hides the others
 /// where depth must be less to be drawn. Of two faces back to back that one which is drawn from both sides stays; two one-sided
 /// ones of the same state become one of a two-sided material (the state with neither side culled, and lit from both); two
 /// one-sided ones of different states both stay.
