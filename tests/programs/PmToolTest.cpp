@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+// pmtool as somebody runs it.
+#include <fstream>
+#include <sstream>
+
+#include "Playing.h"
+
+namespace
+{
+
+using nlohmann::ordered_json;
+using Words = std::vector<std::string>;
+
+ProgramRun runPmTool(Words arguments)
+{
+    arguments.insert(arguments.begin(), OSGTRAINER_PMTOOL);
+    return runProgram(arguments);
+}
+
+/// Two squares side by side, the second with a vertex in the middle of the seam, a face twice, and a flat one.
+constexpr const char* kBroken = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nv 2 1 0\nv 1 0.5 0\n"
+                                "f 1 2 3\nf 1 3 4\nf 7 2 5\nf 7 5 6\nf 7 6 3\nf 7 6 3\nf 1 2 2\n";
+
+Words keysOf(const ordered_json& object)
+{
+    Words keys;
+    for (const auto& [key, value] : object.items())
+        keys.push_back(key);
+    return keys;
+}
+
+const Words kCounts = {"triangles",  "positions",   "attributeVertices", "tJunctions",
+                       "duplicates", "degenerates", "nonManifoldEdges",  "components"};
+
+ordered_json tableOf(const Workplace& place, Words arguments)
+{
+    arguments.insert(arguments.end(), {"--json", place.path("table.json")});
+    EXPECT_TRUE(succeeds(runPmTool(arguments)));
+    return ordered_json::parse(readBytes(place.path("table.json")), nullptr, false);
+}
+
+TEST(PmTool, ConsolidateWritesTheTableTheModelAndPlainData)
+{
+    const Workplace place;
+    const std::string model = place.write("broken.obj", kBroken);
+    const ordered_json table = tableOf(
+        place, {"consolidate", model, model, "--output", place.path("clean"), "--dump", place.path("dump")});
+    ASSERT_EQ(table["models"].size(), 2U);
+    const ordered_json& row = table["models"][0];
+    EXPECT_EQ(keysOf(row),
+              (Words{"model", "before", "after", "surfaceChangePercent", "trianglesDropped", "ms"}));
+    EXPECT_EQ(keysOf(row["before"]), kCounts);
+    EXPECT_EQ(keysOf(row["after"]), kCounts);
+    EXPECT_EQ(row["model"], model);
+    EXPECT_EQ(row["before"]["tJunctions"], 1);
+    EXPECT_EQ(row["before"]["duplicates"], 1);
+    EXPECT_EQ(row["after"]["tJunctions"], 0);
+    EXPECT_EQ(row["after"]["duplicates"], 0);
+    EXPECT_EQ(row["after"]["degenerates"], 0);
+    EXPECT_EQ(row["after"]["triangles"], 6);
+    EXPECT_LT(row["surfaceChangePercent"], 1e-9);
+
+    const ordered_json again = tableOf(place, {"info", place.path("clean/broken.osgb")});
+    EXPECT_EQ(again["models"][0]["triangles"], 6);
+    EXPECT_EQ(again["models"][0]["tJunctions"], 0);
+    EXPECT_TRUE(std::filesystem::exists(place.path("clean/broken-2.osgb"))) << "the second of the same name";
+    std::istringstream plain(readBytes(place.path("dump/broken.after.obj")));
+    std::size_t positions = 0, faces = 0;
+    for (std::string line; std::getline(plain, line);)
+        ++(line[0] == 'v' ? positions : faces);
+    EXPECT_EQ(positions, row["after"]["positions"]);
+    EXPECT_EQ(faces, 6U);
+}
+
+TEST(PmTool, InfoDescribesAModel)
+{
+    const Workplace place;
+    const ordered_json table = tableOf(place, {"info", place.write("broken.obj", kBroken)});
+    const ordered_json& row = table["models"][0];
+    for (const std::string& key : kCounts)
+        EXPECT_TRUE(row.contains(key)) << key;
+    EXPECT_EQ(row["components"], 1);
+    EXPECT_EQ(row["parts"], 1);
+    EXPECT_NEAR(row["diagonal"].get<double>(), std::sqrt(5.0), 1e-6);
+}
+
+TEST(PmTool, OneBadModelIsNamedAndTheOthersAreDone)
+{
+    const Workplace place;
+    const std::string good = place.write("good.obj", kBroken), bad = place.write("bad.glb", "glTF");
+    const ProgramRun run = runPmTool({"consolidate", bad, good, "--json", place.path("table.json")});
+    EXPECT_TRUE(failsWith(run, 1, "pmtool", {bad, "glTF 2"}));
+    const auto table = ordered_json::parse(readBytes(place.path("table.json")), nullptr, false);
+    ASSERT_EQ(table["models"].size(), 1U);
+    EXPECT_EQ(table["models"][0]["model"], good);
+}
+
+TEST(PmTool, RefusesWhatMakesNoSense)
+{
+    const Workplace place;
+    const std::string model = place.write("a.obj", kBroken);
+    EXPECT_TRUE(failsWith(runPmTool({"consolidate"}), 2, "pmtool", {"MODEL"}));
+    EXPECT_TRUE(failsWith(runPmTool({"consolidate", model, "--weld", "nan"}), 2, "pmtool", {"--weld"}));
+    EXPECT_TRUE(
+        failsWith(runPmTool({"consolidate", model, "--output", model}), 1, "pmtool", {model, "folder"}));
+    EXPECT_TRUE(
+        failsWith(runPmTool({"info", "/nowhere.obj"}), 1, "pmtool", {"/nowhere.obj", "no such file"}));
+}
+
+} // namespace

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+// Real models, drawn before and after: the way into a mesh and out again shows nothing, nor does consolidation where nothing was
+// broken.
+#include <gtest/gtest.h>
+
+#include <osgPMObjects/core/consolidate/Consolidate.h>
+#include <osgPMObjects/core/mesh/MeshCounts.h>
+
+#include <osgOffscreen/ImageComparison>
+#include <osgPMObjects/ExportNode>
+#include <osgPMObjects/ReadModel>
+
+#include "RealData.h"
+#include "RenderedModel.h"
+
+namespace
+{
+
+using namespace osgPMObjects;
+
+constexpr const char* kModels[] = {"aircraft/KC-130.ac",
+                                   "aircraft/a4-f-tanker.ac",
+                                   "aircraft/cessna.obj",
+                                   "building/coolingtower.ac",
+                                   "building/hochhaus_asemwald.ac",
+                                   "building/lasnamae_korghoone.ac",
+                                   "building/zone_maisons-ba.ac",
+                                   "cad/2CylinderEngine.glb",
+                                   "cad/blob5.obj",
+                                   "cad/club.obj",
+                                   "cad/spheretext.obj",
+                                   "cad/standingblob.obj",
+                                   "cad/teapot.obj",
+                                   "cad/vintageFan.obj",
+                                   "character/pirate.obj",
+                                   "character/spider.obj",
+                                   "character/spot.obj",
+                                   "ship/CG-57.ac.gz",
+                                   "ship/vinson.ac",
+                                   "tree/eztree_bush_1.obj",
+                                   "tree/eztree_oak_medium.obj",
+                                   "vehicle/110Bus.ac",
+                                   "vehicle/CesiumMilkTruck.obj",
+                                   "vehicle/Forklift.ac",
+                                   "vehicle/Goldhofert.ac",
+                                   "vehicle/ICE3firstcar.ac",
+                                   "vehicle/evo_wrc.obj",
+                                   "vehicle/fox_wrc.obj",
+                                   "vehicle/hoskosh-ti-1500.ac"};
+
+osg::ref_ptr<osg::Group> nodeOfModel(const ImportedModel& model)
+{
+    osg::ref_ptr<osg::Group> root = exportNode(model.mesh, model.states);
+    root->addChild(model.remainder);
+    return root;
+}
+
+/// Whether consolidation has nothing to mend: then it must not show.
+bool isUnbroken(const core::ConsolidateReport& r)
+{
+    return r.facesDropped() + r.tVertices.inserted + r.tVertices.stitched + r.weldedPositions +
+               r.insideOut.turnedGroups + r.facesGivenNormals ==
+           0;
+}
+
+class ModelPictures : public testing::TestWithParam<const char*>
+{
+protected:
+    /// Pictures of two nodes in the same eight views.
+    void expectSame(osg::Node& before, osg::Node& after, const char* what)
+    {
+        static const std::unique_ptr<rendered::ModelStudio> studio = rendered::ModelStudio::open();
+        ASSERT_TRUE(studio);
+        const auto a = studio->pictures(before, before.getBound()),
+                   b = studio->pictures(after, before.getBound());
+        for (std::size_t i = 0; i < a.size(); ++i)
+        {
+            const auto difference = osgOffscreen::compareImages(*a[i], *b[i]);
+            EXPECT_TRUE(difference.within(16, 1))
+                << GetParam() << ' ' << what << ", direction " << i << ": " << difference.message();
+        }
+    }
+};
+
+TEST_P(ModelPictures, StayTheSame)
+{
+    OSGTRAINER_REAL_DATA_OR_SKIP(file, std::string("models/") + GetParam());
+    const auto node = readModelNode(file);
+    ASSERT_TRUE(node) << node.error().message();
+    auto model = importNode(**node, file.string());
+    ASSERT_TRUE(model) << model.error().message();
+    expectSame(**node, *nodeOfModel(*model), "imported");
+    const core::ConsolidateReport report = core::consolidate(model->mesh);
+    const core::MeshCounts after = core::countMesh(model->mesh);
+    EXPECT_EQ(after.tJunctions + after.duplicates + after.degenerates + after.nonManifoldEdges, 0u);
+    if (isUnbroken(report)) expectSame(**node, *nodeOfModel(*model), "consolidated");
+}
+
+INSTANTIATE_TEST_SUITE_P(Real, ModelPictures, testing::ValuesIn(kModels),
+                         [](const auto& parameter)
+                         {
+                             std::string name = parameter.param;
+                             for (char& c : name)
+                                 if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
+                             return name;
+                         });
+
+/// The comparison above can fail: a face less shows.
+TEST(ModelPicturesMutation, AFaceLessIsSeen)
+{
+    OSGTRAINER_REAL_DATA_OR_SKIP(file, "models/vehicle/110Bus.ac");
+    const auto node = readModelNode(file);
+    ASSERT_TRUE(node);
+    auto model = importNode(**node, file.string());
+    ASSERT_TRUE(model);
+    std::size_t largest = 0;
+    double most = 0.0;
+    for (std::size_t f = 0; f < model->mesh.faces.size(); ++f)
+    {
+        const core::Face& face = model->mesh.faces[f];
+        const auto& at = model->mesh;
+        const double area =
+            glm::length(glm::cross(at.at(face, 1) - at.at(face, 0), at.at(face, 2) - at.at(face, 0)));
+        if (area > most) most = area, largest = f;
+    }
+    model->mesh.faces.erase(model->mesh.faces.begin() + static_cast<std::ptrdiff_t>(largest));
+    const auto studio = rendered::ModelStudio::open();
+    ASSERT_TRUE(studio);
+    const auto a = studio->pictures(**node, (*node)->getBound());
+    const auto b = studio->pictures(*nodeOfModel(*model), (*node)->getBound());
+    bool isSeen = false;
+    for (std::size_t i = 0; i < a.size(); ++i)
+        isSeen = isSeen || !osgOffscreen::compareImages(*a[i], *b[i]).within(16, 1);
+    EXPECT_TRUE(isSeen);
+}
+
+} // namespace
