@@ -3,7 +3,10 @@
 #include <fstream>
 #include <sstream>
 
-#include "Playing.h"
+#include <nlohmann/json.hpp>
+
+#include "ProgramRun.h"
+#include "Workplace.h"
 
 namespace
 {
