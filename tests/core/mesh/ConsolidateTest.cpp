@@ -299,8 +299,7 @@ TEST(Normals, CreaseAngleAndSmoothingGroupsDecide)
     EXPECT_EQ(grouped.wedgeCount(), 8u);
     computeNormals(grouped, {.creaseAngleDeg = 180.0, .groups = none, .onlyMissing = false});
     mergeWedges(grouped);
-    EXPECT_EQ(grouped.wedgeCount(), 24u)
-        << "each face by itself; the two of a side are alike";
+    EXPECT_EQ(grouped.wedgeCount(), 24u) << "each face by itself; the two of a side are alike";
 }
 
 TEST(MergeWedges, MergesWhatTheStateDoesNotTellApart)
