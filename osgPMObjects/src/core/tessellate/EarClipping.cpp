@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <queue>
+#include <tuple>
+
+#include <osgPMObjects/core/tessellate/EarClipping.h>
+#include <osgPMObjects/core/tessellate/Orientation.h>
+
+namespace osgPMObjects::core
+{
+
+namespace
+{
+
+class Clipper
+{
+public:
+    Clipper(std::span<const glm::dvec2> points, const Loop& loop) : _points(points)
+    {
+        const auto size = static_cast<std::uint32_t>(loop.size());
+        _visits.reserve(size);
+        for (std::uint32_t i = 0; i < size; ++i)
+            _visits.push_back({loop[i], (i + size - 1) % size, (i + 1) % size, 0, true});
+        _left = size;
+        for (std::uint32_t i = 0; i < size; ++i)
+            if (!isConvex(i)) _reflex.push_back(i);
+        for (std::uint32_t i = 0; i < size; ++i)
+            offer(i);
+    }
+
+    std::optional<std::vector<Triangle>> run()
+    {
+        while (_left > 2)
+        {
+            if (_ears.empty()) return std::nullopt;
+            const Ear ear = _ears.top();
+            _ears.pop();
+            if (!_visits[ear.tip].exists || _visits[ear.tip].version != ear.version) continue;
+            clip(ear.tip);
+        }
+        return std::move(_triangles);
+    }
+
+private:
+    struct Visit
+    {
+        std::uint32_t point, previous, next;
+        std::uint32_t version; ///< counts changes of the neighbours
+        bool exists;
+    };
+
+    struct Ear
+    {
+        double shape;
+        std::uint32_t tip, version;
+        bool operator<(const Ear& other) const // the best on top, of equal ones the first
+        {
+            return std::tie(shape, other.tip) < std::tie(other.shape, tip);
+        }
+    };
+
+    const glm::dvec2& place(std::uint32_t visit) const { return _points[_visits[visit].point]; }
+
+    bool isConvex(std::uint32_t i) const
+    {
+        return orientation(place(_visits[i].previous), place(i), place(_visits[i].next)) > 0.0;
+    }
+
+    /// Area over the squares of the sides: 1 for equal sides, 0 for a sliver, up to a factor.
+    double shape(std::uint32_t i) const
+    {
+        const glm::dvec2 a = place(_visits[i].previous), b = place(i), c = place(_visits[i].next);
+        const double squares = glm::dot(b - a, b - a) + glm::dot(c - b, c - b) + glm::dot(a - c, a - c);
+        return std::abs(orientation(a, b, c)) / squares;
+    }
+
+    void offer(std::uint32_t i)
+    {
+        if (isConvex(i) && isFree(i)) _ears.push({shape(i), i, _visits[i].version});
+    }
+
+    /// Whether no point lies in the triangle at `i`, or on its border, but for its own corners. Visits to these corners
+    /// need no look: an edge that leads from one into the triangle ends in it.
+    bool isFree(std::uint32_t i)
+    {
+        const std::uint32_t corners[3] = {_visits[_visits[i].previous].point, _visits[i].point,
+                                          _visits[_visits[i].next].point};
+        const glm::dvec2 &a = _points[corners[0]], &b = _points[corners[1]], &c = _points[corners[2]];
+        const glm::dvec2 low = glm::min(glm::min(a, b), c), high = glm::max(glm::max(a, b), c);
+        for (std::size_t k = 0; k < _reflex.size();)
+        {
+            const Visit& visit = _visits[_reflex[k]];
+            if (!visit.exists || isConvex(_reflex[k]))
+            { // sectors shrink only, but for withoutSpike()
+                _reflex[k] = _reflex.back();
+                _reflex.pop_back();
+                continue;
+            }
+            ++k;
+            const glm::dvec2& p = _points[visit.point];
+            if (p.x < low.x || p.y < low.y || p.x > high.x || p.y > high.y) continue;
+            if (visit.point == corners[0] || visit.point == corners[1] || visit.point == corners[2]) continue;
+            if (orientation(a, b, p) >= 0.0 && orientation(b, c, p) >= 0.0 && orientation(c, a, p) >= 0.0)
+                return false;
+        }
+        return true;
+    }
+
+    void clip(std::uint32_t tip)
+    {
+        const std::uint32_t before = _visits[tip].previous, behind = _visits[tip].next;
+        _triangles.push_back({_visits[before].point, _visits[tip].point, _visits[behind].point});
+        remove(tip);
+        const std::uint32_t first = withoutSpike(before);
+        if (_left > 2 && _visits[behind].exists && behind != first) changed(withoutSpike(behind));
+        if (_left > 2 && _visits[first].exists) changed(first);
+    }
+
+    void remove(std::uint32_t visit)
+    {
+        const Visit& v = _visits[visit];
+        _visits[v.previous].next = v.next;
+        _visits[v.next].previous = v.previous;
+        _visits[visit].exists = false;
+        --_left;
+    }
+
+    /// Where the loop turns back onto its own edge, the edge is taken out. Returns the visit that takes the place of `i`.
+    std::uint32_t withoutSpike(std::uint32_t i)
+    {
+        while (_left > 2 && _visits[_visits[i].previous].point == _visits[_visits[i].next].point)
+        {
+            const std::uint32_t before = _visits[i].previous;
+            remove(_visits[i].next);
+            remove(i);
+            i = before;
+            if (!isConvex(i)) _reflex.push_back(i); // its sector has grown by that of the visit taken out
+        }
+        return i;
+    }
+
+    void changed(std::uint32_t i)
+    {
+        ++_visits[i].version;
+        offer(i);
+    }
+
+    std::span<const glm::dvec2> _points;
+    std::vector<Visit> _visits;
+    std::vector<std::uint32_t> _reflex; ///< of the visits: at least those that are not convex
+    std::priority_queue<Ear> _ears;
+    std::vector<Triangle> _triangles;
+    std::uint32_t _left = 0;
+};
+
+} // namespace
+
+std::optional<std::vector<Triangle>> clipEars(std::span<const glm::dvec2> points, const Loop& loop)
+{
+    return Clipper(points, loop).run();
+}
+
+} // namespace osgPMObjects::core

@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <tuple>
+#include <utility>
+
+#include <osgPMObjects/core/tessellate/EdgeNoding.h>
+
+#include "EdgeContacts.h"
+
+namespace osgPMObjects::core
+{
+
+namespace
+{
+
+constexpr double kFinestGrid = 0x1p-46;   ///< crossings are rounded to it: coordinates are at most 1
+constexpr double kCoarsestGrid = 0x1p-20; ///< what corners may be moved by, at worst
+constexpr int kRounds = 24;               ///< of dividing edges, before the grid grows coarser
+
+/// A part of a contour's edge, from `corner` to the next one of that contour.
+struct Part
+{
+    EdgeEnds ends;
+    std::int32_t winding;
+    std::uint32_t corner, nextCorner;
+};
+
+glm::dvec2 onGrid(const glm::dvec2& point, double grid)
+{
+    return glm::round(point / grid) * grid + 0.0; // + 0.0: no negative zero
+}
+
+class Noder
+{
+public:
+    Noder(std::span<const glm::dvec2> corners, std::span<const std::uint32_t> contourSizes)
+        : _corners(corners), _contourSizes(contourSizes)
+    {}
+
+    std::optional<NodedEdges> run()
+    {
+        for (double grid = kFinestGrid; grid <= kCoarsestGrid; grid *= 0x1p2)
+        {
+            begin(grid);
+            for (int round = 0; round < kRounds; ++round)
+                if (!divide()) return finished();
+        }
+        return std::nullopt;
+    }
+
+private:
+    using Place = std::pair<double, double>;
+
+    /// The number of the point at a place, which a new one gets when nothing is there.
+    std::pair<std::uint32_t, bool> pointAt(const glm::dvec2& place)
+    {
+        const auto number = static_cast<std::uint32_t>(_noded.points.size());
+        const auto [at, isNew] = _byPlace.try_emplace(Place(place.x, place.y), number);
+        return {at->second, isNew};
+    }
+
+    void begin(double grid)
+    {
+        _grid = grid;
+        const bool snaps = grid > kFinestGrid;
+        _noded = {};
+        _noded.isSnapped = snaps;
+        _byPlace.clear();
+        std::vector<std::uint32_t> first(_corners.size());
+        for (std::size_t i = 0; i < _corners.size(); ++i)
+        {
+            const glm::dvec2 place = snaps ? onGrid(_corners[i], grid) : _corners[i];
+            const auto [number, isNew] = pointAt(place);
+            _noded.points.push_back(place);
+            first[i] = number;
+            if (!isNew) ++_noded.mergedCorners;
+        }
+        _parts.clear();
+        std::uint32_t begin = 0;
+        for (const std::uint32_t size : _contourSizes)
+        {
+            for (std::uint32_t i = 0; i < size; ++i)
+            {
+                const std::uint32_t corner = begin + i, next = begin + (i + 1) % size;
+                _parts.push_back({{first[corner], first[next]}, 1, corner, next});
+            }
+            begin += size;
+        }
+        uniteEqualParts();
+    }
+
+    /// Leaves each pair of points joined once at most, running from the lower number to the higher.
+    void uniteEqualParts()
+    {
+        for (Part& part : _parts)
+            if (part.ends[0] > part.ends[1])
+            {
+                std::swap(part.ends[0], part.ends[1]);
+                part.winding = -part.winding;
+            }
+        std::sort(_parts.begin(), _parts.end(), [](const Part& a, const Part& b)
+                  { return std::tie(a.ends, a.corner) < std::tie(b.ends, b.corner); });
+        std::vector<Part> united;
+        for (const Part& part : _parts)
+        {
+            if (part.ends[0] == part.ends[1]) continue;
+            if (!united.empty() && united.back().ends == part.ends)
+                united.back().winding += part.winding;
+            else
+                united.push_back(part);
+        }
+        std::erase_if(united, [](const Part& part) { return part.winding == 0; });
+        _parts = std::move(united);
+    }
+
+    /// Divides the parts wherever they meet. Whether any did.
+    bool divide()
+    {
+        std::vector<EdgeEnds> edges;
+        for (const Part& part : _parts)
+            edges.push_back(part.ends);
+        _cuts.assign(_parts.size(), {});
+        bool any = false;
+        const std::vector<glm::dvec2> points = _noded.points; // crossings that are found add to the others
+        forEachContact(points, edges,
+                       [&](std::uint32_t i, std::uint32_t j, const EdgeContact& contact)
+                       {
+                           any = true;
+                           for (int end = 0; end < 2; ++end)
+                           {
+                               if (contact.endInFirst[end]) _cuts[i].push_back(edges[j][end]);
+                               if (contact.endInSecond[end]) _cuts[j].push_back(edges[i][end]);
+                           }
+                           if (contact.crosses) cross(i, j);
+                       });
+        if (any) applyCuts();
+        return any;
+    }
+
+    void cross(std::uint32_t i, std::uint32_t j)
+    {
+        ++_noded.crossings;
+        const glm::dvec2 a = at(i, 0), b = at(i, 1), c = at(j, 0), d = at(j, 1);
+        const glm::dvec2 along = b - a, other = d - c, between = c - a;
+        const double determinant = along.x * other.y - along.y * other.x;
+        const double share = (between.x * other.y - between.y * other.x) / determinant;
+        // Nearly parallel: any place where the boxes overlap keeps the edges near where they were.
+        const glm::dvec2 low = glm::max(glm::min(a, b), glm::min(c, d));
+        const glm::dvec2 high = glm::min(glm::max(a, b), glm::max(c, d));
+        glm::dvec2 place = std::isfinite(share) ? a + along * share : (low + high) * 0.5;
+        place = onGrid(glm::clamp(place, low, high), _grid);
+        for (const std::uint32_t part : {i, j})
+            for (const std::uint32_t end : _parts[part].ends)
+                if (const glm::dvec2 way = glm::abs(_noded.points[end] - place);
+                    way.x <= _grid && way.y <= _grid)
+                    return cutBoth(i, j, end);
+        const auto [number, isNew] = pointAt(place);
+        if (isNew)
+        {
+            _noded.points.push_back(place);
+            _noded.inserted.push_back(between4(i, j, place));
+        }
+        cutBoth(i, j, number);
+    }
+
+    const glm::dvec2& at(std::uint32_t part, int end) const { return _noded.points[_parts[part].ends[end]]; }
+
+    void cutBoth(std::uint32_t i, std::uint32_t j, std::uint32_t point)
+    {
+        for (const std::uint32_t part : {i, j})
+            if (point != _parts[part].ends[0] && point != _parts[part].ends[1]) _cuts[part].push_back(point);
+    }
+
+    /// Between the corners of the contours' edges whose parts cross.
+    InsertedPoint between4(std::uint32_t i, std::uint32_t j, const glm::dvec2& place) const
+    {
+        InsertedPoint inserted;
+        for (int edge = 0; edge < 2; ++edge)
+        {
+            const Part& part = _parts[edge == 0 ? i : j];
+            const glm::dvec2 &from = _corners[part.corner], &to = _corners[part.nextCorner];
+            const glm::dvec2 along = to - from;
+            const double share = std::clamp(glm::dot(place - from, along) / glm::dot(along, along), 0.0, 1.0);
+            inserted.corners[2 * edge] = part.corner;
+            inserted.corners[2 * edge + 1] = part.nextCorner;
+            inserted.weights[2 * edge] = 0.5 * (1.0 - share);
+            inserted.weights[2 * edge + 1] = 0.5 * share;
+        }
+        return inserted;
+    }
+
+    void applyCuts()
+    {
+        std::vector<Part> divided;
+        for (std::size_t i = 0; i < _parts.size(); ++i)
+        {
+            Part part = _parts[i];
+            const std::uint32_t last = part.ends[1];
+            for (const std::uint32_t cut : alongPart(part, std::move(_cuts[i])))
+            {
+                part.ends[1] = cut;
+                divided.push_back(part);
+                part.ends[0] = cut;
+            }
+            part.ends[1] = last;
+            divided.push_back(part);
+        }
+        _parts = std::move(divided);
+        uniteEqualParts();
+    }
+
+    /// The cuts of a part in the order in which it passes them, each once.
+    std::vector<std::uint32_t> alongPart(const Part& part, std::vector<std::uint32_t> cuts) const
+    {
+        const glm::dvec2 from = _noded.points[part.ends[0]], along = _noded.points[part.ends[1]] - from;
+        const int axis = std::abs(along.x) >= std::abs(along.y) ? 0 : 1;
+        const double sign = along[axis] < 0.0 ? -1.0 : 1.0, otherSign = along[1 - axis] < 0.0 ? -1.0 : 1.0;
+        const auto key = [&](std::uint32_t cut)
+        {
+            const glm::dvec2& place = _noded.points[cut];
+            return std::tuple(sign * place[axis], otherSign * place[1 - axis], cut);
+        };
+        std::sort(cuts.begin(), cuts.end(), [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
+        cuts.erase(std::unique(cuts.begin(), cuts.end()), cuts.end());
+        return cuts;
+    }
+
+    NodedEdges finished()
+    {
+        for (const Part& part : _parts)
+            _noded.edges.push_back({part.ends[0], part.ends[1], part.winding});
+        return std::move(_noded);
+    }
+
+    std::span<const glm::dvec2> _corners;
+    std::span<const std::uint32_t> _contourSizes;
+    double _grid = kFinestGrid;
+    NodedEdges _noded;
+    std::map<Place, std::uint32_t> _byPlace;
+    std::vector<Part> _parts;
+    std::vector<std::vector<std::uint32_t>> _cuts; ///< by part: points where it is to be divided
+};
+
+} // namespace
+
+std::optional<NodedEdges> nodeEdges(std::span<const glm::dvec2> corners,
+                                    std::span<const std::uint32_t> contourSizes)
+{
+    return Noder(corners, contourSizes).run();
+}
+
+bool isNoded(const NodedEdges& noded)
+{
+    std::vector<EdgeEnds> edges;
+    for (const NodedEdge& edge : noded.edges)
+        edges.push_back({edge.from, edge.to});
+    bool isClean = true;
+    forEachContact(noded.points, edges,
+                   [&](std::uint32_t, std::uint32_t, const EdgeContact&) { isClean = false; });
+    std::sort(edges.begin(), edges.end());
+    return isClean && std::adjacent_find(edges.begin(), edges.end()) == edges.end();
+}
+
+} // namespace osgPMObjects::core
