@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "EdgeContacts.h"
+
 #include <algorithm>
 #include <array>
 #include <numeric>
 #include <vector>
 
 #include <osgPMObjects/core/tessellate/Orientation.h>
-
-#include "EdgeContacts.h"
 
 namespace osgPMObjects::core
 {

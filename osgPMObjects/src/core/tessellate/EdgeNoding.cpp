@@ -37,7 +37,8 @@ class Noder
 public:
     Noder(std::span<const glm::dvec2> corners, std::span<const std::uint32_t> contourSizes)
         : _corners(corners), _contourSizes(contourSizes)
-    {}
+    {
+    }
 
     std::optional<NodedEdges> run()
     {
@@ -100,7 +101,8 @@ private:
                 std::swap(part.ends[0], part.ends[1]);
                 part.winding = -part.winding;
             }
-        std::sort(_parts.begin(), _parts.end(), [](const Part& a, const Part& b)
+        std::sort(_parts.begin(), _parts.end(),
+                  [](const Part& a, const Part& b)
                   { return std::tie(a.ends, a.corner) < std::tie(b.ends, b.corner); });
         std::vector<Part> united;
         for (const Part& part : _parts)
@@ -222,7 +224,8 @@ private:
             const glm::dvec2& place = _noded.points[cut];
             return std::tuple(sign * place[axis], otherSign * place[1 - axis], cut);
         };
-        std::sort(cuts.begin(), cuts.end(), [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
+        std::sort(cuts.begin(), cuts.end(),
+                  [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
         cuts.erase(std::unique(cuts.begin(), cuts.end()), cuts.end());
         return cuts;
     }

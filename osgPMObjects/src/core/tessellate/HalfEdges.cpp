@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "HalfEdges.h"
+
 #include <algorithm>
 #include <numeric>
 #include <tuple>
@@ -6,7 +8,6 @@
 
 #include <osgPMObjects/core/tessellate/Orientation.h>
 
-#include "HalfEdges.h"
 #include "LeftRay.h"
 
 namespace osgPMObjects::core
@@ -16,7 +17,8 @@ HalfEdges::HalfEdges(const NodedEdges& noded) : _noded(noded), _clockwise(size()
 {
     std::vector<std::uint32_t> byOrigin(size());
     std::iota(byOrigin.begin(), byOrigin.end(), 0u);
-    std::sort(byOrigin.begin(), byOrigin.end(), [this](std::uint32_t a, std::uint32_t b)
+    std::sort(byOrigin.begin(), byOrigin.end(),
+              [this](std::uint32_t a, std::uint32_t b)
               { return std::pair(origin(a), a) < std::pair(origin(b), b); });
     for (std::size_t first = 0; first < byOrigin.size();)
     {

@@ -29,8 +29,8 @@ public:
                 _visits.push_back({loop[i], first + (i + size - 1) % size, first + (i + 1) % size});
             _firsts.push_back(leftmost(first, size));
         }
-        std::sort(_firsts.begin(), _firsts.end(), [this](std::uint32_t a, std::uint32_t b)
-                  { return isLeftOf(place(a), place(b)); });
+        std::sort(_firsts.begin(), _firsts.end(),
+                  [this](std::uint32_t a, std::uint32_t b) { return isLeftOf(place(a), place(b)); });
     }
 
     std::vector<Loop> run()
@@ -97,7 +97,8 @@ private:
         // Only edges that run down have the inside on their right; of a bridge, the ray meets that side, too.
         std::vector<UprightEdge> edges;
         for (const Visit& visit : _visits)
-            if (const std::uint32_t behind = _visits[visit.next].point; _points[visit.point].y > _points[behind].y)
+            if (const std::uint32_t behind = _visits[visit.next].point;
+                _points[visit.point].y > _points[behind].y)
                 edges.push_back({behind, visit.point});
         const auto hit = firstEdgeLeft(_points, edges, place(hole));
         assert(hit && "a hole lies within something");

@@ -13,9 +13,12 @@ bool isInside(std::int32_t winding, InsideRule rule)
 {
     switch (rule)
     {
-    case InsideRule::odd: return winding % 2 != 0;
-    case InsideRule::nonZero: return winding != 0;
-    case InsideRule::positive: return winding > 0;
+    case InsideRule::odd:
+        return winding % 2 != 0;
+    case InsideRule::nonZero:
+        return winding != 0;
+    case InsideRule::positive:
+        return winding > 0;
     }
     return false;
 }

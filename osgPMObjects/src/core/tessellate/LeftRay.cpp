@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <osgPMObjects/core/tessellate/Orientation.h>
-
 #include "LeftRay.h"
+
+#include <osgPMObjects/core/tessellate/Orientation.h>
 
 namespace osgPMObjects::core
 {

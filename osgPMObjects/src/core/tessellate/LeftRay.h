@@ -19,7 +19,7 @@ struct UprightEdge
 
 /// The edge that a ray hits first which leaves `from` to the left (-x), a hair above it, so that it passes no point; among
 /// edges that do not cross. Nothing when it hits none. Exact. Cost: linear. `edges`: low.y < high.y.
-std::optional<std::size_t> firstEdgeLeft(std::span<const glm::dvec2> points, std::span<const UprightEdge> edges,
-                                         const glm::dvec2& from);
+std::optional<std::size_t> firstEdgeLeft(std::span<const glm::dvec2> points,
+                                         std::span<const UprightEdge> edges, const glm::dvec2& from);
 
 } // namespace osgPMObjects::core

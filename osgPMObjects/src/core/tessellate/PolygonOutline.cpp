@@ -48,8 +48,7 @@ Plane nodedPlane(std::span<const glm::dvec3> corners, std::span<const std::uint3
     Plane flat = along(ProjectionRule::largestArea);
     if (flat.noded && flat.noded->crossings == 0) return flat;
     Plane average = along(ProjectionRule::averageNormal);
-    const bool isBetter =
-        average.noded && (!flat.noded || average.noded->crossings < flat.noded->crossings);
+    const bool isBetter = average.noded && (!flat.noded || average.noded->crossings < flat.noded->crossings);
     return isBetter ? std::move(average) : std::move(flat);
 }
 

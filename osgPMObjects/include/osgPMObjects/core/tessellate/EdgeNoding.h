@@ -34,7 +34,8 @@ struct NodedEdges
 {
     std::vector<glm::dvec2> points; ///< those of the corners, then those of `inserted`
     std::vector<InsertedPoint> inserted;
-    std::vector<NodedEdge> edges;    ///< each pair of points once at most; of points that coincide the first alone
+    std::vector<NodedEdge>
+        edges; ///< each pair of points once at most; of points that coincide the first alone
     std::uint32_t mergedCorners = 0; ///< corners at the place of one before them
     std::uint32_t crossings = 0;     ///< pairs of edges that crossed within both
     bool isSnapped = false;          ///< corners had to be moved, by at most 2^-20 of the largest coordinate

@@ -28,11 +28,12 @@ struct PolygonOutline
 {
     std::vector<glm::dvec2> points;
     std::vector<InsertedPoint> inserted;
-    std::vector<Loop> loops;           ///< counter-clockwise
-    std::uint32_t crossings = 0;       ///< pairs of edges that crossed: a bow-tie has one
-    std::uint32_t unusedCorners = 0;   ///< at the place of another one, or not on the border: spikes, zero areas
-    std::uint32_t bridges = 0;         ///< holes joined to what surrounds them
-    bool isSnapped = false;            ///< see NodedEdges
+    std::vector<Loop> loops;     ///< counter-clockwise
+    std::uint32_t crossings = 0; ///< pairs of edges that crossed: a bow-tie has one
+    std::uint32_t unusedCorners =
+        0;                     ///< at the place of another one, or not on the border: spikes, zero areas
+    std::uint32_t bridges = 0; ///< holes joined to what surrounds them
+    bool isSnapped = false;    ///< see NodedEdges
     bool isAlongAverageNormal = false; ///< how it was projected
 };
 

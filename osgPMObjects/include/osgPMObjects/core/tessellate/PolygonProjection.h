@@ -13,9 +13,9 @@ namespace osgPMObjects::core
 /// How a polygon in space becomes one in the plane.
 enum class ProjectionRule
 {
-    largestArea,   ///< drops the coordinate whose removal leaves the largest area: exact, for flat polygons
+    largestArea, ///< drops the coordinate whose removal leaves the largest area: exact, for flat polygons
     averageNormal, ///< onto the plane across the average normal: for warped ones, which may overlap themselves otherwise
-    automatic,     ///< by largest area, unless edges cross there and fewer do along the average normal
+    automatic, ///< by largest area, unless edges cross there and fewer do along the average normal
 };
 
 /// Twice the area of a closed contour, as a vector along its average normal, by the right-hand rule. Units: those of the
