@@ -33,31 +33,23 @@ std::uint32_t thirdCorner(const LeafTriangle& t, std::uint32_t a, std::uint32_t 
 
 void LeafOrderMeter::draw(std::span<const LeafTriangle> triangles)
 {
-    _firstMiss = _misses;
+    _fifo16.empty();
+    _fifo32.empty();
+    _batch32.begin();
     _strip = {};
-    for (std::size_t i = 0; i < triangles.size(); ++i)
+    for (const LeafTriangle& triangle : triangles)
     {
-        if (i % kBatchTriangles == 0) ++_batch;
-        for (const std::uint32_t vertex : triangles[i].vertices)
-            transform(vertex);
-        if (isGap(triangles[i]))
+        for (const std::uint32_t vertex : triangle.vertices)
+        {
+            _fifo16.transform(vertex);
+            _fifo32.transform(vertex);
+        }
+        _batch32.draw(triangle.vertices);
+        if (isGap(triangle))
             ++_gaps;
         else
-            extendStrip(triangles[i]);
+            extendStrip(triangle);
     }
-}
-
-void LeafOrderMeter::transform(std::uint32_t vertex)
-{
-    for (std::size_t i = 0; i < kFifoSizes.size(); ++i)
-    {
-        std::uint64_t& last = _lastMiss[vertex][i];
-        if (last > _firstMiss[i] && _misses[i] - last < kFifoSizes[i]) continue;
-        last = ++_misses[i];
-    }
-    if (_lastBatch[vertex] == _batch) return;
-    _lastBatch[vertex] = _batch;
-    ++_batchMisses;
 }
 
 void LeafOrderMeter::extendStrip(const LeafTriangle& triangle)
@@ -135,8 +127,9 @@ LeafOrder LeafOrderMeter::result() const
     if (_triangles == 0) return {};
     const auto per = [](std::uint64_t sum, std::uint64_t count)
     { return static_cast<double>(sum) / static_cast<double>(count); };
-    return {per(_triangles, _strips),    per(_stripVertices, _triangles), per(_misses[0], _triangles),
-            per(_misses[1], _triangles), per(_batchMisses, _triangles),   per(_gaps, _triangles)};
+    return {per(_triangles, _strips),           per(_stripVertices, _triangles),
+            per(_fifo16.misses(), _triangles),  per(_fifo32.misses(), _triangles),
+            per(_batch32.misses(), _triangles), per(_gaps, _triangles)};
 }
 
 } // namespace osgTerrainROAM::core

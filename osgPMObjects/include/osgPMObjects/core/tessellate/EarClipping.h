@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -9,12 +8,11 @@
 
 #include <glm/glm.hpp>
 
+#include <osgPMObjects/core/Triangle.h>
 #include <osgPMObjects/core/tessellate/InsideLoops.h>
 
 namespace osgPMObjects::core
 {
-
-using Triangle = std::array<std::uint32_t, 3>;
 
 /// Cuts a loop without holes, as bridgeHoles() leaves it, into counter-clockwise triangles of its points, none of area zero;
 /// no other point lies in or on a triangle. The best-shaped ear goes first.

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <span>
-#include <vector>
+
+#include <viewlod/VertexCache.h>
 
 #include <osgTerrainROAM/core/roam/MeshData.h>
 
@@ -27,18 +27,17 @@ struct LeafOrder
 
 /// Plays draw calls through models of what keeps transformed vertices: each call begins with nothing. Triangles whose
 /// corners are one vertex are gaps: they send that vertex, but neither count nor break a strip.
-/// Memory: 16 B per vertex. Cost: some 20 ns a triangle.
-/// Source: Hoppe, "Optimization of mesh locality for transparent vertex caching" (1999), §3 (FIFO, misses per triangle).
+/// Memory: 20 B per vertex. Cost: some 20 ns a triangle. Source: VertexCache.h.
 class LeafOrderMeter
 {
 public:
-    explicit LeafOrderMeter(std::uint32_t vertexCount) : _lastMiss(vertexCount), _lastBatch(vertexCount) {}
+    explicit LeafOrderMeter(std::uint32_t vertexCount)
+        : _fifo16(vertexCount, 16), _fifo32(vertexCount, 32), _batch32(vertexCount, {.triangles = 32})
+    {
+    }
 
     void draw(std::span<const LeafTriangle> triangles);
     LeafOrder result() const;
-
-    static constexpr std::array<std::uint64_t, 2> kFifoSizes = {16, 32};
-    static constexpr std::uint32_t kBatchTriangles = 32;
 
 private:
     /// The strip's last triangle: what it shares with the one before, older vertex first once that is known, and its new
@@ -49,16 +48,11 @@ private:
         std::uint32_t length = 0;
     };
 
-    void transform(std::uint32_t vertex);
     void extendStrip(const LeafTriangle& triangle);
     bool continuesStrip(const LeafTriangle& triangle);
 
-    std::vector<std::array<std::uint64_t, 2>>
-        _lastMiss;                         ///< by vertex: number of the miss that brought it in; 0: none
-    std::vector<std::uint32_t> _lastBatch; ///< by vertex: the batch that has it
-    std::array<std::uint64_t, 2> _misses{}, _firstMiss{}; ///< in all, and before this draw call
-    std::uint64_t _batchMisses = 0;
-    std::uint32_t _batch = 0;
+    viewlod::FifoCache _fifo16, _fifo32;
+    viewlod::BatchCache _batch32;
     Strip _strip;
     std::uint64_t _triangles = 0, _gaps = 0, _strips = 0, _stripVertices = 0;
 };

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <utility>
+
+#include <osgPMObjects/core/order/TriangleStrips.h>
+
+namespace osgPMObjects::core
+{
+
+bool areStrips(const TriangleStrips& strips, const TriangleAdjacency& adjacency)
+{
+    if (strips.triangles.size() != adjacency.size()) return false;
+    if (!std::is_sorted(strips.firsts.begin(), strips.firsts.end())) return false;
+    std::vector<char> isDone(adjacency.size(), 0);
+    for (const std::uint32_t t : strips.triangles)
+        if (t >= adjacency.size() || std::exchange(isDone[t], 1)) return false;
+    for (std::size_t i = 0; i < strips.size(); ++i)
+    {
+        const auto strip = strips.strip(i);
+        for (std::size_t k = 1; k < strip.size(); ++k)
+            if (adjacency.across(strip[k], adjacency.edgeTo(strip[k], strip[k - 1])) != strip[k - 1])
+                return false;
+    }
+    return true;
+}
+
+namespace
+{
+
+bool has(const Triangle& t, std::uint32_t vertex)
+{
+    return t[0] == vertex || t[1] == vertex || t[2] == vertex;
+}
+
+/// Which corner of `t` is not on its edge with `next`: the edge that `next` runs through the other way.
+int cornerOffEdge(const Triangle& t, const Triangle& next)
+{
+    for (int i = 0; i < 3; ++i)
+        for (int k = 0; k < 3; ++k)
+            if (t[i] == next[(k + 1) % 3] && t[(i + 1) % 3] == next[k]) return (i + 2) % 3;
+    return 0;
+}
+
+/// The vertices of a strip's first triangle, so that those of the edge to the next come last; the first is doubled, and they
+/// change places, where the third triangle wants that.
+std::vector<std::uint32_t> beginning(std::span<const Triangle> triangles,
+                                     std::span<const std::uint32_t> strip)
+{
+    const Triangle& first = triangles[strip[0]];
+    const int off = strip.size() > 1 ? cornerOffEdge(first, triangles[strip[1]]) : 0;
+    const std::uint32_t a = first[off], b = first[(off + 1) % 3], c = first[(off + 2) % 3];
+    const auto keeps = [&](std::uint32_t vertex) { return has(triangles[strip[2]], vertex); };
+    if (strip.size() > 2 && keeps(b) && !keeps(c)) return {a, a, c, b};
+    return {a, b, c};
+}
+
+/// Begins anew within a strip: the triangles in between have no extent.
+void join(std::vector<std::uint32_t>& sent, const std::vector<std::uint32_t>& behind)
+{
+    sent.push_back(sent.back());
+    sent.push_back(behind.front());
+    if (sent.size() % 2 != 0) sent.push_back(behind.front());
+    sent.insert(sent.end(), behind.begin(), behind.end());
+}
+
+} // namespace
+
+std::vector<std::uint32_t> encodeStrip(std::span<const Triangle> triangles,
+                                       std::span<const std::uint32_t> strip)
+{
+    if (strip.empty()) return {};
+    std::vector<std::uint32_t> sent = beginning(triangles, strip);
+    for (std::size_t k = 1; k < strip.size(); ++k)
+    {
+        const Triangle& t = triangles[strip[k]];
+        const std::uint32_t oldest = sent[sent.size() - 3], newer = sent.back();
+        std::uint32_t older = sent[sent.size() - 2];
+        if (!has(t, newer) || (!has(t, older) && !has(t, oldest)))
+        { // back from a triangle with the same corners as the one before it
+            join(sent, beginning(triangles, strip.subspan(k)));
+            continue;
+        }
+        if (!has(t, older))
+        { // a turn to the same side: what comes before the newest vertex is repeated, and makes two triangles of no extent
+            sent.insert(sent.end() - 1, oldest);
+            older = oldest;
+        }
+        sent.push_back(
+            *std::find_if(t.begin(), t.end(), [=](std::uint32_t v) { return v != older && v != newer; }));
+    }
+    return sent;
+}
+
+std::vector<Triangle> decodeStrip(std::span<const std::uint32_t> sent)
+{
+    std::vector<Triangle> drawn;
+    for (std::size_t i = 2; i < sent.size(); ++i)
+    {
+        const std::uint32_t a = sent[i - 2], b = sent[i - 1], c = sent[i];
+        if (a == b || b == c || a == c) continue;
+        drawn.push_back(i % 2 == 0 ? Triangle{a, b, c} : Triangle{b, a, c});
+    }
+    return drawn;
+}
+
+} // namespace osgPMObjects::core
