@@ -29,4 +29,7 @@ void addConsolidate(CLI::App& app, Chosen& chosen);
 /// `compare`, to which the comparisons are added.
 CLI::App* addCompareGroup(CLI::App& app);
 
+/// `compare order`: every order of triangles on every model. docs/object-orders.md has the layout of the table.
+void addCompareOrder(CLI::App& compare, Chosen& chosen);
+
 } // namespace pmtool

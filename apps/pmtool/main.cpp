@@ -10,7 +10,8 @@ int main(int argc, char** argv)
     pmtool::Chosen chosen;
     pmtool::addInfo(app, chosen);
     pmtool::addConsolidate(app, chosen);
-    pmtool::addCompareGroup(app);
+    CLI::App* compare = pmtool::addCompareGroup(app);
+    pmtool::addCompareOrder(*compare, chosen);
     if (const auto ends = terminal::parse(app, argc, argv)) return *ends;
     return terminal::report("pmtool", chosen.jsonFile, chosen.work);
 }

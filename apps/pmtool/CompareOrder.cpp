@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cstring>
+#include <iomanip>
+#include <iostream>
+#include <memory>
+#include <system_error>
+
+#include <viewlod/WholeFile.h>
+
+#include "pmtool/Commands.h"
+#include "pmtool/OrderRow.h"
+#include "terminal/Terminal.h"
+
+namespace pmtool
+{
+
+namespace
+{
+
+struct Request
+{
+    std::vector<std::filesystem::path> models;
+    std::filesystem::path dumpFolder;
+};
+
+/// Indices of all draw calls, one after the other, as a graphics card would have them; four bytes each, lowest first.
+viewlod::Outcome dump(const std::filesystem::path& file, const OrderedSubject& ordered)
+{
+    std::string bytes;
+    for (const auto& call : ordered.calls)
+        for (const auto& triangle : call)
+            for (const std::uint32_t vertex : triangle)
+                for (int shift = 0; shift < 32; shift += 8)
+                    bytes.push_back(static_cast<char>(vertex >> shift & 0xffu));
+    return viewlod::writeWholeFile(file, bytes);
+}
+
+void print(const std::string& order, const nlohmann::ordered_json& row)
+{
+    std::cout << "  " << std::left << std::setw(16) << order << std::right << std::fixed
+              << std::setprecision(3);
+    for (const char* cache : {"fifo10", "fifo16", "fifo32", "batch32"})
+        std::cout << std::setw(8) << row["transformsPerTriangle"][cache].get<double>();
+    std::cout << std::setprecision(1) << std::setw(10) << row["ms"].get<double>() << '\n';
+}
+
+viewlod::Result<nlohmann::ordered_json> compareOrders(const OrderSubject& subject, const std::string& model,
+                                                      const std::filesystem::path& dumpFolder)
+{
+    nlohmann::ordered_json json = {{"vertices", subject.vertices},
+                                   {"vertexCount", subject.vertexCount()},
+                                   {"drawCalls", nlohmann::ordered_json::array()},
+                                   {"orders", nlohmann::ordered_json::array()}};
+    for (const DrawCall& call : subject.calls)
+        json["drawCalls"].push_back(
+            {{"triangles", call.triangles.size()}, {"vertices", call.positions.size()}});
+    std::cout << model << ", " << subject.vertices << ": " << subject.triangleCount() << " triangles, "
+              << subject.vertexCount()
+              << " vertices\n  transforms per triangle  fifo10  fifo16  fifo32 batch32        ms\n";
+    for (const std::string& order : orderNames())
+    {
+        const OrderedSubject ordered = orderSubject(subject, order);
+        nlohmann::ordered_json row = {{"order", order},
+                                      {"transformsPerTriangle", transformsPerTriangle(subject, ordered)},
+                                      {"ms", ordered.ms}};
+        if (ordered.strips > 0)
+        {
+            row["strips"] = ordered.strips;
+            row["sentPerTriangle"] =
+                static_cast<double>(ordered.sentVertices) / static_cast<double>(subject.triangleCount());
+        }
+        if (!dumpFolder.empty())
+        {
+            const std::string file = model + "." + subject.vertices + "." + order + ".u32";
+            if (const auto written = dump(dumpFolder / file, ordered); !written) return written.error();
+            row["dump"] = file;
+        }
+        print(order, row);
+        json["orders"].push_back(std::move(row));
+    }
+    return json;
+}
+
+viewlod::Result<terminal::Report> compareModels(const Request& request)
+{
+    std::error_code failed;
+    if (!request.dumpFolder.empty()) std::filesystem::create_directories(request.dumpFolder, failed);
+    if (failed)
+        return viewlod::Error{request.dumpFolder.string(), "cannot be made: " + failed.message(),
+                              "name another folder"};
+    terminal::Report report;
+    report.json["models"] = nlohmann::ordered_json::array();
+    for (const std::filesystem::path& file : request.models)
+    {
+        const auto subjects = readOrderSubjects(file);
+        if (!subjects) return subjects.error();
+        nlohmann::ordered_json row = {{"model", file.string()},
+                                      {"triangles", subjects->front().triangleCount()},
+                                      {"meshes", nlohmann::ordered_json::array()}};
+        for (const OrderSubject& subject : *subjects)
+        {
+            const std::string name =
+                std::to_string(report.json["models"].size()) + "-" + file.filename().string();
+            auto mesh = compareOrders(subject, name, request.dumpFolder);
+            if (!mesh) return mesh.error();
+            row["meshes"].push_back(*std::move(mesh));
+        }
+        report.json["models"].push_back(std::move(row));
+    }
+    return report;
+}
+
+} // namespace
+
+void addCompareOrder(CLI::App& compare, Chosen& chosen)
+{
+    const auto request = std::make_shared<Request>();
+    CLI::App* sub = compare.add_subcommand(
+        "order", "orders of triangles, by vertices transformed per triangle for several caches");
+    sub->add_option("MODEL", request->models, "models that OpenSceneGraph reads")->required();
+    sub->add_option("--json", chosen.jsonFile, "write the table there, too");
+    sub->add_option("--dump", request->dumpFolder, "write the indices of every order to this folder");
+    sub->callback([&chosen, request] { chosen.work = [request] { return compareModels(*request); }; });
+}
+
+} // namespace pmtool

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include <viewlod/Result.h>
+
+#include <osgPMObjects/core/Triangle.h>
+
+namespace pmtool
+{
+
+/// Triangles that are drawn by one call, with vertices numbered from 0 as they are first used.
+struct DrawCall
+{
+    std::vector<osgPMObjects::core::Triangle> triangles;
+    std::vector<glm::dvec3> positions; ///< by vertex
+};
+
+/// A model in one of the ways in which its vertices can be counted.
+struct OrderSubject
+{
+    std::string
+        vertices; ///< "positions": one for each place, all of the model in one call. "wedges": as it is drawn, one
+                  ///< for each place with its attributes, needless splits merged, a call for each material.
+    std::vector<DrawCall> calls;
+
+    std::size_t triangleCount() const;
+    std::size_t vertexCount() const;
+};
+
+/// Both ways of a model. Errors: no such file, not readable by OSG, no triangles.
+viewlod::Result<std::array<OrderSubject, 2>> readOrderSubjects(const std::filesystem::path& file);
+
+} // namespace pmtool
