@@ -140,9 +140,13 @@ nlohmann::ordered_json transformsPerTriangle(const OrderSubject& subject, const 
         return sum([limits](std::span<const Triangle> triangles, std::uint32_t vertices)
                    { return batchTransforms(triangles, vertices, limits); });
     };
-    return {{"fifo10", fifo(10)},
+    return {{"fifo4", fifo(4)},
+            {"fifo6", fifo(6)},
+            {"fifo8", fifo(8)},
+            {"fifo10", fifo(10)},
             {"fifo16", fifo(16)},
             {"fifo32", fifo(32)},
+            {"fifo64", fifo(64)},
             {"batch32", batch(viewlod::BatchCache::kNvidia)},
             {"batch32Triangles", batch({.triangles = 32})},
             {"batch32Indices", batch({.triangles = 32 / 3})}};
