@@ -79,7 +79,8 @@ private:
         double least = 0.0;
         std::size_t tried = 0;
         for (auto vertex = _recent.rbegin(); vertex != _recent.rend(); ++vertex)
-            for (const std::uint32_t t : _atVertex.at(*vertex))
+            for (const std::uint32_t t :
+                 _atVertex.nextAt(*vertex, [this](std::uint32_t o) { return _isDone[_stripOf[o]] != 0; }))
             {
                 const std::uint32_t strip = _stripOf[t];
                 if (_isDone[strip] || _tried[strip] == _trial) continue;

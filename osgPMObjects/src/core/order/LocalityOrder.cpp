@@ -17,11 +17,12 @@ namespace
 
 constexpr std::uint32_t kNone = TriangleAdjacency::kNone;
 
-/// leftAt() of a triangle that has lost a vertex of the edge through which a strip would come.
-constexpr int kLostEdge = 8;
-/// Trials: of strips from this share of the queue's size to twice that size, two triangles apart; each over three times the
+/// leftAt() of a triangle that has nothing in the queue any more.
+constexpr int kLost = 12;
+/// Trials: of strips from this share of the queue's size to twice that size, two triangles apart; each over so many times the
 /// longest. Shorter strips look well at first, and leave ragged rims.
 constexpr double kShortest = 0.375;
+constexpr std::size_t kTrialLengths = 4;
 
 class LocalitySorter
 {
@@ -69,6 +70,13 @@ private:
 
     bool isOpen(std::uint32_t t) const { return t != kNone && !_isDone[t]; }
 
+    /// Draws neighbours that have no other one left: later they would be holes, whose vertices come back for them alone.
+    void fillHoles(std::uint32_t t)
+    {
+        for (const std::uint32_t n : _adjacency.neighbours(t))
+            if (isOpen(n) && leftAt(n) < 8 && leftAt(n) % 4 == 0) draw(n);
+    }
+
     Place entering(std::uint32_t from, int edge, bool isBeside) const
     {
         const std::uint32_t next = _adjacency.across(from, edge);
@@ -91,6 +99,7 @@ private:
         {
             const std::uint32_t t = place.triangle;
             draw(t);
+            fillHoles(t);
             const int right = (place.edge + 1) % 3, left = (place.edge + 2) % 3;
             const bool isRightOpen = isOpen(_adjacency.across(t, right));
             const bool isLeftOpen = isOpen(_adjacency.across(t, left));
@@ -122,7 +131,7 @@ private:
 
     /// Of the triangles at vertices in the queue the one that needs the fewest others, of equal ones the one with the fewest
     /// neighbours left: what would be left over as a hole goes first.
-    Place cheapestAtQueue() const
+    Place cheapestAtQueue()
     {
         std::uint32_t best = kNone;
         int least = 0;
@@ -130,7 +139,8 @@ private:
             for (const std::uint32_t vertex : _triangles[_order[_order.size() - 1 - back]])
             {
                 if (!_cache.holds(vertex)) continue;
-                for (const std::uint32_t t : _atVertex.at(vertex))
+                for (const std::uint32_t t :
+                     _atVertex.nextAt(vertex, [this](std::uint32_t o) { return _isDone[o] != 0; }))
                     if (!_isDone[t] && (best == kNone || leftAt(t) < least))
                     {
                         best = t;
@@ -140,6 +150,7 @@ private:
         return {best, best == kNone ? 0 : rim(best)};
     }
 
+    /// Four for each vertex that is not in the queue, and one for each neighbour left.
     int leftAt(std::uint32_t t) const
     {
         int left = 0;
@@ -152,7 +163,7 @@ private:
     Place restart()
     {
         const Place beside = nextBeside(0);
-        if (beside.triangle != kNone && leftAt(beside.triangle) < kLostEdge) return beside;
+        if (beside.triangle != kNone && leftAt(beside.triangle) < kLost) return beside;
         const Place near = cheapestAtQueue();
         if (near.triangle == kNone && beside.triangle != kNone) return beside;
         if (beside.triangle != kNone) _onward.push_back(beside);
@@ -202,7 +213,7 @@ private:
         std::size_t best = most;
         double least = 4.0; // more than three corners
         for (std::size_t length = shortest; length <= most; length += 2)
-            if (const double cost = costOf(start, length, 3 * most); cost < least)
+            if (const double cost = costOf(start, length, kTrialLengths * most); cost < least)
             {
                 least = cost;
                 best = length;

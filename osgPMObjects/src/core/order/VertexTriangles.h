@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -26,6 +27,7 @@ public:
         for (std::uint32_t t = 0; t < triangles.size(); ++t)
             for (const std::uint32_t v : triangles[t])
                 _triangles[_first[v + 1]++] = t;
+        _next.assign(_first.begin(), _first.end());
     }
 
     std::span<const std::uint32_t> at(std::uint32_t vertex) const
@@ -33,8 +35,23 @@ public:
         return std::span(_triangles).subspan(_first[vertex], _first[vertex + 1] - _first[vertex]);
     }
 
+    /// The next few at a vertex, from the first that is not done on: at a hub of thousands, most are done by and by, and must
+    /// not be passed each time. `isDone`: of a triangle; what is done stays so.
+    template<class IsDone>
+    std::span<const std::uint32_t> nextAt(std::uint32_t vertex, IsDone isDone)
+    {
+        std::uint32_t& next = _next[vertex];
+        const std::uint32_t end = _first[vertex + 1];
+        while (next < end && isDone(_triangles[next]))
+            ++next;
+        return std::span(_triangles).subspan(next, std::min(end - next, kFew));
+    }
+
 private:
+    static constexpr std::uint32_t kFew = 64;
+
     std::vector<std::uint32_t> _first, _triangles;
+    std::vector<std::uint32_t> _next; ///< by vertex: those before it are done
 };
 
 } // namespace osgPMObjects::core

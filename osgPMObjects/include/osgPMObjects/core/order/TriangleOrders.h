@@ -30,11 +30,12 @@ std::vector<std::uint32_t> universalOrder(std::span<const Triangle> triangles);
 
 /// Strips side by side, each as long as a queue of `cacheSize` vertices still holds it when the next is laid along it: how
 /// long that is, is tried out for each strip by drawing what would follow.
-/// Cost: linear; for each strip some 5 · cacheSize² triangles are tried: a few µs a triangle.
+/// Cost: linear; for each strip some 7 · cacheSize² triangles are tried: a few µs a triangle.
 /// Source: Hoppe, "Optimization of mesh locality for transparent vertex caching" (1999), §4 (greedy growth, look-ahead).
 /// Differs: the length is chosen once for a strip, not anew at each of its triangles; every trial goes over the same number
 /// of triangles, in strips of one length; the first strip of a row goes straight on; the next strip lies along the latest one
-/// that has a side left, and where the queue has lost that, it goes on at a vertex in the queue.
+/// that has a side left, and where the queue has lost that, it goes on at a vertex in the queue; triangles that would be left
+/// as holes are drawn in passing.
 std::vector<std::uint32_t> localityOrder(std::span<const Triangle> triangles, std::uint32_t vertexCount,
                                          std::uint32_t cacheSize = 16);
 
