@@ -137,6 +137,18 @@ TEST(Orders, SaveTransformsOnAShuffledMesh)
     EXPECT_LT(perTriangle(libraryOrder(mesh.triangles, mesh.vertexCount()), 16), 0.72);
 }
 
+TEST(Orders, OfAHubOfManyTrianglesEnd)
+{ // a minute each, were all of them looked through at every step
+    Random random(56);
+    IndexedMesh fan;
+    fan.positions.resize(300'002);
+    for (std::uint32_t i = 1; i <= 300'000; ++i)
+        fan.triangles.push_back({0, i, i + 1});
+    testsupport::shuffle(fan, random);
+    for (const NamedOrder& order : orders())
+        EXPECT_TRUE(isPermutation(order.make(fan), fan.triangles.size())) << order.name;
+}
+
 TEST(HilbertOrder, StepsFromCellToCell)
 {
     for (const std::uint32_t depth : {1u, 16u})

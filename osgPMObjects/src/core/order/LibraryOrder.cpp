@@ -13,6 +13,9 @@ namespace osgPMObjects::core
 namespace
 {
 
+/// At each step the library looks through all triangles left at each vertex of its cache.
+constexpr std::uint32_t kMostAtAVertex = 10'000;
+
 /// The numbers of triangles, sorted by their corners.
 std::vector<std::uint32_t> byCorners(std::span<const Triangle> triangles)
 {
@@ -24,11 +27,21 @@ std::vector<std::uint32_t> byCorners(std::span<const Triangle> triangles)
     return numbers;
 }
 
+std::uint32_t mostAtAVertex(std::span<const Triangle> triangles, std::uint32_t vertexCount)
+{
+    std::vector<std::uint32_t> count(vertexCount, 0);
+    for (const Triangle& t : triangles)
+        for (const std::uint32_t vertex : t)
+            ++count[vertex];
+    return *std::max_element(count.begin(), count.end());
+}
+
 } // namespace
 
 std::vector<std::uint32_t> libraryOrder(std::span<const Triangle> triangles, std::uint32_t vertexCount)
 {
     if (triangles.empty()) return {};
+    if (mostAtAVertex(triangles, vertexCount) > kMostAtAVertex) return localityOrder(triangles, vertexCount);
     std::vector<Triangle> ordered(triangles.size());
     meshopt_optimizeVertexCache(ordered.front().data(), triangles.front().data(), 3 * triangles.size(),
                                 vertexCount);

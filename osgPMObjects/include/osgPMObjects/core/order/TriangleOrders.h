@@ -39,7 +39,8 @@ std::vector<std::uint32_t> universalOrder(std::span<const Triangle> triangles);
 std::vector<std::uint32_t> localityOrder(std::span<const Triangle> triangles, std::uint32_t vertexCount,
                                          std::uint32_t cacheSize = 16);
 
-/// meshoptimizer's order, the choice where nothing else counts than a cache: its own scores, made for all sizes alike.
+/// meshoptimizer's order, the choice where nothing else counts than a cache: its own scores, made for all sizes alike. Its
+/// time grows with the square of the triangles at one vertex: where there are more than 10 000, localityOrder() instead.
 std::vector<std::uint32_t> libraryOrder(std::span<const Triangle> triangles, std::uint32_t vertexCount);
 
 /// The triangles in an order.
