@@ -138,7 +138,7 @@ TEST(Orders, SaveTransformsOnAShuffledMesh)
 }
 
 TEST(Orders, OfAHubOfManyTrianglesEnd)
-{ // a minute each, were all of them looked through at every step
+{ // no order may look through all of them at every step
     Random random(56);
     IndexedMesh fan;
     fan.positions.resize(300'002);
