@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <cstring>
 #include <iomanip>
 #include <iostream>
 #include <memory>
@@ -8,6 +7,7 @@
 #include <viewlod/WholeFile.h>
 
 #include "pmtool/Commands.h"
+#include "pmtool/Models.h"
 #include "pmtool/OrderRow.h"
 #include "terminal/Terminal.h"
 
@@ -19,7 +19,7 @@ namespace
 
 struct Request
 {
-    std::vector<std::filesystem::path> models;
+    ModelRequest models;
     std::filesystem::path dumpFolder;
 };
 
@@ -81,6 +81,27 @@ viewlod::Result<nlohmann::ordered_json> compareOrders(const OrderSubject& subjec
     return json;
 }
 
+viewlod::Result<nlohmann::ordered_json> compareModel(const std::string& file, const std::string& number,
+                                                     const Request& request)
+{
+    auto model = read(file, request.models.limits);
+    if (!model) return model.error();
+    if (model->imported.mesh.faces.empty())
+        return viewlod::Error{file, "has no triangles", "give a model with surfaces"};
+    const auto subjects = orderSubjects(std::move(model->imported.mesh));
+    nlohmann::ordered_json row = {{"model", file},
+                                  {"triangles", subjects.front().triangleCount()},
+                                  {"meshes", nlohmann::ordered_json::array()}};
+    const std::string name = number + "-" + std::filesystem::path(file).filename().string();
+    for (const OrderSubject& subject : subjects)
+    {
+        auto mesh = compareOrders(subject, name, request.dumpFolder);
+        if (!mesh) return mesh.error();
+        row["meshes"].push_back(*std::move(mesh));
+    }
+    return row;
+}
+
 viewlod::Result<terminal::Report> compareModels(const Request& request)
 {
     std::error_code failed;
@@ -88,26 +109,9 @@ viewlod::Result<terminal::Report> compareModels(const Request& request)
     if (failed)
         return viewlod::Error{request.dumpFolder.string(), "cannot be made: " + failed.message(),
                               "name another folder"};
-    terminal::Report report;
-    report.json["models"] = nlohmann::ordered_json::array();
-    for (const std::filesystem::path& file : request.models)
-    {
-        const auto subjects = readOrderSubjects(file);
-        if (!subjects) return subjects.error();
-        nlohmann::ordered_json row = {{"model", file.string()},
-                                      {"triangles", subjects->front().triangleCount()},
-                                      {"meshes", nlohmann::ordered_json::array()}};
-        for (const OrderSubject& subject : *subjects)
-        {
-            const std::string name =
-                std::to_string(report.json["models"].size()) + "-" + file.filename().string();
-            auto mesh = compareOrders(subject, name, request.dumpFolder);
-            if (!mesh) return mesh.error();
-            row["meshes"].push_back(*std::move(mesh));
-        }
-        report.json["models"].push_back(std::move(row));
-    }
-    return report;
+    std::size_t number = 0; // files of the same name in different folders have dumps of their own
+    return forEachModel(request.models, [&](const std::string& file)
+                        { return compareModel(file, std::to_string(number++), request); });
 }
 
 } // namespace
@@ -117,8 +121,7 @@ void addCompareOrder(CLI::App& compare, Chosen& chosen)
     const auto request = std::make_shared<Request>();
     CLI::App* sub = compare.add_subcommand(
         "order", "orders of triangles, by vertices transformed per triangle for several caches");
-    sub->add_option("MODEL", request->models, "models that OpenSceneGraph reads")->required();
-    sub->add_option("--json", chosen.jsonFile, "write the table there, too");
+    addModelOptions(*sub, request->models, chosen.jsonFile);
     sub->add_option("--dump", request->dumpFolder, "write the indices of every order to this folder");
     sub->callback([&chosen, request] { chosen.work = [request] { return compareModels(*request); }; });
 }

@@ -2,15 +2,10 @@
 #include "pmtool/OrderSubject.h"
 
 #include <numeric>
-#include <system_error>
 #include <unordered_map>
 #include <utility>
 
-#include <osgDB/ReadFile>
-
 #include <osgPMObjects/core/consolidate/MergeWedges.h>
-
-#include <osgPMObjects/ImportNode>
 
 namespace pmtool
 {
@@ -68,22 +63,6 @@ OrderSubject byWedges(const Mesh& mesh)
     return subject;
 }
 
-viewlod::Result<Mesh> readMesh(const std::filesystem::path& file)
-{
-    std::error_code ignored;
-    if (!std::filesystem::exists(file, ignored))
-        return viewlod::Error{file.string(), "there is no such file", "check its path"};
-    const osg::ref_ptr<osg::Node> node = osgDB::readRefNodeFile(file.string());
-    if (!node)
-        return viewlod::Error{file.string(), "cannot be read by OpenSceneGraph",
-                              "give a model in a format that osgconv knows"};
-    auto imported = osgPMObjects::importNode(*node, file.string());
-    if (!imported) return imported.error();
-    if (imported->mesh.faces.empty())
-        return viewlod::Error{file.string(), "has no triangles", "give a model with surfaces"};
-    return std::move(imported->mesh);
-}
-
 } // namespace
 
 std::size_t OrderSubject::triangleCount() const
@@ -98,13 +77,11 @@ std::size_t OrderSubject::vertexCount() const
                            [](std::size_t sum, const DrawCall& call) { return sum + call.positions.size(); });
 }
 
-viewlod::Result<std::array<OrderSubject, 2>> readOrderSubjects(const std::filesystem::path& file)
+std::array<OrderSubject, 2> orderSubjects(Mesh mesh)
 {
-    auto mesh = readMesh(file);
-    if (!mesh) return mesh.error();
-    OrderSubject positions = byPositions(*mesh);
-    osgPMObjects::core::mergeWedges(*mesh);
-    return std::array<OrderSubject, 2>{std::move(positions), byWedges(*mesh)};
+    OrderSubject positions = byPositions(mesh);
+    osgPMObjects::core::mergeWedges(mesh);
+    return {std::move(positions), byWedges(mesh)};
 }
 
 } // namespace pmtool

@@ -4,15 +4,13 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
 #include <string>
 #include <vector>
 
 #include <glm/glm.hpp>
 
-#include <viewlod/Result.h>
-
 #include <osgPMObjects/core/Triangle.h>
+#include <osgPMObjects/core/mesh/Mesh.h>
 
 namespace pmtool
 {
@@ -36,7 +34,7 @@ struct OrderSubject
     std::size_t vertexCount() const;
 };
 
-/// Both ways of a model. Errors: no such file, not readable by OSG, no triangles.
-viewlod::Result<std::array<OrderSubject, 2>> readOrderSubjects(const std::filesystem::path& file);
+/// Both ways of a model.
+std::array<OrderSubject, 2> orderSubjects(osgPMObjects::core::Mesh mesh);
 
 } // namespace pmtool

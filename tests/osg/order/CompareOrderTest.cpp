@@ -189,15 +189,25 @@ TEST(CompareOrder, OfRealModelsHoldsWhatTheTableSays)
     }
 }
 
-TEST(CompareOrder, RefusesWhatIsNoModel)
+TEST(CompareOrder, GoesOnAfterWhatIsNoModel)
 {
     const Folder folder;
-    const auto missing = compareOrder({(folder / "none.obj").string()});
-    ASSERT_FALSE(missing);
-    EXPECT_THAT(missing.error().message(), testing::HasSubstr("none.obj: there is no such file"));
-    EXPECT_FALSE(compareOrder({folder.write("words.txt", "no model").string()}));
-    const auto points = compareOrder({folder.write("points.obj", "v 0 0 0\nv 1 0 0\n").string()});
-    ASSERT_FALSE(points);
+    testing::internal::CaptureStderr();
+    const auto report =
+        compareOrder({(folder / "none.obj").string(), folder.write("words.txt", "no model").string(),
+                      folder.write("points.obj", "v 0 0 0\nv 1 0 0\n").string(),
+                      folder.write("two.obj", kTwoMaterials).string()});
+    const std::string errors = testing::internal::GetCapturedStderr();
+    ASSERT_TRUE(report);
+    EXPECT_FALSE(report->sound);
+    EXPECT_EQ(report->json["models"].size(), 1u);
+    for (const char* file : {"none.obj: ", "words.txt: ", "points.obj: "})
+        EXPECT_THAT(errors, testing::HasSubstr(file));
+}
+
+TEST(CompareOrder, RefusesAFolderThatCannotBe)
+{
+    const Folder folder;
     const auto blocked = compareOrder(
         {folder.write("two.obj", kTwoMaterials).string(), "--dump", folder.write("file", "").string()});
     ASSERT_FALSE(blocked);
