@@ -8,6 +8,7 @@
 #include <osgPMObjects/core/tessellate/EdgeNoding.h>
 
 #include "EdgeContacts.h"
+#include "EdgeCrossing.h"
 
 namespace osgPMObjects::core
 {
@@ -26,11 +27,6 @@ struct Part
     std::int32_t winding;
     std::uint32_t corner, nextCorner;
 };
-
-glm::dvec2 onGrid(const glm::dvec2& point, double grid)
-{
-    return glm::round(point / grid) * grid + 0.0; // + 0.0: no negative zero
-}
 
 class Noder
 {
@@ -144,15 +140,7 @@ private:
     void cross(std::uint32_t i, std::uint32_t j)
     {
         ++_noded.crossings;
-        const glm::dvec2 a = at(i, 0), b = at(i, 1), c = at(j, 0), d = at(j, 1);
-        const glm::dvec2 along = b - a, other = d - c, between = c - a;
-        const double determinant = along.x * other.y - along.y * other.x;
-        const double share = (between.x * other.y - between.y * other.x) / determinant;
-        // Nearly parallel: any place where the boxes overlap keeps the edges near where they were.
-        const glm::dvec2 low = glm::max(glm::min(a, b), glm::min(c, d));
-        const glm::dvec2 high = glm::min(glm::max(a, b), glm::max(c, d));
-        glm::dvec2 place = std::isfinite(share) ? a + along * share : (low + high) * 0.5;
-        place = onGrid(glm::clamp(place, low, high), _grid);
+        const glm::dvec2 place = crossingOf(_noded.points, _parts[i].ends, _parts[j].ends, _grid);
         for (const std::uint32_t part : {i, j})
             for (const std::uint32_t end : _parts[part].ends)
                 if (const glm::dvec2 way = glm::abs(_noded.points[end] - place);
@@ -162,35 +150,18 @@ private:
         if (isNew)
         {
             _noded.points.push_back(place);
-            _noded.inserted.push_back(between4(i, j, place));
+            _noded.inserted.push_back(
+                betweenCorners(_corners, {contourEdge(_parts[i]), contourEdge(_parts[j])}, place));
         }
         cutBoth(i, j, number);
     }
 
-    const glm::dvec2& at(std::uint32_t part, int end) const { return _noded.points[_parts[part].ends[end]]; }
+    static EdgeEnds contourEdge(const Part& part) { return {part.corner, part.nextCorner}; }
 
     void cutBoth(std::uint32_t i, std::uint32_t j, std::uint32_t point)
     {
         for (const std::uint32_t part : {i, j})
             if (point != _parts[part].ends[0] && point != _parts[part].ends[1]) _cuts[part].push_back(point);
-    }
-
-    /// Between the corners of the contours' edges whose parts cross.
-    InsertedPoint between4(std::uint32_t i, std::uint32_t j, const glm::dvec2& place) const
-    {
-        InsertedPoint inserted;
-        for (int edge = 0; edge < 2; ++edge)
-        {
-            const Part& part = _parts[edge == 0 ? i : j];
-            const glm::dvec2 &from = _corners[part.corner], &to = _corners[part.nextCorner];
-            const glm::dvec2 along = to - from;
-            const double share = std::clamp(glm::dot(place - from, along) / glm::dot(along, along), 0.0, 1.0);
-            inserted.corners[2 * edge] = part.corner;
-            inserted.corners[2 * edge + 1] = part.nextCorner;
-            inserted.weights[2 * edge] = 0.5 * (1.0 - share);
-            inserted.weights[2 * edge + 1] = 0.5 * share;
-        }
-        return inserted;
     }
 
     void applyCuts()

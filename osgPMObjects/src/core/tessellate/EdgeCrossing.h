@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <span>
+
+#include <osgPMObjects/core/tessellate/EdgeNoding.h>
+
+#include "EdgeContacts.h"
+
+namespace osgPMObjects::core
+{
+
+glm::dvec2 onGrid(const glm::dvec2& point, double grid);
+
+/// Where two edges that cross do so, rounded to a grid. Nearly parallel ones: a place where their boxes overlap.
+glm::dvec2 crossingOf(std::span<const glm::dvec2> points, const EdgeEnds& first, const EdgeEnds& second,
+                      double grid);
+
+/// A place on two edges of contours, by the corners at their ends.
+InsertedPoint betweenCorners(std::span<const glm::dvec2> corners, const std::array<EdgeEnds, 2>& edges,
+                             const glm::dvec2& place);
+
+} // namespace osgPMObjects::core
