@@ -16,9 +16,10 @@ namespace osgPMObjects::core
 namespace
 {
 
-constexpr double kFinestGrid = 0x1p-46;   ///< crossings are rounded to it: coordinates are at most 1
-constexpr double kCoarsestGrid = 0x1p-20; ///< what corners may be moved by, at worst
-constexpr int kRounds = 24;               ///< of dividing edges, before the grid grows coarser
+// Powers of two that are cells of grids, for coordinates of at most 1.
+constexpr int kFinestGrid = -46;   ///< crossings are rounded to it
+constexpr int kCoarsestGrid = -20; ///< what corners may be moved by, at worst
+constexpr int kRounds = 24;        ///< of dividing edges, before the grid grows coarser
 
 /// A part of a contour's edge, from `corner` to the next one of that contour.
 struct Part
@@ -38,9 +39,9 @@ public:
 
     std::optional<NodedEdges> run()
     {
-        for (double grid = kFinestGrid; grid <= kCoarsestGrid; grid *= 0x1p2)
+        for (int exponent = kFinestGrid; exponent <= kCoarsestGrid; exponent += 2)
         {
-            begin(grid);
+            begin(exponent);
             for (int round = 0; round < kRounds; ++round)
                 if (!divide()) return finished();
         }
@@ -58,17 +59,17 @@ private:
         return {at->second, isNew};
     }
 
-    void begin(double grid)
+    void begin(int exponent)
     {
-        _grid = grid;
-        const bool snaps = grid > kFinestGrid;
+        _grid = std::ldexp(1.0, exponent);
+        const bool snaps = exponent > kFinestGrid;
         _noded = {};
         _noded.isSnapped = snaps;
         _byPlace.clear();
         std::vector<std::uint32_t> first(_corners.size());
         for (std::size_t i = 0; i < _corners.size(); ++i)
         {
-            const glm::dvec2 place = snaps ? onGrid(_corners[i], grid) : _corners[i];
+            const glm::dvec2 place = snaps ? onGrid(_corners[i], _grid) : _corners[i];
             const auto [number, isNew] = pointAt(place);
             _noded.points.push_back(place);
             first[i] = number;
@@ -210,7 +211,7 @@ private:
 
     std::span<const glm::dvec2> _corners;
     std::span<const std::uint32_t> _contourSizes;
-    double _grid = kFinestGrid;
+    double _grid = 0.0;
     NodedEdges _noded;
     std::map<Place, std::uint32_t> _byPlace;
     std::vector<Part> _parts;
