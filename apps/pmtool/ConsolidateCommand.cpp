@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <chrono>
 #include <iostream>
+#include <map>
 #include <memory>
+#include <string>
 
 #include <osgPMObjects/core/consolidate/Consolidate.h>
 #include <osgPMObjects/core/mesh/SurfaceChange.h>
+#include <osgPMObjects/core/order/FaceOrder.h>
 
 #include "pmtool/ModelFiles.h"
 #include "pmtool/Models.h"
@@ -18,12 +21,18 @@ namespace
 using namespace osgPMObjects;
 using Json = nlohmann::ordered_json;
 
+const std::map<std::string, core::FaceOrder> kOrders{{"file", core::FaceOrder::asTheyAre},
+                                                     {"library", core::FaceOrder::library},
+                                                     {"universal", core::FaceOrder::universal},
+                                                     {"locality", core::FaceOrder::locality}};
+
 struct Request
 {
     ModelRequest models;
     core::ConsolidateOptions options;
     std::filesystem::path outputFolder, dumpFolder;
     std::string format = "osgb";
+    core::FaceOrder order = core::FaceOrder::library;
 };
 
 /// Every count of a report, by name; zeros are left out.
@@ -95,6 +104,7 @@ viewlod::Result<Json> consolidateFile(const Request& request, OutputNames& names
                    {"surfaceChangePercent", diagonal > 0.0 ? 100.0 * change / diagonal : 0.0},
                    {"trianglesDropped", report.facesDropped()},
                    {"ms", took.count()}};
+    core::orderFaces(mesh, request.order);
     if (const auto written = write(request, names.nameFor(file), before, model->imported); !written)
         return written.error();
     print(file, row, report);
@@ -128,6 +138,8 @@ void addConsolidate(CLI::App& app, Chosen& chosen)
     command->add_option("--output", request->outputFolder, "write the models there");
     command->add_option("--format", request->format, "of the models written (osgb)")
         ->check(CLI::IsMember({"osgb", "osgt", "ive"}));
+    command->add_option("--order", request->order, "of the faces written (library)")
+        ->transform(CLI::CheckedTransformer(kOrders));
     command->add_option("--dump", request->dumpFolder,
                         "write positions and faces before and after there, as plain .obj");
     core::ConsolidateOptions& options = request->options;

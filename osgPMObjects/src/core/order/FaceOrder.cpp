@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <map>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include <osgPMObjects/core/order/FaceOrder.h>
+#include <osgPMObjects/core/order/TriangleOrders.h>
+
+namespace osgPMObjects::core
+{
+
+namespace
+{
+
+/// The faces of a group with wedges numbered from 0 as they are first used.
+struct DrawnTogether
+{
+    std::vector<Triangle> triangles;
+    std::uint32_t vertexCount = 0;
+};
+
+DrawnTogether numbered(const Mesh& mesh, const std::vector<std::size_t>& faces)
+{
+    DrawnTogether drawn;
+    std::unordered_map<std::uint32_t, std::uint32_t> numbers;
+    for (const std::size_t f : faces)
+    {
+        Triangle& t = drawn.triangles.emplace_back();
+        for (std::size_t corner = 0; corner < 3; ++corner)
+        {
+            const auto [at, isNew] = numbers.try_emplace(mesh.faces[f].wedges[corner], drawn.vertexCount);
+            drawn.vertexCount += isNew ? 1 : 0;
+            t[corner] = at->second;
+        }
+    }
+    return drawn;
+}
+
+std::vector<std::uint32_t> ordered(const DrawnTogether& drawn, FaceOrder order)
+{
+    switch (order)
+    {
+    case FaceOrder::universal:
+        return universalOrder(drawn.triangles);
+    case FaceOrder::locality:
+        return localityOrder(drawn.triangles, drawn.vertexCount);
+    default:
+        return libraryOrder(drawn.triangles, drawn.vertexCount);
+    }
+}
+
+} // namespace
+
+void orderFaces(Mesh& mesh, FaceOrder order)
+{
+    if (order == FaceOrder::asTheyAre) return;
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::size_t>> groups;
+    for (std::size_t f = 0; f < mesh.faces.size(); ++f)
+        groups[{mesh.faces[f].part, mesh.faces[f].material}].push_back(f);
+    const std::vector<Face> before = mesh.faces;
+    for (const auto& [group, places] : groups)
+    {
+        const std::vector<std::uint32_t> sequence = ordered(numbered(mesh, places), order);
+        for (std::size_t i = 0; i < places.size(); ++i)
+            mesh.faces[places[i]] = before[places[sequence[i]]];
+    }
+}
+
+} // namespace osgPMObjects::core
