@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <memory>
 #include <vector>
 
@@ -43,23 +44,25 @@ public:
     {
         _viewer->viewer().setSceneData(&model);
         std::vector<osg::ref_ptr<osg::Image>> pictures;
-        _viewer
-            ->picture(); // state that the model does not set, OpenGL's current colour, is now what drawing it leaves
+        // What the model does not set, OpenGL's current colour, is what drawing it leaves, once it has been seen.
+        pictureTowards(kModelDirections.front(), ball);
         for (const osg::Vec3d& towards : kModelDirections)
-        {
-            osg::Vec3d direction = towards;
-            direction.normalize();
-            const double away = ball.radius() / std::sin(osg::DegreesToRadians(15.0));
-            _viewer->camera().setProjectionMatrixAsPerspective(30.0, _aspect, away - 1.1 * ball.radius(),
-                                                               away + 1.1 * ball.radius());
-            _viewer->camera().setViewMatrixAsLookAt(ball.center() + direction * away, ball.center(),
-                                                    {0.0, 0.0, 1.0});
-            pictures.push_back(_viewer->picture());
-        }
+            pictures.push_back(pictureTowards(towards, ball));
         return pictures;
     }
 
 private:
+    osg::ref_ptr<osg::Image> pictureTowards(osg::Vec3d direction, const osg::BoundingSphere& ball)
+    {
+        direction.normalize();
+        const double away = ball.radius() / std::sin(osg::DegreesToRadians(15.0));
+        _viewer->camera().setProjectionMatrixAsPerspective(30.0, _aspect, away - 1.1 * ball.radius(),
+                                                           away + 1.1 * ball.radius());
+        _viewer->camera().setViewMatrixAsLookAt(ball.center() + direction * away, ball.center(),
+                                                {0.0, 0.0, 1.0});
+        return _viewer->picture();
+    }
+
     ModelStudio(std::unique_ptr<osgOffscreen::OffscreenViewer> viewer, int widthPx, int heightPx)
         : _viewer(std::move(viewer)), _aspect(static_cast<double>(widthPx) / heightPx)
     {
