@@ -5,7 +5,6 @@
 #include <vector>
 
 #include <osg/ContextData>
-#include <osg/GLObjects>
 
 namespace osgTerrainROAM
 {
@@ -59,6 +58,7 @@ bool GpuMesh::canTake(const MeshPacket& packet) const
 
 void GpuMesh::allocate(osg::GLExtensions& gl, const MeshPacket& packet)
 {
+    if (!_deletion) _deletion = osg::get<BufferDeletion>(_contextId);
     if (_vertexBuffer == 0) gl.glGenBuffers(1, &_vertexBuffer);
     if (_indexBuffer == 0) gl.glGenBuffers(1, &_indexBuffer);
     gl.glBindBuffer(GL_ARRAY_BUFFER_ARB, _vertexBuffer);
@@ -153,7 +153,7 @@ void GpuMesh::release()
 {
     for (GLuint* buffer : {&_vertexBuffer, &_indexBuffer})
     {
-        if (*buffer != 0) osg::get<BufferDeletion>(_contextId)->scheduleGLObjectForDeletion(*buffer);
+        if (*buffer != 0) _deletion->scheduleGLObjectForDeletion(*buffer);
         *buffer = 0;
     }
     _vertexCapacity = _triangleCapacity = 0;

@@ -5,6 +5,7 @@
 #include <span>
 
 #include <osg/GLExtensions>
+#include <osg/GLObjects>
 #include <osg/State>
 
 #include "MeshPacket.h"
@@ -41,6 +42,7 @@ private:
     void drawPatches(osg::GLExtensions& gl, std::span<const core::IndexRange> ranges) const;
 
     unsigned int _contextId;
+    osg::ref_ptr<osg::GLObjectManager> _deletion; ///< found in the draw thread: only there may OSG make one
     GLuint _vertexBuffer = 0;
     GLuint _indexBuffer = 0;
     std::uint32_t _vertexCapacity = 0;
