@@ -2,6 +2,7 @@
 #include "ViewGroupTable.h"
 
 #include <algorithm>
+#include <shared_mutex>
 
 namespace osgTerrainROAM
 {
@@ -62,9 +63,17 @@ ViewGroupTable::Entry& ViewGroupTable::entryFor(const ViewRequest& request)
         return *own;
     }
     Entry& fresh = _entries.emplace_back();
-    fresh.group = std::make_shared<ViewGroup>(_bounds.value());
+    fresh.group = newGroup();
     fresh.eye = eye;
     return fresh;
+}
+
+/// A mesh begins with what its tile is, which somebody may be editing.
+std::shared_ptr<ViewGroup> ViewGroupTable::newGroup() const
+{
+    const core::SplitBounds& bounds = _bounds.value();
+    const std::shared_lock lock(bounds.tile().mutex());
+    return std::make_shared<ViewGroup>(bounds);
 }
 
 void ViewGroupTable::leave(const osg::Camera* camera, const Entry* except)
@@ -106,7 +115,7 @@ std::shared_ptr<ViewGroup> ViewGroupTable::latest(double defaultErrorM)
 {
     const std::lock_guard lock(_mutex);
     if (_latest) return _latest;
-    _latest = std::make_shared<ViewGroup>(_bounds.value());
+    _latest = newGroup();
     RefineTarget target;
     target.errorM = defaultErrorM;
     _latest->answer(0, target, viewlod::Frustum(), std::nullopt);

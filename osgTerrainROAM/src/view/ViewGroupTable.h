@@ -68,6 +68,7 @@ private:
         Member* memberOf(const osg::Camera* camera);
     };
 
+    std::shared_ptr<ViewGroup> newGroup() const;
     Entry& entryFor(const ViewRequest& request);
     Entry* entryOf(const osg::Camera* camera);
     void leave(const osg::Camera* camera, const Entry* except);
