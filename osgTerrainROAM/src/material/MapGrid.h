@@ -32,7 +32,8 @@ struct MapGrid
     /// From one texel to the next, the mean of both directions.
     double spacingM(const core::PlacedTile& tile) const
     {
-        return 0.5 * (tile.field().spacingEastM + tile.field().spacingNorthM) * step / (1 << tile.gridExponent());
+        return 0.5 * (tile.field().spacingEastM + tile.field().spacingNorthM) * step /
+               (1 << tile.gridExponent());
     }
 
     /// Of a texel, or of the nearest that there is.

@@ -82,7 +82,7 @@ private:
     std::span<const ChangedPlaces> _changed;
     double _movedM = 0.0;
     const SheetErrors* _admitted = nullptr; ///< while samples of sheets are new
-    std::size_t _mostSamples = 0; ///< of a diamond that is measured
+    std::size_t _mostSamples = 0;           ///< of a diamond that is measured
     std::array<std::vector<Wanted>, PlacedTile::kMostLevels> _wanted;
     std::vector<Change> _changes;
 };
