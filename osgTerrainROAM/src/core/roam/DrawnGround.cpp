@@ -93,8 +93,9 @@ std::optional<DrawnGround> onLeaves(const DiamondTree& tree, TriangleId t, const
             t = towards(tree, t, hit.barycentric);
             continue;
         }
-        if (isBeyondData(tree.tile().tile, hit.grid) || !isDrawn(tree.tile().tile, tree.gridTriangle(t)))
-            return std::nullopt;
+        const PlacedTile& tile = tree.tile().tile;
+        if (isBeyondData(tile, hit.grid)) return std::nullopt;
+        if (tile.hasHoles() && !isDrawn(tile, tree.gridTriangle(t))) return std::nullopt;
         double movedM = 0.0;
         for (const VertexSlot v : tree.vertices(t).vertices)
             if (const glm::vec3 moved = tree.displacement(v); moved != glm::vec3(0.0f))
