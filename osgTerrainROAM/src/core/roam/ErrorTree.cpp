@@ -14,6 +14,7 @@
 #include <osgTerrainROAM/core/roam/Outline.h>
 
 #include "BottomUp.h"
+#include "RowDistance.h"
 
 namespace osgTerrainROAM::core
 {
@@ -49,9 +50,6 @@ public:
     }
 
 private:
-    /// No distance from it is larger than any other.
-    static constexpr glm::dvec3 kNoSample{std::numeric_limits<double>::quiet_NaN()};
-
     GridTriangle onGrid(const GridTriangle& t) const
     {
         const int shift = _tile.tile().gridExponent();
@@ -80,7 +78,6 @@ private:
         const auto position = [this](GridPoint p) { return _tile.position(p.column, p.row); };
         const glm::dvec3 origin = position(t.apex), du = position(t.left) - origin,
                          dw = position(t.right) - origin;
-        // The plane's point moves by one vector from sample to sample: no division inside the loops.
         const auto east = t.perColumn(), north = t.perRow();
         const glm::dvec3 perColumn = du * east.u + dw * east.w, perRow = du * north.u + dw * north.w;
         double largest = 0.0;
@@ -89,13 +86,8 @@ private:
                      {
                          const glm::dvec3 start = origin + perRow * static_cast<double>(row - t.apex.row);
                          const glm::dvec3* samples = &_positions[static_cast<std::size_t>(row) * _columns];
-                         for (int column = west; column <= eastmost; ++column)
-                         {
-                             const glm::dvec3 drawn =
-                                 start + perColumn * static_cast<double>(column - t.apex.column);
-                             const glm::dvec3 error = samples[column] - drawn;
-                             largest = std::max(largest, glm::dot(error, error));
-                         }
+                         largest = largestSquared(largest, samples + west, eastmost - west + 1, start,
+                                                  perColumn, west - t.apex.column);
                      });
         return largest;
     }

@@ -4,18 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
+
+#include "RowDistance.h"
 
 namespace osgTerrainROAM::core
 {
-
-namespace
-{
-
-/// No distance from it is larger than any other.
-constexpr glm::dvec3 kNoSample{std::numeric_limits<double>::quiet_NaN()};
-
-} // namespace
 
 SheetErrors::SheetErrors(const PlacedTile& tile) : _tile(tile)
 {
@@ -55,11 +48,8 @@ double SheetErrors::largestM(const GridTriangle& t) const
                                    static_cast<std::size_t>((west - inside.west) / step)];
                 const auto b = t.at(west, row);
                 const glm::dvec3 start = origin + du * b.u + dw * b.w;
-                for (int k = 0; k <= (eastmost - west) / step; ++k)
-                {
-                    const glm::dvec3 error = sample[k] - (start + perColumn * static_cast<double>(k));
-                    largest2 = std::max(largest2, glm::dot(error, error));
-                }
+                largest2 =
+                    largestSquared(largest2, sample, (eastmost - west) / step + 1, start, perColumn, 0);
             },
             step);
     }
