@@ -20,8 +20,6 @@ namespace
 using viewlod::Outcome;
 using viewlod::Result;
 
-constexpr double kFinerThanItsGrid = 0.75; ///< of the grid's spacing
-
 /// Coarse before fine; among equals the first named comes last, and lies on top.
 void sortForLaying(std::vector<MosaicSource>& sources)
 {
@@ -38,7 +36,7 @@ Result<Raster> painted(const GridReference& grid, const GridRect& rect, double s
 {
     MosaicCanvas canvas(grid, rect, spacingM, sources.front().spacingM);
     for (const MosaicSource& source : sources)
-        if (all || source.spacingM >= kFinerThanItsGrid * spacingM)
+        if (all || !isFinerThanGrid(source.spacingM, spacingM))
             if (const Outcome added = canvas.add(source, gdal, report); !added) return added.error();
     return std::move(canvas).take();
 }

@@ -3,11 +3,8 @@
 
 #include <cmath>
 #include <limits>
-#include <type_traits>
 #include <utility>
 #include <vector>
-
-#include <ogr_srs_api.h>
 
 namespace osgTerrainROAM::core
 {
@@ -18,20 +15,11 @@ namespace
 using viewlod::Error;
 using viewlod::Result;
 
-struct CrsCloser
+ReferenceSystem horizontal(const std::string& wkt)
 {
-    void operator()(OGRSpatialReferenceH crs) const { OSRDestroySpatialReference(crs); }
-};
-using Crs = std::unique_ptr<std::remove_pointer_t<OGRSpatialReferenceH>, CrsCloser>;
-
-/// The horizontal part, longitude before latitude.
-Crs horizontal(const std::string& wkt)
-{
-    Crs crs(OSRNewSpatialReference(wkt.c_str()));
-    OSRStripVertical(crs.get());
-    OSRDemoteTo2D(crs.get(), nullptr);
-    OSRSetAxisMappingStrategy(crs.get(), OAMS_TRADITIONAL_GIS_ORDER);
-    return crs;
+    ReferenceSystem system(OSRNewSpatialReference(wkt.c_str()));
+    makeHorizontal(system.get());
+    return system;
 }
 
 /// Longitudes count round the Earth: those of a grid across the date line continue the other's.
@@ -41,11 +29,6 @@ double turnsBetween(OGRSpatialReferenceH crs, const GridFrame& from, const GridF
 }
 
 } // namespace
-
-void FrameTransform::CrsTransformCloser::operator()(void* transform) const
-{
-    OCTDestroyCoordinateTransformation(static_cast<OGRCoordinateTransformationH>(transform));
-}
 
 Result<FrameTransform> FrameTransform::create(const std::string& name, const GridReference& from,
                                               const GridReference& to, GdalSession& gdal)
@@ -57,7 +40,7 @@ Result<FrameTransform> FrameTransform::create(const std::string& name, const Gri
         return Error{name, "is a plane, and other rasters of the terrain lie on the Earth, or the reverse",
                      "assign its reference system with gdal_translate -a_srs"};
     if (from.crsWkt == to.crsWkt && from.crsWkt.empty()) return transform;
-    const Crs source = horizontal(from.crsWkt), target = horizontal(to.crsWkt);
+    const ReferenceSystem source = horizontal(from.crsWkt), target = horizontal(to.crsWkt);
     if (OSRIsSame(source.get(), target.get()))
     {
         transform._from.firstX += turnsBetween(source.get(), from.frame, to.frame);

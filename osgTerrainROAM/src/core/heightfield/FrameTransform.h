@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <memory>
 #include <span>
 #include <string>
 
@@ -10,6 +9,7 @@
 #include <viewlod/Result.h>
 
 #include "RasterFile.h"
+#include "ReferenceSystem.h"
 
 namespace osgTerrainROAM::core
 {
@@ -37,15 +37,10 @@ public:
     bool isExact() const { return !_crs; } ///< the same reference system: straight lines stay straight
 
 private:
-    struct CrsTransformCloser
-    {
-        void operator()(void* transform) const;
-    };
-
     FrameTransform() = default;
 
     GridFrame _from{}, _to{};
-    std::unique_ptr<void, CrsTransformCloser> _crs;
+    CoordinateTransform _crs;
 };
 
 } // namespace osgTerrainROAM::core

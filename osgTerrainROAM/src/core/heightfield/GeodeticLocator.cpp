@@ -5,10 +5,7 @@
 #include <cctype>
 #include <cmath>
 #include <limits>
-#include <type_traits>
 #include <utility>
-
-#include <ogr_srs_api.h>
 
 namespace osgTerrainROAM::core
 {
@@ -18,12 +15,6 @@ namespace
 
 using viewlod::Error;
 using viewlod::Result;
-
-struct CrsCloser
-{
-    void operator()(OGRSpatialReferenceH crs) const { OSRDestroySpatialReference(crs); }
-};
-using Crs = std::unique_ptr<std::remove_pointer_t<OGRSpatialReferenceH>, CrsCloser>;
 
 /// Adds the undulation to a height; fails, unlike a search between named systems, when the grid is missing.
 constexpr const char* kGeoidPipeline = "+proj=pipeline +step +proj=unitconvert +xy_in=deg +xy_out=rad"
@@ -51,23 +42,16 @@ bool heightsAreEllipsoidal(OGRSpatialReferenceH crs)
 
 } // namespace
 
-void GeodeticLocator::TransformCloser::operator()(void* transform) const
-{
-    OCTDestroyCoordinateTransformation(static_cast<OGRCoordinateTransformationH>(transform));
-}
-
 Result<GeodeticLocator> GeodeticLocator::create(const std::string& name, const Raster& raster,
                                                 VerticalDatum datum, GdalSession& gdal)
 {
     gdal.clear();
-    const Crs source(OSRNewSpatialReference(raster.crsWkt.c_str()));
-    const Crs wgs84(OSRNewSpatialReference(nullptr));
+    const ReferenceSystem source(OSRNewSpatialReference(raster.crsWkt.c_str()));
+    const ReferenceSystem wgs84(OSRNewSpatialReference(nullptr));
     OSRImportFromEPSG(wgs84.get(), 4326);
     const bool ellipsoidal = datum == VerticalDatum::ellipsoid ||
                              (datum == VerticalDatum::automatic && heightsAreEllipsoidal(source.get()));
-    OSRStripVertical(source.get());
-    OSRDemoteTo2D(source.get(), nullptr);
-    OSRSetAxisMappingStrategy(source.get(), OAMS_TRADITIONAL_GIS_ORDER);
+    makeHorizontal(source.get());
     OSRSetAxisMappingStrategy(wgs84.get(), OAMS_TRADITIONAL_GIS_ORDER);
 
     GeodeticLocator locator;

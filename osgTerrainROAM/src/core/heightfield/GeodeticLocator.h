@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <memory>
 #include <span>
 #include <string>
 
@@ -12,6 +11,7 @@
 #include <osgTerrainROAM/core/heightfield/DemImport.h>
 
 #include "RasterFile.h"
+#include "ReferenceSystem.h"
 
 namespace osgTerrainROAM::core
 {
@@ -37,19 +37,13 @@ public:
     bool isEllipsoidal() const { return !_geoid; }
 
 private:
-    struct TransformCloser
-    {
-        void operator()(void* transform) const;
-    };
-    using Transform = std::unique_ptr<void, TransformCloser>;
-
     GeodeticLocator() = default;
     void addGeoid(std::span<GeodeticNet::Node> nodes) const;
 
     GridFrame _frame{};
     bool _inDegrees = false; ///< then latitudes past a pole continue down the other side
-    Transform _toWgs84;
-    Transform _geoid; ///< null: heights are ellipsoidal
+    CoordinateTransform _toWgs84;
+    CoordinateTransform _geoid; ///< null: heights are ellipsoidal
 };
 
 } // namespace osgTerrainROAM::core

@@ -93,8 +93,7 @@ double spacingBelow(std::span<const LaidRaster> laid, const GridRect& rect)
 int bendingReach(double gridM, double rasterM, double belowM)
 {
     constexpr double kSlack = 0.01;
-    constexpr double kFinerThanItsGrid = 0.75;
-    const int least = rasterM < kFinerThanItsGrid * gridM ? 2 : 8;
+    const int least = isFinerThanGrid(rasterM, gridM) ? 2 : 8;
     return std::max(least, 4 * static_cast<int>(std::ceil(belowM / gridM - kSlack)));
 }
 

@@ -29,6 +29,12 @@ struct LaidRaster
 /// within, or else the widest. 0: there are no others.
 double spacingBelow(std::span<const LaidRaster> laid, const GridRect& rect);
 
+/// Whether a raster is so much finer than a grid that it only shows through at every so many samples; metres.
+inline bool isFinerThanGrid(double rasterM, double gridM)
+{
+    return rasterM < 0.75 * gridM;
+}
+
 /// Places of a grid over which ground is bent towards a finer raster; all metres.
 int bendingReach(double gridM, double rasterM, double belowM);
 
