@@ -130,40 +130,35 @@ Outcome unknownWord(const Entry& entry, const std::string& choices)
                        "use one of: " + choices);
 }
 
-Outcome assignPlacement(RoamFile& file, const Entry& entry)
+/// A word that may stand for a value.
+template<class Value>
+struct Word
 {
-    if (entry.value == "curved")
-        file.placement = Placement::curved;
-    else if (entry.value == "planar")
-        file.placement = Placement::planar;
-    else
-        return unknownWord(entry, "curved, planar");
-    return success();
+    std::string_view text;
+    Value value;
+};
+
+template<class Value, std::size_t Count>
+Outcome assignWord(Value& target, const Entry& entry, const Word<Value> (&words)[Count])
+{
+    std::string choices;
+    for (const Word<Value>& word : words)
+    {
+        if (word.text == entry.value)
+        {
+            target = word.value;
+            return success();
+        }
+        choices += (choices.empty() ? "" : ", ") + std::string(word.text);
+    }
+    return unknownWord(entry, choices);
 }
 
-Outcome assignVoids(RoamFile& file, const Entry& entry)
-{
-    if (entry.value == "fill")
-        file.import.voids = Voids::fill;
-    else if (entry.value == "keep")
-        file.import.voids = Voids::keep;
-    else
-        return unknownWord(entry, "fill, keep");
-    return success();
-}
-
-Outcome assignDatum(RoamFile& file, const Entry& entry)
-{
-    if (entry.value == "automatic")
-        file.import.verticalDatum = VerticalDatum::automatic;
-    else if (entry.value == "egm96")
-        file.import.verticalDatum = VerticalDatum::egm96;
-    else if (entry.value == "ellipsoid")
-        file.import.verticalDatum = VerticalDatum::ellipsoid;
-    else
-        return unknownWord(entry, "automatic, egm96, ellipsoid");
-    return success();
-}
+constexpr Word<Placement> kPlacements[] = {{"curved", Placement::curved}, {"planar", Placement::planar}};
+constexpr Word<Voids> kVoids[] = {{"fill", Voids::fill}, {"keep", Voids::keep}};
+constexpr Word<VerticalDatum> kDatums[] = {{"automatic", VerticalDatum::automatic},
+                                           {"egm96", VerticalDatum::egm96},
+                                           {"ellipsoid", VerticalDatum::ellipsoid}};
 
 Outcome assignTriangles(RoamFile& file, const Entry& entry)
 {
@@ -220,17 +215,18 @@ constexpr double kFar = 1.0e7; ///< metres; nothing on Earth is higher or wider 
 
 constexpr std::array kKeys{
     Key{"dem", [](RoamFile& f, const Entry& e) { return appendPath(f.dems, e); }, true},
-    Key{"voids", assignVoids},
+    Key{"voids", [](RoamFile& f, const Entry& e) { return assignWord(f.import.voids, e, kVoids); }},
     Key{"imagery", assignImagery, true},
     Key{"features", [](RoamFile& f, const Entry& e) { return appendPath(f.features, e); }, true},
     Key{"land_cover", [](RoamFile& f, const Entry& e) { return assignPath(f.landCover, e); }},
     Key{"land_cover_classes", assignClasses},
     Key{"season", assignSeason},
     Key{"origin", assignOrigin},
-    Key{"placement", assignPlacement},
+    Key{"placement", [](RoamFile& f, const Entry& e) { return assignWord(f.placement, e, kPlacements); }},
     Key{"spacing",
         [](RoamFile& f, const Entry& e) { return assignNumber(f.import.spacingM, e, 1e-3, kFar); }},
-    Key{"vertical_datum", assignDatum},
+    Key{"vertical_datum",
+        [](RoamFile& f, const Entry& e) { return assignWord(f.import.verticalDatum, e, kDatums); }},
     Key{"finest_spacing",
         [](RoamFile& f, const Entry& e) { return assignNumber(f.finestSpacingM, e, 0.01, 1000.0); }},
     Key{"error_tolerance",
