@@ -18,11 +18,18 @@ using testsupport::IndexedMesh;
 using testsupport::Polygon;
 using testsupport::Random;
 
-void tessellateStar(benchmark::State& state)
+/// With as many corners as the benchmark's first argument says.
+Polygon starFor(const benchmark::State& state, std::uint64_t seed)
 {
-    Random random(1);
+    Random random(seed);
     Polygon star;
     star.add(testsupport::star(random, {0, 0}, 1.0, static_cast<std::uint32_t>(state.range(0))));
+    return star;
+}
+
+void tessellateStar(benchmark::State& state)
+{
+    const Polygon star = starFor(state, 1);
     const auto corners = star.inSpace();
     for (auto _ : state)
         benchmark::DoNotOptimize(tessellate(corners, star.contourSizes));
@@ -47,9 +54,7 @@ BENCHMARK(tessellateHoles)->Arg(2)->Arg(8)->Arg(32)->Unit(benchmark::kMicrosecon
 
 void leastPieces(benchmark::State& state)
 {
-    Random random(3);
-    Polygon star;
-    star.add(testsupport::star(random, {0, 0}, 1.0, static_cast<std::uint32_t>(state.range(0))));
+    const Polygon star = starFor(state, 3);
     const auto corners = star.inSpace();
     for (auto _ : state)
         benchmark::DoNotOptimize(decomposeConvex(corners, star.contourSizes, ConvexMethod::leastPieces));
