@@ -4,7 +4,6 @@
 #include <cmath>
 #include <string>
 
-#include <osg/Texture2D>
 #include <osg/Uniform>
 
 #include <osgTerrainROAM/TerrainMaterial>
@@ -16,6 +15,7 @@
 #include "material/GroundPalette.h"
 #include "material/LandMap.h"
 #include "material/MapGrid.h"
+#include "material/MapTexture.h"
 #include "material/NormalMap.h"
 #include "material/SheetNormals.h"
 #include "material/TerrainShader.h"
@@ -29,13 +29,7 @@ namespace
 void addTexture(osg::StateSet& stateSet, const char* name, TerrainMaterial::Unit unit, osg::Image* image,
                 osg::Texture::WrapMode wrap)
 {
-    osg::ref_ptr<osg::Texture2D> texture = new osg::Texture2D(image);
-    texture->setResizeNonPowerOfTwoHint(false);
-    texture->setFilter(osg::Texture::MIN_FILTER, osg::Texture::LINEAR_MIPMAP_LINEAR);
-    texture->setFilter(osg::Texture::MAG_FILTER, osg::Texture::LINEAR);
-    texture->setWrap(osg::Texture::WRAP_S, wrap);
-    texture->setWrap(osg::Texture::WRAP_T, wrap);
-    stateSet.setTextureAttributeAndModes(unit, texture);
+    stateSet.setTextureAttributeAndModes(unit, mapTexture(image, wrap));
     stateSet.addUniform(new osg::Uniform(name, static_cast<int>(unit)));
 }
 

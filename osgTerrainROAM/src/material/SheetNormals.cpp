@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include <osg/Texture2D>
 #include <osg/Uniform>
 
+#include "MapTexture.h"
 #include "NormalMap.h"
 
 namespace osgTerrainROAM
@@ -30,13 +30,7 @@ SheetNormals::SheetNormals(const core::PlacedTile& tile, osg::StateSet& stateSet
         _maps.push_back({MapGrid(sheet), nullptr});
         Map& map = _maps.back();
         map.image = normalMap(tile, map.grid);
-        osg::ref_ptr<osg::Texture2D> texture = new osg::Texture2D(map.image);
-        texture->setResizeNonPowerOfTwoHint(false);
-        texture->setFilter(osg::Texture::MIN_FILTER, osg::Texture::LINEAR_MIPMAP_LINEAR);
-        texture->setFilter(osg::Texture::MAG_FILTER, osg::Texture::LINEAR);
-        texture->setWrap(osg::Texture::WRAP_S, osg::Texture::CLAMP_TO_EDGE);
-        texture->setWrap(osg::Texture::WRAP_T, osg::Texture::CLAMP_TO_EDGE);
-        stateSet.setTextureAttribute(firstUnit + n, texture);
+        stateSet.setTextureAttribute(firstUnit + n, mapTexture(map.image, osg::Texture::CLAMP_TO_EDGE));
         stateSet.addUniform(
             new osg::Uniform(("sheetNormals" + std::to_string(i)).c_str(), static_cast<int>(firstUnit + n)));
         const auto perTexel = static_cast<float>(map.grid.step);
