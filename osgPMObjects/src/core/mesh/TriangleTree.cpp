@@ -16,15 +16,6 @@ namespace osgPMObjects::core
 namespace
 {
 
-/// Deep enough for any tree of 2^32 triangles that is halved at every step.
-constexpr std::size_t kStack = 64;
-
-double squaredDistance(const Extent& box, const glm::dvec3& p)
-{
-    const glm::dvec3 away = glm::max(glm::max(box.low - p, p - box.high), glm::dvec3(0.0));
-    return glm::dot(away, away);
-}
-
 /// Whether a ray meets a box; `inverse`: of its direction, by coordinate.
 bool meets(const Extent& box, const glm::dvec3& from, const glm::dvec3& inverse)
 {
@@ -113,30 +104,15 @@ void TriangleTree::build(std::uint32_t first, std::uint32_t last, std::vector<gl
 
 double TriangleTree::distance(const glm::dvec3& point, double most) const
 {
-    if (_nodes.empty()) return most;
     double best = most * most;
-    std::array<std::pair<double, std::uint32_t>, kStack> stack;
-    std::size_t depth = 0;
-    stack[depth++] = {squaredDistance(_nodes[0].box, point), 0};
-    while (depth > 0)
-    {
-        const auto [nodeDistance, number] = stack[--depth];
-        if (nodeDistance >= best) continue;
-        const Node& node = _nodes[number];
-        for (std::uint32_t i = node.first; i < node.first + node.count; ++i)
-        {
-            const Triangle& t = _triangles[_order[i]];
-            const glm::dvec3 away =
-                point - nearestPoint(point, _positions[t[0]], _positions[t[1]], _positions[t[2]]);
-            best = std::min(best, glm::dot(away, away));
-        }
-        if (node.count > 0) continue;
-        std::pair<double, std::uint32_t> near{squaredDistance(_nodes[number + 1].box, point), number + 1};
-        std::pair<double, std::uint32_t> far{squaredDistance(_nodes[node.first].box, point), node.first};
-        if (far.first < near.first) std::swap(near, far);
-        stack[depth++] = far;
-        stack[depth++] = near;
-    }
+    visitNear(point, best,
+              [&](std::uint32_t triangle)
+              {
+                  const Triangle& t = _triangles[triangle];
+                  const glm::dvec3 away =
+                      point - nearestPoint(point, _positions[t[0]], _positions[t[1]], _positions[t[2]]);
+                  best = std::min(best, glm::dot(away, away));
+              });
     return std::sqrt(best);
 }
 

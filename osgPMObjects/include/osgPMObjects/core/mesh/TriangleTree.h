@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <span>
+#include <utility>
 #include <vector>
 
+#include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
 #include <osgPMObjects/core/mesh/EdgeTable.h>
@@ -25,11 +28,37 @@ public:
     /// The distance of a point from the nearest triangle; `most` where none is nearer than that. Units: as the positions.
     double distance(const glm::dvec3& point, double most = std::numeric_limits<double>::infinity()) const;
 
+    /// Calls `visit(triangle)` for the triangles in boxes nearer to a point than `squaredBound`, near ones first; `visit` may lower
+    /// the bound.
+    template<class Visit>
+    void visitNear(const glm::dvec3& point, double& squaredBound, const Visit& visit) const
+    {
+        if (_nodes.empty()) return;
+        std::array<std::pair<double, std::uint32_t>, kStack> stack;
+        std::size_t depth = 0;
+        stack[depth++] = {squaredDistance(_nodes[0].box, point), 0};
+        while (depth > 0)
+        {
+            const auto [nodeDistance, number] = stack[--depth];
+            if (nodeDistance >= squaredBound) continue;
+            const Node& node = _nodes[number];
+            for (std::uint32_t i = node.first; i < node.first + node.count; ++i)
+                visit(_order[i]);
+            if (node.count > 0) continue;
+            std::pair<double, std::uint32_t> near{squaredDistance(_nodes[number + 1].box, point), number + 1};
+            std::pair<double, std::uint32_t> far{squaredDistance(_nodes[node.first].box, point), node.first};
+            if (far.first < near.first) std::swap(near, far);
+            stack[depth++] = far;
+            stack[depth++] = near;
+        }
+    }
+
     /// Whether the ray from a point meets a triangle more than `least` directions away.
     bool isHit(const glm::dvec3& from, const glm::dvec3& direction, double least) const;
 
 private:
     static constexpr std::uint32_t kLeafSize = 4;
+    static constexpr std::size_t kStack = 64; ///< enough for 2^32 triangles, halved at every step
 
     struct Node
     {
@@ -39,6 +68,11 @@ private:
         std::uint32_t count = 0; ///< of triangles; 0: no leaf
     };
 
+    static double squaredDistance(const Extent& box, const glm::dvec3& p)
+    {
+        const glm::dvec3 away = glm::max(glm::max(box.low - p, p - box.high), glm::dvec3(0.0));
+        return glm::dot(away, away);
+    }
     void build(std::uint32_t first, std::uint32_t last, std::vector<glm::dvec3>& centres);
 
     std::span<const glm::dvec3> _positions;

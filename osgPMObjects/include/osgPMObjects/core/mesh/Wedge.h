@@ -62,6 +62,16 @@ inline std::uint32_t appendWedge(Mesh& mesh, const Wedge& wedge)
     return static_cast<std::uint32_t>(before);
 }
 
+/// Gives a wedge other values; those of attributes that the mesh does not have are dropped.
+inline void assignWedge(Mesh& mesh, std::uint32_t wedge, const Wedge& attributes)
+{
+    mesh.wedgePositions[wedge] = attributes.position;
+    if (!mesh.normals.empty()) mesh.normals[wedge] = attributes.normal;
+    for (std::size_t set = 0; set < Mesh::kTexCoordSets; ++set)
+        if (!mesh.texCoords[set].empty()) mesh.texCoords[set][wedge] = attributes.texCoords[set];
+    if (!mesh.colours.empty()) mesh.colours[wedge] = attributes.colour;
+}
+
 /// The wedge at `t` (0…1) of the way from a to b, as the rasteriser interpolates along an edge; at position `position`.
 inline Wedge interpolated(const Wedge& a, const Wedge& b, float t, std::uint32_t position)
 {

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <osgPMObjects/core/mesh/Mesh.h>
+#include <osgPMObjects/core/simplify/CollapseSequence.h>
+
+namespace osgPMObjects::core
+{
+
+/// Where the position that two become is put, and by which error.
+enum class Placement
+{
+    subset,  ///< at one of the two: all levels are drawn from the original's vertices
+    optimal, ///< where the distances are least and the volume is kept; the largest error counts, too
+    quality, ///< the same for the least mean error, whatever becomes of slender features
+};
+
+/// What may be given up for fewer faces.
+struct SimplifySettings
+{
+    Placement placement = Placement::subset;
+    /// Whether what is seen counts besides the shape: borders of materials, texture coordinates, normals and colours.
+    bool keepSeams = true;
+    /// Drift of the texture, 1 being its width, that is avoided as if the surface were off by two hundredths of the diagonal.
+    float mostTexCoordDrift = 2.0f / 1024.0f;
+};
+
+/// The sequence of collapses of a mesh, from all of its faces to none.
+/// The mesh has to be valid (MeshCheck.h) and should be consolidated, with positions at one place joined (weldPositions() with
+/// a tolerance of 0): those that are not part from each other. Otherwise any set of faces will do: non-manifold edges, open
+/// ones, parts of one face. It does not get stuck: when every collapse that is left turns a face over, the least bad is
+/// done, and parts that are smaller than the error vanish. No place leaves the box of the mesh.
+/// The last face of every material goes late: as if the whole surface were off by a twentieth of the diagonal.
+/// Deterministic: the same for any number of threads.
+/// Memory: at most 400 B a position besides the mesh. Cost: see docs/simplification.md.
+/// Source: Garland and Heckbert (1997), Lindstrom and Turk (1998), Hoppe (1996, 1998); which parts of them, and where ours
+/// differs, say the headers in src/core/simplify.
+CollapseSequence simplify(const Mesh& mesh, const SimplifySettings& settings = {});
+
+} // namespace osgPMObjects::core

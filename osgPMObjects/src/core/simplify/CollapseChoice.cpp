@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "CollapseChoice.h"
+
+#include <algorithm>
+#include <array>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+namespace osgPMObjects::core
+{
+
+namespace
+{
+
+/// Short edges first where nothing else tells: this much of what the whole quadric would be at the other end.
+constexpr double kShortness = 1e-6;
+/// Drifting textures count as if the patch were this far off, as a share of the diagonal; the last face of a material as if
+/// everything were.
+constexpr double kDriftDistance = 0.02, kMaterialDistance = 0.05;
+/// Around positions of very many neighbours only the cheapest are looked at.
+constexpr std::size_t kMostTried = 24;
+
+constexpr double squared(double x)
+{
+    return x * x;
+}
+
+LevelError sum(const LevelError& a, const LevelError& b)
+{
+    return {a.distance + b.distance, a.normal + b.normal, a.texCoord + b.texCoord, a.colour + b.colour};
+}
+
+LevelError largest(const LevelError& a, const LevelError& b)
+{
+    return {std::max(a.distance, b.distance), std::max(a.normal, b.normal), std::max(a.texCoord, b.texCoord),
+            std::max(a.colour, b.colour)};
+}
+
+/// Whether what faces show breaks off at an edge: another material, or other texture coordinates or colours at its near end.
+/// Normals that break off show no border, only a crease, and the shape has that itself.
+bool isBorder(const CollapseState& state, const Star& star, std::span<const Star::Side> sides)
+{
+    const Star::Spoked& first = star.faces[sides.front().spoked];
+    for (const Star::Side& side : sides.subspan(1))
+    {
+        const Star::Spoked& other = star.faces[side.spoked];
+        const Mesh& mesh = state.mesh;
+        if (mesh.faces[first.face].material != mesh.faces[other.face].material) return true;
+        if (first.wedge == other.wedge) continue;
+        Wedge a = wedgeOf(mesh, first.wedge), b = wedgeOf(mesh, other.wedge);
+        if (a.texCoords != b.texCoords || a.colour != b.colour) return true;
+    }
+    return false;
+}
+
+} // namespace
+
+StarShape CollapseChoice::shapeOf(const Star& star) const
+{
+    StarShape shape;
+    const auto border = [&](std::span<const Star::Side> sides)
+    { return _state.settings.keepSeams && isBorder(_state, star, sides); };
+    shape.quadric = starQuadric(star, _state.positions, _state.weight, border);
+    for (const Star::Spoked& spoked : star.faces)
+        shape.areaVector += spoked.doubleArea * spoked.normal;
+    return shape;
+}
+
+void CollapseChoice::updateShape(std::uint32_t position)
+{
+    gather(_star, position);
+    _state.shapes[position] = shapeOf(_star);
+}
+
+Place CollapseChoice::placeFor(std::uint32_t to) const
+{
+    const glm::dvec3 &here = _state.positions[_star.middle], &there = _state.positions[to];
+    const StarShape& shape = _state.shapes[_star.middle];
+    if (!_state.movesPlaces()) return {there, std::max(0.0, shape.quadric.at(there - here))};
+    glm::dvec3 shared(0.0);
+    for (const Star::Side& side : _star.sidesTo(to))
+        shared += _star.faces[side.spoked].doubleArea * _star.faces[side.spoked].normal;
+    Place place = bestPlace({here, there, shape, _state.shapes[to], shared});
+    place.at = glm::clamp(place.at, _state.box.low, _state.box.high);
+    return place;
+}
+
+/// What is lost besides the shape nearby, when faces go: the last ones of a part, or of a material.
+double CollapseChoice::featureCost(std::uint32_t to) const
+{
+    const ConnectedPart& part = _state.part(to);
+    if (part.faces > 8 && part.kept.empty()) return 0.0;
+    const auto going = _star.sidesTo(to);
+    double cost = 0.0;
+    if (going.size() >= part.faces) cost = _state.weight.of(part.doubleArea) * squared(part.reach);
+    if (!_state.settings.keepSeams) return cost;
+    for (const ConnectedPart::Kept& kept : part.kept)
+    {
+        if (kept.faces > going.size()) continue;
+        const auto ofKind = std::count_if(
+            going.begin(), going.end(),
+            [&](const Star::Side& side)
+            { return _state.mesh.faces[_star.faces[side.spoked].face].material == kept.material; });
+        if (ofKind > 0 && ofKind >= static_cast<std::ptrdiff_t>(kept.faces))
+            cost += _state.weight.of(1.0) * squared(kMaterialDistance);
+    }
+    return cost;
+}
+
+Candidate CollapseChoice::candidate(std::uint32_t to)
+{
+    Candidate candidate{to,
+                        _state.changes[_star.middle],
+                        _state.changes[to],
+                        static_cast<std::uint32_t>(_star.neighbours.size()),
+                        {}};
+    const glm::dvec3 edge = _state.positions[to] - _state.positions[_star.middle];
+    candidate.urgency.cost = placeFor(to).cost + featureCost(to) +
+                             kShortness * _state.shapes[_star.middle].quadric.trace() * glm::dot(edge, edge);
+    return candidate;
+}
+
+void CollapseChoice::planWedges(std::uint32_t to, const glm::dvec3& at)
+{
+    if (!_state.movesPlaces()) return _plan.match({_state.stars, _state.mesh, _state.positions}, _star, to);
+    _plan.resample({_state.stars, _state.mesh, _state.positions}, _star, _toStar, at);
+}
+
+PatchGap CollapseChoice::gapTo(std::uint32_t to, const glm::dvec3& at, bool withLook)
+{
+    const Patch patch{_star, _state.positions, to, at};
+    const Patch toPatch{_toStar, _state.positions, _star.middle, at};
+    if (!withLook)
+    {
+        PatchGap gap;
+        gap.gap.distance = distanceFrom(patch);
+        if (_state.movesPlaces()) gap.gap.distance = std::max(gap.gap.distance, distanceFrom(toPatch));
+        return gap;
+    }
+    const Look look{_state.mesh, _state.stars, _state.weight};
+    PatchGap gap = gapOf(patch, _plan.ofFrom(), look);
+    if (!_state.movesPlaces()) return gap;
+    const PatchGap ofTo = gapOf(toPatch, _plan.ofTo(), look);
+    return {largest(gap.gap, ofTo.gap), gap.slipCost + ofTo.slipCost};
+}
+
+bool CollapseChoice::isHarmful(std::uint32_t to, const glm::dvec3& at)
+{
+    if (foldsOver({_star, _state.positions, to, at})) return true;
+    return _state.movesPlaces() && foldsOver({_toStar, _state.positions, _star.middle, at});
+}
+
+Candidate CollapseChoice::bestOf(std::uint32_t position)
+{
+    gather(_star, position);
+    if (!_state.movesPlaces()) _state.shapes[position] = shapeOf(_star);
+    _ranked.clear();
+    for (const std::uint32_t to : _star.neighbours)
+        _ranked.push_back(candidate(to));
+    const auto byUrgency = [](const Candidate& a, const Candidate& b)
+    { return a.urgency != b.urgency ? a.urgency < b.urgency : a.to < b.to; };
+    std::sort(_ranked.begin(), _ranked.end(), byUrgency);
+    if (_ranked.size() > kMostTried) _ranked.resize(kMostTried);
+    Candidate best;
+    for (Candidate& candidate : _ranked)
+    {
+        if (best.to != ~0u && !best.urgency.doesHarm && best.urgency.cost <= candidate.urgency.cost) break;
+        if (_state.movesPlaces()) gather(_toStar, candidate.to);
+        const glm::dvec3 at = placeFor(candidate.to).at;
+        candidate.urgency.doesHarm = isHarmful(candidate.to, at);
+        if (_state.settings.keepSeams)
+        {
+            planWedges(candidate.to, at);
+            const PatchGap gap = gapTo(candidate.to, at, true);
+            candidate.urgency.cost += gap.slipCost;
+            if (_state.errors[position].texCoord + gap.gap.texCoord > _state.settings.mostTexCoordDrift)
+                candidate.urgency.cost += _state.weight.of(glm::length(_state.shapes[position].areaVector)) *
+                                          squared(kDriftDistance);
+        }
+        if (best.to == ~0u || byUrgency(candidate, best)) best = candidate;
+    }
+    return best;
+}
+
+CollapseChoice::Effect CollapseChoice::effectOf(std::uint32_t from, std::uint32_t to)
+{
+    gather(_star, from);
+    if (_state.movesPlaces()) gather(_toStar, to);
+    Effect effect;
+    effect.at = placeFor(to).at;
+    planWedges(to, effect.at);
+    LevelError gap = gapTo(to, effect.at, _state.settings.keepSeams).gap;
+    effect.facesGone = static_cast<std::uint32_t>(_star.sidesTo(to).size());
+    const ConnectedPart& part = _state.part(to);
+    if (effect.facesGone >= part.faces) gap.distance = std::max(gap.distance, static_cast<float>(part.reach));
+    const LevelError& ofTo = _state.errors[to];
+    effect.error = largest(sum(_state.errors[from], gap), _state.movesPlaces() ? sum(ofTo, gap) : ofTo);
+    return effect;
+}
+
+} // namespace osgPMObjects::core

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "CollapseState.h"
+#include "PatchCheck.h"
+#include "Star.h"
+#include "WedgePlan.h"
+
+namespace osgPMObjects::core
+{
+
+/// Finds for a position the neighbour it goes into with the least loss.
+/// Threads: one object each, on different parts.
+class CollapseChoice
+{
+public:
+    explicit CollapseChoice(CollapseState& state) : _state(state) {}
+
+    /// What a position's star is now. Keeps it in the state.
+    void updateShape(std::uint32_t position);
+
+    /// The best collapse of a position; `to` is ~0 where it has no faces.
+    Candidate bestOf(std::uint32_t position);
+
+    /// What a collapse does.
+    struct Effect
+    {
+        glm::dvec3 at{0.0}; ///< where both are afterwards
+        LevelError error;   ///< of what has gone into `to`, with this
+        std::uint32_t facesGone = 0;
+    };
+
+    /// Works a collapse out; wedges() tells what becomes of them.
+    Effect effectOf(std::uint32_t from, std::uint32_t to);
+    const WedgePlan& wedges() const { return _plan; }
+    /// The faces around `from` of the last question.
+    const Star& star() const { return _star; }
+
+private:
+    StarShape shapeOf(const Star& star) const;
+    Place placeFor(std::uint32_t to) const;
+    double featureCost(std::uint32_t to) const;
+    void gather(Star& star, std::uint32_t position) const
+    {
+        star.gather(_state.stars, _state.positions, position);
+    }
+    void planWedges(std::uint32_t to, const glm::dvec3& at);
+    PatchGap gapTo(std::uint32_t to, const glm::dvec3& at, bool withLook);
+    bool isHarmful(std::uint32_t to, const glm::dvec3& at);
+    Candidate candidate(std::uint32_t to);
+
+    CollapseState& _state;
+    Star _star, _toStar;
+    WedgePlan _plan;
+    std::vector<Candidate> _ranked;
+};
+
+} // namespace osgPMObjects::core

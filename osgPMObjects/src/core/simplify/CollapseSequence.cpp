@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <numeric>
+
+#include <osgPMObjects/core/consolidate/MergeWedges.h>
+#include <osgPMObjects/core/mesh/EdgeTable.h>
+#include <osgPMObjects/core/mesh/MeshCounts.h>
+#include <osgPMObjects/core/simplify/CollapseSequence.h>
+
+namespace osgPMObjects::core
+{
+
+namespace
+{
+
+/// Elements from this step's first to the next one's.
+template<class Value>
+std::span<const Value> shareOf(const std::vector<CollapseStep>& steps, std::uint32_t CollapseStep::*first,
+                               const std::vector<Value>& values, std::size_t step)
+{
+    const std::size_t begin = steps[step].*first;
+    const std::size_t end = step + 1 < steps.size() ? steps[step + 1].*first : values.size();
+    return {values.data() + begin, end - begin};
+}
+
+} // namespace
+
+std::span<const WedgeCollapse> CollapseSequence::wedgesOf(std::size_t step) const
+{
+    return shareOf(steps, &CollapseStep::firstWedge, wedges, step);
+}
+
+std::span<const MovedWedge> CollapseSequence::movedWedgesOf(std::size_t step) const
+{
+    return shareOf(steps, &CollapseStep::firstMoved, movedWedges, step);
+}
+
+namespace
+{
+
+/// The first number of steps, counted from 0, after which `isEnough(step)` holds of the last of them.
+template<class IsEnough>
+std::size_t stepsUntil(const CollapseSequence& sequence, const IsEnough& isEnough)
+{
+    const auto last = std::partition_point(sequence.steps.begin(), sequence.steps.end(),
+                                           [&](const CollapseStep& s) { return !isEnough(s); });
+    return static_cast<std::size_t>(last - sequence.steps.begin());
+}
+
+} // namespace
+
+std::size_t stepsToFaces(const CollapseSequence& sequence, std::size_t faces)
+{
+    if (sequence.facesBefore <= faces || sequence.steps.empty()) return 0;
+    std::size_t last = stepsUntil(sequence, [&](const CollapseStep& s) { return s.facesAfter <= faces; });
+    last = std::min(last, sequence.steps.size() - 1);
+    return last + (sequence.steps[last].hasTwinNext ? 2 : 1);
+}
+
+std::size_t stepsToDistance(const CollapseSequence& sequence, double tolerance)
+{
+    const std::size_t steps =
+        stepsUntil(sequence, [&](const CollapseStep& s) { return s.error.distance > tolerance; });
+    return steps > 0 && sequence.steps[steps - 1].hasTwinNext ? steps - 1 : steps;
+}
+
+Mesh meshAfter(const Mesh& mesh, const CollapseSequence& sequence, std::size_t steps)
+{
+    Mesh level = mesh;
+    for (std::size_t step = 0; step < steps; ++step)
+    {
+        if (!sequence.places.empty()) level.positions[sequence.steps[step].to] = sequence.places[step];
+        for (const MovedWedge& moved : sequence.movedWedgesOf(step))
+            assignWedge(level, moved.wedge, moved.attributes);
+    }
+    std::vector<std::uint32_t> becomes(
+        mesh.wedgeCount()); // from the last step back: what it becomes is settled
+    std::iota(becomes.begin(), becomes.end(), 0u);
+    for (std::size_t step = steps; step-- > 0;)
+        for (const WedgeCollapse& wedge : sequence.wedgesOf(step))
+            becomes[wedge.from] = becomes[wedge.to];
+    for (Face& face : level.faces)
+        for (std::uint32_t& wedge : face.wedges)
+            wedge = becomes[wedge];
+    std::erase_if(level.faces,
+                  [&](const Face& face) {
+                      return repeatsCorner(
+                          {level.positionOf(face, 0), level.positionOf(face, 1), level.positionOf(face, 2)});
+                  });
+    compactMesh(level);
+    return level;
+}
+
+} // namespace osgPMObjects::core

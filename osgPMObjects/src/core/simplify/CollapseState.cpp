@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "CollapseState.h"
+
+namespace osgPMObjects::core
+{
+
+namespace
+{
+
+AreaWeight weightFor(Placement placement, std::size_t faces)
+{
+    // Areas are twice a face's, where the diagonal is 1; a solid's surface is about as large as the square of that.
+    const double usual = 1.0 / static_cast<double>(std::max<std::size_t>(faces, 1));
+    switch (placement)
+    {
+    case Placement::subset:
+        return {1.0, 0.1 * usual};
+    case Placement::optimal:
+        return {1.5, 0.1 * usual};
+    case Placement::quality:
+        break;
+    }
+    return {2.0, 0.0};
+}
+
+/// In a frame where the diagonal of the box is 1 and its middle the origin.
+std::vector<glm::dvec3> unitPositions(const Mesh& mesh)
+{
+    const Extent extent = extentOf(mesh.positions);
+    const glm::dvec3 middle = 0.5 * (extent.low + extent.high);
+    const double scale = extent.diagonal() > 0.0 ? 1.0 / extent.diagonal() : 1.0;
+    std::vector<glm::dvec3> positions;
+    positions.reserve(mesh.positions.size());
+    for (const glm::dvec3& p : mesh.positions)
+        positions.push_back((p - middle) * scale);
+    return positions;
+}
+
+} // namespace
+
+CollapseState::CollapseState(const Mesh& original, const SimplifySettings& given)
+    : settings(given),
+      weight(weightFor(given.placement, original.faces.size())),
+      mesh(original),
+      positions(unitPositions(original)),
+      box(extentOf(positions)),
+      stars(original),
+      parts(connectedParts(original, positions)),
+      partOf(partNumbers(parts, positions.size())),
+      shapes(positions.size()),
+      errors(positions.size()),
+      changes(positions.size(), 0),
+      candidates(positions.size())
+{
+    mesh.positions = {};
+}
+
+} // namespace osgPMObjects::core

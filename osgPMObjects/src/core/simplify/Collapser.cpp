@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "Collapser.h"
+
+#include <algorithm>
+
+namespace osgPMObjects::core
+{
+
+PartialSequence Collapser::run(std::span<const std::uint32_t> parts)
+{
+    if (_state.movesPlaces())
+        for (const std::uint32_t part : parts)
+            for (const std::uint32_t position : _state.parts[part].positions)
+                _choice.updateShape(position);
+    for (const std::uint32_t part : parts)
+        for (const std::uint32_t position : _state.parts[part].positions)
+            enter(position);
+    while (!_queue.isEmpty())
+    {
+        const std::uint32_t first = _queue.first();
+        if (isCurrent(first))
+            collapse(first);
+        else
+            enter(first);
+    }
+    return std::move(_done);
+}
+
+void Collapser::enter(std::uint32_t position)
+{
+    const Candidate best = _choice.bestOf(position);
+    _state.candidates[position] = best;
+    if (best.to == ~0u)
+        _queue.erase(position);
+    else
+        _queue.set(position, best.urgency);
+}
+
+bool Collapser::isCurrent(std::uint32_t position) const
+{
+    const Candidate& candidate = _state.candidates[position];
+    return candidate.changes == _state.changes[position] &&
+           (!_state.movesPlaces() || candidate.changesOfTo == _state.changes[candidate.to]);
+}
+
+bool Collapser::isHasty(const Candidate& candidate) const
+{
+    constexpr std::uint32_t kMostNeighbours = 32; // hubs of fans would be looked at for each of their spokes
+    if (candidate.neighbours > kMostNeighbours) return false;
+    return !_state.movesPlaces() || candidate.urgency.doesHarm;
+}
+
+void Collapser::collapse(std::uint32_t from)
+{
+    const std::uint32_t to = _state.candidates[from].to;
+    const CollapseChoice::Effect effect = _choice.effectOf(from, to);
+    record(from, to, effect);
+    takeFaces(to);
+    _ring = _choice.star().neighbours;
+    _state.stars.collapse(from, to, _done.sequence.wedgesOf(_done.sequence.steps.size() - 1));
+    _state.positions[to] = effect.at;
+    _state.errors[to] = effect.error;
+    _queue.erase(from);
+    refreshAround(to);
+}
+
+void Collapser::record(std::uint32_t from, std::uint32_t to, const CollapseChoice::Effect& effect)
+{
+    CollapseSequence& sequence = _done.sequence;
+    CollapseStep step;
+    step.from = from;
+    step.to = to;
+    step.firstWedge = static_cast<std::uint32_t>(sequence.wedges.size());
+    step.firstMoved = static_cast<std::uint32_t>(sequence.movedWedges.size());
+    step.facesAfter = effect.facesGone;
+    step.error = effect.error;
+    sequence.steps.push_back(step);
+    _done.urgencies.push_back(_queue.leastUrgency());
+    const auto move = [&](const WedgeChange& change)
+    {
+        Wedge attributes = change.attributes;
+        attributes.position = to;
+        sequence.movedWedges.push_back({change.becomes, attributes});
+        assignWedge(_state.mesh, change.becomes, attributes);
+    };
+    for (const WedgeChange& change : _choice.wedges().ofFrom())
+        if (change.becomes != change.wedge)
+            sequence.wedges.push_back({change.wedge, change.becomes});
+        else
+            move(change);
+    for (const WedgeChange& change : _choice.wedges().ofTo())
+        move(change);
+    if (_state.movesPlaces()) sequence.places.push_back(effect.at);
+}
+
+void Collapser::takeFaces(std::uint32_t to)
+{
+    ConnectedPart& part = _state.part(to);
+    for (const Star::Spoked& spoked : _choice.star().faces)
+    {
+        if (!spoked.has(to)) continue;
+        --part.faces;
+        for (ConnectedPart::Kept& kept : part.kept)
+            kept.faces -= kept.material == _state.mesh.faces[spoked.face].material;
+    }
+}
+
+void Collapser::refreshAround(std::uint32_t position)
+{
+    _state.stars.visitStar(position,
+                           [&](std::uint32_t face, int)
+                           {
+                               for (const std::uint32_t p : _state.stars.positions(face))
+                                   _ring.push_back(p);
+                           });
+    _ring.push_back(position);
+    std::sort(_ring.begin(), _ring.end());
+    _ring.erase(std::unique(_ring.begin(), _ring.end()), _ring.end());
+    for (const std::uint32_t p : _ring)
+    {
+        ++_state.changes[p];
+        if (_state.movesPlaces()) _choice.updateShape(p);
+    }
+    for (const std::uint32_t p : _ring)
+    {
+        if (!_state.stars.hasFaces(p))
+            _queue.erase(p);
+        else if (isHasty(_state.candidates[p]))
+            enter(p);
+    }
+}
+
+} // namespace osgPMObjects::core

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ConnectedParts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include <glm/geometric.hpp>
+
+#include <osgPMObjects/core/Parallel.h>
+#include <osgPMObjects/core/mesh/EdgeTable.h>
+#include <osgPMObjects/core/mesh/MeshCounts.h>
+#include <osgPMObjects/core/mesh/TriangleTree.h>
+#include <osgPMObjects/core/mesh/UnionFind.h>
+
+namespace osgPMObjects::core
+{
+
+namespace
+{
+
+constexpr std::size_t kReachSamples = 8;
+
+struct FaceTree
+{
+    std::span<const glm::dvec3> positions;
+    std::vector<Triangle> triangles;
+    TriangleTree tree{positions, triangles};
+};
+
+double doubleAreaOf(std::span<const glm::dvec3> p, const Triangle& t)
+{
+    return glm::length(glm::cross(p[t[1]] - p[t[0]], p[t[2]] - p[t[0]]));
+}
+
+std::vector<Triangle> properTriangles(const Mesh& mesh)
+{
+    std::vector<Triangle> triangles = positionTriangles(mesh);
+    std::erase_if(triangles, [](const Triangle& t) { return repeatsCorner(t); });
+    return triangles;
+}
+
+/// The part with the largest area of each material keeps it.
+void keepMaterials(const Mesh& mesh, std::span<const glm::dvec3> positions,
+                   std::span<const std::uint32_t> numbers, std::vector<ConnectedPart>& parts)
+{
+    struct Share
+    {
+        double area = 0.0;
+        std::uint32_t faces = 0;
+    };
+    std::vector<std::map<std::uint32_t, Share>> shares(mesh.materials.size()); // by material and part
+    for (const Face& face : mesh.faces)
+    {
+        const Triangle t{mesh.positionOf(face, 0), mesh.positionOf(face, 1), mesh.positionOf(face, 2)};
+        if (repeatsCorner(t)) continue;
+        Share& share = shares[face.material][numbers[t[0]]];
+        share.area += doubleAreaOf(positions, t);
+        ++share.faces;
+    }
+    for (std::uint32_t material = 0; material < shares.size(); ++material)
+    {
+        const auto most =
+            std::max_element(shares[material].begin(), shares[material].end(),
+                             [](const auto& a, const auto& b) { return a.second.area < b.second.area; });
+        if (most != shares[material].end()) parts[most->first].kept.push_back({material, most->second.faces});
+    }
+}
+
+/// The distances from a point to the nearest face of another part; `most` where none is nearer.
+double distanceToOthers(const glm::dvec3& point, double most, std::uint32_t part,
+                        std::span<const std::uint32_t> numbers, const FaceTree& faces)
+{
+    double squared = most * most;
+    faces.tree.visitNear(point, squared,
+                         [&](std::uint32_t number)
+                         {
+                             const Triangle& t = faces.triangles[number];
+                             if (numbers[t[0]] == part) return;
+                             const glm::dvec3 away =
+                                 point - nearestPoint(point, faces.positions[t[0]], faces.positions[t[1]],
+                                                      faces.positions[t[2]]);
+                             squared = std::min(squared, glm::dot(away, away));
+                         });
+    return std::sqrt(squared);
+}
+
+/// The farthest of some of the part's positions from the nearest face of another part.
+double reachOf(const ConnectedPart& part, std::uint32_t number, std::span<const std::uint32_t> numbers,
+               const FaceTree& faces)
+{
+    Extent extent;
+    for (const std::uint32_t p : part.positions)
+        extent.add(faces.positions[p]);
+    const double size = 0.5 * extent.diagonal();
+    const std::size_t step = std::max<std::size_t>(1, part.positions.size() / kReachSamples);
+    double reach = 0.0;
+    for (std::size_t i = 0; i < part.positions.size() && reach < size; i += step)
+        reach = std::max(reach,
+                         distanceToOthers(faces.positions[part.positions[i]], size, number, numbers, faces));
+    return reach;
+}
+
+} // namespace
+
+std::vector<ConnectedPart> connectedParts(const Mesh& mesh, std::span<const glm::dvec3> positions)
+{
+    const FaceTree faces{positions, properTriangles(mesh)};
+    UnionFind groups(positions.size());
+    std::vector<bool> isUsed(positions.size(), false);
+    for (const Triangle& t : faces.triangles)
+    {
+        groups.join(t[0], t[1]);
+        groups.join(t[0], t[2]);
+        isUsed[t[0]] = isUsed[t[1]] = isUsed[t[2]] = true;
+    }
+    std::vector<ConnectedPart> parts;
+    std::vector<std::uint32_t> numbers(positions.size(), ~0u);
+    for (std::uint32_t p = 0; p < positions.size(); ++p)
+    {
+        if (!isUsed[p]) continue;
+        const std::uint32_t root = groups.root(p); // the lowest: it has its number already
+        if (root == p) numbers[p] = static_cast<std::uint32_t>(parts.size()), parts.emplace_back();
+        numbers[p] = numbers[root];
+        parts[numbers[p]].positions.push_back(p);
+    }
+    for (const Triangle& t : faces.triangles)
+    {
+        parts[numbers[t[0]]].doubleArea += doubleAreaOf(positions, t);
+        ++parts[numbers[t[0]]].faces;
+    }
+    keepMaterials(mesh, positions, numbers, parts);
+    if (parts.size() < 2) // nothing to be near to
+    {
+        for (ConnectedPart& part : parts)
+            part.reach = extentOf(positions).diagonal();
+        return parts;
+    }
+    parallelShares(parts.size(), 16,
+                   [&](std::size_t first, std::size_t last, std::size_t)
+                   {
+                       for (std::size_t i = first; i < last; ++i)
+                           parts[i].reach = reachOf(parts[i], static_cast<std::uint32_t>(i), numbers, faces);
+                   });
+    return parts;
+}
+
+std::vector<std::uint32_t> partNumbers(std::span<const ConnectedPart> parts, std::size_t positionCount)
+{
+    std::vector<std::uint32_t> numbers(positionCount, ~0u);
+    for (std::uint32_t part = 0; part < parts.size(); ++part)
+        for (const std::uint32_t position : parts[part].positions)
+            numbers[position] = part;
+    return numbers;
+}
+
+} // namespace osgPMObjects::core

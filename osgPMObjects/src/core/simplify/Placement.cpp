@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "Placement.h"
+
+#include <algorithm>
+
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+namespace osgPMObjects::core
+{
+
+namespace
+{
+
+constexpr double kPull = 1e-7; ///< towards the middle, of the quadric's trace: only flat directions feel it
+
+double costAt(const EdgeEnds& edge, const glm::dvec3& at)
+{
+    return std::max(0.0, edge.fromShape.quadric.at(at - edge.from) + edge.toShape.quadric.at(at - edge.to));
+}
+
+/// Seen from the middle of the edge.
+glm::dvec3 leastKeepingVolume(const EdgeEnds& edge, const glm::dvec3& half)
+{
+    const glm::dmat3 from = edge.fromShape.quadric.matrix(), to = edge.toShape.quadric.matrix();
+    glm::dmat3 sum = from + to;
+    const double pull = kPull * (sum[0][0] + sum[1][1] + sum[2][2]);
+    for (int i = 0; i < 3; ++i)
+        sum[i][i] += pull;
+    const double determinant = glm::determinant(sum);
+    if (!(determinant > 0.0)) return glm::dvec3(0.0);
+    const glm::dmat3 inverse = glm::inverse(sum);
+    const glm::dvec3 least = inverse * (to * half - from * half);
+    // The faces beside the edge hold its middle in their planes, so they add nothing to the volume as seen from there.
+    const glm::dvec3 area = edge.fromShape.areaVector + edge.toShape.areaVector - edge.sharedAreaVector;
+    const double volume = glm::dot(edge.toShape.areaVector - edge.fromShape.areaVector, half);
+    const glm::dvec3 towards = inverse * area;
+    const double stiffness = glm::dot(area, towards);
+    if (!(stiffness > 0.0)) return least;
+    return least + (volume - glm::dot(area, least)) / stiffness * towards;
+}
+
+} // namespace
+
+Place bestPlace(const EdgeEnds& edge)
+{
+    const glm::dvec3 half = 0.5 * (edge.to - edge.from), middle = edge.from + half;
+    glm::dvec3 offset = leastKeepingVolume(edge, half);
+    const double farthest = 2.0 * glm::length(half);
+    if (!(glm::length(offset) <= farthest)) offset = glm::dvec3(0.0);
+    return {middle + offset, costAt(edge, middle + offset)};
+}
+
+} // namespace osgPMObjects::core

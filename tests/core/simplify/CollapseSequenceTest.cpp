@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <osgPMObjects/core/mesh/MeshCheck.h>
+#include <osgPMObjects/core/simplify/Simplify.h>
+
+#include "SimplifyMeshes.h"
+
+namespace
+{
+
+using namespace osgPMObjects::core;
+using testsupport::meshOf;
+
+/// Two triangles beside the edge 0–1; 3 goes into 1.
+CollapseSequence oneStep()
+{
+    CollapseSequence sequence;
+    sequence.facesBefore = 2;
+    CollapseStep step;
+    step.from = 3;
+    step.to = 1;
+    step.facesAfter = 1;
+    step.error.distance = 0.5f;
+    sequence.steps = {step};
+    sequence.wedges = {{3, 1}};
+    return sequence;
+}
+
+Mesh twoTriangles()
+{
+    return meshOf({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, -1, 0}}, {{0, 1, 2}, {0, 3, 1}});
+}
+
+TEST(CollapseSequence, TakesTheFacesBesideTheEdge)
+{
+    const Mesh mesh = twoTriangles();
+    const CollapseSequence sequence = oneStep();
+    ASSERT_TRUE(isSequenceOf(sequence, mesh));
+    EXPECT_EQ(meshAfter(mesh, sequence, 0).faces.size(), 2u);
+    const Mesh level = meshAfter(mesh, sequence, 1);
+    ASSERT_EQ(level.faces.size(), 1u);
+    EXPECT_EQ(level.positions.size(), 3u);
+    EXPECT_TRUE(isValid(level));
+}
+
+TEST(CollapseSequence, FindsTheLevelByFacesAndByDistance)
+{
+    const CollapseSequence sequence = oneStep();
+    EXPECT_EQ(stepsToFaces(sequence, 2), 0u);
+    EXPECT_EQ(stepsToFaces(sequence, 1), 1u);
+    EXPECT_EQ(stepsToFaces(sequence, 0), 1u); // as few as there are
+    EXPECT_EQ(stepsToDistance(sequence, 0.4), 0u);
+    EXPECT_EQ(stepsToDistance(sequence, 0.5), 1u);
+}
+
+TEST(CollapseSequence, DoesNotStopBetweenTwins)
+{
+    CollapseSequence sequence = oneStep();
+    sequence.facesBefore = 6;
+    sequence.steps[0].facesAfter = 4;
+    sequence.steps.push_back(sequence.steps[0]);
+    sequence.steps[1].facesAfter = 2;
+    sequence.steps[0].hasTwinNext = true;
+    EXPECT_EQ(stepsToFaces(sequence, 4), 2u);
+    sequence.steps[1].error.distance = 0.6f;
+    EXPECT_EQ(stepsToDistance(sequence, 0.55), 0u);
+    sequence.steps[0].hasTwinNext = false;
+    EXPECT_EQ(stepsToFaces(sequence, 4), 1u);
+    EXPECT_EQ(stepsToDistance(sequence, 0.55), 1u);
+}
+
+/// Each changes a sound sequence so that it is none any more.
+TEST(CollapseSequence, IsRefusedWhenItCannotBePlayed)
+{
+    const Mesh mesh = testsupport::waves(6, 6);
+    const CollapseSequence sound = simplify(mesh);
+    ASSERT_TRUE(isSequenceOf(sound, mesh));
+    const auto isSoundAfter = [&](const auto& change)
+    {
+        CollapseSequence sequence = sound;
+        change(sequence);
+        return isSequenceOf(sequence, mesh);
+    };
+    EXPECT_TRUE(isSoundAfter([](CollapseSequence&) {}));
+    EXPECT_FALSE(isSoundAfter([](CollapseSequence& s) { ++s.facesBefore; }));
+    EXPECT_FALSE(isSoundAfter([](CollapseSequence& s) { s.steps[3].from = s.steps[2].from; }));
+    EXPECT_FALSE(isSoundAfter([](CollapseSequence& s) { s.steps[3].to = s.steps[2].from; }));
+    EXPECT_FALSE(isSoundAfter([](CollapseSequence& s) { s.steps[3].from = 49; }));
+    EXPECT_FALSE(isSoundAfter([](CollapseSequence& s) { s.steps[5].facesAfter += 1; }));
+    EXPECT_FALSE(isSoundAfter([](CollapseSequence& s) { s.steps.back().error.distance = 0.0f; }));
+    EXPECT_FALSE(isSoundAfter([](CollapseSequence& s) { s.steps.back().error.texCoord = -1.0f; }));
+    EXPECT_FALSE(isSoundAfter([](CollapseSequence& s) { s.wedges[4].to = s.wedges[4].from; }));
+    EXPECT_FALSE(isSoundAfter([](CollapseSequence& s) { s.wedges[4].to = 1000; }));
+    EXPECT_FALSE(isSoundAfter([](CollapseSequence& s) { s.places.resize(1); }));
+    EXPECT_FALSE(isSoundAfter([](CollapseSequence& s) { s.steps[7].firstWedge = 1; }));
+}
+
+} // namespace

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+// Meshes for tests of simplification.
+#pragma once
+
+#include <cmath>
+#include <string>
+
+#include "MadeMeshes.h"
+#include "OrderMeshes.h"
+
+namespace testsupport
+{
+
+/// The same as a mesh of one material and one part, without attributes.
+inline Mesh meshOf(const IndexedMesh& indexed)
+{
+    return meshOf(indexed.positions, indexed.triangles);
+}
+
+/// Both in one mesh, with their materials, the second moved.
+inline Mesh together(Mesh a, const Mesh& b, const glm::dvec3& moved)
+{
+    using namespace osgPMObjects::core;
+    const auto positions = static_cast<std::uint32_t>(a.positions.size());
+    const auto wedges = static_cast<std::uint32_t>(a.wedgeCount());
+    const auto materials = static_cast<std::uint32_t>(a.materials.size());
+    for (const glm::dvec3& p : b.positions)
+        a.positions.push_back(p + moved);
+    for (std::uint32_t wedge = 0; wedge < b.wedgeCount(); ++wedge)
+    {
+        Wedge copy = wedgeOf(b, wedge);
+        copy.position += positions;
+        appendWedge(a, copy);
+    }
+    for (Face face : b.faces)
+    {
+        for (std::uint32_t& wedge : face.wedges)
+            wedge += wedges;
+        face.material += materials;
+        a.faces.push_back(face);
+    }
+    a.materials.insert(a.materials.end(), b.materials.begin(), b.materials.end());
+    return a;
+}
+
+/// A grid in waves, so that no collapse is for nothing.
+inline Mesh waves(std::uint32_t columns, std::uint32_t rows)
+{
+    Mesh mesh = grid(columns, rows);
+    for (glm::dvec3& p : mesh.positions)
+        p.z = 0.7 * std::sin(0.31 * p.x) * std::cos(0.23 * p.y) + 0.01 * std::sin(5.0 * p.x + 3.0 * p.y);
+    return mesh;
+}
+
+} // namespace testsupport
