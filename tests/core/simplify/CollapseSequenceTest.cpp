@@ -57,16 +57,19 @@ TEST(CollapseSequence, FindsTheLevelByFacesAndByDistance)
 TEST(CollapseSequence, DoesNotStopBetweenTwins)
 {
     CollapseSequence sequence = oneStep();
-    sequence.facesBefore = 6;
-    sequence.steps[0].facesAfter = 4;
+    sequence.facesBefore = 60;
+    sequence.steps[0].facesAfter = 58;
     sequence.steps.push_back(sequence.steps[0]);
-    sequence.steps[1].facesAfter = 2;
+    sequence.steps[1].facesAfter = 56;
     sequence.steps[0].hasTwinNext = true;
-    EXPECT_EQ(stepsToFaces(sequence, 4), 2u);
+    EXPECT_EQ(stepsToFaces(sequence, 58), 2u);
+    sequence.steps[1].facesAfter = 50;
+    EXPECT_EQ(stepsToFaces(sequence, 58), 1u);
+    sequence.steps[1].facesAfter = 56;
     sequence.steps[1].error.distance = 0.6f;
     EXPECT_EQ(stepsToDistance(sequence, 0.55), 0u);
     sequence.steps[0].hasTwinNext = false;
-    EXPECT_EQ(stepsToFaces(sequence, 4), 1u);
+    EXPECT_EQ(stepsToFaces(sequence, 58), 1u);
     EXPECT_EQ(stepsToDistance(sequence, 0.55), 1u);
 }
 

@@ -18,6 +18,8 @@ constexpr double kShortness = 1e-6;
 /// Drifting textures count as if the patch were this far off, as a share of the diagonal; the last face of a material as if
 /// everything were.
 constexpr double kDriftDistance = 0.02, kMaterialDistance = 0.05;
+/// What makes a symmetric mesh lopsided costs so much more.
+constexpr double kLopsided = 1e3;
 /// Around positions of very many neighbours only the cheapest are looked at.
 constexpr std::size_t kMostTried = 24;
 
@@ -73,7 +75,7 @@ void CollapseChoice::updateShape(std::uint32_t position)
     _state.shapes[position] = shapeOf(_star);
 }
 
-Place CollapseChoice::placeFor(std::uint32_t to) const
+CollapseChoice::Place CollapseChoice::placeFor(std::uint32_t to) const
 {
     const glm::dvec3 &here = _state.positions[_star.middle], &there = _state.positions[to];
     const StarShape& shape = _state.shapes[_star.middle];
@@ -81,9 +83,21 @@ Place CollapseChoice::placeFor(std::uint32_t to) const
     glm::dvec3 shared(0.0);
     for (const Star::Side& side : _star.sidesTo(to))
         shared += _star.faces[side.spoked].doubleArea * _star.faces[side.spoked].normal;
-    Place place = bestPlace({here, there, shape, _state.shapes[to], shared});
-    place.at = glm::clamp(place.at, _state.box.low, _state.box.high);
-    return place;
+    const EdgeEnds edge{here, there, shape, _state.shapes[to], shared};
+    glm::dvec3 at = glm::clamp(bestPlace(edge), _state.box.low, _state.box.high);
+    const MirrorTwins& twins = _state.twins;
+    if (twins.isInPlane(to) || twins.of(to) == _star.middle) at[twins.axis] = 0.0;
+    return {at, costAt(edge, at)};
+}
+
+/// Whether the mirror image of a mesh would not be one any more, however its other half is treated.
+bool CollapseChoice::isLopsided(std::uint32_t to) const
+{
+    const MirrorTwins& twins = _state.twins;
+    if (!twins.isMirrored()) return false;
+    if (twins.isInPlane(_star.middle)) return !twins.isInPlane(to);
+    if (twins.of(to) == _star.middle) return !_state.movesPlaces();
+    return _state.positions[_star.middle][twins.axis] * _state.positions[to][twins.axis] < 0.0;
 }
 
 /// What is lost besides the shape nearby, when faces go: the last ones of a part, or of a material.
@@ -118,6 +132,7 @@ Candidate CollapseChoice::candidate(std::uint32_t to)
     const glm::dvec3 edge = _state.positions[to] - _state.positions[_star.middle];
     candidate.urgency.cost = placeFor(to).cost + featureCost(to) +
                              kShortness * _state.shapes[_star.middle].quadric.trace() * glm::dot(edge, edge);
+    if (isLopsided(to)) candidate.urgency.cost *= kLopsided;
     return candidate;
 }
 
@@ -145,10 +160,33 @@ PatchGap CollapseChoice::gapTo(std::uint32_t to, const glm::dvec3& at, bool with
     return {largest(gap.gap, ofTo.gap), gap.slipCost + ofTo.slipCost};
 }
 
+/// Whether a face between the two sides of a mirrored mesh would turn over when both have been done.
+bool CollapseChoice::foldsWithTwin(const Star& star, std::uint32_t other, const glm::dvec3& at) const
+{
+    const std::uint32_t twin = _state.twins.of(star.middle), twinOfOther = _state.twins.of(other);
+    constexpr std::uint32_t kNone = MirrorTwins::kNone;
+    if (twin == kNone || twinOfOther == kNone || twin == star.middle || twin == other || twinOfOther == other)
+        return false;
+    const glm::dvec3 image = _state.twins.image(at);
+    const auto placeOf = [&](std::uint32_t p)
+    { return p == twin || p == twinOfOther ? image : _state.positions[p]; };
+    for (const Star::Spoked& spoked : star.faces)
+    {
+        const bool crosses = spoked.has(twin) || spoked.has(twinOfOther);
+        const bool vanishes = spoked.has(other) || (spoked.has(twin) && spoked.has(twinOfOther));
+        if (!crosses || vanishes) continue;
+        const glm::dvec3 normal = glm::cross(placeOf(spoked.second) - at, placeOf(spoked.third) - at);
+        if (!(glm::dot(normal, spoked.normal) > 0.0)) return true;
+    }
+    return false;
+}
+
 bool CollapseChoice::isHarmful(std::uint32_t to, const glm::dvec3& at)
 {
-    if (foldsOver({_star, _state.positions, to, at})) return true;
-    return _state.movesPlaces() && foldsOver({_toStar, _state.positions, _star.middle, at});
+    if (foldsOver({_star, _state.positions, to, at}) || foldsWithTwin(_star, to, at)) return true;
+    if (!_state.movesPlaces()) return false;
+    return foldsOver({_toStar, _state.positions, _star.middle, at}) ||
+           foldsWithTwin(_toStar, _star.middle, at);
 }
 
 Candidate CollapseChoice::bestOf(std::uint32_t position)
@@ -183,12 +221,21 @@ Candidate CollapseChoice::bestOf(std::uint32_t position)
     return best;
 }
 
-CollapseChoice::Effect CollapseChoice::effectOf(std::uint32_t from, std::uint32_t to)
+bool CollapseChoice::isGood(std::uint32_t from, std::uint32_t to, const glm::dvec3& place, double cost)
+{
+    constexpr double kAbout = 64.0; // what has just been done on the other side may have changed this one
+    gather(_star, from);
+    if (!std::binary_search(_star.neighbours.begin(), _star.neighbours.end(), to)) return false;
+    if (_state.movesPlaces()) gather(_toStar, to);
+    return !isHarmful(to, place) && featureCost(to) <= kAbout * cost;
+}
+
+CollapseChoice::Effect CollapseChoice::effectOf(std::uint32_t from, std::uint32_t to, const glm::dvec3* place)
 {
     gather(_star, from);
     if (_state.movesPlaces()) gather(_toStar, to);
     Effect effect;
-    effect.at = placeFor(to).at;
+    effect.at = place != nullptr ? *place : placeFor(to).at;
     planWedges(to, effect.at);
     LevelError gap = gapTo(to, effect.at, _state.settings.keepSeams).gap;
     effect.facesGone = static_cast<std::uint32_t>(_star.sidesTo(to).size());

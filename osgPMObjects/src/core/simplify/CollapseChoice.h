@@ -33,14 +33,22 @@ public:
         std::uint32_t facesGone = 0;
     };
 
-    /// Works a collapse out; wedges() tells what becomes of them.
-    Effect effectOf(std::uint32_t from, std::uint32_t to);
+    /// Works a collapse out; wedges() tells what becomes of them. With a place given, both go there.
+    Effect effectOf(std::uint32_t from, std::uint32_t to, const glm::dvec3* place = nullptr);
+    /// Whether a collapse is possible, turns no face over, and costs no more than about so much.
+    bool isGood(std::uint32_t from, std::uint32_t to, const glm::dvec3& place, double cost);
     const WedgePlan& wedges() const { return _plan; }
     /// The faces around `from` of the last question.
     const Star& star() const { return _star; }
 
 private:
     StarShape shapeOf(const Star& star) const;
+    /// Where two positions become one, and the quadric there.
+    struct Place
+    {
+        glm::dvec3 at{0.0};
+        double cost = 0.0;
+    };
     Place placeFor(std::uint32_t to) const;
     double featureCost(std::uint32_t to) const;
     void gather(Star& star, std::uint32_t position) const
@@ -49,6 +57,8 @@ private:
     }
     void planWedges(std::uint32_t to, const glm::dvec3& at);
     PatchGap gapTo(std::uint32_t to, const glm::dvec3& at, bool withLook);
+    bool isLopsided(std::uint32_t to) const;
+    bool foldsWithTwin(const Star& star, std::uint32_t other, const glm::dvec3& at) const;
     bool isHarmful(std::uint32_t to, const glm::dvec3& at);
     Candidate candidate(std::uint32_t to);
 

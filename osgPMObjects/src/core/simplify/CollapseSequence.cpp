@@ -54,7 +54,11 @@ std::size_t stepsToFaces(const CollapseSequence& sequence, std::size_t faces)
     if (sequence.facesBefore <= faces || sequence.steps.empty()) return 0;
     std::size_t last = stepsUntil(sequence, [&](const CollapseStep& s) { return s.facesAfter <= faces; });
     last = std::min(last, sequence.steps.size() - 1);
-    return last + (sequence.steps[last].hasTwinNext ? 2 : 1);
+    // A twin that takes much of what is left is not worth the symmetry.
+    constexpr std::size_t kMostShare = 10;
+    const bool takesTwin = sequence.steps[last].hasTwinNext &&
+                           (faces - sequence.steps[last + 1].facesAfter) * kMostShare <= faces;
+    return last + (takesTwin ? 2 : 1);
 }
 
 std::size_t stepsToDistance(const CollapseSequence& sequence, double tolerance)

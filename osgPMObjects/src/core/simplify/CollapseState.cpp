@@ -45,6 +45,7 @@ CollapseState::CollapseState(const Mesh& original, const SimplifySettings& given
       positions(unitPositions(original)),
       box(extentOf(positions)),
       stars(original),
+      twins(given.keepSymmetry ? mirrorTwins(positions, positionTriangles(original)) : MirrorTwins()),
       parts(connectedParts(original, positions)),
       partOf(partNumbers(parts, positions.size())),
       shapes(positions.size()),

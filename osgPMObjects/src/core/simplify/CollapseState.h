@@ -12,6 +12,7 @@
 
 #include "CollapseQueue.h"
 #include "ConnectedParts.h"
+#include "MirrorTwins.h"
 #include "Placement.h"
 #include "StarMesh.h"
 
@@ -37,6 +38,7 @@ struct CollapseState
     std::vector<glm::dvec3> positions;
     Extent box;
     StarMesh stars;
+    MirrorTwins twins;
     std::vector<ConnectedPart> parts;
     std::vector<std::uint32_t> partOf;  ///< by position
     std::vector<StarShape> shapes;      ///< by position

@@ -53,8 +53,39 @@ bool Collapser::isHasty(const Candidate& candidate) const
 void Collapser::collapse(std::uint32_t from)
 {
     const std::uint32_t to = _state.candidates[from].to;
-    const CollapseChoice::Effect effect = _choice.effectOf(from, to);
+    const Urgency urgency = _queue.leastUrgency();
+    perform(from, to, urgency, nullptr);
+    collapseTwin(from, to, urgency);
+}
+
+/// The same on the other side of a mesh that is its own mirror image, if it still can be done there.
+void Collapser::collapseTwin(std::uint32_t from, std::uint32_t to, const Urgency& urgency)
+{
+    MirrorTwins& twins = _state.twins;
+    const std::uint32_t twinFrom = twins.of(from), twinTo = twins.of(to);
+    if (!twins.isMirrored() || twinTo == MirrorTwins::kNone) return;
+    if (twinFrom == from && twinTo == to) return; // both in the plane
+    if (twinFrom == to)
+    { // across the plane: what is left is in it, if it could be moved there
+        twins.twinOf[to] = _state.movesPlaces() ? to : MirrorTwins::kNone;
+        return;
+    }
+    const glm::dvec3 place = twins.image(_state.positions[to]);
+    if (twinFrom != MirrorTwins::kNone && twinFrom != from &&
+        _choice.isGood(twinFrom, twinTo, place, urgency.cost))
+    {
+        _done.sequence.steps.back().hasTwinNext = true;
+        perform(twinFrom, twinTo, urgency, &place);
+    }
+    else if (_state.movesPlaces())
+        twins.twinOf[to] = twins.twinOf[twinTo] = MirrorTwins::kNone;
+}
+
+void Collapser::perform(std::uint32_t from, std::uint32_t to, const Urgency& urgency, const glm::dvec3* place)
+{
+    const CollapseChoice::Effect effect = _choice.effectOf(from, to, place);
     record(from, to, effect);
+    _done.urgencies.push_back(urgency);
     takeFaces(to);
     _ring = _choice.star().neighbours;
     _state.stars.collapse(from, to, _done.sequence.wedgesOf(_done.sequence.steps.size() - 1));
@@ -75,7 +106,6 @@ void Collapser::record(std::uint32_t from, std::uint32_t to, const CollapseChoic
     step.facesAfter = effect.facesGone;
     step.error = effect.error;
     sequence.steps.push_back(step);
-    _done.urgencies.push_back(_queue.leastUrgency());
     const auto move = [&](const WedgeChange& change)
     {
         Wedge attributes = change.attributes;

@@ -38,6 +38,8 @@ private:
     bool isCurrent(std::uint32_t position) const;
     bool isHasty(const Candidate& candidate) const;
     void collapse(std::uint32_t from);
+    void collapseTwin(std::uint32_t from, std::uint32_t to, const Urgency& urgency);
+    void perform(std::uint32_t from, std::uint32_t to, const Urgency& urgency, const glm::dvec3* place);
     void record(std::uint32_t from, std::uint32_t to, const CollapseChoice::Effect& effect);
     void takeFaces(std::uint32_t to);
     void refreshAround(std::uint32_t position);

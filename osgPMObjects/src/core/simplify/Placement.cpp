@@ -14,11 +14,6 @@ namespace
 
 constexpr double kPull = 1e-7; ///< towards the middle, of the quadric's trace: only flat directions feel it
 
-double costAt(const EdgeEnds& edge, const glm::dvec3& at)
-{
-    return std::max(0.0, edge.fromShape.quadric.at(at - edge.from) + edge.toShape.quadric.at(at - edge.to));
-}
-
 /// Seen from the middle of the edge.
 glm::dvec3 leastKeepingVolume(const EdgeEnds& edge, const glm::dvec3& half)
 {
@@ -42,13 +37,18 @@ glm::dvec3 leastKeepingVolume(const EdgeEnds& edge, const glm::dvec3& half)
 
 } // namespace
 
-Place bestPlace(const EdgeEnds& edge)
+double costAt(const EdgeEnds& edge, const glm::dvec3& at)
+{
+    return std::max(0.0, edge.fromShape.quadric.at(at - edge.from) + edge.toShape.quadric.at(at - edge.to));
+}
+
+glm::dvec3 bestPlace(const EdgeEnds& edge)
 {
     const glm::dvec3 half = 0.5 * (edge.to - edge.from), middle = edge.from + half;
     glm::dvec3 offset = leastKeepingVolume(edge, half);
     const double farthest = 2.0 * glm::length(half);
     if (!(glm::length(offset) <= farthest)) offset = glm::dvec3(0.0);
-    return {middle + offset, costAt(edge, middle + offset)};
+    return middle + offset;
 }
 
 } // namespace osgPMObjects::core

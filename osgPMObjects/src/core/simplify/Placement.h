@@ -17,13 +17,6 @@ struct StarShape
     glm::dvec3 areaVector{0.0}; ///< sum of the faces' normals, each as long as twice its area
 };
 
-/// A place for a position, and the quadric there.
-struct Place
-{
-    glm::dvec3 at{0.0};
-    double cost = 0.0;
-};
-
 /// An edge that two positions are about to become one along.
 struct EdgeEnds
 {
@@ -33,10 +26,13 @@ struct EdgeEnds
     glm::dvec3 sharedAreaVector; ///< of the faces beside the edge, which are in both stars
 };
 
+/// The quadrics of both ends at a place.
+double costAt(const EdgeEnds& edge, const glm::dvec3& at);
+
 /// The place where the sum of both quadrics is least among those that keep the volume; near the middle along directions
 /// that change nothing, and never farther from the middle than the edge is long.
 /// Source: Lindstrom and Turk (1998), §3.1 and §3.3: we solve for the least quadric with the volume as a constraint, pulled
 /// weakly towards the middle, instead of adding constraints until three are independent.
-Place bestPlace(const EdgeEnds& edge);
+glm::dvec3 bestPlace(const EdgeEnds& edge);
 
 } // namespace osgPMObjects::core

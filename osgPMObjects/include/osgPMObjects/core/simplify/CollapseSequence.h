@@ -74,7 +74,8 @@ struct CollapseSequence
     std::span<const MovedWedge> movedWedgesOf(std::size_t step) const;
 };
 
-/// How many steps lead to a level of at most `faces` faces. Does not stop between two mirrored steps.
+/// How many steps lead to a level of at most `faces` faces. Does not stop between two mirrored steps, unless the second would
+/// lead more than a tenth below.
 std::size_t stepsToFaces(const CollapseSequence& sequence, std::size_t faces);
 
 /// How many steps can be made without the distance going above a tolerance. Units: as the positions.

@@ -23,6 +23,8 @@ struct SimplifySettings
     bool keepSeams = true;
     /// Drift of the texture, 1 being its width, that is avoided as if the surface were off by two hundredths of the diagonal.
     float mostTexCoordDrift = 2.0f / 1024.0f;
+    /// Whether a mesh that is its own mirror image across the middle of its box stays that: collapses are then done in pairs.
+    bool keepSymmetry = true;
 };
 
 /// The sequence of collapses of a mesh, from all of its faces to none.

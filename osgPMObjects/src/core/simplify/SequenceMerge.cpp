@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "SequenceMerge.h"
+
+#include <algorithm>
+
+#include <glm/common.hpp>
+
+namespace osgPMObjects::core
+{
+
+namespace
+{
+
+/// The whole sequence, to which steps are appended one by one.
+class Whole
+{
+public:
+    Whole(const Mesh& mesh, std::uint32_t faces)
+        : _box(extentOf(mesh.positions)),
+          _diagonal(_box.diagonal() > 0.0 ? _box.diagonal() : 1.0),
+          _facesLeft(faces)
+    {
+        _sequence.facesBefore = faces;
+    }
+
+    void append(const CollapseSequence& part, std::size_t number)
+    {
+        CollapseStep step = part.steps[number];
+        const auto wedges = part.wedgesOf(number);
+        const auto moved = part.movedWedgesOf(number);
+        step.firstWedge = static_cast<std::uint32_t>(_sequence.wedges.size());
+        step.firstMoved = static_cast<std::uint32_t>(_sequence.movedWedges.size());
+        _facesLeft -= step.facesAfter;
+        step.facesAfter = _facesLeft;
+        step.error = raised(step.error);
+        _sequence.wedges.insert(_sequence.wedges.end(), wedges.begin(), wedges.end());
+        _sequence.movedWedges.insert(_sequence.movedWedges.end(), moved.begin(), moved.end());
+        if (!part.places.empty()) _sequence.places.push_back(placed(part.places[number]));
+        _sequence.steps.push_back(step);
+    }
+
+    CollapseSequence finish() { return std::move(_sequence); }
+
+private:
+    /// The error so far, with that of a step.
+    const LevelError& raised(const LevelError& step)
+    {
+        constexpr float kMostNormal = 2.0f, kMostColour = 1.0f; // what two can differ by
+        _error.distance = std::max(_error.distance, static_cast<float>(step.distance * _diagonal));
+        _error.normal = std::max(_error.normal, std::min(step.normal, kMostNormal));
+        _error.texCoord = std::max(_error.texCoord, step.texCoord);
+        _error.colour = std::max(_error.colour, std::min(step.colour, kMostColour));
+        return _error;
+    }
+
+    glm::dvec3 placed(const glm::dvec3& unit) const
+    { // rounding may lead out of the box
+        return glm::clamp(unit * _diagonal + 0.5 * (_box.low + _box.high), _box.low, _box.high);
+    }
+
+    Extent _box;
+    double _diagonal;
+    CollapseSequence _sequence;
+    LevelError _error;
+    std::uint32_t _facesLeft;
+};
+
+} // namespace
+
+CollapseSequence mergedSequence(std::span<const PartialSequence> partial, const Mesh& mesh,
+                                std::uint32_t facesBefore)
+{
+    Whole whole(mesh, facesBefore);
+    std::vector<std::size_t> next(partial.size(), 0);
+    for (;;)
+    {
+        std::size_t least = partial.size();
+        for (std::size_t i = 0; i < partial.size(); ++i)
+            if (next[i] < partial[i].urgencies.size() &&
+                (least == partial.size() ||
+                 partial[i].urgencies[next[i]] < partial[least].urgencies[next[least]]))
+                least = i;
+        if (least == partial.size()) return whole.finish();
+        const CollapseSequence& sequence = partial[least].sequence;
+        for (bool goesOn = true; goesOn;)
+        {
+            goesOn = sequence.steps[next[least]].hasTwinNext;
+            whole.append(sequence, next[least]++);
+        }
+    }
+}
+
+} // namespace osgPMObjects::core
