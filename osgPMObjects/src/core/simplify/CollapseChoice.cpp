@@ -189,13 +189,13 @@ bool CollapseChoice::isHarmful(std::uint32_t to, const glm::dvec3& at)
            foldsWithTwin(_toStar, _star.middle, at);
 }
 
-Candidate CollapseChoice::bestOf(std::uint32_t position)
+Candidate CollapseChoice::bestOf(std::uint32_t position, std::span<const std::uint32_t> refused)
 {
     gather(_star, position);
     if (!_state.movesPlaces()) _state.shapes[position] = shapeOf(_star);
     _ranked.clear();
     for (const std::uint32_t to : _star.neighbours)
-        _ranked.push_back(candidate(to));
+        if (std::find(refused.begin(), refused.end(), to) == refused.end()) _ranked.push_back(candidate(to));
     const auto byUrgency = [](const Candidate& a, const Candidate& b)
     { return a.urgency != b.urgency ? a.urgency < b.urgency : a.to < b.to; };
     std::sort(_ranked.begin(), _ranked.end(), byUrgency);
@@ -219,6 +219,12 @@ Candidate CollapseChoice::bestOf(std::uint32_t position)
         if (best.to == ~0u || byUrgency(candidate, best)) best = candidate;
     }
     return best;
+}
+
+glm::dvec3 CollapseChoice::placeOf(std::uint32_t from, std::uint32_t to)
+{
+    gather(_star, from);
+    return placeFor(to).at;
 }
 
 bool CollapseChoice::isGood(std::uint32_t from, std::uint32_t to, const glm::dvec3& place, double cost)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "CollapseState.h"
@@ -23,7 +24,11 @@ public:
     void updateShape(std::uint32_t position);
 
     /// The best collapse of a position; `to` is ~0 where it has no faces.
-    Candidate bestOf(std::uint32_t position);
+    /// `refused`: neighbours that do not come into question.
+    Candidate bestOf(std::uint32_t position, std::span<const std::uint32_t> refused = {});
+
+    /// Where both would be.
+    glm::dvec3 placeOf(std::uint32_t from, std::uint32_t to);
 
     /// What a collapse does.
     struct Effect

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "CollapseState.h"
 
+#include <algorithm>
+#include <utility>
+
+#include <osgPMObjects/core/mesh/MeshCounts.h>
+
 namespace osgPMObjects::core
 {
 
@@ -54,6 +59,11 @@ CollapseState::CollapseState(const Mesh& original, const SimplifySettings& given
       candidates(positions.size())
 {
     mesh.positions = {};
+    if (settings.envelope <= 0.0) return;
+    std::vector<Triangle> triangles = positionTriangles(original);
+    std::erase_if(triangles, [](const Triangle& t) { return repeatsCorner(t); });
+    const double diagonal = extentOf(original.positions).diagonal();
+    envelope = std::make_unique<Envelope>(positions, std::move(triangles), settings.envelope / diagonal);
 }
 
 } // namespace osgPMObjects::core

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -12,6 +13,7 @@
 
 #include "CollapseQueue.h"
 #include "ConnectedParts.h"
+#include "Envelope.h"
 #include "MirrorTwins.h"
 #include "Placement.h"
 #include "StarMesh.h"
@@ -39,6 +41,7 @@ struct CollapseState
     Extent box;
     StarMesh stars;
     MirrorTwins twins;
+    std::unique_ptr<Envelope> envelope; ///< null: none is asked for
     std::vector<ConnectedPart> parts;
     std::vector<std::uint32_t> partOf;  ///< by position
     std::vector<StarShape> shapes;      ///< by position

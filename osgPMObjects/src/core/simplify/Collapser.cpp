@@ -18,10 +18,12 @@ PartialSequence Collapser::run(std::span<const std::uint32_t> parts)
     while (!_queue.isEmpty())
     {
         const std::uint32_t first = _queue.first();
-        if (isCurrent(first))
-            collapse(first);
-        else
+        if (!isCurrent(first))
             enter(first);
+        else if (_guard && !isAllowed(first, _state.candidates[first].to))
+            enterWhatIsAllowed(first);
+        else
+            collapse(first);
     }
     return std::move(_done);
 }
@@ -43,11 +45,33 @@ bool Collapser::isCurrent(std::uint32_t position) const
            (!_state.movesPlaces() || candidate.changesOfTo == _state.changes[candidate.to]);
 }
 
+bool Collapser::isAllowed(std::uint32_t from, std::uint32_t to)
+{
+    return _guard->allows(from, to, _choice.placeOf(from, to));
+}
+
+/// Within an envelope a position goes where it may, or stays until its star changes.
+void Collapser::enterWhatIsAllowed(std::uint32_t position)
+{
+    std::vector<std::uint32_t> refused;
+    Candidate next = _state.candidates[position];
+    do
+    {
+        refused.push_back(next.to);
+        next = _choice.bestOf(position, refused);
+    } while (next.to != ~0u && !next.urgency.doesHarm && !isAllowed(position, next.to));
+    _state.candidates[position] = next;
+    if (next.to == ~0u || next.urgency.doesHarm)
+        _queue.erase(position);
+    else
+        _queue.set(position, next.urgency);
+}
+
 bool Collapser::isHasty(const Candidate& candidate) const
 {
     constexpr std::uint32_t kMostNeighbours = 32; // hubs of fans would be looked at for each of their spokes
     if (candidate.neighbours > kMostNeighbours) return false;
-    return !_state.movesPlaces() || candidate.urgency.doesHarm;
+    return !_state.movesPlaces() || candidate.urgency.doesHarm || _guard;
 }
 
 void Collapser::collapse(std::uint32_t from)
@@ -72,7 +96,8 @@ void Collapser::collapseTwin(std::uint32_t from, std::uint32_t to, const Urgency
     }
     const glm::dvec3 place = twins.image(_state.positions[to]);
     if (twinFrom != MirrorTwins::kNone && twinFrom != from &&
-        _choice.isGood(twinFrom, twinTo, place, urgency.cost))
+        _choice.isGood(twinFrom, twinTo, place, urgency.cost) &&
+        (!_guard || _guard->allows(twinFrom, twinTo, place)))
     {
         _done.sequence.steps.back().hasTwinNext = true;
         perform(twinFrom, twinTo, urgency, &place);
@@ -84,6 +109,7 @@ void Collapser::collapseTwin(std::uint32_t from, std::uint32_t to, const Urgency
 void Collapser::perform(std::uint32_t from, std::uint32_t to, const Urgency& urgency, const glm::dvec3* place)
 {
     const CollapseChoice::Effect effect = _choice.effectOf(from, to, place);
+    if (_guard) _guard->commit();
     record(from, to, effect);
     _done.urgencies.push_back(urgency);
     takeFaces(to);

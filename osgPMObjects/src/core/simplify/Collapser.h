@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -29,6 +30,7 @@ class Collapser
 public:
     explicit Collapser(CollapseState& state) : _state(state), _choice(state), _queue(state.positions.size())
     {
+        if (state.envelope) _guard.emplace(*state.envelope, state.stars, state.positions);
     }
 
     PartialSequence run(std::span<const std::uint32_t> parts);
@@ -36,6 +38,8 @@ public:
 private:
     void enter(std::uint32_t position);
     bool isCurrent(std::uint32_t position) const;
+    bool isAllowed(std::uint32_t from, std::uint32_t to);
+    void enterWhatIsAllowed(std::uint32_t position);
     bool isHasty(const Candidate& candidate) const;
     void collapse(std::uint32_t from);
     void collapseTwin(std::uint32_t from, std::uint32_t to, const Urgency& urgency);
@@ -47,6 +51,7 @@ private:
     CollapseState& _state;
     CollapseChoice _choice;
     CollapseQueue _queue;
+    std::optional<EnvelopeGuard> _guard;
     std::vector<std::uint32_t> _ring; ///< positions whose stars change
     PartialSequence _done;
 };
