@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "pmtool/SimplifyTool.h"
+
+#if __has_include(<osgPMObjects/core/simplify/Simplify.h>)
+
+#include <algorithm>
+
+#include <osgPMObjects/core/simplify/Simplify.h>
+
+namespace pmtool
+{
+
+namespace
+{
+
+using namespace osgPMObjects;
+
+struct NamedPlacement
+{
+    const char* name;
+    core::Placement placement;
+};
+
+constexpr NamedPlacement kPlacements[] = {{"subset", core::Placement::subset},
+                                          {"optimal", core::Placement::optimal},
+                                          {"quality", core::Placement::quality}};
+
+std::vector<SimplifiedLevel> levelsOf(const SimplifyTask& task, core::Placement placement)
+{
+    core::CollapseSequence sequence;
+    const core::SimplifySettings settings{.placement = placement, .keepSeams = task.seams};
+    const double runMs = millisecondsOf([&] { sequence = core::simplify(task.mesh, settings); });
+    std::vector<SimplifiedLevel> levels;
+    for (const std::size_t target : task.targets)
+    {
+        SimplifiedLevel& level = levels.emplace_back();
+        level.ms =
+            runMs +
+            millisecondsOf(
+                [&]
+                { level.mesh = core::meshAfter(task.mesh, sequence, core::stepsToFaces(sequence, target)); });
+    }
+    return levels;
+}
+
+} // namespace
+
+void addOwnTools(std::vector<SimplifyTool>& tools)
+{
+    for (const NamedPlacement& named : kPlacements)
+        tools.push_back({named.name, true, [placement = named.placement](const SimplifyTask& task) {
+                             return levelsOf(task, placement);
+                         }});
+}
+
+} // namespace pmtool
+
+#else
+
+namespace pmtool
+{
+
+void addOwnTools(std::vector<SimplifyTool>&) {}
+
+} // namespace pmtool
+
+#endif

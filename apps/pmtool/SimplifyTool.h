@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <viewlod/Result.h>
+
+#include <osgPMObjects/core/mesh/Mesh.h>
+
+namespace pmtool
+{
+
+/// What a tool is to do.
+struct SimplifyTask
+{
+    const osgPMObjects::core::Mesh& mesh;  ///< consolidated
+    const osgPMObjects::core::Mesh& shape; ///< the same, see shapeOf()
+    bool seams = true; ///< whether attributes and materials are kept; otherwise only the shape counts
+    std::span<const std::size_t> targets; ///< most faces of each level, falling
+    double seconds = 0.0;                 ///< after which a peer is not waited for any longer
+};
+
+/// What a tool made for one target.
+struct SimplifiedLevel
+{
+    osgPMObjects::core::Mesh
+        mesh;        ///< materials numbered as the task's mesh; of the shape alone: one material
+    double ms = 0.0; ///< elapsed; of a tool that makes all levels in one run, that run is in each
+    bool isInTime = true;
+};
+
+/// A way to simplify, by name. Errors: the tool refuses the mesh, or is not there.
+struct SimplifyTool
+{
+    std::string name;
+    bool keepsSeams = true; ///< false: is asked for shapes alone
+    std::function<viewlod::Result<std::vector<SimplifiedLevel>>(const SimplifyTask&)> run;
+};
+
+/// All that are built in.
+std::vector<SimplifyTool> simplifyTools();
+
+/// The simplifiers of osgPMObjects, one for each placement.
+void addOwnTools(std::vector<SimplifyTool>& tools);
+
+/// meshoptimizer's simplifier.
+viewlod::Result<std::vector<SimplifiedLevel>> meshoptimizerLevels(const SimplifyTask& task);
+
+/// osgUtil::Simplifier, on one geometry for each part and material; of a shape, on one in all.
+viewlod::Result<std::vector<SimplifiedLevel>> osgUtilLevels(const SimplifyTask& task);
+
+/// A program of its own, which is called `PROGRAM IN.obj FOLDER COUNT…`: it writes FOLDER/COUNT.obj for each count of faces, and a
+/// line "COUNT MS" each to its standard output. Errors: it cannot be started, fails, takes too long, or writes no such file; the last
+/// line it said is in the message.
+SimplifyTool peerTool(const std::string& name, const std::filesystem::path& program);
+
+/// A mesh's faces by position alone: one wedge for each place, without attributes, one material and one part.
+osgPMObjects::core::Mesh shapeOf(const osgPMObjects::core::Mesh& mesh);
+
+/// The faces of a mesh that lie on these triangles of positions; degenerate ones are left out.
+osgPMObjects::core::Mesh shapeOf(std::span<const glm::dvec3> positions,
+                                 std::span<const std::array<std::uint32_t, 3>> triangles);
+
+/// Elapsed time.
+double millisecondsOf(const std::function<void()>& work);
+
+} // namespace pmtool
