@@ -37,8 +37,14 @@ pid_t start(const std::vector<std::string>& command, const std::filesystem::path
     posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, outputFile.c_str(),
                                      O_WRONLY | O_CREAT | O_TRUNC, 0600);
     posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, STDERR_FILENO);
+    posix_spawnattr_t attributes; // a group of its own, that what it starts ends with it
+    posix_spawnattr_init(&attributes);
+    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
+    posix_spawnattr_setpgroup(&attributes, 0);
     pid_t child = -1;
-    const int failed = posix_spawnp(&child, arguments.front(), &actions, nullptr, arguments.data(), environ);
+    const int failed =
+        posix_spawnp(&child, arguments.front(), &actions, &attributes, arguments.data(), environ);
+    posix_spawnattr_destroy(&attributes);
     posix_spawn_file_actions_destroy(&actions);
     return failed == 0 ? child : -failed;
 }
@@ -54,7 +60,7 @@ bool waitFor(pid_t child, double seconds, int& status)
         if (Clock::now() > end) break;
         std::this_thread::sleep_for(kPause);
     }
-    kill(child, SIGKILL);
+    kill(-child, SIGKILL);
     while (waitpid(child, &status, 0) < 0 && errno == EINTR)
         ;
     return false;

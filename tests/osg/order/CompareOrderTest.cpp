@@ -10,10 +10,10 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include "OrderMeshes.h"
 #include "RealData.h"
+#include "TestFolder.h"
 #include "pmtool/Commands.h"
 #include "pmtool/OrderRow.h"
 
@@ -23,31 +23,10 @@ namespace
 using nlohmann::ordered_json;
 using osgPMObjects::core::Triangle;
 
-/// A folder that goes away.
-class Folder
+class Folder : public testsupport::TestFolder
 {
 public:
-    Folder()
-        : _path(std::filesystem::temp_directory_path() /
-                ("compare-order-" + std::to_string(::getpid()) + "-" + std::to_string(_count++)))
-    {
-        std::filesystem::create_directories(_path);
-    }
-    ~Folder() { std::filesystem::remove_all(_path); }
-    Folder(const Folder&) = delete;
-    Folder& operator=(const Folder&) = delete;
-
-    std::filesystem::path operator/(const std::string& name) const { return _path / name; }
-
-    std::filesystem::path write(const std::string& name, const std::string& text) const
-    {
-        std::ofstream(_path / name) << text;
-        return _path / name;
-    }
-
-private:
-    static inline int _count = 0;
-    std::filesystem::path _path;
+    Folder() : TestFolder("compare-order") {}
 };
 
 viewlod::Result<terminal::Report> compareOrder(const std::vector<std::string>& arguments)
