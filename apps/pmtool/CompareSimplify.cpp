@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <cmath>
-#include <iomanip>
-#include <iostream>
+#include <cctype>
 #include <memory>
-#include <sstream>
 
 #include <osgPMObjects/core/consolidate/Consolidate.h>
-#include <osgPMObjects/core/simplify/SimplificationError.h>
 
 #include "pmtool/CheckerCoordinates.h"
 #include "pmtool/ModelFiles.h"
 #include "pmtool/Models.h"
+#include "pmtool/SimplifyRow.h"
 #include "pmtool/SimplifyTool.h"
 #include "terminal/Terminal.h"
 
@@ -36,108 +33,22 @@ struct Request
     std::vector<SimplifyTool> tools; ///< those that were chosen
 };
 
-/// A model, and all that is the same for every tool.
-struct Subject
-{
-    std::string name; ///< of its dumps
-    core::Mesh mesh, shape;
-    core::SimplificationMeter meter;
-    std::vector<double> percents; ///< falling
-    std::vector<std::size_t> targets;
-
-    Subject(std::string subjectName, core::Mesh clean, std::vector<double> targetPercents)
-        : name(std::move(subjectName)),
-          mesh(std::move(clean)),
-          shape(shapeOf(mesh)),
-          meter(mesh),
-          percents(std::move(targetPercents))
-    {
-        std::sort(percents.rbegin(), percents.rend());
-        for (const double percent : percents)
-            targets.push_back(static_cast<std::size_t>(
-                std::max(1.0, std::round(percent / 100.0 * static_cast<double>(mesh.faces.size())))));
-    }
-};
-
-/// Within max(1 %, 4 triangles) a count is reached.
-bool isStuck(std::size_t reached, std::size_t target)
-{
-    return reached > target + std::max<std::size_t>(4, target / 100);
-}
-
-Json rowOf(const Subject& subject, std::size_t i, const SimplifyTool& tool, bool seams)
-{
-    return {{"tool", tool.name}, {"seams", seams}, {"targetPercent", subject.percents[i]}};
-}
-
-Json measured(const Subject& subject, const SimplifiedLevel& level, std::size_t i, Json row)
-{
-    const core::SimplificationError error = subject.meter.measure(level.mesh);
-    row["trianglesReached"] = level.mesh.faces.size();
-    row["meanErrorPercent"] = error.meanPercent;
-    row["maxErrorPercent"] = error.maxPercent;
-    row["boxExcessPercent"] = error.boxExcessPercent;
-    row["uvDriftTexels"] = error.drift ? Json(error.drift->ofNinetyNine) : Json();
-    row["ms"] = level.ms;
-    row["trianglesWanted"] = subject.targets[i];
-    row["stuck"] = isStuck(level.mesh.faces.size(), subject.targets[i]);
-    if (row["seams"]) row["materialsMissing"] = core::countMissingMaterials(subject.mesh, level.mesh);
-    if (error.drift)
-        row["uvDriftMeanTexels"] = error.drift->mean, row["uvDriftMaxTexels"] = error.drift->largest;
-    if (!level.isInTime) row["timedOut"] = true;
-    return row;
-}
-
-void print(const Json& row)
-{
-    std::cout << "  " << std::left << std::setw(14) << row["tool"].get<std::string>() << std::setw(6)
-              << (row["seams"] ? "seams" : "shape") << std::right << std::defaultfloat << std::setprecision(3)
-              << std::setw(6) << row["targetPercent"].get<double>();
-    if (row.contains("refused"))
-    {
-        std::cout << "  " << row["refused"].get<std::string>() << '\n';
-        return;
-    }
-    std::cout << std::setw(9) << row["trianglesReached"].get<std::size_t>() << std::fixed
-              << std::setprecision(4) << std::setw(10) << row["meanErrorPercent"].get<double>()
-              << std::setw(10) << row["maxErrorPercent"].get<double>() << std::setw(10)
-              << row["boxExcessPercent"].get<double>() << std::setprecision(2) << std::setw(9);
-    if (row["uvDriftTexels"].is_null())
-        std::cout << '-';
-    else
-        std::cout << row["uvDriftTexels"].get<double>();
-    std::cout << std::setprecision(1) << std::setw(10) << row["ms"].get<double>()
-              << (row["stuck"] ? "  stuck" : "") << (row.contains("timedOut") ? "  out of time" : "") << '\n';
-}
-
-/// "forklift.subset.seams.5.obj"
-std::string dumpName(const Subject& subject, const Json& row)
-{
-    std::ostringstream name;
-    name << subject.name << '.' << row["tool"].get<std::string>() << '.' << (row["seams"] ? "seams" : "shape")
-         << '.' << row["targetPercent"].get<double>() << ".obj";
-    return name.str();
-}
-
-viewlod::Outcome compareTool(const Subject& subject, const SimplifyTool& tool, bool seams,
+viewlod::Outcome compareTool(const SimplifySubject& subject, const SimplifyTool& tool, bool seams,
                              const Request& request, Json& results)
 {
     const auto levels = tool.run({subject.mesh, subject.shape, seams, subject.targets, request.seconds});
     for (std::size_t i = 0; i < subject.targets.size(); ++i)
     {
-        Json row = rowOf(subject, i, tool, seams);
+        Json row{{"tool", tool.name}, {"seams", seams}, {"targetPercent", subject.percents[i]}};
         if (levels)
-            row = measured(subject, (*levels)[i], i, std::move(row));
+            addMeasures(row, subject, (*levels)[i], subject.targets[i]);
         else
             row["refused"] = levels.error().message();
         if (levels && !request.dumpFolder.empty())
-        {
-            const std::string file = dumpName(subject, row);
-            if (const auto written = writePlain((*levels)[i].mesh, request.dumpFolder / file); !written)
-                return written.error();
-            row["dump"] = file;
-        }
-        print(row);
+            if (const auto done = dump((*levels)[i].mesh, request.dumpFolder, dumpName(subject, row), row);
+                !done)
+                return done.error();
+        printRow(row);
         results.push_back(std::move(row));
     }
     return viewlod::success();
@@ -153,22 +64,15 @@ viewlod::Result<Json> compareModel(const std::string& file, const Request& reque
     if (mesh.faces.empty())
         return viewlod::Error{file, "has no triangles that can be simplified", "give a model with surfaces"};
     if (request.checker) addCheckerCoordinates(mesh);
-    const Subject subject(names.nameFor(file), std::move(mesh), request.targetPercents);
+    const SimplifySubject subject(names.nameFor(file), std::move(mesh), request.targetPercents);
     Json row{{"model", file},
              {"triangles", subject.mesh.faces.size()},
              {"trianglesRead", trianglesRead},
              {"results", Json::array()}};
-    std::cout << file << ": " << subject.mesh.faces.size()
-              << " triangles\n  tool          keeps      % triangles"
-              << "      mean       max  box out    drift        ms\n";
+    printHeading(file, subject);
     if (!request.dumpFolder.empty())
-    {
-        row["dump"] = subject.name + ".original.obj";
-        if (const auto written =
-                writePlain(subject.mesh, request.dumpFolder / row["dump"].get<std::string>());
-            !written)
-            return written.error();
-    }
+        if (const auto done = dump(subject.mesh, request.dumpFolder, subject.name + ".original", row); !done)
+            return done.error();
     for (const SimplifyTool& tool : request.tools)
         for (const bool seams : {true, false})
         {

@@ -9,6 +9,8 @@
 
 #include <viewlod/WholeFile.h>
 
+#include <osgPMObjects/core/mesh/Wedge.h>
+
 #include <osgPMObjects/ExportNode>
 
 namespace pmtool
@@ -53,20 +55,53 @@ viewlod::Outcome writeModel(const osgPMObjects::ImportedModel& model, const std:
     return viewlod::writeWholeFile(file, stream.str());
 }
 
+namespace
+{
+
+/// Puts one formatted line at the end.
+template<class... Values>
+void addLine(std::string& text, const char* format, Values... values)
+{
+    char line[128];
+    const int length = std::snprintf(line, sizeof line, format, values...);
+    text.append(line, static_cast<std::size_t>(length));
+}
+
+void addPositions(std::string& text, const osgPMObjects::core::Mesh& mesh)
+{
+    for (const glm::dvec3& p : mesh.positions)
+        addLine(text, "v %.17g %.17g %.17g\n", p.x, p.y, p.z);
+}
+
+} // namespace
+
 viewlod::Outcome writePlain(const osgPMObjects::core::Mesh& mesh, const std::filesystem::path& file)
 {
     std::string text;
-    char line[96];
-    for (const glm::dvec3& p : mesh.positions)
+    addPositions(text, mesh);
+    for (const osgPMObjects::core::Face& face : mesh.faces)
+        addLine(text, "f %u %u %u\n", mesh.positionOf(face, 0) + 1, mesh.positionOf(face, 1) + 1,
+                mesh.positionOf(face, 2) + 1);
+    return viewlod::writeWholeFile(file, text);
+}
+
+viewlod::Outcome writeTextured(const osgPMObjects::core::Mesh& mesh, const std::filesystem::path& file)
+{
+    std::string text;
+    addPositions(text, mesh);
+    for (std::uint32_t w = 0; w < mesh.wedgeCount(); ++w)
     {
-        std::snprintf(line, sizeof line, "v %.17g %.17g %.17g\n", p.x, p.y, p.z);
-        text += line;
+        const glm::vec2 t = osgPMObjects::core::wedgeOf(mesh, w).texCoords[0];
+        addLine(text, "vt %.9g %.9g\n", double(t.x), double(t.y));
     }
+    std::uint32_t material = ~0u;
     for (const osgPMObjects::core::Face& face : mesh.faces)
     {
-        std::snprintf(line, sizeof line, "f %u %u %u\n", mesh.positionOf(face, 0) + 1,
-                      mesh.positionOf(face, 1) + 1, mesh.positionOf(face, 2) + 1);
-        text += line;
+        if (face.material != material) addLine(text, "usemtl %u\n", face.material);
+        material = face.material;
+        addLine(text, "f %u/%u %u/%u %u/%u\n", mesh.positionOf(face, 0) + 1, face.wedges[0] + 1,
+                mesh.positionOf(face, 1) + 1, face.wedges[1] + 1, mesh.positionOf(face, 2) + 1,
+                face.wedges[2] + 1);
     }
     return viewlod::writeWholeFile(file, text);
 }

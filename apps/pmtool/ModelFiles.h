@@ -31,4 +31,8 @@ viewlod::Outcome writeModel(const osgPMObjects::ImportedModel& model, const std:
 /// number counted from 1, faces in the mesh's order.
 viewlod::Outcome writePlain(const osgPMObjects::core::Mesh& mesh, const std::filesystem::path& file);
 
+/// The same with texture coordinates (set 0) and materials: `vt u v` lines, all digits, one for each wedge, `usemtl N` with the material's
+/// number counted from 0, and `f a/w b/w c/w`.
+viewlod::Outcome writeTextured(const osgPMObjects::core::Mesh& mesh, const std::filesystem::path& file);
+
 } // namespace pmtool

@@ -162,7 +162,9 @@ TEST(TextureDrift, OfNinetyNineOutOfAHundredLeavesOutTheRest)
     EXPECT_NEAR(one->largest, 256.0, 0.01);
     EXPECT_NEAR(one->ofNinetyNine, 0.0, 0.01);
     EXPECT_NEAR(one->mean, 256.0 / 200.0, 0.4);
+    EXPECT_NEAR(one->visibleShare, 0.005, 0.0015);
     EXPECT_NEAR(four->ofNinetyNine, 256.0, 0.01);
+    EXPECT_NEAR(four->visibleShare, 0.02, 0.003);
 }
 
 TEST(TextureDrift, IsNotThereWithoutCoordinates)

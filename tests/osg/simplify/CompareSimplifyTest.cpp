@@ -171,6 +171,72 @@ TEST(CompareSimplify, MeasuresDriftOfAChecker)
     EXPECT_LE(rows[1]["uvDriftTexels"], rows[1]["uvDriftMaxTexels"]);
 }
 
+/// Of a dump with texture coordinates; materials as they are numbered there.
+osgPMObjects::core::Mesh readTextured(const std::filesystem::path& file)
+{
+    osgPMObjects::core::Mesh mesh;
+    mesh.parts.push_back({"part"});
+    std::ifstream stream(file);
+    std::string kind, corner;
+    std::uint32_t material = 0;
+    while (stream >> kind)
+        if (kind == "v")
+        {
+            glm::dvec3& p = mesh.positions.emplace_back();
+            stream >> p.x >> p.y >> p.z;
+        }
+        else if (kind == "vt")
+        {
+            glm::vec2& t = mesh.texCoords[0].emplace_back();
+            stream >> t.x >> t.y;
+        }
+        else if (kind == "usemtl")
+        {
+            stream >> material;
+            mesh.materials.resize(std::max<std::size_t>(mesh.materials.size(), material + 1));
+            mesh.materials[material].attributes = osgPMObjects::core::Material::texCoord0;
+        }
+        else if (kind == "f")
+        {
+            osgPMObjects::core::Face& face = mesh.faces.emplace_back();
+            face.material = material;
+            mesh.wedgePositions.resize(mesh.texCoords[0].size());
+            for (std::uint32_t& wedge : face.wedges)
+            {
+                std::uint32_t position = 0;
+                stream >> position;
+                stream.ignore(1, '/');
+                stream >> wedge;
+                mesh.wedgePositions[--wedge] = position - 1;
+            }
+        }
+    return mesh;
+}
+
+TEST(CompareSimplify, DumpsCoordinatesWhoseDriftItMeasures)
+{
+    const Folder folder;
+    const auto report =
+        compareSimplify({folder.write("hills.obj", hills()).string(), "--checker", "--tools", "meshoptimizer",
+                         "--seams", "yes", "--targets", "50,10", "--dump", (folder / "dump").string()});
+    ASSERT_TRUE(report);
+    const ordered_json& model = report->json["models"][0];
+    const auto original = readTextured(folder / "dump" / model["dumpWithTexCoords"].get<std::string>());
+    ASSERT_EQ(original.faces.size(), 800u);
+    const osgPMObjects::core::SimplificationMeter meter(original);
+    for (const ordered_json& row : model["results"])
+    {
+        auto level = readTextured(folder / "dump" / row["dumpWithTexCoords"].get<std::string>());
+        const auto drift = meter.measure(level).drift;
+        ASSERT_TRUE(drift);
+        EXPECT_NEAR(drift->mean, row["uvDriftMeanTexels"], 1e-3) << row;
+        EXPECT_NEAR(drift->ofNinetyNine, row["uvDriftTexels"], 1e-3) << row;
+        for (glm::vec2& t : level.texCoords[0])
+            t += glm::vec2(0.1f); // the mutation
+        EXPECT_GT(meter.measure(level).drift->mean, row["uvDriftMeanTexels"].get<double>() + 50.0);
+    }
+}
+
 TEST(CompareSimplify, KeepsMaterialsApart)
 {
     const Folder folder;

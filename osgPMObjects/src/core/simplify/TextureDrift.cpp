@@ -178,9 +178,12 @@ std::optional<TextureDrift> TextureDriftMeter::measure(const MeasuredSurface& le
     std::erase_if(drifts, [](double d) { return d < 0.0; });
     if (drifts.empty()) return std::nullopt;
     std::sort(drifts.begin(), drifts.end());
-    return TextureDrift{std::accumulate(drifts.begin(), drifts.end(), 0.0) /
-                            static_cast<double>(drifts.size()),
-                        drifts[(drifts.size() - 1) * 99 / 100], drifts.back(), drifts.size()};
+    const auto visible =
+        drifts.end() - std::upper_bound(drifts.begin(), drifts.end(), TextureDrift::kVisibleTexels);
+    const auto count = static_cast<double>(drifts.size());
+    return TextureDrift{std::accumulate(drifts.begin(), drifts.end(), 0.0) / count,
+                        drifts[(drifts.size() - 1) * 99 / 100], drifts.back(),
+                        static_cast<double>(visible) / count, drifts.size()};
 }
 
 } // namespace osgPMObjects::core

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include <osgPMObjects/core/simplify/SimplificationError.h>
+
+#include "pmtool/SimplifyTool.h"
+
+namespace pmtool
+{
+
+/// A model, and all that is the same for every tool.
+struct SimplifySubject
+{
+    std::string name;               ///< of its dumps
+    osgPMObjects::core::Mesh mesh;  ///< consolidated
+    osgPMObjects::core::Mesh shape; ///< see shapeOf()
+    osgPMObjects::core::SimplificationMeter meter;
+    std::vector<double> percents;     ///< of the faces, falling
+    std::vector<std::size_t> targets; ///< most faces for each, at least one
+
+    SimplifySubject(std::string subjectName, osgPMObjects::core::Mesh clean,
+                    std::vector<double> targetPercents);
+};
+
+/// What is measured about a level, into its row.
+void addMeasures(nlohmann::ordered_json& row, const SimplifySubject& subject, const SimplifiedLevel& level,
+                 std::size_t target);
+
+/// Writes a mesh as FOLDER/STEM.obj (writePlain()), and one with texture coordinates as FOLDER/STEM.uv.obj (writeTextured()), too;
+/// the files' names go into the row. Errors: a file cannot be written.
+viewlod::Outcome dump(const osgPMObjects::core::Mesh& mesh, const std::filesystem::path& folder,
+                      const std::string& stem, nlohmann::ordered_json& row);
+
+/// What a row's dump is called: "forklift.subset.seams.5".
+std::string dumpName(const SimplifySubject& subject, const nlohmann::ordered_json& row);
+
+/// For whoever looks on.
+void printHeading(const std::string& file, const SimplifySubject& subject);
+void printRow(const nlohmann::ordered_json& row);
+
+} // namespace pmtool
