@@ -4,6 +4,8 @@
 #include <memory>
 
 #include <osgPMObjects/core/consolidate/Consolidate.h>
+#include <osgPMObjects/core/consolidate/MergeWedges.h>
+#include <osgPMObjects/core/consolidate/Weld.h>
 
 #include "pmtool/CheckerCoordinates.h"
 #include "pmtool/ModelFiles.h"
@@ -61,6 +63,9 @@ viewlod::Result<Json> compareModel(const std::string& file, const Request& reque
     core::Mesh& mesh = model->imported.mesh;
     const std::size_t trianglesRead = mesh.faces.size();
     core::consolidate(mesh);
+    core::weldPositions(
+        mesh, 0.0); // edges that consolidation split: simplifiers can do with them, but not with gaps
+    core::mergeWedges(mesh);
     if (mesh.faces.empty())
         return viewlod::Error{file, "has no triangles that can be simplified", "give a model with surfaces"};
     if (request.checker) addCheckerCoordinates(mesh);

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "pmtool/SimplifyTool.h"
-
-#if __has_include(<osgPMObjects/core/simplify/Simplify.h>)
-
-#include <algorithm>
-
 #include <osgPMObjects/core/simplify/Simplify.h>
+
+#include "pmtool/SimplifyTool.h"
 
 namespace pmtool
 {
@@ -54,14 +50,3 @@ void addOwnTools(std::vector<SimplifyTool>& tools)
 }
 
 } // namespace pmtool
-
-#else
-
-namespace pmtool
-{
-
-void addOwnTools(std::vector<SimplifyTool>&) {}
-
-} // namespace pmtool
-
-#endif

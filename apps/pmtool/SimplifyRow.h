@@ -18,7 +18,7 @@ namespace pmtool
 struct SimplifySubject
 {
     std::string name;               ///< of its dumps
-    osgPMObjects::core::Mesh mesh;  ///< consolidated
+    osgPMObjects::core::Mesh mesh;  ///< see SimplifyTask
     osgPMObjects::core::Mesh shape; ///< see shapeOf()
     osgPMObjects::core::SimplificationMeter meter;
     std::vector<double> percents;     ///< of the faces, falling

@@ -18,7 +18,7 @@ namespace pmtool
 /// What a tool is to do.
 struct SimplifyTask
 {
-    const osgPMObjects::core::Mesh& mesh;  ///< consolidated
+    const osgPMObjects::core::Mesh& mesh;  ///< consolidated, then positions at one place joined
     const osgPMObjects::core::Mesh& shape; ///< the same, see shapeOf()
     bool seams = true; ///< whether attributes and materials are kept; otherwise only the shape counts
     std::span<const std::size_t> targets; ///< most faces of each level, falling
