@@ -83,14 +83,21 @@ Mesh meshAfter(const Mesh& mesh, const CollapseSequence& sequence, std::size_t s
     for (std::size_t step = steps; step-- > 0;)
         for (const WedgeCollapse& wedge : sequence.wedgesOf(step))
             becomes[wedge.from] = becomes[wedge.to];
+    // A face that has gone is told by its positions: what becomes of a wedge that it had for itself, nobody says.
+    std::vector<std::uint32_t> standsAt(mesh.positions.size());
+    std::iota(standsAt.begin(), standsAt.end(), 0u);
+    for (std::size_t step = steps; step-- > 0;)
+        standsAt[sequence.steps[step].from] = standsAt[sequence.steps[step].to];
+    std::erase_if(level.faces,
+                  [&](const Face& face)
+                  {
+                      return repeatsCorner({standsAt[mesh.positionOf(face, 0)],
+                                            standsAt[mesh.positionOf(face, 1)],
+                                            standsAt[mesh.positionOf(face, 2)]});
+                  });
     for (Face& face : level.faces)
         for (std::uint32_t& wedge : face.wedges)
             wedge = becomes[wedge];
-    std::erase_if(level.faces,
-                  [&](const Face& face) {
-                      return repeatsCorner(
-                          {level.positionOf(face, 0), level.positionOf(face, 1), level.positionOf(face, 2)});
-                  });
     compactMesh(level);
     return level;
 }
