@@ -16,13 +16,13 @@ namespace osgPMObjects::core
 namespace
 {
 
-/// Whether a ray meets a box; `inverse`: of its direction, by coordinate.
-bool meets(const Extent& box, const glm::dvec3& from, const glm::dvec3& inverse)
+/// Whether a ray meets a box before `most` directions; `inverse`: of its direction, by coordinate.
+bool meets(const Extent& box, const glm::dvec3& from, const glm::dvec3& inverse, double most)
 {
     const glm::dvec3 a = (box.low - from) * inverse, b = (box.high - from) * inverse;
     const glm::dvec3 near = glm::min(a, b), far = glm::max(a, b);
     const double enters = std::max({near.x, near.y, near.z, 0.0}), leaves = std::min({far.x, far.y, far.z});
-    return enters <= leaves * (1.0 + 1e-12);
+    return enters <= most && enters <= leaves * (1.0 + 1e-12);
 }
 
 } // namespace
@@ -116,7 +116,27 @@ double TriangleTree::distance(const glm::dvec3& point, double most) const
     return std::sqrt(best);
 }
 
-bool TriangleTree::isHit(const glm::dvec3& from, const glm::dvec3& direction, double least) const
+TrianglePoint TriangleTree::nearest(const glm::dvec3& point, double most, const Accepts& accepts) const
+{
+    TrianglePoint found;
+    double best = most * most;
+    visitNear(point, best,
+           [&](std::uint32_t triangle)
+           {
+               const Triangle& t = _triangles[triangle];
+               const glm::dvec3 at =
+                   nearestPoint(point, _positions[t[0]], _positions[t[1]], _positions[t[2]]);
+               const double squared = glm::dot(point - at, point - at);
+               if (!(squared < best) || (accepts && !accepts(triangle))) return;
+               best = squared;
+               found = {triangle, at, std::sqrt(squared)};
+           });
+    return found;
+}
+
+template<class Look>
+bool TriangleTree::follow(const glm::dvec3& from, const glm::dvec3& direction, const double& most,
+                          const Look& look) const
 {
     if (_nodes.empty()) return false;
     const glm::dvec3 inverse = 1.0 / direction;
@@ -127,11 +147,12 @@ bool TriangleTree::isHit(const glm::dvec3& from, const glm::dvec3& direction, do
     {
         const std::uint32_t number = stack[--depth];
         const Node& node = _nodes[number];
-        if (!meets(node.box, from, inverse)) continue;
+        if (!meets(node.box, from, inverse, most)) continue;
         for (std::uint32_t i = node.first; i < node.first + node.count; ++i)
         {
             const Triangle& t = _triangles[_order[i]];
-            if (rayDistance(from, direction, _positions[t[0]], _positions[t[1]], _positions[t[2]]) > least)
+            if (look(_order[i],
+                     rayDistance(from, direction, _positions[t[0]], _positions[t[1]], _positions[t[2]])))
                 return true;
         }
         if (node.count > 0) continue;
@@ -139,6 +160,28 @@ bool TriangleTree::isHit(const glm::dvec3& from, const glm::dvec3& direction, do
         stack[depth++] = number + 1;
     }
     return false;
+}
+
+TrianglePoint TriangleTree::firstHit(const glm::dvec3& from, const glm::dvec3& direction, double most,
+                                     const Accepts& accepts) const
+{
+    TrianglePoint found;
+    double best = most;
+    follow(from, direction, best,
+           [&](std::uint32_t triangle, double distance)
+           {
+               if (distance < 0.0 || distance >= best || (accepts && !accepts(triangle))) return false;
+               best = distance;
+               found = {triangle, from + distance * direction, distance};
+               return false;
+           });
+    return found;
+}
+
+bool TriangleTree::isHit(const glm::dvec3& from, const glm::dvec3& direction, double least) const
+{
+    return follow(from, direction, std::numeric_limits<double>::infinity(),
+                  [&](std::uint32_t, double distance) { return distance > least; });
 }
 
 } // namespace osgPMObjects::core
