@@ -141,6 +141,7 @@ BakedMaps bakeMaps(const Mesh& full, const Mesh& simplified, const Atlas& atlas,
     for (const std::size_t count : unmatched)
         maps.unmatchedTexels += count;
     maps.coveredTexels = owners.covered;
+    maps.lookedUpTexels = owned.size();
     maps.reach = baker.reach();
     const auto size = static_cast<std::size_t>(atlas.sizePx);
     fillTexels(maps.colours, isShown, size);

@@ -38,7 +38,8 @@ struct BakedMaps
     std::vector<Rgba> colours;
     std::vector<Rgb> normals;
     std::size_t coveredTexels = 0;   ///< with their centre in a face
-    std::size_t unmatchedTexels = 0; ///< of those that were looked up, covered or just beside: nothing of the full model agrees
+    std::size_t lookedUpTexels = 0;  ///< covered, or just beside
+    std::size_t unmatchedTexels = 0; ///< of those looked up: nothing of the full model agrees
     double reach = 0.0;              ///< that was taken. Units: the meshes'
 };
 

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <chrono>
+
+#include <osgPMObjects/core/bake/AtlasMesh.h>
+
+#include <osgPMObjects/BakeModel>
+
+#include "../import/StateTable.h"
+#include "BakedState.h"
+#include "SurfaceColours.h"
+
+namespace osgPMObjects
+{
+
+namespace
+{
+
+using Clock = std::chrono::steady_clock;
+
+double msSince(Clock::time_point start)
+{
+    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+double percent(std::size_t part, std::size_t whole)
+{
+    return whole > 0 ? 100.0 * static_cast<double>(part) / static_cast<double>(whole) : 0.0;
+}
+
+/// Gives the mesh's materials baked states; those that are drawn alike become one.
+void bakeStates(ImportedModel& model, const SurfaceColours& colours, const ImportedModel& full,
+                const BakedLook& look)
+{
+    StateTable table;
+    std::vector<core::Material> materials;
+    std::vector<std::uint32_t> numbers;
+    for (std::uint32_t m = 0; m < model.mesh.materials.size(); ++m)
+    {
+        const core::Material& old = model.mesh.materials[m];
+        const osg::ref_ptr<osg::StateSet> state = look.stateFor(
+            *full.states[old.state], colours.finish(m), old.has(core::Material::normal));
+        const core::Material baked = table.materialOf(state, old.attributes);
+        const auto known = std::find(materials.begin(), materials.end(), baked);
+        numbers.push_back(static_cast<std::uint32_t>(known - materials.begin()));
+        if (known == materials.end()) materials.push_back(baked);
+    }
+    for (core::Face& face : model.mesh.faces)
+        face.material = numbers[face.material];
+    model.mesh.materials = std::move(materials);
+    model.states = table.states();
+}
+
+} // namespace
+
+viewlod::Result<BakedModel> bakeModel(const ImportedModel& full, const core::Mesh& simplified,
+                                      const BakeModelSettings& settings)
+{
+    const Clock::time_point start = Clock::now();
+    auto atlas = core::packCharts(simplified, core::makeCharts(simplified, settings.charts), settings.atlas);
+    if (!atlas) return atlas.error();
+    BakedModel baked;
+    baked.report.chartMs = msSince(start);
+    const SurfaceColours colours(full);
+    const Clock::time_point chartsDone = Clock::now();
+    const core::BakedMaps maps = core::bakeMaps(
+        full.mesh, simplified, *atlas,
+        [&](std::uint32_t face, const glm::dvec3& weights, std::uint32_t simplifiedFace)
+        { return colours.at(face, weights, simplified.faces[simplifiedFace].material); },
+        settings.maps);
+    baked.report.mapMs = msSince(chartsDone);
+    baked.model.mesh = core::atlasMesh(simplified, *atlas);
+    baked.model.remainder = full.remainder;
+    baked.model.report = full.report;
+    bakeStates(baked.model, colours, full, BakedLook(maps));
+    BakeReport& report = baked.report;
+    report.charts = atlas->charts.charts.size();
+    report.texelsPerUnit = atlas->texelsPerUnit;
+    report.coveredPercent = percent(maps.coveredTexels, maps.colours.size());
+    report.unmatchedPercent = percent(maps.unmatchedTexels, maps.lookedUpTexels);
+    report.reach = maps.reach;
+    report.texturesNotRead = colours.texturesNotRead();
+    return baked;
+}
+
+} // namespace osgPMObjects

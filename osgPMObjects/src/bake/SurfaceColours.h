@@ -1,0 +1,64 @@
+// -*- c++ -*-
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <map>
+#include <memory>
+#include <vector>
+
+#include <osg/StateSet>
+
+#include <osgPMObjects/ImportNode>
+
+#include "TexturePicture.h"
+
+namespace osgPMObjects
+{
+
+/// What a state's surface does with light, alike on all of it. A map is to hold `base` times texture and vertex colour;
+/// base is the largest of what it is divided into, so that no part is above 1, which is all that OpenGL's material can be.
+struct Finish
+{
+    bool isLit = true;
+    bool followsColours = false; ///< ambient and diffuse light take the vertex colour
+    glm::vec4 base{1.0f};        ///< the largest of the following, by channel; alpha: diffuse's
+    glm::vec3 ambient{1.0f};     ///< the following: parts of base
+    glm::vec3 diffuse{1.0f};
+    glm::vec3 emission{0.0f};
+    glm::vec3 specular{0.0f};
+    float shininess = 0.0f;
+};
+
+/// What a state makes of light without shaders, on faces that have vertex colours or not.
+Finish finishOf(const osg::StateSet& state, bool hasColours);
+
+/// What a model's surfaces look like without light: textures, materials and vertex colours.
+/// Threads: any number at once, after construction.
+class SurfaceColours
+{
+public:
+    explicit SurfaceColours(const ImportedModel& full);
+
+    /// Of a point of a face, for a map on a face of another material: that material's ambient, diffuse and emitted light times what
+    /// is given here is what the full model shows. Where the two materials are one this is exact; otherwise
+    /// it is for diffuse light.
+    glm::vec4 at(std::uint32_t face, const glm::dvec3& weights, std::uint32_t shownWith) const;
+
+    const Finish& finish(std::uint32_t material) const { return _finishes[material]; }
+    std::size_t texturesNotRead() const { return _texturesNotRead; }
+
+private:
+    static constexpr std::size_t kUnits = core::Mesh::kTexCoordSets;
+
+    void addMaterial(const core::Material& material, const osg::StateSet& state);
+
+    const ImportedModel& _full;
+    std::vector<Finish> _finishes; ///< by material
+    std::vector<std::array<const TexturePicture*, kUnits>> _pictures; ///< by material and unit; null: none
+    std::map<const osg::Texture*, std::unique_ptr<TexturePicture>> _read;
+    std::vector<std::array<osg::Matrixd, kUnits>> _texMats;
+    std::size_t _texturesNotRead = 0;
+};
+
+} // namespace osgPMObjects
