@@ -26,6 +26,9 @@ void addInfo(CLI::App& app, Chosen& chosen);
 /// `consolidate`: cleans each model, counts before and after, writes what came out.
 void addConsolidate(CLI::App& app, Chosen& chosen);
 
+/// `bake`: simplifies each model and keeps its looks in maps. docs/baking.md has the layout of the table.
+void addBake(CLI::App& app, Chosen& chosen);
+
 /// `compare`, to which the comparisons are added.
 CLI::App* addCompareGroup(CLI::App& app);
 

@@ -10,6 +10,7 @@ int main(int argc, char** argv)
     pmtool::Chosen chosen;
     pmtool::addInfo(app, chosen);
     pmtool::addConsolidate(app, chosen);
+    pmtool::addBake(app, chosen);
     CLI::App* compare = pmtool::addCompareGroup(app);
     pmtool::addCompareOrder(*compare, chosen);
     pmtool::addCompareSimplify(*compare, chosen);
