@@ -7,6 +7,7 @@
 #include <optional>
 
 #include <osgPMObjects/core/consolidate/Consolidate.h>
+#include <osgPMObjects/core/consolidate/Weld.h>
 #include <osgPMObjects/core/simplify/Simplify.h>
 
 #include <osgPMObjects/BakeModel>
@@ -39,13 +40,13 @@ double msSince(Clock::time_point start)
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
-core::Mesh simplified(const core::Mesh& mesh, const Request& request)
+core::Mesh simplified(core::Mesh mesh, const Request& request)
 {
+    core::weldPositions(mesh, 0.0); // what consolidation cut at crowded edges is one surface to the simplifier
     const auto share = static_cast<std::size_t>(
         std::llround(static_cast<double>(mesh.faces.size()) * request.levelPercent / 100.0));
     const std::size_t faces = std::max<std::size_t>(1, request.faces.value_or(share));
-    const core::CollapseSequence sequence =
-        core::simplify(mesh, {.placement = core::Placement::optimal, .leastFaces = faces});
+    const core::CollapseSequence sequence = core::simplify(mesh, {.placement = core::Placement::optimal});
     return core::meshAfter(mesh, sequence, core::stepsToFaces(sequence, faces));
 }
 

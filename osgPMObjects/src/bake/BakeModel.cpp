@@ -72,7 +72,7 @@ viewlod::Result<BakedModel> bakeModel(const ImportedModel& full, const core::Mes
     baked.model.mesh = core::atlasMesh(simplified, *atlas);
     baked.model.remainder = full.remainder;
     baked.model.report = full.report;
-    bakeStates(baked.model, colours, full, BakedLook(maps));
+    bakeStates(baked.model, colours, full, BakedLook(maps, settings.atlas.gutterPx));
     BakeReport& report = baked.report;
     report.charts = atlas->charts.charts.size();
     report.texelsPerUnit = atlas->texelsPerUnit;

@@ -2,6 +2,7 @@
 #include "BakedState.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <utility>
 #include <vector>
@@ -41,7 +42,8 @@ uniform int bakedLights;     // the first of them that are on
 uniform bool bakedBothSides; // backs are lit by normals turned round
 void main()
 {
-    vec3 normal = normalize(gl_NormalMatrix * (2.0 * texture2D(bakedNormals, bakedTexel).rgb - 1.0));
+    vec3 mean = 2.0 * texture2D(bakedNormals, bakedTexel).rgb - 1.0;
+    vec3 normal = normalize(gl_NormalMatrix * mean);
     if (bakedBothSides && !gl_FrontFacing) normal = -normal;
     vec3 colour = gl_FrontLightModelProduct.sceneColor.rgb;
     for (int i = 0; i < bakedLights; ++i)
@@ -53,7 +55,7 @@ void main()
         float strength = position.w == 0.0 ? 1.0
             : 1.0 / (gl_LightSource[i].constantAttenuation
                 + far * (gl_LightSource[i].linearAttenuation + far * gl_LightSource[i].quadraticAttenuation));
-        float facing = max(dot(normal, towards), 0.0);
+        float facing = max(length(mean), 0.7) * max(dot(normal, towards), 0.0);
         colour += strength * (gl_FrontLightProduct[i].ambient.rgb + facing * gl_FrontLightProduct[i].diffuse.rgb);
         float gloss = max(dot(normal, normalize(towards + vec3(0.0, 0.0, 1.0))), 0.0);
         if (facing > 0.0 && gloss > 0.0)
@@ -79,6 +81,12 @@ osg::ref_ptr<osg::Texture2D> textureOf(const std::vector<std::array<std::uint8_t
     texture->setWrap(osg::Texture::WRAP_S, osg::Texture::CLAMP_TO_EDGE);
     texture->setWrap(osg::Texture::WRAP_T, osg::Texture::CLAMP_TO_EDGE);
     return texture;
+}
+
+/// How often the maps may be halved: a texel and half of the next, which filtering reads, have to fit between two charts.
+float smallestCopy(int gutterPx)
+{
+    return std::floor(std::log2(2.0f * static_cast<float>(gutterPx) / 1.5f));
 }
 
 /// Three channels where the fourth says nothing.
@@ -137,11 +145,13 @@ bool lightBoth(osg::StateSet& state)
 
 } // namespace
 
-BakedLook::BakedLook(const core::BakedMaps& maps)
+BakedLook::BakedLook(const core::BakedMaps& maps, int gutterPx)
     : _colours(colourTexture(maps)),
       _normals(textureOf(maps.normals, maps.sizePx, "baked normals")),
       _program(new osg::Program)
 {
+    for (osg::Texture2D* texture : {_colours.get(), _normals.get()})
+        texture->setMaxLOD(smallestCopy(gutterPx));
     _program->setName("baked");
     _program->addShader(new osg::Shader(osg::Shader::VERTEX, kVertexShader));
     _program->addShader(new osg::Shader(osg::Shader::FRAGMENT, kFragmentShader));

@@ -17,7 +17,8 @@ namespace osgPMObjects
 class BakedLook
 {
 public:
-    explicit BakedLook(const core::BakedMaps& maps);
+    /// `gutterPx`: that of the maps. Copies of them are taken as small as their texels do not reach from one chart into the next.
+    BakedLook(const core::BakedMaps& maps, int gutterPx);
 
     /// A state that draws with the maps what `state` drew with its own textures and colours.
     osg::ref_ptr<osg::StateSet> stateFor(const osg::StateSet& state, const Finish& finish,

@@ -20,22 +20,28 @@ namespace
 {
 
 constexpr std::size_t kLeastShare = 512; ///< texels
+constexpr double kLeastNormal = 0.01;    ///< below, corners look so differently that their mean says nothing
 
 glm::dvec3 geometricNormal(const Mesh& mesh, const Face& face)
 {
     return glm::cross(mesh.at(face, 1) - mesh.at(face, 0), mesh.at(face, 2) - mesh.at(face, 0));
 }
 
-/// The normal that a face is lit by at some point; unit length, 0 where it has none.
+glm::dvec3 unitOr0(const glm::dvec3& v)
+{
+    const double length = glm::length(v);
+    return length > 0.0 ? v / length : glm::dvec3(0.0);
+}
+
+/// The mean of the normals that a face's corners are lit by, not made longer.
 glm::dvec3 shadingNormal(const Mesh& mesh, const Face& face, const glm::dvec3& weights)
 {
     glm::dvec3 sum(0.0);
     if (!mesh.normals.empty() && mesh.materials[face.material].has(Material::normal))
         for (int corner = 0; corner < 3; ++corner)
-            sum += weights[corner] * glm::dvec3(mesh.normals[face.wedges[static_cast<std::size_t>(corner)]]);
-    double length = glm::length(sum);
-    if (!(length > 0.0)) sum = geometricNormal(mesh, face), length = glm::length(sum);
-    return length > 0.0 ? sum / length : glm::dvec3(0.0);
+            sum += weights[corner] *
+                   unitOr0(glm::dvec3(mesh.normals[face.wedges[static_cast<std::size_t>(corner)]]));
+    return glm::length(sum) > kLeastNormal ? sum : unitOr0(geometricNormal(mesh, face));
 }
 
 std::uint8_t byteOf(double value)
@@ -70,12 +76,11 @@ public:
         for (int y = 0; y < _samplesPerSide; ++y)
             for (int x = 0; x < _samplesPerSide; ++x)
                 add(sum, face, weightsAt(flat, corner + (glm::dvec2(x, y) + 0.5) / static_cast<double>(_samplesPerSide)));
-        const double count = _samplesPerSide * _samplesPerSide, length = glm::length(sum.normal);
+        const double count = _samplesPerSide * _samplesPerSide;
         for (int c = 0; c < 4; ++c)
             maps.colours[texel][static_cast<std::size_t>(c)] = byteOf(sum.colour[c] / count);
         for (int c = 0; c < 3; ++c)
-            maps.normals[texel][static_cast<std::size_t>(c)] =
-                byteOf(0.5 + 0.5 * (length > 0.0 ? sum.normal[c] / length : 0.0));
+            maps.normals[texel][static_cast<std::size_t>(c)] = byteOf(0.5 + 0.5 * sum.normal[c] / count);
         return sum.agrees;
     }
 
@@ -96,7 +101,7 @@ private:
         // What is seen from both sides may be lit by normals that look the other way.
         const glm::dvec3 outwards =
             glm::dot(shading, geometricNormal(_simplified, face)) < 0.0 ? -shading : shading;
-        const SurfacePoint match = _match.find(point, outwards, face);
+        const SurfacePoint match = _match.find(point, unitOr0(outwards), face);
         sum.colour += glm::dvec4(_colourAt(match.face, match.weights, f));
         sum.normal += match.agrees ? shadingNormal(_full, _full.faces[match.face], match.weights) : shading;
         sum.agrees = sum.agrees && match.agrees;

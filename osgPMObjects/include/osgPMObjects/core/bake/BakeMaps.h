@@ -30,8 +30,10 @@ using Rgba = std::array<std::uint8_t, 4>;
 using Rgb = std::array<std::uint8_t, 3>;
 
 /// Pictures of a full model over the charts of a simplified one. Rows from below.
-/// Frame: normals are the mesh's own (object space), n = 2·c/255 − 1: nothing has to be known about tangents, and nothing is
+/// Frame: normals are in the mesh's own (object space), n = 2·c/255 − 1: nothing has to be known about tangents, and nothing is
 /// lost where they turn; a model that bends would need another frame.
+/// Normals are means, of a face's corners and over the texel, and as short as these come out: then n·l is the mean of the light
+/// that the corners get, as fixed function draws it, and so it is in smaller copies of the map.
 struct BakedMaps
 {
     int sizePx = 0;
