@@ -150,7 +150,7 @@ BakedLook::BakedLook(const core::BakedMaps& maps, int gutterPx)
       _normals(textureOf(maps.normals, maps.sizePx, "baked normals")),
       _program(new osg::Program)
 {
-    for (osg::Texture2D* texture : {_colours.get(), _normals.get()})
+    for (osg::Texture2D* texture : {_normals.get()})
         texture->setMaxLOD(smallestCopy(gutterPx));
     _program->setName("baked");
     _program->addShader(new osg::Shader(osg::Shader::VERTEX, kVertexShader));

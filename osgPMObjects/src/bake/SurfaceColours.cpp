@@ -47,8 +47,9 @@ bool isEnabled(const osg::StateSet& state, unsigned unit)
 
 } // namespace
 
-Finish finishOf(const osg::StateSet& state, bool hasColours)
+Finish finishOf(const osg::StateSet& state, const VertexColours& colours)
 {
+    const bool hasColours = colours.have;
     using Mode = osg::Material::ColorMode;
     constexpr auto kFront = osg::Material::FRONT;
     static const osg::ref_ptr<const osg::Material> nothingSet = new osg::Material;
@@ -58,39 +59,47 @@ Finish finishOf(const osg::StateSet& state, bool hasColours)
     const Mode mode = set          ? set->getColorMode()
                       : hasColours ? osg::Material::AMBIENT_AND_DIFFUSE
                                    : osg::Material::OFF;
-    const glm::vec4 diffuse = glmOf(material.getDiffuse(kFront));
     Finish finish;
     const auto lighting = state.getMode(GL_LIGHTING);
     finish.isLit = lighting == osg::StateAttribute::INHERIT || (lighting & osg::StateAttribute::ON) != 0;
-    finish.followsColours = hasColours && (mode == osg::Material::DIFFUSE ||
-                                           mode == osg::Material::AMBIENT_AND_DIFFUSE || !finish.isLit);
-    if (!finish.isLit)
-    {
-        // An osg::Material makes its diffuse colour the current one, which is what faces without colours of their own have.
-        if (!hasColours && set) finish.base = diffuse;
-        return finish;
-    }
-    finish.specular = glm::vec3(glmOf(material.getSpecular(kFront)));
-    finish.shininess = material.getShininess(kFront);
-    finish.emission = glm::vec3(glmOf(material.getEmission(kFront)));
-    if (finish.followsColours) return finish;
+    const bool isFollowing = hasColours && (mode == osg::Material::DIFFUSE ||
+                                            mode == osg::Material::AMBIENT_AND_DIFFUSE || !finish.isLit);
+    finish.timesColours = isFollowing && colours.differ;
+    // An osg::Material makes its diffuse colour the current one, which is what faces without colours of their own have.
+    const glm::vec4 diffuse = finish.timesColours                     ? glm::vec4(1.0f)
+                              : isFollowing                           ? colours.first
+                              : finish.isLit || (set && !hasColours) ? glmOf(material.getDiffuse(kFront))
+                                                                      : glm::vec4(1.0f);
     finish.diffuse = glm::vec3(diffuse);
-    finish.ambient = mode == osg::Material::AMBIENT_AND_DIFFUSE
-                         ? finish.diffuse
-                         : glm::vec3(glmOf(material.getAmbient(kFront)));
+    if (finish.isLit)
+    {
+        finish.ambient = mode == osg::Material::AMBIENT_AND_DIFFUSE
+                             ? finish.diffuse
+                             : glm::vec3(glmOf(material.getAmbient(kFront)));
+        finish.emission = glm::vec3(glmOf(material.getEmission(kFront)));
+        finish.specular = glm::vec3(glmOf(material.getSpecular(kFront)));
+        finish.shininess = material.getShininess(kFront);
+    }
     divideByBase(finish, diffuse.a);
     return finish;
 }
 
 SurfaceColours::SurfaceColours(const ImportedModel& full) : _full(full)
 {
-    for (const Material& material : full.mesh.materials)
-        addMaterial(material, *full.states[material.state]);
+    const core::Mesh& mesh = full.mesh;
+    std::vector<VertexColours> colours(mesh.materials.size());
+    for (const core::Face& face : mesh.faces)
+        for (const std::uint32_t wedge : face.wedges)
+            if (mesh.materials[face.material].has(Material::colour))
+                colours[face.material].add(mesh.colours[wedge]);
+    for (std::size_t m = 0; m < mesh.materials.size(); ++m)
+        addMaterial(mesh.materials[m], *full.states[mesh.materials[m].state], colours[m]);
 }
 
-void SurfaceColours::addMaterial(const Material& material, const osg::StateSet& state)
+void SurfaceColours::addMaterial(const Material& material, const osg::StateSet& state,
+                                 const VertexColours& colours)
 {
-    _finishes.push_back(finishOf(state, material.has(Material::colour)));
+    _finishes.push_back(finishOf(state, colours));
     auto& pictures = _pictures.emplace_back();
     auto& matrices = _texMats.emplace_back();
     for (unsigned unit = 0; unit < kUnits; ++unit)
@@ -132,7 +141,7 @@ glm::vec4 SurfaceColours::at(std::uint32_t f, const glm::dvec3& weights, std::ui
         const osg::Vec3d moved = osg::Vec3d(place.x, place.y, 0.0) * _texMats[face.material][unit];
         colour *= _pictures[face.material][unit]->at({moved.x(), moved.y()});
     }
-    if (finish.followsColours) colour *= mean(mesh.colours);
+    if (finish.timesColours) colour *= mean(mesh.colours);
     colour *= finish.base;
     if (face.material == shownWith) return colour;
     // Another material divides what it takes of diffuse light, so that both show the same in it.

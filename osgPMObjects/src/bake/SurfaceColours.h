@@ -21,17 +21,32 @@ namespace osgPMObjects
 struct Finish
 {
     bool isLit = true;
-    bool followsColours = false; ///< ambient and diffuse light take the vertex colour
-    glm::vec4 base{1.0f};        ///< the largest of the following, by channel; alpha: diffuse's
-    glm::vec3 ambient{1.0f};     ///< the following: parts of base
+    bool timesColours = false; ///< vertex colours, which differ, are multiplied with it
+    glm::vec4 base{1.0f};      ///< the largest of the following, by channel; alpha: diffuse's
+    glm::vec3 ambient{0.0f}; ///< the following: parts of base
     glm::vec3 diffuse{1.0f};
     glm::vec3 emission{0.0f};
     glm::vec3 specular{0.0f};
     float shininess = 0.0f;
 };
 
-/// What a state makes of light without shaders, on faces that have vertex colours or not.
-Finish finishOf(const osg::StateSet& state, bool hasColours);
+/// The vertex colours of all faces of one material.
+struct VertexColours
+{
+    bool have = false;   ///< there are some
+    bool differ = false; ///< not all are `first`
+    glm::vec4 first{1.0f};
+
+    void add(const glm::vec4& colour)
+    {
+        if (!have) first = colour;
+        have = true;
+        differ = differ || colour != first;
+    }
+};
+
+/// What a state makes of light without shaders.
+Finish finishOf(const osg::StateSet& state, const VertexColours& colours);
 
 /// What a model's surfaces look like without light: textures, materials and vertex colours.
 /// Threads: any number at once, after construction.
@@ -51,7 +66,8 @@ public:
 private:
     static constexpr std::size_t kUnits = core::Mesh::kTexCoordSets;
 
-    void addMaterial(const core::Material& material, const osg::StateSet& state);
+    void addMaterial(const core::Material& material, const osg::StateSet& state,
+                     const VertexColours& colours);
 
     const ImportedModel& _full;
     std::vector<Finish> _finishes; ///< by material
