@@ -87,6 +87,53 @@ TEST(PmTool, InfoDescribesAModel)
     EXPECT_NEAR(row["diagonal"].get<double>(), std::sqrt(5.0), 1e-6);
 }
 
+/// An 8 × 8 grid of squares, a little higher in the middle.
+std::string hill()
+{
+    std::ostringstream text;
+    for (int y = 0; y <= 8; ++y)
+        for (int x = 0; x <= 8; ++x)
+            text << "v " << x << ' ' << y << ' ' << 0.1 * x * (8 - x) * y * (8 - y) / 16.0 << '\n';
+    for (int y = 0; y < 8; ++y)
+        for (int x = 1; x <= 8; ++x)
+            text << "f " << 9 * y + x << ' ' << 9 * y + x + 1 << ' ' << 9 * y + x + 10 << ' ' << 9 * y + x + 9 << '\n';
+    return text.str();
+}
+
+TEST(PmTool, BakeWritesTheTableAndTheModelWithItsMaps)
+{
+    const Workplace place;
+    const std::string model = place.write("hill.obj", hill());
+    const ordered_json table = tableOf(
+        place, {"bake", model, "--level", "25", "--size", "64", "--output", place.path("baked")});
+    ASSERT_EQ(table["models"].size(), 1U);
+    const ordered_json& row = table["models"][0];
+    EXPECT_EQ(keysOf(row), (Words{"model", "triangles", "trianglesReached", "size", "charts", "atlasUsePercent",
+                                  "texelsPerUnit", "unmatchedPercent", "reach", "texturesNotRead", "ms", "output"}));
+    EXPECT_EQ(keysOf(row["ms"]), (Words{"simplify", "charts", "maps"}));
+    EXPECT_EQ(row["triangles"], 128);
+    EXPECT_NEAR(row["trianglesReached"].get<double>(), 32.0, 4.0);
+    EXPECT_GE(row["charts"], 1);
+    EXPECT_GT(row["atlasUsePercent"], 30.0);
+    const ordered_json again = tableOf(place, {"info", place.path("baked/hill.osgb")});
+    EXPECT_EQ(again["models"][0]["triangles"], row["trianglesReached"]);
+    EXPECT_GT(std::filesystem::file_size(place.path("baked/hill.osgb")), 2U * 3U * 64U * 64U) << "two maps";
+    EXPECT_EQ(tableOf(place, {"bake", model, "--faces", "10", "--size", "64"})["models"][0]["trianglesReached"]
+                  .get<int>() <= 10,
+              true);
+}
+
+TEST(PmTool, BakeSaysWhatItCannotDo)
+{
+    const Workplace place;
+    const std::string model = place.write("hill.obj", hill());
+    EXPECT_TRUE(failsWith(runPmTool({"bake", model, "--size", "100"}), 2, "pmtool", {"--size"}));
+    EXPECT_TRUE(
+        failsWith(runPmTool({"bake", model, "--level", "10", "--faces", "5"}), 2, "pmtool", {"--level"}));
+    EXPECT_TRUE(failsWith(runPmTool({"bake", model, "--size", "16", "--gutter", "8"}), 1, "pmtool",
+                          {model, "do not fit"}));
+}
+
 TEST(PmTool, OneBadModelIsNamedAndTheOthersAreDone)
 {
     const Workplace place;
