@@ -42,7 +42,8 @@ double msSince(Clock::time_point start)
 
 core::Mesh simplified(core::Mesh mesh, const Request& request)
 {
-    core::weldPositions(mesh, 0.0); // what consolidation cut at crowded edges is one surface to the simplifier
+    core::weldPositions(mesh,
+                        0.0); // what consolidation cut at crowded edges is one surface to the simplifier
     const auto share = static_cast<std::size_t>(
         std::llround(static_cast<double>(mesh.faces.size()) * request.levelPercent / 100.0));
     const std::size_t faces = std::max<std::size_t>(1, request.faces.value_or(share));
@@ -69,7 +70,8 @@ void print(const Json& row)
               << " % without a match, " << row["ms"]["simplify"].get<double>() << " ms simplified, "
               << row["ms"]["charts"].get<double>() + row["ms"]["maps"].get<double>() << " ms baked\n";
     if (row["texturesNotRead"] > 0)
-        std::cout << "  " << row["texturesNotRead"] << " textures could not be read (compressed, or not found)\n";
+        std::cout << "  " << row["texturesNotRead"]
+                  << " textures could not be read (compressed, or not found)\n";
 }
 
 viewlod::Result<Json> bakeFile(const Request& request, OutputNames& names, const std::string& file)
@@ -78,7 +80,8 @@ viewlod::Result<Json> bakeFile(const Request& request, OutputNames& names, const
     if (!model) return model.error();
     ImportedModel& full = model->imported;
     core::consolidate(full.mesh);
-    if (full.mesh.faces.empty()) return viewlod::Error{file, "has no triangles", "give a model with surfaces"};
+    if (full.mesh.faces.empty())
+        return viewlod::Error{file, "has no triangles", "give a model with surfaces"};
     const Clock::time_point start = Clock::now();
     const core::Mesh level = simplified(full.mesh, request);
     const double simplifyMs = msSince(start);
@@ -114,17 +117,20 @@ viewlod::Result<terminal::Report> run(const Request& request)
 void addBake(CLI::App& app, Chosen& chosen)
 {
     const auto request = std::make_shared<Request>();
-    CLI::App* command =
-        app.add_subcommand("bake", "simplify each model and keep what it looked like in colour and normal maps");
+    CLI::App* command = app.add_subcommand(
+        "bake", "simplify each model and keep what it looked like in colour and normal maps");
     addModelOptions(*command, request->models, chosen.jsonFile);
     CLI::Option* level = command->add_option("--level", request->levelPercent, "faces to keep, per cent (10)")
                              ->check(terminal::between(0.01, 100.0));
-    command->add_option("--faces", request->faces, "faces to keep")->check(CLI::Range(1, 1 << 30))->excludes(level);
+    command->add_option("--faces", request->faces, "faces to keep")
+        ->check(CLI::Range(1, 1 << 30))
+        ->excludes(level);
     command->add_option("--size", request->bake.atlas.sizePx, "of the maps' sides, a power of two (1024)")
         ->check(CLI::IsMember({16, 32, 64, 128, 256, 512, 1024, 2048, 4096, 8192}));
     command->add_option("--gutter", request->bake.atlas.gutterPx, "texels left free around each chart (3)")
         ->check(CLI::Range(1, 64));
-    command->add_option("--slant", request->bake.charts.mostSlantDeg, "most angle of a face to its chart (55)")
+    command
+        ->add_option("--slant", request->bake.charts.mostSlantDeg, "most angle of a face to its chart (55)")
         ->check(terminal::between(1.0, 85.0));
     command->add_option("--samples", request->bake.maps.samplesPerSide, "a side of each texel (2)")
         ->check(CLI::Range(1, 8));

@@ -96,7 +96,8 @@ std::string hill()
             text << "v " << x << ' ' << y << ' ' << 0.1 * x * (8 - x) * y * (8 - y) / 16.0 << '\n';
     for (int y = 0; y < 8; ++y)
         for (int x = 1; x <= 8; ++x)
-            text << "f " << 9 * y + x << ' ' << 9 * y + x + 1 << ' ' << 9 * y + x + 10 << ' ' << 9 * y + x + 9 << '\n';
+            text << "f " << 9 * y + x << ' ' << 9 * y + x + 1 << ' ' << 9 * y + x + 10 << ' ' << 9 * y + x + 9
+                 << '\n';
     return text.str();
 }
 
@@ -104,12 +105,13 @@ TEST(PmTool, BakeWritesTheTableAndTheModelWithItsMaps)
 {
     const Workplace place;
     const std::string model = place.write("hill.obj", hill());
-    const ordered_json table = tableOf(
-        place, {"bake", model, "--level", "25", "--size", "64", "--output", place.path("baked")});
+    const ordered_json table =
+        tableOf(place, {"bake", model, "--level", "25", "--size", "64", "--output", place.path("baked")});
     ASSERT_EQ(table["models"].size(), 1U);
     const ordered_json& row = table["models"][0];
-    EXPECT_EQ(keysOf(row), (Words{"model", "triangles", "trianglesReached", "size", "charts", "atlasUsePercent",
-                                  "texelsPerUnit", "unmatchedPercent", "reach", "texturesNotRead", "ms", "output"}));
+    EXPECT_EQ(keysOf(row),
+              (Words{"model", "triangles", "trianglesReached", "size", "charts", "atlasUsePercent",
+                     "texelsPerUnit", "unmatchedPercent", "reach", "texturesNotRead", "ms", "output"}));
     EXPECT_EQ(keysOf(row["ms"]), (Words{"simplify", "charts", "maps"}));
     EXPECT_EQ(row["triangles"], 128);
     EXPECT_NEAR(row["trianglesReached"].get<double>(), 32.0, 4.0);
@@ -118,9 +120,10 @@ TEST(PmTool, BakeWritesTheTableAndTheModelWithItsMaps)
     const ordered_json again = tableOf(place, {"info", place.path("baked/hill.osgb")});
     EXPECT_EQ(again["models"][0]["triangles"], row["trianglesReached"]);
     EXPECT_GT(std::filesystem::file_size(place.path("baked/hill.osgb")), 2U * 3U * 64U * 64U) << "two maps";
-    EXPECT_EQ(tableOf(place, {"bake", model, "--faces", "10", "--size", "64"})["models"][0]["trianglesReached"]
-                  .get<int>() <= 10,
-              true);
+    EXPECT_EQ(
+        tableOf(place, {"bake", model, "--faces", "10", "--size", "64"})["models"][0]["trianglesReached"]
+                .get<int>() <= 10,
+        true);
 }
 
 TEST(PmTool, BakeSaysWhatItCannotDo)

@@ -30,11 +30,14 @@ inline Mesh roundMesh(std::uint32_t columns, std::uint32_t rows, const SurfaceOf
     {
         constexpr double kStep = 1e-5;
         const double u = static_cast<double>(column) / columns, v = static_cast<double>(row) / rows;
-        const double inner = std::clamp(v, 10.0 * kStep, 1.0 - 10.0 * kStep); // at a pole there is no way along u
-        const glm::dvec3 normal = glm::normalize(glm::cross(surface(u + kStep, inner) - surface(u - kStep, inner),
-                                                            surface(u, inner + kStep) - surface(u, inner - kStep)));
+        const double inner =
+            std::clamp(v, 10.0 * kStep, 1.0 - 10.0 * kStep); // at a pole there is no way along u
+        const glm::dvec3 normal =
+            glm::normalize(glm::cross(surface(u + kStep, inner) - surface(u - kStep, inner),
+                                      surface(u, inner + kStep) - surface(u, inner - kStep)));
         const glm::dvec3 p = surface(column == columns ? 0.0 : u, v);
-        return builder.wedge({builder.position(p), glm::vec3(normal), {glm::vec2(u, v), glm::vec2(0.0f)}, {}});
+        return builder.wedge(
+            {builder.position(p), glm::vec3(normal), {glm::vec2(u, v), glm::vec2(0.0f)}, {}});
     };
     const auto face = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c)
     {

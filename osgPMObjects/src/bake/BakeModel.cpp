@@ -38,8 +38,8 @@ void bakeStates(ImportedModel& model, const SurfaceColours& colours, const Impor
     for (std::uint32_t m = 0; m < model.mesh.materials.size(); ++m)
     {
         const core::Material& old = model.mesh.materials[m];
-        const osg::ref_ptr<osg::StateSet> state = look.stateFor(
-            *full.states[old.state], colours.finish(m), old.has(core::Material::normal));
+        const osg::ref_ptr<osg::StateSet> state =
+            look.stateFor(*full.states[old.state], colours.finish(m), old.has(core::Material::normal));
         const core::Material baked = table.materialOf(state, old.attributes);
         const auto known = std::find(materials.begin(), materials.end(), baked);
         numbers.push_back(static_cast<std::uint32_t>(known - materials.begin()));

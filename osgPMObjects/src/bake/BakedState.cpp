@@ -67,8 +67,8 @@ void main()
 )";
 
 template<std::size_t Channels>
-osg::ref_ptr<osg::Texture2D> textureOf(const std::vector<std::array<std::uint8_t, Channels>>& texels, int size,
-                                       const char* name)
+osg::ref_ptr<osg::Texture2D> textureOf(const std::vector<std::array<std::uint8_t, Channels>>& texels,
+                                       int size, const char* name)
 {
     osg::ref_ptr<osg::Image> image = new osg::Image;
     image->allocateImage(size, size, 1, Channels == 4 ? GL_RGBA : GL_RGB, GL_UNSIGNED_BYTE);
@@ -92,7 +92,8 @@ float smallestCopy(int gutterPx)
 /// Three channels where the fourth says nothing.
 osg::ref_ptr<osg::Texture2D> colourTexture(const core::BakedMaps& maps)
 {
-    if (std::any_of(maps.colours.begin(), maps.colours.end(), [](const core::Rgba& c) { return c[3] != 255; }))
+    if (std::any_of(maps.colours.begin(), maps.colours.end(),
+                    [](const core::Rgba& c) { return c[3] != 255; }))
         return textureOf(maps.colours, maps.sizePx, "baked colours");
     std::vector<core::Rgb> opaque;
     opaque.reserve(maps.colours.size());

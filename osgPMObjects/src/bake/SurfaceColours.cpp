@@ -32,9 +32,9 @@ glm::vec3 ratio(const glm::vec3& part, const glm::vec3& whole, float otherwise)
 
 void divideByBase(Finish& finish, float alpha)
 {
-    finish.base = glm::vec4(glm::max(glm::max(finish.ambient, finish.diffuse),
-                                     glm::max(finish.emission, finish.specular)),
-                            alpha);
+    finish.base = glm::vec4(
+        glm::max(glm::max(finish.ambient, finish.diffuse), glm::max(finish.emission, finish.specular)),
+        alpha);
     for (glm::vec3* part : {&finish.ambient, &finish.diffuse, &finish.emission, &finish.specular})
         *part = ratio(*part, finish.base, 0.0f);
 }
@@ -66,10 +66,10 @@ Finish finishOf(const osg::StateSet& state, const VertexColours& colours)
                                             mode == osg::Material::AMBIENT_AND_DIFFUSE || !finish.isLit);
     finish.timesColours = isFollowing && colours.differ;
     // An osg::Material makes its diffuse colour the current one, which is what faces without colours of their own have.
-    const glm::vec4 diffuse = finish.timesColours                     ? glm::vec4(1.0f)
-                              : isFollowing                           ? colours.first
+    const glm::vec4 diffuse = finish.timesColours                    ? glm::vec4(1.0f)
+                              : isFollowing                          ? colours.first
                               : finish.isLit || (set && !hasColours) ? glmOf(material.getDiffuse(kFront))
-                                                                      : glm::vec4(1.0f);
+                                                                     : glm::vec4(1.0f);
     finish.diffuse = glm::vec3(diffuse);
     if (finish.isLit)
     {
@@ -104,8 +104,8 @@ void SurfaceColours::addMaterial(const Material& material, const osg::StateSet& 
     auto& matrices = _texMats.emplace_back();
     for (unsigned unit = 0; unit < kUnits; ++unit)
     {
-        const auto* texture = dynamic_cast<const osg::Texture*>(
-            state.getTextureAttribute(unit, osg::StateAttribute::TEXTURE));
+        const auto* texture =
+            dynamic_cast<const osg::Texture*>(state.getTextureAttribute(unit, osg::StateAttribute::TEXTURE));
         pictures[unit] = nullptr;
         const auto set = unit == 0 ? Material::texCoord0 : Material::texCoord1;
         if (!texture || !isEnabled(state, unit) || !material.has(set)) continue;

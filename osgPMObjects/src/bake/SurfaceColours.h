@@ -23,7 +23,7 @@ struct Finish
     bool isLit = true;
     bool timesColours = false; ///< vertex colours, which differ, are multiplied with it
     glm::vec4 base{1.0f};      ///< the largest of the following, by channel; alpha: diffuse's
-    glm::vec3 ambient{0.0f}; ///< the following: parts of base
+    glm::vec3 ambient{0.0f};   ///< the following: parts of base
     glm::vec3 diffuse{1.0f};
     glm::vec3 emission{0.0f};
     glm::vec3 specular{0.0f};
@@ -70,7 +70,7 @@ private:
                      const VertexColours& colours);
 
     const ImportedModel& _full;
-    std::vector<Finish> _finishes; ///< by material
+    std::vector<Finish> _finishes;                                    ///< by material
     std::vector<std::array<const TexturePicture*, kUnits>> _pictures; ///< by material and unit; null: none
     std::map<const osg::Texture*, std::unique_ptr<TexturePicture>> _read;
     std::vector<std::array<osg::Matrixd, kUnits>> _texMats;

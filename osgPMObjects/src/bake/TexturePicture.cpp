@@ -27,7 +27,8 @@ TexturePicture::TexturePicture(const osg::Texture& texture)
             const osg::Vec4 colour = image->getColor(static_cast<unsigned>(s), static_cast<unsigned>(t));
             auto& texel = _texels.emplace_back();
             for (unsigned c = 0; c < 4; ++c)
-                texel[c] = static_cast<std::uint8_t>(std::lround(255.0f * std::clamp(colour[static_cast<int>(c)], 0.0f, 1.0f)));
+                texel[c] = static_cast<std::uint8_t>(
+                    std::lround(255.0f * std::clamp(colour[static_cast<int>(c)], 0.0f, 1.0f)));
         }
 }
 
@@ -47,8 +48,9 @@ int TexturePicture::wrapped(int texel, int count, Wrap wrap)
 
 glm::vec4 TexturePicture::texel(int s, int t) const
 {
-    const auto& c = _texels[static_cast<std::size_t>(wrapped(t, _height, _wrapT)) * static_cast<std::size_t>(_width) +
-                            static_cast<std::size_t>(wrapped(s, _width, _wrapS))];
+    const auto& c =
+        _texels[static_cast<std::size_t>(wrapped(t, _height, _wrapT)) * static_cast<std::size_t>(_width) +
+                static_cast<std::size_t>(wrapped(s, _width, _wrapS))];
     return glm::vec4(c[0], c[1], c[2], c[3]) / 255.0f;
 }
 

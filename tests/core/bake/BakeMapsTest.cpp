@@ -68,13 +68,15 @@ double worstNormal(const Mesh& full, const Mesh& simplified)
                    [&](std::size_t i, std::uint32_t f, const glm::dvec3& p)
                    {
                        const Face& face = simplified.faces[f];
-                       const glm::dvec3 n = glm::normalize(glm::cross(simplified.at(face, 1) - simplified.at(face, 0),
-                                                                      simplified.at(face, 2) - simplified.at(face, 0)));
+                       const glm::dvec3 n =
+                           glm::normalize(glm::cross(simplified.at(face, 1) - simplified.at(face, 0),
+                                                     simplified.at(face, 2) - simplified.at(face, 0)));
                        // Where the line along the face's normal leaves the unit sphere.
                        const double b = glm::dot(p, n), t = -b + std::sqrt(b * b + 1.0 - glm::dot(p, p));
                        const Rgb& c = maps.normals[i];
                        const glm::dvec3 baked = glm::normalize(glm::dvec3(c[0], c[1], c[2]) / 127.5 - 1.0);
-                       worst = std::max(worst, kDegrees * std::acos(std::min(1.0, glm::dot(baked, p + t * n))));
+                       worst =
+                           std::max(worst, kDegrees * std::acos(std::min(1.0, glm::dot(baked, p + t * n))));
                    });
     return worst;
 }
@@ -87,7 +89,8 @@ TEST(BakeMaps, NormalsOfASphereStandOnACoarseOne)
 
 TEST(BakeMapsMutation, NormalsOfAnotherSurfaceAreSeen)
 {
-    const auto squeezed = [](double u, double v) { return testsupport::onSphere(u, v) * glm::dvec3(1.0, 1.0, 0.8); };
+    const auto squeezed = [](double u, double v)
+    { return testsupport::onSphere(u, v) * glm::dvec3(1.0, 1.0, 0.8); };
     EXPECT_GT(worstNormal(testsupport::roundMesh(96, 48, squeezed), coarseBall()), 5.0);
 }
 
@@ -101,15 +104,15 @@ float checker(const glm::dvec3& p)
 std::size_t wrongSquares(const glm::dvec3& shift)
 {
     const Mesh full = testsupport::grid(16, 16);
-    const Mesh simplified =
-        meshOf({{0.0, 0.0, 0.0}, {16.0, 0.0, 0.0}, {16.0, 16.0, 0.0}, {0.0, 16.0, 0.0}}, {{0, 1, 2}, {0, 2, 3}});
+    const Mesh simplified = meshOf({{0.0, 0.0, 0.0}, {16.0, 0.0, 0.0}, {16.0, 16.0, 0.0}, {0.0, 16.0, 0.0}},
+                                   {{0, 1, 2}, {0, 2, 3}});
     const Atlas atlas = atlasOf(simplified, 256);
     const BakedMaps maps = bakeMaps(full, simplified, atlas,
                                     [&](std::uint32_t f, const glm::dvec3& w, std::uint32_t)
                                     {
                                         const Face& face = full.faces[f];
-                                        const glm::dvec3 p =
-                                            w.x * full.at(face, 0) + w.y * full.at(face, 1) + w.z * full.at(face, 2);
+                                        const glm::dvec3 p = w.x * full.at(face, 0) + w.y * full.at(face, 1) +
+                                                             w.z * full.at(face, 2);
                                         return glm::vec4(glm::vec3(checker(p + shift)), 1.0f);
                                     });
     std::size_t wrong = 0, looked = 0;
@@ -151,12 +154,16 @@ std::size_t wrongSides(const Mesh& simplified, double reach = 0.0)
 {
     const Mesh full = plate(0.0);
     const Atlas atlas = atlasOf(simplified, 128);
-    const BakedMaps maps = bakeMaps(full, simplified, atlas, [](std::uint32_t f, const glm::dvec3&, std::uint32_t)
+    const BakedMaps maps = bakeMaps(full, simplified, atlas,
+                                    [](std::uint32_t f, const glm::dvec3&, std::uint32_t)
                                     { return f < 2 ? glm::vec4(1, 0, 0, 1) : glm::vec4(0, 1, 0, 1); },
                                     {.reach = reach});
     std::size_t wrong = 0;
-    forEachCovered(simplified, atlas, [&](std::size_t i, std::uint32_t f, const glm::dvec3&)
-                   { wrong += maps.colours[i] != (f < 2 ? Rgba{255, 0, 0, 255} : Rgba{0, 255, 0, 255}) ? 1 : 0; });
+    forEachCovered(
+        simplified, atlas,
+        [&](std::size_t i, std::uint32_t f, const glm::dvec3&) {
+            wrong += maps.colours[i] != (f < 2 ? Rgba{255, 0, 0, 255} : Rgba{0, 255, 0, 255}) ? 1 : 0;
+        });
     return wrong;
 }
 
@@ -192,10 +199,12 @@ std::size_t texelsOfSign(bool isSignThere)
         simplified.positions[i].z = 0.009;
     if (!isSignThere) simplified.faces.pop_back();
     const Atlas atlas = atlasOf(simplified, 128);
-    const BakedMaps maps = bakeMaps(full, simplified, atlas, [](std::uint32_t f, const glm::dvec3&, std::uint32_t)
+    const BakedMaps maps = bakeMaps(full, simplified, atlas,
+                                    [](std::uint32_t f, const glm::dvec3&, std::uint32_t)
                                     { return f < 2 ? glm::vec4(0, 0, 0, 1) : glm::vec4(1); });
     std::size_t texels = 0;
-    forEachCovered(simplified, atlas, [&](std::size_t i, std::uint32_t f, const glm::dvec3&)
+    forEachCovered(simplified, atlas,
+                   [&](std::size_t i, std::uint32_t f, const glm::dvec3&)
                    { texels += f < 2 && maps.colours[i][0] == 255 ? 1 : 0; });
     return texels;
 }

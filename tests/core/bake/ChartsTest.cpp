@@ -124,7 +124,8 @@ TEST(ChartsMutation, AFaceLessOrTwiceOrElsewhereIsSeen)
     Charts less = charts, twice = charts, elsewhere = charts;
     less.charts[2].faces.pop_back();
     twice.charts[2].faces.push_back(charts.charts[3].faces[0]);
-    std::swap(elsewhere.chartOfFace[charts.charts[0].faces[0]], elsewhere.chartOfFace[charts.charts[1].faces[0]]);
+    std::swap(elsewhere.chartOfFace[charts.charts[0].faces[0]],
+              elsewhere.chartOfFace[charts.charts[1].faces[0]]);
     EXPECT_FALSE(coversFacesOnce(less, 12));
     EXPECT_FALSE(coversFacesOnce(twice, 12));
     EXPECT_FALSE(coversFacesOnce(elsewhere, 12));

@@ -35,7 +35,10 @@ struct Soup
         return 2.0 * glm::dvec3(x, y, random.unit()) - 1.0;
     }
 
-    const glm::dvec3& at(std::uint32_t t, std::size_t corner) const { return positions[triangles[t][corner]]; }
+    const glm::dvec3& at(std::uint32_t t, std::size_t corner) const
+    {
+        return positions[triangles[t][corner]];
+    }
 };
 
 TEST(TriangleTree, FindsTheNearestTriangleThatCounts)
@@ -48,7 +51,8 @@ TEST(TriangleTree, FindsTheNearestTriangleThatCounts)
         const glm::dvec3 p = 1.5 * soup.anywhere();
         double best = 1e300;
         for (std::uint32_t t = 0; t < soup.triangles.size(); t += 2)
-            best = std::min(best, glm::length(p - nearestPoint(p, soup.at(t, 0), soup.at(t, 1), soup.at(t, 2))));
+            best =
+                std::min(best, glm::length(p - nearestPoint(p, soup.at(t, 0), soup.at(t, 1), soup.at(t, 2))));
         const TrianglePoint found = tree.nearest(p, 1e300, isEven);
         ASSERT_NE(found.triangle, TrianglePoint::kNone);
         EXPECT_EQ(found.triangle % 2, 0u);
@@ -69,7 +73,8 @@ TEST(TriangleTree, FindsTheFirstTriangleAlongARay)
         const glm::dvec3 from = soup.anywhere(), direction = glm::normalize(soup.anywhere());
         double first = 1e300;
         for (std::uint32_t t = 1; t < soup.triangles.size(); t += 2)
-            if (const double d = rayDistance(from, direction, soup.at(t, 0), soup.at(t, 1), soup.at(t, 2)); d >= 0.0)
+            if (const double d = rayDistance(from, direction, soup.at(t, 0), soup.at(t, 1), soup.at(t, 2));
+                d >= 0.0)
                 first = std::min(first, d);
         const TrianglePoint found =
             tree.firstHit(from, direction, 1e300, [](std::uint32_t t) { return t % 2 == 1; });
@@ -79,8 +84,9 @@ TEST(TriangleTree, FindsTheFirstTriangleAlongARay)
         EXPECT_DOUBLE_EQ(found.distance, first);
         EXPECT_LT(glm::length(found.point - from - first * direction), 1e-12);
         EXPECT_TRUE(tree.isHit(from, direction, 0.99 * first));
-        EXPECT_EQ(tree.firstHit(from, direction, 0.99 * first, [](std::uint32_t t) { return t % 2 == 1; }).triangle,
-                  TrianglePoint::kNone);
+        EXPECT_EQ(
+            tree.firstHit(from, direction, 0.99 * first, [](std::uint32_t t) { return t % 2 == 1; }).triangle,
+            TrianglePoint::kNone);
     }
     EXPECT_GT(hits, 50);
 }

@@ -37,7 +37,8 @@ osg::ref_ptr<osg::Geometry> square(double height, float repeats = 1.0f)
     return geometry;
 }
 
-osg::ref_ptr<osg::Material> material(const osg::Vec4& ambient, const osg::Vec4& diffuse, const osg::Vec4& specular)
+osg::ref_ptr<osg::Material> material(const osg::Vec4& ambient, const osg::Vec4& diffuse,
+                                     const osg::Vec4& specular)
 {
     osg::ref_ptr<osg::Material> m = new osg::Material;
     m->setAmbient(osg::Material::FRONT_AND_BACK, ambient);
@@ -106,8 +107,8 @@ osg::Vec4 diffuseAt(const BakedModel& baked, std::uint32_t f, const glm::dvec2& 
 
 void expectNear(const osg::Vec4& a, const osg::Vec4& b)
 {
-    EXPECT_LT((a - b).length(), 0.02) << a.r() << ' ' << a.g() << ' ' << a.b() << ' ' << a.a() << " is not " << b.r()
-                                      << ' ' << b.g() << ' ' << b.b() << ' ' << b.a();
+    EXPECT_LT((a - b).length(), 0.02) << a.r() << ' ' << a.g() << ' ' << a.b() << ' ' << a.a() << " is not "
+                                      << b.r() << ' ' << b.g() << ' ' << b.b() << ' ' << b.a();
 }
 
 TEST(BakeModel, ColoursAreTextureTimesMaterial)
@@ -127,7 +128,8 @@ TEST(BakeModel, ColoursAreTextureTimesMaterial)
 TEST(BakeModel, MaterialsKeepTheRatiosOfTheirLight)
 {
     const auto geometry = square(0.0);
-    const osg::Vec4 ambient(0.9f, 0.3f, 0.0f, 1.0f), diffuse(0.3f, 0.6f, 0.0f, 0.5f), gloss(0.1f, 0.1f, 0.8f, 1.0f);
+    const osg::Vec4 ambient(0.9f, 0.3f, 0.0f, 1.0f), diffuse(0.3f, 0.6f, 0.0f, 0.5f),
+        gloss(0.1f, 0.1f, 0.8f, 1.0f);
     geometry->getOrCreateStateSet()->setAttribute(material(ambient, diffuse, gloss));
     const BakedModel model = baked(imported({geometry}));
     const auto* look = dynamic_cast<const osg::Material*>(
@@ -135,7 +137,12 @@ TEST(BakeModel, MaterialsKeepTheRatiosOfTheirLight)
     ASSERT_TRUE(look);
     const osg::Vec4 map = mapOf(model, 0).getColor(32u, 32u);
     constexpr auto kFront = osg::Material::FRONT;
-    const auto times = [&](osg::Vec4 c) { c = osg::componentMultiply(c, map); c.a() = 1.0f; return c; };
+    const auto times = [&](osg::Vec4 c)
+    {
+        c = osg::componentMultiply(c, map);
+        c.a() = 1.0f;
+        return c;
+    };
     expectNear(times(look->getAmbient(kFront)), ambient);
     expectNear(times(look->getSpecular(kFront)), gloss);
     expectNear(diffuseAt(model, 0, {0.6, 0.3}), diffuse);
@@ -220,7 +227,8 @@ TEST(BakeModelMutation, AnotherColourIsSeen)
     double least = 1.0; // of red, over the square: what diffuseAt() sees is what the map holds
     for (int y = 0; y < 64; ++y)
         for (int x = 0; x < 64; ++x)
-            least = std::min<double>(least, diffuseAt(model, 0, {(x + 0.5) / 64.0, 0.5 * (y + 0.5) / 64.0}).r());
+            least =
+                std::min<double>(least, diffuseAt(model, 0, {(x + 0.5) / 64.0, 0.5 * (y + 0.5) / 64.0}).r());
     EXPECT_EQ(mesh.faces.size(), 2u);
     EXPECT_EQ(least, 0.0);
 }

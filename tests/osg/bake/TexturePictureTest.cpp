@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bake/TexturePicture.h"
 
-#include <gtest/gtest.h>
-
 #include <limits>
+
+#include <gtest/gtest.h>
 
 #include <osg/Image>
 #include <osg/Texture2D>

@@ -146,8 +146,8 @@ TEST_F(BakedBall, ReadAgainFromItsFileIsTheSame)
 TEST_F(BakedBall, MutationNormalsOfAnotherSideAreSeen)
 {
     const ImportedModel baked = bakedOf(full, bare.mesh);
-    auto* normals = dynamic_cast<osg::Texture2D*>(
-        baked.states[0]->getTextureAttribute(1, osg::StateAttribute::TEXTURE));
+    auto* normals =
+        dynamic_cast<osg::Texture2D*>(baked.states[0]->getTextureAttribute(1, osg::StateAttribute::TEXTURE));
     ASSERT_TRUE(normals);
     osg::Image& image = *normals->getImage();
     for (unsigned i = 0; i < image.getTotalSizeInBytes(); i += 3)

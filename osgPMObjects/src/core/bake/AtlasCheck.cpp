@@ -97,8 +97,7 @@ std::string defectOf(const Mesh& mesh, const Atlas& atlas, int gutterPx)
     if (!coversFacesOnce(atlas.charts, mesh.faces.size())) return "faces are not in one chart each";
     Texels texels(atlas.sizePx);
     for (std::uint32_t f = 0; f < mesh.faces.size(); ++f)
-        if (std::string defect =
-                addFace(texels, inAtlas(mesh, atlas, f), f, atlas.charts.chartOfFace[f]);
+        if (std::string defect = addFace(texels, inAtlas(mesh, atlas, f), f, atlas.charts.chartOfFace[f]);
             !defect.empty())
             return defect;
     for (int y = 0; y < texels.size; ++y)

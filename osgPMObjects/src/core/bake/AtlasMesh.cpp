@@ -13,7 +13,8 @@ Mesh atlasMesh(const Mesh& mesh, const Atlas& atlas)
     textured.materials = mesh.materials;
     textured.parts = mesh.parts;
     for (Material& material : textured.materials)
-        material.attributes = (material.attributes & Material::normal) | Material::texCoord0 | Material::colour;
+        material.attributes =
+            (material.attributes & Material::normal) | Material::texCoord0 | Material::colour;
     HashIndex known(mesh.wedgeCount());
     const auto hashOf = [&](std::uint32_t number) { return hashWedge(wedgeOf(textured, number)); };
     for (std::uint32_t f = 0; f < textured.faces.size(); ++f)

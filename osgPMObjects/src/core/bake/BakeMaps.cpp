@@ -75,7 +75,9 @@ public:
         Sum sum;
         for (int y = 0; y < _samplesPerSide; ++y)
             for (int x = 0; x < _samplesPerSide; ++x)
-                add(sum, face, weightsAt(flat, corner + (glm::dvec2(x, y) + 0.5) / static_cast<double>(_samplesPerSide)));
+                add(sum, face,
+                    weightsAt(flat,
+                              corner + (glm::dvec2(x, y) + 0.5) / static_cast<double>(_samplesPerSide)));
         const double count = _samplesPerSide * _samplesPerSide;
         for (int c = 0; c < 4; ++c)
             maps.colours[texel][static_cast<std::size_t>(c)] = byteOf(sum.colour[c] / count);

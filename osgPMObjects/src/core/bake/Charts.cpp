@@ -103,7 +103,8 @@ private:
                });
         const double mean = glm::length(sum);
         // The seed has to join, or there would be no end.
-        const glm::dvec3 direction = mean > 0.0 && cosine(seed, sum / mean) >= _leastCosine ? sum / mean : first;
+        const glm::dvec3 direction =
+            mean > 0.0 && cosine(seed, sum / mean) >= _leastCosine ? sum / mean : first;
         finish(seed, direction, around);
     }
 

@@ -47,7 +47,8 @@ SurfaceMatch::SurfaceMatch(const Mesh& full, const Mesh& simplified, double reac
 {
     for (const Face& face : full.faces)
     {
-        const glm::dvec3 area = glm::cross(full.at(face, 1) - full.at(face, 0), full.at(face, 2) - full.at(face, 0));
+        const glm::dvec3 area =
+            glm::cross(full.at(face, 1) - full.at(face, 0), full.at(face, 2) - full.at(face, 0));
         const double length = glm::length(area);
         _normals.push_back(length > 0.0 ? area / length : glm::dvec3(0.0));
     }
@@ -78,7 +79,8 @@ SurfacePoint SurfaceMatch::surfacePoint(const TrianglePoint& found, bool agrees)
 SurfacePoint SurfaceMatch::find(const glm::dvec3& point, const glm::dvec3& normal,
                                 const Face& simplifiedFace) const
 {
-    const auto counts = [&](std::uint32_t triangle) { return isCounterpart(_full.faces[triangle], simplifiedFace); };
+    const auto counts = [&](std::uint32_t triangle)
+    { return isCounterpart(_full.faces[triangle], simplifiedFace); };
     const auto agrees = [&](std::uint32_t triangle)
     { return glm::dot(_normals[triangle], normal) > 0.0 && counts(triangle); };
     TrianglePoint best = _tree.firstHit(point, normal, _reach, std::cref(agrees));

@@ -15,7 +15,8 @@ struct SurfacePoint
 {
     std::uint32_t face = 0;
     glm::dvec3 weights{1.0, 0.0, 0.0}; ///< of its corners; they add up to 1
-    bool agrees = false; ///< it faces the way that was asked for, within reach, on the part that was asked for
+    bool agrees =
+        false; ///< it faces the way that was asked for, within reach, on the part that was asked for
 };
 
 /// Finds for points of a simplified surface those of the full one that they stand for. Faces that count are of the same part as the

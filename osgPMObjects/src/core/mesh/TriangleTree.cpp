@@ -121,16 +121,16 @@ TrianglePoint TriangleTree::nearest(const glm::dvec3& point, double most, const 
     TrianglePoint found;
     double best = most * most;
     visitNear(point, best,
-           [&](std::uint32_t triangle)
-           {
-               const Triangle& t = _triangles[triangle];
-               const glm::dvec3 at =
-                   nearestPoint(point, _positions[t[0]], _positions[t[1]], _positions[t[2]]);
-               const double squared = glm::dot(point - at, point - at);
-               if (!(squared < best) || (accepts && !accepts(triangle))) return;
-               best = squared;
-               found = {triangle, at, std::sqrt(squared)};
-           });
+              [&](std::uint32_t triangle)
+              {
+                  const Triangle& t = _triangles[triangle];
+                  const glm::dvec3 at =
+                      nearestPoint(point, _positions[t[0]], _positions[t[1]], _positions[t[2]]);
+                  const double squared = glm::dot(point - at, point - at);
+                  if (!(squared < best) || (accepts && !accepts(triangle))) return;
+                  best = squared;
+                  found = {triangle, at, std::sqrt(squared)};
+              });
     return found;
 }
 

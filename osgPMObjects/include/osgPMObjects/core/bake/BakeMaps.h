@@ -24,7 +24,8 @@ struct BakeSettings
 
 /// What the full model looks like at a point of one of its faces (`weights` of its corners), without light: red, green, blue and
 /// alpha, 0 to 1, as a face `simplifiedFace` of the simplified mesh has to show it. Called by several threads at once.
-using ColourAt = std::function<glm::vec4(std::uint32_t fullFace, const glm::dvec3& weights, std::uint32_t simplifiedFace)>;
+using ColourAt =
+    std::function<glm::vec4(std::uint32_t fullFace, const glm::dvec3& weights, std::uint32_t simplifiedFace)>;
 
 using Rgba = std::array<std::uint8_t, 4>;
 using Rgb = std::array<std::uint8_t, 3>;

@@ -16,7 +16,8 @@ namespace osgPMObjects::core
 /// Connected faces that a plane sees from their fronts, none before another.
 struct Chart
 {
-    glm::dvec3 right{1.0, 0.0, 0.0}; ///< axes of the plane, unit length; it is looked at against cross(right, up)
+    glm::dvec3 right{1.0, 0.0,
+                     0.0}; ///< axes of the plane, unit length; it is looked at against cross(right, up)
     glm::dvec3 up{0.0, 1.0, 0.0};
     std::vector<std::uint32_t> faces;
 
@@ -34,7 +35,8 @@ struct Charts
 
 struct ChartSettings
 {
-    double mostSlantDeg = 55.0; ///< of a face against its chart's plane, below 90: 55° stretch texels 1.7 times
+    double mostSlantDeg =
+        55.0; ///< of a face against its chart's plane, below 90: 55° stretch texels 1.7 times
 };
 
 /// Cuts a mesh into charts: from the largest face that has none, neighbours across edges join, those nearest to the chart's direction

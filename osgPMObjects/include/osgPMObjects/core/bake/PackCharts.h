@@ -15,8 +15,8 @@ namespace osgPMObjects::core
 
 struct PackSettings
 {
-    int sizePx = 1024;    ///< of the atlas' sides: a power of two, 16 to 8192
-    int gutterPx = 3;     ///< left free around each chart: twice that lies between two
+    int sizePx = 1024; ///< of the atlas' sides: a power of two, 16 to 8192
+    int gutterPx = 3;  ///< left free around each chart: twice that lies between two
 };
 
 /// Charts side by side in a square picture, all at the same scale.
