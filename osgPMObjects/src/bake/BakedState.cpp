@@ -11,6 +11,8 @@
 #include <osg/LightModel>
 #include <osg/Material>
 
+#include "BakedShader.h"
+
 namespace osgPMObjects
 {
 
@@ -18,53 +20,6 @@ namespace
 {
 
 constexpr unsigned kColourUnit = 0, kNormalUnit = 1;
-
-const char* const kVertexShader = R"(#version 120
-varying vec3 bakedPlace; // from the eye
-varying vec2 bakedTexel;
-void main()
-{
-    vec4 inView = gl_ModelViewMatrix * gl_Vertex;
-    bakedPlace = inView.xyz;
-    bakedTexel = gl_MultiTexCoord0.xy;
-    gl_ClipVertex = inView;
-    gl_Position = ftransform();
-}
-)";
-
-// OpenGL 2.1, 2.14.1, without local viewer and spots.
-const char* const kFragmentShader = R"(#version 120
-varying vec3 bakedPlace;
-varying vec2 bakedTexel;
-uniform sampler2D bakedColours;
-uniform sampler2D bakedNormals;
-uniform int bakedLights;     // the first of them that are on
-uniform bool bakedBothSides; // backs are lit by normals turned round
-void main()
-{
-    vec3 mean = 2.0 * texture2D(bakedNormals, bakedTexel).rgb - 1.0;
-    vec3 normal = normalize(gl_NormalMatrix * mean);
-    if (bakedBothSides && !gl_FrontFacing) normal = -normal;
-    vec3 colour = gl_FrontLightModelProduct.sceneColor.rgb;
-    for (int i = 0; i < bakedLights; ++i)
-    {
-        vec4 position = gl_LightSource[i].position;
-        vec3 way = position.w == 0.0 ? position.xyz : position.xyz / position.w - bakedPlace;
-        float far = length(way);
-        vec3 towards = way / max(far, 1e-20);
-        float strength = position.w == 0.0 ? 1.0
-            : 1.0 / (gl_LightSource[i].constantAttenuation
-                + far * (gl_LightSource[i].linearAttenuation + far * gl_LightSource[i].quadraticAttenuation));
-        float facing = max(length(mean), 0.7) * max(dot(normal, towards), 0.0);
-        colour += strength * (gl_FrontLightProduct[i].ambient.rgb + facing * gl_FrontLightProduct[i].diffuse.rgb);
-        float gloss = max(dot(normal, normalize(towards + vec3(0.0, 0.0, 1.0))), 0.0);
-        if (facing > 0.0 && gloss > 0.0)
-            colour += strength * pow(gloss, gl_FrontMaterial.shininess) * gl_FrontLightProduct[i].specular.rgb;
-    }
-    vec4 paint = texture2D(bakedColours, bakedTexel);
-    gl_FragColor = vec4(colour, gl_FrontMaterial.diffuse.a) * paint;
-}
-)";
 
 template<std::size_t Channels>
 osg::ref_ptr<osg::Texture2D> textureOf(const std::vector<std::array<std::uint8_t, Channels>>& texels,
@@ -83,7 +38,7 @@ osg::ref_ptr<osg::Texture2D> textureOf(const std::vector<std::array<std::uint8_t
     return texture;
 }
 
-/// How often the maps may be halved: a texel and half of the next, which filtering reads, have to fit between two charts.
+/// How often the normal map may be halved: a texel and half of the next, which filtering reads, have to fit between two charts.
 float smallestCopy(int gutterPx)
 {
     return std::floor(std::log2(2.0f * static_cast<float>(gutterPx) / 1.5f));
@@ -151,11 +106,10 @@ BakedLook::BakedLook(const core::BakedMaps& maps, int gutterPx)
       _normals(textureOf(maps.normals, maps.sizePx, "baked normals")),
       _program(new osg::Program)
 {
-    for (osg::Texture2D* texture : {_normals.get()})
-        texture->setMaxLOD(smallestCopy(gutterPx));
+    _normals->setMaxLOD(smallestCopy(gutterPx));
     _program->setName("baked");
-    _program->addShader(new osg::Shader(osg::Shader::VERTEX, kVertexShader));
-    _program->addShader(new osg::Shader(osg::Shader::FRAGMENT, kFragmentShader));
+    _program->addShader(new osg::Shader(osg::Shader::VERTEX, kBakedVertexShader));
+    _program->addShader(new osg::Shader(osg::Shader::FRAGMENT, kBakedFragmentShader));
 }
 
 osg::ref_ptr<osg::StateSet> BakedLook::stateFor(const osg::StateSet& state, const Finish& finish,

@@ -17,7 +17,8 @@ namespace osgPMObjects
 class BakedLook
 {
 public:
-    /// `gutterPx`: that of the maps. Copies of them are taken as small as their texels do not reach from one chart into the next.
+    /// `gutterPx`: that of the maps. Normals are taken from copies so small only that no texel reaches from one chart into the
+    /// next, for a mean of two says nothing; colours from any, for a mean of neighbours does less harm than flicker.
     BakedLook(const core::BakedMaps& maps, int gutterPx);
 
     /// A state that draws with the maps what `state` drew with its own textures and colours.
