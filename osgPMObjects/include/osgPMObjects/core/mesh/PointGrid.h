@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -45,6 +46,8 @@ public:
     }
 
 private:
+    static constexpr double kMost = 4.0e18; ///< below 2^62: counting on from it stays a number
+
     struct Cell
     {
         std::int64_t x, y, z;
@@ -52,7 +55,9 @@ private:
 
     Cell cellOf(const glm::dvec3& p) const
     {
-        const auto cell = [this](double x) { return static_cast<std::int64_t>(std::floor(x * _perUnit)); };
+        // A mesh that is one point has no cell size that fits: far away from the origin its cell would be no number.
+        const auto cell = [this](double x)
+        { return static_cast<std::int64_t>(std::clamp(std::floor(x * _perUnit), -kMost, kMost)); };
         return {cell(p.x), cell(p.y), cell(p.z)};
     }
 
