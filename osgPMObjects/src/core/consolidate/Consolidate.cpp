@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <osgPMObjects/core/consolidate/CloseCracks.h>
 #include <osgPMObjects/core/consolidate/Consolidate.h>
 #include <osgPMObjects/core/consolidate/Weld.h>
 #include <osgPMObjects/core/mesh/MeshCounts.h>
+
+#include "MeshSnapshot.h"
 
 namespace osgPMObjects::core
 {
@@ -9,54 +12,37 @@ namespace osgPMObjects::core
 namespace
 {
 
-/// Flat faces between vertices on one line can be cut by each pass into ones that the next removes, for ever: after so many
-/// passes they go instead of being cut.
-constexpr int kPatientPasses = 6;
+/// Of splits, each followed by what it makes necessary.
+constexpr int kMostRounds = 20;
 
-void add(DuplicateFaces& sum, const DuplicateFaces& more)
+void add(ConsolidateReport& report, const ClosedCracks& more)
 {
-    sum.removed += more.removed;
-    sum.hidden += more.hidden;
-    sum.backToBack += more.backToBack;
-    sum.kept = more.kept; // the same pairs each time
+    report.degenerateFaces += more.degenerateFaces;
+    report.duplicates.removed += more.duplicates.removed;
+    report.duplicates.hidden += more.duplicates.hidden;
+    report.duplicates.backToBack += more.duplicates.backToBack;
+    report.duplicates.kept = more.duplicates.kept; // the same pairs each time
+    report.tVertices.inserted += more.tVertices.inserted;
+    report.tVertices.stitched += more.tVertices.stitched;
+    report.tVertices.slivers += more.tVertices.slivers;
+    report.tVertices.moved += more.tVertices.moved;
 }
 
-void add(TVertices& sum, const TVertices& more)
+/// Faces are turned and edges split. A split opens edges that others may lie on, and what is put into those can crowd an edge
+/// again.
+void orientAndSplit(Mesh& mesh, bool orient, CrackPasses& cracks, ConsolidateReport& report)
 {
-    sum.inserted += more.inserted;
-    sum.stitched += more.stitched;
-    sum.slivers += more.slivers;
-    sum.moved += more.moved;
-}
-
-/// Removes what is no face, puts vertices into the edges they lie on, and again, for one makes the other.
-void closeCracks(Mesh& mesh, double diagonal, const ConsolidateOptions& options, TVertexState& state,
-                 ConsolidateReport& report)
-{
-    while (report.tVertexPasses < kMostPasses)
+    for (int round = 0; round < kMostRounds; ++round)
     {
-        ++report.tVertexPasses;
-        report.degenerateFaces += removeDegenerateFaces(mesh, options.degenerateHeight * diagonal);
-        add(report.duplicates, removeDuplicateFaces(mesh));
-        const TVertices pass = insertTVertices(mesh, state);
-        add(report.tVertices, pass);
-        if (pass.isNothing()) return;
-        if (report.tVertexPasses >= kPatientPasses) state.thinHeight = state.tolerance;
-    }
-}
-
-/// A split opens edges that others may lie on, and what is put into those can crowd an edge again.
-void splitEdges(Mesh& mesh, double diagonal, const ConsolidateOptions& options, TVertexState& state,
-                ConsolidateReport& report)
-{
-    for (int round = 0; round < kMostPasses; ++round)
-    {
+        const MeshSnapshot before(mesh);
+        if (orient && round == 0) report.orientation = orientFaces(mesh);
         const SplitEdges split = splitNonManifoldEdges(mesh);
+        cracks.changed = before.changedSince(mesh);
         report.splitEdges.crowded += split.crowded;
         report.splitEdges.disagreeing += split.disagreeing;
         report.splitEdges.copies += split.copies;
-        if (split.copies == 0 || report.tVertexPasses >= kMostPasses) return;
-        closeCracks(mesh, diagonal, options, state, report);
+        if (split.copies == 0 || cracks.made >= cracks.most) return;
+        add(report, closeCracks(mesh, cracks));
     }
 }
 
@@ -67,10 +53,12 @@ ConsolidateReport consolidate(Mesh& mesh, const ConsolidateOptions& options)
     ConsolidateReport report;
     const double diagonal = diagonalOf(mesh);
     report.weldedPositions = weldPositions(mesh, options.weldTolerance * diagonal);
-    TVertexState state{.tolerance = options.stitchTolerance * diagonal};
-    closeCracks(mesh, diagonal, options, state, report);
-    if (options.orient) report.orientation = orientFaces(mesh);
-    splitEdges(mesh, diagonal, options, state, report);
+    CrackPasses cracks{.tVertices = {.tolerance = options.stitchTolerance * diagonal},
+                       .degenerateHeight = options.degenerateHeight * diagonal,
+                       .most = kMostPasses};
+    add(report, closeCracks(mesh, cracks));
+    orientAndSplit(mesh, options.orient, cracks, report);
+    report.tVertexPasses = cracks.made;
     if (options.orient) report.insideOut = turnInsideOut(mesh);
     if (options.computeMissingNormals)
         report.facesGivenNormals = computeNormals(

@@ -32,17 +32,24 @@ public:
           _thinHeight(state.thinHeight),
           _mostDrift(kMostDrift * state.tolerance),
           _drift(state.drift),
+          _waiting(state.waiting),
           _triangles(positionTriangles(mesh)),
           _edges(_triangles, mesh.positions.size()),
-          _found(findTJunctions(mesh.positions, _triangles, _edges, state.tolerance, OpenEdges::notMatched))
+          _found(findTJunctions(mesh.positions, _triangles, _edges, state.tolerance, OpenEdges::notMatched,
+                                state.among))
     {
         _drift.resize(mesh.positions.size(), 0.0);
+        _waiting.clear();
     }
 
     TVertices run()
     {
         stitch();
-        if (_report.stitched > 0) return _report;
+        if (_report.stitched > 0)
+        {
+            putOff();
+            return _report;
+        }
         for (const TJunction& t : _found)
             plan(t);
         for (const TJunction& t : _found)
@@ -90,6 +97,15 @@ private:
         if (joined.empty()) return;
         for (std::uint32_t& position : _mesh.wedgePositions)
             if (const auto found = joined.find(position); found != joined.end()) position = found->second;
+    }
+
+    void putOff()
+    {
+        for (const TJunction& t : _found)
+        {
+            const auto [low, high] = endsOfEdge(t.edge);
+            _waiting.insert(_waiting.end(), {low, high, t.vertex});
+        }
     }
 
     bool isThin(std::uint32_t f) const
@@ -153,6 +169,7 @@ private:
     Mesh& _mesh;
     const double _tolerance, _thinHeight, _mostDrift;
     std::vector<double>& _drift;
+    std::vector<std::uint32_t>& _waiting;
     const std::vector<Triangle> _triangles;
     const EdgeTable _edges;
     const std::vector<TJunction> _found;

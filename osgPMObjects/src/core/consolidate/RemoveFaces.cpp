@@ -38,6 +38,51 @@ std::vector<std::uint32_t> firstAtPlace(const std::vector<glm::dvec3>& positions
     return first;
 }
 
+/// Faces sorted by their lowest corner, the middle one, the highest and their number; buckets for the first.
+struct FacesByCorners
+{
+    struct Entry
+    {
+        std::uint32_t middle, highest, face;
+        auto operator<=>(const Entry&) const = default;
+    };
+    std::vector<Entry> faces;
+    std::vector<std::uint32_t> first; ///< by lowest corner; one more at the end
+
+    FacesByCorners(std::span<const Triangle> triangles, std::size_t positionCount)
+        : faces(triangles.size()), first(positionCount + 1, 0), _triangles(triangles)
+    {
+        for (const Triangle& t : triangles)
+            ++first[std::min({t[0], t[1], t[2]}) + 1];
+        for (std::size_t p = 1; p < first.size(); ++p)
+            first[p] += first[p - 1];
+        std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
+        for (std::uint32_t f = 0; f < triangles.size(); ++f)
+        {
+            const Triangle t = sortedCorners(triangles[f]);
+            faces[next[t[0]]++] = {t[1], t[2], f};
+        }
+        for (std::size_t p = 0; p + 1 < first.size(); ++p)
+            std::sort(faces.begin() + first[p], faces.begin() + first[p + 1]);
+    }
+
+    /// Whether the i-th and the j-th have the same corners.
+    bool isSame(std::size_t i, std::size_t j) const
+    {
+        return faces[i].middle == faces[j].middle && faces[i].highest == faces[j].highest &&
+               lowestOf(faces[i].face) == lowestOf(faces[j].face);
+    }
+
+private:
+    std::uint32_t lowestOf(std::uint32_t face) const
+    {
+        const Triangle& t = _triangles[face];
+        return std::min({t[0], t[1], t[2]});
+    }
+
+    std::span<const Triangle> _triangles;
+};
+
 /// Whether the corners, sorted, turn the same way as they stand: equal for two faces with the same front.
 bool isEvenTurn(const Triangle& t)
 {
@@ -139,18 +184,15 @@ DuplicateFaces removeDuplicateFaces(Mesh& mesh)
     const std::vector<std::uint32_t> first = firstAtPlace(mesh.positions);
     for (Triangle& t : triangles)
         t = {first[t[0]], first[t[1]], first[t[2]]};
-    std::vector<std::pair<Triangle, std::uint32_t>> byCorners;
-    for (std::uint32_t f = 0; f < triangles.size(); ++f)
-        byCorners.emplace_back(sortedCorners(triangles[f]), f);
-    std::sort(byCorners.begin(), byCorners.end());
     DuplicateFaces report;
     std::vector<bool> isDead(triangles.size(), false);
     SameCorners same(mesh, isDead, report);
     std::vector<std::uint32_t> faces;
-    for (std::size_t i = 0; i < byCorners.size(); ++i)
+    const FacesByCorners sorted(triangles, mesh.positions.size());
+    for (std::size_t i = 0; i < sorted.faces.size(); ++i)
     {
-        faces.push_back(byCorners[i].second);
-        if (i + 1 < byCorners.size() && byCorners[i + 1].first == byCorners[i].first) continue;
+        faces.push_back(sorted.faces[i].face);
+        if (i + 1 < sorted.faces.size() && sorted.isSame(i, i + 1)) continue;
         if (faces.size() > 1) same.judge(faces, triangles);
         faces.clear();
     }

@@ -10,11 +10,19 @@
 namespace osgPMObjects::core
 {
 
+namespace
+{
+
+/// Of the tolerance: few balls of its radius reach into a second cell then, and hardly a cell holds two positions still.
+constexpr double kCell = 16.0;
+
+} // namespace
+
 std::size_t weldPositions(Mesh& mesh, double tolerance)
 {
     if (mesh.positions.empty() || !(tolerance >= 0.0)) return 0;
     const double smallestCell = extentOf(mesh.positions).diagonal() / (1 << 20);
-    PointGrid grid(std::max({2.0 * tolerance, smallestCell, 1e-300}), mesh.positions.size());
+    PointGrid grid(std::max({kCell * tolerance, smallestCell, 1e-300}), mesh.positions.size());
     std::vector<std::uint32_t> kept;   // by number in the grid
     std::vector<std::uint32_t> joined; // by position
     joined.reserve(mesh.positions.size());

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <set>
 
+#include <osgPMObjects/core/Parallel.h>
 #include <osgPMObjects/core/mesh/EdgeTable.h>
 
 namespace osgPMObjects::core
@@ -9,6 +10,9 @@ namespace osgPMObjects::core
 
 namespace
 {
+
+/// Positions that one thread takes at least.
+constexpr std::size_t kLeastShare = 16384;
 
 /// A side's ends, the lower first.
 std::pair<std::uint32_t, std::uint32_t> sortedEnds(std::span<const Triangle> triangles, HalfEdge side)
@@ -55,11 +59,16 @@ EdgeTable::EdgeTable(std::span<const Triangle> triangles, std::size_t positionCo
             entries[next[low]++] = {high, side};
         });
 
+    parallelShares(positionCount, kLeastShare,
+                   [&](std::size_t first, std::size_t last, std::size_t)
+                   {
+                       for (std::size_t low = first; low < last; ++low)
+                           std::sort(entries.begin() + bucket[low], entries.begin() + bucket[low + 1]);
+                   });
     _sides.reserve(entries.size());
     for (std::size_t low = 0; low < positionCount; ++low)
     {
         const auto begin = entries.begin() + bucket[low], end = entries.begin() + bucket[low + 1];
-        std::sort(begin, end);
         for (auto entry = begin; entry != end; ++entry)
         {
             if (entry == begin || entry->high != (entry - 1)->high)

@@ -29,7 +29,7 @@ class Search
 {
 public:
     Search(std::span<const glm::dvec3> positions, std::span<const Triangle> triangles, const EdgeTable& edges,
-           double tolerance, OpenEdges open)
+           double tolerance, OpenEdges open, std::span<const std::uint8_t> among)
         : _positions(positions), _tolerance(tolerance)
     {
         std::vector<bool> isOpenVertex(positions.size(), false);
@@ -39,6 +39,7 @@ public:
             const std::size_t sides = edges.sides(e).size();
             if (sides == 2 || (sides > 2 && open == OpenEdges::boundary)) continue;
             const auto [from, to] = endsOf(triangles, edges.sides(e).front());
+            if (!among.empty() && !(among[from] && among[to])) continue;
             _edges.push_back({e, std::minmax(from, to)});
             isOpenVertex[from] = isOpenVertex[to] = true;
             lengths += glm::length(positions[from] - positions[to]);
@@ -98,7 +99,7 @@ private:
             const double distance = glm::length(toV - share * along);
             if (distance <= _tolerance) found.push_back({edge.edge, v, share, distance});
         };
-        const int pieces = static_cast<int>(std::ceil(std::sqrt(squaredLength) / _cell)) + 1;
+        const int pieces = std::max(1, static_cast<int>(std::ceil(std::sqrt(squaredLength) / _cell)));
         for (int i = 0; i < pieces; ++i)
         {
             const glm::dvec3 p = a + along * (static_cast<double>(i) / pieces);
@@ -131,9 +132,9 @@ private:
 
 std::vector<TJunction> findTJunctions(std::span<const glm::dvec3> positions,
                                       std::span<const Triangle> triangles, const EdgeTable& edges,
-                                      double tolerance, OpenEdges open)
+                                      double tolerance, OpenEdges open, std::span<const std::uint8_t> among)
 {
-    return Search(positions, triangles, edges, tolerance, open).run();
+    return Search(positions, triangles, edges, tolerance, open, among).run();
 }
 
 std::size_t countVertices(std::span<const TJunction> junctions)

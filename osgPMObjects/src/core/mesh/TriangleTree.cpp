@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <thread>
 #include <utility>
 
 #include <glm/common.hpp>
@@ -15,6 +16,9 @@ namespace osgPMObjects::core
 
 namespace
 {
+
+/// Triangles from which on two threads build the halves of a tree.
+constexpr std::uint32_t kLeastShared = 16384;
 
 /// Whether a ray meets a box before `most` directions; `inverse`: of its direction, by coordinate.
 bool meets(const Extent& box, const glm::dvec3& from, const glm::dvec3& inverse, double most)
@@ -68,24 +72,26 @@ TriangleTree::TriangleTree(std::span<const glm::dvec3> positions, std::span<cons
     for (const Triangle& t : triangles)
         centres.push_back((positions[t[0]] + positions[t[1]] + positions[t[2]]) / 3.0);
     _nodes.reserve(triangles.size());
-    if (!triangles.empty()) build(0, static_cast<std::uint32_t>(triangles.size()), centres);
+    const auto count = static_cast<std::uint32_t>(triangles.size());
+    if (count > 0) build(0, count, centres, std::max(1u, std::thread::hardware_concurrency()), _nodes);
 }
 
-void TriangleTree::build(std::uint32_t first, std::uint32_t last, std::vector<glm::dvec3>& centres)
+void TriangleTree::build(std::uint32_t first, std::uint32_t last, std::span<const glm::dvec3> centres,
+                         unsigned threads, std::vector<Node>& nodes)
 {
-    const std::size_t number = _nodes.size();
-    _nodes.emplace_back();
+    const std::size_t number = nodes.size();
+    nodes.emplace_back();
     Extent spread;
     for (std::uint32_t i = first; i < last; ++i)
     {
         spread.add(centres[_order[i]]);
         for (const std::uint32_t p : _triangles[_order[i]])
-            _nodes[number].box.add(_positions[p]);
+            nodes[number].box.add(_positions[p]);
     }
     if (last - first <= kLeafSize)
     {
-        _nodes[number].first = first;
-        _nodes[number].count = last - first;
+        nodes[number].first = first;
+        nodes[number].count = last - first;
         return;
     }
     const glm::dvec3 size = spread.high - spread.low;
@@ -97,9 +103,18 @@ void TriangleTree::build(std::uint32_t first, std::uint32_t last, std::vector<gl
                          const double x = centres[a][axis], y = centres[b][axis];
                          return x != y ? x < y : a < b;
                      });
-    build(first, middle, centres);
-    _nodes[number].first = static_cast<std::uint32_t>(_nodes.size());
-    build(middle, last, centres);
+    const bool isShared = threads > 1 && last - first >= kLeastShared;
+    std::vector<Node> others; // of the second half, numbered from 0, where another thread builds it
+    std::thread other;
+    if (isShared) other = std::thread([&] { build(middle, last, centres, threads / 2, others); });
+    build(first, middle, centres, isShared ? threads - threads / 2 : 1, nodes);
+    const auto second = static_cast<std::uint32_t>(nodes.size());
+    nodes[number].first = second;
+    if (!isShared) return build(middle, last, centres, 1, nodes);
+    other.join();
+    for (Node& node : others)
+        if (node.count == 0) node.first += second;
+    nodes.insert(nodes.end(), others.begin(), others.end());
 }
 
 double TriangleTree::distance(const glm::dvec3& point, double most) const

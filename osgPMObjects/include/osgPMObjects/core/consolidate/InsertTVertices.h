@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include <osgPMObjects/core/mesh/Mesh.h>
@@ -27,7 +28,9 @@ struct TVertexState
 {
     double tolerance = 0.0;  ///< how far from an edge a vertex counts as lying on it; units: as the positions
     double thinHeight = 0.0; ///< faces with a T-vertex that are no higher than this are removed, not cut
-    std::vector<double> drift{}; ///< how far each position has moved so far
+    std::vector<double> drift{};          ///< how far each position has moved so far
+    std::vector<std::uint8_t> among{};    ///< by position, 0 for those that are left alone; empty: none are
+    std::vector<std::uint32_t> waiting{}; ///< positions of the T-junctions that the latest pass put off
 };
 
 /// One pass against T-junctions (see findTJunctions()). Vertices whose foot is nearer than twice the tolerance to an end of the

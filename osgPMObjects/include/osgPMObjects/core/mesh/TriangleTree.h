@@ -94,7 +94,8 @@ private:
         const glm::dvec3 away = glm::max(glm::max(box.low - p, p - box.high), glm::dvec3(0.0));
         return glm::dot(away, away);
     }
-    void build(std::uint32_t first, std::uint32_t last, std::vector<glm::dvec3>& centres);
+    void build(std::uint32_t first, std::uint32_t last, std::span<const glm::dvec3> centres, unsigned threads,
+               std::vector<Node>& nodes);
 
     /// Calls `look` with the triangles whose boxes the ray meets before `most` directions, until it returns true.
     template<class Look>

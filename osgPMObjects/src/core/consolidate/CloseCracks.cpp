@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <utility>
+
+#include <osgPMObjects/core/consolidate/CloseCracks.h>
+
+#include "EdgeCells.h"
+#include "Excerpt.h"
+#include "MeshSnapshot.h"
+
+namespace osgPMObjects::core
+{
+
+namespace
+{
+
+/// Flat faces between vertices on one line can be cut by each pass into ones that the next removes, for ever: after so many
+/// passes they go instead of being cut.
+constexpr int kPatientPasses = 6;
+/// Vertices and edges that concern each other lie no farther apart than the tolerance; the rest is for rounding.
+constexpr double kReach = 2.0;
+
+void add(DuplicateFaces& sum, const DuplicateFaces& more)
+{
+    sum.removed += more.removed;
+    sum.hidden += more.hidden;
+    sum.backToBack += more.backToBack;
+}
+
+void add(TVertices& sum, const TVertices& more)
+{
+    sum.inserted += more.inserted;
+    sum.stitched += more.stitched;
+    sum.slivers += more.slivers;
+    sum.moved += more.moved;
+}
+
+void insert(std::vector<std::uint32_t>& sorted, const std::vector<std::uint32_t>& more)
+{
+    sorted.insert(sorted.end(), more.begin(), more.end());
+    std::sort(sorted.begin(), sorted.end());
+    sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
+}
+
+/// What passes go over: a mesh or an excerpt of one.
+struct Ground
+{
+    Mesh& mesh;
+    TVertexState& state;
+    std::vector<std::uint32_t>&
+        changed; ///< positions of faces that have changed: where the next pass has to look
+};
+
+/// One pass over all of it. Returns whether it did anything, and says of each face which it was, or comes of.
+bool passOver(const Ground& on, double degenerateHeight, ClosedCracks& report,
+              std::vector<std::uint32_t>& origins)
+{
+    const MeshSnapshot before(on.mesh);
+    const FaceOrigins numbers(on.mesh);
+    report.degenerateFaces += removeDegenerateFaces(on.mesh, degenerateHeight);
+    add(report.duplicates, removeDuplicateFaces(on.mesh));
+    const TVertices pass = insertTVertices(on.mesh, on.state);
+    add(report.tVertices, pass);
+    origins = numbers.giveBack(on.mesh);
+    on.changed = before.changedSince(on.mesh, origins);
+    insert(on.changed, on.state.waiting);
+    return !pass.isNothing();
+}
+
+/// An excerpt as ground, whose changes go back to the ground that it is of.
+class Plot
+{
+public:
+    Plot(const Ground& whole, std::span<const std::uint8_t> isWanted)
+        : _whole(whole), _excerpt(whole.mesh, isWanted)
+    {
+        const std::vector<std::uint32_t>& positions = _excerpt.positions();
+        _state.tolerance = whole.state.tolerance;
+        whole.state.drift.resize(whole.mesh.positions.size(), 0.0);
+        for (const std::uint32_t p : positions)
+            _state.drift.push_back(whole.state.drift[p]);
+        for (const std::uint32_t p : whole.changed)
+        {
+            const auto found = std::lower_bound(positions.begin(), positions.end(), p);
+            if (found != positions.end() && *found == p)
+                _changed.push_back(static_cast<std::uint32_t>(found - positions.begin()));
+        }
+    }
+
+    Ground ground() { return {_excerpt.mesh, _state, _changed}; }
+    const Excerpt& excerpt() const { return _excerpt; }
+
+    void putBack(std::span<const std::uint32_t> origins)
+    {
+        const std::vector<std::uint32_t>& positions = _excerpt.positions();
+        for (std::size_t p = 0; p < positions.size(); ++p)
+            _whole.state.drift[positions[p]] = _state.drift[p];
+        _excerpt.putBack(_whole.mesh, origins);
+        _whole.changed.clear();
+        for (const std::uint32_t p : _changed)
+            _whole.changed.push_back(positions[p]);
+    }
+
+private:
+    Ground _whole;
+    Excerpt _excerpt;
+    TVertexState _state;
+    std::vector<std::uint32_t> _changed;
+};
+
+/// One pass over the faces near what has changed. Returns whether it did anything.
+bool passNear(const Ground& on, const EdgeCells& near, double degenerateHeight, ClosedCracks& report)
+{
+    Plot plot(on, near.facesTouching(on.mesh));
+    plot.ground().state.thinHeight = on.state.thinHeight;
+    plot.ground().state.among = plot.excerpt().isInner();
+    std::vector<std::uint32_t> origins;
+    const bool didAnything = passOver(plot.ground(), degenerateHeight, report, origins);
+    plot.putBack(origins);
+    return didAnything;
+}
+
+/// Whether there is a next pass, which is begun.
+bool begin(CrackPasses& passes, TVertexState& state)
+{
+    if (passes.made >= passes.most) return false;
+    if (++passes.made > kPatientPasses) state.thinHeight = state.tolerance;
+    return true;
+}
+
+/// Passes in a wider excerpt, as long as none would have to look beyond it. Returns whether the last one did anything.
+bool passesAround(const Ground& on, CrackPasses& passes, ClosedCracks& report)
+{
+    const Extent extent = extentOf(on.mesh.positions);
+    const double reach = kReach * on.state.tolerance;
+    EdgeCells wide(extent, reach);
+    wide.markAround(on.mesh, on.changed);
+    wide.markFaces(on.mesh, wide.facesTouching(on.mesh));
+    Plot plot(on, wide.facesTouching(on.mesh));
+    const Ground inside = plot.ground();
+    const FaceOrigins numbers(inside.mesh);
+    for (bool isMore = true; isMore;)
+    {
+        EdgeCells near(extent, reach);
+        near.markAround(inside.mesh, inside.changed);
+        if (!near.isWithin(wide) || !begin(passes, inside.state))
+        {
+            plot.putBack(numbers.giveBack(inside.mesh));
+            return true;
+        }
+        isMore = passNear(inside, near, passes.degenerateHeight, report);
+    }
+    plot.putBack(numbers.giveBack(inside.mesh));
+    return false;
+}
+
+} // namespace
+
+ClosedCracks closeCracks(Mesh& mesh, CrackPasses& passes)
+{
+    ClosedCracks report;
+    const Ground all{mesh, passes.tVertices, passes.changed};
+    for (bool isMore = true; isMore && passes.made < passes.most;)
+    {
+        const auto few = passes.wholeShare * static_cast<double>(mesh.positions.size());
+        if (passes.isWhole || static_cast<double>(passes.changed.size()) > few)
+        {
+            begin(passes, all.state);
+            std::vector<std::uint32_t> origins;
+            isMore = passOver(all, passes.degenerateHeight, report, origins);
+        }
+        else
+            isMore = passesAround(all, passes, report);
+        passes.isWhole = false;
+    }
+    DuplicateFaces last = removeDuplicateFaces(mesh); // for those that are kept, all over the mesh
+    add(last, report.duplicates);
+    report.duplicates = last;
+    return report;
+}
+
+} // namespace osgPMObjects::core
