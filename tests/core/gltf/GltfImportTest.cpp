@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <filesystem>
+#include <fstream>
 #include <random>
 
 #include <glm/geometric.hpp>
@@ -85,6 +87,31 @@ TEST(GltfImport, CountsWhatItLeavesOut)
     std::string beyond = gltfText();
     beyond.replace(beyond.find("AAABAAIA"), 8, "AAABAAkA"); // index 9
     EXPECT_EQ(parse(beyond)->report.refusedFaces, 1u);
+}
+
+/// Files beside a model are found only where it is one itself; a folder is none.
+TEST(GltfImport, ReadsOtherFilesButNoFolders)
+{
+    const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "gltf-with-files";
+    std::filesystem::create_directories(folder / "folder");
+    const std::string whole = gltfText();
+    const std::size_t first = whole.find("data:application"), last = whole.find('"', first);
+    const auto naming = [&](const std::string& uri)
+    { return whole.substr(0, first) + uri + whole.substr(last); };
+    const auto write = [&](const char* name, const std::string& bytes)
+    {
+        std::ofstream(folder / name, std::ios::binary) << bytes;
+        return folder / name;
+    };
+    write("buffer.bin", std::string(42, '\0'));
+    const auto read = readGltf(write("beside.gltf", naming("buffer.bin")));
+    ASSERT_TRUE(read) << read.error().message();
+    EXPECT_EQ(read->mesh.faces.size(), 1u);
+    EXPECT_FALSE(readGltf(write("folder.gltf", naming("folder"))));
+    EXPECT_FALSE(readGltf(folder));
+    for (const std::string& uri : {std::string("."), std::string("/"), (folder / "buffer.bin").string()})
+        EXPECT_FALSE(parse(naming(uri))) << "bytes have no folder: " << uri;
+    std::filesystem::remove_all(folder);
 }
 
 TEST(GltfImport, ReadsTheRealEngine)

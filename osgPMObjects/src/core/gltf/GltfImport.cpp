@@ -5,6 +5,7 @@
 #include <functional>
 #include <iterator>
 #include <limits>
+#include <system_error>
 
 #include <tiny_gltf.h>
 
@@ -64,7 +65,33 @@ GltfMaterial materialOf(const tinygltf::Model& model, const tinygltf::Material& 
     return material;
 }
 
-viewlod::Result<GltfModel> readModel(const Parse& parse, const std::string& name)
+bool isFile(const std::string& name, void*)
+{
+    std::error_code failed;
+    return std::filesystem::is_regular_file(name, failed);
+}
+
+/// Only files: of a folder the parser would ask for as many bytes as there are numbers.
+bool readFile(std::vector<unsigned char>* bytes, std::string* error, const std::string& name, void* data)
+{
+    if (isFile(name, data)) return tinygltf::ReadWholeFile(bytes, error, name, data);
+    *error += name + " is no file";
+    return false;
+}
+
+/// What is given as bytes has no folder that other files could be in.
+bool isNone(const std::string&, void*)
+{
+    return false;
+}
+
+enum class OtherFiles
+{
+    refused,
+    read,
+};
+
+viewlod::Result<GltfModel> readModel(const Parse& parse, const std::string& name, OtherFiles others)
 {
     const auto refused = [&](std::string why)
     {
@@ -77,6 +104,8 @@ viewlod::Result<GltfModel> readModel(const Parse& parse, const std::string& name
     {
         tinygltf::TinyGLTF loader;
         loader.SetImageLoader(loadImage, nullptr);
+        loader.SetFsCallbacks({others == OtherFiles::read ? isFile : isNone, &tinygltf::ExpandFilePath,
+                               readFile, &tinygltf::WriteWholeFile, nullptr});
         std::string error;
         if (!parse(loader, parsed, error)) return refused(error.empty() ? "damaged" : error);
     }
@@ -113,7 +142,7 @@ viewlod::Result<GltfModel> parseGlb(std::span<const unsigned char> bytes, const 
             return loader.LoadBinaryFromMemory(&model, &error, &warnings, bytes.data(),
                                                static_cast<unsigned>(bytes.size()));
         },
-        name);
+        name, OtherFiles::refused);
 }
 
 viewlod::Result<GltfModel> parseGltf(std::span<const unsigned char> bytes, const std::string& name)
@@ -128,7 +157,7 @@ viewlod::Result<GltfModel> parseGltf(std::span<const unsigned char> bytes, const
                                               reinterpret_cast<const char*>(bytes.data()),
                                               static_cast<unsigned>(bytes.size()), "");
         },
-        name);
+        name, OtherFiles::refused);
 }
 
 viewlod::Result<GltfModel> readGltf(const std::filesystem::path& file)
@@ -145,7 +174,7 @@ viewlod::Result<GltfModel> readGltf(const std::filesystem::path& file)
             return isBinary ? loader.LoadBinaryFromFile(&model, &error, &warnings, file.string())
                             : loader.LoadASCIIFromFile(&model, &error, &warnings, file.string());
         },
-        file.string());
+        file.string(), OtherFiles::read);
 }
 
 } // namespace osgPMObjects::core
