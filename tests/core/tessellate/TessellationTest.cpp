@@ -249,6 +249,33 @@ TEST(Tessellation, OfTenThousandPolygonsWithHolesFillsThemWithoutOverlap)
     EXPECT_GT(triangles, 300000u);
 }
 
+/// A comb with its teeth slantwise: long thin ears, whose boxes are full of other teeth.
+Polygon slantedComb(Random& random, std::uint32_t teeth)
+{
+    std::vector<glm::dvec2> contour = {{1.0, 0.0}, {0.0, 0.0}};
+    for (std::uint32_t i = 0; i < teeth; ++i)
+        for (const double reach : {0.0, 0.5 + 0.5 * random.unit()})
+            contour.push_back({(i + (reach > 0.0 ? 0.5 : 0.0)) / teeth + reach, 0.1 + reach});
+    contour.push_back({1.0, 0.1});
+    std::reverse(contour.begin(), contour.end());
+    Polygon comb;
+    comb.add(contour);
+    return comb;
+}
+
+TEST(Tessellation, OfPolygonsWithManyCornersFillsThemWithoutOverlap)
+{
+    Random random(7);
+    Polygon star;
+    star.add(testsupport::star(random, {0, 0}, 0.5, 600));
+    for (const Polygon& made : {star, slantedComb(random, 300)})
+    {
+        const Cut result = cut(made);
+        EXPECT_EQ(result.defect, "");
+        EXPECT_EQ(result.triangles.size(), made.corners.size() - 2);
+    }
+}
+
 TEST(Tessellation, OfTenThousandTanglesIsTheirInside)
 {
     Random random(2);

@@ -6,6 +6,8 @@
 #include <osgPMObjects/core/tessellate/EarClipping.h>
 #include <osgPMObjects/core/tessellate/Orientation.h>
 
+#include "TriangleSearch.h"
+
 namespace osgPMObjects::core
 {
 
@@ -22,8 +24,7 @@ public:
         for (std::uint32_t i = 0; i < size; ++i)
             _visits.push_back({loop[i], (i + size - 1) % size, (i + 1) % size, 0, true});
         _left = size;
-        for (std::uint32_t i = 0; i < size; ++i)
-            if (!isConvex(i)) _reflex.push_back(i);
+        collectReflex();
         for (std::uint32_t i = 0; i < size; ++i)
             offer(i);
     }
@@ -37,6 +38,7 @@ public:
             _ears.pop();
             if (!_visits[ear.tip].exists || _visits[ear.tip].version != ear.version) continue;
             clip(ear.tip);
+            if (2 * _left < _leftWhenCollected) collectReflex(); // cells as few as points, and as large
         }
         return std::move(_triangles);
     }
@@ -87,23 +89,31 @@ private:
                                           _visits[_visits[i].next].point};
         const glm::dvec2 &a = _points[corners[0]], &b = _points[corners[1]], &c = _points[corners[2]];
         const glm::dvec2 low = glm::min(glm::min(a, b), c), high = glm::max(glm::max(a, b), c);
-        for (std::size_t k = 0; k < _reflex.size();)
-        {
-            const Visit& visit = _visits[_reflex[k]];
-            if (!visit.exists || isConvex(_reflex[k]))
-            { // sectors shrink only, but for withoutSpike()
-                _reflex[k] = _reflex.back();
-                _reflex.pop_back();
-                continue;
-            }
-            ++k;
-            const glm::dvec2& p = _points[visit.point];
-            if (p.x < low.x || p.y < low.y || p.x > high.x || p.y > high.y) continue;
-            if (visit.point == corners[0] || visit.point == corners[1] || visit.point == corners[2]) continue;
-            if (orientation(a, b, p) >= 0.0 && orientation(b, c, p) >= 0.0 && orientation(c, a, p) >= 0.0)
-                return false;
-        }
-        return true;
+        return !_reflex.visit(
+            a, b, c,
+            [&](std::uint32_t number)
+            {
+                using Verdict = TriangleSearch::Verdict;
+                const Visit& visit = _visits[number];
+                if (!visit.exists || isConvex(number))
+                    return Verdict::takeOut; // sectors shrink only, but for withoutSpike()
+                const glm::dvec2& p = _points[visit.point];
+                if (p.x < low.x || p.y < low.y || p.x > high.x || p.y > high.y) return Verdict::goOn;
+                if (visit.point == corners[0] || visit.point == corners[1] || visit.point == corners[2])
+                    return Verdict::goOn;
+                const bool isIn =
+                    orientation(a, b, p) >= 0.0 && orientation(b, c, p) >= 0.0 && orientation(c, a, p) >= 0.0;
+                return isIn ? Verdict::stop : Verdict::goOn;
+            });
+    }
+
+    void collectReflex()
+    {
+        std::vector<TriangleSearch::Entry> reflex;
+        for (std::uint32_t i = 0; i < _visits.size(); ++i)
+            if (_visits[i].exists && !isConvex(i)) reflex.push_back({i, place(i)});
+        _reflex = TriangleSearch(reflex);
+        _leftWhenCollected = _left;
     }
 
     void clip(std::uint32_t tip)
@@ -134,7 +144,8 @@ private:
             remove(_visits[i].next);
             remove(i);
             i = before;
-            if (!isConvex(i)) _reflex.push_back(i); // its sector has grown by that of the visit taken out
+            if (!isConvex(i))
+                _reflex.add({i, place(i)}); // its sector has grown by that of the visit taken out
         }
         return i;
     }
@@ -147,7 +158,8 @@ private:
 
     std::span<const glm::dvec2> _points;
     std::vector<Visit> _visits;
-    std::vector<std::uint32_t> _reflex; ///< of the visits: at least those that are not convex
+    TriangleSearch _reflex{{}}; ///< of the visits: at least those that are not convex
+    std::uint32_t _leftWhenCollected = 0;
     std::priority_queue<Ear> _ears;
     std::vector<Triangle> _triangles;
     std::uint32_t _left = 0;
