@@ -9,6 +9,7 @@
 #include <osg/LightModel>
 #include <osg/MatrixTransform>
 
+#include <osgPMObjects/core/mesh/EqualWedges.h>
 #include <osgPMObjects/core/mesh/HashIndex.h>
 #include <osgPMObjects/core/mesh/Wedge.h>
 
@@ -60,10 +61,13 @@ public:
         _texCoords[1] = arrayFor<osg::Vec2Array>(material.has(Material::texCoord1));
     }
 
-    void add(const core::Face& face, std::vector<std::uint32_t>& vertexOfWedge)
+    /// `firstEqual`: by wedge, firstEqualWedges().
+    void add(const core::Face& face, std::span<const std::uint32_t> firstEqual,
+             std::vector<std::uint32_t>& vertexOfWedge)
     {
-        for (const std::uint32_t wedge : face.wedges)
+        for (const std::uint32_t corner : face.wedges)
         {
+            const std::uint32_t wedge = firstEqual[corner];
             std::uint32_t& vertex = vertexOfWedge[wedge];
             if (vertex == core::HashIndex::kNone || !isMine(vertex, wedge)) vertex = addVertex(wedge);
             _indices.push_back(vertex);
@@ -165,13 +169,14 @@ osg::ref_ptr<osg::Group> exportNode(const Mesh& mesh, std::span<const osg::ref_p
     osg::ref_ptr<osg::Group> root = new osg::Group;
     if (origin != glm::dvec3(0.0))
         root = new osg::MatrixTransform(osg::Matrixd::translate(origin.x, origin.y, origin.z));
+    const std::vector<std::uint32_t> firstEqual = core::firstEqualWedges(mesh);
     std::vector<std::uint32_t> vertexOfWedge(mesh.wedgeCount(), core::HashIndex::kNone);
     for (const auto& [key, faces] : facesByGeometry(mesh))
     {
         const Material& material = mesh.materials[key.second];
         GeometryMaker maker(mesh, material, origin);
         for (const std::uint32_t f : faces)
-            maker.add(mesh.faces[f], vertexOfWedge);
+            maker.add(mesh.faces[f], firstEqual, vertexOfWedge);
         const osg::ref_ptr<osg::Geometry> geometry = maker.make();
         geometry->setName(mesh.parts[key.first].name);
         if (material.state < states.size()) geometry->setStateSet(stateOf(material, states[material.state]));

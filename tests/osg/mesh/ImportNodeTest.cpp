@@ -13,6 +13,7 @@
 #include <osg/Switch>
 #include <osg/Texture2D>
 
+#include <osgPMObjects/core/consolidate/SplitEdges.h>
 #include <osgPMObjects/core/mesh/MeshCheck.h>
 
 #include <osgPMObjects/ExportNode>
@@ -305,6 +306,31 @@ TEST(ExportNode, IsTheInverseOfTheImport)
         EXPECT_EQ(after.mesh.materials, before.mesh.materials);
         EXPECT_EQ(after.mesh.parts, before.mesh.parts);
     }
+}
+
+/// Four squares around an edge in pairs: the copies of its ends are vertices only once.
+TEST(ExportNode, CopiesOfPositionsShareVerticesWhereNothingTellsThemApart)
+{
+    core::Mesh mesh;
+    mesh.positions = {{0, 0, 0}, {0, 0, 1}};
+    for (const glm::dvec3& out : {glm::dvec3(1, 0, 0), {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}})
+        mesh.positions.push_back(out);
+    for (std::uint32_t i = 0; i < 6; ++i)
+        mesh.wedgePositions.push_back(i);
+    mesh.faces = {{{0, 1, 2}, 0, 0}, {{1, 0, 3}, 0, 0}, {{0, 1, 4}, 0, 0}, {{1, 0, 5}, 0, 0}};
+    mesh.materials.push_back({.name = "material"});
+    mesh.parts.push_back({"part"});
+    ASSERT_EQ(core::splitNonManifoldEdges(mesh).copies, 2u);
+    const auto verticesOf = [](const core::Mesh& of)
+    {
+        const auto node = exportNode(of, {});
+        return node->getChild(0)->asGeode()->getDrawable(0)->asGeometry()->getVertexArray()->getNumElements();
+    };
+    EXPECT_EQ(verticesOf(mesh), 6u);
+    mesh.normals.assign(mesh.wedgeCount(), {0.0f, 0.0f, 1.0f});
+    mesh.normals[mesh.faces[3].wedges[0]] = {1.0f, 0.0f, 0.0f};
+    mesh.materials[0].attributes = Material::normal;
+    EXPECT_EQ(verticesOf(mesh), 7u) << "another normal is another vertex";
 }
 
 } // namespace

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <map>
+#include <utility>
+#include <vector>
 
 #include <osgPMObjects/core/consolidate/RemoveFaces.h>
 #include <osgPMObjects/core/mesh/EdgeTable.h>
-#include <osgPMObjects/core/mesh/HashIndex.h>
+#include <osgPMObjects/core/mesh/FirstAtPlace.h>
 #include <osgPMObjects/core/mesh/MeshCounts.h>
 
 namespace osgPMObjects::core
@@ -22,20 +23,6 @@ std::size_t removeMarked(Mesh& mesh, const std::vector<bool>& isDead)
     const std::size_t removed = mesh.faces.size() - kept;
     mesh.faces.resize(kept);
     return removed;
-}
-
-/// For each position the first that stands at the very same place: splits have doubled some.
-std::vector<std::uint32_t> firstAtPlace(const std::vector<glm::dvec3>& positions)
-{
-    const auto hashOf = [&](std::uint32_t i)
-    { return stir(stir(stir(0, bitsOf(positions[i].x)), bitsOf(positions[i].y)), bitsOf(positions[i].z)); };
-    HashIndex index(positions.size());
-    std::vector<std::uint32_t> first;
-    first.reserve(positions.size());
-    for (std::uint32_t p = 0; p < positions.size(); ++p)
-        first.push_back(index.findOrAdd(
-            p, hashOf(p), [&](std::uint32_t i) { return positions[i] == positions[p]; }, hashOf));
-    return first;
 }
 
 /// Faces sorted by their lowest corner, the middle one, the highest and their number; buckets for the first.

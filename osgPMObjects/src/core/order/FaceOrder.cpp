@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include <osgPMObjects/core/mesh/EqualWedges.h>
 #include <osgPMObjects/core/order/FaceOrder.h>
 #include <osgPMObjects/core/order/TriangleOrders.h>
 
@@ -13,14 +14,15 @@ namespace osgPMObjects::core
 namespace
 {
 
-/// The faces of a group with wedges numbered from 0 as they are first used.
+/// The faces of a group with their vertices (firstEqualWedges()) numbered from 0 as they are first used.
 struct DrawnTogether
 {
     std::vector<Triangle> triangles;
     std::uint32_t vertexCount = 0;
 };
 
-DrawnTogether numbered(const Mesh& mesh, const std::vector<std::size_t>& faces)
+DrawnTogether numbered(const Mesh& mesh, const std::vector<std::uint32_t>& vertexOfWedge,
+                       const std::vector<std::size_t>& faces)
 {
     DrawnTogether drawn;
     std::unordered_map<std::uint32_t, std::uint32_t> numbers;
@@ -29,7 +31,8 @@ DrawnTogether numbered(const Mesh& mesh, const std::vector<std::size_t>& faces)
         Triangle& t = drawn.triangles.emplace_back();
         for (std::size_t corner = 0; corner < 3; ++corner)
         {
-            const auto [at, isNew] = numbers.try_emplace(mesh.faces[f].wedges[corner], drawn.vertexCount);
+            const std::uint32_t vertex = vertexOfWedge[mesh.faces[f].wedges[corner]];
+            const auto [at, isNew] = numbers.try_emplace(vertex, drawn.vertexCount);
             drawn.vertexCount += isNew ? 1 : 0;
             t[corner] = at->second;
         }
@@ -59,9 +62,10 @@ void orderFaces(Mesh& mesh, FaceOrder order)
     for (std::size_t f = 0; f < mesh.faces.size(); ++f)
         groups[{mesh.faces[f].part, mesh.faces[f].material}].push_back(f);
     const std::vector<Face> before = mesh.faces;
+    const std::vector<std::uint32_t> vertexOfWedge = firstEqualWedges(mesh);
     for (const auto& [group, places] : groups)
     {
-        const std::vector<std::uint32_t> sequence = ordered(numbered(mesh, places), order);
+        const std::vector<std::uint32_t> sequence = ordered(numbered(mesh, vertexOfWedge, places), order);
         for (std::size_t i = 0; i < places.size(); ++i)
             mesh.faces[places[i]] = before[places[sequence[i]]];
     }

@@ -15,7 +15,7 @@ enum class FaceOrder
     locality,  ///< for a queue of 16 vertices
 };
 
-/// Puts the faces of each part and material in order, by the wedges that they share: the faces that one call draws. Which places in
+/// Puts the faces of each part and material in order, by the wedges that they share (equal ones, firstEqualWedges(), are one vertex): the faces that one call draws. Which places in
 /// the list belong to which part and material stays.
 /// Cost: that of the order, plus a sort.
 void orderFaces(Mesh& mesh, FaceOrder order);
