@@ -51,7 +51,7 @@ struct ConsolidateReport
 /// faces removed, T-vertices inserted, neighbours oriented alike, closed groups turned outside out, edges left with two faces at
 /// most, missing normals made, needless attribute splits merged. The order of faces stays.
 /// Afterwards no T-junction, duplicate of the same look or degenerate face is left, unless the report says that the passes ran
-/// out (kMostPasses), which no model at hand needs; no position has moved farther than the two tolerances together.
+/// out (kMostPasses), after which a model at hand has none left either; no position has moved farther than the two tolerances together.
 /// Cost: a million triangles in some 3 s. Source: spec 3, Consolidation.
 ConsolidateReport consolidate(Mesh& mesh, const ConsolidateOptions& options = {});
 
