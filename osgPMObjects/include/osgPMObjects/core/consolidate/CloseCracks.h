@@ -33,9 +33,9 @@ struct ClosedCracks
 };
 
 /// Removes degenerate and duplicate faces, puts vertices into the edges that they lie on, and again, for one makes the other,
-/// until a pass does nothing or there were too many. After the first pass only the neighbourhood of what the one before has
-/// changed is looked at, with the result that passes over the whole mesh have.
-/// Cost: a third of a second for the first pass over a million faces, a fiftieth for each that changes little.
+/// until a pass does nothing or there were too many. Where the one before has changed little, a pass looks at its
+/// neighbourhood only, with the result that passes over the whole mesh have.
+/// Cost: a third of a second for a pass over a million faces; a tenth to find a neighbourhood, then its share for each.
 /// Source: spec 3, Consolidation; the neighbourhoods are ours.
 ClosedCracks closeCracks(Mesh& mesh, CrackPasses& passes);
 
