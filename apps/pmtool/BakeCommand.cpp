@@ -6,8 +6,6 @@
 #include <memory>
 #include <optional>
 
-#include <osgPMObjects/core/consolidate/Consolidate.h>
-#include <osgPMObjects/core/consolidate/Weld.h>
 #include <osgPMObjects/core/simplify/Simplify.h>
 
 #include <osgPMObjects/BakeModel>
@@ -40,10 +38,8 @@ double msSince(Clock::time_point start)
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
-core::Mesh simplified(core::Mesh mesh, const Request& request)
+core::Mesh simplified(const core::Mesh& mesh, const Request& request)
 {
-    core::weldPositions(mesh,
-                        0.0); // what consolidation cut at crowded edges is one surface to the simplifier
     const auto share = static_cast<std::size_t>(
         std::llround(static_cast<double>(mesh.faces.size()) * request.levelPercent / 100.0));
     const std::size_t faces = std::max<std::size_t>(1, request.faces.value_or(share));
@@ -76,12 +72,9 @@ void print(const Json& row)
 
 viewlod::Result<Json> bakeFile(const Request& request, OutputNames& names, const std::string& file)
 {
-    auto model = read(file, request.models.limits);
+    auto model = readClean(file, request.models.limits);
     if (!model) return model.error();
-    ImportedModel& full = model->imported;
-    core::consolidate(full.mesh);
-    if (full.mesh.faces.empty())
-        return viewlod::Error{file, "has no triangles", "give a model with surfaces"};
+    ImportedModel& full = model->read.imported;
     const Clock::time_point start = Clock::now();
     const core::Mesh level = simplified(full.mesh, request);
     const double simplifyMs = msSince(start);

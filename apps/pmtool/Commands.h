@@ -29,6 +29,9 @@ void addConsolidate(CLI::App& app, Chosen& chosen);
 /// `bake`: simplifies each model and keeps its looks in maps. docs/baking.md has the layout of the table.
 void addBake(CLI::App& app, Chosen& chosen);
 
+/// `simplify`: levels with fewer triangles, by count or by error.
+void addSimplify(CLI::App& app, Chosen& chosen);
+
 /// `compare`, to which the comparisons are added.
 CLI::App* addCompareGroup(CLI::App& app);
 

@@ -3,10 +3,6 @@
 #include <cctype>
 #include <memory>
 
-#include <osgPMObjects/core/consolidate/Consolidate.h>
-#include <osgPMObjects/core/consolidate/MergeWedges.h>
-#include <osgPMObjects/core/consolidate/Weld.h>
-
 #include "pmtool/CheckerCoordinates.h"
 #include "pmtool/ModelFiles.h"
 #include "pmtool/Models.h"
@@ -58,21 +54,14 @@ viewlod::Outcome compareTool(const SimplifySubject& subject, const SimplifyTool&
 
 viewlod::Result<Json> compareModel(const std::string& file, const Request& request, OutputNames& names)
 {
-    auto model = read(file, request.models.limits);
+    auto model = readClean(file, request.models.limits);
     if (!model) return model.error();
-    core::Mesh& mesh = model->imported.mesh;
-    const std::size_t trianglesRead = mesh.faces.size();
-    core::consolidate(mesh);
-    core::weldPositions(
-        mesh, 0.0); // edges that consolidation split: simplifiers can do with them, but not with gaps
-    core::mergeWedges(mesh);
-    if (mesh.faces.empty())
-        return viewlod::Error{file, "has no triangles that can be simplified", "give a model with surfaces"};
+    core::Mesh& mesh = model->read.imported.mesh;
     if (request.checker) addCheckerCoordinates(mesh);
     const SimplifySubject subject(names.nameFor(file), std::move(mesh), request.targetPercents);
     Json row{{"model", file},
              {"triangles", subject.mesh.faces.size()},
-             {"trianglesRead", trianglesRead},
+             {"trianglesRead", model->trianglesRead},
              {"results", Json::array()}};
     printHeading(file, subject);
     if (!request.dumpFolder.empty())

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "pmtool/Models.h"
 
+#include <osgPMObjects/core/consolidate/Consolidate.h>
+#include <osgPMObjects/core/consolidate/Weld.h>
+
 #include "terminal/Terminal.h"
 
 namespace pmtool
@@ -25,6 +28,20 @@ viewlod::Result<ReadModel> read(const std::string& file, const ReadLimits& limit
     auto imported = importNode(**node, file);
     if (!imported) return imported.error();
     return ReadModel{std::move(*imported), (*node)->getDescriptions()};
+}
+
+viewlod::Result<CleanModel> readClean(const std::string& file, const ReadLimits& limits)
+{
+    auto model = read(file, limits);
+    if (!model) return model.error();
+    core::Mesh& mesh = model->imported.mesh;
+    const std::size_t trianglesRead = mesh.faces.size();
+    core::consolidate(mesh);
+    core::weldPositions(mesh, 0.0);
+    core::mergeWedges(mesh);
+    if (mesh.faces.empty())
+        return viewlod::Error{file, "has no triangles that can be simplified", "give a model with surfaces"};
+    return CleanModel{*std::move(model), trianglesRead};
 }
 
 viewlod::Result<terminal::Report>

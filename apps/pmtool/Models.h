@@ -34,6 +34,15 @@ struct ReadModel
 /// Reads a model in a child process, and imports it. Errors: as readModelNode() and importNode().
 viewlod::Result<ReadModel> read(const std::string& file, const osgPMObjects::ReadLimits& limits);
 
+/// The same, ready to be simplified: consolidated, and what consolidation split at crowded edges joined again, for simplifiers can do
+/// with such edges, but not with gaps. Errors: as read(); no triangles are left.
+struct CleanModel
+{
+    ReadModel read;
+    std::size_t trianglesRead = 0; ///< before
+};
+viewlod::Result<CleanModel> readClean(const std::string& file, const osgPMObjects::ReadLimits& limits);
+
 /// Calls `work` for each model; it adds a row to the table's "models", or says what went wrong: then that is printed, the other
 /// models are done all the same, and the table is not sound.
 viewlod::Result<terminal::Report>

@@ -11,6 +11,7 @@ int main(int argc, char** argv)
     pmtool::addInfo(app, chosen);
     pmtool::addConsolidate(app, chosen);
     pmtool::addBake(app, chosen);
+    pmtool::addSimplify(app, chosen);
     CLI::App* compare = pmtool::addCompareGroup(app);
     pmtool::addCompareOrder(*compare, chosen);
     pmtool::addCompareSimplify(*compare, chosen);
