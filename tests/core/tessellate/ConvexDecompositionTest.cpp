@@ -41,9 +41,8 @@ bool areApart(const std::vector<glm::dvec2>& points, const Loop& a, const Loop& 
     for (const auto& [first, second] : {std::pair(&a, &b), std::pair(&b, &a)})
         for (std::size_t i = 0; i < first->size(); ++i)
             if (std::all_of(second->begin(), second->end(),
-                            [&](std::uint32_t p) {
-                                return orientation(points[(*first)[i]],
-                                                   points[(*first)[(i + 1) % first->size()]],
+                            [&, &one = *first](std::uint32_t p) { // clang 14 captures no structured bindings
+                                return orientation(points[one[i]], points[one[(i + 1) % one.size()]],
                                                    points[p]) <= 0.0;
                             }))
                 return true;
