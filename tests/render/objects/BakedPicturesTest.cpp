@@ -17,8 +17,8 @@
 #include <osgPMObjects/ExportNode>
 #include <osgPMObjects/ReadModel>
 
-#include "PictureError.h"
 #include "RealData.h"
+#include "RenderedError.h"
 #include "RenderedModel.h"
 #include "RoundMeshes.h"
 
