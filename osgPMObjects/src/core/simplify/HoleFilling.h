@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "VertexStar.h"
+
+namespace osgPMObjects::core
+{
+
+/// Finds faces for the hole that a star leaves, sector by sector, and whether it may be left at all.
+/// Threads: one; keeps its memory from one hole to the next.
+class HoleFilling
+{
+public:
+    explicit HoleFilling(const LiveFaces& live) : _live(live) {}
+
+    /// Errors: why the position has to stay; then faces() says nothing.
+    RemovalRefusal fill(const VertexStar& star);
+
+    const std::vector<Face>& faces() const { return _faces; }
+
+    /// How far the position is from the faces; where there are none, from the lines that close its contours.
+    double distance() const { return _distance; }
+
+private:
+    bool fillSector(const VertexStar& star, const StarSector& sector);
+    void takeContour(const VertexStar& star, const StarSector& sector);
+    bool project(const glm::dvec3& sectorNormal);
+    bool joins(const VertexStar& star) const;
+    bool isTaken(std::uint32_t removed, const Triangle& added, std::size_t along, std::size_t against) const;
+    bool isolates(const VertexStar& star) const;
+    bool endsMaterial(const VertexStar& star) const;
+    std::size_t addedSides(std::uint32_t from, std::uint32_t to) const;
+    void measure(const VertexStar& star);
+
+    const LiveFaces& _live;
+    std::vector<Face> _faces;
+    std::vector<Triangle> _corners; ///< of _faces, by position
+    double _distance = 0.0;
+
+    // of the sector at hand
+    std::vector<std::uint32_t> _wedges;
+    std::vector<glm::dvec3> _contour;
+    std::vector<glm::dvec2> _flat;
+    std::vector<Triangle> _triangles;
+};
+
+} // namespace osgPMObjects::core

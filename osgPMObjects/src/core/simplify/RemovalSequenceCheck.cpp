@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cstdlib>
+#include <map>
+#include <set>
+#include <tuple>
+#include <utility>
+
+#include <osgPMObjects/core/simplify/RemovalSequence.h>
+
+namespace osgPMObjects::core
+{
+
+namespace
+{
+
+using Side = std::pair<std::uint32_t, std::uint32_t>;
+
+/// How often each edge is run along, from its lower end on; the other way counts against.
+using Chain = std::map<Side, int>;
+
+void add(Chain& chain, const Side& side, int times)
+{
+    const bool rises = side.first < side.second;
+    chain[rises ? side : Side(side.second, side.first)] += rises ? times : -times;
+}
+
+/// Goes through a sequence with its own books, face by face.
+class Replay
+{
+public:
+    Replay(const RemovalSequence& sequence, const Mesh& mesh)
+        : _sequence(sequence),
+          _mesh(mesh),
+          _facesOf(mesh.positions.size()),
+          _isAlive(mesh.faces.size() + sequence.addedFaces.size(), false)
+    {
+        for (std::uint32_t i = 0; i < mesh.faces.size(); ++i)
+            enter(i);
+        for (const auto& [side, count] : _sides)
+            if (count > 1) _crowded.insert(side);
+    }
+
+    std::string defect()
+    {
+        if (const std::string wrong = shape(); !wrong.empty()) return wrong;
+        for (std::size_t k = 0; k < _sequence.steps.size(); ++k)
+            if (const std::string wrong = step(k); !wrong.empty())
+                return "step " + std::to_string(k) + ": " + wrong;
+        return _doomed.empty() ? "" : "the end: something is left of a part";
+    }
+
+private:
+    std::string shape()
+    {
+        const auto isUsed = [](const auto& faces) { return !faces.empty(); };
+        _left = static_cast<std::size_t>(std::count_if(_facesOf.begin(), _facesOf.end(), isUsed));
+        if (_sequence.positionCount != _left) return "another number of positions";
+        if (_sequence.faceCount != _mesh.faces.size()) return "another number of faces";
+        std::size_t kept = _left - std::min(_left, _sequence.steps.size());
+        for (const std::size_t count : _sequence.left)
+            kept -= std::min(kept, count);
+        if (kept != 0) return "the reasons do not account for what is left";
+        std::uint32_t removed = 0, added = 0;
+        for (const RemovalStep& step : _sequence.steps)
+        {
+            if (step.firstRemoved < removed || step.firstAdded < added) return "steps overlap";
+            removed = step.firstRemoved;
+            added = step.firstAdded;
+        }
+        if (removed > _sequence.removedFaces.size() || added > _sequence.addedFaces.size())
+            return "steps beyond the faces";
+        for (const Face& face : _sequence.addedFaces)
+            if (*std::max_element(face.wedges.begin(), face.wedges.end()) >= _mesh.wedgeCount() ||
+                face.material >= _mesh.materials.size() || face.part >= _mesh.parts.size())
+                return "an added face points nowhere";
+        return "";
+    }
+
+    const Face& face(std::uint32_t number) const
+    {
+        return number < _mesh.faces.size() ? _mesh.faces[number]
+                                           : _sequence.addedFaces[number - _mesh.faces.size()];
+    }
+
+    std::array<Side, 3> sidesOf(const Face& f) const
+    {
+        const std::uint32_t a = _mesh.positionOf(f, 0), b = _mesh.positionOf(f, 1),
+                            c = _mesh.positionOf(f, 2);
+        return {{{a, b}, {b, c}, {c, a}}};
+    }
+
+    void enter(std::uint32_t number)
+    {
+        _isAlive[number] = true;
+        for (const Side& side : sidesOf(face(number)))
+        {
+            ++_sides[side];
+            _facesOf[side.first].insert(number);
+        }
+    }
+
+    void leave(std::uint32_t number)
+    {
+        _isAlive[number] = false;
+        for (const Side& side : sidesOf(face(number)))
+        {
+            --_sides[side];
+            _facesOf[side.first].erase(number);
+        }
+    }
+
+    std::string step(std::size_t k)
+    {
+        const RemovalStep& step = _sequence.steps[k];
+        if (!(step.error >= (k > 0 ? _sequence.steps[k - 1].error : 0.0))) return "the error decreases";
+        if (step.position >= _mesh.positions.size()) return "no such position";
+        const auto removed = _sequence.removedBy(k);
+        const auto added = _sequence.addedBy(k);
+        const std::set<std::uint32_t> star(removed.begin(), removed.end());
+        if (star.size() != removed.size() || star != _facesOf[step.position])
+            return "not exactly the faces of the position";
+        if (step.isOfPart ? !added.empty() : star.empty()) return "fills a part, or removes nothing";
+        if (!step.isOfPart && !_doomed.empty()) return "something is left of a part";
+        if (const std::string wrong = step.isOfPart ? doom(step.position, star) : fill(step, star, added);
+            !wrong.empty())
+            return wrong;
+        for (const std::uint32_t number : removed)
+            leave(number);
+        const auto first = static_cast<std::uint32_t>(_mesh.faces.size() + step.firstAdded);
+        for (std::uint32_t i = 0; i < added.size(); ++i)
+            enter(first + i);
+        return crowding(added);
+    }
+
+    /// A part's faces go: their other corners have to follow before anything else does.
+    std::string doom(std::uint32_t position, const std::set<std::uint32_t>& star)
+    {
+        if (star.empty() && _doomed.count(position) == 0) return "no such position is left";
+        for (const std::uint32_t number : star)
+            for (const Side& side : sidesOf(face(number)))
+                _doomed.insert(side.first);
+        _doomed.erase(position);
+        return "";
+    }
+
+    std::string fill(const RemovalStep& step, const std::set<std::uint32_t>& star,
+                     std::span<const Face> added) const
+    {
+        std::set<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>> corners; // wedge, material, part
+        Chain border;
+        for (const std::uint32_t number : star)
+        {
+            const Face& f = face(number);
+            for (const std::uint32_t wedge : f.wedges)
+                corners.insert({wedge, f.material, f.part});
+            for (const Side& side : sidesOf(f))
+                add(border, side, 1);
+        }
+        for (const Face& f : added)
+        {
+            for (const std::uint32_t wedge : f.wedges)
+                if (corners.count({wedge, f.material, f.part}) == 0 ||
+                    _mesh.wedgePositions[wedge] == step.position)
+                    return "a corner that no removed face had";
+            for (const Side& side : sidesOf(f))
+                add(border, side, -1);
+        }
+        return isClosed(border, step.position) ? "" : "the hole is not filled";
+    }
+
+    /// Whether what is left of the star's border, when that of the added faces is taken off, are open fans closed by one side: from the
+    /// position to the fan's first neighbour, from there at once to its last, and back.
+    static bool isClosed(const Chain& border, std::uint32_t position)
+    {
+        std::map<std::uint32_t, int> open; // first neighbours 1, last ones -1
+        for (const auto& [side, count] : border)
+            if (side.first == position || side.second == position)
+                open[side.first == position ? side.second : side.first] +=
+                    side.first == position ? count : -count;
+        for (const auto& [side, count] : border)
+        {
+            if (count == 0 || side.first == position || side.second == position) continue;
+            const auto [from, to] = count > 0 ? side : Side(side.second, side.first);
+            if (std::abs(count) > 1 || open[from]-- != 1 || open[to]++ != -1) return false;
+        }
+        return true;
+    }
+
+    std::string crowding(std::span<const Face> added) const
+    {
+        for (const Face& f : added)
+            for (const Side& side : sidesOf(f))
+                if (_sides.at(side) > 1 && _crowded.count(side) == 0) return "two faces along one edge";
+        return "";
+    }
+
+    const RemovalSequence& _sequence;
+    const Mesh& _mesh;
+    std::vector<std::set<std::uint32_t>> _facesOf; ///< by position
+    std::vector<bool> _isAlive;
+    std::map<Side, std::size_t> _sides;
+    std::set<Side> _crowded;         ///< in the mesh
+    std::set<std::uint32_t> _doomed; ///< positions of parts that have begun to go
+    std::size_t _left = 0;
+};
+
+} // namespace
+
+std::string removalDefectOf(const RemovalSequence& sequence, const Mesh& mesh)
+{
+    return Replay(sequence, mesh).defect();
+}
+
+} // namespace osgPMObjects::core

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <set>
+#include <tuple>
+
+#include <glm/geometric.hpp>
+
+#include <osgPMObjects/core/mesh/EdgeTable.h>
+#include <osgPMObjects/core/mesh/Extent.h>
+#include <osgPMObjects/core/mesh/MeshCounts.h>
+#include <osgPMObjects/core/simplify/VertexClustering.h>
+
+namespace osgPMObjects::core
+{
+
+namespace
+{
+
+using Cell = std::array<std::int64_t, 3>;
+
+/// Angles between more edges are not compared pair by pair.
+constexpr std::size_t kMostEdgesInPairs = 64;
+
+/// No grid has more cells along an axis.
+constexpr double kMostCells = 1e9;
+
+double angleBetween(const glm::dvec3& a, const glm::dvec3& b)
+{
+    return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
+}
+
+/// The largest angle between two of the directions; of many, twice the largest from their mean, which is no less.
+double largestAngle(const std::vector<glm::dvec3>& edges)
+{
+    double largest = 0.0;
+    if (edges.size() <= kMostEdgesInPairs)
+    {
+        for (std::size_t i = 0; i < edges.size(); ++i)
+            for (std::size_t j = i + 1; j < edges.size(); ++j)
+                largest = std::max(largest, angleBetween(edges[i], edges[j]));
+        return largest;
+    }
+    glm::dvec3 mean(0.0);
+    for (const glm::dvec3& edge : edges)
+        mean += edge;
+    for (const glm::dvec3& edge : edges)
+        largest = std::max(largest, 2.0 * angleBetween(edge, mean));
+    return std::min(largest, std::numbers::pi);
+}
+
+Extent boxOf(const Mesh& mesh)
+{
+    Extent box;
+    for (const Face& face : mesh.faces)
+        for (int corner = 0; corner < 3; ++corner)
+            box.add(mesh.at(face, corner));
+    return box;
+}
+
+Cell gridCell(const glm::dvec3& point, const glm::dvec3& low, double size)
+{
+    Cell cell;
+    for (int axis = 0; axis < 3; ++axis)
+        cell[axis] = static_cast<std::int64_t>(std::floor((point[axis] - low[axis]) / size));
+    return cell;
+}
+
+/// Fills in ClusteredMesh::representative and cells.
+void choose(const Mesh& mesh, ClusteredMesh& clustered)
+{
+    const std::vector<double> grades = clusterGrades(mesh);
+    const glm::dvec3 low = boxOf(mesh).low;
+    const auto count = static_cast<std::uint32_t>(mesh.positions.size());
+    std::vector<bool> isUsed(count, false);
+    for (const Face& face : mesh.faces)
+        for (int corner = 0; corner < 3; ++corner)
+            isUsed[mesh.positionOf(face, corner)] = true;
+    std::map<Cell, std::uint32_t> chosen;
+    for (std::uint32_t p = 0; p < count; ++p)
+    {
+        if (!isUsed[p]) continue;
+        std::uint32_t& best =
+            chosen.try_emplace(gridCell(mesh.positions[p], low, clustered.cellSize), p).first->second;
+        if (grades[p] > grades[best]) best = p;
+    }
+    clustered.cells = chosen.size();
+    clustered.representative.resize(count);
+    for (std::uint32_t p = 0; p < count; ++p)
+        clustered.representative[p] =
+            isUsed[p] ? chosen[gridCell(mesh.positions[p], low, clustered.cellSize)] : p;
+}
+
+/// Faces that are the same in a mesh drawn together: turned so that the lowest corner comes first.
+using FaceKey = std::tuple<Triangle, std::uint32_t, std::uint32_t>;
+
+FaceKey keyOf(const Mesh& mesh, const Face& face)
+{
+    Triangle t = {mesh.positionOf(face, 0), mesh.positionOf(face, 1), mesh.positionOf(face, 2)};
+    std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+    return {t, face.material, face.part};
+}
+
+/// Edges and points that degenerate faces leave, without those that faces or edges have.
+void keepRemains(ClusteredMesh& clustered, const std::vector<Triangle>& degenerate)
+{
+    std::set<std::array<std::uint32_t, 2>> ofFaces, edges;
+    std::set<std::uint32_t> corners, points;
+    const auto edge = [](std::uint32_t a, std::uint32_t b) {
+        return std::array<std::uint32_t, 2>{std::min(a, b), std::max(a, b)};
+    };
+    for (const Triangle& t : positionTriangles(clustered.mesh))
+        for (int c = 0; c < 3; ++c)
+        {
+            ofFaces.insert(edge(t[c], t[(c + 1) % 3]));
+            corners.insert(t[c]);
+        }
+    for (const Triangle& t : degenerate)
+    {
+        const auto [low, high] = std::minmax_element(t.begin(), t.end());
+        if (*low != *high && ofFaces.count({*low, *high}) == 0) edges.insert({*low, *high});
+    }
+    for (const auto& [a, b] : edges)
+        corners.insert({a, b});
+    for (const Triangle& t : degenerate)
+        if (t[0] == t[1] && t[1] == t[2] && corners.count(t[0]) == 0) points.insert(t[0]);
+    clustered.edges.assign(edges.begin(), edges.end());
+    clustered.points.assign(points.begin(), points.end());
+}
+
+/// Moves corners to the representatives and drops what is no face any more.
+void synthesise(const Mesh& mesh, ClusteredMesh& clustered)
+{
+    clustered.mesh = mesh;
+    for (std::uint32_t& position : clustered.mesh.wedgePositions)
+        position = clustered.representative[position];
+    std::set<FaceKey> known;
+    std::vector<Triangle> degenerate;
+    std::vector<Face> kept;
+    for (const Face& face : mesh.faces)
+    {
+        const FaceKey key = keyOf(clustered.mesh, face);
+        if (repeatsCorner(std::get<0>(key)))
+            degenerate.push_back(std::get<0>(key));
+        else if (known.insert(key).second)
+            kept.push_back(face);
+        else
+            ++clustered.duplicateFaces;
+    }
+    clustered.mesh.faces = std::move(kept);
+    clustered.degenerateFaces = degenerate.size();
+    keepRemains(clustered, degenerate);
+}
+
+} // namespace
+
+std::vector<double> clusterGrades(const Mesh& mesh)
+{
+    std::vector<std::uint32_t> first(mesh.positions.size() + 1, 0), neighbours(6 * mesh.faces.size());
+    const std::vector<Triangle> triangles = positionTriangles(mesh);
+    for (const Triangle& t : triangles)
+        for (const std::uint32_t p : t)
+            first[p] += 2;
+    for (std::size_t p = 1; p < first.size(); ++p)
+        first[p] += first[p - 1];
+    for (const Triangle& t : triangles)
+        for (int c = 0; c < 3; ++c)
+            for (const int other : {1, 2})
+                neighbours[--first[t[c]]] = t[(c + other) % 3];
+    std::vector<double> grades(mesh.positions.size(), 0.0);
+    std::vector<glm::dvec3> edges;
+    for (std::size_t p = 0; p < grades.size(); ++p)
+    {
+        std::sort(neighbours.begin() + first[p], neighbours.begin() + first[p + 1]);
+        edges.clear();
+        double longest = 0.0;
+        for (std::uint32_t i = first[p]; i < first[p + 1]; ++i)
+        {
+            if (i > first[p] && neighbours[i] == neighbours[i - 1]) continue;
+            edges.push_back(mesh.positions[neighbours[i]] - mesh.positions[p]);
+            longest = std::max(longest, glm::length(edges.back()));
+        }
+        const double angle = largestAngle(edges);
+        grades[p] = angle > 0.0 ? longest / angle : 0.0;
+    }
+    return grades;
+}
+
+viewlod::Result<ClusteredMesh> clusterVertices(const Mesh& mesh, double cellSize)
+{
+    if (!(cellSize > 0.0) || !std::isfinite(cellSize) || boxOf(mesh).diagonal() > kMostCells * cellSize)
+        return viewlod::Error{"cell size", std::to_string(cellSize) + " is none for this mesh",
+                              "give a length above a billionth of its diagonal"};
+    ClusteredMesh clustered;
+    clustered.cellSize = cellSize;
+    choose(mesh, clustered);
+    synthesise(mesh, clustered);
+    return clustered;
+}
+
+std::string clusteringDefectOf(const ClusteredMesh& clustered, const Mesh& mesh)
+{
+    const auto& representative = clustered.representative;
+    if (representative.size() != mesh.positions.size()) return "another number of positions";
+    if (clustered.mesh.positions != mesh.positions) return "positions have moved";
+    const glm::dvec3 low = boxOf(mesh).low;
+    const double most = std::sqrt(3.0) * clustered.cellSize;
+    for (std::size_t p = 0; p < representative.size(); ++p)
+    {
+        const std::uint32_t r = representative[p];
+        if (r >= mesh.positions.size() || representative[r] != r) return "a representative is none";
+        if (r == p) continue;
+        if (glm::length(mesh.positions[p] - mesh.positions[r]) > most * (1.0 + 1e-12))
+            return "a position is farther than a cell's diagonal from its representative";
+        if (gridCell(mesh.positions[p], low, clustered.cellSize) !=
+            gridCell(mesh.positions[r], low, clustered.cellSize))
+            return "a representative is of another cell";
+    }
+    ClusteredMesh expected;
+    expected.representative = representative;
+    synthesise(mesh, expected);
+    const bool isSame = expected.mesh.faces == clustered.mesh.faces &&
+                        expected.mesh.wedgePositions == clustered.mesh.wedgePositions &&
+                        expected.edges == clustered.edges && expected.points == clustered.points &&
+                        expected.degenerateFaces == clustered.degenerateFaces &&
+                        expected.duplicateFaces == clustered.duplicateFaces;
+    return isSame ? "" : "faces, edges or points are not those of the positions drawn together";
+}
+
+} // namespace osgPMObjects::core
