@@ -32,6 +32,10 @@ void addBake(CLI::App& app, Chosen& chosen);
 /// `simplify`: levels with fewer triangles, by count or by error.
 void addSimplify(CLI::App& app, Chosen& chosen);
 
+/// `support`: area against faces as vertices are removed, with support vertices and without. docs/support-vertices.md has the
+/// layout of the table.
+void addSupport(CLI::App& app, Chosen& chosen);
+
 /// `compare`, to which the comparisons are added.
 CLI::App* addCompareGroup(CLI::App& app);
 
