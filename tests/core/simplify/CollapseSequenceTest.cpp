@@ -99,4 +99,22 @@ TEST(CollapseSequence, IsRefusedWhenItCannotBePlayed)
     EXPECT_FALSE(isSoundAfter([](CollapseSequence& s) { s.steps[7].firstWedge = 1; }));
 }
 
+/// Two faces beside an edge share the wedge at the end that goes, not at the other one: of the wedges at the place that stays,
+/// only what is in use goes on.
+TEST(CollapseSequence, KeepsVanishedFacesAwayWhateverTheirWedges)
+{
+    testsupport::Random random(7);
+    Mesh mesh = meshOf(testsupport::sphereMesh(12, 16));
+    for (Face& face : mesh.faces)
+        for (std::uint32_t& wedge : face.wedges)
+            if (random.below(2) == 0) wedge = appendWedge(mesh, {.position = mesh.wedgePositions[wedge]});
+    for (const Placement placement : {Placement::subset, Placement::optimal})
+    {
+        const CollapseSequence sequence = simplify(mesh, {.placement = placement});
+        EXPECT_TRUE(isSequenceOf(sequence, mesh));
+        for (std::size_t steps = 1; steps <= sequence.steps.size(); ++steps)
+            ASSERT_EQ(meshAfter(mesh, sequence, steps).faces.size(), sequence.steps[steps - 1].facesAfter);
+    }
+}
+
 } // namespace

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <osgPMObjects/core/simplify/CollapseSequence.h>
+
 #include <algorithm>
-#include <numeric>
 
 #include <osgPMObjects/core/consolidate/MergeWedges.h>
-#include <osgPMObjects/core/mesh/EdgeTable.h>
-#include <osgPMObjects/core/mesh/MeshCounts.h>
-#include <osgPMObjects/core/simplify/CollapseSequence.h>
+
+#include "FacesAfter.h"
 
 namespace osgPMObjects::core
 {
@@ -77,27 +77,15 @@ Mesh meshAfter(const Mesh& mesh, const CollapseSequence& sequence, std::size_t s
         for (const MovedWedge& moved : sequence.movedWedgesOf(step))
             assignWedge(level, moved.wedge, moved.attributes);
     }
-    std::vector<std::uint32_t> becomes(
-        mesh.wedgeCount()); // from the last step back: what it becomes is settled
-    std::iota(becomes.begin(), becomes.end(), 0u);
-    for (std::size_t step = steps; step-- > 0;)
-        for (const WedgeCollapse& wedge : sequence.wedgesOf(step))
-            becomes[wedge.from] = becomes[wedge.to];
-    // A face that has gone is told by its positions: what becomes of a wedge that it had for itself, nobody says.
-    std::vector<std::uint32_t> standsAt(mesh.positions.size());
-    std::iota(standsAt.begin(), standsAt.end(), 0u);
-    for (std::size_t step = steps; step-- > 0;)
-        standsAt[sequence.steps[step].from] = standsAt[sequence.steps[step].to];
-    std::erase_if(level.faces,
-                  [&](const Face& face)
-                  {
-                      return repeatsCorner({standsAt[mesh.positionOf(face, 0)],
-                                            standsAt[mesh.positionOf(face, 1)],
-                                            standsAt[mesh.positionOf(face, 2)]});
-                  });
-    for (Face& face : level.faces)
-        for (std::uint32_t& wedge : face.wedges)
-            wedge = becomes[wedge];
+    const FacesAfter after(mesh, sequence, steps);
+    level.faces.clear();
+    for (std::size_t f = 0; f < mesh.faces.size(); ++f)
+    {
+        if (!after.isLeft[f]) continue;
+        level.faces.push_back(mesh.faces[f]);
+        for (std::uint32_t& wedge : level.faces.back().wedges)
+            wedge = after.wedges[wedge];
+    }
     compactMesh(level);
     return level;
 }

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include <osgPMObjects/core/mesh/Mesh.h>
+#include <osgPMObjects/core/simplify/CollapseSequence.h>
+
+namespace osgPMObjects::core
+{
+
+/// What some steps make of a mesh's faces: which are left, and with what wedges.
+struct FacesAfter
+{
+    std::vector<std::uint32_t> wedges; ///< by wedge: what it has become, for faces that are left
+    std::vector<bool> isLeft;          ///< by face
+
+    FacesAfter(const Mesh& mesh, const CollapseSequence& sequence, std::size_t steps);
+};
+
+} // namespace osgPMObjects::core
