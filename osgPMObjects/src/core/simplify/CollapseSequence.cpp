@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <osgPMObjects/core/simplify/CollapseSequence.h>
-
 #include <algorithm>
 
 #include <osgPMObjects/core/consolidate/MergeWedges.h>
+#include <osgPMObjects/core/simplify/CollapseSequence.h>
 
 #include "FacesAfter.h"
 

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+
+namespace osgPMObjects::core
+{
+
+/// A direction that a model is looked at from, with the picture's axes. Parallel projection, a lamp at the eye.
+struct PictureView
+{
+    glm::dvec3 right, up, towardsEye;
+};
+
+inline PictureView viewFrom(const glm::dvec3& towardsEye)
+{
+    const glm::dvec3 pole =
+        std::abs(towardsEye.z) < 0.9 ? glm::dvec3(0.0, 0.0, 1.0) : glm::dvec3(1.0, 0.0, 0.0);
+    const glm::dvec3 right = glm::normalize(glm::cross(pole, towardsEye));
+    return {right, glm::cross(towardsEye, right), towardsEye};
+}
+
+/// Directions all around, from above to below, about evenly: turned by the golden angle from one to the next.
+inline std::vector<PictureView> viewsAround(int count)
+{
+    const double goldenAngle = std::numbers::pi * (3.0 - std::sqrt(5.0));
+    std::vector<PictureView> views;
+    for (int i = 0; i < count; ++i)
+    {
+        const double z = 1.0 - (2.0 * i + 1.0) / count, level = std::sqrt(1.0 - z * z);
+        views.push_back(viewFrom({level * std::cos(goldenAngle * i), level * std::sin(goldenAngle * i), z}));
+    }
+    return views;
+}
+
+} // namespace osgPMObjects::core

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+
+#include <osgPMObjects/core/polish/PolishByImages.h>
+#include <osgPMObjects/core/simplify/JoinSequences.h>
+
+#include "ImageCollapser.h"
+#include "PlaceMover.h"
+#include "PolishState.h"
+
+namespace osgPMObjects::core
+{
+
+namespace
+{
+
+/// Steps of a state in the units of the mesh, their errors never falling.
+CollapseSequence inUnitsOf(CollapseSequence steps, const UnitFrame& frame)
+{
+    LevelError error;
+    for (CollapseStep& step : steps.steps)
+    {
+        error.distance = std::max(error.distance, static_cast<float>(step.error.distance * frame.diagonal));
+        error.normal = std::max(error.normal, std::min(step.error.normal, 2.0f));
+        error.texCoord = std::max(error.texCoord, step.error.texCoord);
+        error.colour = std::max(error.colour, std::min(step.error.colour, 1.0f));
+        step.error = error;
+    }
+    for (glm::dvec3& place : steps.places)
+        place = frame.out(place);
+    return steps;
+}
+
+} // namespace
+
+CollapseSequence polishByImages(const Mesh& mesh, const CollapseSequence& sequence, std::size_t targetFaces,
+                                std::span<const MaterialLook> looks, const PolishSettings& settings)
+{
+    const auto startFaces =
+        static_cast<std::size_t>(std::ceil(static_cast<double>(targetFaces) * settings.start));
+    CollapseSequence polished = firstSteps(sequence, stepsToFaces(sequence, startFaces));
+    const bool movesPlaces = settings.simplify.placement != Placement::subset;
+    PolishState state(mesh, meshAfter(mesh, polished, polished.steps.size()), looks, settings);
+    CollapseSequence chosen = ImageCollapser(state, settings, movesPlaces).run(targetFaces);
+    if (movesPlaces) PlaceMover(state).run(chosen, settings.moveRounds);
+    polished = joined(mesh, std::move(polished), inUnitsOf(std::move(chosen), UnitFrame(mesh)));
+    const Mesh level = meshAfter(mesh, polished, polished.steps.size());
+    SimplifySettings below = settings.simplify;
+    below.envelope = 0.0; // it would be one around this level
+    return joined(mesh, std::move(polished), simplify(level, below));
+}
+
+} // namespace osgPMObjects::core
