@@ -7,7 +7,7 @@
 #include <osgPMObjects/core/simplify/AreaCurve.h>
 #include <osgPMObjects/core/simplify/RemoveVertices.h>
 
-#include "RoundMeshes.h"
+#include "ClosedMeshes.h"
 
 namespace
 {

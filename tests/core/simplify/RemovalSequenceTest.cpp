@@ -8,7 +8,7 @@
 
 #include <osgPMObjects/core/simplify/RemoveVertices.h>
 
-#include "RoundMeshes.h"
+#include "ClosedMeshes.h"
 
 namespace
 {

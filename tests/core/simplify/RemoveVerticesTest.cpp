@@ -10,7 +10,7 @@
 #include <osgPMObjects/core/mesh/SurfaceChange.h>
 #include <osgPMObjects/core/simplify/RemoveVertices.h>
 
-#include "RoundMeshes.h"
+#include "ClosedMeshes.h"
 
 namespace
 {

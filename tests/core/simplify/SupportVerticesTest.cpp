@@ -5,7 +5,7 @@
 
 #include <osgPMObjects/core/simplify/SupportVertices.h>
 
-#include "RoundMeshes.h"
+#include "ClosedMeshes.h"
 
 namespace
 {

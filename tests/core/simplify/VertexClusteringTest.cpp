@@ -11,7 +11,7 @@
 #include <osgPMObjects/core/mesh/TriangleTree.h>
 #include <osgPMObjects/core/simplify/VertexClustering.h>
 
-#include "RoundMeshes.h"
+#include "ClosedMeshes.h"
 
 namespace
 {

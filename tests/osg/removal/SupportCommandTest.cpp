@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include "RoundMeshes.h"
+#include "ClosedMeshes.h"
 #include "pmtool/Commands.h"
 #include "pmtool/ModelFiles.h"
 
