@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <osgPMObjects/core/simplify/RemoveVertices.h>
 #include <osgPMObjects/core/simplify/Simplify.h>
 
 #include "pmtool/SimplifyTool.h"
@@ -39,6 +40,22 @@ std::vector<SimplifiedLevel> levelsOf(const SimplifyTask& task, core::Placement 
     return levels;
 }
 
+std::vector<SimplifiedLevel> removalLevels(const SimplifyTask& task)
+{
+    const core::Mesh& mesh = task.seams ? task.mesh : task.shape;
+    core::RemovalSequence sequence;
+    const double runMs = millisecondsOf([&] { sequence = core::removeVertices(mesh); });
+    std::vector<SimplifiedLevel> levels;
+    for (const std::size_t target : task.targets)
+    {
+        SimplifiedLevel& level = levels.emplace_back();
+        const double levelMs = millisecondsOf(
+            [&] { level.mesh = core::meshAfter(mesh, sequence, sequence.stepsToFaces(target)).mesh; });
+        level.ms = runMs + levelMs;
+    }
+    return levels;
+}
+
 } // namespace
 
 void addOwnTools(std::vector<SimplifyTool>& tools)
@@ -47,6 +64,7 @@ void addOwnTools(std::vector<SimplifyTool>& tools)
         tools.push_back({named.name, true, [placement = named.placement](const SimplifyTask& task) {
                              return levelsOf(task, placement);
                          }});
+    tools.push_back({"removal", true, [](const SimplifyTask& task) { return removalLevels(task); }});
 }
 
 } // namespace pmtool

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <string>
 
+#include <osgPMObjects/core/mesh/Wedge.h>
+
 #include "MadeMeshes.h"
 #include "OrderMeshes.h"
 

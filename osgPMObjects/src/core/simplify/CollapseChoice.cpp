@@ -39,6 +39,14 @@ LevelError largest(const LevelError& a, const LevelError& b)
             std::max(a.colour, b.colour)};
 }
 
+/// Whether a collapse may take the last faces of a part, or of a material that it keeps.
+bool hasFewFaces(const ConnectedPart& part)
+{
+    constexpr std::uint32_t kFew = 8;
+    return part.faces <= kFew || std::any_of(part.kept.begin(), part.kept.end(),
+                                             [](const ConnectedPart::Kept& k) { return k.faces <= kFew; });
+}
+
 /// Whether what faces show breaks off at an edge: another material, or other texture coordinates or colours at its near end.
 /// Normals that break off show no border, only a crease, and the shape has that itself.
 bool isBorder(const CollapseState& state, const Star& star, std::span<const Star::Side> sides)
@@ -104,7 +112,7 @@ bool CollapseChoice::isLopsided(std::uint32_t to) const
 double CollapseChoice::featureCost(std::uint32_t to) const
 {
     const ConnectedPart& part = _state.part(to);
-    if (part.faces > 8 && part.kept.empty()) return 0.0;
+    if (!hasFewFaces(part)) return 0.0;
     const auto going = _star.sidesTo(to);
     double cost = 0.0;
     if (going.size() >= part.faces) cost = _state.weight.of(part.doubleArea) * squared(part.reach);
@@ -234,6 +242,13 @@ bool CollapseChoice::isGood(std::uint32_t from, std::uint32_t to, const glm::dve
     if (!std::binary_search(_star.neighbours.begin(), _star.neighbours.end(), to)) return false;
     if (_state.movesPlaces()) gather(_toStar, to);
     return !isHarmful(to, place) && featureCost(to) <= kAbout * cost;
+}
+
+bool CollapseChoice::takesLastFaces(std::uint32_t from, const Candidate& candidate)
+{
+    if (!hasFewFaces(_state.part(from))) return false;
+    gather(_star, from);
+    return featureCost(candidate.to) > candidate.urgency.cost;
 }
 
 CollapseChoice::Effect CollapseChoice::effectOf(std::uint32_t from, std::uint32_t to, const glm::dvec3* place)

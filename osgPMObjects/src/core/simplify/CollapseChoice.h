@@ -30,6 +30,10 @@ public:
     /// Where both would be.
     glm::dvec3 placeOf(std::uint32_t from, std::uint32_t to);
 
+    /// Whether a collapse would now take the last faces of a part or a material, and costs more than was thought: others may have
+    /// taken the rest since.
+    bool takesLastFaces(std::uint32_t from, const Candidate& candidate);
+
     /// What a collapse does.
     struct Effect
     {

@@ -18,7 +18,7 @@ PartialSequence Collapser::run(std::span<const std::uint32_t> parts)
     while (!_queue.isEmpty())
     {
         const std::uint32_t first = _queue.first();
-        if (!isCurrent(first))
+        if (!isCurrent(first) || _choice.takesLastFaces(first, _state.candidates[first]))
             enter(first);
         else if (_guard && !isAllowed(first, _state.candidates[first].to))
             enterWhatIsAllowed(first);
