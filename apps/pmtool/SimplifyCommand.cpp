@@ -29,6 +29,7 @@ struct Request
     std::vector<double> targetsPercent;
     std::vector<double> tolerances; ///< units of the model
     double envelopePercent = 0.0;   ///< of the diagonal
+    double joinPercent = 0.0;       ///< the same
     std::filesystem::path outputFolder;
     std::string format = "osgb";
 };
@@ -85,7 +86,9 @@ viewlod::Result<Json> simplifyFile(const Request& request, OutputNames& names, c
     const ImportedModel& imported = model->read.imported;
     const core::Mesh& mesh = imported.mesh;
     core::SimplifySettings settings = request.settings;
-    settings.envelope = request.envelopePercent / 100.0 * core::diagonalOf(mesh);
+    const double diagonal = core::diagonalOf(mesh);
+    settings.envelope = request.envelopePercent / 100.0 * diagonal;
+    settings.joinDistance = request.joinPercent / 100.0 * diagonal;
     const auto start = std::chrono::steady_clock::now();
     const core::CollapseSequence sequence = core::simplify(mesh, settings);
     const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
@@ -151,6 +154,10 @@ void addSimplify(CLI::App& app, Chosen& chosen)
     command
         ->add_option("--envelope", request->envelopePercent,
                      "never farther from the original than this part of the diagonal, per cent (0: no limit)")
+        ->check(terminal::between(0.0, 100.0));
+    command
+        ->add_option("--join", request->joinPercent,
+                     "parts no farther apart than this part of the diagonal may join, per cent (0: none)")
         ->check(terminal::between(0.0, 100.0));
     command->add_flag("!--shape-only", request->settings.keepSeams, "let textures, normals and materials go");
     command->add_flag("!--lopsided", request->settings.keepSymmetry, "do not keep models symmetric that are");

@@ -2,9 +2,12 @@
 #include "CollapseState.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include <osgPMObjects/core/mesh/MeshCounts.h>
+
+#include "NearbyParts.h"
 
 namespace osgPMObjects::core
 {
@@ -59,11 +62,37 @@ CollapseState::CollapseState(const Mesh& original, const SimplifySettings& given
       candidates(positions.size())
 {
     mesh.positions = {};
+    joinedTo.resize(parts.size());
+    std::iota(joinedTo.begin(), joinedTo.end(), 0u);
+    wentTo.resize(positions.size());
+    std::iota(wentTo.begin(), wentTo.end(), 0u);
+    const double diagonal = extentOf(original.positions).diagonal();
+    if (settings.joinDistance > 0.0 && parts.size() > 1)
+        nearby = nearestOfOtherParts(positions, partOf, settings.joinDistance / diagonal);
     if (settings.envelope <= 0.0) return;
     std::vector<Triangle> triangles = positionTriangles(original);
     std::erase_if(triangles, [](const Triangle& t) { return repeatsCorner(t); });
-    const double diagonal = extentOf(original.positions).diagonal();
     envelope = std::make_unique<Envelope>(positions, std::move(triangles), settings.envelope / diagonal);
+}
+
+std::uint32_t CollapseState::nearbyNow(std::uint32_t position) const
+{
+    constexpr std::uint32_t kNone = ~0u;
+    if (nearby.empty() || nearby[position] == kNone) return kNone;
+    const std::uint32_t now = followed(wentTo, nearby[position]);
+    return stars.hasFaces(now) && partNumber(now) != partNumber(position) ? now : kNone;
+}
+
+void CollapseState::joinParts(std::uint32_t from, std::uint32_t to)
+{
+    const std::uint32_t gone = partNumber(from), stays = partNumber(to);
+    if (gone == stays) return;
+    joinedTo[gone] = stays;
+    ConnectedPart &part = parts[stays], &other = parts[gone];
+    part.faces += other.faces;
+    part.doubleArea += other.doubleArea;
+    part.reach = std::max(part.reach, other.reach);
+    part.kept.insert(part.kept.end(), other.kept.begin(), other.kept.end());
 }
 
 } // namespace osgPMObjects::core

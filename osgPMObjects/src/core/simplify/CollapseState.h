@@ -43,17 +43,34 @@ struct CollapseState
     MirrorTwins twins;
     std::unique_ptr<Envelope> envelope; ///< null: none is asked for
     std::vector<ConnectedPart> parts;
-    std::vector<std::uint32_t> partOf;  ///< by position
-    std::vector<StarShape> shapes;      ///< by position
-    std::vector<LevelError> errors;     ///< by position: of what has gone into it
-    std::vector<std::uint32_t> changes; ///< by position: how often its star has changed
-    std::vector<Candidate> candidates;  ///< by position
+    std::vector<std::uint32_t> partOf;           ///< by position: what it belonged to at first
+    mutable std::vector<std::uint32_t> joinedTo; ///< by part: the part it has been joined to; itself
+    std::vector<std::uint32_t> nearby; ///< by position: the nearest of another part; empty: parts do not join
+    mutable std::vector<std::uint32_t> wentTo; ///< by position: where it went; itself
+    std::vector<StarShape> shapes;             ///< by position
+    std::vector<LevelError> errors;            ///< by position: of what has gone into it
+    std::vector<std::uint32_t> changes;        ///< by position: how often its star has changed
+    std::vector<Candidate> candidates;         ///< by position
 
     CollapseState(const Mesh& original, const SimplifySettings& settings);
 
     bool movesPlaces() const { return settings.placement != Placement::subset; }
-    ConnectedPart& part(std::uint32_t position) { return parts[partOf[position]]; }
-    const ConnectedPart& part(std::uint32_t position) const { return parts[partOf[position]]; }
+    ConnectedPart& part(std::uint32_t position) { return parts[partNumber(position)]; }
+    const ConnectedPart& part(std::uint32_t position) const { return parts[partNumber(position)]; }
+    std::uint32_t partNumber(std::uint32_t position) const { return followed(joinedTo, partOf[position]); }
+    /// What has become of the nearest position of another part; ~0: there is none, or it is of the same part now.
+    std::uint32_t nearbyNow(std::uint32_t position) const;
+    /// Makes one of two positions' parts.
+    void joinParts(std::uint32_t from, std::uint32_t to);
+
+private:
+    /// The end of a path, which gets shorter on the way.
+    static std::uint32_t followed(std::vector<std::uint32_t>& next, std::uint32_t i)
+    {
+        while (next[i] != i)
+            i = next[i] = next[next[i]];
+        return i;
+    }
 };
 
 } // namespace osgPMObjects::core

@@ -41,7 +41,7 @@ void Collapser::enter(std::uint32_t position)
 bool Collapser::isCurrent(std::uint32_t position) const
 {
     const Candidate& candidate = _state.candidates[position];
-    return candidate.changes == _state.changes[position] &&
+    return candidate.changes == _state.changes[position] && _state.stars.hasFaces(candidate.to) &&
            (!_state.movesPlaces() || candidate.changesOfTo == _state.changes[candidate.to]);
 }
 
@@ -112,6 +112,8 @@ void Collapser::perform(std::uint32_t from, std::uint32_t to, const Urgency& urg
     if (_guard) _guard->commit();
     record(from, to, effect);
     _done.urgencies.push_back(urgency);
+    _state.joinParts(from, to);
+    _state.wentTo[from] = to;
     takeFaces(to);
     _ring = _choice.star().neighbours;
     _state.stars.collapse(from, to, _done.sequence.wedgesOf(_done.sequence.steps.size() - 1));

@@ -28,7 +28,10 @@ std::vector<PartGroup> groupsOf(const CollapseState& state)
             together.join(state.partOf[p], state.partOf[other]);
     };
     for (std::uint32_t p = 0; p < state.positions.size(); ++p)
+    {
         join(p, state.twins.of(p));
+        if (!state.nearby.empty()) join(p, state.nearby[p]);
+    }
     std::vector<PartGroup> groups(state.parts.size());
     for (std::uint32_t part = 0; part < state.parts.size(); ++part)
     {

@@ -49,6 +49,7 @@ std::span<const Star::Side> Star::sidesTo(std::uint32_t to) const
 {
     const auto first = std::lower_bound(sides.begin(), sides.end(), to,
                                         [](const Side& side, std::uint32_t t) { return side.to < t; });
+    if (first == sides.end() || first->to != to) return {};
     return sidesFrom(static_cast<std::size_t>(first - sides.begin()));
 }
 

@@ -44,7 +44,7 @@ struct Star
 
     /// The sides towards one neighbour, from the first of them at `at`.
     std::span<const Side> sidesFrom(std::size_t at) const;
-    /// The same by the neighbour.
+    /// The same by the neighbour; none where there is no edge.
     std::span<const Side> sidesTo(std::uint32_t to) const;
 };
 

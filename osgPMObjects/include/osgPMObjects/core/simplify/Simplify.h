@@ -25,6 +25,9 @@ struct SimplifySettings
     float mostTexCoordDrift = 2.0f / 1024.0f;
     /// Whether a mesh that is its own mirror image across the middle of its box stays that: collapses are then done in pairs.
     bool keepSymmetry = true;
+    /// Above 0: parts no farther apart than this may join: a position may go into the nearest of another part as into a neighbour.
+    /// Units: as the positions. Leaves of a tree then grow together instead of vanishing one by one.
+    double joinDistance = 0.0;
     /// Above 0: the surface stays within this distance of the original, and the original within this distance of it, at every level;
     /// proved for whole triangles, not sampled. The sequence then ends where no collapse keeps the promise; no part vanishes, and
     /// no face turns over. Units: as the positions. Takes some twenty times as long.
