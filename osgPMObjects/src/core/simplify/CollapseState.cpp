@@ -44,12 +44,20 @@ std::vector<glm::dvec3> unitPositions(const Mesh& mesh)
     return positions;
 }
 
+std::unique_ptr<Mesh> withoutPositions(const Mesh& mesh)
+{
+    auto copy = std::make_unique<Mesh>(mesh);
+    copy->positions = {};
+    return copy;
+}
+
 } // namespace
 
 CollapseState::CollapseState(const Mesh& original, const SimplifySettings& given)
     : settings(given),
       weight(weightFor(given.placement, original.faces.size())),
-      mesh(original),
+      movedMesh(given.placement == Placement::subset ? nullptr : withoutPositions(original)),
+      mesh(movedMesh ? *movedMesh : original),
       positions(unitPositions(original)),
       box(extentOf(positions)),
       stars(original),
@@ -61,7 +69,6 @@ CollapseState::CollapseState(const Mesh& original, const SimplifySettings& given
       changes(positions.size(), 0),
       candidates(positions.size())
 {
-    mesh.positions = {};
     joinedTo.resize(parts.size());
     std::iota(joinedTo.begin(), joinedTo.end(), 0u);
     wentTo.resize(positions.size());

@@ -36,7 +36,9 @@ struct CollapseState
 {
     const SimplifySettings settings;
     AreaWeight weight;
-    Mesh mesh; ///< wedges change with optimal placement; without positions
+    std::unique_ptr<Mesh>
+        movedMesh;    ///< with optimal placement: a copy without positions, whose wedges change
+    const Mesh& mesh; ///< that, or the original
     std::vector<glm::dvec3> positions;
     Extent box;
     StarMesh stars;

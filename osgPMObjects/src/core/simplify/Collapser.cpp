@@ -139,7 +139,7 @@ void Collapser::record(std::uint32_t from, std::uint32_t to, const CollapseChoic
         Wedge attributes = change.attributes;
         attributes.position = to;
         sequence.movedWedges.push_back({change.becomes, attributes});
-        assignWedge(_state.mesh, change.becomes, attributes);
+        assignWedge(*_state.movedMesh, change.becomes, attributes);
     };
     for (const WedgeChange& change : _choice.wedges().ofFrom())
         if (change.becomes != change.wedge)

@@ -24,7 +24,7 @@ constexpr std::size_t kReachSamples = 8;
 struct FaceTree
 {
     std::span<const glm::dvec3> positions;
-    std::vector<Triangle> triangles;
+    std::span<const Triangle> triangles;
     TriangleTree tree{positions, triangles};
 };
 
@@ -105,10 +105,10 @@ double reachOf(const ConnectedPart& part, std::uint32_t number, std::span<const 
 
 std::vector<ConnectedPart> connectedParts(const Mesh& mesh, std::span<const glm::dvec3> positions)
 {
-    const FaceTree faces{positions, properTriangles(mesh)};
+    const std::vector<Triangle> triangles = properTriangles(mesh);
     UnionFind groups(positions.size());
     std::vector<bool> isUsed(positions.size(), false);
-    for (const Triangle& t : faces.triangles)
+    for (const Triangle& t : triangles)
     {
         groups.join(t[0], t[1]);
         groups.join(t[0], t[2]);
@@ -124,7 +124,7 @@ std::vector<ConnectedPart> connectedParts(const Mesh& mesh, std::span<const glm:
         numbers[p] = numbers[root];
         parts[numbers[p]].positions.push_back(p);
     }
-    for (const Triangle& t : faces.triangles)
+    for (const Triangle& t : triangles)
     {
         parts[numbers[t[0]]].doubleArea += doubleAreaOf(positions, t);
         ++parts[numbers[t[0]]].faces;
@@ -136,6 +136,7 @@ std::vector<ConnectedPart> connectedParts(const Mesh& mesh, std::span<const glm:
             part.reach = extentOf(positions).diagonal();
         return parts;
     }
+    const FaceTree faces{positions, triangles};
     parallelShares(parts.size(), 16,
                    [&](std::size_t first, std::size_t last, std::size_t)
                    {

@@ -15,12 +15,14 @@ namespace
 class Whole
 {
 public:
-    Whole(const Mesh& mesh, std::uint32_t faces)
+    Whole(const Mesh& mesh, std::uint32_t faces, std::size_t steps, std::size_t wedges)
         : _box(extentOf(mesh.positions)),
           _diagonal(_box.diagonal() > 0.0 ? _box.diagonal() : 1.0),
           _facesLeft(faces)
     {
         _sequence.facesBefore = faces;
+        _sequence.steps.reserve(steps);
+        _sequence.wedges.reserve(wedges);
     }
 
     void append(const CollapseSequence& part, std::size_t number)
@@ -70,7 +72,13 @@ private:
 CollapseSequence mergedSequence(std::span<const PartialSequence> partial, const Mesh& mesh,
                                 std::uint32_t facesBefore)
 {
-    Whole whole(mesh, facesBefore);
+    std::size_t steps = 0, wedges = 0;
+    for (const PartialSequence& part : partial)
+    {
+        steps += part.sequence.steps.size();
+        wedges += part.sequence.wedges.size();
+    }
+    Whole whole(mesh, facesBefore, steps, wedges);
     std::vector<std::size_t> next(partial.size(), 0);
     for (;;)
     {
