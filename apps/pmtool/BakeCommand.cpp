@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <chrono>
 #include <cmath>
 #include <iomanip>
 #include <iostream>
@@ -12,6 +11,7 @@
 
 #include "pmtool/ModelFiles.h"
 #include "pmtool/Models.h"
+#include "pmtool/Timing.h"
 
 namespace pmtool
 {
@@ -21,7 +21,6 @@ namespace
 
 using namespace osgPMObjects;
 using Json = nlohmann::ordered_json;
-using Clock = std::chrono::steady_clock;
 
 struct Request
 {
@@ -32,11 +31,6 @@ struct Request
     std::filesystem::path outputFolder;
     std::string format = "osgb";
 };
-
-double msSince(Clock::time_point start)
-{
-    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
 
 core::Mesh simplified(const core::Mesh& mesh, const Request& request)
 {
@@ -75,9 +69,8 @@ viewlod::Result<Json> bakeFile(const Request& request, OutputNames& names, const
     auto model = readClean(file, request.models.limits);
     if (!model) return model.error();
     ImportedModel& full = model->read.imported;
-    const Clock::time_point start = Clock::now();
-    const core::Mesh level = simplified(full.mesh, request);
-    const double simplifyMs = msSince(start);
+    core::Mesh level;
+    const double simplifyMs = millisecondsOf([&] { level = simplified(full.mesh, request); });
     const auto baked = bakeModel(full, level, request.bake);
     if (!baked) return viewlod::Error{file, baked.error().what, baked.error().remedy};
     Json row{{"model", file},

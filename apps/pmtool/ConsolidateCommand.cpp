@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <chrono>
 #include <iostream>
 #include <map>
 #include <memory>
@@ -11,6 +10,7 @@
 
 #include "pmtool/ModelFiles.h"
 #include "pmtool/Models.h"
+#include "pmtool/Timing.h"
 
 namespace pmtool
 {
@@ -93,9 +93,8 @@ viewlod::Result<Json> consolidateFile(const Request& request, OutputNames& names
     if (!model) return model.error();
     core::Mesh& mesh = model->imported.mesh;
     const core::Mesh before = mesh;
-    const auto start = std::chrono::steady_clock::now();
-    const core::ConsolidateReport report = core::consolidate(mesh, request.options);
-    const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
+    core::ConsolidateReport report;
+    const double ms = millisecondsOf([&] { report = core::consolidate(mesh, request.options); });
     const double diagonal = core::diagonalOf(before);
     const double change = core::surfaceChange(before, mesh).largest;
     const Json row{{"model", file},
@@ -103,7 +102,7 @@ viewlod::Result<Json> consolidateFile(const Request& request, OutputNames& names
                    {"after", tableOf(core::countMesh(mesh))},
                    {"surfaceChangePercent", diagonal > 0.0 ? 100.0 * change / diagonal : 0.0},
                    {"trianglesDropped", report.facesDropped()},
-                   {"ms", took.count()}};
+                   {"ms", ms}};
     core::orderFaces(mesh, request.order);
     if (const auto written = write(request, names.nameFor(file), before, model->imported); !written)
         return written.error();

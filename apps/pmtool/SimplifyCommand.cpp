@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <chrono>
 #include <cmath>
 #include <iomanip>
 #include <iostream>
@@ -12,6 +11,7 @@
 
 #include "pmtool/ModelFiles.h"
 #include "pmtool/Models.h"
+#include "pmtool/Timing.h"
 
 namespace pmtool
 {
@@ -89,13 +89,12 @@ viewlod::Result<Json> simplifyFile(const Request& request, OutputNames& names, c
     const double diagonal = core::diagonalOf(mesh);
     settings.envelope = request.envelopePercent / 100.0 * diagonal;
     settings.joinDistance = request.joinPercent / 100.0 * diagonal;
-    const auto start = std::chrono::steady_clock::now();
-    const core::CollapseSequence sequence = core::simplify(mesh, settings);
-    const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
+    core::CollapseSequence sequence;
+    const double ms = millisecondsOf([&] { sequence = core::simplify(mesh, settings); });
     Json row{{"model", file},
              {"triangles", sequence.facesBefore},
              {"least", sequence.steps.empty() ? sequence.facesBefore : sequence.steps.back().facesAfter},
-             {"ms", took.count()},
+             {"ms", ms},
              {"levels", Json::array()}};
     std::cout << file << ": " << row["triangles"] << " triangles, at least " << row["least"] << ", "
               << row["ms"] << " ms\n";

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "pmtool/SimplifyTool.h"
 
-#include <chrono>
-
 #include <osgPMObjects/core/Triangle.h>
 #include <osgPMObjects/core/mesh/EdgeTable.h>
 #include <osgPMObjects/core/mesh/MeshBuilder.h>
@@ -33,7 +31,7 @@ core::Mesh shapeOf(std::span<const glm::dvec3> positions, std::span<const core::
     for (const core::Triangle& t : triangles)
     {
         const core::Triangle wedges{wedgeAt(t[0]), wedgeAt(t[1]), wedgeAt(t[2])};
-        if (!core::isDegenerate(wedges)) builder.face({wedges, material, part});
+        if (!core::repeatsCorner(wedges)) builder.face({wedges, material, part});
     }
     return builder.finish();
 }
@@ -41,13 +39,6 @@ core::Mesh shapeOf(std::span<const glm::dvec3> positions, std::span<const core::
 core::Mesh shapeOf(const core::Mesh& mesh)
 {
     return shapeOf(mesh.positions, core::positionTriangles(mesh));
-}
-
-double millisecondsOf(const std::function<void()>& work)
-{
-    const auto start = std::chrono::steady_clock::now();
-    work();
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
 } // namespace pmtool

@@ -12,6 +12,8 @@
 
 #include <osgPMObjects/core/mesh/Mesh.h>
 
+#include "pmtool/Timing.h"
+
 namespace pmtool
 {
 
@@ -65,8 +67,5 @@ osgPMObjects::core::Mesh shapeOf(const osgPMObjects::core::Mesh& mesh);
 /// The faces of a mesh that lie on these triangles of positions; degenerate ones are left out.
 osgPMObjects::core::Mesh shapeOf(std::span<const glm::dvec3> positions,
                                  std::span<const std::array<std::uint32_t, 3>> triangles);
-
-/// Elapsed time.
-double millisecondsOf(const std::function<void()>& work);
 
 } // namespace pmtool

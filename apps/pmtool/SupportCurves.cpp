@@ -2,11 +2,12 @@
 #include "pmtool/SupportCurves.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <iomanip>
 #include <sstream>
 #include <utility>
+
+#include "pmtool/Timing.h"
 
 namespace pmtool
 {
@@ -44,10 +45,13 @@ SupportVariant removeWith(const core::Mesh& shape, const NamedSupportRule& rule,
                           core::RemovalOptions options)
 {
     SupportVariant variant{rule.name, 0, {}, {}, 0.0};
-    const auto start = std::chrono::steady_clock::now();
-    options.isSupport = core::supportVertices(shape, core::OctreeDivisions::ofDepth(octreeDepth), rule.rule);
-    variant.sequence = core::removeVertices(shape, options);
-    variant.ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    variant.ms = millisecondsOf(
+        [&]
+        {
+            options.isSupport =
+                core::supportVertices(shape, core::OctreeDivisions::ofDepth(octreeDepth), rule.rule);
+            variant.sequence = core::removeVertices(shape, options);
+        });
     variant.supportVertices =
         static_cast<std::size_t>(std::count(options.isSupport.begin(), options.isSupport.end(), true));
     variant.curve = core::areaCurve(shape, variant.sequence);

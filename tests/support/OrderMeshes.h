@@ -95,7 +95,7 @@ orientedSet(const std::vector<osgPMObjects::core::Triangle>& triangles)
     std::vector<osgPMObjects::core::Triangle> turned;
     for (auto t : triangles)
     {
-        if (osgPMObjects::core::isDegenerate(t)) continue;
+        if (osgPMObjects::core::repeatsCorner(t)) continue;
         std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
         turned.push_back(t);
     }

@@ -11,7 +11,7 @@ namespace osgPMObjects::core
 using Triangle = std::array<std::uint32_t, 3>;
 
 /// Whether two corners are one.
-constexpr bool isDegenerate(const Triangle& t)
+constexpr bool repeatsCorner(const Triangle& t)
 {
     return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
 }

@@ -74,13 +74,20 @@ Triangle sortedCorners(Triangle t)
     return t;
 }
 
-double diagonalOf(const Mesh& mesh)
+Extent extentOfFaces(const Mesh& mesh)
 {
     Extent extent;
     for (const Face& face : mesh.faces)
         for (int corner = 0; corner < 3; ++corner)
             extent.add(mesh.at(face, corner));
-    return extent.diagonal();
+    return extent;
+}
+
+std::vector<Triangle> properTriangles(const Mesh& mesh)
+{
+    std::vector<Triangle> triangles = positionTriangles(mesh);
+    std::erase_if(triangles, repeatsCorner);
+    return triangles;
 }
 
 MeshCounts countMesh(const Mesh& mesh)

@@ -42,7 +42,7 @@ SidesByVertex sidesByVertex(std::span<const Triangle> triangles)
     const auto forEach = [&](auto visit)
     {
         for (std::uint32_t t = 0; t < triangles.size(); ++t)
-            for (std::uint8_t edge = 0; edge < 3 && !isDegenerate(triangles[t]); ++edge)
+            for (std::uint8_t edge = 0; edge < 3 && !repeatsCorner(triangles[t]); ++edge)
             {
                 const std::uint32_t a = triangles[t][edge], b = triangles[t][(edge + 1) % 3];
                 visit(std::min(a, b), Side{std::max(a, b), a > b, t, edge});

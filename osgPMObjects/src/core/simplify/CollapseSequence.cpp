@@ -5,24 +5,10 @@
 #include <osgPMObjects/core/simplify/CollapseSequence.h>
 
 #include "FacesAfter.h"
+#include "StepShare.h"
 
 namespace osgPMObjects::core
 {
-
-namespace
-{
-
-/// Elements from this step's first to the next one's.
-template<class Value>
-std::span<const Value> shareOf(const std::vector<CollapseStep>& steps, std::uint32_t CollapseStep::*first,
-                               const std::vector<Value>& values, std::size_t step)
-{
-    const std::size_t begin = steps[step].*first;
-    const std::size_t end = step + 1 < steps.size() ? steps[step + 1].*first : values.size();
-    return {values.data() + begin, end - begin};
-}
-
-} // namespace
 
 std::span<const WedgeCollapse> CollapseSequence::wedgesOf(std::size_t step) const
 {

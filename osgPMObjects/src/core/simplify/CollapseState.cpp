@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <numeric>
-#include <utility>
 
 #include <osgPMObjects/core/mesh/MeshCounts.h>
 
@@ -31,19 +30,6 @@ AreaWeight weightFor(Placement placement, std::size_t faces)
     return {2.0, 0.0};
 }
 
-/// In a frame where the diagonal of the box is 1 and its middle the origin.
-std::vector<glm::dvec3> unitPositions(const Mesh& mesh)
-{
-    const Extent extent = extentOf(mesh.positions);
-    const glm::dvec3 middle = 0.5 * (extent.low + extent.high);
-    const double scale = extent.diagonal() > 0.0 ? 1.0 / extent.diagonal() : 1.0;
-    std::vector<glm::dvec3> positions;
-    positions.reserve(mesh.positions.size());
-    for (const glm::dvec3& p : mesh.positions)
-        positions.push_back((p - middle) * scale);
-    return positions;
-}
-
 std::unique_ptr<Mesh> withoutPositions(const Mesh& mesh)
 {
     auto copy = std::make_unique<Mesh>(mesh);
@@ -58,7 +44,8 @@ CollapseState::CollapseState(const Mesh& original, const SimplifySettings& given
       weight(weightFor(given.placement, original.faces.size())),
       movedMesh(given.placement == Placement::subset ? nullptr : withoutPositions(original)),
       mesh(movedMesh ? *movedMesh : original),
-      positions(unitPositions(original)),
+      frame(original.positions),
+      positions(frame.unit(original.positions)),
       box(extentOf(positions)),
       stars(original),
       twins(given.keepSymmetry ? mirrorTwins(positions, positionTriangles(original)) : MirrorTwins()),
@@ -73,13 +60,11 @@ CollapseState::CollapseState(const Mesh& original, const SimplifySettings& given
     std::iota(joinedTo.begin(), joinedTo.end(), 0u);
     wentTo.resize(positions.size());
     std::iota(wentTo.begin(), wentTo.end(), 0u);
-    const double diagonal = extentOf(original.positions).diagonal();
     if (settings.joinDistance > 0.0 && parts.size() > 1)
-        nearby = nearestOfOtherParts(positions, partOf, settings.joinDistance / diagonal);
-    if (settings.envelope <= 0.0) return;
-    std::vector<Triangle> triangles = positionTriangles(original);
-    std::erase_if(triangles, [](const Triangle& t) { return repeatsCorner(t); });
-    envelope = std::make_unique<Envelope>(positions, std::move(triangles), settings.envelope / diagonal);
+        nearby = nearestOfOtherParts(positions, partOf, settings.joinDistance / frame.diagonal());
+    if (settings.envelope > 0.0)
+        envelope = std::make_unique<Envelope>(positions, properTriangles(original),
+                                              settings.envelope / frame.diagonal());
 }
 
 std::uint32_t CollapseState::nearbyNow(std::uint32_t position) const

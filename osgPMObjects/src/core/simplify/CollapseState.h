@@ -17,6 +17,7 @@
 #include "MirrorTwins.h"
 #include "Placement.h"
 #include "StarMesh.h"
+#include "UnitFrame.h"
 
 namespace osgPMObjects::core
 {
@@ -30,7 +31,7 @@ struct Candidate
     Urgency urgency;
 };
 
-/// A mesh on its way, in a frame where its diagonal is 1. What each position and each face has belongs to one part, so threads
+/// A mesh on its way. What each position and each face has belongs to one part, so threads
 /// that work on different parts do not meet.
 struct CollapseState
 {
@@ -39,8 +40,9 @@ struct CollapseState
     std::unique_ptr<Mesh>
         movedMesh;    ///< with optimal placement: a copy without positions, whose wedges change
     const Mesh& mesh; ///< that, or the original
-    std::vector<glm::dvec3> positions;
-    Extent box;
+    UnitFrame frame;
+    std::vector<glm::dvec3> positions; ///< in the frame
+    Extent box;                        ///< in the frame
     StarMesh stars;
     MirrorTwins twins;
     std::unique_ptr<Envelope> envelope; ///< null: none is asked for

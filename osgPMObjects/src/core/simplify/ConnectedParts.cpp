@@ -33,13 +33,6 @@ double doubleAreaOf(std::span<const glm::dvec3> p, const Triangle& t)
     return glm::length(glm::cross(p[t[1]] - p[t[0]], p[t[2]] - p[t[0]]));
 }
 
-std::vector<Triangle> properTriangles(const Mesh& mesh)
-{
-    std::vector<Triangle> triangles = positionTriangles(mesh);
-    std::erase_if(triangles, [](const Triangle& t) { return repeatsCorner(t); });
-    return triangles;
-}
-
 /// The part with the largest area of each material keeps it.
 void keepMaterials(const Mesh& mesh, std::span<const glm::dvec3> positions,
                    std::span<const std::uint32_t> numbers, std::vector<ConnectedPart>& parts)

@@ -4,6 +4,8 @@
 
 #include <osgPMObjects/core/simplify/RemovalSequence.h>
 
+#include "StepShare.h"
+
 namespace osgPMObjects::core
 {
 
@@ -35,14 +37,12 @@ const char* nameOf(RemovalRefusal refusal)
 
 std::span<const std::uint32_t> RemovalSequence::removedBy(std::size_t step) const
 {
-    const std::size_t end = step + 1 < steps.size() ? steps[step + 1].firstRemoved : removedFaces.size();
-    return std::span(removedFaces).subspan(steps[step].firstRemoved, end - steps[step].firstRemoved);
+    return shareOf(steps, &RemovalStep::firstRemoved, removedFaces, step);
 }
 
 std::span<const Face> RemovalSequence::addedBy(std::size_t step) const
 {
-    const std::size_t end = step + 1 < steps.size() ? steps[step + 1].firstAdded : addedFaces.size();
-    return std::span(addedFaces).subspan(steps[step].firstAdded, end - steps[step].firstAdded);
+    return shareOf(steps, &RemovalStep::firstAdded, addedFaces, step);
 }
 
 std::size_t RemovalSequence::facesAfter(std::size_t count) const

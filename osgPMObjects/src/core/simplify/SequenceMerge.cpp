@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include <glm/common.hpp>
-
 namespace osgPMObjects::core
 {
 
@@ -15,10 +13,8 @@ namespace
 class Whole
 {
 public:
-    Whole(const Mesh& mesh, std::uint32_t faces, std::size_t steps, std::size_t wedges)
-        : _box(extentOf(mesh.positions)),
-          _diagonal(_box.diagonal() > 0.0 ? _box.diagonal() : 1.0),
-          _facesLeft(faces)
+    Whole(const UnitFrame& frame, std::uint32_t faces, std::size_t steps, std::size_t wedges)
+        : _frame(frame), _facesLeft(faces)
     {
         _sequence.facesBefore = faces;
         _sequence.steps.reserve(steps);
@@ -37,7 +33,7 @@ public:
         step.error = raised(step.error);
         _sequence.wedges.insert(_sequence.wedges.end(), wedges.begin(), wedges.end());
         _sequence.movedWedges.insert(_sequence.movedWedges.end(), moved.begin(), moved.end());
-        if (!part.places.empty()) _sequence.places.push_back(placed(part.places[number]));
+        if (!part.places.empty()) _sequence.places.push_back(_frame.placed(part.places[number]));
         _sequence.steps.push_back(step);
     }
 
@@ -48,20 +44,14 @@ private:
     const LevelError& raised(const LevelError& step)
     {
         constexpr float kMostNormal = 2.0f, kMostColour = 1.0f; // what two can differ by
-        _error.distance = std::max(_error.distance, static_cast<float>(step.distance * _diagonal));
+        _error.distance = std::max(_error.distance, static_cast<float>(step.distance * _frame.diagonal()));
         _error.normal = std::max(_error.normal, std::min(step.normal, kMostNormal));
         _error.texCoord = std::max(_error.texCoord, step.texCoord);
         _error.colour = std::max(_error.colour, std::min(step.colour, kMostColour));
         return _error;
     }
 
-    glm::dvec3 placed(const glm::dvec3& unit) const
-    { // rounding may lead out of the box
-        return glm::clamp(unit * _diagonal + 0.5 * (_box.low + _box.high), _box.low, _box.high);
-    }
-
-    Extent _box;
-    double _diagonal;
+    const UnitFrame& _frame;
     CollapseSequence _sequence;
     LevelError _error;
     std::uint32_t _facesLeft;
@@ -69,7 +59,7 @@ private:
 
 } // namespace
 
-CollapseSequence mergedSequence(std::span<const PartialSequence> partial, const Mesh& mesh,
+CollapseSequence mergedSequence(std::span<const PartialSequence> partial, const UnitFrame& frame,
                                 std::uint32_t facesBefore)
 {
     std::size_t steps = 0, wedges = 0;
@@ -78,7 +68,7 @@ CollapseSequence mergedSequence(std::span<const PartialSequence> partial, const 
         steps += part.sequence.steps.size();
         wedges += part.sequence.wedges.size();
     }
-    Whole whole(mesh, facesBefore, steps, wedges);
+    Whole whole(frame, facesBefore, steps, wedges);
     std::vector<std::size_t> next(partial.size(), 0);
     for (;;)
     {

@@ -3,17 +3,17 @@
 
 #include <span>
 
-#include <osgPMObjects/core/mesh/Mesh.h>
 #include <osgPMObjects/core/simplify/CollapseSequence.h>
 
 #include "Collapser.h"
+#include "UnitFrame.h"
 
 namespace osgPMObjects::core
 {
 
 /// Puts the steps of parts that do not touch into the order in which one queue would have done them, and into the frame and the
 /// units of the mesh. One queue would do the least urgent of all next steps, so this is a merge; mirrored steps stay together.
-CollapseSequence mergedSequence(std::span<const PartialSequence> partial, const Mesh& mesh,
+CollapseSequence mergedSequence(std::span<const PartialSequence> partial, const UnitFrame& frame,
                                 std::uint32_t facesBefore);
 
 } // namespace osgPMObjects::core

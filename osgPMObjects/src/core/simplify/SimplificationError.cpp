@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <vector>
 
+#include <osgPMObjects/core/mesh/MeshCounts.h>
 #include <osgPMObjects/core/mesh/SurfaceChange.h>
 #include <osgPMObjects/core/simplify/SimplificationError.h>
 
@@ -10,15 +11,6 @@ namespace osgPMObjects::core
 
 namespace
 {
-
-Extent extentOfFaces(const Mesh& mesh)
-{
-    Extent extent;
-    for (const Face& face : mesh.faces)
-        for (int corner = 0; corner < 3; ++corner)
-            extent.add(mesh.at(face, corner));
-    return extent;
-}
 
 std::vector<bool> materialsWithFaces(const Mesh& mesh, std::size_t count)
 {

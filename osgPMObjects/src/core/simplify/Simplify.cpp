@@ -23,7 +23,7 @@ CollapseSequence simplify(const Mesh& mesh, const SimplifySettings& settings)
                        for (std::size_t i = first; i < last; ++i)
                            partial[i] = Collapser(state).run(shares[i]);
                    });
-    return mergedSequence(partial, mesh, state.stars.faceCount());
+    return mergedSequence(partial, state.frame, state.stars.faceCount());
 }
 
 } // namespace osgPMObjects::core

@@ -51,15 +51,6 @@ double largestAngle(const std::vector<glm::dvec3>& edges)
     return std::min(largest, std::numbers::pi);
 }
 
-Extent boxOf(const Mesh& mesh)
-{
-    Extent box;
-    for (const Face& face : mesh.faces)
-        for (int corner = 0; corner < 3; ++corner)
-            box.add(mesh.at(face, corner));
-    return box;
-}
-
 Cell gridCell(const glm::dvec3& point, const glm::dvec3& low, double size)
 {
     Cell cell;
@@ -72,7 +63,7 @@ Cell gridCell(const glm::dvec3& point, const glm::dvec3& low, double size)
 void choose(const Mesh& mesh, ClusteredMesh& clustered)
 {
     const std::vector<double> grades = clusterGrades(mesh);
-    const glm::dvec3 low = boxOf(mesh).low;
+    const glm::dvec3 low = extentOfFaces(mesh).low;
     const auto count = static_cast<std::uint32_t>(mesh.positions.size());
     std::vector<bool> isUsed(count, false);
     for (const Face& face : mesh.faces)
@@ -190,7 +181,7 @@ std::vector<double> clusterGrades(const Mesh& mesh)
 
 viewlod::Result<ClusteredMesh> clusterVertices(const Mesh& mesh, double cellSize)
 {
-    if (!(cellSize > 0.0) || !std::isfinite(cellSize) || boxOf(mesh).diagonal() > kMostCells * cellSize)
+    if (!(cellSize > 0.0) || !std::isfinite(cellSize) || diagonalOf(mesh) > kMostCells * cellSize)
         return viewlod::Error{"cell size", std::to_string(cellSize) + " is none for this mesh",
                               "give a length above a billionth of its diagonal"};
     ClusteredMesh clustered;
@@ -205,7 +196,7 @@ std::string clusteringDefectOf(const ClusteredMesh& clustered, const Mesh& mesh)
     const auto& representative = clustered.representative;
     if (representative.size() != mesh.positions.size()) return "another number of positions";
     if (clustered.mesh.positions != mesh.positions) return "positions have moved";
-    const glm::dvec3 low = boxOf(mesh).low;
+    const glm::dvec3 low = extentOfFaces(mesh).low;
     const double most = std::sqrt(3.0) * clustered.cellSize;
     for (std::size_t p = 0; p < representative.size(); ++p)
     {

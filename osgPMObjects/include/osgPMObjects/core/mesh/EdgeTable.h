@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include <osgPMObjects/core/Triangle.h>
 #include <osgPMObjects/core/mesh/Mesh.h>
 
 namespace osgPMObjects::core
@@ -36,7 +37,6 @@ inline HalfEdge previousSide(HalfEdge side)
 }
 
 /// Faces by the positions of their corners: what connectivity is about.
-using Triangle = std::array<std::uint32_t, 3>;
 std::vector<Triangle> positionTriangles(const Mesh& mesh);
 
 /// The edge–face structure: every edge (pair of positions) with the sides of all faces that lie on it, however many.

@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include <glm/geometric.hpp>
 
 #include <osgPMObjects/core/mesh/EdgeTable.h>
+#include <osgPMObjects/core/mesh/Extent.h>
 #include <osgPMObjects/core/mesh/Mesh.h>
 
 namespace osgPMObjects::core
@@ -37,8 +39,14 @@ struct MeshCounts
 /// Cost: about linear; a million triangles in 2 s.
 MeshCounts countMesh(const Mesh& mesh);
 
-/// The diagonal of the box around what faces use. Units: as the positions.
-double diagonalOf(const Mesh& mesh);
+/// The box around what faces use.
+Extent extentOfFaces(const Mesh& mesh);
+
+/// Its diagonal. Units: as the positions.
+inline double diagonalOf(const Mesh& mesh)
+{
+    return extentOfFaces(mesh).diagonal();
+}
 
 /// The height of a triangle over its longest side; 0 where that has no length.
 inline double heightOf(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c)
@@ -47,10 +55,8 @@ inline double heightOf(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec
     return longest > 0.0 ? glm::length(glm::cross(b - a, c - a)) / longest : 0.0;
 }
 
-inline bool repeatsCorner(const Triangle& t)
-{
-    return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
-}
+/// The faces of a mesh by position, without those that use one twice.
+std::vector<Triangle> properTriangles(const Mesh& mesh);
 
 /// A triangle's corners in rising order: the same for all triangles on three positions.
 Triangle sortedCorners(Triangle t);
