@@ -2,8 +2,10 @@
 // Meshes for tests of simplification.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include <osgPMObjects/core/mesh/Wedge.h>
 
@@ -51,6 +53,38 @@ inline Mesh waves(std::uint32_t columns, std::uint32_t rows)
     Mesh mesh = grid(columns, rows);
     for (glm::dvec3& p : mesh.positions)
         p.z = 0.7 * std::sin(0.31 * p.x) * std::cos(0.23 * p.y) + 0.01 * std::sin(5.0 * p.x + 3.0 * p.y);
+    return mesh;
+}
+
+/// Waves with a texture in two halves that meet along the middle column, where its coordinates jump; one material.
+inline Mesh texturedInHalves(std::uint32_t columns, std::uint32_t rows)
+{
+    using namespace osgPMObjects::core;
+    const Mesh bare = waves(columns, rows);
+    Mesh mesh;
+    mesh.positions = bare.positions;
+    mesh.materials = {{.name = "textured", .attributes = Material::texCoord0}};
+    mesh.parts = bare.parts;
+    std::array<std::vector<std::uint32_t>, 2> wedges; // by half and position
+    for (std::uint32_t half = 0; half < 2; ++half)
+        for (std::uint32_t p = 0; p < bare.positions.size(); ++p)
+        {
+            Wedge wedge{.position = p};
+            const glm::dvec3& at = bare.positions[p];
+            wedge.texCoords[0] = glm::vec2(at.x / columns + 0.4 * half, at.y / rows);
+            wedges[half].push_back(appendWedge(mesh, wedge));
+        }
+    for (const Face& face : bare.faces)
+    {
+        double x = 0.0;
+        for (int corner = 0; corner < 3; ++corner)
+            x += bare.at(face, corner).x / 3.0;
+        const int half = x < columns / 2 ? 0 : 1;
+        Face copy = face;
+        for (std::uint32_t& wedge : copy.wedges)
+            wedge = wedges[half][wedge];
+        mesh.faces.push_back(copy);
+    }
     return mesh;
 }
 

@@ -14,37 +14,6 @@ namespace
 
 using namespace osgPMObjects::core;
 
-/// Waves with a texture in two halves that meet along the middle column, where its coordinates jump; one material.
-Mesh texturedInHalves(std::uint32_t columns, std::uint32_t rows)
-{
-    const Mesh bare = testsupport::waves(columns, rows);
-    Mesh mesh;
-    mesh.positions = bare.positions;
-    mesh.materials = {{.name = "textured", .attributes = Material::texCoord0}};
-    mesh.parts = bare.parts;
-    std::array<std::vector<std::uint32_t>, 2> wedges; // by half and position
-    for (std::uint32_t half = 0; half < 2; ++half)
-        for (std::uint32_t p = 0; p < bare.positions.size(); ++p)
-        {
-            Wedge wedge{.position = p};
-            const glm::dvec3& at = bare.positions[p];
-            wedge.texCoords[0] = glm::vec2(at.x / columns + 0.4 * half, at.y / rows);
-            wedges[half].push_back(appendWedge(mesh, wedge));
-        }
-    for (const Face& face : bare.faces)
-    {
-        double x = 0.0;
-        for (int corner = 0; corner < 3; ++corner)
-            x += bare.at(face, corner).x / 3.0;
-        const int half = x < columns / 2 ? 0 : 1;
-        Face copy = face;
-        for (std::uint32_t& wedge : copy.wedges)
-            wedge = wedges[half][wedge];
-        mesh.faces.push_back(copy);
-    }
-    return mesh;
-}
-
 /// How far texture coordinates are from what they should be where they are now; a face across the seam shows here.
 double worstDrift(const Mesh& mesh, std::uint32_t columns, std::uint32_t rows)
 {
@@ -65,7 +34,7 @@ double worstDrift(const Mesh& mesh, std::uint32_t columns, std::uint32_t rows)
 
 TEST(SimplifyLook, KeepsASeamWhereItIs)
 {
-    const Mesh mesh = texturedInHalves(24, 24);
+    const Mesh mesh = testsupport::texturedInHalves(24, 24);
     for (const Placement placement : {Placement::subset, Placement::optimal, Placement::quality})
     {
         const CollapseSequence sequence = simplify(mesh, {.placement = placement});
@@ -91,7 +60,7 @@ TEST(SimplifyLook, KeepsASeamWhereItIs)
 
 TEST(SimplifyLook, LetsTexturesSlideWhenOnlyTheShapeCounts)
 { // the control: the same without seams
-    const Mesh mesh = texturedInHalves(24, 24);
+    const Mesh mesh = testsupport::texturedInHalves(24, 24);
     const CollapseSequence sequence = simplify(mesh, {.keepSeams = false});
     std::size_t across = 0;
     const Mesh level = meshAfter(mesh, sequence, stepsToFaces(sequence, 100));
@@ -126,7 +95,7 @@ TEST(SimplifyLook, KeepsAFaceOfEveryMaterialForLong)
 
 TEST(SimplifyLook, SaysHowFarTheTextureHasDrifted)
 {
-    const Mesh mesh = texturedInHalves(24, 24);
+    const Mesh mesh = testsupport::texturedInHalves(24, 24);
     const CollapseSequence sequence = simplify(mesh);
     EXPECT_GT(sequence.steps.back().error.texCoord, 0.0f);
     EXPECT_EQ(simplify(mesh, {.keepSeams = false}).steps.back().error.texCoord, 0.0f);

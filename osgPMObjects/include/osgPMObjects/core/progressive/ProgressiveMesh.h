@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include <osgPMObjects/core/mesh/Mesh.h>
+#include <osgPMObjects/core/simplify/CollapseSequence.h>
+
+namespace osgPMObjects::core
+{
+
+/// How the faces of all levels are kept in order in one index buffer.
+enum class Arrangement
+{
+    plain,   ///< faces in the order in which vsplits bring them: nothing moves, the cache is wasted
+    tswap,   ///< the paper's: cycles of faces that fill holes by what costs the cache least
+    blocks,  ///< cycles inside small blocks, half-empty neighbours merged
+    windows, ///< ours: neighbouring blocks ordered anew when they have room in one less
+};
+
+/// What an arrangement may cost.
+struct ArrangementSettings
+{
+    Arrangement arrangement = Arrangement::windows;
+    std::uint32_t cacheSize = 16; ///< vertices that the target's queue of transformed ones holds
+    /// Faces of a block. 0: as suits the arrangement.
+    std::uint32_t blockFaces = 0;
+    /// *windows*: so many blocks become one less at a time. More keep a better order for more moves: 2 moves a step with 2, 4 with 3.
+    std::uint32_t windowBlocks = 3;
+    std::uint32_t tswapLength = 2; ///< *tswap*: faces that one cycle moves at most
+    /// *tswap*: what it is worth, in transformed vertices, that a face lies in a line of the processor's cache that the step touches.
+    float touchedLineWeight = 0.25f;
+};
+
+/// Faces of one material, which one call draws.
+struct FaceGroup
+{
+    std::uint32_t material = 0;
+    std::uint32_t firstBlock = 0; ///< up to the next group's
+};
+
+/// A run of slots that fill and empty together.
+struct FaceBlock
+{
+    std::uint32_t firstSlot = 0; ///< up to the next block's
+};
+
+/// A mesh with all of its levels, which differ by one position each: a *progressive mesh*. Vertices lie in split order, so a level uses the
+/// first of them alone; a step patches corners of a few faces and moves some, forth (ecol) and back (vsplit).
+/// It never changes: what changes with the level is an index buffer, ProgressiveLevel, of which there may be many.
+/// Invariant: isValid() below. Threads: may be read by any number.
+/// Memory: the mesh, and besides `overheadBytes()`.
+/// Source: Hoppe, "Progressive meshes" (1996); paper 003, §4 and §5; Forsyth (2001). Differs: vertices that become others are a table of
+/// parents instead of a number in each step; faces lie in blocks with holes (Arrangement::windows).
+struct ProgressiveMesh
+{
+    /// Errors are kept for one step in so many: a level is then at most so much better than asked for.
+    static constexpr std::uint32_t kErrorStride = 16;
+
+    /// Positions and wedges in split order: step k takes the last position of those left, and its wedges, the last of the wedges.
+    /// Faces by slot at level 0, the full mesh.
+    Mesh mesh;
+    std::vector<std::uint32_t> parents; ///< by wedge: what it becomes, below its own number; itself: nothing
+    std::vector<FaceGroup> groups;
+    std::vector<FaceBlock> blocks;
+    std::vector<std::byte> records; ///< one for each step, StepRecord.h
+    std::uint32_t stepCount = 0;
+    std::vector<LevelError>
+        errors; ///< of the levels after kErrorStride steps, twice as many …, and after all
+
+    /// What players have to hold at once.
+    std::uint32_t mostSlotsOfStep = 0; ///< patched and vanished faces of one step
+    std::uint32_t mostRearrangements = 0;
+    std::uint32_t mostSlotsMoved = 0; ///< by one rearrangement
+
+    /// Bytes besides the mesh's own vertices and indices.
+    std::size_t overheadBytes() const;
+};
+
+/// Makes a progressive mesh. Wedges at one position with equal attributes should be one (consolidation sees to that).
+/// The sequence has to be one of the mesh (isSequenceOf), with subset placement.
+/// Cost: that of the arrangement; *windows* takes some µs a face.
+ProgressiveMesh buildProgressiveMesh(const Mesh& mesh, const CollapseSequence& sequence,
+                                     const ArrangementSettings& settings = {});
+
+/// How many steps can be made without the distance going above a tolerance, as far as the errors that are kept tell.
+std::uint32_t stepsToDistance(const ProgressiveMesh& progressive, double tolerance);
+
+/// An upper bound of the errors after some steps.
+LevelError errorAfter(const ProgressiveMesh& progressive, std::uint32_t steps);
+
+/// Whether every step can be played, forth and back, without leaving any array, and with faces of this mesh at every level.
+bool isValid(const ProgressiveMesh& progressive);
+
+} // namespace osgPMObjects::core

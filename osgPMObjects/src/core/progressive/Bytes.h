@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace osgPMObjects::core
+{
+
+/// Numbers in few bytes: seven bits in each, the lowest first; the top bit says that more follow.
+inline void appendNumber(std::vector<std::byte>& bytes, std::uint64_t number)
+{
+    for (; number >= 0x80; number >>= 7)
+        bytes.push_back(static_cast<std::byte>(number | 0x80));
+    bytes.push_back(static_cast<std::byte>(number));
+}
+
+/// Signed ones, so that small ones of either sign take one byte.
+inline void appendDifference(std::vector<std::byte>& bytes, std::int64_t difference)
+{
+    appendNumber(bytes, (static_cast<std::uint64_t>(difference) << 1) ^
+                            static_cast<std::uint64_t>(difference >> 63));
+}
+
+/// A number in a fixed number of bytes, the lowest first.
+inline void appendFixed(std::vector<std::byte>& bytes, std::uint64_t number, int width)
+{
+    for (int i = 0; i < width; ++i)
+        bytes.push_back(static_cast<std::byte>(number >> (8 * i)));
+}
+
+/// How many bytes numbers below a count take.
+inline int widthFor(std::uint64_t count)
+{
+    return count <= 0x100 ? 1 : count <= 0x10000 ? 2 : count <= 0x1000000 ? 3 : 4;
+}
+
+/// Reads what was appended. There are no checks: what comes from files is checked as a whole before (isValid()).
+class ByteReader
+{
+public:
+    explicit ByteReader(const std::byte* at) : _at(at) {}
+
+    std::uint32_t byte() { return static_cast<std::uint32_t>(*_at++); }
+
+    std::uint32_t number()
+    {
+        std::uint32_t value = byte();
+        if (value < 0x80) [[likely]]
+            return value;
+        value &= 0x7f;
+        for (int shift = 7;; shift += 7)
+        {
+            const std::uint32_t next = byte();
+            value |= (next & 0x7f) << shift;
+            if (next < 0x80) return value;
+        }
+    }
+
+    std::int32_t difference()
+    {
+        const std::uint32_t value = number();
+        return static_cast<std::int32_t>(value >> 1) ^ -static_cast<std::int32_t>(value & 1);
+    }
+
+    std::uint32_t fixed(int width)
+    {
+        std::uint32_t value = 0;
+        for (int i = 0; i < width; ++i)
+            value |= byte() << (8 * i);
+        return value;
+    }
+
+    void skip(int bytes) { _at += bytes; }
+    const std::byte* at() const { return _at; }
+
+private:
+    const std::byte* _at;
+};
+
+} // namespace osgPMObjects::core

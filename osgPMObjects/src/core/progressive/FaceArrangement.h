@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include <osgPMObjects/core/progressive/ProgressiveMesh.h>
+
+#include "LevelWalk.h"
+#include "SlotTable.h"
+
+namespace osgPMObjects::core
+{
+
+/// Where the faces of a mesh lie in its index buffer, at every level.
+class FaceArrangement
+{
+public:
+    virtual ~FaceArrangement() = default;
+
+    /// The slots of the full mesh, material by material.
+    virtual void begin(const LevelWalk& walk, SlotTable& slots) = 0;
+
+    /// Rearranges after a step. The dead of the walk are buried already.
+    virtual void afterStep(const LevelWalk& walk, SlotTable& slots) = 0;
+};
+
+/// Plain VIPM: the faces that vanish are always the last. Nothing ever moves.
+std::unique_ptr<FaceArrangement> plainArrangement();
+
+/// The paper's tswap: into each hole goes the face that costs the cache least, into the hole that it leaves the next …, and at last
+/// the last face of the buffer. (The cycle of the paper; who holds the hole is not moved.)
+/// Source: paper 003, §5. Differs: faces are chosen anew only where holes are, for the weights that it gives to faces that stay and
+/// to lines of the processor's cache that are touched anyway keep nearly all others where they are.
+std::unique_ptr<FaceArrangement> tswapArrangement(const ArrangementSettings& settings);
+
+/// Blocks of a few faces: a hole is filled with the last face of its block, and two neighbours that have room in one become one.
+std::unique_ptr<FaceArrangement> blockArrangement(const ArrangementSettings& settings);
+
+/// Ours: holes stay until some neighbouring blocks have room in one less; then those are ordered anew, in the way that costs
+/// least until they will be again. A hole is drawn as a triangle without area, all of whose corners are the vertex drawn just before.
+std::unique_ptr<FaceArrangement> windowArrangement(const ArrangementSettings& settings);
+
+std::unique_ptr<FaceArrangement> makeArrangement(const ArrangementSettings& settings);
+
+/// The live faces of each material, in order of their numbers.
+std::vector<std::vector<std::uint32_t>> liveFacesByMaterial(const LevelWalk& walk);
+
+/// Triangles whose wedges are numbered from 0 as they come: what orders for a few faces of many take no longer for.
+class LocalNumbers
+{
+public:
+    explicit LocalNumbers(const LevelWalk& walk);
+
+    std::vector<Triangle> trianglesOf(const LevelWalk& walk, std::span<const std::uint32_t> faces);
+
+    /// How many wedges the last triangles had.
+    std::uint32_t count() const { return _count; }
+
+private:
+    static constexpr std::uint32_t kNone = ~0u;
+
+    std::vector<std::uint32_t> _numbers; ///< by wedge
+    std::uint32_t _count = 0;
+};
+
+} // namespace osgPMObjects::core

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <numeric>
+#include <vector>
+
+#include <osgPMObjects/core/progressive/ProgressiveMesh.h>
+
+#include "Bytes.h"
+#include "IndexSlots.h"
+#include "StepRecord.h"
+
+namespace osgPMObjects::core
+{
+
+/// Plays rearrangements, as appendRecord() wrote them, forth and back, and returns how many faces changed their slots.
+template<class Index>
+class RearrangementReader
+{
+public:
+    using Slots = IndexSlots<Index>;
+    using Slot = typename Slots::Slot;
+
+    /// `extents`: of the blocks, which change with rearrangements.
+    RearrangementReader(const ProgressiveMesh& progressive, std::vector<std::uint32_t>& extents)
+        : _progressive(progressive),
+          _widths(progressive.mesh),
+          _extents(extents),
+          _faces(progressive.mostSlotsMoved),
+          _window(progressive.mostSlotsMoved),
+          _chain(progressive.mostSlotsMoved)
+    {
+        _blocks.reserve(progressive.blocks.size());
+        _extentsBefore.reserve(progressive.blocks.size());
+    }
+
+    std::uint32_t forth(ByteReader& in, Slots& slots)
+    {
+        const std::uint32_t head = in.number();
+        return head & 1 ? chainForth(in, head >> 1, slots) : rewriteForth(in, head >> 1, slots);
+    }
+
+    std::uint32_t back(ByteReader& in, Slots& slots)
+    {
+        const std::uint32_t head = in.number();
+        return head & 1 ? chainBack(in, head >> 1, slots) : rewriteBack(in, head >> 1, slots);
+    }
+
+    void skip(ByteReader& in)
+    {
+        const std::uint32_t head = in.number();
+        if (head & 1)
+        {
+            in.number();
+            readChain(in, head >> 1);
+            return;
+        }
+        readWindow(in, head >> 1);
+        for (std::uint32_t live = in.number(); live > 0; --live)
+            in.number();
+    }
+
+private:
+    void readChain(ByteReader& in, std::uint32_t moves)
+    {
+        _chain[0] = in.fixed(_widths.slot);
+        for (std::uint32_t i = 1; i <= moves; ++i)
+            _chain[i] = _chain[i - 1] + in.difference();
+    }
+
+    std::uint32_t chainForth(ByteReader& in, std::uint32_t moves, Slots& slots)
+    {
+        --_extents[in.number()];
+        readChain(in, moves);
+        for (std::uint32_t i = 0; i < moves; ++i)
+            slots.put(_chain[i], slots[_chain[i + 1]]);
+        slots.makeUnused(_chain[moves]);
+        slots.fillHolesBehind(_chain[moves]);
+        return moves;
+    }
+
+    std::uint32_t chainBack(ByteReader& in, std::uint32_t moves, Slots& slots)
+    {
+        ++_extents[in.number()];
+        readChain(in, moves);
+        for (std::uint32_t i = moves; i > 0; --i)
+            slots.put(_chain[i], slots[_chain[i - 1]]);
+        slots.makeHole(_chain[0]);
+        return moves;
+    }
+
+    void readWindow(ByteReader& in, std::uint32_t count)
+    {
+        _blocks.clear();
+        _extentsBefore.clear();
+        for (std::uint32_t b = 0; b < count; ++b)
+            _blocks.push_back(in.number() + (b == 0 ? 0 : _blocks.back()));
+        for (std::uint32_t b = 0; b < count; ++b)
+            _extentsBefore.push_back(in.number());
+    }
+
+    std::uint32_t firstSlot(std::uint32_t block) const { return _progressive.blocks[block].firstSlot; }
+    std::uint32_t endSlot(std::uint32_t block) const
+    {
+        return block + 1 < _progressive.blocks.size()
+                   ? _progressive.blocks[block + 1].firstSlot
+                   : static_cast<std::uint32_t>(_progressive.mesh.faces.size());
+    }
+
+    /// What the blocks of the window show, one after the other.
+    void gather(const Slots& slots, std::vector<Slot>& faces) const
+    {
+        std::size_t next = 0;
+        for (const std::uint32_t block : _blocks)
+            for (std::uint32_t i = 0; i < _extents[block]; ++i)
+                faces[next++] = slots[firstSlot(block) + i];
+    }
+
+    /// Makes what is behind the extent of a block unused, where its extent was larger before.
+    void trim(std::uint32_t block, std::uint32_t extentBefore, Slots& slots)
+    {
+        for (std::uint32_t i = _extents[block]; i < extentBefore; ++i)
+            slots.makeUnused(firstSlot(block) + i);
+        slots.fillHolesBehind(endSlot(block) - 1);
+    }
+
+    std::uint32_t rewriteForth(ByteReader& in, std::uint32_t count, Slots& slots)
+    {
+        readWindow(in, count);
+        gather(slots, _window);
+        std::uint32_t live = in.number(), expected = 0, here = 0, moves = 0;
+        for (std::uint32_t b = 0; b < count; ++b)
+        {
+            const std::uint32_t block = _blocks[b];
+            _extents[block] = std::min(live, endSlot(block) - firstSlot(block));
+            live -= _extents[block];
+            slots.fill(
+                firstSlot(block), _extents[block], [](std::uint32_t) { return true; },
+                [&](std::uint32_t i)
+                {
+                    const std::uint32_t source = expected + in.difference();
+                    expected = source + 1;
+                    moves += source != here + i || i >= _extentsBefore[b];
+                    return _window[source];
+                });
+            trim(block, _extentsBefore[b], slots);
+            here += _extentsBefore[b];
+        }
+        return moves;
+    }
+
+    std::uint32_t rewriteBack(ByteReader& in, std::uint32_t count, Slots& slots)
+    {
+        readWindow(in, count);
+        gather(slots, _faces);
+        constexpr Slot kHole{};
+        std::fill_n(_window.begin(), std::accumulate(_extentsBefore.begin(), _extentsBefore.end(), 0u),
+                    kHole);
+        in.number();
+        std::uint32_t expected = 0, here = 0, face = 0, moves = 0;
+        for (std::uint32_t b = 0; b < count; ++b)
+        {
+            for (std::uint32_t i = 0; i < _extents[_blocks[b]]; ++i)
+            {
+                const std::uint32_t source = expected + in.difference();
+                expected = source + 1;
+                moves += source != here + i || i >= _extentsBefore[b];
+                _window[source] = _faces[face++];
+            }
+            here += _extentsBefore[b];
+        }
+        std::uint32_t next = 0;
+        for (std::uint32_t b = 0; b < count; ++b)
+        {
+            const std::uint32_t block = _blocks[b], extentNow = _extents[block];
+            _extents[block] = _extentsBefore[b];
+            slots.fill(
+                firstSlot(block), _extents[block],
+                [&](std::uint32_t i) { return !Slots::isHole(_window[next + i]); },
+                [&](std::uint32_t i) { return _window[next + i]; });
+            next += _extents[block];
+            trim(block, extentNow, slots);
+        }
+        return moves;
+    }
+
+    const ProgressiveMesh& _progressive;
+    RecordWidths _widths;
+    std::vector<std::uint32_t>& _extents;
+    std::vector<Slot> _faces, _window;
+    std::vector<std::uint32_t> _chain, _blocks, _extentsBefore;
+};
+
+} // namespace osgPMObjects::core

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "StepRecord.h"
+
+#include <algorithm>
+
+namespace osgPMObjects::core
+{
+
+namespace
+{
+
+using Bytes = std::vector<std::byte>;
+
+/// Differences between slots that follow each other, the first in full.
+class SlotWriter
+{
+public:
+    SlotWriter(Bytes& bytes, int width) : _bytes(bytes), _width(width) {}
+
+    void write(std::uint32_t slot)
+    {
+        if (_isFirst)
+            appendFixed(_bytes, slot, _width);
+        else
+            appendDifference(_bytes, static_cast<std::int64_t>(slot) - _last);
+        _isFirst = false;
+        _last = slot;
+    }
+
+private:
+    Bytes& _bytes;
+    int _width;
+    bool _isFirst = true;
+    std::int64_t _last = 0;
+};
+
+/// kPlain, if the patched faces do not tell.
+std::uint32_t codeOf(const Triangle& vanished, const StepRecord& step, std::span<const Triangle> patched,
+                     std::uint32_t wedges, const std::vector<std::uint32_t>& parents)
+{
+    std::uint32_t index = 0;
+    for (std::uint32_t gone = 0; gone < step.patchedOfWedge.size(); ++gone)
+    {
+        const std::uint32_t from = wedges - 1 - gone;
+        const auto corner = std::find(vanished.begin(), vanished.end(), from) - vanished.begin();
+        for (std::uint32_t i = 0; i < step.patchedOfWedge[gone]; ++i, ++index)
+        {
+            if (corner == 3 || index >= VanishedFace::kPatched) continue;
+            for (std::uint32_t c = 0; c < 3; ++c)
+            {
+                const std::uint32_t third = patched[index][c];
+                const std::uint32_t next = vanished[(corner + 1) % 3], last = vanished[(corner + 2) % 3];
+                if (third == next && last == parents[from])
+                    return VanishedFace::code(index, c, static_cast<std::uint32_t>(corner), true);
+                if (third == last && next == parents[from])
+                    return VanishedFace::code(index, c, static_cast<std::uint32_t>(corner), false);
+            }
+        }
+    }
+    return VanishedFace::kPlain;
+}
+
+void appendChain(Bytes& bytes, const Rearrangement& chain, int slotWidth)
+{
+    appendNumber(bytes, (chain.slots.size() - 1) << 1 | 1);
+    appendNumber(bytes, chain.blocks.front());
+    SlotWriter slots(bytes, slotWidth);
+    for (const std::uint32_t slot : chain.slots)
+        slots.write(slot);
+}
+
+void appendRewrite(Bytes& bytes, const Rearrangement& rewrite, std::span<const SlotBlock> blocks)
+{
+    appendNumber(bytes, rewrite.blocks.size() << 1);
+    for (std::size_t b = 0; b < rewrite.blocks.size(); ++b)
+        appendNumber(bytes, b == 0 ? rewrite.blocks[0] : rewrite.blocks[b] - rewrite.blocks[b - 1]);
+    for (const std::uint32_t extent : rewrite.extents)
+        appendNumber(bytes, extent);
+    appendNumber(bytes, rewrite.slots.size());
+    std::int64_t expected = 0;
+    for (const std::uint32_t slot : rewrite.slots)
+    {
+        std::int64_t inWindow = 0; // counted over the extents
+        for (std::size_t b = 0; b < rewrite.blocks.size(); ++b)
+        {
+            const std::uint32_t first = blocks[rewrite.blocks[b]].first;
+            if (slot >= first && slot - first < rewrite.extents[b])
+            {
+                inWindow += slot - first;
+                break;
+            }
+            inWindow += rewrite.extents[b];
+        }
+        appendDifference(bytes, inWindow - expected);
+        expected = inWindow + 1;
+    }
+}
+
+void appendHead(Bytes& bytes, const StepRecord& step)
+{
+    const std::size_t vanished = std::min<std::size_t>(step.vanished.size(), 3);
+    const std::size_t patched = std::min<std::size_t>(step.patched.size(), 15);
+    const bool severalGo = step.patchedOfWedge.size() > 1;
+    bytes.push_back(static_cast<std::byte>(vanished | patched << 2 | (severalGo ? 0x40 : 0) |
+                                           (step.rearrangements.empty() ? 0 : 0x80)));
+    if (vanished == 3) appendNumber(bytes, step.vanished.size());
+    if (patched == 15) appendNumber(bytes, step.patched.size());
+    if (!severalGo) return;
+    appendNumber(bytes, step.patchedOfWedge.size());
+    for (const std::uint32_t count : step.patchedOfWedge)
+        appendNumber(bytes, count);
+}
+
+void appendLength(Bytes& bytes, std::size_t length)
+{
+    if (length <= 0xff) return appendFixed(bytes, length, 1);
+    appendFixed(bytes, length, 4);
+    appendFixed(bytes, 0, 1);
+}
+
+} // namespace
+
+void appendRecord(ProgressiveMesh& progressive, const StepRecord& step,
+                  std::span<const Triangle> patchedTriangles, std::uint32_t wedges,
+                  std::span<const SlotBlock> blocks)
+{
+    Bytes& bytes = progressive.records;
+    const std::size_t begin = bytes.size();
+    const RecordWidths widths(progressive.mesh);
+    appendHead(bytes, step);
+    SlotWriter slots(bytes, widths.slot);
+    for (const std::uint32_t slot : step.patched)
+        slots.write(slot);
+    for (const std::uint32_t slot : step.vanished)
+        slots.write(slot);
+    for (const Triangle& vanished : step.vanishedTriangles)
+    {
+        const std::uint32_t code = codeOf(vanished, step, patchedTriangles, wedges, progressive.parents);
+        appendFixed(bytes, code, 1);
+        if (code != VanishedFace::kPlain) continue;
+        for (const std::uint32_t wedge : vanished)
+            appendFixed(bytes, wedge, widths.wedge);
+    }
+    if (!step.rearrangements.empty()) appendNumber(bytes, step.rearrangements.size());
+    for (const Rearrangement& rearrangement : step.rearrangements)
+        if (rearrangement.isChain)
+            appendChain(bytes, rearrangement, widths.slot);
+        else
+            appendRewrite(bytes, rearrangement, blocks);
+    appendLength(bytes, bytes.size() - begin);
+}
+
+} // namespace osgPMObjects::core

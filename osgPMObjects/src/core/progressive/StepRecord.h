@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <osgPMObjects/core/Triangle.h>
+#include <osgPMObjects/core/progressive/ProgressiveMesh.h>
+
+#include "Bytes.h"
+#include "SlotTable.h"
+
+namespace osgPMObjects::core
+{
+
+/// One step, as it stands in ProgressiveMesh::records, from the finer level to the coarser:
+///
+///     head        byte: vanished faces (2 bits, 3: a number follows), patched faces (4 bits, 15: a number follows), whether several
+///                 wedges go, whether faces move
+///     [numbers]   of vanished faces; of patched faces; of wedges that go, with those patched of each
+///     slots       of the patched faces, by wedge that goes, the last wedge first, then of the vanished ones: the first in as many
+///                 bytes as slots need, then differences
+///     vanished    for each a byte: how to find its corners again among those of the patched faces (VanishedFace), or 255
+///                 and its three wedges
+///     [moves]     how many rearrangements, and these
+///     length      of all this in one byte; or four, and a byte 0
+///
+/// The wedges that go are the last ones; what each becomes says ProgressiveMesh::parents.
+struct StepRecord
+{
+    std::vector<std::uint32_t> patchedOfWedge; ///< by wedge that goes, the last first
+    std::vector<std::uint32_t> patched;        ///< slots
+    std::vector<std::uint32_t> vanished;       ///< slots
+    std::vector<Triangle> vanishedTriangles;
+    std::vector<Rearrangement> rearrangements;
+};
+
+/// A vanished face has the wedge that goes, the one that it becomes, and a third, which as a rule is a corner of a patched face, too.
+struct VanishedFace
+{
+    static constexpr std::uint32_t kPlain = 255;
+    static constexpr std::uint32_t kCodesOfPatched = 18, kPatched = kPlain / kCodesOfPatched;
+
+    /// Six ways in which three corners lie, and three corners of a face.
+    static constexpr std::uint32_t code(std::uint32_t patched, std::uint32_t corner, std::uint32_t from,
+                                        bool thirdIsNext)
+    {
+        return patched * kCodesOfPatched + corner * 6 + from * 2 + (thirdIsNext ? 1 : 0);
+    }
+};
+
+/// How wide numbers are in the records of a mesh.
+struct RecordWidths
+{
+    int slot, wedge;
+
+    explicit RecordWidths(const Mesh& mesh)
+        : slot(widthFor(mesh.faces.size())), wedge(widthFor(mesh.wedgeCount()))
+    {
+    }
+};
+
+/// The end of a record whose length begins here.
+inline const std::byte* skipLength(const std::byte* length, std::size_t bytes)
+{
+    return length + (bytes <= 0xff ? 1 : 5);
+}
+
+/// Where the record begins that ends here.
+inline const std::byte* beginOfRecordBefore(const std::byte* end)
+{
+    const auto length = static_cast<std::uint32_t>(end[-1]);
+    if (length != 0) [[likely]]
+        return end - 1 - length;
+    return end - 5 - ByteReader(end - 5).fixed(4);
+}
+
+/// Appends a step. `patchedTriangles`: of the patched faces, after it. `wedges`: how many there are before it.
+void appendRecord(ProgressiveMesh& progressive, const StepRecord& step,
+                  std::span<const Triangle> patchedTriangles, std::uint32_t wedges,
+                  std::span<const SlotBlock> blocks);
+
+} // namespace osgPMObjects::core

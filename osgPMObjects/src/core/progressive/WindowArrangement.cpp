@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <array>
+
+#include <viewlod/VertexCache.h>
+
+#include <osgPMObjects/core/order/TriangleOrders.h>
+
+#include "FaceArrangement.h"
+#include "Lifetimes.h"
+
+namespace osgPMObjects::core
+{
+
+namespace
+{
+
+using Faces = std::vector<std::uint32_t>;
+
+class WindowArrangement : public FaceArrangement
+{
+public:
+    WindowArrangement(const ArrangementSettings& settings, std::uint32_t blockFaces)
+        : _cacheSize(settings.cacheSize),
+          _blockFaces(blockFaces),
+          _windowBlocks(std::max(2u, settings.windowBlocks))
+    {
+    }
+
+    void begin(const LevelWalk& walk, SlotTable& slots) override
+    {
+        _numbers = std::make_unique<LocalNumbers>(walk);
+        _lifetimes = std::make_unique<Lifetimes>(walk.split());
+        _cache = std::make_unique<viewlod::FifoCache>(
+            static_cast<std::uint32_t>(walk.split().mesh.wedgeCount()), _cacheSize);
+        std::uint32_t material = 0;
+        for (const Faces& faces : liveFacesByMaterial(walk))
+            slots.append(material++, bestOrder(walk, faces), _blockFaces);
+    }
+
+    void afterStep(const LevelWalk& walk, SlotTable& slots) override
+    {
+        const Faces touched = slots.buriedIn();
+        for (const std::uint32_t block : touched)
+            if (Faces window = windowAround(block, slots); !window.empty())
+            {
+                Faces faces;
+                for (const std::uint32_t b : window)
+                    slots.appendFaces(b, faces);
+                slots.rewrite(std::move(window), bestOrder(walk, faces));
+            }
+    }
+
+private:
+    /// Blocks in a row, one of them `block`, whose faces have room in one less; of fewer than usual only where the group has no more.
+    Faces windowAround(std::uint32_t block, const SlotTable& slots) const
+    {
+        if (slots.blocks()[block].live == 0) return slots.blocks()[block].extent > 0 ? Faces{block} : Faces{};
+        Faces row{block};
+        for (std::uint32_t b = block; row.size() < _windowBlocks;)
+        {
+            b = slots.liveNeighbour(b, -1);
+            if (b == SlotTable::kNone) break;
+            row.insert(row.begin(), b);
+        }
+        const std::size_t middle = row.size() - 1;
+        for (std::uint32_t b = block; row.size() < middle + _windowBlocks;)
+        {
+            b = slots.liveNeighbour(b, +1);
+            if (b == SlotTable::kNone) break;
+            row.push_back(b);
+        }
+        const std::size_t length = std::min<std::size_t>(_windowBlocks, row.size());
+        for (std::size_t begin = middle + 1 - std::min(middle + 1, length);
+             begin <= middle && begin + length <= row.size(); ++begin)
+            if (hasRoomInLess(slots, std::span(row).subspan(begin, length)))
+                return {row.begin() + begin, row.begin() + begin + length};
+        return {};
+    }
+
+    bool hasRoomInLess(const SlotTable& slots, std::span<const std::uint32_t> window) const
+    {
+        std::uint64_t live = 0, slotsOfAll = 0, least = ~0u;
+        for (const std::uint32_t b : window)
+        {
+            live += slots.blocks()[b].live;
+            slotsOfAll += slots.blocks()[b].capacity;
+            least = std::min<std::uint64_t>(least, slots.blocks()[b].capacity);
+        }
+        if (window.size() > 1) return live + least <= slotsOfAll;
+        const SlotBlock& only = slots.blocks()[window.front()];
+        return live * _windowBlocks <= std::uint64_t{only.extent} * (_windowBlocks - 1);
+    }
+
+    /// Of some orders the one that costs least while the faces live together: until a share of them is gone.
+    Faces bestOrder(const LevelWalk& walk, const Faces& faces)
+    {
+        if (faces.size() < 2) return faces;
+        const std::vector<Triangle> triangles = _numbers->trianglesOf(walk, faces);
+        Faces best = faces;
+        std::uint64_t least = costOf(walk, best);
+        for (Faces order : {libraryOrder(triangles, _numbers->count()),
+                            localityOrder(triangles, _numbers->count(), _cacheSize)})
+        {
+            for (std::uint32_t& face : order)
+                face = faces[face];
+            const std::uint64_t cost = costOf(walk, order);
+            if (cost >= least) continue;
+            least = cost;
+            best = std::move(order);
+        }
+        return best;
+    }
+
+    /// Transformed wedges, summed over some levels from now to when the faces will be ordered anew.
+    std::uint64_t costOf(const LevelWalk& walk, const Faces& faces)
+    {
+        Faces ends;
+        ends.reserve(faces.size());
+        for (const std::uint32_t face : faces)
+            ends.push_back(_lifetimes->end(face));
+        std::sort(ends.begin(), ends.end());
+        constexpr std::size_t kLevels = 4;
+        std::uint64_t cost = 0;
+        for (std::size_t level = 0; level < kLevels; ++level)
+        {
+            const std::size_t gone = faces.size() * level / ((kLevels - 1) * _windowBlocks);
+            cost += transformsAfter(walk, faces,
+                                    level == 0 ? walk.stepsTaken() : std::min(ends[gone], walk.stepCount()));
+        }
+        return cost;
+    }
+
+    std::uint64_t transformsAfter(const LevelWalk& walk, const Faces& faces, std::uint32_t steps)
+    {
+        _cache->empty();
+        const std::uint64_t before = _cache->misses();
+        for (const std::uint32_t face : faces)
+            if (_lifetimes->end(face) > steps)
+                for (const std::uint32_t wedge : walk.triangle(face))
+                    _cache->transform(_lifetimes->wedgeAfter(wedge, steps));
+        return _cache->misses() - before;
+    }
+
+    std::uint32_t _cacheSize, _blockFaces, _windowBlocks;
+    std::unique_ptr<LocalNumbers> _numbers;
+    std::unique_ptr<Lifetimes> _lifetimes;
+    std::unique_ptr<viewlod::FifoCache> _cache;
+};
+
+} // namespace
+
+std::unique_ptr<FaceArrangement> windowArrangement(const ArrangementSettings& settings)
+{
+    constexpr std::uint32_t kBlockFaces = 1024;
+    return std::make_unique<WindowArrangement>(settings,
+                                               settings.blockFaces == 0 ? kBlockFaces : settings.blockFaces);
+}
+
+} // namespace osgPMObjects::core
