@@ -42,6 +42,10 @@ CLI::App* addCompareGroup(CLI::App& app);
 /// `compare order`: every order of triangles on every model. docs/object-orders.md has the layout of the table.
 void addCompareOrder(CLI::App& compare, Chosen& chosen);
 
+/// `compare cache`: every way to keep the faces of progressive meshes in order, on every model. docs/progressive-meshes.md has
+/// the layout of the table.
+void addCompareCache(CLI::App& compare, Chosen& chosen);
+
 /// `compare simplify`: every way to simplify on every model. docs/simplification.md has the layout of the table.
 void addCompareSimplify(CLI::App& compare, Chosen& chosen);
 

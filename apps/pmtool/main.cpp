@@ -15,6 +15,7 @@ int main(int argc, char** argv)
     pmtool::addSupport(app, chosen);
     CLI::App* compare = pmtool::addCompareGroup(app);
     pmtool::addCompareOrder(*compare, chosen);
+    pmtool::addCompareCache(*compare, chosen);
     pmtool::addCompareSimplify(*compare, chosen);
     if (const auto ends = terminal::parse(app, argc, argv)) return *ends;
     return terminal::report("pmtool", chosen.jsonFile, chosen.work);

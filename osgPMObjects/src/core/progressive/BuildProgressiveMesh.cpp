@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <limits>
 
 #include <osgPMObjects/core/progressive/ProgressiveMesh.h>
 
@@ -124,6 +125,13 @@ ProgressiveMesh buildProgressiveMesh(const Mesh& mesh, const CollapseSequence& s
     recorder.layOut(progressive);
     recorder.recordSteps(progressive);
     return progressive;
+}
+
+std::size_t ProgressiveMesh::overheadBytes() const
+{
+    const std::size_t indexBytes = mesh.wedgeCount() < std::numeric_limits<std::uint16_t>::max() ? 2 : 4;
+    return records.size() + parents.size() * indexBytes + groups.size() * sizeof(FaceGroup) +
+           blocks.size() * sizeof(FaceBlock) + errors.size() * sizeof(LevelError);
 }
 
 LevelError errorAfter(const ProgressiveMesh& progressive, std::uint32_t steps)

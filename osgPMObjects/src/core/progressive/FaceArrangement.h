@@ -30,10 +30,9 @@ public:
 /// Plain VIPM: the faces that vanish are always the last. Nothing ever moves.
 std::unique_ptr<FaceArrangement> plainArrangement();
 
-/// The paper's tswap: into each hole goes the face that costs the cache least, into the hole that it leaves the next …, and at last
-/// the last face of the buffer. (The cycle of the paper; who holds the hole is not moved.)
-/// Source: paper 003, §5. Differs: faces are chosen anew only where holes are, for the weights that it gives to faces that stay and
-/// to lines of the processor's cache that are touched anyway keep nearly all others where they are.
+/// The paper's tswap: the last face goes into each hole, and whenever some share of the faces has vanished the paper's greedy order
+/// (GreedyOrder.h) is made of the others, in cycles.
+/// Source: paper 003, §5.
 std::unique_ptr<FaceArrangement> tswapArrangement(const ArrangementSettings& settings);
 
 /// Blocks of a few faces: a hole is filled with the last face of its block, and two neighbours that have room in one become one.

@@ -88,25 +88,15 @@ private:
     {
         ByteReader in(_at);
         Head head(in);
-        std::uint32_t slot = 0;
-        bool isFirst = true;
-        const auto next = [&]
-        {
-            slot = isFirst ? in.fixed(_widths.slot) : slot + in.difference();
-            isFirst = false;
-            return slot;
-        };
+        SlotLists lists(in, _widths.slot);
         for (std::uint32_t gone = 0; gone < head.wedges; ++gone)
         {
-            const std::uint32_t count = head.severalGo ? head.counts.number() : head.patched;
             const Index from = static_cast<Index>(_wedges - 1 - gone), to = _parents[from];
-            for (std::uint32_t i = 0; i < count; ++i)
-                _slots.patch(next(), from, to);
+            lists.visit(head.severalGo ? head.counts.number() : head.patched,
+                        [&](std::uint32_t slot) { _slots.patch(slot, from, to); });
         }
-        for (std::uint32_t i = 0; i < head.vanished; ++i)
-            _slots.makeHole(next());
-        for (std::uint32_t i = 0; i < head.vanished; ++i)
-            if (in.byte() == VanishedFace::kPlain) in.skip(3 * _widths.wedge);
+        lists.visit(head.vanished, [&](std::uint32_t slot) { _slots.makeHole(slot); });
+        skipCodes(in, head.vanished);
         if (head.facesMove)
             for (std::uint32_t count = in.number(); count > 0; --count)
                 _statistics.facesMoved += _rearranger.forth(in, _slots);
@@ -122,14 +112,17 @@ private:
         const std::byte* const begin = beginOfRecordBefore(_at);
         ByteReader in(begin);
         Head head(in);
-        std::uint32_t slot = 0;
-        for (std::uint32_t i = 0; i < head.patched + head.vanished; ++i)
-            _slotsOfStep[i] = slot = i == 0 ? in.fixed(_widths.slot) : slot + in.difference();
+        SlotLists lists(in, _widths.slot);
+        std::uint32_t read = 0;
+        const auto keep = [&](std::uint32_t slot) { _slotsOfStep[read++] = slot; };
+        ByteReader counts = head.counts;
+        for (std::uint32_t gone = 0; gone < head.wedges; ++gone)
+            lists.visit(head.severalGo ? counts.number() : head.patched, keep);
+        lists.visit(head.vanished, keep);
         ByteReader codes = in;
         if (head.facesMove)
         {
-            for (std::uint32_t i = 0; i < head.vanished; ++i)
-                if (in.byte() == VanishedFace::kPlain) in.skip(3 * _widths.wedge);
+            skipCodes(in, head.vanished);
             backRearrangements(in);
         }
         _wedges += head.wedges;
@@ -150,6 +143,13 @@ private:
         _faces += head.vanished;
         --_steps;
         count(head);
+    }
+
+    void skipCodes(ByteReader& in, std::uint32_t vanished) const
+    {
+        for (; vanished > 0; --vanished)
+            if (in.byte() == VanishedFace::kPlain) [[unlikely]]
+                in.skip(3 * _widths.wedge);
     }
 
     void backRearrangements(ByteReader& in)

@@ -11,7 +11,7 @@ namespace
 
 using Bytes = std::vector<std::byte>;
 
-/// Differences between slots that follow each other, the first in full.
+/// Slots in the order in which a chain goes through them: the first in full, then differences.
 class SlotWriter
 {
 public:
@@ -111,6 +111,30 @@ void appendHead(Bytes& bytes, const StepRecord& step)
         appendNumber(bytes, count);
 }
 
+/// Lists of rising slots, those of one after those of another.
+void appendLists(Bytes& bytes, const StepRecord& step, int slotWidth)
+{
+    std::int64_t firstOfList = -1;
+    const auto append = [&](std::span<const std::uint32_t> list)
+    {
+        if (list.empty()) return;
+        if (firstOfList < 0)
+            appendFixed(bytes, list.front(), slotWidth);
+        else
+            appendDifference(bytes, list.front() - firstOfList);
+        firstOfList = list.front();
+        for (std::size_t i = 1; i < list.size(); ++i)
+            appendNumber(bytes, list[i] - list[i - 1]);
+    };
+    std::span<const std::uint32_t> patched = step.patched;
+    for (const std::uint32_t count : step.patchedOfWedge)
+    {
+        append(patched.first(count));
+        patched = patched.subspan(count);
+    }
+    append(step.vanished);
+}
+
 void appendLength(Bytes& bytes, std::size_t length)
 {
     if (length <= 0xff) return appendFixed(bytes, length, 1);
@@ -128,11 +152,7 @@ void appendRecord(ProgressiveMesh& progressive, const StepRecord& step,
     const std::size_t begin = bytes.size();
     const RecordWidths widths(progressive.mesh);
     appendHead(bytes, step);
-    SlotWriter slots(bytes, widths.slot);
-    for (const std::uint32_t slot : step.patched)
-        slots.write(slot);
-    for (const std::uint32_t slot : step.vanished)
-        slots.write(slot);
+    appendLists(bytes, step, widths.slot);
     for (const Triangle& vanished : step.vanishedTriangles)
     {
         const std::uint32_t code = codeOf(vanished, step, patchedTriangles, wedges, progressive.parents);

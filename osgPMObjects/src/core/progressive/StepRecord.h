@@ -20,8 +20,9 @@ namespace osgPMObjects::core
 ///     head        byte: vanished faces (2 bits, 3: a number follows), patched faces (4 bits, 15: a number follows), whether several
 ///                 wedges go, whether faces move
 ///     [numbers]   of vanished faces; of patched faces; of wedges that go, with those patched of each
-///     slots       of the patched faces, by wedge that goes, the last wedge first, then of the vanished ones: the first in as many
-///                 bytes as slots need, then differences
+///     slots       of the patched faces, by wedge that goes, the last wedge first, then of the vanished ones; each list rises. The very first
+///                 in as many bytes as slots need, the first of another list as the difference from that of the list before, all others as
+///                 differences
 ///     vanished    for each a byte: how to find its corners again among those of the patched faces (VanishedFace), or 255
 ///                 and its three wedges
 ///     [moves]     how many rearrangements, and these
@@ -76,6 +77,32 @@ inline const std::byte* beginOfRecordBefore(const std::byte* end)
         return end - 1 - length;
     return end - 5 - ByteReader(end - 5).fixed(4);
 }
+
+/// Reads the lists of slots.
+class SlotLists
+{
+public:
+    SlotLists(ByteReader& in, int slotWidth) : _in(in), _slotWidth(slotWidth) {}
+
+    /// Calls visit(slot) for the next list, of `count` slots.
+    template<class Visit>
+    void visit(std::uint32_t count, const Visit& visit)
+    {
+        if (count == 0) return;
+        _firstOfList = _isFirst ? _in.fixed(_slotWidth) : _firstOfList + _in.difference();
+        _isFirst = false;
+        std::uint32_t slot = _firstOfList;
+        visit(slot);
+        for (std::uint32_t i = 1; i < count; ++i)
+            visit(slot += _in.number());
+    }
+
+private:
+    ByteReader& _in;
+    int _slotWidth;
+    bool _isFirst = true;
+    std::uint32_t _firstOfList = 0;
+};
 
 /// Appends a step. `patchedTriangles`: of the patched faces, after it. `wedges`: how many there are before it.
 void appendRecord(ProgressiveMesh& progressive, const StepRecord& step,

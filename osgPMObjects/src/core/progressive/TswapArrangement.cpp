@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <cmath>
-
-#include <osgPMObjects/core/order/TriangleOrders.h>
 
 #include "FaceArrangement.h"
+#include "GreedyOrder.h"
 
 namespace osgPMObjects::core
 {
@@ -15,117 +13,79 @@ namespace
 class TswapArrangement : public FaceArrangement
 {
 public:
-    explicit TswapArrangement(const ArrangementSettings& settings) : _settings(settings) {}
+    explicit TswapArrangement(const ArrangementSettings& settings)
+        : _cacheSize(settings.cacheSize),
+          _stepShare(settings.tswapStep),
+          _weights{settings.stayWeight, settings.touchedLineWeight}
+    {
+    }
 
     void begin(const LevelWalk& walk, SlotTable& slots) override
     {
-        LocalNumbers numbers(walk);
+        _numbers = std::make_unique<LocalNumbers>(walk);
         std::uint32_t material = 0;
         for (const std::vector<std::uint32_t>& faces : liveFacesByMaterial(walk))
-        {
-            const std::vector<Triangle> triangles = numbers.trianglesOf(walk, faces);
-            std::vector<std::uint32_t> order = libraryOrder(triangles, numbers.count());
-            for (std::uint32_t& face : order)
-                face = faces[face];
-            slots.append(material++, order, walk.faceCount());
-        }
+            slots.append(material++, ordered(walk, faces, {}, {}), walk.faceCount());
+        for (const SlotBlock& block : slots.blocks())
+            _orderedAt.push_back(block.live);
     }
 
     void afterStep(const LevelWalk& walk, SlotTable& slots) override
     {
+        _isTouched.resize(slots.slotCount(), false);
         for (const std::uint32_t block : slots.buriedIn())
         {
-            const SlotBlock& b = slots.blocks()[block];
-            std::uint32_t hole = b.first;
-            while (true)
-            {
-                while (b.extent > b.live && slots.faceAt(lastOf(b)) == SlotTable::kNone)
-                    slots.chain({lastOf(b)});
-                if (b.extent == b.live) break;
-                while (slots.faceAt(hole) != SlotTable::kNone)
-                    ++hole;
-                slots.chain(cycleFrom(hole, b, walk, slots));
-            }
+            fillHoles(block, slots);
+            if (_orderedAt[block] - slots.blocks()[block].live >
+                _stepShare * static_cast<float>(_orderedAt[block]))
+                orderAnew(block, walk, slots);
         }
     }
 
 private:
-    static std::uint32_t lastOf(const SlotBlock& block) { return block.first + block.extent - 1; }
-
-    /// The slots that a hole wanders through until it is the last.
-    std::vector<std::uint32_t> cycleFrom(std::uint32_t hole, const SlotBlock& block, const LevelWalk& walk,
-                                         const SlotTable& slots) const
+    /// Takes the vanished faces out, each by the last one.
+    void fillHoles(std::uint32_t block, SlotTable& slots)
     {
-        std::vector<std::uint32_t> cycle{hole};
-        while (cycle.back() != lastOf(block))
+        const SlotBlock& b = slots.blocks()[block];
+        std::uint32_t hole = b.first;
+        while (b.extent > b.live)
         {
-            const std::uint32_t next =
-                cycle.size() < _settings.tswapLength ? bestFor(cycle, block, walk, slots) : lastOf(block);
-            cycle.push_back(next);
+            const std::uint32_t last = b.first + b.extent - 1;
+            while (slots.faceAt(hole) != SlotTable::kNone)
+                ++hole;
+            _isTouched[hole] = true;
+            slots.chain(slots.faceAt(last) == SlotTable::kNone ? std::vector{last} : std::vector{hole, last});
         }
-        return cycle;
     }
 
-    /// The slot of the face that is drawn after what is before the hole for the least transforms, compared with where it is now.
-    std::uint32_t bestFor(const std::vector<std::uint32_t>& cycle, const SlotBlock& block,
-                          const LevelWalk& walk, const SlotTable& slots) const
+    void orderAnew(std::uint32_t block, const LevelWalk& walk, SlotTable& slots)
     {
-        const std::uint32_t hole = cycle.back();
-        const std::vector<std::uint32_t> cached = cacheBefore(hole, block, walk, slots);
-        std::uint32_t best = lastOf(block);
-        float most = gainOf(best, hole, cached, block, walk, slots);
-        for (const std::uint32_t wedge : cached)
-            for (const std::uint32_t face : walk.facesOf(wedge))
-            {
-                if (!walk.isLive(face)) continue;
-                const std::uint32_t slot = slots.slotOf(face);
-                if (slot < block.first || slot > lastOf(block) ||
-                    std::find(cycle.begin(), cycle.end(), slot) != cycle.end())
-                    continue;
-                const float gain = gainOf(slot, hole, cached, block, walk, slots);
-                if (gain <= most) continue;
-                most = gain;
-                best = slot;
-            }
-        return best;
+        const SlotBlock& b = slots.blocks()[block];
+        std::vector<std::uint32_t> faces;
+        slots.appendFaces(block, faces);
+        const auto first = _isTouched.begin() + b.first;
+        slots.rewrite({block}, ordered(walk, faces, _weights, {first, first + b.extent}));
+        std::fill_n(first, b.extent, false);
+        _orderedAt[block] = b.live;
     }
 
-    /// Transforms saved when the face of a slot is drawn in the hole instead of where it is, and what it is worth that the line of the
-    /// processor's cache is touched anyway.
-    float gainOf(std::uint32_t slot, std::uint32_t hole, const std::vector<std::uint32_t>& cached,
-                 const SlotBlock& block, const LevelWalk& walk, const SlotTable& slots) const
+    std::vector<std::uint32_t> ordered(const LevelWalk& walk, const std::vector<std::uint32_t>& faces,
+                                       const GreedyWeights& weights, std::vector<bool> isTouched)
     {
-        const Triangle& triangle = walk.triangle(slots.faceAt(slot));
-        const int here = missesOf(triangle, cached);
-        const int there = missesOf(triangle, cacheBefore(slot, block, walk, slots));
-        constexpr std::uint32_t kSlotsOfLine = 10; // 64 bytes of 16-bit indices
-        return static_cast<float>(there - here) +
-               (slot / kSlotsOfLine == hole / kSlotsOfLine ? _settings.touchedLineWeight : 0.0f);
+        const std::vector<Triangle> triangles = _numbers->trianglesOf(walk, faces);
+        std::vector<std::uint32_t> order =
+            greedyOrder(triangles, _numbers->count(), _cacheSize, weights, std::move(isTouched));
+        for (std::uint32_t& face : order)
+            face = faces[face];
+        return order;
     }
 
-    static int missesOf(const Triangle& triangle, const std::vector<std::uint32_t>& cached)
-    {
-        return static_cast<int>(
-            std::count_if(triangle.begin(), triangle.end(),
-                          [&](std::uint32_t wedge)
-                          { return std::find(cached.begin(), cached.end(), wedge) == cached.end(); }));
-    }
-
-    /// The wedges that were used last before a slot, as many as the cache holds.
-    std::vector<std::uint32_t> cacheBefore(std::uint32_t slot, const SlotBlock& block, const LevelWalk& walk,
-                                           const SlotTable& slots) const
-    {
-        std::vector<std::uint32_t> cached;
-        while (slot-- > block.first && cached.size() < _settings.cacheSize)
-        {
-            if (slots.faceAt(slot) == SlotTable::kNone) continue;
-            for (const std::uint32_t wedge : walk.triangle(slots.faceAt(slot)))
-                if (std::find(cached.begin(), cached.end(), wedge) == cached.end()) cached.push_back(wedge);
-        }
-        return cached;
-    }
-
-    ArrangementSettings _settings;
+    std::uint32_t _cacheSize;
+    float _stepShare;
+    GreedyWeights _weights;
+    std::unique_ptr<LocalNumbers> _numbers;
+    std::vector<std::uint32_t> _orderedAt; ///< by block: faces that it had when it was last ordered
+    std::vector<bool> _isTouched;          ///< by slot: written since then
 };
 
 } // namespace

@@ -78,18 +78,22 @@ private:
         return {};
     }
 
+    /// A little more room than one block, that is: moves then stay below what they would be at the limit. A block that is alone waits
+    /// until as large a share of it is gone.
     bool hasRoomInLess(const SlotTable& slots, std::span<const std::uint32_t> window) const
     {
-        std::uint64_t live = 0, slotsOfAll = 0, least = ~0u;
+        std::uint32_t live = 0, extents = 0, room = 0, least = ~0u;
         for (const std::uint32_t b : window)
         {
-            live += slots.blocks()[b].live;
-            slotsOfAll += slots.blocks()[b].capacity;
-            least = std::min<std::uint64_t>(least, slots.blocks()[b].capacity);
+            const SlotBlock& block = slots.blocks()[b];
+            live += block.live;
+            extents += block.extent;
+            room += block.capacity;
+            least = std::min(least, block.capacity);
         }
-        if (window.size() > 1) return live + least <= slotsOfAll;
-        const SlotBlock& only = slots.blocks()[window.front()];
-        return live * _windowBlocks <= std::uint64_t{only.extent} * (_windowBlocks - 1);
+        const std::uint32_t goes = window.size() > 1 ? least : extents / _windowBlocks;
+        constexpr std::uint32_t kMoreRoom = 16; // a sixteenth
+        return live + goes + goes / kMoreRoom <= (window.size() > 1 ? room : extents);
     }
 
     /// Of some orders the one that costs least while the faces live together: until a share of them is gone.

@@ -29,9 +29,12 @@ struct ArrangementSettings
     std::uint32_t blockFaces = 0;
     /// *windows*: so many blocks become one less at a time. More keep a better order for more moves: 2 moves a step with 2, 4 with 3.
     std::uint32_t windowBlocks = 3;
-    std::uint32_t tswapLength = 2; ///< *tswap*: faces that one cycle moves at most
-    /// *tswap*: what it is worth, in transformed vertices, that a face lies in a line of the processor's cache that the step touches.
-    float touchedLineWeight = 0.25f;
+    /// *tswap*: the share of the faces that vanishes from one ordering to the next, the paper's atomic step. Smaller: a better order,
+    /// for more moves.
+    float tswapStep = 0.1f;
+    /// *tswap*: what a face that stays where it is, and a line of the processor's cache that is touched anyway, are worth, in
+    /// transformed vertices.
+    float stayWeight = 1.0f, touchedLineWeight = 0.25f;
 };
 
 /// Faces of one material, which one call draws.
@@ -57,7 +60,7 @@ struct FaceBlock
 struct ProgressiveMesh
 {
     /// Errors are kept for one step in so many: a level is then at most so much better than asked for.
-    static constexpr std::uint32_t kErrorStride = 16;
+    static constexpr std::uint32_t kErrorStride = 64;
 
     /// Positions and wedges in split order: step k takes the last position of those left, and its wedges, the last of the wedges.
     /// Faces by slot at level 0, the full mesh.

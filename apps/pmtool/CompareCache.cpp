@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <iomanip>
+#include <iostream>
+#include <memory>
+
+#include "pmtool/CacheRow.h"
+#include "pmtool/Commands.h"
+#include "pmtool/Models.h"
+#include "pmtool/SimplifyTool.h"
+
+namespace pmtool
+{
+
+namespace
+{
+
+using Json = nlohmann::ordered_json;
+
+struct Request
+{
+    ModelRequest models;
+    std::size_t levels = 41;
+    osgPMObjects::core::ArrangementSettings settings;
+};
+
+void print(const Json& row)
+{
+    const auto number = [&](const char* key, int width, int digits)
+    {
+        std::cout << std::setw(width);
+        if (row.contains(key))
+            std::cout << std::setprecision(digits) << row[key].get<double>();
+        else
+            std::cout << "";
+    };
+    std::cout << "  " << std::left << std::setw(12) << row["order"].get<std::string>() << std::right
+              << std::fixed;
+    number("meanTransformsPerVertex", 8, 3);
+    number("worstLevel", 8, 3);
+    number("faceWritesPerEcol", 10, 2);
+    number("nsPerStep", 10, 1);
+    number("bytesPerVertex", 8, 1);
+    std::cout << '\n';
+}
+
+Json compareOrders(const CacheSubject& subject, const std::string& model, const char* vertices)
+{
+    std::cout << model << ", " << vertices << ": " << subject.mesh.faces.size() << " triangles, "
+              << subject.mesh.wedgeCount() << " vertices\n"
+              << "  order           mean   worst    writes   ns/step B/vertex\n";
+    Json rows = Json::array();
+    for (const std::string& order : cacheOrderNames())
+    {
+        rows.push_back(cacheRow(subject, order));
+        print(rows.back());
+    }
+    return rows;
+}
+
+viewlod::Result<Json> compareModel(const std::string& file, const Request& request)
+{
+    auto model = readClean(file, request.models.limits);
+    if (!model) return model.error();
+    const CacheSubject shape(shapeOf(model->read.imported.mesh), request.levels, request.settings);
+    Json row{{"model", file},
+             {"triangles", shape.mesh.faces.size()},
+             {"vertices", shape.mesh.wedgeCount()},
+             {"orders", compareOrders(shape, file, "positions")}};
+    const CacheSubject drawn(std::move(model->read.imported.mesh), request.levels, request.settings);
+    row["asDrawn"] = {{"vertices", drawn.mesh.wedgeCount()},
+                      {"orders", compareOrders(drawn, file, "as drawn")}};
+    return row;
+}
+
+} // namespace
+
+void addCompareCache(CLI::App& compare, Chosen& chosen)
+{
+    const auto request = std::make_shared<Request>();
+    CLI::App* sub = compare.add_subcommand(
+        "cache",
+        "ways to keep the faces of progressive meshes in order, by vertices transformed at all levels");
+    addModelOptions(*sub, request->models, chosen.jsonFile);
+    sub->add_option("--levels", request->levels, "how many levels are measured, evenly spaced")
+        ->check(CLI::Range(1, 100000))
+        ->capture_default_str();
+    sub->add_option("--fifo", request->settings.cacheSize, "vertices that the cache holds")
+        ->check(CLI::Range(3, 1024))
+        ->capture_default_str();
+    sub->add_option("--tswap-step", request->settings.tswapStep,
+                    "tswap: share of the faces that vanishes between two orderings")
+        ->check(CLI::Range(0.001, 1.0))
+        ->capture_default_str();
+    sub->add_option("--stay-weight", request->settings.stayWeight,
+                    "tswap: what a face that stays is worth, in transformed vertices")
+        ->check(CLI::Range(0.0, 3.0))
+        ->capture_default_str();
+    sub->add_option("--window-blocks", request->settings.windowBlocks,
+                    "ours: blocks of faces that become one less at a time")
+        ->check(CLI::Range(2, 64))
+        ->capture_default_str();
+    sub->callback(
+        [&chosen, request]
+        {
+            chosen.work = [request]
+            {
+                return forEachModel(request->models,
+                                    [&](const std::string& file) { return compareModel(file, *request); });
+            };
+        });
+}
+
+} // namespace pmtool
