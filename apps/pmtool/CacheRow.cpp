@@ -95,12 +95,9 @@ Calls callsOf(const ProgressiveLevel& level, std::size_t groups)
         std::vector<SlotRange> ranges;
         level.appendRanges(group, ranges);
         std::vector<Triangle>& call = calls.emplace_back();
-        const auto index = [&](std::size_t i) -> std::uint32_t
-        { return level.hasNarrowIndices() ? level.narrowIndices()[i] : level.wideIndices()[i]; };
         for (const SlotRange& range : ranges)
-            for (std::size_t slot = range.first; slot < range.first + range.count; ++slot)
-                if (index(3 * slot) != index(3 * slot + 1))
-                    call.push_back({index(3 * slot), index(3 * slot + 1), index(3 * slot + 2)});
+            for (std::uint32_t slot = range.first; slot < range.first + range.count; ++slot)
+                if (const Triangle face = level.face(slot); !repeatsCorner(face)) call.push_back(face);
     }
     return calls;
 }
@@ -140,13 +137,13 @@ Json arrangementRow(const CacheSubject& subject, const NamedArrangement& named)
     row["slotsPerFace"] = slotsPerFace(subject, progressive, level);
 
     ProgressiveLevel played(progressive);
-    played.moveTo(progressive.stepCount);
-    const StepStatistics down = played.statistics();
+    played.moveTo(0);
+    const StepStatistics all = played.statistics();
     const double steps = std::max(1u, progressive.stepCount);
-    row["faceWritesPerEcol"] = static_cast<double>(down.facesMoved) / steps;
-    row["facesPatchedPerEcol"] = static_cast<double>(down.facesPatched) / steps;
+    row["faceWritesPerEcol"] = static_cast<double>(all.facesMoved) / steps;
+    row["facesPatchedPerEcol"] = static_cast<double>(all.facesPatched) / steps;
     row["holesPerEcol"] =
-        named.arrangement == Arrangement::windows ? static_cast<double>(down.facesVanished) / steps : 0.0;
+        named.arrangement == Arrangement::windows ? static_cast<double>(all.facesVanished) / steps : 0.0;
     std::vector<double> ns;
     constexpr int kRuns = 9;
     for (int run = 0; run < kRuns; ++run)
@@ -154,8 +151,8 @@ Json arrangementRow(const CacheSubject& subject, const NamedArrangement& named)
                      millisecondsOf(
                          [&]
                          {
-                             played.moveTo(0);
                              played.moveTo(progressive.stepCount);
+                             played.moveTo(0);
                          }));
     std::sort(ns.begin(), ns.end());
     row["nsPerStep"] = ns[kRuns / 2];
@@ -183,8 +180,8 @@ double writesOfCompaction(const CacheSubject& subject, CompactedLevel& level)
 
 Json compactionRow(const CacheSubject& subject)
 {
-    // The order of the full mesh is the library's, as tswap begins with it.
-    const ProgressiveMesh progressive = progressiveOf(subject, Arrangement::tswap);
+    // The order of the full mesh is the library's, as that of blocks.
+    const ProgressiveMesh progressive = progressiveOf(subject, Arrangement::blocks);
     CompactedLevel level(progressive);
     Json row{{"order", kCompaction}, {"fifo", subject.settings.cacheSize}};
     addTransforms(

@@ -23,17 +23,33 @@ public:
         _arrangement->begin(_walk, _slots);
     }
 
-    /// Faces as they lie at the full level, groups and blocks.
+    /// Groups and blocks.
     void layOut(ProgressiveMesh& progressive) const
     {
-        for (std::uint32_t slot = 0; slot < _slots.slotCount(); ++slot)
-            progressive.mesh.faces[slot] = _walk.split().mesh.faces[_slots.faceAt(slot)];
         for (const SlotBlock& block : _slots.blocks())
         {
             if (progressive.groups.empty() || progressive.groups.back().material != block.group)
                 progressive.groups.push_back(
                     {block.group, static_cast<std::uint32_t>(progressive.blocks.size())});
             progressive.blocks.push_back({block.first});
+        }
+        progressive.slotCount = _slots.slotCount();
+        progressive.slotBytes = widthFor(progressive.slotCount);
+        progressive.wedgeBytes = widthFor(progressive.mesh.wedgeCount());
+    }
+
+    /// The level that was reached.
+    void keepBase(ProgressiveMesh& progressive) const
+    {
+        for (std::uint32_t b = 0; b < progressive.blocks.size(); ++b)
+        {
+            const SlotBlock& block = _slots.blocks()[b];
+            progressive.blocks[b].extent = block.extent;
+            for (std::uint32_t i = 0; i < block.extent; ++i)
+            {
+                const std::uint32_t face = _slots.faceAt(block.first + i);
+                progressive.base.push_back(face == SlotTable::kNone ? Triangle{} : _walk.triangle(face));
+            }
         }
     }
 
@@ -42,6 +58,7 @@ public:
         while (_walk.stepsTaken() < _walk.stepCount())
             recordStep(progressive);
         progressive.stepCount = _walk.stepCount();
+        progressive.records.resize(progressive.records.size() + kRecordPadding);
         progressive.records.shrink_to_fit();
     }
 
@@ -116,14 +133,16 @@ std::vector<LevelError> thinned(const std::vector<LevelError>& errors)
 ProgressiveMesh buildProgressiveMesh(const Mesh& mesh, const CollapseSequence& sequence,
                                      const ArrangementSettings& settings)
 {
-    SplitOrder split = inSplitOrder(mesh, sequence);
+    const SplitOrder split = inSplitOrder(mesh, sequence);
     ProgressiveMesh progressive;
     Recorder recorder(split, settings);
     progressive.mesh = split.mesh;
+    progressive.mesh.faces.clear();
     progressive.parents = split.parents;
     progressive.errors = thinned(split.errors);
     recorder.layOut(progressive);
     recorder.recordSteps(progressive);
+    recorder.keepBase(progressive);
     return progressive;
 }
 
@@ -131,7 +150,8 @@ std::size_t ProgressiveMesh::overheadBytes() const
 {
     const std::size_t indexBytes = mesh.wedgeCount() < std::numeric_limits<std::uint16_t>::max() ? 2 : 4;
     return records.size() + parents.size() * indexBytes + groups.size() * sizeof(FaceGroup) +
-           blocks.size() * sizeof(FaceBlock) + errors.size() * sizeof(LevelError);
+           blocks.size() * sizeof(FaceBlock) + errors.size() * sizeof(LevelError) +
+           3 * base.size() * indexBytes;
 }
 
 LevelError errorAfter(const ProgressiveMesh& progressive, std::uint32_t steps)

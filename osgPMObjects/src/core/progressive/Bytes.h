@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <vector>
 
 namespace osgPMObjects::core
@@ -36,6 +38,15 @@ inline int widthFor(std::uint64_t count)
     return count <= 0x100 ? 1 : count <= 0x10000 ? 2 : count <= 0x1000000 ? 3 : 4;
 }
 
+/// How wide numbers are that are written in full.
+struct FixedWidth
+{
+    int bytes;
+    std::uint32_t mask;
+
+    explicit FixedWidth(int width) : bytes(width), mask(~0u >> (32 - 8 * width)) {}
+};
+
 /// Reads what was appended. There are no checks: what comes from files is checked as a whole before (isValid()).
 class ByteReader
 {
@@ -64,12 +75,14 @@ public:
         return static_cast<std::int32_t>(value >> 1) ^ -static_cast<std::int32_t>(value & 1);
     }
 
-    std::uint32_t fixed(int width)
+    /// Of as many bytes as the mask has set; there have to be four.
+    std::uint32_t fixed(const FixedWidth& width)
     {
         std::uint32_t value = 0;
-        for (int i = 0; i < width; ++i)
-            value |= byte() << (8 * i);
-        return value;
+        std::memcpy(&value, _at, sizeof value);
+        if constexpr (std::endian::native == std::endian::big) value = __builtin_bswap32(value);
+        _at += width.bytes;
+        return value & width.mask;
     }
 
     void skip(int bytes) { _at += bytes; }

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <numeric>
 
 #include <osgPMObjects/core/progressive/CompactedLevel.h>
 
@@ -8,12 +7,23 @@ namespace osgPMObjects::core
 {
 
 CompactedLevel::CompactedLevel(const ProgressiveMesh& progressive)
-    : _progressive(progressive),
-      _wedges(progressive.mesh.wedgeCount()),
-      _triangles(progressive.mesh.faces.size()),
-      _groupEnds(progressive.groups.size())
+    : _progressive(progressive), _groupEnds(progressive.groups.size())
 {
-    std::iota(_wedges.begin(), _wedges.end(), 0u);
+    ProgressiveLevel finest(progressive);
+    finest.moveTo(0);
+    std::vector<SlotRange> ranges;
+    for (std::uint32_t group = 0; group < progressive.groups.size(); ++group)
+    {
+        ranges.clear();
+        finest.appendRanges(group, ranges);
+        for (const SlotRange& range : ranges)
+            for (std::uint32_t slot = range.first; slot < range.first + range.count; ++slot)
+                if (const Triangle face = finest.face(slot); !repeatsCorner(face)) _full.push_back(face);
+        _fullEnds.push_back(static_cast<std::uint32_t>(_full.size()));
+    }
+    _triangles.resize(_full.size());
+    for (std::uint32_t wedge = 0; wedge < progressive.mesh.wedgeCount(); ++wedge)
+        _become.push_back({wedge, progressive.mesh.wedgePositions[wedge]});
     moveTo(0);
 }
 
@@ -25,11 +35,13 @@ SlotRange CompactedLevel::rangeOf(std::uint32_t group) const
 
 void CompactedLevel::findWedges(std::uint32_t wedgesLeft)
 {
-    std::iota(_wedges.begin(), _wedges.begin() + wedgesLeft, 0u);
-    for (std::size_t wedge = wedgesLeft; wedge < _wedges.size(); ++wedge)
+    const auto& positions = _progressive.mesh.wedgePositions;
+    for (std::uint32_t wedge = 0; wedge < wedgesLeft; ++wedge)
+        _become[wedge] = {wedge, positions[wedge]};
+    for (std::uint32_t wedge = wedgesLeft; wedge < _become.size(); ++wedge)
     {
         const std::uint32_t parent = _progressive.parents[wedge];
-        _wedges[wedge] = parent == wedge ? parent : _wedges[parent];
+        _become[wedge] = parent == wedge ? Become{wedge, positions[wedge]} : _become[parent];
     }
 }
 
@@ -43,19 +55,14 @@ void CompactedLevel::moveTo(std::uint32_t steps)
     std::uint32_t live = 0, slot = 0;
     for (std::uint32_t group = 0; group < _progressive.groups.size(); ++group)
     {
-        const bool isLast = group + 1 == _progressive.groups.size();
-        const std::uint32_t end =
-            isLast ? static_cast<std::uint32_t>(_triangles.size())
-                   : _progressive.blocks[_progressive.groups[group + 1].firstBlock].firstSlot;
-        for (; slot < end; ++slot)
+        for (; slot < _fullEnds[group]; ++slot)
         {
-            const auto& wedges = _progressive.mesh.faces[slot].wedges;
-            const Triangle triangle{_wedges[wedges[0]], _wedges[wedges[1]], _wedges[wedges[2]]};
-            const bool isHere = std::max({triangle[0], triangle[1], triangle[2]}) < wedgesLeft;
-            const std::uint32_t a = positions[triangle[0]], b = positions[triangle[1]],
-                                c = positions[triangle[2]];
-            _triangles[live] = triangle;
-            live += isHere & (a != b) & (b != c) & (c != a); // without a branch: it would be a coin's
+            const Become a = _become[_full[slot][0]], b = _become[_full[slot][1]],
+                         c = _become[_full[slot][2]];
+            _triangles[live] = {a.wedge, b.wedge, c.wedge};
+            const bool isHere = std::max({a.wedge, b.wedge, c.wedge}) < wedgesLeft;
+            live += isHere & (a.position != b.position) & (b.position != c.position) &
+                    (c.position != a.position); // without a branch: it would be a coin's
         }
         _groupEnds[group] = live;
     }

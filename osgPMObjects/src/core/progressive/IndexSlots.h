@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -13,83 +14,114 @@
 namespace osgPMObjects::core
 {
 
-/// The slots of an index buffer, and the rule for those that no face is in: a *hole* holds the last index of the slot before it
+/// Writes slots of an index buffer by the rule for those that no face is in: a *hole* holds the last index of the slot before it
 /// three times, a vertex that was just drawn, and index 0 if that slot is unused. So slots depend only on which are holes.
+/// A view of two pointers, to be held in a local variable: what is written may be anything to the compiler, which would else
+/// read members again after each byte.
 template<class Index>
-class IndexSlots
+class SlotWriter
 {
 public:
     using Slot = std::array<Index, 3>;
     static constexpr Index kUnused = std::numeric_limits<Index>::max();
 
-    explicit IndexSlots(std::uint32_t count)
-        : _slots(count + 2, Slot{kUnused, kUnused, kUnused}), _isChanged(count / kPage + 1, true)
-    {
-    }
+    /// Changes are told by so many slots: as few as make one transfer worth while.
+    static constexpr std::uint32_t kPage = 64;
 
-    const Slot& operator[](std::uint32_t slot) const { return _slots[slot + 1]; }
-    std::uint32_t count() const { return static_cast<std::uint32_t>(_slots.size()) - 2; }
-    const Slot* data() const { return _slots.data() + 1; }
+    /// The slots before the first and behind the last have to be there, and unused. `isChanged`: by page.
+    SlotWriter(Slot* slots, char* isChanged) : _slots(slots), _isChanged(isChanged) {}
+
+    const Slot& operator[](std::uint32_t slot) const { return _slots[slot]; }
 
     /// Puts a face there. Holes behind it follow.
-    void put(std::uint32_t slot, const Slot& face)
+    void put(std::uint32_t slot, const Slot& face) const
     {
-        at(slot) = face;
+        _slots[slot] = face;
         mark(slot);
-        if (isHole(at(slot + 1))) fillHolesBehind(slot);
+        if (isHole(_slots[slot + 1])) fillHolesBehind(slot);
     }
 
     /// Gives a face another wedge at the corner that has `before`.
-    void patch(std::uint32_t slot, Index before, Index after)
+    void patch(std::uint32_t slot, Index before, Index after) const
     {
-        Slot& face = at(slot);
-        face[0] = face[0] == before ? after : face[0];
-        face[1] = face[1] == before ? after : face[1];
+        Slot& face = _slots[slot];
         const bool isLast = face[2] == before;
-        face[2] = isLast ? after : face[2];
+        face = {face[0] == before ? after : face[0], face[1] == before ? after : face[1],
+                isLast ? after : face[2]};
         mark(slot);
-        if (isLast & isHole(at(slot + 1))) [[unlikely]]
+        if (isLast & isHole(_slots[slot + 1])) [[unlikely]]
             fillHolesBehind(slot);
     }
 
-    void makeHole(std::uint32_t slot)
+    void makeHole(std::uint32_t slot) const
     {
-        const Index index = indexOfHoleBehind(_slots[slot]);
-        at(slot) = {index, index, index};
+        const Index index = indexOfHoleBehind(static_cast<std::ptrdiff_t>(slot) - 1);
+        _slots[slot] = {index, index, index};
         mark(slot);
-        if (isHole(at(slot + 1))) fillHolesBehind(slot);
+        if (isHole(_slots[slot + 1])) fillHolesBehind(slot);
     }
 
-    void makeUnused(std::uint32_t slot)
+    void makeUnused(std::uint32_t slot) const
     {
-        at(slot) = {kUnused, kUnused, kUnused};
+        _slots[slot] = {kUnused, kUnused, kUnused};
         mark(slot);
     }
 
     /// Brings holes behind a slot, which was changed, in line with the rule.
-    void fillHolesBehind(std::uint32_t slot)
+    void fillHolesBehind(std::uint32_t slot) const
     {
-        const Index index = indexOfHoleBehind(at(slot));
-        for (++slot; isHole(at(slot)); ++slot)
+        const Index index = indexOfHoleBehind(slot);
+        for (++slot; isHole(_slots[slot]); ++slot)
         {
-            at(slot) = {index, index, index};
+            _slots[slot] = {index, index, index};
             mark(slot);
         }
     }
 
     /// Writes a run of slots that says by `isFace(i)` and `face(i)` what is in them.
     template<class IsFace, class FaceOf>
-    void fill(std::uint32_t first, std::uint32_t count, const IsFace& isFace, const FaceOf& faceOf)
+    void fill(std::uint32_t first, std::uint32_t count, const IsFace& isFace, const FaceOf& faceOf) const
     {
         for (std::uint32_t i = 0; i < count; ++i)
         {
-            const Index index = indexOfHoleBehind(_slots[first + i]);
-            at(first + i) = isFace(i) ? faceOf(i) : Slot{index, index, index};
+            const Index index = indexOfHoleBehind(static_cast<std::ptrdiff_t>(first + i) - 1);
+            _slots[first + i] = isFace(i) ? faceOf(i) : Slot{index, index, index};
         }
-        markRun(first, count);
+        if (count > 0)
+            std::fill(_isChanged + first / kPage, _isChanged + (first + count - 1) / kPage + 1, char{true});
     }
 
     static bool isHole(const Slot& slot) { return (slot[0] == slot[1]) & (slot[0] != kUnused); }
+
+private:
+    void mark(std::uint32_t slot) const { _isChanged[slot / kPage] = true; }
+
+    Index indexOfHoleBehind(std::ptrdiff_t slot) const
+    {
+        return _slots[slot][0] == kUnused ? Index{0} : _slots[slot][2];
+    }
+
+    Slot* _slots;
+    char* _isChanged;
+};
+
+/// The slots of an index buffer, and which of them were written.
+template<class Index>
+class IndexSlots
+{
+public:
+    using Slot = typename SlotWriter<Index>::Slot;
+
+    explicit IndexSlots(std::uint32_t count)
+        : _slots(count + 2,
+                 Slot{SlotWriter<Index>::kUnused, SlotWriter<Index>::kUnused, SlotWriter<Index>::kUnused}),
+          _isChanged(count / kPage + 1, true)
+    {
+    }
+
+    SlotWriter<Index> writer() { return {_slots.data() + 1, _isChanged.data()}; }
+    const Slot* data() const { return _slots.data() + 1; }
+    std::uint32_t count() const { return static_cast<std::uint32_t>(_slots.size()) - 2; }
 
     void takeChanges(std::vector<SlotRange>& changes)
     {
@@ -106,20 +138,8 @@ public:
         }
     }
 
-    void markRun(std::uint32_t first, std::uint32_t count)
-    {
-        if (count > 0)
-            std::fill(_isChanged.begin() + first / kPage,
-                      _isChanged.begin() + (first + count - 1) / kPage + 1, char{true});
-    }
-
 private:
-    /// Changes are told by so many slots: as few as make one transfer worth while.
-    static constexpr std::uint32_t kPage = 64;
-
-    Slot& at(std::uint32_t slot) { return _slots[slot + 1]; }
-    void mark(std::uint32_t slot) { _isChanged[slot / kPage] = true; }
-    static Index indexOfHoleBehind(const Slot& slot) { return slot[0] == kUnused ? Index{0} : slot[2]; }
+    static constexpr std::uint32_t kPage = SlotWriter<Index>::kPage;
 
     std::vector<Slot> _slots; ///< with an unused one before the first and behind the last
     std::vector<char> _isChanged;

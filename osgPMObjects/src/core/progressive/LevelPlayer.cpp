@@ -13,26 +13,29 @@ namespace osgPMObjects::core
 namespace
 {
 
+constexpr auto kVanishedFaces = []
+{
+    std::array<VanishedFace, VanishedFace::kPlain> faces{};
+    for (std::uint32_t code = 0; code < faces.size(); ++code)
+        faces[code] = VanishedFace::ofCode(code);
+    return faces;
+}();
+
 template<class Index>
 class IndexPlayer : public ProgressiveLevel::Player
 {
 public:
     explicit IndexPlayer(const ProgressiveMesh& progressive)
         : Player(progressive),
-          _widths(progressive.mesh),
+          _widths(progressive),
           _parents(progressive.parents.begin(), progressive.parents.end()),
-          _at(progressive.records.data()),
-          _slots(_faces),
+          _at(progressive.records.data() + progressive.records.size() - kRecordPadding),
+          _slots(progressive.slotCount),
           _slotsOfStep(progressive.mostSlotsOfStep),
           _rearrangements(progressive.mostRearrangements),
           _rearranger(progressive, _extents)
     {
-        for (std::uint32_t slot = 0; slot < _faces; ++slot)
-        {
-            const auto& wedges = progressive.mesh.faces[slot].wedges;
-            _slots.put(slot, {static_cast<Index>(wedges[0]), static_cast<Index>(wedges[1]),
-                              static_cast<Index>(wedges[2])});
-        }
+        putBase();
     }
 
     void moveTo(std::uint32_t steps) override
@@ -56,6 +59,24 @@ private:
             return {_slots.data()->data(), std::size_t{3} * _slots.count()};
         else
             return {};
+    }
+
+    void putBase()
+    {
+        const SlotWriter<Index> slots = _slots.writer();
+        auto next = _progressive.base.begin();
+        for (const FaceBlock& block : _progressive.blocks)
+        {
+            slots.fill(
+                block.firstSlot, block.extent, [&](std::uint32_t i) { return !repeatsCorner(next[i]); },
+                [&](std::uint32_t i) -> typename SlotWriter<Index>::Slot
+                {
+                    ++_faces;
+                    return {static_cast<Index>(next[i][0]), static_cast<Index>(next[i][1]),
+                            static_cast<Index>(next[i][2])};
+                });
+            next += block.extent;
+        }
     }
 
     /// The head of a record.
@@ -86,6 +107,7 @@ private:
 
     void ecol()
     {
+        const SlotWriter<Index> slots = _slots.writer();
         ByteReader in(_at);
         Head head(in);
         SlotLists lists(in, _widths.slot);
@@ -93,13 +115,13 @@ private:
         {
             const Index from = static_cast<Index>(_wedges - 1 - gone), to = _parents[from];
             lists.visit(head.severalGo ? head.counts.number() : head.patched,
-                        [&](std::uint32_t slot) { _slots.patch(slot, from, to); });
+                        [slots, from, to](std::uint32_t slot) { slots.patch(slot, from, to); });
         }
-        lists.visit(head.vanished, [&](std::uint32_t slot) { _slots.makeHole(slot); });
+        lists.visit(head.vanished, [slots](std::uint32_t slot) { slots.makeHole(slot); });
         skipCodes(in, head.vanished);
         if (head.facesMove)
             for (std::uint32_t count = in.number(); count > 0; --count)
-                _statistics.facesMoved += _rearranger.forth(in, _slots);
+                _statistics.facesMoved += _rearranger.forth(in, slots);
         _at = skipLength(in.at(), static_cast<std::size_t>(in.at() - _at));
         _wedges -= head.wedges;
         _faces -= head.vanished;
@@ -110,11 +132,13 @@ private:
     void vsplit()
     {
         const std::byte* const begin = beginOfRecordBefore(_at);
+        const SlotWriter<Index> slots = _slots.writer();
+        std::uint32_t* const slotsOfStep = _slotsOfStep.data();
         ByteReader in(begin);
         Head head(in);
         SlotLists lists(in, _widths.slot);
         std::uint32_t read = 0;
-        const auto keep = [&](std::uint32_t slot) { _slotsOfStep[read++] = slot; };
+        const auto keep = [&](std::uint32_t slot) { slotsOfStep[read++] = slot; };
         ByteReader counts = head.counts;
         for (std::uint32_t gone = 0; gone < head.wedges; ++gone)
             lists.visit(head.severalGo ? counts.number() : head.patched, keep);
@@ -133,12 +157,12 @@ private:
             const Index from = static_cast<Index>(_wedges - 1 - gone), to = _parents[from];
             for (const std::uint32_t end = patched + count; patched < end; ++patched)
             {
-                _slots.patch(_slotsOfStep[patched], to, from);
+                slots.patch(slotsOfStep[patched], to, from);
                 if (patched < VanishedFace::kPatched) _fromOfPatched[patched] = from;
             }
         }
         for (std::uint32_t i = 0; i < head.vanished; ++i)
-            _slots.put(_slotsOfStep[patched + i], vanishedFace(codes));
+            slots.put(slotsOfStep[patched + i], vanishedFace(codes, slots));
         _at = begin;
         _faces += head.vanished;
         --_steps;
@@ -149,7 +173,7 @@ private:
     {
         for (; vanished > 0; --vanished)
             if (in.byte() == VanishedFace::kPlain) [[unlikely]]
-                in.skip(3 * _widths.wedge);
+                in.skip(3 * _widths.wedge.bytes);
     }
 
     void backRearrangements(ByteReader& in)
@@ -163,30 +187,26 @@ private:
         for (std::uint32_t i = count; i-- > 0;)
         {
             ByteReader rearrangement(_rearrangements[i]);
-            _statistics.facesMoved += _rearranger.back(rearrangement, _slots);
+            _statistics.facesMoved += _rearranger.back(rearrangement, _slots.writer());
         }
     }
 
-    typename IndexSlots<Index>::Slot vanishedFace(ByteReader& codes)
+    typename SlotWriter<Index>::Slot vanishedFace(ByteReader& codes, const SlotWriter<Index>& slots) const
     {
-        typename IndexSlots<Index>::Slot face{};
         const std::uint32_t code = codes.byte();
         if (code == VanishedFace::kPlain) [[unlikely]]
         {
-            for (Index& wedge : face)
-                wedge = static_cast<Index>(codes.fixed(_widths.wedge));
-            return face;
+            const std::uint32_t a = codes.fixed(_widths.wedge), b = codes.fixed(_widths.wedge),
+                                c = codes.fixed(_widths.wedge);
+            return {static_cast<Index>(a), static_cast<Index>(b), static_cast<Index>(c)};
         }
-        const std::uint32_t patched = code / VanishedFace::kCodesOfPatched;
-        const std::uint32_t within = code % VanishedFace::kCodesOfPatched;
-        const Index from = _fromOfPatched[patched];
-        const Index third = _slots[_slotsOfStep[patched]][within / 6];
-        const std::uint32_t corner = within % 6 / 2, next = corner == 2 ? 0 : corner + 1;
-        const bool thirdIsNext = within & 1;
-        face[corner] = from;
-        face[next] = thirdIsNext ? third : _parents[from];
-        face[3 - corner - next] = thirdIsNext ? _parents[from] : third;
-        return face;
+        const VanishedFace face = kVanishedFaces[code];
+        const Index from = _fromOfPatched[face.patched], to = _parents[from];
+        const Index third = slots[_slotsOfStep[face.patched]][face.corner];
+        const auto at = [&](std::uint8_t corner) {
+            return face.from == corner ? from : face.third == corner ? third : to;
+        };
+        return {at(0), at(1), at(2)};
     }
 
     void count(const Head& head)

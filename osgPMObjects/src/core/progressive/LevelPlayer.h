@@ -29,11 +29,8 @@ public:
 protected:
     explicit Player(const ProgressiveMesh& progressive);
 
-    std::uint32_t firstSlot(std::uint32_t block) const { return _progressive.blocks[block].firstSlot; }
-    std::uint32_t endSlot(std::uint32_t block) const;
-
     const ProgressiveMesh& _progressive;
-    std::uint32_t _steps = 0, _faces, _wedges;
+    std::uint32_t _steps, _faces = 0, _wedges;
     std::vector<std::uint32_t> _extents; ///< by block
     StepStatistics _statistics;
 };

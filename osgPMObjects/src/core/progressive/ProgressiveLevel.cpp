@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <cassert>
 #include <limits>
 
@@ -9,20 +10,25 @@
 namespace osgPMObjects::core
 {
 
-ProgressiveLevel::Player::Player(const ProgressiveMesh& progressive)
-    : _progressive(progressive),
-      _faces(static_cast<std::uint32_t>(progressive.mesh.faces.size())),
-      _wedges(static_cast<std::uint32_t>(progressive.mesh.wedgeCount()))
+namespace
 {
-    for (std::uint32_t block = 0; block < progressive.blocks.size(); ++block)
-        _extents.push_back(endSlot(block) - firstSlot(block));
+
+std::uint32_t wedgesOfBase(const ProgressiveMesh& progressive)
+{
+    const auto& positions = progressive.mesh.wedgePositions; // rise with the wedges
+    const auto positionsLeft =
+        static_cast<std::uint32_t>(progressive.mesh.positions.size()) - progressive.stepCount;
+    return static_cast<std::uint32_t>(std::lower_bound(positions.begin(), positions.end(), positionsLeft) -
+                                      positions.begin());
 }
 
-std::uint32_t ProgressiveLevel::Player::endSlot(std::uint32_t block) const
+} // namespace
+
+ProgressiveLevel::Player::Player(const ProgressiveMesh& progressive)
+    : _progressive(progressive), _steps(progressive.stepCount), _wedges(wedgesOfBase(progressive))
 {
-    return block + 1 < _progressive.blocks.size()
-               ? _progressive.blocks[block + 1].firstSlot
-               : static_cast<std::uint32_t>(_progressive.mesh.faces.size());
+    for (const FaceBlock& block : progressive.blocks)
+        _extents.push_back(block.extent);
 }
 
 ProgressiveLevel::ProgressiveLevel(const ProgressiveMesh& progressive)
@@ -72,13 +78,22 @@ std::span<const std::uint32_t> ProgressiveLevel::wideIndices() const
     return _player->wideIndices();
 }
 
+Triangle ProgressiveLevel::face(std::uint32_t slot) const
+{
+    const auto at = [&](const auto& indices) -> Triangle
+    {
+        return {indices[3 * std::size_t{slot}], indices[3 * std::size_t{slot} + 1],
+                indices[3 * std::size_t{slot} + 2]};
+    };
+    return hasNarrowIndices() ? at(narrowIndices()) : at(wideIndices());
+}
+
 void ProgressiveLevel::appendRanges(std::uint32_t group, std::vector<SlotRange>& ranges) const
 {
     const ProgressiveMesh& progressive = _player->progressive();
     const std::size_t begin = ranges.size();
-    const std::size_t end = group + 1 < progressive.groups.size() ? progressive.groups[group + 1].firstBlock
-                                                                  : progressive.blocks.size();
-    for (std::size_t block = progressive.groups[group].firstBlock; block < end; ++block)
+    const std::uint32_t end = progressive.endBlock(group);
+    for (std::uint32_t block = progressive.groups[group].firstBlock; block < end; ++block)
     {
         const std::uint32_t first = progressive.blocks[block].firstSlot, count = _player->extents()[block];
         if (count == 0) continue;

@@ -19,13 +19,13 @@ template<class Index>
 class RearrangementReader
 {
 public:
-    using Slots = IndexSlots<Index>;
+    using Slots = SlotWriter<Index>;
     using Slot = typename Slots::Slot;
 
     /// `extents`: of the blocks, which change with rearrangements.
     RearrangementReader(const ProgressiveMesh& progressive, std::vector<std::uint32_t>& extents)
         : _progressive(progressive),
-          _widths(progressive.mesh),
+          _widths(progressive),
           _extents(extents),
           _faces(progressive.mostSlotsMoved),
           _window(progressive.mostSlotsMoved),
@@ -35,13 +35,13 @@ public:
         _extentsBefore.reserve(progressive.blocks.size());
     }
 
-    std::uint32_t forth(ByteReader& in, Slots& slots)
+    std::uint32_t forth(ByteReader& in, Slots slots)
     {
         const std::uint32_t head = in.number();
         return head & 1 ? chainForth(in, head >> 1, slots) : rewriteForth(in, head >> 1, slots);
     }
 
-    std::uint32_t back(ByteReader& in, Slots& slots)
+    std::uint32_t back(ByteReader& in, Slots slots)
     {
         const std::uint32_t head = in.number();
         return head & 1 ? chainBack(in, head >> 1, slots) : rewriteBack(in, head >> 1, slots);
@@ -69,7 +69,7 @@ private:
             _chain[i] = _chain[i - 1] + in.difference();
     }
 
-    std::uint32_t chainForth(ByteReader& in, std::uint32_t moves, Slots& slots)
+    std::uint32_t chainForth(ByteReader& in, std::uint32_t moves, Slots slots)
     {
         --_extents[in.number()];
         readChain(in, moves);
@@ -80,7 +80,7 @@ private:
         return moves;
     }
 
-    std::uint32_t chainBack(ByteReader& in, std::uint32_t moves, Slots& slots)
+    std::uint32_t chainBack(ByteReader& in, std::uint32_t moves, Slots slots)
     {
         ++_extents[in.number()];
         readChain(in, moves);
@@ -101,15 +101,10 @@ private:
     }
 
     std::uint32_t firstSlot(std::uint32_t block) const { return _progressive.blocks[block].firstSlot; }
-    std::uint32_t endSlot(std::uint32_t block) const
-    {
-        return block + 1 < _progressive.blocks.size()
-                   ? _progressive.blocks[block + 1].firstSlot
-                   : static_cast<std::uint32_t>(_progressive.mesh.faces.size());
-    }
+    std::uint32_t endSlot(std::uint32_t block) const { return _progressive.endSlot(block); }
 
     /// What the blocks of the window show, one after the other.
-    void gather(const Slots& slots, std::vector<Slot>& faces) const
+    void gather(Slots slots, std::vector<Slot>& faces) const
     {
         std::size_t next = 0;
         for (const std::uint32_t block : _blocks)
@@ -118,14 +113,14 @@ private:
     }
 
     /// Makes what is behind the extent of a block unused, where its extent was larger before.
-    void trim(std::uint32_t block, std::uint32_t extentBefore, Slots& slots)
+    void trim(std::uint32_t block, std::uint32_t extentBefore, Slots slots)
     {
         for (std::uint32_t i = _extents[block]; i < extentBefore; ++i)
             slots.makeUnused(firstSlot(block) + i);
         slots.fillHolesBehind(endSlot(block) - 1);
     }
 
-    std::uint32_t rewriteForth(ByteReader& in, std::uint32_t count, Slots& slots)
+    std::uint32_t rewriteForth(ByteReader& in, std::uint32_t count, Slots slots)
     {
         readWindow(in, count);
         gather(slots, _window);
@@ -150,7 +145,7 @@ private:
         return moves;
     }
 
-    std::uint32_t rewriteBack(ByteReader& in, std::uint32_t count, Slots& slots)
+    std::uint32_t rewriteBack(ByteReader& in, std::uint32_t count, Slots slots)
     {
         readWindow(in, count);
         gather(slots, _faces);

@@ -12,10 +12,10 @@ namespace
 using Bytes = std::vector<std::byte>;
 
 /// Slots in the order in which a chain goes through them: the first in full, then differences.
-class SlotWriter
+class ChainWriter
 {
 public:
-    SlotWriter(Bytes& bytes, int width) : _bytes(bytes), _width(width) {}
+    ChainWriter(Bytes& bytes, int width) : _bytes(bytes), _width(width) {}
 
     void write(std::uint32_t slot)
     {
@@ -50,10 +50,11 @@ std::uint32_t codeOf(const Triangle& vanished, const StepRecord& step, std::span
             {
                 const std::uint32_t third = patched[index][c];
                 const std::uint32_t next = vanished[(corner + 1) % 3], last = vanished[(corner + 2) % 3];
-                if (third == next && last == parents[from])
-                    return VanishedFace::code(index, c, static_cast<std::uint32_t>(corner), true);
-                if (third == last && next == parents[from])
-                    return VanishedFace::code(index, c, static_cast<std::uint32_t>(corner), false);
+                const bool isNext = third == next && last == parents[from];
+                if (!isNext && (third != last || next != parents[from])) continue;
+                return VanishedFace::code({static_cast<std::uint8_t>(index), static_cast<std::uint8_t>(c),
+                                           static_cast<std::uint8_t>(corner),
+                                           static_cast<std::uint8_t>((corner + (isNext ? 1 : 2)) % 3)});
             }
         }
     }
@@ -64,7 +65,7 @@ void appendChain(Bytes& bytes, const Rearrangement& chain, int slotWidth)
 {
     appendNumber(bytes, (chain.slots.size() - 1) << 1 | 1);
     appendNumber(bytes, chain.blocks.front());
-    SlotWriter slots(bytes, slotWidth);
+    ChainWriter slots(bytes, slotWidth);
     for (const std::uint32_t slot : chain.slots)
         slots.write(slot);
 }
@@ -150,21 +151,21 @@ void appendRecord(ProgressiveMesh& progressive, const StepRecord& step,
 {
     Bytes& bytes = progressive.records;
     const std::size_t begin = bytes.size();
-    const RecordWidths widths(progressive.mesh);
+    const RecordWidths widths(progressive);
     appendHead(bytes, step);
-    appendLists(bytes, step, widths.slot);
+    appendLists(bytes, step, widths.slot.bytes);
     for (const Triangle& vanished : step.vanishedTriangles)
     {
         const std::uint32_t code = codeOf(vanished, step, patchedTriangles, wedges, progressive.parents);
         appendFixed(bytes, code, 1);
         if (code != VanishedFace::kPlain) continue;
         for (const std::uint32_t wedge : vanished)
-            appendFixed(bytes, wedge, widths.wedge);
+            appendFixed(bytes, wedge, widths.wedge.bytes);
     }
     if (!step.rearrangements.empty()) appendNumber(bytes, step.rearrangements.size());
     for (const Rearrangement& rearrangement : step.rearrangements)
         if (rearrangement.isChain)
-            appendChain(bytes, rearrangement, widths.slot);
+            appendChain(bytes, rearrangement, widths.slot.bytes);
         else
             appendRewrite(bytes, rearrangement, blocks);
     appendLength(bytes, bytes.size() - begin);

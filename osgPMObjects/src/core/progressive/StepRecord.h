@@ -44,21 +44,37 @@ struct VanishedFace
     static constexpr std::uint32_t kPlain = 255;
     static constexpr std::uint32_t kCodesOfPatched = 18, kPatched = kPlain / kCodesOfPatched;
 
-    /// Six ways in which three corners lie, and three corners of a face.
-    static constexpr std::uint32_t code(std::uint32_t patched, std::uint32_t corner, std::uint32_t from,
-                                        bool thirdIsNext)
+    std::uint8_t patched; ///< which patched face has the third wedge
+    std::uint8_t corner;  ///< and where
+    std::uint8_t from;    ///< corner of the wedge that goes
+    std::uint8_t third;   ///< corner of the third wedge
+
+    /// Three corners of the patched face, and six ways in which the three corners lie.
+    static constexpr std::uint32_t code(const VanishedFace& face)
     {
-        return patched * kCodesOfPatched + corner * 6 + from * 2 + (thirdIsNext ? 1 : 0);
+        return face.patched * kCodesOfPatched + face.corner * 6u + face.from * 2u +
+               (face.third == (face.from + 1) % 3 ? 1u : 0u);
+    }
+
+    static constexpr VanishedFace ofCode(std::uint32_t code)
+    {
+        const std::uint32_t from = code % 6 / 2, third = (from + (code & 1 ? 1 : 2)) % 3;
+        return {static_cast<std::uint8_t>(code / kCodesOfPatched),
+                static_cast<std::uint8_t>(code % kCodesOfPatched / 6), static_cast<std::uint8_t>(from),
+                static_cast<std::uint8_t>(third)};
     }
 };
+
+/// Bytes behind the last record, so that numbers can be read four bytes at a time.
+constexpr std::size_t kRecordPadding = 4;
 
 /// How wide numbers are in the records of a mesh.
 struct RecordWidths
 {
-    int slot, wedge;
+    FixedWidth slot, wedge;
 
-    explicit RecordWidths(const Mesh& mesh)
-        : slot(widthFor(mesh.faces.size())), wedge(widthFor(mesh.wedgeCount()))
+    explicit RecordWidths(const ProgressiveMesh& progressive)
+        : slot(progressive.slotBytes), wedge(progressive.wedgeBytes)
     {
     }
 };
@@ -75,14 +91,14 @@ inline const std::byte* beginOfRecordBefore(const std::byte* end)
     const auto length = static_cast<std::uint32_t>(end[-1]);
     if (length != 0) [[likely]]
         return end - 1 - length;
-    return end - 5 - ByteReader(end - 5).fixed(4);
+    return end - 5 - ByteReader(end - 5).fixed(FixedWidth(4));
 }
 
 /// Reads the lists of slots.
 class SlotLists
 {
 public:
-    SlotLists(ByteReader& in, int slotWidth) : _in(in), _slotWidth(slotWidth) {}
+    SlotLists(ByteReader& in, const FixedWidth& slotWidth) : _in(in), _slotWidth(slotWidth) {}
 
     /// Calls visit(slot) for the next list, of `count` slots.
     template<class Visit>
@@ -99,7 +115,7 @@ public:
 
 private:
     ByteReader& _in;
-    int _slotWidth;
+    FixedWidth _slotWidth;
     bool _isFirst = true;
     std::uint32_t _firstOfList = 0;
 };

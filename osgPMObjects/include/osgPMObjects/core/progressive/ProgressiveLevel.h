@@ -28,7 +28,7 @@ struct StepStatistics
 };
 
 /// The index buffer of one level of a progressive mesh, which is changed in place when the level changes.
-/// What it holds depends on the level alone, not on the way there. A hole's three indices are equal: a triangle without area.
+/// Begins with the coarsest level. What it holds depends on the level alone, not on the way there. A hole's three indices are equal: a triangle without area.
 /// Memory: that of the indices, 16-bit ones if there are fewer than 65 536 wedges, and the largest rearrangement's. Nothing is
 /// allocated after construction. Cost of a change: the steps between; no more than that of a step where nothing changes.
 /// Threads: one at a time. The mesh has to outlive it, and must not change.
@@ -50,6 +50,9 @@ public:
     bool hasNarrowIndices() const;
     std::span<const std::uint16_t> narrowIndices() const; ///< empty if there are too many wedges
     std::span<const std::uint32_t> wideIndices() const;   ///< empty if 16 bits do
+
+    /// The face in a slot; of a hole, equal corners.
+    Triangle face(std::uint32_t slot) const;
 
     /// What to draw of a group of faces, in order, appended to a list.
     void appendRanges(std::uint32_t group, std::vector<SlotRange>& ranges) const;

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include <osgPMObjects/core/Triangle.h>
 #include <osgPMObjects/core/mesh/Mesh.h>
 #include <osgPMObjects/core/simplify/CollapseSequence.h>
 
@@ -42,19 +43,23 @@ struct FaceGroup
 {
     std::uint32_t material = 0;
     std::uint32_t firstBlock = 0; ///< up to the next group's
+    bool operator==(const FaceGroup&) const = default;
 };
 
 /// A run of slots that fill and empty together.
 struct FaceBlock
 {
     std::uint32_t firstSlot = 0; ///< up to the next block's
+    std::uint32_t extent = 0;    ///< slots of it that are drawn at the coarsest level, holes among them
+    bool operator==(const FaceBlock&) const = default;
 };
 
-/// A mesh with all of its levels, which differ by one position each: a *progressive mesh*. Vertices lie in split order, so a level uses the
-/// first of them alone; a step patches corners of a few faces and moves some, forth (ecol) and back (vsplit).
+/// A mesh with all of its levels, which differ by one position each: a *progressive mesh*. Levels are told by the steps that lead to
+/// them from the finest, 0. Vertices lie in split order, so a level uses the first of them alone; a step patches corners of a few
+/// faces and moves some, forth (ecol) and back (vsplit). What there is of the faces is the coarsest level and the steps.
 /// It never changes: what changes with the level is an index buffer, ProgressiveLevel, of which there may be many.
 /// Invariant: isValid() below. Threads: may be read by any number.
-/// Memory: the mesh, and besides `overheadBytes()`.
+/// Memory: that of the vertices, and overheadBytes().
 /// Source: Hoppe, "Progressive meshes" (1996); paper 003, §4 and §5; Forsyth (2001). Differs: vertices that become others are a table of
 /// parents instead of a number in each step; faces lie in blocks with holes (Arrangement::windows).
 struct ProgressiveMesh
@@ -62,14 +67,16 @@ struct ProgressiveMesh
     /// Errors are kept for one step in so many: a level is then at most so much better than asked for.
     static constexpr std::uint32_t kErrorStride = 64;
 
-    /// Positions and wedges in split order: step k takes the last position of those left, and its wedges, the last of the wedges.
-    /// Faces by slot at level 0, the full mesh.
+    /// Positions, wedges and materials; no faces. Step k takes the last position of those left, and its wedges, the last of the wedges.
     Mesh mesh;
     std::vector<std::uint32_t> parents; ///< by wedge: what it becomes, below its own number; itself: nothing
     std::vector<FaceGroup> groups;
     std::vector<FaceBlock> blocks;
-    std::vector<std::byte> records; ///< one for each step, StepRecord.h
+    std::uint32_t slotCount = 0;
+    std::vector<Triangle> base; ///< the coarsest level: what is drawn of each block; a hole has equal corners
+    std::vector<std::byte> records; ///< one for each step from the finest level, StepRecord.h
     std::uint32_t stepCount = 0;
+    int slotBytes = 0, wedgeBytes = 0; ///< of numbers in records
     std::vector<LevelError>
         errors; ///< of the levels after kErrorStride steps, twice as many …, and after all
 
@@ -78,7 +85,18 @@ struct ProgressiveMesh
     std::uint32_t mostRearrangements = 0;
     std::uint32_t mostSlotsMoved = 0; ///< by one rearrangement
 
-    /// Bytes besides the mesh's own vertices and indices.
+    std::uint32_t endSlot(std::uint32_t block) const
+    {
+        return block + 1 < blocks.size() ? blocks[block + 1].firstSlot : slotCount;
+    }
+    /// The first block that is not of a group any more.
+    std::uint32_t endBlock(std::uint32_t group) const
+    {
+        return group + 1 < groups.size() ? groups[group + 1].firstBlock
+                                         : static_cast<std::uint32_t>(blocks.size());
+    }
+
+    /// Bytes besides the vertices and one index buffer. Indices below 65 535 count two bytes.
     std::size_t overheadBytes() const;
 };
 
