@@ -111,6 +111,7 @@ TEST(ProgressiveLevel, DrawsTheFacesOfEveryLevelWhateverTheirOrder)
             const ProgressiveMesh progressive =
                 buildProgressiveMesh(subject.mesh, sequence, small(arrangement));
             ASSERT_EQ(progressive.stepCount, sequence.steps.size()) << subject.name;
+            ASSERT_TRUE(isValid(progressive)) << subject.name;
             ProgressiveLevel level(progressive);
             std::size_t mostHoles = 0;
             for (std::uint32_t steps = 0; steps <= progressive.stepCount; ++steps)

@@ -95,10 +95,11 @@ inline const std::byte* beginOfRecordBefore(const std::byte* end)
 }
 
 /// Reads the lists of slots.
+template<class Reader>
 class SlotLists
 {
 public:
-    SlotLists(ByteReader& in, const FixedWidth& slotWidth) : _in(in), _slotWidth(slotWidth) {}
+    SlotLists(Reader& in, const FixedWidth& slotWidth) : _in(in), _slotWidth(slotWidth) {}
 
     /// Calls visit(slot) for the next list, of `count` slots.
     template<class Visit>
@@ -114,7 +115,7 @@ public:
     }
 
 private:
-    ByteReader& _in;
+    Reader& _in;
     FixedWidth _slotWidth;
     bool _isFirst = true;
     std::uint32_t _firstOfList = 0;
