@@ -160,6 +160,8 @@ void addSimplify(CLI::App& app, Chosen& chosen)
         ->check(terminal::between(0.0, 100.0));
     command->add_flag("!--shape-only", request->settings.keepSeams, "let textures, normals and materials go");
     command->add_flag("!--lopsided", request->settings.keepSymmetry, "do not keep models symmetric that are");
+    command->add_flag("!--thin-leaves", request->settings.growLeaves,
+                      "let leaf cards vanish without others growing");
     command->add_option("--output", request->outputFolder, "write the levels there, NAME.LEVEL.FORMAT");
     command->add_option("--format", request->format, "of the levels written (osgb)")
         ->check(CLI::IsMember({"osgb", "osgt", "ive"}));

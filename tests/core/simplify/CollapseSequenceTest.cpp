@@ -61,14 +61,14 @@ TEST(CollapseSequence, DoesNotStopBetweenTwins)
     sequence.steps[0].facesAfter = 58;
     sequence.steps.push_back(sequence.steps[0]);
     sequence.steps[1].facesAfter = 56;
-    sequence.steps[0].hasTwinNext = true;
+    sequence.steps[0].goesOn = true;
     EXPECT_EQ(stepsToFaces(sequence, 58), 2u);
     sequence.steps[1].facesAfter = 50;
     EXPECT_EQ(stepsToFaces(sequence, 58), 1u);
     sequence.steps[1].facesAfter = 56;
     sequence.steps[1].error.distance = 0.6f;
     EXPECT_EQ(stepsToDistance(sequence, 0.55), 0u);
-    sequence.steps[0].hasTwinNext = false;
+    sequence.steps[0].goesOn = false;
     EXPECT_EQ(stepsToFaces(sequence, 58), 1u);
     EXPECT_EQ(stepsToDistance(sequence, 0.55), 1u);
 }

@@ -12,6 +12,7 @@
 #include <osgPMObjects/core/mesh/SurfaceChange.h>
 #include <osgPMObjects/core/simplify/Simplify.h>
 
+#include "Foliage.h"
 #include "RealData.h"
 #include "pmtool/Models.h"
 
@@ -91,6 +92,50 @@ INSTANTIATE_TEST_SUITE_P(
                     "vehicle/CesiumMilkTruck.obj", "vehicle/Forklift.ac", "vehicle/Goldhofert.ac",
                     "vehicle/ICE3firstcar.ac", "vehicle/evo_wrc.obj", "vehicle/fox_wrc.obj",
                     "vehicle/hoskosh-ti-1500.ac"));
+
+using Tree = RealModel;
+
+/// What a hundredth of the faces covers of what all do, from three sides.
+double coverAtAHundredth(const Mesh& mesh, const SimplifySettings& settings)
+{
+    const CollapseSequence sequence = simplify(mesh, settings);
+    const Mesh level = meshAfter(mesh, sequence, stepsToFaces(sequence, mesh.faces.size() / 100));
+    const Extent box = extentOf(mesh.positions);
+    return double(testsupport::cover(level, box)) / double(testsupport::cover(mesh, box));
+}
+
+TEST_P(Tree, CoversMoreWhenItsLeavesGrow)
+{
+    OSGTRAINER_REAL_DATA_OR_SKIP(file, std::filesystem::path("models") / GetParam());
+    const Mesh mesh = meshFrom(file);
+    for (const Placement placement : {Placement::subset, Placement::optimal, Placement::quality})
+    {
+        const double grown = coverAtAHundredth(mesh, {.placement = placement});
+        EXPECT_GT(grown, 1.1 * coverAtAHundredth(mesh, {.placement = placement, .growLeaves = false}));
+        EXPECT_LT(grown, 1.05);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Models, Tree,
+                         testing::Values("tree/eztree_oak_medium.obj", "tree/eztree_bush_1.obj"));
+
+using LeaflessModel = RealModel;
+
+TEST_P(LeaflessModel, IsNotTakenForATree)
+{
+    OSGTRAINER_REAL_DATA_OR_SKIP(file, std::filesystem::path("models") / GetParam());
+    const Mesh mesh = meshFrom(file);
+    const CollapseSequence sequence = simplify(mesh), thin = simplify(mesh, {.growLeaves = false});
+    ASSERT_EQ(sequence.steps.size(), thin.steps.size());
+    for (std::size_t i = 0; i < thin.steps.size(); ++i)
+        ASSERT_TRUE(sequence.steps[i].from == thin.steps[i].from && sequence.steps[i].to == thin.steps[i].to);
+    EXPECT_EQ(sequence.wedges, thin.wedges);
+}
+
+INSTANTIATE_TEST_SUITE_P(Models, LeaflessModel,
+                         testing::Values("building/zone_maisons-ba.ac", "building/hochhaus_asemwald.ac",
+                                         "ship/CG-57.ac.gz", "ship/vinson.ac", "vehicle/Forklift.ac",
+                                         "vehicle/Goldhofert.ac"));
 
 using EnvelopedModel = RealModel;
 

@@ -15,9 +15,8 @@ namespace
 
 /// Short edges first where nothing else tells: this much of what the whole quadric would be at the other end.
 constexpr double kShortness = 1e-6;
-/// Drifting textures count as if the patch were this far off, as a share of the diagonal; the last face of a material as if
-/// everything were.
-constexpr double kDriftDistance = 0.02, kMaterialDistance = 0.05;
+/// Drifting textures count as if the patch were this far off, as a share of the diagonal.
+constexpr double kDriftDistance = 0.02;
 /// What makes a symmetric mesh lopsided costs so much more.
 constexpr double kLopsided = 1e3;
 /// Around positions of very many neighbours only the cheapest are looked at.

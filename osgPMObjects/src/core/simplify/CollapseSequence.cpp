@@ -39,18 +39,22 @@ std::size_t stepsToFaces(const CollapseSequence& sequence, std::size_t faces)
     if (sequence.facesBefore <= faces || sequence.steps.empty()) return 0;
     std::size_t last = stepsUntil(sequence, [&](const CollapseStep& s) { return s.facesAfter <= faces; });
     last = std::min(last, sequence.steps.size() - 1);
-    // A twin that takes much of what is left is not worth the symmetry.
+    std::size_t whole = last;
+    while (sequence.steps[whole].goesOn)
+        ++whole;
+    // Where the rest takes much of what is left it is not worth its looks.
     constexpr std::size_t kMostShare = 10;
-    const bool takesTwin = sequence.steps[last].hasTwinNext &&
-                           (faces - sequence.steps[last + 1].facesAfter) * kMostShare <= faces;
-    return last + (takesTwin ? 2 : 1);
+    const bool takesRest = (faces - sequence.steps[whole].facesAfter) * kMostShare <= faces;
+    return (takesRest ? whole : last) + 1;
 }
 
 std::size_t stepsToDistance(const CollapseSequence& sequence, double tolerance)
 {
-    const std::size_t steps =
+    std::size_t steps =
         stepsUntil(sequence, [&](const CollapseStep& s) { return s.error.distance > tolerance; });
-    return steps > 0 && sequence.steps[steps - 1].hasTwinNext ? steps - 1 : steps;
+    while (steps > 0 && sequence.steps[steps - 1].goesOn)
+        --steps;
+    return steps;
 }
 
 Mesh meshAfter(const Mesh& mesh, const CollapseSequence& sequence, std::size_t steps)

@@ -37,6 +37,16 @@ std::unique_ptr<Mesh> withoutPositions(const Mesh& mesh)
     return copy;
 }
 
+/// Cards of a mesh that is its own mirror image would have to go in pairs of pairs; in an envelope nothing may grow.
+std::vector<std::vector<LeafCard>> foliageOf(const CollapseState& state, const Mesh& original)
+{
+    const SimplifySettings& settings = state.settings;
+    if (!settings.growLeaves || settings.envelope > 0.0 || settings.joinDistance > 0.0 ||
+        state.twins.isMirrored())
+        return {};
+    return leafCards(original, state.positions, state.parts, state.partOf);
+}
+
 } // namespace
 
 CollapseState::CollapseState(const Mesh& original, const SimplifySettings& given)
@@ -51,6 +61,7 @@ CollapseState::CollapseState(const Mesh& original, const SimplifySettings& given
       twins(given.keepSymmetry ? mirrorTwins(positions, positionTriangles(original)) : MirrorTwins()),
       parts(connectedParts(original, positions)),
       partOf(partNumbers(parts, positions.size())),
+      foliage(foliageOf(*this, original)),
       shapes(positions.size()),
       errors(positions.size()),
       changes(positions.size(), 0),

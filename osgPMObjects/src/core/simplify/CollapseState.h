@@ -14,6 +14,7 @@
 #include "CollapseQueue.h"
 #include "ConnectedParts.h"
 #include "Envelope.h"
+#include "LeafCards.h"
 #include "MirrorTwins.h"
 #include "Placement.h"
 #include "StarMesh.h"
@@ -31,6 +32,9 @@ struct Candidate
     Urgency urgency;
 };
 
+/// The last face of a material goes as if everything were so far off, as a share of the diagonal.
+constexpr double kMaterialDistance = 0.05;
+
 /// A mesh on its way. What each position and each face has belongs to one part, so threads
 /// that work on different parts do not meet.
 struct CollapseState
@@ -47,7 +51,9 @@ struct CollapseState
     MirrorTwins twins;
     std::unique_ptr<Envelope> envelope; ///< null: none is asked for
     std::vector<ConnectedPart> parts;
-    std::vector<std::uint32_t> partOf;           ///< by position: what it belonged to at first
+    std::vector<std::uint32_t> partOf; ///< by position: what it belonged to at first
+    std::vector<std::vector<LeafCard>>
+        foliage; ///< by material: parts that a LeafCollapser takes, no Collapser
     mutable std::vector<std::uint32_t> joinedTo; ///< by part: the part it has been joined to; itself
     std::vector<std::uint32_t> nearby; ///< by position: the nearest of another part; empty: parts do not join
     mutable std::vector<std::uint32_t> wentTo; ///< by position: where it went; itself

@@ -99,7 +99,7 @@ void Collapser::collapseTwin(std::uint32_t from, std::uint32_t to, const Urgency
         _choice.isGood(twinFrom, twinTo, place, urgency.cost) &&
         (!_guard || _guard->allows(twinFrom, twinTo, place)))
     {
-        _done.sequence.steps.back().hasTwinNext = true;
+        _done.sequence.steps.back().goesOn = true;
         perform(twinFrom, twinTo, urgency, &place);
     }
     else if (_state.movesPlaces())

@@ -64,7 +64,7 @@ CollapseSequence firstSteps(const CollapseSequence& sequence, std::size_t steps)
     const auto wedges = sequence.wedgesOf(steps - 1);
     const auto moved = sequence.movedWedgesOf(steps - 1);
     first.steps.assign(sequence.steps.begin(), sequence.steps.begin() + end(steps));
-    first.steps.back().hasTwinNext = false;
+    first.steps.back().goesOn = false;
     first.wedges.assign(sequence.wedges.data(), wedges.data() + wedges.size());
     first.movedWedges.assign(sequence.movedWedges.data(), moved.data() + moved.size());
     if (!sequence.places.empty())

@@ -32,9 +32,14 @@ std::vector<PartGroup> groupsOf(const CollapseState& state)
         join(p, state.twins.of(p));
         if (!state.nearby.empty()) join(p, state.nearby[p]);
     }
+    std::vector<bool> isLeaf(state.parts.size(), false);
+    for (const std::vector<LeafCard>& cards : state.foliage)
+        for (const LeafCard& card : cards)
+            isLeaf[card.part] = true;
     std::vector<PartGroup> groups(state.parts.size());
     for (std::uint32_t part = 0; part < state.parts.size(); ++part)
     {
+        if (isLeaf[part]) continue;
         PartGroup& group = groups[together.root(part)];
         group.parts.push_back(part);
         group.faces += state.parts[part].faces;

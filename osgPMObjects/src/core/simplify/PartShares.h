@@ -10,7 +10,7 @@ namespace osgPMObjects::core
 {
 
 /// Part numbers in shares for so many threads, of about as many faces each. Parts that have to do with each other, as mirror
-/// images or as neighbours that may join, are in one share. At least one share, none empty unless there are no parts.
+/// images or as neighbours that may join, are in one share. Without those that are leaves. At least one share, none empty unless there are no parts.
 std::vector<std::vector<std::uint32_t>> partShares(const CollapseState& state, std::size_t threads);
 
 } // namespace osgPMObjects::core

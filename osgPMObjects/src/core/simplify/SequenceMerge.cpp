@@ -82,7 +82,7 @@ CollapseSequence mergedSequence(std::span<const PartialSequence> partial, const 
         const CollapseSequence& sequence = partial[least].sequence;
         for (bool goesOn = true; goesOn;)
         {
-            goesOn = sequence.steps[next[least]].hasTwinNext;
+            goesOn = sequence.steps[next[least]].goesOn;
             whole.append(sequence, next[least]++);
         }
     }

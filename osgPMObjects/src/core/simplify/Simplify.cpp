@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <thread>
 
 #include <osgPMObjects/core/Parallel.h>
@@ -6,6 +7,7 @@
 
 #include "CollapseState.h"
 #include "Collapser.h"
+#include "LeafCollapser.h"
 #include "PartShares.h"
 #include "SequenceMerge.h"
 
@@ -15,13 +17,20 @@ namespace osgPMObjects::core
 CollapseSequence simplify(const Mesh& mesh, const SimplifySettings& settings)
 {
     CollapseState state(mesh, settings);
-    const auto shares = partShares(state, std::thread::hardware_concurrency());
-    std::vector<PartialSequence> partial(shares.size());
-    parallelShares(shares.size(), 1,
+    const std::size_t threads =
+        std::thread::hardware_concurrency(); // one for each kind of leaf, the others share the rest
+    const auto shares = partShares(state, threads - std::min(threads, state.foliage.size()));
+    std::vector<PartialSequence> partial(shares.size() + state.foliage.size());
+    const auto part = [&](std::size_t i)
+    {
+        return i < shares.size() ? Collapser(state).run(shares[i])
+                                 : LeafCollapser(state).run(std::move(state.foliage[i - shares.size()]));
+    };
+    parallelShares(partial.size(), 1,
                    [&](std::size_t first, std::size_t last, std::size_t)
                    {
                        for (std::size_t i = first; i < last; ++i)
-                           partial[i] = Collapser(state).run(shares[i]);
+                           partial[i] = part(i);
                    });
     return mergedSequence(partial, state.frame, state.stars.faceCount());
 }

@@ -43,8 +43,9 @@ struct CollapseStep
     std::uint32_t firstWedge = 0; ///< in CollapseSequence::wedges, up to the next step's
     std::uint32_t firstMoved = 0; ///< in CollapseSequence::movedWedges, up to the next step's
     std::uint32_t facesAfter = 0; ///< how many faces are left after the step
-    /// The second of two mirrored steps comes next: a level between the two is lopsided.
-    bool hasTwinNext = false;
+    /// The next step belongs to this one, as the second of two mirrored steps or as the growth of a leaf for one that has gone: a level between
+    /// them is sound, but lopsided or thin.
+    bool goesOn = false;
     LevelError error; ///< of the surface after the step; in nothing less than that of the step before
 };
 
@@ -74,7 +75,7 @@ struct CollapseSequence
     std::span<const MovedWedge> movedWedgesOf(std::size_t step) const;
 };
 
-/// How many steps lead to a level of at most `faces` faces. Does not stop between two mirrored steps, unless the second would
+/// How many steps lead to a level of at most `faces` faces. Does not stop between steps that belong together, unless the rest of them would
 /// lead more than a tenth below.
 std::size_t stepsToFaces(const CollapseSequence& sequence, std::size_t faces);
 

@@ -26,8 +26,11 @@ struct SimplifySettings
     /// Whether a mesh that is its own mirror image across the middle of its box stays that: collapses are then done in pairs.
     bool keepSymmetry = true;
     /// Above 0: parts no farther apart than this may join: a position may go into the nearest of another part as into a neighbour.
-    /// Units: as the positions. Leaves of a tree then grow together instead of vanishing one by one.
+    /// Units: as the positions.
     double joinDistance = 0.0;
+    /// Whether leaf cards that are left grow as others go, so that foliage keeps its area. Only where a material is foliage: very many small
+    /// flat parts that look in all directions. Not within an envelope, nor of a mesh that stays its own mirror image, nor where parts join.
+    bool growLeaves = true;
     /// Above 0: the surface stays within this distance of the original, and the original within this distance of it, at every level;
     /// proved for whole triangles, not sampled. The sequence then ends where no collapse keeps the promise; no part vanishes, and
     /// no face turns over. Units: as the positions. Takes some twenty times as long.
