@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include <osgPMObjects/core/selection/LevelSelector.h>
+#include <osgPMObjects/core/selection/SceneBudget.h>
+
+namespace osgPMObjects::core
+{
+
+/// What one method did in a frame, in objects.
+struct MethodStatistics
+{
+    std::uint32_t objects = 0; ///< all that have the method
+    std::uint32_t switched = 0;
+    std::uint32_t clamped = 0;
+    std::uint32_t fullArea = 0;
+    std::uint32_t faded = 0; ///< drawn with an alpha below 1
+    std::uint32_t gone = 0;  ///< beyond the alpha range, not drawn
+    std::uint64_t triangles = 0; ///< of the chosen levels of those that are drawn
+
+    void count(const Selection& selection, std::uint32_t drawnTriangles);
+    MethodStatistics& operator+=(const MethodStatistics& other);
+    bool operator==(const MethodStatistics&) const = default;
+};
+
+/// What selection did in a frame, by method.
+struct SelectionStatistics
+{
+    std::array<MethodStatistics, kSelectionMethods> byMethod{};
+    BudgetResult budget; ///< of all objects with the method `budget`
+
+    MethodStatistics& of(SelectionMethod method) { return byMethod[static_cast<std::size_t>(method)]; }
+    const MethodStatistics& of(SelectionMethod method) const { return byMethod[static_cast<std::size_t>(method)]; }
+    MethodStatistics all() const;
+};
+
+} // namespace osgPMObjects::core

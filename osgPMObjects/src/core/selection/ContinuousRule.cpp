@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+
+#include <osgPMObjects/core/selection/ContinuousRule.h>
+
+namespace osgPMObjects::core
+{
+
+double referenceDistanceM(double pixelsPerTangent, double area, std::uint32_t faces, double trianglePx)
+{
+    return faces == 0 ? 0.0 : pixelsPerTangent * std::sqrt(2.0 * area / faces) / trianglePx;
+}
+
+Removal removalAt(double referenceM, double distanceM, std::uint32_t positions, std::uint32_t mostSteps)
+{
+    if (!(distanceM > referenceM) || positions < 3) return {};
+    const double ratio = referenceM / distanceM;
+    // Below 2³², as positions are; half a position and more is one.
+    const auto removed = static_cast<std::uint32_t>(std::floor((positions - 2.0) * (1.0 - ratio * ratio) + 0.5));
+    return removed > mostSteps ? Removal{mostSteps, true} : Removal{removed, false};
+}
+
+Removal heldRemovalAt(double referenceM, double distanceM, std::uint32_t positions, std::uint32_t mostSteps,
+                      double band, HeldLevel held)
+{
+    const Removal most = removalAt(referenceM, distanceM, positions, mostSteps);
+    if (band == 1.0) return most;
+    if (held.isHeld() && held.level <= most.steps &&
+        held.level >= removalAt(referenceM, distanceM / (band * band), positions, mostSteps).steps)
+        return {held.level, most.isClamped && held.level == mostSteps};
+    return removalAt(referenceM, distanceM / band, positions, mostSteps);
+}
+
+} // namespace osgPMObjects::core

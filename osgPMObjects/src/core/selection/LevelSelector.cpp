@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+
+#include <glm/glm.hpp>
+
+#include <osgPMObjects/core/selection/BoxArea.h>
+#include <osgPMObjects/core/selection/ContinuousRule.h>
+#include <osgPMObjects/core/selection/EllipsoidArea.h>
+#include <osgPMObjects/core/selection/LevelSelector.h>
+#include <osgPMObjects/core/selection/SphereArea.h>
+
+namespace osgPMObjects::core
+{
+
+double LevelSelector::distanceM(const SelectableObject& object, double gain) const
+{
+    return glm::length(object.sphere.centre - _view.eyeWorld) * _view.distanceScale / gain;
+}
+
+double LevelSelector::toleranceOf(const SelectableObject& object, double gain) const
+{
+    const double depth = glm::length(object.sphere.centre - _view.eyeWorld) - object.sphere.radius;
+    return tolerableError(object.settings->tolerancePx, _view.guaranteedPixelsPerTangent * gain,
+                          std::max(depth, _view.nearM), object.metresPerUnit);
+}
+
+double LevelSelector::areaPx(const SelectableObject& object) const
+{
+    switch (object.settings->method)
+    {
+    case SelectionMethod::boxArea: return boxAreaPx(_view, object.box);
+    case SelectionMethod::ellipsoidArea: return ellipsoidAreaPx(_view, Ellipsoid::within(object.box));
+    case SelectionMethod::facingArea:
+        return facingAreaPx(_view, object.sphere, *object.facing, object.box.axes, object.metresPerUnit);
+    default: return sphereAreaPx(_view, object.sphere);
+    }
+}
+
+Selection LevelSelector::byArea(const SelectableObject& object, double gain, HeldLevel& held) const
+{
+    const SelectionSettings& settings = *object.settings;
+    const double area = areaPx(object);
+    held.level = areaRowAt(settings.areaRows, area * gain * gain, settings.band, held);
+    Selection selection{settings.areaRows.steps[held.level]};
+    if (area == kFullArea) selection.reason = SelectionReason::fullArea;
+    return selection;
+}
+
+Selection LevelSelector::byRemoval(const SelectableObject& object, double distanceM, HeldLevel& held) const
+{
+    const SelectionSettings& settings = *object.settings;
+    const LevelTable& table = *object.table;
+    // The default is that of this view's pixels: in its metres first, then in the author's, as the distance is.
+    const double reference =
+        settings.referenceM > 0.0
+            ? settings.referenceM
+            : _view.distanceScale * object.metresPerUnit *
+                  referenceDistanceM(_view.pixelsPerTangent, table.area, table.faces.front(), settings.trianglePx);
+    const Removal removal = heldRemovalAt(reference, distanceM, table.positions, table.mostSteps(),
+                                          settings.continuousBand, held);
+    held.level = removal.steps;
+    return {removal.steps, 1.0f, removal.isClamped ? SelectionReason::clamped : SelectionReason::rule};
+}
+
+Selection LevelSelector::byMethod(const SelectableObject& object, double gain, double distanceM,
+                                  HeldLevel& held) const
+{
+    const SelectionSettings& settings = *object.settings;
+    switch (settings.method)
+    {
+    case SelectionMethod::ranges:
+        held.level = rangeAt(settings.ranges.boundariesM, distanceM);
+        return {settings.ranges.steps[held.level]};
+    case SelectionMethod::overlappingRanges:
+        held.level = overlappingRangeAt(settings.overlappingRanges, distanceM, held);
+        return {settings.overlappingRanges.steps[held.level]};
+    case SelectionMethod::continuous: return byRemoval(object, distanceM, held);
+    case SelectionMethod::screenError:
+        held.level = heldWithin(object.table->errors, toleranceOf(object, gain), settings.band, held,
+                                settings.weights);
+        return {held.level, 1.0f,
+                held.level == object.table->mostSteps() ? SelectionReason::clamped : SelectionReason::rule};
+    case SelectionMethod::budget:
+        held.level = held.isHeld() ? std::min(held.level, object.curve->last()) : 0;
+        return {object.curve->points[held.level].steps};
+    default: return byArea(object, gain, held);
+    }
+}
+
+Selection LevelSelector::select(const SelectableObject& object, HeldLevel& held) const
+{
+    const double gain = gainOf(object);
+    const double distance = distanceM(object, gain);
+    const float alpha = object.settings->alpha.alphaAt(distance);
+    if (alpha <= 0.0f)
+    {
+        held = {};
+        return {object.table->mostSteps(), 0.0f, SelectionReason::gone};
+    }
+    const HeldLevel before = held;
+    Selection selection = byMethod(object, gain, distance, held);
+    selection.alpha = alpha;
+    selection.hasSwitched = before.isHeld() && before.level != held.level;
+    return selection;
+}
+
+} // namespace osgPMObjects::core

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cassert>
+#include <numbers>
+
+#include <glm/glm.hpp>
+
+#include <osgPMObjects/core/selection/SceneSelector.h>
+
+namespace osgPMObjects::core
+{
+
+namespace
+{
+
+/// The cheapest point within a tolerance of the model's units; the last where none is.
+std::uint32_t pointWithin(const SelectableObject& object, double tolerance)
+{
+    const std::uint32_t steps = coarsestWithin(object.table->errors, tolerance, object.settings->weights);
+    const auto& points = object.curve->points;
+    const auto point =
+        std::partition_point(points.begin(), points.end(), [&](const BenefitPoint& p) { return p.steps > steps; });
+    return std::min(static_cast<std::uint32_t>(point - points.begin()), object.curve->last());
+}
+
+/// The last point that is of use: with the hysteresis of heldWithin().
+std::uint32_t finestOfUse(const SelectableObject& object, double tolerance, HeldLevel held)
+{
+    const double band = object.settings->band;
+    const bool isOfUse = held.isHeld() && held.level >= pointWithin(object, tolerance) &&
+                         held.level <= pointWithin(object, tolerance / (band * band));
+    return isOfUse ? held.level : pointWithin(object, tolerance / band);
+}
+
+double sizePx(const SelectionView& view, const BoundingSphere& sphere)
+{
+    const double distance = std::max(glm::length(sphere.centre - view.eyeWorld), sphere.radius + view.nearM);
+    const double radius = sphere.radius / distance;
+    return std::numbers::pi * view.pixelsPerTangentArea * radius * radius;
+}
+
+} // namespace
+
+void SceneSelector::add(const LevelSelector& selector, const SelectableObject& object, HeldLevel held,
+                        std::uint32_t number)
+{
+    const double gain = selector.gainOf(object);
+    _budgeted.push_back({object.curve, sizePx(selector.view(), object.sphere) * gain * gain,
+                         finestOfUse(object, selector.toleranceOf(object, gain), held)});
+    _points.push_back(held.isHeld() ? held.level : 0);
+    _numbers.push_back(number);
+}
+
+SelectionStatistics SceneSelector::select(const LevelSelector& selector, std::span<const SelectableObject> objects,
+                                          std::span<HeldLevel> held, std::span<Selection> selections,
+                                          const SceneBudgetSettings& settings)
+{
+    assert(held.size() == objects.size() && selections.size() == objects.size());
+    SelectionStatistics statistics;
+    _budgeted.clear();
+    _points.clear();
+    _numbers.clear();
+    std::uint64_t spent = 0; // by those with a rule of their own
+    for (std::uint32_t i = 0; i < objects.size(); ++i)
+    {
+        const SelectableObject& object = objects[i];
+        const HeldLevel before = held[i];
+        selections[i] = selector.select(object, held[i]);
+        const bool isGone = selections[i].reason == SelectionReason::gone;
+        if (object.settings->method == SelectionMethod::budget && !isGone)
+        {
+            add(selector, object, before, i);
+            held[i] = before;
+            continue;
+        }
+        const LevelTable& table = *object.table;
+        const std::uint32_t steps = selections[i].steps, triangles = table.faces[steps];
+        statistics.of(object.settings->method).count(selections[i], triangles);
+        if (!isGone)
+            spent += settings.cost.of(triangles, table.positions > steps ? table.positions - steps : 0);
+    }
+
+    statistics.budget =
+        _budget.choose(_budgeted, _points, settings.budget - std::min(settings.budget, spent), settings.band);
+    statistics.budget.fits &= spent <= settings.budget;
+    for (std::size_t i = 0; i < _numbers.size(); ++i)
+    {
+        HeldLevel& level = held[_numbers[i]];
+        Selection& selection = selections[_numbers[i]];
+        const SelectableObject& object = objects[_numbers[i]];
+        selection.hasSwitched = level.isHeld() && level.level != _points[i];
+        level.level = _points[i];
+        selection.steps = object.curve->points[_points[i]].steps;
+        statistics.of(SelectionMethod::budget).count(selection, object.table->faces[selection.steps]);
+    }
+    return statistics;
+}
+
+} // namespace osgPMObjects::core
