@@ -28,10 +28,9 @@ BenefitCurve BenefitCurve::of(const LevelTable& table, double radius, const Cost
     const auto accuracy = [&](std::uint32_t steps)
     { return 1.0 - std::min(1.0, errorOf(table.errors[steps], weights) / radius); };
     const double least = accuracy(table.mostSteps());
-    const double ratio = std::pow(static_cast<double>(table.faces.back()) / table.faces.front(),
-                                  1.0 / std::max(1u, levels - 1));
+    double faces = table.faces[coarsestWithin(table.errors, 0.0, weights)];
+    const double ratio = std::pow(table.faces.back() / faces, 1.0 / std::max(1u, levels - 1));
     std::vector<BenefitPoint> points;
-    double faces = table.faces.front();
     for (std::uint32_t i = 0; i < levels; ++i, faces *= ratio)
     {
         const bool isLast = i + 1 == levels;

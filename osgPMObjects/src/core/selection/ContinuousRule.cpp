@@ -14,9 +14,10 @@ double referenceDistanceM(double pixelsPerTangent, double area, std::uint32_t fa
 Removal removalAt(double referenceM, double distanceM, std::uint32_t positions, std::uint32_t mostSteps)
 {
     if (!(distanceM > referenceM) || positions < 3) return {};
-    const double ratio = referenceM / distanceM;
-    // Below 2³², as positions are; half a position and more is one.
-    const auto removed = static_cast<std::uint32_t>(std::floor((positions - 2.0) * (1.0 - ratio * ratio) + 0.5));
+    // Divided last, so that halves of a position are halves; T is below 2³², as positions are.
+    const double squares = (distanceM - referenceM) * (distanceM + referenceM);
+    const double wanted = (positions - 2.0) * squares / (distanceM * distanceM);
+    const auto removed = static_cast<std::uint32_t>(std::floor(wanted + 0.5));
     return removed > mostSteps ? Removal{mostSteps, true} : Removal{removed, false};
 }
 

@@ -16,7 +16,7 @@ namespace osgPMObjects::core
 /// What all objects of a scene may cost together.
 struct SceneBudgetSettings
 {
-    CostModel cost;
+    CostModel cost{};
     std::uint64_t budget = std::numeric_limits<std::uint64_t>::max(); ///< in the unit of the cost
     double band = SceneBudget::kDefaultBand;
 };
