@@ -77,10 +77,10 @@ double mostBenefit(const Scene& scene, std::uint64_t budget)
         const std::uint32_t last = std::min(object.finest, object.curve->last());
         for (std::uint32_t point = 0; point <= last; ++point)
         {
-            const auto& [steps, cost, gain] = object.curve->points[point];
-            for (std::uint64_t before = 0; before + cost <= budget; ++before)
+            const BenefitPoint& p = object.curve->points[point];
+            for (std::uint64_t before = 0; before + p.cost <= budget; ++before)
                 if (best[before] != kNone)
-                    next[before + cost] = std::max(next[before + cost], best[before] + gain * object.weight);
+                    next[before + p.cost] = std::max(next[before + p.cost], best[before] + p.gain * object.weight);
         }
         best = std::move(next);
     }

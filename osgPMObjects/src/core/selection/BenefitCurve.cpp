@@ -39,7 +39,8 @@ BenefitCurve BenefitCurve::of(const LevelTable& table, double radius, const Cost
         const auto steps = isLast ? table.mostSteps()
                                   : std::min(table.mostSteps(), static_cast<std::uint32_t>(level - table.faces.begin()));
         const std::uint32_t vertices = table.positions > steps ? table.positions - steps : 0;
-        points.push_back({steps, cost.of(table.faces[steps], vertices), accuracy(steps) - least});
+        points.push_back({steps, cost.of(table.faces[steps], vertices), accuracy(steps) - least,
+                          errorOf(table.errors[steps], weights)});
     }
     return hullOf(std::move(points));
 }

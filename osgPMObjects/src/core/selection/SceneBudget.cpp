@@ -45,11 +45,9 @@ void SceneBudget::begin()
         assert(_objects[object].weight >= 0.0);
         _points[object] = std::min(_points[object], last(object));
         _result.cost += _objects[object].curve->points[_points[object]].cost;
-        if (_points[object] < last(object)) _finer.add(finerOffer(object));
-        if (_points[object] > 0) _coarser.add(coarserOffer(object));
+        if (_points[object] < last(object)) _finer.push(finerOffer(object));
+        if (_points[object] > 0) _coarser.push(coarserOffer(object));
     }
-    _finer.order();
-    _coarser.order();
 }
 
 void SceneBudget::refine(std::uint32_t object)

@@ -13,23 +13,20 @@ namespace osgPMObjects::core
 namespace
 {
 
-/// The cheapest point within a tolerance of the model's units; the last where none is.
-std::uint32_t pointWithin(const SelectableObject& object, double tolerance)
+/// The last point that is of use, the cheapest within a tolerance in the model's units: with the hysteresis of heldWithin(),
+/// the finer end coming last here.
+std::uint32_t finestOfUse(const BenefitCurve& curve, double tolerance, double band, HeldLevel held)
 {
-    const std::uint32_t steps = coarsestWithin(object.table->errors, tolerance, object.settings->weights);
-    const auto& points = object.curve->points;
-    const auto point =
-        std::partition_point(points.begin(), points.end(), [&](const BenefitPoint& p) { return p.steps > steps; });
-    return std::min(static_cast<std::uint32_t>(point - points.begin()), object.curve->last());
-}
-
-/// The last point that is of use: with the hysteresis of heldWithin().
-std::uint32_t finestOfUse(const SelectableObject& object, double tolerance, HeldLevel held)
-{
-    const double band = object.settings->band;
-    const bool isOfUse = held.isHeld() && held.level >= pointWithin(object, tolerance) &&
-                         held.level <= pointWithin(object, tolerance / (band * band));
-    return isOfUse ? held.level : pointWithin(object, tolerance / band);
+    const auto& points = curve.points;
+    if (held.level <= curve.last())
+    {
+        const bool isWithin = held.level == curve.last() || points[held.level].error <= tolerance;
+        const bool isNeeded = held.level == 0 || points[held.level - 1].error > tolerance / (band * band);
+        if (isWithin && isNeeded) return held.level;
+    }
+    const auto point = std::partition_point(points.begin(), points.end(), [&](const BenefitPoint& p)
+                                            { return p.error > tolerance / band; });
+    return std::min(static_cast<std::uint32_t>(point - points.begin()), curve.last());
 }
 
 double sizePx(const SelectionView& view, const BoundingSphere& sphere)
@@ -46,7 +43,8 @@ void SceneSelector::add(const LevelSelector& selector, const SelectableObject& o
 {
     const double gain = selector.gainOf(object);
     _budgeted.push_back({object.curve, sizePx(selector.view(), object.sphere) * gain * gain,
-                         finestOfUse(object, selector.toleranceOf(object, gain), held)});
+                         finestOfUse(*object.curve, selector.toleranceOf(object, gain),
+                                     object.settings->band, held)});
     _points.push_back(held.isHeld() ? held.level : 0);
     _numbers.push_back(number);
 }

@@ -23,26 +23,30 @@ template<bool finer>
 class OfferHeap
 {
 public:
-    void clear() { _offers.clear(); }
+    void clear()
+    {
+        _offers.clear();
+        _isOrdered = false;
+    }
 
-    /// Before order(), which a run of these needs after it.
-    void add(const Offer& offer) { _offers.push_back(offer); }
-    void order() { std::make_heap(_offers.begin(), _offers.end(), isAfter); }
-
+    /// Cost: constant until the first question for the top, which orders all; then log n.
     void push(const Offer& offer)
     {
         _offers.push_back(offer);
-        std::push_heap(_offers.begin(), _offers.end(), isAfter);
+        if (_isOrdered) std::push_heap(_offers.begin(), _offers.end(), isAfter);
     }
 
     /// The best that stands, or null. `points`: by object, where each is now.
     const Offer* top(std::span<const std::uint32_t> points)
     {
+        if (!_isOrdered) std::make_heap(_offers.begin(), _offers.end(), isAfter);
+        _isOrdered = true;
         while (!_offers.empty() && _offers.front().point != points[_offers.front().object])
             pop();
         return _offers.empty() ? nullptr : &_offers.front();
     }
 
+    /// After top().
     void pop()
     {
         std::pop_heap(_offers.begin(), _offers.end(), isAfter);
@@ -54,7 +58,7 @@ public:
     void drop(const IsHopeless& isHopeless)
     {
         std::erase_if(_offers, isHopeless);
-        order();
+        _isOrdered = false;
     }
 
 private:
@@ -65,6 +69,7 @@ private:
     }
 
     std::vector<Offer> _offers;
+    bool _isOrdered = false;
 };
 
 } // namespace osgPMObjects::core
