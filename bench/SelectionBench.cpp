@@ -3,7 +3,6 @@
 #include <memory>
 
 #include <benchmark/benchmark.h>
-
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <osgPMObjects/core/selection/SceneSelector.h>
@@ -97,8 +96,8 @@ void rule(benchmark::State& state, SelectionMethod method)
             field.selections[i] = selector.select(field.objects[i], field.held[i]);
         benchmark::ClobberMemory();
     }
-    state.counters["ns_an_object"] =
-        benchmark::Counter(1e-9 * kObjects, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+    state.counters["ns_an_object"] = benchmark::Counter(
+        1e-9 * kObjects, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 BENCHMARK_CAPTURE(rule, ranges, SelectionMethod::ranges)->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(rule, overlapping, SelectionMethod::overlappingRanges)->Unit(benchmark::kMicrosecond);
@@ -145,8 +144,8 @@ void switching(benchmark::State& state)
         for (std::uint32_t i = 0; i < kObjects; ++i)
             benchmark::DoNotOptimize(advanceSwitch(states[i], target + i % 3, 1.0f / 30.0f, 1.0f, i, {}));
     }
-    state.counters["ns_an_object"] =
-        benchmark::Counter(1e-9 * kObjects, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+    state.counters["ns_an_object"] = benchmark::Counter(
+        1e-9 * kObjects, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 BENCHMARK(switching)->Unit(benchmark::kMicrosecond);
 

@@ -109,7 +109,8 @@ TEST(BoxArea, OfACubeAheadByHand)
     // 720 pixels are 40 degrees: K = 360 / tan 20°. A front side of 2 × 2 m, 9 m away.
     const auto view = SelectionView::from(testsupport::viewTo({0, -10, 0}, {0, 0, 0}));
     const double side = 360.0 / std::tan(glm::radians(20.0)) * 2.0 / 9.0;
-    EXPECT_NEAR(boxAreaPx(view, {glm::dvec3(0), glm::dmat3(1), glm::dvec3(1)}), side * side, 1e-9 * side * side);
+    EXPECT_NEAR(boxAreaPx(view, {glm::dvec3(0), glm::dmat3(1), glm::dvec3(1)}), side * side,
+                1e-9 * side * side);
 }
 
 TEST(BoxArea, IsThatOfTheHullOfTheProjectedCorners)
@@ -176,8 +177,9 @@ TEST(BoxOutlines, ASingleWrongCornerInAnyRegionIsFound)
 TEST(BoxArea, IsFullWithACornerBeforeTheNearPlaneOrTheEyeInside)
 {
     const OrientedBox cube{glm::dvec3(0), glm::dmat3(1), glm::dvec3(1)};
-    const auto at = [&](double y)
-    { return boxAreaPx(SelectionView::from(testsupport::viewTo({0, y, 0}, {0, 10, 0})), cube); };
+    const auto at = [&](double y) {
+        return boxAreaPx(SelectionView::from(testsupport::viewTo({0, y, 0}, {0, 10, 0})), cube);
+    };
     EXPECT_LT(at(-1.11), kFullArea);
     EXPECT_EQ(at(-1.09), kFullArea); // near is 0.1 m
     EXPECT_EQ(at(0.0), kFullArea);

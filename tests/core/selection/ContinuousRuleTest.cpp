@@ -10,6 +10,7 @@
 
 #include "ClosedMeshes.h"
 #include "SelectionScenes.h"
+#include "SimplifyMeshes.h"
 
 namespace
 {
@@ -31,7 +32,8 @@ bool isThePapersFormula(const Rule& rule)
     for (const std::uint32_t positions : {3u, 4u, 100u, 1002u, 34'834u, 1'000'003u})
         for (std::uint64_t p : {1u, 700u, 997u})
             for (std::uint64_t q = 1; q < 20'000; q += 1 + q / 500)
-                if (rule(static_cast<double>(p), static_cast<double>(q), positions) != exactly(positions, p, q))
+                if (rule(static_cast<double>(p), static_cast<double>(q), positions) !=
+                    exactly(positions, p, q))
                     return false;
     return true;
 }
@@ -87,24 +89,37 @@ std::size_t drawnPositions(const Mesh& level)
     return used.size();
 }
 
-TEST(ContinuousRule, DrawnPositionsAreVLessT)
+/// At how many of the levels that a sweep of distances meets the drawn positions are not V - T, and how many there are; when
+/// `tooMany` steps more are made than the rule says.
+std::pair<int, int> levelsThatAreOff(const Mesh& mesh, std::uint32_t tooMany)
 {
-    const Mesh ball = testsupport::ball(9, 20);
-    const CollapseSequence sequence = simplify(ball);
-    const LevelTable table = LevelTable::of(ball, sequence);
-    ASSERT_TRUE(isLevelTable(table));
-    ASSERT_EQ(table.positions, 182u);
+    const CollapseSequence sequence = simplify(mesh);
+    const LevelTable table = LevelTable::of(mesh, sequence);
+    EXPECT_TRUE(isLevelTable(table));
     std::set<std::uint32_t> met;
+    int off = 0;
     const double z1 = referenceDistanceM(1000.0, table.area, table.faces.front());
     for (double z = 0.5 * z1; z < 20.0 * z1; z *= 1.002)
     {
         const Removal removal = removalAt(z1, z, table.positions, table.mostSteps());
         if (!met.insert(removal.steps).second) continue;
-        const Mesh level = meshAfter(ball, sequence, removal.steps);
-        EXPECT_EQ(drawnPositions(level), table.positions - removal.steps) << z;
-        EXPECT_EQ(level.faces.size(), table.faces[removal.steps]);
+        const Mesh level = meshAfter(mesh, sequence, removal.steps + tooMany);
+        EXPECT_TRUE(tooMany > 0 || level.faces.size() == table.faces[removal.steps]);
+        off += drawnPositions(level) != table.positions - removal.steps;
     }
-    EXPECT_GT(met.size(), 150u);
+    return {off, static_cast<int>(met.size())};
+}
+
+TEST(ContinuousRule, DrawnPositionsAreVLessT)
+{
+    for (const Mesh& mesh : {testsupport::ball(9, 20), testsupport::torus(16, 12), testsupport::waves(14, 12),
+                             testsupport::faceSoup(1, 200, 500)})
+    {
+        const auto [off, levels] = levelsThatAreOff(mesh, 0);
+        EXPECT_EQ(off, 0) << "of " << levels;
+        EXPECT_GT(levels, 140);
+        EXPECT_GT(levelsThatAreOff(mesh, 1).first, 140); // one step too many is found
+    }
 }
 
 TEST(ContinuousRule, ReferenceIsWhereAMeanEdgeIsOneAndAHalfPixels)
@@ -122,14 +137,14 @@ TEST(ContinuousRule, WithABandIsCalmAndNeverCoarserThanTheFormula)
     for (const double middle : {12.0, 30.0, 100.0, 400.0})
     {
         HeldLevel held;
-        const auto level = [&](double band)
-        {
+        const auto level = [&](double band) {
             return [&, band](double d)
             { return held.level = heldRemovalAt(10.0, d, 1000, 996, band, held).steps; };
         };
         EXPECT_LE(testsupport::switchesWhileTrembling(middle, 0.05, 5, level(kDefaultBand)), 1);
         EXPECT_LE(testsupport::switchesWhileWalking(random, middle, 0.05, 1000, level(kDefaultBand)), 1);
-        mostWithLess = std::max(mostWithLess, testsupport::switchesWhileTrembling(middle, 0.05, 5, level(1.05)));
+        mostWithLess =
+            std::max(mostWithLess, testsupport::switchesWhileTrembling(middle, 0.05, 5, level(1.05)));
     }
     EXPECT_GT(mostWithLess, 1);
     HeldLevel held;

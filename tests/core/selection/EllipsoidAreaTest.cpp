@@ -23,7 +23,8 @@ double sampledArea(const viewlod::ViewState& view, const Ellipsoid& ellipsoid)
     const glm::dvec3 eye = glm::inverse(ellipsoid.halfAxes) * (view.eyeWorld - ellipsoid.centre);
     const double distance = glm::length(eye);
     const glm::dvec3 z = eye / distance;
-    const glm::dvec3 x = glm::normalize(glm::cross(z, std::abs(z.x) > 0.5 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0)));
+    const glm::dvec3 x =
+        glm::normalize(glm::cross(z, std::abs(z.x) > 0.5 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0)));
     const glm::dvec3 y = glm::cross(z, x);
     const double height = 1.0 / distance, radius = std::sqrt(1.0 - height * height);
     constexpr int kSamples = 20'000;
@@ -92,7 +93,8 @@ TEST(EllipsoidArea, ContainsMonteCarloPointsAsTheyFall)
     int hits = 0;
     for (int i = 0; i < kPoints; ++i)
     {
-        const glm::dvec4 p = worldFromClip * glm::dvec4(testsupport::between(random, -1, 1), testsupport::between(random, -1, 1), 0.5, 1);
+        const glm::dvec4 p = worldFromClip * glm::dvec4(testsupport::between(random, -1, 1),
+                                                        testsupport::between(random, -1, 1), 0.5, 1);
         const glm::dvec3 o = glm::inverse(e.halfAxes) * view.eyeWorld;
         const glm::dvec3 d = glm::inverse(e.halfAxes) * (glm::dvec3(p) / p.w - view.eyeWorld);
         const double b = glm::dot(o, d);
@@ -106,7 +108,8 @@ TEST(EllipsoidArea, OfAFlatOneIsThatOfItsDisc)
 {
     const auto view = SelectionView::from(testsupport::viewTo({0, -10, 0}, {0, 0, 0}));
     const double k = view.pixelsPerTangent * 0.1;
-    EXPECT_NEAR(ellipsoidAreaPx(view, {{0, 0, 0}, {{1, 0, 0}, {0, 0, 0}, {0, 0, 2}}}), std::numbers::pi * k * k * 2, 1e-6);
+    EXPECT_NEAR(ellipsoidAreaPx(view, {{0, 0, 0}, {{1, 0, 0}, {0, 0, 0}, {0, 0, 2}}}),
+                std::numbers::pi * k * k * 2, 1e-6);
 }
 
 TEST(SphereArea, IsTheEllipsoidsOfEqualHalfAxes)

@@ -49,8 +49,10 @@ TEST(FacingArea, OfABallIsThePapersSumWithinATenthAndNeverMore)
     Random random(7);
     for (int i = 0; i < 200; ++i)
     {
-        const auto view = SelectionView::from(testsupport::viewTo(25.0 * testsupport::direction(random), glm::dvec3(0)));
-        const double ratio = facingAreaPx(view, {{}, 1.0}, bins, glm::dmat3(1), 1.0) / byFaces(view, {{}, 1.0}, ball);
+        const auto view =
+            SelectionView::from(testsupport::viewTo(25.0 * testsupport::direction(random), glm::dvec3(0)));
+        const double ratio =
+            facingAreaPx(view, {{}, 1.0}, bins, glm::dmat3(1), 1.0) / byFaces(view, {{}, 1.0}, ball);
         EXPECT_LT(ratio, 1.0 + 1e-6);
         EXPECT_GT(ratio, 0.9);
     }
@@ -62,7 +64,8 @@ TEST(FacingArea, OfASignVanishesAtItsEdgeAndBehindWhereABoxStays)
     const FacingBins bins = facingBinsOf(sign);
     const auto at = [&](const glm::dvec3& eye)
     {
-        return facingAreaPx(SelectionView::from(testsupport::viewTo(eye, glm::dvec3(0))), {{}, 3.0}, bins, glm::dmat3(1), 1.0);
+        return facingAreaPx(SelectionView::from(testsupport::viewTo(eye, glm::dvec3(0))), {{}, 3.0}, bins,
+                            glm::dmat3(1), 1.0);
     };
     EXPECT_GT(at({0, 0, 20}), 100.0);
     EXPECT_NEAR(at({20, 0, 0}), 0.0, 1e-3);
@@ -81,7 +84,9 @@ TEST(FacingArea, TurnsAndGrowsWithItsObject)
     for (glm::dvec3& p : turned.positions)
         p = turn * (p - 1.0) * 2.5;
     const auto view = SelectionView::from(testsupport::viewTo({30, 20, 10}, glm::dvec3(0)));
-    EXPECT_NEAR(facingAreaPx(view, {{}, 4.4}, facingBinsOf(cube), turn, 2.5) / byFaces(view, {{}, 4.4}, turned), 1.0, 1e-5);
+    EXPECT_NEAR(facingAreaPx(view, {{}, 4.4}, facingBinsOf(cube), turn, 2.5) /
+                    byFaces(view, {{}, 4.4}, turned),
+                1.0, 1e-5);
     // Bins about other axes: the cube's sides then fall between them, but no more is seen than before.
     const double other = facingAreaPx(view, {{}, 4.4}, facingBinsOf(cube, axes), turn * axes, 2.5);
     EXPECT_NEAR(other / byFaces(view, {{}, 4.4}, turned), 1.0, 1e-5);

@@ -44,7 +44,8 @@ struct Fixture
         const auto view = testsupport::viewTo({0, -distance, 0}, {0, 0, 0}, highDeg);
         return LevelSelector(SelectionView::from(view, magnification, reference)).select(object, held);
     }
-    Selection at(double distance, double magnification = 1.0, double reference = 0.0, double highDeg = 40.0) const
+    Selection at(double distance, double magnification = 1.0, double reference = 0.0,
+                 double highDeg = 40.0) const
     {
         HeldLevel none;
         return at(distance, none, magnification, reference, highDeg);
@@ -197,7 +198,8 @@ TEST(LevelSelector, IsFinestAndSaysSoWhereTheNearPlaneCuts)
 
 TEST(LevelSelector, TurningTheCameraChangesNoLevelByDistanceOrError)
 {
-    for (const SelectionMethod method : {SelectionMethod::ranges, SelectionMethod::continuous, SelectionMethod::screenError})
+    for (const SelectionMethod method :
+         {SelectionMethod::ranges, SelectionMethod::continuous, SelectionMethod::screenError})
     {
         const Fixture fixture(method);
         const auto looking = [&](const glm::dvec3& at)
@@ -226,10 +228,14 @@ TEST(SelectionSettings, ThatCannotChooseAreToldWithWhatIsWrong)
     EXPECT_TRUE(isRefused([](SelectionSettings& s) { s.band = 0.9; }));
     EXPECT_TRUE(isRefused([](SelectionSettings& s) { s.tolerancePx = std::nan(""); }));
     EXPECT_TRUE(isRefused([](SelectionSettings& s) { s.alpha = {200.0, 100.0}; }));
-    EXPECT_TRUE(isRefused([](SelectionSettings& s) { s.method = SelectionMethod::overlappingRanges, s.overlappingRanges.boundaries[0].farM = 1.0; }));
-    EXPECT_TRUE(isRefused([](SelectionSettings& s) { s.method = SelectionMethod::boxArea, s.areaRows = {}; }));
+    EXPECT_TRUE(isRefused(
+        [](SelectionSettings& s)
+        { s.method = SelectionMethod::overlappingRanges, s.overlappingRanges.boundaries[0].farM = 1.0; }));
+    EXPECT_TRUE(
+        isRefused([](SelectionSettings& s) { s.method = SelectionMethod::boxArea, s.areaRows = {}; }));
     // What the method does not look at does not matter.
-    EXPECT_FALSE(isRefused([](SelectionSettings& s) { s.method = SelectionMethod::screenError, s.ranges = {}; }));
+    EXPECT_FALSE(
+        isRefused([](SelectionSettings& s) { s.method = SelectionMethod::screenError, s.ranges = {}; }));
 }
 
 } // namespace

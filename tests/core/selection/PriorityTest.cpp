@@ -21,7 +21,8 @@ TEST(Priority, IsImportanceTimesAttention)
 
 TEST(Priority, FallsWithTheAngleFromTheGaze)
 {
-    const AttentionRule rule{.peripheralGain = 0.4, .gazeInnerDeg = 10.0, .gazeOuterDeg = 30.0, .gaze = {0, 1, 0}};
+    const AttentionRule rule{
+        .peripheralGain = 0.4, .gazeInnerDeg = 10.0, .gazeOuterDeg = 30.0, .gaze = {0, 1, 0}};
     const auto at = [&](double offDeg, double radius = 0.0)
     {
         const double off = glm::radians(offDeg);
@@ -40,7 +41,8 @@ TEST(Priority, FallsWithTheAngleFromTheGaze)
 
 TEST(Priority, AGazeWithoutASlopeIsAStep)
 {
-    const AttentionRule rule{.peripheralGain = 0.5, .gazeInnerDeg = 10.0, .gazeOuterDeg = 10.0, .gaze = {0, 1, 0}};
+    const AttentionRule rule{
+        .peripheralGain = 0.5, .gazeInnerDeg = 10.0, .gazeOuterDeg = 10.0, .gaze = {0, 1, 0}};
     EXPECT_EQ(priorityGain({}, rule, {}, kAhead), 1.0);
     EXPECT_EQ(priorityGain({}, rule, {}, {{100, 0, 0}, 1.0}), 0.5);
 }

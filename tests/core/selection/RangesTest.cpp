@@ -74,7 +74,8 @@ int mostSwitches(std::span<const double> boundaries, const Row& row)
                 HeldLevel held{start};
                 const auto level = [&](double d) { return held.level = row(d, held); };
                 most = std::max(most, testsupport::switchesWhileTrembling(boundary * offset, 0.05, 5, level));
-                most = std::max(most, testsupport::switchesWhileWalking(random, boundary * offset, 0.05, 400, level));
+                most = std::max(
+                    most, testsupport::switchesWhileWalking(random, boundary * offset, 0.05, 400, level));
             }
     return most;
 }
@@ -141,8 +142,8 @@ TEST(AreaRows, SwitchAtMostOnceWhileTheDistanceTremblesByFivePerCent)
     const AreaRows rows{{1e6 / 100, 1e6 / 400, 1e6 / 1600, 1e6 / 8100}, {0, 1, 2, 3, 4}};
     const auto with = [&](double band)
     {
-        return mostSwitches(kRanges.boundariesM,
-                            [&, band](double d, HeldLevel held) { return areaRowAt(rows, 1e6 / (d * d), band, held); });
+        return mostSwitches(kRanges.boundariesM, [&, band](double d, HeldLevel held)
+                            { return areaRowAt(rows, 1e6 / (d * d), band, held); });
     };
     EXPECT_EQ(with(kDefaultBand), 1);
     EXPECT_GT(with(1.0), 1);

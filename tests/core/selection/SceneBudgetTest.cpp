@@ -37,7 +37,8 @@ struct Scene
     std::uint64_t coarsest() const
     {
         return std::accumulate(objects.begin(), objects.end(), std::uint64_t{0},
-                               [](std::uint64_t sum, const BudgetedObject& o) { return sum + o.curve->points[0].cost; });
+                               [](std::uint64_t sum, const BudgetedObject& o)
+                               { return sum + o.curve->points[0].cost; });
     }
     std::uint64_t finest() const
     {
@@ -58,7 +59,8 @@ Scene scene(Random& random, std::size_t objects, std::uint32_t levels, std::uint
         made.curves.push_back(BenefitCurve::hullOf(points));
     }
     for (std::size_t i = 0; i < objects; ++i)
-        made.objects.push_back({nullptr, 0.1 + 10.0 * random.unit() * random.unit(), random.below(levels + 2)});
+        made.objects.push_back(
+            {nullptr, 0.1 + 10.0 * random.unit() * random.unit(), random.below(levels + 2)});
     for (BudgetedObject& object : made.objects)
         object.curve = &made.curves[random.below(5)];
     made.points.assign(objects, 0);
@@ -80,7 +82,8 @@ double mostBenefit(const Scene& scene, std::uint64_t budget)
             const BenefitPoint& p = object.curve->points[point];
             for (std::uint64_t before = 0; before + p.cost <= budget; ++before)
                 if (best[before] != kNone)
-                    next[before + p.cost] = std::max(next[before + p.cost], best[before] + p.gain * object.weight);
+                    next[before + p.cost] =
+                        std::max(next[before + p.cost], best[before] + p.gain * object.weight);
         }
         best = std::move(next);
     }
@@ -162,8 +165,9 @@ double worstShortfall(double band, const Choose& choose)
             EXPECT_EQ(result.cost, small.cost());
             EXPECT_NEAR(result.benefit, small.benefit(), 1e-9);
             const double most = mostBenefit(small, money);
-            const double promised = result.refusedRate * (static_cast<double>(dearestStep(small)) +
-                                                          static_cast<double>(result.cost) * (1.0 - 1.0 / band));
+            const double promised =
+                result.refusedRate * (static_cast<double>(dearestStep(small)) +
+                                      static_cast<double>(result.cost) * (1.0 - 1.0 / band));
             EXPECT_LE(small.benefit(), most + 1e-9);
             worst = std::max(worst, (most - small.benefit() - 1e-9) / std::max(promised, 1e-12));
             for (BudgetedObject& object : small.objects)
@@ -187,8 +191,8 @@ TEST(SceneBudget, IsWithinOneStepOfTheBestOnSmallScenes)
 TEST(SceneBudget, TheBestTellsAChoiceInTheWrongOrder)
 {
     EXPECT_GT(worstShortfall(1.0,
-                             [](SceneBudget& budget, Scene& scene, std::uint64_t money, double band)
-                             { // as if every object were worth the same
+                             [](SceneBudget& budget, Scene& scene, std::uint64_t money,
+                                double band) { // as if every object were worth the same
                                  auto equal = scene.objects;
                                  for (BudgetedObject& object : equal)
                                      object.weight = 1.0;
@@ -257,7 +261,8 @@ TEST(SceneBudget, NeverExceedsTheBudgetAndIsAtRestWhenNothingMoves)
     SceneBudget budget;
     for (const double share : {1.5, 0.6, 0.2, 0.05, 0.4, 0.0})
     {
-        const auto money = large.coarsest() + static_cast<std::uint64_t>(share * (large.finest() - large.coarsest()));
+        const auto money =
+            large.coarsest() + static_cast<std::uint64_t>(share * (large.finest() - large.coarsest()));
         const BudgetResult first = budget.choose(large.objects, large.points, money);
         EXPECT_TRUE(first.fits);
         EXPECT_LE(large.cost(), money);

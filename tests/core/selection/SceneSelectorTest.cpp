@@ -41,7 +41,8 @@ struct Field
         for (std::size_t i = 0; i < count; ++i)
         {
             SelectableObject object;
-            object.sphere = {{testsupport::between(random, -500, 500), testsupport::between(random, 20, 900), 0.0}, 1.0};
+            object.sphere = {
+                {testsupport::between(random, -500, 500), testsupport::between(random, 20, 900), 0.0}, 1.0};
             object.box = {object.sphere.centre, testsupport::rotation(random), glm::dvec3(0.577)};
             object.table = &table;
             object.curve = &curve;

@@ -60,7 +60,8 @@ int mostSwitches(const std::vector<LevelError>& errors, double band)
         for (const double cameFrom : {0.5, 0.9, 0.93, 1.0, 1.07, 1.1, 2.0})
         {
             HeldLevel held;
-            const auto level = [&](double d) { return held.level = heldWithin(errors, d * 1e-5, band, held); };
+            const auto level = [&](double d)
+            { return held.level = heldWithin(errors, d * 1e-5, band, held); };
             level(cameFrom * distance);
             most = std::max(most, testsupport::switchesWhileTrembling(distance, 0.05, 4, level));
             most = std::max(most, testsupport::switchesWhileWalking(random, distance, 0.05, 100, level));
@@ -70,7 +71,7 @@ int mostSwitches(const std::vector<LevelError>& errors, double band)
 
 TEST(ScreenErrorRule, SwitchesAtMostOnceWhileTheDistanceTremblesByFivePerCent)
 {
-    const auto smooth = testsupport::levelTable(500).errors; // many small steps
+    const auto smooth = testsupport::levelTable(500).errors;                  // many small steps
     const auto rough = errorsOf({0.0f, 1e-4f, 1e-3f, 1.1e-3f, 5e-3f, 2e-2f}); // some large ones
     for (const auto& errors : {smooth, rough})
     {

@@ -13,8 +13,6 @@
 #include <osgPMObjects/core/selection/BoundingVolumes.h>
 #include <osgPMObjects/core/selection/LevelTable.h>
 
-
-
 #include "Random.h"
 
 namespace testsupport

@@ -34,10 +34,11 @@ BenefitCurve BenefitCurve::of(const LevelTable& table, double radius, const Cost
     for (std::uint32_t i = 0; i < levels; ++i, faces *= ratio)
     {
         const bool isLast = i + 1 == levels;
-        const auto level =
-            std::partition_point(table.faces.begin(), table.faces.end(), [&](std::uint32_t f) { return f > faces; });
-        const auto steps = isLast ? table.mostSteps()
-                                  : std::min(table.mostSteps(), static_cast<std::uint32_t>(level - table.faces.begin()));
+        const auto level = std::partition_point(table.faces.begin(), table.faces.end(),
+                                                [&](std::uint32_t f) { return f > faces; });
+        const auto steps =
+            isLast ? table.mostSteps()
+                   : std::min(table.mostSteps(), static_cast<std::uint32_t>(level - table.faces.begin()));
         const std::uint32_t vertices = table.positions > steps ? table.positions - steps : 0;
         points.push_back({steps, cost.of(table.faces[steps], vertices), accuracy(steps) - least,
                           errorOf(table.errors[steps], weights)});
@@ -47,7 +48,8 @@ BenefitCurve BenefitCurve::of(const LevelTable& table, double radius, const Cost
 
 BenefitCurve BenefitCurve::hullOf(std::vector<BenefitPoint> points)
 {
-    std::sort(points.begin(), points.end(), [](const BenefitPoint& a, const BenefitPoint& b)
+    std::sort(points.begin(), points.end(),
+              [](const BenefitPoint& a, const BenefitPoint& b)
               { return a.cost != b.cost ? a.cost < b.cost : a.gain > b.gain; });
     BenefitCurve curve;
     auto& hull = curve.points;

@@ -33,8 +33,7 @@ FacingBins facingBinsOf(const Mesh& mesh, const glm::dmat3& axes)
     for (const Face& face : mesh.faces)
     {
         const glm::dvec3& corner = mesh.at(face, 0);
-        const glm::dvec3 area =
-            0.5 * glm::cross(mesh.at(face, 1) - corner, mesh.at(face, 2) - corner) * axes;
+        const glm::dvec3 area = 0.5 * glm::cross(mesh.at(face, 1) - corner, mesh.at(face, 2) - corner) * axes;
         const auto nearest = std::max_element(toBins.begin(), toBins.end(),
                                               [&](const glm::dvec3& a, const glm::dvec3& b)
                                               { return glm::dot(a, area) < glm::dot(b, area); });

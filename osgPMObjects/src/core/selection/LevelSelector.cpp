@@ -29,11 +29,14 @@ double LevelSelector::areaPx(const SelectableObject& object) const
 {
     switch (object.settings->method)
     {
-    case SelectionMethod::boxArea: return boxAreaPx(_view, object.box);
-    case SelectionMethod::ellipsoidArea: return ellipsoidAreaPx(_view, Ellipsoid::within(object.box));
+    case SelectionMethod::boxArea:
+        return boxAreaPx(_view, object.box);
+    case SelectionMethod::ellipsoidArea:
+        return ellipsoidAreaPx(_view, Ellipsoid::within(object.box));
     case SelectionMethod::facingArea:
         return facingAreaPx(_view, object.sphere, *object.facing, object.box.axes, object.metresPerUnit);
-    default: return sphereAreaPx(_view, object.sphere);
+    default:
+        return sphereAreaPx(_view, object.sphere);
     }
 }
 
@@ -52,11 +55,11 @@ Selection LevelSelector::byRemoval(const SelectableObject& object, double distan
     const SelectionSettings& settings = *object.settings;
     const LevelTable& table = *object.table;
     // The default is that of this view's pixels: in its metres first, then in the author's, as the distance is.
-    const double reference =
-        settings.referenceM > 0.0
-            ? settings.referenceM
-            : _view.distanceScale * object.metresPerUnit *
-                  referenceDistanceM(_view.pixelsPerTangent, table.area, table.faces.front(), settings.trianglePx);
+    const double reference = settings.referenceM > 0.0
+                                 ? settings.referenceM
+                                 : _view.distanceScale * object.metresPerUnit *
+                                       referenceDistanceM(_view.pixelsPerTangent, table.area,
+                                                          table.faces.front(), settings.trianglePx);
     const Removal removal = heldRemovalAt(reference, distanceM, table.positions, table.mostSteps(),
                                           settings.continuousBand, held);
     held.level = removal.steps;
@@ -75,7 +78,8 @@ Selection LevelSelector::byMethod(const SelectableObject& object, double gain, d
     case SelectionMethod::overlappingRanges:
         held.level = overlappingRangeAt(settings.overlappingRanges, distanceM, held);
         return {settings.overlappingRanges.steps[held.level]};
-    case SelectionMethod::continuous: return byRemoval(object, distanceM, held);
+    case SelectionMethod::continuous:
+        return byRemoval(object, distanceM, held);
     case SelectionMethod::screenError:
         held.level = heldWithin(object.table->errors, toleranceOf(object, gain), settings.band, held,
                                 settings.weights);
@@ -84,7 +88,8 @@ Selection LevelSelector::byMethod(const SelectableObject& object, double gain, d
     case SelectionMethod::budget:
         held.level = held.isHeld() ? std::min(held.level, object.curve->last()) : 0;
         return {object.curve->points[held.level].steps};
-    default: return byArea(object, gain, held);
+    default:
+        return byArea(object, gain, held);
     }
 }
 

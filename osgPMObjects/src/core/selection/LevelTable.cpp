@@ -35,8 +35,10 @@ bool isLevelTable(const LevelTable& table)
 {
     if (table.faces.empty() || table.faces.size() != table.errors.size()) return false;
     if (table.errors.front() != LevelError{}) return false;
-    const auto falls = [](const LevelError& a, const LevelError& b)
-    { return b.distance < a.distance || b.normal < a.normal || b.texCoord < a.texCoord || b.colour < a.colour; };
+    const auto falls = [](const LevelError& a, const LevelError& b) {
+        return b.distance < a.distance || b.normal < a.normal || b.texCoord < a.texCoord ||
+               b.colour < a.colour;
+    };
     return std::is_sorted(table.faces.rbegin(), table.faces.rend()) &&
            std::adjacent_find(table.errors.begin(), table.errors.end(), falls) == table.errors.end();
 }

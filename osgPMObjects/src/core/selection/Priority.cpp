@@ -22,7 +22,8 @@ double priorityGain(const Priority& priority, const AttentionRule& rule, const g
     const double cosine = std::clamp(glm::dot(toObject, rule.gaze) / distance, -1.0, 1.0);
     const double offDeg = glm::degrees(std::acos(cosine) - std::asin(sphere.radius / distance));
     const double width = rule.gazeOuterDeg - rule.gazeInnerDeg;
-    const double away = width > 0.0 ? (offDeg - rule.gazeInnerDeg) / width : (offDeg > rule.gazeInnerDeg ? 1.0 : 0.0);
+    const double away =
+        width > 0.0 ? (offDeg - rule.gazeInnerDeg) / width : (offDeg > rule.gazeInnerDeg ? 1.0 : 0.0);
     return priority.importance * glm::mix(1.0, rule.peripheralGain, std::clamp(away, 0.0, 1.0));
 }
 

@@ -24,8 +24,8 @@ std::uint32_t finestOfUse(const BenefitCurve& curve, double tolerance, double ba
         const bool isNeeded = held.level == 0 || points[held.level - 1].error > tolerance / (band * band);
         if (isWithin && isNeeded) return held.level;
     }
-    const auto point = std::partition_point(points.begin(), points.end(), [&](const BenefitPoint& p)
-                                            { return p.error > tolerance / band; });
+    const auto point = std::partition_point(
+        points.begin(), points.end(), [&](const BenefitPoint& p) { return p.error > tolerance / band; });
     return std::min(static_cast<std::uint32_t>(point - points.begin()), curve.last());
 }
 
@@ -42,14 +42,15 @@ void SceneSelector::add(const LevelSelector& selector, const SelectableObject& o
                         std::uint32_t number)
 {
     const double gain = selector.gainOf(object);
-    _budgeted.push_back({object.curve, sizePx(selector.view(), object.sphere) * gain * gain,
-                         finestOfUse(*object.curve, selector.toleranceOf(object, gain),
-                                     object.settings->band, held)});
+    _budgeted.push_back(
+        {object.curve, sizePx(selector.view(), object.sphere) * gain * gain,
+         finestOfUse(*object.curve, selector.toleranceOf(object, gain), object.settings->band, held)});
     _points.push_back(held.isHeld() ? held.level : 0);
     _numbers.push_back(number);
 }
 
-SelectionStatistics SceneSelector::select(const LevelSelector& selector, std::span<const SelectableObject> objects,
+SelectionStatistics SceneSelector::select(const LevelSelector& selector,
+                                          std::span<const SelectableObject> objects,
                                           std::span<HeldLevel> held, std::span<Selection> selections,
                                           const SceneBudgetSettings& settings)
 {

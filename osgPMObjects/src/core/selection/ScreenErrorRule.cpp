@@ -6,10 +6,12 @@
 namespace osgPMObjects::core
 {
 
-std::uint32_t coarsestWithin(std::span<const LevelError> errors, double tolerance, const AttributeWeights& weights)
+std::uint32_t coarsestWithin(std::span<const LevelError> errors, double tolerance,
+                             const AttributeWeights& weights)
 {
-    const auto next = std::partition_point(errors.begin() + 1, errors.end(),
-                                           [&](const LevelError& e) { return errorOf(e, weights) <= tolerance; });
+    const auto next =
+        std::partition_point(errors.begin() + 1, errors.end(),
+                             [&](const LevelError& e) { return errorOf(e, weights) <= tolerance; });
     return static_cast<std::uint32_t>(next - errors.begin()) - 1;
 }
 

@@ -11,23 +11,27 @@ namespace
 {
 
 constexpr std::array<const char*, kSelectionMethods> kNames = {
-    "ranges",     "overlapping-ranges", "box-area",     "sphere-area", "ellipsoid-area",
-    "facing-area", "continuous",        "screen-error", "budget"};
+    "ranges",      "overlapping-ranges", "box-area",     "sphere-area", "ellipsoid-area",
+    "facing-area", "continuous",         "screen-error", "budget"};
 
 /// The rows that the method looks at; none: it looks at no rows.
 const std::vector<std::uint32_t>* stepsOf(const SelectionSettings& settings)
 {
     switch (settings.method)
     {
-    case SelectionMethod::ranges: return &settings.ranges.steps;
-    case SelectionMethod::overlappingRanges: return &settings.overlappingRanges.steps;
+    case SelectionMethod::ranges:
+        return &settings.ranges.steps;
+    case SelectionMethod::overlappingRanges:
+        return &settings.overlappingRanges.steps;
     case SelectionMethod::boxArea:
     case SelectionMethod::sphereArea:
     case SelectionMethod::ellipsoidArea:
-    case SelectionMethod::facingArea: return &settings.areaRows.steps;
+    case SelectionMethod::facingArea:
+        return &settings.areaRows.steps;
     case SelectionMethod::continuous:
     case SelectionMethod::screenError:
-    case SelectionMethod::budget: break;
+    case SelectionMethod::budget:
+        break;
     }
     return nullptr;
 }
@@ -36,9 +40,12 @@ bool hasGoodRows(const SelectionSettings& settings)
 {
     switch (settings.method)
     {
-    case SelectionMethod::ranges: return isRanges(settings.ranges);
-    case SelectionMethod::overlappingRanges: return isOverlappingRanges(settings.overlappingRanges);
-    default: return !stepsOf(settings) || isAreaRows(settings.areaRows);
+    case SelectionMethod::ranges:
+        return isRanges(settings.ranges);
+    case SelectionMethod::overlappingRanges:
+        return isOverlappingRanges(settings.overlappingRanges);
+    default:
+        return !stepsOf(settings) || isAreaRows(settings.areaRows);
     }
 }
 
@@ -53,9 +60,10 @@ viewlod::Outcome checkSettings(const SelectionSettings& settings, std::uint32_t 
 {
     const std::string place = std::string("selection by ") + nameOf(settings.method);
     if (!hasGoodRows(settings))
-        return viewlod::Error{place, "the boundaries are not in order, or not one fewer than the levels",
-                              "give positive boundaries from near to far (areas from large to small), near before "
-                              "far in each, and levels from fine to coarse"};
+        return viewlod::Error{
+            place, "the boundaries are not in order, or not one fewer than the levels",
+            "give positive boundaries from near to far (areas from large to small), near before "
+            "far in each, and levels from fine to coarse"};
     const auto* steps = stepsOf(settings);
     if (steps && steps->back() >= levels)
         return viewlod::Error{place, "level " + std::to_string(steps->back()) + " is none of the model's",

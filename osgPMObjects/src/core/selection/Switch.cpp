@@ -35,7 +35,8 @@ DrawnLevels blended(const SwitchState& state, const SwitchSettings& settings, fl
     if (settings.profile == BlendProfile::cross)
         return {{state.from, alpha * (1.0f - state.progress)}, {state.to, alpha * state.progress}, 0.0f, 0};
     // The opaque one comes first, so that the other is blended with it, not with what is behind both.
-    if (state.progress < 0.5f) return {{state.from, alpha}, {state.to, alpha * 2.0f * state.progress}, 0.0f, 0};
+    if (state.progress < 0.5f)
+        return {{state.from, alpha}, {state.to, alpha * 2.0f * state.progress}, 0.0f, 0};
     return {{state.to, alpha}, {state.from, alpha * 2.0f * (1.0f - state.progress)}, 0.0f, 0};
 }
 
@@ -70,10 +71,11 @@ float staggerShare(std::uint32_t number)
     return static_cast<float>((number * 2654435769u) >> 8) * 0x1p-24f;
 }
 
-DrawnLevels advanceSwitch(SwitchState& state, std::uint32_t target, float stepS, float alpha, std::uint32_t number,
-                          const SwitchSettings& settings)
+DrawnLevels advanceSwitch(SwitchState& state, std::uint32_t target, float stepS, float alpha,
+                          std::uint32_t number, const SwitchSettings& settings)
 {
-    const bool takesTime = settings.method == SwitchMethod::blend || settings.method == SwitchMethod::geomorph;
+    const bool takesTime =
+        settings.method == SwitchMethod::blend || settings.method == SwitchMethod::geomorph;
     const float stagger = settings.staggerS * staggerShare(number);
     if (!takesTime || alpha <= 0.0f)
     {

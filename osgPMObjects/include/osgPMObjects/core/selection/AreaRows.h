@@ -19,7 +19,8 @@ struct AreaRows
 
     /// Rows with half as many faces each, from the full mesh down to `leastFaces` or the last level, each drawn from where one of
     /// its faces would cover less than `pixelsPerTriangle` of the area, when half of them are seen.
-    static AreaRows halving(const LevelTable& table, double pixelsPerTriangle = 1.5, std::uint32_t leastFaces = 8);
+    static AreaRows halving(const LevelTable& table, double pixelsPerTriangle = 1.5,
+                            std::uint32_t leastFaces = 8);
 };
 
 bool isAreaRows(const AreaRows& rows);

@@ -28,7 +28,7 @@ struct BenefitPoint
     std::uint32_t steps = 0;
     std::uint64_t cost = 0; ///< of the CostModel
     double gain = 0.0;      ///< 0 of the coarsest level to at most 1 of a level without error
-    float error = 0.0f;       ///< errorOf() it, in the model's units
+    float error = 0.0f;     ///< errorOf() it, in the model's units
 };
 
 /// The levels of a model that are worth their cost, coarsest first: of all, those on the upper hull of gain over cost.

@@ -20,7 +20,7 @@ struct BoundingSphere
 struct OrientedBox
 {
     glm::dvec3 centre{0.0};
-    glm::dmat3 axes{1.0};     ///< columns: unit vectors at right angles to each other
+    glm::dmat3 axes{1.0};      ///< columns: unit vectors at right angles to each other
     glm::dvec3 halfSizes{0.0}; ///< along the axes; 0 is allowed
 };
 
@@ -33,8 +33,9 @@ struct Ellipsoid
 
     static Ellipsoid within(const OrientedBox& box)
     {
-        return {box.centre,
-                {box.axes[0] * box.halfSizes.x, box.axes[1] * box.halfSizes.y, box.axes[2] * box.halfSizes.z}};
+        return {
+            box.centre,
+            {box.axes[0] * box.halfSizes.x, box.axes[1] * box.halfSizes.y, box.axes[2] * box.halfSizes.z}};
     }
 };
 

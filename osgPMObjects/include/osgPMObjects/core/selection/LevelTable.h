@@ -16,8 +16,8 @@ namespace osgPMObjects::core
 /// Invariant: isLevelTable(). Units: the model's positions. Memory: 20 B a step.
 struct LevelTable
 {
-    std::uint32_t positions = 0; ///< V: those of the full mesh that its faces use
-    double area = 0.0;           ///< S: of all faces of the full mesh
+    std::uint32_t positions = 0;      ///< V: those of the full mesh that its faces use
+    double area = 0.0;                ///< S: of all faces of the full mesh
     std::vector<std::uint32_t> faces; ///< by level, one more than there are steps
     std::vector<LevelError> errors;   ///< by level; that of level 0 is 0
 

@@ -12,7 +12,7 @@ namespace osgPMObjects::core
 /// Invariant: isRanges(). Units: metres of the author's camera (SelectionView::distanceScale).
 struct Ranges
 {
-    std::vector<double> boundariesM; ///< positive, ascending, one fewer than rows
+    std::vector<double> boundariesM;  ///< positive, ascending, one fewer than rows
     std::vector<std::uint32_t> steps; ///< by row: the level that is drawn
 };
 

@@ -15,8 +15,10 @@ namespace osgPMObjects::core
 struct BudgetedObject
 {
     const BenefitCurve* curve = nullptr;
-    double weight = 0.0; ///< what a gain of 1 is worth here and now, at least 0: pixels squared times the square of the priority's gain
-    std::uint32_t finest = 0; ///< the last point that it has any use for, as its error is within the tolerance
+    double weight =
+        0.0; ///< what a gain of 1 is worth here and now, at least 0: pixels squared times the square of the priority's gain
+    std::uint32_t finest =
+        0; ///< the last point that it has any use for, as its error is within the tolerance
 };
 
 /// What a budget came to.
@@ -49,8 +51,8 @@ public:
     static constexpr double kDefaultBand = 1.5;
 
     /// `points`: by object, in and out; numbers that the curve does not have are taken as its nearest.
-    BudgetResult choose(std::span<const BudgetedObject> objects, std::span<std::uint32_t> points, std::uint64_t budget,
-                        double band = kDefaultBand);
+    BudgetResult choose(std::span<const BudgetedObject> objects, std::span<std::uint32_t> points,
+                        std::uint64_t budget, double band = kDefaultBand);
 
 private:
     struct Step ///< from a point of an object to the next coarser or finer one

@@ -37,7 +37,8 @@ public:
                                const SceneBudgetSettings& settings = {});
 
 private:
-    void add(const LevelSelector& selector, const SelectableObject& object, HeldLevel held, std::uint32_t number);
+    void add(const LevelSelector& selector, const SelectableObject& object, HeldLevel held,
+             std::uint32_t number);
 
     SceneBudget _budget;
     std::vector<BudgetedObject> _budgeted;

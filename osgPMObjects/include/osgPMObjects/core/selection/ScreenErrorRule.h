@@ -30,7 +30,8 @@ inline float errorOf(const LevelError& error, const AttributeWeights& weights)
 
 /// The coarsest level whose error is at most `tolerance`; level 0 where none is. Cost: log n.
 /// `errors`: by level, as LevelTable has them. Units of the tolerance: the model's positions.
-std::uint32_t coarsestWithin(std::span<const LevelError> errors, double tolerance, const AttributeWeights& weights = {});
+std::uint32_t coarsestWithin(std::span<const LevelError> errors, double tolerance,
+                             const AttributeWeights& weights = {});
 
 /// The same with hysteresis: the held level stays while its error is at most `tolerance` and the next level's is more than
 /// `tolerance` / `band`²; else the coarsest within `tolerance` / `band`. So the tolerance holds always, and the band costs detail.

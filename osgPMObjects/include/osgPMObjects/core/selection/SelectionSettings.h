@@ -56,8 +56,9 @@ struct SelectionSettings
     Ranges ranges;
     OverlappingRanges overlappingRanges;
     AreaRows areaRows;
-    double referenceM = 0.0; ///< z1 of the continuous rule, in metres of the author's camera; 0: referenceDistanceM()
-    double trianglePx = 1.5; ///< of referenceDistanceM()
+    double referenceM =
+        0.0; ///< z1 of the continuous rule, in metres of the author's camera; 0: referenceDistanceM()
+    double trianglePx = 1.5;  ///< of referenceDistanceM()
     double tolerancePx = 1.0; ///< of the screen error, and where more detail under a budget is worth nothing
     AttributeWeights weights;
     double band = kDefaultBand;  ///< of areas, screen error and budget's tolerance; at least 1

@@ -17,8 +17,8 @@ struct MethodStatistics
     std::uint32_t switched = 0;
     std::uint32_t clamped = 0;
     std::uint32_t fullArea = 0;
-    std::uint32_t faded = 0; ///< drawn with an alpha below 1
-    std::uint32_t gone = 0;  ///< beyond the alpha range, not drawn
+    std::uint32_t faded = 0;     ///< drawn with an alpha below 1
+    std::uint32_t gone = 0;      ///< beyond the alpha range, not drawn
     std::uint64_t triangles = 0; ///< of the chosen levels of those that are drawn
 
     void count(const Selection& selection, std::uint32_t drawnTriangles);
@@ -33,7 +33,10 @@ struct SelectionStatistics
     BudgetResult budget; ///< of all objects with the method `budget`
 
     MethodStatistics& of(SelectionMethod method) { return byMethod[static_cast<std::size_t>(method)]; }
-    const MethodStatistics& of(SelectionMethod method) const { return byMethod[static_cast<std::size_t>(method)]; }
+    const MethodStatistics& of(SelectionMethod method) const
+    {
+        return byMethod[static_cast<std::size_t>(method)];
+    }
     MethodStatistics all() const;
 };
 

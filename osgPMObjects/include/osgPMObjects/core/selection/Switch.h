@@ -39,8 +39,8 @@ struct SwitchSettings
 struct SwitchState
 {
     std::uint32_t from = 0, to = 0; ///< levels; the same while nothing is being switched
-    float progress = 0.0f; ///< 0 … 1 from `from` to `to`
-    float delayS = kNotWaiting; ///< until the switch that is wanted may begin
+    float progress = 0.0f;          ///< 0 … 1 from `from` to `to`
+    float delayS = kNotWaiting;     ///< until the switch that is wanted may begin
 
     static constexpr float kNotWaiting = -1.0f;
 
@@ -77,8 +77,8 @@ struct DrawnLevels
 /// 2·dt/duration (`over`), dt/duration (`cross`, geomorph) in a step: what is left of a step when a switch ends is not spent on the next.
 /// `alpha`: of the alpha range; 0: nothing is drawn, and the object is at rest at its target. `number`: the object's, for staggering.
 /// Deterministic: no clock, no chance.
-DrawnLevels advanceSwitch(SwitchState& state, std::uint32_t target, float stepS, float alpha, std::uint32_t number,
-                          const SwitchSettings& settings);
+DrawnLevels advanceSwitch(SwitchState& state, std::uint32_t target, float stepS, float alpha,
+                          std::uint32_t number, const SwitchSettings& settings);
 
 /// The share of the stagger that an object waits, 0 to below 1: spread evenly, and unlike for neighbouring numbers.
 float staggerShare(std::uint32_t number);
