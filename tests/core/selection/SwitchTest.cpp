@@ -173,7 +173,8 @@ TEST(Switch, TheAlphaRangeFadesBothLevels)
     EXPECT_FLOAT_EQ(drawn.second.alpha, 0.125f);
 }
 
-/// Largest change of any level's alpha, or of what the morph shows, from one step to the next, while targets change at random.
+/// Largest change of any level's alpha, or of what the morph shows, from one step to the next, while targets change at
+/// random.
 float largestJump(const SwitchSettings& settings, std::uint64_t seed)
 {
     Random random(seed);

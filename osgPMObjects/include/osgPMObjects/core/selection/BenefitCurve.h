@@ -10,8 +10,8 @@
 namespace osgPMObjects::core
 {
 
-/// What drawing a level costs. All in one unit of the caller's, whole numbers so that sums are exact in any order: triangles (1 a
-/// triangle, nothing else), or nanoseconds of a machine that was measured.
+/// What drawing a level costs. All in one unit of the caller's, whole numbers so that sums are exact in any order:
+/// triangles (1 a triangle, nothing else), or nanoseconds of a machine that was measured.
 struct CostModel
 {
     double perTriangle = 1.0;
@@ -32,18 +32,20 @@ struct BenefitPoint
 };
 
 /// The levels of a model that are worth their cost, coarsest first: of all, those on the upper hull of gain over cost.
-/// The gain of a level is how much of the object's size its error leaves right: 1 - error / radius, not below 0, over that of the
-/// coarsest. Scaled by an instance's size in the picture and its importance it is the benefit; the hull stays the same, so it is made once a model.
+/// The gain of a level is how much of the object's size its error leaves right: 1 - error / radius, not below 0, over that
+/// of the coarsest. Scaled by an instance's size in the picture and its importance it is the benefit; the hull stays the
+/// same, so it is made once a model.
 /// Invariant: isBenefitCurve(): cost and gain rise, gain by cost falls from point to point.
-/// Source: Funkhouser & Séquin, "Adaptive display algorithm for interactive frame rates" (1993), 4: Benefit = Size · Accuracy ·
-/// Importance. Differs: accuracy from the measured distance instead of a power of the number of samples; the hull.
+/// Source: Funkhouser & Séquin, "Adaptive display algorithm for interactive frame rates" (1993), 4: Benefit = Size ·
+/// Accuracy · Importance. Differs: accuracy from the measured distance instead of a power of the number of samples; the hull.
 struct BenefitCurve
 {
     std::vector<BenefitPoint> points;
 
     std::uint32_t last() const { return static_cast<std::uint32_t>(points.size()) - 1; }
 
-    /// `radius`: of the model's bounding sphere, in its units; above 0. `levels`: how many levels, by faces in equal ratios, the hull is taken of.
+    /// `radius`: of the model's bounding sphere, in its units; above 0. `levels`: how many levels, by faces in equal
+    /// ratios, the hull is taken of.
     /// Errors of 0 are worth nothing: the finest point is the cheapest level without error.
     static BenefitCurve of(const LevelTable& table, double radius, const CostModel& cost,
                            const AttributeWeights& weights = {}, std::uint32_t levels = 32);

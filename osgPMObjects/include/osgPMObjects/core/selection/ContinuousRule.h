@@ -24,13 +24,13 @@ double referenceDistanceM(double pixelsPerTangent, double area, std::uint32_t fa
 
 /// T = (V - 2)·(1 - (z1/z2)²), to the nearest whole number; 0 for z2 ≤ z1 and fewer than three positions; never more than
 /// `mostSteps`. So the projected length of edges stays what it is at z1.
-/// `positions`: V, those of the mesh drawn at z1. `referenceM`: z1 > 0. `distanceM`: z2, of the eye from the centre of the bounding
-/// sphere. Valid for objects small against the scene.
+/// `positions`: V, those of the mesh drawn at z1. `referenceM`: z1 > 0. `distanceM`: z2, of the eye from the centre of the
+/// bounding sphere. Valid for objects small against the scene.
 /// Source: paper 004, section 5, after formula 7.
 Removal removalAt(double referenceM, double distanceM, std::uint32_t positions, std::uint32_t mostSteps);
 
-/// The same with hysteresis: what was held stays while it lies between T at the distance and T at the distance over `band`²; else T at
-/// the distance over `band`. With `band` 1 it is removalAt() itself.
+/// The same with hysteresis: what was held stays while it lies between T at the distance and T at the distance over
+/// `band`²; else T at the distance over `band`. With `band` 1 it is removalAt() itself.
 Removal heldRemovalAt(double referenceM, double distanceM, std::uint32_t positions, std::uint32_t mostSteps,
                       double band, HeldLevel held);
 

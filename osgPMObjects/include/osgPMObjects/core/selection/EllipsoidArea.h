@@ -7,8 +7,8 @@
 namespace osgPMObjects::core
 {
 
-/// What an ellipsoid covers of the picture plane, inside the picture or not: the area of the ellipse that it projects to, exact.
-/// With half axes A (columns), centre c from the eye, c_z its depth, s = |Aᵀ forward| and P the projection's rows
+/// What an ellipsoid covers of the picture plane, inside the picture or not: the area of the ellipse that it projects to,
+/// exact. With half axes A (columns), centre c from the eye, c_z its depth, s = |Aᵀ forward| and P the projection's rows
 ///     area = π |det P| √(|adj(A) c|² - (det A)²) / (c_z² - s²)^(3/2).
 /// It follows from the dual conic P (c cᵀ - A Aᵀ) Pᵀ, whose determinant over the cube of its last entry is that of the
 /// ellipse's second moments. The adjugate stands for A⁻¹, so flat ellipsoids have their area, too.

@@ -16,9 +16,10 @@ struct HeldLevel
     bool isHeld() const { return level != kNone; }
 };
 
-/// The width of the band that rules with a tolerance keep a level for. A rule asks with its tolerance divided by the band, and
-/// holds the answer until the tolerance itself would be broken, or the band's other end is reached: a factor of `kDefaultBand` in
-/// distance either way. Back and forth by 5 % changes it by 1.05 / 0.95 = 1.105, so nothing switches more than once.
+/// The width of the band that rules with a tolerance keep a level for. A rule asks with its tolerance divided by the band,
+/// and holds the answer until the tolerance itself would be broken, or the band's other end is reached: a factor of
+/// `kDefaultBand` in distance either way. Back and forth by 5 % changes it by 1.05 / 0.95 = 1.105, so nothing switches
+/// more than once.
 inline constexpr double kDefaultBand = 1.12;
 
 /// The row that is held: it goes up while the next one is due, and down while its own is not.

@@ -58,8 +58,8 @@ public:
     {
     }
 
-    /// `held`: in and out, the object's own in this view. An object with the method `budget` is given the level of the point that
-    /// SceneBudget has put there; SceneSelector does both.
+    /// `held`: in and out, the object's own in this view. An object with the method `budget` is given the level of the
+    /// point that SceneBudget has put there; SceneSelector does both.
     Selection select(const SelectableObject& object, HeldLevel& held) const;
 
     /// What an object's importance and the attention it has are worth.

@@ -33,16 +33,17 @@ struct BudgetResult
     double refusedRate = 0.0;    ///< the largest benefit by cost that was refused; 0: none was
 };
 
-/// The levels of all objects that give the most benefit for what they may cost together: from the last frame's choice, objects
-/// whose last step was worth the least for its cost get coarser until the budget holds, and those for which the next is worth most get
-/// finer while it does, or as long as others whose last step was worth less by `band` make room for them.
-/// Never above the budget if the coarsest levels fit. With a band of 1 it is the greedy choice from nothing, whatever was chosen before:
-/// less than the best by at most the benefit of one step, refusedRate times its cost. With a wider one at most
-/// refusedRate · cost · (1 - 1 / band) less besides, and objects that change places in worth do not flicker.
-/// Deterministic: ties go by the objects' numbers. Memory: some 50 B an object, kept from frame to frame. Cost: linear, and log n for each
-/// step taken, undone or refused while others could still make room.
-/// Source: Funkhouser & Séquin (1993), 5: the incremental algorithm. Differs: convex curves, for which it is proved; the band in place of their factor of
-/// hysteresis; a step is undone only for one that then fits.
+/// The levels of all objects that give the most benefit for what they may cost together: from the last frame's choice,
+/// objects whose last step was worth the least for its cost get coarser until the budget holds, and those for which the
+/// next is worth most get finer while it does, or as long as others whose last step was worth less by `band` make room for
+/// them. Never above the budget if the coarsest levels fit. With a band of 1 it is the greedy choice from nothing,
+/// whatever was chosen before: less than the best by at most the benefit of one step, refusedRate times its cost. With a
+/// wider one at most refusedRate · cost · (1 - 1 / band) less besides, and objects that change places in worth do not
+/// flicker.
+/// Deterministic: ties go by the objects' numbers. Memory: some 50 B an object, kept from frame to frame. Cost: linear,
+/// and log n for each step taken, undone or refused while others could still make room.
+/// Source: Funkhouser & Séquin (1993), 5: the incremental algorithm. Differs: convex curves, for which it is proved; the
+/// band in place of their factor of hysteresis; a step is undone only for one that then fits.
 class SceneBudget
 {
 public:

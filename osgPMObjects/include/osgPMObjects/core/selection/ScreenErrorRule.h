@@ -34,15 +34,16 @@ std::uint32_t coarsestWithin(std::span<const LevelError> errors, double toleranc
                              const AttributeWeights& weights = {});
 
 /// The same with hysteresis: the held level stays while its error is at most `tolerance` and the next level's is more than
-/// `tolerance` / `band`²; else the coarsest within `tolerance` / `band`. So the tolerance holds always, and the band costs detail.
-/// `band` ≥ 1; the tolerance goes with the distance, so as kDefaultBand. Cost: two look-ups while the level stays, log n else.
+/// `tolerance` / `band`²; else the coarsest within `tolerance` / `band`. So the tolerance holds always, and the band costs
+/// detail. `band` ≥ 1; the tolerance goes with the distance, so as kDefaultBand. Cost: two look-ups while the level stays,
+/// log n else.
 /// Source: ours; the bound in pixels is viewlod/ScreenError.h.
 std::uint32_t heldWithin(std::span<const LevelError> errors, double tolerance, double band, HeldLevel held,
                          const AttributeWeights& weights = {});
 
-/// The error of the model, in its own units, that is `tolerancePx` pixels in the picture, anywhere in it: the turning of the camera
-/// about its eye changes no level. The inverse of viewlod::screenErrorBoundPx(). `depthM`: from the eye to the nearest point of the
-/// bounding sphere, or the near distance where that is more.
+/// The error of the model, in its own units, that is `tolerancePx` pixels in the picture, anywhere in it: the turning of
+/// the camera about its eye changes no level. The inverse of viewlod::screenErrorBoundPx(). `depthM`: from the eye to the
+/// nearest point of the bounding sphere, or the near distance where that is more.
 double tolerableError(double tolerancePx, double pixelsPerTangent, double depthM, double metresPerUnit);
 
 } // namespace osgPMObjects::core

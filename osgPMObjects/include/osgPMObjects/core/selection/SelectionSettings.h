@@ -33,7 +33,8 @@ inline constexpr std::size_t kSelectionMethods = 9;
 /// Its name in scene descriptions and statistics.
 const char* nameOf(SelectionMethod method);
 
-/// Where an object fades to nothing: alpha is 1 up to `fadeM`, 0 from `goneM` on, linear between; then it is not processed at all.
+/// Where an object fades to nothing: alpha is 1 up to `fadeM`, 0 from `goneM` on, linear between; then it is not processed
+/// at all.
 /// Units: metres of the author's camera (SelectionView::distanceScale). Source: paper 004, section 2.2.3.
 struct AlphaRange
 {
@@ -66,8 +67,8 @@ struct SelectionSettings
     AlphaRange alpha;            ///< with any method
 };
 
-/// Whether the settings can choose among `levels` levels (LevelTable): else which field is wrong, and what to do. Settings that a user
-/// wrote are looked at once, with this; the rules themselves trust them.
+/// Whether the settings can choose among `levels` levels (LevelTable): else which field is wrong, and what to do. Settings
+/// that a user wrote are looked at once, with this; the rules themselves trust them.
 viewlod::Outcome checkSettings(const SelectionSettings& settings, std::uint32_t levels);
 
 } // namespace osgPMObjects::core

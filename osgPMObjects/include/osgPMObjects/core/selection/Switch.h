@@ -19,10 +19,11 @@ enum class SwitchMethod : std::uint8_t
 /// How the alphas of a blend run.
 enum class BlendProfile : std::uint8_t
 {
-    /// They sum up to 1. Right for screen doors whose holes complement each other; with blending the background shines through.
+    /// They sum up to 1. Right for screen doors whose holes complement each other; with blending the background shines
+    /// through.
     cross,
-    /// The new level fades in over the old one, which stays whole; then that fades out behind the new one, which is whole. There is always one that
-    /// is opaque and writes depth. Source: Giegl & Wimmer, "Unpopping" (2007).
+    /// The new level fades in over the old one, which stays whole; then that fades out behind the new one, which is whole.
+    /// There is always one that is opaque and writes depth. Source: Giegl & Wimmer, "Unpopping" (2007).
     over,
 };
 
@@ -63,8 +64,8 @@ struct DrawnLevel
 struct DrawnLevels
 {
     DrawnLevel first, second;
-    /// Geomorph: `first` is the finer level, `coarser` the one that it morphs to; 0: its vertices lie where they are, 1: where the coarser level has
-    /// them.
+    /// Geomorph: `first` is the finer level, `coarser` the one that it morphs to; 0: its vertices lie where they are, 1:
+    /// where the coarser level has them.
     float morph = 0.0f;
     std::uint32_t coarser = 0;
 
@@ -72,10 +73,11 @@ struct DrawnLevels
 };
 
 /// One time step of an object's switch towards the level that selection has chosen, and what to draw then.
-/// A switch that has begun is finished before the next one begins, unless the target is the level that it came from: then it runs
-/// back from where it is. So no more than two levels are ever drawn, and with time steps of dt no alpha and no morph changes by more than
-/// 2·dt/duration (`over`), dt/duration (`cross`, geomorph) in a step: what is left of a step when a switch ends is not spent on the next.
-/// `alpha`: of the alpha range; 0: nothing is drawn, and the object is at rest at its target. `number`: the object's, for staggering.
+/// A switch that has begun is finished before the next one begins, unless the target is the level that it came from: then
+/// it runs back from where it is. So no more than two levels are ever drawn, and with time steps of dt no alpha and no
+/// morph changes by more than 2·dt/duration (`over`), dt/duration (`cross`, geomorph) in a step: what is left of a step
+/// when a switch ends is not spent on the next. `alpha`: of the alpha range; 0: nothing is drawn, and the object is at
+/// rest at its target. `number`: the object's, for staggering.
 /// Deterministic: no clock, no chance.
 DrawnLevels advanceSwitch(SwitchState& state, std::uint32_t target, float stepS, float alpha,
                           std::uint32_t number, const SwitchSettings& settings);
