@@ -8,7 +8,11 @@
 namespace osgPMObjects::core
 {
 
-LevelTable LevelTable::of(const Mesh& mesh, const CollapseSequence& sequence)
+namespace
+{
+
+/// Positions and area, and level 0.
+LevelTable fullMeshOnly(const Mesh& mesh, std::uint32_t faces)
 {
     LevelTable table;
     std::vector<bool> isUsed(mesh.positions.size(), false);
@@ -20,8 +24,16 @@ LevelTable LevelTable::of(const Mesh& mesh, const CollapseSequence& sequence)
             isUsed[mesh.positionOf(face, corner)] = true;
     }
     table.positions = static_cast<std::uint32_t>(std::count(isUsed.begin(), isUsed.end(), true));
-    table.faces.push_back(sequence.facesBefore);
+    table.faces.push_back(faces);
     table.errors.emplace_back();
+    return table;
+}
+
+} // namespace
+
+LevelTable LevelTable::of(const Mesh& mesh, const CollapseSequence& sequence)
+{
+    LevelTable table = fullMeshOnly(mesh, sequence.facesBefore);
     for (const CollapseStep& step : sequence.steps)
     {
         if (step.facesAfter == 0) break;

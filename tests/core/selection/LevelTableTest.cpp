@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <osgPMObjects/core/selection/LevelTable.h>
+
+#include "SelectionScenes.h"
+
+namespace
+{
+
+using namespace osgPMObjects::core;
+
+TEST(LevelTable, ThatGrowsOrGetsBetterIsNone)
+{
+    const LevelTable table = testsupport::levelTable(100);
+    const auto isOneWith = [&](auto change)
+    {
+        LevelTable changed = table;
+        change(changed);
+        return isLevelTable(changed);
+    };
+    EXPECT_TRUE(isOneWith([](LevelTable&) {}));
+    EXPECT_FALSE(isOneWith([](LevelTable& t) { t.faces[5] = t.faces[4] + 1; }));
+    EXPECT_FALSE(isOneWith([](LevelTable& t) { t.errors[5].distance = 0.0f; }));
+    EXPECT_FALSE(isOneWith([](LevelTable& t) { t.errors[5].colour = 0.0f; }));
+    EXPECT_FALSE(isOneWith([](LevelTable& t) { t.errors[0].normal = 1e-6f; }));
+    EXPECT_FALSE(isOneWith([](LevelTable& t) { t.errors.pop_back(); }));
+    EXPECT_FALSE(isOneWith([](LevelTable& t) { t = {}; }));
+}
+
+} // namespace
