@@ -48,6 +48,8 @@ uniform sampler2D objectTexture;
 uniform vec4 objectHolesXz;   // of both axes
 uniform vec2 objectHolesSize; // radius, distance from the middle
 uniform float objectLacquer;
+uniform float objectLeaves;   // 1: foliage
+uniform float objectTintMask;
 void main()
 {
     float toAxis = min(distance(inObject.xz, objectHolesXz.xy), distance(inObject.xz, objectHolesXz.zw));
@@ -55,11 +57,15 @@ void main()
     float distanceM = length(fromEye);
     vec3 towards = fromEye / distanceM;
     vec3 normal = normalize(normalWorld);
-    if (!gl_FrontFacing) normal = -normal; // open surfaces have two sides
-    vec4 paint = colour * texture(objectTexture, textureAt);
+    if (!gl_FrontFacing && objectLeaves == 0.0) normal = -normal; // open surfaces have two sides
+    vec4 texel = texture(objectTexture, textureAt);
+    vec4 paint = colour * texel;
+    if (objectTintMask > 0.0) paint = vec4(mix(texel.rgb, paint.rgb, texel.a), 1.0);
     vec3 albedo = paint.rgb * paint.rgb;              // the inverse of displayColour's gamma
 
-    float sunHeight = max(dot(normal, sunDirection()), 0.0);
+    float sunCosine = dot(normal, sunDirection());
+    float sunHeight = max(sunCosine, 0.0);
+    if (objectLeaves > 0.0) sunHeight = max((sunCosine + 0.5) / 1.5, 0.12); // wrapped round the crown, and through it
     vec3 lit = albedo * (sunLight() * sunHeight + ambientLight(normal));
     // Schlick's approximation with the 4 % of lacquer and glass; the mirrored scene is sky above, ground below.
     float fresnel = objectLacquer * (0.04 + 0.96 * pow(1.0 - max(-dot(normal, towards), 0.0), 5.0));
@@ -97,6 +103,8 @@ void setObjectShading(osg::Node& node, Finish finish, const FlankHoles& holes)
     state->setAttributeAndModes(program);
     state->addUniform(new osg::Uniform("objectTexture", 0));
     state->addUniform(new osg::Uniform("objectLacquer", finish == Finish::lacquered ? 1.0F : 0.0F));
+    state->addUniform(new osg::Uniform("objectLeaves", finish == Finish::foliage ? 1.0F : 0.0F));
+    state->addUniform(new osg::Uniform("objectTintMask", 0.0F));
     state->addUniform(new osg::Uniform("objectHolesXz", osg::Vec4f(holes.firstXz.x(), holes.firstXz.y(),
                                                                    holes.secondXz.x(), holes.secondXz.y())));
     state->addUniform(new osg::Uniform("objectHolesSize", osg::Vec2f(holes.radiusM, holes.innerYM)));

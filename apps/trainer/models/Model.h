@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <osgPMObjects/core/mesh/Mesh.h>
+
+namespace trainer::models
+{
+
+/// Every picture that the generators paint; the same for all seeds, so that thousands of models share a few textures.
+enum class Painting : std::uint8_t
+{
+    oakBark,
+    birchBark,
+    pineBark,
+    oakLeaves,
+    birchLeaves,
+    poplarLeaves,
+    bushLeaves,
+    spruceNeedles,
+    plaster,
+    bricks,
+    sheetMetal,
+    planks,
+    roofTiles,
+    roofMetal,
+    houseDetails,
+    saloon,
+    van,
+    bus,
+    wheel,
+    count,
+};
+
+/// How a surface takes light.
+enum class Coat : std::uint8_t
+{
+    matt,
+    lacquered, ///< car paint and glass
+    foliage,   ///< seen from both sides with one normal, cut out by the picture's alpha
+};
+
+/// What a material is drawn with. Where a picture is not foliage its alpha says how far the vertex colour tints it.
+struct Surface
+{
+    Painting painting = Painting::plaster;
+    Coat coat = Coat::matt;
+
+    bool operator==(const Surface&) const = default;
+};
+
+/// A generated object.
+/// Frame: x forward (vehicles: the way they drive; houses: along the ridge, the entrance looks towards -y), y left, z up; the
+/// ground is z = 0, below the middle. Units: metres; colours as display values.
+/// Invariant: isModel() of ModelCheck.h.
+struct Model
+{
+    osgPMObjects::core::Mesh mesh; ///< Material::state is the number of the surface
+    std::vector<Surface> surfaces;
+    double radiusM = 0.0;     ///< of the circle about the z axis that all of it stands over
+    double heightM = 0.0;     ///< of its highest point
+    double foundationM = 0.0; ///< how far it reaches below z = 0, for slopes
+};
+
+} // namespace trainer::models

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+
+#include <glm/vec2.hpp>
+
+namespace trainer::models
+{
+
+/// The cells of the picture houseDetails, 4 × 4, from the lower left: what walls have in them and roofs have on them.
+enum class Detail : std::uint8_t
+{
+    window,     ///< two sashes
+    barsWindow, ///< with glazing bars
+    hallWindow, ///< a band of panes
+    shopFront,
+    door,
+    glassDoor,
+    gate, ///< sectional, of a hall
+    barnDoor,
+    wood,
+    stone,
+    zinc,
+    bricks,
+    white,
+    skylight,
+    dark,
+    rubber,
+};
+
+/// The corners of a cell in the picture, a little inside its edges, so that neighbours do not bleed in.
+struct CellUv
+{
+    glm::vec2 low, high;
+    glm::vec2 middle() const { return (low + high) * 0.5F; }
+    /// A place of the cell by shares of it.
+    glm::vec2 at(float u, float v) const { return low + (high - low) * glm::vec2(u, v); }
+};
+CellUv uvOf(Detail detail);
+
+constexpr int kDetailColumns = 4;
+
+} // namespace trainer::models

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "models/houses/HouseShell.h"
+
+#include "models/mesh/Box.h"
+#include "models/mesh/Tube.h"
+
+namespace trainer::models
+{
+
+namespace
+{
+
+const Surface kDetails{Painting::houseDetails, Coat::matt};
+
+void addPlinth(ModelBuilder& builder, const HouseShell& shell)
+{
+    constexpr double kProudM = 0.03;
+    builder.begin("plinth", kDetails, glm::vec3(0.8F));
+    const CellUv uv = uvOf(Detail::stone);
+    const glm::dvec3 half(0.5 * shell.lengthM + kProudM, 0.5 * shell.widthM + kProudM, 0.0);
+    addBox(builder, {shell.middle - half - glm::dvec3(0, 0, kFoundationM),
+                     shell.middle + half + glm::dvec3(0, 0, kPlinthM), uv.at(0.0F, 0.1F), uv.at(1.0F, 0.4F)});
+}
+
+void addDownpipes(ModelBuilder& builder, const HouseShell& shell)
+{
+    builder.begin("downpipe", kDetails);
+    const glm::vec2 uv = uvOf(Detail::zinc).middle();
+    for (const double side : {-1.0, 1.0})
+    {
+        const glm::dvec3 foot = shell.middle + glm::dvec3(-0.5 * shell.lengthM + 0.25, side * (0.5 * shell.widthM + 0.08), 0.05);
+        const double out = shell.roof.overhang;
+        const double top = shell.rows.back() - out * shell.roof.slope - 0.30;
+        const glm::dvec3 bend = foot + glm::dvec3(0, 0, top - 0.05);
+        Tube tube{{foot, bend - glm::dvec3(0, 0, 0.15), bend + glm::dvec3(0, side * (out - 0.02), 0.38)},
+                  {0.045, 0.045, 0.045}, 6, {0.0, 0.0}, 0.0, {}};
+        for (std::size_t i = 0; i + 1 < tube.line.size(); ++i)
+            addBar(builder, tube.line[i], tube.line[i + 1], 0.045, 6, uv);
+    }
+}
+
+} // namespace
+
+void setUpShell(HouseShell& shell, double slope, double eavesM, double vergeM)
+{
+    const double x = 0.5 * shell.lengthM;
+    const double y = 0.5 * shell.widthM;
+    const std::array<glm::dvec3, 4> corners{glm::dvec3(-x, -y, 0), {x, -y, 0}, {x, y, 0}, {-x, y, 0}};
+    const std::array<glm::dvec3, 4> along{glm::dvec3(1, 0, 0), {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}};
+    for (std::size_t i = 0; i < 4; ++i)
+    {
+        Wall& wall = shell.walls[i];
+        wall.start = shell.middle + corners[i];
+        wall.along = along[i];
+        wall.lengthM = i % 2 == 0 ? shell.lengthM : shell.widthM;
+        wall.rows = shell.rows;
+        wall.hasGable = i % 2 == 1;
+        wall.gableM = slope * y;
+    }
+    shell.roof.base = shell.middle + glm::dvec3(0, 0, shell.rows.back());
+    shell.roof.from = -x - vergeM;
+    shell.roof.to = x + vergeM;
+    shell.roof.halfWidth = y;
+    shell.roof.overhang = eavesM;
+    shell.roof.slope = slope;
+}
+
+void addShell(ModelBuilder& builder, const HouseShell& shell)
+{
+    builder.begin("walls", shell.wallSurface, shell.wallTint);
+    for (const Wall& wall : shell.walls)
+        addWallFace(builder, wall);
+    builder.begin("windows", kDetails, shell.frameTint);
+    for (const Wall& wall : shell.walls)
+        addOpenings(builder, wall, false);
+    builder.begin("doors", kDetails, shell.doorTint);
+    for (const Wall& wall : shell.walls)
+        addOpenings(builder, wall, true);
+    builder.begin("sills", kDetails);
+    for (const Wall& wall : shell.walls)
+        addSills(builder, wall);
+    addPlinth(builder, shell);
+    addGableRoof(builder, shell.roof, shell.roofSurface, shell.roofTint, shell.hasGutters);
+    if (shell.hasGutters) addDownpipes(builder, shell);
+}
+
+void addChimney(ModelBuilder& builder, const HouseShell& shell, const glm::dvec2& place, double aboveRidgeM)
+{
+    const glm::dvec3 at = shell.middle + glm::dvec3(place, 0.0);
+    const double top = shell.roof.base.z + shell.roof.topAt(0.0) + aboveRidgeM;
+    const double foot = shell.roof.base.z + shell.roof.topAt(std::abs(place.y) + 0.35) - 0.5;
+    builder.begin("chimney", kDetails);
+    const CellUv brick = uvOf(Detail::bricks);
+    const CellUv stone = uvOf(Detail::stone);
+    addBox(builder, {{at.x - 0.42, at.y - 0.28, foot}, {at.x + 0.42, at.y + 0.28, top}, brick.at(0.0F, 0.0F), brick.at(0.6F, 1.0F)});
+    addBox(builder, {{at.x - 0.50, at.y - 0.36, top - 0.02}, {at.x + 0.50, at.y + 0.36, top + 0.10}, stone.at(0.0F, 0.4F), stone.at(1.0F, 0.5F)});
+    for (const double pot : {-0.2, 0.2})
+        addBar(builder, at * glm::dvec3(1, 1, 0) + glm::dvec3(pot, 0, top + 0.05), at * glm::dvec3(1, 1, 0) + glm::dvec3(pot, 0, top + 0.42), 0.11,
+               8, brick.at(0.5F, 0.52F));
+}
+
+void addDormer(ModelBuilder& builder, const HouseShell& shell, double atX, double insideM)
+{
+    constexpr double kHalfM = 0.85;
+    constexpr double kHighM = 1.45;
+    const double slope = shell.roof.slope;
+    const double across = 0.5 * shell.widthM - insideM; // from the ridge
+    const double foot = shell.roof.base.z + shell.roof.topAt(across);
+    const double top = foot + kHighM;
+    const glm::dvec3 front = shell.middle * glm::dvec3(1, 1, 0) + glm::dvec3(atX, -across, 0.0);
+    Wall wall;
+    wall.start = front - glm::dvec3(kHalfM, 0, 0);
+    wall.lengthM = 2.0 * kHalfM;
+    wall.rows = {foot - 0.25, foot + 0.12, foot + 1.30, top};
+    wall.openings = {{0.25, 2.0 * kHalfM - 0.25, foot + 0.12, foot + 1.30, Detail::window, 0.08, false}};
+    wall.hasGable = true;
+    wall.gableM = 0.75 * kHalfM;
+    builder.begin("dormer", shell.wallSurface, shell.wallTint);
+    addWallFace(builder, wall);
+    const double run = kHighM / slope; // until the slope is as high as the dormer's eaves
+    for (const double side : {-1.0, 1.0})
+    {
+        const auto at = [&](double inM, double z)
+        {
+            return Corner{front + glm::dvec3(side * kHalfM, inM, z),
+                          {static_cast<float>(inM / kWallPictureM), static_cast<float>(z / kWallPictureM)}};
+        };
+        const Corner a = at(0.0, foot - 0.25), b = at(0.0, top), c = at(run + 0.3, top);
+        if (side < 0.0)
+            builder.triangle(a, b, c);
+        else
+            builder.triangle(a, c, b);
+    }
+    builder.begin("dormer window", kDetails, shell.frameTint);
+    addOpenings(builder, wall, false);
+    GableRoof roof;
+    roof.base = front + glm::dvec3(0, 0, top);
+    roof.axis = {0.0, -1.0, 0.0};
+    roof.from = -(run + (0.75 * kHalfM + 0.1) / slope + 0.15);
+    roof.to = 0.22;
+    roof.halfWidth = kHalfM;
+    roof.overhang = 0.16;
+    roof.slope = 0.75;
+    roof.thickness = 0.10;
+    addGableRoof(builder, roof, shell.roofSurface, shell.roofTint, false);
+}
+
+} // namespace trainer::models

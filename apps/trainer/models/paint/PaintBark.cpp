@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "models/paint/PaintBark.h"
+
+#include <cmath>
+
+#include <glm/common.hpp>
+#include <glm/vec3.hpp>
+
+#include "models/Dice.h"
+#include "models/paint/Canvas.h"
+#include "models/paint/Noise.h"
+
+namespace trainer::models
+{
+
+namespace
+{
+
+constexpr int kSizePx = 256;
+
+struct Furrows
+{
+    glm::vec3 ridge, groove;
+    glm::ivec2 cells; ///< across and along: few along make long furrows
+    std::uint32_t seed;
+};
+
+Picture paintFurrows(const Furrows& look)
+{
+    Canvas canvas(kSizePx, kSizePx, glm::vec4(1.0F));
+    for (int y = 0; y < kSizePx; ++y)
+        for (int x = 0; x < kSizePx; ++x)
+        {
+            glm::vec2 uv(static_cast<float>(x) / kSizePx, static_cast<float>(y) / kSizePx);
+            uv.x += 0.04F * (tiledNoise(uv, {4, 6}, look.seed + 9) - 0.5F); // furrows wander
+            const float wave = tiledCloud(uv, look.cells, 3, look.seed);
+            const float ridge = 1.0F - std::abs(2.0F * wave - 1.0F); // creased where the noise crosses its middle
+            const float grain = tiledCloud(uv, {32, 32}, 2, look.seed + 5);
+            const float height = glm::smoothstep(0.35F, 0.95F, 1.0F - ridge) + 0.0F;
+            const glm::vec3 colour =
+                glm::mix(look.groove, look.ridge, 0.25F + 0.75F * (1.0F - height)) * (0.8F + 0.4F * grain);
+            canvas.pixel(x, y) = glm::vec4(colour, 1.0F);
+        }
+    return canvas.picture();
+}
+
+} // namespace
+
+Picture paintOakBark()
+{
+    return paintFurrows({{0.47F, 0.41F, 0.34F}, {0.22F, 0.18F, 0.15F}, {10, 3}, 3});
+}
+
+Picture paintPineBark()
+{
+    return paintFurrows({{0.45F, 0.33F, 0.26F}, {0.24F, 0.17F, 0.13F}, {8, 8}, 17});
+}
+
+Picture paintBirchBark()
+{
+    Canvas canvas(kSizePx, kSizePx, glm::vec4(1.0F));
+    for (int y = 0; y < kSizePx; ++y)
+        for (int x = 0; x < kSizePx; ++x)
+        {
+            const glm::vec2 uv(static_cast<float>(x) / kSizePx, static_cast<float>(y) / kSizePx);
+            const float cloud = tiledCloud(uv, {3, 12}, 3, 31);
+            canvas.pixel(x, y) = glm::vec4(glm::mix(glm::vec3(0.72F, 0.69F, 0.64F), glm::vec3(0.90F, 0.89F, 0.86F),
+                                                    cloud),
+                                           1.0F);
+        }
+    Dice dice(5);
+    for (int i = 0; i < 70; ++i) // lenticels and scars, dark and level
+    {
+        const bool isScar = i < 9;
+        const glm::vec2 middle(dice.between(0.0, kSizePx), dice.between(6.0, kSizePx - 6.0));
+        const auto half = static_cast<float>(isScar ? dice.between(14.0, 30.0) : dice.between(3.0, 11.0));
+        const auto thick = static_cast<float>(isScar ? dice.between(5.0, 10.0) : dice.between(1.2, 3.0));
+        const glm::vec4 dark(0.17F, 0.15F, 0.14F, 1.0F);
+        for (const float shift : {-static_cast<float>(kSizePx), 0.0F, static_cast<float>(kSizePx)})
+        {
+            const glm::vec2 at = middle + glm::vec2(shift, 0.0F);
+            canvas.stroke(at - glm::vec2(half, 0.0F), at, {0.5F, thick}, dark);
+            canvas.stroke(at, at + glm::vec2(half, 0.0F), {thick, 0.5F}, dark);
+        }
+    }
+    return canvas.picture();
+}
+
+} // namespace trainer::models

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: Apache-2.0
+// model_sheet FOLDER [KIND [SEED]]: pictures of generated models, three of each kind (or of one): from its front left and its
+// back right at eye level, and from 150 m; FOLDER/models.png has them all. Prints what each kind is made of.
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <osg/Geode>
+
+#include <osgOffscreen/OffscreenViewer>
+#include <osgOffscreen/PngFile>
+#include <osgTerrainROAM/Atmosphere>
+
+#include "models/Catalogue.h"
+#include "view/ContactSheet.h"
+#include "view/ModelMesh.h"
+#include "view/ModelStates.h"
+#include "view/ObjectShading.h"
+#include "view/Pose.h"
+#include "view/Sky.h"
+
+namespace
+{
+
+using trainer::models::KindFacts;
+
+constexpr int kWidthPx = 640;
+constexpr int kHeightPx = 400;
+constexpr double kEyeM = 1.7;
+
+struct View
+{
+    const char* name;
+    glm::dvec3 eye, target;
+    double heightDeg;
+};
+
+/// The model in the air of a clear afternoon on a green plain.
+osg::ref_ptr<osg::Group> sceneOf(const trainer::models::Model& model, trainer::ModelStates& states,
+                                 osgTerrainROAM::Atmosphere& air)
+{
+    osg::ref_ptr<osg::Group> root = new osg::Group;
+    root->setStateSet(air.stateSet());
+    root->addChild(trainer::makeSky());
+    trainer::ModelMesh slab;
+    slab.addBox({-3e4F, -3e4F, -1.0F}, {3e4F, 3e4F, 0.0F}, {0.42F, 0.46F, 0.30F, 1.0F});
+    const osg::ref_ptr<osg::Geode> ground = new osg::Geode;
+    ground->addDrawable(slab.geometry());
+    trainer::setObjectShading(*ground, trainer::Finish::matt);
+    root->addChild(ground);
+    root->addChild(trainer::makeModelNode(model, states));
+    return root;
+}
+
+std::vector<View> viewsOf(const trainer::models::Model& model)
+{
+    const double size = std::max(model.radiusM, 0.62 * model.heightM);
+    const double away = 2.9 * size;
+    const glm::dvec3 target(0.0, 0.0, 0.46 * model.heightM);
+    const auto from = [&](double headingDeg, double distanceM)
+    {
+        const double turn = headingDeg * 3.14159265358979 / 180.0;
+        return glm::dvec3(distanceM * std::cos(turn), distanceM * std::sin(turn), kEyeM);
+    };
+    return {{"front", from(-38.0, away), target, 40.0},
+            {"back", from(145.0, away), target, 40.0},
+            {"far", from(-60.0, 150.0), target, 16.0}};
+}
+
+osg::ref_ptr<osg::Image> pictureOf(osg::Node* scene, const View& view)
+{
+    osgOffscreen::OffscreenSettings settings;
+    settings.widthPx = kWidthPx;
+    settings.heightPx = kHeightPx;
+    settings.samples = 4;
+    auto made = osgOffscreen::OffscreenViewer::create(settings);
+    if (!made)
+    {
+        std::fprintf(stderr, "%s\n", made.error().message().c_str());
+        std::exit(1);
+    }
+    osgOffscreen::OffscreenViewer& viewer = **made;
+    viewer.viewer().setSceneData(scene);
+    viewer.camera().setProjectionMatrixAsPerspective(view.heightDeg, static_cast<double>(kWidthPx) / kHeightPx, 0.3, 1e5);
+    const glm::dmat4 matrix = trainer::viewFromWorld(trainer::poseLookingAt(view.eye, view.target));
+    viewer.camera().setViewMatrix(osg::Matrixd(&matrix[0][0]));
+    return viewer.picture();
+}
+
+void report(const KindFacts& facts, const trainer::models::Model& model, double ms)
+{
+    std::printf("%-13s %6zu triangles %6zu wedges %zu surfaces  radius %5.2f m  height %5.2f m  %.1f ms\n",
+                std::string(facts.name).c_str(), model.mesh.faces.size(), model.mesh.wedgeCount(),
+                model.surfaces.size(), model.radiusM, model.heightM, ms);
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    if (argc < 2)
+    {
+        std::fprintf(stderr, "usage: model_sheet FOLDER [KIND [SEED]]\n");
+        return 2;
+    }
+    const std::filesystem::path folder = argv[1];
+    const std::uint64_t seed = argc > 3 ? std::strtoull(argv[3], nullptr, 10) : 1;
+    std::vector<std::filesystem::path> files;
+    for (const KindFacts& facts : trainer::models::kinds())
+    {
+        if (argc > 2 && facts.name != argv[2]) continue;
+        const auto before = std::chrono::steady_clock::now();
+        const trainer::models::Model model = trainer::models::generate(facts.kind, seed);
+        report(facts, model, std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - before).count());
+        for (const View& view : viewsOf(model))
+        {
+            // Everything anew for each picture: objects of one context mean nothing in the next.
+            trainer::ModelStates states;
+            const osg::ref_ptr<osgTerrainROAM::Atmosphere> air = new osgTerrainROAM::Atmosphere;
+            const auto picture = pictureOf(sceneOf(model, states, *air), view);
+            files.push_back(folder / (std::string(facts.name) + "-" + view.name + ".png"));
+            if (const auto written = osgOffscreen::writePng(*picture, files.back()); !written)
+            {
+                std::fprintf(stderr, "%s\n", written.error().message().c_str());
+                return 1;
+            }
+        }
+    }
+    const auto sheet = trainer::makeContactSheet(files, {6, 100, 1944, 4});
+    if (!sheet || !osgOffscreen::writePng(**sheet, folder / "models.png"))
+    {
+        std::fprintf(stderr, "the sheet could not be written\n");
+        return 1;
+    }
+    return 0;
+}
