@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // model_sheet FOLDER [KIND [SEED]]: pictures of generated models, three of each kind (or of one): from its front left and its
-// back right at eye level, and from 150 m; FOLDER/models.png has them all. Prints what each kind is made of.
+// back left at eye level, and from 150 m away, 45 m up, through a longer lens; FOLDER/models.png has them all. Prints what each kind is made of.
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -58,17 +58,17 @@ osg::ref_ptr<osg::Group> sceneOf(const trainer::models::Model& model, trainer::M
 
 std::vector<View> viewsOf(const trainer::models::Model& model)
 {
-    const double size = std::max(model.radiusM, 0.62 * model.heightM);
-    const double away = 2.9 * size;
-    const glm::dvec3 target(0.0, 0.0, 0.46 * model.heightM);
-    const auto from = [&](double headingDeg, double distanceM)
+    const double away =
+        std::max(2.5 * model.radiusM, 1.55 * model.heightM + 0.5 * model.radiusM); // all of it is seen
+    const glm::dvec3 target(0.0, 0.0, 0.47 * model.heightM);
+    const auto from = [&](double headingDeg, double distanceM, double upM)
     {
         const double turn = headingDeg * 3.14159265358979 / 180.0;
-        return glm::dvec3(distanceM * std::cos(turn), distanceM * std::sin(turn), kEyeM);
+        return glm::dvec3(distanceM * std::cos(turn), distanceM * std::sin(turn), upM);
     };
-    return {{"front", from(-38.0, away), target, 40.0},
-            {"back", from(145.0, away), target, 40.0},
-            {"far", from(-60.0, 150.0), target, 16.0}};
+    return {{"front", from(-38.0, away, kEyeM), target, 40.0},
+            {"back", from(145.0, away, kEyeM), target, 40.0},
+            {"far", from(-60.0, 143.0, 45.0), target, 14.0}};
 }
 
 osg::ref_ptr<osg::Image> pictureOf(osg::Node* scene, const View& view)
@@ -85,7 +85,8 @@ osg::ref_ptr<osg::Image> pictureOf(osg::Node* scene, const View& view)
     }
     osgOffscreen::OffscreenViewer& viewer = **made;
     viewer.viewer().setSceneData(scene);
-    viewer.camera().setProjectionMatrixAsPerspective(view.heightDeg, static_cast<double>(kWidthPx) / kHeightPx, 0.3, 1e5);
+    viewer.camera().setProjectionMatrixAsPerspective(view.heightDeg,
+                                                     static_cast<double>(kWidthPx) / kHeightPx, 0.3, 1e5);
     const glm::dmat4 matrix = trainer::viewFromWorld(trainer::poseLookingAt(view.eye, view.target));
     viewer.camera().setViewMatrix(osg::Matrixd(&matrix[0][0]));
     return viewer.picture();
@@ -115,7 +116,8 @@ int main(int argc, char** argv)
         if (argc > 2 && facts.name != argv[2]) continue;
         const auto before = std::chrono::steady_clock::now();
         const trainer::models::Model model = trainer::models::generate(facts.kind, seed);
-        report(facts, model, std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - before).count());
+        report(facts, model,
+               std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - before).count());
         for (const View& view : viewsOf(model))
         {
             // Everything anew for each picture: objects of one context mean nothing in the next.

@@ -15,6 +15,7 @@ function(plantTree)
             "osgPMObjects/include/osgPMObjects/Object|osg/Drawable"
             "osgOffscreen/include/osgOffscreen/Capture|osg/Image"
             "apps/trainer/sim/Clock.h|cstdint"
+            "apps/trainer/models/Tree.h|osgPMObjects/core/Mesh.h"
             "apps/trainer/view/Scene.cpp|osgTerrainROAM/Terrain"
             "apps/terraintool/main.cpp|osgTerrainROAM/core/Tile.h"
             "data/generator/Noise.h|cmath"
@@ -71,6 +72,8 @@ expectBreach(osgOffscreen/include/osgOffscreen/Capture "#include <osgTerrainROAM
 expectBreach(osgTerrainROAM/src/Terrain.cpp "#include <osgOffscreen/Capture>")
 expectBreach(apps/trainer/sim/Clock.h "#include <osg/Timer>")
 expectBreach(apps/trainer/sim/Clock.h "#include \"../view/Scene.cpp\"")
+expectBreach(apps/trainer/models/Tree.h "#include <osg/Image>")
+expectBreach(apps/trainer/models/Tree.h "#include <osgPMObjects/Object>")
 expectBreach(apps/terraintool/main.cpp "#include \"../trainer/view/Scene.cpp\"")
 expectBreach(data/generator/Noise.h "#include <osgTerrainROAM/core/Tile.h>")
 expectBreach(tests/core/TileTest.cpp "#include <osgDB/ReadFile>")

@@ -16,11 +16,11 @@ namespace
 {
 
 constexpr std::array kFacts{
-    KindFacts{Kind::oak, "oak", 10.0, 18.0, 8.5},
+    KindFacts{Kind::oak, "oak", 10.0, 19.0, 8.5},
     KindFacts{Kind::birch, "birch", 10.0, 18.5, 5.5},
     KindFacts{Kind::poplar, "poplar", 17.0, 28.0, 4.5},
     KindFacts{Kind::spruce, "spruce", 15.0, 27.5, 6.0},
-    KindFacts{Kind::bush, "bush", 1.5, 4.0, 3.0},
+    KindFacts{Kind::bush, "bush", 1.5, 4.6, 3.2},
     KindFacts{Kind::familyHouse, "family-house", 6.5, 12.5, 10.5},
     KindFacts{Kind::townHouses, "town-houses", 11.0, 24.0, 23.0},
     KindFacts{Kind::barn, "barn", 7.0, 13.0, 15.0},
@@ -46,18 +46,30 @@ Model generate(Kind kind, std::uint64_t seed)
 {
     switch (kind)
     {
-    case Kind::oak: return makeTree(TreeKind::oak, seed);
-    case Kind::birch: return makeTree(TreeKind::birch, seed);
-    case Kind::poplar: return makeTree(TreeKind::poplar, seed);
-    case Kind::spruce: return makeTree(TreeKind::spruce, seed);
-    case Kind::bush: return makeTree(TreeKind::bush, seed);
-    case Kind::familyHouse: return makeFamilyHouse(seed);
-    case Kind::townHouses: return makeTownHouses(seed);
-    case Kind::barn: return makeBarn(seed);
-    case Kind::hall: return makeHall(seed);
-    case Kind::saloon: return makeVehicle(VehicleKind::saloon, seed);
-    case Kind::van: return makeVehicle(VehicleKind::van, seed);
-    case Kind::bus: return makeVehicle(VehicleKind::bus, seed);
+    case Kind::oak:
+        return makeTree(TreeKind::oak, seed);
+    case Kind::birch:
+        return makeTree(TreeKind::birch, seed);
+    case Kind::poplar:
+        return makeTree(TreeKind::poplar, seed);
+    case Kind::spruce:
+        return makeTree(TreeKind::spruce, seed);
+    case Kind::bush:
+        return makeTree(TreeKind::bush, seed);
+    case Kind::familyHouse:
+        return makeFamilyHouse(seed);
+    case Kind::townHouses:
+        return makeTownHouses(seed);
+    case Kind::barn:
+        return makeBarn(seed);
+    case Kind::hall:
+        return makeHall(seed);
+    case Kind::saloon:
+        return makeVehicle(VehicleKind::saloon, seed);
+    case Kind::van:
+        return makeVehicle(VehicleKind::van, seed);
+    case Kind::bus:
+        return makeVehicle(VehicleKind::bus, seed);
     }
     return {};
 }

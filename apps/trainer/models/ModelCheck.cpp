@@ -51,8 +51,8 @@ std::string defectOfMeasures(const Model& model)
         low = std::min(low, p.z);
         high = std::max(high, p.z);
     }
-    if (radius > model.radiusM || high != model.heightM) return "radius or height are not the mesh's";
-    if (low < -model.foundationM - 1e-3) return "it reaches below its foundation";
+    if (radius != model.radiusM || high != model.heightM || -low != model.foundationM)
+        return "radius, height or foundation are not the mesh's";
     return {};
 }
 
@@ -79,7 +79,8 @@ bool isClosed(const core::Mesh& mesh, const std::string& partName)
             passes[std::minmax(a, b)] += a < b ? 1 : -1;
         }
     }
-    return !passes.empty() && std::all_of(passes.begin(), passes.end(), [](const auto& p) { return p.second == 0; });
+    return !passes.empty() &&
+           std::all_of(passes.begin(), passes.end(), [](const auto& p) { return p.second == 0; });
 }
 
 } // namespace trainer::models

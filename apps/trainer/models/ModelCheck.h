@@ -9,8 +9,7 @@ namespace trainer::models
 {
 
 /// What keeps a model from being one: a mesh that is none (MeshCheck.h), a wedge without a unit normal, finite texture
-/// coordinates or a colour, a material without its surface, a degenerate face, measures that are not those of the mesh, a part of
-/// it below its foundation. Empty: nothing does. Cost: linear.
+/// coordinates or a colour, a material without its surface, a degenerate face, measures that are not those of the mesh. Empty: nothing does. Cost: linear.
 std::string defectOf(const Model& model);
 
 inline bool isModel(const Model& model)

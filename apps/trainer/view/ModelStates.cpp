@@ -37,8 +37,8 @@ osg::ref_ptr<osg::Image> imageOf(const std::vector<models::Picture>& chain)
         out += level.rgba.size();
     }
     osg::ref_ptr<osg::Image> image = new osg::Image;
-    image->setImage(chain.front().widthPx, chain.front().heightPx, 1, GL_RGBA, GL_RGBA, GL_UNSIGNED_BYTE, data,
-                    osg::Image::USE_NEW_DELETE);
+    image->setImage(chain.front().widthPx, chain.front().heightPx, 1, GL_RGBA, GL_RGBA, GL_UNSIGNED_BYTE,
+                    data, osg::Image::USE_NEW_DELETE);
     image->setMipmapLevels(offsets);
     return image;
 }
@@ -47,9 +47,12 @@ Finish finishOf(models::Coat coat)
 {
     switch (coat)
     {
-    case models::Coat::lacquered: return Finish::lacquered;
-    case models::Coat::foliage: return Finish::foliage;
-    case models::Coat::matt: break;
+    case models::Coat::lacquered:
+        return Finish::lacquered;
+    case models::Coat::foliage:
+        return Finish::foliage;
+    case models::Coat::matt:
+        break;
     }
     return Finish::matt;
 }
@@ -81,8 +84,8 @@ osg::ref_ptr<osg::StateSet> ModelStates::stateOf(const models::Surface& surface)
     state = carrier->getOrCreateStateSet();
     state->setTextureAttributeAndModes(0, textureOf(surface.painting, isFoliage));
     if (isFoliage)
-        state->setAttributeAndModes(
-            new osg::AlphaFunc(osg::AlphaFunc::GREATER, static_cast<float>(models::kAlphaThreshold) / 255.0F));
+        state->setAttributeAndModes(new osg::AlphaFunc(osg::AlphaFunc::GREATER,
+                                                       static_cast<float>(models::kAlphaThreshold) / 255.0F));
     else
     {
         state->getUniform("objectTintMask")->set(1.0F);

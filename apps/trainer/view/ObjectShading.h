@@ -13,7 +13,7 @@ enum class Finish
     matt,       ///< rubber, cloth, bare loaded models
     lacquered,  ///< car paint, glass: mirrors the sky more at grazing angles
     seeThrough, ///< as matt, blended by its colour's alpha, writes no depth
-    foliage,    ///< leaves: cut out by texture unit 0's alpha, one normal for both sides, light comes round and through
+    foliage, ///< leaves: cut out by texture unit 0's alpha, one normal for both sides, light comes round and through
 };
 
 /// Round holes in both flanks of a body, such as wheel wells: what lies within `radiusM` of one of two axes that run

@@ -72,15 +72,20 @@ void addGableRoof(ModelBuilder& builder, const GableRoof& roof, const Surface& t
     }
     builder.begin("ridge", tiles, tint * 0.9F);
     const glm::dvec3 ridge = roof.base + glm::dvec3(0.0, 0.0, roof.topAt(0.0) - 0.03);
-    Tube tube{{ridge + roof.axis * (roof.from - 0.02), ridge + roof.axis * (roof.to + 0.02)}, {0.11, 0.11}, 8,
-              {0.12, 1.0 / kRoofPictureM}, 0.0, {}};
+    Tube tube{{ridge + roof.axis * (roof.from - 0.02), ridge + roof.axis * (roof.to + 0.02)},
+              {0.11, 0.11},
+              8,
+              {0.12, 1.0 / kRoofPictureM},
+              0.0,
+              {}};
     addTube(builder, tube);
     if (!hasGutters) return;
     builder.begin("gutter", kDetails);
     for (const double side : {-1.0, 1.0})
     {
-        const glm::dvec3 eave = roof.base + roof.across() * (side * (roof.halfWidth + roof.overhang + 0.05)) +
-                                glm::dvec3(0.0, 0.0, roof.topAt(roof.halfWidth + roof.overhang) - roof.thickness + 0.04);
+        const glm::dvec3 eave =
+            roof.base + roof.across() * (side * (roof.halfWidth + roof.overhang + 0.05)) +
+            glm::dvec3(0.0, 0.0, roof.topAt(roof.halfWidth + roof.overhang) - roof.thickness + 0.04);
         addBar(builder, eave + roof.axis * roof.from, eave + roof.axis * roof.to, 0.065, 7,
                uvOf(Detail::zinc).middle());
     }

@@ -20,7 +20,8 @@ void addBand(Wall& wall, int count, double shareWide, double bottomM, double top
 {
     const double pitch = wall.lengthM / count;
     for (int i = 0; i < count; ++i)
-        wall.openings.push_back({(i + 0.5 - 0.5 * shareWide) * pitch, (i + 0.5 + 0.5 * shareWide) * pitch, bottomM, topM, Detail::hallWindow, 0.08, false});
+        wall.openings.push_back({(i + 0.5 - 0.5 * shareWide) * pitch, (i + 0.5 + 0.5 * shareWide) * pitch,
+                                 bottomM, topM, Detail::hallWindow, 0.08, false});
 }
 
 /// Slabs of frosted plastic that lie on both slopes.
@@ -40,8 +41,9 @@ void addSkylights(ModelBuilder& builder, const HouseShell& shell, int count)
                 const bool isUpper = point == 1 || point == 2;
                 const double across = (isUpper ? 0.30 : 0.72) * roof.halfWidth;
                 const double lift = point <= 1 ? 0.06 : -0.05;
-                return Corner{{x + (end == 1 ? 0.7 : -0.7), side * across, roof.base.z + roof.topAt(across) + lift},
-                              uv.at(end == 1 ? 1.0F : 0.0F, isUpper ? 1.0F : 0.0F)};
+                return Corner{
+                    {x + (end == 1 ? 0.7 : -0.7), side * across, roof.base.z + roof.topAt(across) + lift},
+                    uv.at(end == 1 ? 1.0F : 0.0F, isUpper ? 1.0F : 0.0F)};
             };
             const auto mirrored = [&](std::size_t end, std::size_t point, std::size_t face)
             { return cornerAt(end, 3 - point, face); };
@@ -65,15 +67,17 @@ Model makeBarn(std::uint64_t seed)
     shell.rows = {kPlinthM - 0.05, kPlinthM, 1.5, 2.4, head, eaves};
     shell.wallSurface = {Painting::planks, Coat::matt};
     shell.roofSurface = {Painting::roofTiles, Coat::matt};
-    shell.wallTint = dice.chance(0.35) ? glm::vec3(0.78F, 0.32F, 0.25F) : glm::vec3(1.0F) * static_cast<float>(dice.between(0.75, 1.0));
+    shell.wallTint = dice.chance(0.35) ? glm::vec3(0.78F, 0.32F, 0.25F)
+                                       : glm::vec3(1.0F) * static_cast<float>(dice.between(0.75, 1.0));
     shell.roofTint = dice.oneOf(kTileTints);
     shell.doorTint = shell.wallTint * 0.85F;
     shell.hasGutters = dice.chance(0.5);
     setUpShell(shell, dice.between(0.75, 1.0), 0.6, 0.5);
     const double doorAt = shell.lengthM * dice.between(0.3, 0.55);
-    shell.walls[0].openings = {{doorAt - 1.7, doorAt + 1.7, kPlinthM, head, Detail::barnDoor, 0.06, false},
-                               {1.5, 2.3, 1.5, 2.4, Detail::barsWindow, 0.08},
-                               {shell.lengthM - 2.6, shell.lengthM - 1.8, 1.5, 2.4, Detail::barsWindow, 0.08}};
+    shell.walls[0].openings = {
+        {doorAt - 1.7, doorAt + 1.7, kPlinthM, head, Detail::barnDoor, 0.06, false},
+        {1.5, 2.3, 1.5, 2.4, Detail::barsWindow, 0.08},
+        {shell.lengthM - 2.6, shell.lengthM - 1.8, 1.5, 2.4, Detail::barsWindow, 0.08}};
     const double middle = 0.5 * shell.widthM;
     shell.walls[1].openings = {{middle - 1.6, middle + 1.6, kPlinthM, head, Detail::barnDoor, 0.06, false}};
     for (int i = 0; i < 4; ++i)
@@ -83,7 +87,7 @@ Model makeBarn(std::uint64_t seed)
     }
     ModelBuilder builder;
     addShell(builder, shell);
-    return builder.finish(kFoundationM);
+    return builder.finish();
 }
 
 Model makeHall(std::uint64_t seed)
@@ -100,7 +104,8 @@ Model makeHall(std::uint64_t seed)
     shell.roofSurface = {Painting::roofMetal, Coat::matt};
     shell.wallTint = dice.oneOf(kSheetTints);
     shell.roofTint = glm::vec3(0.85F) * static_cast<float>(dice.between(0.8, 1.05));
-    shell.doorTint = dice.oneOf(std::array{glm::vec3(0.85F), glm::vec3(0.30F, 0.42F, 0.60F), glm::vec3(0.65F, 0.22F, 0.18F)});
+    shell.doorTint = dice.oneOf(
+        std::array{glm::vec3(0.85F), glm::vec3(0.30F, 0.42F, 0.60F), glm::vec3(0.65F, 0.22F, 0.18F)});
     setUpShell(shell, dice.between(0.17, 0.26), 0.25, 0.2);
     shell.roof.thickness = 0.25;
     addBand(shell.walls[0], bays, 0.8, eaves - 1.3, eaves - 0.5);
@@ -108,7 +113,8 @@ Model makeHall(std::uint64_t seed)
     const double pitch = shell.lengthM / bays;
     const int firstGate = dice.below(2);
     for (int bay = firstGate; bay < bays; bay += 2)
-        shell.walls[0].openings.push_back({(bay + 0.5) * pitch - 1.9, (bay + 0.5) * pitch + 1.9, kPlinthM, gate, Detail::gate, 0.12, false});
+        shell.walls[0].openings.push_back({(bay + 0.5) * pitch - 1.9, (bay + 0.5) * pitch + 1.9, kPlinthM,
+                                           gate, Detail::gate, 0.12, false});
     const double door = (firstGate == 0 ? 1.5 : 0.5) * pitch;
     shell.walls[0].openings.push_back({door - 0.5, door + 0.5, kPlinthM, 2.45, Detail::door, 0.1, false});
     const double middle = 0.5 * shell.widthM;
@@ -119,8 +125,11 @@ Model makeHall(std::uint64_t seed)
     builder.begin("ventilator", kDetails);
     const double ridge = shell.roof.base.z + shell.roof.topAt(0.0);
     const CellUv zinc = uvOf(Detail::zinc);
-    addBox(builder, {{-0.3 * shell.lengthM, -0.5, ridge - 0.35}, {0.3 * shell.lengthM, 0.5, ridge + 0.45}, zinc.at(0, 0), zinc.at(1, 1)});
-    return builder.finish(kFoundationM);
+    addBox(builder, {{-0.3 * shell.lengthM, -0.5, ridge - 0.35},
+                     {0.3 * shell.lengthM, 0.5, ridge + 0.45},
+                     zinc.at(0, 0),
+                     zinc.at(1, 1)});
+    return builder.finish();
 }
 
 } // namespace trainer::models

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "models/houses/HouseShell.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "models/mesh/Box.h"
 #include "models/mesh/Tube.h"
 
@@ -28,14 +31,14 @@ void addDownpipes(ModelBuilder& builder, const HouseShell& shell)
     const glm::vec2 uv = uvOf(Detail::zinc).middle();
     for (const double side : {-1.0, 1.0})
     {
-        const glm::dvec3 foot = shell.middle + glm::dvec3(-0.5 * shell.lengthM + 0.25, side * (0.5 * shell.widthM + 0.08), 0.05);
+        const glm::dvec3 foot =
+            shell.middle + glm::dvec3(-0.5 * shell.lengthM + 0.25, side * (0.5 * shell.widthM + 0.08), 0.05);
         const double out = shell.roof.overhang;
         const double top = shell.rows.back() - out * shell.roof.slope - 0.30;
         const glm::dvec3 bend = foot + glm::dvec3(0, 0, top - 0.05);
-        Tube tube{{foot, bend - glm::dvec3(0, 0, 0.15), bend + glm::dvec3(0, side * (out - 0.02), 0.38)},
-                  {0.045, 0.045, 0.045}, 6, {0.0, 0.0}, 0.0, {}};
-        for (std::size_t i = 0; i + 1 < tube.line.size(); ++i)
-            addBar(builder, tube.line[i], tube.line[i + 1], 0.045, 6, uv);
+        const glm::dvec3 elbow = bend - glm::dvec3(0, 0, 0.15);
+        addBar(builder, foot, elbow, 0.045, 6, uv);
+        addBar(builder, elbow, bend + glm::dvec3(0, side * (out - 0.02), 0.38), 0.045, 6, uv);
     }
 }
 
@@ -82,6 +85,7 @@ void addShell(ModelBuilder& builder, const HouseShell& shell)
     addPlinth(builder, shell);
     addGableRoof(builder, shell.roof, shell.roofSurface, shell.roofTint, shell.hasGutters);
     if (shell.hasGutters) addDownpipes(builder, shell);
+    if (shell.hasGableWindows) addGableWindows(builder, shell);
 }
 
 void addChimney(ModelBuilder& builder, const HouseShell& shell, const glm::dvec2& place, double aboveRidgeM)
@@ -92,11 +96,33 @@ void addChimney(ModelBuilder& builder, const HouseShell& shell, const glm::dvec2
     builder.begin("chimney", kDetails);
     const CellUv brick = uvOf(Detail::bricks);
     const CellUv stone = uvOf(Detail::stone);
-    addBox(builder, {{at.x - 0.42, at.y - 0.28, foot}, {at.x + 0.42, at.y + 0.28, top}, brick.at(0.0F, 0.0F), brick.at(0.6F, 1.0F)});
-    addBox(builder, {{at.x - 0.50, at.y - 0.36, top - 0.02}, {at.x + 0.50, at.y + 0.36, top + 0.10}, stone.at(0.0F, 0.4F), stone.at(1.0F, 0.5F)});
+    addBox(builder, {{at.x - 0.42, at.y - 0.28, foot},
+                     {at.x + 0.42, at.y + 0.28, top},
+                     brick.at(0.0F, 0.0F),
+                     brick.at(0.6F, 1.0F)});
+    addBox(builder, {{at.x - 0.50, at.y - 0.36, top - 0.02},
+                     {at.x + 0.50, at.y + 0.36, top + 0.10},
+                     stone.at(0.0F, 0.4F),
+                     stone.at(1.0F, 0.5F)});
     for (const double pot : {-0.2, 0.2})
-        addBar(builder, at * glm::dvec3(1, 1, 0) + glm::dvec3(pot, 0, top + 0.05), at * glm::dvec3(1, 1, 0) + glm::dvec3(pot, 0, top + 0.42), 0.11,
-               8, brick.at(0.5F, 0.52F));
+        addBar(builder, at * glm::dvec3(1, 1, 0) + glm::dvec3(pot, 0, top + 0.05),
+               at * glm::dvec3(1, 1, 0) + glm::dvec3(pot, 0, top + 0.42), 0.11, 8, brick.at(0.5F, 0.52F));
+}
+
+void addGableWindows(ModelBuilder& builder, const HouseShell& shell)
+{
+    builder.begin("gable windows", kDetails, shell.frameTint);
+    const CellUv uv = uvOf(Detail::window);
+    const double z = shell.rows.back() + 0.45;
+    for (const double side : {-1.0, 1.0})
+    {
+        const double x = shell.middle.x + side * 0.5 * shell.lengthM;
+        addBox(builder, {{std::min(x - 0.1 * side, x + 0.04 * side), shell.middle.y - 0.5, z},
+                         {std::max(x - 0.1 * side, x + 0.04 * side), shell.middle.y + 0.5, z + 1.15},
+                         uv.low,
+                         uv.high,
+                         1.0F});
+    }
 }
 
 void addDormer(ModelBuilder& builder, const HouseShell& shell, double atX, double insideM)

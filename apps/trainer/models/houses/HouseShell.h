@@ -15,12 +15,13 @@ struct HouseShell
 {
     glm::dvec3 middle{0.0};
     double lengthM = 10.0, widthM = 8.0;
-    std::vector<double> rows;      ///< of all walls; the last is where the roof rests
-    GableRoof roof;                ///< base, slope and width follow from the walls
-    std::array<Wall, 4> walls;     ///< front (towards -y), right (+x), back, left
+    std::vector<double> rows;  ///< of all walls; the last is where the roof rests
+    GableRoof roof;            ///< base, slope and width follow from the walls
+    std::array<Wall, 4> walls; ///< front (towards -y), right (+x), back, left
     Surface wallSurface, roofSurface;
     glm::vec3 wallTint{1.0F}, roofTint{1.0F}, frameTint{1.0F}, doorTint{1.0F};
     bool hasGutters = true;
+    bool hasGableWindows = false;
 };
 
 /// Sets up walls and roof from measures and rows; openings are added to the walls afterwards.
@@ -35,6 +36,9 @@ constexpr double kPlinthM = 0.30;
 
 /// A chimney of bricks through the roof at a place, with its pots.
 void addChimney(ModelBuilder& builder, const HouseShell& shell, const glm::dvec2& place, double aboveRidgeM);
+
+/// A window high up in both gables, in a frame that stands proud of the wall.
+void addGableWindows(ModelBuilder& builder, const HouseShell& shell);
 
 /// A dormer with a saddle roof of its own on the front slope, its window `acrossM` in from the wall.
 void addDormer(ModelBuilder& builder, const HouseShell& shell, double atX, double insideM);

@@ -46,11 +46,14 @@ void addFacade(Wall& wall, const Unit& unit, bool isStreet, Detail window)
     {
         const double middle = (axis + 0.5) * pitch;
         if (axis == unit.doorAxis)
-            wall.openings.push_back({middle - 0.65, middle + 0.65, kPlinthM, kPlinthM + kShopHeadM, Detail::glassDoor, 0.3, false});
+            wall.openings.push_back({middle - 0.65, middle + 0.65, kPlinthM, kPlinthM + kShopHeadM,
+                                     Detail::glassDoor, 0.3, false});
         else if (isStreet)
-            wall.openings.push_back({middle - 0.42 * pitch, middle + 0.42 * pitch, kPlinthM + 0.55, kPlinthM + kShopHeadM, Detail::shopFront, 0.2});
+            wall.openings.push_back({middle - 0.42 * pitch, middle + 0.42 * pitch, kPlinthM + 0.55,
+                                     kPlinthM + kShopHeadM, Detail::shopFront, 0.2});
         for (int storey = 1; storey < unit.storeys; ++storey)
-            wall.openings.push_back({middle - 0.60, middle + 0.60, floorOf(storey) + kSillM, floorOf(storey) + kHeadM, window, 0.16});
+            wall.openings.push_back({middle - 0.60, middle + 0.60, floorOf(storey) + kSillM,
+                                     floorOf(storey) + kHeadM, window, 0.16});
     }
 }
 
@@ -62,7 +65,9 @@ void addCornices(ModelBuilder& builder, const HouseShell& shell, const Unit& uni
     const auto add = [&](double z, double highM, double proudM)
     {
         addBox(builder, {{unit.middleX - 0.5 * unit.widthM + 0.03, y - proudM, z},
-                         {unit.middleX + 0.5 * unit.widthM - 0.03, y + 0.05, z + highM}, uv.at(0, 0.3F), uv.at(1, 0.4F)});
+                         {unit.middleX + 0.5 * unit.widthM - 0.03, y + 0.05, z + highM},
+                         uv.at(0, 0.3F),
+                         uv.at(1, 0.4F)});
     };
     add(floorOf(1) - 0.35, 0.30, 0.16);
     add(floorOf(unit.storeys) - 0.15, 0.22, 0.12);
@@ -120,7 +125,7 @@ Model makeTownHouses(std::uint64_t seed)
         unit.middleX -= 0.5 * widthM;
         addUnit(builder, unit, dice);
     }
-    return builder.finish(kFoundationM);
+    return builder.finish();
 }
 
 } // namespace trainer::models

@@ -19,9 +19,9 @@ std::vector<double> columnsOf(const Wall& wall)
     for (const Opening& opening : wall.openings)
         columns.insert(columns.end(), {opening.from, opening.to});
     std::sort(columns.begin(), columns.end());
-    columns.erase(std::unique(columns.begin(), columns.end(),
-                              [](double a, double b) { return b - a < kNear; }),
-                  columns.end());
+    columns.erase(
+        std::unique(columns.begin(), columns.end(), [](double a, double b) { return b - a < kNear; }),
+        columns.end());
     return columns;
 }
 
@@ -34,10 +34,11 @@ bool isOpen(const Wall& wall, double atM, double heightM)
 
 Corner wallCorner(const Wall& wall, double atM, double heightM, float light, double behindM = 0.0)
 {
-    return {wall.place(atM, heightM, behindM),
-            {static_cast<float>((atM + behindM) / kWallPictureM), static_cast<float>(heightM / kWallPictureM)},
-            {},
-            light};
+    return {
+        wall.place(atM, heightM, behindM),
+        {static_cast<float>((atM + behindM) / kWallPictureM), static_cast<float>(heightM / kWallPictureM)},
+        {},
+        light};
 }
 
 /// The sides of an opening, cut where the wall's face is cut.
@@ -50,7 +51,8 @@ void addReveals(ModelBuilder& builder, const Wall& wall, const Opening& o, const
         const double low = wall.rows[r];
         const double high = wall.rows[r + 1];
         if (low < o.bottom - kNear || high > o.top + kNear) continue;
-        builder.quad(at(o.from, low, false), at(o.from, low, true), at(o.from, high, true), at(o.from, high, false));
+        builder.quad(at(o.from, low, false), at(o.from, low, true), at(o.from, high, true),
+                     at(o.from, high, false));
         builder.quad(at(o.to, low, true), at(o.to, low, false), at(o.to, high, false), at(o.to, high, true));
     }
     for (std::size_t c = 0; c + 1 < columns.size(); ++c)
@@ -60,7 +62,8 @@ void addReveals(ModelBuilder& builder, const Wall& wall, const Opening& o, const
         if (left < o.from - kNear || right > o.to + kNear) continue;
         builder.quad(at(left, o.bottom, false), at(right, o.bottom, false), at(right, o.bottom, true),
                      at(left, o.bottom, true));
-        builder.quad(at(left, o.top, true), at(right, o.top, true), at(right, o.top, false), at(left, o.top, false));
+        builder.quad(at(left, o.top, true), at(right, o.top, true), at(right, o.top, false),
+                     at(left, o.top, false));
     }
 }
 
@@ -83,7 +86,8 @@ void addWallFace(ModelBuilder& builder, const Wall& wall)
             const double low = wall.rows[r], high = wall.rows[r + 1];
             if (isOpen(wall, 0.5 * (left + right), 0.5 * (low + high))) continue;
             builder.quad(wallCorner(wall, left, low, lightAt(r)), wallCorner(wall, right, low, lightAt(r)),
-                         wallCorner(wall, right, high, lightAt(r + 1)), wallCorner(wall, left, high, lightAt(r + 1)));
+                         wallCorner(wall, right, high, lightAt(r + 1)),
+                         wallCorner(wall, left, high, lightAt(r + 1)));
         }
     for (const Opening& opening : wall.openings)
         addReveals(builder, wall, opening, columns);

@@ -73,7 +73,7 @@ void ModelBuilder::grid(const std::vector<std::vector<Corner>>& rows)
             quad(rows[r][i], rows[r][i + 1], rows[r + 1][i + 1], rows[r + 1][i]);
 }
 
-Model ModelBuilder::finish(double foundationM, double creaseDeg)
+Model ModelBuilder::finish(double creaseDeg)
 {
     Model model;
     model.mesh = _mesh.finish();
@@ -83,11 +83,11 @@ Model ModelBuilder::finish(double foundationM, double creaseDeg)
     core::mergeWedges(model.mesh);
     core::compactMesh(model.mesh);
     model.surfaces = std::move(_surfaces);
-    model.foundationM = foundationM;
     for (const glm::dvec3& p : model.mesh.positions)
     {
         model.radiusM = std::max(model.radiusM, std::hypot(p.x, p.y));
         model.heightM = std::max(model.heightM, p.z);
+        model.foundationM = std::max(model.foundationM, -p.z);
     }
     return model;
 }

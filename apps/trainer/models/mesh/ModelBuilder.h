@@ -41,7 +41,7 @@ public:
     void grid(const std::vector<std::vector<Corner>>& rows);
 
     /// Normals where none were given (edges sharper than `creaseDeg` stay sharp), equal wedges joined, measures taken.
-    Model finish(double foundationM, double creaseDeg = 42.0);
+    Model finish(double creaseDeg = 42.0);
 
 private:
     osgPMObjects::core::MeshBuilder _mesh;

@@ -11,12 +11,12 @@ namespace trainer::models
 /// A round bar along a bent line.
 struct Tube
 {
-    std::vector<glm::dvec3> line;  ///< two points or more, no two neighbours equal
-    std::vector<double> radiiM;    ///< by point; 0 closes an end to a tip
-    int sides = 8;                 ///< three or more
-    glm::dvec2 repeats{1.0, 1.0};  ///< of the texture: around, and along per metre
-    double flareLobes = 0.0;       ///< above 0: the first rings swell into that many roots
-    std::vector<float> light;      ///< by point, or empty for 1
+    std::vector<glm::dvec3> line; ///< two points or more, no two neighbours equal
+    std::vector<double> radiiM;   ///< by point; 0 closes an end to a tip
+    int sides = 8;                ///< three or more
+    glm::dvec2 repeats{1.0, 1.0}; ///< of the texture: around, and along per metre
+    double flareLobes = 0.0;      ///< above 0: the first rings swell into that many roots
+    std::vector<float> light;     ///< by point, or empty for 1
 };
 
 /// Its closed skin, with normals that look straight away from the line. The frame is carried along without twist: each

@@ -30,7 +30,8 @@ void findCrossings(std::span<const glm::vec2> corners, float y, std::vector<floa
     std::sort(crossings.begin(), crossings.end());
 }
 
-void addArc(std::vector<glm::vec2>& corners, const glm::vec2& middle, float radius, float fromTurn, float toTurn)
+void addArc(std::vector<glm::vec2>& corners, const glm::vec2& middle, float radius, float fromTurn,
+            float toTurn)
 {
     const int steps = 8;
     for (int i = 0; i <= steps; ++i)
@@ -79,7 +80,8 @@ void Canvas::polygon(std::span<const glm::vec2> corners, const glm::vec4& colour
                 const float to = std::clamp(crossings[c + 1], 0.0F, static_cast<float>(_widthPx));
                 for (int x = static_cast<int>(from); static_cast<float>(x) < to; ++x)
                     covered[static_cast<std::size_t>(x)] +=
-                        (std::min(to, static_cast<float>(x + 1)) - std::max(from, static_cast<float>(x))) / kSamples;
+                        (std::min(to, static_cast<float>(x + 1)) - std::max(from, static_cast<float>(x))) /
+                        kSamples;
             }
         }
         for (int x = 0; x < _widthPx; ++x)
@@ -112,11 +114,13 @@ void Canvas::disc(const glm::vec2& middle, float radius, const glm::vec4& colour
     rounded(middle - radius, middle + radius, radius, colour);
 }
 
-void Canvas::stroke(const glm::vec2& from, const glm::vec2& to, const glm::vec2& widths, const glm::vec4& colour)
+void Canvas::stroke(const glm::vec2& from, const glm::vec2& to, const glm::vec2& widths,
+                    const glm::vec4& colour)
 {
     const glm::vec2 along = to - from;
     const glm::vec2 side = glm::normalize(glm::vec2(-along.y, along.x)) * 0.5F;
-    polygon(std::array{from - side * widths.x, to - side * widths.y, to + side * widths.y, from + side * widths.x},
+    polygon(std::array{from - side * widths.x, to - side * widths.y, to + side * widths.y,
+                       from + side * widths.x},
             colour);
 }
 

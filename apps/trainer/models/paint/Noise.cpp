@@ -14,8 +14,8 @@ namespace
 float latticeValue(const glm::ivec2& cell, const glm::ivec2& cells, std::uint32_t seed)
 {
     const auto wrapped = [](int i, int n) { return static_cast<std::uint32_t>((i % n + n) % n); };
-    std::uint32_t h = seed * 0x9e3779b9U + wrapped(cell.x, cells.x) * 0x85ebca6bU +
-                      wrapped(cell.y, cells.y) * 0xc2b2ae35U;
+    std::uint32_t h =
+        seed * 0x9e3779b9U + wrapped(cell.x, cells.x) * 0x85ebca6bU + wrapped(cell.y, cells.y) * 0xc2b2ae35U;
     h = (h ^ (h >> 16)) * 0x7feb352dU;
     h = (h ^ (h >> 15)) * 0x846ca68bU;
     return static_cast<float>((h ^ (h >> 16)) >> 8) * 0x1p-24F;

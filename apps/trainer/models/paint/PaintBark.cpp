@@ -34,7 +34,8 @@ Picture paintFurrows(const Furrows& look)
             glm::vec2 uv(static_cast<float>(x) / kSizePx, static_cast<float>(y) / kSizePx);
             uv.x += 0.04F * (tiledNoise(uv, {4, 6}, look.seed + 9) - 0.5F); // furrows wander
             const float wave = tiledCloud(uv, look.cells, 3, look.seed);
-            const float ridge = 1.0F - std::abs(2.0F * wave - 1.0F); // creased where the noise crosses its middle
+            const float ridge =
+                1.0F - std::abs(2.0F * wave - 1.0F); // creased where the noise crosses its middle
             const float grain = tiledCloud(uv, {32, 32}, 2, look.seed + 5);
             const float height = glm::smoothstep(0.35F, 0.95F, 1.0F - ridge) + 0.0F;
             const glm::vec3 colour =
@@ -64,9 +65,8 @@ Picture paintBirchBark()
         {
             const glm::vec2 uv(static_cast<float>(x) / kSizePx, static_cast<float>(y) / kSizePx);
             const float cloud = tiledCloud(uv, {3, 12}, 3, 31);
-            canvas.pixel(x, y) = glm::vec4(glm::mix(glm::vec3(0.72F, 0.69F, 0.64F), glm::vec3(0.90F, 0.89F, 0.86F),
-                                                    cloud),
-                                           1.0F);
+            canvas.pixel(x, y) = glm::vec4(
+                glm::mix(glm::vec3(0.72F, 0.69F, 0.64F), glm::vec3(0.90F, 0.89F, 0.86F), cloud), 1.0F);
         }
     Dice dice(5);
     for (int i = 0; i < 70; ++i) // lenticels and scars, dark and level

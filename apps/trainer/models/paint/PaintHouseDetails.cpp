@@ -49,7 +49,8 @@ public:
         for (int i = 0; i < kBands; ++i)
         {
             const float t = static_cast<float>(i) / kBands;
-            const glm::vec3 colour = glm::mix(glm::vec3(0.13F, 0.15F, 0.17F), glm::vec3(0.30F, 0.37F, 0.43F), t * t);
+            const glm::vec3 colour =
+                glm::mix(glm::vec3(0.13F, 0.15F, 0.17F), glm::vec3(0.30F, 0.37F, 0.43F), t * t);
             const float y0 = glm::mix(low.y, high.y, t);
             const float y1 = glm::mix(low.y, high.y, t + 1.02F / kBands);
             canvas.rectangle({low.x, y0}, {high.x, std::min(y1, high.y)}, glm::vec4(colour, 0.0F));
@@ -81,8 +82,9 @@ void paintWindow(Canvas& canvas, Detail detail, int sashes, int rows, bool hasCu
     {
         const float left = 0.04F + sash * static_cast<float>(s);
         canvas.rectangle({left + 0.004F, 0.03F}, {left + 0.014F, 0.97F}, {0.6F, 0.6F, 0.6F, 1.0F});
-        const glm::vec2 low(left + 0.05F, 0.08F);
-        const glm::vec2 high(left + sash - 0.05F, 0.93F);
+        const float rim = 0.11F * sash;
+        const glm::vec2 low(left + rim, 0.08F);
+        const glm::vec2 high(left + sash - rim, 0.93F);
         cell.glass(low, high, hasCurtain);
         for (int row = 1; row < rows; ++row)
         {
@@ -112,13 +114,16 @@ void paintDoors(Canvas& canvas)
     CellPainter gate(canvas, Detail::gate);
     gate.fill(glm::vec3(0.90F), 1.0F, 0.04F, {6, 6});
     for (int i = 1; i < 7; ++i)
-        canvas.rectangle({0.0F, static_cast<float>(i) / 7.0F - 0.004F}, {1.0F, static_cast<float>(i) / 7.0F + 0.008F}, {0.5F, 0.5F, 0.5F, 1.0F});
+        canvas.rectangle({0.0F, static_cast<float>(i) / 7.0F - 0.004F},
+                         {1.0F, static_cast<float>(i) / 7.0F + 0.008F}, {0.5F, 0.5F, 0.5F, 1.0F});
     for (int i = 0; i < 5; ++i)
-        gate.glass({0.06F + 0.185F * static_cast<float>(i), 0.46F}, {0.20F + 0.185F * static_cast<float>(i), 0.54F}, false);
+        gate.glass({0.06F + 0.185F * static_cast<float>(i), 0.46F},
+                   {0.20F + 0.185F * static_cast<float>(i), 0.54F}, false);
     CellPainter barn(canvas, Detail::barnDoor);
     barn.fill(glm::vec3(0.60F, 0.50F, 0.41F), 1.0F, 0.5F, {24, 2});
     for (int i = 0; i <= 16; ++i)
-        canvas.rectangle({static_cast<float>(i) / 16.0F - 0.003F, 0.0F}, {static_cast<float>(i) / 16.0F + 0.003F, 1.0F}, {0.2F, 0.17F, 0.14F, 1.0F});
+        canvas.rectangle({static_cast<float>(i) / 16.0F - 0.003F, 0.0F},
+                         {static_cast<float>(i) / 16.0F + 0.003F, 1.0F}, {0.2F, 0.17F, 0.14F, 1.0F});
     canvas.rectangle({0.492F, 0.0F}, {0.508F, 1.0F}, {0.10F, 0.09F, 0.08F, 1.0F});
     for (const float x : {0.02F, 0.52F})
     {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "models/paint/PaintLeaves.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -24,10 +25,10 @@ struct LeafLook
 {
     glm::vec3 colour;
     float length, width;
-    float widestAt;   ///< along the leaf, 0 stalk … 1 tip
-    float lobes;      ///< how many waves its edge has; 0: smooth
-    int twigs, leavesPerTwig;
-    float hanging;    ///< 0: leaves stand out sideways, 1: they hang down
+    float widestAt; ///< along the leaf, 0 stalk … 1 tip
+    float lobes;    ///< how many waves its edge has; 0: smooth
+    int leaves;
+    float hanging; ///< 0: leaves point anywhere, 1: they hang down
     std::uint64_t seed;
 };
 
@@ -45,8 +46,10 @@ void paintLeaf(Canvas& canvas, const LeafLook& look, const glm::vec2& stalk, con
     for (int i = 0; i <= kSteps; ++i)
     {
         const float t = static_cast<float>(i) / kSteps;
-        const float bent = std::pow(t, std::log(0.5F) / std::log(look.widestAt)); // widest where it becomes a half
-        float half = 0.5F * look.width * std::pow(std::sin(std::numbers::pi_v<float> * bent), 0.8F);
+        const float bent =
+            std::pow(t, std::log(0.5F) / std::log(look.widestAt)); // widest where it becomes a half
+        float half =
+            0.5F * look.width * std::pow(std::max(std::sin(std::numbers::pi_v<float> * bent), 0.0F), 0.8F);
         half *= 1.0F + 0.28F * (look.lobes > 0.0F ? std::sin(6.2832F * look.lobes * t) : 0.0F);
         const glm::vec2 place = stalk + along * (t * look.length);
         outline.push_back(place - side * half);
@@ -61,35 +64,36 @@ void paintLeaf(Canvas& canvas, const LeafLook& look, const glm::vec2& stalk, con
                   {0.05F * look.width, 0.02F * look.width}, glm::vec4(colour * 1.3F + 0.02F, 1.0F));
 }
 
+/// Twigs that fan out, and leaves strewn over an oval, pointing more or less outwards; the first ones, behind, in the shade.
 Picture paintCluster(const LeafLook& look)
 {
     Canvas canvas(kSizePx, kSizePx, glm::vec4(look.colour, 0.0F));
     canvas.setFrame({0.5F * kSizePx, 0.0F}, glm::vec2(kSizePx));
     Dice dice(look.seed);
     const auto random = [&](double low, double high) { return static_cast<float>(dice.between(low, high)); };
-    const glm::vec4 wood(0.30F, 0.24F, 0.17F, 1.0F);
-    for (int layer = 0; layer < 2; ++layer) // the shaded ones behind
-        for (int twig = 0; twig < look.twigs; ++twig)
-        {
-            const float spread = look.twigs == 1 ? 0.0F : 2.0F * (static_cast<float>(twig) + random(0.2, 0.8)) / static_cast<float>(look.twigs) - 1.0F;
-            const glm::vec2 from(0.03F * spread, layer == 0 ? 0.12F : 0.0F);
-            const glm::vec2 direction = turned({0.0F, 1.0F}, -1.05F * spread);
-            const float reach = random(0.52, 0.84) * (1.0F - 0.42F * std::abs(spread));
-            canvas.stroke(from, from + direction * reach, {0.012F, 0.004F}, wood);
-            for (int leaf = 0; leaf < look.leavesPerTwig; ++leaf)
-            {
-                const float t = (static_cast<float>(leaf) + random(0.3, 1.0)) / static_cast<float>(look.leavesPerTwig);
-                const float sideways = (leaf % 2 == 0 ? 1.0F : -1.0F) * random(0.4, 1.35) * (1.15F - t);
-                glm::vec2 along = turned(direction, sideways);
-                along = glm::normalize(along + look.hanging * glm::vec2(0.0F, -1.6F));
-                const glm::vec2 stalk = from + direction * (reach * t);
-                if (std::abs(stalk.x + along.x * look.length) > 0.495F || stalk.y + along.y * look.length > 0.99F || stalk.y + along.y * look.length < 0.01F)
-                    continue; // a leaf cut off by the card's edge is seen as one
-                const float shade = (layer == 0 ? 0.66F : 0.92F) * random(0.84, 1.18);
-                const glm::vec3 hue = look.colour * glm::vec3(random(0.88, 1.16), 1.0F, random(0.8, 1.1));
-                paintLeaf(canvas, look, stalk, along, hue * shade);
-            }
-        }
+    const glm::vec2 middle(0.0F, 0.52F);
+    for (int twig = 0; twig < 7; ++twig)
+    {
+        const glm::vec2 tip = turned({0.0F, random(0.6, 0.85)}, 0.22F * static_cast<float>(twig - 3));
+        canvas.stroke({0.0F, 0.0F}, tip, {0.012F, 0.004F}, {0.30F, 0.24F, 0.17F, 1.0F});
+    }
+    for (int leaf = 0; leaf < look.leaves; ++leaf)
+    {
+        const float share = static_cast<float>(leaf) / static_cast<float>(look.leaves);
+        const float reach = std::sqrt(random(0.0, 1.0)) * (share < 0.3F ? 0.47F : 0.44F) * random(0.86, 1.0);
+        const glm::vec2 outward = turned({0.0F, 1.0F}, random(0.0, 6.2832));
+        glm::vec2 along =
+            glm::normalize(turned(outward, random(-1.5, 1.5)) + glm::vec2(0.0F, 0.35F - 1.9F * look.hanging));
+        const glm::vec2 centre = middle + outward * reach;
+        const glm::vec2 stalk = centre - along * (0.5F * look.length);
+        const glm::vec2 tip = centre + along * (0.5F * look.length);
+        if (std::max(std::abs(stalk.x), std::abs(tip.x)) > 0.48F || std::max(stalk.y, tip.y) > 0.98F ||
+            std::min(stalk.y, tip.y) < 0.02F)
+            continue; // a leaf cut off by the card's edge is seen as one
+        const float shade = glm::mix(0.58F, 1.02F, share) * random(0.86, 1.14);
+        const glm::vec3 hue = look.colour * glm::vec3(random(0.88, 1.16), 1.0F, random(0.8, 1.1));
+        paintLeaf(canvas, look, stalk, along, hue * shade);
+    }
     return canvas.picture();
 }
 
@@ -97,22 +101,22 @@ Picture paintCluster(const LeafLook& look)
 
 Picture paintOakLeaves()
 {
-    return paintCluster({{0.34F, 0.43F, 0.17F}, 0.155F, 0.085F, 0.60F, 3.5F, 7, 15, 0.0F, 11});
+    return paintCluster({{0.30F, 0.40F, 0.18F}, 0.105F, 0.064F, 0.60F, 3.5F, 260, 0.0F, 11});
 }
 
 Picture paintBirchLeaves()
 {
-    return paintCluster({{0.42F, 0.52F, 0.20F}, 0.090F, 0.066F, 0.36F, 0.0F, 7, 20, 0.35F, 23});
+    return paintCluster({{0.36F, 0.46F, 0.21F}, 0.070F, 0.053F, 0.36F, 0.0F, 360, 0.35F, 23});
 }
 
 Picture paintPoplarLeaves()
 {
-    return paintCluster({{0.36F, 0.47F, 0.20F}, 0.115F, 0.098F, 0.38F, 0.0F, 6, 17, 0.1F, 37});
+    return paintCluster({{0.32F, 0.42F, 0.20F}, 0.080F, 0.070F, 0.38F, 0.0F, 290, 0.1F, 37});
 }
 
 Picture paintBushLeaves()
 {
-    return paintCluster({{0.31F, 0.42F, 0.19F}, 0.125F, 0.060F, 0.48F, 0.0F, 8, 14, 0.0F, 41});
+    return paintCluster({{0.29F, 0.39F, 0.19F}, 0.100F, 0.054F, 0.48F, 0.0F, 280, 0.0F, 41});
 }
 
 Picture paintSpruceNeedles()

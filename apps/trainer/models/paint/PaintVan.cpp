@@ -25,7 +25,8 @@ void paintSide(VehiclePainter& p)
     p.box({-2.82F, 0.24F}, {-2.45F, 0.50F}, 0.03F, VehiclePainter::kPlastic);
     for (const float x : {0.70F, 0.36F})
         p.box({x, 1.02F}, {x + 0.16F, 1.06F}, 0.012F, VehiclePainter::kBlack);
-    p.fill({{2.80F, 0.68F}, {2.74F, 0.92F}, {2.46F, 1.06F}, {2.36F, 1.04F}, {2.48F, 0.80F}}, VehiclePainter::kLamp);
+    p.fill({{2.80F, 0.68F}, {2.74F, 0.92F}, {2.46F, 1.06F}, {2.36F, 1.04F}, {2.48F, 0.80F}},
+           VehiclePainter::kLamp);
     p.box({-2.81F, 0.85F}, {-2.72F, 1.45F}, 0.02F, VehiclePainter::kTailLamp);
 }
 
@@ -46,7 +47,8 @@ void paintEnds(VehiclePainter& p)
     p.box({-0.86F, 0.24F}, {0.86F, 0.56F}, 0.06F, VehiclePainter::kPlastic);
     p.box({-0.50F, 0.70F}, {0.50F, 0.88F}, 0.05F, VehiclePainter::kBlack);
     for (int bar = 0; bar < 3; ++bar)
-        p.box({-0.47F, 0.725F + 0.05F * static_cast<float>(bar)}, {0.47F, 0.74F + 0.05F * static_cast<float>(bar)}, 0.006F, VehiclePainter::kChrome);
+        p.box({-0.47F, 0.725F + 0.05F * static_cast<float>(bar)},
+              {0.47F, 0.74F + 0.05F * static_cast<float>(bar)}, 0.006F, VehiclePainter::kChrome);
     p.pair({0.54F, 0.68F}, {0.86F, 1.00F}, 0.06F, VehiclePainter::kLamp);
     p.pair({0.60F, 0.73F}, {0.75F, 0.88F}, 0.07F, {0.55F, 0.57F, 0.60F, 0.0F});
     p.plate({0.0F, 0.46F});

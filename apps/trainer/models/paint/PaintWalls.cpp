@@ -25,7 +25,9 @@ Picture paintEach(const ColourAt& colourAt)
     for (int y = 0; y < kSizePx; ++y)
         for (int x = 0; x < kSizePx; ++x)
             canvas.pixel(x, y) =
-                glm::vec4(colourAt((glm::vec2(static_cast<float>(x), static_cast<float>(y)) + 0.5F) / static_cast<float>(kSizePx)), 1.0F);
+                glm::vec4(colourAt((glm::vec2(static_cast<float>(x), static_cast<float>(y)) + 0.5F) /
+                                   static_cast<float>(kSizePx)),
+                          1.0F);
     return canvas.picture();
 }
 
@@ -65,7 +67,8 @@ Picture paintBricks()
             const float shifted = uv.x * 10.0F + (static_cast<int>(course) % 2 == 0 ? 0.0F : 0.5F);
             const float inBrick = shifted - std::floor(shifted);
             if (inCourse < 0.14F || inBrick < 0.045F) return glm::vec3(0.62F, 0.60F, 0.56F);
-            const float hue = tiledNoise({std::floor(shifted) / 10.0F, course / kCourses}, {10, kCourses}, 71);
+            const float hue =
+                tiledNoise({std::floor(shifted) / 10.0F, course / kCourses}, {10, kCourses}, 71);
             return glm::mix(glm::vec3(0.52F, 0.27F, 0.20F), glm::vec3(0.66F, 0.38F, 0.28F), hue);
         });
 }
@@ -77,7 +80,10 @@ Picture paintSheetMetal()
         {
             const Strip rib = stripAt(uv.x, 8);
             // Lit from the left: the flank to the left of a rib is bright, the other in shade.
-            const float shade = rib.across < 0.12F ? 1.0F : rib.across < 0.45F ? 0.92F : rib.across < 0.57F ? 0.74F : 0.84F;
+            const float shade = rib.across < 0.12F   ? 1.0F
+                                : rib.across < 0.45F ? 0.92F
+                                : rib.across < 0.57F ? 0.74F
+                                                     : 0.84F;
             return glm::vec3(shade - 0.07F * tiledCloud(uv, {4, 3}, 3, 73));
         });
 }

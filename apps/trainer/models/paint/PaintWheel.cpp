@@ -31,7 +31,8 @@ Picture paintWheel()
     canvas.disc({0.0F, 0.0F}, 0.19F, alloy);
     canvas.disc({0.0F, 0.0F}, 0.08F, {0.45F, 0.46F, 0.48F, 1.0F});
     for (int bolt = 0; bolt < 5; ++bolt)
-        canvas.disc(around(2.0F * std::numbers::pi_v<float> * static_cast<float>(bolt) / 5.0F) * 0.135F, 0.022F, gap);
+        canvas.disc(around(2.0F * std::numbers::pi_v<float> * static_cast<float>(bolt) / 5.0F) * 0.135F,
+                    0.022F, gap);
     return canvas.picture();
 }
 

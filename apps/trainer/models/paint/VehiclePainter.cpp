@@ -19,6 +19,7 @@ VehiclePainter::VehiclePainter(const VehicleForm& form)
 void VehiclePainter::look(View view)
 {
     const glm::vec2 origin = view == View::side    ? _sheet.sideOriginPx()
+                             : view == View::left  ? _sheet.leftOriginPx()
                              : view == View::top   ? _sheet.topOriginPx()
                              : view == View::front ? _sheet.frontOriginPx()
                                                    : _sheet.backOriginPx();
@@ -78,7 +79,8 @@ void VehiclePainter::seam(const Outline& line)
 
 void VehiclePainter::plate(const glm::vec2& middle)
 {
-    box(middle - glm::vec2(0.26F, 0.055F), middle + glm::vec2(0.26F, 0.055F), 0.01F, {0.92F, 0.92F, 0.88F, 0.0F});
+    box(middle - glm::vec2(0.26F, 0.055F), middle + glm::vec2(0.26F, 0.055F), 0.01F,
+        {0.92F, 0.92F, 0.88F, 0.0F});
     for (int i = 0; i < 7; ++i)
     {
         const glm::vec2 at = middle + glm::vec2(-0.21F + 0.065F * static_cast<float>(i), 0.0F);

@@ -16,7 +16,8 @@ class VehiclePainter
 public:
     enum class View
     {
-        side,  ///< x to the right, z up
+        side,  ///< the right one, or both: x to the right, z up
+        left,  ///< the same, where it is another
         top,   ///< x to the right, y up
         front, ///< y to the right, z up
         back,  ///< y to the right, z up

@@ -76,18 +76,25 @@ void addCardsAlong(Cards& cards, const TreeForm& form, const Limb& limb, double 
         CardPlace place;
         place.stalk = glm::mix(limb.line[i], limb.line[i + 1], at - static_cast<double>(i));
         place.lengthM = dice.between(form.cardM.low, form.cardM.high);
-        const glm::dvec3 level = glm::normalize(glm::cross(whole, glm::dvec3(0, 0, 1)) + glm::dvec3(1e-4, 0, 0));
+        const glm::dvec3 level =
+            glm::normalize(glm::cross(whole, glm::dvec3(0, 0, 1)) + glm::dvec3(1e-4, 0, 0));
         if (form.flatCards)
         {
             // Sprays stand out to both sides of the bough and tilt down like the halves of a roof.
             const double out = (k % 2 == 0 ? 1.0 : -1.0) * dice.between(0.35, 1.0);
-            place.along = glm::normalize(whole + level * out - glm::dvec3(0, 0, form.cardHang * std::abs(out)));
-            place.across = glm::normalize(glm::cross(place.along, glm::dvec3(0, 0, 1)) + 0.35 * anyDirection(dice));
-            place.lengthM *= glm::mix(1.25, 0.7, share);
+            place.along =
+                glm::normalize(whole + level * out - glm::dvec3(0, 0, form.cardHang * std::abs(out)));
+            place.across =
+                glm::normalize(glm::cross(place.along, glm::dvec3(0, 0, 1)) + 0.35 * anyDirection(dice));
+            // No spray is longer than the bough lets it be: the tip of the tree stays one.
+            place.lengthM =
+                std::min(place.lengthM, 0.30 + 0.42 * glm::distance(limb.line.front(), limb.line.back())) *
+                glm::mix(1.2, 0.7, share);
         }
         else
         {
-            place.along = glm::normalize(0.7 * whole + 0.75 * anyDirection(dice) - glm::dvec3(0, 0, 1.2 * form.cardHang));
+            place.along = glm::normalize(0.7 * whole + 0.75 * anyDirection(dice) -
+                                         glm::dvec3(0, 0, 1.2 * form.cardHang));
             place.across = anyDirection(dice);
         }
         place.across -= place.along * glm::dot(place.across, place.along);

@@ -25,7 +25,8 @@ double in(const Range& range, Dice& dice)
 
 glm::dvec3 heading(double azimuth, double elevation)
 {
-    return {std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth), std::sin(elevation)};
+    return {std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth),
+            std::sin(elevation)};
 }
 
 /// The point of a limb at a share of its length, with its radius.
@@ -51,7 +52,8 @@ Limb growTrunk(const TreeForm& form, double heightM, int number, Dice& dice)
         const double wander = form.trunkWander * heightM * t;
         glm::dvec3 place(wander * std::sin(5.0 * t + phase), wander * std::cos(4.1 * t + phase), z);
         place -= glm::dvec3(0.0, 0.0, 0.0);
-        place += glm::dvec3(std::cos(leanTurn), std::sin(leanTurn), 0.0) * (lean * std::max(z, 0.0) * (1.0 - 0.4 * t));
+        place += glm::dvec3(std::cos(leanTurn), std::sin(leanTurn), 0.0) *
+                 (lean * std::max(z, 0.0) * (1.0 - 0.4 * t));
         const double taper = std::pow(1.0 - t, 0.75);
         const double flare = 1.0 + 0.55 * std::exp(-std::max(z, 0.0) / (0.035 * heightM));
         trunk.line.push_back(place);
@@ -60,16 +62,18 @@ Limb growTrunk(const TreeForm& form, double heightM, int number, Dice& dice)
     return trunk;
 }
 
-Limb growBough(const TreeForm& form, const Crown& crown, const glm::dvec3& from, double radiusM, double azimuth,
-               Dice& dice)
+Limb growBough(const TreeForm& form, const Crown& crown, const glm::dvec3& from, double radiusM,
+               double azimuth, Dice& dice)
 {
     const double share = std::clamp(crown.shareOf(from.z), 0.0, 1.0);
-    double elevation = glm::radians(glm::mix(form.boughElevationDeg.low, form.boughElevationDeg.high, share)) +
-                       dice.between(-0.14, 0.14);
+    double elevation =
+        glm::radians(glm::mix(form.boughElevationDeg.low, form.boughElevationDeg.high, share)) +
+        dice.between(-0.14, 0.14);
     Limb bough{{from}, {radiusM}};
     const int most = 7;
     const double width = crown.radiusM * std::max(crown.profile(share), 0.12);
-    const double step = std::max(width / std::max(std::cos(elevation), 0.30), 0.25 * crown.radiusM) / (most - 1.5);
+    const double step =
+        std::max(width / std::max(std::cos(elevation), 0.30), 0.25 * crown.radiusM) / (most - 1.5);
     const double reach = dice.between(0.82, 0.98);
     for (int i = 1; i < most; ++i)
     {
@@ -80,11 +84,14 @@ Limb growBough(const TreeForm& form, const Crown& crown, const glm::dvec3& from,
         bough.line.push_back(next);
     }
     for (std::size_t i = 1; i < bough.line.size(); ++i)
-        bough.radiiM.push_back(radiusM * std::pow(1.0 - static_cast<double>(i) / static_cast<double>(bough.line.size() - 1), 0.8));
+        bough.radiiM.push_back(
+            radiusM *
+            std::pow(1.0 - static_cast<double>(i) / static_cast<double>(bough.line.size() - 1), 0.8));
     return bough;
 }
 
-void growTwigs(const TreeForm& form, const Crown& crown, const Limb& bough, std::vector<Limb>& twigs, Dice& dice)
+void growTwigs(const TreeForm& form, const Crown& crown, const Limb& bough, std::vector<Limb>& twigs,
+               Dice& dice)
 {
     const double length = glm::distance(bough.line.front(), bough.line.back());
     for (int k = 0; k < form.twigsPerBough; ++k)
@@ -92,17 +99,19 @@ void growTwigs(const TreeForm& form, const Crown& crown, const Limb& bough, std:
         const double share = 0.25 + 0.72 * (k + dice.unit()) / form.twigsPerBough;
         const auto [from, radius] = pointOf(bough, share);
         const glm::dvec3 along = glm::normalize(bough.line.back() - bough.line.front());
-        const glm::dvec3 side = glm::normalize(glm::cross(along, glm::dvec3(0, 0, 1)) + glm::dvec3(1e-3, 0, 0));
-        const double spread = glm::radians(form.twigSpreadDeg) * dice.between(0.7, 1.25) * (k % 2 == 0 ? 1.0 : -1.0);
+        const glm::dvec3 side =
+            glm::normalize(glm::cross(along, glm::dvec3(0, 0, 1)) + glm::dvec3(1e-3, 0, 0));
+        const double spread =
+            glm::radians(form.twigSpreadDeg) * dice.between(0.7, 1.25) * (k % 2 == 0 ? 1.0 : -1.0);
         const double lift = dice.between(-0.5, 0.85);
-        glm::dvec3 direction =
-            glm::normalize(along * std::cos(spread) + side * std::sin(spread) + glm::dvec3(0, 0, lift * std::abs(std::sin(spread))));
+        glm::dvec3 direction = glm::normalize(along * std::cos(spread) + side * std::sin(spread) +
+                                              glm::dvec3(0, 0, lift * std::abs(std::sin(spread))));
         const double reach = length * dice.between(0.22, 0.40);
         Limb twig{{from}, {std::max(0.55 * radius, 0.004)}};
         for (int i = 1; i <= 3; ++i)
         {
-            direction = glm::normalize(direction + glm::dvec3(dice.between(-0.2, 0.2), dice.between(-0.2, 0.2),
-                                                              0.5 * form.boughBend));
+            direction = glm::normalize(direction + glm::dvec3(dice.between(-0.2, 0.2),
+                                                              dice.between(-0.2, 0.2), 0.5 * form.boughBend));
             const glm::dvec3 next = twig.line.back() + direction * (reach / 3.0);
             if (i > 1 && crown.depthOf(next) > 1.0) break;
             twig.line.push_back(next);
@@ -126,7 +135,8 @@ glm::vec3 Crown::normalAt(const glm::dvec3& place) const
 {
     const double half = 0.5 * (topM - baseM);
     const double up = (place.z - baseM - 0.8 * half) / half;
-    const glm::dvec3 outward(place.x / radiusM, place.y / radiusM, 0.75 * up * radiusM / std::max(half, radiusM) + 0.30);
+    const glm::dvec3 outward(place.x / radiusM, place.y / radiusM,
+                             0.75 * up * radiusM / std::max(half, radiusM) + 0.30);
     return glm::vec3(glm::normalize(outward));
 }
 
@@ -134,16 +144,16 @@ Skeleton growSkeleton(const TreeForm& form, Dice& dice)
 {
     Skeleton tree;
     tree.heightM = in(form.heightM, dice);
-    tree.crown = {in(form.crownFrom, dice) * tree.heightM, tree.heightM, in(form.crownRadius, dice) * tree.heightM,
-                  form.profile};
+    tree.crown = {in(form.crownFrom, dice) * tree.heightM, tree.heightM,
+                  in(form.crownRadius, dice) * tree.heightM, form.profile};
     for (int stem = 0; stem < form.stems; ++stem)
         tree.trunks.push_back(growTrunk(form, tree.heightM, stem, dice));
     const double turn = dice.between(0.0, 6.28);
     for (int k = 0; k < form.boughs; ++k)
     {
         const Limb& trunk = tree.trunks[static_cast<std::size_t>(k % form.stems)];
-        const double wanted = glm::mix(tree.crown.baseM, 0.95 * form.trunkTo * tree.heightM,
-                                       (k + dice.unit()) / form.boughs);
+        const double wanted =
+            glm::mix(tree.crown.baseM, 0.95 * form.trunkTo * tree.heightM, (k + dice.unit()) / form.boughs);
         double share = 0.0; // where the trunk has that height
         while (share < 0.97 && pointOf(trunk, share).first.z < wanted)
             share += 0.01;

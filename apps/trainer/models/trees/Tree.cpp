@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "models/trees/Tree.h"
 
+#include <algorithm>
+
 #include "models/mesh/Tube.h"
 #include "models/trees/Foliage.h"
 #include "models/trees/Skeleton.h"
@@ -17,13 +19,16 @@ void addLimbs(ModelBuilder& builder, const TreeForm& form, const Skeleton& tree)
     {
         Tube tube{limb.line, limb.radiiM, sides, {around, form.barkRepeats.y}, isTrunk ? 5.0 : 0.0, {}};
         for (const glm::dvec3& place : limb.line) // in the shade of its own crown
-            tube.light.push_back(place.z < tree.crown.baseM ? 1.0F : 0.62F);
+            tube.light.push_back(
+                place.z < tree.crown.baseM
+                    ? 1.0F
+                    : static_cast<float>(std::min(0.36 + 0.4 * tree.crown.depthOf(place), 0.8)));
         addTube(builder, tube);
     };
     for (const Limb& trunk : tree.trunks)
         add(trunk, form.stems > 1 ? 6 : 12, form.barkRepeats.x, form.stems == 1);
     for (const Limb& bough : tree.boughs)
-        add(bough, form.flatCards ? 4 : 6, 1.0, false);
+        add(bough, form.flatCards ? 3 : 6, 1.0, false);
     for (const Limb& twig : tree.twigs)
         add(twig, 3, 1.0, false);
 }
@@ -44,7 +49,7 @@ Model makeTree(TreeKind kind, std::uint64_t seed)
     builder.begin("foliage", {form.leaves, Coat::foliage},
                   form.leafTint * glm::vec3(random(0.92, 1.08), 1.0F, random(0.88, 1.05)) * brightness);
     addFoliage(builder, form, tree, dice);
-    return builder.finish(kRootM);
+    return builder.finish();
 }
 
 } // namespace trainer::models

@@ -58,7 +58,8 @@ public:
         {
             const double away = (x - axle) * _body.stretch.x;
             const double square = _body.archRadiusM() * _body.archRadiusM() - away * away;
-            if (square > 0.0) edge = std::max(edge, (_body.wheelRadiusM() + std::sqrt(square)) / _body.stretch.z);
+            if (square > 0.0)
+                edge = std::max(edge, (_body.wheelRadiusM() + std::sqrt(square)) / _body.stretch.z);
         }
         return edge;
     }
@@ -71,7 +72,10 @@ public:
         const double belt = std::max(_form.belt(x), edge + 0.05);
         const double top = std::max(_form.top(x), belt + 0.01);
         const double inner = std::min(0.5 * _form.widthM - _form.wheelWidthM - 0.14, 0.8 * wide);
-        std::vector<glm::dvec3> points{{x, 0.0, floor}, {x, inner, floor}, {x, inner, std::max(edge, floor)}, {x, sideAt(x, edge), edge}};
+        std::vector<glm::dvec3> points{{x, 0.0, floor - 0.015},
+                                       {x, inner, floor},
+                                       {x, inner, std::max(edge, floor)},
+                                       {x, sideAt(x, edge), edge}};
         for (const double share : {0.06, 0.22, 0.5, 0.8, 1.0})
         {
             const double z = glm::mix(edge, belt, share);
@@ -84,8 +88,10 @@ public:
         for (const double turn : {0.0, 0.22, 0.45, 0.68, 0.86, 1.0}) // a quarter of a superellipse
         {
             const double angle = 0.5 * std::numbers::pi * turn;
-            points.emplace_back(x, roofHalf * std::pow(std::cos(angle), 2.0 / _form.roofPower) * (turn == 1.0 ? 0.0 : 1.0),
-                                rail + (top - rail) * std::pow(std::sin(angle), 2.0 / _form.roofPower));
+            points.emplace_back(
+                x, roofHalf * std::pow(std::cos(angle), 2.0 / _form.roofPower) * (turn == 1.0 ? 0.0 : 1.0),
+                rail + (top - rail) * std::pow(std::sin(angle), 2.0 / _form.roofPower) +
+                    0.004 * turn); // never quite flat
         }
         return points;
     }
@@ -106,7 +112,10 @@ private:
 class Skin
 {
 public:
-    Skin(ModelBuilder& builder, const StretchedForm& body) : _builder(builder), _sheet(body.form), _stretch(body.stretch) {}
+    Skin(ModelBuilder& builder, const StretchedForm& body)
+        : _builder(builder), _sheet(body.form), _stretch(body.stretch)
+    {
+    }
 
     /// One quad of places before stretching, counter-clockwise.
     void add(const std::array<glm::dvec3, 4>& places, bool isUnder)
@@ -114,8 +123,11 @@ public:
         const glm::dvec3 normal = glm::cross(places[2] - places[0], places[3] - places[1]);
         std::array<Corner, 4> corners;
         for (std::size_t i = 0; i < 4; ++i)
-            corners[i] = {places[i] * _stretch, isUnder ? uvOf(_sheet.darkPx()) : uvOf(pixelOf(places[i], normal)), {},
-                          static_cast<float>(isUnder ? 0.6 : glm::mix(0.72, 1.0, std::min(places[i].z / 0.7, 1.0)))};
+            corners[i] = {
+                places[i] * _stretch,
+                isUnder ? uvOf(_sheet.darkPx()) : uvOf(pixelOf(places[i], normal)),
+                {},
+                static_cast<float>(isUnder ? 0.6 : glm::mix(0.72, 1.0, std::min(places[i].z / 0.7, 1.0)))};
         _builder.quad(corners[0], corners[1], corners[2], corners[3]);
     }
 
@@ -129,7 +141,8 @@ private:
         const float z = _sheet.px(place.z);
         if (size.x > size.y && size.x > size.z)
             return (normal.x > 0.0 ? _sheet.frontOriginPx() : _sheet.backOriginPx()) + glm::vec2(xy.y, z);
-        if (size.y > size.z) return _sheet.sideOriginPx() + glm::vec2(xy.x, z);
+        if (size.y > size.z)
+            return (normal.y > 0.0 ? _sheet.leftOriginPx() : _sheet.sideOriginPx()) + glm::vec2(xy.x, z);
         return _sheet.topOriginPx() + xy;
     }
 

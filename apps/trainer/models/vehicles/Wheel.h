@@ -6,7 +6,7 @@
 namespace trainer::models
 {
 
-/// A wheel: tyre with shoulders, a dished rim with its spokes in the picture. Closed, 18 sides, 324 triangles.
+/// A wheel: tyre with shoulders, a dished rim with its spokes in the picture. Closed, 20 sides, 360 triangles.
 /// `outwards`: +1 looks to the left, -1 to the right. Begin its part before, with the picture `wheel`.
 struct Wheel
 {
