@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// model_sheet FOLDER [KIND [SEED]]: pictures of generated models, three of each kind (or of one): from its front left and its
+// model_sheet FOLDER [KIND [SEED [DISTANCE]]]: pictures of generated models, three of each kind (or of one): from its front left and its
 // back left at eye level, and from 150 m away, 45 m up, through a longer lens; FOLDER/models.png has them all. Prints what each kind is made of.
 #include <chrono>
 #include <cmath>
@@ -56,15 +56,16 @@ osg::ref_ptr<osg::Group> sceneOf(const trainer::models::Model& model, trainer::M
     return root;
 }
 
-std::vector<View> viewsOf(const trainer::models::Model& model)
+/// `distanceM`: of the two views from near; 0: from where all of it is seen.
+std::vector<View> viewsOf(const trainer::models::Model& model, double distanceM)
 {
-    const double away =
-        std::max(2.5 * model.radiusM, 1.55 * model.heightM + 0.5 * model.radiusM); // all of it is seen
-    const glm::dvec3 target(0.0, 0.0, 0.47 * model.heightM);
-    const auto from = [&](double headingDeg, double distanceM, double upM)
+    const double whole = std::max(2.5 * model.radiusM, 1.55 * model.heightM + 0.5 * model.radiusM);
+    const double away = distanceM > 0.0 ? distanceM : whole;
+    const glm::dvec3 target(0.0, 0.0, distanceM > 0.0 ? kEyeM : 0.47 * model.heightM);
+    const auto from = [&](double headingDeg, double levelM, double upM)
     {
         const double turn = headingDeg * 3.14159265358979 / 180.0;
-        return glm::dvec3(distanceM * std::cos(turn), distanceM * std::sin(turn), upM);
+        return glm::dvec3(levelM * std::cos(turn), levelM * std::sin(turn), upM);
     };
     return {{"front", from(-38.0, away, kEyeM), target, 40.0},
             {"back", from(145.0, away, kEyeM), target, 40.0},
@@ -105,11 +106,12 @@ int main(int argc, char** argv)
 {
     if (argc < 2)
     {
-        std::fprintf(stderr, "usage: model_sheet FOLDER [KIND [SEED]]\n");
+        std::fprintf(stderr, "usage: model_sheet FOLDER [KIND [SEED [DISTANCE]]]\n");
         return 2;
     }
     const std::filesystem::path folder = argv[1];
     const std::uint64_t seed = argc > 3 ? std::strtoull(argv[3], nullptr, 10) : 1;
+    const double distanceM = argc > 4 ? std::strtod(argv[4], nullptr) : 0.0;
     std::vector<std::filesystem::path> files;
     for (const KindFacts& facts : trainer::models::kinds())
     {
@@ -118,7 +120,7 @@ int main(int argc, char** argv)
         const trainer::models::Model model = trainer::models::generate(facts.kind, seed);
         report(facts, model,
                std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - before).count());
-        for (const View& view : viewsOf(model))
+        for (const View& view : viewsOf(model, distanceM))
         {
             // Everything anew for each picture: objects of one context mean nothing in the next.
             trainer::ModelStates states;

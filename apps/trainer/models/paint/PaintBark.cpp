@@ -34,12 +34,10 @@ Picture paintFurrows(const Furrows& look)
             glm::vec2 uv(static_cast<float>(x) / kSizePx, static_cast<float>(y) / kSizePx);
             uv.x += 0.04F * (tiledNoise(uv, {4, 6}, look.seed + 9) - 0.5F); // furrows wander
             const float wave = tiledCloud(uv, look.cells, 3, look.seed);
-            const float ridge =
-                1.0F - std::abs(2.0F * wave - 1.0F); // creased where the noise crosses its middle
             const float grain = tiledCloud(uv, {32, 32}, 2, look.seed + 5);
-            const float height = glm::smoothstep(0.35F, 0.95F, 1.0F - ridge) + 0.0F;
-            const glm::vec3 colour =
-                glm::mix(look.groove, look.ridge, 0.25F + 0.75F * (1.0F - height)) * (0.8F + 0.4F * grain);
+            // Furrows run where the noise crosses its middle, and branch and join as its contours do.
+            const float height = glm::smoothstep(0.01F, 0.20F, std::abs(2.0F * wave - 1.0F));
+            const glm::vec3 colour = glm::mix(look.groove, look.ridge, height) * (0.75F + 0.5F * grain);
             canvas.pixel(x, y) = glm::vec4(colour, 1.0F);
         }
     return canvas.picture();
@@ -54,7 +52,7 @@ Picture paintOakBark()
 
 Picture paintPineBark()
 {
-    return paintFurrows({{0.45F, 0.33F, 0.26F}, {0.24F, 0.17F, 0.13F}, {8, 8}, 17});
+    return paintFurrows({{0.42F, 0.33F, 0.28F}, {0.22F, 0.17F, 0.14F}, {8, 8}, 17});
 }
 
 Picture paintBirchBark()

@@ -21,6 +21,10 @@ void paintSide(VehiclePainter& p, View view)
         p.glass({{x, 1.20F}, {x + 1.36F, 1.20F}, {x + 1.36F, 2.46F}, {x, 2.46F}});
     }
     p.glass({{4.40F, 1.20F}, {5.60F, 1.20F}, {5.56F, 2.46F}, {4.40F, 2.46F}});
+    p.box({-5.95F, 0.30F}, {5.95F, 0.42F}, 0.01F, VehiclePainter::kPlastic);
+    for (const float x : {-5.2F, -4.1F, 1.1F, 2.0F})
+        p.seam({{x, 0.42F}, {x, 1.05F}});
+    p.seam({{-5.85F, 1.08F}, {5.80F, 1.08F}});
     for (const float x : {4.12F, -0.42F}) // doors, to the kerb
     {
         if (view == View::left) continue;
@@ -29,10 +33,6 @@ void paintSide(VehiclePainter& p, View view)
             p.glass(
                 {{x + leaf, 0.48F}, {x + leaf + 0.57F, 0.48F}, {x + leaf + 0.57F, 2.46F}, {x + leaf, 2.46F}});
     }
-    p.box({-5.95F, 0.30F}, {5.95F, 0.42F}, 0.01F, VehiclePainter::kPlastic);
-    for (const float x : {-5.2F, -4.1F, 1.1F, 2.0F})
-        p.seam({{x, 0.42F}, {x, 1.05F}});
-    p.seam({{-5.85F, 1.08F}, {5.80F, 1.08F}});
     p.box({-5.96F, 0.80F}, {-5.84F, 1.02F}, 0.02F, VehiclePainter::kTailLamp);
     for (const float x : {-4.6F, -2.0F, 0.9F})
         p.box({x, 0.62F}, {x + 0.10F, 0.66F}, 0.01F, VehiclePainter::kAmber);

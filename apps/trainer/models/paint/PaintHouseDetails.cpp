@@ -52,7 +52,7 @@ public:
             const glm::vec3 colour =
                 glm::mix(glm::vec3(0.13F, 0.15F, 0.17F), glm::vec3(0.30F, 0.37F, 0.43F), t * t);
             const float y0 = glm::mix(low.y, high.y, t);
-            const float y1 = glm::mix(low.y, high.y, t + 1.02F / kBands);
+            const float y1 = glm::mix(low.y, high.y, t + 2.0F / kBands);
             canvas.rectangle({low.x, y0}, {high.x, std::min(y1, high.y)}, glm::vec4(colour, 0.0F));
         }
         if (!hasCurtain) return;

@@ -43,10 +43,10 @@ void VehiclePainter::glass(const Outline& outline)
         inner.push_back(p + glm::normalize(middle - p) * 0.03F);
     _canvas.polygon(inner, kGlass);
     // The reflected sky: bands over the upper half, each cut out of the pane by a horizontal line.
-    constexpr int kBands = 6;
+    constexpr int kBands = 20;
     for (int band = 1; band <= kBands; ++band)
     {
-        const float from = glm::mix(low, high, 0.40F + 0.08F * static_cast<float>(band));
+        const float from = glm::mix(low, high, 0.40F + 0.54F * static_cast<float>(band) / kBands);
         Outline upper;
         for (std::size_t i = 0; i < inner.size(); ++i)
         {

@@ -22,7 +22,7 @@ void addLimbs(ModelBuilder& builder, const TreeForm& form, const Skeleton& tree)
             tube.light.push_back(
                 place.z < tree.crown.baseM
                     ? 1.0F
-                    : static_cast<float>(std::min(0.36 + 0.4 * tree.crown.depthOf(place), 0.8)));
+                    : static_cast<float>(std::min(0.36 + 0.3 * tree.crown.depthOf(place), 0.66)));
         addTube(builder, tube);
     };
     for (const Limb& trunk : tree.trunks)
