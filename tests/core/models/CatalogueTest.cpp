@@ -8,6 +8,9 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
+#include <osgPMObjects/core/mesh/MeshCounts.h>
+#include <osgPMObjects/core/mesh/Wedge.h>
+
 #include "models/ModelCheck.h"
 
 namespace core = osgPMObjects::core;
@@ -123,6 +126,32 @@ TEST(Catalogue, BodiesAreClosedAndLookOutwards)
                 EXPECT_GT(volumeOf(model.mesh, body), 0.0) << body;
             }
         });
+}
+
+TEST(Catalogue, WallsMeetWithoutTJunctions)
+{
+    for (const Kind kind :
+         {Kind::familyHouse, Kind::townHouses, Kind::barn, Kind::hall, Kind::saloon, Kind::van, Kind::bus})
+        for (std::uint64_t seed = 0; seed < kSeeds; ++seed)
+            EXPECT_EQ(core::countMesh(generate(kind, seed).mesh).tJunctions, 0U)
+                << factsOf(kind).name << seed;
+}
+
+TEST(Catalogue, AnEdgeThatIsCutOnOneSideOnlyWouldBeFound)
+{
+    core::Mesh mesh = generate(Kind::barn, 1).mesh;
+    // Faces of walls lose a corner to the middle of an edge: their neighbours keep the whole edge.
+    for (std::size_t i = 0; i < 40; ++i)
+    {
+        core::Face& face = mesh.faces[i];
+        ASSERT_EQ(mesh.parts[face.part].name, "walls");
+        const auto added = static_cast<std::uint32_t>(mesh.positions.size());
+        mesh.positions.push_back(0.5 * (mesh.at(face, 0) + mesh.at(face, 1)));
+        core::Wedge middle = core::wedgeOf(mesh, face.wedges[0]);
+        middle.position = added;
+        face.wedges[0] = core::appendWedge(mesh, middle);
+    }
+    EXPECT_GT(core::countMesh(mesh).tJunctions, 0U);
 }
 
 TEST(Catalogue, ASeedIsAModelAndAnotherSeedAnother)

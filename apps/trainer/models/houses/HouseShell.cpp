@@ -151,11 +151,16 @@ void addDormer(ModelBuilder& builder, const HouseShell& shell, double atX, doubl
             return Corner{front + glm::dvec3(side * kHalfM, inM, z),
                           {static_cast<float>(inM / kWallPictureM), static_cast<float>(z / kWallPictureM)}};
         };
-        const Corner a = at(0.0, foot - 0.25), b = at(0.0, top), c = at(run + 0.3, top);
-        if (side < 0.0)
-            builder.triangle(a, b, c);
-        else
-            builder.triangle(a, c, b);
+        const Corner back = at(run + 0.3, top);
+        for (std::size_t r = 0; r + 1 < wall.rows.size(); ++r) // cut where the front is cut
+        {
+            const Corner low = at(0.0, wall.rows[r]);
+            const Corner high = at(0.0, wall.rows[r + 1]);
+            if (side < 0.0)
+                builder.triangle(low, high, back);
+            else
+                builder.triangle(high, low, back);
+        }
     }
     builder.begin("dormer window", kDetails, shell.frameTint);
     addOpenings(builder, wall, false);

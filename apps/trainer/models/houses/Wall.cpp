@@ -106,18 +106,26 @@ bool isDoor(Detail detail)
 
 void addOpenings(ModelBuilder& builder, const Wall& wall, bool doors)
 {
+    const std::vector<double> columns = columnsOf(wall);
     for (const Opening& o : wall.openings)
     {
         if (isDoor(o.detail) != doors) continue;
         const CellUv uv = uvOf(o.detail);
-        const auto at = [&](bool right, bool up)
+        std::vector<std::vector<Corner>> pane; // cut where the reveals are cut
+        for (const double heightM : wall.rows)
         {
-            return Corner{wall.place(right ? o.to : o.from, up ? o.top : o.bottom, o.depthM),
-                          uv.at(right ? 1.0F : 0.0F, up ? 1.0F : 0.0F),
-                          {},
-                          up ? 0.85F : 1.0F};
-        };
-        builder.quad(at(false, false), at(true, false), at(true, true), at(false, true));
+            if (heightM < o.bottom - kNear || heightM > o.top + kNear) continue;
+            const double up = (heightM - o.bottom) / (o.top - o.bottom);
+            std::vector<Corner>& row = pane.emplace_back();
+            for (const double atM : columns)
+                if (atM > o.from - kNear && atM < o.to + kNear)
+                    row.push_back(
+                        {wall.place(atM, heightM, o.depthM),
+                         uv.at(static_cast<float>((atM - o.from) / (o.to - o.from)), static_cast<float>(up)),
+                         {},
+                         static_cast<float>(1.0 - 0.15 * up)});
+        }
+        builder.grid(pane);
     }
 }
 
