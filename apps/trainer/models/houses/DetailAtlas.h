@@ -25,8 +25,6 @@ enum class Detail : std::uint8_t
     bricks,
     white,
     skylight,
-    dark,
-    rubber,
 };
 
 /// The corners of a cell in the picture, a little inside its edges, so that neighbours do not bleed in.

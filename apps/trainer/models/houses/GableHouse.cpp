@@ -9,6 +9,7 @@
 #include "models/Dice.h"
 #include "models/houses/HouseColours.h"
 #include "models/houses/HouseShell.h"
+#include "models/houses/RoofFittings.h"
 #include "models/mesh/Box.h"
 #include "models/mesh/Tube.h"
 
@@ -91,6 +92,12 @@ Model makeFamilyHouse(std::uint64_t seed)
     shell.roofTint = dice.oneOf(kTileTints);
     shell.frameTint = dice.chance(0.7) ? glm::vec3(1.0F) : glm::vec3(0.45F, 0.30F, 0.20F);
     shell.doorTint = dice.oneOf(kDoorTints);
+    Dice mason(seed + 25000); // its own, so that a house of bricks is otherwise the same
+    if (mason.chance(0.3))
+    {
+        shell.wallSurface.painting = Painting::bricks;
+        shell.wallTint = glm::vec3(static_cast<float>(mason.between(0.85, 1.1)));
+    }
     setUpShell(shell,
                std::tan(glm::radians(dice.between(storeys == 1 ? 40.0 : 32.0, storeys == 1 ? 48.0 : 40.0))),
                0.55, 0.35);
@@ -101,9 +108,9 @@ Model makeFamilyHouse(std::uint64_t seed)
     addAxes(shell.walls[1], storeys, 2, -1, window);
     addAxes(shell.walls[2], storeys, axes, axes - 1 - dice.below(2), window);
     addAxes(shell.walls[3], storeys, 2, -1, window);
-    shell.hasGableWindows = true;
     ModelBuilder builder;
     addShell(builder, shell);
+    addGableWindows(builder, shell);
     const double side = dice.chance(0.5) ? 1.0 : -1.0;
     addChimney(builder, shell, {side * 0.25 * shell.lengthM, dice.between(0.5, 1.2)},
                dice.between(0.35, 0.7));

@@ -21,7 +21,6 @@ struct HouseShell
     Surface wallSurface, roofSurface;
     glm::vec3 wallTint{1.0F}, roofTint{1.0F}, frameTint{1.0F}, doorTint{1.0F};
     bool hasGutters = true;
-    bool hasGableWindows = false;
 };
 
 /// Sets up walls and roof from measures and rows; openings are added to the walls afterwards.
@@ -33,14 +32,5 @@ void addShell(ModelBuilder& builder, const HouseShell& shell);
 /// How far plinths reach into the ground, and out of it.
 constexpr double kFoundationM = 1.0;
 constexpr double kPlinthM = 0.30;
-
-/// A chimney of bricks through the roof at a place, with its pots.
-void addChimney(ModelBuilder& builder, const HouseShell& shell, const glm::dvec2& place, double aboveRidgeM);
-
-/// A window high up in both gables, in a frame that stands proud of the wall.
-void addGableWindows(ModelBuilder& builder, const HouseShell& shell);
-
-/// A dormer with a saddle roof of its own on the front slope, its window `acrossM` in from the wall.
-void addDormer(ModelBuilder& builder, const HouseShell& shell, double atX, double insideM);
 
 } // namespace trainer::models

@@ -4,6 +4,7 @@
 #include "models/Dice.h"
 #include "models/houses/HouseColours.h"
 #include "models/houses/HouseShell.h"
+#include "models/houses/RoofFittings.h"
 #include "models/mesh/Box.h"
 
 namespace trainer::models

@@ -19,7 +19,7 @@ void addBox(ModelBuilder& builder, const Box& box);
 
 /// A closed bar of one cross section from one place to another: `profile` counter-clockwise seen from the end, convex or
 /// a strip of quads (point i faces point n - 1 - i), which is how its ends are closed. Even number of points.
-/// `placeAt(end, point)`: 0 or 1, and the number of the point.
+/// `cornerAt(end, point, face)`: end 0 or 1, the number of the point, and of the side it is a corner of (the ends come last).
 template<class PlaceAt>
 void addPrism(ModelBuilder& builder, std::size_t points, const PlaceAt& cornerAt)
 {

@@ -149,8 +149,6 @@ Picture paintHouseDetails()
     CellPainter(canvas, Detail::zinc).fill({0.56F, 0.58F, 0.60F}, 1.0F, 0.08F, {4, 4});
     CellPainter(canvas, Detail::white).fill({0.92F, 0.91F, 0.88F}, 1.0F, 0.06F, {8, 8});
     CellPainter(canvas, Detail::skylight).fill({0.78F, 0.82F, 0.84F}, 0.0F, 0.08F, {3, 3});
-    CellPainter(canvas, Detail::dark).fill({0.12F, 0.12F, 0.13F}, 0.0F, 0.1F, {8, 8});
-    CellPainter(canvas, Detail::rubber).fill({0.16F, 0.16F, 0.17F}, 0.0F, 0.1F, {8, 8});
     CellPainter bricks(canvas, Detail::bricks);
     bricks.fill({0.58F, 0.34F, 0.26F}, 1.0F, 0.5F, {12, 24});
     for (int course = 0; course < 20; ++course)

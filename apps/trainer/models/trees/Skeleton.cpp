@@ -51,7 +51,6 @@ Limb growTrunk(const TreeForm& form, double heightM, int number, Dice& dice)
         const double z = -kRootM + t * (stemTop + kRootM);
         const double wander = form.trunkWander * heightM * t;
         glm::dvec3 place(wander * std::sin(5.0 * t + phase), wander * std::cos(4.1 * t + phase), z);
-        place -= glm::dvec3(0.0, 0.0, 0.0);
         place += glm::dvec3(std::cos(leanTurn), std::sin(leanTurn), 0.0) *
                  (lean * std::max(z, 0.0) * (1.0 - 0.4 * t));
         const double taper = std::pow(1.0 - t, 0.75);
