@@ -19,8 +19,9 @@ TEST(Curve, NeverOvershoots)
 {
     const Curve curve({{0.0, 0.0}, {1.0, 0.0}, {1.1, 1.0}, {2.0, 1.0}, {2.5, 0.9}});
     double before = -1.0;
-    for (double x = 0.0; x <= 2.0; x += 0.001)
+    for (int i = 0; i <= 2000; ++i)
     {
+        const double x = 0.001 * i;
         EXPECT_GE(curve(x), -1e-12);
         EXPECT_LE(curve(x), 1.0 + 1e-12);
         EXPECT_GE(curve(x), before - 1e-12);

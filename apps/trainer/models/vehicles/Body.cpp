@@ -29,8 +29,8 @@ public:
         std::vector<double> all;
         const double end = 0.5 * _form.lengthM;
         const double step = std::max(0.13, _form.lengthM / 50.0);
-        for (double x = -end; x < end; x += step)
-            all.push_back(x);
+        for (int i = 0; i * step < _form.lengthM; ++i)
+            all.push_back(i * step - end);
         for (const Curve* curve : {&_form.top, &_form.half})
             for (const Curve::Point& point : curve->points())
                 all.push_back(point.at);
