@@ -156,8 +156,9 @@ std::size_t ProgressiveMesh::overheadBytes() const
 
 LevelError errorAfter(const ProgressiveMesh& progressive, std::uint32_t steps)
 {
-    if (steps == 0) return {};
-    return progressive.errors[(std::min(steps, progressive.stepCount) - 1) / ProgressiveMesh::kErrorStride];
+    steps = std::min(steps, progressive.stepCount);
+    return steps == 0 ? progressive.finestError
+                      : progressive.errors[(steps - 1) / ProgressiveMesh::kErrorStride];
 }
 
 std::uint32_t stepsToDistance(const ProgressiveMesh& progressive, double tolerance)

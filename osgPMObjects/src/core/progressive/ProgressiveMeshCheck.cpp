@@ -2,6 +2,7 @@
 #include "ProgressiveMeshCheck.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <osgPMObjects/core/progressive/ProgressiveLevel.h>
 
@@ -336,6 +337,24 @@ bool isBase(const ProgressiveMesh& p)
                        });
 }
 
+template<class Vector>
+bool areFinite(const std::vector<Vector>& values)
+{
+    return std::all_of(values.begin(), values.end(),
+                       [](const Vector& v)
+                       {
+                           for (int i = 0; i < Vector::length(); ++i)
+                               if (!std::isfinite(v[i])) return false;
+                           return true;
+                       });
+}
+
+bool areVerticesFinite(const Mesh& mesh)
+{
+    return areFinite(mesh.positions) && areFinite(mesh.normals) && areFinite(mesh.texCoords[0]) &&
+           areFinite(mesh.texCoords[1]) && areFinite(mesh.colours);
+}
+
 bool areErrors(const ProgressiveMesh& p)
 {
     const std::size_t kept =
@@ -345,7 +364,10 @@ bool areErrors(const ProgressiveMesh& p)
         return !(a.distance <= b.distance && a.normal <= b.normal && a.texCoord <= b.texCoord &&
                  a.colour <= b.colour);
     };
-    return p.errors.size() == kept &&
+    const auto isFinite = [](const LevelError& e)
+    { return std::isfinite(e.distance + e.normal + e.texCoord + e.colour); };
+    return p.errors.size() == kept && std::all_of(p.errors.begin(), p.errors.end(), isFinite) &&
+           isFinite(p.finestError) && (p.errors.empty() || !falls(p.finestError, p.errors.front())) &&
            std::adjacent_find(p.errors.begin(), p.errors.end(), falls) == p.errors.end();
 }
 
@@ -364,7 +386,7 @@ std::optional<PlayerNeeds> needsOf(const ProgressiveMesh& p)
                          isArray(p.mesh.normals.size(), p) && isArray(p.mesh.texCoords[0].size(), p) &&
                          isArray(p.mesh.texCoords[1].size(), p) && isArray(p.mesh.colours.size(), p) &&
                          risesToItsEnd(p.mesh.wedgePositions, p.mesh.positions.size()) && areParents(p) &&
-                         areGroupsAndBlocks(p) && isBase(p) && areErrors(p);
+                         areGroupsAndBlocks(p) && isBase(p) && areErrors(p) && areVerticesFinite(p.mesh);
     return isSound ? RecordCheck(p).needs() : std::nullopt;
 }
 

@@ -77,6 +77,7 @@ struct ProgressiveMesh
     std::vector<std::byte> records; ///< one for each step from the finest level, StepRecord.h
     std::uint32_t stepCount = 0;
     int slotBytes = 0, wedgeBytes = 0; ///< of numbers in records
+    LevelError finestError;            ///< of level 0: not that of the original if finer steps were left out
     std::vector<LevelError>
         errors; ///< of the levels after kErrorStride steps, twice as many …, and after all
 

@@ -1,0 +1,321 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <fstream>
+
+#include <osgPMObjects/core/progressive/PmFile.h>
+
+#include "PmVertices.h"
+#include "ProgressiveMeshCheck.h"
+#include "StepRecord.h"
+
+namespace osgPMObjects::core
+{
+
+/// What has been read. Records come coarsest first and are kept in pieces until a mesh is asked for.
+class PmReader::Sections
+{
+public:
+    Sections(std::istream& stream, std::string place) : _stream(stream), _place(std::move(place)) {}
+
+    viewlod::Result<bool> readMore()
+    {
+        if (_isWhole) return false;
+        if (!_hasBase) return readBase();
+        Section section;
+        if (const auto read = readSection(section); !read) return read.error();
+        if (section.letters == kPmSteps) return readSteps(section);
+        if (section.letters != kPmEnd)
+            return damaged("has a section " + section.letters + " that does not belong there");
+        if (_firstStep != 0) return damaged("ends before its last steps");
+        _isWhole = true;
+        return false;
+    }
+
+    viewlod::Result<ProgressiveMesh> mesh() const
+    {
+        ProgressiveMesh whole = _mesh;
+        whole.stepCount = _stepsInAll - _firstStep;
+        for (auto piece = _records.rbegin(); piece != _records.rend(); ++piece)
+            for (const char byte : *piece)
+                whole.records.push_back(static_cast<std::byte>(byte));
+        whole.records.resize(whole.records.size() + kRecordPadding);
+        for (auto piece = _errors.rbegin(); piece != _errors.rend(); ++piece)
+            whole.errors.insert(whole.errors.end(), piece->begin(), piece->end());
+        const auto needs = needsOf(whole);
+        if (!needs) return damaged("has steps that cannot be");
+        whole.mostSlotsOfStep = needs->slotsOfStep;
+        whole.mostRearrangements = needs->rearrangements;
+        whole.mostSlotsMoved = needs->slotsMoved;
+        if (!isValid(whole)) return damaged("has steps that do not lead back");
+        return whole;
+    }
+
+    std::uint32_t stepsInAll() const { return _stepsInAll; }
+    std::uint32_t positionsInAll() const { return _positionsInAll; }
+
+private:
+    struct Section
+    {
+        std::string letters, bytes; ///< bytes: what is in it
+    };
+
+    viewlod::Error damaged(const std::string& what) const
+    {
+        return {_place + ": at byte " + std::to_string(_at), what, "build the file again from its model"};
+    }
+
+    /// Some bytes; fewer where the stream ends. Read in pieces: a length from a damaged file must not ask for all memory.
+    std::string take(std::uint64_t count)
+    {
+        constexpr std::uint64_t kPiece = 1 << 20;
+        std::string bytes;
+        while (count > 0 && _stream)
+        {
+            const std::size_t before = bytes.size();
+            bytes.resize(before + std::min(count, kPiece));
+            _stream.read(bytes.data() + before, static_cast<std::streamsize>(bytes.size() - before));
+            const auto got = static_cast<std::size_t>(_stream.gcount());
+            bytes.resize(before + got);
+            count -= std::min<std::uint64_t>(count, kPiece);
+            if (got == 0) break;
+        }
+        _at += bytes.size();
+        return bytes;
+    }
+
+    viewlod::Outcome readSection(Section& section)
+    {
+        constexpr std::size_t kHead = 12;
+        std::string all = take(kHead);
+        if (all.size() < kHead) return damaged("is cut off before a section");
+        PmByteReader head(std::string_view(all).substr(4));
+        const auto length = head.get<std::uint64_t>();
+        section.letters = all.substr(0, 4);
+        section.bytes = take(length);
+        const std::string sum = take(4);
+        if (section.bytes.size() != length || sum.size() < 4)
+            return damaged("is cut off in a section " + printable(section.letters));
+        all += section.bytes;
+        if (PmByteReader(sum).get<std::uint32_t>() != pmCheckSum(all))
+            return damaged("is damaged in a section " + printable(section.letters) +
+                           ": its check sum is another");
+        return viewlod::success();
+    }
+
+    static std::string printable(std::string letters)
+    {
+        std::replace_if(
+            letters.begin(), letters.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+        return letters;
+    }
+
+    viewlod::Outcome readSection(std::string_view letters, std::string& bytes)
+    {
+        Section section;
+        if (auto read = readSection(section); !read) return read;
+        if (section.letters != letters)
+            return damaged("has a section " + printable(section.letters) + " where " + std::string(letters) +
+                           " belongs");
+        bytes = std::move(section.bytes);
+        return viewlod::success();
+    }
+
+    viewlod::Result<bool> readBase()
+    {
+        const std::string magic = take(kPmMagic.size() + sizeof kPmVersion);
+        if (!magic.starts_with(kPmMagic))
+            return viewlod::Error{_place, "is not a progressive mesh", "make one with pmtool build"};
+        const auto version =
+            PmByteReader(std::string_view(magic).substr(kPmMagic.size())).get<std::uint32_t>();
+        if (version != kPmVersion)
+            return viewlod::Error{
+                _place, "is of version " + std::to_string(version) + ", not " + std::to_string(kPmVersion),
+                "build it again with this pmtool"};
+        std::string head, materials, layout, base;
+        for (const auto& [letters, bytes] :
+             {std::pair{kPmHead, &head}, {kPmMaterials, &materials}, {kPmLayout, &layout}, {kPmBase, &base}})
+            if (const auto read = readSection(letters, *bytes); !read) return read.error();
+        if (!readHead(head)) return damaged("has a head that cannot be");
+        if (!readMaterials(materials)) return damaged("has materials that cannot be");
+        if (!readLayout(layout)) return damaged("has a layout that cannot be");
+        if (!readBaseFaces(base)) return damaged("has a coarsest level that cannot be");
+        _hasBase = true;
+        return true;
+    }
+
+    bool readHead(const std::string& bytes)
+    {
+        PmByteReader in(bytes);
+        _positionsInAll = in.get<std::uint32_t>();
+        _wedgesInAll = in.get<std::uint32_t>();
+        _stepsInAll = _firstStep = in.get<std::uint32_t>();
+        _mesh.slotCount = in.get<std::uint32_t>();
+        _mesh.slotBytes = in.get<std::uint8_t>();
+        _mesh.wedgeBytes = in.get<std::uint8_t>();
+        const auto stride = in.get<std::uint16_t>();
+        _vertices = PmVertices(in);
+        return in.isGood() && in.isAtEnd() && _vertices.isSound() &&
+               stride == ProgressiveMesh::kErrorStride && _stepsInAll <= _positionsInAll &&
+               _positionsInAll <= _wedgesInAll;
+    }
+
+    bool readMaterials(const std::string& bytes)
+    {
+        PmByteReader in(bytes);
+        const auto count = in.get<std::uint32_t>();
+        if (!in.hasRoomFor(count, 17)) return false;
+        for (std::uint32_t i = 0; i < count; ++i)
+        {
+            Material& material = _mesh.mesh.materials.emplace_back();
+            material.name = in.text();
+            material.state = in.get<std::uint32_t>();
+            material.attributes = in.get<std::uint32_t>();
+            material.unseen = in.get<std::uint32_t>();
+            const auto flags = in.get<std::uint8_t>();
+            material.isTwoSided = flags & 1;
+            material.litFromBothSides = flags & 2;
+            material.isTransparent = flags & 4;
+        }
+        return in.isGood() && in.isAtEnd();
+    }
+
+    bool readLayout(const std::string& bytes)
+    {
+        PmByteReader in(bytes);
+        const auto groups = in.get<std::uint32_t>();
+        if (!in.hasRoomFor(groups, 8)) return false;
+        for (std::uint32_t i = 0; i < groups; ++i)
+        {
+            const auto material = in.get<std::uint32_t>();
+            _mesh.groups.push_back({material, in.get<std::uint32_t>()});
+        }
+        const auto blocks = in.get<std::uint32_t>();
+        if (!in.hasRoomFor(blocks, 8)) return false;
+        for (std::uint32_t i = 0; i < blocks; ++i)
+        {
+            const auto first = in.get<std::uint32_t>();
+            _mesh.blocks.push_back({first, in.get<std::uint32_t>()});
+        }
+        return in.isGood() && in.isAtEnd();
+    }
+
+    bool readBaseFaces(const std::string& bytes)
+    {
+        PmByteReader in(bytes);
+        if (!readVertices(in, _stepsInAll)) return false;
+        _mesh.finestError = readError(in);
+        const auto count = in.get<std::uint32_t>();
+        if (!in.hasRoomFor(count, 12)) return false;
+        for (std::uint32_t i = 0; i < count; ++i)
+        {
+            Triangle& face = _mesh.base.emplace_back();
+            for (std::uint32_t& wedge : face)
+                wedge = in.get<std::uint32_t>();
+        }
+        return in.isGood() && in.isAtEnd();
+    }
+
+    bool readVertices(PmByteReader& in, std::uint32_t steps)
+    {
+        Mesh& mesh = _mesh.mesh;
+        const auto count = in.get<std::uint32_t>();
+        if (count != _positionsInAll - steps - mesh.positions.size()) return false;
+        if (!in.hasRoomFor(count, 4 + _vertices.positionBytes())) return false;
+        for (std::uint32_t i = 0; i < count; ++i)
+        {
+            const auto wedges = in.get<std::uint32_t>();
+            const auto position = static_cast<std::uint32_t>(mesh.positions.size());
+            mesh.positions.push_back(_vertices.readPosition(in));
+            if (!in.hasRoomFor(wedges, 4 + _vertices.wedgeBytes())) return false;
+            for (std::uint32_t w = 0; w < wedges; ++w)
+            {
+                mesh.wedgePositions.push_back(position);
+                _mesh.parents.push_back(in.get<std::uint32_t>());
+                _vertices.readWedge(in, mesh);
+            }
+        }
+        return in.isGood() && mesh.wedgeCount() <= _wedgesInAll;
+    }
+
+    static LevelError readError(PmByteReader& in)
+    {
+        LevelError error;
+        for (float* value : {&error.distance, &error.normal, &error.texCoord, &error.colour})
+            *value = in.get<float>();
+        return error;
+    }
+
+    viewlod::Result<bool> readSteps(const Section& section)
+    {
+        PmByteReader in(section.bytes);
+        const auto first = in.get<std::uint32_t>();
+        constexpr std::uint32_t kStride = ProgressiveMesh::kErrorStride;
+        if (first >= _firstStep || first % kStride != 0 || !readVertices(in, first))
+            return damaged("has vertices that cannot be");
+        const std::uint32_t errors = (_firstStep + kStride - 1) / kStride - first / kStride;
+        if (!in.hasRoomFor(errors + 1, 16)) return damaged("has too few errors");
+        _mesh.finestError = readError(in);
+        std::vector<LevelError>& piece = _errors.emplace_back();
+        for (std::uint32_t i = 0; i < errors; ++i)
+            piece.push_back(readError(in));
+        const auto length = in.get<std::uint64_t>();
+        _records.emplace_back(in.take(length));
+        if (!in.isGood() || !in.isAtEnd()) return damaged("has steps of another length");
+        _firstStep = first;
+        return true;
+    }
+
+    std::istream& _stream;
+    std::string _place;
+    std::uint64_t _at = 0;
+    bool _hasBase = false, _isWhole = false;
+    std::uint32_t _positionsInAll = 0, _wedgesInAll = 0, _stepsInAll = 0, _firstStep = 0;
+    PmVertices _vertices{Mesh{}, false};
+    ProgressiveMesh _mesh; ///< without records and errors
+    std::vector<std::string> _records;
+    std::vector<std::vector<LevelError>> _errors;
+};
+
+PmReader::PmReader(std::istream& stream, std::string place)
+    : _sections(std::make_unique<Sections>(stream, std::move(place)))
+{
+}
+
+PmReader::~PmReader() = default;
+PmReader::PmReader(PmReader&&) noexcept = default;
+PmReader& PmReader::operator=(PmReader&&) noexcept = default;
+
+viewlod::Result<bool> PmReader::readMore()
+{
+    return _sections->readMore();
+}
+
+viewlod::Result<ProgressiveMesh> PmReader::mesh() const
+{
+    return _sections->mesh();
+}
+
+std::uint32_t PmReader::stepsInAll() const
+{
+    return _sections->stepsInAll();
+}
+
+std::uint32_t PmReader::positionsInAll() const
+{
+    return _sections->positionsInAll();
+}
+
+viewlod::Result<ProgressiveMesh> readPm(const std::filesystem::path& file)
+{
+    std::ifstream stream(file, std::ios::binary);
+    if (!stream) return viewlod::Error{file.string(), "cannot be opened", "check its path and permissions"};
+    PmReader reader(stream, file.string());
+    while (true)
+    {
+        const auto more = reader.readMore();
+        if (!more) return more.error();
+        if (!*more) return reader.mesh();
+    }
+}
+
+} // namespace osgPMObjects::core

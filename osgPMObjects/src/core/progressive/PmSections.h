@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <string>
+#include <string_view>
+
+namespace osgPMObjects::core
+{
+
+/// A `.pm` file: kPmMagic, a version, then sections: four letters, how many bytes, these, and a check sum (CRC-32) of all that. Numbers have their lowest byte
+/// first. docs/pm-file.md has what is in each.
+constexpr std::string_view kPmMagic{"OSGPM\x1a\r\n", 8}; // shows what a transfer as text does to it
+constexpr std::uint32_t kPmVersion = 1;
+
+constexpr std::string_view kPmHead = "HEAD", kPmMaterials = "MATL", kPmLayout = "LAYO", kPmBase = "BASE",
+                           kPmSteps = "STEP", kPmEnd = "DONE";
+
+/// Which arrays wedges have, and how they are kept.
+enum PmFlag : std::uint32_t
+{
+    pmNormals = 1,
+    pmTexCoords0 = 2,
+    pmTexCoords1 = 4,
+    pmColours = 8,
+    pmQuantised = 16,
+};
+
+/// Of a whole section, its letters and length included.
+std::uint32_t pmCheckSum(std::string_view bytes);
+
+class PmByteWriter
+{
+public:
+    template<class Number>
+    void put(Number number)
+    {
+        std::array<char, sizeof(Number)> bytes{};
+        std::memcpy(bytes.data(), &number, sizeof number);
+        if constexpr (std::endian::native == std::endian::big) std::reverse(bytes.begin(), bytes.end());
+        _bytes.append(bytes.data(), bytes.size());
+    }
+    void put(std::string_view text)
+    {
+        put(static_cast<std::uint32_t>(text.size()));
+        _bytes.append(text);
+    }
+    void append(std::string_view bytes) { _bytes.append(bytes); }
+
+    const std::string& bytes() const { return _bytes; }
+
+private:
+    std::string _bytes;
+};
+
+/// Does not read beyond the end: then everything is 0, and isGood() false.
+class PmByteReader
+{
+public:
+    explicit PmByteReader(std::string_view bytes) : _bytes(bytes) {}
+
+    template<class Number>
+    Number get()
+    {
+        const std::string_view from = take(sizeof(Number));
+        std::array<char, sizeof(Number)> bytes{};
+        std::copy(from.begin(), from.end(), bytes.begin());
+        if constexpr (std::endian::native == std::endian::big) std::reverse(bytes.begin(), bytes.end());
+        Number number{};
+        std::memcpy(&number, bytes.data(), sizeof number);
+        return number;
+    }
+    std::string text() { return std::string(take(get<std::uint32_t>())); }
+
+    std::string_view take(std::size_t count)
+    {
+        if (count > _bytes.size())
+        {
+            _isGood = false;
+            count = 0;
+        }
+        const std::string_view taken = _bytes.substr(0, count);
+        _bytes.remove_prefix(count);
+        return taken;
+    }
+
+    /// Whether there may be so many things of some bytes each: asked before room is made for them.
+    bool hasRoomFor(std::uint64_t count, std::size_t bytesEach)
+    {
+        if (count * bytesEach > _bytes.size()) _isGood = false;
+        return _isGood;
+    }
+
+    bool isGood() const { return _isGood; }
+    bool isAtEnd() const { return _bytes.empty(); }
+
+private:
+    std::string_view _bytes;
+    bool _isGood = true;
+};
+
+} // namespace osgPMObjects::core

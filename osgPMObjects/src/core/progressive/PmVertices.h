@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+
+#include <osgPMObjects/core/mesh/Extent.h>
+#include <osgPMObjects/core/mesh/Mesh.h>
+
+#include "PmSections.h"
+
+namespace osgPMObjects::core
+{
+
+/// How vertices are kept: which arrays there are (PmFlag), and the ranges that quantised ones lie in.
+class PmVertices
+{
+public:
+    explicit PmVertices(const Mesh& mesh, bool isQuantised);
+    explicit PmVertices(PmByteReader& head); ///< as writeTo() wrote it
+
+    void writeTo(PmByteWriter& head) const;
+    bool isSound() const;
+
+    void writePosition(PmByteWriter& out, const glm::dvec3& position) const;
+    glm::dvec3 readPosition(PmByteReader& in) const;
+
+    /// All but the position of a wedge.
+    void writeWedge(PmByteWriter& out, const Mesh& mesh, std::uint32_t wedge) const;
+    /// Appends to the arrays that there are.
+    void readWedge(PmByteReader& in, Mesh& mesh) const;
+
+    std::size_t positionBytes() const { return isQuantised() ? 6 : 24; }
+    std::size_t wedgeBytes() const;
+
+private:
+    bool has(PmFlag flag) const { return (_flags & flag) != 0; }
+    bool isQuantised() const { return has(pmQuantised); }
+
+    std::uint32_t _flags = 0;
+    Extent _box;
+    std::array<glm::vec2, Mesh::kTexCoordSets> _texCoordLow{}, _texCoordHigh{};
+};
+
+} // namespace osgPMObjects::core
