@@ -20,11 +20,14 @@ struct Chosen
     std::filesystem::path jsonFile;
 };
 
-/// `info`: what is in each model.
+/// `info`: what is in each model, or progressive mesh.
 void addInfo(CLI::App& app, Chosen& chosen);
 
 /// `consolidate`: cleans each model, counts before and after, writes what came out.
 void addConsolidate(CLI::App& app, Chosen& chosen);
+
+/// `build`: makes a progressive mesh of a model, a `.pm` file. docs/progressive-meshes.md has the layout of the table.
+void addBuild(CLI::App& app, Chosen& chosen);
 
 /// `bake`: simplifies each model and keeps its looks in maps. docs/baking.md has the layout of the table.
 void addBake(CLI::App& app, Chosen& chosen);

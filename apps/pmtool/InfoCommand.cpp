@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "pmtool/Models.h"
+#include "pmtool/PmInfo.h"
 
 namespace pmtool
 {
@@ -46,11 +47,19 @@ nlohmann::ordered_json describe(const std::string& file, const ReadModel& model)
     return row;
 }
 
+viewlod::Result<nlohmann::ordered_json> rowOf(const std::string& file, const ReadLimits& limits)
+{
+    if (isPmFile(file)) return describePm(file);
+    const auto model = read(file, limits);
+    if (!model) return model.error();
+    return describe(file, *model);
+}
+
 void print(const nlohmann::ordered_json& row)
 {
     std::cout << row["model"].get<std::string>() << '\n';
     for (const auto& [key, value] : row.items())
-        if (key == "materials" || key == "notes")
+        if (key == "materials" || key == "notes" || key == "levels")
             for (const auto& entry : value)
                 std::cout << "  " << key.substr(0, key.size() - 1) << ": "
                           << (entry.is_string() ? entry.get<std::string>() : entry.dump()) << '\n';
@@ -63,7 +72,8 @@ void print(const nlohmann::ordered_json& row)
 void addInfo(CLI::App& app, Chosen& chosen)
 {
     const auto request = std::make_shared<ModelRequest>();
-    CLI::App* info = app.add_subcommand("info", "triangles, defects, parts and materials of each model");
+    CLI::App* info = app.add_subcommand(
+        "info", "triangles, defects, parts and materials of each model; levels of each .pm file");
     addModelOptions(*info, *request, chosen.jsonFile);
     info->callback(
         [request, &chosen]
@@ -73,10 +83,8 @@ void addInfo(CLI::App& app, Chosen& chosen)
                 return forEachModel(*request,
                                     [&](const std::string& file) -> viewlod::Result<nlohmann::ordered_json>
                                     {
-                                        const auto model = read(file, request->limits);
-                                        if (!model) return model.error();
-                                        nlohmann::ordered_json row = describe(file, *model);
-                                        print(row);
+                                        auto row = rowOf(file, request->limits);
+                                        if (row) print(*row);
                                         return row;
                                     });
             };

@@ -12,6 +12,7 @@ int main(int argc, char** argv)
     pmtool::addConsolidate(app, chosen);
     pmtool::addBake(app, chosen);
     pmtool::addSimplify(app, chosen);
+    pmtool::addBuild(app, chosen);
     pmtool::addSupport(app, chosen);
     CLI::App* compare = pmtool::addCompareGroup(app);
     pmtool::addCompareOrder(*compare, chosen);

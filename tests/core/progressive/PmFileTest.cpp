@@ -110,10 +110,22 @@ TEST(PmFile, IsACoarserMeshAfterEverySection)
     EXPECT_GT(sections, 3u);
 }
 
+TEST(PmFile, CarriesWhatIsAttached)
+{
+    PmSettings settings;
+    settings.attachment = std::string("a\0b", 3);
+    std::istringstream stream(pmBytes(subject(7), settings));
+    PmReader reader(stream, "test.pm");
+    ASSERT_TRUE(reader.readMore());
+    EXPECT_EQ(reader.attachment(), std::string("a\0b", 3));
+}
+
 TEST(PmFile, QuantisedIsSmallerAndNearEnough)
 {
     const ProgressiveMesh mesh = subject();
-    const std::string bytes = pmBytes(mesh, {.quantised = true});
+    PmSettings quantised;
+    quantised.quantised = true;
+    const std::string bytes = pmBytes(mesh, quantised);
     EXPECT_LT(bytes.size(), 0.6 * pmBytes(mesh).size());
     const auto back = parsed(bytes);
     ASSERT_TRUE(back) << back.error().what;

@@ -50,6 +50,7 @@ public:
         return whole;
     }
 
+    const std::string& attachment() const { return _attachment; }
     std::uint32_t stepsInAll() const { return _stepsInAll; }
     std::uint32_t positionsInAll() const { return _positionsInAll; }
 
@@ -132,8 +133,11 @@ private:
                 _place, "is of version " + std::to_string(version) + ", not " + std::to_string(kPmVersion),
                 "build it again with this pmtool"};
         std::string head, materials, layout, base;
-        for (const auto& [letters, bytes] :
-             {std::pair{kPmHead, &head}, {kPmMaterials, &materials}, {kPmLayout, &layout}, {kPmBase, &base}})
+        for (const auto& [letters, bytes] : {std::pair{kPmHead, &head},
+                                             {kPmMaterials, &materials},
+                                             {kPmAttachment, &_attachment},
+                                             {kPmLayout, &layout},
+                                             {kPmBase, &base}})
             if (const auto read = readSection(letters, *bytes); !read) return read.error();
         if (!readHead(head)) return damaged("has a head that cannot be");
         if (!readMaterials(materials)) return damaged("has materials that cannot be");
@@ -272,6 +276,7 @@ private:
     std::uint32_t _positionsInAll = 0, _wedgesInAll = 0, _stepsInAll = 0, _firstStep = 0;
     PmVertices _vertices{Mesh{}, false};
     ProgressiveMesh _mesh; ///< without records and errors
+    std::string _attachment;
     std::vector<std::string> _records;
     std::vector<std::vector<LevelError>> _errors;
 };
@@ -293,6 +298,11 @@ viewlod::Result<bool> PmReader::readMore()
 viewlod::Result<ProgressiveMesh> PmReader::mesh() const
 {
     return _sections->mesh();
+}
+
+const std::string& PmReader::attachment() const
+{
+    return _sections->attachment();
 }
 
 std::uint32_t PmReader::stepsInAll() const

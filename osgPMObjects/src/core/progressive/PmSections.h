@@ -18,8 +18,8 @@ namespace osgPMObjects::core
 constexpr std::string_view kPmMagic{"OSGPM\x1a\r\n", 8}; // shows what a transfer as text does to it
 constexpr std::uint32_t kPmVersion = 1;
 
-constexpr std::string_view kPmHead = "HEAD", kPmMaterials = "MATL", kPmLayout = "LAYO", kPmBase = "BASE",
-                           kPmSteps = "STEP", kPmEnd = "DONE";
+constexpr std::string_view kPmHead = "HEAD", kPmMaterials = "MATL", kPmAttachment = "ATCH",
+                           kPmLayout = "LAYO", kPmBase = "BASE", kPmSteps = "STEP", kPmEnd = "DONE";
 
 /// Which arrays wedges have, and how they are kept.
 enum PmFlag : std::uint32_t

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <cassert>
 
 #include <zlib.h>
@@ -169,17 +170,21 @@ std::string pmBytes(const ProgressiveMesh& progressive, const PmSettings& settin
     file.put(kPmVersion);
     appendSection(file, kPmHead, headOf(progressive, vertices));
     appendSection(file, kPmMaterials, materialsOf(progressive.mesh));
+    PmByteWriter attachment;
+    attachment.append(settings.attachment);
+    appendSection(file, kPmAttachment, attachment);
     appendSection(file, kPmLayout, layoutOf(progressive));
     VertexSections sections(progressive, vertices);
     appendSection(file, kPmBase, sections.base());
-    std::uint32_t left = progressive.stepCount;
-    for (std::uint32_t section = 1; left > 0; ++section)
+    std::uint32_t last = progressive.stepCount;
+    for (std::uint32_t section = settings.stepSections; section-- > 0;)
     {
         constexpr std::uint32_t kStride = ProgressiveMesh::kErrorStride;
-        const bool isLast = section >= settings.stepSections || left <= 2 * kStride;
-        const std::uint32_t first = isLast ? 0 : left / 2 / kStride * kStride;
+        const std::uint32_t coarser = progressive.stepCount >> std::min(section, 31u);
+        const std::uint32_t first = (progressive.stepCount - coarser) / kStride * kStride;
+        if (first == last) continue;
         appendSection(file, kPmSteps, sections.steps(first));
-        left = first;
+        last = first;
     }
     appendSection(file, kPmEnd, {});
     return file.bytes();

@@ -20,9 +20,10 @@ struct PmSettings
     /// Positions in 16 bits an axis of the mesh's box, normals in 2 × 16 on the octahedron, texture coordinates in 16 of their range,
     /// colours in 8. Otherwise doubles and floats as they are.
     bool quantised = false;
-    /// Sections of steps: each ends at a level that a reader may stop at. The coarser half of the steps is one, the coarser half of the rest
-    /// another …, so many in all at most.
+    /// Sections of steps, at least one: each ends at a level that a reader may stop at, and doubles the steps.
     std::uint32_t stepSections = 8;
+    /// Anything that belongs to the materials and is not known here, textures for instance. Readers get it with the coarsest level.
+    std::string attachment;
 };
 
 /// The bytes of a `.pm` file. The mesh has to be valid (isValid()).
@@ -52,6 +53,9 @@ public:
     /// The mesh as far as it has been read; of no use before the first readMore().
     /// Cost: linear in it; every step is checked.
     viewlod::Result<ProgressiveMesh> mesh() const;
+
+    /// What was attached to the materials, known after the first readMore().
+    const std::string& attachment() const;
 
     /// How many steps the whole mesh has, and positions, known after the first readMore().
     std::uint32_t stepsInAll() const;

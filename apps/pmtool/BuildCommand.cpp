@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <iostream>
+#include <map>
+#include <memory>
+
+#include <viewlod/WholeFile.h>
+
+#include <osgPMObjects/core/progressive/PmFile.h>
+#include <osgPMObjects/core/simplify/Simplify.h>
+
+#include "pmtool/Models.h"
+#include "pmtool/Timing.h"
+
+namespace pmtool
+{
+
+namespace
+{
+
+using namespace osgPMObjects;
+using Json = nlohmann::ordered_json;
+
+struct Request
+{
+    ModelRequest models; ///< one
+    core::SimplifySettings simplify;
+    core::ArrangementSettings arrangement;
+    core::PmSettings file;
+    std::filesystem::path output;
+};
+
+void print(const Json& row)
+{
+    std::cout << row["model"].get<std::string>() << '\n';
+    for (const auto& [key, value] : row.items())
+        if (key != "model") std::cout << "  " << key << ": " << value.dump() << '\n';
+}
+
+viewlod::Result<Json> build(const Request& request, const std::string& file)
+{
+    const auto model = readClean(file, request.models.limits);
+    if (!model) return model.error();
+    const core::Mesh& mesh = model->read.imported.mesh;
+    core::CollapseSequence sequence;
+    const double simplifyMs = millisecondsOf([&] { sequence = core::simplify(mesh, request.simplify); });
+    core::ProgressiveMesh progressive;
+    const double arrangeMs = millisecondsOf(
+        [&] { progressive = core::buildProgressiveMesh(mesh, sequence, request.arrangement); });
+    const std::string bytes = core::pmBytes(progressive, request.file);
+    if (const auto written = viewlod::writeWholeFile(request.output, bytes); !written) return written.error();
+    Json row{{"model", file},
+             {"file", request.output.string()},
+             {"triangles", sequence.facesBefore},
+             {"positions", progressive.mesh.positions.size()},
+             {"vertices", progressive.mesh.wedgeCount()},
+             {"steps", progressive.stepCount},
+             {"fileBytes", bytes.size()},
+             {"overheadBytesPerVertex", static_cast<double>(progressive.overheadBytes()) /
+                                            static_cast<double>(progressive.mesh.wedgeCount())},
+             {"simplifyMs", simplifyMs},
+             {"arrangeMs", arrangeMs}};
+    print(row);
+    return row;
+}
+
+} // namespace
+
+void addBuild(CLI::App& app, Chosen& chosen)
+{
+    const std::map<std::string, core::Arrangement> arrangements = {{"plain", core::Arrangement::plain},
+                                                                   {"tswap", core::Arrangement::tswap},
+                                                                   {"blocks", core::Arrangement::blocks},
+                                                                   {"ours", core::Arrangement::windows}};
+    const auto request = std::make_shared<Request>();
+    CLI::App* command = app.add_subcommand("build", "make a progressive mesh, a .pm file, of a model");
+    addModelOptions(*command, request->models, chosen.jsonFile);
+    command->get_option("MODEL")->expected(1);
+    command->add_option("-o,--output", request->output, "the file to write")->required();
+    command
+        ->add_option("--order", request->arrangement.arrangement,
+                     "of faces: plain, tswap, blocks, ours (default)")
+        ->transform(CLI::CheckedTransformer(arrangements));
+    command->add_option("--fifo", request->arrangement.cacheSize, "vertices that the cache holds (16)")
+        ->check(terminal::between(3, 1024));
+    command
+        ->add_option("--window-blocks", request->arrangement.windowBlocks,
+                     "ours: blocks of faces that become one less at a time (3)")
+        ->check(terminal::between(2, 64));
+    command->add_flag("--quantised", request->file.quantised, "vertices in 16 and 8 bits");
+    command->add_flag("!--shape-only", request->simplify.keepSeams, "let textures, normals and materials go");
+    command->callback(
+        [request, &chosen]
+        {
+            chosen.work = [request] {
+                return forEachModel(request->models,
+                                    [&](const std::string& file) { return build(*request, file); });
+            };
+        });
+}
+
+} // namespace pmtool
