@@ -78,7 +78,16 @@ public:
         }
     }
 
-    /// Writes a run of slots that says by `isFace(i)` and `face(i)` what is in them.
+    /// Writes a run of faces.
+    template<class FaceOf>
+    void fill(std::uint32_t first, std::uint32_t count, const FaceOf& faceOf) const
+    {
+        for (std::uint32_t i = 0; i < count; ++i)
+            _slots[first + i] = faceOf(i);
+        markRun(first, count);
+    }
+
+    /// The same with holes, where `isFace(i)` says so.
     template<class IsFace, class FaceOf>
     void fill(std::uint32_t first, std::uint32_t count, const IsFace& isFace, const FaceOf& faceOf) const
     {
@@ -87,14 +96,19 @@ public:
             const Index index = indexOfHoleBehind(static_cast<std::ptrdiff_t>(first + i) - 1);
             _slots[first + i] = isFace(i) ? faceOf(i) : Slot{index, index, index};
         }
-        if (count > 0)
-            std::fill(_isChanged + first / kPage, _isChanged + (first + count - 1) / kPage + 1, char{true});
+        markRun(first, count);
     }
 
     static bool isHole(const Slot& slot) { return (slot[0] == slot[1]) & (slot[0] != kUnused); }
 
 private:
     void mark(std::uint32_t slot) const { _isChanged[slot / kPage] = true; }
+
+    void markRun(std::uint32_t first, std::uint32_t count) const
+    {
+        if (count > 0)
+            std::fill(_isChanged + first / kPage, _isChanged + (first + count - 1) / kPage + 1, char{true});
+    }
 
     Index indexOfHoleBehind(std::ptrdiff_t slot) const
     {

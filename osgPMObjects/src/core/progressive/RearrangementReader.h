@@ -108,8 +108,11 @@ private:
     {
         std::size_t next = 0;
         for (const std::uint32_t block : _blocks)
-            for (std::uint32_t i = 0; i < _extents[block]; ++i)
-                faces[next++] = slots[firstSlot(block) + i];
+        {
+            const Slot* const first = &slots[firstSlot(block)];
+            std::copy(first, first + _extents[block], faces.begin() + next);
+            next += _extents[block];
+        }
     }
 
     /// Makes what is behind the extent of a block unused, where its extent was larger before.
@@ -130,15 +133,14 @@ private:
             const std::uint32_t block = _blocks[b];
             _extents[block] = std::min(live, endSlot(block) - firstSlot(block));
             live -= _extents[block];
-            slots.fill(
-                firstSlot(block), _extents[block], [](std::uint32_t) { return true; },
-                [&](std::uint32_t i)
-                {
-                    const std::uint32_t source = expected + in.difference();
-                    expected = source + 1;
-                    moves += source != here + i || i >= _extentsBefore[b];
-                    return _window[source];
-                });
+            slots.fill(firstSlot(block), _extents[block],
+                       [&](std::uint32_t i)
+                       {
+                           const std::uint32_t source = expected + in.difference();
+                           expected = source + 1;
+                           moves += source != here + i || i >= _extentsBefore[b];
+                           return _window[source];
+                       });
             trim(block, _extentsBefore[b], slots);
             here += _extentsBefore[b];
         }
