@@ -19,14 +19,14 @@ public:
         _numbers = std::make_unique<LocalNumbers>(walk);
         std::uint32_t material = 0;
         for (const std::vector<std::uint32_t>& faces : liveFacesByMaterial(walk))
-            slots.append(material++, ordered(walk, faces), _blockFaces);
+            slots.append(material++, _numbers->ordered(walk, faces, libraryOrder), _blockFaces);
     }
 
     void afterStep(const LevelWalk& walk, SlotTable& slots) override
     {
         const std::vector<std::uint32_t> touched = slots.buriedIn();
         for (const std::uint32_t block : touched)
-            fillHoles(block, slots);
+            slots.fillHoles(block);
         for (const std::uint32_t block : touched)
             for (const std::uint32_t other : {slots.liveNeighbour(block, -1), slots.liveNeighbour(block, +1)})
                 if (other != SlotTable::kNone &&
@@ -38,19 +38,6 @@ public:
     }
 
 private:
-    static void fillHoles(std::uint32_t block, SlotTable& slots)
-    {
-        const SlotBlock& b = slots.blocks()[block];
-        std::uint32_t hole = b.first;
-        while (b.extent > b.live)
-        {
-            const std::uint32_t last = b.first + b.extent - 1;
-            while (slots.faceAt(hole) != SlotTable::kNone)
-                ++hole;
-            slots.chain(slots.faceAt(last) == SlotTable::kNone ? std::vector{last} : std::vector{hole, last});
-        }
-    }
-
     static bool fitsIn(const SlotTable& slots, std::uint32_t first, std::uint32_t second)
     {
         return slots.blocks()[first].live > 0 && slots.blocks()[second].live > 0 &&
@@ -62,16 +49,7 @@ private:
         std::vector<std::uint32_t> faces;
         slots.appendFaces(first, faces);
         slots.appendFaces(second, faces);
-        slots.rewrite({first, second}, ordered(walk, faces));
-    }
-
-    std::vector<std::uint32_t> ordered(const LevelWalk& walk, const std::vector<std::uint32_t>& faces)
-    {
-        const std::vector<Triangle> triangles = _numbers->trianglesOf(walk, faces);
-        std::vector<std::uint32_t> order = libraryOrder(triangles, _numbers->count());
-        for (std::uint32_t& face : order)
-            face = faces[face];
-        return order;
+        slots.rewrite({first, second}, _numbers->ordered(walk, faces, libraryOrder));
     }
 
     std::uint32_t _blockFaces;

@@ -60,9 +60,10 @@ void CompactedLevel::moveTo(std::uint32_t steps)
             const Become a = _become[_full[slot][0]], b = _become[_full[slot][1]],
                          c = _become[_full[slot][2]];
             _triangles[live] = {a.wedge, b.wedge, c.wedge};
-            const bool isHere = std::max({a.wedge, b.wedge, c.wedge}) < wedgesLeft;
-            live += isHere & (a.position != b.position) & (b.position != c.position) &
-                    (c.position != a.position); // without a branch: it would be a coin's
+            const unsigned isHere{std::max({a.wedge, b.wedge, c.wedge}) < wedgesLeft};
+            const unsigned ab{a.position != b.position}, bc{b.position != c.position},
+                ca{c.position != a.position};
+            live += isHere & ab & bc & ca; // without a branch: it would be a coin's
         }
         _groupEnds[group] = live;
     }

@@ -47,22 +47,31 @@ std::unique_ptr<FaceArrangement> makeArrangement(const ArrangementSettings& sett
 /// The live faces of each material, in order of their numbers.
 std::vector<std::vector<std::uint32_t>> liveFacesByMaterial(const LevelWalk& walk);
 
-/// Triangles whose wedges are numbered from 0 as they come: what orders for a few faces of many take no longer for.
+/// Orders some faces of many: their wedges are numbered from 0 as they come, so that it takes no longer for the others.
 class LocalNumbers
 {
 public:
     explicit LocalNumbers(const LevelWalk& walk);
 
-    std::vector<Triangle> trianglesOf(const LevelWalk& walk, std::span<const std::uint32_t> faces);
-
-    /// How many wedges the last triangles had.
-    std::uint32_t count() const { return _count; }
+    /// Faces in the order that `order(triangles, wedgeCount)` puts their triangles in, as numbers.
+    template<class Order>
+    std::vector<std::uint32_t> ordered(const LevelWalk& walk, std::span<const std::uint32_t> faces,
+                                       const Order& order)
+    {
+        const std::vector<Triangle> triangles = trianglesOf(walk, faces);
+        std::vector<std::uint32_t> numbers = order(triangles, _count);
+        for (std::uint32_t& number : numbers)
+            number = faces[number];
+        return numbers;
+    }
 
 private:
+    std::vector<Triangle> trianglesOf(const LevelWalk& walk, std::span<const std::uint32_t> faces);
+
     static constexpr std::uint32_t kNone = ~0u;
 
     std::vector<std::uint32_t> _numbers; ///< by wedge
-    std::uint32_t _count = 0;
+    std::uint32_t _count = 0;            ///< of the faces that were looked at last
 };
 
 } // namespace osgPMObjects::core

@@ -49,7 +49,8 @@ public:
         face = {face[0] == before ? after : face[0], face[1] == before ? after : face[1],
                 isLast ? after : face[2]};
         mark(slot);
-        if (isLast & isHole(_slots[slot + 1])) [[unlikely]]
+        // One branch that is hardly ever taken, instead of two.
+        if ((unsigned{isLast} & unsigned{isHole(_slots[slot + 1])}) != 0) [[unlikely]]
             fillHolesBehind(slot);
     }
 
@@ -99,7 +100,7 @@ public:
         markRun(first, count);
     }
 
-    static bool isHole(const Slot& slot) { return (slot[0] == slot[1]) & (slot[0] != kUnused); }
+    static bool isHole(const Slot& slot) { return slot[0] == slot[1] && slot[0] != kUnused; }
 
 private:
     void mark(std::uint32_t slot) const { _isChanged[slot / kPage] = true; }

@@ -30,8 +30,7 @@ public:
     void afterStep(const LevelWalk&, SlotTable& slots) override
     {
         for (const std::uint32_t block : slots.buriedIn())
-            while (slots.blocks()[block].extent > slots.blocks()[block].live)
-                slots.chain({slots.blocks()[block].first + slots.blocks()[block].extent - 1});
+            slots.fillHoles(block); // which are the last slots
     }
 };
 

@@ -4,6 +4,7 @@
 
 #include <osgPMObjects/core/progressive/PmFile.h>
 
+#include "PmSectionStream.h"
 #include "PmVertices.h"
 #include "ProgressiveMeshCheck.h"
 #include "StepRecord.h"
@@ -15,18 +16,18 @@ namespace osgPMObjects::core
 class PmReader::Sections
 {
 public:
-    Sections(std::istream& stream, std::string place) : _stream(stream), _place(std::move(place)) {}
+    Sections(std::istream& stream, std::string place) : _stream(stream, std::move(place)) {}
 
     viewlod::Result<bool> readMore()
     {
         if (_isWhole) return false;
         if (!_hasBase) return readBase();
-        Section section;
-        if (const auto read = readSection(section); !read) return read.error();
+        PmSectionStream::Section section;
+        if (const auto read = _stream.read(section); !read) return read.error();
         if (section.letters == kPmSteps) return readSteps(section);
         if (section.letters != kPmEnd)
-            return damaged("has a section " + section.letters + " that does not belong there");
-        if (_firstStep != 0) return damaged("ends before its last steps");
+            return _stream.damaged("has a section " + section.letters + " that does not belong there");
+        if (_firstStep != 0) return _stream.damaged("ends before its last steps");
         _isWhole = true;
         return false;
     }
@@ -42,11 +43,11 @@ public:
         for (auto piece = _errors.rbegin(); piece != _errors.rend(); ++piece)
             whole.errors.insert(whole.errors.end(), piece->begin(), piece->end());
         const auto needs = needsOf(whole);
-        if (!needs) return damaged("has steps that cannot be");
+        if (!needs) return _stream.damaged("has steps that cannot be");
         whole.mostSlotsOfStep = needs->slotsOfStep;
         whole.mostRearrangements = needs->rearrangements;
         whole.mostSlotsMoved = needs->slotsMoved;
-        if (!isValid(whole)) return damaged("has steps that do not lead back");
+        if (!isValid(whole)) return _stream.damaged("has steps that do not lead back");
         return whole;
     }
 
@@ -55,94 +56,20 @@ public:
     std::uint32_t positionsInAll() const { return _positionsInAll; }
 
 private:
-    struct Section
-    {
-        std::string letters, bytes; ///< bytes: what is in it
-    };
-
-    viewlod::Error damaged(const std::string& what) const
-    {
-        return {_place + ": at byte " + std::to_string(_at), what, "build the file again from its model"};
-    }
-
-    /// Some bytes; fewer where the stream ends. Read in pieces: a length from a damaged file must not ask for all memory.
-    std::string take(std::uint64_t count)
-    {
-        constexpr std::uint64_t kPiece = 1 << 20;
-        std::string bytes;
-        while (count > 0 && _stream)
-        {
-            const std::size_t before = bytes.size();
-            bytes.resize(before + std::min(count, kPiece));
-            _stream.read(bytes.data() + before, static_cast<std::streamsize>(bytes.size() - before));
-            const auto got = static_cast<std::size_t>(_stream.gcount());
-            bytes.resize(before + got);
-            count -= std::min<std::uint64_t>(count, kPiece);
-            if (got == 0) break;
-        }
-        _at += bytes.size();
-        return bytes;
-    }
-
-    viewlod::Outcome readSection(Section& section)
-    {
-        constexpr std::size_t kHead = 12;
-        std::string all = take(kHead);
-        if (all.size() < kHead) return damaged("is cut off before a section");
-        PmByteReader head(std::string_view(all).substr(4));
-        const auto length = head.get<std::uint64_t>();
-        section.letters = all.substr(0, 4);
-        section.bytes = take(length);
-        const std::string sum = take(4);
-        if (section.bytes.size() != length || sum.size() < 4)
-            return damaged("is cut off in a section " + printable(section.letters));
-        all += section.bytes;
-        if (PmByteReader(sum).get<std::uint32_t>() != pmCheckSum(all))
-            return damaged("is damaged in a section " + printable(section.letters) +
-                           ": its check sum is another");
-        return viewlod::success();
-    }
-
-    static std::string printable(std::string letters)
-    {
-        std::replace_if(
-            letters.begin(), letters.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
-        return letters;
-    }
-
-    viewlod::Outcome readSection(std::string_view letters, std::string& bytes)
-    {
-        Section section;
-        if (auto read = readSection(section); !read) return read;
-        if (section.letters != letters)
-            return damaged("has a section " + printable(section.letters) + " where " + std::string(letters) +
-                           " belongs");
-        bytes = std::move(section.bytes);
-        return viewlod::success();
-    }
-
     viewlod::Result<bool> readBase()
     {
-        const std::string magic = take(kPmMagic.size() + sizeof kPmVersion);
-        if (!magic.starts_with(kPmMagic))
-            return viewlod::Error{_place, "is not a progressive mesh", "make one with pmtool build"};
-        const auto version =
-            PmByteReader(std::string_view(magic).substr(kPmMagic.size())).get<std::uint32_t>();
-        if (version != kPmVersion)
-            return viewlod::Error{
-                _place, "is of version " + std::to_string(version) + ", not " + std::to_string(kPmVersion),
-                "build it again with this pmtool"};
+        if (const auto begun = _stream.readBegin(); !begun) return begun.error();
         std::string head, materials, layout, base;
         for (const auto& [letters, bytes] : {std::pair{kPmHead, &head},
                                              {kPmMaterials, &materials},
                                              {kPmAttachment, &_attachment},
                                              {kPmLayout, &layout},
                                              {kPmBase, &base}})
-            if (const auto read = readSection(letters, *bytes); !read) return read.error();
-        if (!readHead(head)) return damaged("has a head that cannot be");
-        if (!readMaterials(materials)) return damaged("has materials that cannot be");
-        if (!readLayout(layout)) return damaged("has a layout that cannot be");
-        if (!readBaseFaces(base)) return damaged("has a coarsest level that cannot be");
+            if (const auto read = _stream.read(letters, *bytes); !read) return read.error();
+        if (!readHead(head)) return _stream.damaged("has a head that cannot be");
+        if (!readMaterials(materials)) return _stream.damaged("has materials that cannot be");
+        if (!readLayout(layout)) return _stream.damaged("has a layout that cannot be");
+        if (!readBaseFaces(base)) return _stream.damaged("has a coarsest level that cannot be");
         _hasBase = true;
         return true;
     }
@@ -249,29 +176,27 @@ private:
         return error;
     }
 
-    viewlod::Result<bool> readSteps(const Section& section)
+    viewlod::Result<bool> readSteps(const PmSectionStream::Section& section)
     {
-        PmByteReader in(section.bytes);
+        PmByteReader in(section.contents);
         const auto first = in.get<std::uint32_t>();
         constexpr std::uint32_t kStride = ProgressiveMesh::kErrorStride;
         if (first >= _firstStep || first % kStride != 0 || !readVertices(in, first))
-            return damaged("has vertices that cannot be");
+            return _stream.damaged("has vertices that cannot be");
         const std::uint32_t errors = (_firstStep + kStride - 1) / kStride - first / kStride;
-        if (!in.hasRoomFor(errors + 1, 16)) return damaged("has too few errors");
+        if (!in.hasRoomFor(errors + 1, 16)) return _stream.damaged("has too few errors");
         _mesh.finestError = readError(in);
         std::vector<LevelError>& piece = _errors.emplace_back();
         for (std::uint32_t i = 0; i < errors; ++i)
             piece.push_back(readError(in));
         const auto length = in.get<std::uint64_t>();
         _records.emplace_back(in.take(length));
-        if (!in.isGood() || !in.isAtEnd()) return damaged("has steps of another length");
+        if (!in.isGood() || !in.isAtEnd()) return _stream.damaged("has steps of another length");
         _firstStep = first;
         return true;
     }
 
-    std::istream& _stream;
-    std::string _place;
-    std::uint64_t _at = 0;
+    PmSectionStream _stream;
     bool _hasBase = false, _isWhole = false;
     std::uint32_t _positionsInAll = 0, _wedgesInAll = 0, _stepsInAll = 0, _firstStep = 0;
     PmVertices _vertices{Mesh{}, false};

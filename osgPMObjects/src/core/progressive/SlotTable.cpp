@@ -62,6 +62,26 @@ void SlotTable::chain(std::vector<std::uint32_t> slots)
     --_blocks[last].extent;
 }
 
+std::vector<std::uint32_t> SlotTable::fillHoles(std::uint32_t block)
+{
+    const SlotBlock& b = _blocks[block];
+    std::vector<std::uint32_t> filled;
+    for (std::uint32_t hole = b.first; b.extent > b.live;)
+    {
+        const std::uint32_t last = b.first + b.extent - 1;
+        if (faceAt(last) == kNone)
+        {
+            chain({last});
+            continue;
+        }
+        while (faceAt(hole) != kNone)
+            ++hole;
+        filled.push_back(hole);
+        chain({hole, last});
+    }
+    return filled;
+}
+
 void SlotTable::rewrite(std::vector<std::uint32_t> blocks, std::span<const std::uint32_t> faces)
 {
     Rearrangement& rearrangement = _rearrangements.emplace_back();

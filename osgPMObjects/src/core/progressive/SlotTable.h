@@ -41,6 +41,8 @@ public:
 
     void bury(std::uint32_t face);
     void chain(std::vector<std::uint32_t> slots);
+    /// Chains that put the last face of a block into each of its holes, one after the other. Returns the slots filled.
+    std::vector<std::uint32_t> fillHoles(std::uint32_t block);
     /// Fills blocks with all of their faces that are left, which are given in their new order.
     void rewrite(std::vector<std::uint32_t> blocks, std::span<const std::uint32_t> faces);
 

@@ -35,7 +35,8 @@ public:
         _isTouched.resize(slots.slotCount(), false);
         for (const std::uint32_t block : slots.buriedIn())
         {
-            fillHoles(block, slots);
+            for (const std::uint32_t slot : slots.fillHoles(block))
+                _isTouched[slot] = true;
             if (_orderedAt[block] - slots.blocks()[block].live >
                 _stepShare * static_cast<float>(_orderedAt[block]))
                 orderAnew(block, walk, slots);
@@ -43,21 +44,6 @@ public:
     }
 
 private:
-    /// Takes the vanished faces out, each by the last one.
-    void fillHoles(std::uint32_t block, SlotTable& slots)
-    {
-        const SlotBlock& b = slots.blocks()[block];
-        std::uint32_t hole = b.first;
-        while (b.extent > b.live)
-        {
-            const std::uint32_t last = b.first + b.extent - 1;
-            while (slots.faceAt(hole) != SlotTable::kNone)
-                ++hole;
-            _isTouched[hole] = true;
-            slots.chain(slots.faceAt(last) == SlotTable::kNone ? std::vector{last} : std::vector{hole, last});
-        }
-    }
-
     void orderAnew(std::uint32_t block, const LevelWalk& walk, SlotTable& slots)
     {
         const SlotBlock& b = slots.blocks()[block];
@@ -72,12 +58,10 @@ private:
     std::vector<std::uint32_t> ordered(const LevelWalk& walk, const std::vector<std::uint32_t>& faces,
                                        const GreedyWeights& weights, std::vector<bool> isTouched)
     {
-        const std::vector<Triangle> triangles = _numbers->trianglesOf(walk, faces);
-        std::vector<std::uint32_t> order =
-            greedyOrder(triangles, _numbers->count(), _cacheSize, weights, std::move(isTouched));
-        for (std::uint32_t& face : order)
-            face = faces[face];
-        return order;
+        return _numbers->ordered(
+            walk, faces,
+            [&](std::span<const Triangle> triangles, std::uint32_t wedges)
+            { return greedyOrder(triangles, wedges, _cacheSize, weights, std::move(isTouched)); });
     }
 
     std::uint32_t _cacheSize;

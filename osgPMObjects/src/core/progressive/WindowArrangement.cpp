@@ -100,18 +100,17 @@ private:
     Faces bestOrder(const LevelWalk& walk, const Faces& faces)
     {
         if (faces.size() < 2) return faces;
-        const std::vector<Triangle> triangles = _numbers->trianglesOf(walk, faces);
         Faces best = faces;
         std::uint64_t least = costOf(walk, best);
-        for (Faces order : {libraryOrder(triangles, _numbers->count()),
-                            localityOrder(triangles, _numbers->count(), _cacheSize)})
+        const auto forQueue = [this](std::span<const Triangle> triangles, std::uint32_t wedges)
+        { return localityOrder(triangles, wedges, _cacheSize); };
+        for (const Faces& order : std::array{_numbers->ordered(walk, faces, libraryOrder),
+                                             _numbers->ordered(walk, faces, forQueue)})
         {
-            for (std::uint32_t& face : order)
-                face = faces[face];
             const std::uint64_t cost = costOf(walk, order);
             if (cost >= least) continue;
             least = cost;
-            best = std::move(order);
+            best = order;
         }
         return best;
     }
