@@ -142,7 +142,7 @@ bool HoleFilling::joins(const VertexStar& star) const
 bool HoleFilling::isTaken(std::uint32_t removed, const Triangle& added, std::size_t along,
                           std::size_t against) const
 {
-    const auto [from, to, third] = added;
+    const std::uint32_t from = added[0], to = added[1], third = added[2];
     bool isCopied = false;
     _live.visit(from,
                 [&](std::uint32_t slot, int corner)
