@@ -175,6 +175,18 @@ TEST(PmFile, RefusesNonsenseThatHasTheRightCheckSum)
     EXPECT_GT(refused, kTries / 10);
 }
 
+TEST(PmFile, DoesNotAskForMemoryThatItsFacesCannotNeed)
+{
+    std::string bytes = pmBytes(subject(7));
+    constexpr std::size_t kSlotCount =
+        12 + 12 + 3 * 4;          // behind the magic, and in the head three counts before it
+    bytes[kSlotCount + 3] = 0x3f; // a billion
+    testsupport::renewCheckSums(bytes);
+    const auto read = parsed(bytes);
+    ASSERT_FALSE(read);
+    EXPECT_THAT(read.error().what, testing::HasSubstr("head"));
+}
+
 TEST(PmFile, WhatIsNoMeshIsAnError)
 {
     EXPECT_THAT(parsed("solid cube").error().what, testing::HasSubstr("not a progressive mesh"));

@@ -87,7 +87,15 @@ private:
         _vertices = PmVertices(in);
         return in.isGood() && in.isAtEnd() && _vertices.isSound() &&
                stride == ProgressiveMesh::kErrorStride && _stepsInAll <= _positionsInAll &&
-               _positionsInAll <= _wedgesInAll;
+               _positionsInAll <= _wedgesInAll && _mesh.slotCount <= mostSlots();
+    }
+
+    /// A face takes a byte at least, but its slot is told before: of a file that is cut off, most of them come later. What is more is damage, and
+    /// would ask for memory without end.
+    std::uint64_t mostSlots() const
+    {
+        constexpr std::uint64_t kFew = 1u << 20, kMany = 1u << 24, kOfByte = 64;
+        return _stream.size() ? kFew + kOfByte * *_stream.size() : kMany;
     }
 
     bool readMaterials(const std::string& bytes)

@@ -44,10 +44,17 @@ std::string PmSectionStream::take(std::uint64_t count)
 
 viewlod::Outcome PmSectionStream::readBegin()
 {
-    const std::string begin = take(kPmMagic.size() + sizeof kPmVersion);
-    if (!begin.starts_with(kPmMagic))
+    const auto begin = _stream.tellg();
+    if (begin >= 0 && _stream.seekg(0, std::ios::end))
+    {
+        _size = static_cast<std::uint64_t>(_stream.tellg() - begin);
+        _stream.seekg(begin);
+    }
+    _stream.clear();
+    const std::string magic = take(kPmMagic.size() + sizeof kPmVersion);
+    if (!magic.starts_with(kPmMagic))
         return viewlod::Error{_place, "is not a progressive mesh", "make one with pmtool build"};
-    const auto version = PmByteReader(std::string_view(begin).substr(kPmMagic.size())).get<std::uint32_t>();
+    const auto version = PmByteReader(std::string_view(magic).substr(kPmMagic.size())).get<std::uint32_t>();
     if (version != kPmVersion)
         return viewlod::Error{
             _place, "is of version " + std::to_string(version) + ", not " + std::to_string(kPmVersion),

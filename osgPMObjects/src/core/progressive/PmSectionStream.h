@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <istream>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -31,6 +32,9 @@ public:
     /// The contents of a section that has to be the next. Errors: besides, it is another one.
     viewlod::Outcome read(std::string_view letters, std::string& contents);
 
+    /// How many bytes there are from the begin on, if the stream can tell.
+    std::optional<std::uint64_t> size() const { return _size; }
+
     /// An error where the stream is.
     viewlod::Error damaged(const std::string& what) const;
 
@@ -40,6 +44,7 @@ private:
     std::istream& _stream;
     std::string _place;
     std::uint64_t _at = 0;
+    std::optional<std::uint64_t> _size;
 };
 
 } // namespace osgPMObjects::core
