@@ -148,7 +148,7 @@ Json arrangementRow(const CacheSubject& subject, const NamedArrangement& named)
     constexpr int kRuns = 9;
     for (int run = 0; run < kRuns; ++run)
         ns.push_back(1e6 / (2.0 * steps) *
-                     millisecondsOf(
+                     threadMillisecondsOf(
                          [&]
                          {
                              played.moveTo(progressive.stepCount);
@@ -195,7 +195,7 @@ Json compactionRow(const CacheSubject& subject)
     row["faceWritesPerEcol"] = writesOfCompaction(subject, level);
     std::vector<double> ns;
     for (const std::uint32_t steps : subject.levels)
-        ns.push_back(1e6 * millisecondsOf([&] { level.moveTo(steps); }));
+        ns.push_back(1e6 * threadMillisecondsOf([&] { level.moveTo(steps); }));
     std::sort(ns.begin(), ns.end());
     row["nsPerStep"] = ns[ns.size() / 2];
     row["bytesPerVertex"] = static_cast<double>(progressive.overheadBytes() - progressive.records.size()) /

@@ -6,11 +6,11 @@
 #include <numeric>
 #include <utility>
 
-#include <viewlod/Slice.h>
-
 #include <osgPMObjects/core/order/TriangleOrders.h>
 #include <osgPMObjects/core/order/TriangleStrips.h>
 #include <osgPMObjects/core/order/VertexCacheCost.h>
+
+#include "pmtool/Timing.h"
 
 namespace pmtool
 {
@@ -110,9 +110,11 @@ OrderedSubject orderSubject(const OrderSubject& subject, const std::string& name
     OrderedSubject ordered;
     for (const DrawCall& call : subject.calls)
     {
-        const double beganUs = viewlod::Slice::threadUs();
-        TriangleStrips strips = order.strips ? order.strips(call) : TriangleStrips{order.order(call), {}};
-        ordered.ms += (viewlod::Slice::threadUs() - beganUs) / 1000.0;
+        TriangleStrips strips;
+        ordered.ms += threadMillisecondsOf(
+            [&] {
+                strips = order.strips ? order.strips(call) : TriangleStrips{order.order(call), {}};
+            });
         ordered.calls.push_back(inOrder(call.triangles, strips.triangles));
         ordered.strips += strips.size();
         for (std::size_t i = 0; i < strips.size(); ++i)
