@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "pmtool/Models.h"
 
-#include <osgPMObjects/core/consolidate/Consolidate.h>
-#include <osgPMObjects/core/consolidate/Weld.h>
+#include <osgPMObjects/core/simplify/Simplifiable.h>
 
 #include "terminal/Terminal.h"
 
@@ -36,9 +35,7 @@ viewlod::Result<CleanModel> readClean(const std::string& file, const ReadLimits&
     if (!model) return model.error();
     core::Mesh& mesh = model->imported.mesh;
     const std::size_t trianglesRead = mesh.faces.size();
-    core::consolidate(mesh);
-    core::weldPositions(mesh, 0.0);
-    core::mergeWedges(mesh);
+    core::makeSimplifiable(mesh);
     if (mesh.faces.empty())
         return viewlod::Error{file, "has no triangles that can be simplified", "give a model with surfaces"};
     return CleanModel{*std::move(model), trianglesRead};

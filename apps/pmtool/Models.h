@@ -34,8 +34,7 @@ struct ReadModel
 /// Reads a model in a child process, and imports it. Errors: as readModelNode() and importNode().
 viewlod::Result<ReadModel> read(const std::string& file, const osgPMObjects::ReadLimits& limits);
 
-/// The same, ready to be simplified: consolidated, and what consolidation split at crowded edges joined again, for simplifiers can do
-/// with such edges, but not with gaps. Errors: as read(); no triangles are left.
+/// The same, ready to be simplified (makeSimplifiable()). Errors: as read(); no triangles are left.
 struct CleanModel
 {
     ReadModel read;

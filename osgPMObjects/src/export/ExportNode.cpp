@@ -2,11 +2,8 @@
 #include <algorithm>
 #include <map>
 
-#include <glm/common.hpp>
-
 #include <osg/Geode>
 #include <osg/Geometry>
-#include <osg/LightModel>
 #include <osg/MatrixTransform>
 
 #include <osgPMObjects/core/mesh/EqualWedges.h>
@@ -14,6 +11,9 @@
 #include <osgPMObjects/core/mesh/Wedge.h>
 
 #include <osgPMObjects/ExportNode>
+
+#include "DrawnState.h"
+#include "FloatOrigin.h"
 
 namespace osgPMObjects
 {
@@ -23,23 +23,6 @@ namespace
 
 using core::Material;
 using core::Mesh;
-
-/// A mesh that is this much farther away than large would lose digits in floats: they keep 3e-7 of its size up to here.
-constexpr double kFarAway = 4.0;
-
-/// What to take off positions before they become floats.
-glm::dvec3 originOf(const Mesh& mesh)
-{
-    if (mesh.positions.empty()) return glm::dvec3(0.0);
-    glm::dvec3 low = mesh.positions[0], high = low;
-    for (const glm::dvec3& p : mesh.positions)
-        low = glm::min(low, p), high = glm::max(high, p);
-    const glm::dvec3 centre = 0.5 * (low + high), size = high - low;
-    const auto largest = [](const glm::dvec3& v) {
-        return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-    };
-    return largest(centre) > kFarAway * largest(size) ? centre : glm::dvec3(0.0);
-}
 
 template<class Array>
 Array* arrayFor(bool isWanted)
@@ -137,20 +120,6 @@ private:
     std::vector<std::uint32_t> _indices;
 };
 
-/// The state of a material; where the material is seen from both sides and its state is not, a copy with nothing culled, and
-/// the backs lit as backs.
-osg::ref_ptr<osg::StateSet> stateOf(const Material& material, const osg::ref_ptr<osg::StateSet>& state)
-{
-    if (!material.isTwoSided || !state || !(state->getMode(GL_CULL_FACE) & osg::StateAttribute::ON))
-        return state;
-    osg::ref_ptr<osg::StateSet> both = new osg::StateSet(*state);
-    both->setMode(GL_CULL_FACE, osg::StateAttribute::OFF);
-    const osg::ref_ptr<osg::LightModel> lighting = new osg::LightModel;
-    lighting->setTwoSided(true);
-    both->setAttributeAndModes(lighting);
-    return both;
-}
-
 /// Face numbers by part, then material, in the order of first use; within, in the order of the mesh.
 std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::uint32_t>>
 facesByGeometry(const Mesh& mesh)
@@ -165,7 +134,7 @@ facesByGeometry(const Mesh& mesh)
 
 osg::ref_ptr<osg::Group> exportNode(const Mesh& mesh, std::span<const osg::ref_ptr<osg::StateSet>> states)
 {
-    const glm::dvec3 origin = originOf(mesh);
+    const glm::dvec3 origin = floatOrigin(mesh.positions);
     osg::ref_ptr<osg::Group> root = new osg::Group;
     if (origin != glm::dvec3(0.0))
         root = new osg::MatrixTransform(osg::Matrixd::translate(origin.x, origin.y, origin.z));
@@ -179,7 +148,7 @@ osg::ref_ptr<osg::Group> exportNode(const Mesh& mesh, std::span<const osg::ref_p
             maker.add(mesh.faces[f], firstEqual, vertexOfWedge);
         const osg::ref_ptr<osg::Geometry> geometry = maker.make();
         geometry->setName(mesh.parts[key.first].name);
-        if (material.state < states.size()) geometry->setStateSet(stateOf(material, states[material.state]));
+        geometry->setStateSet(drawnState(material, states));
         const osg::ref_ptr<osg::Geode> geode = new osg::Geode;
         geode->setName(mesh.parts[key.first].name);
         geode->addDrawable(geometry);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <osgPMObjects/core/mesh/Mesh.h>
+#include <osgPMObjects/core/progressive/ProgressiveMesh.h>
 #include <osgPMObjects/core/simplify/CollapseSequence.h>
 
 namespace osgPMObjects::core
@@ -26,6 +27,9 @@ struct LevelTable
     /// Of a mesh and a sequence of it. Steps after which no face is left are not counted in: what has to vanish, vanishes by
     /// alpha or by its culling, not by its level. Cost: linear.
     static LevelTable of(const Mesh& mesh, const CollapseSequence& sequence);
+    /// Of a progressive mesh, which keeps upper bounds of its errors only (errorAfter()). The same levels are left out.
+    /// Cost: that of playing all steps once.
+    static LevelTable of(const ProgressiveMesh& progressive);
 };
 
 /// Whether there is a level, faces never grow and errors never fall from one to the next, and level 0 has no error.

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <osgPMObjects/core/mesh/Mesh.h>
+#include <osgPMObjects/core/progressive/ProgressiveLevel.h>
+
+namespace osgPMObjects::core
+{
+
+/// Calls visit(triangle, group) for each face of a level in the order in which it is drawn; holes are left out.
+template<class Visit>
+void forEachDrawnFace(const ProgressiveMesh& progressive, const ProgressiveLevel& level, const Visit& visit)
+{
+    std::vector<SlotRange> ranges;
+    for (std::uint32_t group = 0; group < progressive.groups.size(); ++group)
+    {
+        ranges.clear();
+        level.appendRanges(group, ranges);
+        for (const SlotRange& range : ranges)
+            for (std::uint32_t slot = range.first; slot < range.first + range.count; ++slot)
+                if (const Triangle face = level.face(slot); !repeatsCorner(face)) visit(face, group);
+    }
+}
+
+/// The level after some steps as a plain mesh, faces in the order in which ProgressiveLevel draws them. Parts have been lost on
+/// the way into the progressive mesh: all faces are of one. Cost: that of playing the steps up to there.
+Mesh meshAfter(const ProgressiveMesh& progressive, std::uint32_t steps);
+
+} // namespace osgPMObjects::core

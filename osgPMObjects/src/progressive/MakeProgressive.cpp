@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <osgPMObjects/core/progressive/LevelMesh.h>
+#include <osgPMObjects/core/simplify/Simplifiable.h>
+
+#include <osgPMObjects/ExportNode>
+#include <osgPMObjects/MakeProgressive>
+
+namespace osgPMObjects
+{
+
+viewlod::Result<ProgressiveModel> makeProgressive(osg::Node& node, const std::string& name,
+                                                  const ProgressiveSettings& settings)
+{
+    auto imported = importNode(node, name);
+    if (!imported) return imported.error();
+    core::Mesh& mesh = imported->mesh;
+    core::makeSimplifiable(mesh);
+    if (mesh.faces.empty())
+        return viewlod::Error{name, "has no triangles that can be simplified", "give a model with surfaces"};
+    core::SimplifySettings simplifySettings = settings.simplify;
+    simplifySettings.placement = core::Placement::subset;
+    const core::CollapseSequence sequence = core::simplify(mesh, simplifySettings);
+    const osg::ref_ptr<ProgressiveShape> shape = new ProgressiveShape(
+        core::buildProgressiveMesh(mesh, sequence, settings.arrangement), imported->states);
+
+    ProgressiveModel model{new ProgressiveNode(shape), imported->report};
+    model.node->setName(node.getName());
+    if (imported->remainder->getNumChildren() > 0) model.node->addChild(imported->remainder);
+    return model;
+}
+
+osg::ref_ptr<osg::Group> bakeLevel(const ProgressiveShape& shape, std::uint32_t steps)
+{
+    return exportNode(core::meshAfter(shape.progressive(), steps), shape.states());
+}
+
+} // namespace osgPMObjects

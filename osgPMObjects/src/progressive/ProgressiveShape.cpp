@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+
+#include <osgPMObjects/core/progressive/LevelMesh.h>
+
+#include <osgPMObjects/ProgressiveShape>
+
+#include "ShapeArrays.h"
+#include "../export/DrawnState.h"
+#include "../export/FloatOrigin.h"
+
+namespace osgPMObjects
+{
+
+ProgressiveShape::ProgressiveShape(core::ProgressiveMesh progressive,
+                                   std::vector<osg::ref_ptr<osg::StateSet>> states)
+    : _progressive(std::move(progressive)),
+      _states(std::move(states)),
+      _levels(core::LevelTable::of(_progressive)),
+      _facing(core::facingBinsOf(core::meshAfter(_progressive, 0)))
+{
+    const glm::dvec3 origin = floatOrigin(_progressive.mesh.positions);
+    _origin.set(origin.x, origin.y, origin.z);
+    const ShapeArrays arrays(_progressive, origin);
+    _vertices = arrays.vertices();
+    for (std::uint32_t group = 0; group < _progressive.groups.size(); ++group)
+    {
+        const std::uint32_t number = _progressive.groups[group].material;
+        const core::Material& material = _progressive.mesh.materials[number];
+        const std::vector<bool> isUsed = wedgesOfGroup(_progressive, group);
+        Group made{number, drawnState(material, _states), arrays.geometryOf(material, isUsed), {}};
+        for (std::size_t wedge = 0; wedge < isUsed.size(); ++wedge)
+            if (isUsed[wedge]) made.box.expandBy((*_vertices)[wedge]);
+        _groups.push_back(std::move(made));
+    }
+    measure();
+}
+
+void ProgressiveShape::measure()
+{
+    for (const osg::Vec3& vertex : *_vertices)
+        _box.expandBy(vertex);
+    if (!_box.valid()) return;
+    const osg::Vec3d centre = _box.center();
+    double radius2 = 0.0;
+    for (const osg::Vec3& vertex : *_vertices)
+        radius2 = std::max(radius2, (osg::Vec3d(vertex) - centre).length2());
+    _sphere = {{centre.x(), centre.y(), centre.z()}, std::sqrt(radius2)};
+}
+
+void ProgressiveShape::resizeGLObjectBuffers(unsigned int contexts) const
+{
+    for (const Group& group : _groups)
+    {
+        group.arrays->resizeGLObjectBuffers(contexts);
+        if (group.state) group.state->resizeGLObjectBuffers(contexts);
+    }
+}
+
+void ProgressiveShape::releaseGLObjects(osg::State* state) const
+{
+    for (const Group& group : _groups)
+    {
+        group.arrays->releaseGLObjects(state);
+        if (group.state) group.state->releaseGLObjects(state);
+    }
+}
+
+} // namespace osgPMObjects

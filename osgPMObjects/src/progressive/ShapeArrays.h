@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <osg/Geometry>
+
+#include <osgPMObjects/core/progressive/ProgressiveMesh.h>
+
+namespace osgPMObjects
+{
+
+/// The wedges of a progressive mesh as vertices, all attributes in one vertex buffer.
+class ShapeArrays
+{
+public:
+    ShapeArrays(const core::ProgressiveMesh& progressive, const glm::dvec3& origin);
+
+    /// The arrays that a material has, as exportNode() chooses them: a colour that is the same in all of the `isUsed` wedges is one for all.
+    osg::ref_ptr<osg::Geometry> geometryOf(const core::Material& material,
+                                           const std::vector<bool>& isUsed) const;
+
+    const osg::ref_ptr<osg::Vec3Array>& vertices() const { return _vertices; }
+
+private:
+    osg::ref_ptr<osg::Array> coloursOf(const std::vector<bool>& isUsed) const;
+
+    osg::ref_ptr<osg::Vec3Array> _vertices, _normals;
+    osg::ref_ptr<osg::Vec4Array> _colours;
+    osg::ref_ptr<osg::Vec2Array> _texCoords[core::Mesh::kTexCoordSets];
+};
+
+/// By wedge, whether faces of a group use it at any level.
+std::vector<bool> wedgesOfGroup(const core::ProgressiveMesh& progressive, std::uint32_t group);
+
+} // namespace osgPMObjects
