@@ -58,11 +58,9 @@ CullView cullViewOf(osgUtil::CullVisitor& visitor)
     const int width = viewport ? static_cast<int>(viewport->width()) : 1;
     const int height = viewport ? static_cast<int>(viewport->height()) : 1;
     cull.view = viewlod::ViewState::fromMatrices(eyeFromMetres, projection, width, height);
-    if (projection[2][3] == 0.0)
-        cull.metresPerPixel = cull.lodScale / cull.view.pixelsPerTangent;
+    if (projection[2][3] == 0.0) cull.metresPerPixel = cull.lodScale / cull.view.pixelsPerTangent;
     // While OSG is still looking for near and far planes, what stands in the matrix means nothing.
-    if (visitor.getComputeNearFarMode() != osg::CullSettings::DO_NOT_COMPUTE_NEAR_FAR)
-        cull.view.nearM = 0.0;
+    if (visitor.getComputeNearFarMode() != osg::CullSettings::DO_NOT_COMPUTE_NEAR_FAR) cull.view.nearM = 0.0;
     return cull;
 }
 

@@ -76,8 +76,9 @@ void GpuIndices::draw(osg::State& state, std::span<const core::SlotRange> ranges
     }
     state.unbindElementBufferObject();
     gl.glBindBuffer(GL_ELEMENT_ARRAY_BUFFER_ARB, _buffer);
-    gl.glMultiDrawElements(GL_TRIANGLES, counts.data(), _indexBytes == 2 ? GL_UNSIGNED_SHORT : GL_UNSIGNED_INT,
-                           offsets.data(), static_cast<GLsizei>(counts.size()));
+    gl.glMultiDrawElements(GL_TRIANGLES, counts.data(),
+                           _indexBytes == 2 ? GL_UNSIGNED_SHORT : GL_UNSIGNED_INT, offsets.data(),
+                           static_cast<GLsizei>(counts.size()));
     gl.glBindBuffer(GL_ELEMENT_ARRAY_BUFFER_ARB, 0);
 }
 

@@ -80,7 +80,8 @@ core::Selection ProgressiveNode::choose(const CullView& view, core::HeldLevel& h
     if (view.metresPerPixel)
     {
         const double tolerance = _settings.tolerancePx * *view.metresPerPixel / view.metresPerUnit;
-        held.level = core::heldWithin(shape.levels().errors, tolerance, _settings.band, held, _settings.weights);
+        held.level =
+            core::heldWithin(shape.levels().errors, tolerance, _settings.band, held, _settings.weights);
         return {held.level};
     }
     core::SelectableObject object;
@@ -103,8 +104,8 @@ void ProgressiveNode::cull(osgUtil::CullVisitor& visitor)
         visitor.pushModelViewMatrix(
             new osg::RefMatrix(osg::Matrixd::translate(origin) * *visitor.getModelViewMatrix()),
             osg::Transform::RELATIVE_RF);
-    _drawable->cull(visitor, [this](const CullView& view, core::HeldLevel& held)
-                    { return choose(view, held); });
+    _drawable->cull(visitor,
+                    [this](const CullView& view, core::HeldLevel& held) { return choose(view, held); });
     if (isMoved) visitor.popModelViewMatrix();
 }
 

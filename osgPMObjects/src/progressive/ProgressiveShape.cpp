@@ -5,9 +5,9 @@
 
 #include <osgPMObjects/ProgressiveShape>
 
-#include "ShapeArrays.h"
 #include "../export/DrawnState.h"
 #include "../export/FloatOrigin.h"
+#include "ShapeArrays.h"
 
 namespace osgPMObjects
 {
@@ -62,6 +62,11 @@ void ProgressiveShape::releaseGLObjects(osg::State* state) const
     for (const Group& group : _groups)
     {
         group.arrays->releaseGLObjects(state);
+        // OSG sets no array again that it has set last, though its buffer is another now.
+        osg::Geometry::ArrayList arrays;
+        group.arrays->getArrayList(arrays);
+        for (const auto& array : arrays)
+            array->dirty();
         if (group.state) group.state->releaseGLObjects(state);
     }
 }

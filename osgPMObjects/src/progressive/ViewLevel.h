@@ -69,11 +69,13 @@ private:
     mutable std::mutex _levelMutex; ///< guards everything down to _drawn
     core::ProgressiveLevel _level;
     std::uint64_t _serial = 0;
-    IndexPacketPtr _changed, _whole; ///< to _serial from the state before, and from nothing: made when asked for
+    IndexPacketPtr _changed,
+        _whole; ///< to _serial from the state before, and from nothing: made when asked for
     std::map<unsigned int, Given> _given;
     DrawnLevelPtr _drawn;
 
-    mutable std::mutex _gpuMutex; ///< guards the map and the number; each GpuIndices belongs to its draw thread
+    mutable std::mutex
+        _gpuMutex; ///< guards the map and the number; each GpuIndices belongs to its draw thread
     std::map<unsigned int, std::unique_ptr<GpuIndices>> _gpu;
     std::size_t _bytesUploaded = 0;
 };

@@ -95,10 +95,9 @@ void ViewLevelTable::dropUnused(unsigned int frame)
 {
     const auto isOld = [=](unsigned int last) { return frame > last && frame - last > kUnusedFrames; };
     for (Entry& entry : _entries)
-        std::erase_if(entry.members, [&](const Member& m)
-                      { return isOld(m.frame) || (m.identity && !m.camera.valid()); });
-    std::erase_if(_entries,
-                  [&](const Entry& entry) { return isOld(entry.frame) || entry.members.empty(); });
+        std::erase_if(entry.members,
+                      [&](const Member& m) { return isOld(m.frame) || (m.identity && !m.camera.valid()); });
+    std::erase_if(_entries, [&](const Entry& entry) { return isOld(entry.frame) || entry.members.empty(); });
 }
 
 std::shared_ptr<ViewLevel> ViewLevelTable::latest(std::uint32_t steps)

@@ -34,8 +34,9 @@ Mesh meshAfter(const ProgressiveMesh& progressive, std::uint32_t steps)
     mesh.materials = full.materials;
     mesh.parts = {full.parts.size() == 1 ? full.parts.front() : Part{}};
     forEachDrawnFace(progressive, level,
-                     [&](const Triangle& face, std::uint32_t group)
-                     { mesh.faces.push_back({face, progressive.groups[group].material, 0}); });
+                     [&](const Triangle& face, std::uint32_t group) {
+                         mesh.faces.push_back({face, progressive.groups[group].material, 0});
+                     });
     return mesh;
 }
 

@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: Apache-2.0
+// Progressive objects, drawn: at every level, and after however many, they look as plain geometry does.
+#include <filesystem>
+#include <numeric>
+
+#include <gtest/gtest.h>
+
+#include <osg/Material>
+#include <osgDB/WriteFile>
+
+#include <osgPMObjects/core/simplify/Simplify.h>
+
+#include <osgOffscreen/ImageComparison>
+#include <osgPMObjects/ExportNode>
+#include <osgPMObjects/MakeProgressive>
+#include <osgPMObjects/ReadModel>
+
+#include "ClosedMeshes.h"
+#include "RealData.h"
+#include "RenderedModel.h"
+#include "SimplifyMeshes.h"
+#include "progressive/LevelPart.h"
+
+namespace
+{
+
+using namespace osgPMObjects;
+using Pictures = std::vector<osg::ref_ptr<osg::Image>>;
+
+rendered::ModelStudio& studio()
+{
+    static const std::unique_ptr<rendered::ModelStudio> opened = rendered::ModelStudio::open();
+    return *opened;
+}
+
+Pictures picturesOf(osg::Node& node, const osg::BoundingSphere& ball)
+{
+    return studio().pictures(node, ball);
+}
+
+/// How many of the pictures differ, by more than the rounding of a corner where a face begins.
+int differences(const Pictures& a, const Pictures& b)
+{
+    int count = 0;
+    for (std::size_t i = 0; i < a.size(); ++i)
+        count += !osgOffscreen::compareImages(*a[i], *b[i]).within(16, 1);
+    return count;
+}
+
+/// Where the variable OSGTRAINER_KEEP_PICTURES names a folder, they are left there to be looked at.
+void keep(const Pictures& pictures, const std::string& name)
+{
+    const char* const folder = std::getenv("OSGTRAINER_KEEP_PICTURES");
+    if (!folder) return;
+    for (std::size_t i = 0; i < pictures.size(); i += 3)
+        osgDB::writeImageFile(*pictures[i],
+                              (std::filesystem::path(folder) / (name + std::to_string(i) + ".png")).string());
+}
+
+core::Mesh shaded(core::Mesh mesh)
+{
+    for (core::Material& material : mesh.materials)
+        material.attributes |= core::Material::normal;
+    mesh.normals.clear();
+    for (std::size_t wedge = 0; wedge < mesh.wedgeCount(); ++wedge)
+    {
+        const glm::dvec3& p = mesh.positions[mesh.wedgePositions[wedge]];
+        mesh.normals.push_back(
+            glm::normalize(glm::vec3(std::sin(3.0 * p.x), std::cos(2.0 * p.y), 1.0 + p.z * p.z)));
+    }
+    return mesh;
+}
+
+/// A torus and a sheet of another colour, of normals that show every face.
+struct Made
+{
+    core::Mesh mesh;
+    osg::ref_ptr<ProgressiveShape> shape;
+
+    Made()
+        : mesh(shaded(testsupport::together(testsupport::torus(60, 40), testsupport::waves(40, 30),
+                                            {4.0, -10.0, -1.0})))
+    {
+        std::vector<osg::ref_ptr<osg::StateSet>> states;
+        for (core::Material& material : mesh.materials)
+        {
+            const osg::ref_ptr<osg::Material> paint = new osg::Material;
+            paint->setDiffuse(osg::Material::FRONT_AND_BACK, states.empty()
+                                                                 ? osg::Vec4(0.9F, 0.4F, 0.2F, 1.0F)
+                                                                 : osg::Vec4(0.3F, 0.7F, 0.4F, 1.0F));
+            material.state = static_cast<std::uint32_t>(states.size());
+            states.push_back(new osg::StateSet);
+            states.back()->setAttributeAndModes(paint);
+        }
+        shape = new ProgressiveShape(core::buildProgressiveMesh(mesh, core::simplify(mesh)), states);
+    }
+
+    static const Made& get()
+    {
+        static const Made made;
+        return made;
+    }
+    std::uint32_t most() const { return shape->progressive().stepCount; }
+};
+
+TEST(ProgressivePictures, AreThoseOfThePlainModelAtTheFinestLevel)
+{
+    const Made& made = Made::get();
+    const osg::ref_ptr<ProgressiveDrawable> drawable = new ProgressiveDrawable(made.shape);
+    const osg::ref_ptr<osg::Group> plain = exportNode(made.mesh, made.shape->states());
+    const Pictures expected = picturesOf(*plain, plain->getBound());
+    keep(expected, "plain");
+    EXPECT_EQ(differences(expected, picturesOf(*drawable, plain->getBound())), 0);
+}
+
+TEST(ProgressivePictures, AreThoseOfTheBakedGeometryAtEveryLevel)
+{
+    const Made& made = Made::get();
+    const osg::ref_ptr<ProgressiveDrawable> drawable = new ProgressiveDrawable(made.shape);
+    const osg::BoundingSphere ball = drawable->getBound();
+    for (const unsigned tenths : {2, 9, 5, 10, 7, 0})
+    {
+        const std::uint32_t steps = made.most() * tenths / 10;
+        drawable->setSteps(steps);
+        const Pictures drawn = picturesOf(*drawable, ball);
+        keep(drawn, "level" + std::to_string(tenths) + "-");
+        EXPECT_EQ(differences(picturesOf(*bakeLevel(*made.shape, steps), ball), drawn), 0) << tenths;
+    }
+}
+
+TEST(ProgressivePictures, AreTheSameAfterManyLevels)
+{
+    const Made& made = Made::get();
+    const osg::ref_ptr<ProgressiveDrawable> drawable = new ProgressiveDrawable(made.shape);
+    const osg::BoundingSphere ball = drawable->getBound();
+    const Pictures before = picturesOf(*drawable, ball);
+    const std::size_t wholeBytes = drawable->statistics().at(0).bytesUploaded;
+    constexpr std::uint32_t kRounds = 24;
+    for (std::uint32_t round = 0; round < kRounds; ++round)
+    {
+        drawable->setSteps(round * 97 % (made.most() / 2));
+        picturesOf(*drawable, ball);
+    }
+    drawable->setSteps(0);
+    EXPECT_EQ(differences(before, picturesOf(*drawable, ball)), 0);
+    const auto statistics = drawable->statistics();
+    ASSERT_EQ(statistics.size(), 1u);
+    EXPECT_GT(statistics[0].played.steps, 1000u);
+    EXPECT_GT(statistics[0].bytesUploaded, wholeBytes);
+    EXPECT_LT(statistics[0].bytesUploaded, kRounds * wholeBytes / 2) << "whole buffers were sent";
+}
+
+/// Objects released between frames (as when a window is closed) come back whole.
+TEST(ProgressivePictures, AreTheSameAfterTheContextsObjectsAreGone)
+{
+    const Made& made = Made::get();
+    const osg::ref_ptr<ProgressiveDrawable> drawable = new ProgressiveDrawable(made.shape);
+    const osg::BoundingSphere ball = drawable->getBound();
+    drawable->setSteps(made.most() / 2);
+    const Pictures before = picturesOf(*drawable, ball);
+    drawable->releaseGLObjects();
+    EXPECT_EQ(differences(before, picturesOf(*drawable, ball)), 0);
+}
+
+/// A level as cull makes it, with or without a page of what has changed since the last one drawn.
+Pictures picturesWithout(bool isPageLost, std::uint32_t steps)
+{
+    const Made& made = Made::get();
+    const auto level = std::make_shared<ViewLevel>(made.shape);
+    const auto partsOf = [&](const DrawnLevelPtr& drawn)
+    {
+        const osg::ref_ptr<osg::Group> parts = new osg::Group;
+        for (std::uint32_t group = 0; group < made.shape->groups().size(); ++group)
+        {
+            const osg::ref_ptr<LevelPart> part = new LevelPart(level, drawn, group);
+            part->setStateSet(made.shape->groups()[group].state);
+            parts->addChild(part);
+        }
+        return parts;
+    };
+    const osg::BoundingSphere ball(made.shape->box());
+    picturesOf(*partsOf(level->at(0, 1, 0)), ball);
+    const auto drawn = std::make_shared<DrawnLevel>(*level->at(steps, 2, 0));
+    const auto packet = std::make_shared<IndexPacket>(*drawn->packet);
+    EXPECT_FALSE(packet->isWhole);
+    EXPECT_FALSE(packet->ranges.empty());
+    if (isPageLost)
+    {
+        const std::size_t slotBytes =
+            packet->bytes.size() /
+            std::accumulate(packet->ranges.begin(), packet->ranges.end(), std::size_t{0},
+                            [](std::size_t sum, const core::SlotRange& r) { return sum + r.count; });
+        const std::uint32_t lost = std::min(packet->ranges.front().count, 64u);
+        packet->ranges.front().first += lost;
+        packet->ranges.front().count -= lost;
+        packet->bytes.erase(packet->bytes.begin(),
+                            packet->bytes.begin() + static_cast<std::ptrdiff_t>(lost * slotBytes));
+    }
+    drawn->packet = packet;
+    return picturesOf(*partsOf(drawn), ball);
+}
+
+/// The comparisons above can fail: a page that is not uploaded shows.
+TEST(ProgressivePicturesMutation, APageThatIsNotUploadedIsSeen)
+{
+    const Made& made = Made::get();
+    const std::uint32_t steps = made.most() / 3;
+    const Pictures expected =
+        picturesOf(*bakeLevel(*made.shape, steps), osg::BoundingSphere(made.shape->box()));
+    EXPECT_EQ(differences(expected, picturesWithout(false, steps)), 0);
+    const Pictures lost = picturesWithout(true, steps);
+    keep(lost, "lost");
+    EXPECT_GT(differences(expected, lost), 0);
+}
+
+class ProgressiveModelPictures : public testing::TestWithParam<const char*>
+{
+};
+
+TEST_P(ProgressiveModelPictures, AreThoseOfPlainGeometryAtEveryLevel)
+{
+    OSGTRAINER_REAL_DATA_OR_SKIP(file, std::string("models/") + GetParam());
+    const auto read = readModelNode(file);
+    ASSERT_TRUE(read) << read.error().message();
+    auto model = makeProgressive(**read, file.string());
+    ASSERT_TRUE(model) << model.error().message();
+    ProgressiveNode& node = *model->node;
+    const ProgressiveShape& shape = *node.shape();
+    const osg::BoundingSphere ball = node.drawable()->getBound();
+    for (const unsigned eighths : {0, 4, 7, 2, 0})
+    {
+        const std::uint32_t steps = shape.progressive().stepCount * eighths / 8;
+        node.drawable()->setSteps(steps);
+        const Pictures drawn = picturesOf(*node.drawable(), ball);
+        keep(drawn, std::filesystem::path(GetParam()).stem().string() + std::to_string(eighths) + "-");
+        EXPECT_EQ(differences(picturesOf(*bakeLevel(shape, steps), ball), drawn), 0) << eighths;
+    }
+    const Pictures original = picturesOf(**read, (*read)->getBound());
+    keep(original, std::filesystem::path(GetParam()).stem().string() + "-original");
+    EXPECT_EQ(differences(original, picturesOf(node, (*read)->getBound())), 0)
+        << "near, the node is the model";
+}
+
+INSTANTIATE_TEST_SUITE_P(Real, ProgressiveModelPictures,
+                         testing::Values("cad/standingblob.obj", "character/spot.obj", "vehicle/110Bus.ac"),
+                         [](const auto& parameter)
+                         {
+                             std::string name = parameter.param;
+                             for (char& c : name)
+                                 if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
+                             return name;
+                         });
+
+} // namespace
