@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "VertexCount.h"
+
+#include <functional>
+
+#include <osg/GLExtensions>
+#include <osg/RenderInfo>
+#include <osg/State>
+
+namespace objectbench
+{
+
+namespace
+{
+
+constexpr GLenum kVertexShaderInvocations = 0x82F0;
+constexpr GLenum kQueryResult = 0x8866;
+
+struct Callback : public osg::Camera::DrawCallback
+{
+    explicit Callback(std::function<void(osg::RenderInfo&)> call) : function(std::move(call)) {}
+    void operator()(osg::RenderInfo& renderInfo) const override { function(renderInfo); }
+
+    std::function<void(osg::RenderInfo&)> function;
+};
+
+} // namespace
+
+VertexCount::VertexCount(osg::Camera& camera)
+{
+    camera.setInitialDrawCallback(new Callback([this](osg::RenderInfo& info) { begin(info); }));
+    camera.setFinalDrawCallback(new Callback([this](osg::RenderInfo& info) { end(info); }));
+}
+
+void VertexCount::begin(osg::RenderInfo& renderInfo)
+{
+    if (!_isCounting) return;
+    osg::GLExtensions& gl = *renderInfo.getState()->get<osg::GLExtensions>();
+    if (_query == 0) gl.glGenQueries(1, &_query);
+    gl.glBeginQuery(kVertexShaderInvocations, _query);
+}
+
+void VertexCount::end(osg::RenderInfo& renderInfo)
+{
+    if (!_isCounting) return;
+    osg::GLExtensions& gl = *renderInfo.getState()->get<osg::GLExtensions>();
+    gl.glEndQuery(kVertexShaderInvocations);
+    // The getter of 64 bits does nothing in OSMesa.
+    gl.glGetQueryObjectuiv(_query, kQueryResult, &_invocations);
+}
+
+} // namespace objectbench
