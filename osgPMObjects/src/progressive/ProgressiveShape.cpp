@@ -22,12 +22,13 @@ ProgressiveShape::ProgressiveShape(core::ProgressiveMesh progressive,
     const glm::dvec3 origin = floatOrigin(_progressive.mesh.positions);
     _origin.set(origin.x, origin.y, origin.z);
     const ShapeArrays arrays(_progressive, origin);
+    const std::vector<std::vector<bool>> isUsedBy = wedgesByGroup(_progressive);
     _vertices = arrays.vertices();
     for (std::uint32_t group = 0; group < _progressive.groups.size(); ++group)
     {
         const std::uint32_t number = _progressive.groups[group].material;
         const core::Material& material = _progressive.mesh.materials[number];
-        const std::vector<bool> isUsed = wedgesOfGroup(_progressive, group);
+        const std::vector<bool>& isUsed = isUsedBy[group];
         Group made{number, drawnState(material, _states), arrays.geometryOf(material, isUsed), {}};
         for (std::size_t wedge = 0; wedge < isUsed.size(); ++wedge)
             if (isUsed[wedge]) made.box.expandBy((*_vertices)[wedge]);

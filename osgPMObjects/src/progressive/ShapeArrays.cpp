@@ -73,22 +73,23 @@ osg::ref_ptr<osg::Array> ShapeArrays::coloursOf(const std::vector<bool>& isUsed)
     return new osg::Vec4Array(osg::Array::BIND_OVERALL, 1, &(*_colours)[static_cast<std::size_t>(first)]);
 }
 
-std::vector<bool> wedgesOfGroup(const core::ProgressiveMesh& progressive, std::uint32_t group)
+std::vector<std::vector<bool>> wedgesByGroup(const core::ProgressiveMesh& progressive)
 {
-    std::vector<bool> isUsed(progressive.mesh.wedgeCount(), false);
+    std::vector<std::vector<bool>> byGroup(progressive.groups.size(),
+                                           std::vector<bool>(progressive.mesh.wedgeCount(), false));
     core::ProgressiveLevel level(progressive);
     level.moveTo(0);
     core::forEachDrawnFace(progressive, level,
-                           [&](const core::Triangle& face, std::uint32_t of)
+                           [&](const core::Triangle& face, std::uint32_t group)
                            {
-                               if (of != group) return;
                                for (const std::uint32_t wedge : face)
-                                   isUsed[wedge] = true;
+                                   byGroup[group][wedge] = true;
                            });
     // What they become has a lower number.
-    for (std::size_t wedge = isUsed.size(); wedge-- > 0;)
-        if (isUsed[wedge]) isUsed[progressive.parents[wedge]] = true;
-    return isUsed;
+    for (std::vector<bool>& isUsed : byGroup)
+        for (std::size_t wedge = isUsed.size(); wedge-- > 0;)
+            if (isUsed[wedge]) isUsed[progressive.parents[wedge]] = true;
+    return byGroup;
 }
 
 } // namespace osgPMObjects

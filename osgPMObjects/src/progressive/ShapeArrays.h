@@ -28,7 +28,7 @@ private:
     osg::ref_ptr<osg::Vec2Array> _texCoords[core::Mesh::kTexCoordSets];
 };
 
-/// By wedge, whether faces of a group use it at any level.
-std::vector<bool> wedgesOfGroup(const core::ProgressiveMesh& progressive, std::uint32_t group);
+/// By group and wedge, whether faces of the group use the wedge at any level. Cost: that of playing all steps once.
+std::vector<std::vector<bool>> wedgesByGroup(const core::ProgressiveMesh& progressive);
 
 } // namespace osgPMObjects
