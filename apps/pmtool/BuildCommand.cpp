@@ -8,6 +8,8 @@
 #include <osgPMObjects/core/progressive/PmFile.h>
 #include <osgPMObjects/core/simplify/Simplify.h>
 
+#include <osgPMObjects/PmNode>
+
 #include "pmtool/Models.h"
 #include "pmtool/Timing.h"
 
@@ -46,7 +48,15 @@ viewlod::Result<Json> build(const Request& request, const std::string& file)
     core::ProgressiveMesh progressive;
     const double arrangeMs = millisecondsOf(
         [&] { progressive = core::buildProgressiveMesh(mesh, sequence, request.arrangement); });
-    const std::string bytes = core::pmBytes(progressive, request.file);
+    const ImportedModel& imported = model->read.imported;
+    std::vector<osg::ref_ptr<osg::Node>> others;
+    for (unsigned int i = 0; i < imported.remainder->getNumChildren(); ++i)
+        others.push_back(imported.remainder->getChild(i));
+    auto attachment = pmAttachment(imported.states, others);
+    if (!attachment) return viewlod::Error{file, attachment.error().what, attachment.error().remedy};
+    core::PmSettings settings = request.file;
+    settings.attachment = *std::move(attachment);
+    const std::string bytes = core::pmBytes(progressive, settings);
     if (const auto written = viewlod::writeWholeFile(request.output, bytes); !written) return written.error();
     Json row{{"model", file},
              {"file", request.output.string()},

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fstream>
+
+#include <osgDB/FileNameUtils>
+#include <osgDB/FileUtils>
+#include <osgDB/Registry>
+
+#include <viewlod/WholeFile.h>
+
+#include <osgPMObjects/MakeProgressive>
+#include <osgPMObjects/PmNode>
+
+namespace
+{
+
+/// osgDB's way to progressive meshes: osgviewer model.pm, osgconv model.ac model.pm. What is written and is no progressive object is made
+/// one. Options: "quantised" for vertices in 16 and 8 bits.
+/// Errors: the message of the result is the Error's line, with file, place and remedy.
+class ReaderWriterPm : public osgDB::ReaderWriter
+{
+public:
+    ReaderWriterPm()
+    {
+        supportsExtension("pm", "progressive mesh");
+        supportsOption("quantised", "write vertices in 16 and 8 bits");
+    }
+
+    const char* className() const override { return "osgPMObjects reader and writer"; }
+
+    ReadResult readObject(const std::string& name, const Options* options) const override
+    {
+        return readNode(name, options);
+    }
+    ReadResult readObject(std::istream& stream, const Options* options) const override
+    {
+        return readNode(stream, options);
+    }
+
+    ReadResult readNode(const std::string& name, const Options* options) const override
+    {
+        if (!acceptsExtension(osgDB::getLowerCaseFileExtension(name))) return ReadResult::FILE_NOT_HANDLED;
+        const std::string file = osgDB::findDataFile(name, options);
+        if (file.empty()) return ReadResult::FILE_NOT_FOUND;
+        std::ifstream stream(file, std::ios::binary);
+        return read(stream, file);
+    }
+    ReadResult readNode(std::istream& stream, const Options*) const override
+    {
+        return read(stream, "stream");
+    }
+
+    WriteResult writeObject(const osg::Object& object, const std::string& name,
+                            const Options* options) const override
+    {
+        const auto* const node = dynamic_cast<const osg::Node*>(&object);
+        return node ? writeNode(*node, name, options) : WriteResult(WriteResult::FILE_NOT_HANDLED);
+    }
+
+    WriteResult writeNode(const osg::Node& node, const std::string& name,
+                          const Options* options) const override
+    {
+        if (!acceptsExtension(osgDB::getLowerCaseFileExtension(name))) return WriteResult::FILE_NOT_HANDLED;
+        const auto bytes = bytesOf(node, name, options);
+        if (!bytes) return WriteResult(bytes.error().message());
+        const auto written = viewlod::writeWholeFile(name, *bytes);
+        return written ? WriteResult(WriteResult::FILE_SAVED) : WriteResult(written.error().message());
+    }
+
+    WriteResult writeNode(const osg::Node& node, std::ostream& stream, const Options* options) const override
+    {
+        const auto bytes = bytesOf(node, "stream", options);
+        if (!bytes) return WriteResult(bytes.error().message());
+        stream.write(bytes->data(), static_cast<std::streamsize>(bytes->size()));
+        return stream ? WriteResult(WriteResult::FILE_SAVED) : WriteResult("the stream cannot be written");
+    }
+
+private:
+    static ReadResult read(std::istream& stream, const std::string& place)
+    {
+        const auto node = osgPMObjects::readPmNode(stream, place);
+        return node ? ReadResult(node->get(), ReadResult::FILE_LOADED) : ReadResult(node.error().message());
+    }
+
+    static viewlod::Result<std::string> bytesOf(const osg::Node& node, const std::string& name,
+                                                const Options* options)
+    {
+        osgPMObjects::core::PmSettings settings;
+        settings.quantised = options && options->getOptionString().find("quantised") != std::string::npos;
+        if (const auto* const progressive = progressiveBelow(node))
+            return osgPMObjects::pmNodeBytes(*progressive, settings);
+        const auto made = osgPMObjects::makeProgressive(const_cast<osg::Node&>(node), name);
+        if (!made) return made.error();
+        return osgPMObjects::pmNodeBytes(*made->node, settings);
+    }
+
+    /// The node itself, or the only child of groups that do nothing else.
+    static const osgPMObjects::ProgressiveNode* progressiveBelow(const osg::Node& node)
+    {
+        if (const auto* const progressive = dynamic_cast<const osgPMObjects::ProgressiveNode*>(&node))
+            return progressive;
+        const osg::Group* const group = node.asGroup();
+        const bool isPlain = group && !node.asTransform() && !node.getStateSet();
+        return isPlain && group->getNumChildren() == 1 ? progressiveBelow(*group->getChild(0)) : nullptr;
+    }
+};
+
+} // namespace
+
+REGISTER_OSGPLUGIN(pm, ReaderWriterPm)

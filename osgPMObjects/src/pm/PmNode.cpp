@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <sstream>
+
+#include <osg/Group>
+#include <osgDB/Registry>
+
+#include <osgPMObjects/PmNode>
+
+namespace osgPMObjects
+{
+
+namespace
+{
+
+constexpr const char* kFormat = "osgb";
+
+osg::ref_ptr<osgDB::ReaderWriter> format()
+{
+    return osgDB::Registry::instance()->getReaderWriterForExtension(kFormat);
+}
+
+/// The first child has a child with each state, the others are what is no surface.
+osg::ref_ptr<osg::Group> attachedGroup(const std::vector<osg::ref_ptr<osg::StateSet>>& states,
+                                       const std::vector<osg::ref_ptr<osg::Node>>& others)
+{
+    const osg::ref_ptr<osg::Group> root = new osg::Group, holders = new osg::Group;
+    for (const osg::ref_ptr<osg::StateSet>& state : states)
+    {
+        const osg::ref_ptr<osg::Node> holder = new osg::Node;
+        holder->setStateSet(state);
+        holders->addChild(holder);
+    }
+    root->addChild(holders);
+    for (const osg::ref_ptr<osg::Node>& other : others)
+        root->addChild(other);
+    return root;
+}
+
+/// What a file has besides its mesh.
+struct Attached
+{
+    std::vector<osg::ref_ptr<osg::StateSet>> states;
+    std::vector<osg::ref_ptr<osg::Node>> others;
+};
+
+viewlod::Result<Attached> readAttached(const std::string& bytes, const std::string& place)
+{
+    if (bytes.empty()) return Attached{};
+    const auto damaged = [&](const std::string& why) {
+        return viewlod::Error{place, "has states that cannot be read" + why, "build the file again"};
+    };
+    const osg::ref_ptr<osgDB::ReaderWriter> reader = format();
+    if (!reader) return damaged(": OpenSceneGraph's plugin for .osgb is not installed");
+    std::istringstream stream(bytes);
+    osgDB::ReaderWriter::ReadResult read = reader->readNode(stream, nullptr);
+    osg::Group* const root = read.getNode() ? read.getNode()->asGroup() : nullptr;
+    osg::Group* const holders = root && root->getNumChildren() > 0 ? root->getChild(0)->asGroup() : nullptr;
+    if (!holders) return damaged(read.message().empty() ? "" : ": " + read.message());
+    Attached attached;
+    for (unsigned int i = 0; i < holders->getNumChildren(); ++i)
+        attached.states.push_back(holders->getChild(i)->getStateSet());
+    for (unsigned int i = 1; i < root->getNumChildren(); ++i)
+        attached.others.push_back(root->getChild(i));
+    return attached;
+}
+
+} // namespace
+
+viewlod::Result<std::string> pmAttachment(const std::vector<osg::ref_ptr<osg::StateSet>>& states,
+                                          const std::vector<osg::ref_ptr<osg::Node>>& others)
+{
+    const osg::ref_ptr<osgDB::ReaderWriter> writer = format();
+    if (!writer)
+        return viewlod::Error{"states", "cannot be written: OpenSceneGraph's plugin for .osgb is missing",
+                              "install openscenegraph"};
+    const osg::ref_ptr<osgDB::Options> options = new osgDB::Options("WriteImageHint=IncludeData");
+    std::ostringstream stream;
+    const auto written = writer->writeNode(*attachedGroup(states, others), stream, options);
+    if (!written.success())
+        return viewlod::Error{"states", "cannot be written: " + written.message(),
+                              "look at the model's states"};
+    return stream.str();
+}
+
+viewlod::Result<std::string> pmNodeBytes(const ProgressiveNode& node, core::PmSettings settings)
+{
+    const ProgressiveShape* const shape = node.shape();
+    if (!shape) return viewlod::Error{"progressive node", "has no shape", "give one that is not empty"};
+    std::vector<osg::ref_ptr<osg::Node>> others;
+    for (unsigned int i = 1; i < node.getNumChildren(); ++i) // the first is the surface
+        others.push_back(const_cast<osg::Node*>(node.getChild(i)));
+    auto attachment = pmAttachment(shape->states(), others);
+    if (!attachment) return attachment.error();
+    settings.attachment = *std::move(attachment);
+    return core::pmBytes(shape->progressive(), settings);
+}
+
+viewlod::Result<osg::ref_ptr<ProgressiveNode>> readPmNode(std::istream& stream, const std::string& place)
+{
+    core::PmReader reader(stream, place);
+    while (true)
+    {
+        const auto more = reader.readMore();
+        if (!more) return more.error();
+        if (!*more) break;
+    }
+    auto mesh = reader.mesh();
+    if (!mesh) return mesh.error();
+    auto attached = readAttached(reader.attachment(), place);
+    if (!attached) return attached.error();
+    std::size_t states = attached->states.size();
+    for (const core::Material& material : mesh->mesh.materials)
+        states = std::max<std::size_t>(states, material.state + std::size_t{1});
+    if (states > attached->states.size() + mesh->mesh.materials.size())
+        return viewlod::Error{place, "has materials with states that are not there", "build the file again"};
+    attached->states.resize(states);
+    const osg::ref_ptr<ProgressiveNode> node =
+        new ProgressiveNode(new ProgressiveShape(*std::move(mesh), std::move(attached->states)));
+    for (const osg::ref_ptr<osg::Node>& other : attached->others)
+        node->addChild(other);
+    return node;
+}
+
+} // namespace osgPMObjects

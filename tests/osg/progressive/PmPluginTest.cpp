@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+// Progressive meshes as files of OpenSceneGraph.
+#include <fstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <osg/Geode>
+#include <osg/Material>
+#include <osg/ShapeDrawable>
+#include <osg/Texture2D>
+#include <osgDB/ReadFile>
+#include <osgDB/Registry>
+#include <osgDB/WriteFile>
+
+#include <osgPMObjects/MakeProgressive>
+#include <osgPMObjects/PmNode>
+
+#include "TestFolder.h"
+
+namespace
+{
+
+using namespace osgPMObjects;
+
+class PmPlugin : public testing::Test
+{
+protected:
+    void SetUp() override
+    {
+        osgDB::Registry::instance()->getLibraryFilePathList().push_front(OSGTRAINER_PLUGIN_FOLDER);
+    }
+    void TearDown() override { osgDB::Registry::instance()->getLibraryFilePathList().pop_front(); }
+
+    /// A red ball with a picture, and a line beside it.
+    static osg::ref_ptr<osg::Group> model()
+    {
+        const osg::ref_ptr<osg::Group> group = new osg::Group;
+        const osg::ref_ptr<osg::Geode> ball = new osg::Geode;
+        ball->addDrawable(new osg::ShapeDrawable(new osg::Sphere({}, 2.0F)));
+        const osg::ref_ptr<osg::Material> red = new osg::Material;
+        red->setDiffuse(osg::Material::FRONT_AND_BACK, {1.0F, 0.0F, 0.0F, 1.0F});
+        ball->getOrCreateStateSet()->setAttributeAndModes(red);
+        const osg::ref_ptr<osg::Image> picture = new osg::Image;
+        picture->allocateImage(4, 4, 1, GL_RGB, GL_UNSIGNED_BYTE);
+        std::fill_n(picture->data(), picture->getTotalSizeInBytes(), static_cast<unsigned char>(77));
+        ball->getStateSet()->setTextureAttributeAndModes(0, new osg::Texture2D(picture));
+        group->addChild(ball);
+        const osg::ref_ptr<osg::Geometry> line = new osg::Geometry;
+        const osg::ref_ptr<osg::Vec3Array> ends = new osg::Vec3Array(2);
+        (*ends)[1].set(0.0F, 0.0F, 5.0F);
+        line->setVertexArray(ends);
+        line->addPrimitiveSet(new osg::DrawArrays(GL_LINES, 0, 2));
+        group->addChild(line);
+        return group;
+    }
+
+    static osg::ref_ptr<ProgressiveNode> readBack(const std::string& file)
+    {
+        return dynamic_cast<ProgressiveNode*>(osgDB::readRefNodeFile(file).get());
+    }
+
+    testsupport::TestFolder _folder{"pm-plugin"};
+};
+
+TEST_F(PmPlugin, WritesAnyModelAndReadsAProgressiveObject)
+{
+    const std::string file = (_folder / "ball.pm").string();
+    ASSERT_TRUE(osgDB::writeNodeFile(*model(), file));
+    const osg::ref_ptr<ProgressiveNode> node = readBack(file);
+    ASSERT_TRUE(node);
+    const auto made = makeProgressive(*model());
+    ASSERT_TRUE(made);
+    EXPECT_EQ(node->shape()->progressive().records, made->node->shape()->progressive().records);
+    EXPECT_EQ(node->shape()->progressive().mesh.positions, made->node->shape()->progressive().mesh.positions);
+    EXPECT_EQ(node->getNumChildren(), 2u); // the line, too
+
+    ASSERT_EQ(node->shape()->groups().size(), 1u);
+    const osg::StateSet* const state = node->shape()->groups()[0].state;
+    ASSERT_TRUE(state);
+    const auto* const red =
+        dynamic_cast<const osg::Material*>(state->getAttribute(osg::StateAttribute::MATERIAL));
+    ASSERT_TRUE(red);
+    EXPECT_EQ(red->getDiffuse(osg::Material::FRONT), osg::Vec4(1.0F, 0.0F, 0.0F, 1.0F));
+    const auto* const texture =
+        dynamic_cast<const osg::Texture2D*>(state->getTextureAttribute(0, osg::StateAttribute::TEXTURE));
+    ASSERT_TRUE(texture);
+    ASSERT_TRUE(texture->getImage());
+    EXPECT_EQ(texture->getImage()->data()[0], 77);
+
+    const std::string again = (_folder / "again.pm").string();
+    ASSERT_TRUE(osgDB::writeNodeFile(*node, again));
+    ASSERT_TRUE(readBack(again));
+    EXPECT_EQ(readBack(again)->shape()->progressive().records, node->shape()->progressive().records);
+}
+
+TEST_F(PmPlugin, QuantisesWhereAsked)
+{
+    const std::string file = (_folder / "ball.pm").string(), smaller = (_folder / "small.pm").string();
+    ASSERT_TRUE(osgDB::writeNodeFile(*model(), file));
+    const osg::ref_ptr<osgDB::Options> options = new osgDB::Options("quantised");
+    ASSERT_TRUE(osgDB::writeNodeFile(*model(), smaller, options));
+    EXPECT_LT(std::filesystem::file_size(smaller), std::filesystem::file_size(file));
+    EXPECT_TRUE(readBack(smaller));
+}
+
+TEST_F(PmPlugin, SaysWhatIsWrongWithAFile)
+{
+    const std::string file = (_folder / "ball.pm").string();
+    ASSERT_TRUE(osgDB::writeNodeFile(*model(), file));
+    std::fstream(file, std::ios::in | std::ios::out | std::ios::binary).seekp(300).put('?');
+    auto read = osgDB::Registry::instance()->readNode(file, nullptr);
+    EXPECT_FALSE(read.validNode());
+    EXPECT_THAT(read.message(), testing::HasSubstr("check sum"));
+}
+
+TEST_F(PmPlugin, RefusesAnEmptyNode)
+{
+    const std::string file = (_folder / "nothing.pm").string();
+    EXPECT_FALSE(osgDB::writeNodeFile(*new osg::Group, file));
+    EXPECT_FALSE(std::filesystem::exists(file));
+}
+
+} // namespace
