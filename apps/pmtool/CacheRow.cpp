@@ -8,6 +8,7 @@
 #include <osgPMObjects/core/order/TriangleOrders.h>
 #include <osgPMObjects/core/order/VertexCacheCost.h>
 #include <osgPMObjects/core/progressive/CompactedLevel.h>
+#include <osgPMObjects/core/progressive/LevelMesh.h>
 #include <osgPMObjects/core/progressive/ProgressiveLevel.h>
 #include <osgPMObjects/core/simplify/Simplify.h>
 
@@ -74,10 +75,10 @@ ProgressiveMesh progressiveOf(const CacheSubject& subject, Arrangement arrangeme
     return buildProgressiveMesh(subject.mesh, subject.sequence, settings);
 }
 
-Calls callsOf(const CompactedLevel& level, std::size_t groups)
+Calls callsOf(const ProgressiveMesh& progressive, const CompactedLevel& level)
 {
     Calls calls;
-    for (std::uint32_t group = 0; group < groups; ++group)
+    for (std::uint32_t group = 0; group < progressive.groups.size(); ++group)
     {
         const SlotRange range = level.rangeOf(group);
         const auto triangles = level.triangles().subspan(range.first, range.count);
@@ -87,19 +88,26 @@ Calls callsOf(const CompactedLevel& level, std::size_t groups)
 }
 
 /// Without holes: they transform nothing.
-Calls callsOf(const ProgressiveLevel& level, std::size_t groups)
+Calls callsOf(const ProgressiveMesh& progressive, const ProgressiveLevel& level)
 {
-    Calls calls;
-    for (std::uint32_t group = 0; group < groups; ++group)
-    {
-        std::vector<SlotRange> ranges;
-        level.appendRanges(group, ranges);
-        std::vector<Triangle>& call = calls.emplace_back();
-        for (const SlotRange& range : ranges)
-            for (std::uint32_t slot = range.first; slot < range.first + range.count; ++slot)
-                if (const Triangle face = level.face(slot); !repeatsCorner(face)) call.push_back(face);
-    }
+    Calls calls(progressive.groups.size());
+    forEachDrawnFace(progressive, level,
+                     [&](const Triangle& face, std::uint32_t group) { calls[group].push_back(face); });
     return calls;
+}
+
+/// The same of the levels of a progressive mesh, as a player has them.
+template<class Level>
+void addTransforms(const CacheSubject& subject, const ProgressiveMesh& progressive, Level& level, Json& row)
+{
+    addTransforms(
+        subject,
+        [&](std::uint32_t steps)
+        {
+            level.moveTo(steps);
+            return callsOf(progressive, level);
+        },
+        row);
 }
 
 /// How many slots are drawn for each face, on average over the levels.
@@ -126,14 +134,7 @@ Json arrangementRow(const CacheSubject& subject, const NamedArrangement& named)
     Json row{{"order", named.name}, {"fifo", subject.settings.cacheSize}};
     const double buildMs = millisecondsOf([&] { progressive = progressiveOf(subject, named.arrangement); });
     ProgressiveLevel level(progressive);
-    addTransforms(
-        subject,
-        [&](std::uint32_t steps)
-        {
-            level.moveTo(steps);
-            return callsOf(level, progressive.groups.size());
-        },
-        row);
+    addTransforms(subject, progressive, level, row);
     row["slotsPerFace"] = slotsPerFace(subject, progressive, level);
 
     ProgressiveLevel played(progressive);
@@ -184,14 +185,7 @@ Json compactionRow(const CacheSubject& subject)
     const ProgressiveMesh progressive = progressiveOf(subject, Arrangement::blocks);
     CompactedLevel level(progressive);
     Json row{{"order", kCompaction}, {"fifo", subject.settings.cacheSize}};
-    addTransforms(
-        subject,
-        [&](std::uint32_t steps)
-        {
-            level.moveTo(steps);
-            return callsOf(level, progressive.groups.size());
-        },
-        row);
+    addTransforms(subject, progressive, level, row);
     row["faceWritesPerEcol"] = writesOfCompaction(subject, level);
     std::vector<double> ns;
     for (const std::uint32_t steps : subject.levels)
@@ -215,7 +209,7 @@ Json freshRow(const CacheSubject& subject, const char* name,
         [&](std::uint32_t steps)
         {
             level.moveTo(steps);
-            Calls calls = callsOf(level, progressive.groups.size());
+            Calls calls = callsOf(progressive, level);
             for (std::vector<Triangle>& call : calls)
                 call = ordered(std::move(call));
             return calls;

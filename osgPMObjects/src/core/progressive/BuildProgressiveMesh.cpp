@@ -146,6 +146,14 @@ ProgressiveMesh buildProgressiveMesh(const Mesh& mesh, const CollapseSequence& s
     return progressive;
 }
 
+std::uint32_t ProgressiveMesh::wedgesAfter(std::uint32_t steps) const
+{
+    const auto& positions = mesh.wedgePositions; // rise with the wedges
+    const auto left = static_cast<std::uint32_t>(mesh.positions.size()) - steps;
+    return static_cast<std::uint32_t>(std::lower_bound(positions.begin(), positions.end(), left) -
+                                      positions.begin());
+}
+
 std::size_t ProgressiveMesh::overheadBytes() const
 {
     const std::size_t indexBytes = mesh.wedgeCount() < std::numeric_limits<std::uint16_t>::max() ? 2 : 4;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <numeric>
 
 #include <osgPMObjects/core/progressive/CompactedLevel.h>
+#include <osgPMObjects/core/progressive/LevelMesh.h>
 
 namespace osgPMObjects::core
 {
@@ -11,16 +13,14 @@ CompactedLevel::CompactedLevel(const ProgressiveMesh& progressive)
 {
     ProgressiveLevel finest(progressive);
     finest.moveTo(0);
-    std::vector<SlotRange> ranges;
-    for (std::uint32_t group = 0; group < progressive.groups.size(); ++group)
-    {
-        ranges.clear();
-        finest.appendRanges(group, ranges);
-        for (const SlotRange& range : ranges)
-            for (std::uint32_t slot = range.first; slot < range.first + range.count; ++slot)
-                if (const Triangle face = finest.face(slot); !repeatsCorner(face)) _full.push_back(face);
-        _fullEnds.push_back(static_cast<std::uint32_t>(_full.size()));
-    }
+    _fullEnds.resize(progressive.groups.size(), 0);
+    forEachDrawnFace(progressive, finest,
+                     [this](const Triangle& face, std::uint32_t group)
+                     {
+                         _full.push_back(face);
+                         ++_fullEnds[group];
+                     });
+    std::partial_sum(_fullEnds.begin(), _fullEnds.end(), _fullEnds.begin());
     _triangles.resize(_full.size());
     for (std::uint32_t wedge = 0; wedge < progressive.mesh.wedgeCount(); ++wedge)
         _become.push_back({wedge, progressive.mesh.wedgePositions[wedge]});
@@ -47,10 +47,7 @@ void CompactedLevel::findWedges(std::uint32_t wedgesLeft)
 
 void CompactedLevel::moveTo(std::uint32_t steps)
 {
-    const auto& positions = _progressive.mesh.wedgePositions; // rise with the wedges
-    const auto positionsLeft = static_cast<std::uint32_t>(_progressive.mesh.positions.size()) - steps;
-    const auto wedgesLeft = static_cast<std::uint32_t>(
-        std::lower_bound(positions.begin(), positions.end(), positionsLeft) - positions.begin());
+    const std::uint32_t wedgesLeft = _progressive.wedgesAfter(steps);
     findWedges(wedgesLeft);
     std::uint32_t live = 0, slot = 0;
     for (std::uint32_t group = 0; group < _progressive.groups.size(); ++group)

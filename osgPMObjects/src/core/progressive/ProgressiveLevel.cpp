@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <algorithm>
 #include <cassert>
 #include <limits>
 
@@ -10,22 +9,10 @@
 namespace osgPMObjects::core
 {
 
-namespace
-{
-
-std::uint32_t wedgesOfBase(const ProgressiveMesh& progressive)
-{
-    const auto& positions = progressive.mesh.wedgePositions; // rise with the wedges
-    const auto positionsLeft =
-        static_cast<std::uint32_t>(progressive.mesh.positions.size()) - progressive.stepCount;
-    return static_cast<std::uint32_t>(std::lower_bound(positions.begin(), positions.end(), positionsLeft) -
-                                      positions.begin());
-}
-
-} // namespace
-
 ProgressiveLevel::Player::Player(const ProgressiveMesh& progressive)
-    : _progressive(progressive), _steps(progressive.stepCount), _wedges(wedgesOfBase(progressive))
+    : _progressive(progressive),
+      _steps(progressive.stepCount),
+      _wedges(progressive.wedgesAfter(progressive.stepCount))
 {
     for (const FaceBlock& block : progressive.blocks)
         _extents.push_back(block.extent);

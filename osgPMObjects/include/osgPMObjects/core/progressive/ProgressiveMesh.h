@@ -97,6 +97,9 @@ struct ProgressiveMesh
                                          : static_cast<std::uint32_t>(blocks.size());
     }
 
+    /// How many wedges there are after some steps: the first ones.
+    std::uint32_t wedgesAfter(std::uint32_t steps) const;
+
     /// Bytes besides the vertices and one index buffer. Indices below 65 535 count two bytes.
     std::size_t overheadBytes() const;
 };
