@@ -9,6 +9,7 @@
 #include <osg/Program>
 #include <osg/Texture2D>
 
+#include <osgPMObjects/ObjectShader>
 #include <osgTerrainROAM/Atmosphere>
 
 namespace trainer
@@ -18,7 +19,7 @@ namespace
 {
 
 // Everything relative to the eye: positions of a world tens of kilometres wide do not fit floats.
-const char* const kVertexShader = R"(#version 130
+const char* const kVertexShader = R"(
 out vec3 fromEye;      // world axes, origin at the eye
 out vec3 normalWorld;
 out vec4 colour;
@@ -27,14 +28,15 @@ out vec3 inObject;
 uniform mat4 osg_ViewMatrixInverse;
 void main()
 {
-    vec4 inView = gl_ModelViewMatrix * gl_Vertex;
+    inObject = pmPosition();
+    vec4 inView = pmInView(inObject);
     mat3 worldFromView = mat3(osg_ViewMatrixInverse);
     fromEye = worldFromView * inView.xyz;
-    normalWorld = worldFromView * (gl_NormalMatrix * gl_Normal);
-    inObject = gl_Vertex.xyz;
-    colour = gl_Color;
-    textureAt = gl_MultiTexCoord0.xy;
+    normalWorld = worldFromView * pmNormalInView(pmNormal());
+    colour = pmColour();
+    textureAt = pmTexCoord0();
     gl_Position = gl_ProjectionMatrix * inView;
+    pmShow();
 }
 )";
 
@@ -52,6 +54,7 @@ uniform float objectLeaves;   // 1: foliage
 uniform float objectTintMask;
 void main()
 {
+    float shownAlpha = pmAlpha();
     float toAxis = min(distance(inObject.xz, objectHolesXz.xy), distance(inObject.xz, objectHolesXz.zw));
     if (toAxis < objectHolesSize.x && abs(inObject.y) > objectHolesSize.y) discard;
     float distanceM = length(fromEye);
@@ -73,7 +76,7 @@ void main()
     vec3 scene = mix(0.3 * ambientLight(vec3(0.0, 0.0, -1.0)), skyColour(mirrored), smoothstep(-0.08, 0.08, mirrored.z));
     vec3 highlight = sunLight() * (objectLacquer * 0.35 * pow(max(dot(mirrored, sunDirection()), 0.0), 120.0));
     lit = mix(lit, scene, fresnel) + highlight;
-    gl_FragColor = vec4(displayColour(applyHaze(lit, towards, distanceM)), paint.a);
+    gl_FragColor = vec4(displayColour(applyHaze(lit, towards, distanceM)), paint.a * shownAlpha);
 }
 )";
 
@@ -95,10 +98,13 @@ void setObjectShading(osg::Node& node, Finish finish, const FlankHoles& holes)
 {
     osg::ref_ptr<osg::Program> program = new osg::Program;
     program->setName("object");
-    program->addShader(new osg::Shader(osg::Shader::VERTEX, kVertexShader));
+    const std::string version = "#version 130\n";
+    program->addShader(
+        new osg::Shader(osg::Shader::VERTEX, version + osgPMObjects::glslVertexFunctions() + kVertexShader));
     program->addShader(new osg::Shader(osg::Shader::FRAGMENT,
-                                       std::string("#version 130\n") +
+                                       version + osgPMObjects::glslFragmentFunctions() +
                                            osgTerrainROAM::Atmosphere::glslFunctions() + kFragmentShader));
+    osgPMObjects::bindObjectAttributes(*program);
     osg::StateSet* state = node.getOrCreateStateSet();
     state->setAttributeAndModes(program);
     state->addUniform(new osg::Uniform("objectTexture", 0));

@@ -29,6 +29,7 @@ struct FlankHoles
 /// (osgTerrainROAM::Atmosphere). Colour: the vertex colours or, in a loaded model without, its material's diffuse
 /// colour, taken as display values, times texture unit 0 where a model has one.
 /// Where a state below sets the uniform `objectTintMask` to 1, the texture's alpha says how far the vertex colour counts.
+/// Objects of a field and such as are on their way between two levels are shaded by it, too (osgPMObjects/ObjectShader).
 /// Needs the uniforms of an Atmosphere above it in the graph.
 void setObjectShading(osg::Node& node, Finish finish, const FlankHoles& holes = {});
 
