@@ -17,7 +17,7 @@
 #include <osgPMObjects/ReadModel>
 
 #include "Contestants.h"
-#include "VertexCount.h"
+#include "PipelineCount.h"
 #include "VertexLights.h"
 #include "terminal/CommandLine.h"
 #include "terminal/Terminal.h"
@@ -43,7 +43,7 @@ class Race
 {
 public:
     Race(osgOffscreen::OffscreenViewer& viewer, const Request& request)
-        : _viewer(viewer), _count(viewer.camera()), _request(request)
+        : _viewer(viewer), _count(viewer.camera(), PipelineCount::kVertexShaderInvocations), _request(request)
     {
     }
 
@@ -70,7 +70,7 @@ public:
                     _count.setCounting(repeat < 0);
                     const double ms = frameMs();
                     if (repeat < 0)
-                        invocations[i] = _count.invocations();
+                        invocations[i] = _count.counted();
                     else
                         least[i] = std::min(least[i], ms);
                 }
@@ -102,7 +102,7 @@ private:
     }
 
     osgOffscreen::OffscreenViewer& _viewer;
-    VertexCount _count;
+    PipelineCount _count;
     const Request& _request;
 };
 

@@ -3,36 +3,8 @@
 
 #include <cassert>
 
-#include <osg/ContextData>
-
 namespace osgPMObjects
 {
-
-namespace
-{
-
-/// Buffers of a context that wait for its thread to delete them; OSG keeps one of these per context.
-class IndexDeletion : public osg::GLObjectManager
-{
-public:
-    explicit IndexDeletion(unsigned int contextId)
-        : osg::GLObjectManager("osgPMObjects::GpuIndices", contextId)
-    {
-    }
-
-    void deleteGLObject(GLuint buffer) override
-    {
-        if (const osg::GLExtensions* gl = osg::GLExtensions::Get(_contextID, true))
-            gl->glDeleteBuffers(1, &buffer);
-    }
-};
-
-const void* bufferOffset(std::size_t bytes)
-{
-    return reinterpret_cast<const void*>(bytes); // NOLINT(performance-no-int-to-ptr): how GL wants it
-}
-
-} // namespace
 
 std::size_t GpuIndices::upload(osg::State& state, const IndexPacket& packet)
 {
@@ -41,13 +13,8 @@ std::size_t GpuIndices::upload(osg::State& state, const IndexPacket& packet)
     osg::GLExtensions& gl = *state.get<osg::GLExtensions>();
     const std::size_t slotBytes = 3 * _indexBytes;
     state.unbindElementBufferObject();
-    const bool isNew = _buffer == 0;
-    if (isNew)
-    {
-        if (!_deletion) _deletion = osg::get<IndexDeletion>(_contextId);
-        gl.glGenBuffers(1, &_buffer);
-    }
-    gl.glBindBuffer(GL_ELEMENT_ARRAY_BUFFER_ARB, _buffer);
+    const bool isNew = !_buffer.isMade();
+    gl.glBindBuffer(GL_ELEMENT_ARRAY_BUFFER_ARB, _buffer.name(gl));
     if (isNew)
         gl.glBufferData(GL_ELEMENT_ARRAY_BUFFER_ARB, static_cast<GLsizeiptr>(_slots * slotBytes), nullptr,
                         GL_DYNAMIC_DRAW_ARB);
@@ -63,7 +30,7 @@ std::size_t GpuIndices::upload(osg::State& state, const IndexPacket& packet)
     return packet.bytes.size();
 }
 
-void GpuIndices::draw(osg::State& state, std::span<const core::SlotRange> ranges) const
+void GpuIndices::draw(osg::State& state, std::span<const core::SlotRange> ranges)
 {
     if (ranges.empty() || _serial == 0) return;
     osg::GLExtensions& gl = *state.get<osg::GLExtensions>();
@@ -75,7 +42,7 @@ void GpuIndices::draw(osg::State& state, std::span<const core::SlotRange> ranges
         offsets.push_back(bufferOffset(range.first * 3 * _indexBytes));
     }
     state.unbindElementBufferObject();
-    gl.glBindBuffer(GL_ELEMENT_ARRAY_BUFFER_ARB, _buffer);
+    gl.glBindBuffer(GL_ELEMENT_ARRAY_BUFFER_ARB, _buffer.name(gl));
     gl.glMultiDrawElements(GL_TRIANGLES, counts.data(),
                            _indexBytes == 2 ? GL_UNSIGNED_SHORT : GL_UNSIGNED_INT, offsets.data(),
                            static_cast<GLsizei>(counts.size()));
@@ -84,8 +51,7 @@ void GpuIndices::draw(osg::State& state, std::span<const core::SlotRange> ranges
 
 void GpuIndices::release()
 {
-    if (_buffer != 0) _deletion->scheduleGLObjectForDeletion(_buffer);
-    _buffer = 0;
+    _buffer.release();
     _serial = 0;
 }
 

@@ -45,7 +45,8 @@ in vec4 pmTargetTexCoords;
 float pmMorph() { return float(gl_VertexID) >= pmShown.w ? pmShown.z : 0.0; }
 vec3 pmPosition() { return mix(gl_Vertex.xyz, pmTargetPosition, pmMorph()); }
 vec3 pmNormal() { return mix(gl_Normal, pmTargetNormal, pmMorph()); }
-vec4 pmColour() { return mix(gl_Color, pmTargetColour, pmMorph()); }
+// A red below 0: the colour is the material's, which vertices do not have.
+vec4 pmColour() { return pmTargetColour.r < 0.0 ? gl_Color : mix(gl_Color, pmTargetColour, pmMorph()); }
 vec2 pmTexCoord0() { return mix(gl_MultiTexCoord0.xy, pmTargetTexCoords.xy, pmMorph()); }
 vec2 pmTexCoord1() { return mix(gl_MultiTexCoord1.xy, pmTargetTexCoords.zw, pmMorph()); }
 #else

@@ -25,20 +25,28 @@ std::uint64_t CostModel::of(std::uint32_t triangles, std::uint32_t vertices) con
 BenefitCurve BenefitCurve::of(const LevelTable& table, double radius, const CostModel& cost,
                               const AttributeWeights& weights, std::uint32_t levels)
 {
+    double faces = table.faces[coarsestWithin(table.errors, 0.0, weights)];
+    const double ratio = std::pow(table.faces.back() / faces, 1.0 / std::max(1u, levels - 1));
+    std::vector<std::uint32_t> steps;
+    for (std::uint32_t i = 0; i + 1 < levels; ++i, faces *= ratio)
+    {
+        const auto level = std::partition_point(table.faces.begin(), table.faces.end(),
+                                                [&](std::uint32_t f) { return f > faces; });
+        steps.push_back(std::min(table.mostSteps(), static_cast<std::uint32_t>(level - table.faces.begin())));
+    }
+    steps.push_back(table.mostSteps());
+    return ofLevels(table, steps, radius, cost, weights);
+}
+
+BenefitCurve BenefitCurve::ofLevels(const LevelTable& table, std::span<const std::uint32_t> levels,
+                                    double radius, const CostModel& cost, const AttributeWeights& weights)
+{
     const auto accuracy = [&](std::uint32_t steps)
     { return 1.0 - std::min(1.0, errorOf(table.errors[steps], weights) / radius); };
     const double least = accuracy(table.mostSteps());
-    double faces = table.faces[coarsestWithin(table.errors, 0.0, weights)];
-    const double ratio = std::pow(table.faces.back() / faces, 1.0 / std::max(1u, levels - 1));
     std::vector<BenefitPoint> points;
-    for (std::uint32_t i = 0; i < levels; ++i, faces *= ratio)
+    for (const std::uint32_t steps : levels)
     {
-        const bool isLast = i + 1 == levels;
-        const auto level = std::partition_point(table.faces.begin(), table.faces.end(),
-                                                [&](std::uint32_t f) { return f > faces; });
-        const auto steps =
-            isLast ? table.mostSteps()
-                   : std::min(table.mostSteps(), static_cast<std::uint32_t>(level - table.faces.begin()));
         const std::uint32_t vertices = table.positions > steps ? table.positions - steps : 0;
         points.push_back({steps, cost.of(table.faces[steps], vertices), accuracy(steps) - least,
                           errorOf(table.errors[steps], weights)});

@@ -6,6 +6,7 @@
 
 #include <osgPMObjects/core/selection/BoxArea.h>
 #include <osgPMObjects/core/selection/ContinuousRule.h>
+#include <osgPMObjects/core/selection/DrawnRows.h>
 #include <osgPMObjects/core/selection/EllipsoidArea.h>
 #include <osgPMObjects/core/selection/LevelSelector.h>
 #include <osgPMObjects/core/selection/SphereArea.h>
@@ -105,6 +106,7 @@ Selection LevelSelector::select(const SelectableObject& object, HeldLevel& held)
     }
     const HeldLevel before = held;
     Selection selection = byMethod(object, gain, distance, held);
+    if (!object.drawn.empty()) selection.steps = object.drawn[drawnRowOf(object.drawn, selection.steps)];
     selection.alpha = alpha;
     selection.hasSwitched = before.isHeld() && before.level != held.level;
     return selection;

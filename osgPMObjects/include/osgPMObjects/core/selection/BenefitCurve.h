@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include <osgPMObjects/core/selection/LevelTable.h>
@@ -17,6 +18,8 @@ struct CostModel
     double perTriangle = 1.0;
     double perVertex = 0.0; ///< of those that the level uses, V minus its steps; attributes split none more
     double perDraw = 0.0;   ///< of an object, however coarse
+
+    bool operator==(const CostModel&) const = default;
 
     /// Rounded up.
     std::uint64_t of(std::uint32_t triangles, std::uint32_t vertices) const;
@@ -49,6 +52,9 @@ struct BenefitCurve
     /// Errors of 0 are worth nothing: the finest point is the cheapest level without error.
     static BenefitCurve of(const LevelTable& table, double radius, const CostModel& cost,
                            const AttributeWeights& weights = {}, std::uint32_t levels = 32);
+    /// The same of given levels, in steps: those that can be drawn.
+    static BenefitCurve ofLevels(const LevelTable& table, std::span<const std::uint32_t> levels,
+                                 double radius, const CostModel& cost, const AttributeWeights& weights = {});
     /// The hull of any points, sorted by cost; `points` is not empty.
     static BenefitCurve hullOf(std::vector<BenefitPoint> points);
 };

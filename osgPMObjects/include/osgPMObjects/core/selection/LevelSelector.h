@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include <osgPMObjects/core/selection/BenefitCurve.h>
 #include <osgPMObjects/core/selection/BoundingVolumes.h>
@@ -26,7 +27,10 @@ struct SelectableObject
     Priority priority;
     OrientedBox box;                     ///< for the areas of boxes and ellipsoids
     const FacingBins* facing = nullptr;  ///< for the facing area, about the box's axes
-    const BenefitCurve* curve = nullptr; ///< for the budget
+    const BenefitCurve* curve = nullptr; ///< for the budget; of levels that can be drawn
+    /// The levels that can be drawn, in steps, ascending from 0: of those the coarsest is taken that is no coarser than what
+    /// the rule asks for. Empty: all.
+    std::span<const std::uint32_t> drawn;
 };
 
 /// What a level was chosen by besides the rule itself.
@@ -41,10 +45,10 @@ enum class SelectionReason : std::uint8_t
 /// What to draw of an object.
 struct Selection
 {
-    std::uint32_t steps = 0; ///< of the CollapseSequence; 0: the full mesh
+    std::uint32_t steps = 0; ///< of the CollapseSequence; 0: the full mesh; a level that can be drawn
     float alpha = 1.0f;      ///< of the alpha range
     SelectionReason reason = SelectionReason::rule;
-    bool hasSwitched = false; ///< another level than last time; not the first time
+    bool hasSwitched = false; ///< the rule asks for another level than last time; not the first time
 };
 
 /// The one front of all rules: chooses each object's level by its own method, for one view.

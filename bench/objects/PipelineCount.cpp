@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "VertexCount.h"
+#include "PipelineCount.h"
 
 #include <functional>
 
@@ -13,7 +13,6 @@ namespace objectbench
 namespace
 {
 
-constexpr GLenum kVertexShaderInvocations = 0x82F0;
 constexpr GLenum kQueryResult = 0x8866;
 
 struct Callback : public osg::Camera::DrawCallback
@@ -26,27 +25,27 @@ struct Callback : public osg::Camera::DrawCallback
 
 } // namespace
 
-VertexCount::VertexCount(osg::Camera& camera)
+PipelineCount::PipelineCount(osg::Camera& camera, GLenum counted) : _counted(counted)
 {
     camera.setInitialDrawCallback(new Callback([this](osg::RenderInfo& info) { begin(info); }));
     camera.setFinalDrawCallback(new Callback([this](osg::RenderInfo& info) { end(info); }));
 }
 
-void VertexCount::begin(osg::RenderInfo& renderInfo)
+void PipelineCount::begin(osg::RenderInfo& renderInfo)
 {
     if (!_isCounting) return;
     osg::GLExtensions& gl = *renderInfo.getState()->get<osg::GLExtensions>();
     if (_query == 0) gl.glGenQueries(1, &_query);
-    gl.glBeginQuery(kVertexShaderInvocations, _query);
+    gl.glBeginQuery(_counted, _query);
 }
 
-void VertexCount::end(osg::RenderInfo& renderInfo)
+void PipelineCount::end(osg::RenderInfo& renderInfo)
 {
     if (!_isCounting) return;
     osg::GLExtensions& gl = *renderInfo.getState()->get<osg::GLExtensions>();
     gl.glEndQuery(kVertexShaderInvocations);
     // The getter of 64 bits does nothing in OSMesa.
-    gl.glGetQueryObjectuiv(_query, kQueryResult, &_invocations);
+    gl.glGetQueryObjectuiv(_query, kQueryResult, &_result);
 }
 
 } // namespace objectbench

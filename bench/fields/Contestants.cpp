@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "Contestants.h"
+
+#include <algorithm>
+#include <array>
+
+#include <osg/LOD>
+#include <osg/MatrixTransform>
+
+#include <osgPMObjects/core/order/FaceOrder.h>
+#include <osgPMObjects/core/progressive/LevelMesh.h>
+#include <osgPMObjects/core/selection/ScreenErrorRule.h>
+
+#include <osgPMObjects/ExportNode>
+
+namespace fieldbench
+{
+
+using namespace osgPMObjects;
+
+namespace
+{
+
+constexpr std::array<double, 5> kShares{1.0, 0.4, 0.16, 0.06, 0.02};
+
+osg::ref_ptr<osg::Group> levelOf(const ProgressiveShape& shape, std::uint32_t steps)
+{
+    core::Mesh mesh = core::meshAfter(shape.progressive(), steps);
+    core::orderFaces(mesh, core::FaceOrder::library);
+    return exportNode(mesh, shape.states());
+}
+
+osg::ref_ptr<osg::Node> lodOf(const ProgressiveShape& shape, double tolerancePx, double pixelsPerTangent)
+{
+    const core::LevelTable& levels = shape.levels();
+    const osg::ref_ptr<osg::LOD> lod = new osg::LOD;
+    lod->setCenterMode(osg::LOD::USER_DEFINED_CENTER);
+    const glm::dvec3& centre = shape.sphere().centre;
+    lod->setCenter(osg::Vec3d(centre.x, centre.y, centre.z) + shape.origin());
+    lod->setRadius(shape.sphere().radius);
+    float from = 0.0F;
+    for (std::size_t i = 0; i < kShares.size(); ++i)
+    {
+        const auto faces = static_cast<std::uint32_t>(kShares[i] * levels.faces.front());
+        const auto level = std::partition_point(levels.faces.begin(), levels.faces.end(),
+                                                [=](std::uint32_t f) { return f > faces; });
+        const auto steps =
+            std::min(levels.mostSteps(), static_cast<std::uint32_t>(level - levels.faces.begin()));
+        const auto errorAt = [&](std::uint32_t s) { return core::errorOf(levels.errors[s], {}); };
+        float to = std::numeric_limits<float>::max();
+        if (i + 1 < kShares.size())
+        {
+            const auto next = static_cast<std::uint32_t>(kShares[i + 1] * levels.faces.front());
+            const auto nextLevel = std::partition_point(levels.faces.begin(), levels.faces.end(),
+                                                        [=](std::uint32_t f) { return f > next; });
+            const auto nextSteps =
+                std::min(levels.mostSteps(), static_cast<std::uint32_t>(nextLevel - levels.faces.begin()));
+            to = static_cast<float>(errorAt(nextSteps) * pixelsPerTangent / tolerancePx +
+                                    shape.sphere().radius);
+        }
+        to = std::max(from, to);
+        lod->addChild(levelOf(shape, steps), from, to);
+        from = to;
+    }
+    return lod;
+}
+
+osg::ref_ptr<osg::Node> placed(const std::vector<osg::ref_ptr<osg::Node>>& models,
+                               const std::vector<FieldInstance>& instances)
+{
+    // Cells of some dozens, so that OSG culls as quickly as it can.
+    constexpr std::size_t kPerGroup = 50;
+    const osg::ref_ptr<osg::Group> root = new osg::Group;
+    for (std::size_t i = 0; i < instances.size(); ++i)
+    {
+        if (i % kPerGroup == 0) root->addChild(new osg::Group);
+        const FieldInstance& instance = instances[i];
+        const double s = instance.scale;
+        const osg::ref_ptr<osg::MatrixTransform> transform =
+            new osg::MatrixTransform(osg::Matrixd::scale(s, s, s) * osg::Matrixd::rotate(instance.attitude) *
+                                     osg::Matrixd::translate(instance.position));
+        transform->setDataVariance(osg::Object::STATIC);
+        transform->addChild(models[instance.kind]);
+        root->getChild(root->getNumChildren() - 1)->asGroup()->addChild(transform);
+    }
+    return root;
+}
+
+} // namespace
+
+osg::ref_ptr<osg::Node> progressiveField(const Shapes& shapes, const std::vector<FieldInstance>& instances,
+                                         double tolerancePx)
+{
+    const osg::ref_ptr<ProgressiveField> field = new ProgressiveField;
+    std::vector<FieldKind> kinds;
+    for (const auto& shape : shapes)
+    {
+        kinds.push_back({shape, {}});
+        kinds.back().selection.tolerancePx = tolerancePx;
+    }
+    if (!field->setContents(kinds, instances)) return nullptr;
+    return field;
+}
+
+osg::ref_ptr<osg::Node> discreteLods(const Shapes& shapes, const std::vector<FieldInstance>& instances,
+                                     double tolerancePx, double pixelsPerTangent)
+{
+    std::vector<osg::ref_ptr<osg::Node>> models;
+    for (const auto& shape : shapes)
+        models.push_back(lodOf(*shape, tolerancePx, pixelsPerTangent));
+    return placed(models, instances);
+}
+
+osg::ref_ptr<osg::Node> fullDetail(const Shapes& shapes, const std::vector<FieldInstance>& instances)
+{
+    std::vector<osg::ref_ptr<osg::Node>> models;
+    for (const auto& shape : shapes)
+        models.push_back(levelOf(*shape, 0));
+    return placed(models, instances);
+}
+
+} // namespace fieldbench

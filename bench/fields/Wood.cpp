@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "Wood.h"
+
+#include <cmath>
+#include <future>
+
+#include <osgPMObjects/core/simplify/Simplifiable.h>
+#include <osgPMObjects/core/simplify/Simplify.h>
+
+#include "Random.h"
+#include "models/Catalogue.h"
+#include "view/ModelStates.h"
+
+namespace fieldbench
+{
+
+namespace
+{
+
+using namespace osgPMObjects;
+
+core::ProgressiveMesh progressiveOf(core::Mesh mesh)
+{
+    core::makeSimplifiable(mesh);
+    core::SimplifySettings settings;
+    settings.placement = core::Placement::subset;
+    return core::buildProgressiveMesh(mesh, core::simplify(mesh, settings),
+                                      {.arrangement = core::Arrangement::plain});
+}
+
+} // namespace
+
+std::vector<osg::ref_ptr<const ProgressiveShape>> landscapeShapes()
+{
+    trainer::ModelStates states;
+    std::vector<osg::ref_ptr<const ProgressiveShape>> shapes;
+    for (const trainer::models::KindFacts& facts : trainer::models::kinds())
+    {
+        const trainer::models::Model model = trainer::models::generate(facts.kind, 1);
+        shapes.push_back(new ProgressiveShape(progressiveOf(model.mesh), states.statesOf(model)));
+    }
+    return shapes;
+}
+
+std::vector<FieldInstance> scattered(std::uint32_t count, std::uint32_t kinds, double spacingM)
+{
+    // One in each cell of a grid, off its middle by chance.
+    const auto side = static_cast<std::uint32_t>(std::ceil(std::sqrt(count)));
+    testsupport::Random random(20'26);
+    std::vector<FieldInstance> instances;
+    for (std::uint32_t i = 0; i < count; ++i)
+    {
+        const double x = i % side + 0.8 * random.unit() - 0.5 * side;
+        const double y = std::floor(i / side) + 0.8 * random.unit() - 0.5 * side;
+        FieldInstance& instance = instances.emplace_back();
+        instance.position = osg::Vec3d(x, y, 0.0) * spacingM;
+        instance.attitude = osg::Quat(6.2832 * random.unit(), osg::Vec3d(0.0, 0.0, 1.0));
+        instance.scale = 0.85 + 0.3 * random.unit();
+        instance.kind = static_cast<std::uint32_t>(random.unit() * kinds) % kinds;
+    }
+    return instances;
+}
+
+} // namespace fieldbench

@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: Apache-2.0
+// field_bench: a landscape of thousands of objects, as a progressive field, as osg::LODs of five levels, and in full detail:
+// times, triangles, memory and error of the picture, in one run.
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <iostream>
+#include <map>
+
+#include <glm/gtc/matrix_transform.hpp>
+#include <malloc.h>
+#include <nlohmann/json.hpp>
+
+#include <osg/Geode>
+
+#include <viewlod/ViewState.h>
+#include <viewlod/WholeFile.h>
+
+#include <osgOffscreen/OffscreenViewer>
+#include <osgOffscreen/PngFile>
+#include <osgTerrainROAM/Atmosphere>
+
+#include "Contestants.h"
+#include "Percentile.h"
+#include "objects/PipelineCount.h"
+#include "terminal/CommandLine.h"
+#include "terminal/Terminal.h"
+#include "view/ModelMesh.h"
+#include "view/ObjectShading.h"
+#include "view/Sky.h"
+
+namespace
+{
+
+using namespace fieldbench;
+using Json = nlohmann::ordered_json;
+using Clock = std::chrono::steady_clock;
+
+struct Request
+{
+    std::uint32_t count = 10000;
+    double spacingM = 18.0, tolerancePx = 2.0;
+    int frames = 24, fullFrames = 3;
+    osgOffscreen::OffscreenSettings picture{.widthPx = 960, .heightPx = 540};
+    std::filesystem::path jsonFile, pictures;
+};
+
+constexpr double kHighDeg = 40.0;
+
+double milliseconds(Clock::time_point since)
+{
+    return std::chrono::duration<double, std::milli>(Clock::now() - since).count();
+}
+
+/// Bytes in use by everything in this process, the software renderer's buffers among them.
+double megabytesInUse()
+{
+    const struct mallinfo2 info = mallinfo2();
+    return static_cast<double>(info.uordblks + info.hblkhd) / 1e6;
+}
+
+/// Eyes along two paths over the landscape: at a driver's height, and 120 m up, looking down a little.
+struct Path
+{
+    const char* name;
+    double heightM, pitch, stepM;
+};
+constexpr Path kPaths[] = {{"drive", 2.0, 0.0, 0.6}, {"flight", 120.0, -0.25, 2.0}};
+
+class Field
+{
+public:
+    Field(osgOffscreen::OffscreenViewer& viewer, const Request& request)
+        : _viewer(viewer),
+          _count(viewer.camera(), objectbench::PipelineCount::kPrimitivesSubmitted),
+          _request(request),
+          _air(new osgTerrainROAM::Atmosphere)
+    {
+        viewer.camera().setProjectionMatrixAsPerspective(
+            kHighDeg, static_cast<double>(request.picture.widthPx) / request.picture.heightPx, 0.5, 2e4);
+    }
+
+    /// The times of a path's frames; pictures of three of them besides.
+    Json fly(const std::string& name, osg::Node& objects, const Path& path, int frames)
+    {
+        _viewer.viewer().setSceneData(sceneOf(objects));
+        std::vector<double> times, triangles;
+        for (int i = -1; i < frames; ++i) // the first frame compiles
+        {
+            const int at = frames < _request.frames ? pictureAt(std::max(0, i)) : std::max(0, i);
+            look(path, at);
+            _count.setCounting(i < 0);
+            const auto begin = Clock::now();
+            _viewer.frame(0.04 * at);
+            if (i >= 0) times.push_back(milliseconds(begin));
+        }
+        for (int i = 0; i < _request.fullFrames; ++i)
+        {
+            look(path, pictureAt(i));
+            _count.setCounting(true);
+            const auto picture = _viewer.picture(0.04 * pictureAt(i));
+            triangles.push_back(static_cast<double>(_count.counted()));
+            keep(*picture, name + "-" + path.name + "-" + std::to_string(i));
+            _pictures[name + path.name].push_back(picture);
+        }
+        _count.setCounting(false);
+        double sum = 0.0;
+        for (const double t : triangles)
+            sum += t;
+        return {{"medianMs", roambench::percentile(times, 0.5)},
+                {"p99Ms", roambench::percentile(times, 0.99)},
+                {"triangles", sum / static_cast<double>(triangles.size())}};
+    }
+
+    /// Root of the mean square of the levels by which two contestants' pictures differ.
+    double difference(const std::string& name, const std::string& other, const Path& path)
+    {
+        double sum = 0.0, values = 0.0;
+        for (int i = 0; i < _request.fullFrames; ++i)
+        {
+            const osg::Image& a = *_pictures[name + path.name][i];
+            const osg::Image& b = *_pictures[other + path.name][i];
+            for (unsigned at = 0; at < a.getTotalSizeInBytes(); ++at, ++values)
+                sum += std::pow(static_cast<double>(a.data()[at]) - b.data()[at], 2.0);
+        }
+        return std::sqrt(sum / values);
+    }
+
+private:
+    int pictureAt(int i) const { return i * (_request.frames - 1) / std::max(1, _request.fullFrames - 1); }
+
+    void look(const Path& path, int frame)
+    {
+        const osg::Vec3d eye(4.0, -0.3 * 1000.0 + path.stepM * frame, path.heightM);
+        const osg::Vec3d along(0.1, 1.0, path.pitch);
+        _viewer.camera().setViewMatrixAsLookAt(eye, eye + along, {0.0, 0.0, 1.0});
+    }
+
+    osg::ref_ptr<osg::Group> sceneOf(osg::Node& objects)
+    {
+        osg::ref_ptr<osg::Group> root = new osg::Group;
+        root->setStateSet(_air->stateSet());
+        root->addChild(trainer::makeSky());
+        trainer::ModelMesh slab;
+        slab.addBox({-3e4F, -3e4F, -1.0F}, {3e4F, 3e4F, 0.0F}, {0.42F, 0.46F, 0.30F, 1.0F});
+        const osg::ref_ptr<osg::Geode> ground = new osg::Geode;
+        ground->addDrawable(slab.geometry());
+        trainer::setObjectShading(*ground, trainer::Finish::matt);
+        root->addChild(ground);
+        root->addChild(&objects);
+        return root;
+    }
+
+    void keep(const osg::Image& picture, const std::string& name) const
+    {
+        if (_request.pictures.empty()) return;
+        const auto written = osgOffscreen::writePng(picture, _request.pictures / (name + ".png"));
+        if (!written) std::cerr << written.error().message() << '\n';
+    }
+
+    osgOffscreen::OffscreenViewer& _viewer;
+    objectbench::PipelineCount _count;
+    const Request& _request;
+    osg::ref_ptr<osgTerrainROAM::Atmosphere> _air;
+    std::map<std::string, std::vector<osg::ref_ptr<osg::Image>>> _pictures;
+};
+
+int run(const Request& request)
+{
+    if (const auto writable = viewlod::checkWritable(request.jsonFile); !writable)
+        return terminal::fail("field_bench", writable.error());
+    const auto viewer = osgOffscreen::OffscreenViewer::create(request.picture);
+    if (!viewer) return terminal::fail("field_bench", viewer.error());
+    const auto start = Clock::now();
+    const Shapes shapes = landscapeShapes();
+    const auto instances =
+        scattered(request.count, static_cast<std::uint32_t>(shapes.size()), request.spacingM);
+    Json report = {{"instances", request.count},
+                   {"kinds", shapes.size()},
+                   {"tolerancePx", request.tolerancePx},
+                   {"shapesS", 1e-3 * milliseconds(start)}};
+    const viewlod::ViewState view = viewlod::ViewState::fromMatrices(
+        glm::dmat4(1.0),
+        glm::perspective(glm::radians(kHighDeg),
+                         static_cast<double>(request.picture.widthPx) / request.picture.heightPx, 0.5, 2e4),
+        request.picture.widthPx, request.picture.heightPx);
+
+    Field field(**viewer, request);
+    const auto race = [&](const std::string& name, const auto& make, int frames)
+    {
+        const double before = megabytesInUse();
+        const auto began = Clock::now();
+        const osg::ref_ptr<osg::Node> objects = make();
+        Json row = {{"buildS", 1e-3 * milliseconds(began)}};
+        for (const Path& path : kPaths)
+            row[path.name] = field.fly(name, *objects, path, frames);
+        row["megabytes"] = megabytesInUse() - before;
+        if (const auto* const ours = dynamic_cast<osgPMObjects::ProgressiveField*>(objects.get()))
+            for (const auto& statistics : ours->statistics())
+                row["last"] = {
+                    {"visible", statistics.visible},
+                    {"cullMs", statistics.cullMs},
+                    {"cullNsPerVisible", 1e6 * statistics.cullMs / std::max(1u, statistics.visible)},
+                    {"triangles", statistics.triangles},
+                    {"drawCalls", statistics.drawCalls}};
+        (*viewer)->viewer().setSceneData(new osg::Group);
+        std::cout << name << ": " << row.dump() << std::endl;
+        report[name] = row;
+    };
+    race(
+        "ours", [&] { return progressiveField(shapes, instances, request.tolerancePx); }, request.frames);
+    race(
+        "lod",
+        [&]
+        { return discreteLods(shapes, instances, request.tolerancePx, view.guaranteedPixelsPerTangent()); },
+        request.frames);
+    race(
+        "full", [&] { return fullDetail(shapes, instances); }, request.fullFrames);
+    for (const char* const name : {"ours", "lod"})
+        for (const Path& path : kPaths)
+        {
+            const double rms = field.difference(name, "full", path);
+            report[name][path.name]["rmsToFull"] = rms;
+            std::cout << name << ' ' << path.name << ": differs from full detail by " << rms
+                      << " levels (rms)\n";
+        }
+    if (request.jsonFile.empty()) return terminal::kDone;
+    const auto written = viewlod::writeWholeFile(request.jsonFile, report.dump(1) + "\n");
+    return written ? terminal::kDone : terminal::fail("field_bench", written.error());
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    CLI::App app("Draws a landscape of many objects offscreen, in three ways.", "field_bench");
+    Request request;
+    app.add_option("--count", request.count, "instances")->check(CLI::Range(1u, 10000000u));
+    app.add_option("--spacing", request.spacingM, "metres")->check(terminal::between(1.0, 1000.0));
+    app.add_option("--tolerance", request.tolerancePx, "pixels")->check(terminal::between(0.1, 100.0));
+    app.add_option("--frames", request.frames)->check(CLI::Range(3, 10000));
+    app.add_option("--full-frames", request.fullFrames, "that are compared with full detail")
+        ->check(CLI::Range(1, 100));
+    app.add_option("--json", request.jsonFile, "write the table there, too");
+    app.add_option("--pictures", request.pictures, "folder for the pictures that were compared");
+    if (const auto ends = terminal::parse(app, argc, argv)) return *ends;
+    return run(request);
+}

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+
+#include <glm/glm.hpp>
+
+#include <osgPMObjects/core/field/FieldView.h>
+#include <osgPMObjects/core/selection/ScreenErrorRule.h>
+
+#include "FieldSorter.h"
+#include "FieldSwitch.h"
+
+namespace osgPMObjects::core
+{
+
+FieldView::FieldView(const Field& field) : _field(field), _memory(field.objects().size()) {}
+
+void FieldView::findVisible(const viewlod::Frustum& frustum, double metresPerUnit)
+{
+    constexpr viewlod::Frustum::Mask kSides = 0x0F; // left, right, bottom, top
+    _visible.clear();
+    for (const FieldCell& cell : _field.cells())
+    {
+        const auto verdict =
+            frustum.classify(cell.sphere.centre * metresPerUnit, cell.sphere.radius * metresPerUnit, kSides);
+        if (verdict.outside) continue;
+        for (std::uint32_t i = cell.first; i < cell.end; ++i)
+        {
+            const BoundingSphere& sphere = _field.spheres()[i];
+            if (verdict.crossing == 0 ||
+                !frustum
+                     .classify(sphere.centre * metresPerUnit, sphere.radius * metresPerUnit, verdict.crossing)
+                     .outside)
+                _visible.push_back(i);
+        }
+    }
+}
+
+const BenefitCurve* FieldView::curveOf(std::uint32_t model, const CostModel& cost)
+{
+    const FieldModel& asked = _field.models()[model];
+    if (asked.selection.method != SelectionMethod::budget) return nullptr;
+    if (!_curvesCost || !(*_curvesCost == cost))
+    {
+        _curvesCost = cost;
+        _curves.clear();
+        for (const FieldModel& each : _field.models())
+            _curves.push_back(BenefitCurve::ofLevels(*each.table, each.ladder->steps,
+                                                     std::max(each.sphere.radius, 1e-9), cost,
+                                                     each.selection.weights));
+    }
+    return &_curves[model];
+}
+
+/// Without distances: the screen error in pixels of the parallel projection.
+void FieldView::chooseByScreen(const FieldLook& look)
+{
+    for (std::size_t i = 0; i < _visible.size(); ++i)
+    {
+        const SelectableObject& object = _selectable[i];
+        const double tolerance = object.settings->tolerancePx * *look.metresPerPixel / object.metresPerUnit;
+        _held[i].level = heldWithin(object.table->errors, tolerance, object.settings->band, _held[i],
+                                    object.settings->weights);
+        _selections[i] = {_held[i].level};
+    }
+}
+
+void FieldView::choose(const FieldLook& look, FieldPicture& picture)
+{
+    _selectable.clear();
+    _held.clear();
+    for (const std::uint32_t i : _visible)
+    {
+        SelectableObject& object = _selectable.emplace_back(_field.selectable(i, look.metresPerUnit));
+        object.curve = curveOf(_field.objects()[i].model, look.budget.cost);
+        const Memory& memory = _memory[i];
+        const bool isRemembered = memory.frame == look.frame || memory.frame + 1 == look.frame;
+        _held.push_back(isRemembered ? memory.held : HeldLevel{});
+    }
+    _selections.resize(_visible.size());
+    if (look.metresPerPixel) return chooseByScreen(look);
+    picture.selection = _selector.select(LevelSelector(look.view, look.attention), _selectable, _held,
+                                         _selections, look.budget);
+}
+
+DrawnLevels FieldView::advance(std::uint32_t object, const Selection& selection, const FieldLook& look)
+{
+    const FieldModel& model = _field.models()[_field.objects()[object].model];
+    Memory& memory = _memory[object];
+    const std::uint32_t wanted = model.ladder->rungOf(selection.steps);
+    const bool wasSeen = memory.frame == look.frame || memory.frame + 1 == look.frame;
+    if (!wasSeen) memory.state = SwitchState::at(wanted);
+    const float stepS = memory.frame == look.frame ? 0.0f : look.stepS;
+    memory.frame = look.frame;
+    return advanceOnLadder(memory.state, wanted, stepS, selection.alpha, _field.numberOf(object),
+                           model.switching);
+}
+
+FieldPicture FieldView::look(const FieldLook& look)
+{
+    FieldPicture picture;
+    findVisible(look.frustum, look.metresPerUnit);
+    choose(look, picture);
+    FieldSorter sorter(_field);
+    const glm::dvec3 eye = look.eye / look.metresPerUnit;
+    picture.visible = static_cast<std::uint32_t>(_visible.size());
+    for (std::size_t i = 0; i < _visible.size(); ++i)
+    {
+        const std::uint32_t object = _visible[i];
+        const DrawnLevels levels = advance(object, _selections[i], look);
+        _memory[object].held = _held[i];
+        picture.drawn += levels.isDrawn() ? 1 : 0;
+        picture.switching += _memory[object].state.isSwitching() ? 1 : 0;
+        showLevels(sorter, _field, object, levels, eye);
+    }
+    sorter.fill(picture);
+    return picture;
+}
+
+} // namespace osgPMObjects::core

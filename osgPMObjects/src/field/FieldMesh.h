@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include <osg/Geometry>
+
+#include <osgPMObjects/core/field/LevelLadder.h>
+
+#include <osgPMObjects/ProgressiveShape>
+
+namespace osgPMObjects
+{
+
+/// A shape as a field draws it: its ladder, with the index lists of all rungs in one element buffer, and, where instances
+/// morph, the vertices' targets. OSG's own buffer objects hold both. It never changes once the targets are there.
+class FieldMesh : public osg::Referenced
+{
+public:
+    explicit FieldMesh(osg::ref_ptr<const ProgressiveShape> shape);
+
+    /// Every vertex's target is what it becomes on the way to the first rung that does not have it. In the update phase.
+    void addTargets();
+
+    const ProgressiveShape& shape() const { return *_shape; }
+    const core::LevelLadder& ladder() const { return _ladder; }
+
+    /// The arrays of a group; with targets if they are there and asked for.
+    const osg::Geometry& arrays(std::uint32_t group, bool withTargets) const;
+
+    /// Draws a group of a rung so many times, from the arrays that are set.
+    void draw(osg::State& state, std::uint32_t rung, std::uint32_t group, std::uint32_t instances) const;
+
+    void resizeGLObjectBuffers(unsigned int contexts) const;
+    void releaseGLObjects(osg::State* state) const;
+
+protected:
+    ~FieldMesh() override = default;
+
+private:
+    osg::ref_ptr<const ProgressiveShape> _shape;
+    core::LevelLadder _ladder;
+    osg::ref_ptr<osg::DrawElements> _indices;
+    std::vector<osg::ref_ptr<osg::Geometry>> _morphing; ///< by group
+};
+
+} // namespace osgPMObjects

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "FieldViews.h"
+
+#include <chrono>
+
+namespace osgPMObjects
+{
+
+FieldViews::FieldViews(core::Field field) : _field(std::move(field))
+{
+    for (const core::FieldCell& cell : _field.cells())
+    {
+        const glm::dvec3& c = cell.sphere.centre;
+        _bound.expandBy(osg::BoundingSphere(osg::Vec3d(c.x, c.y, c.z), cell.sphere.radius));
+    }
+}
+
+core::FieldLook FieldViews::lookOf(const CullView& view, const Settings& settings) const
+{
+    core::FieldLook look;
+    look.view = core::SelectionView::from(view.view, 1.0 / view.lodScale, settings.referencePixelsPerTangent);
+    look.eye = view.view.eyeWorld;
+    look.frustum = view.view.frustum;
+    look.attention = settings.attention;
+    look.metresPerUnit = view.metresPerUnit;
+    look.metresPerPixel = view.metresPerPixel;
+    look.frame = view.frame;
+    look.budget = settings.budget;
+    return look;
+}
+
+/// Time goes on once a frame, whichever camera of the group comes first.
+void FieldViews::step(Groups::Entry& entry, const CullView& view, double timeS)
+{
+    if (entry.steppedFrame == view.frame) return;
+    entry.stepS = static_cast<float>(std::max(0.0, timeS - entry.timeS));
+    entry.timeS = timeS;
+    entry.steppedFrame = view.frame;
+}
+
+std::shared_ptr<const CulledField> FieldViews::look(const CullView& view, double timeS,
+                                                    const Settings& settings)
+{
+    const std::lock_guard lock(_mutex);
+    const auto begin = std::chrono::steady_clock::now();
+    _groups.dropUnused(view.frame);
+    core::FieldLook look = lookOf(view, settings);
+    Groups::Entry* entry = _groups.borrowed(view);
+    const bool isBorrowed = entry && entry->view;
+    const double reachM = (_bound.center().length() + _bound.radius()) * view.metresPerUnit;
+    if (!isBorrowed) entry = &_groups.find(view, reachM);
+    if (!entry->view)
+    {
+        entry->view = std::make_unique<core::FieldView>(_field);
+        entry->timeS = timeS;
+    }
+    step(*entry, view, timeS);
+    look.stepS = entry->stepS;
+    Groups::Member& member = _groups.memberOf(*entry, view);
+    if (isBorrowed)
+    {
+        look.view = entry->chosenBy;
+        look.metresPerPixel.reset();
+    }
+    else
+        entry->chosenBy = look.view;
+
+    const auto culled = std::make_shared<CulledField>();
+    culled->picture = entry->view->look(look);
+    culled->serial = ++_serial;
+    if (!member.buffer) member.buffer = std::make_shared<InstanceBuffer>();
+    culled->buffer = member.buffer;
+    const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
+    if (!isBorrowed) note(*entry, *culled, took.count());
+    return culled;
+}
+
+void FieldViews::note(Groups::Entry& entry, const CulledField& culled, double cullMs) const
+{
+    const core::FieldPicture& picture = culled.picture;
+    FieldViewStatistics& statistics = entry.statistics;
+    statistics = {};
+    statistics.frame = entry.frame;
+    statistics.cameras = static_cast<std::uint32_t>(entry.members.size());
+    statistics.selection = picture.selection;
+    statistics.visible = picture.visible;
+    statistics.drawn = picture.drawn;
+    statistics.switching = picture.switching;
+    statistics.triangles = picture.triangles;
+    statistics.cullMs = cullMs;
+    statistics.bytesUploaded = picture.instances.size() * sizeof(core::ShownInstance);
+    for (const core::FieldBatch& batch : picture.batches)
+    {
+        const std::uint32_t passes = batch.pass == core::FieldPass::blended ? 2 : 1;
+        statistics.drawCalls +=
+            passes * (batch.endRun - batch.firstRun) * _field.models()[batch.model].ladder->groups;
+    }
+}
+
+std::vector<FieldViewStatistics> FieldViews::statistics() const
+{
+    const std::lock_guard lock(_mutex);
+    std::vector<FieldViewStatistics> all;
+    for (const Groups::Entry& entry : _groups.entries())
+        all.push_back(entry.statistics);
+    return all;
+}
+
+void FieldViews::releaseGLObjects(osg::State* state)
+{
+    const std::lock_guard lock(_mutex);
+    for (Groups::Entry& entry : _groups.entries())
+        for (Groups::Member& member : entry.members)
+            if (member.buffer) member.buffer->releaseGLObjects(state);
+}
+
+} // namespace osgPMObjects

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+
+#include <osgUtil/CullVisitor>
+
+#include <osgPMObjects/ObjectShader>
+#include <osgPMObjects/ProgressiveField>
+
+#include "FieldContents.h"
+#include "FieldStates.h"
+#include "FieldViews.h"
+
+namespace osgPMObjects
+{
+
+namespace
+{
+
+/// The states of the traversals that a batch takes.
+std::vector<osg::StateSet*> statesOf(const core::FieldBatch& batch, const FieldKind& kind)
+{
+    const FieldStates& states = FieldStates::shared();
+    switch (batch.pass)
+    {
+    case core::FieldPass::settled:
+        return {states.settled.get()};
+    case core::FieldPass::switching:
+        return {(kind.switching.method == core::SwitchMethod::geomorph ? states.morphing : states.screenDoor)
+                    .get()};
+    case core::FieldPass::blended:
+        break;
+    }
+    return {states.blendedDepth.get(), states.blendedColour.get()};
+}
+
+void addParts(osgUtil::CullVisitor& visitor, const std::shared_ptr<const CulledField>& culled,
+              const core::FieldBatch& batch, const osg::ref_ptr<const FieldMesh>& mesh)
+{
+    const auto groups = mesh->shape().groups();
+    for (std::uint32_t group = 0; group < groups.size(); ++group)
+    {
+        const osg::StateSet* const state = groups[group].state;
+        const osg::ref_ptr<FieldPart> part = new FieldPart(culled, batch, mesh, group);
+        if (state) visitor.pushStateSet(state);
+        visitor.apply(*part);
+        if (state) visitor.popStateSet();
+    }
+}
+
+} // namespace
+
+ProgressiveField::ProgressiveField()
+{
+    addObjectShading(*getOrCreateStateSet());
+}
+
+ProgressiveField::ProgressiveField(const ProgressiveField& other, const osg::CopyOp& copyOp)
+    : osg::Node(other, copyOp),
+      _kinds(other._kinds),
+      _meshes(other._meshes),
+      _views(other._views ? std::make_shared<FieldViews>(other._views->field()) : nullptr),
+      _budget(other._budget),
+      _attention(other._attention),
+      _referencePixelsPerTangent(other._referencePixelsPerTangent)
+{
+}
+
+ProgressiveField::~ProgressiveField() = default;
+
+viewlod::Outcome ProgressiveField::setContents(std::vector<FieldKind> kinds,
+                                               std::vector<FieldInstance> instances)
+{
+    if (viewlod::Outcome checked = checkContents(getName(), kinds, instances); !checked) return checked;
+    std::vector<osg::ref_ptr<FieldMesh>> meshes = meshesOf(kinds, _meshes);
+    _views = std::make_shared<FieldViews>(core::Field(modelsOf(kinds, meshes), objectsOf(instances)));
+    _kinds = std::move(kinds);
+    _meshes = std::move(meshes);
+    dirtyBound();
+    return viewlod::success();
+}
+
+std::size_t ProgressiveField::instanceCount() const
+{
+    return _views ? _views->field().objects().size() : 0;
+}
+
+std::vector<FieldViewStatistics> ProgressiveField::statistics() const
+{
+    return _views ? _views->statistics() : std::vector<FieldViewStatistics>();
+}
+
+void ProgressiveField::traverse(osg::NodeVisitor& visitor)
+{
+    osgUtil::CullVisitor* const cullVisitor = visitor.asCullVisitor();
+    if (!cullVisitor || !_views) return osg::Node::traverse(visitor);
+    const osg::FrameStamp* const stamp = visitor.getFrameStamp();
+    const auto culled = _views->look(cullViewOf(*cullVisitor), stamp ? stamp->getSimulationTime() : 0.0,
+                                     {_budget, _attention, _referencePixelsPerTangent});
+    for (const core::FieldBatch& batch : culled->picture.batches)
+        for (osg::StateSet* const state : statesOf(batch, _kinds[batch.model]))
+        {
+            cullVisitor->pushStateSet(state);
+            addParts(*cullVisitor, culled, batch, _meshes[batch.model]);
+            cullVisitor->popStateSet();
+        }
+}
+
+osg::BoundingSphere ProgressiveField::computeBound() const
+{
+    return _views ? _views->bound() : osg::BoundingSphere();
+}
+
+void ProgressiveField::resizeGLObjectBuffers(unsigned int contexts)
+{
+    osg::Node::resizeGLObjectBuffers(contexts);
+    for (const auto& mesh : _meshes)
+        mesh->resizeGLObjectBuffers(contexts);
+}
+
+void ProgressiveField::releaseGLObjects(osg::State* state) const
+{
+    osg::Node::releaseGLObjects(state);
+    if (_views) _views->releaseGLObjects(state);
+    for (const auto& mesh : _meshes)
+        mesh->releaseGLObjects(state);
+}
+
+} // namespace osgPMObjects

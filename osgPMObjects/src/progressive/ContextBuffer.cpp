@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ContextBuffer.h"
+
+#include <osg/ContextData>
+
+namespace osgPMObjects
+{
+
+namespace
+{
+
+/// Buffers of a context that wait for its thread to delete them; OSG keeps one of these per context.
+class BufferDeletion : public osg::GLObjectManager
+{
+public:
+    explicit BufferDeletion(unsigned int contextId)
+        : osg::GLObjectManager("osgPMObjects::ContextBuffer", contextId)
+    {
+    }
+
+    void deleteGLObject(GLuint buffer) override
+    {
+        if (const osg::GLExtensions* gl = osg::GLExtensions::Get(_contextID, true))
+            gl->glDeleteBuffers(1, &buffer);
+    }
+};
+
+} // namespace
+
+GLuint ContextBuffer::name(osg::GLExtensions& gl)
+{
+    if (_buffer == 0)
+    {
+        if (!_deletion) _deletion = osg::get<BufferDeletion>(_contextId);
+        gl.glGenBuffers(1, &_buffer);
+    }
+    return _buffer;
+}
+
+void ContextBuffer::release()
+{
+    if (_buffer != 0) _deletion->scheduleGLObjectForDeletion(_buffer);
+    _buffer = 0;
+}
+
+} // namespace osgPMObjects

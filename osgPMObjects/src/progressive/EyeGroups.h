@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include <osg/observer_ptr>
+
+#include "CullView.h"
+
+namespace osgPMObjects
+{
+
+/// The view groups of one thing that is drawn: cameras whose eyes coincide share a `Group`, and each has a `PerCamera` in it. A camera that
+/// moves takes its group along. One camera may see the thing at several places in a frame (below several transforms): each is
+/// an eye of its own. A group that nobody has asked for during kUnusedFrames frames, or whose cameras are gone, is dropped.
+/// Threads: one at a time.
+template<class Group, class PerCamera>
+class EyeGroups
+{
+public:
+    static constexpr unsigned int kUnusedFrames = 30;
+    /// Eyes of channels differ by the rounding of their matrices. Of their distance.
+    static constexpr double kSameEye = 1e-6;
+
+    struct Member : PerCamera
+    {
+        osg::Camera* identity = nullptr; ///< compared only
+        osg::observer_ptr<osg::Camera> camera;
+        unsigned int frame = 0; ///< last asked in
+    };
+
+    struct Entry : Group
+    {
+        glm::dvec3 eye{0.0};
+        unsigned int frame = 0;
+        std::vector<Member> members;
+
+        Member* memberOf(const osg::Camera* camera)
+        {
+            const auto found = std::find_if(members.begin(), members.end(),
+                                            [=](const Member& m) { return m.identity == camera; });
+            return found == members.end() ? nullptr : &*found;
+        }
+    };
+
+    /// That of a nested camera's main camera, if it sees the thing at one place only: else nobody knows at which this one does.
+    Entry* borrowed(const CullView& view)
+    {
+        if (!view.mainCamera) return nullptr;
+        Entry* found = nullptr;
+        for (Entry& entry : _entries)
+        {
+            if (!entry.memberOf(view.mainCamera)) continue;
+            if (found) return nullptr;
+            found = &entry;
+        }
+        return found;
+    }
+
+    /// The group of an eye, a fresh one if there is none; the camera is one of its members then. `reachM`: how far the thing
+    /// reaches from its 0.
+    Entry& find(const CullView& view, double reachM)
+    {
+        Entry& entry = entryFor(view, kSameEye * (glm::length(view.view.eyeWorld) + reachM));
+        entry.eye = view.view.eyeWorld;
+        entry.frame = view.frame;
+        memberOf(entry, view);
+        return entry;
+    }
+
+    /// A camera's place in a group, a fresh one if there is none.
+    static Member& memberOf(Entry& entry, const CullView& view)
+    {
+        Member* member = entry.memberOf(view.camera);
+        if (!member)
+        {
+            member = &entry.members.emplace_back();
+            member->identity = view.camera;
+            member->camera = view.camera;
+        }
+        member->frame = view.frame;
+        return *member;
+    }
+
+    void dropUnused(unsigned int frame)
+    {
+        const auto isOld = [=](unsigned int last) { return frame > last && frame - last > kUnusedFrames; };
+        for (Entry& entry : _entries)
+            std::erase_if(entry.members, [&](const Member& m)
+                          { return isOld(m.frame) || (m.identity && !m.camera.valid()); });
+        std::erase_if(_entries,
+                      [&](const Entry& entry) { return isOld(entry.frame) || entry.members.empty(); });
+    }
+
+    std::vector<Entry>& entries() { return _entries; }
+    const std::vector<Entry>& entries() const { return _entries; }
+
+private:
+    Entry& entryFor(const CullView& view, double sameEyeM)
+    {
+        const glm::dvec3& eye = view.view.eyeWorld;
+        Entry* own = nullptr;
+        for (Entry& entry : _entries)
+        {
+            if (entry.frame == view.frame)
+            {
+                if (glm::distance(entry.eye, eye) <= sameEyeM) return entry;
+            }
+            else if (entry.memberOf(view.camera) &&
+                     (!own || glm::distance(entry.eye, eye) < glm::distance(own->eye, eye)))
+                own = &entry;
+        }
+        return own ? *own : _entries.emplace_back();
+    }
+
+    std::vector<Entry> _entries;
+};
+
+} // namespace osgPMObjects
