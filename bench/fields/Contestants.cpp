@@ -3,13 +3,16 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
 
 #include <osg/LOD>
 #include <osg/MatrixTransform>
 
 #include <osgPMObjects/core/order/FaceOrder.h>
 #include <osgPMObjects/core/progressive/LevelMesh.h>
-#include <osgPMObjects/core/selection/ScreenErrorRule.h>
+#include <osgPMObjects/core/selection/AreaRows.h>
 
 #include <osgPMObjects/ExportNode>
 
@@ -22,6 +25,7 @@ namespace
 {
 
 constexpr std::array<double, 5> kShares{1.0, 0.4, 0.16, 0.06, 0.02};
+constexpr std::uint32_t kLeastFaces = 24; // fewer, and a tree is no tree any more
 
 osg::ref_ptr<osg::Group> levelOf(const ProgressiveShape& shape, std::uint32_t steps)
 {
@@ -30,7 +34,15 @@ osg::ref_ptr<osg::Group> levelOf(const ProgressiveShape& shape, std::uint32_t st
     return exportNode(mesh, shape.states());
 }
 
-osg::ref_ptr<osg::Node> lodOf(const ProgressiveShape& shape, double tolerancePx, double pixelsPerTangent)
+std::uint32_t stepsOfShare(const core::LevelTable& levels, double share)
+{
+    const double faces = share * levels.faces.front();
+    const auto level = std::partition_point(levels.faces.begin(), levels.faces.end(),
+                                            [=](std::uint32_t f) { return f > faces; });
+    return std::min(levels.mostSteps(), static_cast<std::uint32_t>(level - levels.faces.begin()));
+}
+
+osg::ref_ptr<osg::Node> lodOf(const ProgressiveShape& shape, double trianglePx, double pixelsPerTangent)
 {
     const core::LevelTable& levels = shape.levels();
     const osg::ref_ptr<osg::LOD> lod = new osg::LOD;
@@ -38,28 +50,15 @@ osg::ref_ptr<osg::Node> lodOf(const ProgressiveShape& shape, double tolerancePx,
     const glm::dvec3& centre = shape.sphere().centre;
     lod->setCenter(osg::Vec3d(centre.x, centre.y, centre.z) + shape.origin());
     lod->setRadius(shape.sphere().radius);
-    float from = 0.0F;
+    double from = 0.0;
     for (std::size_t i = 0; i < kShares.size(); ++i)
     {
-        const auto faces = static_cast<std::uint32_t>(kShares[i] * levels.faces.front());
-        const auto level = std::partition_point(levels.faces.begin(), levels.faces.end(),
-                                                [=](std::uint32_t f) { return f > faces; });
-        const auto steps =
-            std::min(levels.mostSteps(), static_cast<std::uint32_t>(level - levels.faces.begin()));
-        const auto errorAt = [&](std::uint32_t s) { return core::errorOf(levels.errors[s], {}); };
-        float to = std::numeric_limits<float>::max();
-        if (i + 1 < kShares.size())
-        {
-            const auto next = static_cast<std::uint32_t>(kShares[i + 1] * levels.faces.front());
-            const auto nextLevel = std::partition_point(levels.faces.begin(), levels.faces.end(),
-                                                        [=](std::uint32_t f) { return f > next; });
-            const auto nextSteps =
-                std::min(levels.mostSteps(), static_cast<std::uint32_t>(nextLevel - levels.faces.begin()));
-            to = static_cast<float>(errorAt(nextSteps) * pixelsPerTangent / tolerancePx +
-                                    shape.sphere().radius);
-        }
-        to = std::max(from, to);
-        lod->addChild(levelOf(shape, steps), from, to);
+        // Where the sphere covers less than half of its faces shall: as AreaRows::halving() has it.
+        const double leastPx = 0.5 * kShares[i] * levels.faces.front() * trianglePx;
+        const double to = pixelsPerTangent * shape.sphere().radius * std::sqrt(std::numbers::pi / leastPx);
+        const bool isLast = i + 1 == kShares.size();
+        lod->addChild(levelOf(shape, stepsOfShare(levels, kShares[i])), static_cast<float>(from),
+                      isLast ? std::numeric_limits<float>::max() : static_cast<float>(to));
         from = to;
     }
     return lod;
@@ -89,25 +88,27 @@ osg::ref_ptr<osg::Node> placed(const std::vector<osg::ref_ptr<osg::Node>>& model
 } // namespace
 
 osg::ref_ptr<osg::Node> progressiveField(const Shapes& shapes, const std::vector<FieldInstance>& instances,
-                                         double tolerancePx)
+                                         double trianglePx)
 {
     const osg::ref_ptr<ProgressiveField> field = new ProgressiveField;
     std::vector<FieldKind> kinds;
     for (const auto& shape : shapes)
     {
         kinds.push_back({shape, {}});
-        kinds.back().selection.tolerancePx = tolerancePx;
+        core::SelectionSettings& selection = kinds.back().selection;
+        selection.method = core::SelectionMethod::sphereArea;
+        selection.areaRows = core::AreaRows::halving(shape->levels(), trianglePx, kLeastFaces);
     }
     if (!field->setContents(kinds, instances)) return nullptr;
     return field;
 }
 
 osg::ref_ptr<osg::Node> discreteLods(const Shapes& shapes, const std::vector<FieldInstance>& instances,
-                                     double tolerancePx, double pixelsPerTangent)
+                                     double trianglePx, double pixelsPerTangent)
 {
     std::vector<osg::ref_ptr<osg::Node>> models;
     for (const auto& shape : shapes)
-        models.push_back(lodOf(*shape, tolerancePx, pixelsPerTangent));
+        models.push_back(lodOf(*shape, trianglePx, pixelsPerTangent));
     return placed(models, instances);
 }
 

@@ -10,17 +10,17 @@ namespace fieldbench
 
 using Shapes = std::vector<osg::ref_ptr<const osgPMObjects::ProgressiveShape>>;
 
-/// Ours: one field, by screen error.
+/// Ours: one field, by the area of the sphere in the picture, of which a face that is seen shall cover so many pixels.
 osg::ref_ptr<osg::Node> progressiveField(const Shapes& shapes,
                                          const std::vector<osgPMObjects::FieldInstance>& instances,
-                                         double tolerancePx);
+                                         double trianglePx);
 
 /// What OpenSceneGraph has for it: a transform for each instance, below it an osg::LOD of five discrete levels that all instances
 /// of a kind share, of 100, 40, 16, 6 and 2 % of the faces, in the order that serves a cache best. A level is drawn from where
-/// its error is within the tolerance, as the field's are. `pixelsPerTangent`: that hold in all of the picture.
+/// the same rule asks for no more of the faces.
 osg::ref_ptr<osg::Node> discreteLods(const Shapes& shapes,
                                      const std::vector<osgPMObjects::FieldInstance>& instances,
-                                     double tolerancePx, double pixelsPerTangent);
+                                     double trianglePx, double pixelsPerTangent);
 
 /// A transform for each instance, and the whole model below it.
 osg::ref_ptr<osg::Node> fullDetail(const Shapes& shapes,

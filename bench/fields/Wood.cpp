@@ -28,6 +28,13 @@ core::ProgressiveMesh progressiveOf(core::Mesh mesh)
                                       {.arrangement = core::Arrangement::plain});
 }
 
+constexpr std::uint32_t kTrees = 5; // come first in the catalogue
+
+std::uint32_t drawn(testsupport::Random& random, std::uint32_t first, std::uint32_t end)
+{
+    return first + static_cast<std::uint32_t>(random.unit() * (end - first)) % (end - first);
+}
+
 } // namespace
 
 std::vector<osg::ref_ptr<const ProgressiveShape>> landscapeShapes()
@@ -56,7 +63,7 @@ std::vector<FieldInstance> scattered(std::uint32_t count, std::uint32_t kinds, d
         instance.position = osg::Vec3d(x, y, 0.0) * spacingM;
         instance.attitude = osg::Quat(6.2832 * random.unit(), osg::Vec3d(0.0, 0.0, 1.0));
         instance.scale = 0.85 + 0.3 * random.unit();
-        instance.kind = static_cast<std::uint32_t>(random.unit() * kinds) % kinds;
+        instance.kind = random.unit() < 0.85 ? drawn(random, 0, kTrees) : drawn(random, kTrees, kinds);
     }
     return instances;
 }

@@ -39,13 +39,13 @@ using Clock = std::chrono::steady_clock;
 struct Request
 {
     std::uint32_t count = 10000;
-    double spacingM = 18.0, tolerancePx = 2.0;
-    int frames = 24, fullFrames = 3;
+    double spacingM = 18.0, trianglePx = 12.0, lodTrianglePx = 12.0;
+    int frames = 24, compared = 2;
     osgOffscreen::OffscreenSettings picture{.widthPx = 960, .heightPx = 540};
     std::filesystem::path jsonFile, pictures;
 };
 
-constexpr double kHighDeg = 40.0;
+constexpr double kHighDeg = 40.0, kFrameS = 0.04;
 
 double milliseconds(Clock::time_point since)
 {
@@ -72,7 +72,7 @@ class Field
 public:
     Field(osgOffscreen::OffscreenViewer& viewer, const Request& request)
         : _viewer(viewer),
-          _count(viewer.camera(), objectbench::PipelineCount::kPrimitivesSubmitted),
+          _count(viewer.camera(), objectbench::PipelineCount::kVertexShaderInvocations),
           _request(request),
           _air(new osgTerrainROAM::Atmosphere)
     {
@@ -80,30 +80,29 @@ public:
             kHighDeg, static_cast<double>(request.picture.widthPx) / request.picture.heightPx, 0.5, 2e4);
     }
 
-    /// The times of a path's frames; pictures of three of them besides.
+    /// The times of a path's frames, or, of none, those of the pictures that are compared.
     Json fly(const std::string& name, osg::Node& objects, const Path& path, int frames)
     {
         _viewer.viewer().setSceneData(sceneOf(objects));
         std::vector<double> times, triangles;
-        for (int i = -1; i < frames; ++i) // the first frame compiles
+        frameMs(path, 0); // compiles
+        for (int i = 0; i < frames; ++i)
+            times.push_back(frameMs(path, i));
+        for (int i = 0; i < _request.compared; ++i)
         {
-            const int at = frames < _request.frames ? pictureAt(std::max(0, i)) : std::max(0, i);
+            const int at = i * (_request.frames - 1) / std::max(1, _request.compared - 1);
             look(path, at);
-            _count.setCounting(i < 0);
+            _count.setCounting(false);
             const auto begin = Clock::now();
-            _viewer.frame(0.04 * at);
-            if (i >= 0) times.push_back(milliseconds(begin));
-        }
-        for (int i = 0; i < _request.fullFrames; ++i)
-        {
-            look(path, pictureAt(i));
+            const auto picture = _viewer.picture(kFrameS * at);
+            if (frames == 0) times.push_back(milliseconds(begin));
             _count.setCounting(true);
-            const auto picture = _viewer.picture(0.04 * pictureAt(i));
+            _viewer.frame(kFrameS * at);
+            _count.setCounting(false);
             triangles.push_back(static_cast<double>(_count.counted()));
             keep(*picture, name + "-" + path.name + "-" + std::to_string(i));
             _pictures[name + path.name].push_back(picture);
         }
-        _count.setCounting(false);
         double sum = 0.0;
         for (const double t : triangles)
             sum += t;
@@ -116,7 +115,7 @@ public:
     double difference(const std::string& name, const std::string& other, const Path& path)
     {
         double sum = 0.0, values = 0.0;
-        for (int i = 0; i < _request.fullFrames; ++i)
+        for (int i = 0; i < _request.compared; ++i)
         {
             const osg::Image& a = *_pictures[name + path.name][i];
             const osg::Image& b = *_pictures[other + path.name][i];
@@ -127,7 +126,13 @@ public:
     }
 
 private:
-    int pictureAt(int i) const { return i * (_request.frames - 1) / std::max(1, _request.fullFrames - 1); }
+    double frameMs(const Path& path, int frame)
+    {
+        look(path, frame);
+        const auto begin = Clock::now();
+        _viewer.frame(kFrameS * frame);
+        return milliseconds(begin);
+    }
 
     void look(const Path& path, int frame)
     {
@@ -177,7 +182,8 @@ int run(const Request& request)
         scattered(request.count, static_cast<std::uint32_t>(shapes.size()), request.spacingM);
     Json report = {{"instances", request.count},
                    {"kinds", shapes.size()},
-                   {"tolerancePx", request.tolerancePx},
+                   {"trianglePx", request.trianglePx},
+                   {"lodTrianglePx", request.lodTrianglePx},
                    {"shapesS", 1e-3 * milliseconds(start)}};
     const viewlod::ViewState view = viewlod::ViewState::fromMatrices(
         glm::dmat4(1.0),
@@ -208,14 +214,12 @@ int run(const Request& request)
         report[name] = row;
     };
     race(
-        "ours", [&] { return progressiveField(shapes, instances, request.tolerancePx); }, request.frames);
+        "ours", [&] { return progressiveField(shapes, instances, request.trianglePx); }, request.frames);
     race(
-        "lod",
-        [&]
-        { return discreteLods(shapes, instances, request.tolerancePx, view.guaranteedPixelsPerTangent()); },
+        "lod", [&] { return discreteLods(shapes, instances, request.lodTrianglePx, view.pixelsPerTangent); },
         request.frames);
     race(
-        "full", [&] { return fullDetail(shapes, instances); }, request.fullFrames);
+        "full", [&] { return fullDetail(shapes, instances); }, 0);
     for (const char* const name : {"ours", "lod"})
         for (const Path& path : kPaths)
         {
@@ -237,9 +241,13 @@ int main(int argc, char** argv)
     Request request;
     app.add_option("--count", request.count, "instances")->check(CLI::Range(1u, 10000000u));
     app.add_option("--spacing", request.spacingM, "metres")->check(terminal::between(1.0, 1000.0));
-    app.add_option("--tolerance", request.tolerancePx, "pixels")->check(terminal::between(0.1, 100.0));
+    app.add_option("--triangle", request.trianglePx, "pixels that a face covers, of the field")
+        ->check(terminal::between(0.1, 1000.0));
+    app.add_option("--lod-triangle", request.lodTrianglePx, "the same of the osg::LODs")
+        ->check(terminal::between(0.1, 1000.0));
     app.add_option("--frames", request.frames)->check(CLI::Range(3, 10000));
-    app.add_option("--full-frames", request.fullFrames, "that are compared with full detail")
+    app.add_option("--compared", request.compared,
+                   "frames of each path whose pictures are compared with full detail")
         ->check(CLI::Range(1, 100));
     app.add_option("--json", request.jsonFile, "write the table there, too");
     app.add_option("--pictures", request.pictures, "folder for the pictures that were compared");

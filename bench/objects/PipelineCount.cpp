@@ -27,8 +27,8 @@ struct Callback : public osg::Camera::DrawCallback
 
 PipelineCount::PipelineCount(osg::Camera& camera, GLenum counted) : _counted(counted)
 {
-    camera.setInitialDrawCallback(new Callback([this](osg::RenderInfo& info) { begin(info); }));
-    camera.setFinalDrawCallback(new Callback([this](osg::RenderInfo& info) { end(info); }));
+    camera.setPreDrawCallback(new Callback([this](osg::RenderInfo& info) { begin(info); }));
+    camera.setPostDrawCallback(new Callback([this](osg::RenderInfo& info) { end(info); }));
 }
 
 void PipelineCount::begin(osg::RenderInfo& renderInfo)

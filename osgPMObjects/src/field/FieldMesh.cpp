@@ -31,25 +31,56 @@ osg::ref_ptr<osg::DrawElements> elementsOf(const std::vector<core::Triangle>& fa
 } // namespace
 
 FieldMesh::FieldMesh(osg::ref_ptr<const ProgressiveShape> shape)
-    : _shape(std::move(shape)), _ladder(core::LevelLadder::of(_shape->progressive(), _shape->levels()))
+    : _shape(std::move(shape)),
+      _ladder(core::LevelLadder::of(_shape->progressive(), _shape->levels())),
+      _growth(core::LeafGrowth::of(_shape->progressive(), _ladder))
 {
+    addArrays();
     const bool isNarrow =
         _shape->vertices().size() <= std::size_t{std::numeric_limits<std::uint16_t>::max()} + 1;
     _indices = isNarrow ? elementsOf<osg::DrawElementsUShort>(_ladder.faces)
                         : elementsOf<osg::DrawElementsUInt>(_ladder.faces);
 }
 
+/// The shape's, with the offsets of leaves where there are some.
+void FieldMesh::addArrays()
+{
+    osg::ref_ptr<osg::Vec3Array> offsets;
+    if (!_growth.offsets.empty())
+    {
+        offsets = new osg::Vec3Array(osg::Array::BIND_PER_VERTEX);
+        for (const glm::vec3& offset : _growth.offsets)
+            offsets->push_back({offset.x, offset.y, offset.z});
+        offsets->setVertexBufferObject(new osg::VertexBufferObject);
+    }
+    for (std::uint32_t group = 0; group < _shape->groups().size(); ++group)
+    {
+        _settled.push_back(_shape->groups()[group].arrays);
+        if (!hasLeaves(group)) continue;
+        _settled.back() = new osg::Geometry(*_settled.back(), osg::CopyOp::SHALLOW_COPY);
+        _settled.back()->setVertexAttribArray(kLeafOffsetAttribute, offsets);
+    }
+}
+
+bool FieldMesh::hasLeaves(std::uint32_t group) const
+{
+    if (_growth.scales.empty()) return false;
+    for (std::size_t i = group; i < _growth.scales.size(); i += _ladder.groups)
+        if (_growth.scales[i] != 1.0F) return true;
+    return false;
+}
+
 void FieldMesh::addTargets()
 {
     if (!_morphing.empty()) return;
     const MorphTargets targets(*_shape, _ladder);
-    for (const ProgressiveShape::Group& group : _shape->groups())
-        _morphing.push_back(targets.geometryOf(*group.arrays));
+    for (const auto& arrays : _settled)
+        _morphing.push_back(targets.geometryOf(*arrays));
 }
 
 const osg::Geometry& FieldMesh::arrays(std::uint32_t group, bool withTargets) const
 {
-    return withTargets && !_morphing.empty() ? *_morphing[group] : *_shape->groups()[group].arrays;
+    return withTargets && !_morphing.empty() ? *_morphing[group] : *_settled[group];
 }
 
 void FieldMesh::draw(osg::State& state, std::uint32_t rung, std::uint32_t group,
@@ -57,6 +88,13 @@ void FieldMesh::draw(osg::State& state, std::uint32_t rung, std::uint32_t group,
 {
     const core::SlotRange faces = _ladder.facesOf(rung, group);
     if (faces.count == 0) return;
+    if (hasLeaves(group))
+    {
+        const auto scaleAt = [&](std::size_t r)
+        { return _growth.scales[std::min(r, _ladder.rungs.size() - 1) * _ladder.groups + group]; };
+        state.get<osg::GLExtensions>()->glVertexAttrib2f(kLeafScaleAttribute, scaleAt(rung),
+                                                         scaleAt(rung + 1));
+    }
     osg::GLBufferObject* const buffer = _indices->getOrCreateGLBufferObject(state.getContextID());
     state.getCurrentVertexArrayState()->bindElementBufferObject(buffer);
     const std::size_t indexBytes = _indices->getTotalDataSize() / std::max(1u, _indices->getNumIndices());
@@ -71,6 +109,8 @@ void FieldMesh::resizeGLObjectBuffers(unsigned int contexts) const
 {
     _shape->resizeGLObjectBuffers(contexts);
     _indices->resizeGLObjectBuffers(contexts);
+    for (const auto& geometry : _settled)
+        geometry->resizeGLObjectBuffers(contexts);
     for (const auto& geometry : _morphing)
         geometry->resizeGLObjectBuffers(contexts);
 }
@@ -79,6 +119,8 @@ void FieldMesh::releaseGLObjects(osg::State* state) const
 {
     _shape->releaseGLObjects(state);
     _indices->releaseGLObjects(state);
+    for (const auto& geometry : _settled)
+        geometry->releaseGLObjects(state);
     for (const auto& geometry : _morphing)
         geometry->releaseGLObjects(state);
 }

@@ -5,7 +5,7 @@
 
 #include <osg/Geometry>
 
-#include <osgPMObjects/core/field/LevelLadder.h>
+#include <osgPMObjects/core/field/LeafGrowth.h>
 
 #include <osgPMObjects/ProgressiveShape>
 
@@ -13,7 +13,7 @@ namespace osgPMObjects
 {
 
 /// A shape as a field draws it: its ladder, with the index lists of all rungs in one element buffer, and, where instances
-/// morph, the vertices' targets. OSG's own buffer objects hold both. It never changes once the targets are there.
+/// morph, the vertices' targets, and what leaf cards grow by. OSG's own buffer objects hold both. It never changes once the targets are there.
 class FieldMesh : public osg::Referenced
 {
 public:
@@ -25,10 +25,13 @@ public:
     const ProgressiveShape& shape() const { return *_shape; }
     const core::LevelLadder& ladder() const { return _ladder; }
 
+    /// Whether leaf cards of a group grow.
+    bool hasLeaves(std::uint32_t group) const;
+
     /// The arrays of a group; with targets if they are there and asked for.
     const osg::Geometry& arrays(std::uint32_t group, bool withTargets) const;
 
-    /// Draws a group of a rung so many times, from the arrays that are set.
+    /// Draws a group of a rung so many times, from the arrays that are set; sets what leaves grow by.
     void draw(osg::State& state, std::uint32_t rung, std::uint32_t group, std::uint32_t instances) const;
 
     void resizeGLObjectBuffers(unsigned int contexts) const;
@@ -38,10 +41,13 @@ protected:
     ~FieldMesh() override = default;
 
 private:
+    void addArrays();
+
     osg::ref_ptr<const ProgressiveShape> _shape;
     core::LevelLadder _ladder;
+    core::LeafGrowth _growth;
     osg::ref_ptr<osg::DrawElements> _indices;
-    std::vector<osg::ref_ptr<osg::Geometry>> _morphing; ///< by group
+    std::vector<osg::ref_ptr<osg::Geometry>> _settled, _morphing; ///< by group
 };
 
 } // namespace osgPMObjects

@@ -31,6 +31,7 @@ FieldStates made()
     states.settled = stateWith({kInstancedDefine});
     states.screenDoor = stateWith({kInstancedDefine, kSwitchedDefine});
     states.morphing = stateWith({kInstancedDefine, kSwitchedDefine, kMorphDefine});
+    states.leaves = stateWith({kLeavesDefine});
     constexpr auto kWins = osg::StateAttribute::OVERRIDE | osg::StateAttribute::PROTECTED;
     states.blendedDepth = stateWith({kInstancedDefine, kSwitchedDefine, kBlendedDefine});
     states.blendedDepth->setAttribute(new osg::ColorMask(false, false, false, false), kWins);

@@ -14,6 +14,7 @@ namespace osgPMObjects
 struct FieldStates
 {
     osg::ref_ptr<osg::StateSet> settled, screenDoor, morphing, blendedDepth, blendedColour;
+    osg::ref_ptr<osg::StateSet> leaves; ///< around materials whose cards grow
 
     /// Shared by all fields; made once.
     static const FieldStates& shared();

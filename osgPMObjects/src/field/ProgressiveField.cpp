@@ -41,9 +41,12 @@ void addParts(osgUtil::CullVisitor& visitor, const std::shared_ptr<const CulledF
     {
         const osg::StateSet* const state = groups[group].state;
         const osg::ref_ptr<FieldPart> part = new FieldPart(culled, batch, mesh, group);
+        const bool hasLeaves = mesh->hasLeaves(group);
+        if (hasLeaves) visitor.pushStateSet(FieldStates::shared().leaves);
         if (state) visitor.pushStateSet(state);
         visitor.apply(*part);
         if (state) visitor.popStateSet();
+        if (hasLeaves) visitor.popStateSet();
     }
 }
 

@@ -7,7 +7,7 @@ namespace osgPMObjects
 const char* glslVertexFunctions()
 {
     return R"(
-#pragma import_defines ( OSGPM_INSTANCED, OSGPM_SWITCHED, OSGPM_MORPH )
+#pragma import_defines ( OSGPM_INSTANCED, OSGPM_SWITCHED, OSGPM_MORPH, OSGPM_LEAVES )
 
 #ifdef OSGPM_INSTANCED
 in vec4 pmPlace; // from the eye, along the field's axes; scale
@@ -43,18 +43,31 @@ in vec4 pmTargetColour;
 in vec4 pmTargetTexCoords;
 // Vertices that the coarser level has, too, stay: their targets are those of a level that is coarser still.
 float pmMorph() { return float(gl_VertexID) >= pmShown.w ? pmShown.z : 0.0; }
-vec3 pmPosition() { return mix(gl_Vertex.xyz, pmTargetPosition, pmMorph()); }
+vec3 pmUngrown() { return mix(gl_Vertex.xyz, pmTargetPosition, pmMorph()); }
 vec3 pmNormal() { return mix(gl_Normal, pmTargetNormal, pmMorph()); }
 // A red below 0: the colour is the material's, which vertices do not have.
 vec4 pmColour() { return pmTargetColour.r < 0.0 ? gl_Color : mix(gl_Color, pmTargetColour, pmMorph()); }
 vec2 pmTexCoord0() { return mix(gl_MultiTexCoord0.xy, pmTargetTexCoords.xy, pmMorph()); }
 vec2 pmTexCoord1() { return mix(gl_MultiTexCoord1.xy, pmTargetTexCoords.zw, pmMorph()); }
 #else
-vec3 pmPosition() { return gl_Vertex.xyz; }
+vec3 pmUngrown() { return gl_Vertex.xyz; }
 vec3 pmNormal() { return gl_Normal; }
 vec4 pmColour() { return gl_Color; }
 vec2 pmTexCoord0() { return gl_MultiTexCoord0.xy; }
 vec2 pmTexCoord1() { return gl_MultiTexCoord1.xy; }
+#endif
+
+#ifdef OSGPM_LEAVES
+in vec3 pmLeafOffset;
+in vec2 pmLeafScale; // on this rung and on the next coarser one
+#if defined(OSGPM_SWITCHED) && defined(OSGPM_MORPH)
+float pmGrowth() { return mix(pmLeafScale.x, pmLeafScale.y, pmShown.z) - 1.0; }
+#else
+float pmGrowth() { return pmLeafScale.x - 1.0; }
+#endif
+vec3 pmPosition() { return pmUngrown() + pmGrowth() * pmLeafOffset; }
+#else
+vec3 pmPosition() { return pmUngrown(); }
 #endif
 )";
 }

@@ -72,6 +72,8 @@ void bindObjectAttributes(osg::Program& program)
     program.addBindAttribLocation("pmTargetNormal", kTargetNormalAttribute);
     program.addBindAttribLocation("pmTargetColour", kTargetColourAttribute);
     program.addBindAttribLocation("pmTargetTexCoords", kTargetTexCoordsAttribute);
+    program.addBindAttribLocation("pmLeafOffset", kLeafOffsetAttribute);
+    program.addBindAttribLocation("pmLeafScale", kLeafScaleAttribute);
 }
 
 osg::ref_ptr<osg::Program> makeObjectProgram()
