@@ -33,7 +33,7 @@ osg::ref_ptr<osg::DrawElements> elementsOf(const std::vector<core::Triangle>& fa
 FieldMesh::FieldMesh(osg::ref_ptr<const ProgressiveShape> shape)
     : _shape(std::move(shape)),
       _ladder(core::LevelLadder::of(_shape->progressive(), _shape->levels())),
-      _growth(core::LeafGrowth::of(_shape->progressive(), _ladder))
+      _growth(core::CrownGrowth::of(_shape->progressive(), _ladder))
 {
     addArrays();
     const bool isNarrow =

@@ -5,7 +5,7 @@
 
 #include <osg/Geometry>
 
-#include <osgPMObjects/core/field/LeafGrowth.h>
+#include <osgPMObjects/core/field/CrownGrowth.h>
 
 #include <osgPMObjects/ProgressiveShape>
 
@@ -45,7 +45,7 @@ private:
 
     osg::ref_ptr<const ProgressiveShape> _shape;
     core::LevelLadder _ladder;
-    core::LeafGrowth _growth;
+    core::CrownGrowth _growth;
     osg::ref_ptr<osg::DrawElements> _indices;
     std::vector<osg::ref_ptr<osg::Geometry>> _settled, _morphing; ///< by group
 };

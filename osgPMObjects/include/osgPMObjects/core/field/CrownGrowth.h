@@ -15,7 +15,7 @@ namespace osgPMObjects::core
 /// Without foliage both are empty. Memory: 12 B a wedge.
 /// Source: Cook, Halstead, Planck & Ryu, "Stochastic simplification of aggregate detail" (2007), §3.2, for random subsets.
 /// Differs: areas that are measured, what the simplification has kept, and `kShare`.
-struct LeafGrowth
+struct CrownGrowth
 {
     /// The logarithm of the area that is given back, of that which is lost: cards that are gone were partly behind others.
     static constexpr double kShare = 0.8;
@@ -24,7 +24,7 @@ struct LeafGrowth
     std::vector<glm::vec3> offsets; ///< by wedge: from the middle of its card; 0 of what is no leaf
     std::vector<float> scales;      ///< by rung and group: of offsets; 1 where there is nothing to grow
 
-    static LeafGrowth of(const ProgressiveMesh& progressive, const LevelLadder& ladder);
+    static CrownGrowth of(const ProgressiveMesh& progressive, const LevelLadder& ladder);
 };
 
 } // namespace osgPMObjects::core

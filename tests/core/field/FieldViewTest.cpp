@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cstring>
+
+#include <gtest/gtest.h>
+
+#include "FieldScenes.h"
+
+namespace
+{
+
+using namespace osgPMObjects::core;
+using testsupport::FieldSubject;
+
+/// What a picture's instances stand at, with their rungs; x makes them findable.
+std::vector<std::pair<float, std::uint32_t>> rungsByPlace(const FieldPicture& picture)
+{
+    std::vector<std::pair<float, std::uint32_t>> all;
+    for (const FieldRun& run : picture.runs)
+        for (std::uint32_t i = run.first; i < run.first + run.count; ++i)
+            all.emplace_back(picture.instances[i].place[0], run.rung);
+    std::sort(all.begin(), all.end());
+    return all;
+}
+
+FieldModel modelWith(SelectionMethod method)
+{
+    const FieldSubject& subject = FieldSubject::torus();
+    FieldModel model = subject.model();
+    SelectionSettings& settings = model.selection;
+    settings.method = method;
+    settings.continuousBand = kDefaultBand;
+    settings.areaRows = AreaRows::halving(subject.table);
+    const std::uint32_t most = subject.table.mostSteps();
+    settings.ranges = {{30.0, 90.0, 250.0}, {0, most / 2, most * 3 / 4, most * 9 / 10}};
+    settings.overlappingRanges = OverlappingRanges::around(settings.ranges);
+    return model;
+}
+
+TEST(FieldView, DrawsEachObjectInSightOnceOnTheRungOfItsRule)
+{
+    for (const auto method :
+         {SelectionMethod::ranges, SelectionMethod::overlappingRanges, SelectionMethod::boxArea,
+          SelectionMethod::sphereArea, SelectionMethod::ellipsoidArea, SelectionMethod::facingArea,
+          SelectionMethod::continuous, SelectionMethod::screenError})
+    {
+        const Field field = testsupport::scatteredField({modelWith(method)}, 1500, 300.0);
+        const auto view = testsupport::viewTo({0.0, -320.0, 20.0}, {0.0, 0.0, 0.0});
+        FieldView memory(field);
+        const FieldPicture picture = memory.look(testsupport::lookFrom(view, 1));
+        EXPECT_EQ(picture.instances.size(), picture.visible);
+        EXPECT_EQ(picture.drawn, picture.visible);
+        EXPECT_EQ(picture.selection.all().objects, picture.visible);
+        std::vector<std::pair<float, std::uint32_t>> expected;
+        std::uint64_t triangles = 0;
+        const LevelSelector selector(SelectionView::from(view));
+        for (std::uint32_t i = 0; i < field.objects().size(); ++i)
+        {
+            const BoundingSphere& sphere = field.spheres()[i];
+            if (view.frustum.classify(sphere.centre, sphere.radius, 0x0F).outside) continue;
+            HeldLevel held;
+            const Selection selection = selector.select(field.selectable(i, 1.0), held);
+            const std::uint32_t rung = FieldSubject::torus().ladder.rungOf(selection.steps);
+            EXPECT_EQ(FieldSubject::torus().ladder.rungs[rung].steps, selection.steps) << "can be drawn";
+            triangles += FieldSubject::torus().ladder.rungs[rung].faces;
+            expected.emplace_back(static_cast<float>(field.objects()[i].position.x - view.eyeWorld.x), rung);
+        }
+        std::sort(expected.begin(), expected.end());
+        EXPECT_EQ(rungsByPlace(picture), expected) << nameOf(method);
+        EXPECT_EQ(picture.triangles, triangles);
+        EXPECT_EQ(picture.selection.all().triangles, triangles) << "what is counted is what is drawn";
+        ASSERT_GT(picture.runs.size(), 3u) << "several levels";
+    }
+}
+
+/// Every object goes to and fro by 5 % of its distance, a hundred times.
+TEST(FieldView, NeverSwitchesTwiceWhileTheEyeTrembles)
+{
+    for (const auto method :
+         {SelectionMethod::overlappingRanges, SelectionMethod::boxArea, SelectionMethod::sphereArea,
+          SelectionMethod::ellipsoidArea, SelectionMethod::facingArea, SelectionMethod::continuous,
+          SelectionMethod::screenError, SelectionMethod::ranges})
+    {
+        int worst = 0;
+        for (double middle = 20.0; middle < 400.0; middle *= 1.03)
+        {
+            const Field field({modelWith(method)}, {FieldObject{}});
+            FieldView memory(field);
+            std::uint64_t frame = 0;
+            worst = std::max(
+                worst, testsupport::switchesWhileTrembling(
+                           middle, 0.05, 4,
+                           [&](double distance)
+                           {
+                               const auto view = testsupport::viewTo({0.0, -distance, 0.0}, {0.0, 0.0, 0.0});
+                               return memory.look(testsupport::lookFrom(view, ++frame)).runs.front().rung;
+                           }));
+        }
+        if (method == SelectionMethod::ranges)
+        {
+            EXPECT_GT(worst, 1) << "the control, without hysteresis, flips";
+        }
+        else
+        {
+            EXPECT_LE(worst, 1) << nameOf(method);
+        }
+    }
+}
+
+TEST(FieldView, KeepsWithinTheBudget)
+{
+    const Field field = testsupport::scatteredField({modelWith(SelectionMethod::budget)}, 1500, 300.0);
+    FieldView memory(field);
+    std::uint64_t least = ~std::uint64_t{0}, most = 0;
+    for (std::uint64_t frame = 1; frame <= 40; ++frame)
+    {
+        const double y = -400.0 + 10.0 * static_cast<double>(frame);
+        FieldLook look =
+            testsupport::lookFrom(testsupport::viewTo({0.0, y, 30.0}, {0.0, y + 100.0, 0.0}), frame);
+        look.budget.budget = 60000;
+        const FieldPicture picture = memory.look(look);
+        ASSERT_LE(picture.triangles, 60000u) << frame;
+        EXPECT_TRUE(picture.selection.budget.fits);
+        least = std::min(least, picture.triangles);
+        most = std::max(most, picture.triangles);
+    }
+    EXPECT_GT(most, 55000u) << "and uses it";
+}
+
+/// Cameras that share an eye see the same levels, whichever looks first.
+TEST(FieldView, ShowsAnotherCameraOfTheEyeTheSame)
+{
+    FieldModel model = modelWith(SelectionMethod::screenError);
+    model.switching = {SwitchMethod::blend, BlendProfile::cross, 0.5f, 0.0f};
+    const Field field = testsupport::scatteredField({model}, 800, 200.0);
+    FieldView memory(field);
+    FieldPicture first, second;
+    for (std::uint64_t frame = 1; frame <= 30; ++frame)
+    {
+        const double y = -300.0 + 4.0 * static_cast<double>(frame);
+        const auto look =
+            testsupport::lookFrom(testsupport::viewTo({0.0, y, 30.0}, {0.0, y + 100.0, 0.0}), frame);
+        first = memory.look(look);
+        second = memory.look(look);
+        ASSERT_EQ(rungsByPlace(first), rungsByPlace(second));
+        ASSERT_EQ(std::memcmp(first.instances.data(), second.instances.data(),
+                              first.instances.size() * sizeof(ShownInstance)),
+                  0)
+            << "time has gone on twice in frame " << frame;
+    }
+    EXPECT_GT(first.switching, 0u);
+}
+
+TEST(FieldView, ForgetsWhatWasOutOfSight)
+{
+    FieldModel model = modelWith(SelectionMethod::screenError);
+    model.switching = {SwitchMethod::blend, BlendProfile::cross, 1000.0f, 0.0f};
+    const Field field({model}, {FieldObject{}});
+    FieldView memory(field);
+    const auto at = [&](double distance, std::uint64_t frame) {
+        return memory.look(testsupport::lookFrom(testsupport::viewTo({0.0, -distance, 0.0}, {}), frame));
+    };
+    at(50.0, 1);
+    at(200.0, 2);
+    EXPECT_EQ(at(200.0, 3).switching, 1u);
+    EXPECT_EQ(at(200.0, 9).switching, 0u) << "nobody saw how it got there";
+}
+
+} // namespace
