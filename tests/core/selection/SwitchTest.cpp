@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <vector>
 
@@ -43,6 +44,16 @@ float alphaOf(const DrawnLevels& drawn, std::uint32_t level)
 {
     return (drawn.first.level == level ? drawn.first.alpha : 0.0f) +
            (drawn.second.level == level ? drawn.second.alpha : 0.0f);
+}
+
+TEST(Switch, SettingsThatCannotBePlayedAreToldFrom)
+{
+    EXPECT_TRUE(checkSettings(SwitchSettings{}));
+    for (const float wrong : {0.0f, -1.0f, std::nanf(""), std::numeric_limits<float>::infinity()})
+        EXPECT_FALSE(checkSettings({.durationS = wrong})) << wrong;
+    EXPECT_TRUE(checkSettings({.staggerS = 0.0f}));
+    EXPECT_FALSE(checkSettings({.staggerS = -0.1f}));
+    EXPECT_FALSE(checkSettings({.staggerS = std::nanf("")}));
 }
 
 TEST(Switch, DiscreteContinuousAndAlphaChangeAtOnce)

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <cmath>
+#include <string>
 
 #include <osgPMObjects/core/selection/Switch.h>
 
@@ -60,6 +62,18 @@ DrawnLevels atRest(std::uint32_t level, float alpha)
 
 } // namespace
 
+viewlod::Outcome checkSettings(const SwitchSettings& settings)
+{
+    if (!std::isfinite(settings.durationS) || settings.durationS <= 0.0f)
+        return viewlod::Error{"durationS",
+                              "a switch cannot last " + std::to_string(settings.durationS) + " s",
+                              "give a time above 0, or the method discrete"};
+    if (!std::isfinite(settings.staggerS) || settings.staggerS < 0.0f)
+        return viewlod::Error{"staggerS", "a switch cannot wait " + std::to_string(settings.staggerS) + " s",
+                              "give a time of at least 0"};
+    return viewlod::success();
+}
+
 bool isSwitchState(const SwitchState& state)
 {
     return state.progress >= 0.0f && state.progress < 1.0f && (state.isSwitching() || state.progress == 0.0f);
@@ -74,10 +88,8 @@ float staggerShare(std::uint32_t number)
 DrawnLevels advanceSwitch(SwitchState& state, std::uint32_t target, float stepS, float alpha,
                           std::uint32_t number, const SwitchSettings& settings)
 {
-    const bool takesTime =
-        settings.method == SwitchMethod::blend || settings.method == SwitchMethod::geomorph;
     const float stagger = settings.staggerS * staggerShare(number);
-    if (!takesTime || alpha <= 0.0f)
+    if (!takesTime(settings.method) || alpha <= 0.0f)
     {
         state = SwitchState::at(target);
         return atRest(target, alpha);

@@ -3,6 +3,8 @@
 
 #include <cstdint>
 
+#include <viewlod/Result.h>
+
 namespace osgPMObjects::core
 {
 
@@ -33,7 +35,18 @@ struct SwitchSettings
     BlendProfile profile = BlendProfile::over;
     float durationS = 0.5f; ///< of a blend or morph, above 0
     float staggerS = 0.25f; ///< a switch begins up to this much later, by the object's number; at least 0
+
+    bool operator==(const SwitchSettings&) const = default;
 };
+
+/// Whether a switch by this method lasts for some frames, instead of none.
+inline bool takesTime(SwitchMethod method)
+{
+    return method == SwitchMethod::blend || method == SwitchMethod::geomorph;
+}
+
+/// Whether switches can be made by these settings: else which field is wrong, and what to do. advanceSwitch() trusts them.
+viewlod::Outcome checkSettings(const SwitchSettings& settings);
 
 /// One object's switch in one view, kept by the caller.
 /// Invariant: isSwitchState(). Memory: 16 B.

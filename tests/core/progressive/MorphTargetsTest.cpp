@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include <osgPMObjects/core/progressive/LevelMesh.h>
+#include <osgPMObjects/core/progressive/MorphTargets.h>
+#include <osgPMObjects/core/simplify/Simplify.h>
+
+#include "ClosedMeshes.h"
+#include "SimplifyMeshes.h"
+
+namespace
+{
+
+using namespace osgPMObjects::core;
+
+/// A sheet with a seam, and a torus of another material.
+const ProgressiveMesh& subject()
+{
+    static const ProgressiveMesh made = []
+    {
+        const Mesh mesh = testsupport::together(testsupport::texturedInHalves(14, 11),
+                                                testsupport::torus(12, 8), {20.0, 0.0, 0.0});
+        const CollapseSequence sequence = simplify(mesh);
+        return buildProgressiveMesh(mesh, sequence);
+    }();
+    return made;
+}
+
+struct Corners
+{
+    Triangle wedges, positions;
+    auto operator<=>(const Corners&) const = default;
+};
+
+Corners sorted(Corners corners)
+{
+    while (corners.wedges[0] != *std::min_element(corners.wedges.begin(), corners.wedges.end()))
+    {
+        std::rotate(corners.wedges.begin(), corners.wedges.begin() + 1, corners.wedges.end());
+        std::rotate(corners.positions.begin(), corners.positions.begin() + 1, corners.positions.end());
+    }
+    return corners;
+}
+
+/// The faces of a level with area, once all of their wedges are at their targets.
+std::vector<Corners> facesAt(std::uint32_t steps, const MorphTargets& morph)
+{
+    const ProgressiveMesh& progressive = subject();
+    ProgressiveLevel level(progressive);
+    level.moveTo(steps);
+    std::vector<Corners> faces;
+    forEachDrawnFace(progressive, level,
+                     [&](const Triangle& face, std::uint32_t)
+                     {
+                         Corners corners{face, face};
+                         for (int i = 0; i < 3; ++i)
+                         {
+                             MorphTargets::Target target{face[i], face[i]};
+                             if (face[i] >= morph.firstWedge)
+                                 target = morph.targets.at(face[i] - morph.firstWedge);
+                             corners.wedges[i] = target.look;
+                             corners.positions[i] = progressive.mesh.wedgePositions[target.place];
+                         }
+                         if (!repeatsCorner(corners.positions)) faces.push_back(sorted(corners));
+                     });
+    std::sort(faces.begin(), faces.end());
+    return faces;
+}
+
+TEST(MorphTargets, LeaveTheFacesOfTheCoarserLevelWithTheirWedges)
+{
+    const std::uint32_t most = subject().stepCount;
+    for (std::uint32_t finer = 0; finer <= most; finer += 7)
+        for (std::uint32_t coarser = finer; coarser <= most; coarser += 11)
+        {
+            const MorphTargets morph = morphTargets(subject(), finer, coarser);
+            EXPECT_EQ(morph.firstWedge + morph.targets.size(), subject().wedgesAfter(finer));
+            const MorphTargets none{subject().wedgesAfter(coarser), {}};
+            ASSERT_EQ(facesAt(finer, morph), facesAt(coarser, none)) << finer << " to " << coarser;
+        }
+}
+
+TEST(MorphTargets, AreThoseOfOneStepByHand)
+{
+    const ProgressiveMesh& progressive = subject();
+    const MorphTargets morph = morphTargets(progressive, 0, 1);
+    ASSERT_FALSE(morph.targets.empty());
+    for (std::uint32_t i = 0; i < morph.targets.size(); ++i)
+    {
+        const std::uint32_t wedge = morph.firstWedge + i;
+        EXPECT_EQ(morph.targets[i].look, progressive.parents[wedge]);
+        EXPECT_LT(morph.targets[i].look, morph.firstWedge);
+    }
+    EXPECT_TRUE(morphTargets(progressive, 5, 5).targets.empty());
+}
+
+/// Seams of one position must not tear on the way.
+TEST(MorphTargets, AreAtOnePlaceForAllWedgesOfAPosition)
+{
+    const auto& positions = subject().mesh.wedgePositions;
+    const MorphTargets morph = morphTargets(subject(), 0, subject().stepCount);
+    std::uint32_t together = 0;
+    for (std::uint32_t i = 1; i < morph.targets.size(); ++i)
+    {
+        if (positions[morph.firstWedge + i] != positions[morph.firstWedge + i - 1]) continue;
+        EXPECT_EQ(positions[morph.targets[i].place], positions[morph.targets[i - 1].place]);
+        ++together;
+    }
+    EXPECT_GT(together, 0u);
+}
+
+/// The first test can fail: targets that are off by one wedge are seen.
+TEST(MorphTargetsMutation, OffByOneWedgeIsSeen)
+{
+    const std::uint32_t finer = 10, coarser = subject().stepCount / 2;
+    const MorphTargets none{subject().wedgesAfter(coarser), {}};
+    const auto expected = facesAt(coarser, none);
+    MorphTargets morph = morphTargets(subject(), finer, coarser);
+    EXPECT_EQ(facesAt(finer, morph), expected);
+    std::rotate(morph.targets.begin(), morph.targets.begin() + 1, morph.targets.end());
+    EXPECT_NE(facesAt(finer, morph), expected);
+}
+
+} // namespace
