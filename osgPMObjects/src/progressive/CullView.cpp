@@ -45,7 +45,11 @@ CullView cullViewOf(osgUtil::CullVisitor& visitor)
     CullView cull;
     cull.camera = visitor.getCurrentCamera();
     cull.mainCamera = mainCameraOf(visitor);
-    cull.frame = visitor.getFrameStamp() ? visitor.getFrameStamp()->getFrameNumber() : 0;
+    if (const osg::FrameStamp* const stamp = visitor.getFrameStamp())
+    {
+        cull.frame = stamp->getFrameNumber();
+        cull.timeS = stamp->getSimulationTime();
+    }
     if (visitor.getState()) cull.contextId = visitor.getState()->getContextID();
     cull.lodScale = std::max(static_cast<double>(visitor.getLODScale()), 1e-6);
     const osg::Matrixd& eyeFromLocal = *visitor.getModelViewMatrix();

@@ -19,6 +19,7 @@ struct CullView
     /// Of a shadow or reflection camera, nested and relative to it: whose levels it shows.
     const osg::Camera* mainCamera = nullptr;
     unsigned int frame = 0;
+    double timeS = 0.0;                    ///< of the simulation
     std::optional<unsigned int> contextId; ///< who will draw; absent: nobody
     viewlod::ViewState view;
     double lodScale = 1.0;      ///< OSG's own knob for coarser (> 1) or finer detail

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "LevelPart.h"
 
-#include <osg/VertexArrayState>
-
 namespace osgPMObjects
 {
 
@@ -38,41 +36,25 @@ void showFaces(const ViewLevel& level, std::optional<std::uint32_t> group,
     show(level, group, functor);
 }
 
-LevelPart::LevelPart(std::shared_ptr<ViewLevel> level, DrawnLevelPtr drawn, std::uint32_t group)
-    : _level(std::move(level)), _drawn(std::move(drawn)), _group(group)
+LevelPart::LevelPart(std::shared_ptr<ViewLevel> level, DrawnLevelPtr drawn, std::uint32_t group,
+                     MorphArraysPtr morph)
+    : GroupPart(&level->shape(), group, std::move(morph)), _level(std::move(level)), _drawn(std::move(drawn))
 {
-    setUseDisplayList(false);
-    setSupportsDisplayList(false);
-    setUseVertexBufferObjects(true);
-    setUseVertexArrayObject(false);
-    setDataVariance(osg::Object::STATIC);
-    setCullingActive(false); // whoever puts it in has looked
 }
 
-void LevelPart::drawImplementation(osg::RenderInfo& renderInfo) const
+void LevelPart::drawFaces(osg::State& state) const
 {
-    osg::State& state = *renderInfo.getState();
-    osg::VertexArrayState* const arrays = state.getCurrentVertexArrayState();
-    arrays->setVertexBufferObjectSupported(true);
-    _level->shape().groups()[_group].arrays->drawVertexArraysImplementation(renderInfo);
-    _level->draw(state, *_drawn, _group);
-    arrays->unbindVertexBufferObject();
-    arrays->unbindElementBufferObject();
-}
-
-osg::BoundingBox LevelPart::computeBoundingBox() const
-{
-    return _level->shape().groups()[_group].box;
+    _level->draw(state, *_drawn, group());
 }
 
 void LevelPart::accept(osg::PrimitiveFunctor& functor) const
 {
-    showFaces(*_level, _group, functor);
+    showFaces(*_level, group(), functor);
 }
 
 void LevelPart::accept(osg::PrimitiveIndexFunctor& functor) const
 {
-    showFaces(*_level, _group, functor);
+    showFaces(*_level, group(), functor);
 }
 
 } // namespace osgPMObjects

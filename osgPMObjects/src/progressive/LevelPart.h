@@ -3,39 +3,32 @@
 
 #include <memory>
 
-#include <osg/Drawable>
-
+#include "GroupPart.h"
 #include "ViewLevel.h"
 
 namespace osgPMObjects
 {
 
-/// What cull traversals put into the render graph: the faces of one material at one level. A fresh one is made when the level
-/// changes, and none is ever changed, so a frame may be culled while the last is drawn.
-class LevelPart : public osg::Drawable
+/// The faces that a group has in the index buffer of a view group. A fresh one is made when the level changes.
+class LevelPart : public GroupPart
 {
 public:
-    LevelPart(std::shared_ptr<ViewLevel> level, DrawnLevelPtr drawn, std::uint32_t group);
+    LevelPart(std::shared_ptr<ViewLevel> level, DrawnLevelPtr drawn, std::uint32_t group,
+              MorphArraysPtr morph = nullptr);
 
-    std::uint32_t group() const { return _group; }
-
-    void drawImplementation(osg::RenderInfo& renderInfo) const override;
-    osg::BoundingBox computeBoundingBox() const override;
-
-    using osg::Drawable::accept;
-    bool supports(const osg::PrimitiveFunctor&) const override { return true; }
+    using GroupPart::accept;
     /// The faces that the view group has by then.
     void accept(osg::PrimitiveFunctor& functor) const override;
-    bool supports(const osg::PrimitiveIndexFunctor&) const override { return true; }
     void accept(osg::PrimitiveIndexFunctor& functor) const override;
 
 protected:
     ~LevelPart() override = default;
 
 private:
+    void drawFaces(osg::State& state) const override;
+
     std::shared_ptr<ViewLevel> _level;
     DrawnLevelPtr _drawn;
-    std::uint32_t _group;
 };
 
 /// Gives a functor the faces of one group, or of all.

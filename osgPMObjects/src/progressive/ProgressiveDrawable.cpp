@@ -39,22 +39,17 @@ void ProgressiveDrawable::accept(osg::NodeVisitor& visitor)
 {
     osgUtil::CullVisitor* const cullVisitor = visitor.asCullVisitor();
     if (!cullVisitor) return osg::Drawable::accept(visitor);
-    if (_shape) cull(*cullVisitor, [this](const CullView&, core::HeldLevel&) { return fixedLevel(); });
+    if (_shape) cull(*cullVisitor, [this](const CullView&, core::HeldLevel&) { return fixedLevel(); }, {});
 }
 
-void ProgressiveDrawable::cull(osgUtil::CullVisitor& visitor, const Choice& choice)
+void ProgressiveDrawable::cull(osgUtil::CullVisitor& visitor, const Choice& choice,
+                               const Switching& switching)
 {
     if (!_shape || !visitor.validNodeMask(*this)) return;
     if (isCullingActive() && visitor.isCulled(getBoundingBox())) return;
     visitor.pushOntoNodePath(this);
     if (getStateSet()) visitor.pushStateSet(getStateSet());
-    for (const auto& part : _views->find(cullViewOf(visitor), choice))
-    {
-        const osg::StateSet* const state = _shape->groups()[part->group()].state;
-        if (state) visitor.pushStateSet(state);
-        visitor.apply(*part);
-        if (state) visitor.popStateSet();
-    }
+    cullLevels(visitor, *_shape, _views->find(cullViewOf(visitor), choice, switching), switching.isShaded);
     if (getStateSet()) visitor.popStateSet();
     visitor.popFromNodePath();
 }

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+
 #include <osg/MatrixTransform>
 #include <osgUtil/CullVisitor>
 
@@ -35,6 +37,8 @@ ProgressiveNode::ProgressiveNode(osg::ref_ptr<const ProgressiveShape> shape)
 ProgressiveNode::ProgressiveNode(const ProgressiveNode& other, const osg::CopyOp& copyOp)
     : osg::Group(other, copyOp),
       _settings(other._settings),
+      _switching(other._switching),
+      _number(other._number),
       _priority(other._priority),
       _referencePixelsPerTangent(other._referencePixelsPerTangent)
 {
@@ -67,6 +71,18 @@ viewlod::Outcome ProgressiveNode::setSelection(const core::SelectionSettings& se
     const viewlod::Outcome outcome = core::checkSettings(settings, levels);
     if (outcome) _settings = settings;
     return outcome;
+}
+
+viewlod::Outcome ProgressiveNode::setSwitching(const core::SwitchSettings& settings)
+{
+    const viewlod::Outcome outcome = core::checkSettings(settings);
+    if (outcome) _switching = settings;
+    return outcome;
+}
+
+bool ProgressiveNode::isShaded() const
+{
+    return core::takesTime(_switching.method) || std::isfinite(_settings.alpha.goneM);
 }
 
 std::vector<ProgressiveViewStatistics> ProgressiveNode::statistics() const
@@ -105,7 +121,8 @@ void ProgressiveNode::cull(osgUtil::CullVisitor& visitor)
             new osg::RefMatrix(osg::Matrixd::translate(origin) * *visitor.getModelViewMatrix()),
             osg::Transform::RELATIVE_RF);
     _drawable->cull(visitor,
-                    [this](const CullView& view, core::HeldLevel& held) { return choose(view, held); });
+                    [this](const CullView& view, core::HeldLevel& held) { return choose(view, held); },
+                    {_switching, _number, isShaded()});
     if (isMoved) visitor.popModelViewMatrix();
 }
 

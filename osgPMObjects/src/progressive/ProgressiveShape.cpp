@@ -3,6 +3,7 @@
 
 #include <osgPMObjects/core/progressive/LevelMesh.h>
 
+#include <osgPMObjects/ObjectShader>
 #include <osgPMObjects/ProgressiveShape>
 
 #include "../export/DrawnState.h"
@@ -11,6 +12,25 @@
 
 namespace osgPMObjects
 {
+
+namespace
+{
+
+/// The program, and a white texture where the state has none.
+osg::ref_ptr<osg::StateSet> shadingFor(osg::StateSet* state, osg::Program* program)
+{
+    constexpr auto kTexture = osg::StateAttribute::TEXTURE;
+    if (state && state->getAttribute(osg::StateAttribute::PROGRAM)) return nullptr;
+    osg::ref_ptr<osg::StateSet> shading = new osg::StateSet;
+    osg::StateAttribute* const texture = state ? state->getTextureAttribute(0, kTexture) : nullptr;
+    if (texture) shading->setTextureAttribute(0, texture);
+    addObjectShading(*shading);
+    shading->setAttributeAndModes(program);                   // one for all
+    if (texture) shading->removeTextureAttribute(0, texture); // the state's own stands above
+    return shading;
+}
+
+} // namespace
 
 ProgressiveShape::ProgressiveShape(core::ProgressiveMesh progressive,
                                    std::vector<osg::ref_ptr<osg::StateSet>> states)
@@ -24,12 +44,14 @@ ProgressiveShape::ProgressiveShape(core::ProgressiveMesh progressive,
     const ShapeArrays arrays(_progressive, origin);
     const std::vector<std::vector<bool>> isUsedBy = wedgesByGroup(_progressive);
     _vertices = arrays.vertices();
+    const osg::ref_ptr<osg::Program> program = makeObjectProgram();
     for (std::uint32_t group = 0; group < _progressive.groups.size(); ++group)
     {
         const std::uint32_t number = _progressive.groups[group].material;
         const core::Material& material = _progressive.mesh.materials[number];
         const std::vector<bool>& isUsed = isUsedBy[group];
-        Group made{number, drawnState(material, _states), arrays.geometryOf(material, isUsed), {}};
+        Group made{number, drawnState(material, _states), arrays.geometryOf(material, isUsed), {}, {}};
+        made.shading = shadingFor(made.state, program);
         for (std::size_t wedge = 0; wedge < isUsed.size(); ++wedge)
             if (isUsed[wedge]) made.box.expandBy((*_vertices)[wedge]);
         _groups.push_back(std::move(made));
@@ -55,6 +77,7 @@ void ProgressiveShape::resizeGLObjectBuffers(unsigned int contexts) const
     {
         group.arrays->resizeGLObjectBuffers(contexts);
         if (group.state) group.state->resizeGLObjectBuffers(contexts);
+        if (group.shading) group.shading->resizeGLObjectBuffers(contexts);
     }
 }
 
@@ -69,6 +92,7 @@ void ProgressiveShape::releaseGLObjects(osg::State* state) const
         for (const auto& array : arrays)
             array->dirty();
         if (group.state) group.state->releaseGLObjects(state);
+        if (group.shading) group.shading->releaseGLObjects(state);
     }
 }
 

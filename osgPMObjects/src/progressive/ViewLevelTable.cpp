@@ -24,11 +24,13 @@ std::uint32_t ViewLevelTable::Entry::finestSteps() const
     return steps;
 }
 
-ViewLevelTable::Parts ViewLevelTable::find(const CullView& view, const LevelChoice& choice)
+ShownLevels ViewLevelTable::find(const CullView& view, const LevelChoice& choice,
+                                 const ProgressiveDrawable::Switching& switching)
 {
     const std::lock_guard lock(_mutex);
     dropUnused(view.frame);
-    if (Entry* const main = borrowedEntry(view)) return partsOf(*main, main->drawn->steps, view);
+    if (Entry* const main = borrowedEntry(view))
+        return shownOf(*main, main->memberOf(view.mainCamera)->selection.alpha, view);
 
     Entry& entry = entryFor(view);
     entry.frame = view.frame;
@@ -37,20 +39,30 @@ ViewLevelTable::Parts ViewLevelTable::find(const CullView& view, const LevelChoi
     member->frame = view.frame;
     member->selection = entry.latest = choice(view, member->held);
     if (member->selection.alpha <= 0.0f) return {};
-    _latest = entry.level;
-    return partsOf(entry, entry.finestSteps(), view);
+    _latest = entry.levels.level();
+    entry.drawn = entry.switching.advance(entry.finestSteps(), view, switching.settings, switching.number);
+    entry.byDoor = switching.settings.method == core::SwitchMethod::blend &&
+                   switching.settings.profile == core::BlendProfile::cross;
+    return shownOf(entry, member->selection.alpha, view);
 }
 
-ViewLevelTable::Parts ViewLevelTable::partsOf(Entry& entry, std::uint32_t steps, const CullView& view)
+ShownLevels ViewLevelTable::shownOf(Entry& entry, float alpha, const CullView& view)
 {
-    DrawnLevelPtr drawn = entry.level->at(steps, view.frame, view.contextId);
-    if (drawn == entry.drawn) return entry.parts;
-    entry.drawn = std::move(drawn);
-    entry.parts.clear();
-    for (std::uint32_t group = 0; group < entry.drawn->groupEnds.size(); ++group)
-        if (!entry.drawn->rangesOf(group).empty())
-            entry.parts.push_back(new LevelPart(entry.level, entry.drawn, group));
-    return entry.parts;
+    ShownLevels shown;
+    if (alpha <= 0.0f) return shown;
+    entry.levels.make(entry.drawn, view.frame, view.contextId);
+    shown.drawn = entry.drawn;
+    shown.first = entry.levels.partsOf(shown.drawn.first.level);
+    if (shown.isBlend()) shown.second = entry.levels.partsOf(shown.drawn.second.level);
+    shown.alpha = alpha;
+    shown.finerShare = entry.switching.finerShare();
+    shown.byDoor = entry.byDoor;
+    if (const MorphArrays* const morph = entry.levels.morph())
+    {
+        shown.isMorphing = true;
+        shown.firstMorphing = morph->firstVertex();
+    }
+    return shown;
 }
 
 /// The main camera's, if it sees the drawable at one place only: else nobody knows at which this one does.
@@ -60,7 +72,7 @@ ViewLevelTable::Entry* ViewLevelTable::borrowedEntry(const CullView& view)
     Entry* found = nullptr;
     for (Entry& entry : _entries)
     {
-        if (!entry.memberOf(view.mainCamera) || !entry.drawn) continue;
+        if (!entry.memberOf(view.mainCamera) || !entry.levels.isMade()) continue;
         if (found) return nullptr;
         found = &entry;
     }
@@ -82,11 +94,7 @@ ViewLevelTable::Entry& ViewLevelTable::entryFor(const CullView& view)
                  (!own || glm::distance(entry.eye, eye) < glm::distance(own->eye, eye)))
             own = &entry;
     }
-    if (!own)
-    {
-        own = &_entries.emplace_back();
-        own->level = std::make_shared<ViewLevel>(_shape);
-    }
+    if (!own) own = &_entries.emplace_back(_shape);
     own->eye = eye;
     return *own;
 }
@@ -119,7 +127,11 @@ std::vector<ProgressiveViewStatistics> ViewLevelTable::statistics() const
         statistics.frame = entry.frame;
         statistics.cameras = static_cast<std::uint32_t>(entry.members.size());
         statistics.selection = entry.latest;
-        entry.level->addTo(statistics);
+        statistics.method = entry.switching.method();
+        statistics.switching = entry.switching.state();
+        if (const StillLevel* const other = entry.levels.still())
+            statistics.secondTriangles = other->triangles();
+        entry.levels.level()->addTo(statistics);
     }
     return all;
 }
@@ -128,7 +140,7 @@ void ViewLevelTable::releaseGLObjects(osg::State* state)
 {
     const std::lock_guard lock(_mutex);
     for (Entry& entry : _entries)
-        entry.level->releaseGLObjects(state);
+        entry.levels.releaseGLObjects(state);
 }
 
 } // namespace osgPMObjects

@@ -6,8 +6,11 @@
 
 #include <osg/observer_ptr>
 
+#include <osgPMObjects/ProgressiveDrawable>
+
 #include "CullView.h"
-#include "LevelPart.h"
+#include "GroupSwitch.h"
+#include "ShownLevels.h"
 
 namespace osgPMObjects
 {
@@ -27,12 +30,11 @@ public:
     /// Eyes of channels differ by the rounding of their matrices. Of their distance.
     static constexpr double kSameEye = 1e-6;
 
-    using Parts = std::vector<osg::ref_ptr<LevelPart>>;
-
     explicit ViewLevelTable(osg::ref_ptr<const ProgressiveShape> shape) : _shape(std::move(shape)) {}
 
     /// What to draw for a view; nothing of an object that has faded away.
-    Parts find(const CullView& view, const LevelChoice& choice);
+    ShownLevels find(const CullView& view, const LevelChoice& choice,
+                     const ProgressiveDrawable::Switching& switching);
 
     /// The group asked for last; before any, one at `steps` for nobody in particular.
     std::shared_ptr<ViewLevel> latest(std::uint32_t steps);
@@ -50,13 +52,16 @@ private:
     };
     struct Entry
     {
-        std::shared_ptr<ViewLevel> level;
+        explicit Entry(const osg::ref_ptr<const ProgressiveShape>& shape) : levels(shape) {}
+
+        GroupLevels levels;
+        GroupSwitch switching;
+        core::DrawnLevels drawn; ///< regardless of the alpha range
+        bool byDoor = false;
         glm::dvec3 eye{0.0};
         unsigned int frame = 0;
         std::vector<Member> members;
         core::Selection latest;
-        DrawnLevelPtr drawn;
-        Parts parts; ///< of `drawn`
 
         Member* memberOf(const osg::Camera* camera);
         std::uint32_t finestSteps() const;
@@ -65,7 +70,7 @@ private:
     Entry* borrowedEntry(const CullView& view);
     Entry& entryFor(const CullView& view);
     void dropUnused(unsigned int frame);
-    Parts partsOf(Entry& entry, std::uint32_t steps, const CullView& view);
+    static ShownLevels shownOf(Entry& entry, float alpha, const CullView& view);
 
     osg::ref_ptr<const ProgressiveShape> _shape;
     mutable std::mutex _mutex;

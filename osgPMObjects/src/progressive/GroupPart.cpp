@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "GroupPart.h"
+
+#include <osg/VertexArrayState>
+
+namespace osgPMObjects
+{
+
+GroupPart::GroupPart(osg::ref_ptr<const ProgressiveShape> shape, std::uint32_t group, MorphArraysPtr morph)
+    : _shape(std::move(shape)), _group(group), _morph(std::move(morph))
+{
+    setUseDisplayList(false);
+    setSupportsDisplayList(false);
+    setUseVertexBufferObjects(true);
+    setUseVertexArrayObject(false);
+    setDataVariance(osg::Object::STATIC);
+    setCullingActive(false); // whoever puts it in has looked
+}
+
+void GroupPart::drawImplementation(osg::RenderInfo& renderInfo) const
+{
+    osg::State& state = *renderInfo.getState();
+    osg::VertexArrayState* const arrays = state.getCurrentVertexArrayState();
+    arrays->setVertexBufferObjectSupported(true);
+    if (_morph)
+        _morph->set(renderInfo, _group);
+    else
+        _shape->groups()[_group].arrays->drawVertexArraysImplementation(renderInfo);
+    drawFaces(state);
+    if (_morph) MorphArrays::unset(state);
+    arrays->unbindVertexBufferObject();
+    arrays->unbindElementBufferObject();
+}
+
+osg::BoundingBox GroupPart::computeBoundingBox() const
+{
+    return _shape->groups()[_group].box;
+}
+
+} // namespace osgPMObjects

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "LookState.h"
+
+#include <osg/AlphaFunc>
+#include <osg/BlendFunc>
+#include <osg/ColorMask>
+#include <osg/Depth>
+
+#include <osgPMObjects/ObjectShader>
+
+namespace osgPMObjects
+{
+
+namespace
+{
+
+/// As OSG's own bin of what is transparent.
+constexpr int kTransparentBin = 10;
+
+osg::Vec4 shownOf(const Look& look)
+{
+    const float from = look.isBlended ? 0.0F : look.doorFrom, to = look.isBlended ? look.alpha : look.doorTo;
+    return {from, to, look.morph, static_cast<float>(look.firstMorphing)};
+}
+
+/// Holes that a picture's alpha cuts stay the same ones while alpha falls.
+void scaleAlphaTest(osg::StateSet& state, float alpha, const osg::StateSet* group)
+{
+    if (!group || !(group->getMode(GL_ALPHA_TEST) & osg::StateAttribute::ON)) return;
+    const auto* const test =
+        dynamic_cast<const osg::AlphaFunc*>(group->getAttribute(osg::StateAttribute::ALPHAFUNC));
+    if (test) state.setAttribute(new osg::AlphaFunc(test->getFunction(), test->getReferenceValue() * alpha));
+}
+
+void setPass(osg::StateSet& state, LookPass pass)
+{
+    if (pass == LookPass::all) return;
+    const bool isDepth = pass == LookPass::depth;
+    state.setRenderBinDetails(kTransparentBin, "DepthSortedBin");
+    state.setAttributeAndModes(new osg::Depth(osg::Depth::LEQUAL, 0.0, 1.0, isDepth));
+    if (isDepth)
+        state.setAttribute(new osg::ColorMask(false, false, false, false));
+    else
+        state.setAttributeAndModes(
+            new osg::BlendFunc(osg::BlendFunc::SRC_ALPHA, osg::BlendFunc::ONE_MINUS_SRC_ALPHA));
+}
+
+} // namespace
+
+osg::ref_ptr<osg::StateSet> lookState(const Look& look, LookPass pass, const ProgressiveShape::Group& group)
+{
+    osg::ref_ptr<osg::StateSet> state = new osg::StateSet;
+    state->setDefine(kSwitchedDefine);
+    if (look.isMorphing) state->setDefine(kMorphDefine);
+    state->addUniform(new osg::Uniform(kShownUniform, shownOf(look)));
+    if (!look.isBlended) return state;
+    state->setDefine(kBlendedDefine);
+    scaleAlphaTest(*state, look.alpha, group.state);
+    setPass(*state, pass);
+    return state;
+}
+
+} // namespace osgPMObjects

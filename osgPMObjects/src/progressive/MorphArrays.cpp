@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "MorphArrays.h"
+
+#include <osg/VertexArrayState>
+
+#include <osgPMObjects/core/progressive/MorphTargets.h>
+
+#include <osgPMObjects/ObjectShader>
+
+namespace osgPMObjects
+{
+
+namespace
+{
+
+using core::MorphTargets;
+
+/// An array of so many values for each vertex that the finer level has; those that stay are never read.
+template<class Array>
+osg::ref_ptr<Array> arrayOf(const MorphTargets& targets, osg::VertexBufferObject* buffer)
+{
+    const osg::ref_ptr<Array> array = new Array(
+        osg::Array::BIND_PER_VERTEX, static_cast<unsigned>(targets.firstWedge + targets.targets.size()));
+    array->setVertexBufferObject(buffer);
+    return array;
+}
+
+/// What the shape has for each vertex; null: nothing, or one value for all.
+template<class Array>
+const Array* perVertex(const osg::Array* array)
+{
+    return array && array->getBinding() == osg::Array::BIND_PER_VERTEX ? dynamic_cast<const Array*>(array)
+                                                                       : nullptr;
+}
+
+/// The values of one attribute, taken from where each vertex goes.
+template<class Array>
+class Attribute
+{
+public:
+    Attribute(const MorphTargets& targets, std::uint32_t MorphTargets::Target::*which,
+              osg::VertexBufferObject* buffer)
+        : _targets(targets), _which(which), _buffer(buffer)
+    {
+    }
+
+    /// The same array for all groups whose vertices share one.
+    osg::ref_ptr<Array> of(const Array* source)
+    {
+        if (!source) return nullptr;
+        if (_made) return _made;
+        _made = arrayOf<Array>(_targets, _buffer);
+        for (std::size_t i = 0; i < _targets.targets.size(); ++i)
+            (*_made)[_targets.firstWedge + i] = (*source)[_targets.targets[i].*_which];
+        return _made;
+    }
+
+private:
+    const MorphTargets& _targets;
+    std::uint32_t MorphTargets::Target::*_which;
+    osg::VertexBufferObject* _buffer;
+    osg::ref_ptr<Array> _made;
+};
+
+/// Both sets in one attribute.
+osg::ref_ptr<osg::Vec4Array> texCoordsOf(const MorphTargets& targets, const osg::Geometry& source,
+                                         osg::VertexBufferObject* buffer)
+{
+    const auto* const first = perVertex<osg::Vec2Array>(source.getTexCoordArray(0));
+    const auto* const second = perVertex<osg::Vec2Array>(source.getTexCoordArray(1));
+    if (!first && !second) return nullptr;
+    osg::ref_ptr<osg::Vec4Array> both = arrayOf<osg::Vec4Array>(targets, buffer);
+    for (std::size_t i = 0; i < targets.targets.size(); ++i)
+    {
+        const std::uint32_t look = targets.targets[i].look;
+        const osg::Vec2 a = first ? (*first)[look] : osg::Vec2(), b = second ? (*second)[look] : osg::Vec2();
+        (*both)[targets.firstWedge + i].set(a.x(), a.y(), b.x(), b.y());
+    }
+    return both;
+}
+
+/// What has no array, or one value for all vertices, goes to where it is. OSG links to OpenGL, we do not.
+void holdCurrent(osg::State& state, unsigned int attribute, GLenum current)
+{
+    void(GL_APIENTRY * getFloats)(GLenum, GLfloat*) = nullptr;
+    if (!osg::setGLExtensionFuncPtr(getFloats, "glGetFloatv")) return;
+    GLfloat value[4] = {0.0F, 0.0F, 0.0F, 1.0F};
+    getFloats(current, value);
+    state.get<osg::GLExtensions>()->glVertexAttrib4fv(attribute, value);
+}
+
+} // namespace
+
+MorphArrays::MorphArrays(const ProgressiveShape& shape, std::uint32_t finerSteps, std::uint32_t coarserSteps)
+    : _finer(finerSteps), _coarser(coarserSteps)
+{
+    const MorphTargets targets = core::morphTargets(shape.progressive(), finerSteps, coarserSteps);
+    _firstVertex = targets.firstWedge;
+    const osg::ref_ptr<osg::VertexBufferObject> buffer = new osg::VertexBufferObject;
+    Attribute<osg::Vec3Array> positions(targets, &MorphTargets::Target::place, buffer);
+    Attribute<osg::Vec3Array> normals(targets, &MorphTargets::Target::look, buffer);
+    Attribute<osg::Vec4Array> colours(targets, &MorphTargets::Target::look, buffer);
+    for (const ProgressiveShape::Group& group : shape.groups())
+    {
+        const osg::Geometry& source = *group.arrays;
+        const osg::ref_ptr<osg::Geometry> arrays = new osg::Geometry(source);
+        arrays->setVertexAttribArray(kTargetPositionAttribute, positions.of(&shape.vertices()));
+        arrays->setVertexAttribArray(kTargetNormalAttribute,
+                                     normals.of(perVertex<osg::Vec3Array>(source.getNormalArray())));
+        arrays->setVertexAttribArray(kTargetColourAttribute,
+                                     colours.of(perVertex<osg::Vec4Array>(source.getColorArray())));
+        arrays->setVertexAttribArray(kTargetTexCoordsAttribute, texCoordsOf(targets, source, buffer));
+        _groups.push_back(arrays);
+    }
+}
+
+void MorphArrays::set(osg::RenderInfo& renderInfo, std::uint32_t group) const
+{
+    const osg::Geometry& arrays = *_groups[group];
+    arrays.drawVertexArraysImplementation(renderInfo);
+    osg::State& state = *renderInfo.getState();
+    if (!arrays.getVertexAttribArray(kTargetNormalAttribute))
+        holdCurrent(state, kTargetNormalAttribute, GL_CURRENT_NORMAL);
+    if (!arrays.getVertexAttribArray(kTargetColourAttribute))
+        holdCurrent(state, kTargetColourAttribute, GL_CURRENT_COLOR);
+}
+
+/// OSG tells arrays by their address, at which the next morph's may be.
+void MorphArrays::unset(osg::State& state)
+{
+    for (const unsigned attribute : {kTargetPositionAttribute, kTargetNormalAttribute, kTargetColourAttribute,
+                                     kTargetTexCoordsAttribute})
+        state.getCurrentVertexArrayState()->disableVertexAttribArray(state, attribute);
+}
+
+} // namespace osgPMObjects

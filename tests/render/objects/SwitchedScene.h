@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: Apache-2.0
+// A progressive object that is switched from one level to another, in captured frames.
+#pragma once
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <osg/Material>
+#include <osgDB/WriteFile>
+
+#include <osgPMObjects/core/simplify/Simplify.h>
+
+#include <osgOffscreen/OffscreenViewer>
+#include <osgPMObjects/ProgressiveNode>
+
+#include "ClosedMeshes.h"
+#include "SimplifyMeshes.h"
+
+namespace switched
+{
+
+using namespace osgPMObjects;
+using Picture = osg::ref_ptr<osg::Image>;
+
+inline constexpr double kFrameS = 1.0 / 60.0;
+
+/// Normals that point out of the ball or ring, as a modeller would have them; a little uneven, so that every face shows.
+inline core::Mesh lit(core::Mesh mesh)
+{
+    for (core::Material& material : mesh.materials)
+        material.attributes |= core::Material::normal;
+    mesh.normals.assign(mesh.wedgeCount(), glm::vec3(0.0F));
+    for (const core::Face& face : mesh.faces)
+    {
+        const glm::vec3 normal(
+            glm::cross(mesh.at(face, 1) - mesh.at(face, 0), mesh.at(face, 2) - mesh.at(face, 0)));
+        for (const std::uint32_t wedge : face.wedges)
+            mesh.normals[wedge] += normal;
+    }
+    for (glm::vec3& normal : mesh.normals)
+        normal = glm::normalize(normal);
+    return mesh;
+}
+
+/// A torus that lies on a sheet of another colour.
+inline osg::ref_ptr<ProgressiveShape> torusOnSheet()
+{
+    core::Mesh mesh = lit(
+        testsupport::together(testsupport::torus(48, 30), testsupport::waves(30, 24), {-15.0, -12.0, -2.0}));
+    std::vector<osg::ref_ptr<osg::StateSet>> states;
+    for (core::Material& material : mesh.materials)
+    {
+        const osg::ref_ptr<osg::Material> paint = new osg::Material;
+        paint->setDiffuse(osg::Material::FRONT_AND_BACK, states.empty() ? osg::Vec4(0.9F, 0.4F, 0.2F, 1.0F)
+                                                                        : osg::Vec4(0.3F, 0.7F, 0.4F, 1.0F));
+        material.state = static_cast<std::uint32_t>(states.size());
+        states.push_back(new osg::StateSet);
+        states.back()->setAttributeAndModes(paint);
+    }
+    return new ProgressiveShape(core::buildProgressiveMesh(mesh, core::simplify(mesh)), states);
+}
+
+/// Always so many steps.
+inline core::SelectionSettings always(std::uint32_t steps)
+{
+    core::SelectionSettings settings;
+    settings.method = core::SelectionMethod::ranges;
+    settings.ranges.steps = {steps};
+    return settings;
+}
+
+inline core::SwitchSettings by(core::SwitchMethod method,
+                               core::BlendProfile profile = core::BlendProfile::over, float durationS = 0.5F)
+{
+    return {method, profile, durationS, 0.0F};
+}
+
+/// The mean of squares of `factor` × `factor` pixels, RGB.
+inline Picture shrunk(const osg::Image& picture, int factor)
+{
+    Picture small = new osg::Image;
+    small->allocateImage(picture.s() / factor, picture.t() / factor, 1, GL_RGB, GL_UNSIGNED_BYTE);
+    for (int y = 0; y < small->t(); ++y)
+        for (int x = 0; x < small->s(); ++x)
+            for (int channel = 0; channel < 3; ++channel)
+            {
+                int sum = 0;
+                for (int i = 0; i < factor * factor; ++i)
+                    sum += picture.data(x * factor + i % factor, y * factor + i / factor)[channel];
+                small->data(x, y)[channel] =
+                    static_cast<unsigned char>((sum + factor * factor / 2) / (factor * factor));
+            }
+    return small;
+}
+
+/// How much one picture differs from another.
+struct Change
+{
+    double mean = 0.0; ///< over pixels and channels, of 255
+    int largest = 0;   ///< of one pixel in one channel
+};
+
+inline Change changeBetween(const osg::Image& a, const osg::Image& b)
+{
+    Change change;
+    long sum = 0;
+    for (int y = 0; y < a.t(); ++y)
+        for (int x = 0; x < a.s(); ++x)
+            for (int channel = 0; channel < 3; ++channel)
+            {
+                const int step = std::abs(a.data(x, y)[channel] - b.data(x, y)[channel]);
+                sum += step;
+                change.largest = std::max(change.largest, step);
+            }
+    change.mean = static_cast<double>(sum) / (3.0 * a.s() * a.t());
+    return change;
+}
+
+inline Change worst(const Change& a, const Change& b)
+{
+    return {std::max(a.mean, b.mean), std::max(a.largest, b.largest)};
+}
+
+/// Captures frames of a scene, one after the other; each pixel of a picture is the mean of `samples` × `samples`.
+class Stage
+{
+public:
+    static std::unique_ptr<Stage> of(osg::Node& scene, int samples = 1, int widthPx = 200, int heightPx = 150)
+    {
+        auto made = osgOffscreen::OffscreenViewer::create(
+            {.widthPx = widthPx * samples, .heightPx = heightPx * samples});
+        if (!made)
+        {
+            ADD_FAILURE() << made.error().message();
+            return nullptr;
+        }
+        std::unique_ptr<Stage> stage(new Stage(std::move(*made), samples));
+        stage->_viewer->viewer().setSceneData(&scene);
+        stage->_viewer->camera().setClearColor({0.35F, 0.45F, 0.6F, 1.0F});
+        return stage;
+    }
+
+    /// From a side, so far away that the ball fills so much of the picture's height.
+    void lookAt(const osg::BoundingSphere& ball, double share = 1.0, osg::Vec3d from = {0.6, -1.0, 0.7})
+    {
+        from.normalize();
+        const double away = ball.radius() / std::sin(osg::DegreesToRadians(15.0)) / share;
+        const double half = 1.2 * ball.radius();
+        _viewer->camera().setProjectionMatrixAsPerspective(
+            30.0, 4.0 / 3.0, std::max(0.1 * away, away - 2.0 * half), away + 3.0 * half);
+        _viewer->camera().setViewMatrixAsLookAt(osg::Vec3d(ball.center()) + from * away, ball.center(),
+                                                {0.0, 0.0, 1.0});
+    }
+
+    /// Time goes on by so much, and there is a picture.
+    Picture after(double seconds)
+    {
+        _timeS += seconds;
+        const Picture picture = _viewer->picture(_timeS);
+        return _samples == 1 ? picture : shrunk(*picture, _samples);
+    }
+
+private:
+    Stage(std::unique_ptr<osgOffscreen::OffscreenViewer> viewer, int samples)
+        : _viewer(std::move(viewer)), _samples(samples)
+    {
+    }
+
+    std::unique_ptr<osgOffscreen::OffscreenViewer> _viewer;
+    int _samples;
+    double _timeS = 1.0;
+};
+
+/// Where the variable OSGTRAINER_KEEP_PICTURES names a folder, a picture is left there to be looked at.
+inline void keep(const osg::Image& picture, const std::string& name)
+{
+    if (const char* const folder = std::getenv("OSGTRAINER_KEEP_PICTURES"))
+        osgDB::writeImageFile(picture, (std::filesystem::path(folder) / (name + ".png")).string());
+}
+
+} // namespace switched
