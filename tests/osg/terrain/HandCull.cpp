@@ -43,13 +43,15 @@ std::uint64_t Culled::triangles() const
     return functor.count;
 }
 
-Culled cull(osg::Node& scene, osg::Camera& camera, unsigned int frame, bool computeNearFar)
+Culled cull(osg::Node& scene, osg::Camera& camera, unsigned int frame, bool computeNearFar,
+            double simulationTimeS)
 {
     const osg::ref_ptr<osgUtil::CullVisitor> visitor = osgUtil::CullVisitor::create();
     const osg::ref_ptr<osgUtil::StateGraph> graph = new osgUtil::StateGraph;
     const osg::ref_ptr<osgUtil::RenderStage> stage = new osgUtil::RenderStage;
     const osg::ref_ptr<osg::FrameStamp> stamp = new osg::FrameStamp;
     stamp->setFrameNumber(frame);
+    stamp->setSimulationTime(simulationTimeS);
     stage->setCamera(&camera);
     stage->setViewport(camera.getViewport());
     visitor->setFrameStamp(stamp);

@@ -25,6 +25,7 @@ struct Culled
 };
 
 /// Culls `scene` for one camera in one frame. `computeNearFar`: as osgViewer does by default.
-Culled cull(osg::Node& scene, osg::Camera& camera, unsigned int frame, bool computeNearFar = false);
+Culled cull(osg::Node& scene, osg::Camera& camera, unsigned int frame, bool computeNearFar = false,
+            double simulationTimeS = 0.0);
 
 } // namespace handcull
