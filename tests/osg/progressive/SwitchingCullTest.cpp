@@ -291,3 +291,18 @@ TEST(Switching, AlphaFadesToNothingAndThenNothingIsDrawn)
         EXPECT_EQ(watched.next().triangles(), trianglesAt(100));
     }
 }
+
+TEST(Switching, TellsOsgWhereNearAndFarAreOfWhatIsFaded)
+{
+    Watched watched(by(SwitchMethod::alpha));
+    core::SelectionSettings settings = always(100);
+    settings.alpha = {200.0, 400.0};
+    ASSERT_TRUE(watched.node->setSelection(settings));
+    watched.lookFrom(300.0);
+    const Culled culled = handcull::cull(*watched.node, *watched.camera, 1, true);
+    double fovy, aspect, nearM, farM;
+    ASSERT_TRUE(culled.projection.getPerspective(fovy, aspect, nearM, farM));
+    EXPECT_EQ(culled.drawables.size(), 4u) << "of two materials, depths and colours";
+    EXPECT_GT(nearM, 250.0);
+    EXPECT_LT(farM, 350.0);
+}

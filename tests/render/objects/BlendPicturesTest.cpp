@@ -58,10 +58,12 @@ osg::ref_ptr<osg::Node> square(const osg::Vec3d& centre, double nearer, double s
 /// The object with a red square before it, a white one behind it, and panes of glass on either side.
 struct Scene
 {
-    osg::ref_ptr<ProgressiveNode> node = new ProgressiveNode(made());
+    osg::ref_ptr<ProgressiveNode> node;
     osg::ref_ptr<osg::Group> all = new osg::Group;
 
-    explicit Scene(const core::SwitchSettings& switching)
+    explicit Scene(const core::SwitchSettings& switching,
+                   const osg::ref_ptr<ProgressiveShape>& shape = made())
+        : node(new ProgressiveNode(shape))
     {
         EXPECT_TRUE(node->setSwitching(switching));
         const osg::BoundingSphere ball = node->drawable()->getBound();
@@ -367,6 +369,31 @@ TEST(AlphaRange, ScalesBlends)
         }
         EXPECT_EQ(most > 500, profile == BlendProfile::over) << "a door fades by leaving pixels out";
     }
+}
+
+/// What is transparent at rest is switched by doors while the rest of the object is blended, and fades by its own alpha.
+TEST(BlendsOfGlass, BeginAndEndInThePicturesOfTheirLevelsAndChangeLittleByLittle)
+{
+    const osg::ref_ptr<ProgressiveShape> glass = torusOnSheet(true);
+    const auto levelAt = [&](std::uint32_t steps)
+    {
+        Scene scene(by(SwitchMethod::blend), glass);
+        EXPECT_TRUE(scene.node->setSelection(always(steps)));
+        return scene.stage()->after(kFrameS);
+    };
+    const Picture from = levelAt(finerSteps()), to = levelAt(coarserSteps());
+    EXPECT_GT(changeBetween(*from, *Ends::get().finer).mean, 0.5) << "it is glass";
+    Scene scene(by(SwitchMethod::blend), glass);
+    const auto all = picturesOfSwitch(scene, finerSteps(), coarserSteps(), 32);
+    EXPECT_TRUE(osgOffscreen::compareImages(*all.front(), *from).identical());
+    EXPECT_TRUE(osgOffscreen::compareImages(*all.back(), *to).identical());
+    const double hard = changeBetween(*from, *to).mean;
+    for (std::size_t frame = 1; frame < all.size(); ++frame)
+    {
+        EXPECT_LT(changeBetween(*all[frame - 1], *all[frame]).mean * 4.0, hard) << frame;
+        EXPECT_LE(outside(*all[frame], {from, to, Ends::get().behind}, 8), 20) << frame;
+    }
+    keep(*all[15], "glass");
 }
 
 } // namespace

@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Geomorphs, drawn: they begin and end in the pictures of their levels, and change the picture little by little.
+#include <array>
+#include <cmath>
+#include <set>
+
 #include <osgOffscreen/ImageComparison>
 #include <osgPMObjects/MakeProgressive>
 #include <osgPMObjects/ObjectShader>
@@ -118,6 +122,56 @@ TEST(Geomorph, ChangesThePictureAtLeastFourTimesLessThanAHardSwitch)
     EXPECT_GE(gain.mean, 4.0);
 }
 
+/// What levels do to the picture while an eye comes nearer, by what a change of level alone does: the same eye a frame before and after.
+Change largestChangeOfApproach(const osg::ref_ptr<ProgressiveShape>& shape, core::SwitchMethod method)
+{
+    constexpr int kSamples = 2, kFrames = 150;
+    constexpr std::array kShares = {1.6, 1.1, 0.75, 0.5}; // of the picture's height, where levels change
+    Lit lit(shape, by(method));
+    const double whole = lit.ball().radius() / std::sin(osg::DegreesToRadians(15.0));
+    const std::uint32_t most = shape->progressive().stepCount;
+    core::SelectionSettings coming = always(0);
+    coming.ranges.steps = {most * 6 / 10, most * 75 / 100, most * 85 / 100, most * 92 / 100, most * 97 / 100};
+    for (const double share : kShares)
+        coming.ranges.boundariesM.push_back(whole / share);
+    EXPECT_TRUE(lit.node->setSelection(coming));
+    const auto stage = Stage::of(*lit.scene, kSamples, 160, 120);
+    Change largest;
+    std::set<std::uint32_t> levels;
+    for (int frame = 0; frame < kFrames; ++frame)
+    {
+        stage->lookAt(lit.ball(), 0.4 * std::pow(5.0, frame / (kFrames - 1.0)));
+        if (frame < 2)
+        {
+            stage->after(kFrameS);
+            continue;
+        }
+        const std::uint32_t aim = lit.node->statistics().at(0).switching.to;
+        levels.insert(aim);
+        EXPECT_TRUE(lit.node->setSelection(always(aim)));
+        const Picture before = stage->after(0.0);
+        EXPECT_TRUE(lit.node->setSelection(coming));
+        largest = worst(largest, changeBetween(*before, *stage->after(kFrameS)));
+    }
+    EXPECT_EQ(levels.size(), kShares.size() + 1);
+    return largest;
+}
+
+double gainOfApproach(const osg::ref_ptr<ProgressiveShape>& shape, const std::string& name)
+{
+    const Change hard = largestChangeOfApproach(shape, core::SwitchMethod::discrete),
+                 morph = largestChangeOfApproach(shape, core::SwitchMethod::geomorph);
+    printf("%s, an approach: mean %.3f hard, %.3f morph (%.1f x); largest %d, %d (%.1f x)\n", name.c_str(),
+           hard.mean, morph.mean, hard.mean / morph.mean, hard.largest, morph.largest,
+           static_cast<double>(hard.largest) / morph.largest);
+    return hard.mean / morph.mean;
+}
+
+TEST(Geomorph, ChangesThePictureAtLeastFourTimesLessAllAlongAnApproach)
+{
+    EXPECT_GE(gainOfApproach(made(), "made"), 4.0);
+}
+
 /// The comparison above can fail: below a program that asks nothing of the morph, the switch is hard.
 TEST(GeomorphMutation, VerticesThatDoNotMoveAreSeen)
 {
@@ -150,6 +204,7 @@ TEST_P(GeomorphOfModels, ChangesThePictureAtLeastFourTimesLessThanAHardSwitch)
     const Gain gain =
         gainOfMorph(shape, most * 8 / 10, most * 95 / 100, std::filesystem::path(GetParam()).stem().string());
     EXPECT_GE(gain.mean, 4.0);
+    EXPECT_GE(gainOfApproach(shape, std::filesystem::path(GetParam()).stem().string()), 4.0);
 }
 
 INSTANTIATE_TEST_SUITE_P(Real, GeomorphOfModels,

@@ -11,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include <osg/BlendFunc>
 #include <osg/Material>
 #include <osgDB/WriteFile>
 
@@ -48,8 +49,8 @@ inline core::Mesh lit(core::Mesh mesh)
     return mesh;
 }
 
-/// A torus that lies on a sheet of another colour.
-inline osg::ref_ptr<ProgressiveShape> torusOnSheet()
+/// A torus that lies on a sheet of another colour, or of glass.
+inline osg::ref_ptr<ProgressiveShape> torusOnSheet(bool isOfGlass = false)
 {
     core::Mesh mesh = lit(
         testsupport::together(testsupport::torus(48, 30), testsupport::waves(30, 24), {-15.0, -12.0, -2.0}));
@@ -62,6 +63,11 @@ inline osg::ref_ptr<ProgressiveShape> torusOnSheet()
         material.state = static_cast<std::uint32_t>(states.size());
         states.push_back(new osg::StateSet);
         states.back()->setAttributeAndModes(paint);
+        if (!isOfGlass || states.size() == 1) continue;
+        material.isTransparent = true;
+        paint->setAlpha(osg::Material::FRONT_AND_BACK, 0.5F);
+        states.back()->setAttributeAndModes(new osg::BlendFunc);
+        states.back()->setRenderingHint(osg::StateSet::TRANSPARENT_BIN);
     }
     return new ProgressiveShape(core::buildProgressiveMesh(mesh, core::simplify(mesh)), states);
 }
