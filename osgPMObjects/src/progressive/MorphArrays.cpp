@@ -79,13 +79,10 @@ osg::ref_ptr<osg::Vec4Array> texCoordsOf(const MorphTargets& targets, const osg:
     return both;
 }
 
-/// What has no array, or one value for all vertices, goes to where it is. OSG links to OpenGL, we do not.
-void holdCurrent(osg::State& state, unsigned int attribute, GLenum current)
+/// What has no array, or one value for all vertices, moves nowhere: the shader's functions know it by a normal of 0 and a red below 0.
+void hold(osg::State& state, unsigned int attribute, GLfloat first)
 {
-    void(GL_APIENTRY * getFloats)(GLenum, GLfloat*) = nullptr;
-    if (!osg::setGLExtensionFuncPtr(getFloats, "glGetFloatv")) return;
-    GLfloat value[4] = {0.0F, 0.0F, 0.0F, 1.0F};
-    getFloats(current, value);
+    const GLfloat value[4] = {first, 0.0F, 0.0F, 0.0F};
     state.get<osg::GLExtensions>()->glVertexAttrib4fv(attribute, value);
 }
 
@@ -119,10 +116,8 @@ void MorphArrays::set(osg::RenderInfo& renderInfo, std::uint32_t group) const
     const osg::Geometry& arrays = *_groups[group];
     arrays.drawVertexArraysImplementation(renderInfo);
     osg::State& state = *renderInfo.getState();
-    if (!arrays.getVertexAttribArray(kTargetNormalAttribute))
-        holdCurrent(state, kTargetNormalAttribute, GL_CURRENT_NORMAL);
-    if (!arrays.getVertexAttribArray(kTargetColourAttribute))
-        holdCurrent(state, kTargetColourAttribute, GL_CURRENT_COLOR);
+    if (!arrays.getVertexAttribArray(kTargetNormalAttribute)) hold(state, kTargetNormalAttribute, 0.0F);
+    if (!arrays.getVertexAttribArray(kTargetColourAttribute)) hold(state, kTargetColourAttribute, -1.0F);
 }
 
 /// OSG tells arrays by their address, at which the next morph's may be.

@@ -44,7 +44,8 @@ in vec4 pmTargetTexCoords;
 // Vertices that the coarser level has, too, stay: their targets are those of a level that is coarser still.
 float pmMorph() { return float(gl_VertexID) >= pmShown.w ? pmShown.z : 0.0; }
 vec3 pmUngrown() { return mix(gl_Vertex.xyz, pmTargetPosition, pmMorph()); }
-vec3 pmNormal() { return mix(gl_Normal, pmTargetNormal, pmMorph()); }
+// A normal of 0: vertices have none.
+vec3 pmNormal() { return pmTargetNormal == vec3(0.0) ? gl_Normal : mix(gl_Normal, pmTargetNormal, pmMorph()); }
 // A red below 0: the colour is the material's, which vertices do not have.
 vec4 pmColour() { return pmTargetColour.r < 0.0 ? gl_Color : mix(gl_Color, pmTargetColour, pmMorph()); }
 vec2 pmTexCoord0() { return mix(gl_MultiTexCoord0.xy, pmTargetTexCoords.xy, pmMorph()); }
