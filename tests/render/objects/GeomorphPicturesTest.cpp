@@ -17,12 +17,6 @@ namespace
 
 using namespace switched;
 
-const osg::ref_ptr<ProgressiveShape>& made()
-{
-    static const osg::ref_ptr<ProgressiveShape> shape = torusOnSheet();
-    return shape;
-}
-
 /// The object by the light of the eye, below a state with the program that switched objects are drawn with, so that one that is not
 /// switched is lit the same.
 struct Lit

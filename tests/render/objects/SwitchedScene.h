@@ -72,6 +72,12 @@ inline osg::ref_ptr<ProgressiveShape> torusOnSheet(bool isOfGlass = false)
     return new ProgressiveShape(core::buildProgressiveMesh(mesh, core::simplify(mesh)), states);
 }
 
+inline const osg::ref_ptr<ProgressiveShape>& made()
+{
+    static const osg::ref_ptr<ProgressiveShape> shape = torusOnSheet();
+    return shape;
+}
+
 /// Always so many steps.
 inline core::SelectionSettings always(std::uint32_t steps)
 {
