@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "FieldContents.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace osgPMObjects
@@ -26,6 +27,14 @@ viewlod::Outcome checkKind(const std::string& place, const FieldKind& kind)
         return Error{place, "its switching has no duration above 0, or a stagger below 0",
                      "give both in seconds"};
     return viewlod::success();
+}
+
+/// Whether pictures cut holes into a shape: an alpha test, which comes after the shader, would see alphas that fade.
+bool hasCutOuts(const ProgressiveShape& shape)
+{
+    const auto isTested = [](const ProgressiveShape::Group& group)
+    { return group.state && (group.state->getMode(GL_ALPHA_TEST) & osg::StateAttribute::ON) != 0; };
+    return std::any_of(shape.groups().begin(), shape.groups().end(), isTested);
 }
 
 bool isSound(const FieldInstance& instance)
@@ -92,6 +101,7 @@ std::vector<core::FieldModel> modelsOf(const std::vector<FieldKind>& kinds,
         model.origin = {shape.origin().x(), shape.origin().y(), shape.origin().z()};
         model.selection = kinds[i].selection;
         model.switching = kinds[i].switching;
+        if (hasCutOuts(shape)) model.switching.profile = core::BlendProfile::cross;
     }
     return models;
 }

@@ -8,7 +8,7 @@
 #include <osgPMObjects/ObjectShader>
 
 #include "../progressive/ContextBuffer.h"
-#include "MorphTargets.h"
+#include "LadderTargets.h"
 
 namespace osgPMObjects
 {
@@ -73,7 +73,7 @@ bool FieldMesh::hasLeaves(std::uint32_t group) const
 void FieldMesh::addTargets()
 {
     if (!_morphing.empty()) return;
-    const MorphTargets targets(*_shape, _ladder);
+    const LadderTargets targets(*_shape, _ladder);
     for (const auto& arrays : _settled)
         _morphing.push_back(targets.geometryOf(*arrays));
 }

@@ -30,31 +30,30 @@ core::FieldLook FieldViews::lookOf(const CullView& view, const Settings& setting
 }
 
 /// Time goes on once a frame, whichever camera of the group comes first.
-void FieldViews::step(Groups::Entry& entry, const CullView& view, double timeS)
+void FieldViews::step(Groups::Entry& entry, const CullView& view)
 {
     if (entry.steppedFrame == view.frame) return;
-    entry.stepS = static_cast<float>(std::max(0.0, timeS - entry.timeS));
-    entry.timeS = timeS;
+    entry.stepS = static_cast<float>(std::max(0.0, view.timeS - entry.timeS));
+    entry.timeS = view.timeS;
     entry.steppedFrame = view.frame;
 }
 
-std::shared_ptr<const CulledField> FieldViews::look(const CullView& view, double timeS,
-                                                    const Settings& settings)
+std::shared_ptr<const CulledField> FieldViews::look(const CullView& view, const Settings& settings)
 {
     const std::lock_guard lock(_mutex);
     const auto begin = std::chrono::steady_clock::now();
     _groups.dropUnused(view.frame);
     core::FieldLook look = lookOf(view, settings);
-    Groups::Entry* entry = _groups.borrowed(view);
-    const bool isBorrowed = entry && entry->view;
+    Groups::Entry* entry = _groups.borrowed(view, [](const Group& group) { return group.view != nullptr; });
+    const bool isBorrowed = entry != nullptr;
     const double reachM = (_bound.center().length() + _bound.radius()) * view.metresPerUnit;
     if (!isBorrowed) entry = &_groups.find(view, reachM);
     if (!entry->view)
     {
         entry->view = std::make_unique<core::FieldView>(_field);
-        entry->timeS = timeS;
+        entry->timeS = view.timeS;
     }
-    step(*entry, view, timeS);
+    step(*entry, view);
     look.stepS = entry->stepS;
     Groups::Member& member = _groups.memberOf(*entry, view);
     if (isBorrowed)

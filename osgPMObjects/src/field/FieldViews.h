@@ -27,8 +27,8 @@ public:
 
     explicit FieldViews(core::Field field);
 
-    /// Chooses and sorts for a camera. `timeS`: of the simulation.
-    std::shared_ptr<const CulledField> look(const CullView& view, double timeS, const Settings& settings);
+    /// Chooses and sorts for a camera.
+    std::shared_ptr<const CulledField> look(const CullView& view, const Settings& settings);
 
     const core::Field& field() const { return _field; }
     const osg::BoundingSphere& bound() const { return _bound; }
@@ -52,7 +52,7 @@ private:
     using Groups = EyeGroups<Group, PerCamera>;
 
     core::FieldLook lookOf(const CullView& view, const Settings& settings) const;
-    static void step(Groups::Entry& entry, const CullView& view, double timeS);
+    static void step(Groups::Entry& entry, const CullView& view);
     void note(Groups::Entry& entry, const CulledField& culled, double cullMs) const;
 
     core::Field _field;

@@ -96,9 +96,8 @@ void ProgressiveField::traverse(osg::NodeVisitor& visitor)
 {
     osgUtil::CullVisitor* const cullVisitor = visitor.asCullVisitor();
     if (!cullVisitor || !_views) return osg::Node::traverse(visitor);
-    const osg::FrameStamp* const stamp = visitor.getFrameStamp();
-    const auto culled = _views->look(cullViewOf(*cullVisitor), stamp ? stamp->getSimulationTime() : 0.0,
-                                     {_budget, _attention, _referencePixelsPerTangent});
+    const auto culled =
+        _views->look(cullViewOf(*cullVisitor), {_budget, _attention, _referencePixelsPerTangent});
     for (const core::FieldBatch& batch : culled->picture.batches)
         for (osg::StateSet* const state : statesOf(batch, _kinds[batch.model]))
         {

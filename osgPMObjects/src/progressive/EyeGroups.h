@@ -32,6 +32,8 @@ public:
 
     struct Entry : Group
     {
+        using Group::Group;
+
         glm::dvec3 eye{0.0};
         unsigned int frame = 0;
         std::vector<Member> members;
@@ -45,24 +47,28 @@ public:
     };
 
     /// That of a nested camera's main camera, if it sees the thing at one place only: else nobody knows at which this one does.
-    Entry* borrowed(const CullView& view)
+    /// `isMade(group)`: whether there is something to borrow.
+    template<class IsMade>
+    Entry* borrowed(const CullView& view, const IsMade& isMade)
     {
         if (!view.mainCamera) return nullptr;
         Entry* found = nullptr;
         for (Entry& entry : _entries)
         {
-            if (!entry.memberOf(view.mainCamera)) continue;
+            if (!entry.memberOf(view.mainCamera) || !isMade(entry)) continue;
             if (found) return nullptr;
             found = &entry;
         }
         return found;
     }
 
-    /// The group of an eye, a fresh one if there is none; the camera is one of its members then. `reachM`: how far the thing
-    /// reaches from its 0.
-    Entry& find(const CullView& view, double reachM)
+    /// The group of an eye, a fresh one made of `of` if there is none; the camera is one of its members then. `reachM`: how
+    /// far the thing reaches from its 0.
+    template<class... Of>
+    Entry& find(const CullView& view, double reachM, const Of&... of)
     {
-        Entry& entry = entryFor(view, kSameEye * (glm::length(view.view.eyeWorld) + reachM));
+        Entry* const known = entryFor(view, kSameEye * (glm::length(view.view.eyeWorld) + reachM));
+        Entry& entry = known ? *known : _entries.emplace_back(of...);
         entry.eye = view.view.eyeWorld;
         entry.frame = view.frame;
         memberOf(entry, view);
@@ -97,7 +103,7 @@ public:
     const std::vector<Entry>& entries() const { return _entries; }
 
 private:
-    Entry& entryFor(const CullView& view, double sameEyeM)
+    Entry* entryFor(const CullView& view, double sameEyeM)
     {
         const glm::dvec3& eye = view.view.eyeWorld;
         Entry* own = nullptr;
@@ -105,13 +111,13 @@ private:
         {
             if (entry.frame == view.frame)
             {
-                if (glm::distance(entry.eye, eye) <= sameEyeM) return entry;
+                if (glm::distance(entry.eye, eye) <= sameEyeM) return &entry;
             }
             else if (entry.memberOf(view.camera) &&
                      (!own || glm::distance(entry.eye, eye) < glm::distance(own->eye, eye)))
                 own = &entry;
         }
-        return own ? *own : _entries.emplace_back();
+        return own;
     }
 
     std::vector<Entry> _entries;

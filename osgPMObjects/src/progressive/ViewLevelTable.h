@@ -4,11 +4,9 @@
 #include <functional>
 #include <mutex>
 
-#include <osg/observer_ptr>
-
 #include <osgPMObjects/ProgressiveDrawable>
 
-#include "CullView.h"
+#include "EyeGroups.h"
 #include "GroupSwitch.h"
 #include "ShownLevels.h"
 
@@ -18,18 +16,10 @@ namespace osgPMObjects
 /// Chooses a level for a view; `held` is what the camera's last choice left.
 using LevelChoice = std::function<core::Selection(const CullView& view, core::HeldLevel& held)>;
 
-/// The view groups of one drawable, found by eye and camera. Cameras whose eyes coincide share one, and the finest level that
-/// they ask for; a camera that moves takes its group along. One camera may see the drawable at several places in a frame
-/// (below several transforms): each is an eye of its own.
-/// A group that nobody has asked for during kUnusedFrames frames, or whose cameras are gone, is dropped.
-/// Threads: any.
+/// The view groups of one drawable: cameras whose eyes coincide share the finest level that they ask for. Threads: any.
 class ViewLevelTable
 {
 public:
-    static constexpr unsigned int kUnusedFrames = 30;
-    /// Eyes of channels differ by the rounding of their matrices. Of their distance.
-    static constexpr double kSameEye = 1e-6;
-
     explicit ViewLevelTable(osg::ref_ptr<const ProgressiveShape> shape) : _shape(std::move(shape)) {}
 
     /// What to draw for a view; nothing of an object that has faded away.
@@ -42,39 +32,29 @@ public:
     void releaseGLObjects(osg::State* state);
 
 private:
-    struct Member
+    struct PerCamera
     {
-        osg::Camera* identity = nullptr; ///< compared only
-        osg::observer_ptr<osg::Camera> camera;
-        unsigned int frame = 0; ///< last asked in
         core::HeldLevel held;
         core::Selection selection;
     };
-    struct Entry
+    struct Group
     {
-        explicit Entry(const osg::ref_ptr<const ProgressiveShape>& shape) : levels(shape) {}
+        explicit Group(const osg::ref_ptr<const ProgressiveShape>& shape) : levels(shape) {}
 
         GroupLevels levels;
         GroupSwitch switching;
         core::DrawnLevels drawn; ///< regardless of the alpha range
         bool byDoor = false;
-        glm::dvec3 eye{0.0};
-        unsigned int frame = 0;
-        std::vector<Member> members;
         core::Selection latest;
-
-        Member* memberOf(const osg::Camera* camera);
-        std::uint32_t finestSteps() const;
     };
+    using Groups = EyeGroups<Group, PerCamera>;
 
-    Entry* borrowedEntry(const CullView& view);
-    Entry& entryFor(const CullView& view);
-    void dropUnused(unsigned int frame);
-    static ShownLevels shownOf(Entry& entry, float alpha, const CullView& view);
+    static std::uint32_t finestSteps(const Groups::Entry& entry);
+    static ShownLevels shownOf(Groups::Entry& entry, float alpha, const CullView& view);
 
     osg::ref_ptr<const ProgressiveShape> _shape;
     mutable std::mutex _mutex;
-    std::vector<Entry> _entries;
+    Groups _groups;
     std::shared_ptr<ViewLevel> _latest;
 };
 

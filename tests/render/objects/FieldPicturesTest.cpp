@@ -232,4 +232,27 @@ TEST_F(FieldPictures, OfAScreenDoorHaveEveryPixelFromOneOfBothLevels)
     EXPECT_GT(holes(*picture(fieldOf(faded, instances())), *settled), 500u) << "would not be noticed";
 }
 
+/// A morph that has just begun has moved hardly anything, though all of it is drawn on a finer rung.
+TEST_F(FieldPictures, OfAMorphBeginWhereTheCoarserLevelIs)
+{
+    const osg::ref_ptr<ProgressiveField> morphing =
+        fieldOf(kinds({core::SwitchMethod::geomorph, core::BlendProfile::over, 1.0F, 0.0F}), instances());
+    const osg::ref_ptr<ProgressiveField> hard = fieldOf(kinds(), instances());
+    picture(morphing, 0.0, 0.0, 260.0);
+    const auto coarse = picture(morphing, 0.0, 0.001); // the next frame: the morph begins
+    const auto begun = picture(morphing, 0.0, 0.0011);
+    EXPECT_GT(morphing->statistics().at(0).switching, 20u);
+    for (double timeS = 0.2; timeS < 6.0; timeS += 0.2)
+        picture(morphing, 0.0, timeS);
+    EXPECT_EQ(morphing->statistics().at(0).switching, 0u);
+    const auto arrived = picture(morphing, 0.0, 6.2);
+
+    picture(hard, 0.0, 0.0, 260.0);
+    const auto fine = picture(hard);
+    const auto switched = osgOffscreen::compareImages(*coarse, *fine);
+    EXPECT_GT(switched.differingPixels, 1000u) << "there is something to switch";
+    EXPECT_LT(osgOffscreen::compareImages(*coarse, *begun).differingPixels, switched.differingPixels / 4);
+    EXPECT_LE(osgOffscreen::compareImages(*arrived, *fine).differingPixels, 16u);
+}
+
 } // namespace
