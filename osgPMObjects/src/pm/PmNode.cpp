@@ -6,6 +6,8 @@
 
 #include <osgPMObjects/PmNode>
 
+#include "PmContents.h"
+
 namespace osgPMObjects
 {
 
@@ -97,25 +99,14 @@ viewlod::Result<std::string> pmNodeBytes(const ProgressiveNode& node, core::PmSe
 
 viewlod::Result<osg::ref_ptr<ProgressiveNode>> readPmNode(std::istream& stream, const std::string& place)
 {
-    core::PmReader reader(stream, place);
-    while (true)
-    {
-        const auto more = reader.readMore();
-        if (!more) return more.error();
-        if (!*more) break;
-    }
-    auto mesh = reader.mesh();
-    if (!mesh) return mesh.error();
-    auto attached = readAttached(reader.attachment(), place);
+    auto contents = readPmContents(stream, place);
+    if (!contents) return contents.error();
+    auto attached = readAttached(contents->attachment, place);
     if (!attached) return attached.error();
-    std::size_t states = attached->states.size();
-    for (const core::Material& material : mesh->mesh.materials)
-        states = std::max<std::size_t>(states, material.state + std::size_t{1});
-    if (states > attached->states.size() + mesh->mesh.materials.size())
-        return viewlod::Error{place, "has materials with states that are not there", "build the file again"};
-    attached->states.resize(states);
+    const viewlod::Outcome fit = fitStates(attached->states, contents->mesh, place);
+    if (!fit) return fit.error();
     const osg::ref_ptr<ProgressiveNode> node =
-        new ProgressiveNode(new ProgressiveShape(*std::move(mesh), std::move(attached->states)));
+        new ProgressiveNode(new ProgressiveShape(std::move(contents->mesh), std::move(attached->states)));
     for (const osg::ref_ptr<osg::Node>& other : attached->others)
         node->addChild(other);
     return node;

@@ -5,6 +5,7 @@
 #include <osgUtil/CullVisitor>
 
 #include <osgPMObjects/ProgressiveNode>
+#include <osgPMObjects/Serializers>
 
 #include "CullView.h"
 
@@ -13,6 +14,9 @@ namespace osgPMObjects
 
 namespace
 {
+
+/// Here, for a linker leaves out of a static library what nobody asks for: who has nodes can write them.
+[[maybe_unused]] const bool kAreSerializersRegistered = registerSerializers();
 
 core::BoundingSphere inMetres(const core::BoundingSphere& sphere, double metresPerUnit)
 {

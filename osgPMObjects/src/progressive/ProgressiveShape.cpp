@@ -32,13 +32,39 @@ osg::ref_ptr<osg::StateSet> shadingFor(osg::StateSet* state, osg::Program* progr
 
 } // namespace
 
+ProgressiveShape::ProgressiveShape()
+{
+    _levels.faces.push_back(0);
+    _levels.errors.emplace_back();
+}
+
 ProgressiveShape::ProgressiveShape(core::ProgressiveMesh progressive,
                                    std::vector<osg::ref_ptr<osg::StateSet>> states)
-    : _progressive(std::move(progressive)),
-      _states(std::move(states)),
-      _levels(core::LevelTable::of(_progressive)),
-      _facing(core::facingBinsOf(core::meshAfter(_progressive, 0)))
 {
+    make(std::move(progressive), std::move(states));
+}
+
+ProgressiveShape::ProgressiveShape(const ProgressiveShape& other, const osg::CopyOp& copyOp)
+    : osg::Object(other, copyOp),
+      _progressive(other._progressive),
+      _states(other._states),
+      _levels(other._levels),
+      _facing(other._facing),
+      _origin(other._origin),
+      _vertices(other._vertices),
+      _groups(other._groups),
+      _box(other._box),
+      _sphere(other._sphere)
+{
+}
+
+void ProgressiveShape::make(core::ProgressiveMesh progressive,
+                            std::vector<osg::ref_ptr<osg::StateSet>> states)
+{
+    _progressive = std::move(progressive);
+    _states = std::move(states);
+    _levels = core::LevelTable::of(_progressive);
+    _facing = core::facingBinsOf(core::meshAfter(_progressive, 0));
     const glm::dvec3 origin = floatOrigin(_progressive.mesh.positions);
     _origin.set(origin.x, origin.y, origin.z);
     const ShapeArrays arrays(_progressive, origin);

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "PmContents.h"
+
+#include <algorithm>
+
+#include <osgPMObjects/core/progressive/PmFile.h>
+
+namespace osgPMObjects
+{
+
+viewlod::Result<PmContents> readPmContents(std::istream& stream, const std::string& place)
+{
+    core::PmReader reader(stream, place);
+    while (true)
+    {
+        const auto more = reader.readMore();
+        if (!more) return more.error();
+        if (!*more) break;
+    }
+    auto mesh = reader.mesh();
+    if (!mesh) return mesh.error();
+    return PmContents{*std::move(mesh), reader.attachment()};
+}
+
+viewlod::Outcome fitStates(std::vector<osg::ref_ptr<osg::StateSet>>& states,
+                           const core::ProgressiveMesh& mesh, const std::string& place)
+{
+    std::size_t named = states.size();
+    for (const core::Material& material : mesh.mesh.materials)
+        named = std::max<std::size_t>(named, material.state + std::size_t{1});
+    if (named > states.size() + mesh.mesh.materials.size())
+        return viewlod::Error{place, "has materials with states that are not there", "build the file again"};
+    states.resize(named);
+    return viewlod::success();
+}
+
+} // namespace osgPMObjects

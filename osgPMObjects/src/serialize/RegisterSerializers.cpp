@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <osgDB/Registry>
+
+#include <osgPMObjects/Serializers>
+
+#include "AddSerializers.h"
+
+namespace osgPMObjects
+{
+
+bool registerSerializers()
+{
+    osgDB::ObjectWrapperManager& manager = *osgDB::Registry::instance()->getObjectWrapperManager();
+    addShapeSerializer(manager);
+    addNodeSerializer(manager);
+    return true;
+}
+
+} // namespace osgPMObjects
