@@ -23,21 +23,22 @@ layer(objects-core   "^osgPMObjects/(include/osgPMObjects|src)/core/"     viewlo
 layer(terrain-core   "^osgTerrainROAM/(include/osgTerrainROAM|src)/core/" viewlod objects-core)
 layer(sim            "^apps/trainer/sim/"  viewlod)
 layer(models         "^apps/trainer/models/" viewlod objects-core)
+layer(scenery        "^apps/trainer/scenery/" viewlod objects-core models)
 layer(terminal       "^apps/terminal/"     viewlod)
 layer(ground         "^apps/ground/"       viewlod objects-core terrain-core sim)
 layer(generator      "^data/generator/"    viewlod)
 layer(render-support "^tests/support/Rendered" graphics viewlod objects-core terrain-core sim models objects terrain
     offscreen trainer test-support)
 layer(test-support   "^tests/support/"     viewlod objects-core terrain-core sim generator)
-layer(core-tests     "^tests/(core|fuzz)/" viewlod objects-core terrain-core sim models generator test-support)
+layer(core-tests     "^tests/(core|fuzz)/" viewlod objects-core terrain-core sim models scenery generator test-support)
 layer(objects        "^osgPMObjects/"      graphics viewlod objects-core)
 layer(terrain        "^osgTerrainROAM/"    graphics viewlod objects-core terrain-core objects)
 layer(offscreen      "^osgOffscreen/"      graphics viewlod)
-layer(trainer        "^apps/trainer/"      graphics viewlod objects-core terrain-core sim models objects terrain offscreen
+layer(trainer        "^apps/trainer/"      graphics viewlod objects-core terrain-core sim models scenery objects terrain offscreen
     terminal ground)
 layer(tools          "^apps/"              graphics viewlod objects-core terrain-core sim objects terrain offscreen
     terminal ground)
-set(required viewlod objects-core objects terrain-core sim models generator core-tests terrain offscreen trainer tools)
+set(required viewlod objects-core objects terrain-core sim models scenery generator core-tests terrain offscreen trainer tools)
 
 set(graphics_includes "^(osg|osg[A-Z][A-Za-z]*|OpenThreads|GL|GLES[0-9]*|EGL|KHR|X11)/")
 

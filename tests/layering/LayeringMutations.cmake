@@ -16,6 +16,7 @@ function(plantTree)
             "osgOffscreen/include/osgOffscreen/Capture|osg/Image"
             "apps/trainer/sim/Clock.h|cstdint"
             "apps/trainer/models/Tree.h|osgPMObjects/core/Mesh.h"
+            "apps/trainer/scenery/Place.h|models/Tree.h"
             "apps/trainer/view/Scene.cpp|osgTerrainROAM/Terrain"
             "apps/terraintool/main.cpp|osgTerrainROAM/core/Tile.h"
             "data/generator/Noise.h|cmath"
@@ -74,6 +75,8 @@ expectBreach(apps/trainer/sim/Clock.h "#include <osg/Timer>")
 expectBreach(apps/trainer/sim/Clock.h "#include \"../view/Scene.cpp\"")
 expectBreach(apps/trainer/models/Tree.h "#include <osg/Image>")
 expectBreach(apps/trainer/models/Tree.h "#include <osgPMObjects/Object>")
+expectBreach(apps/trainer/scenery/Place.h "#include <osg/Matrixd>")
+expectBreach(apps/trainer/scenery/Place.h "#include \"../sim/Clock.h\"")
 expectBreach(apps/terraintool/main.cpp "#include \"../trainer/view/Scene.cpp\"")
 expectBreach(data/generator/Noise.h "#include <osgTerrainROAM/core/Tile.h>")
 expectBreach(tests/core/TileTest.cpp "#include <osgDB/ReadFile>")

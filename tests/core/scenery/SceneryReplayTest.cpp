@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+// The fuzz target without a fuzzer: the corpus and seeded mutations of it, the same in every run.
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "models/Dice.h"
+
+// NOLINTNEXTLINE(readability-identifier-naming): the name is libFuzzer's
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
+
+namespace
+{
+
+void give(const std::string& text)
+{
+    LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
+}
+
+TEST(SceneryFuzzer, FindsNothingInItsCorpusAndMutations)
+{
+    for (const auto& entry : std::filesystem::directory_iterator(OSGTRAINER_SOURCE_DIR "/tests/fuzz/corpus"))
+    {
+        std::ifstream stream(entry.path(), std::ios::binary);
+        give({std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()});
+    }
+    std::ifstream stream(OSGTRAINER_SOURCE_DIR "/tests/fuzz/corpus/village.json", std::ios::binary);
+    const std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+    ASSERT_FALSE(text.empty());
+    trainer::models::Dice dice(11);
+    constexpr std::string_view kLetters = "{}[]\",:-.0123456789etrn\\";
+    for (int round = 0; round < 3000; ++round)
+    {
+        std::string changed = text;
+        for (int changes = 1 + dice.below(3); changes > 0; --changes)
+        {
+            const auto at = static_cast<std::size_t>(dice.below(static_cast<int>(changed.size())));
+            if (dice.chance(0.3))
+                changed.erase(at, static_cast<std::size_t>(dice.below(12)));
+            else
+                changed[at] = dice.oneOf(kLetters);
+            if (changed.empty()) break;
+        }
+        give(changed);
+    }
+}
+
+} // namespace
