@@ -24,7 +24,9 @@ enum class EyePoint
 struct PlayRequest
 {
     std::filesystem::path scenario;
-    std::filesystem::path terrain; ///< in place of the scenario's scene
+    std::filesystem::path terrain;       ///< in place of the scenario's scene
+    std::filesystem::path sceneryFile;   ///< what stands on the terrain
+    std::filesystem::path objectsFolder; ///< models that stand there, too
     std::filesystem::path captureFolder;
     std::filesystem::path statsFile;
     std::filesystem::path reportFile;

@@ -67,13 +67,17 @@ viewlod::Result<std::unique_ptr<PlaySession>> PlaySession::create(Scenario scena
     PlayerOptions stage{session->_terrain.origin(), session->_terrain.ground(),
                         FixedClock::forFrameRate(request.framesPerSecond), "scenario"};
     if (!request.scenario.empty()) stage.scenarioName = request.scenario.string();
-    auto player = ScenarioPlayer::create(std::move(scenario), std::move(stage));
+    auto player = ScenarioPlayer::create(std::move(scenario), stage);
     if (!player) return player.error();
     session->_player = std::move(*player);
+    auto scenery = makeScenery(request, session->_player->scenario(), stage, session->_terrain);
+    if (!scenery) return scenery.error();
+    session->_scenery = *std::move(scenery);
     auto scene = ScenarioScene::create(session->_player->scenario(), session->_terrain,
                                        request.scenario.parent_path());
     if (!scene) return scene.error();
     session->_scene = std::make_unique<ScenarioScene>(std::move(*scene));
+    if (session->_scenery) session->_scene->root().addChild(session->_scenery->node.root);
     session->_eye = std::make_unique<OwnshipEye>(session->_player->scenario().entities.front(), request,
                                                  session->_terrain.ground());
     if (request.eye == EyePoint::own) session->_scene->hide(0);
@@ -133,6 +137,7 @@ std::vector<std::string> PlaySession::notes() const
 {
     std::vector<std::string> notes = _scene->notes();
     if (!_patchNote.empty()) notes.push_back(_patchNote);
+    if (_scenery) notes.insert(notes.end(), _scenery->notes.begin(), _scenery->notes.end());
     return notes;
 }
 
@@ -159,6 +164,7 @@ FrameStatistics PlaySession::measured() const
     const CameraTimings timings = cameraTimings(*_viewer, drawn);
     row.cullMs = timings.cullMs;
     row.drawMs = timings.drawMs;
+    if (_scenery) row.objects = _scenery->figures(drawn);
     if (!_terrain.terrain) return row;
     for (const auto& group : _terrain.terrain->statistics())
     {

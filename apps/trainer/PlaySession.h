@@ -11,6 +11,7 @@
 #include "OwnshipEye.h"
 #include "PlayRequest.h"
 #include "ScenarioScene.h"
+#include "SceneScenery.h"
 #include "view/ChannelRig.h"
 #include "view/FrameStatistics.h"
 
@@ -51,6 +52,7 @@ private:
     SceneTerrain _terrain;
     std::unique_ptr<ScenarioPlayer> _player;
     std::unique_ptr<ScenarioScene> _scene;
+    std::optional<SceneScenery> _scenery;
     std::unique_ptr<OwnshipEye> _eye;
     osg::ref_ptr<osgViewer::Viewer> _viewer;
     std::vector<osg::ref_ptr<osg::GraphicsContext>> _contexts;

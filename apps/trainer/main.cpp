@@ -25,6 +25,10 @@ void addPlayOptions(CLI::App& command, Arguments& arguments)
 {
     PlayRequest& request = arguments.request;
     command.add_option("--capture", request.captureFolder, "folder for the pictures, frame_00000.png and on");
+    command.add_option("--scenery", request.sceneryFile,
+                       "JSON file that says what stands on the terrain (docs/scenery.md)");
+    command.add_option("--objects", request.objectsFolder,
+                       "folder of models that stand on the terrain, too, beside the way");
     command.add_option("--stats", request.statsFile, "JSON file for the figures of every frame");
     command.add_option("--report", request.reportFile, "HTML file with plots of them");
     command.add_option("--report-sheet", request.contactSheet,

@@ -75,8 +75,9 @@ public:
                 if (toLine(place, corridor) < room - kSlackM) return nameOf(i) + " stands in a way";
         if (where.circle && glm::length(place - where.circle->centreM) > where.circle->radiusM + kRounding)
             return nameOf(i) + " is outside its circle";
-        if (!where.heightM.contains(p.position.z)) return nameOf(i) + " is too high or too low";
-        if (!where.inWater && p.position.z <= _ground.seaLevelM) return nameOf(i) + " is in the water";
+        const double elevation = _ground.elevationOf(place.x, place.y, p.position.z);
+        if (!where.heightM.contains(elevation)) return nameOf(i) + " is too high or too low";
+        if (!where.inWater && elevation <= _ground.seaLevelM) return nameOf(i) + " is in the water";
         if (!where.covers.empty() && _ground.cover &&
             std::find(where.covers.begin(), where.covers.end(), _ground.cover(place.x, place.y)) ==
                 where.covers.end())

@@ -25,18 +25,24 @@ struct Street
     double lengthM() const { return glm::length(to - from); }
 };
 
-/// The steepest piece of a street as height by length; infinity where it leaves ground, area, or crosses what is to be kept clear.
+/// The steepest piece of a street along it, and of the land to both sides across it, as height by length; infinity where it leaves
+/// ground or area, or comes too near to what is to be kept clear.
 double steepnessOf(const Site& site, const Street& street)
 {
     double steepest = 0.0;
     const int pieces = std::max(1, static_cast<int>(street.lengthM() / kPieceM));
+    const double reach = site.field().settlement.plotM;
+    const glm::dvec2 across = reach * glm::dvec2(-street.along().y, street.along().x);
     std::optional<double> before;
     for (int i = 0; i <= pieces; ++i)
     {
         const glm::dvec2 place = street.from + (street.to - street.from) * (static_cast<double>(i) / pieces);
-        const auto height = site.heightM(place);
-        if (!height || !site.isInArea(place) || !site.isClear(place, site.field().settlement.plotM))
+        const auto height = site.heightM(place), left = site.heightM(place + across),
+                   right = site.heightM(place - across);
+        if (!height || !left || !right || !site.isInArea(place) || !site.isClear(place, reach))
             return std::numeric_limits<double>::infinity();
+        const double sides = std::max(std::abs(*left - *height), std::abs(*right - *height)) / reach;
+        steepest = std::max(steepest, sides);
         if (before) steepest = std::max(steepest, std::abs(*height - *before) * pieces / street.lengthM());
         before = height;
     }

@@ -120,8 +120,9 @@ bool Site::isInArea(glm::dvec2 place) const
 bool Site::suits(glm::dvec2 place, double heightM, double slopeDeg) const
 {
     const Where& where = _field->where;
-    if (!where.heightM.contains(heightM) || !where.slopeDeg.contains(slopeDeg)) return false;
-    if (!where.inWater && heightM < _ground.seaLevelM + kLowShoreM) return false;
+    const double elevation = _ground.elevationOf(place.x, place.y, heightM);
+    if (!where.heightM.contains(elevation) || !where.slopeDeg.contains(slopeDeg)) return false;
+    if (!where.inWater && elevation < _ground.seaLevelM + kLowShoreM) return false;
     if (where.covers.empty() || !_ground.cover) return true;
     const std::string_view cover = _ground.cover(place.x, place.y);
     return std::find(where.covers.begin(), where.covers.end(), cover) != where.covers.end();

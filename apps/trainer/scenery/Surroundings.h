@@ -17,8 +17,15 @@ namespace trainer::scenery
 struct Ground
 {
     std::function<std::optional<double>(double eastM, double northM)> heightM; ///< nothing beyond the data
-    std::function<std::string_view(double eastM, double northM)> cover;        ///< its name; empty: not known
-    double seaLevelM = -std::numeric_limits<double>::infinity();
+    /// Of a place on the ground, as maps count heights: what rules of height and water go by. Empty: the height itself.
+    std::function<double(double eastM, double northM, double heightM)> elevationM;
+    std::function<std::string_view(double eastM, double northM)> cover; ///< its name; empty: not known
+    double seaLevelM = -std::numeric_limits<double>::infinity();        ///< an elevation
+
+    double elevationOf(double eastM, double northM, double height) const
+    {
+        return elevationM ? elevationM(eastM, northM, height) : height;
+    }
 };
 
 /// A line with everything within `halfWidthM` of it.

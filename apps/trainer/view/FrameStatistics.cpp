@@ -7,17 +7,43 @@
 namespace trainer
 {
 
-const std::vector<StatisticsColumn>& statisticsColumns()
+namespace
 {
-    static const std::vector<StatisticsColumn> columns = {
-        {"triangles", [](const FrameStatistics& f) { return static_cast<double>(f.triangles); }, true, false},
-        {"splits", [](const FrameStatistics& f) { return static_cast<double>(f.splits); }, true, false},
-        {"merges", [](const FrameStatistics& f) { return static_cast<double>(f.merges); }, true, false},
-        {"adaptUs", [](const FrameStatistics& f) { return f.adaptUs; }, false, true},
-        {"cullMs", [](const FrameStatistics& f) { return f.cullMs; }, false, true},
-        {"drawMs", [](const FrameStatistics& f) { return f.drawMs; }, false, true},
-        {"maxErrorPx", [](const FrameStatistics& f) { return f.maxErrorPx; }, false, false}};
+
+const std::vector<StatisticsColumn> kLandColumns = {
+    {"triangles", [](const FrameStatistics& f) { return static_cast<double>(f.triangles); }, true, false},
+    {"splits", [](const FrameStatistics& f) { return static_cast<double>(f.splits); }, true, false},
+    {"merges", [](const FrameStatistics& f) { return static_cast<double>(f.merges); }, true, false},
+    {"adaptUs", [](const FrameStatistics& f) { return f.adaptUs; }, false, true},
+    {"cullMs", [](const FrameStatistics& f) { return f.cullMs; }, false, true},
+    {"drawMs", [](const FrameStatistics& f) { return f.drawMs; }, false, true},
+    {"maxErrorPx", [](const FrameStatistics& f) { return f.maxErrorPx; }, false, false}};
+
+template<auto member>
+double ofObjects(const FrameStatistics& frame)
+{
+    return frame.objects ? static_cast<double>((*frame.objects).*member) : 0.0;
+}
+
+std::vector<StatisticsColumn> withObjects()
+{
+    std::vector<StatisticsColumn> columns = kLandColumns;
+    columns.push_back({"objectsVisible", ofObjects<&ObjectFigures::visible>, true, false});
+    columns.push_back({"objectsDrawn", ofObjects<&ObjectFigures::drawn>, true, false});
+    columns.push_back({"objectsSwitching", ofObjects<&ObjectFigures::switching>, true, false});
+    columns.push_back({"objectTriangles", ofObjects<&ObjectFigures::triangles>, true, false});
+    columns.push_back({"objectCullMs", ofObjects<&ObjectFigures::cullMs>, false, true});
     return columns;
+}
+
+} // namespace
+
+const std::vector<StatisticsColumn>& statisticsColumns(const std::vector<FrameStatistics>& frames)
+{
+    static const std::vector<StatisticsColumn> all = withObjects();
+    const bool hasObjects = std::any_of(frames.begin(), frames.end(),
+                                        [](const FrameStatistics& f) { return f.objects.has_value(); });
+    return hasObjects ? all : kLandColumns;
 }
 
 ColumnSummary summaryOf(std::vector<double> values)

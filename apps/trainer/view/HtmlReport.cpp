@@ -45,7 +45,7 @@ std::string summaryTable(const std::vector<FrameStatistics>& frames)
 {
     std::string html = "<table>\n<tr><th></th><th class=\"number\">median</th><th class=\"number\">99 %</th>"
                        "<th class=\"number\">largest</th></tr>\n";
-    for (const StatisticsColumn& column : statisticsColumns())
+    for (const StatisticsColumn& column : statisticsColumns(frames))
     {
         const ColumnSummary summary = summaryOf(frames, column);
         html += "<tr><td>" + std::string(column.name) + (column.isMeasured ? " (measured)" : "") + "</td>";
@@ -60,11 +60,48 @@ PlotSeries seriesOf(const std::vector<FrameStatistics>& frames, std::string_view
                     const std::string& colour)
 {
     PlotSeries series{std::string(name), colour, {}};
-    for (const StatisticsColumn& column : statisticsColumns())
+    for (const StatisticsColumn& column : statisticsColumns(frames))
         if (column.name == name)
             for (const FrameStatistics& frame : frames)
                 series.values.push_back(column.value(frame));
     return series;
+}
+
+std::string objectPlots(const std::vector<FrameStatistics>& frames, const std::string& x,
+                        const std::vector<double>& times)
+{
+    std::string html =
+        svgPlot({"Objects",
+                 x,
+                 times,
+                 {seriesOf(frames, "objectsVisible", "#1f6feb"), seriesOf(frames, "objectsDrawn", "#0a7d4f"),
+                  seriesOf(frames, "objectsSwitching", "#b4451f")}});
+    html += svgPlot({"Triangles of objects", x, times, {seriesOf(frames, "objectTriangles", "#7a3fb0")}});
+    return html + svgPlot({"Choosing objects, ms", x, times, {seriesOf(frames, "objectCullMs", "#7a5c00")}});
+}
+
+/// What the methods of selection did, added up over all frames.
+std::string methodsTable(const std::vector<FrameStatistics>& frames)
+{
+    using namespace osgPMObjects::core;
+    std::string html = "<h2>Selection, all frames</h2>\n<table>\n<tr><th>method</th>";
+    for (const char* head : {"objects", "switched", "full area", "faded", "gone", "triangles"})
+        html += std::string("<th class=\"number\">") + head + "</th>";
+    html += "</tr>\n";
+    for (std::size_t i = 0; i < kSelectionMethods; ++i)
+    {
+        MethodStatistics sum;
+        for (const FrameStatistics& frame : frames)
+            if (frame.objects) sum += frame.objects->selection.byMethod[i];
+        if (sum.objects == 0) continue;
+        html += std::string("<tr><td>") + nameOf(static_cast<SelectionMethod>(i)) + "</td>";
+        for (const std::uint64_t value :
+             {std::uint64_t{sum.objects}, std::uint64_t{sum.switched}, std::uint64_t{sum.fullArea},
+              std::uint64_t{sum.faded}, std::uint64_t{sum.gone}, sum.triangles})
+            html += "<td class=\"number\">" + std::to_string(value) + "</td>";
+        html += "</tr>\n";
+    }
+    return html + "</table>\n";
 }
 
 std::string plots(const std::vector<FrameStatistics>& frames)
@@ -80,6 +117,7 @@ std::string plots(const std::vector<FrameStatistics>& frames)
                      {seriesOf(frames, "splits", "#0a7d4f"), seriesOf(frames, "merges", "#b4451f")}});
     html += svgPlot({"Adaptation, µs", x, times, {seriesOf(frames, "adaptUs", "#7a3fb0")}});
     html += svgPlot({"Error bound, pixels", x, times, {seriesOf(frames, "maxErrorPx", "#c02a4a")}});
+    if (!frames.empty() && frames.front().objects) html += objectPlots(frames, x, times);
     return html + svgPlot({"Cull and draw, ms",
                            x,
                            times,
@@ -101,6 +139,7 @@ std::string reportHtml(const ReportContent& content, const std::vector<FrameStat
         html += "<h2>Pictures</h2>\n<img alt=\"Frames at equal intervals\" src=\"" +
                 escapedMarkup(content.contactSheet) + "\">\n";
     html += "<h2>Figures</h2>\n" + summaryTable(frames) + "<h2>Over time</h2>\n" + plots(frames);
+    if (!frames.empty() && frames.front().objects) html += methodsTable(frames);
     return html + "</body>\n</html>\n";
 }
 

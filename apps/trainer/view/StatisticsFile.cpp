@@ -21,12 +21,35 @@ Json numberOf(double value, bool isWhole)
     return value;
 }
 
-Json frameObject(const FrameStatistics& frame, bool withTimings)
+/// What each method of selection did, of those that some object has.
+Json methodsObject(const osgPMObjects::core::SelectionStatistics& selection)
+{
+    using namespace osgPMObjects::core;
+    Json object = Json::object();
+    for (std::size_t i = 0; i < kSelectionMethods; ++i)
+    {
+        const auto method = static_cast<SelectionMethod>(i);
+        const MethodStatistics& did = selection.of(method);
+        if (did.objects == 0) continue;
+        Json& row = object[nameOf(method)];
+        row = {{"objects", did.objects},    {"switched", did.switched}, {"clamped", did.clamped},
+               {"fullArea", did.fullArea},  {"faded", did.faded},       {"gone", did.gone},
+               {"triangles", did.triangles}};
+        if (method != SelectionMethod::budget) continue;
+        row["cost"] = selection.budget.cost;
+        row["fits"] = selection.budget.fits;
+        row["refused"] = selection.budget.refused;
+    }
+    return object;
+}
+
+Json frameObject(const FrameStatistics& frame, const std::vector<StatisticsColumn>& columns, bool withTimings)
 {
     Json object = {{"frame", frame.frame}, {"timeS", frame.timeS}};
-    for (const StatisticsColumn& column : statisticsColumns())
+    for (const StatisticsColumn& column : columns)
         if (withTimings || !column.isMeasured)
             object[std::string(column.name)] = numberOf(column.value(frame), column.isWhole);
+    if (frame.objects) object["objectMethods"] = methodsObject(frame.objects->selection);
     return object;
 }
 
@@ -35,9 +58,10 @@ Json frameObject(const FrameStatistics& frame, bool withTimings)
 std::string statisticsJson(const std::vector<FrameStatistics>& frames, bool withTimings)
 {
     Json root = {{"frames", Json::array()}, {"summary", {{"frames", frames.size()}}}};
+    const std::vector<StatisticsColumn>& columns = statisticsColumns(frames);
     for (const FrameStatistics& frame : frames)
-        root["frames"].push_back(frameObject(frame, withTimings));
-    for (const StatisticsColumn& column : statisticsColumns())
+        root["frames"].push_back(frameObject(frame, columns, withTimings));
+    for (const StatisticsColumn& column : columns)
     {
         if (!withTimings && column.isMeasured) continue;
         const ColumnSummary summary = summaryOf(frames, column);

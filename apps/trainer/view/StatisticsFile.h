@@ -14,6 +14,8 @@ namespace trainer
 
 /// {"frames": [{"frame", "timeS", "triangles", "splits", "merges", "adaptUs", "cullMs", "drawMs", "maxErrorPx"}, …],
 ///  "summary": {"frames": n, "triangles": {"median", "p99", "max"}, …}} as JSON text.
+/// With a scenery each frame has, besides, "objectsVisible", "objectsDrawn", "objectsSwitching", "objectTriangles", "objectCullMs" and
+/// "objectMethods": {METHOD: {"objects", "switched", "clamped", "fullArea", "faded", "gone", "triangles"}, …} of those in sight.
 /// `withTimings` false leaves the measured columns out: two runs then give the same bytes.
 std::string statisticsJson(const std::vector<FrameStatistics>& frames, bool withTimings = true);
 

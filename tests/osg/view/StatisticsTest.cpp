@@ -88,6 +88,34 @@ TEST(Statistics, WithoutTimingsOnlyWhatTheMachineCannotChangeIsLeft)
     EXPECT_NE(trainer::statisticsJson(someFrames(5), false), trainer::statisticsJson(slower, false));
 }
 
+TEST(Statistics, HasObjectsAndMethodsWhereThereAreSome)
+{
+    using osgPMObjects::core::SelectionMethod;
+    auto frames = someFrames(3);
+    EXPECT_FALSE(
+        nlohmann::json::parse(trainer::statisticsJson(frames))["frames"][0].contains("objectsDrawn"));
+    for (FrameStatistics& frame : frames)
+    {
+        frame.objects = trainer::ObjectFigures{50, 40, 3, 12345, 0.25, {}};
+        frame.objects->selection.of(SelectionMethod::screenError).objects = 40;
+        frame.objects->selection.of(SelectionMethod::screenError).triangles = 12345;
+    }
+    const auto json = nlohmann::json::parse(trainer::statisticsJson(frames));
+    const auto& frame = json["frames"][1];
+    EXPECT_EQ(frame["objectsVisible"], 50);
+    EXPECT_EQ(frame["objectsDrawn"], 40);
+    EXPECT_EQ(frame["objectsSwitching"], 3);
+    EXPECT_EQ(frame["objectTriangles"], 12345);
+    EXPECT_EQ(frame["objectCullMs"], 0.25);
+    EXPECT_EQ(frame["objectMethods"].size(), 1U); // the others have no objects
+    EXPECT_EQ(frame["objectMethods"]["screen-error"]["triangles"], 12345);
+    EXPECT_EQ(json["summary"]["objectTriangles"]["median"], 12345.0);
+    EXPECT_FALSE(
+        nlohmann::json::parse(trainer::statisticsJson(frames, false))["frames"][0].contains("objectCullMs"));
+    EXPECT_THAT(trainer::reportHtml({}, frames), testing::HasSubstr("<td>screen-error</td>"));
+    EXPECT_THAT(trainer::reportHtml({}, someFrames(3)), testing::Not(testing::HasSubstr("Selection, all")));
+}
+
 TEST(Statistics, AFileThatCannotBeWrittenIsAnError)
 {
     const auto written = trainer::writeStatistics(someFrames(2), "/no/such/folder/stats.json");

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "SceneScenery.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+
+#include <osgDB/FileNameUtils>
+#include <osgDB/Registry>
+
+#include "SceneryWays.h"
+#include "scenery/ReadScenery.h"
+
+namespace trainer
+{
+
+namespace
+{
+
+using scenery::SceneryDescription;
+
+constexpr double kLeastS =
+    600.0; ///< of the play that finds the ways: the scenery is the same for fewer frames
+constexpr std::size_t kMostModels = 64;
+constexpr double kFolderDensityPerKm2 = 250.0, kFolderNearM = 8.0, kFolderFarM = 900.0;
+
+bool isModel(const std::filesystem::path& file)
+{
+    const std::string suffix = osgDB::getLowerCaseFileExtension(file.string());
+    static constexpr std::array kModels{"pm",  "ac",  "osg", "osgt", "osgb", "osgx", "ive",  "obj",
+                                        "3ds", "flt", "lwo", "dae",  "stl",  "ply",  "gltf", "glb"};
+    return std::find(kModels.begin(), kModels.end(), suffix) != kModels.end();
+}
+
+/// One more field of the models in a folder, in the order of their names.
+viewlod::Outcome addFolder(const std::filesystem::path& folder, SceneryDescription& description)
+{
+    scenery::SceneryField field;
+    field.name = "--objects " + folder.string();
+    std::error_code failed;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, failed))
+        if (entry.is_regular_file(failed) && isModel(entry.path()))
+            field.objects.push_back({{}, 0, entry.path().string()});
+    if (field.objects.empty())
+        return viewlod::Error{folder.string(), "has no model that OpenSceneGraph reads",
+                              "give a folder of .pm, .osgb, .obj, .ac … files"};
+    std::sort(field.objects.begin(), field.objects.end(),
+              [](const auto& a, const auto& b) { return a.file < b.file; });
+    field.objects.resize(std::min(field.objects.size(), kMostModels));
+    field.densityPerKm2 = kFolderDensityPerKm2;
+    field.where.pathDistanceM = scenery::Span{kFolderNearM, kFolderFarM};
+    description.fields.push_back(field);
+    return viewlod::success();
+}
+
+viewlod::Result<SceneryDescription> descriptionOf(const PlayRequest& request)
+{
+    SceneryDescription description;
+    if (!request.sceneryFile.empty())
+    {
+        auto read = scenery::readScenery(request.sceneryFile);
+        if (!read) return read.error();
+        description = *std::move(read);
+    }
+    if (!request.objectsFolder.empty())
+        if (const auto added = addFolder(request.objectsFolder, description); !added) return added.error();
+    return description;
+}
+
+scenery::Ground groundOf(const SceneTerrain& terrain)
+{
+    scenery::Ground ground;
+    ground.heightM = [query = terrain.ground()](double eastM, double northM) -> std::optional<double>
+    {
+        const auto sample = query(eastM, northM);
+        return sample ? std::optional(sample->heightM) : std::nullopt;
+    };
+    ground.elevationM = [tile = terrain.terrain->tile()](double eastM, double northM, double heightM) {
+        return tile->tile.heightOf({eastM, northM, heightM});
+    };
+    ground.seaLevelM = terrain.terrain->material()->climate().seaLevelM;
+    return ground;
+}
+
+void report(const scenery::PlacedScenery& placed, const SceneryShapes& shapes, double placingS,
+            std::vector<std::string>& notes)
+{
+    char text[160];
+    std::snprintf(text, sizeof text,
+                  "scenery: %zu objects placed in %.2f s, levels of %zu models made in %.1f s",
+                  placed.placements.size(), placingS, shapes.shapes.size(), shapes.seconds);
+    notes.emplace_back(text);
+    for (const scenery::FieldReport& field : placed.reports)
+        if (field.placed < field.wanted)
+            notes.push_back("scenery: " + field.name + ": room for " + std::to_string(field.placed) + " of " +
+                            std::to_string(field.wanted));
+}
+
+} // namespace
+
+ObjectFigures SceneScenery::figures(unsigned int frameNumber) const
+{
+    ObjectFigures figures;
+    for (const osgPMObjects::FieldViewStatistics& group : node.field->statistics())
+    {
+        if (group.frame != frameNumber) continue; // an eye that has gone
+        figures.visible += group.visible;
+        figures.drawn += group.drawn;
+        figures.switching += group.switching;
+        figures.triangles += group.triangles;
+        figures.cullMs += group.cullMs;
+        for (std::size_t i = 0; i < osgPMObjects::core::kSelectionMethods; ++i)
+            figures.selection.byMethod[i] += group.selection.byMethod[i];
+        figures.selection.budget = group.selection.budget;
+    }
+    return figures;
+}
+
+viewlod::Result<std::optional<SceneScenery>> makeScenery(const PlayRequest& request, const Scenario& scenario,
+                                                         const PlayerOptions& options,
+                                                         const SceneTerrain& terrain)
+{
+    if (request.sceneryFile.empty() && request.objectsFolder.empty()) return std::optional<SceneScenery>();
+    const auto description = descriptionOf(request);
+    if (!description) return description.error();
+    const std::string place =
+        (request.sceneryFile.empty() ? request.objectsFolder : request.sceneryFile).string();
+    if (!terrain.terrain)
+        return viewlod::Error{place, "needs a terrain whose ground can be asked",
+                              "play over an elevation raster or a .roam file"};
+    const auto shapes = makeSceneryShapes(scenery::objectsOf(*description));
+    if (!shapes) return shapes.error();
+    const double longestS =
+        std::max(kLeastS, request.frames.value_or(0) / static_cast<double>(request.framesPerSecond));
+    const scenery::Ways ways = waysOf(scenario, options, longestS);
+    const auto begin = std::chrono::steady_clock::now();
+    const scenery::PlacedScenery placed =
+        scenery::placeScenery(*description, shapes->measures, groundOf(terrain), ways);
+    const double placingS = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    auto node = makeSceneryNode(*description, placed, *shapes, place);
+    if (!node) return node.error();
+    std::optional<SceneScenery> made(std::in_place);
+    made->node = *std::move(node);
+    report(placed, *shapes, placingS, made->notes);
+    return made;
+}
+
+} // namespace trainer

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "PlayRequest.h"
+#include "SceneTerrain.h"
+#include "sim/player/ScenarioPlayer.h"
+#include "view/FrameStatistics.h"
+#include "view/SceneryNode.h"
+
+namespace trainer
+{
+
+/// What stands on the terrain of a play.
+struct SceneScenery
+{
+    SceneryNode node;
+    std::vector<std::string> notes; ///< how many objects, what found no room, how long it took
+
+    /// Of the frame that was drawn last.
+    ObjectFigures figures(unsigned int frameNumber) const;
+};
+
+/// Reads, makes and places what the request asks for: --scenery FILE, and of --objects DIR every model that can be read, as one
+/// field more, scattered beside the way. `scenario` and `options`: as they will be played. Nothing where nothing is asked for.
+/// Errors: of the file, a folder without models, a model, a terrain whose ground cannot be asked.
+viewlod::Result<std::optional<SceneScenery>> makeScenery(const PlayRequest& request, const Scenario& scenario,
+                                                         const PlayerOptions& options,
+                                                         const SceneTerrain& terrain);
+
+} // namespace trainer

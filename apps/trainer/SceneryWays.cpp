@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "SceneryWays.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace trainer
+{
+
+namespace
+{
+
+constexpr double kMarginM = 2.5;      ///< beside what drives
+constexpr double kEyeRoomM = 14.0;    ///< behind the first place: a chasing eye
+constexpr double kTreetopsM = 45.0;   ///< above the ground nothing stands as high
+constexpr double kWingMarginM = 25.0; ///< beside what flies below them
+constexpr double kStepM = 1.0, kJumpM = 200.0;
+
+/// The way of one entity, in pieces where it jumps.
+struct Track
+{
+    std::vector<std::vector<glm::dvec2>> all, low; ///< low: where objects would be in its way
+
+    static void extend(std::vector<std::vector<glm::dvec2>>& pieces, glm::dvec2 place, bool goesOn)
+    {
+        if (pieces.empty() || !goesOn || glm::length(pieces.back().back() - place) > kJumpM)
+            pieces.push_back({place});
+        else if (glm::length(pieces.back().back() - place) >= kStepM)
+            pieces.back().push_back(place);
+    }
+};
+
+double halfWidthOf(const ScenarioObject& entity)
+{
+    const BoundingBox& box = entity.box();
+    const double halfM = 0.5 * std::max(box.widthM, 1.0) + std::abs(box.centre.y);
+    return halfM + (entity.isAirborne() ? kWingMarginM : kMarginM);
+}
+
+void addTrack(const Track& track, const ScenarioObject& entity, scenery::Ways& ways)
+{
+    for (const auto& piece : track.low)
+    {
+        ways.keepClear.push_back({piece, halfWidthOf(entity)});
+        const double room = std::max(kEyeRoomM, entity.box().lengthM + kMarginM);
+        ways.keepClear.push_back({{piece.front()}, room});
+        ways.keepClear.push_back({{piece.back()}, room});
+    }
+    for (const auto& piece : track.all)
+        ways.paths.push_back(piece);
+}
+
+} // namespace
+
+scenery::Ways waysOf(const Scenario& scenario, const PlayerOptions& options, double longestS)
+{
+    scenery::Ways ways;
+    const auto player = ScenarioPlayer::create(scenario, options);
+    if (!player) return ways; // whoever plays it in earnest says why
+    std::vector<Track> tracks(scenario.entities.size());
+    std::vector<bool> wasLow(tracks.size(), false);
+    while (true)
+    {
+        for (std::size_t i = 0; i < tracks.size(); ++i)
+        {
+            const EntityState& state = (*player)->entities()[i];
+            const glm::dvec2 place(state.position);
+            Track::extend(tracks[i].all, place, true);
+            const auto ground = options.ground ? options.ground(place.x, place.y) : std::nullopt;
+            const bool isLow = !ground || state.position.z - ground->heightM < kTreetopsM;
+            if (isLow) Track::extend(tracks[i].low, place, wasLow[i]);
+            wasLow[i] = isLow;
+        }
+        if ((*player)->isFinished() || (*player)->timeS() >= longestS) break;
+        (*player)->step();
+    }
+    for (std::size_t i = 0; i < tracks.size(); ++i)
+        addTrack(tracks[i], scenario.entities[i], ways);
+    return ways;
+}
+
+} // namespace trainer

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "view/SceneryNode.h"
+
+#include <map>
+
+#include "view/ObjectShading.h"
+
+namespace trainer
+{
+
+namespace
+{
+
+using osgPMObjects::FieldInstance;
+using osgPMObjects::FieldKind;
+
+osg::Quat attitudeOf(const glm::dmat3& axes)
+{
+    // Columns of GLM are rows of OSG.
+    return osg::Matrixd(axes[0].x, axes[0].y, axes[0].z, 0.0, axes[1].x, axes[1].y, axes[1].z, 0.0, axes[2].x,
+                        axes[2].y, axes[2].z, 0.0, 0.0, 0.0, 0.0, 1.0)
+        .getRotate();
+}
+
+FieldInstance instanceOf(const scenery::Placement& placement, double groundZM, double importance)
+{
+    FieldInstance instance;
+    const glm::dvec3 position = placement.position - placement.axes[2] * (groundZM * placement.scale);
+    instance.position.set(position.x, position.y, position.z);
+    instance.attitude = attitudeOf(placement.axes);
+    instance.scale = placement.scale;
+    instance.priority.importance = importance;
+    return instance;
+}
+
+} // namespace
+
+viewlod::Result<SceneryNode> makeSceneryNode(const scenery::SceneryDescription& description,
+                                             const scenery::PlacedScenery& placed,
+                                             const SceneryShapes& shapes, const std::string& place)
+{
+    std::vector<FieldKind> kinds;
+    std::vector<FieldInstance> instances;
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> kindOf;
+    for (const scenery::Placement& placement : placed.placements)
+    {
+        const scenery::SceneryField& field = description.fields[placement.field];
+        const auto [found, isNew] =
+            kindOf.try_emplace({placement.field, placement.object}, static_cast<std::uint32_t>(kinds.size()));
+        if (isNew)
+        {
+            const auto& shape = shapes.shapes[placement.object];
+            const auto selection =
+                scenery::selectionFor(field.selection, shape->levels(), place + ": field " + field.name);
+            if (!selection) return selection.error();
+            kinds.push_back({shape, *selection, field.switching});
+        }
+        instances.push_back(instanceOf(placement, shapes.groundZM[placement.object], field.importance));
+        instances.back().kind = found->second;
+    }
+    SceneryNode made{new osg::Group, new osgPMObjects::ProgressiveField};
+    setObjectShading(*made.root, Finish::matt);
+    made.field->setBudget(description.budget);
+    if (const auto set = made.field->setContents(std::move(kinds), std::move(instances)); !set)
+        return set.error();
+    made.root->addChild(made.field);
+    return made;
+}
+
+} // namespace trainer

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "view/SceneryShapes.h"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <limits>
+#include <thread>
+
+#include <osgDB/ReadFile>
+
+#include <osgPMObjects/core/simplify/Simplifiable.h>
+#include <osgPMObjects/core/simplify/Simplify.h>
+
+#include <osgPMObjects/MakeProgressive>
+
+#include "models/Catalogue.h"
+#include "view/ModelStates.h"
+
+namespace trainer
+{
+
+namespace
+{
+
+using osgPMObjects::ProgressiveShape;
+namespace core = osgPMObjects::core;
+
+core::ProgressiveMesh progressiveOf(core::Mesh mesh)
+{
+    core::makeSimplifiable(mesh);
+    const core::CollapseSequence sequence = core::simplify(mesh);
+    core::ArrangementSettings settings;
+    settings.arrangement = core::Arrangement::plain; // fields have index lists of their own
+    return core::buildProgressiveMesh(mesh, sequence, settings);
+}
+
+scenery::Stance stanceOf(models::Kind kind)
+{
+    return kind >= models::Kind::saloon ? scenery::Stance::tilted : scenery::Stance::upright;
+}
+
+/// Calls `work(i)` for each number, in as many threads as there are processors, the next free one taking the next number.
+template<class Work>
+void forEachAtOnce(std::size_t count, const Work& work)
+{
+    std::atomic<std::size_t> next{0};
+    const auto run = [&]
+    {
+        for (std::size_t i = next++; i < count; i = next++)
+            work(i);
+    };
+    std::vector<std::thread> others;
+    for (std::size_t t = 1; t < std::min<std::size_t>(count, std::thread::hardware_concurrency()); ++t)
+        others.emplace_back(run);
+    run();
+    for (std::thread& thread : others)
+        thread.join();
+}
+
+viewlod::Result<osg::ref_ptr<const ProgressiveShape>> shapeOfFile(const std::string& file)
+{
+    const osg::ref_ptr<osg::Node> node = osgDB::readRefNodeFile(file);
+    if (!node)
+        return viewlod::Error{file, "cannot be read by OpenSceneGraph",
+                              "give a model, and see that the plugin for it is installed"};
+    if (const auto* const progressive = dynamic_cast<osgPMObjects::ProgressiveNode*>(node.get());
+        progressive && progressive->shape())
+        return osg::ref_ptr<const ProgressiveShape>(progressive->shape());
+    osgPMObjects::ProgressiveSettings settings;
+    settings.arrangement.arrangement = core::Arrangement::plain;
+    const auto made = osgPMObjects::makeProgressive(*node, file, settings);
+    if (!made) return made.error();
+    return osg::ref_ptr<const ProgressiveShape>(made->node->shape());
+}
+
+/// A model of a file need not stand on z = 0.
+double lowestOf(const core::Mesh& mesh)
+{
+    double lowest = std::numeric_limits<double>::max();
+    for (const glm::dvec3& position : mesh.positions)
+        lowest = std::min(lowest, position.z);
+    return mesh.positions.empty() ? 0.0 : lowest;
+}
+
+viewlod::Outcome readFiles(const std::vector<scenery::SceneryObject>& objects, SceneryShapes& made)
+{
+    for (std::size_t i = 0; i < objects.size(); ++i)
+    {
+        if (objects[i].kind) continue;
+        const auto shape = shapeOfFile(objects[i].file);
+        if (!shape) return shape.error();
+        made.shapes[i] = *shape;
+        core::Mesh mesh;
+        mesh.positions = (*shape)->progressive().mesh.positions;
+        made.groundZM[i] = lowestOf(mesh);
+        for (glm::dvec3& position : mesh.positions)
+            position.z -= made.groundZM[i];
+        made.measures[i] = scenery::measuresOf(mesh, 0.0, scenery::Stance::upright);
+    }
+    return viewlod::success();
+}
+
+} // namespace
+
+viewlod::Result<SceneryShapes> makeSceneryShapes(const std::vector<scenery::SceneryObject>& objects)
+{
+    const auto begin = std::chrono::steady_clock::now();
+    SceneryShapes made;
+    made.shapes.resize(objects.size());
+    made.measures.resize(objects.size());
+    made.groundZM.resize(objects.size());
+    if (const auto read = readFiles(objects, made); !read) return read.error();
+
+    std::vector<models::Model> generated(objects.size());
+    forEachAtOnce(objects.size(),
+                  [&](std::size_t i)
+                  {
+                      if (objects[i].kind) generated[i] = models::generate(*objects[i].kind, objects[i].seed);
+                  });
+    ModelStates states; // paints, in one thread
+    std::vector<std::vector<osg::ref_ptr<osg::StateSet>>> statesOf;
+    for (const models::Model& model : generated)
+        statesOf.push_back(states.statesOf(model));
+    forEachAtOnce(objects.size(),
+                  [&](std::size_t i)
+                  {
+                      if (!objects[i].kind) return;
+                      made.measures[i] = scenery::measuresOf(generated[i].mesh, generated[i].foundationM,
+                                                             stanceOf(*objects[i].kind));
+                      made.shapes[i] = new ProgressiveShape(progressiveOf(std::move(generated[i].mesh)),
+                                                            std::move(statesOf[i]));
+                  });
+    made.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    return made;
+}
+
+} // namespace trainer
