@@ -22,7 +22,7 @@ std::vector<FrameStatistics> someFrames(std::uint32_t count)
 {
     std::vector<FrameStatistics> frames;
     for (std::uint32_t i = 0; i < count; ++i)
-        frames.push_back({i, i / 24.0, 1000 + i, 2 * i, i, 50.5 + i, 1.25, 7.5, 0.75});
+        frames.push_back({i, i / 24.0, 1000 + i, 2 * i, i, 50.5 + i, 1.25, 7.5, 0.75, {}});
     return frames;
 }
 
