@@ -15,7 +15,7 @@ namespace
 constexpr int kPlacesTried = 400;    ///< for a settlement
 constexpr int kDirectionsTried = 12; ///< for its main street
 constexpr double kPieceM = 20.0;     ///< of a street between two heights that are looked at
-constexpr double kSteepestStreet = 0.09;
+constexpr double kSteepestStreet = 0.09, kGentleStreet = 0.05; ///< height by length
 
 struct Street
 {
@@ -55,7 +55,7 @@ Street streetAbout(glm::dvec2 middle, double headingRad, double lengthM)
     return {middle - half, middle + half};
 }
 
-/// The gentlest main street of many places and directions.
+/// The first main street that is gentle in one of its directions, or else the gentlest of many places.
 std::optional<Street> findMainStreet(Site& site)
 {
     Street best;
@@ -74,6 +74,7 @@ std::optional<Street> findMainStreet(Site& site)
                 best = street;
             }
         }
+        if (gentlest < kGentleStreet) return best;
     }
     if (gentlest >= kSteepestStreet) return std::nullopt;
     return best;

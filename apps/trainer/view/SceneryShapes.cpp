@@ -45,8 +45,8 @@ scenery::Stance stanceOf(models::Kind kind)
 void useIsotropicTextures(const std::vector<osg::ref_ptr<osg::StateSet>>& states)
 {
     for (const osg::ref_ptr<osg::StateSet>& state : states)
-        if (auto* const texture = dynamic_cast<osg::Texture*>(
-                state->getTextureAttribute(0, osg::StateAttribute::TEXTURE)))
+        if (auto* const texture =
+                dynamic_cast<osg::Texture*>(state->getTextureAttribute(0, osg::StateAttribute::TEXTURE)))
             texture->setMaxAnisotropy(1.0F);
 }
 
