@@ -39,8 +39,8 @@ struct NodeSerializer
 
     static bool writeSettings(osgDB::OutputStream& out, const ProgressiveNode& node)
     {
-        const std::vector<std::string> lines =
-            linesOf({node.selection(), node.priority(), node.referencePixelsPerTangent()});
+        const std::vector<std::string> lines = linesOf({node.selection(), node.switching(), node.number(),
+                                                        node.priority(), node.referencePixelsPerTangent()});
         out.writeSize(lines.size());
         out << out.BEGIN_BRACKET << std::endl;
         for (const std::string& line : lines)
@@ -58,9 +58,11 @@ struct NodeSerializer
         in >> in.END_BRACKET;
         if (in.getException()) return false;
         const auto settings = settingsOf(lines);
-        const viewlod::Outcome set = settings ? node.setSelection(settings->selection) : settings.error();
+        viewlod::Outcome set = settings ? node.setSelection(settings->selection) : settings.error();
+        if (set) set = node.setSwitching(settings->switching);
         if (!set) in.throwException(set.error().message());
         if (!set) return false;
+        node.setNumber(settings->number);
         node.setPriority(settings->priority);
         node.setReferencePixelsPerTangent(settings->referencePixelsPerTangent);
         return true;

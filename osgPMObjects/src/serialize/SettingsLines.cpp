@@ -2,6 +2,7 @@
 #include "SettingsLines.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <map>
 #include <sstream>
@@ -11,6 +12,9 @@ namespace osgPMObjects
 
 namespace
 {
+
+constexpr std::array kSwitches{"discrete", "blend", "alpha", "continuous", "geomorph"};
+constexpr std::array kProfiles{"cross", "over"};
 
 /// Names every field once, for writing and for reading.
 template<class Settings, class Visit>
@@ -34,6 +38,11 @@ void visitFields(Settings& settings, Visit& visit)
     visit("continuousBand", selection.continuousBand);
     visit("alpha.fadeM", selection.alpha.fadeM);
     visit("alpha.goneM", selection.alpha.goneM);
+    visit("switching.method", settings.switching.method);
+    visit("switching.profile", settings.switching.profile);
+    visit("switching.durationS", settings.switching.durationS);
+    visit("switching.staggerS", settings.switching.staggerS);
+    visit("number", settings.number);
     visit("priority.importance", settings.priority.importance);
     visit("priority.isAttended", settings.priority.isAttended);
     visit("referencePixelsPerTangent", settings.referencePixelsPerTangent);
@@ -62,6 +71,8 @@ private:
     }
     void put(bool value) { put(value ? 1 : 0); }
     void put(core::SelectionMethod method) { put(std::string(core::nameOf(method))); }
+    void put(core::SwitchMethod method) { put(std::string(kSwitches[static_cast<std::size_t>(method)])); }
+    void put(core::BlendProfile profile) { put(std::string(kProfiles[static_cast<std::size_t>(profile)])); }
     void put(const std::string& word)
     {
         _line += _separator + word;
@@ -131,17 +142,31 @@ private:
         value = number != 0;
         return number == 0 || number == 1;
     }
-    static bool get(std::istream& words, core::SelectionMethod& method)
+    template<class Choice, class NameOf>
+    static bool getChoice(std::istream& words, Choice& choice, std::size_t count, const NameOf& nameAt)
     {
         std::string word;
         words >> word;
-        for (std::size_t i = 0; i < core::kSelectionMethods; ++i)
-            if (word == core::nameOf(static_cast<core::SelectionMethod>(i)))
+        for (std::size_t i = 0; i < count; ++i)
+            if (word == nameAt(i))
             {
-                method = static_cast<core::SelectionMethod>(i);
+                choice = static_cast<Choice>(i);
                 return true;
             }
         return false;
+    }
+    static bool get(std::istream& words, core::SelectionMethod& method)
+    {
+        return getChoice(words, method, core::kSelectionMethods,
+                         [](std::size_t i) { return core::nameOf(static_cast<core::SelectionMethod>(i)); });
+    }
+    static bool get(std::istream& words, core::SwitchMethod& method)
+    {
+        return getChoice(words, method, kSwitches.size(), [](std::size_t i) { return kSwitches[i]; });
+    }
+    static bool get(std::istream& words, core::BlendProfile& profile)
+    {
+        return getChoice(words, profile, kProfiles.size(), [](std::size_t i) { return kProfiles[i]; });
     }
     static bool get(std::istream& words, core::OverlapM& boundary)
     {

@@ -8,6 +8,7 @@
 
 #include <osgPMObjects/core/selection/Priority.h>
 #include <osgPMObjects/core/selection/SelectionSettings.h>
+#include <osgPMObjects/core/selection/Switch.h>
 
 namespace osgPMObjects
 {
@@ -16,6 +17,8 @@ namespace osgPMObjects
 struct NodeSettings
 {
     core::SelectionSettings selection;
+    core::SwitchSettings switching{core::SwitchMethod::discrete};
+    std::uint32_t number = 0;
     core::Priority priority;
     double referencePixelsPerTangent = 0.0;
 };

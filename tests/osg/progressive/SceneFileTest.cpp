@@ -74,6 +74,11 @@ osg::ref_ptr<osg::Group> scene()
                                         second = new ProgressiveNode(shape);
     first->setName("the first");
     EXPECT_TRUE(first->setSelection(unusualSettings()));
+    core::SwitchSettings switching;
+    switching.method = core::SwitchMethod::geomorph;
+    switching.durationS = 0.7F;
+    EXPECT_TRUE(first->setSwitching(switching));
+    first->setNumber(17);
     first->setPriority({2.5, true});
     first->setReferencePixelsPerTangent(1111.25);
     const osg::ref_ptr<osg::Group> other = new osg::Group;
@@ -118,6 +123,9 @@ TEST_P(SceneFile, GivesBackNodesAsTheyWere)
     ASSERT_TRUE(node);
     EXPECT_EQ(node->getName(), "the first");
     expectEqual(node->selection(), unusualSettings());
+    EXPECT_EQ(node->switching().method, core::SwitchMethod::geomorph);
+    EXPECT_EQ(node->switching().durationS, 0.7F);
+    EXPECT_EQ(node->number(), 17u);
     EXPECT_EQ(node->priority().importance, 2.5);
     EXPECT_TRUE(node->priority().isAttended);
     EXPECT_EQ(node->referencePixelsPerTangent(), 1111.25);
