@@ -7,7 +7,7 @@
 #include <limits>
 #include <thread>
 
-#include <osgDB/ReadFile>
+#include <osgDB/Registry>
 
 #include <osgPMObjects/core/simplify/Simplifiable.h>
 #include <osgPMObjects/core/simplify/Simplify.h>
@@ -70,9 +70,10 @@ void forEachAtOnce(std::size_t count, const Work& work)
 
 viewlod::Result<osg::ref_ptr<const ProgressiveShape>> shapeOfFile(const std::string& file)
 {
-    const osg::ref_ptr<osg::Node> node = osgDB::readRefNodeFile(file);
+    osgDB::ReaderWriter::ReadResult read = osgDB::Registry::instance()->readNode(file, nullptr);
+    const osg::ref_ptr<osg::Node> node = read.getNode();
     if (!node)
-        return viewlod::Error{file, "cannot be read by OpenSceneGraph",
+        return viewlod::Error{file, "cannot be read by OpenSceneGraph (" + read.message() + ")",
                               "give a model, and see that the plugin for it is installed"};
     if (const auto* const progressive = dynamic_cast<osgPMObjects::ProgressiveNode*>(node.get());
         progressive && progressive->shape())
