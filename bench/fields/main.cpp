@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // field_bench: a landscape of thousands of objects, as a progressive field, as osg::LODs of five levels, and in full detail:
 // times, triangles, memory and error of the picture, in one run.
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <filesystem>
@@ -42,7 +43,13 @@ struct Request
     double spacingM = 18.0, trianglePx = 12.0, lodTrianglePx = 12.0;
     int frames = 24, compared = 2;
     osgOffscreen::OffscreenSettings picture{.widthPx = 960, .heightPx = 540};
+    std::vector<std::string> contestants{"ours", "lod", "full"};
     std::filesystem::path jsonFile, pictures;
+
+    bool has(const std::string& name) const
+    {
+        return std::find(contestants.begin(), contestants.end(), name) != contestants.end();
+    }
 };
 
 constexpr double kHighDeg = 40.0, kFrameS = 0.04;
@@ -194,6 +201,7 @@ int run(const Request& request)
     Field field(**viewer, request);
     const auto race = [&](const std::string& name, const auto& make, int frames)
     {
+        if (!request.has(name)) return;
         const double before = megabytesInUse();
         const auto began = Clock::now();
         const osg::ref_ptr<osg::Node> objects = make();
@@ -223,6 +231,7 @@ int run(const Request& request)
     for (const char* const name : {"ours", "lod"})
         for (const Path& path : kPaths)
         {
+            if (!request.has(name) || !request.has("full")) continue;
             const double rms = field.difference(name, "full", path);
             report[name][path.name]["rmsToFull"] = rms;
             std::cout << name << ' ' << path.name << ": differs from full detail by " << rms
@@ -249,6 +258,8 @@ int main(int argc, char** argv)
     app.add_option("--compared", request.compared,
                    "frames of each path whose pictures are compared with full detail")
         ->check(CLI::Range(1, 100));
+    app.add_option("--contestants", request.contestants, "of ours, lod, full")
+        ->check(CLI::IsMember({"ours", "lod", "full"}));
     app.add_option("--json", request.jsonFile, "write the table there, too");
     app.add_option("--pictures", request.pictures, "folder for the pictures that were compared");
     if (const auto ends = terminal::parse(app, argc, argv)) return *ends;
