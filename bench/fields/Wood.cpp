@@ -2,14 +2,10 @@
 #include "Wood.h"
 
 #include <cmath>
-#include <future>
-
-#include <osgPMObjects/core/simplify/Simplifiable.h>
-#include <osgPMObjects/core/simplify/Simplify.h>
 
 #include "Random.h"
 #include "models/Catalogue.h"
-#include "view/ModelStates.h"
+#include "view/SceneryShapes.h"
 
 namespace fieldbench
 {
@@ -18,15 +14,6 @@ namespace
 {
 
 using namespace osgPMObjects;
-
-core::ProgressiveMesh progressiveOf(core::Mesh mesh)
-{
-    core::makeSimplifiable(mesh);
-    core::SimplifySettings settings;
-    settings.placement = core::Placement::subset;
-    return core::buildProgressiveMesh(mesh, core::simplify(mesh, settings),
-                                      {.arrangement = core::Arrangement::plain});
-}
 
 constexpr std::uint32_t kTrees = 5; // come first in the catalogue
 
@@ -39,14 +26,10 @@ std::uint32_t drawn(testsupport::Random& random, std::uint32_t first, std::uint3
 
 std::vector<osg::ref_ptr<const ProgressiveShape>> landscapeShapes()
 {
-    trainer::ModelStates states;
-    std::vector<osg::ref_ptr<const ProgressiveShape>> shapes;
+    std::vector<trainer::scenery::SceneryObject> objects;
     for (const trainer::models::KindFacts& facts : trainer::models::kinds())
-    {
-        const trainer::models::Model model = trainer::models::generate(facts.kind, 1);
-        shapes.push_back(new ProgressiveShape(progressiveOf(model.mesh), states.statesOf(model)));
-    }
-    return shapes;
+        objects.push_back({facts.kind, 1, {}});
+    return trainer::makeSceneryShapes(objects)->shapes; // generators do not fail
 }
 
 std::vector<FieldInstance> scattered(std::uint32_t count, std::uint32_t kinds, double spacingM)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // object_frame_bench: what a frame of a lit model takes at its levels, by the order of its faces.
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <filesystem>
 #include <iostream>
@@ -9,6 +10,7 @@
 
 #include <viewlod/WholeFile.h>
 
+#include <osgPMObjects/core/selection/LevelTable.h>
 #include <osgPMObjects/core/simplify/Simplifiable.h>
 #include <osgPMObjects/core/simplify/Simplify.h>
 
@@ -21,6 +23,7 @@
 #include "VertexLights.h"
 #include "terminal/CommandLine.h"
 #include "terminal/Terminal.h"
+#include "view/SvgPlot.h"
 
 namespace
 {
@@ -35,7 +38,7 @@ struct Request
     std::vector<int> lights{32, 96};
     int levels = 10, repeats = 15;
     osgOffscreen::OffscreenSettings picture{.widthPx = 640, .heightPx = 480};
-    std::filesystem::path jsonFile;
+    std::filesystem::path jsonFile, plotFile;
 };
 
 /// Draws contestants in turns, and keeps the least time of each: other programs only ever add to it.
@@ -127,7 +130,25 @@ Json summaryOf(const Json& rows, const std::vector<Contestant>& contestants)
     return summary;
 }
 
-viewlod::Result<Json> measure(const std::string& file, const Request& request, Race& race)
+/// Paper 004, figure 17: frames per second against faces, for each contestant.
+std::string plotOf(const std::string& model, int lights, const Json& rows,
+                   const std::vector<Contestant>& contestants)
+{
+    const std::array<const char*, 4> colours{"#c0392b", "#d68910", "#1f6fb2", "#5d6d7e"};
+    trainer::Plot plot{model + ", " + std::to_string(lights) + " lights: frames per second", "faces", {}, {}};
+    for (auto row = rows.rbegin(); row != rows.rend(); ++row)
+        plot.x.push_back((*row)["faces"].get<double>());
+    for (std::size_t i = 0; i < contestants.size(); ++i)
+    {
+        trainer::PlotSeries series{contestants[i].name, colours[i % colours.size()], {}};
+        for (auto row = rows.rbegin(); row != rows.rend(); ++row)
+            series.values.push_back(1000.0 / (*row)[contestants[i].name]["ms"].get<double>());
+        plot.series.push_back(std::move(series));
+    }
+    return trainer::svgPlot(plot);
+}
+
+viewlod::Result<Json> measure(const std::string& file, const Request& request, Race& race, std::string& plots)
 {
     const auto node = readModelNode(file);
     if (!node) return node.error();
@@ -148,7 +169,11 @@ viewlod::Result<Json> measure(const std::string& file, const Request& request, R
                   {"vertices", mesh.wedgeCount()}};
     for (const int lights : request.lights)
     {
-        const Json rows = race.run(contestants, levels, lights, ball);
+        Json rows = race.run(contestants, levels, lights, ball);
+        const core::LevelTable table = core::LevelTable::of(mesh, sequence);
+        for (Json& row : rows)
+            row["faces"] = table.faces[std::min(row["steps"].get<std::uint32_t>(), table.mostSteps())];
+        plots += plotOf(model["model"].get<std::string>(), lights, rows, contestants);
         const Json summary = summaryOf(rows, contestants);
         std::cout << model["model"].get<std::string>() << ", " << lights << " lights: " << summary.dump()
                   << '\n';
@@ -164,12 +189,19 @@ int run(const Request& request)
     const auto viewer = osgOffscreen::OffscreenViewer::create(request.picture);
     if (!viewer) return terminal::fail("object_frame_bench", viewer.error());
     Race race(**viewer, request);
+    std::string plots;
     Json report = {{"widthPx", request.picture.widthPx}, {"heightPx", request.picture.heightPx}};
     for (const std::string& file : request.files)
     {
-        auto model = measure(file, request, race);
+        auto model = measure(file, request, race, plots);
         if (!model) return terminal::fail("object_frame_bench", model.error());
         report["models"].push_back(std::move(*model));
+    }
+    if (!request.plotFile.empty())
+    {
+        const auto drawn =
+            viewlod::writeWholeFile(request.plotFile, "<!DOCTYPE html><meta charset=\"utf-8\">" + plots);
+        if (!drawn) return terminal::fail("object_frame_bench", drawn.error());
     }
     if (request.jsonFile.empty()) return terminal::kDone;
     const auto written = viewlod::writeWholeFile(request.jsonFile, report.dump(1) + "\n");
@@ -190,6 +222,8 @@ int main(int argc, char** argv)
         ->check(CLI::Range(1, 10000));
     app.add_option("--width", request.picture.widthPx)->check(CLI::Range(16, 4096));
     app.add_option("--height", request.picture.heightPx)->check(CLI::Range(16, 4096));
+    app.add_option("--plot", request.plotFile, "HTML with frames per second against faces")
+        ->type_name("FILE");
     app.add_option("--json", request.jsonFile, "write the table there, too");
     if (const auto ends = terminal::parse(app, argc, argv)) return *ends;
     return run(request);

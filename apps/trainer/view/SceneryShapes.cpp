@@ -4,15 +4,18 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <fstream>
 #include <limits>
 #include <thread>
 
-#include <osgDB/Registry>
+#include <osgDB/FileNameUtils>
 
 #include <osgPMObjects/core/simplify/Simplifiable.h>
 #include <osgPMObjects/core/simplify/Simplify.h>
 
 #include <osgPMObjects/MakeProgressive>
+#include <osgPMObjects/PmNode>
+#include <osgPMObjects/ReadModel>
 
 #include "models/Catalogue.h"
 #include "view/ModelStates.h"
@@ -68,19 +71,24 @@ void forEachAtOnce(std::size_t count, const Work& work)
         thread.join();
 }
 
+viewlod::Result<osg::ref_ptr<const ProgressiveShape>> shapeOfPm(const std::string& file)
+{
+    std::ifstream stream(file, std::ios::binary);
+    if (!stream) return viewlod::Error{file, "cannot be opened", "check that it exists and may be read"};
+    const auto node = osgPMObjects::readPmNode(stream, file);
+    if (!node) return node.error();
+    return osg::ref_ptr<const ProgressiveShape>((*node)->shape());
+}
+
+/// Foreign loaders may crash or hang: they are run in a child process.
 viewlod::Result<osg::ref_ptr<const ProgressiveShape>> shapeOfFile(const std::string& file)
 {
-    osgDB::ReaderWriter::ReadResult read = osgDB::Registry::instance()->readNode(file, nullptr);
-    const osg::ref_ptr<osg::Node> node = read.getNode();
-    if (!node)
-        return viewlod::Error{file, "cannot be read by OpenSceneGraph (" + read.message() + ")",
-                              "give a model, and see that the plugin for it is installed"};
-    if (const auto* const progressive = dynamic_cast<osgPMObjects::ProgressiveNode*>(node.get());
-        progressive && progressive->shape())
-        return osg::ref_ptr<const ProgressiveShape>(progressive->shape());
+    if (osgDB::getLowerCaseFileExtension(file) == "pm") return shapeOfPm(file);
+    const auto node = osgPMObjects::readModelNode(file);
+    if (!node) return node.error();
     osgPMObjects::ProgressiveSettings settings;
     settings.arrangement.arrangement = core::Arrangement::plain;
-    const auto made = osgPMObjects::makeProgressive(*node, file, settings);
+    const auto made = osgPMObjects::makeProgressive(**node, file, settings);
     if (!made) return made.error();
     return osg::ref_ptr<const ProgressiveShape>(made->node->shape());
 }
