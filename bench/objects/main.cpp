@@ -148,7 +148,25 @@ std::string plotOf(const std::string& model, int lights, const Json& rows,
     return trainer::svgPlot(plot);
 }
 
-viewlod::Result<Json> measure(const std::string& file, const Request& request, Race& race, std::string& plots)
+/// Plots one below the other, as a file of their own.
+std::string svgOf(const std::vector<std::string>& plots)
+{
+    constexpr int kWidth = 720, kHeight = 220;
+    const std::string height = std::to_string(kHeight * static_cast<int>(plots.size()));
+    std::string svg =
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"720\" height=\"" + height +
+        "\">\n<style>text { font: 11px sans-serif } .grid { stroke: #dde3e8 } polyline { stroke-width: "
+        "1.4 }</style>\n<rect width=\"720\" height=\"" +
+        height + "\" fill=\"white\"/>\n";
+    for (std::size_t i = 0; i < plots.size(); ++i)
+        svg += "<svg y=\"" + std::to_string(kHeight * static_cast<int>(i)) + "\" width=\"" +
+               std::to_string(kWidth) + "\" height=\"" + std::to_string(kHeight) + "\">\n" + plots[i] +
+               "</svg>\n";
+    return svg + "</svg>\n";
+}
+
+viewlod::Result<Json> measure(const std::string& file, const Request& request, Race& race,
+                              std::vector<std::string>& plots)
 {
     const auto node = readModelNode(file);
     if (!node) return node.error();
@@ -173,7 +191,7 @@ viewlod::Result<Json> measure(const std::string& file, const Request& request, R
         const core::LevelTable table = core::LevelTable::of(mesh, sequence);
         for (Json& row : rows)
             row["faces"] = table.faces[std::min(row["steps"].get<std::uint32_t>(), table.mostSteps())];
-        plots += plotOf(model["model"].get<std::string>(), lights, rows, contestants);
+        plots.push_back(plotOf(model["model"].get<std::string>(), lights, rows, contestants));
         const Json summary = summaryOf(rows, contestants);
         std::cout << model["model"].get<std::string>() << ", " << lights << " lights: " << summary.dump()
                   << '\n';
@@ -189,7 +207,7 @@ int run(const Request& request)
     const auto viewer = osgOffscreen::OffscreenViewer::create(request.picture);
     if (!viewer) return terminal::fail("object_frame_bench", viewer.error());
     Race race(**viewer, request);
-    std::string plots;
+    std::vector<std::string> plots;
     Json report = {{"widthPx", request.picture.widthPx}, {"heightPx", request.picture.heightPx}};
     for (const std::string& file : request.files)
     {
@@ -199,8 +217,7 @@ int run(const Request& request)
     }
     if (!request.plotFile.empty())
     {
-        const auto drawn =
-            viewlod::writeWholeFile(request.plotFile, "<!DOCTYPE html><meta charset=\"utf-8\">" + plots);
+        const auto drawn = viewlod::writeWholeFile(request.plotFile, svgOf(plots));
         if (!drawn) return terminal::fail("object_frame_bench", drawn.error());
     }
     if (request.jsonFile.empty()) return terminal::kDone;
