@@ -98,6 +98,15 @@ void report(const scenery::PlacedScenery& placed, const SceneryShapes& shapes, d
                             std::to_string(field.wanted));
 }
 
+/// The ground that the trainer hands over does not know what covers it.
+void reportUnheeded(const scenery::SceneryDescription& description, std::vector<std::string>& notes)
+{
+    for (const scenery::SceneryField& field : description.fields)
+        if (!field.where.covers.empty())
+            notes.push_back("scenery: " + field.name +
+                            ": 'covers' is not heeded, objects stand on any land cover");
+}
+
 } // namespace
 
 ObjectFigures SceneScenery::figures(unsigned int frameNumber) const
@@ -144,6 +153,7 @@ viewlod::Result<std::optional<SceneScenery>> makeScenery(const PlayRequest& requ
     std::optional<SceneScenery> made(std::in_place);
     made->node = *std::move(node);
     report(placed, *shapes, placingS, made->notes);
+    reportUnheeded(*description, made->notes);
     return made;
 }
 
