@@ -12,23 +12,18 @@
 #include <malloc.h>
 #include <nlohmann/json.hpp>
 
-#include <osg/Geode>
-
 #include <viewlod/ViewState.h>
 #include <viewlod/WholeFile.h>
 
 #include <osgOffscreen/OffscreenViewer>
 #include <osgOffscreen/PngFile>
-#include <osgTerrainROAM/Atmosphere>
 
 #include "Contestants.h"
 #include "Percentile.h"
+#include "models/Plain.h"
 #include "objects/PipelineCount.h"
 #include "terminal/CommandLine.h"
 #include "terminal/Terminal.h"
-#include "view/ModelMesh.h"
-#include "view/ObjectShading.h"
-#include "view/Sky.h"
 
 namespace
 {
@@ -90,7 +85,7 @@ public:
     /// The times of a path's frames, or, of none, those of the pictures that are compared.
     Json fly(const std::string& name, osg::Node& objects, const Path& path, int frames)
     {
-        _viewer.viewer().setSceneData(sceneOf(objects));
+        _viewer.viewer().setSceneData(onPlain(objects, *_air));
         std::vector<double> times, invocations;
         frameMs(path, 0); // compiles
         for (int i = 0; i < frames; ++i)
@@ -146,21 +141,6 @@ private:
         const osg::Vec3d eye(4.0, -0.3 * 1000.0 + path.stepM * frame, path.heightM);
         const osg::Vec3d along(0.1, 1.0, path.pitch);
         _viewer.camera().setViewMatrixAsLookAt(eye, eye + along, {0.0, 0.0, 1.0});
-    }
-
-    osg::ref_ptr<osg::Group> sceneOf(osg::Node& objects)
-    {
-        osg::ref_ptr<osg::Group> root = new osg::Group;
-        root->setStateSet(_air->stateSet());
-        root->addChild(trainer::makeSky());
-        trainer::ModelMesh slab;
-        slab.addBox({-3e4F, -3e4F, -1.0F}, {3e4F, 3e4F, 0.0F}, {0.42F, 0.46F, 0.30F, 1.0F});
-        const osg::ref_ptr<osg::Geode> ground = new osg::Geode;
-        ground->addDrawable(slab.geometry());
-        trainer::setObjectShading(*ground, trainer::Finish::matt);
-        root->addChild(ground);
-        root->addChild(&objects);
-        return root;
     }
 
     void keep(const osg::Image& picture, const std::string& name) const

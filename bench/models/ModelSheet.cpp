@@ -9,19 +9,14 @@
 #include <string>
 #include <vector>
 
-#include <osg/Geode>
-
 #include <osgOffscreen/OffscreenViewer>
 #include <osgOffscreen/PngFile>
-#include <osgTerrainROAM/Atmosphere>
 
+#include "Plain.h"
 #include "models/Catalogue.h"
 #include "view/ContactSheet.h"
-#include "view/ModelMesh.h"
 #include "view/ModelStates.h"
-#include "view/ObjectShading.h"
 #include "view/Pose.h"
-#include "view/Sky.h"
 
 namespace
 {
@@ -38,23 +33,6 @@ struct View
     glm::dvec3 eye, target;
     double heightDeg;
 };
-
-/// The model in the air of a clear afternoon on a green plain.
-osg::ref_ptr<osg::Group> sceneOf(const trainer::models::Model& model, trainer::ModelStates& states,
-                                 osgTerrainROAM::Atmosphere& air)
-{
-    osg::ref_ptr<osg::Group> root = new osg::Group;
-    root->setStateSet(air.stateSet());
-    root->addChild(trainer::makeSky());
-    trainer::ModelMesh slab;
-    slab.addBox({-3e4F, -3e4F, -1.0F}, {3e4F, 3e4F, 0.0F}, {0.42F, 0.46F, 0.30F, 1.0F});
-    const osg::ref_ptr<osg::Geode> ground = new osg::Geode;
-    ground->addDrawable(slab.geometry());
-    trainer::setObjectShading(*ground, trainer::Finish::matt);
-    root->addChild(ground);
-    root->addChild(trainer::makeModelNode(model, states));
-    return root;
-}
 
 /// `distanceM`: of the two views from near; 0: from where all of it is seen.
 std::vector<View> viewsOf(const trainer::models::Model& model, double distanceM)
@@ -125,7 +103,7 @@ int main(int argc, char** argv)
             // Everything anew for each picture: objects of one context mean nothing in the next.
             trainer::ModelStates states;
             const osg::ref_ptr<osgTerrainROAM::Atmosphere> air = new osgTerrainROAM::Atmosphere;
-            const auto picture = pictureOf(sceneOf(model, states, *air), view);
+            const auto picture = pictureOf(onPlain(*trainer::makeModelNode(model, states), *air), view);
             files.push_back(folder / (std::string(facts.name) + "-" + view.name + ".png"));
             if (const auto written = osgOffscreen::writePng(*picture, files.back()); !written)
             {

@@ -5,9 +5,7 @@
 
 #include <osg/BlendFunc>
 #include <osg/Depth>
-#include <osg/Image>
 #include <osg/Program>
-#include <osg/Texture2D>
 
 #include <osgPMObjects/ObjectShader>
 #include <osgTerrainROAM/Atmosphere>
@@ -80,18 +78,6 @@ void main()
 }
 )";
 
-osg::ref_ptr<osg::Texture2D> white()
-{
-    osg::ref_ptr<osg::Image> pixel = new osg::Image;
-    pixel->allocateImage(1, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE);
-    for (int i = 0; i < 4; ++i)
-        pixel->data()[i] = 255;
-    osg::ref_ptr<osg::Texture2D> texture = new osg::Texture2D(pixel);
-    texture->setFilter(osg::Texture::MIN_FILTER, osg::Texture::NEAREST);
-    texture->setFilter(osg::Texture::MAG_FILTER, osg::Texture::NEAREST);
-    return texture;
-}
-
 } // namespace
 
 void setObjectShading(osg::Node& node, Finish finish, const FlankHoles& holes)
@@ -114,7 +100,7 @@ void setObjectShading(osg::Node& node, Finish finish, const FlankHoles& holes)
     state->addUniform(new osg::Uniform("objectHolesXz", osg::Vec4f(holes.firstXz.x(), holes.firstXz.y(),
                                                                    holes.secondXz.x(), holes.secondXz.y())));
     state->addUniform(new osg::Uniform("objectHolesSize", osg::Vec2f(holes.radiusM, holes.innerYM)));
-    state->setTextureAttributeAndModes(0, white());
+    state->setTextureAttributeAndModes(0, osgPMObjects::whiteTexture());
     if (finish != Finish::seeThrough) return;
     state->setAttributeAndModes(new osg::BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA));
     state->setAttributeAndModes(new osg::Depth(osg::Depth::LESS, 0.0, 1.0, false));

@@ -53,10 +53,16 @@ void FieldMesh::addArrays()
             offsets->push_back({offset.x, offset.y, offset.z});
         offsets->setVertexBufferObject(new osg::VertexBufferObject);
     }
+    const auto grows = [&](std::uint32_t group)
+    {
+        for (std::size_t i = group; i < _growth.scales.size(); i += _ladder.groups)
+            if (_growth.scales[i] != 1.0F) return true;
+        return false;
+    };
     for (std::uint32_t group = 0; group < _shape->groups().size(); ++group)
     {
         _settled.push_back(_shape->groups()[group].arrays);
-        if (!hasLeaves(group)) continue;
+        if (!grows(group)) continue;
         _settled.back() = new osg::Geometry(*_settled.back(), osg::CopyOp::SHALLOW_COPY);
         _settled.back()->setVertexAttribArray(kLeafOffsetAttribute, offsets);
     }
@@ -64,10 +70,7 @@ void FieldMesh::addArrays()
 
 bool FieldMesh::hasLeaves(std::uint32_t group) const
 {
-    if (_growth.scales.empty()) return false;
-    for (std::size_t i = group; i < _growth.scales.size(); i += _ladder.groups)
-        if (_growth.scales[i] != 1.0F) return true;
-    return false;
+    return _settled[group] != _shape->groups()[group].arrays;
 }
 
 void FieldMesh::addTargets()

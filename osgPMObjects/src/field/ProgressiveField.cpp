@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <cmath>
-
 #include <osgUtil/CullVisitor>
 
 #include <osgPMObjects/ObjectShader>

@@ -2,7 +2,6 @@
 #include <string>
 
 #include <osg/Image>
-#include <osg/Texture2D>
 #include <osg/Uniform>
 
 #include <osgPMObjects/ObjectShader>
@@ -49,6 +48,8 @@ void main()
 }
 )";
 
+} // namespace
+
 osg::ref_ptr<osg::Texture2D> whiteTexture()
 {
     const osg::ref_ptr<osg::Image> pixel = new osg::Image;
@@ -60,8 +61,6 @@ osg::ref_ptr<osg::Texture2D> whiteTexture()
     texture->setFilter(osg::Texture::MAG_FILTER, osg::Texture::NEAREST);
     return texture;
 }
-
-} // namespace
 
 void bindObjectAttributes(osg::Program& program)
 {

@@ -107,13 +107,6 @@ void Field::sortIntoCells()
     }
 }
 
-bool Field::usesBudget() const
-{
-    return std::any_of(_models.begin(), _models.end(),
-                       [](const FieldModel& model)
-                       { return model.selection.method == SelectionMethod::budget; });
-}
-
 SelectableObject Field::selectable(std::uint32_t object, double metresPerUnit) const
 {
     const FieldObject& placement = _objects[object];

@@ -63,7 +63,6 @@ public:
     std::span<const FieldCell> cells() const { return _cells; }
     /// The number that an object had among those that were given.
     std::uint32_t numberOf(std::uint32_t object) const { return _numbers[object]; }
-    bool usesBudget() const;
 
     /// An object as the rules want it; without its curve, which depends on the cost of drawing. `metresPerUnit`: of the field.
     SelectableObject selectable(std::uint32_t object, double metresPerUnit) const;

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <osg/Geode>
+
+#include <osgTerrainROAM/Atmosphere>
+
+#include "view/ModelMesh.h"
+#include "view/ObjectShading.h"
+#include "view/Sky.h"
+
+/// What stands on a green plain, in that air.
+inline osg::ref_ptr<osg::Group> onPlain(osg::Node& objects, osgTerrainROAM::Atmosphere& air)
+{
+    osg::ref_ptr<osg::Group> root = new osg::Group;
+    root->setStateSet(air.stateSet());
+    root->addChild(trainer::makeSky());
+    trainer::ModelMesh slab;
+    slab.addBox({-3e4F, -3e4F, -1.0F}, {3e4F, 3e4F, 0.0F}, {0.42F, 0.46F, 0.30F, 1.0F});
+    const osg::ref_ptr<osg::Geode> ground = new osg::Geode;
+    ground->addDrawable(slab.geometry());
+    trainer::setObjectShading(*ground, trainer::Finish::matt);
+    root->addChild(ground);
+    root->addChild(&objects);
+    return root;
+}
