@@ -81,8 +81,9 @@ Calls callsOf(const ProgressiveMesh& progressive, const CompactedLevel& level)
     for (std::uint32_t group = 0; group < progressive.groups.size(); ++group)
     {
         const SlotRange range = level.rangeOf(group);
-        const auto triangles = level.triangles().subspan(range.first, range.count);
-        calls.emplace_back(triangles.begin(), triangles.end());
+        auto& call = calls.emplace_back();
+        for (std::uint32_t i = range.first; i < range.first + range.count; ++i)
+            call.push_back(level.triangle(i));
     }
     return calls;
 }
@@ -163,6 +164,14 @@ Json arrangementRow(const CacheSubject& subject, const NamedArrangement& named)
     return row;
 }
 
+std::vector<Triangle> trianglesOf(const CompactedLevel& level)
+{
+    std::vector<Triangle> triangles;
+    for (std::uint32_t i = 0; i < level.triangleCount(); ++i)
+        triangles.push_back(level.triangle(i));
+    return triangles;
+}
+
 /// Faces that get into another slot at a step, when all behind the first that vanishes move up.
 double writesOfCompaction(const CacheSubject& subject, CompactedLevel& level)
 {
@@ -170,9 +179,9 @@ double writesOfCompaction(const CacheSubject& subject, CompactedLevel& level)
     for (const std::uint32_t steps : subject.levels)
     {
         level.moveTo(steps);
-        const std::vector<Triangle> before(level.triangles().begin(), level.triangles().end());
+        const std::vector<Triangle> before = trianglesOf(level);
         level.moveTo(steps + 1);
-        const auto after = level.triangles();
+        const std::vector<Triangle> after = trianglesOf(level);
         const auto same = std::mismatch(after.begin(), after.end(), before.begin()).first - after.begin();
         sum += static_cast<double>(after.size()) - static_cast<double>(same);
     }

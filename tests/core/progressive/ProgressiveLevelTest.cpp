@@ -1,66 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <array>
-#include <map>
 
 #include <gtest/gtest.h>
 
 #include <osgPMObjects/core/progressive/ProgressiveLevel.h>
 #include <osgPMObjects/core/simplify/Simplify.h>
 
-#include "ClosedMeshes.h"
-#include "SimplifyMeshes.h"
+#include "DrawnFaces.h"
 
 namespace
 {
 
 using namespace osgPMObjects::core;
-
-struct Subject
-{
-    std::string name;
-    Mesh mesh;
-};
-
-std::vector<Subject> subjects()
-{
-    Mesh two = testsupport::together(testsupport::waves(9, 7), testsupport::torus(12, 8), {20.0, 0.0, 0.0});
-    return {{"open", testsupport::waves(14, 11)},
-            {"closed", testsupport::torus(17, 9)},
-            {"seam", testsupport::texturedInHalves(12, 10)},
-            {"two materials", std::move(two)},
-            {"soup", testsupport::faceSoup(3, 60, 90)}};
-}
-
-/// A corner as it is seen: what must be the same whatever its number.
-using SeenCorner = std::array<double, 5>;
-using SeenFace = std::array<SeenCorner, 3>;
-
-SeenCorner seen(const Mesh& mesh, std::uint32_t wedge)
-{
-    const Wedge w = wedgeOf(mesh, wedge);
-    const glm::dvec3& at = mesh.positions[w.position];
-    return {at.x, at.y, at.z, w.texCoords[0].x, w.texCoords[0].y};
-}
-
-void add(std::vector<std::pair<std::uint32_t, SeenFace>>& faces, const Mesh& mesh, std::uint32_t material,
-         std::array<std::uint32_t, 3> wedges)
-{
-    SeenFace face{seen(mesh, wedges[0]), seen(mesh, wedges[1]), seen(mesh, wedges[2])};
-    std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
-    faces.emplace_back(material, face);
-}
-
-using SeenFaces = std::vector<std::pair<std::uint32_t, SeenFace>>;
-
-SeenFaces seenOf(const Mesh& level)
-{
-    SeenFaces faces;
-    for (const Face& face : level.faces)
-        add(faces, level, face.material, face.wedges);
-    std::sort(faces.begin(), faces.end());
-    return faces;
-}
 
 std::vector<std::uint32_t> indicesOf(const ProgressiveLevel& level)
 {
@@ -69,9 +21,10 @@ std::vector<std::uint32_t> indicesOf(const ProgressiveLevel& level)
 }
 
 /// What is drawn, holes left out; and how many holes there are.
-SeenFaces drawnOf(const ProgressiveMesh& progressive, const ProgressiveLevel& level, std::size_t& holes)
+testsupport::SeenFaces drawnOf(const ProgressiveMesh& progressive, const ProgressiveLevel& level,
+                               std::size_t& holes)
 {
-    SeenFaces faces;
+    testsupport::SeenFaces faces;
     holes = 0;
     const std::vector<std::uint32_t> indices = indicesOf(level);
     for (std::uint32_t group = 0; group < progressive.groups.size(); ++group)
@@ -86,7 +39,8 @@ SeenFaces drawnOf(const ProgressiveMesh& progressive, const ProgressiveLevel& le
                 if (at[0] == at[1])
                     ++holes;
                 else
-                    add(faces, progressive.mesh, progressive.groups[group].material, {at[0], at[1], at[2]});
+                    testsupport::addSeen(faces, progressive.mesh, progressive.groups[group].material,
+                                         {at[0], at[1], at[2]});
             }
     }
     std::sort(faces.begin(), faces.end());
@@ -96,20 +50,15 @@ SeenFaces drawnOf(const ProgressiveMesh& progressive, const ProgressiveLevel& le
 constexpr std::array kArrangements{Arrangement::plain, Arrangement::tswap, Arrangement::blocks,
                                    Arrangement::windows};
 
-ArrangementSettings small(Arrangement arrangement)
-{
-    return {.arrangement = arrangement, .blockFaces = arrangement == Arrangement::windows ? 40u : 8u};
-}
-
 TEST(ProgressiveLevel, DrawsTheFacesOfEveryLevelWhateverTheirOrder)
 {
-    for (const Subject& subject : subjects())
+    for (const auto& subject : testsupport::progressiveSubjects())
     {
         const CollapseSequence sequence = simplify(subject.mesh);
         for (const Arrangement arrangement : kArrangements)
         {
             const ProgressiveMesh progressive =
-                buildProgressiveMesh(subject.mesh, sequence, small(arrangement));
+                buildProgressiveMesh(subject.mesh, sequence, testsupport::smallBlocks(arrangement));
             ASSERT_EQ(progressive.stepCount, sequence.steps.size()) << subject.name;
             ASSERT_TRUE(isValid(progressive)) << subject.name;
             ProgressiveLevel level(progressive);
@@ -118,10 +67,10 @@ TEST(ProgressiveLevel, DrawsTheFacesOfEveryLevelWhateverTheirOrder)
             {
                 level.moveTo(steps);
                 std::size_t holes = 0;
-                const SeenFaces drawn = drawnOf(progressive, level, holes);
+                const testsupport::SeenFaces drawn = drawnOf(progressive, level, holes);
                 mostHoles = std::max(mostHoles, holes);
                 ASSERT_EQ(drawn.size(), level.faceCount());
-                ASSERT_EQ(drawn, seenOf(meshAfter(subject.mesh, sequence, steps)))
+                ASSERT_EQ(drawn, testsupport::seenOf(meshAfter(subject.mesh, sequence, steps)))
                     << subject.name << ", arrangement " << static_cast<int>(arrangement) << ", step "
                     << steps;
             }
@@ -132,13 +81,13 @@ TEST(ProgressiveLevel, DrawsTheFacesOfEveryLevelWhateverTheirOrder)
 
 TEST(ProgressiveLevel, GoesUpThroughTheVeryBuffersThatItWentDown)
 {
-    for (const Subject& subject : subjects())
+    for (const auto& subject : testsupport::progressiveSubjects())
     {
         const CollapseSequence sequence = simplify(subject.mesh);
         for (const Arrangement arrangement : kArrangements)
         {
             const ProgressiveMesh progressive =
-                buildProgressiveMesh(subject.mesh, sequence, small(arrangement));
+                buildProgressiveMesh(subject.mesh, sequence, testsupport::smallBlocks(arrangement));
             ProgressiveLevel level(progressive);
             std::vector<std::vector<std::uint32_t>> down;
             for (std::uint32_t steps = 0; steps <= progressive.stepCount; ++steps)

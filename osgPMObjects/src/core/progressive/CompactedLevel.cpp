@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <cassert>
+#include <limits>
 #include <numeric>
+#include <type_traits>
+#include <vector>
 
 #include <osgPMObjects/core/progressive/CompactedLevel.h>
 #include <osgPMObjects/core/progressive/LevelMesh.h>
@@ -8,63 +12,178 @@
 namespace osgPMObjects::core
 {
 
-CompactedLevel::CompactedLevel(const ProgressiveMesh& progressive)
-    : _progressive(progressive), _groupEnds(progressive.groups.size())
+class CompactedLevel::Pass
 {
-    ProgressiveLevel finest(progressive);
-    finest.moveTo(0);
-    _fullEnds.resize(progressive.groups.size(), 0);
-    forEachDrawnFace(progressive, finest,
-                     [this](const Triangle& face, std::uint32_t group)
-                     {
-                         _full.push_back(face);
-                         ++_fullEnds[group];
-                     });
-    std::partial_sum(_fullEnds.begin(), _fullEnds.end(), _fullEnds.begin());
-    _triangles.resize(_full.size());
-    for (std::uint32_t wedge = 0; wedge < progressive.mesh.wedgeCount(); ++wedge)
-        _become.push_back({wedge, progressive.mesh.wedgePositions[wedge]});
-    moveTo(0);
+public:
+    virtual ~Pass() = default;
+
+    virtual void moveTo(std::uint32_t steps) = 0;
+    virtual std::span<const std::uint16_t> narrowIndices() const = 0;
+    virtual std::span<const std::uint32_t> wideIndices() const = 0;
+
+    SlotRange rangeOf(std::uint32_t group) const
+    {
+        const std::uint32_t first = group == 0 ? 0 : _groupEnds[group - 1];
+        return {first, _groupEnds[group] - first};
+    }
+
+protected:
+    std::vector<std::uint32_t> _groupEnds;
+};
+
+namespace
+{
+
+/// After how many steps a face is gone: once a corner became nothing, or two of them one position; never: one more than there are.
+std::uint32_t endOf(const ProgressiveMesh& progressive, Triangle face)
+{
+    const auto& positions = progressive.mesh.wedgePositions;
+    while (true)
+    {
+        std::uint32_t& next = *std::max_element(face.begin(), face.end()); // the last wedge goes first
+        const std::uint32_t goesAfter =
+            static_cast<std::uint32_t>(progressive.mesh.positions.size()) - positions[next];
+        if (goesAfter > progressive.stepCount) return progressive.stepCount + 1;
+        if (progressive.parents[next] == next) return goesAfter;
+        next = progressive.parents[next];
+        const std::uint32_t a = positions[face[0]], b = positions[face[1]], c = positions[face[2]];
+        if (a == b || b == c || c == a) return goesAfter;
+    }
+}
+
+template<class Index>
+class IndexPass : public CompactedLevel::Pass
+{
+public:
+    explicit IndexPass(const ProgressiveMesh& progressive)
+        : _progressive(progressive),
+          _parents(progressive.parents.begin(), progressive.parents.end()),
+          _become(progressive.parents.size())
+    {
+        ProgressiveLevel finest(progressive);
+        finest.moveTo(0);
+        _faces.reserve(finest.faceCount());
+        _finestEnds.resize(progressive.groups.size(), 0);
+        const auto index = [](std::uint32_t number) { return static_cast<Index>(number); };
+        forEachDrawnFace(progressive, finest,
+                         [&](const Triangle& face, std::uint32_t group)
+                         {
+                             _faces.push_back({index(face[0]), index(face[1]), index(face[2]),
+                                               index(endOf(progressive, face))});
+                             ++_finestEnds[group];
+                         });
+        std::partial_sum(_finestEnds.begin(), _finestEnds.end(), _finestEnds.begin());
+        _groupEnds = _finestEnds;
+        _indices.resize(3 * _faces.size());
+        moveTo(0);
+    }
+
+    /// What is gone is written, too, and written over by the next: a branch would be a coin's. Three plain stores: put together
+    /// into one word, each face would wait for the one before it, which takes half as long again.
+    void moveTo(std::uint32_t steps) override
+    {
+        findWedges(_progressive.wedgesAfter(steps));
+        const Index* const become = _become.data();
+        const Face* face = _faces.data();
+        Index* out = _indices.data();
+        for (std::size_t group = 0; group < _groupEnds.size(); ++group)
+        {
+            for (const Face* const end = _faces.data() + _finestEnds[group]; face != end; ++face)
+            {
+                out[0] = become[face->a];
+                out[1] = become[face->b];
+                out[2] = become[face->c];
+                out += face->end > steps ? 3 : 0;
+            }
+            _groupEnds[group] = static_cast<std::uint32_t>((out - _indices.data()) / 3);
+        }
+    }
+
+    std::span<const std::uint16_t> narrowIndices() const override { return indicesAs<std::uint16_t>(); }
+    std::span<const std::uint32_t> wideIndices() const override { return indicesAs<std::uint32_t>(); }
+
+private:
+    /// Of the finest level, and after how many steps it is gone.
+    struct Face
+    {
+        Index a, b, c, end;
+    };
+
+    template<class Wanted>
+    std::span<const Wanted> indicesAs() const
+    {
+        if constexpr (std::is_same_v<Wanted, Index>)
+            return {_indices.data(), _groupEnds.empty() ? 0 : std::size_t{3} * _groupEnds.back()};
+        else
+            return {};
+    }
+
+    void findWedges(std::uint32_t wedgesLeft)
+    {
+        if (wedgesLeft > _wedgesLeft)
+            std::iota(_become.begin() + _wedgesLeft, _become.begin() + wedgesLeft,
+                      static_cast<Index>(_wedgesLeft));
+        _wedgesLeft = wedgesLeft;
+        for (std::size_t wedge = wedgesLeft; wedge < _become.size(); ++wedge)
+            _become[wedge] = _become[_parents[wedge]];
+    }
+
+    const ProgressiveMesh& _progressive;
+    std::vector<Face> _faces;
+    std::vector<std::uint32_t> _finestEnds; ///< by group, in `_faces`
+    std::vector<Index> _parents;
+    std::vector<Index> _become; ///< by wedge; anything for those that become nothing
+    std::uint32_t _wedgesLeft = 0;
+    std::vector<Index> _indices; ///< room for all
+};
+
+} // namespace
+
+CompactedLevel::CompactedLevel(const ProgressiveMesh& progressive)
+{
+    if (progressive.mesh.wedgeCount() < std::numeric_limits<std::uint16_t>::max())
+        _pass = std::make_unique<IndexPass<std::uint16_t>>(progressive);
+    else
+        _pass = std::make_unique<IndexPass<std::uint32_t>>(progressive);
+}
+
+CompactedLevel::~CompactedLevel() = default;
+CompactedLevel::CompactedLevel(CompactedLevel&&) noexcept = default;
+CompactedLevel& CompactedLevel::operator=(CompactedLevel&&) noexcept = default;
+
+void CompactedLevel::moveTo(std::uint32_t steps)
+{
+    _pass->moveTo(steps);
+}
+
+std::span<const std::uint16_t> CompactedLevel::narrowIndices() const
+{
+    return _pass->narrowIndices();
+}
+
+std::span<const std::uint32_t> CompactedLevel::wideIndices() const
+{
+    return _pass->wideIndices();
+}
+
+std::uint32_t CompactedLevel::triangleCount() const
+{
+    return static_cast<std::uint32_t>((narrowIndices().size() + wideIndices().size()) / 3);
+}
+
+Triangle CompactedLevel::triangle(std::uint32_t index) const
+{
+    const auto at = [&](const auto& indices) -> Triangle
+    {
+        return {indices[3 * std::size_t{index}], indices[3 * std::size_t{index} + 1],
+                indices[3 * std::size_t{index} + 2]};
+    };
+    return narrowIndices().empty() ? at(wideIndices()) : at(narrowIndices());
 }
 
 SlotRange CompactedLevel::rangeOf(std::uint32_t group) const
 {
-    const std::uint32_t first = group == 0 ? 0 : _groupEnds[group - 1];
-    return {first, _groupEnds[group] - first};
-}
-
-void CompactedLevel::findWedges(std::uint32_t wedgesLeft)
-{
-    const auto& positions = _progressive.mesh.wedgePositions;
-    for (std::uint32_t wedge = 0; wedge < wedgesLeft; ++wedge)
-        _become[wedge] = {wedge, positions[wedge]};
-    for (std::uint32_t wedge = wedgesLeft; wedge < _become.size(); ++wedge)
-    {
-        const std::uint32_t parent = _progressive.parents[wedge];
-        _become[wedge] = parent == wedge ? Become{wedge, positions[wedge]} : _become[parent];
-    }
-}
-
-void CompactedLevel::moveTo(std::uint32_t steps)
-{
-    const std::uint32_t wedgesLeft = _progressive.wedgesAfter(steps);
-    findWedges(wedgesLeft);
-    std::uint32_t live = 0, slot = 0;
-    for (std::uint32_t group = 0; group < _progressive.groups.size(); ++group)
-    {
-        for (; slot < _fullEnds[group]; ++slot)
-        {
-            const Become a = _become[_full[slot][0]], b = _become[_full[slot][1]],
-                         c = _become[_full[slot][2]];
-            _triangles[live] = {a.wedge, b.wedge, c.wedge};
-            const unsigned isHere{std::max({a.wedge, b.wedge, c.wedge}) < wedgesLeft};
-            const unsigned ab{a.position != b.position}, bc{b.position != c.position},
-                ca{c.position != a.position};
-            live += isHere & ab & bc & ca; // without a branch: it would be a coin's
-        }
-        _groupEnds[group] = live;
-    }
-    _live = live;
+    return _pass->rangeOf(group);
 }
 
 } // namespace osgPMObjects::core
