@@ -9,6 +9,7 @@
 #include "../export/DrawnState.h"
 #include "../export/FloatOrigin.h"
 #include "ShapeArrays.h"
+#include "ShapeJumps.h"
 
 namespace osgPMObjects
 {
@@ -54,7 +55,8 @@ ProgressiveShape::ProgressiveShape(const ProgressiveShape& other, const osg::Cop
       _vertices(other._vertices),
       _groups(other._groups),
       _box(other._box),
-      _sphere(other._sphere)
+      _sphere(other._sphere),
+      _jumps(ShapeJumps::of(_progressive))
 {
 }
 
@@ -83,6 +85,7 @@ void ProgressiveShape::make(core::ProgressiveMesh progressive,
         _groups.push_back(std::move(made));
     }
     measure();
+    _jumps = ShapeJumps::of(_progressive);
 }
 
 void ProgressiveShape::measure()

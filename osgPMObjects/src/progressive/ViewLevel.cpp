@@ -30,22 +30,57 @@ ViewLevel::ViewLevel(osg::ref_ptr<const ProgressiveShape> shape)
 DrawnLevelPtr ViewLevel::at(std::uint32_t steps, unsigned int frame, std::optional<unsigned int> contextId)
 {
     const std::lock_guard lock(_levelMutex);
-    const bool moves = _serial == 0 || steps != _level.steps();
-    if (moves) advance(steps);
+    const bool moves = advance(steps, frame);
     IndexPacketPtr packet = contextId ? packetFor(*contextId, frame) : nullptr;
     if (moves || packet != _drawn->packet) _drawn = drawnWith(std::move(packet));
     return _drawn;
 }
 
-void ViewLevel::advance(std::uint32_t steps)
+bool ViewLevel::isFar(std::uint32_t steps) const
 {
-    _level.moveTo(steps);
+    const std::uint32_t here = _level.steps();
+    return _shape->jumps() &&
+           std::max(steps, here) - std::min(steps, here) > ShapeJumps::shortest(_shape->progressive());
+}
+
+/// Whether something else is shown from now on.
+bool ViewLevel::advance(std::uint32_t steps, unsigned int frame)
+{
+    if (_jumped) followJump(steps, frame);
+    const bool isThere = _serial != 0 && steps == this->steps();
+    const bool far = isFar(steps);
+    if (isThere && (far || !_jumped)) return false;
     ++_serial;
-    _whole = nullptr;
+    _whole = _changed = nullptr;
+    if (!far)
+        playTo(steps);
+    else
+    {
+        _jumped = _shape->jumps()->to(steps);
+        _jumpFrame = frame;
+        ++_jumps;
+    }
+    return true;
+}
+
+/// Plays as many steps as take about as long as a jump, once in a frame; advance() plays what is left then, if that is no more.
+void ViewLevel::followJump(std::uint32_t steps, unsigned int frame)
+{
+    if (frame == _jumpFrame || !isFar(steps)) return;
+    _jumpFrame = frame;
+    const std::uint32_t here = _level.steps(), most = ShapeJumps::shortest(_shape->progressive());
+    _level.moveTo(here < steps ? here + most : here - most);
+}
+
+void ViewLevel::playTo(std::uint32_t steps)
+{
+    // At first, and behind a jump, everything has changed; whoever draws is given the whole then.
+    const bool follows = _serial > 1 && !_jumped;
+    _jumped = nullptr;
+    _level.moveTo(steps);
     std::vector<core::SlotRange> changes;
     _level.takeChanges(changes);
-    // At first everything has changed; whoever draws is given the whole then.
-    _changed = _serial == 1 ? nullptr : packetOf(std::move(changes), false);
+    if (follows) _changed = packetOf(std::move(changes), false);
 }
 
 /// What a context needs that has what it was given; none once a frame has passed since, for then it has it.
@@ -54,7 +89,7 @@ IndexPacketPtr ViewLevel::packetFor(unsigned int contextId, unsigned int frame)
     Given& given = _given[contextId];
     if (given.serial != _serial)
     {
-        const bool follows = given.serial != 0 && given.serial + 1 == _serial;
+        const bool follows = _changed && given.serial != 0 && given.serial + 1 == _serial;
         given = {_serial, frame, follows ? _changed : wholeNow()};
     }
     else if (given.frame != frame)
@@ -64,7 +99,7 @@ IndexPacketPtr ViewLevel::packetFor(unsigned int contextId, unsigned int frame)
 
 IndexPacketPtr ViewLevel::packetOf(std::vector<core::SlotRange> ranges, bool isWhole) const
 {
-    const std::span<const std::byte> indices = bytesOf(_level);
+    const std::span<const std::byte> indices = _jumped ? std::span(_jumped->indices) : bytesOf(_level);
     const std::size_t slotBytes = 3 * indexBytesOf(_level);
     const auto packet = std::make_shared<IndexPacket>();
     packet->serial = _serial;
@@ -80,7 +115,8 @@ IndexPacketPtr ViewLevel::packetOf(std::vector<core::SlotRange> ranges, bool isW
 
 IndexPacketPtr ViewLevel::wholeNow()
 {
-    if (!_whole) _whole = packetOf({{0, _shape->progressive().slotCount}}, true);
+    const std::uint32_t slots = _jumped ? _jumped->triangleCount() : _shape->progressive().slotCount;
+    if (!_whole) _whole = packetOf({{0, slots}}, true);
     return _whole;
 }
 
@@ -89,14 +125,22 @@ DrawnLevelPtr ViewLevel::drawnWith(IndexPacketPtr packet) const
     const auto drawn = std::make_shared<DrawnLevel>();
     drawn->serial = _serial;
     drawn->packet = std::move(packet);
-    drawn->steps = _level.steps();
-    drawn->faces = _level.faceCount();
+    drawn->steps = steps();
+    drawn->faces = faceCount();
     for (std::uint32_t group = 0; group < _shape->groups().size(); ++group)
     {
-        _level.appendRanges(group, drawn->ranges);
+        appendRanges(group, drawn->ranges);
         drawn->groupEnds.push_back(static_cast<std::uint32_t>(drawn->ranges.size()));
     }
     return drawn;
+}
+
+void ViewLevel::appendRanges(std::uint32_t group, std::vector<core::SlotRange>& ranges) const
+{
+    if (!_jumped)
+        _level.appendRanges(group, ranges);
+    else if (_jumped->groups[group].count > 0)
+        ranges.push_back(_jumped->groups[group]);
 }
 
 GpuIndices& ViewLevel::gpuIndices(unsigned int contextId)
@@ -152,8 +196,9 @@ void ViewLevel::addTo(ProgressiveViewStatistics& statistics) const
 {
     {
         const std::lock_guard lock(_levelMutex);
-        statistics.steps = _level.steps();
-        statistics.triangles = _level.faceCount();
+        statistics.steps = steps();
+        statistics.triangles = faceCount();
+        statistics.jumps = _jumps;
         statistics.played = _level.statistics();
     }
     const std::lock_guard lock(_gpuMutex);

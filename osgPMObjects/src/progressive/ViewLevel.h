@@ -4,6 +4,7 @@
 #include <map>
 #include <mutex>
 #include <optional>
+#include <ranges>
 
 #include <osgPMObjects/core/progressive/LevelMesh.h>
 
@@ -11,12 +12,15 @@
 #include <osgPMObjects/ProgressiveStatistics>
 
 #include "GpuIndices.h"
+#include "ShapeJumps.h"
 
 namespace osgPMObjects
 {
 
 /// The index buffer of one view group of an object, and its copies in the graphics contexts.
-/// Invariant: the level is in state `_serial`; packets lead from state to state.
+/// The way to a level that is near is played step by step. One far away is made in one pass, whole; the steps to it are played in the
+/// frames that follow, in each at most twice as many as take as long as the pass, and changes are small again after that.
+/// Invariant: what is shown is in state `_serial`; packets lead from state to state.
 /// Threads: any; the level under one lock, each context's buffer under another that is never held while waiting for the first.
 class ViewLevel
 {
@@ -36,7 +40,11 @@ public:
     void visitFaces(const Visit& visit) const
     {
         const std::lock_guard lock(_levelMutex);
-        core::forEachDrawnFace(_shape->progressive(), _level, visit);
+        if (!_jumped) return core::forEachDrawnFace(_shape->progressive(), _level, visit);
+        for (std::uint32_t group = 0; group < _jumped->groups.size(); ++group)
+            for (const core::SlotRange range = _jumped->groups[group];
+                 const std::uint32_t triangle : std::views::iota(range.first, range.first + range.count))
+                visit(_jumped->triangle(triangle), group);
     }
 
     const ProgressiveShape& shape() const { return *_shape; }
@@ -56,7 +64,13 @@ private:
         IndexPacketPtr packet;
     };
 
-    void advance(std::uint32_t steps);
+    std::uint32_t steps() const { return _jumped ? _jumped->steps : _level.steps(); }
+    std::uint32_t faceCount() const { return _jumped ? _jumped->triangleCount() : _level.faceCount(); }
+    bool isFar(std::uint32_t steps) const;
+    bool advance(std::uint32_t steps, unsigned int frame);
+    void followJump(std::uint32_t steps, unsigned int frame);
+    void playTo(std::uint32_t steps);
+    void appendRanges(std::uint32_t group, std::vector<core::SlotRange>& ranges) const;
     IndexPacketPtr packetFor(unsigned int contextId, unsigned int frame);
     IndexPacketPtr packetOf(std::vector<core::SlotRange> ranges, bool isWhole) const;
     IndexPacketPtr wholeNow();
@@ -68,6 +82,9 @@ private:
 
     mutable std::mutex _levelMutex; ///< guards everything down to _drawn
     core::ProgressiveLevel _level;
+    JumpedLevelPtr _jumped;      ///< shown as long as `_level` is not there
+    unsigned int _jumpFrame = 0; ///< `_level` has been moved in it
+    std::uint32_t _jumps = 0;
     std::uint64_t _serial = 0;
     IndexPacketPtr _changed,
         _whole; ///< to _serial from the state before, and from nothing: made when asked for

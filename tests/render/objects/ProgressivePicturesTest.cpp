@@ -151,6 +151,29 @@ TEST(ProgressivePictures, AreTheSameAfterManyLevels)
     EXPECT_LT(statistics[0].bytesUploaded, kRounds * wholeBytes / 2) << "whole buffers were sent";
 }
 
+/// Levels that are far from each other are made in one pass, and what is drawn then changes place in the buffer behind it.
+TEST(ProgressivePictures, AreThoseOfTheBakedGeometryAfterJumpsAndBehindThem)
+{
+    core::Mesh mesh = shaded(
+        testsupport::together(testsupport::torus(90, 60), testsupport::waves(60, 50), {4.0, -10.0, -1.0}));
+    const core::CollapseSequence sequence = core::simplify(mesh);
+    const osg::ref_ptr<ProgressiveShape> shape =
+        new ProgressiveShape(core::buildProgressiveMesh(mesh, sequence), {});
+    const osg::ref_ptr<ProgressiveDrawable> drawable = new ProgressiveDrawable(shape);
+    const osg::BoundingSphere ball = drawable->getBound();
+    const std::uint32_t most = shape->progressive().stepCount;
+    for (const std::uint32_t steps : {0u, most / 2, most / 2 + 20, most - 20, most - 40, 10u})
+    {
+        drawable->setSteps(steps);
+        const osg::ref_ptr<osg::Node> baked = bakeLevel(*shape, steps);
+        const Pictures expected = picturesOf(*baked, ball);
+        for (int round = 0; round < 2; ++round) // of some frames each
+            EXPECT_EQ(differences(expected, picturesOf(*drawable, ball)), 0) << steps << ", " << round;
+    }
+    EXPECT_GE(drawable->statistics().at(0).jumps, 3u);
+    EXPECT_GT(drawable->statistics().at(0).played.steps, most) << "they were made up for";
+}
+
 /// The last of sixty frames of coming and going, and how much was uploaded for them.
 std::pair<osg::ref_ptr<osg::Image>, std::size_t> lastPicture(osgViewer::ViewerBase::ThreadingModel model,
                                                              core::SwitchMethod method)

@@ -18,8 +18,12 @@ public:
     virtual ~Pass() = default;
 
     virtual void moveTo(std::uint32_t steps) = 0;
+    virtual bool hasNarrowIndices() const = 0;
     virtual std::span<const std::uint16_t> narrowIndices() const = 0;
     virtual std::span<const std::uint32_t> wideIndices() const = 0;
+
+    std::uint32_t groupCount() const { return static_cast<std::uint32_t>(_groupEnds.size()); }
+    std::uint32_t triangleCount() const { return _groupEnds.empty() ? 0 : _groupEnds.back(); }
 
     SlotRange rangeOf(std::uint32_t group) const
     {
@@ -99,6 +103,7 @@ public:
         }
     }
 
+    bool hasNarrowIndices() const override { return std::is_same_v<Index, std::uint16_t>; }
     std::span<const std::uint16_t> narrowIndices() const override { return indicesAs<std::uint16_t>(); }
     std::span<const std::uint32_t> wideIndices() const override { return indicesAs<std::uint32_t>(); }
 
@@ -113,7 +118,7 @@ private:
     std::span<const Wanted> indicesAs() const
     {
         if constexpr (std::is_same_v<Wanted, Index>)
-            return {_indices.data(), _groupEnds.empty() ? 0 : std::size_t{3} * _groupEnds.back()};
+            return {_indices.data(), std::size_t{3} * triangleCount()};
         else
             return {};
     }
@@ -156,6 +161,11 @@ void CompactedLevel::moveTo(std::uint32_t steps)
     _pass->moveTo(steps);
 }
 
+bool CompactedLevel::hasNarrowIndices() const
+{
+    return _pass->hasNarrowIndices();
+}
+
 std::span<const std::uint16_t> CompactedLevel::narrowIndices() const
 {
     return _pass->narrowIndices();
@@ -168,7 +178,7 @@ std::span<const std::uint32_t> CompactedLevel::wideIndices() const
 
 std::uint32_t CompactedLevel::triangleCount() const
 {
-    return static_cast<std::uint32_t>((narrowIndices().size() + wideIndices().size()) / 3);
+    return _pass->triangleCount();
 }
 
 Triangle CompactedLevel::triangle(std::uint32_t index) const
@@ -178,7 +188,12 @@ Triangle CompactedLevel::triangle(std::uint32_t index) const
         return {indices[3 * std::size_t{index}], indices[3 * std::size_t{index} + 1],
                 indices[3 * std::size_t{index} + 2]};
     };
-    return narrowIndices().empty() ? at(wideIndices()) : at(narrowIndices());
+    return hasNarrowIndices() ? at(narrowIndices()) : at(wideIndices());
+}
+
+std::uint32_t CompactedLevel::groupCount() const
+{
+    return _pass->groupCount();
 }
 
 SlotRange CompactedLevel::rangeOf(std::uint32_t group) const

@@ -29,12 +29,14 @@ public:
     /// Makes the level after so many steps; at most as many as there are.
     void moveTo(std::uint32_t steps);
 
+    bool hasNarrowIndices() const;
     /// Three indices a triangle, group by group; empty where indices are of the other width.
     std::span<const std::uint16_t> narrowIndices() const;
     std::span<const std::uint32_t> wideIndices() const;
 
     std::uint32_t triangleCount() const;
     Triangle triangle(std::uint32_t index) const;
+    std::uint32_t groupCount() const;
     /// What triangles a group of faces has.
     SlotRange rangeOf(std::uint32_t group) const;
 
