@@ -28,7 +28,7 @@ public:
     /// Changes are told by so many slots: as few as make one transfer worth while.
     static constexpr std::uint32_t kPage = 64;
 
-    /// The slots before the first and behind the last have to be there, and unused. `isChanged`: by page.
+    /// The slot before the first and two behind the last have to be there, and unused. `isChanged`: by page.
     SlotWriter(Slot* slots, char* isChanged) : _slots(slots), _isChanged(isChanged) {}
 
     const Slot& operator[](std::uint32_t slot) const { return _slots[slot]; }
@@ -38,7 +38,7 @@ public:
     {
         _slots[slot] = face;
         mark(slot);
-        if (isHole(_slots[slot + 1])) fillHolesBehind(slot);
+        followWith(slot, face[2]);
     }
 
     /// Gives a face another wedge at the corner that has `before`.
@@ -46,8 +46,7 @@ public:
     {
         Slot& face = _slots[slot];
         const bool isLast = face[2] == before;
-        face = {face[0] == before ? after : face[0], face[1] == before ? after : face[1],
-                isLast ? after : face[2]};
+        face[unsigned{face[1] == before} + 2 * unsigned{isLast}] = after;
         mark(slot);
         // One branch that is hardly ever taken, instead of two.
         if ((unsigned{isLast} & unsigned{isHole(_slots[slot + 1])}) != 0) [[unlikely]]
@@ -59,7 +58,7 @@ public:
         const Index index = indexOfHoleBehind(static_cast<std::ptrdiff_t>(slot) - 1);
         _slots[slot] = {index, index, index};
         mark(slot);
-        if (isHole(_slots[slot + 1])) fillHolesBehind(slot);
+        followWith(slot, index);
     }
 
     void makeUnused(std::uint32_t slot) const
@@ -95,14 +94,38 @@ public:
         for (std::uint32_t i = 0; i < count; ++i)
         {
             const Index index = indexOfHoleBehind(static_cast<std::ptrdiff_t>(first + i) - 1);
-            _slots[first + i] = isFace(i) ? faceOf(i) : Slot{index, index, index};
+            const Slot face = faceOf(i);
+            const bool is = isFace(i);
+            _slots[first + i] = {chosen(is, face[0], index), chosen(is, face[1], index),
+                                 chosen(is, face[2], index)};
         }
         markRun(first, count);
     }
 
-    static bool isHole(const Slot& slot) { return slot[0] == slot[1] && slot[0] != kUnused; }
+    static bool isHole(const Slot& slot)
+    {
+        return (unsigned{slot[0] == slot[1]} & unsigned{slot[0] != kUnused}) != 0;
+    }
 
 private:
+    /// Without a branch, which would be a coin's: a mispredicted one takes as long as a face.
+    static Index chosen(bool isFirst, Index first, Index second)
+    {
+        return static_cast<Index>(second ^ ((first ^ second) & -Index{isFirst}));
+    }
+
+    /// Gives a hole behind a slot the last index of the slot, and those behind it. Most faces have no more than one behind them.
+    void followWith(std::uint32_t slot, Index index) const
+    {
+        Slot& next = _slots[slot + 1];
+        const bool follows = isHole(next);
+        for (Index& corner : next)
+            corner = chosen(follows, index, corner);
+        _isChanged[(slot + 1) / kPage] |= char{follows};
+        if ((unsigned{follows} & unsigned{isHole(_slots[slot + 2])}) != 0) [[unlikely]]
+            fillHolesBehind(slot + 1);
+    }
+
     void mark(std::uint32_t slot) const { _isChanged[slot / kPage] = true; }
 
     void markRun(std::uint32_t first, std::uint32_t count) const
@@ -128,15 +151,15 @@ public:
     using Slot = typename SlotWriter<Index>::Slot;
 
     explicit IndexSlots(std::uint32_t count)
-        : _slots(count + 2,
+        : _slots(count + 3,
                  Slot{SlotWriter<Index>::kUnused, SlotWriter<Index>::kUnused, SlotWriter<Index>::kUnused}),
-          _isChanged(count / kPage + 1, true)
+          _isChanged((count + 2) / kPage + 1, true)
     {
     }
 
     SlotWriter<Index> writer() { return {_slots.data() + 1, _isChanged.data()}; }
     const Slot* data() const { return _slots.data() + 1; }
-    std::uint32_t count() const { return static_cast<std::uint32_t>(_slots.size()) - 2; }
+    std::uint32_t count() const { return static_cast<std::uint32_t>(_slots.size()) - 3; }
 
     void takeChanges(std::vector<SlotRange>& changes)
     {
@@ -156,7 +179,7 @@ public:
 private:
     static constexpr std::uint32_t kPage = SlotWriter<Index>::kPage;
 
-    std::vector<Slot> _slots; ///< with an unused one before the first and behind the last
+    std::vector<Slot> _slots; ///< with an unused one before the first and two behind the last
     std::vector<char> _isChanged;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "LevelPlayer.h"
 
+#include <algorithm>
 #include <type_traits>
 
 #include "IndexSlots.h"
@@ -32,6 +33,7 @@ public:
           _at(progressive.records.data() + progressive.records.size() - kRecordPadding),
           _slots(progressive.slotCount),
           _slotsOfStep(progressive.mostSlotsOfStep),
+          _fromOfPatched(progressive.mostSlotsOfStep),
           _rearrangements(progressive.mostRearrangements),
           _rearranger(progressive, _extents)
     {
@@ -77,6 +79,9 @@ private:
                 });
             next += block.extent;
         }
+        _faces =
+            static_cast<std::uint32_t>(std::count_if(_progressive.base.begin(), _progressive.base.end(),
+                                                     [](const Triangle& t) { return !repeatsCorner(t); }));
     }
 
     /// The head of a record.
@@ -134,35 +139,29 @@ private:
         const std::byte* const begin = beginOfRecordBefore(_at);
         const SlotWriter<Index> slots = _slots.writer();
         std::uint32_t* const slotsOfStep = _slotsOfStep.data();
+        Index* const fromOfPatched = _fromOfPatched.data();
         ByteReader in(begin);
         Head head(in);
+        if (head.facesMove) [[unlikely]]
+            backRearrangements(in, head);
         SlotLists lists(in, _widths.slot);
         std::uint32_t read = 0;
-        const auto keep = [&](std::uint32_t slot) { slotsOfStep[read++] = slot; };
-        ByteReader counts = head.counts;
-        for (std::uint32_t gone = 0; gone < head.wedges; ++gone)
-            lists.visit(head.severalGo ? counts.number() : head.patched, keep);
-        lists.visit(head.vanished, keep);
-        ByteReader codes = in;
-        if (head.facesMove)
-        {
-            skipCodes(in, head.vanished);
-            backRearrangements(in);
-        }
         _wedges += head.wedges;
-        std::uint32_t patched = 0;
         for (std::uint32_t gone = 0; gone < head.wedges; ++gone)
         {
-            const std::uint32_t count = head.severalGo ? head.counts.number() : head.patched;
             const Index from = static_cast<Index>(_wedges - 1 - gone), to = _parents[from];
-            for (const std::uint32_t end = patched + count; patched < end; ++patched)
-            {
-                slots.patch(slotsOfStep[patched], to, from);
-                if (patched < VanishedFace::kPatched) _fromOfPatched[patched] = from;
-            }
+            lists.visit(head.severalGo ? head.counts.number() : head.patched,
+                        [&read, slots, slotsOfStep, fromOfPatched, from, to](std::uint32_t slot)
+                        {
+                            slots.patch(slot, to, from);
+                            slotsOfStep[read] = slot;
+                            fromOfPatched[read++] = from;
+                        });
         }
-        for (std::uint32_t i = 0; i < head.vanished; ++i)
-            slots.put(slotsOfStep[patched + i], vanishedFace(codes, slots));
+        const std::uint32_t patched = read;
+        lists.visit(head.vanished, [&read, slotsOfStep](std::uint32_t slot) { slotsOfStep[read++] = slot; });
+        for (std::uint32_t i = patched; i < read; ++i)
+            slots.put(slotsOfStep[i], vanishedFace(in, slots));
         _at = begin;
         _faces += head.vanished;
         --_steps;
@@ -176,8 +175,15 @@ private:
                 in.skip(3 * _widths.wedge.bytes);
     }
 
-    void backRearrangements(ByteReader& in)
+    /// They stand behind the slots, which are those of before.
+    void backRearrangements(ByteReader in, Head head)
     {
+        const auto ignore = [](std::uint32_t) {};
+        SlotLists lists(in, _widths.slot);
+        for (std::uint32_t gone = 0; gone < head.wedges; ++gone)
+            lists.visit(head.severalGo ? head.counts.number() : head.patched, ignore);
+        lists.visit(head.vanished, ignore);
+        skipCodes(in, head.vanished);
         const std::uint32_t count = in.number();
         for (std::uint32_t i = 0; i < count; ++i)
         {
@@ -202,11 +208,10 @@ private:
         }
         const VanishedFace face = kVanishedFaces[code];
         const Index from = _fromOfPatched[face.patched], to = _parents[from];
-        const Index third = slots[_slotsOfStep[face.patched]][face.corner];
-        const auto at = [&](std::uint8_t corner) {
-            return face.from == corner ? from : face.third == corner ? third : to;
-        };
-        return {at(0), at(1), at(2)};
+        typename SlotWriter<Index>::Slot corners{to, to, to};
+        corners[face.third] = slots[_slotsOfStep[face.patched]][face.corner];
+        corners[face.from] = from;
+        return corners;
     }
 
     void count(const Head& head)
@@ -221,8 +226,8 @@ private:
     const std::byte* _at; ///< in the records: behind the last step that was taken
     IndexSlots<Index> _slots;
     std::vector<std::uint32_t> _slotsOfStep;
+    std::vector<Index> _fromOfPatched;
     std::vector<const std::byte*> _rearrangements;
-    std::array<Index, VanishedFace::kPatched> _fromOfPatched{};
     RearrangementReader<Index> _rearranger;
 };
 
