@@ -100,6 +100,8 @@ TEST_P(RealModelProgressive, IsDrawnNearlyAsFromScratch)
     EXPECT_LE(mean, 1.06 * scratch["meanTransformsPerVertex"].get<double>());
     EXPECT_LE(ours["worstLevel"].get<double>(), 1.6);
     EXPECT_LE(ours["faceWritesPerEcol"].get<double>(), 4.0);
+    EXPECT_LE(ours["bytesPerVertex"].get<double>(), 16.0);
+    EXPECT_GT(pmtool::cacheRow(subject, "tswap")["bytesPerVertex"].get<double>(), 16.0);
     // A random order does not hold that bound.
     EXPECT_GT(pmtool::cacheRow(subject, "random")["meanTransformsPerVertex"].get<double>(),
               1.06 * scratch["meanTransformsPerVertex"].get<double>());
@@ -107,7 +109,7 @@ TEST_P(RealModelProgressive, IsDrawnNearlyAsFromScratch)
 
 INSTANTIATE_TEST_SUITE_P(Models, RealModelProgressive,
                          testing::Values("vehicle/Forklift.ac", "aircraft/KC-130.ac", "aircraft/cessna.obj",
-                                         "character/spot.obj", "ship/vinson.ac",
-                                         "tree/eztree_oak_medium.obj"));
+                                         "character/spot.obj", "cad/club.obj", "cad/standingblob.obj",
+                                         "cad/blob5.obj", "ship/vinson.ac", "tree/eztree_oak_medium.obj"));
 
 } // namespace

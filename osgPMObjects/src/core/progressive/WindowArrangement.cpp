@@ -78,8 +78,9 @@ private:
         return {};
     }
 
-    /// A little more room than one block, that is: moves then stay below what they would be at the limit. A block that is alone waits
-    /// until as large a share of it is gone.
+    /// And more room than that one block: the longer windows wait, the fewer moves, the shorter the records, and the more holes. With this
+    /// much, records are as short as they may be while the order is hardly worse. A block that is alone waits until as large a share of it
+    /// is gone.
     bool hasRoomInLess(const SlotTable& slots, std::span<const std::uint32_t> window) const
     {
         std::uint32_t live = 0, extents = 0, room = 0, least = ~0u;
@@ -92,8 +93,8 @@ private:
             least = std::min(least, block.capacity);
         }
         const std::uint32_t goes = window.size() > 1 ? least : extents / _windowBlocks;
-        constexpr std::uint32_t kMoreRoom = 16; // a sixteenth
-        return live + goes + goes / kMoreRoom <= (window.size() > 1 ? room : extents);
+        constexpr std::uint32_t kMoreRoomPercent = 64;
+        return live + goes + goes * kMoreRoomPercent / 100 <= (window.size() > 1 ? room : extents);
     }
 
     /// Of some orders the one that costs least while the faces live together: until a share of them is gone.
