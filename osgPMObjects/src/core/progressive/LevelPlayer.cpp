@@ -71,9 +71,7 @@ private:
         {
             slots.fill(
                 block.firstSlot, block.extent, [&](std::uint32_t i) { return !repeatsCorner(next[i]); },
-                [&](std::uint32_t i) -> typename SlotWriter<Index>::Slot
-                {
-                    ++_faces;
+                [&](std::uint32_t i) -> typename SlotWriter<Index>::Slot {
                     return {static_cast<Index>(next[i][0]), static_cast<Index>(next[i][1]),
                             static_cast<Index>(next[i][2])};
                 });
