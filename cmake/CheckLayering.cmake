@@ -31,14 +31,15 @@ layer(render-support "^tests/support/Rendered" graphics viewlod objects-core ter
     offscreen trainer test-support)
 layer(test-support   "^tests/support/"     viewlod objects-core terrain-core sim generator)
 layer(core-tests     "^tests/(core|fuzz)/" viewlod objects-core terrain-core sim models scenery generator test-support)
-layer(objects        "^osgPMObjects/"      graphics viewlod objects-core)
-layer(terrain        "^osgTerrainROAM/"    graphics viewlod objects-core terrain-core objects)
+layer(traversal      "^osgTraversal/"      graphics viewlod)
+layer(objects        "^osgPMObjects/"      graphics viewlod objects-core traversal)
+layer(terrain        "^osgTerrainROAM/"    graphics viewlod objects-core terrain-core objects traversal)
 layer(offscreen      "^osgOffscreen/"      graphics viewlod)
 layer(trainer        "^apps/trainer/"      graphics viewlod objects-core terrain-core sim models scenery objects terrain offscreen
     terminal ground)
 layer(tools          "^apps/"              graphics viewlod objects-core terrain-core sim objects terrain offscreen
     terminal ground)
-set(required viewlod objects-core objects terrain-core sim models scenery generator core-tests terrain offscreen trainer tools)
+set(required viewlod objects-core traversal objects terrain-core sim models scenery generator core-tests terrain offscreen trainer tools)
 
 set(graphics_includes "^(osg|osg[A-Z][A-Za-z]*|OpenThreads|GL|GLES[0-9]*|EGL|KHR|X11)/")
 
@@ -68,7 +69,7 @@ function(layerOfInclude includer target out)
             return()
         endif()
     endforeach()
-    if(target MATCHES "^(osgTerrainROAM|osgPMObjects|osgOffscreen)/")
+    if(target MATCHES "^(osgTerrainROAM|osgPMObjects|osgOffscreen|osgTraversal)/")
         layerOfPath("${component}/include/${target}" found) # a header that is not there still shows the intent
         set(${out} "${found}" PARENT_SCOPE)
     elseif(target MATCHES "${graphics_includes}")

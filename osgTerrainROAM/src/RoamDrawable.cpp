@@ -3,11 +3,8 @@
 #include <cmath>
 #include <shared_mutex>
 
-#include <glm/gtc/type_ptr.hpp>
-
-#include <osgUtil/CullVisitor>
-
 #include <osgTerrainROAM/RoamDrawable>
+#include <osgTraversal/CullFacts>
 
 #include "view/ClippedTriangles.h"
 #include "view/TileBounds.h"
@@ -20,24 +17,9 @@ namespace osgTerrainROAM
 namespace
 {
 
-/// OSG multiplies row vectors and stores rows, GLM columns: the same sixteen numbers.
-glm::dmat4 toGlm(const osg::Matrixd& matrix)
-{
-    return glm::make_mat4(matrix.ptr());
-}
+using namespace osgTraversal;
 
-bool computesNearFar(const osgUtil::CullVisitor& visitor)
-{
-    return visitor.getComputeNearFarMode() != osg::CullSettings::DO_NOT_COMPUTE_NEAR_FAR;
-}
-
-bool isParallel(const glm::dmat4& projection)
-{
-    return projection[2][3] == 0.0;
-}
-
-/// The projection without a far plane, its near plane where we want it: while OSG is still looking for both, what
-/// stands in the matrix means nothing.
+/// The projection without a far plane, its near plane where we want it.
 glm::dmat4 withoutDepth(glm::dmat4 projection, double nearM)
 {
     projection[2][2] = isParallel(projection) ? 0.0 : -1.0;
@@ -45,25 +27,13 @@ glm::dmat4 withoutDepth(glm::dmat4 projection, double nearM)
     return projection;
 }
 
-/// Eye-space length of a unit of the local frame.
-double eyePerLocal(osgUtil::CullVisitor& visitor)
-{
-    const osg::Vec3d scale = visitor.getModelViewMatrix()->getScale();
-    const double mean = std::cbrt(scale.x() * scale.y() * scale.z());
-    // A rotation's rounding must not look like another near plane each time the head turns.
-    return std::abs(mean - 1.0) < 1e-9 ? 1.0 : mean;
-}
-
 viewlod::ViewState viewOf(osgUtil::CullVisitor& visitor, double nearestM)
 {
-    const double scale = eyePerLocal(visitor);
+    const osg::Matrixd& eyeFromLocal = *visitor.getModelViewMatrix();
+    const double scale = eyePerLocal(eyeFromLocal);
     glm::dmat4 projection = toGlm(*visitor.getProjectionMatrix());
-    if (computesNearFar(visitor)) projection = withoutDepth(projection, nearestM * scale);
-    const osg::Viewport* viewport = visitor.getViewport();
-    const int width = viewport ? static_cast<int>(viewport->width()) : 1;
-    const int height = viewport ? static_cast<int>(viewport->height()) : 1;
-    auto view =
-        viewlod::ViewState::fromMatrices(toGlm(*visitor.getModelViewMatrix()), projection, width, height);
+    if (seeksNearFar(visitor)) projection = withoutDepth(projection, nearestM * scale);
+    viewlod::ViewState view = viewStateOf(visitor, eyeFromLocal, projection);
     view.nearM /= scale;
     if (isParallel(projection))
     {
@@ -71,8 +41,7 @@ viewlod::ViewState viewOf(osgUtil::CullVisitor& visitor, double nearestM)
         view.nearM = nearestM;
     }
     view.nearM = std::max(view.nearM, 1e-3);
-    // OSG's own knob for coarser (> 1) or finer detail.
-    view.pixelsPerTangent /= std::max(static_cast<double>(visitor.getLODScale()), 1e-6);
+    view.pixelsPerTangent /= lodScaleOf(visitor);
     return view;
 }
 
@@ -91,17 +60,6 @@ void tellNearFar(osgUtil::CullVisitor& visitor, const osg::BoundingBox& box, con
     if (farM > visitor.getCalculatedFarPlane()) visitor.setCalculatedFarPlane(farM);
     const double ratio = 0.95 * visitor.getCalculatedNearPlane() / visitor.getCalculatedFarPlane();
     if (ratio < visitor.getNearFarRatio()) visitor.setNearFarRatio(ratio);
-}
-
-/// The camera whose mesh a nested camera uses: shadow and reflection passes hang below their main view, relative
-/// to it or with its viewpoint. A nested camera with a frame of its own looks for itself.
-const osg::Camera* mainCameraOf(osgUtil::CullVisitor& visitor)
-{
-    const osg::Camera* current = visitor.getCurrentCamera();
-    const osg::Camera* root = visitor.getRenderStage()->getCamera();
-    const bool depends =
-        current && root && current != root && current->getReferenceFrame() != osg::Transform::ABSOLUTE_RF;
-    return depends ? root : nullptr;
 }
 
 } // namespace
@@ -190,7 +148,7 @@ void RoamDrawable::cull(osgUtil::CullVisitor& visitor)
     ViewRequest request;
     request.camera = visitor.getCurrentCamera();
     request.mainCamera = mainCameraOf(visitor);
-    request.frame = visitor.getFrameStamp() ? visitor.getFrameStamp()->getFrameNumber() : 0;
+    request.frame = frameOf(visitor);
     request.target.view = viewOf(visitor, _nearestM);
     request.target.budget.errorTolerancePx = _errorTolerancePx;
     request.target.budget.maxTriangles = _maxTriangles;
@@ -202,14 +160,14 @@ void RoamDrawable::cull(osgUtil::CullVisitor& visitor)
     if (isParallel(toGlm(*visitor.getProjectionMatrix())))
         request.target.errorM = _errorTolerancePx / view.pixelsPerTangent;
 
-    std::optional<unsigned int> contextId;
-    if (visitor.getState()) contextId = visitor.getState()->getContextID();
+    const std::optional<unsigned int> contextId = contextIdOf(visitor);
     const ViewGroupTable::Match match = _groups->find(request);
     ViewAnswer answer = match.borrowed
                             ? match.group->answerAsIs(view.frustum, view.eyeWorld, contextId)
                             : match.group->answer(request.frame, match.target, view.frustum, contextId);
     if (answer.ranges.empty()) return;
-    if (computesNearFar(visitor)) tellNearFar(visitor, box, view, answer.nearestM * eyePerLocal(visitor));
+    if (seeksNearFar(visitor))
+        tellNearFar(visitor, box, view, answer.nearestM * eyePerLocal(*visitor.getModelViewMatrix()));
 
     if (getStateSet()) visitor.pushStateSet(getStateSet());
     const auto depth = static_cast<float>(answer.nearestM);

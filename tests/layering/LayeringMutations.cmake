@@ -11,8 +11,12 @@ function(plantTree)
             "osgTerrainROAM/src/core/Tile.cpp|osgTerrainROAM/core/Tile.h"
             "osgTerrainROAM/include/osgTerrainROAM/Terrain|osgTerrainROAM/core/Tile.h"
             "osgTerrainROAM/src/Terrain.cpp|osg/Drawable"
+            "osgTerrainROAM/src/Cull.cpp|osgTraversal/CullFacts"
+            "osgTraversal/include/osgTraversal/CullFacts|osg/Camera"
+            "osgTraversal/src/CullFacts.cpp|viewlod/Frustum.h"
             "osgPMObjects/include/osgPMObjects/core/Mesh.h|viewlod/Frustum.h"
             "osgPMObjects/include/osgPMObjects/Object|osg/Drawable"
+            "osgPMObjects/src/Object.cpp|osgTraversal/CullFacts"
             "osgOffscreen/include/osgOffscreen/Capture|osg/Image"
             "apps/trainer/sim/Clock.h|cstdint"
             "apps/trainer/models/Tree.h|osgPMObjects/core/Mesh.h"
@@ -71,6 +75,12 @@ expectBreach(osgPMObjects/include/osgPMObjects/core/Mesh.h "#include <osgTerrain
 expectBreach(osgPMObjects/include/osgPMObjects/Object "#include <osgTerrainROAM/Terrain>")
 expectBreach(osgOffscreen/include/osgOffscreen/Capture "#include <osgTerrainROAM/Terrain>")
 expectBreach(osgTerrainROAM/src/Terrain.cpp "#include <osgOffscreen/Capture>")
+expectBreach(osgTraversal/include/osgTraversal/CullFacts "#include <osgPMObjects/Object>")
+expectBreach(osgTraversal/include/osgTraversal/CullFacts "#include <osgPMObjects/core/Mesh.h>")
+expectBreach(osgTraversal/src/CullFacts.cpp "#include <osgTerrainROAM/Terrain>")
+expectBreach(osgOffscreen/include/osgOffscreen/Capture "#include <osgTraversal/CullFacts>")
+expectBreach(osgPMObjects/include/osgPMObjects/core/Mesh.h "#include <osgTraversal/CullFacts>")
+expectBreach(osgTerrainROAM/src/core/Tile.cpp "#include <osgTraversal/NotThere>")
 expectBreach(apps/trainer/sim/Clock.h "#include <osg/Timer>")
 expectBreach(apps/trainer/sim/Clock.h "#include \"../view/Scene.cpp\"")
 expectBreach(apps/trainer/models/Tree.h "#include <osg/Image>")
@@ -84,6 +94,9 @@ expectBreach(tests/core/TileTest.cpp "#include <osgDB/ReadFile>")
 plantTree()
 file(REMOVE_RECURSE "${SCRATCH}/osgTerrainROAM/src/core" "${SCRATCH}/osgTerrainROAM/include/osgTerrainROAM/core")
 expect("terrain-core: no file matches" "a tree without its terrain core")
+plantTree()
+file(REMOVE_RECURSE "${SCRATCH}/osgTraversal")
+expect("traversal: no file matches" "a tree without what its libraries share")
 file(REMOVE_RECURSE "${SCRATCH}")
 file(MAKE_DIRECTORY "${SCRATCH}")
 expect("no include line was read" "an empty tree")

@@ -6,8 +6,8 @@
 #include <osg/VertexArrayState>
 
 #include <osgPMObjects/ObjectShader>
+#include <osgTraversal/ContextBuffer>
 
-#include "../progressive/ContextBuffer.h"
 #include "LadderTargets.h"
 
 namespace osgPMObjects
@@ -104,7 +104,7 @@ void FieldMesh::draw(osg::State& state, std::uint32_t rung, std::uint32_t group,
     const std::size_t offset = static_cast<std::size_t>(buffer->getOffset(_indices->getBufferIndex())) +
                                std::size_t{faces.first} * 3 * indexBytes;
     state.glDrawElementsInstanced(GL_TRIANGLES, static_cast<GLsizei>(faces.count * 3),
-                                  _indices->getDataType(), bufferOffset(offset),
+                                  _indices->getDataType(), osgTraversal::bufferOffset(offset),
                                   static_cast<GLsizei>(instances));
 }
 

@@ -54,7 +54,7 @@ void InstanceBuffer::pointTo(osg::GLExtensions& gl, std::uint32_t first, bool is
     {
         const auto [number, offset] = kAttributes[i];
         gl.glVertexAttribPointer(number, 4, GL_FLOAT, GL_FALSE, sizeof(ShownInstance),
-                                 bufferOffset(first * sizeof(ShownInstance) + offset));
+                                 osgTraversal::bufferOffset(first * sizeof(ShownInstance) + offset));
         gl.glVertexAttribDivisor(number, 1);
         gl.glEnableVertexAttribArray(number);
     }

@@ -11,7 +11,7 @@
 
 #include <osgPMObjects/core/field/FieldPicture.h>
 
-#include "../progressive/ContextBuffer.h"
+#include <osgTraversal/ContextBuffer>
 
 namespace osgPMObjects
 {
@@ -35,7 +35,7 @@ private:
     struct Copy
     {
         explicit Copy(unsigned int contextId) : buffer(contextId) {}
-        ContextBuffer buffer;
+        osgTraversal::ContextBuffer buffer;
         std::uint64_t serial = 0;
     };
 

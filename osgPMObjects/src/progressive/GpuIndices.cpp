@@ -39,7 +39,7 @@ void GpuIndices::draw(osg::State& state, std::span<const core::SlotRange> ranges
     for (const core::SlotRange& range : ranges)
     {
         counts.push_back(static_cast<GLsizei>(range.count * 3));
-        offsets.push_back(bufferOffset(range.first * 3 * _indexBytes));
+        offsets.push_back(osgTraversal::bufferOffset(range.first * 3 * _indexBytes));
     }
     state.unbindElementBufferObject();
     gl.glBindBuffer(GL_ELEMENT_ARRAY_BUFFER_ARB, _buffer.name(gl));

@@ -3,14 +3,15 @@
 
 #include <osg/State>
 
-#include "ContextBuffer.h"
+#include <osgTraversal/ContextBuffer>
+
 #include "IndexPacket.h"
 
 namespace osgPMObjects
 {
 
 /// One graphics context's copy of an index buffer.
-/// Threads: as ContextBuffer.
+/// Threads: as osgTraversal::ContextBuffer.
 class GpuIndices
 {
 public:
@@ -38,7 +39,7 @@ public:
     void release();
 
 private:
-    ContextBuffer _buffer;
+    osgTraversal::ContextBuffer _buffer;
     std::uint32_t _slots;
     std::size_t _indexBytes;
     std::uint64_t _serial = 0;

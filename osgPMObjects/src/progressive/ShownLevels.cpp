@@ -7,6 +7,8 @@
 
 #include <osg/Program>
 
+#include <osgTraversal/CullFacts>
+
 namespace osgPMObjects
 {
 
@@ -75,9 +77,8 @@ private:
     void addInOrder(GroupPart& part)
     {
         osg::RefMatrix& matrix = *_visitor.getModelViewMatrix();
-        const bool seeksNearFar =
-            _visitor.getComputeNearFarMode() != osg::CullSettings::DO_NOT_COMPUTE_NEAR_FAR;
-        if (seeksNearFar && !_visitor.updateCalculatedNearFar(matrix, part, false)) return;
+        if (osgTraversal::seeksNearFar(_visitor) && !_visitor.updateCalculatedNearFar(matrix, part, false))
+            return;
         _visitor.addDrawableAndDepth(&part, &matrix, _depth);
         _depth = std::nextafter(_depth, std::numeric_limits<float>::lowest());
     }

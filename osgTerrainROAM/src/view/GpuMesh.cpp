@@ -4,29 +4,13 @@
 #include <cassert>
 #include <vector>
 
-#include <osg/ContextData>
-
 namespace osgTerrainROAM
 {
 
 namespace
 {
 
-/// Buffers of a context that wait for its thread to delete them; OSG keeps one of these per context.
-class BufferDeletion : public osg::GLObjectManager
-{
-public:
-    explicit BufferDeletion(unsigned int contextId)
-        : osg::GLObjectManager("osgTerrainROAM::GpuMesh", contextId)
-    {
-    }
-
-    void deleteGLObject(GLuint buffer) override
-    {
-        if (const osg::GLExtensions* gl = osg::GLExtensions::Get(_contextID, true))
-            gl->glDeleteBuffers(1, &buffer);
-    }
-};
+using osgTraversal::bufferOffset;
 
 template<class Element>
 std::size_t uploadRanges(osg::GLExtensions& gl, GLenum target, const std::vector<core::IndexRange>& ranges,
@@ -42,11 +26,6 @@ std::size_t uploadRanges(osg::GLExtensions& gl, GLenum target, const std::vector
     return elements.size() * sizeof(Element);
 }
 
-const void* bufferOffset(std::size_t bytes)
-{
-    return reinterpret_cast<const void*>(bytes); // NOLINT(performance-no-int-to-ptr): how GL wants it
-}
-
 } // namespace
 
 bool GpuMesh::canTake(const MeshPacket& packet) const
@@ -56,13 +35,15 @@ bool GpuMesh::canTake(const MeshPacket& packet) const
            packet.triangleCount <= _triangleCapacity;
 }
 
+void GpuMesh::bind(osg::GLExtensions& gl)
+{
+    gl.glBindBuffer(GL_ARRAY_BUFFER_ARB, _vertexBuffer.name(gl));
+    gl.glBindBuffer(GL_ELEMENT_ARRAY_BUFFER_ARB, _indexBuffer.name(gl));
+}
+
 void GpuMesh::allocate(osg::GLExtensions& gl, const MeshPacket& packet)
 {
-    if (!_deletion) _deletion = osg::get<BufferDeletion>(_contextId);
-    if (_vertexBuffer == 0) gl.glGenBuffers(1, &_vertexBuffer);
-    if (_indexBuffer == 0) gl.glGenBuffers(1, &_indexBuffer);
-    gl.glBindBuffer(GL_ARRAY_BUFFER_ARB, _vertexBuffer);
-    gl.glBindBuffer(GL_ELEMENT_ARRAY_BUFFER_ARB, _indexBuffer);
+    bind(gl);
     const std::uint32_t vertices = bufferCapacity(packet.vertexCount);
     const std::uint32_t triangles = bufferCapacity(packet.triangleCount);
     if (vertices != _vertexCapacity)
@@ -85,8 +66,7 @@ std::size_t GpuMesh::upload(osg::State& state, const MeshPacket& packet)
     state.unbindElementBufferObject();
     if (packet.whole) allocate(gl, packet);
     _patchExponent = packet.patchExponent;
-    gl.glBindBuffer(GL_ARRAY_BUFFER_ARB, _vertexBuffer);
-    gl.glBindBuffer(GL_ELEMENT_ARRAY_BUFFER_ARB, _indexBuffer);
+    bind(gl);
     const std::size_t bytes =
         uploadRanges(gl, GL_ARRAY_BUFFER_ARB, packet.vertexRanges, packet.vertices) +
         uploadRanges(gl, GL_ELEMENT_ARRAY_BUFFER_ARB, packet.triangleRanges, packet.triangles);
@@ -96,7 +76,7 @@ std::size_t GpuMesh::upload(osg::State& state, const MeshPacket& packet)
     return bytes;
 }
 
-void GpuMesh::draw(osg::State& state, std::span<const core::IndexRange> ranges) const
+void GpuMesh::draw(osg::State& state, std::span<const core::IndexRange> ranges)
 {
     if (ranges.empty() || _serial == 0) return;
     osg::GLExtensions& gl = *state.get<osg::GLExtensions>();
@@ -104,8 +84,7 @@ void GpuMesh::draw(osg::State& state, std::span<const core::IndexRange> ranges) 
     state.disableAllVertexArrays();
     state.unbindVertexBufferObject();
     state.unbindElementBufferObject();
-    gl.glBindBuffer(GL_ARRAY_BUFFER_ARB, _vertexBuffer);
-    gl.glBindBuffer(GL_ELEMENT_ARRAY_BUFFER_ARB, _indexBuffer);
+    bind(gl);
     const GLsizei stride = sizeof(core::MeshVertex);
     gl.glVertexAttribIPointer(0, 3, GL_INT, stride, bufferOffset(offsetof(core::MeshVertex, position)));
     gl.glVertexAttribPointer(1, 2, GL_UNSIGNED_SHORT, GL_FALSE, stride,
@@ -151,11 +130,8 @@ void GpuMesh::drawPatches(osg::GLExtensions& gl, std::span<const core::IndexRang
 
 void GpuMesh::release()
 {
-    for (GLuint* buffer : {&_vertexBuffer, &_indexBuffer})
-    {
-        if (*buffer != 0) _deletion->scheduleGLObjectForDeletion(*buffer);
-        *buffer = 0;
-    }
+    _vertexBuffer.release();
+    _indexBuffer.release();
     _vertexCapacity = _triangleCapacity = 0;
     _serial = 0;
 }

@@ -4,9 +4,9 @@
 #include <cstddef>
 #include <span>
 
-#include <osg/GLExtensions>
-#include <osg/GLObjects>
 #include <osg/State>
+
+#include <osgTraversal/ContextBuffer>
 
 #include "MeshPacket.h"
 
@@ -14,14 +14,11 @@ namespace osgTerrainROAM
 {
 
 /// One graphics context's copy of a mesh: a vertex and an index buffer.
-/// Threads: the context's draw thread. The buffers go back through the context's own deletion list, from any thread.
+/// Threads: as osgTraversal::ContextBuffer.
 class GpuMesh
 {
 public:
-    explicit GpuMesh(unsigned int contextId) : _contextId(contextId) {}
-    ~GpuMesh() { release(); }
-    GpuMesh(const GpuMesh&) = delete;
-    GpuMesh& operator=(const GpuMesh&) = delete;
+    explicit GpuMesh(unsigned int contextId) : _vertexBuffer(contextId), _indexBuffer(contextId) {}
 
     /// Whether upload(packet) leads to the packet's state.
     bool canTake(const MeshPacket& packet) const;
@@ -31,20 +28,19 @@ public:
     std::size_t upload(osg::State& state, const MeshPacket& packet);
 
     /// Draws ranges of triangles, or of patches, with the vertex attributes 0 (position, integer) and 1 (grid).
-    void draw(osg::State& state, std::span<const core::IndexRange> ranges) const;
+    void draw(osg::State& state, std::span<const core::IndexRange> ranges);
 
     /// Hands the buffers to the deletion list of the context; the next packet has to be whole.
     void release();
 
 private:
+    void bind(osg::GLExtensions& gl);
     void allocate(osg::GLExtensions& gl, const MeshPacket& packet);
     void drawTriangles(osg::GLExtensions& gl, std::span<const core::IndexRange> ranges) const;
     void drawPatches(osg::GLExtensions& gl, std::span<const core::IndexRange> ranges) const;
 
-    unsigned int _contextId;
-    osg::ref_ptr<osg::GLObjectManager> _deletion; ///< found in the draw thread: only there may OSG make one
-    GLuint _vertexBuffer = 0;
-    GLuint _indexBuffer = 0;
+    osgTraversal::ContextBuffer _vertexBuffer;
+    osgTraversal::ContextBuffer _indexBuffer;
     std::uint32_t _vertexCapacity = 0;
     std::uint32_t _triangleCapacity = 0;
     int _patchExponent = 0;    ///< of what the buffers hold

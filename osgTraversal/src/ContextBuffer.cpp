@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ContextBuffer.h"
-
 #include <osg/ContextData>
 
-namespace osgPMObjects
+#include <osgTraversal/ContextBuffer>
+
+namespace osgTraversal
 {
 
 namespace
@@ -14,7 +14,7 @@ class BufferDeletion : public osg::GLObjectManager
 {
 public:
     explicit BufferDeletion(unsigned int contextId)
-        : osg::GLObjectManager("osgPMObjects::ContextBuffer", contextId)
+        : osg::GLObjectManager("osgTraversal::ContextBuffer", contextId)
     {
     }
 
@@ -43,4 +43,4 @@ void ContextBuffer::release()
     _buffer = 0;
 }
 
-} // namespace osgPMObjects
+} // namespace osgTraversal

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+
+#include <glm/gtc/type_ptr.hpp>
+
+#include <osgTraversal/CullFacts>
+
+namespace osgTraversal
+{
+
+const osg::Camera* mainCameraOf(osgUtil::CullVisitor& visitor)
+{
+    const osg::Camera* current = visitor.getCurrentCamera();
+    const osg::Camera* root = visitor.getRenderStage()->getCamera();
+    const bool depends =
+        current && root && current != root && current->getReferenceFrame() != osg::Transform::ABSOLUTE_RF;
+    return depends ? root : nullptr;
+}
+
+unsigned int frameOf(const osgUtil::CullVisitor& visitor)
+{
+    return visitor.getFrameStamp() ? visitor.getFrameStamp()->getFrameNumber() : 0;
+}
+
+std::optional<unsigned int> contextIdOf(osgUtil::CullVisitor& visitor)
+{
+    if (!visitor.getState()) return std::nullopt;
+    return visitor.getState()->getContextID();
+}
+
+double lodScaleOf(const osgUtil::CullVisitor& visitor)
+{
+    return std::max(static_cast<double>(visitor.getLODScale()), 1e-6);
+}
+
+bool seeksNearFar(const osgUtil::CullVisitor& visitor)
+{
+    return visitor.getComputeNearFarMode() != osg::CullSettings::DO_NOT_COMPUTE_NEAR_FAR;
+}
+
+glm::dmat4 toGlm(const osg::Matrixd& matrix)
+{
+    return glm::make_mat4(matrix.ptr());
+}
+
+double eyePerLocal(const osg::Matrixd& eyeFromLocal)
+{
+    const osg::Vec3d scale = eyeFromLocal.getScale();
+    const double mean = std::cbrt(scale.x() * scale.y() * scale.z());
+    // A rotation's rounding must not look like another distance each time the head turns.
+    return std::abs(mean - 1.0) < 1e-9 || !(mean > 0.0) ? 1.0 : mean;
+}
+
+viewlod::ViewState viewStateOf(osgUtil::CullVisitor& visitor, const osg::Matrixd& eyeFromLocal,
+                               const glm::dmat4& projection)
+{
+    const osg::Viewport* viewport = visitor.getViewport();
+    const int width = viewport ? static_cast<int>(viewport->width()) : 1;
+    const int height = viewport ? static_cast<int>(viewport->height()) : 1;
+    return viewlod::ViewState::fromMatrices(toGlm(eyeFromLocal), projection, width, height);
+}
+
+} // namespace osgTraversal
