@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "Stage.h"
+
+#include <cmath>
+#include <iostream>
+
+#include <osgOffscreen/PngFile>
+
+#include "Percentile.h"
+#include "Times.h"
+#include "models/Plain.h"
+
+namespace fieldbench
+{
+
+namespace
+{
+
+constexpr double kFrameS = 0.04;
+
+} // namespace
+
+Stage::Stage(osgOffscreen::OffscreenViewer& viewer, const Request& request)
+    : _viewer(viewer),
+      _count(viewer.camera(), objectbench::PipelineCount::kVertexShaderInvocations),
+      _request(request),
+      _air(new osgTerrainROAM::Atmosphere)
+{
+    viewer.camera().setProjectionMatrixAsPerspective(
+        kHighDeg, static_cast<double>(request.picture.widthPx) / request.picture.heightPx, 0.5, 2e4);
+}
+
+Stage::Json Stage::fly(const std::string& name, osg::Node& objects, const Path& path, int frames)
+{
+    _viewer.viewer().setSceneData(onPlain(objects, *_air));
+    std::vector<double> times, invocations;
+    frameMs(path, 0); // compiles
+    for (int i = 0; i < frames; ++i)
+        times.push_back(frameMs(path, i));
+    for (int i = 0; i < _request.compared; ++i)
+    {
+        const int at = i * (_request.frames - 1) / std::max(1, _request.compared - 1);
+        look(path, at);
+        _count.setCounting(false);
+        const auto begin = Clock::now();
+        const auto picture = _viewer.picture(kFrameS * at);
+        if (frames == 0) times.push_back(milliseconds(begin));
+        _count.setCounting(true);
+        _viewer.frame(kFrameS * at);
+        _count.setCounting(false);
+        invocations.push_back(static_cast<double>(_count.counted()));
+        keep(*picture, name + "-" + path.name + "-" + std::to_string(i));
+        _pictures[name + path.name].push_back(picture);
+    }
+    double sum = 0.0;
+    for (const double i : invocations)
+        sum += i;
+    return {{"medianMs", roambench::percentile(times, 0.5)},
+            {"p99Ms", roambench::percentile(times, 0.99)},
+            {"invocations", sum / static_cast<double>(invocations.size())}};
+}
+
+double Stage::difference(const std::string& name, const std::string& other, const Path& path) const
+{
+    double sum = 0.0, values = 0.0;
+    for (int i = 0; i < _request.compared; ++i)
+    {
+        const osg::Image& a = *_pictures.at(name + path.name)[i];
+        const osg::Image& b = *_pictures.at(other + path.name)[i];
+        for (unsigned at = 0; at < a.getTotalSizeInBytes(); ++at, ++values)
+            sum += std::pow(static_cast<double>(a.data()[at]) - b.data()[at], 2.0);
+    }
+    return std::sqrt(sum / values);
+}
+
+void Stage::clear()
+{
+    _viewer.viewer().setSceneData(new osg::Group);
+}
+
+double Stage::frameMs(const Path& path, int frame)
+{
+    look(path, frame);
+    const auto begin = Clock::now();
+    _viewer.frame(kFrameS * frame);
+    return milliseconds(begin);
+}
+
+void Stage::look(const Path& path, int frame)
+{
+    const osg::Vec3d eye(4.0, -0.3 * 1000.0 + path.stepM * frame, path.heightM);
+    const osg::Vec3d along(0.1, 1.0, path.pitch);
+    _viewer.camera().setViewMatrixAsLookAt(eye, eye + along, {0.0, 0.0, 1.0});
+}
+
+void Stage::keep(const osg::Image& picture, const std::string& name) const
+{
+    if (_request.pictures.empty()) return;
+    const auto written = osgOffscreen::writePng(picture, _request.pictures / (name + ".png"));
+    if (!written) std::cerr << written.error().message() << '\n';
+}
+
+} // namespace fieldbench

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "Race.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "VertexLights.h"
+
+namespace objectbench
+{
+
+Race::Race(osgOffscreen::OffscreenViewer& viewer, const Request& request)
+    : _viewer(viewer), _count(viewer.camera(), PipelineCount::kVertexShaderInvocations), _request(request)
+{
+}
+
+Race::Json Race::run(const std::vector<Contestant>& contestants, const std::vector<std::uint32_t>& levels,
+                     int lights, const osg::BoundingSphere& ball)
+{
+    look(ball);
+    const osg::ref_ptr<osg::Group> scene = new osg::Group;
+    scene->setStateSet(vertexLights(lights, ball));
+    _viewer.viewer().setSceneData(scene);
+    Json rows = Json::array();
+    for (const std::uint32_t steps : levels)
+    {
+        std::vector<double> least(contestants.size(), 1e30);
+        std::vector<std::uint64_t> invocations(contestants.size());
+        std::vector<osg::ref_ptr<osg::Node>> nodes;
+        for (const Contestant& contestant : contestants)
+            nodes.push_back(contestant.nodeAt(steps));
+        for (int repeat = -1; repeat < _request.repeats; ++repeat)
+            for (std::size_t i = 0; i < contestants.size(); ++i)
+            {
+                scene->removeChildren(0, scene->getNumChildren());
+                scene->addChild(nodes[i]);
+                _count.setCounting(repeat < 0);
+                const double ms = frameMs();
+                if (repeat < 0)
+                    invocations[i] = _count.counted();
+                else
+                    least[i] = std::min(least[i], ms);
+            }
+        Json row = {{"steps", steps}};
+        for (std::size_t i = 0; i < contestants.size(); ++i)
+            row[contestants[i].name] = {{"ms", least[i]}, {"invocations", invocations[i]}};
+        rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
+double Race::frameMs()
+{
+    const auto start = std::chrono::steady_clock::now();
+    _viewer.frame(0.0);
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+void Race::look(const osg::BoundingSphere& ball)
+{
+    const double away = ball.radius() / std::sin(osg::DegreesToRadians(15.0));
+    const osg::Vec3d from = osg::Vec3d(ball.center()) + osg::Vec3d(0.66, -0.66, 0.36) * away;
+    _viewer.camera().setComputeNearFarMode(osg::CullSettings::DO_NOT_COMPUTE_NEAR_FAR);
+    _viewer.camera().setProjectionMatrixAsPerspective(
+        30.0, static_cast<double>(_request.picture.widthPx) / _request.picture.heightPx,
+        away - 1.1 * ball.radius(), away + 1.1 * ball.radius());
+    _viewer.camera().setViewMatrixAsLookAt(from, ball.center(), {0.0, 0.0, 1.0});
+}
+
+} // namespace objectbench

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "Contestants.h"
+#include "PipelineCount.h"
+#include "Request.h"
+
+namespace objectbench
+{
+
+/// Draws contestants in turns, and keeps the least time of each: other programs only ever add to it.
+class Race
+{
+public:
+    using Json = nlohmann::ordered_json;
+
+    Race(osgOffscreen::OffscreenViewer& viewer, const Request& request);
+
+    /// A row for each level, of `ms` and `invocations` by contestant, under so many lights around the model.
+    Json run(const std::vector<Contestant>& contestants, const std::vector<std::uint32_t>& levels, int lights,
+             const osg::BoundingSphere& ball);
+
+private:
+    double frameMs();
+    void look(const osg::BoundingSphere& ball);
+
+    osgOffscreen::OffscreenViewer& _viewer;
+    PipelineCount _count;
+    const Request& _request;
+};
+
+} // namespace objectbench

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <osgOffscreen/OffscreenViewer>
+
+namespace objectbench
+{
+
+/// What the command line asks for.
+struct Request
+{
+    std::vector<std::string> files;
+    std::vector<int> lights{32, 96};
+    int levels = 10, repeats = 15;
+    osgOffscreen::OffscreenSettings picture{.widthPx = 640, .heightPx = 480};
+    std::filesystem::path jsonFile, plotFile;
+};
+
+} // namespace objectbench
