@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cctype>
 #include <cstdlib>
 #include <filesystem>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -16,3 +18,21 @@
     const std::filesystem::path name = std::filesystem::path(name##Base) / (relative);                       \
     ASSERT_TRUE(std::filesystem::exists(name)) << name << " is missing from the real data"
 // NOLINTEND(bugprone-macro-parentheses)
+
+namespace testsupport
+{
+
+/// Names a test of a file, its parameter, after it.
+struct AfterFile
+{
+    template<class Parameter>
+    std::string operator()(const testing::TestParamInfo<Parameter>& info) const
+    {
+        std::string name = info.param;
+        for (char& c : name)
+            if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
+        return name;
+    }
+};
+
+} // namespace testsupport

@@ -47,6 +47,25 @@ inline Mesh together(Mesh a, const Mesh& b, const glm::dvec3& moved)
     return a;
 }
 
+/// The same with normals, at each wedge the mean of its faces' by their areas; up, where there is none.
+inline Mesh lit(Mesh mesh)
+{
+    using namespace osgPMObjects::core;
+    for (Material& material : mesh.materials)
+        material.attributes |= Material::normal;
+    mesh.normals.assign(mesh.wedgeCount(), glm::vec3(0.0f));
+    for (const Face& face : mesh.faces)
+    {
+        const glm::vec3 normal(
+            glm::cross(mesh.at(face, 1) - mesh.at(face, 0), mesh.at(face, 2) - mesh.at(face, 0)));
+        for (const std::uint32_t wedge : face.wedges)
+            mesh.normals[wedge] += normal;
+    }
+    for (glm::vec3& normal : mesh.normals)
+        normal = glm::length(normal) > 0.0f ? glm::normalize(normal) : glm::vec3(0.0f, 0.0f, 1.0f);
+    return mesh;
+}
+
 /// A grid in waves, so that no collapse is for nothing.
 inline Mesh waves(std::uint32_t columns, std::uint32_t rows)
 {

@@ -3,12 +3,20 @@
 
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <string>
 
 #include <unistd.h>
 
 namespace testsupport
 {
+
+/// All bytes of a file; none of one that cannot be read.
+inline std::string bytesOf(const std::filesystem::path& file)
+{
+    std::ifstream stream(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
 
 /// A temporary folder that goes away.
 class TestFolder

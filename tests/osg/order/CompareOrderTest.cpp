@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <deque>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <string>
 
@@ -42,8 +40,7 @@ viewlod::Result<terminal::Report> compareOrder(const std::vector<std::string>& a
 
 std::vector<Triangle> readDump(const std::filesystem::path& file)
 {
-    std::ifstream stream(file, std::ios::binary);
-    const std::string bytes((std::istreambuf_iterator<char>(stream)), {});
+    const std::string bytes = testsupport::bytesOf(file);
     std::vector<Triangle> triangles(bytes.size() / 12);
     for (std::size_t i = 0; i < triangles.size() * 3; ++i)
         for (int k = 3; k >= 0; --k)

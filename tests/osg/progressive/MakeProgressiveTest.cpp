@@ -9,11 +9,11 @@
 
 #include <osgPMObjects/ExportNode>
 #include <osgPMObjects/MakeProgressive>
-#include <osgPMObjects/ReadModel>
 
 #include "HandCull.h"
 #include "ProgressiveSubject.h"
 #include "RealData.h"
+#include "RealProgressive.h"
 
 namespace
 {
@@ -122,20 +122,19 @@ class ProgressiveModels : public testing::TestWithParam<const char*>
 TEST_P(ProgressiveModels, AreDrawnAtAnyLevelAsItsMeshIs)
 {
     OSGTRAINER_REAL_DATA_OR_SKIP(file, std::string("models/") + GetParam());
-    const auto read = readModelNode(file);
-    ASSERT_TRUE(read) << read.error().message();
-    const auto model = makeProgressive(**read, file.string());
-    ASSERT_TRUE(model) << model.error().message();
-    const ProgressiveShape& shape = *model->node->shape();
+    const auto real = RealProgressive::of(file);
+    ASSERT_TRUE(real);
+    ProgressiveNode& node = real->node();
+    const ProgressiveShape& shape = real->shape();
     ASSERT_TRUE(core::isLevelTable(shape.levels()));
-    const osg::BoundingSphere ball = model->node->getBound();
+    const osg::BoundingSphere ball = node.getBound();
     const auto camera = cameraAt(ball.center() + osg::Vec3d(0.0, -3.0 * ball.radius(), 0.0), ball.center());
     unsigned frame = 0;
     for (const unsigned eighths : {0, 3, 8, 6, 1, 0})
     {
         const std::uint32_t steps = shape.progressive().stepCount * eighths / 8;
-        model->node->drawable()->setSteps(steps);
-        const auto culled = cull(*model->node->drawable(), *camera, ++frame);
+        node.drawable()->setSteps(steps);
+        const auto culled = cull(*node.drawable(), *camera, ++frame);
         const osg::ref_ptr<osg::Group> baked = bakeLevel(shape, steps);
         EXPECT_EQ(trianglesOf(culled.drawables), trianglesOf(drawablesOf(*baked))) << eighths;
         const auto& faces = shape.levels().faces; // ends where no face is left
@@ -145,10 +144,4 @@ TEST_P(ProgressiveModels, AreDrawnAtAnyLevelAsItsMeshIs)
 
 INSTANTIATE_TEST_SUITE_P(Real, ProgressiveModels,
                          testing::Values("aircraft/cessna.obj", "vehicle/110Bus.ac", "character/spot.obj"),
-                         [](const auto& parameter)
-                         {
-                             std::string name = parameter.param;
-                             for (char& c : name)
-                                 if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
-                             return name;
-                         });
+                         testsupport::AfterFile());

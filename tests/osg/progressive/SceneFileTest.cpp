@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // Progressive objects in OpenSceneGraph's scene files.
-#include <fstream>
-#include <iterator>
 #include <random>
 
 #include <gmock/gmock.h>
@@ -163,11 +161,7 @@ TEST_P(SceneFile, HasASharedShapeOnce)
 
 TEST_P(SceneFile, StaysTheSameWhenWrittenAgain)
 {
-    const auto bytesOf = [](const std::string& file)
-    {
-        std::ifstream stream(file, std::ios::binary);
-        return std::string(std::istreambuf_iterator<char>(stream), {});
-    };
+    using testsupport::bytesOf;
     const osg::ref_ptr<osg::Group> root = read(write(*scene()));
     const std::string first = bytesOf(write(*root));
     const osg::ref_ptr<osg::Group> again = read((_folder / (std::string("scene.") + GetParam())).string());
@@ -190,23 +184,35 @@ TEST_P(SceneFile, CutOffAnywhereIsAnErrorOrAPart)
 
 INSTANTIATE_TEST_SUITE_P(AllFormats, SceneFile, testing::Values("osgt", "osgb", "osgx"));
 
-/// A text with one place changed, and what reading it says.
-std::string complaintAbout(const std::string& what, const std::string& instead)
+/// The text of the scene, to be damaged.
+struct DamagedSceneFile : testing::Test
 {
-    const testsupport::TestFolder folder("damaged-scene");
-    const std::string file = (folder / "scene.osgt").string();
-    EXPECT_TRUE(osgDB::writeNodeFile(*scene(), file));
-    std::ifstream stream(file);
-    std::string text(std::istreambuf_iterator<char>(stream), {});
-    stream.close();
-    const std::size_t at = text.find(what);
-    EXPECT_NE(at, std::string::npos) << what;
-    if (at != std::string::npos) text.replace(at, what.size(), instead);
-    std::ofstream(file) << text;
-    return osgDB::Registry::instance()->readNode(file, nullptr).message();
-}
+    DamagedSceneFile()
+    {
+        const std::string file = (folder / "scene.osgt").string();
+        EXPECT_TRUE(osgDB::writeNodeFile(*scene(), file));
+        text = testsupport::bytesOf(file);
+    }
 
-TEST(DamagedSceneFile, SaysWhatIsWrong)
+    osgDB::ReaderWriter::ReadResult read(const std::string& changed) const
+    {
+        return osgDB::Registry::instance()->readNode(folder.write("scene.osgt", changed).string(), nullptr);
+    }
+    /// With one place changed.
+    std::string complaintAbout(const std::string& what, const std::string& instead) const
+    {
+        const std::size_t at = text.find(what);
+        EXPECT_NE(at, std::string::npos) << what;
+        std::string changed = text;
+        if (at != std::string::npos) changed.replace(at, what.size(), instead);
+        return read(changed).message();
+    }
+
+    testsupport::TestFolder folder{"damaged-scene"};
+    std::string text;
+};
+
+TEST_F(DamagedSceneFile, SaysWhatIsWrong)
 {
     using testing::HasSubstr;
     EXPECT_THAT(complaintAbout("method=overlapping-ranges", "method=guess"), HasSubstr("\"guess\""));
@@ -219,14 +225,8 @@ TEST(DamagedSceneFile, SaysWhatIsWrong)
     EXPECT_EQ(complaintAbout("importance=2.5", "importance=3"), ""); // what is right is no complaint
 }
 
-TEST(DamagedSceneFile, IsFoundByTheCheckSums)
+TEST_F(DamagedSceneFile, IsFoundByTheCheckSums)
 {
-    const testsupport::TestFolder folder("damaged-scene");
-    const std::string file = (folder / "scene.osgt").string();
-    ASSERT_TRUE(osgDB::writeNodeFile(*scene(), file));
-    std::ifstream stream(file);
-    const std::string text(std::istreambuf_iterator<char>(stream), {});
-    stream.close();
     const std::size_t from = text.find("Levels "),
                       digits = text.find_first_of("abcdef", text.find("{", from));
     ASSERT_NE(digits, std::string::npos);
@@ -234,23 +234,14 @@ TEST(DamagedSceneFile, IsFoundByTheCheckSums)
     {
         std::string changed = text;
         changed[at] = changed[at] == '7' ? '8' : '7';
-        std::ofstream(file) << changed;
-        auto result = osgDB::Registry::instance()->readNode(file, nullptr);
-        EXPECT_THAT(result.message(), testing::HasSubstr("progressive shape")) << at - digits;
+        EXPECT_THAT(read(changed).message(), testing::HasSubstr("progressive shape")) << at - digits;
         changed[at] = 'x';
-        std::ofstream(file) << changed;
-        EXPECT_FALSE(osgDB::Registry::instance()->readNode(file, nullptr).validNode());
+        EXPECT_FALSE(read(changed).validNode());
     }
 }
 
-TEST(DamagedSceneFile, NeverEndsTheProgram)
+TEST_F(DamagedSceneFile, NeverEndsTheProgram)
 {
-    const testsupport::TestFolder folder("damaged-scene");
-    const std::string file = (folder / "scene.osgt").string();
-    ASSERT_TRUE(osgDB::writeNodeFile(*scene(), file));
-    std::ifstream stream(file);
-    const std::string text(std::istreambuf_iterator<char>(stream), {});
-    stream.close();
     const std::size_t from = text.find("ProgressiveNode");
     std::mt19937 random(7);
     for (int round = 0; round < 60; ++round)
@@ -258,8 +249,7 @@ TEST(DamagedSceneFile, NeverEndsTheProgram)
         std::string changed = text;
         // Outside OSG's own header, and inside our objects: in their digits and sizes alike.
         changed[from + 15 + random() % (text.size() - from - 15)] = static_cast<char>(' ' + random() % 90);
-        std::ofstream(file) << changed;
-        (void)osgDB::Registry::instance()->readNode(file, nullptr);
+        (void)read(changed);
     }
 }
 

@@ -5,11 +5,10 @@
 #include <set>
 
 #include <osgOffscreen/ImageComparison>
-#include <osgPMObjects/MakeProgressive>
 #include <osgPMObjects/ObjectShader>
-#include <osgPMObjects/ReadModel>
 
 #include "RealData.h"
+#include "RealProgressive.h"
 #include "SwitchedScene.h"
 
 namespace
@@ -189,11 +188,9 @@ class GeomorphOfModels : public testing::TestWithParam<const char*>
 TEST_P(GeomorphOfModels, ChangesThePictureAtLeastFourTimesLessThanAHardSwitch)
 {
     OSGTRAINER_REAL_DATA_OR_SKIP(file, std::string("models/") + GetParam());
-    const auto read = readModelNode(file);
-    ASSERT_TRUE(read) << read.error().message();
-    auto model = makeProgressive(**read, file.string());
-    ASSERT_TRUE(model) << model.error().message();
-    const osg::ref_ptr<ProgressiveShape> shape = const_cast<ProgressiveShape*>(model->node->shape());
+    const auto real = progressive::RealProgressive::of(file);
+    ASSERT_TRUE(real);
+    const osg::ref_ptr<ProgressiveShape> shape = const_cast<ProgressiveShape*>(&real->shape());
     const std::uint32_t most = shape->progressive().stepCount;
     const Gain gain =
         gainOfMorph(shape, most * 8 / 10, most * 95 / 100, std::filesystem::path(GetParam()).stem().string());
@@ -203,12 +200,6 @@ TEST_P(GeomorphOfModels, ChangesThePictureAtLeastFourTimesLessThanAHardSwitch)
 
 INSTANTIATE_TEST_SUITE_P(Real, GeomorphOfModels,
                          testing::Values("aircraft/cessna.obj", "cad/standingblob.obj"),
-                         [](const auto& parameter)
-                         {
-                             std::string name = parameter.param;
-                             for (char& c : name)
-                                 if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
-                             return name;
-                         });
+                         testsupport::AfterFile());
 
 } // namespace

@@ -96,14 +96,7 @@ TEST_P(ModelPictures, StayTheSame)
     if (isUnbroken(report)) expectSame(**node, *nodeOfModel(*model), "consolidated");
 }
 
-INSTANTIATE_TEST_SUITE_P(Real, ModelPictures, testing::ValuesIn(kModels),
-                         [](const auto& parameter)
-                         {
-                             std::string name = parameter.param;
-                             for (char& c : name)
-                                 if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
-                             return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(Real, ModelPictures, testing::ValuesIn(kModels), testsupport::AfterFile());
 
 /// The comparison above can fail: a face less shows.
 TEST(ModelPicturesMutation, AFaceLessIsSeen)

@@ -32,19 +32,7 @@ Mesh bumpyBall()
     ball = testsupport::together(ball, testsupport::meshOf(testsupport::sphereMesh(20, 30)), {});
     for (std::size_t i = 40 * 60; i < ball.positions.size(); ++i)
         ball.positions[i] *= 0.4;
-    ball.normals.assign(ball.wedgeCount(), glm::vec3(0.0f));
-    for (const core::Face& face : ball.faces)
-    {
-        const glm::vec3 normal(
-            glm::cross(ball.at(face, 1) - ball.at(face, 0), ball.at(face, 2) - ball.at(face, 0)));
-        for (const std::uint32_t wedge : face.wedges)
-            ball.normals[wedge] += normal;
-    }
-    for (glm::vec3& normal : ball.normals)
-        normal = glm::length(normal) > 0.0f ? glm::normalize(normal) : glm::vec3(0.0f, 0.0f, 1.0f);
-    for (core::Material& material : ball.materials)
-        material.attributes = core::Material::normal;
-    return ball;
+    return testsupport::lit(std::move(ball));
 }
 
 struct Errors

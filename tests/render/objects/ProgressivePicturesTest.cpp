@@ -13,10 +13,10 @@
 #include <osgOffscreen/ImageComparison>
 #include <osgPMObjects/ExportNode>
 #include <osgPMObjects/MakeProgressive>
-#include <osgPMObjects/ReadModel>
 
 #include "ClosedMeshes.h"
 #include "RealData.h"
+#include "RealProgressive.h"
 #include "RenderedModel.h"
 #include "RenderedPicture.h"
 #include "SimplifyMeshes.h"
@@ -289,12 +289,10 @@ class ProgressiveModelPictures : public testing::TestWithParam<const char*>
 TEST_P(ProgressiveModelPictures, AreThoseOfPlainGeometryAtEveryLevel)
 {
     OSGTRAINER_REAL_DATA_OR_SKIP(file, std::string("models/") + GetParam());
-    const auto read = readModelNode(file);
-    ASSERT_TRUE(read) << read.error().message();
-    auto model = makeProgressive(**read, file.string());
-    ASSERT_TRUE(model) << model.error().message();
-    ProgressiveNode& node = *model->node;
-    const ProgressiveShape& shape = *node.shape();
+    const auto real = progressive::RealProgressive::of(file);
+    ASSERT_TRUE(real);
+    ProgressiveNode& node = real->node();
+    const ProgressiveShape& shape = real->shape();
     const osg::BoundingSphere ball = node.drawable()->getBound();
     for (const unsigned eighths : {0, 4, 7, 2, 0})
     {
@@ -304,7 +302,7 @@ TEST_P(ProgressiveModelPictures, AreThoseOfPlainGeometryAtEveryLevel)
         keep(drawn, std::filesystem::path(GetParam()).stem().string() + std::to_string(eighths) + "-");
         EXPECT_EQ(differences(picturesOf(*bakeLevel(shape, steps), ball), drawn), 0) << eighths;
     }
-    const Pictures original = picturesOf(**read, ball);
+    const Pictures original = picturesOf(*real->original, ball);
     keep(original, std::filesystem::path(GetParam()).stem().string() + "-original");
     EXPECT_EQ(differences(original, picturesOf(*node.drawable(), ball)), 0) << "level 0 is the model";
 }
@@ -312,12 +310,6 @@ TEST_P(ProgressiveModelPictures, AreThoseOfPlainGeometryAtEveryLevel)
 INSTANTIATE_TEST_SUITE_P(Real, ProgressiveModelPictures,
                          testing::Values("aircraft/cessna.obj", "cad/standingblob.obj", "character/spot.obj",
                                          "tree/eztree_bush_1.obj", "vehicle/110Bus.ac"),
-                         [](const auto& parameter)
-                         {
-                             std::string name = parameter.param;
-                             for (char& c : name)
-                                 if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
-                             return name;
-                         });
+                         testsupport::AfterFile());
 
 } // namespace

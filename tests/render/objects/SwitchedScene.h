@@ -31,28 +31,10 @@ using Picture = osg::ref_ptr<osg::Image>;
 
 inline constexpr double kFrameS = 1.0 / 60.0;
 
-/// Normals that point out of the ball or ring, as a modeller would have them; a little uneven, so that every face shows.
-inline core::Mesh lit(core::Mesh mesh)
-{
-    for (core::Material& material : mesh.materials)
-        material.attributes |= core::Material::normal;
-    mesh.normals.assign(mesh.wedgeCount(), glm::vec3(0.0F));
-    for (const core::Face& face : mesh.faces)
-    {
-        const glm::vec3 normal(
-            glm::cross(mesh.at(face, 1) - mesh.at(face, 0), mesh.at(face, 2) - mesh.at(face, 0)));
-        for (const std::uint32_t wedge : face.wedges)
-            mesh.normals[wedge] += normal;
-    }
-    for (glm::vec3& normal : mesh.normals)
-        normal = glm::normalize(normal);
-    return mesh;
-}
-
 /// A torus that lies on a sheet of another colour, or of glass.
 inline osg::ref_ptr<ProgressiveShape> torusOnSheet(bool isOfGlass = false)
 {
-    core::Mesh mesh = lit(
+    core::Mesh mesh = testsupport::lit(
         testsupport::together(testsupport::torus(48, 30), testsupport::waves(30, 24), {-15.0, -12.0, -2.0}));
     std::vector<osg::ref_ptr<osg::StateSet>> states;
     for (core::Material& material : mesh.materials)
