@@ -3,11 +3,9 @@
 
 #include <initializer_list>
 
-#include <osg/BlendFunc>
-#include <osg/ColorMask>
-#include <osg/Depth>
-
 #include <osgPMObjects/ObjectShader>
+
+#include "../progressive/LookState.h"
 
 namespace osgPMObjects
 {
@@ -15,7 +13,7 @@ namespace osgPMObjects
 namespace
 {
 
-constexpr int kDepthBin = 9; // OSG's transparent things are in bin 10
+constexpr int kDepthBin = 9, kColourBin = 10; // that of OSG's transparent things
 
 osg::ref_ptr<osg::StateSet> stateWith(std::initializer_list<const char*> defines)
 {
@@ -33,17 +31,16 @@ FieldStates made()
     states.morphing = stateWith({kInstancedDefine, kSwitchedDefine, kMorphDefine});
     states.leaves = stateWith({kLeavesDefine});
     constexpr auto kWins = osg::StateAttribute::OVERRIDE | osg::StateAttribute::PROTECTED;
-    states.blendedDepth = stateWith({kInstancedDefine, kSwitchedDefine, kBlendedDefine});
-    states.blendedDepth->setAttribute(new osg::ColorMask(false, false, false, false), kWins);
-    states.blendedDepth->setRenderBinDetails(kDepthBin, "RenderBin",
-                                             osg::StateSet::OVERRIDE_PROTECTED_RENDERBIN_DETAILS);
-    states.blendedColour = stateWith({kInstancedDefine, kSwitchedDefine, kBlendedDefine});
-    states.blendedColour->setAttributeAndModes(new osg::BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA),
-                                               osg::StateAttribute::ON | kWins);
-    states.blendedColour->setAttributeAndModes(new osg::Depth(osg::Depth::LEQUAL, 0.0, 1.0, false),
-                                               osg::StateAttribute::ON | kWins);
-    states.blendedColour->setRenderBinDetails(10, "DepthSortedBin",
-                                              osg::StateSet::OVERRIDE_PROTECTED_RENDERBIN_DETAILS);
+    for (const LookPass pass : {LookPass::depth, LookPass::colour})
+    {
+        const osg::ref_ptr<osg::StateSet> state =
+            stateWith({kInstancedDefine, kSwitchedDefine, kBlendedDefine});
+        setPass(*state, pass, kWins);
+        const bool isDepth = pass == LookPass::depth;
+        state->setRenderBinDetails(isDepth ? kDepthBin : kColourBin, isDepth ? "RenderBin" : "DepthSortedBin",
+                                   osg::StateSet::OVERRIDE_PROTECTED_RENDERBIN_DETAILS);
+        (isDepth ? states.blendedDepth : states.blendedColour) = state;
+    }
     return states;
 }
 

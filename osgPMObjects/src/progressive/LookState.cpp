@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "LookState.h"
 
+#include <cassert>
+
 #include <osg/AlphaFunc>
 #include <osg/BlendFunc>
 #include <osg/ColorMask>
@@ -32,20 +34,19 @@ void scaleAlphaTest(osg::StateSet& state, float alpha, const osg::StateSet* grou
     if (test) state.setAttribute(new osg::AlphaFunc(test->getFunction(), test->getReferenceValue() * alpha));
 }
 
-void setPass(osg::StateSet& state, LookPass pass)
-{
-    if (pass == LookPass::all) return;
-    const bool isDepth = pass == LookPass::depth;
-    state.setRenderBinDetails(kTransparentBin, "DepthSortedBin");
-    state.setAttributeAndModes(new osg::Depth(osg::Depth::LEQUAL, 0.0, 1.0, isDepth));
-    if (isDepth)
-        state.setAttribute(new osg::ColorMask(false, false, false, false));
-    else
-        state.setAttributeAndModes(
-            new osg::BlendFunc(osg::BlendFunc::SRC_ALPHA, osg::BlendFunc::ONE_MINUS_SRC_ALPHA));
-}
-
 } // namespace
+
+void setPass(osg::StateSet& state, LookPass pass, osg::StateAttribute::OverrideValue protection)
+{
+    assert(pass != LookPass::all);
+    const bool isDepth = pass == LookPass::depth;
+    const osg::StateAttribute::GLModeValue mode = osg::StateAttribute::ON | protection;
+    state.setAttributeAndModes(new osg::Depth(osg::Depth::LEQUAL, 0.0, 1.0, isDepth), mode);
+    if (isDepth)
+        state.setAttribute(new osg::ColorMask(false, false, false, false), protection);
+    else
+        state.setAttributeAndModes(new osg::BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA), mode);
+}
 
 osg::ref_ptr<osg::StateSet> lookState(const Look& look, LookPass pass, const ProgressiveShape::Group& group)
 {
@@ -56,7 +57,9 @@ osg::ref_ptr<osg::StateSet> lookState(const Look& look, LookPass pass, const Pro
     if (!look.isBlended) return state;
     state->setDefine(kBlendedDefine);
     scaleAlphaTest(*state, look.alpha, group.state);
+    if (pass == LookPass::all) return state;
     setPass(*state, pass);
+    state->setRenderBinDetails(kTransparentBin, "DepthSortedBin");
     return state;
 }
 

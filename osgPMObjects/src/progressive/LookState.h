@@ -32,6 +32,11 @@ enum class LookPass
     colour,
 };
 
+/// How a pass tests and writes depth and colours; `protection`: OSG's override values. In which bin it comes is the caller's.
+/// Not of the pass `all`, which leaves that to the state around it.
+void setPass(osg::StateSet& state, LookPass pass,
+             osg::StateAttribute::OverrideValue protection = osg::StateAttribute::OFF);
+
 /// The state of a look, to be pushed below that of the group. One is made for each frame, as the last frame may still be
 /// drawn. The pass `all` leaves blending itself to the group's state.
 osg::ref_ptr<osg::StateSet> lookState(const Look& look, LookPass pass, const ProgressiveShape::Group& group);
