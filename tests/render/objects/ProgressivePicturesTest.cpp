@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 
 #include <osg/Material>
-#include <osgDB/WriteFile>
 
 #include <osgPMObjects/core/simplify/Simplify.h>
 
@@ -17,6 +16,7 @@
 #include "ClosedMeshes.h"
 #include "RealData.h"
 #include "RealProgressive.h"
+#include "RenderedKeep.h"
 #include "RenderedModel.h"
 #include "RenderedPicture.h"
 #include "SimplifyMeshes.h"
@@ -48,14 +48,11 @@ int differences(const Pictures& a, const Pictures& b)
     return count;
 }
 
-/// Where the variable OSGTRAINER_KEEP_PICTURES names a folder, they are left there to be looked at.
+/// Some of them, to be looked at.
 void keep(const Pictures& pictures, const std::string& name)
 {
-    const char* const folder = std::getenv("OSGTRAINER_KEEP_PICTURES");
-    if (!folder) return;
     for (std::size_t i = 0; i < pictures.size(); i += 3)
-        osgDB::writeImageFile(*pictures[i],
-                              (std::filesystem::path(folder) / (name + std::to_string(i) + ".png")).string());
+        rendered::keep(*pictures[i], name + std::to_string(i));
 }
 
 core::Mesh shaded(core::Mesh mesh)

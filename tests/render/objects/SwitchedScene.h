@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
@@ -13,7 +12,6 @@
 
 #include <osg/BlendFunc>
 #include <osg/Material>
-#include <osgDB/WriteFile>
 
 #include <osgPMObjects/core/simplify/Simplify.h>
 
@@ -21,12 +19,14 @@
 #include <osgPMObjects/ProgressiveNode>
 
 #include "ClosedMeshes.h"
+#include "RenderedKeep.h"
 #include "SimplifyMeshes.h"
 
 namespace switched
 {
 
 using namespace osgPMObjects;
+using rendered::keep;
 using Picture = osg::ref_ptr<osg::Image>;
 
 inline constexpr double kFrameS = 1.0 / 60.0;
@@ -170,12 +170,5 @@ private:
     int _samples;
     double _timeS = 1.0;
 };
-
-/// Where the variable OSGTRAINER_KEEP_PICTURES names a folder, a picture is left there to be looked at.
-inline void keep(const osg::Image& picture, const std::string& name)
-{
-    if (const char* const folder = std::getenv("OSGTRAINER_KEEP_PICTURES"))
-        osgDB::writeImageFile(picture, (std::filesystem::path(folder) / (name + ".png")).string());
-}
 
 } // namespace switched
