@@ -31,7 +31,7 @@ osg::ref_ptr<osg::DrawElements> elementsOf(const std::vector<core::Triangle>& fa
 } // namespace
 
 FieldMesh::FieldMesh(osg::ref_ptr<const ProgressiveShape> shape)
-    : _shape(std::move(shape)),
+    : _shape(shape),
       _ladder(core::LevelLadder::of(_shape->progressive(), _shape->levels())),
       _growth(core::CrownGrowth::of(_shape->progressive(), _ladder))
 {

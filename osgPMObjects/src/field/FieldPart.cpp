@@ -8,7 +8,7 @@ namespace osgPMObjects
 
 FieldPart::FieldPart(std::shared_ptr<const CulledField> culled, const core::FieldBatch& batch,
                      osg::ref_ptr<const FieldMesh> mesh, std::uint32_t group)
-    : _culled(std::move(culled)), _batch(batch), _mesh(std::move(mesh)), _group(group)
+    : _culled(std::move(culled)), _batch(batch), _mesh(mesh), _group(group)
 {
     setUseDisplayList(false);
     setSupportsDisplayList(false);

@@ -69,7 +69,7 @@ ProgressiveField::ProgressiveField(const ProgressiveField& other, const osg::Cop
 ProgressiveField::~ProgressiveField() = default;
 
 viewlod::Outcome ProgressiveField::setContents(std::vector<FieldKind> kinds,
-                                               std::vector<FieldInstance> instances)
+                                               const std::vector<FieldInstance>& instances)
 {
     if (viewlod::Outcome checked = checkContents(getName(), kinds, instances); !checked) return checked;
     std::vector<osg::ref_ptr<FieldMesh>> meshes = meshesOf(kinds, _meshes);

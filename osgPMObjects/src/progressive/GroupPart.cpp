@@ -7,7 +7,7 @@ namespace osgPMObjects
 {
 
 GroupPart::GroupPart(osg::ref_ptr<const ProgressiveShape> shape, std::uint32_t group, MorphArraysPtr morph)
-    : _shape(std::move(shape)), _group(group), _morph(std::move(morph))
+    : _shape(shape), _group(group), _morph(std::move(morph))
 {
     setUseDisplayList(false);
     setSupportsDisplayList(false);

@@ -13,7 +13,7 @@ namespace osgPMObjects
 ProgressiveDrawable::ProgressiveDrawable() : ProgressiveDrawable(nullptr) {}
 
 ProgressiveDrawable::ProgressiveDrawable(osg::ref_ptr<const ProgressiveShape> shape)
-    : _shape(std::move(shape)), _views(std::make_unique<ViewLevelTable>(_shape))
+    : _shape(shape), _views(std::make_unique<ViewLevelTable>(_shape))
 {
     setUseDisplayList(false);
     setSupportsDisplayList(false);

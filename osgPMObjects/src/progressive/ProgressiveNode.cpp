@@ -34,7 +34,7 @@ core::OrientedBox inMetres(const osg::BoundingBox& box, double metresPerUnit)
 
 ProgressiveNode::ProgressiveNode(osg::ref_ptr<const ProgressiveShape> shape)
 {
-    place(new ProgressiveDrawable(std::move(shape)));
+    place(new ProgressiveDrawable(shape));
     addChild(_place);
 }
 

@@ -22,7 +22,7 @@ osg::ref_ptr<osg::DrawElements> emptyFaces(bool isNarrow)
 
 StillPart::StillPart(osg::ref_ptr<const ProgressiveShape> shape, std::uint32_t group,
                      osg::ref_ptr<const osg::DrawElements> faces)
-    : GroupPart(std::move(shape), group, nullptr), _faces(std::move(faces))
+    : GroupPart(shape, group, nullptr), _faces(faces)
 {
 }
 

@@ -23,7 +23,7 @@ std::size_t indexBytesOf(const core::ProgressiveLevel& level)
 } // namespace
 
 ViewLevel::ViewLevel(osg::ref_ptr<const ProgressiveShape> shape)
-    : _shape(std::move(shape)), _level(_shape->progressive())
+    : _shape(shape), _level(_shape->progressive())
 {
 }
 

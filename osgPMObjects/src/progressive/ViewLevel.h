@@ -4,7 +4,6 @@
 #include <map>
 #include <mutex>
 #include <optional>
-#include <ranges>
 
 #include <osgPMObjects/core/progressive/LevelMesh.h>
 
@@ -42,9 +41,11 @@ public:
         const std::lock_guard lock(_levelMutex);
         if (!_jumped) return core::forEachDrawnFace(_shape->progressive(), _level, visit);
         for (std::uint32_t group = 0; group < _jumped->groups.size(); ++group)
-            for (const core::SlotRange range = _jumped->groups[group];
-                 const std::uint32_t triangle : std::views::iota(range.first, range.first + range.count))
+        {
+            const core::SlotRange range = _jumped->groups[group];
+            for (std::uint32_t triangle = range.first; triangle < range.first + range.count; ++triangle)
                 visit(_jumped->triangle(triangle), group);
+        }
     }
 
     const ProgressiveShape& shape() const { return *_shape; }

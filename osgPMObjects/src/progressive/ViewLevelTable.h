@@ -20,7 +20,7 @@ using LevelChoice = std::function<core::Selection(const CullView& view, core::He
 class ViewLevelTable
 {
 public:
-    explicit ViewLevelTable(osg::ref_ptr<const ProgressiveShape> shape) : _shape(std::move(shape)) {}
+    explicit ViewLevelTable(osg::ref_ptr<const ProgressiveShape> shape) : _shape(shape) {}
 
     /// What to draw for a view; nothing of an object that has faded away.
     ShownLevels find(const CullView& view, const LevelChoice& choice,
