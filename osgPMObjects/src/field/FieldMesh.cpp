@@ -103,9 +103,10 @@ void FieldMesh::draw(osg::State& state, std::uint32_t rung, std::uint32_t group,
     const std::size_t indexBytes = _indices->getTotalDataSize() / std::max(1u, _indices->getNumIndices());
     const std::size_t offset = static_cast<std::size_t>(buffer->getOffset(_indices->getBufferIndex())) +
                                std::size_t{faces.first} * 3 * indexBytes;
-    state.glDrawElementsInstanced(GL_TRIANGLES, static_cast<GLsizei>(faces.count * 3),
-                                  _indices->getDataType(), osgTraversal::bufferOffset(offset),
-                                  static_cast<GLsizei>(instances));
+    // osg::State has it inline, and with it glDrawElements(), which whoever uses a field would have to link.
+    state.get<osg::GLExtensions>()->glDrawElementsInstanced(
+        GL_TRIANGLES, static_cast<GLsizei>(faces.count * 3), _indices->getDataType(), osgTraversal::bufferOffset(offset),
+        static_cast<GLsizei>(instances));
 }
 
 void FieldMesh::resizeGLObjectBuffers(unsigned int contexts) const
