@@ -8,6 +8,7 @@
 #include <osgPMObjects/ObjectShader>
 #include <osgTraversal/ContextBuffer>
 
+#include "FinestFaces.h"
 #include "LadderTargets.h"
 
 namespace osgPMObjects
@@ -107,6 +108,12 @@ void FieldMesh::draw(osg::State& state, std::uint32_t rung, std::uint32_t group,
     state.get<osg::GLExtensions>()->glDrawElementsInstanced(
         GL_TRIANGLES, static_cast<GLsizei>(faces.count * 3), _indices->getDataType(), osgTraversal::bufferOffset(offset),
         static_cast<GLsizei>(instances));
+}
+
+const std::vector<osg::ref_ptr<osg::Geometry>>& FieldMesh::finest() const
+{
+    std::call_once(_finestMade, [this] { _finest = finestFaces(*_shape, _ladder); });
+    return _finest;
 }
 
 void FieldMesh::resizeGLObjectBuffers(unsigned int contexts) const

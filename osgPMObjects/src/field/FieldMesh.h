@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <mutex>
 #include <vector>
 
 #include <osg/Geometry>
@@ -34,6 +35,9 @@ public:
     /// Draws a group of a rung so many times, from the arrays that are set; sets what leaves grow by.
     void draw(osg::State& state, std::uint32_t rung, std::uint32_t group, std::uint32_t instances) const;
 
+    /// finestFaces(), made when first asked for.
+    const std::vector<osg::ref_ptr<osg::Geometry>>& finest() const;
+
     void resizeGLObjectBuffers(unsigned int contexts) const;
     void releaseGLObjects(osg::State* state) const;
 
@@ -48,6 +52,8 @@ private:
     core::CrownGrowth _growth;
     osg::ref_ptr<osg::DrawElements> _indices;
     std::vector<osg::ref_ptr<osg::Geometry>> _settled, _morphing; ///< by group
+    mutable std::once_flag _finestMade;
+    mutable std::vector<osg::ref_ptr<osg::Geometry>> _finest;
 };
 
 } // namespace osgPMObjects

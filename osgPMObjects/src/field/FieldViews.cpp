@@ -3,16 +3,15 @@
 
 #include <chrono>
 
+#include "FieldSolid.h"
+
 namespace osgPMObjects
 {
 
 FieldViews::FieldViews(core::Field field) : _field(std::move(field))
 {
     for (const core::FieldCell& cell : _field.cells())
-    {
-        const glm::dvec3& c = cell.sphere.centre;
-        _bound.expandBy(osg::BoundingSphere(osg::Vec3d(c.x, c.y, c.z), cell.sphere.radius));
-    }
+        _bound.expandBy(roundedUp(cell.sphere));
 }
 
 core::FieldLook FieldViews::lookOf(const CullView& view, const Settings& settings) const

@@ -5,6 +5,7 @@
 #include <osgPMObjects/ProgressiveField>
 
 #include "FieldContents.h"
+#include "FieldSolid.h"
 #include "FieldStates.h"
 #include "FieldViews.h"
 
@@ -48,6 +49,14 @@ void addParts(osgUtil::CullVisitor& visitor, const std::shared_ptr<const CulledF
     }
 }
 
+std::unique_ptr<FieldSolid> solidOf(const std::shared_ptr<FieldViews>& views,
+                                    const std::vector<osg::ref_ptr<FieldMesh>>& meshes)
+{
+    if (!views) return nullptr;
+    return std::make_unique<FieldSolid>(
+        FieldSolid::Source{std::shared_ptr<const core::Field>(views, &views->field()), meshes});
+}
+
 } // namespace
 
 ProgressiveField::ProgressiveField()
@@ -60,6 +69,7 @@ ProgressiveField::ProgressiveField(const ProgressiveField& other, const osg::Cop
       _kinds(other._kinds),
       _meshes(other._meshes),
       _views(other._views ? std::make_shared<FieldViews>(other._views->field()) : nullptr),
+      _solid(solidOf(_views, _meshes)),
       _budget(other._budget),
       _attention(other._attention),
       _referencePixelsPerTangent(other._referencePixelsPerTangent)
@@ -76,6 +86,7 @@ viewlod::Outcome ProgressiveField::setContents(std::vector<FieldKind> kinds,
     _views = std::make_shared<FieldViews>(core::Field(modelsOf(kinds, meshes), objectsOf(instances)));
     _kinds = std::move(kinds);
     _meshes = std::move(meshes);
+    _solid = solidOf(_views, _meshes);
     dirtyBound();
     return viewlod::success();
 }
@@ -90,9 +101,15 @@ std::vector<FieldViewStatistics> ProgressiveField::statistics() const
     return _views ? _views->statistics() : std::vector<FieldViewStatistics>();
 }
 
+std::optional<std::uint32_t> ProgressiveField::instanceOf(const osg::NodePath& path)
+{
+    return FieldSolid::instanceOf(path);
+}
+
 void ProgressiveField::traverse(osg::NodeVisitor& visitor)
 {
     osgUtil::CullVisitor* const cullVisitor = visitor.asCullVisitor();
+    if (_solid && visitor.asIntersectionVisitor()) return _solid->accept(visitor);
     if (!cullVisitor || !_views) return osg::Node::traverse(visitor);
     const auto culled =
         _views->look(cullViewOf(*cullVisitor), {_budget, _attention, _referencePixelsPerTangent});
