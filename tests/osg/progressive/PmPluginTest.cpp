@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Progressive meshes as files of OpenSceneGraph.
 #include <fstream>
+#include <optional>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -63,6 +65,38 @@ protected:
     testsupport::TestFolder _folder{"pm-plugin"};
 };
 
+/// What a file gave, counted: whichever way it is read, it has to be the same.
+struct Counts
+{
+    std::size_t positions = 0, wedges = 0, records = 0, groups = 0;
+    std::uint32_t steps = 0;
+    unsigned children = 0;
+    bool operator==(const Counts&) const = default;
+};
+
+std::optional<Counts> countsOf(const osg::ref_ptr<osg::Object>& object)
+{
+    const auto* const node = dynamic_cast<const ProgressiveNode*>(object.get());
+    if (!node || !node->shape()) return std::nullopt;
+    const core::ProgressiveMesh& progressive = node->shape()->progressive();
+    return Counts{
+        progressive.mesh.positions.size(), progressive.mesh.wedgeCount(), progressive.records.size(),
+        node->shape()->groups().size(),    progressive.stepCount,         node->getNumChildren()};
+}
+
+/// All ways through osgDB to a file, but that of readBack().
+std::vector<std::optional<Counts>> countsByOtherWays(const std::string& file)
+{
+    std::vector<std::optional<Counts>> counts{countsOf(osgDB::readRefObjectFile(file)),
+                                              countsOf(osgDB::readRefFile<osg::Object>(file))};
+    osgDB::ReaderWriter* const plugin = osgDB::Registry::instance()->getReaderWriterForExtension("pm");
+    counts.push_back(countsOf(plugin->readObject(file, nullptr).getObject()));
+    std::ifstream ofObject(file, std::ios::binary), ofNode(file, std::ios::binary);
+    counts.push_back(countsOf(plugin->readObject(ofObject, nullptr).getObject()));
+    counts.push_back(countsOf(plugin->readNode(ofNode, nullptr).getObject()));
+    return counts;
+}
+
 TEST_F(PmPlugin, WritesAnyModelAndReadsAProgressiveObject)
 {
     const std::string file = (_folder / "ball.pm").string();
@@ -102,6 +136,39 @@ TEST_F(PmPlugin, QuantisesWhereAsked)
     ASSERT_TRUE(osgDB::writeNodeFile(*model(), smaller, options));
     EXPECT_LT(std::filesystem::file_size(smaller), std::filesystem::file_size(file));
     EXPECT_TRUE(readBack(smaller));
+}
+
+TEST_F(PmPlugin, ReadsTheSameAsAnObjectAsANodeAndFromAStream)
+{
+    const std::string file = (_folder / "ball.pm").string(), other = (_folder / "cone.pm").string();
+    ASSERT_TRUE(osgDB::writeNodeFile(*model(), file));
+    const auto expected = countsOf(readBack(file));
+    ASSERT_TRUE(expected);
+    EXPECT_GT(expected->records, 100u);
+    EXPECT_EQ(expected->children, 2u);
+    for (const auto& counts : countsByOtherWays(file))
+        EXPECT_EQ(counts, expected);
+
+    const osg::ref_ptr<osg::Geode> cone = new osg::Geode;
+    cone->addDrawable(new osg::ShapeDrawable(new osg::Cone({}, 1.0F, 2.0F)));
+    ASSERT_TRUE(osgDB::writeObjectFile(*cone, other));
+    EXPECT_EQ(countsOf(osgDB::readRefObjectFile(other)), countsOf(readBack(other)));
+    EXPECT_NE(countsOf(osgDB::readRefObjectFile(other)), expected) << "another file would be noticed";
+}
+
+TEST_F(PmPlugin, GivesNoObjectOfWhatIsNoFileOfItsOwn)
+{
+    const std::string file = (_folder / "ball.pm").string();
+    ASSERT_TRUE(osgDB::writeNodeFile(*model(), file));
+    std::fstream(file, std::ios::in | std::ios::out | std::ios::binary).seekp(300).put('?');
+    osgDB::ReaderWriter* const plugin = osgDB::Registry::instance()->getReaderWriterForExtension("pm");
+    using Result = osgDB::ReaderWriter::ReadResult;
+    Result damaged = plugin->readObject(file, nullptr);
+    EXPECT_FALSE(damaged.validObject());
+    EXPECT_THAT(damaged.message(), testing::HasSubstr("check sum"));
+    EXPECT_EQ(plugin->readObject((_folder / "none.pm").string(), nullptr).status(), Result::FILE_NOT_FOUND);
+    EXPECT_EQ(plugin->readObject("ball.obj", nullptr).status(), Result::FILE_NOT_HANDLED);
+    EXPECT_FALSE(osgDB::readRefObjectFile(file));
 }
 
 TEST_F(PmPlugin, SaysWhatIsWrongWithAFile)
