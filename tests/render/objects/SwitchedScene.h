@@ -152,6 +152,11 @@ public:
                                                 {0.0, 0.0, 1.0});
     }
 
+    osg::Camera& camera() { return _viewer->camera(); }
+
+    /// Only lights of the scene shine, not one that goes with the eye.
+    void turnOffHeadlight() { _viewer->viewer().setLightingMode(osg::View::NO_LIGHT); }
+
     /// Time goes on by so much, and there is a picture.
     Picture after(double seconds)
     {
