@@ -22,7 +22,6 @@ core::FieldLook FieldViews::lookOf(const CullView& view, const Settings& setting
     look.frustum = view.view.frustum;
     look.attention = settings.attention;
     look.metresPerUnit = view.metresPerUnit;
-    look.metresPerPixel = view.metresPerPixel;
     look.frame = view.frame;
     look.budget = settings.budget;
     return look;
@@ -56,10 +55,7 @@ std::shared_ptr<const CulledField> FieldViews::look(const CullView& view, const 
     look.stepS = entry->stepS;
     Groups::Member& member = _groups.memberOf(*entry, view);
     if (isBorrowed)
-    {
         look.view = entry->chosenBy;
-        look.metresPerPixel.reset();
-    }
     else
         entry->chosenBy = look.view;
 

@@ -22,8 +22,6 @@ CullView cullViewOf(osgUtil::CullVisitor& visitor)
         osg::Matrixd::scale(unitsPerMetre, unitsPerMetre, unitsPerMetre) * eyeFromLocal;
     const glm::dmat4 projection = osgTraversal::toGlm(*visitor.getProjectionMatrix());
     cull.view = osgTraversal::viewStateOf(visitor, eyeFromMetres, projection);
-    if (osgTraversal::isParallel(projection))
-        cull.metresPerPixel = cull.lodScale / cull.view.pixelsPerTangent;
     if (osgTraversal::seeksNearFar(visitor)) cull.view.nearM = 0.0;
     return cull;
 }

@@ -24,8 +24,6 @@ struct CullView
     viewlod::ViewState view;
     double lodScale = 1.0;      ///< OSG's own knob for coarser (> 1) or finer detail
     double metresPerUnit = 1.0; ///< of the object's frame
-    /// Of a parallel projection: metres a pixel; there are no distances then.
-    std::optional<double> metresPerPixel;
 };
 
 CullView cullViewOf(osgUtil::CullVisitor& visitor);

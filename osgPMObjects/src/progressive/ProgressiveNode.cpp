@@ -97,13 +97,6 @@ std::vector<ProgressiveViewStatistics> ProgressiveNode::statistics() const
 core::Selection ProgressiveNode::choose(const CullView& view, core::HeldLevel& held) const
 {
     const ProgressiveShape& shape = *_drawable->shape();
-    if (view.metresPerPixel)
-    {
-        const double tolerance = _settings.tolerancePx * *view.metresPerPixel / view.metresPerUnit;
-        held.level =
-            core::heldWithin(shape.levels().errors, tolerance, _settings.band, held, _settings.weights);
-        return {held.level};
-    }
     core::SelectableObject object;
     object.sphere = inMetres(shape.sphere(), view.metresPerUnit);
     object.box = inMetres(shape.box(), view.metresPerUnit);

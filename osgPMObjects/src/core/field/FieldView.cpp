@@ -4,7 +4,6 @@
 #include <glm/glm.hpp>
 
 #include <osgPMObjects/core/field/FieldView.h>
-#include <osgPMObjects/core/selection/ScreenErrorRule.h>
 
 #include "FieldSorter.h"
 #include "FieldSwitch.h"
@@ -51,19 +50,6 @@ const BenefitCurve* FieldView::curveOf(std::uint32_t model, const CostModel& cos
     return &_curves[model];
 }
 
-/// Without distances: the screen error in pixels of the parallel projection.
-void FieldView::chooseByScreen(const FieldLook& look)
-{
-    for (std::size_t i = 0; i < _visible.size(); ++i)
-    {
-        const SelectableObject& object = _selectable[i];
-        const double tolerance = object.settings->tolerancePx * *look.metresPerPixel / object.metresPerUnit;
-        _held[i].level = heldWithin(object.table->errors, tolerance, object.settings->band, _held[i],
-                                    object.settings->weights);
-        _selections[i] = {_held[i].level};
-    }
-}
-
 void FieldView::choose(const FieldLook& look, FieldPicture& picture)
 {
     _selectable.clear();
@@ -77,7 +63,6 @@ void FieldView::choose(const FieldLook& look, FieldPicture& picture)
         _held.push_back(isRemembered ? memory.held : HeldLevel{});
     }
     _selections.resize(_visible.size());
-    if (look.metresPerPixel) return chooseByScreen(look);
     picture.selection = _selector.select(LevelSelector(look.view, look.attention), _selectable, _held,
                                          _selections, look.budget);
 }

@@ -16,7 +16,7 @@ namespace osgPMObjects::core
 
 double LevelSelector::distanceM(const SelectableObject& object, double gain) const
 {
-    return glm::length(object.sphere.centre - _view.eyeWorld) * _view.distanceScale / gain;
+    return glm::length(object.sphere.centre - _view.distancesFrom) * _view.distanceScale / gain;
 }
 
 double LevelSelector::toleranceOf(const SelectableObject& object, double gain) const
@@ -51,18 +51,20 @@ Selection LevelSelector::byArea(const SelectableObject& object, double gain, Hel
     return selection;
 }
 
-Selection LevelSelector::byRemoval(const SelectableObject& object, double distanceM, HeldLevel& held) const
+Selection LevelSelector::byRemoval(const SelectableObject& object, double gain, double distanceM,
+                                   HeldLevel& held) const
 {
     const SelectionSettings& settings = *object.settings;
     const LevelTable& table = *object.table;
-    // The default is that of this view's pixels: in its metres first, then in the author's, as the distance is.
-    const double reference = settings.referenceM > 0.0
-                                 ? settings.referenceM
-                                 : _view.distanceScale * object.metresPerUnit *
-                                       referenceDistanceM(_view.pixelsPerTangent, table.area,
-                                                          table.faces.front(), settings.trianglePx);
-    const Removal removal = heldRemovalAt(reference, distanceM, table.positions, table.mostSteps(),
-                                          settings.continuousBand, held);
+    const bool isGiven = settings.referenceM > 0.0;
+    // The default is that of this view's pixels, from its eye.
+    const double reference =
+        isGiven ? settings.referenceM
+                : object.metresPerUnit * referenceDistanceM(_view.pixelsPerTangent, table.area,
+                                                            table.faces.front(), settings.trianglePx);
+    const double distance = isGiven ? distanceM : glm::length(object.sphere.centre - _view.eyeWorld) / gain;
+    const Removal removal =
+        heldRemovalAt(reference, distance, table.positions, table.mostSteps(), settings.continuousBand, held);
     held.level = removal.steps;
     return {removal.steps, 1.0f, removal.isClamped ? SelectionReason::clamped : SelectionReason::rule};
 }
@@ -80,7 +82,7 @@ Selection LevelSelector::byMethod(const SelectableObject& object, double gain, d
         held.level = overlappingRangeAt(settings.overlappingRanges, distanceM, held);
         return {settings.overlappingRanges.steps[held.level]};
     case SelectionMethod::continuous:
-        return byRemoval(object, distanceM, held);
+        return byRemoval(object, gain, distanceM, held);
     case SelectionMethod::screenError:
         held.level = heldWithin(object.table->errors, toleranceOf(object, gain), settings.band, held,
                                 settings.weights);

@@ -19,10 +19,9 @@ struct FieldLook
     glm::dvec3 eye{0.0}; ///< what places are given from: the camera's own, where its levels are another's
     viewlod::Frustum frustum; ///< its sides cull; near and far planes do not
     AttentionRule attention;
-    double metresPerUnit = 1.0;           ///< of the field
-    std::optional<double> metresPerPixel; ///< of a parallel projection: the screen error decides alone
-    std::uint64_t frame = 0;              ///< the same for cameras that share the eye; rises
-    float stepS = 0.0f;                   ///< since the last frame
+    double metresPerUnit = 1.0; ///< of the field
+    std::uint64_t frame = 0;    ///< the same for cameras that share the eye; rises
+    float stepS = 0.0f;         ///< since the last frame
     SceneBudgetSettings budget;
 };
 
@@ -49,7 +48,6 @@ private:
 
     void findVisible(const viewlod::Frustum& frustum, double metresPerUnit);
     void choose(const FieldLook& look, FieldPicture& picture);
-    void chooseByScreen(const FieldLook& look);
     const BenefitCurve* curveOf(std::uint32_t model, const CostModel& cost);
     DrawnLevels advance(std::uint32_t object, const Selection& selection, const FieldLook& look);
 

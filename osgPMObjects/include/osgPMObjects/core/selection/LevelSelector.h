@@ -71,7 +71,7 @@ public:
     {
         return priorityGain(object.priority, _attention, _view.eyeWorld, object.sphere);
     }
-    /// Distance of the eye from the centre of the bounding sphere, as the author's camera would have it. Units: metres.
+    /// Distance from the centre of the bounding sphere, as the author's camera would have it (SelectionView::distancesFrom). Units: metres.
     double distanceM(const SelectableObject& object, double gain) const;
     /// The error in the model's units that its tolerance in pixels allows.
     double toleranceOf(const SelectableObject& object, double gain) const;
@@ -81,7 +81,7 @@ public:
 private:
     Selection byArea(const SelectableObject& object, double gain, HeldLevel& held) const;
     double areaPx(const SelectableObject& object) const;
-    Selection byRemoval(const SelectableObject& object, double distanceM, HeldLevel& held) const;
+    Selection byRemoval(const SelectableObject& object, double gain, double distanceM, HeldLevel& held) const;
     Selection byMethod(const SelectableObject& object, double gain, double distanceM, HeldLevel& held) const;
 
     SelectionView _view;
