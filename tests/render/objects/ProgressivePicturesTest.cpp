@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <osg/Depth>
 #include <osg/Material>
 
 #include <osgPMObjects/core/simplify/Simplify.h>
@@ -304,9 +305,37 @@ TEST_P(ProgressiveModelPictures, AreThoseOfPlainGeometryAtEveryLevel)
     EXPECT_EQ(differences(original, picturesOf(*node.drawable(), ball)), 0) << "level 0 is the model";
 }
 
+/// Whether a pixel differs in two pictures at all.
+bool differsAt(const osg::Image& a, const osg::Image& b, int x, int y)
+{
+    return !std::equal(a.data(x, y), a.data(x, y) + 3, b.data(x, y));
+}
+
+/// Pixels of one level that differ from plain geometry, and those of them at which plain geometry changes, too, when of equal depths the
+/// last one is seen instead of the first.
+std::pair<int, int> offAndOfEqualDepth(ProgressiveDrawable& drawable, osg::Group& baked)
+{
+    const osg::BoundingSphere ball = drawable.getBound();
+    const Pictures drawn = picturesOf(drawable, ball), first = picturesOf(baked, ball);
+    baked.getOrCreateStateSet()->setAttributeAndModes(
+        new osg::Depth(osg::Depth::LEQUAL), osg::StateAttribute::ON | osg::StateAttribute::OVERRIDE);
+    const Pictures last = picturesOf(baked, ball);
+    int off = 0, ofEqualDepth = 0;
+    for (std::size_t view = 0; view < first.size(); ++view)
+        for (int y = 0; y < first[view]->t(); ++y)
+            for (int x = 0; x < first[view]->s(); ++x)
+            {
+                const bool isOff = differsAt(*first[view], *drawn[view], x, y);
+                off += isOff;
+                ofEqualDepth += isOff && differsAt(*first[view], *last[view], x, y);
+            }
+    return {off, ofEqualDepth};
+}
+
 /// OSG leaves out drawables that are smaller than some pixels, plain ones material by material: then a pole of vinson's is missing
-/// that the progressive object, which is culled as a whole, has. Told not to, it draws the same.
-TEST(ProgressiveModelPicturesOfSmallParts, DifferOnlyByThePartsThatOsgLeavesOut)
+/// that the progressive object, which is culled as a whole, has. Told not to, it draws the same; but far down, where faces have come to lie
+/// in one plane, for pixels of equal depth, which are those of the face that is drawn first.
+TEST(ProgressiveModelPicturesOfSmallParts, DifferByThosePartsAndByTheOrderInOnePlaneOnly)
 {
     OSGTRAINER_REAL_DATA_OR_SKIP(file, "models/ship/vinson.ac");
     const auto read = readModelNode(file);
@@ -317,7 +346,7 @@ TEST(ProgressiveModelPicturesOfSmallParts, DifferOnlyByThePartsThatOsgLeavesOut)
     const ProgressiveShape& shape = *drawable.shape();
     const osg::BoundingSphere ball = drawable.getBound();
     int withoutSmallParts = 0;
-    for (const unsigned eighths : {0, 4, 7, 2, 0})
+    for (const unsigned eighths : {0, 4, 7, 2})
     {
         const std::uint32_t steps = shape.progressive().stepCount * eighths / 8;
         drawable.setSteps(steps);
@@ -326,7 +355,9 @@ TEST(ProgressiveModelPicturesOfSmallParts, DifferOnlyByThePartsThatOsgLeavesOut)
         withoutSmallParts += differences(picturesOf(*baked, ball), drawn);
         for (unsigned i = 0; i < baked->getNumChildren(); ++i)
             baked->getChild(i)->setCullingActive(false);
-        EXPECT_EQ(differences(picturesOf(*baked, ball), drawn), 0) << eighths;
+        const auto [off, ofEqualDepth] = offAndOfEqualDepth(drawable, *baked);
+        EXPECT_EQ(off, ofEqualDepth) << eighths;
+        EXPECT_LE(off, eighths < 7 ? 0 : 16) << eighths;
     }
     EXPECT_GT(withoutSmallParts, 0) << "what this is about";
 }
