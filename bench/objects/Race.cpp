@@ -29,6 +29,8 @@ Race::Json Race::run(const std::vector<Contestant>& contestants, const std::vect
         std::vector<osg::ref_ptr<osg::Node>> nodes;
         for (const Contestant& contestant : contestants)
             nodes.push_back(contestant.nodeAt(steps));
+        for (const osg::ref_ptr<osg::Node>& node : nodes)
+            settle(*scene, *node);
         for (int repeat = -1; repeat < _request.repeats; ++repeat)
             for (std::size_t i = 0; i < contestants.size(); ++i)
             {
@@ -47,6 +49,16 @@ Race::Json Race::run(const std::vector<Contestant>& contestants, const std::vect
         rows.push_back(std::move(row));
     }
     return rows;
+}
+
+/// A level far away is drawn in the order of the finest at first, until the frames after it have played the steps to it.
+void Race::settle(osg::Group& scene, osg::Node& node)
+{
+    constexpr int kFrames = 24;
+    scene.removeChildren(0, scene.getNumChildren());
+    scene.addChild(&node);
+    for (int frame = 0; frame < kFrames; ++frame)
+        frameMs();
 }
 
 double Race::frameMs()

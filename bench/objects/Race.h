@@ -23,6 +23,7 @@ public:
              const osg::BoundingSphere& ball);
 
 private:
+    void settle(osg::Group& scene, osg::Node& node);
     double frameMs();
     void look(const osg::BoundingSphere& ball);
 

@@ -106,8 +106,8 @@ void FieldMesh::draw(osg::State& state, std::uint32_t rung, std::uint32_t group,
                                std::size_t{faces.first} * 3 * indexBytes;
     // osg::State has it inline, and with it glDrawElements(), which whoever uses a field would have to link.
     state.get<osg::GLExtensions>()->glDrawElementsInstanced(
-        GL_TRIANGLES, static_cast<GLsizei>(faces.count * 3), _indices->getDataType(), osgTraversal::bufferOffset(offset),
-        static_cast<GLsizei>(instances));
+        GL_TRIANGLES, static_cast<GLsizei>(faces.count * 3), _indices->getDataType(),
+        osgTraversal::bufferOffset(offset), static_cast<GLsizei>(instances));
 }
 
 const std::vector<osg::ref_ptr<osg::Geometry>>& FieldMesh::finest() const
