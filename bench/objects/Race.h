@@ -23,7 +23,6 @@ public:
              const osg::BoundingSphere& ball);
 
 private:
-    void settle(osg::Group& scene, osg::Node& node);
     double frameMs();
     void look(const osg::BoundingSphere& ball);
 
