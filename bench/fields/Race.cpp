@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "Race.h"
 
+#include <cmath>
 #include <iostream>
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -15,6 +16,8 @@ namespace fieldbench
 
 namespace
 {
+
+const std::string kFull = "full";
 
 /// By everything in this process, the software renderer among it.
 double megabytesInUse()
@@ -35,16 +38,19 @@ double pixelsPerTangent(const osgOffscreen::OffscreenSettings& picture)
 
 } // namespace
 
-void Race::enter(Json& report, const std::string& name, const Make& make, int frames)
+Race::Json Race::flown(const std::string& name, const Make& make, int frames)
 {
-    if (!_request.has(name)) return;
     const double before = megabytesInUse();
     const auto began = Clock::now();
     const osg::ref_ptr<osg::Node> objects = make();
     // What the scene graph takes; the renderer's own memory is that of the largest frame so far.
     Json row = {{"buildS", 1e-3 * milliseconds(began)}, {"graphMegabytes", megabytesInUse() - before}};
     for (const Path& path : kPaths)
+    {
         row[path.name] = _stage.fly(name, *objects, path, frames);
+        if (name != kFull && _request.has(kFull))
+            row[path.name]["rmsToFull"] = _stage.difference(name, kFull, path);
+    }
     if (const auto* const ours = dynamic_cast<osgPMObjects::ProgressiveField*>(objects.get()))
         for (const auto& statistics : ours->statistics())
             row["last"] = {{"visible", statistics.visible},
@@ -54,37 +60,36 @@ void Race::enter(Json& report, const std::string& name, const Make& make, int fr
                            {"drawCalls", statistics.drawCalls}};
     _stage.clear();
     std::cout << name << ": " << row.dump() << std::endl;
-    report[name] = row;
+    return row;
 }
 
-void Race::compare(Json& report, const std::string& name)
+Race::Json Race::flownAt(const std::string& name, const std::vector<double>& trianglesPx,
+                         const std::function<osg::ref_ptr<osg::Node>(double)>& make)
 {
-    if (!_request.has(name) || !_request.has("full")) return;
-    for (const Path& path : kPaths)
+    Json rows = Json::array();
+    for (const double px : trianglesPx)
     {
-        const double rms = _stage.difference(name, "full", path);
-        report[name][path.name]["rmsToFull"] = rms;
-        std::cout << name << ' ' << path.name << ": differs from full detail by " << rms << " levels (rms)\n";
+        Json row = {{"trianglePx", px}};
+        row.update(flown(
+            name + "-" + std::to_string(std::lround(px)), [&] { return make(px); }, _request.frames));
+        rows.push_back(row);
     }
+    return rows;
 }
 
 Race::Json Race::run(const Shapes& shapes, const std::vector<osgPMObjects::FieldInstance>& instances)
 {
     Json report = Json::object();
-    enter(
-        report, "ours", [&] { return progressiveField(shapes, instances, _request.trianglePx); },
-        _request.frames);
-    enter(
-        report, "lod",
-        [&] {
-            return discreteLods(shapes, instances, _request.lodTrianglePx,
-                                pixelsPerTangent(_request.picture));
-        },
-        _request.frames);
-    enter(
-        report, "full", [&] { return fullDetail(shapes, instances); }, 0);
-    for (const char* const name : {"ours", "lod"})
-        compare(report, name);
+    if (_request.has(kFull)) // first: the others are compared with it
+        report[kFull] = flown(
+            kFull, [&] { return fullDetail(shapes, instances); }, 0);
+    if (_request.has("ours"))
+        report["ours"] = flownAt("ours", _request.trianglesPx,
+                                 [&](double px) { return progressiveField(shapes, instances, px); });
+    const double perTangent = pixelsPerTangent(_request.picture);
+    if (_request.has("lod"))
+        report["lod"] = flownAt("lod", _request.lodTrianglesPx,
+                                [&](double px) { return discreteLods(shapes, instances, px, perTangent); });
     return report;
 }
 

@@ -23,9 +23,12 @@ public:
 private:
     using Make = std::function<osg::ref_ptr<osg::Node>()>;
 
-    /// Building, memory, and the frames of each path; into the report, if it was asked for.
-    void enter(Json& report, const std::string& name, const Make& make, int frames);
-    void compare(Json& report, const std::string& name);
+    /// Building, memory, the frames of each path, and, where full detail has flown, the error of the picture.
+    Json flown(const std::string& name, const Make& make, int frames);
+
+    /// A row for each of the pixels that a face may cover.
+    Json flownAt(const std::string& name, const std::vector<double>& trianglesPx,
+                 const std::function<osg::ref_ptr<osg::Node>(double)>& make);
 
     Stage& _stage;
     const Request& _request;

@@ -16,7 +16,8 @@ namespace fieldbench
 struct Request
 {
     std::uint32_t count = 10000;
-    double spacingM = 18.0, trianglePx = 12.0, lodTrianglePx = 12.0;
+    double spacingM = 18.0;
+    std::vector<double> trianglesPx{16.0}, lodTrianglesPx{16.0}; ///< each is flown
     int frames = 24, compared = 2;
     osgOffscreen::OffscreenSettings picture{.widthPx = 960, .heightPx = 540};
     std::vector<std::string> contestants{"ours", "lod", "full"};

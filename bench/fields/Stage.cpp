@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "Stage.h"
 
+#include <algorithm>
 #include <cmath>
 #include <iostream>
 
@@ -9,6 +10,7 @@
 #include "Percentile.h"
 #include "Times.h"
 #include "models/Plain.h"
+#include "objects/Finish.h"
 
 namespace fieldbench
 {
@@ -17,6 +19,8 @@ namespace
 {
 
 constexpr double kFrameS = 0.04;
+constexpr double kSettledS = 2.0; ///< after which no level is being switched
+constexpr int kRounds = 5;        ///< of a path; of each of its frames the quickest counts
 
 } // namespace
 
@@ -28,25 +32,31 @@ Stage::Stage(osgOffscreen::OffscreenViewer& viewer, const Request& request)
 {
     viewer.camera().setProjectionMatrixAsPerspective(
         kHighDeg, static_cast<double>(request.picture.widthPx) / request.picture.heightPx, 0.5, 2e4);
+    viewer.camera().setFinalDrawCallback(new objectbench::Finish);
 }
 
 Stage::Json Stage::fly(const std::string& name, osg::Node& objects, const Path& path, int frames)
 {
     _viewer.viewer().setSceneData(onPlain(objects, *_air));
     std::vector<double> times, invocations;
-    frameMs(path, 0); // compiles
     for (int i = 0; i < frames; ++i)
-        times.push_back(frameMs(path, i));
+        times.push_back(frameMs(path, i)); // the first round compiles
+    for (int round = 1; round <= kRounds; ++round)
+        for (int i = 0; i < frames; ++i)
+        {
+            const double ms = frameMs(path, i);
+            times[i] = round == 1 ? ms : std::min(times[i], ms);
+        }
     for (int i = 0; i < _request.compared; ++i)
     {
         const int at = i * (_request.frames - 1) / std::max(1, _request.compared - 1);
         look(path, at);
         _count.setCounting(false);
         const auto begin = Clock::now();
-        const auto picture = _viewer.picture(kFrameS * at);
+        const auto picture = _viewer.picture(_timeS += kSettledS);
         if (frames == 0) times.push_back(milliseconds(begin));
         _count.setCounting(true);
-        _viewer.frame(kFrameS * at);
+        _viewer.frame(_timeS += kSettledS);
         _count.setCounting(false);
         invocations.push_back(static_cast<double>(_count.counted()));
         keep(*picture, name + "-" + path.name + "-" + std::to_string(i));
@@ -82,13 +92,13 @@ double Stage::frameMs(const Path& path, int frame)
 {
     look(path, frame);
     const auto begin = Clock::now();
-    _viewer.frame(kFrameS * frame);
+    _viewer.frame(_timeS += kFrameS);
     return milliseconds(begin);
 }
 
 void Stage::look(const Path& path, int frame)
 {
-    const osg::Vec3d eye(4.0, -0.3 * 1000.0 + path.stepM * frame, path.heightM);
+    const osg::Vec3d eye(-72.0, -300.0 + path.stepM * frame, path.heightM); // between the objects
     const osg::Vec3d along(0.1, 1.0, path.pitch);
     _viewer.camera().setViewMatrixAsLookAt(eye, eye + along, {0.0, 0.0, 1.0});
 }

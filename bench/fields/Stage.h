@@ -31,7 +31,7 @@ public:
 
     Stage(osgOffscreen::OffscreenViewer& viewer, const Request& request);
 
-    /// The times of a path's frames, or, of none, those of the pictures that are compared.
+    /// The times of a path's frames, the quickest of some rounds, or, of none, those of the pictures that are compared.
     Json fly(const std::string& name, osg::Node& objects, const Path& path, int frames);
 
     /// Root of the mean square of the levels by which two contestants' pictures differ.
@@ -48,6 +48,7 @@ private:
     objectbench::PipelineCount _count;
     const Request& _request;
     osg::ref_ptr<osgTerrainROAM::Atmosphere> _air;
+    double _timeS = 0.0; ///< it never goes back, or switches would stand still
     std::map<std::string, std::vector<osg::ref_ptr<osg::Image>>> _pictures;
 };
 

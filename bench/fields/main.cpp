@@ -23,11 +23,8 @@ int run(const Request& request)
     const Shapes shapes = landscapeShapes();
     const auto instances =
         scattered(request.count, static_cast<std::uint32_t>(shapes.size()), request.spacingM);
-    Race::Json report = {{"instances", request.count},
-                         {"kinds", shapes.size()},
-                         {"trianglePx", request.trianglePx},
-                         {"lodTrianglePx", request.lodTrianglePx},
-                         {"shapesS", 1e-3 * milliseconds(start)}};
+    Race::Json report = {
+        {"instances", request.count}, {"kinds", shapes.size()}, {"shapesS", 1e-3 * milliseconds(start)}};
     Stage stage(**viewer, request);
     report.update(Race(stage, request).run(shapes, instances));
     if (request.jsonFile.empty()) return terminal::kDone;
@@ -43,9 +40,10 @@ int main(int argc, char** argv)
     Request request;
     app.add_option("--count", request.count, "instances")->check(CLI::Range(1u, 10000000u));
     app.add_option("--spacing", request.spacingM, "metres")->check(terminal::between(1.0, 1000.0));
-    app.add_option("--triangle", request.trianglePx, "pixels that a face covers, of the field")
+    app.add_option("--triangle", request.trianglesPx,
+                   "pixels that a face covers, of the field; each given is flown")
         ->check(terminal::between(0.1, 1000.0));
-    app.add_option("--lod-triangle", request.lodTrianglePx, "the same of the osg::LODs")
+    app.add_option("--lod-triangle", request.lodTrianglesPx, "the same of the osg::LODs")
         ->check(terminal::between(0.1, 1000.0));
     app.add_option("--frames", request.frames)->check(CLI::Range(3, 10000));
     app.add_option("--compared", request.compared,

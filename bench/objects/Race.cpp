@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "Finish.h"
 #include "VertexLights.h"
 
 namespace objectbench
@@ -14,12 +15,6 @@ namespace
 
 /// A level far away is drawn in the order of the finest at first, until the frames after it have played the steps to it.
 constexpr int kSettling = 24;
-
-/// Frames end with their pixels: llvmpipe's threads would else draw one in the time of the next.
-struct Finish : osg::Camera::DrawCallback
-{
-    void operator()(osg::RenderInfo&) const override { glFinish(); }
-};
 
 } // namespace
 
