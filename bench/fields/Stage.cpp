@@ -47,6 +47,8 @@ Stage::Json Stage::fly(const std::string& name, osg::Node& objects, const Path& 
             const double ms = frameMs(path, i);
             times[i] = round == 1 ? ms : std::min(times[i], ms);
         }
+    auto& pictures = _pictures[name + path.name];
+    pictures.clear();
     for (int i = 0; i < _request.compared; ++i)
     {
         const int at = i * (_request.frames - 1) / std::max(1, _request.compared - 1);
@@ -60,7 +62,7 @@ Stage::Json Stage::fly(const std::string& name, osg::Node& objects, const Path& 
         _count.setCounting(false);
         invocations.push_back(static_cast<double>(_count.counted()));
         keep(*picture, name + "-" + path.name + "-" + std::to_string(i));
-        _pictures[name + path.name].push_back(picture);
+        pictures.push_back(picture);
     }
     double sum = 0.0;
     for (const double i : invocations)
