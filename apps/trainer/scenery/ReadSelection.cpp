@@ -76,6 +76,7 @@ void readSelection(JsonFields& parent, SelectionPlan& plan)
     fields.number("referenceM", settings.referenceM, 0.0, kFar);
     fields.number("trianglePx", settings.trianglePx, 1e-3, 1e6);
     fields.number("tolerancePx", settings.tolerancePx, 1e-3, 1e6);
+    fields.whole("leastFaces", settings.leastFaces, 0.0, 1e9);
     fields.number("band", settings.band, 1.0, 100.0);
     fields.number("continuousBand", settings.continuousBand, 1.0, 100.0);
     readWeights(fields, settings.weights);

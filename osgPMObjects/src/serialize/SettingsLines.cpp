@@ -31,6 +31,7 @@ void visitFields(Settings& settings, Visit& visit)
     visit("referenceM", selection.referenceM);
     visit("trianglePx", selection.trianglePx);
     visit("tolerancePx", selection.tolerancePx);
+    visit("leastFaces", selection.leastFaces);
     visit("weights.normal", selection.weights.normal);
     visit("weights.texCoord", selection.weights.texCoord);
     visit("weights.colour", selection.weights.colour);

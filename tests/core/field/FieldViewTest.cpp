@@ -127,6 +127,26 @@ TEST(FieldView, KeepsWithinTheBudget)
     EXPECT_GT(most, 55000u) << "and uses it";
 }
 
+TEST(FieldView, NoBudgetLeavesFewerThanTheLeastFaces)
+{
+    FieldModel model = modelWith(SelectionMethod::budget);
+    const auto fewest = [&](std::uint32_t leastFaces)
+    {
+        model.selection.leastFaces = leastFaces;
+        const Field field = testsupport::scatteredField({model}, 300, 300.0);
+        FieldView memory(field);
+        FieldLook look = testsupport::lookFrom(testsupport::viewTo({0.0, -400.0, 30.0}, {0.0, 0.0, 0.0}), 1);
+        look.budget.budget = 1;
+        std::uint32_t faces = model.ladder->rungs.front().faces;
+        for (const FieldRun& run : memory.look(look).runs)
+            faces = std::min(faces, model.ladder->rungs[run.rung].faces);
+        return faces;
+    };
+    EXPECT_LT(fewest(0), 24u);
+    EXPECT_GE(fewest(24), 24u);
+    EXPECT_LT(fewest(24), 48u) << "but not many more";
+}
+
 /// Cameras that share an eye see the same levels, whichever looks first.
 TEST(FieldView, ShowsAnotherCameraOfTheEyeTheSame)
 {

@@ -37,7 +37,7 @@ TEST(ReadScenery, TakesEverythingOfAField)
          "rows": {"rows": 3, "spacingM": 8, "betweenM": 7, "lengthM": 60}, "spacingM": 1.5, "crowding": 0.3,
          "scale": [0.5, 2], "importance": 3,
          "selection": {"method": "overlapping-ranges", "boundariesM": [50, 200], "facesPercent": [100, 30, 5],
-                       "overlap": 1.5, "alpha": {"fadeM": 900, "goneM": 1000}},
+                       "overlap": 1.5, "leastFaces": 24, "alpha": {"fadeM": 900, "goneM": 1000}},
          "switching": {"method": "blend", "profile": "cross", "durationS": 0.7, "staggerS": 0.1}}]})",
                                    "folder/s.json");
     ASSERT_TRUE(read) << read.error().message();
@@ -48,6 +48,7 @@ TEST(ReadScenery, TakesEverythingOfAField)
     ASSERT_EQ(field.objects.size(), 3u);
     EXPECT_EQ(field.objects[1].seed, 4u);
     EXPECT_EQ(field.objects[2].file, "folder/tree.pm");
+    EXPECT_EQ(field.selection.settings.leastFaces, 24u);
     EXPECT_EQ(field.where.polygon.size(), 3u);
     EXPECT_EQ(field.where.pathDistanceM->most, 50.0);
     EXPECT_TRUE(field.where.inWater);
@@ -105,6 +106,7 @@ TEST(ReadScenery, SaysWhereAMistakeIsAndWhatToDo)
                 HasSubstr("facesPercent"));
     EXPECT_THAT(complaint(fieldWith(R"("selection": {"alpha": {"fadeM": 5, "goneM": 4}})")),
                 HasSubstr("goneM"));
+    EXPECT_THAT(complaint(fieldWith(R"("selection": {"leastFaces": 1.5})")), HasSubstr("is no whole number"));
     EXPECT_THAT(complaint(R"({"budget": {}, "fields": []})"), HasSubstr("triangles or ms"));
     EXPECT_THAT(complaint(R"({"fields": [{"name": "f", "objects": [{"kind": "rose"}], "count": 1}]})"),
                 AllOf(HasSubstr("/fields/0/objects/0/kind"), HasSubstr("oak")));

@@ -105,6 +105,20 @@ TEST(LevelSelector, EveryRuleWithABandIsCalmWhereThePlainOnesAreNot)
     }
 }
 
+TEST(LevelSelector, NoRuleChoosesFewerThanTheLeastFaces)
+{
+    constexpr double kFarAway = 40'000.0;
+    for (const SelectionMethod method : kOwnRules)
+    {
+        Fixture fixture(method);
+        const std::uint32_t least = fixture.table.faces[500];
+        EXPECT_LT(fixture.table.faces[fixture.at(kFarAway).steps], least) << nameOf(method);
+        fixture.settings.leastFaces = least;
+        EXPECT_EQ(fixture.at(kFarAway).steps, fixture.table.coarsestWith(least)) << nameOf(method);
+        EXPECT_LE(fixture.at(3.0).steps, fixture.at(kFarAway).steps);
+    }
+}
+
 TEST(LevelSelector, AMagnificationBringsObjectsNearAsManyTimes)
 {
     for (const SelectionMethod method : {SelectionMethod::ranges, SelectionMethod::overlappingRanges,

@@ -28,4 +28,17 @@ TEST(LevelTable, ThatGrowsOrGetsBetterIsNone)
     EXPECT_FALSE(isOneWith([](LevelTable& t) { t = {}; }));
 }
 
+TEST(LevelTable, KnowsTheCoarsestLevelWithSoManyFaces)
+{
+    LevelTable table;
+    table.faces = {40, 40, 24, 24, 10};
+    table.errors.resize(5);
+    EXPECT_EQ(table.coarsestWith(0), 4u);
+    EXPECT_EQ(table.coarsestWith(10), 4u);
+    EXPECT_EQ(table.coarsestWith(11), 3u);
+    EXPECT_EQ(table.coarsestWith(24), 3u);
+    EXPECT_EQ(table.coarsestWith(40), 1u);
+    EXPECT_EQ(table.coarsestWith(41), 0u) << "a mesh that has fewer is drawn whole";
+}
+
 } // namespace

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <span>
 
 #include <glm/glm.hpp>
 
@@ -10,6 +11,20 @@
 
 namespace osgPMObjects::core
 {
+
+namespace
+{
+
+/// The rungs that the settings allow, in steps.
+std::span<const std::uint32_t> choosable(const FieldModel& model)
+{
+    const std::span steps(model.ladder->steps);
+    const auto end =
+        std::upper_bound(steps.begin(), steps.end(), model.table->coarsestWith(model.selection.leastFaces));
+    return steps.first(static_cast<std::size_t>(end - steps.begin()));
+}
+
+} // namespace
 
 FieldView::FieldView(const Field& field) : _field(field), _memory(field.objects().size()) {}
 
@@ -43,7 +58,7 @@ const BenefitCurve* FieldView::curveOf(std::uint32_t model, const CostModel& cos
         _curvesCost = cost;
         _curves.clear();
         for (const FieldModel& each : _field.models())
-            _curves.push_back(BenefitCurve::ofLevels(*each.table, each.ladder->steps,
+            _curves.push_back(BenefitCurve::ofLevels(*each.table, choosable(each),
                                                      std::max(each.sphere.radius, 1e-9), cost,
                                                      each.selection.weights));
     }

@@ -43,6 +43,13 @@ LevelTable LevelTable::of(const Mesh& mesh, const CollapseSequence& sequence)
     return table;
 }
 
+std::uint32_t LevelTable::coarsestWith(std::uint32_t leastFaces) const
+{
+    const auto fewer =
+        std::partition_point(faces.begin(), faces.end(), [=](std::uint32_t f) { return f >= leastFaces; });
+    return fewer == faces.begin() ? 0 : static_cast<std::uint32_t>(fewer - faces.begin()) - 1;
+}
+
 bool isLevelTable(const LevelTable& table)
 {
     if (table.faces.empty() || table.faces.size() != table.errors.size()) return false;

@@ -23,6 +23,8 @@ struct LevelTable
     std::vector<LevelError> errors;   ///< by level; that of level 0 is 0
 
     std::uint32_t mostSteps() const { return static_cast<std::uint32_t>(faces.size()) - 1; }
+    /// The most steps that leave so many faces; 0 where the mesh has fewer. Cost: logarithmic.
+    std::uint32_t coarsestWith(std::uint32_t leastFaces) const;
 
     /// Of a mesh and a sequence of it. Steps after which no face is left are not counted in: what has to vanish, vanishes by
     /// alpha or by its culling, not by its level. Cost: linear.
