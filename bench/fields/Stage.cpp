@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iostream>
+#include <limits>
 
 #include <osgOffscreen/PngFile>
 
@@ -38,14 +39,12 @@ Stage::Stage(osgOffscreen::OffscreenViewer& viewer, const Request& request)
 Stage::Json Stage::fly(const std::string& name, osg::Node& objects, const Path& path, int frames)
 {
     _viewer.viewer().setSceneData(onPlain(objects, *_air));
-    std::vector<double> times, invocations;
-    for (int i = 0; i < frames; ++i)
-        times.push_back(frameMs(path, i)); // the first round compiles
-    for (int round = 1; round <= kRounds; ++round)
+    std::vector<double> times(frames, std::numeric_limits<double>::infinity()), invocations;
+    for (int round = 0; round <= kRounds; ++round)
         for (int i = 0; i < frames; ++i)
         {
             const double ms = frameMs(path, i);
-            times[i] = round == 1 ? ms : std::min(times[i], ms);
+            if (round > 0) times[i] = std::min(times[i], ms); // the first compiles
         }
     auto& pictures = _pictures[name + path.name];
     pictures.clear();

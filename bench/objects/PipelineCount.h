@@ -14,7 +14,6 @@ class PipelineCount
 {
 public:
     static constexpr GLenum kVertexShaderInvocations = 0x82F0;
-    static constexpr GLenum kPrimitivesSubmitted = 0x82EF; ///< triangles
 
     PipelineCount(osg::Camera& camera, GLenum counted);
 

@@ -127,11 +127,12 @@ TEST(FieldView, KeepsWithinTheBudget)
     EXPECT_GT(most, 55000u) << "and uses it";
 }
 
-TEST(FieldView, NoBudgetLeavesFewerThanTheLeastFaces)
+TEST(FieldView, NeitherBudgetNorRuleLeavesFewerThanTheLeastFaces)
 {
-    FieldModel model = modelWith(SelectionMethod::budget);
-    const auto fewest = [&](std::uint32_t leastFaces)
+    const auto fewest = [](SelectionMethod method, std::uint32_t leastFaces)
     {
+        FieldModel model = modelWith(method);
+        model.selection.tolerancePx = method == SelectionMethod::budget ? 1.0 : 1e6;
         model.selection.leastFaces = leastFaces;
         const Field field = testsupport::scatteredField({model}, 300, 300.0);
         FieldView memory(field);
@@ -142,9 +143,12 @@ TEST(FieldView, NoBudgetLeavesFewerThanTheLeastFaces)
             faces = std::min(faces, model.ladder->rungs[run.rung].faces);
         return faces;
     };
-    EXPECT_LT(fewest(0), 24u);
-    EXPECT_GE(fewest(24), 24u);
-    EXPECT_LT(fewest(24), 48u) << "but not many more";
+    for (const SelectionMethod method : {SelectionMethod::budget, SelectionMethod::screenError})
+    {
+        EXPECT_LT(fewest(method, 0), 24u) << nameOf(method);
+        EXPECT_GE(fewest(method, 24), 24u) << nameOf(method);
+        EXPECT_LT(fewest(method, 24), 48u) << nameOf(method) << ": but not many more";
+    }
 }
 
 /// Cameras that share an eye see the same levels, whichever looks first.

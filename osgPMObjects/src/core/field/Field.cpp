@@ -6,6 +6,7 @@
 #include <glm/glm.hpp>
 
 #include <osgPMObjects/core/field/Field.h>
+#include <osgPMObjects/core/selection/DrawnRows.h>
 
 namespace osgPMObjects::core
 {
@@ -81,6 +82,12 @@ BoundingSphere around(std::span<const BoundingSphere> spheres)
 Field::Field(std::vector<FieldModel> models, std::vector<FieldObject> objects)
     : _models(std::move(models)), _objects(std::move(objects))
 {
+    for (const FieldModel& model : _models)
+    {
+        const std::span<const std::uint32_t> rungs(model.ladder->steps);
+        const std::uint32_t coarsest = model.table->coarsestWith(model.selection.leastFaces);
+        _choosable.push_back(rungs.first(drawnRowOf(rungs, coarsest) + 1));
+    }
     for (const FieldObject& object : _objects)
         _spheres.push_back(placed(_models[object.model], object));
     _numbers.resize(_objects.size());
@@ -118,7 +125,7 @@ SelectableObject Field::selectable(std::uint32_t object, double metresPerUnit) c
     result.metresPerUnit = placement.scale * metresPerUnit;
     result.priority = placement.priority;
     result.facing = model.facing;
-    result.drawn = model.ladder->steps;
+    result.drawn = _choosable[placement.model];
     const glm::dvec3 centre = model.origin + model.box.centre;
     result.box.centre =
         (placement.position + placement.attitude * (placement.scale * centre)) * metresPerUnit;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <span>
 
 #include <glm/glm.hpp>
 
@@ -11,20 +10,6 @@
 
 namespace osgPMObjects::core
 {
-
-namespace
-{
-
-/// The rungs that the settings allow, in steps.
-std::span<const std::uint32_t> choosable(const FieldModel& model)
-{
-    const std::span steps(model.ladder->steps);
-    const auto end =
-        std::upper_bound(steps.begin(), steps.end(), model.table->coarsestWith(model.selection.leastFaces));
-    return steps.first(static_cast<std::size_t>(end - steps.begin()));
-}
-
-} // namespace
 
 FieldView::FieldView(const Field& field) : _field(field), _memory(field.objects().size()) {}
 
@@ -57,10 +42,13 @@ const BenefitCurve* FieldView::curveOf(std::uint32_t model, const CostModel& cos
     {
         _curvesCost = cost;
         _curves.clear();
-        for (const FieldModel& each : _field.models())
-            _curves.push_back(BenefitCurve::ofLevels(*each.table, choosable(each),
+        for (std::uint32_t i = 0; i < _field.models().size(); ++i)
+        {
+            const FieldModel& each = _field.models()[i];
+            _curves.push_back(BenefitCurve::ofLevels(*each.table, _field.choosable(i),
                                                      std::max(each.sphere.radius, 1e-9), cost,
                                                      each.selection.weights));
+        }
     }
     return &_curves[model];
 }

@@ -108,9 +108,10 @@ Selection LevelSelector::select(const SelectableObject& object, HeldLevel& held)
     }
     const HeldLevel before = held;
     Selection selection = byMethod(object, gain, distance, held);
-    if (const std::uint32_t least = object.settings->leastFaces; least > 0)
+    if (!object.drawn.empty())
+        selection.steps = object.drawn[drawnRowOf(object.drawn, selection.steps)];
+    else if (const std::uint32_t least = object.settings->leastFaces; least > 0)
         selection.steps = std::min(selection.steps, object.table->coarsestWith(least));
-    if (!object.drawn.empty()) selection.steps = object.drawn[drawnRowOf(object.drawn, selection.steps)];
     selection.alpha = alpha;
     selection.hasSwitched = before.isHeld() && before.level != held.level;
     return selection;

@@ -61,6 +61,8 @@ public:
     std::span<const FieldObject> objects() const { return _objects; } ///< by cell
     std::span<const BoundingSphere> spheres() const { return _spheres; }
     std::span<const FieldCell> cells() const { return _cells; }
+    /// The rungs of a model's ladder that its settings allow (SelectionSettings::leastFaces), in steps.
+    std::span<const std::uint32_t> choosable(std::uint32_t model) const { return _choosable[model]; }
     /// The number that an object had among those that were given.
     std::uint32_t numberOf(std::uint32_t object) const { return _numbers[object]; }
 
@@ -71,6 +73,7 @@ private:
     void sortIntoCells();
 
     std::vector<FieldModel> _models;
+    std::vector<std::span<const std::uint32_t>> _choosable; ///< by model; of the callers' ladders
     std::vector<FieldObject> _objects;
     std::vector<BoundingSphere> _spheres;
     std::vector<std::uint32_t> _numbers;

@@ -29,7 +29,7 @@ struct SelectableObject
     const FacingBins* facing = nullptr;  ///< for the facing area, about the box's axes
     const BenefitCurve* curve = nullptr; ///< for the budget; of levels that can be drawn
     /// The levels that can be drawn, in steps, ascending from 0: of those the coarsest is taken that is no coarser than what
-    /// the rule asks for. Empty: all.
+    /// the rule asks for. Empty: all that SelectionSettings::leastFaces allows; who gives levels leaves those out himself.
     std::span<const std::uint32_t> drawn;
 };
 

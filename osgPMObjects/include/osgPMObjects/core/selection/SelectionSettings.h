@@ -61,8 +61,8 @@ struct SelectionSettings
         0.0; ///< z1 of the continuous rule, in metres of the author's camera; 0: referenceDistanceM()
     double trianglePx = 1.5;  ///< of referenceDistanceM()
     double tolerancePx = 1.0; ///< of the screen error, and where more detail under a budget is worth nothing
-    /// Levels with fewer faces are not chosen, by any method; under a budget fields heed it, and whoever makes curves himself leaves those levels
-    /// out. A mesh that has fewer is drawn whole.
+    /// Levels with fewer faces are not chosen, by any method; fields heed it, and whoever gives curves or levels that can be drawn leaves those
+    /// levels out. A mesh that has fewer is drawn whole.
     std::uint32_t leastFaces = 0;
     AttributeWeights weights;
     double band = kDefaultBand;  ///< of areas, screen error and budget's tolerance; at least 1
