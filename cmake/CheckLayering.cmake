@@ -18,28 +18,31 @@ macro(layer name files)
     set(${name}_count 0)
 endmacro()
 
+layer(foundation     "^foundation/")
 layer(viewlod        "^viewlod/")
-layer(objects-core   "^osgPMObjects/(include/osgPMObjects|src)/core/"     viewlod)
-layer(terrain-core   "^osgTerrainROAM/(include/osgTerrainROAM|src)/core/" viewlod objects-core)
-layer(sim            "^apps/trainer/sim/"  viewlod)
-layer(models         "^apps/trainer/models/" viewlod objects-core)
-layer(scenery        "^apps/trainer/scenery/" viewlod objects-core models)
-layer(terminal       "^apps/terminal/"     viewlod)
-layer(ground         "^apps/ground/"       viewlod objects-core terrain-core sim)
-layer(generator      "^data/generator/"    viewlod)
-layer(render-support "^tests/support/Rendered" graphics viewlod objects-core terrain-core sim models objects terrain
-    offscreen trainer test-support)
-layer(test-support   "^tests/support/"     viewlod objects-core terrain-core sim generator)
-layer(core-tests     "^tests/(core|fuzz)/" viewlod objects-core terrain-core sim models scenery generator test-support)
-layer(traversal      "^osgTraversal/"      graphics viewlod)
-layer(objects        "^osgPMObjects/"      graphics viewlod objects-core traversal)
-layer(terrain        "^osgTerrainROAM/"    graphics viewlod objects-core terrain-core objects traversal)
-layer(offscreen      "^osgOffscreen/"      graphics viewlod)
-layer(trainer        "^apps/trainer/"      graphics viewlod objects-core terrain-core sim models scenery objects terrain offscreen
-    terminal ground)
-layer(tools          "^apps/"              graphics viewlod objects-core terrain-core sim objects terrain offscreen
-    terminal ground)
-set(required viewlod objects-core traversal objects terrain-core sim models scenery generator core-tests terrain offscreen trainer tools)
+layer(objects-core   "^osgPMObjects/(include/osgPMObjects|src)/core/"     foundation viewlod)
+layer(terrain-core   "^osgTerrainROAM/(include/osgTerrainROAM|src)/core/" foundation viewlod objects-core)
+layer(simulation     "^simulation/"        foundation viewlod)
+layer(models         "^scenery/models/"    foundation objects-core)
+layer(placement      "^scenery/placement/" foundation viewlod objects-core models)
+layer(terminal       "^apps/terminal/"     foundation)
+layer(ground         "^apps/ground/"       foundation viewlod objects-core terrain-core simulation)
+layer(generator      "^data/generator/"    foundation)
+layer(render-support "^tests/support/Rendered" graphics foundation viewlod objects-core terrain-core simulation models objects
+    terrain offscreen trainer test-support)
+layer(test-support   "^tests/support/"     foundation viewlod objects-core terrain-core simulation generator)
+layer(core-tests     "^tests/(core|fuzz)/" foundation viewlod objects-core terrain-core simulation models placement generator
+    test-support)
+layer(traversal      "^osgTraversal/"      graphics foundation viewlod)
+layer(objects        "^osgPMObjects/"      graphics foundation viewlod objects-core traversal)
+layer(terrain        "^osgTerrainROAM/"    graphics foundation viewlod objects-core terrain-core objects traversal)
+layer(offscreen      "^osgOffscreen/"      graphics foundation viewlod)
+layer(trainer        "^apps/trainer/"      graphics foundation viewlod objects-core terrain-core simulation models placement objects
+    terrain offscreen terminal ground)
+layer(tools          "^apps/"              graphics foundation viewlod objects-core terrain-core simulation objects terrain
+    offscreen terminal ground)
+set(required foundation viewlod objects-core traversal objects terrain-core simulation models placement generator core-tests
+    terrain offscreen trainer tools)
 
 set(graphics_includes "^(osg|osg[A-Z][A-Za-z]*|OpenThreads|GL|GLES[0-9]*|EGL|KHR|X11)/")
 
@@ -61,7 +64,7 @@ function(layerOfInclude includer target out)
     cmake_path(GET includer PARENT_PATH folder)
     string(REGEX MATCH "^[^/]+" component "${target}")
     foreach(candidate "${folder}/${target}" "${component}/include/${target}" "apps/${target}" "apps/trainer/${target}"
-            "tests/support/${target}" "data/${target}" "${target}")
+            "tests/support/${target}" "data/${target}" "data/generator/${target}" "${target}")
         cmake_path(NORMAL_PATH candidate)
         if(EXISTS "${ROOT}/${candidate}" AND NOT IS_DIRECTORY "${ROOT}/${candidate}")
             layerOfPath("${candidate}" found)
@@ -77,8 +80,8 @@ function(layerOfInclude includer target out)
     endif()
 endfunction()
 
-file(GLOB_RECURSE files RELATIVE "${ROOT}" "${ROOT}/viewlod/*" "${ROOT}/osg*/*" "${ROOT}/apps/*" "${ROOT}/tests/*"
-    "${ROOT}/data/generator/*")
+file(GLOB_RECURSE files RELATIVE "${ROOT}" "${ROOT}/foundation/*" "${ROOT}/viewlod/*" "${ROOT}/osg*/*"
+    "${ROOT}/simulation/*" "${ROOT}/scenery/*" "${ROOT}/apps/*" "${ROOT}/tests/*" "${ROOT}/data/generator/*")
 set(breaches)
 set(lineCount 0)
 foreach(file IN LISTS files)

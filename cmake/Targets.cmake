@@ -1,6 +1,19 @@
 # SPDX-License-Identifier: Apache-2.0
 # One way to declare each kind of target, so that include paths, warnings and names cannot drift apart.
 
+# What holds for every target of the tree: warnings, and the same rounding everywhere (a fused multiply-add would make
+# pictures and meshes depend on the CPU).
+function(osgtrainer_common target)
+    target_link_libraries(${target} PRIVATE $<BUILD_INTERFACE:osgTrainer_warnings>)
+    target_compile_options(${target} PRIVATE -ffp-contract=off)
+endfunction()
+
+# osgtrainer_without_graphics(TARGET): the target must not see OSG, OpenGL, EGL or X11: headers that end the compilation
+# stand in front of theirs. The test `layering` reads include lines; this holds for what other headers include, too.
+function(osgtrainer_without_graphics target)
+    target_include_directories(${target} BEFORE PRIVATE $<BUILD_INTERFACE:${OSGTRAINER_FORBIDDEN_HEADERS}>)
+endfunction()
+
 # osgtrainer_library(NAME INCLUDE dir SOURCES … LINK … PRIVATE …): a static library, its alias osgTrainer::NAME, its
 # install rules. NAME is a component of the package; a name that ends in _core installs the headers below core/ alone.
 function(osgtrainer_library name)
@@ -8,52 +21,71 @@ function(osgtrainer_library name)
     add_library(${name} STATIC ${arg_SOURCES})
     add_library(osgTrainer::${name} ALIAS ${name})
     target_include_directories(${name} PUBLIC $<BUILD_INTERFACE:${arg_INCLUDE}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
-    target_link_libraries(${name} PUBLIC ${arg_LINK} PRIVATE $<BUILD_INTERFACE:osgTrainer_warnings> ${arg_PRIVATE})
+    target_link_libraries(${name} PUBLIC ${arg_LINK} PRIVATE ${arg_PRIVATE})
     target_compile_features(${name} PUBLIC cxx_std_20)
-    # The same rounding everywhere: a fused multiply-add would make pictures and meshes depend on the CPU.
-    target_compile_options(${name} PRIVATE -ffp-contract=off)
+    osgtrainer_common(${name})
 
     set_property(GLOBAL APPEND PROPERTY OSGTRAINER_COMPONENTS ${name})
     install(TARGETS ${name} EXPORT osgTrainerTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
     if(name MATCHES "_core$")
+        osgtrainer_without_graphics(${name})
         install(DIRECTORY ${arg_INCLUDE}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING REGEX "/core/.*\\.h$")
     else()
         install(DIRECTORY ${arg_INCLUDE}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
     endif()
 endfunction()
 
-# osgtrainer_test(NAME LABEL core|osg|render SOURCES ... LINK ...): a GoogleTest program, discovered test by test.
-function(osgtrainer_test name)
-    cmake_parse_arguments(arg "" "LABEL;TIMEOUT" "SOURCES;LINK" ${ARGN})
-    if(NOT arg_TIMEOUT)
-        set(arg_TIMEOUT 300)
-    endif()
-    if(OSGTRAINER_SANITIZE)
-        math(EXPR arg_TIMEOUT "${arg_TIMEOUT} * 5")
-    endif()
-    add_executable(${name} ${arg_SOURCES})
-    target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests/support)
-    target_link_libraries(${name} PRIVATE ${arg_LINK} osgTrainer_warnings GTest::gtest_main GTest::gmock)
-    target_compile_options(${name} PRIVATE -ffp-contract=off)
-    target_compile_definitions(${name} PRIVATE OSGTRAINER_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
-    gtest_discover_tests(${name} TEST_PREFIX "${OSGTRAINER_TEST_PREFIX}" NO_PRETTY_VALUES DISCOVERY_TIMEOUT 60
-        PROPERTIES LABELS ${arg_LABEL} TIMEOUT ${arg_TIMEOUT})
+# osgtrainer_headers(NAME LINK …): a header-only library in include/, its alias and its install rules.
+function(osgtrainer_headers name)
+    cmake_parse_arguments(arg "" "" "LINK" ${ARGN})
+    add_library(${name} INTERFACE)
+    add_library(osgTrainer::${name} ALIAS ${name})
+    target_include_directories(${name} INTERFACE
+        $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+    target_link_libraries(${name} INTERFACE ${arg_LINK})
+    target_compile_features(${name} INTERFACE cxx_std_20)
+    set_property(GLOBAL APPEND PROPERTY OSGTRAINER_COMPONENTS ${name})
+    install(TARGETS ${name} EXPORT osgTrainerTargets)
+    install(DIRECTORY include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 endfunction()
 
-# osgtrainer_fuzzer(NAME SOURCES … LINK …): a libFuzzer program of the tree configured with OSGTRAINER_FUZZ=ON,
-# bin/fuzz/NAME, built by the target `fuzzers` and run by scripts/fuzz from the seeds in tests/fuzz/corpus.
-function(osgtrainer_fuzzer name)
-    if(NOT OSGTRAINER_FUZZ)
-        return()
+# osgtrainer_part(NAME [WITHOUT_GRAPHICS] [INCLUDE dir] SOURCES … LINK … PRIVATE …): a static library of this tree alone,
+# included by the path from INCLUDE (default: the root of the tree).
+function(osgtrainer_part name)
+    cmake_parse_arguments(arg "WITHOUT_GRAPHICS" "INCLUDE" "SOURCES;LINK;PRIVATE" ${ARGN})
+    if(NOT arg_INCLUDE)
+        set(arg_INCLUDE ${PROJECT_SOURCE_DIR})
     endif()
-    cmake_parse_arguments(arg "" "" "SOURCES;LINK" ${ARGN})
+    add_library(${name} STATIC ${arg_SOURCES})
+    target_include_directories(${name} PUBLIC ${arg_INCLUDE})
+    target_link_libraries(${name} PUBLIC ${arg_LINK} PRIVATE ${arg_PRIVATE})
+    osgtrainer_common(${name})
+    if(arg_WITHOUT_GRAPHICS)
+        osgtrainer_without_graphics(${name})
+    endif()
+endfunction()
+
+# osgtrainer_program(NAME [INSTALL] SOURCES … LINK …): a program, told its version as OSGTRAINER_VERSION.
+function(osgtrainer_program name)
+    cmake_parse_arguments(arg "INSTALL" "" "SOURCES;LINK" ${ARGN})
     add_executable(${name} ${arg_SOURCES})
-    target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests/support)
-    target_link_libraries(${name} PRIVATE ${arg_LINK} osgTrainer_warnings)
-    target_link_options(${name} PRIVATE -fsanitize=fuzzer)
-    set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin/fuzz)
-    if(NOT TARGET fuzzers)
-        add_custom_target(fuzzers)
+    target_link_libraries(${name} PRIVATE ${arg_LINK})
+    target_compile_definitions(${name} PRIVATE OSGTRAINER_VERSION="${PROJECT_VERSION}")
+    osgtrainer_common(${name})
+    if(arg_INSTALL)
+        install(TARGETS ${name} DESTINATION ${CMAKE_INSTALL_BINDIR})
     endif()
-    add_dependencies(fuzzers ${name})
+endfunction()
+
+# osgtrainer_osg_plugin(NAME SOURCES … LINK …): a module where osgDB looks for it: osgPlugins-VERSION/NAME.so below each
+# folder of OSG_LIBRARY_PATH. osgdb_EXTENSION reads files of that extension; osgdb_serializers_NAMESPACE is loaded when
+# a scene file names a class that osgDB does not know.
+function(osgtrainer_osg_plugin name)
+    cmake_parse_arguments(arg "" "" "SOURCES;LINK" ${ARGN})
+    set(folder osgPlugins-${OPENSCENEGRAPH_VERSION})
+    add_library(${name} MODULE ${arg_SOURCES})
+    target_link_libraries(${name} PRIVATE ${arg_LINK})
+    osgtrainer_common(${name})
+    set_target_properties(${name} PROPERTIES PREFIX "" LIBRARY_OUTPUT_DIRECTORY ${CMAKE_LIBRARY_OUTPUT_DIRECTORY}/${folder})
+    install(TARGETS ${name} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/${folder})
 endfunction()

@@ -7,9 +7,9 @@
 
 #include <osgTerrainROAM/core/heightfield/PlacedTile.h>
 
-#include "sim/geodesy/LocalFrame.h"
-#include "sim/player/SceneFrame.h"
-#include "sim/tour/LayTour.h"
+#include "simulation/geodesy/LocalFrame.h"
+#include "simulation/player/SceneFrame.h"
+#include "simulation/tour/LayTour.h"
 
 namespace ground
 {

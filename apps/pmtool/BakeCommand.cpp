@@ -22,7 +22,7 @@ namespace
 using namespace osgPMObjects;
 using Json = nlohmann::ordered_json;
 
-struct Request
+struct BakeRequest
 {
     ModelRequest models;
     BakeModelSettings bake;
@@ -32,7 +32,7 @@ struct Request
     std::string format = "osgb";
 };
 
-core::Mesh simplified(const core::Mesh& mesh, const Request& request)
+core::Mesh simplified(const core::Mesh& mesh, const BakeRequest& request)
 {
     const auto share = static_cast<std::size_t>(
         std::llround(static_cast<double>(mesh.faces.size()) * request.levelPercent / 100.0));
@@ -51,7 +51,7 @@ Json rowOf(const BakeReport& report)
             {"texturesNotRead", report.texturesNotRead}};
 }
 
-void print(const Json& row)
+void printBake(const Json& row)
 {
     std::cout << row["model"].get<std::string>() << ": " << row["triangles"] << " -> "
               << row["trianglesReached"] << " triangles, " << row["charts"] << " charts on " << std::fixed
@@ -64,7 +64,7 @@ void print(const Json& row)
                   << " textures could not be read (compressed, or not found)\n";
 }
 
-viewlod::Result<Json> bakeFile(const Request& request, OutputNames& names, const std::string& file)
+foundation::Result<Json> bakeFile(const BakeRequest& request, OutputNames& names, const std::string& file)
 {
     auto model = readClean(file, request.models.limits);
     if (!model) return model.error();
@@ -72,7 +72,7 @@ viewlod::Result<Json> bakeFile(const Request& request, OutputNames& names, const
     core::Mesh level;
     const double simplifyMs = millisecondsOf([&] { level = simplified(full.mesh, request); });
     const auto baked = bakeModel(full, level, request.bake);
-    if (!baked) return viewlod::Error{file, baked.error().what, baked.error().remedy};
+    if (!baked) return foundation::Error{file, baked.error().what, baked.error().remedy};
     Json row{{"model", file},
              {"triangles", full.mesh.faces.size()},
              {"trianglesReached", level.faces.size()},
@@ -85,11 +85,11 @@ viewlod::Result<Json> bakeFile(const Request& request, OutputNames& names, const
         if (const auto written = writeModel(baked->model, target); !written) return written.error();
         row["output"] = target.string();
     }
-    print(row);
+    printBake(row);
     return row;
 }
 
-viewlod::Result<terminal::Report> run(const Request& request)
+foundation::Result<terminal::Report> bakeModels(const BakeRequest& request)
 {
     if (!request.outputFolder.empty())
         if (const auto made = makeFolder(request.outputFolder); !made) return made.error();
@@ -102,7 +102,7 @@ viewlod::Result<terminal::Report> run(const Request& request)
 
 void addBake(CLI::App& app, Chosen& chosen)
 {
-    const auto request = std::make_shared<Request>();
+    const auto request = std::make_shared<BakeRequest>();
     CLI::App* command = app.add_subcommand(
         "bake", "simplify each model and keep what it looked like in colour and normal maps");
     addModelOptions(*command, request->models, chosen.jsonFile);
@@ -123,7 +123,7 @@ void addBake(CLI::App& app, Chosen& chosen)
     command->add_option("--output", request->outputFolder, "write the models, maps inside, there");
     command->add_option("--format", request->format, "of the models written (osgb)")
         ->check(CLI::IsMember({"osgb", "osgt", "ive"}));
-    command->callback([request, &chosen] { chosen.work = [request] { return run(*request); }; });
+    command->callback([request, &chosen] { chosen.work = [request] { return bakeModels(*request); }; });
 }
 
 } // namespace pmtool

@@ -3,7 +3,7 @@
 #include <map>
 #include <memory>
 
-#include <viewlod/WholeFile.h>
+#include <foundation/WholeFile.h>
 
 #include <osgPMObjects/core/progressive/PmFile.h>
 #include <osgPMObjects/core/simplify/Simplify.h>
@@ -22,7 +22,7 @@ namespace
 using namespace osgPMObjects;
 using Json = nlohmann::ordered_json;
 
-struct Request
+struct BuildRequest
 {
     ModelRequest models; ///< one
     core::SimplifySettings simplify;
@@ -31,14 +31,14 @@ struct Request
     std::filesystem::path output;
 };
 
-void print(const Json& row)
+void printBuild(const Json& row)
 {
     std::cout << row["model"].get<std::string>() << '\n';
     for (const auto& [key, value] : row.items())
         if (key != "model") std::cout << "  " << key << ": " << value.dump() << '\n';
 }
 
-viewlod::Result<Json> build(const Request& request, const std::string& file)
+foundation::Result<Json> build(const BuildRequest& request, const std::string& file)
 {
     const auto model = readClean(file, request.models.limits);
     if (!model) return model.error();
@@ -53,11 +53,12 @@ viewlod::Result<Json> build(const Request& request, const std::string& file)
     for (unsigned int i = 0; i < imported.remainder->getNumChildren(); ++i)
         others.push_back(imported.remainder->getChild(i));
     auto attachment = pmAttachment(imported.states, others);
-    if (!attachment) return viewlod::Error{file, attachment.error().what, attachment.error().remedy};
+    if (!attachment) return foundation::Error{file, attachment.error().what, attachment.error().remedy};
     core::PmSettings settings = request.file;
     settings.attachment = *std::move(attachment);
     const std::string bytes = core::pmBytes(progressive, settings);
-    if (const auto written = viewlod::writeWholeFile(request.output, bytes); !written) return written.error();
+    if (const auto written = foundation::writeWholeFile(request.output, bytes); !written)
+        return written.error();
     Json row{{"model", file},
              {"file", request.output.string()},
              {"triangles", sequence.facesBefore},
@@ -69,7 +70,7 @@ viewlod::Result<Json> build(const Request& request, const std::string& file)
                                             static_cast<double>(progressive.mesh.wedgeCount())},
              {"simplifyMs", simplifyMs},
              {"arrangeMs", arrangeMs}};
-    print(row);
+    printBuild(row);
     return row;
 }
 
@@ -81,7 +82,7 @@ void addBuild(CLI::App& app, Chosen& chosen)
                                                                    {"tswap", core::Arrangement::tswap},
                                                                    {"blocks", core::Arrangement::blocks},
                                                                    {"ours", core::Arrangement::windows}};
-    const auto request = std::make_shared<Request>();
+    const auto request = std::make_shared<BuildRequest>();
     CLI::App* command = app.add_subcommand("build", "make a progressive mesh, a .pm file, of a model");
     addModelOptions(*command, request->models, chosen.jsonFile);
     command->get_option("MODEL")->expected(1);

@@ -68,13 +68,13 @@ bool waitFor(pid_t child, double seconds, int& status)
 
 } // namespace
 
-viewlod::Outcome runProgram(const std::vector<std::string>& command, const std::filesystem::path& outputFile,
-                            double seconds)
+foundation::Outcome runProgram(const std::vector<std::string>& command,
+                               const std::filesystem::path& outputFile, double seconds)
 {
     const pid_t child = start(command, outputFile);
     if (child < 0)
-        return viewlod::Error{command.front(), std::string("cannot be started: ") + std::strerror(-child),
-                              "name a program"};
+        return foundation::Error{command.front(), std::string("cannot be started: ") + std::strerror(-child),
+                                 "name a program"};
     int status = 0;
     std::ostringstream what;
     if (!waitFor(child, seconds, status))
@@ -84,8 +84,8 @@ viewlod::Outcome runProgram(const std::vector<std::string>& command, const std::
     else if (WEXITSTATUS(status) != 0)
         what << "ended with code " << WEXITSTATUS(status);
     else
-        return viewlod::success();
-    return viewlod::Error{command.front(), what.str(), "see what it says, or give it more time"};
+        return foundation::success();
+    return foundation::Error{command.front(), what.str(), "see what it says, or give it more time"};
 }
 
 } // namespace pmtool

@@ -5,14 +5,14 @@
 #include <string>
 #include <vector>
 
-#include <viewlod/Result.h>
+#include <foundation/Result.h>
 
 namespace pmtool
 {
 
 /// Runs a program to its end, what it says on both outputs going to `outputFile`. Errors: it cannot be started, was not
 /// done after `seconds` (then it is killed), died of a signal, or returned another code than 0.
-viewlod::Outcome runProgram(const std::vector<std::string>& command, const std::filesystem::path& outputFile,
-                            double seconds);
+foundation::Outcome runProgram(const std::vector<std::string>& command,
+                               const std::filesystem::path& outputFile, double seconds);
 
 } // namespace pmtool

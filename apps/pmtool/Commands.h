@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <functional>
 
-#include <viewlod/Result.h>
+#include <foundation/Result.h>
 
 #include "terminal/CommandLine.h"
 #include "terminal/Report.h"
@@ -16,7 +16,7 @@ namespace pmtool
 /// one that is chosen puts its work here.
 struct Chosen
 {
-    std::function<viewlod::Result<terminal::Report>()> work;
+    std::function<foundation::Result<terminal::Report>()> work;
     std::filesystem::path jsonFile;
 };
 

@@ -16,14 +16,14 @@ namespace
 
 using Json = nlohmann::ordered_json;
 
-struct Request
+struct CacheRequest
 {
     ModelRequest models;
     std::size_t levels = 41;
     osgPMObjects::core::ArrangementSettings settings;
 };
 
-void print(const Json& row)
+void printCacheRow(const Json& row)
 {
     const auto number = [&](const char* key, int width, int digits)
     {
@@ -52,12 +52,12 @@ Json compareOrders(const CacheSubject& subject, const std::string& model, const 
     for (const std::string& order : cacheOrderNames())
     {
         rows.push_back(cacheRow(subject, order));
-        print(rows.back());
+        printCacheRow(rows.back());
     }
     return rows;
 }
 
-viewlod::Result<Json> compareModel(const std::string& file, const Request& request)
+foundation::Result<Json> compareModel(const std::string& file, const CacheRequest& request)
 {
     auto model = readClean(file, request.models.limits);
     if (!model) return model.error();
@@ -76,7 +76,7 @@ viewlod::Result<Json> compareModel(const std::string& file, const Request& reque
 
 void addCompareCache(CLI::App& compare, Chosen& chosen)
 {
-    const auto request = std::make_shared<Request>();
+    const auto request = std::make_shared<CacheRequest>();
     CLI::App* sub = compare.add_subcommand(
         "cache",
         "ways to keep the faces of progressive meshes in order, by vertices transformed at all levels");

@@ -4,7 +4,7 @@
 #include <memory>
 #include <system_error>
 
-#include <viewlod/WholeFile.h>
+#include <foundation/WholeFile.h>
 
 #include "pmtool/Commands.h"
 #include "pmtool/Models.h"
@@ -17,14 +17,14 @@ namespace pmtool
 namespace
 {
 
-struct Request
+struct OrderRequest
 {
     ModelRequest models;
     std::filesystem::path dumpFolder;
 };
 
 /// Indices of all draw calls, one after the other, as a graphics card would have them; four bytes each, lowest first.
-viewlod::Outcome dump(const std::filesystem::path& file, const OrderedSubject& ordered)
+foundation::Outcome dumpIndices(const std::filesystem::path& file, const OrderedSubject& ordered)
 {
     std::string bytes;
     for (const auto& call : ordered.calls)
@@ -32,10 +32,10 @@ viewlod::Outcome dump(const std::filesystem::path& file, const OrderedSubject& o
             for (const std::uint32_t vertex : triangle)
                 for (int shift = 0; shift < 32; shift += 8)
                     bytes.push_back(static_cast<char>(vertex >> shift & 0xffu));
-    return viewlod::writeWholeFile(file, bytes);
+    return foundation::writeWholeFile(file, bytes);
 }
 
-void print(const std::string& order, const nlohmann::ordered_json& row)
+void printOrder(const std::string& order, const nlohmann::ordered_json& row)
 {
     std::cout << "  " << std::left << std::setw(16) << order << std::right << std::fixed
               << std::setprecision(3);
@@ -44,8 +44,8 @@ void print(const std::string& order, const nlohmann::ordered_json& row)
     std::cout << std::setprecision(1) << std::setw(10) << row["ms"].get<double>() << '\n';
 }
 
-viewlod::Result<nlohmann::ordered_json> compareOrders(const OrderSubject& subject, const std::string& model,
-                                                      const std::filesystem::path& dumpFolder)
+foundation::Result<nlohmann::ordered_json>
+compareOrders(const OrderSubject& subject, const std::string& model, const std::filesystem::path& dumpFolder)
 {
     nlohmann::ordered_json json = {{"vertices", subject.vertices},
                                    {"vertexCount", subject.vertexCount()},
@@ -72,22 +72,23 @@ viewlod::Result<nlohmann::ordered_json> compareOrders(const OrderSubject& subjec
         if (!dumpFolder.empty())
         {
             const std::string file = model + "." + subject.vertices + "." + order + ".u32";
-            if (const auto written = dump(dumpFolder / file, ordered); !written) return written.error();
-            row["dump"] = file;
+            if (const auto written = dumpIndices(dumpFolder / file, ordered); !written)
+                return written.error();
+            row["dumpIndices"] = file;
         }
-        print(order, row);
+        printOrder(order, row);
         json["orders"].push_back(std::move(row));
     }
     return json;
 }
 
-viewlod::Result<nlohmann::ordered_json> compareModel(const std::string& file, const std::string& number,
-                                                     const Request& request)
+foundation::Result<nlohmann::ordered_json> compareModel(const std::string& file, const std::string& number,
+                                                        const OrderRequest& request)
 {
     auto model = read(file, request.models.limits);
     if (!model) return model.error();
     if (model->imported.mesh.faces.empty())
-        return viewlod::Error{file, "has no triangles", "give a model with surfaces"};
+        return foundation::Error{file, "has no triangles", "give a model with surfaces"};
     const auto subjects = orderSubjects(std::move(model->imported.mesh));
     nlohmann::ordered_json row = {{"model", file},
                                   {"triangles", subjects.front().triangleCount()},
@@ -102,13 +103,13 @@ viewlod::Result<nlohmann::ordered_json> compareModel(const std::string& file, co
     return row;
 }
 
-viewlod::Result<terminal::Report> compareModels(const Request& request)
+foundation::Result<terminal::Report> compareModelOrders(const OrderRequest& request)
 {
     std::error_code failed;
     if (!request.dumpFolder.empty()) std::filesystem::create_directories(request.dumpFolder, failed);
     if (failed)
-        return viewlod::Error{request.dumpFolder.string(), "cannot be made: " + failed.message(),
-                              "name another folder"};
+        return foundation::Error{request.dumpFolder.string(), "cannot be made: " + failed.message(),
+                                 "name another folder"};
     std::size_t number = 0; // files of the same name in different folders have dumps of their own
     return forEachModel(request.models, [&](const std::string& file)
                         { return compareModel(file, std::to_string(number++), request); });
@@ -118,12 +119,12 @@ viewlod::Result<terminal::Report> compareModels(const Request& request)
 
 void addCompareOrder(CLI::App& compare, Chosen& chosen)
 {
-    const auto request = std::make_shared<Request>();
+    const auto request = std::make_shared<OrderRequest>();
     CLI::App* sub = compare.add_subcommand(
         "order", "orders of triangles, by vertices transformed per triangle for several caches");
     addModelOptions(*sub, request->models, chosen.jsonFile);
-    sub->add_option("--dump", request->dumpFolder, "write the indices of every order to this folder");
-    sub->callback([&chosen, request] { chosen.work = [request] { return compareModels(*request); }; });
+    sub->add_option("--dumpIndices", request->dumpFolder, "write the indices of every order to this folder");
+    sub->callback([&chosen, request] { chosen.work = [request] { return compareModelOrders(*request); }; });
 }
 
 } // namespace pmtool

@@ -19,7 +19,7 @@ namespace
 using namespace osgPMObjects;
 using Json = nlohmann::ordered_json;
 
-struct Request
+struct CompareRequest
 {
     ModelRequest models;
     std::filesystem::path dumpFolder;
@@ -31,8 +31,8 @@ struct Request
     std::vector<SimplifyTool> tools; ///< those that were chosen
 };
 
-viewlod::Outcome compareTool(const SimplifySubject& subject, const SimplifyTool& tool, bool seams,
-                             const Request& request, Json& results)
+foundation::Outcome compareTool(const SimplifySubject& subject, const SimplifyTool& tool, bool seams,
+                                const CompareRequest& request, Json& results)
 {
     const auto levels = tool.run({subject.mesh, subject.shape, seams, subject.targets, request.seconds});
     for (std::size_t i = 0; i < subject.targets.size(); ++i)
@@ -49,10 +49,11 @@ viewlod::Outcome compareTool(const SimplifySubject& subject, const SimplifyTool&
         printRow(row);
         results.push_back(std::move(row));
     }
-    return viewlod::success();
+    return foundation::success();
 }
 
-viewlod::Result<Json> compareModel(const std::string& file, const Request& request, OutputNames& names)
+foundation::Result<Json> compareModel(const std::string& file, const CompareRequest& request,
+                                      OutputNames& names)
 {
     auto model = readClean(file, request.models.limits);
     if (!model) return model.error();
@@ -77,7 +78,7 @@ viewlod::Result<Json> compareModel(const std::string& file, const Request& reque
     return row;
 }
 
-viewlod::Result<terminal::Report> compareModels(const Request& request)
+foundation::Result<terminal::Report> compareSimplifiers(const CompareRequest& request)
 {
     if (!request.dumpFolder.empty())
         if (const auto made = makeFolder(request.dumpFolder); !made) return made.error();
@@ -95,7 +96,7 @@ bool isName(const std::string& name)
 }
 
 /// All tools, peers last, or those asked for in the order asked for. Throws: what the command line says makes no sense.
-std::vector<SimplifyTool> chosenTools(const Request& request)
+std::vector<SimplifyTool> chosenTools(const CompareRequest& request)
 {
     std::vector<SimplifyTool> all = simplifyTools();
     for (const std::string& peer : request.peers)
@@ -129,7 +130,7 @@ std::vector<SimplifyTool> chosenTools(const Request& request)
 
 void addCompareSimplify(CLI::App& compare, Chosen& chosen)
 {
-    const auto request = std::make_shared<Request>();
+    const auto request = std::make_shared<CompareRequest>();
     CLI::App* sub = compare.add_subcommand(
         "simplify", "ways to simplify, by the distance between surfaces at several counts of triangles");
     addModelOptions(*sub, request->models, chosen.jsonFile);
@@ -153,7 +154,7 @@ void addCompareSimplify(CLI::App& compare, Chosen& chosen)
         [&chosen, request]
         {
             request->tools = chosenTools(*request);
-            chosen.work = [request] { return compareModels(*request); };
+            chosen.work = [request] { return compareSimplifiers(*request); };
         });
 }
 

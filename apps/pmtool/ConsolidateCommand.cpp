@@ -26,7 +26,7 @@ const std::map<std::string, core::FaceOrder> kOrders{{"file", core::FaceOrder::a
                                                      {"universal", core::FaceOrder::universal},
                                                      {"locality", core::FaceOrder::locality}};
 
-struct Request
+struct ConsolidateRequest
 {
     ModelRequest models;
     core::ConsolidateOptions options;
@@ -64,19 +64,19 @@ std::vector<std::pair<const char*, std::size_t>> countsOf(const core::Consolidat
     return counts;
 }
 
-viewlod::Outcome write(const Request& request, const std::string& name, const core::Mesh& before,
-                       const ImportedModel& model)
+foundation::Outcome write(const ConsolidateRequest& request, const std::string& name,
+                          const core::Mesh& before, const ImportedModel& model)
 {
     if (!request.outputFolder.empty())
         if (const auto done = writeModel(model, request.outputFolder / (name + '.' + request.format)); !done)
             return done.error();
-    if (request.dumpFolder.empty()) return viewlod::success();
+    if (request.dumpFolder.empty()) return foundation::success();
     if (const auto done = writePlain(before, request.dumpFolder / (name + ".before.obj")); !done)
         return done.error();
     return writePlain(model.mesh, request.dumpFolder / (name + ".after.obj"));
 }
 
-void print(const std::string& file, const Json& row, const core::ConsolidateReport& report)
+void printReport(const std::string& file, const Json& row, const core::ConsolidateReport& report)
 {
     std::cout << file << '\n';
     for (const auto& [key, before] : row["before"].items())
@@ -87,7 +87,8 @@ void print(const std::string& file, const Json& row, const core::ConsolidateRepo
         std::cout << "  " << what << ": " << count << '\n';
 }
 
-viewlod::Result<Json> consolidateFile(const Request& request, OutputNames& names, const std::string& file)
+foundation::Result<Json> consolidateFile(const ConsolidateRequest& request, OutputNames& names,
+                                         const std::string& file)
 {
     auto model = read(file, request.models.limits);
     if (!model) return model.error();
@@ -106,7 +107,7 @@ viewlod::Result<Json> consolidateFile(const Request& request, OutputNames& names
     core::orderFaces(mesh, request.order);
     if (const auto written = write(request, names.nameFor(file), before, model->imported); !written)
         return written.error();
-    print(file, row, report);
+    printReport(file, row, report);
     const Json met = tableOf(model->imported.report);
     for (const auto& [what, count] : met.items())
         std::cout << "  import: " << what << ' ' << count << '\n';
@@ -115,7 +116,7 @@ viewlod::Result<Json> consolidateFile(const Request& request, OutputNames& names
     return row;
 }
 
-viewlod::Result<terminal::Report> run(const Request& request)
+foundation::Result<terminal::Report> consolidateModels(const ConsolidateRequest& request)
 {
     for (const auto& folder : {request.outputFolder, request.dumpFolder})
         if (!folder.empty())
@@ -129,7 +130,7 @@ viewlod::Result<terminal::Report> run(const Request& request)
 
 void addConsolidate(CLI::App& app, Chosen& chosen)
 {
-    const auto request = std::make_shared<Request>();
+    const auto request = std::make_shared<ConsolidateRequest>();
     CLI::App* command = app.add_subcommand(
         "consolidate",
         "weld, close cracks, remove what is no face, orient, merge needless splits of each model");
@@ -158,7 +159,8 @@ void addConsolidate(CLI::App& app, Chosen& chosen)
     command->add_flag(
         "!--keep-unseen", options.wedges.dropUnseen,
         "keep attributes that the state does not look at, such as coordinates of a missing texture");
-    command->callback([request, &chosen] { chosen.work = [request] { return run(*request); }; });
+    command->callback([request, &chosen]
+                      { chosen.work = [request] { return consolidateModels(*request); }; });
 }
 
 } // namespace pmtool

@@ -47,7 +47,7 @@ nlohmann::ordered_json describe(const std::string& file, const ReadModel& model)
     return row;
 }
 
-viewlod::Result<nlohmann::ordered_json> rowOf(const std::string& file, const ReadLimits& limits)
+foundation::Result<nlohmann::ordered_json> rowOf(const std::string& file, const ReadLimits& limits)
 {
     if (isPmFile(file)) return describePm(file);
     const auto model = read(file, limits);
@@ -55,7 +55,7 @@ viewlod::Result<nlohmann::ordered_json> rowOf(const std::string& file, const Rea
     return describe(file, *model);
 }
 
-void print(const nlohmann::ordered_json& row)
+void printInfo(const nlohmann::ordered_json& row)
 {
     std::cout << row["model"].get<std::string>() << '\n';
     for (const auto& [key, value] : row.items())
@@ -81,10 +81,10 @@ void addInfo(CLI::App& app, Chosen& chosen)
             chosen.work = [request]
             {
                 return forEachModel(*request,
-                                    [&](const std::string& file) -> viewlod::Result<nlohmann::ordered_json>
+                                    [&](const std::string& file) -> foundation::Result<nlohmann::ordered_json>
                                     {
                                         auto row = rowOf(file, request->limits);
-                                        if (row) print(*row);
+                                        if (row) printInfo(*row);
                                         return row;
                                     });
             };

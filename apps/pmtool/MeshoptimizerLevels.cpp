@@ -70,7 +70,7 @@ core::Mesh levelOf(const core::Mesh& mesh, const VertexBuffer& buffer, std::span
 
 } // namespace
 
-viewlod::Result<std::vector<SimplifiedLevel>> meshoptimizerLevels(const SimplifyTask& task)
+foundation::Result<std::vector<SimplifiedLevel>> meshoptimizerLevels(const SimplifyTask& task)
 {
     const core::Mesh& mesh = task.seams ? task.mesh : task.shape;
     const VertexBuffer buffer = bufferOf(mesh);

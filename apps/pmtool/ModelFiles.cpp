@@ -5,9 +5,9 @@
 #include <sstream>
 #include <system_error>
 
-#include <osgDB/Registry>
+#include <foundation/WholeFile.h>
 
-#include <viewlod/WholeFile.h>
+#include <osgDB/Registry>
 
 #include <osgPMObjects/core/mesh/Wedge.h>
 
@@ -24,25 +24,25 @@ std::string OutputNames::nameFor(const std::string& file)
     return count == 1 ? name : name + '-' + std::to_string(count);
 }
 
-viewlod::Outcome makeFolder(const std::filesystem::path& folder)
+foundation::Outcome makeFolder(const std::filesystem::path& folder)
 {
     std::error_code failed;
     std::filesystem::create_directories(folder, failed);
-    if (!failed && std::filesystem::is_directory(folder, failed)) return viewlod::success();
-    return viewlod::Error{folder.string(),
-                          "cannot be made a folder" + (failed ? ": " + failed.message() : ""),
-                          "name another folder"};
+    if (!failed && std::filesystem::is_directory(folder, failed)) return foundation::success();
+    return foundation::Error{folder.string(),
+                             "cannot be made a folder" + (failed ? ": " + failed.message() : ""),
+                             "name another folder"};
 }
 
-viewlod::Outcome writeModel(const osgPMObjects::ImportedModel& model, const std::filesystem::path& file)
+foundation::Outcome writeModel(const osgPMObjects::ImportedModel& model, const std::filesystem::path& file)
 {
     const std::string extension = file.extension().string();
     const osg::ref_ptr<osgDB::ReaderWriter> writer =
         extension.empty() ? nullptr
                           : osgDB::Registry::instance()->getReaderWriterForExtension(extension.substr(1));
     if (!writer)
-        return viewlod::Error{file.string(), "OpenSceneGraph writes no such format",
-                              "use .osgb, .osgt or .ive"};
+        return foundation::Error{file.string(), "OpenSceneGraph writes no such format",
+                                 "use .osgb, .osgt or .ive"};
     const osg::ref_ptr<osg::Group> root = osgPMObjects::exportNode(model.mesh, model.states);
     if (model.remainder->getNumChildren() > 0) root->addChild(model.remainder);
     std::string hint = "WriteImageHint=IncludeData";
@@ -50,9 +50,9 @@ viewlod::Outcome writeModel(const osgPMObjects::ImportedModel& model, const std:
     std::ostringstream stream;
     const osg::ref_ptr<osgDB::Options> options = new osgDB::Options(hint);
     if (const auto written = writer->writeNode(*root, stream, options); !written.success())
-        return viewlod::Error{file.string(), "was not written: " + written.message(),
-                              "use .osgb, .osgt or .ive"};
-    return viewlod::writeWholeFile(file, stream.str());
+        return foundation::Error{file.string(), "was not written: " + written.message(),
+                                 "use .osgb, .osgt or .ive"};
+    return foundation::writeWholeFile(file, stream.str());
 }
 
 namespace
@@ -75,17 +75,17 @@ void addPositions(std::string& text, const osgPMObjects::core::Mesh& mesh)
 
 } // namespace
 
-viewlod::Outcome writePlain(const osgPMObjects::core::Mesh& mesh, const std::filesystem::path& file)
+foundation::Outcome writePlain(const osgPMObjects::core::Mesh& mesh, const std::filesystem::path& file)
 {
     std::string text;
     addPositions(text, mesh);
     for (const osgPMObjects::core::Face& face : mesh.faces)
         addLine(text, "f %u %u %u\n", mesh.positionOf(face, 0) + 1, mesh.positionOf(face, 1) + 1,
                 mesh.positionOf(face, 2) + 1);
-    return viewlod::writeWholeFile(file, text);
+    return foundation::writeWholeFile(file, text);
 }
 
-viewlod::Outcome writeTextured(const osgPMObjects::core::Mesh& mesh, const std::filesystem::path& file)
+foundation::Outcome writeTextured(const osgPMObjects::core::Mesh& mesh, const std::filesystem::path& file)
 {
     std::string text;
     addPositions(text, mesh);
@@ -103,7 +103,7 @@ viewlod::Outcome writeTextured(const osgPMObjects::core::Mesh& mesh, const std::
                 mesh.positionOf(face, 1) + 1, face.wedges[1] + 1, mesh.positionOf(face, 2) + 1,
                 face.wedges[2] + 1);
     }
-    return viewlod::writeWholeFile(file, text);
+    return foundation::writeWholeFile(file, text);
 }
 
 } // namespace pmtool

@@ -21,18 +21,18 @@ private:
 };
 
 /// Creates a folder, and those above it, unless it is there. Errors: it cannot be.
-viewlod::Outcome makeFolder(const std::filesystem::path& folder);
+foundation::Outcome makeFolder(const std::filesystem::path& folder);
 
 /// Writes a model, with its pictures inside, in a format that OSG writes to a stream, told by the extension (.osgb, .osgt, .ive).
 /// Errors: no such format, the file cannot be written; then nothing is left behind.
-viewlod::Outcome writeModel(const osgPMObjects::ImportedModel& model, const std::filesystem::path& file);
+foundation::Outcome writeModel(const osgPMObjects::ImportedModel& model, const std::filesystem::path& file);
 
 /// Writes positions and faces as a Wavefront .obj of `v x y z` and `f a b c` lines: every digit of every position, the position's
 /// number counted from 1, faces in the mesh's order.
-viewlod::Outcome writePlain(const osgPMObjects::core::Mesh& mesh, const std::filesystem::path& file);
+foundation::Outcome writePlain(const osgPMObjects::core::Mesh& mesh, const std::filesystem::path& file);
 
 /// The same with texture coordinates (set 0) and materials: `vt u v` lines, all digits, one for each wedge, `usemtl N` with the material's
 /// number counted from 0, and `f a/w b/w c/w`.
-viewlod::Outcome writeTextured(const osgPMObjects::core::Mesh& mesh, const std::filesystem::path& file);
+foundation::Outcome writeTextured(const osgPMObjects::core::Mesh& mesh, const std::filesystem::path& file);
 
 } // namespace pmtool

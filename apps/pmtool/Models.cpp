@@ -20,7 +20,7 @@ void addModelOptions(CLI::App& command, ModelRequest& request, std::filesystem::
         ->check(CLI::Range(64, 1 << 20));
 }
 
-viewlod::Result<ReadModel> read(const std::string& file, const ReadLimits& limits)
+foundation::Result<ReadModel> read(const std::string& file, const ReadLimits& limits)
 {
     const auto node = readModelNode(file, limits);
     if (!node) return node.error();
@@ -29,7 +29,7 @@ viewlod::Result<ReadModel> read(const std::string& file, const ReadLimits& limit
     return ReadModel{std::move(*imported), (*node)->getDescriptions()};
 }
 
-viewlod::Result<CleanModel> readClean(const std::string& file, const ReadLimits& limits)
+foundation::Result<CleanModel> readClean(const std::string& file, const ReadLimits& limits)
 {
     auto model = read(file, limits);
     if (!model) return model.error();
@@ -37,13 +37,14 @@ viewlod::Result<CleanModel> readClean(const std::string& file, const ReadLimits&
     const std::size_t trianglesRead = mesh.faces.size();
     core::makeSimplifiable(mesh);
     if (mesh.faces.empty())
-        return viewlod::Error{file, "has no triangles that can be simplified", "give a model with surfaces"};
+        return foundation::Error{file, "has no triangles that can be simplified",
+                                 "give a model with surfaces"};
     return CleanModel{*std::move(model), trianglesRead};
 }
 
-viewlod::Result<terminal::Report>
+foundation::Result<terminal::Report>
 forEachModel(const ModelRequest& request,
-             const std::function<viewlod::Result<nlohmann::ordered_json>(const std::string& file)>& work)
+             const std::function<foundation::Result<nlohmann::ordered_json>(const std::string& file)>& work)
 {
     terminal::Report report;
     report.json["models"] = nlohmann::ordered_json::array();

@@ -32,7 +32,7 @@ struct ReadModel
 };
 
 /// Reads a model in a child process, and imports it. Errors: as readModelNode() and importNode().
-viewlod::Result<ReadModel> read(const std::string& file, const osgPMObjects::ReadLimits& limits);
+foundation::Result<ReadModel> read(const std::string& file, const osgPMObjects::ReadLimits& limits);
 
 /// The same, ready to be simplified (makeSimplifiable()). Errors: as read(); no triangles are left.
 struct CleanModel
@@ -40,13 +40,13 @@ struct CleanModel
     ReadModel read;
     std::size_t trianglesRead = 0; ///< before
 };
-viewlod::Result<CleanModel> readClean(const std::string& file, const osgPMObjects::ReadLimits& limits);
+foundation::Result<CleanModel> readClean(const std::string& file, const osgPMObjects::ReadLimits& limits);
 
 /// Calls `work` for each model; it adds a row to the table's "models", or says what went wrong: then that is printed, the other
 /// models are done all the same, and the table is not sound.
-viewlod::Result<terminal::Report>
+foundation::Result<terminal::Report>
 forEachModel(const ModelRequest& request,
-             const std::function<viewlod::Result<nlohmann::ordered_json>(const std::string& file)>& work);
+             const std::function<foundation::Result<nlohmann::ordered_json>(const std::string& file)>& work);
 
 /// Counts under the names that the tables have for them.
 nlohmann::ordered_json tableOf(const osgPMObjects::core::MeshCounts& counts);

@@ -137,7 +137,7 @@ nlohmann::ordered_json transformsPerTriangle(const OrderSubject& subject, const 
         return sum([size](std::span<const Triangle> triangles, std::uint32_t vertices)
                    { return fifoTransforms(triangles, vertices, size); });
     };
-    const auto batch = [&](const viewlod::BatchLimits& limits)
+    const auto batch = [&](const foundation::BatchLimits& limits)
     {
         return sum([limits](std::span<const Triangle> triangles, std::uint32_t vertices)
                    { return batchTransforms(triangles, vertices, limits); });
@@ -149,7 +149,7 @@ nlohmann::ordered_json transformsPerTriangle(const OrderSubject& subject, const 
             {"fifo16", fifo(16)},
             {"fifo32", fifo(32)},
             {"fifo64", fifo(64)},
-            {"batch32", batch(viewlod::BatchCache::kNvidia)},
+            {"batch32", batch(foundation::BatchCache::kNvidia)},
             {"batch32Triangles", batch({.triangles = 32})},
             {"batch32Indices", batch({.triangles = 32 / 3})}};
 }

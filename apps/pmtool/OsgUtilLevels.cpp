@@ -49,8 +49,8 @@ core::Mesh facesOf(const core::Mesh& mesh, std::uint32_t material)
 }
 
 /// Simplifies the faces of one material and puts what is left into the level. Returns the time it took, in milliseconds.
-viewlod::Result<double> simplifyMaterial(core::Mesh some, std::uint32_t material,
-                                         osgUtil::Simplifier& simplifier, core::MeshBuilder& level)
+foundation::Result<double> simplifyMaterial(core::Mesh some, std::uint32_t material,
+                                            osgUtil::Simplifier& simplifier, core::MeshBuilder& level)
 {
     if (some.faces.empty()) return 0.0;
     const osg::ref_ptr<osg::Group> node = exportNode(some, {});
@@ -71,7 +71,7 @@ viewlod::Result<double> simplifyMaterial(core::Mesh some, std::uint32_t material
     return ms;
 }
 
-viewlod::Result<SimplifiedLevel> levelOf(const core::Mesh& mesh, std::size_t target, double seconds)
+foundation::Result<SimplifiedLevel> levelOf(const core::Mesh& mesh, std::size_t target, double seconds)
 {
     const auto limit = std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
     const osg::ref_ptr<UntilDeadline> deadline = new UntilDeadline(Clock::now() + limit);
@@ -96,7 +96,7 @@ viewlod::Result<SimplifiedLevel> levelOf(const core::Mesh& mesh, std::size_t tar
 
 } // namespace
 
-viewlod::Result<std::vector<SimplifiedLevel>> osgUtilLevels(const SimplifyTask& task)
+foundation::Result<std::vector<SimplifiedLevel>> osgUtilLevels(const SimplifyTask& task)
 {
     std::vector<SimplifiedLevel> levels;
     for (const std::size_t target : task.targets)

@@ -54,11 +54,11 @@ std::string lastWords(const fs::path& file)
 }
 
 /// Reads `v` and `f` lines; faces are triangles. Errors: an index beyond the positions, something that is no number.
-viewlod::Result<core::Mesh> readPlain(const fs::path& file)
+foundation::Result<core::Mesh> readPlain(const fs::path& file)
 {
     std::ifstream stream(file);
     if (!stream)
-        return viewlod::Error{file.filename().string(), "was not written", "let the program write it"};
+        return foundation::Error{file.filename().string(), "was not written", "let the program write it"};
     std::vector<glm::dvec3> positions;
     std::vector<core::Triangle> triangles;
     std::string line;
@@ -80,8 +80,8 @@ viewlod::Result<core::Mesh> readPlain(const fs::path& file)
                 if (--corner >= positions.size()) words.setstate(std::ios::failbit);
         }
         if (words.fail())
-            return viewlod::Error{file.filename().string(), "makes no sense: " + line,
-                                  "let the program write `v x y z` and `f a b c`"};
+            return foundation::Error{file.filename().string(), "makes no sense: " + line,
+                                     "let the program write `v x y z` and `f a b c`"};
     }
     return shapeOf(positions, triangles);
 }
@@ -102,12 +102,12 @@ std::map<std::size_t, double> readTimes(const fs::path& file)
     return times;
 }
 
-viewlod::Result<std::vector<SimplifiedLevel>> run(const fs::path& program, const SimplifyTask& task)
+foundation::Result<std::vector<SimplifiedLevel>> run(const fs::path& program, const SimplifyTask& task)
 {
     const WorkFolder folder;
     if (folder.path().empty())
-        return viewlod::Error{fs::temp_directory_path().string(), "no folder can be made there",
-                              "set TMPDIR"};
+        return foundation::Error{fs::temp_directory_path().string(), "no folder can be made there",
+                                 "set TMPDIR"};
     const fs::path input = folder.path() / "in.obj", said = folder.path() / "said.txt";
     if (const auto written = writePlain(task.shape, input); !written) return written.error();
     std::vector<std::string> command{program.string(), input.string(), folder.path().string()};
@@ -115,7 +115,7 @@ viewlod::Result<std::vector<SimplifiedLevel>> run(const fs::path& program, const
         command.push_back(std::to_string(target));
     if (const auto ran = runProgram(command, said, task.seconds); !ran)
     {
-        viewlod::Error error = ran.error();
+        foundation::Error error = ran.error();
         if (const std::string words = lastWords(said); !words.empty()) error.what += ": " + words;
         return error;
     }

@@ -43,10 +43,10 @@ bool isPmFile(const std::string& file)
     return std::filesystem::path(file).extension() == ".pm";
 }
 
-viewlod::Result<Json> describePm(const std::string& file)
+foundation::Result<Json> describePm(const std::string& file)
 {
     std::ifstream stream(file, std::ios::binary);
-    if (!stream) return viewlod::Error{file, "cannot be opened", "check its path and permissions"};
+    if (!stream) return foundation::Error{file, "cannot be opened", "check its path and permissions"};
     PmReader reader(stream, file);
     Json stops = Json::array();
     while (true)

@@ -3,9 +3,8 @@
 
 #include <string>
 
+#include <foundation/Result.h>
 #include <nlohmann/json.hpp>
-
-#include <viewlod/Result.h>
 
 namespace pmtool
 {
@@ -15,6 +14,6 @@ bool isPmFile(const std::string& file);
 
 /// What is in a progressive mesh: counts, errors of some levels, materials, and after which levels a reader may stop.
 /// Errors: as PmReader.
-viewlod::Result<nlohmann::ordered_json> describePm(const std::string& file);
+foundation::Result<nlohmann::ordered_json> describePm(const std::string& file);
 
 } // namespace pmtool

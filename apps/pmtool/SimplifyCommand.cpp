@@ -22,7 +22,7 @@ namespace
 using namespace osgPMObjects;
 using Json = nlohmann::ordered_json;
 
-struct Request
+struct SimplifyRequest
 {
     ModelRequest models;
     core::SimplifySettings settings;
@@ -48,7 +48,7 @@ std::string shortest(double value)
     return text.str();
 }
 
-std::vector<Wish> wishesOf(const Request& request, const core::CollapseSequence& sequence)
+std::vector<Wish> wishesOf(const SimplifyRequest& request, const core::CollapseSequence& sequence)
 {
     std::vector<Wish> wishes;
     for (const double percent : request.targetsPercent)
@@ -73,13 +73,15 @@ Json rowOf(const core::CollapseSequence& sequence, const Wish& wish)
             {"colour", error.colour}};
 }
 
-viewlod::Outcome writeLevel(const ImportedModel& model, core::Mesh level, const std::filesystem::path& file)
+foundation::Outcome writeLevel(const ImportedModel& model, core::Mesh level,
+                               const std::filesystem::path& file)
 {
     core::orderFaces(level, core::FaceOrder::library);
     return writeModel({std::move(level), model.states, model.remainder, {}}, file);
 }
 
-viewlod::Result<Json> simplifyFile(const Request& request, OutputNames& names, const std::string& file)
+foundation::Result<Json> simplifyFile(const SimplifyRequest& request, OutputNames& names,
+                                      const std::string& file)
 {
     auto model = readClean(file, request.models.limits);
     if (!model) return model.error();
@@ -119,7 +121,7 @@ viewlod::Result<Json> simplifyFile(const Request& request, OutputNames& names, c
     return row;
 }
 
-viewlod::Result<terminal::Report> run(Request request)
+foundation::Result<terminal::Report> simplifyModels(SimplifyRequest request)
 {
     if (request.targetsPercent.empty() && request.tolerances.empty()) request.targetsPercent = {25, 5, 1};
     if (!request.outputFolder.empty())
@@ -136,7 +138,7 @@ void addSimplify(CLI::App& app, Chosen& chosen)
     const std::map<std::string, core::Placement> placements = {{"subset", core::Placement::subset},
                                                                {"optimal", core::Placement::optimal},
                                                                {"quality", core::Placement::quality}};
-    const auto request = std::make_shared<Request>();
+    const auto request = std::make_shared<SimplifyRequest>();
     request->settings.placement = core::Placement::optimal;
     CLI::App* command = app.add_subcommand("simplify", "levels of each model with fewer triangles");
     addModelOptions(*command, request->models, chosen.jsonFile);
@@ -165,7 +167,7 @@ void addSimplify(CLI::App& app, Chosen& chosen)
     command->add_option("--output", request->outputFolder, "write the levels there, NAME.LEVEL.FORMAT");
     command->add_option("--format", request->format, "of the levels written (osgb)")
         ->check(CLI::IsMember({"osgb", "osgt", "ive"}));
-    command->callback([request, &chosen] { chosen.work = [request] { return run(*request); }; });
+    command->callback([request, &chosen] { chosen.work = [request] { return simplifyModels(*request); }; });
 }
 
 } // namespace pmtool

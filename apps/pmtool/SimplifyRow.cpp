@@ -61,12 +61,12 @@ void addMeasures(Json& row, const SimplifySubject& subject, const SimplifiedLeve
     if (!level.isInTime) row["timedOut"] = true;
 }
 
-viewlod::Outcome dump(const core::Mesh& mesh, const std::filesystem::path& folder, const std::string& stem,
-                      Json& row)
+foundation::Outcome dump(const core::Mesh& mesh, const std::filesystem::path& folder, const std::string& stem,
+                         Json& row)
 {
     row["dump"] = stem + ".obj";
     if (const auto written = writePlain(mesh, folder / (stem + ".obj")); !written) return written.error();
-    if (mesh.texCoords[0].empty()) return viewlod::success();
+    if (mesh.texCoords[0].empty()) return foundation::success();
     row["dumpWithTexCoords"] = stem + ".uv.obj";
     return writeTextured(mesh, folder / (stem + ".uv.obj"));
 }

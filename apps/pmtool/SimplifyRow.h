@@ -34,8 +34,8 @@ void addMeasures(nlohmann::ordered_json& row, const SimplifySubject& subject, co
 
 /// Writes a mesh as FOLDER/STEM.obj (writePlain()), and one with texture coordinates as FOLDER/STEM.uv.obj (writeTextured()), too;
 /// the files' names go into the row. Errors: a file cannot be written.
-viewlod::Outcome dump(const osgPMObjects::core::Mesh& mesh, const std::filesystem::path& folder,
-                      const std::string& stem, nlohmann::ordered_json& row);
+foundation::Outcome dump(const osgPMObjects::core::Mesh& mesh, const std::filesystem::path& folder,
+                         const std::string& stem, nlohmann::ordered_json& row);
 
 /// What a row's dump is called: "forklift.subset.seams.5".
 std::string dumpName(const SimplifySubject& subject, const nlohmann::ordered_json& row);

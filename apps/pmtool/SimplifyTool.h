@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include <viewlod/Result.h>
+#include <foundation/Result.h>
 
 #include <osgPMObjects/core/mesh/Mesh.h>
 
@@ -41,7 +41,7 @@ struct SimplifyTool
 {
     std::string name;
     bool keepsSeams = true; ///< false: is asked for shapes alone
-    std::function<viewlod::Result<std::vector<SimplifiedLevel>>(const SimplifyTask&)> run;
+    std::function<foundation::Result<std::vector<SimplifiedLevel>>(const SimplifyTask&)> run;
 };
 
 /// All that are built in.
@@ -51,10 +51,10 @@ std::vector<SimplifyTool> simplifyTools();
 void addOwnTools(std::vector<SimplifyTool>& tools);
 
 /// meshoptimizer's simplifier.
-viewlod::Result<std::vector<SimplifiedLevel>> meshoptimizerLevels(const SimplifyTask& task);
+foundation::Result<std::vector<SimplifiedLevel>> meshoptimizerLevels(const SimplifyTask& task);
 
 /// osgUtil::Simplifier, on one geometry for each part and material; of a shape, on one in all.
-viewlod::Result<std::vector<SimplifiedLevel>> osgUtilLevels(const SimplifyTask& task);
+foundation::Result<std::vector<SimplifiedLevel>> osgUtilLevels(const SimplifyTask& task);
 
 /// A program of its own, which is called `PROGRAM IN.obj FOLDER COUNT…`: it writes FOLDER/COUNT.obj for each count of faces, and a
 /// line "COUNT MS" each to its standard output. Errors: it cannot be started, fails, takes too long, or writes no such file; the last

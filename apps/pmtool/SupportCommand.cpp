@@ -5,7 +5,7 @@
 #include <map>
 #include <memory>
 
-#include <viewlod/WholeFile.h>
+#include <foundation/WholeFile.h>
 
 #include <osgPMObjects/core/consolidate/Consolidate.h>
 
@@ -26,7 +26,7 @@ const std::map<std::string, core::RemovalOrder> kOrders{{"flattest", core::Remov
                                                         {"file", core::RemovalOrder::asNumbered},
                                                         {"shuffled", core::RemovalOrder::shuffled}};
 
-struct Request
+struct SupportRequest
 {
     ModelRequest models;
     std::filesystem::path outputFolder;
@@ -60,7 +60,7 @@ std::string bestBy(const Json& curves, const char* figure)
     return (*best)["support"].get<std::string>();
 }
 
-void print(const std::string& file, const Json& row)
+void printCurves(const std::string& file, const Json& row)
 {
     std::cout << file << ": " << row["triangles"].dump() << " triangles\n"
               << "  support                vertices  fewest faces  area off to a quarter, %  to "
@@ -81,14 +81,14 @@ struct Findings
     std::vector<AreaPanel> panels;
 };
 
-viewlod::Result<Json> study(const Request& request, Findings& findings, const std::string& file)
+foundation::Result<Json> study(const SupportRequest& request, Findings& findings, const std::string& file)
 {
     auto model = read(file, request.models.limits);
     if (!model) return model.error();
     core::consolidate(model->imported.mesh);
     const core::Mesh shape =
         request.keepSeams ? std::move(model->imported.mesh) : core::shapeOf(model->imported.mesh);
-    if (shape.faces.empty()) return viewlod::Error{file, "has no triangles", "give a model with surfaces"};
+    if (shape.faces.empty()) return foundation::Error{file, "has no triangles", "give a model with surfaces"};
     std::vector<SupportVariant> variants;
     for (const NamedSupportRule& rule : kSupportRules)
         variants.push_back(removeWith(shape, rule, request.depth, request.removal));
@@ -107,16 +107,16 @@ viewlod::Result<Json> study(const Request& request, Findings& findings, const st
         row["curves"].push_back(rowOf(v, toQuarter, toFewest));
     row["bestToQuarter"] = bestBy(row["curves"], "deviationToQuarterPercent");
     row["bestToFewest"] = bestBy(row["curves"], "deviationToFewestPercent");
-    print(file, row);
+    printCurves(file, row);
     const std::string name = findings.names.nameFor(file);
     findings.panels.push_back(panelOf(name, variants));
     if (request.outputFolder.empty()) return row;
-    const auto written = viewlod::writeWholeFile(request.outputFolder / (name + ".csv"), csvOf(variants));
+    const auto written = foundation::writeWholeFile(request.outputFolder / (name + ".csv"), csvOf(variants));
     if (!written) return written.error();
     return row;
 }
 
-viewlod::Result<terminal::Report> run(const Request& request)
+foundation::Result<terminal::Report> compareSupports(const SupportRequest& request)
 {
     if (!request.outputFolder.empty())
         if (const auto made = makeFolder(request.outputFolder); !made) return made.error();
@@ -134,8 +134,8 @@ viewlod::Result<terminal::Report> run(const Request& request)
         std::cout << best << ": " << table[best].dump() << '\n';
     }
     if (!request.outputFolder.empty())
-        if (const auto written =
-                viewlod::writeWholeFile(request.outputFolder / "area-curves.svg", areaChart(findings.panels));
+        if (const auto written = foundation::writeWholeFile(request.outputFolder / "area-curves.svg",
+                                                            areaChart(findings.panels));
             !written)
             return written.error();
     return report;
@@ -145,7 +145,7 @@ viewlod::Result<terminal::Report> run(const Request& request)
 
 void addSupport(CLI::App& app, Chosen& chosen)
 {
-    const auto request = std::make_shared<Request>();
+    const auto request = std::make_shared<SupportRequest>();
     CLI::App* command = app.add_subcommand(
         "support", "remove vertex by vertex, with and without support vertices: how the area changes");
     addModelOptions(*command, request->models, chosen.jsonFile);
@@ -163,7 +163,7 @@ void addSupport(CLI::App& app, Chosen& chosen)
     command->add_flag(
         "--seams", request->keepSeams,
         "keep seams of attributes and borders of materials and parts; else the shape alone counts");
-    command->callback([request, &chosen] { chosen.work = [request] { return run(*request); }; });
+    command->callback([request, &chosen] { chosen.work = [request] { return compareSupports(*request); }; });
 }
 
 } // namespace pmtool

@@ -20,7 +20,7 @@ std::string commandsOf(const CLI::App& app)
     return names;
 }
 
-viewlod::Error explained(const CLI::App& app, const CLI::ParseError& error)
+foundation::Error explained(const CLI::App& app, const CLI::ParseError& error)
 {
     const std::vector<CLI::App*> commands = app.get_subcommands();
     if (commands.empty())

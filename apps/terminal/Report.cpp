@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "terminal/Report.h"
 
-#include <viewlod/WholeFile.h>
+#include <foundation/WholeFile.h>
 
 #include "terminal/Terminal.h"
 
@@ -20,14 +20,14 @@ std::string textOf(const nlohmann::ordered_json& json)
 } // namespace
 
 int report(const std::string& program, const std::filesystem::path& jsonFile,
-           const std::function<viewlod::Result<Report>()>& work)
+           const std::function<foundation::Result<Report>()>& work)
 {
-    if (const auto writable = viewlod::checkWritable(jsonFile); !writable)
+    if (const auto writable = foundation::checkWritable(jsonFile); !writable)
         return fail(program, writable.error());
     const auto done = work();
     if (!done) return fail(program, done.error());
     if (!jsonFile.empty())
-        if (const auto written = viewlod::writeWholeFile(jsonFile, textOf(done->json)); !written)
+        if (const auto written = foundation::writeWholeFile(jsonFile, textOf(done->json)); !written)
             return fail(program, written.error());
     return done->sound ? kDone : kFailed;
 }

@@ -5,9 +5,8 @@
 #include <functional>
 #include <string>
 
+#include <foundation/Result.h>
 #include <nlohmann/json.hpp>
-
-#include <viewlod/Result.h>
 
 namespace terminal
 {
@@ -22,6 +21,6 @@ struct Report
 /// Does the work, writes its table to `jsonFile` unless that is empty, and returns the program's exit code:
 /// kFailed after an error, and when the table says that something is not as it must be.
 int report(const std::string& program, const std::filesystem::path& jsonFile,
-           const std::function<viewlod::Result<Report>()>& work);
+           const std::function<foundation::Result<Report>()>& work);
 
 } // namespace terminal

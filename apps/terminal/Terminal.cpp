@@ -10,7 +10,7 @@
 namespace terminal
 {
 
-int fail(const std::string& program, const viewlod::Error& error)
+int fail(const std::string& program, const foundation::Error& error)
 {
     std::string message = error.message();
     std::replace_if(

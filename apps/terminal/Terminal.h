@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <string>
 
-#include <viewlod/Result.h>
+#include <foundation/Result.h>
 
 namespace terminal
 {
@@ -18,7 +18,7 @@ enum ExitCode
 };
 
 /// Prints "program: place: what; remedy" on stderr, one line whatever a file is called, and returns kFailed.
-int fail(const std::string& program, const viewlod::Error& error);
+int fail(const std::string& program, const foundation::Error& error);
 
 /// Progress of a long piece of work: a bar that redraws itself on a terminal, a plain line at every tenth elsewhere.
 /// `total` 0: not known; then it counts.

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include <viewlod/Result.h>
+#include <foundation/Result.h>
 
 #include <osgTerrainROAM/core/heightfield/DemImport.h>
 
@@ -41,13 +41,13 @@ struct Request
 using terminal::Report;
 
 /// Sizes, heights, voids and placement of each file.
-viewlod::Result<Report> info(const Request& request);
+foundation::Result<Report> info(const Request& request);
 
 /// Flies the tour over each terrain, and the path of each scenario (.xosc) over the terrain that it names, and checks the
 /// mesh of every frame by brute force.
-viewlod::Result<Report> validate(const Request& request);
+foundation::Result<Report> validate(const Request& request);
 
 /// Measures every driver on the comparison paths over a planar square of each terrain.
-viewlod::Result<Report> bench(const Request& request);
+foundation::Result<Report> bench(const Request& request);
 
 } // namespace terraintool

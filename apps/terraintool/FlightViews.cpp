@@ -7,7 +7,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "ground/TileGround.h"
-#include "sim/player/ScenarioPlayer.h"
+#include "simulation/player/ScenarioPlayer.h"
 
 namespace terraintool
 {
@@ -21,8 +21,8 @@ constexpr double kDriverEyeM = 1.5;
 
 using Player = std::unique_ptr<trainer::ScenarioPlayer>;
 
-viewlod::Result<Player> playerOver(const osgTerrainROAM::core::PlacedTile& tile, trainer::Scenario scenario,
-                                   const std::string& name)
+foundation::Result<Player> playerOver(const osgTerrainROAM::core::PlacedTile& tile,
+                                      trainer::Scenario scenario, const std::string& name)
 {
     return trainer::ScenarioPlayer::create(std::move(scenario),
                                            {ground::originOf(tile), ground::groundOf(tile),
@@ -59,8 +59,8 @@ std::vector<viewlod::ViewState> viewsOf(trainer::ScenarioPlayer& player, double 
 
 } // namespace
 
-viewlod::Result<std::vector<viewlod::ViewState>> tourViews(const osgTerrainROAM::core::PlacedTile& tile,
-                                                           int frames)
+foundation::Result<std::vector<viewlod::ViewState>> tourViews(const osgTerrainROAM::core::PlacedTile& tile,
+                                                              int frames)
 {
     const trainer::TourOptions options;
     auto tour = trainer::layTour(ground::tourTerrainOf(tile, ""), options);
@@ -71,13 +71,12 @@ viewlod::Result<std::vector<viewlod::ViewState>> tourViews(const osgTerrainROAM:
     return viewsOf(**player, options.durationS * stepsPerSecond / frames, frames);
 }
 
-viewlod::Result<std::vector<viewlod::ViewState>> scenarioViews(trainer::Scenario scenario,
-                                                               const std::string& name,
-                                                               const osgTerrainROAM::core::PlacedTile& tile,
-                                                               int frames)
+foundation::Result<std::vector<viewlod::ViewState>>
+scenarioViews(trainer::Scenario scenario, const std::string& name,
+              const osgTerrainROAM::core::PlacedTile& tile, int frames)
 {
     if (scenario.entities.empty())
-        return viewlod::Error{name, "no ScenarioObject in Entities", "add the one whose eye shall look"};
+        return foundation::Error{name, "no ScenarioObject in Entities", "add the one whose eye shall look"};
     const auto player = playerOver(tile, std::move(scenario), name);
     if (!player) return player.error();
     const auto stepsPerSecond = static_cast<double>((*player)->clock().stepsPerSecond());

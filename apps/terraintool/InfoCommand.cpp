@@ -68,7 +68,7 @@ nlohmann::ordered_json describe(const std::string& file, const PlacedTile& tile)
     return row;
 }
 
-void print(const nlohmann::ordered_json& row)
+void printInfo(const nlohmann::ordered_json& row)
 {
     std::cout << row["file"].get<std::string>() << '\n';
     for (const auto& [key, value] : row.items())
@@ -79,7 +79,7 @@ void print(const nlohmann::ordered_json& row)
 
 } // namespace
 
-viewlod::Result<Report> info(const Request& request)
+foundation::Result<Report> info(const Request& request)
 {
     Report report;
     for (const std::string& file : request.files)
@@ -89,7 +89,7 @@ viewlod::Result<Report> info(const Request& request)
         const auto tile = loadTile(*description);
         if (!tile) return tile.error();
         report.json["files"].push_back(describe(file, *tile));
-        print(report.json["files"].back());
+        printInfo(report.json["files"].back());
     }
     return report;
 }

@@ -9,7 +9,7 @@
 namespace terraintool
 {
 
-using Command = std::function<viewlod::Result<Report>(const Request&)>;
+using Command = std::function<foundation::Result<Report>(const Request&)>;
 
 /// Carries a command out, writes its table to `jsonFile` unless that is empty, and returns the program's exit code:
 /// kFailed after an error, and when the table says that something is not as it must be.

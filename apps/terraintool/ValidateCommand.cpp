@@ -6,7 +6,7 @@
 
 #include <osgTerrainROAM/core/LoadTerrain.h>
 
-#include "sim/parser/ParseScenario.h"
+#include "simulation/parser/ParseScenario.h"
 #include "terminal/Terminal.h"
 #include "terraintool/Commands.h"
 #include "terraintool/FlightFindings.h"
@@ -28,7 +28,7 @@ void checkFrame(RoamMesh& mesh, const viewlod::ViewState& view, const viewlod::B
 }
 
 /// The scenario that a .xosc file holds; nothing for any other file, which is a terrain.
-viewlod::Result<std::optional<trainer::Scenario>> scenarioOf(const std::filesystem::path& file)
+foundation::Result<std::optional<trainer::Scenario>> scenarioOf(const std::filesystem::path& file)
 {
     if (file.extension() != ".xosc") return std::optional<trainer::Scenario>();
     auto parsed = trainer::readScenario(file);
@@ -37,17 +37,17 @@ viewlod::Result<std::optional<trainer::Scenario>> scenarioOf(const std::filesyst
 }
 
 /// The terrain that a scenario plays on; any other file is one itself.
-viewlod::Result<std::filesystem::path> terrainOf(const std::optional<trainer::Scenario>& scenario,
-                                                 const std::filesystem::path& file)
+foundation::Result<std::filesystem::path> terrainOf(const std::optional<trainer::Scenario>& scenario,
+                                                    const std::filesystem::path& file)
 {
     if (!scenario) return file;
     if (!scenario->roadNetwork.sceneGraphFile.empty())
         return file.parent_path() / scenario->roadNetwork.sceneGraphFile;
-    return viewlod::Error{file.string(), "RoadNetwork names no SceneGraphFile", "add one"};
+    return foundation::Error{file.string(), "RoadNetwork names no SceneGraphFile", "add one"};
 }
 
-viewlod::Result<FlightFindings> fly(const Request& request, const std::string& file,
-                                    nlohmann::ordered_json& row)
+foundation::Result<FlightFindings> fly(const Request& request, const std::string& file,
+                                       nlohmann::ordered_json& row)
 {
     const auto scenario = scenarioOf(file);
     if (!scenario) return scenario.error();
@@ -78,7 +78,7 @@ viewlod::Result<FlightFindings> fly(const Request& request, const std::string& f
 
 } // namespace
 
-viewlod::Result<Report> validate(const Request& request)
+foundation::Result<Report> validate(const Request& request)
 {
     Report report;
     for (const std::string& file : request.files)

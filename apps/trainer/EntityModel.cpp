@@ -37,8 +37,8 @@ osg::Matrixd matrixOf(const Pose& pose)
 
 } // namespace
 
-viewlod::Result<EntityModel> EntityModel::create(const ScenarioObject& object,
-                                                 const std::filesystem::path& folder)
+foundation::Result<EntityModel> EntityModel::create(const ScenarioObject& object,
+                                                    const std::filesystem::path& folder)
 {
     EntityModel model;
     model._placed = new osg::MatrixTransform;

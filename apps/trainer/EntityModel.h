@@ -5,12 +5,12 @@
 #include <memory>
 #include <string>
 
+#include <foundation/Result.h>
+
 #include <osg/MatrixTransform>
 
-#include <viewlod/Result.h>
-
-#include "sim/player/EntityState.h"
-#include "sim/scenario/Entity.h"
+#include "simulation/player/EntityState.h"
+#include "simulation/scenario/Entity.h"
 #include "view/CarModel.h"
 
 namespace trainer
@@ -22,8 +22,8 @@ class EntityModel
 {
 public:
     /// `folder`: what model3d is relative to. Errors: a model file that is there but cannot be read.
-    static viewlod::Result<EntityModel> create(const ScenarioObject& object,
-                                               const std::filesystem::path& folder);
+    static foundation::Result<EntityModel> create(const ScenarioObject& object,
+                                                  const std::filesystem::path& folder);
 
     osg::Node* node() const { return _car ? _car->node() : _placed.get(); }
     void show(const EntityState& state);

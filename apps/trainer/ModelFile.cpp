@@ -30,12 +30,12 @@ private:
 
 } // namespace
 
-viewlod::Result<osg::ref_ptr<osg::Node>> readModel(const std::filesystem::path& file,
-                                                   const std::string& remedy)
+foundation::Result<osg::ref_ptr<osg::Node>> readModel(const std::filesystem::path& file,
+                                                      const std::string& remedy)
 {
     std::error_code ignored; // a name too long is a file that is not there
     if (!std::filesystem::exists(file, ignored))
-        return viewlod::Error{file.string(), "there is no such file", "check its path"};
+        return foundation::Error{file.string(), "there is no such file", "check its path"};
     const osg::ref_ptr<osg::NotifyHandler> before = osg::getNotifyHandler();
     const osg::ref_ptr<FirstWords> words = new FirstWords;
     osg::setNotifyHandler(words);
@@ -43,7 +43,7 @@ viewlod::Result<osg::ref_ptr<osg::Node>> readModel(const std::filesystem::path& 
     osg::setNotifyHandler(before);
     if (node) return node;
     const std::string reason = words->line().empty() ? "" : " (" + words->line() + ")";
-    return viewlod::Error{file.string(), "cannot be read by OpenSceneGraph" + reason, remedy};
+    return foundation::Error{file.string(), "cannot be read by OpenSceneGraph" + reason, remedy};
 }
 
 } // namespace trainer

@@ -3,10 +3,10 @@
 
 #include <filesystem>
 
+#include <foundation/Result.h>
+
 #include <osg/Node>
 #include <osg/ref_ptr>
-
-#include <viewlod/Result.h>
 
 namespace trainer
 {
@@ -15,7 +15,7 @@ namespace trainer
 /// Threads: none besides may speak through osg::notify meanwhile.
 /// Errors: no such file, no plugin, a plugin that refuses it; what OpenSceneGraph says of it stands in the error, and
 /// not on the terminal. `remedy` is for the last two.
-viewlod::Result<osg::ref_ptr<osg::Node>> readModel(const std::filesystem::path& file,
-                                                   const std::string& remedy);
+foundation::Result<osg::ref_ptr<osg::Node>> readModel(const std::filesystem::path& file,
+                                                      const std::string& remedy);
 
 } // namespace trainer

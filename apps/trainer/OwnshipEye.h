@@ -2,7 +2,7 @@
 #pragma once
 
 #include "PlayRequest.h"
-#include "sim/player/ScenarioPlayer.h"
+#include "simulation/player/ScenarioPlayer.h"
 #include "view/ChaseCamera.h"
 
 namespace trainer

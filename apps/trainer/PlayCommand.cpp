@@ -4,13 +4,13 @@
 #include <cmath>
 #include <iostream>
 
-#include <viewlod/WholeFile.h>
+#include <foundation/WholeFile.h>
 
 #include "PlaySession.h"
 #include "ground/TileGround.h"
-#include "sim/parser/ParseScenario.h"
-#include "sim/tour/LayTour.h"
-#include "sim/writer/WriteScenario.h"
+#include "simulation/parser/ParseScenario.h"
+#include "simulation/tour/LayTour.h"
+#include "simulation/writer/WriteScenario.h"
 #include "terminal/Terminal.h"
 #include "view/HtmlReport.h"
 #include "view/StatisticsFile.h"
@@ -24,35 +24,35 @@ namespace
 constexpr double kLongestPlayS = 3600.0; ///< of a scenario that never ends by itself
 
 /// Said before the work begins: a result that has no place to go.
-viewlod::Outcome checkResultPlaces(const PlayRequest& request)
+foundation::Outcome checkResultPlaces(const PlayRequest& request)
 {
     std::vector<std::filesystem::path> files{request.statsFile, request.reportFile};
     std::error_code ignored;
     if (!request.captureFolder.empty() && std::filesystem::is_directory(request.captureFolder, ignored))
         files.push_back(request.captureFolder / "frame_00000.png"); // a folder that is not there is made
     for (const auto& file : files)
-        if (const auto writable = viewlod::checkWritable(file); !writable) return writable;
-    return viewlod::success();
+        if (const auto writable = foundation::checkWritable(file); !writable) return writable;
+    return foundation::success();
 }
 
-viewlod::Result<std::filesystem::path> sceneFileOf(const Scenario& scenario, const PlayRequest& request)
+foundation::Result<std::filesystem::path> sceneFileOf(const Scenario& scenario, const PlayRequest& request)
 {
     if (!request.terrain.empty()) return request.terrain;
     if (!scenario.roadNetwork.sceneGraphFile.empty())
         return request.scenario.parent_path() / scenario.roadNetwork.sceneGraphFile;
-    return viewlod::Error{request.scenario.string(), "RoadNetwork names no SceneGraphFile",
-                          "add one, or give --terrain FILE"};
+    return foundation::Error{request.scenario.string(), "RoadNetwork names no SceneGraphFile",
+                             "add one, or give --terrain FILE"};
 }
 
-viewlod::Outcome saveScenario(const Scenario& scenario, const std::filesystem::path& file)
+foundation::Outcome saveScenario(const Scenario& scenario, const std::filesystem::path& file)
 {
-    if (file.empty()) return viewlod::success();
+    if (file.empty()) return foundation::success();
     const auto text = scenarioText(scenario);
     if (!text) return text.error();
-    return viewlod::writeWholeFile(file, *text);
+    return foundation::writeWholeFile(file, *text);
 }
 
-viewlod::Outcome playToTheEnd(PlaySession& session, const PlayRequest& request)
+foundation::Outcome playToTheEnd(PlaySession& session, const PlayRequest& request)
 {
     const int limit = request.frames.value_or(static_cast<int>(kLongestPlayS * request.framesPerSecond));
     terminal::Progress progress("frames", request.frames ? static_cast<std::size_t>(limit) : 0);
@@ -86,17 +86,17 @@ ReportContent reportOf(const PlaySession& session, const PlayRequest& request)
     return content;
 }
 
-viewlod::Outcome leaveResults(const PlaySession& session, const PlayRequest& request)
+foundation::Outcome leaveResults(const PlaySession& session, const PlayRequest& request)
 {
     if (!request.statsFile.empty())
         if (const auto written = writeStatistics(session.statistics(), request.statsFile); !written)
             return written;
     if (!request.reportFile.empty())
         return writeReport(reportOf(session, request), session.statistics(), request.reportFile);
-    return viewlod::success();
+    return foundation::success();
 }
 
-viewlod::Outcome playOver(SceneTerrain terrain, Scenario scenario, const PlayRequest& request)
+foundation::Outcome playOver(SceneTerrain terrain, Scenario scenario, const PlayRequest& request)
 {
     auto session = PlaySession::create(std::move(scenario), std::move(terrain), request);
     if (!session) return session.error();
@@ -116,7 +116,7 @@ std::string absoluteName(const std::filesystem::path& file)
 
 } // namespace
 
-viewlod::Outcome play(const PlayRequest& request)
+foundation::Outcome play(const PlayRequest& request)
 {
     if (const auto writable = checkResultPlaces(request); !writable) return writable;
     auto parsed = readScenario(request.scenario);
@@ -128,10 +128,10 @@ viewlod::Outcome play(const PlayRequest& request)
     return playOver(std::move(*terrain), std::move(parsed->scenario), request);
 }
 
-viewlod::Outcome tour(const PlayRequest& request, const std::filesystem::path& saveFile, double durationS)
+foundation::Outcome tour(const PlayRequest& request, const std::filesystem::path& saveFile, double durationS)
 {
     if (const auto writable = checkResultPlaces(request); !writable) return writable;
-    if (const auto writable = viewlod::checkWritable(saveFile); !writable) return writable;
+    if (const auto writable = foundation::checkWritable(saveFile); !writable) return writable;
     auto terrain = openElevation(request.terrain, request.import);
     if (!terrain) return terrain.error();
     TourOptions options;
@@ -145,15 +145,15 @@ viewlod::Outcome tour(const PlayRequest& request, const std::filesystem::path& s
     return playOver(std::move(*terrain), std::move(laid->scenario), request);
 }
 
-viewlod::Outcome check(const std::filesystem::path& scenario)
+foundation::Outcome check(const std::filesystem::path& scenario)
 {
     const auto parsed = readScenario(scenario, {.tolerant = true, .parameters = {}});
     if (!parsed) return parsed.error();
     for (const Problem& problem : parsed->problems)
         std::cout << problem.error.message() << '\n';
-    if (parsed->problems.empty()) return viewlod::success();
-    return viewlod::Error{scenario.string(), std::to_string(parsed->problems.size()) + " problems",
-                          "see the lines above"};
+    if (parsed->problems.empty()) return foundation::success();
+    return foundation::Error{scenario.string(), std::to_string(parsed->problems.size()) + " problems",
+                             "see the lines above"};
 }
 
 } // namespace trainer

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include <viewlod/Result.h>
+#include <foundation/Result.h>
 
 #include "PlayRequest.h"
 
@@ -11,14 +11,14 @@ namespace trainer
 {
 
 /// Plays request.scenario to its end and leaves the pictures, statistics and report that were asked for.
-viewlod::Outcome play(const PlayRequest& request);
+foundation::Outcome play(const PlayRequest& request);
 
 /// Lays a tour over the terrain request.terrain, writes it to `saveFile` unless that is empty, and plays it.
 /// Units: seconds.
-viewlod::Outcome tour(const PlayRequest& request, const std::filesystem::path& saveFile, double durationS);
+foundation::Outcome tour(const PlayRequest& request, const std::filesystem::path& saveFile, double durationS);
 
 /// Reads a scenario tolerantly and prints everything that is wrong or not supported, one line each.
 /// Errors: the text is no scenario at all, or anything was found.
-viewlod::Outcome check(const std::filesystem::path& scenario);
+foundation::Outcome check(const std::filesystem::path& scenario);
 
 } // namespace trainer

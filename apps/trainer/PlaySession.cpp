@@ -22,7 +22,7 @@ double nearPlaneM(const ScenarioObject& ownship)
     return ownship.isAirborne() ? 5.0 : 1.0;
 }
 
-viewlod::Result<ViewSetup> viewOf(const PlayRequest& request, const ScenarioObject& ownship)
+foundation::Result<ViewSetup> viewOf(const PlayRequest& request, const ScenarioObject& ownship)
 {
     if (!request.viewFile.empty()) return readView(request.viewFile);
     ViewSetup setup = singleChannel(request.widthPx, request.heightPx);
@@ -47,12 +47,12 @@ PlaySession::PlaySession(const PlayRequest& request, SceneTerrain terrain)
 {
 }
 
-viewlod::Result<std::unique_ptr<PlaySession>> PlaySession::create(Scenario scenario, SceneTerrain terrain,
-                                                                  const PlayRequest& request)
+foundation::Result<std::unique_ptr<PlaySession>> PlaySession::create(Scenario scenario, SceneTerrain terrain,
+                                                                     const PlayRequest& request)
 {
     if (scenario.entities.empty())
-        return viewlod::Error{request.scenario.string(), "no ScenarioObject in Entities",
-                              "add the one whose eye shall look"};
+        return foundation::Error{request.scenario.string(), "no ScenarioObject in Entities",
+                                 "add the one whose eye shall look"};
     const auto setup = viewOf(request, scenario.entities.front());
     if (!setup) return setup.error();
     if (terrain.terrain)
@@ -85,7 +85,7 @@ viewlod::Result<std::unique_ptr<PlaySession>> PlaySession::create(Scenario scena
     return session;
 }
 
-viewlod::Outcome PlaySession::openPictures(const ViewSetup& setup)
+foundation::Outcome PlaySession::openPictures(const ViewSetup& setup)
 {
     const std::vector<PictureShape> pictures = picturesOf(setup);
     for (const PictureShape& picture : pictures)
@@ -102,9 +102,9 @@ viewlod::Outcome PlaySession::openPictures(const ViewSetup& setup)
     return beginCaptures(setup);
 }
 
-viewlod::Outcome PlaySession::beginCaptures(const ViewSetup& setup)
+foundation::Outcome PlaySession::beginCaptures(const ViewSetup& setup)
 {
-    if (_request.captureFolder.empty()) return viewlod::success();
+    if (_request.captureFolder.empty()) return foundation::success();
     const std::vector<PictureShape> pictures = picturesOf(setup);
     for (std::size_t i = 0; i < pictures.size(); ++i)
     {
@@ -114,7 +114,7 @@ viewlod::Outcome PlaySession::beginCaptures(const ViewSetup& setup)
         if (!capture) return capture.error();
         _captures.push_back(std::move(*capture));
     }
-    return viewlod::success();
+    return foundation::success();
 }
 
 /// In the first moment, the eye going ahead as fast as the ownship sets out.
@@ -141,7 +141,7 @@ std::vector<std::string> PlaySession::notes() const
     return notes;
 }
 
-viewlod::Outcome PlaySession::frame()
+foundation::Outcome PlaySession::frame()
 {
     const double frameS = 1.0 / _request.framesPerSecond;
     _scene->show(*_player);
@@ -152,7 +152,7 @@ viewlod::Outcome PlaySession::frame()
         _player->step();
     for (const auto& capture : _captures)
         if (const auto outcome = capture->outcome(); !outcome) return outcome.error();
-    return viewlod::success();
+    return foundation::success();
 }
 
 FrameStatistics PlaySession::measured() const
@@ -178,11 +178,11 @@ FrameStatistics PlaySession::measured() const
     return row;
 }
 
-viewlod::Outcome PlaySession::finish()
+foundation::Outcome PlaySession::finish()
 {
     for (const auto& capture : _captures)
         if (const auto written = capture->finish(); !written) return written.error();
-    return viewlod::success();
+    return foundation::success();
 }
 
 } // namespace trainer

@@ -25,11 +25,11 @@ class PlaySession
 public:
     /// `terrain`: what openScene() gave. Errors: whatever keeps scenario, view, graphics or folders from being used; a
     /// scenario without entities.
-    static viewlod::Result<std::unique_ptr<PlaySession>> create(Scenario scenario, SceneTerrain terrain,
-                                                                const PlayRequest& request);
+    static foundation::Result<std::unique_ptr<PlaySession>> create(Scenario scenario, SceneTerrain terrain,
+                                                                   const PlayRequest& request);
 
     /// Draws the present moment, then lets one frame's time pass. Errors: a picture that could not be written.
-    viewlod::Outcome frame();
+    foundation::Outcome frame();
 
     bool isFinished() const { return _player->isFinished(); }
     const std::vector<FrameStatistics>& statistics() const { return _statistics; }
@@ -39,12 +39,12 @@ public:
     std::vector<std::string> notes() const;
 
     /// Waits for the last pictures.
-    viewlod::Outcome finish();
+    foundation::Outcome finish();
 
 private:
     PlaySession(const PlayRequest& request, SceneTerrain terrain);
-    viewlod::Outcome openPictures(const ViewSetup& setup);
-    viewlod::Outcome beginCaptures(const ViewSetup& setup);
+    foundation::Outcome openPictures(const ViewSetup& setup);
+    foundation::Outcome beginCaptures(const ViewSetup& setup);
     void tunePatches();
     FrameStatistics measured() const;
 

@@ -41,8 +41,8 @@ ScenarioScene::ScenarioScene() : _root(new osg::Group), _atmosphere(new osgTerra
     _root->getStateSet()->setDataVariance(osg::Object::DYNAMIC);
 }
 
-viewlod::Result<ScenarioScene> ScenarioScene::create(const Scenario& scenario, const SceneTerrain& terrain,
-                                                     const std::filesystem::path& folder)
+foundation::Result<ScenarioScene> ScenarioScene::create(const Scenario& scenario, const SceneTerrain& terrain,
+                                                        const std::filesystem::path& folder)
 {
     ScenarioScene scene;
     if (terrain.terrain) terrain.terrain->setAtmosphere(scene._atmosphere);

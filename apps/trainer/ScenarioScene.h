@@ -5,15 +5,15 @@
 #include <string>
 #include <vector>
 
-#include <osg/Group>
+#include <foundation/Result.h>
 
-#include <viewlod/Result.h>
+#include <osg/Group>
 
 #include <osgTerrainROAM/Atmosphere>
 
 #include "EntityModel.h"
 #include "SceneTerrain.h"
-#include "sim/player/ScenarioPlayer.h"
+#include "simulation/player/ScenarioPlayer.h"
 
 namespace trainer
 {
@@ -24,8 +24,8 @@ class ScenarioScene
 {
 public:
     /// `folder`: the scenario's. Errors: as EntityModel.
-    static viewlod::Result<ScenarioScene> create(const Scenario& scenario, const SceneTerrain& terrain,
-                                                 const std::filesystem::path& folder);
+    static foundation::Result<ScenarioScene> create(const Scenario& scenario, const SceneTerrain& terrain,
+                                                    const std::filesystem::path& folder);
 
     osg::Group& root() { return *_root; }
 

@@ -11,7 +11,7 @@
 #include <osgDB/Registry>
 
 #include "SceneryWays.h"
-#include "scenery/ReadScenery.h"
+#include "scenery/placement/ReadScenery.h"
 
 namespace trainer
 {
@@ -35,7 +35,7 @@ bool isModel(const std::filesystem::path& file)
 }
 
 /// One more field of the models in a folder, in the order of their names.
-viewlod::Outcome addFolder(const std::filesystem::path& folder, SceneryDescription& description)
+foundation::Outcome addFolder(const std::filesystem::path& folder, SceneryDescription& description)
 {
     scenery::SceneryField field;
     field.name = "--objects " + folder.string();
@@ -44,18 +44,18 @@ viewlod::Outcome addFolder(const std::filesystem::path& folder, SceneryDescripti
         if (entry.is_regular_file(failed) && isModel(entry.path()))
             field.objects.push_back({{}, 0, entry.path().string()});
     if (field.objects.empty())
-        return viewlod::Error{folder.string(), "has no model that OpenSceneGraph reads",
-                              "give a folder of .pm, .osgb, .obj, .ac … files"};
+        return foundation::Error{folder.string(), "has no model that OpenSceneGraph reads",
+                                 "give a folder of .pm, .osgb, .obj, .ac … files"};
     std::sort(field.objects.begin(), field.objects.end(),
               [](const auto& a, const auto& b) { return a.file < b.file; });
     field.objects.resize(std::min(field.objects.size(), kMostModels));
     field.densityPerKm2 = kFolderDensityPerKm2;
     field.where.pathDistanceM = scenery::Span{kFolderNearM, kFolderFarM};
     description.fields.push_back(field);
-    return viewlod::success();
+    return foundation::success();
 }
 
-viewlod::Result<SceneryDescription> descriptionOf(const PlayRequest& request)
+foundation::Result<SceneryDescription> descriptionOf(const PlayRequest& request)
 {
     SceneryDescription description;
     if (!request.sceneryFile.empty())
@@ -127,9 +127,10 @@ ObjectFigures SceneScenery::figures(unsigned int frameNumber) const
     return figures;
 }
 
-viewlod::Result<std::optional<SceneScenery>> makeScenery(const PlayRequest& request, const Scenario& scenario,
-                                                         const PlayerOptions& options,
-                                                         const SceneTerrain& terrain)
+foundation::Result<std::optional<SceneScenery>> makeScenery(const PlayRequest& request,
+                                                            const Scenario& scenario,
+                                                            const PlayerOptions& options,
+                                                            const SceneTerrain& terrain)
 {
     if (request.sceneryFile.empty() && request.objectsFolder.empty()) return std::optional<SceneScenery>();
     const auto description = descriptionOf(request);
@@ -137,8 +138,8 @@ viewlod::Result<std::optional<SceneScenery>> makeScenery(const PlayRequest& requ
     const std::string place =
         (request.sceneryFile.empty() ? request.objectsFolder : request.sceneryFile).string();
     if (!terrain.terrain)
-        return viewlod::Error{place, "needs a terrain whose ground can be asked",
-                              "play over an elevation raster or a .roam file"};
+        return foundation::Error{place, "needs a terrain whose ground can be asked",
+                                 "play over an elevation raster or a .roam file"};
     const auto shapes = makeSceneryShapes(scenery::objectsOf(*description));
     if (!shapes) return shapes.error();
     const double longestS =

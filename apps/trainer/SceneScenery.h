@@ -7,7 +7,7 @@
 
 #include "PlayRequest.h"
 #include "SceneTerrain.h"
-#include "sim/player/ScenarioPlayer.h"
+#include "simulation/player/ScenarioPlayer.h"
 #include "view/FrameStatistics.h"
 #include "view/SceneryNode.h"
 
@@ -27,8 +27,9 @@ struct SceneScenery
 /// Reads, makes and places what the request asks for: --scenery FILE, and of --objects DIR every model that can be read, as one
 /// field more, scattered beside the way. `scenario` and `options`: as they will be played. Nothing where nothing is asked for.
 /// Errors: of the file, a folder without models, a model, a terrain whose ground cannot be asked.
-viewlod::Result<std::optional<SceneScenery>> makeScenery(const PlayRequest& request, const Scenario& scenario,
-                                                         const PlayerOptions& options,
-                                                         const SceneTerrain& terrain);
+foundation::Result<std::optional<SceneScenery>> makeScenery(const PlayRequest& request,
+                                                            const Scenario& scenario,
+                                                            const PlayerOptions& options,
+                                                            const SceneTerrain& terrain);
 
 } // namespace trainer

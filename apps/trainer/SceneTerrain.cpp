@@ -56,8 +56,8 @@ GroundProvider SceneTerrain::ground() const
     return terrain ? ground::groundOf(terrain->tile()->tile) : GroundProvider{};
 }
 
-viewlod::Result<SceneTerrain> openElevation(const std::filesystem::path& file,
-                                            const osgTerrainROAM::core::DemImportOptions& import)
+foundation::Result<SceneTerrain> openElevation(const std::filesystem::path& file,
+                                               const osgTerrainROAM::core::DemImportOptions& import)
 {
     const auto description = osgTerrainROAM::core::describeTerrain(file, import);
     if (!description) return description.error();
@@ -66,8 +66,8 @@ viewlod::Result<SceneTerrain> openElevation(const std::filesystem::path& file,
     return SceneTerrain{terrain->get(), *terrain};
 }
 
-viewlod::Result<SceneTerrain> openScene(const std::filesystem::path& file,
-                                        const osgTerrainROAM::core::DemImportOptions& import)
+foundation::Result<SceneTerrain> openScene(const std::filesystem::path& file,
+                                           const osgTerrainROAM::core::DemImportOptions& import)
 {
     if (isTerrainFile(file)) return openElevation(file, import);
     const auto node = readModel(file, "give a .roam file, an elevation raster or a model");

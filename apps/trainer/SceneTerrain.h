@@ -4,16 +4,16 @@
 #include <filesystem>
 #include <optional>
 
+#include <foundation/Result.h>
+
 #include <osg/Node>
 #include <osg/ref_ptr>
-
-#include <viewlod/Result.h>
 
 #include <osgTerrainROAM/core/heightfield/DemImport.h>
 
 #include <osgTerrainROAM/RoamTerrain>
 
-#include "sim/player/SceneFrame.h"
+#include "simulation/player/SceneFrame.h"
 
 namespace trainer
 {
@@ -33,12 +33,12 @@ struct SceneTerrain
 
 /// Opens a .roam file or an elevation raster with the terrain library itself, so that errors keep their words; `terrain`
 /// is never null. Errors: as makeTerrain().
-viewlod::Result<SceneTerrain> openElevation(const std::filesystem::path& file,
-                                            const osgTerrainROAM::core::DemImportOptions& import);
+foundation::Result<SceneTerrain> openElevation(const std::filesystem::path& file,
+                                               const osgTerrainROAM::core::DemImportOptions& import);
 
 /// Opens terrain as openElevation() does, any other file through osgDB, and what osgDB does not read as a raster after
 /// all. Errors: no such file, no reader, nothing in it.
-viewlod::Result<SceneTerrain> openScene(const std::filesystem::path& file,
-                                        const osgTerrainROAM::core::DemImportOptions& import);
+foundation::Result<SceneTerrain> openScene(const std::filesystem::path& file,
+                                           const osgTerrainROAM::core::DemImportOptions& import);
 
 } // namespace trainer

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "scenery/Surroundings.h"
-#include "sim/player/ScenarioPlayer.h"
+#include "scenery/placement/Surroundings.h"
+#include "simulation/player/ScenarioPlayer.h"
 
 namespace trainer
 {

@@ -60,26 +60,27 @@ void addPlayOptions(CLI::App& command, Arguments& arguments)
         ->check(terminal::between(0.001, 1e5));
 }
 
-viewlod::Outcome readPatchExponent(const std::string& text, std::optional<int>& exponent)
+foundation::Outcome readPatchExponent(const std::string& text, std::optional<int>& exponent)
 {
     exponent = std::nullopt;
-    if (text == "measure") return viewlod::success();
+    if (text == "measure") return foundation::success();
     int value = -1;
     char rest = 0;
     if (std::sscanf(text.c_str(), "%d%c", &value, &rest) != 1 || value < 0 || value > 10 || value % 2 != 0)
-        return viewlod::Error{"--patch-exponent", "'" + text + "' is no even number from 0 to 10",
-                              "write 0, 2, 4, 6, 8 or 10, or measure"};
+        return foundation::Error{"--patch-exponent", "'" + text + "' is no even number from 0 to 10",
+                                 "write 0, 2, 4, 6, 8 or 10, or measure"};
     exponent = value;
-    return viewlod::success();
+    return foundation::success();
 }
 
-viewlod::Outcome complete(Arguments& arguments)
+foundation::Outcome complete(Arguments& arguments)
 {
     char rest = 0;
     PlayRequest& request = arguments.request;
     if (std::sscanf(arguments.size.c_str(), "%dx%d%c", &request.widthPx, &request.heightPx, &rest) != 2 ||
         request.widthPx < 16 || request.heightPx < 16 || request.widthPx > 8192 || request.heightPx > 8192)
-        return viewlod::Error{"--size", "'" + arguments.size + "' is no picture size", "write it as 960x540"};
+        return foundation::Error{"--size", "'" + arguments.size + "' is no picture size",
+                                 "write it as 960x540"};
     const auto backend = osgOffscreen::parseBackend(arguments.backend);
     if (!backend) return backend.error();
     request.backend = *backend;

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "Random.h"
-#include "models/Catalogue.h"
+#include "scenery/models/Catalogue.h"
 #include "view/SceneryShapes.h"
 
 namespace fieldbench

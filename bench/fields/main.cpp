@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // field_bench: a landscape of thousands of objects, as a progressive field, as osg::LODs of five levels, and in full detail:
 // times, triangles, memory and error of the picture, in one run.
-#include <viewlod/WholeFile.h>
+#include <foundation/WholeFile.h>
 
 #include "Race.h"
 #include "Times.h"
@@ -15,7 +15,7 @@ using namespace fieldbench;
 
 int run(const Request& request)
 {
-    if (const auto writable = viewlod::checkWritable(request.jsonFile); !writable)
+    if (const auto writable = foundation::checkWritable(request.jsonFile); !writable)
         return terminal::fail("field_bench", writable.error());
     const auto viewer = osgOffscreen::OffscreenViewer::create(request.picture);
     if (!viewer) return terminal::fail("field_bench", viewer.error());
@@ -28,7 +28,7 @@ int run(const Request& request)
     Stage stage(**viewer, request);
     report.update(Race(stage, request).run(shapes, instances));
     if (request.jsonFile.empty()) return terminal::kDone;
-    const auto written = viewlod::writeWholeFile(request.jsonFile, report.dump(1) + "\n");
+    const auto written = foundation::writeWholeFile(request.jsonFile, report.dump(1) + "\n");
     return written ? terminal::kDone : terminal::fail("field_bench", written.error());
 }
 

@@ -24,7 +24,7 @@ namespace
 using osgTerrainROAM::RoamTechnique;
 using roambench::percentile;
 
-constexpr int kWarmUpFrames = 3; ///< textures and buffers go to the renderer
+constexpr int kDatabaseWarmUpFrames = 3; ///< textures and buffers go to the renderer
 
 /// A database under one technique, and what it took.
 struct Candidate
@@ -93,7 +93,7 @@ Report rowOf(const Candidate& candidate, double stockMs)
     return row;
 }
 
-void print(const Report& row)
+void printDatabaseRow(const Report& row)
 {
     const auto number = [&](const char* key) { return row[key].get<double>(); };
     std::cout << std::left << std::setw(32) << row["technique"].get<std::string>() << std::right << std::fixed
@@ -128,25 +128,25 @@ std::vector<Candidate> candidatesOf(const Request& request)
 
 } // namespace
 
-viewlod::Result<Report> measureDatabase(const Request& request)
+foundation::Result<Report> measureDatabase(const Request& request)
 {
     if ((request.tile->tile.side() - 1) % request.tileCells != 0)
-        return viewlod::Error{"--tile-cells", "the square does not divide into such tiles",
-                              "choose a power of two"};
+        return foundation::Error{"--tile-cells", "the square does not divide into such tiles",
+                                 "choose a power of two"};
     auto stage = Stage::open(request.picture, request.tile->tile.vertexStepM());
     if (!stage) return stage.error();
     Report report;
     report["renderer"] = (*stage)->rendererName();
     report["tileCells"] = request.tileCells;
     std::vector<Candidate> candidates = candidatesOf(request);
-    for (int frame = -kWarmUpFrames; frame < request.frames; ++frame)
+    for (int frame = -kDatabaseWarmUpFrames; frame < request.frames; ++frame)
         for (Candidate& candidate : candidates)
             drawOnce(**stage, candidate, request.eye(frame), frame >= 0);
     const double stockMs = percentile(candidates.front().costs.wallMs, 0.5);
     for (const Candidate& candidate : candidates)
     {
         report["rows"].push_back(rowOf(candidate, stockMs));
-        print(report["rows"].back());
+        printDatabaseRow(report["rows"].back());
     }
     return report;
 }

@@ -40,7 +40,7 @@ Report rowOf(const Subject& subject, Look look)
     return row;
 }
 
-void print(const Report& row)
+void printTimesRow(const Report& row)
 {
     const auto number = [&](const char* key) { return row[key].get<double>(); };
     std::cout << std::left << std::setw(8) << row["look"].get<std::string>() << std::setw(36)
@@ -69,14 +69,14 @@ void measureLook(const Request& request, Stage& stage, Look look, Report& report
     {
         Report row = rowOf(subject, look);
         row["wallMsP50OverOurs"] = row["wallMsP50"].get<double>() / oursMs;
-        print(row);
+        printTimesRow(row);
         report["rows"].push_back(std::move(row));
     }
 }
 
 } // namespace
 
-viewlod::Result<Report> measureFrames(const Request& request)
+foundation::Result<Report> measureFrames(const Request& request)
 {
     auto stage = Stage::open(request.picture, request.tile->tile.vertexStepM());
     if (!stage) return stage.error();

@@ -66,7 +66,7 @@ Picture difference(const Picture& a, const Picture& b)
     return result;
 }
 
-viewlod::Outcome writePicture(const Picture& picture, int gain, const std::filesystem::path& file)
+foundation::Outcome writePicture(const Picture& picture, int gain, const std::filesystem::path& file)
 {
     osg::ref_ptr<osg::Image> image = new osg::Image;
     image->allocateImage(picture.widthPx, picture.heightPx, 1, GL_RGB, GL_UNSIGNED_BYTE, 1);

@@ -4,9 +4,9 @@
 #include <filesystem>
 #include <vector>
 
-#include <osg/Image>
+#include <foundation/Result.h>
 
-#include <viewlod/Result.h>
+#include <osg/Image>
 
 namespace framebench
 {
@@ -26,7 +26,7 @@ Picture boxFiltered(const osg::Image& image, int n);
 Picture difference(const Picture& a, const Picture& b);
 
 /// Values, or `gain` times their magnitudes, as a PNG.
-viewlod::Outcome writePicture(const Picture& picture, int gain, const std::filesystem::path& file);
+foundation::Outcome writePicture(const Picture& picture, int gain, const std::filesystem::path& file);
 
 /// Pixels at which the ground's distance, drawn in Look::distance, jumps: where something stands before something
 /// farther away or before the sky, and their neighbours. There a level of detail moves the edge by a part of a pixel.

@@ -13,7 +13,6 @@ namespace
 {
 
 constexpr Look kLooks[] = {Look::full, Look::relief};
-constexpr int kPatchCells = 64;
 
 using Edges = std::vector<std::vector<bool>>; ///< of every frame
 
@@ -76,7 +75,7 @@ std::vector<PopRow> rowsOf(const Request& request, const Antialiasing& way, Stag
     return rows;
 }
 
-void print(const Report& row)
+void printPopRow(const Report& row)
 {
     std::cout << std::left << std::setw(8) << row["look"].get<std::string>() << std::setw(7)
               << row["antialiasing"].get<std::string>() << std::setw(6) << row["tolerancePx"].get<double>()
@@ -88,8 +87,8 @@ void print(const Report& row)
     std::cout << std::endl;
 }
 
-viewlod::Outcome measure(const Request& request, const Antialiasing& way, Stage& stage, osg::Node* full,
-                         const Edges& edges, Report& report)
+foundation::Outcome measure(const Request& request, const Antialiasing& way, Stage& stage, osg::Node* full,
+                            const Edges& edges, Report& report)
 {
     report["renderer"] = stage.rendererName();
     std::map<Look, osg::ref_ptr<osg::StateSet>> states;
@@ -114,25 +113,25 @@ viewlod::Outcome measure(const Request& request, const Antialiasing& way, Stage&
     {
         report["rows"].push_back(row.json());
         report["rows"].back()["fullStepP999"] = steps[row.look()].levels.percentile(0.999);
-        print(report["rows"].back());
+        printPopRow(report["rows"].back());
     }
-    return viewlod::success();
+    return foundation::success();
 }
 
 } // namespace
 
-viewlod::Result<Report> measurePop(const Request& request)
+foundation::Result<Report> measurePop(const Request& request)
 {
-    const osg::ref_ptr<osg::Node> full = fullGrid(request.tile->tile, kPatchCells);
+    const osg::ref_ptr<osg::Node> full = fullGrid(request.tile->tile, kFullGridPatchCells);
     // None is closed before the end: OSG would give its number to the next, and what both draw would take its buffers
     // to be there.
     std::vector<std::unique_ptr<Stage>> stages;
-    const auto open = [&](const osgOffscreen::OffscreenSettings& picture) -> viewlod::Outcome
+    const auto open = [&](const osgOffscreen::OffscreenSettings& picture) -> foundation::Outcome
     {
         auto stage = Stage::open(picture, request.tile->tile.vertexStepM());
         if (!stage) return stage.error();
         stages.push_back(std::move(*stage));
-        return viewlod::success();
+        return foundation::success();
     };
     if (const auto opened = open(request.picture); !opened) return opened.error();
     const Edges edges = edgesOf(request, *stages.front(), full);

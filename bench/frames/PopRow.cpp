@@ -71,7 +71,7 @@ Picture PopRow::drawn(osg::Node* node, int frame)
     return boxFiltered(*_stage.picture(_request.eye(frame)), _setting.samplesPerPx);
 }
 
-viewlod::Outcome PopRow::frame(int frame, const Picture& full, const std::vector<bool>& edges)
+foundation::Outcome PopRow::frame(int frame, const Picture& full, const std::vector<bool>& edges)
 {
     std::optional<Picture> pop;
     if (_before && measuresPop()) pop = drawn(staticMesh(_mesh.drawn()), frame);
@@ -80,7 +80,7 @@ viewlod::Outcome PopRow::frame(int frame, const Picture& full, const std::vector
     if (pop) pop = difference(lod, *pop);
 
     Picture apart = difference(lod, full);
-    viewlod::Outcome kept = viewlod::success();
+    foundation::Outcome kept = foundation::success();
     if (_before)
     {
         const Picture delta = difference(apart, *_before);
@@ -106,7 +106,7 @@ void PopRow::count(const Picture& delta, const Picture* pop, const std::vector<b
     }
 }
 
-viewlod::Outcome PopRow::keep(const Picture& lod, const Picture& full, const Picture& delta) const
+foundation::Outcome PopRow::keep(const Picture& lod, const Picture& full, const Picture& delta) const
 {
     constexpr int kGain = 16;
     std::ostringstream stem;
@@ -120,7 +120,7 @@ viewlod::Outcome PopRow::keep(const Picture& lod, const Picture& full, const Pic
         const auto file = _request.pictureFolder / (stem.str() + what + ".png");
         if (const auto done = writePicture(picture, gain, file); !done) return done.error();
     }
-    return viewlod::success();
+    return foundation::success();
 }
 
 Report PopRow::json() const

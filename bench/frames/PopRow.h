@@ -45,7 +45,7 @@ public:
 
     /// Draws a frame and counts it. `full`: the full mesh's picture; `edges`: its silhouettes and those of the frame
     /// before. Errors: pictures that cannot be written.
-    viewlod::Outcome frame(int frame, const Picture& full, const std::vector<bool>& edges);
+    foundation::Outcome frame(int frame, const Picture& full, const std::vector<bool>& edges);
 
     Report json() const;
 
@@ -59,7 +59,7 @@ private:
     void refine(int frame);
     Picture drawn(osg::Node* node, int frame);
     void count(const Picture& delta, const Picture* pop, const std::vector<bool>& edges);
-    viewlod::Outcome keep(const Picture& lod, const Picture& full, const Picture& delta) const;
+    foundation::Outcome keep(const Picture& lod, const Picture& full, const Picture& delta) const;
 
     const Request& _request;
     Stage& _stage;

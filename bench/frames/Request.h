@@ -6,9 +6,8 @@
 #include <string>
 #include <vector>
 
+#include <foundation/Result.h>
 #include <nlohmann/json.hpp>
-
-#include <viewlod/Result.h>
 
 #include <osgTerrainROAM/core/roam/RoamTile.h>
 
@@ -53,14 +52,14 @@ using Report = nlohmann::ordered_json;
 
 /// Milliseconds a frame of each way to draw the terrain, frame by frame in turn along the flight.
 /// Errors: no such graphics context.
-viewlod::Result<Report> measureFrames(const Request& request);
+foundation::Result<Report> measureFrames(const Request& request);
 
 /// Milliseconds a frame of a database of osgTerrain tiles: osgTerrain's GeometryTechnique and ours, in turn along the flight.
 /// Errors: no such graphics context; tiles that the square does not divide into.
-viewlod::Result<Report> measureDatabase(const Request& request);
+foundation::Result<Report> measureDatabase(const Request& request);
 
 /// How much the pictures' distance from those of the full mesh changes from frame to frame.
 /// Errors: no such graphics context; pictures that cannot be written.
-viewlod::Result<Report> measurePop(const Request& request);
+foundation::Result<Report> measurePop(const Request& request);
 
 } // namespace framebench

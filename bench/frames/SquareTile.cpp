@@ -38,8 +38,8 @@ bool isTileSide(int side)
 
 } // namespace
 
-viewlod::Result<std::shared_ptr<const RoamTile>> squareTile(const std::filesystem::path& file,
-                                                            const std::vector<int>& crop)
+foundation::Result<std::shared_ptr<const RoamTile>> squareTile(const std::filesystem::path& file,
+                                                               const std::vector<int>& crop)
 {
     const auto all = importDem(file);
     if (!all) return all.error();
@@ -49,8 +49,9 @@ viewlod::Result<std::shared_ptr<const RoamTile>> squareTile(const std::filesyste
     const bool fits = isTileSide(side) && column >= 0 && fromNorth >= 0 && column + side <= all->columns &&
                       fromNorth + side <= all->rows;
     if (!fits)
-        return viewlod::Error{file.string(), "the square is no part of the raster, or has not 2^n+1 samples",
-                              "choose another one"};
+        return foundation::Error{file.string(),
+                                 "the square is no part of the raster, or has not 2^n+1 samples",
+                                 "choose another one"};
     HeightField square;
     square.name = all->name;
     square.columns = square.rows = side;

@@ -66,8 +66,8 @@ osg::ref_ptr<osg::Uniform> added(osg::StateSet& state, const char* name, osg::Un
 
 } // namespace
 
-viewlod::Result<std::unique_ptr<Stage>> Stage::open(const osgOffscreen::OffscreenSettings& settings,
-                                                    double vertexStepM)
+foundation::Result<std::unique_ptr<Stage>> Stage::open(const osgOffscreen::OffscreenSettings& settings,
+                                                       double vertexStepM)
 {
     auto viewer = osgOffscreen::OffscreenViewer::create(settings);
     if (!viewer) return viewer.error();

@@ -31,8 +31,8 @@ class Stage
 {
 public:
     /// `samples`: per pixel, as OffscreenSettings; `vertexStepM`: of the tile that is drawn. Errors: no such context.
-    static viewlod::Result<std::unique_ptr<Stage>> open(const osgOffscreen::OffscreenSettings& settings,
-                                                        double vertexStepM);
+    static foundation::Result<std::unique_ptr<Stage>> open(const osgOffscreen::OffscreenSettings& settings,
+                                                           double vertexStepM);
 
     /// `look`: from lookState(); `withSky` false: black where there is no ground.
     void show(osg::Node* node, osg::StateSet* look, bool withSky = true);

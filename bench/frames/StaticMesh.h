@@ -25,6 +25,9 @@ void countDraws(osg::Node& node, DrawCount& count);
 /// It is drawn wherever it lies: culling is off.
 osg::ref_ptr<osg::Geode> staticMesh(const osgTerrainROAM::core::DrawnMesh& mesh);
 
+/// Cells along the side of a patch of fullGrid(), where it is drawn in patches.
+inline constexpr int kFullGridPatchCells = 64;
+
 /// The full-resolution grid in static buffers, every cell cut along the diagonal that the bintree's finest level has,
 /// so that it is the mesh that any refinement tends to. In one piece that is always drawn, or in square patches of
 /// `patchCells` that OSG culls against the frustum; they share the vertex buffers.

@@ -12,8 +12,6 @@ namespace framebench
 namespace
 {
 
-constexpr int kPatchCells = 64;
-
 std::string textOf(double number)
 {
     std::ostringstream text;
@@ -49,7 +47,7 @@ std::vector<Subject> subjectsOf(const Request& request, Look look)
                         {}});
     subjects.push_back({"full grid in patches",
                         "the same in patches of 64 cells that OSG culls",
-                        fullGrid(tile, kPatchCells),
+                        fullGrid(tile, kFullGridPatchCells),
                         nullptr,
                         {}});
     subjects.push_back({"GeometryTechnique",

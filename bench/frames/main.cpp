@@ -3,7 +3,7 @@
 #include <functional>
 #include <iostream>
 
-#include <viewlod/WholeFile.h>
+#include <foundation/WholeFile.h>
 
 #include "Request.h"
 #include "SquareTile.h"
@@ -14,7 +14,7 @@ namespace
 {
 
 using namespace framebench;
-using Command = std::function<viewlod::Result<Report>(const Request&)>;
+using Command = std::function<foundation::Result<Report>(const Request&)>;
 
 Report described(const Request& request)
 {
@@ -32,7 +32,7 @@ Report described(const Request& request)
 
 int run(const Command& command, Request& request)
 {
-    if (const auto writable = viewlod::checkWritable(request.jsonFile); !writable)
+    if (const auto writable = foundation::checkWritable(request.jsonFile); !writable)
         return terminal::fail("frame_bench", writable.error());
     const auto tile = squareTile(request.dem, request.crop);
     if (!tile) return terminal::fail("frame_bench", tile.error());
@@ -44,7 +44,7 @@ int run(const Command& command, Request& request)
     Report report = described(request);
     report.update(*measured);
     if (request.jsonFile.empty()) return terminal::kDone;
-    const auto written = viewlod::writeWholeFile(request.jsonFile, report.dump(1) + "\n");
+    const auto written = foundation::writeWholeFile(request.jsonFile, report.dump(1) + "\n");
     return written ? terminal::kDone : terminal::fail("frame_bench", written.error());
 }
 

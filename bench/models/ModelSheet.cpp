@@ -13,7 +13,7 @@
 #include <osgOffscreen/PngFile>
 
 #include "Plain.h"
-#include "models/Catalogue.h"
+#include "scenery/models/Catalogue.h"
 #include "view/ContactSheet.h"
 #include "view/ModelStates.h"
 #include "view/Pose.h"

@@ -45,8 +45,8 @@ Json summaryOf(const Json& rows, const std::vector<Contestant>& contestants)
 
 } // namespace
 
-viewlod::Result<Json> measureModel(const std::string& file, const Request& request, Race& race,
-                                   std::vector<std::string>& plots)
+foundation::Result<Json> measureModel(const std::string& file, const Request& request, Race& race,
+                                      std::vector<std::string>& plots)
 {
     const auto node = readModelNode(file);
     if (!node) return node.error();
@@ -54,7 +54,7 @@ viewlod::Result<Json> measureModel(const std::string& file, const Request& reque
     if (!imported) return imported.error();
     core::Mesh& mesh = imported->mesh;
     core::makeSimplifiable(mesh);
-    if (mesh.faces.empty()) return viewlod::Error{file, "has no triangles", "give a model with surfaces"};
+    if (mesh.faces.empty()) return foundation::Error{file, "has no triangles", "give a model with surfaces"};
     const core::CollapseSequence sequence = core::simplify(mesh);
     const auto most = static_cast<std::uint32_t>(sequence.steps.size());
     std::vector<std::uint32_t> levels;

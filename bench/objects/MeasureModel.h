@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <viewlod/Result.h>
+#include <foundation/Result.h>
 
 #include "Race.h"
 
@@ -10,7 +10,7 @@ namespace objectbench
 
 /// What a model's levels take in each order of its faces, under each number of lights; a plot for each number is added.
 /// Errors: cannot be read, has no triangles.
-viewlod::Result<Race::Json> measureModel(const std::string& file, const Request& request, Race& race,
-                                         std::vector<std::string>& plots);
+foundation::Result<Race::Json> measureModel(const std::string& file, const Request& request, Race& race,
+                                            std::vector<std::string>& plots);
 
 } // namespace objectbench

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // object_frame_bench: what a frame of a lit model takes at its levels, by the order of its faces.
-#include <viewlod/WholeFile.h>
+#include <foundation/WholeFile.h>
 
 #include "MeasureModel.h"
 #include "RatePlot.h"
@@ -14,7 +14,7 @@ using namespace objectbench;
 
 int run(const Request& request)
 {
-    if (const auto writable = viewlod::checkWritable(request.jsonFile); !writable)
+    if (const auto writable = foundation::checkWritable(request.jsonFile); !writable)
         return terminal::fail("object_frame_bench", writable.error());
     const auto viewer = osgOffscreen::OffscreenViewer::create(request.picture);
     if (!viewer) return terminal::fail("object_frame_bench", viewer.error());
@@ -29,11 +29,11 @@ int run(const Request& request)
     }
     if (!request.plotFile.empty())
     {
-        const auto drawn = viewlod::writeWholeFile(request.plotFile, plotsFile(plots));
+        const auto drawn = foundation::writeWholeFile(request.plotFile, plotsFile(plots));
         if (!drawn) return terminal::fail("object_frame_bench", drawn.error());
     }
     if (request.jsonFile.empty()) return terminal::kDone;
-    const auto written = viewlod::writeWholeFile(request.jsonFile, report.dump(1) + "\n");
+    const auto written = foundation::writeWholeFile(request.jsonFile, report.dump(1) + "\n");
     return written ? terminal::kDone : terminal::fail("object_frame_bench", written.error());
 }
 

@@ -46,12 +46,12 @@ void finish(Land& land)
 
 } // namespace
 
-viewlod::Result<Terrain> generateTerrain(std::uint64_t seed, int side)
+foundation::Result<Terrain> generateTerrain(std::uint64_t seed, int side)
 {
     if (!isPossibleSide(side))
     {
-        return viewlod::Error{"--size " + std::to_string(side), "the side must be a power of two plus one",
-                              "use 129, 257, 513, 1025, 2049, 4097 or 8193"};
+        return foundation::Error{"--size " + std::to_string(side), "the side must be a power of two plus one",
+                                 "use 129, 257, 513, 1025, 2049, 4097 or 8193"};
     }
     const Noise noise(seed);
     Land land = evolveLand(makeIslandPlan(kPlanSide, noise.channel(1)), side, noise.channel(2));

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <optional>
 
-#include <viewlod/Result.h>
+#include <foundation/Result.h>
 
 #include "Grid.h"
 #include "IslandPlan.h"
@@ -29,7 +29,7 @@ struct Terrain
 
 /// Builds the island. `side`: 2^n+1, 129 to 8193; the place and its large forms are the same for every side.
 /// Errors: another side. Cost: about 4 µs per cell. Deterministic: seed and side decide every bit.
-viewlod::Result<Terrain> generateTerrain(std::uint64_t seed, int side);
+foundation::Result<Terrain> generateTerrain(std::uint64_t seed, int side);
 
 /// FNV-1a over the heights in steps of kHeightStepM, as little-endian 32-bit integers, row by row from the south.
 std::uint64_t terrainHash(const Grid<float>& heightM);

@@ -4,10 +4,9 @@
 #include <memory>
 
 #include <cpl_error.h>
+#include <foundation/WholeFile.h>
 #include <gdal_priv.h>
 #include <ogr_spatialref.h>
-
-#include <viewlod/WholeFile.h>
 
 namespace islandgen
 {
@@ -61,12 +60,12 @@ bool writeRows(GDALDataset& dataset, const Grid<float>& heightM)
 
 } // namespace
 
-viewlod::Outcome writeTerrain(const Terrain& terrain, const std::filesystem::path& file)
+foundation::Outcome writeTerrain(const Terrain& terrain, const std::filesystem::path& file)
 {
     GDALAllRegister();
     CPLPushErrorHandler(CPLQuietErrorHandler);
     CPLErrorReset();
-    viewlod::WholeFile whole(file);
+    foundation::WholeFile whole(file);
     Dataset dataset = createRaster(whole.written(), terrain.heightM.side);
     bool written = dataset != nullptr;
     if (dataset)

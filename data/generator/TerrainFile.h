@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include <viewlod/Result.h>
+#include <foundation/Result.h>
 
 #include "Terrain.h"
 
@@ -18,6 +18,6 @@ inline constexpr double kCentreNorthingM = 4828000.0;
 /// Writes a compressed Float32 GeoTIFF, north up, heights in metres above mean sea level. It is written under
 /// a temporary name beside `file` and renamed when it is complete.
 /// Errors: folder missing or not writable, no space.
-viewlod::Outcome writeTerrain(const Terrain& terrain, const std::filesystem::path& file);
+foundation::Outcome writeTerrain(const Terrain& terrain, const std::filesystem::path& file);
 
 } // namespace islandgen

@@ -13,28 +13,29 @@
 namespace
 {
 
-int fail(const viewlod::Error& error, int exitCode)
+int fail(const foundation::Error& error, int exitCode)
 {
     std::fprintf(stderr, "generate_terrain: %s\n", error.message().c_str());
     return exitCode;
 }
 
-viewlod::Outcome checkHash(std::uint64_t seed, int side, std::uint64_t hash)
+foundation::Outcome checkHash(std::uint64_t seed, int side, std::uint64_t hash)
 {
     const auto expected = islandgen::expectedHash(seed, side);
     if (!expected)
     {
-        return viewlod::Error{"--check-hash", "no hash is committed for this seed and size",
-                              "leave the option out, or use the default seed and size"};
+        return foundation::Error{"--check-hash", "no hash is committed for this seed and size",
+                                 "leave the option out, or use the default seed and size"};
     }
     if (*expected != hash)
     {
         char text[64];
         std::snprintf(text, sizeof text, "is %016" PRIx64 ", not %016" PRIx64, hash, *expected);
-        return viewlod::Error{"hash of the terrain", text,
-                              "build with -ffp-contract=off and without -ffast-math, or commit the new hash"};
+        return foundation::Error{
+            "hash of the terrain", text,
+            "build with -ffp-contract=off and without -ffast-math, or commit the new hash"};
     }
-    return viewlod::success();
+    return foundation::success();
 }
 
 int run(int argc, char** argv)

@@ -17,7 +17,7 @@ namespace
 
 using namespace osgTerrainROAM;
 
-int failed(const viewlod::Error& error)
+int failed(const foundation::Error& error)
 {
     std::fprintf(stderr, "built_road: %s\n", error.message().c_str());
     return 1;
@@ -50,7 +50,7 @@ public:
     {
     }
 
-    viewlod::Outcome take(const char* name, const glm::dvec3& eye, const glm::dvec3& at)
+    foundation::Outcome take(const char* name, const glm::dvec3& eye, const glm::dvec3& at)
     {
         _viewer.camera().setViewMatrixAsLookAt({eye.x, eye.y, eye.z}, {at.x, at.y, at.z}, {0.0, 0.0, 1.0});
         return osgOffscreen::writePng(*_viewer.picture(), _folder / name);

@@ -23,7 +23,7 @@ struct Moment
 constexpr Moment kMoments[] = {{"january", 1, 20},  {"may", 5, 50},   {"july", 7, 55},
                                {"october", 10, 30}, {"dusk", 10, -3}, {"night", 10, -15}};
 
-int failed(const viewlod::Error& error)
+int failed(const foundation::Error& error)
 {
     std::fprintf(stderr, "changing_year: %s\n", error.message().c_str());
     return 1;

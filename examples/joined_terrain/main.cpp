@@ -16,7 +16,7 @@ namespace
 
 using namespace osgTerrainROAM;
 
-int failed(const viewlod::Error& error)
+int failed(const foundation::Error& error)
 {
     std::fprintf(stderr, "joined_terrain: %s\n", error.message().c_str());
     return 1;

@@ -14,7 +14,7 @@
 namespace
 {
 
-int failed(const viewlod::Error& error)
+int failed(const foundation::Error& error)
 {
     std::fprintf(stderr, "painted_ground: %s\n", error.message().c_str());
     return 1;

@@ -27,7 +27,7 @@ using namespace osgPMObjects;
 constexpr double kPlantedM = 1000.0; ///< side of the square
 constexpr int kInstances = 10000;
 
-int failed(const viewlod::Error& error)
+int failed(const foundation::Error& error)
 {
     std::fprintf(stderr, "planted_field: %s\n", error.message().c_str());
     return 1;

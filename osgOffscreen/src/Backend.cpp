@@ -6,8 +6,8 @@
 namespace osgOffscreen
 {
 
-using viewlod::Error;
-using viewlod::Result;
+using foundation::Error;
+using foundation::Result;
 
 std::string_view backendName(Backend backend)
 {

@@ -21,15 +21,15 @@ EglContext::~EglContext()
     close(true);
 }
 
-viewlod::Outcome EglContext::createNative()
+foundation::Outcome EglContext::createNative()
 {
     const auto failure = [](const std::string& step)
     {
-        return viewlod::Error{"offscreen context (egl)",
-                              step + " failed (EGL error " + std::to_string(eglGetError()) + ")",
-                              "install libegl-mesa0 and libgl1-mesa-dri, or use osmesa"};
+        return foundation::Error{"offscreen context (egl)",
+                                 step + " failed (EGL error " + std::to_string(eglGetError()) + ")",
+                                 "install libegl-mesa0 and libgl1-mesa-dri, or use osmesa"};
     };
-    viewlod::Result<void*> display = openEglDisplay();
+    foundation::Result<void*> display = openEglDisplay();
     if (!display) return display.error();
     _display = *display;
 
@@ -55,11 +55,11 @@ viewlod::Outcome EglContext::createNative()
     if (eglBindAPI(EGL_OPENGL_API)) _context = eglCreateContext(_display, config, EGL_NO_CONTEXT, nullptr);
     if (_context == EGL_NO_CONTEXT)
     {
-        viewlod::Error error = failure("eglCreateContext");
+        foundation::Error error = failure("eglCreateContext");
         eglDestroySurface(_display, _surface);
         return error;
     }
-    return viewlod::success();
+    return foundation::success();
 }
 
 bool EglContext::makeNativeCurrent()

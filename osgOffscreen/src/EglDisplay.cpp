@@ -49,16 +49,16 @@ EGLDisplay hardwareDisplay()
 
 } // namespace
 
-viewlod::Result<void*> openEglDisplay()
+foundation::Result<void*> openEglDisplay()
 {
     if (const EGLDisplay display = hardwareDisplay(); display != EGL_NO_DISPLAY) return display;
     const EGLDisplay display =
         eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
     if (display != EGL_NO_DISPLAY && eglInitialize(display, nullptr, nullptr)) return display;
-    return viewlod::Error{"offscreen context (egl)",
-                          "no EGL display without a window system (EGL error " +
-                              std::to_string(eglGetError()) + ")",
-                          "install libegl-mesa0, or use osmesa"};
+    return foundation::Error{"offscreen context (egl)",
+                             "no EGL display without a window system (EGL error " +
+                                 std::to_string(eglGetError()) + ")",
+                             "install libegl-mesa0, or use osmesa"};
 }
 
 } // namespace osgOffscreen

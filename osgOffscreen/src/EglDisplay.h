@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <viewlod/Result.h>
+#include <foundation/Result.h>
 
 namespace osgOffscreen
 {
 
 /// An initialised EGLDisplay that needs no window system; see EglContext for which.
 /// Errors: EGL too old, or no platform that works; names the EGL error.
-viewlod::Result<void*> openEglDisplay();
+foundation::Result<void*> openEglDisplay();
 
 } // namespace osgOffscreen

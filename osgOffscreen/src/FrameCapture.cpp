@@ -8,9 +8,9 @@
 namespace osgOffscreen
 {
 
-using viewlod::Error;
-using viewlod::Outcome;
-using viewlod::Result;
+using foundation::Error;
+using foundation::Outcome;
+using foundation::Result;
 
 Result<std::unique_ptr<FrameCapture>> FrameCapture::begin(osg::GraphicsContext* context,
                                                           std::filesystem::path folder)
@@ -55,7 +55,7 @@ Outcome FrameCapture::outcome() const
 {
     const std::lock_guard lock(_mutex);
     if (_error) return *_error;
-    return viewlod::success();
+    return foundation::success();
 }
 
 Result<std::size_t> FrameCapture::finish()

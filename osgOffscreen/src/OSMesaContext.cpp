@@ -24,11 +24,11 @@ OSMesaContext::OSMesaContext(const OffscreenSettings& settings)
     const int attributes[] = {OSMESA_FORMAT, OSMESA_RGBA, OSMESA_PROFILE, OSMESA_COMPAT_PROFILE, 0};
     _context = OSMesaCreateContextAttribs(attributes, nullptr);
     if (_context)
-        setNative(viewlod::success());
+        setNative(foundation::success());
     else
-        setNative(viewlod::Error{"offscreen context (osmesa)",
-                                 "OSMesa gives no compatibility-profile context",
-                                 "install libosmesa6, or use egl"});
+        setNative(foundation::Error{"offscreen context (osmesa)",
+                                    "OSMesa gives no compatibility-profile context",
+                                    "install libosmesa6, or use egl"});
 }
 
 OSMesaContext::~OSMesaContext()

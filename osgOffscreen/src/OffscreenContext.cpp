@@ -12,8 +12,8 @@
 namespace osgOffscreen
 {
 
-using viewlod::Error;
-using viewlod::Result;
+using foundation::Error;
+using foundation::Result;
 
 namespace
 {
@@ -75,7 +75,7 @@ OffscreenContext::OffscreenContext(const OffscreenSettings& settings) : _setting
     getState()->setContextID(osg::GraphicsContext::createNewContextID());
 }
 
-void OffscreenContext::setNative(const viewlod::Outcome& made)
+void OffscreenContext::setNative(const foundation::Outcome& made)
 {
     _hasNative = static_cast<bool>(made);
     if (!made) _error = made.error();

@@ -4,9 +4,10 @@
 namespace osgOffscreen
 {
 
-viewlod::Result<std::unique_ptr<OffscreenViewer>> OffscreenViewer::create(const OffscreenSettings& settings)
+foundation::Result<std::unique_ptr<OffscreenViewer>>
+OffscreenViewer::create(const OffscreenSettings& settings)
 {
-    viewlod::Result<osg::ref_ptr<OffscreenContext>> context = OffscreenContext::create(settings);
+    foundation::Result<osg::ref_ptr<OffscreenContext>> context = OffscreenContext::create(settings);
     if (!context) return context.error();
     return std::unique_ptr<OffscreenViewer>(new OffscreenViewer(*context));
 }

@@ -3,19 +3,19 @@
 #include <string>
 #include <system_error>
 
+#include <foundation/WholeFile.h>
+
 #include <osgDB/ReadFile>
 #include <osgDB/Registry>
-
-#include <viewlod/WholeFile.h>
 
 #include <osgOffscreen/PngFile>
 
 namespace osgOffscreen
 {
 
-using viewlod::Error;
-using viewlod::Outcome;
-using viewlod::Result;
+using foundation::Error;
+using foundation::Outcome;
+using foundation::Result;
 
 Outcome writePng(const osg::Image& picture, const std::filesystem::path& path)
 {
@@ -29,7 +29,7 @@ Outcome writePng(const osg::Image& picture, const std::filesystem::path& path)
     if (!result.success())
         return Error{path.string(), "the picture cannot be written as PNG " + result.message(),
                      "give an RGB or RGBA picture of 8 bits"};
-    return viewlod::writeWholeFile(path, encoded.str());
+    return foundation::writeWholeFile(path, encoded.str());
 }
 
 Result<osg::ref_ptr<osg::Image>> readPng(const std::filesystem::path& path)

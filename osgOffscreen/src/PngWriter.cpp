@@ -7,7 +7,7 @@
 namespace osgOffscreen
 {
 
-using viewlod::Outcome;
+using foundation::Outcome;
 
 PngWriter::PngWriter(std::size_t mostWaiting) : _mostWaiting(mostWaiting), _thread([this] { run(); }) {}
 
@@ -24,7 +24,7 @@ PngWriter::~PngWriter()
 Outcome PngWriter::outcome() const
 {
     if (_error) return *_error;
-    return viewlod::success();
+    return foundation::success();
 }
 
 Outcome PngWriter::write(osg::ref_ptr<osg::Image> picture, std::filesystem::path path)
@@ -32,7 +32,7 @@ Outcome PngWriter::write(osg::ref_ptr<osg::Image> picture, std::filesystem::path
     std::unique_lock lock(_mutex);
     if (!picture && !_error)
         _error =
-            viewlod::Error{path.string(), "no picture came back from the graphics context", "draw again"};
+            foundation::Error{path.string(), "no picture came back from the graphics context", "draw again"};
     _changed.wait(lock, [this] { return _error || _waiting.size() < _mostWaiting; });
     if (!_error) _waiting.push_back({picture, std::move(path)});
     _changed.notify_all();

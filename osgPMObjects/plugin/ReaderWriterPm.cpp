@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fstream>
 
+#include <foundation/WholeFile.h>
+
 #include <osgDB/FileNameUtils>
 #include <osgDB/FileUtils>
 #include <osgDB/Registry>
-
-#include <viewlod/WholeFile.h>
 
 #include <osgPMObjects/MakeProgressive>
 #include <osgPMObjects/PmNode>
@@ -62,7 +62,7 @@ public:
         if (!acceptsExtension(osgDB::getLowerCaseFileExtension(name))) return WriteResult::FILE_NOT_HANDLED;
         const auto bytes = bytesOf(node, name, options);
         if (!bytes) return WriteResult(bytes.error().message());
-        const auto written = viewlod::writeWholeFile(name, *bytes);
+        const auto written = foundation::writeWholeFile(name, *bytes);
         return written ? WriteResult(WriteResult::FILE_SAVED) : WriteResult(written.error().message());
     }
 
@@ -81,8 +81,8 @@ private:
         return node ? ReadResult(node->get(), ReadResult::FILE_LOADED) : ReadResult(node.error().message());
     }
 
-    static viewlod::Result<std::string> bytesOf(const osg::Node& node, const std::string& name,
-                                                const Options* options)
+    static foundation::Result<std::string> bytesOf(const osg::Node& node, const std::string& name,
+                                                   const Options* options)
     {
         osgPMObjects::core::PmSettings settings;
         settings.quantised = options && options->getOptionString().find("quantised") != std::string::npos;

@@ -50,19 +50,19 @@ public:
 private:
     /// `asRaster`: why the file is no elevation raster.
     static ReadResult readDatabase(const std::string& file, const Options* options,
-                                   const viewlod::Error& asRaster)
+                                   const foundation::Error& asRaster)
     {
         ReadResult read = osgDB::Registry::instance()->readNode(file, options);
         if (!read.getNode())
             return ReadResult(
                 read.status() == ReadResult::ERROR_IN_READING_FILE
-                    ? viewlod::Error{file, "osgDB cannot read it: " + read.message(), ""}.message()
+                    ? foundation::Error{file, "osgDB cannot read it: " + read.message(), ""}.message()
                     : asRaster.message());
         const osg::ref_ptr<osgTerrainROAM::RoamTechnique> technique = new osgTerrainROAM::RoamTechnique;
         const auto count = osgTerrainROAM::installTechnique(*read.getNode(), *technique);
         if (count.tiles + count.pagedFiles > 0) return read;
         return ReadResult(
-            viewlod::Error{file, "has no osgTerrain tile and pages no file in", "open it without .roam"}
+            foundation::Error{file, "has no osgTerrain tile and pages no file in", "open it without .roam"}
                 .message());
     }
 

@@ -28,7 +28,7 @@ AtmosphereSettings atmosphereSettings(const core::RoamFile& description)
 }
 
 /// Imports all sources of features and gives them to the material.
-viewlod::Result<core::FeatureReport>
+foundation::Result<core::FeatureReport>
 paintFeatures(TerrainMaterial& material, const core::RoamFile& description, const core::PlacedTile& tile)
 {
     core::FeatureSet all;
@@ -48,10 +48,10 @@ paintFeatures(TerrainMaterial& material, const core::RoamFile& description, cons
 }
 
 /// Lays imagery in several resolutions over the tile; one alone is the material's drape.
-viewlod::Outcome layImagery(TerrainMaterial& material, const core::RoamFile& description,
-                            const core::PlacedTile& tile)
+foundation::Outcome layImagery(TerrainMaterial& material, const core::RoamFile& description,
+                               const core::PlacedTile& tile)
 {
-    if (description.imagery.size() < 2) return viewlod::success();
+    if (description.imagery.size() < 2) return foundation::success();
     std::vector<ImageryLayer> layers;
     for (const std::filesystem::path& file : description.imagery)
     {
@@ -60,14 +60,14 @@ viewlod::Outcome layImagery(TerrainMaterial& material, const core::RoamFile& des
         layers.push_back(std::move(*layer));
     }
     material.setImagery(std::move(layers));
-    return viewlod::success();
+    return foundation::success();
 }
 
 /// Imports the land cover, if there is one, and gives it to the material.
-viewlod::Outcome coverGround(TerrainMaterial& material, const core::RoamFile& description,
-                             const core::PlacedTile& tile)
+foundation::Outcome coverGround(TerrainMaterial& material, const core::RoamFile& description,
+                                const core::PlacedTile& tile)
 {
-    if (description.landCover.empty()) return viewlod::success();
+    if (description.landCover.empty()) return foundation::success();
     const auto table = core::readCoverTable(description.landCoverClasses);
     if (!table) return table.error();
     const auto map = core::importCover(description.landCover, *table, tile);
@@ -76,7 +76,7 @@ viewlod::Outcome coverGround(TerrainMaterial& material, const core::RoamFile& de
         osg::notify(osg::NOTICE) << description.landCover.string() << ": class " << code
                                  << " has no kind in its table, " << count << " texels" << std::endl;
     material.setCover(*map);
-    return viewlod::success();
+    return foundation::success();
 }
 
 } // namespace
@@ -141,7 +141,7 @@ void RoamTerrain::setAtmosphere(Atmosphere* atmosphere)
     setStateSet(atmosphere ? atmosphere->stateSet() : nullptr);
 }
 
-viewlod::Result<osg::ref_ptr<RoamTerrain>> makeTerrain(const core::RoamFile& description)
+foundation::Result<osg::ref_ptr<RoamTerrain>> makeTerrain(const core::RoamFile& description)
 {
     auto placed = core::loadTile(description);
     if (!placed) return placed.error();
@@ -171,7 +171,7 @@ viewlod::Result<osg::ref_ptr<RoamTerrain>> makeTerrain(const core::RoamFile& des
     return terrain;
 }
 
-viewlod::Result<osg::ref_ptr<RoamTerrain>> openTerrain(const std::filesystem::path& file)
+foundation::Result<osg::ref_ptr<RoamTerrain>> openTerrain(const std::filesystem::path& file)
 {
     const auto description = core::describeTerrain(file);
     if (!description) return description.error();

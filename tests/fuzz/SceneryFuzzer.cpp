@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "scenery/ReadScenery.h"
+#include "scenery/placement/ReadScenery.h"
 
 // NOLINTNEXTLINE(readability-identifier-naming): the name is libFuzzer's
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)

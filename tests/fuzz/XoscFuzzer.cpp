@@ -6,9 +6,9 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "sim/parser/ParseScenario.h"
-#include "sim/player/ScenarioPlayer.h"
-#include "sim/writer/WriteScenario.h"
+#include "simulation/parser/ParseScenario.h"
+#include "simulation/player/ScenarioPlayer.h"
+#include "simulation/writer/WriteScenario.h"
 
 // NOLINTNEXTLINE(readability-identifier-naming): the name is libFuzzer's
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);

@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/parser/ParseScenario.h"
+#include "simulation/parser/ParseScenario.h"
 
 // NOLINTNEXTLINE(readability-identifier-naming): the name is libFuzzer's
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);

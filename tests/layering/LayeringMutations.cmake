@@ -6,6 +6,7 @@ cmake_minimum_required(VERSION 3.25)
 function(plantTree)
     file(REMOVE_RECURSE "${SCRATCH}")
     foreach(entry
+            "foundation/include/foundation/Result.h|variant"
             "viewlod/include/viewlod/Frustum.h|array"
             "osgTerrainROAM/include/osgTerrainROAM/core/Tile.h|viewlod/Frustum.h"
             "osgTerrainROAM/src/core/Tile.cpp|osgTerrainROAM/core/Tile.h"
@@ -18,9 +19,9 @@ function(plantTree)
             "osgPMObjects/include/osgPMObjects/Object|osg/Drawable"
             "osgPMObjects/src/Object.cpp|osgTraversal/CullFacts"
             "osgOffscreen/include/osgOffscreen/Capture|osg/Image"
-            "apps/trainer/sim/Clock.h|cstdint"
-            "apps/trainer/models/Tree.h|osgPMObjects/core/Mesh.h"
-            "apps/trainer/scenery/Place.h|models/Tree.h"
+            "simulation/Clock.h|cstdint"
+            "scenery/models/Tree.h|osgPMObjects/core/Mesh.h"
+            "scenery/placement/Place.h|scenery/models/Tree.h"
             "apps/trainer/view/Scene.cpp|osgTerrainROAM/Terrain"
             "apps/terraintool/main.cpp|osgTerrainROAM/core/Tile.h"
             "data/generator/Noise.h|cmath"
@@ -61,6 +62,7 @@ endfunction()
 plantTree()
 expect(pass "the clean tree")
 
+expectBreach(foundation/include/foundation/Result.h "#include <viewlod/Frustum.h>")
 expectBreach(viewlod/include/viewlod/Frustum.h "#include <osg/Matrixd>")
 expectBreach(viewlod/include/viewlod/Frustum.h "#include <osgTerrainROAM/core/Tile.h>")
 expectBreach(viewlod/include/viewlod/Frustum.h "#include <osgTerrainROAM/core/NotThere.h>")
@@ -81,12 +83,12 @@ expectBreach(osgTraversal/src/CullFacts.cpp "#include <osgTerrainROAM/Terrain>")
 expectBreach(osgOffscreen/include/osgOffscreen/Capture "#include <osgTraversal/CullFacts>")
 expectBreach(osgPMObjects/include/osgPMObjects/core/Mesh.h "#include <osgTraversal/CullFacts>")
 expectBreach(osgTerrainROAM/src/core/Tile.cpp "#include <osgTraversal/NotThere>")
-expectBreach(apps/trainer/sim/Clock.h "#include <osg/Timer>")
-expectBreach(apps/trainer/sim/Clock.h "#include \"../view/Scene.cpp\"")
-expectBreach(apps/trainer/models/Tree.h "#include <osg/Image>")
-expectBreach(apps/trainer/models/Tree.h "#include <osgPMObjects/Object>")
-expectBreach(apps/trainer/scenery/Place.h "#include <osg/Matrixd>")
-expectBreach(apps/trainer/scenery/Place.h "#include \"../sim/Clock.h\"")
+expectBreach(simulation/Clock.h "#include <osg/Timer>")
+expectBreach(simulation/Clock.h "#include \"../apps/trainer/view/Scene.cpp\"")
+expectBreach(scenery/models/Tree.h "#include <osg/Image>")
+expectBreach(scenery/models/Tree.h "#include <osgPMObjects/Object>")
+expectBreach(scenery/placement/Place.h "#include <osg/Matrixd>")
+expectBreach(scenery/placement/Place.h "#include \"../../simulation/Clock.h\"")
 expectBreach(apps/terraintool/main.cpp "#include \"../trainer/view/Scene.cpp\"")
 expectBreach(data/generator/Noise.h "#include <osgTerrainROAM/core/Tile.h>")
 expectBreach(tests/core/TileTest.cpp "#include <osgDB/ReadFile>")

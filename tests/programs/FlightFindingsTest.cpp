@@ -109,7 +109,7 @@ TEST(FlightFindings, OneBadFrameSpoilsTheFlight)
 /// A command that finds what it is told.
 Command finding(bool sound)
 {
-    return [sound](const Request&) -> viewlod::Result<Report>
+    return [sound](const Request&) -> foundation::Result<Report>
     {
         Report report;
         report.sound = sound;
@@ -130,8 +130,8 @@ TEST(RunCommand, ExitsWithOneWhenAnythingIsOffAndStillLeavesTheTable)
 TEST(RunCommand, ExitsWithOneAfterAnErrorAndLeavesNoTable)
 {
     const TemporaryFolder folder;
-    const Command failing = [](const Request&) -> viewlod::Result<Report> {
-        return viewlod::Error{"a", "b", "c"};
+    const Command failing = [](const Request&) -> foundation::Result<Report> {
+        return foundation::Error{"a", "b", "c"};
     };
     EXPECT_EQ(run(failing, {}, folder / "table.json"), terminal::kFailed);
     EXPECT_TRUE(std::filesystem::is_empty(folder.path()));

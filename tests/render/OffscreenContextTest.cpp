@@ -18,7 +18,7 @@ using rendered::pictureOf;
 namespace
 {
 
-OffscreenSettings settingsOf(Backend backend, int samples = 0)
+OffscreenSettings oddSettings(Backend backend, int samples = 0)
 {
     OffscreenSettings settings;
     settings.backend = backend;
@@ -42,7 +42,7 @@ TEST(OffscreenContext, DrawsAScene)
 {
     for (const Backend backend : backends())
     {
-        const auto picture = pictureOf({}, settingsOf(backend));
+        const auto picture = pictureOf({}, oddSettings(backend));
         ASSERT_NE(picture, nullptr);
         EXPECT_EQ(picture->s(), 317);
         EXPECT_EQ(picture->t(), 203);
@@ -55,8 +55,8 @@ TEST(OffscreenContext, BackendsDrawTheSameBytes)
     if (backends().size() < 2) GTEST_SKIP() << "this build has one backend only";
     for (const int samples : {0, 4})
     {
-        const auto a = pictureOf({}, settingsOf(Backend::osmesa, samples));
-        const auto b = pictureOf({}, settingsOf(Backend::egl, samples));
+        const auto a = pictureOf({}, oddSettings(Backend::osmesa, samples));
+        const auto b = pictureOf({}, oddSettings(Backend::egl, samples));
         ASSERT_TRUE(a && b);
         EXPECT_TRUE(compareImages(*a, *b).identical())
             << compareImages(*a, *b).message() << " with " << samples << " samples";
@@ -67,8 +67,8 @@ TEST(OffscreenContext, TwoRunsDrawTheSameBytes)
 {
     for (const Backend backend : backends())
     {
-        const auto a = pictureOf({}, settingsOf(backend));
-        const auto b = pictureOf({}, settingsOf(backend));
+        const auto a = pictureOf({}, oddSettings(backend));
+        const auto b = pictureOf({}, oddSettings(backend));
         ASSERT_TRUE(a && b);
         EXPECT_TRUE(compareImages(*a, *b).identical()) << compareImages(*a, *b).message();
     }
@@ -76,7 +76,7 @@ TEST(OffscreenContext, TwoRunsDrawTheSameBytes)
 
 TEST(OffscreenContext, SeededBugsAreSeenByTheComparison)
 {
-    const OffscreenSettings settings = settingsOf(osgOffscreen::defaultBackend());
+    const OffscreenSettings settings = oddSettings(osgOffscreen::defaultBackend());
     const auto right = pictureOf({}, settings);
     ASSERT_NE(right, nullptr);
     rendered::SceneOptions moved;
@@ -97,8 +97,8 @@ TEST(OffscreenContext, SeededBugsAreSeenByTheComparison)
 
 TEST(OffscreenContext, MultisamplingSmoothsEdges)
 {
-    const auto plain = pictureOf({}, settingsOf(osgOffscreen::defaultBackend()));
-    const auto smooth = pictureOf({}, settingsOf(osgOffscreen::defaultBackend(), 4));
+    const auto plain = pictureOf({}, oddSettings(osgOffscreen::defaultBackend()));
+    const auto smooth = pictureOf({}, oddSettings(osgOffscreen::defaultBackend(), 4));
     ASSERT_TRUE(plain && smooth);
     const auto difference = compareImages(*plain, *smooth);
     EXPECT_GT(difference.differingPixels, 100U);
@@ -109,12 +109,12 @@ TEST(OffscreenContext, ThreadingModelsDrawTheSameBytes)
 {
     for (const Backend backend : backends())
     {
-        const auto expected = pictureOf({}, settingsOf(backend));
+        const auto expected = pictureOf({}, oddSettings(backend));
         for (const auto model :
              {osgViewer::Viewer::CullDrawThreadPerContext, osgViewer::Viewer::DrawThreadPerContext,
               osgViewer::Viewer::CullThreadPerCameraDrawThreadPerContext})
         {
-            const auto viewer = rendered::viewerOf(rendered::smallScene(), settingsOf(backend));
+            const auto viewer = rendered::viewerOf(rendered::smallScene(), oddSettings(backend));
             ASSERT_NE(viewer, nullptr);
             std::vector<osg::ref_ptr<osg::Image>> pictures;
             const osg::ref_ptr<osgOffscreen::FrameGrabber> grabber = new osgOffscreen::FrameGrabber(
@@ -136,7 +136,7 @@ TEST(OffscreenContext, ThreadingModelsDrawTheSameBytes)
 TEST(OffscreenContext, CamerasShareOnePictureByTheirViewports)
 {
     const auto viewer =
-        rendered::viewerOf(rendered::smallScene(), settingsOf(osgOffscreen::defaultBackend()));
+        rendered::viewerOf(rendered::smallScene(), oddSettings(osgOffscreen::defaultBackend()));
     ASSERT_NE(viewer, nullptr);
     viewer->camera().setViewport(0, 0, 158, 203);
     const osg::ref_ptr<osg::Camera> right = new osg::Camera;
@@ -155,14 +155,14 @@ TEST(OffscreenContext, ImpossibleRequestsAreErrors)
 {
     for (const Backend backend : backends())
     {
-        OffscreenSettings wide = settingsOf(backend);
+        OffscreenSettings wide = oddSettings(backend);
         wide.widthPx = 10'000'000;
         const auto tooWide = OffscreenContext::create(wide);
         ASSERT_FALSE(tooWide);
         EXPECT_NE(tooWide.error().what.find("10000000"), std::string::npos);
-        OffscreenSettings fine = settingsOf(backend, 4096);
+        OffscreenSettings fine = oddSettings(backend, 4096);
         EXPECT_FALSE(OffscreenContext::create(fine));
-        OffscreenSettings empty = settingsOf(backend);
+        OffscreenSettings empty = oddSettings(backend);
         empty.heightPx = 0;
         EXPECT_FALSE(OffscreenContext::create(empty));
     }

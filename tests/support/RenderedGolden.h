@@ -58,7 +58,7 @@ inline std::string firstLine(const std::filesystem::path& path)
 inline testing::AssertionResult writeGolden(const osg::Image& actual, const std::string& name,
                                             const std::string& machine)
 {
-    const viewlod::Outcome written = osgOffscreen::writePng(actual, goldenFolder() / (name + ".png"));
+    const foundation::Outcome written = osgOffscreen::writePng(actual, goldenFolder() / (name + ".png"));
     if (!written) return testing::AssertionFailure() << written.error().message();
     std::ofstream(goldenFolder() / (name + ".txt")) << machine << '\n';
     return testing::AssertionSuccess() << "written anew";
@@ -72,12 +72,13 @@ inline std::string leaveEvidence(const osg::Image& actual, const osg::Image* exp
     const std::filesystem::path folder = std::filesystem::current_path() / "golden-failures";
     std::filesystem::create_directories(folder);
     std::string text = "; see " + folder.string();
-    const viewlod::Outcome kept = osgOffscreen::writePng(actual, folder / (name + ".actual.png"));
+    const foundation::Outcome kept = osgOffscreen::writePng(actual, folder / (name + ".actual.png"));
     if (!kept) text += " (" + kept.error().message() + ")";
     if (!expected) return text;
     const osg::ref_ptr<osg::Image> difference = osgOffscreen::differenceImage(actual, *expected);
     if (!difference) return text;
-    const viewlod::Outcome shown = osgOffscreen::writePng(*difference, folder / (name + ".difference.png"));
+    const foundation::Outcome shown =
+        osgOffscreen::writePng(*difference, folder / (name + ".difference.png"));
     return shown ? text : text + " (" + shown.error().message() + ")";
 }
 
@@ -97,7 +98,7 @@ inline testing::AssertionResult matchesGolden(const osg::Image& actual, const st
     {
         const std::string stem = entry.path().stem().string();
         if (entry.path().extension() != ".png" || (stem != name && stem.rfind(name + ".", 0) != 0)) continue;
-        const viewlod::Result<osg::ref_ptr<osg::Image>> expected = osgOffscreen::readPng(entry.path());
+        const foundation::Result<osg::ref_ptr<osg::Image>> expected = osgOffscreen::readPng(entry.path());
         if (!expected) return testing::AssertionFailure() << expected.error().message();
         const osgOffscreen::ImageDifference difference = osgOffscreen::compareImages(actual, **expected);
         if (difference.identical()) return testing::AssertionSuccess();

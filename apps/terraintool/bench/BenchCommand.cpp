@@ -30,7 +30,8 @@ double nominalCellM(double spacingM)
 }
 
 /// The square of samples that was asked for, from the north-west; else the largest of 2^n+1 in the middle.
-viewlod::Result<HeightField> squareOf(const HeightField& all, const Request& request, const std::string& file)
+foundation::Result<HeightField> squareOf(const HeightField& all, const Request& request,
+                                         const std::string& file)
 {
     int size = 2;
     while (2 * size < std::min(all.columns, all.rows))
@@ -46,8 +47,8 @@ viewlod::Result<HeightField> squareOf(const HeightField& all, const Request& req
     const bool fits = side >= 3 && column >= 0 && fromNorth >= 0 && column + side <= all.columns &&
                       fromNorth + side <= all.rows;
     if (!fits)
-        return viewlod::Error{file, "the square is no part of the raster, or too small",
-                              "choose at least 3 samples within it"};
+        return foundation::Error{file, "the square is no part of the raster, or too small",
+                                 "choose at least 3 samples within it"};
     HeightField square;
     square.name = all.name;
     square.columns = square.rows = side;
@@ -58,7 +59,7 @@ viewlod::Result<HeightField> squareOf(const HeightField& all, const Request& req
     return square;
 }
 
-void print(const nlohmann::ordered_json& row)
+void printRow(const nlohmann::ordered_json& row)
 {
     const auto number = [&](const char* key) { return row[key].get<double>(); };
     std::cout << std::left << std::setw(8) << row["driver"].get<std::string>() << std::setw(8)
@@ -75,8 +76,8 @@ bool isWanted(const Request& request, const BenchRun& run)
     return names.empty() || std::find(names.begin(), names.end(), run.driverName()) != names.end();
 }
 
-viewlod::Outcome benchTile(const Request& request, const std::string& file, const SplitBounds& bounds,
-                           nlohmann::ordered_json& json)
+foundation::Outcome benchTile(const Request& request, const std::string& file, const SplitBounds& bounds,
+                              nlohmann::ordered_json& json)
 {
     const std::optional<Driver> drivers[] = {Driver::wheel, Driver::walk, Driver::queue, std::nullopt};
     for (const double tolerancePx : request.tolerancesPx)
@@ -96,10 +97,10 @@ viewlod::Outcome benchTile(const Request& request, const std::string& file, cons
                 auto row =
                     measure(run, request.dumpFolder.empty() ? FrameSink() : dumpTo(request.dumpFolder, run));
                 if (!row) return row.error();
-                print(*row);
+                printRow(*row);
                 json["runs"].push_back(std::move(*row));
             }
-    return viewlod::success();
+    return foundation::success();
 }
 
 /// Over the whole raster where it belongs; nothing when it does not say where.
@@ -111,7 +112,7 @@ nlohmann::ordered_json queriesOnTheEarth(const HeightField& field)
 
 } // namespace
 
-viewlod::Result<Report> bench(const Request& request)
+foundation::Result<Report> bench(const Request& request)
 {
     Report report;
     if (!request.dumpFolder.empty())
@@ -119,8 +120,8 @@ viewlod::Result<Report> bench(const Request& request)
         std::error_code failed;
         std::filesystem::create_directories(request.dumpFolder, failed);
         if (failed)
-            return viewlod::Error{request.dumpFolder.string(), failed.message(),
-                                  "name a folder that can be made"};
+            return foundation::Error{request.dumpFolder.string(), failed.message(),
+                                     "name a folder that can be made"};
     }
     for (const std::string& file : request.files)
     {

@@ -4,9 +4,8 @@
 #include <bit>
 #include <sstream>
 
+#include <foundation/WholeFile.h>
 #include <glm/gtc/type_ptr.hpp>
-
-#include <viewlod/WholeFile.h>
 
 namespace terraintool
 {
@@ -37,7 +36,8 @@ std::string cornersOf(const DrawnMesh& mesh)
 
 FrameSink dumpTo(const std::filesystem::path& folder, const BenchRun& run)
 {
-    return [folder, run](int frame, const viewlod::ViewState& view, const DrawnMesh& mesh) -> viewlod::Outcome
+    return
+        [folder, run](int frame, const viewlod::ViewState& view, const DrawnMesh& mesh) -> foundation::Outcome
     {
         std::ostringstream name;
         name << std::filesystem::path(run.dem).stem().string() << '-' << run.driverName() << '-'
@@ -58,9 +58,10 @@ FrameSink dumpTo(const std::filesystem::path& folder, const BenchRun& run)
         json["triangles"] = mesh.triangles.size();
         json["corners"] = name.str() + ".bin";
         const auto base = folder / name.str();
-        if (const auto written = viewlod::writeWholeFile(base.string() + ".bin", cornersOf(mesh)); !written)
+        if (const auto written = foundation::writeWholeFile(base.string() + ".bin", cornersOf(mesh));
+            !written)
             return written.error();
-        return viewlod::writeWholeFile(base.string() + ".json", json.dump(2) + "\n");
+        return foundation::writeWholeFile(base.string() + ".json", json.dump(2) + "\n");
     };
 }
 

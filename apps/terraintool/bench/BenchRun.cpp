@@ -164,7 +164,7 @@ viewlod::ViewState BenchRun::view(int frame) const
     return view;
 }
 
-viewlod::Result<nlohmann::ordered_json> measure(const BenchRun& run, const FrameSink& sink)
+foundation::Result<nlohmann::ordered_json> measure(const BenchRun& run, const FrameSink& sink)
 {
     Subject subject(run);
     Totals totals;

@@ -8,9 +8,9 @@
 #include <optional>
 #include <string>
 
+#include <foundation/Result.h>
 #include <nlohmann/json.hpp>
 
-#include <viewlod/Result.h>
 #include <viewlod/ViewState.h>
 
 #include <osgTerrainROAM/core/roam/RoamMesh.h>
@@ -38,12 +38,12 @@ struct BenchRun
 };
 
 /// Sees the triangles of a frame, positions in the tile's frame.
-using FrameSink = std::function<viewlod::Outcome(int frame, const viewlod::ViewState&,
-                                                 const osgTerrainROAM::core::DrawnMesh&)>;
+using FrameSink = std::function<foundation::Outcome(int frame, const viewlod::ViewState&,
+                                                    const osgTerrainROAM::core::DrawnMesh&)>;
 
 /// Flies the path and measures each frame but the first, which builds the mesh; checks some of the frames by brute force.
 /// `sink`: is given those frames, too. Returns the row of the table: times in microseconds of this thread, changes in
 /// diamonds split or merged, upload in bytes per triangle that came or went.
-viewlod::Result<nlohmann::ordered_json> measure(const BenchRun& run, const FrameSink& sink);
+foundation::Result<nlohmann::ordered_json> measure(const BenchRun& run, const FrameSink& sink);
 
 } // namespace terraintool

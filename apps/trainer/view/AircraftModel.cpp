@@ -18,20 +18,20 @@ namespace
 {
 
 const osg::Vec4f kWhite(0.93F, 0.93F, 0.91F, 1.0F);
-const osg::Vec4f kGlass(0.10F, 0.13F, 0.16F, 1.0F);
+const osg::Vec4f kCanopy(0.10F, 0.13F, 0.16F, 1.0F);
 const osg::Vec4f kMetal(0.62F, 0.63F, 0.66F, 1.0F);
-const osg::Vec4f kRubber(0.14F, 0.14F, 0.15F, 1.0F);
+const osg::Vec4f kTyre(0.14F, 0.14F, 0.15F, 1.0F);
 constexpr int kFuselagePoints = 32;
 constexpr float kPropellerXM = 2.42F;
 constexpr float kPropellerZM = 1.22F;
 
 /// A cross section of the fuselage: between an ellipse and a rectangle.
-struct Section
+struct FuselageSection
 {
     float xM, zM, halfWidthM, halfHeightM;
 };
 
-Ring ringOf(const Section& s)
+Ring ringOf(const FuselageSection& s)
 {
     Ring ring;
     for (int i = 0; i < kFuselagePoints; ++i)
@@ -47,26 +47,26 @@ Ring ringOf(const Section& s)
 
 void addFuselage(ModelMesh& mesh, const osg::Vec4f& trim)
 {
-    const Section sections[] = {
+    const FuselageSection sections[] = {
         {2.34F, 1.22F, 0.22F, 0.20F},   {2.28F, 1.22F, 0.36F, 0.31F},  {2.05F, 1.21F, 0.45F, 0.41F},
         {1.60F, 1.20F, 0.51F, 0.47F},   {1.22F, 1.20F, 0.54F, 0.50F},  {0.98F, 1.28F, 0.555F, 0.58F},
         {0.66F, 1.40F, 0.56F, 0.69F},   {0.52F, 1.41F, 0.56F, 0.70F},  {-0.30F, 1.41F, 0.55F, 0.70F},
         {-0.40F, 1.41F, 0.545F, 0.70F}, {-1.15F, 1.42F, 0.49F, 0.63F}, {-1.60F, 1.43F, 0.43F, 0.52F},
         {-2.30F, 1.43F, 0.34F, 0.40F},  {-4.00F, 1.47F, 0.17F, 0.23F}, {-5.20F, 1.52F, 0.05F, 0.13F}};
     std::vector<Ring> rings;
-    for (const Section& section : sections)
+    for (const FuselageSection& section : sections)
         rings.push_back(ringOf(section));
     mesh.addLoft(rings, kWhite, 60.0);
     // Ring points run from the left side (0) over the top (8) to the right side (16).
-    mesh.addPatch(rings, {4, 6, 2, 14, 0.008F}, kGlass); // windscreen
+    mesh.addPatch(rings, {4, 6, 2, 14, 0.008F}, kCanopy); // windscreen
     for (const auto& [from, to] : {std::pair<std::size_t, std::size_t>{1, 5}, {11, 15}})
     {
-        mesh.addPatch(rings, {7, 8, from, to, 0.008F}, kGlass);  // doors
-        mesh.addPatch(rings, {9, 10, from, to, 0.008F}, kGlass); // rear windows
+        mesh.addPatch(rings, {7, 8, from, to, 0.008F}, kCanopy);  // doors
+        mesh.addPatch(rings, {9, 10, from, to, 0.008F}, kCanopy); // rear windows
     }
     for (const auto& [from, to] : {std::pair<std::size_t, std::size_t>{31, 32}, {16, 17}})
-        mesh.addPatch(rings, {1, 13, from, to, 0.006F}, trim);            // stripe along both sides
-    mesh.addBox({2.25F, -0.24F, 1.02F}, {2.352F, 0.24F, 1.10F}, kRubber); // air intake
+        mesh.addPatch(rings, {1, 13, from, to, 0.006F}, trim);          // stripe along both sides
+    mesh.addBox({2.25F, -0.24F, 1.02F}, {2.352F, 0.24F, 1.10F}, kTyre); // air intake
 }
 
 /// A symmetric aerofoil of 12 % thickness across the direction `thickness`, from a leading edge backwards.
@@ -120,7 +120,7 @@ void addWheel(ModelMesh& mesh, const osg::Vec3f& hub, float radiusM)
     mesh.addTurned({hub,
                     {0.0F, 1.0F, 0.0F},
                     {{-0.08F, 0.7F * radiusM}, {-0.06F, radiusM}, {0.06F, radiusM}, {0.08F, 0.7F * radiusM}}},
-                   kRubber);
+                   kTyre);
     mesh.addTurned({hub, {0.0F, 1.0F, 0.0F}, {{-0.09F, 0.09F}, {0.09F, 0.09F}}, 16}, kMetal);
 }
 

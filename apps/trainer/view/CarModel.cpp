@@ -26,7 +26,7 @@ constexpr float kWellRadiusM = 0.39F;
 constexpr float kWellInnerYM = 0.52F;
 constexpr double kMostTravelM = 0.15;
 constexpr int kRingPoints = 32;
-const osg::Vec4f kGlass(0.07F, 0.09F, 0.11F, 1.0F);
+const osg::Vec4f kWindow(0.07F, 0.09F, 0.11F, 1.0F);
 const osg::Vec4f kBlack(0.10F, 0.10F, 0.11F, 1.0F);
 const osg::Vec4f kRubber(0.15F, 0.15F, 0.16F, 1.0F);
 const osg::Vec4f kAlloy(0.68F, 0.69F, 0.72F, 1.0F);
@@ -34,12 +34,12 @@ const osg::Vec4f kLamp(0.95F, 0.95F, 0.90F, 1.0F);
 const osg::Vec4f kTailLamp(0.45F, 0.02F, 0.03F, 1.0F);
 
 /// A cross section: a rounded rectangle (superellipse) that leans inwards towards its top.
-struct Section
+struct BodySection
 {
     float xM, halfWidthM, bottomM, topM, lean;
 };
 
-Ring ringOf(const Section& s)
+Ring ringOf(const BodySection& s)
 {
     Ring ring;
     const float middle = 0.5F * (s.topM + s.bottomM);
@@ -58,22 +58,23 @@ Ring ringOf(const Section& s)
 }
 
 template<std::size_t N>
-std::vector<Ring> ringsOf(const Section (&sections)[N])
+std::vector<Ring> ringsOf(const BodySection (&sections)[N])
 {
     std::vector<Ring> rings;
-    for (const Section& section : sections)
+    for (const BodySection& section : sections)
         rings.push_back(ringOf(section));
     return rings;
 }
 
 void addBody(ModelMesh& mesh, const osg::Vec4f& paint)
 {
-    const Section sections[] = {{-0.86F, 0.70F, 0.36F, 0.80F, 0.05F}, {-0.82F, 0.79F, 0.30F, 0.91F, 0.05F},
-                                {-0.65F, 0.85F, 0.24F, 0.97F, 0.06F}, {-0.20F, 0.88F, 0.20F, 0.98F, 0.07F},
-                                {0.50F, 0.89F, 0.18F, 0.97F, 0.07F},  {1.30F, 0.89F, 0.18F, 0.96F, 0.07F},
-                                {2.00F, 0.89F, 0.18F, 0.94F, 0.07F},  {2.60F, 0.88F, 0.19F, 0.87F, 0.07F},
-                                {3.05F, 0.85F, 0.21F, 0.79F, 0.06F},  {3.36F, 0.79F, 0.23F, 0.71F, 0.05F},
-                                {3.50F, 0.71F, 0.27F, 0.65F, 0.05F},  {3.55F, 0.62F, 0.33F, 0.58F, 0.05F}};
+    const BodySection sections[] = {
+        {-0.86F, 0.70F, 0.36F, 0.80F, 0.05F}, {-0.82F, 0.79F, 0.30F, 0.91F, 0.05F},
+        {-0.65F, 0.85F, 0.24F, 0.97F, 0.06F}, {-0.20F, 0.88F, 0.20F, 0.98F, 0.07F},
+        {0.50F, 0.89F, 0.18F, 0.97F, 0.07F},  {1.30F, 0.89F, 0.18F, 0.96F, 0.07F},
+        {2.00F, 0.89F, 0.18F, 0.94F, 0.07F},  {2.60F, 0.88F, 0.19F, 0.87F, 0.07F},
+        {3.05F, 0.85F, 0.21F, 0.79F, 0.06F},  {3.36F, 0.79F, 0.23F, 0.71F, 0.05F},
+        {3.50F, 0.71F, 0.27F, 0.65F, 0.05F},  {3.55F, 0.62F, 0.33F, 0.58F, 0.05F}};
     const std::vector<Ring> rings = ringsOf(sections);
     mesh.addLoft(rings, paint);
     // Ring points run from the left side (0) over the top (8) to the right side (16).
@@ -88,13 +89,14 @@ void addBody(ModelMesh& mesh, const osg::Vec4f& paint)
 
 void addCabin(ModelMesh& mesh, const osg::Vec4f& paint)
 {
-    const Section sections[] = {{-0.55F, 0.74F, 0.80F, 0.97F, 0.10F}, {-0.12F, 0.77F, 0.80F, 1.34F, 0.24F},
-                                {0.15F, 0.79F, 0.80F, 1.43F, 0.27F},  {0.66F, 0.80F, 0.80F, 1.46F, 0.28F},
-                                {0.74F, 0.80F, 0.80F, 1.46F, 0.28F},  {1.14F, 0.80F, 0.80F, 1.435F, 0.27F},
-                                {1.24F, 0.80F, 0.80F, 1.40F, 0.26F},  {1.62F, 0.79F, 0.80F, 1.18F, 0.17F},
-                                {2.02F, 0.77F, 0.80F, 0.95F, 0.08F}};
+    const BodySection sections[] = {
+        {-0.55F, 0.74F, 0.80F, 0.97F, 0.10F}, {-0.12F, 0.77F, 0.80F, 1.34F, 0.24F},
+        {0.15F, 0.79F, 0.80F, 1.43F, 0.27F},  {0.66F, 0.80F, 0.80F, 1.46F, 0.28F},
+        {0.74F, 0.80F, 0.80F, 1.46F, 0.28F},  {1.14F, 0.80F, 0.80F, 1.435F, 0.27F},
+        {1.24F, 0.80F, 0.80F, 1.40F, 0.26F},  {1.62F, 0.79F, 0.80F, 1.18F, 0.17F},
+        {2.02F, 0.77F, 0.80F, 0.95F, 0.08F}};
     const std::vector<Ring> rings = ringsOf(sections);
-    mesh.addLoft(rings, kGlass);
+    mesh.addLoft(rings, kWindow);
     mesh.addPatch(rings, {1, 6, 4, 12, 0.006F}, paint); // roof
     for (const auto& [from, to] : {std::pair<std::size_t, std::size_t>{0, 4}, {12, 16}})
     {

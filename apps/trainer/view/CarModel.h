@@ -6,7 +6,7 @@
 #include <osg/MatrixTransform>
 #include <osg/Vec4f>
 
-#include "sim/player/EntityState.h"
+#include "simulation/player/EntityState.h"
 
 namespace trainer
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "sim/player/SceneFrame.h"
+#include "simulation/player/SceneFrame.h"
 #include "view/Pose.h"
 
 namespace trainer

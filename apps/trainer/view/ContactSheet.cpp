@@ -9,8 +9,8 @@
 namespace trainer
 {
 
-using viewlod::Error;
-using viewlod::Result;
+using foundation::Error;
+using foundation::Result;
 
 namespace
 {

@@ -4,9 +4,9 @@
 #include <filesystem>
 #include <vector>
 
-#include <osg/Image>
+#include <foundation/Result.h>
 
-#include <viewlod/Result.h>
+#include <osg/Image>
 
 namespace trainer
 {
@@ -25,7 +25,7 @@ std::vector<std::size_t> contactSheetFrames(std::size_t count, const ContactShee
 
 /// Small copies (each pixel the mean of those it covers) of the given picture files, in rows from the top left.
 /// Errors: no files, one that cannot be read, or pictures of different sizes.
-viewlod::Result<osg::ref_ptr<osg::Image>> makeContactSheet(const std::vector<std::filesystem::path>& files,
-                                                           const ContactSheetSettings& settings);
+foundation::Result<osg::ref_ptr<osg::Image>> makeContactSheet(const std::vector<std::filesystem::path>& files,
+                                                              const ContactSheetSettings& settings);
 
 } // namespace trainer

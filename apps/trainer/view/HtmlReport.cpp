@@ -3,7 +3,7 @@
 
 #include <cstdio>
 
-#include <viewlod/WholeFile.h>
+#include <foundation/WholeFile.h>
 
 #include "view/SvgPlot.h"
 
@@ -143,10 +143,10 @@ std::string reportHtml(const ReportContent& content, const std::vector<FrameStat
     return html + "</body>\n</html>\n";
 }
 
-viewlod::Outcome writeReport(const ReportContent& content, const std::vector<FrameStatistics>& frames,
-                             const std::filesystem::path& file)
+foundation::Outcome writeReport(const ReportContent& content, const std::vector<FrameStatistics>& frames,
+                                const std::filesystem::path& file)
 {
-    return viewlod::writeWholeFile(file, reportHtml(content, frames));
+    return foundation::writeWholeFile(file, reportHtml(content, frames));
 }
 
 } // namespace trainer

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include <viewlod/Result.h>
+#include <foundation/Result.h>
 
 #include "view/FrameStatistics.h"
 
@@ -28,7 +28,7 @@ struct ReportContent
 std::string reportHtml(const ReportContent& content, const std::vector<FrameStatistics>& frames);
 
 /// Errors: the file cannot be written; nothing half-written stays.
-viewlod::Outcome writeReport(const ReportContent& content, const std::vector<FrameStatistics>& frames,
-                             const std::filesystem::path& file);
+foundation::Outcome writeReport(const ReportContent& content, const std::vector<FrameStatistics>& frames,
+                                const std::filesystem::path& file);
 
 } // namespace trainer

@@ -10,8 +10,8 @@
 
 #include <osgPMObjects/ExportNode>
 
-#include "models/paint/MipChain.h"
-#include "models/paint/Paint.h"
+#include "scenery/models/paint/MipChain.h"
+#include "scenery/models/paint/Paint.h"
 #include "view/ObjectShading.h"
 
 namespace trainer

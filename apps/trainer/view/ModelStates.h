@@ -9,7 +9,7 @@
 #include <osg/StateSet>
 #include <osg/Texture2D>
 
-#include "models/Model.h"
+#include "scenery/models/Model.h"
 
 namespace trainer
 {

@@ -17,7 +17,7 @@ namespace
 {
 
 // Everything relative to the eye: positions of a world tens of kilometres wide do not fit floats.
-const char* const kVertexShader = R"(
+const char* const kObjectVertexShader = R"(
 out vec3 fromEye;      // world axes, origin at the eye
 out vec3 normalWorld;
 out vec4 colour;
@@ -38,7 +38,7 @@ void main()
 }
 )";
 
-const char* const kFragmentShader = R"(
+const char* const kObjectFragmentShader = R"(
 in vec3 fromEye;
 in vec3 normalWorld;
 in vec4 colour;
@@ -85,11 +85,11 @@ void setObjectShading(osg::Node& node, Finish finish, const FlankHoles& holes)
     osg::ref_ptr<osg::Program> program = new osg::Program;
     program->setName("object");
     const std::string version = "#version 130\n";
-    program->addShader(
-        new osg::Shader(osg::Shader::VERTEX, version + osgPMObjects::glslVertexFunctions() + kVertexShader));
-    program->addShader(new osg::Shader(osg::Shader::FRAGMENT,
-                                       version + osgPMObjects::glslFragmentFunctions() +
-                                           osgTerrainROAM::Atmosphere::glslFunctions() + kFragmentShader));
+    program->addShader(new osg::Shader(osg::Shader::VERTEX,
+                                       version + osgPMObjects::glslVertexFunctions() + kObjectVertexShader));
+    program->addShader(new osg::Shader(
+        osg::Shader::FRAGMENT, version + osgPMObjects::glslFragmentFunctions() +
+                                   osgTerrainROAM::Atmosphere::glslFunctions() + kObjectFragmentShader));
     osgPMObjects::bindObjectAttributes(*program);
     osg::StateSet* state = node.getOrCreateStateSet();
     state->setAttributeAndModes(program);

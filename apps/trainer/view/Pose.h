@@ -3,7 +3,7 @@
 
 #include <glm/glm.hpp>
 
-#include "sim/player/EntityState.h"
+#include "simulation/player/EntityState.h"
 
 namespace trainer
 {

@@ -35,9 +35,9 @@ FieldInstance instanceOf(const scenery::Placement& placement, double groundZM, d
 
 } // namespace
 
-viewlod::Result<SceneryNode> makeSceneryNode(const scenery::SceneryDescription& description,
-                                             const scenery::PlacedScenery& placed,
-                                             const SceneryShapes& shapes, const std::string& place)
+foundation::Result<SceneryNode> makeSceneryNode(const scenery::SceneryDescription& description,
+                                                const scenery::PlacedScenery& placed,
+                                                const SceneryShapes& shapes, const std::string& place)
 {
     std::vector<FieldKind> kinds;
     std::vector<FieldInstance> instances;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <osg/Group>
+#include <foundation/Result.h>
 
-#include <viewlod/Result.h>
+#include <osg/Group>
 
 #include <osgPMObjects/ProgressiveField>
 
-#include "scenery/PlaceScenery.h"
+#include "scenery/placement/PlaceScenery.h"
 #include "view/SceneryShapes.h"
 
 namespace trainer
@@ -23,8 +23,8 @@ struct SceneryNode
 };
 
 /// Errors: selection that cannot be with an object's levels, with `place` and the field's name; as ProgressiveField::setContents().
-viewlod::Result<SceneryNode> makeSceneryNode(const scenery::SceneryDescription& description,
-                                             const scenery::PlacedScenery& placed,
-                                             const SceneryShapes& shapes, const std::string& place);
+foundation::Result<SceneryNode> makeSceneryNode(const scenery::SceneryDescription& description,
+                                                const scenery::PlacedScenery& placed,
+                                                const SceneryShapes& shapes, const std::string& place);
 
 } // namespace trainer

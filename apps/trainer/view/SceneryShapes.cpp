@@ -17,7 +17,7 @@
 #include <osgPMObjects/PmNode>
 #include <osgPMObjects/ReadModel>
 
-#include "models/Catalogue.h"
+#include "scenery/models/Catalogue.h"
 #include "view/ModelStates.h"
 
 namespace trainer
@@ -71,17 +71,17 @@ void forEachAtOnce(std::size_t count, const Work& work)
         thread.join();
 }
 
-viewlod::Result<osg::ref_ptr<const ProgressiveShape>> shapeOfPm(const std::string& file)
+foundation::Result<osg::ref_ptr<const ProgressiveShape>> shapeOfPm(const std::string& file)
 {
     std::ifstream stream(file, std::ios::binary);
-    if (!stream) return viewlod::Error{file, "cannot be opened", "check that it exists and may be read"};
+    if (!stream) return foundation::Error{file, "cannot be opened", "check that it exists and may be read"};
     const auto node = osgPMObjects::readPmNode(stream, file);
     if (!node) return node.error();
     return osg::ref_ptr<const ProgressiveShape>((*node)->shape());
 }
 
 /// Foreign loaders may crash or hang: they are run in a child process.
-viewlod::Result<osg::ref_ptr<const ProgressiveShape>> shapeOfFile(const std::string& file)
+foundation::Result<osg::ref_ptr<const ProgressiveShape>> shapeOfFile(const std::string& file)
 {
     if (osgDB::getLowerCaseFileExtension(file) == "pm") return shapeOfPm(file);
     const auto node = osgPMObjects::readModelNode(file);
@@ -102,7 +102,7 @@ double lowestOf(const core::Mesh& mesh)
     return mesh.positions.empty() ? 0.0 : lowest;
 }
 
-viewlod::Outcome readFiles(const std::vector<scenery::SceneryObject>& objects, SceneryShapes& made)
+foundation::Outcome readFiles(const std::vector<scenery::SceneryObject>& objects, SceneryShapes& made)
 {
     for (std::size_t i = 0; i < objects.size(); ++i)
     {
@@ -117,12 +117,12 @@ viewlod::Outcome readFiles(const std::vector<scenery::SceneryObject>& objects, S
             position.z -= made.groundZM[i];
         made.measures[i] = scenery::measuresOf(mesh, 0.0, scenery::Stance::upright);
     }
-    return viewlod::success();
+    return foundation::success();
 }
 
 } // namespace
 
-viewlod::Result<SceneryShapes> makeSceneryShapes(const std::vector<scenery::SceneryObject>& objects)
+foundation::Result<SceneryShapes> makeSceneryShapes(const std::vector<scenery::SceneryObject>& objects)
 {
     const auto begin = std::chrono::steady_clock::now();
     SceneryShapes made;

@@ -3,14 +3,14 @@
 
 #include <vector>
 
-#include <osg/ref_ptr>
+#include <foundation/Result.h>
 
-#include <viewlod/Result.h>
+#include <osg/ref_ptr>
 
 #include <osgPMObjects/ProgressiveShape>
 
-#include "scenery/Measures.h"
-#include "scenery/SceneryDescription.h"
+#include "scenery/placement/Measures.h"
+#include "scenery/placement/SceneryDescription.h"
 
 namespace trainer
 {
@@ -28,6 +28,6 @@ struct SceneryShapes
 /// The levels depend on the objects alone. A file may hold any model that OpenSceneGraph reads; `.pm` files have their levels
 /// already. Its lowest point stands on the ground, upright, z up.
 /// Errors: a file that cannot be read, or without surfaces. Cost: 0.3 to 1 s a generated object and thread.
-viewlod::Result<SceneryShapes> makeSceneryShapes(const std::vector<scenery::SceneryObject>& objects);
+foundation::Result<SceneryShapes> makeSceneryShapes(const std::vector<scenery::SceneryObject>& objects);
 
 } // namespace trainer

@@ -18,7 +18,7 @@ namespace
 constexpr int kSkyBin = 5;
 
 // The rectangle lies on the far plane; a pixel's direction is exact at any field of view, on or off the axis.
-const char* const kVertexShader = R"(#version 130
+const char* const kSkyVertexShader = R"(#version 130
 out vec3 direction;
 uniform mat4 osg_ViewMatrixInverse;
 void main()
@@ -29,7 +29,7 @@ void main()
 }
 )";
 
-const char* const kFragmentShader = R"(
+const char* const kSkyFragmentShader = R"(
 in vec3 direction;
 
 float hashOf(vec3 cell)
@@ -96,10 +96,10 @@ osg::ref_ptr<osg::Node> makeSky()
 
     osg::ref_ptr<osg::Program> program = new osg::Program;
     program->setName("sky");
-    program->addShader(new osg::Shader(osg::Shader::VERTEX, kVertexShader));
+    program->addShader(new osg::Shader(osg::Shader::VERTEX, kSkyVertexShader));
     program->addShader(new osg::Shader(osg::Shader::FRAGMENT,
                                        std::string("#version 130\n") +
-                                           osgTerrainROAM::Atmosphere::glslFunctions() + kFragmentShader));
+                                           osgTerrainROAM::Atmosphere::glslFunctions() + kSkyFragmentShader));
     osg::StateSet* state = sky->getOrCreateStateSet();
     state->setAttributeAndModes(program);
     state->setAttributeAndModes(new osg::Depth(osg::Depth::LEQUAL, 1.0, 1.0, false));

@@ -3,9 +3,8 @@
 
 #include <cstdint>
 
+#include <foundation/WholeFile.h>
 #include <nlohmann/json.hpp>
-
-#include <viewlod/WholeFile.h>
 
 namespace trainer
 {
@@ -71,10 +70,10 @@ std::string statisticsJson(const std::vector<FrameStatistics>& frames, bool with
     return root.dump(1) + "\n";
 }
 
-viewlod::Outcome writeStatistics(const std::vector<FrameStatistics>& frames,
-                                 const std::filesystem::path& file)
+foundation::Outcome writeStatistics(const std::vector<FrameStatistics>& frames,
+                                    const std::filesystem::path& file)
 {
-    return viewlod::writeWholeFile(file, statisticsJson(frames));
+    return foundation::writeWholeFile(file, statisticsJson(frames));
 }
 
 } // namespace trainer

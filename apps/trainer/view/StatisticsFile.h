@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include <viewlod/Result.h>
+#include <foundation/Result.h>
 
 #include "view/FrameStatistics.h"
 
@@ -20,7 +20,7 @@ namespace trainer
 std::string statisticsJson(const std::vector<FrameStatistics>& frames, bool withTimings = true);
 
 /// Errors: the file cannot be written; nothing half-written stays.
-viewlod::Outcome writeStatistics(const std::vector<FrameStatistics>& frames,
-                                 const std::filesystem::path& file);
+foundation::Outcome writeStatistics(const std::vector<FrameStatistics>& frames,
+                                    const std::filesystem::path& file);
 
 } // namespace trainer

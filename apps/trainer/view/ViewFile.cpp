@@ -8,14 +8,14 @@
 
 #include <pugixml.hpp>
 
-#include "sim/parser/Expression.h"
-#include "sim/parser/XmlSource.h"
+#include "simulation/parser/Expression.h"
+#include "simulation/parser/XmlSource.h"
 
 namespace trainer
 {
 
-using viewlod::Error;
-using viewlod::Result;
+using foundation::Error;
+using foundation::Result;
 
 namespace
 {

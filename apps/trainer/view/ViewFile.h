@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include <viewlod/Result.h>
+#include <foundation/Result.h>
 
 #include "view/Channel.h"
 
@@ -23,9 +23,9 @@ namespace trainer
 /// layout: separate (default) or tiled. A channel has fovXDeg, fovYDeg or a Frustum; see Channel for the meanings.
 /// Errors, as `file:line`: not readable, not XML, an element or attribute that is not above, a number that is none or
 /// out of its range, no channel or more than 16, a name given twice, tiled channels of different heights.
-viewlod::Result<ViewSetup> readView(const std::filesystem::path& file);
+foundation::Result<ViewSetup> readView(const std::filesystem::path& file);
 
 /// The same from memory; `name` stands for the file in messages.
-viewlod::Result<ViewSetup> parseView(std::string_view text, const std::string& name);
+foundation::Result<ViewSetup> parseView(std::string_view text, const std::string& name);
 
 } // namespace trainer

@@ -53,8 +53,8 @@ void bakeStates(ImportedModel& model, const SurfaceColours& colours, const Impor
 
 } // namespace
 
-viewlod::Result<BakedModel> bakeModel(const ImportedModel& full, const core::Mesh& simplified,
-                                      const BakeModelSettings& settings)
+foundation::Result<BakedModel> bakeModel(const ImportedModel& full, const core::Mesh& simplified,
+                                         const BakeModelSettings& settings)
 {
     const Clock::time_point start = Clock::now();
     auto atlas = core::packCharts(simplified, core::makeCharts(simplified, settings.charts), settings.atlas);

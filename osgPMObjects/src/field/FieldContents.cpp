@@ -10,14 +10,14 @@ namespace osgPMObjects
 namespace
 {
 
-using viewlod::Error;
+using foundation::Error;
 
-viewlod::Outcome checkKind(const std::string& place, const FieldKind& kind)
+foundation::Outcome checkKind(const std::string& place, const FieldKind& kind)
 {
     if (!kind.shape)
         return Error{place, "has no shape", "give every kind one, of makeProgressive() or a .pm file"};
     const auto levels = static_cast<std::uint32_t>(kind.shape->levels().faces.size());
-    if (viewlod::Outcome checked = core::checkSettings(kind.selection, levels); !checked)
+    if (foundation::Outcome checked = core::checkSettings(kind.selection, levels); !checked)
     {
         Error error = checked.error();
         error.place = place;
@@ -26,7 +26,7 @@ viewlod::Outcome checkKind(const std::string& place, const FieldKind& kind)
     if (!(kind.switching.durationS > 0.0F) || !(kind.switching.staggerS >= 0.0F))
         return Error{place, "its switching has no duration above 0, or a stagger below 0",
                      "give both in seconds"};
-    return viewlod::success();
+    return foundation::success();
 }
 
 /// Whether pictures cut holes into a shape: an alpha test, which comes after the shader, would see alphas that fade.
@@ -46,12 +46,13 @@ bool isSound(const FieldInstance& instance)
 
 } // namespace
 
-viewlod::Outcome checkContents(const std::string& name, const std::vector<FieldKind>& kinds,
-                               const std::vector<FieldInstance>& instances)
+foundation::Outcome checkContents(const std::string& name, const std::vector<FieldKind>& kinds,
+                                  const std::vector<FieldInstance>& instances)
 {
     const std::string field = name.empty() ? "field" : name;
     for (std::size_t i = 0; i < kinds.size(); ++i)
-        if (viewlod::Outcome checked = checkKind(field + ", kind " + std::to_string(i), kinds[i]); !checked)
+        if (foundation::Outcome checked = checkKind(field + ", kind " + std::to_string(i), kinds[i]);
+            !checked)
             return checked;
     for (std::size_t i = 0; i < instances.size(); ++i)
     {
@@ -65,7 +66,7 @@ viewlod::Outcome checkContents(const std::string& name, const std::vector<FieldK
                          "not above 0",
                          "give finite metres, a unit quaternion, and a scale and importance above 0"};
     }
-    return viewlod::success();
+    return foundation::success();
 }
 
 std::vector<osg::ref_ptr<FieldMesh>> meshesOf(const std::vector<FieldKind>& kinds,

@@ -13,8 +13,8 @@ namespace osgPMObjects
 {
 
 /// What ProgressiveField::setContents() refuses. `name`: the field's.
-viewlod::Outcome checkContents(const std::string& name, const std::vector<FieldKind>& kinds,
-                               const std::vector<FieldInstance>& instances);
+foundation::Outcome checkContents(const std::string& name, const std::vector<FieldKind>& kinds,
+                                  const std::vector<FieldInstance>& instances);
 
 /// By kind; of one shape there is one, which is taken from `known` if it is there.
 std::vector<osg::ref_ptr<FieldMesh>> meshesOf(const std::vector<FieldKind>& kinds,

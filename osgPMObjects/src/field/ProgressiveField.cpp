@@ -78,17 +78,17 @@ ProgressiveField::ProgressiveField(const ProgressiveField& other, const osg::Cop
 
 ProgressiveField::~ProgressiveField() = default;
 
-viewlod::Outcome ProgressiveField::setContents(std::vector<FieldKind> kinds,
-                                               const std::vector<FieldInstance>& instances)
+foundation::Outcome ProgressiveField::setContents(std::vector<FieldKind> kinds,
+                                                  const std::vector<FieldInstance>& instances)
 {
-    if (viewlod::Outcome checked = checkContents(getName(), kinds, instances); !checked) return checked;
+    if (foundation::Outcome checked = checkContents(getName(), kinds, instances); !checked) return checked;
     std::vector<osg::ref_ptr<FieldMesh>> meshes = meshesOf(kinds, _meshes);
     _views = std::make_shared<FieldViews>(core::Field(modelsOf(kinds, meshes), objectsOf(instances)));
     _kinds = std::move(kinds);
     _meshes = std::move(meshes);
     _solid = solidOf(_views, _meshes);
     dirtyBound();
-    return viewlod::success();
+    return foundation::success();
 }
 
 std::size_t ProgressiveField::instanceCount() const

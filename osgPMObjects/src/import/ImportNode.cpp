@@ -8,17 +8,17 @@
 namespace osgPMObjects
 {
 
-viewlod::Result<ImportedModel> importNode(osg::Node& node, const std::string& file)
+foundation::Result<ImportedModel> importNode(osg::Node& node, const std::string& file)
 {
     SurfaceVisitor visitor;
     node.accept(visitor);
     if (visitor.isTooDeep())
-        return viewlod::Error{file,
-                              "nodes are nested deeper than " + std::to_string(SurfaceVisitor::kDeepest),
-                              "look for a group that contains itself, or flatten the graph"};
+        return foundation::Error{file,
+                                 "nodes are nested deeper than " + std::to_string(SurfaceVisitor::kDeepest),
+                                 "look for a group that contains itself, or flatten the graph"};
     ImportedModel model = visitor.finish();
     if (const std::string defect = core::defectOf(model.mesh); !defect.empty())
-        return viewlod::Error{file, defect, "repair the model, or split it"};
+        return foundation::Error{file, defect, "repair the model, or split it"};
     return model;
 }
 

@@ -8,7 +8,7 @@
 namespace osgPMObjects
 {
 
-viewlod::Result<PmContents> readPmContents(std::istream& stream, const std::string& place)
+foundation::Result<PmContents> readPmContents(std::istream& stream, const std::string& place)
 {
     core::PmReader reader(stream, place);
     while (true)
@@ -22,16 +22,17 @@ viewlod::Result<PmContents> readPmContents(std::istream& stream, const std::stri
     return PmContents{*std::move(mesh), reader.attachment()};
 }
 
-viewlod::Outcome fitStates(std::vector<osg::ref_ptr<osg::StateSet>>& states,
-                           const core::ProgressiveMesh& mesh, const std::string& place)
+foundation::Outcome fitStates(std::vector<osg::ref_ptr<osg::StateSet>>& states,
+                              const core::ProgressiveMesh& mesh, const std::string& place)
 {
     std::size_t named = states.size();
     for (const core::Material& material : mesh.mesh.materials)
         named = std::max<std::size_t>(named, material.state + std::size_t{1});
     if (named > states.size() + mesh.mesh.materials.size())
-        return viewlod::Error{place, "has materials with states that are not there", "build the file again"};
+        return foundation::Error{place, "has materials with states that are not there",
+                                 "build the file again"};
     states.resize(named);
-    return viewlod::success();
+    return foundation::success();
 }
 
 } // namespace osgPMObjects

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include <osg/StateSet>
+#include <foundation/Result.h>
 
-#include <viewlod/Result.h>
+#include <osg/StateSet>
 
 #include <osgPMObjects/core/progressive/ProgressiveMesh.h>
 
@@ -22,11 +22,11 @@ struct PmContents
 };
 
 /// Errors: as core::PmReader.
-viewlod::Result<PmContents> readPmContents(std::istream& stream, const std::string& place);
+foundation::Result<PmContents> readPmContents(std::istream& stream, const std::string& place);
 
 /// Gives a mesh as many states as its materials name, empty ones where there are none.
 /// Errors: they name more than the mesh can have materials, so that the file is damaged.
-viewlod::Outcome fitStates(std::vector<osg::ref_ptr<osg::StateSet>>& states,
-                           const core::ProgressiveMesh& mesh, const std::string& place);
+foundation::Outcome fitStates(std::vector<osg::ref_ptr<osg::StateSet>>& states,
+                              const core::ProgressiveMesh& mesh, const std::string& place);
 
 } // namespace osgPMObjects

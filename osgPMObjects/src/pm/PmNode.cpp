@@ -45,11 +45,11 @@ struct Attached
     std::vector<osg::ref_ptr<osg::Node>> others;
 };
 
-viewlod::Result<Attached> readAttached(const std::string& bytes, const std::string& place)
+foundation::Result<Attached> readAttached(const std::string& bytes, const std::string& place)
 {
     if (bytes.empty()) return Attached{};
     const auto damaged = [&](const std::string& why) {
-        return viewlod::Error{place, "has states that cannot be read" + why, "build the file again"};
+        return foundation::Error{place, "has states that cannot be read" + why, "build the file again"};
     };
     const osg::ref_ptr<osgDB::ReaderWriter> reader = format();
     if (!reader) return damaged(": OpenSceneGraph's plugin for .osgb is not installed");
@@ -68,26 +68,26 @@ viewlod::Result<Attached> readAttached(const std::string& bytes, const std::stri
 
 } // namespace
 
-viewlod::Result<std::string> pmAttachment(const std::vector<osg::ref_ptr<osg::StateSet>>& states,
-                                          const std::vector<osg::ref_ptr<osg::Node>>& others)
+foundation::Result<std::string> pmAttachment(const std::vector<osg::ref_ptr<osg::StateSet>>& states,
+                                             const std::vector<osg::ref_ptr<osg::Node>>& others)
 {
     const osg::ref_ptr<osgDB::ReaderWriter> writer = format();
     if (!writer)
-        return viewlod::Error{"states", "cannot be written: OpenSceneGraph's plugin for .osgb is missing",
-                              "install openscenegraph"};
+        return foundation::Error{"states", "cannot be written: OpenSceneGraph's plugin for .osgb is missing",
+                                 "install openscenegraph"};
     const osg::ref_ptr<osgDB::Options> options = new osgDB::Options("WriteImageHint=IncludeData");
     std::ostringstream stream;
     const auto written = writer->writeNode(*attachedGroup(states, others), stream, options);
     if (!written.success())
-        return viewlod::Error{"states", "cannot be written: " + written.message(),
-                              "look at the model's states"};
+        return foundation::Error{"states", "cannot be written: " + written.message(),
+                                 "look at the model's states"};
     return stream.str();
 }
 
-viewlod::Result<std::string> pmNodeBytes(const ProgressiveNode& node, core::PmSettings settings)
+foundation::Result<std::string> pmNodeBytes(const ProgressiveNode& node, core::PmSettings settings)
 {
     const ProgressiveShape* const shape = node.shape();
-    if (!shape) return viewlod::Error{"progressive node", "has no shape", "give one that is not empty"};
+    if (!shape) return foundation::Error{"progressive node", "has no shape", "give one that is not empty"};
     std::vector<osg::ref_ptr<osg::Node>> others;
     for (unsigned int i = 1; i < node.getNumChildren(); ++i) // the first is the surface
         others.push_back(const_cast<osg::Node*>(node.getChild(i)));
@@ -97,13 +97,13 @@ viewlod::Result<std::string> pmNodeBytes(const ProgressiveNode& node, core::PmSe
     return core::pmBytes(shape->progressive(), settings);
 }
 
-viewlod::Result<osg::ref_ptr<ProgressiveNode>> readPmNode(std::istream& stream, const std::string& place)
+foundation::Result<osg::ref_ptr<ProgressiveNode>> readPmNode(std::istream& stream, const std::string& place)
 {
     auto contents = readPmContents(stream, place);
     if (!contents) return contents.error();
     auto attached = readAttached(contents->attachment, place);
     if (!attached) return attached.error();
-    const viewlod::Outcome fit = fitStates(attached->states, contents->mesh, place);
+    const foundation::Outcome fit = fitStates(attached->states, contents->mesh, place);
     if (!fit) return fit.error();
     const osg::ref_ptr<ProgressiveNode> node =
         new ProgressiveNode(new ProgressiveShape(std::move(contents->mesh), std::move(attached->states)));

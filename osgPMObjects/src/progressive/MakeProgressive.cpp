@@ -8,15 +8,16 @@
 namespace osgPMObjects
 {
 
-viewlod::Result<ProgressiveModel> makeProgressive(osg::Node& node, const std::string& name,
-                                                  const ProgressiveSettings& settings)
+foundation::Result<ProgressiveModel> makeProgressive(osg::Node& node, const std::string& name,
+                                                     const ProgressiveSettings& settings)
 {
     auto imported = importNode(node, name);
     if (!imported) return imported.error();
     core::Mesh& mesh = imported->mesh;
     core::makeSimplifiable(mesh);
     if (mesh.faces.empty())
-        return viewlod::Error{name, "has no triangles that can be simplified", "give a model with surfaces"};
+        return foundation::Error{name, "has no triangles that can be simplified",
+                                 "give a model with surfaces"};
     core::SimplifySettings simplifySettings = settings.simplify;
     simplifySettings.placement = core::Placement::subset;
     const core::CollapseSequence sequence = core::simplify(mesh, simplifySettings);

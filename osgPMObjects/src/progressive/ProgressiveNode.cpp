@@ -66,20 +66,20 @@ void ProgressiveNode::place(const osg::ref_ptr<ProgressiveDrawable>& drawable)
     _place = transform;
 }
 
-viewlod::Outcome ProgressiveNode::setSelection(const core::SelectionSettings& settings)
+foundation::Outcome ProgressiveNode::setSelection(const core::SelectionSettings& settings)
 {
     if (settings.method == core::SelectionMethod::budget)
-        return viewlod::Error{getName(), "a single object has no budget to share",
-                              "choose another method, or put the objects into one scene selector"};
+        return foundation::Error{getName(), "a single object has no budget to share",
+                                 "choose another method, or put the objects into one scene selector"};
     const std::uint32_t levels = shape() ? static_cast<std::uint32_t>(shape()->levels().faces.size()) : 1;
-    const viewlod::Outcome outcome = core::checkSettings(settings, levels);
+    const foundation::Outcome outcome = core::checkSettings(settings, levels);
     if (outcome) _settings = settings;
     return outcome;
 }
 
-viewlod::Outcome ProgressiveNode::setSwitching(const core::SwitchSettings& settings)
+foundation::Outcome ProgressiveNode::setSwitching(const core::SwitchSettings& settings)
 {
-    const viewlod::Outcome outcome = core::checkSettings(settings);
+    const foundation::Outcome outcome = core::checkSettings(settings);
     if (outcome) _switching = settings;
     return outcome;
 }

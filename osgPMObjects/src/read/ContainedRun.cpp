@@ -63,7 +63,7 @@ void restrain(const ReadLimits& limits)
         dup2(nowhere, descriptor);
 }
 
-[[noreturn]] void beChild(int descriptor, const std::function<viewlod::Result<std::string>()>& work,
+[[noreturn]] void beChild(int descriptor, const std::function<foundation::Result<std::string>()>& work,
                           const ReadLimits& limits)
 {
     restrain(limits);
@@ -106,7 +106,7 @@ bool readAll(int descriptor, double seconds, std::string& bytes)
     }
 }
 
-viewlod::Error asError(const std::string& file, const std::string& text)
+foundation::Error asError(const std::string& file, const std::string& text)
 {
     const std::size_t line = text.find('\n');
     return {file, text.substr(0, line), line == std::string::npos ? "" : text.substr(line + 1)};
@@ -114,20 +114,20 @@ viewlod::Error asError(const std::string& file, const std::string& text)
 
 } // namespace
 
-viewlod::Result<std::string> runContained(const std::function<viewlod::Result<std::string>()>& work,
-                                          const std::string& file, const std::string& what,
-                                          const ReadLimits& limits)
+foundation::Result<std::string> runContained(const std::function<foundation::Result<std::string>()>& work,
+                                             const std::string& file, const std::string& what,
+                                             const ReadLimits& limits)
 {
     int ends[2];
     if (pipe2(ends, O_CLOEXEC) != 0)
-        return viewlod::Error{file, std::string("no pipe to read it through: ") + std::strerror(errno),
-                              "close files"};
+        return foundation::Error{file, std::string("no pipe to read it through: ") + std::strerror(errno),
+                                 "close files"};
     const pid_t child = fork();
     if (child < 0)
     {
         close(ends[0]), close(ends[1]);
-        return viewlod::Error{file, std::string("no process to read it in: ") + std::strerror(errno),
-                              "end others"};
+        return foundation::Error{file, std::string("no process to read it in: ") + std::strerror(errno),
+                                 "end others"};
     }
     if (child == 0) beChild(ends[1], work, limits);
     close(ends[1]);
@@ -139,19 +139,20 @@ viewlod::Result<std::string> runContained(const std::function<viewlod::Result<st
     while (waitpid(child, &status, 0) < 0 && errno == EINTR)
         ;
     if (!isInTime)
-        return viewlod::Error{file,
-                              what + " was not done after " +
-                                  std::to_string(static_cast<long long>(limits.seconds)) + " s",
-                              std::string("give it more time, or ") + kRepair};
+        return foundation::Error{file,
+                                 what + " was not done after " +
+                                     std::to_string(static_cast<long long>(limits.seconds)) + " s",
+                                 std::string("give it more time, or ") + kRepair};
     if (WIFSIGNALED(status))
-        return viewlod::Error{file, what + " died of " + strsignal(WTERMSIG(status)), kRepair};
+        return foundation::Error{file, what + " died of " + strsignal(WTERMSIG(status)), kRepair};
     if (!WIFEXITED(status) || WEXITSTATUS(status) != 0 || bytes.empty())
-        return viewlod::Error{file, what + " ended itself", kRepair};
+        return foundation::Error{file, what + " ended itself", kRepair};
     const char kind = bytes.front();
     bytes.erase(0, 1);
     if (kind == kNoMemory)
-        return viewlod::Error{file, what + " wanted more than " + std::to_string(limits.memoryMiB) + " MiB",
-                              std::string("allow it more memory, or ") + kRepair};
+        return foundation::Error{file,
+                                 what + " wanted more than " + std::to_string(limits.memoryMiB) + " MiB",
+                                 std::string("allow it more memory, or ") + kRepair};
     if (kind == kError) return asError(file, bytes);
     return bytes;
 }

@@ -73,26 +73,26 @@ osg::ref_ptr<osgDB::ReaderWriter> osgb()
     return osgDB::Registry::instance()->getReaderWriterForExtension("osgb");
 }
 
-viewlod::Result<std::string> readAndWrite(const std::filesystem::path& file)
+foundation::Result<std::string> readAndWrite(const std::filesystem::path& file)
 {
     const auto node = readModelNodeHere(file);
     if (!node) return node.error();
     Preparation preparation;
     (*node)->accept(preparation);
     if (preparation.isTooDeep)
-        return viewlod::Error{file.string(),
-                              "nodes are nested deeper than " + std::to_string(Preparation::kDeepest),
-                              "look for a group that contains itself, or flatten the graph"};
+        return foundation::Error{file.string(),
+                                 "nodes are nested deeper than " + std::to_string(Preparation::kDeepest),
+                                 "look for a group that contains itself, or flatten the graph"};
     std::ostringstream stream;
     const osg::ref_ptr<osgDB::Options> options = new osgDB::Options("WriteImageHint=IncludeData");
     if (const auto written = osgb()->writeNode(**node, stream, options); !written.success())
-        return viewlod::Error{file.string(), "cannot be handed over: " + written.message(), kRemedy};
+        return foundation::Error{file.string(), "cannot be handed over: " + written.message(), kRemedy};
     return stream.str();
 }
 
 } // namespace
 
-viewlod::Result<osg::ref_ptr<osg::Node>> readModelNodeHere(const std::filesystem::path& file)
+foundation::Result<osg::ref_ptr<osg::Node>> readModelNodeHere(const std::filesystem::path& file)
 {
     if (isGltf(file))
     {
@@ -106,25 +106,26 @@ viewlod::Result<osg::ref_ptr<osg::Node>> readModelNodeHere(const std::filesystem
     const osg::ref_ptr<osg::Node> node = osgDB::readRefNodeFile(file.string());
     osg::setNotifyHandler(before);
     if (node) return node;
-    return viewlod::Error{file.string(), "cannot be read by OpenSceneGraph" + words->inBrackets(), kRemedy};
+    return foundation::Error{file.string(), "cannot be read by OpenSceneGraph" + words->inBrackets(),
+                             kRemedy};
 }
 
-viewlod::Result<osg::ref_ptr<osg::Node>> readModelNode(const std::filesystem::path& file,
-                                                       const ReadLimits& limits)
+foundation::Result<osg::ref_ptr<osg::Node>> readModelNode(const std::filesystem::path& file,
+                                                          const ReadLimits& limits)
 {
     std::error_code ignored; // a name too long is a file that is not there
     if (!std::filesystem::exists(file, ignored))
-        return viewlod::Error{file.string(), "there is no such file", "check its path"};
+        return foundation::Error{file.string(), "there is no such file", "check its path"};
     if (!osgb())
-        return viewlod::Error{"OpenSceneGraph", "has no plugin for .osgb",
-                              "install the package openscenegraph"};
+        return foundation::Error{"OpenSceneGraph", "has no plugin for .osgb",
+                                 "install the package openscenegraph"};
     const auto bytes = runContained([&] { return readAndWrite(file); }, file.string(),
                                     isGltf(file) ? "the glTF loader" : "OpenSceneGraph's loader", limits);
     if (!bytes) return bytes.error();
     std::istringstream stream(*bytes);
     osgDB::ReaderWriter::ReadResult read = osgb()->readNode(stream);
     if (!read.validNode())
-        return viewlod::Error{file.string(), "was not handed over whole: " + read.message(), kRemedy};
+        return foundation::Error{file.string(), "was not handed over whole: " + read.message(), kRemedy};
     return osg::ref_ptr<osg::Node>(read.getNode());
 }
 

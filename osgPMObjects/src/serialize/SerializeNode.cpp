@@ -58,7 +58,7 @@ struct NodeSerializer
         in >> in.END_BRACKET;
         if (in.getException()) return false;
         const auto settings = settingsOf(lines);
-        viewlod::Outcome set = settings ? node.setSelection(settings->selection) : settings.error();
+        foundation::Outcome set = settings ? node.setSelection(settings->selection) : settings.error();
         if (set) set = node.setSwitching(settings->switching);
         if (!set) in.throwException(set.error().message());
         if (!set) return false;

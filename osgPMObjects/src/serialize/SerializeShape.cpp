@@ -61,7 +61,8 @@ struct ShapeSerializer
         std::istringstream stream(bytes);
         auto contents = readPmContents(stream, kPlace);
         std::vector<osg::ref_ptr<osg::StateSet>> states = std::move(shape._states);
-        const viewlod::Outcome fit = contents ? fitStates(states, contents->mesh, kPlace) : contents.error();
+        const foundation::Outcome fit =
+            contents ? fitStates(states, contents->mesh, kPlace) : contents.error();
         if (!fit) in.throwException(fit.error().message());
         if (!fit) return false;
         shape.make(std::move(contents->mesh), std::move(states));

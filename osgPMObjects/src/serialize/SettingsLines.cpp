@@ -193,7 +193,7 @@ std::vector<std::string> linesOf(const NodeSettings& settings)
     return std::move(writer.lines);
 }
 
-viewlod::Result<NodeSettings> settingsOf(const std::vector<std::string>& lines)
+foundation::Result<NodeSettings> settingsOf(const std::vector<std::string>& lines)
 {
     NodeSettings settings;
     Reader reader(lines);
@@ -203,8 +203,8 @@ viewlod::Result<NodeSettings> settingsOf(const std::vector<std::string>& lines)
     if (complaint.empty() && (!(importance > 0.0) || !(reference >= 0.0)))
         complaint = "an importance that is not above 0, or a negative reference";
     if (complaint.empty()) return settings;
-    return viewlod::Error{"settings of a progressive node", complaint,
-                          "correct the line, or write the scene again"};
+    return foundation::Error{"settings of a progressive node", complaint,
+                             "correct the line, or write the scene again"};
 }
 
 } // namespace osgPMObjects

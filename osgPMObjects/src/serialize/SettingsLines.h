@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include <viewlod/Result.h>
+#include <foundation/Result.h>
 
 #include <osgPMObjects/core/selection/Priority.h>
 #include <osgPMObjects/core/selection/SelectionSettings.h>
@@ -29,6 +29,6 @@ std::vector<std::string> linesOf(const NodeSettings& settings);
 
 /// What has no line stays as it is by default.
 /// Errors: a name that is not known, a value that is none.
-viewlod::Result<NodeSettings> settingsOf(const std::vector<std::string>& lines);
+foundation::Result<NodeSettings> settingsOf(const std::vector<std::string>& lines);
 
 } // namespace osgPMObjects

@@ -18,7 +18,8 @@ int gridExponentFor(const HeightField& field, double spacingM)
     return exponent;
 }
 
-viewlod::Result<RoamFile> describeTerrain(const std::filesystem::path& file, const DemImportOptions& import)
+foundation::Result<RoamFile> describeTerrain(const std::filesystem::path& file,
+                                             const DemImportOptions& import)
 {
     if (file.extension() == ".roam") return readRoamFile(file);
     RoamFile description;
@@ -27,7 +28,7 @@ viewlod::Result<RoamFile> describeTerrain(const std::filesystem::path& file, con
     return description;
 }
 
-viewlod::Result<PlacedTile> loadTile(const RoamFile& description)
+foundation::Result<PlacedTile> loadTile(const RoamFile& description)
 {
     auto field = importDems(description.dems, description.import);
     if (!field) return field.error();

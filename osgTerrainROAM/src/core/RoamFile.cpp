@@ -12,26 +12,20 @@
 
 #include <osgTerrainROAM/core/RoamFile.h>
 
+#include "TextLines.h"
+
 namespace osgTerrainROAM::core
 {
 
 namespace
 {
 
-using viewlod::Error;
-using viewlod::Outcome;
-using viewlod::Result;
-using viewlod::success;
+using foundation::Error;
+using foundation::Outcome;
+using foundation::Result;
+using foundation::success;
 
-constexpr std::size_t kMaxBytes = 1 << 20; ///< a larger "text" is some other file under a wrong name
-
-std::string_view trimmed(std::string_view text)
-{
-    constexpr std::string_view kBlank = " \t\r";
-    const std::size_t first = text.find_first_not_of(kBlank);
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(kBlank) - first + 1);
-}
+constexpr std::size_t kMostRoamFileBytes = 1 << 20; ///< a larger "text" is some other file under a wrong name
 
 /// One `key = value` with what a message and a path need.
 struct Entry
@@ -343,10 +337,10 @@ Result<RoamFile> readRoamFile(const std::filesystem::path& file)
 {
     std::ifstream stream(file, std::ios::binary);
     if (!stream) return Error{file.string(), "cannot be read", "check the path and its permissions"};
-    std::string text(kMaxBytes + 1, '\0');
+    std::string text(kMostRoamFileBytes + 1, '\0');
     stream.read(text.data(), static_cast<std::streamsize>(text.size()));
     text.resize(static_cast<std::size_t>(std::max<std::streamsize>(stream.gcount(), 0)));
-    if (text.size() > kMaxBytes || text.find('\0') != std::string::npos)
+    if (text.size() > kMostRoamFileBytes || text.find('\0') != std::string::npos)
         return Error{file.string(), "is no .roam text", "a .roam file holds lines key = value"};
 
     const auto parsed = parseRoamFile(text, file);

@@ -19,8 +19,8 @@ namespace osgTerrainROAM
 namespace
 {
 
-using viewlod::Error;
-using viewlod::Result;
+using foundation::Error;
+using foundation::Result;
 
 constexpr int kMaxSide = 8192; ///< texels; 256 MiB at four bytes
 

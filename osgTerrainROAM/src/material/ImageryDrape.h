@@ -3,9 +3,9 @@
 
 #include <filesystem>
 
-#include <osg/Image>
+#include <foundation/Result.h>
 
-#include <viewlod/Result.h>
+#include <osg/Image>
 
 #include <osgTerrainROAM/core/heightfield/PlacedTile.h>
 
@@ -19,10 +19,11 @@ namespace osgTerrainROAM
 /// Alpha tells where the imagery covers the terrain. Both rasters need a georeference; an imagery without one is
 /// stretched over the data.
 /// Errors: missing file, unreadable, no georeference on the terrain's side, nothing in common.
-viewlod::Result<osg::ref_ptr<osg::Image>> imageryDrape(const std::filesystem::path& file,
-                                                       const core::PlacedTile& tile);
+foundation::Result<osg::ref_ptr<osg::Image>> imageryDrape(const std::filesystem::path& file,
+                                                          const core::PlacedTile& tile);
 
 /// The same over no more of the tile than the imagery reaches, so that a small one keeps a fine resolution.
-viewlod::Result<ImageryLayer> imageryLayer(const std::filesystem::path& file, const core::PlacedTile& tile);
+foundation::Result<ImageryLayer> imageryLayer(const std::filesystem::path& file,
+                                              const core::PlacedTile& tile);
 
 } // namespace osgTerrainROAM

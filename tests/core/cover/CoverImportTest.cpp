@@ -122,7 +122,7 @@ TEST_F(CoverImport, NoDataAndStrangeCodesAreUnknownAndCounted)
 
 TEST_F(CoverImport, ErrorsNameTheFileAndWhatToDo)
 {
-    const auto messageOf = [](const viewlod::Result<CoverMap>& map)
+    const auto messageOf = [](const foundation::Result<CoverMap>& map)
     { return map ? "" : map.error().message(); };
     EXPECT_THAT(messageOf(importCover("/none.tif", worldCoverTable(), alps())), HasSubstr("/none.tif"));
     EXPECT_THAT(messageOf(importCover(_file, {{5, GroundKind::crop}}, alps())),

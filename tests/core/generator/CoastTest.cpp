@@ -16,17 +16,17 @@ namespace islandgen
 namespace
 {
 
-constexpr int kSide = 33;
+constexpr int kCoastSide = 33;
 
 /// Land 5 m high and more in the west, 2 m deep water in the east.
 struct Shore
 {
-    Grid<float> heightM{kSide, -2.0f};
-    Grid<std::uint8_t> isSea{kSide, 1};
+    Grid<float> heightM{kCoastSide, -2.0f};
+    Grid<std::uint8_t> isSea{kCoastSide, 1};
 
     Shore()
     {
-        for (int row = 0; row < kSide; ++row)
+        for (int row = 0; row < kCoastSide; ++row)
         {
             for (int column = 0; column < 10; ++column)
             {
@@ -50,7 +50,7 @@ struct Shore
 TEST(Deltas, AsMuchSeaBecomesLandAsTheSedimentFillsAndTheNearestFirst)
 {
     const Shore shore;
-    Grid<float> sedimentM(kSide);
+    Grid<float> sedimentM(kCoastSide);
     sedimentM.at(4, 16) = 30.0f; // 3 m a cell, up to 1 m above the sea: ten cells
     Grid<std::uint8_t> isSea = shore.isSea;
     buildDeltas(isSea, shore.heightM, shore.network(), sedimentM, Noise(1));
@@ -59,8 +59,8 @@ TEST(Deltas, AsMuchSeaBecomesLandAsTheSedimentFillsAndTheNearestFirst)
     {
         if (isSea[cell] == shore.isSea[cell]) continue;
         ++filled;
-        const float dx = static_cast<float>(cell % kSide) - 10.0f;
-        const float dy = std::floor(static_cast<float>(cell) / kSide) - 16.0f;
+        const float dx = static_cast<float>(cell % kCoastSide) - 10.0f;
+        const float dy = std::floor(static_cast<float>(cell) / kCoastSide) - 16.0f;
         EXPECT_LT(dx * dx + dy * dy, 36.0f);
     }
     EXPECT_EQ(filled, 10);
@@ -70,7 +70,7 @@ TEST(Deltas, WithoutSedimentTheShoreStays)
 {
     const Shore shore;
     Grid<std::uint8_t> isSea = shore.isSea;
-    buildDeltas(isSea, shore.heightM, shore.network(), Grid<float>(kSide), Noise(1));
+    buildDeltas(isSea, shore.heightM, shore.network(), Grid<float>(kCoastSide), Noise(1));
     EXPECT_EQ(isSea.cells, shore.isSea.cells);
 }
 
@@ -106,17 +106,17 @@ TEST(Coast, TheSeaIsOnePieceAtZeroAndLandStandsAboveIt)
 TEST(ValleyFloors, AreCutAroundRiversOnlyAndNeverRaised)
 {
     // A V-shaped valley that drains to the south along column 16.
-    Grid<float> heightM(kSide);
-    Grid<std::uint8_t> isSea(kSide, 0);
-    for (int row = 0; row < kSide; ++row)
+    Grid<float> heightM(kCoastSide);
+    Grid<std::uint8_t> isSea(kCoastSide, 0);
+    for (int row = 0; row < kCoastSide; ++row)
     {
-        for (int column = 0; column < kSide; ++column)
+        for (int column = 0; column < kCoastSide; ++column)
         {
             heightM.at(column, row) =
                 10.0f * static_cast<float>(row) + 40.0f * std::abs(static_cast<float>(column - 16));
         }
     }
-    for (int column = 0; column < kSide; ++column)
+    for (int column = 0; column < kCoastSide; ++column)
         isSea.at(column, 0) = 1;
     const Grid<float> before = heightM;
     DrainageNetwork network = routeDrainage(heightM, isSea, Noise(1), 0.0f);
@@ -135,10 +135,10 @@ TEST(SurfaceDetail, LeavesGentleGroundAloneAndRoughensSteepGround)
 {
     for (const float slope : {0.15f, 0.9f})
     {
-        Grid<float> heightM(kSide);
-        for (int row = 0; row < kSide; ++row)
+        Grid<float> heightM(kCoastSide);
+        for (int row = 0; row < kCoastSide; ++row)
         {
-            for (int column = 0; column < kSide; ++column)
+            for (int column = 0; column < kCoastSide; ++column)
             {
                 heightM.at(column, row) = 500.0f + slope * 12.0f * static_cast<float>(row);
             }

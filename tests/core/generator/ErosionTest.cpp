@@ -11,22 +11,22 @@ namespace islandgen
 namespace
 {
 
-constexpr int kSide = 41;
+constexpr int kErosionSide = 41;
 
 Grid<std::uint8_t> southIsBase()
 {
-    Grid<std::uint8_t> isBase(kSide, 0);
-    for (int column = 0; column < kSide; ++column)
+    Grid<std::uint8_t> isBase(kErosionSide, 0);
+    for (int column = 0; column < kErosionSide; ++column)
         isBase.at(column, 0) = 1;
     return isBase;
 }
 
 ErosionRates rates(float upliftM, float riverErosion, float criticalSlope)
 {
-    return {Grid<float>(kSide, upliftM),
-            Grid<float>(kSide, riverErosion),
-            Grid<float>(kSide, 0.0f),
-            Grid<float>(kSide, criticalSlope),
+    return {Grid<float>(kErosionSide, upliftM),
+            Grid<float>(kErosionSide, riverErosion),
+            Grid<float>(kErosionSide, 0.0f),
+            Grid<float>(kErosionSide, criticalSlope),
             10.0f,
             0.0f};
 }
@@ -34,14 +34,14 @@ ErosionRates rates(float upliftM, float riverErosion, float criticalSlope)
 /// Straight rivers to the south: the smallest network that can be solved by hand.
 DrainageNetwork straightRivers()
 {
-    DrainageNetwork network{Grid<std::int32_t>(kSide), Grid<float>(kSide), {}};
-    for (int row = 0; row < kSide; ++row)
+    DrainageNetwork network{Grid<std::int32_t>(kErosionSide), Grid<float>(kErosionSide), {}};
+    for (int row = 0; row < kErosionSide; ++row)
     {
-        for (int column = 0; column < kSide; ++column)
+        for (int column = 0; column < kErosionSide; ++column)
         {
             const int cell = network.receiver.index(column, row);
-            network.receiver[cell] = row == 0 ? cell : cell - kSide;
-            network.areaCells[cell] = static_cast<float>(kSide - row);
+            network.receiver[cell] = row == 0 ? cell : cell - kErosionSide;
+            network.areaCells[cell] = static_cast<float>(kErosionSide - row);
             network.downstreamFirst.push_back(cell);
         }
     }
@@ -52,22 +52,22 @@ DrainageNetwork straightRivers()
 
 TEST(ErodeRivers, EndsAtTheSteadySlopeOfStreamPower)
 {
-    Grid<float> heightM(kSide, 0.0f);
+    Grid<float> heightM(kErosionSide, 0.0f);
     const DrainageNetwork network = straightRivers();
     const ErosionRates r = rates(2.0f, 0.5f, 1e6f);
     for (int step = 0; step < 2000; ++step)
         erodeRivers(heightM, network, r);
-    for (int row = 1; row < kSide; ++row)
+    for (int row = 1; row < kErosionSide; ++row)
     {
         // uplift = K·dt·√A·drop: every reach drops by uplift / (K·dt·√A)
         const float drop = heightM.at(7, row) - heightM.at(7, row - 1);
-        EXPECT_NEAR(drop, 2.0f / (0.5f * std::sqrt(static_cast<float>(kSide - row))), 2e-3f);
+        EXPECT_NEAR(drop, 2.0f / (0.5f * std::sqrt(static_cast<float>(kErosionSide - row))), 2e-3f);
     }
 }
 
 TEST(ErodeRivers, SedimentRaisesTheSteadySlopeByOnePlusG)
 {
-    Grid<float> heightM(kSide, 0.0f);
+    Grid<float> heightM(kErosionSide, 0.0f);
     const DrainageNetwork network = straightRivers();
     ErosionRates r = rates(2.0f, 0.5f, 1e6f);
     r.deposition = 0.4f;
@@ -75,44 +75,44 @@ TEST(ErodeRivers, SedimentRaisesTheSteadySlopeByOnePlusG)
         erodeRivers(heightM, network, r);
     // Near the mouth, where nearly all of the drained area lies upstream of the cell (Yuan et al., equation 12).
     const float drop = heightM.at(7, 2) - heightM.at(7, 1);
-    const float without = 2.0f / (0.5f * std::sqrt(static_cast<float>(kSide - 2)));
+    const float without = 2.0f / (0.5f * std::sqrt(static_cast<float>(kErosionSide - 2)));
     EXPECT_NEAR(drop / without, 1.4f, 0.03f);
 }
 
 TEST(ErodeRivers, NothingStandsSteeperThanTheCriticalSlope)
 {
-    Grid<float> heightM(kSide, 0.0f);
+    Grid<float> heightM(kErosionSide, 0.0f);
     const Grid<std::uint8_t> isBase = southIsBase();
     const ErosionRates r = rates(50.0f, 1e-4f, 0.5f);
     for (int step = 0; step < 50; ++step)
     {
         erodeRivers(heightM, routeDrainage(heightM, isBase, Noise(step), 0.0f), r);
     }
-    for (int row = 1; row < kSide; ++row)
+    for (int row = 1; row < kErosionSide; ++row)
     {
         EXPECT_LE(heightM.at(20, row) - heightM.at(20, row - 1), 0.5f * 10.0f + 0.01f);
     }
-    EXPECT_GT(heightM.at(20, kSide - 1), 100.0f); // the slope is reached, not merely kept
+    EXPECT_GT(heightM.at(20, kErosionSide - 1), 100.0f); // the slope is reached, not merely kept
 }
 
 TEST(Creep, KeepsAPlaneAndMeltsAPeakWithoutUndershoot)
 {
-    Grid<std::uint8_t> isBase(kSide, 0);
-    for (int row = 0; row < kSide; ++row)
-        isBase.at(0, row) = isBase.at(kSide - 1, row) = 1;
-    Grid<float> plane(kSide);
-    for (int row = 0; row < kSide; ++row)
+    Grid<std::uint8_t> isBase(kErosionSide, 0);
+    for (int row = 0; row < kErosionSide; ++row)
+        isBase.at(0, row) = isBase.at(kErosionSide - 1, row) = 1;
+    Grid<float> plane(kErosionSide);
+    for (int row = 0; row < kErosionSide; ++row)
     {
-        for (int column = 0; column < kSide; ++column)
+        for (int column = 0; column < kErosionSide; ++column)
             plane.at(column, row) = static_cast<float>(column);
     }
-    creep(plane, Grid<float>(kSide, 25.0f), isBase);
-    for (int column = 0; column < kSide; ++column)
+    creep(plane, Grid<float>(kErosionSide, 25.0f), isBase);
+    for (int column = 0; column < kErosionSide; ++column)
         EXPECT_NEAR(plane.at(column, 20), column, 1e-3);
 
-    Grid<float> peak(kSide, 0.0f);
+    Grid<float> peak(kErosionSide, 0.0f);
     peak.at(20, 20) = 100.0f;
-    creep(peak, Grid<float>(kSide, 25.0f), isBase);
+    creep(peak, Grid<float>(kErosionSide, 25.0f), isBase);
     for (const float heightM : peak.cells)
         EXPECT_GE(heightM, 0.0f);
     EXPECT_LT(peak.at(20, 20), 10.0f);

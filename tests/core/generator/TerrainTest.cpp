@@ -14,11 +14,11 @@ namespace islandgen
 namespace
 {
 
-constexpr int kSide = 257;
+constexpr int kTerrainSide = 257;
 
 const Terrain& island()
 {
-    static const Terrain kIsland = std::move(generateTerrain(kDefaultSeed, kSide).value());
+    static const Terrain kIsland = std::move(generateTerrain(kDefaultSeed, kTerrainSide).value());
     return kIsland;
 }
 
@@ -64,13 +64,13 @@ int cellAtKm(const Terrain& terrain, float km)
 
 TEST(Terrain, HasTheCommittedHash)
 {
-    ASSERT_TRUE(expectedHash(kDefaultSeed, kSide));
-    EXPECT_EQ(terrainHash(island().heightM), *expectedHash(kDefaultSeed, kSide));
+    ASSERT_TRUE(expectedHash(kDefaultSeed, kTerrainSide));
+    EXPECT_EQ(terrainHash(island().heightM), *expectedHash(kDefaultSeed, kTerrainSide));
 }
 
 TEST(Terrain, AnotherSeedOrOneChangedSampleHasAnotherHash)
 {
-    const auto other = generateTerrain(kDefaultSeed + 1, kSide);
+    const auto other = generateTerrain(kDefaultSeed + 1, kTerrainSide);
     ASSERT_TRUE(other);
     EXPECT_NE(terrainHash(other->heightM), terrainHash(island().heightM));
     Grid<float> changed = island().heightM;
@@ -80,7 +80,7 @@ TEST(Terrain, AnotherSeedOrOneChangedSampleHasAnotherHash)
 
 TEST(Terrain, IsTheSameWhenMadeAgain)
 {
-    EXPECT_EQ(generateTerrain(kDefaultSeed, kSide)->heightM.cells, island().heightM.cells);
+    EXPECT_EQ(generateTerrain(kDefaultSeed, kTerrainSide)->heightM.cells, island().heightM.cells);
 }
 
 TEST(Terrain, DrainsToTheSeaWithoutPits)
@@ -109,12 +109,12 @@ TEST(Terrain, HeightsAreFiniteWholeStepsAndLandStandsOutOfTheSea)
 TEST(Terrain, TheBorderIsSea)
 {
     const Grid<float>& heightM = island().heightM;
-    for (int i = 0; i < kSide; ++i)
+    for (int i = 0; i < kTerrainSide; ++i)
     {
         EXPECT_EQ(heightM.at(i, 0), 0.0f);
-        EXPECT_EQ(heightM.at(i, kSide - 1), 0.0f);
+        EXPECT_EQ(heightM.at(i, kTerrainSide - 1), 0.0f);
         EXPECT_EQ(heightM.at(0, i), 0.0f);
-        EXPECT_EQ(heightM.at(kSide - 1, i), 0.0f);
+        EXPECT_EQ(heightM.at(kTerrainSide - 1, i), 0.0f);
     }
 }
 

@@ -18,7 +18,7 @@ namespace
 using namespace osgPMObjects::core;
 using testsupport::gltfText;
 
-viewlod::Result<GltfModel> parse(const std::string& text)
+foundation::Result<GltfModel> parse(const std::string& text)
 {
     return parseGltf({reinterpret_cast<const unsigned char*>(text.data()), text.size()}, "test.gltf");
 }

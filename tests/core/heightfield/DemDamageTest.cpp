@@ -64,8 +64,8 @@ std::vector<Sample> samples(const TemporaryFolder& folder)
     return all;
 }
 
-viewlod::Result<HeightField> importBytes(const TemporaryFolder& folder, const std::string& name,
-                                         const std::string& bytes)
+foundation::Result<HeightField> importBytes(const TemporaryFolder& folder, const std::string& name,
+                                            const std::string& bytes)
 {
     DemImportOptions options;
     options.spacingM = 10.0;

@@ -58,7 +58,8 @@ struct Piece
 class DemMosaic : public testing::Test
 {
 protected:
-    viewlod::Result<HeightField> join(const std::vector<Piece>& pieces, const DemImportOptions& options = {})
+    foundation::Result<HeightField> join(const std::vector<Piece>& pieces,
+                                         const DemImportOptions& options = {})
     {
         std::vector<std::filesystem::path> files;
         for (const Piece& piece : pieces)

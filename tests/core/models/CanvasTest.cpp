@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "models/paint/Canvas.h"
+#include "scenery/models/paint/Canvas.h"
 
 #include <array>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "models/Catalogue.h"
+#include "scenery/models/Catalogue.h"
 
 #include <algorithm>
 #include <map>
@@ -11,7 +11,7 @@
 #include <osgPMObjects/core/mesh/MeshCounts.h>
 #include <osgPMObjects/core/mesh/Wedge.h>
 
-#include "models/ModelCheck.h"
+#include "scenery/models/ModelCheck.h"
 
 namespace core = osgPMObjects::core;
 using namespace trainer::models;

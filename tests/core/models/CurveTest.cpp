@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "models/vehicles/Curve.h"
+#include "scenery/models/vehicles/Curve.h"
 
 #include <gtest/gtest.h>
 

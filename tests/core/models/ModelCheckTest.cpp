@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "models/ModelCheck.h"
+#include "scenery/models/ModelCheck.h"
 
 #include <limits>
 
 #include <gtest/gtest.h>
 
-#include "models/Catalogue.h"
+#include "scenery/models/Catalogue.h"
 
 using namespace trainer::models;
 

@@ -5,7 +5,7 @@
 #include <osgPMObjects/core/mesh/MeshCounts.h>
 #include <osgPMObjects/core/simplify/Simplify.h>
 
-#include "models/Catalogue.h"
+#include "scenery/models/Catalogue.h"
 
 namespace core = osgPMObjects::core;
 using namespace trainer::models;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "models/paint/Paint.h"
+#include "scenery/models/paint/Paint.h"
 
 #include <bit>
 #include <cstdlib>
 
 #include <gtest/gtest.h>
 
-#include "models/paint/MipChain.h"
+#include "scenery/models/paint/MipChain.h"
 
 using namespace trainer::models;
 

@@ -107,7 +107,7 @@ TEST(VertexCache, CountsWhatTheLibrarysAnalysisCounts)
 TEST(VertexCache, ForgetsNothingThatIsTakenBack)
 {
     Random random(73);
-    viewlod::FifoCache cache(20, 6), untouched(20, 6);
+    foundation::FifoCache cache(20, 6), untouched(20, 6);
     for (int i = 0; i < 2000; ++i)
     {
         const std::uint32_t vertex = random.below(20);

@@ -16,7 +16,7 @@ namespace
 using namespace osgPMObjects::core;
 
 /// A sheet with a seam, and a torus of another material.
-const ProgressiveMesh& subject()
+const ProgressiveMesh& morphed()
 {
     static const ProgressiveMesh made = []
     {
@@ -47,7 +47,7 @@ Corners sorted(Corners corners)
 /// The faces of a level with area, once all of their wedges are at their targets.
 std::vector<Corners> facesAt(std::uint32_t steps, const MorphTargets& morph)
 {
-    const ProgressiveMesh& progressive = subject();
+    const ProgressiveMesh& progressive = morphed();
     ProgressiveLevel level(progressive);
     level.moveTo(steps);
     std::vector<Corners> faces;
@@ -71,20 +71,20 @@ std::vector<Corners> facesAt(std::uint32_t steps, const MorphTargets& morph)
 
 TEST(MorphTargets, LeaveTheFacesOfTheCoarserLevelWithTheirWedges)
 {
-    const std::uint32_t most = subject().stepCount;
+    const std::uint32_t most = morphed().stepCount;
     for (std::uint32_t finer = 0; finer <= most; finer += 7)
         for (std::uint32_t coarser = finer; coarser <= most; coarser += 11)
         {
-            const MorphTargets morph = morphTargets(subject(), finer, coarser);
-            EXPECT_EQ(morph.firstWedge + morph.targets.size(), subject().wedgesAfter(finer));
-            const MorphTargets none{subject().wedgesAfter(coarser), {}};
+            const MorphTargets morph = morphTargets(morphed(), finer, coarser);
+            EXPECT_EQ(morph.firstWedge + morph.targets.size(), morphed().wedgesAfter(finer));
+            const MorphTargets none{morphed().wedgesAfter(coarser), {}};
             ASSERT_EQ(facesAt(finer, morph), facesAt(coarser, none)) << finer << " to " << coarser;
         }
 }
 
 TEST(MorphTargets, AreThoseOfOneStepByHand)
 {
-    const ProgressiveMesh& progressive = subject();
+    const ProgressiveMesh& progressive = morphed();
     const MorphTargets morph = morphTargets(progressive, 0, 1);
     ASSERT_FALSE(morph.targets.empty());
     for (std::uint32_t i = 0; i < morph.targets.size(); ++i)
@@ -99,8 +99,8 @@ TEST(MorphTargets, AreThoseOfOneStepByHand)
 /// Seams of one position must not tear on the way.
 TEST(MorphTargets, AreAtOnePlaceForAllWedgesOfAPosition)
 {
-    const auto& positions = subject().mesh.wedgePositions;
-    const MorphTargets morph = morphTargets(subject(), 0, subject().stepCount);
+    const auto& positions = morphed().mesh.wedgePositions;
+    const MorphTargets morph = morphTargets(morphed(), 0, morphed().stepCount);
     std::uint32_t together = 0;
     for (std::uint32_t i = 1; i < morph.targets.size(); ++i)
     {
@@ -114,10 +114,10 @@ TEST(MorphTargets, AreAtOnePlaceForAllWedgesOfAPosition)
 /// The first test can fail: targets that are off by one wedge are seen.
 TEST(MorphTargetsMutation, OffByOneWedgeIsSeen)
 {
-    const std::uint32_t finer = 10, coarser = subject().stepCount / 2;
-    const MorphTargets none{subject().wedgesAfter(coarser), {}};
+    const std::uint32_t finer = 10, coarser = morphed().stepCount / 2;
+    const MorphTargets none{morphed().wedgesAfter(coarser), {}};
     const auto expected = facesAt(coarser, none);
-    MorphTargets morph = morphTargets(subject(), finer, coarser);
+    MorphTargets morph = morphTargets(morphed(), finer, coarser);
     EXPECT_EQ(facesAt(finer, morph), expected);
     std::rotate(morph.targets.begin(), morph.targets.begin() + 1, morph.targets.end());
     EXPECT_NE(facesAt(finer, morph), expected);

@@ -33,7 +33,7 @@ ProgressiveMesh subject(std::uint32_t side = 22)
     return buildProgressiveMesh(mesh, simplify(mesh), {.blockFaces = 64});
 }
 
-viewlod::Result<ProgressiveMesh> parsed(const std::string& bytes)
+foundation::Result<ProgressiveMesh> parsed(const std::string& bytes)
 {
     std::istringstream stream(bytes);
     PmReader reader(stream, "test.pm");

@@ -29,11 +29,11 @@ glm::dvec2 randomPlace(const PlacedTile& tile, Random& random)
     return glm::dvec2(tile.positionAt(column, row, 400.0));
 }
 
-class DrawnGround : public testing::TestWithParam<bool>
+class DrawnGroundTest : public testing::TestWithParam<bool>
 {
 };
 
-TEST_P(DrawnGround, IsTheTrueOneAtFullResolution)
+TEST_P(DrawnGroundTest, IsTheTrueOneAtFullResolution)
 {
     const auto tile = tileOf(GetParam());
     DiamondTree tree(tile);
@@ -51,7 +51,7 @@ TEST_P(DrawnGround, IsTheTrueOneAtFullResolution)
     }
 }
 
-TEST_P(DrawnGround, KeepsTheBoundToTheTrueOne)
+TEST_P(DrawnGroundTest, KeepsTheBoundToTheTrueOne)
 {
     const auto tile = tileOf(GetParam());
     RoamMesh mesh(tile);
@@ -80,7 +80,7 @@ TEST_P(DrawnGround, KeepsTheBoundToTheTrueOne)
     EXPECT_GT(largestShare, 0.5) << "a bound that nothing comes near to could be anything";
 }
 
-TEST_P(DrawnGround, IsTheSameForManyPlacesAtOnce)
+TEST_P(DrawnGroundTest, IsTheSameForManyPlacesAtOnce)
 {
     const auto tile = tileOf(GetParam());
     RoamMesh mesh(tile);
@@ -105,7 +105,7 @@ TEST_P(DrawnGround, IsTheSameForManyPlacesAtOnce)
     EXPECT_FALSE(grounds[40] || grounds[41]);
 }
 
-TEST_P(DrawnGround, IsNowhereBeyondTheData)
+TEST_P(DrawnGroundTest, IsNowhereBeyondTheData)
 {
     const auto tile = tileOf(GetParam());
     RoamMesh mesh(tile);
@@ -120,7 +120,7 @@ TEST_P(DrawnGround, IsNowhereBeyondTheData)
     EXPECT_FALSE(drawnGroundAt(mesh.tree(), std::nan(""), 0.0));
 }
 
-INSTANTIATE_TEST_SUITE_P(Placements, DrawnGround, testing::Bool(),
+INSTANTIATE_TEST_SUITE_P(Placements, DrawnGroundTest, testing::Bool(),
                          [](const auto& given) { return given.param ? "curved" : "planar"; });
 
 } // namespace

@@ -23,7 +23,7 @@ std::shared_ptr<const RoamTile> tileOf(bool padded, bool curved)
 }
 
 /// Anywhere above and around the tile, with any field of view; only what refinement needs.
-viewlod::ViewState randomView(const PlacedTile& tile, Random& random)
+viewlod::ViewState anyView(const PlacedTile& tile, Random& random)
 {
     viewlod::ViewState view;
     view.eyeWorld =
@@ -72,13 +72,13 @@ TEST_P(Drivers, AreWhereBruteForceIsForAThousandEyes)
     RoamMesh mesh(tile, driver);
     Random random(77);
     std::uint32_t most = 0;
-    viewlod::ViewState view = randomView(tile->tile, random);
+    viewlod::ViewState view = anyView(tile->tile, random);
     double tolerancePx = 2.0;
     for (int i = 0; i < 1000; ++i)
     {
         // Leaps, steps, changes of the lens and of the tolerance, alone and together.
         const std::uint32_t change = random.below(4);
-        if (change == 0) view = randomView(tile->tile, random);
+        if (change == 0) view = anyView(tile->tile, random);
         if (change == 1)
             view.eyeWorld += glm::dvec3(random.unit() - 0.5, random.unit() - 0.5, 0.1 * random.unit()) * 60.0;
         if (change == 2) view.pixelsPerTangent *= 0.8 + 0.4 * random.unit();
@@ -111,7 +111,7 @@ TEST(DriverSwitch, GoesOnFromAnyOtherDriversMesh)
     {
         mesh.setDriver(kDrivers[random.below(3)]);
         if (random.below(5) == 0) mesh.refine(5.0); // for no eye at all
-        const auto view = randomView(tile->tile, random);
+        const auto view = anyView(tile->tile, random);
         mesh.refine(view, {.errorTolerancePx = 2.0});
         ASSERT_EQ(activeIn(mesh.tree()), activeByBruteForce(*tile, ActiveForEye(view, 2.0))) << i;
     }
@@ -135,7 +135,7 @@ TEST_F(Slices, LeaveAValidMeshAndFinishInLaterFrames)
     int sliced = 0;
     for (int eye = 0; eye < 20; ++eye)
     {
-        const auto view = randomView(tile->tile, random);
+        const auto view = anyView(tile->tile, random);
         double boundPx = std::numeric_limits<double>::infinity();
         for (int frame = 0;; ++frame)
         {
@@ -160,12 +160,12 @@ TEST_F(Slices, LeaveAValidMeshAndFinishInLaterFrames)
 TEST_F(Slices, FollowAnEyeThatDoesNotWait)
 {
     RoamMesh mesh(tile);
-    auto view = randomView(tile->tile, random);
+    auto view = anyView(tile->tile, random);
     int sliced = 0;
     for (int frame = 0; frame < 400; ++frame)
     {
         view.eyeWorld += glm::dvec3(20.0 * std::cos(frame * 0.01), 20.0 * std::sin(frame * 0.01), 0.0);
-        if (frame % 50 == 49) view = randomView(tile->tile, random);
+        if (frame % 50 == 49) view = anyView(tile->tile, random);
         sliced += mesh.refine(view, sliceOf(20.0)).sliceBound ? 1 : 0;
         ASSERT_TRUE(frame % 10 != 0 || mesh.isConforming());
     }
@@ -179,7 +179,7 @@ TEST_F(Slices, OfModelledTimeAreTheSameTwice)
     RoamMesh one(tile), other(tile);
     for (int frame = 0; frame < 100; ++frame)
     {
-        const auto view = randomView(tile->tile, random);
+        const auto view = anyView(tile->tile, random);
         const RefineResult a = one.refine(view, sliceOf(25.0)), b = other.refine(view, sliceOf(25.0));
         ASSERT_EQ(std::tie(a.leaves, a.splits, a.merges, a.checks),
                   std::tie(b.leaves, b.splits, b.merges, b.checks));
@@ -192,7 +192,7 @@ TEST_F(Slices, KeepTheTriangleCeilingToo)
     RoamMesh mesh(tile);
     for (int frame = 0; frame < 200; ++frame)
     {
-        const auto view = randomView(tile->tile, random);
+        const auto view = anyView(tile->tile, random);
         viewlod::Budget budget = sliceOf(40.0);
         budget.errorTolerancePx = 0.3;
         budget.maxTriangles = 900;

@@ -44,7 +44,7 @@ HeightField holedHills(int columns, int rows, std::uint64_t seed)
     return field;
 }
 
-viewlod::ViewState randomView(const PlacedTile& tile, Random& random)
+viewlod::ViewState viewDown(const PlacedTile& tile, Random& random)
 {
     const glm::dvec3 last = tile.position(tile.dataColumns() - 1, tile.dataRows() - 1);
     const glm::dvec3 eye(random.unit() * last.x, random.unit() * last.y, 600.0 + 900.0 * random.unit());
@@ -80,7 +80,7 @@ TEST_P(Outline, IsWithinTheToleranceFromAnyEye)
     Random random(11);
     for (int i = 0; i < 40; ++i)
     {
-        const viewlod::ViewState view = randomView(tile->tile, random);
+        const viewlod::ViewState view = viewDown(tile->tile, random);
         const double tolerancePx = 0.5 + 6.0 * random.unit();
         ASSERT_TRUE(isSoundFrom(mesh, view, tolerancePx)) << i;
     }
@@ -161,7 +161,7 @@ TEST_P(Outline, IsTheSameForAllDriversAndFromScratch)
     }
     for (int i = 0; i < 20; ++i)
     {
-        const viewlod::ViewState view = randomView(tile->tile, random);
+        const viewlod::ViewState view = viewDown(tile->tile, random);
         for (const auto& mesh : meshes)
             mesh->refine(view, {.errorTolerancePx = 2.0});
         for (const auto& mesh : meshes)
@@ -209,7 +209,7 @@ TEST_P(Outline, HoldsAfterEdits)
         const HeightChange change{p, 300.0f + 400.0f * static_cast<float>(random.unit())};
         ASSERT_EQ(static_cast<bool>(editor.apply({&change, 1}, TileEditor::Between::follows)),
                   tile->tile.isGround(p.column, p.row));
-        const viewlod::ViewState view = randomView(tile->tile, random);
+        const viewlod::ViewState view = viewDown(tile->tile, random);
         ASSERT_TRUE(isSoundFrom(mesh, view, 2.0)) << i;
     }
 }

@@ -30,7 +30,7 @@ std::shared_ptr<const RoamTile> tileOf(bool curved)
                                                    : PlacedTile(std::move(field), Placement::planar));
 }
 
-viewlod::ViewState randomView(const PlacedTile& tile, Random& random)
+viewlod::ViewState viewOfPatches(const PlacedTile& tile, Random& random)
 {
     const glm::dvec3 eye =
         tile.positionAt(random.unit() * 99.0, random.unit() * 128.0, 700.0 + 1500.0 * random.unit());
@@ -57,7 +57,7 @@ TEST_P(Patches, MeetAndKeepTheTolerance)
     std::uint32_t most = 0;
     for (const double tolerancePx : {40.0, 16.0, 8.0, 4.0, 16.0, 100.0, 4.0})
     {
-        const viewlod::ViewState view = randomView(_tile->tile, _random);
+        const viewlod::ViewState view = viewOfPatches(_tile->tile, _random);
         const RefineResult result = mesh.refine(view, {.errorTolerancePx = tolerancePx});
         const DrawnMesh drawn = mesh.drawn();
         EXPECT_EQ(drawn.triangles.size(), result.triangles);
@@ -81,7 +81,7 @@ TEST_P(Patches, OfAllDriversAreTheSame)
         RoamMesh mesh(_bounds, driver);
         for (int i = 0; i < 20; ++i)
         {
-            const viewlod::ViewState view = randomView(_tile->tile, random);
+            const viewlod::ViewState view = viewOfPatches(_tile->tile, random);
             const double tolerancePx = 2.0 + 30.0 * random.unit();
             mesh.refine(view, {.errorTolerancePx = tolerancePx});
             std::vector<GridTriangle> scratch;
@@ -97,11 +97,11 @@ TEST_P(Patches, KeepTheirSlotsAsLongAsTheirLeavesLive)
     const PatchPool& pool = *mesh.patches();
     std::map<std::array<int, 6>, std::uint32_t> before; // grid triangle to slot
     std::size_t kept = 0, writes = 0;
-    viewlod::ViewState view = randomView(_tile->tile, _random);
+    viewlod::ViewState view = viewOfPatches(_tile->tile, _random);
     for (int frame = 0; frame < 100; ++frame)
     {
         view.eyeWorld += glm::dvec3(20.0, 10.0, 0.0);
-        if (frame % 25 == 0) view = randomView(_tile->tile, _random);
+        if (frame % 25 == 0) view = viewOfPatches(_tile->tile, _random);
         mesh.refine(view, {.errorTolerancePx = 8.0});
         std::map<std::array<int, 6>, std::uint32_t> now;
         std::vector<bool> taken(pool.slotCount(), false);
@@ -137,7 +137,7 @@ TEST_P(Patches, StayBelowTheCeilingAndFillIt)
     int bound = 0;
     for (int i = 0; i < 30; ++i)
     {
-        const viewlod::ViewState view = randomView(_tile->tile, _random);
+        const viewlod::ViewState view = viewOfPatches(_tile->tile, _random);
         const std::uint32_t ceiling = (20u + _random.below(200)) << _exponent;
         const RefineResult result = mesh.refine(view, {.errorTolerancePx = 0.5, .maxTriangles = ceiling});
         EXPECT_LE(result.leaves, ceiling);
@@ -180,7 +180,7 @@ TEST_P(Patches, AreCulledOneByOneAndNoneThatIsSeen)
     std::size_t culled = 0;
     for (int i = 0; i < 20; ++i)
     {
-        const viewlod::ViewState view = randomView(_tile->tile, _random);
+        const viewlod::ViewState view = viewOfPatches(_tile->tile, _random);
         mesh.refine(view, {.errorTolerancePx = 8.0});
         std::vector<IndexRange> ranges;
         mesh.visibleRanges(view.frustum, ranges);
@@ -234,7 +234,7 @@ TEST(SplitBounds, WrongErrorsAndLostPatchesAreNoticed)
 {
     const auto tile = tileOf(false);
     Random random(3);
-    const viewlod::ViewState view = randomView(tile->tile, random);
+    const viewlod::ViewState view = viewOfPatches(tile->tile, random);
     RoamMesh mesh(SplitBounds(tile, 4));
     mesh.refine(view, {.errorTolerancePx = 60.0});
     EXPECT_GT(checkDrawnMesh(*tile, mesh.drawn(), &view).maxErrorPx, 4.0);

@@ -48,11 +48,11 @@ std::uint64_t hashOf(const std::vector<CornerIndices>& leaves)
     return hash;
 }
 
-class RoamMesh : public testing::TestWithParam<Driver>
+class RoamMeshTest : public testing::TestWithParam<Driver>
 {
 };
 
-TEST_P(RoamMesh, FollowsAFlightToTheMeshThatStartsFromScratch)
+TEST_P(RoamMeshTest, FollowsAFlightToTheMeshThatStartsFromScratch)
 {
     core::RoamMesh mesh(flightTile(), GetParam());
     for (int frame = 0; frame < AnchorFlight::kFrames; frame += 7)
@@ -66,7 +66,7 @@ TEST_P(RoamMesh, FollowsAFlightToTheMeshThatStartsFromScratch)
     EXPECT_TRUE(mesh.isConforming());
 }
 
-TEST_P(RoamMesh, GivesTheSameMeshWhateverCameBefore)
+TEST_P(RoamMeshTest, GivesTheSameMeshWhateverCameBefore)
 {
     core::RoamMesh travelled(flightTile(), GetParam()), fresh(flightTile(), GetParam());
     for (int frame = 0; frame <= 200; frame += 10)
@@ -78,7 +78,7 @@ TEST_P(RoamMesh, GivesTheSameMeshWhateverCameBefore)
     EXPECT_TRUE(travelled.changes().triangles.empty());
 }
 
-TEST_P(RoamMesh, NoVisibleSampleIsOffByMoreThanTheTolerance)
+TEST_P(RoamMeshTest, NoVisibleSampleIsOffByMoreThanTheTolerance)
 {
     core::RoamMesh mesh(flightTile(), GetParam());
     double worst = 0.0;
@@ -99,7 +99,7 @@ TEST_P(RoamMesh, NoVisibleSampleIsOffByMoreThanTheTolerance)
     EXPECT_GT(checkDrawnMesh(*flightTile(), mesh.drawn(), &view).maxErrorPx, 3.0);
 }
 
-TEST_P(RoamMesh, CeilingIsNeverExceededAndRaisesTheToleranceForTheWholeFrame)
+TEST_P(RoamMeshTest, CeilingIsNeverExceededAndRaisesTheToleranceForTheWholeFrame)
 {
     core::RoamMesh mesh(flightTile(), GetParam());
     for (const std::uint32_t ceiling : {2u, 3u, 100u, 1000u, 5000u})
@@ -122,7 +122,7 @@ TEST_P(RoamMesh, CeilingIsNeverExceededAndRaisesTheToleranceForTheWholeFrame)
     EXPECT_TRUE(mesh.isConforming());
 }
 
-TEST_P(RoamMesh, CeilingThatDoesNotBindChangesNothing)
+TEST_P(RoamMeshTest, CeilingThatDoesNotBindChangesNothing)
 {
     core::RoamMesh limited(flightTile(), GetParam()), free(flightTile(), GetParam());
     const auto view = AnchorFlight{}.view(flightTile()->tile, 50);
@@ -132,7 +132,7 @@ TEST_P(RoamMesh, CeilingThatDoesNotBindChangesNothing)
     EXPECT_EQ(leafSet(limited.tree()), leafSet(free.tree()));
 }
 
-TEST_P(RoamMesh, RecordedFlightHasItsGoldenHash)
+TEST_P(RoamMeshTest, RecordedFlightHasItsGoldenHash)
 {
     const auto flown = [](double aboveGroundM)
     {
@@ -151,7 +151,7 @@ TEST_P(RoamMesh, RecordedFlightHasItsGoldenHash)
     EXPECT_NE(flown(300.5), kGolden); // half a metre higher is another flight
 }
 
-TEST_P(RoamMesh, ViewIndependentRefinementGoesBothWays)
+TEST_P(RoamMeshTest, ViewIndependentRefinementGoesBothWays)
 {
     core::RoamMesh mesh(flightTile(), GetParam());
     const auto fine = mesh.refine(2.0).triangles;
@@ -162,7 +162,7 @@ TEST_P(RoamMesh, ViewIndependentRefinementGoesBothWays)
     EXPECT_EQ(mesh.refine(-1.0).triangles, 2u * 256 * 256); // every error exceeds it
 }
 
-INSTANTIATE_TEST_SUITE_P(Drivers, RoamMesh, testing::ValuesIn(kDrivers),
+INSTANTIATE_TEST_SUITE_P(Drivers, RoamMeshTest, testing::ValuesIn(kDrivers),
                          [](const auto& given) { return std::string(driverName(given.param)); });
 
 } // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // How one object stands on a slope.
-#include "scenery/Footing.h"
+#include "scenery/placement/Footing.h"
 
 #include <gtest/gtest.h>
 

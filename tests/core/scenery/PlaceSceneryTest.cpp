@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "SceneryPlaces.h"
-#include "scenery/Footing.h"
+#include "scenery/placement/Footing.h"
 
 namespace
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What can be said in a scenery's file, and what is said of what cannot.
-#include "scenery/ReadScenery.h"
+#include "scenery/placement/ReadScenery.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

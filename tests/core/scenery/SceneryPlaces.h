@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "scenery/PlaceScenery.h"
-#include "scenery/PlacementCheck.h"
-#include "scenery/ReadScenery.h"
+#include "scenery/placement/PlaceScenery.h"
+#include "scenery/placement/PlacementCheck.h"
+#include "scenery/placement/ReadScenery.h"
 
 namespace scenerytest
 {

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "models/Dice.h"
+#include "scenery/models/Dice.h"
 
 // NOLINTNEXTLINE(readability-identifier-naming): the name is libFuzzer's
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Shares of faces become levels of a model.
-#include "scenery/SelectionPlan.h"
+#include "scenery/placement/SelectionPlan.h"
 
 #include <gtest/gtest.h>
 

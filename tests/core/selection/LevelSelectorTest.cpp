@@ -14,7 +14,7 @@ using namespace osgPMObjects::core;
 using testsupport::Random;
 
 /// An object of every method, with what each needs.
-struct Fixture
+struct SelectorFixture
 {
     LevelTable table = testsupport::levelTable(1000);
     BenefitCurve curve = BenefitCurve::of(table, 1.0, {});
@@ -22,7 +22,7 @@ struct Fixture
     SelectionSettings settings;
     SelectableObject object;
 
-    explicit Fixture(SelectionMethod method)
+    explicit SelectorFixture(SelectionMethod method)
     {
         settings.method = method;
         settings.ranges = {{10.0, 20.0, 40.0, 90.0}, {0, 100, 200, 400, 700}};
@@ -35,8 +35,8 @@ struct Fixture
         object.facing = &facing;
         object.curve = &curve;
     }
-    Fixture(const Fixture&) = delete;
-    Fixture& operator=(const Fixture&) = delete;
+    SelectorFixture(const SelectorFixture&) = delete;
+    SelectorFixture& operator=(const SelectorFixture&) = delete;
 
     Selection at(double distance, HeldLevel& held, double magnification = 1.0, double reference = 0.0,
                  double highDeg = 40.0) const
@@ -62,7 +62,7 @@ TEST(LevelSelector, EveryRuleGoesFromFineToCoarseWithDistance)
     for (const SelectionMethod method : kOwnRules)
     {
         SCOPED_TRACE(nameOf(method));
-        const Fixture fixture(method);
+        const SelectorFixture fixture(method);
         ASSERT_TRUE(checkSettings(fixture.settings, fixture.table.mostSteps() + 1));
         HeldLevel held;
         const std::uint32_t first = fixture.at(3.0, held).steps;
@@ -88,7 +88,7 @@ TEST(LevelSelector, EveryRuleWithABandIsCalmWhereThePlainOnesAreNot)
     for (const SelectionMethod method : kOwnRules)
     {
         SCOPED_TRACE(nameOf(method));
-        Fixture fixture(method);
+        SelectorFixture fixture(method);
         fixture.settings.continuousBand = kDefaultBand;
         int most = 0;
         for (double middle = 8.0; middle < 3000.0; middle *= 1.03)
@@ -110,7 +110,7 @@ TEST(LevelSelector, NoRuleChoosesFewerThanTheLeastFaces)
     constexpr double kFarAway = 40'000.0;
     for (const SelectionMethod method : kOwnRules)
     {
-        Fixture fixture(method);
+        SelectorFixture fixture(method);
         const std::uint32_t least = fixture.table.faces[500];
         EXPECT_LT(fixture.table.faces[fixture.at(kFarAway).steps], least) << nameOf(method);
         fixture.settings.leastFaces = least;
@@ -125,7 +125,7 @@ TEST(LevelSelector, AMagnificationBringsObjectsNearAsManyTimes)
                                          SelectionMethod::continuous, SelectionMethod::facingArea})
         for (const double distance : {15.0, 50.0, 300.0, 2000.0})
         {
-            const Fixture fixture(method);
+            const SelectorFixture fixture(method);
             EXPECT_EQ(fixture.at(4.0 * distance, 4.0).steps, fixture.at(distance).steps)
                 << nameOf(method) << ' ' << distance;
         }
@@ -136,7 +136,7 @@ TEST(LevelSelector, ImportanceMagnifiesLikeADevice)
     for (const SelectionMethod method : kOwnRules)
         for (const double distance : {15.0, 50.0, 300.0, 2000.0})
         {
-            Fixture fixture(method);
+            SelectorFixture fixture(method);
             const std::uint32_t plain = fixture.at(distance).steps;
             const std::uint32_t magnified = fixture.at(distance, 3.0).steps;
             fixture.object.priority.importance = 3.0;
@@ -158,7 +158,7 @@ TEST(LevelSelector, ACameraThatZoomsIsADeviceThatMagnifies)
           SelectionMethod::sphereArea, SelectionMethod::boxArea, SelectionMethod::ellipsoidArea})
         for (const double distance : {15.0, 50.0, 300.0, 2000.0})
         {
-            const Fixture fixture(method);
+            const SelectorFixture fixture(method);
             EXPECT_EQ(fixture.at(distance, 1.0, reference, narrow).steps, fixture.at(distance, 4.0).steps)
                 << nameOf(method) << ' ' << distance;
         }
@@ -166,7 +166,7 @@ TEST(LevelSelector, ACameraThatZoomsIsADeviceThatMagnifies)
 
 TEST(LevelSelector, TheContinuousRuleIsThePapersWithTheDefaultReference)
 {
-    Fixture fixture(SelectionMethod::continuous);
+    SelectorFixture fixture(SelectionMethod::continuous);
     const double k = testsupport::viewTo({0, -1, 0}, {0, 0, 0}).pixelsPerTangent;
     const double z1 = referenceDistanceM(k, fixture.table.area, fixture.table.faces[0]);
     for (double z = 0.5 * z1; z < 30.0 * z1; z *= 1.003)
@@ -186,7 +186,7 @@ TEST(LevelSelector, TheContinuousRuleIsThePapersWithTheDefaultReference)
 
 TEST(LevelSelector, FadesAndIsGone)
 {
-    Fixture fixture(SelectionMethod::overlappingRanges);
+    SelectorFixture fixture(SelectionMethod::overlappingRanges);
     fixture.settings.alpha = {100.0, 200.0};
     HeldLevel held;
     EXPECT_EQ(fixture.at(100.0, held).alpha, 1.0f);
@@ -204,7 +204,7 @@ TEST(LevelSelector, IsFinestAndSaysSoWhereTheNearPlaneCuts)
     for (const SelectionMethod method : {SelectionMethod::boxArea, SelectionMethod::sphereArea,
                                          SelectionMethod::ellipsoidArea, SelectionMethod::facingArea})
     {
-        const Selection selection = Fixture(method).at(0.5);
+        const Selection selection = SelectorFixture(method).at(0.5);
         EXPECT_EQ(selection.steps, 0u) << nameOf(method);
         EXPECT_EQ(selection.reason, SelectionReason::fullArea) << nameOf(method);
     }
@@ -215,7 +215,7 @@ TEST(LevelSelector, TurningTheCameraChangesNoLevelByDistanceOrError)
     for (const SelectionMethod method :
          {SelectionMethod::ranges, SelectionMethod::continuous, SelectionMethod::screenError})
     {
-        const Fixture fixture(method);
+        const SelectorFixture fixture(method);
         const auto looking = [&](const glm::dvec3& at)
         {
             HeldLevel held;
@@ -230,7 +230,7 @@ TEST(SelectionSettings, ThatCannotChooseAreToldWithWhatIsWrong)
 {
     const auto isRefused = [](auto change)
     {
-        Fixture fixture(SelectionMethod::ranges);
+        SelectorFixture fixture(SelectionMethod::ranges);
         change(fixture.settings);
         const auto outcome = checkSettings(fixture.settings, 900);
         return !outcome && !outcome.error().what.empty() && !outcome.error().remedy.empty();

@@ -36,14 +36,14 @@ viewlod::ViewState farAway(double metresPerPixel)
     return testsupport::viewTo(glm::normalize(kEye) * kAwayM, glm::dvec3(0.0), highDeg);
 }
 
-struct Fixture
+struct ParallelFixture
 {
     LevelTable table = testsupport::levelTable(1000);
     FacingBins facing = facingBinsOf(testsupport::ball(8, 16));
     SelectionSettings settings;
     SelectableObject object;
 
-    explicit Fixture(SelectionMethod method)
+    explicit ParallelFixture(SelectionMethod method)
     {
         settings.method = method;
         settings.ranges = {{10.0, 20.0, 40.0, 90.0}, {0, 100, 200, 400, 700}};
@@ -55,8 +55,8 @@ struct Fixture
         object.settings = &settings;
         object.facing = &facing;
     }
-    Fixture(const Fixture&) = delete;
-    Fixture& operator=(const Fixture&) = delete;
+    ParallelFixture(const ParallelFixture&) = delete;
+    ParallelFixture& operator=(const ParallelFixture&) = delete;
 
     Selection in(const viewlod::ViewState& view, double reference = 0.0, double magnification = 1.0) const
     {
@@ -91,7 +91,7 @@ TEST(ParallelView, IsOneFromFarAwayToEveryRule)
           SelectionMethod::continuous, SelectionMethod::screenError})
     {
         SCOPED_TRACE(nameOf(method));
-        const Fixture fixture(method);
+        const ParallelFixture fixture(method);
         std::uint32_t coarsest = 0, differ = 0, count = 0;
         for (double pixel = 0.01; pixel < 2.0; pixel *= 1.07, ++count)
         {
@@ -113,7 +113,7 @@ TEST(ParallelView, IsOneFromFarAwayToEveryRule)
 
 TEST(ParallelView, TheScreenErrorIsThatInItsPixels)
 {
-    const Fixture fixture(SelectionMethod::screenError);
+    const ParallelFixture fixture(SelectionMethod::screenError);
     for (const double pixel : {0.0001, 0.001, 0.01})
     {
         const std::uint32_t steps = fixture.in(parallel(pixel)).steps;
@@ -125,13 +125,13 @@ TEST(ParallelView, TheScreenErrorIsThatInItsPixels)
 
 TEST(ParallelView, DistancesAreThoseOfTheReferenceOrElseFromItsPlace)
 {
-    const Fixture fixture(SelectionMethod::ranges);
+    const ParallelFixture fixture(SelectionMethod::ranges);
     // 30 m away a pixel of the reference is 3 / 70 m.
     EXPECT_EQ(fixture.in(parallel(3.0 / 70.0), 700.0).steps, 200u);
     EXPECT_EQ(fixture.in(parallel(3.0 / 70.0, 7.0 * kEye), 700.0).steps, 200u) << "wherever it stands";
     EXPECT_EQ(fixture.in(parallel(0.5, glm::normalize(kEye) * 30.0)).steps, 200u);
     EXPECT_EQ(fixture.in(parallel(0.01, glm::normalize(kEye) * 95.0)).steps, 700u);
-    Fixture fading(SelectionMethod::screenError);
+    ParallelFixture fading(SelectionMethod::screenError);
     fading.settings.alpha = {20.0, 60.0};
     EXPECT_FLOAT_EQ(fading.in(parallel(0.5, glm::normalize(kEye) * 50.0)).alpha, 0.25F);
 }

@@ -16,9 +16,9 @@ using namespace osgPMObjects::core;
 using testsupport::crown;
 using testsupport::LeafKind;
 
-constexpr Placement kPlacements[] = {Placement::subset, Placement::optimal, Placement::quality};
+constexpr Placement kLeafPlacements[] = {Placement::subset, Placement::optimal, Placement::quality};
 
-Mesh levelOf(const Mesh& mesh, const CollapseSequence& sequence, double share)
+Mesh levelOfShare(const Mesh& mesh, const CollapseSequence& sequence, double share)
 {
     return meshAfter(mesh, sequence, stepsToFaces(sequence, std::size_t(share * double(mesh.faces.size()))));
 }
@@ -45,10 +45,11 @@ TEST(LeafCollapse, CoversAtATwentiethWhatThinnedFoliageDoesNot)
     const Mesh mesh = crown(LeafKind::quad, 3000, 0.1);
     const Extent box = extentOf(mesh.positions);
     const int full = testsupport::cover(mesh, box);
-    for (const Placement placement : kPlacements)
+    for (const Placement placement : kLeafPlacements)
     {
-        const Mesh grown = levelOf(mesh, simplify(mesh, {.placement = placement}), 0.05);
-        const Mesh thin = levelOf(mesh, simplify(mesh, {.placement = placement, .growLeaves = false}), 0.05);
+        const Mesh grown = levelOfShare(mesh, simplify(mesh, {.placement = placement}), 0.05);
+        const Mesh thin =
+            levelOfShare(mesh, simplify(mesh, {.placement = placement, .growLeaves = false}), 0.05);
         const double most = testsupport::cover(grown, box), least = testsupport::cover(thin, box);
         EXPECT_GT(most, 0.55 * full);
         EXPECT_LT(most, 1.1 * full); // nor more than there was
@@ -59,7 +60,7 @@ TEST(LeafCollapse, CoversAtATwentiethWhatThinnedFoliageDoesNot)
 TEST(LeafCollapse, MakesSoundSequencesOfAllKindsOfLeaves)
 {
     for (const LeafKind kind : {LeafKind::triangle, LeafKind::quad, LeafKind::doubled})
-        for (const Placement placement : kPlacements)
+        for (const Placement placement : kLeafPlacements)
         {
             const Mesh mesh = crown(kind, 300, 0.2);
             const CollapseSequence sequence = simplify(mesh, {.placement = placement});
@@ -73,12 +74,12 @@ TEST(LeafCollapse, ReachesCountsWithinItsBox)
 {
     const Mesh mesh = crown(LeafKind::quad, 3000, 0.1);
     const Extent box = extentOf(mesh.positions);
-    for (const Placement placement : kPlacements)
+    for (const Placement placement : kLeafPlacements)
     {
         const CollapseSequence sequence = simplify(mesh, {.placement = placement});
         for (const double share : {0.5, 0.25, 0.1, 0.05, 0.01})
         {
-            const Mesh level = levelOf(mesh, sequence, share);
+            const Mesh level = levelOfShare(mesh, sequence, share);
             const double wanted = share * double(mesh.faces.size());
             EXPECT_NEAR(double(level.faces.size()), wanted, std::max(0.01 * wanted, 4.0));
             EXPECT_TRUE(box.contains(extentOf(level.positions)));
@@ -89,9 +90,9 @@ TEST(LeafCollapse, ReachesCountsWithinItsBox)
 TEST(LeafCollapse, ShowsWholeLeavesOnly)
 {
     const Mesh mesh = crown(LeafKind::quad, 1000, 0.1);
-    for (const Placement placement : kPlacements)
+    for (const Placement placement : kLeafPlacements)
     {
-        const Mesh level = levelOf(mesh, simplify(mesh, {.placement = placement}), 0.05);
+        const Mesh level = levelOfShare(mesh, simplify(mesh, {.placement = placement}), 0.05);
         for (const Face& face : level.faces)
         {
             double cut[2];
@@ -108,7 +109,7 @@ TEST(LeafCollapse, ShowsWholeLeavesOnly)
 TEST(LeafCollapse, IsSoundBetweenItsStepsAndDoesNotStopThere)
 {
     const Mesh mesh = crown(LeafKind::quad, 400, 0.2);
-    for (const Placement placement : kPlacements)
+    for (const Placement placement : kLeafPlacements)
     {
         const CollapseSequence sequence = simplify(mesh, {.placement = placement});
         std::size_t between = 0;
@@ -135,7 +136,7 @@ TEST(LeafCollapse, LeavesMeshesWithoutFoliageAsTheyWere)
     for (std::size_t i = 0; i < uneven.texCoords[0].size(); ++i) // no two show the same: debris, not leaves
         uneven.texCoords[0][i] += glm::vec2(float(i / 4) * 0.01f);
     for (const Mesh& mesh : {cubes, tiles, uneven, crown(LeafKind::quad, 40, 0.1)})
-        for (const Placement placement : kPlacements)
+        for (const Placement placement : kLeafPlacements)
             EXPECT_TRUE(staysAsItWas(mesh, placement));
     EXPECT_FALSE(staysAsItWas(crown(LeafKind::quad, 300, 0.1), Placement::subset));
 }

@@ -19,7 +19,7 @@ class BuildCommand : public testing::Test
 {
 protected:
     /// What comes of a command line.
-    viewlod::Result<terminal::Report> run(const std::string& arguments)
+    foundation::Result<terminal::Report> run(const std::string& arguments)
     {
         CLI::App app;
         pmtool::Chosen chosen;

@@ -50,7 +50,8 @@ private:
 
 constexpr const char* kSquare = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
 
-std::string errorOf(const std::function<viewlod::Result<std::string>()>& work, const ReadLimits& limits = {})
+std::string errorOf(const std::function<foundation::Result<std::string>()>& work,
+                    const ReadLimits& limits = {})
 {
     const auto made = runContained(work, "model.ac", "the loader", limits);
     return made ? "none" : made.error().message();
@@ -59,12 +60,12 @@ std::string errorOf(const std::function<viewlod::Result<std::string>()>& work, c
 TEST(ContainedRun, HandsOverWhatWasMade)
 {
     const std::string large(5000000, 'x');
-    const auto made = runContained([&] { return viewlod::Result<std::string>(large); }, "a", "b", {});
+    const auto made = runContained([&] { return foundation::Result<std::string>(large); }, "a", "b", {});
     ASSERT_TRUE(made);
     EXPECT_EQ(*made, large);
     EXPECT_EQ(errorOf(
                   [] {
-                      return viewlod::Result<std::string>(viewlod::Error{"x", "no", "mend it"});
+                      return foundation::Result<std::string>(foundation::Error{"x", "no", "mend it"});
                   }),
               "model.ac: no; mend it");
 }
@@ -74,7 +75,7 @@ TEST(ContainedRun, ACrashIsAnError)
     const auto dies = [](int signal)
     {
         return errorOf(
-            [signal]() -> viewlod::Result<std::string>
+            [signal]() -> foundation::Result<std::string>
             {
                 raise(signal);
                 return std::string();
@@ -83,18 +84,18 @@ TEST(ContainedRun, ACrashIsAnError)
     EXPECT_EQ(dies(SIGSEGV).find("model.ac: the loader died of Segmentation fault; repair"), 0u)
         << dies(SIGSEGV);
     EXPECT_NE(dies(SIGABRT).find("died of Aborted"), std::string::npos);
-    EXPECT_NE(errorOf([]() -> viewlod::Result<std::string> { _exit(3); }).find("ended itself"),
+    EXPECT_NE(errorOf([]() -> foundation::Result<std::string> { _exit(3); }).find("ended itself"),
               std::string::npos);
-    EXPECT_NE(
-        errorOf([]() -> viewlod::Result<std::string> { throw std::runtime_error("thrown"); }).find("thrown"),
-        std::string::npos);
+    EXPECT_NE(errorOf([]() -> foundation::Result<std::string> { throw std::runtime_error("thrown"); })
+                  .find("thrown"),
+              std::string::npos);
 }
 
 TEST(ContainedRun, AHangIsAnErrorAfterItsTime)
 {
     const auto start = std::chrono::steady_clock::now();
     const std::string error = errorOf(
-        []() -> viewlod::Result<std::string>
+        []() -> foundation::Result<std::string>
         {
             while (true)
                 std::this_thread::sleep_for(std::chrono::seconds(1));
@@ -107,8 +108,9 @@ TEST(ContainedRun, AHangIsAnErrorAfterItsTime)
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 TEST(ContainedRun, EatingAllMemoryIsAnError)
 {
-    const std::string error = errorOf(
-        []() -> viewlod::Result<std::string> { return std::string(3000u << 20, 'x'); }, {.memoryMiB = 2048});
+    const std::string error =
+        errorOf([]() -> foundation::Result<std::string> { return std::string(3000u << 20, 'x'); },
+                {.memoryMiB = 2048});
     EXPECT_NE(error.find("wanted more than 2048 MiB; allow it more"), std::string::npos) << error;
 }
 #endif

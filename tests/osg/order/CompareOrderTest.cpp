@@ -27,7 +27,7 @@ public:
     Folder() : TestFolder("compare-order") {}
 };
 
-viewlod::Result<terminal::Report> compareOrder(const std::vector<std::string>& arguments)
+foundation::Result<terminal::Report> compareOrder(const std::vector<std::string>& arguments)
 {
     CLI::App app;
     pmtool::Chosen chosen;

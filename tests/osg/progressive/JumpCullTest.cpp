@@ -16,7 +16,7 @@ using handcull::cameraAt;
 using handcull::cull;
 
 /// 8 520 positions of two materials.
-const Subject& subject()
+const Subject& jumpSubject()
 {
     static const Subject made = subjectOf(
         testsupport::together(testsupport::torus(90, 60), testsupport::waves(60, 50), {4.0, 0.0, 0.0}));
@@ -25,14 +25,14 @@ const Subject& subject()
 
 std::uint32_t most()
 {
-    return subject().shape->progressive().stepCount;
+    return jumpSubject().shape->progressive().stepCount;
 }
 
 /// Frames of one drawable, each with the steps that were played for it.
 class Frames
 {
 public:
-    Frames() : _drawable(new ProgressiveDrawable(subject().shape)) {}
+    Frames() : _drawable(new ProgressiveDrawable(jumpSubject().shape)) {}
 
     /// What is shown.
     std::vector<SeenTriangle> next(std::uint32_t steps)
@@ -59,14 +59,14 @@ private:
 
 std::vector<SeenTriangle> expectedAfter(std::uint32_t steps)
 {
-    return trianglesOf(core::meshAfter(subject().mesh, subject().sequence, steps));
+    return trianglesOf(core::meshAfter(jumpSubject().mesh, jumpSubject().sequence, steps));
 }
 
 } // namespace
 
 TEST(Jump, IsToTheVeryLevelAndNoFramePlaysMoreThanAFewSteps)
 {
-    const std::uint32_t few = ShapeJumps::shortest(subject().shape->progressive());
+    const std::uint32_t few = ShapeJumps::shortest(jumpSubject().shape->progressive());
     ASSERT_GT(most(), 6 * few);
     Frames frames;
     for (const std::uint32_t steps : {0u, most() - 100, 50u, most() / 2})
@@ -85,7 +85,7 @@ TEST(Jump, IsToTheVeryLevelAndNoFramePlaysMoreThanAFewSteps)
 
 TEST(Jump, IsMadeUpForWhileTheLevelMovesOn)
 {
-    const std::uint32_t few = ShapeJumps::shortest(subject().shape->progressive());
+    const std::uint32_t few = ShapeJumps::shortest(jumpSubject().shape->progressive());
     Frames frames;
     std::uint32_t jumpsBefore = 0;
     for (std::uint32_t steps = 0; steps < 600; steps += 30)

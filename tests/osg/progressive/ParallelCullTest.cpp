@@ -14,7 +14,7 @@ namespace
 using namespace progressive;
 using core::SelectionMethod;
 
-const Subject& subject()
+const Subject& parallelSubject()
 {
     static const Subject made = torusAndSheet();
     return made;
@@ -36,7 +36,7 @@ core::SelectionSettings settingsOf(SelectionMethod method)
 {
     core::SelectionSettings settings;
     settings.method = method;
-    settings.areaRows = core::AreaRows::halving(subject().shape->levels());
+    settings.areaRows = core::AreaRows::halving(parallelSubject().shape->levels());
     return settings;
 }
 
@@ -52,7 +52,7 @@ osg::ref_ptr<ProgressiveField> field()
     const auto add = [&](SelectionMethod method)
     {
         FieldKind& kind = kinds.emplace_back();
-        kind.shape = subject().shape;
+        kind.shape = parallelSubject().shape;
         kind.selection = settingsOf(method);
         for (int i = 0; i < 3; ++i)
         {
@@ -129,7 +129,7 @@ TEST(ParallelProjection, ChoosesForAnObjectAsAPerspectiveFromFarAway)
 {
     for (const SelectionMethod method : kByPixels)
     {
-        const osg::ref_ptr<ProgressiveNode> node = new ProgressiveNode(subject().shape);
+        const osg::ref_ptr<ProgressiveNode> node = new ProgressiveNode(parallelSubject().shape);
         ASSERT_TRUE(node->setSelection(settingsOf(method)));
         for (const double pixel : {0.03, 0.11, 0.4})
         {

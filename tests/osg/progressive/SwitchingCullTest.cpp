@@ -23,7 +23,7 @@ using handcull::Culled;
 
 constexpr double kFrameS = 0.125; ///< four frames to a switch
 
-const Subject& subject()
+const Subject& switchedSubject()
 {
     static const Subject made = torusAndSheet();
     return made;
@@ -44,13 +44,13 @@ core::SelectionSettings always(std::uint32_t steps)
 
 std::uint64_t trianglesAt(std::uint32_t steps)
 {
-    return core::meshAfter(subject().mesh, subject().sequence, steps).faces.size();
+    return core::meshAfter(switchedSubject().mesh, switchedSubject().sequence, steps).faces.size();
 }
 
 /// An object and who looks at it, frame by frame.
 struct Watched
 {
-    osg::ref_ptr<ProgressiveNode> node = new ProgressiveNode(subject().shape);
+    osg::ref_ptr<ProgressiveNode> node = new ProgressiveNode(switchedSubject().shape);
     osg::ref_ptr<osg::Camera> camera = cameraAt({8.0, -40.0, 3.0}, {8.0, 0.0, 0.0});
     unsigned frame = 0;
 
@@ -95,7 +95,7 @@ int flipsAround(double metres, SwitchMethod method, const core::SelectionSetting
 
 TEST(Switching, IsAtOnceUnlessItIsSet)
 {
-    const osg::ref_ptr<ProgressiveNode> node = new ProgressiveNode(subject().shape);
+    const osg::ref_ptr<ProgressiveNode> node = new ProgressiveNode(switchedSubject().shape);
     EXPECT_EQ(node->switching().method, SwitchMethod::discrete);
     const auto wanted = by(SwitchMethod::geomorph);
     ASSERT_TRUE(node->setSwitching(wanted));

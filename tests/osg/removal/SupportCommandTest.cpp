@@ -39,7 +39,7 @@ protected:
         return {std::istreambuf_iterator<char>(stream), {}};
     }
 
-    static viewlod::Result<terminal::Report> run(std::vector<std::string> arguments)
+    static foundation::Result<terminal::Report> run(std::vector<std::string> arguments)
     {
         CLI::App app;
         pmtool::Chosen chosen;

@@ -37,7 +37,7 @@ public:
     }
 };
 
-viewlod::Result<terminal::Report> compareSimplify(const Words& arguments)
+foundation::Result<terminal::Report> compareSimplify(const Words& arguments)
 {
     CLI::App app;
     pmtool::Chosen chosen;

@@ -16,7 +16,7 @@ class SimplifyCommand : public testing::Test
 {
 protected:
     /// What comes of a command line.
-    viewlod::Result<terminal::Report> run(const std::string& arguments)
+    foundation::Result<terminal::Report> run(const std::string& arguments)
     {
         CLI::App app;
         pmtool::Chosen chosen;

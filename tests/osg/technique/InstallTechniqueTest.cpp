@@ -47,7 +47,7 @@ osg::ref_ptr<osg::Node> childrenOf(osg::PagedLOD& paged)
     return osgDB::readRefNodeFile(paged.getDatabasePath() + paged.getFileName(1), options);
 }
 
-bool isOurs(const osg::Node* node)
+bool isOurTile(const osg::Node* node)
 {
     const auto* tile = dynamic_cast<const TerrainTile*>(node);
     return tile && dynamic_cast<const RoamTechnique*>(tile->getTerrainTechnique());
@@ -76,12 +76,12 @@ TEST_F(InstallTechnique, ReachesTilesPrototypesAndPagedFiles)
         EXPECT_EQ(count.pagedFiles, 1u);
         const auto* terrain = dynamic_cast<const osgTerrain::Terrain*>(database.get());
         EXPECT_TRUE(dynamic_cast<const RoamTechnique*>(terrain->getTerrainTechniquePrototype()));
-        EXPECT_TRUE(isOurs(pagedOf(*database)->getChild(0)));
+        EXPECT_TRUE(isOurTile(pagedOf(*database)->getChild(0)));
         const auto children = childrenOf(*pagedOf(*database));
         ASSERT_TRUE(children) << extension;
         ASSERT_EQ(children->asGroup()->getNumChildren(), 4u);
         for (unsigned int i = 0; i < 4; ++i)
-            EXPECT_TRUE(isOurs(children->asGroup()->getChild(i))) << extension;
+            EXPECT_TRUE(isOurTile(children->asGroup()->getChild(i))) << extension;
     }
 }
 
@@ -91,7 +91,7 @@ TEST_F(InstallTechnique, WithoutItPagedTilesAreStock)
     const auto database = osgDB::readRefNodeFile(writePagedDatabase(_folder, 4000.0).string());
     const auto children = childrenOf(*pagedOf(*database));
     ASSERT_TRUE(children);
-    EXPECT_FALSE(isOurs(children->asGroup()->getChild(0)));
+    EXPECT_FALSE(isOurTile(children->asGroup()->getChild(0)));
 }
 
 TEST_F(InstallTechnique, ReachesFilesThatPagedFilesPage)
@@ -105,7 +105,7 @@ TEST_F(InstallTechnique, ReachesFilesThatPagedFilesPage)
     {
         level = childrenOf(*pagedOf(*level));
         ASSERT_TRUE(level);
-        EXPECT_TRUE(isOurs(pagedOf(*level)->getChild(0))) << depth;
+        EXPECT_TRUE(isOurTile(pagedOf(*level)->getChild(0))) << depth;
     }
 }
 
@@ -121,7 +121,7 @@ TEST_F(InstallTechnique, LeavesOptionsAndCallbacksThatAreThereAtWork)
     EXPECT_EQ(options->getReadFileCallback(), reader.get()) << "others may use these options, too";
     const auto* installed = dynamic_cast<const osgDB::Options*>(pagedOf(*database)->getDatabaseOptions());
     EXPECT_EQ(installed->getOptionString(), "some option");
-    EXPECT_TRUE(isOurs(childrenOf(*pagedOf(*database))->asGroup()->getChild(0)));
+    EXPECT_TRUE(isOurTile(childrenOf(*pagedOf(*database))->asGroup()->getChild(0)));
     EXPECT_EQ(reader->reads, 1);
 }
 
@@ -132,7 +132,7 @@ TEST_F(InstallTechnique, ReplacesTheTechniqueOfATileThatHasBeenDrawn)
     tile.init(TerrainTile::ALL_DIRTY, false);
     EXPECT_TRUE(dynamic_cast<osgTerrain::GeometryTechnique*>(tile.getTerrainTechnique()));
     EXPECT_EQ(installTechnique(*terrain, *_prototype).tiles, 1u);
-    EXPECT_TRUE(isOurs(&tile));
+    EXPECT_TRUE(isOurTile(&tile));
     EXPECT_TRUE(tile.getDirty());
 }
 

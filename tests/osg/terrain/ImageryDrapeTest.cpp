@@ -15,16 +15,16 @@ namespace
 
 using namespace osgTerrainROAM;
 
-constexpr int kColumns = 41;
-constexpr int kRows = 31;
+constexpr int kDrapeColumns = 41;
+constexpr int kDrapeRows = 31;
 
 /// A raster of 3" cells whose south-western sample is 46° N 8° E.
 core::PlacedTile geographicTile(const TemporaryFolder& folder)
 {
     RasterSpec spec;
-    spec.columns = kColumns;
-    spec.rows = kRows;
-    spec.geoTransform = northUp3Seconds(kRows);
+    spec.columns = kDrapeColumns;
+    spec.rows = kDrapeRows;
+    spec.geoTransform = northUp3Seconds(kDrapeRows);
     spec.epsg = 4326;
     writeRaster(folder / "dem.tif", "GTiff", spec);
     auto field = core::importDem(folder / "dem.tif", {});

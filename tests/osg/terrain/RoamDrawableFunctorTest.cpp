@@ -22,13 +22,14 @@ namespace
 using osgTerrainROAM::RoamDrawable;
 using osgTerrainROAM::RoamTerrain;
 
-constexpr int kColumns = 200;
-constexpr int kRows = 150;
+constexpr int kFunctorColumns = 200;
+constexpr int kFunctorRows = 150;
 constexpr double kSpacingM = 30.0;
 
 osg::ref_ptr<RoamTerrain> terrainOf()
 {
-    return new RoamTerrain(testsupport::planarTile(testsupport::hills(kColumns, kRows, kSpacingM)), nullptr);
+    return new RoamTerrain(
+        testsupport::planarTile(testsupport::hills(kFunctorColumns, kFunctorRows, kSpacingM)), nullptr);
 }
 
 /// Area in the ground plane, and how far the triangles reach.
@@ -67,10 +68,12 @@ TEST(RoamDrawableFunctor, CoversExactlyTheDataWithUpwardTriangles)
     const auto patched = groundOf(*terrain->drawable());
     for (const auto* ground : {&before, &after, &patched})
     {
-        EXPECT_NEAR(ground->area2 / 2.0, (kColumns - 1) * (kRows - 1) * kSpacingM * kSpacingM, 1.0);
+        EXPECT_NEAR(ground->area2 / 2.0, (kFunctorColumns - 1) * (kFunctorRows - 1) * kSpacingM * kSpacingM,
+                    1.0);
         EXPECT_EQ(ground->downward, 0u);
-        EXPECT_FLOAT_EQ(ground->box.xMax(), (kColumns - 1) * kSpacingM) << "clipped at the data's edge";
-        EXPECT_FLOAT_EQ(ground->box.yMax(), (kRows - 1) * kSpacingM);
+        EXPECT_FLOAT_EQ(ground->box.xMax(), (kFunctorColumns - 1) * kSpacingM)
+            << "clipped at the data's edge";
+        EXPECT_FLOAT_EQ(ground->box.yMax(), (kFunctorRows - 1) * kSpacingM);
     }
 }
 
@@ -78,7 +81,7 @@ TEST(RoamDrawableFunctor, AMissingRangeShowsInTheArea)
 {
     // The mutation for the test above: one region less.
     osgTerrainROAM::core::RoamMesh mesh(
-        testsupport::planarTile(testsupport::hills(kColumns, kRows, kSpacingM)));
+        testsupport::planarTile(testsupport::hills(kFunctorColumns, kFunctorRows, kSpacingM)));
     mesh.refine(1.0);
     std::vector<osgTerrainROAM::core::IndexRange> ranges;
     for (std::uint32_t i = 0; i < mesh.tree().leaves().regionCount(); ++i)
@@ -86,7 +89,9 @@ TEST(RoamDrawableFunctor, AMissingRangeShowsInTheArea)
     ranges.erase(ranges.begin() + static_cast<std::ptrdiff_t>(ranges.size() / 2));
     osg::TriangleFunctor<Ground> ground;
     osgTerrainROAM::clippedTriangles(mesh.tile().tile, mesh.drawn(ranges)).accept(ground);
-    EXPECT_GT(std::abs(ground.area2 / 2.0 - (kColumns - 1) * (kRows - 1) * kSpacingM * kSpacingM), 100.0);
+    EXPECT_GT(
+        std::abs(ground.area2 / 2.0 - (kFunctorColumns - 1) * (kFunctorRows - 1) * kSpacingM * kSpacingM),
+        100.0);
 }
 
 TEST(RoamDrawableFunctor, BoundsHoldEveryTriangleTightly)
@@ -109,8 +114,8 @@ TEST(RoamDrawableFunctor, IntersectionsLieOnTheSurface)
     testsupport::Random random(5);
     for (int i = 0; i < 20; ++i)
     {
-        const double x = random.unit() * (kColumns - 1) * kSpacingM;
-        const double y = random.unit() * (kRows - 1) * kSpacingM;
+        const double x = random.unit() * (kFunctorColumns - 1) * kSpacingM;
+        const double y = random.unit() * (kFunctorRows - 1) * kSpacingM;
         const osg::ref_ptr<osgUtil::LineSegmentIntersector> segment =
             new osgUtil::LineSegmentIntersector(osg::Vec3d(x, y, 5000), osg::Vec3d(x, y, -5000));
         osgUtil::IntersectionVisitor visitor(segment);
@@ -125,7 +130,7 @@ TEST(RoamDrawableFunctor, IntersectionsLieOnTheSurface)
 TEST(RoamDrawableFunctor, NothingIsHitBeyondTheData)
 {
     const auto terrain = terrainOf();
-    const double x = (kColumns + 20) * kSpacingM;
+    const double x = (kFunctorColumns + 20) * kSpacingM;
     const osg::ref_ptr<osgUtil::LineSegmentIntersector> segment =
         new osgUtil::LineSegmentIntersector(osg::Vec3d(x, 900, 5000), osg::Vec3d(x, 900, -5000));
     osgUtil::IntersectionVisitor visitor(segment);

@@ -13,8 +13,8 @@
 
 #include "HandCull.h"
 #include "SyntheticField.h"
-#include "scenery/PlaceScenery.h"
-#include "scenery/ReadScenery.h"
+#include "scenery/placement/PlaceScenery.h"
+#include "scenery/placement/ReadScenery.h"
 
 namespace
 {

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "RenderedView.h"
-#include "models/Catalogue.h"
+#include "scenery/models/Catalogue.h"
 #include "view/ModelStates.h"
 
 using namespace trainer::models;

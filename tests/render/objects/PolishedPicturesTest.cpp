@@ -24,7 +24,7 @@ using namespace osgPMObjects;
 using core::Mesh;
 
 /// A ball with bumps, smooth normals and a smaller ball inside that nobody sees.
-Mesh bumpyBall()
+Mesh bumpyBallAroundAnother()
 {
     Mesh ball = testsupport::meshOf(testsupport::sphereMesh(40, 60));
     for (glm::dvec3& p : ball.positions)
@@ -65,7 +65,7 @@ Errors errorsOf(const core::Mesh& mesh, std::span<const osg::ref_ptr<osg::StateS
 
 TEST(PolishedPictures, AreATenthNearerThanThoseOfQuadrics)
 {
-    const Mesh mesh = bumpyBall();
+    const Mesh mesh = bumpyBallAroundAnother();
     const osg::ref_ptr<osg::StateSet> state = new osg::StateSet;
     state->setMode(GL_LIGHTING, osg::StateAttribute::ON);
     state->setMode(GL_NORMALIZE, osg::StateAttribute::ON);

@@ -21,8 +21,8 @@ using namespace featurescene;
 using core::FeatureKind;
 
 constexpr double kFlash = 25.0; ///< levels
-const osg::Vec3d kUp(0.0, 0.0, 1.0);
-const osg::Vec3d kNorth(0.0, 1.0, 0.0);
+const osg::Vec3d kZenith(0.0, 0.0, 1.0);
+const osg::Vec3d kNorthward(0.0, 1.0, 0.0);
 
 /// Middle of the brightest line within `reach` of a pixel in a row, weighted by what it is brighter than asphalt.
 double brightMiddlePx(const osg::Image& picture, double nearPx, int row, int reach)
@@ -45,7 +45,7 @@ double worstLineErrorPx(const osg::ref_ptr<RoamTerrain>& terrain, double roadEas
 {
     Camera camera(terrain);
     const osg::Vec3d eye(roadEast, 20000.0, 2.0);
-    const auto picture = camera.picture(eye, osg::Vec3d(0.0, 1.0, -0.15), kUp);
+    const auto picture = camera.picture(eye, osg::Vec3d(0.0, 1.0, -0.15), kZenith);
     double worst = 0.0;
     for (const double ahead : {8.0, 12.0, 16.0})
         for (const double side : {-1.0, 1.0})
@@ -91,8 +91,8 @@ double worstStripErrorPx(double east, double widthM)
     const auto with = plain({line(FeatureKind::runway, widthM, {east, 19920.0}, {east, 20080.0})}, true);
     Camera camera(with), bare(plain({}, true));
     const osg::Vec3d eye(east + 40.0, 20000.0, 500.0);
-    const auto picture = camera.picture(eye, -kUp, kNorth);
-    const auto ground = bare.picture(eye, -kUp, kNorth);
+    const auto picture = camera.picture(eye, -kZenith, kNorthward);
+    const auto ground = bare.picture(eye, -kZenith, kNorthward);
     double left = 0.0, right = 0.0;
     for (int row = 120; row < 150; ++row)
     {
@@ -135,7 +135,7 @@ std::size_t flashes(const osg::ref_ptr<RoamTerrain>& terrain, const osg::Vec3d& 
     std::size_t count = 0;
     for (int frame = 0; frame < 24; ++frame)
     {
-        frames.push_back(camera.picture(from + step * frame, ahead, kUp));
+        frames.push_back(camera.picture(from + step * frame, ahead, kZenith));
         if (frame < 2) continue;
         for (int y = 125; y < kHeightPx; ++y)
             for (int x = 0; x < kWidthPx; ++x)
@@ -203,7 +203,7 @@ TEST(FeaturePaint, TheLaterKindLiesOnTop)
     const auto middle = [](const std::vector<core::GroundFeature>& features)
     {
         Camera camera(plain(features));
-        const auto picture = camera.picture({1000.0, 20000.0, 200.0}, -kUp, kNorth);
+        const auto picture = camera.picture({1000.0, 20000.0, 200.0}, -kZenith, kNorthward);
         const unsigned char* p = picture->data(kWidthPx / 2, kHeightPx / 2);
         return std::array<int, 3>{p[0], p[1], p[2]};
     };
@@ -237,7 +237,7 @@ TEST(FeaturePaint, NothingOfItIsDrawnWhereNothingIsPainted)
     const auto far = plain({line(FeatureKind::road, 8.0, {50000.0, 50000.0}, {50500.0, 50000.0})});
     Camera with(far), without(plain({}));
     const osg::Vec3d eye(20000.0, 20000.0, 100.0), ahead(0.0, 1.0, -0.4);
-    const auto difference =
-        osgOffscreen::compareImages(*with.picture(eye, ahead, kUp), *without.picture(eye, ahead, kUp));
+    const auto difference = osgOffscreen::compareImages(*with.picture(eye, ahead, kZenith),
+                                                        *without.picture(eye, ahead, kZenith));
     EXPECT_TRUE(difference.identical()) << difference.message();
 }

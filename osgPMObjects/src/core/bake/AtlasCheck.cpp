@@ -15,7 +15,7 @@ namespace osgPMObjects::core
 namespace
 {
 
-constexpr std::uint32_t kNone = ~0u;
+constexpr std::uint32_t kNoFace = ~0u;
 /// How far inside a triangle a centre has to be to count, in texels: sides that two faces share go through centres.
 constexpr double kInside = 1e-6;
 
@@ -27,7 +27,7 @@ struct Texels
 
     explicit Texels(int sizePx)
         : size(sizePx),
-          charts(static_cast<std::size_t>(size) * static_cast<std::size_t>(size), kNone),
+          charts(static_cast<std::size_t>(size) * static_cast<std::size_t>(size), kNoFace),
           faces(charts)
     {
     }
@@ -69,7 +69,7 @@ std::string addFace(Texels& texels, const FlatTriangle& t, std::uint32_t face, s
             texels.charts[texels.at(x, y)] = chart;
             if (!isInside(t, glm::dvec2(x, y) + 0.5)) continue;
             std::uint32_t& owner = texels.faces[texels.at(x, y)];
-            if (owner != kNone) return name + " lies over face " + std::to_string(owner);
+            if (owner != kNoFace) return name + " lies over face " + std::to_string(owner);
             owner = face;
         }
     return "";
@@ -78,14 +78,15 @@ std::string addFace(Texels& texels, const FlatTriangle& t, std::uint32_t face, s
 std::string nearChart(const Texels& texels, int x, int y, int gutter)
 {
     const std::uint32_t chart = texels.charts[texels.at(x, y)];
-    if (chart == kNone) return "";
+    if (chart == kNoFace) return "";
     const std::string name = "chart " + std::to_string(chart);
     if (std::min(x, y) < gutter || std::max(x, y) >= texels.size - gutter)
         return name + " has no gutter at the border";
     const int last = texels.size - 1;
     for (int v = std::max(0, y - 2 * gutter); v <= std::min(last, y + 2 * gutter); ++v)
         for (int u = std::max(0, x - 2 * gutter); u <= std::min(last, x + 2 * gutter); ++u)
-            if (const std::uint32_t other = texels.charts[texels.at(u, v)]; other != kNone && other != chart)
+            if (const std::uint32_t other = texels.charts[texels.at(u, v)];
+                other != kNoFace && other != chart)
                 return name + " lies too near to chart " + std::to_string(other);
     return "";
 }

@@ -19,8 +19,8 @@ namespace osgPMObjects::core
 namespace
 {
 
-constexpr std::size_t kLeastShare = 512; ///< texels
-constexpr double kLeastNormal = 0.01;    ///< below, corners look so differently that their mean says nothing
+constexpr std::size_t kLeastTexelsAThread = 512; ///< texels
+constexpr double kLeastNormal = 0.01; ///< below, corners look so differently that their mean says nothing
 
 glm::dvec3 geometricNormal(const Mesh& mesh, const Face& face)
 {
@@ -137,7 +137,7 @@ BakedMaps bakeMaps(const Mesh& full, const Mesh& simplified, const Atlas& atlas,
     maps.colours.resize(owners.faces.size());
     maps.normals.resize(owners.faces.size());
     std::vector<std::size_t> unmatched(std::max(1u, std::thread::hardware_concurrency()), 0);
-    parallelShares(owned.size(), kLeastShare,
+    parallelShares(owned.size(), kLeastTexelsAThread,
                    [&](std::size_t first, std::size_t last, std::size_t share)
                    {
                        std::size_t count = 0;

@@ -129,16 +129,17 @@ double largestScale(const std::vector<FlatChart>& flats, const PackSettings& set
 
 } // namespace
 
-viewlod::Result<Atlas> packCharts(const Mesh& mesh, Charts charts, const PackSettings& settings)
+foundation::Result<Atlas> packCharts(const Mesh& mesh, Charts charts, const PackSettings& settings)
 {
     const int size = settings.sizePx;
     if (size < 16 || size > 8192 || (size & (size - 1)) != 0 || settings.gutterPx < 1 ||
         settings.gutterPx > 64)
-        return viewlod::Error{"atlas",
-                              "a size of " + std::to_string(size) + " with a gutter of " +
-                                  std::to_string(settings.gutterPx) + " cannot be made",
-                              "use a power of two from 16 to 8192, and a gutter of 1 to 64"};
-    if (charts.charts.empty()) return viewlod::Error{"atlas", "there are no faces", "give a mesh with faces"};
+        return foundation::Error{"atlas",
+                                 "a size of " + std::to_string(size) + " with a gutter of " +
+                                     std::to_string(settings.gutterPx) + " cannot be made",
+                                 "use a power of two from 16 to 8192, and a gutter of 1 to 64"};
+    if (charts.charts.empty())
+        return foundation::Error{"atlas", "there are no faces", "give a mesh with faces"};
     std::vector<FlatChart> flats;
     for (Chart& chart : charts.charts)
         flats.push_back(turnUpright(mesh, chart));
@@ -147,10 +148,10 @@ viewlod::Result<Atlas> packCharts(const Mesh& mesh, Charts charts, const PackSet
     atlas.sizePx = size;
     atlas.texelsPerUnit = largestScale(flats, settings, corners);
     if (atlas.texelsPerUnit <= 0.0)
-        return viewlod::Error{"atlas",
-                              std::to_string(flats.size()) + " charts do not fit into " +
-                                  std::to_string(size) + " texels a side",
-                              "use a larger size or fewer faces"};
+        return foundation::Error{"atlas",
+                                 std::to_string(flats.size()) + " charts do not fit into " +
+                                     std::to_string(size) + " texels a side",
+                                 "use a larger size or fewer faces"};
     for (std::size_t c = 0; c < flats.size(); ++c)
         atlas.origin.push_back(glm::dvec2(corners[c]) + static_cast<double>(settings.gutterPx) -
                                atlas.texelsPerUnit * flats[c].low);

@@ -15,7 +15,7 @@ namespace
 {
 
 /// Faces that one thread takes at least.
-constexpr std::size_t kLeastShare = 16384;
+constexpr std::size_t kLeastFacesAThread = 16384;
 constexpr double kMostCells = 1 << 22;
 constexpr double kMostOfASide = 1024;
 
@@ -101,7 +101,7 @@ std::vector<std::uint8_t> EdgeCells::facesTouching(const Mesh& mesh) const
 {
     std::vector<std::uint8_t> isTouching(mesh.faces.size(), 0);
     const auto isMarked = [this](std::size_t cell) { return (_marks[cell / 64] >> cell % 64 & 1) != 0; };
-    parallelShares(mesh.faces.size(), kLeastShare,
+    parallelShares(mesh.faces.size(), kLeastFacesAThread,
                    [&](std::size_t first, std::size_t last, std::size_t)
                    {
                        for (std::size_t f = first; f < last; ++f)

@@ -91,13 +91,13 @@ enum class OtherFiles
     read,
 };
 
-viewlod::Result<GltfModel> readModel(const Parse& parse, const std::string& name, OtherFiles others)
+foundation::Result<GltfModel> readModel(const Parse& parse, const std::string& name, OtherFiles others)
 {
     const auto refused = [&](std::string why)
     {
         std::replace(why.begin(), why.end(), '\n', ' ');
-        return viewlod::Error{name, "is no glTF 2 that can be read: " + why,
-                              "export the model again as .glb"};
+        return foundation::Error{name, "is no glTF 2 that can be read: " + why,
+                                 "export the model again as .glb"};
     };
     tinygltf::Model parsed;
     try
@@ -125,16 +125,16 @@ viewlod::Result<GltfModel> readModel(const Parse& parse, const std::string& name
     model.report.animations += parsed.animations.size();
     if (const auto read = readGltfScene(parsed, name, model); !read) return read.error();
     if (const std::string defect = defectOf(model.mesh); !defect.empty())
-        return viewlod::Error{name, defect, "repair the model, or split it"};
+        return foundation::Error{name, defect, "repair the model, or split it"};
     return model;
 }
 
 } // namespace
 
-viewlod::Result<GltfModel> parseGlb(std::span<const unsigned char> bytes, const std::string& name)
+foundation::Result<GltfModel> parseGlb(std::span<const unsigned char> bytes, const std::string& name)
 {
     if (bytes.size() > std::numeric_limits<unsigned>::max() / 2)
-        return viewlod::Error{name, "is larger than 2 GiB", "split the model"};
+        return foundation::Error{name, "is larger than 2 GiB", "split the model"};
     return readModel(
         [&](tinygltf::TinyGLTF& loader, tinygltf::Model& model, std::string& error)
         {
@@ -145,10 +145,10 @@ viewlod::Result<GltfModel> parseGlb(std::span<const unsigned char> bytes, const 
         name, OtherFiles::refused);
 }
 
-viewlod::Result<GltfModel> parseGltf(std::span<const unsigned char> bytes, const std::string& name)
+foundation::Result<GltfModel> parseGltf(std::span<const unsigned char> bytes, const std::string& name)
 {
     if (bytes.size() > std::numeric_limits<unsigned>::max() / 2)
-        return viewlod::Error{name, "is larger than 2 GiB", "split the model"};
+        return foundation::Error{name, "is larger than 2 GiB", "split the model"};
     return readModel(
         [&](tinygltf::TinyGLTF& loader, tinygltf::Model& model, std::string& error)
         {
@@ -160,11 +160,12 @@ viewlod::Result<GltfModel> parseGltf(std::span<const unsigned char> bytes, const
         name, OtherFiles::refused);
 }
 
-viewlod::Result<GltfModel> readGltf(const std::filesystem::path& file)
+foundation::Result<GltfModel> readGltf(const std::filesystem::path& file)
 {
     std::ifstream stream(file, std::ios::binary);
     char magic[4] = {};
-    if (!stream) return viewlod::Error{file.string(), "cannot be opened", "check its path and permissions"};
+    if (!stream)
+        return foundation::Error{file.string(), "cannot be opened", "check its path and permissions"};
     stream.read(magic, sizeof magic);
     const bool isBinary = std::memcmp(magic, "glTF", 4) == 0;
     return readModel(

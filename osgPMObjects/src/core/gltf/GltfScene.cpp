@@ -60,13 +60,13 @@ public:
     {
     }
 
-    viewlod::Outcome run()
+    foundation::Outcome run()
     {
         for (const int root : roots())
             visit(root, kUpright, 0);
         if (_error) return *_error;
         _into.mesh = _builder.finish();
-        return viewlod::success();
+        return foundation::success();
     }
 
 private:
@@ -91,7 +91,7 @@ private:
 
     void fail(const std::string& place, const std::string& what)
     {
-        if (!_error) _error = viewlod::Error{_name, place + " " + what, "export the model again"};
+        if (!_error) _error = foundation::Error{_name, place + " " + what, "export the model again"};
     }
 
     void visit(int number, const glm::dmat4& above, int depth)
@@ -263,7 +263,7 @@ private:
     const std::string& _name;
     GltfModel& _into;
     MeshBuilder _builder;
-    std::optional<viewlod::Error> _error;
+    std::optional<foundation::Error> _error;
     std::size_t _visits = 0;
 
     // Of the primitive that is being read.
@@ -278,7 +278,7 @@ private:
 
 } // namespace
 
-viewlod::Outcome readGltfScene(const tinygltf::Model& model, const std::string& name, GltfModel& into)
+foundation::Outcome readGltfScene(const tinygltf::Model& model, const std::string& name, GltfModel& into)
 {
     return SceneReader(model, name, into).run();
 }

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include <viewlod/Result.h>
+#include <foundation/Result.h>
 
 #include <osgPMObjects/core/gltf/GltfImport.h>
 
@@ -16,6 +16,6 @@ namespace osgPMObjects::core
 {
 
 /// The mesh of a parsed file; materials and images are in `into` already.
-viewlod::Outcome readGltfScene(const tinygltf::Model& model, const std::string& name, GltfModel& into);
+foundation::Outcome readGltfScene(const tinygltf::Model& model, const std::string& name, GltfModel& into);
 
 } // namespace osgPMObjects::core

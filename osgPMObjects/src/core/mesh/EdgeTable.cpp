@@ -12,7 +12,7 @@ namespace
 {
 
 /// Positions that one thread takes at least.
-constexpr std::size_t kLeastShare = 16384;
+constexpr std::size_t kLeastPositionsAThread = 16384;
 
 /// A side's ends, the lower first.
 std::pair<std::uint32_t, std::uint32_t> sortedEnds(std::span<const Triangle> triangles, HalfEdge side)
@@ -59,7 +59,7 @@ EdgeTable::EdgeTable(std::span<const Triangle> triangles, std::size_t positionCo
             entries[next[low]++] = {high, side};
         });
 
-    parallelShares(positionCount, kLeastShare,
+    parallelShares(positionCount, kLeastPositionsAThread,
                    [&](std::size_t first, std::size_t last, std::size_t)
                    {
                        for (std::size_t low = first; low < last; ++low)

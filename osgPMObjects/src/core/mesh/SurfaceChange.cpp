@@ -15,7 +15,7 @@ namespace osgPMObjects::core
 namespace
 {
 
-constexpr std::size_t kLeastShare = 2048;
+constexpr std::size_t kLeastSamplesAThread = 2048;
 
 const glm::dvec3& placeOf(const glm::dvec3& point)
 {
@@ -55,7 +55,7 @@ template<class Point>
 Distances distances(const std::vector<Point>& samples, const TriangleTree& tree)
 {
     std::vector<Distances> parts(std::max(1u, std::thread::hardware_concurrency()));
-    parallelShares(samples.size(), kLeastShare,
+    parallelShares(samples.size(), kLeastSamplesAThread,
                    [&](std::size_t first, std::size_t last, std::size_t share)
                    { parts[share] = distancesOf(samples, first, last, tree); });
     Distances all;

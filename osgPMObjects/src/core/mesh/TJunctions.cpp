@@ -20,7 +20,7 @@ namespace
 /// How near to an end a foot may be, as a share of the edge: nearer, the vertex is that end's business (welding).
 constexpr double kEnd = 1e-4;
 /// Edges that one thread takes at least.
-constexpr std::size_t kLeastShare = 4096;
+constexpr std::size_t kLeastEdgesAThread = 4096;
 
 using Ends = std::pair<std::uint32_t, std::uint32_t>;
 
@@ -55,7 +55,7 @@ public:
         for (const std::uint32_t v : _vertices)
             grid.add(_positions[v]);
         std::vector<std::vector<TJunction>> found(std::max(1u, std::thread::hardware_concurrency()));
-        parallelShares(_edges.size(), kLeastShare,
+        parallelShares(_edges.size(), kLeastEdgesAThread,
                        [&](std::size_t first, std::size_t last, std::size_t share)
                        {
                            for (std::size_t i = first; i < last; ++i)

@@ -11,8 +11,6 @@ namespace osgPMObjects::core
 namespace
 {
 
-constexpr std::uint32_t kNone = TriangleAdjacency::kNone;
-
 /// A forest of the dual graph: triangles in the order of the search, and from where each was reached.
 struct SpanningForest
 {
@@ -25,10 +23,11 @@ public:
     explicit DepthFirst(const TriangleAdjacency& adjacency)
         : _adjacency(adjacency), _isDone(adjacency.size(), 0), _left(adjacency.size())
     {
-        _forest.parent.assign(adjacency.size(), kNone);
+        _forest.parent.assign(adjacency.size(), TriangleAdjacency::kNone);
         for (std::uint32_t t = 0; t < adjacency.size(); ++t)
-            _left[t] = static_cast<int>(
-                3 - std::count(adjacency.neighbours(t).begin(), adjacency.neighbours(t).end(), kNone));
+            _left[t] =
+                static_cast<int>(3 - std::count(adjacency.neighbours(t).begin(),
+                                                adjacency.neighbours(t).end(), TriangleAdjacency::kNone));
     }
 
     SpanningForest run()
@@ -49,7 +48,7 @@ private:
         while (!path.empty())
         {
             const std::uint32_t next = mostIsolated(path.back());
-            if (next == kNone)
+            if (next == TriangleAdjacency::kNone)
             {
                 path.pop_back();
                 continue;
@@ -65,14 +64,16 @@ private:
         _isDone[t] = 1;
         _forest.order.push_back(t);
         for (const std::uint32_t n : _adjacency.neighbours(t))
-            if (n != kNone) --_left[n];
+            if (n != TriangleAdjacency::kNone) --_left[n];
     }
 
     std::uint32_t mostIsolated(std::uint32_t t) const
     {
-        std::uint32_t best = kNone;
+        std::uint32_t best = TriangleAdjacency::kNone;
         for (const std::uint32_t n : _adjacency.neighbours(t))
-            if (n != kNone && !_isDone[n] && (best == kNone || _left[n] < _left[best])) best = n;
+            if (n != TriangleAdjacency::kNone && !_isDone[n] &&
+                (best == TriangleAdjacency::kNone || _left[n] < _left[best]))
+                best = n;
         return best;
     }
 
@@ -89,13 +90,15 @@ using Links = std::vector<std::array<std::uint32_t, 2>>;
 /// the tree into paths has fewer.
 Links pathsOf(const SpanningForest& forest)
 {
-    Links links(forest.order.size(), {kNone, kNone});
+    Links links(forest.order.size(), {TriangleAdjacency::kNone, TriangleAdjacency::kNone});
     for (auto t = forest.order.rbegin(); t != forest.order.rend(); ++t)
     {
         const std::uint32_t parent = forest.parent[*t];
-        if (parent == kNone || links[*t][1] != kNone || links[parent][1] != kNone) continue;
-        links[parent][links[parent][0] == kNone ? 0 : 1] = *t;
-        links[*t][links[*t][0] == kNone ? 0 : 1] = parent;
+        if (parent == TriangleAdjacency::kNone || links[*t][1] != TriangleAdjacency::kNone ||
+            links[parent][1] != TriangleAdjacency::kNone)
+            continue;
+        links[parent][links[parent][0] == TriangleAdjacency::kNone ? 0 : 1] = *t;
+        links[*t][links[*t][0] == TriangleAdjacency::kNone ? 0 : 1] = parent;
     }
     return links;
 }
@@ -111,15 +114,15 @@ TriangleStrips dualGraphStrips(std::span<const Triangle> triangles)
     std::vector<char> isDone(triangles.size(), 0);
     for (const std::uint32_t end : forest.order)
     {
-        if (isDone[end] || links[end][1] != kNone) continue; // begins at an end of a path
+        if (isDone[end] || links[end][1] != TriangleAdjacency::kNone) continue; // begins at an end of a path
         strips.firsts.push_back(static_cast<std::uint32_t>(strips.triangles.size()));
-        for (std::uint32_t t = end, next = kNone; t != kNone; t = next)
+        for (std::uint32_t t = end, next = TriangleAdjacency::kNone; t != TriangleAdjacency::kNone; t = next)
         {
             isDone[t] = 1;
             strips.triangles.push_back(t);
-            next = kNone;
+            next = TriangleAdjacency::kNone;
             for (const std::uint32_t linked : links[t])
-                if (linked != kNone && !isDone[linked]) next = linked;
+                if (linked != TriangleAdjacency::kNone && !isDone[linked]) next = linked;
         }
     }
     return strips;

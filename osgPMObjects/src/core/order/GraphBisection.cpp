@@ -12,7 +12,6 @@ namespace osgPMObjects::core
 namespace
 {
 
-constexpr std::uint32_t kNone = TriangleAdjacency::kNone;
 constexpr int kPasses = 8;
 constexpr std::size_t kSlackShare = 16; ///< halves may differ from the middle by one of so many
 constexpr std::size_t kIdleMoves = 64;  ///< so many without a better cut end a pass
@@ -52,7 +51,7 @@ std::uint32_t GraphBisection::search(std::span<std::uint32_t> triangles, std::ui
 {
     ++_searches;
     _found.clear();
-    std::uint32_t end = kNone;
+    std::uint32_t end = TriangleAdjacency::kNone;
     std::size_t done = 0;
     const auto enter = [this](std::uint32_t t)
     {
@@ -63,8 +62,8 @@ std::uint32_t GraphBisection::search(std::span<std::uint32_t> triangles, std::ui
     {
         for (; done < _found.size(); ++done)
             for (const std::uint32_t n : _adjacency.neighbours(_found[done]))
-                if (n != kNone && _set[n] == _sets) enter(n);
-        if (end == kNone) end = _found.back();
+                if (n != TriangleAdjacency::kNone && _set[n] == _sets) enter(n);
+        if (end == TriangleAdjacency::kNone) end = _found.back();
         if (next < triangles.size()) enter(triangles[next]);
     }
     return end;
@@ -75,7 +74,8 @@ int GraphBisection::gain(std::uint32_t triangle) const
 {
     int sum = 0;
     for (const std::uint32_t n : _adjacency.neighbours(triangle))
-        if (n != kNone && _set[n] == _sets) sum += _isSecond[n] != _isSecond[triangle] ? 1 : -1;
+        if (n != TriangleAdjacency::kNone && _set[n] == _sets)
+            sum += _isSecond[n] != _isSecond[triangle] ? 1 : -1;
     return sum;
 }
 
@@ -102,7 +102,7 @@ std::uint32_t GraphBisection::bestMove(std::size_t slack)
                 if (_moved[t] != _passes && (_isSecond[t] != 0) == (half == 1) && gain(t) + 3 == g) return t;
             }
         }
-    return kNone;
+    return TriangleAdjacency::kNone;
 }
 
 /// One pass: moves each triangle once at most, and takes back what came after the best cut. Whether that is better.
@@ -120,14 +120,14 @@ bool GraphBisection::improve(std::span<const std::uint32_t> triangles, std::size
     while (moves.size() < bestCount + kIdleMoves)
     {
         const std::uint32_t t = bestMove(slack);
-        if (t == kNone) break;
+        if (t == TriangleAdjacency::kNone) break;
         cut -= gain(t);
         _excess += _isSecond[t] ? 1 : -1;
         _isSecond[t] ^= 1;
         _moved[t] = _passes;
         moves.push_back({t, cut});
         for (const std::uint32_t n : _adjacency.neighbours(t))
-            if (n != kNone && _set[n] == _sets) offer(n);
+            if (n != TriangleAdjacency::kNone && _set[n] == _sets) offer(n);
         if (cut >= best) continue;
         best = cut;
         bestCount = moves.size();

@@ -15,8 +15,6 @@ namespace
 
 using Place = StripGrowth::Place;
 
-constexpr std::uint32_t kNone = StripGrowth::kNone;
-
 /// leftAt() of a triangle that has nothing in the queue any more.
 constexpr int kLost = 12;
 /// Trials: of strips from this share of the queue's size to twice that size, two triangles apart; each over so many times the
@@ -37,7 +35,7 @@ public:
 
     std::vector<std::uint32_t> run()
     {
-        for (Place start = restart(); start.triangle != kNone; start = restart())
+        for (Place start = restart(); start.triangle != StripGrowth::kNone; start = restart())
             _growth.grow(start, bestLength(start));
         return _growth.order();
     }
@@ -48,7 +46,7 @@ private:
     Place cheapestAtQueue()
     {
         const std::vector<std::uint32_t>& order = _growth.order();
-        std::uint32_t best = kNone;
+        std::uint32_t best = StripGrowth::kNone;
         int least = 0;
         for (std::size_t back = 0; back < std::min<std::size_t>(order.size(), _growth.cache().size()); ++back)
             for (const std::uint32_t vertex : _triangles[order[order.size() - 1 - back]])
@@ -56,28 +54,28 @@ private:
                 if (!_growth.cache().holds(vertex)) continue;
                 for (const std::uint32_t t :
                      _atVertex.nextAt(vertex, [this](std::uint32_t o) { return _growth.isDone(o); }))
-                    if (!_growth.isDone(t) && (best == kNone || _growth.leftAt(t) < least))
+                    if (!_growth.isDone(t) && (best == StripGrowth::kNone || _growth.leftAt(t) < least))
                     {
                         best = t;
                         least = _growth.leftAt(t);
                     }
             }
-        return {best, best == kNone ? 0 : _growth.rim(best)};
+        return {best, best == StripGrowth::kNone ? 0 : _growth.rim(best)};
     }
 
     /// Where to go on: beside a strip, ahead of one, at a vertex in the queue, or at the first triangle that is left.
     Place restart()
     {
         const Place beside = _growth.nextBeside();
-        if (beside.triangle != kNone && _growth.leftAt(beside.triangle) < kLost) return beside;
+        if (beside.triangle != StripGrowth::kNone && _growth.leftAt(beside.triangle) < kLost) return beside;
         const Place near = cheapestAtQueue();
-        if (near.triangle == kNone && beside.triangle != kNone) return beside;
-        if (beside.triangle != kNone) _growth.putOnward(beside);
-        if (near.triangle != kNone) return near;
-        if (const Place onward = _growth.nextOnward(); onward.triangle != kNone) return onward;
+        if (near.triangle == StripGrowth::kNone && beside.triangle != StripGrowth::kNone) return beside;
+        if (beside.triangle != StripGrowth::kNone) _growth.putOnward(beside);
+        if (near.triangle != StripGrowth::kNone) return near;
+        if (const Place onward = _growth.nextOnward(); onward.triangle != StripGrowth::kNone) return onward;
         while (_firstLeft < _count && _growth.isDone(_firstLeft))
             ++_firstLeft;
-        if (_firstLeft == _count) return {kNone, 0};
+        if (_firstLeft == _count) return {StripGrowth::kNone, 0};
         return {_firstLeft, _growth.rim(_firstLeft)};
     }
 

@@ -11,8 +11,6 @@ namespace osgPMObjects::core
 namespace
 {
 
-constexpr std::uint32_t kNone = TriangleAdjacency::kNone;
-
 class SgiStripper
 {
 public:
@@ -49,7 +47,7 @@ private:
     {
         int count = 0;
         for (const std::uint32_t n : _adjacency.neighbours(t))
-            count += n != kNone && !_isDone[n];
+            count += n != TriangleAdjacency::kNone && !_isDone[n];
         return count;
     }
 
@@ -57,7 +55,7 @@ private:
     {
         Start start{degree(t), 0, t};
         for (const std::uint32_t n : _adjacency.neighbours(t))
-            if (n != kNone && !_isDone[n]) start.neighbourDegrees += degree(n);
+            if (n != TriangleAdjacency::kNone && !_isDone[n]) start.neighbourDegrees += degree(n);
         return start;
     }
 
@@ -72,7 +70,8 @@ private:
     void extend(std::uint32_t t, int edge, int step, std::vector<std::uint32_t>& row)
     {
         for (std::uint32_t next = _adjacency.across(t, edge);
-             next != kNone && !_isDone[next] && _tried[next] != _trial; next = _adjacency.across(t, edge))
+             next != TriangleAdjacency::kNone && !_isDone[next] && _tried[next] != _trial;
+             next = _adjacency.across(t, edge))
         {
             _tried[next] = _trial;
             row.push_back(next);
@@ -110,10 +109,10 @@ private:
         for (const std::uint32_t t : strip)
             for (const std::uint32_t n : _adjacency.neighbours(t))
             {
-                if (n == kNone || _isDone[n]) continue;
+                if (n == TriangleAdjacency::kNone || _isDone[n]) continue;
                 offer(n);
                 for (const std::uint32_t farther : _adjacency.neighbours(n))
-                    if (farther != kNone && !_isDone[farther]) offer(farther);
+                    if (farther != TriangleAdjacency::kNone && !_isDone[farther]) offer(farther);
             }
     }
 

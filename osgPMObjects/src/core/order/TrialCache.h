@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include <viewlod/VertexCache.h>
+#include <foundation/VertexCache.h>
 
 #include <osgPMObjects/core/Triangle.h>
 
@@ -44,7 +44,7 @@ public:
     std::uint32_t size() const { return _cache.size(); }
 
 private:
-    viewlod::FifoCache _cache;
+    foundation::FifoCache _cache;
     std::vector<std::pair<std::uint32_t, std::uint64_t>>
         _tried; ///< vertices that came in, with what was known before
     bool _isTrial = false;

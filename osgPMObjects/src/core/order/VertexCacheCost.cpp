@@ -7,7 +7,7 @@ namespace osgPMObjects::core
 std::uint64_t fifoTransforms(std::span<const Triangle> triangles, std::uint32_t vertexCount,
                              std::uint32_t cacheSize)
 {
-    viewlod::FifoCache cache(vertexCount, cacheSize);
+    foundation::FifoCache cache(vertexCount, cacheSize);
     for (const Triangle& t : triangles)
         for (const std::uint32_t vertex : t)
             cache.transform(vertex);
@@ -15,9 +15,9 @@ std::uint64_t fifoTransforms(std::span<const Triangle> triangles, std::uint32_t 
 }
 
 std::uint64_t batchTransforms(std::span<const Triangle> triangles, std::uint32_t vertexCount,
-                              const viewlod::BatchLimits& limits)
+                              const foundation::BatchLimits& limits)
 {
-    viewlod::BatchCache cache(vertexCount, limits);
+    foundation::BatchCache cache(vertexCount, limits);
     for (const Triangle& t : triangles)
         cache.draw(t);
     return cache.misses();

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include <viewlod/VertexCache.h>
+#include <foundation/VertexCache.h>
 
 namespace osgPMObjects::core
 {
@@ -97,7 +97,7 @@ private:
     std::span<const Triangle> _triangles;
     GreedyWeights _weights;
     std::vector<bool> _isTouched;
-    viewlod::FifoCache _cache;
+    foundation::FifoCache _cache;
     std::vector<bool> _isPlaced;
     std::vector<std::vector<std::uint32_t>> _trianglesOf; ///< by vertex: those left
     std::vector<std::uint32_t> _recent;                   ///< what the cache holds

@@ -18,7 +18,7 @@ class PmReader::Sections
 public:
     Sections(std::istream& stream, std::string place) : _stream(stream, std::move(place)) {}
 
-    viewlod::Result<bool> readMore()
+    foundation::Result<bool> readMore()
     {
         if (_isWhole) return false;
         if (!_hasBase) return readBase();
@@ -32,7 +32,7 @@ public:
         return false;
     }
 
-    viewlod::Result<ProgressiveMesh> mesh() const
+    foundation::Result<ProgressiveMesh> mesh() const
     {
         ProgressiveMesh whole = _mesh;
         whole.stepCount = _stepsInAll - _firstStep;
@@ -56,7 +56,7 @@ public:
     std::uint32_t positionsInAll() const { return _positionsInAll; }
 
 private:
-    viewlod::Result<bool> readBase()
+    foundation::Result<bool> readBase()
     {
         if (const auto begun = _stream.readBegin(); !begun) return begun.error();
         std::string head, materials, layout, base;
@@ -184,7 +184,7 @@ private:
         return error;
     }
 
-    viewlod::Result<bool> readSteps(const PmSectionStream::Section& section)
+    foundation::Result<bool> readSteps(const PmSectionStream::Section& section)
     {
         PmByteReader in(section.contents);
         const auto first = in.get<std::uint32_t>();
@@ -223,12 +223,12 @@ PmReader::~PmReader() = default;
 PmReader::PmReader(PmReader&&) noexcept = default;
 PmReader& PmReader::operator=(PmReader&&) noexcept = default;
 
-viewlod::Result<bool> PmReader::readMore()
+foundation::Result<bool> PmReader::readMore()
 {
     return _sections->readMore();
 }
 
-viewlod::Result<ProgressiveMesh> PmReader::mesh() const
+foundation::Result<ProgressiveMesh> PmReader::mesh() const
 {
     return _sections->mesh();
 }
@@ -248,10 +248,11 @@ std::uint32_t PmReader::positionsInAll() const
     return _sections->positionsInAll();
 }
 
-viewlod::Result<ProgressiveMesh> readPm(const std::filesystem::path& file)
+foundation::Result<ProgressiveMesh> readPm(const std::filesystem::path& file)
 {
     std::ifstream stream(file, std::ios::binary);
-    if (!stream) return viewlod::Error{file.string(), "cannot be opened", "check its path and permissions"};
+    if (!stream)
+        return foundation::Error{file.string(), "cannot be opened", "check its path and permissions"};
     PmReader reader(stream, file.string());
     while (true)
     {

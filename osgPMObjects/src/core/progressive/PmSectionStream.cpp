@@ -20,7 +20,7 @@ std::string printable(std::string letters)
 
 } // namespace
 
-viewlod::Error PmSectionStream::damaged(const std::string& what) const
+foundation::Error PmSectionStream::damaged(const std::string& what) const
 {
     return {_place + ": at byte " + std::to_string(_at), what, "build the file again from its model"};
 }
@@ -42,7 +42,7 @@ std::string PmSectionStream::take(std::uint64_t count)
     return bytes;
 }
 
-viewlod::Outcome PmSectionStream::readBegin()
+foundation::Outcome PmSectionStream::readBegin()
 {
     const auto begin = _stream.tellg();
     if (begin >= 0 && _stream.seekg(0, std::ios::end))
@@ -53,16 +53,16 @@ viewlod::Outcome PmSectionStream::readBegin()
     _stream.clear();
     const std::string magic = take(kPmMagic.size() + sizeof kPmVersion);
     if (!magic.starts_with(kPmMagic))
-        return viewlod::Error{_place, "is not a progressive mesh", "make one with pmtool build"};
+        return foundation::Error{_place, "is not a progressive mesh", "make one with pmtool build"};
     const auto version = PmByteReader(std::string_view(magic).substr(kPmMagic.size())).get<std::uint32_t>();
     if (version != kPmVersion)
-        return viewlod::Error{
+        return foundation::Error{
             _place, "is of version " + std::to_string(version) + ", not " + std::to_string(kPmVersion),
             "build it again with this pmtool"};
-    return viewlod::success();
+    return foundation::success();
 }
 
-viewlod::Outcome PmSectionStream::read(Section& section)
+foundation::Outcome PmSectionStream::read(Section& section)
 {
     constexpr std::size_t kHead = 12, kSum = 4;
     std::string all = take(kHead);
@@ -77,10 +77,10 @@ viewlod::Outcome PmSectionStream::read(Section& section)
     if (PmByteReader(sum).get<std::uint32_t>() != pmCheckSum(all))
         return damaged("is damaged in a section " + printable(section.letters) +
                        ": its check sum is another");
-    return viewlod::success();
+    return foundation::success();
 }
 
-viewlod::Outcome PmSectionStream::read(std::string_view letters, std::string& contents)
+foundation::Outcome PmSectionStream::read(std::string_view letters, std::string& contents)
 {
     Section section;
     if (auto done = read(section); !done) return done;
@@ -88,7 +88,7 @@ viewlod::Outcome PmSectionStream::read(std::string_view letters, std::string& co
         return damaged("has a section " + printable(section.letters) + " where " + std::string(letters) +
                        " belongs");
     contents = std::move(section.contents);
-    return viewlod::success();
+    return foundation::success();
 }
 
 } // namespace osgPMObjects::core

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include <viewlod/Result.h>
+#include <foundation/Result.h>
 
 namespace osgPMObjects::core
 {
@@ -25,18 +25,18 @@ public:
     PmSectionStream(std::istream& stream, std::string place) : _stream(stream), _place(std::move(place)) {}
 
     /// What is before the first section. Errors: not a progressive mesh, of another version.
-    viewlod::Outcome readBegin();
+    foundation::Outcome readBegin();
 
     /// Errors: cut off, or another check sum.
-    viewlod::Outcome read(Section& section);
+    foundation::Outcome read(Section& section);
     /// The contents of a section that has to be the next. Errors: besides, it is another one.
-    viewlod::Outcome read(std::string_view letters, std::string& contents);
+    foundation::Outcome read(std::string_view letters, std::string& contents);
 
     /// How many bytes there are from the begin on, if the stream can tell.
     std::optional<std::uint64_t> size() const { return _size; }
 
     /// An error where the stream is.
-    viewlod::Error damaged(const std::string& what) const;
+    foundation::Error damaged(const std::string& what) const;
 
 private:
     std::string take(std::uint64_t count);

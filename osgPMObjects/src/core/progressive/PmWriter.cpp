@@ -2,9 +2,8 @@
 #include <algorithm>
 #include <cassert>
 
+#include <foundation/WholeFile.h>
 #include <zlib.h>
-
-#include <viewlod/WholeFile.h>
 
 #include <osgPMObjects/core/progressive/PmFile.h>
 
@@ -190,10 +189,10 @@ std::string pmBytes(const ProgressiveMesh& progressive, const PmSettings& settin
     return file.bytes();
 }
 
-viewlod::Outcome writePm(const std::filesystem::path& file, const ProgressiveMesh& progressive,
-                         const PmSettings& settings)
+foundation::Outcome writePm(const std::filesystem::path& file, const ProgressiveMesh& progressive,
+                            const PmSettings& settings)
 {
-    return viewlod::writeWholeFile(file, pmBytes(progressive, settings));
+    return foundation::writeWholeFile(file, pmBytes(progressive, settings));
 }
 
 } // namespace osgPMObjects::core

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <array>
 
-#include <viewlod/VertexCache.h>
+#include <foundation/VertexCache.h>
 
 #include <osgPMObjects/core/order/TriangleOrders.h>
 
@@ -31,7 +31,7 @@ public:
     {
         _numbers = std::make_unique<LocalNumbers>(walk);
         _lifetimes = std::make_unique<Lifetimes>(walk.split());
-        _cache = std::make_unique<viewlod::FifoCache>(
+        _cache = std::make_unique<foundation::FifoCache>(
             static_cast<std::uint32_t>(walk.split().mesh.wedgeCount()), _cacheSize);
         std::uint32_t material = 0;
         for (const Faces& faces : liveFacesByMaterial(walk))
@@ -149,7 +149,7 @@ private:
     std::uint32_t _cacheSize, _blockFaces, _windowBlocks;
     std::unique_ptr<LocalNumbers> _numbers;
     std::unique_ptr<Lifetimes> _lifetimes;
-    std::unique_ptr<viewlod::FifoCache> _cache;
+    std::unique_ptr<foundation::FifoCache> _cache;
 };
 
 } // namespace

@@ -62,16 +62,17 @@ DrawnLevels atRest(std::uint32_t level, float alpha)
 
 } // namespace
 
-viewlod::Outcome checkSettings(const SwitchSettings& settings)
+foundation::Outcome checkSettings(const SwitchSettings& settings)
 {
     if (!std::isfinite(settings.durationS) || settings.durationS <= 0.0f)
-        return viewlod::Error{"durationS",
-                              "a switch cannot last " + std::to_string(settings.durationS) + " s",
-                              "give a time above 0, or the method discrete"};
+        return foundation::Error{"durationS",
+                                 "a switch cannot last " + std::to_string(settings.durationS) + " s",
+                                 "give a time above 0, or the method discrete"};
     if (!std::isfinite(settings.staggerS) || settings.staggerS < 0.0f)
-        return viewlod::Error{"staggerS", "a switch cannot wait " + std::to_string(settings.staggerS) + " s",
-                              "give a time of at least 0"};
-    return viewlod::success();
+        return foundation::Error{"staggerS",
+                                 "a switch cannot wait " + std::to_string(settings.staggerS) + " s",
+                                 "give a time of at least 0"};
+    return foundation::success();
 }
 
 bool isSwitchState(const SwitchState& state)

@@ -22,7 +22,7 @@ constexpr std::uint32_t kMostFaces = 8;
 constexpr std::size_t kFewestCards = 64;
 constexpr double kLargest = 0.2; ///< a card, of the diagonal: leaves of houseplants are large
 constexpr double kBent = 0.1;    ///< off its plane, of its own diagonal
-constexpr double kLeastShare = 0.9;
+constexpr double kLeastShareOfCards = 0.9;
 constexpr double kMostUneven = 32.0;  ///< between the areas of two cards, a tenth left aside at either end
 constexpr std::size_t kMostCuts = 16; ///< leaves in an atlas
 constexpr std::size_t kLeastDirections = 6; ///< a sixth of the cards may look the same way
@@ -146,7 +146,8 @@ struct Tally
 
     bool isFoliage(double areaOfMaterial)
     {
-        if (parts.size() < kFewestCards || area < kLeastShare * areaOfMaterial || cuts.size() > kMostCuts)
+        if (parts.size() < kFewestCards || area < kLeastShareOfCards * areaOfMaterial ||
+            cuts.size() > kMostCuts)
             return false;
         std::sort(areas.begin(), areas.end());
         const std::size_t tenth = areas.size() / 10;

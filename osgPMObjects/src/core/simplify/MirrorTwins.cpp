@@ -16,7 +16,7 @@ namespace
 {
 
 constexpr double kTolerance = 1e-6; ///< of the diagonal: floats in files are not exact
-constexpr double kLeastShare =
+constexpr double kLeastMirroredShare =
     0.9; ///< of the positions must have an image; the rest may be an aerial or a number plate
 
 /// The nearest position to a place; kNone where none is within the tolerance.
@@ -71,7 +71,7 @@ MirrorTwins mirrorTwins(std::span<const glm::dvec3> positions, std::span<const T
     for (const Triangle& t : triangles)
         sorted.push_back(sortedCorners(t));
     std::sort(sorted.begin(), sorted.end());
-    const auto enough = kLeastShare * static_cast<double>(positions.size());
+    const auto enough = kLeastMirroredShare * static_cast<double>(positions.size());
     MirrorTwins best;
     std::pair<std::size_t, std::size_t> most{0, 0}; // faces and positions
     for (int axis = 0; axis < 3; ++axis)

@@ -18,7 +18,7 @@ namespace osgPMObjects::core
 namespace
 {
 
-constexpr std::size_t kLeastShare = 1024;
+constexpr std::size_t kLeastCornersAThread = 1024;
 
 /// Of what still counts as near as the nearest: of the diagonal, and of the distance.
 constexpr double kSameDistance = 1e-6, kSameShare = 1e-3;
@@ -157,7 +157,7 @@ std::optional<TextureDrift> TextureDriftMeter::measure(const MeasuredSurface& le
     const Mesh& mesh = level.mesh();
     const std::vector<SurfacePoint>& points = level.spreadPoints();
     std::vector<double> drifts(points.size(), -1.0); // negative: no texture there
-    parallelShares(points.size(), kLeastShare,
+    parallelShares(points.size(), kLeastCornersAThread,
                    [&](std::size_t first, std::size_t last, std::size_t)
                    {
                        std::uint32_t hint = 0;

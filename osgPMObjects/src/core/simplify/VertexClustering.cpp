@@ -179,11 +179,11 @@ std::vector<double> clusterGrades(const Mesh& mesh)
     return grades;
 }
 
-viewlod::Result<ClusteredMesh> clusterVertices(const Mesh& mesh, double cellSize)
+foundation::Result<ClusteredMesh> clusterVertices(const Mesh& mesh, double cellSize)
 {
     if (!(cellSize > 0.0) || !std::isfinite(cellSize) || diagonalOf(mesh) > kMostCells * cellSize)
-        return viewlod::Error{"cell size", std::to_string(cellSize) + " is none for this mesh",
-                              "give a length above a billionth of its diagonal"};
+        return foundation::Error{"cell size", std::to_string(cellSize) + " is none for this mesh",
+                                 "give a length above a billionth of its diagonal"};
     ClusteredMesh clustered;
     clustered.cellSize = cellSize;
     choose(mesh, clustered);

@@ -24,9 +24,9 @@ bool hasBridge(const Loop& loop)
 
 } // namespace
 
-viewlod::Result<ConvexDecomposition> decomposeConvex(std::span<const glm::dvec3> corners,
-                                                     std::span<const std::uint32_t> contourSizes,
-                                                     ConvexMethod method, const OutlineOptions& options)
+foundation::Result<ConvexDecomposition> decomposeConvex(std::span<const glm::dvec3> corners,
+                                                        std::span<const std::uint32_t> contourSizes,
+                                                        ConvexMethod method, const OutlineOptions& options)
 {
     auto outline = outlinePolygon(corners, contourSizes, options);
     if (!outline) return outline.error();
@@ -41,8 +41,8 @@ viewlod::Result<ConvexDecomposition> decomposeConvex(std::span<const glm::dvec3>
         else if (const auto triangles = clipEars(outline->points, loop))
             pieces = uniteConvex(outline->points, *triangles);
         else
-            return viewlod::Error{"polygon", "an outline could not be cut into triangles",
-                                  "report it together with the polygon: this is a defect of the program"};
+            return foundation::Error{"polygon", "an outline could not be cut into triangles",
+                                     "report it together with the polygon: this is a defect of the program"};
         result.pieces.insert(result.pieces.end(), pieces->begin(), pieces->end());
     }
     result.inserted = std::move(outline->inserted);

@@ -14,19 +14,19 @@ namespace osgPMObjects::core
 namespace
 {
 
-std::optional<viewlod::Error> refusal(std::span<const glm::dvec3> corners,
-                                      std::span<const std::uint32_t> contourSizes)
+std::optional<foundation::Error> refusal(std::span<const glm::dvec3> corners,
+                                         std::span<const std::uint32_t> contourSizes)
 {
     const std::uint64_t sum = std::accumulate(contourSizes.begin(), contourSizes.end(), std::uint64_t(0));
     if (sum != corners.size())
-        return viewlod::Error{"polygon",
-                              "its contours ask for " + std::to_string(sum) + " corners, there are " +
-                                  std::to_string(corners.size()),
-                              "give each contour its number of corners"};
+        return foundation::Error{"polygon",
+                                 "its contours ask for " + std::to_string(sum) + " corners, there are " +
+                                     std::to_string(corners.size()),
+                                 "give each contour its number of corners"};
     for (std::size_t i = 0; i < corners.size(); ++i)
         if (!std::isfinite(corners[i].x) || !std::isfinite(corners[i].y) || !std::isfinite(corners[i].z))
-            return viewlod::Error{"polygon, corner " + std::to_string(i), "a coordinate is not finite",
-                                  "leave the corner out, or mend it where it was made"};
+            return foundation::Error{"polygon, corner " + std::to_string(i), "a coordinate is not finite",
+                                     "leave the corner out, or mend it where it was made"};
     return std::nullopt;
 }
 
@@ -63,15 +63,16 @@ std::uint32_t countUnused(const std::vector<Loop>& loops, std::size_t corners)
 
 } // namespace
 
-viewlod::Result<PolygonOutline> outlinePolygon(std::span<const glm::dvec3> corners,
-                                               std::span<const std::uint32_t> contourSizes,
-                                               const OutlineOptions& options)
+foundation::Result<PolygonOutline> outlinePolygon(std::span<const glm::dvec3> corners,
+                                                  std::span<const std::uint32_t> contourSizes,
+                                                  const OutlineOptions& options)
 {
     if (auto refused = refusal(corners, contourSizes)) return *std::move(refused);
     Plane plane = nodedPlane(corners, contourSizes, options.projection);
     if (!plane.noded)
-        return viewlod::Error{"polygon", "its edges cross in places too near to one another to be told apart",
-                              "divide the polygon, or merge its corners"};
+        return foundation::Error{"polygon",
+                                 "its edges cross in places too near to one another to be told apart",
+                                 "divide the polygon, or merge its corners"};
     NodedEdges& noded = *plane.noded;
     PolygonOutline outline;
     const std::vector<Loop> borders = insideLoops(noded, options.inside);

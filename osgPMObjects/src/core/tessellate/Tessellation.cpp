@@ -6,9 +6,9 @@
 namespace osgPMObjects::core
 {
 
-viewlod::Result<Tessellation> tessellate(std::span<const glm::dvec3> corners,
-                                         std::span<const std::uint32_t> contourSizes,
-                                         const OutlineOptions& options)
+foundation::Result<Tessellation> tessellate(std::span<const glm::dvec3> corners,
+                                            std::span<const std::uint32_t> contourSizes,
+                                            const OutlineOptions& options)
 {
     auto outline = outlinePolygon(corners, contourSizes, options);
     if (!outline) return outline.error();
@@ -17,8 +17,8 @@ viewlod::Result<Tessellation> tessellate(std::span<const glm::dvec3> corners,
     {
         const auto triangles = clipEars(outline->points, loop);
         if (!triangles)
-            return viewlod::Error{"polygon", "an outline could not be cut into triangles",
-                                  "report it together with the polygon: this is a defect of the program"};
+            return foundation::Error{"polygon", "an outline could not be cut into triangles",
+                                     "report it together with the polygon: this is a defect of the program"};
         result.triangles.insert(result.triangles.end(), triangles->begin(), triangles->end());
     }
     result.inserted = std::move(outline->inserted);

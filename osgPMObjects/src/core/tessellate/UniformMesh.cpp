@@ -95,20 +95,20 @@ private:
 
 } // namespace
 
-viewlod::Result<UniformMesh> meshUniformly(std::span<const glm::dvec3> positions,
-                                           std::span<const Triangle> triangles, double longestEdge,
-                                           std::uint32_t mostTriangles)
+foundation::Result<UniformMesh> meshUniformly(std::span<const glm::dvec3> positions,
+                                              std::span<const Triangle> triangles, double longestEdge,
+                                              std::uint32_t mostTriangles)
 {
     if (!(longestEdge > 0.0))
-        return viewlod::Error{"uniform meshing", "an edge length of " + std::to_string(longestEdge),
-                              "give one above zero"};
+        return foundation::Error{"uniform meshing", "an edge length of " + std::to_string(longestEdge),
+                                 "give one above zero"};
     Divider divider(positions, longestEdge);
     for (std::size_t i = 0; i < triangles.size(); ++i)
         if (!divider.add(triangles[i], static_cast<std::uint32_t>(i), mostTriangles))
-            return viewlod::Error{"uniform meshing",
-                                  "more than " + std::to_string(mostTriangles) +
-                                      " triangles with edges up to " + std::to_string(longestEdge),
-                                  "allow longer edges"};
+            return foundation::Error{"uniform meshing",
+                                     "more than " + std::to_string(mostTriangles) +
+                                         " triangles with edges up to " + std::to_string(longestEdge),
+                                     "allow longer edges"};
     return std::move(divider.mesh());
 }
 

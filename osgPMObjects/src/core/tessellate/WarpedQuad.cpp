@@ -97,17 +97,17 @@ glm::dvec2 texCoordAt(const TexturedQuad& quad, const glm::dvec2& shares)
     return bilinear(quad.texCoords, shares);
 }
 
-viewlod::Result<QuadGrid> meshQuad(const TexturedQuad& quad, double tolerance, std::uint32_t mostCells)
+foundation::Result<QuadGrid> meshQuad(const TexturedQuad& quad, double tolerance, std::uint32_t mostCells)
 {
     if (!(tolerance > 0.0))
-        return viewlod::Error{"textured quad", "a tolerance of " + std::to_string(tolerance),
-                              "give one above zero"};
+        return foundation::Error{"textured quad", "a tolerance of " + std::to_string(tolerance),
+                                 "give one above zero"};
     const double warped = warp(quad.positions);
     const double drift =
         0.25 * (warp(quad.texCoords) + (warped > 0.0 ? warped * texturePerLength(quad) : 0.0));
     const double cells = std::max(std::ceil(std::sqrt(drift / tolerance)), 1.0);
     if (!(cells <= mostCells))
-        return viewlod::Error{
+        return foundation::Error{
             "textured quad", "more than " + std::to_string(mostCells) + " cells along a side would be needed",
             "allow a larger tolerance; a quad that is not convex has to be divided"};
     QuadGrid grid;

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include <viewlod/Result.h>
+#include <foundation/Result.h>
 
 #include <osgTerrainROAM/core/RoamFile.h>
 #include <osgTerrainROAM/core/heightfield/PlacedTile.h>
@@ -13,14 +13,14 @@ namespace osgTerrainROAM::core
 
 /// What a terrain file says: a .roam text is read, any other file is taken for the elevation raster itself, with
 /// `import` and everything else at its default. Errors: as readRoamFile; a missing raster shows in loadTile.
-viewlod::Result<RoamFile> describeTerrain(const std::filesystem::path& file,
-                                          const DemImportOptions& import = {});
+foundation::Result<RoamFile> describeTerrain(const std::filesystem::path& file,
+                                             const DemImportOptions& import = {});
 
 /// How much finer than the raster a grid has to be for places that are `spacingM` apart or less, to 1 % (PlacedTileOptions); as fine
 /// as it can be where that is not enough. Units: metres.
 int gridExponentFor(const HeightField& field, double spacingM);
 
 /// Imports and places the samples that a description names. Errors: as importDem.
-viewlod::Result<PlacedTile> loadTile(const RoamFile& description);
+foundation::Result<PlacedTile> loadTile(const RoamFile& description);
 
 } // namespace osgTerrainROAM::core

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include <viewlod/Result.h>
+#include <foundation/Result.h>
 
 #include <osgTerrainROAM/core/heightfield/DemImport.h>
 #include <osgTerrainROAM/core/heightfield/PlacedTile.h>
@@ -70,9 +70,9 @@ struct RoamFile
 
 /// Parses the text of a .roam file that is called `name` (for messages and for relative paths). Reads no
 /// file.
-viewlod::Result<RoamFile> parseRoamFile(std::string_view text, const std::filesystem::path& name);
+foundation::Result<RoamFile> parseRoamFile(std::string_view text, const std::filesystem::path& name);
 
 /// Reads and parses a .roam file; the files it names must exist (those behind /vsi names are not looked for).
-viewlod::Result<RoamFile> readRoamFile(const std::filesystem::path& file);
+foundation::Result<RoamFile> readRoamFile(const std::filesystem::path& file);
 
 } // namespace osgTerrainROAM::core

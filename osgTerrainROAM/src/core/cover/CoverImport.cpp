@@ -16,12 +16,12 @@ namespace osgTerrainROAM::core
 namespace
 {
 
-using viewlod::Error;
-using viewlod::Result;
+using foundation::Error;
+using foundation::Result;
 
-constexpr int kMaxSide = 8192;         ///< texels
-constexpr std::size_t kMostCodes = 32; ///< that a report tells apart
-constexpr int kNoClass = -2000000;     ///< beyond all codes
+constexpr int kMaxSide = 8192;             ///< texels
+constexpr std::size_t kMostCodesTold = 32; ///< that a report tells apart
+constexpr int kNoClass = -2000000;         ///< beyond all codes
 
 struct DatasetCloser
 {
@@ -88,7 +88,7 @@ GroundKind kindOf(int code, const CoverTable& table, CoverMap& map)
 {
     if (code == kNoClass) return GroundKind::unknown;
     if (const auto found = table.find(code); found != table.end()) return found->second;
-    if (map.unknownCodes.size() < kMostCodes || map.unknownCodes.contains(code)) ++map.unknownCodes[code];
+    if (map.unknownCodes.size() < kMostCodesTold || map.unknownCodes.contains(code)) ++map.unknownCodes[code];
     return GroundKind::unknown;
 }
 

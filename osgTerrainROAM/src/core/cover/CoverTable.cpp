@@ -7,14 +7,16 @@
 
 #include <osgTerrainROAM/core/cover/CoverTable.h>
 
+#include "../TextLines.h"
+
 namespace osgTerrainROAM::core
 {
 
 namespace
 {
 
-using viewlod::Error;
-using viewlod::Result;
+using foundation::Error;
+using foundation::Result;
 
 constexpr std::array<std::pair<std::string_view, GroundKind>, kGroundKinds> kNames{
     {{"unknown", GroundKind::unknown},
@@ -31,15 +33,8 @@ constexpr std::array<std::pair<std::string_view, GroundKind>, kGroundKinds> kNam
      {"urban", GroundKind::urban},
      {"wetland", GroundKind::wetland}}};
 
-constexpr std::size_t kMaxBytes = 1 << 20;
-constexpr int kMostCodes = 70000; ///< of a range
-
-std::string_view trimmed(std::string_view text)
-{
-    const std::size_t first = text.find_first_not_of(" \t\r");
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
+constexpr std::size_t kMostTableBytes = 1 << 20;
+constexpr int kMostCodesOfARange = 70000; ///< of a range
 
 std::optional<int> numberIn(std::string_view text)
 {
@@ -56,7 +51,7 @@ std::optional<std::pair<int, int>> rangeIn(std::string_view text)
     const auto first = numberIn(trimmed(text.substr(0, dash)));
     const auto last = dash == std::string_view::npos ? first : numberIn(trimmed(text.substr(dash + 1)));
     if (!first || !last || *first < -1000000 || *last > 1000000 || *last < *first ||
-        *last - *first > kMostCodes)
+        *last - *first > kMostCodesOfARange)
         return std::nullopt;
     return std::pair{*first, *last};
 }
@@ -152,10 +147,10 @@ Result<CoverTable> readCoverTable(const std::filesystem::path& nameOrFile)
     if (!stream)
         return Error{nameOrFile.string(), "cannot be read",
                      "give worldcover, corine, or a file of lines CODE = KIND"};
-    std::string text(kMaxBytes + 1, '\0');
+    std::string text(kMostTableBytes + 1, '\0');
     stream.read(text.data(), static_cast<std::streamsize>(text.size()));
     text.resize(static_cast<std::size_t>(std::max<std::streamsize>(stream.gcount(), 0)));
-    if (text.size() > kMaxBytes)
+    if (text.size() > kMostTableBytes)
         return Error{nameOrFile.string(), "is no table of classes", "see docs/materials.md"};
     return parseCoverTable(text, nameOrFile.string());
 }

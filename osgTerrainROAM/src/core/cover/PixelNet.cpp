@@ -10,8 +10,8 @@
 namespace osgTerrainROAM::core
 {
 
-using viewlod::Error;
-using viewlod::Result;
+using foundation::Error;
+using foundation::Result;
 
 Result<PixelNet> PixelNet::make(GDALDataset& dataset, const PlacedTile& tile, const std::string& name)
 {

@@ -4,9 +4,8 @@
 #include <string>
 #include <vector>
 
+#include <foundation/Result.h>
 #include <glm/glm.hpp>
-
-#include <viewlod/Result.h>
 
 #include <osgTerrainROAM/core/heightfield/PlacedTile.h>
 
@@ -21,8 +20,8 @@ class PixelNet
 {
 public:
     /// Errors: the raster has a place and the tile has none; coordinate systems that cannot be related.
-    static viewlod::Result<PixelNet> make(GDALDataset& dataset, const PlacedTile& tile,
-                                          const std::string& name);
+    static foundation::Result<PixelNet> make(GDALDataset& dataset, const PlacedTile& tile,
+                                             const std::string& name);
 
     glm::dvec2 pixelAt(double column, double row) const;
 

@@ -40,7 +40,7 @@ double linear(const std::vector<double>& alongM, const std::vector<double>& valu
 
 } // namespace
 
-viewlod::Result<EditReport> GroundEditor::conform(const Platform& platform)
+foundation::Result<EditReport> GroundEditor::conform(const Platform& platform)
 {
     std::vector<glm::dvec2> corners;
     NearestPlane plane;
@@ -89,7 +89,7 @@ std::vector<double> GroundEditor::profile(const Ribbon& ribbon, const std::vecto
     return heightsM;
 }
 
-viewlod::Result<EditReport> GroundEditor::conform(const Ribbon& ribbon)
+foundation::Result<EditReport> GroundEditor::conform(const Ribbon& ribbon)
 {
     const bool hasHeights = !ribbon.heightsM.empty();
     if (ribbon.points.size() < 2 || !(ribbon.widthM > 0.0) || !(ribbon.slope > 0.0))

@@ -9,7 +9,7 @@
 namespace osgTerrainROAM::core
 {
 
-viewlod::Error GroundEditor::refusal(const char* what, const char* remedy) const
+foundation::Error GroundEditor::refusal(const char* what, const char* remedy) const
 {
     return {_tile->tile.field().name, what, remedy};
 }
@@ -34,10 +34,10 @@ double GroundEditor::groundM(const glm::dvec2& place) const
     return tile.heightM(nearest(grid.x, tile.dataColumns()), nearest(grid.y, tile.dataRows()));
 }
 
-viewlod::Result<EditReport> GroundEditor::apply(const HeightRule& rule, std::span<const PlanBox> boxes)
+foundation::Result<EditReport> GroundEditor::apply(const HeightRule& rule, std::span<const PlanBox> boxes)
 {
     const EditDetail detail = _tile->tile.gridExponent() > 0 ? _detail : EditDetail::samples;
-    viewlod::Result<std::vector<HeightChange>> changes = [&]
+    foundation::Result<std::vector<HeightChange>> changes = [&]
     {
         const std::shared_lock lock(_tile->mutex());
         return changesBy(rule, _tile->tile, boxes, detail);
@@ -51,7 +51,7 @@ viewlod::Result<EditReport> GroundEditor::apply(const HeightRule& rule, std::spa
     return _steps.apply(*changes, ofSamples ? TileEditor::Between::follows : TileEditor::Between::stays);
 }
 
-viewlod::Result<EditReport> GroundEditor::applyIn(const Region& region, const HeightRule& rule)
+foundation::Result<EditReport> GroundEditor::applyIn(const Region& region, const HeightRule& rule)
 {
     if (region.isEmpty()) return refusal("the region has no extent", "give a radius or three corners");
     const PlanBox box = region.box();
@@ -66,17 +66,17 @@ viewlod::Result<EditReport> GroundEditor::applyIn(const Region& region, const He
         {&box, 1});
 }
 
-viewlod::Result<EditReport> GroundEditor::setHeight(const Region& region, double heightM)
+foundation::Result<EditReport> GroundEditor::setHeight(const Region& region, double heightM)
 {
     return applyIn(region, [=](const glm::dvec2&, double) { return heightM; });
 }
 
-viewlod::Result<EditReport> GroundEditor::raise(const Region& region, double byM)
+foundation::Result<EditReport> GroundEditor::raise(const Region& region, double byM)
 {
     return applyIn(region, [=](const glm::dvec2&, double heightM) { return heightM + byM; });
 }
 
-viewlod::Result<EditReport> GroundEditor::smooth(const Region& region, double radiusM)
+foundation::Result<EditReport> GroundEditor::smooth(const Region& region, double radiusM)
 {
     constexpr int kReach = 4; // nine by nine points, more weight in the middle
     return applyIn(region,
@@ -96,7 +96,7 @@ viewlod::Result<EditReport> GroundEditor::smooth(const Region& region, double ra
                    });
 }
 
-viewlod::Result<EditReport> GroundEditor::flatten(const Region& region)
+foundation::Result<EditReport> GroundEditor::flatten(const Region& region)
 {
     if (region.isEmpty()) return refusal("the region has no extent", "give a radius or three corners");
     const PlanBox box = region.box();
@@ -112,7 +112,7 @@ viewlod::Result<EditReport> GroundEditor::flatten(const Region& region)
     return applyIn(region, [&](const glm::dvec2& place, double) { return plane.heightM(place); });
 }
 
-viewlod::Result<EditReport> GroundEditor::stamp(const Crater& crater)
+foundation::Result<EditReport> GroundEditor::stamp(const Crater& crater)
 {
     if (!(crater.radiusM > 0.0)) return refusal("the crater has no extent", "give a radius");
     constexpr double kReach = 3.0; // radii; there the rim is a twenty-seventh of its height

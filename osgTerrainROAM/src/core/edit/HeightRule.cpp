@@ -66,15 +66,15 @@ private:
 
 } // namespace
 
-viewlod::Result<std::vector<HeightChange>> changesBy(const HeightRule& rule, const PlacedTile& tile,
-                                                     std::span<const PlanBox> boxes, EditDetail detail)
+foundation::Result<std::vector<HeightChange>> changesBy(const HeightRule& rule, const PlacedTile& tile,
+                                                        std::span<const PlanBox> boxes, EditDetail detail)
 {
     const bool ofSamples = detail == EditDetail::samples;
     Blocks blocks(kBlockShift + (ofSamples ? tile.gridExponent() : 0));
     for (const PlanBox& box : boxes)
         blocks.add(placesIn(tile, box));
     const auto refuse = [&](const char* what, const char* remedy) {
-        return viewlod::Error{tile.field().name, what, remedy};
+        return foundation::Error{tile.field().name, what, remedy};
     };
     if (blocks.size() == 0) return refuse("the edit lies beyond the data", "give places in the tile's frame");
     if (blocks.size() > kMostEditedPlaces >> (2 * kBlockShift))

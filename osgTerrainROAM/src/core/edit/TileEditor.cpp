@@ -60,11 +60,11 @@ std::string placeText(GridPoint p)
 
 } // namespace
 
-viewlod::Outcome TileEditor::check(std::span<const HeightChange> changes, Between between) const
+foundation::Outcome TileEditor::check(std::span<const HeightChange> changes, Between between) const
 {
     const PlacedTile& placed = _tile->tile;
     const auto refuse = [&](GridPoint p, const std::string& what, const std::string& remedy) {
-        return viewlod::Error{placed.field().name + ": " + placeText(p), what, remedy};
+        return foundation::Error{placed.field().name + ": " + placeText(p), what, remedy};
     };
     for (const HeightChange& change : changes)
     {
@@ -78,10 +78,10 @@ viewlod::Outcome TileEditor::check(std::span<const HeightChange> changes, Betwee
         if (between == Between::follows && !placed.hasSample(p.column, p.row))
             return refuse(p, "no sample is there", "put samples between others with Between::stays");
     }
-    return viewlod::success();
+    return foundation::success();
 }
 
-viewlod::Result<EditReport> TileEditor::apply(std::span<const HeightChange> changes, Between between)
+foundation::Result<EditReport> TileEditor::apply(std::span<const HeightChange> changes, Between between)
 {
     const std::unique_lock lock(_tile->mutex());
     if (const auto sound = check(changes, between); !sound) return sound.error();

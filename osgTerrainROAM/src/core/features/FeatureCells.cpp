@@ -9,8 +9,8 @@ namespace osgTerrainROAM::core
 namespace
 {
 
-using viewlod::Error;
-using viewlod::Result;
+using foundation::Error;
+using foundation::Result;
 
 constexpr double kUsualCellM = 64.0;
 constexpr double kSmallestCellM = 32.0;

@@ -20,10 +20,10 @@ namespace osgTerrainROAM::core
 namespace
 {
 
-using viewlod::Error;
-using viewlod::Outcome;
-using viewlod::Result;
-using viewlod::success;
+using foundation::Error;
+using foundation::Outcome;
+using foundation::Result;
+using foundation::success;
 
 constexpr std::size_t kMostUnknownNames = 32;     ///< that a report tells apart
 constexpr std::size_t kMostVertices = 20'000'000; ///< 320 MB; more is a country, not a tile

@@ -24,9 +24,9 @@ namespace osgTerrainROAM::core
 namespace
 {
 
-using viewlod::Error;
-using viewlod::Outcome;
-using viewlod::Result;
+using foundation::Error;
+using foundation::Outcome;
+using foundation::Result;
 
 /// Gives the field its place: on the Earth where the raster says where that is, else a plane.
 Outcome place(HeightField& field, Raster& raster, const DemImportOptions& options, GdalSession& gdal)
@@ -40,14 +40,14 @@ Outcome place(HeightField& field, Raster& raster, const DemImportOptions& option
             return Error{field.name, "cannot have samples " + std::to_string(*options.spacingM) + " m apart",
                          "give --spacing the metres between samples"};
         field.spacingEastM = field.spacingNorthM = *options.spacingM;
-        return viewlod::success();
+        return foundation::success();
     }
     settleReference(raster);
     if (const std::optional<double> metres = metresOfPlane(raster.crsWkt))
     {
         field.spacingEastM = raster.frame->stepX * *metres;
         field.spacingNorthM = raster.frame->stepY * *metres;
-        return viewlod::success();
+        return foundation::success();
     }
     const Result<GeodeticLocator> locator =
         GeodeticLocator::create(field.name, raster, options.verticalDatum, gdal);

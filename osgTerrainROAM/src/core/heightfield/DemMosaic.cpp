@@ -17,8 +17,8 @@ namespace osgTerrainROAM::core
 namespace
 {
 
-using viewlod::Outcome;
-using viewlod::Result;
+using foundation::Outcome;
+using foundation::Result;
 
 /// Coarse before fine; among equals the first named comes last, and lies on top.
 void sortForLaying(std::vector<MosaicSource>& sources)

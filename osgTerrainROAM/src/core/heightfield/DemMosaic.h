@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <span>
 
-#include <viewlod/Result.h>
+#include <foundation/Result.h>
 
 #include <osgTerrainROAM/core/heightfield/DemImport.h>
 
@@ -20,7 +20,8 @@ namespace osgTerrainROAM::core
 /// rasters whose pixels meet nothing is missing: voids to be filled; what no raster reaches is marked in Raster::isOutside.
 /// Errors: as readRaster; a raster without georeference, on a plane among those on the Earth, with heights counted from
 /// something else, or a grid that gets too large.
-viewlod::Result<Raster> readMosaic(std::span<const std::filesystem::path> files,
-                                   const DemImportOptions& options, GdalSession& gdal, MosaicReport& report);
+foundation::Result<Raster> readMosaic(std::span<const std::filesystem::path> files,
+                                      const DemImportOptions& options, GdalSession& gdal,
+                                      MosaicReport& report);
 
 } // namespace osgTerrainROAM::core

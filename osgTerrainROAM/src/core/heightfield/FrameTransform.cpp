@@ -12,8 +12,8 @@ namespace osgTerrainROAM::core
 namespace
 {
 
-using viewlod::Error;
-using viewlod::Result;
+using foundation::Error;
+using foundation::Result;
 
 ReferenceSystem horizontal(const std::string& wkt)
 {

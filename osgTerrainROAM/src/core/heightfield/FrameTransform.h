@@ -4,9 +4,8 @@
 #include <span>
 #include <string>
 
+#include <foundation/Result.h>
 #include <glm/glm.hpp>
-
-#include <viewlod/Result.h>
 
 #include "RasterFile.h"
 #include "ReferenceSystem.h"
@@ -28,8 +27,8 @@ class FrameTransform
 {
 public:
     /// Errors: reference systems that cannot be related, named as `name`'s fault.
-    static viewlod::Result<FrameTransform> create(const std::string& name, const GridReference& from,
-                                                  const GridReference& to, GdalSession& gdal);
+    static foundation::Result<FrameTransform> create(const std::string& name, const GridReference& from,
+                                                     const GridReference& to, GdalSession& gdal);
 
     /// Places where a map projection is not defined become NaN.
     void apply(std::span<glm::dvec2> places) const;

@@ -13,8 +13,8 @@ namespace osgTerrainROAM::core
 namespace
 {
 
-using viewlod::Error;
-using viewlod::Result;
+using foundation::Error;
+using foundation::Result;
 
 /// Adds the undulation to a height; fails, unlike a search between named systems, when the grid is missing.
 constexpr const char* kGeoidPipeline = "+proj=pipeline +step +proj=unitconvert +xy_in=deg +xy_out=rad"

@@ -4,9 +4,8 @@
 #include <span>
 #include <string>
 
+#include <foundation/Result.h>
 #include <glm/glm.hpp>
-
-#include <viewlod/Result.h>
 
 #include <osgTerrainROAM/core/heightfield/DemImport.h>
 
@@ -26,8 +25,8 @@ class GeodeticLocator
 {
 public:
     /// Errors: a reference system that PROJ cannot relate to WGS84, EGM96 wanted and its grid missing.
-    static viewlod::Result<GeodeticLocator> create(const std::string& name, const Raster& raster,
-                                                   VerticalDatum datum, GdalSession& gdal);
+    static foundation::Result<GeodeticLocator> create(const std::string& name, const Raster& raster,
+                                                      VerticalDatum datum, GdalSession& gdal);
 
     /// WGS84 positions of (fractional) grid places, row 0 the southernmost. Places where the map projection
     /// is not defined get NaN.

@@ -16,8 +16,8 @@ namespace osgTerrainROAM::core
 namespace
 {
 
-using viewlod::Error;
-using viewlod::Outcome;
+using foundation::Error;
+using foundation::Outcome;
 
 constexpr double kPlaceToleranceM = 0.0005;
 constexpr double kGeoidToleranceM = 0.01;
@@ -172,7 +172,7 @@ Outcome georeference(HeightField& field, const GeodeticLocator& locator)
         return Error{field.name, "has samples that lie on top of each other",
                      "check its georeference with gdalinfo"};
     field.net = std::move(net);
-    return viewlod::success();
+    return foundation::success();
 }
 
 } // namespace osgTerrainROAM::core

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include <viewlod/Result.h>
+#include <foundation/Result.h>
 
 #include <osgTerrainROAM/core/heightfield/HeightField.h>
 
@@ -18,6 +18,6 @@ namespace osgTerrainROAM::core
 /// (PROJ joins the geoid's 15' posts by flat pieces with creases; the real geoid has none, and EGM96 knows it to
 /// half a metre.)
 /// Errors: part of the data lies where its map projection is not defined; the grid is mirrored.
-viewlod::Outcome georeference(HeightField& field, const GeodeticLocator& locator);
+foundation::Outcome georeference(HeightField& field, const GeodeticLocator& locator);
 
 } // namespace osgTerrainROAM::core

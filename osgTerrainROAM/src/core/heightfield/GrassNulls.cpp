@@ -64,10 +64,10 @@ private:
 
 } // namespace
 
-viewlod::Result<std::vector<std::size_t>> grassNulls(const std::string& gdalPath, std::size_t expected)
+foundation::Result<std::vector<std::size_t>> grassNulls(const std::string& gdalPath, std::size_t expected)
 {
     const std::unique_ptr<VSILFILE, FileCloser> file(VSIFOpenL(gdalPath.c_str(), "rb"));
-    if (!file) return viewlod::Error{gdalPath, "cannot be opened for reading", "check its permissions"};
+    if (!file) return foundation::Error{gdalPath, "cannot be opened for reading", "check its permissions"};
     WordCounter counter;
     std::vector<char> buffer(1 << 16);
     while (const std::size_t got = VSIFReadL(buffer.data(), 1, buffer.size(), file.get()))
@@ -75,10 +75,10 @@ viewlod::Result<std::vector<std::size_t>> grassNulls(const std::string& gdalPath
             counter.take(buffer[i]);
     counter.endWord();
     if (counter.words < expected)
-        return viewlod::Error{gdalPath,
-                              "ends after " + std::to_string(counter.words) + " of " +
-                                  std::to_string(expected) + " values",
-                              "fetch it again: it is truncated"};
+        return foundation::Error{gdalPath,
+                                 "ends after " + std::to_string(counter.words) + " of " +
+                                     std::to_string(expected) + " values",
+                                 "fetch it again: it is truncated"};
     return std::move(counter.nulls);
 }
 

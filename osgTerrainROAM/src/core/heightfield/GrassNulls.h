@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include <viewlod/Result.h>
+#include <foundation/Result.h>
 
 namespace osgTerrainROAM::core
 {
@@ -15,6 +15,6 @@ namespace osgTerrainROAM::core
 /// Source: GRASS GIS manual, r.in.ascii: a header of "key: value" lines, then rows of numbers or null
 /// strings.
 /// Errors: the file holds fewer values than `expected`.
-viewlod::Result<std::vector<std::size_t>> grassNulls(const std::string& gdalPath, std::size_t expected);
+foundation::Result<std::vector<std::size_t>> grassNulls(const std::string& gdalPath, std::size_t expected);
 
 } // namespace osgTerrainROAM::core

@@ -15,9 +15,9 @@ namespace osgTerrainROAM::core
 namespace
 {
 
-using viewlod::Error;
-using viewlod::Outcome;
-using viewlod::Result;
+using foundation::Error;
+using foundation::Outcome;
+using foundation::Result;
 
 constexpr double kOnSample = 1e-3;
 
@@ -118,7 +118,7 @@ Outcome MosaicCanvas::add(const MosaicSource& source, GdalSession& gdal, MosaicR
     const auto transform = FrameTransform::create(source.name, _grid, source.reference(), gdal);
     if (!transform) return transform.error();
     HeightSheet sheet{rect->cutTo(_ground.rect), {}};
-    if (sheet.rect.isEmpty()) return viewlod::success();
+    if (sheet.rect.isEmpty()) return foundation::success();
     sheet.heightsM.assign(static_cast<std::size_t>(sheet.columns()) * static_cast<std::size_t>(sheet.rows()),
                           std::numeric_limits<float>::quiet_NaN());
     sampleInto(sheet, source.raster, *transform, stepPlaces);
@@ -130,7 +130,7 @@ Outcome MosaicCanvas::add(const MosaicSource& source, GdalSession& gdal, MosaicR
         for (int column = sheet.rect.west; column <= sheet.rect.east; ++column)
             if (const float h = sheet.at(column, row); !std::isnan(h)) _ground.at(column, row) = h;
     _laid.push_back({*rect, source.spacingM});
-    return viewlod::success();
+    return foundation::success();
 }
 
 Raster MosaicCanvas::take() &&

@@ -16,7 +16,7 @@ namespace osgTerrainROAM::core
 {
 
 /// Where the outermost samples of a raster lie on a grid. Errors: it has no place there.
-viewlod::Result<GridRect> rectOn(const GridReference& grid, const MosaicSource& source, GdalSession& gdal);
+foundation::Result<GridRect> rectOn(const GridReference& grid, const MosaicSource& source, GdalSession& gdal);
 
 /// A raster on a grid.
 struct LaidRaster
@@ -47,7 +47,7 @@ public:
     MosaicCanvas(const GridReference& grid, const GridRect& rect, double spacingM, double coarsestM);
 
     /// Lays a raster over what is there. Errors: it has no place on the grid.
-    viewlod::Outcome add(const MosaicSource& source, GdalSession& gdal, MosaicReport& report);
+    foundation::Outcome add(const MosaicSource& source, GdalSession& gdal, MosaicReport& report);
 
     /// What has been laid: heights, frame, isOutside.
     Raster take() &&;

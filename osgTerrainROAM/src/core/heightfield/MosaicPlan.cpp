@@ -14,9 +14,9 @@ namespace osgTerrainROAM::core
 namespace
 {
 
-using viewlod::Error;
-using viewlod::Outcome;
-using viewlod::Result;
+using foundation::Error;
+using foundation::Outcome;
+using foundation::Result;
 
 constexpr double kMostSamples = 1 << 26; ///< in all: 400 MB as a tile keeps them
 constexpr double kMostUnderParts = 1 << 24;
@@ -82,7 +82,7 @@ Outcome checkSize(const MosaicPlan& plan, const MosaicSource& finest)
     double samples = placesOf(plan.rect);
     for (const PlannedPart& part : plan.parts)
         samples += std::ldexp(placesOf(part.cells), 2 * part.exponent);
-    if (samples <= kMostSamples) return viewlod::success();
+    if (samples <= kMostSamples) return foundation::success();
     return Error{finest.name,
                  "is so fine and large that the terrain would have " +
                      std::to_string(static_cast<long long>(samples)) + " samples",

@@ -30,7 +30,7 @@ struct MosaicPlan
 
 /// One grid for all where it does not get too large; else a coarser one, and parts around finer rasters.
 /// `sources`: coarse before fine. Errors: a source without a place among the others; parts that get too large.
-viewlod::Result<MosaicPlan> planMosaic(std::span<const MosaicSource> sources, GdalSession& gdal);
+foundation::Result<MosaicPlan> planMosaic(std::span<const MosaicSource> sources, GdalSession& gdal);
 
 /// A grid whose places lie 2^exponent times as far apart (a negative exponent: closer), with the same first place.
 GridReference scaled(GridReference grid, int exponent);

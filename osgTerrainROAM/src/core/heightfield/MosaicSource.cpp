@@ -17,8 +17,8 @@ namespace osgTerrainROAM::core
 namespace
 {
 
-using viewlod::Error;
-using viewlod::Result;
+using foundation::Error;
+using foundation::Result;
 
 /// What a source is found to be besides its samples.
 struct Nature

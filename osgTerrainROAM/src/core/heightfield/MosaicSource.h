@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include <viewlod/Result.h>
+#include <foundation/Result.h>
 
 #include <osgTerrainROAM/core/heightfield/DemImport.h>
 
@@ -30,7 +30,7 @@ struct MosaicSource
 void settleReference(Raster& raster);
 
 /// Reads all of them. Errors: as readRaster; no georeference; heights that are counted from different things.
-viewlod::Result<std::vector<MosaicSource>> readSources(std::span<const std::filesystem::path> files,
-                                                       const DemImportOptions& options, GdalSession& gdal);
+foundation::Result<std::vector<MosaicSource>> readSources(std::span<const std::filesystem::path> files,
+                                                          const DemImportOptions& options, GdalSession& gdal);
 
 } // namespace osgTerrainROAM::core

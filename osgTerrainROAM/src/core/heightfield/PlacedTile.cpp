@@ -21,8 +21,6 @@ GeographicLib::LocalCartesian frameAt(const Geodetic& origin)
     return {origin.latitudeDeg, origin.longitudeDeg, origin.heightM, GeographicLib::Geocentric::WGS84()};
 }
 
-constexpr double kHeadroom = 2.0; ///< of heights on a grid for edits
-
 HeightField complete(HeightField field)
 {
     assert(field.isComplete());
@@ -42,7 +40,7 @@ int gridExponentOf(const HeightField& field, int wanted)
 PlacedTile::PlacedTile(HeightField field, const PlacedTileOptions& options)
     : _field(complete(std::move(field))),
       _samples(std::exchange(_field.heightsM, {}), options.storage,
-               gridExponentOf(_field, options.gridExponent) > 0 ? kHeadroom : 1.0),
+               gridExponentOf(_field, options.gridExponent) > 0 ? kEditHeadroom : 1.0),
       _placement(_field.net ? options.placement : Placement::planar),
       _gridExponent(gridExponentOf(_field, options.gridExponent)),
       _betweenSamples((1 << _gridExponent) - 1)

@@ -23,9 +23,9 @@ namespace osgTerrainROAM::core
 namespace
 {
 
-using viewlod::Error;
-using viewlod::Outcome;
-using viewlod::Result;
+using foundation::Error;
+using foundation::Outcome;
+using foundation::Result;
 
 constexpr int kMaxSide = 32769; ///< the largest tile whose samples a 32-bit index can number
 
@@ -105,7 +105,7 @@ Outcome checkShape(const Source& source)
                      "cut a part out with gdal_translate -srcwin"};
     if (isCutShortDted(source))
         return Error{source.name, "calls itself complete and is not", "fetch it again: it is truncated"};
-    return viewlod::success();
+    return foundation::success();
 }
 
 /// Reads all rows in file order. Row by row, so that of a header that promises more than the file holds, no more
@@ -137,7 +137,7 @@ Outcome readSamples(const Source& source, GdalSession& gdal, Raster& raster)
         for (const std::size_t i : *nulls)
             if (i < raster.heightsM.size()) raster.heightsM[i] = std::numeric_limits<float>::quiet_NaN();
     }
-    return viewlod::success();
+    return foundation::success();
 }
 
 std::string crsWktOf(const Source& source)

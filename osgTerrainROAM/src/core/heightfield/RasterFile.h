@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include <viewlod/Result.h>
+#include <foundation/Result.h>
 
 #include <osgTerrainROAM/core/heightfield/HeightField.h>
 
@@ -42,6 +42,6 @@ struct Raster
 /// Opens and reads a single-band raster through GDAL, inside zip and gzip archives too.
 /// Errors: missing, a folder, not a raster GDAL knows, damaged, truncated, not one band of plain numbers,
 /// rotated, fewer than 2×2 or more than 32769×32769 samples.
-viewlod::Result<Raster> readRaster(const std::filesystem::path& file, GdalSession& gdal);
+foundation::Result<Raster> readRaster(const std::filesystem::path& file, GdalSession& gdal);
 
 } // namespace osgTerrainROAM::core

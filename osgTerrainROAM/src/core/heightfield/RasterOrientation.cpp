@@ -11,8 +11,8 @@ namespace osgTerrainROAM::core
 namespace
 {
 
-using viewlod::Error;
-using viewlod::Outcome;
+using foundation::Error;
+using foundation::Outcome;
 
 constexpr double kRotationSlack = 1e-6; ///< of a pixel per pixel: a grid this straight is not rotated
 
@@ -40,7 +40,7 @@ Outcome orientRaster(const std::string& name, GDALDatasetH dataset, Raster& rast
     if (GDALGetGeoTransform(dataset, t) != CE_None)
     {
         flipRows(raster); // pictures begin at the top
-        return viewlod::success();
+        return foundation::success();
     }
     const double size = std::max({std::abs(t[1]), std::abs(t[2]), std::abs(t[4]), std::abs(t[5])});
     if (!std::isfinite(size) || !std::isfinite(t[0]) || !std::isfinite(t[3]))
@@ -64,7 +64,7 @@ Outcome orientRaster(const std::string& name, GDALDatasetH dataset, Raster& rast
         frame.firstY += frame.stepY * (raster.rows - 1);
         frame.stepY = -frame.stepY;
     }
-    return viewlod::success();
+    return foundation::success();
 }
 
 } // namespace osgTerrainROAM::core

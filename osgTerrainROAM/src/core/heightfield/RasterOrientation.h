@@ -3,9 +3,8 @@
 
 #include <string>
 
+#include <foundation/Result.h>
 #include <gdal.h>
-
-#include <viewlod/Result.h>
 
 #include "RasterFile.h"
 
@@ -15,6 +14,6 @@ namespace osgTerrainROAM::core
 /// Takes the georeference of a dataset, and turns the samples, which are in file order, so that rows run
 /// north and columns east. A picture without georeference begins at the top.
 /// Errors: a rotated grid, a georeference that is none.
-viewlod::Outcome orientRaster(const std::string& name, GDALDatasetH dataset, Raster& raster);
+foundation::Outcome orientRaster(const std::string& name, GDALDatasetH dataset, Raster& raster);
 
 } // namespace osgTerrainROAM::core

@@ -14,7 +14,7 @@ namespace osgTerrainROAM::core
 namespace
 {
 
-using viewlod::Error;
+using foundation::Error;
 
 std::string lowerExtension(const std::filesystem::path& file)
 {
@@ -48,7 +48,7 @@ std::vector<std::string> zipMembers(const std::string& archive)
 
 } // namespace
 
-viewlod::Result<std::vector<std::string>> rasterPaths(const std::filesystem::path& file)
+foundation::Result<std::vector<std::string>> rasterPaths(const std::filesystem::path& file)
 {
     const std::string name = file.string();
     if (name.rfind("/vsi", 0) == 0) return std::vector<std::string>{name};

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include <viewlod/Result.h>
+#include <foundation/Result.h>
 
 namespace osgTerrainROAM::core
 {
@@ -13,6 +13,6 @@ namespace osgTerrainROAM::core
 /// The names under which GDAL may open a file: itself, what a .gz holds, or each member of a .zip (those that
 /// look like elevation first, otherwise by name).
 /// Errors: missing, a folder, unreadable, an archive without members.
-viewlod::Result<std::vector<std::string>> rasterPaths(const std::filesystem::path& file);
+foundation::Result<std::vector<std::string>> rasterPaths(const std::filesystem::path& file);
 
 } // namespace osgTerrainROAM::core

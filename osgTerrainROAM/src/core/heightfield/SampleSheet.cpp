@@ -6,19 +6,12 @@
 namespace osgTerrainROAM::core
 {
 
-namespace
-{
-
-constexpr double kHeadroom = 2.0; ///< of heights, for edits
-
-} // namespace
-
 SampleSheet::SampleSheet(const DensePart& part, int gridExponent, Storage storage)
     : _rect{part.west << gridExponent, part.south << gridExponent, (part.west + part.columns) << gridExponent,
             (part.south + part.rows) << gridExponent},
       _shift(gridExponent - part.exponent),
       _columns((part.columns << part.exponent) + 1),
-      _table(part.heightsM, storage, kHeadroom)
+      _table(part.heightsM, storage, kEditHeadroom)
 {
     assert(_shift >= 0 && part.exponent > 0);
     assert(_table.size() ==

@@ -3,9 +3,8 @@
 
 #include <vector>
 
+#include <foundation/Result.h>
 #include <glm/vec2.hpp>
-
-#include <viewlod/Result.h>
 
 #include <osgPMObjects/core/bake/Charts.h>
 #include <osgPMObjects/core/mesh/Mesh.h>
@@ -42,6 +41,6 @@ struct Atlas
 /// Cost: size × widths of all charts, times the scales tried; 300 charts in 1024² in some 30 ms.
 /// Source: Lévy, Petitjean, Ray and Maillot, "Least squares conformal maps for automatic texture atlas generation" (2002), §4
 /// (charts as Tetris pieces with horizons); we take the lowest place, theirs the one with the least lost space.
-viewlod::Result<Atlas> packCharts(const Mesh& mesh, Charts charts, const PackSettings& settings = {});
+foundation::Result<Atlas> packCharts(const Mesh& mesh, Charts charts, const PackSettings& settings = {});
 
 } // namespace osgPMObjects::core

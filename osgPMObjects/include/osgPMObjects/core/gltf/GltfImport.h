@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include <viewlod/Result.h>
+#include <foundation/Result.h>
 
 #include <osgPMObjects/core/mesh/Mesh.h>
 
@@ -58,12 +58,12 @@ struct GltfModel
 /// component types. glTF has y up; the mesh has z up, (x, y, z) becomes (x, -z, y).
 /// Errors: not readable, not glTF 2, damaged, compressed (Draco, meshopt) or sparse data; nested too deep.
 /// Source: Khronos, "glTF 2.0 specification", §3.6 (accessors), §3.7 (primitives, attributes).
-viewlod::Result<GltfModel> readGltf(const std::filesystem::path& file);
+foundation::Result<GltfModel> readGltf(const std::filesystem::path& file);
 
 /// The same from memory, for a .glb; files that it refers to are not looked for. `name` stands in messages.
-viewlod::Result<GltfModel> parseGlb(std::span<const unsigned char> bytes, const std::string& name);
+foundation::Result<GltfModel> parseGlb(std::span<const unsigned char> bytes, const std::string& name);
 
 /// The same from memory, for the text of a .gltf.
-viewlod::Result<GltfModel> parseGltf(std::span<const unsigned char> bytes, const std::string& name);
+foundation::Result<GltfModel> parseGltf(std::span<const unsigned char> bytes, const std::string& name);
 
 } // namespace osgPMObjects::core

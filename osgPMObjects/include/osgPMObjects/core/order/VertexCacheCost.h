@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <span>
 
-#include <viewlod/VertexCache.h>
+#include <foundation/VertexCache.h>
 
 #include <osgPMObjects/core/Triangle.h>
 
@@ -18,6 +18,6 @@ std::uint64_t fifoTransforms(std::span<const Triangle> triangles, std::uint32_t 
 
 /// The same by batches.
 std::uint64_t batchTransforms(std::span<const Triangle> triangles, std::uint32_t vertexCount,
-                              const viewlod::BatchLimits& limits = viewlod::BatchCache::kNvidia);
+                              const foundation::BatchLimits& limits = foundation::BatchCache::kNvidia);
 
 } // namespace osgPMObjects::core

@@ -7,7 +7,7 @@
 #include <memory>
 #include <string>
 
-#include <viewlod/Result.h>
+#include <foundation/Result.h>
 
 #include <osgPMObjects/core/progressive/ProgressiveMesh.h>
 
@@ -29,9 +29,9 @@ struct PmSettings
 /// The bytes of a `.pm` file. The mesh has to be valid (isValid()).
 std::string pmBytes(const ProgressiveMesh& progressive, const PmSettings& settings = {});
 
-/// Writes a whole file, or none. Errors: as viewlod::writeWholeFile().
-viewlod::Outcome writePm(const std::filesystem::path& file, const ProgressiveMesh& progressive,
-                         const PmSettings& settings = {});
+/// Writes a whole file, or none. Errors: as foundation::writeWholeFile().
+foundation::Outcome writePm(const std::filesystem::path& file, const ProgressiveMesh& progressive,
+                            const PmSettings& settings = {});
 
 /// Reads a `.pm` file section by section, from the coarsest level on. After each there is a whole progressive mesh, whose finest level is
 /// what has been read so far; its level 0 is that one.
@@ -48,11 +48,11 @@ public:
     PmReader& operator=(PmReader&&) noexcept;
 
     /// Reads up to the next level that can be used; false: there is no more, the mesh is whole.
-    viewlod::Result<bool> readMore();
+    foundation::Result<bool> readMore();
 
     /// The mesh as far as it has been read; of no use before the first readMore().
     /// Cost: linear in it; every step is checked.
-    viewlod::Result<ProgressiveMesh> mesh() const;
+    foundation::Result<ProgressiveMesh> mesh() const;
 
     /// What was attached to the materials, known after the first readMore().
     const std::string& attachment() const;
@@ -67,6 +67,6 @@ private:
 };
 
 /// Reads a whole `.pm` file. Errors: it cannot be opened; as PmReader.
-viewlod::Result<ProgressiveMesh> readPm(const std::filesystem::path& file);
+foundation::Result<ProgressiveMesh> readPm(const std::filesystem::path& file);
 
 } // namespace osgPMObjects::core

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <limits>
 
-#include <viewlod/Result.h>
+#include <foundation/Result.h>
 
 #include <osgPMObjects/core/selection/AreaRows.h>
 #include <osgPMObjects/core/selection/OverlappingRanges.h>
@@ -72,6 +72,6 @@ struct SelectionSettings
 
 /// Whether the settings can choose among `levels` levels (LevelTable): else which field is wrong, and what to do. Settings
 /// that a user wrote are looked at once, with this; the rules themselves trust them.
-viewlod::Outcome checkSettings(const SelectionSettings& settings, std::uint32_t levels);
+foundation::Outcome checkSettings(const SelectionSettings& settings, std::uint32_t levels);
 
 } // namespace osgPMObjects::core

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include <viewlod/Result.h>
+#include <foundation/Result.h>
 
 namespace osgPMObjects::core
 {
@@ -46,7 +46,7 @@ inline bool takesTime(SwitchMethod method)
 }
 
 /// Whether switches can be made by these settings: else which field is wrong, and what to do. advanceSwitch() trusts them.
-viewlod::Outcome checkSettings(const SwitchSettings& settings);
+foundation::Outcome checkSettings(const SwitchSettings& settings);
 
 /// One object's switch in one view, kept by the caller.
 /// Invariant: isSwitchState(). Memory: 16 B.

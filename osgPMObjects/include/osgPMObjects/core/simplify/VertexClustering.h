@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include <viewlod/Result.h>
+#include <foundation/Result.h>
 
 #include <osgPMObjects/core/mesh/Mesh.h>
 
@@ -40,7 +40,7 @@ std::vector<double> clusterGrades(const Mesh& mesh);
 /// Errors: a cell size that is not above zero, or a billionth of the mesh's box. Cost: n log n. Units: as the positions.
 /// Source: Rossignac and Borrel, "Multi-resolution 3D approximations for rendering complex scenes" (1993): grading, clustering,
 /// synthesis, elimination. They add two weights of different units; we multiply, which needs no factor between them. Normals stay.
-viewlod::Result<ClusteredMesh> clusterVertices(const Mesh& mesh, double cellSize);
+foundation::Result<ClusteredMesh> clusterVertices(const Mesh& mesh, double cellSize);
 
 /// What keeps a clustering from being one of the mesh; empty: nothing does. Every position has to be drawn to one of its own cell, faces to
 /// be the mesh's with their corners moved, in order, and degenerates and duplicates to be accounted for.

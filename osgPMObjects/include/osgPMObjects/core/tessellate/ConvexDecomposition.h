@@ -6,9 +6,8 @@
 #include <span>
 #include <vector>
 
+#include <foundation/Result.h>
 #include <glm/glm.hpp>
-
-#include <viewlod/Result.h>
 
 #include <osgPMObjects/core/tessellate/EarClipping.h>
 #include <osgPMObjects/core/tessellate/PolygonOutline.h>
@@ -50,8 +49,9 @@ struct ConvexDecomposition
 };
 
 /// Errors: those of tessellate().
-viewlod::Result<ConvexDecomposition> decomposeConvex(std::span<const glm::dvec3> corners,
-                                                     std::span<const std::uint32_t> contourSizes,
-                                                     ConvexMethod method, const OutlineOptions& options = {});
+foundation::Result<ConvexDecomposition> decomposeConvex(std::span<const glm::dvec3> corners,
+                                                        std::span<const std::uint32_t> contourSizes,
+                                                        ConvexMethod method,
+                                                        const OutlineOptions& options = {});
 
 } // namespace osgPMObjects::core

@@ -5,9 +5,8 @@
 #include <span>
 #include <vector>
 
+#include <foundation/Result.h>
 #include <glm/glm.hpp>
-
-#include <viewlod/Result.h>
 
 #include <osgPMObjects/core/tessellate/EdgeNoding.h>
 #include <osgPMObjects/core/tessellate/InsideLoops.h>
@@ -40,9 +39,9 @@ struct PolygonOutline
 /// `corners`: of all contours, one after the other; `contourSizes`: how many each has; whatever they are like.
 /// The inside lies left of the largest contour: triangles have its direction.
 /// Errors: sizes that do not add up, coordinates that are not finite, edges that cannot be told apart.
-viewlod::Result<PolygonOutline> outlinePolygon(std::span<const glm::dvec3> corners,
-                                               std::span<const std::uint32_t> contourSizes,
-                                               const OutlineOptions& options = {});
+foundation::Result<PolygonOutline> outlinePolygon(std::span<const glm::dvec3> corners,
+                                                  std::span<const std::uint32_t> contourSizes,
+                                                  const OutlineOptions& options = {});
 
 /// Where an inserted point lies in space.
 glm::dvec3 placeOf(const InsertedPoint& inserted, std::span<const glm::dvec3> corners);

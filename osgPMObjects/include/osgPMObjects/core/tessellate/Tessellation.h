@@ -5,9 +5,8 @@
 #include <span>
 #include <vector>
 
+#include <foundation/Result.h>
 #include <glm/glm.hpp>
-
-#include <viewlod/Result.h>
 
 #include <osgPMObjects/core/tessellate/EarClipping.h>
 #include <osgPMObjects/core/tessellate/PolygonOutline.h>
@@ -30,8 +29,8 @@ struct Tessellation
 /// Concave polygons, several contours, holes, contours that touch or cross each other or themselves: see PolygonOutline.
 /// Errors: those of outlinePolygon(). A polygon without area is no error: no triangles.
 /// Source: paper 002, "tessellation". Cost: see EarClipping.h.
-viewlod::Result<Tessellation> tessellate(std::span<const glm::dvec3> corners,
-                                         std::span<const std::uint32_t> contourSizes,
-                                         const OutlineOptions& options = {});
+foundation::Result<Tessellation> tessellate(std::span<const glm::dvec3> corners,
+                                            std::span<const std::uint32_t> contourSizes,
+                                            const OutlineOptions& options = {});
 
 } // namespace osgPMObjects::core

@@ -6,9 +6,8 @@
 #include <span>
 #include <vector>
 
+#include <foundation/Result.h>
 #include <glm/glm.hpp>
-
-#include <viewlod/Result.h>
 
 #include <osgPMObjects/core/tessellate/EarClipping.h>
 
@@ -31,8 +30,8 @@ struct UniformMesh
 /// Units: `longestEdge` in those of the positions. Cost: linear in the result.
 /// Errors: an edge length that is not above zero; more than `mostTriangles`.
 /// Source: paper 002, "uniform meshing" (for lighting at vertices) and "edge stitching" (shared edges).
-viewlod::Result<UniformMesh> meshUniformly(std::span<const glm::dvec3> positions,
-                                           std::span<const Triangle> triangles, double longestEdge,
-                                           std::uint32_t mostTriangles = 10'000'000);
+foundation::Result<UniformMesh> meshUniformly(std::span<const glm::dvec3> positions,
+                                              std::span<const Triangle> triangles, double longestEdge,
+                                              std::uint32_t mostTriangles = 10'000'000);
 
 } // namespace osgPMObjects::core

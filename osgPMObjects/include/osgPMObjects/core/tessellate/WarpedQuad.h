@@ -6,9 +6,8 @@
 #include <optional>
 #include <vector>
 
+#include <foundation/Result.h>
 #include <glm/glm.hpp>
-
-#include <viewlod/Result.h>
 
 #include <osgPMObjects/core/tessellate/EarClipping.h>
 
@@ -42,7 +41,8 @@ struct QuadGrid
 /// are off by at most a quarter of how far its corners are from a parallelogram, in position and in texture, which falls to
 /// a quarter with each halving of the cells.
 /// Errors: no tolerance above zero; more than `mostCells` along a side, as for a quad that is not convex.
-viewlod::Result<QuadGrid> meshQuad(const TexturedQuad& quad, double tolerance, std::uint32_t mostCells = 256);
+foundation::Result<QuadGrid> meshQuad(const TexturedQuad& quad, double tolerance,
+                                      std::uint32_t mostCells = 256);
 
 /// The second way, a texture warped beforehand: where to look in the given texture for what the warped one shall have at
 /// the place that lies at `weights` (of corners 0, 1, 2 and 3, of which 1 or 3 is zero; sum 1) of the two triangles that

@@ -25,7 +25,7 @@ struct CoverMap
 /// 8192 texels a side; the nearest class, never a mean. NoData and what lies beyond the raster is unknown.
 /// Errors: not a raster, no georeference that can be related to the tile's, nothing of the tile covered by a known class.
 /// Memory: a byte a texel, twice while it is made. Threads: any.
-viewlod::Result<CoverMap> importCover(const std::filesystem::path& file, const CoverTable& table,
-                                      const PlacedTile& tile);
+foundation::Result<CoverMap> importCover(const std::filesystem::path& file, const CoverTable& table,
+                                         const PlacedTile& tile);
 
 } // namespace osgTerrainROAM::core

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include <viewlod/Result.h>
+#include <foundation/Result.h>
 
 namespace osgTerrainROAM::core
 {
@@ -42,9 +42,9 @@ CoverTable corineTable();
 
 /// A plain text of lines `CODE = KIND`, a code being a number or a range FIRST-LAST; `#` starts a comment. `name` for messages.
 /// Errors, with place "name:line": no such form, unknown kind (the known ones are named), code repeated or beyond ±1 000 000.
-viewlod::Result<CoverTable> parseCoverTable(std::string_view text, const std::string& name);
+foundation::Result<CoverTable> parseCoverTable(std::string_view text, const std::string& name);
 
 /// The built-in table "worldcover" or "corine", or a file of the form above.
-viewlod::Result<CoverTable> readCoverTable(const std::filesystem::path& nameOrFile);
+foundation::Result<CoverTable> readCoverTable(const std::filesystem::path& nameOrFile);
 
 } // namespace osgTerrainROAM::core

@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include <viewlod/Result.h>
+#include <foundation/Result.h>
 
 #include <osgTerrainROAM/core/edit/HeightRule.h>
 #include <osgTerrainROAM/core/edit/PlanShape.h>
@@ -57,14 +57,15 @@ public:
     /// How wide, inside its border, the effect of a region fades in.
     void setFadeM(double metres) { _fadeM = metres; }
 
-    viewlod::Result<EditReport> setHeight(const Region& region, double heightM);
-    viewlod::Result<EditReport> raise(const Region& region, double byM);
-    viewlod::Result<EditReport> smooth(const Region& region, double radiusM); ///< takes means of that reach
-    viewlod::Result<EditReport>
+    foundation::Result<EditReport> setHeight(const Region& region, double heightM);
+    foundation::Result<EditReport> raise(const Region& region, double byM);
+    foundation::Result<EditReport> smooth(const Region& region,
+                                          double radiusM); ///< takes means of that reach
+    foundation::Result<EditReport>
     flatten(const Region& region); ///< to the plane that is nearest to its samples
-    viewlod::Result<EditReport> stamp(const Crater& crater);
-    viewlod::Result<EditReport> conform(const Platform& platform); // Conform.cpp
-    viewlod::Result<EditReport> conform(const Ribbon& ribbon);
+    foundation::Result<EditReport> stamp(const Crater& crater);
+    foundation::Result<EditReport> conform(const Platform& platform); // Conform.cpp
+    foundation::Result<EditReport> conform(const Ribbon& ribbon);
 
     bool undo() { return _steps.undo(); }
     TileEditor& steps() { return _steps; }
@@ -73,9 +74,9 @@ public:
     std::vector<double> profile(const Ribbon& ribbon, const std::vector<double>& alongM) const;
 
 private:
-    viewlod::Result<EditReport> apply(const HeightRule& rule, std::span<const PlanBox> boxes);
-    viewlod::Result<EditReport> applyIn(const Region& region, const HeightRule& rule);
-    viewlod::Error refusal(const char* what, const char* remedy) const;
+    foundation::Result<EditReport> apply(const HeightRule& rule, std::span<const PlanBox> boxes);
+    foundation::Result<EditReport> applyIn(const Region& region, const HeightRule& rule);
+    foundation::Error refusal(const char* what, const char* remedy) const;
     double groundM(const glm::dvec2& place) const;
     double placeM() const; ///< from one place that edits change to the next
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include <viewlod/Result.h>
+#include <foundation/Result.h>
 
 #include <osgTerrainROAM/core/edit/PlanShape.h>
 #include <osgTerrainROAM/core/edit/TileEditor.h>
@@ -29,7 +29,7 @@ inline constexpr std::size_t kMostEditedPlaces = 1u << 26;
 /// The changes that a rule makes within boxes; none smaller than a tenth of a millimetre. Errors: more places than
 /// kMostEditedPlaces, a box without any place of the data.
 /// Threads: nobody edits the tile meanwhile. Cost: about half a microsecond a place.
-viewlod::Result<std::vector<HeightChange>> changesBy(const HeightRule& rule, const PlacedTile& tile,
-                                                     std::span<const PlanBox> boxes, EditDetail detail);
+foundation::Result<std::vector<HeightChange>> changesBy(const HeightRule& rule, const PlacedTile& tile,
+                                                        std::span<const PlanBox> boxes, EditDetail detail);
 
 } // namespace osgTerrainROAM::core

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include <viewlod/Result.h>
+#include <foundation/Result.h>
 
 #include <osgTerrainROAM/core/edit/BoundsUpdate.h>
 #include <osgTerrainROAM/core/roam/RoamTile.h>
@@ -51,7 +51,7 @@ public:
 
     /// Changes heights; all or, in case of an error, nothing. A place that is given twice takes the last. Errors: a place
     /// beyond the data, or without a sample where `between` demands one; a height that is no number or out of bounds.
-    viewlod::Result<EditReport> apply(std::span<const HeightChange> changes, Between between);
+    foundation::Result<EditReport> apply(std::span<const HeightChange> changes, Between between);
 
     /// Takes the last step back: every height and bound is what it was before. False: there is none.
     bool undo();
@@ -75,7 +75,7 @@ private:
 
     void note(const Step& step, std::span<const BoundsUpdate::Change> bounds);
 
-    viewlod::Outcome check(std::span<const HeightChange> changes, Between between) const;
+    foundation::Outcome check(std::span<const HeightChange> changes, Between between) const;
     void write(std::span<const HeightChange> changes, Between between, Step& step, EditReport& report);
     void surround(std::span<const HeightChange> changes, Step& step);
 

@@ -5,9 +5,8 @@
 #include <cstdint>
 #include <vector>
 
+#include <foundation/Result.h>
 #include <glm/glm.hpp>
-
-#include <viewlod/Result.h>
 
 #include <osgTerrainROAM/core/features/GroundFeature.h>
 
@@ -64,7 +63,7 @@ struct FeatureCells
     bool isConsistent() const;
 
     /// Errors: more records than single precision can number (16 million), more than 4 million cells of 256 m.
-    static viewlod::Result<FeatureCells> build(const std::vector<GroundFeature>& features);
+    static foundation::Result<FeatureCells> build(const std::vector<GroundFeature>& features);
 };
 
 } // namespace osgTerrainROAM::core

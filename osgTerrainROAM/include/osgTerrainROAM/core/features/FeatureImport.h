@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include <viewlod/Result.h>
+#include <foundation/Result.h>
 
 #include <osgTerrainROAM/core/features/GroundFeature.h>
 #include <osgTerrainROAM/core/heightfield/PlacedTile.h>
@@ -19,6 +19,6 @@ namespace osgTerrainROAM::core
 /// Errors: missing, nothing OGR opens, a layer without coordinate system, a planar tile with georeference (its metres are
 /// not those of the source), damaged, nothing to paint. Invalid, unknown and outlying features are left out and counted.
 /// Cost: about 3 µs a vertex. Threads: any.
-viewlod::Result<FeatureSet> importFeatures(const std::filesystem::path& source, const PlacedTile& tile);
+foundation::Result<FeatureSet> importFeatures(const std::filesystem::path& source, const PlacedTile& tile);
 
 } // namespace osgTerrainROAM::core

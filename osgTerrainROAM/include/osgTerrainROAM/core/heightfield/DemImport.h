@@ -5,7 +5,7 @@
 #include <optional>
 #include <span>
 
-#include <viewlod/Result.h>
+#include <foundation/Result.h>
 
 #include <osgTerrainROAM/core/heightfield/HeightField.h>
 
@@ -43,8 +43,8 @@ struct DemImportOptions
 /// (cells of whole arc seconds or whole parts of one, within ±360° and ±90°, not beginning at zero): then WGS84.
 /// Errors: missing or unreadable file, several bands, rotated grid, no georeference and no spacing, all void.
 /// Nothing is written beside the input.
-viewlod::Result<HeightField> importDem(const std::filesystem::path& file,
-                                       const DemImportOptions& options = {});
+foundation::Result<HeightField> importDem(const std::filesystem::path& file,
+                                          const DemImportOptions& options = {});
 
 /// Joins several such rasters, of any extents, spacings and coordinate reference systems, on the grid of the finest; where that
 /// would be more than 2^26 samples, on a coarser one, and finer data become denser parts of it (HeightField::parts). That one's
@@ -52,7 +52,7 @@ viewlod::Result<HeightField> importDem(const std::filesystem::path& file,
 /// that there is one height along each seam. What no raster reaches is a hole (HeightField::mask).
 /// `files`: at least one. Errors: as importDem of each; no georeference; different vertical datums; a plane among rasters on the
 /// Earth; more than 2^26 samples all the same.
-viewlod::Result<HeightField> importDems(std::span<const std::filesystem::path> files,
-                                        const DemImportOptions& options = {});
+foundation::Result<HeightField> importDems(std::span<const std::filesystem::path> files,
+                                           const DemImportOptions& options = {});
 
 } // namespace osgTerrainROAM::core

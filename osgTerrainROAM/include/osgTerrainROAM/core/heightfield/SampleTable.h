@@ -17,6 +17,9 @@ enum class Storage
     exact,   ///< 12 B a sample, floats: for comparisons with published figures
 };
 
+/// How many times the range of its heights a table keeps where edits may lie.
+inline constexpr double kEditHeadroom = 2.0;
+
 /// What a tile keeps of each data sample: its height, and error and radius of the bintree vertex there (ErrorTree).
 /// Compact: 16-bit heights in steps of heightQuantumM(), a power of two: heights that are multiples of it, whole metres
 /// among them, are kept exactly. Errors have 5 bits of exponent and 11 of mantissa, radii 253 logarithmic steps; both are

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <span>
 
-#include <viewlod/VertexCache.h>
+#include <foundation/VertexCache.h>
 
 #include <osgTerrainROAM/core/roam/MeshData.h>
 
@@ -51,8 +51,8 @@ private:
     void extendStrip(const LeafTriangle& triangle);
     bool continuesStrip(const LeafTriangle& triangle);
 
-    viewlod::FifoCache _fifo16, _fifo32;
-    viewlod::BatchCache _batch32;
+    foundation::FifoCache _fifo16, _fifo32;
+    foundation::BatchCache _batch32;
     Strip _strip;
     std::uint64_t _triangles = 0, _gaps = 0, _strips = 0, _stripVertices = 0;
 };

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scenery/models/Catalogue.h"
+
+#include <array>
+
+#include "scenery/models/houses/GableHouse.h"
+#include "scenery/models/houses/Hall.h"
+#include "scenery/models/houses/TownHouses.h"
+#include "scenery/models/trees/Tree.h"
+#include "scenery/models/vehicles/Vehicle.h"
+
+namespace trainer::models
+{
+
+namespace
+{
+
+constexpr std::array kFacts{
+    KindFacts{Kind::oak, "oak", 10.0, 19.0, 8.5},
+    KindFacts{Kind::birch, "birch", 10.0, 18.5, 5.5},
+    KindFacts{Kind::poplar, "poplar", 17.0, 28.0, 4.5},
+    KindFacts{Kind::spruce, "spruce", 15.0, 27.5, 6.0},
+    KindFacts{Kind::bush, "bush", 1.5, 4.6, 3.2},
+    KindFacts{Kind::familyHouse, "family-house", 6.5, 12.5, 10.5},
+    KindFacts{Kind::townHouses, "town-houses", 11.0, 24.0, 23.0},
+    KindFacts{Kind::barn, "barn", 7.0, 13.0, 15.0},
+    KindFacts{Kind::hall, "hall", 6.5, 13.0, 27.0},
+    KindFacts{Kind::saloon, "saloon", 1.35, 1.60, 2.6},
+    KindFacts{Kind::van, "van", 2.2, 2.9, 3.4},
+    KindFacts{Kind::bus, "bus", 2.9, 3.4, 6.6},
+};
+
+} // namespace
+
+std::span<const KindFacts> kinds()
+{
+    return kFacts;
+}
+
+const KindFacts& factsOf(Kind kind)
+{
+    return kFacts[static_cast<std::size_t>(kind)];
+}
+
+Model generate(Kind kind, std::uint64_t seed)
+{
+    switch (kind)
+    {
+    case Kind::oak:
+        return makeTree(TreeKind::oak, seed);
+    case Kind::birch:
+        return makeTree(TreeKind::birch, seed);
+    case Kind::poplar:
+        return makeTree(TreeKind::poplar, seed);
+    case Kind::spruce:
+        return makeTree(TreeKind::spruce, seed);
+    case Kind::bush:
+        return makeTree(TreeKind::bush, seed);
+    case Kind::familyHouse:
+        return makeFamilyHouse(seed);
+    case Kind::townHouses:
+        return makeTownHouses(seed);
+    case Kind::barn:
+        return makeBarn(seed);
+    case Kind::hall:
+        return makeHall(seed);
+    case Kind::saloon:
+        return makeVehicle(VehicleKind::saloon, seed);
+    case Kind::van:
+        return makeVehicle(VehicleKind::van, seed);
+    case Kind::bus:
+        return makeVehicle(VehicleKind::bus, seed);
+    }
+    return {};
+}
+
+} // namespace trainer::models

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+
+#include <glm/vec2.hpp>
+
+#include "scenery/models/Model.h"
+
+namespace trainer::models
+{
+
+/// The cells of the picture houseDetails, 4 × 4, from the lower left: what walls have in them and roofs have on them.
+enum class Detail : std::uint8_t
+{
+    window,     ///< two sashes
+    barsWindow, ///< with glazing bars
+    hallWindow, ///< a band of panes
+    shopFront,
+    door,
+    glassDoor,
+    gate, ///< sectional, of a hall
+    barnDoor,
+    wood,
+    stone,
+    zinc,
+    bricks,
+    white,
+    skylight,
+};
+
+/// The corners of a cell in the picture, a little inside its edges, so that neighbours do not bleed in.
+struct CellUv
+{
+    glm::vec2 low, high;
+    glm::vec2 middle() const { return (low + high) * 0.5F; }
+    /// A place of the cell by shares of it.
+    glm::vec2 at(float u, float v) const { return low + (high - low) * glm::vec2(u, v); }
+};
+CellUv uvOf(Detail detail);
+
+constexpr int kDetailColumns = 4;
+
+/// What windows, doors, gutters and chimneys are drawn with.
+inline const Surface kHouseDetails{Painting::houseDetails, Coat::matt};
+
+} // namespace trainer::models

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "scenery/models/houses/GableRoof.h"
+#include "scenery/models/houses/Wall.h"
+
+namespace trainer::models
+{
+
+/// A rectangular house below one saddle roof, about the z axis, the ridge along x. Units: metres.
+struct HouseShell
+{
+    glm::dvec3 middle{0.0};
+    double lengthM = 10.0, widthM = 8.0;
+    std::vector<double> rows;  ///< of all walls; the last is where the roof rests
+    GableRoof roof;            ///< base, slope and width follow from the walls
+    std::array<Wall, 4> walls; ///< front (towards -y), right (+x), back, left
+    Surface wallSurface, roofSurface;
+    glm::vec3 wallTint{1.0F}, roofTint{1.0F}, frameTint{1.0F}, doorTint{1.0F};
+    bool hasGutters = true;
+};
+
+/// Sets up walls and roof from measures and rows; openings are added to the walls afterwards.
+void setUpShell(HouseShell& shell, double slope, double eavesM, double vergeM);
+
+/// Walls, openings, sills, roof, plinth, downpipes.
+void addShell(ModelBuilder& builder, const HouseShell& shell);
+
+/// How far plinths reach into the ground, and out of it.
+constexpr double kFoundationM = 1.0;
+constexpr double kPlinthM = 0.30;
+
+} // namespace trainer::models

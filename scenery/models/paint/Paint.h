@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "scenery/models/Model.h"
+#include "scenery/models/paint/Picture.h"
+
+namespace trainer::models
+{
+
+/// Paints a picture. Pure: always the same bytes. Cost: some 10 to 100 ms.
+Picture paint(Painting painting);
+
+} // namespace trainer::models

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "scenery/models/paint/Picture.h"
+
+namespace trainer::models
+{
+
+/// The atlas of houses/DetailAtlas.h, 1024 × 1024. Alpha is how far a tint counts: window frames and doors, not glass.
+Picture paintHouseDetails();
+
+} // namespace trainer::models

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scenery/models/paint/PaintRoofs.h"
+
+#include <cmath>
+#include <numbers>
+
+#include <glm/vec3.hpp>
+
+#include "scenery/models/paint/Canvas.h"
+#include "scenery/models/paint/Noise.h"
+
+namespace trainer::models
+{
+
+namespace
+{
+
+constexpr int kRoofSizePx = 256;
+
+float fraction(float v)
+{
+    return v - std::floor(v);
+}
+
+} // namespace
+
+Picture paintRoofTiles()
+{
+    constexpr int kAcross = 10; // tiles of 24 by 30 cm
+    constexpr int kUp = 8;
+    Canvas canvas(kRoofSizePx, kRoofSizePx, glm::vec4(1.0F));
+    for (int y = 0; y < kRoofSizePx; ++y)
+        for (int x = 0; x < kRoofSizePx; ++x)
+        {
+            const glm::vec2 uv((static_cast<float>(x) + 0.5F) / kRoofSizePx,
+                               (static_cast<float>(y) + 0.5F) / kRoofSizePx);
+            const float row = std::floor(uv.y * kUp);
+            const float up = fraction(uv.y * kUp);         // from a tile's lower edge
+            const float across = fraction(uv.x * kAcross); // over its wave
+            const float wave = std::sin(across * 2.0F * std::numbers::pi_v<float>);
+            float light = 0.86F + 0.12F * wave;
+            if (up < 0.10F) light *= 0.55F; // the shadow that the row above leaves
+            if (up > 0.90F) light *= 1.12F; // its rounded edge
+            const float tone =
+                tiledNoise({std::floor(uv.x * kAcross) / kAcross, row / kUp}, {kAcross, kUp}, 91);
+            light *= 0.86F + 0.22F * tone;
+            light *= 0.92F + 0.12F * tiledCloud(uv, {3, 3}, 3, 97); // lichen and weather
+            canvas.pixel(x, y) = glm::vec4(glm::vec3(light), 1.0F);
+        }
+    return canvas.picture();
+}
+
+Picture paintRoofMetal()
+{
+    Canvas canvas(kRoofSizePx, kRoofSizePx, glm::vec4(1.0F));
+    for (int y = 0; y < kRoofSizePx; ++y)
+        for (int x = 0; x < kRoofSizePx; ++x)
+        {
+            const glm::vec2 uv((static_cast<float>(x) + 0.5F) / kRoofSizePx,
+                               (static_cast<float>(y) + 0.5F) / kRoofSizePx);
+            const float across = fraction(uv.x * 8.0F);
+            const float shade = across < 0.12F ? 1.0F : across < 0.24F ? 0.72F : 0.86F;
+            const float streak = tiledCloud(uv, {24, 2}, 2, 101);
+            canvas.pixel(x, y) = glm::vec4(glm::vec3(0.82F, 0.83F, 0.84F) * (shade - 0.12F * streak), 1.0F);
+        }
+    return canvas.picture();
+}
+
+} // namespace trainer::models

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "scenery/models/paint/Picture.h"
+
+namespace trainer::models
+{
+
+/// Walls, 256 × 256, to be repeated both ways (kWallPictureM), light, to be tinted.
+Picture paintPlaster();
+Picture paintBricks();
+/// Trapezoidal sheet, its ribs upright.
+Picture paintSheetMetal();
+/// Upright boards.
+Picture paintPlanks();
+
+} // namespace trainer::models

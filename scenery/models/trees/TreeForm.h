@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "scenery/models/Model.h"
+
+namespace trainer::models
+{
+
+/// A range that seeds choose from.
+struct Range
+{
+    double low, high;
+};
+
+/// What makes a kind of tree. Shares are of the height unless something else is said. Units: metres, degrees above level.
+struct TreeForm
+{
+    Range heightM;
+    Range crownFrom;    ///< where the crown begins
+    Range crownRadius;  ///< half its greatest width
+    double trunkRadius; ///< at breast height
+    double trunkTo;     ///< where the trunk ends
+    double trunkWander; ///< how far it leaves the straight line
+    int stems;          ///< trunks out of one root
+    double (*profile)(
+        double crownShare); ///< share of the greatest width, from the crown's base (0) to its top (1)
+
+    int boughs;
+    Range boughElevationDeg; ///< at the crown's base, at its top
+    double boughBend;        ///< turns upwards by that share of its length; negative: hangs
+    int twigsPerBough;
+    double twigSpreadDeg; ///< away from the bough
+
+    int cardsPerTwig;
+    Range cardM;      ///< length of a leaf card
+    double cardWidth; ///< share of its length
+    double cardHang;  ///< 0: along its twig, 1: straight down
+    bool flatCards;   ///< sprays that lie level, instead of turned any way
+
+    Painting bark, leaves;
+    glm::dvec2 barkRepeats; ///< around the trunk, along it per metre
+    glm::vec3 leafTint;     ///< mean; seeds vary it
+};
+
+enum class TreeKind
+{
+    oak,
+    birch,
+    poplar,
+    spruce,
+    bush,
+};
+
+const TreeForm& treeForm(TreeKind kind);
+
+} // namespace trainer::models

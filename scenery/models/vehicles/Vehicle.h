@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+
+#include "scenery/models/Model.h"
+#include "scenery/models/vehicles/VehicleForm.h"
+
+namespace trainer::models
+{
+
+/// A vehicle of one kind on its wheels, standing. Seeds choose its colour and stretch it. Pure.
+/// Surfaces: body (lacquered, the kind's picture), wheels. 3 000 to 10 000 triangles.
+Model makeVehicle(VehicleKind kind, std::uint64_t seed);
+
+} // namespace trainer::models

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+
+#include "scenery/placement/JsonFields.h"
+#include "scenery/placement/SceneryDescription.h"
+
+namespace trainer::scenery
+{
+
+/// The member `objects` of a field: kinds with seeds, and files relative to `folder`.
+void readObjects(JsonFields& parent, const std::filesystem::path& folder,
+                 std::vector<SceneryObject>& objects);
+
+} // namespace trainer::scenery

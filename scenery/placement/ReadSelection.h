@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <osgPMObjects/core/selection/SceneSelector.h>
+#include <osgPMObjects/core/selection/Switch.h>
+
+#include "scenery/placement/JsonFields.h"
+#include "scenery/placement/SelectionPlan.h"
+
+namespace trainer::scenery
+{
+
+/// The members `selection`, `switching` and `budget` of a description; what is not there stays as it is.
+void readSelection(JsonFields& parent, SelectionPlan& plan);
+void readSwitching(JsonFields& parent, osgPMObjects::core::SwitchSettings& switching);
+void readBudget(JsonFields& parent, osgPMObjects::core::SceneBudgetSettings& budget);
+
+} // namespace trainer::scenery

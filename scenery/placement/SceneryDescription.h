@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+#include <osgPMObjects/core/selection/SceneSelector.h>
+#include <osgPMObjects/core/selection/Switch.h>
+
+#include "scenery/models/Catalogue.h"
+#include "scenery/placement/SelectionPlan.h"
+
+namespace trainer::scenery
+{
+
+/// One thing to be placed: a generated model, or a file. Exactly one of `kind` and `file` is there.
+struct SceneryObject
+{
+    std::optional<models::Kind> kind;
+    std::uint64_t seed = 0;
+    std::string file; ///< as it is found from the program's folder
+
+    bool operator==(const SceneryObject&) const = default;
+};
+
+enum class Arrangement : std::uint8_t
+{
+    settlement, ///< houses along small streets, facing them
+    parked,     ///< vehicles along the streets of a settlement
+    rows,       ///< avenues, orchards
+    scattered,
+};
+
+/// From `least` to `most`, both included.
+struct Span
+{
+    double least = -std::numeric_limits<double>::infinity(), most = std::numeric_limits<double>::infinity();
+
+    bool contains(double value) const { return value >= least && value <= most; }
+};
+
+struct Circle
+{
+    glm::dvec2 centreM{0.0};
+    double radiusM = 0.0;
+};
+
+/// Where objects of a field may stand; all that is given has to hold.
+/// Frame: the scene's east and north. Units: metres; degrees.
+struct Where
+{
+    std::optional<Circle> circle;
+    std::vector<glm::dvec2> polygon;   ///< corners; empty: not given
+    std::optional<Span> pathDistanceM; ///< from what the scenario's entities pass over, airborne ones too
+    Span heightM, slopeDeg{0.0, 25.0};
+    bool inWater = false;            ///< else not at or below the sea level
+    std::vector<std::string> covers; ///< names of land cover, where the terrain knows it; empty: any
+    double patchM = 0.0;             ///< above 0: only within irregular patches of about this size …
+    double patchShare = 1.0;         ///< … that cover so much of the land
+};
+
+struct RowLayout
+{
+    double spacingM = 9.0, betweenM = 9.0, lengthM = 150.0;
+    int rows = 2;
+};
+
+struct SettlementLayout
+{
+    int settlements = 1, sideStreets = 3;
+    double streetM = 220.0; ///< length of the main street; side streets have half of it
+    double plotM = 24.0;    ///< along the street
+    double setbackM = 5.0;  ///< of the houses' nearest point from the street's edge
+    double widthM = 6.0;    ///< of streets
+};
+
+/// A field: objects that are placed by one rule and drawn with one set of settings.
+struct SceneryField
+{
+    std::string name;
+    std::vector<SceneryObject> objects;
+    Arrangement arrangement = Arrangement::scattered;
+    std::uint32_t count = 0;    ///< of objects; 0: by density
+    double densityPerKm2 = 0.0; ///< of the land where the field may be, rules of the ground not counted
+    Where where;
+    RowLayout rows;
+    SettlementLayout settlement;
+    std::string beside;    ///< of `parked`: the settlement's name
+    double spacingM = 0.0; ///< between objects of any fields, at least, beside their sizes
+    double crowding = 0.0; ///< how far crowns of the field's trees reach into each other, 0 … 0.8
+    double leastScale = 1.0, mostScale = 1.0;
+    SelectionPlan selection;
+    osgPMObjects::core::SwitchSettings switching{osgPMObjects::core::SwitchMethod::discrete};
+    double importance = 1.0;
+};
+
+/// What stands on a terrain. The file format is described in docs/scenery.md.
+struct SceneryDescription
+{
+    std::uint64_t seed = 1;
+    std::vector<SceneryField> fields; ///< their names differ
+    osgPMObjects::core::SceneBudgetSettings budget;
+};
+
+/// Every object that some field has, once, in the order in which they come up.
+std::vector<SceneryObject> objectsOf(const SceneryDescription& description);
+
+} // namespace trainer::scenery

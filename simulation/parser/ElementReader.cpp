@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "simulation/parser/ElementReader.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "simulation/parser/Expression.h"
+
+namespace trainer
+{
+namespace
+{
+
+constexpr std::size_t kMaximumName = 256;
+constexpr double kLargestNumber = 1e9;
+
+} // namespace
+
+std::string ElementReader::text(const char* attribute)
+{
+    if (!has(attribute))
+    {
+        if (node)
+            context.invalid(node, std::string(node.name()) + " has no attribute " + attribute, "add it");
+        return {};
+    }
+    return substituted(attribute).value_or("");
+}
+
+std::string ElementReader::textOr(const char* attribute, const std::string& fallback)
+{
+    return has(attribute) ? text(attribute) : fallback;
+}
+
+/// `$name` and `${expression}` stand for the whole value, as the language has it. Nothing after a problem.
+std::optional<std::string> ElementReader::substituted(const char* attribute)
+{
+    const std::string raw = node.attribute(attribute).value();
+    if (raw.empty() || raw.front() != '$') return raw;
+    const std::string where = std::string(node.name()) + "/" + attribute;
+    if (raw.size() > 1 && raw[1] == '{')
+    {
+        if (raw.back() != '}')
+        {
+            context.invalid(node, "the expression in " + where + " does not end with }", "close it");
+            return std::nullopt;
+        }
+        const foundation::Result<double> value =
+            evaluateExpression(std::string_view(raw).substr(2, raw.size() - 3),
+                               [this](std::string_view name) { return context.lookup(name); });
+        if (value) return formatNumber(*value);
+        context.invalid(node, "the expression in " + where + ": " + value.error().what, value.error().remedy);
+        return std::nullopt;
+    }
+    if (std::optional<std::string> value = context.lookup(std::string_view(raw).substr(1))) return value;
+    context.invalid(node, "the parameter " + raw + " in " + where + " is not declared",
+                    "declare it before its use");
+    return std::nullopt;
+}
+
+std::string ElementReader::name()
+{
+    const std::string_view raw = node.attribute("name").value();
+    std::string name = raw.starts_with("${") ? std::string(raw) : text("name");
+    if (name.size() <= kMaximumName) return name;
+    context.invalid(node, "the name is longer than " + std::to_string(kMaximumName) + " characters",
+                    "shorten it");
+    return name.substr(0, kMaximumName);
+}
+
+double ElementReader::number(const char* attribute)
+{
+    const std::optional<std::string> content = has(attribute) ? substituted(attribute) : text(attribute);
+    if (!has(attribute) || !content) return 0.0;
+    const std::optional<double> value = parseNumber(*content);
+    if (value && std::fabs(*value) <= kLargestNumber) return *value;
+    if (value)
+    {
+        context.invalid(node, std::string(node.name()) + "/" + attribute + " is beyond 1e9",
+                        "write a smaller number");
+        return 0.0;
+    }
+    context.invalid(node,
+                    std::string(node.name()) + "/" + attribute + " is not a finite number: \"" +
+                        content->substr(0, 40) + "\"",
+                    "write a number");
+    return 0.0;
+}
+
+double ElementReader::numberOr(const char* attribute, double fallback)
+{
+    return has(attribute) ? number(attribute) : fallback;
+}
+
+std::optional<double> ElementReader::optionalNumber(const char* attribute)
+{
+    if (!has(attribute)) return std::nullopt;
+    return number(attribute);
+}
+
+double ElementReader::notNegative(const char* attribute)
+{
+    const double value = number(attribute);
+    if (value >= 0.0) return value;
+    context.invalid(node, std::string(node.name()) + "/" + attribute + " is negative", "write 0 or more");
+    return 0.0;
+}
+
+int ElementReader::count(const char* attribute, int fallback)
+{
+    const double value = numberOr(attribute, fallback);
+    if (value >= 0.0 && value <= 1e9 && value == std::floor(value)) return static_cast<int>(value);
+    context.invalid(node, std::string(node.name()) + "/" + attribute + " is not a count",
+                    "write a whole number");
+    return fallback;
+}
+
+bool ElementReader::flagOr(const char* attribute, bool fallback)
+{
+    const std::string word = textOr(attribute, fallback ? "true" : "false");
+    if (word == "true" || word == "1" || word == "True") return true;
+    if (word != "false" && word != "0" && word != "False") unknownWord(attribute, word);
+    return false;
+}
+
+ElementReader ElementReader::child(const char* name)
+{
+    const pugi::xml_node found = node.child(name);
+    if (!found && node) context.invalid(node, std::string(node.name()) + " has no element " + name, "add it");
+    return {context, found};
+}
+
+ElementReader ElementReader::onlyChild()
+{
+    for (pugi::xml_node candidate : node.children())
+        if (candidate.type() == pugi::node_element) return {context, candidate};
+    if (node) context.invalid(node, std::string(node.name()) + " is empty", "add its content");
+    return {context, pugi::xml_node()};
+}
+
+void ElementReader::allowChildren(std::initializer_list<std::string_view> names)
+{
+    for (pugi::xml_node candidate : node.children())
+    {
+        if (candidate.type() != pugi::node_element) continue;
+        if (std::find(names.begin(), names.end(), candidate.name()) == names.end())
+            context.unsupported(candidate,
+                                std::string("the element ") + candidate.name() + " in " + node.name());
+    }
+}
+
+void ElementReader::unknownWord(const char* attribute, const std::string& word)
+{
+    context.invalid(node,
+                    std::string(node.name()) + "/" + attribute + " has the unknown value \"" +
+                        word.substr(0, 40) + "\"",
+                    "use one of the language's words");
+}
+
+} // namespace trainer

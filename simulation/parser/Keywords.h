@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <string_view>
+#include <utility>
+
+#include "simulation/scenario/Action.h"
+#include "simulation/scenario/Condition.h"
+#include "simulation/scenario/Storyboard.h"
+
+namespace trainer
+{
+
+/// The words of the language for the values of an enumeration. The first word of a value is the one written.
+template<class Value, std::size_t Count>
+using Keywords = std::array<std::pair<std::string_view, Value>, Count>;
+
+inline constexpr Keywords<Rule, 6> kRules = {{{"equalTo", Rule::equalTo},
+                                              {"greaterThan", Rule::greaterThan},
+                                              {"lessThan", Rule::lessThan},
+                                              {"greaterOrEqual", Rule::greaterOrEqual},
+                                              {"lessOrEqual", Rule::lessOrEqual},
+                                              {"notEqualTo", Rule::notEqualTo}}};
+
+inline constexpr Keywords<ConditionEdge, 4> kConditionEdges = {
+    {{"none", ConditionEdge::none},
+     {"rising", ConditionEdge::rising},
+     {"falling", ConditionEdge::falling},
+     {"risingOrFalling", ConditionEdge::risingOrFalling}}};
+
+inline constexpr Keywords<StoryboardElementType, 6> kElementTypes = {
+    {{"story", StoryboardElementType::story},
+     {"act", StoryboardElementType::act},
+     {"maneuverGroup", StoryboardElementType::maneuverGroup},
+     {"maneuver", StoryboardElementType::maneuver},
+     {"event", StoryboardElementType::event},
+     {"action", StoryboardElementType::action}}};
+
+inline constexpr Keywords<StoryboardElementState, 7> kElementStates = {
+    {{"standbyState", StoryboardElementState::standbyState},
+     {"runningState", StoryboardElementState::runningState},
+     {"completeState", StoryboardElementState::completeState},
+     {"startTransition", StoryboardElementState::startTransition},
+     {"endTransition", StoryboardElementState::endTransition},
+     {"stopTransition", StoryboardElementState::stopTransition},
+     {"skipTransition", StoryboardElementState::skipTransition}}};
+
+inline constexpr Keywords<DynamicsShape, 4> kDynamicsShapes = {{{"step", DynamicsShape::step},
+                                                                {"linear", DynamicsShape::linear},
+                                                                {"cubic", DynamicsShape::cubic},
+                                                                {"sinusoidal", DynamicsShape::sinusoidal}}};
+
+inline constexpr Keywords<DynamicsDimension, 3> kDynamicsDimensions = {
+    {{"time", DynamicsDimension::time},
+     {"distance", DynamicsDimension::distance},
+     {"rate", DynamicsDimension::rate}}};
+
+inline constexpr Keywords<FollowingMode, 2> kFollowingModes = {
+    {{"position", FollowingMode::position}, {"follow", FollowingMode::follow}}};
+
+inline constexpr Keywords<Timing::Domain, 2> kTimingDomains = {
+    {{"absolute", Timing::Domain::absolute}, {"relative", Timing::Domain::relative}}};
+
+/// `override` is 1.2's word for `overwrite`, which all versions read.
+inline constexpr Keywords<Priority, 4> kPriorities = {{{"overwrite", Priority::overwrite},
+                                                       {"override", Priority::overwrite},
+                                                       {"skip", Priority::skip},
+                                                       {"parallel", Priority::parallel}}};
+
+/// The first word for a value.
+template<class Value, std::size_t Count>
+constexpr std::string_view wordFor(const Keywords<Value, Count>& keywords, Value value)
+{
+    for (const auto& [word, candidate] : keywords)
+        if (candidate == value) return word;
+    return {};
+}
+
+} // namespace trainer

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "simulation/parser/ElementParsers.h"
+
+namespace trainer
+{
+namespace
+{
+
+Unsupported unsupported(ElementReader reader)
+{
+    if (reader.node)
+        reader.context.unsupported(reader.node, std::string("the condition ") + reader.node.name());
+    return {reader.context.line(reader.node), reader.node.name()};
+}
+
+ConditionContent parseContent(ElementReader reader)
+{
+    ElementReader kind = reader.onlyChild();
+    if (kind.is("ByEntityCondition")) return unsupported(kind.child("EntityCondition").onlyChild());
+    if (!kind.is("ByValueCondition")) return unsupported(kind);
+    ElementReader value = kind.onlyChild();
+    if (value.is("SimulationTimeCondition"))
+        return SimulationTimeCondition{value.number("value"), value.choice("rule", kRules)};
+    if (value.is("StoryboardElementStateCondition"))
+        return StoryboardElementStateCondition{value.choice("storyboardElementType", kElementTypes),
+                                               value.text("storyboardElementRef"),
+                                               value.choice("state", kElementStates)};
+    return unsupported(value);
+}
+
+Condition parseCondition(ElementReader reader)
+{
+    Condition condition;
+    condition.source = reader.context.line(reader.node);
+    condition.name = reader.name();
+    condition.delayS = reader.has("delay") ? reader.notNegative("delay") : 0.0;
+    condition.edge = reader.choice("conditionEdge", kConditionEdges);
+    condition.content = parseContent(reader);
+    return condition;
+}
+
+} // namespace
+
+Trigger parseTrigger(ElementReader reader)
+{
+    reader.allowChildren({"ConditionGroup"});
+    Trigger trigger;
+    trigger.source = reader.context.line(reader.node);
+    for (pugi::xml_node groupNode : reader.node.children("ConditionGroup"))
+    {
+        ElementReader(reader.context, groupNode).allowChildren({"Condition"});
+        ConditionGroup group;
+        for (pugi::xml_node node : groupNode.children("Condition"))
+            group.conditions.push_back(parseCondition({reader.context, node}));
+        if (group.conditions.empty())
+            reader.context.invalid(groupNode, "a ConditionGroup has no Condition", "add one");
+        trigger.groups.push_back(std::move(group));
+    }
+    return trigger;
+}
+
+} // namespace trainer

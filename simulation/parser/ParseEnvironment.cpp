@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "simulation/parser/ElementParsers.h"
+
+namespace trainer
+{
+namespace
+{
+
+TimeOfDay parseTimeOfDay(ElementReader reader)
+{
+    TimeOfDay timeOfDay;
+    timeOfDay.animation = reader.flagOr("animation", false);
+    const std::string text = reader.text("dateTime");
+    if (const std::optional<DateTime> dateTime = parseDateTime(text))
+        timeOfDay.dateTime = *dateTime;
+    else if (reader.has("dateTime"))
+        reader.context.invalid(reader.node,
+                               "TimeOfDay/dateTime is not a date and time: \"" + text.substr(0, 40) + "\"",
+                               "write it as 2025-06-13T06:00:00Z");
+    return timeOfDay;
+}
+
+Sun parseSun(ElementReader reader)
+{
+    return {reader.number("azimuth"), reader.number("elevation"), reader.optionalNumber("intensity"),
+            reader.optionalNumber("illuminance")};
+}
+
+Precipitation parsePrecipitation(ElementReader reader)
+{
+    Precipitation precipitation{reader.text("precipitationType"),
+                                reader.optionalNumber("precipitationIntensity")};
+    if (!precipitation.intensity) precipitation.intensity = reader.optionalNumber("intensity"); // 1.0
+    return precipitation;
+}
+
+double parseFog(ElementReader reader)
+{
+    reader.allowChildren({});
+    const double range = reader.notNegative("visualRange");
+    if (range == 0.0) reader.context.invalid(reader.node, "Fog/visualRange is 0", "write a range in metres");
+    return range;
+}
+
+Weather parseWeather(ElementReader reader)
+{
+    reader.allowChildren({"Sun", "Fog", "Precipitation", "Wind"});
+    ParseContext& context = reader.context;
+    Weather weather;
+    weather.cloudState = reader.textOr("fractionalCloudCover", reader.textOr("cloudState", ""));
+    weather.temperatureK = reader.optionalNumber("temperature");
+    weather.pressurePa = reader.optionalNumber("atmosphericPressure");
+    if (const pugi::xml_node node = reader.node.child("Sun")) weather.sun = parseSun({context, node});
+    if (const pugi::xml_node node = reader.node.child("Fog"))
+        weather.fogVisualRangeM = parseFog({context, node});
+    if (const pugi::xml_node node = reader.node.child("Precipitation"))
+        weather.precipitation = parsePrecipitation({context, node});
+    if (const pugi::xml_node node = reader.node.child("Wind"))
+    {
+        ElementReader wind(context, node);
+        weather.wind = Wind{wind.number("direction"), wind.notNegative("speed")};
+    }
+    return weather;
+}
+
+} // namespace
+
+Environment parseEnvironment(ElementReader reader)
+{
+    reader.allowChildren({"ParameterDeclarations", "TimeOfDay", "Weather", "RoadCondition"});
+    ParseContext& context = reader.context;
+    const ParameterScope scope(context, reader.node);
+    Environment environment;
+    environment.source = context.line(reader.node);
+    environment.name = reader.name();
+    if (const pugi::xml_node node = reader.node.child("TimeOfDay"))
+        environment.timeOfDay = parseTimeOfDay({context, node});
+    if (const pugi::xml_node node = reader.node.child("Weather"))
+        environment.weather = parseWeather({context, node});
+    if (const pugi::xml_node node = reader.node.child("RoadCondition"))
+        environment.roadFriction = ElementReader(context, node).notNegative("frictionScaleFactor");
+    return environment;
+}
+
+} // namespace trainer

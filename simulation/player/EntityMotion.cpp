@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "simulation/player/EntityMotion.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace trainer
+{
+namespace
+{
+
+constexpr double kGravityMps2 = 9.80665;
+constexpr double kLargestBankDeg = 60.0;
+constexpr double kSmallestPlanSpeed = 1e-6;
+
+double wrappedDeg(double angleDeg)
+{
+    return std::remainder(angleDeg, 360.0);
+}
+
+} // namespace
+
+EntityMotion::EntityMotion(const ScenarioObject& object, const SceneFrame& frame)
+    : _frame(&frame), _contact(GroundContact::of(object)), _isAirborne(object.isAirborne())
+{
+    _state.name = object.name;
+    if (const auto* vehicle = std::get_if<Vehicle>(&object.object))
+    {
+        _wheelRadiusM = 0.5 * vehicle->rearAxle.wheelDiameterM;
+        if (vehicle->frontAxle) _wheelbaseM = vehicle->frontAxle->positionXM - vehicle->rearAxle.positionXM;
+    }
+    settle(0.0);
+}
+
+void EntityMotion::teleport(const Position& position, double timeS)
+{
+    if (_run) cancel(_runTicket, timeS);
+    _state.position = _frame->place(position);
+    const Orientation orientation = orientationOf(position);
+    _state.headingDeg = wrappedDeg(glm::degrees(orientation.headingRad.value_or(0.0)));
+    _state.pitchDeg = wrappedDeg(glm::degrees(orientation.pitchRad.value_or(0.0)));
+    _state.rollDeg = wrappedDeg(glm::degrees(orientation.rollRad.value_or(0.0)));
+    settle(timeS);
+}
+
+std::int64_t EntityMotion::startSpeed(const SpeedAction& action, double timeS)
+{
+    const auto* target = std::get_if<AbsoluteTargetSpeed>(&action.target);
+    const double to = target ? target->speedMps : _state.speedMps;
+    _speed = SpeedProfile(_state.speedMps, to, action.dynamics);
+    _speedStartS = timeS;
+    settle(timeS);
+    return _speedTicket = ++_lastTicket;
+}
+
+std::int64_t EntityMotion::startTrajectory(const FollowTrajectoryAction& action, double timeS)
+{
+    _run.emplace(action, *_frame, timeS);
+    _runTicket = ++_lastTicket;
+    takePoint(_run->point(), _run->isTimed() ? _run->timedSpeedMps() : _speed.speedAt(timeS - _speedStartS));
+    settle(timeS);
+    return _runTicket;
+}
+
+bool EntityMotion::isDone(std::int64_t ticket, double timeS) const
+{
+    if (ticket == _runTicket) return !_run;
+    return ticket != _speedTicket || timeS - _speedStartS >= _speed.durationS();
+}
+
+void EntityMotion::cancel(std::int64_t ticket, double timeS)
+{
+    if (ticket == _runTicket) _run.reset();
+    if (ticket != _speedTicket && ticket != _runTicket) return;
+    _speed = SpeedProfile::constant(_state.speedMps);
+    _speedStartS = timeS;
+}
+
+void EntityMotion::advanceTo(double timeS)
+{
+    const double distance =
+        _speed.distanceAt(timeS - _speedStartS) - _speed.distanceAt(_timeS - _speedStartS);
+    const glm::dvec3 before = _state.position;
+    if (_run)
+        followTrajectory(timeS, distance);
+    else
+        goStraight(distance);
+    _state.odometerM += glm::length(_state.position - before);
+    settle(timeS);
+    _timeS = timeS;
+}
+
+void EntityMotion::followTrajectory(double timeS, double distanceM)
+{
+    const bool isTimed = _run->isTimed();
+    const std::optional<double> left = isTimed ? _run->advanceTo(timeS) : _run->advanceBy(distanceM);
+    takePoint(_run->point(), isTimed ? _run->timedSpeedMps() : _speed.speedAt(timeS - _speedStartS));
+    if (!left) return;
+    _run.reset();
+    if (isTimed)
+    {
+        _speed = SpeedProfile::constant(_state.speedMps);
+        _speedStartS = timeS;
+    }
+    goStraight(isTimed ? *left * _state.speedMps : *left);
+}
+
+/// Along the heading; an airborne entity climbs or sinks with its pitch.
+void EntityMotion::goStraight(double distanceM)
+{
+    const double climb = _isAirborne ? -glm::radians(_state.pitchDeg) : 0.0;
+    const double heading = glm::radians(_state.headingDeg);
+    const glm::dvec3 ahead(std::cos(heading) * std::cos(climb), std::sin(heading) * std::cos(climb),
+                           std::sin(climb));
+    _state.position += ahead * distanceM;
+    _state.steeringDeg = 0.0;
+}
+
+void EntityMotion::takePoint(const PathPoint& point, double speedMps)
+{
+    _state.position = point.position;
+    if (point.headingRad) _state.headingDeg = wrappedDeg(glm::degrees(*point.headingRad));
+    const double plan = std::hypot(point.tangent.x, point.tangent.y);
+    const double climbRad = std::atan2(point.tangent.z, plan);
+    if (plan > kSmallestPlanSpeed) _state.pitchDeg = -glm::degrees(climbRad);
+    if (point.pitchRad) _state.pitchDeg = wrappedDeg(glm::degrees(*point.pitchRad));
+    const double planSpeed = speedMps * std::cos(climbRad);
+    const double curvature = point.planCurvature();
+    const double bank = glm::degrees(std::atan(planSpeed * planSpeed * curvature / kGravityMps2));
+    _state.rollDeg = _isAirborne ? -std::clamp(bank, -kLargestBankDeg, kLargestBankDeg) : 0.0;
+    if (point.rollRad) _state.rollDeg = wrappedDeg(glm::degrees(*point.rollRad));
+    _state.steeringDeg = glm::degrees(std::atan(_wheelbaseM * curvature));
+    _state.speedMps = speedMps;
+    const double length = glm::length(point.tangent);
+    _state.velocity = length > 0.0 ? point.tangent * (speedMps / length) : glm::dvec3(0.0);
+}
+
+/// What follows from place and speed.
+void EntityMotion::settle(double timeS)
+{
+    if (!_run || !_run->isTimed()) _state.speedMps = _speed.speedAt(timeS - _speedStartS);
+    _state.isOnGround = false;
+    _state.wheelTravelM = {};
+    if (!_isAirborne) standOnGround(_contact, *_frame, _state);
+    if (!_run || _state.isOnGround) _state.velocity = _state.bodyToLocal()[0] * _state.speedMps;
+    if (_wheelRadiusM > 0.0)
+        _state.wheelRotationDeg = std::fmod(glm::degrees(_state.odometerM / _wheelRadiusM), 360.0);
+}
+
+} // namespace trainer

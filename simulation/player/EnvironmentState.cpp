@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "simulation/player/EnvironmentState.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace trainer
+{
+namespace
+{
+
+constexpr DateTime kDefaultDateTime{1'718'964'000'000}; // 2024-06-21T10:00:00Z
+
+} // namespace
+
+EnvironmentClock::EnvironmentClock(const std::optional<Geodetic>& origin)
+    : _place(origin.value_or(Geodetic{45.0, 0.0, 0.0}))
+{
+    _state.dateTime = kDefaultDateTime;
+}
+
+void EnvironmentClock::apply(const Environment& environment, double timeS)
+{
+    if (environment.timeOfDay)
+    {
+        _state.dateTime = environment.timeOfDay->dateTime;
+        _isAnimated = environment.timeOfDay->animation;
+        _setAtS = timeS;
+        _givenSun.reset();
+    }
+    if (!environment.weather) return;
+    const Weather& weather = *environment.weather;
+    if (weather.sun)
+    {
+        const double azimuth = std::fmod(weather.sun->azimuthRad * 180.0 / std::numbers::pi, 360.0);
+        _givenSun = SunDirection{azimuth < 0.0 ? azimuth + 360.0 : azimuth,
+                                 weather.sun->elevationRad * 180.0 / std::numbers::pi};
+    }
+    if (weather.fogVisualRangeM) _state.fogVisualRangeM = weather.fogVisualRangeM;
+    if (!weather.cloudState.empty()) _state.cloudState = weather.cloudState;
+    if (weather.precipitation) _state.precipitation = weather.precipitation;
+    if (weather.wind) _state.wind = weather.wind;
+}
+
+EnvironmentState EnvironmentClock::at(double timeS) const
+{
+    EnvironmentState state = _state;
+    if (_isAnimated) state.dateTime = _state.dateTime.plusSeconds(timeS - _setAtS);
+    state.sun =
+        _givenSun ? *_givenSun : sunDirection(state.dateTime, _place.latitudeDeg, _place.longitudeDeg);
+    return state;
+}
+
+} // namespace trainer

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "simulation/player/ScenarioCheck.h"
+
+#include <optional>
+#include <set>
+
+#include "simulation/player/TrajectoryRun.h"
+
+namespace trainer
+{
+namespace
+{
+
+/// Walks a scenario and keeps the first thing that stands against playing it.
+class Walk
+{
+public:
+    Walk(const Scenario& scenario, const SceneFrame& frame, const std::string& name)
+        : _scenario(scenario), _frame(frame), _name(name)
+    {
+    }
+
+    foundation::Outcome run()
+    {
+        for (const InitPrivate& initial : _scenario.storyboard.init.privates)
+        {
+            entity(initial.entity, initial.source);
+            for (const PrivateAction& content : initial.actions)
+                action(content);
+        }
+        for (const Story& story : _scenario.storyboard.stories)
+        {
+            _names.insert({StoryboardElementType::story, story.name});
+            for (const Act& content : story.acts)
+                act(content);
+        }
+        trigger(_scenario.storyboard.stopTrigger);
+        for (const auto& [condition, line] : _references)
+            reference(*condition, line);
+        if (_error) return *_error;
+        return foundation::success();
+    }
+
+private:
+    using Name = std::pair<StoryboardElementType, std::string>;
+
+    void act(const Act& content)
+    {
+        _names.insert({StoryboardElementType::act, content.name});
+        trigger(content.startTrigger);
+        trigger(content.stopTrigger);
+        for (const ManeuverGroup& group : content.groups)
+        {
+            _names.insert({StoryboardElementType::maneuverGroup, group.name});
+            for (const std::string& actor : group.actors)
+                entity(actor, group.source);
+            for (const Maneuver& maneuver : group.maneuvers)
+            {
+                _names.insert({StoryboardElementType::maneuver, maneuver.name});
+                for (const Event& content2 : maneuver.events)
+                    event(content2);
+            }
+        }
+    }
+
+    void event(const Event& content)
+    {
+        _names.insert({StoryboardElementType::event, content.name});
+        trigger(content.startTrigger);
+        for (const NamedAction& named : content.actions)
+        {
+            _names.insert({StoryboardElementType::action, named.name});
+            if (const auto* privateAction = std::get_if<PrivateAction>(&named.action)) action(*privateAction);
+        }
+    }
+
+    void action(const PrivateAction& content)
+    {
+        if (const auto* teleport = std::get_if<TeleportAction>(&content))
+        {
+            const bool isGeo = std::holds_alternative<GeoPosition>(teleport->position);
+            if (isGeo && !_frame.canPlace(teleport->position))
+                fail(teleport->source, "a GeoPosition, but the scene has no georeference",
+                     "use WorldPosition");
+        }
+        if (const auto* follow = std::get_if<FollowTrajectoryAction>(&content))
+        {
+            const std::optional<std::string> obstacle = TrajectoryRun::obstacle(*follow, _frame);
+            if (obstacle && isSupported(*follow))
+                fail(follow->source,
+                     "the trajectory " + follow->trajectory.name + " cannot be run: " + *obstacle,
+                     "correct its vertices");
+        }
+    }
+
+    static bool isSupported(const FollowTrajectoryAction& follow)
+    {
+        const auto* polyline = std::get_if<Polyline>(&follow.trajectory.shape);
+        if (!polyline) return false;
+        for (const Vertex& vertex : polyline->vertices)
+            if (std::holds_alternative<Unsupported>(vertex.position)) return false;
+        return true;
+    }
+
+    void trigger(const std::optional<Trigger>& content)
+    {
+        if (!content) return;
+        for (const ConditionGroup& group : content->groups)
+            for (const Condition& condition : group.conditions)
+                if (const auto* state = std::get_if<StoryboardElementStateCondition>(&condition.content))
+                    _references.emplace_back(state, condition.source);
+    }
+
+    void reference(const StoryboardElementStateCondition& condition, SourceLine source)
+    {
+        const std::size_t colon = condition.element.rfind("::");
+        const std::string name =
+            colon == std::string::npos ? condition.element : condition.element.substr(colon + 2);
+        if (!_names.contains(Name(condition.type, name)))
+            fail(source, "the storyboard element " + condition.element + " does not exist",
+                 "correct the reference");
+    }
+
+    void entity(const std::string& name, SourceLine source)
+    {
+        if (_scenario.entityIndex(name) < 0)
+            fail(source, "the entity " + name + " does not exist", "correct the name");
+    }
+
+    void fail(SourceLine source, const std::string& what, const std::string& remedy)
+    {
+        if (!_error) _error = foundation::Error{_name + ":" + std::to_string(source.line), what, remedy};
+    }
+
+    const Scenario& _scenario;
+    const SceneFrame& _frame;
+    const std::string& _name;
+    std::set<Name> _names;
+    std::vector<std::pair<const StoryboardElementStateCondition*, SourceLine>> _references;
+    std::optional<foundation::Error> _error;
+};
+
+} // namespace
+
+foundation::Outcome checkPlayable(const Scenario& scenario, const SceneFrame& frame, const std::string& name)
+{
+    return Walk(scenario, frame, name).run();
+}
+
+} // namespace trainer

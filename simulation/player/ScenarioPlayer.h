@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <foundation/Result.h>
+
+#include "simulation/clock/FixedClock.h"
+#include "simulation/player/EntityState.h"
+#include "simulation/player/EnvironmentState.h"
+#include "simulation/player/SceneFrame.h"
+#include "simulation/player/StoryboardElements.h"
+#include "simulation/scenario/Scenario.h"
+
+namespace trainer
+{
+
+struct PlayerOptions
+{
+    std::optional<Geodetic> origin; ///< of the scene; absent: no georeference
+    GroundProvider ground;          ///< may be empty: everything goes where the scenario puts it
+    FixedClock clock = FixedClock(120);
+    std::string scenarioName = "scenario"; ///< stands for the file in errors: scenarioName:line
+};
+
+/// Plays a scenario in fixed steps. What it does depends on the scenario, the options and the number of steps, on
+/// nothing else: two runs agree to the last bit.
+/// After create() the states are those of time 0, Init actions done. One step: the clock advances, entities move,
+/// then triggers are looked at and actions start (their motion begins with the next step).
+/// Frame: the scene's east-north-up. Threads: one player, one thread; players are independent.
+/// Source: ASAM OpenSCENARIO XML 1.3; docs of PathCurve, EntityMotion, StoryboardRunner.
+class ScenarioPlayer
+{
+public:
+    /// Errors, with the line of the element: a GeoPosition without an origin, an unknown entity or storyboard element,
+    /// a trajectory that cannot be run. Unsupported content of a tolerant reading is passed over: such an action ends
+    /// at once, such a condition never holds, such an entity stands at the origin.
+    static foundation::Result<std::unique_ptr<ScenarioPlayer>> create(Scenario scenario,
+                                                                      PlayerOptions options);
+
+    ~ScenarioPlayer();
+    ScenarioPlayer(const ScenarioPlayer&) = delete;
+    ScenarioPlayer& operator=(const ScenarioPlayer&) = delete;
+
+    /// Does nothing once isFinished().
+    void step();
+
+    double timeS() const;
+    const FixedClock& clock() const;
+    const Scenario& scenario() const;
+
+    /// In the order of Scenario::entities.
+    const std::vector<EntityState>& entities() const;
+    const EnvironmentState& environment() const;
+    const std::vector<StoryboardLogEntry>& log() const;
+    bool isFinished() const;
+
+private:
+    ScenarioPlayer(Scenario scenario, PlayerOptions options);
+
+    class Stage;
+    std::unique_ptr<Stage> _stage;
+};
+
+} // namespace trainer

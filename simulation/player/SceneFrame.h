@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include <glm/glm.hpp>
+
+#include "simulation/geodesy/LocalFrame.h"
+#include "simulation/scenario/Position.h"
+
+namespace trainer
+{
+
+/// The ground at a place. Frame: the scene's.
+struct GroundSample
+{
+    double heightM = 0.0; ///< z of the surface
+};
+
+/// The true ground under or above (east, north) in the scene's frame; nothing beyond the edge of the data.
+/// Must give the same answer for the same place always.
+using GroundProvider = std::function<std::optional<GroundSample>(double eastM, double northM)>;
+
+/// Turns a scenario's positions into places in the scene.
+class SceneFrame
+{
+public:
+    /// `origin` absent: a scene without georeference, in which GeoPosition has no meaning. `ground` may be empty.
+    SceneFrame(const std::optional<Geodetic>& origin, GroundProvider ground);
+
+    bool hasOrigin() const { return _frame.has_value(); }
+
+    /// False for a GeoPosition without an origin, for an unsupported position, and for coordinates beyond 1e9.
+    bool canPlace(const Position& position) const;
+
+    /// Precondition: canPlace(). Frame: the scene's.
+    glm::dvec3 place(const Position& position) const;
+
+    /// Nothing beyond 1e8 m either: providers count in samples.
+    std::optional<GroundSample> groundAt(double eastM, double northM) const;
+    const std::optional<LocalFrame>& frame() const { return _frame; }
+
+private:
+    glm::dvec3 place(const WorldPosition& position) const;
+    glm::dvec3 place(const GeoPosition& position) const;
+
+    std::optional<LocalFrame> _frame;
+    GroundProvider _ground;
+};
+
+/// The orientation that a position carries; empty for an unsupported one.
+Orientation orientationOf(const Position& position);
+
+} // namespace trainer

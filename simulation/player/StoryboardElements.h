@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "simulation/scenario/Condition.h"
+#include "simulation/scenario/SourceLine.h"
+
+namespace trainer
+{
+
+/// One line of the log: an element of the storyboard changed its state.
+struct StoryboardLogEntry
+{
+    double timeS = 0.0;
+    StoryboardElementType type = StoryboardElementType::event;
+    std::string path; ///< names from the story down, `::` between them
+    StoryboardElementState transition = StoryboardElementState::startTransition;
+    int line = 0; ///< of the scenario's file
+
+    bool operator==(const StoryboardLogEntry&) const = default;
+};
+
+/// The states of a storyboard's elements. A transition made in one step is what conditions see in the next, whatever
+/// order the elements are visited in; a state is seen at once.
+class StoryboardElements
+{
+public:
+    /// Adds an element in standby and returns its index.
+    int add(StoryboardElementType type, int parent, const std::string& name, SourceLine source);
+
+    /// Begins a step: the transitions of the one before become visible.
+    void beginStep(double timeS);
+
+    void set(int element, StoryboardElementState state, StoryboardElementState transition);
+
+    /// An event that was to start while another ran, and did not.
+    void skip(int element) { note(element, StoryboardElementState::skipTransition); }
+
+    StoryboardElementState state(int element) const
+    {
+        return _elements[static_cast<std::size_t>(element)].state;
+    }
+
+    /// The element that a condition names, by its name or by the end of its path; -1 when there is none.
+    int find(const StoryboardElementStateCondition& condition) const;
+
+    bool is(const StoryboardElementStateCondition& condition) const;
+
+    const std::vector<StoryboardLogEntry>& log() const { return _log; }
+
+private:
+    struct Element
+    {
+        StoryboardElementType type;
+        std::string path;
+        int line;
+        StoryboardElementState state = StoryboardElementState::standbyState;
+    };
+    struct Transition
+    {
+        int element;
+        StoryboardElementState transition;
+    };
+
+    void note(int element, StoryboardElementState transition);
+
+    double _timeS = 0.0;
+    std::vector<Element> _elements;
+    std::map<std::pair<StoryboardElementType, std::string>, std::vector<int>> _byName;
+    std::vector<Transition> _visible;
+    std::vector<Transition> _made;
+    std::vector<StoryboardLogEntry> _log;
+};
+
+} // namespace trainer

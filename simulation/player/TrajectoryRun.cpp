@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "simulation/player/TrajectoryRun.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace trainer
+{
+namespace
+{
+
+constexpr double kSamePlaceM = 1e-9;
+constexpr double kLargestTimeS = 1e9;
+
+std::vector<PathVertex> placedVertices(const FollowTrajectoryAction& action, const SceneFrame& frame)
+{
+    std::vector<PathVertex> vertices;
+    for (const Vertex& vertex : std::get<Polyline>(action.trajectory.shape).vertices)
+    {
+        PathVertex placed{0.0, frame.place(vertex.position), orientationOf(vertex.position)};
+        if (action.timing)
+            placed.parameter = *vertex.timeS;
+        else if (!vertices.empty())
+        {
+            const double chord = glm::length(placed.position - vertices.back().position);
+            if (chord < kSamePlaceM) continue;
+            placed.parameter = vertices.back().parameter + chord;
+        }
+        vertices.push_back(placed);
+    }
+    return vertices;
+}
+
+/// From the last vertex back to the first: its length, or the time it takes at the mean speed of the rest.
+double closingLength(const std::vector<PathVertex>& vertices, bool isTimed)
+{
+    const double gap =
+        std::max(kSamePlaceM, glm::length(vertices.front().position - vertices.back().position));
+    if (!isTimed) return gap;
+    double length = 0.0;
+    for (std::size_t i = 1; i < vertices.size(); ++i)
+        length += glm::length(vertices[i].position - vertices[i - 1].position);
+    const double time = vertices.back().parameter - vertices.front().parameter;
+    return length > 0.0 ? std::max(kSamePlaceM, gap / length * time) : time;
+}
+
+PathCurve makeCurve(const FollowTrajectoryAction& action, const SceneFrame& frame)
+{
+    std::vector<PathVertex> vertices = placedVertices(action, frame);
+    std::optional<double> closing;
+    if (action.trajectory.closed) closing = closingLength(vertices, action.timing.has_value());
+    return {std::move(vertices), action.mode, closing};
+}
+
+} // namespace
+
+std::optional<std::string> TrajectoryRun::obstacle(const FollowTrajectoryAction& action,
+                                                   const SceneFrame& frame)
+{
+    const auto* polyline = std::get_if<Polyline>(&action.trajectory.shape);
+    if (!polyline) return "its shape is not supported";
+    for (std::size_t i = 0; i < polyline->vertices.size(); ++i)
+    {
+        const Vertex& vertex = polyline->vertices[i];
+        if (!frame.canPlace(vertex.position)) return "a vertex cannot be placed in this scene";
+        if (!action.timing) continue;
+        if (!vertex.timeS || !(std::fabs(*vertex.timeS) <= kLargestTimeS)) return "a vertex has no time";
+        if (i > 0 && !Vertex::isLater(*polyline->vertices[i - 1].timeS, *vertex.timeS))
+            return "its times do not rise";
+        if (!Timing::isScale(action.timing->scale)) return "its time scale is not within 1e-6 and 1e6";
+    }
+    if (polyline->vertices.size() < 2 || placedVertices(action, frame).size() < 2)
+        return "it has fewer than two different vertices";
+    return std::nullopt;
+}
+
+TrajectoryRun::TrajectoryRun(const FollowTrajectoryAction& action, const SceneFrame& frame, double startTimeS)
+    : _timing(action.timing),
+      _startTimeS(startTimeS),
+      _curve(makeCurve(action, frame)),
+      _parameter(_curve.begin())
+{
+    _distanceM = _curve.isClosed() ? action.initialDistanceOffsetM
+                                   : std::min(action.initialDistanceOffsetM, _curve.lengthM());
+    _parameter = _curve.parameterAt(_distanceM);
+    _timeOffset = _parameter - _curve.begin();
+    if (_timing) advanceTo(startTimeS);
+}
+
+double TrajectoryRun::parameterAtTime(double timeS) const
+{
+    const double base = _timing->domain == Timing::Domain::relative ? _startTimeS : 0.0;
+    return (timeS - base - _timing->offsetS) / _timing->scale + _timeOffset;
+}
+
+std::optional<double> TrajectoryRun::advanceTo(double timeS)
+{
+    const double wanted = parameterAtTime(timeS);
+    _hasBegun = wanted >= _curve.begin();
+    if (_curve.isClosed())
+    {
+        _parameter = std::max(wanted, _curve.begin());
+        return std::nullopt;
+    }
+    _parameter = std::clamp(wanted, _curve.begin(), _curve.end());
+    if (wanted < _curve.end()) return std::nullopt;
+    return (wanted - _curve.end()) * _timing->scale;
+}
+
+std::optional<double> TrajectoryRun::advanceBy(double distanceM)
+{
+    _distanceM += distanceM;
+    _parameter = _curve.parameterAt(_distanceM);
+    if (_curve.isClosed() || _distanceM < _curve.lengthM()) return std::nullopt;
+    return _distanceM - _curve.lengthM();
+}
+
+double TrajectoryRun::timedSpeedMps() const
+{
+    return _hasBegun ? glm::length(_curve.at(_parameter).tangent) / _timing->scale : 0.0;
+}
+
+} // namespace trainer

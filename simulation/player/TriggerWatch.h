@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <deque>
+#include <functional>
+#include <vector>
+
+#include "simulation/scenario/Condition.h"
+
+namespace trainer
+{
+
+/// What conditions are about, at one instant.
+struct ConditionFacts
+{
+    double timeS = 0.0;
+    std::function<bool(const StoryboardElementStateCondition&)> elementIs;
+};
+
+/// Watches one trigger from step to step: edges compare a condition with the step before (the first look is none),
+/// and a delay asks for what the condition was, edge included, that long ago.
+/// Memory: one entry per change of a delayed condition within its delay.
+/// Source: ASAM OpenSCENARIO XML 1.3, "Conditions and triggers".
+class TriggerWatch
+{
+public:
+    /// `trigger` must outlive the watch.
+    explicit TriggerWatch(const Trigger& trigger);
+
+    /// To be called once per step, in the order of time.
+    bool update(const ConditionFacts& facts);
+
+    /// Forgets all history.
+    void reset();
+
+private:
+    struct Change
+    {
+        double timeS;
+        bool value;
+    };
+    struct Memory
+    {
+        bool hasLast = false;
+        bool last = false;
+        std::deque<Change> changes; ///< the first may be older than the delay: it holds until the second
+    };
+
+    bool updateCondition(const Condition& condition, Memory& memory, const ConditionFacts& facts);
+
+    const Trigger* _trigger;
+    std::vector<Memory> _memories; ///< of all conditions, group after group
+};
+
+} // namespace trainer

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "simulation/scenario/Entity.h"
+#include "simulation/scenario/Storyboard.h"
+
+namespace trainer
+{
+
+struct FileHeader
+{
+    int revMajor = 1;
+    int revMinor = 3;
+    std::string date; ///< as in the file
+    std::string author;
+    std::string description;
+
+    bool operator==(const FileHeader&) const = default;
+};
+
+struct ParameterDeclaration
+{
+    SourceLine source;
+    std::string name;
+    std::string type;  ///< integer, int, double, string, boolean, dateTime, unsignedInt, unsignedShort
+    std::string value; ///< resolved
+
+    bool operator==(const ParameterDeclaration&) const = default;
+};
+
+struct RoadNetwork
+{
+    std::string logicFile; ///< noted: roads come with a later version
+    std::string sceneGraphFile;
+
+    bool operator==(const RoadNetwork&) const = default;
+};
+
+/// A scenario: what an OpenSCENARIO XML file says, with parameters put in and catalogue entries in place.
+/// Plain values; nothing here knows of XML. Content outside the first set of the language stands as
+/// Unsupported. Invariant (strict reading): every entity reference names one of `entities`; isConsistent()
+/// checks. Source: ASAM OpenSCENARIO XML 1.0 to 1.3.
+struct Scenario
+{
+    FileHeader header;
+    std::vector<ParameterDeclaration> parameters;
+    RoadNetwork roadNetwork;
+    std::vector<ScenarioObject> entities;
+    Storyboard storyboard;
+
+    bool operator==(const Scenario&) const = default;
+
+    /// Index into `entities`, or -1.
+    int entityIndex(const std::string& name) const;
+    bool isConsistent() const;
+};
+
+} // namespace trainer

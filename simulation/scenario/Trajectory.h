@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "simulation/scenario/Position.h"
+
+namespace trainer
+{
+
+struct Vertex
+{
+    SourceLine source;
+    std::optional<double> timeS;
+    Position position;
+
+    /// Whether a vertex's time is enough (a microsecond) after the one before.
+    static bool isLater(double before, double time) { return time - before >= 1e-6; }
+
+    bool operator==(const Vertex&) const = default;
+};
+
+struct Polyline
+{
+    SourceLine source;
+    std::vector<Vertex> vertices; ///< two at least
+
+    bool operator==(const Polyline&) const = default;
+};
+
+using TrajectoryShape = std::variant<Polyline, Unsupported>;
+
+struct Trajectory
+{
+    SourceLine source;
+    std::string name;
+    bool closed = false; ///< the last vertex is joined to the first, and the path is run again and again
+    TrajectoryShape shape;
+
+    bool operator==(const Trajectory&) const = default;
+};
+
+/// How the vertices' times become the simulation's: t = offset + scale·vertex, counted from the start of the
+/// action (relative) or of the simulation (absolute).
+struct Timing
+{
+    enum class Domain
+    {
+        absolute,
+        relative,
+    };
+
+    Domain domain = Domain::relative;
+    double scale = 1.0;
+    double offsetS = 0.0;
+
+    static bool isScale(double scale) { return scale >= 1e-6 && scale <= 1e6; }
+
+    bool operator==(const Timing&) const = default;
+};
+
+enum class FollowingMode
+{
+    position,
+    follow,
+};
+
+} // namespace trainer

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "simulation/tour/TourScale.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace trainer
+{
+namespace
+{
+
+constexpr double kGravityMps2 = 9.80665;
+constexpr double kRadPerDeg = std::numbers::pi / 180.0;
+constexpr double kLargestBankDeg = 24.0;
+constexpr double kLargestTurnDegPerS = 6.0;
+constexpr double kLargestClimbDeg = 8.0;
+constexpr double kLargestSinkDeg = 13.0;
+
+} // namespace
+
+TourScale TourScale::of(const TourTerrain& terrain, double durationS)
+{
+    const double side = std::max(terrain.widthM(), terrain.depthM());
+    TourScale scale;
+    scale.speedMps = std::min(std::clamp(side / 50.0, 15.0, 240.0), 0.5 * side / durationS);
+    scale.lengthM = scale.speedMps * durationS;
+    scale.mediumM = 0.1 * std::min(scale.lengthM, 20.0 * scale.speedMps);
+    scale.lowM = 0.55 * scale.mediumM;
+    scale.highM = 1.7 * scale.mediumM;
+    scale.clearanceM = 0.3 * scale.mediumM;
+    scale.turnRateRadPerS = std::min(kLargestTurnDegPerS * kRadPerDeg,
+                                     kGravityMps2 * std::tan(kLargestBankDeg * kRadPerDeg) / scale.speedMps);
+    scale.climbSlope = std::tan(kLargestClimbDeg * kRadPerDeg);
+    scale.sinkSlope = std::tan(kLargestSinkDeg * kRadPerDeg);
+    return scale;
+}
+
+} // namespace trainer

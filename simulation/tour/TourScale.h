@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "simulation/tour/TourTerrain.h"
+
+namespace trainer
+{
+
+/// The sizes of a flight that suit a terrain: how fast, how high, how tight.
+/// From the longer side D of the extent: a speed of D/50 per second, 15…240 m/s, and never more than half of D in the
+/// whole flight; heights above the ground in proportion to the distance flown, so that they fit within the climb.
+struct TourScale
+{
+    double speedMps = 0.0;
+    double lengthM = 0.0;
+    double lowM = 0.0; ///< above the ground
+    double mediumM = 0.0;
+    double highM = 0.0;
+    double clearanceM = 0.0;      ///< never closer to the ground
+    double turnRateRadPerS = 0.0; ///< at most
+    double climbSlope = 0.0;      ///< rise over run, at most
+    double sinkSlope = 0.0;       ///< the same downwards: steeper, the view is then on the land
+
+    static TourScale of(const TourTerrain& terrain, double durationS);
+};
+
+} // namespace trainer

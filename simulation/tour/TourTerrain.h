@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "simulation/geodesy/LocalFrame.h"
+#include "simulation/scenario/Scenario.h"
+
+namespace trainer
+{
+
+/// A terrain as whoever lays a path over it sees it.
+/// Frame: the scene's east-north-up. Units: metres.
+struct TourTerrain
+{
+    double westM = 0.0;
+    double southM = 0.0;
+    double eastM = 0.0;
+    double northM = 0.0;
+
+    /// z of the surface; asked inside the extent, and a little beyond, where it must go on somehow (the nearest height).
+    std::function<double(double eastM, double northM)> heightM;
+
+    double sampleSpacingM = 1.0;
+    std::optional<Geodetic> origin; ///< of the frame; absent: a plane without georeference
+    std::string sceneFile;          ///< becomes RoadNetwork/SceneGraphFile
+
+    double widthM() const { return eastM - westM; }
+    double depthM() const { return northM - southM; }
+
+    /// For people: the scene file without its folders.
+    std::string name() const { return std::filesystem::path(sceneFile).filename().string(); }
+};
+
+/// A path laid over a terrain, as a scenario, with what was chosen for it.
+struct Tour
+{
+    Scenario scenario;
+    double speedMps = 0.0;
+    double lowestM = 0.0;      ///< smallest height above the ground on the way
+    double highestM = 0.0;     ///< largest
+    glm::dvec3 highlight{0.0}; ///< what a flight heads for
+};
+
+} // namespace trainer
