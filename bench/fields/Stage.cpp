@@ -10,8 +10,8 @@
 
 #include "Percentile.h"
 #include "Times.h"
+#include "models/Plain.h"
 #include "objects/Finish.h"
-#include "scenery/models/Plain.h"
 
 namespace fieldbench
 {

@@ -10,7 +10,7 @@ using nlohmann::ordered_json;
 using Words = std::vector<std::string>;
 
 /// The table of a short run in small pictures over a hill of 65 × 65 samples.
-ordered_json tableOf(const Workplace& place, const Words& command, const std::string& frames = "4")
+ordered_json frameTable(const Workplace& place, const Words& command, const std::string& frames = "4")
 {
     Words arguments{OSGTRAINER_FRAME_BENCH,
                     command.front(),
@@ -45,7 +45,7 @@ int most(const ordered_json& table, const char* what, const char* which)
 TEST(FrameBench, TimesEveryWayToDrawTheSameView)
 {
     const Workplace place;
-    const ordered_json table = tableOf(place, {"times", "--tolerance", "1"});
+    const ordered_json table = frameTable(place, {"times", "--tolerance", "1"});
     EXPECT_NE(table["renderer"].get<std::string>().find("Mesa"), std::string::npos) << table["renderer"];
     std::map<std::string, double> triangles;
     for (const ordered_json& row : table["rows"])
@@ -67,7 +67,7 @@ TEST(FrameBench, TimesEveryWayToDrawTheSameView)
 TEST(FrameBench, TimesADatabaseOfTiles)
 {
     const Workplace place;
-    const ordered_json table = tableOf(place, {"database", "--tolerance", "1", "--tile-cells", "16"});
+    const ordered_json table = frameTable(place, {"database", "--tolerance", "1", "--tile-cells", "16"});
     ASSERT_EQ(table["rows"].size(), 3U);
     for (const ordered_json& row : table["rows"])
     {
@@ -88,14 +88,14 @@ TEST(FrameBench, ShowsNothingWhereNothingIsLeftOutAndTheEyeStandsStill)
 {
     const Workplace place;
     const ordered_json exact =
-        tableOf(place, {"pop", "--tolerance", "0.000001", "--antialiasing", "none", "ssaa2"});
+        frameTable(place, {"pop", "--tolerance", "0.000001", "--antialiasing", "none", "ssaa2"});
     // The grid's triangles begin with other corners than the bintree's: interpolation may round the other way.
     for (const char* what : {"lodMinusFull", "delta"})
         EXPECT_LE(most(exact, what, "max"), 2) << what;
     EXPECT_EQ(most(exact, "pop", "max"), 0);
     EXPECT_EQ(exact["rows"].size(), 2U * 2U * 3U);
     const ordered_json still =
-        tableOf(place, {"pop", "--tolerance", "2", "--antialiasing", "none", "--speed", "0"});
+        frameTable(place, {"pop", "--tolerance", "2", "--antialiasing", "none", "--speed", "0"});
     EXPECT_GT(most(still, "lodMinusFull", "max"), 0);
     for (const char* what : {"delta", "pop"})
         EXPECT_EQ(most(still, what, "max"), 0) << what;
@@ -107,7 +107,7 @@ TEST(FrameBench, SeesOneFrameThatIsTenTimesCoarser)
     const Words command{"pop", "--tolerance", "0.5", "--antialiasing", "none"};
     Words coarse = command;
     coarse.insert(coarse.end(), {"--coarse-frame", "2"});
-    const ordered_json sound = tableOf(place, command), popped = tableOf(place, coarse);
+    const ordered_json sound = frameTable(place, command), popped = tableOf(place, coarse);
     for (const char* what : {"delta", "pop"})
         EXPECT_GT(most(popped, what, "p999"), most(sound, what, "p999") + 2) << what;
     for (const ordered_json& row : sound["rows"])

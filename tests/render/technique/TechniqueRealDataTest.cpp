@@ -18,7 +18,7 @@ using osgTerrainROAM::core::HeightField;
 constexpr int kCells = 128, kSide = 4;
 constexpr double kCellM = 30.0;
 
-osg::ref_ptr<osgTerrain::TerrainTile> tileOf(const HeightField& field, int firstColumn, int firstRow)
+osg::ref_ptr<osgTerrain::TerrainTile> tileOfPart(const HeightField& field, int firstColumn, int firstRow)
 {
     osg::ref_ptr<osg::HeightField> heights = new osg::HeightField;
     heights->allocate(kCells + 1, kCells + 1);
@@ -45,7 +45,7 @@ osg::ref_ptr<osgTerrain::Terrain> databaseOf(const HeightField& field,
     terrain->setTerrainTechniquePrototype(technique);
     for (int row = 0; row < kSide; ++row)
         for (int column = 0; column < kSide; ++column)
-            terrain->addChild(tileOf(field, column * kCells, row * kCells));
+            terrain->addChild(tileOfPart(field, column * kCells, row * kCells));
     return terrain;
 }
 
