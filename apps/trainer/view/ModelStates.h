@@ -17,7 +17,7 @@ namespace trainer
 /// The states that generated models are drawn with: one for each surface, one texture for each painting, shared by all models
 /// that are given the same ModelStates. Textures have mip-maps; those of foliage keep their coverage with distance.
 /// Paintings are made when they are first asked for. Threads: one.
-/// Memory: up to 5.3 MB a painting, see docs/models.md.
+/// Memory: up to 5.3 MB a painting, see docs/guide/generated-models.md.
 class ModelStates
 {
 public:

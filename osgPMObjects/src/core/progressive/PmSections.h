@@ -14,7 +14,7 @@ namespace osgPMObjects::core
 {
 
 /// A `.pm` file: kPmMagic, a version, then sections: four letters, how many bytes, these, and a check sum (CRC-32) of all that. Numbers have their lowest byte
-/// first. docs/pm-file.md has what is in each.
+/// first. docs/reference/pm-file.md has what is in each.
 constexpr std::string_view kPmMagic{"OSGPM\x1a\r\n", 8}; // shows what a transfer as text does to it
 constexpr std::uint32_t kPmVersion = 1;
 

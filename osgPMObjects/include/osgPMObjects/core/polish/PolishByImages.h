@@ -41,7 +41,7 @@ struct PolishSettings
 /// is not kept from where pictures take over. The last face of a material goes when nothing else is left.
 /// `looks`: by material; where there are fewer, the rest is white. The sequence has to be one of the mesh (isSequenceOf()).
 /// Deterministic: the same for any number of threads. Memory: 48 B a pixel and view, 16 B a pixel of each face in each view.
-/// Cost: docs/image-driven.md; it grows with the steps chosen anew and their pixels; of the mesh all faces are drawn once.
+/// Cost: docs/algorithms/image-driven.md; it grows with the steps chosen anew and their pixels; of the mesh all faces are drawn once.
 /// Source: Lindstrom and Turk, "Image-driven simplification" (2000): the cost, and that only changed triangles are drawn anew. Ours
 /// keeps all layers of each pixel, so that what a face hid is known without drawing; pictures take over from quadrics near the
 /// end only, look at those collapses only that quadrics want, and also move positions.

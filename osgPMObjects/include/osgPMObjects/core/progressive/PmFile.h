@@ -14,7 +14,7 @@
 namespace osgPMObjects::core
 {
 
-/// How a `.pm` file is written. docs/pm-file.md has its layout.
+/// How a `.pm` file is written. docs/reference/pm-file.md has its layout.
 struct PmSettings
 {
     /// Positions in 16 bits an axis of the mesh's box, normals in 2 × 16 on the octahedron, texture coordinates in 16 of their range,

@@ -41,9 +41,9 @@ struct RemovalOptions
 /// star has changed, and when nothing else is left. Whole groups go at an error of the diagonal of their box, but never the last face of
 /// a material, nor what has a support vertex.
 /// RemovalStep::error is the largest sum so far of a position's distance from the faces that fill its hole, and of what the faces around it
-/// were off before. An estimate and no bound; docs/support-vertices.md has it beside what is measured.
+/// were off before. An estimate and no bound; docs/algorithms/support-vertices.md has it beside what is measured.
 /// `mesh`: valid (MeshCheck.h), consolidated for best results: crowded edges and faces in the wrong sense are left alone.
-/// Deterministic: of equal distances the lower position goes first. Cost: 7 µs a step, see docs/support-vertices.md.
+/// Deterministic: of equal distances the lower position goes first. Cost: 7 µs a step, see docs/algorithms/support-vertices.md.
 /// Memory: 400 B a position at the peak.
 /// Source: paper 004, §3, which gives no order and no tests; spec 5, "One vertex per step"; distances and the cutting along edges after
 /// Schroeder, Zarge and Lorensen, "Decimation of triangle meshes" (1992), §3.2–3.3.

@@ -44,7 +44,7 @@ struct SimplifySettings
 /// done, and parts that are smaller than the error vanish. No place leaves the box of the mesh.
 /// The last face of every material goes late: as if the whole surface were off by a twentieth of the diagonal.
 /// Deterministic: the same for any number of threads.
-/// Memory: some 330 B a position besides the mesh, 650 B when places are found. Cost: see docs/simplification.md.
+/// Memory: some 330 B a position besides the mesh, 650 B when places are found. Cost: see docs/algorithms/simplification.md.
 /// Source: Garland and Heckbert (1997), Lindstrom and Turk (1998), Hoppe (1996, 1998); which parts of them, and where ours
 /// differs, say the headers in src/core/simplify.
 CollapseSequence simplify(const Mesh& mesh, const SimplifySettings& settings = {});
