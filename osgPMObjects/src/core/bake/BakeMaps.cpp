@@ -103,7 +103,7 @@ private:
         // What is seen from both sides may be lit by normals that look the other way.
         const glm::dvec3 outwards =
             glm::dot(shading, geometricNormal(_simplified, face)) < 0.0 ? -shading : shading;
-        const SurfacePoint match = _match.find(point, unitOr0(outwards), face);
+        const MatchedPoint match = _match.find(point, unitOr0(outwards), face);
         sum.colour += glm::dvec4(_colourAt(match.face, match.weights, f));
         sum.normal += match.agrees ? shadingNormal(_full, _full.faces[match.face], match.weights) : shading;
         sum.agrees = sum.agrees && match.agrees;

@@ -62,7 +62,7 @@ bool SurfaceMatch::isCounterpart(const Face& full, const Face& simplified) const
            _full.materials[full.material].isTransparent == _full.materials[simplified.material].isTransparent;
 }
 
-SurfacePoint SurfaceMatch::surfacePoint(const TrianglePoint& found, bool agrees) const
+MatchedPoint SurfaceMatch::matchedPoint(const TrianglePoint& found, bool agrees) const
 {
     const Triangle& t = _triangles[found.triangle];
     const glm::dvec3& a = _full.positions[t[0]];
@@ -76,7 +76,7 @@ SurfacePoint SurfaceMatch::surfacePoint(const TrianglePoint& found, bool agrees)
     return {found.triangle, {1.0 - v - w, v, w}, agrees};
 }
 
-SurfacePoint SurfaceMatch::find(const glm::dvec3& point, const glm::dvec3& normal,
+MatchedPoint SurfaceMatch::find(const glm::dvec3& point, const glm::dvec3& normal,
                                 const Face& simplifiedFace) const
 {
     const auto counts = [&](std::uint32_t triangle)
@@ -93,11 +93,11 @@ SurfacePoint SurfaceMatch::find(const glm::dvec3& point, const glm::dvec3& norma
     if (const TrianglePoint nearest = _tree.nearest(point, most, std::cref(agrees));
         nearest.triangle != TrianglePoint::kNone)
         best = nearest;
-    if (best.triangle != TrianglePoint::kNone) return surfacePoint(best, true);
+    if (best.triangle != TrianglePoint::kNone) return matchedPoint(best, true);
     constexpr double kAnywhere = std::numeric_limits<double>::infinity();
     best = _tree.nearest(point, kAnywhere, std::cref(counts));
     if (best.triangle == TrianglePoint::kNone) best = _tree.nearest(point, kAnywhere);
-    return surfacePoint(best, false);
+    return matchedPoint(best, false);
 }
 
 } // namespace osgPMObjects::core

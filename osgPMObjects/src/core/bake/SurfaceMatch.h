@@ -10,8 +10,8 @@
 namespace osgPMObjects::core
 {
 
-/// A point of a mesh's surface.
-struct SurfacePoint
+/// The point of the full surface that a point of a simplified one stands for.
+struct MatchedPoint
 {
     std::uint32_t face = 0;
     glm::dvec3 weights{1.0, 0.0, 0.0}; ///< of its corners; they add up to 1
@@ -34,14 +34,14 @@ public:
     SurfaceMatch(const Mesh& full, const Mesh& simplified, double reach);
 
     /// `normal`: unit length; the way the surface faces at the point.
-    SurfacePoint find(const glm::dvec3& point, const glm::dvec3& normal, const Face& simplifiedFace) const;
+    MatchedPoint find(const glm::dvec3& point, const glm::dvec3& normal, const Face& simplifiedFace) const;
 
     double reach() const { return _reach; }
     const glm::dvec3& faceNormal(std::uint32_t fullFace) const { return _normals[fullFace]; }
 
 private:
     bool isCounterpart(const Face& full, const Face& simplified) const;
-    SurfacePoint surfacePoint(const TrianglePoint& found, bool agrees) const;
+    MatchedPoint matchedPoint(const TrianglePoint& found, bool agrees) const;
 
     const Mesh& _full;
     std::vector<Triangle> _triangles;

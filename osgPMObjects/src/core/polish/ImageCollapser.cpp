@@ -62,7 +62,7 @@ ImageCollapser::Place ImageCollapser::placeFor(std::uint32_t to)
     glm::dvec3 shared(0.0);
     for (const Star::Side& side : _star.sidesTo(to))
         shared += _star.faces[side.spoked].doubleArea * _star.faces[side.spoked].normal;
-    const EdgeEnds edge{here, there, _shape, toShape, shared};
+    const CollapsingEdge edge{here, there, _shape, toShape, shared};
     const glm::dvec3 at = glm::clamp(bestPlace(edge), _state.box.low, _state.box.high);
     return {at, costAt(edge, at)};
 }

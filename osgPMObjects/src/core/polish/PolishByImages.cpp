@@ -16,7 +16,7 @@ namespace
 {
 
 /// Steps of a state in the units of the mesh, their errors never falling.
-CollapseSequence inUnitsOf(CollapseSequence steps, const UnitFrame& frame)
+CollapseSequence inUnitsOf(CollapseSequence steps, const ImageFrame& frame)
 {
     LevelError error;
     for (CollapseStep& step : steps.steps)
@@ -44,7 +44,7 @@ CollapseSequence polishByImages(const Mesh& mesh, const CollapseSequence& sequen
     PolishState state(mesh, meshAfter(mesh, polished, polished.steps.size()), looks, settings);
     CollapseSequence chosen = ImageCollapser(state, settings, movesPlaces).run(targetFaces);
     if (movesPlaces) PlaceMover(state).run(chosen, settings.moveRounds);
-    polished = joined(mesh, std::move(polished), inUnitsOf(std::move(chosen), UnitFrame(mesh)));
+    polished = joined(mesh, std::move(polished), inUnitsOf(std::move(chosen), ImageFrame(mesh.positions)));
     const Mesh level = meshAfter(mesh, polished, polished.steps.size());
     SimplifySettings below = settings.simplify;
     below.envelope = 0.0; // it would be one around this level

@@ -15,7 +15,7 @@ float luminanceOf(const glm::vec4& colour)
 PictureRing ringFor(const Mesh& original, const Mesh& level, std::span<const SeenMaterial> materials,
                     const PolishSettings& settings)
 {
-    const UnitFrame frame(original);
+    const ImageFrame frame(original.positions);
     PictureRing ring(settings, level.faces.size());
     {
         PictureRing reference(settings, original.faces.size());
@@ -35,7 +35,7 @@ double shapeScaleFor(const PolishSettings& settings)
     return kSeen * settings.shapeShare * pixels * pixels * pixels * pixels;
 }
 
-std::vector<glm::dvec3> unitPositions(const Mesh& level, const UnitFrame& frame)
+std::vector<glm::dvec3> unitPositions(const Mesh& level, const ImageFrame& frame)
 {
     std::vector<glm::dvec3> positions;
     positions.reserve(level.positions.size());
@@ -45,14 +45,6 @@ std::vector<glm::dvec3> unitPositions(const Mesh& level, const UnitFrame& frame)
 }
 
 } // namespace
-
-UnitFrame::UnitFrame(const Mesh& mesh)
-{
-    const Extent extent = extentOf(mesh.positions);
-    if (extent.isEmpty()) return;
-    middle = 0.5 * (extent.low + extent.high);
-    if (extent.diagonal() > 0.0) diagonal = extent.diagonal();
-}
 
 std::vector<SeenMaterial> seenMaterials(const Mesh& mesh, std::span<const MaterialLook> looks)
 {
@@ -76,7 +68,7 @@ void setCorner(SeenFace& face, int corner, const glm::dvec3& at, const Wedge& we
         face.material.look->luminance * (material.has(Material::colour) ? luminanceOf(wedge.colour) : 1.0f);
 }
 
-std::vector<SeenFace> seenFaces(const Mesh& mesh, const UnitFrame& frame,
+std::vector<SeenFace> seenFaces(const Mesh& mesh, const ImageFrame& frame,
                                 std::span<const SeenMaterial> materials)
 {
     std::vector<SeenFace> faces(mesh.faces.size());
@@ -96,7 +88,7 @@ PolishState::PolishState(const Mesh& original, Mesh level, std::span<const Mater
                          const PolishSettings& settings)
     : mesh(std::move(level)),
       materials(seenMaterials(mesh, looks)),
-      positions(unitPositions(mesh, UnitFrame(original))),
+      positions(unitPositions(mesh, ImageFrame(original.positions))),
       box(extentOf(positions)),
       stars(mesh),
       errors(positions.size()),

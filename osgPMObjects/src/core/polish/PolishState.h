@@ -12,21 +12,11 @@
 
 #include "../simplify/StarMesh.h"
 #include "../simplify/StarQuadric.h"
+#include "ImageFrame.h"
 #include "PictureRing.h"
 
 namespace osgPMObjects::core
 {
-
-/// From a model's frame to one where its diagonal is 1 and its middle the origin, and back.
-struct UnitFrame
-{
-    glm::dvec3 middle{0.0};
-    double diagonal = 1.0;
-
-    explicit UnitFrame(const Mesh& mesh);
-    glm::dvec3 in(const glm::dvec3& p) const { return (p - middle) / diagonal; }
-    glm::dvec3 out(const glm::dvec3& p) const { return p * diagonal + middle; }
-};
 
 /// How a mesh's faces are drawn.
 std::vector<SeenMaterial> seenMaterials(const Mesh& mesh, std::span<const MaterialLook> looks);
@@ -36,7 +26,7 @@ void setCorner(SeenFace& face, int corner, const glm::dvec3& at, const Wedge& we
                const Material& material);
 
 /// All faces of a mesh, numbered as they are.
-std::vector<SeenFace> seenFaces(const Mesh& mesh, const UnitFrame& frame,
+std::vector<SeenFace> seenFaces(const Mesh& mesh, const ImageFrame& frame,
                                 std::span<const SeenMaterial> materials);
 
 /// A level on its way to a lower one, with its pictures. Positions in the unit frame of the original.

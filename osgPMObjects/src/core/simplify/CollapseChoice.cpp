@@ -90,7 +90,7 @@ CollapseChoice::Place CollapseChoice::placeFor(std::uint32_t to) const
     glm::dvec3 shared(0.0);
     for (const Star::Side& side : _star.sidesTo(to))
         shared += _star.faces[side.spoked].doubleArea * _star.faces[side.spoked].normal;
-    const EdgeEnds edge{here, there, shape, _state.shapes[to], shared};
+    const CollapsingEdge edge{here, there, shape, _state.shapes[to], shared};
     glm::dvec3 at = glm::clamp(bestPlace(edge), _state.box.low, _state.box.high);
     const MirrorTwins& twins = _state.twins;
     if (twins.isInPlane(to) || twins.of(to) == _star.middle) at[twins.axis] = 0.0;

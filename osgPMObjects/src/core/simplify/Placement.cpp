@@ -15,7 +15,7 @@ namespace
 constexpr double kPull = 1e-7; ///< towards the middle, of the quadric's trace: only flat directions feel it
 
 /// Seen from the middle of the edge.
-glm::dvec3 leastKeepingVolume(const EdgeEnds& edge, const glm::dvec3& half)
+glm::dvec3 leastKeepingVolume(const CollapsingEdge& edge, const glm::dvec3& half)
 {
     const glm::dmat3 from = edge.fromShape.quadric.matrix(), to = edge.toShape.quadric.matrix();
     glm::dmat3 sum = from + to;
@@ -37,12 +37,12 @@ glm::dvec3 leastKeepingVolume(const EdgeEnds& edge, const glm::dvec3& half)
 
 } // namespace
 
-double costAt(const EdgeEnds& edge, const glm::dvec3& at)
+double costAt(const CollapsingEdge& edge, const glm::dvec3& at)
 {
     return std::max(0.0, edge.fromShape.quadric.at(at - edge.from) + edge.toShape.quadric.at(at - edge.to));
 }
 
-glm::dvec3 bestPlace(const EdgeEnds& edge)
+glm::dvec3 bestPlace(const CollapsingEdge& edge)
 {
     const glm::dvec3 half = 0.5 * (edge.to - edge.from), middle = edge.from + half;
     glm::dvec3 offset = leastKeepingVolume(edge, half);

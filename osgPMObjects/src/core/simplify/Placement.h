@@ -17,8 +17,8 @@ struct StarShape
     glm::dvec3 areaVector{0.0}; ///< sum of the faces' normals, each as long as twice its area
 };
 
-/// An edge that two positions are about to become one along.
-struct EdgeEnds
+/// An edge whose two positions are to become one.
+struct CollapsingEdge
 {
     glm::dvec3 from, to;
     const StarShape& fromShape;
@@ -27,12 +27,12 @@ struct EdgeEnds
 };
 
 /// The quadrics of both ends at a place.
-double costAt(const EdgeEnds& edge, const glm::dvec3& at);
+double costAt(const CollapsingEdge& edge, const glm::dvec3& at);
 
 /// The place where the sum of both quadrics is least among those that keep the volume; near the middle along directions
 /// that change nothing, and never farther from the middle than the edge is long.
 /// Source: Lindstrom and Turk (1998), §3.1 and §3.3: we solve for the least quadric with the volume as a constraint, pulled
 /// weakly towards the middle, instead of adding constraints until three are independent.
-glm::dvec3 bestPlace(const EdgeEnds& edge);
+glm::dvec3 bestPlace(const CollapsingEdge& edge);
 
 } // namespace osgPMObjects::core
