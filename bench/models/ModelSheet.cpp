@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include <foundation/Angle.h>
+
 #include <osgOffscreen/OffscreenViewer>
 #include <osgOffscreen/PngFile>
 
@@ -42,7 +44,7 @@ std::vector<View> viewsOf(const trainer::models::Model& model, double distanceM)
     const glm::dvec3 target(0.0, 0.0, distanceM > 0.0 ? kEyeM : 0.47 * model.heightM);
     const auto from = [&](double headingDeg, double levelM, double upM)
     {
-        const double turn = headingDeg * 3.14159265358979 / 180.0;
+        const double turn = foundation::radiansOf(headingDeg);
         return glm::dvec3(levelM * std::cos(turn), levelM * std::sin(turn), upM);
     };
     return {{"front", from(-38.0, away, kEyeM), target, 40.0},

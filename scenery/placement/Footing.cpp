@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
+
+#include <foundation/Angle.h>
 
 namespace trainer::scenery
 {
@@ -12,7 +13,6 @@ namespace trainer::scenery
 namespace
 {
 
-constexpr double kDegrees = 180.0 / std::numbers::pi;
 constexpr double kLeastArmM = 0.5; ///< over which a slope is measured
 
 glm::dvec2 turned(glm::dvec2 place, double headingRad)
@@ -38,7 +38,7 @@ std::optional<double> slopeDegAt(const Ground& ground, glm::dvec2 place, double 
         heights[i] = *height;
     }
     const glm::dvec2 rise(heights[0] - heights[1], heights[2] - heights[3]);
-    return std::atan(glm::length(rise) / (2.0 * armM)) * kDegrees;
+    return foundation::degreesOf(std::atan(glm::length(rise) / (2.0 * armM)));
 }
 
 std::optional<Footing> standUpright(const Ground& ground, const Measures& measures, glm::dvec2 place,

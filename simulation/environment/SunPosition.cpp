@@ -2,25 +2,25 @@
 #include "simulation/environment/SunPosition.h"
 
 #include <cmath>
-#include <numbers>
+
+#include <foundation/Angle.h>
 
 namespace trainer
 {
 namespace
 {
 
-constexpr double kRadPerDeg = std::numbers::pi / 180.0;
 constexpr double kJulianDay2000 = 2451545.0;
 constexpr double kDaysPerCentury = 36525.0;
 constexpr double kDynamicalMinusUniversalS = 69.0;
 
 double sinDeg(double angle)
 {
-    return std::sin(angle * kRadPerDeg);
+    return std::sin(foundation::radiansOf(angle));
 }
 double cosDeg(double angle)
 {
-    return std::cos(angle * kRadPerDeg);
+    return std::cos(foundation::radiansOf(angle));
 }
 
 double turn(double angleDeg)
@@ -44,9 +44,9 @@ SunEquatorial sunEquatorial(double julianEphemerisDay)
     const double meanObliquity = 23.43929111 - t * (0.013004167 + t * (1.639e-7 - t * 5.036e-7));
     const double obliquity = meanObliquity + 0.00256 * cosDeg(node);
     SunEquatorial sun;
-    sun.rightAscensionDeg = turn(
-        std::atan2(cosDeg(obliquity) * sinDeg(apparentLongitude), cosDeg(apparentLongitude)) / kRadPerDeg);
-    sun.declinationDeg = std::asin(sinDeg(obliquity) * sinDeg(apparentLongitude)) / kRadPerDeg;
+    sun.rightAscensionDeg = turn(foundation::degreesOf(
+        std::atan2(cosDeg(obliquity) * sinDeg(apparentLongitude), cosDeg(apparentLongitude))));
+    sun.declinationDeg = foundation::degreesOf(std::asin(sinDeg(obliquity) * sinDeg(apparentLongitude)));
     return sun;
 }
 
@@ -69,8 +69,8 @@ SunDirection sunDirection(const DateTime& utc, double latitudeDeg, double longit
     const double east = -cosDeg(sun.declinationDeg) * sinDeg(hourAngle);
     const double north = sinDeg(sun.declinationDeg) * cosDeg(latitudeDeg) -
                          cosDeg(sun.declinationDeg) * cosDeg(hourAngle) * sinDeg(latitudeDeg);
-    return {turn(std::atan2(east, north) / kRadPerDeg),
-            std::asin(std::fmin(1.0, std::fmax(-1.0, sinElevation))) / kRadPerDeg};
+    return {turn(foundation::degreesOf(std::atan2(east, north))),
+            foundation::degreesOf(std::asin(std::fmin(1.0, std::fmax(-1.0, sinElevation))))};
 }
 
 } // namespace trainer

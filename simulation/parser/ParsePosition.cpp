@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
-#include <numbers>
+
+#include <foundation/Angle.h>
 
 #include "simulation/parser/ElementParsers.h"
 
@@ -16,7 +17,7 @@ double parseAngleDeg(ElementReader& reader, const char* degrees, const char* rad
     const bool inRadians = !reader.has(degrees) && reader.has(radians);
     const char* const attribute = inRadians ? radians : degrees;
     const double angleDeg =
-        inRadians ? reader.number(radians) * 180.0 / std::numbers::pi : reader.number(degrees);
+        inRadians ? foundation::degreesOf(reader.number(radians)) : reader.number(degrees);
     if (std::fabs(angleDeg) <= limitDeg * (1.0 + 1e-12)) return angleDeg;
     reader.context.invalid(reader.node, std::string("GeoPosition/") + attribute + " is out of range",
                            inRadians ? std::string(radians) + " counts radians; give degrees as " + degrees

@@ -2,7 +2,8 @@
 #include "simulation/player/EnvironmentState.h"
 
 #include <cmath>
-#include <numbers>
+
+#include <foundation/Angle.h>
 
 namespace trainer
 {
@@ -32,9 +33,9 @@ void EnvironmentClock::apply(const Environment& environment, double timeS)
     const Weather& weather = *environment.weather;
     if (weather.sun)
     {
-        const double azimuth = std::fmod(weather.sun->azimuthRad * 180.0 / std::numbers::pi, 360.0);
+        const double azimuth = std::fmod(foundation::degreesOf(weather.sun->azimuthRad), 360.0);
         _givenSun = SunDirection{azimuth < 0.0 ? azimuth + 360.0 : azimuth,
-                                 weather.sun->elevationRad * 180.0 / std::numbers::pi};
+                                 foundation::degreesOf(weather.sun->elevationRad)};
     }
     if (weather.fogVisualRangeM) _state.fogVisualRangeM = weather.fogVisualRangeM;
     if (!weather.cloudState.empty()) _state.cloudState = weather.cloudState;

@@ -7,6 +7,8 @@
 #include <numbers>
 #include <optional>
 
+#include <foundation/Angle.h>
+
 namespace trainer
 {
 namespace
@@ -126,7 +128,7 @@ double rating(const FlightPlan& plan, const ReliefMap& map, const TourScale& sca
         for (const double fanDeg : kFanDeg)
             for (const auto& [reach, weight] : kReaches)
             {
-                const double direction = plan.headingsRad[i] + fanDeg * std::numbers::pi / 180.0;
+                const double direction = plan.headingsRad[i] + foundation::radiansOf(fanDeg);
                 const glm::dvec2 seen =
                     plan.places[i] +
                     reach * scale.mediumM * glm::dvec2(std::cos(direction), std::sin(direction));

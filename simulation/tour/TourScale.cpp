@@ -3,7 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include <foundation/Angle.h>
 
 namespace trainer
 {
@@ -11,7 +12,6 @@ namespace
 {
 
 constexpr double kGravityMps2 = 9.80665;
-constexpr double kRadPerDeg = std::numbers::pi / 180.0;
 constexpr double kLargestBankDeg = 24.0;
 constexpr double kLargestTurnDegPerS = 6.0;
 constexpr double kLargestClimbDeg = 8.0;
@@ -29,10 +29,11 @@ TourScale TourScale::of(const TourTerrain& terrain, double durationS)
     scale.lowM = 0.55 * scale.mediumM;
     scale.highM = 1.7 * scale.mediumM;
     scale.clearanceM = 0.3 * scale.mediumM;
-    scale.turnRateRadPerS = std::min(kLargestTurnDegPerS * kRadPerDeg,
-                                     kGravityMps2 * std::tan(kLargestBankDeg * kRadPerDeg) / scale.speedMps);
-    scale.climbSlope = std::tan(kLargestClimbDeg * kRadPerDeg);
-    scale.sinkSlope = std::tan(kLargestSinkDeg * kRadPerDeg);
+    scale.turnRateRadPerS =
+        std::min(foundation::radiansOf(kLargestTurnDegPerS),
+                 kGravityMps2 * std::tan(foundation::radiansOf(kLargestBankDeg)) / scale.speedMps);
+    scale.climbSlope = std::tan(foundation::radiansOf(kLargestClimbDeg));
+    scale.sinkSlope = std::tan(foundation::radiansOf(kLargestSinkDeg));
     return scale;
 }
 

@@ -3,7 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include <foundation/Angle.h>
 
 #include "simulation/environment/SunPosition.h"
 
@@ -12,7 +13,6 @@ namespace trainer
 namespace
 {
 
-constexpr double kDegPerRad = 180.0 / std::numbers::pi;
 constexpr double kWantedElevationDeg = 33.0;
 constexpr double kWantedSideDeg = 115.0; ///< between flight and sun
 constexpr int kMinutesPerTry = 15;
@@ -40,7 +40,7 @@ Position geoOrWorld(const TourTerrain& terrain, const std::optional<LocalFrame>&
 
 Environment tourEnvironment(const TourTerrain& terrain, double headingRad)
 {
-    const double compassDeg = 90.0 - headingRad * kDegPerRad;
+    const double compassDeg = 90.0 - foundation::degreesOf(headingRad);
     const double side = std::max(terrain.widthM(), terrain.depthM());
     Environment environment;
     environment.name = "tour";
@@ -51,8 +51,10 @@ Environment tourEnvironment(const TourTerrain& terrain, double headingRad)
     const DateTime midnight = *parseDateTime(isSouth ? "2024-12-21T00:00:00Z" : "2024-06-21T00:00:00Z");
     DateTime best = midnight.plusSeconds(36'000.0);
     if (!terrain.origin)
-        environment.weather->sun =
-            Sun{(compassDeg + kWantedSideDeg) / kDegPerRad, kWantedElevationDeg / kDegPerRad, {}, {}};
+        environment.weather->sun = Sun{foundation::radiansOf(compassDeg + kWantedSideDeg),
+                                       foundation::radiansOf(kWantedElevationDeg),
+                                       {},
+                                       {}};
     else
     {
         double smallest = 1e300;

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <glm/gtc/constants.hpp>
+#include <foundation/Angle.h>
 
 namespace trainer
 {
@@ -12,15 +12,10 @@ namespace trainer
 namespace
 {
 
-double radians(double degrees)
-{
-    return degrees * (glm::pi<double>() / 180.0);
-}
-
 /// The other side's half angle where pixels are square.
 double scaledHalfDeg(double halfDeg, double scale)
 {
-    return std::atan(std::tan(radians(halfDeg)) * scale) * (180.0 / glm::pi<double>());
+    return foundation::degreesOf(std::atan(std::tan(foundation::radiansOf(halfDeg)) * scale));
 }
 
 } // namespace
@@ -54,12 +49,12 @@ ViewSetup singleChannel(int widthPx, int heightPx, double verticalDeg)
 Pose channelEye(const Channel& channel, const Pose& eye)
 {
     // To the right is negative about z (up), upwards negative about y (left), right side down positive about x.
-    const double cy = std::cos(radians(-channel.yawDeg));
-    const double sy = std::sin(radians(-channel.yawDeg));
-    const double cp = std::cos(radians(-channel.pitchDeg));
-    const double sp = std::sin(radians(-channel.pitchDeg));
-    const double cr = std::cos(radians(channel.rollDeg));
-    const double sr = std::sin(radians(channel.rollDeg));
+    const double cy = std::cos(foundation::radiansOf(-channel.yawDeg));
+    const double sy = std::sin(foundation::radiansOf(-channel.yawDeg));
+    const double cp = std::cos(foundation::radiansOf(-channel.pitchDeg));
+    const double sp = std::sin(foundation::radiansOf(-channel.pitchDeg));
+    const double cr = std::cos(foundation::radiansOf(channel.rollDeg));
+    const double sr = std::sin(foundation::radiansOf(channel.rollDeg));
     const glm::dmat3 yaw(cy, sy, 0.0, -sy, cy, 0.0, 0.0, 0.0, 1.0);
     const glm::dmat3 pitch(cp, 0.0, -sp, 0.0, 1.0, 0.0, sp, 0.0, cp);
     const glm::dmat3 roll(1.0, 0.0, 0.0, 0.0, cr, sr, 0.0, -sr, cr);
@@ -68,10 +63,10 @@ Pose channelEye(const Channel& channel, const Pose& eye)
 
 glm::dmat4 channelProjection(const Channel& channel, double nearM, double farM)
 {
-    const double left = std::tan(radians(channel.frustum.leftDeg));
-    const double right = std::tan(radians(channel.frustum.rightDeg));
-    const double bottom = std::tan(radians(channel.frustum.bottomDeg));
-    const double top = std::tan(radians(channel.frustum.topDeg));
+    const double left = std::tan(foundation::radiansOf(channel.frustum.leftDeg));
+    const double right = std::tan(foundation::radiansOf(channel.frustum.rightDeg));
+    const double bottom = std::tan(foundation::radiansOf(channel.frustum.bottomDeg));
+    const double top = std::tan(foundation::radiansOf(channel.frustum.topDeg));
     glm::dmat4 projection(0.0);
     projection[0][0] = 2.0 / (right - left);
     projection[1][1] = 2.0 / (top - bottom);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <foundation/Angle.h>
 #include <gtest/gtest.h>
 
 #include <osgPMObjects/core/bake/BakeMaps.h>
@@ -13,7 +14,7 @@ namespace
 using namespace osgPMObjects::core;
 using testsupport::meshOf;
 
-constexpr double kDegrees = 180.0 / std::numbers::pi;
+constexpr double kDegrees = foundation::degreesOf(1.0);
 
 Atlas atlasOf(const Mesh& mesh, int sizePx)
 {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <foundation/Angle.h>
 #include <gtest/gtest.h>
 
 #include <osgPMObjects/core/bake/Charts.h>
@@ -91,7 +92,7 @@ TEST(Charts, FacesAreNoMoreAslantThanAllowed)
                 const glm::dvec3 area =
                     glm::cross(mesh.at(face, 1) - mesh.at(face, 0), mesh.at(face, 2) - mesh.at(face, 0));
                 EXPECT_GE(glm::dot(glm::normalize(area), glm::cross(chart.right, chart.up)),
-                          std::cos(most * std::numbers::pi / 180.0) - 1e-12);
+                          std::cos(foundation::radiansOf(most)) - 1e-12);
             }
 }
 

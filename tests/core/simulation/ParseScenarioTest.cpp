@@ -3,8 +3,8 @@
 
 #include <filesystem>
 #include <fstream>
-#include <numbers>
 
+#include <foundation/Angle.h>
 #include <gtest/gtest.h>
 
 #include "ScenarioText.h"
@@ -89,7 +89,7 @@ TEST(ParseScenario, PositionsInEveryForm)
     text.privates = teleport(
         R"(<GeoPosition latitude="0.8" longitude="-0.1" height="5"><Orientation h="1" type="absolute"/></GeoPosition>)");
     const auto old = std::get<GeoPosition>(firstAction<TeleportAction>(parsed(text.text())).position);
-    EXPECT_DOUBLE_EQ(old.latitudeDeg, 0.8 * 180.0 / std::numbers::pi);
+    EXPECT_DOUBLE_EQ(old.latitudeDeg, foundation::degreesOf(0.8));
     EXPECT_EQ(old.heightM, 5.0);
     EXPECT_EQ(old.orientation.headingRad, 1.0);
 }

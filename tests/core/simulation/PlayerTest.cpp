@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
-#include <numbers>
 
+#include <foundation/Angle.h>
 #include <gtest/gtest.h>
 
 #include "ScenarioText.h"
@@ -92,7 +92,7 @@ TEST(Player, SpeedActionMovesAlongTheHeading)
     EXPECT_NEAR(state.position.z, 3.0, 1e-9);
     EXPECT_NEAR(state.speedMps, 10.0, 1e-12);
     EXPECT_NEAR(state.compassDeg(), 0.0, 1e-9);
-    EXPECT_NEAR(state.wheelRotationDeg, std::fmod(20.0 / 0.4 * 180.0 / std::numbers::pi, 360.0), 1e-6);
+    EXPECT_NEAR(state.wheelRotationDeg, std::fmod(foundation::degreesOf(20.0 / 0.4), 360.0), 1e-6);
     EXPECT_NEAR(glm::length(state.velocity - glm::dvec3(0, 10, 0)), 0.0, 1e-9);
 }
 
@@ -106,8 +106,8 @@ TEST(Player, GeoPositionIsPlacedInTheLocalFrame)
     const auto player = playing(text.text(), options);
     // 0.009° of the meridian at 46.5°: the radius of curvature there is 6 369 116 m; 1000 m up; curvature takes 8 cm.
     EXPECT_NEAR(player->entities().at(0).position.x, 0.0, 1e-6);
-    EXPECT_NEAR(player->entities().at(0).position.y,
-                (6'369'116.0 + 1000.0) * 0.009 * std::numbers::pi / 180.0, 0.02);
+    EXPECT_NEAR(player->entities().at(0).position.y, (6'369'116.0 + 1000.0) * foundation::radiansOf(0.009),
+                0.02);
     EXPECT_NEAR(player->entities().at(0).position.z, 1000.0 - 0.0786, 1e-3);
     const auto parsed = parseScenario(text.text(), "test.xosc");
     const auto homeless = ScenarioPlayer::create(parsed->scenario, {});
@@ -157,9 +157,9 @@ TEST(Player, AnAirborneEntityBanksIntoItsTurn)
     const auto player = playing(text.text());
     playTo(*player, 10.0);
     const EntityState& state = player->entities().at(0);
-    EXPECT_NEAR(state.rollDeg, -std::atan(50.0 * 50.0 / 500.0 / 9.80665) * 180.0 / std::numbers::pi, 0.05);
-    EXPECT_NEAR(state.pitchDeg, -std::atan(0.1) * 180.0 / std::numbers::pi, 0.05);
-    EXPECT_NEAR(state.headingDeg, 1.0 * 180.0 / std::numbers::pi, 0.05);
+    EXPECT_NEAR(state.rollDeg, -foundation::degreesOf(std::atan(50.0 * 50.0 / 500.0 / 9.80665)), 0.05);
+    EXPECT_NEAR(state.pitchDeg, -foundation::degreesOf(std::atan(0.1)), 0.05);
+    EXPECT_NEAR(state.headingDeg, foundation::degreesOf(1.0), 0.05);
     const glm::dmat3 body = state.bodyToLocal();
     EXPECT_GT(body[0].z, 0.0) << "nose up";
     EXPECT_LT(body[1].z, 0.0) << "left wing down";

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <fstream>
 #include <iterator>
-#include <numbers>
 
+#include <foundation/Angle.h>
 #include <gtest/gtest.h>
 
 #include "SimulatedTrack.h"
@@ -52,7 +52,7 @@ Deviation deviation(const Scenario& scenario, const SimulatedTrack& track, int e
         const EntityState& state = (*player)->entities()[static_cast<std::size_t>(entity - 1)];
         worst.positionM =
             std::max(worst.positionM, std::hypot(state.position.x - x[row], state.position.y - y[row]));
-        const double difference = state.headingDeg - heading[row] * 180.0 / std::numbers::pi;
+        const double difference = state.headingDeg - foundation::degreesOf(heading[row]);
         worst.headingDeg = std::max(worst.headingDeg, std::fabs(std::remainder(difference, 360.0)));
         ++worst.rows;
     }

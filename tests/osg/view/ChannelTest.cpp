@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include <foundation/Angle.h>
 #include <gtest/gtest.h>
 
 #include <viewlod/ViewState.h>
@@ -34,7 +35,8 @@ glm::dvec2 projected(const Channel& channel, const Pose& eye, const glm::dvec3& 
 
 glm::dvec3 direction(double rightDeg, double upDeg)
 {
-    return {10.0, -10.0 * std::tan(rightDeg * M_PI / 180.0), 10.0 * std::tan(upDeg * M_PI / 180.0)};
+    return {10.0, -10.0 * std::tan(foundation::radiansOf(rightDeg)),
+            10.0 * std::tan(foundation::radiansOf(upDeg))};
 }
 
 } // namespace
@@ -84,8 +86,8 @@ TEST(Channel, LevelOfDetailSeesTheSameEyeNearPlaneAndPixelScale)
     EXPECT_NEAR(glm::distance(state.eyeWorld, eye.positionWorld), 0.0, 1e-9);
     EXPECT_NEAR(state.nearM, 0.5, 1e-9);
     EXPECT_NEAR(state.cornerStretch,
-                1.0 + std::pow(std::tan(35.0 * M_PI / 180.0), 2.0) +
-                    std::pow(std::tan(25.0 * M_PI / 180.0), 2.0),
+                1.0 + std::pow(std::tan(foundation::radiansOf(35.0)), 2.0) +
+                    std::pow(std::tan(foundation::radiansOf(25.0)), 2.0),
                 1e-9);
 }
 

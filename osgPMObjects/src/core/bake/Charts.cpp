@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 #include <queue>
 #include <utility>
 
+#include <foundation/Angle.h>
 #include <glm/common.hpp>
 
 #include <osgPMObjects/core/bake/Charts.h>
@@ -29,7 +29,7 @@ public:
         : _mesh(mesh),
           _triangles(positionTriangles(mesh)),
           _edges(_triangles, mesh.positions.size()),
-          _leastCosine(std::cos(settings.mostSlantDeg * std::numbers::pi / 180.0)),
+          _leastCosine(std::cos(foundation::radiansOf(settings.mostSlantDeg))),
           _visited(mesh.faces.size(), 0)
     {
         charts.chartOfFace.assign(mesh.faces.size(), kNoChart);

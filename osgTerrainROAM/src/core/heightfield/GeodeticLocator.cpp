@@ -7,6 +7,8 @@
 #include <limits>
 #include <utility>
 
+#include <foundation/Angle.h>
+
 namespace osgTerrainROAM::core
 {
 
@@ -56,9 +58,9 @@ Result<GeodeticLocator> GeodeticLocator::create(const std::string& name, const R
 
     GeodeticLocator locator;
     locator._frame = *raster.frame;
-    constexpr double kDegree = 0.017453292519943295;
-    locator._inDegrees = OSRIsGeographic(source.get()) &&
-                         std::abs(OSRGetAngularUnits(source.get(), nullptr) / kDegree - 1.0) < 1e-6;
+    locator._inDegrees =
+        OSRIsGeographic(source.get()) &&
+        std::abs(OSRGetAngularUnits(source.get(), nullptr) / foundation::radiansOf(1.0) - 1.0) < 1e-6;
     locator._toWgs84.reset(OCTNewCoordinateTransformation(source.get(), wgs84.get()));
     if (!locator._toWgs84)
         return Error{name, "has coordinates that cannot be related to WGS84 (" + gdal.firstError() + ")",
