@@ -8,9 +8,9 @@
 #include <osgPMObjects/core/field/CrownGrowth.h>
 #include <osgPMObjects/core/progressive/LevelMesh.h>
 
-#include "../simplify/ConnectedParts.h"
-#include "../simplify/LeafCards.h"
-#include "../simplify/UnitFrame.h"
+#include "../simplify/collapse/UnitFrame.h"
+#include "../simplify/leaves/LeafCards.h"
+#include "../simplify/parts/ConnectedParts.h"
 
 namespace osgPMObjects::core
 {

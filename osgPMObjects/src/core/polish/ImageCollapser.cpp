@@ -6,7 +6,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "../simplify/PatchCheck.h"
+#include "../simplify/patch/PatchCheck.h"
 
 namespace osgPMObjects::core
 {

@@ -4,10 +4,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "../simplify/CollapseQueue.h"
-#include "../simplify/Placement.h"
-#include "../simplify/Star.h"
-#include "../simplify/WedgePlan.h"
+#include "../simplify/collapse/CollapseQueue.h"
+#include "../simplify/patch/WedgePlan.h"
+#include "../simplify/quadric/Placement.h"
+#include "../simplify/star/Star.h"
 #include "PolishState.h"
 
 namespace osgPMObjects::core

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "../simplify/Star.h"
+#include "../simplify/star/Star.h"
 #include "PolishState.h"
 
 namespace osgPMObjects::core

@@ -10,8 +10,8 @@
 #include <osgPMObjects/core/mesh/Extent.h>
 #include <osgPMObjects/core/mesh/Mesh.h>
 
-#include "../simplify/StarMesh.h"
-#include "../simplify/StarQuadric.h"
+#include "../simplify/quadric/StarQuadric.h"
+#include "../simplify/star/StarMesh.h"
 #include "ImageFrame.h"
 #include "PictureRing.h"
 

@@ -5,11 +5,11 @@
 #include <osgPMObjects/core/Parallel.h>
 #include <osgPMObjects/core/simplify/Simplify.h>
 
-#include "CollapseState.h"
-#include "Collapser.h"
-#include "LeafCollapser.h"
-#include "PartShares.h"
-#include "SequenceMerge.h"
+#include "collapse/CollapseState.h"
+#include "collapse/Collapser.h"
+#include "collapse/PartShares.h"
+#include "collapse/SequenceMerge.h"
+#include "leaves/LeafCollapser.h"
 
 namespace osgPMObjects::core
 {

@@ -5,8 +5,8 @@
 #include <limits>
 #include <vector>
 
-#include "CollapseState.h"
-#include "Collapser.h"
+#include "../collapse/CollapseState.h"
+#include "../collapse/Collapser.h"
 #include "Leaf.h"
 
 namespace osgPMObjects::core

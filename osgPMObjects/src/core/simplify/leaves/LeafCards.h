@@ -10,7 +10,7 @@
 
 #include <osgPMObjects/core/mesh/Mesh.h>
 
-#include "ConnectedParts.h"
+#include "../parts/ConnectedParts.h"
 
 namespace osgPMObjects::core
 {

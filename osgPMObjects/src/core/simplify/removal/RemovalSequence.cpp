@@ -4,7 +4,7 @@
 
 #include <osgPMObjects/core/simplify/RemovalSequence.h>
 
-#include "StepShare.h"
+#include "../sequence/StepShare.h"
 
 namespace osgPMObjects::core
 {

@@ -17,7 +17,7 @@ namespace osgPMObjects::core
 namespace
 {
 
-constexpr double kLeastCosine = 0.2; ///< of the angle that a face may turn by
+constexpr double kLeastTurnCosine = 0.2; ///< of the angle that a face may turn by
 constexpr double kNeedle = 1e-3; ///< height over longest side, about, below which a face may not get thinner
 constexpr double kNormalSlip = 0.1;  ///< how far a difference of unit normals is, as a share of the way
 constexpr double kColourSlip = 0.1;  ///< the same of colours
@@ -124,7 +124,8 @@ bool foldsOver(const Patch& patch)
         const glm::dvec3 &second = patch.positions[spoked.second], &third = patch.positions[spoked.third];
         const glm::dvec3 normal = glm::cross(second - patch.to, third - patch.to);
         const double doubleArea = glm::length(normal);
-        if (glm::dot(normal, spoked.normal) < kLeastCosine * doubleArea || !(doubleArea > 0.0)) return true;
+        if (glm::dot(normal, spoked.normal) < kLeastTurnCosine * doubleArea || !(doubleArea > 0.0))
+            return true;
         const double longest = longestSquared(patch.to, second, third);
         if (doubleArea < kNeedle * longest &&
             doubleArea * longestSquared(middle, second, third) < spoked.doubleArea * longest)

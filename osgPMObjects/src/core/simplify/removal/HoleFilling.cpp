@@ -19,7 +19,7 @@ namespace
 {
 
 /// Faces that stand more steeply than this on the plane that fits the contour fold the surface for any other eye.
-constexpr double kLeastCosine = 0.1;
+constexpr double kLeastUpCosine = 0.1;
 
 /// Coordinates below this are noise of the projection, and none that orientation() takes.
 constexpr double kNoise = 0x1p-100;
@@ -85,7 +85,7 @@ bool HoleFilling::project(const glm::dvec3& sectorNormal)
                        {
                            const glm::dvec3 own =
                                glm::cross(_contour[t[1]] - _contour[t[0]], _contour[t[2]] - _contour[t[0]]);
-                           return glm::dot(own, up) >= kLeastCosine * glm::length(own) &&
+                           return glm::dot(own, up) >= kLeastUpCosine * glm::length(own) &&
                                   glm::dot(own, sectorNormal) > 0.0;
                        });
 }

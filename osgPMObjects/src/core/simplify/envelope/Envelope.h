@@ -10,7 +10,7 @@
 
 #include <osgPMObjects/core/mesh/TriangleTree.h>
 
-#include "StarMesh.h"
+#include "../star/StarMesh.h"
 
 namespace osgPMObjects::core
 {

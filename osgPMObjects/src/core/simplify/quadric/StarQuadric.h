@@ -7,7 +7,7 @@
 
 #include <osgPMObjects/core/simplify/Quadric.h>
 
-#include "Star.h"
+#include "../star/Star.h"
 
 namespace osgPMObjects::core
 {

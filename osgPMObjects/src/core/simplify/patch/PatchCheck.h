@@ -6,7 +6,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "StarQuadric.h"
+#include "../quadric/StarQuadric.h"
 #include "WedgePlan.h"
 
 namespace osgPMObjects::core

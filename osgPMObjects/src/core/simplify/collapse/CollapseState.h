@@ -11,13 +11,13 @@
 #include <osgPMObjects/core/mesh/Mesh.h>
 #include <osgPMObjects/core/simplify/Simplify.h>
 
+#include "../envelope/Envelope.h"
+#include "../leaves/LeafCards.h"
+#include "../parts/ConnectedParts.h"
+#include "../quadric/Placement.h"
+#include "../star/StarMesh.h"
+#include "../symmetry/MirrorTwins.h"
 #include "CollapseQueue.h"
-#include "ConnectedParts.h"
-#include "Envelope.h"
-#include "LeafCards.h"
-#include "MirrorTwins.h"
-#include "Placement.h"
-#include "StarMesh.h"
 #include "UnitFrame.h"
 
 namespace osgPMObjects::core

@@ -8,7 +8,7 @@
 #include <osgPMObjects/core/mesh/Mesh.h>
 #include <osgPMObjects/core/mesh/Wedge.h>
 
-#include "Star.h"
+#include "../star/Star.h"
 
 namespace osgPMObjects::core
 {

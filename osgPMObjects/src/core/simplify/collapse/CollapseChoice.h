@@ -5,10 +5,10 @@
 #include <span>
 #include <vector>
 
+#include "../patch/PatchCheck.h"
+#include "../patch/WedgePlan.h"
+#include "../star/Star.h"
 #include "CollapseState.h"
-#include "PatchCheck.h"
-#include "Star.h"
-#include "WedgePlan.h"
 
 namespace osgPMObjects::core
 {

@@ -5,7 +5,7 @@
 #include <osgPMObjects/core/mesh/EdgeTable.h>
 #include <osgPMObjects/core/simplify/CollapseSequence.h>
 
-#include "StarMesh.h"
+#include "../star/StarMesh.h"
 
 namespace osgPMObjects::core
 {

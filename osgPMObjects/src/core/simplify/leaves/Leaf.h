@@ -11,7 +11,7 @@
 #include <osgPMObjects/core/mesh/Extent.h>
 #include <osgPMObjects/core/simplify/CollapseSequence.h>
 
-#include "CollapseState.h"
+#include "../collapse/CollapseState.h"
 #include "LeafCards.h"
 
 namespace osgPMObjects::core

@@ -6,7 +6,7 @@
 
 #include <osgPMObjects/core/mesh/MeshCounts.h>
 
-#include "NearbyParts.h"
+#include "../parts/NearbyParts.h"
 
 namespace osgPMObjects::core
 {
