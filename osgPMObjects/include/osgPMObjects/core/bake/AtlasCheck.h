@@ -8,9 +8,9 @@
 namespace osgPMObjects::core
 {
 
-/// What keeps an atlas from being one: faces that no chart or several have, a face that lies outside, a texel with its centre in
-/// two faces, a texel that a face touches nearer than `gutterPx` to the border of the picture or than twice that to one of
-/// another chart. Empty: nothing does. Looks at texels one by one, apart from how charts are made and packed.
+/// Checks an atlas; returns a description of the first defect, or an empty string. Defects are a face in no chart or in several, a
+/// face outside of the image, a texel with its centre in two faces, and a texel of a face nearer than `gutterPx` to the border of
+/// the image or than twice that to a texel of another chart. The check is texel by texel and independent of packing.
 /// Cost: linear in the texels, times the gutter's area.
 std::string defectOf(const Mesh& mesh, const Atlas& atlas, int gutterPx);
 

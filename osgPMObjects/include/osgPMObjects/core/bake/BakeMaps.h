@@ -18,40 +18,40 @@ namespace osgPMObjects::core
 
 struct BakeSettings
 {
-    int samplesPerSide = 2; ///< of a texel, 1 to 8: their mean is what it shows
-    double reach = 0.0;     ///< how far the surfaces may be apart, in units; 0: found out
+    int samplesPerSide = 2; ///< samples per texel side, 1 to 8; a texel is their mean
+    double reach =
+        0.0; ///< the largest distance of corresponding points, in units of the meshes; 0: estimated
 };
 
-/// What the full model looks like at a point of one of its faces (`weights` of its corners), without light: red, green, blue and
-/// alpha, 0 to 1, as a face `simplifiedFace` of the simplified mesh has to show it. Called by several threads at once.
+/// Returns the unlit colour of the full model at a point of a face: red, green, blue, alpha, 0 to 1. `weights`: barycentric
+/// coordinates; `simplifiedFace`: the face that will show it. Called by several threads at once.
 using ColourAt =
     std::function<glm::vec4(std::uint32_t fullFace, const glm::dvec3& weights, std::uint32_t simplifiedFace)>;
 
 using Rgba = std::array<std::uint8_t, 4>;
 using Rgb = std::array<std::uint8_t, 3>;
 
-/// Pictures of a full model over the charts of a simplified one. Rows from below.
-/// Frame: normals are in the mesh's own (object space), n = 2·c/255 − 1: nothing has to be known about tangents, and nothing is
-/// lost where they turn; a model that bends would need another frame.
-/// Normals are means, of a face's corners and over the texel, and as short as these come out: then n·l is the mean of the light
-/// that the corners get, as fixed function draws it, and so it is in smaller copies of the map.
+/// Colour and normal maps of a full model, over the charts of a simplified one. Rows from the bottom.
+/// Frame: normals are in object space, n = 2·c/255 − 1. They need no tangents, and lose nothing where tangents change; a
+/// deformable model would need another frame.
+/// Normals are means over a face's corners and a texel, not normalised: n·l is then the mean of the corners' light, as with
+/// per-vertex lighting, also in mipmaps.
 struct BakedMaps
 {
     int sizePx = 0;
     std::vector<Rgba> colours;
     std::vector<Rgb> normals;
-    std::size_t coveredTexels = 0;   ///< with their centre in a face
-    std::size_t lookedUpTexels = 0;  ///< covered, or just beside
-    std::size_t unmatchedTexels = 0; ///< of those looked up: nothing of the full model agrees
-    double reach = 0.0;              ///< that was taken. Units: the meshes'
+    std::size_t coveredTexels = 0;   ///< texels with their centre in a face
+    std::size_t lookedUpTexels = 0;  ///< texels sampled: covered, or next to one
+    std::size_t unmatchedTexels = 0; ///< of these, without a match in the full model
+    double reach = 0.0;              ///< the reach used. Units: as the meshes
 };
 
-/// Looks up for every texel of every chart, and those that filtering reads beside it, what the full surface shows where the
-/// simplified one stands for it (SurfaceMatch.h): its colour, and the normal that it is lit by. A texel without a match that agrees keeps
-/// the simplified surface's normal. All other texels get the mean of those around, so that smaller copies of
-/// the picture stay clean.
-/// `simplified`: made of `full`, parts and materials have the same numbers; `atlas`: of its charts.
-/// Memory: 80 B a face of the full mesh, 22 B a texel. Cost: some 2 µs of the processor a sample; parallel.
+/// Samples the full surface for every texel of every chart, and for the texels beside it that filtering reads: colour and normal at
+/// the corresponding point (SurfaceMatch.h). A texel without a match keeps the normal of the simplified surface. All other
+/// texels get the mean of their surroundings, so that mipmaps have no seams.
+/// `simplified`: made of `full`, with the same numbers of parts and materials; `atlas`: of its charts.
+/// Memory: 80 B a face of the full mesh, 22 B a texel. Cost: some 2 µs of processor time a sample; parallel.
 BakedMaps bakeMaps(const Mesh& full, const Mesh& simplified, const Atlas& atlas, const ColourAt& colourAt,
                    const BakeSettings& settings = {});
 

@@ -14,20 +14,20 @@ namespace osgPMObjects::core
 
 struct PackSettings
 {
-    int sizePx = 1024; ///< of the atlas' sides: a power of two, 16 to 8192
-    int gutterPx = 3;  ///< left free around each chart: twice that lies between two
+    int sizePx = 1024; ///< side of the atlas: a power of two, 16 to 8192
+    int gutterPx = 3;  ///< free texels around each chart: twice as many between two
 };
 
-/// Charts side by side in a square picture, all at the same scale.
-/// Invariant: no texel is nearer than the gutter to two charts.
+/// An atlas: charts side by side in a square image, all at the same scale.
+/// Invariant: no texel is within the gutter of two charts.
 struct Atlas
 {
     int sizePx = 0;
     double texelsPerUnit = 0.0;
-    Charts charts;                  ///< turned: their axes are the atlas'
-    std::vector<glm::dvec2> origin; ///< by chart: where its plane's origin lies. Units: texels
+    Charts charts;                  ///< rotated: their axes are those of the atlas
+    std::vector<glm::dvec2> origin; ///< by chart: the origin of its plane. Units: texels
 
-    /// Where a face's chart shows a position. Units: texels, from the lower left corner; a texel's centre is at a half.
+    /// Maps a position of a face into the atlas. Units: texels, from the lower left corner; texel centres at 0.5.
     glm::dvec2 texelOf(std::uint32_t face, const glm::dvec3& position) const
     {
         const std::uint32_t chart = charts.chartOfFace[face];
@@ -35,12 +35,12 @@ struct Atlas
     }
 };
 
-/// Packs charts as large as they fit: turned upright into their smallest rectangle, the highest first, each let down where the
-/// skyline and its own underside leave it lowest. The scale is the largest of some twenty tried.
+/// Packs charts into an atlas, as large as they fit. Each is rotated into its smallest rectangle and stands upright; the highest are
+/// placed first, each where the skyline and its own lower outline let it lie lowest. Some twenty scales are tried, the largest is taken.
 /// Errors: sizes out of range; more charts than fit at one texel each.
 /// Cost: size × widths of all charts, times the scales tried; 300 charts in 1024² in some 30 ms.
-/// Source: Lévy, Petitjean, Ray and Maillot, "Least squares conformal maps for automatic texture atlas generation" (2002), §4
-/// (charts as Tetris pieces with horizons); we take the lowest place, theirs the one with the least lost space.
+/// Source: Lévy, Petitjean, Ray and Maillot, *Least squares conformal maps for automatic texture atlas generation* (2002), section 4
+/// (charts as Tetris pieces with horizons). Differs: the lowest position, not the one with the least lost space.
 foundation::Result<Atlas> packCharts(const Mesh& mesh, Charts charts, const PackSettings& settings = {});
 
 } // namespace osgPMObjects::core

@@ -10,21 +10,21 @@
 namespace osgPMObjects::core
 {
 
-/// What passes over cracks go by, and on.
+/// State that successive passes over the cracks of a mesh share.
 struct CrackPasses
 {
     TVertexState tVertices;        ///< the tolerance, and how far positions have moved
-    double degenerateHeight = 0.0; ///< faces no higher than this go; units: as the positions
-    int most = 0;                  ///< passes at most, in all calls
+    double degenerateHeight = 0.0; ///< faces up to this height are removed; units: as the positions
+    int most = 0;                  ///< limit of passes, over all calls
     int made = 0;                  ///< passes so far
-    /// Where the next pass has to look: the positions of faces that have changed; all of them the first time.
+    /// Whether the next pass examines the whole mesh, or only the positions of changed faces.
     bool isWhole = true;
     std::vector<std::uint32_t> changed{};
-    /// A change of more than this share of the positions is met with a pass over the whole mesh.
+    /// When a larger share of the positions has changed, the next pass examines the whole mesh.
     double wholeShare = 0.01;
 };
 
-/// What closeCracks() did.
+/// Report of closeCracks().
 struct ClosedCracks
 {
     std::size_t degenerateFaces = 0; ///< removed
@@ -32,11 +32,12 @@ struct ClosedCracks
     TVertices tVertices;
 };
 
-/// Removes degenerate and duplicate faces, puts vertices into the edges that they lie on, and again, for one makes the other,
-/// until a pass does nothing or there were too many. Where the one before has changed little, a pass looks at its
-/// neighbourhood only, with the result that passes over the whole mesh have.
+/// Removes degenerate and duplicate faces and inserts T-vertices into the edges on which they lie. Each creates work for the
+/// other, so passes repeat until one changes nothing or their limit is reached. When a pass has changed little, the next examines
+/// only the neighbourhood; the result is the same as with passes over the whole mesh.
 /// Cost: a third of a second for a pass over a million faces; a tenth to find a neighbourhood, then its share for each.
-/// Source: spec 3, Consolidation; the neighbourhoods are ours.
+/// Source: Jin, *Polygon Techniques* (lecture after Akenine-Möller & Haines, *Real-Time Rendering*, 2002, chapter 11), Consolidation.
+/// Differs: passes over neighbourhoods.
 ClosedCracks closeCracks(Mesh& mesh, CrackPasses& passes);
 
 } // namespace osgPMObjects::core

@@ -12,21 +12,20 @@
 namespace osgPMObjects::core
 {
 
-/// What consolidate() does. Distances are shares of the mesh's diagonal.
+/// Options of consolidate(). Distances are shares of the mesh's diagonal.
 struct ConsolidateOptions
 {
-    double weldTolerance = 1e-6; ///< positions nearer than this are one: the noise of floats
+    double weldTolerance = 1e-6; ///< positions closer than this are merged: the rounding error of floats
     double stitchTolerance =
-        1.01e-5; ///< T-vertices nearer to an edge than this are put into it: those that count (1e-5), and
-                 ///< those that would when positions have become floats
-    double degenerateHeight = 1e-7;    ///< faces no higher than this go
-    bool orient = true;                ///< make neighbours agree, turn what is inside out
-    bool computeMissingNormals = true; ///< for lit faces without
+        1.01e-5; ///< T-vertices within it count as such: 1e-5, and more for positions that become floats
+    double degenerateHeight = 1e-7;    ///< faces up to this height are removed
+    bool orient = true;                ///< orient neighbours alike, and closed groups outwards
+    bool computeMissingNormals = true; ///< for faces of lit materials
     double creaseAngleDeg = 45.0;
     WedgeTolerance wedges;
 };
 
-/// What consolidate() found and did: nothing that goes, comes or moves is missing here.
+/// Report of consolidate(): everything that was removed, added or moved.
 struct ConsolidateReport
 {
     std::size_t weldedPositions = 0;
@@ -40,19 +39,20 @@ struct ConsolidateReport
     std::size_t facesGivenNormals = 0;
     MergedWedges wedges;
 
-    /// Faces of the input that are no more, however they went. Faces that were cut in two are not among them.
+    /// Number of faces of the input that were removed, for any reason. Faces that were cut in two do not count.
     std::size_t facesDropped() const
     {
         return degenerateFaces + duplicates.removed + duplicates.backToBack + tVertices.slivers;
     }
 };
 
-/// From what an importer delivers to a mesh that can be simplified and drawn well: positions welded, degenerate and duplicate
-/// faces removed, T-vertices inserted, neighbours oriented alike, closed groups turned outside out, edges left with two faces at
-/// most, missing normals made, needless attribute splits merged. The order of faces stays.
-/// Afterwards no T-junction, duplicate of the same look or degenerate face is left, unless the report says that the passes ran
-/// out (kMostPasses), after which a model at hand has none left either; no position has moved farther than the two tolerances together.
-/// Cost: a million triangles in some 3 s. Source: spec 3, Consolidation.
+/// Makes an imported mesh fit for simplification and drawing: welds positions, removes degenerate and duplicate
+/// faces, inserts T-vertices, orients neighbours alike and closed groups outwards, splits non-manifold edges, computes missing
+/// normals, and merges needless attribute splits. Faces keep their order.
+/// Afterwards the mesh has no T-junction, no degenerate face and no duplicate of equal look, unless the report says that the limit of
+/// passes (kMostPasses) was reached; known models have none even then. No position moves farther than both tolerances together.
+/// Cost: a million triangles in some 3 s.
+/// Source: Jin, *Polygon Techniques* (lecture after Akenine-Möller & Haines, *Real-Time Rendering*, 2002, chapter 11), Consolidation.
 ConsolidateReport consolidate(Mesh& mesh, const ConsolidateOptions& options = {});
 
 constexpr int kMostPasses = 20;

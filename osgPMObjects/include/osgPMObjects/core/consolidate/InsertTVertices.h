@@ -10,36 +10,36 @@
 namespace osgPMObjects::core
 {
 
-/// What insertTVertices() did.
+/// Report of insertTVertices().
 struct TVertices
 {
-    std::size_t inserted = 0; ///< vertices put into the edges of faces, each face counted
-    std::size_t stitched = 0; ///< vertices that became one with the end of an edge they lay beside
+    std::size_t inserted = 0; ///< vertices inserted into edges of faces, once for each face
+    std::size_t stitched = 0; ///< vertices merged with the near end of an edge
     std::size_t slivers =
-        0; ///< open faces lower than the tolerance, whose own corner is the T-vertex, or thin ones: removed
+        0; ///< removed: open faces whose own corner is the T-vertex and lower than the tolerance, or thin ones
     std::size_t moved =
-        0; ///< vertices moved half-way to the edge that they were farther from than half the tolerance
+        0; ///< vertices moved half-way to their edge, since they were farther than half the tolerance
 
     bool isNothing() const { return inserted + stitched + slivers == 0; }
 };
 
-/// What passes hand on to the next.
+/// State that successive passes share.
 struct TVertexState
 {
-    double tolerance = 0.0;  ///< how far from an edge a vertex counts as lying on it; units: as the positions
-    double thinHeight = 0.0; ///< faces with a T-vertex that are no higher than this are removed, not cut
-    std::vector<double> drift{};          ///< how far each position has moved so far
-    std::vector<std::uint8_t> among{};    ///< by position, 0 for those that are left alone; empty: none are
-    std::vector<std::uint32_t> waiting{}; ///< positions of the T-junctions that the latest pass put off
+    double tolerance = 0.0;  ///< the largest distance of a T-vertex from its edge; units: as the positions
+    double thinHeight = 0.0; ///< faces with a T-vertex up to this height are removed, not cut
+    std::vector<double> drift{};          ///< by position: how far it has moved so far
+    std::vector<std::uint8_t> among{};    ///< by position: 0 where it is ignored; empty: none is
+    std::vector<std::uint32_t> waiting{}; ///< positions of T-junctions that the latest pass postponed
 };
 
-/// One pass against T-junctions (see findTJunctions()). Vertices whose foot is nearer than twice the tolerance to an end of the
-/// edge are stitched to that end, at the middle of the two; a pass that stitches does nothing else. Otherwise each open edge is
-/// split at the vertices that lie on it, and its faces with it; new corners get attributes interpolated along the edge, so that
-/// shading and texture stay. An edge that is bent so may become one that others lie on: call it again until it did nothing.
-/// No position moves farther than the tolerance in all passes, and what would have to, stays a T-junction.
-/// Source: Akenine-Möller and Haines, "Real-Time Rendering", ch. 11, Edge cracking and T-vertices: the vertex is put into the
-/// neighbouring polygon, which is then cut into triangles; here by halves, from the opposite corner.
+/// Makes one pass against T-junctions (see findTJunctions()). A vertex with its foot within twice the tolerance of an end of the edge
+/// is merged with that end, at their middle; a pass that merges does nothing else. Otherwise each open edge is split at the
+/// vertices on it, with its faces. New corners get attributes interpolated along the edge, so shading and texture do not change.
+/// An edge that is bent in this way may create new T-junctions: call the function until it changes nothing.
+/// No position moves farther than the tolerance in all passes together; a vertex that would remains a T-junction.
+/// Source: Jin, *Polygon Techniques* (lecture after Akenine-Möller & Haines, *Real-Time Rendering*, 2002, chapter 11), Edge cracking
+/// and T-vertices: the vertex is inserted into the neighbouring polygon, which is then triangulated; here by bisection.
 TVertices insertTVertices(Mesh& mesh, TVertexState& state);
 
 } // namespace osgPMObjects::core

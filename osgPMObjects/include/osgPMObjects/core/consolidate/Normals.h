@@ -10,22 +10,22 @@
 namespace osgPMObjects::core
 {
 
-/// How smooth normals are made.
+/// Settings of computeNormals().
 struct Smoothing
 {
-    double creaseAngleDeg = 45.0; ///< faces that meet at a sharper angle keep an edge
-    /// By face, a set of bits as in 3DS and OBJ files: only faces with a common bit are smoothed together, whatever the angle;
-    /// 0: with none. Empty: the crease angle decides.
+    double creaseAngleDeg = 45.0; ///< edges between faces at a sharper angle are creases
+    /// By face: a set of bits, the smoothing groups of 3DS and OBJ files. Only faces with a common bit are smoothed together, at any
+    /// angle. Empty: the crease angle decides.
     std::span<const std::uint32_t> groups;
     bool onlyMissing = true; ///< faces whose corners all have a normal keep theirs
 };
 
-/// Gives the corners of faces normals: the mean of the faces around, weighted by the angle of their corner there, over those
-/// that are joined with the face across smooth edges. An edge is smooth where exactly two faces meet that agree in orientation
-/// and are not kept apart by crease or groups. New wedges are made where faces that shared one differ. Lit materials only, unless
-/// all are asked for: what is not lit needs none.
-/// Returns how many faces were given normals. Needs consistent orientation to mean something, see orientFaces().
-/// Source: spec 3, Consolidation 4; Thürmer and Wüthrich, "Computing vertex normals from polygonal facets" (1998), for the weights.
+/// Computes vertex normals: the mean of the face normals around a corner, weighted by the corner's angle, over the faces that are
+/// connected with its own across smooth edges. An edge is smooth when it has exactly two faces of consistent orientation and is no
+/// crease. Wedges are split where their faces get different normals. Only lit materials get normals, unless all are asked for.
+/// Returns the number of faces that got normals. The mesh should have consistent orientation, see orientFaces().
+/// Source: Jin, *Polygon Techniques* (lecture after Akenine-Möller & Haines, *Real-Time Rendering*, 2002, chapter 11), Consolidation;
+/// weights: Thürmer and Wüthrich, *Computing vertex normals from polygonal facets* (1998).
 std::size_t computeNormals(Mesh& mesh, const Smoothing& smoothing);
 
 } // namespace osgPMObjects::core

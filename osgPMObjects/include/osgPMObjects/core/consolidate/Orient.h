@@ -8,45 +8,44 @@
 namespace osgPMObjects::core
 {
 
-/// What orientFaces() did. A patch: faces joined across edges with two faces that agree.
+/// Report of orientFaces(). A patch is a set of faces connected by edges of two consistently oriented faces.
 struct Orientation
 {
     std::size_t patches = 0;
-    std::size_t doubtful = 0;    ///< patches that disagree with a neighbour
-    std::size_t turnedFaces = 0; ///< in patches that were turned
+    std::size_t doubtful = 0;    ///< patches with a neighbour of opposite orientation
+    std::size_t turnedFaces = 0; ///< faces of reversed patches
     std::size_t disagreements =
-        0; ///< edges on which two faces still run the same way: folds and Möbius strips, to be cut
+        0; ///< remaining edges whose two faces have the same direction: folds and Möbius strips, to be cut
 };
 
-/// Turns patches of faces that disagree with their neighbours, so that, as far as it can be, neighbours run against each other
-/// along their edge. Which of two is wrong the open decides: rays tell from which side a patch can be seen from outside, and that
-/// is its front. Where both sides can be seen (a sheet), a patch follows the largest neighbour that it does not fold back onto.
-/// What still disagrees then is no mistake: a cuff turned back, seen from outside on both its sides, keeps both fronts, and
+/// Reverses patches until neighbours have consistent orientation, as far as possible. Rays decide which of two neighbours is wrong: the
+/// side that is visible from outside is the front. Where both sides are visible (a sheet), a patch follows its largest neighbour that
+/// it does not fold back onto; without one it stays as it is.
+/// Remaining disagreements are no errors: a folded cuff, visible from outside on both sides, keeps both fronts, and
 /// splitNonManifoldEdges() cuts it at the fold.
-/// Patches without such a neighbour stay as they are, however they stand.
-/// Source: spec 3, Consolidation 3 (neighbours of any start polygon are flipped); the open as a judge is Takayama et al. (2014), see
-/// Visibility.h. The lecture's rule alone, with the largest area as the start, turned pirate's cuffs and CG-57's hull to black.
+/// Source: Jin, *Polygon Techniques* (lecture after Akenine-Möller & Haines, *Real-Time Rendering*, 2002, chapter 11), Consolidation:
+/// neighbours of any start polygon are flipped. Differs: visibility decides, after Takayama et al. (2014), see Visibility.h. The
+/// lecture's rule alone, from the largest area, turned cuffs of the model pirate and the hull of CG-57 black.
 /// Cost: linear; a tree of the triangles, and 48 rays a side for the 2 048 largest doubtful patches.
 Orientation orientFaces(Mesh& mesh);
 
-/// What turnInsideOut() did.
+/// Report of turnInsideOut().
 struct InsideOut
 {
-    std::size_t closedGroups =
-        0; ///< groups of faces joined across edges with two faces, without an open edge
-    std::size_t turnedGroups = 0; ///< of these, with negative volume
-    std::size_t cavities =
-        0; ///< of these, with negative volume, but inside another closed group: as they should be
+    std::size_t closedGroups = 0; ///< sets of faces connected by edges with two faces, without an open edge
+    std::size_t turnedGroups = 0; ///< of these, with negative volume: reversed
+    std::size_t cavities = 0;     ///< of these, with negative volume inside another closed group: correct
 };
 
-/// Turns closed groups with negative volume as a whole, unless they are the inner wall of a hollow body. Flat groups, whose
-/// volume is a millionth of a cube's of their area, have no inside.
-/// Source: spec 3, Consolidation 3; cavities are ours.
+/// Reverses closed groups with negative volume as a whole, unless they are the inner wall of a hollow body. Flat groups have no
+/// inside: their volume is below a millionth of that of a cube with their area.
+/// Source: Jin, *Polygon Techniques* (lecture after Akenine-Möller & Haines, *Real-Time Rendering*, 2002, chapter 11), Consolidation.
+/// Differs: inner walls.
 InsideOut turnInsideOut(Mesh& mesh);
 
-/// Turns one face round. Its normals turn with it where they agreed with it before; where they pointed to the back they were
-/// right, and stay. Of a face that is drawn from both sides, which looks the same either way round, they turn only if it is certain
-/// that it stood the wrong way, or if backs are lit as such. Faces that shared its wedges keep theirs.
+/// Reverses one face. Normals that agreed with the face are negated; normals that pointed to its back were right, and stay. A face
+/// that is drawn from both sides looks the same either way: its normals are negated only if `isCertain`, or if its material lights backs
+/// as such. Other faces that used its wedges keep them.
 void turnFace(Mesh& mesh, std::uint32_t face, bool isCertain);
 
 } // namespace osgPMObjects::core

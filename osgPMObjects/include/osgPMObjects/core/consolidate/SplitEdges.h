@@ -8,22 +8,20 @@
 namespace osgPMObjects::core
 {
 
-/// What splitNonManifoldEdges() did.
+/// Report of splitNonManifoldEdges().
 struct SplitEdges
 {
     std::size_t crowded = 0;     ///< edges with more than two faces
-    std::size_t disagreeing = 0; ///< edges whose two faces run the same way along them
+    std::size_t disagreeing = 0; ///< edges whose two faces run in the same direction
     std::size_t copies = 0;      ///< positions added
 };
 
-/// Makes every edge have at most two faces, which run against each other along it: positions on edges that have more, or two
-/// that disagree, are doubled. At a crowded edge faces stay joined in pairs, those first that belong to one part and one
-/// material, then the flattest; a face that is left over gets an open edge, and so do pairs that hang
-/// together around both ends. Copies stand where the original stands: pictures do
-/// not change.
-/// Afterwards every edge has one face, or two that agree.
-/// Source: Guéziec, Taubin, Lazarus and Horn, "Cutting and stitching: converting sets of polygons to manifold surfaces" (2001), §3
-/// (cutting); we cut at the vertices of the marked edges only.
+/// Makes every edge have one face, or two of consistent orientation: positions on edges with more faces, or with two that
+/// disagree, are duplicated. At an edge with more than two faces, pairs of faces stay connected: those of one part and material
+/// first, then the flattest. A face that is left over gets an open edge; so do pairs that are connected
+/// around both ends. Copies have the same coordinates, so images do not change.
+/// Source: Guéziec, Taubin, Lazarus and Horn, *Cutting and stitching: converting sets of polygons to manifold surfaces* (2001),
+/// section 3 (cutting). Differs: cuts only at vertices of the marked edges.
 SplitEdges splitNonManifoldEdges(Mesh& mesh);
 
 } // namespace osgPMObjects::core

@@ -12,7 +12,7 @@
 namespace osgPMObjects::core
 {
 
-/// For each position the first that stands at the very same place: splits have doubled some. Cost: linear.
+/// Returns by position the first one with equal coordinates: splits have duplicated some. Cost: linear.
 inline std::vector<std::uint32_t> firstAtPlace(std::span<const glm::dvec3> positions)
 {
     const auto hashOf = [&](std::uint32_t i)

@@ -9,10 +9,9 @@
 namespace osgPMObjects::core
 {
 
-/// Finds equal things among numbered ones: open addressing over their numbers. What a thing is, its hash and equality are
-/// the caller's, given with each question; the index keeps numbers alone. Order of insertion decides which of several equal
-/// things is found, so results do not depend on the hash.
-/// Memory: 8 to 16 B a thing. Threads: one.
+/// A hash table of numbered elements, with open addressing. It stores numbers only: the caller gives hash and equality with each
+/// look-up. Order of insertion decides which of several equal elements is found, so results do not depend on the hash.
+/// Memory: 8 to 16 B an element. Threads: one.
 class HashIndex
 {
 public:
@@ -20,8 +19,8 @@ public:
 
     explicit HashIndex(std::size_t expected) : _slots(std::bit_ceil(2 * expected + 16), kNone) {}
 
-    /// The number of an equal thing, or `candidate` itself, which is then in the index.
-    /// `isEqual(number)` compares the candidate with the thing of that number; `hashOf(number)` is asked when it grows.
+    /// Returns the number of an equal element, or adds `candidate` and returns it.
+    /// `isEqual(number)` compares the candidate with an element; `hashOf(number)` is called when the table grows.
     template<class Equal, class Hash>
     std::uint32_t findOrAdd(std::uint32_t candidate, std::uint64_t hash, const Equal& isEqual,
                             const Hash& hashOf)
@@ -59,7 +58,7 @@ private:
     std::size_t _size = 0;
 };
 
-/// Stirs a word into a hash. Source: the finaliser of MurmurHash3 (Appleby, public domain), constants as there.
+/// Mixes a word into a hash. Source: Appleby, *MurmurHash3* (2011, public domain), finaliser fmix64 and its constants.
 inline std::uint64_t stir(std::uint64_t hash, std::uint64_t word)
 {
     hash = (hash ^ word) * 0xff51afd7ed558ccdULL;
@@ -67,7 +66,7 @@ inline std::uint64_t stir(std::uint64_t hash, std::uint64_t word)
     return hash ^ (hash >> 33);
 }
 
-/// The bits of a number for hashing; +0 and -0, which compare equal, alike.
+/// Returns the bits of a number for hashing; the same for +0 and -0, which compare equal.
 inline std::uint64_t bitsOf(double value)
 {
     return std::bit_cast<std::uint64_t>(value == 0.0 ? 0.0 : value);

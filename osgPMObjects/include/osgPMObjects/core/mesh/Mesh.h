@@ -14,10 +14,10 @@
 namespace osgPMObjects::core
 {
 
-/// What surface a face is drawn with. The state itself (textures, shaders, colours) stays with whoever imported it.
+/// The surface that a face is drawn with. The state itself (textures, shaders, colours) stays with the importer.
 struct Material
 {
-    /// What wedges can have besides their position.
+    /// Attributes that a wedge may have besides its position.
     enum Attribute : std::uint32_t
     {
         normal = 1,
@@ -28,25 +28,25 @@ struct Material
 
     std::string name;
     std::uint32_t state = 0;      ///< the importer's handle, handed back on export
-    std::uint32_t attributes = 0; ///< Attribute bits: what its faces' wedges have
+    std::uint32_t attributes = 0; ///< Attribute bits that the wedges of its faces have
     std::uint32_t unseen =
-        0; ///< what the state does not look at, had or not: texture coordinates without a texture …
+        0; ///< attribute bits that the state does not use, present or not: texture coordinates without a texture …
     bool isTwoSided = false;       ///< neither side is culled
-    bool litFromBothSides = false; ///< a face seen from its back is lit by its normals turned round
-    bool isTransparent = false;    ///< blended: faces behind it count
+    bool litFromBothSides = false; ///< a face seen from its back is lit with inverted normals
+    bool isTransparent = false;    ///< blended: faces behind it are visible
 
     bool has(Attribute attribute) const { return (attributes & attribute) != 0; }
     bool operator==(const Material&) const = default;
 };
 
-/// What was one thing in the file, by name.
+/// A named object of the imported file.
 struct Part
 {
     std::string name;
     bool operator==(const Part&) const = default;
 };
 
-/// Three wedges, counter-clockwise seen from outside.
+/// A triangle of wedges, counter-clockwise seen from outside.
 struct Face
 {
     std::array<std::uint32_t, 3> wedges{};
@@ -55,15 +55,15 @@ struct Face
     bool operator==(const Face&) const = default;
 };
 
-/// A triangle mesh of plain arrays. Positions are shared by all faces that meet there; a *wedge* is a position with the
-/// attributes that some of those faces see there, so a position on a crease or on a seam of the texture has several. A wedge
-/// is a vertex of the graphics card.
-/// Positions are doubles: placements in a scene (UTM, Earth-centred) leave floats half a metre, and welding, predicates and
-/// quadrics need the digits; 12 B more a position are 6 B a triangle. Attributes are floats, as they are drawn.
-/// Frame: right-handed, the root's of what was imported. Units: the file's (metres in a trainer's models).
-/// Invariant: isValid() of MeshCheck.h. Memory: 24 B a position, 4 to 48 a wedge, 20 a face: a closed mesh of a million
-/// triangles with normals and one set of texture coordinates 55 MB.
-/// Source: Hoppe, "Progressive meshes" (1996), §2 (corners); "wedge" is his later name.
+/// A triangle mesh in plain arrays. Faces that meet at a point share its position. A *wedge* is a position with the attributes that
+/// some of those faces have there; a position on a crease or a texture seam has several. A wedge is a vertex of the graphics card.
+/// Positions are doubles: at scene coordinates (UTM, Earth-centred) floats have a resolution of half a metre, and welding,
+/// predicates and quadrics need the digits. This costs 6 B a triangle. Attributes are floats.
+/// Frame: right-handed, that of the imported root. Units: those of the file (metres in a trainer's models).
+/// Invariant: isValid() of MeshCheck.h. Memory: 24 B a position, 4 to 48 a wedge, 20 a face; 55 MB for a closed mesh of a million
+/// triangles with normals and one set of texture coordinates.
+/// Source: Hoppe, *Progressive meshes* (1996), section 2 (corners); wedges: Hoppe, *Efficient implementation of progressive
+/// meshes* (1998).
 struct Mesh
 {
     static constexpr std::size_t kTexCoordSets = 2;
@@ -81,7 +81,7 @@ struct Mesh
 
     std::size_t wedgeCount() const { return wedgePositions.size(); }
 
-    /// The position of a face's corner 0, 1 or 2: its number, and where it is.
+    /// The position of a face's corner 0, 1 or 2: its number, and its coordinates.
     std::uint32_t positionOf(const Face& face, int corner) const
     {
         return wedgePositions[face.wedges[corner]];

@@ -8,14 +8,13 @@
 namespace osgPMObjects::core
 {
 
-/// Puts a mesh together from what importers read: positions that are equal to the last bit become one, wedges stay as many
-/// as the file has.
+/// Builds a mesh from what importers read. Positions that are equal to the last bit become one; wedges stay as in the file.
 class MeshBuilder
 {
 public:
     MeshBuilder() : _positions(0) {}
 
-    /// The number of the position, new or known. It has to be finite.
+    /// Returns the number of a position and adds it when it is new. It must be finite.
     std::uint32_t position(const glm::dvec3& where);
     std::uint32_t wedge(const Wedge& wedge) { return appendWedge(_mesh, wedge); }
     void face(const Face& face) { _mesh.faces.push_back(face); }

@@ -15,20 +15,20 @@
 namespace osgPMObjects::core
 {
 
-/// Tolerances of what is counted as a defect, as shares of the diagonal: those that the figures of the test models were counted
-/// with.
+/// Tolerances of defects as shares of the diagonal, as in the published figures of the test models.
 constexpr double kTJunctionTolerance = 1e-5;
 constexpr double kDegenerateHeight = 1e-9;
 
-/// What can be counted about a mesh; positions are told apart by their number.
+/// Counts of a mesh's elements and defects. Positions are distinguished by their number.
 struct MeshCounts
 {
     std::size_t triangles = 0;
-    std::size_t positions = 0;         ///< that faces use
-    std::size_t attributeVertices = 0; ///< distinct (position, attributes, material) that faces use
-    std::size_t tJunctions = 0;        ///< vertices in some T-junction, see findTJunctions()
-    std::size_t duplicates = 0;  ///< faces with the same three positions as an earlier one, either way round
-    std::size_t degenerates = 0; ///< faces that use a position twice, or lower than kDegenerateHeight
+    std::size_t positions = 0;         ///< used by faces
+    std::size_t attributeVertices = 0; ///< distinct (position, attributes, material) used by faces
+    std::size_t tJunctions = 0;        ///< vertices in a T-junction, see findTJunctions()
+    std::size_t duplicates =
+        0; ///< faces with the same three positions as an earlier one, in either orientation
+    std::size_t degenerates = 0;      ///< faces that use a position twice, or lower than kDegenerateHeight
     std::size_t nonManifoldEdges = 0; ///< edges with more than two faces
     std::size_t boundaryEdges = 0;    ///< edges with one
     std::size_t components = 0;       ///< groups of faces that share positions
@@ -36,13 +36,13 @@ struct MeshCounts
     bool operator==(const MeshCounts&) const = default;
 };
 
-/// Cost: about linear; a million triangles in 2 s.
+/// Counts elements and defects. Cost: about linear; a million triangles in 2 s.
 MeshCounts countMesh(const Mesh& mesh);
 
-/// The box around what faces use.
+/// The box around all positions that faces use.
 Extent extentOfFaces(const Mesh& mesh);
 
-/// Its diagonal. Units: as the positions.
+/// The diagonal of that box. Units: as the positions.
 inline double diagonalOf(const Mesh& mesh)
 {
     return extentOfFaces(mesh).diagonal();
@@ -55,10 +55,10 @@ inline double heightOf(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec
     return longest > 0.0 ? glm::length(glm::cross(b - a, c - a)) / longest : 0.0;
 }
 
-/// The faces of a mesh by position, without those that use one twice.
+/// The faces as triples of positions, without those that use a position twice.
 std::vector<Triangle> properTriangles(const Mesh& mesh);
 
-/// A triangle's corners in rising order: the same for all triangles on three positions.
+/// The corners of a triangle in rising order: equal for all triangles on the same three positions.
 Triangle sortedCorners(Triangle t);
 
 } // namespace osgPMObjects::core

@@ -14,9 +14,9 @@
 namespace osgPMObjects::core
 {
 
-/// Numbered points in a grid of cells, hashed: finds those near a place. Cells that fall on one bucket are visited together,
-/// and a point perhaps twice; callers compare distances anyway.
-/// Memory: 8 to 12 B a point. Threads: adding one; visiting any number.
+/// A hashed grid of numbered points, for queries by box. Cells with the same bucket are visited together, and a point may be
+/// visited twice; callers compare distances anyway.
+/// Memory: 8 to 12 B a point. Threads: one that adds; any number that visit.
 class PointGrid
 {
 public:
@@ -25,7 +25,7 @@ public:
     {
     }
 
-    /// Points are numbered in the order in which they come.
+    /// Adds a point; points are numbered in this order.
     void add(const glm::dvec3& point)
     {
         std::uint32_t& bucket = _first[bucketOf(cellOf(point))];
@@ -33,7 +33,7 @@ public:
         bucket = static_cast<std::uint32_t>(_next.size() - 1);
     }
 
-    /// Calls `visit(number)` for every point in the box, and for others.
+    /// Calls `visit(number)` for every point in the box, and perhaps for others.
     template<class Visit>
     void visitBox(const glm::dvec3& low, const glm::dvec3& high, const Visit& visit) const
     {
@@ -46,7 +46,7 @@ public:
     }
 
 private:
-    static constexpr double kMost = 4.0e18; ///< below 2^62: counting on from it stays a number
+    static constexpr double kMost = 4.0e18; ///< below 2^62, so that counting on does not overflow
 
     struct Cell
     {
@@ -55,7 +55,7 @@ private:
 
     Cell cellOf(const glm::dvec3& p) const
     {
-        // A mesh that is one point has no cell size that fits: far away from the origin its cell would be no number.
+        // A mesh of one point, far from the origin, has a cell size of 0 and a cell number beyond integers.
         const auto cell = [this](double x)
         { return static_cast<std::int64_t>(std::clamp(std::floor(x * _perUnit), -kMost, kMost)); };
         return {cell(p.x), cell(p.y), cell(p.z)};
@@ -70,8 +70,8 @@ private:
     }
 
     double _perUnit;
-    std::vector<std::uint32_t> _first; ///< by bucket
-    std::vector<std::uint32_t> _next;  ///< by point
+    std::vector<std::uint32_t> _first; ///< by bucket: its first point
+    std::vector<std::uint32_t> _next;  ///< by point: the next in its bucket
 };
 
 } // namespace osgPMObjects::core

@@ -9,22 +9,22 @@
 namespace osgPMObjects::core
 {
 
-/// How far two surfaces are apart, both ways. Units: as the positions.
+/// The distance between two surfaces, in both directions. Units: as the positions.
 struct SurfaceChange
 {
     double largest = 0.0;
-    double mean = 0.0; ///< over points spread by area, those of both sides together
+    double mean = 0.0; ///< over points spread by area on both surfaces
     std::size_t samples = 0;
 };
 
-/// Measures at every corner and centre of every face that is not degenerate (kDegenerateHeight), and at points
-/// spread by area, the distance to the other surface. A surface with faces and one without are infinitely far apart.
+/// Measures the distance from each surface to the other, at every corner and centre of faces that are not degenerate
+/// (kDegenerateHeight), and at points spread by area. It is infinite when only one of the two has faces.
 /// Cost: about a microsecond a sample; parallel.
-/// Source: Aspert, Santa-Cruz and Ebrahimi, "MESH: measuring errors between surfaces using the Hausdorff distance" (2002); samples at
-/// corners and centres, which are where faces come and go, besides those by area.
+/// Source: Aspert, Santa-Cruz and Ebrahimi, *MESH: measuring errors between surfaces using the Hausdorff distance* (2002). Differs:
+/// samples also at corners and centres of faces, where simplification changes the surface.
 SurfaceChange surfaceChange(const MeasuredSurface& a, const MeasuredSurface& b);
 
-/// The same with `spread` points a side.
+/// The same with `spread` points on each surface.
 SurfaceChange surfaceChange(const Mesh& a, const Mesh& b, std::size_t spread = 60000);
 
 } // namespace osgPMObjects::core

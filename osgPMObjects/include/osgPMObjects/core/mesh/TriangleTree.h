@@ -18,19 +18,19 @@
 namespace osgPMObjects::core
 {
 
-/// A triangle that was looked for, and the point of it.
+/// The result of a query: a triangle and a point of it.
 struct TrianglePoint
 {
     static constexpr std::uint32_t kNone = ~0u;
 
-    std::uint32_t triangle = kNone; ///< kNone: there is none
+    std::uint32_t triangle = kNone; ///< kNone: nothing found
     glm::dvec3 point{};
-    double distance = 0.0; ///< of the nearest: from the point asked about; of the first hit: in directions
+    double distance = 0.0; ///< nearest(): from the query point; firstHit(): in lengths of the direction
 };
 
-/// Triangles in a tree of boxes: how far a point is from them, which is the nearest, and what a ray meets.
-/// Memory: 60 B a triangle besides what it looks at, which must stay as it is. Threads: questions from any number at once.
-/// Cost: building n log n, 0.4 s for half a million; a question some microseconds.
+/// A bounding-volume tree of triangles, for queries of distance, nearest point and ray hits.
+/// Positions and triangles are referenced and must not change. Memory: 60 B a triangle besides them. Threads: queries from any number
+/// at once. Cost: building n log n, 0.4 s for half a million; some microseconds a query.
 class TriangleTree
 {
 public:
@@ -39,8 +39,8 @@ public:
     /// The distance of a point from the nearest triangle; `most` where none is nearer than that. Units: as the positions.
     double distance(const glm::dvec3& point, double most = std::numeric_limits<double>::infinity()) const;
 
-    /// Calls `visit(triangle)` for the triangles in boxes nearer to a point than `squaredBound`, near ones first; `visit` may lower
-    /// the bound.
+    /// Calls `visit(triangle)` for triangles in boxes nearer than `squaredBound` to a point, roughly from near to far; `visit` may
+    /// lower the bound.
     template<class Visit>
     void visitNear(const glm::dvec3& point, double& squaredBound, const Visit& visit) const
     {
@@ -64,29 +64,29 @@ public:
         }
     }
 
-    /// Says of a triangle whether it counts; an empty one: all do.
+    /// A filter of triangles; an empty one accepts all.
     using Accepts = std::function<bool(std::uint32_t triangle)>;
 
-    /// The nearest point of the triangles that count, of those nearer than `most`.
+    /// The nearest point of accepted triangles within `most`.
     TrianglePoint nearest(const glm::dvec3& point, double most, const Accepts& accepts = {}) const;
 
-    /// Where the ray from a point first meets a triangle that counts, less than `most` directions away.
+    /// The first point at which a ray hits an accepted triangle, within `most` lengths of the direction.
     TrianglePoint firstHit(const glm::dvec3& from, const glm::dvec3& direction, double most,
                            const Accepts& accepts = {}) const;
 
-    /// Whether the ray from a point meets a triangle more than `least` directions away.
+    /// Whether a ray hits a triangle beyond `least` lengths of the direction.
     bool isHit(const glm::dvec3& from, const glm::dvec3& direction, double least) const;
 
 private:
     static constexpr std::uint32_t kLeafSize = 4;
-    static constexpr std::size_t kStack = 64; ///< enough for 2^32 triangles, halved at every step
+    static constexpr std::size_t kStack = 64; ///< enough for 2^32 triangles, halved at every level
 
     struct Node
     {
         Extent box;
         std::uint32_t first =
-            0; ///< leaf: in _order; else: the second child, the first comes right after its parent
-        std::uint32_t count = 0; ///< of triangles; 0: no leaf
+            0; ///< leaf: in _order; else: the second child; the first child follows its parent
+        std::uint32_t count = 0; ///< number of triangles; 0: not a leaf
     };
 
     static double squaredDistance(const Extent& box, const glm::dvec3& p)
@@ -97,7 +97,7 @@ private:
     void build(std::uint32_t first, std::uint32_t last, std::span<const glm::dvec3> centres, unsigned threads,
                std::vector<Node>& nodes);
 
-    /// Calls `look` with the triangles whose boxes the ray meets before `most` directions, until it returns true.
+    /// Calls `look` for the triangles in boxes that the ray enters within `most` lengths, until it returns true.
     template<class Look>
     bool follow(const glm::dvec3& from, const glm::dvec3& direction, const double& most,
                 const Look& look) const;
@@ -108,12 +108,12 @@ private:
     std::vector<Node> _nodes;
 };
 
-/// The point of a triangle that is nearest to p.
-/// Source: Ericson, "Real-time collision detection" (2005), §5.1.5 (regions of Voronoi).
+/// The point of a triangle nearest to p.
+/// Source: Ericson, *Real-time collision detection* (2005), section 5.1.5 (Voronoi regions).
 glm::dvec3 nearestPoint(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c);
 
-/// How many directions along the ray from a point a triangle is met; negative: it is not.
-/// Source: Möller and Trumbore, "Fast, minimum storage ray/triangle intersection" (1997).
+/// The distance along a ray to a triangle, in lengths of the direction; negative: no hit.
+/// Source: Möller and Trumbore, *Fast, minimum storage ray/triangle intersection* (1997).
 double rayDistance(const glm::dvec3& from, const glm::dvec3& direction, const glm::dvec3& a,
                    const glm::dvec3& b, const glm::dvec3& c);
 

@@ -8,10 +8,10 @@
 namespace osgPMObjects::core
 {
 
-/// Groups that grow together. The root of a group is its lowest member, so that results do not depend on the order in which
-/// groups were joined.
-/// Cost: amortised some five steps a question. Source: Tarjan, "Efficiency of a good but not linear set union algorithm" (1975),
-/// with path halving; by number instead of by rank.
+/// Disjoint sets of numbers. The root of a set is its lowest member, so results do not depend on the order of joining.
+/// Cost: amortised some five steps a query.
+/// Source: Tarjan, *Efficiency of a good but not linear set union algorithm* (1975), with path halving. Differs: linked by number,
+/// not by rank.
 class UnionFind
 {
 public:

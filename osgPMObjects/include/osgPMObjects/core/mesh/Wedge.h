@@ -8,7 +8,7 @@
 namespace osgPMObjects::core
 {
 
-/// One wedge by value: what Mesh keeps in parallel arrays. An attribute whose array is empty is 0.
+/// One wedge by value; Mesh keeps wedges in parallel arrays. An attribute whose array is empty is 0.
 struct Wedge
 {
     std::uint32_t position = 0;
@@ -28,7 +28,7 @@ Vector valueOr0(const std::vector<Vector>& values, std::uint32_t i)
     return values.empty() ? Vector(0.0f) : values[i];
 }
 
-/// Appends to an attribute array that has `before` values, or none as long as all of them are 0.
+/// Appends a value to an attribute array, which stays empty as long as all values are 0. `before`: number of wedges so far.
 template<class Vector>
 void append(std::vector<Vector>& values, std::size_t before, const Vector& value)
 {
@@ -50,7 +50,7 @@ inline Wedge wedgeOf(const Mesh& mesh, std::uint32_t wedge)
             detail::valueOr0(mesh.colours, wedge)};
 }
 
-/// Adds a wedge and returns its number. Attribute arrays appear with the first value that is not 0.
+/// Adds a wedge and returns its number. An attribute array appears with its first value that is not 0.
 inline std::uint32_t appendWedge(Mesh& mesh, const Wedge& wedge)
 {
     const std::size_t before = mesh.wedgeCount();
@@ -62,7 +62,7 @@ inline std::uint32_t appendWedge(Mesh& mesh, const Wedge& wedge)
     return static_cast<std::uint32_t>(before);
 }
 
-/// Gives a wedge other values; those of attributes that the mesh does not have are dropped.
+/// Replaces a wedge; attributes that the mesh does not have are dropped.
 inline void assignWedge(Mesh& mesh, std::uint32_t wedge, const Wedge& attributes)
 {
     mesh.wedgePositions[wedge] = attributes.position;
@@ -72,7 +72,7 @@ inline void assignWedge(Mesh& mesh, std::uint32_t wedge, const Wedge& attributes
     if (!mesh.colours.empty()) mesh.colours[wedge] = attributes.colour;
 }
 
-/// The wedge at `t` (0…1) of the way from a to b, as the rasteriser interpolates along an edge; at position `position`.
+/// Interpolates between wedges as along an edge, at `t` (0…1) from a to b; the result is at `position`.
 inline Wedge interpolated(const Wedge& a, const Wedge& b, float t, std::uint32_t position)
 {
     Wedge between{position, glm::mix(a.normal, b.normal, t), {}, glm::mix(a.colour, b.colour, t)};

@@ -7,7 +7,7 @@
 namespace osgPMObjects::core
 {
 
-/// A hash that equal wedges (operator==) share.
+/// Returns a hash of a wedge; equal wedges (operator==) have equal hashes.
 inline std::uint64_t hashWedge(const Wedge& w)
 {
     std::uint64_t hash = stir(0, w.position);

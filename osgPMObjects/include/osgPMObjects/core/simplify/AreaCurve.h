@@ -10,25 +10,26 @@
 namespace osgPMObjects::core
 {
 
-/// The mesh as a shape alone: a wedge for each position, without attributes, one material, one part. Positions keep their numbers.
+/// Returns the shape of a mesh: one wedge for each position, no attributes, one material, one part. Positions keep their numbers.
 Mesh shapeOf(const Mesh& mesh);
 
-/// Area against faces, level by level.
-/// Source: paper 004, §4 and figure 14.
+/// The surface area of each level of a removal sequence, with its number of faces.
+/// Source: Sadykov & Zakharov, *Choosing the level of detail in continuous simplification of polygonal objects* (2002),
+/// section 4, figure 14.
 struct AreaCurve
 {
-    std::vector<std::size_t> faces; ///< after 0, 1, … steps: never rises
-    std::vector<double> areas;      ///< by the same; of what is left. Units: of the positions, squared
+    std::vector<std::size_t> faces; ///< by number of steps, 0 to all; never rises
+    std::vector<double> areas;      ///< by number of steps; units: of the positions, squared
 
-    /// How far the area is from that of the mesh, as a share of it: the mean of |A(F) / A(all) - 1| over numbers of faces F that
-    /// are spread evenly in their logarithm from `fewest` to all; of the first level that has no more than F.
+    /// The mean of |A(F) / A(all) - 1| over numbers of faces F from `fewest` to all, evenly spaced on a logarithmic scale. A(F) is the
+    /// area of the first level that has at most F faces.
     double meanDeviation(std::size_t fewest) const;
 
-    /// The first level with no more faces than that; the last one when there is none.
+    /// The first level with at most `count` faces; the last level where there is none.
     std::size_t levelOf(std::size_t count) const;
 };
 
-/// Cost: linear in what the sequence stores.
+/// Computes the area curve of a sequence of the mesh. Cost: linear in what the sequence stores.
 AreaCurve areaCurve(const Mesh& mesh, const RemovalSequence& sequence);
 
 } // namespace osgPMObjects::core

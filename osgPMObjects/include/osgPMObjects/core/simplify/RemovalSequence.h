@@ -13,72 +13,73 @@
 namespace osgPMObjects::core
 {
 
-/// Why a position cannot be removed as things stand.
+/// The reason why a position cannot be removed now.
 enum class RemovalRefusal : std::uint8_t
 {
     none,
-    support,        ///< it is one that has to stay
+    support,        ///< it is a support vertex
     crowdedStar,    ///< more faces around it than kMostStarFaces
-    nonManifold,    ///< its faces are no fans: an edge with more than two, or two that disagree
-    seamCorner,     ///< a seam or border of materials ends or branches there
-    folds,          ///< the hole's contour crosses itself, or its faces would be turned over
-    joins,          ///< an edge or a face would be there that is already
-    isolates,       ///< a neighbour would be left without a face
-    lastOfMaterial, ///< no face would have the material any more
+    nonManifold,    ///< an edge has more than two faces, or two of opposite orientation
+    seamCorner,     ///< a seam or a border of materials ends or branches at the position
+    folds,          ///< the contour of the hole crosses itself, or a new face would be turned over
+    joins,          ///< a new edge or face exists already
+    isolates,       ///< a neighbour would lose its last face
+    lastOfMaterial, ///< a material would lose its last face
 };
 
 constexpr std::size_t kRemovalRefusals = 9;
 const char* nameOf(RemovalRefusal refusal);
 
-/// One position goes with all its faces, others fill the hole.
+/// One removal: a position is removed with all its faces, and new faces fill the hole.
 struct RemovalStep
 {
     std::uint32_t position = 0;
-    std::uint32_t firstRemoved = 0; ///< in RemovalSequence::removedFaces; up to the next step's
-    std::uint32_t firstAdded = 0;   ///< in RemovalSequence::addedFaces; up to the next step's
-    bool isOfPart = false; ///< a whole group of faces goes, position by position: nothing fills the hole
-    double error = 0.0;    ///< never less than the step's before; see removeVertices()
+    std::uint32_t firstRemoved = 0; ///< the first in RemovalSequence::removedFaces; the next step's follow
+    std::uint32_t firstAdded = 0;   ///< the first in RemovalSequence::addedFaces; the next step's follow
+    bool isOfPart =
+        false; ///< a connected group of faces is removed, position by position; no faces fill its holes
+    double error = 0.0; ///< never less than at the step before; see removeVertices()
 };
 
-/// All levels of a mesh from all its positions down to what cannot be removed, one position a step.
-/// Faces are numbered: those of the mesh, then the added ones. Faces of every level use wedges of the mesh.
-/// Invariant: removalDefectOf() finds none. Units: as the positions. Memory: some 140 B a step.
+/// A mesh's levels of detail as vertex removals, one position a step, until no position can be removed.
+/// Faces are numbered: those of the mesh first, then the added ones. Faces of every level use wedges of the mesh.
+/// Invariant: removalDefectOf() is empty. Units: as the positions. Memory: some 140 B a step.
 struct RemovalSequence
 {
-    std::size_t positionCount = 0; ///< that the mesh's faces use
-    std::size_t faceCount = 0;     ///< of the mesh
+    std::size_t positionCount = 0; ///< number of positions that the mesh's faces use
+    std::size_t faceCount = 0;     ///< number of faces of the mesh
     std::vector<RemovalStep> steps;
-    std::vector<std::uint32_t> removedFaces; ///< by number, step by step
-    std::vector<Face> addedFaces;            ///< step by step
-    /// Positions that are left at the end, by why they cannot go.
+    std::vector<std::uint32_t> removedFaces; ///< by step: face numbers
+    std::vector<Face> addedFaces;            ///< by step
+    /// Number of remaining positions at the end, by the reason why they cannot be removed.
     std::array<std::size_t, kRemovalRefusals> left{};
 
     std::span<const std::uint32_t> removedBy(std::size_t step) const;
     std::span<const Face> addedBy(std::size_t step) const;
 
-    /// How many faces there are after so many steps.
+    /// Number of faces after `steps` steps.
     std::size_t facesAfter(std::size_t steps) const;
 
-    /// The fewest steps after which there are at most so many faces; all of them if there never are.
+    /// The fewest steps after which there are at most `faces` faces; all steps where that is never so.
     std::size_t stepsToFaces(std::size_t faces) const;
 };
 
-/// A level, and whether it is the one that was asked for.
+/// A level of detail made by removals.
 struct RemovalLevel
 {
     Mesh mesh;
-    std::size_t removed = 0; ///< positions
-    bool isClamped = false;  ///< more were asked for than can be removed
+    std::size_t removed = 0; ///< number of removed positions
+    bool isClamped = false;  ///< fewer were removed than asked for, since no more can be
 };
 
-/// The mesh without the first `removals` positions of the sequence. Positions and wedges stay where they are, used or not; of
-/// the faces those that are left keep their order, added ones follow. Cost: linear.
+/// Returns the mesh without the first `removals` positions of the sequence. Positions and wedges keep their numbers, used or not.
+/// Remaining faces keep their order; added ones follow. Cost: linear.
 RemovalLevel meshAfter(const Mesh& mesh, const RemovalSequence& sequence, std::size_t removals);
 
-/// What keeps a sequence from being one of the mesh; empty: nothing does. Each step has to remove one position that is there with
-/// exactly its faces, and to add faces that fill the hole and nothing else: with the contour's sides, one side more for each
-/// contour that was open, wedges, materials and parts of the faces that went; no edge may get a second face that runs along
-/// it the same way. Errors must not decrease. Steps that remove a part must leave nothing of it. Cost: linear in what is stored.
+/// Checks that a sequence fits the mesh; returns a description of the first defect, or an empty string. Each step must remove one
+/// existing position with exactly its faces, and add faces that fill the hole and nothing else: with the sides of its contour, one
+/// more side for each open contour, and wedges, materials and parts of the removed faces. No edge may get two faces of one
+/// direction. Errors must not decrease. Steps that remove a part must remove all of it. Cost: linear in what is stored.
 std::string removalDefectOf(const RemovalSequence& sequence, const Mesh& mesh);
 
 inline bool isSequenceOf(const RemovalSequence& sequence, const Mesh& mesh)

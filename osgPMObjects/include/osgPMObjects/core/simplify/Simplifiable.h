@@ -6,9 +6,8 @@
 namespace osgPMObjects::core
 {
 
-/// From what an importer delivers to a mesh that simplify() does best with: consolidated, and what consolidation split at crowded
-/// edges joined again, for simplification can do with such edges, but not with gaps. No faces may be left.
-/// Cost: that of consolidate().
+/// Prepares an imported mesh for simplify(): consolidates it, then joins again what consolidation split at non-manifold edges, since
+/// simplification handles such edges but not gaps. The result may have no faces. Cost: that of consolidate().
 void makeSimplifiable(Mesh& mesh);
 
 } // namespace osgPMObjects::core

@@ -7,46 +7,47 @@
 namespace osgPMObjects::core
 {
 
-/// Where the position that two become is put, and by which error.
+/// Where a collapse puts the remaining position, and which error it minimises.
 enum class Placement
 {
     subset,  ///< at one of the two: all levels are drawn from the original's vertices
-    optimal, ///< where the distances are least and the volume is kept; the largest error counts, too
-    quality, ///< the same for the least mean error, whatever becomes of slender features
+    optimal, ///< at the least quadric error that keeps the volume; weighs the largest error, too
+    quality, ///< the same for the mean error alone; slender features may be lost
 };
 
-/// What may be given up for fewer faces.
+/// Settings of simplify().
 struct SimplifySettings
 {
     Placement placement = Placement::subset;
-    /// Whether what is seen counts besides the shape: borders of materials, texture coordinates, normals and colours.
+    /// Also weigh appearance: borders of materials, texture coordinates, normals and colours.
     bool keepSeams = true;
-    /// Drift of the texture, 1 being its width, that is avoided as if the surface were off by two hundredths of the diagonal.
+    /// Texture drift, in widths of the texture, that costs as much as a distance of two hundredths of the diagonal.
     float mostTexCoordDrift = 2.0f / 1024.0f;
-    /// Whether a mesh that is its own mirror image across the middle of its box stays that: collapses are then done in pairs.
+    /// Keep a mesh mirror-symmetric when it is so across the middle of its box: collapses are then done in pairs.
     bool keepSymmetry = true;
-    /// Above 0: parts no farther apart than this may join: a position may go into the nearest of another part as into a neighbour.
+    /// Above 0: connected parts may join over gaps up to this distance: a position may merge into the nearest one of another part.
     /// Units: as the positions.
     double joinDistance = 0.0;
-    /// Whether leaf cards that are left grow as others go, so that foliage keeps its area. Only where a material is foliage: very many small
-    /// flat parts that look in all directions. Not within an envelope, nor of a mesh that stays its own mirror image, nor where parts join.
+    /// Enlarge remaining leaf cards as others are removed, so that foliage keeps its area. Only for materials of foliage: very many small
+    /// flat parts of all directions. Not with an envelope or joinDistance, nor for a mesh that is kept symmetric.
     bool growLeaves = true;
-    /// Above 0: the surface stays within this distance of the original, and the original within this distance of it, at every level;
-    /// proved for whole triangles, not sampled. The sequence then ends where no collapse keeps the promise; no part vanishes, and
-    /// no face turns over. Units: as the positions. Takes some twenty times as long.
+    /// Above 0: at every level the surface is within this distance of the original, and the original within this distance of it.
+    /// This is proved for whole triangles, not sampled. The sequence ends when no collapse keeps the bound; no part vanishes, and no face
+    /// turns over. Units: as the positions. Takes some twenty times as long.
     double envelope = 0.0;
 };
 
-/// The sequence of collapses of a mesh, from all of its faces to none.
-/// The mesh has to be valid (MeshCheck.h) and should be consolidated, with positions at one place joined (weldPositions() with
-/// a tolerance of 0): those that are not part from each other. Otherwise any set of faces will do: non-manifold edges, open
-/// ones, parts of one face. It does not get stuck: when every collapse that is left turns a face over, the least bad is
-/// done, and parts that are smaller than the error vanish. No place leaves the box of the mesh.
-/// The last face of every material goes late: as if the whole surface were off by a twentieth of the diagonal.
+/// Computes the sequence of edge collapses of a mesh, from all of its faces to none.
+/// The mesh must be valid (MeshCheck.h). It should be consolidated and have no two positions at one point (weldPositions() with a
+/// tolerance of 0), since such positions are not connected. Any other set of faces is allowed: non-manifold or open edges,
+/// parts of one face. When every remaining collapse turns a face over, the least harmful one is done; parts that are smaller
+/// than the error vanish. No position leaves the box of the mesh.
+/// The last face of a material is removed late: at the cost of a distance of a twentieth of the diagonal.
 /// Deterministic: the same for any number of threads.
-/// Memory: some 330 B a position besides the mesh, 650 B when places are found. Cost: see docs/algorithms/simplification.md.
-/// Source: Garland and Heckbert (1997), Lindstrom and Turk (1998), Hoppe (1996, 1998); which parts of them, and where ours
-/// differs, say the headers in src/core/simplify.
+/// Memory: some 330 B a position besides the mesh, 650 B with moved positions. Cost: see docs/algorithms/simplification.md.
+/// Source: Garland and Heckbert, *Surface simplification using quadric error metrics* (1997); Lindstrom and Turk, *Fast and memory
+/// efficient polygonal simplification* (1998); Hoppe, *Progressive meshes* (1996) and *Efficient implementation of progressive
+/// meshes* (1998). The headers in src/core/simplify name the sections and the differences.
 CollapseSequence simplify(const Mesh& mesh, const SimplifySettings& settings = {});
 
 } // namespace osgPMObjects::core

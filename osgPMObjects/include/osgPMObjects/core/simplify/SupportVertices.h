@@ -11,7 +11,7 @@
 namespace osgPMObjects::core
 {
 
-/// Which vertices of an octree's cell stay.
+/// Which vertices of an octree's cell are support vertices.
 enum class SupportRule
 {
     none,
@@ -19,30 +19,31 @@ enum class SupportRule
     farthestAndNearest, ///< from the cell's centre
 };
 
-/// The leaves of an octree over a box: so many along each axis, all powers of two.
+/// The leaf cells of an octree over a box: their number along each axis, each a power of two.
 struct OctreeDivisions
 {
     std::array<std::uint32_t, 3> counts{1, 1, 1};
 
-    /// By halving every cell along every axis, `depth` times; at most 10.
+    /// Divides the box `depth` times, at most 10; each time every cell is halved along every axis.
     static OctreeDivisions ofDepth(std::uint32_t depth);
 
-    /// Whether an octree has them: powers of two, at most 1024.
+    /// Whether the counts are powers of two, at most 1024.
     bool isValid() const;
 };
 
-/// The cell of a point in or on the box, and the centre of a cell. Cells are half open, but for the last along an axis: a
-/// point belongs to one cell.
+/// The cell of a point in or on the box, and the centre of a cell. Cells are half open except the last along an axis, so
+/// each point belongs to one cell.
 std::array<std::uint32_t, 3> cellOf(const glm::dvec3& point, const Extent& box,
                                     const OctreeDivisions& divisions);
 glm::dvec3 centreOf(const std::array<std::uint32_t, 3>& cell, const Extent& box,
                     const OctreeDivisions& divisions);
 
-/// By position, whether it is a support vertex: in its cell of the octree over the box of all positions that faces use, the farthest
-/// from the centre, or the nearest. Equally far ones are all of them: the corners of a cube are not told apart by their order.
+/// Returns by position whether it is a support vertex: the farthest from, or nearest to, the centre of its cell. The octree covers the
+/// box of all positions that faces use. Of equal distances all are support vertices, so the result does not depend on their order.
 /// `divisions`: valid. Cost: n log n. Units: as the positions.
-/// Source: paper 004, §4. Its formula for the centres (x_min + x_max) / 2k is a misprint, which puts all cells of an axis at one
-/// place; these are the true ones. By its inequalities a point on the border of two cells is in both; here it is in the upper.
+/// Source: Sadykov & Zakharov, *Choosing the level of detail in continuous simplification of polygonal objects* (2002), section 4.
+/// Differs: the formula for centres there, (x_min + x_max) / 2k, is a misprint that gives all cells of an axis one centre; and a
+/// point on the border of two cells belongs to both, here to the upper one.
 std::vector<bool> supportVertices(const Mesh& mesh, const OctreeDivisions& divisions, SupportRule rule);
 
 } // namespace osgPMObjects::core

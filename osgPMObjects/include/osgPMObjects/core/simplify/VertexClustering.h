@@ -13,37 +13,38 @@
 namespace osgPMObjects::core
 {
 
-/// A mesh whose positions have been drawn together, cell by cell.
+/// A mesh whose positions have been merged, one for each cell of a grid.
 struct ClusteredMesh
 {
-    Mesh mesh; ///< positions as before; those that represent nothing are used by no face
+    Mesh mesh; ///< all positions are kept; faces use only representatives
     double cellSize = 0.0;
-    std::vector<std::uint32_t> representative; ///< by position: the one of its cell
-    std::size_t cells = 0;                     ///< with positions that faces use
-    std::size_t degenerateFaces = 0;           ///< dropped: an edge or a point is left of them
-    std::size_t duplicateFaces = 0; ///< dropped: same corners, front, material and part as an earlier one
-    /// What is left of degenerate faces and is part of no face, each once: what was thin becomes a line, what was small a point.
+    std::vector<std::uint32_t> representative; ///< by position: the representative of its cell
+    std::size_t cells = 0;                     ///< number of cells with positions that faces use
+    std::size_t degenerateFaces = 0;           ///< dropped: collapsed to an edge or a point
+    std::size_t duplicateFaces =
+        0; ///< dropped: an earlier face has the same corners, front, material and part
+    /// Edges and points of degenerate faces that no remaining face contains, each once: thin things become lines, small ones points.
     std::vector<std::array<std::uint32_t, 2>> edges;
     std::vector<std::uint32_t> points;
 };
 
-/// The weight of every position: how likely it is seen on a silhouette, times how large the faces are that it bounds. That is the length of its
-/// longest edge, over the largest angle between two of its edges in one plane with it (radians): a tip has a small one. 0: no face.
+/// Computes the weight of every position: large where it is likely on a silhouette and its faces are large. It is the length of
+/// its longest edge, divided by the largest angle (radians) between two of its edges. 0: no face.
 std::vector<double> clusterGrades(const Mesh& mesh);
 
-/// Cuts the mesh's box into cubes of `cellSize`, beginning at its low corner, and moves every position to that of the highest grade in
-/// its cube (of equal ones the lowest number). A static method: one level for a size, without regard to topology: parts that lie close join,
-/// and thin ones become lines.
-/// Guarantee: no point of the surface moves farther than a cell's diagonal, and with `edges` and `points` the surfaces are not farther
-/// apart either way.
-/// Corners keep their attributes: a texture is stretched as the position moves, and no picture of another chart comes in.
-/// Errors: a cell size that is not above zero, or a billionth of the mesh's box. Cost: n log n. Units: as the positions.
-/// Source: Rossignac and Borrel, "Multi-resolution 3D approximations for rendering complex scenes" (1993): grading, clustering,
-/// synthesis, elimination. They add two weights of different units; we multiply, which needs no factor between them. Normals stay.
+/// Merges all positions in each cube of a grid into the one of the highest weight (of equal ones the lowest number). The grid begins at
+/// the low corner of the mesh's box. This is a static method: it makes one level for one cell size, and ignores topology: near parts
+/// join, and thin ones become lines.
+/// Guarantee: no point of the surface moves farther than a cell's diagonal; the distance between both surfaces, `edges` and `points`
+/// included, is at most that, both ways.
+/// Corners keep their attributes, so a texture is stretched and never shows another chart. Normals are kept.
+/// Errors: a cell size that is not above zero, or below a billionth of the mesh's box. Cost: n log n. Units: as the positions.
+/// Source: Rossignac and Borrel, *Multi-resolution 3D approximations for rendering complex scenes* (1993): grading, clustering,
+/// synthesis, elimination. Differs: they add two weights of different units; we multiply, which needs no factor between them.
 foundation::Result<ClusteredMesh> clusterVertices(const Mesh& mesh, double cellSize);
 
-/// What keeps a clustering from being one of the mesh; empty: nothing does. Every position has to be drawn to one of its own cell, faces to
-/// be the mesh's with their corners moved, in order, and degenerates and duplicates to be accounted for.
+/// Checks that a clustering fits the mesh; returns a description of the first defect, or an empty string. Every position must have a
+/// representative in its own cell; faces must be the mesh's in order with corners replaced, less the counted degenerates and duplicates.
 std::string clusteringDefectOf(const ClusteredMesh& clustered, const Mesh& mesh);
 
 } // namespace osgPMObjects::core
