@@ -7,6 +7,7 @@ if(NOT IS_DIRECTORY "${ROOT}")
     message(FATAL_ERROR "layering: -DROOT= names no folder: '${ROOT}'")
 endif()
 get_filename_component(ROOT "${ROOT}" REALPATH)
+include(${CMAKE_CURRENT_LIST_DIR}/IncludedFile.cmake)
 
 # A layer: a regular expression of its files (relative to ROOT, first match wins) and the layers that it may include
 # besides itself. "graphics" are the headers of OSG, OpenGL, EGL and GLX; whatever else is outside the tree is free.
@@ -61,18 +62,12 @@ endfunction()
 # folder, graphics, or nothing (standard library, third party).
 function(layerOfInclude includer target out)
     set(${out} "" PARENT_SCOPE)
-    cmake_path(GET includer PARENT_PATH folder)
     string(REGEX MATCH "^[^/]+" component "${target}")
-    foreach(candidate "${folder}/${target}" "${component}/include/${target}" "apps/${target}" "apps/trainer/${target}"
-            "tests/support/${target}" "data/${target}" "data/generator/${target}" "${target}")
-        cmake_path(NORMAL_PATH candidate)
-        if(EXISTS "${ROOT}/${candidate}" AND NOT IS_DIRECTORY "${ROOT}/${candidate}")
-            layerOfPath("${candidate}" found)
-            set(${out} "${found}" PARENT_SCOPE)
-            return()
-        endif()
-    endforeach()
-    if(target MATCHES "^(osgTerrainROAM|osgPMObjects|osgOffscreen|osgTraversal)/")
+    includedFile("${includer}" "${target}" file)
+    if(NOT file STREQUAL "")
+        layerOfPath("${file}" found)
+        set(${out} "${found}" PARENT_SCOPE)
+    elseif(target MATCHES "^(osgTerrainROAM|osgPMObjects|osgOffscreen|osgTraversal)/")
         layerOfPath("${component}/include/${target}" found) # a header that is not there still shows the intent
         set(${out} "${found}" PARENT_SCOPE)
     elseif(target MATCHES "${graphics_includes}")

@@ -6,6 +6,8 @@
 
 #include <osg/observer_ptr>
 
+#include <osgTraversal/EyeSharing>
+
 #include "CullView.h"
 
 namespace osgPMObjects
@@ -13,16 +15,13 @@ namespace osgPMObjects
 
 /// The view groups of one thing that is drawn: cameras whose eyes coincide share a `Group`, and each has a `PerCamera` in it. A camera that
 /// moves takes its group along. One camera may see the thing at several places in a frame (below several transforms): each is
-/// an eye of its own. A group that nobody has asked for during kUnusedFrames frames, or whose cameras are gone, is dropped.
+/// an eye of its own. A group that
+/// no camera has asked for lately (osgTraversal::isUnused), or whose cameras are gone, is dropped.
 /// Threads: one at a time.
 template<class Group, class PerCamera>
 class EyeGroups
 {
 public:
-    static constexpr unsigned int kUnusedFrames = 30;
-    /// Eyes of channels differ by the rounding of their matrices. Of their distance.
-    static constexpr double kSameEye = 1e-6;
-
     struct Member : PerCamera
     {
         osg::Camera* identity = nullptr; ///< compared only
@@ -67,7 +66,7 @@ public:
     template<class... Of>
     Entry& find(const CullView& view, double reachM, const Of&... of)
     {
-        Entry* const known = entryFor(view, kSameEye * (glm::length(view.view.eyeWorld) + reachM));
+        Entry* const known = entryFor(view, osgTraversal::sameEyeToleranceM(view.view.eyeWorld, reachM));
         Entry& entry = known ? *known : _entries.emplace_back(of...);
         entry.eye = view.view.eyeWorld;
         entry.frame = view.frame;
@@ -91,12 +90,12 @@ public:
 
     void dropUnused(unsigned int frame)
     {
-        const auto isOld = [=](unsigned int last) { return frame > last && frame - last > kUnusedFrames; };
         for (Entry& entry : _entries)
-            std::erase_if(entry.members, [&](const Member& m)
-                          { return isOld(m.frame) || (m.identity && !m.camera.valid()); });
-        std::erase_if(_entries,
-                      [&](const Entry& entry) { return isOld(entry.frame) || entry.members.empty(); });
+            std::erase_if(
+                entry.members, [&](const Member& m)
+                { return osgTraversal::isUnused(m.frame, frame) || (m.identity && !m.camera.valid()); });
+        std::erase_if(_entries, [&](const Entry& entry)
+                      { return osgTraversal::isUnused(entry.frame, frame) || entry.members.empty(); });
     }
 
     std::vector<Entry>& entries() { return _entries; }

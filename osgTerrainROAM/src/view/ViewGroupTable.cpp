@@ -3,9 +3,19 @@
 
 #include <algorithm>
 #include <shared_mutex>
+#include <utility>
+
+#include <osgTraversal/EyeSharing>
 
 namespace osgTerrainROAM
 {
+
+ViewGroupTable::ViewGroupTable(std::optional<core::SplitBounds> bounds) : _bounds(std::move(bounds))
+{
+    if (!_bounds) return;
+    const core::HeightField& field = _bounds->tile().tile.field();
+    _reachM = field.spacingEastM * field.columns + field.spacingNorthM * field.rows;
+}
 
 ViewGroupTable::Member* ViewGroupTable::Entry::memberOf(const osg::Camera* camera)
 {
@@ -45,10 +55,11 @@ ViewGroupTable::Match ViewGroupTable::find(const ViewRequest& request)
 ViewGroupTable::Entry& ViewGroupTable::entryFor(const ViewRequest& request)
 {
     const glm::dvec3 eye = request.target.view.eyeWorld;
+    const double toleranceM = osgTraversal::sameEyeToleranceM(eye, _reachM);
     const auto sharesEye = [&](const Entry& entry)
     {
         return entry.frame == request.frame && !entry.members.empty() &&
-               glm::distance(entry.eye, eye) <= kSameEyeM &&
+               glm::distance(entry.eye, eye) <= toleranceM &&
                entry.members.front().target.errorM == request.target.errorM;
     };
     Entry* const own = entryOf(request.camera);
@@ -87,12 +98,8 @@ void ViewGroupTable::dropUnused(unsigned int frame)
 {
     for (Entry& entry : _entries)
         std::erase_if(entry.members, [](const Member& m) { return m.identity && !m.camera.valid(); });
-    std::erase_if(_entries,
-                  [=](const Entry& entry)
-                  {
-                      const bool old = frame > entry.frame && frame - entry.frame > kUnusedFrames;
-                      return old || entry.members.empty();
-                  });
+    std::erase_if(_entries, [=](const Entry& entry)
+                  { return osgTraversal::isUnused(entry.frame, frame) || entry.members.empty(); });
 }
 
 RefineTarget ViewGroupTable::strictest(const Entry& entry)

@@ -26,16 +26,13 @@ struct ViewRequest
 
 /// The view groups of one drawable, found by eye and camera.
 /// Cameras whose eyes coincide share a group; a camera that moves away from its group leaves it; a group that
-/// nobody has asked for during kUnusedFrames frames, or whose cameras are gone, is dropped.
+/// no camera has asked for lately (osgTraversal::isUnused), or whose cameras are gone, is dropped.
 /// Threads: any.
 class ViewGroupTable
 {
 public:
-    static constexpr unsigned int kUnusedFrames = 30;
-    static constexpr double kSameEyeM = 1e-4; ///< eyes of channels differ by the rounding of their matrices
-
     /// `bounds`: none makes a table that is never asked.
-    explicit ViewGroupTable(std::optional<core::SplitBounds> bounds) : _bounds(std::move(bounds)) {}
+    explicit ViewGroupTable(std::optional<core::SplitBounds> bounds);
 
     /// The group for a request, and the target with the strictest scale among the group's cameras.
     struct Match
@@ -76,6 +73,7 @@ private:
     static RefineTarget strictest(const Entry& entry);
 
     std::optional<core::SplitBounds> _bounds;
+    double _reachM = 0.0; ///< of the tile from its origin
     mutable std::mutex _mutex;
     std::vector<Entry> _entries;
     std::shared_ptr<ViewGroup> _latest;

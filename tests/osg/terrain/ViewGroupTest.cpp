@@ -4,10 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <osgTerrainROAM/RoamDrawable>
+#include <osgTraversal/EyeSharing>
 
 #include "HandCull.h"
 #include "SyntheticField.h"
-#include "view/ViewGroupTable.h"
 
 namespace
 {
@@ -41,6 +41,20 @@ TEST(ViewGroups, CamerasWithOneEyeShareAMesh)
     const auto statistics = drawable->statistics();
     ASSERT_EQ(statistics.size(), 1u);
     EXPECT_EQ(statistics.front().cameras, 2u);
+}
+
+TEST(ViewGroups, EyesThatOnlyRoundingPartsShareAMeshAndTheEyesOfAHeadDoNot)
+{
+    for (const double apartM : {5e-5, 0.063})
+    {
+        const auto drawable = drawableOf();
+        const osg::Vec3d away(apartM, 0, 0);
+        cull(*drawable, *cameraAt(kEye, kNorth), 1);
+        const auto left = cameraAt(kEye, kNorth), right = cameraAt(kEye + away, kNorth + away);
+        cull(*drawable, *left, 2);
+        cull(*drawable, *right, 2);
+        EXPECT_EQ(drawable->statistics().size(), apartM < 1e-4 ? 1u : 2u) << apartM;
+    }
 }
 
 TEST(ViewGroups, IndependentEyesHaveMeshesOfTheirOwn)
@@ -111,7 +125,7 @@ TEST(ViewGroups, StateOfAnUnusedCameraIsDropped)
     const auto idle = cameraAt(kOtherEye, kNorth);
     cull(*drawable, *stays, 1);
     cull(*drawable, *idle, 1);
-    const unsigned int kept = osgTerrainROAM::ViewGroupTable::kUnusedFrames;
+    const unsigned int kept = osgTraversal::kUnusedFrames;
     cull(*drawable, *stays, 1 + kept);
     EXPECT_EQ(drawable->statistics().size(), 2u);
     cull(*drawable, *stays, 2 + kept);

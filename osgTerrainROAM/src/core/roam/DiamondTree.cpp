@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// ROAM's triangle bintree: split, forced split and the merge of diamonds after Duchaineau et al. 1997, §4.
-// Differences: what is stored are the vertices with the diamonds around them, not the triangles; two diamonds that share
-// an edge hang on the same corner, in neighbouring quadrants, so that neighbours are found with two steps.
+// Source: Duchaineau et al., *ROAMing Terrain*, 1997, section 4 (split, forced split, merge of diamonds).
+// Differs: the vertices with their diamonds are stored, not the triangles. Two diamonds that share an edge belong to the
+// same corner, in neighbouring quadrants, so a neighbour is found in two steps.
 #include <algorithm>
 #include <cassert>
 #include <utility>
@@ -13,8 +13,8 @@ namespace osgTerrainROAM::core
 {
 
 DiamondTree::DiamondTree(SplitBounds bounds, LeafPlacement placement)
-    : _bounds(std::move(bounds)),
-      _lastSample(tile().tile.side() - 1),
+    : DiamondLinks(bounds.tile().tile.side() - 1),
+      _bounds(std::move(bounds)),
       _levels(_bounds.levels()),
       _regionLevel(tile().regions.level()),
       _dataFillsTile(!tile().tile.hasHoles() &&
@@ -80,34 +80,6 @@ void DiamondTree::removeVertex(VertexSlot v)
     if (_notesGone) _changes.gone.push_back(v);
 }
 
-GridTriangle DiamondTree::gridTriangle(TriangleId t) const
-{
-    const DiamondPlace& apex = _places[t.apex()];
-    const int leg = _lastSample >> ((apex.level + 2) / 2);
-    const auto cornerAt = [&](unsigned index)
-    {
-        const unsigned direction = (apex.direction + 2u * index) & 7u;
-        const GridPoint p = apex.point();
-        return GridPoint{p.column + detail::kColumnStep[direction] * leg,
-                         p.row + detail::kRowStep[direction] * leg};
-    };
-    return {apex.point(), cornerAt(t.quadrant()), cornerAt(t.quadrant() + 1u)};
-}
-
-/// Corners 1 and 3 are those of the first parent's quadrant that the vertex has split.
-VertexSlot DiamondTree::corner(VertexSlot v, unsigned index) const
-{
-    if (v < kCorners) return 2u + ((v + index) & 1u); // the roots' bases
-    if (index % 2 == 0) return _diamonds[v].parents[index / 2];
-    const unsigned quadrant = _places[v].firstQuadrant;
-    return corner(_diamonds[v].parents[0], index == 1 ? quadrant : detail::next(quadrant));
-}
-
-LeafTriangle DiamondTree::vertices(TriangleId t) const
-{
-    return {{t.apex(), corner(t.apex(), t.quadrant()), corner(t.apex(), detail::next(t.quadrant()))}};
-}
-
 MeshVertex DiamondTree::vertex(VertexSlot v) const
 {
     return meshVertex(position(v), _places[v].point(), tile().tile.vertexStepM());
@@ -118,14 +90,6 @@ void DiamondTree::stopDisplacing()
     for (VertexSlot v = 0; v < _displacements.size(); ++v)
         if (_displacements[v] != glm::vec3(0.0f)) _changes.vertices.push_back(v);
     _displacements = {};
-}
-
-TriangleId DiamondTree::acrossLeg(TriangleId t, bool right) const
-{
-    const TriangleId beside(t.apex(), right ? detail::next(t.quadrant()) : detail::previous(t.quadrant()));
-    if (!exists(beside)) return {};
-    if (isLeaf(beside)) return beside;
-    return children(beside)[right ? 0 : 1];
 }
 
 bool DiamondTree::isDrawn(TriangleId t) const

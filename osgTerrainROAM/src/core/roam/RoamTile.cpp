@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <utility>
 
-#include <osgTerrainROAM/core/edit/BoundsUpdate.h>
+#include <osgTerrainROAM/core/roam/BoundsUpdate.h>
 #include <osgTerrainROAM/core/roam/RoamTile.h>
 
 namespace osgTerrainROAM::core

@@ -8,7 +8,7 @@
 
 #include <foundation/Result.h>
 
-#include <osgTerrainROAM/core/edit/BoundsUpdate.h>
+#include <osgTerrainROAM/core/roam/BoundsUpdate.h>
 #include <osgTerrainROAM/core/roam/RoamTile.h>
 
 namespace osgTerrainROAM::core

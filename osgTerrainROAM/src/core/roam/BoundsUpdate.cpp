@@ -5,12 +5,12 @@
 #include <limits>
 #include <tuple>
 
-#include <osgTerrainROAM/core/edit/BoundsUpdate.h>
+#include <osgTerrainROAM/core/roam/BoundsUpdate.h>
 #include <osgTerrainROAM/core/roam/ErrorTree.h>
 #include <osgTerrainROAM/core/roam/Outline.h>
 #include <osgTerrainROAM/core/roam/TriangleSamples.h>
 
-#include "../roam/SheetErrors.h"
+#include "SheetErrors.h"
 
 namespace osgTerrainROAM::core
 {
