@@ -8,11 +8,11 @@
 namespace osgPMObjects::core
 {
 
-/// Gives texels that show nothing the mean of what is nearest: means of four go up a pyramid of halved pictures as far as there
-/// is something, and down again into what is empty. `isShown`: by texel; the size is a power of two.
-/// Memory: a third more than the picture. Cost: linear.
-/// Source: Gortler, Grzeszczuk, Szeliski and Cohen, "The Lumigraph" (1996), §3.4 (pull-push); without weights, for what is
-/// shown must not change.
+/// Fills empty texels with the mean of the nearest filled ones: means of four go up a pyramid of halved images, and down
+/// again into empty texels. `isShown`: by texel, filled; the size is a power of two.
+/// Memory: a third more than the image. Cost: linear.
+/// Source: Gortler, Grzeszczuk, Szeliski and Cohen, *The Lumigraph* (1996), section 3.4 (pull-push). Differs: no weights, since
+/// filled texels must not change.
 template<std::size_t Channels>
 void fillTexels(std::vector<std::array<std::uint8_t, Channels>>& texels, std::vector<std::uint8_t> isShown,
                 std::size_t size)

@@ -10,27 +10,27 @@
 namespace osgPMObjects::core
 {
 
-/// A triangle in a plane, counter-clockwise.
+/// A triangle in the plane, counter-clockwise.
 using FlatTriangle = std::array<glm::dvec2, 3>;
 
-/// Twice the area of a triangle, below 0 where it is clockwise.
+/// Returns twice the area of a triangle, negative for a clockwise one.
 inline double doubleArea(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c)
 {
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-/// Whether two triangles share more than their borders: no side of either has the other outside. What is thinner than
+/// Whether two triangles share more than their borders: no side of either has the other outside. An overlap thinner than
 /// `tolerance` does not count. Units: as the corners.
 bool overlap(const FlatTriangle& a, const FlatTriangle& b, double tolerance);
 
-/// Triangles of a plane that do not overlap, in a grid of squares.
+/// A set of triangles in the plane that do not overlap, in a grid of squares.
 class FlatFaces
 {
 public:
-    /// For about `expected` triangles in a box; those outside are found, too, only not as fast.
+    /// For about `expected` triangles in a box; triangles outside of it are found more slowly.
     FlatFaces(const glm::dvec2& low, const glm::dvec2& high, std::size_t expected);
 
-    /// Adds a triangle unless it would overlap another or is clockwise; tells whether it did.
+    /// Adds a triangle, unless it is clockwise or overlaps another. Returns whether it was added.
     bool add(const FlatTriangle& triangle);
 
 private:
@@ -45,7 +45,7 @@ private:
     glm::dvec2 _low;
     glm::dvec2 _cellsPerUnit;
     double _tolerance;
-    int _side; ///< cells
+    int _side; ///< number of cells
     std::vector<std::vector<std::uint32_t>> _cells;
     std::vector<FlatTriangle> _triangles;
 };

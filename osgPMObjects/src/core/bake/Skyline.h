@@ -10,24 +10,24 @@
 namespace osgPMObjects::core
 {
 
-/// What a chart takes of the columns of an atlas, its gutter with it. Units: texels, from the lower left corner of its box.
+/// The outline of a chart in columns of texels, with its gutter. Units: texels, from the lower left corner of its box.
 struct Silhouette
 {
     std::vector<int> bottom; ///< by column
-    std::vector<int> top;    ///< by column, above the last texel
+    std::vector<int> top;    ///< by column: above the last texel
     int height = 0;
 };
 
-/// The silhouette of lines in a plane; `gutter` texels more on all sides. All coordinates at least 0.
+/// Computes the silhouette of lines in the plane, enlarged by `gutter` texels on all sides. All coordinates must be at least 0.
 Silhouette silhouetteOf(std::span<const std::array<glm::dvec2, 2>> lines, int gutter);
 
-/// The upper border of what has been packed, column by column.
+/// The upper border of the packed charts, column by column.
 class Skyline
 {
 public:
     explicit Skyline(int size) : _heights(static_cast<std::size_t>(size), 0), _size(size) {}
 
-    /// Lets a chart down where its top comes lowest, and gives the lower left corner of its box; x below 0: it fits nowhere.
+    /// Places a chart where its top is lowest; returns the lower left corner of its box, with x below 0 when it fits nowhere.
     glm::ivec2 place(const Silhouette& chart);
 
 private:

@@ -10,30 +10,30 @@
 namespace osgPMObjects::core
 {
 
-/// The point of the full surface that a point of a simplified one stands for.
+/// A point of the full surface that corresponds to a point of a simplified one.
 struct MatchedPoint
 {
     std::uint32_t face = 0;
-    glm::dvec3 weights{1.0, 0.0, 0.0}; ///< of its corners; they add up to 1
-    bool agrees =
-        false; ///< it faces the way that was asked for, within reach, on the part that was asked for
+    glm::dvec3 weights{1.0, 0.0, 0.0}; ///< barycentric; their sum is 1
+    bool agrees = false;               ///< found within reach, with the wanted orientation and part
 };
 
-/// Finds for points of a simplified surface those of the full one that they stand for. Faces that count are of the same part as the
-/// simplified face, or of a part of which the simplified mesh shows nothing, and blended if it is; they face the same way, so that a thin
-/// wall does not show its other side. Among these the first one along the normal, to either side, within reach, unless
-/// another is three times nearer. Where none counts: the nearest of the part whichever way it faces, or the nearest at all.
-/// Threads: questions from any number at once. Cost: some microseconds a question.
-/// Source: Cignoni, Montani, Rocchini and Scopigno, "A general method for preserving attribute values on simplified meshes" (1998),
-/// §3 (nearest point); we look along the normal first, which does not smear the flanks of what stands out.
+/// Finds the points of a full surface that correspond to points of a simplified one. A candidate face must be of the same part,
+/// or of a part without simplified faces; blended if the simplified face is; and of the same orientation, so that thin walls do not
+/// show their other side. The result is the first candidate within reach along the normal, to either side, unless another
+/// candidate is three times nearer. Without candidates it is the nearest point of the part in any orientation, or the nearest of
+/// all.
+/// Threads: queries from any number at once. Cost: some microseconds a query.
+/// Source: Cignoni, Montani, Rocchini and Scopigno, *A general method for preserving attribute values on simplified meshes* (1998),
+/// section 3 (nearest point). Differs: we look along the normal first, which does not smear the flanks of protrusions.
 class SurfaceMatch
 {
 public:
-    /// `simplified`: made of `full`, its parts and materials have the same numbers. `reach` of 0: found out, half as much again as
-    /// the simplified surface's corners and centres are away from the full one.
+    /// `simplified`: made of `full`, with the same numbers of parts and materials. `reach` of 0: 1.5 times the distance of the
+    /// simplified surface's corners and face centres from the full one.
     SurfaceMatch(const Mesh& full, const Mesh& simplified, double reach);
 
-    /// `normal`: unit length; the way the surface faces at the point.
+    /// `normal`: unit length; the orientation of the simplified surface at the point.
     MatchedPoint find(const glm::dvec3& point, const glm::dvec3& normal, const Face& simplifiedFace) const;
 
     double reach() const { return _reach; }

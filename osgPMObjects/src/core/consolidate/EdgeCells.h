@@ -11,25 +11,24 @@
 namespace osgPMObjects::core
 {
 
-/// Cells of one size over a mesh, those marked that some of its edges pass: which other faces could have to do with what happens
-/// at those edges, is looked up in them.
-/// Memory: half a megabyte, which a processor's second cache holds.
+/// A grid over a mesh that marks the cells near some of its edges, to find the faces that changes at those edges may
+/// affect. Memory: half a megabyte, which fits the second-level cache.
 class EdgeCells
 {
 public:
-    /// Over a mesh with this extent; edges pass the cells that are no farther from them than `reach`.
+    /// `reach`: edges mark the cells within this distance.
     EdgeCells(const Extent& extent, double reach);
 
-    /// Marks the cells at the edges of faces that have one of the positions.
+    /// Marks the cells at the edges of faces that use one of the positions.
     void markAround(const Mesh& mesh, std::span<const std::uint32_t> positions);
 
-    /// Marks the cells at the edges of faces with a 1.
+    /// Marks the cells at the edges of faces whose value is 1.
     void markFaces(const Mesh& mesh, std::span<const std::uint8_t> isOne);
 
-    /// By face, 1 for those whose boxes touch a marked cell. Cost: some 10 ns a face; parallel.
+    /// Returns by face: 1 where its box touches a marked cell. Cost: some 10 ns a face; parallel.
     std::vector<std::uint8_t> facesTouching(const Mesh& mesh) const;
 
-    /// Whether all marked cells are marked in another of the same extent and reach.
+    /// Whether all marked cells are also marked in another grid of the same extent and reach.
     bool isWithin(const EdgeCells& other) const;
 
 private:

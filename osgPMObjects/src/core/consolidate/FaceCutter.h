@@ -11,22 +11,22 @@
 namespace osgPMObjects::core
 {
 
-/// A vertex on a side of a face, with its place along that side.
+/// A vertex on a side of a face, with its parameter along the side.
 struct OnSide
 {
     std::uint32_t position;
     float along; ///< 0…1 from the side's first corner to its second
 };
 
-/// A face with the vertices that are to be put into its sides.
+/// A face with the vertices to insert into its sides.
 struct CrowdedFace
 {
     std::array<std::uint32_t, 3> wedges;
     std::array<std::vector<OnSide>, 3> onSide; ///< in order along the side
 };
 
-/// Wedges in the middle of edges: one for each pair of ends and position, so that faces that shared an edge share its parts.
-/// Attributes are interpolated linearly, normals too, whose length is left: so the rasteriser shows what it showed.
+/// The wedges inside edges: one for each pair of ends and position, so that faces that shared an edge share its parts.
+/// Attributes are interpolated linearly, and normals not normalised, as the rasteriser does, so the image does not change.
 class EdgeWedges
 {
 public:
@@ -38,8 +38,8 @@ private:
     std::map<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>, std::uint32_t> _known;
 };
 
-/// Cuts a crowded face at the middle vertex of its most crowded side, from the opposite corner, until each piece has its three
-/// corners alone; the pieces, otherwise like `pattern`, are added to `into`.
+/// Cuts a face at the middle vertex of its side with most vertices, from the opposite corner, and so on until each piece is a
+/// triangle without other vertices. The pieces, otherwise like `pattern`, are appended to `into`.
 void cutFace(const CrowdedFace& face, const Face& pattern, EdgeWedges& wedges, std::vector<Face>& into);
 
 } // namespace osgPMObjects::core

@@ -10,15 +10,15 @@
 namespace osgPMObjects::core
 {
 
-/// Where faces and positions were, to tell later where a mesh has changed.
+/// The faces and positions of a mesh at one time, to find later what has changed.
 class MeshSnapshot
 {
 public:
     explicit MeshSnapshot(const Mesh& mesh);
 
-    /// All positions of faces around those that moved or whose faces are others now, in order: elsewhere no face, no edge and no
-    /// count of faces on an edge has changed. `origins`: by face, the number of the face that it was or comes of, in order;
-    /// empty: each is what it was.
+    /// Returns all positions of faces around changes, sorted: around positions that moved, and faces that were replaced.
+    /// Elsewhere no face, no edge and no number of faces on an edge has changed. `origins`: by face, the number of the face that
+    /// it was or comes from, rising; empty: none has changed its number.
     std::vector<std::uint32_t> changedSince(const Mesh& mesh,
                                             std::span<const std::uint32_t> origins = {}) const;
 
@@ -30,14 +30,14 @@ private:
     std::vector<Triangle> _triangles;
 };
 
-/// Lets faces say what they come of, however they are removed and cut, as long as pieces have their part and stand in order:
-/// from its making until giveBack() their parts are their numbers.
+/// Tracks the origins of faces while they are removed and cut: from construction until giveBack() their parts are their
+/// numbers. Pieces must keep the part of their face, and the order.
 class FaceOrigins
 {
 public:
     explicit FaceOrigins(Mesh& mesh);
 
-    /// Gives the faces their parts back, and returns the number of the face that each comes of.
+    /// Restores the parts of the faces, and returns for each the number of the face it comes from.
     std::vector<std::uint32_t> giveBack(Mesh& mesh) const;
 
 private:

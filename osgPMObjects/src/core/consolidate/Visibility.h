@@ -8,11 +8,12 @@
 namespace osgPMObjects::core
 {
 
-/// From which side of some faces one looks into the open: 1 only from their fronts, -1 only from their backs, 0 from both alike.
-/// Rays leave from points spread over the faces, `rays` in all, in directions spread over the half-space before each; both are
+/// Measures from which side some faces are visible from outside: 1 only from their fronts, -1 only from their backs, 0 from both
+/// alike.
+/// Rays start at points spread over the faces, `rays` in all, in directions spread over the half-space before each; both are
 /// the same every time.
-/// Source: Takayama, Jacobson, Kavan and Sorkine-Hornung, "A simple method for correcting facet orientations in polygon meshes
-/// based on ray casting" (2014), §3: a front is the side that more of the open sees; we ask patches, not faces.
+/// Source: Takayama, Jacobson, Kavan and Sorkine-Hornung, *A simple method for correcting facet orientations in polygon meshes
+/// based on ray casting* (2014), section 3: the front is the more visible side. Differs: decided by patch, not by face.
 double openness(std::span<const glm::dvec3> positions, std::span<const Triangle> triangles,
                 std::span<const std::uint32_t> patch, const TriangleTree& tree, int rays);
 

@@ -15,11 +15,11 @@ class Model;
 namespace osgPMObjects::core
 {
 
-/// The values of an accessor as doubles; missing components are (0, 0, 0, 1), normalised integers are scaled. Nothing where the
-/// accessor, its view or its buffer does not hold what it says, or is sparse.
+/// Reads the values of an accessor as doubles; missing components are (0, 0, 0, 1), normalised integers are scaled. Empty when the
+/// accessor is sparse, or the accessor, its view or its buffer is shorter than declared.
 std::optional<std::vector<glm::dvec4>> accessorValues(const tinygltf::Model& model, int accessor);
 
-/// The values of an accessor of indices.
+/// Reads the values of an accessor of indices; empty under the same conditions.
 std::optional<std::vector<std::uint32_t>> accessorIndices(const tinygltf::Model& model, int accessor);
 
 } // namespace osgPMObjects::core

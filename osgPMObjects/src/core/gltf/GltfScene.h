@@ -15,7 +15,7 @@ class Model;
 namespace osgPMObjects::core
 {
 
-/// The mesh of a parsed file; materials and images are in `into` already.
+/// Reads the mesh of a parsed file; `into` has its materials and images already. `name` appears in messages.
 foundation::Outcome readGltfScene(const tinygltf::Model& model, const std::string& name, GltfModel& into);
 
 } // namespace osgPMObjects::core

@@ -11,7 +11,7 @@
 namespace osgPMObjects::core
 {
 
-/// Faces that are left out of a picture, by number.
+/// A set of face numbers to leave out of an image.
 struct FaceMarks
 {
     std::vector<std::uint32_t> marks; ///< by face
@@ -20,9 +20,9 @@ struct FaceMarks
     bool has(std::uint32_t face) const { return marks[face] == current; }
 };
 
-/// The luminance of a model in one view, with everything that lies behind: each pixel has a list of all faces over its centre, so a face can
-/// be taken out without drawing the others. Transparent faces cover every other pixel, like a chequerboard.
-/// Invariant: a pixel's luminance is that of its nearest fragment, or the background's.
+/// The luminance image of a model in one view, with all hidden layers: each pixel has a list of fragments of all faces over its
+/// centre, so a face can be removed without drawing the others. Transparent faces cover every other pixel (screen-door).
+/// Invariant: a pixel has the luminance of its nearest fragment, or the background's.
 /// Memory: 16 B a fragment, 24 B a pixel.
 class FragmentPicture
 {
@@ -30,15 +30,15 @@ public:
     FragmentPicture(const PictureView& view, int sizePx, float background);
 
     void add(const SeenFace& face);
-    /// The face has to be as it was when it was added.
+    /// Removes a face, which must have the corners with which it was added.
     void remove(const SeenFace& face);
 
-    /// What shall be seen: what another picture of the same view shows.
+    /// Sets the reference: what another image of the same view shows.
     void setReference(const FragmentPicture& picture) { _reference = picture._luminance; }
-    /// Sum of the squared differences to the reference.
+    /// The sum of squared luminance differences to the reference.
     double squaredError() const;
 
-    /// By how much squaredError() would grow if some faces, which `isRemoved` marks, gave way to others.
+    /// The change of squaredError() if some faces, marked in `isRemoved`, were replaced by others.
     double change(std::span<const SeenFace> removed, std::span<const SeenFace> added,
                   const FaceMarks& isRemoved);
 
@@ -47,7 +47,7 @@ private:
     {
         std::uint32_t face = 0;
         std::uint32_t next = ~0u;
-        float depth = 0.0f; ///< towards the eye
+        float depth = 0.0f; ///< towards the camera
         float luminance = 0.0f;
     };
 
@@ -62,7 +62,7 @@ private:
     std::uint32_t _free = ~0u;
     std::vector<std::uint32_t> _first; ///< by pixel
     std::vector<float> _luminance, _reference;
-    // of change(), kept for their memory
+    // of change(), kept to reuse their memory
     std::vector<float> _newDepth, _newLuminance;
     std::vector<std::uint32_t> _touched, _round;
     std::uint32_t _currentRound = 0;

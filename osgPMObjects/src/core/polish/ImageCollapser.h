@@ -13,10 +13,11 @@
 namespace osgPMObjects::core
 {
 
-/// Collapses a level to fewer faces, again and again what changes the pictures least.
-/// Each position's cheapest collapses by their quadrics are tried on the pictures; those around a collapse are tried again when their
-/// turn comes, and what lies before or behind it in some view keeps its cost.
-/// Source: Lindstrom and Turk (2000); Cohen, Manocha and Olano (1997), §5 (lazy queue).
+/// Collapses a level to fewer faces, by the collapse that changes the images least.
+/// Candidates of a position are its collapses of least quadric cost. Those around a collapse are re-evaluated when they come
+/// first in the queue; those before or behind it in some view keep their cost.
+/// Source: Lindstrom and Turk, *Image-driven simplification* (2000); Cohen, Manocha and Olano, *Simplifying polygonal models using
+/// successive mappings* (1997), section 5 (lazy queue).
 class ImageCollapser
 {
 public:
@@ -30,7 +31,7 @@ public:
     {
     }
 
-    /// The steps, numbered as the state's mesh; places and errors in the state's unit.
+    /// Returns the steps, with the state's numbers; positions and errors in the state's unit.
     CollapseSequence run(std::size_t targetFaces);
 
 private:
@@ -64,8 +65,8 @@ private:
     const PolishSettings& _settings;
     bool _movesPlaces;
     CollapseQueue _queue;
-    std::vector<std::uint32_t> _best; ///< by position: the neighbour it goes into
-    std::vector<bool> _isStale;       ///< by position: its star has changed since
+    std::vector<std::uint32_t> _best; ///< by position: the neighbour it merges into
+    std::vector<bool> _isStale;       ///< by position: its star has changed since the choice
     Star _star, _toStar;
     StarShape _shape;
     WedgePlan _plan;

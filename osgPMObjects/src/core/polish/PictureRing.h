@@ -10,21 +10,21 @@
 namespace osgPMObjects::core
 {
 
-/// Pictures of one model from all around, beside those of what it shall look like.
+/// The images of a model from all around, each with a reference image.
 class PictureRing
 {
 public:
     PictureRing(const PolishSettings& settings, std::size_t faceCount);
 
-    /// Draws faces into all pictures. Threads: one for each share of the views.
+    /// Draws faces into all images. Threads: one for each share of the views.
     void addAll(std::span<const SeenFace> faces);
     void setReference(const PictureRing& ring);
 
-    /// Sum of the squared differences in luminance over all pixels of all views.
+    /// The sum of squared luminance differences over all pixels of all views.
     double squaredError() const;
 
-    /// By how much squaredError() would grow if some faces gave way to others; numbers may be in both.
-    /// Cost: linear in the pixels of these faces, and the layers there.
+    /// The change of squaredError() if some faces were replaced by others; a number may be in both.
+    /// Cost: linear in the pixels of these faces and their layers.
     double change(std::span<const SeenFace> removed, std::span<const SeenFace> added);
     void replace(std::span<const SeenFace> removed, std::span<const SeenFace> added);
 

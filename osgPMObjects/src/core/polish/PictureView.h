@@ -11,7 +11,7 @@
 namespace osgPMObjects::core
 {
 
-/// A direction that a model is looked at from, with the picture's axes. Parallel projection, a lamp at the eye.
+/// A view direction with the axes of its image. Parallel projection, light from the camera.
 struct PictureView
 {
     glm::dvec3 right, up, towardsEye;
@@ -25,7 +25,7 @@ inline PictureView viewFrom(const glm::dvec3& towardsEye)
     return {right, glm::cross(towardsEye, right), towardsEye};
 }
 
-/// Directions all around, from above to below, about evenly: turned by the golden angle from one to the next.
+/// Returns directions all around, from above to below, about evenly spaced: each turned by the golden angle from the one before.
 inline std::vector<PictureView> viewsAround(int count)
 {
     const double goldenAngle = std::numbers::pi * (3.0 - std::sqrt(5.0));

@@ -10,23 +10,23 @@
 namespace osgPMObjects::core
 {
 
-/// Moves positions of a level to and fro, in steps that become smaller, as long as the pictures gain. What their wedges look like
-/// stays. No face turns over, no place leaves the box.
+/// Moves positions of a level back and forth by decreasing distances, as long as the images improve. Attributes of their wedges
+/// stay. No face turns over, and no position leaves the box.
 class PlaceMover
 {
 public:
     explicit PlaceMover(PolishState& state) : _state(state) {}
 
-    /// Moves positions that steps have put somewhere, and their last steps' places and errors with them.
-    /// `steps`: the state's, in its units. Cost: 6 changes of the pictures a position and round.
+    /// Moves positions that steps have moved, and updates positions and errors of the last steps that did so.
+    /// `steps`: the state's, in its units. Cost: 6 evaluations of the images a position and round.
     void run(CollapseSequence& steps, int rounds);
 
 private:
     struct Movable
     {
         std::uint32_t position = 0;
-        std::size_t step = 0; ///< the last that put it somewhere
-        double reach = 0.0;   ///< how far it is tried next
+        std::size_t step = 0; ///< the last one that moved it
+        double reach = 0.0;   ///< distance of the next trial
     };
 
     std::vector<Movable> movables(const CollapseSequence& steps);

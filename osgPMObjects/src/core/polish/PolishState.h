@@ -18,29 +18,29 @@
 namespace osgPMObjects::core
 {
 
-/// How a mesh's faces are drawn.
+/// Returns for each material what its faces are drawn with.
 std::vector<SeenMaterial> seenMaterials(const Mesh& mesh, std::span<const MaterialLook> looks);
 
-/// A wedge as a corner of a face in pictures.
+/// Sets a corner of a face from a wedge.
 void setCorner(SeenFace& face, int corner, const glm::dvec3& at, const Wedge& wedge,
                const Material& material);
 
-/// All faces of a mesh, numbered as they are.
+/// Returns all faces of a mesh for drawing, with their numbers.
 std::vector<SeenFace> seenFaces(const Mesh& mesh, const ImageFrame& frame,
                                 std::span<const SeenMaterial> materials);
 
-/// A level on its way to a lower one, with its pictures. Positions in the unit frame of the original.
+/// A level during polishing, with its images. Positions are in the image frame of the original.
 struct PolishState
 {
-    Mesh mesh; ///< of the level that it began with; wedges change when positions move
+    Mesh mesh; ///< the level at the start; its wedges change when positions move
     std::vector<SeenMaterial> materials;
     std::vector<glm::dvec3> positions;
     Extent box;
     StarMesh stars;
     std::vector<LevelError> errors;             ///< by position, in units of the frame
-    std::vector<std::uint32_t> facesOfMaterial; ///< that are left
+    std::vector<std::uint32_t> facesOfMaterial; ///< number of faces left
     AreaWeight weight;
-    double shapeScale = 0.0; ///< what a quadric's cost is worth in squared luminance of pixels
+    double shapeScale = 0.0; ///< weight of a quadric's cost, in squared luminance of pixels
     PictureRing ring;
 
     PolishState(const Mesh& original, Mesh level, std::span<const MaterialLook> looks,

@@ -12,7 +12,7 @@
 namespace osgPMObjects::core
 {
 
-/// What a material's faces are drawn with.
+/// The drawing state of a material.
 struct SeenMaterial
 {
     const MaterialLook* look = nullptr;
@@ -21,15 +21,15 @@ struct SeenMaterial
     bool isTransparent = false;
 };
 
-/// A face with all that pictures need of it.
-/// Frame: as the views; a model of diagonal 1 about the origin fits into every picture.
+/// A face with all that drawing needs.
+/// Frame: as the views; a model of diagonal 1 at the origin fits into every image.
 struct SeenFace
 {
-    std::uint32_t number = 0; ///< what its fragments are known by
+    std::uint32_t number = 0; ///< identifies its fragments
     std::array<glm::dvec3, 3> corners{};
     std::array<glm::vec3, 3> normals{}; ///< 0: not lit
     std::array<glm::vec2, 3> texCoords{};
-    std::array<float, 3> luminances{}; ///< of the corners' own colours
+    std::array<float, 3> luminances{}; ///< of the corners' vertex colours
     SeenMaterial material;
 };
 

@@ -11,9 +11,9 @@
 namespace osgPMObjects::core
 {
 
-/// Calls `visit(pixel, shares)` for the pixels, numbered row by row, whose centres a triangle covers, its edges included; `shares` are the corners'.
-/// x and y of the corners in pixels; z is not looked at. Triangles without area cover nothing. The same triangle covers the same
-/// pixels every time. Cost: linear in rows and pixels.
+/// Calls `visit(pixel, shares)` for the pixels whose centres a triangle covers, edges included; pixels are numbered row by row,
+/// `shares` are barycentric coordinates. x and y of the corners are in pixels; z is ignored. A triangle without area covers
+/// nothing. Equal triangles cover equal pixels. Cost: linear in rows and pixels.
 template<class Visit>
 void rasterise(const std::array<glm::dvec3, 3>& corners, int sizePx, const Visit& visit)
 {
@@ -21,7 +21,7 @@ void rasterise(const std::array<glm::dvec3, 3>& corners, int sizePx, const Visit
     const double doubleArea = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
     if (!(std::abs(doubleArea) > 1e-12)) return;
     const double inverse = 1.0 / doubleArea;
-    // Shares of b and c are linear in x: s = s0 + x * ds; the share of a is what is left.
+    // Coordinates of b and c are linear in x: s = s0 + x * ds; that of a is the rest.
     const double dsb = (c.y - a.y) * inverse, dsc = -(b.y - a.y) * inverse;
     const int lowest = std::max(0, static_cast<int>(std::ceil(std::min({a.y, b.y, c.y}) - 0.5)));
     const int highest = std::min(sizePx - 1, static_cast<int>(std::floor(std::max({a.y, b.y, c.y}) - 0.5)));

@@ -36,7 +36,8 @@ struct ClosedCracks
 /// other, so passes repeat until one changes nothing or their limit is reached. When a pass has changed little, the next examines
 /// only the neighbourhood; the result is the same as with passes over the whole mesh.
 /// Cost: a third of a second for a pass over a million faces; a tenth to find a neighbourhood, then its share for each.
-/// Source: Jin, *Polygon Techniques* (lecture after Akenine-Möller & Haines, *Real-Time Rendering*, 2002, chapter 11), Consolidation.
+/// Source: Jin, *Polygon Techniques* (lecture after Akenine-Möller & Haines, *Real-Time Rendering*, 2002, chapter 11),
+/// Consolidation.
 /// Differs: passes over neighbourhoods.
 ClosedCracks closeCracks(Mesh& mesh, CrackPasses& passes);
 

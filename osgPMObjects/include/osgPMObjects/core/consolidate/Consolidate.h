@@ -49,10 +49,12 @@ struct ConsolidateReport
 /// Makes an imported mesh fit for simplification and drawing: welds positions, removes degenerate and duplicate
 /// faces, inserts T-vertices, orients neighbours alike and closed groups outwards, splits non-manifold edges, computes missing
 /// normals, and merges needless attribute splits. Faces keep their order.
-/// Afterwards the mesh has no T-junction, no degenerate face and no duplicate of equal look, unless the report says that the limit of
-/// passes (kMostPasses) was reached; known models have none even then. No position moves farther than both tolerances together.
+/// Afterwards the mesh has no T-junction, no degenerate face and no duplicate of equal look, unless the report says that the
+/// limit of passes (kMostPasses) was reached; known models have none even then. No position moves farther than both tolerances
+/// together.
 /// Cost: a million triangles in some 3 s.
-/// Source: Jin, *Polygon Techniques* (lecture after Akenine-Möller & Haines, *Real-Time Rendering*, 2002, chapter 11), Consolidation.
+/// Source: Jin, *Polygon Techniques* (lecture after Akenine-Möller & Haines, *Real-Time Rendering*, 2002, chapter 11),
+/// Consolidation.
 ConsolidateReport consolidate(Mesh& mesh, const ConsolidateOptions& options = {});
 
 constexpr int kMostPasses = 20;

@@ -33,13 +33,13 @@ struct TVertexState
     std::vector<std::uint32_t> waiting{}; ///< positions of T-junctions that the latest pass postponed
 };
 
-/// Makes one pass against T-junctions (see findTJunctions()). A vertex with its foot within twice the tolerance of an end of the edge
-/// is merged with that end, at their middle; a pass that merges does nothing else. Otherwise each open edge is split at the
+/// Makes one pass against T-junctions (see findTJunctions()). A vertex with its foot within twice the tolerance of an end of the
+/// edge is merged with that end, at their middle; a pass that merges does nothing else. Otherwise each open edge is split at the
 /// vertices on it, with its faces. New corners get attributes interpolated along the edge, so shading and texture do not change.
 /// An edge that is bent in this way may create new T-junctions: call the function until it changes nothing.
 /// No position moves farther than the tolerance in all passes together; a vertex that would remains a T-junction.
-/// Source: Jin, *Polygon Techniques* (lecture after Akenine-Möller & Haines, *Real-Time Rendering*, 2002, chapter 11), Edge cracking
-/// and T-vertices: the vertex is inserted into the neighbouring polygon, which is then triangulated; here by bisection.
+/// Source: Jin, *Polygon Techniques* (lecture after Akenine-Möller & Haines, *Real-Time Rendering*, 2002, chapter 11), Edge
+/// cracking and T-vertices: the vertex is inserted into the neighbouring polygon, which is then triangulated; here by bisection.
 TVertices insertTVertices(Mesh& mesh, TVertexState& state);
 
 } // namespace osgPMObjects::core

@@ -40,9 +40,12 @@ inline HalfEdge previousSide(HalfEdge side)
 std::vector<Triangle> positionTriangles(const Mesh& mesh);
 
 /// The edge–face structure of a mesh: every edge (a pair of positions) with the sides of all its faces, however many.
-/// Edges are sorted by their lower position, then the higher; sides of an edge by their number. Sides without length belong to no edge.
-/// Invariant: describes(). Memory: 12 B a side. Cost: linear but for sorting the edges around each position; 40 ms for a million faces.
-/// Source: Jin, *Polygon Techniques* (lecture after Akenine-Möller & Haines, *Real-Time Rendering*, 2002, chapter 11), Consolidation.
+/// Edges are sorted by their lower position, then the higher; sides of an edge by their number. Sides without length belong to no
+/// edge.
+/// Invariant: describes(). Memory: 12 B a side. Cost: linear but for sorting the edges around each position; 40 ms for a million
+/// faces.
+/// Source: Jin, *Polygon Techniques* (lecture after Akenine-Möller & Haines, *Real-Time Rendering*, 2002, chapter 11),
+/// Consolidation.
 /// Differs: sorted by position numbers, not by coordinates, since positions are welded before.
 class EdgeTable
 {

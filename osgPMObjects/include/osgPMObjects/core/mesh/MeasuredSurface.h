@@ -19,8 +19,8 @@ struct SurfacePoint
     double second = 0.0, third = 0.0;
 };
 
-/// A surface prepared for distance measurements: the non-degenerate faces of a mesh (kDegenerateHeight), sample points on them, and a
-/// tree for nearest-point queries.
+/// A surface prepared for distance measurements: the non-degenerate faces of a mesh (kDegenerateHeight), sample points on them,
+/// and a tree for nearest-point queries.
 /// The mesh must not change. Threads: queries from any number at once. Memory: some 90 B a face, 48 B a point.
 class MeasuredSurface
 {

@@ -30,8 +30,8 @@ enum class OpenEdges
 /// between 0.0001 and 0.9999 of it. The published figures of test models use a tolerance of 1e-5 of the diagonal.
 /// `among`: by position, 0 for positions to ignore, with the edges that end there; empty: none is ignored.
 /// Units: as the positions. Order: by edge, then along it. Cost: about linear; parallel.
-/// Source: Jin, *Polygon Techniques* (lecture after Akenine-Möller & Haines, *Real-Time Rendering*, 2002, chapter 11), Edge cracking
-/// and T-vertices.
+/// Source: Jin, *Polygon Techniques* (lecture after Akenine-Möller & Haines, *Real-Time Rendering*, 2002, chapter 11), Edge
+/// cracking and T-vertices.
 std::vector<TJunction> findTJunctions(std::span<const glm::dvec3> positions,
                                       std::span<const Triangle> triangles, const EdgeTable& edges,
                                       double tolerance, OpenEdges open,

@@ -29,8 +29,8 @@ struct TrianglePoint
 };
 
 /// A bounding-volume tree of triangles, for queries of distance, nearest point and ray hits.
-/// Positions and triangles are referenced and must not change. Memory: 60 B a triangle besides them. Threads: queries from any number
-/// at once. Cost: building n log n, 0.4 s for half a million; some microseconds a query.
+/// Positions and triangles are referenced and must not change. Memory: 60 B a triangle besides them. Threads: queries from any
+/// number at once. Cost: building n log n, 0.4 s for half a million; some microseconds a query.
 class TriangleTree
 {
 public:

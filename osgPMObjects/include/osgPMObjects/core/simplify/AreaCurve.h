@@ -21,8 +21,8 @@ struct AreaCurve
     std::vector<std::size_t> faces; ///< by number of steps, 0 to all; never rises
     std::vector<double> areas;      ///< by number of steps; units: of the positions, squared
 
-    /// The mean of |A(F) / A(all) - 1| over numbers of faces F from `fewest` to all, evenly spaced on a logarithmic scale. A(F) is the
-    /// area of the first level that has at most F faces.
+    /// The mean of |A(F) / A(all) - 1| over numbers of faces F from `fewest` to all, evenly spaced on a logarithmic scale. A(F)
+    /// is the area of the first level that has at most F faces.
     double meanDeviation(std::size_t fewest) const;
 
     /// The first level with at most `count` faces; the last level where there is none.

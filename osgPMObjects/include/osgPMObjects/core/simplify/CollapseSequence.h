@@ -23,8 +23,8 @@ struct WedgeCollapse
     bool operator==(const WedgeCollapse&) const = default;
 };
 
-/// An estimate of how far a level is from the original. Each collapse adds the distance between the removed vertex and the faces that
-/// replace its faces to the error of the vertices that were merged into it before.
+/// An estimate of how far a level is from the original. Each collapse adds the distance between the removed vertex and the faces
+/// that replace its faces to the error of the vertices that were merged into it before.
 struct LevelError
 {
     float distance = 0.0f; ///< units as the positions (metres in a trainer's models)
@@ -43,8 +43,8 @@ struct CollapseStep
     std::uint32_t firstWedge = 0; ///< the first in CollapseSequence::wedges; the next step's follow
     std::uint32_t firstMoved = 0; ///< the first in CollapseSequence::movedWedges; the next step's follow
     std::uint32_t facesAfter = 0; ///< number of faces after the step
-    /// The next step belongs to this one: it is the mirror image of this step, or grows a leaf that replaces removed ones. The level
-    /// between the two is valid, but asymmetric, or has too little foliage.
+    /// The next step belongs to this one: it is the mirror image of this step, or grows a leaf that replaces removed ones. The
+    /// level between the two is valid, but asymmetric, or has too little foliage.
     bool goesOn = false;
     LevelError error; ///< of the surface after the step; never less than at the step before
 };
@@ -88,8 +88,8 @@ std::size_t stepsToDistance(const CollapseSequence& sequence, double tolerance);
 /// and faces keep their order. Cost: linear in the mesh.
 Mesh meshAfter(const Mesh& mesh, const CollapseSequence& sequence, std::size_t steps);
 
-/// Whether the sequence fits the mesh: both positions of every step exist at that step, every used wedge of a removed position has a
-/// replacement at the remaining position, face counts are right, and errors never decrease.
+/// Whether the sequence fits the mesh: both positions of every step exist at that step, every used wedge of a removed position
+/// has a replacement at the remaining position, face counts are right, and errors never decrease.
 bool isSequenceOf(const CollapseSequence& sequence, const Mesh& mesh);
 
 } // namespace osgPMObjects::core

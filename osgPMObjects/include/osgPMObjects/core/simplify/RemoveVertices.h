@@ -29,8 +29,8 @@ struct RemovalOptions
     bool removeParts = true; ///< remove a group of faces when it is smaller than the error reached
 };
 
-/// Removes one position a step, with all its faces, until none can be removed. triangulateContour() fills the hole in the plane that
-/// fits its contour best.
+/// Removes one position a step, with all its faces, until none can be removed. triangulateContour() fills the hole in the plane
+/// that fits its contour best.
 /// The order is by distance: of the position from the mean plane of its star (normals and centres weighted by area), and on a
 /// boundary, seam or crease also from the line between its two neighbours along it; plus the error of the faces around it so far.
 /// A hole on a boundary is closed by one edge. A star that is crossed by a seam, a border of materials or parts, or a crease, is

@@ -28,12 +28,12 @@ struct SimplifySettings
     /// Above 0: connected parts may join over gaps up to this distance: a position may merge into the nearest one of another part.
     /// Units: as the positions.
     double joinDistance = 0.0;
-    /// Enlarge remaining leaf cards as others are removed, so that foliage keeps its area. Only for materials of foliage: very many small
-    /// flat parts of all directions. Not with an envelope or joinDistance, nor for a mesh that is kept symmetric.
+    /// Enlarge remaining leaf cards as others are removed, so that foliage keeps its area. Only for materials of foliage: very
+    /// many small flat parts of all directions. Not with an envelope or joinDistance, nor for a mesh that is kept symmetric.
     bool growLeaves = true;
     /// Above 0: at every level the surface is within this distance of the original, and the original within this distance of it.
-    /// This is proved for whole triangles, not sampled. The sequence ends when no collapse keeps the bound; no part vanishes, and no face
-    /// turns over. Units: as the positions. Takes some twenty times as long.
+    /// This is proved for whole triangles, not sampled. The sequence ends when no collapse keeps the bound; no part vanishes, and
+    /// no face turns over. Units: as the positions. Takes some twenty times as long.
     double envelope = 0.0;
 };
 

@@ -24,8 +24,8 @@ struct TextureDrift
     std::size_t samples = 0;
 };
 
-/// Measures the drift of texture coordinates (set 0) between a level and its original, at points spread over the level. Each point is
-/// compared with the nearest original face of the same material and orientation. Of faces that are equally near, within
+/// Measures the drift of texture coordinates (set 0) between a level and its original, at points spread over the level. Each
+/// point is compared with the nearest original face of the same material and orientation. Of faces that are equally near, within
 /// 0.1 % of the distance and a millionth of the diagonal, the one with the least difference counts, so that coincident surfaces and
 /// seams are no drift. Where no face has the same orientation, all faces count.
 /// A few points beside seams decide the mean and the largest value: they are nearer to the other side of a seam since the surface

@@ -13,46 +13,45 @@
 namespace osgPMObjects::core
 {
 
-/// Finds for a position the neighbour it goes into with the least loss.
+/// Chooses the neighbour into which a position merges at the least cost.
 /// Threads: one object each, on different parts.
 class CollapseChoice
 {
 public:
     explicit CollapseChoice(CollapseState& state) : _state(state) {}
 
-    /// What a position's star is now. Keeps it in the state.
+    /// Recomputes the shape of a position's star and stores it in the state.
     void updateShape(std::uint32_t position);
 
-    /// The best collapse of a position; `to` is ~0 where it has no faces.
-    /// `refused`: neighbours that do not come into question.
+    /// Returns the best collapse of a position; `to` is ~0 where it has no faces. `refused`: neighbours to exclude.
     Candidate bestOf(std::uint32_t position, std::span<const std::uint32_t> refused = {});
 
-    /// Where both would be.
+    /// Returns the position of both after the collapse, in the state's frame.
     glm::dvec3 placeOf(std::uint32_t from, std::uint32_t to);
 
-    /// Whether a collapse would now take the last faces of a part or a material, and costs more than was thought: others may have
-    /// taken the rest since.
+    /// Whether a collapse would now remove the last faces of a part or a material, at a higher cost than its candidate has: other
+    /// collapses may have removed the rest since.
     bool takesLastFaces(std::uint32_t from, const Candidate& candidate);
 
-    /// What a collapse does.
+    /// The effect of a collapse.
     struct Effect
     {
-        glm::dvec3 at{0.0}; ///< where both are afterwards
-        LevelError error;   ///< of what has gone into `to`, with this
+        glm::dvec3 at{0.0}; ///< position of both afterwards
+        LevelError error;   ///< of everything merged into `to`, this collapse included
         std::uint32_t facesGone = 0;
     };
 
-    /// Works a collapse out; wedges() tells what becomes of them. With a place given, both go there.
+    /// Computes a collapse; wedges() gives the changes of wedges. Both positions move to `place` where it is given.
     Effect effectOf(std::uint32_t from, std::uint32_t to, const glm::dvec3* place = nullptr);
-    /// Whether a collapse is possible, turns no face over, and costs no more than about so much.
+    /// Whether a collapse is possible, turns no face over, and costs at most about `cost`.
     bool isGood(std::uint32_t from, std::uint32_t to, const glm::dvec3& place, double cost);
     const WedgePlan& wedges() const { return _plan; }
-    /// The faces around `from` of the last question.
+    /// The faces around `from` of the latest query.
     const Star& star() const { return _star; }
 
 private:
     StarShape shapeOf(const Star& star) const;
-    /// Where two positions become one, and the quadric there.
+    /// The position of the collapsed edge, and the quadric cost there.
     struct Place
     {
         glm::dvec3 at{0.0};

@@ -8,17 +8,17 @@
 namespace osgPMObjects::core
 {
 
-/// How much a collapse is wanted: those that do no harm come first, whatever they cost.
+/// The priority of a collapse. Harmless ones come first, whatever their cost.
 struct Urgency
 {
-    bool doesHarm = false; ///< it turns a face over: only when nothing else is left
+    bool doesHarm = false; ///< it turns a face over: only when no other is left
     double cost = 0.0;
 
     auto operator<=>(const Urgency&) const = default;
 };
 
-/// Positions by the urgency of their best collapse, least first; ties by number.
-/// Memory: 28 B a position that is in it, 4 B for each that could be. Cost: log n a change.
+/// A priority queue of positions by the urgency of their best collapse, least first; ties by number. A binary heap with positions
+/// indexed, so that urgencies can change. Memory: 28 B a queued position, 4 B a possible one. Cost: log n a change.
 class CollapseQueue
 {
 public:
@@ -28,7 +28,7 @@ public:
     std::uint32_t first() const { return _heap.front().second; }
     const Urgency& leastUrgency() const { return _heap.front().first; }
 
-    /// Enters a position, or changes its urgency.
+    /// Inserts a position, or changes its urgency.
     void set(std::uint32_t position, const Urgency& urgency)
     {
         if (_at[position] == kNone)
@@ -86,7 +86,7 @@ private:
     }
 
     std::vector<Entry> _heap;
-    std::vector<std::uint32_t> _at; ///< by position: in _heap
+    std::vector<std::uint32_t> _at; ///< by position: index in _heap
 };
 
 } // namespace osgPMObjects::core

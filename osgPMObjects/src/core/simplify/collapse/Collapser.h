@@ -13,18 +13,19 @@
 namespace osgPMObjects::core
 {
 
-/// Steps of some parts, with the urgency at which each was done, in order. `facesAfter` says how many faces the step took, and
-/// errors are of that step alone.
+/// The steps of some connected parts in order, with the urgency of each. `facesAfter` is the number of faces that the step
+/// removed, and errors are those of the step alone.
 struct PartialSequence
 {
     CollapseSequence sequence;
     std::vector<Urgency> urgencies;
 };
 
-/// Collapses some parts of a mesh to nothing, again and again the collapse that is wanted most.
-/// With subset placement positions whose stars have changed are looked at anew at once. With places to be found, which costs
-/// more and gains nothing by haste, when their turn comes; but for those that could do only harm, whose turn might never come. Hubs of large fans wait in any case.
-/// Source: Cohen, Manocha and Olano, "Simplifying polygonal models using successive mappings" (1997), §5 (lazy queue).
+/// Collapses some connected parts to nothing, the most urgent collapse first.
+/// With subset placement, positions whose stars have changed are re-evaluated at once. With other placements, which cost more,
+/// they are re-evaluated when they come first in the queue; except positions with harmful candidates only, which might never
+/// come first. Hubs of large fans always wait.
+/// Source: Cohen, Manocha and Olano, *Simplifying polygonal models using successive mappings* (1997), section 5 (lazy queue).
 class Collapser
 {
 public:

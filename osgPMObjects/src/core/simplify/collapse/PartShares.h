@@ -9,8 +9,8 @@
 namespace osgPMObjects::core
 {
 
-/// Part numbers in shares for so many threads, of about as many faces each. Parts that have to do with each other, as mirror
-/// images or as neighbours that may join, are in one share. Without those that are leaves. At least one share, none empty unless there are no parts.
+/// Divides the connected parts among threads, in shares of about as many faces each. Mirror images, and parts that may join,
+/// are in one share; leaf cards are in none. There is at least one share, and none is empty unless there are no parts.
 std::vector<std::vector<std::uint32_t>> partShares(const CollapseState& state, std::size_t threads);
 
 } // namespace osgPMObjects::core

@@ -11,8 +11,8 @@
 namespace osgPMObjects::core
 {
 
-/// Puts the steps of parts that do not touch into the order in which one queue would have done them, and into the frame and the
-/// units of the mesh. One queue would do the least urgent of all next steps, so this is a merge; steps that belong together stay so.
+/// Merges the sequences of unconnected parts into one, in the order of one queue for all, and in frame and units of the mesh. One
+/// queue would take the least urgent of the next steps of all parts. Steps that belong together (`goesOn`) stay together.
 CollapseSequence mergedSequence(std::span<const PartialSequence> partial, const UnitFrame& frame,
                                 std::uint32_t facesBefore);
 

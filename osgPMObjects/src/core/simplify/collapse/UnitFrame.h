@@ -12,7 +12,7 @@
 namespace osgPMObjects::core
 {
 
-/// The frame in which collapses are done: the diagonal of a mesh's box is 1, its middle the origin.
+/// The frame in which collapses are chosen: the box of a mesh has diagonal 1 and its middle at the origin.
 class UnitFrame
 {
 public:
@@ -23,7 +23,7 @@ public:
     {
     }
 
-    /// Lengths of the mesh in a length of the frame.
+    /// The length of the frame's unit, in units of the mesh.
     double diagonal() const { return _diagonal; }
 
     std::vector<glm::dvec3> unit(std::span<const glm::dvec3> positions) const
@@ -35,7 +35,7 @@ public:
         return units;
     }
 
-    /// A place of the frame in the mesh; rounding does not lead out of the box.
+    /// Returns a position of the frame in the mesh's frame; rounding does not lead out of the mesh's box.
     glm::dvec3 placed(const glm::dvec3& unit) const
     {
         return glm::clamp(unit * _diagonal + _middle, _box.low, _box.high);

@@ -17,23 +17,23 @@ namespace osgPMObjects::core
 
 using Corners = std::array<glm::dvec3, 3>;
 
-/// The original surface, and where each of its triangles is found on the mesh as it is now: each has a *home*, a position
-/// whose star it is within `distance` of. So however many collapses there were, both surfaces are within the distance of each other, proved
-/// and not sampled.
-/// Invariant: every original triangle is within the distance of its home's star; every face of the mesh within the distance
-/// of the original.
+/// A bound of the distance between the original surface and the current mesh. Each original triangle has a *home*: a position whose
+/// star is within `distance` of all of the triangle. So both surfaces are within the distance of each other after any number of
+/// collapses; this is proved, not sampled.
+/// Invariant: every original triangle is within the distance of its home's star, and every face within the distance of the
+/// original.
 /// Memory: 100 B a triangle. Threads: any number at once, on different parts.
-/// Source: the guarantee of Cohen et al., "Simplification envelopes" (1996); we bound distances by convexity instead of building offset
-/// surfaces, which need a manifold.
+/// Source: the guarantee of Cohen et al., *Simplification envelopes* (1996). Differs: distances are bounded by convexity, not
+/// by offset surfaces, which need a manifold.
 class Envelope
 {
 public:
     Envelope(std::vector<glm::dvec3> positions, std::vector<Triangle> triangles, double distance);
 
-    /// Whether a new face stays near the original.
+    /// Whether a new face is within the distance of the original.
     bool holds(const Corners& face) const;
 
-    /// Whether an original triangle stays near some faces.
+    /// Whether an original triangle is within the distance of some faces.
     bool isCovered(std::uint32_t triangle, std::span<const Corners> faces) const;
 
     template<class Visit>
@@ -52,11 +52,11 @@ private:
     std::vector<Triangle> _triangles;
     TriangleTree _tree;
     double _distance;
-    std::vector<std::uint32_t> _first; ///< by position: a triangle at home there
-    std::vector<std::uint32_t> _next;  ///< by triangle
+    std::vector<std::uint32_t> _first; ///< by position: the first triangle with its home there
+    std::vector<std::uint32_t> _next;  ///< by triangle: the next one with the same home
 };
 
-/// Asks an envelope about collapses, and keeps its homes.
+/// Tests collapses against an envelope, and updates the homes of its triangles.
 class EnvelopeGuard
 {
 public:
@@ -65,10 +65,10 @@ public:
     {
     }
 
-    /// Whether both surfaces stay within the distance when a position goes into another, at a place.
+    /// Whether both surfaces stay within the distance when `from` merges into `to` at position `at`.
     bool allows(std::uint32_t from, std::uint32_t to, const glm::dvec3& at);
 
-    /// Has to be called before what was allowed last is done.
+    /// Moves homes for the collapse that was allowed last; call it before the collapse is done.
     void commit();
 
 private:
@@ -87,7 +87,7 @@ private:
     std::span<const glm::dvec3> _positions;
     std::uint32_t _from = 0, _to = 0;
     glm::dvec3 _at{0.0};
-    std::vector<std::uint32_t> _ring; ///< `to` first
+    std::vector<std::uint32_t> _ring; ///< starts with `to`
     std::vector<std::vector<Corners>> _ringStars;
     std::vector<Move> _moves;
 };

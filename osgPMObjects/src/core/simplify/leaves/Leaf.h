@@ -17,66 +17,68 @@
 namespace osgPMObjects::core
 {
 
-/// A card as it is now, and what it stands for.
+/// A card in its current form, with the sums of all cards merged into it.
 struct Leaf
 {
-    /// A position without faces, with a wedge: it can be used up to move a corner.
+    /// A position without faces, and a wedge of it: a later step may use them to move a corner.
     struct Spare
     {
         std::uint32_t position = 0, wedge = 0;
     };
 
     LeafCard card;
-    glm::dvec3 middle{0.0};      ///< of all cards that it stands for, by what is seen of them
-    Extent extent;               ///< around them
-    double owedDoubleArea = 0.0; ///< theirs
-    double seenDoubleArea = 0.0; ///< theirs, each times its exposure
-    double exposure = 0.0;       ///< how far the card was away from all others, by its size, squared
+    glm::dvec3 middle{0.0};      ///< of all cards merged into it, weighted by visible area
+    Extent extent;               ///< the box around them
+    double owedDoubleArea = 0.0; ///< the sum of their areas
+    double seenDoubleArea = 0.0; ///< the sum of their areas, each times its exposure
+    double exposure = 0.0;       ///< squared distance of the card from all others, in units of its size
     std::vector<Spare> spares;
     LevelError error;
 
     Leaf(const CollapseState& state, LeafCard given);
-    /// What another one has stood for.
+    /// Adds the sums of a card that is removed.
     void takeOver(const Leaf& gone);
 };
 
-/// How a card's faces go, collapse by collapse within it.
+/// The order in which a card's faces are removed, by collapses within it.
 struct LeafClosing
 {
     struct Step
     {
         std::uint8_t from = 0, to = 0; ///< corners
-        std::uint32_t faces = 0;       ///< that vanish
+        std::uint32_t faces = 0;       ///< number of faces that vanish
     };
     std::vector<Step> steps;
-    std::vector<std::uint8_t> left; ///< corners that have not gone
+    std::vector<std::uint8_t> left; ///< corners that are left
 };
 
-/// The edge that most faces have goes first. `isTurned`: its other end is left.
+/// Collapses the edge with the most faces first. `isTurned`: in the other direction, so that its other end is left.
 LeafClosing closingOf(const LeafCard& card, bool isTurned);
 
-/// What a leaf becomes when another one goes.
+/// The changes of a leaf when another one merges into it.
 struct LeafGrowth
 {
     static constexpr std::uint8_t kOwn = 0xff;
 
-    std::vector<glm::dvec3> places; ///< by corner
+    std::vector<glm::dvec3> places; ///< by corner: its new position
     std::vector<std::uint8_t>
-        taken;             ///< by corner: the corner of the one that goes whose position it takes; kOwn
-    bool isTurned = false; ///< how the one that goes closes
-    double cost = 0.0;     ///< what is moved
-    double loss = std::numeric_limits<double>::infinity(); ///< that, and the area that is missing or too much
+        taken;             ///< by corner: the corner of the other card whose position it takes; kOwn: none
+    bool isTurned = false; ///< direction in which the other card closes
+    double cost = 0.0;     ///< of moving
+    double loss =
+        std::numeric_limits<double>::infinity(); ///< the cost, and the difference to the wanted area
 
     void weigh(const CollapseState& state, const Leaf& gone, const Leaf& stays);
     bool takesCorners() const;
 };
 
-/// With places to choose: the leaf that stays, larger, until it has the area that is seen of both, or fills the box around all that it stands
-/// for: larger ones were seen to stick out of the crown. All of its corners move where there are spares enough, else all but one.
+/// Scales the remaining leaf to the visible area of both, but not beyond the box around all cards merged into it: larger leaves
+/// visibly stick out of the crown. All corners move when there are spare positions enough, else all but one. Not for subset
+/// placement.
 LeafGrowth scaledLeaf(const CollapseState& state, const Leaf& gone, const Leaf& stays);
 
-/// The leaf that stays, with some corners where the other one's are that show the same of the texture, so that
-/// its area is nearest to that of both, none of its faces turned over. It may stay as it is.
+/// Moves corners of the remaining leaf to corners of the other with the same texture coordinates, so that its area comes
+/// nearest to that of both, and turns none of its faces over. The leaf may stay as it is.
 LeafGrowth stretchedLeaf(const CollapseState& state, const Leaf& gone, const Leaf& stays);
 
 } // namespace osgPMObjects::core

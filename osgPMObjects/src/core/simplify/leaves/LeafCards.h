@@ -15,7 +15,7 @@
 namespace osgPMObjects::core
 {
 
-/// A small flat part that is one of very many: a leaf, a twig with its leaves, a blade of grass.
+/// A small flat connected part, one of very many: a leaf, a twig with leaves, a blade of grass.
 struct LeafCard
 {
     static constexpr std::size_t kMostCorners = 8;
@@ -23,18 +23,19 @@ struct LeafCard
     struct Corner
     {
         std::uint32_t position = 0;
-        std::vector<std::uint32_t> wedges; ///< that faces of the card have there
+        std::vector<std::uint32_t> wedges; ///< of the card's faces there
     };
-    using Corners = std::array<std::uint8_t, 3>; ///< of a face, by number
+    using Corners = std::array<std::uint8_t, 3>; ///< corner numbers of a face
 
     std::uint32_t part = 0;
     std::vector<Corner> corners;
     std::vector<Corners> faces;
 };
 
-/// The cards of each material that is foliage, in the order of their parts; none of any other material. A material is foliage when
-/// nearly all of its area is at least 64 connected parts of at most eight faces, flat, of about one size, each small against the mesh, that
-/// show the same few cuts of a texture and look in so many directions that they are no tiles of a wall or a deck.
+/// Finds the leaf cards of each material of foliage, in the order of their parts; none for other materials. A material is
+/// foliage when nearly all of its area consists of at least 64 connected parts that are flat, have at most eight faces, are of
+/// about one size and small against the mesh, show the same few regions of a texture, and look in too many directions for tiles
+/// of a wall or deck.
 /// `positions`: of the mesh, in a frame where its diagonal is 1; `partOf`: by position. Cost: linear.
 std::vector<std::vector<LeafCard>> leafCards(const Mesh& mesh, std::span<const glm::dvec3> positions,
                                              std::span<const ConnectedPart> parts,

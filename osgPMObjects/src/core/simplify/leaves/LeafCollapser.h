@@ -12,17 +12,17 @@
 namespace osgPMObjects::core
 {
 
-/// Collapses the cards of one material to nothing, two near ones to one again and again, which grows for what is no longer seen of the other. What a
-/// pair costs is how far its areas are moved, as a quadric weighs it, and how large the smaller one is; cards deep among others count little, for
-/// they are not seen.
-/// The steps of a pair belong together: first the faces of one go, then corners of the other move, so a level that ends between them lacks
-/// area and nothing else. With subset placement corners go into those of the card that has gone, so long as both show the same of the texture; else positions of
-/// it that have no faces any more are used up to move corners.
+/// Merges near leaf cards of one material in pairs until none is left; the remaining card grows by the visible area of the
+/// other. The cost of a pair is the displacement of its areas, weighed as by a quadric, and the size of the smaller card. Cards
+/// deep inside the crown cost little, since they are not visible.
+/// The steps of a pair belong together: first the faces of one card collapse, then corners of the other move. A level between
+/// them has less area, but is valid. With subset placement, corners move to corners of the removed card with the same texture
+/// coordinates; else positions of it without faces are used up to move corners.
 /// Frame, units: of the state. Threads: one each, on different cards. Cost: n log n; some 20 µs a card.
-/// Source: Remolar et al., "Geometric simplification of foliage" (2002), §3 (leaf collapse: two leaves become one); Cook et al., "Stochastic
-/// simplification of aggregate detail" (2007), §3.2 (what is left grows, so that the area stays). Ours: the steps, so that levels stay prefixes of
-/// one sequence; what is to stay is what is seen, and no card leaves the box of those that it stands for: at full area an oak covers 1.6 times as
-/// many pixels at 1 %.
+/// Source: Remolar et al., *Geometric simplification of foliage* (2002), section 3 (leaf collapse: two leaves become one); Cook
+/// et al., *Stochastic simplification of aggregate detail* (2007), section 3.2 (remaining elements grow to keep the area).
+/// Differs: levels are prefixes of one sequence; the visible area is kept, and no card leaves the box of the cards merged into
+/// it: with the full area an oak at 1 % covers 1.6 times its pixels.
 class LeafCollapser
 {
 public:
@@ -31,7 +31,7 @@ public:
     PartialSequence run(std::vector<LeafCard> cards);
 
 private:
-    /// A leaf's cheapest neighbour.
+    /// The cheapest neighbour of a leaf.
     struct Partner
     {
         double cost = std::numeric_limits<double>::infinity();
@@ -56,9 +56,9 @@ private:
     CollapseState& _state;
     std::vector<Leaf> _leaves;
     std::vector<Partner> _partners;   ///< by leaf
-    std::vector<std::uint32_t> _left; ///< leaves, in rising order
-    Urgency _urgency;                 ///< of the steps that are being made
-    LevelError _error;                ///< the same
+    std::vector<std::uint32_t> _left; ///< leaf numbers, rising
+    Urgency _urgency;                 ///< of the current steps
+    LevelError _error;                ///< of the current steps
     PartialSequence _done;
 };
 

@@ -12,15 +12,15 @@
 namespace osgPMObjects::core
 {
 
-/// Faces that hang together by positions.
+/// A set of faces that are connected by common positions.
 struct ConnectedPart
 {
     std::vector<std::uint32_t> positions; ///< sorted
-    std::uint32_t faces = 0;              ///< that are left; used up by whoever collapses
+    std::uint32_t faces = 0;              ///< number of faces left; counted down by collapses
     double doubleArea = 0.0;
     double reach =
-        0.0; ///< how far its farthest position is from all other parts, at most its own size: what is lost with it
-    /// Materials that this part has to keep the last face of, for it has the most of them, and how many faces are left.
+        0.0; ///< distance of its farthest position from all other parts, at most its own size: the error of removing it
+    /// The materials whose last face this part keeps, since it has most of their faces, with the number of faces left.
     struct Kept
     {
         std::uint32_t material = 0, faces = 0;
@@ -28,11 +28,11 @@ struct ConnectedPart
     std::vector<Kept> kept;
 };
 
-/// The connected parts of a mesh, in the order of their lowest positions. `positions` are the mesh's, in whatever unit the areas
-/// and reaches shall have. Cost: n log n; some microseconds a part besides.
+/// Finds the connected parts of a mesh, in the order of their lowest positions. `positions`: those of the mesh, in the unit wanted
+/// for areas and distances. Cost: n log n, and some microseconds a part.
 std::vector<ConnectedPart> connectedParts(const Mesh& mesh, std::span<const glm::dvec3> positions);
 
-/// By position: its part's number; ~0 where no face is.
+/// Returns the part of each position; ~0 where there is no face.
 std::vector<std::uint32_t> partNumbers(std::span<const ConnectedPart> parts, std::size_t positionCount);
 
 } // namespace osgPMObjects::core

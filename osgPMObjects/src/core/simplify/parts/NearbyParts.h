@@ -10,9 +10,11 @@
 namespace osgPMObjects::core
 {
 
-/// For each position the nearest one that belongs to another part, no farther than `distance`; ~0 where there is none. `partOf`: by
-/// position, ~0 for those that no face uses. Cost: about linear where few lie within the distance.
-/// Source: Garland and Heckbert (1997), §3.2 (pairs within a threshold); one pair a position, between parts only.
+/// Finds for each position the nearest one in another part, within `distance`; ~0 where there is none. `partOf`: by position,
+/// ~0 for unused ones. Cost: about linear when few are within the distance.
+/// Source: Garland and Heckbert, *Surface simplification using quadric error metrics* (1997), section 3.2 (pairs within a
+/// threshold).
+/// Differs: one pair a position, between parts only.
 std::vector<std::uint32_t> nearestOfOtherParts(std::span<const glm::dvec3> positions,
                                                std::span<const std::uint32_t> partOf, double distance);
 

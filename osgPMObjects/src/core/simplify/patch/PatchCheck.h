@@ -12,8 +12,7 @@
 namespace osgPMObjects::core
 {
 
-/// The faces around `star.middle` without those at `besides`, when the middle has gone to `to`: the patch that takes the place
-/// of the star.
+/// The faces that replace a star when its middle merges into `to`: those of the star except the faces at `besides`.
 struct Patch
 {
     const Star& star;
@@ -22,20 +21,21 @@ struct Patch
     glm::dvec3 to;
 };
 
-/// Whether a face of the patch would turn over, or become a needle that it is not now.
-/// Source: Garland and Heckbert (1997), §4.3 (inversions), with a limit below a right angle.
+/// Whether a face of the patch turns over, or becomes a needle that it is not now.
+/// Source: Garland and Heckbert, *Surface simplification using quadric error metrics* (1997), section 4.3 (inversions).
+/// Differs: the limit is below a right angle.
 bool foldsOver(const Patch& patch);
 
-/// How far the middle is from the patch, and how much else it looks there.
+/// The distance of the removed position from the patch, and the difference in appearance there.
 struct PatchGap
 {
     LevelError gap;
-    /// The weighted squared length by which what is seen has slipped: texture along the surface; normals and colours as shares of
-    /// the way that the middle goes.
+    /// Weighted squared displacement of appearance: of the texture along the surface; of normals and colours as shares of the way
+    /// that the position moves.
     double slipCost = 0.0;
 };
 
-/// What a mesh's faces are drawn with, as a collapse finds them.
+/// The attributes and materials of the faces that a collapse changes.
 struct Look
 {
     const Mesh& mesh;
@@ -43,11 +43,10 @@ struct Look
     AreaWeight weight;
 };
 
-/// Looks for the place of the patch that is nearest to where the middle was, for each group of faces that share a wedge there,
-/// and compares.
+/// Computes the gap at the point of the patch nearest to the removed position, for each group of faces that share a wedge there.
 PatchGap gapOf(const Patch& patch, std::span<const WedgeChange> changes, const Look& look);
 
-/// Only the distance. Cost: some 50 ns a face.
+/// Computes the distance only. Cost: some 50 ns a face.
 float distanceFrom(const Patch& patch);
 
 } // namespace osgPMObjects::core

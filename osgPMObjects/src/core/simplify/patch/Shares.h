@@ -11,7 +11,7 @@
 namespace osgPMObjects::core
 {
 
-/// A place in the plane of a triangle, by its corners' shares; the first corner for one without area.
+/// Returns the barycentric coordinates of a point's projection into a triangle's plane; (1, 0, 0) for one without area.
 inline glm::dvec3 sharesOf(const glm::dvec3& p, const std::array<glm::dvec3, 3>& corners)
 {
     const glm::dvec3 ab = corners[1] - corners[0], ac = corners[2] - corners[0], ap = p - corners[0];
@@ -23,7 +23,7 @@ inline glm::dvec3 sharesOf(const glm::dvec3& p, const std::array<glm::dvec3, 3>&
     return {1.0 - v - w, v, w};
 }
 
-/// What a triangle looks like there; the normal is as long as the mixture makes it.
+/// Interpolates wedges by barycentric coordinates; the normal is not normalised.
 inline Wedge mixtureOf(const std::array<Wedge, 3>& wedges, const glm::dvec3& shares)
 {
     const glm::vec3 s(shares);

@@ -13,15 +13,15 @@
 namespace osgPMObjects::core
 {
 
-/// What one wedge of a collapse becomes.
+/// The change of one wedge in a collapse.
 struct WedgeChange
 {
     std::uint32_t wedge = 0;
     std::uint32_t becomes = 0; ///< a wedge of the other position; or itself, when it moves there
-    Wedge attributes;          ///< of what it becomes, after the step
+    Wedge attributes;          ///< of `becomes`, after the step
 };
 
-/// The mesh that wedges belong to, as it is now.
+/// The wedges of the current mesh, with their faces and attributes.
 struct WedgedMesh
 {
     const StarMesh& stars;
@@ -29,18 +29,18 @@ struct WedgedMesh
     std::span<const glm::dvec3> positions;
 };
 
-/// Which wedges of a position become which ones of the other. Wedges collapse as groups: where a face that vanishes
-/// has a wedge at either end of the edge, the one becomes the other, so a seam stays a seam.
-/// Source: Hoppe, "Efficient implementation of progressive meshes" (1998), §3 (wedges of ecol).
+/// Plans which wedges of a position become which of the other. Wedges collapse as groups: where a vanishing face has
+/// a wedge at either end of the edge, one becomes the other, so a seam remains a seam.
+/// Source: Hoppe, *Efficient implementation of progressive meshes* (1998), section 3 (wedges of ecol).
 class WedgePlan
 {
 public:
-    /// For moving nothing: every wedge around `star.middle` becomes one of `to`'s. One whose group the edge leads away from becomes
-    /// the one that looks most like it.
+    /// Plans a collapse that moves nothing: every wedge around `star.middle` becomes one of `to`. A wedge without a partner
+    /// across the edge becomes the most similar one.
     void match(const WedgedMesh& all, const Star& star, std::uint32_t to);
 
-    /// For both positions moving to a place: groups that the edge joins become one, others stay; each wedge looks afterwards as
-    /// its group does now at the point nearest to the place.
+    /// Plans a collapse that moves both positions to `place`: groups connected by the edge become one, others remain. Each
+    /// wedge gets the attributes that its group has now at the nearest point.
     void resample(const WedgedMesh& all, const Star& star, const Star& other, const glm::dvec3& place);
 
     std::span<const WedgeChange> ofFrom() const { return _from; }

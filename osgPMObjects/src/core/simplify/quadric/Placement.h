@@ -10,11 +10,11 @@
 namespace osgPMObjects::core
 {
 
-/// What an edge's two ends know of their stars.
+/// The quadric and the area of a position's star.
 struct StarShape
 {
     Quadric quadric;            ///< its origin at the position
-    glm::dvec3 areaVector{0.0}; ///< sum of the faces' normals, each as long as twice its area
+    glm::dvec3 areaVector{0.0}; ///< sum of the faces' normals, each of twice its area's length
 };
 
 /// An edge whose two positions are to become one.
@@ -26,13 +26,14 @@ struct CollapsingEdge
     glm::dvec3 sharedAreaVector; ///< of the faces beside the edge, which are in both stars
 };
 
-/// The quadrics of both ends at a place.
+/// The sum of both quadrics at a position.
 double costAt(const CollapsingEdge& edge, const glm::dvec3& at);
 
-/// The place where the sum of both quadrics is least among those that keep the volume; near the middle along directions
-/// that change nothing, and never farther from the middle than the edge is long.
-/// Source: Lindstrom and Turk (1998), §3.1 and §3.3: we solve for the least quadric with the volume as a constraint, pulled
-/// weakly towards the middle, instead of adding constraints until three are independent.
+/// Finds the position of the least sum of both quadrics that keeps the volume. Along directions without influence it is near the
+/// middle of the edge, and never farther from the middle than the edge's length.
+/// Source: Lindstrom and Turk, *Fast and memory efficient polygonal simplification* (1998), sections 3.1 and 3.3. Differs:
+/// minimises the quadric with the volume as a constraint and a weak pull to the middle, instead of adding constraints up to
+/// three.
 glm::dvec3 bestPlace(const CollapsingEdge& edge);
 
 } // namespace osgPMObjects::core

@@ -12,9 +12,9 @@
 namespace osgPMObjects::core
 {
 
-/// What the squared distance from a face counts for, by the face's area (half its doubleArea squared to the power):
-/// doubleArea^areaPower + floor^areaPower. A power of 1 is the mean squared distance, 2 the squared change of the volume (Lindstrom–Turk). The
-/// floor is an area: it keeps slender features, whose area says little, and so the largest error down.
+/// The weight of a face's squared distance, by its area: doubleArea^areaPower + floor^areaPower. A power of 1 gives the mean
+/// squared distance, 2 the squared change of volume (Lindstrom and Turk). The floor is an area; it protects slender features of
+/// little area, and so limits the largest error.
 struct AreaWeight
 {
     double areaPower = 1.0;
@@ -23,19 +23,20 @@ struct AreaWeight
     double of(double doubleArea) const;
 };
 
-/// The quadric of the faces around a position as they are now, its origin there; of the lines of open edges; of edges that are
-/// folded so sharply that their faces lie on each other, which would else vanish for nothing; and of borders.
-/// `isBorder` tells where two faces beside an edge differ in what they show: those edges count as open ones do.
-/// Source: Lindstrom and Turk, "Fast and memory efficient polygonal simplification" (1998), §3 (memoryless: volume and
-/// boundary), written as Garland and Heckbert's quadrics (1997); ours are the weight by area, its floor, and folds.
+/// Computes the quadric of a position from its current faces, with its origin there: of the face planes; of the lines of open
+/// edges and borders; and of edges so sharply folded that their faces coincide, which would else vanish at no cost.
+/// `isBorder(…)`: whether two faces beside an edge differ in appearance; such edges count as open.
+/// Source: Lindstrom and Turk, *Fast and memory efficient polygonal simplification* (1998), section 3 (memoryless: volume and
+/// boundary), in the form of Garland and Heckbert, *Surface simplification using quadric error metrics* (1997). Differs: weight
+/// by area, its floor, and folds.
 template<class IsBorder>
 Quadric starQuadric(const Star& star, std::span<const glm::dvec3> positions, const AreaWeight& weight,
                     const IsBorder& isBorder);
 
-/// Of one edge of a star: how much of an open edge it is.
+/// Returns the weight of an edge of a star as an open edge, 0 to 1.
 double foldOf(const Star& star, std::span<const Star::Side> sides);
 
-/// Adds the line of an edge, seen in the plane of each face beside it.
+/// Adds the line of an edge, within the plane of each face beside it.
 void addLine(Quadric& quadric, const Star& star, std::span<const Star::Side> sides, const glm::dvec3& edge,
              double weight);
 

@@ -8,19 +8,19 @@
 namespace osgPMObjects::core
 {
 
-/// Finds faces for the hole that a star leaves, sector by sector, and whether it may be left at all.
-/// Threads: one; keeps its memory from one hole to the next.
+/// Finds faces that fill the hole of a removed star, sector by sector, and decides whether it may be removed.
+/// Threads: one; its memory is reused.
 class HoleFilling
 {
 public:
     explicit HoleFilling(const LiveFaces& live) : _live(live) {}
 
-    /// Errors: why the position has to stay; then faces() says nothing.
+    /// Errors: the reason why the position has to stay; faces() is then undefined.
     RemovalRefusal fill(const VertexStar& star);
 
     const std::vector<Face>& faces() const { return _faces; }
 
-    /// How far the position is from the faces; where there are none, from the lines that close its contours.
+    /// The distance of the position from the new faces; where there are none, from the lines that close its contours.
     double distance() const { return _distance; }
 
 private:
@@ -36,10 +36,10 @@ private:
 
     const LiveFaces& _live;
     std::vector<Face> _faces;
-    std::vector<Triangle> _corners; ///< of _faces, by position
+    std::vector<Triangle> _corners; ///< position numbers of _faces
     double _distance = 0.0;
 
-    // of the sector at hand
+    // of the current sector
     std::vector<std::uint32_t> _wedges;
     std::vector<glm::dvec3> _contour;
     std::vector<glm::dvec2> _flat;

@@ -10,9 +10,9 @@
 namespace osgPMObjects::core
 {
 
-/// The faces of the level that is being made, with lists of those around each position. A face stands in a slot, which
-/// it keeps while it lives; slots are used again, so memory does not grow with the steps.
-/// Memory: 64 B a face. Cost: adding and removing constant.
+/// The faces of the current level, with lists of those around each position. A face has a slot as long as it exists; slots
+/// are reused, so memory does not grow with the steps.
+/// Memory: 64 B a face. Cost: constant to add or remove.
 class LiveFaces
 {
 public:
@@ -20,7 +20,7 @@ public:
 
     explicit LiveFaces(const Mesh& mesh);
 
-    /// A face as it was numbered when it was added: those of the mesh from 0.
+    /// Adds a face under its number; faces of the mesh are numbered from 0.
     void add(const Face& face, std::uint32_t number);
     void remove(std::uint32_t slot);
 
@@ -28,7 +28,7 @@ public:
     const Face& face(std::uint32_t slot) const { return _slots[slot].face; }
     std::uint32_t number(std::uint32_t slot) const { return _slots[slot].number; }
 
-    /// How many faces use a position; one that uses it twice counts twice.
+    /// The number of faces around a position; a face that uses it twice counts twice.
     std::uint32_t degree(std::uint32_t position) const { return _degree[position]; }
     std::size_t facesOf(std::uint32_t material) const { return _ofMaterial[material]; }
     const Mesh& mesh() const { return _mesh; }
@@ -43,7 +43,7 @@ public:
     }
 
 private:
-    struct alignas(64) Slot // a line of the processor's cache
+    struct alignas(64) Slot // one cache line
     {
         Triangle corners;
         Face face;

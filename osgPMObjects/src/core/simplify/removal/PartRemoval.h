@@ -9,8 +9,8 @@
 namespace osgPMObjects::core
 {
 
-/// The groups of faces of a mesh that share positions, which go as a whole when they are too small to matter.
-/// Groups only come apart as positions are removed, they never join; what was one group stays one here.
+/// The connected groups of faces of a mesh; a group is removed as a whole when it is too small to matter.
+/// Removals may divide groups but never join them; a divided group still counts as one here.
 class PartRemoval
 {
 public:
@@ -19,19 +19,19 @@ public:
 
     std::uint32_t count() const { return static_cast<std::uint32_t>(_parts.size()); }
 
-    /// Of the box around a group of the mesh: nothing that is left of it is larger.
+    /// The diagonal of the box around a group of the mesh: an upper bound for what is left of it.
     double diagonal(std::uint32_t part) const { return _parts[part].diagonal; }
 
-    /// Those that the mesh's faces use, in rising order.
+    /// The positions of a group that the mesh's faces use, in rising order.
     std::span<const std::uint32_t> positionsOf(std::uint32_t part) const;
 
-    /// Whether the group can go: it has no support vertex, and without it a face of each material is left.
+    /// Whether the group may be removed: it has no support vertex, and every material keeps a face.
     bool mayGo(std::uint32_t part) const;
 
 private:
     struct Part
     {
-        std::uint32_t first = 0; ///< in _positions
+        std::uint32_t first = 0; ///< index in _positions
         double diagonal = 0.0;
         bool hasSupport = false;
     };

@@ -11,10 +11,10 @@
 namespace osgPMObjects::core
 {
 
-/// What some steps make of a mesh's faces: which are left, and with what wedges.
+/// The faces of a mesh after some steps: those that are left, with their wedges.
 struct FacesAfter
 {
-    std::vector<std::uint32_t> wedges; ///< by wedge: what it has become, for faces that are left
+    std::vector<std::uint32_t> wedges; ///< by wedge: its replacement, for faces that are left
     std::vector<bool> isLeft;          ///< by face
 
     FacesAfter(const Mesh& mesh, const CollapseSequence& sequence, std::size_t steps);

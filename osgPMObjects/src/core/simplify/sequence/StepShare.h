@@ -9,7 +9,7 @@
 namespace osgPMObjects::core
 {
 
-/// What one step has of a list that all steps share: from its own first element, `first`, to the next step's.
+/// Returns a step's elements of a list that all steps share: from its `first` to the next step's.
 template<class Step, class Value>
 std::span<const Value> shareOf(const std::vector<Step>& steps, std::uint32_t Step::*first,
                                const std::vector<Value>& values, std::size_t step)

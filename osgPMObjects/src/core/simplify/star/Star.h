@@ -12,10 +12,10 @@
 namespace osgPMObjects::core
 {
 
-/// The faces around a position, gathered for questions about it. Kept from one position to the next, so that its memory is.
+/// The faces around a position, gathered for queries. Reused for other positions, so that memory is not allocated again.
 struct Star
 {
-    /// A face, turned so that the position in the middle is its first corner.
+    /// A face, rotated so that the middle position is its first corner.
     struct Spoked
     {
         std::uint32_t face = 0;
@@ -28,11 +28,11 @@ struct Star
         bool has(std::uint32_t position) const { return second == position || third == position; }
     };
 
-    /// An edge from the middle, with one of the faces beside it. Sorted by `to`.
+    /// An edge from the middle, with one of its faces. Sorted by `to`.
     struct Side
     {
         std::uint32_t to = 0;
-        std::uint32_t spoked = 0; ///< in `faces`
+        std::uint32_t spoked = 0; ///< index in `faces`
     };
 
     std::uint32_t middle = 0;
@@ -42,9 +42,9 @@ struct Star
 
     void gather(const StarMesh& mesh, std::span<const glm::dvec3> positions, std::uint32_t position);
 
-    /// The sides towards one neighbour, from the first of them at `at`.
+    /// The sides to one neighbour, beginning at index `at`.
     std::span<const Side> sidesFrom(std::size_t at) const;
-    /// The same by the neighbour; none where there is no edge.
+    /// The sides to a neighbour; none when there is no edge.
     std::span<const Side> sidesTo(std::uint32_t to) const;
 };
 

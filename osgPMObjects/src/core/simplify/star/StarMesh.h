@@ -12,16 +12,16 @@
 namespace osgPMObjects::core
 {
 
-/// Faces that collapse, with the star of every position: the faces around it. Any set of faces will do, however many meet at an
-/// edge; those that use a position twice are left out.
-/// Invariant: the corners in a position's list are those of faces that are there, and have that position.
+/// The faces of a mesh during collapses, with lists of those around each position. Any set of faces is allowed, with any number
+/// at an edge; faces that use a position twice are left out.
+/// Invariant: a position's list has the corners at that position of existing faces.
 /// Memory: 36 B a face, 4 B a position.
 class StarMesh
 {
 public:
     explicit StarMesh(const Mesh& mesh);
 
-    /// How many faces there were at first.
+    /// Number of faces at the start.
     std::uint32_t faceCount() const { return _faceCount; }
     const Triangle& positions(std::uint32_t face) const { return _positions[face]; }
     const Triangle& wedges(std::uint32_t face) const { return _wedges[face]; }
@@ -35,8 +35,8 @@ public:
             visit(faceOf(c), cornerOf(c));
     }
 
-    /// Takes the faces with both positions away, and gives the others around `from` to `to`, with wedges as told; a wedge that
-    /// is not told of stays. Returns how many faces went. Cost: linear in the two stars.
+    /// Removes the faces with both positions, and moves the others around `from` to `to`, with their wedges replaced as given;
+    /// other wedges stay. Returns the number of removed faces. Cost: linear in the two stars.
     /// Threads: any number at once, each in connected parts of its own.
     std::uint32_t collapse(std::uint32_t from, std::uint32_t to, std::span<const WedgeCollapse> wedges);
 
@@ -47,8 +47,8 @@ private:
     void unlink(std::uint32_t position, HalfEdge corner);
 
     std::vector<Triangle> _positions, _wedges; ///< by face
-    std::vector<HalfEdge> _first;              ///< by position: a corner there
-    std::vector<HalfEdge> _next;               ///< by corner: another one at the same position
+    std::vector<HalfEdge> _first;              ///< by position: its first corner
+    std::vector<HalfEdge> _next;               ///< by corner: the next at the same position
     std::uint32_t _faceCount = 0;
 };
 
