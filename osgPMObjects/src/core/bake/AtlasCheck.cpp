@@ -16,10 +16,10 @@ namespace
 {
 
 constexpr std::uint32_t kNoFace = ~0u;
-/// How far inside a triangle a centre has to be to count, in texels: sides that two faces share go through centres.
+/// The least distance of a texel's centre from a triangle's sides, inwards, in texels: common sides of faces pass through centres.
 constexpr double kInside = 1e-6;
 
-/// The texels of an atlas, each with the chart that touches it and the face that its centre is in.
+/// The texels of an atlas, each with the chart that touches it and the face that contains its centre.
 struct Texels
 {
     int size;

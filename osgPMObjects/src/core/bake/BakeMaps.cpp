@@ -19,8 +19,8 @@ namespace osgPMObjects::core
 namespace
 {
 
-constexpr std::size_t kLeastTexelsAThread = 512; ///< texels
-constexpr double kLeastNormal = 0.01; ///< below, corners look so differently that their mean says nothing
+constexpr std::size_t kLeastTexelsAThread = 512;
+constexpr double kLeastNormal = 0.01; ///< below, corners look so different that their mean says nothing
 
 glm::dvec3 geometricNormal(const Mesh& mesh, const Face& face)
 {
@@ -33,7 +33,7 @@ glm::dvec3 unitOr0(const glm::dvec3& v)
     return length > 0.0 ? v / length : glm::dvec3(0.0);
 }
 
-/// The mean of the normals that a face's corners are lit by, not made longer.
+/// Returns the mean of the corners' normals, not normalised.
 glm::dvec3 shadingNormal(const Mesh& mesh, const Face& face, const glm::dvec3& weights)
 {
     glm::dvec3 sum(0.0);
@@ -49,7 +49,7 @@ std::uint8_t byteOf(double value)
     return static_cast<std::uint8_t>(std::lround(255.0 * std::clamp(value, 0.0, 1.0)));
 }
 
-/// Looks up texels one by one.
+/// Samples texels one by one.
 class TexelBaker
 {
 public:
@@ -66,7 +66,7 @@ public:
 
     double reach() const { return _match.reach(); }
 
-    /// Fills a texel of `maps` that a face owns; tells whether all of it has a match that agrees.
+    /// Fills a texel of `maps` that belongs to a face. Returns whether all of its samples have a match.
     bool bake(std::size_t texel, std::uint32_t face, BakedMaps& maps) const
     {
         const auto size = static_cast<std::size_t>(_atlas.sizePx);
@@ -100,7 +100,7 @@ private:
         const glm::dvec3 point = weights.x * _simplified.at(face, 0) + weights.y * _simplified.at(face, 1) +
                                  weights.z * _simplified.at(face, 2);
         const glm::dvec3 shading = shadingNormal(_simplified, face, weights);
-        // What is seen from both sides may be lit by normals that look the other way.
+        // A face visible from both sides may have normals that point away from its front.
         const glm::dvec3 outwards =
             glm::dot(shading, geometricNormal(_simplified, face)) < 0.0 ? -shading : shading;
         const MatchedPoint match = _match.find(point, unitOr0(outwards), face);

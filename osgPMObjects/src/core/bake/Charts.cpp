@@ -54,14 +54,14 @@ public:
 private:
     const glm::dvec3& at(std::uint32_t position) const { return _mesh.positions[position]; }
 
-    /// Cosine between a face's normal and a direction of unit length; 1 for a face without area, which has none.
+    /// Returns the cosine between a face's normal and a unit direction; 1 for a face without area.
     double cosine(std::uint32_t face, const glm::dvec3& direction) const
     {
         const double length = glm::length(_areas[face]);
         return length > 0.0 ? glm::dot(_areas[face], direction) / length : 1.0;
     }
 
-    /// Calls `join` with free faces around the seed, those most alike to the direction first; those it takes spread on.
+    /// Calls `join` for free faces around the seed, the nearest in direction first; the growth continues from accepted faces.
     template<class Join>
     void spread(std::uint32_t seed, const glm::dvec3& direction, const Join& join)
     {
@@ -102,7 +102,7 @@ private:
                    return true;
                });
         const double mean = glm::length(sum);
-        // The seed has to join, or there would be no end.
+        // The seed must join, else the loop would not end.
         const glm::dvec3 direction =
             mean > 0.0 && cosine(seed, sum / mean) >= _leastCosine ? sum / mean : first;
         finish(seed, direction, around);
@@ -142,7 +142,7 @@ private:
     std::vector<Triangle> _triangles;
     EdgeTable _edges;
     double _leastCosine;
-    std::vector<glm::dvec3> _areas; ///< by face: its normal, twice as long as the face is large
+    std::vector<glm::dvec3> _areas; ///< by face: its normal, of twice its area's length
     std::vector<std::uint32_t> _visited;
     std::uint32_t _visit = 0;
 };

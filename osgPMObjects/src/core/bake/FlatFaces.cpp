@@ -13,11 +13,11 @@ namespace osgPMObjects::core
 namespace
 {
 
-/// Of the box: what rounding may make of two triangles that touch.
+/// Overlap of two touching triangles by rounding, as a share of the box.
 constexpr double kTouching = 1e-9;
 constexpr double kMostSide = 256.0;
 
-/// Whether a side of `a` has all of `b` outside.
+/// Whether all of `b` is outside of one side of `a`.
 bool isOutside(const FlatTriangle& a, const FlatTriangle& b, double tolerance)
 {
     for (std::size_t i = 0; i < 3; ++i)
@@ -68,7 +68,7 @@ bool FlatFaces::add(const FlatTriangle& triangle)
 {
     const double area = doubleArea(triangle[0], triangle[1], triangle[2]);
     if (area < -_tolerance * _tolerance) return false;
-    if (area <= _tolerance * _tolerance) return true; // a line lies over nothing
+    if (area <= _tolerance * _tolerance) return true; // a line overlaps nothing
     const Cells cells = cellsOf(triangle);
     if (!isFree(triangle, cells)) return false;
     const auto number = static_cast<std::uint32_t>(_triangles.size());

@@ -17,13 +17,13 @@ namespace osgPMObjects::core
 namespace
 {
 
-constexpr int kTurnsTried = 24; ///< within a quarter
-constexpr int kScalesTried = 9; ///< after one that fits has been found
+constexpr int kTurnsTried = 24; ///< within a quarter turn
+constexpr int kScalesTried = 9; ///< bisections after a scale that fits has been found
 constexpr int kMostHalvings = 40;
 
 using Line = std::array<glm::dvec2, 2>;
 
-/// A chart's sides in its plane, moved to the corner of their box.
+/// The sides of a chart in its plane, moved to the corner of their box.
 struct FlatChart
 {
     std::vector<Line> lines;
@@ -58,7 +58,7 @@ void turn(Chart& chart, double angle)
     chart.right = right;
 }
 
-/// Turns a chart into its smallest rectangle, upright.
+/// Rotates a chart into its smallest rectangle, upright.
 FlatChart turnUpright(const Mesh& mesh, Chart& chart)
 {
     const double step = std::numbers::pi / 2.0 / kTurnsTried;
@@ -78,7 +78,7 @@ FlatChart turnUpright(const Mesh& mesh, Chart& chart)
     return flatten(mesh, chart);
 }
 
-/// Lower left corners by chart, or nothing where they do not fit at this scale.
+/// Returns the lower left corners by chart; empty where they do not fit at this scale.
 std::vector<glm::ivec2> cornersAt(double scale, const std::vector<FlatChart>& flats,
                                   const std::vector<std::uint32_t>& order, const PackSettings& settings)
 {
@@ -100,7 +100,7 @@ std::vector<glm::ivec2> cornersAt(double scale, const std::vector<FlatChart>& fl
     return corners;
 }
 
-/// The largest scale found that fits, with its corners; 0: none does.
+/// Returns the largest scale that was found to fit, with its corners; 0: none fits.
 double largestScale(const std::vector<FlatChart>& flats, const PackSettings& settings,
                     std::vector<glm::ivec2>& corners)
 {

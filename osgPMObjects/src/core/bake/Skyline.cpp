@@ -11,7 +11,7 @@ namespace osgPMObjects::core
 namespace
 {
 
-/// The columns that lines cross, each from its lowest texel to above its highest.
+/// Adds the columns that a line crosses, each from its lowest texel to above its highest.
 void addLine(Silhouette& outline, glm::dvec2 a, glm::dvec2 b)
 {
     if (a.x > b.x) std::swap(a, b);
@@ -50,7 +50,7 @@ Silhouette silhouetteOf(std::span<const std::array<glm::dvec2, 2>> lines, int gu
     for (std::size_t x = 0; x < columns + 2 * reach; ++x)
     {
         const std::size_t first = x >= 2 * reach ? x - 2 * reach : 0, last = std::min(x, columns - 1);
-        // A column of the box is `gutter` to the right of the bare one; what lies up to `gutter` beside counts.
+        // A column of the box is `gutter` to the right of the bare one; columns up to `gutter` beside count.
         int bottom = bare.bottom[first], top = bare.top[first];
         for (std::size_t c = first; c <= last; ++c)
         {

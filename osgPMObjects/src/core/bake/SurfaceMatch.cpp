@@ -16,9 +16,10 @@ namespace osgPMObjects::core
 namespace
 {
 
-constexpr double kNearer = 3.0;       ///< how much nearer than along the normal something has to be
+constexpr double kNearer =
+    3.0; ///< factor by which another candidate must be nearer than the one along the normal
 constexpr double kReachOfError = 1.5; ///< the error is known at corners and centres only
-constexpr double kLeastReach = 1e-5;  ///< of the diagonal: rounding where the surfaces are one
+constexpr double kLeastReach = 1e-5;  ///< of the diagonal: rounding where the surfaces coincide
 
 double reachOf(const TriangleTree& tree, const Mesh& full, const Mesh& simplified)
 {

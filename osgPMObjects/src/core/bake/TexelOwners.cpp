@@ -15,8 +15,8 @@ namespace osgPMObjects::core
 namespace
 {
 
-/// A texel whose centre is this far away is looked at by a point of the chart still: half a diagonal to its corner, another to
-/// the centres around that.
+/// The largest distance of a texel's centre from a point of the chart whose filtering reads it: half a diagonal to the texel's
+/// corner, another to the centres around it.
 constexpr double kReachPx = 1.5;
 constexpr double kLeastArea = 1e-12; ///< of a triangle in texels
 
@@ -67,7 +67,7 @@ TexelOwners texelOwners(const Mesh& mesh, const Atlas& atlas)
                 owners.faces[y * size + x] = f;
             }
     }
-    // Within a triangle the nearest point differs from the point itself by rounding at most.
+    // In a triangle the nearest point differs from the point itself by rounding only.
     owners.covered = static_cast<std::size_t>(
         std::count_if(distances.begin(), distances.end(), [](float d) { return d < 1e-4f; }));
     return owners;

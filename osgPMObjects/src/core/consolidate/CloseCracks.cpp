@@ -14,10 +14,10 @@ namespace osgPMObjects::core
 namespace
 {
 
-/// Flat faces between vertices on one line can be cut by each pass into ones that the next removes, for ever: after so many
-/// passes they go instead of being cut.
+/// Passes after which flat faces between vertices on one line are removed, not cut: each pass could cut them into faces that
+/// the next removes, without end.
 constexpr int kPatientPasses = 6;
-/// Vertices and edges that concern each other lie no farther apart than the tolerance; the rest is for rounding.
+/// Factor of the tolerance for neighbourhoods: vertices and edges within the tolerance affect each other; the rest is for rounding.
 constexpr double kReach = 2.0;
 
 void add(DuplicateFaces& sum, const DuplicateFaces& more)
@@ -42,16 +42,15 @@ void insert(std::vector<std::uint32_t>& sorted, const std::vector<std::uint32_t>
     sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
 }
 
-/// What passes go over: a mesh or an excerpt of one.
+/// The mesh, or an excerpt of one, that passes examine.
 struct Ground
 {
     Mesh& mesh;
     TVertexState& state;
-    std::vector<std::uint32_t>&
-        changed; ///< positions of faces that have changed: where the next pass has to look
+    std::vector<std::uint32_t>& changed; ///< positions of changed faces, for the next pass
 };
 
-/// One pass over all of it. Returns whether it did anything, and says of each face which it was, or comes of.
+/// Makes one pass over all of it. Returns whether it changed anything, and for each face the number that it had or comes from.
 bool passOver(const Ground& on, double degenerateHeight, ClosedCracks& report,
               std::vector<std::uint32_t>& origins)
 {
@@ -67,7 +66,7 @@ bool passOver(const Ground& on, double degenerateHeight, ClosedCracks& report,
     return !pass.isNothing();
 }
 
-/// An excerpt as ground, whose changes go back to the ground that it is of.
+/// An excerpt to examine, whose changes are put back into the mesh it comes from.
 class Plot
 {
 public:
@@ -108,7 +107,7 @@ private:
     std::vector<std::uint32_t> _changed;
 };
 
-/// One pass over the faces near what has changed. Returns whether it did anything.
+/// Makes one pass over the faces near changes. Returns whether it changed anything.
 bool passNear(const Ground& on, const EdgeCells& near, double degenerateHeight, ClosedCracks& report)
 {
     Plot plot(on, near.facesTouching(on.mesh));
@@ -120,7 +119,7 @@ bool passNear(const Ground& on, const EdgeCells& near, double degenerateHeight, 
     return didAnything;
 }
 
-/// Whether there is a next pass, which is begun.
+/// Begins the next pass; returns false when there is none.
 bool begin(CrackPasses& passes, TVertexState& state)
 {
     if (passes.made >= passes.most) return false;
@@ -128,7 +127,7 @@ bool begin(CrackPasses& passes, TVertexState& state)
     return true;
 }
 
-/// Passes in a wider excerpt, as long as none would have to look beyond it. Returns whether the last one did anything.
+/// Makes passes in a wider excerpt, as long as none needs faces beyond it. Returns whether the last one changed anything.
 bool passesAround(const Ground& on, CrackPasses& passes, ClosedCracks& report)
 {
     const Extent extent = extentOf(on.mesh.positions);
@@ -173,7 +172,7 @@ ClosedCracks closeCracks(Mesh& mesh, CrackPasses& passes)
             isMore = passesAround(all, passes, report);
         passes.isWhole = false;
     }
-    DuplicateFaces last = removeDuplicateFaces(mesh); // for those that are kept, all over the mesh
+    DuplicateFaces last = removeDuplicateFaces(mesh); // for the count of kept pairs, in the whole mesh
     add(last, report.duplicates);
     report.duplicates = last;
     return report;

@@ -11,7 +11,7 @@ namespace
 
 constexpr std::uint32_t kUnused = ~0u;
 
-/// New numbers for what is marked, in order; kUnused for the rest.
+/// Returns new numbers for marked elements, in order; kUnused for the rest.
 std::vector<std::uint32_t> numbered(const std::vector<bool>& isUsed)
 {
     std::vector<std::uint32_t> numbers(isUsed.size(), kUnused);

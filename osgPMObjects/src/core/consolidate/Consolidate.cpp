@@ -12,7 +12,7 @@ namespace osgPMObjects::core
 namespace
 {
 
-/// Of splits, each followed by what it makes necessary.
+/// The most rounds of splits with the repairs that follow.
 constexpr int kMostRounds = 20;
 
 void add(ConsolidateReport& report, const ClosedCracks& more)
@@ -28,7 +28,7 @@ void add(ConsolidateReport& report, const ClosedCracks& more)
     report.tVertices.moved += more.tVertices.moved;
 }
 
-/// Faces are turned and edges split. A split opens edges that others may lie on, and what is put into those can crowd an edge
+/// Reverses faces and splits edges. A split opens edges that may have T-vertices, and inserting those may make an edge non-manifold
 /// again.
 void orientAndSplit(Mesh& mesh, bool orient, CrackPasses& cracks, ConsolidateReport& report)
 {

@@ -14,7 +14,7 @@ namespace osgPMObjects::core
 namespace
 {
 
-/// Faces that one thread takes at least.
+/// The least number of faces for a thread.
 constexpr std::size_t kLeastFacesAThread = 16384;
 constexpr double kMostCells = 1 << 22;
 constexpr double kMostOfASide = 1024;
@@ -40,7 +40,7 @@ glm::ivec3 EdgeCells::cellOf(const glm::dvec3& p) const
     return glm::min(glm::ivec3(cell), _count - 1);
 }
 
-/// Until `found` says so of a cell.
+/// Calls `found(cell)` for the cells of a box, until it returns true.
 template<class Found>
 bool EdgeCells::visit(const Extent& box, const Found& found) const
 {
@@ -57,7 +57,7 @@ bool EdgeCells::visit(const Extent& box, const Found& found) const
     return false;
 }
 
-/// Box by box: a long edge slantwise passes few of the cells in its own.
+/// Marks cells in short boxes along the edge: a long diagonal edge crosses few of the cells in its own box.
 void EdgeCells::markEdge(const glm::dvec3& a, const glm::dvec3& b)
 {
     const int pieces = static_cast<int>(glm::length(b - a) / _cell) + 1;

@@ -12,7 +12,7 @@ namespace
 
 constexpr std::uint32_t kNone = HashIndex::kNone;
 
-/// Numbers, in order, what is not kNone, and lists it.
+/// Numbers the elements other than kNone in order, and lists them.
 std::vector<std::uint32_t> listMarked(std::vector<std::uint32_t>& numbers)
 {
     std::vector<std::uint32_t> listed;
@@ -90,7 +90,7 @@ void Excerpt::putBack(Mesh& whole, std::span<const std::uint32_t> origins) const
 {
     for (std::size_t p = 0; p < _positions.size(); ++p)
         whole.positions[_positions[p]] = mesh.positions[p];
-    std::vector<std::uint32_t> wedges = _wedges; // those added, too
+    std::vector<std::uint32_t> wedges = _wedges; // with the added ones
     for (std::uint32_t w = 0; w < mesh.wedgeCount(); ++w)
     {
         Wedge wedge = wedgeOf(mesh, w);

@@ -19,10 +19,10 @@ namespace osgPMObjects::core
 namespace
 {
 
-/// Of the tolerance: what is left of it is for the floats that a mesh becomes.
+/// Share of the tolerance that positions may move; the rest is for rounding to floats.
 constexpr double kMostDrift = 0.97;
 
-/// One pass: what is to be done to the mesh is collected before any of it is done.
+/// One pass: all changes are collected before the first is made.
 class Pass
 {
 public:
@@ -65,7 +65,7 @@ private:
         return std::minmax(from, to);
     }
 
-    /// Moves a position, if that is not too far in all.
+    /// Moves a position, unless it would have moved too far in all.
     bool move(std::uint32_t position, const glm::dvec3& where)
     {
         const double after = _drift[position] + glm::length(where - _mesh.positions[position]);
@@ -77,7 +77,7 @@ private:
 
     void stitch()
     {
-        std::unordered_map<std::uint32_t, std::uint32_t> joined; // position → what it becomes
+        std::unordered_map<std::uint32_t, std::uint32_t> joined; // position → the one that replaces it
         std::unordered_set<std::uint32_t> isTaken;
         for (const TJunction& t : _found)
         {
@@ -134,7 +134,7 @@ private:
         }
     }
 
-    /// Each vertex once, whatever edges it is near to.
+    /// Each vertex is moved once, even if it is near several edges.
     void moveHalfway(const TJunction& t)
     {
         if (!_moved.insert(t.vertex).second) return;

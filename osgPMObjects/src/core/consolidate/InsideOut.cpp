@@ -16,10 +16,10 @@ namespace osgPMObjects::core
 namespace
 {
 
-/// Of a cube's volume with the same area: below, a group is flat.
+/// The least volume of a group, as a share of that of a cube with the same area; below, it is flat.
 constexpr double kFlat = 1e-6;
 
-/// Faces joined across edges with two faces.
+/// A set of faces connected by edges with two faces.
 struct Group
 {
     std::vector<std::uint32_t> faces;
@@ -69,7 +69,7 @@ std::vector<Group> groupsOf(const Mesh& mesh)
     return groups;
 }
 
-/// Along +x, a little askew, so that it meets no edge of what is built along the axes.
+/// A direction near +x that meets no edge of axis-aligned buildings.
 const glm::dvec3 kAskew(1.0, 0.00372913, 0.00781521);
 
 bool isInside(const Mesh& mesh, const glm::dvec3& point, const Group& group)
@@ -82,7 +82,7 @@ bool isInside(const Mesh& mesh, const glm::dvec3& point, const Group& group)
     return inside;
 }
 
-/// Whether a group lies in another closed one, as the wall of a hollow lies in its body.
+/// Whether a group is inside another closed one, as the inner wall of a hollow body.
 bool isCavity(const Mesh& mesh, const Group& group, const std::vector<Group>& groups)
 {
     const glm::dvec3 point = mesh.at(mesh.faces[group.faces[0]], 0);

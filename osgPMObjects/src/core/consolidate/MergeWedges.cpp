@@ -29,7 +29,7 @@ bool isSame(const Wedge& a, const Wedge& b, const WedgeTolerance& tolerance)
            isNear(a.colour, b.colour, tolerance.colour);
 }
 
-/// A wedge with nothing that its material does not have.
+/// Returns a wedge with only the attributes that its material has.
 Wedge bare(Wedge wedge, const Material& material)
 {
     if (!material.has(Material::normal)) wedge.normal = {};
@@ -39,14 +39,14 @@ Wedge bare(Wedge wedge, const Material& material)
     return wedge;
 }
 
-/// A corner of a face, by what decides whether its wedge can be another's.
+/// A corner of a face, with the keys that decide whether its wedge can be merged with another.
 struct Corner
 {
     std::uint32_t material, wedge, number; ///< number: 3·face + corner
     auto operator<=>(const Corner&) const = default;
 };
 
-/// All corners by their position, in order of material, wedge and number.
+/// All corners by position, in order of material, wedge and number.
 struct CornersByPosition
 {
     std::vector<Corner> corners;

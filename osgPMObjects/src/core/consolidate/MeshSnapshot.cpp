@@ -38,7 +38,7 @@ std::vector<std::uint32_t> MeshSnapshot::changedSince(const Mesh& mesh,
     return changed;
 }
 
-/// By position: whether it is a corner of a face that went, came, or has other corners.
+/// Returns by position whether it is a corner of a face that was removed, added, or has other corners.
 std::vector<std::uint8_t> MeshSnapshot::marksOfOtherFaces(const Mesh& mesh,
                                                           std::span<const std::uint32_t> origins) const
 {

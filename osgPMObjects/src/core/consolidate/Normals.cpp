@@ -119,7 +119,7 @@ private:
     const Smoothing& _smoothing;
     const std::vector<Triangle> _triangles;
     const EdgeTable _edges;
-    UnionFind _corners;               ///< those that see one normal
+    UnionFind _corners;               ///< sets with one normal
     std::vector<glm::dvec3> _normals; ///< by face
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t>
         _given; ///< (wedge, corner group) → new wedge

@@ -17,15 +17,15 @@ namespace osgPMObjects::core
 namespace
 {
 
-/// Rays for a patch, and how one-sided what they say must be to count.
+/// Number of rays for a patch.
 constexpr int kRays = 48;
 constexpr double kDecided = 0.25;
-/// Patches that rays are spent on at most.
+/// The most patches that are judged by rays.
 constexpr std::size_t kMostJudged = 2048;
-/// Two faces fold back onto each other where the directions from their edge into them have this cosine.
+/// Least cosine between the directions from an edge into its two faces at which they fold back onto each other.
 constexpr double kFold = 0.5;
 
-/// Two patches that disagree along an edge.
+/// Two patches of opposite orientation along an edge.
 struct Disagreement
 {
     HalfEdge a, b;
@@ -140,7 +140,7 @@ private:
         patch.isTurned = patch.isDecided && open < 0.0;
     }
 
-    /// The largest neighbour speaks first.
+    /// Takes the largest neighbour first.
     void followNeighbours()
     {
         std::vector<std::vector<Disagreement>> around(_doubtful.size());

@@ -14,7 +14,7 @@ namespace osgPMObjects::core
 namespace
 {
 
-/// Removes the faces whose number `isDead` marks, keeping the order.
+/// Removes the faces marked in `isDead`; the others keep their order.
 std::size_t removeMarked(Mesh& mesh, const std::vector<bool>& isDead)
 {
     std::size_t kept = 0;
@@ -25,7 +25,7 @@ std::size_t removeMarked(Mesh& mesh, const std::vector<bool>& isDead)
     return removed;
 }
 
-/// Faces sorted by their lowest corner, the middle one, the highest and their number; buckets for the first.
+/// Faces sorted by their lowest, middle and highest corner and their number, with buckets by the lowest.
 struct FacesByCorners
 {
     struct Entry
@@ -53,7 +53,7 @@ struct FacesByCorners
             std::sort(faces.begin() + first[p], faces.begin() + first[p + 1]);
     }
 
-    /// Whether the i-th and the j-th have the same corners.
+    /// Whether the i-th and the j-th face have the same corners.
     bool isSame(std::size_t i, std::size_t j) const
     {
         return faces[i].middle == faces[j].middle && faces[i].highest == faces[j].highest &&
@@ -70,13 +70,13 @@ private:
     std::span<const Triangle> _triangles;
 };
 
-/// Whether the corners, sorted, turn the same way as they stand: equal for two faces with the same front.
+/// Whether sorting the corners keeps their orientation: equal for two faces with the same front.
 bool isEvenTurn(const Triangle& t)
 {
     return (t[0] < t[1]) == ((t[1] < t[2]) == (t[0] < t[2]));
 }
 
-/// Faces on one triple of positions, as they are looked through for what can go.
+/// The faces on one triple of positions; decides which are removed.
 class SameCorners
 {
 public:
@@ -118,11 +118,11 @@ private:
         _report.hidden += _mesh.faces[face].material != _mesh.faces[other].material;
     }
 
-    /// Two faces back to back.
+    /// Merges or keeps two faces back to back.
     void joinBacks(std::uint32_t first, std::uint32_t second)
     {
         const Material &a = materialOf(first), &b = materialOf(second);
-        if (a.isTwoSided || b.isTwoSided) // shows from both sides already, and the other at the same depth
+        if (a.isTwoSided || b.isTwoSided) // is visible from both sides already, at the depth of the other
         {
             const bool firstStays = a.isTwoSided && (!b.isTwoSided || !a.isTransparent || b.isTransparent);
             return firstStays ? drop(second, first) : drop(first, second);
@@ -137,7 +137,7 @@ private:
         _mesh.faces[first].material = twoSided(_mesh.faces[first].material);
     }
 
-    /// The same material, seen from both sides.
+    /// Returns the same material drawn from both sides.
     std::uint32_t twoSided(std::uint32_t material)
     {
         Material both = _mesh.materials[material];

@@ -17,7 +17,7 @@ namespace osgPMObjects::core
 namespace
 {
 
-/// More faces than this on one edge are paired as they come: comparing each with each would take too long.
+/// The most faces of an edge that are compared pair by pair; more are paired in their order, to limit the time.
 constexpr std::size_t kMostCompared = 64;
 
 class Splitter
@@ -40,8 +40,8 @@ public:
         return _report;
     }
 
-    /// Sides that are still together on an edge, because their faces are joined around both its ends: each pair after the first
-    /// gets both ends for itself, which opens the other edges of its faces.
+    /// Separates pairs of faces that are still together on an edge, since they are connected around both its ends: each pair
+    /// after the first gets both ends for itself, which opens the other edges of its faces.
     std::size_t cutLoose()
     {
         for (std::uint32_t e = 0; e < _edges.size(); ++e)
@@ -69,7 +69,7 @@ private:
 
     bool agree(HalfEdge a, HalfEdge b) const { return endsOf(_triangles, a) != endsOf(_triangles, b); }
 
-    /// A corner is the side that begins at it.
+    /// Joins two corners; a corner has the number of the side that begins at it.
     void join(HalfEdge a, HalfEdge b)
     {
         _corners.join(a, nextSide(b));
@@ -101,10 +101,10 @@ private:
         }
     }
 
-    /// -1 where two faces go on in one plane, 1 where the second folds back onto the first.
+    /// Returns -1 where two faces are coplanar across the edge, 1 where the second folds back onto the first.
     double fold(HalfEdge a, HalfEdge b) const { return glm::dot(inward(a), inward(b)); }
 
-    /// From the edge into the face.
+    /// Returns the direction from the edge into the face.
     glm::dvec3 inward(HalfEdge side) const
     {
         const auto [from, to] = endsOf(_triangles, side);
@@ -117,7 +117,7 @@ private:
         return length > 0.0 ? across / length : across;
     }
 
-    /// Corners at marked positions that are not joined get positions of their own.
+    /// Gives separate corners at marked positions copies of the position.
     void separate()
     {
         std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t>

@@ -13,7 +13,8 @@ namespace osgPMObjects::core
 namespace
 {
 
-/// The i-th number between 0 and 1 of a sequence without clusters. Source: van der Corput (1935), base `base`.
+/// Returns the i-th number, 0 to 1, of an evenly spread sequence. Source: van der Corput, *Verteilungsfunktionen* (1935), base
+/// `base`.
 double spread(int i, int base)
 {
     double value = 0.0, digit = 1.0;
@@ -25,7 +26,7 @@ double spread(int i, int base)
     return value;
 }
 
-/// A direction of the half-space before a unit normal, by two numbers between 0 and 1; more of them near the normal.
+/// Returns a direction before a unit normal, from two numbers 0 to 1; directions near the normal are more frequent.
 glm::dvec3 directionBefore(const glm::dvec3& normal, double u, double v)
 {
     const double radius = std::sqrt(u), angle = 6.283185307179586 * v;
@@ -45,7 +46,7 @@ double openness(std::span<const glm::dvec3> positions, std::span<const Triangle>
         const Triangle& t = triangles[f];
         return glm::cross(positions[t[1]] - positions[t[0]], positions[t[2]] - positions[t[0]]);
     };
-    std::vector<double> areas; // summed up
+    std::vector<double> areas; // cumulative
     for (const std::uint32_t f : patch)
         areas.push_back((areas.empty() ? 0.0 : areas.back()) + glm::length(areaVector(f)));
     if (!(areas.back() > 0.0)) return 0.0;
@@ -64,7 +65,7 @@ double openness(std::span<const glm::dvec3> positions, std::span<const Triangle>
         const glm::dvec3 from = positions[t[0]] + u * (positions[t[1]] - positions[t[0]]) +
                                 v * (positions[t[2]] - positions[t[0]]);
         const glm::dvec3 direction = directionBefore(vector / length, spread(i + 1, 5), spread(i + 1, 7));
-        const double least = 1e-6 * std::sqrt(length); // leaves its own face behind
+        const double least = 1e-6 * std::sqrt(length); // starts beyond its own face
         front += !tree.isHit(from, direction, least);
         back += !tree.isHit(from, -direction, least);
     }

@@ -13,7 +13,7 @@ namespace osgPMObjects::core
 namespace
 {
 
-/// Of the tolerance: few balls of its radius reach into a second cell then, and hardly a cell holds two positions still.
+/// Cell size in tolerances: then few search balls reach into a second cell, and hardly any cell has two remaining positions.
 constexpr double kCell = 16.0;
 
 } // namespace

@@ -15,7 +15,7 @@ namespace osgPMObjects::core
 namespace
 {
 
-/// Where an accessor's bytes are; everything about it has been checked against its buffer.
+/// The bytes of an accessor, checked against its buffer.
 struct Bytes
 {
     const unsigned char* first = nullptr;

@@ -22,7 +22,7 @@ namespace
 
 using Parse = std::function<bool(tinygltf::TinyGLTF&, tinygltf::Model&, std::string& error)>;
 
-/// A picture that cannot be decoded is no reason to refuse the model.
+/// Accepts all images: one that cannot be decoded is no reason to refuse the model.
 bool loadImage(tinygltf::Image* image, const int number, std::string*, std::string*, int width, int height,
                const unsigned char* bytes, int size, void* options)
 {
@@ -71,7 +71,7 @@ bool isFile(const std::string& name, void*)
     return std::filesystem::is_regular_file(name, failed);
 }
 
-/// Only files: of a folder the parser would ask for as many bytes as there are numbers.
+/// Reads files only: for a folder the parser would request as many bytes as there are numbers.
 bool readFile(std::vector<unsigned char>* bytes, std::string* error, const std::string& name, void* data)
 {
     if (isFile(name, data)) return tinygltf::ReadWholeFile(bytes, error, name, data);
@@ -79,7 +79,7 @@ bool readFile(std::vector<unsigned char>* bytes, std::string* error, const std::
     return false;
 }
 
-/// What is given as bytes has no folder that other files could be in.
+/// Finds no other files for a model from memory, which has no folder.
 bool isNone(const std::string&, void*)
 {
     return false;
@@ -109,7 +109,7 @@ foundation::Result<GltfModel> readModel(const Parse& parse, const std::string& n
         std::string error;
         if (!parse(loader, parsed, error)) return refused(error.empty() ? "damaged" : error);
     }
-    catch (const std::exception& thrown) // the parser's, of JSON or of memory
+    catch (const std::exception& thrown) // of the parser: from JSON or memory
     {
         return refused(thrown.what());
     }

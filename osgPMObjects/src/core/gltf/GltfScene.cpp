@@ -21,9 +21,9 @@ namespace osgPMObjects::core
 namespace
 {
 
-constexpr int kDeepest = 256; ///< a node that contains itself has no end
+constexpr int kDeepest = 256; ///< limit of node depth: a node that contains itself has no end
 
-/// y up to z up; columns are where the axes go.
+/// Rotation from y-up to z-up; columns are the images of the axes.
 const glm::dmat4 kUpright(1, 0, 0, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 1);
 
 glm::dmat4 matrixOf(const tinygltf::Node& node)
@@ -122,7 +122,7 @@ private:
             readPrimitive(primitive, part, matrix);
     }
 
-    /// An attribute's values; nothing where it has none, or where the file is damaged (then _error says so).
+    /// Returns the values of an attribute; empty where there is none, or where the file is damaged (_error is then set).
     std::optional<std::vector<glm::dvec4>> attribute(const tinygltf::Primitive& primitive,
                                                      const char* semantic)
     {
@@ -171,7 +171,7 @@ private:
 
     std::uint32_t materialOf(const tinygltf::Primitive& primitive)
     {
-        // The last of the materials is the default one of the specification, for primitives that name none.
+        // The last material is the default one of the glTF specification, for primitives that name none.
         const std::size_t last = _into.materials.size() - 1;
         const std::size_t number =
             primitive.material >= 0 ? static_cast<std::size_t>(primitive.material) : last;
@@ -181,7 +181,7 @@ private:
         material.state = static_cast<std::uint32_t>(std::min(number, last));
         material.isTwoSided = from.isTwoSided;
         material.litFromBothSides =
-            from.isTwoSided; // §3.9.4 (double sided): back faces are lit by reversed normals
+            from.isTwoSided; // section 3.9.4 (double sided): back faces are lit by reversed normals
         material.isTransparent = from.isBlended;
         material.attributes = (_normals ? Material::normal : 0u) |
                               (_texCoords[0] ? Material::texCoord0 : 0u) |
@@ -266,7 +266,7 @@ private:
     std::optional<foundation::Error> _error;
     std::size_t _visits = 0;
 
-    // Of the primitive that is being read.
+    // Of the current primitive.
     glm::dmat4 _matrix{1.0};
     glm::dmat3 _normalMatrix{1.0};
     bool _isMirrored = false;

@@ -11,10 +11,10 @@ namespace osgPMObjects::core
 namespace
 {
 
-/// Positions that one thread takes at least.
+/// The least number of positions for a thread.
 constexpr std::size_t kLeastPositionsAThread = 16384;
 
-/// A side's ends, the lower first.
+/// Returns the ends of a side, the lower first.
 std::pair<std::uint32_t, std::uint32_t> sortedEnds(std::span<const Triangle> triangles, HalfEdge side)
 {
     const auto [from, to] = endsOf(triangles, side);

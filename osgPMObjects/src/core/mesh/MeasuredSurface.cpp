@@ -46,7 +46,7 @@ void MeasuredSurface::addFixedPoints()
 
 void MeasuredSurface::addSpreadPoints(std::size_t count)
 {
-    std::vector<double> areas; // summed up
+    std::vector<double> areas; // cumulative
     for (const Triangle& t : _triangles)
         areas.push_back((areas.empty() ? 0.0 : areas.back()) +
                         glm::length(glm::cross(at(t, 1) - at(t, 0), at(t, 2) - at(t, 0))));

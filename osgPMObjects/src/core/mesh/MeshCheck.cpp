@@ -21,7 +21,7 @@ bool isFinite(const Vector& v)
     return true;
 }
 
-/// "positions[7] is not finite", or nothing.
+/// Returns a defect such as "positions[7] is not finite", or an empty string.
 template<class Vector>
 std::string notFinite(const std::vector<Vector>& values, const char* name)
 {

@@ -32,8 +32,8 @@ struct Distances
     double largest = 0.0, sum = 0.0;
 };
 
-/// Of neighbouring samples: a step along one surface takes one no farther away from the other than it is long, so that
-/// little of the tree is looked at.
+/// Measures neighbouring samples in sequence: the distance to a surface changes by at most the way between two samples, which
+/// bounds the search in the tree.
 template<class Point>
 Distances distancesOf(const std::vector<Point>& samples, std::size_t first, std::size_t last,
                       const TriangleTree& tree)

@@ -17,14 +17,14 @@ namespace osgPMObjects::core
 namespace
 {
 
-/// How near to an end a foot may be, as a share of the edge: nearer, the vertex is that end's business (welding).
+/// The least distance of a foot from an end, as a share of the edge; nearer vertices are a matter of welding.
 constexpr double kEnd = 1e-4;
-/// Edges that one thread takes at least.
+/// The least number of edges for a thread.
 constexpr std::size_t kLeastEdgesAThread = 4096;
 
 using Ends = std::pair<std::uint32_t, std::uint32_t>;
 
-/// The search over the open edges of a mesh.
+/// Searches the open edges of a mesh for vertices near them.
 class Search
 {
 public:
@@ -74,8 +74,8 @@ private:
         Ends ends;
     };
 
-    /// The mean length of the edges, so that all of them together cross a few cells each; never so small that the whole has
-    /// more than 2^20 cells a side.
+    /// Returns a cell size of the mean edge length, so that all edges together cross a few cells each, but at most 2^20 cells a
+    /// side.
     double cellSize(double lengths) const
     {
         const double mean = _edges.empty() ? 0.0 : lengths / static_cast<double>(_edges.size());
@@ -109,7 +109,7 @@ private:
         sortAlong(found, before);
     }
 
-    /// Those found since `before`: along the edge, each once.
+    /// Sorts the junctions found since `before` along the edge, and removes repeated ones.
     static void sortAlong(std::vector<TJunction>& found, std::size_t before)
     {
         const auto begin = found.begin() + static_cast<std::ptrdiff_t>(before);

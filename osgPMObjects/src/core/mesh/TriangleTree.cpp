@@ -17,10 +17,10 @@ namespace osgPMObjects::core
 namespace
 {
 
-/// Triangles from which on two threads build the halves of a tree.
+/// The least number of triangles for which two threads build the halves of a tree.
 constexpr std::uint32_t kLeastShared = 16384;
 
-/// Whether a ray meets a box before `most` directions; `inverse`: of its direction, by coordinate.
+/// Whether a ray enters a box before `most` lengths; `inverse`: reciprocal coordinates of its direction.
 bool meets(const Extent& box, const glm::dvec3& from, const glm::dvec3& inverse, double most)
 {
     const glm::dvec3 a = (box.low - from) * inverse, b = (box.high - from) * inverse;
@@ -104,7 +104,7 @@ void TriangleTree::build(std::uint32_t first, std::uint32_t last, std::span<cons
                          return x != y ? x < y : a < b;
                      });
     const bool isShared = threads > 1 && last - first >= kLeastShared;
-    std::vector<Node> others; // of the second half, numbered from 0, where another thread builds it
+    std::vector<Node> others; // of the second half, numbered from 0, when another thread builds it
     std::thread other;
     if (isShared) other = std::thread([&] { build(middle, last, centres, threads / 2, others); });
     build(first, middle, centres, isShared ? threads - threads / 2 : 1, nodes);

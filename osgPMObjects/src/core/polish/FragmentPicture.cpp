@@ -16,9 +16,9 @@ namespace
 {
 
 constexpr float kFarthest = -std::numeric_limits<float>::infinity();
-constexpr float kAmbient = 0.1f; ///< of the light that a surface towards the lamp gives
+constexpr float kAmbient = 0.1f; ///< share of the light on a surface that faces the lamp
 
-/// How light a corner is by a lamp at the eye.
+/// Returns the luminance of a corner lit by a lamp at the camera.
 float litLuminance(const SeenFace& face, int corner, const PictureView& view, bool isBack)
 {
     const glm::vec3& normal = face.normals[corner];
@@ -56,7 +56,7 @@ FragmentPicture::FragmentPicture(const PictureView& view, int sizePx, float back
     _round.assign(pixels, 0);
 }
 
-/// Calls `visit(pixel, depth, luminance)` for what a face shows in this view, hidden or not.
+/// Calls `visit(pixel, depth, luminance)` for the pixels that a face covers in this view, hidden or not.
 template<class Visit>
 void FragmentPicture::draw(const SeenFace& face, const Visit& visit) const
 {

@@ -14,7 +14,7 @@ namespace osgPMObjects::core
 namespace
 {
 
-/// Around positions of very many neighbours only the cheapest are looked at.
+/// The most neighbours of a position that are evaluated: those of the least quadric cost.
 constexpr std::size_t kMostTried = 24;
 
 } // namespace
@@ -52,7 +52,7 @@ StarShape ImageCollapser::shapeOf(const Star& star) const
     return shape;
 }
 
-/// Where a collapse of `_star.middle` puts both, and what that costs by the quadrics.
+/// Returns the position of the edge from `_star.middle` after its collapse, and its quadric cost.
 ImageCollapser::Place ImageCollapser::placeFor(std::uint32_t to)
 {
     const glm::dvec3 &here = _state.positions[_star.middle], &there = _state.positions[to];
@@ -67,7 +67,7 @@ ImageCollapser::Place ImageCollapser::placeFor(std::uint32_t to)
     return {at, costAt(edge, at)};
 }
 
-/// The neighbours of a position, those it may go into for the least first.
+/// Sorts the neighbours that a position may merge into by cost.
 void ImageCollapser::rank(std::uint32_t position)
 {
     _star.gather(_state.stars, _state.positions, position);
@@ -120,7 +120,7 @@ bool ImageCollapser::isHarmful(std::uint32_t to, const glm::dvec3& at) const
     return false;
 }
 
-/// What a wedge of either position looks like after the step that is planned.
+/// Returns the attributes of a wedge of either position after the planned step.
 Wedge ImageCollapser::wedgeAfter(std::uint32_t wedge, bool isOfFrom) const
 {
     std::uint32_t becomes = wedge;
@@ -137,13 +137,13 @@ Wedge ImageCollapser::wedgeAfter(std::uint32_t wedge, bool isOfFrom) const
     return after;
 }
 
-/// The faces of a star before, and those that are left of them after the step that is planned.
+/// Adds the faces of a star before the planned step, and the remaining ones after it.
 void ImageCollapser::addPatch(const Star& star, std::uint32_t besides)
 {
     const bool isOfFrom = star.middle == _star.middle;
     for (const Star::Spoked& spoked : star.faces)
     {
-        if (!isOfFrom && spoked.has(besides)) continue; // is there already
+        if (!isOfFrom && spoked.has(besides)) continue; // has been added already
         _removed.push_back(_state.seen(spoked.face));
         if (spoked.has(besides)) continue;
         _added.push_back(_removed.back());
@@ -154,7 +154,7 @@ void ImageCollapser::addPatch(const Star& star, std::uint32_t besides)
     }
 }
 
-/// Works out what a collapse of `_star.middle` does.
+/// Plans the collapse of `_star.middle` into a neighbour.
 void ImageCollapser::plan(std::uint32_t to)
 {
     const WedgedMesh wedged{_state.stars, _state.mesh, _state.positions};
@@ -190,7 +190,7 @@ void ImageCollapser::collapse(std::uint32_t from)
     touch(to);
 }
 
-/// A position's star has changed.
+/// Marks a position whose star has changed.
 void ImageCollapser::touch(std::uint32_t position)
 {
     _isStale[position] = true;

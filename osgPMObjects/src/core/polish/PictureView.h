@@ -26,6 +26,7 @@ inline PictureView viewFrom(const glm::dvec3& towardsEye)
 }
 
 /// Returns directions all around, from above to below, about evenly spaced: each turned by the golden angle from the one before.
+/// Source: Swinbank and Purser, *Fibonacci grids: a novel approach to global modelling* (2006).
 inline std::vector<PictureView> viewsAround(int count)
 {
     const double goldenAngle = std::numbers::pi * (3.0 - std::sqrt(5.0));

@@ -14,7 +14,7 @@ namespace osgPMObjects::core
 namespace
 {
 
-constexpr double kFirstReach = 0.2;  ///< of the mean length of the edges around
+constexpr double kFirstReach = 0.2;  ///< share of the mean length of the edges around
 constexpr double kLeastGain = 1e-6;  ///< squared luminance of a pixel: less is rounding
 constexpr std::uint32_t kNone = ~0u; ///< no position
 
@@ -53,7 +53,7 @@ std::vector<PlaceMover::Movable> PlaceMover::movables(const CollapseSequence& st
     return all;
 }
 
-/// Goes the best of six ways, along the surface's normal and across, if one of them is better.
+/// Tries six directions, along the surface's normal and across, and moves to the best one if it is better.
 bool PlaceMover::improve(Movable& movable)
 {
     _star.gather(_state.stars, _state.positions, movable.position);

@@ -15,7 +15,7 @@ namespace osgPMObjects::core
 namespace
 {
 
-/// Steps of a state in the units of the mesh, their errors never falling.
+/// Converts steps of a state to units of the mesh, with errors that never decrease.
 CollapseSequence inUnitsOf(CollapseSequence steps, const ImageFrame& frame)
 {
     LevelError error;
@@ -47,7 +47,7 @@ CollapseSequence polishByImages(const Mesh& mesh, const CollapseSequence& sequen
     polished = joined(mesh, std::move(polished), inUnitsOf(std::move(chosen), ImageFrame(mesh.positions)));
     const Mesh level = meshAfter(mesh, polished, polished.steps.size());
     SimplifySettings below = settings.simplify;
-    below.envelope = 0.0; // it would be one around this level
+    below.envelope = 0.0; // it would be around this level, not the original
     return joined(mesh, std::move(polished), simplify(level, below));
 }
 

@@ -18,7 +18,7 @@ namespace
 
 constexpr std::uint32_t kMostDivisions = 1024;
 
-/// The squared distances from a cell's centre at which its support vertices lie.
+/// Squared distances of a cell's support vertices from its centre.
 struct Reach
 {
     double nearest = std::numeric_limits<double>::infinity();

@@ -21,10 +21,10 @@ namespace
 
 using Cell = std::array<std::int64_t, 3>;
 
-/// Angles between more edges are not compared pair by pair.
+/// The most edges whose angles are compared pair by pair.
 constexpr std::size_t kMostEdgesInPairs = 64;
 
-/// No grid has more cells along an axis.
+/// The most cells of a grid along an axis.
 constexpr double kMostCells = 1e9;
 
 double angleBetween(const glm::dvec3& a, const glm::dvec3& b)
@@ -32,7 +32,7 @@ double angleBetween(const glm::dvec3& a, const glm::dvec3& b)
     return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
 }
 
-/// The largest angle between two of the directions; of many, twice the largest from their mean, which is no less.
+/// Returns the largest angle between two of the directions; for many, twice the largest from their mean, which is no less.
 double largestAngle(const std::vector<glm::dvec3>& edges)
 {
     double largest = 0.0;
@@ -59,7 +59,7 @@ Cell gridCell(const glm::dvec3& point, const glm::dvec3& low, double size)
     return cell;
 }
 
-/// Fills in ClusteredMesh::representative and cells.
+/// Computes ClusteredMesh::representative and cells.
 void choose(const Mesh& mesh, ClusteredMesh& clustered)
 {
     const std::vector<double> grades = clusterGrades(mesh);
@@ -84,7 +84,7 @@ void choose(const Mesh& mesh, ClusteredMesh& clustered)
             isUsed[p] ? chosen[gridCell(mesh.positions[p], low, clustered.cellSize)] : p;
 }
 
-/// Faces that are the same in a mesh drawn together: turned so that the lowest corner comes first.
+/// A face of the merged mesh for comparison: rotated so that the lowest corner comes first, with material and part.
 using FaceKey = std::tuple<Triangle, std::uint32_t, std::uint32_t>;
 
 FaceKey keyOf(const Mesh& mesh, const Face& face)
@@ -94,7 +94,7 @@ FaceKey keyOf(const Mesh& mesh, const Face& face)
     return {t, face.material, face.part};
 }
 
-/// Edges and points that degenerate faces leave, without those that faces or edges have.
+/// Keeps edges and points of degenerate faces, unless faces or edges contain them.
 void keepRemains(ClusteredMesh& clustered, const std::vector<Triangle>& degenerate)
 {
     std::set<std::array<std::uint32_t, 2>> ofFaces, edges;
@@ -121,7 +121,7 @@ void keepRemains(ClusteredMesh& clustered, const std::vector<Triangle>& degenera
     clustered.points.assign(points.begin(), points.end());
 }
 
-/// Moves corners to the representatives and drops what is no face any more.
+/// Moves corners to the representatives and drops degenerate and duplicate faces.
 void synthesise(const Mesh& mesh, ClusteredMesh& clustered)
 {
     clustered.mesh = mesh;

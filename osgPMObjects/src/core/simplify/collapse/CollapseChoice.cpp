@@ -13,13 +13,13 @@ namespace osgPMObjects::core
 namespace
 {
 
-/// Short edges first where nothing else tells: this much of what the whole quadric would be at the other end.
+/// Weight of the edge's length, as a share of the whole quadric at its other end: decides among collapses of equal cost.
 constexpr double kShortness = 1e-6;
-/// Drifting textures count as if the patch were this far off, as a share of the diagonal.
+/// Cost of the largest allowed texture drift, as a distance of the patch and a share of the diagonal.
 constexpr double kDriftDistance = 0.02;
-/// What makes a symmetric mesh lopsided costs so much more.
+/// Cost factor of a collapse that breaks the symmetry.
 constexpr double kLopsided = 1e3;
-/// Around positions of very many neighbours only the cheapest are looked at.
+/// The most neighbours of a position that are evaluated in full: those of the least quadric cost.
 constexpr std::size_t kMostTried = 24;
 
 constexpr double squared(double x)
@@ -38,7 +38,7 @@ LevelError largest(const LevelError& a, const LevelError& b)
             std::max(a.colour, b.colour)};
 }
 
-/// Whether a collapse may take the last faces of a part, or of a material that it keeps.
+/// Whether a collapse may remove the last faces of a part, or of a material that the part keeps.
 bool hasFewFaces(const ConnectedPart& part)
 {
     constexpr std::uint32_t kFew = 8;
@@ -46,8 +46,8 @@ bool hasFewFaces(const ConnectedPart& part)
                                              [](const ConnectedPart::Kept& k) { return k.faces <= kFew; });
 }
 
-/// Whether what faces show breaks off at an edge: another material, or other texture coordinates or colours at its near end.
-/// Normals that break off show no border, only a crease, and the shape has that itself.
+/// Whether an edge is a border of appearance: another material, or other texture coordinates or colours at its near end.
+/// Different normals are a crease only, which the shape itself has.
 bool isBorder(const CollapseState& state, const Star& star, std::span<const Star::Side> sides)
 {
     const Star::Spoked& first = star.faces[sides.front().spoked];
@@ -97,7 +97,7 @@ CollapseChoice::Place CollapseChoice::placeFor(std::uint32_t to) const
     return {at, costAt(edge, at)};
 }
 
-/// Whether the mirror image of a mesh would not be one any more, however its other half is treated.
+/// Whether a collapse breaks the symmetry of the mesh, even with its mirror image done.
 bool CollapseChoice::isLopsided(std::uint32_t to) const
 {
     const MirrorTwins& twins = _state.twins;
@@ -107,7 +107,7 @@ bool CollapseChoice::isLopsided(std::uint32_t to) const
     return _state.positions[_star.middle][twins.axis] * _state.positions[to][twins.axis] < 0.0;
 }
 
-/// What is lost besides the shape nearby, when faces go: the last ones of a part, or of a material.
+/// The cost of removing the last faces of a part or a material.
 double CollapseChoice::featureCost(std::uint32_t to) const
 {
     const ConnectedPart& part = _state.part(to);
@@ -167,7 +167,7 @@ PatchGap CollapseChoice::gapTo(std::uint32_t to, const glm::dvec3& at, bool with
     return {largest(gap.gap, ofTo.gap), gap.slipCost + ofTo.slipCost};
 }
 
-/// Whether a face between the two sides of a mirrored mesh would turn over when both have been done.
+/// Whether a face that both mirrored collapses change would turn over after both.
 bool CollapseChoice::foldsWithTwin(const Star& star, std::uint32_t other, const glm::dvec3& at) const
 {
     const std::uint32_t twin = _state.twins.of(star.middle), twinOfOther = _state.twins.of(other);
@@ -238,7 +238,7 @@ glm::dvec3 CollapseChoice::placeOf(std::uint32_t from, std::uint32_t to)
 
 bool CollapseChoice::isGood(std::uint32_t from, std::uint32_t to, const glm::dvec3& place, double cost)
 {
-    constexpr double kAbout = 64.0; // what has just been done on the other side may have changed this one
+    constexpr double kAbout = 64.0; // tolerance: the collapse on the other side may have changed this one
     gather(_star, from);
     if (!std::binary_search(_star.neighbours.begin(), _star.neighbours.end(), to)) return false;
     if (_state.movesPlaces()) gather(_toStar, to);

@@ -16,7 +16,7 @@ namespace
 
 AreaWeight weightFor(Placement placement, std::size_t faces)
 {
-    // Areas are twice a face's, where the diagonal is 1; a solid's surface is about as large as the square of that.
+    // The usual double area of a face where the diagonal is 1: the surface of a solid is about the square of that.
     const double usual = 1.0 / static_cast<double>(std::max<std::size_t>(faces, 1));
     switch (placement)
     {
@@ -37,7 +37,7 @@ std::unique_ptr<Mesh> withoutPositions(const Mesh& mesh)
     return copy;
 }
 
-/// Cards of a mesh that is its own mirror image would have to go in pairs of pairs; in an envelope nothing may grow.
+/// Finds the foliage, unless the mesh is kept symmetric (cards would have to be merged in pairs of pairs) or has an envelope.
 std::vector<std::vector<LeafCard>> foliageOf(const CollapseState& state, const Mesh& original)
 {
     const SimplifySettings& settings = state.settings;

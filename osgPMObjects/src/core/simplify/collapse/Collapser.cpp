@@ -50,7 +50,7 @@ bool Collapser::isAllowed(std::uint32_t from, std::uint32_t to)
     return _guard->allows(from, to, _choice.placeOf(from, to));
 }
 
-/// Within an envelope a position goes where it may, or stays until its star changes.
+/// Queues the best collapse that the envelope allows; without one the position waits until its star changes.
 void Collapser::enterWhatIsAllowed(std::uint32_t position)
 {
     std::vector<std::uint32_t> refused;
@@ -69,7 +69,8 @@ void Collapser::enterWhatIsAllowed(std::uint32_t position)
 
 bool Collapser::isHasty(const Candidate& candidate) const
 {
-    constexpr std::uint32_t kMostNeighbours = 32; // hubs of fans would be looked at for each of their spokes
+    constexpr std::uint32_t kMostNeighbours =
+        32; // hubs of fans would be re-evaluated for each of their spokes
     if (candidate.neighbours > kMostNeighbours) return false;
     return !_state.movesPlaces() || candidate.urgency.doesHarm || _guard;
 }
@@ -82,15 +83,15 @@ void Collapser::collapse(std::uint32_t from)
     collapseTwin(from, to, urgency);
 }
 
-/// The same on the other side of a mesh that is its own mirror image, if it still can be done there.
+/// Performs the mirrored collapse on the other side of a symmetric mesh, if it is still possible there.
 void Collapser::collapseTwin(std::uint32_t from, std::uint32_t to, const Urgency& urgency)
 {
     MirrorTwins& twins = _state.twins;
     const std::uint32_t twinFrom = twins.of(from), twinTo = twins.of(to);
     if (!twins.isMirrored() || twinTo == MirrorTwins::kNone) return;
-    if (twinFrom == from && twinTo == to) return; // both in the plane
+    if (twinFrom == from && twinTo == to) return; // both in the plane of symmetry
     if (twinFrom == to)
-    { // across the plane: what is left is in it, if it could be moved there
+    { // across the plane: the remaining position is in it, if it could be moved there
         twins.twinOf[to] = _state.movesPlaces() ? to : MirrorTwins::kNone;
         return;
     }

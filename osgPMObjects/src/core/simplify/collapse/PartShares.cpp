@@ -11,7 +11,7 @@ namespace osgPMObjects::core
 namespace
 {
 
-/// Parts that stay together.
+/// Parts that must be in one share.
 struct PartGroup
 {
     std::vector<std::uint32_t> parts;
@@ -62,7 +62,7 @@ std::vector<std::vector<std::uint32_t>> partShares(const CollapseState& state, s
                      [](const PartGroup& a, const PartGroup& b) { return hasFewerFaces(b, a); });
     std::vector<PartGroup> shares(
         std::clamp<std::size_t>(groups.size(), 1, std::max<std::size_t>(threads, 1)));
-    for (const PartGroup& group : groups) // the largest first, each to the share that has least
+    for (const PartGroup& group : groups) // the largest first, each to the smallest share
     {
         PartGroup& least = *std::min_element(shares.begin(), shares.end(), hasFewerFaces);
         least.parts.insert(least.parts.end(), group.parts.begin(), group.parts.end());

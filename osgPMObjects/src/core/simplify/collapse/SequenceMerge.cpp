@@ -9,7 +9,7 @@ namespace osgPMObjects::core
 namespace
 {
 
-/// The whole sequence, to which steps are appended one by one.
+/// A sequence to which steps are appended one by one.
 class Whole
 {
 public:
@@ -40,10 +40,10 @@ public:
     CollapseSequence finish() { return std::move(_sequence); }
 
 private:
-    /// The error so far, with that of a step.
+    /// Adds the error of a step to the error so far, and returns it.
     const LevelError& raised(const LevelError& step)
     {
-        constexpr float kMostNormal = 2.0f, kMostColour = 1.0f; // what two can differ by
+        constexpr float kMostNormal = 2.0f, kMostColour = 1.0f; // the largest possible differences
         _error.distance = std::max(_error.distance, static_cast<float>(step.distance * _frame.diagonal()));
         _error.normal = std::max(_error.normal, std::min(step.normal, kMostNormal));
         _error.texCoord = std::max(_error.texCoord, step.texCoord);

@@ -6,7 +6,7 @@
 namespace osgPMObjects::core
 {
 
-/// The positions whose stars change: `to` first, for it has most of the new faces.
+/// Gathers the positions whose stars change: `to` first, since it has most of the new faces.
 void EnvelopeGuard::gatherRing()
 {
     _ring.clear();
@@ -22,7 +22,7 @@ void EnvelopeGuard::gatherRing()
     _ring.insert(_ring.begin(), _to);
 }
 
-/// A star as it would be; that of `to` has what is left of that of `from`.
+/// Returns a star after the collapse; that of `to` includes the remaining faces of `from`.
 void EnvelopeGuard::starAfter(std::uint32_t position, std::vector<Corners>& faces) const
 {
     faces.clear();
@@ -46,7 +46,7 @@ bool EnvelopeGuard::newFacesHold()
                        [&](const Corners& face) { return _envelope.holds(face); });
 }
 
-/// Finds a star that covers an original triangle afterwards, first where it is at home.
+/// Finds a star that covers an original triangle after the collapse; tries its present home first.
 bool EnvelopeGuard::findsHome(std::uint32_t triangle, std::uint32_t home)
 {
     const auto at = std::find(_ring.begin(), _ring.end(), home == _from ? _to : home) - _ring.begin();

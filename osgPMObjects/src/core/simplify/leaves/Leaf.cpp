@@ -17,9 +17,9 @@ namespace osgPMObjects::core
 namespace
 {
 
-constexpr double kLeastExposure = 0.02; ///< among others, however many: it may be seen between them
-constexpr double kFlattest = 0.5;       ///< between the normals of a stretched leaf's faces: 60°
-constexpr double kTurned = 0.2;         ///< between a face's normals before and after
+constexpr double kLeastExposure = 0.02; ///< of any card among others: it may be visible between them
+constexpr double kFlattest = 0.5;       ///< cosine between the normals of a stretched leaf's faces: 60°
+constexpr double kTurned = 0.2;         ///< cosine between a face's normals before and after
 
 double squaredLength(const glm::dvec3& v)
 {
@@ -44,7 +44,7 @@ glm::dvec3 doubleAreaVector(const LeafCard::Corners& c, std::span<const glm::dve
     return glm::cross(places[c[1]] - places[c[0]], places[c[2]] - places[c[0]]);
 }
 
-/// What both areas are moved by.
+/// The cost of moving both areas to `middle`.
 double costOf(const CollapseState& state, const Leaf& gone, const Leaf& stays, const glm::dvec3& middle)
 {
     return state.weight.of(gone.seenDoubleArea) * squaredLength(middle - gone.middle) +
@@ -57,7 +57,7 @@ glm::dvec3 middleOfBoth(const Leaf& a, const Leaf& b)
            (a.seenDoubleArea + b.seenDoubleArea);
 }
 
-/// How much larger a leaf may become about a place within a box, at most so much.
+/// Returns how much a leaf can be scaled about a point within a box, at most `most`.
 double mostScale(const Extent& box, std::span<const glm::dvec3> places, const glm::dvec3& about, double most)
 {
     for (const glm::dvec3& p : places)
@@ -71,7 +71,7 @@ double mostScale(const Extent& box, std::span<const glm::dvec3> places, const gl
     return std::max(most, 1.0);
 }
 
-/// The corner of a card that shows what a corner of another one does; kOwn where there is none.
+/// Returns the corner of a card with the same texture coordinates as a corner of another; kOwn where there is none.
 std::uint8_t sameCorner(const CollapseState& state, const LeafCard& card, const LeafCard& other,
                         std::size_t corner)
 {
@@ -99,7 +99,7 @@ bool keepsItsSide(const LeafCard& card, std::span<const glm::dvec3> before, std:
     {
         const glm::dvec3 was = doubleAreaVector(corners, before), is = doubleAreaVector(corners, after);
         if (!(glm::dot(was, is) > kTurned * glm::length(was) * glm::length(is))) return false;
-        // The sides of a card that has two look away from each other.
+        // A card with two sides has faces of opposite normals.
         if (first == glm::dvec3(0.0)) first = is;
         if (!(std::abs(glm::dot(first, is)) >= kFlattest * glm::length(first) * glm::length(is)))
             return false;
@@ -107,7 +107,7 @@ bool keepsItsSide(const LeafCard& card, std::span<const glm::dvec3> before, std:
     return true;
 }
 
-/// Whether some corners of the one that goes are left when it has gone, none of them wanted twice.
+/// Whether the wanted corners are left when the other card has collapsed, none of them wanted twice.
 bool canBeTaken(std::span<const std::uint8_t> taken, const LeafClosing& closing)
 {
     std::uint32_t used = 0;

@@ -20,16 +20,18 @@ namespace
 
 constexpr std::uint32_t kMostFaces = 8;
 constexpr std::size_t kFewestCards = 64;
-constexpr double kLargest = 0.2; ///< a card, of the diagonal: leaves of houseplants are large
-constexpr double kBent = 0.1;    ///< off its plane, of its own diagonal
+constexpr double kLargest =
+    0.2;                      ///< size of a card as a share of the diagonal: leaves of houseplants are large
+constexpr double kBent = 0.1; ///< distance from its plane as a share of its own diagonal
 constexpr double kLeastShareOfCards = 0.9;
-constexpr double kMostUneven = 32.0;  ///< between the areas of two cards, a tenth left aside at either end
-constexpr std::size_t kMostCuts = 16; ///< leaves in an atlas
-constexpr std::size_t kLeastDirections = 6; ///< a sixth of the cards may look the same way
-constexpr float kCutSteps = 1024.0f;        ///< of a texture's width: what is nearer is the same cut
-constexpr double kDirectionSteps = 4.0;     ///< of a unit normal's coordinates
+constexpr double kMostUneven =
+    32.0; ///< ratio of the areas of two cards, without the largest and smallest tenth
+constexpr std::size_t kMostCuts = 16;       ///< distinct leaves in a texture
+constexpr std::size_t kLeastDirections = 6; ///< at most a sixth of the cards has the same direction
+constexpr float kCutSteps = 1024.0f;    ///< of a texture's width: coordinates nearer than a step are equal
+constexpr double kDirectionSteps = 4.0; ///< of a unit normal's coordinates
 
-/// What faces of a mesh a part has, and whether it could be a card.
+/// The faces of a connected part, while it may be a card.
 struct PartFaces
 {
     std::vector<std::uint32_t> faces;
@@ -40,7 +42,7 @@ struct PartFaces
 using Cut = std::vector<std::array<int, 2>>;
 using Direction = std::array<int, 3>;
 
-/// Those of small parts alone.
+/// Returns the small parts with their faces.
 std::vector<PartFaces> smallParts(const Mesh& mesh, std::span<const ConnectedPart> parts,
                                   std::span<const std::uint32_t> partOf)
 {
@@ -58,7 +60,7 @@ std::vector<PartFaces> smallParts(const Mesh& mesh, std::span<const ConnectedPar
     return found;
 }
 
-/// The normal of a card's largest face; 0 where the part is none.
+/// Returns the normal of a card's largest face; 0 where the part is not a card.
 glm::dvec3 normalOfCard(const Mesh& mesh, std::span<const glm::dvec3> positions, const ConnectedPart& part,
                         const PartFaces& own)
 {
@@ -88,7 +90,7 @@ glm::dvec3 normalOfCard(const Mesh& mesh, std::span<const glm::dvec3> positions,
     return high - low > kBent * extent.diagonal() ? none : normal;
 }
 
-/// What a card shows of a texture, in steps.
+/// Returns the region of the texture that a card shows, in steps.
 Cut cutOf(const Mesh& mesh, const PartFaces& part)
 {
     std::set<std::array<int, 2>> cut;
@@ -102,7 +104,7 @@ Cut cutOf(const Mesh& mesh, const PartFaces& part)
     return {cut.begin(), cut.end()};
 }
 
-/// In steps, the same for both sides.
+/// Returns a direction in steps, the same for a vector and its negative.
 Direction directionOf(const glm::dvec3& normal)
 {
     const glm::dvec3 steps = glm::round(normal * kDirectionSteps);
@@ -135,7 +137,7 @@ LeafCard cardOf(const Mesh& mesh, std::uint32_t number, const ConnectedPart& par
     return card;
 }
 
-/// What tells whether the cards of a material are foliage.
+/// The counts that decide whether the cards of a material are foliage.
 struct Tally
 {
     std::vector<std::uint32_t> parts;

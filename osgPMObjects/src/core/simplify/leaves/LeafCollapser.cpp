@@ -17,14 +17,14 @@ namespace osgPMObjects::core
 namespace
 {
 
-/// Of the diagonal of the leaves' box by the cube root of their number: some ten neighbours are within it.
+/// Search radius of neighbours, as a share of the diagonal of the leaves' box by the cube root of their number: about ten leaves.
 constexpr double kNeighbourhood = 0.6;
-/// Of all leaves, those that become one with another before neighbours are looked for anew. More at once, and leaves that are seen go before
-/// others have gone that are not.
+/// Share of leaves, as its inverse, that merge before partners are searched again. With more at once, visible leaves merge before
+/// hidden ones.
 constexpr std::size_t kAtOnce = 24;
-/// A leaf of a pair that goes is missed where it was, however near the other one is: as if it were moved so many times its own size.
+/// Cost of a removed leaf where it was, in moves by its own size: it is missed there, however near the other one is.
 constexpr double kMissed = 2.0;
-/// Stretched leaves keep their corners where leaves were, and mix how they are lit: they may lose so many times more than others.
+/// Stretched leaves have corners where leaves were, and mixed normals: they may cost this factor more than others.
 constexpr double kStretched = 1.5;
 
 double distanceTo(const LeafCard& card, std::span<const glm::dvec3> places, const glm::dvec3& from)
@@ -38,7 +38,7 @@ double distanceTo(const LeafCard& card, std::span<const glm::dvec3> places, cons
     return std::sqrt(squared);
 }
 
-/// The wedge that is lit most alike.
+/// Returns the wedge with the most similar normal.
 std::uint32_t mostAlike(const Mesh& mesh, std::uint32_t wedge, std::span<const std::uint32_t> others)
 {
     const auto gap = [&](std::uint32_t other)
@@ -76,7 +76,7 @@ void LeafCollapser::findPartners()
         distance *= 2.0;
 }
 
-/// For leaves that have none. How many have one now.
+/// Finds partners for leaves without one. Returns how many leaves have one now.
 std::size_t LeafCollapser::findPartners(double distance)
 {
     PointGrid grid(distance, _left.size());
@@ -143,7 +143,7 @@ LeafGrowth LeafCollapser::growthOf(const Leaf& gone, const Leaf& stays) const
     return stretched.loss < kStretched * scaled.loss ? stretched : scaled;
 }
 
-/// Two leaves become one: that which costs less to keep.
+/// Merges two leaves into the one that costs less to keep.
 void LeafCollapser::merge(std::uint32_t first, std::uint32_t second)
 {
     Leaf *gone = &_leaves[second], *stays = &_leaves[first];
@@ -206,8 +206,8 @@ void LeafCollapser::takeCorners(Leaf& leaf, const Leaf& gone, const LeafGrowth& 
     }
 }
 
-/// Unless there are too few positions to use up: then it grows when more leaves have gone. Corners are lit as what went was, so that a large leaf
-/// looks like many, and not all dark or all bright.
+/// Moves the corners of a leaf, unless there are too few spare positions: then it grows after further merges. Corners get
+/// normals of the removed card, so that a large leaf looks like many, and is not all dark or all bright.
 void LeafCollapser::moveCorners(Leaf& leaf, const LeafGrowth& growth)
 {
     std::vector<std::size_t> moved;
@@ -258,7 +258,7 @@ LevelError LeafCollapser::errorOf(const Leaf& gone, const Leaf& stays, const Lea
     return error;
 }
 
-/// As parts vanish; the last of its material as any other.
+/// Removes the last leaf, as other parts vanish; the last of its material at the cost of a material.
 void LeafCollapser::removeLast()
 {
     const Leaf& last = _leaves[_left.front()];

@@ -60,7 +60,7 @@ double AreaCurve::meanDeviation(std::size_t fewest) const
 AreaCurve areaCurve(const Mesh& mesh, const RemovalSequence& sequence)
 {
     AreaCurve curve;
-    std::vector<double> ofFaces; // by number
+    std::vector<double> ofFaces; // by face number
     for (const Face& face : mesh.faces)
         ofFaces.push_back(areaOf(mesh, face));
     for (const Face& face : sequence.addedFaces)

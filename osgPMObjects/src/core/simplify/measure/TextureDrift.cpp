@@ -20,7 +20,7 @@ namespace
 
 constexpr std::size_t kLeastCornersAThread = 1024;
 
-/// Of what still counts as near as the nearest: of the diagonal, and of the distance.
+/// Faces count as equally near within this share of the diagonal, or of the distance.
 constexpr double kSameDistance = 1e-6, kSameShare = 1e-3;
 
 glm::dvec3 crossOf(const Mesh& mesh, const Triangle& t)
@@ -57,8 +57,8 @@ public:
             _crosses.push_back(crossOf(mesh, t));
     }
 
-    /// The least difference between the coordinates given and those at the places nearest to a point, of faces to the side of
-    /// `facing`. `hint`: a triangle that may be near; then the nearest.
+    /// Returns the least difference between the given coordinates and those at the nearest points of faces oriented to
+    /// `facing`. `hint`: a triangle that may be near; on return the nearest.
     double difference(const glm::dvec3& point, const glm::dvec3& facing, const glm::dvec2& texCoord,
                       std::uint32_t& hint) const
     {

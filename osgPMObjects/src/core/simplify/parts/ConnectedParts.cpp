@@ -33,7 +33,7 @@ double doubleAreaOf(std::span<const glm::dvec3> p, const Triangle& t)
     return glm::length(glm::cross(p[t[1]] - p[t[0]], p[t[2]] - p[t[0]]));
 }
 
-/// The part with the largest area of each material keeps it.
+/// Assigns each material to the part with the largest area of it, which keeps its last face.
 void keepMaterials(const Mesh& mesh, std::span<const glm::dvec3> positions,
                    std::span<const std::uint32_t> numbers, std::vector<ConnectedPart>& parts)
 {
@@ -60,7 +60,7 @@ void keepMaterials(const Mesh& mesh, std::span<const glm::dvec3> positions,
     }
 }
 
-/// The distances from a point to the nearest face of another part; `most` where none is nearer.
+/// Returns the distance from a point to the nearest face of another part; `most` where none is nearer.
 double distanceToOthers(const glm::dvec3& point, double most, std::uint32_t part,
                         std::span<const std::uint32_t> numbers, const FaceTree& faces)
 {
@@ -78,7 +78,7 @@ double distanceToOthers(const glm::dvec3& point, double most, std::uint32_t part
     return std::sqrt(squared);
 }
 
-/// The farthest of some of the part's positions from the nearest face of another part.
+/// Returns the largest distance of some of the part's positions from the nearest face of another part.
 double reachOf(const ConnectedPart& part, std::uint32_t number, std::span<const std::uint32_t> numbers,
                const FaceTree& faces)
 {
@@ -112,7 +112,7 @@ std::vector<ConnectedPart> connectedParts(const Mesh& mesh, std::span<const glm:
     for (std::uint32_t p = 0; p < positions.size(); ++p)
     {
         if (!isUsed[p]) continue;
-        const std::uint32_t root = groups.root(p); // the lowest: it has its number already
+        const std::uint32_t root = groups.root(p); // the lowest member, which has its number already
         if (root == p) numbers[p] = static_cast<std::uint32_t>(parts.size()), parts.emplace_back();
         numbers[p] = numbers[root];
         parts[numbers[p]].positions.push_back(p);
@@ -123,7 +123,7 @@ std::vector<ConnectedPart> connectedParts(const Mesh& mesh, std::span<const glm:
         ++parts[numbers[t[0]]].faces;
     }
     keepMaterials(mesh, positions, numbers, parts);
-    if (parts.size() < 2) // nothing to be near to
+    if (parts.size() < 2) // no other part
     {
         for (ConnectedPart& part : parts)
             part.reach = extentOf(positions).diagonal();

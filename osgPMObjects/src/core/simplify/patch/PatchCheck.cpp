@@ -18,23 +18,23 @@ namespace
 {
 
 constexpr double kLeastTurnCosine = 0.2; ///< of the angle that a face may turn by
-constexpr double kNeedle = 1e-3; ///< height over longest side, about, below which a face may not get thinner
-constexpr double kNormalSlip = 0.1;  ///< how far a difference of unit normals is, as a share of the way
-constexpr double kColourSlip = 0.1;  ///< the same of colours
-constexpr double kLargestSlip = 0.1; ///< of the diagonal: textures of almost no size have no meaning
+constexpr double kNeedle = 1e-3;     ///< about height over longest side; thinner faces may not get thinner
+constexpr double kNormalSlip = 0.1;  ///< weight of a difference of unit normals, as a share of the way
+constexpr double kColourSlip = 0.1;  ///< the same for colours
+constexpr double kLargestSlip = 0.1; ///< of the diagonal: a texture of almost no extent has no meaning
 
 double longestSquared(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c)
 {
     return std::max({glm::dot(b - a, b - a), glm::dot(c - b, c - b), glm::dot(a - c, a - c)});
 }
 
-/// The nearest face of a group, and the place in it.
+/// The nearest face of a group, and the nearest point of it.
 struct Nearest
 {
     const Star::Spoked* face = nullptr;
     glm::dvec3 at{0.0};
     double squared = std::numeric_limits<double>::infinity();
-    double doubleArea = 0.0; ///< of the group, before
+    double doubleArea = 0.0; ///< of the group, before the collapse
 };
 
 template<class InGroup>
@@ -54,7 +54,7 @@ Nearest nearestOf(const Patch& patch, const InGroup& inGroup)
     return nearest;
 }
 
-/// Length on the surface for a length of 1 in the texture.
+/// Returns the length on the surface of a unit of texture coordinates.
 double lengthPerTexture(const std::array<glm::dvec3, 3>& corners, const std::array<Wedge, 3>& wedges,
                         std::size_t set)
 {
@@ -65,7 +65,7 @@ double lengthPerTexture(const std::array<glm::dvec3, 3>& corners, const std::arr
     return texture > 0.0 ? std::sqrt(area / texture) : 0.0;
 }
 
-/// What the middle looked like against what its nearest place looks like.
+/// Compares the appearance of the removed position with that of the nearest point of the patch.
 struct Comparison
 {
     LevelError gap;

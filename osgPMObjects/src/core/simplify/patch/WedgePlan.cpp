@@ -17,10 +17,10 @@ namespace osgPMObjects::core
 namespace
 {
 
-/// Of the wedges at a place the one that looks most alike is to be found: in no particular unit.
+/// Returns how different two wedges look, in no particular unit.
 float unlikeness(const Wedge& a, const Wedge& b)
 {
-    constexpr float kTexture = 16.0f; // a sixteenth of a texture's width is as bad as a normal turned by 60°
+    constexpr float kTexture = 16.0f; // a sixteenth of a texture's width counts as a normal turned by 60°
     float gap = glm::distance(a.normal, b.normal) + glm::distance(a.colour, b.colour);
     for (std::size_t set = 0; set < Mesh::kTexCoordSets; ++set)
         gap += kTexture * glm::distance(a.texCoords[set], b.texCoords[set]);
@@ -33,7 +33,7 @@ std::uint32_t wedgeAt(const StarMesh& stars, std::uint32_t face, std::uint32_t p
     return stars.wedges(face)[p[0] == position ? 0 : p[1] == position ? 1 : 2];
 }
 
-/// The wedge at `to` of a face that vanishes and has `wedge` in the middle; `wedge` itself where there is none.
+/// Returns the wedge at `to` of a vanishing face that has `wedge` in the middle; `wedge` itself where there is none.
 std::uint32_t matchOf(const StarMesh& stars, const Star& star, std::uint32_t to, std::uint32_t wedge)
 {
     for (const Star::Side& side : star.sidesTo(to))
@@ -44,7 +44,7 @@ std::uint32_t matchOf(const StarMesh& stars, const Star& star, std::uint32_t to,
     return wedge;
 }
 
-/// The most alike of a position's wedges, first among those of the same material.
+/// Returns the most similar wedge of a position, first among those of the same material.
 std::uint32_t mostAlike(const WedgedMesh& all, std::uint32_t position, const Star::Spoked& spoked)
 {
     const Wedge looks = wedgeOf(all.mesh, spoked.wedge);
@@ -68,7 +68,7 @@ bool isPlanned(const std::vector<WedgeChange>& changes, std::uint32_t wedge)
                        [wedge](const WedgeChange& change) { return change.wedge == wedge; });
 }
 
-/// Finds the face of a group that is nearest to a place.
+/// Finds the face of a group nearest to a point, and interpolates there.
 class Sampler
 {
 public:
@@ -91,7 +91,7 @@ public:
         }
     }
 
-    /// At a position, with a normal as long as another one is.
+    /// Returns the interpolated wedge at a position, with a normal of the length of another one.
     Wedge found(std::uint32_t position, const glm::vec3& normal) const
     {
         Wedge wedge = _found;
@@ -108,7 +108,8 @@ private:
     Wedge _found;
 };
 
-/// Of each wedge around `star.middle`, what its group looks like at the place. Those that stay themselves are told of the other's.
+/// Returns for each wedge around `star.middle` its match at the other position, or itself, with its group's attributes at the
+/// point.
 std::vector<WedgeChange> resampled(const WedgedMesh& all, const Star& star, const Star& other,
                                    const glm::dvec3& place)
 {
@@ -150,7 +151,7 @@ void WedgePlan::resample(const WedgedMesh& all, const Star& star, const Star& ot
         change.becomes = change.wedge;
         change.attributes.position = other.middle;
     }
-    for (const WedgeChange& change : _from) // what several groups become has to look alike to all of them
+    for (const WedgeChange& change : _from) // a wedge of several groups has to look like all of them
     {
         const auto same = std::find_if(_to.begin(), _to.end(),
                                        [&](const WedgeChange& c) { return c.wedge == change.becomes; });

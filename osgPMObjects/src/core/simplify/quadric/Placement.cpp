@@ -12,9 +12,10 @@ namespace osgPMObjects::core
 namespace
 {
 
-constexpr double kPull = 1e-7; ///< towards the middle, of the quadric's trace: only flat directions feel it
+constexpr double kPull =
+    1e-7; ///< towards the middle, as a share of the quadric's trace: affects flat directions only
 
-/// Seen from the middle of the edge.
+/// Solves in a frame with its origin in the middle of the edge.
 glm::dvec3 leastKeepingVolume(const CollapsingEdge& edge, const glm::dvec3& half)
 {
     const glm::dmat3 from = edge.fromShape.quadric.matrix(), to = edge.toShape.quadric.matrix();
@@ -26,7 +27,7 @@ glm::dvec3 leastKeepingVolume(const CollapsingEdge& edge, const glm::dvec3& half
     if (!(determinant > 0.0)) return glm::dvec3(0.0);
     const glm::dmat3 inverse = glm::inverse(sum);
     const glm::dvec3 least = inverse * (to * half - from * half);
-    // The faces beside the edge hold its middle in their planes, so they add nothing to the volume as seen from there.
+    // The planes of the faces beside the edge contain its middle, so they add nothing to the volume in this frame.
     const glm::dvec3 area = edge.fromShape.areaVector + edge.toShape.areaVector - edge.sharedAreaVector;
     const double volume = glm::dot(edge.toShape.areaVector - edge.fromShape.areaVector, half);
     const glm::dvec3 towards = inverse * area;

@@ -16,7 +16,7 @@ namespace osgPMObjects::core
 namespace
 {
 
-/// A contour with the tolerance that goes with its size.
+/// A contour with a tolerance relative to its size.
 class Contour
 {
 public:
@@ -35,14 +35,14 @@ public:
     std::uint32_t after(std::uint32_t i) const { return i + 1 < size() ? i + 1 : 0; }
     const glm::dvec2& operator[](std::uint32_t i) const { return _corners[i]; }
 
-    /// 1: c lies left of a→b, -1: right, 0: on it as far as can be told.
+    /// Returns 1 when c lies left of a→b, -1: right, 0: on it within the tolerance.
     int side(std::uint32_t a, std::uint32_t b, std::uint32_t c) const
     {
         const double twiceArea = orientation(_corners[a], _corners[b], _corners[c]);
         return twiceArea > _flat ? 1 : twiceArea < -_flat ? -1 : 0;
     }
 
-    /// Whether two segments without a common end have a point in common.
+    /// Whether two segments without a common end intersect or touch.
     bool meet(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) const
     {
         const int ca = side(a, b, c), da = side(a, b, d), ac = side(c, d, a), bc = side(c, d, b);
@@ -56,7 +56,7 @@ public:
         return side(a, b, c) == 0 && isBetween(a, b, c);
     }
 
-    /// The edges at b run back over each other.
+    /// Whether the edges at b coincide and run in opposite directions.
     bool isSpike(std::uint32_t a, std::uint32_t b, std::uint32_t c) const
     {
         return side(a, b, c) == 0 && glm::dot(_corners[a] - _corners[b], _corners[c] - _corners[b]) >= 0.0;
@@ -76,7 +76,7 @@ public:
     double flat() const { return _flat; }
 
 private:
-    /// For a point on the line through a and b: between them, or at one of them.
+    /// For a point on the line through a and b: whether it is between them, or at one of them.
     bool isBetween(std::uint32_t a, std::uint32_t b, std::uint32_t point) const
     {
         return glm::dot(_corners[a] - _corners[point], _corners[b] - _corners[point]) <= 0.0;
@@ -100,7 +100,7 @@ bool isSimple(const Contour& contour)
     return true;
 }
 
-/// Whether nothing of the corners first … last, which the line from `last` to `first` closes, stands between two of them.
+/// Whether two corners see each other, within the part of the contour from corner `first` to `last`, closed by a line.
 bool isSeen(const Contour& contour, std::uint32_t first, std::uint32_t last, std::uint32_t from,
             std::uint32_t to)
 {
@@ -113,7 +113,7 @@ bool isSeen(const Contour& contour, std::uint32_t first, std::uint32_t last, std
     return true;
 }
 
-/// The corner between `first` and `last` that makes the triangle on their line; `last` if there is none.
+/// Returns the corner between `first` and `last` that makes the triangle on their line; `last` if there is none.
 std::uint32_t apexOn(const Contour& contour, std::uint32_t first, std::uint32_t last)
 {
     std::uint32_t best = last;

@@ -18,13 +18,13 @@ namespace osgPMObjects::core
 namespace
 {
 
-/// Faces that stand more steeply than this on the plane that fits the contour fold the surface for any other eye.
+/// The least cosine between a new face and the plane that fits the contour: steeper faces fold the surface in most views.
 constexpr double kLeastUpCosine = 0.1;
 
-/// Coordinates below this are noise of the projection, and none that orientation() takes.
+/// Smaller coordinates are rounding errors of the projection, and out of range for orientation().
 constexpr double kNoise = 0x1p-100;
 
-/// A projected coordinate of a contour of size 1.
+/// Rounds a projected coordinate of a contour of size 1.
 double coordinate(double x)
 {
     return std::abs(x) < kNoise ? 0.0 : x;
@@ -62,8 +62,8 @@ void HoleFilling::takeContour(const VertexStar& star, const StarSector& sector)
     _contour.push_back(_live.at(star.faces[sector.first + sector.count - 1].to));
 }
 
-/// The contour in the plane across its average normal, scaled to size 1. False: it has none, or looks the other way than the
-/// faces that it replaces.
+/// Projects the contour into the plane across its average normal, scaled to size 1. False: it has none, or the opposite orientation
+/// of the faces that it replaces.
 bool HoleFilling::project(const glm::dvec3& sectorNormal)
 {
     const glm::dvec3 normal = areaVector(_contour);
@@ -93,7 +93,7 @@ bool HoleFilling::project(const glm::dvec3& sectorNormal)
 bool HoleFilling::fillSector(const VertexStar& star, const StarSector& sector)
 {
     takeContour(star, sector);
-    if (_wedges.size() < 3) return true; // it closes to a line
+    if (_wedges.size() < 3) return true; // two sides that coincide
     glm::dvec3 normal(0.0);
     for (std::uint32_t i = sector.first; i < sector.first + sector.count; ++i)
         normal += star.faces[i].area;
@@ -113,8 +113,8 @@ std::size_t HoleFilling::addedSides(std::uint32_t from, std::uint32_t to) const
     return count;
 }
 
-/// Whether an edge would have two faces that run along it the same way, or a face would be there twice, either way round. Only at sides
-/// that the star did not have can there be something new, or where a face has the star's sides alone.
+/// Whether an edge would have two faces of the same direction, or a face would exist twice, in either orientation. Only sides
+/// that the star did not have can be new, and faces with sides of the star only.
 bool HoleFilling::joins(const VertexStar& star) const
 {
     const auto isStars = [&](std::uint32_t from, std::uint32_t to)
@@ -138,7 +138,8 @@ bool HoleFilling::joins(const VertexStar& star) const
     return false;
 }
 
-/// Looks at the faces that stay around the first of a face's corners, whose side to the second is to be run along so often by what is added.
+/// Whether a direction of the first side of an added face has more than one face, or the face exists already. `along`, `against`:
+/// number of added faces on the side in each direction.
 bool HoleFilling::isTaken(std::uint32_t removed, const Triangle& added, std::size_t along,
                           std::size_t against) const
 {

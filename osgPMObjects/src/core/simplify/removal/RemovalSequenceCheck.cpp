@@ -16,7 +16,7 @@ namespace
 
 using Side = std::pair<std::uint32_t, std::uint32_t>;
 
-/// How often each edge is run along, from its lower end on; the other way counts against.
+/// The number of uses of each edge from its lower end on; uses in the other direction count negative.
 using Chain = std::map<Side, int>;
 
 void add(Chain& chain, const Side& side, int times)
@@ -25,7 +25,7 @@ void add(Chain& chain, const Side& side, int times)
     chain[rises ? side : Side(side.second, side.first)] += rises ? times : -times;
 }
 
-/// Goes through a sequence with its own books, face by face.
+/// Replays a sequence with independent bookkeeping, face by face.
 class Replay
 {
 public:
@@ -133,7 +133,7 @@ private:
         return crowding(added);
     }
 
-    /// A part's faces go: their other corners have to follow before anything else does.
+    /// Marks the faces of a part for removal: their other corners must follow before any other step.
     std::string doom(std::uint32_t position, const std::set<std::uint32_t>& star)
     {
         if (star.empty() && _doomed.count(position) == 0) return "no such position is left";
@@ -169,8 +169,8 @@ private:
         return isClosed(border, step.position) ? "" : "the hole is not filled";
     }
 
-    /// Whether what is left of the star's border, when that of the added faces is taken off, are open fans closed by one side: from the
-    /// position to the fan's first neighbour, from there at once to its last, and back.
+    /// Whether the star's border without that of the added faces consists of open fans, each closed by one side: from the
+    /// position to the fan's first neighbour, directly to its last, and back.
     static bool isClosed(const Chain& border, std::uint32_t position)
     {
         std::map<std::uint32_t, int> open; // first neighbours 1, last ones -1
@@ -201,7 +201,7 @@ private:
     std::vector<bool> _isAlive;
     std::map<Side, std::size_t> _sides;
     std::set<Side> _crowded;         ///< in the mesh
-    std::set<std::uint32_t> _doomed; ///< positions of parts that have begun to go
+    std::set<std::uint32_t> _doomed; ///< positions of parts that are being removed
     std::size_t _left = 0;
 };
 

@@ -14,7 +14,7 @@ namespace osgPMObjects::core
 namespace
 {
 
-/// A mean plane needs a normal: at least this share of the areas that it is the mean of.
+/// The least length of a mean normal, as a share of the averaged areas; below, the mean plane is undefined.
 constexpr double kLeastMeanNormal = 1e-6;
 
 void collect(const LiveFaces& live, VertexStar& star)
@@ -45,7 +45,7 @@ bool areFans(const VertexStar& star)
     return true;
 }
 
-/// Puts the faces of each fan one behind the other, and makes each fan a sector. An open fan begins at its open end.
+/// Sorts the faces of each fan by adjacency, and makes each fan a sector. An open fan begins at its open end.
 void orderFans(VertexStar& star)
 {
     std::vector<StarFace>& faces = star.faces;
@@ -69,7 +69,7 @@ void orderFans(VertexStar& star)
     }
 }
 
-/// Whether attributes, material or part change between two faces of a fan, of which the first lies before the second.
+/// Whether attributes, material or part change between two consecutive faces of a fan.
 bool isSeam(const LiveFaces& live, const StarFace& before, const StarFace& behind)
 {
     const Face &a = live.face(before.slot), &b = live.face(behind.slot);
@@ -82,7 +82,7 @@ bool isCrease(const StarFace& a, const StarFace& b, double creaseCosine)
     return glm::dot(a.area, b.area) < creaseCosine * glm::length(a.area) * glm::length(b.area);
 }
 
-/// The faces of a fan that have such an edge before them; those past the second are only counted.
+/// The edges of a fan for which `is(before, behind)` holds: the faces behind the first two, and the number of all.
 struct FanEdges
 {
     std::array<std::uint32_t, 2> at{};
@@ -101,7 +101,7 @@ struct FanEdges
     }
 };
 
-/// Cuts a closed fan in two before the faces `edges.at`.
+/// Divides a closed fan in two before the faces `edges.at`.
 void cut(VertexStar& star, std::size_t fan, const FanEdges& edges)
 {
     StarSector& first = star.sectors[fan];

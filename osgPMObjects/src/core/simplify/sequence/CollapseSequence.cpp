@@ -23,7 +23,7 @@ std::span<const MovedWedge> CollapseSequence::movedWedgesOf(std::size_t step) co
 namespace
 {
 
-/// The first number of steps, counted from 0, after which `isEnough(step)` holds of the last of them.
+/// Returns the least number of steps, from 0, after which `isEnough(step)` holds for the last of them.
 template<class IsEnough>
 std::size_t stepsUntil(const CollapseSequence& sequence, const IsEnough& isEnough)
 {
@@ -42,7 +42,7 @@ std::size_t stepsToFaces(const CollapseSequence& sequence, std::size_t faces)
     std::size_t whole = last;
     while (sequence.steps[whole].goesOn)
         ++whole;
-    // Where the rest takes much of what is left it is not worth its looks.
+    // Steps that belong together are not separated, unless the rest of them removes a larger share of the faces.
     constexpr std::size_t kMostShare = 10;
     const bool takesRest = (faces - sequence.steps[whole].facesAfter) * kMostShare <= faces;
     return (takesRest ? whole : last) + 1;

@@ -39,7 +39,7 @@ bool indicesAreThere(const CollapseSequence& sequence, const Mesh& mesh)
                        [&](const MovedWedge& m) { return isWedge(m.wedge); });
 }
 
-/// Some levels, made as users make them.
+/// Makes some levels in the public way and compares their numbers of faces.
 bool levelsHaveTheirFaces(const CollapseSequence& sequence, const Mesh& mesh)
 {
     constexpr std::size_t kLevels = 8;
@@ -73,7 +73,7 @@ bool isSequenceOf(const CollapseSequence& sequence, const Mesh& mesh)
             positionOfWedge[moved.wedge] = moved.attributes.position;
         faces -= stars.collapse(step.from, step.to, sequence.wedgesOf(s));
         if (faces != step.facesAfter) return false;
-        bool isWhole = true; // every corner at the position that stays has a wedge there
+        bool isWhole = true; // every corner at the remaining position has a wedge there
         stars.visitStar(step.to, [&](std::uint32_t face, int corner)
                         { isWhole &= positionOfWedge[stars.wedges(face)[corner]] == step.to; });
         if (!isWhole) return false;

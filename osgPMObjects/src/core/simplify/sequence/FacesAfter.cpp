@@ -11,7 +11,7 @@ namespace osgPMObjects::core
 namespace
 {
 
-/// 0, 1, 2, …
+/// Returns 0, 1, 2, …
 std::vector<std::uint32_t> themselves(std::size_t count)
 {
     std::vector<std::uint32_t> numbers(count);
@@ -24,10 +24,10 @@ std::vector<std::uint32_t> themselves(std::size_t count)
 FacesAfter::FacesAfter(const Mesh& mesh, const CollapseSequence& sequence, std::size_t steps)
     : wedges(themselves(mesh.wedgeCount())), isLeft(mesh.faces.size())
 {
-    // Whether a face has vanished is told by its positions: of its wedges, which steps do not look after any more once it has,
-    // two at one place may part again.
+    // Positions decide whether a face has vanished. Wedges cannot: steps do not update those of vanished faces, so two at one
+    // position may separate again.
     std::vector<std::uint32_t> positions = themselves(mesh.positions.size());
-    for (std::size_t step = steps; step-- > 0;) // from the last step back: what it becomes is settled
+    for (std::size_t step = steps; step-- > 0;) // backwards, so that replacements are final
     {
         positions[sequence.steps[step].from] = positions[sequence.steps[step].to];
         for (const WedgeCollapse& wedge : sequence.wedgesOf(step))

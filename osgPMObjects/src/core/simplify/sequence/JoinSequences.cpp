@@ -11,7 +11,7 @@ namespace osgPMObjects::core
 namespace
 {
 
-/// Where a mesh's positions and wedges came from that are left after some steps, in their order.
+/// The original numbers of positions and wedges that are left after some steps, in order.
 struct Origins
 {
     std::vector<std::uint32_t> positions, wedges;
@@ -44,7 +44,7 @@ LevelError sum(const LevelError& a, const LevelError& b)
     return {a.distance + b.distance, a.normal + b.normal, a.texCoord + b.texCoord, a.colour + b.colour};
 }
 
-/// Where the position that stays is after each step, for a sequence that moves none.
+/// Returns the remaining position after each step, for a sequence that moves none.
 std::vector<glm::dvec3> placesOf(const CollapseSequence& sequence, std::span<const glm::dvec3> positions)
 {
     std::vector<glm::dvec3> places;

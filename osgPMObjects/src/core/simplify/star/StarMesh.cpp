@@ -14,7 +14,8 @@ StarMesh::StarMesh(const Mesh& mesh)
     _wedges.reserve(mesh.faces.size());
     for (const Face& face : mesh.faces)
         _wedges.push_back(face.wedges);
-    for (auto face = static_cast<std::uint32_t>(_positions.size()); face-- > 0;) // lists begin with the first
+    for (auto face = static_cast<std::uint32_t>(_positions.size());
+         face-- > 0;) // backwards: lists begin with the first
     {
         if (repeatsCorner(_positions[face])) continue;
         ++_faceCount;

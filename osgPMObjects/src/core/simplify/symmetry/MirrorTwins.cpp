@@ -15,11 +15,10 @@ namespace osgPMObjects::core
 namespace
 {
 
-constexpr double kTolerance = 1e-6; ///< of the diagonal: floats in files are not exact
-constexpr double kLeastMirroredShare =
-    0.9; ///< of the positions must have an image; the rest may be an aerial or a number plate
+constexpr double kTolerance = 1e-6;         ///< of the diagonal: files have rounded floats
+constexpr double kLeastMirroredShare = 0.9; ///< of the positions; the rest may be an aerial or a number plate
 
-/// The nearest position to a place; kNone where none is within the tolerance.
+/// Returns the position nearest to a point; kNone where none is within the tolerance.
 std::uint32_t positionAt(const glm::dvec3& place, std::span<const glm::dvec3> positions,
                          const PointGrid& grid)
 {
@@ -34,7 +33,7 @@ std::uint32_t positionAt(const glm::dvec3& place, std::span<const glm::dvec3> po
     return nearest;
 }
 
-/// The images of all positions across an axis; those that are not each other's are none.
+/// Finds the image of each position across an axis; an image counts only when it is mutual.
 MirrorTwins twinsAcross(int axis, std::span<const glm::dvec3> positions, const PointGrid& grid)
 {
     MirrorTwins twins{axis, std::vector<std::uint32_t>(positions.size(), MirrorTwins::kNone)};
@@ -48,7 +47,7 @@ MirrorTwins twinsAcross(int axis, std::span<const glm::dvec3> positions, const P
     return twins;
 }
 
-/// How many faces have another face for an image; `sorted`: all faces, by their sorted corners, sorted.
+/// Counts the faces with another face as image; `sorted`: all faces by their sorted corners, sorted.
 std::size_t pairedFaces(const MirrorTwins& twins, std::span<const Triangle> sorted)
 {
     std::size_t paired = 0;
@@ -73,7 +72,7 @@ MirrorTwins mirrorTwins(std::span<const glm::dvec3> positions, std::span<const T
     std::sort(sorted.begin(), sorted.end());
     const auto enough = kLeastMirroredShare * static_cast<double>(positions.size());
     MirrorTwins best;
-    std::pair<std::size_t, std::size_t> most{0, 0}; // faces and positions
+    std::pair<std::size_t, std::size_t> most{0, 0}; // numbers of faces and positions
     for (int axis = 0; axis < 3; ++axis)
     {
         MirrorTwins twins = twinsAcross(axis, positions, grid);
