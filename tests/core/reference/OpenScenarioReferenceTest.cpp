@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+// docs/reference/openscenario.md against the names that the sources of the parser ask for, and the words of its keywords.
+#include <filesystem>
+#include <string>
+
+#include <gmock/gmock.h>
+
+#include "SourceNames.h"
+
+namespace
+{
+
+using reference::differences;
+using reference::Names;
+using reference::Page;
+
+const std::filesystem::path kParser = "simulation/parser";
+
+std::string parserSources()
+{
+    std::string text;
+    for (const auto& file :
+         std::filesystem::directory_iterator(std::filesystem::path(OSGTRAINER_SOURCE_DIR) / kParser))
+        if (file.path().extension() == ".cpp" &&
+            file.path().stem() != "ElementReader") // that one asks for any name
+            text += reference::sourceText(file.path());
+    return text;
+}
+
+bool isElement(const std::string& name)
+{
+    return name.front() >= 'A' && name.front() <= 'Z' && name.find(' ') == std::string::npos;
+}
+
+Names elements(const std::string& source)
+{
+    Names names = reference::literalsOfCalls(
+        source, {"allowChildren", "child", "children", "is", "parseOptionalTrigger"}, false);
+    std::erase_if(names, [](const std::string& name) { return !isElement(name); });
+    return names;
+}
+
+Names attributes(const std::string& source)
+{
+    Names names = reference::literalsOfCalls(source,
+                                             {"text", "textOr", "number", "numberOr", "optionalNumber",
+                                              "notNegative", "count", "flagOr", "choice", "has", "attribute"},
+                                             true);
+    names.merge(reference::literalsOfCalls(source, {"parseAngleDeg", "parseSimpleObject"}, false));
+    return names;
+}
+
+TEST(OpenScenarioReference, DescribesEveryElementAndNoOther)
+{
+    const Page page = Page::read("openscenario.md");
+    const Names names = elements(parserSources());
+    EXPECT_THAT(names, testing::Contains("FollowTrajectoryAction"));
+    EXPECT_EQ(differences(names, page.column("Elements", 0)), "");
+    EXPECT_NE(differences(names, page.without("Wind").column("Elements", 0)), "");
+    EXPECT_NE(differences(names, page.with("Elements", "LaneChangeAction").column("Elements", 0)), "");
+}
+
+TEST(OpenScenarioReference, NamesEveryAttributeAndNoOther)
+{
+    const Page page = Page::read("openscenario.md");
+    const Names names = attributes(parserSources());
+    EXPECT_THAT(names, testing::Contains("pedestrianCategory"));
+    EXPECT_EQ(differences(names, page.column("Elements", 1)), "");
+    EXPECT_NE(differences(names, page.without("Wind").column("Elements", 1)), "");
+}
+
+TEST(OpenScenarioReference, NamesTheWordsOfTheLanguage)
+{
+    const std::string keywords = reference::sourceText(kParser / "Keywords.h");
+    const Names described = Page::read("openscenario.md").column("Elements", 2);
+    std::size_t words = 0;
+    for (std::size_t at = keywords.find("{\""); at != std::string::npos; at = keywords.find("{\"", at + 1))
+    {
+        const std::size_t begin = at + 2;
+        EXPECT_THAT(described, testing::Contains(keywords.substr(begin, keywords.find('"', begin) - begin)));
+        ++words;
+    }
+    EXPECT_GT(words, 30u);
+}
+
+TEST(SourceNames, FindsLiteralsOfCallsAlone)
+{
+    const std::string source =
+        R"(child("A").number("b"); grandchild("C"); allow(f(x), {"d", "e"}); make<T>(r, "g"))";
+    EXPECT_EQ(reference::literalsOfCalls(source, {"child"}, true), Names{"A"});
+    EXPECT_EQ(reference::literalsOfCalls(source, {"allow"}, false), (Names{"d", "e"}));
+    EXPECT_EQ(reference::literalsOfCalls(source, {"make"}, false), Names{"g"});
+}
+
+} // namespace
