@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Spec 1's R3: a high-frequency feature of one cell does not complicate the whole model. (Where the other requirements
-// are tested: docs/measurements/terrain.md.)
+// are tested: docs/measurements/terrain-refinement.md.)
 #include <cmath>
 
 #include <gtest/gtest.h>

@@ -16,7 +16,7 @@ class Slice
 {
 public:
     /// Modelled cost of handing out a watch, wanted or not, of looking at a vertex again, and of splitting or merging a
-    /// triangle: in a ratio between that of measured times and that of counted instructions (docs/measurements/terrain.md).
+    /// triangle: in a ratio between that of measured times and that of counted instructions (docs/measurements/terrain-refinement.md).
     static constexpr double kHandOutUs = 0.01, kCheckUs = 0.03, kChangeUs = 0.07;
 
     explicit Slice(const Budget& budget)
