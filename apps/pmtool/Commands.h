@@ -26,30 +26,30 @@ void addInfo(CLI::App& app, Chosen& chosen);
 /// `consolidate`: cleans each model, counts before and after, writes what came out.
 void addConsolidate(CLI::App& app, Chosen& chosen);
 
-/// `build`: makes a progressive mesh of a model, a `.pm` file. docs/algorithms/progressive-meshes.md has the layout of the table.
+/// `build`: makes a progressive mesh of a model, a `.pm` file. docs/reference/json-tables.md has the layout of the table.
 void addBuild(CLI::App& app, Chosen& chosen);
 
-/// `bake`: simplifies each model and keeps its looks in maps. docs/guide/baking.md has the layout of the table.
+/// `bake`: simplifies each model and keeps its looks in maps. docs/reference/json-tables.md has the layout of the table.
 void addBake(CLI::App& app, Chosen& chosen);
 
 /// `simplify`: levels with fewer triangles, by count or by error.
 void addSimplify(CLI::App& app, Chosen& chosen);
 
-/// `support`: area against faces as vertices are removed, with support vertices and without. docs/algorithms/support-vertices.md has the
+/// `support`: area against faces as vertices are removed, with support vertices and without. docs/reference/json-tables.md has the
 /// layout of the table.
 void addSupport(CLI::App& app, Chosen& chosen);
 
 /// `compare`, to which the comparisons are added.
 CLI::App* addCompareGroup(CLI::App& app);
 
-/// `compare order`: every order of triangles on every model. docs/algorithms/triangle-orders.md has the layout of the table.
+/// `compare order`: every order of triangles on every model. docs/reference/json-tables.md has the layout of the table.
 void addCompareOrder(CLI::App& compare, Chosen& chosen);
 
-/// `compare cache`: every way to keep the faces of progressive meshes in order, on every model. docs/algorithms/progressive-meshes.md has
+/// `compare cache`: every way to keep the faces of progressive meshes in order, on every model. docs/reference/json-tables.md has
 /// the layout of the table.
 void addCompareCache(CLI::App& compare, Chosen& chosen);
 
-/// `compare simplify`: every way to simplify on every model. docs/algorithms/simplification.md has the layout of the table.
+/// `compare simplify`: every way to simplify on every model. docs/reference/json-tables.md has the layout of the table.
 void addCompareSimplify(CLI::App& compare, Chosen& chosen);
 
 } // namespace pmtool

@@ -42,7 +42,7 @@ struct SupportVariant
 SupportVariant removeWith(const osgPMObjects::core::Mesh& shape, const NamedSupportRule& rule,
                           std::uint32_t octreeDepth, osgPMObjects::core::RemovalOptions options);
 
-/// Levels of all variants, as docs/algorithms/support-vertices.md lays them out.
+/// Levels of all variants, as docs/reference/json-tables.md lays them out.
 std::string csvOf(const std::vector<SupportVariant>& variants);
 
 AreaPanel panelOf(const std::string& title, const std::vector<SupportVariant>& variants);

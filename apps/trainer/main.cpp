@@ -26,7 +26,7 @@ void addPlayOptions(CLI::App& command, Arguments& arguments)
     PlayRequest& request = arguments.request;
     command.add_option("--capture", request.captureFolder, "folder for the pictures, frame_00000.png and on");
     command.add_option("--scenery", request.sceneryFile,
-                       "JSON file that says what stands on the terrain (docs/guide/scenery.md)");
+                       "JSON file that says what stands on the terrain (docs/reference/scenery-file.md)");
     command.add_option("--objects", request.objectsFolder,
                        "folder of models that stand on the terrain, too, beside the way");
     command.add_option("--stats", request.statsFile, "JSON file for the figures of every frame");

@@ -12,7 +12,7 @@
 namespace trainer::scenery
 {
 
-/// A description from its JSON text (docs/guide/scenery.md); reads no other file. `name`: of the file, for messages; what it names is
+/// A description from its JSON text (docs/reference/scenery-file.md); reads no other file. `name`: of the file, for messages; what it names is
 /// relative to its folder.
 /// Errors: no JSON, with line; an unknown member or word, a number out of range, with the JSON pointer of the place.
 foundation::Result<SceneryDescription> parseScenery(std::string_view text, const std::filesystem::path& name);

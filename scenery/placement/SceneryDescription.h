@@ -99,7 +99,7 @@ struct SceneryField
     double importance = 1.0;
 };
 
-/// What stands on a terrain. The file format is described in docs/guide/scenery.md.
+/// What stands on a terrain. The file format is described in docs/reference/scenery-file.md.
 struct SceneryDescription
 {
     std::uint64_t seed = 1;

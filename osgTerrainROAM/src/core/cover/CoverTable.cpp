@@ -151,7 +151,7 @@ Result<CoverTable> readCoverTable(const std::filesystem::path& nameOrFile)
     stream.read(text.data(), static_cast<std::streamsize>(text.size()));
     text.resize(static_cast<std::size_t>(std::max<std::streamsize>(stream.gcount(), 0)));
     if (text.size() > kMostTableBytes)
-        return Error{nameOrFile.string(), "is no table of classes", "see docs/guide/materials.md"};
+        return Error{nameOrFile.string(), "is no table of classes", "see docs/reference/roam-file.md"};
     return parseCoverTable(text, nameOrFile.string());
 }
 

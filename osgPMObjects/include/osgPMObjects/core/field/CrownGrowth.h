@@ -18,7 +18,7 @@ namespace osgPMObjects::core
 struct CrownGrowth
 {
     /// The logarithm of the area that is given back, of that which is lost: cards that are gone were partly behind others, and those that are left
-    /// are the outer ones. 0.4 has the least error of 0, 0.2 … 1 in pictures (docs/guide/fields.md).
+    /// are the outer ones. 0.4 has the least error of 0, 0.2 … 1 in pictures (docs/algorithms/fields.md).
     static constexpr double kShare = 0.4;
     static constexpr float kMost = 5.0f;
 

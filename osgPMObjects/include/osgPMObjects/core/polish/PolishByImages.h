@@ -41,7 +41,7 @@ struct PolishSettings
 /// other is left.
 /// `looks`: by material; missing ones are white. The sequence must be one of the mesh (isSequenceOf()).
 /// Deterministic: the same for any number of threads. Memory: 48 B a pixel and view, 16 B a pixel of each face in each view.
-/// Cost: docs/algorithms/image-driven.md; it grows with the number of chosen steps and their pixels, plus drawing the mesh once.
+/// Cost: docs/measurements/image-driven.md; it grows with the number of chosen steps and their pixels, plus drawing the mesh once.
 /// Source: Lindstrom and Turk, *Image-driven simplification* (2000): the cost, and drawing changed triangles only. Differs: we
 /// store all layers of each pixel, so that removing a face needs no drawing; images take over from quadrics near the end only,
 /// compare only the candidates of least quadric cost, and also move positions.

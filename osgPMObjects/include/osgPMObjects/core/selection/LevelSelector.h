@@ -53,7 +53,7 @@ struct Selection
 
 /// The one front of all rules: chooses each object's level by its own method, for one view.
 /// Threads: any number at once, each with its own objects. Memory: none of its own; nothing is allocated.
-/// Cost: see docs/algorithms/selection.md; 20 to 80 ns an object.
+/// Cost: see docs/measurements/selection.md; 20 to 80 ns an object.
 class LevelSelector
 {
 public:

@@ -39,7 +39,7 @@ struct RemovalOptions
 /// star has changed, and at the end. A connected group is removed as a whole at an error of the diagonal of its box, but
 /// never with the last face of a material or with a support vertex.
 /// RemovalStep::error is the largest sum so far of two numbers: the distance of a position from the faces that fill its hole, and
-/// the error of the faces around it before. It estimates and does not bound; docs/algorithms/support-vertices.md compares it with
+/// the error of the faces around it before. It estimates and does not bound; docs/measurements/support-vertices.md compares it with
 /// measured distances.
 /// `mesh`: valid (MeshCheck.h), best consolidated: positions at non-manifold edges or between faces of opposite orientation stay.
 /// Deterministic: of equal distances the lower position is removed first. Cost: 7 µs a step. Memory: at most 400 B a position.

@@ -44,7 +44,7 @@ struct SimplifySettings
 /// than the error vanish. No position leaves the box of the mesh.
 /// The last face of a material is removed late: at the cost of a distance of a twentieth of the diagonal.
 /// Deterministic: the same for any number of threads.
-/// Memory: some 330 B a position besides the mesh, 650 B with moved positions. Cost: see docs/algorithms/simplification.md.
+/// Memory: some 330 B a position besides the mesh, 650 B with moved positions. Cost: see docs/measurements/simplification.md.
 /// Source: Garland and Heckbert, *Surface simplification using quadric error metrics* (1997); Lindstrom and Turk, *Fast and memory
 /// efficient polygonal simplification* (1998); Hoppe, *Progressive meshes* (1996) and *Efficient implementation of progressive
 /// meshes* (1998). The headers in src/core/simplify name the sections and the differences.
