@@ -28,7 +28,7 @@ ColourAt one(const glm::vec4& colour)
     return [colour](std::uint32_t, const glm::dvec3&, std::uint32_t) { return colour; };
 }
 
-/// Calls `look` with every texel that has its centre in a face, that face and the centre's place on it.
+/// Calls `look` for every texel with its centre in a face: with the face, and with the centre's position on it.
 template<class Look>
 void forEachCovered(const Mesh& mesh, const Atlas& atlas, const Look& look)
 {
@@ -59,7 +59,7 @@ Mesh coarseBall()
     return mesh;
 }
 
-/// The largest angle between a baked normal and the sphere's, in degrees.
+/// Returns the largest angle between a baked normal and the sphere's, in degrees.
 double worstNormal(const Mesh& full, const Mesh& simplified)
 {
     const Atlas atlas = atlasOf(simplified, 256);
@@ -72,7 +72,7 @@ double worstNormal(const Mesh& full, const Mesh& simplified)
                        const glm::dvec3 n =
                            glm::normalize(glm::cross(simplified.at(face, 1) - simplified.at(face, 0),
                                                      simplified.at(face, 2) - simplified.at(face, 0)));
-                       // Where the line along the face's normal leaves the unit sphere.
+                       // The intersection of the face's normal with the unit sphere.
                        const double b = glm::dot(p, n), t = -b + std::sqrt(b * b + 1.0 - glm::dot(p, p));
                        const Rgb& c = maps.normals[i];
                        const glm::dvec3 baked = glm::normalize(glm::dvec3(c[0], c[1], c[2]) / 127.5 - 1.0);
@@ -84,7 +84,7 @@ double worstNormal(const Mesh& full, const Mesh& simplified)
 
 TEST(BakeMaps, NormalsOfASphereStandOnACoarseOne)
 {
-    // Half a degree of it is eight bits, the rest the texel's own extent and the full sphere's facets.
+    // Half a degree of it is by eight bits, the rest by the texel's extent and the facets of the full sphere.
     EXPECT_LT(worstNormal(testsupport::roundMesh(96, 48, testsupport::onSphere), coarseBall()), 2.0);
 }
 
@@ -101,7 +101,7 @@ float checker(const glm::dvec3& p)
     return (static_cast<int>(std::floor(p.x)) + static_cast<int>(std::floor(p.y))) % 2 == 0 ? 0.0f : 1.0f;
 }
 
-/// How many texels farther than one from a border of squares have not the colour of the square they lie in.
+/// Returns the number of texels, farther than one from a border of squares, that do not have the colour of their square.
 std::size_t wrongSquares(const glm::dvec3& shift)
 {
     const Mesh full = testsupport::grid(16, 16);
@@ -150,7 +150,7 @@ Mesh plate(double height)
     return meshOf(corners, {{0, 1, 2}, {0, 2, 3}, {4, 6, 5}, {4, 7, 6}});
 }
 
-/// How many texels of the upper side show the lower one, or the other way round. Red is up.
+/// Returns the number of texels of the upper side that show the lower one, or the reverse. The upper side is red.
 std::size_t wrongSides(const Mesh& simplified, double reach = 0.0)
 {
     const Mesh full = plate(0.0);
@@ -182,7 +182,7 @@ TEST(BakeMapsMutation, AWallTurnedInsideOutShowsItsOtherSide)
     EXPECT_GT(wrongSides(turned, 0.1), 1000u);
 }
 
-/// A plate with a sign in front of it that is a part of its own: how much of the plate's map shows the sign.
+/// Returns the number of texels of a plate's map that show a sign in front of it, a part of its own.
 std::size_t texelsOfSign(bool isSignThere)
 {
     Mesh full = testsupport::grid(1, 1);
@@ -196,7 +196,7 @@ std::size_t texelsOfSign(bool isSignThere)
     Mesh simplified = full;
     full.faces.push_back({{first, first + 1, first + 2}, 0, 1});
     simplified.faces.push_back(full.faces.back());
-    for (std::uint32_t i = 0; i < first; ++i) // the plate comes to lie where the sign is
+    for (std::uint32_t i = 0; i < first; ++i) // the plate moves to the position of the sign
         simplified.positions[i].z = 0.009;
     if (!isSignThere) simplified.faces.pop_back();
     const Atlas atlas = atlasOf(simplified, 128);
@@ -220,7 +220,7 @@ TEST(BakeMaps, APartThatIsGoneIsPaintedWhereItWas)
     EXPECT_GT(texelsOfSign(false), 500u);
 }
 
-/// Texels, of those that copies of the picture `levels` times halved read for a covered one, that are not of its colour.
+/// Returns the number of texels that mipmap level `levels` reads for a covered texel and that do not have its colour.
 std::size_t bleeding(int gutterPx, int levels)
 {
     const Mesh mesh = testsupport::cube();

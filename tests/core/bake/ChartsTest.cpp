@@ -16,7 +16,7 @@ using namespace osgPMObjects::core;
 using testsupport::cube;
 using testsupport::meshOf;
 
-/// Pairs of faces of one chart that lie over each other, found by trying all.
+/// Returns the pairs of faces of one chart that overlap, found by testing all pairs.
 std::size_t overlaps(const Mesh& mesh, const Charts& charts)
 {
     std::size_t count = 0;
@@ -35,7 +35,7 @@ std::size_t overlaps(const Mesh& mesh, const Charts& charts)
     return count;
 }
 
-/// A ramp that winds three times around an axis: from above every turn hides the one below.
+/// A ramp with three turns around an axis: seen from above every turn hides the one below.
 Mesh windingRamp()
 {
     std::vector<glm::dvec3> positions;

@@ -40,7 +40,7 @@ TEST(PackCharts, LeavesGuttersAndNoTexelToTwoFaces)
 
 TEST(PackCharts, OfACubeFillMostOfTheAtlas)
 {
-    // Six squares in three by two leave a third; nothing does better but unequal rows.
+    // Six squares in a grid of three by two leave a third free; only unequal rows are better.
     const Atlas atlas = atlasOf(cube(), {256, 1});
     EXPECT_GE(6.0 * atlas.texelsPerUnit * atlas.texelsPerUnit, 0.6 * 256 * 256);
 }
@@ -97,7 +97,7 @@ TEST(PackChartsMutation, FacesOverEachOtherAreSeen)
     for (std::uint32_t f = 0; f < mesh.faces.size(); ++f)
         one.charts[0].faces.push_back(f);
     one.chartOfFace.assign(mesh.faces.size(), 0);
-    // The lower side is clockwise from above; two upper ones lie over each other when it is there twice.
+    // The lower side is clockwise from above; two upper ones overlap when it is duplicated.
     Mesh twice = mesh;
     twice.faces.push_back(mesh.faces[2]);
     one.charts[0].faces.push_back(12);
@@ -124,7 +124,7 @@ TEST(AtlasMesh, HasTheAtlasForTextureCoordinates)
             const glm::dvec2 texel = atlas.texelOf(f, mesh.at(mesh.faces[f], corner));
             EXPECT_LT(glm::length(256.0 * glm::dvec2(textured.texCoords[0][after]) - texel), 1e-4);
         }
-    // Split at the borders of charts only: far fewer than three for a face.
+    // Split at borders of charts only: far fewer than three for a face.
     EXPECT_LT(textured.wedgeCount(), mesh.faces.size());
 }
 

@@ -11,7 +11,7 @@ namespace
 
 using namespace osgPMObjects::core;
 
-/// 200 triangles anywhere in a cube of side 2.
+/// 200 random triangles in a cube of side 2.
 struct Soup
 {
     std::vector<glm::dvec3> positions;

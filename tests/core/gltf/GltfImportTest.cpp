@@ -89,7 +89,7 @@ TEST(GltfImport, CountsWhatItLeavesOut)
     EXPECT_EQ(parse(beyond)->report.refusedFaces, 1u);
 }
 
-/// Files beside a model are found only where it is one itself; a folder is none.
+/// Other files are found only when the model is a file itself; a folder is no file.
 TEST(GltfImport, ReadsOtherFilesButNoFolders)
 {
     const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "gltf-with-files";
@@ -125,7 +125,7 @@ TEST(GltfImport, ReadsTheRealEngine)
     EXPECT_NEAR(static_cast<double>(counts.tJunctions), 6662.0, 100.0);
 }
 
-/// Any bytes may be called a glTF. The long run is the fuzzer's.
+/// The parser accepts or refuses any bytes. The long run is the fuzzer's.
 TEST(GltfImport, SurvivesMutations)
 {
     std::mt19937 random(11);

@@ -21,7 +21,7 @@ using testsupport::cube;
 using testsupport::grid;
 using testsupport::meshOf;
 
-/// A mesh whose faces share nothing: each corner has a position and a wedge of its own, off by up to `noise`.
+/// A mesh without shared vertices: each corner has a position and a wedge of its own, displaced by up to `noise`.
 Mesh soup(const Mesh& whole, double noise, unsigned seed)
 {
     std::mt19937 random(seed);
@@ -142,7 +142,7 @@ TEST(InsertTVertices, SplitsTheNeighbourAndInterpolatesAlongItsEdge)
     EXPECT_TRUE(isFound) << "a quarter of the way from (0, 0) to (1, 0)";
 }
 
-/// Squares beside squares that are cut finer: T-junctions at every second vertex.
+/// Squares beside squares of half the size: T-junctions at every second vertex.
 TEST(InsertTVertices, ClosesAWholeSeam)
 {
     Mesh mesh = grid(8, 4);
@@ -344,7 +344,7 @@ TEST(SurfaceChange, MeasuresAShiftAndAHole)
     EXPECT_LT(surfaceChange(mesh, mesh).largest, 1e-14);
 }
 
-/// A soup that is broken in `breaks` places: doubled, turned, flat and stray faces, corners put into the middle of edges.
+/// A soup with `breaks` defects: duplicated, reversed, flat and stray faces, and corners moved to the middle of edges.
 Mesh brokenSoup(unsigned seed, int breaks, unsigned side, double noise)
 {
     std::mt19937 random(seed);
@@ -391,7 +391,7 @@ TEST(CloseCracks, NeighbourhoodsDoWhatTheWholeDoes)
     int manyPasses = 0;
     for (unsigned seed = 1; seed <= 12; ++seed)
     {
-        const double tolerance = seed % 2 == 0 ? 0.02 : 1e-4; // where corners stray, many passes are needed
+        const double tolerance = seed % 2 == 0 ? 0.02 : 1e-4; // stray corners need many passes
         const Mesh mesh = brokenSoup(seed, 60, 8, 0.4 * tolerance);
         const Closed whole = closed(mesh, tolerance, 0.0), near = closed(mesh, tolerance, 2.0);
         ASSERT_EQ(near.mesh.faces, whole.mesh.faces) << seed;
@@ -405,7 +405,7 @@ TEST(CloseCracks, NeighbourhoodsDoWhatTheWholeDoes)
     EXPECT_GE(manyPasses, 5) << "otherwise there was little to see";
 }
 
-/// The comparison above can fail: a pass that is told of no change does not see what is broken.
+/// Mutation: a pass that is told of no change does not find the defects.
 TEST(CloseCracks, WhatIsNotSaidToHaveChangedIsNotLookedAt)
 {
     Mesh mesh =
@@ -417,7 +417,7 @@ TEST(CloseCracks, WhatIsNotSaidToHaveChangedIsNotLookedAt)
     EXPECT_EQ(mesh.faces.size(), 3u);
 }
 
-/// Whatever goes in, what comes out is sound, near where it was, and the same every time.
+/// For any input the result is valid, near the input, and the same every time.
 TEST(Consolidate, RandomSoupsComeOutSound)
 {
     for (unsigned seed = 1; seed <= 60; ++seed)

@@ -61,7 +61,7 @@ TEST(TriangleRaster, CutsAtThePictureAndLeavesOutWhatHasNoArea)
     EXPECT_EQ(pixels, 16u);
 }
 
-/// The nearer of two faces is seen from either side; taken out, the other appears.
+/// The nearer of two faces is visible from either side; when it is removed, the other appears.
 TEST(PictureRing, ShowsWhatWasHidden)
 {
     const PolishSettings settings{.views = 2, .sizePx = 16, .background = 0.0f}; // about from above and below
@@ -75,13 +75,13 @@ TEST(PictureRing, ShowsWhatWasHidden)
     both.addAll(std::vector{above, below});
     one.addAll(std::vector{below});
     both.setReference(one);
-    EXPECT_GT(both.squaredError(), 0.0); // white on black where the two do not cover each other
+    EXPECT_GT(both.squaredError(), 0.0); // white on black where the two do not overlap
     EXPECT_DOUBLE_EQ(both.change(std::vector{above}, {}), -both.squaredError());
     both.replace(std::vector{above}, {});
     EXPECT_EQ(both.squaredError(), 0.0);
 }
 
-/// What is foretold of a change comes true, and pictures that faces came into and went from are those of the faces that are left.
+/// A predicted change is the actual one, and images after additions and removals equal those of the remaining faces.
 TEST(PictureRing, StaysThePictureOfItsFaces)
 {
     constexpr std::uint32_t kFaces = 40;
@@ -111,7 +111,7 @@ TEST(PictureRing, StaysThePictureOfItsFaces)
     fresh.setReference(reference);
     fresh.addAll(faces);
     EXPECT_NEAR(ring.squaredError(), fresh.squaredError(), 1e-9);
-    fresh.replace(std::vector{faces[0]}, {}); // the comparison can fail
+    fresh.replace(std::vector{faces[0]}, {}); // mutation: the comparison can fail
     EXPECT_NE(ring.squaredError(), fresh.squaredError());
 }
 

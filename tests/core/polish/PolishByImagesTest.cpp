@@ -104,7 +104,7 @@ TEST(PolishByImages, KeepsEveryMaterial)
                                 [&](const Face& face) { return face.material == material; }));
 }
 
-/// A sequence cut in two, its end made anew of the level between, is one again, whatever moves.
+/// A sequence cut in two, its second part made again for the level between, joins to a valid one with any placement.
 TEST(JoinSequences, MakesOneOfTwo)
 {
     const Mesh mesh = meshOf(testsupport::sphereMesh(12, 16));

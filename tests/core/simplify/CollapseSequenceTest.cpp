@@ -12,7 +12,7 @@ namespace
 using namespace osgPMObjects::core;
 using testsupport::meshOf;
 
-/// Two triangles beside the edge 0–1; 3 goes into 1.
+/// Two triangles beside the edge 0–1; 3 merges into 1.
 CollapseSequence oneStep()
 {
     CollapseSequence sequence;
@@ -49,7 +49,7 @@ TEST(CollapseSequence, FindsTheLevelByFacesAndByDistance)
     const CollapseSequence sequence = oneStep();
     EXPECT_EQ(stepsToFaces(sequence, 2), 0u);
     EXPECT_EQ(stepsToFaces(sequence, 1), 1u);
-    EXPECT_EQ(stepsToFaces(sequence, 0), 1u); // as few as there are
+    EXPECT_EQ(stepsToFaces(sequence, 0), 1u); // the fewest there are
     EXPECT_EQ(stepsToDistance(sequence, 0.4), 0u);
     EXPECT_EQ(stepsToDistance(sequence, 0.5), 1u);
 }
@@ -73,7 +73,7 @@ TEST(CollapseSequence, DoesNotStopBetweenTwins)
     EXPECT_EQ(stepsToDistance(sequence, 0.55), 1u);
 }
 
-/// Each changes a sound sequence so that it is none any more.
+/// Mutations: each makes a valid sequence invalid.
 TEST(CollapseSequence, IsRefusedWhenItCannotBePlayed)
 {
     const Mesh mesh = testsupport::waves(6, 6);
@@ -99,8 +99,8 @@ TEST(CollapseSequence, IsRefusedWhenItCannotBePlayed)
     EXPECT_FALSE(isSoundAfter([](CollapseSequence& s) { s.steps[7].firstWedge = 1; }));
 }
 
-/// Two faces beside an edge share the wedge at the end that goes, not at the other one: of the wedges at the place that stays,
-/// only what is in use goes on.
+/// Two faces beside an edge share the wedge at the removed end, but not at the other one: of the two wedges at the remaining
+/// position, only the used one is replaced.
 TEST(CollapseSequence, KeepsVanishedFacesAwayWhateverTheirWedges)
 {
     testsupport::Random random(7);

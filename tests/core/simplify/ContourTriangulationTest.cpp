@@ -30,7 +30,7 @@ double twiceArea(const Contour& contour, const Triangle& t)
     return orientation(contour[t[0]], contour[t[1]], contour[t[2]]);
 }
 
-/// Above zero: p lies inside of the circle through the corners of a counter-clockwise triangle.
+/// Returns a value above zero when p lies inside of the circle through the corners of a counter-clockwise triangle.
 double inCircle(const Contour& contour, const Triangle& t, const glm::dvec2& p)
 {
     glm::dmat3 rows;
@@ -42,13 +42,13 @@ double inCircle(const Contour& contour, const Triangle& t, const glm::dvec2& p)
     return glm::determinant(rows);
 }
 
-/// Whether the triangles are a triangulation of the contour in which no inner edge could be exchanged for the other diagonal of its
-/// two triangles to make their smallest angle larger: the constrained Delaunay triangulation.
+/// Whether the triangles are the constrained Delaunay triangulation of the contour: exchanging an inner edge for the other diagonal
+/// of its two triangles never makes their smallest angle larger.
 bool isDelaunay(const Contour& contour, const std::vector<Triangle>& triangles)
 {
     if (triangles.size() != contour.size() - 2) return false;
     double area = 0.0, whole = 0.0;
-    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> opposite; // of a side: the third corner
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> opposite; // by side: the third corner
     for (const Triangle& t : triangles)
     {
         if (!(twiceArea(contour, t) > 0.0)) return false;
@@ -69,7 +69,7 @@ bool isDelaunay(const Contour& contour, const std::vector<Triangle>& triangles)
     return true;
 }
 
-/// Simple: corners in turn around the origin, at any distance from it.
+/// A simple contour: corners in turn around the origin, at any distance from it.
 Contour starShaped(Random& random)
 {
     const std::size_t count = 3 + random.below(13);
@@ -85,7 +85,7 @@ Contour starShaped(Random& random)
 
 TEST(ContourTriangulation, TheCornerUnderTheLargestAngleIsTaken)
 {
-    // Base line from (0, 3) to (0, 0): (1, 1.5) sees it under 113 degrees, (5, 0.1) and (5, 2.9) under 32.
+    // Base line from (0, 3) to (0, 0): its angle is 113 degrees at (1, 1.5), 32 at (5, 0.1) and (5, 2.9).
     const Contour contour = {{0, 0}, {5, 0.1}, {1, 1.5}, {5, 2.9}, {0, 3}};
     const auto triangles = triangulated(contour);
     EXPECT_EQ(triangles.front(), (Triangle{0, 2, 4}));
@@ -94,8 +94,8 @@ TEST(ContourTriangulation, TheCornerUnderTheLargestAngleIsTaken)
 
 TEST(ContourTriangulation, AHiddenCornerIsNotTaken)
 {
-    // A U with narrow arms. The base line from (0, 10) to (0, 0) is seen under 153 degrees from (1.2, 5), across the gap between
-    // the arms; of the corners in its own arm (1, 10) sees it under 84.
+    // A U with narrow arms. The angle of the base line from (0, 10) to (0, 0) is 153 degrees at (1.2, 5), across the gap
+    // between the arms; in its own arm it is 84 degrees at (1, 10).
     const Contour arms = {{0, 0},   {0, -21},   {2, -21}, {2, 10}, {1.3, 10},
                           {1.2, 5}, {1.3, -20}, {1, -20}, {1, 10}, {0, 10}};
     const auto triangles = triangulated(arms);

@@ -12,7 +12,7 @@ namespace
 
 using namespace osgPMObjects::core;
 
-/// The largest distance, both ways, over ten levels of a sequence.
+/// Returns the largest distance, both ways, over ten levels of a sequence.
 double largestDistance(const Mesh& mesh, const CollapseSequence& sequence)
 {
     double largest = 0.0;
@@ -48,7 +48,7 @@ TEST(Envelope, LeavesFarFewerFacesThanTheOriginal)
 }
 
 TEST(Envelope, IsLeftWhereThereIsNone)
-{ // the control: as many steps without it
+{ // control: as many steps without an envelope
     const Mesh mesh = testsupport::waves(24, 24);
     const double distance = 0.01 * diagonalOf(mesh);
     const std::size_t steps = simplify(mesh, {.envelope = distance}).steps.size();

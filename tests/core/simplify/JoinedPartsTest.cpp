@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parts that are near each other may become one.
+// Near parts may join.
 #include <gtest/gtest.h>
 
 #include <osgPMObjects/core/mesh/MeshCheck.h>
@@ -14,7 +14,7 @@ namespace
 
 using namespace osgPMObjects::core;
 
-/// A street of cubes, a tenth of their size apart.
+/// A row of cubes, a tenth of their size apart.
 Mesh street(int houses)
 {
     Mesh mesh = testsupport::cube();

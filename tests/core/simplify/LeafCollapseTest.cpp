@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Foliage of cards: as some go, others grow.
+// Foliage of cards: remaining cards grow as others are removed.
 #include <set>
 
 #include <gtest/gtest.h>
@@ -129,11 +129,12 @@ TEST(LeafCollapse, LeavesMeshesWithoutFoliageAsTheyWere)
     Mesh cubes = testsupport::waves(12, 12);
     for (int i = 0; i < 90; ++i)
         cubes = testsupport::together(cubes, testsupport::cube(), {i % 9 * 2.0, i / 9 * 2.0, 4.0});
-    Mesh tiles = crown(LeafKind::quad, 300, 0.1); // all look the same way: a wall
+    Mesh tiles = crown(LeafKind::quad, 300, 0.1); // all have the same direction: a wall
     for (glm::dvec3& p : tiles.positions)
         p.z = 0.01 * p.z;
     Mesh uneven = crown(LeafKind::quad, 300, 0.1);
-    for (std::size_t i = 0; i < uneven.texCoords[0].size(); ++i) // no two show the same: debris, not leaves
+    for (std::size_t i = 0; i < uneven.texCoords[0].size();
+         ++i) // no two show the same region: debris, not leaves
         uneven.texCoords[0][i] += glm::vec2(float(i / 4) * 0.01f);
     for (const Mesh& mesh : {cubes, tiles, uneven, crown(LeafKind::quad, 40, 0.1)})
         for (const Placement placement : kLeafPlacements)

@@ -8,8 +8,8 @@ namespace
 
 using osgPMObjects::core::Quadric;
 
-// The cube of side 2 that the lecture on polygon techniques draws: e is on the edge between the front and the top, half way along it; c is its end, where
-// the right side comes in.
+// The cube of side 2 in Jin, *Polygon Techniques*: e is the middle of the edge between front and top; c is the end of that
+// edge, at the right side.
 TEST(Quadric, CostsNothingFromEToCAndOneFromCToEOnTheCubeOfThePaper)
 {
     const glm::dvec3 front(0, -1, 0), top(0, 0, 1), right(1, 0, 0), e(0, -1, 1), c(1, -1, 1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether the check of sequences sees what is wrong with one.
+// The check of removal sequences finds their defects.
 #include <algorithm>
 #include <functional>
 #include <map>
@@ -22,7 +22,7 @@ struct Mutation
     std::function<void(RemovalSequence&)> mutate;
 };
 
-/// A step in the middle, of a position in the inside.
+/// A step in the middle of a sequence, that removes an inner position.
 std::size_t middleOf(const RemovalSequence& s)
 {
     std::size_t step = s.steps.size() / 2;
@@ -95,7 +95,7 @@ TEST(RemovalSequence, TheCheckSeesEveryMutation)
 
 TEST(RemovalSequence, TheCheckSeesAFilledHoleThatWasNotClosed)
 {
-    // An open fan of two faces, whose position goes: the edge that closes it is an added face's, or no hole is filled.
+    // An open fan of two faces whose middle is removed: its closing edge belongs to an added face, or no hole is filled.
     const Mesh fan =
         meshOf({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {-1, 2, 0}}, {{0, 1, 2}, {0, 2, 3}, {3, 2, 4}});
     RemovalSequence sequence;

@@ -18,7 +18,7 @@ namespace
 using namespace osgPMObjects::core;
 using namespace testsupport;
 
-/// Vertices - edges + faces of a level, with the steps' own number of vertices.
+/// Returns vertices - edges + faces of a level, with the number of vertices according to the steps.
 long eulerNumber(const Mesh& level, std::size_t vertices)
 {
     const EdgeTable edges(positionTriangles(level), level.positions.size());
@@ -253,7 +253,7 @@ TEST(RemoveVertices, AStarOfTooManyFacesWaitsForItsNeighbours)
 
 TEST(RemoveVertices, ACrowdedEdgeStaysAsItIs)
 {
-    // Three pages of a book, two squares high.
+    // Three sheets that meet at one line, two squares high.
     std::vector<glm::dvec3> positions = {{0, 0, 0}, {0, 0, 1}, {0, 0, 2}};
     std::vector<std::array<std::uint32_t, 3>> faces;
     for (std::uint32_t page = 0; page < 3; ++page)

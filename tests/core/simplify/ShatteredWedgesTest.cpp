@@ -12,7 +12,7 @@ namespace
 
 using namespace osgPMObjects::core;
 
-/// Every face has a piece of the texture for itself.
+/// A mesh in which every face has its own piece of the texture.
 Mesh shattered(const Mesh& whole)
 {
     Mesh mesh = whole;

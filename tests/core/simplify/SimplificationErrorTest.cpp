@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The meter on shapes whose distance is known.
+// The meter on shapes of known distance.
 #include <cmath>
 #include <limits>
 
@@ -92,7 +92,7 @@ TEST(SimplificationMeter, TakesTheMeanOverBothSidesTogether)
     const Mesh plane = testsupport::grid(10, 1);
     Mesh half = plane;
     half.faces.resize(10);
-    // Of the plane half the points are 0 to 5 away, of the half none is: a quarter of all, 2.5 away on average.
+    // Half of the plane's points are 0 to 5 away, no point of the half is: a quarter of all, 2.5 away on average.
     const double expected = 100.0 * 0.25 * 2.5 / std::sqrt(101.0);
     EXPECT_NEAR(SimplificationMeter(plane).measure(half).meanPercent, expected, 0.01 * expected);
 }

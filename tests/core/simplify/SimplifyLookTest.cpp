@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What simplification does to wedges and materials.
+// Simplification keeps the appearance: wedges and materials.
 #include <set>
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ namespace
 
 using namespace osgPMObjects::core;
 
-/// How far texture coordinates are from what they should be where they are now; a face across the seam shows here.
+/// The largest difference of texture coordinates from those wanted at their positions; faces across the seam have a large one.
 double worstDrift(const Mesh& mesh, std::uint32_t columns, std::uint32_t rows)
 {
     double worst = 0.0;
@@ -43,7 +43,7 @@ TEST(SimplifyLook, KeepsASeamWhereItIs)
         EXPECT_TRUE(isValid(level));
         EXPECT_LT(worstDrift(level, 24, 24), 4.0 / 1024);
         for (const Face& face : level.faces)
-        { // no face reaches over the seam: its corners are all of one half
+        { // no face crosses the seam: its corners are all in one half
             double least = 1e9, most = -1e9;
             for (int corner = 0; corner < 3; ++corner)
             {
@@ -59,7 +59,7 @@ TEST(SimplifyLook, KeepsASeamWhereItIs)
 }
 
 TEST(SimplifyLook, LetsTexturesSlideWhenOnlyTheShapeCounts)
-{ // the control: the same without seams
+{ // control: the same without seams
     const Mesh mesh = testsupport::texturedInHalves(24, 24);
     const CollapseSequence sequence = simplify(mesh, {.keepSeams = false});
     std::size_t across = 0;

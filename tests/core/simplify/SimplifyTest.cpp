@@ -22,7 +22,7 @@ Mesh levelOf(const Mesh& mesh, const CollapseSequence& sequence, std::size_t fac
     return meshAfter(mesh, sequence, stepsToFaces(sequence, faces));
 }
 
-/// The mean distance in per cent of the diagonal.
+/// Returns the mean distance in per cent of the diagonal.
 double meanErrorPercent(const Mesh& mesh, const Mesh& level)
 {
     return 100.0 * surfaceChange(mesh, level, 20000).mean / diagonalOf(mesh);
@@ -121,7 +121,7 @@ TEST(Simplify, StaysInTheBox)
 }
 
 TEST(Simplify, KeepsAThinPlateThatIsFoldedOntoItself)
-{ // both sides of it lie on each other: without weight on folds its outline would shrink for nothing
+{ // its two sides coincide: without the weight of folds its outline would shrink at no cost
     Mesh mesh = testsupport::grid(10, 10);
     const std::vector<Face> front = mesh.faces;
     for (const Face& f : front)

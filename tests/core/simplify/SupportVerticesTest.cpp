@@ -13,11 +13,11 @@ namespace
 using namespace osgPMObjects::core;
 using namespace testsupport;
 
-/// Of eight vertices in a box from 0 to 4: five in the cell from 0 to 2, whose centre is (1, 1, 1), one in that from 2 to 4,
+/// Eight vertices in a box from 0 to 4: five in the cell from 0 to 2, whose centre is (1, 1, 1), one in the cell from 2 to 4,
 /// and two in others.
 Mesh byHand()
 {
-    return meshOf({{0, 0, 0},       // 3 from the centre, squared: the farthest
+    return meshOf({{0, 0, 0},       // squared distance from the centre 3: the farthest
                    {1, 1, 0},       // 1
                    {1.5, 1.5, 1},   // 0.5: the nearest
                    {0.5, 1, 1.75},  // 0.8125
@@ -41,7 +41,8 @@ TEST(SupportVertices, TheFarthestAndTheNearestOfEachCellByHand)
 
 TEST(SupportVertices, AMovedCentreWouldBeSeen)
 {
-    // With the paper's formula all centres of two divisions are (1, 1, 1): in the cell above, (3.9, 3.9, 3.9) would be the nearest.
+    // By the formula of the source all centres of two divisions are (1, 1, 1): in the upper cell, (3.9, 3.9, 3.9) would be the
+    // nearest.
     const Mesh mesh = meshOf({{0, 0, 0}, {4, 4, 4}, {3.9, 3.9, 3.9}, {2.5, 2.5, 3}}, {{0, 1, 2}, {1, 2, 3}});
     const auto isSupport =
         supportVertices(mesh, OctreeDivisions::ofDepth(1), SupportRule::farthestAndNearest);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A symmetric model must not become lopsided.
+// Simplification keeps a symmetric model symmetric.
 #include <numbers>
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ namespace
 
 using namespace osgPMObjects::core;
 
-/// Rings around the x axis: place along it and radius by `profile(0…1)`. `isRing`: the last ring is the first.
+/// Rings around the x axis: `profile(0…1)` gives the point on the axis and the radius. `isRing`: the last ring is the first.
 template<class Profile>
 Mesh turned(std::uint32_t rings, std::uint32_t segments, bool isRing, const Profile& profile)
 {
@@ -63,7 +63,7 @@ Mesh wheel()
                   });
 }
 
-/// How far a level is from its mirror image, in per cent of the diagonal, across the best of the three planes.
+/// Returns the distance of a level from its mirror image, in per cent of the diagonal, across the best of the three planes.
 double lopsidednessPercent(const Mesh& level, const Mesh& original)
 {
     const Extent box = extentOf(original.positions);
@@ -95,7 +95,7 @@ TEST(Symmetry, IsKeptAtEveryLevelOfAFuselageAndAWheel)
 }
 
 TEST(Symmetry, IsLostWhereNobodyKeepsIt)
-{ // the control
+{ // control
     const Mesh mesh = wheel();
     const CollapseSequence sequence = simplify(mesh, {.keepSymmetry = false});
     const Mesh level = meshAfter(mesh, sequence, stepsToFaces(sequence, mesh.faces.size() / 20));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Texture drift on planes whose coordinates are known.
+// Texture drift on planes of known texture coordinates.
 #include <cmath>
 #include <utility>
 
@@ -17,7 +17,7 @@ using namespace osgPMObjects::core;
 
 constexpr float kTexel = 1.0f / 1024.0f;
 
-/// A plane of 10 × 10 with one texture over it, or a part of a texture.
+/// A plane of 10 × 10 with one texture or a part of it.
 Mesh texturedPlane(const glm::vec2& at = {0.0f, 0.0f}, float unitsPerSide = 1.0f)
 {
     Mesh mesh = testsupport::grid(10, 10);
@@ -41,7 +41,7 @@ Mesh turnedOver(Mesh mesh)
     return mesh;
 }
 
-/// Both meshes as one; faces of `b` get another material where `isOther`.
+/// Returns both meshes as one; faces of `b` get another material where `isOther`.
 Mesh together(Mesh a, const Mesh& b, bool isOther = false)
 {
     const auto positions = static_cast<std::uint32_t>(a.positions.size());
@@ -80,7 +80,7 @@ TEST(TextureDrift, IsNothingOnTheSameMeshAndTheShiftOnAShiftedOne)
 {
     const Mesh plane = texturedPlane();
     expectAll(driftBetween(plane, plane), 0.0);
-    expectAll(driftBetween(plane, texturedPlane({3.0f * kTexel, 4.0f * kTexel})), 5.0); // the mutation
+    expectAll(driftBetween(plane, texturedPlane({3.0f * kTexel, 4.0f * kTexel})), 5.0); // mutation
 }
 
 TEST(TextureDrift, DoesNotCareHowTheSurfaceIsCut)
@@ -94,7 +94,7 @@ TEST(TextureDrift, DoesNotCareHowTheSurfaceIsCut)
     }
     expectAll(driftBetween(texturedPlane(), coarse), 0.0);
     expectAll(driftBetween(coarse, texturedPlane()), 0.0);
-    coarse.texCoords[0][3] += glm::vec2(0.5f); // the mutation: a corner pulled away
+    coarse.texCoords[0][3] += glm::vec2(0.5f); // mutation: one corner is moved
     const auto drift = driftBetween(texturedPlane(), coarse);
     ASSERT_TRUE(drift);
     EXPECT_GT(drift->ofNinetyNine, 400.0);
@@ -120,7 +120,7 @@ TEST(TextureDrift, TakesTheLeastOfSurfacesOnTopOfEachOther)
     const Mesh both = together(below, above);
     expectAll(driftBetween(both, below), 0.0);
     expectAll(driftBetween(both, above), 0.0);
-    expectAll(driftBetween(both, texturedPlane({0.5f, 0.5f + 2.0f * kTexel})), 2.0); // the mutation
+    expectAll(driftBetween(both, texturedPlane({0.5f, 0.5f + 2.0f * kTexel})), 2.0); // mutation
 }
 
 TEST(TextureDrift, LooksAtFacesOfTheSameMaterialAlone)
@@ -129,7 +129,7 @@ TEST(TextureDrift, LooksAtFacesOfTheSameMaterialAlone)
     Mesh level = together(raised(texturedPlane(), 0.9), raised(texturedPlane({0.5f, 0.0f}), 0.1), true);
     expectAll(driftBetween(both, level), 0.0);
     for (Face& face : level.faces)
-        face.material = 1 - face.material; // the mutation
+        face.material = 1 - face.material; // mutation
     expectAll(driftBetween(both, level), 512.0);
 }
 
@@ -137,9 +137,9 @@ TEST(TextureDrift, LooksAtFacesOfTheSameSideOfAThinWall)
 {
     const Mesh wall = together(raised(texturedPlane(), 0.01), turnedOver(texturedPlane({0.5f, 0.0f})));
     expectAll(driftBetween(wall, raised(wall, 0.5)), 0.0);
-    expectAll(driftBetween(wall, raised(turnedOver(wall), 0.5)), 512.0, 0.1); // the mutation
+    expectAll(driftBetween(wall, raised(turnedOver(wall), 0.5)), 512.0, 0.1); // mutation
     const Mesh front = texturedPlane();
-    expectAll(driftBetween(front, turnedOver(front)), 0.0); // where there is one side, that counts
+    expectAll(driftBetween(front, turnedOver(front)), 0.0); // with one orientation only, that one counts
 }
 
 TEST(TextureDrift, OfNinetyNineOutOfAHundredLeavesOutTheRest)

@@ -19,7 +19,7 @@ namespace
 using namespace osgPMObjects::core;
 using namespace testsupport;
 
-/// Faces of a clustered mesh, and its edges and points as faces without area.
+/// The faces of a clustered mesh, and its edges and points as faces without area.
 std::vector<Triangle> everythingOf(const ClusteredMesh& clustered)
 {
     std::vector<Triangle> all = positionTriangles(clustered.mesh);
@@ -30,7 +30,7 @@ std::vector<Triangle> everythingOf(const ClusteredMesh& clustered)
     return all;
 }
 
-/// The largest distance from points of the first to the second, by a grid of points in each triangle.
+/// Returns the largest distance from points of the first mesh to the second, with a grid of points in each triangle.
 double farthest(std::span<const glm::dvec3> positions, const std::vector<Triangle>& from,
                 const std::vector<Triangle>& to)
 {
@@ -58,7 +58,7 @@ ClusteredMesh clustered(const Mesh& mesh, double cellSize)
 
 TEST(VertexClustering, ARowOfTrianglesByHand)
 {
-    // Cells of size 1 along x: {0, 1}, {2, 3}, {4}. Position 1 bounds the longest edge of its cell, 2 has the sharper corner of its.
+    // Cells of size 1 along x: {0, 1}, {2, 3}, {4}. Position 1 has the longest edge of its cell, 2 the sharper corner of its cell.
     const Mesh mesh = meshOf({{0.0, 0, 0}, {0.9, 0, 0}, {1.1, 0.9, 0}, {1.2, 0.2, 0}, {3.5, 0.4, 0}},
                              {{0, 1, 2}, {1, 3, 2}, {3, 4, 2}});
     const ClusteredMesh coarse = clustered(mesh, 1.0);

@@ -146,7 +146,8 @@ TEST(ReadModel, SaysWhatIsWrongWithAFile)
     const auto unknown = scratch.write("a.strange", "what");
     EXPECT_EQ(messageFor(unknown).find(unknown.string() + ": cannot be read by OpenSceneGraph"), 0u);
     const auto damaged = scratch.write("a.glb", "glTF\2");
-    EXPECT_EQ(messageFor(damaged).find(damaged.string() + ": is no glTF 2"), 0u) << messageFor(damaged);
+    EXPECT_EQ(messageFor(damaged).find(damaged.string() + ": cannot be read as glTF 2"), 0u)
+        << messageFor(damaged);
 }
 
 /// Real models of every format with bytes changed: loaders may die, in their child; nothing of ours does.

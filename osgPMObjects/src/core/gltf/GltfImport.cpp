@@ -75,7 +75,7 @@ bool isFile(const std::string& name, void*)
 bool readFile(std::vector<unsigned char>* bytes, std::string* error, const std::string& name, void* data)
 {
     if (isFile(name, data)) return tinygltf::ReadWholeFile(bytes, error, name, data);
-    *error += name + " is no file";
+    *error += name + " is not a file";
     return false;
 }
 
@@ -96,8 +96,7 @@ foundation::Result<GltfModel> readModel(const Parse& parse, const std::string& n
     const auto refused = [&](std::string why)
     {
         std::replace(why.begin(), why.end(), '\n', ' ');
-        return foundation::Error{name, "is no glTF 2 that can be read: " + why,
-                                 "export the model again as .glb"};
+        return foundation::Error{name, "cannot be read as glTF 2: " + why, "export the model again as .glb"};
     };
     tinygltf::Model parsed;
     try

@@ -101,7 +101,7 @@ private:
         if (number < 0 || static_cast<std::size_t>(number) >= _model.nodes.size())
             return fail(place, "does not exist");
         if (depth > kDeepest || ++_visits > 16 * _model.nodes.size() + 1024)
-            return fail(place, "is nested too deep, or in itself");
+            return fail(place, "is nested too deep, or contains itself");
         const tinygltf::Node& node = _model.nodes[static_cast<std::size_t>(number)];
         const glm::dmat4 matrix = above * matrixOf(node);
         _into.report.animations += node.skin >= 0;
@@ -129,8 +129,7 @@ private:
         const auto found = primitive.attributes.find(semantic);
         if (found == primitive.attributes.end()) return {};
         auto values = accessorValues(_model, found->second);
-        if (!values)
-            fail("accessor " + std::to_string(found->second), "is sparse, or reaches beyond its buffer");
+        if (!values) fail("accessor " + std::to_string(found->second), "is sparse, or exceeds its buffer");
         return values;
     }
 
@@ -198,7 +197,7 @@ private:
         if (primitive.indices >= 0)
         {
             auto read = accessorIndices(_model, primitive.indices);
-            if (!read) return fail("accessor " + std::to_string(primitive.indices), "holds no indices");
+            if (!read) return fail("accessor " + std::to_string(primitive.indices), "has no valid indices");
             indices = std::move(*read);
         }
         else

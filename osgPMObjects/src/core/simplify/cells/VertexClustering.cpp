@@ -182,7 +182,7 @@ std::vector<double> clusterGrades(const Mesh& mesh)
 foundation::Result<ClusteredMesh> clusterVertices(const Mesh& mesh, double cellSize)
 {
     if (!(cellSize > 0.0) || !std::isfinite(cellSize) || diagonalOf(mesh) > kMostCells * cellSize)
-        return foundation::Error{"cell size", std::to_string(cellSize) + " is none for this mesh",
+        return foundation::Error{"cell size", std::to_string(cellSize) + " is out of range for this mesh",
                                  "give a length above a billionth of its diagonal"};
     ClusteredMesh clustered;
     clustered.cellSize = cellSize;
@@ -194,20 +194,21 @@ foundation::Result<ClusteredMesh> clusterVertices(const Mesh& mesh, double cellS
 std::string clusteringDefectOf(const ClusteredMesh& clustered, const Mesh& mesh)
 {
     const auto& representative = clustered.representative;
-    if (representative.size() != mesh.positions.size()) return "another number of positions";
+    if (representative.size() != mesh.positions.size()) return "the number of positions differs";
     if (clustered.mesh.positions != mesh.positions) return "positions have moved";
     const glm::dvec3 low = extentOfFaces(mesh).low;
     const double most = std::sqrt(3.0) * clustered.cellSize;
     for (std::size_t p = 0; p < representative.size(); ++p)
     {
         const std::uint32_t r = representative[p];
-        if (r >= mesh.positions.size() || representative[r] != r) return "a representative is none";
+        if (r >= mesh.positions.size() || representative[r] != r)
+            return "a representative does not represent itself";
         if (r == p) continue;
         if (glm::length(mesh.positions[p] - mesh.positions[r]) > most * (1.0 + 1e-12))
             return "a position is farther than a cell's diagonal from its representative";
         if (gridCell(mesh.positions[p], low, clustered.cellSize) !=
             gridCell(mesh.positions[r], low, clustered.cellSize))
-            return "a representative is of another cell";
+            return "a representative lies in another cell";
     }
     ClusteredMesh expected;
     expected.representative = representative;
@@ -217,7 +218,7 @@ std::string clusteringDefectOf(const ClusteredMesh& clustered, const Mesh& mesh)
                         expected.edges == clustered.edges && expected.points == clustered.points &&
                         expected.degenerateFaces == clustered.degenerateFaces &&
                         expected.duplicateFaces == clustered.duplicateFaces;
-    return isSame ? "" : "faces, edges or points are not those of the positions drawn together";
+    return isSame ? "" : "faces, edges or points do not match the merged positions";
 }
 
 } // namespace osgPMObjects::core

@@ -47,7 +47,7 @@ public:
         for (std::size_t k = 0; k < _sequence.steps.size(); ++k)
             if (const std::string wrong = step(k); !wrong.empty())
                 return "step " + std::to_string(k) + ": " + wrong;
-        return _doomed.empty() ? "" : "the end: something is left of a part";
+        return _doomed.empty() ? "" : "at the end a part is left incomplete";
     }
 
 private:
@@ -55,12 +55,12 @@ private:
     {
         const auto isUsed = [](const auto& faces) { return !faces.empty(); };
         _left = static_cast<std::size_t>(std::count_if(_facesOf.begin(), _facesOf.end(), isUsed));
-        if (_sequence.positionCount != _left) return "another number of positions";
-        if (_sequence.faceCount != _mesh.faces.size()) return "another number of faces";
+        if (_sequence.positionCount != _left) return "the number of positions differs";
+        if (_sequence.faceCount != _mesh.faces.size()) return "the number of faces differs";
         std::size_t kept = _left - std::min(_left, _sequence.steps.size());
         for (const std::size_t count : _sequence.left)
             kept -= std::min(kept, count);
-        if (kept != 0) return "the reasons do not account for what is left";
+        if (kept != 0) return "the counts of refusals do not match the remaining positions";
         std::uint32_t removed = 0, added = 0;
         for (const RemovalStep& step : _sequence.steps)
         {
@@ -69,11 +69,11 @@ private:
             added = step.firstAdded;
         }
         if (removed > _sequence.removedFaces.size() || added > _sequence.addedFaces.size())
-            return "steps beyond the faces";
+            return "steps refer to faces that do not exist";
         for (const Face& face : _sequence.addedFaces)
             if (*std::max_element(face.wedges.begin(), face.wedges.end()) >= _mesh.wedgeCount() ||
                 face.material >= _mesh.materials.size() || face.part >= _mesh.parts.size())
-                return "an added face points nowhere";
+                return "an added face has an index out of range";
         return "";
     }
 
@@ -119,9 +119,9 @@ private:
         const auto added = _sequence.addedBy(k);
         const std::set<std::uint32_t> star(removed.begin(), removed.end());
         if (star.size() != removed.size() || star != _facesOf[step.position])
-            return "not exactly the faces of the position";
-        if (step.isOfPart ? !added.empty() : star.empty()) return "fills a part, or removes nothing";
-        if (!step.isOfPart && !_doomed.empty()) return "something is left of a part";
+            return "the removed faces are not those of the position";
+        if (step.isOfPart ? !added.empty() : star.empty()) return "adds faces for a part, or removes no face";
+        if (!step.isOfPart && !_doomed.empty()) return "a part is left incomplete";
         if (const std::string wrong = step.isOfPart ? doom(step.position, star) : fill(step, star, added);
             !wrong.empty())
             return wrong;
@@ -136,7 +136,7 @@ private:
     /// Marks the faces of a part for removal: their other corners must follow before any other step.
     std::string doom(std::uint32_t position, const std::set<std::uint32_t>& star)
     {
-        if (star.empty() && _doomed.count(position) == 0) return "no such position is left";
+        if (star.empty() && _doomed.count(position) == 0) return "the position has no faces";
         for (const std::uint32_t number : star)
             for (const Side& side : sidesOf(face(number)))
                 _doomed.insert(side.first);
@@ -162,7 +162,7 @@ private:
             for (const std::uint32_t wedge : f.wedges)
                 if (corners.count({wedge, f.material, f.part}) == 0 ||
                     _mesh.wedgePositions[wedge] == step.position)
-                    return "a corner that no removed face had";
+                    return "an added face has a corner that no removed face had";
             for (const Side& side : sidesOf(f))
                 add(border, side, -1);
         }
@@ -191,7 +191,8 @@ private:
     {
         for (const Face& f : added)
             for (const Side& side : sidesOf(f))
-                if (_sides.at(side) > 1 && _crowded.count(side) == 0) return "two faces along one edge";
+                if (_sides.at(side) > 1 && _crowded.count(side) == 0)
+                    return "an edge has two faces of one direction";
         return "";
     }
 
