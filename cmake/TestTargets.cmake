@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
 # Programs that test: GoogleTest and libFuzzer.
 
-# osgtrainer_test(NAME LABEL core|osg|render SOURCES ... LINK ...): a GoogleTest program, discovered test by test.
+# osgtrainer_test(NAME LABEL core|osg|render SOURCES ... LINK ... [TIMEOUT s] [SPLIT suite…]): a GoogleTest program, one
+# ctest test a suite, or a test in the suites that SPLIT names: long ones whose tests share nothing.
 function(osgtrainer_test name)
-    cmake_parse_arguments(arg "" "LABEL;TIMEOUT" "SOURCES;LINK" ${ARGN})
+    cmake_parse_arguments(arg "" "LABEL;TIMEOUT" "SOURCES;LINK;SPLIT" ${ARGN})
     if(NOT arg_TIMEOUT)
-        set(arg_TIMEOUT 300)
+        set(arg_TIMEOUT 600)
     endif()
     if(OSGTRAINER_SANITIZE)
         math(EXPR arg_TIMEOUT "${arg_TIMEOUT} * 5")
@@ -18,8 +19,15 @@ function(osgtrainer_test name)
     # Most of a test's time is spent in the libraries: optimising the test itself takes longer than it saves.
     target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>
         $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>) # false alarm: a unity file includes only sources
-    gtest_discover_tests(${name} TEST_PREFIX "${OSGTRAINER_TEST_PREFIX}" NO_PRETTY_VALUES DISCOVERY_TIMEOUT 60
-        PROPERTIES LABELS ${arg_LABEL} TIMEOUT ${arg_TIMEOUT})
+    set(suites ${CMAKE_CURRENT_BINARY_DIR}/${name}_suites.cmake)
+    list(JOIN arg_SPLIT "," split)
+    add_custom_command(TARGET ${name} POST_BUILD VERBATIM
+        COMMAND ${CMAKE_COMMAND} -DPROGRAM=$<TARGET_FILE:${name}> -DOUTPUT=${suites} -DPREFIX=${OSGTRAINER_TEST_PREFIX}
+            -DLABEL=${arg_LABEL} -DTIMEOUT=${arg_TIMEOUT} -DSPLIT=${split} -P ${PROJECT_SOURCE_DIR}/cmake/DiscoverSuites.cmake)
+    set(included ${CMAKE_CURRENT_BINARY_DIR}/${name}_include.cmake)
+    file(WRITE ${included} "if(EXISTS [==[${suites}]==])\n    include([==[${suites}]==])\nelse()\n"
+        "    add_test(${OSGTRAINER_TEST_PREFIX}${name}_NOT_BUILT ${name}_NOT_BUILT)\nendif()\n")
+    set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES ${included})
 endfunction()
 
 # osgtrainer_fuzzer(NAME SOURCES … LINK …): a libFuzzer program of the tree configured with OSGTRAINER_FUZZ=ON,
