@@ -69,7 +69,7 @@ void expectSound(const Joined& joined, double tolerancePx)
 {
     RoamMesh mesh{SplitBounds(joined.tile)};
     for (const int seam : joined.seams)
-        for (const viewlod::ViewState& view : flightAlong(joined.tile->tile, seam, 6))
+        for (const viewlod::ViewState& view : flightAlong(joined.tile->tile, seam, 3))
         {
             ASSERT_TRUE(isSoundFrom(mesh, view, tolerancePx));
         }

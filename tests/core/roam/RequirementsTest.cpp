@@ -112,7 +112,7 @@ TEST_P(Spike, OfManyCellsWouldBeNoticed)
     EXPECT_GT(mostAdded(flat(side), side, 1.0, 1), 20.0 * bound(side));
 }
 
-INSTANTIATE_TEST_SUITE_P(Sides, Spike, testing::Values(129, 257, 513, 1025, 2049),
+INSTANTIATE_TEST_SUITE_P(Sides, Spike, testing::Values(129, 257, 513, 1025),
                          testing::PrintToStringParamName());
 
 TEST(SpikeRealData, AddsTrianglesByTheDepthNotByTheSize)
