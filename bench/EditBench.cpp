@@ -10,8 +10,8 @@
 #include <osgTerrainROAM/core/edit/GroundEditor.h>
 #include <osgTerrainROAM/core/roam/RoamMesh.h>
 
-#include "Percentile.h"
 #include "SyntheticField.h"
+#include "measurement/Percentile.h"
 
 namespace
 {
@@ -44,8 +44,8 @@ std::vector<HeightChange> square(const PlacedTile& tile, int across, testsupport
 
 void report(benchmark::State& state, std::vector<double>& usPerSample)
 {
-    state.counters["p50_us_per_sample"] = roambench::percentile(usPerSample, 0.5);
-    state.counters["p99_us_per_sample"] = roambench::percentile(usPerSample, 0.99);
+    state.counters["p50_us_per_sample"] = measurement::percentile(usPerSample, 0.5);
+    state.counters["p99_us_per_sample"] = measurement::percentile(usPerSample, 0.99);
 }
 
 /// Side of the tile, side of the edit.

@@ -17,22 +17,22 @@
 #include <osgTerrainROAM/core/roam/RoamMesh.h>
 #include <osgTerrainROAM/core/roam/ScratchRefinement.h>
 
-#include "FullSplit.h"
 #include "SyntheticField.h"
-#include "flights/AnchorCrop.h"
-#include "flights/AnchorFlight.h"
+#include "measurement/SplitFully.h"
+#include "measurement/flights/BenchmarkFlight.h"
+#include "measurement/flights/RasterCrop.h"
 
 namespace
 {
 
 using namespace osgTerrainROAM::core;
-using flights::AnchorFlight;
+using measurement::BenchmarkFlight;
 
 std::optional<HeightField> realField()
 {
     const char* folder = std::getenv("OSGTRAINER_REAL_DATA");
     if (!folder) return std::nullopt;
-    auto imported = importDem(std::filesystem::path(folder) / flights::kWhiteMountains.file);
+    auto imported = importDem(std::filesystem::path(folder) / measurement::kWhiteMountains.file);
     if (!imported) return std::nullopt;
     return std::move(*imported);
 }
@@ -40,7 +40,7 @@ std::optional<HeightField> realField()
 HeightField field1025()
 {
     const auto real = realField();
-    return real ? flights::kWhiteMountains.of(*real) : testsupport::hills(1025, 1025, 90.0);
+    return real ? measurement::kWhiteMountains.of(*real) : testsupport::hills(1025, 1025, 90.0);
 }
 
 const std::shared_ptr<const RoamTile>& tile()
@@ -76,9 +76,9 @@ void fly(benchmark::State& state, const Frame& adapt)
     double triangles = 0;
     for (auto _ : state)
     {
-        for (int frame = 0; frame < AnchorFlight::kFrames; ++frame)
+        for (int frame = 0; frame < BenchmarkFlight::kFrames; ++frame)
         {
-            const auto view = AnchorFlight{}.view(tile()->tile, frame);
+            const auto view = BenchmarkFlight{}.view(tile()->tile, frame);
             const auto begin = std::chrono::steady_clock::now();
             triangles = adapt(view);
             const std::chrono::duration<double, std::micro> spent = std::chrono::steady_clock::now() - begin;
@@ -174,7 +174,7 @@ template<Placement placement>
 void drawnGround(benchmark::State& state)
 {
     RoamMesh mesh(tileOf(placement));
-    mesh.refine(AnchorFlight{}.view(mesh.tile().tile, 0), {.errorTolerancePx = 3.6});
+    mesh.refine(BenchmarkFlight{}.view(mesh.tile().tile, 0), {.errorTolerancePx = 3.6});
     queries(state, mesh.tile().tile,
             [&](const glm::dvec2& p) { return drawnGroundAt(mesh.tree(), p.x, p.y); });
 }
@@ -184,7 +184,7 @@ template<Placement placement>
 void drawnGroundBatch(benchmark::State& state)
 {
     RoamMesh mesh(tileOf(placement));
-    mesh.refine(AnchorFlight{}.view(mesh.tile().tile, 0), {.errorTolerancePx = 3.6});
+    mesh.refine(BenchmarkFlight{}.view(mesh.tile().tile, 0), {.errorTolerancePx = 3.6});
     const auto places = randomPlaces(mesh.tile().tile);
     std::vector<std::optional<DrawnGround>> grounds(places.size());
     for ([[maybe_unused]] auto _ : state)
@@ -233,7 +233,7 @@ void mergeSubtree(benchmark::State& state, const Merge& merge)
     for (auto _ : state)
     {
         state.PauseTiming();
-        roambench::splitFully(tree, {top});
+        measurement::splitFully(tree, {top});
         tree.clearChanges();
         state.ResumeTiming();
         removed += merge(tree, tree.splitVertex(top));

@@ -13,9 +13,9 @@
 #include <osgTerrainROAM/core/roam/RoamMesh.h>
 
 #include "SyntheticField.h"
-#include "flights/AnchorCrop.h"
-#include "flights/AnchorFlight.h"
-#include "flights/RestlessEye.h"
+#include "measurement/flights/BenchmarkFlight.h"
+#include "measurement/flights/RandomWalk.h"
+#include "measurement/flights/RasterCrop.h"
 
 #if __has_include(<valgrind/callgrind.h>)
 #include <valgrind/callgrind.h>
@@ -29,21 +29,21 @@ namespace
 {
 
 using namespace osgTerrainROAM::core;
-using flights::AnchorFlight;
+using measurement::BenchmarkFlight;
 
 struct Scene
 {
     std::string_view name;
-    const flights::AnchorCrop& crop;
-    std::optional<flights::Path> path; ///< none: the random walk
+    const measurement::RasterCrop& crop;
+    std::optional<measurement::Path> path; ///< none: the random walk
 };
 
 constexpr Scene kScenes[] = {
-    {"drive", flights::kGreenRiver, flights::Path::drive},
-    {"flight", flights::kWhiteMountains, flights::Path::flight},
-    {"still", flights::kWhiteMountains, flights::Path::still},
-    {"walk", flights::kWhiteMountains, std::nullopt},
-    {"drivewalk", flights::kGreenRiver, std::nullopt},
+    {"drive", measurement::kGreenRiver, measurement::Path::drive},
+    {"flight", measurement::kWhiteMountains, measurement::Path::flight},
+    {"still", measurement::kWhiteMountains, measurement::Path::still},
+    {"walk", measurement::kWhiteMountains, std::nullopt},
+    {"drivewalk", measurement::kGreenRiver, std::nullopt},
 };
 
 const Scene* sceneOf(std::string_view name)
@@ -53,7 +53,7 @@ const Scene* sceneOf(std::string_view name)
     return nullptr;
 }
 
-std::optional<HeightField> fieldOf(const flights::AnchorCrop& crop)
+std::optional<HeightField> fieldOf(const measurement::RasterCrop& crop)
 {
     const char* folder = std::getenv("OSGTRAINER_REAL_DATA");
     if (!folder) return std::nullopt;
@@ -75,13 +75,13 @@ void countFrame(RoamMesh& mesh, const viewlod::ViewState& view, const viewlod::B
 
 void run(const Scene& scene, const RoamTile& tile, RoamMesh& mesh, const viewlod::Budget& budget, bool centre)
 {
-    flights::RestlessEye restless(tile.tile);
-    const int frames = scene.path ? AnchorFlight::kFrames : flights::RestlessEye::kFrames;
+    measurement::RandomWalk restless(tile.tile);
+    const int frames = scene.path ? BenchmarkFlight::kFrames : measurement::RandomWalk::kFrames;
     CALLGRIND_START_INSTRUMENTATION;
     for (int frame = 0; frame < frames; ++frame)
     {
         viewlod::ViewState view =
-            scene.path ? AnchorFlight::along(*scene.path).view(tile.tile, frame) : restless.next();
+            scene.path ? BenchmarkFlight::along(*scene.path).view(tile.tile, frame) : restless.next();
         if (centre) view.cornerStretch = 1.0;
         countFrame(mesh, view, budget);
     }

@@ -5,9 +5,9 @@
 #include <osg/ShapeDrawable>
 
 #include "ModelFile.h"
-#include "view/AircraftModel.h"
-#include "view/ObjectShading.h"
-#include "view/Pose.h"
+#include "scenery/nodes/AircraftModel.h"
+#include "scenery/nodes/ObjectShading.h"
+#include "scenery/nodes/Pose.h"
 
 namespace trainer
 {

@@ -9,9 +9,9 @@
 
 #include <osg/MatrixTransform>
 
+#include "scenery/nodes/CarModel.h"
 #include "simulation/player/EntityState.h"
 #include "simulation/scenario/Entity.h"
-#include "view/CarModel.h"
 
 namespace trainer
 {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "OwnshipEye.h"
 
-#include "view/AircraftModel.h"
-#include "view/CarModel.h"
+#include "scenery/nodes/AircraftModel.h"
+#include "scenery/nodes/CarModel.h"
 
 namespace trainer
 {

@@ -3,7 +3,7 @@
 
 #include <map>
 
-#include "view/Sky.h"
+#include "scenery/nodes/Sky.h"
 
 namespace trainer
 {

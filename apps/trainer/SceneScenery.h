@@ -7,9 +7,9 @@
 
 #include "PlayRequest.h"
 #include "SceneTerrain.h"
+#include "scenery/nodes/SceneryNode.h"
 #include "simulation/player/ScenarioPlayer.h"
 #include "view/FrameStatistics.h"
-#include "view/SceneryNode.h"
 
 namespace trainer
 {

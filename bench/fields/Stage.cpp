@@ -8,8 +8,8 @@
 
 #include <osgOffscreen/PngFile>
 
-#include "Percentile.h"
 #include "Times.h"
+#include "measurement/Percentile.h"
 #include "models/Plain.h"
 #include "objects/Finish.h"
 
@@ -66,8 +66,8 @@ Stage::Json Stage::fly(const std::string& name, osg::Node& objects, const Path& 
     double sum = 0.0;
     for (const double i : invocations)
         sum += i;
-    return {{"medianMs", roambench::percentile(times, 0.5)},
-            {"p99Ms", roambench::percentile(times, 0.99)},
+    return {{"medianMs", measurement::percentile(times, 0.5)},
+            {"p99Ms", measurement::percentile(times, 0.99)},
             {"invocations", sum / static_cast<double>(invocations.size())}};
 }
 

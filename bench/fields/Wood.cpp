@@ -5,7 +5,7 @@
 
 #include "Random.h"
 #include "scenery/models/Catalogue.h"
-#include "view/SceneryShapes.h"
+#include "scenery/nodes/SceneryShapes.h"
 
 namespace fieldbench
 {

@@ -21,8 +21,8 @@ namespace framebench
 namespace
 {
 
+using measurement::percentile;
 using osgTerrainROAM::RoamTechnique;
-using roambench::percentile;
 
 constexpr int kDatabaseWarmUpFrames = 3; ///< textures and buffers go to the renderer
 

@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "Percentile.h"
 #include "Request.h"
 #include "Stage.h"
+#include "measurement/Percentile.h"
 
 namespace framebench
 {
@@ -24,7 +24,7 @@ struct FrameCosts
 
     void appendTo(Report& row) const
     {
-        using roambench::percentile;
+        using measurement::percentile;
         row["frames"] = wallMs.size();
         row["triangles"] = triangles / static_cast<double>(wallMs.size());
         row["wallMsP50"] = percentile(wallMs, 0.5);

@@ -13,7 +13,7 @@ namespace framebench
 namespace
 {
 
-using roambench::percentile;
+using measurement::percentile;
 
 constexpr int kWarmUpFrames = 3; ///< shaders compile, buffers fill
 

@@ -15,7 +15,7 @@
 #include <osgTerrainROAM/TerrainMaterial>
 
 #include "Stage.h"
-#include "flights/SteadyFlight.h"
+#include "measurement/flights/SteadyFlight.h"
 
 namespace framebench
 {
@@ -25,7 +25,7 @@ struct Request
 {
     std::string dem;
     std::vector<int> crop;
-    flights::SteadyFlight flight;
+    measurement::SteadyFlight flight;
     osgOffscreen::OffscreenSettings picture{osgOffscreen::defaultBackend(), 1280, 720, 0};
     int frames = 60;
     std::vector<double> tolerancesPx{1.0, 0.5};

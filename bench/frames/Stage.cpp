@@ -8,7 +8,7 @@
 #include <osg/Light>
 #include <osg/LightSource>
 
-#include "view/Sky.h"
+#include "scenery/nodes/Sky.h"
 
 namespace framebench
 {

@@ -15,10 +15,10 @@
 #include <osgOffscreen/PngFile>
 
 #include "Plain.h"
+#include "measurement/view/ContactSheet.h"
 #include "scenery/models/Catalogue.h"
-#include "view/ContactSheet.h"
-#include "view/ModelStates.h"
-#include "view/Pose.h"
+#include "scenery/nodes/ModelStates.h"
+#include "scenery/nodes/Pose.h"
 
 namespace
 {
@@ -114,7 +114,7 @@ int main(int argc, char** argv)
             }
         }
     }
-    const auto sheet = trainer::makeContactSheet(files, {6, 100, 1944, 4});
+    const auto sheet = measurement::makeContactSheet(files, {6, 100, 1944, 4});
     if (!sheet || !osgOffscreen::writePng(**sheet, folder / "models.png"))
     {
         std::fprintf(stderr, "the sheet could not be written\n");

@@ -5,9 +5,9 @@
 
 #include <osgTerrainROAM/Atmosphere>
 
-#include "view/ModelMesh.h"
-#include "view/ObjectShading.h"
-#include "view/Sky.h"
+#include "scenery/nodes/ModelMesh.h"
+#include "scenery/nodes/ObjectShading.h"
+#include "scenery/nodes/Sky.h"
 
 /// What stands on a green plain, in that air.
 inline osg::ref_ptr<osg::Group> onPlain(osg::Node& objects, osgTerrainROAM::Atmosphere& air)

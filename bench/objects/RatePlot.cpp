@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "view/SvgPlot.h"
+#include "measurement/SvgPlot.h"
 
 namespace objectbench
 {
@@ -12,17 +12,18 @@ std::string ratePlot(const std::string& model, int lights, const nlohmann::order
                      const std::vector<Contestant>& contestants)
 {
     const std::array<const char*, 4> colours{"#c0392b", "#d68910", "#1f6fb2", "#5d6d7e"};
-    trainer::Plot plot{model + ", " + std::to_string(lights) + " lights: frames per second", "faces", {}, {}};
+    measurement::Plot plot{
+        model + ", " + std::to_string(lights) + " lights: frames per second", "faces", {}, {}};
     for (auto row = rows.rbegin(); row != rows.rend(); ++row)
         plot.x.push_back((*row)["faces"].get<double>());
     for (std::size_t i = 0; i < contestants.size(); ++i)
     {
-        trainer::PlotSeries series{contestants[i].name, colours[i % colours.size()], {}};
+        measurement::PlotSeries series{contestants[i].name, colours[i % colours.size()], {}};
         for (auto row = rows.rbegin(); row != rows.rend(); ++row)
             series.values.push_back(1000.0 / (*row)[contestants[i].name]["ms"].get<double>());
         plot.series.push_back(std::move(series));
     }
-    return trainer::svgPlot(plot);
+    return measurement::svgPlot(plot);
 }
 
 std::string plotsFile(const std::vector<std::string>& plots)

@@ -9,10 +9,10 @@
 #include <osgOffscreen/OffscreenViewer>
 #include <osgTerrainROAM/Atmosphere>
 
-#include "view/ModelMesh.h"
-#include "view/ObjectShading.h"
-#include "view/Pose.h"
-#include "view/Sky.h"
+#include "scenery/nodes/ModelMesh.h"
+#include "scenery/nodes/ObjectShading.h"
+#include "scenery/nodes/Pose.h"
+#include "scenery/nodes/Sky.h"
 
 namespace rendered
 {

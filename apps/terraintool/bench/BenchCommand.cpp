@@ -81,7 +81,7 @@ foundation::Outcome benchTile(const Request& request, const std::string& file, c
 {
     const std::optional<Driver> drivers[] = {Driver::wheel, Driver::walk, Driver::queue, std::nullopt};
     for (const double tolerancePx : request.tolerancesPx)
-        for (const flights::Path path : flights::kPaths)
+        for (const measurement::Path path : measurement::kPaths)
             for (const auto& driver : drivers)
             {
                 BenchRun run{std::filesystem::path(file).filename().string(),

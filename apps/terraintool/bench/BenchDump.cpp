@@ -41,11 +41,11 @@ FrameSink dumpTo(const std::filesystem::path& folder, const BenchRun& run)
     {
         std::ostringstream name;
         name << std::filesystem::path(run.dem).stem().string() << '-' << run.driverName() << '-'
-             << flights::pathName(run.path) << '-' << run.tolerancePx << "px-" << frame;
+             << measurement::pathName(run.path) << '-' << run.tolerancePx << "px-" << frame;
         nlohmann::ordered_json json;
         json["dem"] = run.dem;
         json["driver"] = run.driverName();
-        json["path"] = flights::pathName(run.path);
+        json["path"] = measurement::pathName(run.path);
         json["frame"] = frame;
         json["tolerancePx"] = run.tolerancePx;
         json["centrePixels"] = run.centrePixels;

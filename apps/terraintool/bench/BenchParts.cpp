@@ -12,9 +12,9 @@
 #include <osgTerrainROAM/core/roam/DrawnGround.h>
 #include <osgTerrainROAM/core/roam/RoamMesh.h>
 
-#include "FullSplit.h"
-#include "flights/AnchorFlight.h"
-#include "flights/RestlessEye.h"
+#include "measurement/SplitFully.h"
+#include "measurement/flights/BenchmarkFlight.h"
+#include "measurement/flights/RandomWalk.h"
 
 namespace terraintool
 {
@@ -45,7 +45,7 @@ double nsPerRemoved(const std::shared_ptr<const RoamTile>& tile, int level, cons
     std::vector<double> ns;
     for (int i = 0; i < kRepetitions; ++i)
     {
-        roambench::splitFully(tree, {top});
+        measurement::splitFully(tree, {top});
         tree.clearChanges();
         const VertexSlot v = tree.splitVertex(top);
         const double begin = threadNs();
@@ -76,10 +76,10 @@ nlohmann::ordered_json measureMerges(const std::shared_ptr<const RoamTile>& tile
 
 nlohmann::ordered_json measureSlices(const std::shared_ptr<const RoamTile>& tile)
 {
-    constexpr int kFrames = flights::RestlessEye::kFrames;
+    constexpr int kFrames = measurement::RandomWalk::kFrames;
     constexpr double kSliceUs = 200.0;
     RoamMesh mesh(tile);
-    flights::RestlessEye eye(tile->tile);
+    measurement::RandomWalk eye(tile->tile);
     std::vector<double> us;
     int leftOver = 0;
     for (int frame = 0; frame < kFrames; ++frame)
@@ -105,7 +105,7 @@ double measureQueries(const std::shared_ptr<const RoamTile>& tile)
 {
     constexpr int kPlaces = 4096, kRounds = 25;
     RoamMesh mesh(tile);
-    mesh.refine(flights::AnchorFlight{}.view(tile->tile, 0), {.errorTolerancePx = 3.6});
+    mesh.refine(measurement::BenchmarkFlight{}.view(tile->tile, 0), {.errorTolerancePx = 3.6});
     std::mt19937 random(9);
     std::vector<glm::dvec2> places;
     for (int i = 0; i < kPlaces; ++i)

@@ -6,7 +6,7 @@
 #include <osgTerrainROAM/core/roam/DrawnGround.h>
 #include <osgTerrainROAM/core/roam/RoamMesh.h>
 
-#include "flights/AnchorFlight.h"
+#include "measurement/flights/BenchmarkFlight.h"
 #include "terraintool/bench/BenchParts.h"
 
 namespace terraintool
@@ -16,7 +16,7 @@ namespace
 {
 
 using namespace osgTerrainROAM::core;
-using flights::AnchorFlight;
+using measurement::BenchmarkFlight;
 
 constexpr int kFrames = 60;
 constexpr double kTolerancePx = 2.0;
@@ -52,7 +52,7 @@ double largestChangePx(const DiamondTree& before, const DiamondTree& now, const 
     return largestPx;
 }
 
-double largestPopPx(const std::shared_ptr<const RoamTile>& tile, const AnchorFlight& flight, bool morphing)
+double largestPopPx(const std::shared_ptr<const RoamTile>& tile, const BenchmarkFlight& flight, bool morphing)
 {
     RoamMesh before(tile), now(tile); // the same eye, a frame apart
     before.setMorphing(morphing);
@@ -74,14 +74,14 @@ double largestPopPx(const std::shared_ptr<const RoamTile>& tile, const AnchorFli
 nlohmann::ordered_json measurePops(const std::shared_ptr<const RoamTile>& tile)
 {
     nlohmann::ordered_json rows;
-    for (const flights::Path path : {flights::Path::flight, flights::Path::drive})
+    for (const measurement::Path path : {measurement::Path::flight, measurement::Path::drive})
     {
         const double cellM = tile->tile.field().spacingEastM;
         const double stepM =
-            std::min(path == flights::Path::flight ? kFlightStepM : kDriveStepM, 0.5 * cellM);
-        AnchorFlight flight = AnchorFlight::along(path);
+            std::min(path == measurement::Path::flight ? kFlightStepM : kDriveStepM, 0.5 * cellM);
+        BenchmarkFlight flight = BenchmarkFlight::along(path);
         flight.cellsPerFrame = stepM / cellM;
-        rows.push_back({{"path", flights::pathName(path)},
+        rows.push_back({{"path", measurement::pathName(path)},
                         {"stepM", stepM},
                         {"tolerancePx", kTolerancePx},
                         {"popPx", largestPopPx(tile, flight, false)},

@@ -13,7 +13,7 @@
 #include <osgTerrainROAM/core/roam/Outline.h>
 #include <osgTerrainROAM/core/roam/ScratchRefinement.h>
 
-#include "Percentile.h"
+#include "measurement/Percentile.h"
 
 namespace terraintool
 {
@@ -21,7 +21,7 @@ namespace terraintool
 namespace
 {
 
-using roambench::percentile;
+using measurement::percentile;
 
 using namespace osgTerrainROAM::core;
 
@@ -121,7 +121,7 @@ nlohmann::ordered_json rowOf(const BenchRun& run, Totals totals, const Subject& 
     nlohmann::ordered_json row;
     row["dem"] = run.dem;
     row["driver"] = run.driverName();
-    row["path"] = flights::pathName(run.path);
+    row["path"] = measurement::pathName(run.path);
     row["patchExponent"] = run.bounds.patchExponent();
     row["tolerancePx"] = run.tolerancePx;
     row["centrePixels"] = run.centrePixels;
@@ -159,7 +159,7 @@ std::string BenchRun::driverName() const
 
 viewlod::ViewState BenchRun::view(int frame) const
 {
-    viewlod::ViewState view = flights::AnchorFlight::along(path).view(bounds.tile().tile, frame);
+    viewlod::ViewState view = measurement::BenchmarkFlight::along(path).view(bounds.tile().tile, frame);
     if (centrePixels) view.cornerStretch = 1.0;
     return view;
 }

@@ -15,7 +15,7 @@
 
 #include <osgTerrainROAM/core/roam/RoamMesh.h>
 
-#include "flights/AnchorFlight.h"
+#include "measurement/flights/BenchmarkFlight.h"
 
 namespace terraintool
 {
@@ -27,10 +27,10 @@ struct BenchRun
     osgTerrainROAM::core::SplitBounds bounds; ///< of the tile, with or without patches
     std::optional<osgTerrainROAM::core::Driver> driver;
     osgTerrainROAM::core::LeafPlacement placement = osgTerrainROAM::core::LeafPlacement::inOrder;
-    flights::Path path = flights::Path::flight;
+    measurement::Path path = measurement::Path::flight;
     double tolerancePx = 1.0;
     bool centrePixels = false; ///< the tolerance holds in the picture's middle only, as others measure
-    int frames = flights::AnchorFlight::kFrames;
+    int frames = measurement::BenchmarkFlight::kFrames;
     int framesBetweenChecks = 120; ///< 1: every frame is checked by brute force
 
     std::string driverName() const;

@@ -6,7 +6,7 @@
 
 #include <glm/glm.hpp>
 
-#include "view/Pose.h"
+#include "scenery/nodes/Pose.h"
 
 namespace trainer
 {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "scenery/nodes/Pose.h"
 #include "simulation/player/SceneFrame.h"
-#include "view/Pose.h"
 
 namespace trainer
 {

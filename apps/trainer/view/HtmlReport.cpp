@@ -5,10 +5,14 @@
 
 #include <foundation/WholeFile.h>
 
-#include "view/SvgPlot.h"
+#include "measurement/SvgPlot.h"
 
 namespace trainer
 {
+
+using measurement::escapedMarkup;
+using measurement::PlotSeries;
+using measurement::svgPlot;
 
 namespace
 {

@@ -7,7 +7,7 @@
 
 #include "RealData.h"
 #include "SyntheticField.h"
-#include "flights/AnchorCrop.h"
+#include "measurement/flights/RasterCrop.h"
 
 namespace
 {
@@ -16,7 +16,7 @@ using namespace osgTerrainROAM::core;
 
 struct Crop
 {
-    flights::AnchorCrop square;
+    measurement::RasterCrop square;
     std::vector<std::pair<double, std::uint32_t>> trianglesAtErrorM;
 };
 
@@ -49,9 +49,9 @@ TEST_P(Anchors, OneRaisedSampleChangesTheCount)
 
 INSTANTIATE_TEST_SUITE_P(
     Crops, Anchors,
-    testing::Values(Crop{flights::kWhiteMountains, {{20, 129615}, {10, 307452}, {5, 652220}}},
-                    Crop{flights::kAconcagua, {{50, 171580}, {20, 569718}}},
-                    Crop{flights::kGreenRiver, {{1, 1345}, {0.5, 4340}, {0.25, 12927}, {0.1, 51929}}}),
+    testing::Values(Crop{measurement::kWhiteMountains, {{20, 129615}, {10, 307452}, {5, 652220}}},
+                    Crop{measurement::kAconcagua, {{50, 171580}, {20, 569718}}},
+                    Crop{measurement::kGreenRiver, {{1, 1345}, {0.5, 4340}, {0.25, 12927}, {0.1, 51929}}}),
     [](const auto& crop)
     { return std::filesystem::path(crop.param.square.file).stem().string().substr(0, 6); });
 

@@ -3,9 +3,9 @@
 
 #include <osgTerrainROAM/core/roam/DiamondTree.h>
 
-#include "FullSplit.h"
 #include "SyntheticField.h"
 #include "TreeWalks.h"
+#include "measurement/SplitFully.h"
 
 namespace osgTerrainROAM::core
 {
@@ -63,7 +63,7 @@ TEST(DiamondTree, SplittingTheRootSplitsTheDiamond)
 TEST(DiamondTree, HalvesAreThoseOfTheGridTriangle)
 {
     DiamondTree tree = hillTree();
-    roambench::splitFully(tree);
+    measurement::splitFully(tree);
     std::vector<TriangleId> open(std::begin(DiamondTree::kRoots), std::end(DiamondTree::kRoots));
     while (!open.empty())
     {
@@ -128,14 +128,14 @@ TEST(DiamondTree, MergeUndoesSplit)
 TEST(DiamondTree, PoolsAreReusedSoThatRepetitionNeedsNoMemory)
 {
     DiamondTree tree = hillTree();
-    roambench::splitFully(tree);
+    measurement::splitFully(tree);
     EXPECT_EQ(tree.leafCount(), 2u * 32 * 32);
     EXPECT_EQ(tree.vertexSlots(), 33u * 33);
     const std::size_t slots = tree.leaves().slotCount();
     for (int i = 0; i < 5; ++i)
     {
         tree.forceMerge(tree.splitVertex(DiamondTree::kRoots[0]));
-        roambench::splitFully(tree);
+        measurement::splitFully(tree);
     }
     EXPECT_EQ(tree.vertexSlots(), 33u * 33);
     EXPECT_LE(tree.leaves().slotCount(), slots + slots / 4);
@@ -145,7 +145,7 @@ TEST(DiamondTree, PoolsAreReusedSoThatRepetitionNeedsNoMemory)
 TEST(DiamondTree, LeavesBeyondTheDataAreNotDrawn)
 {
     DiamondTree tree = hillTree(20, 33);
-    roambench::splitFully(tree);
+    measurement::splitFully(tree);
     EXPECT_EQ(tree.leafCount(), 2u * 32 * 32);
     EXPECT_EQ(tree.leaves().leafCount(), 2u * 19 * 32);
     EXPECT_TRUE(tree.isConforming());
@@ -156,7 +156,7 @@ TEST(DiamondTree, RegionsAreTheSubtreesAtTheirLevel)
     for (const int side : {5, 33, 129})
     {
         DiamondTree tree = hillTree(side, side);
-        roambench::splitFully(tree);
+        measurement::splitFully(tree);
         // Down the tree with the path that RegionBounds counts.
         const int level = tree.tile().regions.level();
         std::vector<std::pair<TriangleId, std::uint32_t>> open{{DiamondTree::kRoots[0], 0},

@@ -5,8 +5,8 @@
 #include <osgTerrainROAM/core/roam/DrawnGround.h>
 #include <osgTerrainROAM/core/roam/RoamMesh.h>
 
-#include "FullSplit.h"
 #include "SyntheticField.h"
+#include "measurement/SplitFully.h"
 
 namespace
 {
@@ -37,7 +37,7 @@ TEST_P(DrawnGroundTest, IsTheTrueOneAtFullResolution)
 {
     const auto tile = tileOf(GetParam());
     DiamondTree tree(tile);
-    roambench::splitFully(tree);
+    measurement::splitFully(tree);
     Random random(2);
     for (int i = 0; i < 2000; ++i)
     {

@@ -3,9 +3,9 @@
 
 #include <osgTerrainROAM/core/roam/DiamondTree.h>
 
-#include "FullSplit.h"
 #include "SyntheticField.h"
 #include "TreeWalks.h"
+#include "measurement/SplitFully.h"
 
 namespace
 {
@@ -151,7 +151,7 @@ INSTANTIATE_TEST_SUITE_P(Shards, RandomOperations, testing::Range(0, 4));
 TEST(EnhMerge, WhatItTookOutIsUsedAgain)
 {
     DiamondTree tree(testsupport::planarTile(testsupport::hills(129, 129)));
-    roambench::splitFully(tree);
+    measurement::splitFully(tree);
     const std::size_t vertices = tree.vertexSlots(), slots = tree.leaves().slotCount();
     const std::uint32_t leaves = tree.leafCount();
     for (int i = 0; i < 4; ++i)
@@ -161,7 +161,7 @@ TEST(EnhMerge, WhatItTookOutIsUsedAgain)
             tree.enhMerge(tree.splitVertex(i % 2 == 0 ? root : tree.children(root)[0]));
         EXPECT_EQ(merges, leaves - tree.leafCount());
         EXPECT_TRUE(tree.isConforming());
-        roambench::splitFully(tree);
+        measurement::splitFully(tree);
         EXPECT_EQ(tree.leafCount(), leaves);
     }
     EXPECT_EQ(tree.vertexSlots(), vertices);

@@ -5,9 +5,9 @@
 #include <osgTerrainROAM/core/roam/DiamondTree.h>
 #include <osgTerrainROAM/core/roam/GroundRay.h>
 
-#include "FullSplit.h"
 #include "SyntheticField.h"
 #include "TreeWalks.h"
+#include "measurement/SplitFully.h"
 
 namespace
 {
@@ -18,7 +18,7 @@ using testsupport::Random;
 class GroundRay : public testing::TestWithParam<bool>
 {
 protected:
-    GroundRay() : _tile(tileOf(GetParam())), _tree(_tile) { roambench::splitFully(_tree); }
+    GroundRay() : _tile(tileOf(GetParam())), _tree(_tile) { measurement::splitFully(_tree); }
 
     static std::shared_ptr<const RoamTile> tileOf(bool curved)
     {

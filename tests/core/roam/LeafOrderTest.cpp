@@ -8,7 +8,7 @@
 
 #include "SyntheticField.h"
 #include "TreeWalks.h"
-#include "flights/AnchorFlight.h"
+#include "measurement/flights/BenchmarkFlight.h"
 
 namespace
 {
@@ -164,9 +164,9 @@ TEST(LeafOrder, OfAFlownMeshIsMadeOfLongStrips)
 {
     const auto tile = testsupport::planarTile(testsupport::hills(257, 257, 90.0));
     RoamMesh inOrder(tile), nearby(tile, Driver::wheel, LeafPlacement::nearby);
-    for (int frame = 0; frame < flights::AnchorFlight::kFrames; frame += 3)
+    for (int frame = 0; frame < measurement::BenchmarkFlight::kFrames; frame += 3)
     {
-        const auto view = flights::AnchorFlight{}.view(tile->tile, frame);
+        const auto view = measurement::BenchmarkFlight{}.view(tile->tile, frame);
         inOrder.refine(view, {.errorTolerancePx = 2.0});
         nearby.refine(view, {.errorTolerancePx = 2.0});
     }

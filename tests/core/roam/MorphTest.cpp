@@ -9,13 +9,13 @@
 #include <osgTerrainROAM/core/roam/RoamMesh.h>
 
 #include "SyntheticField.h"
-#include "flights/AnchorFlight.h"
+#include "measurement/flights/BenchmarkFlight.h"
 
 namespace
 {
 
 using namespace osgTerrainROAM::core;
-using flights::AnchorFlight;
+using measurement::BenchmarkFlight;
 
 const std::shared_ptr<const RoamTile>& tile()
 {
@@ -25,7 +25,7 @@ const std::shared_ptr<const RoamTile>& tile()
 
 viewlod::ViewState viewAt(double frame)
 {
-    auto view = AnchorFlight{}.view(tile()->tile, static_cast<int>(frame));
+    auto view = BenchmarkFlight{}.view(tile()->tile, static_cast<int>(frame));
     view.eyeWorld += glm::dvec3(36.0, 27.0, 0.0) * (frame - std::floor(frame));
     return view;
 }
@@ -35,7 +35,7 @@ TEST(Morph, KeepsTheBoundForWhatIsDrawn)
     RoamMesh mesh(tile());
     mesh.setMorphing(true);
     double worst = 0.0, largestMove = 0.0;
-    for (int frame = 0; frame < AnchorFlight::kFrames; frame += 16)
+    for (int frame = 0; frame < BenchmarkFlight::kFrames; frame += 16)
     {
         const auto view = viewAt(frame);
         const RefineResult result = mesh.refine(view, {.errorTolerancePx = 3.0});

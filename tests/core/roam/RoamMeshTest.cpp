@@ -10,14 +10,14 @@
 
 #include "SyntheticField.h"
 #include "TreeWalks.h"
-#include "flights/AnchorFlight.h"
+#include "measurement/flights/BenchmarkFlight.h"
 
 namespace
 {
 
 using namespace osgTerrainROAM::core;
 namespace core = osgTerrainROAM::core;
-using flights::AnchorFlight;
+using measurement::BenchmarkFlight;
 
 std::shared_ptr<const RoamTile> flightTile()
 {
@@ -55,9 +55,9 @@ class RoamMeshTest : public testing::TestWithParam<Driver>
 TEST_P(RoamMeshTest, FollowsAFlightToTheMeshThatStartsFromScratch)
 {
     core::RoamMesh mesh(flightTile(), GetParam());
-    for (int frame = 0; frame < AnchorFlight::kFrames; frame += 7)
+    for (int frame = 0; frame < BenchmarkFlight::kFrames; frame += 7)
     {
-        const auto view = AnchorFlight{}.view(flightTile()->tile, frame);
+        const auto view = BenchmarkFlight{}.view(flightTile()->tile, frame);
         const double tolerancePx = frame % 3 + 1.5;
         const RefineResult result = mesh.refine(view, {.errorTolerancePx = tolerancePx});
         ASSERT_EQ(leafSet(mesh.tree()), meshFromScratch(view, tolerancePx)) << frame;
@@ -70,10 +70,10 @@ TEST_P(RoamMeshTest, GivesTheSameMeshWhateverCameBefore)
 {
     core::RoamMesh travelled(flightTile(), GetParam()), fresh(flightTile(), GetParam());
     for (int frame = 0; frame <= 200; frame += 10)
-        travelled.refine(AnchorFlight{}.view(flightTile()->tile, frame), {});
-    fresh.refine(AnchorFlight{}.view(flightTile()->tile, 200), {});
+        travelled.refine(BenchmarkFlight{}.view(flightTile()->tile, frame), {});
+    fresh.refine(BenchmarkFlight{}.view(flightTile()->tile, 200), {});
     EXPECT_EQ(leafSet(travelled.tree()), leafSet(fresh.tree()));
-    const auto again = travelled.refine(AnchorFlight{}.view(flightTile()->tile, 200), {});
+    const auto again = travelled.refine(BenchmarkFlight{}.view(flightTile()->tile, 200), {});
     EXPECT_EQ(again.splits + again.merges, 0u);
     EXPECT_TRUE(travelled.changes().triangles.empty());
 }
@@ -82,9 +82,9 @@ TEST_P(RoamMeshTest, NoVisibleSampleIsOffByMoreThanTheTolerance)
 {
     core::RoamMesh mesh(flightTile(), GetParam());
     double worst = 0.0;
-    for (int frame = 0; frame < AnchorFlight::kFrames; frame += 20)
+    for (int frame = 0; frame < BenchmarkFlight::kFrames; frame += 20)
     {
-        const auto view = AnchorFlight{}.view(flightTile()->tile, frame);
+        const auto view = BenchmarkFlight{}.view(flightTile()->tile, frame);
         mesh.refine(view, {.errorTolerancePx = 3.0});
         const auto report = checkDrawnMesh(*flightTile(), mesh.drawn(), &view);
         EXPECT_EQ(report.tJunctions + report.cracks, 0u);
@@ -94,7 +94,7 @@ TEST_P(RoamMeshTest, NoVisibleSampleIsOffByMoreThanTheTolerance)
     EXPECT_GT(worst, 1.0); // a check that always sees 0 would pass, too
 
     // The mutation: a mesh made for twice the tolerance breaks the bound.
-    const auto view = AnchorFlight{}.view(flightTile()->tile, 0);
+    const auto view = BenchmarkFlight{}.view(flightTile()->tile, 0);
     mesh.refine(view, {.errorTolerancePx = 12.0});
     EXPECT_GT(checkDrawnMesh(*flightTile(), mesh.drawn(), &view).maxErrorPx, 3.0);
 }
@@ -103,9 +103,9 @@ TEST_P(RoamMeshTest, CeilingIsNeverExceededAndRaisesTheToleranceForTheWholeFrame
 {
     core::RoamMesh mesh(flightTile(), GetParam());
     for (const std::uint32_t ceiling : {2u, 3u, 100u, 1000u, 5000u})
-        for (int frame = 0; frame < AnchorFlight::kFrames; frame += 30)
+        for (int frame = 0; frame < BenchmarkFlight::kFrames; frame += 30)
         {
-            const auto view = AnchorFlight{}.view(flightTile()->tile, frame);
+            const auto view = BenchmarkFlight{}.view(flightTile()->tile, frame);
             const RefineResult result = mesh.refine(view, {.errorTolerancePx = 0.5, .maxTriangles = ceiling});
             ASSERT_LE(result.leaves, ceiling);
             ASSERT_TRUE(result.ceilingBound);
@@ -125,7 +125,7 @@ TEST_P(RoamMeshTest, CeilingIsNeverExceededAndRaisesTheToleranceForTheWholeFrame
 TEST_P(RoamMeshTest, CeilingThatDoesNotBindChangesNothing)
 {
     core::RoamMesh limited(flightTile(), GetParam()), free(flightTile(), GetParam());
-    const auto view = AnchorFlight{}.view(flightTile()->tile, 50);
+    const auto view = BenchmarkFlight{}.view(flightTile()->tile, 50);
     const auto wanted = free.refine(view, {});
     const auto result = limited.refine(view, {.errorTolerancePx = 1.0, .maxTriangles = wanted.leaves});
     EXPECT_FALSE(result.ceilingBound);
@@ -138,9 +138,9 @@ TEST_P(RoamMeshTest, RecordedFlightHasItsGoldenHash)
     {
         core::RoamMesh mesh(flightTile(), GetParam());
         std::uint64_t hash = 0;
-        for (int frame = 0; frame < AnchorFlight::kFrames; frame += 4)
+        for (int frame = 0; frame < BenchmarkFlight::kFrames; frame += 4)
         {
-            mesh.refine(AnchorFlight{.aboveGroundM = aboveGroundM}.view(flightTile()->tile, frame),
+            mesh.refine(BenchmarkFlight{.aboveGroundM = aboveGroundM}.view(flightTile()->tile, frame),
                         {.errorTolerancePx = 2.0});
             hash = hash * 31 + hashOf(leafSet(mesh.tree()));
         }

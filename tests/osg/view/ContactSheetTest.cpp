@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "view/ContactSheet.h"
+#include "measurement/view/ContactSheet.h"
 
 #include <filesystem>
 
@@ -8,7 +8,7 @@
 
 #include <osgOffscreen/PngFile>
 
-using trainer::ContactSheetSettings;
+using measurement::ContactSheetSettings;
 
 namespace
 {
@@ -45,7 +45,7 @@ TEST_F(ContactSheet, LaysFramesOutInRowsFromTheTopLeft)
     settings.columns = 2;
     settings.widthPx = 76;
     settings.gapPx = 4;
-    const auto sheet = trainer::makeContactSheet(
+    const auto sheet = measurement::makeContactSheet(
         {picture("a.png", 10, 20), picture("b.png", 30, 40), picture("c.png", 50, 60)}, settings);
     ASSERT_TRUE(sheet) << sheet.error().message();
     const osg::Image& image = **sheet;
@@ -63,15 +63,15 @@ TEST_F(ContactSheet, LaysFramesOutInRowsFromTheTopLeft)
 
 TEST_F(ContactSheet, WhatCannotBeLaidOutIsAnError)
 {
-    EXPECT_FALSE(trainer::makeContactSheet({}, {}));
-    EXPECT_FALSE(trainer::makeContactSheet({_folder / "missing.png"}, {}));
-    EXPECT_FALSE(trainer::makeContactSheet({picture("a.png", 1, 2), picture("wide.png", 1, 2, 80)}, {}));
+    EXPECT_FALSE(measurement::makeContactSheet({}, {}));
+    EXPECT_FALSE(measurement::makeContactSheet({_folder / "missing.png"}, {}));
+    EXPECT_FALSE(measurement::makeContactSheet({picture("a.png", 1, 2), picture("wide.png", 1, 2, 80)}, {}));
 }
 
 TEST_F(ContactSheet, FramesAreSpreadFromTheFirstToTheLast)
 {
-    EXPECT_EQ(trainer::contactSheetFrames(100, {2, 2, 0, 0}), (std::vector<std::size_t>{0, 33, 66, 99}));
-    EXPECT_EQ(trainer::contactSheetFrames(3, {2, 2, 0, 0}), (std::vector<std::size_t>{0, 1, 2}));
-    EXPECT_EQ(trainer::contactSheetFrames(1, {2, 2, 0, 0}), (std::vector<std::size_t>{0}));
-    EXPECT_TRUE(trainer::contactSheetFrames(0, {2, 2, 0, 0}).empty());
+    EXPECT_EQ(measurement::contactSheetFrames(100, {2, 2, 0, 0}), (std::vector<std::size_t>{0, 33, 66, 99}));
+    EXPECT_EQ(measurement::contactSheetFrames(3, {2, 2, 0, 0}), (std::vector<std::size_t>{0, 1, 2}));
+    EXPECT_EQ(measurement::contactSheetFrames(1, {2, 2, 0, 0}), (std::vector<std::size_t>{0}));
+    EXPECT_TRUE(measurement::contactSheetFrames(0, {2, 2, 0, 0}).empty());
 }

@@ -4,9 +4,9 @@
 #include <osg/ComputeBoundsVisitor>
 #include <osg/TriangleFunctor>
 
-#include "view/AircraftModel.h"
-#include "view/CarModel.h"
-#include "view/ModelMesh.h"
+#include "scenery/nodes/AircraftModel.h"
+#include "scenery/nodes/CarModel.h"
+#include "scenery/nodes/ModelMesh.h"
 
 namespace
 {

@@ -8,9 +8,9 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "measurement/SvgPlot.h"
 #include "view/HtmlReport.h"
 #include "view/StatisticsFile.h"
-#include "view/SvgPlot.h"
 
 using trainer::FrameStatistics;
 using trainer::summaryOf;
@@ -125,33 +125,33 @@ TEST(Statistics, AFileThatCannotBeWrittenIsAnError)
 
 TEST(SvgPlot, KeepsEveryPeakHoweverManyFrames)
 {
-    trainer::Plot plot{"p", "x", {}, {{"s", "#000", {}}, {"fixes the axis", "#000", {200.0}}}};
+    measurement::Plot plot{"p", "x", {}, {{"s", "#000", {}}, {"fixes the axis", "#000", {200.0}}}};
     for (int i = 0; i < 100'000; ++i)
     {
         plot.x.push_back(i);
         plot.series[0].values.push_back(i == 77'777 ? 100.0 : 1.0);
     }
-    const std::string svg = trainer::svgPlot(plot);
+    const std::string svg = measurement::svgPlot(plot);
     EXPECT_LT(svg.size(), 60'000U);
     // The peak lies where the axis has 100 of 210: 186 − 158·100/210.
     EXPECT_THAT(svg, testing::HasSubstr(",110.8 "));
     plot.series[0].values[77'777] = 1.0;
-    EXPECT_THAT(trainer::svgPlot(plot), testing::Not(testing::HasSubstr(",110.8 ")));
+    EXPECT_THAT(measurement::svgPlot(plot), testing::Not(testing::HasSubstr(",110.8 ")));
 }
 
 TEST(SvgPlot, DrawsWhatHasNoExtentOrNoPoints)
 {
-    EXPECT_THAT(trainer::svgPlot({"empty", "x", {}, {{"s", "#000", {}}}}), testing::HasSubstr("</svg>"));
-    const std::string flat = trainer::svgPlot({"flat", "x", {2.0}, {{"s", "#000", {0.0}}}});
+    EXPECT_THAT(measurement::svgPlot({"empty", "x", {}, {{"s", "#000", {}}}}), testing::HasSubstr("</svg>"));
+    const std::string flat = measurement::svgPlot({"flat", "x", {2.0}, {{"s", "#000", {0.0}}}});
     EXPECT_EQ(flat.find("nan"), std::string::npos);
     EXPECT_EQ(flat.find("inf"), std::string::npos);
 }
 
 TEST(SvgPlot, StepsAreOneTwoFive)
 {
-    EXPECT_DOUBLE_EQ(trainer::niceStep(100.0, 4), 20.0);
-    EXPECT_DOUBLE_EQ(trainer::niceStep(7.0, 6), 1.0);
-    EXPECT_DOUBLE_EQ(trainer::niceStep(0.3, 5), 0.05);
+    EXPECT_DOUBLE_EQ(measurement::niceStep(100.0, 4), 20.0);
+    EXPECT_DOUBLE_EQ(measurement::niceStep(7.0, 6), 1.0);
+    EXPECT_DOUBLE_EQ(measurement::niceStep(0.3, 5), 0.05);
 }
 
 TEST(HtmlReport, HoldsFactsPicturesTableAndPlotsAndNothingFromTheNetwork)

@@ -7,7 +7,7 @@
 
 #include "RenderedView.h"
 #include "scenery/models/Catalogue.h"
-#include "view/ModelStates.h"
+#include "scenery/nodes/ModelStates.h"
 
 using namespace trainer::models;
 

@@ -9,8 +9,8 @@
 #include <osgOffscreen/ImageComparison>
 
 #include "RenderedView.h"
-#include "view/AircraftModel.h"
-#include "view/CarModel.h"
+#include "scenery/nodes/AircraftModel.h"
+#include "scenery/nodes/CarModel.h"
 
 using osgOffscreen::compareImages;
 using trainer::ViewSetup;

@@ -4,8 +4,8 @@
 #include "RenderedGolden.h"
 #include "RenderedPicture.h"
 #include "RenderedView.h"
-#include "view/AircraftModel.h"
-#include "view/CarModel.h"
+#include "scenery/nodes/AircraftModel.h"
+#include "scenery/nodes/CarModel.h"
 
 namespace
 {

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace roambench
+namespace measurement
 {
 
 /// The value that a share (0…1) of the values do not exceed. Precondition: there are some.
@@ -17,4 +17,4 @@ inline double percentile(std::vector<double> values, double share)
     return *place;
 }
 
-} // namespace roambench
+} // namespace measurement

@@ -7,8 +7,8 @@
 
 #include <osgPMObjects/ProgressiveField>
 
+#include "scenery/nodes/SceneryShapes.h"
 #include "scenery/placement/PlaceScenery.h"
-#include "view/SceneryShapes.h"
 
 namespace trainer
 {

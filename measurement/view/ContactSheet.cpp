@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "view/ContactSheet.h"
+#include "measurement/view/ContactSheet.h"
 
 #include <algorithm>
 #include <cstring>
 
 #include <osgOffscreen/PngFile>
 
-namespace trainer
+namespace measurement
 {
 
 using foundation::Error;
@@ -95,4 +95,4 @@ Result<osg::ref_ptr<osg::Image>> makeContactSheet(const std::vector<std::filesys
     return sheet;
 }
 
-} // namespace trainer
+} // namespace measurement

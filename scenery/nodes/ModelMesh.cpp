@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "view/ModelMesh.h"
+#include "scenery/nodes/ModelMesh.h"
 
 #include <algorithm>
 #include <array>

@@ -6,7 +6,7 @@
 
 #include <osgTerrainROAM/core/roam/DiamondTree.h>
 
-namespace roambench
+namespace measurement
 {
 
 /// Splits everything below the given triangles to the finest level.
@@ -26,4 +26,4 @@ inline void splitFully(osgTerrainROAM::core::DiamondTree& tree,
     }
 }
 
-} // namespace roambench
+} // namespace measurement

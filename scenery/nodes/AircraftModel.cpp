@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "view/AircraftModel.h"
+#include "scenery/nodes/AircraftModel.h"
 
 #include <array>
 #include <cmath>
@@ -8,8 +8,8 @@
 #include <osg/Group>
 #include <osg/Math>
 
-#include "view/ModelMesh.h"
-#include "view/ObjectShading.h"
+#include "scenery/nodes/ModelMesh.h"
+#include "scenery/nodes/ObjectShading.h"
 
 namespace trainer
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "view/CarModel.h"
+#include "scenery/nodes/CarModel.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,10 +8,10 @@
 #include <osg/Group>
 #include <osg/Math>
 
-#include "view/ContactShadow.h"
-#include "view/ModelMesh.h"
-#include "view/ObjectShading.h"
-#include "view/Pose.h"
+#include "scenery/nodes/ContactShadow.h"
+#include "scenery/nodes/ModelMesh.h"
+#include "scenery/nodes/ObjectShading.h"
+#include "scenery/nodes/Pose.h"
 
 namespace trainer
 {

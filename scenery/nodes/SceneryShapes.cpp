@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "view/SceneryShapes.h"
+#include "scenery/nodes/SceneryShapes.h"
 
 #include <algorithm>
 #include <atomic>
@@ -18,7 +18,7 @@
 #include <osgPMObjects/ReadModel>
 
 #include "scenery/models/Catalogue.h"
-#include "view/ModelStates.h"
+#include "scenery/nodes/ModelStates.h"
 
 namespace trainer
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "view/ObjectShading.h"
+#include "scenery/nodes/ObjectShading.h"
 
 #include <string>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "view/SceneryNode.h"
+#include "scenery/nodes/SceneryNode.h"
 
 #include <map>
 
-#include "view/ObjectShading.h"
+#include "scenery/nodes/ObjectShading.h"
 
 namespace trainer
 {

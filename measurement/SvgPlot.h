@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace trainer
+namespace measurement
 {
 
 /// One line of a plot.
@@ -34,4 +34,4 @@ double niceStep(double span, int steps);
 /// Text for HTML and SVG: & < > " replaced.
 std::string escapedMarkup(const std::string& text);
 
-} // namespace trainer
+} // namespace measurement

@@ -13,7 +13,7 @@
 
 #include <osgTerrainROAM/core/heightfield/PlacedTile.h>
 
-namespace flights
+namespace measurement
 {
 
 /// What the eye does on its way.
@@ -38,14 +38,14 @@ constexpr std::string_view pathName(Path path)
 
 /// The coherent straight flights that terrain engines are compared on: 240 frames over a square tile with planar
 /// placement, 1280×1024 pixels, horizontal field 60°; and paths that are less kind.
-struct AnchorFlight
+struct BenchmarkFlight
 {
     double cellsPerFrame = 0.5;
     double aboveGroundM = 300.0;
     Path path = Path::flight;
     static constexpr int kFrames = 240;
 
-    static AnchorFlight along(Path path) { return {0.5, path == Path::drive ? 2.0 : 300.0, path}; }
+    static BenchmarkFlight along(Path path) { return {0.5, path == Path::drive ? 2.0 : 300.0, path}; }
 
     viewlod::ViewState view(const osgTerrainROAM::core::PlacedTile& tile, int frame) const
     {
@@ -81,4 +81,4 @@ private:
     }
 };
 
-} // namespace flights
+} // namespace measurement

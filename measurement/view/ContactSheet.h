@@ -8,7 +8,7 @@
 
 #include <osg/Image>
 
-namespace trainer
+namespace measurement
 {
 
 /// How frames are laid out. Units: pixels.
@@ -28,4 +28,4 @@ std::vector<std::size_t> contactSheetFrames(std::size_t count, const ContactShee
 foundation::Result<osg::ref_ptr<osg::Image>> makeContactSheet(const std::vector<std::filesystem::path>& files,
                                                               const ContactSheetSettings& settings);
 
-} // namespace trainer
+} // namespace measurement

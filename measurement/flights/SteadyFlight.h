@@ -10,13 +10,13 @@
 
 #include <osgTerrainROAM/core/heightfield/PlacedTile.h>
 
-namespace flights
+namespace measurement
 {
 
 /// An eye that moves as a vehicle does, at 60 frames a second over a square tile with planar placement: straight on at a
 /// constant speed, its height the smoothed ground's, the head swaying by a few degrees in eight seconds; an
 /// eye of no speed stands quite still. Where
-/// AnchorFlight measures how much can change, this one moves as somebody who looks at the pictures does.
+/// BenchmarkFlight measures how much can change, this one moves as somebody who looks at the pictures does.
 /// Units: metres, seconds; the angle of view is horizontal.
 struct SteadyFlight
 {
@@ -76,4 +76,4 @@ private:
     }
 };
 
-} // namespace flights
+} // namespace measurement

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "view/SvgPlot.h"
+#include "measurement/SvgPlot.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 
-namespace trainer
+namespace measurement
 {
 
 namespace
@@ -170,4 +170,4 @@ std::string svgPlot(const Plot& plot)
     return svg + "\n" + textAt(kLeft, 16.0, "start", plot.title) + "\n</svg>\n";
 }
 
-} // namespace trainer
+} // namespace measurement

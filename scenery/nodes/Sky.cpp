@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "view/Sky.h"
+#include "scenery/nodes/Sky.h"
 
 #include <string>
 

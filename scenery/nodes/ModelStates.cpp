@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "view/ModelStates.h"
+#include "scenery/nodes/ModelStates.h"
 
 #include <algorithm>
 #include <cstring>
@@ -12,7 +12,7 @@
 
 #include "scenery/models/paint/MipChain.h"
 #include "scenery/models/paint/Paint.h"
-#include "view/ObjectShading.h"
+#include "scenery/nodes/ObjectShading.h"
 
 namespace trainer
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "view/Pose.h"
+#include "scenery/nodes/Pose.h"
 
 namespace trainer
 {

@@ -4,20 +4,20 @@
 #include <cstdint>
 #include <random>
 
-#include "flights/AnchorFlight.h"
+#include "measurement/flights/BenchmarkFlight.h"
 
-namespace flights
+namespace measurement
 {
 
 /// A random walk of up to half a cell a frame each way, with a leap to anywhere, 300 m above the ground, in every
 /// hundredth frame. The same on every machine.
-class RestlessEye
+class RandomWalk
 {
 public:
     static constexpr int kFrames = 10000, kFramesBetweenLeaps = 100;
 
-    explicit RestlessEye(const osgTerrainROAM::core::PlacedTile& tile)
-        : _tile(tile), _view(AnchorFlight{}.view(tile, 0))
+    explicit RandomWalk(const osgTerrainROAM::core::PlacedTile& tile)
+        : _tile(tile), _view(BenchmarkFlight{}.view(tile, 0))
     {
     }
 
@@ -43,4 +43,4 @@ private:
     int _frame = 0;
 };
 
-} // namespace flights
+} // namespace measurement

@@ -3,11 +3,11 @@
 
 #include <osgTerrainROAM/core/heightfield/HeightField.h>
 
-namespace flights
+namespace measurement
 {
 
 /// A square of a raster that terrain engines are compared on: its first sample from the north-west, cells as squares.
-struct AnchorCrop
+struct RasterCrop
 {
     const char* file; ///< below the real data's folder
     int firstColumn, firstRowFromNorth, side;
@@ -27,8 +27,8 @@ struct AnchorCrop
     }
 };
 
-inline constexpr AnchorCrop kWhiteMountains{"dem/N44W072.hgt", 88, 88, 1025, 90.0};
-inline constexpr AnchorCrop kAconcagua{"dem/S33W071.tif", 88, 88, 1025, 90.0};
-inline constexpr AnchorCrop kGreenRiver{"dem/greenriver.tif", 700, 300, 513, 1.0}; ///< lidar
+inline constexpr RasterCrop kWhiteMountains{"dem/N44W072.hgt", 88, 88, 1025, 90.0};
+inline constexpr RasterCrop kAconcagua{"dem/S33W071.tif", 88, 88, 1025, 90.0};
+inline constexpr RasterCrop kGreenRiver{"dem/greenriver.tif", 700, 300, 513, 1.0}; ///< lidar
 
-} // namespace flights
+} // namespace measurement

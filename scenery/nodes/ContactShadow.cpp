@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "view/ContactShadow.h"
+#include "scenery/nodes/ContactShadow.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 #include <osg/Geometry>
 #include <osg/PolygonOffset>
 
-#include "view/ObjectShading.h"
+#include "scenery/nodes/ObjectShading.h"
 
 namespace trainer
 {
