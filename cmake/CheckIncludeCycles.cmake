@@ -74,7 +74,7 @@ function(cycleIn graph nodes out)
 endfunction()
 
 file(GLOB_RECURSE files RELATIVE "${ROOT}" "${ROOT}/foundation/*" "${ROOT}/viewlod/*" "${ROOT}/osg*/*"
-    "${ROOT}/simulation/*" "${ROOT}/scenery/*" "${ROOT}/apps/*" "${ROOT}/tests/*" "${ROOT}/bench/*"
+    "${ROOT}/simulation/*" "${ROOT}/scenery/*" "${ROOT}/measurement/*" "${ROOT}/apps/*" "${ROOT}/tests/*" "${ROOT}/bench/*"
     "${ROOT}/data/generator/*")
 set(headers_nodes)
 set(folders_nodes)

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # cmake -DROOT=tree -P CheckLayering.cmake: reads the include lines of the tree and fails on a breach of the arrows
-# in docs/architecture.md, or when a layer that must be there matches no file (a check of nothing passes always).
+# in docs/architecture.md, when a C++ file belongs to no layer, when a name in quotes is no file of the tree, or when a layer
+# matches no file (a check of nothing passes always).
 # Not linking OSG would not keep it out of a core: its headers lie in the system include path.
 cmake_minimum_required(VERSION 3.25)
 if(NOT IS_DIRECTORY "${ROOT}")
@@ -26,24 +27,31 @@ layer(terrain-core   "^osgTerrainROAM/(include/osgTerrainROAM|src)/core/" founda
 layer(simulation     "^simulation/"        foundation viewlod)
 layer(models         "^scenery/models/"    foundation objects-core)
 layer(placement      "^scenery/placement/" foundation viewlod objects-core models)
+layer(measurement-view "^measurement/view/" graphics foundation offscreen measurement)
+layer(measurement    "^measurement/"       foundation viewlod terrain-core)
 layer(terminal       "^apps/terminal/"     foundation)
 layer(ground         "^apps/ground/"       foundation viewlod objects-core terrain-core simulation)
 layer(generator      "^data/generator/"    foundation)
-layer(render-support "^tests/support/Rendered" graphics foundation viewlod objects-core terrain-core simulation models objects
-    terrain offscreen trainer test-support)
-layer(test-support   "^tests/support/"     foundation viewlod objects-core terrain-core simulation generator)
-layer(core-tests     "^tests/(core|fuzz)/" foundation viewlod objects-core terrain-core simulation models placement generator
-    test-support)
 layer(traversal      "^osgTraversal/"      graphics foundation viewlod)
 layer(objects        "^osgPMObjects/"      graphics foundation viewlod objects-core traversal)
 layer(terrain        "^osgTerrainROAM/"    graphics foundation viewlod objects-core terrain-core objects traversal)
 layer(offscreen      "^osgOffscreen/"      graphics foundation viewlod)
-layer(trainer        "^apps/trainer/"      graphics foundation viewlod objects-core terrain-core simulation models placement objects
-    terrain offscreen terminal ground)
-layer(tools          "^apps/"              graphics foundation viewlod objects-core terrain-core simulation objects terrain
-    offscreen terminal ground)
-set(required foundation viewlod objects-core traversal objects terrain-core simulation models placement generator core-tests
-    terrain offscreen trainer tools)
+layer(nodes          "^scenery/nodes/"     graphics foundation viewlod objects-core terrain-core simulation models placement
+    objects terrain)
+set(cores foundation viewlod objects-core terrain-core simulation models placement measurement)
+set(libraries graphics ${cores} traversal objects terrain offscreen nodes measurement-view)
+layer(trainer        "^apps/trainer/"      ${libraries} terminal ground)
+layer(tools          "^apps/"              ${libraries} terminal ground)
+layer(bench          "^bench/"             ${libraries} terminal test-support)
+layer(examples       "^examples/"          graphics foundation viewlod objects-core terrain-core objects terrain offscreen)
+layer(install-tests  "^tests/install/"     graphics foundation viewlod objects-core terrain-core traversal objects terrain offscreen)
+layer(render-support "^tests/support/Rendered" ${libraries} test-support)
+layer(test-support   "^tests/support/"     foundation viewlod objects-core terrain-core simulation generator)
+layer(core-tests     "^tests/(core|fuzz)/" ${cores} generator test-support)
+layer(osg-tests      "^tests/osg/"         ${libraries} terminal trainer tools test-support core-tests)
+layer(render-tests   "^tests/render/"      ${libraries} terminal trainer test-support render-support core-tests osg-tests)
+layer(build-support  "^cmake/")
+layer(program-tests  "^tests/programs/"    graphics ${cores} offscreen terminal tools test-support core-tests)
 
 set(graphics_includes "^(osg|osg[A-Z][A-Za-z]*|OpenThreads|GL|GLES[0-9]*|EGL|KHR|X11)/")
 
@@ -59,8 +67,8 @@ function(layerOfPath path out)
 endfunction()
 
 # The layer of what an include line names: a file of the tree, seen from the including file or from an include
-# folder, graphics, or nothing (standard library, third party).
-function(layerOfInclude includer target out)
+# folder, graphics, "unknown" (a name in quotes that is no file of the tree), or nothing (standard library, third party).
+function(layerOfInclude includer target quote out)
     set(${out} "" PARENT_SCOPE)
     string(REGEX MATCH "^[^/]+" component "${target}")
     includedFile("${includer}" "${target}" file)
@@ -72,11 +80,20 @@ function(layerOfInclude includer target out)
         set(${out} "${found}" PARENT_SCOPE)
     elseif(target MATCHES "${graphics_includes}")
         set(${out} graphics PARENT_SCOPE)
+    elseif(quote STREQUAL "\"")
+        set(${out} unknown PARENT_SCOPE)
     endif()
 endfunction()
 
-file(GLOB_RECURSE files RELATIVE "${ROOT}" "${ROOT}/foundation/*" "${ROOT}/viewlod/*" "${ROOT}/osg*/*"
-    "${ROOT}/simulation/*" "${ROOT}/scenery/*" "${ROOT}/apps/*" "${ROOT}/tests/*" "${ROOT}/data/generator/*")
+# Every folder at the top of the tree but those that hold what a build or a run has made.
+file(GLOB folders LIST_DIRECTORIES true RELATIVE "${ROOT}" "${ROOT}/*")
+list(FILTER folders EXCLUDE REGEX "^(build.*|out)$")
+list(TRANSFORM folders PREPEND "${ROOT}/")
+list(TRANSFORM folders APPEND "/*")
+set(files)
+if(folders)
+    file(GLOB_RECURSE files RELATIVE "${ROOT}" ${folders})
+endif()
 set(breaches)
 set(lineCount 0)
 foreach(file IN LISTS files)
@@ -86,21 +103,25 @@ foreach(file IN LISTS files)
     endif()
     layerOfPath("${file}" from)
     if(from STREQUAL "")
+        if(extension)
+            list(APPEND breaches "${file}: belongs to no layer")
+        endif()
         continue()
     endif()
     math(EXPR ${from}_count "${${from}_count} + 1")
     file(STRINGS "${ROOT}/${file}" lines REGEX "^[ \t]*#[ \t]*include[ \t]*[<\"]")
     foreach(line IN LISTS lines)
         math(EXPR lineCount "${lineCount} + 1")
-        string(REGEX REPLACE "^[^<\"]*[<\"]([^>\"]+).*$" "\\1" target "${line}")
-        layerOfInclude("${file}" "${target}" to)
+        string(REGEX MATCH "([<\"])([^>\"]+)" name "${line}")
+        set(target "${CMAKE_MATCH_2}")
+        layerOfInclude("${file}" "${target}" "${CMAKE_MATCH_1}" to)
         if(NOT to STREQUAL "" AND NOT to STREQUAL from AND NOT to IN_LIST ${from}_may)
             list(APPEND breaches "${file}: ${from} must not include ${to} (<${target}>)")
         endif()
     endforeach()
 endforeach()
 
-foreach(name IN LISTS required)
+foreach(name IN LISTS layers)
     if(${name}_count EQUAL 0)
         list(APPEND breaches "${name}: no file matches ${${name}_files}")
     endif()

@@ -22,10 +22,24 @@ function(plantTree)
             "simulation/Clock.h|cstdint"
             "scenery/models/Tree.h|osgPMObjects/core/Mesh.h"
             "scenery/placement/Place.h|scenery/models/Tree.h"
+            "scenery/nodes/Sky.h|osgTerrainROAM/Terrain"
+            "measurement/Flight.h|osgTerrainROAM/core/Tile.h"
+            "measurement/view/Sheet.h|osgOffscreen/Capture"
+            "apps/terminal/Terminal.h|foundation/Result.h"
+            "apps/ground/Ground.h|osgTerrainROAM/core/Tile.h"
             "apps/trainer/view/Scene.cpp|osgTerrainROAM/Terrain"
             "apps/terraintool/main.cpp|osgTerrainROAM/core/Tile.h"
+            "bench/Frames.cpp|osgTerrainROAM/Terrain"
+            "examples/planes/main.cpp|osgTerrainROAM/Terrain"
+            "cmake/Suppressions.cpp|cstdint"
             "data/generator/Noise.h|cmath"
-            "tests/core/TileTest.cpp|osgTerrainROAM/core/Tile.h")
+            "tests/support/Random.h|cstdint"
+            "tests/support/RenderedView.h|osgOffscreen/Capture"
+            "tests/core/tile/TileTest.cpp|osgTerrainROAM/core/Tile.h"
+            "tests/install/core/main.cpp|viewlod/Frustum.h"
+            "tests/osg/terrain/TerrainTest.cpp|osgTerrainROAM/Terrain"
+            "tests/render/terrain/GoldenTest.cpp|osgOffscreen/Capture"
+            "tests/programs/PlayTest.cpp|foundation/Result.h")
         string(REPLACE "|" ";" entry "${entry}")
         list(GET entry 0 file)
         list(GET entry 1 include)
@@ -90,15 +104,53 @@ expectBreach(scenery/models/Tree.h "#include <osgPMObjects/Object>")
 expectBreach(scenery/placement/Place.h "#include <osg/Matrixd>")
 expectBreach(scenery/placement/Place.h "#include \"../../simulation/Clock.h\"")
 expectBreach(apps/terraintool/main.cpp "#include \"../trainer/view/Scene.cpp\"")
+expectBreach(apps/terraintool/main.cpp "#include \"../../bench/Frames.cpp\"")
+expectBreach(apps/terraintool/main.cpp "#include \"Frames.cpp\"")
+expectBreach(apps/trainer/view/Scene.cpp "#include \"terraintool/main.cpp\"")
+expectBreach(apps/terminal/Terminal.h "#include \"simulation/Clock.h\"")
+expectBreach(measurement/Flight.h "#include <osg/Vec3d>")
+expectBreach(measurement/Flight.h "#include \"measurement/view/Sheet.h\"")
+expectBreach(measurement/view/Sheet.h "#include \"scenery/nodes/Sky.h\"")
+expectBreach(scenery/nodes/Sky.h "#include \"view/Scene.cpp\"")
+expectBreach(scenery/nodes/Sky.h "#include \"measurement/Flight.h\"")
+expectBreach(scenery/nodes/Sky.h "#include <osgOffscreen/Capture>")
+expectBreach(bench/Frames.cpp "#include \"view/Scene.cpp\"")
+expectBreach(bench/Frames.cpp "#include \"terraintool/main.cpp\"")
+expectBreach(bench/Frames.cpp "#include \"../tests/core/tile/TileTest.cpp\"")
+expectBreach(examples/planes/main.cpp "#include \"scenery/nodes/Sky.h\"")
+expectBreach(examples/planes/main.cpp "#include \"measurement/Flight.h\"")
+expectBreach(examples/planes/main.cpp "#include <osgTraversal/CullFacts>")
 expectBreach(data/generator/Noise.h "#include <osgTerrainROAM/core/Tile.h>")
-expectBreach(tests/core/TileTest.cpp "#include <osgDB/ReadFile>")
+expectBreach(tests/support/Random.h "#include <osg/Vec3d>")
+expectBreach(tests/support/Random.h "#include \"RenderedView.h\"")
+expectBreach(tests/support/RenderedView.h "#include \"view/Scene.cpp\"")
+expectBreach(tests/core/tile/TileTest.cpp "#include \"RenderedView.h\"")
+expectBreach(tests/core/tile/TileTest.cpp "#include \"TerrainTest.cpp\"")
+expectBreach(tests/install/core/main.cpp "#include \"Random.h\"")
+expectBreach(tests/osg/terrain/TerrainTest.cpp "#include \"Frames.cpp\"")
+expectBreach(tests/osg/terrain/TerrainTest.cpp "#include \"RenderedView.h\"")
+expectBreach(tests/render/terrain/GoldenTest.cpp "#include \"../../../bench/Frames.cpp\"")
+expectBreach(tests/render/terrain/GoldenTest.cpp "#include \"../../../examples/planes/main.cpp\"")
+expectBreach(tests/programs/PlayTest.cpp "#include \"view/Scene.cpp\"")
+expectBreach(tests/programs/PlayTest.cpp "#include \"Frames.cpp\"")
+expectBreach(tests/programs/PlayTest.cpp "#include \"TerrainTest.cpp\"")
+expectBreach(osgTerrainROAM/src/Terrain.cpp "#include \"NotThere.h\"")
+expectBreach(tests/core/tile/TileTest.cpp "#include <osgDB/ReadFile>")
 
+plantTree()
+file(WRITE "${SCRATCH}/sound/Horn.cpp" "#include <cmath>\n")
+expect("sound/Horn.cpp: belongs to no layer" "a folder that no layer names")
 plantTree()
 file(REMOVE_RECURSE "${SCRATCH}/osgTerrainROAM/src/core" "${SCRATCH}/osgTerrainROAM/include/osgTerrainROAM/core")
 expect("terrain-core: no file matches" "a tree without its terrain core")
 plantTree()
 file(REMOVE_RECURSE "${SCRATCH}/osgTraversal")
 expect("traversal: no file matches" "a tree without what its libraries share")
+foreach(folder bench examples tests/osg tests/render tests/programs)
+    plantTree()
+    file(REMOVE_RECURSE "${SCRATCH}/${folder}")
+    expect(": no file matches ^" "a tree without ${folder}")
+endforeach()
 file(REMOVE_RECURSE "${SCRATCH}")
 file(MAKE_DIRECTORY "${SCRATCH}")
 expect("no include line was read" "an empty tree")
