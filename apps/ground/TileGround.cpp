@@ -13,26 +13,26 @@ namespace ground
 using osgTerrainROAM::core::PlacedTile;
 using osgTerrainROAM::core::Placement;
 
-std::optional<trainer::Geodetic> originOf(const PlacedTile& tile)
+std::optional<simulation::Geodetic> originOf(const PlacedTile& tile)
 {
     if (tile.placement() == Placement::planar) return std::nullopt;
-    return trainer::Geodetic{tile.origin().latitudeDeg, tile.origin().longitudeDeg, tile.origin().heightM};
+    return simulation::Geodetic{tile.origin().latitudeDeg, tile.origin().longitudeDeg, tile.origin().heightM};
 }
 
-trainer::GroundProvider groundOf(const PlacedTile& tile)
+simulation::GroundProvider groundOf(const PlacedTile& tile)
 {
-    return [&tile](double eastM, double northM) -> std::optional<trainer::GroundSample>
+    return [&tile](double eastM, double northM) -> std::optional<simulation::GroundSample>
     {
         const auto point = osgTerrainROAM::core::groundAt(tile, eastM, northM);
         if (!point) return std::nullopt;
-        return trainer::GroundSample{point->position.z};
+        return simulation::GroundSample{point->position.z};
     };
 }
 
-trainer::TourTerrain tourTerrainOf(const PlacedTile& tile, const std::string& sceneFile)
+simulation::TourTerrain tourTerrainOf(const PlacedTile& tile, const std::string& sceneFile)
 {
     constexpr double kFar = std::numeric_limits<double>::max();
-    trainer::TourTerrain terrain{-kFar, -kFar, kFar, kFar, {}, 0.0, originOf(tile), sceneFile};
+    simulation::TourTerrain terrain{-kFar, -kFar, kFar, kFar, {}, 0.0, originOf(tile), sceneFile};
     const int lastColumn = tile.dataColumns() - 1, lastRow = tile.dataRows() - 1;
     for (int row = 0; row <= lastRow; ++row)
     {

@@ -18,13 +18,13 @@ namespace ground
 /// Frame: the tile's local east-north-up, which is the scene's.
 
 /// The frame's origin; absent for a planar tile.
-std::optional<trainer::Geodetic> originOf(const osgTerrainROAM::core::PlacedTile& tile);
+std::optional<simulation::Geodetic> originOf(const osgTerrainROAM::core::PlacedTile& tile);
 
 /// The true surface.
-trainer::GroundProvider groundOf(const osgTerrainROAM::core::PlacedTile& tile);
+simulation::GroundProvider groundOf(const osgTerrainROAM::core::PlacedTile& tile);
 
 /// What a tour is laid over: the largest rectangle of the frame that lies within the data.
-trainer::TourTerrain tourTerrainOf(const osgTerrainROAM::core::PlacedTile& tile,
-                                   const std::string& sceneFile);
+simulation::TourTerrain tourTerrainOf(const osgTerrainROAM::core::PlacedTile& tile,
+                                      const std::string& sceneFile);
 
 } // namespace ground

@@ -19,20 +19,20 @@ constexpr int kWidthPx = 960, kHeightPx = 540, kFramesPerSecond = 24;
 constexpr double kFovYDeg = 40.0, kNearM = 1.0, kFarM = 300000.0;
 constexpr double kDriverEyeM = 1.5;
 
-using Player = std::unique_ptr<trainer::ScenarioPlayer>;
+using Player = std::unique_ptr<simulation::ScenarioPlayer>;
 
 foundation::Result<Player> playerOver(const osgTerrainROAM::core::PlacedTile& tile,
-                                      trainer::Scenario scenario, const std::string& name)
+                                      simulation::Scenario scenario, const std::string& name)
 {
-    return trainer::ScenarioPlayer::create(std::move(scenario),
-                                           {ground::originOf(tile), ground::groundOf(tile),
-                                            trainer::FixedClock::forFrameRate(kFramesPerSecond), name});
+    return simulation::ScenarioPlayer::create(std::move(scenario),
+                                              {ground::originOf(tile), ground::groundOf(tile),
+                                               simulation::FixedClock::forFrameRate(kFramesPerSecond), name});
 }
 
 /// What the first entity's eye sees now.
-viewlod::ViewState viewOf(const trainer::ScenarioPlayer& player)
+viewlod::ViewState viewOf(const simulation::ScenarioPlayer& player)
 {
-    const trainer::EntityState& state = player.entities().front();
+    const simulation::EntityState& state = player.entities().front();
     const glm::dmat3 body = state.bodyToLocal(); // forward, left, up
     const bool isAirborne = player.scenario().entities.front().isAirborne();
     const glm::dvec3 eye = state.position + body[2] * (isAirborne ? 0.0 : kDriverEyeM);
@@ -43,7 +43,7 @@ viewlod::ViewState viewOf(const trainer::ScenarioPlayer& player)
 }
 
 /// One view after each `stepsPerView` steps, the first at the start.
-std::vector<viewlod::ViewState> viewsOf(trainer::ScenarioPlayer& player, double stepsPerView, int frames)
+std::vector<viewlod::ViewState> viewsOf(simulation::ScenarioPlayer& player, double stepsPerView, int frames)
 {
     std::vector<viewlod::ViewState> views;
     while (static_cast<int>(views.size()) < frames)
@@ -62,8 +62,8 @@ std::vector<viewlod::ViewState> viewsOf(trainer::ScenarioPlayer& player, double 
 foundation::Result<std::vector<viewlod::ViewState>> tourViews(const osgTerrainROAM::core::PlacedTile& tile,
                                                               int frames)
 {
-    const trainer::TourOptions options;
-    auto tour = trainer::layTour(ground::tourTerrainOf(tile, ""), options);
+    const simulation::TourOptions options;
+    auto tour = simulation::layTour(ground::tourTerrainOf(tile, ""), options);
     if (!tour) return tour.error();
     const auto player = playerOver(tile, std::move(tour->scenario), "tour");
     if (!player) return player.error();
@@ -72,7 +72,7 @@ foundation::Result<std::vector<viewlod::ViewState>> tourViews(const osgTerrainRO
 }
 
 foundation::Result<std::vector<viewlod::ViewState>>
-scenarioViews(trainer::Scenario scenario, const std::string& name,
+scenarioViews(simulation::Scenario scenario, const std::string& name,
               const osgTerrainROAM::core::PlacedTile& tile, int frames)
 {
     if (scenario.entities.empty())

@@ -23,7 +23,7 @@ foundation::Result<std::vector<viewlod::ViewState>> tourViews(const osgTerrainRO
 /// The same for the first entity of a scenario: 24 views a second from its start to its end, at most `frames`. The eye
 /// is 1.5 m above the entity's place where that stands on the ground. `name`: the scenario's file, for errors.
 foundation::Result<std::vector<viewlod::ViewState>>
-scenarioViews(trainer::Scenario scenario, const std::string& name,
+scenarioViews(simulation::Scenario scenario, const std::string& name,
               const osgTerrainROAM::core::PlacedTile& tile, int frames);
 
 } // namespace terraintool

@@ -28,16 +28,16 @@ void checkFrame(RoamMesh& mesh, const viewlod::ViewState& view, const viewlod::B
 }
 
 /// The scenario that a .xosc file holds; nothing for any other file, which is a terrain.
-foundation::Result<std::optional<trainer::Scenario>> scenarioOf(const std::filesystem::path& file)
+foundation::Result<std::optional<simulation::Scenario>> scenarioOf(const std::filesystem::path& file)
 {
-    if (file.extension() != ".xosc") return std::optional<trainer::Scenario>();
-    auto parsed = trainer::readScenario(file);
+    if (file.extension() != ".xosc") return std::optional<simulation::Scenario>();
+    auto parsed = simulation::readScenario(file);
     if (!parsed) return parsed.error();
     return std::optional(std::move(parsed->scenario));
 }
 
 /// The terrain that a scenario plays on; any other file is one itself.
-foundation::Result<std::filesystem::path> terrainOf(const std::optional<trainer::Scenario>& scenario,
+foundation::Result<std::filesystem::path> terrainOf(const std::optional<simulation::Scenario>& scenario,
                                                     const std::filesystem::path& file)
 {
     if (!scenario) return file;

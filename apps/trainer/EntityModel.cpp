@@ -16,7 +16,7 @@ namespace
 {
 
 /// Stands in for what has no model: a box of the entity's size, light grey.
-osg::ref_ptr<osg::Node> makeBox(const BoundingBox& box)
+osg::ref_ptr<osg::Node> makeBox(const simulation::BoundingBox& box)
 {
     const osg::Vec3 centre(box.centre.x, box.centre.y, box.centre.z);
     const auto extent = [](double metres) { return static_cast<float>(metres > 0 ? metres : 1.0); };
@@ -25,19 +25,19 @@ osg::ref_ptr<osg::Node> makeBox(const BoundingBox& box)
     shape->setColor({0.6F, 0.6F, 0.6F, 1.0F});
     const osg::ref_ptr<osg::Geode> geode = new osg::Geode;
     geode->addDrawable(shape);
-    setObjectShading(*geode, Finish::matt);
+    scenery::setObjectShading(*geode, scenery::Finish::matt);
     return geode;
 }
 
-osg::Matrixd matrixOf(const Pose& pose)
+osg::Matrixd matrixOf(const scenery::Pose& pose)
 {
-    const glm::dmat4 matrix = worldFromModel(pose);
+    const glm::dmat4 matrix = scenery::worldFromModel(pose);
     return osg::Matrixd(&matrix[0][0]); // GLM's columns are OSG's rows
 }
 
 } // namespace
 
-foundation::Result<EntityModel> EntityModel::create(const ScenarioObject& object,
+foundation::Result<EntityModel> EntityModel::create(const simulation::ScenarioObject& object,
                                                     const std::filesystem::path& folder)
 {
     EntityModel model;
@@ -52,24 +52,24 @@ foundation::Result<EntityModel> EntityModel::create(const ScenarioObject& object
     {
         const auto loaded = readModel(file, "give " + object.name + " another model3d");
         if (!loaded) return loaded.error();
-        setObjectShading(**loaded, Finish::matt);
+        scenery::setObjectShading(**loaded, scenery::Finish::matt);
         model._placed->addChild(*loaded);
     }
     else if (object.isAirborne())
-        model._placed->addChild(makeLightAircraft());
-    else if (std::holds_alternative<Vehicle>(object.object))
-        model._car = std::make_shared<CarModel>();
+        model._placed->addChild(scenery::makeLightAircraft());
+    else if (std::holds_alternative<simulation::Vehicle>(object.object))
+        model._car = std::make_shared<scenery::CarModel>();
     else
         model._placed->addChild(makeBox(object.box()));
     return model;
 }
 
-void EntityModel::show(const EntityState& state)
+void EntityModel::show(const simulation::EntityState& state)
 {
     if (_car)
         _car->setState(state);
     else
-        _placed->setMatrix(matrixOf(poseOf(state)));
+        _placed->setMatrix(matrixOf(scenery::poseOf(state)));
 }
 
 } // namespace trainer

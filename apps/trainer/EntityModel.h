@@ -22,18 +22,18 @@ class EntityModel
 {
 public:
     /// `folder`: what model3d is relative to. Errors: a model file that is there but cannot be read.
-    static foundation::Result<EntityModel> create(const ScenarioObject& object,
+    static foundation::Result<EntityModel> create(const simulation::ScenarioObject& object,
                                                   const std::filesystem::path& folder);
 
     osg::Node* node() const { return _car ? _car->node() : _placed.get(); }
-    void show(const EntityState& state);
+    void show(const simulation::EntityState& state);
 
     /// What was drawn instead of what was asked for; empty: nothing.
     const std::string& note() const { return _note; }
 
 private:
     std::string _note;
-    std::shared_ptr<CarModel> _car; ///< has wheels to move; else
+    std::shared_ptr<scenery::CarModel> _car; ///< has wheels to move; else
     osg::ref_ptr<osg::MatrixTransform> _placed;
 };
 

@@ -10,14 +10,15 @@ namespace trainer
 namespace
 {
 
-glm::dvec3 ownEye(const ScenarioObject& ownship, double eyeHeightM)
+glm::dvec3 ownEye(const simulation::ScenarioObject& ownship, double eyeHeightM)
 {
-    return ownship.isAirborne() ? pilotEyeInAircraft() : driverEyeInCar(eyeHeightM);
+    return ownship.isAirborne() ? scenery::pilotEyeInAircraft() : scenery::driverEyeInCar(eyeHeightM);
 }
 
 } // namespace
 
-OwnshipEye::OwnshipEye(const ScenarioObject& ownship, const PlayRequest& request, GroundProvider ground)
+OwnshipEye::OwnshipEye(const simulation::ScenarioObject& ownship, const PlayRequest& request,
+                       simulation::GroundProvider ground)
     : _eye(request.eye),
       _eyeInBody(ownEye(ownship, request.eyeHeightM)),
       _chase(ownship.isAirborne() ? ChaseSettings::forAircraft() : ChaseSettings::forCar()),
@@ -25,11 +26,11 @@ OwnshipEye::OwnshipEye(const ScenarioObject& ownship, const PlayRequest& request
 {
 }
 
-Pose OwnshipEye::update(const EntityState& state, double dtS)
+scenery::Pose OwnshipEye::update(const simulation::EntityState& state, double dtS)
 {
-    const Pose body = poseOf(state);
+    const scenery::Pose body = scenery::poseOf(state);
     if (_eye == EyePoint::chase) return _chase.update(body, dtS, _ground);
-    return eyeInBody(body, _eyeInBody);
+    return scenery::eyeInBody(body, _eyeInBody);
 }
 
 } // namespace trainer

@@ -13,16 +13,17 @@ namespace trainer
 class OwnshipEye
 {
 public:
-    OwnshipEye(const ScenarioObject& ownship, const PlayRequest& request, GroundProvider ground);
+    OwnshipEye(const simulation::ScenarioObject& ownship, const PlayRequest& request,
+               simulation::GroundProvider ground);
 
     /// The eye for a state that is `dtS` later than the one before.
-    Pose update(const EntityState& state, double dtS);
+    scenery::Pose update(const simulation::EntityState& state, double dtS);
 
 private:
     EyePoint _eye;
     glm::dvec3 _eyeInBody;
     ChaseCamera _chase;
-    GroundProvider _ground;
+    simulation::GroundProvider _ground;
 };
 
 } // namespace trainer

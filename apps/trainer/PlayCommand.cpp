@@ -35,7 +35,8 @@ foundation::Outcome checkResultPlaces(const PlayRequest& request)
     return foundation::success();
 }
 
-foundation::Result<std::filesystem::path> sceneFileOf(const Scenario& scenario, const PlayRequest& request)
+foundation::Result<std::filesystem::path> sceneFileOf(const simulation::Scenario& scenario,
+                                                      const PlayRequest& request)
 {
     if (!request.terrain.empty()) return request.terrain;
     if (!scenario.roadNetwork.sceneGraphFile.empty())
@@ -44,10 +45,10 @@ foundation::Result<std::filesystem::path> sceneFileOf(const Scenario& scenario, 
                              "add one, or give --terrain FILE"};
 }
 
-foundation::Outcome saveScenario(const Scenario& scenario, const std::filesystem::path& file)
+foundation::Outcome saveScenario(const simulation::Scenario& scenario, const std::filesystem::path& file)
 {
     if (file.empty()) return foundation::success();
-    const auto text = scenarioText(scenario);
+    const auto text = simulation::scenarioText(scenario);
     if (!text) return text.error();
     return foundation::writeWholeFile(file, *text);
 }
@@ -68,7 +69,7 @@ foundation::Outcome playToTheEnd(PlaySession& session, const PlayRequest& reques
 ReportContent reportOf(const PlaySession& session, const PlayRequest& request)
 {
     ReportContent content;
-    const FileHeader& header = session.player().scenario().header;
+    const simulation::FileHeader& header = session.player().scenario().header;
     content.title = header.description.empty() ? request.scenario.stem().string() : header.description;
     content.facts = {
         request.scenario.empty()
@@ -96,7 +97,7 @@ foundation::Outcome leaveResults(const PlaySession& session, const PlayRequest& 
     return foundation::success();
 }
 
-foundation::Outcome playOver(SceneTerrain terrain, Scenario scenario, const PlayRequest& request)
+foundation::Outcome playOver(SceneTerrain terrain, simulation::Scenario scenario, const PlayRequest& request)
 {
     auto session = PlaySession::create(std::move(scenario), std::move(terrain), request);
     if (!session) return session.error();
@@ -119,7 +120,7 @@ std::string absoluteName(const std::filesystem::path& file)
 foundation::Outcome play(const PlayRequest& request)
 {
     if (const auto writable = checkResultPlaces(request); !writable) return writable;
-    auto parsed = readScenario(request.scenario);
+    auto parsed = simulation::readScenario(request.scenario);
     if (!parsed) return parsed.error();
     const auto file = sceneFileOf(parsed->scenario, request);
     if (!file) return file.error();
@@ -134,10 +135,10 @@ foundation::Outcome tour(const PlayRequest& request, const std::filesystem::path
     if (const auto writable = foundation::checkWritable(saveFile); !writable) return writable;
     auto terrain = openElevation(request.terrain, request.import);
     if (!terrain) return terrain.error();
-    TourOptions options;
+    simulation::TourOptions options;
     options.durationS = durationS;
     const auto& tile = terrain->terrain->tile()->tile;
-    auto laid = layTour(ground::tourTerrainOf(tile, absoluteName(request.terrain)), options);
+    auto laid = simulation::layTour(ground::tourTerrainOf(tile, absoluteName(request.terrain)), options);
     if (!laid) return laid.error();
     if (const auto saved = saveScenario(laid->scenario, saveFile); !saved) return saved;
     std::cout << "tour: " << std::lround(laid->lowestM) << " to " << std::lround(laid->highestM)
@@ -147,9 +148,9 @@ foundation::Outcome tour(const PlayRequest& request, const std::filesystem::path
 
 foundation::Outcome check(const std::filesystem::path& scenario)
 {
-    const auto parsed = readScenario(scenario, {.tolerant = true, .parameters = {}});
+    const auto parsed = simulation::readScenario(scenario, {.tolerant = true, .parameters = {}});
     if (!parsed) return parsed.error();
-    for (const Problem& problem : parsed->problems)
+    for (const simulation::Problem& problem : parsed->problems)
         std::cout << problem.error.message() << '\n';
     if (parsed->problems.empty()) return foundation::success();
     return foundation::Error{scenario.string(), std::to_string(parsed->problems.size()) + " problems",

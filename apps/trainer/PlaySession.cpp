@@ -17,12 +17,12 @@ namespace
 
 /// The near plane of a view that says nothing of its own: as far out as the eye allows, for the depth buffer's
 /// resolution far away is in proportion to it. A driver sees the ground from 4 m on, a pilot from much farther.
-double nearPlaneM(const ScenarioObject& ownship)
+double nearPlaneM(const simulation::ScenarioObject& ownship)
 {
     return ownship.isAirborne() ? 5.0 : 1.0;
 }
 
-foundation::Result<ViewSetup> viewOf(const PlayRequest& request, const ScenarioObject& ownship)
+foundation::Result<ViewSetup> viewOf(const PlayRequest& request, const simulation::ScenarioObject& ownship)
 {
     if (!request.viewFile.empty()) return readView(request.viewFile);
     ViewSetup setup = singleChannel(request.widthPx, request.heightPx);
@@ -47,8 +47,8 @@ PlaySession::PlaySession(const PlayRequest& request, SceneTerrain terrain)
 {
 }
 
-foundation::Result<std::unique_ptr<PlaySession>> PlaySession::create(Scenario scenario, SceneTerrain terrain,
-                                                                     const PlayRequest& request)
+foundation::Result<std::unique_ptr<PlaySession>>
+PlaySession::create(simulation::Scenario scenario, SceneTerrain terrain, const PlayRequest& request)
 {
     if (scenario.entities.empty())
         return foundation::Error{request.scenario.string(), "no ScenarioObject in Entities",
@@ -64,10 +64,11 @@ foundation::Result<std::unique_ptr<PlaySession>> PlaySession::create(Scenario sc
     }
 
     std::unique_ptr<PlaySession> session(new PlaySession(request, std::move(terrain)));
-    PlayerOptions stage{session->_terrain.origin(), session->_terrain.ground(),
-                        FixedClock::forFrameRate(request.framesPerSecond), "scenario"};
+    simulation::PlayerOptions stage{session->_terrain.origin(), session->_terrain.ground(),
+                                    simulation::FixedClock::forFrameRate(request.framesPerSecond),
+                                    "scenario"};
     if (!request.scenario.empty()) stage.scenarioName = request.scenario.string();
-    auto player = ScenarioPlayer::create(std::move(scenario), stage);
+    auto player = simulation::ScenarioPlayer::create(std::move(scenario), stage);
     if (!player) return player.error();
     session->_player = std::move(*player);
     auto scenery = makeScenery(request, session->_player->scenario(), stage, session->_terrain);
@@ -122,8 +123,8 @@ void PlaySession::tunePatches()
 {
     constexpr double kLeastStepM = 0.5;
     _scene->show(*_player);
-    const EntityState& ownship = _player->entities().front();
-    Pose eye = _eye->update(ownship, 0.0);
+    const simulation::EntityState& ownship = _player->entities().front();
+    scenery::Pose eye = _eye->update(ownship, 0.0);
     const double stepM = std::max(kLeastStepM, ownship.speedMps / _request.framesPerSecond);
     _patchNote = measurePatches(*_terrain.terrain, *_viewer, _contexts,
                                 [&]

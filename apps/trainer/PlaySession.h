@@ -25,15 +25,15 @@ class PlaySession
 public:
     /// `terrain`: what openScene() gave. Errors: whatever keeps scenario, view, graphics or folders from being used; a
     /// scenario without entities.
-    static foundation::Result<std::unique_ptr<PlaySession>> create(Scenario scenario, SceneTerrain terrain,
-                                                                   const PlayRequest& request);
+    static foundation::Result<std::unique_ptr<PlaySession>>
+    create(simulation::Scenario scenario, SceneTerrain terrain, const PlayRequest& request);
 
     /// Draws the present moment, then lets one frame's time pass. Errors: a picture that could not be written.
     foundation::Outcome frame();
 
     bool isFinished() const { return _player->isFinished(); }
     const std::vector<FrameStatistics>& statistics() const { return _statistics; }
-    const ScenarioPlayer& player() const { return *_player; }
+    const simulation::ScenarioPlayer& player() const { return *_player; }
 
     /// What is not as the scenario asks, and what was measured before it began, one line each.
     std::vector<std::string> notes() const;
@@ -50,7 +50,7 @@ private:
 
     PlayRequest _request;
     SceneTerrain _terrain;
-    std::unique_ptr<ScenarioPlayer> _player;
+    std::unique_ptr<simulation::ScenarioPlayer> _player;
     std::unique_ptr<ScenarioScene> _scene;
     std::optional<SceneScenery> _scenery;
     std::unique_ptr<OwnshipEye> _eye;

@@ -23,7 +23,7 @@ double cloudCover(const std::string& state)
     return found == kCover.end() ? 0.0 : found->second;
 }
 
-osgTerrainROAM::AtmosphereSettings airOf(const EnvironmentState& environment)
+osgTerrainROAM::AtmosphereSettings airOf(const simulation::EnvironmentState& environment)
 {
     osgTerrainROAM::AtmosphereSettings air;
     air.sunDirectionWorld =
@@ -41,14 +41,15 @@ ScenarioScene::ScenarioScene() : _root(new osg::Group), _atmosphere(new osgTerra
     _root->getStateSet()->setDataVariance(osg::Object::DYNAMIC);
 }
 
-foundation::Result<ScenarioScene> ScenarioScene::create(const Scenario& scenario, const SceneTerrain& terrain,
+foundation::Result<ScenarioScene> ScenarioScene::create(const simulation::Scenario& scenario,
+                                                        const SceneTerrain& terrain,
                                                         const std::filesystem::path& folder)
 {
     ScenarioScene scene;
     if (terrain.terrain) terrain.terrain->setAtmosphere(scene._atmosphere);
-    scene._root->addChild(makeSky());
+    scene._root->addChild(scenery::makeSky());
     scene._root->addChild(terrain.node);
-    for (const ScenarioObject& object : scenario.entities)
+    for (const simulation::ScenarioObject& object : scenario.entities)
     {
         auto model = EntityModel::create(object, folder);
         if (!model) return model.error();
@@ -66,7 +67,7 @@ std::vector<std::string> ScenarioScene::notes() const
     return notes;
 }
 
-void ScenarioScene::show(const ScenarioPlayer& player)
+void ScenarioScene::show(const simulation::ScenarioPlayer& player)
 {
     for (std::size_t i = 0; i < _entities.size(); ++i)
         _entities[i].show(player.entities()[i]);

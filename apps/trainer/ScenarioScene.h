@@ -24,7 +24,8 @@ class ScenarioScene
 {
 public:
     /// `folder`: the scenario's. Errors: as EntityModel.
-    static foundation::Result<ScenarioScene> create(const Scenario& scenario, const SceneTerrain& terrain,
+    static foundation::Result<ScenarioScene> create(const simulation::Scenario& scenario,
+                                                    const SceneTerrain& terrain,
                                                     const std::filesystem::path& folder);
 
     osg::Group& root() { return *_root; }
@@ -33,7 +34,7 @@ public:
     std::vector<std::string> notes() const;
 
     /// Moves everything to where the player has it, and sets sun and air.
-    void show(const ScenarioPlayer& player);
+    void show(const simulation::ScenarioPlayer& player);
 
     /// Leaves an entity out of the picture: the one whose eye looks.
     void hide(std::size_t entity) { _entities[entity].node()->setNodeMask(0); }

@@ -84,7 +84,7 @@ scenery::Ground groundOf(const SceneTerrain& terrain)
     return ground;
 }
 
-void report(const scenery::PlacedScenery& placed, const SceneryShapes& shapes, double placingS,
+void report(const scenery::PlacedScenery& placed, const scenery::SceneryShapes& shapes, double placingS,
             std::vector<std::string>& notes)
 {
     char text[160];
@@ -128,8 +128,8 @@ ObjectFigures SceneScenery::figures(unsigned int frameNumber) const
 }
 
 foundation::Result<std::optional<SceneScenery>> makeScenery(const PlayRequest& request,
-                                                            const Scenario& scenario,
-                                                            const PlayerOptions& options,
+                                                            const simulation::Scenario& scenario,
+                                                            const simulation::PlayerOptions& options,
                                                             const SceneTerrain& terrain)
 {
     if (request.sceneryFile.empty() && request.objectsFolder.empty()) return std::optional<SceneScenery>();
@@ -140,7 +140,7 @@ foundation::Result<std::optional<SceneScenery>> makeScenery(const PlayRequest& r
     if (!terrain.terrain)
         return foundation::Error{place, "needs a terrain whose ground can be asked",
                                  "play over an elevation raster or a .roam file"};
-    const auto shapes = makeSceneryShapes(scenery::objectsOf(*description));
+    const auto shapes = scenery::makeSceneryShapes(scenery::objectsOf(*description));
     if (!shapes) return shapes.error();
     const double longestS =
         std::max(kLeastS, request.frames.value_or(0) / static_cast<double>(request.framesPerSecond));
@@ -149,7 +149,7 @@ foundation::Result<std::optional<SceneScenery>> makeScenery(const PlayRequest& r
     const scenery::PlacedScenery placed =
         scenery::placeScenery(*description, shapes->measures, groundOf(terrain), ways);
     const double placingS = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    auto node = makeSceneryNode(*description, placed, *shapes, place);
+    auto node = scenery::makeSceneryNode(*description, placed, *shapes, place);
     if (!node) return node.error();
     std::optional<SceneScenery> made(std::in_place);
     made->node = *std::move(node);

@@ -17,7 +17,7 @@ namespace trainer
 /// What stands on the terrain of a play.
 struct SceneScenery
 {
-    SceneryNode node;
+    scenery::SceneryNode node;
     std::vector<std::string> notes; ///< how many objects, what found no room, how long it took
 
     /// Of the frame that was drawn last.
@@ -28,8 +28,8 @@ struct SceneScenery
 /// field more, scattered beside the way. `scenario` and `options`: as they will be played. Nothing where nothing is asked for.
 /// Errors: of the file, a folder without models, a model, a terrain whose ground cannot be asked.
 foundation::Result<std::optional<SceneScenery>> makeScenery(const PlayRequest& request,
-                                                            const Scenario& scenario,
-                                                            const PlayerOptions& options,
+                                                            const simulation::Scenario& scenario,
+                                                            const simulation::PlayerOptions& options,
                                                             const SceneTerrain& terrain);
 
 } // namespace trainer

@@ -46,14 +46,14 @@ bool isTerrainFile(const std::filesystem::path& file)
 
 } // namespace
 
-std::optional<Geodetic> SceneTerrain::origin() const
+std::optional<simulation::Geodetic> SceneTerrain::origin() const
 {
     return terrain ? ground::originOf(terrain->tile()->tile) : std::nullopt;
 }
 
-GroundProvider SceneTerrain::ground() const
+simulation::GroundProvider SceneTerrain::ground() const
 {
-    return terrain ? ground::groundOf(terrain->tile()->tile) : GroundProvider{};
+    return terrain ? ground::groundOf(terrain->tile()->tile) : simulation::GroundProvider{};
 }
 
 foundation::Result<SceneTerrain> openElevation(const std::filesystem::path& file,

@@ -25,10 +25,10 @@ struct SceneTerrain
     osg::ref_ptr<osgTerrainROAM::RoamTerrain> terrain; ///< within it; null when the scene has no ROAM terrain
 
     /// Of the scene's frame; absent without georeference.
-    std::optional<Geodetic> origin() const;
+    std::optional<simulation::Geodetic> origin() const;
 
     /// The true surface; empty when there is none to ask. `terrain` must outlive it.
-    GroundProvider ground() const;
+    simulation::GroundProvider ground() const;
 };
 
 /// Opens a .roam file or an elevation raster with the terrain library itself, so that errors keep their words; `terrain`

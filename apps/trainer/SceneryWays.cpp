@@ -30,14 +30,14 @@ struct Track
     }
 };
 
-double halfWidthOf(const ScenarioObject& entity)
+double halfWidthOf(const simulation::ScenarioObject& entity)
 {
-    const BoundingBox& box = entity.box();
+    const simulation::BoundingBox& box = entity.box();
     const double halfM = 0.5 * std::max(box.widthM, 1.0) + std::abs(box.centre.y);
     return halfM + (entity.isAirborne() ? kWingMarginM : kMarginM);
 }
 
-void addTrack(const Track& track, const ScenarioObject& entity, scenery::Ways& ways)
+void addTrack(const Track& track, const simulation::ScenarioObject& entity, scenery::Ways& ways)
 {
     for (const auto& piece : track.low)
     {
@@ -52,10 +52,11 @@ void addTrack(const Track& track, const ScenarioObject& entity, scenery::Ways& w
 
 } // namespace
 
-scenery::Ways waysOf(const Scenario& scenario, const PlayerOptions& options, double longestS)
+scenery::Ways waysOf(const simulation::Scenario& scenario, const simulation::PlayerOptions& options,
+                     double longestS)
 {
     scenery::Ways ways;
-    const auto player = ScenarioPlayer::create(scenario, options);
+    const auto player = simulation::ScenarioPlayer::create(scenario, options);
     if (!player) return ways; // whoever plays it in earnest says why
     std::vector<Track> tracks(scenario.entities.size());
     std::vector<bool> wasLow(tracks.size(), false);
@@ -63,7 +64,7 @@ scenery::Ways waysOf(const Scenario& scenario, const PlayerOptions& options, dou
     {
         for (std::size_t i = 0; i < tracks.size(); ++i)
         {
-            const EntityState& state = (*player)->entities()[i];
+            const simulation::EntityState& state = (*player)->entities()[i];
             const glm::dvec2 place(state.position);
             Track::extend(tracks[i].all, place, true);
             const auto ground = options.ground ? options.ground(place.x, place.y) : std::nullopt;

@@ -26,10 +26,10 @@ std::uint32_t drawn(testsupport::Random& random, std::uint32_t first, std::uint3
 
 std::vector<osg::ref_ptr<const ProgressiveShape>> landscapeShapes()
 {
-    std::vector<trainer::scenery::SceneryObject> objects;
-    for (const trainer::models::KindFacts& facts : trainer::models::kinds())
+    std::vector<scenery::SceneryObject> objects;
+    for (const scenery::models::KindFacts& facts : scenery::models::kinds())
         objects.push_back({facts.kind, 1, {}});
-    return trainer::makeSceneryShapes(objects)->shapes; // generators do not fail
+    return scenery::makeSceneryShapes(objects)->shapes; // generators do not fail
 }
 
 std::vector<FieldInstance> scattered(std::uint32_t count, std::uint32_t kinds, double spacingM)

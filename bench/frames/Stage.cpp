@@ -78,7 +78,7 @@ Stage::Stage(std::unique_ptr<osgOffscreen::OffscreenViewer> viewer, double verte
     : _viewer(std::move(viewer)),
       _stepM(vertexStepM),
       _atmosphere(new osgTerrainROAM::Atmosphere),
-      _sky(trainer::makeSky())
+      _sky(scenery::makeSky())
 {
     osg::StateSet& state = *_root->getOrCreateStateSet();
     _atmosphere->addUniformsTo(state);

@@ -23,7 +23,7 @@
 namespace
 {
 
-using trainer::models::KindFacts;
+using scenery::models::KindFacts;
 
 constexpr int kWidthPx = 640;
 constexpr int kHeightPx = 400;
@@ -37,7 +37,7 @@ struct View
 };
 
 /// `distanceM`: of the two views from near; 0: from where all of it is seen.
-std::vector<View> viewsOf(const trainer::models::Model& model, double distanceM)
+std::vector<View> viewsOf(const scenery::models::Model& model, double distanceM)
 {
     const double whole = std::max(2.5 * model.radiusM, 1.55 * model.heightM + 0.5 * model.radiusM);
     const double away = distanceM > 0.0 ? distanceM : whole;
@@ -68,12 +68,12 @@ osg::ref_ptr<osg::Image> pictureOf(osg::Node* scene, const View& view)
     viewer.viewer().setSceneData(scene);
     viewer.camera().setProjectionMatrixAsPerspective(view.heightDeg,
                                                      static_cast<double>(kWidthPx) / kHeightPx, 0.3, 1e5);
-    const glm::dmat4 matrix = trainer::viewFromWorld(trainer::poseLookingAt(view.eye, view.target));
+    const glm::dmat4 matrix = scenery::viewFromWorld(scenery::poseLookingAt(view.eye, view.target));
     viewer.camera().setViewMatrix(osg::Matrixd(&matrix[0][0]));
     return viewer.picture();
 }
 
-void report(const KindFacts& facts, const trainer::models::Model& model, double ms)
+void report(const KindFacts& facts, const scenery::models::Model& model, double ms)
 {
     std::printf("%-13s %6zu triangles %6zu wedges %zu surfaces  radius %5.2f m  height %5.2f m  %.1f ms\n",
                 std::string(facts.name).c_str(), model.mesh.faces.size(), model.mesh.wedgeCount(),
@@ -93,19 +93,19 @@ int main(int argc, char** argv)
     const std::uint64_t seed = argc > 3 ? std::strtoull(argv[3], nullptr, 10) : 1;
     const double distanceM = argc > 4 ? std::strtod(argv[4], nullptr) : 0.0;
     std::vector<std::filesystem::path> files;
-    for (const KindFacts& facts : trainer::models::kinds())
+    for (const KindFacts& facts : scenery::models::kinds())
     {
         if (argc > 2 && facts.name != argv[2]) continue;
         const auto before = std::chrono::steady_clock::now();
-        const trainer::models::Model model = trainer::models::generate(facts.kind, seed);
+        const scenery::models::Model model = scenery::models::generate(facts.kind, seed);
         report(facts, model,
                std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - before).count());
         for (const View& view : viewsOf(model, distanceM))
         {
             // Everything anew for each picture: objects of one context mean nothing in the next.
-            trainer::ModelStates states;
+            scenery::ModelStates states;
             const osg::ref_ptr<osgTerrainROAM::Atmosphere> air = new osgTerrainROAM::Atmosphere;
-            const auto picture = pictureOf(onPlain(*trainer::makeModelNode(model, states), *air), view);
+            const auto picture = pictureOf(onPlain(*scenery::makeModelNode(model, states), *air), view);
             files.push_back(folder / (std::string(facts.name) + "-" + view.name + ".png"));
             if (const auto written = osgOffscreen::writePng(*picture, files.back()); !written)
             {

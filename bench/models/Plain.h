@@ -14,12 +14,12 @@ inline osg::ref_ptr<osg::Group> onPlain(osg::Node& objects, osgTerrainROAM::Atmo
 {
     osg::ref_ptr<osg::Group> root = new osg::Group;
     root->setStateSet(air.stateSet());
-    root->addChild(trainer::makeSky());
-    trainer::ModelMesh slab;
+    root->addChild(scenery::makeSky());
+    scenery::ModelMesh slab;
     slab.addBox({-3e4F, -3e4F, -1.0F}, {3e4F, 3e4F, 0.0F}, {0.42F, 0.46F, 0.30F, 1.0F});
     const osg::ref_ptr<osg::Geode> ground = new osg::Geode;
     ground->addDrawable(slab.geometry());
-    trainer::setObjectShading(*ground, trainer::Finish::matt);
+    scenery::setObjectShading(*ground, scenery::Finish::matt);
     root->addChild(ground);
     root->addChild(&objects);
     return root;

@@ -9,7 +9,7 @@
 #include "scenery/models/trees/Tree.h"
 #include "scenery/models/vehicles/Vehicle.h"
 
-namespace trainer::models
+namespace scenery::models
 {
 
 namespace
@@ -74,4 +74,4 @@ Model generate(Kind kind, std::uint64_t seed)
     return {};
 }
 
-} // namespace trainer::models
+} // namespace scenery::models

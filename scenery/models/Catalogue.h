@@ -6,7 +6,7 @@
 
 #include "scenery/models/Model.h"
 
-namespace trainer::models
+namespace scenery::models
 {
 
 /// What can be generated.
@@ -42,4 +42,4 @@ const KindFacts& factsOf(Kind kind);
 /// same time. Cost: 2 to 30 ms.
 Model generate(Kind kind, std::uint64_t seed);
 
-} // namespace trainer::models
+} // namespace scenery::models

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <iterator>
 
-namespace trainer::models
+namespace scenery::models
 {
 
 /// Seeded random numbers, the same on every machine: SplitMix64 (Steele, Lea, Flood 2014), whose whole state is one word.
@@ -35,4 +35,4 @@ private:
     std::uint64_t _state;
 };
 
-} // namespace trainer::models
+} // namespace scenery::models

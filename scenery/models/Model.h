@@ -6,7 +6,7 @@
 
 #include <osgPMObjects/core/mesh/Mesh.h>
 
-namespace trainer::models
+namespace scenery::models
 {
 
 /// Every picture that the generators paint; the same for all seeds, so that thousands of models share a few textures.
@@ -64,4 +64,4 @@ struct Model
     double foundationM = 0.0; ///< how far it reaches below z = 0, for slopes
 };
 
-} // namespace trainer::models
+} // namespace scenery::models

@@ -10,7 +10,7 @@
 #include <osgPMObjects/core/mesh/MeshCheck.h>
 #include <osgPMObjects/core/mesh/MeshCounts.h>
 
-namespace trainer::models
+namespace scenery::models
 {
 
 namespace
@@ -83,4 +83,4 @@ bool isClosed(const core::Mesh& mesh, const std::string& partName)
            std::all_of(passes.begin(), passes.end(), [](const auto& p) { return p.second == 0; });
 }
 
-} // namespace trainer::models
+} // namespace scenery::models

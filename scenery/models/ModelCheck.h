@@ -5,7 +5,7 @@
 
 #include "scenery/models/Model.h"
 
-namespace trainer::models
+namespace scenery::models
 {
 
 /// What keeps a model from being one: a mesh that is none (MeshCheck.h), a wedge without a unit normal, finite texture
@@ -20,4 +20,4 @@ inline bool isModel(const Model& model)
 /// Whether the faces of all parts of a name close: every edge is passed as often one way as the other. False without such faces.
 bool isClosed(const osgPMObjects::core::Mesh& mesh, const std::string& partName);
 
-} // namespace trainer::models
+} // namespace scenery::models

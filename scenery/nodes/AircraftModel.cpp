@@ -11,7 +11,7 @@
 #include "scenery/nodes/ModelMesh.h"
 #include "scenery/nodes/ObjectShading.h"
 
-namespace trainer
+namespace scenery
 {
 
 namespace
@@ -205,4 +205,4 @@ glm::dvec3 pilotEyeInAircraft()
     return {0.45, 0.27, 1.75};
 }
 
-} // namespace trainer
+} // namespace scenery

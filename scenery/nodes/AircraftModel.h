@@ -6,7 +6,7 @@
 #include <osg/Node>
 #include <osg/Vec4f>
 
-namespace trainer
+namespace scenery
 {
 
 /// A single-engined high-wing aeroplane, 8.1 m long, 11 m span, 2.75 m high, made here of lofted sections: fuselage
@@ -19,4 +19,4 @@ osg::ref_ptr<osg::Node> makeLightAircraft(const osg::Vec4f& trim = {0.10F, 0.22F
 /// Where the pilot's eye is. Frame: the aircraft's.
 glm::dvec3 pilotEyeInAircraft();
 
-} // namespace trainer
+} // namespace scenery

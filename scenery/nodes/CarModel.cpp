@@ -13,7 +13,7 @@
 #include "scenery/nodes/ObjectShading.h"
 #include "scenery/nodes/Pose.h"
 
-namespace trainer
+namespace scenery
 {
 
 namespace
@@ -209,7 +209,7 @@ CarModel::CarModel(const osg::Vec4f& paint) : _placed(new osg::MatrixTransform)
     setState({});
 }
 
-void CarModel::setState(const EntityState& state)
+void CarModel::setState(const simulation::EntityState& state)
 {
     const glm::dmat4 placed = worldFromModel(poseOf(state));
     _placed->setMatrix(osg::Matrixd(&placed[0][0]));
@@ -236,4 +236,4 @@ glm::dvec3 driverEyeInCar(double heightM)
     return {1.25, 0.36, heightM};
 }
 
-} // namespace trainer
+} // namespace scenery

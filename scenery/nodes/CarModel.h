@@ -8,7 +8,7 @@
 
 #include "simulation/player/EntityState.h"
 
-namespace trainer
+namespace scenery
 {
 
 /// A four-door car, 4.4 m long, 1.8 m wide, 1.46 m high, wheelbase 2.65 m, made here of lofted sections: body, cabin
@@ -26,7 +26,7 @@ public:
     osg::Node* node() const { return _placed.get(); }
 
     /// Places the car and sets its wheels: rolling, steering, and their travel on uneven ground (at most 0.15 m).
-    void setState(const EntityState& state);
+    void setState(const simulation::EntityState& state);
 
 private:
     osg::ref_ptr<osg::MatrixTransform> _placed;
@@ -37,4 +37,4 @@ private:
 /// Where the driver's eye is, `heightM` above the ground. Frame: the car's.
 glm::dvec3 driverEyeInCar(double heightM = 1.5);
 
-} // namespace trainer
+} // namespace scenery

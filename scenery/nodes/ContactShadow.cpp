@@ -10,7 +10,7 @@
 
 #include "scenery/nodes/ObjectShading.h"
 
-namespace trainer
+namespace scenery
 {
 
 namespace
@@ -77,4 +77,4 @@ osg::ref_ptr<osg::Node> makeContactShadow(const osg::Vec2f& middle, float halfLe
     return shadow;
 }
 
-} // namespace trainer
+} // namespace scenery

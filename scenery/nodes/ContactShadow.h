@@ -4,7 +4,7 @@
 #include <osg/Node>
 #include <osg/Vec2f>
 
-namespace trainer
+namespace scenery
 {
 
 /// A soft dark patch on the ground under a body, as the sky's light is kept out below it. It does not depend on the
@@ -14,4 +14,4 @@ namespace trainer
 /// over half a metre.
 osg::ref_ptr<osg::Node> makeContactShadow(const osg::Vec2f& middle, float halfLengthM, float halfWidthM);
 
-} // namespace trainer
+} // namespace scenery

@@ -7,7 +7,7 @@
 
 #include <osg/Math>
 
-namespace trainer
+namespace scenery
 {
 
 namespace
@@ -206,4 +206,4 @@ osg::ref_ptr<osg::Geometry> ModelMesh::geometry() const
     return geometry;
 }
 
-} // namespace trainer
+} // namespace scenery

@@ -7,7 +7,7 @@
 
 #include <osg/Geometry>
 
-namespace trainer
+namespace scenery
 {
 
 /// A closed ring of points across a body, all rings of a loft having the same number.
@@ -69,4 +69,4 @@ private:
     std::vector<osg::Vec4f> _colours;
 };
 
-} // namespace trainer
+} // namespace scenery

@@ -14,7 +14,7 @@
 #include "scenery/models/paint/Paint.h"
 #include "scenery/nodes/ObjectShading.h"
 
-namespace trainer
+namespace scenery
 {
 
 namespace
@@ -107,4 +107,4 @@ osg::ref_ptr<osg::Group> makeModelNode(const models::Model& model, ModelStates& 
     return osgPMObjects::exportNode(model.mesh, states.statesOf(model));
 }
 
-} // namespace trainer
+} // namespace scenery

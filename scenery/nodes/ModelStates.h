@@ -11,7 +11,7 @@
 
 #include "scenery/models/Model.h"
 
-namespace trainer
+namespace scenery
 {
 
 /// The states that generated models are drawn with: one for each surface, one texture for each painting, shared by all models
@@ -36,4 +36,4 @@ private:
 /// A model as a node, in its own frame. Lit and hazed by the Atmosphere whose uniforms stand above it.
 osg::ref_ptr<osg::Group> makeModelNode(const models::Model& model, ModelStates& states);
 
-} // namespace trainer
+} // namespace scenery

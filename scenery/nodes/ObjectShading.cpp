@@ -10,7 +10,7 @@
 #include <osgPMObjects/ObjectShader>
 #include <osgTerrainROAM/Atmosphere>
 
-namespace trainer
+namespace scenery
 {
 
 namespace
@@ -107,4 +107,4 @@ void setObjectShading(osg::Node& node, Finish finish, const FlankHoles& holes)
     state->setRenderingHint(osg::StateSet::TRANSPARENT_BIN);
 }
 
-} // namespace trainer
+} // namespace scenery

@@ -4,7 +4,7 @@
 #include <osg/Node>
 #include <osg/Vec2f>
 
-namespace trainer
+namespace scenery
 {
 
 /// How an object answers to light.
@@ -33,4 +33,4 @@ struct FlankHoles
 /// Needs the uniforms of an Atmosphere above it in the graph.
 void setObjectShading(osg::Node& node, Finish finish, const FlankHoles& holes = {});
 
-} // namespace trainer
+} // namespace scenery

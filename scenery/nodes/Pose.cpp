@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scenery/nodes/Pose.h"
 
-namespace trainer
+namespace scenery
 {
 
-Pose poseOf(const EntityState& entity)
+Pose poseOf(const simulation::EntityState& entity)
 {
     return {entity.position, entity.bodyToLocal()};
 }
@@ -41,4 +41,4 @@ glm::dmat4 viewFromWorld(const Pose& eye)
     return view;
 }
 
-} // namespace trainer
+} // namespace scenery

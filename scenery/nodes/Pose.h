@@ -5,7 +5,7 @@
 
 #include "simulation/player/EntityState.h"
 
-namespace trainer
+namespace scenery
 {
 
 /// Where a body or an eye stands and how it is turned.
@@ -25,7 +25,7 @@ struct Pose
     }
 };
 
-Pose poseOf(const EntityState& entity);
+Pose poseOf(const simulation::EntityState& entity);
 
 /// An eye that looks at a place with the horizon level. Straight up or down it has west on its left.
 Pose poseLookingAt(const glm::dvec3& eyeWorld, const glm::dvec3& targetWorld);
@@ -39,4 +39,4 @@ glm::dmat4 viewFromWorld(const Pose& eye);
 /// The matrix that places a model made in the body's frame.
 glm::dmat4 worldFromModel(const Pose& body);
 
-} // namespace trainer
+} // namespace scenery

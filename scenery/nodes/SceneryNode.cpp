@@ -5,7 +5,7 @@
 
 #include "scenery/nodes/ObjectShading.h"
 
-namespace trainer
+namespace scenery
 {
 
 namespace
@@ -22,7 +22,7 @@ osg::Quat attitudeOf(const glm::dmat3& axes)
         .getRotate();
 }
 
-FieldInstance instanceOf(const scenery::Placement& placement, double groundZM, double importance)
+FieldInstance instanceOf(const Placement& placement, double groundZM, double importance)
 {
     FieldInstance instance;
     const glm::dvec3 position = placement.position - placement.axes[2] * (groundZM * placement.scale);
@@ -35,23 +35,23 @@ FieldInstance instanceOf(const scenery::Placement& placement, double groundZM, d
 
 } // namespace
 
-foundation::Result<SceneryNode> makeSceneryNode(const scenery::SceneryDescription& description,
-                                                const scenery::PlacedScenery& placed,
-                                                const SceneryShapes& shapes, const std::string& place)
+foundation::Result<SceneryNode> makeSceneryNode(const SceneryDescription& description,
+                                                const PlacedScenery& placed, const SceneryShapes& shapes,
+                                                const std::string& place)
 {
     std::vector<FieldKind> kinds;
     std::vector<FieldInstance> instances;
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> kindOf;
-    for (const scenery::Placement& placement : placed.placements)
+    for (const Placement& placement : placed.placements)
     {
-        const scenery::SceneryField& field = description.fields[placement.field];
+        const SceneryField& field = description.fields[placement.field];
         const auto [found, isNew] =
             kindOf.try_emplace({placement.field, placement.object}, static_cast<std::uint32_t>(kinds.size()));
         if (isNew)
         {
             const auto& shape = shapes.shapes[placement.object];
             const auto selection =
-                scenery::selectionFor(field.selection, shape->levels(), place + ": field " + field.name);
+                selectionFor(field.selection, shape->levels(), place + ": field " + field.name);
             if (!selection) return selection.error();
             kinds.push_back({shape, *selection, field.switching});
         }
@@ -67,4 +67,4 @@ foundation::Result<SceneryNode> makeSceneryNode(const scenery::SceneryDescriptio
     return made;
 }
 
-} // namespace trainer
+} // namespace scenery

@@ -10,7 +10,7 @@
 #include "scenery/nodes/SceneryShapes.h"
 #include "scenery/placement/PlaceScenery.h"
 
-namespace trainer
+namespace scenery
 {
 
 /// All objects of a scenery as one field, below a group that lights those without a shader of their own. Kinds are pairs of
@@ -23,8 +23,8 @@ struct SceneryNode
 };
 
 /// Errors: selection that cannot be with an object's levels, with `place` and the field's name; as ProgressiveField::setContents().
-foundation::Result<SceneryNode> makeSceneryNode(const scenery::SceneryDescription& description,
-                                                const scenery::PlacedScenery& placed,
-                                                const SceneryShapes& shapes, const std::string& place);
+foundation::Result<SceneryNode> makeSceneryNode(const SceneryDescription& description,
+                                                const PlacedScenery& placed, const SceneryShapes& shapes,
+                                                const std::string& place);
 
-} // namespace trainer
+} // namespace scenery

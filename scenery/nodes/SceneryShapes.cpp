@@ -20,7 +20,7 @@
 #include "scenery/models/Catalogue.h"
 #include "scenery/nodes/ModelStates.h"
 
-namespace trainer
+namespace scenery
 {
 
 namespace
@@ -38,9 +38,9 @@ core::ProgressiveMesh progressiveOf(core::Mesh mesh)
     return core::buildProgressiveMesh(mesh, sequence, settings);
 }
 
-scenery::Stance stanceOf(models::Kind kind)
+Stance stanceOf(models::Kind kind)
 {
-    return kind >= models::Kind::saloon ? scenery::Stance::tilted : scenery::Stance::upright;
+    return kind >= models::Kind::saloon ? Stance::tilted : Stance::upright;
 }
 
 /// Anisotropy of 4 made a frame of some thousand trees take ten times as long on llvmpipe; seen from afar and in small triangles it
@@ -102,7 +102,7 @@ double lowestOf(const core::Mesh& mesh)
     return mesh.positions.empty() ? 0.0 : lowest;
 }
 
-foundation::Outcome readFiles(const std::vector<scenery::SceneryObject>& objects, SceneryShapes& made)
+foundation::Outcome readFiles(const std::vector<SceneryObject>& objects, SceneryShapes& made)
 {
     for (std::size_t i = 0; i < objects.size(); ++i)
     {
@@ -115,14 +115,14 @@ foundation::Outcome readFiles(const std::vector<scenery::SceneryObject>& objects
         made.groundZM[i] = lowestOf(mesh);
         for (glm::dvec3& position : mesh.positions)
             position.z -= made.groundZM[i];
-        made.measures[i] = scenery::measuresOf(mesh, 0.0, scenery::Stance::upright);
+        made.measures[i] = measuresOf(mesh, 0.0, Stance::upright);
     }
     return foundation::success();
 }
 
 } // namespace
 
-foundation::Result<SceneryShapes> makeSceneryShapes(const std::vector<scenery::SceneryObject>& objects)
+foundation::Result<SceneryShapes> makeSceneryShapes(const std::vector<SceneryObject>& objects)
 {
     const auto begin = std::chrono::steady_clock::now();
     SceneryShapes made;
@@ -147,8 +147,8 @@ foundation::Result<SceneryShapes> makeSceneryShapes(const std::vector<scenery::S
                   [&](std::size_t i)
                   {
                       if (!objects[i].kind) return;
-                      made.measures[i] = scenery::measuresOf(generated[i].mesh, generated[i].foundationM,
-                                                             stanceOf(*objects[i].kind));
+                      made.measures[i] =
+                          measuresOf(generated[i].mesh, generated[i].foundationM, stanceOf(*objects[i].kind));
                       made.shapes[i] = new ProgressiveShape(progressiveOf(std::move(generated[i].mesh)),
                                                             std::move(statesOf[i]));
                   });
@@ -156,4 +156,4 @@ foundation::Result<SceneryShapes> makeSceneryShapes(const std::vector<scenery::S
     return made;
 }
 
-} // namespace trainer
+} // namespace scenery

@@ -8,7 +8,7 @@
 #include <osg/Geometry>
 #include <osg/Program>
 
-namespace trainer
+namespace scenery
 {
 
 namespace
@@ -108,4 +108,4 @@ osg::ref_ptr<osg::Node> makeSky()
     return sky;
 }
 
-} // namespace trainer
+} // namespace scenery

@@ -5,7 +5,7 @@
 
 #include <osgTerrainROAM/Atmosphere>
 
-namespace trainer
+namespace scenery
 {
 
 /// The sky: one rectangle over the whole picture, drawn behind everything else, coloured by direction with the
@@ -15,4 +15,4 @@ namespace trainer
 /// part in near and far planes, and is never culled.
 osg::ref_ptr<osg::Node> makeSky();
 
-} // namespace trainer
+} // namespace scenery

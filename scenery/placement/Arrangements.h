@@ -3,7 +3,7 @@
 
 #include "scenery/placement/Site.h"
 
-namespace trainer::scenery
+namespace scenery
 {
 
 /// Each fills the field that the site has begun. `wanted`: how many objects; placed() of the site says how many it became.
@@ -13,4 +13,4 @@ void park(Site& site, std::uint32_t wanted);
 /// As many settlements as the field's layout says, with their streets. Returns how many plots they have.
 std::uint32_t settle(Site& site);
 
-} // namespace trainer::scenery
+} // namespace scenery

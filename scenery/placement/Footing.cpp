@@ -7,7 +7,7 @@
 
 #include <foundation/Angle.h>
 
-namespace trainer::scenery
+namespace scenery
 {
 
 namespace
@@ -120,4 +120,4 @@ std::optional<Footing> standOn(const Ground& ground, const Measures& measures, g
     return footing;
 }
 
-} // namespace trainer::scenery
+} // namespace scenery

@@ -8,7 +8,7 @@
 #include "scenery/placement/Placement.h"
 #include "scenery/placement/Surroundings.h"
 
-namespace trainer::scenery
+namespace scenery
 {
 
 /// How much higher than an upright object's 0 the ground may be under it, and how far wheels may be in it. Units: metres.
@@ -35,4 +35,4 @@ struct Footing
 std::optional<Footing> standOn(const Ground& ground, const Measures& measures, glm::dvec2 place,
                                double headingRad, double scale);
 
-} // namespace trainer::scenery
+} // namespace scenery

@@ -11,7 +11,7 @@
 #include <foundation/Result.h>
 #include <nlohmann/json.hpp>
 
-namespace trainer::scenery
+namespace scenery
 {
 
 /// The first thing that is wrong in a file.
@@ -160,4 +160,4 @@ private:
     std::vector<std::string> _known;
 };
 
-} // namespace trainer::scenery
+} // namespace scenery

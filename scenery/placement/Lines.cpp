@@ -6,7 +6,7 @@
 
 #include <glm/glm.hpp>
 
-namespace trainer::scenery
+namespace scenery
 {
 
 namespace
@@ -72,4 +72,4 @@ std::vector<glm::dvec2> thinned(const std::vector<glm::dvec2>& line, double step
     return kept;
 }
 
-} // namespace trainer::scenery
+} // namespace scenery

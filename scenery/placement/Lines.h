@@ -7,7 +7,7 @@
 
 #include "scenery/placement/Surroundings.h"
 
-namespace trainer::scenery
+namespace scenery
 {
 
 /// Lines with widths, in cells, so that the nearest of many is found quickly.
@@ -40,4 +40,4 @@ private:
 /// The line without places nearer than `stepM` to the one before; its ends stay.
 std::vector<glm::dvec2> thinned(const std::vector<glm::dvec2>& line, double stepM);
 
-} // namespace trainer::scenery
+} // namespace scenery

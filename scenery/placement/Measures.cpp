@@ -6,7 +6,7 @@
 
 #include <glm/glm.hpp>
 
-namespace trainer::scenery
+namespace scenery
 {
 
 Measures measuresOf(const osgPMObjects::core::Mesh& mesh, double foundationM, Stance stance,
@@ -29,4 +29,4 @@ Measures measuresOf(const osgPMObjects::core::Mesh& mesh, double foundationM, St
     return measures;
 }
 
-} // namespace trainer::scenery
+} // namespace scenery

@@ -5,7 +5,7 @@
 
 #include <osgPMObjects/core/mesh/Mesh.h>
 
-namespace trainer::scenery
+namespace scenery
 {
 
 enum class Stance : std::uint8_t
@@ -29,4 +29,4 @@ struct Measures
 Measures measuresOf(const osgPMObjects::core::Mesh& mesh, double foundationM, Stance stance,
                     double nearGroundM = 0.4);
 
-} // namespace trainer::scenery
+} // namespace scenery

@@ -4,7 +4,7 @@
 
 #include "scenery/placement/Arrangements.h"
 
-namespace trainer::scenery
+namespace scenery
 {
 
 namespace
@@ -48,4 +48,4 @@ void park(Site& site, std::uint32_t wanted)
     }
 }
 
-} // namespace trainer::scenery
+} // namespace scenery

@@ -7,7 +7,7 @@
 
 #include "scenery/models/Dice.h"
 
-namespace trainer::scenery
+namespace scenery
 {
 
 namespace
@@ -50,4 +50,4 @@ bool isInPatch(glm::dvec2 place, double sizeM, double share, std::uint64_t seed)
     return value >= kBelow[tenth] + within * (kBelow[tenth + 1] - kBelow[tenth]);
 }
 
-} // namespace trainer::scenery
+} // namespace scenery

@@ -7,7 +7,7 @@
 
 #include "scenery/placement/Arrangements.h"
 
-namespace trainer::scenery
+namespace scenery
 {
 
 namespace
@@ -81,4 +81,4 @@ PlacedScenery placeScenery(const SceneryDescription& description, std::span<cons
     return placed;
 }
 
-} // namespace trainer::scenery
+} // namespace scenery

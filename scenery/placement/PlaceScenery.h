@@ -10,7 +10,7 @@
 #include "scenery/placement/SceneryDescription.h"
 #include "scenery/placement/Surroundings.h"
 
-namespace trainer::scenery
+namespace scenery
 {
 
 /// What became of one field.
@@ -37,4 +37,4 @@ struct PlacedScenery
 PlacedScenery placeScenery(const SceneryDescription& description, std::span<const Measures> measures,
                            const Ground& ground, const Ways& ways);
 
-} // namespace trainer::scenery
+} // namespace scenery

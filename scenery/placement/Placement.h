@@ -6,7 +6,7 @@
 
 #include <glm/glm.hpp>
 
-namespace trainer::scenery
+namespace scenery
 {
 
 /// One object in its place. Frame: the scene's east-north-up; `axes`: the object's forward, left and up. Units: metres.
@@ -28,4 +28,4 @@ inline glm::dmat3 uprightAxes(double headingRad)
     return {{c, s, 0.0}, {-s, c, 0.0}, {0.0, 0.0, 1.0}};
 }
 
-} // namespace trainer::scenery
+} // namespace scenery

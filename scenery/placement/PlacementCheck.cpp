@@ -8,7 +8,7 @@
 #include "scenery/placement/Footing.h"
 #include "scenery/placement/TakenDiscs.h"
 
-namespace trainer::scenery
+namespace scenery
 {
 
 namespace
@@ -136,4 +136,4 @@ std::string defectOf(const PlacedScenery& placed, const SceneryDescription& desc
     return {};
 }
 
-} // namespace trainer::scenery
+} // namespace scenery

@@ -6,7 +6,7 @@
 
 #include "scenery/placement/PlaceScenery.h"
 
-namespace trainer::scenery
+namespace scenery
 {
 
 /// What keeps a placed scenery from being one: rooms that overlap (each core against each room), an object in a corridor or on a street,
@@ -16,4 +16,4 @@ namespace trainer::scenery
 std::string defectOf(const PlacedScenery& placed, const SceneryDescription& description,
                      std::span<const Measures> measures, const Ground& ground, const Ways& ways);
 
-} // namespace trainer::scenery
+} // namespace scenery

@@ -7,7 +7,7 @@
 #include "scenery/placement/ReadSelection.h"
 #include "scenery/placement/ReadWhere.h"
 
-namespace trainer::scenery
+namespace scenery
 {
 
 namespace
@@ -73,4 +73,4 @@ SceneryField readField(const json& object, const std::string& pointer, const std
     return field;
 }
 
-} // namespace trainer::scenery
+} // namespace scenery

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scenery/placement/ReadObjects.h"
 
-namespace trainer::scenery
+namespace scenery
 {
 
 namespace
@@ -51,4 +51,4 @@ void readObjects(JsonFields& parent, const std::filesystem::path& folder, std::v
     }
 }
 
-} // namespace trainer::scenery
+} // namespace scenery

@@ -6,11 +6,11 @@
 #include "scenery/placement/JsonFields.h"
 #include "scenery/placement/SceneryDescription.h"
 
-namespace trainer::scenery
+namespace scenery
 {
 
 /// The member `objects` of a field: kinds with seeds, and files relative to `folder`.
 void readObjects(JsonFields& parent, const std::filesystem::path& folder,
                  std::vector<SceneryObject>& objects);
 
-} // namespace trainer::scenery
+} // namespace scenery

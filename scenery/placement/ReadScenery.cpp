@@ -7,7 +7,7 @@
 #include "scenery/placement/ReadField.h"
 #include "scenery/placement/ReadSelection.h"
 
-namespace trainer::scenery
+namespace scenery
 {
 
 namespace
@@ -89,4 +89,4 @@ foundation::Result<SceneryDescription> readScenery(const std::filesystem::path& 
     return parseScenery(text, file);
 }
 
-} // namespace trainer::scenery
+} // namespace scenery

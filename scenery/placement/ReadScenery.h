@@ -9,7 +9,7 @@
 
 #include "scenery/placement/SceneryDescription.h"
 
-namespace trainer::scenery
+namespace scenery
 {
 
 /// A description from its JSON text (docs/reference/scenery-file.md); reads no other file. `name`: of the file, for messages; what it names is
@@ -20,4 +20,4 @@ foundation::Result<SceneryDescription> parseScenery(std::string_view text, const
 /// Errors: cannot be read, larger than 4 MB; as parseScenery().
 foundation::Result<SceneryDescription> readScenery(const std::filesystem::path& file);
 
-} // namespace trainer::scenery
+} // namespace scenery

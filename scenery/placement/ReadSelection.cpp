@@ -4,7 +4,7 @@
 #include <array>
 #include <functional>
 
-namespace trainer::scenery
+namespace scenery
 {
 
 namespace
@@ -123,4 +123,4 @@ void readBudget(JsonFields& parent, SceneBudgetSettings& budget)
     budget.budget = static_cast<std::uint64_t>(byTime ? ms * 1e6 : triangles);
 }
 
-} // namespace trainer::scenery
+} // namespace scenery

@@ -7,7 +7,7 @@
 #include "scenery/placement/JsonFields.h"
 #include "scenery/placement/SelectionPlan.h"
 
-namespace trainer::scenery
+namespace scenery
 {
 
 /// The members `selection`, `switching` and `budget` of a description; what is not there stays as it is.
@@ -15,4 +15,4 @@ void readSelection(JsonFields& parent, SelectionPlan& plan);
 void readSwitching(JsonFields& parent, osgPMObjects::core::SwitchSettings& switching);
 void readBudget(JsonFields& parent, osgPMObjects::core::SceneBudgetSettings& budget);
 
-} // namespace trainer::scenery
+} // namespace scenery

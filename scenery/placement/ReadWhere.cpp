@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scenery/placement/ReadWhere.h"
 
-namespace trainer::scenery
+namespace scenery
 {
 
 namespace
@@ -69,4 +69,4 @@ void readWhere(JsonFields& parent, Where& where)
             fields.complaint().say(fields.at("covers"), "has something that is no text", "write names");
 }
 
-} // namespace trainer::scenery
+} // namespace scenery

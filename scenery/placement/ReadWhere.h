@@ -4,7 +4,7 @@
 #include "scenery/placement/JsonFields.h"
 #include "scenery/placement/SceneryDescription.h"
 
-namespace trainer::scenery
+namespace scenery
 {
 
 /// A member `[least, most]`, both within a range; what is not there stays as it is.
@@ -13,4 +13,4 @@ void readSpan(JsonFields& parent, const char* name, Span& span, double least, do
 /// The member `where` of a field, likewise.
 void readWhere(JsonFields& parent, Where& where);
 
-} // namespace trainer::scenery
+} // namespace scenery

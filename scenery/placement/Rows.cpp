@@ -4,7 +4,7 @@
 
 #include "scenery/placement/Arrangements.h"
 
-namespace trainer::scenery
+namespace scenery
 {
 
 namespace
@@ -42,4 +42,4 @@ void plantRows(Site& site, std::uint32_t wanted)
     }
 }
 
-} // namespace trainer::scenery
+} // namespace scenery

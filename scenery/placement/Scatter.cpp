@@ -3,7 +3,7 @@
 
 #include "scenery/placement/Arrangements.h"
 
-namespace trainer::scenery
+namespace scenery
 {
 
 namespace
@@ -26,4 +26,4 @@ void scatter(Site& site, std::uint32_t wanted)
     }
 }
 
-} // namespace trainer::scenery
+} // namespace scenery

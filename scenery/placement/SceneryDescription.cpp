@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace trainer::scenery
+namespace scenery
 {
 
 std::vector<SceneryObject> objectsOf(const SceneryDescription& description)
@@ -15,4 +15,4 @@ std::vector<SceneryObject> objectsOf(const SceneryDescription& description)
     return all;
 }
 
-} // namespace trainer::scenery
+} // namespace scenery

@@ -15,7 +15,7 @@
 #include "scenery/models/Catalogue.h"
 #include "scenery/placement/SelectionPlan.h"
 
-namespace trainer::scenery
+namespace scenery
 {
 
 /// One thing to be placed: a generated model, or a file. Exactly one of `kind` and `file` is there.
@@ -110,4 +110,4 @@ struct SceneryDescription
 /// Every object that some field has, once, in the order in which they come up.
 std::vector<SceneryObject> objectsOf(const SceneryDescription& description);
 
-} // namespace trainer::scenery
+} // namespace scenery

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace trainer::scenery
+namespace scenery
 {
 
 using osgPMObjects::core::LevelTable;
@@ -64,4 +64,4 @@ foundation::Result<SelectionSettings> selectionFor(const SelectionPlan& plan, co
     return settings;
 }
 
-} // namespace trainer::scenery
+} // namespace scenery

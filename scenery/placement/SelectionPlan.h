@@ -8,7 +8,7 @@
 
 #include <osgPMObjects/core/selection/SelectionSettings.h>
 
-namespace trainer::scenery
+namespace scenery
 {
 
 /// Selection as people write it, for models that are not known yet: levels are shares of the full model's faces.
@@ -29,4 +29,4 @@ foundation::Result<osgPMObjects::core::SelectionSettings>
 selectionFor(const SelectionPlan& plan, const osgPMObjects::core::LevelTable& table,
              const std::string& place);
 
-} // namespace trainer::scenery
+} // namespace scenery

@@ -6,7 +6,7 @@
 
 #include "scenery/placement/Arrangements.h"
 
-namespace trainer::scenery
+namespace scenery
 {
 
 namespace
@@ -136,4 +136,4 @@ std::uint32_t settle(Site& site)
     return plots;
 }
 
-} // namespace trainer::scenery
+} // namespace scenery

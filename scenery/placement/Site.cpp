@@ -7,7 +7,7 @@
 #include "scenery/placement/Footing.h"
 #include "scenery/placement/Patches.h"
 
-namespace trainer::scenery
+namespace scenery
 {
 
 namespace
@@ -152,4 +152,4 @@ void Site::addStreet(const Corridor& street)
     _streets.emplace_back(_number, street);
 }
 
-} // namespace trainer::scenery
+} // namespace scenery

@@ -10,7 +10,7 @@
 #include "scenery/placement/PlaceScenery.h"
 #include "scenery/placement/TakenDiscs.h"
 
-namespace trainer::scenery
+namespace scenery
 {
 
 /// A land while it is filled, field by field.
@@ -71,4 +71,4 @@ private:
     std::vector<std::uint32_t> _fieldObjects; ///< of _objects
 };
 
-} // namespace trainer::scenery
+} // namespace scenery

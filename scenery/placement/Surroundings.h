@@ -9,7 +9,7 @@
 
 #include <glm/vec2.hpp>
 
-namespace trainer::scenery
+namespace scenery
 {
 
 /// What objects stand on. Functions must give the same answer for the same place always.
@@ -42,4 +42,4 @@ struct Ways
     std::vector<std::vector<glm::dvec2>> paths; ///< of entities, airborne ones too
 };
 
-} // namespace trainer::scenery
+} // namespace scenery

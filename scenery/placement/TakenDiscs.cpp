@@ -6,7 +6,7 @@
 
 #include <glm/glm.hpp>
 
-namespace trainer::scenery
+namespace scenery
 {
 
 double leastDistanceM(const Disc& a, const Disc& b)
@@ -44,4 +44,4 @@ void TakenDiscs::take(const Disc& disc)
     _mostRoomM = std::max(_mostRoomM, disc.roomM);
 }
 
-} // namespace trainer::scenery
+} // namespace scenery

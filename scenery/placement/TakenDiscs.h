@@ -7,7 +7,7 @@
 
 #include <glm/vec2.hpp>
 
-namespace trainer::scenery
+namespace scenery
 {
 
 /// The room of an object: nobody's room reaches into its core.
@@ -36,4 +36,4 @@ private:
     double _mostRoomM = 0.0;
 };
 
-} // namespace trainer::scenery
+} // namespace scenery

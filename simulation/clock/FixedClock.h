@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-namespace trainer
+namespace simulation
 {
 
 /// Time as a whole number of equal steps: no sum of fractions, so no drift, and two runs agree to the last
@@ -35,4 +35,4 @@ private:
     std::int64_t _step = 0;
 };
 
-} // namespace trainer
+} // namespace simulation

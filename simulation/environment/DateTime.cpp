@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdio>
 
-namespace trainer
+namespace simulation
 {
 namespace
 {
@@ -136,4 +136,4 @@ std::string formatDateTime(const DateTime& dateTime)
     return text.data();
 }
 
-} // namespace trainer
+} // namespace simulation

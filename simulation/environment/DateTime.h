@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace trainer
+namespace simulation
 {
 
 /// An instant, UTC, on the proleptic Gregorian calendar without leap seconds.
@@ -30,4 +30,4 @@ std::optional<DateTime> parseDateTime(std::string_view text);
 /// The inverse, in UTC with milliseconds: 2025-06-13T04:00:00.000Z.
 std::string formatDateTime(const DateTime& dateTime);
 
-} // namespace trainer
+} // namespace simulation

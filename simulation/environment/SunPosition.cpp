@@ -5,7 +5,7 @@
 
 #include <foundation/Angle.h>
 
-namespace trainer
+namespace simulation
 {
 namespace
 {
@@ -73,4 +73,4 @@ SunDirection sunDirection(const DateTime& utc, double latitudeDeg, double longit
             foundation::degreesOf(std::asin(std::fmin(1.0, std::fmax(-1.0, sinElevation))))};
 }
 
-} // namespace trainer
+} // namespace simulation

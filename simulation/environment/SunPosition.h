@@ -3,7 +3,7 @@
 
 #include "simulation/environment/DateTime.h"
 
-namespace trainer
+namespace simulation
 {
 
 /// Where the sun stands in an observer's sky.
@@ -34,4 +34,4 @@ SunEquatorial sunEquatorial(double julianEphemerisDay);
 /// Greenwich mean sidereal time of a Julian day of universal time. Units: degrees, 0…360.
 double greenwichSiderealDeg(double julianDay);
 
-} // namespace trainer
+} // namespace simulation

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "simulation/geodesy/LocalFrame.h"
 
-namespace trainer
+namespace simulation
 {
 
 LocalFrame::LocalFrame(const Geodetic& origin)
@@ -25,4 +25,4 @@ Geodetic LocalFrame::geodeticFromLocal(const glm::dvec3& local) const
     return geodetic;
 }
 
-} // namespace trainer
+} // namespace simulation

@@ -4,7 +4,7 @@
 #include <GeographicLib/LocalCartesian.hpp>
 #include <glm/glm.hpp>
 
-namespace trainer
+namespace simulation
 {
 
 /// WGS84 position. Units: degrees, metres above the ellipsoid.
@@ -35,4 +35,4 @@ private:
     GeographicLib::LocalCartesian _cartesian;
 };
 
-} // namespace trainer
+} // namespace simulation

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <system_error>
 
-namespace trainer
+namespace simulation
 {
 namespace
 {
@@ -126,4 +126,4 @@ CatalogVisit::~CatalogVisit()
     _context.popScope();
 }
 
-} // namespace trainer
+} // namespace simulation

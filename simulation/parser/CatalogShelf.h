@@ -13,7 +13,7 @@
 #include "simulation/parser/ParseContext.h"
 #include "simulation/parser/XmlSource.h"
 
-namespace trainer
+namespace simulation
 {
 
 /// The catalogue files of a scenario: regular .xosc files directly in the folders that CatalogLocations
@@ -65,4 +65,4 @@ private:
     pugi::xml_node _entry;
 };
 
-} // namespace trainer
+} // namespace simulation

@@ -3,7 +3,7 @@
 
 #include "simulation/parser/ElementReader.h"
 
-namespace trainer
+namespace simulation
 {
 
 // One function per element of the language that the model has room for: from the element to the plain value.
@@ -20,4 +20,4 @@ Trigger parseTrigger(ElementReader reader);                         // ParseCond
 ScenarioObject parseScenarioObject(ElementReader reader);           // ParseEntity.cpp
 Storyboard parseStoryboard(ElementReader reader);                   // ParseStoryboard.cpp
 
-} // namespace trainer
+} // namespace simulation

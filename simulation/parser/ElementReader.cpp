@@ -6,7 +6,7 @@
 
 #include "simulation/parser/Expression.h"
 
-namespace trainer
+namespace simulation
 {
 namespace
 {
@@ -157,4 +157,4 @@ void ElementReader::unknownWord(const char* attribute, const std::string& word)
                     "use one of the language's words");
 }
 
-} // namespace trainer
+} // namespace simulation

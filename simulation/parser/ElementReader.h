@@ -11,7 +11,7 @@
 #include "simulation/parser/Keywords.h"
 #include "simulation/parser/ParseContext.h"
 
-namespace trainer
+namespace simulation
 {
 
 /// Typed access to one element, parameters put in. What is missing or wrong becomes a problem of the context,
@@ -70,4 +70,4 @@ private:
     std::optional<std::string> substituted(const char* attribute);
 };
 
-} // namespace trainer
+} // namespace simulation

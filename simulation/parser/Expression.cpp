@@ -8,7 +8,7 @@
 #include <cmath>
 #include <vector>
 
-namespace trainer
+namespace simulation
 {
 namespace
 {
@@ -282,4 +282,4 @@ foundation::Result<double> evaluateExpression(std::string_view text, const Param
     return Evaluator(text, lookup).run();
 }
 
-} // namespace trainer
+} // namespace simulation

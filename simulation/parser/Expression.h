@@ -8,7 +8,7 @@
 
 #include <foundation/Result.h>
 
-namespace trainer
+namespace simulation
 {
 
 /// Text of a parameter by its name without `$`; nothing when there is none.
@@ -27,4 +27,4 @@ std::string formatNumber(double value);
 /// linear; nesting deeper than 64 is an error. Source: ASAM OpenSCENARIO XML 1.3, "Expressions".
 foundation::Result<double> evaluateExpression(std::string_view text, const ParameterLookup& lookup);
 
-} // namespace trainer
+} // namespace simulation

@@ -9,7 +9,7 @@
 #include "simulation/scenario/Condition.h"
 #include "simulation/scenario/Storyboard.h"
 
-namespace trainer
+namespace simulation
 {
 
 /// The words of the language for the values of an enumeration. The first word of a value is the one written.
@@ -77,4 +77,4 @@ constexpr std::string_view wordFor(const Keywords<Value, Count>& keywords, Value
     return {};
 }
 
-} // namespace trainer
+} // namespace simulation

@@ -2,7 +2,7 @@
 #include "simulation/parser/CatalogShelf.h"
 #include "simulation/parser/ElementParsers.h"
 
-namespace trainer
+namespace simulation
 {
 namespace
 {
@@ -81,4 +81,4 @@ GlobalAction parseGlobalAction(ElementReader reader)
     return unsupported(content, "action");
 }
 
-} // namespace trainer
+} // namespace simulation

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "simulation/parser/ElementParsers.h"
 
-namespace trainer
+namespace simulation
 {
 namespace
 {
@@ -59,4 +59,4 @@ Trigger parseTrigger(ElementReader reader)
     return trigger;
 }
 
-} // namespace trainer
+} // namespace simulation

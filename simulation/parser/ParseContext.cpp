@@ -5,7 +5,7 @@
 #include "simulation/parser/Expression.h"
 #include "simulation/parser/Keywords.h"
 
-namespace trainer
+namespace simulation
 {
 namespace
 {
@@ -98,4 +98,4 @@ void ParseContext::checkConstraints(pugi::xml_node declaration, const std::strin
         invalid(declaration, "the value " + value + " breaks the parameter's constraints", "change it");
 }
 
-} // namespace trainer
+} // namespace simulation

@@ -14,7 +14,7 @@
 #include "simulation/parser/XmlSource.h"
 #include "simulation/scenario/Scenario.h"
 
-namespace trainer
+namespace simulation
 {
 
 class CatalogShelf;
@@ -79,4 +79,4 @@ private:
     ParseContext& _context;
 };
 
-} // namespace trainer
+} // namespace simulation

@@ -2,7 +2,7 @@
 #include "simulation/parser/CatalogShelf.h"
 #include "simulation/parser/ElementParsers.h"
 
-namespace trainer
+namespace simulation
 {
 namespace
 {
@@ -140,4 +140,4 @@ ScenarioObject parseScenarioObject(ElementReader reader)
     return object;
 }
 
-} // namespace trainer
+} // namespace simulation

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "simulation/parser/ElementParsers.h"
 
-namespace trainer
+namespace simulation
 {
 namespace
 {
@@ -82,4 +82,4 @@ Environment parseEnvironment(ElementReader reader)
     return environment;
 }
 
-} // namespace trainer
+} // namespace simulation

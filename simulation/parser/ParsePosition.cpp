@@ -5,7 +5,7 @@
 
 #include "simulation/parser/ElementParsers.h"
 
-namespace trainer
+namespace simulation
 {
 namespace
 {
@@ -71,4 +71,4 @@ Position parsePosition(ElementReader reader)
     return Unsupported{content.context.line(content.node), content.node.name()};
 }
 
-} // namespace trainer
+} // namespace simulation

@@ -6,7 +6,7 @@
 #include "simulation/parser/CatalogShelf.h"
 #include "simulation/parser/ElementParsers.h"
 
-namespace trainer
+namespace simulation
 {
 namespace
 {
@@ -110,4 +110,4 @@ foundation::Result<ParsedScenario> parseScenario(std::string_view text, const st
     return parseSource(**source, CatalogShelf(std::nullopt), options);
 }
 
-} // namespace trainer
+} // namespace simulation

@@ -12,7 +12,7 @@
 
 #include "simulation/scenario/Scenario.h"
 
-namespace trainer
+namespace simulation
 {
 
 struct ParseOptions
@@ -59,4 +59,4 @@ foundation::Result<ParsedScenario> readScenario(const std::filesystem::path& fil
 foundation::Result<ParsedScenario> parseScenario(std::string_view text, const std::string& name,
                                                  const ParseOptions& options = {});
 
-} // namespace trainer
+} // namespace simulation

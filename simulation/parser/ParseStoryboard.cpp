@@ -2,7 +2,7 @@
 #include "simulation/parser/CatalogShelf.h"
 #include "simulation/parser/ElementParsers.h"
 
-namespace trainer
+namespace simulation
 {
 namespace
 {
@@ -149,4 +149,4 @@ Storyboard parseStoryboard(ElementReader reader)
     return storyboard;
 }
 
-} // namespace trainer
+} // namespace simulation

@@ -2,7 +2,7 @@
 #include "simulation/parser/CatalogShelf.h"
 #include "simulation/parser/ElementParsers.h"
 
-namespace trainer
+namespace simulation
 {
 namespace
 {
@@ -117,4 +117,4 @@ FollowTrajectoryAction parseFollowTrajectory(ElementReader reader)
     return action;
 }
 
-} // namespace trainer
+} // namespace simulation

@@ -5,7 +5,7 @@
 #include <fstream>
 #include <system_error>
 
-namespace trainer
+namespace simulation
 {
 namespace
 {
@@ -99,4 +99,4 @@ foundation::Outcome XmlSource::checkDepth() const
     return foundation::success();
 }
 
-} // namespace trainer
+} // namespace simulation

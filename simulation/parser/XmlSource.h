@@ -11,7 +11,7 @@
 #include <foundation/Result.h>
 #include <pugixml.hpp>
 
-namespace trainer
+namespace simulation
 {
 
 /// A parsed XML text that knows on which line each of its elements stands.
@@ -40,4 +40,4 @@ private:
     std::vector<std::ptrdiff_t> _newlines; ///< offsets, ascending
 };
 
-} // namespace trainer
+} // namespace simulation

@@ -5,7 +5,7 @@
 #include <cassert>
 #include <utility>
 
-namespace trainer
+namespace simulation
 {
 
 CubicSpline::CubicSpline(std::vector<double> knots, std::vector<double> values, Kind kind)
@@ -60,4 +60,4 @@ CubicSpline::Sample CubicSpline::at(double parameter) const
     return sample;
 }
 
-} // namespace trainer
+} // namespace simulation

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace trainer
+namespace simulation
 {
 
 /// A value as a function of one parameter through given knots, exact at every knot.
@@ -49,4 +49,4 @@ private:
     std::vector<double> _second; ///< second derivatives at the knots
 };
 
-} // namespace trainer
+} // namespace simulation

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace trainer
+namespace simulation
 {
 namespace
 {
@@ -147,4 +147,4 @@ void EntityMotion::settle(double timeS)
         _state.wheelRotationDeg = std::fmod(glm::degrees(_state.odometerM / _wheelRadiusM), 360.0);
 }
 
-} // namespace trainer
+} // namespace simulation

@@ -11,7 +11,7 @@
 #include "simulation/player/TrajectoryRun.h"
 #include "simulation/scenario/Entity.h"
 
-namespace trainer
+namespace simulation
 {
 
 /// Moves one entity: along a trajectory where it has one, else straight ahead, at the speed that its last speed action
@@ -59,4 +59,4 @@ private:
     std::int64_t _lastTicket = 0;
 };
 
-} // namespace trainer
+} // namespace simulation

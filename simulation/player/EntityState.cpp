@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace trainer
+namespace simulation
 {
 
 glm::dmat3 EntityState::bodyToLocal() const
@@ -26,4 +26,4 @@ double EntityState::compassDeg() const
     return compass < 0.0 ? compass + 360.0 : compass;
 }
 
-} // namespace trainer
+} // namespace simulation

@@ -6,7 +6,7 @@
 
 #include <glm/glm.hpp>
 
-namespace trainer
+namespace simulation
 {
 
 /// Where an entity is and how it moves at one instant.
@@ -39,4 +39,4 @@ struct EntityState
     double compassDeg() const;
 };
 
-} // namespace trainer
+} // namespace simulation

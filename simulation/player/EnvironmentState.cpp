@@ -5,7 +5,7 @@
 
 #include <foundation/Angle.h>
 
-namespace trainer
+namespace simulation
 {
 namespace
 {
@@ -52,4 +52,4 @@ EnvironmentState EnvironmentClock::at(double timeS) const
     return state;
 }
 
-} // namespace trainer
+} // namespace simulation

@@ -9,7 +9,7 @@
 #include "simulation/geodesy/LocalFrame.h"
 #include "simulation/scenario/Environment.h"
 
-namespace trainer
+namespace simulation
 {
 
 /// Sky and air at one instant.
@@ -43,4 +43,4 @@ private:
     double _setAtS = 0.0;
 };
 
-} // namespace trainer
+} // namespace simulation

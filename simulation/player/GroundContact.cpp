@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace trainer
+namespace simulation
 {
 namespace
 {
@@ -64,4 +64,4 @@ void standOnGround(const GroundContact& contact, const SceneFrame& frame, Entity
     state = placed;
 }
 
-} // namespace trainer
+} // namespace simulation

@@ -7,7 +7,7 @@
 #include "simulation/player/SceneFrame.h"
 #include "simulation/scenario/Entity.h"
 
-namespace trainer
+namespace simulation
 {
 
 /// Where an entity touches the ground: four points of its body, at height 0 of its own frame.
@@ -28,4 +28,4 @@ struct GroundContact
 /// The points keep their distances along the slope: pitch and roll are found in three rounds, from level.
 void standOnGround(const GroundContact& contact, const SceneFrame& frame, EntityState& state);
 
-} // namespace trainer
+} // namespace simulation

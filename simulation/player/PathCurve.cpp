@@ -7,7 +7,7 @@
 
 #include "simulation/player/PathHeadings.h"
 
-namespace trainer
+namespace simulation
 {
 namespace
 {
@@ -169,4 +169,4 @@ double PathCurve::parameterAt(double distanceM) const
     return _parameters[i - 1] + share * (_parameters[i] - _parameters[i - 1]);
 }
 
-} // namespace trainer
+} // namespace simulation

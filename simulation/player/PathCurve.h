@@ -10,7 +10,7 @@
 #include "simulation/player/PathVertex.h"
 #include "simulation/scenario/Trajectory.h"
 
-namespace trainer
+namespace simulation
 {
 
 /// A place on a path. Frame: the scene's. Units: metres, radians; tangent and bend per unit of the parameter.
@@ -69,4 +69,4 @@ private:
     std::vector<double> _distances;
 };
 
-} // namespace trainer
+} // namespace simulation

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <utility>
 
-namespace trainer
+namespace simulation
 {
 namespace
 {
@@ -94,4 +94,4 @@ std::optional<CubicSpline> segmentHeadings(const std::vector<PathVertex>& vertic
     return knots.spline();
 }
 
-} // namespace trainer
+} // namespace simulation

@@ -7,7 +7,7 @@
 #include "simulation/player/CubicSpline.h"
 #include "simulation/player/PathVertex.h"
 
-namespace trainer
+namespace simulation
 {
 
 // Angles along a path as splines over its parameter, unwrapped, in radians. Where nothing can be said: nothing.
@@ -24,4 +24,4 @@ std::optional<CubicSpline> givenHeadings(const std::vector<PathVertex>& vertices
 /// Source: as above, for vertices without headings.
 std::optional<CubicSpline> segmentHeadings(const std::vector<PathVertex>& vertices);
 
-} // namespace trainer
+} // namespace simulation

@@ -5,7 +5,7 @@
 
 #include "simulation/scenario/Position.h"
 
-namespace trainer
+namespace simulation
 {
 
 /// A vertex of a polyline, placed in the scene.
@@ -16,4 +16,4 @@ struct PathVertex
     Orientation orientation;
 };
 
-} // namespace trainer
+} // namespace simulation

@@ -6,7 +6,7 @@
 
 #include "simulation/player/TrajectoryRun.h"
 
-namespace trainer
+namespace simulation
 {
 namespace
 {
@@ -147,4 +147,4 @@ foundation::Outcome checkPlayable(const Scenario& scenario, const SceneFrame& fr
     return Walk(scenario, frame, name).run();
 }
 
-} // namespace trainer
+} // namespace simulation

@@ -8,7 +8,7 @@
 #include "simulation/player/SceneFrame.h"
 #include "simulation/scenario/Scenario.h"
 
-namespace trainer
+namespace simulation
 {
 
 /// Whether a scenario can be played in a scene: every position has a place, every trajectory can be run, every
@@ -16,4 +16,4 @@ namespace trainer
 /// Errors: the first that cannot, as `name:line`.
 foundation::Outcome checkPlayable(const Scenario& scenario, const SceneFrame& frame, const std::string& name);
 
-} // namespace trainer
+} // namespace simulation

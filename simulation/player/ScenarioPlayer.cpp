@@ -7,7 +7,7 @@
 #include "simulation/player/ScenarioCheck.h"
 #include "simulation/player/StoryboardRunner.h"
 
-namespace trainer
+namespace simulation
 {
 
 /// Everything that moves: the player's inside, and the performer of the storyboard's actions.
@@ -150,4 +150,4 @@ bool ScenarioPlayer::isFinished() const
     return _stage->isFinished();
 }
 
-} // namespace trainer
+} // namespace simulation

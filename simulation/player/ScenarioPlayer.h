@@ -15,7 +15,7 @@
 #include "simulation/player/StoryboardElements.h"
 #include "simulation/scenario/Scenario.h"
 
-namespace trainer
+namespace simulation
 {
 
 struct PlayerOptions
@@ -65,4 +65,4 @@ private:
     std::unique_ptr<Stage> _stage;
 };
 
-} // namespace trainer
+} // namespace simulation

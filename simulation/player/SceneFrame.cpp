@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-namespace trainer
+namespace simulation
 {
 namespace
 {
@@ -81,4 +81,4 @@ Orientation orientationOf(const Position& position)
     return {};
 }
 
-} // namespace trainer
+} // namespace simulation

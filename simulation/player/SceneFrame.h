@@ -9,7 +9,7 @@
 #include "simulation/geodesy/LocalFrame.h"
 #include "simulation/scenario/Position.h"
 
-namespace trainer
+namespace simulation
 {
 
 /// The ground at a place. Frame: the scene's.
@@ -52,4 +52,4 @@ private:
 /// The orientation that a position carries; empty for an unsupported one.
 Orientation orientationOf(const Position& position);
 
-} // namespace trainer
+} // namespace simulation

@@ -5,7 +5,7 @@
 #include <limits>
 #include <numbers>
 
-namespace trainer
+namespace simulation
 {
 namespace
 {
@@ -68,4 +68,4 @@ double SpeedProfile::distanceAt(double timeS) const
     return even + change * 0.5 * s * s;
 }
 
-} // namespace trainer
+} // namespace simulation

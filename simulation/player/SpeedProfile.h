@@ -3,7 +3,7 @@
 
 #include "simulation/scenario/Action.h"
 
-namespace trainer
+namespace simulation
 {
 
 /// Speed over time while it goes from one value to another, in closed form: no sum over steps.
@@ -33,4 +33,4 @@ private:
     DynamicsShape _shape = DynamicsShape::step;
 };
 
-} // namespace trainer
+} // namespace simulation

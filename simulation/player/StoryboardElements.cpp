@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace trainer
+namespace simulation
 {
 namespace
 {
@@ -85,4 +85,4 @@ bool StoryboardElements::is(const StoryboardElementStateCondition& condition) co
                        { return made.element == element && made.transition == condition.state; });
 }
 
-} // namespace trainer
+} // namespace simulation

@@ -9,7 +9,7 @@
 #include "simulation/scenario/Condition.h"
 #include "simulation/scenario/SourceLine.h"
 
-namespace trainer
+namespace simulation
 {
 
 /// One line of the log: an element of the storyboard changed its state.
@@ -76,4 +76,4 @@ private:
     std::vector<StoryboardLogEntry> _log;
 };
 
-} // namespace trainer
+} // namespace simulation

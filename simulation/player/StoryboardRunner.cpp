@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace trainer
+namespace simulation
 {
 namespace
 {
@@ -240,4 +240,4 @@ void StoryboardRunner::stopAct(ActRun& act)
         _elements.set(act.element, State::completeState, State::stopTransition);
 }
 
-} // namespace trainer
+} // namespace simulation

@@ -10,7 +10,7 @@
 #include "simulation/player/TriggerWatch.h"
 #include "simulation/scenario/Storyboard.h"
 
-namespace trainer
+namespace simulation
 {
 
 /// An action that someone was told to perform.
@@ -107,4 +107,4 @@ private:
     bool _isFinished = false;
 };
 
-} // namespace trainer
+} // namespace simulation

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-namespace trainer
+namespace simulation
 {
 namespace
 {
@@ -121,4 +121,4 @@ double TrajectoryRun::timedSpeedMps() const
     return _hasBegun ? glm::length(_curve.at(_parameter).tangent) / _timing->scale : 0.0;
 }
 
-} // namespace trainer
+} // namespace simulation

@@ -10,7 +10,7 @@
 #include "simulation/player/SceneFrame.h"
 #include "simulation/scenario/Action.h"
 
-namespace trainer
+namespace simulation
 {
 
 /// One entity on its way along a trajectory, by the vertices' times or at a speed of its own.
@@ -47,4 +47,4 @@ private:
     bool _hasBegun = true;
 };
 
-} // namespace trainer
+} // namespace simulation

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "simulation/player/TriggerWatch.h"
 
-namespace trainer
+namespace simulation
 {
 namespace
 {
@@ -76,4 +76,4 @@ bool TriggerWatch::updateCondition(const Condition& condition, Memory& memory, c
     return memory.changes.front().timeS <= then && memory.changes.front().value;
 }
 
-} // namespace trainer
+} // namespace simulation

@@ -7,7 +7,7 @@
 
 #include "simulation/scenario/Condition.h"
 
-namespace trainer
+namespace simulation
 {
 
 /// What conditions are about, at one instant.
@@ -52,4 +52,4 @@ private:
     std::vector<Memory> _memories; ///< of all conditions, group after group
 };
 
-} // namespace trainer
+} // namespace simulation

@@ -7,7 +7,7 @@
 #include "simulation/scenario/Environment.h"
 #include "simulation/scenario/Trajectory.h"
 
-namespace trainer
+namespace simulation
 {
 
 struct TeleportAction
@@ -87,4 +87,4 @@ using GlobalAction = std::variant<EnvironmentAction, Unsupported>;
 
 using Action = std::variant<PrivateAction, GlobalAction>;
 
-} // namespace trainer
+} // namespace simulation

@@ -7,7 +7,7 @@
 
 #include "simulation/scenario/SourceLine.h"
 
-namespace trainer
+namespace simulation
 {
 
 enum class Rule
@@ -117,4 +117,4 @@ struct Trigger
     bool operator==(const Trigger&) const = default;
 };
 
-} // namespace trainer
+} // namespace simulation

@@ -3,7 +3,7 @@
 
 #include <type_traits>
 
-namespace trainer
+namespace simulation
 {
 namespace
 {
@@ -58,4 +58,4 @@ bool ScenarioObject::isAirborne() const
     return properties().find("domain") == "air";
 }
 
-} // namespace trainer
+} // namespace simulation

@@ -11,7 +11,7 @@
 
 #include "simulation/scenario/SourceLine.h"
 
-namespace trainer
+namespace simulation
 {
 
 /// Frame: the entity's: x forward, y left, z up, about its reference point (for a vehicle the rear axle's
@@ -116,4 +116,4 @@ struct ScenarioObject
     bool isAirborne() const;
 };
 
-} // namespace trainer
+} // namespace simulation

@@ -7,7 +7,7 @@
 #include "simulation/environment/DateTime.h"
 #include "simulation/scenario/SourceLine.h"
 
-namespace trainer
+namespace simulation
 {
 
 struct TimeOfDay
@@ -70,4 +70,4 @@ struct Environment
     bool operator==(const Environment&) const = default;
 };
 
-} // namespace trainer
+} // namespace simulation

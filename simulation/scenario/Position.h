@@ -6,7 +6,7 @@
 
 #include "simulation/scenario/SourceLine.h"
 
-namespace trainer
+namespace simulation
 {
 
 /// Angles as OpenSCENARIO has them; one that is missing follows from the path or the ground.
@@ -53,4 +53,4 @@ struct GeoPosition
 
 using Position = std::variant<WorldPosition, GeoPosition, Unsupported>;
 
-} // namespace trainer
+} // namespace simulation

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace trainer
+namespace simulation
 {
 
 int Scenario::entityIndex(const std::string& name) const
@@ -25,4 +25,4 @@ bool Scenario::isConsistent() const
     return true;
 }
 
-} // namespace trainer
+} // namespace simulation

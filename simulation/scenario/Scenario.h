@@ -7,7 +7,7 @@
 #include "simulation/scenario/Entity.h"
 #include "simulation/scenario/Storyboard.h"
 
-namespace trainer
+namespace simulation
 {
 
 struct FileHeader
@@ -58,4 +58,4 @@ struct Scenario
     bool isConsistent() const;
 };
 
-} // namespace trainer
+} // namespace simulation

@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace trainer
+namespace simulation
 {
 
 /// Where in its file an element of a scenario stood; 0 for an element that no file holds.
@@ -25,4 +25,4 @@ struct Unsupported
     bool operator==(const Unsupported&) const = default;
 };
 
-} // namespace trainer
+} // namespace simulation

@@ -8,7 +8,7 @@
 #include "simulation/scenario/Action.h"
 #include "simulation/scenario/Condition.h"
 
-namespace trainer
+namespace simulation
 {
 
 /// Private actions of one entity at time 0.
@@ -108,4 +108,4 @@ struct Storyboard
     bool operator==(const Storyboard&) const = default;
 };
 
-} // namespace trainer
+} // namespace simulation

@@ -8,7 +8,7 @@
 
 #include "simulation/scenario/Position.h"
 
-namespace trainer
+namespace simulation
 {
 
 struct Vertex
@@ -68,4 +68,4 @@ enum class FollowingMode
     follow,
 };
 
-} // namespace trainer
+} // namespace simulation

@@ -9,7 +9,7 @@
 
 #include <foundation/Angle.h>
 
-namespace trainer
+namespace simulation
 {
 namespace
 {
@@ -177,4 +177,4 @@ std::vector<FlightPlan> flightPlans(const TourTerrain& terrain, const ReliefMap&
     return inside.empty() ? outside : inside;
 }
 
-} // namespace trainer
+} // namespace simulation

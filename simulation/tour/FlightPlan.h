@@ -8,7 +8,7 @@
 #include "simulation/tour/ReliefMap.h"
 #include "simulation/tour/TourScale.h"
 
-namespace trainer
+namespace simulation
 {
 
 /// The plan (from above) of a flight, sampled at equal distances from 0 to the scale's length.
@@ -27,4 +27,4 @@ struct FlightPlan
 /// Cost: some thousand plans of 24 fans of 25 looks. Deterministic: ties go to the first found.
 std::vector<FlightPlan> flightPlans(const TourTerrain& terrain, const ReliefMap& map, const TourScale& scale);
 
-} // namespace trainer
+} // namespace simulation

@@ -11,7 +11,7 @@
 
 #include "simulation/player/PathCurve.h"
 
-namespace trainer
+namespace simulation
 {
 namespace
 {
@@ -192,4 +192,4 @@ std::vector<glm::dvec2> gentleTrack(const TourTerrain& terrain, const glm::dvec2
     return evenly(places, spacingM);
 }
 
-} // namespace trainer
+} // namespace simulation

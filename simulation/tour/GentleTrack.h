@@ -7,7 +7,7 @@
 
 #include "simulation/tour/TourTerrain.h"
 
-namespace trainer
+namespace simulation
 {
 
 /// A track for a vehicle from one place to another: the cheapest of all ways over a grid of at most 256² nodes, where a
@@ -19,4 +19,4 @@ namespace trainer
 std::vector<glm::dvec2> gentleTrack(const TourTerrain& terrain, const glm::dvec2& from, const glm::dvec2& to,
                                     double spacingM);
 
-} // namespace trainer
+} // namespace simulation

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-namespace trainer
+namespace simulation
 {
 namespace
 {
@@ -171,4 +171,4 @@ HeightProfile heightProfile(const FlightPlan& plan, const TourTerrain& terrain, 
     return profile;
 }
 
-} // namespace trainer
+} // namespace simulation

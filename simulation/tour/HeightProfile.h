@@ -7,7 +7,7 @@
 #include "simulation/tour/TourScale.h"
 #include "simulation/tour/TourTerrain.h"
 
-namespace trainer
+namespace simulation
 {
 
 /// Heights along a flight plan: a high overview, down through a medium height to a low pass, and up again, all above
@@ -31,4 +31,4 @@ struct HeightProfile
 
 HeightProfile heightProfile(const FlightPlan& plan, const TourTerrain& terrain, const TourScale& scale);
 
-} // namespace trainer
+} // namespace simulation

@@ -7,7 +7,7 @@
 #include "simulation/tour/GentleTrack.h"
 #include "simulation/tour/TourScenario.h"
 
-namespace trainer
+namespace simulation
 {
 namespace
 {
@@ -123,4 +123,4 @@ foundation::Result<Tour> layDrive(const TourTerrain& terrain, const DriveOptions
     return tour;
 }
 
-} // namespace trainer
+} // namespace simulation

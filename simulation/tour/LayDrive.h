@@ -6,7 +6,7 @@
 
 #include "simulation/tour/TourTerrain.h"
 
-namespace trainer
+namespace simulation
 {
 
 struct DriveOptions
@@ -24,4 +24,4 @@ struct DriveOptions
 /// Errors: places beyond the extent, or closer than 20 m to each other; a duration below 1 s.
 foundation::Result<Tour> layDrive(const TourTerrain& terrain, const DriveOptions& options);
 
-} // namespace trainer
+} // namespace simulation

@@ -8,7 +8,7 @@
 #include "simulation/tour/HeightProfile.h"
 #include "simulation/tour/TourScenario.h"
 
-namespace trainer
+namespace simulation
 {
 namespace
 {
@@ -131,4 +131,4 @@ foundation::Result<Tour> layTour(const TourTerrain& terrain, const TourOptions& 
     return tour;
 }
 
-} // namespace trainer
+} // namespace simulation

@@ -5,7 +5,7 @@
 
 #include "simulation/tour/TourTerrain.h"
 
-namespace trainer
+namespace simulation
 {
 
 struct TourOptions
@@ -23,4 +23,4 @@ struct TourOptions
 /// Errors: a terrain without extent or heights that are not finite, a duration out of range.
 foundation::Result<Tour> layTour(const TourTerrain& terrain, const TourOptions& options = {});
 
-} // namespace trainer
+} // namespace simulation

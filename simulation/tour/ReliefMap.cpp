@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace trainer
+namespace simulation
 {
 namespace
 {
@@ -159,4 +159,4 @@ void ReliefMap::blur()
         }
 }
 
-} // namespace trainer
+} // namespace simulation

@@ -5,7 +5,7 @@
 
 #include "simulation/tour/TourTerrain.h"
 
-namespace trainer
+namespace simulation
 {
 
 /// A coarse look at a terrain: where it is high and rugged. At most 160 cells along the longer side.
@@ -58,4 +58,4 @@ private:
     std::vector<double> _interest;
 };
 
-} // namespace trainer
+} // namespace simulation

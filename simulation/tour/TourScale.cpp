@@ -6,7 +6,7 @@
 
 #include <foundation/Angle.h>
 
-namespace trainer
+namespace simulation
 {
 namespace
 {
@@ -37,4 +37,4 @@ TourScale TourScale::of(const TourTerrain& terrain, double durationS)
     return scale;
 }
 
-} // namespace trainer
+} // namespace simulation

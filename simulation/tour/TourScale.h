@@ -3,7 +3,7 @@
 
 #include "simulation/tour/TourTerrain.h"
 
-namespace trainer
+namespace simulation
 {
 
 /// The sizes of a flight that suit a terrain: how fast, how high, how tight.
@@ -24,4 +24,4 @@ struct TourScale
     static TourScale of(const TourTerrain& terrain, double durationS);
 };
 
-} // namespace trainer
+} // namespace simulation

@@ -8,7 +8,7 @@
 
 #include "simulation/environment/SunPosition.h"
 
-namespace trainer
+namespace simulation
 {
 namespace
 {
@@ -106,4 +106,4 @@ Scenario tourScenario(const TourTerrain& terrain, ScenarioObject ownship,
     return scenario;
 }
 
-} // namespace trainer
+} // namespace simulation

@@ -6,7 +6,7 @@
 #include "simulation/player/PathCurve.h"
 #include "simulation/tour/TourTerrain.h"
 
-namespace trainer
+namespace simulation
 {
 
 /// A scenario in which one entity runs along vertices (parameter: seconds), under a summer's sky.
@@ -17,4 +17,4 @@ Scenario tourScenario(const TourTerrain& terrain, ScenarioObject ownship,
 /// Sun to the side and somewhat behind who moves along `headingRad`; air clear enough for the extent.
 Environment tourEnvironment(const TourTerrain& terrain, double headingRad);
 
-} // namespace trainer
+} // namespace simulation

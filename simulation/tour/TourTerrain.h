@@ -9,7 +9,7 @@
 #include "simulation/geodesy/LocalFrame.h"
 #include "simulation/scenario/Scenario.h"
 
-namespace trainer
+namespace simulation
 {
 
 /// A terrain as whoever lays a path over it sees it.
@@ -45,4 +45,4 @@ struct Tour
     glm::dvec3 highlight{0.0}; ///< what a flight heads for
 };
 
-} // namespace trainer
+} // namespace simulation

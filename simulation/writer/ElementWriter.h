@@ -10,7 +10,7 @@
 #include "simulation/parser/Expression.h"
 #include "simulation/scenario/Scenario.h"
 
-namespace trainer
+namespace simulation
 {
 
 /// Builds an XML tree, one element at a time. Remembers the first content that cannot be written.
@@ -64,4 +64,4 @@ void writeGlobalAction(ElementWriter parent, const GlobalAction& action);     //
 void writeScenarioObject(ElementWriter parent, const ScenarioObject& object); // WriteEntity.cpp
 void writeStoryboard(ElementWriter parent, const Storyboard& storyboard);     // WriteStoryboard.cpp
 
-} // namespace trainer
+} // namespace simulation

@@ -2,7 +2,7 @@
 #include "simulation/parser/Keywords.h"
 #include "simulation/writer/ElementWriter.h"
 
-namespace trainer
+namespace simulation
 {
 namespace
 {
@@ -138,4 +138,4 @@ void writeGlobalAction(ElementWriter parent, const GlobalAction& action)
     std::visit([&](const auto& content) { writeContent(element, content); }, action);
 }
 
-} // namespace trainer
+} // namespace simulation

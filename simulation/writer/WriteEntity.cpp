@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "simulation/writer/ElementWriter.h"
 
-namespace trainer
+namespace simulation
 {
 namespace
 {
@@ -87,4 +87,4 @@ void writeScenarioObject(ElementWriter parent, const ScenarioObject& object)
     std::visit([&](const auto& content) { writeObject(element, content); }, object.object);
 }
 
-} // namespace trainer
+} // namespace simulation

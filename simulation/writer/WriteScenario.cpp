@@ -5,7 +5,7 @@
 
 #include "simulation/writer/ElementWriter.h"
 
-namespace trainer
+namespace simulation
 {
 
 foundation::Result<std::string> scenarioText(const Scenario& scenario)
@@ -46,4 +46,4 @@ foundation::Result<std::string> scenarioText(const Scenario& scenario)
     return text.str();
 }
 
-} // namespace trainer
+} // namespace simulation

@@ -7,7 +7,7 @@
 
 #include "simulation/scenario/Scenario.h"
 
-namespace trainer
+namespace simulation
 {
 
 /// The scenario as OpenSCENARIO XML 1.3: reading the text back strictly gives an equal model, but for the
@@ -15,4 +15,4 @@ namespace trainer
 /// the model keeps only by name (Unsupported).
 foundation::Result<std::string> scenarioText(const Scenario& scenario);
 
-} // namespace trainer
+} // namespace simulation

@@ -2,7 +2,7 @@
 #include "simulation/parser/Keywords.h"
 #include "simulation/writer/ElementWriter.h"
 
-namespace trainer
+namespace simulation
 {
 namespace
 {
@@ -117,4 +117,4 @@ void writeStoryboard(ElementWriter parent, const Storyboard& storyboard)
     writeTrigger(element, "StopTrigger", storyboard.stopTrigger);
 }
 
-} // namespace trainer
+} // namespace simulation

@@ -10,7 +10,7 @@
 // NOLINTNEXTLINE(readability-identifier-naming): the name is libFuzzer's
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
-    using namespace trainer::scenery;
+    using namespace scenery;
     const auto read = parseScenery({reinterpret_cast<const char*>(data), size}, "fuzz.json");
     if (!read)
     {

@@ -18,27 +18,27 @@ namespace
 
 constexpr int kSteps = 50;
 
-trainer::PlayerOptions fuzzStage()
+simulation::PlayerOptions fuzzStage()
 {
-    trainer::PlayerOptions options;
-    options.origin = trainer::Geodetic{46.5, 8.0, 0.0};
-    options.clock = trainer::FixedClock(10);
-    options.ground = [](double east, double north) -> std::optional<trainer::GroundSample>
+    simulation::PlayerOptions options;
+    options.origin = simulation::Geodetic{46.5, 8.0, 0.0};
+    options.clock = simulation::FixedClock(10);
+    options.ground = [](double east, double north) -> std::optional<simulation::GroundSample>
     {
         if (!(std::fabs(east) < 1e4 && std::fabs(north) < 1e4)) return std::nullopt;
-        return trainer::GroundSample{100.0 + 0.1 * east - 0.05 * north};
+        return simulation::GroundSample{100.0 + 0.1 * east - 0.05 * north};
     };
     return options;
 }
 
 /// What the writer makes of a scenario must read back as the same.
-void checkRoundTrip(const trainer::Scenario& scenario)
+void checkRoundTrip(const simulation::Scenario& scenario)
 {
-    const auto text = trainer::scenarioText(scenario);
+    const auto text = simulation::scenarioText(scenario);
     if (!text) std::abort(); // a strict reading leaves nothing that cannot be written
-    const auto again = trainer::parseScenario(*text, "again");
+    const auto again = simulation::parseScenario(*text, "again");
     if (!again) std::abort();
-    trainer::Scenario expected = scenario;
+    simulation::Scenario expected = scenario;
     expected.header.revMajor = 1;
     expected.header.revMinor = 3;
     if (!(again->scenario == expected)) std::abort();
@@ -52,13 +52,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const std::string_view text(reinterpret_cast<const char*>(data), size);
     for (const bool tolerant : {false, true})
     {
-        trainer::ParseOptions options;
+        simulation::ParseOptions options;
         options.tolerant = tolerant;
-        const auto parsed = trainer::parseScenario(text, "fuzz", options);
+        const auto parsed = simulation::parseScenario(text, "fuzz", options);
         if (!parsed) continue;
         if (!tolerant && !parsed->scenario.isConsistent()) std::abort();
         if (!tolerant) checkRoundTrip(parsed->scenario);
-        auto player = trainer::ScenarioPlayer::create(parsed->scenario, fuzzStage());
+        auto player = simulation::ScenarioPlayer::create(parsed->scenario, fuzzStage());
         for (int i = 0; player && i < kSteps; ++i)
             (*player)->step();
     }

@@ -144,7 +144,7 @@ TEST(XoscReplay, CorpusAndMutationsNeitherCrashNorHang)
         {
             const std::string text = mutated(seed, texts, random);
             run(text);
-            if (trainer::parseScenario(text, "mutation")) ++readable;
+            if (simulation::parseScenario(text, "mutation")) ++readable;
         }
     }
     EXPECT_GE(runs, 2000u);

@@ -61,7 +61,7 @@ INSTANTIATE_TEST_SUITE_P(
                     "",
                     {"bad.xosc: ", "SceneGraphFile", "--terrain FILE"}},
         BadScenario{"NoEntities",
-                    "<ScenarioObject name=\"Ego\">" + trainer::kCar + "</ScenarioObject>",
+                    "<ScenarioObject name=\"Ego\">" + simulation::kCar + "</ScenarioObject>",
                     "",
                     {"bad.xosc"}},
         BadScenario{"SceneMissing", "hill.tif", "hole.tif", {"hole.tif: ", "no such file"}},

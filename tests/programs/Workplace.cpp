@@ -61,10 +61,10 @@ std::vector<std::string> Workplace::files() const
 
 std::string driveText(const std::string& scene)
 {
-    trainer::ScenarioText text;
-    text.privates =
-        "\n" + trainer::teleport("<WorldPosition x=\"-600\" y=\"0\"/>") + "\n" + trainer::speedAction(15.0);
-    text.stop = trainer::stopAt(0.25);
+    simulation::ScenarioText text;
+    text.privates = "\n" + simulation::teleport("<WorldPosition x=\"-600\" y=\"0\"/>") + "\n" +
+                    simulation::speedAction(15.0);
+    text.stop = simulation::stopAt(0.25);
     return with(text.text(), "<RoadNetwork/>",
                 "<RoadNetwork><SceneGraphFile filepath=\"" + scene + "\"/></RoadNetwork>");
 }

@@ -24,12 +24,12 @@ struct ViewScene
         : atmosphere(new osgTerrainROAM::Atmosphere(air)), root(new osg::Group)
     {
         root->setStateSet(atmosphere->stateSet());
-        root->addChild(trainer::makeSky());
-        trainer::ModelMesh slab;
+        root->addChild(scenery::makeSky());
+        scenery::ModelMesh slab;
         slab.addBox({-1.5e5F, -1.5e5F, -1.0F}, {1.5e5F, 1.5e5F, 0.0F}, {0.5F, 0.5F, 0.5F, 1.0F});
         const osg::ref_ptr<osg::Geode> ground = new osg::Geode;
         ground->addDrawable(slab.geometry());
-        trainer::setObjectShading(*ground, trainer::Finish::matt);
+        scenery::setObjectShading(*ground, scenery::Finish::matt);
         root->addChild(ground);
     }
 
@@ -38,7 +38,7 @@ struct ViewScene
 };
 
 /// A picture of a scene from an eye, 40° high.
-inline osg::ref_ptr<osg::Image> pictureFrom(osg::Node* scene, const trainer::Pose& eye,
+inline osg::ref_ptr<osg::Image> pictureFrom(osg::Node* scene, const scenery::Pose& eye,
                                             const osgOffscreen::OffscreenSettings& settings)
 {
     auto made = osgOffscreen::OffscreenViewer::create(settings);
@@ -51,7 +51,7 @@ inline osg::ref_ptr<osg::Image> pictureFrom(osg::Node* scene, const trainer::Pos
     viewer.viewer().setSceneData(scene);
     viewer.camera().setProjectionMatrixAsPerspective(
         40.0, static_cast<double>(settings.widthPx) / settings.heightPx, 0.5, 2e5);
-    const glm::dmat4 view = trainer::viewFromWorld(eye);
+    const glm::dmat4 view = scenery::viewFromWorld(eye);
     viewer.camera().setViewMatrix(osg::Matrixd(&view[0][0]));
     return viewer.picture();
 }

@@ -46,7 +46,7 @@ ViewSetup singleChannel(int widthPx, int heightPx, double verticalDeg)
     return setup;
 }
 
-Pose channelEye(const Channel& channel, const Pose& eye)
+scenery::Pose channelEye(const Channel& channel, const scenery::Pose& eye)
 {
     // To the right is negative about z (up), upwards negative about y (left), right side down positive about x.
     const double cy = std::cos(foundation::radiansOf(-channel.yawDeg));

@@ -61,7 +61,7 @@ FrustumAngles symmetricFrustumY(double verticalDeg, int widthPx, int heightPx);
 ViewSetup singleChannel(int widthPx, int heightPx, double verticalDeg = 40.0);
 
 /// The channel's own eye.
-Pose channelEye(const Channel& channel, const Pose& eye);
+scenery::Pose channelEye(const Channel& channel, const scenery::Pose& eye);
 
 /// OpenGL's projection matrix.
 glm::dmat4 channelProjection(const Channel& channel, double nearM, double farM);

@@ -44,11 +44,11 @@ ChannelRig::ChannelRig(osgViewer::View& view, ViewSetup setup,
     }
 }
 
-void ChannelRig::setEye(const Pose& eye)
+void ChannelRig::setEye(const scenery::Pose& eye)
 {
-    _master->setViewMatrix(toOsg(viewFromWorld(eye)));
+    _master->setViewMatrix(toOsg(scenery::viewFromWorld(eye)));
     for (std::size_t i = 0; i < _cameras.size(); ++i)
-        _cameras[i]->setViewMatrix(toOsg(viewFromWorld(channelEye(_setup.channels[i], eye))));
+        _cameras[i]->setViewMatrix(toOsg(scenery::viewFromWorld(channelEye(_setup.channels[i], eye))));
 }
 
 } // namespace trainer

@@ -23,7 +23,7 @@ public:
                const std::vector<osg::ref_ptr<osg::GraphicsContext>>& contexts);
 
     /// For the next frame.
-    void setEye(const Pose& eye);
+    void setEye(const scenery::Pose& eye);
 
     const ViewSetup& setup() const { return _setup; }
     const std::vector<osg::ref_ptr<osg::Camera>>& cameras() const { return _cameras; }

@@ -29,7 +29,7 @@ glm::dvec3 ChaseCamera::follow(const glm::dvec3& forward, double dtS)
 }
 
 double ChaseCamera::liftFor(const glm::dvec3& eye, const glm::dvec3& target,
-                            const GroundProvider& ground) const
+                            const simulation::GroundProvider& ground) const
 {
     if (!ground) return 0.0;
     double lift = 0.0;
@@ -37,7 +37,7 @@ double ChaseCamera::liftFor(const glm::dvec3& eye, const glm::dvec3& target,
     {
         const double share = static_cast<double>(i) / kSightSamples; // 1 at the eye
         const glm::dvec3 place = target + (eye - target) * share;
-        const std::optional<GroundSample> under = ground(place.x, place.y);
+        const std::optional<simulation::GroundSample> under = ground(place.x, place.y);
         if (!under) continue;
         const bool isEye = i == kSightSamples;
         const double clearance = _settings.clearanceM * (isEye ? 1.0 : kSightShare * share);
@@ -47,7 +47,8 @@ double ChaseCamera::liftFor(const glm::dvec3& eye, const glm::dvec3& target,
     return lift;
 }
 
-Pose ChaseCamera::update(const Pose& body, double dtS, const GroundProvider& ground)
+scenery::Pose ChaseCamera::update(const scenery::Pose& body, double dtS,
+                                  const simulation::GroundProvider& ground)
 {
     const bool isFirst = _course == glm::dvec3(0.0);
     _course = follow(body.forward(), dtS);
@@ -58,7 +59,7 @@ Pose ChaseCamera::update(const Pose& body, double dtS, const GroundProvider& gro
     const double needed = liftFor(eye, target, ground);
     _liftM = std::max(needed, isFirst ? 0.0 : _liftM * std::exp(-dtS / _settings.settleTimeS));
     eye.z += _liftM;
-    return poseLookingAt(eye, target);
+    return scenery::poseLookingAt(eye, target);
 }
 
 } // namespace trainer

@@ -33,11 +33,12 @@ public:
     explicit ChaseCamera(const ChaseSettings& settings) : _settings(settings) {}
 
     /// The eye `dtS` after the one before; the first update starts right behind the body. `ground` may be empty.
-    Pose update(const Pose& body, double dtS, const GroundProvider& ground);
+    scenery::Pose update(const scenery::Pose& body, double dtS, const simulation::GroundProvider& ground);
 
 private:
     glm::dvec3 follow(const glm::dvec3& forward, double dtS);
-    double liftFor(const glm::dvec3& eye, const glm::dvec3& target, const GroundProvider& ground) const;
+    double liftFor(const glm::dvec3& eye, const glm::dvec3& target,
+                   const simulation::GroundProvider& ground) const;
 
     ChaseSettings _settings;
     glm::dvec3 _course{0.0}; ///< smoothed forward direction; zero before the first update

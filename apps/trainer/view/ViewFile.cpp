@@ -38,7 +38,7 @@ constexpr Range kDistances{0.01, 1e7};
 class ViewReader
 {
 public:
-    explicit ViewReader(const XmlSource& source) : _source(source) {}
+    explicit ViewReader(const simulation::XmlSource& source) : _source(source) {}
 
     Result<ViewSetup> read();
 
@@ -54,7 +54,7 @@ private:
     FrustumAngles offAxis(pugi::xml_node node);
     void checkChannels(pugi::xml_node root, const ViewSetup& setup);
 
-    const XmlSource& _source;
+    const simulation::XmlSource& _source;
     std::optional<Error> _error;
 };
 
@@ -81,10 +81,11 @@ double ViewReader::number(pugi::xml_node node, const char* attribute, const Rang
 {
     const pugi::xml_attribute found = node.attribute(attribute);
     if (!found && fallback) return *fallback;
-    const std::string rangeText = formatNumber(range.least) + " to " + formatNumber(range.most);
+    const std::string rangeText =
+        simulation::formatNumber(range.least) + " to " + simulation::formatNumber(range.most);
     if (!found)
         fail(node, std::string(node.name()) + " has no " + attribute, "give a number from " + rangeText);
-    else if (const std::optional<double> value = parseNumber(found.value());
+    else if (const std::optional<double> value = simulation::parseNumber(found.value());
              value && *value >= range.least && *value <= range.most)
         return *value;
     else
@@ -200,7 +201,7 @@ Result<ViewSetup> ViewReader::read()
     return setup;
 }
 
-Result<ViewSetup> setupOf(const Result<std::unique_ptr<XmlSource>>& source)
+Result<ViewSetup> setupOf(const Result<std::unique_ptr<simulation::XmlSource>>& source)
 {
     if (!source) return source.error();
     return ViewReader(**source).read();
@@ -210,12 +211,12 @@ Result<ViewSetup> setupOf(const Result<std::unique_ptr<XmlSource>>& source)
 
 Result<ViewSetup> readView(const std::filesystem::path& file)
 {
-    return setupOf(XmlSource::read(file, kMostBytes));
+    return setupOf(simulation::XmlSource::read(file, kMostBytes));
 }
 
 Result<ViewSetup> parseView(std::string_view text, const std::string& name)
 {
-    return setupOf(XmlSource::parse(text, name));
+    return setupOf(simulation::XmlSource::parse(text, name));
 }
 
 } // namespace trainer

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scenery/models/houses/DetailAtlas.h"
 
-namespace trainer::models
+namespace scenery::models
 {
 
 CellUv uvOf(Detail detail)
@@ -13,4 +13,4 @@ CellUv uvOf(Detail detail)
     return {low + kInset, low + 1.0F / kDetailColumns - kInset};
 }
 
-} // namespace trainer::models
+} // namespace scenery::models

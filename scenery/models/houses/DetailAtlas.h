@@ -7,7 +7,7 @@
 
 #include "scenery/models/Model.h"
 
-namespace trainer::models
+namespace scenery::models
 {
 
 /// The cells of the picture houseDetails, 4 × 4, from the lower left: what walls have in them and roofs have on them.
@@ -44,4 +44,4 @@ constexpr int kDetailColumns = 4;
 /// What windows, doors, gutters and chimneys are drawn with.
 inline const Surface kHouseDetails{Painting::houseDetails, Coat::matt};
 
-} // namespace trainer::models
+} // namespace scenery::models

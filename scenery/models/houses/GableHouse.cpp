@@ -13,7 +13,7 @@
 #include "scenery/models/mesh/Box.h"
 #include "scenery/models/mesh/Tube.h"
 
-namespace trainer::models
+namespace scenery::models
 {
 
 namespace
@@ -122,4 +122,4 @@ Model makeFamilyHouse(std::uint64_t seed)
     return builder.finish();
 }
 
-} // namespace trainer::models
+} // namespace scenery::models

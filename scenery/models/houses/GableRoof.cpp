@@ -7,7 +7,7 @@
 #include "scenery/models/mesh/Box.h"
 #include "scenery/models/mesh/Tube.h"
 
-namespace trainer::models
+namespace scenery::models
 {
 
 namespace
@@ -89,4 +89,4 @@ void addGableRoof(ModelBuilder& builder, const GableRoof& roof, const Surface& t
     }
 }
 
-} // namespace trainer::models
+} // namespace scenery::models

@@ -3,7 +3,7 @@
 
 #include "scenery/models/mesh/ModelBuilder.h"
 
-namespace trainer::models
+namespace scenery::models
 {
 
 /// A saddle roof: a slab bent along its ridge. `base`: below the ridge, at the height where the slab's underside meets the
@@ -30,4 +30,4 @@ constexpr double kRoofPictureM = 2.4;
 void addGableRoof(ModelBuilder& builder, const GableRoof& roof, const Surface& tiles, const glm::vec3& tint,
                   bool hasGutters);
 
-} // namespace trainer::models
+} // namespace scenery::models

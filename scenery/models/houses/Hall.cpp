@@ -9,7 +9,7 @@
 #include "scenery/models/houses/HouseShell.h"
 #include "scenery/models/mesh/Box.h"
 
-namespace trainer::models
+namespace scenery::models
 {
 
 namespace
@@ -131,4 +131,4 @@ Model makeHall(std::uint64_t seed)
     return builder.finish();
 }
 
-} // namespace trainer::models
+} // namespace scenery::models

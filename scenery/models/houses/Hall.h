@@ -5,7 +5,7 @@
 
 #include "scenery/models/Model.h"
 
-namespace trainer::models
+namespace scenery::models
 {
 
 /// A barn of planks on a stone plinth with double doors in its long side and its gable. Pure. Surfaces: planks, details, roof tiles.
@@ -15,4 +15,4 @@ Model makeBarn(std::uint64_t seed);
 /// roof. Pure. Surfaces: sheet metal, details, roof metal.
 Model makeHall(std::uint64_t seed);
 
-} // namespace trainer::models
+} // namespace scenery::models

@@ -5,7 +5,7 @@
 
 #include <glm/vec3.hpp>
 
-namespace trainer::models
+namespace scenery::models
 {
 
 /// What houses are painted with. Units: display values, multiplied with the pictures, which are light.
@@ -21,4 +21,4 @@ inline constexpr std::array kDoorTints{glm::vec3(0.42F, 0.26F, 0.16F), glm::vec3
 inline constexpr std::array kSheetTints{glm::vec3(0.80F, 0.83F, 0.85F), glm::vec3(0.62F, 0.70F, 0.78F),
                                         glm::vec3(0.86F, 0.84F, 0.76F), glm::vec3(0.66F, 0.74F, 0.66F)};
 
-} // namespace trainer::models
+} // namespace scenery::models

@@ -5,7 +5,7 @@
 #include "scenery/models/mesh/Box.h"
 #include "scenery/models/mesh/Tube.h"
 
-namespace trainer::models
+namespace scenery::models
 {
 
 namespace
@@ -83,4 +83,4 @@ void addShell(ModelBuilder& builder, const HouseShell& shell)
     if (shell.hasGutters) addDownpipes(builder, shell);
 }
 
-} // namespace trainer::models
+} // namespace scenery::models

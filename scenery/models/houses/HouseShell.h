@@ -7,7 +7,7 @@
 #include "scenery/models/houses/GableRoof.h"
 #include "scenery/models/houses/Wall.h"
 
-namespace trainer::models
+namespace scenery::models
 {
 
 /// A rectangular house below one saddle roof, about the z axis, the ridge along x. Units: metres.
@@ -33,4 +33,4 @@ void addShell(ModelBuilder& builder, const HouseShell& shell);
 constexpr double kFoundationM = 1.0;
 constexpr double kPlinthM = 0.30;
 
-} // namespace trainer::models
+} // namespace scenery::models

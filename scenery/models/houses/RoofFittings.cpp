@@ -8,7 +8,7 @@
 #include "scenery/models/mesh/Box.h"
 #include "scenery/models/mesh/Tube.h"
 
-namespace trainer::models
+namespace scenery::models
 {
 
 namespace
@@ -104,4 +104,4 @@ void addDormer(ModelBuilder& builder, const HouseShell& shell, double atX, doubl
     addGableRoof(builder, roof, shell.roofSurface, shell.roofTint, false);
 }
 
-} // namespace trainer::models
+} // namespace scenery::models

@@ -3,7 +3,7 @@
 
 #include "scenery/models/houses/HouseShell.h"
 
-namespace trainer::models
+namespace scenery::models
 {
 
 /// A chimney of bricks through the roof at a place, with its pots.
@@ -15,4 +15,4 @@ void addGableWindows(ModelBuilder& builder, const HouseShell& shell);
 /// A dormer with a saddle roof of its own on the front slope, its window `insideM` in from the wall.
 void addDormer(ModelBuilder& builder, const HouseShell& shell, double atX, double insideM);
 
-} // namespace trainer::models
+} // namespace scenery::models

@@ -7,7 +7,7 @@
 #include "scenery/models/houses/RoofFittings.h"
 #include "scenery/models/mesh/Box.h"
 
-namespace trainer::models
+namespace scenery::models
 {
 
 namespace
@@ -129,4 +129,4 @@ Model makeTownHouses(std::uint64_t seed)
     return builder.finish();
 }
 
-} // namespace trainer::models
+} // namespace scenery::models

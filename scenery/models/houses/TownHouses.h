@@ -5,11 +5,11 @@
 
 #include "scenery/models/Model.h"
 
-namespace trainer::models
+namespace scenery::models
 {
 
 /// A row of two to four town houses wall to wall, three to five storeys each, shops on the ground floor, cornices, dormers,
 /// chimneys on the party walls. Seeds choose all of that and the colours. Pure. Surfaces: plaster, details, roof tiles.
 Model makeTownHouses(std::uint64_t seed);
 
-} // namespace trainer::models
+} // namespace scenery::models

@@ -5,7 +5,7 @@
 
 #include "scenery/models/mesh/Box.h"
 
-namespace trainer::models
+namespace scenery::models
 {
 
 namespace
@@ -145,4 +145,4 @@ void addSills(ModelBuilder& builder, const Wall& wall)
     }
 }
 
-} // namespace trainer::models
+} // namespace scenery::models

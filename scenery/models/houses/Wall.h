@@ -6,7 +6,7 @@
 #include "scenery/models/houses/DetailAtlas.h"
 #include "scenery/models/mesh/ModelBuilder.h"
 
-namespace trainer::models
+namespace scenery::models
 {
 
 /// A hole in a wall with something in it. Units: metres; along the wall, and heights.
@@ -47,4 +47,4 @@ void addSills(ModelBuilder& builder, const Wall& wall);
 /// Whether a detail takes the tint of doors instead of that of window frames.
 bool isDoor(Detail detail);
 
-} // namespace trainer::models
+} // namespace scenery::models

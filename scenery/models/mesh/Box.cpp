@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scenery/models/mesh/Box.h"
 
-namespace trainer::models
+namespace scenery::models
 {
 
 void addBox(ModelBuilder& builder, const Box& box)
@@ -34,4 +34,4 @@ void addBox(ModelBuilder& builder, const Box& box)
     }
 }
 
-} // namespace trainer::models
+} // namespace scenery::models

@@ -5,7 +5,7 @@
 
 #include "scenery/models/mesh/ModelBuilder.h"
 
-namespace trainer::models
+namespace scenery::models
 {
 
 /// A closed box with its edges along the axes. `uvLow`, `uvHigh`: the part of the picture that each of its sides shows.
@@ -37,4 +37,4 @@ void addPrism(ModelBuilder& builder, std::size_t points, const PlaceAt& cornerAt
     }
 }
 
-} // namespace trainer::models
+} // namespace scenery::models

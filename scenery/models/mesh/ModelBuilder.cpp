@@ -7,7 +7,7 @@
 #include <osgPMObjects/core/consolidate/MergeWedges.h>
 #include <osgPMObjects/core/consolidate/Normals.h>
 
-namespace trainer::models
+namespace scenery::models
 {
 
 namespace
@@ -92,4 +92,4 @@ Model ModelBuilder::finish(double creaseDeg)
     return model;
 }
 
-} // namespace trainer::models
+} // namespace scenery::models

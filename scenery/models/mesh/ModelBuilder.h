@@ -12,7 +12,7 @@
 
 #include "scenery/models/Model.h"
 
-namespace trainer::models
+namespace scenery::models
 {
 
 /// A corner of a face.
@@ -51,4 +51,4 @@ private:
     glm::vec3 _tint{1.0F};
 };
 
-} // namespace trainer::models
+} // namespace scenery::models

@@ -6,7 +6,7 @@
 
 #include <glm/geometric.hpp>
 
-namespace trainer::models
+namespace scenery::models
 {
 
 namespace
@@ -92,4 +92,4 @@ void addBar(ModelBuilder& builder, const glm::dvec3& from, const glm::dvec3& to,
     addCap(builder, rings[1], to, true);
 }
 
-} // namespace trainer::models
+} // namespace scenery::models

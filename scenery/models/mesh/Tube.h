@@ -5,7 +5,7 @@
 
 #include "scenery/models/mesh/ModelBuilder.h"
 
-namespace trainer::models
+namespace scenery::models
 {
 
 /// A round bar along a bent line.
@@ -27,4 +27,4 @@ void addTube(ModelBuilder& builder, const Tube& tube);
 void addBar(ModelBuilder& builder, const glm::dvec3& from, const glm::dvec3& to, double radiusM, int sides,
             const glm::vec2& uv);
 
-} // namespace trainer::models
+} // namespace scenery::models

@@ -9,7 +9,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-namespace trainer::models
+namespace scenery::models
 {
 
 namespace
@@ -135,4 +135,4 @@ Picture Canvas::picture() const
     return picture;
 }
 
-} // namespace trainer::models
+} // namespace scenery::models

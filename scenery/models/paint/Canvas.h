@@ -9,7 +9,7 @@
 
 #include "scenery/models/paint/Picture.h"
 
-namespace trainer::models
+namespace scenery::models
 {
 
 /// A picture being painted: red, green, blue, alpha from 0 to 1, y upwards. What is painted covers all four channels, so that
@@ -44,4 +44,4 @@ private:
     std::vector<glm::vec4> _pixels;
 };
 
-} // namespace trainer::models
+} // namespace scenery::models

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace trainer::models
+namespace scenery::models
 {
 
 namespace
@@ -78,4 +78,4 @@ std::vector<Picture> mipChain(const Picture& picture, bool keepCoverage)
     return chain;
 }
 
-} // namespace trainer::models
+} // namespace scenery::models

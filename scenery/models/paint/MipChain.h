@@ -5,7 +5,7 @@
 
 #include "scenery/models/paint/Picture.h"
 
-namespace trainer::models
+namespace scenery::models
 {
 
 /// Below this alpha foliage is not drawn.
@@ -20,4 +20,4 @@ double coverageOf(const Picture& picture);
 /// Source: Castaño, "Computing alpha mipmaps" (2010); the scale by halving an interval.
 std::vector<Picture> mipChain(const Picture& picture, bool keepCoverage);
 
-} // namespace trainer::models
+} // namespace scenery::models

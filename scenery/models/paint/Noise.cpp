@@ -5,7 +5,7 @@
 
 #include <glm/common.hpp>
 
-namespace trainer::models
+namespace scenery::models
 {
 
 namespace
@@ -50,4 +50,4 @@ float tiledCloud(const glm::vec2& uv, const glm::ivec2& cells, int octaves, std:
     return sum / weights;
 }
 
-} // namespace trainer::models
+} // namespace scenery::models

@@ -5,7 +5,7 @@
 
 #include <glm/vec2.hpp>
 
-namespace trainer::models
+namespace scenery::models
 {
 
 /// Noise that repeats, so that pictures can be laid side by side: values of a lattice of `cells` by `cells` over the unit
@@ -15,4 +15,4 @@ float tiledNoise(const glm::vec2& uv, const glm::ivec2& cells, std::uint32_t see
 /// The sum of `octaves` of it, each twice as fine and half as strong. From 0 to 1.
 float tiledCloud(const glm::vec2& uv, const glm::ivec2& cells, int octaves, std::uint32_t seed);
 
-} // namespace trainer::models
+} // namespace scenery::models

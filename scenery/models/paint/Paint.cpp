@@ -11,7 +11,7 @@
 #include "scenery/models/paint/PaintWalls.h"
 #include "scenery/models/paint/PaintWheel.h"
 
-namespace trainer::models
+namespace scenery::models
 {
 
 Picture paint(Painting painting)
@@ -25,4 +25,4 @@ Picture paint(Painting painting)
     return kPainters[static_cast<std::size_t>(painting)]();
 }
 
-} // namespace trainer::models
+} // namespace scenery::models

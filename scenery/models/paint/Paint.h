@@ -4,10 +4,10 @@
 #include "scenery/models/Model.h"
 #include "scenery/models/paint/Picture.h"
 
-namespace trainer::models
+namespace scenery::models
 {
 
 /// Paints a picture. Pure: always the same bytes. Cost: some 10 to 100 ms.
 Picture paint(Painting painting);
 
-} // namespace trainer::models
+} // namespace scenery::models

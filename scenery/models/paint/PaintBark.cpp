@@ -10,7 +10,7 @@
 #include "scenery/models/paint/Canvas.h"
 #include "scenery/models/paint/Noise.h"
 
-namespace trainer::models
+namespace scenery::models
 {
 
 namespace
@@ -84,4 +84,4 @@ Picture paintBirchBark()
     return canvas.picture();
 }
 
-} // namespace trainer::models
+} // namespace scenery::models

@@ -3,7 +3,7 @@
 
 #include "scenery/models/paint/Picture.h"
 
-namespace trainer::models
+namespace scenery::models
 {
 
 /// Barks, 256 × 256, to be repeated both ways; along the limb is up.
@@ -11,4 +11,4 @@ Picture paintOakBark();
 Picture paintPineBark();
 Picture paintBirchBark();
 
-} // namespace trainer::models
+} // namespace scenery::models

@@ -2,7 +2,7 @@
 #include "scenery/models/paint/PaintVehicles.h"
 #include "scenery/models/paint/VehiclePainter.h"
 
-namespace trainer::models
+namespace scenery::models
 {
 
 namespace
@@ -83,4 +83,4 @@ Picture paintBus()
     return painter.picture();
 }
 
-} // namespace trainer::models
+} // namespace scenery::models

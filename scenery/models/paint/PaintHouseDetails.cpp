@@ -10,7 +10,7 @@
 #include "scenery/models/paint/Canvas.h"
 #include "scenery/models/paint/Noise.h"
 
-namespace trainer::models
+namespace scenery::models
 {
 
 namespace
@@ -165,4 +165,4 @@ Picture paintHouseDetails()
     return canvas.picture();
 }
 
-} // namespace trainer::models
+} // namespace scenery::models

@@ -3,10 +3,10 @@
 
 #include "scenery/models/paint/Picture.h"
 
-namespace trainer::models
+namespace scenery::models
 {
 
 /// The atlas of houses/DetailAtlas.h, 1024 × 1024. Alpha is how far a tint counts: window frames and doors, not glass.
 Picture paintHouseDetails();
 
-} // namespace trainer::models
+} // namespace scenery::models

@@ -12,7 +12,7 @@
 #include "scenery/models/Dice.h"
 #include "scenery/models/paint/Canvas.h"
 
-namespace trainer::models
+namespace scenery::models
 {
 
 namespace
@@ -156,4 +156,4 @@ Picture paintSpruceNeedles()
     return canvas.picture();
 }
 
-} // namespace trainer::models
+} // namespace scenery::models

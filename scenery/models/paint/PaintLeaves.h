@@ -3,7 +3,7 @@
 
 #include "scenery/models/paint/Picture.h"
 
-namespace trainer::models
+namespace scenery::models
 {
 
 /// Clusters of leaves on their twigs, 512 × 512, cut out by alpha; the twig comes in at the middle of the lower edge.
@@ -15,4 +15,4 @@ Picture paintBushLeaves();
 /// A spray of needles: the twig runs from the lower edge to the upper one.
 Picture paintSpruceNeedles();
 
-} // namespace trainer::models
+} // namespace scenery::models

@@ -9,7 +9,7 @@
 #include "scenery/models/paint/Canvas.h"
 #include "scenery/models/paint/Noise.h"
 
-namespace trainer::models
+namespace scenery::models
 {
 
 namespace
@@ -66,4 +66,4 @@ Picture paintRoofMetal()
     return canvas.picture();
 }
 
-} // namespace trainer::models
+} // namespace scenery::models

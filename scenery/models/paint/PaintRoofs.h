@@ -3,11 +3,11 @@
 
 #include "scenery/models/paint/Picture.h"
 
-namespace trainer::models
+namespace scenery::models
 {
 
 /// Roofs, 256 × 256, to be repeated both ways (kRoofPictureM), light, to be tinted; the ridge is up.
 Picture paintRoofTiles();
 Picture paintRoofMetal();
 
-} // namespace trainer::models
+} // namespace scenery::models

@@ -2,7 +2,7 @@
 #include "scenery/models/paint/PaintVehicles.h"
 #include "scenery/models/paint/VehiclePainter.h"
 
-namespace trainer::models
+namespace scenery::models
 {
 
 namespace
@@ -109,4 +109,4 @@ Picture paintSaloon()
     return painter.picture();
 }
 
-} // namespace trainer::models
+} // namespace scenery::models

@@ -3,7 +3,7 @@
 
 #include "scenery/models/paint/Picture.h"
 
-namespace trainer::models
+namespace scenery::models
 {
 
 /// Vehicles from the side, from above, from the front and from behind (vehicles/VehicleForm.h), 1024 × 1024. Alpha is how far a
@@ -12,4 +12,4 @@ Picture paintSaloon();
 Picture paintVan();
 Picture paintBus();
 
-} // namespace trainer::models
+} // namespace scenery::models

@@ -9,7 +9,7 @@
 #include "scenery/models/paint/Canvas.h"
 #include "scenery/models/paint/Noise.h"
 
-namespace trainer::models
+namespace scenery::models
 {
 
 namespace
@@ -101,4 +101,4 @@ Picture paintPlanks()
         });
 }
 
-} // namespace trainer::models
+} // namespace scenery::models

@@ -3,7 +3,7 @@
 
 #include "scenery/models/paint/Picture.h"
 
-namespace trainer::models
+namespace scenery::models
 {
 
 /// Walls, 256 × 256, to be repeated both ways (kWallPictureM), light, to be tinted.
@@ -14,4 +14,4 @@ Picture paintSheetMetal();
 /// Upright boards.
 Picture paintPlanks();
 
-} // namespace trainer::models
+} // namespace scenery::models

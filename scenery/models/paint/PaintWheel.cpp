@@ -6,7 +6,7 @@
 
 #include "scenery/models/paint/Canvas.h"
 
-namespace trainer::models
+namespace scenery::models
 {
 
 Picture paintWheel()
@@ -36,4 +36,4 @@ Picture paintWheel()
     return canvas.picture();
 }
 
-} // namespace trainer::models
+} // namespace scenery::models

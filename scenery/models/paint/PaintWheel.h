@@ -3,10 +3,10 @@
 
 #include "scenery/models/paint/Picture.h"
 
-namespace trainer::models
+namespace scenery::models
 {
 
 /// A wheel seen from outside, filling 256 × 256: tyre, rim with five double spokes, bolts.
 Picture paintWheel();
 
-} // namespace trainer::models
+} // namespace scenery::models

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace trainer::models
+namespace scenery::models
 {
 
 /// A picture of red, green, blue and alpha bytes (display values), bottom row first.
@@ -22,4 +22,4 @@ struct Picture
     bool operator==(const Picture&) const = default;
 };
 
-} // namespace trainer::models
+} // namespace scenery::models

@@ -6,7 +6,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-namespace trainer::models
+namespace scenery::models
 {
 
 VehiclePainter::VehiclePainter(const VehicleForm& form)
@@ -88,4 +88,4 @@ void VehiclePainter::plate(const glm::vec2& middle)
     }
 }
 
-} // namespace trainer::models
+} // namespace scenery::models

@@ -7,7 +7,7 @@
 #include "scenery/models/paint/Canvas.h"
 #include "scenery/models/vehicles/VehicleForm.h"
 
-namespace trainer::models
+namespace scenery::models
 {
 
 /// Paints a vehicle's picture view by view, in metres. What is left alone is bodywork: white, to be tinted.
@@ -55,4 +55,4 @@ private:
     Canvas _canvas;
 };
 
-} // namespace trainer::models
+} // namespace scenery::models

@@ -7,7 +7,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-namespace trainer::models
+namespace scenery::models
 {
 
 namespace
@@ -121,4 +121,4 @@ void addFoliage(ModelBuilder& builder, const TreeForm& form, const Skeleton& tre
     }
 }
 
-} // namespace trainer::models
+} // namespace scenery::models

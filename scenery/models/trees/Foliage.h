@@ -4,7 +4,7 @@
 #include "scenery/models/mesh/ModelBuilder.h"
 #include "scenery/models/trees/Skeleton.h"
 
-namespace trainer::models
+namespace scenery::models
 {
 
 /// Hangs leaf cards on a skeleton: quads bent once across, that show a cluster of leaves, a spray of needles.
@@ -12,4 +12,4 @@ namespace trainer::models
 /// deeper they are inside it. Four triangles a card.
 void addFoliage(ModelBuilder& builder, const TreeForm& form, const Skeleton& tree, Dice& dice);
 
-} // namespace trainer::models
+} // namespace scenery::models

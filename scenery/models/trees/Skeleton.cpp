@@ -9,7 +9,7 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
-namespace trainer::models
+namespace scenery::models
 {
 
 namespace
@@ -164,4 +164,4 @@ Skeleton growSkeleton(const TreeForm& form, Dice& dice)
     return tree;
 }
 
-} // namespace trainer::models
+} // namespace scenery::models

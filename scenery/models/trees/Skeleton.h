@@ -8,7 +8,7 @@
 #include "scenery/models/Dice.h"
 #include "scenery/models/trees/TreeForm.h"
 
-namespace trainer::models
+namespace scenery::models
 {
 
 /// A limb of a tree: a line with a radius at each point, from where it grows to its tip.
@@ -46,4 +46,4 @@ Skeleton growSkeleton(const TreeForm& form, Dice& dice);
 /// How far trunks reach into the ground.
 constexpr double kRootM = 0.4;
 
-} // namespace trainer::models
+} // namespace scenery::models

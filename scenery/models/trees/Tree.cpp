@@ -7,7 +7,7 @@
 #include "scenery/models/trees/Foliage.h"
 #include "scenery/models/trees/Skeleton.h"
 
-namespace trainer::models
+namespace scenery::models
 {
 
 namespace
@@ -52,4 +52,4 @@ Model makeTree(TreeKind kind, std::uint64_t seed)
     return builder.finish();
 }
 
-} // namespace trainer::models
+} // namespace scenery::models

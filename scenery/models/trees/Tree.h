@@ -4,11 +4,11 @@
 #include "scenery/models/Model.h"
 #include "scenery/models/trees/TreeForm.h"
 
-namespace trainer::models
+namespace scenery::models
 {
 
 /// A tree of one kind: closed limbs with bark, foliage of cards. Pure: the same seed gives the same bytes.
 /// Surfaces: bark, leaves. Triangles: 3 000 to 15 000. Its roots reach kRootM into the ground.
 Model makeTree(TreeKind kind, std::uint64_t seed);
 
-} // namespace trainer::models
+} // namespace scenery::models

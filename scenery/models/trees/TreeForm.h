@@ -6,7 +6,7 @@
 
 #include "scenery/models/Model.h"
 
-namespace trainer::models
+namespace scenery::models
 {
 
 /// A range that seeds choose from.
@@ -56,4 +56,4 @@ enum class TreeKind
 
 const TreeForm& treeForm(TreeKind kind);
 
-} // namespace trainer::models
+} // namespace scenery::models

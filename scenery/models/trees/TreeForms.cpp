@@ -5,7 +5,7 @@
 
 #include "scenery/models/trees/TreeForm.h"
 
-namespace trainer::models
+namespace scenery::models
 {
 
 namespace
@@ -149,4 +149,4 @@ const TreeForm& treeForm(TreeKind kind)
     return kForms[static_cast<std::size_t>(kind)];
 }
 
-} // namespace trainer::models
+} // namespace scenery::models

@@ -9,7 +9,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-namespace trainer::models
+namespace scenery::models
 {
 
 namespace
@@ -183,4 +183,4 @@ void addBody(ModelBuilder& builder, const StretchedForm& body)
     }
 }
 
-} // namespace trainer::models
+} // namespace scenery::models

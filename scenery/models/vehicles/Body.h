@@ -4,7 +4,7 @@
 #include "scenery/models/mesh/ModelBuilder.h"
 #include "scenery/models/vehicles/VehicleForm.h"
 
-namespace trainer::models
+namespace scenery::models
 {
 
 /// A vehicle's form as a seed stretches it, wheels staying round. Frame: the model's, x = 0 in the middle of the vehicle.
@@ -22,4 +22,4 @@ struct StretchedForm
 /// Some 2 000 to 4 000 triangles. Begin its part before.
 void addBody(ModelBuilder& builder, const StretchedForm& body);
 
-} // namespace trainer::models
+} // namespace scenery::models

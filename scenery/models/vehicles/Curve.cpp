@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cassert>
 
-namespace trainer::models
+namespace scenery::models
 {
 
 Curve::Curve(std::vector<Point> points) : _points(std::move(points)), _slopes(_points.size(), 0.0)
@@ -38,4 +38,4 @@ double Curve::operator()(double at) const
            h * t * s * (s * _slopes[i] - t * _slopes[i + 1]);
 }
 
-} // namespace trainer::models
+} // namespace scenery::models

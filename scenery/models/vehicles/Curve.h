@@ -3,7 +3,7 @@
 
 #include <vector>
 
-namespace trainer::models
+namespace scenery::models
 {
 
 /// A smooth line through given points that never overshoots them: between two points it rises or falls only.
@@ -27,4 +27,4 @@ private:
     std::vector<double> _slopes;
 };
 
-} // namespace trainer::models
+} // namespace scenery::models

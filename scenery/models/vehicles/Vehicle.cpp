@@ -10,7 +10,7 @@
 #include "scenery/models/vehicles/Body.h"
 #include "scenery/models/vehicles/Wheel.h"
 
-namespace trainer::models
+namespace scenery::models
 {
 
 namespace
@@ -91,4 +91,4 @@ Model makeVehicle(VehicleKind kind, std::uint64_t seed)
     return builder.finish(38.0);
 }
 
-} // namespace trainer::models
+} // namespace scenery::models

@@ -6,11 +6,11 @@
 #include "scenery/models/Model.h"
 #include "scenery/models/vehicles/VehicleForm.h"
 
-namespace trainer::models
+namespace scenery::models
 {
 
 /// A vehicle of one kind on its wheels, standing. Seeds choose its colour and stretch it. Pure.
 /// Surfaces: body (lacquered, the kind's picture), wheels. 3 000 to 10 000 triangles.
 Model makeVehicle(VehicleKind kind, std::uint64_t seed);
 
-} // namespace trainer::models
+} // namespace scenery::models

@@ -8,7 +8,7 @@
 #include "scenery/models/Model.h"
 #include "scenery/models/vehicles/Curve.h"
 
-namespace trainer::models
+namespace scenery::models
 {
 
 enum class VehicleKind
@@ -78,4 +78,4 @@ struct VehicleSheet
     float pixelsPerM;
 };
 
-} // namespace trainer::models
+} // namespace scenery::models

@@ -3,7 +3,7 @@
 
 #include "scenery/models/vehicles/VehicleForm.h"
 
-namespace trainer::models
+namespace scenery::models
 {
 
 namespace
@@ -166,4 +166,4 @@ const VehicleForm& vehicleForm(VehicleKind kind)
     return kForms[static_cast<std::size_t>(kind)];
 }
 
-} // namespace trainer::models
+} // namespace scenery::models

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace trainer::models
+namespace scenery::models
 {
 
 void addWheel(ModelBuilder& builder, const Wheel& wheel)
@@ -46,4 +46,4 @@ void addWheel(ModelBuilder& builder, const Wheel& wheel)
     builder.grid(rows);
 }
 
-} // namespace trainer::models
+} // namespace scenery::models

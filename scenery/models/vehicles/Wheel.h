@@ -3,7 +3,7 @@
 
 #include "scenery/models/mesh/ModelBuilder.h"
 
-namespace trainer::models
+namespace scenery::models
 {
 
 /// A wheel: tyre with shoulders, a dished rim with its spokes in the picture. Closed, 20 sides, 360 triangles.
@@ -15,4 +15,4 @@ struct Wheel
 };
 void addWheel(ModelBuilder& builder, const Wheel& wheel);
 
-} // namespace trainer::models
+} // namespace scenery::models

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-using trainer::models::Canvas;
+using scenery::models::Canvas;
 
 TEST(Canvas, CoversPixelsByTheirShare)
 {

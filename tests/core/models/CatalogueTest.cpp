@@ -14,7 +14,7 @@
 #include "scenery/models/ModelCheck.h"
 
 namespace core = osgPMObjects::core;
-using namespace trainer::models;
+using namespace scenery::models;
 
 namespace
 {

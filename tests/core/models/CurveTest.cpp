@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-using trainer::models::Curve;
+using scenery::models::Curve;
 
 TEST(Curve, GoesThroughItsPointsAndStaysBeyondThem)
 {

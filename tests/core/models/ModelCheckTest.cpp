@@ -7,7 +7,7 @@
 
 #include "scenery/models/Catalogue.h"
 
-using namespace trainer::models;
+using namespace scenery::models;
 
 namespace
 {

@@ -8,7 +8,7 @@
 #include "scenery/models/Catalogue.h"
 
 namespace core = osgPMObjects::core;
-using namespace trainer::models;
+using namespace scenery::models;
 
 namespace
 {

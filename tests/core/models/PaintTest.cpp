@@ -8,7 +8,7 @@
 
 #include "scenery/models/paint/MipChain.h"
 
-using namespace trainer::models;
+using namespace scenery::models;
 
 namespace
 {

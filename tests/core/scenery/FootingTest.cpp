@@ -7,7 +7,7 @@
 namespace
 {
 
-using namespace trainer::scenery;
+using namespace scenery;
 
 Ground plane(double alongEast, double alongNorth)
 {

@@ -8,7 +8,7 @@
 namespace
 {
 
-using namespace trainer::scenery;
+using namespace scenery;
 using osgPMObjects::core::SelectionMethod;
 using testing::AllOf;
 using testing::HasSubstr;

@@ -11,7 +11,7 @@
 namespace scenerytest
 {
 
-using namespace trainer::scenery;
+using namespace scenery;
 
 /// Hills of 300 m and some bumps, a sea in the west, no data beyond 4 km.
 inline Ground hills()
@@ -54,10 +54,10 @@ inline std::vector<Measures> measuresFor(const SceneryDescription& description)
     for (const SceneryObject& object : objectsOf(description))
         switch (*object.kind)
         {
-        case trainer::models::Kind::familyHouse:
+        case scenery::models::Kind::familyHouse:
             all.push_back({8.0, 1.0, {-5.0, -4.5}, {5.0, 4.5}, Stance::upright, false});
             break;
-        case trainer::models::Kind::saloon:
+        case scenery::models::Kind::saloon:
             all.push_back({2.4, 0.0, {-1.4, -0.8}, {1.4, 0.8}, Stance::tilted, false});
             break;
         default:

@@ -30,7 +30,7 @@ TEST(SceneryFuzzer, FindsNothingInItsCorpusAndMutations)
     std::ifstream stream(OSGTRAINER_SOURCE_DIR "/tests/fuzz/corpus/village.json", std::ios::binary);
     const std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
     ASSERT_FALSE(text.empty());
-    trainer::models::Dice dice(11);
+    scenery::models::Dice dice(11);
     constexpr std::string_view kLetters = "{}[]\",:-.0123456789etrn\\";
     for (int round = 0; round < 3000; ++round)
     {

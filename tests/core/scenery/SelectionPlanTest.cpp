@@ -7,7 +7,7 @@
 namespace
 {
 
-using namespace trainer::scenery;
+using namespace scenery;
 using namespace osgPMObjects::core;
 
 /// Two faces fewer with each step.

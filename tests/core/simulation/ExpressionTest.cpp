@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace trainer
+namespace simulation
 {
 namespace
 {
@@ -86,4 +86,4 @@ TEST(Number, WrittenTextReadsBackToTheSameBits)
 }
 
 } // namespace
-} // namespace trainer
+} // namespace simulation

@@ -9,7 +9,7 @@
 #include "simulation/parser/ParseScenario.h"
 #include "simulation/player/ScenarioPlayer.h"
 
-namespace trainer
+namespace simulation
 {
 namespace
 {
@@ -104,4 +104,4 @@ TEST(GoldenFlight, DefaultScenariosLastLongEnough)
 }
 
 } // namespace
-} // namespace trainer
+} // namespace simulation

@@ -12,7 +12,7 @@
 #include "simulation/tour/LayDrive.h"
 #include "simulation/writer/WriteScenario.h"
 
-namespace trainer
+namespace simulation
 {
 namespace
 {
@@ -228,4 +228,4 @@ TEST(LayDrive, GoesRoundTheHillOnTheGround)
 }
 
 } // namespace
-} // namespace trainer
+} // namespace simulation

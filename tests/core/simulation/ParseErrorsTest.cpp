@@ -8,7 +8,7 @@
 #include "ScenarioText.h"
 #include "simulation/parser/ParseScenario.h"
 
-namespace trainer
+namespace simulation
 {
 namespace
 {
@@ -176,4 +176,4 @@ TEST(ParseErrors, MemoryHasNoCatalogues)
 }
 
 } // namespace
-} // namespace trainer
+} // namespace simulation

@@ -9,7 +9,7 @@
 
 #include "ScenarioText.h"
 
-namespace trainer
+namespace simulation
 {
 namespace
 {
@@ -219,4 +219,4 @@ TEST(ParseScenario, CatalogueEntriesAreReadWithTheirAssignments)
 }
 
 } // namespace
-} // namespace trainer
+} // namespace simulation

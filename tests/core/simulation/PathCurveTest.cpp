@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace trainer
+namespace simulation
 {
 namespace
 {
@@ -123,4 +123,4 @@ TEST(PathCurve, GivenHeadingsCrossTheFullTurnTheShortWay)
 }
 
 } // namespace
-} // namespace trainer
+} // namespace simulation

@@ -9,7 +9,7 @@
 #include "simulation/player/ScenarioPlayer.h"
 #include "simulation/player/SpeedProfile.h"
 
-namespace trainer
+namespace simulation
 {
 namespace
 {
@@ -256,4 +256,4 @@ TEST(Player, EnvironmentGoesOnWithTheDayUntilTheSunIsGiven)
 }
 
 } // namespace
-} // namespace trainer
+} // namespace simulation

@@ -14,7 +14,7 @@
 #define SKIP_WITHOUT_REAL_DATA()                                                                             \
     if (!realData()) GTEST_SKIP() << "OSGTRAINER_REAL_DATA is unset: no real data, nothing was tested"
 
-namespace trainer
+namespace simulation
 {
 namespace
 {
@@ -191,4 +191,4 @@ TEST(RealScenario, TimedPolylineWithoutHeadingsPlaysAsRecorded)
 }
 
 } // namespace
-} // namespace trainer
+} // namespace simulation

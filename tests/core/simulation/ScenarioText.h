@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace trainer
+namespace simulation
 {
 
 inline const std::string kCar =
@@ -99,4 +99,4 @@ inline std::string stopAt(double seconds)
     return "<StopTrigger>" + timeCondition(seconds) + "</StopTrigger>";
 }
 
-} // namespace trainer
+} // namespace simulation

@@ -6,7 +6,7 @@
 
 #include <zlib.h>
 
-namespace trainer
+namespace simulation
 {
 namespace
 {
@@ -65,4 +65,4 @@ SimulatedTrack readSimulatedTrack(const std::filesystem::path& file)
     return track;
 }
 
-} // namespace trainer
+} // namespace simulation

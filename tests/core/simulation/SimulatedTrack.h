@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace trainer
+namespace simulation
 {
 
 /// A recorded simulation: a column-wise table from a gzipped CSV whose header names each entity's columns as
@@ -36,4 +36,4 @@ inline std::optional<std::filesystem::path> realData()
     return std::filesystem::path(folder);
 }
 
-} // namespace trainer
+} // namespace simulation

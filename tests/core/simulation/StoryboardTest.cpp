@@ -8,7 +8,7 @@
 #include "simulation/player/ScenarioPlayer.h"
 #include "simulation/player/TriggerWatch.h"
 
-namespace trainer
+namespace simulation
 {
 namespace
 {
@@ -180,4 +180,4 @@ TEST(Storyboard, AReferenceToNothingIsAnErrorWithItsLine)
 }
 
 } // namespace
-} // namespace trainer
+} // namespace simulation

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace trainer
+namespace simulation
 {
 namespace
 {
@@ -96,4 +96,4 @@ TEST(DateTime, ImpossibleTextIsRefused)
 }
 
 } // namespace
-} // namespace trainer
+} // namespace simulation

@@ -9,7 +9,7 @@
 #include "SimulatedTrack.h"
 #include "simulation/parser/ParseScenario.h"
 
-namespace trainer
+namespace simulation
 {
 namespace
 {
@@ -77,4 +77,4 @@ TEST(WriteScenario, RefusesWhatItDoesNotKnow)
 }
 
 } // namespace
-} // namespace trainer
+} // namespace simulation

@@ -8,8 +8,8 @@
 
 #include <viewlod/ViewState.h>
 
+using scenery::Pose;
 using trainer::Channel;
-using trainer::Pose;
 
 namespace
 {
@@ -28,7 +28,7 @@ Channel offAxisChannel()
 glm::dvec2 projected(const Channel& channel, const Pose& eye, const glm::dvec3& pointWorld)
 {
     const glm::dmat4 clip = trainer::channelProjection(channel, 1.0, 1000.0) *
-                            trainer::viewFromWorld(trainer::channelEye(channel, eye));
+                            scenery::viewFromWorld(trainer::channelEye(channel, eye));
     const glm::dvec4 point = clip * glm::dvec4(pointWorld, 1.0);
     return glm::dvec2(point) / point.w;
 }
@@ -82,7 +82,7 @@ TEST(Channel, LevelOfDetailSeesTheSameEyeNearPlaneAndPixelScale)
     Pose eye;
     eye.positionWorld = {1000.0, -2000.0, 50.0};
     const auto state = viewlod::ViewState::fromMatrices(
-        trainer::viewFromWorld(eye), trainer::channelProjection(channel, 0.5, 9e4), 800, 600);
+        scenery::viewFromWorld(eye), trainer::channelProjection(channel, 0.5, 9e4), 800, 600);
     EXPECT_NEAR(glm::distance(state.eyeWorld, eye.positionWorld), 0.0, 1e-9);
     EXPECT_NEAR(state.nearM, 0.5, 1e-9);
     EXPECT_NEAR(state.cornerStretch,

@@ -6,11 +6,11 @@
 
 #include <gtest/gtest.h>
 
+using scenery::Pose;
+using simulation::GroundProvider;
+using simulation::GroundSample;
 using trainer::ChaseCamera;
 using trainer::ChaseSettings;
-using trainer::GroundProvider;
-using trainer::GroundSample;
-using trainer::Pose;
 
 namespace
 {

@@ -28,7 +28,7 @@ struct VolumeSum
     }
 };
 
-double volumeOf(const trainer::ModelMesh& mesh)
+double volumeOf(const scenery::ModelMesh& mesh)
 {
     osg::TriangleFunctor<VolumeSum> sum;
     mesh.geometry()->accept(sum);
@@ -39,7 +39,7 @@ double volumeOf(const trainer::ModelMesh& mesh)
 
 TEST(CarModel, HasTheSizeItSaysAndStandsOnTheGround)
 {
-    const trainer::CarModel car;
+    const scenery::CarModel car;
     const osg::BoundingBox box = boundsOf(car.node());
     EXPECT_NEAR(box.zMin(), 0.0, 0.02);
     EXPECT_NEAR(box.zMax(), 1.46, 0.02);
@@ -50,8 +50,8 @@ TEST(CarModel, HasTheSizeItSaysAndStandsOnTheGround)
 
 TEST(CarModel, MovesWithItsStateAndItsWheelsTravel)
 {
-    trainer::CarModel car;
-    trainer::EntityState state;
+    scenery::CarModel car;
+    simulation::EntityState state;
     state.position = {1000.0, 2000.0, 300.0};
     car.setState(state);
     EXPECT_NEAR(boundsOf(car.node()).zMin(), 300.0, 0.02);
@@ -62,18 +62,18 @@ TEST(CarModel, MovesWithItsStateAndItsWheelsTravel)
 
 TEST(AircraftModel, HasTheSizeItSaysAndStandsOnItsWheels)
 {
-    const osg::BoundingBox box = boundsOf(trainer::makeLightAircraft());
+    const osg::BoundingBox box = boundsOf(scenery::makeLightAircraft());
     EXPECT_NEAR(box.zMin(), 0.0, 0.02);
     EXPECT_NEAR(box.zMax(), 2.75, 0.06);
     EXPECT_NEAR(box.yMax() - box.yMin(), 11.0, 0.1);
     EXPECT_NEAR(box.xMax() - box.xMin(), 8.1, 0.3);
-    EXPECT_TRUE(box.contains(osg::Vec3d(trainer::pilotEyeInAircraft().x, trainer::pilotEyeInAircraft().y,
-                                        trainer::pilotEyeInAircraft().z)));
+    EXPECT_TRUE(box.contains(osg::Vec3d(scenery::pilotEyeInAircraft().x, scenery::pilotEyeInAircraft().y,
+                                        scenery::pilotEyeInAircraft().z)));
 }
 
 TEST(ModelMesh, FacesLookOutwardsAndMirroringKeepsThemSo)
 {
-    trainer::ModelMesh mesh;
+    scenery::ModelMesh mesh;
     mesh.addBox({1.0F, 1.0F, 1.0F}, {2.0F, 3.0F, 4.0F}, {1.0F, 1.0F, 1.0F, 1.0F});
     EXPECT_NEAR(volumeOf(mesh), 6.0, 1e-4);
     mesh.mirrorSince(0);
@@ -82,7 +82,7 @@ TEST(ModelMesh, FacesLookOutwardsAndMirroringKeepsThemSo)
 
 TEST(ModelMesh, ATurnedBodyIsClosed)
 {
-    trainer::ModelMesh mesh;
+    scenery::ModelMesh mesh;
     mesh.addTurned({{5.0F, 0.0F, 0.0F}, {0.0F, 1.0F, 0.0F}, {{0.0F, 0.5F}, {2.0F, 0.5F}}, 64},
                    {1.0F, 1.0F, 1.0F, 1.0F});
     EXPECT_NEAR(volumeOf(mesh), 3.14159 * 0.25 * 2.0, 0.01);

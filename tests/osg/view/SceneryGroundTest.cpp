@@ -19,7 +19,7 @@
 namespace
 {
 
-using namespace trainer::scenery;
+using namespace scenery;
 
 constexpr double kTolerancePx = 2.0;
 const osg::Vec3d kEye(3000.0, 300.0, 900.0);

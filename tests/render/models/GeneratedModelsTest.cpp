@@ -9,7 +9,7 @@
 #include "scenery/models/Catalogue.h"
 #include "scenery/nodes/ModelStates.h"
 
-using namespace trainer::models;
+using namespace scenery::models;
 
 namespace
 {
@@ -30,15 +30,15 @@ osg::ref_ptr<osg::Image> pictureOf(const Model& model, bool drawsBacks)
     settings.widthPx = kWidthPx;
     settings.heightPx = kHeightPx;
     const rendered::ViewScene scene;
-    trainer::ModelStates states;
+    scenery::ModelStates states;
     const double size = std::max(model.radiusM, 0.6 * model.heightM);
-    const osg::ref_ptr<osg::Group> node = trainer::makeModelNode(model, states);
+    const osg::ref_ptr<osg::Group> node = scenery::makeModelNode(model, states);
     if (drawsBacks)
         node->getOrCreateStateSet()->setMode(GL_CULL_FACE,
                                              osg::StateAttribute::OFF | osg::StateAttribute::OVERRIDE);
     scene.root->addChild(node);
     return rendered::pictureFrom(
-        scene.root, trainer::poseLookingAt({2.6 * size, -2.2 * size, 1.2 * size}, {0.0, 0.0, 0.4 * size}),
+        scene.root, scenery::poseLookingAt({2.6 * size, -2.2 * size, 1.2 * size}, {0.0, 0.0, 0.4 * size}),
         settings);
 }
 

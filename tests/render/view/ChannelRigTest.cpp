@@ -37,7 +37,7 @@ ViewSetup halves(ViewSetup::Layout layout)
     return setup;
 }
 
-std::vector<osg::ref_ptr<osg::Image>> draw(osg::Node* scene, const ViewSetup& setup, const trainer::Pose& eye)
+std::vector<osg::ref_ptr<osg::Image>> draw(osg::Node* scene, const ViewSetup& setup, const scenery::Pose& eye)
 {
     std::vector<osg::ref_ptr<osg::GraphicsContext>> contexts;
     std::vector<osg::ref_ptr<osg::Image>> pictures(trainer::picturesOf(setup).size());
@@ -77,8 +77,8 @@ osg::ref_ptr<osg::Image> cut(const osg::Image& picture, unsigned leftPx, unsigne
 struct CarOnGround : rendered::ViewScene
 {
     CarOnGround() { root->addChild(car.node()); }
-    trainer::CarModel car;
-    const trainer::Pose eye = trainer::poseLookingAt({-6.0, -5.0, 2.5}, {1.3, 0.4, 0.8});
+    scenery::CarModel car;
+    const scenery::Pose eye = scenery::poseLookingAt({-6.0, -5.0, 2.5}, {1.3, 0.4, 0.8});
 };
 
 } // namespace
@@ -122,10 +122,10 @@ TEST(ChannelRig, PicturesDoNotDependOnHowFarFromTheOriginTheSceneLies)
     const glm::dvec3 away(40'000.0, -30'000.0, 1500.0);
     near.root->removeChild(1); // the ground stays where it is
     far.root->removeChild(1);
-    trainer::EntityState state;
+    simulation::EntityState state;
     state.position = away;
     far.car.setState(state);
-    trainer::Pose eye = far.eye;
+    scenery::Pose eye = far.eye;
     eye.positionWorld += away;
     const auto a = draw(near.root, trainer::singleChannel(320, 160), near.eye);
     const auto b = draw(far.root, trainer::singleChannel(320, 160), eye);

@@ -55,7 +55,7 @@ osg::ref_ptr<osg::Image> towardsHorizon(const AtmosphereSettings& air, const glm
 {
     const rendered::ViewScene scene(air);
     const glm::dvec3 eye(0.0, 0.0, 2.0);
-    return rendered::pictureFrom(scene.root, trainer::poseLookingAt(eye, eye + direction), smallPicture());
+    return rendered::pictureFrom(scene.root, scenery::poseLookingAt(eye, eye + direction), smallPicture());
 }
 
 } // namespace
@@ -97,8 +97,8 @@ TEST(Sky, TheSunStandsWhereItIsSaidToBe)
     const AtmosphereSettings air = sunAt(20.0);
     const rendered::ViewScene scene(air);
     const osg::Vec3d sun = air.sunDirectionWorld;
-    const trainer::Pose eye =
-        trainer::poseLookingAt({0, 0, 2}, {sun.x() * 100, sun.y() * 100, 2 + sun.z() * 100});
+    const scenery::Pose eye =
+        scenery::poseLookingAt({0, 0, 2}, {sun.x() * 100, sun.y() * 100, 2 + sun.z() * 100});
     const auto picture = rendered::pictureFrom(scene.root, eye, smallPicture());
     const auto level = [&](unsigned x, unsigned y)
     { return picture->data(x, y)[0] + picture->data(x, y)[1]; };
@@ -112,7 +112,7 @@ TEST(Sky, StarsComeOutAtNightOnly)
     {
         const rendered::ViewScene scene(sunAt(elevationDeg));
         const auto picture =
-            rendered::pictureFrom(scene.root, trainer::poseLookingAt({0, 0, 2}, {0, 1, 3}), smallPicture());
+            rendered::pictureFrom(scene.root, scenery::poseLookingAt({0, 0, 2}, {0, 1, 3}), smallPicture());
         int largest = 0;
         for (unsigned y = 1; y < 120; ++y)
             for (unsigned x = 1; x < 160; ++x)

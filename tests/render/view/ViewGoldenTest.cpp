@@ -29,20 +29,20 @@ std::string rendererOf(osgOffscreen::Backend backend)
 osg::ref_ptr<osg::Image> carPicture(osgOffscreen::Backend backend, double steeringDeg = 12.0)
 {
     const rendered::ViewScene scene;
-    trainer::CarModel car;
-    trainer::EntityState state;
+    scenery::CarModel car;
+    simulation::EntityState state;
     state.steeringDeg = steeringDeg;
     car.setState(state);
     scene.root->addChild(car.node());
-    return rendered::pictureFrom(scene.root, trainer::poseLookingAt({6.0, -4.0, 2.0}, {1.3, 0.0, 0.6}),
+    return rendered::pictureFrom(scene.root, scenery::poseLookingAt({6.0, -4.0, 2.0}, {1.3, 0.0, 0.6}),
                                  settingsOf(backend));
 }
 
 osg::ref_ptr<osg::Image> aircraftPicture(osgOffscreen::Backend backend, float trimRed = 0.1F)
 {
     const rendered::ViewScene scene;
-    scene.root->addChild(trainer::makeLightAircraft({trimRed, 0.22F, 0.50F, 1.0F}));
-    return rendered::pictureFrom(scene.root, trainer::poseLookingAt({9.0, -8.0, 3.0}, {-1.0, 0.0, 1.4}),
+    scene.root->addChild(scenery::makeLightAircraft({trimRed, 0.22F, 0.50F, 1.0F}));
+    return rendered::pictureFrom(scene.root, scenery::poseLookingAt({9.0, -8.0, 3.0}, {-1.0, 0.0, 1.4}),
                                  settingsOf(backend));
 }
 
