@@ -17,10 +17,10 @@ glm::dvec3 ownEye(const simulation::ScenarioObject& ownship, double eyeHeightM)
 
 } // namespace
 
-OwnshipEye::OwnshipEye(const simulation::ScenarioObject& ownship, const PlayRequest& request,
+OwnshipEye::OwnshipEye(const simulation::ScenarioObject& ownship, const FrameRequest& frames,
                        simulation::GroundProvider ground)
-    : _eye(request.eye),
-      _eyeInBody(ownEye(ownship, request.eyeHeightM)),
+    : _eye(frames.eye),
+      _eyeInBody(ownEye(ownship, frames.eyeHeightM)),
       _chase(ownship.isAirborne() ? ChaseSettings::forAircraft() : ChaseSettings::forCar()),
       _ground(std::move(ground))
 {

@@ -13,7 +13,7 @@ namespace trainer
 class OwnshipEye
 {
 public:
-    OwnshipEye(const simulation::ScenarioObject& ownship, const PlayRequest& request,
+    OwnshipEye(const simulation::ScenarioObject& ownship, const FrameRequest& frames,
                simulation::GroundProvider ground);
 
     /// The eye for a state that is `dtS` later than the one before.

@@ -26,10 +26,12 @@ constexpr double kLongestPlayS = 3600.0; ///< of a scenario that never ends by i
 /// Said before the work begins: a result that has no place to go.
 foundation::Outcome checkResultPlaces(const PlayRequest& request)
 {
-    std::vector<std::filesystem::path> files{request.statsFile, request.reportFile};
+    std::vector<std::filesystem::path> files{request.output.statsFile, request.output.reportFile};
     std::error_code ignored;
-    if (!request.captureFolder.empty() && std::filesystem::is_directory(request.captureFolder, ignored))
-        files.push_back(request.captureFolder / "frame_00000.png"); // a folder that is not there is made
+    if (!request.output.captureFolder.empty() &&
+        std::filesystem::is_directory(request.output.captureFolder, ignored))
+        files.push_back(request.output.captureFolder /
+                        "frame_00000.png"); // a folder that is not there is made
     for (const auto& file : files)
         if (const auto writable = foundation::checkWritable(file); !writable) return writable;
     return foundation::success();
@@ -38,7 +40,7 @@ foundation::Outcome checkResultPlaces(const PlayRequest& request)
 foundation::Result<std::filesystem::path> sceneFileOf(const simulation::Scenario& scenario,
                                                       const PlayRequest& request)
 {
-    if (!request.terrain.empty()) return request.terrain;
+    if (!request.terrain.file.empty()) return request.terrain.file;
     if (!scenario.roadNetwork.sceneGraphFile.empty())
         return request.scenario.parent_path() / scenario.roadNetwork.sceneGraphFile;
     return foundation::Error{request.scenario.string(), "RoadNetwork names no SceneGraphFile",
@@ -55,9 +57,10 @@ foundation::Outcome saveScenario(const simulation::Scenario& scenario, const std
 
 foundation::Outcome playToTheEnd(PlaySession& session, const PlayRequest& request)
 {
-    const int limit = request.frames.value_or(static_cast<int>(kLongestPlayS * request.framesPerSecond));
-    terminal::Progress progress("frames", request.frames ? static_cast<std::size_t>(limit) : 0);
-    for (int frame = 0; frame < limit && (request.frames || !session.isFinished()); ++frame)
+    const int limit =
+        request.frames.count.value_or(static_cast<int>(kLongestPlayS * request.frames.perSecond));
+    terminal::Progress progress("frames", request.frames.count ? static_cast<std::size_t>(limit) : 0);
+    for (int frame = 0; frame < limit && (request.frames.count || !session.isFinished()); ++frame)
     {
         if (const auto drawn = session.frame(); !drawn) return drawn;
         progress.advance();
@@ -73,27 +76,27 @@ ReportContent reportOf(const PlaySession& session, const PlayRequest& request)
     content.title = header.description.empty() ? request.scenario.stem().string() : header.description;
     content.facts = {
         request.scenario.empty()
-            ? std::pair<std::string, std::string>{"Tour over", request.terrain.filename().string()}
+            ? std::pair<std::string, std::string>{"Tour over", request.terrain.file.filename().string()}
             : std::pair<std::string, std::string>{"Scenario", request.scenario.filename().string()},
         {"Simulated", std::to_string(session.statistics().size()) + " frames at " +
-                          std::to_string(request.framesPerSecond) + " per second"},
-        {"Picture", request.viewFile.empty()
-                        ? std::to_string(request.widthPx) + " x " + std::to_string(request.heightPx)
-                        : request.viewFile.filename().string()},
-        {"Error target", std::to_string(request.errorTolerancePx) + " px anywhere in the picture"},
-        {"Triangle ceiling", std::to_string(request.maxTriangles)}};
-    content.contactSheet = request.contactSheet;
-    content.video = request.video;
+                          std::to_string(request.frames.perSecond) + " per second"},
+        {"Picture", request.frames.viewFile.empty() ? std::to_string(request.frames.widthPx) + " x " +
+                                                          std::to_string(request.frames.heightPx)
+                                                    : request.frames.viewFile.filename().string()},
+        {"Error target", std::to_string(request.terrain.errorTolerancePx) + " px anywhere in the picture"},
+        {"Triangle ceiling", std::to_string(request.terrain.maxTriangles)}};
+    content.contactSheet = request.output.contactSheet;
+    content.video = request.output.video;
     return content;
 }
 
 foundation::Outcome leaveResults(const PlaySession& session, const PlayRequest& request)
 {
-    if (!request.statsFile.empty())
-        if (const auto written = writeStatistics(session.statistics(), request.statsFile); !written)
+    if (!request.output.statsFile.empty())
+        if (const auto written = writeStatistics(session.statistics(), request.output.statsFile); !written)
             return written;
-    if (!request.reportFile.empty())
-        return writeReport(reportOf(session, request), session.statistics(), request.reportFile);
+    if (!request.output.reportFile.empty())
+        return writeReport(reportOf(session, request), session.statistics(), request.output.reportFile);
     return foundation::success();
 }
 
@@ -124,7 +127,7 @@ foundation::Outcome play(const PlayRequest& request)
     if (!parsed) return parsed.error();
     const auto file = sceneFileOf(parsed->scenario, request);
     if (!file) return file.error();
-    auto terrain = openScene(*file, request.import);
+    auto terrain = openScene(*file, request.terrain.import);
     if (!terrain) return terrain.error();
     return playOver(std::move(*terrain), std::move(parsed->scenario), request);
 }
@@ -133,12 +136,12 @@ foundation::Outcome tour(const PlayRequest& request, const std::filesystem::path
 {
     if (const auto writable = checkResultPlaces(request); !writable) return writable;
     if (const auto writable = foundation::checkWritable(saveFile); !writable) return writable;
-    auto terrain = openElevation(request.terrain, request.import);
+    auto terrain = openElevation(request.terrain.file, request.terrain.import);
     if (!terrain) return terrain.error();
     simulation::TourOptions options;
     options.durationS = durationS;
     const auto& tile = terrain->terrain->tile()->tile;
-    auto laid = simulation::layTour(ground::tourTerrainOf(tile, absoluteName(request.terrain)), options);
+    auto laid = simulation::layTour(ground::tourTerrainOf(tile, absoluteName(request.terrain.file)), options);
     if (!laid) return laid.error();
     if (const auto saved = saveScenario(laid->scenario, saveFile); !saved) return saved;
     std::cout << "tour: " << std::lround(laid->lowestM) << " to " << std::lround(laid->highestM)

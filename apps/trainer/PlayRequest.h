@@ -13,40 +13,72 @@
 namespace trainer
 {
 
-/// Whose eye looks.
+/// The eye point of the camera.
 enum class EyePoint
 {
-    own,   ///< the driver's or the pilot's of the ownship
-    chase, ///< behind and above it
+    own,   ///< the eye of the ownship's driver or pilot
+    chase, ///< a camera behind and above the ownship
 };
 
-/// What was asked on the command line. Empty paths: not asked for.
-struct PlayRequest
+/// The terrain and how it is drawn.
+struct TerrainRequest
 {
-    std::filesystem::path scenario;
-    std::filesystem::path terrain;       ///< in place of the scenario's scene
-    std::filesystem::path sceneryFile;   ///< what stands on the terrain
-    std::filesystem::path objectsFolder; ///< models that stand there, too
-    std::filesystem::path captureFolder;
-    std::filesystem::path statsFile;
-    std::filesystem::path reportFile;
-    std::string contactSheet; ///< file beside the report that it shows
-    std::string video;        ///< likewise
-    std::filesystem::path viewFile;
+    std::filesystem::path file; ///< replaces the scenario's scene; empty: the scenario's scene
     osgTerrainROAM::core::DemImportOptions import;
+    double errorTolerancePx = 1.0;
+    std::uint32_t maxTriangles = 500000;
+    bool morphing = false; ///< vertices move to their new position during several frames
+    std::optional<int> patchExponent =
+        0; ///< 2^k triangles a leaf; absent: measured to be the fastest on this machine
+};
+
+/// The frames: how many, of which size, through which camera.
+struct FrameRequest
+{
     osgOffscreen::Backend backend = osgOffscreen::defaultBackend();
-    EyePoint eye = EyePoint::own;
+    std::filesystem::path viewFile; ///< describes the channels; empty: one channel of widthPx by heightPx
     int widthPx = 960;
     int heightPx = 540;
     int samples = 4; ///< per pixel
-    int framesPerSecond = 24;
-    std::optional<int> frames; ///< absent: until the scenario ends
-    double eyeHeightM = 1.5;   ///< of a driver
-    double errorTolerancePx = 1.0;
-    std::uint32_t maxTriangles = 500000;
-    bool morphing = false; ///< detail comes and goes without a jump
-    std::optional<int> patchExponent =
-        0; ///< 2^k triangles a leaf; absent: what this machine draws fastest with
+    EyePoint eye = EyePoint::own;
+    double eyeHeightM = 1.5; ///< of a driver
+    int perSecond = 24;
+    std::optional<int> count; ///< absent: until the scenario ends
+
+    /// The simulated time of `count` frames, in seconds; 0 where it is absent.
+    double durationS() const { return count.value_or(0) / static_cast<double>(perSecond); }
+};
+
+/// The objects on the terrain. Empty paths: none.
+struct SceneryRequest
+{
+    std::filesystem::path description;  ///< a scenery file
+    std::filesystem::path modelsFolder; ///< its models form one more field
+
+    bool isEmpty() const { return description.empty() && modelsFolder.empty(); }
+
+    /// The path that an error of the scenery names.
+    std::string name() const { return (description.empty() ? modelsFolder : description).string(); }
+};
+
+/// The files that a play writes. Empty paths: not written.
+struct OutputRequest
+{
+    std::filesystem::path captureFolder;
+    std::filesystem::path statsFile;
+    std::filesystem::path reportFile;
+    std::string contactSheet; ///< image file beside the report that the report shows
+    std::string video;        ///< video file beside the report that the report shows
+};
+
+/// The arguments of `trainer play` and `trainer tour`.
+struct PlayRequest
+{
+    std::filesystem::path scenario; ///< empty in a tour
+    TerrainRequest terrain;
+    FrameRequest frames;
+    SceneryRequest scenery;
+    OutputRequest output;
 };
 
 } // namespace trainer

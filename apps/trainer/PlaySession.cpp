@@ -22,12 +22,20 @@ double nearPlaneM(const simulation::ScenarioObject& ownship)
     return ownship.isAirborne() ? 5.0 : 1.0;
 }
 
-foundation::Result<ViewSetup> viewOf(const PlayRequest& request, const simulation::ScenarioObject& ownship)
+foundation::Result<ViewSetup> viewOf(const FrameRequest& frames, const simulation::ScenarioObject& ownship)
 {
-    if (!request.viewFile.empty()) return readView(request.viewFile);
-    ViewSetup setup = singleChannel(request.widthPx, request.heightPx);
+    if (!frames.viewFile.empty()) return readView(frames.viewFile);
+    ViewSetup setup = singleChannel(frames.widthPx, frames.heightPx);
     setup.nearM = nearPlaneM(ownship);
     return setup;
+}
+
+void configure(osgTerrainROAM::RoamTerrain& terrain, const TerrainRequest& request)
+{
+    terrain.setErrorTolerancePx(request.errorTolerancePx);
+    terrain.setMaxTriangles(request.maxTriangles);
+    terrain.setMorphing(request.morphing);
+    terrain.setPatchExponent(request.patchExponent.value_or(0));
 }
 
 osg::ref_ptr<osgViewer::Viewer> makeViewer(osg::Group& scene)
@@ -53,25 +61,20 @@ PlaySession::create(simulation::Scenario scenario, SceneTerrain terrain, const P
     if (scenario.entities.empty())
         return foundation::Error{request.scenario.string(), "no ScenarioObject in Entities",
                                  "add the one whose eye shall look"};
-    const auto setup = viewOf(request, scenario.entities.front());
+    const auto setup = viewOf(request.frames, scenario.entities.front());
     if (!setup) return setup.error();
-    if (terrain.terrain)
-    {
-        terrain.terrain->setErrorTolerancePx(request.errorTolerancePx);
-        terrain.terrain->setMaxTriangles(request.maxTriangles);
-        terrain.terrain->setMorphing(request.morphing);
-        terrain.terrain->setPatchExponent(request.patchExponent.value_or(0));
-    }
+    if (terrain.terrain) configure(*terrain.terrain, request.terrain);
 
     std::unique_ptr<PlaySession> session(new PlaySession(request, std::move(terrain)));
     simulation::PlayerOptions stage{session->_terrain.origin(), session->_terrain.ground(),
-                                    simulation::FixedClock::forFrameRate(request.framesPerSecond),
+                                    simulation::FixedClock::forFrameRate(request.frames.perSecond),
                                     "scenario"};
     if (!request.scenario.empty()) stage.scenarioName = request.scenario.string();
     auto player = simulation::ScenarioPlayer::create(std::move(scenario), stage);
     if (!player) return player.error();
     session->_player = std::move(*player);
-    auto scenery = makeScenery(request, session->_player->scenario(), stage, session->_terrain);
+    auto scenery = makeScenery(request.scenery, request.frames.durationS(), session->_player->scenario(),
+                               stage, session->_terrain);
     if (!scenery) return scenery.error();
     session->_scenery = *std::move(scenery);
     auto scene = ScenarioScene::create(session->_player->scenario(), session->_terrain,
@@ -79,9 +82,9 @@ PlaySession::create(simulation::Scenario scenario, SceneTerrain terrain, const P
     if (!scene) return scene.error();
     session->_scene = std::make_unique<ScenarioScene>(std::move(*scene));
     if (session->_scenery) session->_scene->root().addChild(session->_scenery->node.root);
-    session->_eye = std::make_unique<OwnshipEye>(session->_player->scenario().entities.front(), request,
-                                                 session->_terrain.ground());
-    if (request.eye == EyePoint::own) session->_scene->hide(0);
+    session->_eye = std::make_unique<OwnshipEye>(session->_player->scenario().entities.front(),
+                                                 request.frames, session->_terrain.ground());
+    if (request.frames.eye == EyePoint::own) session->_scene->hide(0);
     if (const auto opened = session->openPictures(*setup); !opened) return opened.error();
     return session;
 }
@@ -92,25 +95,25 @@ foundation::Outcome PlaySession::openPictures(const ViewSetup& setup)
     for (const PictureShape& picture : pictures)
     {
         const auto context = osgOffscreen::OffscreenContext::create(
-            {_request.backend, picture.widthPx, picture.heightPx, _request.samples});
+            {_request.frames.backend, picture.widthPx, picture.heightPx, _request.frames.samples});
         if (!context) return context.error();
         _contexts.push_back(*context);
     }
     _viewer = makeViewer(_scene->root());
     _rig = std::make_unique<ChannelRig>(*_viewer, setup, _contexts);
     keepCameraTimings(*_viewer);
-    if (!_request.patchExponent && _terrain.terrain) tunePatches();
+    if (!_request.terrain.patchExponent && _terrain.terrain) tunePatches();
     return beginCaptures(setup);
 }
 
 foundation::Outcome PlaySession::beginCaptures(const ViewSetup& setup)
 {
-    if (_request.captureFolder.empty()) return foundation::success();
+    if (_request.output.captureFolder.empty()) return foundation::success();
     const std::vector<PictureShape> pictures = picturesOf(setup);
     for (std::size_t i = 0; i < pictures.size(); ++i)
     {
-        const auto folder =
-            pictures.size() == 1 ? _request.captureFolder : _request.captureFolder / pictures[i].name;
+        const auto folder = pictures.size() == 1 ? _request.output.captureFolder
+                                                 : _request.output.captureFolder / pictures[i].name;
         auto capture = osgOffscreen::FrameCapture::begin(_contexts[i], folder);
         if (!capture) return capture.error();
         _captures.push_back(std::move(*capture));
@@ -125,7 +128,7 @@ void PlaySession::tunePatches()
     _scene->show(*_player);
     const simulation::EntityState& ownship = _player->entities().front();
     scenery::Pose eye = _eye->update(ownship, 0.0);
-    const double stepM = std::max(kLeastStepM, ownship.speedMps / _request.framesPerSecond);
+    const double stepM = std::max(kLeastStepM, ownship.speedMps / _request.frames.perSecond);
     _patchNote = measurePatches(*_terrain.terrain, *_viewer, _contexts,
                                 [&]
                                 {
@@ -144,12 +147,12 @@ std::vector<std::string> PlaySession::notes() const
 
 foundation::Outcome PlaySession::frame()
 {
-    const double frameS = 1.0 / _request.framesPerSecond;
+    const double frameS = 1.0 / _request.frames.perSecond;
     _scene->show(*_player);
     _rig->setEye(_eye->update(_player->entities().front(), _statistics.empty() ? 0.0 : frameS));
     _viewer->frame(_player->timeS());
     _statistics.push_back(measured());
-    for (auto i = _player->clock().stepsPerSecond() / _request.framesPerSecond; i > 0; --i)
+    for (auto i = _player->clock().stepsPerSecond() / _request.frames.perSecond; i > 0; --i)
         _player->step();
     for (const auto& capture : _captures)
         if (const auto outcome = capture->outcome(); !outcome) return outcome.error();

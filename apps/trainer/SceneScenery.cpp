@@ -55,17 +55,17 @@ foundation::Outcome addFolder(const std::filesystem::path& folder, SceneryDescri
     return foundation::success();
 }
 
-foundation::Result<SceneryDescription> descriptionOf(const PlayRequest& request)
+foundation::Result<SceneryDescription> descriptionOf(const SceneryRequest& request)
 {
     SceneryDescription description;
-    if (!request.sceneryFile.empty())
+    if (!request.description.empty())
     {
-        auto read = scenery::readScenery(request.sceneryFile);
+        auto read = scenery::readScenery(request.description);
         if (!read) return read.error();
         description = *std::move(read);
     }
-    if (!request.objectsFolder.empty())
-        if (const auto added = addFolder(request.objectsFolder, description); !added) return added.error();
+    if (!request.modelsFolder.empty())
+        if (const auto added = addFolder(request.modelsFolder, description); !added) return added.error();
     return description;
 }
 
@@ -127,24 +127,21 @@ ObjectFigures SceneScenery::figures(unsigned int frameNumber) const
     return figures;
 }
 
-foundation::Result<std::optional<SceneScenery>> makeScenery(const PlayRequest& request,
+foundation::Result<std::optional<SceneScenery>> makeScenery(const SceneryRequest& request, double playS,
                                                             const simulation::Scenario& scenario,
                                                             const simulation::PlayerOptions& options,
                                                             const SceneTerrain& terrain)
 {
-    if (request.sceneryFile.empty() && request.objectsFolder.empty()) return std::optional<SceneScenery>();
+    if (request.isEmpty()) return std::optional<SceneScenery>();
     const auto description = descriptionOf(request);
     if (!description) return description.error();
-    const std::string place =
-        (request.sceneryFile.empty() ? request.objectsFolder : request.sceneryFile).string();
+    const std::string place = request.name();
     if (!terrain.terrain)
         return foundation::Error{place, "needs a terrain whose ground can be asked",
                                  "play over an elevation raster or a .roam file"};
     const auto shapes = scenery::makeSceneryShapes(scenery::objectsOf(*description));
     if (!shapes) return shapes.error();
-    const double longestS =
-        std::max(kLeastS, request.frames.value_or(0) / static_cast<double>(request.framesPerSecond));
-    const scenery::Ways ways = waysOf(scenario, options, longestS);
+    const scenery::Ways ways = waysOf(scenario, options, std::max(kLeastS, playS));
     const auto begin = std::chrono::steady_clock::now();
     const scenery::PlacedScenery placed =
         scenery::placeScenery(*description, shapes->measures, groundOf(terrain), ways);

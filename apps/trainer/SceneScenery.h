@@ -27,7 +27,7 @@ struct SceneScenery
 /// Reads, makes and places what the request asks for: --scenery FILE, and of --objects DIR every model that can be read, as one
 /// field more, scattered beside the way. `scenario` and `options`: as they will be played. Nothing where nothing is asked for.
 /// Errors: of the file, a folder without models, a model, a terrain whose ground cannot be asked.
-foundation::Result<std::optional<SceneScenery>> makeScenery(const PlayRequest& request,
+foundation::Result<std::optional<SceneScenery>> makeScenery(const SceneryRequest& request, double playS,
                                                             const simulation::Scenario& scenario,
                                                             const simulation::PlayerOptions& options,
                                                             const SceneTerrain& terrain);

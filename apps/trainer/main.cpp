@@ -24,38 +24,40 @@ struct Arguments
 void addPlayOptions(CLI::App& command, Arguments& arguments)
 {
     PlayRequest& request = arguments.request;
-    command.add_option("--capture", request.captureFolder, "folder for the pictures, frame_00000.png and on");
-    command.add_option("--scenery", request.sceneryFile,
+    command.add_option("--capture", request.output.captureFolder,
+                       "folder for the pictures, frame_00000.png and on");
+    command.add_option("--scenery", request.scenery.description,
                        "JSON file that says what stands on the terrain (docs/reference/scenery-file.md)");
-    command.add_option("--objects", request.objectsFolder,
+    command.add_option("--objects", request.scenery.modelsFolder,
                        "folder of models that stand on the terrain, too, beside the way");
-    command.add_option("--stats", request.statsFile, "JSON file for the figures of every frame");
-    command.add_option("--report", request.reportFile, "HTML file with plots of them");
-    command.add_option("--report-sheet", request.contactSheet,
+    command.add_option("--stats", request.output.statsFile, "JSON file for the figures of every frame");
+    command.add_option("--report", request.output.reportFile, "HTML file with plots of them");
+    command.add_option("--report-sheet", request.output.contactSheet,
                        "picture beside the report that it shall show");
-    command.add_option("--report-video", request.video, "video beside the report that it shall show");
-    command.add_option("--view", request.viewFile, "XML file that describes one or several channels");
+    command.add_option("--report-video", request.output.video, "video beside the report that it shall show");
+    command.add_option("--view", request.frames.viewFile, "XML file that describes one or several channels");
     command.add_option("--size", arguments.size, "WIDTHxHEIGHT in pixels, where there is no view file");
-    command.add_option("--fps", request.framesPerSecond, "frames per second")->check(CLI::Range(1, 240));
-    command.add_option("--frames", request.frames, "draw this many, whatever the scenario says")
+    command.add_option("--fps", request.frames.perSecond, "frames per second")->check(CLI::Range(1, 240));
+    command.add_option("--frames", request.frames.count, "draw this many, whatever the scenario says")
         ->check(CLI::PositiveNumber);
     command.add_option("--backend", arguments.backend, "osmesa or egl");
-    command.add_option("--samples", request.samples, "per pixel: 1 or 4")->check(CLI::IsMember({1, 4}));
+    command.add_option("--samples", request.frames.samples, "per pixel: 1 or 4")
+        ->check(CLI::IsMember({1, 4}));
     command.add_option("--eye", arguments.eye, "own (driver, pilot) or chase")
         ->check(CLI::IsMember({"own", "chase"}));
-    command.add_option("--eye-height", request.eyeHeightM, "of a driver, metres above the ground")
+    command.add_option("--eye-height", request.frames.eyeHeightM, "of a driver, metres above the ground")
         ->check(terminal::between(0.3, 10.0));
-    command.add_option("--tolerance", request.errorTolerancePx, "error target in pixels")
+    command.add_option("--tolerance", request.terrain.errorTolerancePx, "error target in pixels")
         ->check(terminal::between(0.01, 1000.0));
-    command.add_flag("--morph", request.morphing,
+    command.add_flag("--morph", request.terrain.morphing,
                      "let detail come and go without a jump, with more triangles");
     command.add_option("--patch-exponent", arguments.patchExponent,
                        "2^K triangles for each leaf, K even from 0 to 10; or 'measure': what this machine "
                        "draws fastest with");
-    command.add_option("--max-triangles", request.maxTriangles, "ceiling for the terrain")
+    command.add_option("--max-triangles", request.terrain.maxTriangles, "ceiling for the terrain")
         ->check(CLI::Range(2u, 100000000u));
     command
-        .add_option("--spacing", request.import.spacingM,
+        .add_option("--spacing", request.terrain.import.spacingM,
                     "metres between samples of a raster without georeference")
         ->check(terminal::between(0.001, 1e5));
 }
@@ -77,15 +79,16 @@ foundation::Outcome complete(Arguments& arguments)
 {
     char rest = 0;
     PlayRequest& request = arguments.request;
-    if (std::sscanf(arguments.size.c_str(), "%dx%d%c", &request.widthPx, &request.heightPx, &rest) != 2 ||
-        request.widthPx < 16 || request.heightPx < 16 || request.widthPx > 8192 || request.heightPx > 8192)
+    trainer::FrameRequest& frames = request.frames;
+    if (std::sscanf(arguments.size.c_str(), "%dx%d%c", &frames.widthPx, &frames.heightPx, &rest) != 2 ||
+        frames.widthPx < 16 || frames.heightPx < 16 || frames.widthPx > 8192 || frames.heightPx > 8192)
         return foundation::Error{"--size", "'" + arguments.size + "' is no picture size",
                                  "write it as 960x540"};
     const auto backend = osgOffscreen::parseBackend(arguments.backend);
     if (!backend) return backend.error();
-    request.backend = *backend;
-    request.eye = arguments.eye == "chase" ? trainer::EyePoint::chase : trainer::EyePoint::own;
-    return readPatchExponent(arguments.patchExponent, request.patchExponent);
+    frames.backend = *backend;
+    frames.eye = arguments.eye == "chase" ? trainer::EyePoint::chase : trainer::EyePoint::own;
+    return readPatchExponent(arguments.patchExponent, request.terrain.patchExponent);
 }
 
 } // namespace
@@ -101,10 +104,10 @@ int main(int argc, char** argv)
 
     CLI::App* play = app.add_subcommand("play", "play an OpenSCENARIO file");
     play->add_option("SCENARIO", request.scenario, "OpenSCENARIO XML")->required();
-    play->add_option("--terrain", request.terrain, "in place of the scenario's SceneGraphFile");
+    play->add_option("--terrain", request.terrain.file, "in place of the scenario's SceneGraphFile");
     addPlayOptions(*play, arguments);
     CLI::App* tour = app.add_subcommand("tour", "fly over an elevation file");
-    tour->add_option("DEM", request.terrain, "any elevation raster, or a .roam file")->required();
+    tour->add_option("DEM", request.terrain.file, "any elevation raster, or a .roam file")->required();
     tour->add_option("--save", arguments.saveFile, "write the scenario that is played");
     tour->add_option("--duration", arguments.durationS, "seconds")->check(terminal::between(4.0, 3600.0));
     addPlayOptions(*tour, arguments);
