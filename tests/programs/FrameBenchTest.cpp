@@ -107,7 +107,7 @@ TEST(FrameBench, SeesOneFrameThatIsTenTimesCoarser)
     const Words command{"pop", "--tolerance", "0.5", "--antialiasing", "none"};
     Words coarse = command;
     coarse.insert(coarse.end(), {"--coarse-frame", "2"});
-    const ordered_json sound = frameTable(place, command), popped = tableOf(place, coarse);
+    const ordered_json sound = frameTable(place, command), popped = frameTable(place, coarse);
     for (const char* what : {"delta", "pop"})
         EXPECT_GT(most(popped, what, "p999"), most(sound, what, "p999") + 2) << what;
     for (const ordered_json& row : sound["rows"])
