@@ -14,6 +14,7 @@
 
 #include <osgPMObjects/core/mesh/EdgeTable.h>
 #include <osgPMObjects/core/mesh/Extent.h>
+#include <osgPMObjects/core/mesh/TriangleDistance.h>
 
 namespace osgPMObjects::core
 {
@@ -107,14 +108,5 @@ private:
     std::vector<std::uint32_t> _order; ///< triangle numbers, leaf by leaf
     std::vector<Node> _nodes;
 };
-
-/// The point of a triangle nearest to p.
-/// Source: Ericson, *Real-time collision detection* (2005), section 5.1.5 (Voronoi regions).
-glm::dvec3 nearestPoint(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c);
-
-/// The distance along a ray to a triangle, in lengths of the direction; negative: no hit.
-/// Source: Möller and Trumbore, *Fast, minimum storage ray/triangle intersection* (1997).
-double rayDistance(const glm::dvec3& from, const glm::dvec3& direction, const glm::dvec3& a,
-                   const glm::dvec3& b, const glm::dvec3& c);
 
 } // namespace osgPMObjects::core

@@ -7,6 +7,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "../symmetry/TwinFolds.h"
+
 namespace osgPMObjects::core
 {
 
@@ -167,33 +169,14 @@ PatchGap CollapseChoice::gapTo(std::uint32_t to, const glm::dvec3& at, bool with
     return {largest(gap.gap, ofTo.gap), gap.slipCost + ofTo.slipCost};
 }
 
-/// Whether a face that both mirrored collapses change would turn over after both.
-bool CollapseChoice::foldsWithTwin(const Star& star, std::uint32_t other, const glm::dvec3& at) const
-{
-    const std::uint32_t twin = _state.twins.of(star.middle), twinOfOther = _state.twins.of(other);
-    constexpr std::uint32_t kNone = MirrorTwins::kNone;
-    if (twin == kNone || twinOfOther == kNone || twin == star.middle || twin == other || twinOfOther == other)
-        return false;
-    const glm::dvec3 image = _state.twins.image(at);
-    const auto placeOf = [&](std::uint32_t p)
-    { return p == twin || p == twinOfOther ? image : _state.positions[p]; };
-    for (const Star::Spoked& spoked : star.faces)
-    {
-        const bool crosses = spoked.has(twin) || spoked.has(twinOfOther);
-        const bool vanishes = spoked.has(other) || (spoked.has(twin) && spoked.has(twinOfOther));
-        if (!crosses || vanishes) continue;
-        const glm::dvec3 normal = glm::cross(placeOf(spoked.second) - at, placeOf(spoked.third) - at);
-        if (!(glm::dot(normal, spoked.normal) > 0.0)) return true;
-    }
-    return false;
-}
-
 bool CollapseChoice::isHarmful(std::uint32_t to, const glm::dvec3& at)
 {
-    if (foldsOver({_star, _state.positions, to, at}) || foldsWithTwin(_star, to, at)) return true;
+    if (foldsOver({_star, _state.positions, to, at}) ||
+        foldsWithTwin(_state.twins, _state.positions, _star, to, at))
+        return true;
     if (!_state.movesPlaces()) return false;
     return foldsOver({_toStar, _state.positions, _star.middle, at}) ||
-           foldsWithTwin(_toStar, _star.middle, at);
+           foldsWithTwin(_state.twins, _state.positions, _toStar, _star.middle, at);
 }
 
 Candidate CollapseChoice::bestOf(std::uint32_t position, std::span<const std::uint32_t> refused)

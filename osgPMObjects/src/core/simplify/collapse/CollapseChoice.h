@@ -66,7 +66,6 @@ private:
     void planWedges(std::uint32_t to, const glm::dvec3& at);
     PatchGap gapTo(std::uint32_t to, const glm::dvec3& at, bool withLook);
     bool isLopsided(std::uint32_t to) const;
-    bool foldsWithTwin(const Star& star, std::uint32_t other, const glm::dvec3& at) const;
     bool isHarmful(std::uint32_t to, const glm::dvec3& at);
     Candidate candidate(std::uint32_t to);
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <span>
 #include <vector>
 
@@ -40,45 +39,15 @@ struct Leaf
     void takeOver(const Leaf& gone);
 };
 
-/// The order in which a card's faces are removed, by collapses within it.
-struct LeafClosing
-{
-    struct Step
-    {
-        std::uint8_t from = 0, to = 0; ///< corners
-        std::uint32_t faces = 0;       ///< number of faces that vanish
-    };
-    std::vector<Step> steps;
-    std::vector<std::uint8_t> left; ///< corners that are left
-};
+/// Returns the positions of a card's corners.
+std::vector<glm::dvec3> cornerPositions(const CollapseState& state, const LeafCard& card);
 
-/// Collapses the edge with the most faces first. `isTurned`: in the other direction, so that its other end is left.
-LeafClosing closingOf(const LeafCard& card, bool isTurned);
+glm::dvec3 centroidOf(std::span<const glm::dvec3> places);
 
-/// The changes of a leaf when another one merges into it.
-struct LeafGrowth
-{
-    static constexpr std::uint8_t kOwn = 0xff;
+/// Returns the normal of a face, of twice its area's length. `places`: by corner of the card.
+glm::dvec3 doubleAreaVector(const LeafCard::Corners& c, std::span<const glm::dvec3> places);
 
-    std::vector<glm::dvec3> places; ///< by corner: its new position
-    std::vector<std::uint8_t>
-        taken;             ///< by corner: the corner of the other card whose position it takes; kOwn: none
-    bool isTurned = false; ///< direction in which the other card closes
-    double cost = 0.0;     ///< of moving
-    double loss =
-        std::numeric_limits<double>::infinity(); ///< the cost, and the difference to the wanted area
-
-    void weigh(const CollapseState& state, const Leaf& gone, const Leaf& stays);
-    bool takesCorners() const;
-};
-
-/// Scales the remaining leaf to the visible area of both, but not beyond the box around all cards merged into it: larger leaves
-/// visibly stick out of the crown. All corners move when there are spare positions enough, else all but one. Not for subset
-/// placement.
-LeafGrowth scaledLeaf(const CollapseState& state, const Leaf& gone, const Leaf& stays);
-
-/// Moves corners of the remaining leaf to corners of the other with the same texture coordinates, so that its area comes
-/// nearest to that of both, and turns none of its faces over. The leaf may stay as it is.
-LeafGrowth stretchedLeaf(const CollapseState& state, const Leaf& gone, const Leaf& stays);
+/// Returns twice the area of a card whose corners are at `places`.
+double doubleAreaOf(const LeafCard& card, std::span<const glm::dvec3> places);
 
 } // namespace osgPMObjects::core

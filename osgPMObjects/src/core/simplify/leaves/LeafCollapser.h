@@ -8,6 +8,8 @@
 #include "../collapse/CollapseState.h"
 #include "../collapse/Collapser.h"
 #include "Leaf.h"
+#include "LeafGrowth.h"
+#include "LeafPartners.h"
 
 namespace osgPMObjects::core
 {
@@ -26,21 +28,11 @@ namespace osgPMObjects::core
 class LeafCollapser
 {
 public:
-    explicit LeafCollapser(CollapseState& state) : _state(state) {}
+    explicit LeafCollapser(CollapseState& state) : _state(state), _partners(state.weight) {}
 
     PartialSequence run(std::vector<LeafCard> cards);
 
 private:
-    /// The cheapest neighbour of a leaf.
-    struct Partner
-    {
-        double cost = std::numeric_limits<double>::infinity();
-        std::uint32_t leaf = ~0u; ///< ~0: none is near, or it has changed
-    };
-
-    void findPartners();
-    std::size_t findPartners(double distance);
-    double pairCost(const Leaf& a, const Leaf& b) const;
     void mergeCheapest();
     LeafGrowth growthOf(const Leaf& gone, const Leaf& stays) const;
     void merge(std::uint32_t first, std::uint32_t second);
@@ -48,14 +40,13 @@ private:
     void grow(Leaf& leaf, const Leaf& gone, const LeafGrowth& growth);
     void takeCorners(Leaf& leaf, const Leaf& gone, const LeafGrowth& growth);
     void moveCorners(Leaf& leaf, const LeafGrowth& growth);
-    LevelError errorOf(const Leaf& gone, const Leaf& stays, const LeafGrowth& growth) const;
     void removeLast();
     void addStep(std::uint32_t from, std::uint32_t to, std::uint32_t faces, const glm::dvec3& place);
     void joinWedges(const LeafCard::Corner& from, const LeafCard::Corner& to);
 
     CollapseState& _state;
     std::vector<Leaf> _leaves;
-    std::vector<Partner> _partners;   ///< by leaf
+    LeafPartners _partners;
     std::vector<std::uint32_t> _left; ///< leaf numbers, rising
     Urgency _urgency;                 ///< of the current steps
     LevelError _error;                ///< of the current steps
