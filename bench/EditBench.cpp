@@ -33,12 +33,13 @@ std::shared_ptr<RoamTile> tileOf(int side, int gridExponent)
 /// A square of the raster somewhere, raised by up to a metre.
 std::vector<HeightChange> square(const PlacedTile& tile, int across, testsupport::Random& random)
 {
-    const auto room = static_cast<std::uint32_t>(tile.dataColumns() - across);
+    const auto room = static_cast<std::uint32_t>(tile.grid().dataColumns() - across);
     const int west = static_cast<int>(random.below(room)), south = static_cast<int>(random.below(room));
     std::vector<HeightChange> changes;
     for (int row = south; row < south + across; ++row)
         for (int column = west; column < west + across; ++column)
-            changes.push_back({{column, row}, tile.heightM(column, row) + static_cast<float>(random.unit())});
+            changes.push_back(
+                {{column, row}, tile.samples().heightM(column, row) + static_cast<float>(random.unit())});
     return changes;
 }
 

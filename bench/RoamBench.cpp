@@ -142,8 +142,8 @@ std::vector<glm::dvec2> randomPlaces(const PlacedTile& placed)
     std::vector<glm::dvec2> places;
     testsupport::Random random(9);
     for (int i = 0; i < 4096; ++i)
-        places.emplace_back(placed.positionAt(random.unit() * (placed.dataColumns() - 2),
-                                              random.unit() * (placed.dataRows() - 2), 0.0));
+        places.emplace_back(placed.frame().positionAt(random.unit() * (placed.grid().dataColumns() - 2),
+                                                      random.unit() * (placed.grid().dataRows() - 2), 0.0));
     return places;
 }
 

@@ -15,8 +15,9 @@ using osgTerrainROAM::core::Placement;
 
 std::optional<simulation::Geodetic> originOf(const PlacedTile& tile)
 {
-    if (tile.placement() == Placement::planar) return std::nullopt;
-    return simulation::Geodetic{tile.origin().latitudeDeg, tile.origin().longitudeDeg, tile.origin().heightM};
+    if (tile.frame().placement() == Placement::planar) return std::nullopt;
+    return simulation::Geodetic{tile.frame().origin().latitudeDeg, tile.frame().origin().longitudeDeg,
+                                tile.frame().origin().heightM};
 }
 
 simulation::GroundProvider groundOf(const PlacedTile& tile)
@@ -33,7 +34,7 @@ simulation::TourTerrain tourTerrainOf(const PlacedTile& tile, const std::string&
 {
     constexpr double kFar = std::numeric_limits<double>::max();
     simulation::TourTerrain terrain{-kFar, -kFar, kFar, kFar, {}, 0.0, originOf(tile), sceneFile};
-    const int lastColumn = tile.dataColumns() - 1, lastRow = tile.dataRows() - 1;
+    const int lastColumn = tile.grid().dataColumns() - 1, lastRow = tile.grid().dataRows() - 1;
     for (int row = 0; row <= lastRow; ++row)
     {
         terrain.westM = std::max(terrain.westM, tile.position(0, row).x);
@@ -49,9 +50,10 @@ simulation::TourTerrain tourTerrainOf(const PlacedTile& tile, const std::string&
     {
         // The rectangle's rim may miss the data by a rounding error: its nearest sample stands in.
         if (const auto point = osgTerrainROAM::core::groundAt(tile, eastM, northM)) return point->position.z;
-        const glm::dvec2 place = tile.gridAt({eastM, northM, 0.0});
-        const int column = std::clamp(static_cast<int>(std::lround(place.x)), 0, tile.dataColumns() - 1);
-        const int row = std::clamp(static_cast<int>(std::lround(place.y)), 0, tile.dataRows() - 1);
+        const glm::dvec2 place = tile.frame().gridAt({eastM, northM, 0.0});
+        const int column =
+            std::clamp(static_cast<int>(std::lround(place.x)), 0, tile.grid().dataColumns() - 1);
+        const int row = std::clamp(static_cast<int>(std::lround(place.y)), 0, tile.grid().dataRows() - 1);
         return tile.position(column, row).z;
     };
     return terrain;

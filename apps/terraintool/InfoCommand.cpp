@@ -14,19 +14,20 @@ namespace
 
 using namespace osgTerrainROAM::core;
 
-/// Not those of holes.
-std::size_t samplesThere(const HeightField& field)
+/// Counts the raster's samples that are not holes.
+std::size_t samplesThere(const PlacedTile& tile)
 {
+    const HeightField& field = tile.field();
     std::size_t count = 0;
     for (int row = 0; row < field.rows; ++row)
-        count += static_cast<std::size_t>(field.mask.countIn(row, 0, field.columns - 1));
+        count += static_cast<std::size_t>(tile.samples().mask().countIn(row, 0, field.columns - 1));
     return count;
 }
 
 nlohmann::ordered_json describe(const std::string& file, const PlacedTile& tile)
 {
     const HeightField& field = tile.field();
-    const SampleTable& samples = tile.samples();
+    const SampleTable& samples = tile.samples().table();
     float lowestM = samples.heightM(0), highestM = lowestM;
     for (std::size_t i = 1; i < samples.size(); ++i)
     {
@@ -38,7 +39,7 @@ nlohmann::ordered_json describe(const std::string& file, const PlacedTile& tile)
     row["columns"] = field.columns;
     row["rows"] = field.rows;
     row["samples"] = samples.size();
-    row["tileSide"] = tile.side();
+    row["tileSide"] = tile.grid().side();
     row["spacingEastM"] = field.spacingEastM;
     row["spacingNorthM"] = field.spacingNorthM;
     row["lowestM"] = lowestM;
@@ -53,16 +54,16 @@ nlohmann::ordered_json describe(const std::string& file, const PlacedTile& tile)
         row["seamStepM"] = field.mosaic.largestStepM;
         row["bentSamples"] = field.mosaic.bentSamples;
     }
-    for (const SampleSheet& sheet : tile.sheets())
+    for (const SampleSheet& sheet : tile.samples().sheets())
         row["parts"].push_back(
             {{"samples", sheet.table().size()},
-             {"spacingNorthM", field.spacingNorthM * sheet.step() / (1 << tile.gridExponent())}});
-    row["missing"] = samples.size() - samplesThere(field);
+             {"spacingNorthM", field.spacingNorthM * sheet.step() / tile.grid().cellSide()}});
+    row["missing"] = samples.size() - samplesThere(tile);
     row["georeferenced"] = field.net.has_value();
     if (field.net)
     {
-        row["originLatitudeDeg"] = tile.origin().latitudeDeg;
-        row["originLongitudeDeg"] = tile.origin().longitudeDeg;
+        row["originLatitudeDeg"] = tile.frame().origin().latitudeDeg;
+        row["originLongitudeDeg"] = tile.frame().origin().longitudeDeg;
         row["geoidM"] = field.net->nodes.front().geoidM;
     }
     return row;

@@ -57,7 +57,7 @@ foundation::Result<FlightFindings> fly(const Request& request, const std::string
     if (!description) return description.error();
     auto placed = loadTile(*description);
     if (!placed) return placed.error();
-    row["samples"] = placed->samples().size();
+    row["samples"] = placed->samples().table().size();
     row["voids"] = placed->field().voids.count;
     const auto views = *scenario ? scenarioViews(**scenario, file, *placed, request.frames)
                                  : tourViews(*placed, request.frames);

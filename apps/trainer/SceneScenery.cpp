@@ -78,7 +78,7 @@ scenery::Ground groundOf(const SceneTerrain& terrain)
         return sample ? std::optional(sample->heightM) : std::nullopt;
     };
     ground.elevationM = [tile = terrain.terrain->tile()](double eastM, double northM, double heightM) {
-        return tile->tile.heightOf({eastM, northM, heightM});
+        return tile->tile.frame().heightOf({eastM, northM, heightM});
     };
     ground.seaLevelM = terrain.terrain->material()->climate().seaLevelM;
     return ground;

@@ -130,10 +130,10 @@ std::vector<Candidate> candidatesOf(const Request& request)
 
 foundation::Result<Report> measureDatabase(const Request& request)
 {
-    if ((request.tile->tile.side() - 1) % request.tileCells != 0)
+    if ((request.tile->tile.grid().side() - 1) % request.tileCells != 0)
         return foundation::Error{"--tile-cells", "the square does not divide into such tiles",
                                  "choose a power of two"};
-    auto stage = Stage::open(request.picture, request.tile->tile.vertexStepM());
+    auto stage = Stage::open(request.picture, request.tile->tile.frame().vertexStepM());
     if (!stage) return stage.error();
     Report report;
     report["renderer"] = (*stage)->rendererName();

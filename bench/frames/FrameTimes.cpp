@@ -78,7 +78,7 @@ void measureLook(const Request& request, Stage& stage, Look look, Report& report
 
 foundation::Result<Report> measureFrames(const Request& request)
 {
-    auto stage = Stage::open(request.picture, request.tile->tile.vertexStepM());
+    auto stage = Stage::open(request.picture, request.tile->tile.frame().vertexStepM());
     if (!stage) return stage.error();
     Report report;
     report["renderer"] = (*stage)->rendererName();

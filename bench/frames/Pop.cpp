@@ -128,7 +128,7 @@ foundation::Result<Report> measurePop(const Request& request)
     std::vector<std::unique_ptr<Stage>> stages;
     const auto open = [&](const osgOffscreen::OffscreenSettings& picture) -> foundation::Outcome
     {
-        auto stage = Stage::open(picture, request.tile->tile.vertexStepM());
+        auto stage = Stage::open(picture, request.tile->tile.frame().vertexStepM());
         if (!stage) return stage.error();
         stages.push_back(std::move(*stage));
         return foundation::success();

@@ -85,11 +85,11 @@ struct VertexArrays
 osg::ref_ptr<osg::Geometry> patchOf(const PlacedTile& tile, const VertexArrays& arrays, int left, int bottom,
                                     int cells)
 {
-    const auto at = [&](int c, int r) { return static_cast<GLuint>(r * tile.side() + c); };
+    const auto at = [&](int c, int r) { return static_cast<GLuint>(r * tile.grid().side() + c); };
     osg::ref_ptr<osg::DrawElementsUInt> triangles = new osg::DrawElementsUInt(GL_TRIANGLES);
     triangles->reserve(static_cast<std::size_t>(cells) * cells * 6);
     osg::BoundingBoxd box;
-    const double stepM = tile.vertexStepM();
+    const double stepM = tile.frame().vertexStepM();
     for (int r = bottom; r < bottom + cells; ++r)
         for (int c = left; c < left + cells; ++c)
         {
@@ -136,10 +136,10 @@ osg::ref_ptr<osg::Geode> staticMesh(const DrawnMesh& mesh)
 osg::ref_ptr<osg::Geode> fullGrid(const PlacedTile& tile, int patchCells)
 {
     VertexArrays arrays;
-    for (int row = 0; row < tile.side(); ++row)
-        for (int column = 0; column < tile.side(); ++column)
-            arrays.add(meshVertex(tile.position(column, row), {column, row}, tile.vertexStepM()));
-    const int cells = tile.side() - 1, step = std::min(patchCells, cells);
+    for (int row = 0; row < tile.grid().side(); ++row)
+        for (int column = 0; column < tile.grid().side(); ++column)
+            arrays.add(meshVertex(tile.position(column, row), {column, row}, tile.frame().vertexStepM()));
+    const int cells = tile.grid().side() - 1, step = std::min(patchCells, cells);
     osg::ref_ptr<osg::Geode> geode = new osg::Geode;
     for (int bottom = 0; bottom < cells; bottom += step)
         for (int left = 0; left < cells; left += step)

@@ -42,7 +42,7 @@ std::vector<Subject> subjectsOf(const Request& request, Look look)
             subjects.push_back(ours(request, tolerancePx, morphing));
     subjects.push_back({"full grid",
                         "every cell, one static buffer, the same vertices and program as ours",
-                        fullGrid(tile, tile.side()),
+                        fullGrid(tile, tile.grid().side()),
                         nullptr,
                         {}});
     subjects.push_back({"full grid in patches",

@@ -18,13 +18,14 @@ namespace
 osg::ref_ptr<osg::HeightField> heightsOf(const PlacedTile& tile)
 {
     osg::ref_ptr<osg::HeightField> heights = new osg::HeightField;
-    heights->allocate(static_cast<unsigned>(tile.dataColumns()), static_cast<unsigned>(tile.dataRows()));
+    heights->allocate(static_cast<unsigned>(tile.grid().dataColumns()),
+                      static_cast<unsigned>(tile.grid().dataRows()));
     heights->setXInterval(static_cast<float>(tile.field().spacingEastM));
     heights->setYInterval(static_cast<float>(tile.field().spacingNorthM));
-    for (int row = 0; row < tile.dataRows(); ++row)
-        for (int column = 0; column < tile.dataColumns(); ++column)
+    for (int row = 0; row < tile.grid().dataRows(); ++row)
+        for (int column = 0; column < tile.grid().dataColumns(); ++column)
             heights->setHeight(static_cast<unsigned>(column), static_cast<unsigned>(row),
-                               tile.heightM(column, row));
+                               tile.samples().heightM(column, row));
     return heights;
 }
 
@@ -33,8 +34,8 @@ osg::ref_ptr<osg::HeightField> heightsOf(const PlacedTile& tile)
 osg::ref_ptr<osg::Node> terrainTechnique(const PlacedTile& tile,
                                          const osgTerrainROAM::TerrainMaterial* material, Look look)
 {
-    const double eastM = (tile.dataColumns() - 1) * tile.field().spacingEastM;
-    const double northM = (tile.dataRows() - 1) * tile.field().spacingNorthM;
+    const double eastM = (tile.grid().dataColumns() - 1) * tile.field().spacingEastM;
+    const double northM = (tile.grid().dataRows() - 1) * tile.field().spacingNorthM;
     osg::ref_ptr<osgTerrain::Locator> locator = new osgTerrain::Locator;
     locator->setCoordinateSystemType(osgTerrain::Locator::PROJECTED);
     locator->setTransformAsExtents(0.0, 0.0, eastM, northM);

@@ -27,7 +27,7 @@ osg::ref_ptr<osg::HeightField> heightsOf(const PlacedTile& tile, const Square& s
     for (int row = 0; row <= square.cells; ++row)
         for (int column = 0; column <= square.cells; ++column)
             heights->setHeight(static_cast<unsigned>(column), static_cast<unsigned>(row),
-                               tile.heightM(square.column + column, square.row + row));
+                               tile.samples().heightM(square.column + column, square.row + row));
     return heights;
 }
 
@@ -38,8 +38,8 @@ osg::ref_ptr<osg::Image> coloursOf(const PlacedTile& tile, const Square& square)
     for (int row = 0; row < square.cells; ++row)
         for (int column = 0; column < square.cells; ++column)
         {
-            const float share =
-                std::clamp(tile.heightM(square.column + column, square.row + row) / 3000.0F, 0.0F, 1.0F);
+            const float share = std::clamp(
+                tile.samples().heightM(square.column + column, square.row + row) / 3000.0F, 0.0F, 1.0F);
             unsigned char* texel = image->data(static_cast<unsigned>(column), static_cast<unsigned>(row));
             texel[0] = static_cast<unsigned char>(90 + 150 * share);
             texel[1] = static_cast<unsigned char>(140 + 60 * share);
@@ -76,8 +76,8 @@ osg::ref_ptr<osgTerrain::Terrain> tiledDatabase(const PlacedTile& tile, int cell
 {
     osg::ref_ptr<osgTerrain::Terrain> terrain = new osgTerrain::Terrain;
     terrain->setTerrainTechniquePrototype(technique);
-    for (int row = 0; row + cells < tile.side(); row += cells)
-        for (int column = 0; column + cells < tile.side(); column += cells)
+    for (int row = 0; row + cells < tile.grid().side(); row += cells)
+        for (int column = 0; column + cells < tile.grid().side(); column += cells)
             terrain->addChild(terrainTile(tile, {column, row, cells}));
     return terrain;
 }

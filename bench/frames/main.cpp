@@ -20,7 +20,7 @@ Report described(const Request& request)
 {
     Report report;
     report["dem"] = std::filesystem::path(request.dem).filename().string();
-    report["side"] = request.tile->tile.side();
+    report["side"] = request.tile->tile.grid().side();
     report["cellM"] = request.tile->tile.field().spacingEastM;
     report["speedMps"] = request.flight.speedMps;
     report["aboveGroundM"] = request.flight.aboveGroundM;

@@ -29,7 +29,7 @@ void report(const core::PlacedTile& tile)
                 field.columns, field.rows, field.spacingNorthM);
     std::printf("%.1f m is the most by which they disagreed; %zu samples were bent\n",
                 field.mosaic.largestStepM, field.mosaic.bentSamples);
-    for (const core::SampleSheet& sheet : tile.sheets())
+    for (const core::SampleSheet& sheet : tile.samples().sheets())
         std::printf("a denser part of %zu samples\n", sheet.table().size());
 }
 
@@ -41,8 +41,9 @@ double shareOfHoles(const core::PlacedTile& tile)
     for (int i = 0; i < kLooks; ++i)
         for (int j = 0; j < kLooks; ++j)
         {
-            const glm::dvec3 place = tile.positionAt((tile.dataColumns() - 1) * (i + 0.5) / kLooks,
-                                                     (tile.dataRows() - 1) * (j + 0.5) / kLooks, 0.0);
+            const glm::dvec3 place =
+                tile.frame().positionAt((tile.grid().dataColumns() - 1) * (i + 0.5) / kLooks,
+                                        (tile.grid().dataRows() - 1) * (j + 0.5) / kLooks, 0.0);
             missing += core::groundAt(tile, place.x, place.y) ? 0 : 1;
         }
     return static_cast<double>(missing) / (kLooks * kLooks);

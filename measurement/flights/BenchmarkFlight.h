@@ -51,11 +51,12 @@ struct BenchmarkFlight
     {
         constexpr int kWidth = 1280, kHeight = 1024;
         const bool stays = path == Path::still || path == Path::turn, away = frame % 2 == 1;
-        const double last = tile.dataColumns() - 1, s = stays ? 0.0 : cellsPerFrame * frame;
+        const double last = tile.grid().dataColumns() - 1, s = stays ? 0.0 : cellsPerFrame * frame;
         double column = 0.12 * last + 0.8 * s;
         const double row = 0.15 * last + 0.6 * s;
         if (path == Path::jump && away) column += std::min(1000.0 / tile.field().spacingEastM, 0.5 * last);
-        const glm::dvec3 eye = tile.positionAt(column, row, groundM(tile, column, row) + aboveGroundM);
+        const glm::dvec3 eye =
+            tile.frame().positionAt(column, row, groundM(tile, column, row) + aboveGroundM);
         const double circle = 2.0 * std::numbers::pi * frame / kFrames;
         double yaw = std::atan2(0.6, 0.8);
         if (path == Path::turn) yaw += circle;
@@ -76,8 +77,8 @@ private:
     {
         const int c = static_cast<int>(column), r = static_cast<int>(row);
         const double u = column - c, v = row - r;
-        return (1 - v) * ((1 - u) * tile.heightM(c, r) + u * tile.heightM(c + 1, r)) +
-               v * ((1 - u) * tile.heightM(c, r + 1) + u * tile.heightM(c + 1, r + 1));
+        return (1 - v) * ((1 - u) * tile.samples().heightM(c, r) + u * tile.samples().heightM(c + 1, r)) +
+               v * ((1 - u) * tile.samples().heightM(c, r + 1) + u * tile.samples().heightM(c + 1, r + 1));
     }
 };
 

@@ -25,9 +25,9 @@ public:
     {
         if (_frame++ % kFramesBetweenLeaps == 0)
         {
-            const double last = _tile.dataColumns() - 1, column = unit() * last, row = unit() * last;
-            const double groundM = _tile.heightM(static_cast<int>(column), static_cast<int>(row));
-            _view.eyeWorld = _tile.positionAt(column, row, groundM + 300.0);
+            const double last = _tile.grid().dataColumns() - 1, column = unit() * last, row = unit() * last;
+            const double groundM = _tile.samples().heightM(static_cast<int>(column), static_cast<int>(row));
+            _view.eyeWorld = _tile.frame().positionAt(column, row, groundM + 300.0);
         }
         const double east = unit(), north = unit(), up = unit();
         _view.eyeWorld += (glm::dvec3(east, north, up) - 0.5) * _tile.field().spacingEastM;

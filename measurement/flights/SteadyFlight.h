@@ -27,7 +27,7 @@ struct SteadyFlight
 
     glm::dvec3 eye(const osgTerrainROAM::core::PlacedTile& tile, int frame) const
     {
-        const double sideM = (tile.dataColumns() - 1) * tile.field().spacingEastM;
+        const double sideM = (tile.grid().dataColumns() - 1) * tile.field().spacingEastM;
         const glm::dvec2 place = glm::dvec2(startShare * sideM) + along() * metresAt(frame);
         return {place, smoothGroundM(tile, place) + aboveGroundM};
     }
@@ -67,12 +67,14 @@ private:
 
     static double groundM(const osgTerrainROAM::core::PlacedTile& tile, const glm::dvec2& place)
     {
-        const double column = std::clamp(place.x / tile.field().spacingEastM, 0.0, tile.dataColumns() - 1.0);
-        const double row = std::clamp(place.y / tile.field().spacingNorthM, 0.0, tile.dataRows() - 1.0);
+        const double column =
+            std::clamp(place.x / tile.field().spacingEastM, 0.0, tile.grid().dataColumns() - 1.0);
+        const double row =
+            std::clamp(place.y / tile.field().spacingNorthM, 0.0, tile.grid().dataRows() - 1.0);
         const int c = static_cast<int>(column), r = static_cast<int>(row);
         const double u = column - c, v = row - r;
-        return (1 - v) * ((1 - u) * tile.heightM(c, r) + u * tile.heightM(c + 1, r)) +
-               v * ((1 - u) * tile.heightM(c, r + 1) + u * tile.heightM(c + 1, r + 1));
+        return (1 - v) * ((1 - u) * tile.samples().heightM(c, r) + u * tile.samples().heightM(c + 1, r)) +
+               v * ((1 - u) * tile.samples().heightM(c, r + 1) + u * tile.samples().heightM(c + 1, r + 1));
     }
 };
 

@@ -114,14 +114,14 @@ void RoamDrawable::followEdits(std::span<const core::GridRect> moved)
     const std::shared_lock lock(_tile->mutex());
     const core::PlacedTile& tile = _tile->tile;
     for (const core::GridRect& rect : moved)
-        tile.forEachSample(rect,
-                           [&](int column, int row)
-                           {
-                               const glm::dvec3 p = tile.position(column, row);
-                               for (const double slackM : {-0.01, 0.01}) // floats round
-                                   _box.expandBy(
-                                       osg::Vec3f(osg::Vec3d(p.x + slackM, p.y + slackM, p.z + slackM)));
-                           });
+        tile.samples().forEachSample(
+            rect,
+            [&](int column, int row)
+            {
+                const glm::dvec3 p = tile.position(column, row);
+                for (const double slackM : {-0.01, 0.01}) // floats round
+                    _box.expandBy(osg::Vec3f(osg::Vec3d(p.x + slackM, p.y + slackM, p.z + slackM)));
+            });
     dirtyBound();
 }
 

@@ -127,7 +127,7 @@ void RoamTerrain::followEdits()
         if (_tile->revision() == _revision) return;
         const auto changes = _tile->changesSince(_revision);
         _revision = _tile->revision();
-        if (!changes) moved.push_back({0, 0, _tile->tile.side() - 1, _tile->tile.side() - 1});
+        if (!changes) moved.push_back({0, 0, _tile->tile.grid().side() - 1, _tile->tile.grid().side() - 1});
         for (const core::TileChange* change : changes.value_or(std::vector<const core::TileChange*>()))
             moved.insert(moved.end(), change->moved.begin(), change->moved.end());
         if (_material) _material->followEdits(_tile->tile, moved);

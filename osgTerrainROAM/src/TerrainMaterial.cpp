@@ -51,9 +51,9 @@ TerrainMaterial::TerrainMaterial(const core::PlacedTile& tile, const Climate& cl
     measureHeights(tile);
     setPalette();
     addClipping(tile);
-    if (!tile.sheets().empty())
+    if (!tile.samples().sheets().empty())
         _sheetNormals = std::make_unique<SheetNormals>(tile, *_stateSet, sheetNormals);
-    if (tile.gridExponent() > 0)
+    if (tile.grid().exponent() > 0)
         _fineNormals = std::make_unique<FineNormals>(tile, *_stateSet, fineIndex, fineNormals);
     setProgram();
     // The ground has no underside, and a far slope must not win against the near one in the depth buffer's last step.
@@ -116,8 +116,8 @@ void TerrainMaterial::addMaps(const core::PlacedTile& tile, osg::Image* drapeIma
     if (drapeImage)
     {
         addTexture(*_stateSet, "terrainDrape", drape, drapeImage, osg::Texture::CLAMP_TO_EDGE);
-        const double perColumn = (drapeImage->s() - 1.0) / (tile.dataColumns() - 1.0);
-        const double perRow = (drapeImage->t() - 1.0) / (tile.dataRows() - 1.0);
+        const double perColumn = (drapeImage->s() - 1.0) / (tile.grid().dataColumns() - 1.0);
+        const double perRow = (drapeImage->t() - 1.0) / (tile.grid().dataRows() - 1.0);
         _stateSet->addUniform(
             new osg::Uniform("terrainDrapeFromGrid", mapFromGrid(perColumn, 0.5, drapeImage->s(), true) +
                                                          mapFromGrid(perRow, 0.5, drapeImage->t(), false)));
@@ -126,15 +126,16 @@ void TerrainMaterial::addMaps(const core::PlacedTile& tile, osg::Image* drapeIma
 
 void TerrainMaterial::measureHeights(const core::PlacedTile& tile)
 {
-    const int column = tile.dataColumns() / 2, row = tile.dataRows() / 2;
+    const int column = tile.grid().dataColumns() / 2, row = tile.grid().dataRows() / 2;
     const glm::dvec3 middle = tile.position(column, row);
     // Seen from the tile's frame the Earth falls away by about d²/2R; a metre more or less does not move a snow line.
-    const double fall = tile.placement() == core::Placement::curved ? 0.5 / 6371000.0 : 0.0;
+    const double fall = tile.frame().placement() == core::Placement::curved ? 0.5 / 6371000.0 : 0.0;
     const double over =
-        tile.heightM(column, row) - middle.z - fall * (middle.x * middle.x + middle.y * middle.y);
+        tile.samples().heightM(column, row) - middle.z - fall * (middle.x * middle.x + middle.y * middle.y);
     _heights.set(static_cast<float>(fall), static_cast<float>(over));
-    _lastSample.set(static_cast<float>(tile.dataColumns() - 1), static_cast<float>(tile.dataRows() - 1));
-    _spacingM = 0.5 * (tile.field().spacingEastM + tile.field().spacingNorthM) / (1 << tile.gridExponent());
+    _lastSample.set(static_cast<float>(tile.grid().dataColumns() - 1),
+                    static_cast<float>(tile.grid().dataRows() - 1));
+    _spacingM = 0.5 * (tile.field().spacingEastM + tile.field().spacingNorthM) / tile.grid().cellSide();
 }
 
 TerrainMaterial::~TerrainMaterial() = default;
@@ -231,8 +232,8 @@ void TerrainMaterial::setCover(const core::CoverMap& map)
 void TerrainMaterial::addClipping(const core::PlacedTile& tile)
 {
     _stateSet->addUniform(
-        new osg::Uniform("terrainLastSample", osg::Vec2f(static_cast<float>(tile.dataColumns() - 1),
-                                                         static_cast<float>(tile.dataRows() - 1))));
+        new osg::Uniform("terrainLastSample", osg::Vec2f(static_cast<float>(tile.grid().dataColumns() - 1),
+                                                         static_cast<float>(tile.grid().dataRows() - 1))));
     // GL_CLIP_DISTANCE0 and 1 have the numbers of the first two clip planes.
     _stateSet->setMode(GL_CLIP_PLANE0, osg::StateAttribute::ON);
     _stateSet->setMode(GL_CLIP_PLANE1, osg::StateAttribute::ON);

@@ -130,15 +130,15 @@ foundation::Result<Report> bench(const Request& request)
         auto square = squareOf(*field, request, file);
         if (!square) return square.error();
         const auto tile = std::make_shared<const RoamTile>(PlacedTile(std::move(*square), Placement::planar));
-        std::cout << file << ": " << tile->tile.side() << " x " << tile->tile.side() << " samples of "
-                  << tile->tile.field().spacingEastM << " m\n";
+        std::cout << file << ": " << tile->tile.grid().side() << " x " << tile->tile.grid().side()
+                  << " samples of " << tile->tile.field().spacingEastM << " m\n";
         const SplitBounds bounds(tile, request.patchExponent);
         if (const auto done = benchTile(request, file, bounds, report.json); !done) return done.error();
         if (report.json.contains("enhMerge"))
             continue; // the first terrain serves for what hardly depends on it
         report.json["enhMerge"] = measureMerges(tile);
-        report.json["bytesPerSample"] = static_cast<double>(tile->tile.samples().memoryBytes()) /
-                                        static_cast<double>(tile->tile.samples().size());
+        report.json["bytesPerSample"] = static_cast<double>(tile->tile.samples().table().memoryBytes()) /
+                                        static_cast<double>(tile->tile.samples().table().size());
         report.json["bytesPerActiveTriangle"] = report.json["runs"][0]["bytesPerActiveTriangle"];
         report.json["slices"] = measureSlices(tile);
         report.json["pops"] = measurePops(tile);

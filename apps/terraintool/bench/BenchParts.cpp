@@ -62,7 +62,7 @@ double nsPerRemoved(const std::shared_ptr<const RoamTile>& tile, int level, cons
 nlohmann::ordered_json measureMerges(const std::shared_ptr<const RoamTile>& tile)
 {
     double bulkNs = 0.0, singleNs = 0.0;
-    for (int level = 2; level < tile->tile.levels(); level += 2)
+    for (int level = 2; level < tile->tile.grid().levels(); level += 2)
     {
         bulkNs =
             std::max(bulkNs, nsPerRemoved(tile, level,
@@ -110,9 +110,9 @@ double measureQueries(const std::shared_ptr<const RoamTile>& tile)
     std::vector<glm::dvec2> places;
     for (int i = 0; i < kPlaces; ++i)
     {
-        const double column = random() / 4294967296.0 * (tile->tile.dataColumns() - 1);
-        const double row = random() / 4294967296.0 * (tile->tile.dataRows() - 1);
-        places.emplace_back(tile->tile.positionAt(column, row, 0.0));
+        const double column = random() / 4294967296.0 * (tile->tile.grid().dataColumns() - 1);
+        const double row = random() / 4294967296.0 * (tile->tile.grid().dataRows() - 1);
+        places.emplace_back(tile->tile.frame().positionAt(column, row, 0.0));
     }
     std::vector<std::optional<DrawnGround>> grounds(places.size());
     std::vector<double> ns; // of a query, by round

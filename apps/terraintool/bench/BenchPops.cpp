@@ -28,7 +28,7 @@ void appendVertices(const DiamondTree& tree, std::vector<glm::dvec2>& places)
     for (VertexSlot v = 0; v < tree.vertexSlots(); ++v)
     {
         const DiamondPlace& place = tree.place(v);
-        const bool isThere = !place.isFree() && tree.tile().tile.isInData(place.column, place.row);
+        const bool isThere = !place.isFree() && tree.tile().tile.grid().isInData(place.column, place.row);
         if (isThere) places.emplace_back(tree.samplePosition(v));
     }
 }

@@ -13,7 +13,7 @@ int gridExponentFor(const HeightField& field, double spacingM)
     constexpr double kSlack = 1.01; // a map's metre is not quite the Earth's
     int exponent = 0;
     while (std::ldexp(coarsestM, -exponent) > kSlack * spacingM &&
-           ((field.tileSide() - 1) << (exponent + 1)) + 1 <= PlacedTile::kMostSide)
+           ((field.tileSide() - 1) << (exponent + 1)) + 1 <= TileGrid::kMostSide)
         ++exponent;
     return exponent;
 }

@@ -25,8 +25,9 @@ std::uint64_t keyOf(int column, int row)
 /// Central differences of placed positions, `reach` places to either side.
 glm::dvec3 normalAt(const core::PlacedTile& tile, int column, int row, int reach)
 {
-    const int west = std::max(column - reach, 0), east = std::min(column + reach, tile.dataColumns() - 1);
-    const int south = std::max(row - reach, 0), north = std::min(row + reach, tile.dataRows() - 1);
+    const int west = std::max(column - reach, 0),
+              east = std::min(column + reach, tile.grid().dataColumns() - 1);
+    const int south = std::max(row - reach, 0), north = std::min(row + reach, tile.grid().dataRows() - 1);
     return glm::normalize(glm::cross(tile.position(east, row) - tile.position(west, row),
                                      tile.position(column, north) - tile.position(column, south)));
 }
@@ -35,8 +36,8 @@ glm::dvec3 normalAt(const core::PlacedTile& tile, int column, int row, int reach
 
 FineNormals::FineNormals(const core::PlacedTile& tile, osg::StateSet& stateSet, unsigned indexUnit,
                          unsigned pageUnit)
-    : _cellShift(tile.gridExponent()),
-      _side(std::min(kPageSide, 1 << tile.gridExponent())),
+    : _cellShift(tile.grid().exponent()),
+      _side(std::min(kPageSide, tile.grid().cellSide())),
       _index(new osg::Image)
 {
     _index->allocateImage(tile.field().columns - 1, tile.field().rows - 1, 1, GL_RED, GL_UNSIGNED_SHORT);
@@ -68,7 +69,7 @@ FineNormals::FineNormals(const core::PlacedTile& tile, osg::StateSet& stateSet, 
 
 void FineNormals::follow(const core::PlacedTile& tile, std::span<const core::GridRect> moved)
 {
-    if (tile.fineSamples().isEmpty()) return;
+    if (tile.samples().fineSamples().isEmpty()) return;
     const core::GridRect cells{0, 0, _index->s() - 1, _index->t() - 1};
     std::unordered_map<std::uint64_t, bool> seen;
     for (const core::GridRect& rect : moved)
@@ -89,8 +90,8 @@ void FineNormals::drawCell(const core::PlacedTile& tile, int column, int row)
     const int west = column << _cellShift, south = row << _cellShift;
     bool isFine = _pageOf.contains(keyOf(column, row));
     if (!isFine)
-        tile.fineSamples().forEachIn({west, south, west + cell, south + cell},
-                                     [&](int c, int r) { isFine = isFine || tile.hasFineSample(c, r); });
+        tile.samples().fineSamples().forEachIn({west, south, west + cell, south + cell}, [&](int c, int r)
+                                               { isFine = isFine || tile.samples().hasFineSample(c, r); });
     const int page = isFine ? pageFor(column, row) : -1;
     if (page < 0) return;
     osg::Image& image = *_pages->getImage(static_cast<unsigned>(page));
@@ -101,8 +102,9 @@ void FineNormals::drawCell(const core::PlacedTile& tile, int column, int row)
         for (int x = 0; x < _side; ++x, out += 4)
         {
             const int c = west + x * step + step / 2, r = south + y * step + step / 2;
-            const bool counts = tile.hasFineSample(c, r) || tile.hasFineSample(c - reach, r - reach) ||
-                                tile.hasFineSample(c + reach, r + reach);
+            const bool counts = tile.samples().hasFineSample(c, r) ||
+                                tile.samples().hasFineSample(c - reach, r - reach) ||
+                                tile.samples().hasFineSample(c + reach, r + reach);
             const glm::dvec3 normal = counts ? normalAt(tile, c, r, reach) : glm::dvec3(0.0, 0.0, 1.0);
             packNormal(normal, out);
             out[2] = counts ? 65535 : 0;

@@ -127,7 +127,7 @@ struct GridBox
 
 GridBox wholeGrid(const core::PlacedTile& tile)
 {
-    return {{0.0, 0.0}, {tile.dataColumns() - 1.0, tile.dataRows() - 1.0}};
+    return {{0.0, 0.0}, {tile.grid().dataColumns() - 1.0, tile.grid().dataRows() - 1.0}};
 }
 
 /// The grid place over a pixel: Newton's method, on a map that is nearly a plane's.
@@ -209,7 +209,7 @@ Result<ImageryLayer> laid(const std::filesystem::path& file, const core::PlacedT
         drapeSide(glm::distance(corner, net->pixelAt(box.first.x, box.last.y)) / pixels.reduction), 1,
         GL_RGBA, GL_UNSIGNED_BYTE);
     if (!sampleInto(*layer.image, pixels, *net, box)) return nothing;
-    const double placeM = tile.field().spacingEastM / (1 << tile.gridExponent());
+    const double placeM = tile.field().spacingEastM / tile.grid().cellSide();
     layer.texelM = (box.last.x - box.first.x) * placeM / (layer.image->s() - 1);
     return layer;
 }

@@ -92,9 +92,9 @@ double landNoise(const TileableNoise& noise, double eastM, double northM, double
 MapField withoutHoles(MapField heights, const core::PlacedTile& tile, const MapGrid& grid)
 {
     std::size_t at = 0;
-    for (int y = 0; y < grid.height && tile.hasHoles(); ++y)
+    for (int y = 0; y < grid.height && tile.samples().hasHoles(); ++y)
         for (int x = 0; x < grid.width; ++x, ++at)
-            if (!tile.isGround(x * grid.step, y * grid.step))
+            if (!tile.samples().isGround(x * grid.step, y * grid.step))
                 heights[at] = std::numeric_limits<float>::quiet_NaN();
     return heights;
 }

@@ -21,7 +21,7 @@ struct MapGrid
     bool isOfRaster = true;
 
     explicit MapGrid(const core::PlacedTile& tile)
-        : MapGrid({0, 0, tile.dataColumns() - 1, tile.dataRows() - 1}, 1 << tile.gridExponent())
+        : MapGrid({0, 0, tile.grid().dataColumns() - 1, tile.grid().dataRows() - 1}, tile.grid().cellSide())
     {
     }
     explicit MapGrid(const core::SampleSheet& sheet) : MapGrid(sheet.rect(), sheet.step())
@@ -32,8 +32,7 @@ struct MapGrid
     /// From one texel to the next, the mean of both directions.
     double spacingM(const core::PlacedTile& tile) const
     {
-        return 0.5 * (tile.field().spacingEastM + tile.field().spacingNorthM) * step /
-               (1 << tile.gridExponent());
+        return 0.5 * (tile.field().spacingEastM + tile.field().spacingNorthM) * step / tile.grid().cellSide();
     }
 
     /// Of a texel, or of the nearest that there is.

@@ -14,7 +14,7 @@ namespace osgTerrainROAM
 
 SheetNormals::SheetNormals(const core::PlacedTile& tile, osg::StateSet& stateSet, unsigned firstUnit)
 {
-    const auto& sheets = tile.sheets();
+    const auto& sheets = tile.samples().sheets();
     const std::size_t count = std::min(sheets.size(), kMostMaps);
     const auto array = [&](const char* name)
     {
@@ -43,7 +43,7 @@ SheetNormals::SheetNormals(const core::PlacedTile& tile, osg::StateSet& stateSet
                                         static_cast<float>(r.east), static_cast<float>(r.north)));
         bumpiness->setElement(n, bumpinessOver(map.grid.spacingM(tile)));
     }
-    stateSet.addUniform(new osg::Uniform("sheetCell", std::ldexp(1.0f, tile.gridExponent())));
+    stateSet.addUniform(new osg::Uniform("sheetCell", std::ldexp(1.0f, tile.grid().exponent())));
 }
 
 void SheetNormals::follow(const core::PlacedTile& tile, std::span<const core::GridRect> moved)

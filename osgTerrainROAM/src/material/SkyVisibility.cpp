@@ -64,7 +64,7 @@ MapField mapHeights(const core::PlacedTile& tile, const MapGrid& grid)
     for (int y = 0; y < grid.height; ++y)
         for (int x = 0; x < grid.width; ++x)
             heights[static_cast<std::size_t>(y) * grid.width + x] =
-                tile.heightM(x * grid.step, y * grid.step);
+                tile.samples().heightM(x * grid.step, y * grid.step);
     return heights;
 }
 

@@ -17,11 +17,11 @@ namespace
 /// A locator may count columns or rows the other way round: then the cross product of the two points down.
 double sideUp(const core::PlacedTile& tile)
 {
-    const int column = tile.dataColumns() / 2, row = tile.dataRows() / 2;
-    const glm::dvec3 at = tile.positionAt(column, row, 0.0);
-    const glm::dvec3 normal = glm::cross(tile.positionAt(column + 0.5, row, 0.0) - at,
-                                         tile.positionAt(column, row + 0.5, 0.0) - at);
-    return glm::dot(normal, tile.positionAt(column, row, 1.0) - at) < 0.0 ? -1.0 : 1.0;
+    const int column = tile.grid().dataColumns() / 2, row = tile.grid().dataRows() / 2;
+    const glm::dvec3 at = tile.frame().positionAt(column, row, 0.0);
+    const glm::dvec3 normal = glm::cross(tile.frame().positionAt(column + 0.5, row, 0.0) - at,
+                                         tile.frame().positionAt(column, row + 0.5, 0.0) - at);
+    return glm::dot(normal, tile.frame().positionAt(column, row, 1.0) - at) < 0.0 ? -1.0 : 1.0;
 }
 
 std::uint16_t share(float height, const osg::Vec2f& range)

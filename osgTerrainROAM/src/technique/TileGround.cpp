@@ -132,7 +132,7 @@ double skirtHeight(const osgTerrain::TerrainTile& tile)
 /// border, twice over, covers a neighbour made that way.
 double levelErrorM(const core::RoamTile& tile)
 {
-    const int columns = tile.tile.dataColumns(), rows = tile.tile.dataRows();
+    const int columns = tile.tile.grid().dataColumns(), rows = tile.tile.grid().dataRows();
     double error = 0.0;
     for (int column = 1; column < columns; column += 2)
         for (const int row : {0, rows - 1})
@@ -175,7 +175,7 @@ std::optional<TileGround> tileGround(const osgTerrain::TerrainTile& tile)
     // Exact, so that neighbours have the same heights along their border.
     core::PlacedTile placed(std::move(field), onEarth ? core::Placement::curved : core::Placement::planar,
                             core::Storage::exact);
-    if (onEarth) ground.modelFromLocal = modelFromEastNorthUp(placed.origin());
+    if (onEarth) ground.modelFromLocal = modelFromEastNorthUp(placed.frame().origin());
     ground.tile = std::make_shared<const core::RoamTile>(std::move(placed));
     ground.samples = std::make_shared<const ElevationSamples>(std::move(*samples));
     ground.skirtM = std::max(skirtHeight(tile) * std::abs(ground.heightScale), levelErrorM(*ground.tile));

@@ -60,8 +60,8 @@ osg::ref_ptr<osg::StateSet> tileState(const osgTerrain::TerrainTile& tile, const
     state->setAttributeAndModes(programs.program(layers, holes.valid()));
     const core::PlacedTile& placed = ground.tile->tile;
     state->addUniform(
-        new osg::Uniform("terrainLastSample", osg::Vec2f(static_cast<float>(placed.dataColumns() - 1),
-                                                         static_cast<float>(placed.dataRows() - 1))));
+        new osg::Uniform("terrainLastSample", osg::Vec2f(static_cast<float>(placed.grid().dataColumns() - 1),
+                                                         static_cast<float>(placed.grid().dataRows() - 1))));
     // GL_CLIP_DISTANCE0 and 1 have the numbers of the first two clip planes.
     state->setMode(GL_CLIP_PLANE0, osg::StateAttribute::ON);
     state->setMode(GL_CLIP_PLANE1, osg::StateAttribute::ON);

@@ -39,7 +39,7 @@ class Collector
 public:
     Collector(const core::PlacedTile& tile, const core::DrawnMesh& mesh)
         : _mesh(mesh),
-          _limit(tile.dataColumns() - 1, tile.dataRows() - 1),
+          _limit(tile.grid().dataColumns() - 1, tile.grid().dataRows() - 1),
           _slotToOut(mesh.vertices.size(), core::kNone)
     {
     }

@@ -70,7 +70,7 @@ struct Search
     void descendPatch(const core::GridTriangle& g, const Corners& c, int level)
     {
         const core::RoamTile& tile = tree.tile();
-        if (!g.overlaps(tile.tile.dataColumns(), tile.tile.dataRows())) return;
+        if (!g.overlaps(tile.tile.grid().dataColumns(), tile.tile.grid().dataRows())) return;
         if (level == tree.bounds().patchExponent())
         {
             leastM = std::min(leastM, distanceToTriangle(point, c));
@@ -84,7 +84,7 @@ struct Search
     void descend(core::TriangleId t, const core::GridTriangle& g)
     {
         const core::PlacedTile& tile = tree.tile().tile;
-        if (!g.overlaps(tile.dataColumns(), tile.dataRows())) return;
+        if (!g.overlaps(tile.grid().dataColumns(), tile.grid().dataRows())) return;
         const Corners c = corners(g);
         if (tree.isLeaf(t) && tree.bounds().patchExponent() > 0) return descendPatch(g, c, 0);
         if (tree.isLeaf(t))

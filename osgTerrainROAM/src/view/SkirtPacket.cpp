@@ -33,8 +33,8 @@ public:
         : _tree(mesh.tree()),
           _tile(mesh.tile().tile),
           _depthM(depthM),
-          _lastColumn(_tile.dataColumns() - 1),
-          _lastRow(_tile.dataRows() - 1),
+          _lastColumn(_tile.grid().dataColumns() - 1),
+          _lastRow(_tile.grid().dataRows() - 1),
           _sides{{false, 0.0, 1.0},
                  {true, 0.0, 1.0},
                  {false, static_cast<double>(_lastColumn), -1.0},
@@ -106,11 +106,11 @@ private:
 
     core::MeshVertex lowered(const EdgePlace& place) const
     {
-        const double stepM = _tile.vertexStepM();
+        const double stepM = _tile.frame().vertexStepM();
         glm::dvec3 up(0.0, 0.0, 1.0);
-        if (_tile.placement() == core::Placement::curved)
-            up = _tile.positionAt(place.column, place.row, 1.0) -
-                 _tile.positionAt(place.column, place.row, 0.0);
+        if (_tile.frame().placement() == core::Placement::curved)
+            up = _tile.frame().positionAt(place.column, place.row, 1.0) -
+                 _tile.frame().positionAt(place.column, place.row, 0.0);
         const double depthM = _depthM(core::positionOf(place.vertex, stepM));
         core::MeshVertex vertex = place.vertex;
         vertex.position -= glm::ivec3(glm::round(up * (depthM / stepM)));

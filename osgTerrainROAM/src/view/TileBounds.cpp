@@ -51,7 +51,7 @@ osg::BoundingBox tileBounds(const core::PlacedTile& placed)
                                                 static_cast<float>(p.z)));
                     }
         }
-    for (const core::SampleSheet& sheet : placed.sheets())
+    for (const core::SampleSheet& sheet : placed.samples().sheets())
         sheet.rect().forEachMultipleOf(sheet.step(),
                                        [&](int column, int row)
                                        {

@@ -79,7 +79,7 @@ public:
         if (const GLint at = location(name); at >= 0) _gl.glUniform1f(at, value);
     }
 
-    void setGridMap(const core::PlacedTile::GridMap& map) const
+    void setGridMap(const core::TileFrame::GridMap& map) const
     {
         float columns[6];
         for (int i = 0; i < 2; ++i)
@@ -128,7 +128,7 @@ void ViewPart::drawImplementation(osg::RenderInfo& renderInfo) const
     const osg::Matrixd& eyeFromLocal = state.getModelViewMatrix();
     osg::Matrixd localFromEye;
     localFromEye.invert(eyeFromLocal);
-    const double stepM = _group->tile().vertexStepM();
+    const double stepM = _group->tile().frame().vertexStepM();
     const EyeUniforms eye = eyeUniforms(localFromEye.getTrans(), stepM);
 
     const ProgramUniforms uniforms(state);
@@ -136,7 +136,7 @@ void ViewPart::drawImplementation(osg::RenderInfo& renderInfo) const
     uniforms.set("terrainEyeSteps", eye.steps);
     uniforms.set("terrainEyeRest", eye.rest);
     uniforms.set("terrainEyeWrapped", eye.wrapped);
-    uniforms.setGridMap(_group->tile().gridMap());
+    uniforms.setGridMap(_group->tile().frame().gridMap());
     uniforms.set("terrainEyeWraps", eye.wraps);
     uniforms.setRotation("terrainEyeFromLocal", eyeFromLocal);
     uniforms.setRotation("terrainWorldFromLocal", eyeFromLocal * state.getInitialInverseViewMatrix());

@@ -78,8 +78,8 @@ TEST_F(CoverImport, EachTexelIsTheClassOfItsPlaceOnEarth)
         for (int x = 0; x < map->width; ++x)
         {
             const glm::dvec3 local =
-                tile.positionAt(64.0 * x / (map->width - 1), 64.0 * y / (map->height - 1), 0.0);
-            const Geodetic at = tile.geodeticFromLocal(local);
+                tile.frame().positionAt(64.0 * x / (map->width - 1), 64.0 * y / (map->height - 1), 0.0);
+            const Geodetic at = tile.frame().geodeticFromLocal(local);
             const double px = (at.longitudeDeg - kWest) / kStepDeg, py = (kNorth - at.latitudeDeg) / kStepDeg;
             const auto nearBorder = [](double p) { return std::abs(p - std::round(p)) < 0.05; };
             if (nearBorder(px) || nearBorder(py) || px < 0 || px >= kSide || py < 0 || py >= kSide) continue;

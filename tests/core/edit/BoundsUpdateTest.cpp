@@ -23,7 +23,7 @@ constexpr double kTiny = 1e-4; ///< the least error that is kept is 0.06 mm
 bool isNested(const RoamTile& tile)
 {
     bool nested = true;
-    const int side = tile.tile.side();
+    const int side = tile.tile.grid().side();
     for (int row = 0; row < side; ++row)
         for (int column = 0; column < side; ++column)
         {
@@ -74,7 +74,7 @@ struct Edited
     /// Of the tile: no triangle is split there.
     bool isCorner(int column, int row) const
     {
-        const int last = tile->tile.side() - 1;
+        const int last = tile->tile.grid().side() - 1;
         return column % last == 0 && row % last == 0;
     }
 
@@ -82,8 +82,8 @@ struct Edited
     void compareWithNew(const Compare& compare) const
     {
         const RoamTile fresh(PlacedTile(field, options(curved)));
-        for (int row = 0; row < tile->tile.side(); ++row)
-            for (int column = 0; column < tile->tile.side(); ++column)
+        for (int row = 0; row < tile->tile.grid().side(); ++row)
+            for (int column = 0; column < tile->tile.grid().side(); ++column)
                 if (!isCorner(column, row))
                     compare(GridPoint{column, row}, tile->bound({column, row}), fresh.bound({column, row}));
     }
@@ -160,8 +160,8 @@ TEST_P(BoundsAfterEdits, AreWhatTheyWereAfterUndo)
     while (edited.editor.undo())
     {
     }
-    for (int row = 0; row < untouched.tile->tile.side(); ++row)
-        for (int column = 0; column < untouched.tile->tile.side(); ++column)
+    for (int row = 0; row < untouched.tile->tile.grid().side(); ++row)
+        for (int column = 0; column < untouched.tile->tile.grid().side(); ++column)
         {
             const SplitBound is = edited.tile->bound({column, row}),
                              was = untouched.tile->bound({column, row});
@@ -207,7 +207,7 @@ TEST(BoundsUpdate, BetweenSamplesTheyHoldForAllOfTheSurface)
         ASSERT_TRUE(editor.apply(std::vector<HeightChange>{{sample, 250.0f}}, Between::follows));
     }
     const PlacedTile& placed = tile->tile;
-    const int side = placed.side();
+    const int side = placed.grid().side();
     for (int row = 0; row < side; ++row)
         for (int column = 0; column < side; ++column)
         {

@@ -37,7 +37,7 @@ public:
             {
                 const glm::dvec2 place = _line.at(s) + sideM * glm::dvec2(-ahead.y, ahead.x);
                 const auto ground = osgTerrainROAM::core::groundAt(tile.tile, place.x, place.y);
-                const double heightM = ground ? tile.tile.heightOf(ground->position) : -1e9;
+                const double heightM = ground ? tile.tile.frame().heightOf(ground->position) : -1e9;
                 worstM = std::max(worstM, std::abs(heightM - designedM(_line.footOf(place).alongM)));
             }
         }

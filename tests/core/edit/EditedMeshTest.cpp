@@ -20,11 +20,11 @@ using Between = TileEditor::Between;
 /// From an eye that wanders over the tile.
 viewlod::ViewState viewAt(const PlacedTile& tile, int frame)
 {
-    const double t = 0.02 * frame, half = 0.5 * (tile.dataColumns() - 1);
+    const double t = 0.02 * frame, half = 0.5 * (tile.grid().dataColumns() - 1);
     const auto place = [&](double ahead, double heightM)
     {
-        return tile.positionAt(half * (1.0 + 0.6 * std::sin(t + ahead)),
-                               half * (1.0 + 0.6 * std::cos(0.7 * t + ahead)), heightM);
+        return tile.frame().positionAt(half * (1.0 + 0.6 * std::sin(t + ahead)),
+                                       half * (1.0 + 0.6 * std::cos(0.7 * t + ahead)), heightM);
     };
     return viewlod::ViewState::fromMatrices(
         glm::lookAt(place(0.0, 900.0), place(0.6, 300.0), {0.01, 0.02, 1.0}),
@@ -34,17 +34,17 @@ viewlod::ViewState viewAt(const PlacedTile& tile, int frame)
 /// A small brush somewhere: samples of the raster, or, on a finer grid, places between.
 std::vector<HeightChange> brush(const PlacedTile& tile, testsupport::Random& random, Between between)
 {
-    const int step = between == Between::follows ? 1 << tile.gridExponent() : 1;
-    const int columns = (tile.dataColumns() - 1) / step, rows = (tile.dataRows() - 1) / step;
+    const int step = between == Between::follows ? tile.grid().cellSide() : 1;
+    const int columns = (tile.grid().dataColumns() - 1) / step, rows = (tile.grid().dataRows() - 1) / step;
     const int width = 1 + static_cast<int>(random.below(5)), height = 1 + static_cast<int>(random.below(5));
     const int west = static_cast<int>(random.below(static_cast<std::uint32_t>(columns)));
     const int south = static_cast<int>(random.below(static_cast<std::uint32_t>(rows)));
     std::vector<HeightChange> changes;
     for (int row = south; row <= std::min(south + height, rows); ++row)
         for (int column = west; column <= std::min(west + width, columns); ++column)
-            changes.push_back(
-                {{column * step, row * step},
-                 tile.heightM(column * step, row * step) + static_cast<float>(40.0 * random.unit() - 20.0)});
+            changes.push_back({{column * step, row * step},
+                               tile.samples().heightM(column * step, row * step) +
+                                   static_cast<float>(40.0 * random.unit() - 20.0)});
     return changes;
 }
 
@@ -131,8 +131,8 @@ TEST_P(Shards, OfAHundredThousandEditsLeaveASoundMesh)
             const GridPoint p{static_cast<int>(random.below(513)), static_cast<int>(random.below(477))};
             const bool ofRaster = random.below(2) == 0;
             const GridPoint place = ofRaster ? GridPoint{p.column & -4, p.row & -4} : p;
-            const float heightM =
-                tile->tile.heightM(place.column, place.row) + static_cast<float>(6.0 * random.unit() - 3.0);
+            const float heightM = tile->tile.samples().heightM(place.column, place.row) +
+                                  static_cast<float>(6.0 * random.unit() - 3.0);
             ASSERT_TRUE(editor.apply(std::vector<HeightChange>{{place, heightM}},
                                      ofRaster ? Between::follows : Between::stays));
             if (random.below(50) == 0) editor.undo();

@@ -39,7 +39,7 @@ struct Site
     static double heightAt(const RoamTile& of, double x, double y)
     {
         const auto ground = groundAt(of.tile, x, y);
-        return ground ? of.tile.heightOf(ground->position) : -1e9;
+        return ground ? of.tile.frame().heightOf(ground->position) : -1e9;
     }
     double heightAt(double x, double y) const { return heightAt(*tile, x, y); }
     double heightBefore(double x, double y) const { return heightAt(*before, x, y); }
@@ -107,7 +107,7 @@ TEST(GroundEditor, ARoadIsExactToACentimetre)
         const Site site(6, curved, 0.15f);
         GroundEditor editor(site.tile);
         const auto at = [&](double column, double row)
-        { return glm::dvec2(site.tile->tile.positionAt(column * 64.0, row * 64.0, 60.0)); };
+        { return glm::dvec2(site.tile->tile.frame().positionAt(column * 64.0, row * 64.0, 60.0)); };
         Ribbon road{.smoothM = 300.0};
         for (int i = 0; i <= 24; ++i)
             road.points.push_back(at(8.0 + 0.5 * i, 16.0 + 4.0 * std::sin(0.25 * i)));
@@ -159,7 +159,7 @@ TEST(GroundEditor, OnTheRasterAloneItChangesSamplesOnly)
     const Site site(0);
     GroundEditor editor(site.tile);
     ASSERT_TRUE(editor.raise(Region::circle({480, 480}, 100.0), 10.0));
-    EXPECT_TRUE(site.tile->tile.fineSamples().isEmpty());
+    EXPECT_TRUE(site.tile->tile.samples().fineSamples().isEmpty());
     EXPECT_NEAR(site.heightAt(480, 480), site.heightBefore(480, 480) + 10.0, 0.01);
 }
 

@@ -53,7 +53,7 @@ TEST_P(RealRoad, IsExactToACentimetreAndDrawnWithinTheTarget)
     auto placed = loadTile(description);
     ASSERT_TRUE(placed) << placed.error().message();
     const auto tile = std::make_shared<RoamTile>(std::move(*placed));
-    ASSERT_EQ(tile->tile.gridExponent(), GetParam().exponent);
+    ASSERT_EQ(tile->tile.grid().exponent(), GetParam().exponent);
 
     RoamMesh mesh{SplitBounds(tile)};
     GroundEditor editor(tile);

@@ -32,7 +32,7 @@ TEST(TileEditor, KeepsHeightsToHalfAMillimetre)
     for (const float heightM : {123.4567f, -77.123f, 9000.25f, -0.0004f})
     {
         ASSERT_TRUE(editor.apply(std::vector<HeightChange>{{{5, 6}, heightM}}, Between::follows));
-        EXPECT_NEAR(tile->tile.heightM(5, 6), heightM, 0.0005);
+        EXPECT_NEAR(tile->tile.samples().heightM(5, 6), heightM, 0.0005);
         EXPECT_NEAR(heightAt(*tile, 150.0, 180.0), heightM, 0.0005);
     }
     EXPECT_EQ(editor.undoSteps(), 4u);
@@ -43,7 +43,7 @@ TEST(TileEditor, TheSurfaceBetweenSamplesFollowsTheRaster)
     const auto tile = tileOf(17, 4);
     const double before = heightAt(*tile, 165.0, 180.0);
     TileEditor editor(tile);
-    const float was = tile->tile.heightM(5 * 16, 6 * 16);
+    const float was = tile->tile.samples().heightM(5 * 16, 6 * 16);
     ASSERT_TRUE(editor.apply(std::vector<HeightChange>{{{5 * 16, 6 * 16}, was + 8.0f}}, Between::follows));
     EXPECT_NEAR(heightAt(*tile, 165.0, 180.0), before + 4.0, 0.02) << "half-way to the next sample";
 }
@@ -61,7 +61,7 @@ TEST(TileEditor, OrStaysAsItIsUpToTheNextPlace)
     EXPECT_NEAR(heightAt(*tile, x + 5.0, y), far, 1e-4);
     EXPECT_NEAR(heightAt(*tile, x + 0.5 * step, y), 0.5 * (777.0 + beside), 1e-3);
     ASSERT_TRUE(editor.undo());
-    EXPECT_FALSE(tile->tile.hasSample(p.column, p.row));
+    EXPECT_FALSE(tile->tile.samples().hasSample(p.column, p.row));
     EXPECT_NEAR(heightAt(*tile, x + step, y), beside, 1e-9);
 }
 
@@ -85,13 +85,13 @@ TEST(TileEditor, RefusesWhatCannotBe)
         const auto outcome = editor.apply(std::vector<HeightChange>{{{4, 4}, 1.0f}, {p, heightM}}, between);
         return !outcome && !outcome.error().remedy.empty();
     };
-    const float before = tile->tile.heightM(4, 4);
+    const float before = tile->tile.samples().heightM(4, 4);
     EXPECT_TRUE(refuses({65, 3}, 10.0f, Between::stays));
     EXPECT_TRUE(refuses({3, -1}, 10.0f, Between::stays));
     EXPECT_TRUE(refuses({3, 3}, 10.0f, Between::follows)) << "no sample there";
     EXPECT_TRUE(refuses({4, 8}, std::numeric_limits<float>::quiet_NaN(), Between::stays));
     EXPECT_TRUE(refuses({4, 8}, 30000.0f, Between::stays));
-    EXPECT_EQ(tile->tile.heightM(4, 4), before) << "all or nothing";
+    EXPECT_EQ(tile->tile.samples().heightM(4, 4), before) << "all or nothing";
     EXPECT_EQ(editor.undoSteps(), 0u);
     EXPECT_EQ(tile->revision(), 0u);
     EXPECT_FALSE(editor.undo());
@@ -112,7 +112,8 @@ TEST(TileEditor, UndoAfterTighteningKeepsTheBounds)
     for (int row = 0; row < 65; ++row)
         for (int column = 0; column < 65; ++column)
         {
-            EXPECT_EQ(tile->tile.heightM(column, row), untouched->tile.heightM(column, row));
+            EXPECT_EQ(tile->tile.samples().heightM(column, row),
+                      untouched->tile.samples().heightM(column, row));
             EXPECT_GE(tile->errorM({column, row}), untouched->errorM({column, row}));
         }
 }

@@ -80,7 +80,7 @@ TEST(FeatureImport, CurvedTilesPutAPlaceWhereItsGroundIs)
     const glm::dvec2 place = set->features[0].paths[0][0];
     const auto ground = groundAt(tile, place.x, place.y);
     ASSERT_TRUE(ground);
-    const Geodetic there = tile.geodeticFromLocal(ground->position);
+    const Geodetic there = tile.frame().geodeticFromLocal(ground->position);
     EXPECT_NEAR(there.latitudeDeg, 46.009, 2e-8);
     EXPECT_NEAR(there.longitudeDeg, 8.011, 2e-8);
 }
@@ -95,11 +95,11 @@ TEST(FeatureImport, FarFromTheOriginTheEllipsoidIsNotTheGround)
         "map.geojson", collection({lineFeature(R"("kind":"road")", {{8.011, 46.009}, {8.012, 46.009}})}));
     const auto set = importFeatures(path, tile);
     ASSERT_TRUE(set);
-    const glm::dvec2 flat(tile.localFromGeodetic({46.009, 8.011, 0.0}));
+    const glm::dvec2 flat(tile.frame().localFromGeodetic({46.009, 8.011, 0.0}));
     EXPECT_GT(glm::distance(set->features[0].paths[0][0], flat), 2.0);
     const auto ground = groundAt(tile, set->features[0].paths[0][0].x, set->features[0].paths[0][0].y);
     ASSERT_TRUE(ground);
-    EXPECT_NEAR(tile.geodeticFromLocal(ground->position).longitudeDeg, 8.011, 1e-6);
+    EXPECT_NEAR(tile.frame().geodeticFromLocal(ground->position).longitudeDeg, 8.011, 1e-6);
 }
 
 TEST(FeatureImport, AGeoPackageIsReprojected)
@@ -114,7 +114,7 @@ TEST(FeatureImport, AGeoPackageIsReprojected)
     EXPECT_GE(path.size(), 3u) << "pieces of 250 m at most";
     const auto ground = groundAt(tile, path[0].x, path[0].y);
     ASSERT_TRUE(ground);
-    EXPECT_NEAR(tile.geodeticFromLocal(ground->position).latitudeDeg, at.latitudeDeg, 1e-7);
+    EXPECT_NEAR(tile.frame().geodeticFromLocal(ground->position).latitudeDeg, at.latitudeDeg, 1e-7);
 }
 
 TEST(FeatureImport, NothingIsLostWithoutBeingCounted)

@@ -292,7 +292,7 @@ TEST(DemFormats, TheSmallestGridIsPlaced)
     writeRaster(folder / "four.tif", "GTiff", spec);
     expectExample(folder / "four.tif", 2, 2);
     const PlacedTile tile(*importDem(folder / "four.tif"));
-    EXPECT_EQ(tile.side(), 3);
+    EXPECT_EQ(tile.grid().side(), 3);
     EXPECT_NEAR(glm::distance(tile.position(0, 0), tile.position(0, 1)), std::hypot(92.6, 17.0), 0.1);
 }
 

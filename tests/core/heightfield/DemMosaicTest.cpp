@@ -173,7 +173,7 @@ TEST_F(DemMosaic, HasHolesWhereNoRasterReaches)
     const PlacedTile tile(*field);
     const auto at = [&](double column, double row)
     {
-        const glm::dvec3 p = tile.positionAt(column, row, 0.0);
+        const glm::dvec3 p = tile.frame().positionAt(column, row, 0.0);
         return groundAt(tile, p.x, p.y).has_value();
     };
     EXPECT_TRUE(at(30.4, 15.2) && at(10.3, 35.5) && at(15.0, 15.0));
@@ -244,9 +244,9 @@ TEST_F(DemMosaic, JoinsDegreesAndMetres)
     const PlacedTile tile(*field);
     const auto heightAt = [&](double latitude, double longitude)
     {
-        const glm::dvec3 p = tile.localFromGeodetic({latitude, longitude, 0.0});
+        const glm::dvec3 p = tile.frame().localFromGeodetic({latitude, longitude, 0.0});
         const auto ground = groundAt(tile, p.x, p.y);
-        return ground ? tile.heightOf(ground->position) : std::numeric_limits<double>::quiet_NaN();
+        return ground ? tile.frame().heightOf(ground->position) : std::numeric_limits<double>::quiet_NaN();
     };
     double latitude = 0.0, longitude = 0.0; // of the block's middle; and a place far from it
     GeographicLib::UTMUPS::Reverse(32, true, 431515.0, 5101515.0, latitude, longitude);

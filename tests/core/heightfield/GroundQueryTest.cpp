@@ -61,11 +61,12 @@ double worstAgainstBintree(const PlacedTile& tile)
 {
     double worst = 0.0;
     int triangles = 0;
-    visitFinest(tile.side(),
+    visitFinest(tile.grid().side(),
                 [&](const Triangle& t)
                 {
                     for (const glm::ivec2& corner : t)
-                        if (corner.x >= tile.dataColumns() || corner.y >= tile.dataRows()) return;
+                        if (corner.x >= tile.grid().dataColumns() || corner.y >= tile.grid().dataRows())
+                            return;
                     ++triangles;
                     glm::dvec3 p[3];
                     for (int k = 0; k < 3; ++k)
@@ -78,7 +79,7 @@ double worstAgainstBintree(const PlacedTile& tile)
                         worst = std::max(worst, ground ? std::abs(ground->position.z - expected.z) : 1e9);
                     }
                 });
-    EXPECT_EQ(triangles, 2 * (tile.dataColumns() - 1) * (tile.dataRows() - 1));
+    EXPECT_EQ(triangles, 2 * (tile.grid().dataColumns() - 1) * (tile.grid().dataRows() - 1));
     return worst;
 }
 

@@ -41,11 +41,11 @@ HeightField geographicField(int columns, int rows, int step, double southDeg, do
 
 glm::dvec3 direct(const PlacedTile& tile, double southDeg, double westDeg, int column, int row)
 {
-    const Geodetic& o = tile.origin();
+    const Geodetic& o = tile.frame().origin();
     const GeographicLib::LocalCartesian frame(o.latitudeDeg, o.longitudeDeg, o.heightM);
     glm::dvec3 p;
     frame.Forward(southDeg + row * kStepDeg, westDeg + column * kStepDeg,
-                  tile.heightM(column, row) + 40.0 + 0.01 * column, p.x, p.y, p.z);
+                  tile.samples().heightM(column, row) + 40.0 + 0.01 * column, p.x, p.y, p.z);
     return p;
 }
 
@@ -56,25 +56,25 @@ TEST(PlacedTile, PlanarPositionsAreExactProducts)
     field.spacingEastM = 4.988744589;
     field.spacingNorthM = 1.0 / 3.0;
     const PlacedTile tile(field, Placement::planar);
-    EXPECT_EQ(tile.side(), 9);
-    EXPECT_EQ(tile.levels(), 6);
-    for (int r = 0; r < tile.side(); ++r)
-        for (int c = 0; c < tile.side(); ++c)
+    EXPECT_EQ(tile.grid().side(), 9);
+    EXPECT_EQ(tile.grid().levels(), 6);
+    for (int r = 0; r < tile.grid().side(); ++r)
+        for (int c = 0; c < tile.grid().side(); ++c)
         {
             const glm::dvec3 p = tile.position(c, r);
             EXPECT_EQ(p.x, c * 4.988744589);
             EXPECT_EQ(p.y, r * (1.0 / 3.0));
             EXPECT_EQ(p.z, static_cast<double>(rolling(std::min(c, 5), std::min(r, 3))));
         }
-    EXPECT_EQ(tile.gridAt(tile.positionAt(2.5, 1.25, 9.0)), glm::dvec2(2.5, 1.25));
+    EXPECT_EQ(tile.frame().gridAt(tile.frame().positionAt(2.5, 1.25, 9.0)), glm::dvec2(2.5, 1.25));
 }
 
 TEST(PlacedTile, WithoutGeoreferenceTheTileIsPlanarWhateverIsAsked)
 {
     HeightField field = geographicField(6, 4, 4, 46.0, 8.0);
     field.net.reset();
-    EXPECT_EQ(PlacedTile(field, Placement::curved).placement(), Placement::planar);
-    EXPECT_EQ(PlacedTile(field, Geodetic{46.0, 8.0, 0.0}).placement(), Placement::planar);
+    EXPECT_EQ(PlacedTile(field, Placement::curved).frame().placement(), Placement::planar);
+    EXPECT_EQ(PlacedTile(field, Geodetic{46.0, 8.0, 0.0}).frame().placement(), Placement::planar);
 }
 
 TEST(PlacedTile, CurvedPositionsAreWithinAMillimetreOfTheEllipsoid)
@@ -105,9 +105,9 @@ TEST(PlacedTile, ANetTooCoarseOrMovedByAMicrodegreeBreaksTheMillimetre)
 TEST(PlacedTile, DefaultOriginIsTheDatasCentreOnTheEllipsoid)
 {
     const PlacedTile tile(geographicField(701, 1001, 32, 46.0, 8.0));
-    EXPECT_NEAR(tile.origin().latitudeDeg, 46.0 + 500 * kStepDeg, 1e-8);
-    EXPECT_NEAR(tile.origin().longitudeDeg, 8.0 + 350 * kStepDeg, 1e-8);
-    EXPECT_EQ(tile.origin().heightM, 0.0);
+    EXPECT_NEAR(tile.frame().origin().latitudeDeg, 46.0 + 500 * kStepDeg, 1e-8);
+    EXPECT_NEAR(tile.frame().origin().longitudeDeg, 8.0 + 350 * kStepDeg, 1e-8);
+    EXPECT_EQ(tile.frame().origin().heightM, 0.0);
     const glm::dvec3 centre = tile.position(350, 500);
     EXPECT_NEAR(centre.x, 0.0, 0.01);
     EXPECT_NEAR(centre.y, 0.0, 0.01);
@@ -120,14 +120,14 @@ TEST(PlacedTile, OriginAcrossTheAntimeridianIsInTheData)
     for (GeodeticNet::Node& node : field.net->nodes)
         if (node.longitudeDeg > 180.0) node.longitudeDeg -= 360.0;
     const PlacedTile tile(field);
-    EXPECT_NEAR(std::abs(tile.origin().longitudeDeg), 180.0, 1e-7);
+    EXPECT_NEAR(std::abs(tile.frame().origin().longitudeDeg), 180.0, 1e-7);
     EXPECT_LT(glm::length(glm::dvec2(tile.position(300, 300))), 0.1);
 }
 
 TEST(PlacedTile, TheEarthCurvesAway)
 {
     const PlacedTile tile(geographicField(1025, 1025, 64, 46.0, 8.0), Geodetic{46.0, 8.0, 0.0});
-    const glm::dvec3 far = tile.positionAt(1024.0, 1024.0, 0.0);
+    const glm::dvec3 far = tile.frame().positionAt(1024.0, 1024.0, 0.0);
     const double ground = glm::length(glm::dvec2(far));
     EXPECT_NEAR(far.z, 40.0 + 10.24 - ground * ground / (2.0 * 6.378e6),
                 0.02 * ground * ground / (2.0 * 6.378e6));
@@ -143,7 +143,7 @@ TEST(PlacedTile, APositionHasTheSameBitsHoweverItIsReached)
         const int c = static_cast<int>(random() % 1025), r = static_cast<int>(random() % 1025);
         const glm::dvec3 p = tile.position(c, r);
         EXPECT_EQ(p, again.position(c, r));
-        EXPECT_EQ(p, tile.positionAt(c, r, tile.heightM(c, r)));
+        EXPECT_EQ(p, tile.frame().positionAt(c, r, tile.samples().heightM(c, r)));
     }
 }
 
@@ -155,7 +155,7 @@ TEST(PlacedTile, GridAtInvertsPositionAt)
     for (int i = 0; i < 1000; ++i)
     {
         const glm::dvec2 grid(place(random), place(random));
-        const glm::dvec2 found = tile.gridAt(tile.positionAt(grid.x, grid.y, height(random)));
+        const glm::dvec2 found = tile.frame().gridAt(tile.frame().positionAt(grid.x, grid.y, height(random)));
         EXPECT_LT(glm::distance(grid, found), 1e-6) << grid.x << " " << grid.y;
     }
 }
@@ -169,13 +169,15 @@ TEST(PlacedTile, GridNearIsLessThanASampleOff)
     for (int i = 0; i < 1000; ++i)
     {
         const glm::dvec2 grid(place(random), place(random));
-        const glm::dvec2 found = tile.gridNear(glm::dvec2(tile.positionAt(grid.x, grid.y, height(random))));
+        const glm::dvec2 found =
+            tile.frame().gridNear(glm::dvec2(tile.frame().positionAt(grid.x, grid.y, height(random))));
         farthest = std::max(farthest, glm::distance(grid, found));
     }
     EXPECT_LT(farthest, 1.0);
-    const glm::dvec2 flat = tile.positionAt(512.0, 512.0, 0.0), corner = tile.positionAt(0.0, 0.0, 0.0);
-    const glm::dvec2 alongEast = tile.positionAt(513.0, 512.0, 0.0),
-                     alongNorth = tile.positionAt(512.0, 513.0, 0.0);
+    const glm::dvec2 flat = tile.frame().positionAt(512.0, 512.0, 0.0),
+                     corner = tile.frame().positionAt(0.0, 0.0, 0.0);
+    const glm::dvec2 alongEast = tile.frame().positionAt(513.0, 512.0, 0.0),
+                     alongNorth = tile.frame().positionAt(512.0, 513.0, 0.0);
     const glm::dvec2 linear =
         glm::inverse(glm::dmat2(alongEast - flat, alongNorth - flat)) * (corner - flat) + 512.0;
     EXPECT_GT(glm::length(linear), 2.0) << "the first order alone would do: nothing was tested";
@@ -184,12 +186,12 @@ TEST(PlacedTile, GridNearIsLessThanASampleOff)
 TEST(PlacedTile, GeodeticAndLocalAreInverse)
 {
     const PlacedTile tile(geographicField(33, 33, 8, 46.0, 8.0), Geodetic{46.2, 8.1, 300.0});
-    const glm::dvec3 local = tile.localFromGeodetic({46.21, 8.12, 1234.5});
-    const Geodetic back = tile.geodeticFromLocal(local);
+    const glm::dvec3 local = tile.frame().localFromGeodetic({46.21, 8.12, 1234.5});
+    const Geodetic back = tile.frame().geodeticFromLocal(local);
     EXPECT_NEAR(back.latitudeDeg, 46.21, 1e-12);
     EXPECT_NEAR(back.longitudeDeg, 8.12, 1e-12);
     EXPECT_NEAR(back.heightM, 1234.5, 1e-7);
-    EXPECT_LT(glm::length(tile.localFromGeodetic(tile.origin())), 1e-8);
+    EXPECT_LT(glm::length(tile.frame().localFromGeodetic(tile.frame().origin())), 1e-8);
 }
 
 } // namespace

@@ -65,18 +65,18 @@ std::vector<RealTile> realTiles()
 /// Largest distance between positions of the tile and GeographicLib's, over some thousand samples.
 double worstDistance(const PlacedTile& tile, const PlaceOfSample& place, double movedDeg = 0.0)
 {
-    const GeographicLib::LocalCartesian frame(tile.origin().latitudeDeg, tile.origin().longitudeDeg,
-                                              tile.origin().heightM);
+    const GeographicLib::LocalCartesian frame(
+        tile.frame().origin().latitudeDeg, tile.frame().origin().longitudeDeg, tile.frame().origin().heightM);
     std::mt19937 random(1);
     double worst = 0.0;
     for (int i = 0; i < 20000; ++i)
     {
-        const int column = static_cast<int>(random() % static_cast<unsigned>(tile.dataColumns()));
-        const int row = static_cast<int>(random() % static_cast<unsigned>(tile.dataRows()));
+        const int column = static_cast<int>(random() % static_cast<unsigned>(tile.grid().dataColumns()));
+        const int row = static_cast<int>(random() % static_cast<unsigned>(tile.grid().dataRows()));
         const Place p = place(column, row);
         glm::dvec3 direct;
-        frame.Forward(p.latitudeDeg + movedDeg, p.longitudeDeg, tile.heightM(column, row), direct.x, direct.y,
-                      direct.z);
+        frame.Forward(p.latitudeDeg + movedDeg, p.longitudeDeg, tile.samples().heightM(column, row), direct.x,
+                      direct.y, direct.z);
         worst = std::max(worst, glm::distance(direct, tile.position(column, row)));
     }
     return worst;
@@ -140,10 +140,11 @@ TEST(PlacementRealData, HeightsStandOnTheGeoidWithinACentimetreAndAHalf)
         double worst = 0.0;
         for (int i = 0; i < 5000; ++i)
         {
-            const int column = static_cast<int>(random() % static_cast<unsigned>(tile.dataColumns()));
-            const int row = static_cast<int>(random() % static_cast<unsigned>(tile.dataRows()));
-            const Geodetic found = tile.geodeticFromLocal(tile.position(column, row));
-            const double expected = tile.heightM(column, row) + geoid.undulationM(real.place(column, row));
+            const int column = static_cast<int>(random() % static_cast<unsigned>(tile.grid().dataColumns()));
+            const int row = static_cast<int>(random() % static_cast<unsigned>(tile.grid().dataRows()));
+            const Geodetic found = tile.frame().geodeticFromLocal(tile.position(column, row));
+            const double expected =
+                tile.samples().heightM(column, row) + geoid.undulationM(real.place(column, row));
             worst = std::max(worst, std::abs(found.heightM - expected));
         }
         EXPECT_LT(worst, 0.015) << real.name;
@@ -164,8 +165,10 @@ TEST(PlacementRealData, TheGroundIsUnderEverySampleAndBetweenItsCorners)
         double worst = 0.0;
         for (int i = 0; i < 20000; ++i)
         {
-            const int column = 1 + static_cast<int>(random() % static_cast<unsigned>(tile.dataColumns() - 2));
-            const int row = 1 + static_cast<int>(random() % static_cast<unsigned>(tile.dataRows() - 2));
+            const int column =
+                1 + static_cast<int>(random() % static_cast<unsigned>(tile.grid().dataColumns() - 2));
+            const int row =
+                1 + static_cast<int>(random() % static_cast<unsigned>(tile.grid().dataRows() - 2));
             const glm::dvec3 p = tile.position(column, row);
             const auto ground = groundAt(tile, p.x, p.y);
             ASSERT_TRUE(ground) << name << " " << column << " " << row;

@@ -51,12 +51,12 @@ std::vector<viewlod::ViewState> flightAlong(const PlacedTile& tile, int column, 
     std::vector<viewlod::ViewState> views;
     const auto groundOf = [&](double row)
     {
-        const glm::dvec3 p = tile.positionAt(column, row, 0.0);
+        const glm::dvec3 p = tile.frame().positionAt(column, row, 0.0);
         return groundAt(tile, p.x, p.y)->position;
     };
     for (int i = 0; i < frames; ++i)
     {
-        const double row = (tile.dataRows() - 60.0) * (i + 0.5) / frames;
+        const double row = (tile.grid().dataRows() - 60.0) * (i + 0.5) / frames;
         const glm::dvec3 eye = groundOf(row) + glm::dvec3(0.0, 0.0, 150.0);
         views.push_back(
             viewlod::ViewState::fromMatrices(glm::lookAt(eye, groundOf(row + 40.0), {0.0, 0.0, 1.0}),

@@ -24,9 +24,9 @@ std::shared_ptr<const RoamTile> tileOf(bool curved)
 /// A place over the data, a little inside its edge.
 glm::dvec2 randomPlace(const PlacedTile& tile, Random& random)
 {
-    const double column = 0.1 + random.unit() * (tile.dataColumns() - 1.2);
-    const double row = 0.1 + random.unit() * (tile.dataRows() - 1.2);
-    return glm::dvec2(tile.positionAt(column, row, 400.0));
+    const double column = 0.1 + random.unit() * (tile.grid().dataColumns() - 1.2);
+    const double row = 0.1 + random.unit() * (tile.grid().dataRows() - 1.2);
+    return glm::dvec2(tile.frame().positionAt(column, row, 400.0));
 }
 
 class DrawnGroundTest : public testing::TestWithParam<bool>
@@ -114,7 +114,7 @@ TEST_P(DrawnGroundTest, IsNowhereBeyondTheData)
     for (const glm::dvec2 grid : {glm::dvec2(-2.0, 20.0), glm::dvec2(51.0, 20.0), glm::dvec2(60.0, 60.0),
                                   glm::dvec2(20.0, 66.0), glm::dvec2(20.0, -2.0), glm::dvec2(1e6, 1e6)})
     {
-        const glm::dvec3 place = placed.positionAt(grid.x, grid.y, 400.0);
+        const glm::dvec3 place = placed.frame().positionAt(grid.x, grid.y, 400.0);
         EXPECT_FALSE(drawnGroundAt(mesh.tree(), place.x, place.y)) << grid.x << ' ' << grid.y;
     }
     EXPECT_FALSE(drawnGroundAt(mesh.tree(), std::nan(""), 0.0));

@@ -26,9 +26,9 @@ std::shared_ptr<const RoamTile> tileOf(bool padded, bool curved)
 viewlod::ViewState anyView(const PlacedTile& tile, Random& random)
 {
     viewlod::ViewState view;
-    view.eyeWorld =
-        tile.positionAt((1.4 * random.unit() - 0.2) * tile.side(), (1.4 * random.unit() - 0.2) * tile.side(),
-                        200.0 + 2000.0 * random.unit() * random.unit());
+    view.eyeWorld = tile.frame().positionAt((1.4 * random.unit() - 0.2) * tile.grid().side(),
+                                            (1.4 * random.unit() - 0.2) * tile.grid().side(),
+                                            200.0 + 2000.0 * random.unit() * random.unit());
     view.pixelsPerTangent = 200.0 * std::exp(3.0 * random.unit());
     view.cornerStretch = 1.0 + random.unit();
     view.nearM = 0.5 + 20.0 * random.unit();
@@ -38,7 +38,7 @@ viewlod::ViewState anyView(const PlacedTile& tile, Random& random)
 /// For every vertex that the bintree could split: whether it is split. Asks the predicate of each, not of its parents.
 std::vector<bool> activeByBruteForce(const RoamTile& tile, const ActiveForEye& active)
 {
-    const int side = tile.tile.side();
+    const int side = tile.tile.grid().side();
     std::vector<bool> found;
     for (int row = 0; row < side; ++row)
         for (int column = 0; column < side; ++column)
@@ -51,7 +51,7 @@ std::vector<bool> activeByBruteForce(const RoamTile& tile, const ActiveForEye& a
 
 std::vector<bool> activeIn(const DiamondTree& tree)
 {
-    const auto side = static_cast<std::size_t>(tree.tile().tile.side());
+    const auto side = static_cast<std::size_t>(tree.tile().tile.grid().side());
     std::vector<bool> found(side * side, false);
     for (VertexSlot v = DiamondTree::kCorners; v < tree.vertexSlots(); ++v)
         if (const DiamondPlace& place = tree.place(v); !place.isFree())

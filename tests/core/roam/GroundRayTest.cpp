@@ -30,8 +30,8 @@ protected:
     glm::dvec3 placeAt(Random& random, double aboveM) const
     {
         const PlacedTile& tile = _tile->tile;
-        return tile.positionAt(random.unit() * (tile.dataColumns() - 1),
-                               random.unit() * (tile.dataRows() - 1), 400.0 + aboveM);
+        return tile.frame().positionAt(random.unit() * (tile.grid().dataColumns() - 1),
+                                       random.unit() * (tile.grid().dataRows() - 1), 400.0 + aboveM);
     }
 
     /// The nearest of all full-resolution triangles, each solved as a system of three equations.
@@ -44,7 +44,8 @@ protected:
             const auto beyond = [&](std::size_t axis, int limit) {
                 return std::min({t[axis], t[2 + axis], t[4 + axis]}) >= limit - 1;
             };
-            if (beyond(0, _tile->tile.dataColumns()) || beyond(1, _tile->tile.dataRows())) continue;
+            if (beyond(0, _tile->tile.grid().dataColumns()) || beyond(1, _tile->tile.grid().dataRows()))
+                continue;
             const glm::dvec3 a = at(0), b = at(1), c = at(2);
             const glm::dvec3 solved = glm::inverse(glm::dmat3(b - a, c - a, -direction)) * (origin - a);
             if (std::min({solved.x, solved.y, 1.0 - solved.x - solved.y}) >= -1e-9 && solved.z >= 0.0)

@@ -47,9 +47,9 @@ viewlod::ViewState viewFrom(const glm::dvec3& eye)
 glm::dvec3 eyeAbove(const PlacedTile& tile, double column, double row, double aboveM)
 {
     const int c = static_cast<int>(column), r = static_cast<int>(row);
-    const double ground = std::max(
-        {tile.heightM(c, r), tile.heightM(c + 1, r), tile.heightM(c, r + 1), tile.heightM(c + 1, r + 1)});
-    return tile.positionAt(column, row, ground + aboveM);
+    const double ground = std::max({tile.samples().heightM(c, r), tile.samples().heightM(c + 1, r),
+                                    tile.samples().heightM(c, r + 1), tile.samples().heightM(c + 1, r + 1)});
+    return tile.frame().positionAt(column, row, ground + aboveM);
 }
 
 /// Whether every region around a sample is left out.
@@ -79,7 +79,7 @@ Findings bruteForce(const std::shared_ptr<const RoamTile>& tile, int eyes, int s
     for (int i = 0; i < eyes; ++i)
     {
         // A third of them close to an edge.
-        const double columns = placed.dataColumns() - 1.01, rows = placed.dataRows() - 1.01;
+        const double columns = placed.grid().dataColumns() - 1.01, rows = placed.grid().dataRows() - 1.01;
         const double column = columns * random.unit(), away = i % 3 == 0 ? 0.001 : 1.0;
         const double row = i % 2 == 0 ? rows * away * random.unit() : rows * (1.0 - away * random.unit());
         const glm::dvec3 eye = eyeAbove(placed, column, row, 2.0 * std::pow(5000.0, random.unit()));
@@ -93,10 +93,12 @@ Findings bruteForce(const std::shared_ptr<const RoamTile>& tile, int eyes, int s
             isSeen[region] = true;
         for (int k = 0; k < samples; ++k)
         {
-            const int c =
-                1 + static_cast<int>(random.below(static_cast<std::uint32_t>(placed.dataColumns() - 2)));
-            int r = 1 + static_cast<int>(random.below(static_cast<std::uint32_t>(placed.dataRows() - 2)));
-            if (away < 1.0 && k % 2 == 0) r = row < 0.5 * rows ? 1 : placed.dataRows() - 2; // along the edge
+            const int c = 1 + static_cast<int>(
+                                  random.below(static_cast<std::uint32_t>(placed.grid().dataColumns() - 2)));
+            int r =
+                1 + static_cast<int>(random.below(static_cast<std::uint32_t>(placed.grid().dataRows() - 2)));
+            if (away < 1.0 && k % 2 == 0)
+                r = row < 0.5 * rows ? 1 : placed.grid().dataRows() - 2; // along the edge
             if (!isHidden(tile->regions, isSeen, c, r)) continue;
             ++found.hidden;
             const glm::dvec3 way = placed.position(c, r) - eye;
@@ -158,11 +160,12 @@ TEST(Horizon, OnRealTerrainNothingThatCanBeSeenIsLeftOut)
 TEST(Horizon, IsWhereGeometryHasIt)
 {
     const auto tile = sea(0.0);
-    const glm::dvec3 eye = tile->tile.positionAt(128.5, 128.5, 300.0);
+    const glm::dvec3 eye = tile->tile.frame().positionAt(128.5, 128.5, 300.0);
     const auto horizon = Horizon::around(tile->tile, tile->hidingGround, eye, 0.0, 1.0);
     ASSERT_TRUE(horizon);
     EXPECT_NEAR(horizon->distanceM(), std::sqrt(2.0 * 6371e3 * 300.0), 1000.0);
-    const auto far = [&](double north) { return tile->tile.positionAt(128.5, 128.5 + north / 1557.0, 0.0); };
+    const auto far = [&](double north)
+    { return tile->tile.frame().positionAt(128.5, 128.5 + north / 1557.0, 0.0); };
     EXPECT_FALSE(horizon->hides(far(60e3), 10.0, 0.0)); // the horizon is at 61.8 km
     EXPECT_TRUE(horizon->hides(far(90e3), 10.0, 0.0));
     EXPECT_FALSE(
@@ -175,8 +178,8 @@ TEST(Horizon, IsNoneForEyesThatItDoesNotHoldFor)
     const auto tile = sea(0.0);
     const auto around = [&](double column, double row, double heightM, double errorPerM)
     {
-        return Horizon::around(tile->tile, tile->hidingGround, tile->tile.positionAt(column, row, heightM),
-                               errorPerM, 1.0)
+        return Horizon::around(tile->tile, tile->hidingGround,
+                               tile->tile.frame().positionAt(column, row, heightM), errorPerM, 1.0)
             .has_value();
     };
     EXPECT_TRUE(around(100, 100, 300, 1e-3));

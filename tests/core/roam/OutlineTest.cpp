@@ -46,7 +46,7 @@ HeightField holedHills(int columns, int rows, std::uint64_t seed)
 
 viewlod::ViewState viewDown(const PlacedTile& tile, Random& random)
 {
-    const glm::dvec3 last = tile.position(tile.dataColumns() - 1, tile.dataRows() - 1);
+    const glm::dvec3 last = tile.position(tile.grid().dataColumns() - 1, tile.grid().dataRows() - 1);
     const glm::dvec3 eye(random.unit() * last.x, random.unit() * last.y, 600.0 + 900.0 * random.unit());
     const glm::dvec3 target(random.unit() * last.x, random.unit() * last.y, 300.0);
     return viewlod::ViewState::fromMatrices(glm::lookAt(eye, target, {0.0, 0.02, 1.0}),
@@ -93,17 +93,17 @@ TEST_P(Outline, IsTheDataAtFullDetail)
     RoamMesh mesh{SplitBounds(tile)};
     mesh.refine(0.0);
     std::size_t wanted = 0;
-    const int step = 1 << placed.gridExponent();
-    for (int row = 0; row + step < placed.dataRows(); row += step)
-        for (int column = 0; column + step < placed.dataColumns(); column += step)
+    const int step = placed.grid().cellSide();
+    for (int row = 0; row + step < placed.grid().dataRows(); row += step)
+        for (int column = 0; column + step < placed.grid().dataColumns(); column += step)
         {
             const GridPoint sw{column, row}, se{column + step, row}, nw{column, row + step},
                 ne{column + step, row + step};
             const bool isEven = ((column + row) / step) % 2 == 0;
             const GridPoint halves[2][3] = {{sw, se, isEven ? ne : nw}, {ne, nw, isEven ? sw : se}};
             for (const auto& half : halves)
-                wanted += std::all_of(half, half + 3,
-                                      [&](GridPoint p) { return placed.isGround(p.column, p.row); });
+                wanted += std::all_of(
+                    half, half + 3, [&](GridPoint p) { return placed.samples().isGround(p.column, p.row); });
         }
     const DrawnMesh drawn = mesh.drawn();
     // Flat pieces stay coarse, so areas are compared, in halves of cells.
@@ -113,9 +113,10 @@ TEST_P(Outline, IsTheDataAtFullDetail)
         const GridPoint a = drawn.grid[t.vertices[0]], b = drawn.grid[t.vertices[1]],
                         c = drawn.grid[t.vertices[2]];
         ASSERT_TRUE(isDrawn(placed, {a, b, c}));
-        const auto clamped = [&](GridPoint p) {
-            return GridPoint{std::min(p.column, placed.dataColumns() - 1),
-                             std::min(p.row, placed.dataRows() - 1)};
+        const auto clamped = [&](GridPoint p)
+        {
+            return GridPoint{std::min(p.column, placed.grid().dataColumns() - 1),
+                             std::min(p.row, placed.grid().dataRows() - 1)};
         };
         if (!(clamped(a) == a && clamped(b) == b && clamped(c) == c)) continue;
         found += static_cast<std::size_t>((b.column - a.column) * (c.row - a.row) -
@@ -179,9 +180,9 @@ TEST_P(Outline, EndsQueriesAndRays)
     int inHoles = 0, onGround = 0;
     for (int i = 0; i < 4000; ++i)
     {
-        const double column = random.unit() * (placed.dataColumns() - 1),
-                     row = random.unit() * (placed.dataRows() - 1);
-        const glm::dvec3 p = placed.positionAt(column, row, 400.0);
+        const double column = random.unit() * (placed.grid().dataColumns() - 1),
+                     row = random.unit() * (placed.grid().dataRows() - 1);
+        const glm::dvec3 p = placed.frame().positionAt(column, row, 400.0);
         const auto truth = groundAt(placed, p.x, p.y);
         const auto drawn = drawnGroundAt(mesh.tree(), p.x, p.y);
         const auto ray = hitGround(*tile, p + glm::dvec3(0.0, 0.0, 5000.0), {0.0, 0.0, -1.0}, 1e5);
@@ -200,7 +201,7 @@ TEST_P(Outline, HoldsAfterEdits)
     TileEditor editor(tile);
     RoamMesh mesh{SplitBounds(tile)};
     Random random(51);
-    const int step = 1 << tile->tile.gridExponent();
+    const int step = tile->tile.grid().cellSide();
     for (int i = 0; i < 60; ++i)
     {
         const GridPoint p{static_cast<int>(random.below(static_cast<std::uint32_t>(GetParam().columns))) *
@@ -208,7 +209,7 @@ TEST_P(Outline, HoldsAfterEdits)
                           static_cast<int>(random.below(static_cast<std::uint32_t>(GetParam().rows))) * step};
         const HeightChange change{p, 300.0f + 400.0f * static_cast<float>(random.unit())};
         ASSERT_EQ(static_cast<bool>(editor.apply({&change, 1}, TileEditor::Between::follows)),
-                  tile->tile.isGround(p.column, p.row));
+                  tile->tile.samples().isGround(p.column, p.row));
         const viewlod::ViewState view = viewDown(tile->tile, random);
         ASSERT_TRUE(isSoundFrom(mesh, view, 2.0)) << i;
     }
@@ -260,7 +261,7 @@ TEST(OutlineCheck, SeesATJunctionBesideAHole)
         split.triangles[i] = {{m, whole.vertices[0], whole.vertices[1]}};
         split.triangles.push_back({{m, whole.vertices[2], whole.vertices[0]}});
         const GridPoint across{2 * mid.column - t.apex.column, 2 * mid.row - t.apex.row};
-        if (!tile->tile.isGround(across.column, across.row)) continue;
+        if (!tile->tile.samples().isGround(across.column, across.row)) continue;
         EXPECT_GT(checkDrawnMesh(*tile, split, nullptr).tJunctions, 0u);
         return;
     }

@@ -33,8 +33,8 @@ std::shared_ptr<const RoamTile> tileOf(bool curved)
 viewlod::ViewState viewOfPatches(const PlacedTile& tile, Random& random)
 {
     const glm::dvec3 eye =
-        tile.positionAt(random.unit() * 99.0, random.unit() * 128.0, 700.0 + 1500.0 * random.unit());
-    const glm::dvec3 target = tile.positionAt(random.unit() * 99.0, random.unit() * 128.0, 300.0);
+        tile.frame().positionAt(random.unit() * 99.0, random.unit() * 128.0, 700.0 + 1500.0 * random.unit());
+    const glm::dvec3 target = tile.frame().positionAt(random.unit() * 99.0, random.unit() * 128.0, 300.0);
     return viewlod::ViewState::fromMatrices(glm::lookAt(eye, target, {0.01, 0.02, 1.0}),
                                             glm::perspective(1.0, 1.25, 1.0, 1e5), 1280, 1024);
 }
@@ -159,7 +159,7 @@ TEST_P(Patches, AreWhatDrawnGroundStandsOn)
         for (int i = 0; i < 300; ++i)
         {
             const double column = 0.1 + _random.unit() * 98.8, row = 0.1 + _random.unit() * 127.8;
-            const glm::dvec3 place = _tile->tile.positionAt(column, row, 400.0);
+            const glm::dvec3 place = _tile->tile.frame().positionAt(column, row, 400.0);
             const auto ground = drawnGroundAt(mesh.tree(), place.x, place.y);
             const auto truth = groundAt(_tile->tile, place.x, place.y);
             ASSERT_TRUE(ground && truth);
@@ -195,7 +195,7 @@ TEST_P(Patches, AreCulledOneByOneAndNoneThatIsSeen)
             const IndexRange alone{slot, 1};
             for (const MeshVertex& v : mesh.drawn({&alone, 1}).vertices)
             {
-                const auto px = viewlod::projectPx(view, positionOf(v, _tile->tile.vertexStepM()));
+                const auto px = viewlod::projectPx(view, positionOf(v, _tile->tile.frame().vertexStepM()));
                 EXPECT_FALSE(px && px->x > 0 && px->y > 0 && px->x < view.widthPx && px->y < view.heightPx);
             }
         }
@@ -213,7 +213,7 @@ TEST(SplitBounds, WithoutPatchesAreTheTiles)
     const auto tile = tileOf(false);
     const SplitBounds bounds(tile);
     EXPECT_EQ(bounds.memoryBytes(), 0u);
-    EXPECT_EQ(bounds.levels(), tile->tile.levels());
+    EXPECT_EQ(bounds.levels(), tile->tile.grid().levels());
     for (int i = 0; i < 100; ++i)
         EXPECT_EQ(bounds.bound({i, i + 3}).errorM, tile->bound({i, i + 3}).errorM);
 }

@@ -67,8 +67,8 @@ protected:
     {
         const PlacedTile& placed = tile->tile;
         const auto place = [&](double reach, double heightM)
-        { return placed.positionAt(random.unit() * reach, random.unit() * reach, heightM); };
-        const double last = placed.dataRows() - 1.0;
+        { return placed.frame().positionAt(random.unit() * reach, random.unit() * reach, heightM); };
+        const double last = placed.grid().dataRows() - 1.0;
         return viewlod::ViewState::fromMatrices(glm::lookAt(place(last, 620.0 + 300.0 * random.unit()),
                                                             place(0.5 * last, 450.0), {0.0, 0.02, 1.0}),
                                                 glm::perspective(1.0, 1.3, 1.0, 1e5), 800, 600);
@@ -80,10 +80,10 @@ protected:
 TEST_P(Sheets, HoldTheirSamplesInsideAndTheGroundBelowAtTheirBorders)
 {
     const PlacedTile& placed = tile->tile;
-    ASSERT_EQ(placed.gridExponent(), 4);
-    ASSERT_EQ(placed.sheets().size(), 2u);
+    ASSERT_EQ(placed.grid().exponent(), 4);
+    ASSERT_EQ(placed.samples().sheets().size(), 2u);
     const auto at = [&](double column, double row)
-    { return placed.heightM(static_cast<int>(column * 16), static_cast<int>(row * 16)); };
+    { return placed.samples().heightM(static_cast<int>(column * 16), static_cast<int>(row * 16)); };
     EXPECT_NEAR(at(12.25, 10.5), 3.0 + detailM(12.25, 10.5), 0.01); // of the first, far inside
     EXPECT_NEAR(at(12.0, 10.0), 3.0 + detailM(12.0, 10.0), 0.01);   // where the raster has a sample, too
     EXPECT_NEAR(at(3.0625, 3.125), 5.0 + detailM(3.0625, 3.125), 0.01);
@@ -117,12 +117,12 @@ TEST_P(Sheets, HaveNestedBounds)
     const PlacedTile& placed = tile->tile;
     const auto look = [&](GridPoint v)
     {
-        const bool isCorner =
-            (v.column == 0 || v.column == placed.side() - 1) && (v.row == 0 || v.row == placed.side() - 1);
+        const bool isCorner = (v.column == 0 || v.column == placed.grid().side() - 1) &&
+                              (v.row == 0 || v.row == placed.grid().side() - 1);
         if (isCorner) return;
         const SplitBound bound = tile->bound(v);
         ++looked;
-        SplitDiamond(v, placed.side())
+        SplitDiamond(v, placed.grid().side())
             .forEachChild(
                 [&](GridPoint c)
                 {
@@ -133,10 +133,10 @@ TEST_P(Sheets, HaveNestedBounds)
                     ASSERT_TRUE(child.errorM == 0.0f || bound.radiusM >= reachM);
                 });
     };
-    GridRect{0, 0, placed.side() - 1, placed.side() - 1}.forEachMultipleOf(1,
-                                                                           [&](int c, int r) {
-                                                                               look({c, r});
-                                                                           });
+    GridRect{0, 0, placed.grid().side() - 1, placed.grid().side() - 1}.forEachMultipleOf(1,
+                                                                                         [&](int c, int r) {
+                                                                                             look({c, r});
+                                                                                         });
     EXPECT_GT(looked, 100000u);
 }
 
@@ -167,8 +167,8 @@ TEST_P(Sheets, AreEditedLikeTheRaster)
     const auto snapshot = [&]
     {
         std::vector<SplitBound> bounds;
-        for (int r = 0; r < tile->tile.dataRows(); r += 2)
-            for (int c = 0; c < tile->tile.dataColumns(); c += 2)
+        for (int r = 0; r < tile->tile.grid().dataRows(); r += 2)
+            for (int c = 0; c < tile->tile.grid().dataColumns(); c += 2)
                 if (c + r > 0) bounds.push_back(tile->bound({c, r}));
         return bounds;
     };
@@ -177,12 +177,12 @@ TEST_P(Sheets, AreEditedLikeTheRaster)
     {
         const bool stays = random.below(3) == 0;
         GridPoint p{static_cast<int>(random.below(18 * 16)), static_cast<int>(random.below(15 * 16))};
-        if (!stays && !tile->tile.hasSample(p.column, p.row)) p = {p.column & -4, p.row & -4};
-        if (!stays && !tile->tile.hasSample(p.column, p.row)) p = {p.column & -16, p.row & -16};
+        if (!stays && !tile->tile.samples().hasSample(p.column, p.row)) p = {p.column & -4, p.row & -4};
+        if (!stays && !tile->tile.samples().hasSample(p.column, p.row)) p = {p.column & -16, p.row & -16};
         const HeightChange change{p, 400.0f + 200.0f * static_cast<float>(random.unit())};
         ASSERT_TRUE(
             editor.apply({&change, 1}, stays ? TileEditor::Between::stays : TileEditor::Between::follows));
-        ASSERT_NEAR(tile->tile.heightM(p.column, p.row), change.heightM, 0.001);
+        ASSERT_NEAR(tile->tile.samples().heightM(p.column, p.row), change.heightM, 0.001);
         const viewlod::ViewState view = randomView(random);
         ASSERT_TRUE(isSoundFrom(mesh, view, 1.5)) << i;
     }

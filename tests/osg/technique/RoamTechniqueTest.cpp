@@ -76,17 +76,17 @@ TEST(RoamTechnique, TakesANewElevationLayerWhenTheTileIsDirty)
 {
     OneTile scene;
     scene.triangles(1);
-    const float before = scene.ground()->tile.heightM(30, 30);
+    const float before = scene.ground()->tile.samples().heightM(30, 30);
     osg::ref_ptr<osgTerrain::HeightFieldLayer> raised = elevationOf({});
     raised->setLocator(scene.tile().getLocator());
     for (float& height : raised->getHeightField()->getHeightList())
         height += 100.0f;
     scene.tile().setElevationLayer(raised);
     scene.update();
-    EXPECT_EQ(scene.ground()->tile.heightM(30, 30), before) << "not dirty yet";
+    EXPECT_EQ(scene.ground()->tile.samples().heightM(30, 30), before) << "not dirty yet";
     scene.tile().setDirty(true);
     scene.update();
-    EXPECT_EQ(scene.ground()->tile.heightM(30, 30), before + 100.0f);
+    EXPECT_EQ(scene.ground()->tile.samples().heightM(30, 30), before + 100.0f);
     EXPECT_FALSE(scene.tile().getDirty());
     EXPECT_GT(scene.triangles(2), 100u);
 }
@@ -110,10 +110,10 @@ TEST(RoamTechnique, FollowsTheTerrainsVerticalScale)
 {
     OneTile scene;
     scene.triangles(1);
-    const float before = scene.ground()->tile.heightM(10, 10);
+    const float before = scene.ground()->tile.samples().heightM(10, 10);
     scene.terrain->setVerticalScale(2.0f);
     scene.update();
-    EXPECT_FLOAT_EQ(scene.ground()->tile.heightM(10, 10), 2.0f * before);
+    EXPECT_FLOAT_EQ(scene.ground()->tile.samples().heightM(10, 10), 2.0f * before);
 }
 
 TEST(RoamTechnique, AnotherThreadsWorkIsTakenByTheNextUpdate)

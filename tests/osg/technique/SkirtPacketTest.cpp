@@ -32,7 +32,8 @@ struct Skirt
     /// Samples of the border that walls stand on, each counted once: 2 · (columns - 1 + rows - 1) when none is missing.
     double coveredSamples() const
     {
-        const int lastColumn = tile->tile.dataColumns() - 1, lastRow = tile->tile.dataRows() - 1;
+        const int lastColumn = tile->tile.grid().dataColumns() - 1,
+                  lastRow = tile->tile.grid().dataRows() - 1;
         double covered = 0.0;
         for (std::size_t wall = 0; wall + 3 < packet->vertices.size(); wall += 4)
         {
@@ -46,7 +47,7 @@ struct Skirt
 
     bool hangsStraightDown() const
     {
-        const double stepM = tile->tile.vertexStepM();
+        const double stepM = tile->tile.frame().vertexStepM();
         for (std::size_t wall = 0; wall + 3 < packet->vertices.size(); wall += 4)
             for (const std::size_t top : {wall, wall + 1})
             {
@@ -97,7 +98,7 @@ TEST(SkirtPacket, FollowsTheEarthsNormal)
     core::RoamMesh mesh(core::SplitBounds(tile, 0));
     mesh.refine(1.0);
     const PacketPtr packet = skirtPacket(mesh, 1, [](const glm::dvec3&) { return 100.0; });
-    const double stepM = tile->tile.vertexStepM();
+    const double stepM = tile->tile.frame().vertexStepM();
     const glm::dvec3 fall =
         core::positionOf(packet->vertices[0], stepM) - core::positionOf(packet->vertices[2], stepM);
     EXPECT_NEAR(glm::length(fall), 100.0, 2.0 * stepM);

@@ -57,7 +57,7 @@ TEST(TileGround, HasEverySampleWhereAProjectedLocatorPutsIt)
     const auto ground = tileGround(*tile);
     ASSERT_TRUE(ground);
     EXPECT_LT(worstError(*tile, *ground), 1e-4) << "of 5100 km";
-    EXPECT_EQ(ground->tile->tile.dataColumns(), 50);
+    EXPECT_EQ(ground->tile->tile.grid().dataColumns(), 50);
 }
 
 TEST(TileGround, FollowsALocatorThatTurnsAndMirrors)
@@ -80,14 +80,14 @@ TEST(TileGround, KeepsCellsOfDegreesApart)
                                         osg::Matrixd::translate(8, 46, 0));
     const auto ground = tileGround(*tile);
     EXPECT_LT(worstError(*tile, *ground), 1e-9);
-    EXPECT_LT(ground->tile->tile.vertexStepM(), 0.01 * ground->tile->tile.field().spacingEastM);
+    EXPECT_LT(ground->tile->tile.frame().vertexStepM(), 0.01 * ground->tile->tile.field().spacingEastM);
 }
 
 TEST(TileGround, LiesOnTheEarthOfAGeocentricLocator)
 {
     const auto tile = tileOf({.columns = 65, .rows = 49, .type = Locator::GEOCENTRIC});
     const auto ground = tileGround(*tile);
-    EXPECT_EQ(ground->tile->tile.placement(), core::Placement::curved);
+    EXPECT_EQ(ground->tile->tile.frame().placement(), core::Placement::curved);
     EXPECT_LT(worstError(*tile, *ground), 2e-3);
     EXPECT_NEAR(ground->tile->tile.field().spacingNorthM, 41.17, 0.05);
 }
@@ -138,7 +138,7 @@ TEST(TileGround, FillsVoidsAndRemembersThem)
         for (unsigned column = 10; column < 16; ++column)
             layer.getHeightField()->setHeight(column, row, -9999.0f);
     const auto ground = tileGround(*tile);
-    EXPECT_GT(ground->tile->tile.heightM(12, 25), 0.0f);
+    EXPECT_GT(ground->tile->tile.samples().heightM(12, 25), 0.0f);
     EXPECT_TRUE(ground->samples->voidAt(12, 25));
     EXPECT_FALSE(ground->samples->voidAt(9, 25));
     const auto holes = holeMap(*ground->samples);
@@ -186,7 +186,7 @@ TEST(TileGround, TakesAnImageOfHeights)
     tile->setElevationLayer(layer);
     const auto ground = tileGround(*tile);
     ASSERT_TRUE(ground);
-    EXPECT_EQ(ground->tile->tile.dataColumns(), 9);
+    EXPECT_EQ(ground->tile->tile.grid().dataColumns(), 9);
     EXPECT_EQ(placed(*ground, 8, 4).z(), 44.0);
 }
 
@@ -197,9 +197,9 @@ TEST(TileGround, KeepsHeightsOnTheEarthWithinTheReachOfItsVertices)
     auto& tile = static_cast<osgTerrain::TerrainTile&>(*terrain->getChild(0));
     tile.setTerrain(terrain);
     const auto ground = tileGround(tile);
-    EXPECT_EQ(ground->tile->tile.heightM(30, 30), 40000.0f);
+    EXPECT_EQ(ground->tile->tile.samples().heightM(30, 30), 40000.0f);
     const glm::dvec3 p = ground->tile->tile.position(30, 30);
-    EXPECT_LT(std::abs(p.z) / ground->tile->tile.vertexStepM(), 2147483647.0);
+    EXPECT_LT(std::abs(p.z) / ground->tile->tile.frame().vertexStepM(), 2147483647.0);
     tile.setTerrain(nullptr);
 }
 

@@ -85,6 +85,6 @@ TEST_F(RoamPlugin, TheLibraryOpensTheSameFiles)
 {
     const auto terrain = osgTerrainROAM::openTerrain(_folder / "dem.tif");
     ASSERT_TRUE(terrain) << terrain.error().message();
-    EXPECT_EQ((*terrain)->tile()->tile.dataColumns(), 40);
+    EXPECT_EQ((*terrain)->tile()->tile.grid().dataColumns(), 40);
     EXPECT_FALSE(osgTerrainROAM::openTerrain(_folder / "none.tif"));
 }

@@ -51,8 +51,8 @@ bool readClasses(GDALDataset& dataset, const PixelNet& net, const PlacedTile& ti
     for (int j = 0; j <= 32; ++j)
         for (int i = 0; i <= 32; ++i)
         {
-            const glm::dvec2 pixel =
-                net.pixelAt((tile.dataColumns() - 1) * i / 32.0, (tile.dataRows() - 1) * j / 32.0);
+            const glm::dvec2 pixel = net.pixelAt((tile.grid().dataColumns() - 1) * i / 32.0,
+                                                 (tile.grid().dataRows() - 1) * j / 32.0);
             low = glm::min(low, pixel - 2.0);
             high = glm::max(high, pixel + 2.0);
         }
@@ -94,7 +94,7 @@ GroundKind kindOf(int code, const CoverTable& table, CoverMap& map)
 
 CoverMap mapOf(const Classes& classes, const PixelNet& net, const CoverTable& table, const PlacedTile& tile)
 {
-    const int lastColumn = tile.dataColumns() - 1, lastRow = tile.dataRows() - 1;
+    const int lastColumn = tile.grid().dataColumns() - 1, lastRow = tile.grid().dataRows() - 1;
     CoverMap map;
     const glm::dvec2 corner = net.pixelAt(0, 0);
     map.width = sideOf(glm::distance(corner, net.pixelAt(lastColumn, 0)));

@@ -38,7 +38,7 @@ Result<PixelNet> PixelNet::make(GDALDataset& dataset, const PlacedTile& tile, co
         return Error{name, "its coordinate system cannot be related to the terrain's",
                      "reproject the imagery"};
     const GeodeticNet& nodes = *tile.field().net;
-    net._step = nodes.step << tile.gridExponent(); // nodes count samples of the raster
+    net._step = nodes.step << tile.grid().exponent(); // nodes count samples of the raster
     net._side = nodes.nodesPerSide;
     for (const GeodeticNet::Node& node : nodes.nodes)
     {
@@ -66,10 +66,10 @@ glm::dvec2 PixelNet::pixelAt(double column, double row) const
 
 void PixelNet::stretch(GDALDataset& dataset, const PlacedTile& tile)
 {
-    _step = tile.side() - 1;
+    _step = tile.grid().side() - 1;
     _side = 2;
-    const double scaleX = static_cast<double>(dataset.GetRasterXSize()) / (tile.dataColumns() - 1);
-    const double scaleY = static_cast<double>(dataset.GetRasterYSize()) / (tile.dataRows() - 1);
+    const double scaleX = static_cast<double>(dataset.GetRasterXSize()) / (tile.grid().dataColumns() - 1);
+    const double scaleY = static_cast<double>(dataset.GetRasterYSize()) / (tile.grid().dataRows() - 1);
     const double height = dataset.GetRasterYSize();
     for (const double row : {0.0, static_cast<double>(_step)})
         for (const double column : {0.0, static_cast<double>(_step)})

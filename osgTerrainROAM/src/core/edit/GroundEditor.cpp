@@ -17,26 +17,27 @@ foundation::Error GroundEditor::refusal(const char* what, const char* remedy) co
 double GroundEditor::placeM() const
 {
     const PlacedTile& tile = _tile->tile;
-    const double step = _detail == EditDetail::places ? 1.0 : std::ldexp(1.0, tile.gridExponent());
-    const double column = 0.5 * tile.dataColumns(), row = 0.5 * tile.dataRows();
-    const glm::dvec3 here = tile.positionAt(column, row, 0.0);
-    return std::max(glm::distance(here, tile.positionAt(column + step, row, 0.0)),
-                    glm::distance(here, tile.positionAt(column, row + step, 0.0)));
+    const double step = _detail == EditDetail::places ? 1.0 : std::ldexp(1.0, tile.grid().exponent());
+    const double column = 0.5 * tile.grid().dataColumns(), row = 0.5 * tile.grid().dataRows();
+    const glm::dvec3 here = tile.frame().positionAt(column, row, 0.0);
+    return std::max(glm::distance(here, tile.frame().positionAt(column + step, row, 0.0)),
+                    glm::distance(here, tile.frame().positionAt(column, row + step, 0.0)));
 }
 
 /// At the nearest place of the grid to a place in the plan; close to the vertical line through it.
 double GroundEditor::groundM(const glm::dvec2& place) const
 {
     const PlacedTile& tile = _tile->tile;
-    const glm::dvec2 grid = tile.gridNear(place);
+    const glm::dvec2 grid = tile.frame().gridNear(place);
     const auto nearest = [](double v, int count)
     { return static_cast<int>(std::clamp(std::round(v), 0.0, count - 1.0)); };
-    return tile.heightM(nearest(grid.x, tile.dataColumns()), nearest(grid.y, tile.dataRows()));
+    return tile.samples().heightM(nearest(grid.x, tile.grid().dataColumns()),
+                                  nearest(grid.y, tile.grid().dataRows()));
 }
 
 foundation::Result<EditReport> GroundEditor::apply(const HeightRule& rule, std::span<const PlanBox> boxes)
 {
-    const EditDetail detail = _tile->tile.gridExponent() > 0 ? _detail : EditDetail::samples;
+    const EditDetail detail = _tile->tile.grid().exponent() > 0 ? _detail : EditDetail::samples;
     foundation::Result<std::vector<HeightChange>> changes = [&]
     {
         const std::shared_lock lock(_tile->mutex());
@@ -47,7 +48,7 @@ foundation::Result<EditReport> GroundEditor::apply(const HeightRule& rule, std::
     // What counts among the samples without being one follows the surface by itself.
     if (ofSamples)
         std::erase_if(*changes, [&](const HeightChange& change)
-                      { return !_tile->tile.hasSample(change.place.column, change.place.row); });
+                      { return !_tile->tile.samples().hasSample(change.place.column, change.place.row); });
     return _steps.apply(*changes, ofSamples ? TileEditor::Between::follows : TileEditor::Between::stays);
 }
 

@@ -22,15 +22,15 @@ GridRect placesIn(const PlacedTile& tile, const PlanBox& box)
     for (const double x : {box.low.x, box.high.x})
         for (const double y : {box.low.y, box.high.y})
         {
-            const glm::dvec2 grid = tile.gridNear({x, y});
+            const glm::dvec2 grid = tile.frame().gridNear({x, y});
             low = glm::min(low, grid);
             high = glm::max(high, grid);
         }
     const int slack =
-        (2 << tile.gridExponent()) + static_cast<int>(0.01 * std::max(high.x - low.x, high.y - low.y));
+        (2 << tile.grid().exponent()) + static_cast<int>(0.01 * std::max(high.x - low.x, high.y - low.y));
     const auto whole = [&](double v) { return static_cast<int>(std::clamp(v, -1e9, 1e9)); };
     return GridRect{whole(low.x), whole(low.y), whole(high.x) + 1, whole(high.y) + 1}.grownBy(slack).cutTo(
-        {0, 0, tile.dataColumns() - 1, tile.dataRows() - 1});
+        {0, 0, tile.grid().dataColumns() - 1, tile.grid().dataRows() - 1});
 }
 
 /// Blocks of the grid that boxes touch, each once.
@@ -70,7 +70,7 @@ foundation::Result<std::vector<HeightChange>> changesBy(const HeightRule& rule, 
                                                         std::span<const PlanBox> boxes, EditDetail detail)
 {
     const bool ofSamples = detail == EditDetail::samples;
-    Blocks blocks(kBlockShift + (ofSamples ? tile.gridExponent() : 0));
+    Blocks blocks(kBlockShift + (ofSamples ? tile.grid().exponent() : 0));
     for (const PlanBox& box : boxes)
         blocks.add(placesIn(tile, box));
     const auto refuse = [&](const char* what, const char* remedy) {
@@ -83,21 +83,21 @@ foundation::Result<std::vector<HeightChange>> changesBy(const HeightRule& rule, 
     std::vector<HeightChange> changes;
     const auto look = [&](int column, int row)
     {
-        const double heightM = tile.heightM(column, row);
-        const glm::dvec2 place = tile.positionOf(column, row, heightM);
+        const double heightM = tile.samples().heightM(column, row);
+        const glm::dvec2 place = tile.frame().positionOf(column, row, heightM);
         const double wantedM = rule(place, heightM);
         if (std::abs(wantedM - heightM) > kLeastChangeM)
             changes.push_back({{column, row}, static_cast<float>(wantedM)});
     };
-    const GridRect data{0, 0, tile.dataColumns() - 1, tile.dataRows() - 1};
+    const GridRect data{0, 0, tile.grid().dataColumns() - 1, tile.grid().dataRows() - 1};
     blocks.forEach(
         [&](const GridRect& whole)
         {
             const GridRect block = whole.cutTo(data);
-            if (ofSamples) return tile.forEachSample(block, look);
+            if (ofSamples) return tile.samples().forEachSample(block, look);
             for (int row = block.south; row <= block.north; ++row)
                 for (int column = block.west; column <= block.east; ++column)
-                    if (tile.isGround(column, row)) look(column, row);
+                    if (tile.samples().isGround(column, row)) look(column, row);
         });
     return changes;
 }

@@ -48,8 +48,8 @@ private:
 GridRect movedBy(const ChangedPlaces& changed, const PlacedTile& tile)
 {
     GridRect moved = changed.rect.grownBy(changed.step - 1);
-    if (changed.rect.east == tile.dataColumns() - 1) moved.east = tile.side() - 1;
-    if (changed.rect.north == tile.dataRows() - 1) moved.north = tile.side() - 1;
+    if (changed.rect.east == tile.grid().dataColumns() - 1) moved.east = tile.grid().side() - 1;
+    if (changed.rect.north == tile.grid().dataRows() - 1) moved.north = tile.grid().side() - 1;
     return moved;
 }
 
@@ -69,13 +69,13 @@ foundation::Outcome TileEditor::check(std::span<const HeightChange> changes, Bet
     for (const HeightChange& change : changes)
     {
         const GridPoint p = change.place;
-        if (p.column < 0 || p.row < 0 || !placed.isInData(p.column, p.row))
+        if (p.column < 0 || p.row < 0 || !placed.grid().isInData(p.column, p.row))
             return refuse(p, "no place of the data", "edit within its edge");
-        if (!placed.isGround(p.column, p.row))
+        if (!placed.samples().isGround(p.column, p.row))
             return refuse(p, "a hole in the data", "edit where there is ground");
         if (!(std::abs(change.heightM) <= kHighestM))
             return refuse(p, "the height is no number or out of bounds", "stay within 20 km of zero");
-        if (between == Between::follows && !placed.hasSample(p.column, p.row))
+        if (between == Between::follows && !placed.samples().hasSample(p.column, p.row))
             return refuse(p, "no sample is there", "put samples between others with Between::stays");
     }
     return foundation::success();
@@ -92,11 +92,11 @@ foundation::Result<EditReport> TileEditor::apply(std::span<const HeightChange> c
 
     Grouping groups;
     for (const auto& [place, memo] : step.samples) // those around the changes, too: they count now
-        if (!_tile->tile.isOfRaster(place.column, place.row)) groups.add(place, 1);
+        if (!_tile->tile.grid().isOfRaster(place.column, place.row)) groups.add(place, 1);
     for (const HeightChange& change : changes)
     {
         const GridPoint p = change.place;
-        groups.add(p, between == Between::follows ? _tile->tile.sampleStep(p.column, p.row) : 1);
+        groups.add(p, between == Between::follows ? _tile->tile.samples().sampleStep(p.column, p.row) : 1);
         _tile->include(p);
     }
     step.changed = groups.changed();
@@ -126,11 +126,11 @@ void TileEditor::surround(std::span<const HeightChange> changes, Step& step)
         for (int row = change.place.row - 1; row <= change.place.row + 1; ++row)
             for (int column = change.place.column - 1; column <= change.place.column + 1; ++column)
             {
-                if (column < 0 || row < 0 || !placed.isInData(column, row) || placed.hasSample(column, row) ||
-                    !placed.isGround(column, row))
+                if (column < 0 || row < 0 || !placed.grid().isInData(column, row) ||
+                    placed.samples().hasSample(column, row) || !placed.samples().isGround(column, row))
                     continue;
                 step.samples.emplace_back(GridPoint{column, row}, _tile->memo({column, row}));
-                placed.count(column, row);
+                placed.samples().count(column, row);
             }
 }
 
@@ -141,12 +141,12 @@ void TileEditor::write(std::span<const HeightChange> changes, Between between, S
     {
         const auto [column, row] = change.place;
         step.samples.emplace_back(change.place, _tile->memo(change.place));
-        const double byM = std::abs(double{change.heightM} - placed.heightM(column, row));
+        const double byM = std::abs(double{change.heightM} - placed.samples().heightM(column, row));
         report.largestChangeM = std::max(report.largestChangeM, byM);
-        if (between == Between::follows && placed.isMeasured(column, row))
-            placed.setSampleHeight(column, row, change.heightM);
+        if (between == Between::follows && placed.samples().isMeasured(column, row))
+            placed.samples().setSampleHeight(column, row, change.heightM);
         else
-            placed.setFineHeight(column, row, change.heightM);
+            placed.samples().setFineHeight(column, row, change.heightM);
     }
     report.samplesChanged = changes.size();
 }

@@ -118,7 +118,7 @@ private:
     /// From the layer's coordinates to WGS84; null on planar tiles.
     Result<Transformation> transformationOf(OGRLayer& layer) const
     {
-        if (_tile.placement() == Placement::planar) return Transformation();
+        if (_tile.frame().placement() == Placement::planar) return Transformation();
         const OGRSpatialReference* reference = layer.GetSpatialRef();
         // GeoPackages have systems of their own that mean "not known".
         if (!reference || reference->IsLocal() ||
@@ -220,7 +220,7 @@ private:
 Result<FeatureSet> importFeatures(const std::filesystem::path& source, const PlacedTile& tile)
 {
     const std::string name = source.string();
-    if (tile.placement() == Placement::planar && tile.field().net)
+    if (tile.frame().placement() == Placement::planar && tile.field().net)
         return Error{name, "cannot be laid on a georeferenced terrain that is placed on a plane",
                      "use placement = curved"};
     std::error_code ignored;

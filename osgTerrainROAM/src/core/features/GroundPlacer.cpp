@@ -23,7 +23,7 @@ double metresApart(const glm::dvec2& a, const glm::dvec2& b)
 } // namespace
 
 GroundPlacer::GroundPlacer(const PlacedTile& tile)
-    : _tile(tile), _curved(tile.placement() == Placement::curved)
+    : _tile(tile), _curved(tile.frame().placement() == Placement::curved)
 {
     addBounds();
 }
@@ -35,8 +35,8 @@ void GroundPlacer::addBounds()
     for (int j = 0; j <= 64; ++j)
         for (int i = 0; i <= 64; ++i)
         {
-            const int column = static_cast<int>((_tile.dataColumns() - 1LL) * i / 64);
-            const int row = static_cast<int>((_tile.dataRows() - 1LL) * j / 64);
+            const int column = static_cast<int>((_tile.grid().dataColumns() - 1LL) * i / 64);
+            const int row = static_cast<int>((_tile.grid().dataRows() - 1LL) * j / 64);
             const glm::dvec2 place(_tile.position(column, row));
             _low = glm::min(_low, place - margin);
             _high = glm::max(_high, place + margin);
@@ -46,19 +46,19 @@ void GroundPlacer::addBounds()
 glm::dvec2 GroundPlacer::placed(double x, double y) const
 {
     if (!_curved) return {x, y};
-    const glm::dvec3 onEllipsoid = _tile.localFromGeodetic({y, x, 0.0});
-    const glm::dvec2 grid = _tile.gridAt(onEllipsoid);
-    const glm::dvec2 last(_tile.dataColumns() - 1, _tile.dataRows() - 1);
+    const glm::dvec3 onEllipsoid = _tile.frame().localFromGeodetic({y, x, 0.0});
+    const glm::dvec2 grid = _tile.frame().gridAt(onEllipsoid);
+    const glm::dvec2 last(_tile.grid().dataColumns() - 1, _tile.grid().dataRows() - 1);
     // Beyond the data there is no ground to lie on.
     if (!(grid.x >= 0.0 && grid.y >= 0.0 && grid.x <= last.x && grid.y <= last.y))
         return glm::dvec2(onEllipsoid);
     const int column = static_cast<int>(grid.x), row = static_cast<int>(grid.y);
     const glm::dvec2 f = grid - glm::floor(grid);
-    const double south = std::lerp(static_cast<double>(_tile.heightM(column, row)),
-                                   static_cast<double>(_tile.heightM(column + 1, row)), f.x);
-    const double north = std::lerp(static_cast<double>(_tile.heightM(column, row + 1)),
-                                   static_cast<double>(_tile.heightM(column + 1, row + 1)), f.x);
-    return glm::dvec2(_tile.positionAt(grid.x, grid.y, std::lerp(south, north, f.y)));
+    const double south = std::lerp(static_cast<double>(_tile.samples().heightM(column, row)),
+                                   static_cast<double>(_tile.samples().heightM(column + 1, row)), f.x);
+    const double north = std::lerp(static_cast<double>(_tile.samples().heightM(column, row + 1)),
+                                   static_cast<double>(_tile.samples().heightM(column + 1, row + 1)), f.x);
+    return glm::dvec2(_tile.frame().positionAt(grid.x, grid.y, std::lerp(south, north, f.y)));
 }
 
 std::vector<glm::dvec2> GroundPlacer::placedLine(const std::vector<glm::dvec2>& vertices, bool closed) const

@@ -50,14 +50,15 @@ public:
     bool isGround(const GridTriangle& triangle) const
     {
         return std::all_of(triangle.begin(), triangle.end(),
-                           [this](const glm::ivec2& corner) { return _tile.isGround(corner.x, corner.y); });
+                           [this](const glm::ivec2& corner)
+                           { return _tile.samples().isGround(corner.x, corner.y); });
     }
 
     /// Cell of the data nearest to a grid place.
     glm::ivec2 cellAt(glm::dvec2 grid) const
     {
-        return {static_cast<int>(std::clamp(std::floor(grid.x), 0.0, _tile.dataColumns() - 2.0)),
-                static_cast<int>(std::clamp(std::floor(grid.y), 0.0, _tile.dataRows() - 2.0))};
+        return {static_cast<int>(std::clamp(std::floor(grid.x), 0.0, _tile.grid().dataColumns() - 2.0)),
+                static_cast<int>(std::clamp(std::floor(grid.y), 0.0, _tile.grid().dataRows() - 2.0))};
     }
 
     /// Follows the triangles' own maps; a few steps suffice except where relief and tilt conspire.
@@ -107,12 +108,12 @@ private:
 std::optional<GroundPoint> groundAt(const PlacedTile& tile, double east, double north)
 {
     const Search search(tile, {east, north});
-    glm::dvec2 grid = tile.gridNear({east, north});
+    glm::dvec2 grid = tile.frame().gridNear({east, north});
     if (!std::isfinite(grid.x) || !std::isfinite(grid.y)) return std::nullopt;
     // Far outside nothing is near enough to search; the margin covers what height and tilt can shift.
-    const double margin = 0.5 * tile.side();
-    if (grid.x < -margin || grid.y < -margin || grid.x > tile.dataColumns() + margin ||
-        grid.y > tile.dataRows() + margin)
+    const double margin = 0.5 * tile.grid().side();
+    if (grid.x < -margin || grid.y < -margin || grid.x > tile.grid().dataColumns() + margin ||
+        grid.y > tile.grid().dataRows() + margin)
         return std::nullopt;
     std::optional<VerticalHit> hit = search.follow(grid);
     if (!hit) hit = search.scan(grid);

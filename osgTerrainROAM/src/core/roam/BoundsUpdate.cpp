@@ -82,7 +82,7 @@ std::vector<BoundsUpdate::Change> BoundsUpdate::tighten(std::size_t mostSamples)
     _mostSamples = std::numeric_limits<std::size_t>::max();
     std::vector<SplitDiamond> loose;
     for (const GridPoint v : _tile.looseVertices())
-        loose.emplace_back(v, _tile.tile.side());
+        loose.emplace_back(v, _tile.tile.grid().side());
     std::sort(loose.begin(), loose.end(),
               [](const SplitDiamond& a, const SplitDiamond& b) { return a.level() > b.level(); });
     std::size_t samples = 0;
@@ -97,7 +97,7 @@ std::vector<BoundsUpdate::Change> BoundsUpdate::tighten(std::size_t mostSamples)
 
 std::vector<BoundsUpdate::Change> BoundsUpdate::run()
 {
-    for (int half = 1; half < _tile.tile.side() - 1; half *= 2)
+    for (int half = 1; half < _tile.tile.grid().side() - 1; half *= 2)
     {
         visitLevel(half, false);
         visitLevel(half, true);
@@ -109,7 +109,7 @@ void BoundsUpdate::visitLevel(int half, bool isCentre)
 {
     const int fromFinest = 2 * (std::bit_width(static_cast<unsigned>(half)) - 1) + (isCentre ? 1 : 0);
     std::vector<Wanted> wanted;
-    std::swap(wanted, _wanted[static_cast<std::size_t>(_tile.tile.levels() - 1 - fromFinest)]);
+    std::swap(wanted, _wanted[static_cast<std::size_t>(_tile.tile.grid().levels() - 1 - fromFinest)]);
     for (const ChangedPlaces& changed : _changed)
         collect(changed, half, isCentre, wanted);
     const auto key = [](const Wanted& w)
@@ -129,14 +129,14 @@ void BoundsUpdate::collect(const ChangedPlaces& changed, int half, bool isCentre
 {
     GridRect around = changed.rect.grownBy(std::max(half, changed.step));
     // Beyond the data's edge lie vertices that have moved with it, and above them are others.
-    if (changed.rect.east == _tile.tile.dataColumns() - 1) around.east += half;
-    if (changed.rect.north == _tile.tile.dataRows() - 1) around.north += half;
+    if (changed.rect.east == _tile.tile.grid().dataColumns() - 1) around.east += half;
+    if (changed.rect.north == _tile.tile.grid().dataRows() - 1) around.north += half;
     if (half >= changed.step) return collectIn(around, half, isCentre, wanted);
-    for (const SampleSheet& sheet : _tile.tile.sheets())
+    for (const SampleSheet& sheet : _tile.tile.samples().sheets())
         if (half >= sheet.step())
             collectIn(around.cutTo(sheet.rect().grownBy(2 * half)), half, isCentre, wanted);
-    _tile.tile.fineSamples().forEachIn(
-        around.cutTo({0, 0, _tile.tile.side() - 1, _tile.tile.side() - 1}),
+    _tile.tile.samples().fineSamples().forEachIn(
+        around.cutTo({0, 0, _tile.tile.grid().side() - 1, _tile.tile.grid().side() - 1}),
         [&](int column, int row) {
             collectIn(GridRect{column, row, column, row}.grownBy(half), half, isCentre, wanted);
         });
@@ -144,7 +144,7 @@ void BoundsUpdate::collect(const ChangedPlaces& changed, int half, bool isCentre
 
 void BoundsUpdate::collectIn(const GridRect& rect, int half, bool isCentre, std::vector<Wanted>& wanted) const
 {
-    const int last = _tile.tile.side() - 1;
+    const int last = _tile.tile.grid().side() - 1;
     const GridRect around = rect.cutTo({0, 0, last, last});
     const int firstRow =
         isCentre ? firstMultiple(around.south, half, true) : (around.south + half - 1) & -half;
@@ -161,17 +161,18 @@ void BoundsUpdate::visit(const Wanted& wanted)
 {
     const GridPoint v = wanted.vertex;
     const PlacedTile& placed = _tile.tile;
-    const SplitDiamond diamond(v, placed.side());
+    const SplitDiamond diamond(v, placed.grid().side());
     const SplitBound before = _tile.bound(v);
     double error = wanted.needsOwnError ? ownErrorM(diamond, before.errorM) : before.errorM;
     const glm::dvec3 centre = before.centre; // as the predicate sees the vertex
     double radius = glm::distance(centre, placed.position(v.column, v.row));
-    bool isAbove = placed.hasSample(v.column, v.row); // has something that counts below it, or may have
+    bool isAbove =
+        placed.samples().hasSample(v.column, v.row); // has something that counts below it, or may have
     diamond.forEachChild(
         [&](GridPoint c)
         {
             const SplitBound child = _tile.bound(c);
-            if (child.errorM <= 0.0f && !placed.hasSample(c.column, c.row)) return;
+            if (child.errorM <= 0.0f && !placed.samples().hasSample(c.column, c.row)) return;
             isAbove = true;
             error = std::max<double>(error, child.errorM);
             radius = std::max(radius, glm::distance(centre, glm::dvec3(child.centre)) + child.radiusM);
@@ -201,9 +202,9 @@ void BoundsUpdate::propagate(const SplitDiamond& diamond, const SplitBound& befo
 std::size_t BoundsUpdate::samplesIn(const SplitDiamond& diamond) const
 {
     const auto across = static_cast<std::size_t>(2 * diamond.half());
-    const std::size_t places = across * across, ofRaster = places >> (2 * _tile.tile.gridExponent());
-    std::size_t samples = ofRaster + std::min(places, _tile.tile.fineSamples().sampleSpace());
-    for (const SampleSheet& sheet : _tile.tile.sheets())
+    const std::size_t places = across * across, ofRaster = places >> (2 * _tile.tile.grid().exponent());
+    std::size_t samples = ofRaster + std::min(places, _tile.tile.samples().fineSamples().sampleSpace());
+    for (const SampleSheet& sheet : _tile.tile.samples().sheets())
         samples += std::min(places, sheet.table().size());
     return samples;
 }
@@ -260,18 +261,18 @@ double BoundsUpdate::changedErrorM(const GridTriangle& triangle) const
 {
     PlaneError error(_tile.tile, triangle);
     for (const ChangedPlaces& changed : _changed)
-        _tile.tile.forEachSample(changed.rect.cutTo(triangle.extent()),
-                                 [&](int column, int row)
-                                 {
-                                     if (triangle.holds({column, row})) error.add({column, row});
-                                 });
+        _tile.tile.samples().forEachSample(changed.rect.cutTo(triangle.extent()),
+                                           [&](int column, int row)
+                                           {
+                                               if (triangle.holds({column, row})) error.add({column, row});
+                                           });
     return error.largestM();
 }
 
 bool BoundsUpdate::hasMoved(GridPoint corner) const
 {
-    const int column = std::min(corner.column, _tile.tile.dataColumns() - 1);
-    const int row = std::min(corner.row, _tile.tile.dataRows() - 1);
+    const int column = std::min(corner.column, _tile.tile.grid().dataColumns() - 1);
+    const int row = std::min(corner.row, _tile.tile.grid().dataRows() - 1);
     return std::any_of(_changed.begin(), _changed.end(),
                        [&](const ChangedPlaces& changed) { return changed.rect.holds(column, row); });
 }

@@ -13,16 +13,17 @@ namespace osgTerrainROAM::core
 {
 
 DiamondTree::DiamondTree(SplitBounds bounds, LeafPlacement placement)
-    : DiamondLinks(bounds.tile().tile.side() - 1),
+    : DiamondLinks(bounds.tile().tile.grid().side() - 1),
       _bounds(std::move(bounds)),
       _levels(_bounds.levels()),
       _regionLevel(tile().regions.level()),
-      _dataFillsTile(!tile().tile.hasHoles() &&
-                     std::min(tile().tile.dataColumns(), tile().tile.dataRows()) == tile().tile.side()),
+      _dataFillsTile(!tile().tile.samples().hasHoles() &&
+                     std::min(tile().tile.grid().dataColumns(), tile().tile.grid().dataRows()) ==
+                         tile().tile.grid().side()),
       _leaves(tile().regions.regionCount() + 1, placement)
 {
     // The corners as if they had split something larger: the apexes of the two roots have one quadrant each.
-    const auto [first, second] = rootTriangles(tile().tile.side());
+    const auto [first, second] = rootTriangles(tile().tile.grid().side());
     const GridPoint corners[kCorners] = {first.apex, second.apex, first.left, first.right};
     for (const GridPoint p : corners)
     {
@@ -82,7 +83,7 @@ void DiamondTree::removeVertex(VertexSlot v)
 
 MeshVertex DiamondTree::vertex(VertexSlot v) const
 {
-    return meshVertex(position(v), _places[v].point(), tile().tile.vertexStepM());
+    return meshVertex(position(v), _places[v].point(), tile().tile.frame().vertexStepM());
 }
 
 void DiamondTree::stopDisplacing()

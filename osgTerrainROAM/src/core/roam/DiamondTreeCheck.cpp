@@ -87,7 +87,7 @@ bool DiamondTree::linksAreSound(VertexSlot v) const
 
 bool DiamondTree::isConforming() const
 {
-    const Grid grid{tile().tile.side()};
+    const Grid grid{tile().tile.grid().side()};
     const std::vector<TriangleId> leaves = leavesOf(*this);
     std::vector<Edge> edges;
     edges.reserve(3 * leaves.size());

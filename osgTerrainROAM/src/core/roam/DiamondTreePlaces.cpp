@@ -9,7 +9,7 @@ DiamondTree::AtPlace DiamondTree::atPlace(GridPoint p) const
 {
     AtPlace found;
     // Both sides of an edge that the place lies on are gone down: one child of each level waits.
-    std::array<TriangleId, PlacedTile::kMostLevels + 3> open = {kRoots[0], kRoots[1]};
+    std::array<TriangleId, TileGrid::kMostLevels + 3> open = {kRoots[0], kRoots[1]};
     for (std::size_t count = 2; count > 0;)
     {
         const TriangleId t = open[--count];

@@ -52,7 +52,10 @@ struct Descent
         if (std::isfinite(grid.x) && std::isfinite(grid.y))
             triangle = DiamondTree::kRoots[grid.x >= grid.y ? 0 : 1];
     }
-    Descent(const DiamondTree& tree, const glm::dvec2& local) : Descent(tree.tile().tile.gridNear(local)) {}
+    Descent(const DiamondTree& tree, const glm::dvec2& local)
+        : Descent(tree.tile().tile.frame().gridNear(local))
+    {
+    }
 
     bool isDone(const DiamondTree& tree) const { return !triangle.exists() || tree.isLeaf(triangle); }
 
@@ -73,7 +76,8 @@ TriangleId towards(const DiamondTree& tree, TriangleId t, const glm::dvec3& weig
 
 bool isBeyondData(const PlacedTile& tile, const glm::dvec2& grid)
 {
-    return grid.x > tile.dataColumns() - 1 + kEdgeSlack || grid.y > tile.dataRows() - 1 + kEdgeSlack;
+    return grid.x > tile.grid().dataColumns() - 1 + kEdgeSlack ||
+           grid.y > tile.grid().dataRows() - 1 + kEdgeSlack;
 }
 
 /// How far the true surface may be from a leaf, or from its patch, when none of its vertices is displaced.
@@ -95,7 +99,7 @@ std::optional<DrawnGround> onLeaves(const DiamondTree& tree, TriangleId t, const
         }
         const PlacedTile& tile = tree.tile().tile;
         if (isBeyondData(tile, hit.grid)) return std::nullopt;
-        if (tile.hasHoles() && !isDrawn(tile, tree.gridTriangle(t))) return std::nullopt;
+        if (tile.samples().hasHoles() && !isDrawn(tile, tree.gridTriangle(t))) return std::nullopt;
         double movedM = 0.0;
         for (const VertexSlot v : tree.vertices(t).vertices)
             if (const glm::vec3 moved = tree.displacement(v); moved != glm::vec3(0.0f))
@@ -118,7 +122,7 @@ GridTriangle inPatch(const DiamondTree& tree, const Descent& leaf)
 std::optional<DrawnGround> onPatches(const DiamondTree& tree, Descent descent, const glm::dvec2& place)
 {
     const PlacedTile& tile = tree.tile().tile;
-    const double last = tile.side() - 1;
+    const double last = tile.grid().side() - 1;
     for (int step = 0; step < kMostSteps && descent.triangle.exists(); ++step)
     {
         const GridTriangle t = inPatch(tree, descent);

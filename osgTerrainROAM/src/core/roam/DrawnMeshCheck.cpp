@@ -28,17 +28,18 @@ public:
     SampleSweep(const RoamTile& tile, const viewlod::ViewState* view) : _tile(tile), _view(view)
     {
         const PlacedTile& placed = tile.tile;
-        _covered.assign(rasterIndex({placed.dataColumns() - 1, placed.dataRows() - 1}) + 1, false);
-        placed.fineSamples().forEachIn({0, 0, placed.side(), placed.side()},
-                                       [this](int column, int row) {
-                                           _uncovered.insert(key({column, row}));
-                                       });
-        for (const SampleSheet& sheet : placed.sheets())
+        _covered.assign(rasterIndex({placed.grid().dataColumns() - 1, placed.grid().dataRows() - 1}) + 1,
+                        false);
+        placed.samples().fineSamples().forEachIn({0, 0, placed.grid().side(), placed.grid().side()},
+                                                 [this](int column, int row) {
+                                                     _uncovered.insert(key({column, row}));
+                                                 });
+        for (const SampleSheet& sheet : placed.samples().sheets())
             _sheetsCovered.emplace_back(sheet.table().size(), false);
-        if (!placed.hasHoles()) return;
-        for (int row = 0; row < placed.dataRows(); row += step())
-            for (int column = 0; column < placed.dataColumns(); column += step())
-                if (!placed.isGround(column, row)) cover({column, row});
+        if (!placed.samples().hasHoles()) return;
+        for (int row = 0; row < placed.grid().dataRows(); row += step())
+            for (int column = 0; column < placed.grid().dataColumns(); column += step())
+                if (!placed.samples().isGround(column, row)) cover({column, row});
     }
 
     void visit(const DrawnMesh& mesh, const LeafTriangle& t)
@@ -57,13 +58,13 @@ public:
                             const auto b = triangle.at(p.column, p.row);
                             compare(placed.position(p.column, p.row), a + du * b.u + dw * b.w);
                         });
-        if (placed.hasHoles()) noteHoles(triangle);
+        if (placed.samples().hasHoles()) noteHoles(triangle);
     }
 
     /// Where data have holes, samples beside them may lie in leaves that are left out: then the outline is off.
     std::size_t uncovered()
     {
-        if (_tile.tile.hasHoles()) compareOutline();
+        if (_tile.tile.samples().hasHoles()) compareOutline();
         return std::count(_covered.begin(), _covered.end(), false) + _uncovered.size() + uncoveredOfSheets();
     }
     double maxErrorPx() const { return _maxErrorPx; }
@@ -76,30 +77,30 @@ private:
 
     std::size_t uncoveredOfSheets() const
     {
-        if (_tile.tile.hasHoles()) return 0;
+        if (_tile.tile.samples().hasHoles()) return 0;
         std::size_t count = 0;
         for (std::size_t i = 0; i < _sheetsCovered.size(); ++i)
         {
-            const SampleSheet& sheet = _tile.tile.sheets()[i];
+            const SampleSheet& sheet = _tile.tile.samples().sheets()[i];
             sheet.inside().forEachMultipleOf(sheet.step(), [&](int column, int row)
                                              { count += !_sheetsCovered[i][sheet.index(column, row)]; });
         }
         return count;
     }
 
-    int step() const { return 1 << _tile.tile.gridExponent(); }
+    int step() const { return _tile.tile.grid().cellSide(); }
 
     /// Samples that are not there and drawn all the same.
     void noteHoles(const GridTriangle& t)
     {
         const PlacedTile& placed = _tile.tile;
         t.forEachRow(
-            placed.dataColumns(), placed.dataRows(),
+            placed.grid().dataColumns(), placed.grid().dataRows(),
             [&](int row, int west, int east)
             {
-                if (placed.samplesIn(row, west, east) == (east - west) / step() + 1) return;
+                if (placed.samples().samplesIn(row, west, east) == (east - west) / step() + 1) return;
                 for (int column = west; column <= east; column += step())
-                    if (!placed.isGround(column, row)) _misplaced.push_back({column, row});
+                    if (!placed.samples().isGround(column, row)) _misplaced.push_back({column, row});
             },
             step());
     }
@@ -108,13 +109,14 @@ private:
     void compareOutline()
     {
         const PlacedTile& placed = _tile.tile;
-        const int columns = placed.field().columns, rows = placed.field().rows, shift = placed.gridExponent();
+        const int columns = placed.field().columns, rows = placed.field().rows,
+                  shift = placed.grid().exponent();
         std::vector<std::uint8_t> isThere(_covered.size());
         for (std::size_t i = 0; i < isThere.size(); ++i)
         {
             const GridPoint p{static_cast<int>(i % static_cast<std::size_t>(columns)) << shift,
                               static_cast<int>(i / static_cast<std::size_t>(columns)) << shift};
-            isThere[i] = placed.isGround(p.column, p.row);
+            isThere[i] = placed.samples().isGround(p.column, p.row);
             if (!_covered[i] && isCornerOfGround(placed, p)) _misplaced.push_back(p);
             _covered[i] = true;
         }
@@ -125,8 +127,8 @@ private:
         const NearestSample hole(isThere, columns, rows);
         for (const GridPoint& p : _misplaced)
         {
-            const std::size_t other =
-                (placed.isGround(p.column, p.row) ? hole : ground).nearest(p.column >> shift, p.row >> shift);
+            const std::size_t other = (placed.samples().isGround(p.column, p.row) ? hole : ground)
+                                          .nearest(p.column >> shift, p.row >> shift);
             const int column = static_cast<int>(other % static_cast<std::size_t>(columns)) << shift;
             const int row = static_cast<int>(other / static_cast<std::size_t>(columns)) << shift;
             compare(placed.position(p.column, p.row), placed.position(column, row));
@@ -135,18 +137,17 @@ private:
 
     std::size_t rasterIndex(GridPoint p) const
     {
-        const int shift = _tile.tile.gridExponent();
-        const int columns = ((_tile.tile.dataColumns() - 1) >> shift) + 1;
+        const int shift = _tile.tile.grid().exponent();
+        const int columns = ((_tile.tile.grid().dataColumns() - 1) >> shift) + 1;
         return static_cast<std::size_t>(p.row >> shift) * columns +
                static_cast<std::size_t>(p.column >> shift);
     }
 
     void cover(GridPoint p)
     {
-        if (((p.column | p.row) & ((1 << _tile.tile.gridExponent()) - 1)) == 0)
-            _covered[rasterIndex(p)] = true;
+        if (((p.column | p.row) & (_tile.tile.grid().cellSide() - 1)) == 0) _covered[rasterIndex(p)] = true;
         if (!_uncovered.empty()) _uncovered.erase(key(p));
-        const auto& sheets = _tile.tile.sheets();
+        const auto& sheets = _tile.tile.samples().sheets();
         for (std::size_t i = 0; i < sheets.size(); ++i)
             if (sheets[i].holds(p.column, p.row)) _sheetsCovered[i][sheets[i].index(p.column, p.row)] = true;
     }

@@ -29,7 +29,7 @@ public:
     TriangleErrors(const SampleRaster& tile, std::vector<float>& errors)
         : _tile(tile), _side(tile.side()), _columns(tile.dataColumns()), _errors(errors)
     {
-        const SampleMask& mask = tile.tile().field().mask;
+        const SampleMask& mask = tile.tile().samples().mask();
         _positions.resize(static_cast<std::size_t>(_columns) * tile.dataRows());
         for (int row = 0; row < tile.dataRows(); ++row)
             for (int column = 0; column < _columns; ++column)
@@ -52,7 +52,7 @@ public:
 private:
     GridTriangle onGrid(const GridTriangle& t) const
     {
-        const int shift = _tile.tile().gridExponent();
+        const int shift = _tile.tile().grid().exponent();
         const auto place = [shift](GridPoint p) { return GridPoint{p.column << shift, p.row << shift}; };
         return {place(t.apex), place(t.left), place(t.right)};
     }
@@ -66,7 +66,7 @@ private:
     void raise(GridPoint v, double error)
     {
         std::atomic_ref<float> stored(_errors[static_cast<std::size_t>(v.row) * _side + v.column]);
-        const float wanted = _tile.samples().roundedUpError(error);
+        const float wanted = _tile.table().roundedUpError(error);
         float seen = stored.load(std::memory_order_relaxed);
         while (seen < wanted && !stored.compare_exchange_weak(seen, wanted, std::memory_order_relaxed))
         {
@@ -138,7 +138,7 @@ ErrorTree::ErrorTree(const PlacedTile& placed)
                                        std::max(radius, glm::distance(centre, centreOf(tile, children[i])) +
                                                             _radiiM[child]);
                                }
-                               _radiiM[index] = tile.samples().roundedUpRadius(radius * kRadiusSlack);
+                               _radiiM[index] = tile.table().roundedUpRadius(radius * kRadiusSlack);
                            });
 }
 

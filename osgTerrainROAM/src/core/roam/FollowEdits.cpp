@@ -48,7 +48,7 @@ void RoamMesh::followMoved(const GridRect& rect)
 /// What has changed since is not known any more.
 void RoamMesh::followAll()
 {
-    const int last = tile().tile.side() - 1;
+    const int last = tile().tile.grid().side() - 1;
     if (_patches)
         _moved.assign(1, {0, 0, last, last});
     else

@@ -36,7 +36,7 @@ public:
 
     std::optional<GroundHit> nearest()
     {
-        for (const GridTriangle& root : rootTriangles(_tile.tile.side()))
+        for (const GridTriangle& root : rootTriangles(_tile.tile.grid().side()))
             visit({root, position(root.apex), position(root.left), position(root.right)}, 0);
         if (!_normal) return std::nullopt;
         return GroundHit{_nearestM, _origin + _nearestM * _direction,
@@ -48,8 +48,8 @@ private:
 
     void visit(const PlacedTriangle& t, int level)
     {
-        if (!t.grid.overlaps(_tile.tile.dataColumns(), _tile.tile.dataRows())) return;
-        if (level == _tile.tile.levels())
+        if (!t.grid.overlaps(_tile.tile.grid().dataColumns(), _tile.tile.grid().dataRows())) return;
+        if (level == _tile.tile.grid().levels())
         {
             if (isDrawn(_tile.tile, t.grid)) meet(t);
             return;

@@ -54,7 +54,8 @@ double highestGeoidM(const HeightField& field)
 
 HidingGround::HidingGround(const PlacedTile& placed)
 {
-    if (placed.placement() != Placement::curved || placed.hasHoles()) return; // one looks through holes
+    if (placed.frame().placement() != Placement::curved || placed.samples().hasHoles())
+        return; // one looks through holes
     const SampleRaster tile(placed);
     exists = true;
     const int columns = tile.dataColumns(), rows = tile.dataRows();
@@ -88,7 +89,7 @@ std::optional<Horizon> Horizon::around(const PlacedTile& tile, const HidingGroun
         horizon._insideM[i] = glm::dot(ground.walls[i], glm::dvec4(eye, 1.0));
         if (!(horizon._insideM[i] > 0.0)) return std::nullopt;
     }
-    const double h = horizon._heightM = tile.geodeticFromLocal(eye).heightM;
+    const double h = horizon._heightM = tile.frame().geodeticFromLocal(eye).heightM;
     if (h > HidingGround::kHighestM) return std::nullopt;
 
     // t² = (ρ + h)² − (ρ − d)² ≤ 2ρ(h + d) + h², d = depth + q·t.

@@ -62,8 +62,8 @@ bool isAtDataBorder(const PlacedTile& tile, const Edge& e)
 {
     const auto both = [&](auto holds) { return holds(e.from) && holds(e.to); };
     return both([](GridPoint p) { return p.column == 0; }) || both([](GridPoint p) { return p.row == 0; }) ||
-           both([&](GridPoint p) { return p.column >= tile.dataColumns() - 1; }) ||
-           both([&](GridPoint p) { return p.row >= tile.dataRows() - 1; });
+           both([&](GridPoint p) { return p.column >= tile.grid().dataColumns() - 1; }) ||
+           both([&](GridPoint p) { return p.row >= tile.grid().dataRows() - 1; });
 }
 
 /// Those that a piece of the other sense runs along.
@@ -86,7 +86,7 @@ std::size_t tJunctions(const PlacedTile& tile, const DrawnMesh& mesh)
 {
     std::vector<Edge> open = edgesWithoutTwin(mesh);
     std::erase_if(open, [&](const Edge& e) { return isAtDataBorder(tile, e); });
-    return tile.hasHoles() ? countOpposed(open) : open.size();
+    return tile.samples().hasHoles() ? countOpposed(open) : open.size();
 }
 
 } // namespace osgTerrainROAM::core

@@ -8,17 +8,17 @@ namespace osgTerrainROAM::core
 
 double outlineErrorM(const PlacedTile& tile, const GridTriangle& t)
 {
-    if (!tile.hasHoles()) return 0.0;
-    const int step = 1 << tile.gridExponent();
+    if (!tile.samples().hasHoles()) return 0.0;
+    const int step = tile.grid().cellSide();
     const GridRect extent = t.extent();
     if (extent.east - extent.west <= step && extent.north - extent.south <= step)
         return 0.0; // in one finest triangle
     std::int64_t samples = 0, places = 0;
     t.forEachRow(
-        tile.dataColumns(), tile.dataRows(),
+        tile.grid().dataColumns(), tile.grid().dataRows(),
         [&](int row, int west, int east)
         {
-            samples += tile.samplesIn(row, west, east);
+            samples += tile.samples().samplesIn(row, west, east);
             places += (east - west) / step + 1;
         },
         step);
@@ -31,12 +31,12 @@ double outlineErrorM(const PlacedTile& tile, const GridTriangle& t)
 
 bool isCornerOfGround(const PlacedTile& tile, GridPoint p)
 {
-    const int step = 1 << tile.gridExponent();
+    const int step = tile.grid().cellSide();
     const auto isGround = [&](int east, int north)
     {
         const GridPoint q{p.column + east * step, p.row + north * step};
-        return q.column >= 0 && q.row >= 0 && tile.isInData(q.column, q.row) &&
-               tile.isGround(q.column, q.row);
+        return q.column >= 0 && q.row >= 0 && tile.grid().isInData(q.column, q.row) &&
+               tile.samples().isGround(q.column, q.row);
     };
     if (!isGround(0, 0)) return false;
     const bool hasDiagonals = ((p.column + p.row) / step) % 2 == 0;

@@ -70,7 +70,7 @@ PatchPool::Patch PatchPool::boundOf(const RoamTile& tile, const GridTriangle& t)
     const glm::dvec3 left = position(t.left), right = position(t.right);
     Patch patch;
     patch.centre = 0.5 * (left + right);
-    const auto isInData = [&](GridPoint p) { return tile.tile.isInData(p.column, p.row); };
+    const auto isInData = [&](GridPoint p) { return tile.tile.grid().isInData(p.column, p.row); };
     if (isInData(t.apex) && isInData(t.left) && isInData(t.right))
     {
         const double cornersM =

@@ -55,12 +55,12 @@ Sphere joined(const Sphere& a, const Sphere& b)
 RegionBounds::RegionBounds(const PlacedTile& tile)
     : _level(std::min(kRegionLevel, SampleRaster(tile).levels() - 1)),
       _geoidM(highestGeoidM(tile.field())),
-      _cellShift(std::bit_width(4u * static_cast<unsigned>(tile.side() - 1)) - 1 - (_level - 1) / 2),
+      _cellShift(std::bit_width(4u * static_cast<unsigned>(tile.grid().side() - 1)) - 1 - (_level - 1) / 2),
       _paths(regionCount()),
       _spheres((4u << _level) - 2u)
 {
     assert(_level % 2 == 1);
-    const auto roots = rootTriangles(tile.side());
+    const auto roots = rootTriangles(tile.grid().side());
     build(tile, roots[0], 0, 0);
     build(tile, roots[1], 0, 1);
     for (Sphere& sphere : _spheres)
@@ -74,7 +74,7 @@ void RegionBounds::build(const PlacedTile& tile, const GridTriangle& t, int leve
         const GridPoint inside{2 * t.apex.column + t.left.column + t.right.column,
                                2 * t.apex.row + t.left.row + t.right.row};
         _paths[cellQuarter(inside)] = static_cast<std::uint16_t>(path);
-        const int shift = tile.gridExponent();
+        const int shift = tile.grid().exponent();
         const auto sample = [shift](GridPoint p) { return GridPoint{p.column >> shift, p.row >> shift}; };
         sphere(level, path) =
             fitted<Sphere>(SampleRaster(tile), {sample(t.apex), sample(t.left), sample(t.right)});
@@ -88,8 +88,8 @@ void RegionBounds::build(const PlacedTile& tile, const GridTriangle& t, int leve
 
 void RegionBounds::include(const PlacedTile& tile, GridPoint place)
 {
-    const double heightM = tile.heightM(place.column, place.row) + _geoidM;
-    const auto roots = rootTriangles(tile.side());
+    const double heightM = tile.samples().heightM(place.column, place.row) + _geoidM;
+    const auto roots = rootTriangles(tile.grid().side());
     for (const std::uint32_t root : {0u, 1u})
         include(roots[root], 0, root, place, tile.position(place.column, place.row), heightM);
 }

@@ -10,11 +10,11 @@ namespace osgTerrainROAM::core
 RoamTile::RoamTile(PlacedTile placedTile) : tile(std::move(placedTile)), regions(tile), hidingGround(tile)
 {
     const ErrorTree measured(tile);
-    const int step = 1 << tile.gridExponent();
+    const int step = tile.grid().cellSide();
     SampleIndex v = 0;
-    for (int row = 0; row < tile.side(); row += step)
-        for (int column = 0; column < tile.side(); column += step, ++v)
-            if (tile.isInData(column, row) || measured.errorM(v) > 0.0f)
+    for (int row = 0; row < tile.grid().side(); row += step)
+        for (int column = 0; column < tile.grid().side(); column += step, ++v)
+            if (tile.grid().isInData(column, row) || measured.errorM(v) > 0.0f)
                 setBound({column, row}, measured.errorM(v), measured.radiusM(v));
     admitSheets();
 }
@@ -22,7 +22,7 @@ RoamTile::RoamTile(PlacedTile placedTile) : tile(std::move(placedTile)), regions
 void RoamTile::admitSheets()
 {
     std::vector<ChangedPlaces> added;
-    for (const SampleSheet& sheet : tile.sheets())
+    for (const SampleSheet& sheet : tile.samples().sheets())
     {
         added.push_back({sheet.inside(), sheet.step()});
         sheet.inside().forEachMultipleOf(sheet.step(),
@@ -35,8 +35,8 @@ void RoamTile::admitSheets()
 
 void RoamTile::setBound(GridPoint v, float errorM, float radiusM)
 {
-    if (tile.isInData(v.column, v.row))
-        tile.setBound(v.column, v.row, errorM, radiusM);
+    if (tile.grid().isInData(v.column, v.row))
+        tile.samples().setBound(v.column, v.row, errorM, radiusM);
     else if (errorM > 0.0f)
         _beyond[keyOf(v)] = {errorM, radiusM};
     else
@@ -45,22 +45,22 @@ void RoamTile::setBound(GridPoint v, float errorM, float radiusM)
 
 float RoamTile::roundedUpError(GridPoint v, double errorM) const
 {
-    return tile.isInData(v.column, v.row) ? tile.roundedUpError(v.column, v.row, errorM)
-                                          : tile.samples().roundedUpError(errorM);
+    return tile.grid().isInData(v.column, v.row) ? tile.samples().roundedUpError(v.column, v.row, errorM)
+                                                 : tile.samples().table().roundedUpError(errorM);
 }
 
 float RoamTile::roundedUpRadius(GridPoint v, double radiusM) const
 {
-    return tile.isInData(v.column, v.row) ? tile.roundedUpRadius(v.column, v.row, radiusM)
-                                          : tile.samples().roundedUpRadius(radiusM);
+    return tile.grid().isInData(v.column, v.row) ? tile.samples().roundedUpRadius(v.column, v.row, radiusM)
+                                                 : tile.samples().table().roundedUpRadius(radiusM);
 }
 
 RoamTile::Memo RoamTile::memo(GridPoint v) const
 {
     Memo memo;
-    if (tile.isInData(v.column, v.row))
+    if (tile.grid().isInData(v.column, v.row))
     {
-        memo.kept = tile.kept(v.column, v.row);
+        memo.kept = tile.samples().kept(v.column, v.row);
         return memo;
     }
     const SplitBound bound = boundBeyond(v);
@@ -71,8 +71,8 @@ RoamTile::Memo RoamTile::memo(GridPoint v) const
 
 void RoamTile::restore(GridPoint v, const Memo& memo)
 {
-    if (tile.isInData(v.column, v.row))
-        tile.restore(v.column, v.row, memo.kept);
+    if (tile.grid().isInData(v.column, v.row))
+        tile.samples().restore(v.column, v.row, memo.kept);
     else
         setBound(v, memo.errorBeyondM, memo.radiusBeyondM);
 }
@@ -80,7 +80,7 @@ void RoamTile::restore(GridPoint v, const Memo& memo)
 void RoamTile::include(GridPoint v)
 {
     regions.include(tile, v);
-    hidingGround.include(tile.heightM(v.column, v.row));
+    hidingGround.include(tile.samples().heightM(v.column, v.row));
 }
 
 std::vector<GridPoint> RoamTile::looseVertices() const

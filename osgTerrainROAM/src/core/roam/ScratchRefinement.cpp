@@ -33,7 +33,7 @@ void refineFromScratch(const SplitBounds& bounds, const viewlod::ViewState& view
 {
     leaves.clear();
     Descent descent{bounds, ActiveForEye(view, tolerancePx), leaves};
-    for (const GridTriangle& root : rootTriangles(bounds.tile().tile.side()))
+    for (const GridTriangle& root : rootTriangles(bounds.tile().tile.grid().side()))
         descent.visit(root, 0);
 }
 

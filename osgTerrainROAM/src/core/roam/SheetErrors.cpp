@@ -12,13 +12,16 @@ namespace osgTerrainROAM::core
 
 SheetErrors::SheetErrors(const PlacedTile& tile) : _tile(tile)
 {
-    for (const SampleSheet& sheet : tile.sheets())
+    for (const SampleSheet& sheet : tile.samples().sheets())
     {
         std::vector<glm::dvec3>& positions = _positions.emplace_back();
         positions.reserve(sheet.table().size());
-        sheet.inside().forEachMultipleOf(
-            sheet.step(), [&](int column, int row)
-            { positions.push_back(tile.isGround(column, row) ? tile.position(column, row) : kNoSample); });
+        sheet.inside().forEachMultipleOf(sheet.step(),
+                                         [&](int column, int row) {
+                                             positions.push_back(tile.samples().isGround(column, row)
+                                                                     ? tile.position(column, row)
+                                                                     : kNoSample);
+                                         });
     }
 }
 
@@ -31,7 +34,7 @@ double SheetErrors::largestM(const GridTriangle& t) const
     double largest2 = 0.0;
     for (std::size_t i = 0; i < _positions.size(); ++i)
     {
-        const SampleSheet& sheet = _tile.sheets()[i];
+        const SampleSheet& sheet = _tile.samples().sheets()[i];
         const GridRect inside = sheet.inside();
         if (inside.cutTo(t.extent()).isEmpty()) continue;
         const int step = sheet.step(), perRow = (inside.east - inside.west) / step + 1;

@@ -20,14 +20,14 @@ public:
         : _tile(tile),
           _shift(shift),
           _depth(static_cast<std::size_t>(2 * shift)),
-          _side(((tile.tile.side() - 1) >> shift) + 1),
+          _side(((tile.tile.grid().side() - 1) >> shift) + 1),
           _errorsM(static_cast<std::size_t>(_side) * static_cast<std::size_t>(_side), 0.0f)
     {
     }
 
     std::vector<float> take() &&
     {
-        for (const GridTriangle& root : rootTriangles(_tile.tile.side()))
+        for (const GridTriangle& root : rootTriangles(_tile.tile.grid().side()))
             visit(root, 0);
         nest();
         return std::move(_errorsM);
@@ -42,13 +42,13 @@ private:
     ByDepth visit(const GridTriangle& t, int level)
     {
         ByDepth largest{};
-        if (level == _tile.tile.levels()) return largest;
+        if (level == _tile.tile.grid().levels()) return largest;
         const auto halves = t.children();
         const ByDepth first = visit(halves[0], level + 1), second = visit(halves[1], level + 1);
         largest[0] = _tile.bound(t.middleOfBase()).errorM;
         for (std::size_t depth = 1; depth <= _depth; ++depth)
             largest[depth] = std::max(first[depth - 1], second[depth - 1]);
-        if (level < _tile.tile.levels() - static_cast<int>(_depth))
+        if (level < _tile.tile.grid().levels() - static_cast<int>(_depth))
         {
             const GridPoint v = t.middleOfBase();
             float& kept = error({v.column >> _shift, v.row >> _shift});
@@ -78,10 +78,10 @@ private:
 
 SplitBounds::SplitBounds(std::shared_ptr<const RoamTile> tile, int patchExponent)
     : _tile(std::move(tile)),
-      _shift(_tile->tile.gridExponent() > 0 || _tile->tile.hasHoles()
+      _shift(_tile->tile.grid().exponent() > 0 || _tile->tile.samples().hasHoles()
                  ? 0
-                 : std::clamp(patchExponent, 0, std::min(kMostExponent, _tile->tile.levels())) / 2),
-      _side(((_tile->tile.side() - 1) >> _shift) + 1)
+                 : std::clamp(patchExponent, 0, std::min(kMostExponent, _tile->tile.grid().levels())) / 2),
+      _side(((_tile->tile.grid().side() - 1) >> _shift) + 1)
 {
     if (_shift > 0) _errorsM = std::make_shared<const std::vector<float>>(PatchErrors(*_tile, _shift).take());
 }

@@ -29,7 +29,7 @@ public:
     {
         _thresholdPx = thresholdPx;
         _priorities.clear();
-        for (const GridTriangle& root : rootTriangles(_bounds.tile().tile.side()))
+        for (const GridTriangle& root : rootTriangles(_bounds.tile().tile.grid().side()))
             visit(root, 0);
         return _priorities;
     }

@@ -96,7 +96,7 @@ DrawnMesh RoamMesh::drawn() const
 DrawnMesh RoamMesh::drawn(std::span<const IndexRange> ranges) const
 {
     DrawnMesh mesh;
-    mesh.stepM = tile().tile.vertexStepM();
+    mesh.stepM = tile().tile.frame().vertexStepM();
     mesh.isMorphed = _isMorphing;
     for (VertexSlot v = 0; v < _tree.vertexSlots() && !_patches; ++v)
     {

@@ -83,7 +83,7 @@ private:
     double _movedM = 0.0;
     const SheetErrors* _admitted = nullptr; ///< while samples of sheets are new
     std::size_t _mostSamples = 0;           ///< of a diamond that is measured
-    std::array<std::vector<Wanted>, PlacedTile::kMostLevels> _wanted;
+    std::array<std::vector<Wanted>, TileGrid::kMostLevels> _wanted;
     std::vector<Change> _changes;
 };
 

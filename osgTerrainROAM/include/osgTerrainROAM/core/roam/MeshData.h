@@ -34,7 +34,7 @@ private:
     std::uint32_t _value = kNone;
 };
 
-/// One vertex as the graphics card takes it. The position counts steps of PlacedTile::vertexStepM(), so that a shader can
+/// One vertex as the graphics card takes it. The position counts steps of TileFrame::vertexStepM(), so that a shader can
 /// subtract the eye (counted the same way) without losing anything: at 100 km from the origin one float has 8 mm.
 /// Frame: the tile's local frame. Units: steps; places of the grid.
 struct MeshVertex

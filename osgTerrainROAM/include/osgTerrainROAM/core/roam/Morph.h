@@ -35,7 +35,7 @@ private:
         float weight;
     };
 
-    std::array<std::vector<Moving>, PlacedTile::kMostLevels>
+    std::array<std::vector<Moving>, TileGrid::kMostLevels>
         _moving; ///< by level; the ends of a base are coarser than its middle
 };
 

@@ -11,11 +11,11 @@ namespace osgTerrainROAM::core
 /// reaches those of its corners that do. On the finest level that is the outline of the data, and of their holes.
 inline bool isDrawn(const PlacedTile& tile, const GridTriangle& t)
 {
-    if (!t.overlaps(tile.dataColumns(), tile.dataRows())) return false;
-    if (!tile.hasHoles()) [[likely]]
+    if (!t.overlaps(tile.grid().dataColumns(), tile.grid().dataRows())) return false;
+    if (!tile.samples().hasHoles()) [[likely]]
         return true;
     const auto isMissing = [&](GridPoint p)
-    { return tile.isInData(p.column, p.row) && !tile.isGround(p.column, p.row); };
+    { return tile.grid().isInData(p.column, p.row) && !tile.samples().isGround(p.column, p.row); };
     return !isMissing(t.apex) && !isMissing(t.left) && !isMissing(t.right);
 }
 

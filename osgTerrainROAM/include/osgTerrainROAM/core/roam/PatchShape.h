@@ -47,7 +47,7 @@ struct PatchShape
         for (const Place place : vertices)
         {
             const GridPoint p = gridPoint(leaf, place);
-            out.push_back(meshVertex(tile.position(p.column, p.row), p, tile.vertexStepM()));
+            out.push_back(meshVertex(tile.position(p.column, p.row), p, tile.frame().vertexStepM()));
         }
     }
 
@@ -55,7 +55,7 @@ struct PatchShape
     void append(const PlacedTile& tile, const GridTriangle& leaf, DrawnMesh& mesh) const
     {
         const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
-        mesh.stepM = tile.vertexStepM();
+        mesh.stepM = tile.frame().vertexStepM();
         appendVertices(tile, leaf, mesh.vertices);
         for (const Place place : vertices)
             mesh.grid.push_back(gridPoint(leaf, place));

@@ -46,20 +46,22 @@ public:
     /// Of the bintree vertex at a place of the grid.
     SplitBound bound(GridPoint v) const
     {
-        if (!tile.isInData(v.column, v.row)) return boundBeyond(v);
-        const SampleTable::Sample sample = tile.sample(v.column, v.row);
-        return {glm::vec3(tile.positionOf(v.column, v.row, sample.heightM)), sample.errorM, sample.radiusM};
+        if (!tile.grid().isInData(v.column, v.row)) return boundBeyond(v);
+        const SampleTable::Sample sample = tile.samples().sample(v.column, v.row);
+        return {glm::vec3(tile.frame().positionOf(v.column, v.row, sample.heightM)), sample.errorM,
+                sample.radiusM};
     }
 
     float errorM(GridPoint v) const
     {
-        return tile.isInData(v.column, v.row) ? tile.sample(v.column, v.row).errorM : boundBeyond(v).errorM;
+        return tile.grid().isInData(v.column, v.row) ? tile.samples().sample(v.column, v.row).errorM
+                                                     : boundBeyond(v).errorM;
     }
 
     /// Tells the processor that bound(v) will be asked for.
     void prefetch(GridPoint v) const
     {
-        if (tile.isInData(v.column, v.row)) tile.prefetch(v.column, v.row);
+        if (tile.grid().isInData(v.column, v.row)) tile.samples().prefetch(v.column, v.row);
     }
 
     /// What can be kept of an error or a radius at a vertex: the least value that is not less. Keeps such.
@@ -70,7 +72,7 @@ public:
     /// All that is kept at a place of the grid; to put it back.
     struct Memo
     {
-        PlacedTile::Kept kept;
+        TileSamples::Kept kept;
         float errorBeyondM = 0.0f, radiusBeyondM = 0.0f;
     };
     Memo memo(GridPoint v) const;

@@ -50,7 +50,10 @@ public:
 
     const RoamTile& tile() const { return *_tile; }
     int patchExponent() const { return 2 * _shift; }
-    int levels() const { return _tile->tile.levels() - patchExponent(); } ///< of the bintree that can split
+    int levels() const
+    {
+        return _tile->tile.grid().levels() - patchExponent();
+    } ///< of the bintree that can split
     std::size_t memoryBytes() const { return _errorsM ? _errorsM->capacity() * sizeof(float) : 0; }
 
 private:

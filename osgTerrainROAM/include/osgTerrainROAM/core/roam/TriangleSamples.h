@@ -13,7 +13,7 @@ namespace osgTerrainROAM::core
 template<class Visit>
 void forEachSheetSampleIn(const PlacedTile& tile, const GridTriangle& triangle, const Visit& visit)
 {
-    for (const SampleSheet& sheet : tile.sheets())
+    for (const SampleSheet& sheet : tile.samples().sheets())
     {
         const GridRect inside = sheet.inside();
         if (inside.cutTo(triangle.extent()).isEmpty()) continue;
@@ -24,7 +24,7 @@ void forEachSheetSampleIn(const PlacedTile& tile, const GridTriangle& triangle, 
             {
                 if (row < inside.south) return;
                 for (int column = std::max(west, inside.west); column <= east; column += step)
-                    if (tile.isGround(column, row)) visit(GridPoint{column, row});
+                    if (tile.samples().isGround(column, row)) visit(GridPoint{column, row});
             },
             step);
     }
@@ -34,22 +34,23 @@ void forEachSheetSampleIn(const PlacedTile& tile, const GridTriangle& triangle, 
 template<class Visit>
 void forEachSampleIn(const PlacedTile& tile, const GridTriangle& triangle, const Visit& visit)
 {
-    const int step = 1 << tile.gridExponent();
+    const int step = tile.grid().cellSide();
     triangle.forEachRow(
-        tile.dataColumns(), tile.dataRows(),
+        tile.grid().dataColumns(), tile.grid().dataRows(),
         [&](int row, int west, int east)
         {
             for (int column = west; column <= east; column += step)
-                if (tile.isGround(column, row)) visit(GridPoint{column, row});
+                if (tile.samples().isGround(column, row)) visit(GridPoint{column, row});
         },
         step);
     forEachSheetSampleIn(tile, triangle, visit);
-    if (tile.fineSamples().isEmpty()) return;
-    tile.fineSamples().forEachIn(triangle.extent(),
-                                 [&](int column, int row)
-                                 {
-                                     if (triangle.holds({column, row})) visit(GridPoint{column, row});
-                                 });
+    if (tile.samples().fineSamples().isEmpty()) return;
+    tile.samples().fineSamples().forEachIn(triangle.extent(),
+                                           [&](int column, int row)
+                                           {
+                                               if (triangle.holds({column, row}))
+                                                   visit(GridPoint{column, row});
+                                           });
 }
 
 } // namespace osgTerrainROAM::core

@@ -92,7 +92,7 @@ private:
 
     DeferralWheel _wheel;
     std::vector<std::array<DeferralWheel::Mark, 5>> _marks; ///< by vertex and kind
-    std::array<std::vector<VertexSlot>, PlacedTile::kMostLevels>
+    std::array<std::vector<VertexSlot>, TileGrid::kMostLevels>
         _leaving; ///< vertices that are active no longer, by level
     std::size_t _leavingCount = 0;
     std::vector<TriangleId> _coming; ///< triangles whose split vertex has become active

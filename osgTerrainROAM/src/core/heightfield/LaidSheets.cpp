@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The surface of a PlacedTile between samples: that of its raster, and over it that of its sheets, coarse before fine. And how
-// sheets are joined to what lies below them.
+// Surface of TileSamples between the samples: the raster with its sheets over it. And the blend of each sheet's border into the
+// surface below it.
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include <osgTerrainROAM/core/heightfield/PlacedTile.h>
+#include <osgTerrainROAM/core/heightfield/TileSamples.h>
 
 namespace osgTerrainROAM::core
 {
@@ -13,7 +13,7 @@ namespace osgTerrainROAM::core
 namespace
 {
 
-/// On one of the two triangles of a cell, whose diagonal joins places with an even column + row, in cells.
+/// Interpolates on one of the two triangles of a cell; the diagonal joins points whose column + row, in cells, is even.
 template<class HeightAt>
 double heightInCell(int column, int row, int west, int south, int step, const HeightAt& heightAt)
 {
@@ -49,7 +49,7 @@ bool isInside(const GridRect& r, int column, int row)
 
 } // namespace
 
-float PlacedTile::surfaceM(int column, int row, std::size_t sheets) const
+float TileSamples::surfaceM(int column, int row, std::size_t sheets) const
 {
     while (sheets-- > 0)
     {
@@ -60,48 +60,48 @@ float PlacedTile::surfaceM(int column, int row, std::size_t sheets) const
         return static_cast<float>(heightInCell(column, row, column & -step, row & -step, step,
                                                [&](int c, int r) { return surfaceM(c, r, sheets + 1); }));
     }
-    if (isOfRaster(column, row)) return _samples.heightM(rasterIndex(column, row));
-    const int step = 1 << _gridExponent;
-    const int west = std::min(column & -step, _dataColumns - 1 - step);
-    const int south = std::min(row & -step, _dataRows - 1 - step);
+    if (_grid.isOfRaster(column, row)) return _table.heightM(_grid.rasterIndex(column, row));
+    const int step = _grid.cellSide();
+    const int west = std::min(column & -step, _grid.dataColumns() - 1 - step);
+    const int south = std::min(row & -step, _grid.dataRows() - 1 - step);
     return static_cast<float>(heightInCell(column, row, west, south, step,
                                            [this](int c, int r)
-                                           { return _samples.heightM(rasterIndex(c, r)); }));
+                                           { return _table.heightM(_grid.rasterIndex(c, r)); }));
 }
 
-const SampleSheet* PlacedTile::sheetAt(int column, int row) const
+const SampleSheet* TileSamples::sheetAt(int column, int row) const
 {
     for (std::size_t i = _sheets.size(); i-- > 0;)
         if (_sheets[i].holds(column, row)) return &_sheets[i];
     return nullptr;
 }
 
-/// Lays sheets over the raster, coarse before fine, and fades each into what lies below over the last cell.
-void PlacedTile::laySheets(std::vector<DensePart> parts, Storage storage)
+/// Lays sheets over the raster, coarse before fine, and blends each into the surface below over its outermost cells.
+void TileSamples::laySheets(std::vector<DensePart> parts, Storage storage)
 {
     _sheets.reserve(parts.size());
     for (DensePart& part : parts)
     {
         fade(part);
-        _sheets.emplace_back(part, _gridExponent, storage);
+        _sheets.emplace_back(part, _grid.exponent(), storage);
         part.heightsM = {};
     }
-    const int cell = 1 << _gridExponent;
+    const int cell = _grid.cellSide();
     for (std::size_t i = 0; i < _sheets.size(); ++i)
     {
         const GridRect& rect = _sheets[i].rect();
         for (int row = rect.south + cell; row < rect.north; row += cell)
             for (int column = rect.west + cell; column < rect.east; column += cell)
             {
-                _samples.setHeight(rasterIndex(column, row), surfaceM(column, row, _sheets.size()));
-                _samples.setElsewhere(rasterIndex(column, row), true);
+                _table.setHeight(_grid.rasterIndex(column, row), surfaceM(column, row, _sheets.size()));
+                _table.setElsewhere(_grid.rasterIndex(column, row), true);
             }
     }
 }
 
-void PlacedTile::fade(DensePart& part) const
+void TileSamples::fade(DensePart& part) const
 {
-    const int step = 1 << (_gridExponent - part.exponent),
+    const int step = 1 << (_grid.exponent() - part.exponent),
               cell = 1 << part.exponent; // of the grid; of the part
     const int columns = part.columns * cell, rows = part.rows * cell;
     const auto index = [&](int c, int r) {
@@ -111,8 +111,8 @@ void PlacedTile::fade(DensePart& part) const
     const auto lieFlush = [&](int c, int r)
     {
         const double t = std::min({c, r, columns - c, rows - r}) / static_cast<double>(cell);
-        const float belowM = surfaceM((part.west << _gridExponent) + c * step,
-                                      (part.south << _gridExponent) + r * step, _sheets.size());
+        const float belowM = surfaceM((part.west << _grid.exponent()) + c * step,
+                                      (part.south << _grid.exponent()) + r * step, _sheets.size());
         float& heightM = part.heightsM[index(c, r)];
         heightM = static_cast<float>(std::lerp(double{belowM}, double{heightM}, t * t * (3.0 - 2.0 * t)));
     };
