@@ -30,7 +30,7 @@ json sound()
 /// What the reader says of a description that has one mistake: the names after the colon.
 Names told(const json& description)
 {
-    const auto read = trainer::scenery::parseScenery(description.dump(), "probe.json");
+    const auto read = scenery::parseScenery(description.dump(), "probe.json");
     if (read) return {};
     const std::string& remedy = read.error().remedy;
     Names names;
