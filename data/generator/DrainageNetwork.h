@@ -10,7 +10,7 @@
 namespace islandgen
 {
 
-/// Where the water of every cell goes.
+/// The drainage network: the way of the water of every cell.
 /// Invariant: following `receiver` from any cell reaches a base cell (its own receiver); a receiver stands
 /// before its donors in `downstreamFirst`. drainsEverywhere() checks.
 struct DrainageNetwork
@@ -28,14 +28,13 @@ struct DrainageNetwork
 std::vector<std::int32_t> fillDepressions(Grid<float>& heightM, const Grid<std::uint8_t>& isBase,
                                           float riseM = 1e-3f);
 
-/// Fills depressions in `heightM` and routes every cell to one lower neighbour: the steepest, after each slope
-/// was multiplied by a random factor of 1 ± `wander`. Chance breaks the eight directions of the grid: over
-/// many steps the valleys turn as if there were no grid.
+/// Fills depressions in `heightM` and routes every cell to one lower neighbour: the steepest, after each slope has been multiplied
+/// by a random factor 1 ± `wander`. Over many steps the random factor hides the eight directions of the grid.
 /// Source: steepest descent as in Braun & Willett 2013, section 2; chance as in Fairfield & Leymarie 1991.
 DrainageNetwork routeDrainage(Grid<float>& heightM, const Grid<std::uint8_t>& isBase, Noise chance,
                               float wander);
 
-/// Whether every cell's water reaches a base cell.
+/// Tells whether the water of every cell reaches a base cell.
 bool drainsEverywhere(const DrainageNetwork& network, const Grid<std::uint8_t>& isBase);
 
 } // namespace islandgen

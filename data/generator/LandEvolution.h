@@ -17,9 +17,8 @@ struct Land
     Grid<std::uint8_t> isSea;
 };
 
-/// Lets an island rise from the sea and rivers cut it, first on a coarse grid for a long time, then on ever
-/// finer ones, each for a shorter time: large valleys are old, small ones young, and the whole costs about
-/// as much as ten steps on the finest grid.
+/// Simulates uplift and river erosion of an island: first on a coarse grid for a long time, then on ever finer grids, each for a
+/// shorter time. So large valleys are old and small ones young, and the cost is about that of ten steps on the finest grid.
 /// `side`: 2^n+1, at least 129.
 Land evolveLand(const IslandPlan& plan, int side, Noise noise);
 

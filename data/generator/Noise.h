@@ -21,15 +21,15 @@ constexpr float unitFloat(std::uint64_t bits)
     return static_cast<float>(bits >> 40) * (1.0f / 16777216.0f);
 }
 
-/// Band-limited random functions of the plane, without state: the seed and the place decide alone.
-/// They use + − · / only, so every machine with IEEE arithmetic gets the same bits.
+/// A band-limited random function of the plane, without state: values depend on seed and position alone.
+/// It uses + − · / only: every machine with IEEE arithmetic gets the same bits.
 /// Frame: any; one unit is the wavelength of the first octave.
 class Noise
 {
 public:
     explicit constexpr Noise(std::uint64_t seed) : _seed(mixedBits(seed)) {}
 
-    /// Another, unrelated function.
+    /// Makes another, independent function.
     constexpr Noise channel(std::uint64_t number) const { return Noise(_seed ^ mixedBits(number + 17)); }
 
     /// White noise: a number in [0, 1) for each whole number.

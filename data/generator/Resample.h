@@ -7,14 +7,14 @@
 namespace islandgen
 {
 
-/// Value at a fractional place of the grid; C1 smooth (Catmull-Rom), edges repeated.
+/// Interpolates the grid between cells; C1 smooth (Catmull-Rom), edges repeated.
 float interpolated(const Grid<float>& grid, float column, float row);
 
-/// The same square on a grid of another side; the corners keep their places.
+/// Resamples the square to a grid of another side; the corners stay where they are.
 Grid<float> resampled(const Grid<float>& grid, int side);
 
-/// As resampled, with every place moved by smooth noise. A continuous move keeps valleys connected and
-/// bends what ran along the grid's eight directions.
+/// Resamples with every position moved by smooth noise. The move is continuous: valleys stay connected, and valleys along the
+/// grid's eight directions become curved.
 /// Units: wavelength and amplitude in cells of the result.
 Grid<float> resampledBent(const Grid<float>& grid, int side, Noise noise, float wavelength, float amplitude);
 

@@ -13,7 +13,7 @@ namespace osgOffscreen
 namespace
 {
 
-/// RGB of RGBA: the transfer itself stays a plain copy, for RGBA is how the picture lies in memory.
+/// Converts RGBA to RGB. The transfer from GL is RGBA, the format of the image in memory, and so a plain copy.
 osg::ref_ptr<osg::Image> withoutAlpha(const unsigned char* rgba, int widthPx, int heightPx)
 {
     osg::ref_ptr<osg::Image> picture = new osg::Image;
@@ -86,7 +86,7 @@ void FrameGrabber::finishOldest(const osg::GLExtensions& gl)
 
 void FrameGrabber::drain(osg::GraphicsContext* context)
 {
-    // A single-threaded viewer may keep its context current between frames, and does not look again.
+    // A single-threaded viewer may keep its context current between frames without checking it again.
     const bool wasCurrent = context->isCurrent();
     if (!wasCurrent && !context->makeCurrent()) return;
     const osg::GLExtensions& gl = *context->getState()->get<osg::GLExtensions>();

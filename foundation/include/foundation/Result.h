@@ -9,7 +9,7 @@
 namespace foundation
 {
 
-/// Why a piece of data could not be used: where it is, what is wrong with it, what its owner can do.
+/// An error says why a piece of data could not be used: where it is, what is wrong with it, what its owner can do.
 struct Error
 {
     std::string place;  ///< file, or file:line, or option
@@ -20,9 +20,9 @@ struct Error
     std::string message() const { return place + ": " + what + (remedy.empty() ? "" : "; " + remedy); }
 };
 
-/// A value, or the Error that kept it from existing. Bad data is a value, never an exception: an exception
-/// must not cross a scene-graph traversal or a C callback.
-/// Errors: reading the side that is not there is a broken contract (assert).
+/// A result holds either a value or the Error that kept it from existing. Failures of data are values, never exceptions: an
+/// exception must not cross a scene-graph traversal or a C callback.
+/// Errors: reading the absent side is a broken contract (assert).
 template<class T>
 class [[nodiscard]] Result
 {
@@ -50,7 +50,7 @@ private:
     std::variant<T, Error> _content;
 };
 
-/// The result of an action that has no value to return.
+/// An outcome is the result of an action that returns no value.
 using Outcome = Result<std::monostate>;
 
 inline Outcome success()

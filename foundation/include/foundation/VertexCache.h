@@ -10,21 +10,22 @@
 namespace foundation
 {
 
-/// A queue of the vertices that were transformed last: one that is found there costs nothing, and stays where it is.
+/// A model of a first-in-first-out vertex cache: the vertices that were transformed last. A vertex found in it costs nothing and
+/// keeps its position in the queue.
 /// Memory: 8 B a vertex. Cost: a few ns a call.
-/// Source: Hoppe, "Optimization of mesh locality for transparent vertex caching" (1999), §3.
+/// Source: Hoppe, *Optimization of Mesh Locality for Transparent Vertex Caching*, 1999, section 3.
 class FifoCache
 {
 public:
     FifoCache(std::uint32_t vertexCount, std::uint32_t size) : _size(size), _lastMiss(vertexCount) {}
 
-    /// Whether it would cost nothing.
+    /// Tells whether a vertex is in the cache.
     bool holds(std::uint32_t vertex) const
     {
         return _lastMiss[vertex] > _emptiedAt && _misses - _lastMiss[vertex] < _size;
     }
 
-    /// Whether it had to be transformed.
+    /// Uses a vertex. Returns true when it was not in the cache and had to be transformed.
     bool transform(std::uint32_t vertex)
     {
         if (holds(vertex)) return false;
@@ -32,7 +33,7 @@ public:
         return true;
     }
 
-    /// Takes the last transform() that returned true back; `before`: what lastMiss() of the vertex was.
+    /// Takes back the last transform() that returned true. `before`: lastMiss() of the vertex before it.
     void takeBack(std::uint32_t vertex, std::uint64_t before)
     {
         _lastMiss[vertex] = before;
@@ -49,18 +50,18 @@ private:
     std::vector<std::uint64_t> _lastMiss; ///< by vertex: number of the miss that brought it in; 0: none
 };
 
-/// When a card that works on batches begins a new one.
+/// The limits at which a graphics card that works in batches begins a new batch.
 struct BatchLimits
 {
-    std::uint32_t vertices = std::numeric_limits<std::uint32_t>::max();  ///< different ones
+    std::uint32_t vertices = std::numeric_limits<std::uint32_t>::max();  ///< distinct vertices
     std::uint32_t triangles = std::numeric_limits<std::uint32_t>::max(); ///< three indices each
 };
 
-/// Batches of triangles that share their vertices, and nothing with other batches. A triangle that would exceed a limit
-/// begins the next one.
+/// A model of batched vertex processing: triangles of one batch share their transformed vertices, batches share none. A triangle
+/// that would exceed a limit begins the next batch.
 /// Memory: 4 B a vertex.
-/// Source: Kerbl et al., "Revisiting the vertex cache" (2018): what they measured instead of a queue; on an NVIDIA GTX 1080
-/// 32 different vertices and 96 indices, kNvidia.
+/// Source: Kerbl et al., *Revisiting the Vertex Cache*, 2018: an NVIDIA GTX 1080 was measured to work so, with 32 distinct
+/// vertices and 96 indices a batch (kNvidia), and not with a queue.
 class BatchCache
 {
 public:
@@ -84,7 +85,7 @@ public:
             }
     }
 
-    /// What is drawn next begins a new batch.
+    /// Begins a new batch with the next triangle.
     void begin()
     {
         ++_batch;
@@ -102,7 +103,7 @@ private:
     }
 
     BatchLimits _limits;
-    std::vector<std::uint32_t> _lastBatch; ///< by vertex: the batch that has it
+    std::vector<std::uint32_t> _lastBatch; ///< by vertex: the last batch that transformed it
     std::uint64_t _misses = 0;
     std::uint32_t _batch = 1, _vertices = 0, _triangles = 0;
 };

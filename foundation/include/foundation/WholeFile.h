@@ -13,9 +13,9 @@
 namespace foundation
 {
 
-/// A file that stands whole under its final name, or not at all: it is written under a temporary name beside it, which
-/// commit() turns into the final one and the destructor removes. A link stays one: what it points at is replaced. A
-/// device or a pipe (/dev/stdout) is written to as it is.
+/// A file that appears under its final name only when it is complete. It is written under a temporary name in the same folder;
+/// commit() renames it, the destructor removes it otherwise. Of a symbolic link, the target is replaced. A device or a pipe
+/// (/dev/stdout) is written directly.
 /// Threads: one.
 class WholeFile
 {
@@ -42,12 +42,12 @@ public:
     WholeFile(const WholeFile&) = delete;
     WholeFile& operator=(const WholeFile&) = delete;
 
-    /// Where the bytes go until commit().
+    /// The path to write to until commit().
     const std::filesystem::path& written() const { return _written; }
 
     bool isTemporary() const { return _written != _final; }
 
-    /// The bytes are all there: gives them the final name.
+    /// Gives the complete file its final name.
     Outcome commit()
     {
         if (!isTemporary()) return success();
@@ -68,7 +68,7 @@ private:
     std::filesystem::path _asked, _final, _written;
 };
 
-/// Writes a whole file, see WholeFile. Errors: no such folder, no permission, no room; then nothing is left behind.
+/// Writes `bytes` as a WholeFile. Errors: no such folder, no permission, no room; then nothing is left behind.
 inline Outcome writeWholeFile(const std::filesystem::path& path, std::string_view bytes)
 {
     WholeFile file(path);
@@ -82,8 +82,8 @@ inline Outcome writeWholeFile(const std::filesystem::path& path, std::string_vie
     return file.commit();
 }
 
-/// Whether writeWholeFile could work, to be asked before hours of work; leaves nothing behind. An empty path is one
-/// that nobody asked for: well.
+/// Tells whether writeWholeFile would work, before a long computation; leaves nothing behind. An empty path stands for no file
+/// and succeeds.
 inline Outcome checkWritable(const std::filesystem::path& path)
 {
     std::error_code ignored;

@@ -10,7 +10,7 @@ namespace osgTerrainROAM::core
 int gridExponentFor(const HeightField& field, double spacingM)
 {
     const double coarsestM = std::max(field.spacingEastM, field.spacingNorthM);
-    constexpr double kSlack = 1.01; // a map's metre is not quite the Earth's
+    constexpr double kSlack = 1.01; // map projections distort lengths a little
     int exponent = 0;
     while (std::ldexp(coarsestM, -exponent) > kSlack * spacingM &&
            ((field.tileSide() - 1) << (exponent + 1)) + 1 <= TileGrid::kMostSide)

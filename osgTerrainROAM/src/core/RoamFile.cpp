@@ -25,9 +25,9 @@ using foundation::Outcome;
 using foundation::Result;
 using foundation::success;
 
-constexpr std::size_t kMostRoamFileBytes = 1 << 20; ///< a larger "text" is some other file under a wrong name
+constexpr std::size_t kMostRoamFileBytes = 1 << 20; ///< a larger file is not a .roam text
 
-/// One `key = value` with what a message and a path need.
+/// One line `key = value`, with the data that messages and relative paths need.
 struct Entry
 {
     std::string place; ///< file:line
@@ -66,7 +66,7 @@ Result<std::vector<double>> numbers(const Entry& entry, std::size_t least, std::
     return found;
 }
 
-/// A number within [low, high].
+/// Parses a number within [low, high].
 Result<double> numberWithin(const Entry& entry, double low, double high)
 {
     const auto found = numbers(entry, 1, 1);
@@ -124,7 +124,7 @@ Outcome unknownWord(const Entry& entry, const std::string& choices)
                        "use one of: " + choices);
 }
 
-/// A word that may stand for a value.
+/// A word, and the value it stands for.
 template<class Value>
 struct Word
 {
@@ -162,7 +162,7 @@ Outcome assignTriangles(RoamFile& file, const Entry& entry)
     return success();
 }
 
-/// The name of a built-in table stays as it is.
+/// Resolves the path of a class table; the name of a built-in table stays as it is.
 Outcome assignClasses(RoamFile& file, const Entry& entry)
 {
     if (entry.value != "worldcover" && entry.value != "corine")
@@ -197,15 +197,15 @@ Outcome assignImagery(RoamFile& file, const Entry& entry)
                        "join some with gdalbuildvrt");
 }
 
-/// A key and what it does to the file.
+/// A key, and the function that applies its value.
 struct Key
 {
     std::string_view name;
     Outcome (*assign)(RoamFile&, const Entry&);
-    bool repeats = false; ///< may stand in several lines
+    bool repeats = false; ///< may appear in several lines
 };
 
-constexpr double kFar = 1.0e7; ///< metres; nothing on Earth is higher or wider than its own radius
+constexpr double kFar = 1.0e7; ///< metres; larger than the Earth's radius
 
 constexpr std::array kKeys{
     Key{"dem", [](RoamFile& f, const Entry& e) { return appendPath(f.dems, e); }, true},

@@ -30,7 +30,7 @@ TEST(ViewState, ComesFromMatricesAsTheyAre)
 
 TEST(ViewState, CornersStretchPixelsAsTheSpecificationSays)
 {
-    EXPECT_NEAR(sixtyDegrees().cornerStretch, 1.55, 0.005); // spec 1: 1.55 at the corners of 1280×1024, 60°
+    EXPECT_NEAR(sixtyDegrees().cornerStretch, 1.55, 0.005); // 1/cos² at the corners of 1280×1024, 60° wide
 }
 
 TEST(ViewState, OffAxisFrustumHasItsFarCornerCounted)

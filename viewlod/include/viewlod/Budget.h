@@ -7,21 +7,21 @@
 namespace viewlod
 {
 
-/// What a frame may cost. The error target asks for detail, the others limit it; a limit that binds is not
-/// an error: the result reports the error reached.
+/// The budget of one frame. errorTolerancePx asks for detail, the other values limit it. Reaching a limit is not an error: the
+/// result reports the screen error that remains.
 struct Budget
 {
-    /// What maxTimeUs is measured by.
+    /// The clock that measures maxTimeUs.
     enum class Clock
     {
-        thread,   ///< the time that this thread has computed: for real time
-        modelled, ///< a fixed cost for each step of the work (Slice.h): the same on every machine, for capture
+        thread,   ///< processor time of this thread: for real time
+        modelled, ///< a fixed cost for each operation (Slice.h), the same on every machine: for capture
     };
 
     double errorTolerancePx = 1.0; ///< τ: refine while the bound exceeds it
     std::uint32_t maxTriangles = std::numeric_limits<std::uint32_t>::max(); ///< never exceeded
     double maxTimeUs =
-        std::numeric_limits<double>::infinity(); ///< for adapting; the rest goes on in the next frame
+        std::numeric_limits<double>::infinity(); ///< of refinement; the rest is left for the next frame
     Clock clock = Clock::thread;
 };
 

@@ -9,11 +9,11 @@
 namespace viewlod
 {
 
-/// Six half-spaces, normals pointing inwards and of unit length.
+/// A view frustum: six half-spaces whose normals point inwards and have unit length.
 /// Frame: that of the matrix it was made from (world for ViewState).
-/// Source: Gribb & Hartmann, "Fast extraction of viewing frustum planes" (2001); inherited masks after
-/// Assarsson & Möller, "Optimized view frustum culling algorithms" (2000): a plane that has a bounding
-/// volume wholly inside needs no test for anything within that volume.
+/// Source: Gribb & Hartmann, *Fast Extraction of Viewing Frustum Planes from the World-View-Projection Matrix*, 2001. Masks after
+/// Assarsson & Möller, *Optimized View Frustum Culling Algorithms for Bounding Boxes*, 2000: when a bounding volume lies inside
+/// a plane, its contents need no test against that plane.
 class Frustum
 {
 public:
@@ -21,7 +21,7 @@ public:
     using Mask = std::uint8_t;
     static constexpr Mask kAllPlanes = (1u << kPlanes) - 1;
 
-    /// Answer of a test: culled, or the planes that still cross the volume (0: wholly inside).
+    /// The answer of a test: outside, or the planes that cross the volume (0: wholly inside).
     struct Verdict
     {
         bool outside;
@@ -41,8 +41,7 @@ public:
         }
     }
 
-    /// Tests a sphere against the planes in `toTest` only; the planes that come back are those a child
-    /// volume has still to be tested against.
+    /// Tests a sphere against the planes in `toTest` only. Child volumes need tests only against the planes returned.
     Verdict classify(const glm::dvec3& center, double radius, Mask toTest = kAllPlanes) const
     {
         Mask crossing = 0;
@@ -57,7 +56,7 @@ public:
         return {false, crossing};
     }
 
-    /// Metres inside (positive) or outside (negative) of plane `i`.
+    /// Signed distance of a point from plane `i`, metres; positive inside.
     double signedDistance(int i, const glm::dvec3& point) const
     {
         return glm::dot(glm::dvec3(_planes[i]), point) + _planes[i].w;
@@ -66,7 +65,7 @@ public:
     const std::array<glm::dvec4, kPlanes>& planes() const { return _planes; }
 
 private:
-    /// A projection without a far plane leaves a null normal: such a plane has everything inside.
+    /// Scales a plane to a unit normal. A projection without a far plane gives a zero normal: then everything is inside.
     static glm::dvec4 normalized(const glm::dvec4& plane)
     {
         const double length = glm::length(glm::dvec3(plane));

@@ -9,14 +9,14 @@
 namespace viewlod
 {
 
-/// The time slice of one frame: work says what it does, and asks whether to go on.
-/// The thread's clock costs as much as several steps of work, so it is read only when about kBetweenReadingsUs may have
-/// passed by the model.
+/// The time slice of one frame. Refinement reports each operation to it and asks whether time is left.
+/// Reading the thread's clock costs as much as several operations, so it is read only after kBetweenReadingsUs of modelled time.
 class Slice
 {
 public:
-    /// Modelled cost of handing out a watch, wanted or not, of looking at a vertex again, and of splitting or merging a
-    /// triangle: in a ratio between that of measured times and that of counted instructions (docs/measurements/terrain-refinement.md).
+    /// Modelled costs of taking one entry from the deferral wheel, of re-evaluating a vertex, and of splitting or merging a
+    /// triangle. Their ratio lies between that of measured times and that of counted instructions
+    /// (docs/measurements/terrain-refinement.md).
     static constexpr double kHandOutUs = 0.01, kCheckUs = 0.03, kChangeUs = 0.07;
 
     explicit Slice(const Budget& budget)
@@ -29,7 +29,7 @@ public:
     void check() { _workUs += kCheckUs; }
     void change(unsigned triangles) { _workUs += kChangeUs * triangles; }
 
-    /// Whether the slice is used up; once it is, it stays so.
+    /// Tells whether the slice is used up; once true, it stays true.
     bool isSpent()
     {
         if (_spent || std::isinf(_limitUs)) return _spent;
@@ -39,7 +39,7 @@ public:
         return _spent = threadUs() - _startUs >= _limitUs;
     }
 
-    /// Time that this thread has computed. Units: microseconds.
+    /// Processor time of this thread. Units: microseconds.
     static double threadUs()
     {
         std::timespec now{};

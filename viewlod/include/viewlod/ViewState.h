@@ -11,21 +11,22 @@
 namespace viewlod
 {
 
-/// What one camera asks of a level of detail in one frame.
-/// Frame: world (local east-north-up) unless the caller hands in matrices of another frame; then that one.
+/// The view of one camera in one frame, as level-of-detail selection needs it.
+/// Frame: world (local east-north-up), or the frame of the caller's matrices.
 /// Units: metres, pixels.
 struct ViewState
 {
     glm::dvec3 eyeWorld{0.0};
     glm::dmat4 clipFromWorld{1.0}; ///< projection × view; the tests project with it
     Frustum frustum;
-    double pixelsPerTangent = 0.0; ///< K of spec 1: pixels per unit of tangent at the picture's centre
-    double cornerStretch = 1.0; ///< 1/cos² of the angle to the farthest corner: what a pixel grows by there
-    double nearM = 1.0;         ///< distance under which nothing is guaranteed
+    double pixelsPerTangent = 0.0; ///< K: pixels per unit of tangent at the image centre (ScreenError.h)
+    double cornerStretch =
+        1.0; ///< 1/cos² of the angle to the farthest corner: the factor by which pixels grow there
+    double nearM = 1.0; ///< distance under which nothing is guaranteed
     int widthPx = 0;
     int heightPx = 0;
 
-    /// From an OpenGL view and (possibly off-axis) perspective projection matrix and the viewport in pixels.
+    /// Makes a view from OpenGL view and perspective (possibly off-axis) projection matrices and the viewport in pixels.
     static ViewState fromMatrices(const glm::dmat4& view, const glm::dmat4& projection, int widthPx,
                                   int heightPx)
     {
@@ -45,7 +46,7 @@ struct ViewState
         return state;
     }
 
-    /// Pixels per radian-sized error that hold everywhere in the picture, not only at its centre.
+    /// Pixels per unit of tangent that hold everywhere in the image, not only at its centre.
     double guaranteedPixelsPerTangent() const { return pixelsPerTangent * cornerStretch; }
 };
 

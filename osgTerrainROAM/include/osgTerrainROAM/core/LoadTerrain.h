@@ -11,16 +11,16 @@
 namespace osgTerrainROAM::core
 {
 
-/// What a terrain file says: a .roam text is read, any other file is taken for the elevation raster itself, with
-/// `import` and everything else at its default. Errors: as readRoamFile; a missing raster shows in loadTile.
+/// Describes the terrain of a file: a .roam text is read; any other file counts as the elevation raster itself, with `import` and
+/// defaults for the rest. Errors: those of readRoamFile. A missing raster is an error of loadTile.
 foundation::Result<RoamFile> describeTerrain(const std::filesystem::path& file,
                                              const DemImportOptions& import = {});
 
-/// How much finer than the raster a grid has to be for places that are `spacingM` apart or less, to 1 % (PlacedTileOptions); as fine
-/// as it can be where that is not enough. Units: metres.
+/// Computes the grid exponent (PlacedTileOptions) that brings grid points to `spacingM` (metres) from each other or less, with 1 %
+/// tolerance; or the largest possible exponent where that is less.
 int gridExponentFor(const HeightField& field, double spacingM);
 
-/// Imports and places the samples that a description names. Errors: as importDem.
+/// Imports and places the terrain of a description. Errors: those of importDem.
 foundation::Result<PlacedTile> loadTile(const RoamFile& description);
 
 } // namespace osgTerrainROAM::core

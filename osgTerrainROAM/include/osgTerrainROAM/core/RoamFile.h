@@ -17,8 +17,8 @@
 namespace osgTerrainROAM::core
 {
 
-/// How the land shall look; what is absent follows from the place on Earth (osgTerrainROAM::Climate).
-/// Units: metres as the samples are counted, share 0…1.
+/// Parameters of the land's appearance. Absent values follow from latitude and longitude (osgTerrainROAM::Climate).
+/// Units: metres in the samples' datum, shares 0…1.
 struct LandParameters
 {
     std::optional<double> aridity; ///< 0 wet and green … 1 desert
@@ -27,9 +27,9 @@ struct LandParameters
     std::optional<double> seaLevelM;
 };
 
-/// A `.roam` file: a terrain in words. Text, one `key = value` a line, `#` starts a comment.
-///   dem = FILE                        an elevation raster; the only key that must be there. Several are joined (importDems)
-///   voids = fill | keep               samples that a raster lacks: bridged smoothly, or holes in the ground
+/// The content of a `.roam` file, which describes a terrain. Text, one `key = value` a line, `#` starts a comment.
+///   dem = FILE                        an elevation raster; the only required key. Several are joined (importDems)
+///   voids = fill | keep               missing samples: filled smoothly, or holes in the ground
 ///   imagery = FILE                    any raster GDAL opens, draped over the terrain; up to four, the finest wins
 ///   features = FILE                   roads, rivers, fields, runways of any source that OGR opens; may be repeated
 ///   land_cover = FILE                 a raster of classes
@@ -38,14 +38,14 @@ struct LandParameters
 ///   origin = LAT LON [HEIGHT]         of the local frame, degrees and metres
 ///   placement = curved | planar
 ///   spacing = METRES                  of a raster without georeference
-///   finest_spacing = METRES           of samples that edits may put between the raster's; absent: they change only those
+///   finest_spacing = METRES           of samples that edits may add; absent: edits change the raster's samples only
 ///   vertical_datum = automatic | egm96 | ellipsoid
 ///   error_tolerance = PIXELS          max_triangles = COUNT
 ///   aridity = 0…1    tree_line = METRES    snow_line = METRES    sea_level = METRES
 ///   sun = AZIMUTH ELEVATION           degrees, below the horizon at night        visibility = METRES
 ///   moonlight = 0…1                   1: a full moon, high up
 /// Relative paths are relative to the file's folder; names that begin with /vsi are GDAL's and stay as they
-/// are. Errors: unknown or repeated key, missing dem, bad number: Error with place "file:line".
+/// are. Errors, with place "file:line": unknown or repeated key, missing dem, bad number.
 struct RoamFile
 {
     std::vector<std::filesystem::path> dems; ///< at least one
@@ -58,21 +58,20 @@ struct RoamFile
     std::optional<Geodetic> origin;
     Placement placement = Placement::curved;
     DemImportOptions import;
-    std::optional<double> finestSpacingM; ///< of samples that edits may put between the raster's
+    std::optional<double> finestSpacingM; ///< of samples that edits may add
     double errorTolerancePx = 1.0;
     std::uint32_t maxTriangles = std::numeric_limits<std::uint32_t>::max();
     LandParameters land;
-    std::optional<double> sunAzimuthDeg; ///< absent, or both are there
+    std::optional<double> sunAzimuthDeg; ///< both sun angles are present, or neither
     std::optional<double> sunElevationDeg;
     std::optional<double> visibilityM;
     std::optional<double> moonlight;
 };
 
-/// Parses the text of a .roam file that is called `name` (for messages and for relative paths). Reads no
-/// file.
+/// Parses the text of a .roam file. `name`: its path, for messages and relative paths. Reads no file.
 foundation::Result<RoamFile> parseRoamFile(std::string_view text, const std::filesystem::path& name);
 
-/// Reads and parses a .roam file; the files it names must exist (those behind /vsi names are not looked for).
+/// Reads and parses a .roam file. The files that it names must exist (/vsi names are not checked).
 foundation::Result<RoamFile> readRoamFile(const std::filesystem::path& file);
 
 } // namespace osgTerrainROAM::core

@@ -20,8 +20,8 @@ using foundation::Error;
 using foundation::Result;
 
 constexpr int kMaxSide = 8192;             ///< texels
-constexpr std::size_t kMostCodesTold = 32; ///< that a report tells apart
-constexpr int kNoClass = -2000000;         ///< beyond all codes
+constexpr std::size_t kMostCodesTold = 32; ///< counted separately in a report
+constexpr int kNoClass = -2000000;         ///< smaller than every code
 
 struct DatasetCloser
 {
@@ -32,7 +32,7 @@ struct DatasetCloser
 struct Classes
 {
     glm::dvec2 firstPixel{0.0}; ///< of the raster, upper left
-    glm::dvec2 perPixel{1.0};   ///< pixels here a pixel of the raster
+    glm::dvec2 perPixel{1.0};   ///< pixels of this part to a pixel of the raster
     int width = 0, height = 0;
     std::vector<std::int32_t> codes;
 
@@ -44,7 +44,7 @@ struct Classes
     }
 };
 
-/// What of the raster the tile's corners, edges and middle need.
+/// The part of the raster that the tile's corners, edges and middle need.
 bool readClasses(GDALDataset& dataset, const PixelNet& net, const PlacedTile& tile, Classes& classes)
 {
     glm::dvec2 low(1e9), high(-1e9);
@@ -60,7 +60,7 @@ bool readClasses(GDALDataset& dataset, const PixelNet& net, const PlacedTile& ti
     low = glm::floor(glm::clamp(low, glm::dvec2(0.0), size));
     high = glm::ceil(glm::clamp(high, glm::dvec2(0.0), size));
     const glm::dvec2 extent = high - low;
-    if (!(extent.x >= 1.0 && extent.y >= 1.0)) return true; // beyond it: all unknown
+    if (!(extent.x >= 1.0 && extent.y >= 1.0)) return true; // outside the raster: all unknown
     classes.firstPixel = low;
     classes.width = static_cast<int>(std::min<double>(extent.x, kMaxSide));
     classes.height = static_cast<int>(std::min<double>(extent.y, kMaxSide));

@@ -34,7 +34,7 @@ constexpr std::array<std::pair<std::string_view, GroundKind>, kGroundKinds> kNam
      {"wetland", GroundKind::wetland}}};
 
 constexpr std::size_t kMostTableBytes = 1 << 20;
-constexpr int kMostCodesOfARange = 70000; ///< of a range
+constexpr int kMostCodesOfARange = 70000; ///< codes in one range
 
 std::optional<int> numberIn(std::string_view text)
 {
@@ -44,7 +44,7 @@ std::optional<int> numberIn(std::string_view text)
     return number;
 }
 
-/// "20", "20-29".
+/// Parses a code or a range: "20", "20-29".
 std::optional<std::pair<int, int>> rangeIn(std::string_view text)
 {
     const std::size_t dash = text.find('-', 1); // a code may be negative
@@ -71,7 +71,7 @@ std::string kindNames()
     return names;
 }
 
-/// Adds one line to the table; the error when it cannot.
+/// Adds one line to the table; returns an error when the line is invalid.
 std::optional<Error> addLine(CoverTable& table, std::string_view line, const std::string& place)
 {
     const std::size_t equals = line.find('=');

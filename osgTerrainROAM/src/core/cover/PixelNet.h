@@ -14,12 +14,12 @@ class GDALDataset;
 namespace osgTerrainROAM::core
 {
 
-/// The pixel of a raster under each node of a tile's geodetic net; between nodes it is interpolated. A raster without
-/// georeference is stretched over the tile. Pixels as GDAL counts them: from the upper left corner, centres at halves.
+/// The pixel coordinates of a raster at the nodes of a tile's geodetic net, interpolated between them. A raster without georeference
+/// is stretched over the tile. Pixel coordinates are GDAL's: from the upper left corner, centres at halves.
 class PixelNet
 {
 public:
-    /// Errors: the raster has a place and the tile has none; coordinate systems that cannot be related.
+    /// Errors: the raster has a georeference and the tile has none; coordinate systems that cannot be related.
     static foundation::Result<PixelNet> make(GDALDataset& dataset, const PlacedTile& tile,
                                              const std::string& name);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The ground takes the shape of what is built: level with it, and beside it cut or heaped up at a slope until it meets the
-// ground as it was.
+// The ground takes the shape of a platform or a ribbon: level with its surface, and beside it a cutting or an embankment at a
+// given slope down or up to the ground as it was.
 #include <algorithm>
 #include <cmath>
 #include <shared_mutex>
@@ -14,21 +14,21 @@ namespace osgTerrainROAM::core
 namespace
 {
 
-constexpr double kFarthestM = 500.0; ///< that a cutting or an embankment reaches
+constexpr double kFarthestM = 500.0; ///< reach of cuttings and embankments
 
-/// Ground `outM` beyond an edge of height `edgeM`.
+/// New height of the ground `outM` beyond an edge of height `edgeM`.
 double besides(double edgeM, double outM, double slope, double groundM)
 {
     return std::clamp(groundM, edgeM - slope * outM, edgeM + slope * outM);
 }
 
-/// How far a slope has to go for a height, and some more for ground that falls away from it.
+/// The reach of a slope for a height, with a margin for ground that falls away.
 double reachM(double heightM, double slope)
 {
     return std::min(2.0 * heightM / slope + 10.0, kFarthestM);
 }
 
-/// A value that is linear between places along a line.
+/// Interpolates linearly between values along a line.
 double linear(const std::vector<double>& alongM, const std::vector<double>& values, double atM)
 {
     const auto next = std::upper_bound(alongM.begin() + 1, alongM.end() - 1, atM);
@@ -56,7 +56,7 @@ foundation::Result<EditReport> GroundEditor::conform(const Platform& platform)
     for (const glm::dvec2& corner : corners)
         highestM = std::max(highestM, std::abs(plane.heightM(corner) - groundM(corner)));
     const Region region = Region::polygon(std::move(corners));
-    const double flatM = 1.5 * placeM(); // so that triangles across the edge are level as well
+    const double flatM = 1.5 * placeM(); // then triangles across the edge are level, too
     const PlanBox box = region.box().grownBy(reachM(highestM, platform.slope) + flatM);
     return apply(
         [&](const glm::dvec2& place, double heightM)
@@ -67,7 +67,7 @@ foundation::Result<EditReport> GroundEditor::conform(const Platform& platform)
         {&box, 1});
 }
 
-/// Means of the ground over the smoothing length, at stations that are closer than that.
+/// Weighted means of the ground over the smoothing length, at stations closer than that.
 std::vector<double> GroundEditor::profile(const Ribbon& ribbon, const std::vector<double>& alongM) const
 {
     const std::shared_lock lock(_tile->mutex());

@@ -24,7 +24,7 @@ double GroundEditor::placeM() const
                     glm::distance(here, tile.frame().positionAt(column, row + step, 0.0)));
 }
 
-/// At the nearest place of the grid to a place in the plan; close to the vertical line through it.
+/// Height at the grid point nearest to the vertical line through a horizontal position.
 double GroundEditor::groundM(const glm::dvec2& place) const
 {
     const PlacedTile& tile = _tile->tile;
@@ -45,7 +45,7 @@ foundation::Result<EditReport> GroundEditor::apply(const HeightRule& rule, std::
     }();
     if (!changes) return changes.error();
     const bool ofSamples = detail == EditDetail::samples;
-    // What counts among the samples without being one follows the surface by itself.
+    // Points that only count among the samples follow the surface by themselves.
     if (ofSamples)
         std::erase_if(*changes, [&](const HeightChange& change)
                       { return !_tile->tile.samples().hasSample(change.place.column, change.place.row); });
@@ -79,7 +79,7 @@ foundation::Result<EditReport> GroundEditor::raise(const Region& region, double 
 
 foundation::Result<EditReport> GroundEditor::smooth(const Region& region, double radiusM)
 {
-    constexpr int kReach = 4; // nine by nine points, more weight in the middle
+    constexpr int kReach = 4; // nine by nine points; the middle has more weight
     return applyIn(region,
                    [&](const glm::dvec2& place, double)
                    {
@@ -102,7 +102,7 @@ foundation::Result<EditReport> GroundEditor::flatten(const Region& region)
     if (region.isEmpty()) return refusal("the region has no extent", "give a radius or three corners");
     const PlanBox box = region.box();
     NearestPlane plane;
-    constexpr int kPoints = 64; // a side
+    constexpr int kPoints = 64; // along a side
     for (int y = 0; y <= kPoints; ++y)
         for (int x = 0; x <= kPoints; ++x)
         {
@@ -116,7 +116,7 @@ foundation::Result<EditReport> GroundEditor::flatten(const Region& region)
 foundation::Result<EditReport> GroundEditor::stamp(const Crater& crater)
 {
     if (!(crater.radiusM > 0.0)) return refusal("the crater has no extent", "give a radius");
-    constexpr double kReach = 3.0; // radii; there the rim is a twenty-seventh of its height
+    constexpr double kReach = 3.0; // radii: there the rim is 1/27 of its height
     const PlanBox box = PlanBox{crater.centre, crater.centre}.grownBy(kReach * crater.radiusM);
     return apply(
         [&](const glm::dvec2& place, double heightM)

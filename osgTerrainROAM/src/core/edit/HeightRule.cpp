@@ -13,9 +13,9 @@ namespace
 {
 
 constexpr double kLeastChangeM = 1e-4;
-constexpr int kBlockShift = 5; ///< places, or samples, along what is looked at together
+constexpr int kBlockShift = 5; ///< log2 of the points, or samples, along a block
 
-/// The places of the data that a box holds, and perhaps a few around it. The grid is bent a little on the Earth.
+/// The points of the data in a box, and perhaps a few around it: on the curved Earth grid lines are slightly curved.
 GridRect placesIn(const PlacedTile& tile, const PlanBox& box)
 {
     glm::dvec2 low(1e30), high(-1e30);
@@ -33,7 +33,7 @@ GridRect placesIn(const PlacedTile& tile, const PlanBox& box)
         {0, 0, tile.grid().dataColumns() - 1, tile.grid().dataRows() - 1});
 }
 
-/// Blocks of the grid that boxes touch, each once.
+/// The blocks of the grid that boxes touch, each once.
 class Blocks
 {
 public:

@@ -12,7 +12,7 @@ namespace osgTerrainROAM::core
 namespace
 {
 
-/// How far along a–b, 0…1, the nearest place of it is.
+/// The parameter 0…1 along a–b of its point nearest to a position.
 double shareAlong(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& place)
 {
     const glm::dvec2 ab = b - a;

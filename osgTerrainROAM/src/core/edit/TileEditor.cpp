@@ -16,13 +16,13 @@ namespace osgTerrainROAM::core
 namespace
 {
 
-constexpr int kGroupShift = 4; ///< places, or samples, along a group of changes
+constexpr int kGroupShift = 4; ///< log2 of the points, or samples, along a group of changes
 
-/// Puts the places of an edit into rectangles: groups of neighbours, each as small as its changes are.
+/// Groups the points of an edit into tight rectangles of neighbours.
 class Grouping
 {
 public:
-    /// `step`: from the place to the next that the surface between may have followed to.
+    /// `step`: grid points to the next sample, up to which the surface has followed.
     void add(GridPoint p, int step)
     {
         const int shift = kGroupShift + std::bit_width(static_cast<unsigned>(step)) - 1;
@@ -41,10 +41,10 @@ public:
     }
 
 private:
-    std::map<std::tuple<int, int, int>, GridRect> _rects; ///< by step and place
+    std::map<std::tuple<int, int, int>, GridRect> _rects; ///< by step and group
 };
 
-/// Where vertices may lie elsewhere: between changed samples of the raster, too, and beyond the edge of the data.
+/// The rectangles in which vertices may have moved: between changed samples of the raster, too, and beyond the edge of the data.
 GridRect movedBy(const ChangedPlaces& changed, const PlacedTile& tile)
 {
     GridRect moved = changed.rect.grownBy(changed.step - 1);
@@ -91,7 +91,7 @@ foundation::Result<EditReport> TileEditor::apply(std::span<const HeightChange> c
     write(changes, between, step, report);
 
     Grouping groups;
-    for (const auto& [place, memo] : step.samples) // those around the changes, too: they count now
+    for (const auto& [place, memo] : step.samples) // with the points around the changes: they count now
         if (!_tile->tile.grid().isOfRaster(place.column, place.row)) groups.add(place, 1);
     for (const HeightChange& change : changes)
     {
@@ -118,7 +118,7 @@ void TileEditor::note(const Step& step, std::span<const BoundsUpdate::Change> bo
     _tile->note(std::move(change));
 }
 
-/// Beyond the places next to samples that are put between others the surface stays as it is: there it has its corners.
+/// Counts the points around added samples among the samples: the surface bends there, and beyond them it stays as it is.
 void TileEditor::surround(std::span<const HeightChange> changes, Step& step)
 {
     PlacedTile& placed = _tile->tile;

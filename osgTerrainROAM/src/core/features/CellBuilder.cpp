@@ -23,7 +23,7 @@ std::array<float, 4> texel(const glm::dvec2& a, const glm::dvec2& b)
     return texel(a.x, a.y, b.x, b.y);
 }
 
-/// The part of a segment that lies between two norths: its westernmost and easternmost place; empty when none does.
+/// The west-east extent of the part of a segment between two northings; empty when there is none.
 glm::dvec2 eastsBetween(const glm::dvec2& a, const glm::dvec2& b, double south, double north)
 {
     double enters = 0.0, leaves = 1.0;
@@ -191,8 +191,8 @@ void CellBuilder::addEdges(Draft& draft, const FeatureShapes::Area& area, const 
         for (std::size_t i = 0; i < ring.size(); ++i)
         {
             const glm::dvec2 a = ring[i] - middle, b = ring[(i + 1) % ring.size()] - middle;
-            // Along the western, northern and southern border: no ray from the cell to the east meets them, and
-            // they are no edges of the feature.
+            // Edges along the western, northern and southern border are left out: they come from clipping, and no ray from the
+            // cell to the east meets them.
             const bool west = a.x <= -half && b.x <= -half;
             const bool level = a.y == b.y && std::abs(a.y) >= half;
             if (!west && !level) draft.texels.push_back(texel(a, b));

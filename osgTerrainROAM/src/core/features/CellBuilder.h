@@ -18,33 +18,33 @@ class CellBuilder
 public:
     CellBuilder(FeatureCells& cells, const FeatureShapes& shapes) : _cells(cells), _shapes(shapes) {}
 
-    /// Lays cells of a size around all shapes; false, and nothing changed, when these would be too many.
+    /// Lays cells of a size around all shapes. Returns false, and changes nothing, when there would be too many cells.
     bool layGrid(double cellM);
 
-    /// Texels that single precision can number.
+    /// The largest number of texels that single precision can index.
     static constexpr std::size_t kMostRecords = 1u << 24;
 
-    /// Lists what touches each cell; gives up when there is more than kMostRecords.
+    /// Lists the shapes that touch each cell; gives up above kMostRecords.
     void fill();
 
-    /// Texels of all lists, and of a list that has any, on average.
+    /// Texels of all lists, and the mean number of texels of a list that is not empty.
     std::size_t records() const { return _records; }
     double crowd() const;
 
-    /// Puts the lists one behind the other.
+    /// Concatenates the lists.
     void store();
 
 private:
     using Texel = std::array<float, 4>;
 
-    /// One cell's list while it grows.
+    /// The list of one cell while it is built.
     struct Draft
     {
         std::uint32_t areas = 0, lines = 0, strokes = 0;
         std::vector<Texel> texels;
     };
 
-    /// First and last of the cells that some metres reach, along one axis.
+    /// First and last cell of a range in metres, along one axis.
     struct Range
     {
         int first, last;

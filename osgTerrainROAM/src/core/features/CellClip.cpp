@@ -7,7 +7,7 @@ namespace osgTerrainROAM::core
 namespace
 {
 
-/// Keeps what is on the side of `border` that `sign` points to.
+/// Keeps the part of a ring on the side of `border` that `sign` points to.
 Ring clippedToSide(const Ring& ring, int axis, double border, double sign)
 {
     Ring kept;
@@ -20,7 +20,7 @@ Ring clippedToSide(const Ring& ring, int axis, double border, double sign)
         if (fromA >= 0.0) kept.push_back(a);
         if ((fromA >= 0.0) == (fromB >= 0.0)) continue;
         glm::dvec2 crossing = glm::mix(a, b, fromA / (fromA - fromB));
-        crossing[axis] = border; // exactly, so that it is known for a border
+        crossing[axis] = border; // exact, so that border edges are recognised
         kept.push_back(crossing);
     }
     return kept;

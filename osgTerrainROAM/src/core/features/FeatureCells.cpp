@@ -15,7 +15,7 @@ using foundation::Result;
 constexpr double kUsualCellM = 64.0;
 constexpr double kSmallestCellM = 32.0;
 constexpr double kLargestCellM = 256.0;
-constexpr double kCrowd = 24.0; ///< texels a cell, on average, from which smaller cells pay
+constexpr double kCrowd = 24.0; ///< mean texels a cell above which smaller cells are faster
 
 } // namespace
 

@@ -12,7 +12,7 @@ namespace
 
 using Texel = std::array<float, 4>;
 
-/// Share of a filter of a width about x that lies within low … high.
+/// The share of a filter centred on x that lies within low … high.
 float covered(float x, float width, float low, float high)
 {
     return std::max(std::min(x + 0.5f * width, high) - std::max(x - 0.5f * width, low), 0.0f) / width;
@@ -24,7 +24,7 @@ struct Nearest
     bool inside;
 };
 
-/// Even-odd by a ray to the east, and the distance to the nearest edge.
+/// Even-odd test by a ray to the east, and distance to the nearest edge.
 Nearest nearestEdge(const Texel* edges, int count, const glm::vec2& at)
 {
     float nearest2 = 1e12f;

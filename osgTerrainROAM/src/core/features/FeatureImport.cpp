@@ -25,8 +25,8 @@ using foundation::Outcome;
 using foundation::Result;
 using foundation::success;
 
-constexpr std::size_t kMostUnknownNames = 32;     ///< that a report tells apart
-constexpr std::size_t kMostVertices = 20'000'000; ///< 320 MB; more is a country, not a tile
+constexpr std::size_t kMostUnknownNames = 32;     ///< counted separately in a report
+constexpr std::size_t kMostVertices = 20'000'000; ///< 320 MB; more than a tile can need
 
 struct DatasetCloser
 {
@@ -35,7 +35,7 @@ struct DatasetCloser
 using DatasetPtr = std::unique_ptr<GDALDataset, DatasetCloser>;
 using Transformation = std::unique_ptr<OGRCoordinateTransformation>;
 
-/// The paths of one feature as OGR has them, in its coordinates.
+/// The paths of one feature, in the coordinates of its layer.
 struct Geometry
 {
     bool isArea = false;
@@ -52,7 +52,7 @@ void addPath(Geometry& geometry, const OGRSimpleCurve& curve, bool ring)
     geometry.paths.push_back(std::move(path));
 }
 
-/// Lines and areas of a geometry, of collections too; an area in it makes all of it areas.
+/// Collects lines and areas of a geometry, also of a collection; if it contains an area, all its paths count as areas.
 void addGeometry(Geometry& geometry, const OGRGeometry& source, int depth)
 {
     if (depth > 8) return;
@@ -73,11 +73,11 @@ void addGeometry(Geometry& geometry, const OGRGeometry& source, int depth)
             addGeometry(geometry, *part, depth + 1);
         break;
     default:
-        break; // points and surfaces in space are nothing that could be painted
+        break; // points and surfaces in space cannot be painted
     }
 }
 
-/// Reads one source; what it finds goes into `set`.
+/// Reads one source into `set`.
 class Reader
 {
 public:
@@ -94,7 +94,7 @@ public:
         layer.ResetReading();
         while (true)
         {
-            // Only what ends the reading is damage; a vertex that has no place on Earth is one invalid feature.
+            // Only an error that ends reading is damage; a vertex outside the Earth makes one feature invalid.
             _gdal.clear();
             const OGRFeatureUniquePtr feature{layer.GetNextFeature()};
             if (!feature) break;
@@ -120,7 +120,7 @@ private:
     {
         if (_tile.frame().placement() == Placement::planar) return Transformation();
         const OGRSpatialReference* reference = layer.GetSpatialRef();
-        // GeoPackages have systems of their own that mean "not known".
+        // GeoPackages have special systems that mean "unknown".
         if (!reference || reference->IsLocal() ||
             std::string_view(reference->GetName()).starts_with("Undefined"))
             return Error{place(layer), "has no coordinate system", "assign it with ogr2ogr -a_srs EPSG:…"};
@@ -166,7 +166,8 @@ private:
         return others >= 0 ? hstoreValue(feature.GetFieldAsString(others), name) : std::string();
     }
 
-    /// Brings the vertices to degrees; drops paths of too few points; false when nothing is left, or a vertex has no place.
+    /// Transforms vertices to degrees and drops paths of too few points. Returns false when nothing is left, or when a vertex cannot be
+    /// transformed.
     static bool transform(Geometry& geometry, OGRCoordinateTransformation* toWgs84)
     {
         const std::size_t least = geometry.isArea ? 3 : 2;

@@ -18,7 +18,7 @@ int codeOf(const FeatureStyle& style)
            16 * std::min(style.lanes, 15) + 256 * (style.marked ? 1 : 0);
 }
 
-/// A shade of 64 for what lies at a place: neighbours differ, and the same map gives the same.
+/// One of 64 shades from a position: neighbours differ, and the same map gives the same shades.
 int seedOf(const glm::dvec2& place)
 {
     const auto x = static_cast<std::uint64_t>(std::llround(place.x));
@@ -28,7 +28,7 @@ int seedOf(const glm::dvec2& place)
     return static_cast<int>((h >> 40) & 63);
 }
 
-/// Farmers drive along the longest side.
+/// The direction of rows: along the longest side, as farmers drive.
 glm::dvec2 longestSide(const Ring& ring)
 {
     glm::dvec2 longest(0.0);
@@ -43,7 +43,7 @@ FeatureShapes::Area areaOf(const GroundFeature& feature)
 {
     FeatureShapes::Area area{feature.paths, feature.style.kind, feature.style.crop,
                              seedOf(feature.paths[0][0]), longestSide(feature.paths[0])};
-    // Farmland whose crop nobody wrote down: two of three fields bear cereals.
+    // Farmland of unknown crop: two of three fields bear cereals.
     const bool isOpen =
         area.kind == FeatureKind::field && area.crop == Crop::cereal && !feature.style.isCropKnown;
     if (isOpen && area.seed % 3 == 0) area.crop = Crop::rowCrop;

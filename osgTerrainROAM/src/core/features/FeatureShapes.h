@@ -11,7 +11,7 @@
 namespace osgTerrainROAM::core
 {
 
-/// What is cut into cells, in the order of painting. Metres, local frame.
+/// The shapes to be cut into cells, in the order of painting. Metres, local frame.
 struct FeatureShapes
 {
     struct Area
@@ -19,8 +19,8 @@ struct FeatureShapes
         std::vector<Ring> rings;
         FeatureKind kind = FeatureKind::field;
         Crop crop = Crop::cereal;
-        int seed = 0;              ///< 0 … 63: its own shade
-        glm::dvec2 rows{1.0, 0.0}; ///< direction of its rows, unit
+        int seed = 0;              ///< 0 … 63: chooses its shade
+        glm::dvec2 rows{1.0, 0.0}; ///< unit direction of its rows
     };
 
     /// A piece of a line.

@@ -13,7 +13,7 @@ namespace osgTerrainROAM::core
 namespace
 {
 
-/// A value of a tag (nullptr: any other) and the style it means. Widths are customary ones.
+/// A value of a tag (nullptr: any other value) and its style, with a customary width.
 struct Custom
 {
     const char* value;
@@ -60,7 +60,7 @@ FeatureStyle runway(double widthM)
 
 using Table = std::vector<Custom>;
 
-/// A carriageway of a motorway is a way of its own in OpenStreetMap.
+/// In OpenStreetMap each carriageway of a motorway is a way of its own.
 const Table& highways()
 {
     static const Table table{{"motorway", road(11.5, 2, true, kAsphalt)},
@@ -267,10 +267,10 @@ std::string unknownName(const TagLookup& tag)
 
 std::optional<FeatureStyle> featureStyle(const TagLookup& tag, const std::string& layer)
 {
-    // "fclass" is what Geofabrik's extracts of OpenStreetMap call it.
+    // "fclass" is the attribute's name in Geofabrik's extracts of OpenStreetMap.
     const std::string kind = lower(tag("kind").empty() ? tag("fclass") : tag("kind"));
     std::optional<FeatureStyle> style = kind.empty() ? styleOfTags(tag) : styleOfKind(kind);
-    // A tag that says something else is not overruled by the name of the layer.
+    // A tag of another meaning is stronger than the name of the layer.
     if (!style && !hasAnyTag(tag)) style = styleOfLayer(lower(layer));
     if (style) applyDetails(*style, tag);
     return style;

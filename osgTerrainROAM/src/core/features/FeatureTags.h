@@ -13,17 +13,17 @@ namespace osgTerrainROAM::core
 /// The value of a feature's attribute; empty when it has none of that name.
 using TagLookup = std::function<std::string(const char* name)>;
 
-/// What a feature is, from its attributes, else from its layer's name.
+/// Determines the style of a feature from its attributes, or else from its layer's name.
 /// - `kind` = road | river | field | runway (also taxiway, track, stream, meadow, orchard, …);
 /// - OpenStreetMap: highway, waterway, natural = water, landuse, aeroway, with lanes, surface, crop, ref;
 /// - layer names that contain road, street, highway, river, water, stream, field, crop, farm, runway.
-/// `width` ("7", "7.5 m", "24 ft") and `lanes` override what a kind has by custom. Absent: of no known kind.
+/// `width` ("7", "7.5 m", "24 ft") and `lanes` override the kind's defaults. Nothing: of no known kind.
 std::optional<FeatureStyle> featureStyle(const TagLookup& tag, const std::string& layer);
 
-/// What to call a feature of no known kind: the first tag that OpenStreetMap classifies by.
+/// Names a feature of no known kind: its first tag among those that classify in OpenStreetMap.
 std::string unknownName(const TagLookup& tag);
 
-/// Metres in "7", "7.5 m", "24 ft", "24'"; absent when it is none of these, or not within 0.1 … 5000.
+/// Parses metres from "7", "7.5 m", "24 ft", "24'"; nothing for other forms, or outside 0.1 … 5000 m.
 std::optional<double> metresIn(const std::string& text);
 
 /// The value of `key` in OGR's hstore text of further tags: "width"=>"7","surface"=>"gravel".

@@ -30,7 +30,7 @@ GroundPlacer::GroundPlacer(const PlacedTile& tile)
 
 void GroundPlacer::addBounds()
 {
-    // 65 samples of each side and of the inside: a side of a curved tile bulges less than the margin of a sample.
+    // 65 by 65 positions: the sides of a curved tile bulge by less than the margin of one sample.
     const double margin = std::max(_tile.field().spacingEastM, _tile.field().spacingNorthM);
     for (int j = 0; j <= 64; ++j)
         for (int i = 0; i <= 64; ++i)
@@ -49,7 +49,7 @@ glm::dvec2 GroundPlacer::placed(double x, double y) const
     const glm::dvec3 onEllipsoid = _tile.frame().localFromGeodetic({y, x, 0.0});
     const glm::dvec2 grid = _tile.frame().gridAt(onEllipsoid);
     const glm::dvec2 last(_tile.grid().dataColumns() - 1, _tile.grid().dataRows() - 1);
-    // Beyond the data there is no ground to lie on.
+    // There is no ground beyond the data.
     if (!(grid.x >= 0.0 && grid.y >= 0.0 && grid.x <= last.x && grid.y <= last.y))
         return glm::dvec2(onEllipsoid);
     const int column = static_cast<int>(grid.x), row = static_cast<int>(grid.y);

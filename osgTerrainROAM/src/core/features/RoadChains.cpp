@@ -17,7 +17,7 @@ constexpr double kSameM = 0.05;
 
 using Key = std::pair<std::int64_t, std::int64_t>;
 
-/// Ends in the same square of 5 cm are one; ends that a border of squares parts stay apart, which costs a gap in a marking.
+/// Ends in the same square of 5 cm count as one. Close ends in different squares stay separate, which costs a gap in a marking.
 Key keyOf(const glm::dvec2& place)
 {
     return {std::llround(place.x / kSameM), std::llround(place.y / kSameM)};
@@ -51,7 +51,7 @@ public:
     }
 
 private:
-    /// Appends what goes on at the chain's last point.
+    /// Appends the line that continues at the chain's last point.
     void extend(Chain& chain)
     {
         while (true)

@@ -12,7 +12,7 @@ namespace osgTerrainROAM::core
 namespace
 {
 
-constexpr double kShortestM = 200.0; ///< with markings; below it is a strip of asphalt
+constexpr double kShortestM = 200.0; ///< with markings; a shorter runway is a strip of asphalt
 
 /// Coordinates along and across a runway, seen from one of its ends.
 struct Axis
@@ -101,7 +101,7 @@ private:
                       1.8 * gapScale(each));
     }
 
-    /// The bars have to end short of the edge lines.
+    /// The bars must end before the edge lines.
     double gapScale(int each) const { return std::min(1.0, (0.5 * _widthM - 2.0) / (3.6 * each)); }
 
     void aimingPoints(const Axis& end)
@@ -182,7 +182,7 @@ bool runwayOfArea(const std::vector<std::vector<glm::dvec2>>& rings, RunwayFrame
 {
     glm::dvec2 along(0.0);
     const auto& ring = rings.front();
-    // Of the sum of all sides, folded into one half plane: points added to a straight side change nothing.
+    // The direction of the sum of all sides, folded into one half plane: points added on a straight side change nothing.
     glm::dvec2 longest(0.0);
     for (std::size_t i = 0; i < ring.size(); ++i)
         if (const glm::dvec2 side = ring[(i + 1) % ring.size()] - ring[i];

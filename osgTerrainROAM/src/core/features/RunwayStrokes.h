@@ -9,7 +9,7 @@
 namespace osgTerrainROAM::core
 {
 
-/// A rectangle: the middle line from `a` to `b`, and what it paints. Metres.
+/// A painted rectangle, given by its middle line from `a` to `b`. Metres.
 struct Stroke
 {
     glm::dvec2 a, b;
@@ -22,14 +22,14 @@ struct RunwayFrame
 {
     glm::dvec2 a, b; ///< ends of the centre line
     double widthM = 0.0;
-    std::string designator; ///< "09/27": read at `a` first
-    bool hasBed = true;     ///< false: an area paints the asphalt
+    std::string designator; ///< "09/27": the first number is read at `a`
+    bool hasBed = true;     ///< false: an area already paints the asphalt
 };
 
-/// The rectangle along the longest side of an area; absent when that is no longer than 5 times its width: an apron.
+/// Fits a rectangle along the longest side of an area; nothing for an apron: when it is no longer than 5 times its width.
 bool runwayOfArea(const std::vector<std::vector<glm::dvec2>>& rings, RunwayFrame& frame);
 
-/// Asphalt, centre line, threshold bars, edge lines, aiming points, designators and edge lights.
+/// Lists the strokes of a runway: asphalt, centre line, threshold bars, edge lines, aiming points, designators and edge lights.
 /// Source: ICAO Annex 14, 8th edition, 5.2.2 to 5.2.7 and 5.3.9; simplified: no touchdown zone marking, digits of straight strokes,
 /// the designator follows from the direction when the map has none.
 std::vector<Stroke> runwayStrokes(const RunwayFrame& frame);

@@ -11,7 +11,7 @@ namespace osgTerrainROAM::core
 namespace
 {
 
-/// Whole to within half a percent, or the reciprocal of such a number.
+/// Tells whether a number or its reciprocal is whole to within half a percent.
 bool isWholeOrPart(double arcSeconds)
 {
     constexpr double kSlack = 0.005;

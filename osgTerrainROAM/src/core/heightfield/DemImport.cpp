@@ -28,7 +28,7 @@ using foundation::Error;
 using foundation::Outcome;
 using foundation::Result;
 
-/// Gives the field its place: on the Earth where the raster says where that is, else a plane.
+/// Gives the field its net from the raster's georeference; without one, the field stays planar.
 Outcome place(HeightField& field, Raster& raster, const DemImportOptions& options, GdalSession& gdal)
 {
     if (!raster.frame)
@@ -55,7 +55,7 @@ Outcome place(HeightField& field, Raster& raster, const DemImportOptions& option
     return georeference(field, *locator);
 }
 
-/// Marks the samples that are not there.
+/// Marks the samples that do not exist.
 void openHoles(HeightField& field, std::vector<std::uint8_t> isOutside, Voids voids)
 {
     isOutside.resize(field.heightsM.size(), 0);

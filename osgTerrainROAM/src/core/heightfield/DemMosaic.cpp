@@ -20,7 +20,7 @@ namespace
 using foundation::Outcome;
 using foundation::Result;
 
-/// Coarse before fine; among equals the first named comes last, and lies on top.
+/// Sorts coarse before fine; among equals the first named comes last, and lies on top.
 void sortForLaying(std::vector<MosaicSource>& sources)
 {
     std::reverse(sources.begin(), sources.end());
@@ -29,7 +29,7 @@ void sortForLaying(std::vector<MosaicSource>& sources)
                      [&](const MosaicSource& a, const MosaicSource& b) { return rank(a) > rank(b); });
 }
 
-/// A rectangle of a grid with all rasters laid on it that are as coarse, or `all`.
+/// Lays on a rectangle of a grid all rasters that are no finer than it, or `all`.
 Result<Raster> painted(const GridReference& grid, const GridRect& rect, double spacingM,
                        const std::vector<MosaicSource>& sources, bool all, GdalSession& gdal,
                        MosaicReport& report)

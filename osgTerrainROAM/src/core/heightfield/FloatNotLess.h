@@ -7,7 +7,7 @@
 namespace osgTerrainROAM::core
 {
 
-/// The least float that is not less: bounds must not shrink by rounding.
+/// The least float that is not less than `value`: bounds must not shrink by rounding.
 inline float floatNotLess(double value)
 {
     const float rounded = static_cast<float>(value);

@@ -22,7 +22,7 @@ ReferenceSystem horizontal(const std::string& wkt)
     return system;
 }
 
-/// Longitudes count round the Earth: those of a grid across the date line continue the other's.
+/// Computes the whole turns, in degrees, that bring the longitudes of one grid next to the other's across the date line.
 double turnsBetween(OGRSpatialReferenceH crs, const GridFrame& from, const GridFrame& to)
 {
     return OSRIsGeographic(crs) ? 360.0 * std::round((to.firstX - from.firstX) / 360.0) : 0.0;

@@ -13,24 +13,24 @@
 namespace osgTerrainROAM::core
 {
 
-/// A grid of samples in a coordinate reference system; without one, on a plane.
+/// A grid of samples in a coordinate reference system, or on a plane without one.
 struct GridReference
 {
     GridFrame frame{};
     std::string crsWkt; ///< empty: a plane
 };
 
-/// From places of one grid, (column, row), to places of another. Where both have the same reference system it is exact; else
-/// PROJ relates the two.
+/// Transforms coordinates (column, row) of one grid to those of another. It is exact where both have the same reference system;
+/// otherwise PROJ relates the two.
 /// Threads: one at a time.
 class FrameTransform
 {
 public:
-    /// Errors: reference systems that cannot be related, named as `name`'s fault.
+    /// Errors: reference systems that cannot be related; the message names `name`.
     static foundation::Result<FrameTransform> create(const std::string& name, const GridReference& from,
                                                      const GridReference& to, GdalSession& gdal);
 
-    /// Places where a map projection is not defined become NaN.
+    /// Points where a map projection is not defined become NaN.
     void apply(std::span<glm::dvec2> places) const;
 
     bool isExact() const { return !_crs; } ///< the same reference system: straight lines stay straight

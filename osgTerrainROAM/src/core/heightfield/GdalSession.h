@@ -8,10 +8,9 @@
 namespace osgTerrainROAM::core
 {
 
-/// While it lives, GDAL on this thread reports to it instead of to stderr, writes nothing beside its inputs,
-/// and names vertical datums. What the thread had set before comes back with the destructor; other threads
-/// notice nothing.
-/// Threads: lives and dies on one thread.
+/// A scope in which GDAL, on this thread, reports errors to this object instead of stderr, writes no files beside its inputs, and
+/// names vertical datums. The destructor restores the thread's former settings; other threads are not affected.
+/// Threads: constructed, used and destroyed on one thread.
 class GdalSession
 {
 public:
@@ -20,7 +19,7 @@ public:
     GdalSession(const GdalSession&) = delete;
     GdalSession& operator=(const GdalSession&) = delete;
 
-    /// Has GDAL reported an error (not merely a warning) since the last clear()?
+    /// Tells whether GDAL has reported an error (not only a warning) since the last clear().
     bool hasFailed() const { return !_firstError.empty(); }
 
     /// GDAL's first error since clear(), on one line; empty if there was none.

@@ -15,11 +15,10 @@
 namespace osgTerrainROAM::core
 {
 
-/// Where on the Earth the samples of a raster are: its grid, its coordinate reference system (any that PROJ
-/// knows) and what its heights are counted from. Heights above mean sea level get the EGM96 undulation, whose
-/// grid comes with PROJ; one that counts from another geoid is taken for EGM96 too, for they differ by a
-/// metre or two. Ellipsoidal are those whose reference system has three dimensions or names the ellipsoid as
-/// its vertical datum.
+/// Locates the samples of a raster on the Earth, from its grid, its coordinate reference system (any that PROJ knows) and its
+/// vertical datum. Heights above mean sea level get the EGM96 undulation, whose grid comes with PROJ; other geoids are treated as
+/// EGM96, from which they differ by a metre or two. Heights are ellipsoidal when the reference system has three dimensions or
+/// names the ellipsoid as its vertical datum.
 /// Threads: one at a time.
 class GeodeticLocator
 {
@@ -28,11 +27,10 @@ public:
     static foundation::Result<GeodeticLocator> create(const std::string& name, const Raster& raster,
                                                       VerticalDatum datum, GdalSession& gdal);
 
-    /// WGS84 positions of (fractional) grid places, row 0 the southernmost. Places where the map projection
-    /// is not defined get NaN.
+    /// WGS84 positions of (fractional) grid coordinates, row 0 the southernmost; NaN where the map projection is not defined.
     void locate(std::span<const glm::dvec2> grid, std::span<GeodeticNet::Node> nodes) const;
 
-    /// Whether heights count from the ellipsoid.
+    /// Tells whether heights are above the ellipsoid.
     bool isEllipsoidal() const { return !_geoid; }
 
 private:
@@ -40,7 +38,7 @@ private:
     void addGeoid(std::span<GeodeticNet::Node> nodes) const;
 
     GridFrame _frame{};
-    bool _inDegrees = false; ///< then latitudes past a pole continue down the other side
+    bool _inDegrees = false; ///< then latitudes beyond a pole continue on the opposite meridian
     CoordinateTransform _toWgs84;
     CoordinateTransform _geoid; ///< null: heights are ellipsoidal
 };

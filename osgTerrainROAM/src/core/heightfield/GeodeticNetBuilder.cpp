@@ -38,7 +38,7 @@ GeodeticNet netOfStep(const GeodeticLocator& locator, int side, int step)
     return net;
 }
 
-/// Nodes along one axis that the macro cells (two steps wide) with data in them use.
+/// The number of nodes along one axis that cells of 3 by 3 nodes with data in them use.
 int nodesInUse(const GeodeticNet& net, int samples)
 {
     const int macro = 2 * net.step;
@@ -61,11 +61,11 @@ std::vector<glm::dvec3> geocentric(const GeodeticNet& net)
     return places;
 }
 
-/// Is the biquadratic through every other node of `fine` within the tolerances of the nodes between, over the
-/// part with data? No when a place in use is not defined.
+/// Tells whether the biquadratic through every other node of `fine` is within the tolerances at the nodes between, over the part
+/// with data. False when a node in use is not defined.
 bool everyOtherSuffices(const GeodeticNet& fine, int columns, int rows)
 {
-    // At quarters of a macro cell, in units of its three nodes.
+    // At quarters of a cell, in units of its three nodes.
     static constexpr double kWeights[5][3] = {
         {1.0, 0.0, 0.0}, {0.375, 0.75, -0.125}, {0.0, 1.0, 0.0}, {-0.125, 0.75, 0.375}, {0.0, 0.0, 1.0}};
     const std::vector<glm::dvec3> places = geocentric(fine);
@@ -92,8 +92,8 @@ bool everyOtherSuffices(const GeodeticNet& fine, int columns, int rows)
     return true;
 }
 
-/// Nodes that only padding uses and that the projection does not know repeat the nearest that counts. Returns
-/// whether all that data uses are defined.
+/// Fills undefined nodes that only padding uses with the nearest node that data use. Returns whether all nodes that data use are
+/// defined.
 bool completePadding(GeodeticNet& net, int columns, int rows)
 {
     const int lastA = nodesInUse(net, columns) - 1, lastB = nodesInUse(net, rows) - 1;
@@ -108,7 +108,7 @@ bool completePadding(GeodeticNet& net, int columns, int rows)
     return true;
 }
 
-/// The coarsest net that is exact enough; the finest allowed when none is.
+/// Finds the coarsest net that is exact enough; the finest allowed one when none is.
 GeodeticNet chooseNet(const GeodeticLocator& locator, int side, int columns, int rows)
 {
     int step = std::min((side - 1) / 2, kCoarsestStep);
@@ -143,7 +143,7 @@ double meanSpacingM(const GeodeticLocator& locator, glm::dvec2 from, glm::dvec2 
     return total / glm::length(to - from);
 }
 
-/// Do columns, rows and the sky make a right-handed system at the data's middle?
+/// Tells whether columns, rows and the zenith form a right-handed system at the data's middle.
 bool isRightHanded(const GeodeticLocator& locator, glm::dvec2 middle)
 {
     GeodeticNet net;

@@ -18,8 +18,7 @@ struct FileCloser
     void operator()(VSILFILE* file) const { VSIFCloseL(file); }
 };
 
-/// Counts the words of a GRASS grid as its bytes go by, header lines excepted: a line that begins with a
-/// letter is header.
+/// Counts the words of a GRASS grid byte by byte, without header lines: those that begin with a letter.
 class WordCounter
 {
 public:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Height of the true surface: the vertical line (z axis of the local frame) is intersected with the placed
-// triangle below it. On the curved Earth a sample's horizontal place depends on its height, so the triangle
-// is found by fixed-point iteration: each triangle's own linear map says which grid place the line has.
+// The height of the full-resolution surface: a vertical line (z axis of the local frame) is intersected with the triangle at it. On
+// the curved Earth the horizontal position of a sample depends on its height, so the triangle is found by fixed-point iteration:
+// the linear map of each triangle tried gives the line's grid coordinates, and these the next triangle.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -18,9 +18,9 @@ namespace
 /// A triangle of the finest level by grid corners, counter-clockwise from above.
 using GridTriangle = std::array<glm::ivec2, 3>;
 
-/// The half of cell (column, row) that holds a point at `fraction` (0…1 each way) of it. Every diagonal of
-/// the finest level joins samples with an even column + row: those of odd column and row are the last
-/// diamonds' centres, and each is joined to the four even-even corners around it.
+/// The half of cell (column, row) that contains the point at `fraction` (0…1 each way). Every diagonal of the finest level joins
+/// samples whose column + row is even: samples of odd column and odd row are centres of the last diamonds, joined to the four
+/// even-even corners around them.
 GridTriangle triangleIn(glm::ivec2 cell, glm::dvec2 fraction)
 {
     const glm::ivec2 sw = cell, se = cell + glm::ivec2(1, 0), nw = cell + glm::ivec2(0, 1),
@@ -54,14 +54,14 @@ public:
                            { return _tile.samples().isGround(corner.x, corner.y); });
     }
 
-    /// Cell of the data nearest to a grid place.
+    /// The cell of the data nearest to grid coordinates.
     glm::ivec2 cellAt(glm::dvec2 grid) const
     {
         return {static_cast<int>(std::clamp(std::floor(grid.x), 0.0, _tile.grid().dataColumns() - 2.0)),
                 static_cast<int>(std::clamp(std::floor(grid.y), 0.0, _tile.grid().dataRows() - 2.0))};
     }
 
-    /// Follows the triangles' own maps; a few steps suffice except where relief and tilt conspire.
+    /// Iterates over the triangles' own maps. A few steps suffice, except in steep relief far from the tile's origin.
     std::optional<VerticalHit> follow(glm::dvec2& grid) const
     {
         constexpr int kMaxSteps = 12;
@@ -77,7 +77,7 @@ public:
         return std::nullopt;
     }
 
-    /// Tries every triangle of the cells around a grid place.
+    /// Tries every triangle of the cells around grid coordinates.
     std::optional<VerticalHit> scan(glm::dvec2 grid) const
     {
         constexpr int kReach = 2;
@@ -87,7 +87,7 @@ public:
             {
                 const glm::ivec2 cell(column, row);
                 if (cell != cellAt(glm::dvec2(cell))) continue;
-                // These two places lie in different halves whichever way the diagonal runs.
+                // These two points lie in different halves for either diagonal.
                 for (const glm::dvec2 half : {glm::dvec2(0.75, 0.5), glm::dvec2(0.25, 0.5)})
                 {
                     const GridTriangle triangle = triangleIn(cell, half);
@@ -110,7 +110,7 @@ std::optional<GroundPoint> groundAt(const PlacedTile& tile, double east, double 
     const Search search(tile, {east, north});
     glm::dvec2 grid = tile.frame().gridNear({east, north});
     if (!std::isfinite(grid.x) || !std::isfinite(grid.y)) return std::nullopt;
-    // Far outside nothing is near enough to search; the margin covers what height and tilt can shift.
+    // Lines far outside are not searched; the margin covers the shift by height and curvature.
     const double margin = 0.5 * tile.grid().side();
     if (grid.x < -margin || grid.y < -margin || grid.x > tile.grid().dataColumns() + margin ||
         grid.y > tile.grid().dataRows() + margin)

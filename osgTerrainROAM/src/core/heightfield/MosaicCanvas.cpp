@@ -21,7 +21,7 @@ using foundation::Result;
 
 constexpr double kOnSample = 1e-3;
 
-/// Where the places of a row lie in a raster.
+/// The coordinates in a raster of the points of a row.
 void rowOfPlaces(const GridRect& rect, int row, const FrameTransform& transform,
                  std::vector<glm::dvec2>& places)
 {
@@ -46,12 +46,12 @@ void rowOfPlaces(const GridRect& rect, int row, const FrameTransform& transform,
 
 } // namespace
 
-/// Where the outermost samples of a raster lie on the grid of another.
+/// The bounds of a raster's samples in the coordinates of another grid.
 Result<GridRect> rectOn(const GridReference& grid, const MosaicSource& source, GdalSession& gdal)
 {
     const auto transform = FrameTransform::create(source.name, source.reference(), grid, gdal);
     if (!transform) return transform.error();
-    constexpr int kPieces = 64; // of an edge, which may bend between reference systems
+    constexpr int kPieces = 64; // of an edge, which may be curved in another reference system
     std::vector<glm::dvec2> places;
     const glm::dvec2 last(source.raster.columns - 1, source.raster.rows - 1);
     for (int i = 0; i <= kPieces; ++i)
@@ -89,7 +89,7 @@ double spacingBelow(std::span<const LaidRaster> laid, const GridRect& rect)
     return std::min(widestM, withinM);
 }
 
-/// Over four samples of what is bent, and some of the grid; what only shows through at every so many places needs fewer.
+/// Four samples of the bent raster and some points of the grid; fewer for a raster of which only every n-th sample is used.
 int bendingReach(double gridM, double rasterM, double belowM)
 {
     constexpr double kSlack = 0.01;
@@ -147,7 +147,7 @@ Raster MosaicCanvas::take() &&
     return raster;
 }
 
-/// Row by row; between reference systems PROJ is asked for every kEvery-th place.
+/// Works row by row; between reference systems PROJ transforms every kEvery-th point, and the rest is interpolated.
 void MosaicCanvas::sampleInto(HeightSheet& sheet, const Raster& raster, const FrameTransform& transform,
                               double stepPlaces)
 {
@@ -167,8 +167,8 @@ void MosaicCanvas::sampleInto(HeightSheet& sheet, const Raster& raster, const Fr
     }
 }
 
-/// Notes that a raster comes within `beyond` places of a place. Each pixel is as wide as its raster's step: where those of two
-/// rasters meet, nothing is missing between their middles.
+/// Notes that a raster comes within `beyond` grid steps of a point. A pixel is as wide as its raster's step: where the pixels of two
+/// rasters meet, there is no gap between them.
 void MosaicCanvas::mark(int column, int row, double beyond, double stepPlaces)
 {
     constexpr double kSlack = 0.01;

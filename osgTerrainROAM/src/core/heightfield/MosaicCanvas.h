@@ -15,7 +15,7 @@
 namespace osgTerrainROAM::core
 {
 
-/// Where the outermost samples of a raster lie on a grid. Errors: it has no place there.
+/// The bounding rectangle of a raster's samples on a grid. Errors: the raster cannot be located on the grid.
 foundation::Result<GridRect> rectOn(const GridReference& grid, const MosaicSource& source, GdalSession& gdal);
 
 /// A raster on a grid.
@@ -25,31 +25,31 @@ struct LaidRaster
     double spacingM;
 };
 
-/// How far apart the samples are that a raster over `rect` meets along its outline: those of the finest of the others that it lies
-/// within, or else the widest. 0: there are no others.
+/// The sample spacing that a raster over `rect` meets along its outline: that of the finest other raster that contains it, or else
+/// the widest. 0: there are no others.
 double spacingBelow(std::span<const LaidRaster> laid, const GridRect& rect);
 
-/// Whether a raster is so much finer than a grid that it only shows through at every so many samples; metres.
+/// Tells whether a raster is so much finer than a grid that only every n-th of its samples is used; metres.
 inline bool isFinerThanGrid(double rasterM, double gridM)
 {
     return rasterM < 0.75 * gridM;
 }
 
-/// Places of a grid over which ground is bent towards a finer raster; all metres.
+/// The number of grid points over which ground is bent towards a finer raster; arguments in metres.
 int bendingReach(double gridM, double rasterM, double belowM);
 
-/// A part of a grid that rasters are laid on, coarse ones before fine ones.
-/// Invariant: what has been laid is there as measured, but where it has been bent towards what was laid later.
+/// A rectangle of a grid on which rasters are laid, coarse before fine.
+/// Invariant: heights are as measured, except where they have been bent towards a raster laid later.
 class MosaicCanvas
 {
 public:
     /// `spacingM`: of the grid; `coarsestM`: of the coarsest raster that will be laid.
     MosaicCanvas(const GridReference& grid, const GridRect& rect, double spacingM, double coarsestM);
 
-    /// Lays a raster over what is there. Errors: it has no place on the grid.
+    /// Lays a raster over the present heights. Errors: the raster cannot be located on the grid.
     foundation::Outcome add(const MosaicSource& source, GdalSession& gdal, MosaicReport& report);
 
-    /// What has been laid: heights, frame, isOutside.
+    /// The result: heights, frame, isOutside.
     Raster take() &&;
 
 private:
@@ -67,9 +67,9 @@ private:
     GridReference _grid;
     HeightSheet _ground;
     const double _spacingM;
-    const double _coarsestStep; ///< places to a sample
+    const double _coarsestStep; ///< grid points to a sample
     std::vector<Reach> _reach;
-    std::vector<float> _beyond; ///< the pixels of the raster that comes nearest, places
+    std::vector<float> _beyond; ///< distance to the nearest raster's pixels, grid points
     std::vector<LaidRaster> _laid;
 };
 

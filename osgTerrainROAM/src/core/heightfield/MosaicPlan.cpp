@@ -18,11 +18,11 @@ using foundation::Error;
 using foundation::Outcome;
 using foundation::Result;
 
-constexpr double kMostSamples = 1 << 26; ///< in all: 400 MB as a tile keeps them
+constexpr double kMostSamples = 1 << 26; ///< in all; 400 MB in a tile
 constexpr double kMostUnderParts = 1 << 24;
 constexpr int kMostSide = 32769;
 constexpr int kMostExponent = 12;
-constexpr int kMargin = 2; ///< cells around a finer raster and what is bent towards it
+constexpr int kMargin = 2; ///< cells around a finer raster and the ground that is bent towards it
 
 double placesOf(const GridRect& rect)
 {
@@ -35,7 +35,7 @@ GridRect joined(const GridRect& a, const GridRect& b)
             std::max(a.north, b.north)};
 }
 
-/// The places of a grid coarser by 2^exponent within a rectangle.
+/// The points, within a rectangle, of a grid that is coarser by 2^exponent.
 GridRect coarser(const GridRect& rect, int exponent)
 {
     const auto down = [=](int v) { return v >> exponent; };
@@ -49,7 +49,7 @@ bool fits(const GridRect& rect, double mostPlaces)
            placesOf(rect) <= mostPlaces;
 }
 
-/// The cells around the samples of a raster, and a margin that what lies below needs to meet it.
+/// The cells around the samples of a raster, with a margin in which the ground below is bent to meet it.
 GridRect cellsAround(const GridRect& onFinest, int exponent, const GridRect& all, int marginCells)
 {
     const auto down = [=](int v) { return v >> exponent; };
@@ -59,7 +59,7 @@ GridRect cellsAround(const GridRect& onFinest, int exponent, const GridRect& all
         .cutTo(all);
 }
 
-/// Adds a part; those of the same fineness that it touches become one with it.
+/// Adds a part, and merges it with the parts of the same exponent that it touches.
 void add(std::vector<PlannedPart>& parts, PlannedPart part)
 {
     for (std::size_t i = 0; i < parts.size();)

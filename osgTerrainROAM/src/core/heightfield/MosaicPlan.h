@@ -11,14 +11,14 @@
 namespace osgTerrainROAM::core
 {
 
-/// A rectangle of a terrain that is kept more finely than the rest.
+/// A rectangle of a terrain that is kept on a finer grid than the rest.
 struct PlannedPart
 {
     GridRect cells; ///< samples of the terrain's own raster at its corners
-    int exponent;   ///< 2^exponent of its samples to one of those
+    int exponent;   ///< 2^exponent of its samples lie along a cell of that raster
 };
 
-/// How a terrain is kept that is joined from several rasters.
+/// The plan of the grids on which a terrain joined from several rasters is kept.
 struct MosaicPlan
 {
     GridReference grid;    ///< of the terrain's own raster: the finest source's, or coarser by 2^exponent
@@ -28,11 +28,11 @@ struct MosaicPlan
     std::vector<PlannedPart> parts; ///< coarse before fine
 };
 
-/// One grid for all where it does not get too large; else a coarser one, and parts around finer rasters.
-/// `sources`: coarse before fine. Errors: a source without a place among the others; parts that get too large.
+/// Plans one grid for all sources where that is not too large; otherwise a coarser one, and parts around finer rasters.
+/// `sources`: coarse before fine. Errors: a source that cannot be related to the others; parts that are too large.
 foundation::Result<MosaicPlan> planMosaic(std::span<const MosaicSource> sources, GdalSession& gdal);
 
-/// A grid whose places lie 2^exponent times as far apart (a negative exponent: closer), with the same first place.
+/// A grid with 2^exponent times the spacing (a negative exponent: a finer grid) and the same first point.
 GridReference scaled(GridReference grid, int exponent);
 
 } // namespace osgTerrainROAM::core

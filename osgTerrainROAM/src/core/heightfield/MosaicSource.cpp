@@ -20,7 +20,7 @@ namespace
 using foundation::Error;
 using foundation::Result;
 
-/// What a source is found to be besides its samples.
+/// The properties of a source besides its samples.
 struct Nature
 {
     double spacingM;

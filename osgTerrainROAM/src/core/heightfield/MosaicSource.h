@@ -26,10 +26,10 @@ struct MosaicSource
     GridReference reference() const { return {*raster.frame, raster.crsWkt}; }
 };
 
-/// Gives a raster whose numbers look like degrees the reference system that they mean. CellSizeReference.h.
+/// Gives a raster whose coordinates look like degrees WGS84 as its reference system (CellSizeReference.h).
 void settleReference(Raster& raster);
 
-/// Reads all of them. Errors: as readRaster; no georeference; heights that are counted from different things.
+/// Reads all sources. Errors: those of readRaster; no georeference; different vertical datums.
 foundation::Result<std::vector<MosaicSource>> readSources(std::span<const std::filesystem::path> files,
                                                           const DemImportOptions& options, GdalSession& gdal);
 

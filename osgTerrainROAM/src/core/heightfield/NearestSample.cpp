@@ -17,7 +17,7 @@ NearestSample::NearestSample(std::span<const std::uint8_t> isMarked, int columns
         sweep(row, row + 1);
 }
 
-/// Hands on what a neighbouring row knows, and then along the row, there and back.
+/// Propagates offsets from a neighbouring row, and then along the row in both directions.
 void NearestSample::sweep(int row, int fromRow)
 {
     if (fromRow >= 0 && fromRow < _rows)

@@ -8,19 +8,19 @@
 namespace osgTerrainROAM::core
 {
 
-/// For each place of a grid the nearest of some marked places, and how far that is.
-/// Source: Danielsson 1980, "Euclidean distance mapping": two sweeps hand on the offset to the nearest, off by less than a
-/// place where the exact one is.
+/// For each point of a grid, the nearest of the marked points and its distance.
+/// Source: Danielsson, *Euclidean Distance Mapping*, 1980: two sweeps propagate the offset to the nearest point; distances are less
+/// than one grid step above the exact ones.
 class NearestSample
 {
 public:
     /// `isMarked`: row-major, columns × rows, each side below 32768.
     NearestSample(std::span<const std::uint8_t> isMarked, int columns, int rows);
 
-    /// Linear index of the nearest marked place; any where none is marked.
+    /// Linear index of the nearest marked point; undefined when none is marked.
     std::size_t nearest(int column, int row) const;
 
-    /// Its distance in places; more than any grid has where none is marked.
+    /// Its distance in grid steps; larger than any grid when none is marked.
     double distance(int column, int row) const;
 
 private:

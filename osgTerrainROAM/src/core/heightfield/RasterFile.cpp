@@ -35,7 +35,7 @@ struct DatasetCloser
 };
 using Dataset = std::unique_ptr<std::remove_pointer_t<GDALDatasetH>, DatasetCloser>;
 
-/// A raster being read: GDAL's handles, and the path that GDAL knows it by.
+/// An open raster: GDAL's handles, and its path for GDAL.
 struct Source
 {
     std::string name; ///< for messages
@@ -69,8 +69,8 @@ bool isDriver(const Source& source, const char* name)
     return std::string(GDALGetDriverShortName(GDALGetDatasetDriver(source.dataset.get()))) == name;
 }
 
-/// GDAL gives the profiles that a DTED file lacks at its end as voids, for a cell may be partial. One that calls
-/// itself complete has been cut short.
+/// Finds truncated DTED files. GDAL reads missing profiles at the end as voids, because a cell may be partial; a file that claims to
+/// be complete and lacks some has been truncated.
 /// Source: MIL-PRF-89020B: 3428 bytes of header, then per profile 12 bytes around its 2-byte heights.
 bool isCutShortDted(const Source& source)
 {
@@ -108,8 +108,8 @@ Outcome checkShape(const Source& source)
     return foundation::success();
 }
 
-/// Reads all rows in file order. Row by row, so that of a header that promises more than the file holds, no more
-/// memory than the file's is ever touched.
+/// Reads all rows in file order, one by one: when a header promises more than the file holds, no more memory is touched than the
+/// file's content needs.
 Outcome readSamples(const Source& source, GdalSession& gdal, Raster& raster)
 {
     SampleDecoder decoder(source.band());

@@ -17,26 +17,25 @@
 namespace osgTerrainROAM::core
 {
 
-/// Where the samples of a raster lie in its own coordinate reference system. A sample is the centre of GDAL's
-/// pixel, for area and point rasters alike (GDAL shifts the latter by half a pixel itself).
+/// The locations of a raster's samples in its own coordinate reference system. A sample is the centre of GDAL's pixel, for area
+/// and point rasters alike (GDAL itself shifts the latter by half a pixel).
 struct GridFrame
 {
     double firstX, firstY; ///< of the south-western sample
     double stepX, stepY;   ///< from one sample to the next, eastwards and northwards, both positive
 };
 
-/// The samples of an elevation raster as found: row 0 the southernmost, column 0 the westernmost, voids NaN.
+/// The samples of an elevation raster as read: row 0 the southernmost, column 0 the westernmost, voids NaN.
 struct Raster
 {
     int columns = 0;
     int rows = 0;
     std::vector<float> heightsM;
-    std::size_t implausible = 0;    ///< samples taken for voids because no place on Earth is so high or deep
-    std::optional<GridFrame> frame; ///< absent: no georeference
-    std::string crsWkt;             ///< empty: none given
-    std::vector<std::uint8_t>
-        isOutside;                ///< 1 at places that no raster reaches (DemMosaic); empty: there are none
-    std::vector<DensePart> parts; ///< of a mosaic
+    std::size_t implausible = 0;         ///< samples taken for voids: no point on Earth is so high or deep
+    std::optional<GridFrame> frame;      ///< absent: no georeference
+    std::string crsWkt;                  ///< empty: none given
+    std::vector<std::uint8_t> isOutside; ///< 1 at points that no raster reaches (DemMosaic); empty: none
+    std::vector<DensePart> parts;        ///< of a mosaic
 };
 
 /// Opens and reads a single-band raster through GDAL, inside zip and gzip archives too.

@@ -39,7 +39,7 @@ Outcome orientRaster(const std::string& name, GDALDatasetH dataset, Raster& rast
     double t[6];
     if (GDALGetGeoTransform(dataset, t) != CE_None)
     {
-        flipRows(raster); // pictures begin at the top
+        flipRows(raster); // images begin at the top
         return foundation::success();
     }
     const double size = std::max({std::abs(t[1]), std::abs(t[2]), std::abs(t[4]), std::abs(t[5])});

@@ -11,9 +11,9 @@
 namespace osgTerrainROAM::core
 {
 
-/// Takes the georeference of a dataset, and turns the samples, which are in file order, so that rows run
-/// north and columns east. A picture without georeference begins at the top.
-/// Errors: a rotated grid, a georeference that is none.
+/// Reads the georeference of a dataset and reorders the samples from file order so that rows run north and columns east. An image
+/// without georeference begins at the top.
+/// Errors: a rotated grid, an invalid georeference.
 foundation::Outcome orientRaster(const std::string& name, GDALDatasetH dataset, Raster& raster);
 
 } // namespace osgTerrainROAM::core

@@ -24,7 +24,7 @@ std::string lowerExtension(const std::filesystem::path& file)
     return extension;
 }
 
-/// Members of an archive that could be elevation come before text, metadata and pictures.
+/// Orders members of an archive: possible elevation formats before text, metadata and images.
 bool looksLikeElevation(const std::string& member)
 {
     static constexpr const char* kKnown[] = {".hgt", ".tif", ".tiff", ".dt0", ".dt1",

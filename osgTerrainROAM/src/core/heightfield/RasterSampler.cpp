@@ -14,7 +14,7 @@ namespace
 constexpr double kOnSample = 1e-3;
 constexpr float kVoid = std::numeric_limits<float>::quiet_NaN();
 
-/// Source: Catmull and Rom 1974; Keys 1981, a = -1/2.
+/// Source: Keys, *Cubic Convolution Interpolation for Digital Image Processing*, 1981, with a = -1/2.
 void cubicWeights(double t, double (&w)[4])
 {
     w[0] = t * (-0.5 + t * (1.0 - 0.5 * t));

@@ -8,19 +8,19 @@
 namespace osgTerrainROAM::core
 {
 
-/// The heights of a raster at places between its samples, by Catmull and Rom's cubic, which goes through the samples and
-/// bends where straight pieces would break; held within the range of the four samples around, so that flat water stays flat
-/// and no shore dips below it. Beside voids it is bilinear.
-/// Units: places of the raster, metres.
+/// Interpolates a raster's heights by the Catmull-Rom cubic, clamped to the range of the four samples around the point: flat water
+/// stays flat, and no shore dips below it. Beside voids it is bilinear.
+/// Units: columns and rows of the raster, metres.
+/// Source: Catmull & Rom, *A Class of Local Interpolating Splines*, 1974; the clamp is ours.
 class RasterSampler
 {
 public:
     explicit RasterSampler(const Raster& raster) : _raster(raster) {}
 
-    /// NaN: a void, or beyond the outermost samples. A place within a thousandth of a sample is that sample's.
+    /// Height at (column, row); NaN in a void, or beyond the outermost samples. Within a thousandth of a step of a sample, its height.
     float heightM(glm::dvec2 place) const;
 
-    /// How far a place lies beyond the outermost samples, along a row or a column, in samples; 0 within them.
+    /// Distance beyond the outermost samples, along a row or a column, in sample steps; 0 within them.
     double beyond(const glm::dvec2& place) const;
 
 private:

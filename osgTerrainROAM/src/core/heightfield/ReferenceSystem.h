@@ -25,7 +25,7 @@ struct TransformCloser
 using CoordinateTransform =
     std::unique_ptr<std::remove_pointer_t<OGRCoordinateTransformationH>, TransformCloser>;
 
-/// Leaves of a reference system what places a grid: two dimensions, longitude before latitude.
+/// Reduces a reference system to its two horizontal dimensions, longitude before latitude.
 inline void makeHorizontal(OGRSpatialReferenceH system)
 {
     OSRStripVertical(system);

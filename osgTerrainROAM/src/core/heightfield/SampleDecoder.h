@@ -8,8 +8,8 @@
 namespace osgTerrainROAM::core
 {
 
-/// Turns a band's numbers into metres, by its unit, scale and offset, and what is no height into NaN: its
-/// nodata value, NaN, and heights that no place on Earth has.
+/// Converts a band's numbers to metres by its unit, scale and offset. Values that are no heights become NaN: the nodata value, NaN,
+/// and heights outside the Earth's range.
 class SampleDecoder
 {
 public:
@@ -17,7 +17,7 @@ public:
 
     float heightM(double value);
 
-    std::size_t implausible = 0; ///< heights refused so far for being outside -12000 to 9000 m
+    std::size_t implausible = 0; ///< heights refused so far because they are outside -12000 to 9000 m
 
 private:
     double _noData = 0.0;

@@ -17,7 +17,7 @@ namespace
 
 constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
 
-/// A sheet over ground, seen from the outline between them.
+/// The bending of ground along the outline of a sheet.
 class Seam
 {
 public:
@@ -78,7 +78,7 @@ private:
         return _ground.holds(column, row) && !std::isnan(_ground.at(column, row));
     }
 
-    /// Sheet above ground at a place of the sheet next to ground that will be seen; NaN elsewhere.
+    /// Height of sheet minus ground at a point of the sheet next to visible ground; NaN elsewhere.
     float differenceAt(int column, int row) const
     {
         double continuedM = 0.0;
@@ -98,7 +98,7 @@ private:
         return static_cast<float>(_sheet.at(column, row) - groundM);
     }
 
-    /// Known are the outline, what lies inside it (as its nearest place), and zero out of reach.
+    /// The known values: the difference on the outline, the same inside it (of the nearest outline point), zero out of reach.
     void solve(const std::vector<std::uint8_t>& isOutline)
     {
         const NearestSample outline(isOutline, _difference.columns(), _difference.rows());

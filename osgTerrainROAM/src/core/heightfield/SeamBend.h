@@ -29,16 +29,16 @@ private:
     }
 };
 
-/// What reconciling has done.
+/// The report of reconciling.
 struct SeamReport
 {
-    std::size_t bent = 0;  ///< places of the coarser data that were moved
-    double largestM = 0.0; ///< by how much the data disagreed at most, along the seams
+    std::size_t bent = 0;  ///< points of the coarser data that were moved
+    double largestM = 0.0; ///< largest disagreement of the data along the seams
 };
 
-/// Bends `ground` within `reach` places of where `sheet` will lie over it, so that both have one height along the sheet's
-/// outline: the difference there fades out by the spline that fills voids, smoothly and within its own range. The sheet stays
-/// as measured. Where `ground` ends at the outline, it is continued straight.
+/// Bends `ground` within `reach` grid steps of the outline of `sheet`, which will lie over it, so that both have the same height
+/// there. The difference on the outline fades out as the spline in tension that also fills voids: smoothly and within its own
+/// range. The sheet stays as measured. Where `ground` ends at the outline, it is extrapolated linearly.
 SeamReport bendTowards(HeightSheet& ground, const HeightSheet& sheet, int reach);
 
 } // namespace osgTerrainROAM::core

@@ -10,10 +10,10 @@ namespace osgTerrainROAM::core
 namespace
 {
 
-constexpr double kTensionSamples = 12.0; ///< over distances beyond this, stretching counts more than bending
+constexpr double kTensionSamples = 12.0; ///< beyond this distance, tension outweighs bending
 constexpr double kRelaxation = 1.5;      ///< over-relaxation: > 1 converges faster, < 2 converges
-constexpr double kSettledM = 0.005;      ///< a sweep that changes less is the last
-constexpr int kMaxSweeps = 200;          ///< the start from the coarser level leaves only fine detail to find
+constexpr double kSettledM = 0.005;      ///< the last sweep changes less
+constexpr int kMaxSweeps = 200;          ///< enough, because the coarser level gives the initial values
 
 /// Collects the terms w·(a·z + rest)² of the energy that contain one height z; z = value() minimises them.
 class EnergyAt
@@ -34,8 +34,8 @@ private:
     double _denominator = 0.0;
 };
 
-/// The height at (c, r) that minimises the energy near the grid's edge: terms that reach beyond do not exist,
-/// which is the spline's natural boundary.
+/// The height at (c, r) that minimises the energy near the grid's edge. Terms that reach beyond are left out: the spline's natural
+/// boundary condition.
 double minimiserAtEdge(const VoidLevel& level, int c, int r, double stretch)
 {
     EnergyAt energy;

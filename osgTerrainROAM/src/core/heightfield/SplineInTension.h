@@ -8,20 +8,20 @@
 namespace osgTerrainROAM::core
 {
 
-/// A sample to be found, and the range it must keep to.
+/// An unknown sample, and the range to which it is limited.
 struct VoidCell
 {
     int column, row;
     float lowM, highM; ///< range of the rim of its void
 };
 
-/// One resolution of the problem. The coarse ones exist to give the fine ones a start that is right at large.
+/// One level of the multiresolution solution. Coarse levels give finer ones their initial values.
 struct VoidLevel
 {
     int columns, rows;
     double samplesPerCell;
     std::vector<float> heightsM;      ///< complete once filled
-    std::vector<std::uint8_t> isVoid; ///< which of them may change
+    std::vector<std::uint8_t> isVoid; ///< 1: unknown, may change
     std::vector<VoidCell> voids;
 
     std::size_t index(int column, int row) const { return static_cast<std::size_t>(row) * columns + column; }
@@ -31,12 +31,10 @@ struct VoidLevel
     }
 };
 
-/// Sweeps over the voids until they have settled on the surface of least bending and stretching through the
-/// rest: the sum, over all cells, of squared second differences and, weighted by 1/(12 samples)², of first
-/// differences.
-/// Source: Smith & Wessel, "Gridding with continuous curvature splines in tension" (1990). Differences: the
-/// energy is minimised directly, by successive over-relaxation projected onto the cells' ranges, and the
-/// tension has a length instead of a share.
+/// Relaxes the voids to the surface of least bending and tension through the known samples: it minimises the sum, over all cells,
+/// of squared second differences and, weighted by 1/(12 samples)², of squared first differences.
+/// Source: Smith & Wessel, *Gridding with Continuous Curvature Splines in Tension*, 1990. Differs: the energy is minimised
+/// directly, by successive over-relaxation projected onto the cells' ranges; the tension is given as a length, not as a factor.
 /// Cost: about 10 ns per void and sweep, at most 200 sweeps.
 void relaxSpline(VoidLevel& level);
 

@@ -16,7 +16,7 @@ namespace osgTerrainROAM::core
 namespace
 {
 
-/// Finds the voids' extents, 8-connected, and gives each of their cells the range of the rim.
+/// Finds the 8-connected voids and gives each of their cells the range of its rim.
 void findRims(VoidLevel& level)
 {
     std::vector<std::uint8_t> seen(level.isVoid.size(), 0);
@@ -50,7 +50,7 @@ void findRims(VoidLevel& level)
         }
 }
 
-/// Half the resolution: a cell is known when any of its four is, and then their mean.
+/// Halves the resolution: a coarse cell is known when any of its four cells is, with their mean.
 VoidLevel coarsened(const VoidLevel& fine)
 {
     VoidLevel coarse{(fine.columns + 1) / 2, (fine.rows + 1) / 2, 2.0 * fine.samplesPerCell, {}, {}, {}};
@@ -80,7 +80,7 @@ VoidLevel coarsened(const VoidLevel& fine)
     return coarse;
 }
 
-/// Starts the voids of `fine` from the solution of `coarse`, bilinearly.
+/// Initialises the voids of `fine` from the solution of `coarse`, bilinearly.
 void startFrom(const VoidLevel& coarse, VoidLevel& fine)
 {
     for (const VoidCell& cell : fine.voids)

@@ -13,7 +13,7 @@
 namespace osgTerrainROAM::core
 {
 
-/// A hole that something has made, with the rim that it threw up: ejecta thins out with the third power of the distance.
+/// A crater with its rim. The height of the ejecta falls with the third power of the distance.
 struct Crater
 {
     glm::dvec2 centre{0.0};
@@ -22,10 +22,10 @@ struct Crater
     double rimM = 0.5;     ///< above it
 };
 
-/// A level or sloping platform: inside a polygon the ground is the plane nearest to its corners' heights.
+/// A level or sloping platform: inside a polygon the ground becomes the least-squares plane of the corners.
 struct Platform
 {
-    std::vector<glm::dvec3> corners{}; ///< x and y in the tile's frame, z as the samples are counted
+    std::vector<glm::dvec3> corners{}; ///< x and y in the tile's frame; z: height in the samples' datum
     double slope = 1.0 / 1.5;          ///< of cuttings and embankments around it
 };
 
@@ -33,36 +33,33 @@ struct Platform
 struct Ribbon
 {
     std::vector<glm::dvec2> points{};
-    std::vector<double>
-        heightsM{};           ///< at the points, as the samples are counted; none: the ground's, smoothed
-    double widthM = 7.0;      ///< that lies at these heights
-    double crossfall = 0.0;   ///< how much it falls to either side, per metre
-    double slope = 1.0 / 1.5; ///< of cuttings and embankments
-    double smoothM = 80.0;    ///< over which the ground's heights are smoothed
+    std::vector<double> heightsM{}; ///< at the points, in the samples' datum; empty: the ground's, smoothed
+    double widthM = 7.0;            ///< of the surface at these heights
+    double crossfall = 0.0;         ///< fall to either side, metres per metre
+    double slope = 1.0 / 1.5;       ///< of cuttings and embankments
+    double smoothM = 80.0;          ///< length over which the ground's heights are smoothed
 };
 
-/// Edits of the ground by their shapes. Each is one step that undo() takes back; meshes that show the tile follow with their
-/// next frame.
-/// Frame: places are x and y of the tile's frame; a place keeps the height that it is seen under. Units: metres; heights as
-/// the tile's samples are counted. Errors: as TileEditor::apply and changesBy; shapes without extent.
-/// Threads: as TileEditor.
+/// Edits the ground by shapes. Each call is one step that undo() takes back; meshes of the tile follow in their next frame.
+/// Frame: horizontal positions are x and y of the tile's frame. Units: metres; heights in the samples' datum.
+/// Errors: those of TileEditor::apply and changesBy; a shape without extent. Threads: as TileEditor.
 class GroundEditor
 {
 public:
     explicit GroundEditor(std::shared_ptr<RoamTile> tile) : _tile(tile), _steps(std::move(tile)) {}
 
-    /// `places` puts samples between those of the raster where the tile's grid has room for them.
+    /// Chooses whether edits add samples between those of the raster (EditDetail::places), where the tile's grid is finer.
     void setDetail(EditDetail detail) { _detail = detail; }
 
-    /// How wide, inside its border, the effect of a region fades in.
+    /// Sets the width, inside a region's border, over which the effect fades in.
     void setFadeM(double metres) { _fadeM = metres; }
 
     foundation::Result<EditReport> setHeight(const Region& region, double heightM);
     foundation::Result<EditReport> raise(const Region& region, double byM);
     foundation::Result<EditReport> smooth(const Region& region,
-                                          double radiusM); ///< takes means of that reach
+                                          double radiusM); ///< weighted means over this radius
     foundation::Result<EditReport>
-    flatten(const Region& region); ///< to the plane that is nearest to its samples
+    flatten(const Region& region); ///< to the least-squares plane of the ground
     foundation::Result<EditReport> stamp(const Crater& crater);
     foundation::Result<EditReport> conform(const Platform& platform); // Conform.cpp
     foundation::Result<EditReport> conform(const Ribbon& ribbon);
@@ -70,7 +67,7 @@ public:
     bool undo() { return _steps.undo(); }
     TileEditor& steps() { return _steps; }
 
-    /// Heights of a ribbon that has none, at the given distances along it: the ground's, smoothed.
+    /// Heights at the given distances along a ribbon without heights of its own: the ground's, smoothed.
     std::vector<double> profile(const Ribbon& ribbon, const std::vector<double>& alongM) const;
 
 private:
@@ -78,7 +75,7 @@ private:
     foundation::Result<EditReport> applyIn(const Region& region, const HeightRule& rule);
     foundation::Error refusal(const char* what, const char* remedy) const;
     double groundM(const glm::dvec2& place) const;
-    double placeM() const; ///< from one place that edits change to the next
+    double placeM() const; ///< distance between neighbouring points that edits change
 
     std::shared_ptr<RoamTile> _tile;
     TileEditor _steps;

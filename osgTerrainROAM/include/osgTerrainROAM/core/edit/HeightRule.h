@@ -13,22 +13,22 @@
 namespace osgTerrainROAM::core
 {
 
-/// The height that a place shall have, from where it is in the plan and the height that it has. Units: metres.
+/// A height rule returns the new height of a point from its horizontal position and its present height. Units: metres.
 using HeightRule = std::function<double(const glm::dvec2& place, double heightM)>;
 
-/// How finely an edit works.
+/// The detail at which an edit works.
 enum class EditDetail
 {
-    samples, ///< what has a sample gets another height; the surface between follows
-    places,  ///< every place of the tile's grid gets a sample where the height shall change
+    samples, ///< existing samples get other heights; the surface between them follows
+    places,  ///< every grid point whose height changes gets a sample
 };
 
-/// How many places an edit may look at.
+/// The largest number of grid points that an edit may visit.
 inline constexpr std::size_t kMostEditedPlaces = 1u << 26;
 
-/// The changes that a rule makes within boxes; none smaller than a tenth of a millimetre. Errors: more places than
-/// kMostEditedPlaces, a box without any place of the data.
-/// Threads: nobody edits the tile meanwhile. Cost: about half a microsecond a place.
+/// Evaluates a rule at the grid points within boxes. Returns the changes of at least a tenth of a millimetre. Errors: more points
+/// than kMostEditedPlaces; no point of the data in any box.
+/// Threads: nobody may edit the tile meanwhile. Cost: about half a microsecond a point.
 foundation::Result<std::vector<HeightChange>> changesBy(const HeightRule& rule, const PlacedTile& tile,
                                                         std::span<const PlanBox> boxes, EditDetail detail);
 

@@ -8,7 +8,7 @@
 namespace osgTerrainROAM::core
 {
 
-/// The plane nearest to heights in the plan by least squares. Units: metres.
+/// The least-squares plane through heights at horizontal positions. Units: metres.
 class NearestPlane
 {
 public:
@@ -21,7 +21,7 @@ public:
         _count += 1.0;
     }
 
-    /// Level, at the mean, where the places are too few or on a line.
+    /// Computes the plane; level, at the mean height, where the positions are fewer than three or on one line.
     void fit()
     {
         const double scale = std::max(_products[0][0] + _products[1][1], 1e-12);

@@ -8,7 +8,7 @@
 namespace osgTerrainROAM::core
 {
 
-/// A rectangle in the plan. Frame: the tile's, x and y. Units: metres.
+/// A horizontal rectangle. Frame: the tile's, x and y. Units: metres.
 struct PlanBox
 {
     glm::dvec2 low{0.0}, high{0.0};
@@ -16,7 +16,7 @@ struct PlanBox
     PlanBox grownBy(double metres) const { return {low - metres, high + metres}; }
 };
 
-/// A region of the ground in the plan: a circle or a polygon without self-intersections.
+/// A horizontal region of the ground: a circle, or a polygon without self-intersections.
 /// Frame: the tile's, x and y. Units: metres.
 class Region
 {
@@ -24,7 +24,7 @@ public:
     static Region circle(const glm::dvec2& centre, double radiusM);
     static Region polygon(std::vector<glm::dvec2> corners); ///< three or more, in either direction
 
-    /// From the border: positive inside, negative outside.
+    /// Signed distance from the border, metres: positive inside, negative outside.
     double insideM(const glm::dvec2& place) const;
     PlanBox box() const;
     bool isEmpty() const { return _corners.size() < 3 && _radiusM <= 0.0; }
@@ -35,14 +35,14 @@ private:
     double _radiusM = 0.0;
 };
 
-/// A line in the plan with something that changes along it.
+/// A horizontal polyline, parametrised by its length.
 class PlanLine
 {
 public:
     explicit PlanLine(std::vector<glm::dvec2> points);
 
-    /// The nearest place of the line. At bends the way along it goes on without a jump on the inner side, too: it is shared out
-    /// between the lines that halve the bends at either end of a stretch.
+    /// The foot of a point is the nearest point of the line. alongM has no jump at bends: within each segment it is interpolated
+    /// between the bisectors of the bends at its two ends.
     struct Foot
     {
         double alongM;    ///< from the beginning
@@ -55,13 +55,13 @@ public:
     std::size_t size() const { return _points.size(); }
     double alongM(std::size_t point) const { return _alongM[point]; }
 
-    /// Boxes that together hold all within `reachM` of the line, none much longer than that.
+    /// Boxes that together contain all points within `reachM` of the line; each is about as long as `reachM`.
     std::vector<PlanBox> boxes(double reachM) const;
 
 private:
     std::vector<glm::dvec2> _points;
     std::vector<glm::dvec2>
-        _ways; ///< at the points, of unit length: across them lie the lines that halve the bends
+        _ways; ///< unit directions at the points; the bisectors of the bends are perpendicular to them
     std::vector<double> _alongM;
 };
 

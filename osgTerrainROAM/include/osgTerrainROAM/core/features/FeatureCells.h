@@ -13,9 +13,9 @@
 namespace osgTerrainROAM::core
 {
 
-/// Features cut into square cells for a fragment shader: each cell lists what lies in it or within kReachM of it, so that a
-/// fragment finds everything that its filter may touch in its own cell, as long as that is no wider than 2·kReachM.
-/// A record's places are relative to the middle of its cell: single precision is 8 µm there, wherever the tile ends.
+/// Vector features in square cells, for a fragment shader. Each cell lists the features that lie in it or within kReachM of it: a
+/// fragment whose filter is no wider than 2·kReachM reads its own cell alone.
+/// Positions in a record are relative to the middle of its cell: single precision resolves 8 µm there, however large the tile is.
 ///
 /// Records are texels of four floats. A cell's list holds, in this order:
 /// - areas, in the order of painting; each is [edges, kind, crop, seed] [row direction east, north, its middle's place across and along
@@ -33,10 +33,10 @@ namespace osgTerrainROAM::core
 struct FeatureCells
 {
     static constexpr double kReachM = 16.0;
-    static constexpr double kLampReachM = 64.0; ///< of lamps: a pixel's width of light is long on the ground
+    static constexpr double kLampReachM = 64.0; ///< of lamps: a light one pixel wide is long on the ground
     static constexpr double kWayPeriodM = 24.0; ///< a multiple of all dashes' periods
 
-    /// Where a cell's list begins and what is in it.
+    /// A cell: the first record of its list, and the numbers of its areas, lines and strokes.
     struct Cell
     {
         std::uint32_t first = 0, areas = 0, lines = 0, strokes = 0;
@@ -56,9 +56,9 @@ struct FeatureCells
     std::vector<Cell> cells; ///< row-major, southernmost first
     std::vector<std::array<float, 4>> records;
 
-    /// The cell of a place, or null beyond all features.
+    /// The cell that holds a position; null beyond all features.
     const Cell* cellAt(const glm::dvec2& place) const;
-    /// A place as the records of its cell count it.
+    /// A position relative to the middle of its cell.
     glm::dvec2 inCell(const glm::dvec2& place) const;
     bool isConsistent() const;
 

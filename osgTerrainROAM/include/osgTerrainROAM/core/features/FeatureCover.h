@@ -8,22 +8,23 @@
 namespace osgTerrainROAM::core
 {
 
-/// What is painted at a place: shares 0…1 of a square filter. The same arithmetic as the fragment shader's
-/// (src/material/FeatureShader.h), for maps of the far ground, tests, and whoever has to know what a wheel stands on.
+/// Cover of a square filter by each kind of paint: shares 0…1. The arithmetic is that of the fragment shader
+/// (src/material/FeatureShader.h); maps of the far ground, tests and vehicle models use it.
 struct FeatureCover
 {
     std::array<float, 4> crops{}; ///< by Crop
     float river = 0.0f;
-    float asphalt = 0.0f; ///< roads' alone
-    float gravel = 0.0f;  ///< and earth
+    float asphalt = 0.0f; ///< of roads alone
+    float gravel = 0.0f;  ///< gravel and earth
     float runway = 0.0f;
 
-    /// Beyond the nearest road's or river's edge (negative: within), metres; at most kReachM is known.
+    /// Distance to the edge of the nearest road or river, metres (negative: inside); clamped to kReachM.
     float roadEdgeM = FeatureCells::kReachM;
     float riverEdgeM = FeatureCells::kReachM;
 };
 
-/// Frame: the tile's local east and north. `filterM`: the filter's side, above 0; no wider than 2·kReachM counts.
+/// Evaluates the cover at a position. Frame: the tile's local east and north. `filterM`: side of the filter, above 0, clamped to
+/// 2·kReachM.
 /// Cost: some 10 ns a record of the cell. Threads: any.
 FeatureCover featureCover(const FeatureCells& cells, const glm::dvec2& place, double filterM);
 

@@ -11,7 +11,7 @@
 namespace osgTerrainROAM::core
 {
 
-/// What a vector feature is painted as. In the order of painting: the later lies on top.
+/// The kind of a vector feature, in the order of painting: a later kind lies on top.
 enum class FeatureKind
 {
     field,
@@ -20,7 +20,7 @@ enum class FeatureKind
     runway,
 };
 
-/// What a road's or runway's bed is of.
+/// The material of a road's or runway's surface.
 enum class Pavement
 {
     asphalt,
@@ -28,7 +28,7 @@ enum class Pavement
     earth,
 };
 
-/// What grows on a field.
+/// The crop of a field.
 enum class Crop
 {
     cereal,
@@ -37,23 +37,23 @@ enum class Crop
     orchard,
 };
 
-/// How one feature looks. Units: metres.
+/// The appearance of one feature. Units: metres.
 struct FeatureStyle
 {
     FeatureKind kind = FeatureKind::road;
-    double widthM = 7.0; ///< of a line, edge to edge
-    int lanes = 2;       ///< of a road, both directions together
-    bool marked = true;  ///< has lines painted on it
+    double widthM = 7.0; ///< of a line, from edge to edge
+    int lanes = 2;       ///< of a road, in both directions together
+    bool marked = true;  ///< has painted lines
     Pavement pavement = Pavement::asphalt;
     Crop crop = Crop::cereal;
-    bool isCropKnown = false; ///< else a third of the cereal fields are given row crops, for variety
-    std::string designator;   ///< of a runway, "09/27"; empty: not known
+    bool isCropKnown = false; ///< if not, a third of the cereal fields get row crops, for variety
+    std::string designator;   ///< of a runway, "09/27"; empty: unknown
 
     bool operator==(const FeatureStyle&) const = default;
 };
 
-/// A line (one path or several) or an area (rings, even-odd: what an odd number of them holds is inside).
-/// Frame: the tile's local east and north, metres. Rings are not closed: the last point is not the first again.
+/// A line (of one or more paths) or an area (of rings, by the even-odd rule).
+/// Frame: the tile's local east and north, metres. Rings do not repeat their first point at the end.
 struct GroundFeature
 {
     FeatureStyle style;
@@ -61,14 +61,14 @@ struct GroundFeature
     std::vector<std::vector<glm::dvec2>> paths;
 };
 
-/// What became of the features of a source. Nothing is lost without being counted here.
+/// The report of an import. It counts every feature of the source.
 struct FeatureReport
 {
     std::size_t read = 0;
     std::size_t taken = 0;
     std::size_t outside = 0;                    ///< wholly beyond the tile's data
-    std::size_t invalid = 0;                    ///< no geometry, too few points, or no place on the tile
-    std::map<std::string, std::size_t> unknown; ///< of no known kind, by what they call themselves
+    std::size_t invalid = 0;                    ///< no geometry, too few points, or no position on the tile
+    std::map<std::string, std::size_t> unknown; ///< of no known kind, by the tag that names their kind
 
     /// One line: "12 of 20 features painted; 3 outside; 1 invalid; 4 unknown: highway=steps 3, (no tags) 1".
     std::string message() const;

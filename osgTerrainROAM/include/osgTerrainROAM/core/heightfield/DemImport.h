@@ -12,7 +12,7 @@
 namespace osgTerrainROAM::core
 {
 
-/// What a raster's heights are counted from.
+/// The vertical datum of a raster's heights.
 enum class VerticalDatum
 {
     automatic, ///< ellipsoidal if the file says so, else EGM96 (SRTM, DTED and most GeoTIFFs)
@@ -20,11 +20,11 @@ enum class VerticalDatum
     ellipsoid,
 };
 
-/// What becomes of samples that a raster does not have.
+/// The treatment of samples that a raster does not have.
 enum class Voids
 {
-    fill, ///< by a smooth surface from their rims
-    keep, ///< as holes in the ground
+    fill, ///< a smooth surface from their rims fills them
+    keep, ///< they become holes in the ground
 };
 
 struct DemImportOptions
@@ -46,12 +46,12 @@ struct DemImportOptions
 foundation::Result<HeightField> importDem(const std::filesystem::path& file,
                                           const DemImportOptions& options = {});
 
-/// Joins several such rasters, of any extents, spacings and coordinate reference systems, on the grid of the finest; where that
-/// would be more than 2^26 samples, on a coarser one, and finer data become denser parts of it (HeightField::parts). That one's
-/// samples are kept as they are; coarser data are interpolated, and bent where they meet finer, over four of their own samples, so
-/// that there is one height along each seam. What no raster reaches is a hole (HeightField::mask).
-/// `files`: at least one. Errors: as importDem of each; no georeference; different vertical datums; a plane among rasters on the
-/// Earth; more than 2^26 samples all the same.
+/// Joins several such rasters, of any extents, spacings and coordinate reference systems, on the grid of the finest raster; where
+/// that would have more than 2^26 samples, on a coarser grid, and finer data become its dense parts (HeightField::parts). Samples on
+/// that grid are kept as they are. Coarser data are interpolated, and blended over four of their own samples where they meet finer
+/// data, so that there is one height along each seam. Points that no raster reaches are holes (HeightField::mask).
+/// `files`: at least one. Errors: those of importDem for each; no georeference; different vertical datums; a planar raster among
+/// georeferenced ones; more than 2^26 samples on every possible grid.
 foundation::Result<HeightField> importDems(std::span<const std::filesystem::path> files,
                                            const DemImportOptions& options = {});
 

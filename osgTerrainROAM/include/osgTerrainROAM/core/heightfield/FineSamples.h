@@ -15,9 +15,9 @@
 namespace osgTerrainROAM::core
 {
 
-/// Samples that edits have put between those of the raster, or in the place of some: sparse, in square chunks that are
-/// found by their place in the grid. Kept exactly, 12 B each. Where the surface alone is, vertices may have bounds.
-/// Units: grid places; metres.
+/// The samples that edits have added between those of the raster, or instead of some: sparse, in square chunks found by grid
+/// coordinates. Heights and bounds are kept exactly, 12 B a sample. A point without a sample can have the bounds of its vertex.
+/// Units: grid points; metres.
 class FineSamples
 {
 public:
@@ -30,16 +30,16 @@ public:
 
     bool isEmpty() const { return _chunks.empty(); }
 
-    /// How many samples there can be in the chunks that there are.
+    /// The number of samples that the present chunks have room for.
     std::size_t sampleSpace() const { return _chunks.size() * kChunkSide * kChunkSide; }
 
-    /// Heights of places that have none: on the surface between the samples, but to be counted among them where errors are
-    /// measured; and not.
+    /// Marks instead of a height: the point lies on the surface between the samples and counts among them where errors are
+    /// measured (kOnSurface), or does not count (kNoHeight).
     static constexpr float kOnSurface = std::numeric_limits<float>::infinity();
     static constexpr float kNoHeight = std::numeric_limits<float>::quiet_NaN();
     static bool hasHeight(const Sample& sample) { return std::isfinite(sample.heightM); }
 
-    /// What is kept at a place: a sample, or another place that counts, or the bounds alone of a vertex. Null: nothing.
+    /// Finds what is kept at a point: a sample, a point that counts among the samples, or only a vertex's bounds. Null: nothing.
     const Sample* find(int column, int row) const
     {
         const auto found = _chunks.find(keyOf(column, row));
@@ -48,7 +48,7 @@ public:
         return counts(sample) || sample.errorM > 0.0f ? &sample : nullptr;
     }
 
-    /// Keeps a sample, or bounds, from now on.
+    /// Keeps a sample, or bounds.
     void set(int column, int row, const Sample& sample)
     {
         std::unique_ptr<Chunk>& chunk = _chunks[keyOf(column, row)];
@@ -60,14 +60,14 @@ public:
         (*chunk)[slotOf(column, row)] = sample;
     }
 
-    /// Forgets it.
+    /// Removes what is kept at a point.
     void erase(int column, int row)
     {
         if (const auto found = _chunks.find(keyOf(column, row)); found != _chunks.end())
             (*found->second)[slotOf(column, row)] = kNothing;
     }
 
-    /// Calls visit(column, row) for the places within a rectangle that count, in an order that depends on what is kept alone.
+    /// Calls visit(column, row) for the points within a rectangle that count as samples. Their order depends on the content alone.
     template<class Visit>
     void forEachIn(const GridRect& rect, const Visit& visit) const
     {

@@ -6,7 +6,7 @@
 namespace osgTerrainROAM::core
 {
 
-/// A rectangle of grid places, its borders included; empty when east < west.
+/// A rectangle of grid points, its borders included; empty when east < west or north < south.
 struct GridRect
 {
     int west = 0, south = 0, east = -1, north = -1;
@@ -25,7 +25,7 @@ struct GridRect
         return {std::max(west, o.west), std::max(south, o.south), std::min(east, o.east),
                 std::min(north, o.north)};
     }
-    /// Calls visit(column, row) for the places whose coordinates are multiples of `step`, a power of two; row by row.
+    /// Calls visit(column, row) for the points whose coordinates are multiples of `step`, a power of two; row by row.
     template<class Visit>
     void forEachMultipleOf(int step, const Visit& visit) const
     {

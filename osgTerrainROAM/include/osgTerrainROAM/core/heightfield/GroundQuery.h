@@ -10,20 +10,17 @@
 namespace osgTerrainROAM::core
 {
 
-/// The true ground at a place.
+/// A point of the full-resolution ground.
 struct GroundPoint
 {
-    glm::dvec3 position; ///< on the full-resolution surface, local frame
-    glm::dvec3 normal;   ///< of the full-resolution triangle there, unit length, pointing up
+    glm::dvec3 position; ///< local frame
+    glm::dvec3 normal;   ///< of the triangle there, unit length, pointing up
 };
 
-/// The *true* surface (all samples, triangulated as the bintree's finest level is) vertically above or below
-/// a local position; nothing beyond the edge of the data.
-/// Frame: the tile's.
-/// Cost: O(1), about 1 µs.
-/// Threads: const, any.
-/// Source: terrain anchors, point 9 ("drawn" heights and the bound between come with the queries of the
-/// engine).
+/// Finds the full-resolution surface (all samples, triangulated as in the bintree's finest level) vertically above or below a
+/// position; nothing beyond the edge of the data. DrawnGround answers for the surface that a mesh draws.
+/// Frame: the tile's. Cost: O(1), about 1 µs. Threads: const, any.
+/// Source: ours; fixed-point iteration over the triangles' own linear maps (GroundQuery.cpp).
 std::optional<GroundPoint> groundAt(const PlacedTile& tile, double east, double north);
 
 } // namespace osgTerrainROAM::core

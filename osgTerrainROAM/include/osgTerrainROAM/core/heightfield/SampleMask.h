@@ -10,15 +10,15 @@
 namespace osgTerrainROAM::core
 {
 
-/// Which samples of a raster are there: data have an outline, and holes. A default one has them all.
-/// Counts along rows take constant time: a bit a sample, and how many stand before each 64 of a row.
-/// Sample (column, row), row 0 the southernmost. Threads: immutable. Memory: 10 B per 64 samples; none when all are there.
+/// A mask tells which samples of a raster exist: data can have an outline and holes. A default-constructed mask has all samples.
+/// It keeps a bit for each sample, and for each 64 samples the number of bits before them in the row: counting in a row takes
+/// constant time. Row 0 is the southernmost. Threads: immutable. Memory: 10 B per 64 samples; none when all samples exist.
 class SampleMask
 {
 public:
     SampleMask() = default;
 
-    /// `isThere`: row-major, 0 where there is no sample.
+    /// `isThere`: columns × rows values, row-major, 0 where there is no sample.
     SampleMask(std::span<const std::uint8_t> isThere, int columns, int rows)
         : _wordsPerRow((static_cast<std::size_t>(columns) + 63) / 64)
     {
@@ -42,7 +42,7 @@ public:
         return hasAll() || (_words[wordOf(column, row)] & bit(column)) != 0;
     }
 
-    /// How many samples of a row from `west` to `east`, both included, are there.
+    /// Counts the samples of a row from `west` to `east`, both included, that exist.
     int countIn(int row, int west, int east) const
     {
         return hasAll() ? east - west + 1
@@ -65,7 +65,7 @@ private:
 
     std::size_t _wordsPerRow = 0;
     std::vector<std::uint64_t> _words;
-    std::vector<std::uint16_t> _before; ///< samples of the row that stand before a word
+    std::vector<std::uint16_t> _before; ///< by word: samples of the row before it
 };
 
 } // namespace osgTerrainROAM::core

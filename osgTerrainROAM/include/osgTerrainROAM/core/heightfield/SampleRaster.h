@@ -6,7 +6,7 @@
 namespace osgTerrainROAM::core
 {
 
-/// The raster of a tile alone: its samples are counted one by one, however fine the tile's grid is.
+/// A view of a tile's raster alone: columns and rows are those of its samples, however fine the tile's grid is.
 class SampleRaster
 {
 public:
@@ -24,7 +24,7 @@ public:
     {
         return _tile->position(column << shift(), row << shift());
     }
-    /// Position of a fractional place between samples.
+    /// Position between samples.
     glm::dvec3 positionAt(double column, double row, double heightM) const
     {
         const double step = 1 << shift();

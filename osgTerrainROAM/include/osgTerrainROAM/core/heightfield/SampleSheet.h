@@ -10,30 +10,30 @@
 namespace osgTerrainROAM::core
 {
 
-/// A rectangle of a tile where samples lie closer together than those of its raster (DensePart), on the tile's grid. Held are those
-/// inside; along the border the surface is that of what lies below, so that both sides have the same.
-/// Units: grid places; metres.
+/// A sheet is a rectangle of a tile with denser samples than its raster (a DensePart on the tile's grid). It holds the samples
+/// inside its border; on the border its surface is the surface below it, so that both sides agree.
+/// Units: grid points; metres.
 class SampleSheet
 {
 public:
-    /// `gridExponent`: the grid has 2^gridExponent places to a cell of the field.
+    /// `gridExponent`: the grid has 2^gridExponent points along a cell of the field.
     SampleSheet(const DensePart& part, int gridExponent, Storage storage);
 
     const GridRect& rect() const { return _rect; } ///< borders included
-    int step() const { return 1 << _shift; }
+    int step() const { return 1 << _shift; }       ///< grid points from one sample to the next
     GridRect inside() const
     {
         return {_rect.west + step(), _rect.south + step(), _rect.east - step(), _rect.north - step()};
     }
 
-    /// Whether a sample of it lies at a place.
+    /// Tells whether it holds a sample at a point.
     bool holds(int column, int row) const
     {
         return ((column | row) & (step() - 1)) == 0 && column > _rect.west && row > _rect.south &&
                column < _rect.east && row < _rect.north;
     }
 
-    /// Of a sample that it holds, in table().
+    /// Index in table() of a sample that it holds.
     std::size_t index(int column, int row) const
     {
         return static_cast<std::size_t>((row - _rect.south) >> _shift) * static_cast<std::size_t>(_columns) +

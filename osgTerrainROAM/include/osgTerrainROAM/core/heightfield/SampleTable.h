@@ -10,28 +10,28 @@
 namespace osgTerrainROAM::core
 {
 
-/// How a tile keeps its samples.
+/// The format in which a tile keeps its samples.
 enum class Storage
 {
-    compact, ///< 6 B a sample, heights in steps of a quantum, bounds rounded up
+    compact, ///< 6 B a sample: heights quantised, bounds rounded up
     exact,   ///< 12 B a sample, floats: for comparisons with published figures
 };
 
-/// How many times the range of its heights a table keeps where edits may lie.
+/// The range of heights that an editable table can keep, as a multiple of the range of its data.
 inline constexpr double kEditHeadroom = 2.0;
 
-/// What a tile keeps of each data sample: its height, and error and radius of the bintree vertex there (ErrorTree).
-/// Compact: 16-bit heights in steps of heightQuantumM(), a power of two: heights that are multiples of it, whole metres
-/// among them, are kept exactly. Errors have 5 bits of exponent and 11 of mantissa, radii 253 logarithmic steps; both are
-/// rounded up. All of a sample lies side by side: who looks at a vertex misses the cache once.
+/// A table of samples: the height of each, and error and radius of the bintree vertex there (ErrorTree).
+/// Compact: 16-bit heights in steps of heightQuantumM(), a power of two: multiples of it, whole metres among them, are kept
+/// exactly. Errors have 5 bits of exponent and 11 of mantissa, radii 253 logarithmic steps; both are rounded up. The data of a
+/// sample are adjacent: reading a vertex costs one cache miss at most.
 /// Sample `index` is row·columns + column. Units: metres.
 class SampleTable
 {
 public:
-    /// `headroom`: how many times the heights' own range can be kept, compact.
+    /// `headroom`: range of heights that the compact format can keep, as a multiple of the range of `heightsM`.
     SampleTable(const std::vector<float>& heightsM, Storage storage, double headroom = 1.0);
 
-    /// Which radii can be told apart, once the samples have places: from a fraction of a cell to several tiles.
+    /// Sets the range of radii that can be told apart: from a fraction of a cell to several tiles.
     void setRadiusRange(double leastM, double mostM);
 
     float heightM(std::size_t index) const
@@ -39,7 +39,7 @@ public:
         return _samples.empty() ? _exact[index].heightM : _offsetM + _quantumM * _samples[index].height;
     }
 
-    /// All of a sample in one read.
+    /// The data of one sample.
     struct Sample
     {
         float heightM, errorM, radiusM;
@@ -51,7 +51,7 @@ public:
         return {_offsetM + _quantumM * packed.height, decodedError(packed.error), _radiiM[packed.radius]};
     }
 
-    /// The same, unless its data are elsewhere: false.
+    /// Reads a sample. Returns false when its data are elsewhere (FineSamples).
     bool read(std::size_t index, Sample& sample) const
     {
         if (_samples.empty())
@@ -64,27 +64,27 @@ public:
         return packed.flags == 0;
     }
 
-    /// Tells the processor that a sample will be asked for.
+    /// Fetches a sample into the processor's cache.
     void prefetch(std::size_t index) const
     {
         __builtin_prefetch(_samples.empty() ? static_cast<const void*>(&_exact[index]) : &_samples[index]);
     }
 
-    /// The least values that can be kept and are not less.
+    /// The least values that can be kept and are not less than the given ones.
     float roundedUpError(double errorM) const;
     float roundedUpRadius(double radiusM) const;
 
-    /// Keeps what roundedUp…() gave.
+    /// Keeps an error and a radius that roundedUpError() and roundedUpRadius() gave.
     void setBound(std::size_t index, float errorM, float radiusM);
 
-    /// Keeps a height as well as it can: to the nearest step, or the end of the range.
+    /// Keeps a height, rounded to the nearest step and clamped to the range.
     void setHeight(std::size_t index, float heightM);
 
-    /// Whether a sample's data are to be found elsewhere (FineSamples).
+    /// Tells whether the data of a sample are elsewhere (FineSamples, SampleSheet).
     bool isElsewhere(std::size_t index) const { return !_samples.empty() && _samples[index].flags != 0; }
     void setElsewhere(std::size_t index, bool elsewhere);
 
-    double heightQuantumM() const { return _quantumM; } ///< heights are off by at most half of it; 0: exact
+    double heightQuantumM() const { return _quantumM; } ///< twice the largest error of a height; 0: exact
     double heightRangeM() const { return _rangeM; }     ///< from the lowest to the highest
     std::size_t size() const { return _samples.size() + _exact.size(); }
     std::size_t memoryBytes() const;
@@ -95,11 +95,11 @@ private:
         std::int16_t height;
         std::uint16_t error;
         std::uint8_t radius;
-        std::uint8_t flags; ///< 1: FineSamples has it
+        std::uint8_t flags; ///< 1: the data are elsewhere
     };
     static_assert(sizeof(Packed) == 6);
 
-    /// A float's bits without sign, its exponents from 2^-14 on, and the lower twelve of its mantissa.
+    /// An error's code is the bits of a float without its sign, with exponents from 2^-14 on, and without the lower twelve bits.
     static constexpr std::uint32_t kErrorBias = (127u - 14u) << 11;
     static constexpr int kErrorShift = 12;
 

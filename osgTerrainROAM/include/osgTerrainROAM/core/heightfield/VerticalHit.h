@@ -9,21 +9,21 @@
 namespace osgTerrainROAM::core
 {
 
-/// How far outside (as a barycentric coordinate) a point may lie and still belong: rounding on shared edges.
+/// Tolerance of barycentric coordinates on shared edges, for rounding.
 inline constexpr double kEdgeSlack = 1e-9;
 
-/// Where a vertical line meets the plane of a placed triangle. Frame: the tile's.
+/// The intersection of a vertical line with the plane of a triangle. Frame: the tile's.
 struct VerticalHit
 {
     glm::dvec3 barycentric;
     glm::dvec3 position;
     glm::dvec3 normal; ///< unit length, pointing up
-    glm::dvec2 grid;   ///< the line's grid place by this triangle's linear map
+    glm::dvec2 grid;   ///< grid coordinates, by this triangle's linear map
 
     bool isInside() const { return std::min({barycentric.x, barycentric.y, barycentric.z}) >= -kEdgeSlack; }
 };
 
-/// `p`: positions of the corners; `g`: their grid places; `target`: the line's east and north.
+/// Intersects. `p`: positions of the corners; `g`: their grid coordinates; `target`: the line's east and north.
 inline VerticalHit verticalHit(const std::array<glm::dvec3, 3>& p, const std::array<glm::dvec2, 3>& g,
                                const glm::dvec2& target)
 {

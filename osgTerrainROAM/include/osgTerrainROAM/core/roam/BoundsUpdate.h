@@ -15,7 +15,7 @@ namespace osgTerrainROAM::core
 
 class SheetErrors;
 
-/// Places whose heights may have changed: those of a rectangle that are multiples of `step`.
+/// Grid points whose heights may have changed: those of a rectangle whose coordinates are multiples of `step`.
 struct ChangedPlaces
 {
     GridRect rect;
@@ -23,20 +23,19 @@ struct ChangedPlaces
 };
 
 /// Brings the errors and radii of a tile up to date after heights have changed, level by level from the finest.
-/// Looked at are the vertices whose diamonds touch what has changed, and those above bounds that have. The errors of
-/// diamonds that hold up to kScanFactor times as many samples as have changed are measured anew, and exact. For larger
-/// ones a bound is used that costs nothing of their size: what it was plus how far a corner has moved, or the children's
-/// errors plus the vertex's own distance from its base, whichever is less. Those are noted as loose; tighten() measures
-/// them.
-/// Invariant: nested, and no error is less than the exact one. Cost: some 20 visits of each changed sample and its
+/// It visits the vertices whose diamonds touch changed samples, and the ancestors of changed bounds. A diamond of at most
+/// kScanFactor times as many samples as have changed is measured again: its error is exact. A larger diamond gets a bound that
+/// costs no scan: the smaller of (old error + largest movement of a corner) and (largest error of its children + distance of its
+/// vertex from its base edge). Such vertices are noted as loose; tighten() measures them.
+/// Invariant: bounds are nested, and no error is less than the exact one. Cost: some 20 visits of each changed sample and its
 /// surroundings, whatever the size of the tile.
-/// Source: spec 1 D, "The wheel in formulas" (e_v, r_v).
+/// Source: Lindstrom & Pascucci, *Visualization of Large Terrains Made Easy*, 2001 (nested errors and radii); the update is ours.
 class BoundsUpdate
 {
 public:
     static constexpr std::size_t kScanFactor = 16;
 
-    /// A vertex whose bounds are others now, and all that was kept there.
+    /// A vertex whose bounds have changed, and all that was kept there before.
     struct Change
     {
         GridPoint vertex;
@@ -45,20 +44,20 @@ public:
 
     explicit BoundsUpdate(RoamTile& tile) : _tile(tile) {}
 
-    /// `changed`: heights that have changed by up to `movedM`; places beyond the edge follow those at it. Returns the
-    /// vertices whose bounds have changed.
+    /// Follows heights that have changed by up to `movedM`; points beyond the edge of the data follow the edge. Returns the vertices
+    /// whose bounds have changed.
     std::vector<Change> follow(std::span<const ChangedPlaces> changed, double movedM);
 
-    /// The samples of the tile's sheets are new: no corner has moved, but errors and radii have to reach over them.
-    /// `added`: their rectangles.
+    /// Extends errors and radii over the new samples of the tile's sheets. No vertex of the raster has moved. `added`: the sheets'
+    /// rectangles.
     void admit(std::span<const ChangedPlaces> added);
 
-    /// Measures loose vertices, the finest first, as many as have `mostSamples` samples, but one at least. Returns as
-    /// follow().
+    /// Measures loose vertices, the finest first, until `mostSamples` samples have been read; one vertex at least. Returns the same
+    /// as follow().
     std::vector<Change> tighten(std::size_t mostSamples);
 
 private:
-    /// A vertex to visit. Its own error has to be known where what it has may be too much.
+    /// A vertex to visit. Its own error must be found where the kept one may be too large.
     struct Wanted
     {
         GridPoint vertex;
@@ -82,7 +81,7 @@ private:
     std::span<const ChangedPlaces> _changed;
     double _movedM = 0.0;
     const SheetErrors* _admitted = nullptr; ///< while samples of sheets are new
-    std::size_t _mostSamples = 0;           ///< of a diamond that is measured
+    std::size_t _mostSamples = 0;           ///< larger diamonds are not measured
     std::array<std::vector<Wanted>, TileGrid::kMostLevels> _wanted;
     std::vector<Change> _changes;
 };
