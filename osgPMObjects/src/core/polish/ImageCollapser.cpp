@@ -7,6 +7,8 @@
 #include <glm/geometric.hpp>
 
 #include "../simplify/patch/PatchCheck.h"
+#include "../simplify/patch/RecordCollapse.h"
+#include "../simplify/sequence/LevelErrors.h"
 
 namespace osgPMObjects::core
 {
@@ -37,7 +39,6 @@ CollapseSequence ImageCollapser::run(std::size_t targetFaces)
 
 StarShape ImageCollapser::shapeOf(const Star& star) const
 {
-    StarShape shape;
     const auto isBorder = [&](std::span<const Star::Side> sides)
     {
         const auto materialOf = [&](const Star::Side& side)
@@ -46,10 +47,7 @@ StarShape ImageCollapser::shapeOf(const Star& star) const
                            [&](const Star::Side& side)
                            { return materialOf(side) != materialOf(sides.front()); });
     };
-    shape.quadric = starQuadric(star, _state.positions, _state.weight, isBorder);
-    for (const Star::Spoked& spoked : star.faces)
-        shape.areaVector += spoked.doubleArea * spoked.normal;
-    return shape;
+    return starShape(star, _state.positions, _state.weight, isBorder);
 }
 
 /// Returns the position of the edge from `_star.middle` after its collapse, and its quadric cost.
@@ -59,10 +57,7 @@ ImageCollapser::Place ImageCollapser::placeFor(std::uint32_t to)
     if (!_movesPlaces) return {there, std::max(0.0, _shape.quadric.at(there - here))};
     _toStar.gather(_state.stars, _state.positions, to);
     const StarShape toShape = shapeOf(_toStar);
-    glm::dvec3 shared(0.0);
-    for (const Star::Side& side : _star.sidesTo(to))
-        shared += _star.faces[side.spoked].doubleArea * _star.faces[side.spoked].normal;
-    const CollapsingEdge edge{here, there, _shape, toShape, shared};
+    const CollapsingEdge edge{here, there, _shape, toShape, sharedAreaVector(_star, to)};
     const glm::dvec3 at = glm::clamp(bestPlace(edge), _state.box.low, _state.box.high);
     return {at, costAt(edge, at)};
 }
@@ -200,21 +195,11 @@ void ImageCollapser::touch(std::uint32_t position)
 LevelError ImageCollapser::errorOf(std::uint32_t to) const
 {
     const Look look{_state.mesh, _state.stars, _state.weight};
-    const auto sum = [](const LevelError& a, const LevelError& b)
-    {
-        return LevelError{a.distance + b.distance, a.normal + b.normal, a.texCoord + b.texCoord,
-                          a.colour + b.colour};
-    };
-    const auto largest = [](const LevelError& a, const LevelError& b)
-    {
-        return LevelError{std::max(a.distance, b.distance), std::max(a.normal, b.normal),
-                          std::max(a.texCoord, b.texCoord), std::max(a.colour, b.colour)};
-    };
     LevelError gap = gapOf({_star, _state.positions, to, _at}, _plan.ofFrom(), look).gap;
     if (_movesPlaces)
-        gap = largest(gap, gapOf({_toStar, _state.positions, _star.middle, _at}, _plan.ofTo(), look).gap);
+        gap = largerOf(gap, gapOf({_toStar, _state.positions, _star.middle, _at}, _plan.ofTo(), look).gap);
     const LevelError& ofTo = _state.errors[to];
-    return largest(sum(_state.errors[_star.middle], gap), _movesPlaces ? sum(ofTo, gap) : ofTo);
+    return largerOf(sumOf(_state.errors[_star.middle], gap), _movesPlaces ? sumOf(ofTo, gap) : ofTo);
 }
 
 void ImageCollapser::record(std::uint32_t to)
@@ -222,27 +207,11 @@ void ImageCollapser::record(std::uint32_t to)
     CollapseStep step;
     step.from = _star.middle;
     step.to = to;
-    step.firstWedge = static_cast<std::uint32_t>(_done.wedges.size());
-    step.firstMoved = static_cast<std::uint32_t>(_done.movedWedges.size());
     _facesLeft -= static_cast<std::uint32_t>(_star.sidesTo(to).size());
     step.facesAfter = _facesLeft;
     step.error = _state.errors[to] = errorOf(to);
-    _done.steps.push_back(step);
-    const auto move = [&](const WedgeChange& change)
-    {
-        Wedge attributes = change.attributes;
-        attributes.position = to;
-        _done.movedWedges.push_back({change.becomes, attributes});
-        assignWedge(_state.mesh, change.becomes, attributes);
-    };
-    for (const WedgeChange& change : _plan.ofFrom())
-        if (change.becomes != change.wedge)
-            _done.wedges.push_back({change.wedge, change.becomes});
-        else
-            move(change);
-    for (const WedgeChange& change : _plan.ofTo())
-        move(change);
-    if (_movesPlaces) _done.places.push_back(_at);
+    appendStep(_done, step, _movesPlaces ? &_at : nullptr);
+    appendWedges(_done, _plan, &_state.mesh);
 }
 
 } // namespace osgPMObjects::core

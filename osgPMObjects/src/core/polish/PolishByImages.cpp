@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <algorithm>
 #include <cmath>
 
 #include <osgPMObjects/core/polish/PolishByImages.h>
 #include <osgPMObjects/core/simplify/JoinSequences.h>
 
+#include "../simplify/sequence/LevelErrors.h"
 #include "ImageCollapser.h"
 #include "PlaceMover.h"
 #include "PolishState.h"
@@ -21,11 +21,7 @@ CollapseSequence inUnitsOf(CollapseSequence steps, const ImageFrame& frame)
     LevelError error;
     for (CollapseStep& step : steps.steps)
     {
-        error.distance = std::max(error.distance, static_cast<float>(step.error.distance * frame.diagonal));
-        error.normal = std::max(error.normal, std::min(step.error.normal, 2.0f));
-        error.texCoord = std::max(error.texCoord, step.error.texCoord);
-        error.colour = std::max(error.colour, std::min(step.error.colour, 1.0f));
-        step.error = error;
+        step.error = error = raisedBy(step.error, frame.diagonal, error);
     }
     for (glm::dvec3& place : steps.places)
         place = frame.out(place);

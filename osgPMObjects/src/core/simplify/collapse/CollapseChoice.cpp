@@ -7,6 +7,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "../sequence/LevelErrors.h"
 #include "../symmetry/TwinFolds.h"
 
 namespace osgPMObjects::core
@@ -27,17 +28,6 @@ constexpr std::size_t kMostTried = 24;
 constexpr double squared(double x)
 {
     return x * x;
-}
-
-LevelError sum(const LevelError& a, const LevelError& b)
-{
-    return {a.distance + b.distance, a.normal + b.normal, a.texCoord + b.texCoord, a.colour + b.colour};
-}
-
-LevelError largest(const LevelError& a, const LevelError& b)
-{
-    return {std::max(a.distance, b.distance), std::max(a.normal, b.normal), std::max(a.texCoord, b.texCoord),
-            std::max(a.colour, b.colour)};
 }
 
 /// Whether a collapse may remove the last faces of a part, or of a material that the part keeps.
@@ -69,13 +59,9 @@ bool isBorder(const CollapseState& state, const Star& star, std::span<const Star
 
 StarShape CollapseChoice::shapeOf(const Star& star) const
 {
-    StarShape shape;
     const auto border = [&](std::span<const Star::Side> sides)
     { return _state.settings.keepSeams && isBorder(_state, star, sides); };
-    shape.quadric = starQuadric(star, _state.positions, _state.weight, border);
-    for (const Star::Spoked& spoked : star.faces)
-        shape.areaVector += spoked.doubleArea * spoked.normal;
-    return shape;
+    return starShape(star, _state.positions, _state.weight, border);
 }
 
 void CollapseChoice::updateShape(std::uint32_t position)
@@ -89,10 +75,7 @@ CollapseChoice::Place CollapseChoice::placeFor(std::uint32_t to) const
     const glm::dvec3 &here = _state.positions[_star.middle], &there = _state.positions[to];
     const StarShape& shape = _state.shapes[_star.middle];
     if (!_state.movesPlaces()) return {there, std::max(0.0, shape.quadric.at(there - here))};
-    glm::dvec3 shared(0.0);
-    for (const Star::Side& side : _star.sidesTo(to))
-        shared += _star.faces[side.spoked].doubleArea * _star.faces[side.spoked].normal;
-    const CollapsingEdge edge{here, there, shape, _state.shapes[to], shared};
+    const CollapsingEdge edge{here, there, shape, _state.shapes[to], sharedAreaVector(_star, to)};
     glm::dvec3 at = glm::clamp(bestPlace(edge), _state.box.low, _state.box.high);
     const MirrorTwins& twins = _state.twins;
     if (twins.isInPlane(to) || twins.of(to) == _star.middle) at[twins.axis] = 0.0;
@@ -166,7 +149,7 @@ PatchGap CollapseChoice::gapTo(std::uint32_t to, const glm::dvec3& at, bool with
     PatchGap gap = gapOf(patch, _plan.ofFrom(), look);
     if (!_state.movesPlaces()) return gap;
     const PatchGap ofTo = gapOf(toPatch, _plan.ofTo(), look);
-    return {largest(gap.gap, ofTo.gap), gap.slipCost + ofTo.slipCost};
+    return {largerOf(gap.gap, ofTo.gap), gap.slipCost + ofTo.slipCost};
 }
 
 bool CollapseChoice::isHarmful(std::uint32_t to, const glm::dvec3& at)
@@ -247,7 +230,7 @@ CollapseChoice::Effect CollapseChoice::effectOf(std::uint32_t from, std::uint32_
     const ConnectedPart& part = _state.part(to);
     if (effect.facesGone >= part.faces) gap.distance = std::max(gap.distance, static_cast<float>(part.reach));
     const LevelError& ofTo = _state.errors[to];
-    effect.error = largest(sum(_state.errors[from], gap), _state.movesPlaces() ? sum(ofTo, gap) : ofTo);
+    effect.error = largerOf(sumOf(_state.errors[from], gap), _state.movesPlaces() ? sumOf(ofTo, gap) : ofTo);
     return effect;
 }
 

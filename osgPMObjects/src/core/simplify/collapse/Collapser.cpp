@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "../patch/RecordCollapse.h"
+
 namespace osgPMObjects::core
 {
 
@@ -126,30 +128,13 @@ void Collapser::perform(std::uint32_t from, std::uint32_t to, const Urgency& urg
 
 void Collapser::record(std::uint32_t from, std::uint32_t to, const CollapseChoice::Effect& effect)
 {
-    CollapseSequence& sequence = _done.sequence;
     CollapseStep step;
     step.from = from;
     step.to = to;
-    step.firstWedge = static_cast<std::uint32_t>(sequence.wedges.size());
-    step.firstMoved = static_cast<std::uint32_t>(sequence.movedWedges.size());
     step.facesAfter = effect.facesGone;
     step.error = effect.error;
-    sequence.steps.push_back(step);
-    const auto move = [&](const WedgeChange& change)
-    {
-        Wedge attributes = change.attributes;
-        attributes.position = to;
-        sequence.movedWedges.push_back({change.becomes, attributes});
-        assignWedge(*_state.movedMesh, change.becomes, attributes);
-    };
-    for (const WedgeChange& change : _choice.wedges().ofFrom())
-        if (change.becomes != change.wedge)
-            sequence.wedges.push_back({change.wedge, change.becomes});
-        else
-            move(change);
-    for (const WedgeChange& change : _choice.wedges().ofTo())
-        move(change);
-    if (_state.movesPlaces()) sequence.places.push_back(effect.at);
+    appendStep(_done.sequence, step, _state.movesPlaces() ? &effect.at : nullptr);
+    appendWedges(_done.sequence, _choice.wedges(), _state.movedMesh.get());
 }
 
 void Collapser::takeFaces(std::uint32_t to)

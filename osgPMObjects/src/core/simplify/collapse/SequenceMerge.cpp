@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "SequenceMerge.h"
 
-#include <algorithm>
+#include <utility>
+
+#include "../sequence/LevelErrors.h"
 
 namespace osgPMObjects::core
 {
@@ -30,7 +32,7 @@ public:
         step.firstMoved = static_cast<std::uint32_t>(_sequence.movedWedges.size());
         _facesLeft -= step.facesAfter;
         step.facesAfter = _facesLeft;
-        step.error = raised(step.error);
+        step.error = _error = raisedBy(step.error, _frame.diagonal(), _error);
         _sequence.wedges.insert(_sequence.wedges.end(), wedges.begin(), wedges.end());
         _sequence.movedWedges.insert(_sequence.movedWedges.end(), moved.begin(), moved.end());
         if (!part.places.empty()) _sequence.places.push_back(_frame.placed(part.places[number]));
@@ -40,17 +42,6 @@ public:
     CollapseSequence finish() { return std::move(_sequence); }
 
 private:
-    /// Adds the error of a step to the error so far, and returns it.
-    const LevelError& raised(const LevelError& step)
-    {
-        constexpr float kMostNormal = 2.0f, kMostColour = 1.0f; // the largest possible differences
-        _error.distance = std::max(_error.distance, static_cast<float>(step.distance * _frame.diagonal()));
-        _error.normal = std::max(_error.normal, std::min(step.normal, kMostNormal));
-        _error.texCoord = std::max(_error.texCoord, step.texCoord);
-        _error.colour = std::max(_error.colour, std::min(step.colour, kMostColour));
-        return _error;
-    }
-
     const UnitFrame& _frame;
     CollapseSequence _sequence;
     LevelError _error;

@@ -5,6 +5,8 @@
 #include <array>
 #include <utility>
 
+#include <osgPMObjects/core/Triangle.h>
+
 namespace osgPMObjects::core
 {
 

@@ -8,6 +8,7 @@
 
 #include <osgPMObjects/core/mesh/Wedge.h>
 
+#include "../patch/RecordCollapse.h"
 #include "LeafClosing.h"
 #include "LeafError.h"
 
@@ -191,16 +192,12 @@ void LeafCollapser::removeLast()
 void LeafCollapser::addStep(std::uint32_t from, std::uint32_t to, std::uint32_t faces,
                             const glm::dvec3& place)
 {
-    CollapseSequence& sequence = _done.sequence;
     CollapseStep step;
     step.from = from;
     step.to = to;
-    step.firstWedge = static_cast<std::uint32_t>(sequence.wedges.size());
-    step.firstMoved = static_cast<std::uint32_t>(sequence.movedWedges.size());
     step.facesAfter = faces;
     step.error = _error;
-    sequence.steps.push_back(step);
-    if (_state.movesPlaces()) sequence.places.push_back(place);
+    appendStep(_done.sequence, step, _state.movesPlaces() ? &place : nullptr);
     _done.urgencies.push_back(_urgency);
 }
 

@@ -38,6 +38,14 @@ glm::dvec3 leastKeepingVolume(const CollapsingEdge& edge, const glm::dvec3& half
 
 } // namespace
 
+glm::dvec3 sharedAreaVector(const Star& star, std::uint32_t to)
+{
+    glm::dvec3 shared(0.0);
+    for (const Star::Side& side : star.sidesTo(to))
+        shared += star.faces[side.spoked].doubleArea * star.faces[side.spoked].normal;
+    return shared;
+}
+
 double costAt(const CollapsingEdge& edge, const glm::dvec3& at)
 {
     return std::max(0.0, edge.fromShape.quadric.at(at - edge.from) + edge.toShape.quadric.at(at - edge.to));

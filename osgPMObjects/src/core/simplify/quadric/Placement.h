@@ -17,6 +17,19 @@ struct StarShape
     glm::dvec3 areaVector{0.0}; ///< sum of the faces' normals, each of twice its area's length
 };
 
+template<class IsBorder>
+StarShape starShape(const Star& star, std::span<const glm::dvec3> positions, const AreaWeight& weight,
+                    const IsBorder& isBorder)
+{
+    StarShape shape{starQuadric(star, positions, weight, isBorder)};
+    for (const Star::Spoked& spoked : star.faces)
+        shape.areaVector += spoked.doubleArea * spoked.normal;
+    return shape;
+}
+
+/// Returns the sum of the area vectors of the faces beside an edge of a star.
+glm::dvec3 sharedAreaVector(const Star& star, std::uint32_t to);
+
 /// An edge whose two positions are to become one.
 struct CollapsingEdge
 {

@@ -30,12 +30,12 @@ constexpr double kNever = std::numeric_limits<double>::infinity();
 
 /// An entry of the queue: a position, or a group of faces (numbers follow the positions). Stale when the position has another
 /// rank now.
-struct Candidate
+struct QueueEntry
 {
     double rank;
     std::uint32_t number;
 
-    bool operator<(const Candidate& other) const // the queue returns the largest first
+    bool operator<(const QueueEntry& other) const // the queue returns the largest first
     {
         return std::tie(rank, number) > std::tie(other.rank, other.number);
     }
@@ -122,7 +122,7 @@ private:
     {
         while (!_queue.empty())
         {
-            const Candidate next = _queue.top();
+            const QueueEntry next = _queue.top();
             _queue.pop();
             if (next.number >= _positions)
                 removePart(next.number - _positions);
@@ -194,7 +194,7 @@ private:
     PartRemoval _parts;
     HoleFilling _filling;
     VertexStar _star;
-    std::priority_queue<Candidate> _queue;
+    std::priority_queue<QueueEntry> _queue;
     std::vector<double> _waiting;          ///< by position: its rank in the queue, or kNever
     std::vector<double> _drift;            ///< by position: error of the faces around it
     std::vector<RemovalRefusal> _refusals; ///< by position: of the latest trial

@@ -4,6 +4,7 @@
 #include <osgPMObjects/core/simplify/JoinSequences.h>
 
 #include "FacesAfter.h"
+#include "LevelErrors.h"
 
 namespace osgPMObjects::core
 {
@@ -37,11 +38,6 @@ Origins originsAfter(const Mesh& mesh, const CollapseSequence& sequence)
     for (std::uint32_t i = 0; i < hasWedge.size(); ++i)
         if (hasWedge[i]) origins.wedges.push_back(i);
     return origins;
-}
-
-LevelError sum(const LevelError& a, const LevelError& b)
-{
-    return {a.distance + b.distance, a.normal + b.normal, a.texCoord + b.texCoord, a.colour + b.colour};
 }
 
 /// Returns the remaining position after each step, for a sequence that moves none.
@@ -95,7 +91,7 @@ CollapseSequence joined(const Mesh& mesh, CollapseSequence first, const Collapse
         step.to = origins.positions[step.to];
         step.firstWedge += wedges;
         step.firstMoved += moved;
-        step.error = sum(before, step.error);
+        step.error = sumOf(before, step.error);
         first.steps.push_back(step);
     }
     for (const WedgeCollapse& wedge : second.wedges)
