@@ -18,7 +18,7 @@ using osgOffscreen::OffscreenSettings;
 namespace
 {
 
-/// A folder of this test's own, removed at its end.
+/// A folder of this test, removed at its end.
 class FolderOfTest
 {
 public:

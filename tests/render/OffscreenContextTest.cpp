@@ -22,7 +22,7 @@ OffscreenSettings oddSettings(Backend backend, int samples = 0)
 {
     OffscreenSettings settings;
     settings.backend = backend;
-    settings.widthPx = 317; // odd: rows are padded somewhere, or not
+    settings.widthPx = 317; // odd, to detect padded rows
     settings.heightPx = 203;
     settings.samples = samples;
     return settings;
@@ -121,7 +121,7 @@ TEST(OffscreenContext, ThreadingModelsDrawTheSameBytes)
                 [&](const osgOffscreen::GrabbedFrame& frame) { pictures.push_back(frame.picture); });
             viewer->context().setSwapCallback(grabber);
             viewer->viewer().setThreadingModel(model);
-            for (int i = 0; i < 6; ++i) // the last may be let go of
+            for (int i = 0; i < 6; ++i) // the last may be dropped
                 viewer->frame(i);
             viewer->viewer().stopThreading();
             viewer->context().setSwapCallback(nullptr);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bounds after edits against those of a tile that is made anew with the edited heights.
+// Compares bounds after edits with those of a tile newly made from the edited heights.
 #include <gtest/gtest.h>
 
 #include <osgTerrainROAM/core/edit/TileEditor.h>
@@ -19,7 +19,7 @@ PlacedTileOptions options(bool curved, int gridExponent = 0)
 
 constexpr double kTiny = 1e-4; ///< the least error that is kept is 0.06 mm
 
-/// Whether whatever makes a vertex active makes those above it so, too.
+/// Tells whether the bounds are nested: every view that activates a vertex activates its ancestors.
 bool isNested(const RoamTile& tile)
 {
     bool nested = true;
@@ -43,7 +43,7 @@ bool isNested(const RoamTile& tile)
     return nested;
 }
 
-/// A tile with an editor, and the field as it is after its edits.
+/// A tile with an editor, and a copy of the field that receives the same edits.
 struct Edited
 {
     Edited(int columns, int rows, bool isCurved)
@@ -55,7 +55,7 @@ struct Edited
     {
     }
 
-    /// Within the heights' range, and multiples of 1/64 m: both tables keep them alike.
+    /// Heights within the table's range, in multiples of 1/64 m: both tables keep them exactly.
     void set(const std::vector<HeightChange>& changes)
     {
         for (const HeightChange& change : changes)
@@ -175,7 +175,7 @@ INSTANTIATE_TEST_SUITE_P(Tiles, BoundsAfterEdits,
                          testing::Values(std::tuple{65, 65, false}, std::tuple{65, 65, true},
                                          std::tuple{50, 40, false}, std::tuple{65, 41, true}));
 
-/// What BoundsUpdate leaves out, the comparison has to see.
+/// Mutation: the comparison detects a bound that BoundsUpdate has not updated.
 TEST(BoundsUpdate, AForgottenUpdateShows)
 {
     Edited edited(65, 65, false);
@@ -186,7 +186,7 @@ TEST(BoundsUpdate, AForgottenUpdateShows)
     EXPECT_GT(tooSmall, 5u);
 }
 
-/// A fine edit on a coarse raster is the same surface as a fine raster that has been edited.
+/// A fine edit on a coarse raster gives the same surface as the same edit on a fine raster.
 TEST(BoundsUpdate, BetweenSamplesTheyHoldForAllOfTheSurface)
 {
     const auto tile = std::make_shared<RoamTile>(PlacedTile(testsupport::hills(17, 17), options(false, 3)));

@@ -9,7 +9,7 @@
 #include <osgTerrainROAM/core/edit/GroundEditor.h>
 #include <osgTerrainROAM/core/heightfield/GroundQuery.h>
 
-/// A road whose heights are designed at its points, and what the ground says about it once it is built.
+/// A road with designed heights at its points, and measurements of the ground after it is built.
 class DesignedRoad
 {
 public:
@@ -25,7 +25,7 @@ public:
     const osgTerrainROAM::core::Ribbon& ribbon() const { return _ribbon; }
     const osgTerrainROAM::core::PlanLine& line() const { return _line; }
 
-    /// By how much queries are off its heights at most, every `stepM` along it and at places beside its middle.
+    /// The largest difference between ground queries and its heights, every `stepM` along it and at points beside its middle.
     double worstM(const osgTerrainROAM::core::RoamTile& tile, double stepM,
                   std::span<const double> sidesM) const
     {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Meshes that follow a tile which is edited between their frames.
+// Meshes of a tile that is edited between their frames.
 #include <cmath>
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -17,7 +17,7 @@ namespace
 using namespace osgTerrainROAM::core;
 using Between = TileEditor::Between;
 
-/// From an eye that wanders over the tile.
+/// A view from an eye that moves over the tile.
 viewlod::ViewState viewAt(const PlacedTile& tile, int frame)
 {
     const double t = 0.02 * frame, half = 0.5 * (tile.grid().dataColumns() - 1);
@@ -31,7 +31,7 @@ viewlod::ViewState viewAt(const PlacedTile& tile, int frame)
         glm::perspective(1.0, 1.25, 1.0, 1e5), 1280, 1024);
 }
 
-/// A small brush somewhere: samples of the raster, or, on a finer grid, places between.
+/// A small brush at a random position: samples of the raster or, on a finer grid, points between them.
 std::vector<HeightChange> brush(const PlacedTile& tile, testsupport::Random& random, Between between)
 {
     const int step = between == Between::follows ? tile.grid().cellSide() : 1;
@@ -112,7 +112,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{false, 0, 4, Driver::wheel, false}, Case{false, 0, 0, Driver::walk, false},
                     Case{true, 2, 0, Driver::queue, false}, Case{true, 3, 0, Driver::wheel, true}));
 
-/// A hundred thousand edits in all, and nothing breaks.
+/// A hundred thousand edits in all; the mesh stays valid.
 class Shards : public testing::TestWithParam<int>
 {
 };
@@ -150,7 +150,7 @@ TEST_P(Shards, OfAHundredThousandEditsLeaveASoundMesh)
 
 INSTANTIATE_TEST_SUITE_P(Edits, Shards, testing::Range(0, 4));
 
-/// A copy of the mesh as a graphics card has it, which takes nothing but the changes.
+/// A copy of the mesh, as on a graphics card, that receives the changes only.
 TEST(FollowingMesh, TellsWhatToUpload)
 {
     const auto tile = std::make_shared<RoamTile>(PlacedTile(testsupport::hills(65, 65), Placement::planar));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Edits by their shapes: what the ground is like afterwards, on it and around it.
+// Edits by shapes: the ground afterwards, inside and around each shape.
 #include <array>
 #include <cmath>
 
@@ -16,10 +16,10 @@ namespace
 
 using namespace osgTerrainROAM::core;
 
-/// 30 m between samples; 1024 places of 0.94 m between 33 of them where `gridExponent` is 5.
+/// 33 samples a side, 30 m apart; with `gridExponent` 5, 1024 grid steps of 0.94 m.
 struct Site
 {
-    /// `relief`: share of the hills' heights, which are too steep for roads.
+    /// `relief`: factor of the hills' heights, which are too steep for roads at 1.
     explicit Site(int gridExponent = 5, bool curved = false, float relief = 1.0f)
         : tile(tileOf(gridExponent, curved, relief)), before(tileOf(gridExponent, curved, relief))
     {
@@ -99,7 +99,7 @@ TEST(GroundEditor, StampsACrater)
     EXPECT_NEAR(by(480 + 37), 0.0, 1e-3);
 }
 
-/// Within the width everything is as designed, beside it nothing is steeper, and far from it all is as it was.
+/// Within the width the ground is as designed, beside it no steeper than the slope, and far away unchanged.
 TEST(GroundEditor, ARoadIsExactToACentimetre)
 {
     for (const bool curved : {false, true})

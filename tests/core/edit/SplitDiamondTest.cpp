@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The diamond of a vertex, found from its place alone, against a walk down the bintree.
+// Compares the diamond of a vertex, found from its grid coordinates alone, with a walk down the bintree.
 #include <map>
 #include <set>
 
@@ -19,7 +19,7 @@ Corners cornersOf(const GridTriangle& t)
     return {{{t.apex.column, t.apex.row}, {t.left.column, t.left.row}, {t.right.column, t.right.row}}};
 }
 
-/// What the bintree says of each vertex: the triangles that it splits, and their level.
+/// By vertex, from the bintree: the triangles that it splits, and their level.
 struct Vertices
 {
     struct Vertex

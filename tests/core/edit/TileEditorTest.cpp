@@ -65,7 +65,7 @@ TEST(TileEditor, OrStaysAsItIsUpToTheNextPlace)
     EXPECT_NEAR(heightAt(*tile, x + step, y), beside, 1e-9);
 }
 
-/// A sample of the raster that a fine edit moves does not take the surface around it along.
+/// A fine edit of a raster sample does not move the surface around it.
 TEST(TileEditor, AFineEditOfASampleStaysWhereItIs)
 {
     const auto tile = tileOf(17, 4);

@@ -21,7 +21,7 @@ glm::dvec2 randomPlace(Random& random, const glm::dvec2& origin)
     return origin + kSideM * glm::dvec2(random.unit(), random.unit());
 }
 
-/// Crooked roads and rivers, and star-shaped fields with holes; far from the origin where `origin` says so.
+/// Crooked roads and rivers, and star-shaped fields with holes, about `origin`.
 std::vector<GroundFeature> randomFeatures(std::uint64_t seed, const glm::dvec2& origin)
 {
     Random random(seed);
@@ -65,7 +65,7 @@ double distanceToSegment(const glm::dvec2& p, const glm::dvec2& a, const glm::dv
     return glm::distance(p, a + share * way);
 }
 
-/// By all segments of all features, with no cells.
+/// Brute force: distance over all segments of all features, without cells.
 double bruteRoadEdge(const std::vector<GroundFeature>& features, const glm::dvec2& place)
 {
     double nearest = 1e9;
@@ -78,7 +78,7 @@ double bruteRoadEdge(const std::vector<GroundFeature>& features, const glm::dvec
     return nearest;
 }
 
-/// Even-odd over whole rings, and how near the place is to one.
+/// Even-odd over whole rings, and the distance of the position from the nearest ring.
 std::pair<bool, double> bruteField(const GroundFeature& feature, const glm::dvec2& place)
 {
     bool inside = false;
@@ -95,7 +95,7 @@ std::pair<bool, double> bruteField(const GroundFeature& feature, const glm::dvec
     return {inside, nearest};
 }
 
-/// The largest difference between cells and brute force, metres, at random places.
+/// The largest difference between cells and brute force, metres, at random positions.
 double worstRoadError(const FeatureCells& cells, const std::vector<GroundFeature>& features,
                       const glm::dvec2& origin)
 {
@@ -173,7 +173,7 @@ TEST(FeatureCells, ALineThinnerThanTheFilterIsItsShareOfIt)
     for (const double filterM : {0.1, 1.0, 6.0, 12.0, 30.0})
     {
         EXPECT_NEAR(featureCover(*cells, {500.0, 0.0}, filterM).asphalt, std::min(1.0, 6.0 / filterM), 1e-5);
-        // Over all places across it, the filter keeps what there is: 6 m.
+        // The sum over all positions across it is its width: 6 m.
         double sum = 0.0;
         for (double y = -40.0; y < 40.0; y += 0.01)
             sum += 0.01 * featureCover(*cells, {500.0, y}, filterM).asphalt;

@@ -87,7 +87,7 @@ TEST(FeatureImport, CurvedTilesPutAPlaceWhereItsGroundIs)
 
 TEST(FeatureImport, FarFromTheOriginTheEllipsoidIsNotTheGround)
 {
-    // The mutation of the test above: 60 km away, the place without its height is metres off.
+    // Mutation of the test above: 60 km away, the position without its height is metres off.
     auto field = testsupport::onTheEarth(testsupport::hills(65, 65));
     const PlacedTile tile(std::move(field), Geodetic{46.0, 7.2, 0.0});
     const Folder folder("features-far");

@@ -16,7 +16,7 @@
 namespace featuretext
 {
 
-/// A folder that is there for one test.
+/// A folder that exists for one test.
 class Folder
 {
 public:

@@ -15,7 +15,7 @@ using namespace osgTerrainROAM::core;
 
 const RunwayFrame kEastward{{0.0, 0.0}, {2000.0, 0.0}, 45.0, ""};
 
-/// Area of what is painted, m².
+/// Painted area, m².
 double paintedM2(const std::vector<Stroke>& strokes, FeatureCells::Paint paint)
 {
     double area = 0.0;

@@ -92,7 +92,7 @@ TEST(ErodeRivers, NothingStandsSteeperThanTheCriticalSlope)
     {
         EXPECT_LE(heightM.at(20, row) - heightM.at(20, row - 1), 0.5f * 10.0f + 0.01f);
     }
-    EXPECT_GT(heightM.at(20, kErosionSide - 1), 100.0f); // the slope is reached, not merely kept
+    EXPECT_GT(heightM.at(20, kErosionSide - 1), 100.0f); // the critical slope is reached
 }
 
 TEST(Creep, KeepsAPlaneAndMeltsAPeakWithoutUndershoot)

@@ -22,7 +22,7 @@ const Terrain& island()
     return kIsland;
 }
 
-/// Land cells none of whose eight neighbours is lower: places where water would stand.
+/// Counts land cells without a lower neighbour, where water would stand.
 int pits(const Grid<float>& heightM)
 {
     int count = 0;
@@ -156,7 +156,7 @@ TEST(Terrain, ThePlainIsFitForDriving)
         }
     }
     EXPECT_LT(steep, cells / 50) << steep << " of " << cells;
-    // The same measure in the mountains shows that it can fail.
+    // Mutation: the same measure fails in the mountains.
     EXPECT_GT(steepest(island(), cellAtKm(island(), 14.0f), cellAtKm(island(), 16.2f)), 0.12f);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Files cut short and files with bytes changed: an import must end in an error or in a complete field, never in a
-// crash, and a file with its end missing must not pass for a whole one.
+// Truncated files and files with changed bytes: an import must end in an error or in a complete field, never in a crash, and a
+// truncated file must not be accepted as complete.
 #include <random>
 
 #include <gtest/gtest.h>
@@ -98,8 +98,8 @@ TEST(DemDamage, AFileCutShortIsRefusedOrWhole)
             std::size_t different = 0;
             for (std::size_t k = 0; k < cut->heightsM.size(); ++k)
                 different += cut->heightsM[k] != whole->heightsM[k];
-            // Nobody can tell 1 from the beginning of 16: text may lose digits of its last number, which a void
-            // beside it is filled from.
+            // Text can lose digits of its last number without a trace (16 becomes 1), and a void beside that number is filled
+            // from it.
             EXPECT_LE(different, sample.isText ? 2u : 0u) << sample.name << " cut to " << length;
         }
         EXPECT_GE(refused, 40) << sample.name;
@@ -146,7 +146,7 @@ TEST(DemDamage, ChangedBytesNeverCrash)
         {
             std::string bytes = sample.bytes;
             const int changes = 1 + static_cast<int>(random() % 8);
-            // Headers matter most: half of the changes fall into the first 256 bytes.
+            // Half of the changes fall into the first 256 bytes, the headers.
             for (int k = 0; k < changes; ++k)
             {
                 const std::size_t range =

@@ -16,7 +16,7 @@ namespace
 using namespace osgTerrainROAM::core;
 using testing::HasSubstr;
 
-/// The one-line message of an import that must fail; it names the file and a remedy.
+/// The one-line message of an import that must fail. Checks that it names the file and a remedy.
 std::string refusal(const std::filesystem::path& file, const DemImportOptions& options = {})
 {
     testing::internal::CaptureStderr();

@@ -14,7 +14,7 @@ namespace
 
 using namespace osgTerrainROAM::core;
 
-/// Imports and expects to find exampleHeight in every sample.
+/// Imports and expects exampleHeight in every sample.
 void expectExample(const std::filesystem::path& file, int columns, int rows,
                    const DemImportOptions& options = {})
 {
@@ -64,7 +64,7 @@ TEST(DemFormats, SamplePositionsArePixelCentres)
     EXPECT_NEAR(node.latitudeDeg, 46.0, 1e-10);
     EXPECT_NEAR(node.longitudeDeg, 8.0, 1e-10);
 
-    // GDAL's transform, as written here, is that of pixel corners whatever the file says about its pixels.
+    // GDAL's transform, as written here, refers to pixel corners for area and point rasters alike.
     RasterSpec point = geographic(GDT_Int16);
     point.options = {"GEOTIFF_VERSION=1.1"};
     writeRaster(folder / "point.tif", "GTiff", point);

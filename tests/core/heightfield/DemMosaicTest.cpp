@@ -20,7 +20,7 @@ using namespace osgTerrainROAM::core;
 
 constexpr double kFirstLongitude = 8.0, kFirstLatitude = 46.0, kStep = 3.0 / 3600.0;
 
-/// Metres above the sea at a place in samples of 3".
+/// Metres above the sea at coordinates in samples of 3".
 double groundM(double column, double row)
 {
     return 800.0 + 200.0 * std::sin(0.11 * column) * std::cos(0.07 * row) + 60.0 * std::sin(0.31 * row) +
@@ -30,8 +30,9 @@ double groundM(double column, double row)
 /// A piece of that ground.
 struct Piece
 {
-    int west = 0, south = 0, columns = 2, rows = 2; ///< in its own samples, the south-western in those of 3"
-    int every = 1;                                  ///< samples of 3" between its own
+    int west = 0, south = 0, columns = 2,
+        rows = 2;  ///< size in its own samples; south-western corner in samples of 3"
+    int every = 1; ///< samples of 3" between its own
     double raisedM = 0.0;
     double shift = 0.0; ///< in samples of 3", eastwards
     std::vector<std::pair<int, int>> voids{};
@@ -104,7 +105,7 @@ TEST_F(DemMosaic, KeepsTheFinestAndInterpolatesTheOthers)
     for (int row = 0; row < field->rows; ++row)
         for (int column = 64; column < field->columns; ++column)
             ASSERT_EQ(field->heightM(column, row), wantedM(column, row)) << column << ", " << row;
-    // Out of the seam's reach the coarse samples are as measured, and those between within what lies around.
+    // Beyond the seam's reach the coarse samples are as measured, and points between them are within the range of their neighbours.
     for (int row = 0; row < field->rows; row += 4)
         for (int column = 0; column <= 64 - 16; column += 4)
             ASSERT_EQ(field->heightM(column, row), wantedM(column, row)) << column << ", " << row;
@@ -145,7 +146,7 @@ TEST_F(DemMosaic, BendsCoarserDataTowardsFiner)
     for (int row = 60; row <= 100; ++row)
         for (int column = 60; column <= 100; ++column)
             ASSERT_EQ(field->heightM(column, row), static_cast<float>(groundM(column, row) + 40.0));
-    // What a seam without bending would be: the check above can fail.
+    // Mutation: a seam without bending makes the check above fail.
     HeightField unbent = *join({{0, 0, 161, 161}});
     for (int row = 60; row <= 100; ++row)
         for (int column = 60; column <= 100; ++column)
@@ -169,7 +170,7 @@ TEST_F(DemMosaic, HasHolesWhereNoRasterReaches)
     for (int row = 0; row < 41; ++row)
         for (int column = 0; column < 41; ++column)
             ASSERT_EQ(field->mask.holds(column, row), row <= 20 || column <= 20) << column << ", " << row;
-    EXPECT_TRUE(field->isComplete()); // of heights that nothing is drawn from
+    EXPECT_TRUE(field->isComplete()); // holes have heights, too
     const PlacedTile tile(*field);
     const auto at = [&](double column, double row)
     {
@@ -231,7 +232,7 @@ TEST_F(DemMosaic, ResamplesWhatLiesBetweenItsPlaces)
 TEST_F(DemMosaic, JoinsDegreesAndMetres)
 {
     Piece{0, 0, 61, 61, 4}.write(folder / "degrees.tif");
-    RasterSpec spec; // UTM 32: 9° E is its middle; a flat block, for its place is what counts
+    RasterSpec spec; // UTM 32, whose central meridian is 9° E; a flat block: only its position matters
     spec.columns = spec.rows = 101;
     spec.epsg = 32632;
     spec.values.assign(101 * 101, 2000.0);
@@ -248,7 +249,7 @@ TEST_F(DemMosaic, JoinsDegreesAndMetres)
         const auto ground = groundAt(tile, p.x, p.y);
         return ground ? tile.frame().heightOf(ground->position) : std::numeric_limits<double>::quiet_NaN();
     };
-    double latitude = 0.0, longitude = 0.0; // of the block's middle; and a place far from it
+    double latitude = 0.0, longitude = 0.0; // of the block's middle; and a point far from it
     GeographicLib::UTMUPS::Reverse(32, true, 431515.0, 5101515.0, latitude, longitude);
     EXPECT_NEAR(heightAt(latitude, longitude), 2000.0, 0.01);
     const double column = 100.5, row = 200.25;

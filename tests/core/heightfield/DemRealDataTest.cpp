@@ -15,7 +15,7 @@ namespace
 
 using namespace osgTerrainROAM::core;
 
-/// What is known of a file, measured with other tools.
+/// Facts about a file, measured with other tools.
 struct Known
 {
     const char* name;
@@ -52,7 +52,7 @@ DemImportOptions optionsFor(const Known& known)
     return options;
 }
 
-/// Does a field have the facts of the table? The empty string, or the first that is off.
+/// Compares a field with its facts. Returns the first difference; empty when there is none.
 std::string deviation(const HeightField& field, const Known& known)
 {
     if (!field.isComplete()) return "incomplete";
@@ -108,7 +108,7 @@ TEST(DemRealData, TheCheckNoticesOneVoidMoreOrOneHeightChanged)
 TEST(DemRealData, HeightsAreTheFilesOwnAtSingleSamples)
 {
     OSGTRAINER_REAL_DATA_OR_SKIP(folder, "dem");
-    // Straight from the bytes: big-endian, from the north-west.
+    // Read from the bytes: big-endian, from the north-west.
     const std::string bytes = readBytes(folder / "N44W072.hgt");
     const auto field = importDem(folder / "N44W072.hgt");
     ASSERT_TRUE(field);
@@ -167,7 +167,7 @@ listing(const std::filesystem::path& folder)
 TEST(DemRealData, NothingIsWrittenBesideTheInputs)
 {
     OSGTRAINER_REAL_DATA_OR_SKIP(folder, "dem");
-    // A writable copy, for a folder that refuses writing would hide an attempt.
+    // A writable copy, because a read-only folder would hide an attempt to write.
     const TemporaryFolder copy;
     for (const Known& known : kKnown)
         std::filesystem::copy_file(folder / known.name, copy / known.name);

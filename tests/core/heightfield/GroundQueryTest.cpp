@@ -14,7 +14,7 @@ namespace
 
 using namespace osgTerrainROAM::core;
 
-/// Heights that no two triangulations agree on.
+/// Heights on which every two triangulations differ.
 HeightField roughField(int columns, int rows)
 {
     HeightField field;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Positions of every real DEM against GeographicLib, from coordinates computed here and not by the import.
+// Compares positions of every real DEM with GeographicLib, from coordinates that are computed here and not by the import.
 #include <functional>
 #include <random>
 
@@ -97,7 +97,7 @@ TEST(PlacementRealData, EverySampleIsWithinAMillimetreOfGeographicLib)
     }
 }
 
-/// EGM96 by PROJ, asked directly.
+/// The EGM96 undulation, directly from PROJ.
 class Geoid
 {
 public:

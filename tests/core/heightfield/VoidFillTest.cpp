@@ -110,7 +110,7 @@ TEST(VoidFill, KnownHeightsStayAndNothingLeavesTheRimsRange)
 
 TEST(VoidFill, AVoidLakeBetweenMountainsStaysAboveItsShore)
 {
-    // Slopes that fall towards the void would dive below the shore if continued without limit.
+    // Slopes that fall towards the void would go below the shore if extrapolated without limit.
     Grid grid = gridOf(
         80, 80, [](int c, int r) { return 200.0 + 40.0 * std::max(0.0, std::hypot(c - 40, r - 40) - 20.0); });
     for (int r = 0; r < 80; ++r)
@@ -130,7 +130,7 @@ TEST(VoidFill, HalfAGridMissingGivesNeitherSpikesNorStreaks)
     Grid grid = gridOf(128, 128, [&](int, int) { return 500.0 + random() % 200; });
     grid.punch(0, 64, 128, 64);
     fillVoids(grid.heightsM, grid.columns, grid.rows);
-    // A streak is a row of cells that all differ from their neighbours across: far inside, the surface is smooth.
+    // No streaks (rows of cells that differ from their neighbours across): far inside, the surface is smooth.
     for (int r = 80; r < 127; ++r)
         for (int c = 0; c < 127; ++c)
         {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Terrains joined from real data, seen on flights along their seams.
+// Terrains joined from real data, on flights along their seams.
 #include <array>
 #include <cmath>
 #include <numeric>
@@ -75,7 +75,7 @@ void expectSound(const Joined& joined, double tolerancePx)
         }
 }
 
-/// Mean over rows of how much the slope across a column changes there.
+/// The mean over rows of the change of slope across a column.
 double bendM(const HeightField& field, int column)
 {
     double sum = 0.0;
@@ -94,7 +94,7 @@ TEST(SeamFlight, OverTwoTilesThatShareAColumn)
     EXPECT_EQ(field->columns, 2401);
     EXPECT_EQ(field->mosaic.bentSamples, 0u);
     EXPECT_EQ(field->mosaic.largestStepM, 0.0);
-    // The seam bends the ground no more than any column near it does.
+    // The slope changes no more at the seam than at any column near it.
     double around = 0.0;
     for (int column = 1150; column < 1250; ++column)
         around = std::max(around, bendM(*field, column));
@@ -119,8 +119,8 @@ TEST(SeamFlight, OverThreeResolutions)
     for (int row = 0; row <= 1200; row += 7)
         for (int column = 0; column <= 400; column += 7)
             ASSERT_EQ(field->heightM(column, row), whole->heightM(column, row));
-    // A seam bends the ground hardly more than the finer side is bent by itself, which it would not do unreconciled: with the
-    // coarse raster as it is interpolated where nothing finer is near.
+    // The slope changes hardly more at the seam than inside the finer side. Without bending it would: the comparison takes the
+    // coarse raster as it is interpolated far from finer data.
     const auto limit = [&](int seam)
     {
         double most = 0.0;

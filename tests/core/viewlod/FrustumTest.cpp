@@ -42,7 +42,7 @@ TEST(Frustum, SphereOnOnePlaneCrossesThatPlaneAlone)
 
 TEST(Frustum, PlanesOutsideTheMaskAreNotAskedAgain)
 {
-    // Outside of the right plane, but the caller knows that a parent was inside of it.
+    // Outside the right plane, but the mask says that a parent was inside it.
     const auto all = lookingNorth().classify({200, 100, 0}, 5.0);
     ASSERT_TRUE(all.outside);
     EXPECT_FALSE(lookingNorth().classify({200, 100, 0}, 5.0, 0).outside);
