@@ -34,7 +34,7 @@ Names told(const json& description)
     if (read) return {};
     const std::string& remedy = read.error().remedy;
     Names names;
-    std::istringstream stream(remedy.substr(remedy.find_first_of(" ") + 1));
+    std::istringstream stream(remedy.substr(remedy.find(' ') + 1));
     for (std::string word; stream >> word;)
     {
         std::erase(word, ',');
@@ -93,7 +93,7 @@ TEST(SceneryReference, NamesTheWordsOfEachChoice)
     for (const auto& [pointer, member] : choices)
     {
         json description = sound();
-        description[json::json_pointer(pointer + "/" + member)] = "nonsense";
+        description[json::json_pointer(pointer)][member] = "nonsense";
         const Names words = told(description);
         EXPECT_GE(words.size(), 2u) << pointer << "/" << member;
         for (const std::string& word : words)
