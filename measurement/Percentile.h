@@ -8,7 +8,7 @@
 namespace measurement
 {
 
-/// The value that a share (0…1) of the values do not exceed. Precondition: there are some.
+/// Returns the value that a share (0…1) of the values does not exceed. Precondition: at least one value.
 inline double percentile(std::vector<double> values, double share)
 {
     const auto place =

@@ -9,7 +9,7 @@
 namespace measurement
 {
 
-/// Splits everything below the given triangles to the finest level.
+/// Splits the given triangles and all triangles below them to the finest level.
 inline void splitFully(osgTerrainROAM::core::DiamondTree& tree,
                        std::vector<osgTerrainROAM::core::TriangleId> open = {
                            osgTerrainROAM::core::DiamondTree::kRoots[0],

@@ -11,8 +11,8 @@ namespace measurement
 struct PlotSeries
 {
     std::string label;
-    std::string colour;         ///< as CSS says it
-    std::vector<double> values; ///< one per x; at least as many as there are x
+    std::string colour;         ///< a CSS colour
+    std::vector<double> values; ///< at least one for each x
 };
 
 /// A plot over a common x axis.
@@ -24,14 +24,15 @@ struct Plot
     std::vector<PlotSeries> series;
 };
 
-/// The plot as an <svg> element of 720 × 220 units, the y axis from 0 (or the least value, where that is below 0).
-/// More points than fit are drawn as the least and greatest of each unit, so that no peak is lost.
+/// Draws a plot as an <svg> element of 720 × 220 units. The y axis begins at 0, or at the least value when that is
+/// negative. More points than pixels are drawn as the least and the greatest value of each unit, so that no peak is
+/// lost.
 std::string svgPlot(const Plot& plot);
 
-/// The greatest of 1, 2, 5 times a power of ten that divides `span` into at least `steps` parts.
+/// Returns the greatest of 1, 2, 5 times a power of ten that divides `span` into at least `steps` parts.
 double niceStep(double span, int steps);
 
-/// Text for HTML and SVG: & < > " replaced.
+/// Escapes text for HTML and SVG: & < > ".
 std::string escapedMarkup(const std::string& text);
 
 } // namespace measurement

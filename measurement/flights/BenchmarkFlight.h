@@ -16,15 +16,15 @@
 namespace measurement
 {
 
-/// What the eye does on its way.
+/// The motion of the camera.
 enum class Path
 {
-    flight, ///< straight on, the head swaying
-    drive,  ///< the same close to the ground
-    still,  ///< nothing
-    turn,   ///< the head turns once around, the eye stays
-    uturn,  ///< straight on, and in every frame about-face
-    jump,   ///< straight on, and in every frame 1 km aside or back
+    flight, ///< straight ahead, the heading oscillates
+    drive,  ///< as flight, close to the ground
+    still,  ///< no motion
+    turn,   ///< the heading turns once around, the position stays
+    uturn,  ///< as flight, and the heading reverses in every frame
+    jump,   ///< as flight, and every second frame is 1 km aside
 };
 
 inline constexpr Path kPaths[] = {Path::flight, Path::drive, Path::still,
@@ -36,8 +36,8 @@ constexpr std::string_view pathName(Path path)
     return kNames[static_cast<int>(path)];
 }
 
-/// The coherent straight flights that terrain engines are compared on: 240 frames over a square tile with planar
-/// placement, 1280×1024 pixels, horizontal field 60°; and paths that are less kind.
+/// The coherent straight flight that ROAM engines are compared on: 240 frames over a square tile with planar
+/// placement, 1280×1024 pixels, horizontal field of view 60°; and harder paths.
 struct BenchmarkFlight
 {
     double cellsPerFrame = 0.5;

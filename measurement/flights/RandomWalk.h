@@ -9,8 +9,8 @@
 namespace measurement
 {
 
-/// A random walk of up to half a cell a frame each way, with a leap to anywhere, 300 m above the ground, in every
-/// hundredth frame. The same on every machine.
+/// A camera on a random walk of at most half a cell a frame in each axis. Every hundredth frame it jumps to a random
+/// position 300 m above the ground. The same on every machine.
 class RandomWalk
 {
 public:

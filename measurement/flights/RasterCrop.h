@@ -6,10 +6,10 @@
 namespace measurement
 {
 
-/// A square of a raster that terrain engines are compared on: its first sample from the north-west, cells as squares.
+/// A square of a raster that terrain engines are compared on, with square cells.
 struct RasterCrop
 {
-    const char* file; ///< below the real data's folder
+    const char* file; ///< relative to the folder of the real data
     int firstColumn, firstRowFromNorth, side;
     double cellM;
 

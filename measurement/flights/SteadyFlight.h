@@ -13,16 +13,16 @@
 namespace measurement
 {
 
-/// An eye that moves as a vehicle does, at 60 frames a second over a square tile with planar placement: straight on at a
-/// constant speed, its height the smoothed ground's, the head swaying by a few degrees in eight seconds; an
-/// eye of no speed stands quite still. Where
-/// BenchmarkFlight measures how much can change, this one moves as somebody who looks at the pictures does.
-/// Units: metres, seconds; the angle of view is horizontal.
+/// A camera that moves as a vehicle does: 60 frames a second over a square tile with planar placement, straight ahead
+/// at a constant speed, at a height above the smoothed ground; the heading oscillates by some degrees in eight
+/// seconds. At speed 0 it does not move. BenchmarkFlight measures the largest changes, this flight measures what a
+/// viewer sees.
+/// Units: metres, seconds; the field of view is horizontal.
 struct SteadyFlight
 {
     double speedMps = 100.0;
     double aboveGroundM = 300.0;
-    double startShare = 0.12; ///< of the tile's side, where the eye begins, in both directions
+    double startShare = 0.12; ///< of the tile's side: the start, in both axes
     static constexpr double kFramesPerSecond = 60.0;
 
     glm::dvec3 eye(const osgTerrainROAM::core::PlacedTile& tile, int frame) const
@@ -44,7 +44,7 @@ struct SteadyFlight
         return glm::lookAt(from, from + ahead, glm::dvec3(0, 0, 1));
     }
 
-    /// The nearest drawn ground is about as far as the eye is high, and depth has 24 bits.
+    /// Returns the projection. The nearest drawn ground is about as far as the camera is high; depth has 24 bits.
     glm::dmat4 projection(double aspect) const
     {
         const double fovY = 2.0 * std::atan(std::tan(std::numbers::pi / 6.0) / aspect);
@@ -55,7 +55,8 @@ private:
     static glm::dvec2 along() { return {0.8, 0.6}; }
     double metresAt(int frame) const { return speedMps * frame / kFramesPerSecond; }
 
-    /// Mean over two heights before and behind: a vehicle does not follow every crease.
+    /// Returns the mean height of the ground from two camera heights behind to two ahead, because a vehicle does not
+    /// follow each bump.
     double smoothGroundM(const osgTerrainROAM::core::PlacedTile& tile, const glm::dvec2& place) const
     {
         constexpr int kHalf = 16;

@@ -11,7 +11,7 @@
 namespace measurement
 {
 
-/// How frames are laid out. Units: pixels.
+/// The layout of a contact sheet. Units: pixels.
 struct ContactSheetSettings
 {
     int columns = 4;
@@ -20,11 +20,13 @@ struct ContactSheetSettings
     int gapPx = 4;
 };
 
-/// Which of `count` frames stand on a sheet: at equal intervals, the first and the last included; all, if they fit.
+/// Chooses the frames of a sheet out of `count`: at equal intervals with the first and the last, or all when they
+/// fit.
 std::vector<std::size_t> contactSheetFrames(std::size_t count, const ContactSheetSettings& settings);
 
-/// Small copies (each pixel the mean of those it covers) of the given picture files, in rows from the top left.
-/// Errors: no files, one that cannot be read, or pictures of different sizes.
+/// Makes a sheet of small copies of image files, in rows from the top left; each pixel is the mean of those it
+/// covers.
+/// Errors: no file, a file that cannot be read, images of different sizes.
 foundation::Result<osg::ref_ptr<osg::Image>> makeContactSheet(const std::vector<std::filesystem::path>& files,
                                                               const ContactSheetSettings& settings);
 

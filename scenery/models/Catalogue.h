@@ -9,7 +9,7 @@
 namespace scenery::models
 {
 
-/// What can be generated.
+/// The kinds of objects that can be generated.
 enum class Kind
 {
     oak,
@@ -26,20 +26,20 @@ enum class Kind
     bus,
 };
 
-/// What a caller may rely on for every seed of a kind. Units: metres.
+/// The limits that hold for every seed of a kind. Units: metres.
 struct KindFacts
 {
     Kind kind;
     std::string_view name;
     double leastHeightM, mostHeightM;
-    double mostRadiusM; ///< of the circle it stands in
+    double mostRadiusM; ///< of the circle around the object
 };
 
 std::span<const KindFacts> kinds();
 const KindFacts& factsOf(Kind kind);
 
-/// A model of a kind. Pure: the same seed gives the same bytes, whoever asks, in whatever order; threads may generate at the
-/// same time. Cost: 2 to 30 ms.
+/// Generates an object. Pure: the same kind and seed give the same bytes; threads may generate at the same time.
+/// Cost: 2 to 30 ms.
 Model generate(Kind kind, std::uint64_t seed);
 
 } // namespace scenery::models

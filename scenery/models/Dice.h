@@ -7,13 +7,14 @@
 namespace scenery::models
 {
 
-/// Seeded random numbers, the same on every machine: SplitMix64 (Steele, Lea, Flood 2014), whose whole state is one word.
+/// A generator of seeded random numbers, the same on every machine; its state is one word.
+/// Source: SplitMix64 of Steele, Lea & Flood, *Fast Splittable Pseudorandom Number Generators*, 2014.
 class Dice
 {
 public:
     explicit Dice(std::uint64_t seed) : _state(seed * 0x9e3779b97f4a7c15ULL + 0x632be59bd9b4e019ULL) {}
 
-    /// From 0 to below 1.
+    /// Returns a number in [0, 1).
     double unit()
     {
         std::uint64_t z = (_state += 0x9e3779b97f4a7c15ULL);

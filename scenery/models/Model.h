@@ -9,7 +9,8 @@
 namespace scenery::models
 {
 
-/// Every picture that the generators paint; the same for all seeds, so that thousands of models share a few textures.
+/// The textures that the generators paint. They are the same for all seeds, so thousands of models share few
+/// textures.
 enum class Painting : std::uint8_t
 {
     oakBark,
@@ -34,15 +35,16 @@ enum class Painting : std::uint8_t
     count,
 };
 
-/// How a surface takes light.
+/// How a surface reflects light.
 enum class Coat : std::uint8_t
 {
     matt,
     lacquered, ///< car paint and glass
-    foliage,   ///< seen from both sides with one normal, cut out by the picture's alpha
+    foliage,   ///< visible from both sides with one normal, cut out by the alpha of the texture
 };
 
-/// What a material is drawn with. Where a picture is not foliage its alpha says how far the vertex colour tints it.
+/// The texture and the finish of a material. Except for foliage, the alpha of the texture tells how much the vertex
+/// colour tints it.
 struct Surface
 {
     Painting painting = Painting::plaster;
@@ -59,9 +61,9 @@ struct Model
 {
     osgPMObjects::core::Mesh mesh; ///< Material::state is the number of the surface
     std::vector<Surface> surfaces;
-    double radiusM = 0.0;     ///< of the circle about the z axis that all of it stands over
+    double radiusM = 0.0;     ///< of the circle about the z axis that contains it
     double heightM = 0.0;     ///< of its highest point
-    double foundationM = 0.0; ///< how far it reaches below z = 0, for slopes
+    double foundationM = 0.0; ///< how deep it reaches below z = 0, for slopes
 };
 
 } // namespace scenery::models

@@ -8,8 +8,9 @@
 namespace scenery::models
 {
 
-/// What keeps a model from being one: a mesh that is none (MeshCheck.h), a wedge without a unit normal, finite texture
-/// coordinates or a colour, a material without its surface, a degenerate face, measures that are not those of the mesh. Empty: nothing does. Cost: linear.
+/// Lists the faults of a model; empty when it has none. Checked: the mesh (MeshCheck.h), unit normals, finite texture
+/// coordinates and colours of wedges, a surface for each material, no degenerate face, sizes that agree with the
+/// mesh. Cost: linear.
 std::string defectOf(const Model& model);
 
 inline bool isModel(const Model& model)
@@ -17,7 +18,8 @@ inline bool isModel(const Model& model)
     return defectOf(model).empty();
 }
 
-/// Whether the faces of all parts of a name close: every edge is passed as often one way as the other. False without such faces.
+/// Returns whether the faces of all parts with this name are closed: each edge occurs as often in one direction as in
+/// the other. False without such faces.
 bool isClosed(const osgPMObjects::core::Mesh& mesh, const std::string& partName);
 
 } // namespace scenery::models

@@ -13,17 +13,18 @@ namespace scenery
 /// A closed ring of points across a body, all rings of a loft having the same number.
 using Ring = std::vector<osg::Vec3f>;
 
-/// Builds a model out of few primitives; faces become triangles with normals and one colour each.
+/// Builds a model of few primitives: triangles with normals and one colour each.
 /// Frame: the body's, x forward, y left, z up. Units: metres; colours as display values.
 class ModelMesh
 {
 public:
-    /// Skin over rings in order, both ends closed with flat caps. Faces look away from the rings' middles, so each ring
-    /// must be star-shaped about its own. `creaseDeg`: edges sharper than this stay sharp, all others are smooth.
+    /// Adds the surface over rings in order, with flat caps at both ends. Faces look away from the middles of the
+    /// rings, so each ring must be star-shaped about its middle. `creaseDeg`: edges sharper than this stay sharp, all
+    /// others are smooth.
     void addLoft(std::span<const Ring> rings, const osg::Vec4f& colour, double creaseDeg = 40.0);
 
-    /// A band of a loft's skin, pushed out by `liftM`: windows, lamps, stripes.
-    /// `from`, `to`: point indices along the ring; the band runs from ring `first` to ring `last`.
+    /// A band of the surface of a loft, moved out by `liftM`: windows, lamps, stripes. `from`, `to`: point indices
+    /// along the ring; the band runs from ring `first` to ring `last`.
     struct Patch
     {
         std::size_t first, last, from, to;
@@ -31,7 +32,7 @@ public:
     };
     void addPatch(std::span<const Ring> rings, const Patch& patch, const osg::Vec4f& colour);
 
-    /// A round body about an axis: radius and place along the axis, from one end to the other; closed at both ends.
+    /// A closed body of revolution: its radius at positions along the axis.
     struct Turned
     {
         osg::Vec3f origin;
@@ -50,7 +51,7 @@ public:
     void addFace(const std::array<osg::Vec3f, 3>& corners, const osg::Vec3f& outward,
                  const osg::Vec4f& colour);
 
-    /// The same again on the other side of the plane y = 0, for everything added since triangle `since`.
+    /// Mirrors everything added since triangle `since` in the plane y = 0.
     void mirrorSince(std::size_t since);
     std::size_t triangles() const { return _positions.size() / 3; }
 

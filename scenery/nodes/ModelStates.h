@@ -14,16 +14,16 @@
 namespace scenery
 {
 
-/// The states that generated models are drawn with: one for each surface, one texture for each painting, shared by all models
-/// that are given the same ModelStates. Textures have mip-maps; those of foliage keep their coverage with distance.
-/// Paintings are made when they are first asked for. Threads: one.
-/// Memory: up to 5.3 MB a painting, see docs/guide/generated-models.md.
+/// The states of generated models: one for each surface and one texture for each painting, shared by all models that
+/// use the same ModelStates. Textures have mipmaps; those of foliage keep their coverage with distance. A texture is
+/// painted when it is first used. Threads: one.
+/// Memory: up to 5.3 MB a texture, see docs/guide/generated-models.md.
 class ModelStates
 {
 public:
     osg::ref_ptr<osg::StateSet> stateOf(const models::Surface& surface);
 
-    /// By core::Material::state, as exportNode() wants them.
+    /// Returns the states by core::Material::state, as exportNode() takes them.
     std::vector<osg::ref_ptr<osg::StateSet>> statesOf(const models::Model& model);
 
 private:
@@ -33,7 +33,7 @@ private:
     std::map<std::pair<models::Painting, models::Coat>, osg::ref_ptr<osg::StateSet>> _states;
 };
 
-/// A model as a node, in its own frame. Lit and hazed by the Atmosphere whose uniforms stand above it.
+/// Makes the node of a model, in its own frame. Needs the uniforms of an Atmosphere above it in the graph.
 osg::ref_ptr<osg::Group> makeModelNode(const models::Model& model, ModelStates& states);
 
 } // namespace scenery

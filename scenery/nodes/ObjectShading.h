@@ -7,17 +7,17 @@
 namespace scenery
 {
 
-/// How an object answers to light.
+/// How an object reflects light.
 enum class Finish
 {
     matt,       ///< rubber, cloth, bare loaded models
     lacquered,  ///< car paint, glass: mirrors the sky more at grazing angles
-    seeThrough, ///< as matt, blended by its colour's alpha, writes no depth
+    seeThrough, ///< as matt, blended by the alpha of its colour, writes no depth
     foliage, ///< leaves: cut out by texture unit 0's alpha, one normal for both sides, light comes round and through
 };
 
-/// Round holes in both flanks of a body, such as wheel wells: what lies within `radiusM` of one of two axes that run
-/// across the body, and farther than `innerYM` from its middle, is left out. Frame: the object's. Units: metres.
+/// Round holes in both sides of a body, such as wheel wells. Left out are points within `radiusM` of one of two axes
+/// across the body and farther than `innerYM` from its middle. Frame: the object's. Units: metres.
 struct FlankHoles
 {
     osg::Vec2f firstXz, secondXz;
@@ -25,11 +25,11 @@ struct FlankHoles
     float innerYM = 0.0F;
 };
 
-/// Lights everything below `node` with the atmosphere's sun and sky and hazes it exactly as the terrain is hazed
-/// (osgTerrainROAM::Atmosphere). Colour: the vertex colours or, in a loaded model without, its material's diffuse
-/// colour, taken as display values, times texture unit 0 where a model has one.
-/// Where a state below sets the uniform `objectTintMask` to 1, the texture's alpha says how far the vertex colour counts.
-/// Objects of a field and such as are on their way between two levels are shaded by it, too (osgPMObjects/ObjectShader).
+/// Lights everything below `node` with the sun and the sky of the atmosphere, and adds the haze of the terrain
+/// (osgTerrainROAM::Atmosphere). Colour: the vertex colours, or the diffuse colour of the material in a loaded model
+/// without them, as display values, times texture unit 0 if there is one. A state below may set the uniform
+/// `objectTintMask` to 1: then the alpha of the texture is the share of the vertex colour. It also shades objects of
+/// a field and objects that switch between levels (osgPMObjects/ObjectShader).
 /// Needs the uniforms of an Atmosphere above it in the graph.
 void setObjectShading(osg::Node& node, Finish finish, const FlankHoles& holes = {});
 

@@ -8,9 +8,9 @@
 namespace scenery
 {
 
-/// Where a body or an eye stands and how it is turned.
-/// Frame: position in the world (local east-north-up); body axes x forward, y left, z up, as OpenSCENARIO has them.
-/// Units: metres. Invariant: worldFromBody is a rotation; its columns are forward, left and up.
+/// The position and attitude of a body or a camera.
+/// Frame: position in the world (local east-north-up); body axes x forward, y left, z up, as in OpenSCENARIO. Units:
+/// metres. Invariant: worldFromBody is a rotation; its columns are forward, left and up.
 struct Pose
 {
     glm::dvec3 positionWorld{0.0};
@@ -27,16 +27,17 @@ struct Pose
 
 Pose poseOf(const simulation::EntityState& entity);
 
-/// An eye that looks at a place with the horizon level. Straight up or down it has west on its left.
+/// Returns the pose of a camera that looks at a point with a level horizon. Straight up or down it has west on its
+/// left.
 Pose poseLookingAt(const glm::dvec3& eyeWorld, const glm::dvec3& targetWorld);
 
-/// An eye fixed in a body, looking along the body's x axis. `eyeInBody` in the body's frame.
+/// Returns the pose of a camera fixed in a body and looking along its x axis. `eyeInBody`: in the frame of the body.
 Pose eyeInBody(const Pose& body, const glm::dvec3& eyeInBody);
 
-/// The view matrix of OpenGL (looking along −z, y up) of an eye that looks along its body's x axis.
+/// Returns the view matrix of OpenGL (looking along −z, y up) of a camera that looks along its body x axis.
 glm::dmat4 viewFromWorld(const Pose& eye);
 
-/// The matrix that places a model made in the body's frame.
+/// Returns the matrix that places a model made in the frame of the body.
 glm::dmat4 worldFromModel(const Pose& body);
 
 } // namespace scenery

@@ -13,16 +13,17 @@
 namespace scenery
 {
 
-/// All objects of a scenery as one field, below a group that lights those without a shader of their own. Kinds are pairs of
-/// a description's field and object, as each field has settings of its own.
-/// Frame: the scene's; needs the uniforms of an Atmosphere above it.
+/// All objects of a scenery as one field, below a group that shades the objects without a shader of their own. A kind
+/// of the field is a pair of a field and an object of the description, because each field has its own settings.
+/// Frame: the scene's. Needs the uniforms of an Atmosphere above it in the graph.
 struct SceneryNode
 {
     osg::ref_ptr<osg::Group> root;
     osg::ref_ptr<osgPMObjects::ProgressiveField> field;
 };
 
-/// Errors: selection that cannot be with an object's levels, with `place` and the field's name; as ProgressiveField::setContents().
+/// Makes the node. Errors, with `place` and the name of the field: selection rules that do not suit the levels of an
+/// object; as ProgressiveField::setContents().
 foundation::Result<SceneryNode> makeSceneryNode(const SceneryDescription& description,
                                                 const PlacedScenery& placed, const SceneryShapes& shapes,
                                                 const std::string& place);

@@ -15,18 +15,18 @@
 namespace scenery
 {
 
-/// A scenery's objects as they are drawn, in the order of scenery::objectsOf().
+/// The shapes of the objects of a scenery, in the order of scenery::objectsOf().
 struct SceneryShapes
 {
     std::vector<osg::ref_ptr<const osgPMObjects::ProgressiveShape>> shapes;
     std::vector<Measures> measures;
-    std::vector<double> groundZM; ///< where in the model the ground is
-    double seconds = 0.0;         ///< they took to make
+    std::vector<double> groundZM; ///< z of the ground in the model
+    double seconds = 0.0;         ///< to make them
 };
 
-/// Generates or reads all objects and makes them progressive, each in one thread, as many at once as there are processors.
-/// The levels depend on the objects alone. A file may hold any model that OpenSceneGraph reads; `.pm` files have their levels
-/// already. Its lowest point stands on the ground, upright, z up.
+/// Generates or reads all objects and makes them progressive, each in one thread, in as many threads as there are
+/// processors. The levels depend on the objects only. A file may hold any model that OpenSceneGraph reads, upright
+/// with z up; its lowest point is put on the ground. `.pm` files contain their levels.
 /// Errors: a file that cannot be read, or without surfaces. Cost: 0.3 to 1 s a generated object and thread.
 foundation::Result<SceneryShapes> makeSceneryShapes(const std::vector<SceneryObject>& objects);
 

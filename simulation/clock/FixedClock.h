@@ -6,15 +6,14 @@
 namespace simulation
 {
 
-/// Time as a whole number of equal steps: no sum of fractions, so no drift, and two runs agree to the last
-/// bit. Invariant: seconds() is the double nearest to step·(1/stepsPerSecond), whatever came before. Units:
-/// steps, seconds.
+/// A clock that counts whole steps of equal length. It adds no fractions, so it does not drift, and two runs agree to
+/// the last bit. Invariant: seconds() is the double nearest to step·(1/stepsPerSecond). Units: steps, seconds.
 class FixedClock
 {
 public:
     explicit FixedClock(std::int64_t stepsPerSecond) : _stepsPerSecond(stepsPerSecond) {}
 
-    /// A clock that steps a whole number of times per picture, at least `minimumRate` times per second.
+    /// Makes a clock with a whole number of steps per frame, and at least `minimumRate` steps per second.
     static FixedClock forFrameRate(std::int64_t framesPerSecond, std::int64_t minimumRate = 100)
     {
         return FixedClock(framesPerSecond * ((minimumRate + framesPerSecond - 1) / framesPerSecond));

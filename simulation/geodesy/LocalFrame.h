@@ -17,9 +17,9 @@ struct Geodetic
     bool operator==(const Geodetic&) const = default;
 };
 
-/// The scene's east-north-up frame about its geodetic origin.
-/// Frame: right-handed, x east, y north, z up at the origin; the Earth curves away from the plane z = 0.
-/// Units: metres; degrees for geodetic positions. Threads: immutable, any.
+/// The local east-north-up frame of a scene about its geodetic origin.
+/// Frame: right-handed; at the origin x is east, y north, z up. The Earth curves away below the plane z = 0. Units:
+/// metres; degrees for geodetic positions. Threads: immutable, any.
 /// Source: GeographicLib::LocalCartesian.
 class LocalFrame
 {

@@ -16,15 +16,15 @@
 namespace simulation
 {
 
-/// The catalogue files of a scenario: regular .xosc files directly in the folders that CatalogLocations
-/// names, taken in the order of their names, each read once.
+/// The catalogues of a scenario: the regular .xosc files directly in the folders that CatalogLocations names. The
+/// files are sorted by name, and each is read once.
 class CatalogShelf
 {
 public:
-    /// `folder`: where the scenario lies; absent for a text in memory, which has no catalogues.
+    /// `folder`: the folder of the scenario; absent for a text in memory, which has no catalogues.
     explicit CatalogShelf(std::optional<std::filesystem::path> folder) : _folder(std::move(folder)) {}
 
-    /// Notes the folders of a CatalogLocations element and reads their files.
+    /// Reads the files in the folders of a CatalogLocations element.
     void open(ParseContext& context, pugi::xml_node locations);
 
     struct Entry
@@ -33,7 +33,8 @@ public:
         pugi::xml_node node;
     };
 
-    /// The entry of a catalogue, which goes by its own name or by that of its file; empty when there is none.
+    /// Finds an entry of a catalogue, which is named by its own name or by the name of its file; empty when there is
+    /// none.
     Entry find(const std::string& catalog, const std::string& entry) const;
 
 private:
@@ -44,12 +45,12 @@ private:
     std::vector<std::unique_ptr<XmlSource>> _sources;
 };
 
-/// Reading inside a catalogue entry: while it lives, the context sees the entry's file, and the entry's parameters
-/// before those of the scenario (which the language would hide, but files in use count on).
+/// The scope of a catalogue entry. While it lives, the context has the file of the entry, and finds the parameters of
+/// the entry before those of the scenario. (The standard hides the latter; files in use count on them.)
 class CatalogVisit
 {
 public:
-    /// `reference`: a CatalogReference element. A missing entry or a cycle is a problem, and entry() is
+    /// `reference`: a CatalogReference element. A missing entry or a cycle becomes a problem, and entry() is then
     /// empty.
     explicit CatalogVisit(ElementReader reference);
     ~CatalogVisit();

@@ -6,8 +6,8 @@
 namespace simulation
 {
 
-// One function per element of the language that the model has room for: from the element to the plain value.
-// Problems go to the reader's context; every function returns something usable.
+// One function for each element that is read: it turns the element into its plain value. Problems go to the context
+// of the reader; each function returns a usable value in every case.
 
 Position parsePosition(ElementReader reader);                       // ParsePosition.cpp
 Orientation parseOrientation(ElementReader reader);                 // ParsePosition.cpp

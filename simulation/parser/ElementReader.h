@@ -14,8 +14,9 @@
 namespace simulation
 {
 
-/// Typed access to one element, parameters put in. What is missing or wrong becomes a problem of the context,
-/// and a neutral value is returned, so that the caller need not look after every attribute.
+/// Reads the attributes and children of one element as typed values and replaces parameters. A missing or wrong value
+/// becomes a problem of the context and is returned as a neutral value, so that callers need not check each
+/// attribute.
 class ElementReader
 {
 public:
@@ -26,10 +27,10 @@ public:
 
     std::string text(const char* attribute);
     std::string textOr(const char* attribute, const std::string& fallback);
-    /// The attribute `name`, at most 256 characters: paths of names are kept for every storyboard element. Names are
-    /// text: `${…}` in one is no expression.
+    /// Returns the attribute `name`, at most 256 characters, because each storyboard element keeps the path of its
+    /// names. Names are text: `${…}` in a name is not computed.
     std::string name();
-    /// Finite and within ±1e9: nothing in a scene is larger, and what is computed from it stays finite.
+    /// Returns a finite number within ±1e9. This bound keeps everything that is computed from it finite.
     double number(const char* attribute);
     double numberOr(const char* attribute, double fallback);
     std::optional<double> optionalNumber(const char* attribute);
@@ -53,13 +54,13 @@ public:
         return has(attribute) ? choice(attribute, keywords) : fallback;
     }
 
-    /// The child of that name; missing: a problem, and an empty element.
+    /// Returns the child of that name. A missing child is a problem, and an empty element is returned.
     ElementReader child(const char* name);
 
-    /// The only child element, whatever its name; none: a problem, and an empty element.
+    /// Returns the only child element, whatever its name. No child is a problem, and an empty element is returned.
     ElementReader onlyChild();
 
-    /// Any other child element is a problem: unsupported.
+    /// Reports each other child element as an unsupported one.
     void allowChildren(std::initializer_list<std::string_view> names);
 
     ParseContext& context;

@@ -12,7 +12,7 @@
 namespace simulation
 {
 
-/// The words of the language for the values of an enumeration. The first word of a value is the one written.
+/// The words of OpenSCENARIO for the values of an enumeration. A value is written with the first of its words.
 template<class Value, std::size_t Count>
 using Keywords = std::array<std::pair<std::string_view, Value>, Count>;
 
@@ -62,13 +62,13 @@ inline constexpr Keywords<FollowingMode, 2> kFollowingModes = {
 inline constexpr Keywords<Timing::Domain, 2> kTimingDomains = {
     {{"absolute", Timing::Domain::absolute}, {"relative", Timing::Domain::relative}}};
 
-/// `override` is 1.2's word for `overwrite`, which all versions read.
+/// OpenSCENARIO 1.2 writes `override` for `overwrite`; both words are read in all versions.
 inline constexpr Keywords<Priority, 4> kPriorities = {{{"overwrite", Priority::overwrite},
                                                        {"override", Priority::overwrite},
                                                        {"skip", Priority::skip},
                                                        {"parallel", Priority::parallel}}};
 
-/// The first word for a value.
+/// Returns the first word for a value.
 template<class Value, std::size_t Count>
 constexpr std::string_view wordFor(const Keywords<Value, Count>& keywords, Value value)
 {

@@ -19,8 +19,8 @@ namespace simulation
 
 class CatalogShelf;
 
-/// What a reading carries from element to element: the parameters in sight, the file being read, the
-/// problems. A strict reading keeps the first problem only; its caller turns it into the Error.
+/// The state of one reading: the visible parameters, the current file and the problems found. A strict reading keeps
+/// the first problem only, and its caller returns it as the Error.
 class ParseContext
 {
 public:
@@ -39,8 +39,8 @@ public:
 
     std::optional<std::string> lookup(std::string_view name) const;
 
-    /// Reads the ParameterDeclarations below `parent` into the innermost scope, each seeing those before it.
-    /// `given` replaces declared values.
+    /// Reads the ParameterDeclarations below `parent` into the innermost scope. A declaration sees the declarations
+    /// before it. Values in `given` replace declared values.
     std::vector<ParameterDeclaration> declareParameters(pugi::xml_node parent, const Scope& given);
     void pushScope() { _scopes.emplace_back(); }
     void popScope() { _scopes.pop_back(); }
@@ -61,8 +61,8 @@ private:
     std::vector<Scope> _scopes;
 };
 
-/// Opens a scope for the declarations of one element and closes it at the end of the block. A catalogue
-/// entry's own declarations stand already, with the values that its reference gave them.
+/// Opens a scope for the declarations of one element and closes it at the end of the block. The declarations of a
+/// catalogue entry are in place already, with the values of its reference.
 class ParameterScope
 {
 public:

@@ -14,7 +14,7 @@
 namespace simulation
 {
 
-/// A parsed XML text that knows on which line each of its elements stands.
+/// A parsed XML text that knows the line of each of its elements.
 /// Memory: about four times the text.
 class XmlSource
 {

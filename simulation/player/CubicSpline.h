@@ -7,11 +7,12 @@
 namespace simulation
 {
 
-/// A value as a function of one parameter through given knots, exact at every knot.
+/// A function of one parameter that passes through given knots exactly.
 /// `natural`: twice continuously differentiable, no curvature at the ends. `linear`: straight between the knots.
-/// Invariant: knots rise strictly; as many values as knots, two at least.
-/// Cost: construction linear; evaluation logarithmic.
-/// Source: de Boor, A Practical Guide to Splines, chapter IV (natural end conditions), in terms of second derivatives.
+/// Invariant: at least two knots, strictly increasing, and one value for each. Cost: construction linear, evaluation
+/// logarithmic.
+/// Source: de Boor, *A Practical Guide to Splines*, 1978, chapter IV (natural end conditions), written in second
+/// derivatives.
 class CubicSpline
 {
 public:
@@ -31,14 +32,14 @@ public:
     CubicSpline() = default;
     CubicSpline(std::vector<double> knots, std::vector<double> values, Kind kind);
 
-    /// Beyond the ends the end's value.
+    /// Evaluates the spline. Outside the knots the value is that of the nearest end.
     Sample at(double parameter) const;
 
     double begin() const { return _knots.front(); }
     double end() const { return _knots.back(); }
     const std::vector<double>& knots() const { return _knots; }
 
-    /// Index of the interval that holds a parameter, 0 … knots - 2.
+    /// Returns the index of the interval that contains a parameter, 0 … knots - 2.
     std::size_t interval(double parameter) const;
 
 private:

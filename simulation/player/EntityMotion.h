@@ -14,11 +14,11 @@
 namespace simulation
 {
 
-/// Moves one entity: along a trajectory where it has one, else straight ahead, at the speed that its last speed action
-/// or the trajectory's times ask for. An entity that is not airborne stands on the ground wherever the scene has one.
-/// An airborne one banks as a coordinated turn demands, tan(bank) = v²κ/g, up to 60°, and pitches along its path,
-/// unless the vertices say otherwise.
-/// A timed trajectory rules the speed while it runs; afterwards the entity goes on as it last moved.
+/// Moves one entity along its trajectory, or straight ahead without one, at the speed given by its last speed action
+/// or by the times of the trajectory. An entity that is not airborne stands on the ground where the scene has ground.
+/// An airborne entity banks as a coordinated turn requires, tan(bank) = v²κ/g, up to 60°, and pitches along its path,
+/// unless the vertices give these angles.
+/// A trajectory with times sets the speed while it runs; afterwards the entity keeps its last motion.
 class EntityMotion
 {
 public:
@@ -28,14 +28,15 @@ public:
 
     void teleport(const Position& position, double timeS);
 
-    /// Ticket of the action, for isDone() and cancel(). A new action of the same kind ends the one before.
+    /// Starts an action and returns its ticket for isDone() and cancel(). A new action of the same kind ends the one
+    /// before.
     std::int64_t startSpeed(const SpeedAction& action, double timeS);
     std::int64_t startTrajectory(const FollowTrajectoryAction& action, double timeS);
 
     bool isDone(std::int64_t ticket, double timeS) const;
     void cancel(std::int64_t ticket, double timeS);
 
-    /// Moves on to a later time.
+    /// Advances the entity to a later time.
     void advanceTo(double timeS);
 
 private:

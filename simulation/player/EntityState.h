@@ -9,10 +9,10 @@
 namespace simulation
 {
 
-/// Where an entity is and how it moves at one instant.
-/// Frame: the scene's east-north-up; the position is that of the entity's reference point (for a vehicle the middle
-/// of the rear axle, on the ground). Angles as in ISO 8855 and the scenario: heading counter-clockwise from east,
-/// pitch positive nose *down*, roll positive right side down; applied in that order, heading first.
+/// The position and the motion of an entity at one instant.
+/// Frame: the scene's east-north-up; the position is that of the reference point (for a vehicle the middle of the
+/// rear axle, on the ground). Angles as in ISO 8855 and in the scenario: heading counter-clockwise from east, pitch
+/// positive nose *down*, roll positive right side down, applied in this order.
 /// Units: metres, degrees, m/s.
 struct EntityState
 {
@@ -27,15 +27,15 @@ struct EntityState
     double wheelRotationDeg = 0.0; ///< 0…360, forward
     double steeringDeg = 0.0;      ///< of the front wheels, positive to the left
 
-    /// How far the ground under each wheel lies above (+) the plane through the wheels' mean: the travel of its
-    /// suspension. Front left, front right, rear left, rear right; 0 off the ground.
+    /// The travel of each suspension: the height of the ground under the wheel above (+) the mean plane of the four
+    /// wheels. Front left, front right, rear left, rear right; 0 when airborne.
     std::array<double, 4> wheelTravelM{};
     bool isOnGround = false;
 
-    /// Columns: the entity's forward, left and up in the scene's frame.
+    /// The rotation from the body to the scene. Its columns are forward, left and up.
     glm::dmat3 bodyToLocal() const;
 
-    /// Clockwise from north, 0…360.
+    /// The course, clockwise from north, 0…360.
     double compassDeg() const;
 };
 

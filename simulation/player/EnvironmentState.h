@@ -12,7 +12,7 @@
 namespace simulation
 {
 
-/// Sky and air at one instant.
+/// The sky and the air at one instant.
 struct EnvironmentState
 {
     DateTime dateTime;
@@ -23,10 +23,10 @@ struct EnvironmentState
     std::optional<Wind> wind;
 };
 
-/// Keeps the environment from action to action and through the day. What an action leaves out stays as it was.
-/// The sun follows from date, time and place, until an action gives its direction; an action with a time of day and
-/// no sun puts it under the date's rule again. Without a georeference the sun is that of 45° N, 0° E.
-/// Before any action: 2024-06-21T10:00:00Z, standing still; no fog.
+/// The environment as the actions so far have set it, and as it changes during the day. An action changes only what
+/// it contains. The sun follows from date, time and position until an action gives its direction; an action with a
+/// time of day and without a sun ends this. A scene without georeference uses the sun of 45° N, 0° E.
+/// Initial state: 2024-06-21T10:00:00Z, the time of day does not advance, no fog.
 class EnvironmentClock
 {
 public:

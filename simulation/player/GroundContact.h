@@ -10,7 +10,7 @@
 namespace simulation
 {
 
-/// Where an entity touches the ground: four points of its body, at height 0 of its own frame.
+/// The four points at which an entity touches the ground, at height 0 of its own frame.
 /// Units: metres. Order: front left, front right, rear left, rear right.
 struct GroundContact
 {
@@ -18,14 +18,14 @@ struct GroundContact
     double rearXM = 0.0;
     double halfTrackM = 0.0;
 
-    /// The wheels of a vehicle; for anything else the corners of its bounding box.
+    /// Returns the wheels of a vehicle, or the corners of the bounding box of another entity.
     static GroundContact of(const ScenarioObject& object);
 };
 
-/// Stands an entity on the ground at its place and heading: the four points are let down on the true surface, and
-/// the plane that fits them best (equal weights) gives height, pitch and roll; what each is off the plane is its
-/// wheel's travel. The state is unchanged where any point is beyond the data.
-/// The points keep their distances along the slope: pitch and roll are found in three rounds, from level.
+/// Puts an entity on the ground at its position and heading. The plane that fits the ground below the four points
+/// best (equal weights) gives height, pitch and roll; the distance of each point from that plane is the travel of its
+/// wheel. The state is unchanged when a point is outside the data.
+/// The points keep their distances along the slope: three iterations find pitch and roll, starting level.
 void standOnGround(const GroundContact& contact, const SceneFrame& frame, EntityState& state);
 
 } // namespace simulation

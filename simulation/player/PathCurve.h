@@ -13,7 +13,7 @@
 namespace simulation
 {
 
-/// A place on a path. Frame: the scene's. Units: metres, radians; tangent and bend per unit of the parameter.
+/// A point on a path. Frame: the scene's. Units: metres, radians; tangent and bend per unit of the parameter.
 struct PathPoint
 {
     glm::dvec3 position{0.0};
@@ -23,24 +23,24 @@ struct PathPoint
     std::optional<double> pitchRad;   ///< given by the vertices
     std::optional<double> rollRad;
 
-    /// Of the path's plan; positive to the left. Units: 1/m.
+    /// The curvature of the path seen from above; positive to the left. Units: 1/m.
     double planCurvature() const;
 };
 
-/// A polyline as a curve. It meets every vertex exactly at its parameter, in both modes:
-/// - `position`: straight from vertex to vertex. Headings that the vertices give are reached in the middle of the
-///   segment that the vertex begins, and turn evenly from middle to middle; where they leave theirs out, the heading is
-///   the segment's, and turns within 2 m before and after each corner (esmini plays both so);
+/// A polyline as a curve, which passes through each vertex exactly at its parameter:
+/// - `position`: straight between vertices. Headings given by the vertices are reached in the middle of the segment
+///   that the vertex begins, and turn evenly from middle to middle; without them the heading is that of the segment,
+///   and turns within 2 m before and after each corner (esmini does the same);
 /// - `follow`: the natural cubic spline through the vertices, so that speed, bank and pitch do not jump. Headings are
-///   the curve's own where any vertex leaves its own out, else the spline through them.
-/// Pitch and roll: interpolated when every vertex gives one, else absent.
-/// A closed curve returns from its last vertex to its first and goes on for ever; its parameter wraps.
-/// Source: ASAM OpenSCENARIO XML 1.3, FollowTrajectoryAction and FollowingMode.
+///   the spline through those of the vertices, or those of the curve when a vertex has none.
+/// Pitch and roll are interpolated when every vertex gives one, else absent. A closed curve returns from its last
+/// vertex to its first and repeats; its parameter wraps.
+/// Source: ASAM, *OpenSCENARIO XML* 1.3, FollowTrajectoryAction and FollowingMode.
 class PathCurve
 {
 public:
-    /// `vertices`: two at least, parameters rising strictly. A closed curve needs `closingLength`, the parameter from
-    /// the last vertex back to the first.
+    /// `vertices`: at least two, parameters strictly increasing. A closed curve needs `closingLength`, the parameter
+    /// from the last vertex back to the first.
     PathCurve(std::vector<PathVertex> vertices, FollowingMode mode, std::optional<double> closingLength);
 
     PathPoint at(double parameter) const;
@@ -49,7 +49,8 @@ public:
     double end() const { return _end; }
     bool isClosed() const { return _closed; }
 
-    /// Distance along the curve from its begin to a parameter, and back. Units: metres. Closed curves: one round.
+    /// Converts a parameter to the distance along the curve from its start, and back. Units: metres. Closed curves:
+    /// one round.
     double distanceAt(double parameter) const;
     double parameterAt(double distanceM) const;
     double lengthM() const { return _distances.back(); }

@@ -11,9 +11,9 @@
 namespace simulation
 {
 
-/// Whether a scenario can be played in a scene: every position has a place, every trajectory can be run, every
-/// reference to an entity or a storyboard element has its object. Unsupported content is passed over.
-/// Errors: the first that cannot, as `name:line`.
+/// Checks that a scenario can be played in a scene: every position can be located, every trajectory can be run, every
+/// reference to an entity or a storyboard element is valid. Unsupported content is skipped.
+/// Errors: the first fault, as `name:line`.
 foundation::Outcome checkPlayable(const Scenario& scenario, const SceneFrame& frame, const std::string& name);
 
 } // namespace simulation

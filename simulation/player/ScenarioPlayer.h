@@ -21,23 +21,23 @@ namespace simulation
 struct PlayerOptions
 {
     std::optional<Geodetic> origin; ///< of the scene; absent: no georeference
-    GroundProvider ground;          ///< may be empty: everything goes where the scenario puts it
+    GroundProvider ground;          ///< may be empty: positions are used as the scenario gives them
     FixedClock clock = FixedClock(120);
-    std::string scenarioName = "scenario"; ///< stands for the file in errors: scenarioName:line
+    std::string scenarioName = "scenario"; ///< replaces the file in errors: scenarioName:line
 };
 
-/// Plays a scenario in fixed steps. What it does depends on the scenario, the options and the number of steps, on
-/// nothing else: two runs agree to the last bit.
-/// After create() the states are those of time 0, Init actions done. One step: the clock advances, entities move,
-/// then triggers are looked at and actions start (their motion begins with the next step).
+/// Plays a scenario in fixed steps. Its states depend on the scenario, the options and the number of steps only: two
+/// runs agree to the last bit.
+/// After create() the states are those of time 0, after the Init actions. In one step the clock advances, then the
+/// entities move, then triggers are evaluated and actions start (their motion begins with the next step).
 /// Frame: the scene's east-north-up. Threads: one player, one thread; players are independent.
-/// Source: ASAM OpenSCENARIO XML 1.3; docs of PathCurve, EntityMotion, StoryboardRunner.
+/// Source: ASAM, *OpenSCENARIO XML* 1.3; see also PathCurve, EntityMotion, StoryboardRunner.
 class ScenarioPlayer
 {
 public:
-    /// Errors, with the line of the element: a GeoPosition without an origin, an unknown entity or storyboard element,
-    /// a trajectory that cannot be run. Unsupported content of a tolerant reading is passed over: such an action ends
-    /// at once, such a condition never holds, such an entity stands at the origin.
+    /// Errors, with the line of the element: a GeoPosition without an origin, an unknown entity or storyboard
+    /// element, a trajectory that cannot be run. Unsupported content of a tolerant reading is skipped: such an action
+    /// ends at once, such a condition is never true, such an entity stands at the origin.
     static foundation::Result<std::unique_ptr<ScenarioPlayer>> create(Scenario scenario,
                                                                       PlayerOptions options);
 

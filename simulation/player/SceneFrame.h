@@ -12,17 +12,17 @@
 namespace simulation
 {
 
-/// The ground at a place. Frame: the scene's.
+/// The ground at a point. Frame: the scene's.
 struct GroundSample
 {
     double heightM = 0.0; ///< z of the surface
 };
 
-/// The true ground under or above (east, north) in the scene's frame; nothing beyond the edge of the data.
-/// Must give the same answer for the same place always.
+/// Returns the ground below or above (east, north) in the scene's frame, or nothing outside the data. The same point
+/// must always give the same answer.
 using GroundProvider = std::function<std::optional<GroundSample>(double eastM, double northM)>;
 
-/// Turns a scenario's positions into places in the scene.
+/// Converts the positions of a scenario to points of the scene.
 class SceneFrame
 {
 public:
@@ -31,13 +31,14 @@ public:
 
     bool hasOrigin() const { return _frame.has_value(); }
 
-    /// False for a GeoPosition without an origin, for an unsupported position, and for coordinates beyond 1e9.
+    /// Returns false for a GeoPosition without an origin, for an unsupported position, and for coordinates beyond
+    /// 1e9.
     bool canPlace(const Position& position) const;
 
     /// Precondition: canPlace(). Frame: the scene's.
     glm::dvec3 place(const Position& position) const;
 
-    /// Nothing beyond 1e8 m either: providers count in samples.
+    /// Returns nothing outside the data and beyond 1e8 m, because providers count in samples.
     std::optional<GroundSample> groundAt(double eastM, double northM) const;
     const std::optional<LocalFrame>& frame() const { return _frame; }
 
@@ -49,7 +50,7 @@ private:
     GroundProvider _ground;
 };
 
-/// The orientation that a position carries; empty for an unsupported one.
+/// Returns the orientation of a position; empty for an unsupported position.
 Orientation orientationOf(const Position& position);
 
 } // namespace simulation

@@ -10,7 +10,7 @@ namespace simulation
 namespace
 {
 
-/// The steepest slope of the shape from 0 to 1 over a unit of time.
+/// Returns the steepest slope of the shape, which goes from 0 to 1 in one unit of time.
 double steepestSlope(DynamicsShape shape)
 {
     if (shape == DynamicsShape::cubic) return 1.5;

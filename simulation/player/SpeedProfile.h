@@ -6,11 +6,11 @@
 namespace simulation
 {
 
-/// Speed over time while it goes from one value to another, in closed form: no sum over steps.
-/// Dimension `distance`: the transition covers that distance; `rate`: its steepest change of speed is that value.
-/// Units: seconds since its begin, m/s, metres.
-/// Source: ASAM OpenSCENARIO XML 1.3, TransitionDynamics. All shapes are symmetric, so that each covers the mean of
-/// the two speeds times its duration.
+/// The speed over time during a change from one value to another, in closed form: nothing is summed over steps.
+/// Dimension `distance`: the change takes that distance; `rate`: its steepest change of speed has that value.
+/// Units: seconds since its start, m/s, metres.
+/// Source: ASAM, *OpenSCENARIO XML* 1.3, TransitionDynamics. All shapes are symmetric, so the distance is the mean of
+/// both speeds times the duration.
 class SpeedProfile
 {
 public:

@@ -12,7 +12,7 @@
 namespace simulation
 {
 
-/// One line of the log: an element of the storyboard changed its state.
+/// An entry of the log: an element of the storyboard changed its state.
 struct StoryboardLogEntry
 {
     double timeS = 0.0;
@@ -24,20 +24,20 @@ struct StoryboardLogEntry
     bool operator==(const StoryboardLogEntry&) const = default;
 };
 
-/// The states of a storyboard's elements. A transition made in one step is what conditions see in the next, whatever
-/// order the elements are visited in; a state is seen at once.
+/// The states of the elements of a storyboard. Conditions see a transition in the step after it was made, whatever
+/// the order of the elements; they see a state at once.
 class StoryboardElements
 {
 public:
     /// Adds an element in standby and returns its index.
     int add(StoryboardElementType type, int parent, const std::string& name, SourceLine source);
 
-    /// Begins a step: the transitions of the one before become visible.
+    /// Begins a step: the transitions of the last step become visible.
     void beginStep(double timeS);
 
     void set(int element, StoryboardElementState state, StoryboardElementState transition);
 
-    /// An event that was to start while another ran, and did not.
+    /// Notes an event that did not start because another was running.
     void skip(int element) { note(element, StoryboardElementState::skipTransition); }
 
     StoryboardElementState state(int element) const
@@ -45,7 +45,7 @@ public:
         return _elements[static_cast<std::size_t>(element)].state;
     }
 
-    /// The element that a condition names, by its name or by the end of its path; -1 when there is none.
+    /// Finds the element that a condition names, by its name or by the end of its path; -1 when there is none.
     int find(const StoryboardElementStateCondition& condition) const;
 
     bool is(const StoryboardElementStateCondition& condition) const;

@@ -13,14 +13,14 @@
 namespace simulation
 {
 
-/// An action that someone was told to perform.
+/// An action that has been started.
 struct ActionTicket
 {
     int entity = -1; ///< -1: done at once
     std::int64_t number = 0;
 };
 
-/// Who performs the actions that the storyboard starts.
+/// The interface that performs the actions of the storyboard.
 class ActionPerformer
 {
 public:
@@ -31,10 +31,10 @@ public:
     virtual void cancel(const ActionTicket& ticket) = 0;
 };
 
-/// Runs stories, acts, maneuver groups and events from step to step.
-/// An act starts by its trigger and ends with its groups or its stop trigger; an event starts by its trigger while its
-/// act runs, and ends with its actions; priorities and execution counts as the language has them.
-/// Source: ASAM OpenSCENARIO XML 1.3, "Storyboard states".
+/// Runs stories, acts, maneuver groups and events from step to step. An act starts by its trigger and ends with its
+/// groups or by its stop trigger. An event starts by its trigger while its act runs, and ends with its actions.
+/// Priorities and execution counts follow the standard.
+/// Source: ASAM, *OpenSCENARIO XML* 1.3, "Storyboard states".
 class StoryboardRunner
 {
 public:
@@ -43,7 +43,8 @@ public:
 
     void step(double timeS);
 
-    /// The stop trigger fired; or there is none that ever could, and all stories are over.
+    /// Returns true after the stop trigger has fired, or when there is no stop trigger that can fire and all stories
+    /// are over.
     bool isFinished() const { return _isFinished; }
     const StoryboardElements& elements() const { return _elements; }
 

@@ -13,26 +13,27 @@
 namespace simulation
 {
 
-/// One entity on its way along a trajectory, by the vertices' times or at a speed of its own.
+/// The motion of one entity along a trajectory, by the times of the vertices or at a given speed.
 class TrajectoryRun
 {
 public:
-    /// Whether an action can be run at all: shape, positions, times. Errors: what stands against it (no place).
+    /// Checks shape, positions and times of an action. Errors: the reason why it cannot be run.
     static std::optional<std::string> obstacle(const FollowTrajectoryAction& action, const SceneFrame& frame);
 
-    /// Precondition: no obstacle(). Vertices that lie on their predecessor and have no time are left out.
+    /// Precondition: no obstacle(). A vertex without time at the position of the vertex before it is left out.
     TrajectoryRun(const FollowTrajectoryAction& action, const SceneFrame& frame, double startTimeS);
 
     bool isTimed() const { return _timing.has_value(); }
 
-    /// Goes on to a time, for timed runs, or by a distance. Returns what was left beyond the end: seconds or metres;
-    /// nothing while the run goes on.
+    /// Advances to a time (trajectories with times) or by a distance. Returns the seconds or metres that remain
+    /// beyond the end, or nothing while the trajectory runs.
     std::optional<double> advanceTo(double timeS);
     std::optional<double> advanceBy(double distanceM);
 
     PathPoint point() const { return _curve.at(_parameter); }
 
-    /// The curve's own speed at the place reached, for timed runs; 0 before the first vertex's time.
+    /// Returns the speed of the curve at the current point, for trajectories with times; 0 before the time of the
+    /// first vertex.
     double timedSpeedMps() const;
 
 private:

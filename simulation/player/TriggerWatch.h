@@ -10,27 +10,27 @@
 namespace simulation
 {
 
-/// What conditions are about, at one instant.
+/// The facts that conditions test, at one instant.
 struct ConditionFacts
 {
     double timeS = 0.0;
     std::function<bool(const StoryboardElementStateCondition&)> elementIs;
 };
 
-/// Watches one trigger from step to step: edges compare a condition with the step before (the first look is none),
-/// and a delay asks for what the condition was, edge included, that long ago.
-/// Memory: one entry per change of a delayed condition within its delay.
-/// Source: ASAM OpenSCENARIO XML 1.3, "Conditions and triggers".
+/// Evaluates one trigger from step to step. An edge compares a condition with the step before (the first evaluation
+/// is no edge); a delay tests the condition, edge included, that long ago.
+/// Memory: one entry for each change of a delayed condition within its delay.
+/// Source: ASAM, *OpenSCENARIO XML* 1.3, "Conditions and triggers".
 class TriggerWatch
 {
 public:
     /// `trigger` must outlive the watch.
     explicit TriggerWatch(const Trigger& trigger);
 
-    /// To be called once per step, in the order of time.
+    /// Evaluates the trigger. Call it once per step, in the order of time.
     bool update(const ConditionFacts& facts);
 
-    /// Forgets all history.
+    /// Clears the history.
     void reset();
 
 private:

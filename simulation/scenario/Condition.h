@@ -100,7 +100,7 @@ struct Condition
     bool operator==(const Condition&) const = default;
 };
 
-/// Holds when all its conditions hold.
+/// True when all its conditions are true.
 struct ConditionGroup
 {
     std::vector<Condition> conditions;
@@ -108,7 +108,7 @@ struct ConditionGroup
     bool operator==(const ConditionGroup&) const = default;
 };
 
-/// Fires when any of its groups holds; one without groups never does.
+/// Fires when one of its groups is true; a trigger without groups never fires.
 struct Trigger
 {
     SourceLine source;

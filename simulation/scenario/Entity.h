@@ -111,8 +111,9 @@ struct ScenarioObject
     const Properties& properties() const;
     const std::string& model3d() const;
 
-    /// True for what does not stand on the ground: a vehicle of category `aircraft` or `helicopter`, or any
-    /// object with the property `domain` = `air` (the form that the standard's schema accepts).
+    /// Returns true for an entity that does not stand on the ground: a vehicle of category `aircraft` or
+    /// `helicopter`, or an object with the property `domain` = `air` (the form that the schema of the standard
+    /// accepts).
     bool isAirborne() const;
 };
 

@@ -45,7 +45,7 @@ struct Wind
     bool operator==(const Wind&) const = default;
 };
 
-/// What is missing stays as it was.
+/// An absent value leaves the environment unchanged.
 struct Weather
 {
     std::string cloudState; ///< `cloudState` (1.0, 1.1) or `fractionalCloudCover` (1.2); empty: unchanged

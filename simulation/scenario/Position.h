@@ -9,9 +9,9 @@
 namespace simulation
 {
 
-/// Angles as OpenSCENARIO has them; one that is missing follows from the path or the ground.
-/// Frame: ISO 8855 about the scene's axes. Heading counter-clockwise from east, pitch positive nose down,
-/// roll positive right side down. Units: radians, as in the file.
+/// Angles as in OpenSCENARIO; a missing angle follows from the path or the ground.
+/// Frame: ISO 8855 about the axes of the scene. Heading counter-clockwise from east, pitch positive nose down, roll
+/// positive right side down. Units: radians, as in the file.
 struct Orientation
 {
     std::optional<double> headingRad;

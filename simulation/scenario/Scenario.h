@@ -33,16 +33,15 @@ struct ParameterDeclaration
 
 struct RoadNetwork
 {
-    std::string logicFile; ///< noted: roads come with a later version
+    std::string logicFile; ///< kept, not used
     std::string sceneGraphFile;
 
     bool operator==(const RoadNetwork&) const = default;
 };
 
-/// A scenario: what an OpenSCENARIO XML file says, with parameters put in and catalogue entries in place.
-/// Plain values; nothing here knows of XML. Content outside the first set of the language stands as
-/// Unsupported. Invariant (strict reading): every entity reference names one of `entities`; isConsistent()
-/// checks. Source: ASAM OpenSCENARIO XML 1.0 to 1.3.
+/// A scenario: the content of an OpenSCENARIO XML file with parameters and catalogue entries replaced. Plain values
+/// without XML. Unsupported content is kept as Unsupported. Invariant (strict reading): every reference to an entity
+/// names one of `entities`; isConsistent() checks it. Source: ASAM, *OpenSCENARIO XML* 1.0 to 1.3.
 struct Scenario
 {
     FileHeader header;
@@ -53,7 +52,7 @@ struct Scenario
 
     bool operator==(const Scenario&) const = default;
 
-    /// Index into `entities`, or -1.
+    /// Returns the index into `entities`, or -1.
     int entityIndex(const std::string& name) const;
     bool isConsistent() const;
 };

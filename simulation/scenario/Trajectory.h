@@ -17,7 +17,7 @@ struct Vertex
     std::optional<double> timeS;
     Position position;
 
-    /// Whether a vertex's time is enough (a microsecond) after the one before.
+    /// Returns whether the time of a vertex is at least a microsecond after the one before.
     static bool isLater(double before, double time) { return time - before >= 1e-6; }
 
     bool operator==(const Vertex&) const = default;
@@ -37,14 +37,14 @@ struct Trajectory
 {
     SourceLine source;
     std::string name;
-    bool closed = false; ///< the last vertex is joined to the first, and the path is run again and again
+    bool closed = false; ///< the last vertex is joined to the first, and the path repeats
     TrajectoryShape shape;
 
     bool operator==(const Trajectory&) const = default;
 };
 
-/// How the vertices' times become the simulation's: t = offset + scale·vertex, counted from the start of the
-/// action (relative) or of the simulation (absolute).
+/// Converts the times of the vertices to those of the simulation: t = offset + scale·vertex, counted from the start
+/// of the action (relative) or of the simulation (absolute).
 struct Timing
 {
     enum class Domain

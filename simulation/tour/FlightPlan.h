@@ -11,20 +11,20 @@
 namespace simulation
 {
 
-/// The plan (from above) of a flight, sampled at equal distances from 0 to the scale's length.
+/// The path of a flight seen from above, sampled at equal distances from 0 to the length of the scale.
 struct FlightPlan
 {
     std::vector<glm::dvec2> places;
     std::vector<double> headingsRad; ///< counter-clockwise from east
-    glm::dvec2 highlight{0.0};       ///< what lies ahead of its end
+    glm::dvec2 highlight{0.0};       ///< the point of interest that the end faces
     double score = 0.0;
 };
 
-/// Candidate plans. Each is an S or a bow of bounded curvature that ends facing one of the terrain's highlights: the
-/// most interesting cells that are not neighbours of a better one. A plan is rated by what a fan of looks ahead from
-/// all along it meets: interest counts for it, the world's end against it. Of the plans that end at one distance from
-/// one highlight the best is kept. Plans that leave the extent are dropped, unless all do.
-/// Cost: some thousand plans of 24 fans of 25 looks. Deterministic: ties go to the first found.
+/// Finds candidate paths. Each is a bow or an S of bounded curvature, and its end faces one of the highlights of the
+/// terrain: the most interesting cells without a better neighbour. The rating of a path sums what is seen ahead from
+/// all its samples (24 fans of 25 rays): interest counts for it, the edge of the terrain against it. The best path is
+/// kept for each highlight and each distance from it. Paths that leave the extent are dropped, unless all do.
+/// Cost: some thousand paths. Deterministic: the first of equal ones wins.
 std::vector<FlightPlan> flightPlans(const TourTerrain& terrain, const ReliefMap& map, const TourScale& scale);
 
 } // namespace simulation

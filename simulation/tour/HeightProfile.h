@@ -10,10 +10,11 @@
 namespace simulation
 {
 
-/// Heights along a flight plan: a high overview, down through a medium height to a low pass, and up again, all above
-/// the ground that lies below, to the sides and ahead.
-/// Invariant: no closer to the ground than the scale's clearance at any sample, nor to that within a third of the
-/// medium height to either side; slopes within the scale's climb and sink (all within rounding). isWithin() checks.
+/// The heights along a flight path: first high, then medium, a low pass, and up again, above the ground below, beside
+/// and ahead.
+/// Invariant (within rounding), checked by isWithin(): every sample keeps the clearance of the scale above the ground
+/// below and above the ground within a third of the medium height to either side; slopes keep the climb and sink of
+/// the scale.
 struct HeightProfile
 {
     std::vector<double> groundM; ///< highest ground across the corridor at each sample of the plan
@@ -25,7 +26,7 @@ struct HeightProfile
     double largestSink() const;
     bool isWithin(const TourScale& scale) const;
 
-    /// How far the flight is, on average, from the heights above ground that were wanted, in medium heights.
+    /// Returns the mean difference from the wanted heights above ground, as a share of the medium height.
     double excess = 0.0;
 };
 

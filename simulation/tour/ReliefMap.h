@@ -8,31 +8,31 @@
 namespace simulation
 {
 
-/// A coarse look at a terrain: where it is high and rugged. At most 160 cells along the longer side.
-/// Heights are freed of the Earth's curvature, so that the far corner of a large tile does not count as low.
-/// `interest` is 0 on a plain at the lowest height, about 1 in rugged mountains, up to 2 on a summit that stands alone.
+/// A coarse map of a terrain that tells where it is high and rugged, with at most 160 cells along the longer side.
+/// The curvature of the Earth is subtracted, so that the far corner of a large tile does not count as low.
+/// `interest` is 0 on a plain at the lowest height, about 1 in rugged mountains, up to 2 on an isolated summit.
 class ReliefMap
 {
 public:
     explicit ReliefMap(const TourTerrain& terrain);
 
-    /// False when any sampled height is infinite or not a number.
+    /// Returns false when a sampled height is not finite.
     bool isFinite() const { return _isFinite; }
 
     int columns() const { return _columns; }
     int rows() const { return _rows; }
     glm::dvec2 centre(int column, int row) const;
 
-    /// Of the cell at a place; 0 beyond the extent.
+    /// Returns the interest of the cell at a point; 0 outside the extent.
     double interestAt(double eastM, double northM) const;
     bool contains(double eastM, double northM) const;
     double interest(int column, int row) const { return _interest[index(column, row)]; }
 
-    /// How far the cell stands above the land around it (a square of a fifth of the extent), in shares of the relief:
-    /// what makes a mountain a landmark.
+    /// Returns the height of the cell above the land around it (a square of a fifth of the extent) as a share of the
+    /// relief. It is large for a landmark.
     double prominence(int column, int row) const { return _prominence[index(column, row)]; }
 
-    /// Height between the lowest and the highest twentieth of the cells.
+    /// The difference of the 5th and the 95th percentile of the heights of the cells.
     double reliefM() const { return _reliefM; }
 
 private:

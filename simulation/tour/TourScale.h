@@ -6,9 +6,9 @@
 namespace simulation
 {
 
-/// The sizes of a flight that suit a terrain: how fast, how high, how tight.
-/// From the longer side D of the extent: a speed of D/50 per second, 15…240 m/s, and never more than half of D in the
-/// whole flight; heights above the ground in proportion to the distance flown, so that they fit within the climb.
+/// The speed, the heights and the turns of a flight that fit a terrain.
+/// From the longer side D of the extent: the speed is D/50 per second, 15…240 m/s, and at most D/2 in the whole
+/// flight; heights above the ground are in proportion to the distance flown, so that the climb allows them.
 struct TourScale
 {
     double speedMps = 0.0;

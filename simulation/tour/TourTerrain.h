@@ -12,7 +12,7 @@
 namespace simulation
 {
 
-/// A terrain as whoever lays a path over it sees it.
+/// A terrain as the tour and the drive need it.
 /// Frame: the scene's east-north-up. Units: metres.
 struct TourTerrain
 {
@@ -21,28 +21,28 @@ struct TourTerrain
     double eastM = 0.0;
     double northM = 0.0;
 
-    /// z of the surface; asked inside the extent, and a little beyond, where it must go on somehow (the nearest height).
+    /// Returns z of the surface inside the extent and slightly outside, where it returns the nearest height.
     std::function<double(double eastM, double northM)> heightM;
 
     double sampleSpacingM = 1.0;
-    std::optional<Geodetic> origin; ///< of the frame; absent: a plane without georeference
+    std::optional<Geodetic> origin; ///< of the frame; absent without georeference
     std::string sceneFile;          ///< becomes RoadNetwork/SceneGraphFile
 
     double widthM() const { return eastM - westM; }
     double depthM() const { return northM - southM; }
 
-    /// For people: the scene file without its folders.
+    /// The name for messages: the scene file without its folders.
     std::string name() const { return std::filesystem::path(sceneFile).filename().string(); }
 };
 
-/// A path laid over a terrain, as a scenario, with what was chosen for it.
+/// A path over a terrain as a scenario, with the values chosen for it.
 struct Tour
 {
     Scenario scenario;
     double speedMps = 0.0;
     double lowestM = 0.0;      ///< smallest height above the ground on the way
     double highestM = 0.0;     ///< largest
-    glm::dvec3 highlight{0.0}; ///< what a flight heads for
+    glm::dvec3 highlight{0.0}; ///< the point of interest that a flight faces at its end
 };
 
 } // namespace simulation

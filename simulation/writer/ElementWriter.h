@@ -13,7 +13,7 @@
 namespace simulation
 {
 
-/// Builds an XML tree, one element at a time. Remembers the first content that cannot be written.
+/// Builds an XML tree one element at a time and keeps the first error.
 class ElementWriter
 {
 public:
@@ -52,7 +52,7 @@ private:
     std::string& _unwritable;
 };
 
-/// Content that the model keeps only by its name cannot be written.
+/// Notes content that cannot be written, because the model keeps only its name.
 inline void writeContent(ElementWriter parent, const Unsupported& content)
 {
     parent.refuse(content);

@@ -10,9 +10,9 @@
 namespace simulation
 {
 
-/// The scenario as OpenSCENARIO XML 1.3: reading the text back strictly gives an equal model, but for the
-/// version in its header. Catalogue entries and parameters stand where they were put in. Errors: content that
-/// the model keeps only by name (Unsupported).
+/// Writes a scenario as OpenSCENARIO XML 1.3. A strict reading of the text gives an equal model except for the
+/// version in its header. Parameters and catalogue entries are written as replaced. Errors: Unsupported content,
+/// which has only a name.
 foundation::Result<std::string> scenarioText(const Scenario& scenario);
 
 } // namespace simulation

@@ -10,7 +10,7 @@
 namespace scenery::models
 {
 
-/// The cells of the picture houseDetails, 4 × 4, from the lower left: what walls have in them and roofs have on them.
+/// The cells of the texture houseDetails, 4 × 4 from the lower left: windows, doors and fittings of walls and roofs.
 enum class Detail : std::uint8_t
 {
     window,     ///< two sashes
@@ -29,19 +29,19 @@ enum class Detail : std::uint8_t
     skylight,
 };
 
-/// The corners of a cell in the picture, a little inside its edges, so that neighbours do not bleed in.
+/// The corners of a cell in texture coordinates, slightly inside its edges, so that neighbours do not bleed in.
 struct CellUv
 {
     glm::vec2 low, high;
     glm::vec2 middle() const { return (low + high) * 0.5F; }
-    /// A place of the cell by shares of it.
+    /// Returns a point of the cell by its shares of width and height.
     glm::vec2 at(float u, float v) const { return low + (high - low) * glm::vec2(u, v); }
 };
 CellUv uvOf(Detail detail);
 
 constexpr int kDetailColumns = 4;
 
-/// What windows, doors, gutters and chimneys are drawn with.
+/// The surface of windows, doors, gutters and chimneys.
 inline const Surface kHouseDetails{Painting::houseDetails, Coat::matt};
 
 } // namespace scenery::models

@@ -8,8 +8,9 @@
 namespace scenery::models
 {
 
-/// A detached family house: one or two storeys below a steep saddle roof, chimney, dormers, a canopy over the entrance.
-/// Seeds choose measures, storeys, colours, windows, dormers. Pure. Surfaces: plaster or bricks, details, roof tiles.
+/// Generates a detached house: one or two storeys below a steep gable roof, a chimney, dormers, a canopy over the
+/// entrance. Seeds choose sizes, storeys, colours, windows and dormers. Pure. Surfaces: plaster or bricks, details,
+/// roof tiles.
 Model makeFamilyHouse(std::uint64_t seed);
 
 } // namespace scenery::models

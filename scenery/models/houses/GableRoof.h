@@ -6,8 +6,8 @@
 namespace scenery::models
 {
 
-/// A saddle roof: a slab bent along its ridge. `base`: below the ridge, at the height where the slab's underside meets the
-/// walls. `axis`: along the ridge, unit length, level. Units: metres.
+/// A gable roof: a slab bent along its ridge. `base`: the point below the ridge at the height where the lower side of
+/// the slab meets the walls. `axis`: along the ridge, unit length, level. Units: metres.
 struct GableRoof
 {
     glm::dvec3 base{0.0}, axis{1.0, 0.0, 0.0};
@@ -18,15 +18,16 @@ struct GableRoof
     double thickness = 0.2;       ///< upright
 
     double ridgeM() const { return halfWidth * slope; } ///< of the underside, above the base
-    /// Height of the upper side above the base, at a distance from the ridge.
+    /// Returns the height of the upper side above the base at a distance from the ridge.
     double topAt(double acrossM) const { return (halfWidth - acrossM) * slope + thickness; }
     glm::dvec3 across() const { return {-axis.y, axis.x, 0.0}; }
 };
 
-/// How often a roof's picture repeats: once in that many metres, both ways.
+/// The period of the roof texture in metres, in both axes.
 constexpr double kRoofPictureM = 2.4;
 
-/// Closed: tiles above, boards below and at the edges; a gutter along each eave where asked for; a row of ridge tiles.
+/// Adds the closed roof: tiles above, boards below and at the edges, a row of ridge tiles, and a gutter along each
+/// eave where asked for.
 void addGableRoof(ModelBuilder& builder, const GableRoof& roof, const Surface& tiles, const glm::vec3& tint,
                   bool hasGutters);
 

@@ -8,11 +8,12 @@
 namespace scenery::models
 {
 
-/// A barn of planks on a stone plinth with double doors in its long side and its gable. Pure. Surfaces: planks, details, roof tiles.
+/// Generates a barn of planks on a stone plinth with double doors in a long side and a gable. Pure. Surfaces: planks,
+/// details, roof tiles.
 Model makeBarn(std::uint64_t seed);
 
-/// An industrial hall of sheet metal: gates, bands of windows below the eaves, skylights and a ventilator on the flat-pitched
-/// roof. Pure. Surfaces: sheet metal, details, roof metal.
+/// Generates an industrial hall of sheet metal: gates, bands of windows below the eaves, skylights and a ventilator
+/// on a roof of low pitch. Pure. Surfaces: sheet metal, details, roof metal.
 Model makeHall(std::uint64_t seed);
 
 } // namespace scenery::models

@@ -8,7 +8,7 @@
 namespace scenery::models
 {
 
-/// What houses are painted with. Units: display values, multiplied with the pictures, which are light.
+/// The colours of houses. Units: display values, multiplied with the light textures.
 inline constexpr std::array kPlasterTints{glm::vec3(1.00F, 0.98F, 0.93F), glm::vec3(0.97F, 0.90F, 0.76F),
                                           glm::vec3(0.93F, 0.82F, 0.66F), glm::vec3(0.90F, 0.90F, 0.88F),
                                           glm::vec3(0.94F, 0.78F, 0.68F), glm::vec3(0.82F, 0.87F, 0.80F),

@@ -10,12 +10,12 @@
 namespace scenery::models
 {
 
-/// A rectangular house below one saddle roof, about the z axis, the ridge along x. Units: metres.
+/// A rectangular house below one gable roof, about the z axis, with its ridge along x. Units: metres.
 struct HouseShell
 {
     glm::dvec3 middle{0.0};
     double lengthM = 10.0, widthM = 8.0;
-    std::vector<double> rows;  ///< of all walls; the last is where the roof rests
+    std::vector<double> rows;  ///< heights of all walls; the roof rests on the last
     GableRoof roof;            ///< base, slope and width follow from the walls
     std::array<Wall, 4> walls; ///< front (towards -y), right (+x), back, left
     Surface wallSurface, roofSurface;
@@ -23,13 +23,13 @@ struct HouseShell
     bool hasGutters = true;
 };
 
-/// Sets up walls and roof from measures and rows; openings are added to the walls afterwards.
+/// Makes walls and roof from sizes and rows. Openings are added to the walls afterwards.
 void setUpShell(HouseShell& shell, double slope, double eavesM, double vergeM);
 
-/// Walls, openings, sills, roof, plinth, downpipes.
+/// Adds walls, openings, sills, roof, plinth and downpipes to a model.
 void addShell(ModelBuilder& builder, const HouseShell& shell);
 
-/// How far plinths reach into the ground, and out of it.
+/// The depth of a plinth in the ground, and its height above it.
 constexpr double kFoundationM = 1.0;
 constexpr double kPlinthM = 0.30;
 

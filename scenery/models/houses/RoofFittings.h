@@ -6,13 +6,13 @@
 namespace scenery::models
 {
 
-/// A chimney of bricks through the roof at a place, with its pots.
+/// Adds a brick chimney with its pots through the roof at a point.
 void addChimney(ModelBuilder& builder, const HouseShell& shell, const glm::dvec2& place, double aboveRidgeM);
 
-/// A window high up in both gables, in a frame that stands proud of the wall.
+/// Adds a window high up in both gables, in a frame in front of the wall.
 void addGableWindows(ModelBuilder& builder, const HouseShell& shell);
 
-/// A dormer with a saddle roof of its own on the front slope, its window `insideM` in from the wall.
+/// Adds a dormer with a gable roof to the front slope, its window `insideM` behind the wall.
 void addDormer(ModelBuilder& builder, const HouseShell& shell, double atX, double insideM);
 
 } // namespace scenery::models

@@ -8,8 +8,9 @@
 namespace scenery::models
 {
 
-/// A row of two to four town houses wall to wall, three to five storeys each, shops on the ground floor, cornices, dormers,
-/// chimneys on the party walls. Seeds choose all of that and the colours. Pure. Surfaces: plaster, details, roof tiles.
+/// Generates a row of two to four terraced town houses of three to five storeys, with shops on the ground floor,
+/// cornices, dormers, and chimneys on the party walls. Seeds choose all of that and the colours. Pure. Surfaces:
+/// plaster, details, roof tiles.
 Model makeTownHouses(std::uint64_t seed);
 
 } // namespace scenery::models

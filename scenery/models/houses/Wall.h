@@ -9,7 +9,7 @@
 namespace scenery::models
 {
 
-/// A hole in a wall with something in it. Units: metres; along the wall, and heights.
+/// An opening in a wall and its content. Units: metres along the wall, and heights.
 struct Opening
 {
     double from, to, bottom, top;
@@ -18,9 +18,9 @@ struct Opening
     bool hasSill = true;
 };
 
-/// A flat upright wall. `start`: its left end as seen from outside, z = 0; `along`: unit vector to the right.
-/// `rows`: heights at which its faces are cut, rising, the same for all walls of a house, so that they meet at the corners
-/// without cracks; the bottoms and tops of its openings must be among them.
+/// A flat upright wall. `start`: its left end seen from outside, z = 0; `along`: unit vector to the right. `rows`:
+/// increasing heights at which its faces are cut, the same for all walls of a house, so that there are no cracks at
+/// the corners; they must contain the bottoms and tops of its openings.
 struct Wall
 {
     glm::dvec3 start{0.0}, along{1.0, 0.0, 0.0};
@@ -34,17 +34,17 @@ struct Wall
     glm::dvec3 place(double atM, double heightM, double behindM = 0.0) const;
 };
 
-/// How often a wall's picture repeats: once in that many metres, both ways.
+/// The period of the wall texture in metres, in both axes.
 constexpr double kWallPictureM = 2.4;
 
-/// Its face with the reveals of its openings. Begin a part of the wall's surface before.
+/// Adds the face of the wall with the reveals of its openings. Precondition: a part of the wall surface has begun.
 void addWallFace(ModelBuilder& builder, const Wall& wall);
 
-/// What stands in its openings: panes and doors; and the sills. Begin a part of the details' surface before.
+/// Adds panes, doors and sills. Precondition: a part of the details surface has begun.
 void addOpenings(ModelBuilder& builder, const Wall& wall, bool doors);
 void addSills(ModelBuilder& builder, const Wall& wall);
 
-/// Whether a detail takes the tint of doors instead of that of window frames.
+/// Returns whether a detail takes the tint of doors instead of that of window frames.
 bool isDoor(Detail detail);
 
 } // namespace scenery::models

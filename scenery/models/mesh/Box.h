@@ -8,7 +8,7 @@
 namespace scenery::models
 {
 
-/// A closed box with its edges along the axes. `uvLow`, `uvHigh`: the part of the picture that each of its sides shows.
+/// Adds a closed box along the axes. `uvLow`, `uvHigh`: the part of the texture on each of its sides.
 struct Box
 {
     glm::dvec3 low, high;
@@ -17,9 +17,9 @@ struct Box
 };
 void addBox(ModelBuilder& builder, const Box& box);
 
-/// A closed bar of one cross section from one place to another: `profile` counter-clockwise seen from the end, convex or
-/// a strip of quads (point i faces point n - 1 - i), which is how its ends are closed. Even number of points.
-/// `cornerAt(end, point, face)`: end 0 or 1, the number of the point, and of the side it is a corner of (the ends come last).
+/// Adds a closed bar of one cross section between two points. `profile`: counter-clockwise seen from the end, an even
+/// number of points, convex or a strip of quads (point i faces point n - 1 - i), as its ends are closed that way.
+/// `cornerAt(end, point, face)`: end 0 or 1, the index of the point, and the side of the corner (the ends come last).
 template<class PlaceAt>
 void addPrism(ModelBuilder& builder, std::size_t points, const PlaceAt& cornerAt)
 {

@@ -24,23 +24,25 @@ struct Corner
     float light = 1.0F;     ///< share of the sky it sees; darkens the tint
 };
 
-/// Puts a model together of triangles. Places are rounded to 1/4096 m, so that what was computed by two ways meets to the last
-/// bit, on every machine. Faces that use a place twice are left out: where a ring shrinks to a point.
+/// Builds a model of triangles. Positions are rounded to 1/4096 m, so that positions computed in two ways agree to
+/// the last bit on every machine. Faces with two equal positions are left out, as where a ring shrinks to a point.
 class ModelBuilder
 {
 public:
-    /// What follows is one part, of one surface, its colours multiplied by `tint`.
+    /// Begins a part of one surface, whose colours are multiplied by `tint`.
     void begin(const std::string& part, const Surface& surface, const glm::vec3& tint = glm::vec3(1.0F));
     void tint(const glm::vec3& tint) { _tint = tint; }
 
-    /// Corners counter-clockwise seen from outside.
+    /// Adds a triangle or quad, corners counter-clockwise seen from outside.
     void triangle(const Corner& a, const Corner& b, const Corner& c);
     void quad(const Corner& a, const Corner& b, const Corner& c, const Corner& d);
 
-    /// Rows of equal length, joined by quads: outside is where row r runs to the right below row r + 1.
+    /// Adds rows of equal length joined by quads. Outside is the side from which row r runs to the right below row r
+    /// + 1.
     void grid(const std::vector<std::vector<Corner>>& rows);
 
-    /// Normals where none were given (edges sharper than `creaseDeg` stay sharp), equal wedges joined, measures taken.
+    /// Finishes the model: computes missing normals (edges sharper than `creaseDeg` stay sharp), joins equal wedges,
+    /// measures the size.
     Model finish(double creaseDeg = 42.0);
 
 private:

@@ -8,16 +8,17 @@
 namespace scenery::models
 {
 
-/// Below this alpha foliage is not drawn.
+/// The alpha below which foliage is not drawn.
 constexpr int kAlphaThreshold = 110;
 
-/// Share of a picture's pixels whose alpha is above the threshold.
+/// Returns the share of the pixels of an image whose alpha is above the threshold.
 double coverageOf(const Picture& picture);
 
-/// A picture and its halves down to one pixel, each the mean of four. With `keepCoverage` the alpha of every level is scaled so
-/// that as large a share as in the first passes the threshold: plain means change it, crowns get denser with distance and at last vanish.
-/// Colours are weighted by alpha then, so that what is cut out does not bleed in.
-/// Source: Castaño, "Computing alpha mipmaps" (2010); the scale by halving an interval.
+/// Makes the mipmaps of an image down to one pixel; each pixel is the mean of four. With `keepCoverage` the alpha of
+/// each level is scaled so that the same share of pixels passes the threshold as in the first level; plain means
+/// change that share, and trees would get denser and then vanish with distance. Colours are then weighted by alpha,
+/// so that transparent pixels do not bleed in.
+/// Source: Castaño, *Computing Alpha Mipmaps*, 2010; the scale is found by bisection.
 std::vector<Picture> mipChain(const Picture& picture, bool keepCoverage);
 
 } // namespace scenery::models

@@ -7,7 +7,7 @@
 namespace scenery::models
 {
 
-/// Paints a picture. Pure: always the same bytes. Cost: some 10 to 100 ms.
+/// Paints a texture. Pure: the same bytes always. Cost: about 10 to 100 ms.
 Picture paint(Painting painting);
 
 } // namespace scenery::models

@@ -6,7 +6,7 @@
 namespace scenery::models
 {
 
-/// Barks, 256 × 256, to be repeated both ways; along the limb is up.
+/// Paints bark, 256 × 256, periodic in both axes; up is along the limb.
 Picture paintOakBark();
 Picture paintPineBark();
 Picture paintBirchBark();

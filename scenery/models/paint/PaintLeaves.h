@@ -6,13 +6,14 @@
 namespace scenery::models
 {
 
-/// Clusters of leaves on their twigs, 512 × 512, cut out by alpha; the twig comes in at the middle of the lower edge.
+/// Paints a cluster of leaves on its twig, 512 × 512, cut out by alpha; the twig enters at the middle of the lower
+/// edge.
 Picture paintOakLeaves();
 Picture paintBirchLeaves();
 Picture paintPoplarLeaves();
 Picture paintBushLeaves();
 
-/// A spray of needles: the twig runs from the lower edge to the upper one.
+/// Paints a spray of needles; its twig runs from the lower to the upper edge.
 Picture paintSpruceNeedles();
 
 } // namespace scenery::models

@@ -6,7 +6,7 @@
 namespace scenery::models
 {
 
-/// Roofs, 256 × 256, to be repeated both ways (kRoofPictureM), light, to be tinted; the ridge is up.
+/// Paints a roof, 256 × 256, periodic in both axes (kRoofPictureM), light so that it can be tinted; the ridge is up.
 Picture paintRoofTiles();
 Picture paintRoofMetal();
 

@@ -6,12 +6,12 @@
 namespace scenery::models
 {
 
-/// Walls, 256 × 256, to be repeated both ways (kWallPictureM), light, to be tinted.
+/// Paints a wall, 256 × 256, periodic in both axes (kWallPictureM), light so that it can be tinted.
 Picture paintPlaster();
 Picture paintBricks();
-/// Trapezoidal sheet, its ribs upright.
+/// Paints trapezoidal sheet metal with upright ribs.
 Picture paintSheetMetal();
-/// Upright boards.
+/// Paints upright boards.
 Picture paintPlanks();
 
 } // namespace scenery::models

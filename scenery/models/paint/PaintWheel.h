@@ -6,7 +6,7 @@
 namespace scenery::models
 {
 
-/// A wheel seen from outside, filling 256 × 256: tyre, rim with five double spokes, bolts.
+/// Paints a wheel seen from outside over all 256 × 256 pixels: tyre, rim with five double spokes, bolts.
 Picture paintWheel();
 
 } // namespace scenery::models

@@ -7,7 +7,7 @@
 namespace scenery::models
 {
 
-/// A picture of red, green, blue and alpha bytes (display values), bottom row first.
+/// An image of red, green, blue and alpha bytes (display values), bottom row first.
 /// Invariant: rgba has 4 × widthPx × heightPx bytes; both sizes are powers of two.
 struct Picture
 {

@@ -10,7 +10,7 @@
 namespace scenery::models
 {
 
-/// Paints a vehicle's picture view by view, in metres. What is left alone is bodywork: white, to be tinted.
+/// Paints the texture of a vehicle view by view, in metres. Unpainted pixels are bodywork: white, to be tinted.
 class VehiclePainter
 {
 public:
@@ -27,13 +27,13 @@ public:
     explicit VehiclePainter(const VehicleForm& form);
 
     void look(View view);
-    /// Glass with a black seal around it, lighter towards its upper edge.
+    /// Paints glass with a black seal around it, lighter towards its upper edge.
     void glass(const Outline& outline);
     void fill(const Outline& outline, const glm::vec4& colour) { _canvas.polygon(outline, colour); }
     void box(const glm::vec2& low, const glm::vec2& high, float radius, const glm::vec4& colour);
-    /// The same on both sides of the view's middle.
+    /// Paints the same on both sides of the middle of the view.
     void pair(const glm::vec2& low, const glm::vec2& high, float radius, const glm::vec4& colour);
-    /// A gap between panels, a centimetre wide.
+    /// Paints a gap between panels, a centimetre wide.
     void seam(const Outline& line);
     void plate(const glm::vec2& middle);
 

@@ -7,8 +7,8 @@
 namespace scenery::models
 {
 
-/// A tree of one kind: closed limbs with bark, foliage of cards. Pure: the same seed gives the same bytes.
-/// Surfaces: bark, leaves. Triangles: 3 000 to 15 000. Its roots reach kRootM into the ground.
+/// Generates a tree: closed limbs with bark, and leaf cards. Pure. Surfaces: bark, leaves. Triangles: 3 000 to 15
+/// 000. Its roots reach kRootM into the ground.
 Model makeTree(TreeKind kind, std::uint64_t seed);
 
 } // namespace scenery::models

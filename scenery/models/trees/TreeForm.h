@@ -15,7 +15,8 @@ struct Range
     double low, high;
 };
 
-/// What makes a kind of tree. Shares are of the height unless something else is said. Units: metres, degrees above level.
+/// The parameters of a kind of tree. Shares are of the height if not said otherwise. Units: metres, degrees above
+/// level.
 struct TreeForm
 {
     Range heightM;
@@ -23,14 +24,14 @@ struct TreeForm
     Range crownRadius;  ///< half its greatest width
     double trunkRadius; ///< at breast height
     double trunkTo;     ///< where the trunk ends
-    double trunkWander; ///< how far it leaves the straight line
+    double trunkWander; ///< its deviation from a straight line
     int stems;          ///< trunks out of one root
     double (*profile)(
         double crownShare); ///< share of the greatest width, from the crown's base (0) to its top (1)
 
     int boughs;
     Range boughElevationDeg; ///< at the crown's base, at its top
-    double boughBend;        ///< turns upwards by that share of its length; negative: hangs
+    double boughBend;        ///< bends up by that share of its length; negative: down
     int twigsPerBough;
     double twigSpreadDeg; ///< away from the bough
 
@@ -38,7 +39,7 @@ struct TreeForm
     Range cardM;      ///< length of a leaf card
     double cardWidth; ///< share of its length
     double cardHang;  ///< 0: along its twig, 1: straight down
-    bool flatCards;   ///< sprays that lie level, instead of turned any way
+    bool flatCards;   ///< level sprays instead of random attitudes
 
     Painting bark, leaves;
     glm::dvec2 barkRepeats; ///< around the trunk, along it per metre

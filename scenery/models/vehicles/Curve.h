@@ -6,9 +6,9 @@
 namespace scenery::models
 {
 
-/// A smooth line through given points that never overshoots them: between two points it rises or falls only.
-/// Source: Fritsch and Carlson, "Monotone piecewise cubic interpolation" (1980), with the harmonic mean of Fritsch and Butland
-/// (1984) for the slopes. Invariant: two points or more, abscissae rising.
+/// A smooth curve through given points without overshoot: it is monotonic between two points.
+/// Source: Fritsch & Carlson, *Monotone Piecewise Cubic Interpolation*, 1980, with the harmonic mean of Fritsch &
+/// Butland, 1984, for the slopes. Invariant: at least two points, abscissae increasing.
 class Curve
 {
 public:
@@ -18,7 +18,7 @@ public:
     };
     explicit Curve(std::vector<Point> points);
 
-    /// Beyond its ends: the value there.
+    /// Evaluates the curve. Outside the points the value is that of the nearest end.
     double operator()(double at) const;
     const std::vector<Point>& points() const { return _points; }
 

@@ -9,8 +9,8 @@
 namespace scenery::models
 {
 
-/// A vehicle of one kind on its wheels, standing. Seeds choose its colour and stretch it. Pure.
-/// Surfaces: body (lacquered, the kind's picture), wheels. 3 000 to 10 000 triangles.
+/// Generates a vehicle standing on its wheels. Seeds choose its colour and stretch it. Pure. Surfaces: body
+/// (lacquered, the texture of the kind), wheels. 3 000 to 10 000 triangles.
 Model makeVehicle(VehicleKind kind, std::uint64_t seed);
 
 } // namespace scenery::models

@@ -18,27 +18,27 @@ enum class VehicleKind
     bus,
 };
 
-/// The shape of a vehicle before seeds stretch it. All curves run over x, the origin in the middle of the vehicle.
-/// Units: metres.
+/// The shape of a vehicle before a seed stretches it. All curves run over x; the origin is in the middle of the
+/// vehicle. Units: metres.
 struct VehicleForm
 {
     double lengthM, widthM, heightM;
     Curve top;        ///< of the middle line
     Curve belt;       ///< where the sides turn inwards: the lower edge of the windows
     Curve half;       ///< half the width
-    Curve lean;       ///< by what share of it the roof is narrower
+    Curve lean;       ///< share by which the roof is narrower
     Curve bottom;     ///< of the sides' lower edge
     double railShare; ///< of the way from belt to top, where sides become roof
     double roofPower; ///< how flat the roof is across: 2 an ellipse, more: a box
     double wheelRadiusM, wheelWidthM, archRadiusM;
     glm::dvec2 axles; ///< x of the front and of the rear one
     Painting painting;
-    bool hasTwoSides = false; ///< its left is not the mirror image of its right: doors
+    bool hasTwoSides = false; ///< its left differs from the mirror image of its right: doors
 };
 const VehicleForm& vehicleForm(VehicleKind kind);
 
-/// Where a vehicle's views lie in its picture of kSheetPx by kSheetPx pixels: the right side, above it the top, above that front and
-/// back, above those the left side where it is another; all to one scale.
+/// The positions of the views in the texture of kSheetPx by kSheetPx pixels, all to one scale: the right side, above
+/// it the top, above that front and back, above those the left side where it differs.
 struct VehicleSheet
 {
     static constexpr int kSheetPx = 1024;

@@ -6,8 +6,8 @@
 namespace scenery::models
 {
 
-/// A wheel: tyre with shoulders, a dished rim with its spokes in the picture. Closed, 20 sides, 360 triangles.
-/// `outwards`: +1 looks to the left, -1 to the right. Begin its part before, with the picture `wheel`.
+/// Adds a closed wheel, 20 sides, 360 triangles: a tyre with shoulders, and a dished rim whose spokes are in the
+/// texture. `outwards`: +1 looks left, -1 right. Precondition: a part with the texture `wheel` has begun.
 struct Wheel
 {
     glm::dvec3 hub{0.0};
