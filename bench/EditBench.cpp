@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What an edit costs for each sample that it changes, over tiles of growing size: it must not depend on that.
+// Measures the time of an edit for each sample that it changes, over tiles of growing size: it must not depend on the
+// size.
 //   build/bin/edit_bench
 #include <algorithm>
 #include <chrono>

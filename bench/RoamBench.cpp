@@ -169,7 +169,7 @@ void trueGround(benchmark::State& state)
     queries(state, placed, [&](const glm::dvec2& p) { return groundAt(placed, p.x, p.y); });
 }
 
-/// Over the mesh of the anchors' flight, 30 000 triangles.
+/// Over the mesh of the benchmark flight, 30 000 triangles.
 template<Placement placement>
 void drawnGround(benchmark::State& state)
 {

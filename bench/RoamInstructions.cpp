@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// What RoamMesh::refine() executes, frame by frame, for Valgrind's Callgrind to count; scripts/count-instructions runs it.
+// Runs RoamMesh::refine() frame by frame so that Callgrind of Valgrind counts its instructions;
+// scripts/count-instructions runs it.
 //   roam_instructions SCENE TOLERANCE_PX whole|centre [SLICE_US]
-// Prints a line for each frame: triangles, changed diamonds, vertices looked at, whether the slice left work over.
-// Outside of Callgrind it does the same and nothing is counted.
+// Prints a line for each frame: triangles, changed diamonds, vertices tested, whether the slice left work over.
+// Without Callgrind it does the same without counting.
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>

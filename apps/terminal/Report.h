@@ -11,15 +11,15 @@
 namespace terminal
 {
 
-/// A command's table, and whether everything in it is as it must be.
+/// The table of a command, and whether all its checks passed.
 struct Report
 {
     nlohmann::ordered_json json;
     bool sound = true;
 };
 
-/// Does the work, writes its table to `jsonFile` unless that is empty, and returns the program's exit code:
-/// kFailed after an error, and when the table says that something is not as it must be.
+/// Does the work, writes its table to `jsonFile` unless that is empty, and returns the exit code of the program:
+/// kFailed after an error, and when a check of the table failed.
 int report(const std::string& program, const std::filesystem::path& jsonFile,
            const std::function<foundation::Result<Report>()>& work);
 

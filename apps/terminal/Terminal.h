@@ -9,7 +9,7 @@
 namespace terminal
 {
 
-/// Exit codes of every program: the work failed, or it was asked for in a way that makes no sense.
+/// The exit codes of all programs: success, failed work, wrong use.
 enum ExitCode
 {
     kDone = 0,
@@ -17,11 +17,11 @@ enum ExitCode
     kWrongUse = 2,
 };
 
-/// Prints "program: place: what; remedy" on stderr, one line whatever a file is called, and returns kFailed.
+/// Prints "program: place: what; remedy" as one line on stderr and returns kFailed.
 int fail(const std::string& program, const foundation::Error& error);
 
-/// Progress of a long piece of work: a bar that redraws itself on a terminal, a plain line at every tenth elsewhere.
-/// `total` 0: not known; then it counts.
+/// The progress of long work: a bar that is redrawn on a terminal, a line at every tenth elsewhere. `total` 0:
+/// unknown, so it counts.
 class Progress
 {
 public:

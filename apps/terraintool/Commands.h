@@ -15,7 +15,7 @@
 namespace terraintool
 {
 
-/// What was asked on the command line.
+/// The values of the command line.
 struct Request
 {
     std::vector<std::string> files; ///< .roam files, elevation rasters; to validate also .xosc
@@ -47,7 +47,7 @@ foundation::Result<Report> info(const Request& request);
 /// mesh of every frame by brute force.
 foundation::Result<Report> validate(const Request& request);
 
-/// Measures every driver on the comparison paths over a planar square of each terrain.
+/// Measures every driver on the benchmark paths over a planar square of each terrain.
 foundation::Result<Report> bench(const Request& request);
 
 } // namespace terraintool

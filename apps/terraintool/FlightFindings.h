@@ -12,7 +12,7 @@
 namespace terraintool
 {
 
-/// What the checks of all frames of one flight add up to. Units: pixels.
+/// The sums of the checks of all frames of one flight. Units: pixels.
 struct FlightFindings
 {
     std::size_t frames = 0;
@@ -23,13 +23,13 @@ struct FlightFindings
     double maxErrorPx = 0.0;
     double tolerancePx = 0.0; ///< the largest that a frame reported
 
-    /// Takes one frame in: what brute force found in it, what its refinement says of itself, and what was asked.
+    /// Adds one frame: the result of the brute-force check, the statistics of its refinement, and the target.
     void add(const osgTerrainROAM::core::DrawnMeshReport& found,
              const osgTerrainROAM::core::RefineResult& said, const viewlod::Budget& asked);
 
     bool isSound() const { return tJunctions + cracks + ceilingExceeded + toleranceExceeded == 0; }
 
-    /// All of it in words, one line.
+    /// Returns the findings as one line of text.
     std::string text() const;
 };
 

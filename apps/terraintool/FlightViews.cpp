@@ -29,7 +29,7 @@ foundation::Result<Player> playerOver(const osgTerrainROAM::core::PlacedTile& ti
                                                simulation::FixedClock::forFrameRate(kFramesPerSecond), name});
 }
 
-/// What the first entity's eye sees now.
+/// Returns the current view of the first entity.
 viewlod::ViewState viewOf(const simulation::ScenarioPlayer& player)
 {
     const simulation::EntityState& state = player.entities().front();
@@ -42,7 +42,7 @@ viewlod::ViewState viewOf(const simulation::ScenarioPlayer& player)
         view, glm::perspective(glm::radians(kFovYDeg), aspect, kNearM, kFarM), kWidthPx, kHeightPx);
 }
 
-/// One view after each `stepsPerView` steps, the first at the start.
+/// Returns one view after each `stepsPerView` steps, the first at the start.
 std::vector<viewlod::ViewState> viewsOf(simulation::ScenarioPlayer& player, double stepsPerView, int frames)
 {
     std::vector<viewlod::ViewState> views;

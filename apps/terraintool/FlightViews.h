@@ -15,13 +15,13 @@
 namespace terraintool
 {
 
-/// The views of `frames` moments, evenly spread, of the tour that `trainer tour` flies over a terrain; 960×540 pixels.
+/// Returns the views at `frames` instants, evenly spaced, of the tour that `trainer tour` flies; 960×540 pixels.
 /// Frame: the tile's local frame.
 foundation::Result<std::vector<viewlod::ViewState>> tourViews(const osgTerrainROAM::core::PlacedTile& tile,
                                                               int frames);
 
-/// The same for the first entity of a scenario: 24 views a second from its start to its end, at most `frames`. The eye
-/// is 1.5 m above the entity's place where that stands on the ground. `name`: the scenario's file, for errors.
+/// Returns the views of the first entity of a scenario: 24 a second from its start to its end, at most `frames`. The
+/// camera is 1.5 m above the position of an entity on the ground. `name`: the scenario file, for errors.
 foundation::Result<std::vector<viewlod::ViewState>>
 scenarioViews(simulation::Scenario scenario, const std::string& name,
               const osgTerrainROAM::core::PlacedTile& tile, int frames);

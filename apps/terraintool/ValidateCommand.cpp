@@ -27,7 +27,7 @@ void checkFrame(RoamMesh& mesh, const viewlod::ViewState& view, const viewlod::B
     flight.add(checkDrawnMesh(mesh.tile(), mesh.drawn(), &view), result, budget);
 }
 
-/// The scenario that a .xosc file holds; nothing for any other file, which is a terrain.
+/// Reads the scenario of a .xosc file; nothing for any other file, which is a terrain.
 foundation::Result<std::optional<simulation::Scenario>> scenarioOf(const std::filesystem::path& file)
 {
     if (file.extension() != ".xosc") return std::optional<simulation::Scenario>();
@@ -36,7 +36,7 @@ foundation::Result<std::optional<simulation::Scenario>> scenarioOf(const std::fi
     return std::optional(std::move(parsed->scenario));
 }
 
-/// The terrain that a scenario plays on; any other file is one itself.
+/// Returns the terrain of a scenario; any other file is a terrain itself.
 foundation::Result<std::filesystem::path> terrainOf(const std::optional<simulation::Scenario>& scenario,
                                                     const std::filesystem::path& file)
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// terraintool: looks into elevation files and checks what the ROAM engine makes of them.
+// terraintool: inspects elevation files and checks the terrain that the ROAM engine draws from them.
 #include "terminal/CommandLine.h"
 #include "terraintool/RunCommand.h"
 
@@ -15,7 +15,7 @@ int main(int argc, char** argv)
     {
         CLI::App* sub = app.add_subcommand(name, what);
         sub->add_option("FILE", request.files, ".roam files or elevation rasters")->required();
-        sub->add_option("--json", jsonFile, "write the table there, too");
+        sub->add_option("--json", jsonFile, "also write the table to this file");
         sub->add_option("--spacing", request.import.spacingM,
                         "metres between samples of a raster without georeference")
             ->check(terminal::between(0.001, 1e5));
@@ -29,9 +29,9 @@ int main(int argc, char** argv)
     validate->add_option("--frames", request.frames, "frames of the flight")->check(CLI::PositiveNumber);
     validate->add_option("--tolerance", request.tolerancePx, "error target in pixels")
         ->check(terminal::between(0.01, 1000.0));
-    validate->add_option("--max-triangles", request.maxTriangles, "triangle ceiling")
+    validate->add_option("--max-triangles", request.maxTriangles, "triangle limit")
         ->check(CLI::Range(2u, 100000000u));
-    validate->add_flag("--morph", request.morphing, "check what is drawn with morphing");
+    validate->add_flag("--morph", request.morphing, "check the terrain drawn with morphing");
     const auto addPatches = [&](CLI::App* sub)
     {
         sub->add_option("--patch-exponent", request.patchExponent, "2^K triangles for each leaf")
@@ -39,28 +39,29 @@ int main(int argc, char** argv)
     };
     addPatches(validate);
     CLI::App* bench =
-        add("bench", "measure the drivers on the comparison paths, over a planar square of the terrain",
+        add("bench", "measure the drivers on the benchmark paths over a planar square of the terrain",
             terraintool::bench);
     addPatches(bench);
     bench->add_option("--tolerance", request.tolerancesPx, "error targets in pixels")
         ->check(terminal::between(0.01, 1000.0));
-    bench->add_flag("--nearby", request.leavesNearby, "put leaves where there is a gap, not in order");
-    bench->add_flag("--centre", request.centrePixels, "hold the target in the middle of the picture only");
+    bench->add_flag("--nearby", request.leavesNearby,
+                    "put leaves into free slots, not in the order of the bintree");
+    bench->add_flag("--centre", request.centrePixels, "hold the target in the middle of the image only");
     bench
         ->add_option("--crop", request.crop,
-                     "SIDE [COLUMN ROW]: which square, in samples from the north-west")
+                     "SIDE [COLUMN ROW]: the square to use, in samples from the north-west")
         ->expected(1, 3)
         ->check(CLI::Range(0, 65536));
     bench->add_option("--cell", request.cellM, "metres between samples, instead of the file's")
         ->check(terminal::between(0.001, 1e5));
-    bench->add_option("--dump", request.dumpFolder, "write eye, matrix and triangles of some frames there");
+    bench->add_option("--dump", request.dumpFolder, "folder for camera, matrix and triangles of some frames");
     bench->add_option("--frames", request.benchFrames, "frames of each path (240)")
         ->check(CLI::Range(1, 100000));
     bench
         ->add_option("--check-every", request.framesBetweenChecks,
-                     "check every so many frames by brute force (120); 1: all of them")
+                     "check every Nth frame by brute force (120); 1: all")
         ->check(CLI::Range(1, 100000));
-    bench->add_option("--drivers", request.drivers, "only these: wheel, walk, queue, scratch")
+    bench->add_option("--drivers", request.drivers, "only these drivers: wheel, walk, queue, scratch")
         ->check(CLI::IsMember({"wheel", "walk", "queue", "scratch"}));
     if (const auto ends = terminal::parse(app, argc, argv)) return *ends;
     return terraintool::run(command, request, jsonFile);

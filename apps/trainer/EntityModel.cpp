@@ -15,7 +15,7 @@ namespace trainer
 namespace
 {
 
-/// Stands in for what has no model: a box of the entity's size, light grey.
+/// Makes a light grey box of the size of the entity, for entities without a model.
 osg::ref_ptr<osg::Node> makeBox(const simulation::BoundingBox& box)
 {
     const osg::Vec3 centre(box.centre.x, box.centre.y, box.centre.z);

@@ -16,19 +16,19 @@
 namespace trainer
 {
 
-/// What an entity looks like: the file that its `model3d` names, else a model of the program by its category, a box of
-/// its size at last. Frame: the entity's own, placed by show(). Threads: show() between frames.
+/// The model of an entity: the file that its `model3d` names, else a built-in model by its category, else a box of
+/// its size. Frame: the entity's own, placed by show(). Threads: show() between frames.
 class EntityModel
 {
 public:
-    /// `folder`: what model3d is relative to. Errors: a model file that is there but cannot be read.
+    /// `folder`: model3d is relative to it. Errors: a model file that exists and cannot be read.
     static foundation::Result<EntityModel> create(const simulation::ScenarioObject& object,
                                                   const std::filesystem::path& folder);
 
     osg::Node* node() const { return _car ? _car->node() : _placed.get(); }
     void show(const simulation::EntityState& state);
 
-    /// What was drawn instead of what was asked for; empty: nothing.
+    /// Returns a note when another model is drawn than asked for, else an empty text.
     const std::string& note() const { return _note; }
 
 private:

@@ -19,7 +19,7 @@ namespace
 constexpr int kExponents[] = {0, 2, 4, 6};
 constexpr int kFrames = 16;
 
-/// Fetches every picture, so that a frame has ended when its time is taken.
+/// Reads back each frame, so that it is finished when its time is taken.
 class EveryPicture
 {
 public:

@@ -13,9 +13,9 @@
 namespace trainer
 {
 
-/// Chooses the terrain's patch exponent: draws frames with some of them, each to its last pixel, and keeps what was
-/// fastest. `moveEye` is called before each frame. Returns what it found, in a line of text.
-/// The choice depends on the machine and on what else it does: not for pictures that shall be the same everywhere.
+/// Chooses the patch exponent of the terrain: measures complete frames with some exponents and keeps the fastest.
+/// `moveEye` is called before each frame. Returns the result as one line of text.
+/// The choice depends on the machine and its load: do not use it for frames that must be the same everywhere.
 /// Precondition: nothing captures the contexts yet.
 std::string measurePatches(osgTerrainROAM::RoamTerrain& terrain, osgViewer::Viewer& viewer,
                            const std::vector<osg::ref_ptr<osg::GraphicsContext>>& contexts,

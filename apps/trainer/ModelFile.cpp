@@ -13,7 +13,7 @@ namespace trainer
 namespace
 {
 
-/// Keeps the first line that is said while it is installed.
+/// Keeps the first line of the messages of OpenSceneGraph while it is installed.
 class FirstWords : public osg::NotifyHandler
 {
 public:

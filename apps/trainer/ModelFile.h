@@ -12,9 +12,9 @@ namespace trainer
 {
 
 /// Reads a file in any format that OpenSceneGraph has a plugin for.
-/// Threads: none besides may speak through osg::notify meanwhile.
-/// Errors: no such file, no plugin, a plugin that refuses it; what OpenSceneGraph says of it stands in the error, and
-/// not on the terminal. `remedy` is for the last two.
+/// Threads: no other thread may use osg::notify meanwhile.
+/// Errors: no such file, no plugin, a plugin that refuses it; the error contains the first message of OpenSceneGraph,
+/// which is not printed. `remedy` is for the last two.
 foundation::Result<osg::ref_ptr<osg::Node>> readModel(const std::filesystem::path& file,
                                                       const std::string& remedy);
 

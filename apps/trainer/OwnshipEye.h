@@ -8,15 +8,15 @@
 namespace trainer
 {
 
-/// The eye of the ownship, which is the scenario's first entity.
-/// Frame: world. Deterministic: depends on the updates given, nothing else.
+/// The camera position of the ownship, which is the first entity of the scenario.
+/// Frame: world. Deterministic: depends on the updates only.
 class OwnshipEye
 {
 public:
     OwnshipEye(const simulation::ScenarioObject& ownship, const FrameRequest& frames,
                simulation::GroundProvider ground);
 
-    /// The eye for a state that is `dtS` later than the one before.
+    /// Returns the camera pose for a state `dtS` after the last one.
     scenery::Pose update(const simulation::EntityState& state, double dtS);
 
 private:

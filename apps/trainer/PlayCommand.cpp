@@ -21,9 +21,9 @@ namespace trainer
 namespace
 {
 
-constexpr double kLongestPlayS = 3600.0; ///< of a scenario that never ends by itself
+constexpr double kLongestPlayS = 3600.0; ///< limit for a scenario that never ends
 
-/// Said before the work begins: a result that has no place to go.
+/// Checks before the work begins that all results can be written.
 foundation::Outcome checkResultPlaces(const PlayRequest& request)
 {
     std::vector<std::filesystem::path> files{request.output.statsFile, request.output.reportFile};
@@ -68,7 +68,7 @@ foundation::Outcome playToTheEnd(PlaySession& session, const PlayRequest& reques
     return session.finish();
 }
 
-/// The report points at pictures beside it by the names that ./demo gives them, where they are there.
+/// The report refers to images beside it by the names that ./demo gives them.
 ReportContent reportOf(const PlaySession& session, const PlayRequest& request)
 {
     ReportContent content;
@@ -110,7 +110,7 @@ foundation::Outcome playOver(SceneTerrain terrain, simulation::Scenario scenario
     return leaveResults(**session, request);
 }
 
-/// As the saved scenario shall name it: found from any folder.
+/// Returns an absolute path, which a saved scenario can be played with from any folder.
 std::string absoluteName(const std::filesystem::path& file)
 {
     std::error_code failed; // of a working folder that is gone

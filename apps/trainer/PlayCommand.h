@@ -10,15 +10,14 @@
 namespace trainer
 {
 
-/// Plays request.scenario to its end and leaves the pictures, statistics and report that were asked for.
+/// Plays request.scenario to its end and writes the frames, statistics and report of request.output.
 foundation::Outcome play(const PlayRequest& request);
 
-/// Lays a tour over the terrain request.terrain, writes it to `saveFile` unless that is empty, and plays it.
-/// Units: seconds.
+/// Makes a tour over request.terrain, writes it to `saveFile` unless that is empty, and plays it. Units: seconds.
 foundation::Outcome tour(const PlayRequest& request, const std::filesystem::path& saveFile, double durationS);
 
-/// Reads a scenario tolerantly and prints everything that is wrong or not supported, one line each.
-/// Errors: the text is no scenario at all, or anything was found.
+/// Reads a scenario tolerantly and prints each wrong or unsupported item on one line.
+/// Errors: the text is no scenario, or there is such an item.
 foundation::Outcome check(const std::filesystem::path& scenario);
 
 } // namespace trainer

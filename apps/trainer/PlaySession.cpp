@@ -15,8 +15,8 @@ namespace trainer
 namespace
 {
 
-/// The near plane of a view that says nothing of its own: as far out as the eye allows, for the depth buffer's
-/// resolution far away is in proportion to it. A driver sees the ground from 4 m on, a pilot from much farther.
+/// Returns the near plane of a view that sets none, as far away as possible, because the depth resolution at a
+/// distance is proportional to it. A driver sees the ground from 4 m on, a pilot from much farther.
 double nearPlaneM(const simulation::ScenarioObject& ownship)
 {
     return ownship.isAirborne() ? 5.0 : 1.0;
@@ -121,7 +121,7 @@ foundation::Outcome PlaySession::beginCaptures(const ViewSetup& setup)
     return foundation::success();
 }
 
-/// In the first moment, the eye going ahead as fast as the ownship sets out.
+/// Measures patch exponents at time 0 while the camera moves ahead at the initial speed of the ownship.
 void PlaySession::tunePatches()
 {
     constexpr double kLeastStepM = 0.5;

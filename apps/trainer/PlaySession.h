@@ -18,27 +18,28 @@
 namespace trainer
 {
 
-/// A scenario being played offscreen, frame by frame.
-/// Deterministic: the pictures depend on scenario, terrain and request; only the times measured do not.
+/// Plays a scenario offscreen, frame by frame.
+/// Deterministic: the frames depend on scenario, terrain and request; only the measured times differ.
 class PlaySession
 {
 public:
-    /// `terrain`: what openScene() gave. Errors: whatever keeps scenario, view, graphics or folders from being used; a
+    /// `terrain`: from openScene(). Errors: a scenario, view, graphics context or folder that cannot be used; a
     /// scenario without entities.
     static foundation::Result<std::unique_ptr<PlaySession>>
     create(simulation::Scenario scenario, SceneTerrain terrain, const PlayRequest& request);
 
-    /// Draws the present moment, then lets one frame's time pass. Errors: a picture that could not be written.
+    /// Draws the current state, then advances the scenario by the time of one frame. Errors: an image that cannot be
+    /// written.
     foundation::Outcome frame();
 
     bool isFinished() const { return _player->isFinished(); }
     const std::vector<FrameStatistics>& statistics() const { return _statistics; }
     const simulation::ScenarioPlayer& player() const { return *_player; }
 
-    /// What is not as the scenario asks, and what was measured before it began, one line each.
+    /// Returns the differences from the scenario and the measurements made before it began, one line each.
     std::vector<std::string> notes() const;
 
-    /// Waits for the last pictures.
+    /// Waits until the last images are written.
     foundation::Outcome finish();
 
 private:

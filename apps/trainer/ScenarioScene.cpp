@@ -11,7 +11,7 @@ namespace trainer
 namespace
 {
 
-/// Cloud states of OpenSCENARIO 1.0 and, in oktas, of 1.2, as cover 0…1.
+/// Returns the cloud cover 0…1 of the cloud states of OpenSCENARIO 1.0 and of 1.2 (oktas).
 double cloudCover(const std::string& state)
 {
     static const std::map<std::string, double> kCover{

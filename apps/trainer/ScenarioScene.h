@@ -18,7 +18,7 @@
 namespace trainer
 {
 
-/// The scene graph of a scenario: terrain, sky, air, and one model for each entity.
+/// The scene graph of a scenario: terrain, sky, atmosphere and one model for each entity.
 /// Frame: world, the scene's east-north-up. Threads: show() between frames.
 class ScenarioScene
 {
@@ -30,13 +30,13 @@ public:
 
     osg::Group& root() { return *_root; }
 
-    /// One line for each model that is not the one that was asked for.
+    /// Returns one line for each model that differs from the one asked for.
     std::vector<std::string> notes() const;
 
-    /// Moves everything to where the player has it, and sets sun and air.
+    /// Sets entities, sun and atmosphere to the state of the player.
     void show(const simulation::ScenarioPlayer& player);
 
-    /// Leaves an entity out of the picture: the one whose eye looks.
+    /// Hides an entity: the one whose camera is used.
     void hide(std::size_t entity) { _entities[entity].node()->setNodeMask(0); }
 
 private:

@@ -22,7 +22,7 @@ namespace
 using scenery::SceneryDescription;
 
 constexpr double kLeastS =
-    600.0; ///< of the play that finds the ways: the scenery is the same for fewer frames
+    600.0; ///< least time that is played to find the paths: fewer frames give the same scenery
 constexpr std::size_t kMostModels = 64;
 constexpr double kFolderDensityPerKm2 = 250.0, kFolderNearM = 8.0, kFolderFarM = 900.0;
 
@@ -34,7 +34,7 @@ bool isModel(const std::filesystem::path& file)
     return std::find(kModels.begin(), kModels.end(), suffix) != kModels.end();
 }
 
-/// One more field of the models in a folder, in the order of their names.
+/// Adds a field with the models of a folder, sorted by name.
 foundation::Outcome addFolder(const std::filesystem::path& folder, SceneryDescription& description)
 {
     scenery::SceneryField field;
@@ -98,7 +98,7 @@ void report(const scenery::PlacedScenery& placed, const scenery::SceneryShapes& 
                             std::to_string(field.wanted));
 }
 
-/// The ground that the trainer hands over does not know what covers it.
+/// Reports rules for land cover, which the trainer cannot test.
 void reportUnheeded(const scenery::SceneryDescription& description, std::vector<std::string>& notes)
 {
     for (const scenery::SceneryField& field : description.fields)

@@ -14,19 +14,20 @@
 namespace trainer
 {
 
-/// What stands on the terrain of a play.
+/// The objects on the terrain of a play.
 struct SceneScenery
 {
     scenery::SceneryNode node;
-    std::vector<std::string> notes; ///< how many objects, what found no room, how long it took
+    std::vector<std::string> notes; ///< number of objects, fields without room, time
 
-    /// Of the frame that was drawn last.
+    /// Returns the figures of the frame drawn last.
     ObjectFigures figures(unsigned int frameNumber) const;
 };
 
-/// Reads, makes and places what the request asks for: --scenery FILE, and of --objects DIR every model that can be read, as one
-/// field more, scattered beside the way. `scenario` and `options`: as they will be played. Nothing where nothing is asked for.
-/// Errors: of the file, a folder without models, a model, a terrain whose ground cannot be asked.
+/// Reads, makes and places the objects of the request: its scenery file, and all readable models of its folder as one
+/// more field, scattered beside the paths. `playS`: seconds that are played, 0 to the end of the scenario;
+/// `scenario`, `options`: as they will be played. Returns nothing when the request is empty.
+/// Errors: of the file, a folder without models, a model, a terrain without ground queries.
 foundation::Result<std::optional<SceneScenery>> makeScenery(const SceneryRequest& request, double playS,
                                                             const simulation::Scenario& scenario,
                                                             const simulation::PlayerOptions& options,

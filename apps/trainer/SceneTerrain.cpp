@@ -21,7 +21,7 @@ namespace
 
 using osgTerrainROAM::RoamTerrain;
 
-/// The first ROAM terrain in a scene.
+/// Finds the first ROAM terrain of a scene.
 class TerrainFinder : public osg::NodeVisitor
 {
 public:

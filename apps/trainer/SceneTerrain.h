@@ -18,26 +18,26 @@
 namespace trainer
 {
 
-/// The ground that a scenario plays on.
+/// The terrain of a scenario.
 struct SceneTerrain
 {
-    osg::ref_ptr<osg::Node> node;                      ///< what is drawn
+    osg::ref_ptr<osg::Node> node;                      ///< the scene
     osg::ref_ptr<osgTerrainROAM::RoamTerrain> terrain; ///< within it; null when the scene has no ROAM terrain
 
-    /// Of the scene's frame; absent without georeference.
+    /// Returns the origin of the scene's frame; absent without georeference.
     std::optional<simulation::Geodetic> origin() const;
 
-    /// The true surface; empty when there is none to ask. `terrain` must outlive it.
+    /// Returns the true surface; empty when the scene has none. `terrain` must outlive it.
     simulation::GroundProvider ground() const;
 };
 
-/// Opens a .roam file or an elevation raster with the terrain library itself, so that errors keep their words; `terrain`
-/// is never null. Errors: as makeTerrain().
+/// Opens a .roam file or an elevation raster with the terrain library, whose errors it returns; `terrain` is never
+/// null. Errors: as makeTerrain().
 foundation::Result<SceneTerrain> openElevation(const std::filesystem::path& file,
                                                const osgTerrainROAM::core::DemImportOptions& import);
 
-/// Opens terrain as openElevation() does, any other file through osgDB, and what osgDB does not read as a raster after
-/// all. Errors: no such file, no reader, nothing in it.
+/// Opens a terrain as openElevation() does and any other file with osgDB; a file that osgDB cannot read is tried as a
+/// raster. Errors: no such file, no reader, an empty scene.
 foundation::Result<SceneTerrain> openScene(const std::filesystem::path& file,
                                            const osgTerrainROAM::core::DemImportOptions& import);
 

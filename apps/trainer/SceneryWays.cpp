@@ -10,16 +10,16 @@ namespace trainer
 namespace
 {
 
-constexpr double kMarginM = 2.5;      ///< beside what drives
-constexpr double kEyeRoomM = 14.0;    ///< behind the first place: a chasing eye
-constexpr double kTreetopsM = 45.0;   ///< above the ground nothing stands as high
-constexpr double kWingMarginM = 25.0; ///< beside what flies below them
+constexpr double kMarginM = 2.5;      ///< beside driving entities
+constexpr double kEyeRoomM = 14.0;    ///< behind the first point: room for a chase camera
+constexpr double kTreetopsM = 45.0;   ///< above the ground; no object is higher
+constexpr double kWingMarginM = 25.0; ///< beside entities that fly below tree tops
 constexpr double kStepM = 1.0, kJumpM = 200.0;
 
-/// The way of one entity, in pieces where it jumps.
+/// The path of one entity, split where it jumps.
 struct Track
 {
-    std::vector<std::vector<glm::dvec2>> all, low; ///< low: where objects would be in its way
+    std::vector<std::vector<glm::dvec2>> all, low; ///< low: parts where objects would be in the way
 
     static void extend(std::vector<std::vector<glm::dvec2>>& pieces, glm::dvec2 place, bool goesOn)
     {

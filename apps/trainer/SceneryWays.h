@@ -7,9 +7,10 @@
 namespace trainer
 {
 
-/// Where a scenario's entities pass, found by playing it once without drawing: nothing may stand in what they drive over (their width
-/// and a margin, and room about their first and last places for an eye behind them), nor below what flies lower than any tree.
-/// `longestS`: of the play. Nothing where the scenario cannot be played. Cost: that of its steps.
+/// Plays a scenario once without drawing and returns the paths of its entities and the strips to keep free of
+/// objects: along driving entities (their width and a margin, with room for a chase camera at the first and last
+/// points) and below entities that fly lower than tree tops. `longestS`: limit of the play. Returns nothing when the
+/// scenario cannot be played. Cost: its steps.
 scenery::Ways waysOf(const simulation::Scenario& scenario, const simulation::PlayerOptions& options,
                      double longestS);
 

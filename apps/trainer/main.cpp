@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// trainer: plays scenarios over terrain and takes pictures of them.
+// trainer: plays scenarios over terrain and writes images of them.
 #include "PlayCommand.h"
 #include "terminal/CommandLine.h"
 #include "terminal/Terminal.h"
@@ -9,7 +9,7 @@ namespace
 
 using trainer::PlayRequest;
 
-/// Everything that the command line fills in.
+/// The values of the command line.
 struct Arguments
 {
     PlayRequest request;
@@ -25,36 +25,41 @@ void addPlayOptions(CLI::App& command, Arguments& arguments)
 {
     PlayRequest& request = arguments.request;
     command.add_option("--capture", request.output.captureFolder,
-                       "folder for the pictures, frame_00000.png and on");
-    command.add_option("--scenery", request.scenery.description,
-                       "JSON file that says what stands on the terrain (docs/reference/scenery-file.md)");
+                       "folder for the images, from frame_00000.png on");
+    command.add_option(
+        "--scenery", request.scenery.description,
+        "JSON file that describes the objects on the terrain (docs/reference/scenery-file.md)");
     command.add_option("--objects", request.scenery.modelsFolder,
-                       "folder of models that stand on the terrain, too, beside the way");
-    command.add_option("--stats", request.output.statsFile, "JSON file for the figures of every frame");
-    command.add_option("--report", request.output.reportFile, "HTML file with plots of them");
+                       "folder of models to scatter beside the path");
+    command.add_option("--stats", request.output.statsFile, "JSON file for the statistics of each frame");
+    command.add_option("--report", request.output.reportFile, "HTML file with plots of the statistics");
     command.add_option("--report-sheet", request.output.contactSheet,
-                       "picture beside the report that it shall show");
-    command.add_option("--report-video", request.output.video, "video beside the report that it shall show");
+                       "image file beside the report, shown in it");
+    command.add_option("--report-video", request.output.video, "video file beside the report, shown in it");
     command.add_option("--view", request.frames.viewFile, "XML file that describes one or several channels");
-    command.add_option("--size", arguments.size, "WIDTHxHEIGHT in pixels, where there is no view file");
+    command.add_option("--size", arguments.size, "WIDTHxHEIGHT in pixels, without a view file");
     command.add_option("--fps", request.frames.perSecond, "frames per second")->check(CLI::Range(1, 240));
-    command.add_option("--frames", request.frames.count, "draw this many, whatever the scenario says")
+    command
+        .add_option("--frames", request.frames.count,
+                    "number of frames to draw, instead of the whole scenario")
         ->check(CLI::PositiveNumber);
     command.add_option("--backend", arguments.backend, "osmesa or egl");
     command.add_option("--samples", request.frames.samples, "per pixel: 1 or 4")
         ->check(CLI::IsMember({1, 4}));
-    command.add_option("--eye", arguments.eye, "own (driver, pilot) or chase")
+    command.add_option("--eye", arguments.eye, "camera: own (driver, pilot) or chase")
         ->check(CLI::IsMember({"own", "chase"}));
-    command.add_option("--eye-height", request.frames.eyeHeightM, "of a driver, metres above the ground")
+    command
+        .add_option("--eye-height", request.frames.eyeHeightM,
+                    "height of a driver's eye above the ground in metres")
         ->check(terminal::between(0.3, 10.0));
     command.add_option("--tolerance", request.terrain.errorTolerancePx, "error target in pixels")
         ->check(terminal::between(0.01, 1000.0));
     command.add_flag("--morph", request.terrain.morphing,
-                     "let detail come and go without a jump, with more triangles");
+                     "move vertices gradually when detail changes, with more triangles");
     command.add_option("--patch-exponent", arguments.patchExponent,
-                       "2^K triangles for each leaf, K even from 0 to 10; or 'measure': what this machine "
-                       "draws fastest with");
-    command.add_option("--max-triangles", request.terrain.maxTriangles, "ceiling for the terrain")
+                       "2^K triangles for each leaf, K even from 0 to 10; or 'measure': the fastest on "
+                       "this machine");
+    command.add_option("--max-triangles", request.terrain.maxTriangles, "triangle limit of the terrain")
         ->check(CLI::Range(2u, 100000000u));
     command
         .add_option("--spacing", request.terrain.import.spacingM,
@@ -82,8 +87,7 @@ foundation::Outcome complete(Arguments& arguments)
     trainer::FrameRequest& frames = request.frames;
     if (std::sscanf(arguments.size.c_str(), "%dx%d%c", &frames.widthPx, &frames.heightPx, &rest) != 2 ||
         frames.widthPx < 16 || frames.heightPx < 16 || frames.widthPx > 8192 || frames.heightPx > 8192)
-        return foundation::Error{"--size", "'" + arguments.size + "' is no picture size",
-                                 "write it as 960x540"};
+        return foundation::Error{"--size", "'" + arguments.size + "' is not a size", "write it as 960x540"};
     const auto backend = osgOffscreen::parseBackend(arguments.backend);
     if (!backend) return backend.error();
     frames.backend = *backend;
@@ -104,15 +108,15 @@ int main(int argc, char** argv)
 
     CLI::App* play = app.add_subcommand("play", "play an OpenSCENARIO file");
     play->add_option("SCENARIO", request.scenario, "OpenSCENARIO XML")->required();
-    play->add_option("--terrain", request.terrain.file, "in place of the scenario's SceneGraphFile");
+    play->add_option("--terrain", request.terrain.file,
+                     "terrain or scene file instead of the scenario's SceneGraphFile");
     addPlayOptions(*play, arguments);
     CLI::App* tour = app.add_subcommand("tour", "fly over an elevation file");
     tour->add_option("DEM", request.terrain.file, "any elevation raster, or a .roam file")->required();
-    tour->add_option("--save", arguments.saveFile, "write the scenario that is played");
+    tour->add_option("--save", arguments.saveFile, "file for the scenario that is played");
     tour->add_option("--duration", arguments.durationS, "seconds")->check(terminal::between(4.0, 3600.0));
     addPlayOptions(*tour, arguments);
-    CLI::App* check =
-        app.add_subcommand("check", "list everything that is wrong or not supported in a scenario");
+    CLI::App* check = app.add_subcommand("check", "list everything wrong or unsupported in a scenario");
     check->add_option("SCENARIO", request.scenario, "OpenSCENARIO XML")->required();
     if (const auto ends = terminal::parse(app, argc, argv)) return *ends;
     if (const auto sound = complete(arguments); !sound)

@@ -10,19 +10,20 @@ namespace fieldbench
 
 using Shapes = std::vector<osg::ref_ptr<const osgPMObjects::ProgressiveShape>>;
 
-/// Ours: one field, by the area of the sphere in the picture, of which a face that is seen shall cover so many pixels.
+/// Our contestant: one field, selected by the area of the bounding sphere on the screen; each visible face is to
+/// cover a number of pixels.
 osg::ref_ptr<osg::Node> progressiveField(const Shapes& shapes,
                                          const std::vector<osgPMObjects::FieldInstance>& instances,
                                          double trianglePx);
 
-/// What OpenSceneGraph has for it: a transform for each instance, below it an osg::LOD of five discrete levels that all instances
-/// of a kind share, of 100, 40, 16, 6 and 2 % of the faces, in the order that serves a cache best. A level is drawn from where
-/// the same rule asks for no more of the faces.
+/// The contestant of OpenSceneGraph: a transform for each instance and below it an osg::LOD of five discrete levels,
+/// shared by all instances of a kind, with 100, 40, 16, 6 and 2 % of the faces in a cache-friendly order. The
+/// distances of the levels follow the same rule.
 osg::ref_ptr<osg::Node> discreteLods(const Shapes& shapes,
                                      const std::vector<osgPMObjects::FieldInstance>& instances,
                                      double trianglePx, double pixelsPerTangent);
 
-/// A transform for each instance, and the whole model below it.
+/// The contestant in full detail: a transform for each instance, and the whole model below it.
 osg::ref_ptr<osg::Node> fullDetail(const Shapes& shapes,
                                    const std::vector<osgPMObjects::FieldInstance>& instances);
 

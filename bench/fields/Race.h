@@ -9,7 +9,7 @@
 namespace fieldbench
 {
 
-/// The contestants of one landscape, one after the other.
+/// Runs the contestants on one landscape, one after the other.
 class Race
 {
 public:
@@ -17,16 +17,17 @@ public:
 
     Race(Stage& stage, const Request& request) : _stage(stage), _request(request) {}
 
-    /// All that the request asks for, and how far ours and the discrete levels are from full detail.
+    /// Runs all that the request names and compares ours and the discrete levels with full detail.
     Json run(const Shapes& shapes, const std::vector<osgPMObjects::FieldInstance>& instances);
 
 private:
     using Make = std::function<osg::ref_ptr<osg::Node>()>;
 
-    /// Building, memory, the frames of each path, and, where full detail has flown, the error of the picture.
+    /// Measures building, memory, the frames of each path, and the error of the image when full detail has been
+    /// flown.
     Json flown(const std::string& name, const Make& make, int frames);
 
-    /// A row for each of the pixels that a face may cover.
+    /// Returns a row for each number of pixels that a face may cover.
     Json flownAt(const std::string& name, const std::vector<double>& trianglesPx,
                  const std::function<osg::ref_ptr<osg::Node>(double)>& make);
 

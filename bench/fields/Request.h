@@ -12,7 +12,7 @@
 namespace fieldbench
 {
 
-/// What the command line asks for.
+/// The values of the command line.
 struct Request
 {
     std::uint32_t count = 10000;

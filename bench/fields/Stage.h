@@ -13,7 +13,8 @@
 namespace fieldbench
 {
 
-/// Eyes along two paths over the landscape: at a driver's height, and 120 m up, looking down a little.
+/// Camera positions along two paths over the landscape: at the height of a driver, and 120 m up looking slightly
+/// down.
 struct Path
 {
     const char* name;
@@ -23,7 +24,7 @@ constexpr Path kPaths[] = {{"drive", 2.0, 0.0, 0.6}, {"flight", 120.0, -0.25, 2.
 
 constexpr double kHighDeg = 40.0; ///< of the picture
 
-/// Where contestants fly, one after the other, and where their pictures are kept for comparison.
+/// The scene that contestants are flown in one after the other; it keeps their images for comparison.
 class Stage
 {
 public:
@@ -31,10 +32,11 @@ public:
 
     Stage(osgOffscreen::OffscreenViewer& viewer, const Request& request);
 
-    /// The times of a path's frames, the quickest of some rounds, or, of none, those of the pictures that are compared.
+    /// Flies a path and returns the times of its frames, the least of some rounds; with 0 frames, those of the
+    /// compared images.
     Json fly(const std::string& name, osg::Node& objects, const Path& path, int frames);
 
-    /// Root of the mean square of the levels by which two contestants' pictures differ.
+    /// Returns the root mean square difference of the images of two contestants, in levels of 255.
     double difference(const std::string& name, const std::string& other, const Path& path) const;
 
     void clear();
@@ -48,7 +50,7 @@ private:
     objectbench::PipelineCount _count;
     const Request& _request;
     osg::ref_ptr<osgTerrainROAM::Atmosphere> _air;
-    double _timeS = 0.0; ///< it never goes back, or switches would stand still
+    double _timeS = 0.0; ///< it only increases, because switching between levels needs it
     std::map<std::string, std::vector<osg::ref_ptr<osg::Image>>> _pictures;
 };
 

@@ -8,11 +8,11 @@
 namespace fieldbench
 {
 
-/// The models of a landscape, as progressive shapes with the trainer's own states. Cost: some seconds.
+/// Makes the models of a landscape as progressive shapes with the states of the scenery. Cost: some seconds.
 std::vector<osg::ref_ptr<const osgPMObjects::ProgressiveShape>> landscapeShapes();
 
-/// Instances of them, 85 of 100 trees and bushes, scattered evenly over a square of the plain z = 0 about 0, at least `spacingM` apart, turned and
-/// scaled by chance; the same for the same numbers.
+/// Scatters instances evenly over a square of the plane z = 0 about the origin, 85 of 100 trees and bushes, at least
+/// `spacingM` apart, with random attitude and scale. The same numbers give the same instances.
 std::vector<osgPMObjects::FieldInstance> scattered(std::uint32_t count, std::uint32_t kinds, double spacingM);
 
 } // namespace fieldbench

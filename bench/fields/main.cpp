@@ -36,23 +36,22 @@ int run(const Request& request)
 
 int main(int argc, char** argv)
 {
-    CLI::App app("Draws a landscape of many objects offscreen, in three ways.", "field_bench");
+    CLI::App app("Measures a landscape of many objects offscreen, drawn in three ways.", "field_bench");
     Request request;
     app.add_option("--count", request.count, "instances")->check(CLI::Range(1u, 10000000u));
     app.add_option("--spacing", request.spacingM, "metres")->check(terminal::between(1.0, 1000.0));
     app.add_option("--triangle", request.trianglesPx,
-                   "pixels that a face covers, of the field; each given is flown")
+                   "pixels that a face of the field covers; one flight for each value")
         ->check(terminal::between(0.1, 1000.0));
-    app.add_option("--lod-triangle", request.lodTrianglesPx, "the same of the osg::LODs")
+    app.add_option("--lod-triangle", request.lodTrianglesPx, "pixels that a face of the osg::LODs covers")
         ->check(terminal::between(0.1, 1000.0));
     app.add_option("--frames", request.frames)->check(CLI::Range(3, 10000));
-    app.add_option("--compared", request.compared,
-                   "frames of each path whose pictures are compared with full detail")
+    app.add_option("--compared", request.compared, "frames of each path that are compared with full detail")
         ->check(CLI::Range(1, 100));
-    app.add_option("--contestants", request.contestants, "of ours, lod, full")
+    app.add_option("--contestants", request.contestants, "some of ours, lod, full")
         ->check(CLI::IsMember({"ours", "lod", "full"}));
-    app.add_option("--json", request.jsonFile, "write the table there, too");
-    app.add_option("--pictures", request.pictures, "folder for the pictures that were compared");
+    app.add_option("--json", request.jsonFile, "also write the table to this file");
+    app.add_option("--pictures", request.pictures, "folder for the compared images");
     if (const auto ends = terminal::parse(app, argc, argv)) return *ends;
     return run(request);
 }

@@ -10,7 +10,7 @@
 namespace framebench
 {
 
-/// What the frames of one way to draw have taken.
+/// The costs of the frames of one way to draw.
 struct FrameCosts
 {
     std::vector<double> wallMs, cpuMs;

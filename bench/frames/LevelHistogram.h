@@ -8,7 +8,7 @@
 namespace framebench
 {
 
-/// How often a colour value is off by how much. Units: levels of 255.
+/// A histogram of differences of colour values. Units: levels of 255.
 class LevelHistogram
 {
 public:
@@ -18,7 +18,7 @@ public:
         ++_total;
     }
 
-    /// The least number of levels that `share` of all values do not exceed; 0 of none.
+    /// Returns the least number of levels that `share` of all values does not exceed; 0 without values.
     int percentile(double share) const
     {
         const double wanted = share * static_cast<double>(_total);

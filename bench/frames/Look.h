@@ -11,13 +11,13 @@
 namespace framebench
 {
 
-/// What the ground looks like. All of them shade with maps of the full resolution, so that nothing but the triangles
-/// differs between the levels of detail.
+/// The appearance of the ground. Every one shades with maps of the full resolution, so that levels of detail differ
+/// in their triangles only.
 enum class Look
 {
     full,     ///< TerrainMaterial as it is
     relief,   ///< one grey albedo, the material's normal map and haze: no land cover, no grain
-    distance, ///< no picture to look at: the eye's distance, for finding silhouettes (Silhouettes.h)
+    distance, ///< the distance from the camera, for finding silhouettes (Picture.h)
 };
 
 constexpr std::string_view lookName(Look look)
@@ -26,12 +26,12 @@ constexpr std::string_view lookName(Look look)
     return kNames[static_cast<int>(look)];
 }
 
-/// The material's StateSet with the program of a look.
+/// Returns the StateSet of the material with the program of a look.
 osg::ref_ptr<osg::StateSet> lookState(const osgTerrainROAM::TerrainMaterial& material, Look look);
 
-/// The program of a look for geometry that brings gl_Vertex in a moved frame and no grid places, as osgTerrain's does:
-/// the same fragment shader behind another vertex shader, which takes the grid's place from the uniform
-/// `benchSpacing`. It reads the uniforms of EyeUniforms.
+/// Returns the program of a look for geometry without grid coordinates, whose gl_Vertex is in a shifted frame, as
+/// that of osgTerrain: the same fragment shader after another vertex shader, which computes grid coordinates with the
+/// uniform `benchSpacing`. It reads the uniforms of EyeUniforms.
 osg::ref_ptr<osg::Program> plainVertexProgram(const osgTerrainROAM::TerrainMaterial& material, Look look);
 
 } // namespace framebench

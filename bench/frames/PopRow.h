@@ -15,17 +15,17 @@
 namespace framebench
 {
 
-/// How the mesh follows the eye.
+/// How the mesh adapts to the camera.
 enum class Following
 {
-    switching, ///< detail comes and goes at once
-    morphing,  ///< without a jump
-    frozen,    ///< not at all: the mesh of the flight's middle, the control that by construction never pops
+    switching, ///< detail changes at once
+    morphing,  ///< detail moves gradually
+    frozen,    ///< no change: the mesh of the middle of the flight, a control without popping
 };
 
-/// One setting of the level of detail in one look, and what its pictures showed along the flight.
-/// D_t = LOD_t − Full_t, both from the eye of frame t; Δ_t = D_t − D_{t−1}.
-/// Pop_t = LOD_t − the mesh of frame t−1 from the eye of frame t: what the change of the mesh alone does to the picture.
+/// One setting of the level of detail in one look, and the popping that its images show along the flight.
+/// D_t = LOD_t − Full_t, both from the camera of frame t; Δ_t = D_t − D_{t−1}. Pop_t = LOD_t − the mesh of frame t−1
+/// from the camera of frame t: the effect of the change of the mesh alone.
 class PopRow
 {
 public:
@@ -43,8 +43,8 @@ public:
 
     Look look() const { return _setting.look; }
 
-    /// Draws a frame and counts it. `full`: the full mesh's picture; `edges`: its silhouettes and those of the frame
-    /// before. Errors: pictures that cannot be written.
+    /// Draws a frame and counts it. `full`: the image of the full mesh; `edges`: its silhouettes and those of the
+    /// frame before. Errors: images that cannot be written.
     foundation::Outcome frame(int frame, const Picture& full, const std::vector<bool>& edges);
 
     Report json() const;

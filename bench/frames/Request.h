@@ -20,7 +20,7 @@
 namespace framebench
 {
 
-/// What the command line asks for, and the terrain it is asked of.
+/// The values of the command line, and the terrain.
 struct Request
 {
     std::string dem;
@@ -34,7 +34,7 @@ struct Request
     int tileCells = 128; ///< database only
 
     std::vector<std::string> antialiasing{"none", "msaa4", "ssaa2", "ssaa4"}; ///< pop only, as the next three
-    int coarseFrame = -1; ///< a frame that is refined to a tenth of the detail: the measure has to see it
+    int coarseFrame = -1; ///< a frame refined ten times coarser, which the measurement must detect
     std::filesystem::path pictureFolder;
     int pictureFrame = -1;
 
@@ -50,16 +50,16 @@ struct Request
 
 using Report = nlohmann::ordered_json;
 
-/// Milliseconds a frame of each way to draw the terrain, frame by frame in turn along the flight.
-/// Errors: no such graphics context.
+/// Measures milliseconds a frame of each way to draw the terrain, in turns along the flight. Errors: no such graphics
+/// context.
 foundation::Result<Report> measureFrames(const Request& request);
 
-/// Milliseconds a frame of a database of osgTerrain tiles: osgTerrain's GeometryTechnique and ours, in turn along the flight.
-/// Errors: no such graphics context; tiles that the square does not divide into.
+/// Measures milliseconds a frame of a database of osgTerrain tiles with the GeometryTechnique of osgTerrain and with
+/// ours, in turns along the flight. Errors: no such graphics context; tiles that do not divide the square.
 foundation::Result<Report> measureDatabase(const Request& request);
 
-/// How much the pictures' distance from those of the full mesh changes from frame to frame.
-/// Errors: no such graphics context; pictures that cannot be written.
+/// Measures how much the difference from the images of the full mesh changes between frames. Errors: no such graphics
+/// context; images that cannot be written.
 foundation::Result<Report> measurePop(const Request& request);
 
 } // namespace framebench

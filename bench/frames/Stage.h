@@ -11,22 +11,21 @@
 namespace framebench
 {
 
-/// A view, as the camera and the shaders take it.
+/// A view as the camera and the shaders need it.
 struct Eye
 {
     glm::dmat4 view{1.0}, projection{1.0};
 };
 
-/// What a frame took, from the first traversal until the renderer says that it is finished.
+/// The time of a frame, from the first traversal until the renderer has finished.
 struct FrameCost
 {
     double wallMs = 0.0;
-    double cpuMs = 0.0; ///< of all threads of the process: what other work on the machine adds least to
+    double cpuMs = 0.0; ///< of all threads of the process; least affected by other programs
 };
 
-/// An offscreen picture with sky and air, on which one node at a time is drawn in a look.
-/// The uniforms that RoamDrawable sets for its shader in each draw are set for every other node as well, to the same
-/// values. Threads: one.
+/// An offscreen scene with sky and atmosphere that draws one node at a time in a look. It sets the uniforms that
+/// RoamDrawable sets for its shader to the same values for all other nodes. Threads: one.
 class Stage
 {
 public:

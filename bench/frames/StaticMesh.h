@@ -12,7 +12,7 @@
 namespace framebench
 {
 
-/// Triangles that geometries have drawn since it was last set to zero.
+/// The number of triangles that geometries have drawn since the last reset.
 struct DrawCount
 {
     std::uint64_t triangles = 0;
@@ -21,16 +21,16 @@ struct DrawCount
 /// Makes every geometry below `node` add to `count` when it is drawn, which has to outlive it.
 void countDraws(osg::Node& node, DrawCount& count);
 
-/// A mesh in static buffers, for the terrain's vertex shader: attributes 0 (high), 1 (low) and 2 (grid).
-/// It is drawn wherever it lies: culling is off.
+/// Makes a mesh in static buffers for the vertex shader of the terrain: attributes 0 (high), 1 (low) and 2 (grid). It
+/// is always drawn: culling is off.
 osg::ref_ptr<osg::Geode> staticMesh(const osgTerrainROAM::core::DrawnMesh& mesh);
 
 /// Cells along the side of a patch of fullGrid(), where it is drawn in patches.
 inline constexpr int kFullGridPatchCells = 64;
 
-/// The full-resolution grid in static buffers, every cell cut along the diagonal that the bintree's finest level has,
-/// so that it is the mesh that any refinement tends to. In one piece that is always drawn, or in square patches of
-/// `patchCells` that OSG culls against the frustum; they share the vertex buffers.
+/// Makes the grid of full resolution in static buffers. Each cell is cut along the diagonal of the finest level of
+/// the bintree, so that it is the limit of every refinement. It is one piece that is always drawn, or square patches
+/// of `patchCells` cells that OSG culls; they share the vertex buffers.
 osg::ref_ptr<osg::Geode> fullGrid(const osgTerrainROAM::core::PlacedTile& tile, int patchCells);
 
 } // namespace framebench

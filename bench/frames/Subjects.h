@@ -13,7 +13,7 @@
 namespace framebench
 {
 
-/// One way to draw the terrain, and what its frames took.
+/// One way to draw the terrain, and the times of its frames.
 struct Subject
 {
     std::string name, draws;
@@ -22,8 +22,8 @@ struct Subject
     FrameCosts costs;
 };
 
-/// Ours at each tolerance without and with morphing, the full grid, osgTerrain's GeometryTechnique; the first is the one
-/// that the others are compared with.
+/// Makes all ways: ours at each tolerance without and with morphing, the full grid, the GeometryTechnique of
+/// osgTerrain. The others are compared with the first.
 std::vector<Subject> subjectsOf(const Request& request, Look look);
 
 } // namespace framebench

@@ -10,9 +10,9 @@
 namespace framebench
 {
 
-/// The tile as osgTerrain draws it: an osgTerrain::Terrain in its defaults (sample ratio 1) over one TerrainTile with a
-/// HeightFieldLayer and osgTerrain::GeometryTechnique. It is dressed with the look's own fragment shader; without a
-/// material it keeps what it has by default: OSG's fixed-function light on the normals that the technique computes.
+/// Makes the tile as osgTerrain draws it: an osgTerrain::Terrain with default settings (sample ratio 1) over one
+/// TerrainTile with a HeightFieldLayer and osgTerrain::GeometryTechnique. It has the fragment shader of the look;
+/// without a material it keeps the fixed-function light of OSG on the normals of the technique.
 osg::ref_ptr<osg::Node> terrainTechnique(const osgTerrainROAM::core::PlacedTile& tile,
                                          const osgTerrainROAM::TerrainMaterial* material, Look look);
 

@@ -9,7 +9,7 @@
 #include "scenery/nodes/ObjectShading.h"
 #include "scenery/nodes/Sky.h"
 
-/// What stands on a green plain, in that air.
+/// Puts objects on a green plane with sky and atmosphere.
 inline osg::ref_ptr<osg::Group> onPlain(osg::Node& objects, osgTerrainROAM::Atmosphere& air)
 {
     osg::ref_ptr<osg::Group> root = new osg::Group;

@@ -19,8 +19,9 @@ struct Contestant
     std::function<osg::ref_ptr<osg::Node>(std::uint32_t steps)> nodeAt;
 };
 
-/// Orders of one model's faces: plain VIPM, the paper's tswap, ours, all by ProgressiveDrawable; and plain geometry of each level, in
-/// the order that serves a cache best, made from scratch.
+/// Orders of the faces of one model: plain VIPM, tswap (*Cache-friendly view-independent progressive meshes*,
+/// Graphicon 2003), ours, all drawn by ProgressiveDrawable; and each level as static geometry in a new cache-friendly
+/// order.
 std::vector<Contestant> contestantsOf(const osgPMObjects::core::Mesh& mesh,
                                       const osgPMObjects::core::CollapseSequence& sequence);
 

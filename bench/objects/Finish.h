@@ -6,7 +6,8 @@
 namespace objectbench
 {
 
-/// A camera's final callback: frames end with their pixels, which llvmpipe's threads would else paint in the time of the next.
+/// A final draw callback that waits until the frame is complete; otherwise the threads of llvmpipe would paint it
+/// during the next frame.
 struct Finish : osg::Camera::DrawCallback
 {
     void operator()(osg::RenderInfo&) const override { glFinish(); }

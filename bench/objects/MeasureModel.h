@@ -8,7 +8,8 @@
 namespace objectbench
 {
 
-/// What a model's levels take in each order of its faces, under each number of lights; a plot for each number is added.
+/// Measures the levels of a model in each order of its faces and with each number of lights, and adds a plot for each
+/// number.
 /// Errors: cannot be read, has no triangles.
 foundation::Result<Race::Json> measureModel(const std::string& file, const Request& request, Race& race,
                                             std::vector<std::string>& plots);

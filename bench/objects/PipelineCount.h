@@ -8,7 +8,7 @@
 namespace objectbench
 {
 
-/// Counts what a camera's frames come to by a pipeline statistics query.
+/// Counts work of the frames of a camera with a pipeline statistics query.
 /// Source: ARB_pipeline_statistics_query.
 class PipelineCount
 {

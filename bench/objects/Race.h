@@ -10,7 +10,7 @@
 namespace objectbench
 {
 
-/// Draws contestants in turns, and keeps the least time of each: other programs only ever add to it.
+/// Draws contestants in turns and keeps the least time of each, because other programs only add to a time.
 class Race
 {
 public:
@@ -18,7 +18,8 @@ public:
 
     Race(osgOffscreen::OffscreenViewer& viewer, const Request& request);
 
-    /// A row for each level, of `ms` and `invocations` by contestant, under so many lights around the model.
+    /// Returns a row for each level with `ms` and `invocations` of each contestant, with the given number of lights
+    /// around the model.
     Json run(const std::vector<Contestant>& contestants, const std::vector<std::uint32_t>& levels, int lights,
              const osg::BoundingSphere& ball);
 

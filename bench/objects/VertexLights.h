@@ -7,7 +7,7 @@
 namespace objectbench
 {
 
-/// Lights each vertex by so many lamps around a ball, diffuse and specular with the eye at its place, as fixed function lights.
+/// Lights each vertex by lamps around a ball, diffuse and specular, as the fixed-function pipeline does.
 osg::ref_ptr<osg::StateSet> vertexLights(int lights, const osg::BoundingSphere& ball);
 
 } // namespace objectbench

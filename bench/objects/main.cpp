@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// object_frame_bench: what a frame of a lit model takes at its levels, by the order of its faces.
+// object_frame_bench: measures frames of a lit model at its levels, by the order of its faces.
 #include <foundation/WholeFile.h>
 
 #include "MeasureModel.h"
@@ -41,19 +41,20 @@ int run(const Request& request)
 
 int main(int argc, char** argv)
 {
-    CLI::App app("Draws lit models offscreen at their levels, by the order of their faces.",
+    CLI::App app("Measures lit models at their levels offscreen, by the order of their faces.",
                  "object_frame_bench");
     Request request;
     app.add_option("MODEL", request.files, "files that OpenSceneGraph reads, .gltf, .glb")->required();
-    app.add_option("--lights", request.lights, "in the vertex shader")->check(CLI::Range(1, 200));
+    app.add_option("--lights", request.lights, "number of lights in the vertex shader")
+        ->check(CLI::Range(1, 200));
     app.add_option("--levels", request.levels)->check(CLI::Range(1, 1000));
-    app.add_option("--repeats", request.repeats, "frames of each, of which the quickest counts")
+    app.add_option("--repeats", request.repeats, "frames of each level; the fastest counts")
         ->check(CLI::Range(1, 10000));
     app.add_option("--width", request.picture.widthPx)->check(CLI::Range(16, 4096));
     app.add_option("--height", request.picture.heightPx)->check(CLI::Range(16, 4096));
     app.add_option("--plot", request.plotFile, "HTML with frames per second against faces")
         ->type_name("FILE");
-    app.add_option("--json", request.jsonFile, "write the table there, too");
+    app.add_option("--json", request.jsonFile, "also write the table to this file");
     if (const auto ends = terminal::parse(app, argc, argv)) return *ends;
     return run(request);
 }

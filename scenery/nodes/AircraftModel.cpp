@@ -70,7 +70,7 @@ void addFuselage(ModelMesh& mesh, const osg::Vec4f& trim)
 }
 
 /// A symmetric aerofoil of 12 % thickness across the direction `thickness`, from a leading edge backwards.
-/// Source: NACA report 460, the four-digit thickness distribution.
+/// Source: Jacobs, Ward & Pinkerton, NACA Report 460, 1933: the thickness distribution of four-digit aerofoils.
 Ring aerofoil(const osg::Vec3f& leadingEdge, float chordM, const osg::Vec3f& thickness)
 {
     constexpr int kHalf = 10;

@@ -6,11 +6,12 @@
 namespace scenery
 {
 
-/// Each fills the field that the site has begun. `wanted`: how many objects; placed() of the site says how many it became.
+/// The arrangements. Each fills the field that the site has begun with `wanted` objects; placed() of the site tells
+/// how many found room.
 void scatter(Site& site, std::uint32_t wanted);
 void plantRows(Site& site, std::uint32_t wanted);
 void park(Site& site, std::uint32_t wanted);
-/// As many settlements as the field's layout says, with their streets. Returns how many plots they have.
+/// Places the settlements of the layout with their streets. Returns the number of plots.
 std::uint32_t settle(Site& site);
 
 } // namespace scenery

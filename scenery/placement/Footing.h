@@ -11,15 +11,17 @@
 namespace scenery
 {
 
-/// How much higher than an upright object's 0 the ground may be under it, and how far wheels may be in it. Units: metres.
+/// How much higher than the 0 of an upright object the ground below it may be, and how deep wheels may be in it.
+/// Units: metres.
 constexpr double kMostBuriedM = 0.3, kMostSunkM = 0.12;
-/// What a foundation keeps in hand between the places that are looked at, which are at most this far apart.
+/// The reserve of a foundation between the sampled points, and the largest distance of those points.
 constexpr double kFoundationMarginM = 0.05, kRimStepM = 2.0;
 
-/// Places of an object's base that are looked at: its middle, and its rim. Frame: as Measures. Cost: one every kRimStepM.
+/// Returns the sampled points of the base of an object: its middle and its rim, one every kRimStepM. Frame: as
+/// Measures.
 std::vector<glm::dvec2> basePlaces(const Measures& measures, double scale);
 
-/// How an object stands on the ground.
+/// The height and the attitude of an object on the ground.
 struct Footing
 {
     double heightM = 0.0; ///< of its 0
@@ -28,10 +30,11 @@ struct Footing
         0.0; ///< of the steepest line from the base's middle to its rim, or within half a metre about it
 };
 
-/// Stands an object at a place. An upright one has its 0 where the ground is highest under its base, or lower, as far as its foundation
-/// has to reach the lowest ground; a tilted one lies in the plane that fits the corners of its base, and as low as the lowest wheel asks for.
-/// Nothing: ground is missing, or more uneven than foundation, kMostBuriedM or kMostSunkM allow.
-/// Cost: a query of the ground for each place of the base.
+/// Puts an object on the ground at a point. The 0 of an upright object is at the highest ground below its base, or
+/// lower if its foundation has to reach the lowest ground. A tilted object lies in the plane that fits the corners of
+/// its base, as low as its lowest wheel needs.
+/// Returns nothing where ground is missing or more uneven than the foundation, kMostBuriedM or kMostSunkM allow.
+/// Cost: a height query for each point of the base.
 std::optional<Footing> standOn(const Ground& ground, const Measures& measures, glm::dvec2 place,
                                double headingRad, double scale);
 

@@ -14,7 +14,7 @@
 namespace scenery
 {
 
-/// The first thing that is wrong in a file.
+/// The first fault of a file.
 struct Complaint
 {
     std::string file;
@@ -26,8 +26,8 @@ struct Complaint
     }
 };
 
-/// One JSON object, whose members are asked for one by one; a member that nobody has asked for is a mistake. After the first
-/// complaint everything is answered by what stands there already.
+/// One JSON object whose members are read one by one. A member that is never read is a fault. After the first fault
+/// all members keep their default values.
 class JsonFields
 {
 public:
@@ -49,7 +49,7 @@ public:
     std::string at(const std::string& name) const { return _pointer + "/" + name; }
     Complaint& complaint() const { return _complaint; }
 
-    /// Null: not there.
+    /// Returns the member, or null when it is absent.
     const nlohmann::json* find(const std::string& name)
     {
         _known.push_back(name);
@@ -101,14 +101,14 @@ public:
             numberOf((*found)[i], at(name) + "/" + std::to_string(i), values.emplace_back(), least, most);
         return found != nullptr;
     }
-    /// A list, or null: it is not there, or something else.
+    /// Returns a list, or null when it is absent or no list.
     const nlohmann::json* list(const std::string& name)
     {
         const nlohmann::json* const found = find(name);
         if (found && !found->is_array()) _complaint.say(at(name), "is no list", "write [ … ]");
         return found && found->is_array() ? found : nullptr;
     }
-    /// One of some words, which begin with that of value 0.
+    /// Reads one of some words; the first has the value 0.
     template<class Choice, std::size_t n>
     bool choice(const std::string& name, Choice& value, const std::array<const char*, n>& words)
     {

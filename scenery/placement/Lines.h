@@ -10,16 +10,17 @@
 namespace scenery
 {
 
-/// Lines with widths, in cells, so that the nearest of many is found quickly.
+/// A set of lines with widths, in a grid of cells, that finds the nearest line quickly.
 class Lines
 {
 public:
-    /// `reachM`: farther away nothing is looked for; above 0.
+    /// `reachM`: the largest distance that is searched; above 0.
     explicit Lines(double reachM) : _reachM(reachM) {}
 
     void add(const Corridor& corridor);
 
-    /// From a place to the nearest line's edge, below 0 within; `reachM` where nothing is nearer.
+    /// Returns the distance from a point to the edge of the nearest line, negative inside it; `reachM` when none is
+    /// nearer.
     double distanceM(glm::dvec2 place) const;
 
 private:
@@ -37,7 +38,7 @@ private:
     std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> _cells;
 };
 
-/// The line without places nearer than `stepM` to the one before; its ends stay.
+/// Returns the line without the points that are nearer than `stepM` to the one before; both ends stay.
 std::vector<glm::dvec2> thinned(const std::vector<glm::dvec2>& line, double stepM);
 
 } // namespace scenery

@@ -8,8 +8,8 @@
 namespace scenery
 {
 
-/// Whether a place lies in one of the irregular patches that cover about `share` of the plane: value noise of two octaves, the coarser with
-/// a grid of `sizeM`, above a threshold. The same seed gives the same patches, whoever asks.
+/// Returns whether a point is in one of the irregular patches that cover about `share` of the plane: value noise of
+/// two octaves above a threshold, the coarser octave with a grid of `sizeM`. The same seed gives the same patches.
 bool isInPatch(glm::dvec2 place, double sizeM, double share, std::uint64_t seed);
 
 } // namespace scenery

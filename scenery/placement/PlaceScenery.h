@@ -13,14 +13,14 @@
 namespace scenery
 {
 
-/// What became of one field.
+/// The result of one field.
 struct FieldReport
 {
     std::string name;
     std::uint32_t wanted = 0, placed = 0;
 };
 
-/// A scenery in its place.
+/// The placed objects of a scenery.
 struct PlacedScenery
 {
     std::vector<Placement> placements; ///< by field
@@ -28,12 +28,11 @@ struct PlacedScenery
     std::vector<FieldReport> reports;  ///< in the order of the description's fields
 };
 
-/// Places all objects of a description; nothing overlaps what stands already, and where a field finds no room, it stays short of its
-/// count. Settlements come first, then what is parked, rows, and what is scattered; within one arrangement by name: the order of fields in
-/// the description does not matter, nor does anything but the arguments.
-/// `measures`: of objectsOf(description), in that order.
-/// Cost: some 10 to 30 µs an object that finds its place soon; at most 30 places are tried for each.
-/// Memory: 100 B an object while it works.
+/// Places all objects of a description without overlaps. A field that finds no room has fewer objects than wanted.
+/// Settlements come first, then parked vehicles, rows and scattered objects, sorted by name within each: the order of
+/// the fields does not matter. The result depends on the arguments only.
+/// `measures`: of objectsOf(description), in that order. Cost: about 10 to 30 µs for an object that soon finds room;
+/// at most 30 positions are tried for each. Memory: 100 B an object while it works.
 PlacedScenery placeScenery(const SceneryDescription& description, std::span<const Measures> measures,
                            const Ground& ground, const Ways& ways);
 

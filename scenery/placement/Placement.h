@@ -9,7 +9,7 @@
 namespace scenery
 {
 
-/// One object in its place. Frame: the scene's east-north-up; `axes`: the object's forward, left and up. Units: metres.
+/// A placed object. Frame: the scene's east-north-up; `axes`: forward, left and up of the object. Units: metres.
 struct Placement
 {
     glm::dvec3 position{0.0}; ///< of the object's 0
@@ -21,7 +21,7 @@ struct Placement
     bool operator==(const Placement&) const = default;
 };
 
-/// Axes of an upright object whose forward is at `headingRad`, counter-clockwise from east.
+/// Returns the axes of an upright object whose forward axis is at `headingRad`, counter-clockwise from east.
 inline glm::dmat3 uprightAxes(double headingRad)
 {
     const double c = std::cos(headingRad), s = std::sin(headingRad);

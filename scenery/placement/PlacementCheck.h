@@ -9,10 +9,11 @@
 namespace scenery
 {
 
-/// What keeps a placed scenery from being one: rooms that overlap (each core against each room), an object in a corridor or on a street,
-/// outside its field's area, heights or cover; one whose foundation does not reach the ground somewhere at its base's rim, or that
-/// is deeper in it than kMostBuriedM or kMostSunkM allow; a scale out of range. Empty: nothing does.
-/// Looks at the rim twice as closely as placement does. Cost: n log n and the neighbours along one axis.
+/// Lists the faults of a placed scenery; empty when it has none. Checked: overlaps (each core against each room);
+/// objects in a corridor or on a street; objects outside the area, heights or land cover of their field; foundations
+/// that do not reach the ground at the rim of the base; objects deeper in the ground than kMostBuriedM or kMostSunkM;
+/// scales out of range. The rim is sampled twice as densely as in placement. Cost: n log n and the neighbours along
+/// one axis.
 std::string defectOf(const PlacedScenery& placed, const SceneryDescription& description,
                      std::span<const Measures> measures, const Ground& ground, const Ways& ways);
 

@@ -9,7 +9,7 @@
 namespace scenery
 {
 
-/// One field of a description, which stands at `pointer`; the files it names are relative to `folder`.
+/// Reads one field of a description at the JSON pointer `pointer`; the files that it names are relative to `folder`.
 SceneryField readField(const nlohmann::json& object, const std::string& pointer,
                        const std::filesystem::path& folder, Complaint& complaint);
 

@@ -9,7 +9,7 @@
 namespace scenery
 {
 
-/// The member `objects` of a field: kinds with seeds, and files relative to `folder`.
+/// Reads the member `objects` of a field: kinds with seeds, and files relative to `folder`.
 void readObjects(JsonFields& parent, const std::filesystem::path& folder,
                  std::vector<SceneryObject>& objects);
 

@@ -12,9 +12,9 @@
 namespace scenery
 {
 
-/// A description from its JSON text (docs/reference/scenery-file.md); reads no other file. `name`: of the file, for messages; what it names is
-/// relative to its folder.
-/// Errors: no JSON, with line; an unknown member or word, a number out of range, with the JSON pointer of the place.
+/// Reads a description from its JSON text (docs/reference/scenery-file.md) and no other file. `name`: of the file,
+/// for messages; the files that it names are relative to its folder.
+/// Errors: no JSON, with the line; an unknown member or word or a number out of range, with its JSON pointer.
 foundation::Result<SceneryDescription> parseScenery(std::string_view text, const std::filesystem::path& name);
 
 /// Errors: cannot be read, larger than 4 MB; as parseScenery().

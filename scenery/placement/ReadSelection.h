@@ -10,7 +10,7 @@
 namespace scenery
 {
 
-/// The members `selection`, `switching` and `budget` of a description; what is not there stays as it is.
+/// Reads the members `selection`, `switching` and `budget` of a description; absent ones keep their values.
 void readSelection(JsonFields& parent, SelectionPlan& plan);
 void readSwitching(JsonFields& parent, osgPMObjects::core::SwitchSettings& switching);
 void readBudget(JsonFields& parent, osgPMObjects::core::SceneBudgetSettings& budget);

@@ -7,10 +7,10 @@
 namespace scenery
 {
 
-/// A member `[least, most]`, both within a range; what is not there stays as it is.
+/// Reads a member `[least, most]`, both within a range; an absent one keeps its values.
 void readSpan(JsonFields& parent, const char* name, Span& span, double least, double most);
 
-/// The member `where` of a field, likewise.
+/// Reads the member `where` of a field; an absent one keeps its values.
 void readWhere(JsonFields& parent, Where& where);
 
 } // namespace scenery

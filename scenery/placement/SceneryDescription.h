@@ -18,12 +18,12 @@
 namespace scenery
 {
 
-/// One thing to be placed: a generated model, or a file. Exactly one of `kind` and `file` is there.
+/// An object to be placed: a generated model or a file. Exactly one of `kind` and `file` is set.
 struct SceneryObject
 {
     std::optional<models::Kind> kind;
     std::uint64_t seed = 0;
-    std::string file; ///< as it is found from the program's folder
+    std::string file; ///< relative to the working folder of the program
 
     bool operator==(const SceneryObject&) const = default;
 };
@@ -50,15 +50,15 @@ struct Circle
     double radiusM = 0.0;
 };
 
-/// Where objects of a field may stand; all that is given has to hold.
+/// The rules for the positions of the objects of a field; all that are set must hold.
 /// Frame: the scene's east and north. Units: metres; degrees.
 struct Where
 {
     std::optional<Circle> circle;
     std::vector<glm::dvec2> polygon;   ///< corners; empty: not given
-    std::optional<Span> pathDistanceM; ///< from what the scenario's entities pass over, airborne ones too
+    std::optional<Span> pathDistanceM; ///< from the paths of the scenario's entities, airborne ones too
     Span heightM, slopeDeg{0.0, 25.0};
-    bool inWater = false;            ///< else not at or below the sea level
+    bool inWater = false;            ///< false: only above the sea level
     std::vector<std::string> covers; ///< names of land cover, where the terrain knows it; empty: any
     double patchM = 0.0;             ///< above 0: only within irregular patches of about this size …
     double patchShare = 1.0;         ///< … that cover so much of the land
@@ -75,7 +75,7 @@ struct SettlementLayout
     int settlements = 1, sideStreets = 3;
     double streetM = 220.0; ///< length of the main street; side streets have half of it
     double plotM = 24.0;    ///< along the street
-    double setbackM = 5.0;  ///< of the houses' nearest point from the street's edge
+    double setbackM = 5.0;  ///< from the edge of the street to the nearest point of a house
     double widthM = 6.0;    ///< of streets
 };
 
@@ -86,20 +86,20 @@ struct SceneryField
     std::vector<SceneryObject> objects;
     Arrangement arrangement = Arrangement::scattered;
     std::uint32_t count = 0;    ///< of objects; 0: by density
-    double densityPerKm2 = 0.0; ///< of the land where the field may be, rules of the ground not counted
+    double densityPerKm2 = 0.0; ///< of the area of the field, whatever the rules of the ground leave of it
     Where where;
     RowLayout rows;
     SettlementLayout settlement;
     std::string beside;    ///< of `parked`: the settlement's name
-    double spacingM = 0.0; ///< between objects of any fields, at least, beside their sizes
-    double crowding = 0.0; ///< how far crowns of the field's trees reach into each other, 0 … 0.8
+    double spacingM = 0.0; ///< least gap to objects of all fields
+    double crowding = 0.0; ///< share by which crowns of trees may overlap, 0 … 0.8
     double leastScale = 1.0, mostScale = 1.0;
     SelectionPlan selection;
     osgPMObjects::core::SwitchSettings switching{osgPMObjects::core::SwitchMethod::discrete};
     double importance = 1.0;
 };
 
-/// What stands on a terrain. The file format is described in docs/reference/scenery-file.md.
+/// The description of the objects on a terrain. The file format is described in docs/reference/scenery-file.md.
 struct SceneryDescription
 {
     std::uint64_t seed = 1;
@@ -107,7 +107,7 @@ struct SceneryDescription
     osgPMObjects::core::SceneBudgetSettings budget;
 };
 
-/// Every object that some field has, once, in the order in which they come up.
+/// Returns each object of the fields once, in the order of its first occurrence.
 std::vector<SceneryObject> objectsOf(const SceneryDescription& description);
 
 } // namespace scenery

@@ -11,10 +11,11 @@
 namespace scenery
 {
 
-/// Selection as people write it, for models that are not known yet: levels are shares of the full model's faces.
+/// Selection rules as people write them, for models that are not known yet: levels are shares of the faces of the
+/// full model.
 struct SelectionPlan
 {
-    /// Everything but rows and boundaries of ranges and areas.
+    /// All settings except rows and the boundaries of ranges and areas.
     osgPMObjects::core::SelectionSettings settings;
     std::vector<double> boundariesM; ///< of ranges, ascending, one fewer than levels
     double overlap = 1.25;           ///< of overlapping ranges: far by near
@@ -23,7 +24,8 @@ struct SelectionPlan
     std::vector<double> facesPercent; ///< by level, descending, each above 0 and at most 100
 };
 
-/// The plan for one model: the finest level whose faces are no more than the share asked for; equal levels fall together.
+/// Makes the settings for one model: each level is the finest whose faces are at most the wanted share; equal levels
+/// are merged.
 /// Errors: as core::checkSettings(). `place`: of the plan, for messages.
 foundation::Result<osgPMObjects::core::SelectionSettings>
 selectionFor(const SelectionPlan& plan, const osgPMObjects::core::LevelTable& table,

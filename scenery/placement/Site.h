@@ -13,20 +13,20 @@
 namespace scenery
 {
 
-/// A land while it is filled, field by field.
+/// The terrain while it is filled field by field.
 class Site
 {
 public:
     Site(const SceneryDescription& description, std::span<const Measures> measures, const Ground& ground,
          const Ways& ways);
 
-    /// Begins a field. `number`: of the description.
+    /// Begins the field with this index in the description.
     void begin(std::uint32_t number);
     const SceneryField& field() const { return *_field; }
     models::Dice& dice() { return _dice; }
     std::uint32_t placed() const { return _placed; }
 
-    /// The smallest upright rectangle that holds the field's area. Area: of it, in m².
+    /// The smallest axis-aligned rectangle that contains the area of the field. area(): in m².
     struct Box
     {
         glm::dvec2 low{0.0}, high{0.0};
@@ -37,15 +37,15 @@ public:
     bool isInArea(glm::dvec2 place) const;
     std::optional<double> heightM(glm::dvec2 place) const { return _ground.heightM(place.x, place.y); }
 
-    /// One of the field's objects; its scale.
+    /// Draws a random object of the field, and a random scale.
     std::uint32_t anyObject();
     double anyScale() { return _dice.between(_field->leastScale, _field->mostScale); }
     const Measures& measures(std::uint32_t object) const { return _measures[object]; }
 
-    /// Stands an object at a place, if all rules hold. False: they do not.
+    /// Puts an object at a point if all rules hold. Returns whether they do.
     bool put(std::uint32_t object, glm::dvec2 place, double headingRad, double scale);
 
-    /// A street: from now on nothing stands on it.
+    /// Adds a street, which stays free of objects.
     void addStreet(const Corridor& street);
     const std::vector<std::pair<std::uint32_t, Corridor>>& streets() const { return _streets; } ///< by field
     const std::string& fieldName(std::uint32_t number) const { return _description.fields[number].name; }

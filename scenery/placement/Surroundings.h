@@ -12,12 +12,13 @@
 namespace scenery
 {
 
-/// What objects stand on. Functions must give the same answer for the same place always.
+/// The ground below the objects. The same point must always give the same answer.
 /// Frame: the scene's east-north-up. Units: metres.
 struct Ground
 {
     std::function<std::optional<double>(double eastM, double northM)> heightM; ///< nothing beyond the data
-    /// Of a place on the ground, as maps count heights: what rules of height and water go by. Empty: the height itself.
+    /// Returns the elevation above sea level of a point on the ground, which rules of height and water test. Empty:
+    /// the height itself.
     std::function<double(double eastM, double northM, double heightM)> elevationM;
     std::function<std::string_view(double eastM, double northM)> cover; ///< its name; empty: not known
     double seaLevelM = -std::numeric_limits<double>::infinity();        ///< an elevation
@@ -28,14 +29,14 @@ struct Ground
     }
 };
 
-/// A line with everything within `halfWidthM` of it.
+/// A strip: all points within `halfWidthM` of a line.
 struct Corridor
 {
-    std::vector<glm::dvec2> line; ///< at least one place: a disc
+    std::vector<glm::dvec2> line; ///< at least one point; one point: a disc
     double halfWidthM = 0.0;
 };
 
-/// Where nothing may stand, and where the scenario happens.
+/// The strips to keep free, and the paths of the scenario.
 struct Ways
 {
     std::vector<Corridor> keepClear;

@@ -10,17 +10,17 @@
 namespace scenery
 {
 
-/// The room of an object: nobody's room reaches into its core.
+/// The room of an object: no other room may reach into its core.
 struct Disc
 {
     glm::dvec2 centre{0.0};
     double roomM = 0.0, coreM = 0.0; ///< core ≤ room; the same for what may not be touched at all
 };
 
-/// Whether two rooms get along: the smaller distance that either core asks for.
+/// Returns the least distance of two objects: neither room reaches into the core of the other.
 double leastDistanceM(const Disc& a, const Disc& b);
 
-/// Discs that have been taken, in cells. Cost: of both functions some discs of the neighbourhood.
+/// The discs taken so far, in a grid of cells. Cost of both functions: some discs of the neighbourhood.
 class TakenDiscs
 {
 public:

@@ -21,7 +21,7 @@ namespace
 
 using namespace osgTerrainROAM::core;
 
-/// Cells of whole seconds of arc count as squares of 30 m a second, as others count them.
+/// Cells of whole seconds of arc count as squares of 30 m a second, as in the other figures on these terrains.
 double nominalCellM(double spacingM)
 {
     const double seconds = std::round(spacingM / 30.0);
@@ -29,7 +29,8 @@ double nominalCellM(double spacingM)
                                                                                    : spacingM;
 }
 
-/// The square of samples that was asked for, from the north-west; else the largest of 2^n+1 in the middle.
+/// Returns the square of samples that was asked for, from the north-west; else the largest of 2^n+1 samples in the
+/// middle.
 foundation::Result<HeightField> squareOf(const HeightField& all, const Request& request,
                                          const std::string& file)
 {
@@ -103,7 +104,7 @@ foundation::Outcome benchTile(const Request& request, const std::string& file, c
     return foundation::success();
 }
 
-/// Over the whole raster where it belongs; nothing when it does not say where.
+/// Measures the whole raster on the round Earth; nothing for a raster without georeference.
 nlohmann::ordered_json queriesOnTheEarth(const HeightField& field)
 {
     if (!field.net) return nullptr;

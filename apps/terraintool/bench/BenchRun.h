@@ -20,7 +20,7 @@
 namespace terraintool
 {
 
-/// One measurement: a driver on a path. No driver: refinement from scratch.
+/// One measurement: a driver on a path; no driver: refinement from scratch.
 struct BenchRun
 {
     std::string dem;
@@ -29,7 +29,7 @@ struct BenchRun
     osgTerrainROAM::core::LeafPlacement placement = osgTerrainROAM::core::LeafPlacement::inOrder;
     measurement::Path path = measurement::Path::flight;
     double tolerancePx = 1.0;
-    bool centrePixels = false; ///< the tolerance holds in the picture's middle only, as others measure
+    bool centrePixels = false; ///< the tolerance holds in the middle of the image only
     int frames = measurement::BenchmarkFlight::kFrames;
     int framesBetweenChecks = 120; ///< 1: every frame is checked by brute force
 
@@ -37,13 +37,13 @@ struct BenchRun
     viewlod::ViewState view(int frame) const;
 };
 
-/// Sees the triangles of a frame, positions in the tile's frame.
+/// Receives the triangles of a frame, positions in the tile's frame.
 using FrameSink = std::function<foundation::Outcome(int frame, const viewlod::ViewState&,
                                                     const osgTerrainROAM::core::DrawnMesh&)>;
 
-/// Flies the path and measures each frame but the first, which builds the mesh; checks some of the frames by brute force.
-/// `sink`: is given those frames, too. Returns the row of the table: times in microseconds of this thread, changes in
-/// diamonds split or merged, upload in bytes per triangle that came or went.
+/// Flies the path, measures each frame but the first, which builds the mesh, and checks some frames by brute force.
+/// `sink` receives the checked frames. Returns the row of the table: times in microseconds of this thread, changes in
+/// diamonds split or merged, upload in bytes per triangle that was added or removed.
 foundation::Result<nlohmann::ordered_json> measure(const BenchRun& run, const FrameSink& sink);
 
 } // namespace terraintool

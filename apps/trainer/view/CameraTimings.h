@@ -6,19 +6,18 @@
 namespace trainer
 {
 
-/// How long the traversals of all cameras of a view took in one frame, together. Units: milliseconds.
-/// Drawing is the traversal that hands work to GL; with a software rasteriser much of the work itself comes later,
-/// when the picture is taken.
+/// The time of the traversals of all cameras of a view in one frame, summed. Units: milliseconds.
+/// The draw traversal hands work to OpenGL; a software rasteriser does much of it later, when the image is read back.
 struct CameraTimings
 {
     double cullMs = 0.0;
     double drawMs = 0.0;
 };
 
-/// Makes the viewer keep its times. To be called once, when all cameras are there.
+/// Makes the viewer record its times. Call it once when all cameras exist.
 void keepCameraTimings(osgViewer::View& view);
 
-/// Of a frame that has been drawn; 0 for one that is not known (any more).
+/// Returns the times of a drawn frame; 0 when the viewer no longer has them.
 CameraTimings cameraTimings(osgViewer::View& view, unsigned int frameNumber);
 
 } // namespace trainer

@@ -12,7 +12,7 @@ namespace trainer
 namespace
 {
 
-/// The other side's half angle where pixels are square.
+/// Returns the half angle of the other axis for square pixels.
 double scaledHalfDeg(double halfDeg, double scale)
 {
     return foundation::degreesOf(std::atan(std::tan(foundation::radiansOf(halfDeg)) * scale));

@@ -11,9 +11,8 @@
 namespace trainer
 {
 
-/// The edges of what a channel shows, as angles from the direction it looks in. Off the axis when they are not
-/// symmetrical. Units: degrees; left and bottom are usually negative. Invariant: −89 ≤ left < right ≤ 89, likewise
-/// bottom and top.
+/// The field of view of a channel as angles from its viewing direction; off-axis when not symmetric. Units: degrees;
+/// left and bottom are usually negative. Invariant: −89 ≤ left < right ≤ 89, likewise bottom and top.
 struct FrustumAngles
 {
     double leftDeg = 0.0;
@@ -22,10 +21,10 @@ struct FrustumAngles
     double topDeg = 0.0;
 };
 
-/// One picture of the surroundings: a projector, a screen, a window pane.
-/// Frame: relative to the eye point, whose axes are x forward, y left, z up. The channel looks along x turned by yaw
-/// (positive to the right), then pitch (positive up), then roll (positive right side down), as a host of image
-/// generators says it (CIGI). Units: degrees, metres, pixels.
+/// One image of the surroundings: a projector, a screen, a window pane.
+/// Frame: relative to the eye point with x forward, y left, z up. The channel looks along x turned by yaw (positive
+/// to the right), then pitch (positive up), then roll (positive right side down), as in the Common Image Generator
+/// Interface (CIGI). Units: degrees, metres, pixels.
 struct Channel
 {
     std::string name;
@@ -38,13 +37,13 @@ struct Channel
     FrustumAngles frustum;
 };
 
-/// All that is seen from one eye point.
+/// All channels of one eye point.
 struct ViewSetup
 {
     enum class Layout
     {
-        separate, ///< one picture per channel
-        tiled     ///< all channels side by side in one picture, in their order from the left
+        separate, ///< one image per channel
+        tiled     ///< all channels side by side in one image, in order from the left
     };
 
     Layout layout = Layout::separate;
@@ -53,28 +52,28 @@ struct ViewSetup
     std::vector<Channel> channels;
 };
 
-/// Symmetrical edges for square pixels, from the horizontal or the vertical field of view.
+/// Returns a symmetric field of view for square pixels, from the horizontal or the vertical angle.
 FrustumAngles symmetricFrustumX(double horizontalDeg, int widthPx, int heightPx);
 FrustumAngles symmetricFrustumY(double verticalDeg, int widthPx, int heightPx);
 
-/// One channel that looks straight ahead.
+/// Returns a setup with one channel that looks straight ahead.
 ViewSetup singleChannel(int widthPx, int heightPx, double verticalDeg = 40.0);
 
-/// The channel's own eye.
+/// Returns the camera pose of a channel.
 scenery::Pose channelEye(const Channel& channel, const scenery::Pose& eye);
 
-/// OpenGL's projection matrix.
+/// Returns the projection matrix of OpenGL.
 glm::dmat4 channelProjection(const Channel& channel, double nearM, double farM);
 
-/// A picture to be drawn: a window or an offscreen context of that size.
+/// An image to be drawn: the name and the size of its offscreen context.
 struct PictureShape
 {
-    std::string name; ///< of its channel; "view" for a tiled picture
+    std::string name; ///< of its channel; "view" for a tiled image
     int widthPx = 0;
     int heightPx = 0;
 };
 
-/// One per channel, or one for all when they are tiled.
+/// Returns one image per channel, or one for all when they are tiled.
 std::vector<PictureShape> picturesOf(const ViewSetup& setup);
 
 } // namespace trainer

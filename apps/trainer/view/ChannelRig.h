@@ -11,18 +11,18 @@
 namespace trainer
 {
 
-/// The cameras of all channels, as slaves of a viewer whose scene they show. They share the eye and so, at the same
-/// place, one terrain mesh. The master camera draws nothing itself; it carries the eye's view and the first
-/// channel's projection. Near and far planes are fixed by the setup: a picture does not depend on what else is seen.
-/// Threads: as the viewer's update phase.
+/// The cameras of all channels as slaves of a viewer. They share the eye point and so one terrain mesh. The master
+/// camera draws nothing; it has the view matrix of the eye and the projection of the first channel. Near and far
+/// planes are fixed by the setup, so an image does not depend on what else is visible.
+/// Threads: the update phase of the viewer.
 class ChannelRig
 {
 public:
-    /// `contexts`: one for each of picturesOf(setup), of that size, in that order. A broken contract: another number.
+    /// `contexts`: one for each of picturesOf(setup), of that size, in that order. Precondition: their number.
     ChannelRig(osgViewer::View& view, ViewSetup setup,
                const std::vector<osg::ref_ptr<osg::GraphicsContext>>& contexts);
 
-    /// For the next frame.
+    /// Sets the camera pose for the next frame.
     void setEye(const scenery::Pose& eye);
 
     const ViewSetup& setup() const { return _setup; }

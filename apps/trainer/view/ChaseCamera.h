@@ -7,7 +7,7 @@
 namespace trainer
 {
 
-/// How a chase camera follows. Units: metres, seconds.
+/// The settings of a chase camera. Units: metres, seconds.
 struct ChaseSettings
 {
     double distanceM = 9.0;
@@ -15,24 +15,25 @@ struct ChaseSettings
     double lookAtHeightM = 0.9; ///< above the body's origin
     double leadM = 1.0;         ///< how far ahead of the origin it looks
     double turnTimeS = 0.45;    ///< time constant for following turns and climbs
-    double clearanceM = 1.0;    ///< at least this far above the ground, at the eye and on the way to the body
-    double settleTimeS = 0.8;   ///< time constant for coming down again after a rise of the ground
+    double clearanceM = 1.0;    ///< least height above the ground, at the camera and on the line to the body
+    double settleTimeS = 0.8;   ///< time constant for coming down after a rise of the ground
 
     static ChaseSettings forCar() { return {}; }
     static ChaseSettings forAircraft() { return {26.0, 6.5, 1.6, 4.0, 0.9, 6.0, 2.0}; }
 };
 
-/// An eye behind and above a body. It follows the body's course smoothly (first order, exact for any step, so it is
-/// the same at any frame rate up to rounding), keeps its horizon level, does not follow rolls, and is never below
-/// the ground: where ground would come between it and the body it rises at once, and settles slowly.
-/// Invariant: after every update the eye is at least clearanceM above the ground, where there is ground.
-/// Frame: world. Deterministic: depends on the updates given, nothing else. Threads: one.
+/// A camera behind and above a body. It follows the course of the body with a first-order lag (exact for any step, so
+/// the same at any frame rate up to rounding), keeps its horizon level and does not follow rolls. Where ground would
+/// hide the body it rises at once, and comes down slowly.
+/// Invariant: after each update the camera is at least clearanceM above the ground, where there is ground.
+/// Frame: world. Deterministic: depends on the updates only. Threads: one.
 class ChaseCamera
 {
 public:
     explicit ChaseCamera(const ChaseSettings& settings) : _settings(settings) {}
 
-    /// The eye `dtS` after the one before; the first update starts right behind the body. `ground` may be empty.
+    /// Returns the camera pose `dtS` after the last one; the first update starts behind the body. `ground` may be
+    /// empty.
     scenery::Pose update(const scenery::Pose& body, double dtS, const simulation::GroundProvider& ground);
 
 private:
@@ -42,7 +43,7 @@ private:
 
     ChaseSettings _settings;
     glm::dvec3 _course{0.0}; ///< smoothed forward direction; zero before the first update
-    double _liftM = 0.0;     ///< what the ground makes it rise
+    double _liftM = 0.0;     ///< rise caused by the ground
 };
 
 } // namespace trainer

@@ -12,19 +12,19 @@
 namespace trainer
 {
 
-/// What became of a scenery's objects in one frame, of all eyes together.
+/// The figures of the objects of a scenery in one frame, summed over all cameras.
 struct ObjectFigures
 {
-    std::uint32_t visible = 0;   ///< in sight of a frustum
-    std::uint32_t drawn = 0;     ///< of those, not beyond their alpha range
-    std::uint32_t switching = 0; ///< on their way from one level to another
+    std::uint32_t visible = 0;   ///< inside a frustum
+    std::uint32_t drawn = 0;     ///< visible and not faded out
+    std::uint32_t switching = 0; ///< switching between two levels
     std::uint64_t triangles = 0;
     double cullMs = 0.0;                               ///< choosing and sorting
     osgPMObjects::core::SelectionStatistics selection; ///< by method
 };
 
-/// What one frame took. The first five and the last follow from scenario and view alone; the times are measurements
-/// of this run. Units: as the names say; microseconds and milliseconds of one thread.
+/// The figures of one frame. The first five and the last follow from scenario and view only; the times are
+/// measurements. Units: as the names say; microseconds and milliseconds of one thread.
 struct FrameStatistics
 {
     std::uint32_t frame = 0;
@@ -35,7 +35,7 @@ struct FrameStatistics
     double adaptUs = 0.0;
     double cullMs = 0.0;
     double drawMs = 0.0;
-    double maxErrorPx = 0.0;              ///< bound reached, anywhere in the picture
+    double maxErrorPx = 0.0;              ///< bound reached, anywhere in the image
     std::optional<ObjectFigures> objects; ///< absent without a scenery
 };
 
@@ -48,11 +48,12 @@ struct StatisticsColumn
     bool isMeasured; ///< depends on the machine
 };
 
-/// All columns but `frame` and `timeS`, in the order in which they are written; those of objects only where a frame has some.
+/// Returns all columns except `frame` and `timeS` in the order of the file; those of objects only when a frame has
+/// objects.
 const std::vector<StatisticsColumn>& statisticsColumns(const std::vector<FrameStatistics>& frames);
 
-/// Of one column over all frames. Median: the middle value, or the mean of the two middle ones. p99: the smallest
-/// value that at least 99 % of the frames do not exceed (nearest rank). All 0 without frames.
+/// The summary of one column. Median: the middle value or the mean of the two middle values. p99: the smallest value
+/// that at least 99 % of the frames do not exceed (nearest rank). All 0 without frames.
 struct ColumnSummary
 {
     double median = 0.0;

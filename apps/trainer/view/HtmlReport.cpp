@@ -84,7 +84,7 @@ std::string objectPlots(const std::vector<FrameStatistics>& frames, const std::s
     return html + svgPlot({"Choosing objects, ms", x, times, {seriesOf(frames, "objectCullMs", "#7a5c00")}});
 }
 
-/// What the methods of selection did, added up over all frames.
+/// Returns the table of the selection methods, summed over all frames.
 std::string methodsTable(const std::vector<FrameStatistics>& frames)
 {
     using namespace osgPMObjects::core;

@@ -13,7 +13,7 @@
 namespace trainer
 {
 
-/// What a report tells beside the statistics.
+/// The content of a report besides the statistics.
 struct ReportContent
 {
     std::string title;
@@ -23,11 +23,11 @@ struct ReportContent
     std::string video;        ///< likewise, as its <video>
 };
 
-/// One HTML page that needs nothing from the network: facts, pictures, a table of medians and 99th percentiles, and
-/// plots of triangles, changes, adaptation time and error over the simulated time.
+/// Makes one HTML page that needs no network: facts, images, a table of medians and 99th percentiles, and plots of
+/// triangles, changes, adaptation time and error over the simulated time.
 std::string reportHtml(const ReportContent& content, const std::vector<FrameStatistics>& frames);
 
-/// Errors: the file cannot be written; nothing half-written stays.
+/// Errors: the file cannot be written; no partial file remains.
 foundation::Outcome writeReport(const ReportContent& content, const std::vector<FrameStatistics>& frames,
                                 const std::filesystem::path& file);
 

@@ -20,7 +20,7 @@ Json numberOf(double value, bool isWhole)
     return value;
 }
 
-/// What each method of selection did, of those that some object has.
+/// Returns the figures of each selection method that some object uses.
 Json methodsObject(const osgPMObjects::core::SelectionStatistics& selection)
 {
     using namespace osgPMObjects::core;

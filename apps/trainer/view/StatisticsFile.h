@@ -19,7 +19,7 @@ namespace trainer
 /// `withTimings` false leaves the measured columns out: two runs then give the same bytes.
 std::string statisticsJson(const std::vector<FrameStatistics>& frames, bool withTimings = true);
 
-/// Errors: the file cannot be written; nothing half-written stays.
+/// Errors: the file cannot be written; no partial file remains.
 foundation::Outcome writeStatistics(const std::vector<FrameStatistics>& frames,
                                     const std::filesystem::path& file);
 

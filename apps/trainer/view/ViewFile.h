@@ -25,7 +25,7 @@ namespace trainer
 /// out of its range, no channel or more than 16, a name given twice, tiled channels of different heights.
 foundation::Result<ViewSetup> readView(const std::filesystem::path& file);
 
-/// The same from memory; `name` stands for the file in messages.
+/// Reads a view from memory; `name` replaces the file in messages.
 foundation::Result<ViewSetup> parseView(std::string_view text, const std::string& name);
 
 } // namespace trainer
