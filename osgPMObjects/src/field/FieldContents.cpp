@@ -18,14 +18,9 @@ foundation::Outcome checkKind(const std::string& place, const FieldKind& kind)
         return Error{place, "has no shape", "give every kind one, of makeProgressive() or a .pm file"};
     const auto levels = static_cast<std::uint32_t>(kind.shape->levels().faces.size());
     if (foundation::Outcome checked = core::checkSettings(kind.selection, levels); !checked)
-    {
-        Error error = checked.error();
-        error.place = place;
-        return error;
-    }
-    if (!(kind.switching.durationS > 0.0F) || !(kind.switching.staggerS >= 0.0F))
-        return Error{place, "its switching has no duration above 0, or a stagger below 0",
-                     "give both in seconds"};
+        return Error{place, checked.error().place + ' ' + checked.error().what, checked.error().remedy};
+    if (foundation::Outcome checked = core::checkSettings(kind.switching); !checked)
+        return Error{place, checked.error().place + ' ' + checked.error().what, checked.error().remedy};
     return foundation::success();
 }
 

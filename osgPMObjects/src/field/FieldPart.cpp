@@ -26,10 +26,10 @@ void FieldPart::drawImplementation(osg::RenderInfo& renderInfo) const
     const bool isSwitching = _batch.pass != core::FieldPass::settled;
     _mesh->arrays(_group, _batch.pass == core::FieldPass::switching)
         .drawVertexArraysImplementation(renderInfo);
-    _culled->buffer->use(state, _culled->serial, _culled->picture.instances);
+    _culled->buffer->use(state, _culled->serial, _culled->drawList.instances);
     for (std::uint32_t i = _batch.firstRun; i < _batch.endRun; ++i)
     {
-        const core::FieldRun& run = _culled->picture.runs[i];
+        const core::FieldRun& run = _culled->drawList.runs[i];
         InstanceBuffer::pointTo(gl, run.first, isSwitching);
         _mesh->draw(state, run.rung, _group, run.count);
     }

@@ -14,7 +14,7 @@ namespace osgPMObjects
 /// What one cull of a field found, and where it is drawn from. Never changes.
 struct CulledField
 {
-    core::FieldPicture picture;
+    core::FieldDrawList drawList;
     std::uint64_t serial = 0;
     std::shared_ptr<InstanceBuffer> buffer;
 };

@@ -3,7 +3,7 @@
 
 #include <osg/StateSet>
 
-#include <osgPMObjects/core/field/FieldPicture.h>
+#include <osgPMObjects/core/field/FieldDrawList.h>
 
 namespace osgPMObjects
 {

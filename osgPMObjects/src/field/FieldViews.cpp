@@ -14,17 +14,18 @@ FieldViews::FieldViews(core::Field field) : _field(std::move(field))
         _bound.expandBy(roundedUp(cell.sphere));
 }
 
-core::FieldLook FieldViews::lookOf(const CullView& view, const Settings& settings) const
+core::FieldCamera FieldViews::cameraOf(const CullView& view, const Settings& settings) const
 {
-    core::FieldLook look;
-    look.view = core::SelectionView::from(view.view, 1.0 / view.lodScale, settings.referencePixelsPerTangent);
-    look.eye = view.view.eyeWorld;
-    look.frustum = view.view.frustum;
-    look.attention = settings.attention;
-    look.metresPerUnit = view.metresPerUnit;
-    look.frame = view.frame;
-    look.budget = settings.budget;
-    return look;
+    core::FieldCamera camera;
+    camera.view =
+        core::SelectionView::from(view.view, 1.0 / view.lodScale, settings.referencePixelsPerTangent);
+    camera.eye = view.view.eyeWorld;
+    camera.frustum = view.view.frustum;
+    camera.attention = settings.attention;
+    camera.metresPerUnit = view.metresPerUnit;
+    camera.frame = view.frame;
+    camera.budget = settings.budget;
+    return camera;
 }
 
 /// Time goes on once a frame, whichever camera of the group comes first.
@@ -41,7 +42,7 @@ std::shared_ptr<const CulledField> FieldViews::look(const CullView& view, const 
     const std::lock_guard lock(_mutex);
     const auto begin = std::chrono::steady_clock::now();
     _groups.dropUnused(view.frame);
-    core::FieldLook look = lookOf(view, settings);
+    core::FieldCamera camera = cameraOf(view, settings);
     Groups::Entry* entry = _groups.borrowed(view, [](const Group& group) { return group.view != nullptr; });
     const bool isBorrowed = entry != nullptr;
     const double reachM = (_bound.center().length() + _bound.radius()) * view.metresPerUnit;
@@ -52,15 +53,15 @@ std::shared_ptr<const CulledField> FieldViews::look(const CullView& view, const 
         entry->timeS = view.timeS;
     }
     step(*entry, view);
-    look.stepS = entry->stepS;
+    camera.stepS = entry->stepS;
     Groups::Member& member = _groups.memberOf(*entry, view);
     if (isBorrowed)
-        look.view = entry->chosenBy;
+        camera.view = entry->chosenBy;
     else
-        entry->chosenBy = look.view;
+        entry->chosenBy = camera.view;
 
     const auto culled = std::make_shared<CulledField>();
-    culled->picture = entry->view->look(look);
+    culled->drawList = entry->view->update(camera);
     culled->serial = ++_serial;
     if (!member.buffer) member.buffer = std::make_shared<InstanceBuffer>();
     culled->buffer = member.buffer;
@@ -71,19 +72,19 @@ std::shared_ptr<const CulledField> FieldViews::look(const CullView& view, const 
 
 void FieldViews::note(Groups::Entry& entry, const CulledField& culled, double cullMs) const
 {
-    const core::FieldPicture& picture = culled.picture;
+    const core::FieldDrawList& drawList = culled.drawList;
     FieldViewStatistics& statistics = entry.statistics;
     statistics = {};
     statistics.frame = entry.frame;
     statistics.cameras = static_cast<std::uint32_t>(entry.members.size());
-    statistics.selection = picture.selection;
-    statistics.visible = picture.visible;
-    statistics.drawn = picture.drawn;
-    statistics.switching = picture.switching;
-    statistics.triangles = picture.triangles;
+    statistics.selection = drawList.selection;
+    statistics.visible = drawList.visible;
+    statistics.drawn = drawList.drawn;
+    statistics.switching = drawList.switching;
+    statistics.triangles = drawList.triangles;
     statistics.cullMs = cullMs;
-    statistics.bytesUploaded = picture.instances.size() * sizeof(core::ShownInstance);
-    for (const core::FieldBatch& batch : picture.batches)
+    statistics.bytesUploaded = drawList.instances.size() * sizeof(core::InstanceAttributes);
+    for (const core::FieldBatch& batch : drawList.batches)
     {
         const std::uint32_t passes = batch.pass == core::FieldPass::blended ? 2 : 1;
         statistics.drawCalls +=

@@ -51,7 +51,7 @@ private:
     };
     using Groups = EyeGroups<Group, PerCamera>;
 
-    core::FieldLook lookOf(const CullView& view, const Settings& settings) const;
+    core::FieldCamera cameraOf(const CullView& view, const Settings& settings) const;
     static void step(Groups::Entry& entry, const CullView& view);
     void note(Groups::Entry& entry, const CulledField& culled, double cullMs) const;
 

@@ -14,7 +14,7 @@ namespace osgPMObjects
 namespace
 {
 
-using core::ShownInstance;
+using core::InstanceAttributes;
 
 struct InstanceAttribute
 {
@@ -23,13 +23,15 @@ struct InstanceAttribute
 };
 
 /// What only instances that are being switched need comes last.
-constexpr std::array<InstanceAttribute, 3> kAttributes{{{kPlaceAttribute, offsetof(ShownInstance, place)},
-                                                        {kTurnAttribute, offsetof(ShownInstance, turn)},
-                                                        {kShownAttribute, offsetof(ShownInstance, shown)}}};
+constexpr std::array<InstanceAttribute, 3> kAttributes{
+    {{kPlaceAttribute, offsetof(InstanceAttributes, positionAndScale)},
+     {kTurnAttribute, offsetof(InstanceAttributes, rotation)},
+     {kShownAttribute, offsetof(InstanceAttributes, transition)}}};
 
 } // namespace
 
-void InstanceBuffer::use(osg::State& state, std::uint64_t serial, std::span<const ShownInstance> instances)
+void InstanceBuffer::use(osg::State& state, std::uint64_t serial,
+                         std::span<const InstanceAttributes> instances)
 {
     osg::GLExtensions& gl = *state.get<osg::GLExtensions>();
     Copy* copy = nullptr;
@@ -53,8 +55,8 @@ void InstanceBuffer::pointTo(osg::GLExtensions& gl, std::uint32_t first, bool is
     for (std::size_t i = 0; i < used; ++i)
     {
         const auto [number, offset] = kAttributes[i];
-        gl.glVertexAttribPointer(number, 4, GL_FLOAT, GL_FALSE, sizeof(ShownInstance),
-                                 osgTraversal::bufferOffset(first * sizeof(ShownInstance) + offset));
+        gl.glVertexAttribPointer(number, 4, GL_FLOAT, GL_FALSE, sizeof(InstanceAttributes),
+                                 osgTraversal::bufferOffset(first * sizeof(InstanceAttributes) + offset));
         gl.glVertexAttribDivisor(number, 1);
         gl.glEnableVertexAttribArray(number);
     }

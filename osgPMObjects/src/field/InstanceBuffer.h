@@ -9,7 +9,7 @@
 
 #include <osg/State>
 
-#include <osgPMObjects/core/field/FieldPicture.h>
+#include <osgPMObjects/core/field/FieldDrawList.h>
 
 #include <osgTraversal/ContextBuffer>
 
@@ -23,7 +23,7 @@ class InstanceBuffer
 {
 public:
     /// Makes the instances of a picture the buffer's, unless they are already, and binds it. `serial`: of the picture, above 0.
-    void use(osg::State& state, std::uint64_t serial, std::span<const core::ShownInstance> instances);
+    void use(osg::State& state, std::uint64_t serial, std::span<const core::InstanceAttributes> instances);
 
     /// Lets the attributes of ObjectShader come from the instances from `first` on. `isSwitching`: what they show, too.
     static void pointTo(osg::GLExtensions& gl, std::uint32_t first, bool isSwitching);

@@ -50,8 +50,8 @@ LadderTargets::LadderTargets(const ProgressiveShape& shape, const core::LevelLad
     _texCoords = arrayOf<osg::Vec4Array>(targets.size(), buffer);
     for (std::size_t i = 0; i < targets.size(); ++i)
     {
-        const core::Wedge wedge = core::wedgeOf(mesh, targets[i].look);
-        (*_positions)[i] = shape.vertices()[targets[i].place];
+        const core::Wedge wedge = core::wedgeOf(mesh, targets[i].attributeWedge);
+        (*_positions)[i] = shape.vertices()[targets[i].positionWedge];
         if (_normals) (*_normals)[i] = {wedge.normal.x, wedge.normal.y, wedge.normal.z};
         if (_colours) (*_colours)[i] = {wedge.colour.r, wedge.colour.g, wedge.colour.b, wedge.colour.a};
         (*_texCoords)[i] = {wedge.texCoords[0].x, wedge.texCoords[0].y, wedge.texCoords[1].x,

@@ -113,7 +113,7 @@ void ProgressiveField::traverse(osg::NodeVisitor& visitor)
     if (!cullVisitor || !_views) return osg::Node::traverse(visitor);
     const auto culled =
         _views->look(cullViewOf(*cullVisitor), {_budget, _attention, _referencePixelsPerTangent});
-    for (const core::FieldBatch& batch : culled->picture.batches)
+    for (const core::FieldBatch& batch : culled->drawList.batches)
         for (osg::StateSet* const state : statesOf(batch, _kinds[batch.model]))
         {
             cullVisitor->pushStateSet(state);

@@ -88,6 +88,7 @@ foundation::Result<std::string> pmNodeBytes(const ProgressiveNode& node, core::P
 {
     const ProgressiveShape* const shape = node.shape();
     if (!shape) return foundation::Error{"progressive node", "has no shape", "give one that is not empty"};
+    if (const auto checked = core::checkSettings(settings); !checked) return checked.error();
     std::vector<osg::ref_ptr<osg::Node>> others;
     for (unsigned int i = 1; i < node.getNumChildren(); ++i) // the first is the surface
         others.push_back(const_cast<osg::Node*>(node.getChild(i)));

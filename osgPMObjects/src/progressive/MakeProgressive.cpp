@@ -11,6 +11,7 @@ namespace osgPMObjects
 foundation::Result<ProgressiveModel> makeProgressive(osg::Node& node, const std::string& name,
                                                      const ProgressiveSettings& settings)
 {
+    if (const auto checked = core::checkSettings(settings.arrangement); !checked) return checked.error();
     auto imported = importNode(node, name);
     if (!imported) return imported.error();
     core::Mesh& mesh = imported->mesh;

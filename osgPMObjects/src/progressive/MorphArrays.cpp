@@ -72,8 +72,9 @@ osg::ref_ptr<osg::Vec4Array> texCoordsOf(const MorphTargets& targets, const osg:
     osg::ref_ptr<osg::Vec4Array> both = arrayOf<osg::Vec4Array>(targets, buffer);
     for (std::size_t i = 0; i < targets.targets.size(); ++i)
     {
-        const std::uint32_t look = targets.targets[i].look;
-        const osg::Vec2 a = first ? (*first)[look] : osg::Vec2(), b = second ? (*second)[look] : osg::Vec2();
+        const std::uint32_t wedge = targets.targets[i].attributeWedge;
+        const osg::Vec2 a = first ? (*first)[wedge] : osg::Vec2(),
+                        b = second ? (*second)[wedge] : osg::Vec2();
         (*both)[targets.firstWedge + i].set(a.x(), a.y(), b.x(), b.y());
     }
     return both;
@@ -94,9 +95,9 @@ MorphArrays::MorphArrays(const ProgressiveShape& shape, std::uint32_t finerSteps
     const MorphTargets targets = core::morphTargets(shape.progressive(), finerSteps, coarserSteps);
     _firstVertex = targets.firstWedge;
     const osg::ref_ptr<osg::VertexBufferObject> buffer = new osg::VertexBufferObject;
-    Attribute<osg::Vec3Array> positions(targets, &MorphTargets::Target::place, buffer);
-    Attribute<osg::Vec3Array> normals(targets, &MorphTargets::Target::look, buffer);
-    Attribute<osg::Vec4Array> colours(targets, &MorphTargets::Target::look, buffer);
+    Attribute<osg::Vec3Array> positions(targets, &MorphTargets::Target::positionWedge, buffer);
+    Attribute<osg::Vec3Array> normals(targets, &MorphTargets::Target::attributeWedge, buffer);
+    Attribute<osg::Vec4Array> colours(targets, &MorphTargets::Target::attributeWedge, buffer);
     for (const ProgressiveShape::Group& group : shape.groups())
     {
         const osg::Geometry& source = *group.arrays;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fields of made models for tests.
+// Fields of generated models for tests.
 #pragma once
 
 #include <osgPMObjects/core/field/FieldView.h>
@@ -12,7 +12,7 @@
 namespace testsupport
 {
 
-/// A model with all that a field wants to know about it.
+/// A model with all tables that a field needs.
 struct FieldSubject
 {
     osgPMObjects::core::Mesh mesh;
@@ -62,7 +62,7 @@ inline glm::dquat anyTurn(Random& random)
     return glm::quat_cast(rotation(random));
 }
 
-/// So many objects of as many models, within a flat box about 0.
+/// Makes a field of objects of several models, scattered in a flat box about 0.
 inline osgPMObjects::core::Field scatteredField(std::vector<osgPMObjects::core::FieldModel> models,
                                                 std::uint32_t count, double reachM, std::uint64_t seed = 7)
 {
@@ -78,16 +78,16 @@ inline osgPMObjects::core::Field scatteredField(std::vector<osgPMObjects::core::
     return {std::move(models), std::move(objects)};
 }
 
-inline osgPMObjects::core::FieldLook lookFrom(const viewlod::ViewState& view, std::uint64_t frame,
-                                              float stepS = 0.04f)
+inline osgPMObjects::core::FieldCamera cameraFrom(const viewlod::ViewState& view, std::uint64_t frame,
+                                                  float stepS = 0.04f)
 {
-    osgPMObjects::core::FieldLook look;
-    look.view = osgPMObjects::core::SelectionView::from(view);
-    look.eye = view.eyeWorld;
-    look.frustum = view.frustum;
-    look.frame = frame;
-    look.stepS = stepS;
-    return look;
+    osgPMObjects::core::FieldCamera camera;
+    camera.view = osgPMObjects::core::SelectionView::from(view);
+    camera.eye = view.eyeWorld;
+    camera.frustum = view.frustum;
+    camera.frame = frame;
+    camera.stepS = stepS;
+    return camera;
 }
 
 } // namespace testsupport

@@ -15,7 +15,7 @@ using testsupport::FieldSubject;
 
 constexpr float kStepS = 0.02f;
 
-/// One object that a walk brings nearer and farther.
+/// One object in a view whose distance changes.
 class Walk
 {
 public:
@@ -28,10 +28,10 @@ public:
         _view.emplace(_field);
     }
 
-    FieldPicture at(double distance)
+    FieldDrawList at(double distance)
     {
-        return _view->look(testsupport::lookFrom(testsupport::viewTo({0.0, -distance, 0.0}, {0.0, 0.0, 0.0}),
-                                                 ++_frame, kStepS));
+        return _view->update(testsupport::cameraFrom(
+            testsupport::viewTo({0.0, -distance, 0.0}, {0.0, 0.0, 0.0}), ++_frame, kStepS));
     }
 
 private:
@@ -40,9 +40,9 @@ private:
     std::uint64_t _frame = 0;
 };
 
-const FieldBatch* batchOf(const FieldPicture& picture, FieldPass pass)
+const FieldBatch* batchOf(const FieldDrawList& drawList, FieldPass pass)
 {
-    for (const FieldBatch& batch : picture.batches)
+    for (const FieldBatch& batch : drawList.batches)
         if (batch.pass == pass) return &batch;
     return nullptr;
 }
@@ -53,15 +53,15 @@ TEST(FieldSwitch, LeavesNoPixelOfAScreenDoorToNobody)
     int blends = 0;
     for (double distance = 30.0; distance < 560.0; distance *= 1.01)
     {
-        const FieldPicture picture = walk.at(distance);
-        ASSERT_LE(picture.instances.size(), 2u);
-        if (picture.instances.size() == 1)
+        const FieldDrawList drawList = walk.at(distance);
+        ASSERT_LE(drawList.instances.size(), 2u);
+        if (drawList.instances.size() == 1)
         {
-            EXPECT_NE(batchOf(picture, FieldPass::settled), nullptr);
+            EXPECT_NE(batchOf(drawList, FieldPass::settled), nullptr);
             continue;
         }
         ++blends;
-        const auto &a = picture.instances[0].shown, &b = picture.instances[1].shown;
+        const auto &a = drawList.instances[0].transition, &b = drawList.instances[1].transition;
         EXPECT_EQ(std::min(a[0], b[0]), 0.0f);
         EXPECT_EQ(std::max(a[1], b[1]), 1.0f);
         EXPECT_TRUE(a[1] == b[0] || b[1] == a[0]) << "the doors meet";
@@ -75,9 +75,9 @@ TEST(FieldSwitch, HasAlwaysOneOpaqueLevelWhenOneFadesInOverTheOther)
     int blends = 0;
     for (double distance = 30.0; distance < 560.0; distance *= 1.01)
     {
-        const FieldPicture picture = walk.at(distance);
-        ASSERT_NE(batchOf(picture, FieldPass::settled), nullptr) << distance;
-        blends += batchOf(picture, FieldPass::blended) != nullptr;
+        const FieldDrawList drawList = walk.at(distance);
+        ASSERT_NE(batchOf(drawList, FieldPass::settled), nullptr) << distance;
+        blends += batchOf(drawList, FieldPass::blended) != nullptr;
     }
     EXPECT_GT(blends, 50);
 }
@@ -86,16 +86,16 @@ TEST(FieldSwitch, FadesAlongTheAlphaRangeAndIsGoneBeyond)
 {
     Walk walk({SwitchMethod::discrete, BlendProfile::over, 0.5f, 0.0f});
     EXPECT_NE(batchOf(walk.at(590.0), FieldPass::settled), nullptr);
-    const FieldPicture half = walk.at(700.0);
+    const FieldDrawList half = walk.at(700.0);
     ASSERT_NE(batchOf(half, FieldPass::blended), nullptr);
-    EXPECT_NEAR(half.instances.at(0).shown[1], 0.5f, 0.01f);
-    const FieldPicture gone = walk.at(801.0);
+    EXPECT_NEAR(half.instances.at(0).transition[1], 0.5f, 0.01f);
+    const FieldDrawList gone = walk.at(801.0);
     EXPECT_EQ(gone.visible, 1u);
     EXPECT_EQ(gone.drawn, 0u);
     EXPECT_TRUE(gone.instances.empty());
 }
 
-/// Where rung and morph say the object is between levels never jumps, however far the eye does.
+/// The position between levels (rung plus morph) never jumps, even if the eye does.
 TEST(FieldSwitch, MorphsFromRungToRungWithoutAJump)
 {
     Walk walk({SwitchMethod::geomorph, BlendProfile::over, 0.2f, 0.0f});
@@ -103,19 +103,19 @@ TEST(FieldSwitch, MorphsFromRungToRungWithoutAJump)
     const LevelLadder& ladder = FieldSubject::torus().ladder;
     for (int i = 0; i < 400; ++i)
     {
-        const FieldPicture picture = walk.at(i < 200 ? 40.0 : 300.0);
-        ASSERT_EQ(picture.instances.size(), 1u);
-        const std::uint32_t rung = picture.runs[0].rung;
-        const double at = rung + picture.instances[0].shown[2];
-        if (picture.instances[0].shown[2] > 0.0f)
+        const FieldDrawList drawList = walk.at(i < 200 ? 40.0 : 300.0);
+        ASSERT_EQ(drawList.instances.size(), 1u);
+        const std::uint32_t rung = drawList.runs[0].rung;
+        const double at = rung + drawList.instances[0].transition[2];
+        if (drawList.instances[0].transition[2] > 0.0f)
         {
-            EXPECT_EQ(picture.instances[0].shown[3], static_cast<float>(ladder.rungs[rung + 1].wedges));
+            EXPECT_EQ(drawList.instances[0].transition[3], static_cast<float>(ladder.rungs[rung + 1].wedges));
         }
         if (last >= 0.0) most = std::max(most, std::abs(at - last));
         last = at;
     }
     EXPECT_GT(last, 3.0) << "it has gone several rungs";
-    // Of a rung in a step: a tenth, times the rungs that were away.
+    // The largest change in a step: a tenth of the rungs between.
     EXPECT_LT(most, 0.1 * static_cast<double>(ladder.rungs.size()));
     EXPECT_GT(most, 0.0);
 }

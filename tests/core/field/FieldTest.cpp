@@ -40,7 +40,7 @@ TEST(Field, TakesAwkwardArrangements)
     EXPECT_TRUE(isField(Field({model}, row))) << "one far off";
 }
 
-/// Draws nothing that is out of sight and leaves out nothing that is in it, as tests of all spheres say.
+/// The visible objects are those whose spheres are in the frustum, tested one by one.
 TEST(Field, IsCulledToWhatEverySphereAloneWouldBe)
 {
     const Field field = testsupport::scatteredField({FieldSubject::torus().model()}, 4000, 500.0);
@@ -51,16 +51,16 @@ TEST(Field, IsCulledToWhatEverySphereAloneWouldBe)
             testsupport::viewTo(testsupport::direction(random) * testsupport::between(random, 5.0, 700.0),
                                 testsupport::direction(random) * 100.0);
         FieldView memory(field);
-        const FieldPicture picture = memory.look(testsupport::lookFrom(view, frame));
+        const FieldDrawList drawList = memory.update(testsupport::cameraFrom(view, frame));
         std::uint32_t seen = 0, withoutTheirSize = 0;
         for (const BoundingSphere& sphere : field.spheres())
         {
             seen += !view.frustum.classify(sphere.centre, sphere.radius, 0x0F).outside;
             withoutTheirSize += !view.frustum.classify(sphere.centre, 0.0, 0x0F).outside;
         }
-        ASSERT_EQ(picture.visible, seen) << frame;
+        ASSERT_EQ(drawList.visible, seen) << frame;
         if (seen < 500) continue;
-        EXPECT_NE(picture.visible, withoutTheirSize) << "would not be noticed";
+        EXPECT_NE(drawList.visible, withoutTheirSize) << "would not be noticed";
     }
 }
 

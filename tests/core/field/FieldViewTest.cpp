@@ -12,13 +12,13 @@ namespace
 using namespace osgPMObjects::core;
 using testsupport::FieldSubject;
 
-/// What a picture's instances stand at, with their rungs; x makes them findable.
-std::vector<std::pair<float, std::uint32_t>> rungsByPlace(const FieldPicture& picture)
+/// Returns the x coordinate and the rung of each instance, sorted.
+std::vector<std::pair<float, std::uint32_t>> rungsByX(const FieldDrawList& drawList)
 {
     std::vector<std::pair<float, std::uint32_t>> all;
-    for (const FieldRun& run : picture.runs)
+    for (const FieldRun& run : drawList.runs)
         for (std::uint32_t i = run.first; i < run.first + run.count; ++i)
-            all.emplace_back(picture.instances[i].place[0], run.rung);
+            all.emplace_back(drawList.instances[i].positionAndScale[0], run.rung);
     std::sort(all.begin(), all.end());
     return all;
 }
@@ -47,10 +47,10 @@ TEST(FieldView, DrawsEachObjectInSightOnceOnTheRungOfItsRule)
         const Field field = testsupport::scatteredField({modelWith(method)}, 1500, 300.0);
         const auto view = testsupport::viewTo({0.0, -320.0, 20.0}, {0.0, 0.0, 0.0});
         FieldView memory(field);
-        const FieldPicture picture = memory.look(testsupport::lookFrom(view, 1));
-        EXPECT_EQ(picture.instances.size(), picture.visible);
-        EXPECT_EQ(picture.drawn, picture.visible);
-        EXPECT_EQ(picture.selection.all().objects, picture.visible);
+        const FieldDrawList drawList = memory.update(testsupport::cameraFrom(view, 1));
+        EXPECT_EQ(drawList.instances.size(), drawList.visible);
+        EXPECT_EQ(drawList.drawn, drawList.visible);
+        EXPECT_EQ(drawList.selection.all().objects, drawList.visible);
         std::vector<std::pair<float, std::uint32_t>> expected;
         std::uint64_t triangles = 0;
         const LevelSelector selector(SelectionView::from(view));
@@ -66,14 +66,14 @@ TEST(FieldView, DrawsEachObjectInSightOnceOnTheRungOfItsRule)
             expected.emplace_back(static_cast<float>(field.objects()[i].position.x - view.eyeWorld.x), rung);
         }
         std::sort(expected.begin(), expected.end());
-        EXPECT_EQ(rungsByPlace(picture), expected) << nameOf(method);
-        EXPECT_EQ(picture.triangles, triangles);
-        EXPECT_EQ(picture.selection.all().triangles, triangles) << "what is counted is what is drawn";
-        ASSERT_GT(picture.runs.size(), 3u) << "several levels";
+        EXPECT_EQ(rungsByX(drawList), expected) << nameOf(method);
+        EXPECT_EQ(drawList.triangles, triangles);
+        EXPECT_EQ(drawList.selection.all().triangles, triangles) << "what is counted is what is drawn";
+        ASSERT_GT(drawList.runs.size(), 3u) << "several levels";
     }
 }
 
-/// Every object goes to and fro by 5 % of its distance, a hundred times.
+/// The distance of each object varies by ±5 %, a hundred times.
 TEST(FieldView, NeverSwitchesTwiceWhileTheEyeTrembles)
 {
     for (const auto method :
@@ -93,7 +93,7 @@ TEST(FieldView, NeverSwitchesTwiceWhileTheEyeTrembles)
                            [&](double distance)
                            {
                                const auto view = testsupport::viewTo({0.0, -distance, 0.0}, {0.0, 0.0, 0.0});
-                               return memory.look(testsupport::lookFrom(view, ++frame)).runs.front().rung;
+                               return memory.update(testsupport::cameraFrom(view, ++frame)).runs.front().rung;
                            }));
         }
         if (method == SelectionMethod::ranges)
@@ -115,14 +115,14 @@ TEST(FieldView, KeepsWithinTheBudget)
     for (std::uint64_t frame = 1; frame <= 40; ++frame)
     {
         const double y = -400.0 + 10.0 * static_cast<double>(frame);
-        FieldLook look =
-            testsupport::lookFrom(testsupport::viewTo({0.0, y, 30.0}, {0.0, y + 100.0, 0.0}), frame);
-        look.budget.budget = 60000;
-        const FieldPicture picture = memory.look(look);
-        ASSERT_LE(picture.triangles, 60000u) << frame;
-        EXPECT_TRUE(picture.selection.budget.fits);
-        least = std::min(least, picture.triangles);
-        most = std::max(most, picture.triangles);
+        FieldCamera camera =
+            testsupport::cameraFrom(testsupport::viewTo({0.0, y, 30.0}, {0.0, y + 100.0, 0.0}), frame);
+        camera.budget.budget = 60000;
+        const FieldDrawList drawList = memory.update(camera);
+        ASSERT_LE(drawList.triangles, 60000u) << frame;
+        EXPECT_TRUE(drawList.selection.budget.fits);
+        least = std::min(least, drawList.triangles);
+        most = std::max(most, drawList.triangles);
     }
     EXPECT_GT(most, 55000u) << "and uses it";
 }
@@ -136,10 +136,11 @@ TEST(FieldView, NeitherBudgetNorRuleLeavesFewerThanTheLeastFaces)
         model.selection.leastFaces = leastFaces;
         const Field field = testsupport::scatteredField({model}, 300, 300.0);
         FieldView memory(field);
-        FieldLook look = testsupport::lookFrom(testsupport::viewTo({0.0, -400.0, 30.0}, {0.0, 0.0, 0.0}), 1);
-        look.budget.budget = 1;
+        FieldCamera camera =
+            testsupport::cameraFrom(testsupport::viewTo({0.0, -400.0, 30.0}, {0.0, 0.0, 0.0}), 1);
+        camera.budget.budget = 1;
         std::uint32_t faces = model.ladder->rungs.front().faces;
-        for (const FieldRun& run : memory.look(look).runs)
+        for (const FieldRun& run : memory.update(camera).runs)
             faces = std::min(faces, model.ladder->rungs[run.rung].faces);
         return faces;
     };
@@ -151,24 +152,24 @@ TEST(FieldView, NeitherBudgetNorRuleLeavesFewerThanTheLeastFaces)
     }
 }
 
-/// Cameras that share an eye see the same levels, whichever looks first.
+/// Cameras that share an eye get the same levels, whichever is updated first.
 TEST(FieldView, ShowsAnotherCameraOfTheEyeTheSame)
 {
     FieldModel model = modelWith(SelectionMethod::screenError);
     model.switching = {SwitchMethod::blend, BlendProfile::cross, 0.5f, 0.0f};
     const Field field = testsupport::scatteredField({model}, 800, 200.0);
     FieldView memory(field);
-    FieldPicture first, second;
+    FieldDrawList first, second;
     for (std::uint64_t frame = 1; frame <= 30; ++frame)
     {
         const double y = -300.0 + 4.0 * static_cast<double>(frame);
-        const auto look =
-            testsupport::lookFrom(testsupport::viewTo({0.0, y, 30.0}, {0.0, y + 100.0, 0.0}), frame);
-        first = memory.look(look);
-        second = memory.look(look);
-        ASSERT_EQ(rungsByPlace(first), rungsByPlace(second));
+        const auto camera =
+            testsupport::cameraFrom(testsupport::viewTo({0.0, y, 30.0}, {0.0, y + 100.0, 0.0}), frame);
+        first = memory.update(camera);
+        second = memory.update(camera);
+        ASSERT_EQ(rungsByX(first), rungsByX(second));
         ASSERT_EQ(std::memcmp(first.instances.data(), second.instances.data(),
-                              first.instances.size() * sizeof(ShownInstance)),
+                              first.instances.size() * sizeof(InstanceAttributes)),
                   0)
             << "time has gone on twice in frame " << frame;
     }
@@ -182,7 +183,7 @@ TEST(FieldView, ForgetsWhatWasOutOfSight)
     const Field field({model}, {FieldObject{}});
     FieldView memory(field);
     const auto at = [&](double distance, std::uint64_t frame) {
-        return memory.look(testsupport::lookFrom(testsupport::viewTo({0.0, -distance, 0.0}, {}), frame));
+        return memory.update(testsupport::cameraFrom(testsupport::viewTo({0.0, -distance, 0.0}, {}), frame));
     };
     at(50.0, 1);
     at(200.0, 2);

@@ -14,7 +14,7 @@ namespace
 using namespace osgPMObjects::core;
 using testsupport::FieldSubject;
 
-/// By group, each face from its least corner on.
+/// Returns the faces by group, each beginning at its least corner.
 std::vector<std::vector<Triangle>> sorted(std::vector<std::vector<Triangle>> groups)
 {
     for (auto& group : groups)

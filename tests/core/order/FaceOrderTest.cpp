@@ -42,7 +42,7 @@ Group groupOf(const Face& face)
     return {face.part, face.material};
 }
 
-/// Vertices that a queue of 16 has to transform, drawing group by group.
+/// Returns the vertices that a queue of 16 transforms, group by group.
 std::size_t transforms(const Mesh& mesh)
 {
     std::map<Group, std::vector<std::uint32_t>> drawn;

@@ -63,7 +63,7 @@ TEST(TriangleStrips, OfAFanRepeatAVertexAtEachTurn)
 
 TEST(TriangleStrips, DoubleTheFirstVertexWhereTheyBeginAgainstTheirOrientation)
 {
-    // The paper's picture: 0 (v0 v1 v2) turns the other way round than a strip begins.
+    // The figure of Jin's lecture: triangle 0 (v0 v1 v2) turns against the beginning of the strip.
     const std::vector<Triangle> triangles = {{1, 0, 2}, {1, 2, 3}, {3, 2, 4}, {3, 4, 5}};
     const std::vector<std::uint32_t> strip = {0, 1, 2, 3};
     const auto sent = encodeStrip(triangles, strip);

@@ -17,7 +17,7 @@ using namespace osgPMObjects::core;
 using testsupport::IndexedMesh;
 using testsupport::Random;
 
-/// The queue as it is told.
+/// A queue of vertices, written in the plainest way.
 std::uint64_t byQueue(const IndexedMesh& mesh, std::size_t size)
 {
     std::deque<std::uint32_t> queue;
@@ -33,7 +33,7 @@ std::uint64_t byQueue(const IndexedMesh& mesh, std::size_t size)
     return misses;
 }
 
-/// Batches as they are told.
+/// Batches of triangles, written in the plainest way.
 std::uint64_t bySets(const IndexedMesh& mesh, std::size_t vertices, std::size_t triangles)
 {
     std::set<std::uint32_t> batch;

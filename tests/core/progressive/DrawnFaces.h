@@ -30,17 +30,17 @@ inline std::vector<ProgressiveSubject> progressiveSubjects()
             {"soup", faceSoup(3, 60, 90)}};
 }
 
-/// Blocks so small that small meshes have many.
+/// Returns settings with small blocks, so that small meshes have many.
 inline osgPMObjects::core::ArrangementSettings smallBlocks(osgPMObjects::core::Arrangement arrangement)
 {
     return {.arrangement = arrangement,
             .blockFaces = arrangement == osgPMObjects::core::Arrangement::windows ? 40u : 8u};
 }
 
-/// A corner as it is seen: what must be the same whatever its number.
+/// A corner without its number: position and attributes.
 using SeenCorner = std::array<double, 5>;
 using SeenFace = std::array<SeenCorner, 3>;
-using SeenFaces = std::vector<std::pair<std::uint32_t, SeenFace>>; ///< with materials, sorted
+using SeenFaces = std::vector<std::pair<std::uint32_t, SeenFace>>; ///< with their materials, sorted
 
 inline void addSeen(SeenFaces& faces, const osgPMObjects::core::Mesh& mesh, std::uint32_t material,
                     const osgPMObjects::core::Triangle& wedges)

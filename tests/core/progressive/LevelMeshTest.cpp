@@ -24,7 +24,7 @@ struct Subject
     ProgressiveMesh progressive = buildProgressiveMesh(mesh, sequence);
 };
 
-/// By material, where their corners are, the least first.
+/// Returns the positions of the corners of each face, by material, the least first.
 auto placesOf(const Mesh& mesh)
 {
     std::vector<std::pair<std::uint32_t, std::array<std::array<double, 3>, 3>>> places;

@@ -44,7 +44,7 @@ Corners sorted(Corners corners)
     return corners;
 }
 
-/// The faces of a level with area, once all of their wedges are at their targets.
+/// Returns the faces with area after all wedges have moved to their targets.
 std::vector<Corners> facesAt(std::uint32_t steps, const MorphTargets& morph)
 {
     const ProgressiveMesh& progressive = morphed();
@@ -60,8 +60,8 @@ std::vector<Corners> facesAt(std::uint32_t steps, const MorphTargets& morph)
                              MorphTargets::Target target{face[i], face[i]};
                              if (face[i] >= morph.firstWedge)
                                  target = morph.targets.at(face[i] - morph.firstWedge);
-                             corners.wedges[i] = target.look;
-                             corners.positions[i] = progressive.mesh.wedgePositions[target.place];
+                             corners.wedges[i] = target.attributeWedge;
+                             corners.positions[i] = progressive.mesh.wedgePositions[target.positionWedge];
                          }
                          if (!repeatsCorner(corners.positions)) faces.push_back(sorted(corners));
                      });
@@ -90,13 +90,13 @@ TEST(MorphTargets, AreThoseOfOneStepByHand)
     for (std::uint32_t i = 0; i < morph.targets.size(); ++i)
     {
         const std::uint32_t wedge = morph.firstWedge + i;
-        EXPECT_EQ(morph.targets[i].look, progressive.parents[wedge]);
-        EXPECT_LT(morph.targets[i].look, morph.firstWedge);
+        EXPECT_EQ(morph.targets[i].attributeWedge, progressive.parents[wedge]);
+        EXPECT_LT(morph.targets[i].attributeWedge, morph.firstWedge);
     }
     EXPECT_TRUE(morphTargets(progressive, 5, 5).targets.empty());
 }
 
-/// Seams of one position must not tear on the way.
+/// All wedges of a position move to one position, so that seams do not tear.
 TEST(MorphTargets, AreAtOnePlaceForAllWedgesOfAPosition)
 {
     const auto& positions = morphed().mesh.wedgePositions;
@@ -105,13 +105,13 @@ TEST(MorphTargets, AreAtOnePlaceForAllWedgesOfAPosition)
     for (std::uint32_t i = 1; i < morph.targets.size(); ++i)
     {
         if (positions[morph.firstWedge + i] != positions[morph.firstWedge + i - 1]) continue;
-        EXPECT_EQ(positions[morph.targets[i].place], positions[morph.targets[i - 1].place]);
+        EXPECT_EQ(positions[morph.targets[i].positionWedge], positions[morph.targets[i - 1].positionWedge]);
         ++together;
     }
     EXPECT_GT(together, 0u);
 }
 
-/// The first test can fail: targets that are off by one wedge are seen.
+/// Mutation for the first test: targets that are off by one wedge are found.
 TEST(MorphTargetsMutation, OffByOneWedgeIsSeen)
 {
     const std::uint32_t finer = 10, coarser = morphed().stepCount / 2;

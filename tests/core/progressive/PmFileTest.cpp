@@ -18,7 +18,7 @@ namespace
 
 using namespace osgPMObjects::core;
 
-/// With everything that a vertex can have, and two materials.
+/// A mesh with all vertex attributes and two materials.
 ProgressiveMesh subject(std::uint32_t side = 22)
 {
     Mesh mesh = testsupport::together(testsupport::texturedInHalves(side, side), testsupport::waves(7, 9),
@@ -95,7 +95,7 @@ TEST(PmFile, IsACoarserMeshAfterEverySection)
         const auto soFar = reader.mesh();
         ASSERT_TRUE(soFar) << soFar.error().what;
         ASSERT_TRUE(isValid(*soFar));
-        EXPECT_EQ(reader.stepsInAll(), mesh.stepCount);
+        EXPECT_EQ(reader.totalSteps(), mesh.stepCount);
         const std::uint32_t missing = mesh.stepCount - soFar->stepCount;
         EXPECT_LT(missing, last);
         last = missing;

@@ -20,7 +20,7 @@ std::vector<std::uint32_t> indicesOf(const ProgressiveLevel& level)
     return {level.narrowIndices().begin(), level.narrowIndices().end()};
 }
 
-/// What is drawn, holes left out; and how many holes there are.
+/// Returns the drawn faces without holes, and counts the holes.
 testsupport::SeenFaces drawnOf(const ProgressiveMesh& progressive, const ProgressiveLevel& level,
                                std::size_t& holes)
 {

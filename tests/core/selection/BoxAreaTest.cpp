@@ -35,7 +35,7 @@ double twiceArea(const std::vector<glm::dvec2>& loop)
     return sum;
 }
 
-/// Andrew's monotone chain.
+/// Returns the convex hull of points, by Andrew's monotone chain.
 double hullArea(std::vector<glm::dvec2> points)
 {
     std::sort(points.begin(), points.end(),
@@ -56,7 +56,7 @@ double hullArea(std::vector<glm::dvec2> points)
     return 0.5 * twiceArea(hull);
 }
 
-/// By the projection matrix; nothing with a corner before the near plane.
+/// Returns the corners projected by the matrix; nothing if one is before the near plane.
 std::optional<double> bruteForceArea(const viewlod::ViewState& view, const OrientedBox& box)
 {
     std::vector<glm::dvec2> corners;
@@ -143,7 +143,7 @@ bool isOutlineTable(const std::array<BoxOutline, kBoxRegions>& table)
     const OrientedBox box{glm::dvec3(0), glm::dmat3(1), {1.0, 0.7, 0.4}};
     for (int i = 0; i < 3000; ++i)
     {
-        // Beyond no, one or more of the sides, as chance has it, so that each region is met often.
+        // A random region: beyond none, one or more of the sides.
         glm::dvec3 eye;
         for (int axis = 0; axis < 3; ++axis)
             eye[axis] = (random.below(3) - 1.0) * 8.0 + testsupport::between(random, -0.3, 0.3);
@@ -183,7 +183,7 @@ TEST(BoxArea, IsFullWithACornerBeforeTheNearPlaneOrTheEyeInside)
     EXPECT_LT(at(-1.11), kFullArea);
     EXPECT_EQ(at(-1.09), kFullArea); // near is 0.1 m
     EXPECT_EQ(at(0.0), kFullArea);
-    EXPECT_EQ(at(5.0), kFullArea); // behind the eye: whoever asks has not culled it
+    EXPECT_EQ(at(5.0), kFullArea); // behind the eye: the caller has not culled it
 }
 
 TEST(BoxArea, OfAFlatBoxIsThatOfItsSide)

@@ -27,7 +27,7 @@ std::uint64_t exactly(std::uint64_t positions, std::uint64_t p, std::uint64_t q)
 
 /// Whether a rule is the formula to the position, for every distance of dense sweeps. `rule(z1, z2, positions)`.
 template<class Rule>
-bool isThePapersFormula(const Rule& rule)
+bool isTheFormula(const Rule& rule)
 {
     for (const std::uint32_t positions : {3u, 4u, 100u, 1002u, 34'834u, 1'000'003u})
         for (std::uint64_t p : {1u, 700u, 997u})
@@ -40,15 +40,15 @@ bool isThePapersFormula(const Rule& rule)
 
 TEST(ContinuousRule, IsExactToThePositionOverASweepOfDistances)
 {
-    EXPECT_TRUE(isThePapersFormula([](double z1, double z2, std::uint32_t positions)
-                                   { return removalAt(z1, z2, positions, positions).steps; }));
+    EXPECT_TRUE(isTheFormula([](double z1, double z2, std::uint32_t positions)
+                             { return removalAt(z1, z2, positions, positions).steps; }));
 }
 
 TEST(ContinuousRule, TheSweepTellsTheObviousMistakes)
 {
     const auto with = [](auto formula)
     {
-        return isThePapersFormula(
+        return isTheFormula(
             [&](double z1, double z2, std::uint32_t positions)
             { return z2 <= z1 ? 0u : static_cast<std::uint32_t>(formula(z1 / z2, positions)); });
     };
@@ -58,8 +58,8 @@ TEST(ContinuousRule, TheSweepTellsTheObviousMistakes)
     EXPECT_FALSE(with([](double r, double v) { return std::ceil((v - 2) * (1 - r * r)); }));
 }
 
-TEST(ContinuousRule, OfThePapersExampleLeavesSomeFacesLess)
-{ // 1000 triangles are 502 positions; from 100 m to 101 m the formula takes 10 of them, the paper says "already 995"
+TEST(ContinuousRule, OfTheSourcesExampleLeavesSomeFacesLess)
+{ // 1000 triangles are 502 positions; from 100 m to 101 m the formula takes 10; the source (section 2.2.4) says 995 triangles
     EXPECT_EQ(removalAt(100.0, 101.0, 502, 502).steps, 10u);
     EXPECT_EQ(removalAt(100.0, 200.0, 502, 502).steps, 375u);
 }

@@ -27,7 +27,7 @@ double byFaces(const SelectionView& view, const BoundingSphere& sphere, const Me
     return view.pixelsPerTangentArea * sum / glm::dot(toEye, toEye);
 }
 
-TEST(FacingArea, OfACubesSidesIsThePapersSum)
+TEST(FacingArea, OfACubesSidesIsTheSumOverItsFaces)
 {
     const Mesh cube = testsupport::griddedCube(3);
     const FacingBins bins = facingBinsOf(cube);
@@ -42,7 +42,7 @@ TEST(FacingArea, OfACubesSidesIsThePapersSum)
     }
 }
 
-TEST(FacingArea, OfABallIsThePapersSumWithinATenthAndNeverMore)
+TEST(FacingArea, OfABallIsTheSumOverItsFacesWithinATenthAndNeverMore)
 {
     const Mesh ball = testsupport::ball(30, 60);
     const FacingBins bins = facingBinsOf(ball);

@@ -164,7 +164,7 @@ TEST(LevelSelector, ACameraThatZoomsIsADeviceThatMagnifies)
         }
 }
 
-TEST(LevelSelector, TheContinuousRuleIsThePapersWithTheDefaultReference)
+TEST(LevelSelector, TheContinuousRuleIsTheFormulaWithTheDefaultReference)
 {
     SelectorFixture fixture(SelectionMethod::continuous);
     const double k = testsupport::viewTo({0, -1, 0}, {0, 0, 0}).pixelsPerTangent;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parallel projections: what rules ask of them is what a perspective from far away would say.
+// Parallel projections agree with a perspective from far away, for every rule.
 #include <numbers>
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ using testsupport::Random;
 
 const glm::dvec3 kEye{300.0, -500.0, 400.0};
 
-/// 1280 × 720 pixels of so many metres each, looking from kEye to 0.
+/// Returns a parallel view from kEye to 0 with 1280 × 720 pixels of the given size.
 viewlod::ViewState parallel(double metresPerPixel, const glm::dvec3& eye = kEye)
 {
     const double x = 640.0 * metresPerPixel, y = 360.0 * metresPerPixel;
@@ -28,7 +28,7 @@ viewlod::ViewState parallel(double metresPerPixel, const glm::dvec3& eye = kEye)
                                             glm::ortho(-x, x, -y, y, 1.0, 1e5), 1280, 720);
 }
 
-/// A perspective from so far away that nothing is larger before or behind, with pixels as large at 0.
+/// Returns a perspective from far away whose pixels have the same size at 0.
 viewlod::ViewState farAway(double metresPerPixel)
 {
     constexpr double kAwayM = 1e6;

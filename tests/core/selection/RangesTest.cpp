@@ -61,7 +61,7 @@ TEST(OverlappingRanges, TheFarDistanceHoldsWhileRecedingTheNearOneWhileApproachi
     EXPECT_EQ(at(1.0), 0u);
 }
 
-/// Most switches at any boundary, trembling and walking by 5 %, from both sides. `row(distance, held)`.
+/// Returns the most switches at any boundary for distances that vary by ±5 % about it. `row(distance, held)`.
 template<class Row>
 int mostSwitches(std::span<const double> boundaries, const Row& row)
 {
@@ -85,7 +85,7 @@ TEST(OverlappingRanges, SwitchAtMostOnceWhileTheDistanceTremblesByFivePerCent)
     const auto ranges = OverlappingRanges::around(kRanges);
     const auto overlapping = [&](double d, HeldLevel held) { return overlappingRangeAt(ranges, d, held); };
     EXPECT_EQ(mostSwitches(kRanges.boundariesM, overlapping), 1);
-    // What it would be without, and with an overlap that is too small.
+    // Mutations: no overlap, and an overlap that is too small.
     const auto plain = [&](double d, HeldLevel) { return rangeAt(kRanges.boundariesM, d); };
     EXPECT_GT(mostSwitches(kRanges.boundariesM, plain), 1);
     const auto narrow = OverlappingRanges::around(kRanges, 1.08);

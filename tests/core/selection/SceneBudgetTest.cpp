@@ -67,7 +67,7 @@ Scene scene(Random& random, std::size_t objects, std::uint32_t levels, std::uint
     return made;
 }
 
-/// The most benefit there is within a budget: by dynamic programming over all costs.
+/// Returns the largest possible benefit within a budget, by dynamic programming over all costs.
 double mostBenefit(const Scene& scene, std::uint64_t budget)
 {
     constexpr double kNone = -1.0;
@@ -90,7 +90,7 @@ double mostBenefit(const Scene& scene, std::uint64_t budget)
     return *std::max_element(best.begin(), best.end());
 }
 
-/// The dearest step of an object: what the bound of the greedy choice is told in.
+/// Returns the largest cost of a step, which bounds the error of the greedy choice.
 std::uint64_t dearestStep(const Scene& scene)
 {
     std::uint64_t most = 0;
@@ -145,8 +145,8 @@ TEST(SceneBudget, DetailBeyondTheToleranceIsNotBought)
     EXPECT_EQ(points[0], 1u);
 }
 
-/// The largest shortfall against the best, as a share of what is promised, over many small scenes that start from
-/// nothing and from last frame's choices; above 1 a promise is broken. `choose(budget, scene, money, band)`.
+/// Returns the largest difference to the best benefit over the documented bound, for many small scenes that start from
+/// nothing and from the last choices; above 1 the bound is broken. `choose(budget, scene, money, band)`.
 template<class Choose>
 double worstShortfall(double band, const Choose& choose)
 {
@@ -203,7 +203,7 @@ TEST(SceneBudget, TheBestTellsAChoiceInTheWrongOrder)
               1.0);
 }
 
-/// The same from nothing, without heaps: always the best next step, if it fits.
+/// Returns the greedy choice from the coarsest points, without heaps.
 std::vector<std::uint32_t> greedily(const Scene& scene, std::uint64_t money)
 {
     std::vector<std::uint32_t> points(scene.objects.size(), 0);
@@ -275,7 +275,7 @@ TEST(SceneBudget, NeverExceedsTheBudgetAndIsAtRestWhenNothingMoves)
     }
 }
 
-/// How often objects change their point at most while their weights tremble as distances do by 5 %, each in its own time.
+/// Returns the most changes of an object while weights vary as distances do by ±5 %, each in its own rhythm.
 int mostChanges(double band)
 {
     Random random(18);
@@ -303,7 +303,7 @@ int mostChanges(double band)
 TEST(SceneBudget, ObjectsThatTrembleByFivePerCentChangeAtMostOnce)
 {
     EXPECT_LE(mostChanges(SceneBudget::kDefaultBand), 1);
-    EXPECT_GT(mostChanges(1.0), 5); // what it would be without the band
+    EXPECT_GT(mostChanges(1.0), 5); // the mutation: without the band
 }
 
 } // namespace

@@ -14,7 +14,7 @@ namespace
 using namespace osgPMObjects::core;
 using testsupport::Random;
 
-/// Objects about the origin, of all methods in turn or of one.
+/// Objects around the origin, with all methods in turn or with one.
 struct Field
 {
     LevelTable table = testsupport::levelTable(1000);
@@ -109,7 +109,7 @@ TEST(SceneSelector, SharesTheBudgetThatOthersLeave)
     EXPECT_LE(field.drawn(), needed - shared / 2);
     EXPECT_GT(tight.budget.refused, 0u);
     EXPECT_GT(tight.of(SelectionMethod::budget).switched, 0u);
-    // Too little for those with rules of their own: the others are coarsest, and it is told.
+    // The objects with their own rules exceed the budget: the others are coarsest, and `fits` is false.
     const SelectionStatistics none = field.select({0, 0, 0}, {.budget = 10});
     EXPECT_FALSE(none.budget.fits);
     for (std::size_t i = 0; i < field.objects.size(); ++i)

@@ -51,7 +51,7 @@ TEST(ScreenErrorRule, TheTolerableErrorIsTheInverseOfTheBoundInPixels)
     EXPECT_NEAR(viewlod::screenErrorBoundPx(900.0, tolerable * 0.01, 50.0, 3.0, 0.1), 2.0, 1e-12);
 }
 
-/// Most switches while the distance goes up and down by 5 %, at boundaries of several sizes of steps.
+/// Returns the most switches while the distance varies by ±5 %, at steps of several sizes.
 int mostSwitches(const std::vector<LevelError>& errors, double band)
 {
     Random random(12);

@@ -39,7 +39,7 @@ struct Object
     }
 };
 
-/// How much of a level is drawn.
+/// Returns the sum of the alphas with which a level is drawn.
 float alphaOf(const DrawnLevels& drawn, std::uint32_t level)
 {
     return (drawn.first.level == level ? drawn.first.alpha : 0.0f) +
@@ -53,7 +53,8 @@ TEST(Switch, SettingsThatCannotBePlayedAreToldFrom)
         EXPECT_FALSE(checkSettings({.durationS = wrong})) << wrong;
     EXPECT_TRUE(checkSettings({.staggerS = 0.0f}));
     EXPECT_FALSE(checkSettings({.staggerS = -0.1f}));
-    EXPECT_FALSE(checkSettings({.staggerS = std::nanf("")}));
+    for (const float wrong : {std::nanf(""), std::numeric_limits<float>::infinity()})
+        EXPECT_FALSE(checkSettings({.staggerS = wrong})) << wrong;
 }
 
 TEST(Switch, DiscreteContinuousAndAlphaChangeAtOnce)
@@ -184,7 +185,7 @@ TEST(Switch, TheAlphaRangeFadesBothLevels)
     EXPECT_FLOAT_EQ(drawn.second.alpha, 0.125f);
 }
 
-/// Largest change of any level's alpha, or of what the morph shows, from one step to the next, while targets change at
+/// Returns the largest change of an alpha or of a morph from step to step, while targets change at
 /// random.
 float largestJump(const SwitchSettings& settings, std::uint64_t seed)
 {
@@ -226,7 +227,7 @@ TEST(Switch, NoStepOfAnySwitchJumpsWhateverTheTargetsDo)
     EXPECT_EQ(largestJump(settingsOf(SwitchMethod::discrete), 5), 1.0f); // the control
 }
 
-/// The most objects of a thousand that begin a blend in one of the steps after all were given another level.
+/// Returns the most objects of a thousand that begin a blend in one step, after all were given another level.
 int mostBeginningsInAStep(float staggerS)
 {
     std::vector<int> begun(20, 0);

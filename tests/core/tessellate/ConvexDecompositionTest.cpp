@@ -49,7 +49,7 @@ bool areApart(const std::vector<glm::dvec2>& points, const Loop& a, const Loop& 
     return false;
 }
 
-/// What is wrong with pieces that shall fill a polygon of that area; empty: nothing.
+/// Returns the defect of pieces that should fill a polygon of that area; empty: none.
 std::string defectOf(const std::vector<glm::dvec2>& points, const std::vector<Loop>& pieces, double area)
 {
     double sum = 0.0;
@@ -63,7 +63,7 @@ std::string defectOf(const std::vector<glm::dvec2>& points, const std::vector<Lo
     return std::abs(sum - area) > 1e-9 * std::max(area, 1e-3) ? "the area differs" : "";
 }
 
-/// The least number of convex pieces of a simple polygon, by trying all sets of diagonals that do not cross.
+/// Returns the least number of convex pieces of a simple polygon, by trying all sets of diagonals that do not cross.
 class BruteForce
 {
 public:

@@ -135,7 +135,7 @@ TEST(Tessellation, OfABowTieInsertsItsCrossing)
     EXPECT_EQ(made->crossings, 1u);
     ASSERT_EQ(made->inserted.size(), 1u);
     EXPECT_EQ(made->triangles.size(), 2u);
-    const glm::dvec3 crossing = placeOf(made->inserted[0], bowTie.inSpace());
+    const glm::dvec3 crossing = positionOf(made->inserted[0], bowTie.inSpace());
     EXPECT_LT(glm::distance(crossing, glm::dvec3(2, 1, 0)), 1e-12);
     EXPECT_EQ(cut(bowTie).defect, "");
 }
@@ -249,7 +249,7 @@ TEST(Tessellation, OfTenThousandPolygonsWithHolesFillsThemWithoutOverlap)
     EXPECT_GT(triangles, 300000u);
 }
 
-/// A comb with its teeth slantwise: long thin ears, whose boxes are full of other teeth.
+/// A comb with diagonal teeth: its ears are long and thin, and their boxes contain other teeth.
 Polygon slantedComb(Random& random, std::uint32_t teeth)
 {
     std::vector<glm::dvec2> contour = {{1.0, 0.0}, {0.0, 0.0}};

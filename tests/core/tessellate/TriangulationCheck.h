@@ -23,7 +23,7 @@ inline double areaOf(const std::vector<glm::dvec2>& points, const Triangle& t)
     return 0.5 * (u.x * v.y - u.y * v.x);
 }
 
-/// Two triangles have no place inside both just when the line through an edge of one has the other on its outer side.
+/// Tells whether two triangles overlap: they do unless the line through an edge of one has the other on its outer side.
 inline bool overlap(const std::vector<glm::dvec2>& points, const Triangle& s, const Triangle& t)
 {
     const auto parts = [&](const Triangle& a, const Triangle& b)
@@ -41,7 +41,7 @@ inline bool overlap(const std::vector<glm::dvec2>& points, const Triangle& s, co
     return !parts(s, t) && !parts(t, s);
 }
 
-/// What is wrong with triangles that shall fill a polygon of that area; empty: nothing. `points`: those of the polygon in
+/// Returns the defect of triangles that should fill a polygon of that area; empty: none. `points`: those of the polygon in
 /// its plane (at most 1 in size), and what was inserted. Overlaps and orientation exactly, by brute force.
 inline std::string defectOf(const std::vector<glm::dvec2>& points, const std::vector<Triangle>& triangles,
                             double area, double tolerance = 1e-9)
@@ -64,7 +64,7 @@ inline std::string defectOf(const std::vector<glm::dvec2>& points, const std::ve
     return {};
 }
 
-/// Whether a corner of a triangle lies on the border of another without being a corner of it.
+/// Tells whether a corner of a triangle lies on the border of another without being a corner of it.
 inline bool hasTJunction(const std::vector<glm::dvec2>& points, const std::vector<Triangle>& triangles)
 {
     for (const Triangle& t : triangles)

@@ -102,14 +102,16 @@ TEST(UniformMesh, DividesASharedEdgeAlikeInEitherDirectionAndInAnotherCall)
     Random random(32);
     for (int i = 0; i < 200; ++i)
     {
-        const auto place = [&] { return glm::dvec3(random.unit(), random.unit(), random.unit()); };
-        const glm::dvec3 a = place(), b = place();
-        const auto one = meshUniformly(std::vector{a, b, place()}, std::vector<Triangle>{{0, 1, 2}}, 0.1);
-        const auto other = meshUniformly(std::vector{place(), b, a}, std::vector<Triangle>{{1, 2, 0}}, 0.1);
+        const auto position = [&] { return glm::dvec3(random.unit(), random.unit(), random.unit()); };
+        const glm::dvec3 a = position(), b = position();
+        const auto one = meshUniformly(std::vector{a, b, position()}, std::vector<Triangle>{{0, 1, 2}}, 0.1);
+        const auto other =
+            meshUniformly(std::vector{position(), b, a}, std::vector<Triangle>{{1, 2, 0}}, 0.1);
         ASSERT_TRUE(one);
         ASSERT_TRUE(other);
         EXPECT_EQ(alongEdge(*one, a, b), alongEdge(*other, a, b)); // to the last bit
-        const auto finer = meshUniformly(std::vector{a, b, place()}, std::vector<Triangle>{{0, 1, 2}}, 0.03);
+        const auto finer =
+            meshUniformly(std::vector{a, b, position()}, std::vector<Triangle>{{0, 1, 2}}, 0.03);
         ASSERT_TRUE(finer);
         const bool isAlike = alongEdge(*one, a, b) == alongEdge(*finer, a, b);
         EXPECT_EQ(isAlike,

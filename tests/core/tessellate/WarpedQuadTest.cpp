@@ -20,7 +20,7 @@ TexturedQuad trapezoid(double top)
     return {{{{-1, 0, 0}, {1, 0, 0}, {top, 1, 0}, {-top, 1, 0}}}, {{{0, 0}, {1, 0}, {1, 1}, {0, 1}}}};
 }
 
-/// Flat and convex: corners on a circle.
+/// Returns a flat convex quad: corners on a circle.
 TexturedQuad randomQuad(Random& random)
 {
     TexturedQuad quad = trapezoid(1.0);
@@ -32,14 +32,14 @@ TexturedQuad randomQuad(Random& random)
     return quad;
 }
 
-/// The shares whose place on the patch this is, by Newton's method.
-glm::dvec2 sharesOf(const TexturedQuad& quad, const glm::dvec3& place)
+/// Returns the (s, t) of a position on the patch, by Newton's method.
+glm::dvec2 sharesOf(const TexturedQuad& quad, const glm::dvec3& position)
 {
     glm::dvec2 shares(0.5);
     for (int i = 0; i < 50; ++i)
     {
         const double h = 1e-6;
-        const glm::dvec3 off = place - positionAt(quad, shares);
+        const glm::dvec3 off = position - positionAt(quad, shares);
         const glm::dvec3 ds = (positionAt(quad, shares + glm::dvec2(h, 0)) - positionAt(quad, shares)) / h;
         const glm::dvec3 dt = (positionAt(quad, shares + glm::dvec2(0, h)) - positionAt(quad, shares)) / h;
         const double determinant = ds.x * dt.y - ds.y * dt.x;
@@ -48,7 +48,7 @@ glm::dvec2 sharesOf(const TexturedQuad& quad, const glm::dvec3& place)
     return shares;
 }
 
-/// How far the texture is, at most, from where the patch has it.
+/// Returns the largest distance of the texture from its intended position.
 double drift(const TexturedQuad& quad, const QuadGrid& grid)
 {
     double most = 0.0;
@@ -57,14 +57,14 @@ double drift(const TexturedQuad& quad, const QuadGrid& grid)
             for (int j = 0; i + j <= 6; ++j)
             {
                 const glm::dvec3 w(i / 6.0, j / 6.0, (6 - i - j) / 6.0);
-                glm::dvec3 place(0.0);
+                glm::dvec3 position(0.0);
                 glm::dvec2 shown(0.0);
                 for (int k = 0; k < 3; ++k)
                 {
-                    place += w[k] * grid.positions[t[k]];
+                    position += w[k] * grid.positions[t[k]];
                     shown += w[k] * grid.texCoords[t[k]];
                 }
-                most = std::max(most, glm::distance(shown, texCoordAt(quad, sharesOf(quad, place))));
+                most = std::max(most, glm::distance(shown, texCoordAt(quad, sharesOf(quad, position))));
             }
     return most;
 }
@@ -114,16 +114,16 @@ TEST(WarpedQuad, WarpedTextureIsThePatchs)
         if (a + b > 1.0) a = 1.0 - a, b = 1.0 - b;
         std::array<double, 4> weights = {1.0 - a - b, 0.0, b, 0.0};
         weights[random.below(2) == 0 ? 1 : 3] = a;
-        glm::dvec3 place(0.0);
+        glm::dvec3 position(0.0);
         glm::dvec2 affine(0.0);
         for (int k = 0; k < 4; ++k)
         {
-            place += weights[k] * quad.positions[k];
+            position += weights[k] * quad.positions[k];
             affine += weights[k] * quad.texCoords[k];
         }
         const auto warped = preWarpedTexCoord(quad, weights);
         ASSERT_TRUE(warped);
-        const glm::dvec2 expected = texCoordAt(quad, sharesOf(quad, place));
+        const glm::dvec2 expected = texCoordAt(quad, sharesOf(quad, position));
         EXPECT_LT(glm::distance(*warped, expected), 1e-6);
         affineDrift = std::max(affineDrift, glm::distance(affine, expected));
     }

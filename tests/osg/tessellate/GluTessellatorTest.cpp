@@ -20,7 +20,7 @@ using testsupport::Random;
 
 struct Peer
 {
-    std::deque<glm::dvec3> made; ///< places of corners; addresses stay
+    std::deque<glm::dvec3> made; ///< positions of corners; addresses stay
     std::vector<glm::dvec3> triangles;
     bool failed = false;
 };
@@ -37,9 +37,9 @@ void GL_APIENTRY takeError(GLenum, void* peer)
     static_cast<Peer*>(peer)->failed = true;
 }
 
-void GL_APIENTRY combine(GLdouble place[3], void* [4], GLfloat[4], void** made, void* peer)
+void GL_APIENTRY combine(GLdouble position[3], void* [4], GLfloat[4], void** made, void* peer)
 {
-    *made = &static_cast<Peer*>(peer)->made.emplace_back(place[0], place[1], place[2]);
+    *made = &static_cast<Peer*>(peer)->made.emplace_back(position[0], position[1], position[2]);
 }
 
 template<class F>
@@ -64,8 +64,8 @@ Peer tessellateByPeer(const Polygon& polygon)
         osg::gluTessBeginContour(glu);
         for (std::uint32_t i = 0; i < size; ++i, ++corner)
         {
-            glm::dvec3& place = peer.made.emplace_back(polygon.corners[corner], 0.0);
-            osg::gluTessVertex(glu, &place.x, &place);
+            glm::dvec3& position = peer.made.emplace_back(polygon.corners[corner], 0.0);
+            osg::gluTessVertex(glu, &position.x, &position);
         }
         osg::gluTessEndContour(glu);
     }
@@ -93,11 +93,11 @@ std::vector<glm::dvec3> trianglesOf(const Polygon& polygon)
         for (const std::uint32_t point : t)
             triangles.push_back(point < corners.size()
                                     ? corners[point]
-                                    : placeOf(made->inserted[point - corners.size()], corners));
+                                    : positionOf(made->inserted[point - corners.size()], corners));
     return triangles;
 }
 
-bool covers(const std::vector<glm::dvec3>& corners, const glm::dvec2& place)
+bool covers(const std::vector<glm::dvec3>& corners, const glm::dvec2& position)
 {
     for (std::size_t i = 0; i + 2 < corners.size(); i += 3)
     {
@@ -105,7 +105,7 @@ bool covers(const std::vector<glm::dvec3>& corners, const glm::dvec2& place)
         for (int k = 0; k < 3; ++k)
         {
             const glm::dvec2 a = corners[i + k], b = corners[i + (k + 1) % 3];
-            sides += (b.x - a.x) * (place.y - a.y) - (b.y - a.y) * (place.x - a.x) > 0.0 ? 1 : -1;
+            sides += (b.x - a.x) * (position.y - a.y) - (b.y - a.y) * (position.x - a.x) > 0.0 ? 1 : -1;
         }
         if (sides == 3 || sides == -3) return true;
     }
@@ -114,14 +114,14 @@ bool covers(const std::vector<glm::dvec3>& corners, const glm::dvec2& place)
 
 constexpr double kFloatTolerance = 1e-5; ///< the peer computes crossings in single precision
 
-/// What came of comparing polygons.
+/// The results of comparing polygons.
 struct Tally
 {
-    int inside = 0;    ///< of places drawn at random
+    int inside = 0;    ///< of random positions
     int peerWrong = 0; ///< polygons whose area the peer has not, and we have, by the count of strips
 };
 
-/// The same area, and the same answer for places drawn at random. Where areas differ, a third way decides.
+/// The same area, and the same answer for random positions. Where areas differ, a third way decides.
 void compare(const Polygon& polygon, double extent, Random& random, Tally& tally)
 {
     const Peer peer = tessellateByPeer(polygon);
@@ -136,9 +136,9 @@ void compare(const Polygon& polygon, double extent, Random& random, Tally& tally
     }
     for (int i = 0; i < 10; ++i)
     {
-        const glm::dvec2 place = extent * glm::dvec2(random.unit(), random.unit()) - extent / 4.0;
-        EXPECT_EQ(covers(ours, place), covers(peer.triangles, place));
-        tally.inside += covers(ours, place);
+        const glm::dvec2 position = extent * glm::dvec2(random.unit(), random.unit()) - extent / 4.0;
+        EXPECT_EQ(covers(ours, position), covers(peer.triangles, position));
+        tally.inside += covers(ours, position);
     }
 }
 

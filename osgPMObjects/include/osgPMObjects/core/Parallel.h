@@ -9,9 +9,9 @@
 namespace osgPMObjects::core
 {
 
-/// Calls `work(first, last, share)` for consecutive shares of 0 … count-1, each in a thread of its own, and waits for all.
-/// Which share is done by whom does not matter to a result that is put together in the order of the shares.
-/// Shares are at least `least` long: small work stays in the calling thread. Returns the number of shares.
+/// Divides the numbers 0 … count-1 into consecutive shares, calls `work(first, last, share)` for each in a thread of its own,
+/// and waits for all. Results that are joined in the order of the shares do not depend on the threads' timing.
+/// A share has at least `least` numbers, so small work stays in the calling thread. Returns the number of shares.
 template<class Work>
 std::size_t parallelShares(std::size_t count, std::size_t least, const Work& work)
 {

@@ -7,10 +7,10 @@
 namespace osgPMObjects::core
 {
 
-/// The numbers of its corners, counter-clockwise.
+/// A triangle, as the numbers of its three corners, counter-clockwise.
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// Whether two corners are one.
+/// Tells whether two corners are the same.
 constexpr bool repeatsCorner(const Triangle& t)
 {
     return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];

@@ -36,7 +36,7 @@ void addOffsets(const Mesh& mesh, const LeafCard& card, std::vector<glm::vec3>& 
             offsets[wedge] = mesh.positions[corner.position] - middle;
 }
 
-/// With cards grown by a factor.
+/// Returns the area of faces whose cards are grown by a factor.
 double areaOf(const Mesh& mesh, std::span<const Triangle> faces, const std::vector<glm::vec3>& offsets,
               double scale)
 {
@@ -53,8 +53,8 @@ double areaOf(const Mesh& mesh, std::span<const Triangle> faces, const std::vect
     return 0.5 * doubled;
 }
 
-/// The factor that gives back what shall be of the area that is lost. Found by halving: cards that were stretched
-/// into the places of others do not grow with its square.
+/// Returns the factor that restores kShare of the lost area. It is found by bisection, for the area of cards whose corners
+/// moved to those of others is not proportional to its square.
 double scaleOf(const Mesh& mesh, std::span<const Triangle> faces, const std::vector<glm::vec3>& offsets,
                double whole)
 {
@@ -70,7 +70,7 @@ double scaleOf(const Mesh& mesh, std::span<const Triangle> faces, const std::vec
     return low;
 }
 
-/// By the first of them.
+/// Tells whether faces are leaf cards, by the first one.
 bool areCards(std::span<const Triangle> faces, const std::vector<glm::vec3>& offsets)
 {
     return !faces.empty() && offsets[faces.front()[0]] != glm::vec3(0.0f);

@@ -6,7 +6,7 @@
 #include <glm/glm.hpp>
 
 #include <osgPMObjects/core/field/Field.h>
-#include <osgPMObjects/core/selection/DrawnRows.h>
+#include <osgPMObjects/core/selection/DrawableRows.h>
 
 namespace osgPMObjects::core
 {
@@ -30,7 +30,7 @@ std::vector<Value> permuted(const std::vector<Value>& values, const std::vector<
     return result;
 }
 
-/// A grid of square cells over x and y, which are visited row by row.
+/// A grid of square cells over x and y, in row order.
 class Grid
 {
 public:
@@ -44,7 +44,7 @@ public:
         }
         const glm::dvec2 size = glm::max(high - low, glm::dvec2(1e-9));
         const double cells = std::max(1.0, static_cast<double>(spheres.size()) / objectsPerCell);
-        // A row of objects has no area: then its length decides.
+        // Objects in a row span no area: then the length of the row decides.
         _side = std::max(std::sqrt(size.x * size.y / cells), std::max(size.x, size.y) / cells);
         _low = low;
         _columns = static_cast<std::uint64_t>(size.x / _side) + 1;
@@ -62,7 +62,7 @@ private:
     std::uint64_t _columns = 1;
 };
 
-/// Not the smallest sphere, but one about the middle of the box.
+/// Returns a bounding sphere about the centre of the box; it is not the smallest one.
 BoundingSphere around(std::span<const BoundingSphere> spheres)
 {
     glm::dvec3 low(spheres.front().centre - spheres.front().radius), high = low;
@@ -86,7 +86,7 @@ Field::Field(std::vector<FieldModel> models, std::vector<FieldObject> objects)
     {
         const std::span<const std::uint32_t> rungs(model.ladder->steps);
         const std::uint32_t coarsest = model.table->coarsestWith(model.selection.leastFaces);
-        _choosable.push_back(rungs.first(drawnRowOf(rungs, coarsest) + 1));
+        _allowedRungs.push_back(rungs.first(drawableRowOf(rungs, coarsest) + 1));
     }
     for (const FieldObject& object : _objects)
         _spheres.push_back(placed(_models[object.model], object));
@@ -125,7 +125,7 @@ SelectableObject Field::selectable(std::uint32_t object, double metresPerUnit) c
     result.metresPerUnit = placement.scale * metresPerUnit;
     result.priority = placement.priority;
     result.facing = model.facing;
-    result.drawn = _choosable[placement.model];
+    result.drawable = _allowedRungs[placement.model];
     const glm::dvec3 centre = model.origin + model.box.centre;
     result.box.centre =
         (placement.position + placement.attitude * (placement.scale * centre)) * metresPerUnit;

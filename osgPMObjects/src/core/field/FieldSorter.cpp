@@ -19,7 +19,8 @@ FieldSorter::FieldSorter(const Field& field) : _field(field)
     _counts.assign(buckets, 0);
 }
 
-void FieldSorter::add(std::uint32_t object, FieldPass pass, std::uint32_t rung, const ShownInstance& instance)
+void FieldSorter::add(std::uint32_t object, FieldPass pass, std::uint32_t rung,
+                      const InstanceAttributes& instance)
 {
     const std::uint32_t model = _field.objects()[object].model;
     const std::uint32_t bucket = _firstBucket[model * kFieldPasses + static_cast<std::uint32_t>(pass)] + rung;
@@ -27,7 +28,7 @@ void FieldSorter::add(std::uint32_t object, FieldPass pass, std::uint32_t rung, 
     _shown.push_back({bucket, object, instance});
 }
 
-void FieldSorter::fill(FieldPicture& picture) const
+void FieldSorter::fill(FieldDrawList& drawList) const
 {
     std::vector<std::uint32_t> next(_counts.size()), batch(_counts.size());
     std::uint32_t first = 0;
@@ -36,28 +37,28 @@ void FieldSorter::fill(FieldPicture& picture) const
         FieldBatch made;
         made.model = kind / kFieldPasses;
         made.pass = static_cast<FieldPass>(kind % kFieldPasses);
-        made.firstRun = static_cast<std::uint32_t>(picture.runs.size());
+        made.firstRun = static_cast<std::uint32_t>(drawList.runs.size());
         made.low.fill(1e300);
         made.high.fill(-1e300);
         for (std::uint32_t bucket = _firstBucket[kind]; bucket < _firstBucket[kind + 1]; ++bucket)
         {
             next[bucket] = first;
-            batch[bucket] = static_cast<std::uint32_t>(picture.batches.size());
+            batch[bucket] = static_cast<std::uint32_t>(drawList.batches.size());
             if (_counts[bucket] == 0) continue;
             const std::uint32_t rung = bucket - _firstBucket[kind];
-            picture.runs.push_back({rung, first, _counts[bucket]});
-            picture.triangles +=
+            drawList.runs.push_back({rung, first, _counts[bucket]});
+            drawList.triangles +=
                 std::uint64_t{_counts[bucket]} * _field.models()[made.model].ladder->rungs[rung].faces;
             first += _counts[bucket];
         }
-        made.endRun = static_cast<std::uint32_t>(picture.runs.size());
-        if (made.endRun > made.firstRun) picture.batches.push_back(made);
+        made.endRun = static_cast<std::uint32_t>(drawList.runs.size());
+        if (made.endRun > made.firstRun) drawList.batches.push_back(made);
     }
-    picture.instances.resize(_shown.size());
+    drawList.instances.resize(_shown.size());
     for (const Shown& shown : _shown)
     {
-        picture.instances[next[shown.bucket]++] = shown.instance;
-        FieldBatch& within = picture.batches[batch[shown.bucket]];
+        drawList.instances[next[shown.bucket]++] = shown.instance;
+        FieldBatch& within = drawList.batches[batch[shown.bucket]];
         const BoundingSphere& sphere = _field.spheres()[shown.object];
         for (int axis = 0; axis < 3; ++axis)
         {

@@ -12,12 +12,12 @@ namespace osgPMObjects::core
 namespace
 {
 
-ShownInstance placed(const FieldModel& model, const FieldObject& object, const glm::dvec3& eye)
+InstanceAttributes placed(const FieldModel& model, const FieldObject& object, const glm::dvec3& eye)
 {
-    const glm::dvec3 place = object.position + object.attitude * (object.scale * model.origin) - eye;
+    const glm::dvec3 position = object.position + object.attitude * (object.scale * model.origin) - eye;
     const glm::dquat& q = object.attitude;
     return {
-        {static_cast<float>(place.x), static_cast<float>(place.y), static_cast<float>(place.z),
+        {static_cast<float>(position.x), static_cast<float>(position.y), static_cast<float>(position.z),
          static_cast<float>(object.scale)},
         {static_cast<float>(q.x), static_cast<float>(q.y), static_cast<float>(q.z), static_cast<float>(q.w)},
         {0.0f, 1.0f, 0.0f, 0.0f}};
@@ -46,18 +46,18 @@ void showLevels(FieldSorter& sorter, const Field& field, std::uint32_t object, c
     if (!levels.isDrawn()) return;
     const FieldObject& placement = field.objects()[object];
     const FieldModel& model = field.models()[placement.model];
-    ShownInstance instance = placed(model, placement, eye);
+    InstanceAttributes instance = placed(model, placement, eye);
     const auto show = [&](FieldPass pass, std::uint32_t rung, float from, float to)
     {
         if (to <= from) return;
-        instance.shown[0] = from;
-        instance.shown[1] = to;
+        instance.transition[0] = from;
+        instance.transition[1] = to;
         sorter.add(object, pass, rung, instance);
     };
     if (levels.morph > 0.0f)
     {
-        instance.shown[2] = levels.morph;
-        instance.shown[3] = static_cast<float>(model.ladder->rungs[levels.coarser].wedges);
+        instance.transition[2] = levels.morph;
+        instance.transition[3] = static_cast<float>(model.ladder->rungs[levels.coarser].wedges);
         return show(FieldPass::switching, levels.first.level, 0.0f, levels.first.alpha);
     }
     const float first = levels.first.alpha, second = levels.second.alpha;
@@ -66,7 +66,7 @@ void showLevels(FieldSorter& sorter, const Field& field, std::uint32_t object, c
         show(first < 1.0f ? FieldPass::blended : FieldPass::settled, levels.first.level, 0.0f, first);
         return show(FieldPass::blended, levels.second.level, 0.0f, second);
     }
-    // The new level has the pixels that the old one leaves.
+    // The new level gets the pixels that the old one leaves free.
     show(second < 1.0f ? FieldPass::switching : FieldPass::settled, levels.second.level, 0.0f, second);
     show(first < 1.0f ? FieldPass::switching : FieldPass::settled, levels.first.level, second,
          first + second);

@@ -45,7 +45,7 @@ const BenefitCurve* FieldView::curveOf(std::uint32_t model, const CostModel& cos
         for (std::uint32_t i = 0; i < _field.models().size(); ++i)
         {
             const FieldModel& each = _field.models()[i];
-            _curves.push_back(BenefitCurve::ofLevels(*each.table, _field.choosable(i),
+            _curves.push_back(BenefitCurve::ofLevels(*each.table, _field.allowedRungs(i),
                                                      std::max(each.sphere.radius, 1e-9), cost,
                                                      each.selection.weights));
         }
@@ -53,55 +53,55 @@ const BenefitCurve* FieldView::curveOf(std::uint32_t model, const CostModel& cos
     return &_curves[model];
 }
 
-void FieldView::choose(const FieldLook& look, FieldPicture& picture)
+void FieldView::choose(const FieldCamera& camera, FieldDrawList& drawList)
 {
     _selectable.clear();
     _held.clear();
     for (const std::uint32_t i : _visible)
     {
-        SelectableObject& object = _selectable.emplace_back(_field.selectable(i, look.metresPerUnit));
-        object.curve = curveOf(_field.objects()[i].model, look.budget.cost);
+        SelectableObject& object = _selectable.emplace_back(_field.selectable(i, camera.metresPerUnit));
+        object.curve = curveOf(_field.objects()[i].model, camera.budget.cost);
         const Memory& memory = _memory[i];
-        const bool isRemembered = memory.frame == look.frame || memory.frame + 1 == look.frame;
+        const bool isRemembered = memory.frame == camera.frame || memory.frame + 1 == camera.frame;
         _held.push_back(isRemembered ? memory.held : HeldLevel{});
     }
     _selections.resize(_visible.size());
-    picture.selection = _selector.select(LevelSelector(look.view, look.attention), _selectable, _held,
-                                         _selections, look.budget);
+    drawList.selection = _selector.select(LevelSelector(camera.view, camera.attention), _selectable, _held,
+                                          _selections, camera.budget);
 }
 
-DrawnLevels FieldView::advance(std::uint32_t object, const Selection& selection, const FieldLook& look)
+DrawnLevels FieldView::advance(std::uint32_t object, const Selection& selection, const FieldCamera& camera)
 {
     const FieldModel& model = _field.models()[_field.objects()[object].model];
     Memory& memory = _memory[object];
     const std::uint32_t wanted = model.ladder->rungOf(selection.steps);
-    const bool wasSeen = memory.frame == look.frame || memory.frame + 1 == look.frame;
+    const bool wasSeen = memory.frame == camera.frame || memory.frame + 1 == camera.frame;
     if (!wasSeen) memory.state = SwitchState::at(wanted);
-    const float stepS = memory.frame == look.frame ? 0.0f : look.stepS;
-    memory.frame = look.frame;
+    const float stepS = memory.frame == camera.frame ? 0.0f : camera.stepS;
+    memory.frame = camera.frame;
     return advanceOnLadder(memory.state, wanted, stepS, selection.alpha, _field.numberOf(object),
                            model.switching);
 }
 
-FieldPicture FieldView::look(const FieldLook& look)
+FieldDrawList FieldView::update(const FieldCamera& camera)
 {
-    FieldPicture picture;
-    findVisible(look.frustum, look.metresPerUnit);
-    choose(look, picture);
+    FieldDrawList drawList;
+    findVisible(camera.frustum, camera.metresPerUnit);
+    choose(camera, drawList);
     FieldSorter sorter(_field);
-    const glm::dvec3 eye = look.eye / look.metresPerUnit;
-    picture.visible = static_cast<std::uint32_t>(_visible.size());
+    const glm::dvec3 eye = camera.eye / camera.metresPerUnit;
+    drawList.visible = static_cast<std::uint32_t>(_visible.size());
     for (std::size_t i = 0; i < _visible.size(); ++i)
     {
         const std::uint32_t object = _visible[i];
-        const DrawnLevels levels = advance(object, _selections[i], look);
+        const DrawnLevels levels = advance(object, _selections[i], camera);
         _memory[object].held = _held[i];
-        picture.drawn += levels.isDrawn() ? 1 : 0;
-        picture.switching += _memory[object].state.isSwitching() ? 1 : 0;
+        drawList.drawn += levels.isDrawn() ? 1 : 0;
+        drawList.switching += _memory[object].state.isSwitching() ? 1 : 0;
         showLevels(sorter, _field, object, levels, eye);
     }
-    sorter.fill(picture);
-    return picture;
+    sorter.fill(drawList);
+    return drawList;
 }
 
 } // namespace osgPMObjects::core

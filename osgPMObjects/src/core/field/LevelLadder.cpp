@@ -4,7 +4,7 @@
 #include <osgPMObjects/core/field/LevelLadder.h>
 #include <osgPMObjects/core/order/FaceOrder.h>
 #include <osgPMObjects/core/progressive/LevelMesh.h>
-#include <osgPMObjects/core/selection/DrawnRows.h>
+#include <osgPMObjects/core/selection/DrawableRows.h>
 
 namespace osgPMObjects::core
 {
@@ -12,7 +12,7 @@ namespace osgPMObjects::core
 namespace
 {
 
-/// The levels of the rungs: the first with so few faces, and the coarsest.
+/// Returns the levels of the rungs: the first level with each wanted number of faces, and the coarsest level.
 std::vector<std::uint32_t> stepsOfRungs(const LevelTable& table, double ratio)
 {
     std::vector<std::uint32_t> steps;
@@ -59,7 +59,7 @@ LevelLadder LevelLadder::of(const ProgressiveMesh& progressive, const LevelTable
 
 std::uint32_t LevelLadder::rungOf(std::uint32_t levelSteps) const
 {
-    return drawnRowOf(steps, levelSteps);
+    return drawableRowOf(steps, levelSteps);
 }
 
 SlotRange LevelLadder::facesOf(std::uint32_t rung, std::uint32_t group) const

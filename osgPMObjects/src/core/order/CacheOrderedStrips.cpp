@@ -14,8 +14,9 @@ namespace osgPMObjects::core
 namespace
 {
 
-constexpr std::size_t kMostTried = 64;
+constexpr std::size_t kMostTriedStrips = 64;
 
+/// Chooses the next strip by simulating the vertex cache. Source: see cacheOrderedStrips().
 class StripSorter
 {
 public:
@@ -59,7 +60,7 @@ private:
         return strip[choice.isBackward ? strip.size() - 1 - k : k];
     }
 
-    /// Transforms per triangle of the beginning.
+    /// Returns the transforms a triangle at the beginning of a strip.
     double costOf(const Choice& choice)
     {
         const std::size_t size = std::min<std::size_t>(_strips.strip(choice.strip).size(), 2 * _cache.size());
@@ -71,7 +72,7 @@ private:
         return static_cast<double>(misses) / static_cast<double>(size);
     }
 
-    /// Of the strips that have a vertex in the queue, newest vertices first; nothing, when there is none.
+    /// Returns the best strip among those with a vertex in the queue, newest vertices first; nothing if there is none.
     std::optional<Choice> cheapest()
     {
         ++_trial;
@@ -84,7 +85,7 @@ private:
             {
                 const std::uint32_t strip = _stripOf[t];
                 if (_isDone[strip] || _tried[strip] == _trial) continue;
-                if (++tried > kMostTried) return best;
+                if (++tried > kMostTriedStrips) return best;
                 _tried[strip] = _trial;
                 for (const bool isBackward : {false, true})
                     if (const double cost = costOf({strip, isBackward}); !best || cost < least)
@@ -120,7 +121,7 @@ private:
     std::vector<char> _isDone;
     std::vector<std::uint32_t> _tried;
     std::uint32_t _trial = 0;
-    std::deque<std::uint32_t> _recent; ///< what is in the queue, oldest first
+    std::deque<std::uint32_t> _recent; ///< vertices in the queue, oldest first
     TriangleStrips _result;
 };
 

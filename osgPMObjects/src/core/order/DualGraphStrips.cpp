@@ -11,12 +11,13 @@ namespace osgPMObjects::core
 namespace
 {
 
-/// A forest of the dual graph: triangles in the order of the search, and from where each was reached.
+/// A spanning forest of the dual graph: triangles in the order of the search, and the triangle each was reached from.
 struct SpanningForest
 {
     std::vector<std::uint32_t> order, parent;
 };
 
+/// Builds the spanning forest by a depth-first search. Source: see dualGraphStrips().
 class DepthFirst
 {
 public:
@@ -32,7 +33,7 @@ public:
 
     SpanningForest run()
     {
-        for (int degree = 0; degree <= 3; ++degree) // from the rims inwards
+        for (int degree = 0; degree <= 3; ++degree) // from the borders inwards
             for (std::uint32_t root = 0; root < _adjacency.size(); ++root)
                 if (!_isDone[root] && _left[root] == degree) search(root);
         for (std::uint32_t root = 0; root < _adjacency.size(); ++root)
@@ -79,15 +80,15 @@ private:
 
     const TriangleAdjacency& _adjacency;
     std::vector<char> _isDone;
-    std::vector<int> _left; ///< by triangle: neighbours that were not reached yet
+    std::vector<int> _left; ///< by triangle: neighbours that are not reached yet
     SpanningForest _forest;
 };
 
-/// Links between triangles that follow one another on a path of the tree.
+/// By triangle: the triangles before and after it on its path.
 using Links = std::vector<std::array<std::uint32_t, 2>>;
 
-/// From the leaves up each triangle is joined to two paths that end at its children, or carries one farther up: no cut of
-/// the tree into paths has fewer.
+/// Cuts the tree into paths, from the leaves up: each triangle joins two paths that end at its children, or extends one of
+/// them. No other cut of the tree has fewer paths.
 Links pathsOf(const SpanningForest& forest)
 {
     Links links(forest.order.size(), {TriangleAdjacency::kNone, TriangleAdjacency::kNone});
@@ -114,7 +115,7 @@ TriangleStrips dualGraphStrips(std::span<const Triangle> triangles)
     std::vector<char> isDone(triangles.size(), 0);
     for (const std::uint32_t end : forest.order)
     {
-        if (isDone[end] || links[end][1] != TriangleAdjacency::kNone) continue; // begins at an end of a path
+        if (isDone[end] || links[end][1] != TriangleAdjacency::kNone) continue; // not the end of a path
         strips.firsts.push_back(static_cast<std::uint32_t>(strips.triangles.size()));
         for (std::uint32_t t = end, next = TriangleAdjacency::kNone; t != TriangleAdjacency::kNone; t = next)
         {

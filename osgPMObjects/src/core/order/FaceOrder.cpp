@@ -14,7 +14,7 @@ namespace osgPMObjects::core
 namespace
 {
 
-/// The faces of a group with their vertices (firstEqualWedges()) numbered from 0 as they are first used.
+/// The faces of a group, with their vertices (firstEqualWedges()) numbered from 0 in order of first use.
 struct DrawnTogether
 {
     std::vector<Triangle> triangles;

@@ -13,8 +13,8 @@ namespace
 {
 
 constexpr int kPasses = 8;
-constexpr std::size_t kSlackShare = 16; ///< halves may differ from the middle by one of so many
-constexpr std::size_t kIdleMoves = 64;  ///< so many without a better cut end a pass
+constexpr std::size_t kSlackShare = 16; ///< the halves may differ from the middle by 1/16 of the set
+constexpr std::size_t kIdleMoves = 64;  ///< moves without a better cut that end a pass
 
 } // namespace
 
@@ -32,7 +32,7 @@ std::size_t GraphBisection::halve(std::span<std::uint32_t> triangles)
     ++_sets;
     for (const std::uint32_t t : triangles)
         _set[t] = _sets;
-    // Twice to an end of the graph, so that the search runs along it, and its fronts, which are cuts, across.
+    // Two searches find an end of the graph; a third begins there, and its fronts are cuts across the graph.
     const std::uint32_t oneEnd = search(triangles, search(triangles, triangles.front()));
     search(triangles, oneEnd);
     std::copy(_found.begin(), _found.end(), triangles.begin());
@@ -45,8 +45,8 @@ std::size_t GraphBisection::halve(std::span<std::uint32_t> triangles)
     return static_cast<std::size_t>(second - triangles.begin());
 }
 
-/// Breadth first through all of the set, from `first` and then from what was not reached. Returns the last triangle of the
-/// first search.
+/// Searches all of the set breadth first, from `first` and then from triangles not reached. Returns the last triangle of the
+/// first connected part.
 std::uint32_t GraphBisection::search(std::span<std::uint32_t> triangles, std::uint32_t first)
 {
     ++_searches;
@@ -69,7 +69,7 @@ std::uint32_t GraphBisection::search(std::span<std::uint32_t> triangles, std::ui
     return end;
 }
 
-/// By how much fewer edges are cut when it changes sides.
+/// Returns by how much the cut shrinks if the triangle changes sides.
 int GraphBisection::gain(std::uint32_t triangle) const
 {
     int sum = 0;
@@ -79,13 +79,13 @@ int GraphBisection::gain(std::uint32_t triangle) const
     return sum;
 }
 
-void GraphBisection::offer(std::uint32_t triangle)
+void GraphBisection::addCandidate(std::uint32_t triangle)
 {
     if (_moved[triangle] != _passes)
-        _offers[_isSecond[triangle] != 0][gain(triangle) + 3].push_back(triangle);
+        _candidates[_isSecond[triangle] != 0][gain(triangle) + 3].push_back(triangle);
 }
 
-/// The triangle with the largest gain whose move leaves the halves balanced. Offers may be out of date.
+/// Returns the triangle with the largest gain whose move keeps the halves balanced. Candidates may be stale.
 std::uint32_t GraphBisection::bestMove(std::size_t slack)
 {
     for (int g = 6; g >= 0; --g)
@@ -94,7 +94,7 @@ std::uint32_t GraphBisection::bestMove(std::size_t slack)
             const std::ptrdiff_t after = _excess + (half == 0 ? -1 : 1);
             if (static_cast<std::size_t>(std::abs(after)) > std::max<std::size_t>(slack, std::abs(_excess)))
                 continue;
-            auto& offers = _offers[half][g];
+            auto& offers = _candidates[half][g];
             while (!offers.empty())
             {
                 const std::uint32_t t = offers.back();
@@ -105,15 +105,16 @@ std::uint32_t GraphBisection::bestMove(std::size_t slack)
     return TriangleAdjacency::kNone;
 }
 
-/// One pass: moves each triangle once at most, and takes back what came after the best cut. Whether that is better.
+/// Makes one pass: moves each triangle at most once, and undoes the moves after the best cut. Returns whether it is better.
 bool GraphBisection::improve(std::span<const std::uint32_t> triangles, std::size_t slack)
 {
     ++_passes;
-    for (auto& half : _offers)
+    for (auto& half : _candidates)
         for (auto& offers : half)
             offers.clear();
     for (const std::uint32_t t : triangles)
-        if (gain(t) > -3) offer(t); // others have no neighbour on the other side, or are rims far from it
+        if (gain(t) > -3)
+            addCandidate(t); // others have no neighbour on the other side, or are far from the cut
     std::vector<Move> moves;
     int cut = 0, best = 0;
     std::size_t bestCount = 0;
@@ -127,7 +128,7 @@ bool GraphBisection::improve(std::span<const std::uint32_t> triangles, std::size
         _moved[t] = _passes;
         moves.push_back({t, cut});
         for (const std::uint32_t n : _adjacency.neighbours(t))
-            if (n != TriangleAdjacency::kNone && _set[n] == _sets) offer(n);
+            if (n != TriangleAdjacency::kNone && _set[n] == _sets) addCandidate(n);
         if (cut >= best) continue;
         best = cut;
         bestCount = moves.size();
@@ -144,7 +145,7 @@ void GraphBisection::mend(std::span<const std::uint32_t> triangles, std::size_t 
 {
     _excess = 0;
     const std::size_t wanted =
-        std::max<std::size_t>(triangles.size() / kSlackShare, 1); // without any, nothing can move
+        std::max<std::size_t>(triangles.size() / kSlackShare, 1); // with 0, no triangle could move
     const std::size_t slack = std::min(wanted, target > 0 ? target - 1 : 0);
     for (int pass = 0; pass < kPasses && improve(triangles, slack); ++pass)
     {

@@ -10,40 +10,42 @@
 namespace osgPMObjects::core
 {
 
-/// Halves sets of triangles with few neighbours in different halves.
+/// Divides sets of triangles into halves with few neighbours in different halves.
 /// Memory: 17 B a triangle of the mesh. Cost: linear in the set.
+/// Source: halves from breadth-first search, improved after Fiduccia & Mattheyses, "A linear-time heuristic for improving
+/// network partitions" (1982).
 class GraphBisection
 {
 public:
     explicit GraphBisection(const TriangleAdjacency& adjacency);
 
-    /// Puts one half before the other, and returns how many the first has: half of them, give or take one of 16.
-    /// No triangle may be in two sets that are halved at a time, and a half may be halved again.
+    /// Sorts the triangles so that one half precedes the other; returns the size of the first half, ½ ± 1/16 of all. A half
+    /// may be halved again; sets that are halved side by side must not share triangles.
     std::size_t halve(std::span<std::uint32_t> triangles);
 
 private:
     struct Move
     {
         std::uint32_t triangle;
-        int cut; ///< how many edges are cut after it
+        int cut; ///< edges between the halves after this move
     };
 
     std::uint32_t search(std::span<std::uint32_t> triangles, std::uint32_t first);
     void mend(std::span<const std::uint32_t> triangles, std::size_t target);
     bool improve(std::span<const std::uint32_t> triangles, std::size_t slack);
     int gain(std::uint32_t triangle) const;
-    void offer(std::uint32_t triangle);
+    void addCandidate(std::uint32_t triangle);
     std::uint32_t bestMove(std::size_t slack);
 
     const TriangleAdjacency& _adjacency;
-    std::vector<std::uint32_t> _set;          ///< by triangle: the set that it was last in
-    std::vector<std::uint32_t> _seen;         ///< by triangle: the search that saw it last
-    std::vector<std::uint32_t> _moved;        ///< by triangle: the pass that moved it last
-    std::vector<char> _isSecond;              ///< by triangle: which half
-    std::vector<std::uint32_t> _found;        ///< by the search, in its order
-    std::vector<std::uint32_t> _offers[2][7]; ///< by half and gain + 3: triangles that could change sides
+    std::vector<std::uint32_t> _set;              ///< by triangle: the last set that it was in
+    std::vector<std::uint32_t> _seen;             ///< by triangle: the last search that reached it
+    std::vector<std::uint32_t> _moved;            ///< by triangle: the last pass that moved it
+    std::vector<char> _isSecond;                  ///< by triangle: whether it is in the second half
+    std::vector<std::uint32_t> _found;            ///< the triangles of a search, in its order
+    std::vector<std::uint32_t> _candidates[2][7]; ///< by half and gain + 3: candidates for a move
     std::uint32_t _sets = 0, _searches = 0, _passes = 0;
-    std::ptrdiff_t _excess = 0; ///< how many triangles the first half has too many
+    std::ptrdiff_t _excess = 0; ///< triangles that the first half has above its target
 };
 
 } // namespace osgPMObjects::core

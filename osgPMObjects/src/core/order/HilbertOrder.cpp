@@ -13,11 +13,11 @@ namespace osgPMObjects::core
 namespace
 {
 
-constexpr int kBits = 21;      ///< of each coordinate: three make a key of 63
-constexpr double kFlat = 1e-3; ///< of the largest extent: what is less is no dimension
+constexpr int kBits = 21;           ///< of each coordinate, so that three make a key of 63 bits
+constexpr double kFlatShare = 1e-3; ///< share of the largest extent below which an axis counts as flat
 
-/// How far along the curve a cell lies, by `dimensions` coordinates of kBits each. Turns the coordinates, from the highest
-/// bit down, into those of the curve's own frame there; what is left is a Gray code.
+/// Returns the position of a cell along the curve; its coordinates have kBits each. From the highest bit down it rotates the
+/// coordinates into the curve's local frame; the result is a Gray code, which is decoded.
 std::uint64_t alongCurve(std::array<std::uint32_t, 3> x, int dimensions)
 {
     for (std::uint32_t bit = 1u << (kBits - 1); bit > 1; bit >>= 1)
@@ -45,7 +45,7 @@ std::uint64_t alongCurve(std::array<std::uint32_t, 3> x, int dimensions)
     return key;
 }
 
-/// The axes along which the mesh is not flat, and what turns its box into cells.
+/// The axes along which the mesh is not flat, and the scale from its box to cells.
 struct Cells
 {
     glm::dvec3 low{0.0};
@@ -69,7 +69,7 @@ Cells cellsOf(std::span<const Triangle> triangles, std::span<const glm::dvec3> p
     if (!(largest > 0.0)) return cells;
     cells.perUnit = ((1u << kBits) - 1) / largest;
     for (int axis = 0; axis < 3; ++axis)
-        if (extent[axis] > kFlat * largest) cells.axes[cells.dimensions++] = axis;
+        if (extent[axis] > kFlatShare * largest) cells.axes[cells.dimensions++] = axis;
     return cells;
 }
 

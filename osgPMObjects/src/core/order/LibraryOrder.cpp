@@ -13,10 +13,10 @@ namespace osgPMObjects::core
 namespace
 {
 
-/// At each step the library looks through all triangles left at each vertex of its cache.
+/// The limit of triangles at a vertex: at each step the library tests all triangles left at each vertex of its cache.
 constexpr std::uint32_t kMostAtAVertex = 10'000;
 
-/// The numbers of triangles, sorted by their corners.
+/// Returns the numbers of triangles, sorted by their corners.
 std::vector<std::uint32_t> byCorners(std::span<const Triangle> triangles)
 {
     std::vector<std::uint32_t> numbers(triangles.size());
@@ -45,7 +45,7 @@ std::vector<std::uint32_t> libraryOrder(std::span<const Triangle> triangles, std
     std::vector<Triangle> ordered(triangles.size());
     meshopt_optimizeVertexCache(ordered.front().data(), triangles.front().data(), 3 * triangles.size(),
                                 vertexCount);
-    // The library hands indices back, with corners in their places: sorted alike, both are the same.
+    // The library returns indices and keeps the order of corners, so equal triangles match after sorting.
     const std::vector<std::uint32_t> given = byCorners(triangles), made = byCorners(ordered);
     std::vector<std::uint32_t> order(triangles.size());
     for (std::size_t i = 0; i < order.size(); ++i)

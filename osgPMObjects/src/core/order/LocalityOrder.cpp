@@ -13,15 +13,16 @@ namespace osgPMObjects::core
 namespace
 {
 
-using Place = StripGrowth::Place;
+using Entry = StripGrowth::Entry;
 
-/// leftAt() of a triangle that has nothing in the queue any more.
+/// The completionCost() of a triangle without a vertex in the queue.
 constexpr int kLost = 12;
-/// Trials: of strips from this share of the queue's size to twice that size, two triangles apart; each over so many times the
-/// longest. Shorter strips look well at first, and leave ragged rims.
+/// The trials: strips from this share of the queue's size to twice the size, in steps of two triangles; each trial
+/// draws this many times the longest strip. Shorter strips have good costs at first, but leave ragged borders.
 constexpr double kShortest = 0.375;
 constexpr std::size_t kTrialLengths = 4;
 
+/// Draws a mesh strip by strip and tries lengths. Source: see localityOrder().
 class LocalitySorter
 {
 public:
@@ -35,15 +36,15 @@ public:
 
     std::vector<std::uint32_t> run()
     {
-        for (Place start = restart(); start.triangle != StripGrowth::kNone; start = restart())
+        for (Entry start = restart(); start.triangle != StripGrowth::kNone; start = restart())
             _growth.grow(start, bestLength(start));
         return _growth.order();
     }
 
 private:
-    /// Of the triangles at vertices in the queue the one that needs the fewest others, of equal ones the one with the fewest
-    /// neighbours left: what would be left over as a hole goes first.
-    Place cheapestAtQueue()
+    /// Returns the triangle at a vertex of the queue that needs the fewest other vertices; a tie goes to the one with the
+    /// fewest neighbours left, which would otherwise become a hole.
+    Entry cheapestAtQueue()
     {
         const std::vector<std::uint32_t>& order = _growth.order();
         std::uint32_t best = StripGrowth::kNone;
@@ -54,38 +55,40 @@ private:
                 if (!_growth.cache().holds(vertex)) continue;
                 for (const std::uint32_t t :
                      _atVertex.nextAt(vertex, [this](std::uint32_t o) { return _growth.isDone(o); }))
-                    if (!_growth.isDone(t) && (best == StripGrowth::kNone || _growth.leftAt(t) < least))
+                    if (!_growth.isDone(t) &&
+                        (best == StripGrowth::kNone || _growth.completionCost(t) < least))
                     {
                         best = t;
-                        least = _growth.leftAt(t);
+                        least = _growth.completionCost(t);
                     }
             }
-        return {best, best == StripGrowth::kNone ? 0 : _growth.rim(best)};
+        return {best, best == StripGrowth::kNone ? 0 : _growth.borderEdge(best)};
     }
 
-    /// Where to go on: beside a strip, ahead of one, at a vertex in the queue, or at the first triangle that is left.
-    Place restart()
+    /// Returns where to go on: beside a strip, ahead of one, at a vertex in the queue, or at the first triangle left.
+    Entry restart()
     {
-        const Place beside = _growth.nextBeside();
-        if (beside.triangle != StripGrowth::kNone && _growth.leftAt(beside.triangle) < kLost) return beside;
-        const Place near = cheapestAtQueue();
+        const Entry beside = _growth.nextBeside();
+        if (beside.triangle != StripGrowth::kNone && _growth.completionCost(beside.triangle) < kLost)
+            return beside;
+        const Entry near = cheapestAtQueue();
         if (near.triangle == StripGrowth::kNone && beside.triangle != StripGrowth::kNone) return beside;
-        if (beside.triangle != StripGrowth::kNone) _growth.putOnward(beside);
+        if (beside.triangle != StripGrowth::kNone) _growth.pushAhead(beside);
         if (near.triangle != StripGrowth::kNone) return near;
-        if (const Place onward = _growth.nextOnward(); onward.triangle != StripGrowth::kNone) return onward;
+        if (const Entry ahead = _growth.nextAhead(); ahead.triangle != StripGrowth::kNone) return ahead;
         while (_firstLeft < _count && _growth.isDone(_firstLeft))
             ++_firstLeft;
         if (_firstLeft == _count) return {StripGrowth::kNone, 0};
-        return {_firstLeft, _growth.rim(_firstLeft)};
+        return {_firstLeft, _growth.borderEdge(_firstLeft)};
     }
 
-    std::size_t bestLength(const Place& start)
+    std::size_t bestLength(const Entry& start)
     {
         const std::size_t most = 2 * _growth.cache().size();
         const auto shortest =
             std::max<std::size_t>(static_cast<std::size_t>(kShortest * _growth.cache().size()), 1);
         std::size_t best = most;
-        double least = 4.0; // more than three corners
+        double least = 4.0; // above the three transforms that a triangle can cost
         for (std::size_t length = shortest; length <= most; length += 2)
             if (const double cost = _growth.costOf(start, length, kTrialLengths * most); cost < least)
             {

@@ -11,6 +11,7 @@ namespace osgPMObjects::core
 namespace
 {
 
+/// Grows strips from the triangles with the fewest neighbours. Source: see sgiStrips().
 class SgiStripper
 {
 public:
@@ -27,7 +28,7 @@ public:
         {
             const Start start = _starts.top();
             _starts.pop();
-            if (_isDone[start.triangle] || start != startAt(start.triangle)) continue; // offered anew since
+            if (_isDone[start.triangle] || start != startAt(start.triangle)) continue; // stale
             take(longestThrough(start.triangle));
         }
         for (std::uint32_t t = 0; t < _adjacency.size(); ++t)
@@ -64,9 +65,9 @@ private:
         if (const Start start = startAt(t); start.degree > 0) _starts.push(start);
     }
 
-    /// Goes on from `t` through `edge` as long as there is something new. In a strip, the way through a triangle of even
-    /// number is from one edge to the next, of an odd one from one to the one before; backwards it is the other way round,
-    /// so going either way `step` changes with each triangle.
+    /// Extends a strip from `t` through `edge` as far as triangles are new. The path through a triangle with an even number
+    /// goes from one edge to the next, with an odd number to the one before; backwards it is the opposite. So `step` changes
+    /// with each triangle in either direction.
     void extend(std::uint32_t t, int edge, int step, std::vector<std::uint32_t>& row)
     {
         for (std::uint32_t next = _adjacency.across(t, edge);
@@ -90,7 +91,7 @@ private:
             _tried[start] = _trial;
             forward.clear();
             backward.clear();
-            extend(start, edge, 2, forward); // the start has number 0, and came from the edge before
+            extend(start, edge, 2, forward); // the start has number 0 and was entered by the edge before
             extend(start, (edge + 2) % 3, 1, backward);
             if (forward.size() + backward.size() + 1 <= longest.size()) continue;
             longest.assign(backward.rbegin(), backward.rend());
@@ -118,9 +119,9 @@ private:
 
     TriangleAdjacency _adjacency;
     std::vector<char> _isDone;
-    std::vector<std::uint32_t> _tried; ///< the trial that a triangle was last part of
+    std::vector<std::uint32_t> _tried; ///< by triangle: the last trial that it was part of
     std::uint32_t _trial = 0;
-    std::priority_queue<Start, std::vector<Start>, std::greater<>> _starts; ///< some of them out of date
+    std::priority_queue<Start, std::vector<Start>, std::greater<>> _starts; ///< some may be stale
     TriangleStrips _strips;
 };
 

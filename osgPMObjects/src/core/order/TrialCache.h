@@ -12,13 +12,13 @@
 namespace osgPMObjects::core
 {
 
-/// A queue of vertices on which something can be tried, and taken back.
+/// A queue of vertices that can undo what was drawn since beginTrial().
 class TrialCache
 {
 public:
     TrialCache(std::uint32_t vertexCount, std::uint32_t size) : _cache(vertexCount, size) {}
 
-    /// How many corners had to be transformed.
+    /// Draws a triangle; returns how many of its vertices were transformed.
     std::uint32_t draw(const Triangle& triangle)
     {
         std::uint32_t misses = 0;
@@ -46,7 +46,7 @@ public:
 private:
     foundation::FifoCache _cache;
     std::vector<std::pair<std::uint32_t, std::uint64_t>>
-        _tried; ///< vertices that came in, with what was known before
+        _tried; ///< vertices that entered during the trial, with their last miss before
     bool _isTrial = false;
 };
 

@@ -11,11 +11,11 @@ namespace osgPMObjects::core
 namespace
 {
 
-/// An edge of a triangle, from the side of that triangle.
+/// One side of an edge: the triangle that it belongs to, and its direction.
 struct Side
 {
     std::uint32_t high;
-    bool isDown; ///< runs from its higher end
+    bool isDown; ///< true if it runs from its higher vertex number to the lower
     std::uint32_t triangle;
     std::uint8_t edge;
 
@@ -26,7 +26,7 @@ struct Side
     }
 };
 
-/// The sides by their lower end, those of vertex v from first[v] to first[v + 1].
+/// The sides sorted by their lower vertex: those of vertex v are first[v] to first[v + 1].
 struct SidesByVertex
 {
     std::vector<std::uint32_t> first;

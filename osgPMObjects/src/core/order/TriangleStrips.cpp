@@ -32,7 +32,7 @@ bool has(const Triangle& t, std::uint32_t vertex)
     return t[0] == vertex || t[1] == vertex || t[2] == vertex;
 }
 
-/// Which corner of `t` is not on its edge with `next`: the edge that `next` runs through the other way.
+/// Returns the corner of `t` that is not on its edge with `next`; `next` runs through that edge in the opposite direction.
 int cornerOffEdge(const Triangle& t, const Triangle& next)
 {
     for (int i = 0; i < 3; ++i)
@@ -41,8 +41,8 @@ int cornerOffEdge(const Triangle& t, const Triangle& next)
     return 0;
 }
 
-/// The vertices of a strip's first triangle, so that those of the edge to the next come last; the first is doubled, and they
-/// change places, where the third triangle wants that.
+/// Returns the vertices of a strip's first triangle, those of the edge to the next triangle last. If the third triangle
+/// needs it, these two are swapped and the first vertex is doubled.
 std::vector<std::uint32_t> beginning(std::span<const Triangle> triangles,
                                      std::span<const std::uint32_t> strip)
 {
@@ -54,7 +54,7 @@ std::vector<std::uint32_t> beginning(std::span<const Triangle> triangles,
     return {a, b, c};
 }
 
-/// Begins anew within a strip: the triangles in between have no extent.
+/// Restarts within a strip: the triangles in between have area zero.
 void join(std::vector<std::uint32_t>& sent, const std::vector<std::uint32_t>& behind)
 {
     sent.push_back(sent.back());
@@ -76,12 +76,12 @@ std::vector<std::uint32_t> encodeStrip(std::span<const Triangle> triangles,
         const std::uint32_t oldest = sent[sent.size() - 3], newer = sent.back();
         std::uint32_t older = sent[sent.size() - 2];
         if (!has(t, newer) || (!has(t, older) && !has(t, oldest)))
-        { // back from a triangle with the same corners as the one before it
+        { // a turn back: the next triangle has the same corners as the one before
             join(sent, beginning(triangles, strip.subspan(k)));
             continue;
         }
         if (!has(t, older))
-        { // a turn to the same side: what comes before the newest vertex is repeated, and makes two triangles of no extent
+        { // a second turn to the same side: the vertex before the newest is repeated, which makes two triangles of area zero
             sent.insert(sent.end() - 1, oldest);
             older = oldest;
         }

@@ -14,6 +14,7 @@ namespace osgPMObjects::core
 namespace
 {
 
+/// Orders triangles by recursive bisection of the dual graph. Source: see universalOrder().
 class UniversalSorter
 {
 public:
@@ -55,7 +56,7 @@ private:
         return label(range, range.end - first);
     }
 
-    /// Neighbours that are drawn before the range less those that are drawn after it: for its halves, as yet unlabelled.
+    /// Returns the neighbours that are drawn before the range minus those drawn after it; its halves have no order yet.
     std::ptrdiff_t pull(std::span<const std::uint32_t> half, const Range& range) const
     {
         std::ptrdiff_t sum = 0;
@@ -81,7 +82,7 @@ private:
     TriangleAdjacency _adjacency;
     GraphBisection _bisection;
     std::vector<std::uint32_t> _order;
-    std::vector<std::uint32_t> _range; ///< by triangle: where the range begins in which it lies by now
+    std::vector<std::uint32_t> _range; ///< by triangle: the beginning of its current range
 };
 
 } // namespace

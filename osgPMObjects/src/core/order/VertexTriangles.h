@@ -12,7 +12,7 @@
 namespace osgPMObjects::core
 {
 
-/// The triangles at each vertex, by number.
+/// The triangles at each vertex, in the order of their numbers.
 class VertexTriangles
 {
 public:
@@ -35,8 +35,8 @@ public:
         return std::span(_triangles).subspan(_first[vertex], _first[vertex + 1] - _first[vertex]);
     }
 
-    /// The next few at a vertex, from the first that is not done on: at a hub of thousands, most are done by and by, and must
-    /// not be passed each time. `isDone`: of a triangle; what is done stays so.
+    /// Returns the next few triangles at a vertex, from the first one for which `isDone` is false. A vertex with
+    /// thousands of triangles thus need not pass the done ones each time. What is done must stay done.
     template<class IsDone>
     std::span<const std::uint32_t> nextAt(std::uint32_t vertex, IsDone isDone)
     {
@@ -51,7 +51,7 @@ private:
     static constexpr std::uint32_t kFew = 64;
 
     std::vector<std::uint32_t> _first, _triangles;
-    std::vector<std::uint32_t> _next; ///< by vertex: those before it are done
+    std::vector<std::uint32_t> _next; ///< by vertex: index of the first triangle that may not be done
 };
 
 } // namespace osgPMObjects::core

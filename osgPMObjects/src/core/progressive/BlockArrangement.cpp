@@ -9,6 +9,7 @@ namespace osgPMObjects::core
 namespace
 {
 
+/// Implements Arrangement::blocks.
 class BlockArrangement : public FaceArrangement
 {
 public:
@@ -24,7 +25,7 @@ public:
 
     void afterStep(const LevelWalk& walk, SlotTable& slots) override
     {
-        const std::vector<std::uint32_t> touched = slots.buriedIn();
+        const std::vector<std::uint32_t> touched = slots.blocksWithRemovals();
         for (const std::uint32_t block : touched)
             slots.fillHoles(block);
         for (const std::uint32_t block : touched)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <cassert>
 #include <limits>
 
 #include <osgPMObjects/core/progressive/ProgressiveMesh.h>
@@ -13,7 +14,7 @@ namespace osgPMObjects::core
 namespace
 {
 
-/// Writes the records while it walks down the levels.
+/// Walks down the levels and writes a record for each step.
 class Recorder
 {
 public:
@@ -23,7 +24,7 @@ public:
         _arrangement->begin(_walk, _slots);
     }
 
-    /// Groups and blocks.
+    /// Writes the groups and blocks of the finest level.
     void layOut(ProgressiveMesh& progressive) const
     {
         for (const SlotBlock& block : _slots.blocks())
@@ -38,7 +39,7 @@ public:
         progressive.wedgeBytes = widthFor(progressive.mesh.wedgeCount());
     }
 
-    /// The level that was reached.
+    /// Writes the faces of the coarsest level.
     void keepBase(ProgressiveMesh& progressive) const
     {
         for (std::uint32_t b = 0; b < progressive.blocks.size(); ++b)
@@ -82,14 +83,14 @@ private:
             step.patched.push_back(_slots.slotOf(patch.face));
             patched.push_back(_walk.triangle(patch.face));
         }
-        std::vector<std::uint32_t> dead = _walk.dead();
+        std::vector<std::uint32_t> dead = _walk.vanished();
         std::sort(dead.begin(), dead.end(),
                   [this](std::uint32_t a, std::uint32_t b) { return _slots.slotOf(a) < _slots.slotOf(b); });
         for (const std::uint32_t face : dead)
         {
             step.vanished.push_back(_slots.slotOf(face));
             step.vanishedTriangles.push_back(_walk.triangle(face));
-            _slots.bury(face);
+            _slots.removeFace(face);
         }
         _arrangement->afterStep(_walk, _slots);
         step.rearrangements = _slots.takeRearrangements();
@@ -133,6 +134,7 @@ std::vector<LevelError> thinned(const std::vector<LevelError>& errors)
 ProgressiveMesh buildProgressiveMesh(const Mesh& mesh, const CollapseSequence& sequence,
                                      const ArrangementSettings& settings)
 {
+    assert(checkSettings(settings));
     const SplitOrder split = inSplitOrder(mesh, sequence);
     ProgressiveMesh progressive;
     Recorder recorder(split, settings);
@@ -148,7 +150,7 @@ ProgressiveMesh buildProgressiveMesh(const Mesh& mesh, const CollapseSequence& s
 
 std::uint32_t ProgressiveMesh::wedgesAfter(std::uint32_t steps) const
 {
-    const auto& positions = mesh.wedgePositions; // rise with the wedges
+    const auto& positions = mesh.wedgePositions; // ascending
     const auto left = static_cast<std::uint32_t>(mesh.positions.size()) - steps;
     return static_cast<std::uint32_t>(std::lower_bound(positions.begin(), positions.end(), left) -
                                       positions.begin());

@@ -10,7 +10,7 @@
 namespace osgPMObjects::core
 {
 
-/// Numbers in few bytes: seven bits in each, the lowest first; the top bit says that more follow.
+/// Appends a number in few bytes: seven bits a byte, the lowest first; the top bit tells that more bytes follow.
 inline void appendNumber(std::vector<std::byte>& bytes, std::uint64_t number)
 {
     for (; number >= 0x80; number >>= 7)
@@ -18,27 +18,27 @@ inline void appendNumber(std::vector<std::byte>& bytes, std::uint64_t number)
     bytes.push_back(static_cast<std::byte>(number));
 }
 
-/// Signed ones, so that small ones of either sign take one byte.
+/// Appends a signed number so that small ones of either sign take one byte: the sign becomes the lowest bit.
 inline void appendDifference(std::vector<std::byte>& bytes, std::int64_t difference)
 {
     appendNumber(bytes, (static_cast<std::uint64_t>(difference) << 1) ^
                             static_cast<std::uint64_t>(difference >> 63));
 }
 
-/// A number in a fixed number of bytes, the lowest first.
+/// Appends a number in `width` bytes, the lowest first.
 inline void appendFixed(std::vector<std::byte>& bytes, std::uint64_t number, int width)
 {
     for (int i = 0; i < width; ++i)
         bytes.push_back(static_cast<std::byte>(number >> (8 * i)));
 }
 
-/// How many bytes numbers below a count take.
+/// Returns the bytes that numbers below `count` need.
 inline int widthFor(std::uint64_t count)
 {
     return count <= 0x100 ? 1 : count <= 0x10000 ? 2 : count <= 0x1000000 ? 3 : 4;
 }
 
-/// How wide numbers are that are written in full.
+/// The width of numbers with a fixed number of bytes.
 struct FixedWidth
 {
     int bytes;
@@ -47,7 +47,7 @@ struct FixedWidth
     explicit FixedWidth(int width) : bytes(width), mask(~0u >> (32 - 8 * width)) {}
 };
 
-/// Reads what was appended. There are no checks: what comes from files is checked as a whole before (isValid()).
+/// Reads what the functions above have appended. It does not check: isValid() checks records from files as a whole before.
 class ByteReader
 {
 public:
@@ -75,7 +75,7 @@ public:
         return static_cast<std::int32_t>(value >> 1) ^ -static_cast<std::int32_t>(value & 1);
     }
 
-    /// Of as many bytes as the mask has set; there have to be four.
+    /// Reads a number of fixed width. Four bytes must be readable, whatever the width.
     std::uint32_t fixed(const FixedWidth& width)
     {
         std::uint32_t value = 0;

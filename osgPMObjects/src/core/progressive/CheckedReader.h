@@ -9,7 +9,7 @@
 namespace osgPMObjects::core
 {
 
-/// Reads as ByteReader does, but not beyond an end.
+/// Reads like ByteReader, but never beyond the end: isGood() is false after an attempt.
 class CheckedReader
 {
 public:
@@ -58,7 +58,7 @@ public:
     const std::byte* at() const { return _at; }
 
 private:
-    static constexpr std::uint64_t kMost = 0x7fffffff; ///< sums of two do not overflow
+    static constexpr std::uint64_t kMost = 0x7fffffff; ///< so that the sum of two numbers does not overflow
 
     const std::byte* _at;
     const std::byte* _end;

@@ -12,6 +12,7 @@
 namespace osgPMObjects::core
 {
 
+/// The interface of the pass over the faces, for both widths of indices.
 class CompactedLevel::Pass
 {
 public:
@@ -38,13 +39,14 @@ protected:
 namespace
 {
 
-/// After how many steps a face is gone: once a corner became nothing, or two of them one position; never: one more than there are.
+/// Returns the number of steps after which a face has vanished: a corner is lost, or two corners have one position. One more
+/// than the number of all steps: never.
 std::uint32_t endOf(const ProgressiveMesh& progressive, Triangle face)
 {
     const auto& positions = progressive.mesh.wedgePositions;
     while (true)
     {
-        std::uint32_t& next = *std::max_element(face.begin(), face.end()); // the last wedge goes first
+        std::uint32_t& next = *std::max_element(face.begin(), face.end()); // the last wedge is removed first
         const std::uint32_t goesAfter =
             static_cast<std::uint32_t>(progressive.mesh.positions.size()) - positions[next];
         if (goesAfter > progressive.stepCount) return progressive.stepCount + 1;
@@ -82,8 +84,9 @@ public:
         moveTo(0);
     }
 
-    /// What is gone is written, too, and written over by the next: a branch would be a coin's. Three plain stores: put together
-    /// into one word, each face would wait for the one before it, which takes half as long again.
+    /// Vanished faces are written, too, and the next face overwrites them: a branch could not be predicted. Three plain
+    /// stores are used, for one combined word would make each face wait for the one before, which takes half as long
+    /// again.
     void moveTo(std::uint32_t steps) override
     {
         findWedges(_progressive.wedgesAfter(steps));
@@ -108,7 +111,7 @@ public:
     std::span<const std::uint32_t> wideIndices() const override { return indicesAs<std::uint32_t>(); }
 
 private:
-    /// Of the finest level, and after how many steps it is gone.
+    /// A face of the finest level, and the number of steps after which it vanishes.
     struct Face
     {
         Index a, b, c, end;
@@ -137,9 +140,9 @@ private:
     std::vector<Face> _faces;
     std::vector<std::uint32_t> _finestEnds; ///< by group, in `_faces`
     std::vector<Index> _parents;
-    std::vector<Index> _become; ///< by wedge; anything for those that become nothing
+    std::vector<Index> _become; ///< by wedge: its replacement; undefined for lost wedges
     std::uint32_t _wedgesLeft = 0;
-    std::vector<Index> _indices; ///< room for all
+    std::vector<Index> _indices; ///< capacity for the finest level
 };
 
 } // namespace

@@ -14,46 +14,46 @@
 namespace osgPMObjects::core
 {
 
-/// Where the faces of a mesh lie in its index buffer, at every level.
+/// The interface of arrangements: it decides in which slot of the index buffer each face lies, at every level.
 class FaceArrangement
 {
 public:
     virtual ~FaceArrangement() = default;
 
-    /// The slots of the full mesh, material by material.
+    /// Fills the slots of the full mesh, material by material.
     virtual void begin(const LevelWalk& walk, SlotTable& slots) = 0;
 
-    /// Rearranges after a step. The dead of the walk are buried already.
+    /// Rearranges faces after a step. The faces that vanished are removed from `slots` before.
     virtual void afterStep(const LevelWalk& walk, SlotTable& slots) = 0;
 };
 
-/// Plain VIPM: the faces that vanish are always the last. Nothing ever moves.
+/// Makes Arrangement::plain: faces lie in the order of their vanishing, latest first, so that nothing ever moves.
 std::unique_ptr<FaceArrangement> plainArrangement();
 
-/// The paper's tswap: the last face goes into each hole, and whenever some share of the faces has vanished the paper's greedy order
-/// (GreedyOrder.h) is made of the others, in cycles.
-/// Source: paper 003, §5.
+/// Makes Arrangement::tswap: the last face fills each hole; whenever a share of the faces has vanished, cycles of moves
+/// bring the others into the greedy order (GreedyOrder.h).
+/// Source: *Cache-friendly view-independent progressive meshes* (Graphicon 2003), section 5.
 std::unique_ptr<FaceArrangement> tswapArrangement(const ArrangementSettings& settings);
 
-/// Blocks of a few faces: a hole is filled with the last face of its block, and two neighbours that have room in one become one.
+/// Makes Arrangement::blocks: the last face of a block fills its holes, and two neighbouring blocks that fit into one merge.
 std::unique_ptr<FaceArrangement> blockArrangement(const ArrangementSettings& settings);
 
-/// Ours: holes stay until some neighbouring blocks have room in one less; then those are ordered anew, in the way that costs
-/// least until they will be again. A hole is drawn as a triangle without area, all of whose corners are the vertex drawn just before.
+/// Makes Arrangement::windows: holes stay until some neighbouring blocks fit into one block less. Then their faces are
+/// reordered to cost least until the next time. A hole is drawn as a triangle without area at the vertex drawn just before.
 std::unique_ptr<FaceArrangement> windowArrangement(const ArrangementSettings& settings);
 
 std::unique_ptr<FaceArrangement> makeArrangement(const ArrangementSettings& settings);
 
-/// The live faces of each material, in order of their numbers.
+/// Returns the faces of each material at the walk's level, ascending.
 std::vector<std::vector<std::uint32_t>> liveFacesByMaterial(const LevelWalk& walk);
 
-/// Orders some faces of many: their wedges are numbered from 0 as they come, so that it takes no longer for the others.
+/// Orders a few faces of many. It numbers their wedges from 0 in order of use, so the time does not depend on the others.
 class LocalNumbers
 {
 public:
     explicit LocalNumbers(const LevelWalk& walk);
 
-    /// Faces in the order that `order(triangles, wedgeCount)` puts their triangles in, as numbers.
+    /// Returns the faces in the order that `order(triangles, wedgeCount)` gives their triangles.
     template<class Order>
     std::vector<std::uint32_t> ordered(const LevelWalk& walk, std::span<const std::uint32_t> faces,
                                        const Order& order)
@@ -70,8 +70,8 @@ private:
 
     static constexpr std::uint32_t kNone = ~0u;
 
-    std::vector<std::uint32_t> _numbers; ///< by wedge
-    std::uint32_t _count = 0;            ///< of the faces that were looked at last
+    std::vector<std::uint32_t> _numbers; ///< by wedge: its local number
+    std::uint32_t _count = 0;            ///< wedges of the last faces given
 };
 
 } // namespace osgPMObjects::core

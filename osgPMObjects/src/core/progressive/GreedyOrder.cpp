@@ -12,8 +12,9 @@ namespace osgPMObjects::core
 namespace
 {
 
-constexpr std::uint32_t kPlacesOfLine = 10; // 64 bytes of 16-bit indices
+constexpr std::uint32_t kFacesOfLine = 10; // in 64 bytes of 16-bit indices
 
+/// Builds the greedy order triangle by triangle. Source: see greedyOrder().
 class GreedyBuffer
 {
 public:
@@ -27,7 +28,7 @@ public:
           _trianglesOf(vertexCount),
           _recent(cacheSize)
     {
-        _isTouched.resize(triangles.size() / kPlacesOfLine * kPlacesOfLine + kPlacesOfLine, false);
+        _isTouched.resize(triangles.size() / kFacesOfLine * kFacesOfLine + kFacesOfLine, false);
         for (std::uint32_t t = 0; t < triangles.size(); ++t)
             for (const std::uint32_t vertex : triangles[t])
                 _trianglesOf[vertex].push_back(t);
@@ -36,36 +37,36 @@ public:
     std::vector<std::uint32_t> order()
     {
         std::vector<std::uint32_t> order;
-        for (std::uint32_t place = 0; place < _triangles.size(); ++place)
+        for (std::uint32_t position = 0; position < _triangles.size(); ++position)
         {
-            const std::uint32_t t = place == 0 ? 0 : bestFor(place);
+            const std::uint32_t t = position == 0 ? 0 : bestFor(position);
             order.push_back(t);
-            append(t, place);
+            append(t, position);
         }
         return order;
     }
 
 private:
-    std::uint32_t bestFor(std::uint32_t place)
+    std::uint32_t bestFor(std::uint32_t position)
     {
         _best = ~0u;
         _least = 1e9f;
-        if (!_isPlaced[place]) consider(place, place);
+        if (!_isPlaced[position]) consider(position, position);
         for (const std::uint32_t vertex : _recent)
             for (const std::uint32_t t : _trianglesOf[vertex])
-                consider(t, place);
+                consider(t, position);
         if (_best != ~0u) return _best;
         while (_isPlaced[_firstLeft])
             ++_firstLeft;
         return _firstLeft;
     }
 
-    void consider(std::uint32_t t, std::uint32_t place)
+    void consider(std::uint32_t t, std::uint32_t position)
     {
         float cost = 0.0f;
         for (const std::uint32_t vertex : _triangles[t])
             cost += _cache.holds(vertex) ? 0.0f : 1.0f;
-        if (t == place)
+        if (t == position)
             cost -= _weights.stays;
         else if (_isTouched[t])
             cost -= _weights.lineTouched;
@@ -74,12 +75,12 @@ private:
         _best = t;
     }
 
-    void append(std::uint32_t t, std::uint32_t place)
+    void append(std::uint32_t t, std::uint32_t position)
     {
         _isPlaced[t] = true;
-        if (t != place)
+        if (t != position)
         {
-            touchLineOf(place);
+            touchLineOf(position);
             touchLineOf(t);
         }
         for (const std::uint32_t vertex : _triangles[t])
@@ -89,9 +90,9 @@ private:
         }
     }
 
-    void touchLineOf(std::uint32_t place)
+    void touchLineOf(std::uint32_t position)
     {
-        std::fill_n(_isTouched.begin() + place / kPlacesOfLine * kPlacesOfLine, kPlacesOfLine, true);
+        std::fill_n(_isTouched.begin() + position / kFacesOfLine * kFacesOfLine, kFacesOfLine, true);
     }
 
     std::span<const Triangle> _triangles;
@@ -99,8 +100,8 @@ private:
     std::vector<bool> _isTouched;
     foundation::FifoCache _cache;
     std::vector<bool> _isPlaced;
-    std::vector<std::vector<std::uint32_t>> _trianglesOf; ///< by vertex: those left
-    std::vector<std::uint32_t> _recent;                   ///< what the cache holds
+    std::vector<std::vector<std::uint32_t>> _trianglesOf; ///< by vertex: triangles left
+    std::vector<std::uint32_t> _recent;                   ///< vertices in the cache
     std::uint32_t _firstLeft = 0, _best = 0;
     float _least = 0.0f;
 };

@@ -10,17 +10,18 @@
 namespace osgPMObjects::core
 {
 
-/// What the paper's greedy order weighs, in transformed vertices.
+/// The bonuses of the greedy order, in transformed vertices.
 struct GreedyWeights
 {
-    float stays = 0.0f;       ///< a face that has this place already
-    float lineTouched = 0.0f; ///< a face in a line of the processor's cache that is written anyway
+    float stays = 0.0f;       ///< for a face that keeps its position
+    float lineTouched = 0.0f; ///< for a face in a cache line of the processor that is written anyway
 };
 
-/// An order of triangles, as their numbers, that begins with the first and goes on with whichever uses the cache best, or stays where
-/// it is. When no triangle uses the cache, the first that is left.
-/// `isTouched`: by place, whether it is written anyway; empty: none is.
-/// Source: paper 003, §5 (the greedy algorithm, without look-ahead). Differs: a line is touched as soon as a face in it has moved, too.
+/// Returns an order of triangles, as their numbers. It begins with the first triangle. The next one is always the triangle
+/// that costs the vertex cache least, minus its bonus; if no triangle uses the cache, the first one left.
+/// `isTouched`: by position, whether it is written anyway; empty: none is.
+/// Source: *Cache-friendly view-independent progressive meshes* (Graphicon 2003), section 5 (greedy algorithm, without
+/// look-ahead). Differs: a line also counts as touched once a face in it has moved.
 std::vector<std::uint32_t> greedyOrder(std::span<const Triangle> triangles, std::uint32_t vertexCount,
                                        std::uint32_t cacheSize, const GreedyWeights& weights = {},
                                        std::vector<bool> isTouched = {});

@@ -14,10 +14,10 @@
 namespace osgPMObjects::core
 {
 
-/// Writes slots of an index buffer by the rule for those that no face is in: a *hole* holds the last index of the slot before it
-/// three times, a vertex that was just drawn, and index 0 if that slot is unused. So slots depend only on which are holes.
-/// A view of two pointers, to be held in a local variable: what is written may be anything to the compiler, which would else
-/// read members again after each byte.
+/// Writes slots of an index buffer and keeps holes valid. A *hole* holds one index three times: the last index of the slot
+/// before it, a vertex that was just drawn, or 0 if that slot is unused. So slots depend only on which of them are holes.
+/// The writer is a view of two pointers; keep it in a local variable, for the compiler would read members again after each
+/// byte that is written.
 template<class Index>
 class SlotWriter
 {
@@ -25,15 +25,15 @@ public:
     using Slot = std::array<Index, 3>;
     static constexpr Index kUnused = std::numeric_limits<Index>::max();
 
-    /// Changes are told by so many slots: as few as make one transfer worth while.
+    /// The number of slots in a page. Changes are recorded by page, the least that is worth a transfer.
     static constexpr std::uint32_t kPage = 64;
 
-    /// The slot before the first and two behind the last have to be there, and unused. `isChanged`: by page.
+    /// One slot before the first and two behind the last must exist and be unused. `isChanged`: by page.
     SlotWriter(Slot* slots, char* isChanged) : _slots(slots), _isChanged(isChanged) {}
 
     const Slot& operator[](std::uint32_t slot) const { return _slots[slot]; }
 
-    /// Puts a face there. Holes behind it follow.
+    /// Writes a face and updates the holes behind it.
     void put(std::uint32_t slot, const Slot& face) const
     {
         _slots[slot] = face;
@@ -41,14 +41,14 @@ public:
         followWith(slot, face[2]);
     }
 
-    /// Gives a face another wedge at the corner that has `before`.
+    /// Replaces the wedge `before` of a face.
     void patch(std::uint32_t slot, Index before, Index after) const
     {
         Slot& face = _slots[slot];
         const bool isLast = face[2] == before;
         face[unsigned{face[1] == before} + 2 * unsigned{isLast}] = after;
         mark(slot);
-        // One branch that is hardly ever taken, instead of two.
+        // One branch that is rarely taken, instead of two.
         if ((unsigned{isLast} & unsigned{isHole(_slots[slot + 1])}) != 0) [[unlikely]]
             fillHolesBehind(slot);
     }
@@ -67,7 +67,7 @@ public:
         mark(slot);
     }
 
-    /// Brings holes behind a slot, which was changed, in line with the rule.
+    /// Updates the holes behind a slot that was changed.
     void fillHolesBehind(std::uint32_t slot) const
     {
         const Index index = indexOfHoleBehind(slot);
@@ -78,7 +78,7 @@ public:
         }
     }
 
-    /// Writes a run of faces.
+    /// Writes a run of faces, without updating holes.
     template<class FaceOf>
     void fill(std::uint32_t first, std::uint32_t count, const FaceOf& faceOf) const
     {
@@ -87,7 +87,7 @@ public:
         markRun(first, count);
     }
 
-    /// The same with holes, where `isFace(i)` says so.
+    /// Writes a run of slots: a face where `isFace(i)`, else a hole.
     template<class IsFace, class FaceOf>
     void fill(std::uint32_t first, std::uint32_t count, const IsFace& isFace, const FaceOf& faceOf) const
     {
@@ -108,13 +108,13 @@ public:
     }
 
 private:
-    /// Without a branch, which would be a coin's: a mispredicted one takes as long as a face.
+    /// Selects without a branch: the choice is random, and a mispredicted branch takes as long as a face.
     static Index chosen(bool isFirst, Index first, Index second)
     {
         return static_cast<Index>(second ^ ((first ^ second) & -Index{isFirst}));
     }
 
-    /// Gives a hole behind a slot the last index of the slot, and those behind it. Most faces have no more than one behind them.
+    /// Updates a hole behind a slot, and the holes behind that one. Most faces have at most one hole behind them.
     void followWith(std::uint32_t slot, Index index) const
     {
         Slot& next = _slots[slot + 1];
@@ -143,7 +143,7 @@ private:
     char* _isChanged;
 };
 
-/// The slots of an index buffer, and which of them were written.
+/// The slots of an index buffer, with a record of the pages that were written.
 template<class Index>
 class IndexSlots
 {
@@ -179,7 +179,7 @@ public:
 private:
     static constexpr std::uint32_t kPage = SlotWriter<Index>::kPage;
 
-    std::vector<Slot> _slots; ///< with an unused one before the first and two behind the last
+    std::vector<Slot> _slots; ///< with one unused slot before the first and two behind the last
     std::vector<char> _isChanged;
 };
 

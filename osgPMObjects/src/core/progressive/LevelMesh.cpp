@@ -9,7 +9,7 @@ namespace osgPMObjects::core
 namespace
 {
 
-/// The first so many, or none where there are none.
+/// Returns the first `count` elements, or all of an array with fewer.
 template<class Value>
 std::vector<Value> prefixOf(const std::vector<Value>& values, std::size_t count)
 {

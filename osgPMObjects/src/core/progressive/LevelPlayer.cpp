@@ -22,6 +22,7 @@ constexpr auto kVanishedFaces = []
     return faces;
 }();
 
+/// Plays the records of steps (StepRecord) on indices of one width.
 template<class Index>
 class IndexPlayer : public ProgressiveLevel::Player
 {
@@ -82,12 +83,12 @@ private:
                                                      [](const Triangle& t) { return !repeatsCorner(t); }));
     }
 
-    /// The head of a record.
+    /// The head of a step's record.
     struct Head
     {
         std::uint32_t vanished, patched, wedges = 1;
         bool severalGo, facesMove;
-        ByteReader counts{nullptr}; ///< of patched faces by wedge, where several go
+        ByteReader counts{nullptr}; ///< of patched faces by wedge, if several are removed
 
         explicit Head(ByteReader& in)
         {
@@ -173,7 +174,7 @@ private:
                 in.skip(3 * _widths.wedge.bytes);
     }
 
-    /// They stand behind the slots, which are those of before.
+    /// Undoes the rearrangements. Their bytes follow the lists of slots, which refer to the slots before them.
     void backRearrangements(ByteReader in, Head head)
     {
         const auto ignore = [](std::uint32_t) {};
@@ -221,7 +222,7 @@ private:
 
     RecordWidths _widths;
     std::vector<Index> _parents;
-    const std::byte* _at; ///< in the records: behind the last step that was taken
+    const std::byte* _at; ///< end of the last record that was played
     IndexSlots<Index> _slots;
     std::vector<std::uint32_t> _slotsOfStep;
     std::vector<Index> _fromOfPatched;

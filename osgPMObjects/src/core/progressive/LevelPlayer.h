@@ -8,7 +8,7 @@
 namespace osgPMObjects::core
 {
 
-/// Plays steps on an index buffer.
+/// Plays steps forth and back on an index buffer; one implementation for each width of indices.
 class ProgressiveLevel::Player
 {
 public:

@@ -42,7 +42,7 @@ void LevelWalk::collapse(std::uint32_t from, std::uint32_t to)
         {
             _isLive[face] = false;
             --_liveFaces;
-            _dead.push_back(face);
+            _vanished.push_back(face);
             continue;
         }
         std::replace(_triangles[face].begin(), _triangles[face].end(), from, to);
@@ -55,7 +55,7 @@ void LevelWalk::collapse(std::uint32_t from, std::uint32_t to)
 void LevelWalk::step()
 {
     _patches.clear();
-    _dead.clear();
+    _vanished.clear();
     const auto& positions = _split.mesh.wedgePositions;
     const std::uint32_t position = positions[_wedgesLeft - 1];
     while (_wedgesLeft > 0 && positions[_wedgesLeft - 1] == position)

@@ -11,21 +11,22 @@
 namespace osgPMObjects::core
 {
 
-/// Goes down the levels of a mesh, one step after the other, and knows the faces of each. Faces keep their numbers.
-/// Memory: 12 B a face, 24 B a wedge, and lists of the faces around each wedge. Cost of a step: the faces around what goes.
+/// Walks from the finest level to the coarsest, one step at a time, and holds the faces of the current level. Faces keep
+/// their numbers.
+/// Memory: 12 B a face, 24 B a wedge, and lists of the faces around each wedge. Cost of a step: the faces around its wedges.
 class LevelWalk
 {
 public:
-    /// A corner of a face that becomes another wedge.
+    /// A corner of a face whose wedge is replaced by its parent.
     struct Patch
     {
         std::uint32_t face = 0;
-        std::uint32_t from = 0; ///< the wedge that goes
+        std::uint32_t from = 0; ///< the wedge that is removed
     };
 
     explicit LevelWalk(const SplitOrder& split);
 
-    /// Takes one position more. What it changed stands in patches() and dead() until the next step.
+    /// Removes the next position. patches() and vanished() tell what the last step changed.
     void step();
 
     std::uint32_t stepsTaken() const { return _steps; }
@@ -33,16 +34,16 @@ public:
     bool isLive(std::uint32_t face) const { return _isLive[face]; }
     std::uint32_t liveFaces() const { return _liveFaces; }
     std::uint32_t faceCount() const { return static_cast<std::uint32_t>(_triangles.size()); }
-    std::uint32_t wedgeCount() const { return _wedgesLeft; } ///< of this level: those below it
+    std::uint32_t wedgeCount() const { return _wedgesLeft; } ///< of this level: the first ones
 
-    /// Of a live face: its wedges now. Of a dead one: those that it had last.
+    /// Returns the wedges of a face; of a vanished face, its last ones.
     const Triangle& triangle(std::uint32_t face) const { return _triangles[face]; }
     const SplitOrder& split() const { return _split; }
 
-    const std::vector<Patch>& patches() const { return _patches; } ///< by wedge that went, then by face
-    const std::vector<std::uint32_t>& dead() const { return _dead; }
+    const std::vector<Patch>& patches() const { return _patches; } ///< by removed wedge, then by face
+    const std::vector<std::uint32_t>& vanished() const { return _vanished; }
 
-    /// Faces that use a wedge, live and dead ones.
+    /// Returns the faces that have ever used a wedge, vanished ones included.
     const std::vector<std::uint32_t>& facesOf(std::uint32_t wedge) const { return _facesOf[wedge]; }
 
 private:
@@ -54,7 +55,7 @@ private:
     std::vector<bool> _isLive;
     std::vector<std::vector<std::uint32_t>> _facesOf;
     std::vector<Patch> _patches;
-    std::vector<std::uint32_t> _dead;
+    std::vector<std::uint32_t> _vanished;
     std::uint32_t _steps = 0, _liveFaces = 0, _wedgesLeft = 0;
 };
 

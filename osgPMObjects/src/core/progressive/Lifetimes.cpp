@@ -13,7 +13,7 @@ Lifetimes::Lifetimes(const SplitOrder& split)
     while (walk.stepsTaken() < walk.stepCount())
     {
         walk.step();
-        for (const std::uint32_t face : walk.dead())
+        for (const std::uint32_t face : walk.vanished())
             _ends[face] = walk.stepsTaken();
     }
 }

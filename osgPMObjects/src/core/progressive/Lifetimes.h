@@ -11,16 +11,16 @@
 namespace osgPMObjects::core
 {
 
-/// What becomes of faces and wedges, known before a walk down the levels begins.
+/// A table of when each face vanishes, computed before a walk down the levels begins.
 class Lifetimes
 {
 public:
     explicit Lifetimes(const SplitOrder& split);
 
-    /// After how many steps a face is gone; one more than there are: never.
+    /// Returns the number of steps after which a face has vanished; the number of all steps plus one: never.
     std::uint32_t end(std::uint32_t face) const { return _ends[face]; }
 
-    /// What a wedge has become after some steps, as far as faces use it.
+    /// Returns the wedge that replaces a wedge of a face after `steps` steps.
     std::uint32_t wedgeAfter(std::uint32_t wedge, std::uint32_t steps) const
     {
         const std::size_t positionsLeft = _split.mesh.positions.size() - steps;

@@ -20,17 +20,18 @@ MorphTargets morphTargets(const ProgressiveMesh& progressive, std::uint32_t fine
         return wedge < morph.firstWedge ? MorphTargets::Target{wedge, wedge}
                                         : morph.targets[wedge - morph.firstWedge];
     };
-    // Wedges of a position follow each other, and become others of a lower number.
+    // The wedges of a position are consecutive, and a parent has a lower number.
     for (std::uint32_t first = morph.firstWedge; first < end;)
     {
-        std::uint32_t next = first, place = first;
+        std::uint32_t next = first, positionWedge = first;
         for (; next < end && positions[next] == positions[first]; ++next)
             if (const std::uint32_t parent = progressive.parents[next]; parent != next)
-                place = targetOf(parent).place;
+                positionWedge = targetOf(parent).positionWedge;
         for (; first < next; ++first)
         {
             const std::uint32_t parent = progressive.parents[first];
-            morph.targets.push_back({place, parent == first ? first : targetOf(parent).look});
+            morph.targets.push_back(
+                {positionWedge, parent == first ? first : targetOf(parent).attributeWedge});
         }
     }
     return morph;

@@ -11,6 +11,7 @@ namespace osgPMObjects::core
 namespace
 {
 
+/// Implements Arrangement::plain.
 class PlainArrangement : public FaceArrangement
 {
 public:
@@ -29,8 +30,8 @@ public:
 
     void afterStep(const LevelWalk&, SlotTable& slots) override
     {
-        for (const std::uint32_t block : slots.buriedIn())
-            slots.fillHoles(block); // which are the last slots
+        for (const std::uint32_t block : slots.blocksWithRemovals())
+            slots.fillHoles(block); // the holes are the last slots
     }
 };
 

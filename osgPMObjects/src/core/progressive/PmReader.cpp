@@ -12,7 +12,7 @@
 namespace osgPMObjects::core
 {
 
-/// What has been read. Records come coarsest first and are kept in pieces until a mesh is asked for.
+/// The contents read so far. Records come coarsest first, so they are kept in pieces until mesh() joins them.
 class PmReader::Sections
 {
 public:
@@ -35,7 +35,7 @@ public:
     foundation::Result<ProgressiveMesh> mesh() const
     {
         ProgressiveMesh whole = _mesh;
-        whole.stepCount = _stepsInAll - _firstStep;
+        whole.stepCount = _totalSteps - _firstStep;
         for (auto piece = _records.rbegin(); piece != _records.rend(); ++piece)
             for (const char byte : *piece)
                 whole.records.push_back(static_cast<std::byte>(byte));
@@ -52,8 +52,8 @@ public:
     }
 
     const std::string& attachment() const { return _attachment; }
-    std::uint32_t stepsInAll() const { return _stepsInAll; }
-    std::uint32_t positionsInAll() const { return _positionsInAll; }
+    std::uint32_t totalSteps() const { return _totalSteps; }
+    std::uint32_t totalPositions() const { return _totalPositions; }
 
 private:
     foundation::Result<bool> readBase()
@@ -77,21 +77,21 @@ private:
     bool readHead(const std::string& bytes)
     {
         PmByteReader in(bytes);
-        _positionsInAll = in.get<std::uint32_t>();
-        _wedgesInAll = in.get<std::uint32_t>();
-        _stepsInAll = _firstStep = in.get<std::uint32_t>();
+        _totalPositions = in.get<std::uint32_t>();
+        _totalWedges = in.get<std::uint32_t>();
+        _totalSteps = _firstStep = in.get<std::uint32_t>();
         _mesh.slotCount = in.get<std::uint32_t>();
         _mesh.slotBytes = in.get<std::uint8_t>();
         _mesh.wedgeBytes = in.get<std::uint8_t>();
         const auto stride = in.get<std::uint16_t>();
         _vertices = PmVertices(in);
         return in.isGood() && in.isAtEnd() && _vertices.isSound() &&
-               stride == ProgressiveMesh::kErrorStride && _stepsInAll <= _positionsInAll &&
-               _positionsInAll <= _wedgesInAll && _mesh.slotCount <= mostSlots();
+               stride == ProgressiveMesh::kErrorStride && _totalSteps <= _totalPositions &&
+               _totalPositions <= _totalWedges && _mesh.slotCount <= mostSlots();
     }
 
-    /// A face takes a byte at least, but its slot is told before: of a file that is cut off, most of them come later. What is more is damage, and
-    /// would ask for memory without end.
+    /// Returns an upper limit of slots for the size of the file. They are announced before their faces are read; a larger
+    /// number is damage, and memory for it must not be requested.
     std::uint64_t mostSlots() const
     {
         constexpr std::uint64_t kFew = 1u << 20, kMany = 1u << 24, kOfByte = 64;
@@ -141,7 +141,7 @@ private:
     bool readBaseFaces(const std::string& bytes)
     {
         PmByteReader in(bytes);
-        if (!readVertices(in, _stepsInAll)) return false;
+        if (!readVertices(in, _totalSteps)) return false;
         _mesh.finestError = readError(in);
         const auto count = in.get<std::uint32_t>();
         if (!in.hasRoomFor(count, 12)) return false;
@@ -158,7 +158,7 @@ private:
     {
         Mesh& mesh = _mesh.mesh;
         const auto count = in.get<std::uint32_t>();
-        if (count != _positionsInAll - steps - mesh.positions.size()) return false;
+        if (count != _totalPositions - steps - mesh.positions.size()) return false;
         if (!in.hasRoomFor(count, 4 + _vertices.positionBytes())) return false;
         for (std::uint32_t i = 0; i < count; ++i)
         {
@@ -173,7 +173,7 @@ private:
                 _vertices.readWedge(in, mesh);
             }
         }
-        return in.isGood() && mesh.wedgeCount() <= _wedgesInAll;
+        return in.isGood() && mesh.wedgeCount() <= _totalWedges;
     }
 
     static LevelError readError(PmByteReader& in)
@@ -206,7 +206,7 @@ private:
 
     PmSectionStream _stream;
     bool _hasBase = false, _isWhole = false;
-    std::uint32_t _positionsInAll = 0, _wedgesInAll = 0, _stepsInAll = 0, _firstStep = 0;
+    std::uint32_t _totalPositions = 0, _totalWedges = 0, _totalSteps = 0, _firstStep = 0;
     PmVertices _vertices{Mesh{}, false};
     ProgressiveMesh _mesh; ///< without records and errors
     std::string _attachment;
@@ -238,14 +238,14 @@ const std::string& PmReader::attachment() const
     return _sections->attachment();
 }
 
-std::uint32_t PmReader::stepsInAll() const
+std::uint32_t PmReader::totalSteps() const
 {
-    return _sections->stepsInAll();
+    return _sections->totalSteps();
 }
 
-std::uint32_t PmReader::positionsInAll() const
+std::uint32_t PmReader::totalPositions() const
 {
-    return _sections->positionsInAll();
+    return _sections->totalPositions();
 }
 
 foundation::Result<ProgressiveMesh> readPm(const std::filesystem::path& file)

@@ -12,7 +12,7 @@
 namespace osgPMObjects::core
 {
 
-/// Takes a `.pm` file apart into its sections, and looks at their check sums.
+/// Splits a `.pm` file into its sections and verifies their check sums.
 class PmSectionStream
 {
 public:
@@ -21,21 +21,21 @@ public:
         std::string letters, contents;
     };
 
-    /// `place`: the stream's name in errors.
+    /// `place`: name of the stream in errors.
     PmSectionStream(std::istream& stream, std::string place) : _stream(stream), _place(std::move(place)) {}
 
-    /// What is before the first section. Errors: not a progressive mesh, of another version.
+    /// Reads what precedes the first section. Errors: not a `.pm` file, or another version.
     foundation::Outcome readBegin();
 
-    /// Errors: cut off, or another check sum.
+    /// Reads the next section. Errors: cut off, or a wrong check sum.
     foundation::Outcome read(Section& section);
-    /// The contents of a section that has to be the next. Errors: besides, it is another one.
+    /// Reads the contents of a section that must be the next one. Errors: those above, or another section.
     foundation::Outcome read(std::string_view letters, std::string& contents);
 
-    /// How many bytes there are from the begin on, if the stream can tell.
+    /// Returns the size of the file in bytes, if the stream can tell.
     std::optional<std::uint64_t> size() const { return _size; }
 
-    /// An error where the stream is.
+    /// Returns an error that names the current position of the stream.
     foundation::Error damaged(const std::string& what) const;
 
 private:

@@ -13,15 +13,16 @@
 namespace osgPMObjects::core
 {
 
-/// A `.pm` file: kPmMagic, a version, then sections: four letters, how many bytes, these, and a check sum (CRC-32) of all that. Numbers have their lowest byte
-/// first. docs/reference/pm-file.md has what is in each.
-constexpr std::string_view kPmMagic{"OSGPM\x1a\r\n", 8}; // shows what a transfer as text does to it
+/// The format of a `.pm` file: kPmMagic, a version, then sections. A section has four letters, its size in bytes, its
+/// contents and a check sum (CRC-32) of all that. Numbers have their lowest byte first. docs/reference/pm-file.md
+/// describes the sections.
+constexpr std::string_view kPmMagic{"OSGPM\x1a\r\n", 8}; // a transfer as text would change it
 constexpr std::uint32_t kPmVersion = 1;
 
 constexpr std::string_view kPmHead = "HEAD", kPmMaterials = "MATL", kPmAttachment = "ATCH",
                            kPmLayout = "LAYO", kPmBase = "BASE", kPmSteps = "STEP", kPmEnd = "DONE";
 
-/// Which arrays wedges have, and how they are kept.
+/// The arrays that wedges have, and their form.
 enum PmFlag : std::uint32_t
 {
     pmNormals = 1,
@@ -31,7 +32,7 @@ enum PmFlag : std::uint32_t
     pmQuantised = 16,
 };
 
-/// Of a whole section, its letters and length included.
+/// Returns the check sum of a whole section, from its letters on.
 std::uint32_t pmCheckSum(std::string_view bytes);
 
 class PmByteWriter
@@ -58,7 +59,7 @@ private:
     std::string _bytes;
 };
 
-/// Does not read beyond the end: then everything is 0, and isGood() false.
+/// Reads numbers and text. Beyond the end it returns 0, and isGood() becomes false.
 class PmByteReader
 {
 public:
@@ -89,7 +90,7 @@ public:
         return taken;
     }
 
-    /// Whether there may be so many things of some bytes each: asked before room is made for them.
+    /// Tells whether `count` items of `bytesEach` bytes can follow; ask before allocating memory for them.
     bool hasRoomFor(std::uint64_t count, std::size_t bytesEach)
     {
         if (count * bytesEach > _bytes.size()) _isGood = false;

@@ -14,7 +14,7 @@ namespace
 
 constexpr double kMost16 = 65535.0;
 
-/// Where a value is in a range, in 16 bits. A range without length has all values at its low end.
+/// Quantises a value within a range to 16 bits. In a range of length zero every value becomes the low end.
 std::uint16_t in16(double value, double low, double high)
 {
     const double share = high > low ? (value - low) / (high - low) : 0.0;
@@ -31,7 +31,7 @@ double signOf(double value)
     return value < 0.0 ? -1.0 : 1.0;
 }
 
-/// A direction on the octahedron |x| + |y| + |z| = 1, whose lower half is folded outwards; a vector without length: none.
+/// Encodes a direction on the octahedron |x| + |y| + |z| = 1, its lower half folded outwards; nothing for a zero vector.
 /// Source: Meyer et al., "On floating-point normal vectors" (2010), §3.
 glm::dvec2 ontoOctahedron(const glm::dvec3& n)
 {
@@ -66,7 +66,7 @@ Vector getFloats(PmByteReader& in)
 }
 
 template<class Vector>
-bool isFinite(const Vector& v)
+bool isFiniteVector(const Vector& v)
 {
     bool all = true;
     for (int i = 0; i < Vector::length(); ++i)
@@ -120,9 +120,10 @@ void PmVertices::writeTo(PmByteWriter& head) const
 
 bool PmVertices::isSound() const
 {
-    bool sound = _flags < 2 * pmQuantised && isFinite(_box.low) && isFinite(_box.high) && !_box.isEmpty();
+    bool sound =
+        _flags < 2 * pmQuantised && isFiniteVector(_box.low) && isFiniteVector(_box.high) && !_box.isEmpty();
     for (std::size_t set = 0; set < Mesh::kTexCoordSets; ++set)
-        sound = sound && isFinite(_texCoordLow[set]) && isFinite(_texCoordHigh[set]);
+        sound = sound && isFiniteVector(_texCoordLow[set]) && isFiniteVector(_texCoordHigh[set]);
     return sound;
 }
 

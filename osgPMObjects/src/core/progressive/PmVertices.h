@@ -11,12 +11,12 @@
 namespace osgPMObjects::core
 {
 
-/// How vertices are kept: which arrays there are (PmFlag), and the ranges that quantised ones lie in.
+/// The form in which a file keeps vertices: which arrays there are (PmFlag), and the ranges of quantised values.
 class PmVertices
 {
 public:
     explicit PmVertices(const Mesh& mesh, bool isQuantised);
-    explicit PmVertices(PmByteReader& head); ///< as writeTo() wrote it
+    explicit PmVertices(PmByteReader& head); ///< reads what writeTo() has written
 
     void writeTo(PmByteWriter& head) const;
     bool isSound() const;
@@ -24,9 +24,9 @@ public:
     void writePosition(PmByteWriter& out, const glm::dvec3& position) const;
     glm::dvec3 readPosition(PmByteReader& in) const;
 
-    /// All but the position of a wedge.
+    /// Writes a wedge without its position.
     void writeWedge(PmByteWriter& out, const Mesh& mesh, std::uint32_t wedge) const;
-    /// Appends to the arrays that there are.
+    /// Appends a wedge to the arrays of the mesh that the file has.
     void readWedge(PmByteReader& in, Mesh& mesh) const;
 
     std::size_t positionBytes() const { return isQuantised() ? 6 : 24; }

@@ -79,7 +79,7 @@ PmByteWriter layoutOf(const ProgressiveMesh& p)
     return out;
 }
 
-/// Writes the sections that hold vertices, which follow each other.
+/// Writes the sections that hold vertices, one after the other.
 class VertexSections
 {
 public:
@@ -103,7 +103,7 @@ public:
         return out;
     }
 
-    /// The steps from `first` to where the last section began.
+    /// Writes the steps from `first` to where the last section began.
     PmByteWriter steps(std::uint32_t first)
     {
         PmByteWriter out;
@@ -131,7 +131,7 @@ private:
             out.put(value);
     }
 
-    /// Those of a level that have not been written yet, positions with their wedges.
+    /// Writes the vertices of a level that are not written yet: each position with its wedges.
     void appendVertices(PmByteWriter& out, std::uint32_t steps)
     {
         const Mesh& mesh = _progressive.mesh;
@@ -162,7 +162,7 @@ private:
 
 std::string pmBytes(const ProgressiveMesh& progressive, const PmSettings& settings)
 {
-    assert(isValid(progressive));
+    assert(isValid(progressive) && checkSettings(settings));
     const PmVertices vertices(progressive.mesh, settings.quantised);
     PmByteWriter file;
     file.append(kPmMagic);
@@ -192,6 +192,7 @@ std::string pmBytes(const ProgressiveMesh& progressive, const PmSettings& settin
 foundation::Outcome writePm(const std::filesystem::path& file, const ProgressiveMesh& progressive,
                             const PmSettings& settings)
 {
+    if (foundation::Outcome checked = checkSettings(settings); !checked) return checked;
     return foundation::writeWholeFile(file, pmBytes(progressive, settings));
 }
 

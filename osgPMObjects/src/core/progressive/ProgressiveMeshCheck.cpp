@@ -16,7 +16,7 @@ namespace
 
 bool risesToItsEnd(const std::vector<std::uint32_t>& wedgePositions, std::size_t positions)
 {
-    // Every position has wedges, and they lie together.
+    // Every position has wedges, and its wedges are consecutive.
     std::uint32_t expected = 0;
     for (const std::uint32_t position : wedgePositions)
     {
@@ -136,7 +136,7 @@ bool isValid(const ProgressiveMesh& progressive)
         needs->rearrangements > progressive.mostRearrangements ||
         needs->slotsMoved > progressive.mostSlotsMoved)
         return false;
-    // The way down undoes the way up, as the records are sound; that it leads back says that they belong to each other.
+    // Each record can be undone; if playing all of them forth and back restores the base, they fit together.
     ProgressiveLevel level(progressive);
     const auto drawn = [&]
     {

@@ -9,14 +9,14 @@
 namespace osgPMObjects::core
 {
 
-/// What players of a mesh have to hold at once.
+/// The sizes of the buffers that a player of a mesh needs.
 struct PlayerNeeds
 {
     std::uint32_t slotsOfStep = 0, rearrangements = 0, slotsMoved = 0;
 };
 
-/// Looks at everything but whether steps make sense: players of such a mesh stay inside all arrays, whatever the bytes. Empty: they
-/// would not.
+/// Checks that players of a mesh stay inside all arrays, whatever its bytes; it does not check that steps make sense.
+/// Returns nothing if they would not.
 std::optional<PlayerNeeds> needsOf(const ProgressiveMesh& progressive);
 
 } // namespace osgPMObjects::core

@@ -14,7 +14,7 @@
 namespace osgPMObjects::core
 {
 
-/// Plays rearrangements, as appendRecord() wrote them, forth and back, and returns how many faces changed their slots.
+/// Plays the rearrangements that appendRecord() wrote, forth and back; returns how many faces changed their slots.
 template<class Index>
 class RearrangementReader
 {
@@ -22,7 +22,7 @@ public:
     using Slots = SlotWriter<Index>;
     using Slot = typename Slots::Slot;
 
-    /// `extents`: of the blocks, which change with rearrangements.
+    /// `extents`: by block; rearrangements change them.
     RearrangementReader(const ProgressiveMesh& progressive, std::vector<std::uint32_t>& extents)
         : _progressive(progressive),
           _widths(progressive),
@@ -103,7 +103,7 @@ private:
     std::uint32_t firstSlot(std::uint32_t block) const { return _progressive.blocks[block].firstSlot; }
     std::uint32_t endSlot(std::uint32_t block) const { return _progressive.endSlot(block); }
 
-    /// What the blocks of the window show, one after the other.
+    /// Copies the drawn slots of the window's blocks into one list.
     void gather(Slots slots, std::vector<Slot>& faces) const
     {
         std::size_t next = 0;
@@ -115,7 +115,7 @@ private:
         }
     }
 
-    /// Makes what is behind the extent of a block unused, where its extent was larger before.
+    /// Marks the slots behind a block's extent as unused, up to its extent before.
     void trim(std::uint32_t block, std::uint32_t extentBefore, Slots slots)
     {
         for (std::uint32_t i = _extents[block]; i < extentBefore; ++i)

@@ -13,7 +13,7 @@
 namespace osgPMObjects::core
 {
 
-/// Goes over the records from the coarsest level to the finest, as vsplits do.
+/// Checks all records in the order of vertex splits, from the coarsest level to the finest.
 class RecordCheck
 {
 public:
@@ -26,7 +26,7 @@ public:
             _extents.push_back(block.extent);
     }
 
-    /// Empty: some record is not sound.
+    /// Returns the sizes of the buffers that players need; nothing if a record is not valid.
     std::optional<PlayerNeeds> needs()
     {
         const std::byte* const begin = _progressive.records.data();
@@ -118,7 +118,7 @@ private:
         return slot - (after - 1)->firstSlot < _extents[after - 1 - _progressive.blocks.begin()];
     }
 
-    /// Those of a record follow each other; the last is undone first.
+    /// Checks the rearrangements of a record; they are undone from the last to the first.
     bool areRearrangements(CheckedReader& in)
     {
         const std::uint32_t count = in.number();
@@ -185,7 +185,7 @@ private:
             const std::uint32_t block = rewrite.blocks[b];
             if (block >= _extents.size() || (b > 0 && block <= rewrite.blocks[b - 1])) return false;
             const std::uint32_t capacity = _progressive.endSlot(block) - _progressive.blocks[block].firstSlot;
-            // They were filled one after the other.
+            // Blocks were filled one after the other.
             if (_extents[block] != std::min<std::size_t>(capacity, rewrite.slots.size() - live)) return false;
             live += _extents[block];
             if (rewrite.extents[b] > capacity) return false;

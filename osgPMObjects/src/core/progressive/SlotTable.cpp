@@ -31,11 +31,12 @@ std::uint32_t SlotTable::blockOf(std::uint32_t slot) const
     return static_cast<std::uint32_t>(after - _blocks.begin()) - 1;
 }
 
-void SlotTable::bury(std::uint32_t face)
+void SlotTable::removeFace(std::uint32_t face)
 {
     const std::uint32_t block = blockOf(_slotOf[face]);
     --_blocks[block].live;
-    if (std::find(_buriedIn.begin(), _buriedIn.end(), block) == _buriedIn.end()) _buriedIn.push_back(block);
+    if (std::find(_blocksWithRemovals.begin(), _blocksWithRemovals.end(), block) == _blocksWithRemovals.end())
+        _blocksWithRemovals.push_back(block);
     _faceAt[_slotOf[face]] = kNone;
     _slotOf[face] = kNone;
 }
@@ -119,7 +120,7 @@ void SlotTable::appendFaces(std::uint32_t block, std::vector<std::uint32_t>& fac
 
 std::vector<Rearrangement> SlotTable::takeRearrangements()
 {
-    _buriedIn.clear();
+    _blocksWithRemovals.clear();
     std::vector<Rearrangement> taken;
     taken.swap(_rearrangements);
     return taken;

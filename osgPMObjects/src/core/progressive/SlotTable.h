@@ -8,29 +8,30 @@
 namespace osgPMObjects::core
 {
 
-/// Faces in the slots of an index buffer. Slots belong to blocks; a block is drawn from its first slot to its *extent*, and what is
-/// behind that is unused. A face that vanishes leaves a hole where it was; a rearrangement closes holes.
+/// A block of consecutive slots of an index buffer. It is drawn from its first slot to its *extent*; the slots behind are
+/// unused. A face that vanishes leaves a hole; a rearrangement closes holes.
 struct SlotBlock
 {
-    std::uint32_t group = 0; ///< whose faces it has: those of one material
-    std::uint32_t first = 0; ///< slot
+    std::uint32_t group = 0; ///< of faces with one material
+    std::uint32_t first = 0; ///< first slot
     std::uint32_t capacity = 0;
-    std::uint32_t extent = 0; ///< slots that are drawn, holes among them
+    std::uint32_t extent = 0; ///< slots that are drawn, holes included
     std::uint32_t live = 0;
 };
 
-/// How faces move. A *chain* is the paper's tswap: what is in slots[i + 1] goes to slots[i], the first of which is a hole; the last is
-/// unused afterwards, and the extent of its block one less. Otherwise blocks are filled anew, one after the other, by what is in
-/// `slots`; whatever else they had was a hole.
+/// A change of the slots of faces. A *chain* (the tswap of Graphicon 2003) moves the face in slots[i + 1] to slots[i]; the
+/// first slot is a hole before, the last one is unused afterwards, and the extent of its block shrinks by one. A *rewrite*
+/// fills blocks, one after the other, with the faces of `slots`; their other slots were holes.
 struct Rearrangement
 {
     bool isChain = false;
-    std::vector<std::uint32_t> blocks;  ///< of a chain: that of its last slot
-    std::vector<std::uint32_t> extents; ///< of the blocks, before
+    std::vector<std::uint32_t> blocks;  ///< of a chain: the block of its last slot
+    std::vector<std::uint32_t> extents; ///< of the blocks, before the change
     std::vector<std::uint32_t> slots;
 };
 
-/// Memory: 8 B a face. Cost: of a rearrangement, the slots that it names.
+/// The faces in the slots of an index buffer, while a progressive mesh is built.
+/// Memory: 8 B a face. Cost of a rearrangement: the slots that it names.
 class SlotTable
 {
 public:
@@ -39,32 +40,35 @@ public:
     /// Appends blocks of at most `blockFaces` faces for a group.
     void append(std::uint32_t group, std::span<const std::uint32_t> faces, std::uint32_t blockFaces);
 
-    void bury(std::uint32_t face);
+    void removeFace(std::uint32_t face);
     void chain(std::vector<std::uint32_t> slots);
-    /// Chains that put the last face of a block into each of its holes, one after the other. Returns the slots filled.
+    /// Fills each hole of a block with its last face, by one chain each. Returns the slots filled.
     std::vector<std::uint32_t> fillHoles(std::uint32_t block);
-    /// Fills blocks with all of their faces that are left, which are given in their new order.
+    /// Refills blocks with all their remaining faces, given in the new order.
     void rewrite(std::vector<std::uint32_t> blocks, std::span<const std::uint32_t> faces);
 
     const std::vector<SlotBlock>& blocks() const { return _blocks; }
     std::uint32_t blockOf(std::uint32_t slot) const;
     std::uint32_t faceAt(std::uint32_t slot) const { return _faceAt[slot]; } ///< kNone: a hole, or unused
-    std::uint32_t slotOf(std::uint32_t face) const { return _slotOf[face]; } ///< of a live one
+    std::uint32_t slotOf(std::uint32_t face) const
+    {
+        return _slotOf[face];
+    } ///< of a face that has not vanished
     std::uint32_t slotCount() const { return static_cast<std::uint32_t>(_faceAt.size()); }
 
-    /// The next block of the same group, before (-1) or after (+1), that has faces left; kNone: there is none.
+    /// Returns the next block of the same group with faces, before (-1) or after (+1) a block; kNone if there is none.
     std::uint32_t liveNeighbour(std::uint32_t block, int direction) const;
 
-    /// Blocks that faces were buried in since takeRearrangements(), each once.
-    const std::vector<std::uint32_t>& buriedIn() const { return _buriedIn; }
+    /// Returns the blocks that lost faces since takeRearrangements(), each once.
+    const std::vector<std::uint32_t>& blocksWithRemovals() const { return _blocksWithRemovals; }
 
-    /// The faces of a block that are left, in order, at the end of a list.
+    /// Appends the remaining faces of a block, in order.
     void appendFaces(std::uint32_t block, std::vector<std::uint32_t>& faces) const;
 
-    /// How many faces rearrangements have put into another slot so far.
+    /// Returns how many faces rearrangements have moved so far.
     std::uint64_t moves() const { return _moves; }
 
-    /// The rearrangements since the last call: those of one step.
+    /// Returns the rearrangements since the last call (those of one step), and forgets them.
     std::vector<Rearrangement> takeRearrangements();
 
 private:
@@ -74,7 +78,7 @@ private:
     std::vector<std::uint32_t> _faceAt; ///< by slot
     std::vector<std::uint32_t> _slotOf; ///< by face
     std::vector<Rearrangement> _rearrangements;
-    std::vector<std::uint32_t> _buriedIn;
+    std::vector<std::uint32_t> _blocksWithRemovals;
     std::uint64_t _moves = 0;
 };
 

@@ -14,7 +14,7 @@ namespace osgPMObjects::core
 namespace
 {
 
-constexpr std::uint32_t kNone = ~0u;
+constexpr std::uint32_t kUnnumbered = ~0u;
 
 std::vector<Face> properFaces(const Mesh& mesh)
 {
@@ -26,7 +26,7 @@ std::vector<Face> properFaces(const Mesh& mesh)
     return faces;
 }
 
-/// What faces use now, or will use when others have become it.
+/// The wedges and positions that faces use now, or after a step.
 struct InUse
 {
     std::vector<bool> positions, wedges;
@@ -49,7 +49,7 @@ private:
     }
 };
 
-/// Steps whose position is in use, in order; the others take nothing that is drawn.
+/// Returns the steps whose position is in use, in order; other steps remove nothing that is drawn.
 std::vector<std::size_t> stepsThatTake(const CollapseSequence& sequence, const InUse& inUse)
 {
     std::vector<std::size_t> steps;
@@ -58,7 +58,7 @@ std::vector<std::size_t> stepsThatTake(const CollapseSequence& sequence, const I
     return steps;
 }
 
-/// The positions in use: first those that stay to the end, then those that go, the first to go last.
+/// Returns the positions in use in split order: first those that no step removes, then the others, the first removed last.
 std::vector<std::uint32_t> positionsInOrder(const CollapseSequence& sequence,
                                             const std::vector<std::size_t>& steps, const InUse& inUse)
 {
@@ -75,7 +75,7 @@ std::vector<std::uint32_t> positionsInOrder(const CollapseSequence& sequence,
 
 std::vector<std::uint32_t> numbersIn(const std::vector<std::uint32_t>& order, std::size_t count)
 {
-    std::vector<std::uint32_t> numbers(count, kNone);
+    std::vector<std::uint32_t> numbers(count, kUnnumbered);
     for (std::uint32_t i = 0; i < order.size(); ++i)
         numbers[order[i]] = i;
     return numbers;
@@ -129,7 +129,7 @@ SplitOrder inSplitOrder(const Mesh& mesh, const CollapseSequence& sequence)
     {
         split.errors.push_back(sequence.steps[s].error);
         for (const WedgeCollapse& collapse : sequence.wedgesOf(s))
-            if (wedgeNumbers[collapse.from] != kNone)
+            if (wedgeNumbers[collapse.from] != kUnnumbered)
                 split.parents[wedgeNumbers[collapse.from]] = wedgeNumbers[collapse.to];
     }
     return split;

@@ -10,19 +10,19 @@
 namespace osgPMObjects::core
 {
 
-/// A mesh whose positions and wedges stand in the order in which vsplits bring them back: step k of the sequence takes
-/// the last position of those that are left, and its wedges, which are the last of the wedges. What a wedge becomes is a number
-/// below its own: `parents`.
-/// Wedges and positions that no face uses are left out, faces that use a position twice too.
-/// Source: spec 4, "the vertex buffer holds all vertices in split order".
+/// A mesh in split order: positions and wedges stand in the order in which vertex splits bring them back. Each step removes
+/// the last position left and its wedges, which are the last wedges; `parents` gives the lower wedge that replaces each.
+/// Positions and wedges that no face uses, and faces that use a position twice, are left out.
+/// Source: *Cache-friendly view-independent progressive meshes* (Graphicon 2003), section 4; Forsyth, "Comparison of VIPM
+/// methods" (2001).
 struct SplitOrder
 {
     Mesh mesh;
-    std::vector<std::uint32_t> parents; ///< by wedge; of one that no step takes, itself
+    std::vector<std::uint32_t> parents; ///< by wedge; itself if no step removes it
     std::vector<LevelError> errors;     ///< by step
 };
 
-/// Placement has to be *subset*: places and wedges stay what they are.
+/// Reorders a mesh. The sequence must have *subset* placement: positions and wedges do not change.
 SplitOrder inSplitOrder(const Mesh& mesh, const CollapseSequence& sequence);
 
 } // namespace osgPMObjects::core

@@ -11,7 +11,7 @@ namespace
 
 using Bytes = std::vector<std::byte>;
 
-/// Slots in the order in which a chain goes through them: the first in full, then differences.
+/// Writes the slots of a chain: the first in full, then differences.
 class ChainWriter
 {
 public:
@@ -34,7 +34,7 @@ private:
     std::int64_t _last = 0;
 };
 
-/// kPlain, if the patched faces do not tell.
+/// Returns the byte of VanishedFace, or kPlain if no patched face has the third wedge.
 std::uint32_t codeOf(const Triangle& vanished, const StepRecord& step, std::span<const Triangle> patched,
                      std::uint32_t wedges, const std::vector<std::uint32_t>& parents)
 {
@@ -81,7 +81,7 @@ void appendRewrite(Bytes& bytes, const Rearrangement& rewrite, std::span<const S
     std::int64_t expected = 0;
     for (const std::uint32_t slot : rewrite.slots)
     {
-        std::int64_t inWindow = 0; // counted over the extents
+        std::int64_t inWindow = 0; // slots of the blocks before, up to their extents
         for (std::size_t b = 0; b < rewrite.blocks.size(); ++b)
         {
             const std::uint32_t first = blocks[rewrite.blocks[b]].first;
@@ -112,7 +112,7 @@ void appendHead(Bytes& bytes, const StepRecord& step)
         appendNumber(bytes, count);
 }
 
-/// Lists of rising slots, those of one after those of another.
+/// Appends the lists of slots, each ascending: patched faces by removed wedge, then vanished faces.
 void appendLists(Bytes& bytes, const StepRecord& step, int slotWidth)
 {
     std::int64_t firstOfList = -1;

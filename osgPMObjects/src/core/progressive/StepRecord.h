@@ -15,41 +15,43 @@
 namespace osgPMObjects::core
 {
 
-/// One step, as it stands in ProgressiveMesh::records, from the finer level to the coarser:
+/// One step from a level to the next coarser one. Its bytes in ProgressiveMesh::records:
 ///
-///     head        byte: vanished faces (2 bits, 3: a number follows), patched faces (4 bits, 15: a number follows), whether several
-///                 wedges go, whether faces move
-///     [numbers]   of vanished faces; of patched faces; of wedges that go, with those patched of each
-///     slots       of the patched faces, by wedge that goes, the last wedge first, then of the vanished ones; each list rises. The very first
-///                 in as many bytes as slots need, the first of another list as the difference from that of the list before, all others as
-///                 differences
-///     vanished    for each a byte: how to find its corners again among those of the patched faces (VanishedFace), or 255
+///     head        1 byte: vanished faces (2 bits; 3: a number follows), patched faces (4 bits; 15: a number follows), 1 bit for
+///                 several removed wedges, 1 bit for moves
+///     [numbers]   vanished faces; patched faces; removed wedges and the patched faces of each
+///     slots       of the patched faces, by removed wedge from the last on, then of the vanished faces; each list ascends. The
+///                 first slot of all has slotBytes; the first of a later list is a difference to that of the list before;
+///                 all others are differences to their predecessors
+///     vanished    by face: 1 byte that tells how to restore its corners from those of the patched faces (VanishedFace); or 255
 ///                 and its three wedges
-///     [moves]     how many rearrangements, and these
-///     length      of all this in one byte; or four, and a byte 0
+///     [moves]     the number of rearrangements, then each of them
+///     length      of the bytes above: 1 byte, or 4 bytes and a byte 0
 ///
-/// The wedges that go are the last ones; what each becomes says ProgressiveMesh::parents.
+/// The removed wedges are the last ones; ProgressiveMesh::parents tells what replaces them.
 struct StepRecord
 {
-    std::vector<std::uint32_t> patchedOfWedge; ///< by wedge that goes, the last first
-    std::vector<std::uint32_t> patched;        ///< slots
-    std::vector<std::uint32_t> vanished;       ///< slots
+    std::vector<std::uint32_t>
+        patchedOfWedge;                  ///< number of patched faces by removed wedge, the last wedge first
+    std::vector<std::uint32_t> patched;  ///< slots
+    std::vector<std::uint32_t> vanished; ///< slots
     std::vector<Triangle> vanishedTriangles;
     std::vector<Rearrangement> rearrangements;
 };
 
-/// A vanished face has the wedge that goes, the one that it becomes, and a third, which as a rule is a corner of a patched face, too.
+/// The corners of a vanished face, in one byte: the removed wedge, its parent, and a third wedge that most often is also a
+/// corner of a patched face.
 struct VanishedFace
 {
     static constexpr std::uint32_t kPlain = 255;
     static constexpr std::uint32_t kCodesOfPatched = 18, kPatched = kPlain / kCodesOfPatched;
 
-    std::uint8_t patched; ///< which patched face has the third wedge
-    std::uint8_t corner;  ///< and where
-    std::uint8_t from;    ///< corner of the wedge that goes
-    std::uint8_t third;   ///< corner of the third wedge
+    std::uint8_t patched; ///< number of the patched face that has the third wedge
+    std::uint8_t corner;  ///< corner of the patched face with the third wedge
+    std::uint8_t from;    ///< corner of the vanished face with the removed wedge
+    std::uint8_t third;   ///< corner of the vanished face with the third wedge
 
-    /// Three corners of the patched face, and six ways in which the three corners lie.
+    /// Returns the byte: three corners of the patched face times six orders of the vanished face's corners.
     static constexpr std::uint32_t code(const VanishedFace& face)
     {
         return face.patched * kCodesOfPatched + face.corner * 6u + face.from * 2u +
@@ -65,10 +67,10 @@ struct VanishedFace
     }
 };
 
-/// Bytes behind the last record, so that numbers can be read four bytes at a time.
+/// The bytes behind the last record, so that numbers can be read four bytes at a time.
 constexpr std::size_t kRecordPadding = 4;
 
-/// How wide numbers are in the records of a mesh.
+/// The widths of numbers in the records of a mesh.
 struct RecordWidths
 {
     FixedWidth slot, wedge;
@@ -79,13 +81,13 @@ struct RecordWidths
     }
 };
 
-/// The end of a record whose length begins here.
+/// Returns the end of a record whose length field is at `length`.
 inline const std::byte* skipLength(const std::byte* length, std::size_t bytes)
 {
     return length + (bytes <= 0xff ? 1 : 5);
 }
 
-/// Where the record begins that ends here.
+/// Returns the beginning of the record that ends at `end`.
 inline const std::byte* beginOfRecordBefore(const std::byte* end)
 {
     const auto length = static_cast<std::uint32_t>(end[-1]);
@@ -94,14 +96,14 @@ inline const std::byte* beginOfRecordBefore(const std::byte* end)
     return end - 5 - ByteReader(end - 5).fixed(FixedWidth(4));
 }
 
-/// Reads the lists of slots.
+/// Reads the lists of slots of a record.
 template<class Reader>
 class SlotLists
 {
 public:
     SlotLists(Reader& in, const FixedWidth& slotWidth) : _in(in), _slotWidth(slotWidth) {}
 
-    /// Calls visit(slot) for the next list, of `count` slots.
+    /// Calls visit(slot) for each slot of the next list, which has `count` slots.
     template<class Visit>
     void visit(std::uint32_t count, const Visit& visit)
     {
@@ -121,7 +123,7 @@ private:
     std::uint32_t _firstOfList = 0;
 };
 
-/// Appends a step. `patchedTriangles`: of the patched faces, after it. `wedges`: how many there are before it.
+/// Appends the record of a step. `patchedTriangles`: patched faces after the step; `wedges`: number of wedges before it.
 void appendRecord(ProgressiveMesh& progressive, const StepRecord& step,
                   std::span<const Triangle> patchedTriangles, std::uint32_t wedges,
                   std::span<const SlotBlock> blocks);

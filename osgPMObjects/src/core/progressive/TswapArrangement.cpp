@@ -10,6 +10,7 @@ namespace osgPMObjects::core
 namespace
 {
 
+/// Implements Arrangement::tswap. Source: see tswapArrangement().
 class TswapArrangement : public FaceArrangement
 {
 public:
@@ -33,7 +34,7 @@ public:
     void afterStep(const LevelWalk& walk, SlotTable& slots) override
     {
         _isTouched.resize(slots.slotCount(), false);
-        for (const std::uint32_t block : slots.buriedIn())
+        for (const std::uint32_t block : slots.blocksWithRemovals())
         {
             for (const std::uint32_t slot : slots.fillHoles(block))
                 _isTouched[slot] = true;
@@ -68,8 +69,8 @@ private:
     float _stepShare;
     GreedyWeights _weights;
     std::unique_ptr<LocalNumbers> _numbers;
-    std::vector<std::uint32_t> _orderedAt; ///< by block: faces that it had when it was last ordered
-    std::vector<bool> _isTouched;          ///< by slot: written since then
+    std::vector<std::uint32_t> _orderedAt; ///< by block: number of faces when it was last ordered
+    std::vector<bool> _isTouched;          ///< by slot: whether it was written since then
 };
 
 } // namespace

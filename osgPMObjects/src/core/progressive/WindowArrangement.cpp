@@ -17,6 +17,7 @@ namespace
 
 using Faces = std::vector<std::uint32_t>;
 
+/// Implements Arrangement::windows. Source: the authors.
 class WindowArrangement : public FaceArrangement
 {
 public:
@@ -40,7 +41,7 @@ public:
 
     void afterStep(const LevelWalk& walk, SlotTable& slots) override
     {
-        const Faces touched = slots.buriedIn();
+        const Faces touched = slots.blocksWithRemovals();
         for (const std::uint32_t block : touched)
             if (Faces window = windowAround(block, slots); !window.empty())
             {
@@ -52,7 +53,8 @@ public:
     }
 
 private:
-    /// Blocks in a row, one of them `block`, whose faces have room in one less; of fewer than usual only where the group has no more.
+    /// Returns neighbouring blocks around `block` whose faces fit into one block less; fewer than _windowBlocks only if the
+    /// group has no more. Empty: they do not fit.
     Faces windowAround(std::uint32_t block, const SlotTable& slots) const
     {
         if (slots.blocks()[block].live == 0) return slots.blocks()[block].extent > 0 ? Faces{block} : Faces{};
@@ -78,9 +80,9 @@ private:
         return {};
     }
 
-    /// And more room than that one block: the longer windows wait, the fewer moves, the shorter the records, and the more holes. With this
-    /// much, records are as short as they may be while the order is hardly worse. A block that is alone waits until as large a share of it
-    /// is gone.
+    /// Tells whether a window's faces fit into one block less, with a margin. A window that waits longer needs fewer
+    /// moves and shorter records, but has more holes. With this margin records are shortest and the order is hardly
+    /// worse. A single block waits until the same share of it has vanished.
     bool hasRoomInLess(const SlotTable& slots, std::span<const std::uint32_t> window) const
     {
         std::uint32_t live = 0, extents = 0, room = 0, least = ~0u;
@@ -97,7 +99,7 @@ private:
         return live + goes + goes * kMoreRoomPercent / 100 <= (window.size() > 1 ? room : extents);
     }
 
-    /// Of some orders the one that costs least while the faces live together: until a share of them is gone.
+    /// Returns the order, out of several, that costs least until a share of the faces has vanished.
     Faces bestOrder(const LevelWalk& walk, const Faces& faces)
     {
         if (faces.size() < 2) return faces;
@@ -116,7 +118,7 @@ private:
         return best;
     }
 
-    /// Transformed wedges, summed over some levels from now to when the faces will be ordered anew.
+    /// Returns the transformed wedges, summed over some levels from now to the next ordering of the faces.
     std::uint64_t costOf(const LevelWalk& walk, const Faces& faces)
     {
         Faces ends;

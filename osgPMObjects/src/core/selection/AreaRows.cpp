@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <cmath>
 #include <functional>
 
 #include <osgPMObjects/core/selection/AreaRows.h>
@@ -13,7 +14,7 @@ AreaRows AreaRows::halving(const LevelTable& table, double pixelsPerTriangle, st
     rows.steps.push_back(0);
     for (std::uint32_t faces = table.faces.front();;)
     {
-        // The row of `faces` gives way where each of those that are seen covers too little.
+        // A row of `faces` ends where each visible face covers too little.
         const double least = 0.5 * faces * pixelsPerTriangle;
         faces /= 2;
         if (faces < std::max(1u, leastFaces)) break;
@@ -32,6 +33,7 @@ bool isAreaRows(const AreaRows& rows)
 {
     const auto& least = rows.leastPx;
     return rows.steps.size() == least.size() + 1 && (least.empty() || least.back() > 0.0) &&
+           std::all_of(least.begin(), least.end(), [](double area) { return std::isfinite(area); }) &&
            std::adjacent_find(least.begin(), least.end(), std::less_equal<>()) == least.end() &&
            std::is_sorted(rows.steps.begin(), rows.steps.end());
 }

@@ -13,8 +13,8 @@ namespace osgPMObjects::core
 namespace
 {
 
-/// What a picture's coordinates are before the division by depth.
-glm::dvec3 onPicture(const SelectionView& view, const glm::dvec3& fromEye)
+/// Projects a point to homogeneous pixel coordinates.
+glm::dvec3 homogeneousPx(const SelectionView& view, const glm::dvec3& fromEye)
 {
     return {glm::dot(view.acrossPx, fromEye), glm::dot(view.upPx, fromEye), glm::dot(view.forward, fromEye)};
 }
@@ -36,12 +36,12 @@ std::uint32_t regionOf(const OrientedBox& box, const glm::dvec3& eyeWorld)
 
 double boxAreaPx(const SelectionView& view, const OrientedBox& box)
 {
-    const glm::dvec3 centre = onPicture(view, box.centre - view.eyeWorld);
+    const glm::dvec3 centre = homogeneousPx(view, box.centre - view.eyeWorld);
     std::array<glm::dvec3, 3> half;
-    double reach = 0.0; // how much nearer than the centre the nearest corner is
+    double reach = 0.0; // depth of the centre minus depth of the nearest corner
     for (int axis = 0; axis < 3; ++axis)
     {
-        half[axis] = onPicture(view, box.axes[axis] * box.halfSizes[axis]);
+        half[axis] = homogeneousPx(view, box.axes[axis] * box.halfSizes[axis]);
         reach += std::abs(half[axis].z);
     }
     if (centre.z - reach < view.nearM) return kFullArea;
@@ -56,7 +56,7 @@ double boxAreaPx(const SelectionView& view, const OrientedBox& box)
             corner += outline.corners[i] >> axis & 1 ? half[axis] : -half[axis];
         at[i] = glm::dvec2(corner) / corner.z;
     }
-    // From the first corner, so that large coordinates do not cost digits.
+    // Relative to the first corner, so that large coordinates do not cost precision.
     double twice = 0.0;
     for (std::uint32_t i = 1; i + 1 < outline.count; ++i)
     {

@@ -14,7 +14,7 @@ double referenceDistanceM(double pixelsPerTangent, double area, std::uint32_t fa
 Removal removalAt(double referenceM, double distanceM, std::uint32_t positions, std::uint32_t mostSteps)
 {
     if (!(distanceM > referenceM) || positions < 3) return {};
-    // Divided last, so that halves of a position are halves; T is below 2³², as positions are.
+    // The division comes last, so that half a position is exactly half; T is below 2³², as positions are.
     const double squares = (distanceM - referenceM) * (distanceM + referenceM);
     const double wanted = (positions - 2.0) * squares / (distanceM * distanceM);
     const auto removed = static_cast<std::uint32_t>(std::floor(wanted + 0.5));

@@ -15,7 +15,7 @@ double ellipsoidAreaPx(const SelectionView& view, const Ellipsoid& ellipsoid)
     const glm::dmat3& a = ellipsoid.halfAxes;
     const glm::dvec3 centre = ellipsoid.centre - view.eyeWorld;
     const double depth = glm::dot(view.forward, centre);
-    const glm::dvec3 along = view.forward * a; // the half axes' depths
+    const glm::dvec3 along = view.forward * a; // depths of the half axes
     const double reach2 = glm::dot(along, along);
     if (depth - std::sqrt(reach2) < view.nearM) return kFullArea;
 

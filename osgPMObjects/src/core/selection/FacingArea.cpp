@@ -12,7 +12,7 @@ namespace osgPMObjects::core
 namespace
 {
 
-/// The steps to the neighbours of a cube among cubes, to unit length.
+/// Returns the unit directions from the centre of a cube to its faces, edges and corners.
 std::array<glm::dvec3, FacingBins::kBins> directions()
 {
     std::array<glm::dvec3, FacingBins::kBins> all;

@@ -6,7 +6,7 @@
 
 #include <osgPMObjects/core/selection/BoxArea.h>
 #include <osgPMObjects/core/selection/ContinuousRule.h>
-#include <osgPMObjects/core/selection/DrawnRows.h>
+#include <osgPMObjects/core/selection/DrawableRows.h>
 #include <osgPMObjects/core/selection/EllipsoidArea.h>
 #include <osgPMObjects/core/selection/LevelSelector.h>
 #include <osgPMObjects/core/selection/SphereArea.h>
@@ -57,7 +57,7 @@ Selection LevelSelector::byRemoval(const SelectableObject& object, double gain, 
     const SelectionSettings& settings = *object.settings;
     const LevelTable& table = *object.table;
     const bool isGiven = settings.referenceM > 0.0;
-    // The default is that of this view's pixels, from its eye.
+    // The default reference is that of this view's pixels, so distances are taken from its eye.
     const double reference =
         isGiven ? settings.referenceM
                 : object.metresPerUnit * referenceDistanceM(_view.pixelsPerTangent, table.area,
@@ -108,8 +108,8 @@ Selection LevelSelector::select(const SelectableObject& object, HeldLevel& held)
     }
     const HeldLevel before = held;
     Selection selection = byMethod(object, gain, distance, held);
-    if (!object.drawn.empty())
-        selection.steps = object.drawn[drawnRowOf(object.drawn, selection.steps)];
+    if (!object.drawable.empty())
+        selection.steps = object.drawable[drawableRowOf(object.drawable, selection.steps)];
     else if (const std::uint32_t least = object.settings->leastFaces; least > 0)
         selection.steps = std::min(selection.steps, object.table->coarsestWith(least));
     selection.alpha = alpha;

@@ -11,7 +11,7 @@ namespace osgPMObjects::core
 namespace
 {
 
-/// Positions and area, and level 0.
+/// Returns a table with positions, area and level 0.
 LevelTable fullMeshOnly(const Mesh& mesh, std::uint32_t faces)
 {
     LevelTable table;

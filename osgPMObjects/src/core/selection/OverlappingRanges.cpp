@@ -24,7 +24,8 @@ bool isOverlappingRanges(const OverlappingRanges& ranges)
     const auto turnsBack = [](const OverlapM& a, const OverlapM& next)
     { return next.nearM <= a.nearM || next.farM <= a.farM; };
     return ranges.steps.size() == b.size() + 1 && (b.empty() || b.front().nearM > 0.0) &&
-           std::all_of(b.begin(), b.end(), [](const OverlapM& o) { return o.nearM < o.farM; }) &&
+           std::all_of(b.begin(), b.end(),
+                       [](const OverlapM& o) { return o.nearM < o.farM && std::isfinite(o.farM); }) &&
            std::adjacent_find(b.begin(), b.end(), turnsBack) == b.end() &&
            std::is_sorted(ranges.steps.begin(), ranges.steps.end());
 }

@@ -14,26 +14,26 @@ std::uint32_t SceneBudget::last(std::uint32_t object) const
     return std::min(budgeted.finest, budgeted.curve->last());
 }
 
-/// From the point before it.
+/// Returns the step from the point before it.
 SceneBudget::Step SceneBudget::stepTo(std::uint32_t object, std::uint32_t point) const
 {
     const BenefitPoint* p = &_objects[object].curve->points[point];
     return {(p[0].gain - p[-1].gain) * _objects[object].weight, p[0].cost - p[-1].cost};
 }
 
-Offer SceneBudget::finerOffer(std::uint32_t object) const
+LevelCandidate SceneBudget::finerCandidate(std::uint32_t object) const
 {
     const Step step = stepTo(object, _points[object] + 1);
     return {step.benefit / static_cast<double>(step.cost), object, _points[object]};
 }
 
-Offer SceneBudget::coarserOffer(std::uint32_t object) const
+LevelCandidate SceneBudget::coarserCandidate(std::uint32_t object) const
 {
     const Step step = stepTo(object, _points[object]);
     return {step.benefit / static_cast<double>(step.cost), object, _points[object]};
 }
 
-/// Gathers the offers of all objects, and adds up what they cost.
+/// Collects the candidates of all objects and sums their costs.
 void SceneBudget::begin()
 {
     _result = {};
@@ -45,8 +45,8 @@ void SceneBudget::begin()
         assert(_objects[object].weight >= 0.0);
         _points[object] = std::min(_points[object], last(object));
         _result.cost += _objects[object].curve->points[_points[object]].cost;
-        if (_points[object] < last(object)) _finer.push(finerOffer(object));
-        if (_points[object] > 0) _coarser.push(coarserOffer(object));
+        if (_points[object] < last(object)) _finer.push(finerCandidate(object));
+        if (_points[object] > 0) _coarser.push(coarserCandidate(object));
     }
 }
 
@@ -54,45 +54,45 @@ void SceneBudget::refine(std::uint32_t object)
 {
     _result.cost += stepTo(object, ++_points[object]).cost;
     ++_result.refined;
-    _coarser.push(coarserOffer(object));
-    if (_points[object] < last(object)) _finer.push(finerOffer(object));
+    _coarser.push(coarserCandidate(object));
+    if (_points[object] < last(object)) _finer.push(finerCandidate(object));
 }
 
 void SceneBudget::coarsen(std::uint32_t object)
 {
     _result.cost -= stepTo(object, _points[object]--).cost;
     ++_result.coarsened;
-    _finer.push(finerOffer(object));
-    if (_points[object] > 0) _coarser.push(coarserOffer(object));
+    _finer.push(finerCandidate(object));
+    if (_points[object] > 0) _coarser.push(coarserCandidate(object));
 }
 
 void SceneBudget::coarsenToFit()
 {
     while (_result.cost > _budget)
     {
-        const Offer* least = _coarser.top(_points);
+        const LevelCandidate* least = _coarser.top(_points);
         if (!least) break;
         coarsen(least->object);
     }
     _result.fits = _result.cost <= _budget;
 }
 
-/// Takes steps back that are worth less than the wanted one by more than the band, until that fits; none, if all of
-/// them are not enough. Then `_reach` is what they and the rest of the budget come to: later offers are worth less still, so
-/// none of them finds more.
-bool SceneBudget::makeRoom(const Offer& wanted, double band)
+/// Undoes steps that are worth less than the wanted step by more than the band, until the wanted step fits; none if all of
+/// them together are not enough. In that case `_reach` becomes the budget that they would free: later candidates are worth
+/// less, so they can free no more.
+bool SceneBudget::makeRoom(const LevelCandidate& wanted, double band)
 {
     const std::uint64_t needed = stepTo(wanted.object, wanted.point + 1).cost;
     std::uint64_t room = _budget - _result.cost;
     _asked.clear();
-    for (const Offer* least = nullptr;
+    for (const LevelCandidate* least = nullptr;
          room < needed && (least = _coarser.top(_points)) && least->rate * band < wanted.rate;)
     {
         _asked.push_back(*least);
         room += stepTo(least->object, _points[least->object]--).cost;
         _coarser.pop();
         const std::uint32_t object = _asked.back().object;
-        if (_points[object] > 0) _coarser.push(coarserOffer(object));
+        if (_points[object] > 0) _coarser.push(coarserCandidate(object));
     }
     if (room < needed)
     {
@@ -106,18 +106,18 @@ bool SceneBudget::makeRoom(const Offer& wanted, double band)
     }
     _result.cost = _budget - room;
     _result.coarsened += static_cast<std::uint32_t>(_asked.size());
-    for (const Offer& asked : _asked)
-        if (_points[asked.object] + 1 == asked.point) _finer.push(finerOffer(asked.object));
+    for (const LevelCandidate& asked : _asked)
+        if (_points[asked.object] + 1 == asked.point) _finer.push(finerCandidate(asked.object));
     return true;
 }
 
 void SceneBudget::refineByWorth(double band)
 {
-    // Offers that cost more than can be had are dropped in one go when they have become many, not one by one.
+    // Candidates that cost too much are dropped together once they are many, not one by one.
     std::uint64_t dropped = std::numeric_limits<std::uint64_t>::max();
-    while (const Offer* top = _finer.top(_points))
+    while (const LevelCandidate* top = _finer.top(_points))
     {
-        const Offer wanted = *top;
+        const LevelCandidate wanted = *top;
         _finer.pop();
         if (_result.cost + stepTo(wanted.object, wanted.point + 1).cost <= _budget || makeRoom(wanted, band))
         {
@@ -127,7 +127,7 @@ void SceneBudget::refineByWorth(double band)
         if (_result.refusedRate == 0.0) _result.refusedRate = wanted.rate;
         if (_reach > dropped / 2) continue;
         dropped = _reach;
-        _finer.drop([&](const Offer& o)
+        _finer.drop([&](const LevelCandidate& o)
                     { return o.point != _points[o.object] || stepTo(o.object, o.point + 1).cost > dropped; });
     }
 }

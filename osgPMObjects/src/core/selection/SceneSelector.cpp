@@ -3,6 +3,7 @@
 #include <cassert>
 #include <numbers>
 
+#include <foundation/SettingsCheck.h>
 #include <glm/glm.hpp>
 
 #include <osgPMObjects/core/selection/SceneSelector.h>
@@ -13,8 +14,8 @@ namespace osgPMObjects::core
 namespace
 {
 
-/// The last point that is of use, the cheapest within a tolerance in the model's units: with the hysteresis of heldWithin(),
-/// the finer end coming last here.
+/// Returns the last useful point of a curve: the cheapest one within a tolerance (the model's units), with the hysteresis of
+/// heldWithin(). Unlike levels, points go from coarse to fine.
 std::uint32_t finestOfUse(const BenefitCurve& curve, double tolerance, double band, HeldLevel held)
 {
     const auto& points = curve.points;
@@ -38,6 +39,16 @@ double sizePx(const SelectionView& view, const BoundingSphere& sphere)
 
 } // namespace
 
+foundation::Outcome checkSettings(const SceneBudgetSettings& settings)
+{
+    return foundation::SettingsCheck("budget")
+        .within("cost.perTriangle", settings.cost.perTriangle, 0.0, CostModel::kMostEach)
+        .within("cost.perVertex", settings.cost.perVertex, 0.0, CostModel::kMostEach)
+        .within("cost.perDraw", settings.cost.perDraw, 0.0, CostModel::kMostEach)
+        .within("band", settings.band, 1.0)
+        .outcome();
+}
+
 void SceneSelector::add(const LevelSelector& selector, const SelectableObject& object, HeldLevel held,
                         std::uint32_t number)
 {
@@ -59,7 +70,7 @@ SelectionStatistics SceneSelector::select(const LevelSelector& selector,
     _budgeted.clear();
     _points.clear();
     _numbers.clear();
-    std::uint64_t spent = 0; // by those with a rule of their own
+    std::uint64_t spent = 0; // by objects with a rule of their own
     for (std::uint32_t i = 0; i < objects.size(); ++i)
     {
         const SelectableObject& object = objects[i];

@@ -2,6 +2,8 @@
 #include <array>
 #include <string>
 
+#include <foundation/SettingsCheck.h>
+
 #include <osgPMObjects/core/selection/SelectionSettings.h>
 
 namespace osgPMObjects::core
@@ -14,7 +16,7 @@ constexpr std::array<const char*, kSelectionMethods> kNames = {
     "ranges",      "overlapping-ranges", "box-area",     "sphere-area", "ellipsoid-area",
     "facing-area", "continuous",         "screen-error", "budget"};
 
-/// The rows that the method looks at; none: it looks at no rows.
+/// Returns the levels of the rows that the method reads, or null for a method without rows.
 const std::vector<std::uint32_t>* stepsOf(const SelectionSettings& settings)
 {
     switch (settings.method)
@@ -49,6 +51,11 @@ bool hasGoodRows(const SelectionSettings& settings)
     }
 }
 
+bool isAlphaRange(const AlphaRange& range)
+{
+    return range.fadeM >= 0.0 && range.fadeM <= range.goneM && range.goneM > 0.0;
+}
+
 } // namespace
 
 const char* nameOf(SelectionMethod method)
@@ -58,27 +65,27 @@ const char* nameOf(SelectionMethod method)
 
 foundation::Outcome checkSettings(const SelectionSettings& settings, std::uint32_t levels)
 {
-    const std::string place = std::string("selection by ") + nameOf(settings.method);
-    if (!hasGoodRows(settings))
-        return foundation::Error{
-            place, "the boundaries are not in order, or not one fewer than the levels",
-            "give positive boundaries from near to far (areas from large to small), near before "
-            "far in each, and levels from fine to coarse"};
+    foundation::SettingsCheck check(std::string("selection by ") + nameOf(settings.method));
+    check.require(
+        hasGoodRows(settings), "steps", "its boundaries are not in order, or not one fewer than the levels",
+        "give finite positive boundaries from near to far (areas from large to small), near before far in "
+        "each, and levels from fine to coarse");
     const auto* steps = stepsOf(settings);
-    if (steps && steps->back() >= levels)
-        return foundation::Error{place, "level " + std::to_string(steps->back()) + " is none of the model's",
-                                 "give levels below " + std::to_string(levels)};
-    if (!(settings.band >= 1.0) || !(settings.continuousBand >= 1.0))
-        return foundation::Error{place, "a band below 1",
-                                 "give 1 for none, 1.12 to be calm for 5 % either way"};
-    if (!(settings.tolerancePx > 0.0) || !(settings.trianglePx > 0.0) || !(settings.referenceM >= 0.0))
-        return foundation::Error{
-            place, "a tolerance, triangle or distance that is not positive",
-            "give pixels above 0, and a reference distance above 0 or 0 for the default"};
-    if (!(settings.alpha.fadeM <= settings.alpha.goneM) || !(settings.alpha.goneM > 0.0))
-        return foundation::Error{place, "the object is gone before it begins to fade",
-                                 "give the distance where it begins to fade first"};
-    return foundation::success();
+    if (steps && !steps->empty())
+        check.require(steps->back() < levels, "steps",
+                      "level " + std::to_string(steps->back()) + " is none of the model's",
+                      "give levels below " + std::to_string(levels));
+    check.within("referenceM", settings.referenceM, 0.0)
+        .above("trianglePx", settings.trianglePx, 0.0)
+        .above("tolerancePx", settings.tolerancePx, 0.0)
+        .within("weights.normal", settings.weights.normal, 0.0)
+        .within("weights.texCoord", settings.weights.texCoord, 0.0)
+        .within("weights.colour", settings.weights.colour, 0.0)
+        .within("band", settings.band, 1.0)
+        .within("continuousBand", settings.continuousBand, 1.0)
+        .require(isAlphaRange(settings.alpha), "alpha", "its distances are not in order",
+                 "give 0 <= fadeM <= goneM and goneM > 0");
+    return check.outcome();
 }
 
 } // namespace osgPMObjects::core

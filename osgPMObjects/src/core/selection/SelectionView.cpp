@@ -11,7 +11,7 @@ namespace osgPMObjects::core
 namespace
 {
 
-/// Pixels per metre become pixels per tangent of an eye that is far away.
+/// Converts the pixels per metre of a parallel projection to pixels per tangent of an eye that is far away.
 SelectionView fromFarAway(const viewlod::ViewState& view, const glm::dmat4& rows, double magnification,
                           double referencePixelsPerTangent)
 {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
-#include <string>
+
+#include <foundation/SettingsCheck.h>
 
 #include <osgPMObjects/core/selection/Switch.h>
 
@@ -11,7 +12,7 @@ namespace osgPMObjects::core
 namespace
 {
 
-/// Begins a switch, runs one back, or waits for its turn. Does not move one that runs.
+/// Begins a switch, reverses one, or waits for its delay; it does not advance a running switch.
 void aim(SwitchState& state, std::uint32_t target, float stepS, float stagger)
 {
     if (state.isSwitching())
@@ -22,7 +23,7 @@ void aim(SwitchState& state, std::uint32_t target, float stepS, float stagger)
         return;
     }
     if (target == state.from)
-    { // wanted no more before it began: the next one waits anew
+    { // the wanted switch was cancelled before it began: the next one waits again
         state.delayS = SwitchState::kNotWaiting;
         return;
     }
@@ -36,7 +37,7 @@ DrawnLevels blended(const SwitchState& state, const SwitchSettings& settings, fl
 {
     if (settings.profile == BlendProfile::cross)
         return {{state.from, alpha * (1.0f - state.progress)}, {state.to, alpha * state.progress}, 0.0f, 0};
-    // The opaque one comes first, so that the other is blended with it, not with what is behind both.
+    // The opaque level comes first, so that the other is blended with it, not with the background.
     if (state.progress < 0.5f)
         return {{state.from, alpha}, {state.to, alpha * 2.0f * state.progress}, 0.0f, 0};
     return {{state.to, alpha}, {state.from, alpha * 2.0f * (1.0f - state.progress)}, 0.0f, 0};
@@ -64,15 +65,10 @@ DrawnLevels atRest(std::uint32_t level, float alpha)
 
 foundation::Outcome checkSettings(const SwitchSettings& settings)
 {
-    if (!std::isfinite(settings.durationS) || settings.durationS <= 0.0f)
-        return foundation::Error{"durationS",
-                                 "a switch cannot last " + std::to_string(settings.durationS) + " s",
-                                 "give a time above 0, or the method discrete"};
-    if (!std::isfinite(settings.staggerS) || settings.staggerS < 0.0f)
-        return foundation::Error{"staggerS",
-                                 "a switch cannot wait " + std::to_string(settings.staggerS) + " s",
-                                 "give a time of at least 0"};
-    return foundation::success();
+    return foundation::SettingsCheck("switching")
+        .above("durationS", settings.durationS, 0.0)
+        .within("staggerS", settings.staggerS, 0.0)
+        .outcome();
 }
 
 bool isSwitchState(const SwitchState& state)
@@ -82,7 +78,7 @@ bool isSwitchState(const SwitchState& state)
 
 float staggerShare(std::uint32_t number)
 {
-    // A multiplicative hash (Knuth, The Art of Computer Programming 3, 6.4): neighbours are a golden ratio apart.
+    // A multiplicative hash (Knuth, The Art of Computer Programming 3, 6.4): neighbours differ by the golden ratio.
     return static_cast<float>((number * 2654435769u) >> 8) * 0x1p-24f;
 }
 
@@ -98,7 +94,7 @@ DrawnLevels advanceSwitch(SwitchState& state, std::uint32_t target, float stepS,
     const bool wasSwitching = state.isSwitching();
     aim(state, target, stepS, stagger);
     if (!state.isSwitching()) return atRest(state.from, alpha);
-    // What is left of the step after the wait is little; the switch begins with the next.
+    // The rest of the step after the delay is short; the switch begins with the next step.
     if (wasSwitching) state.progress += stepS / settings.durationS;
     if (state.progress >= 1.0f)
     {

@@ -12,7 +12,7 @@ namespace osgPMObjects::core
 namespace
 {
 
-/// A loop that runs through an edge in both directions has a bridge.
+/// Tells whether a loop has a bridge: an edge run through in both directions.
 bool hasBridge(const Loop& loop)
 {
     std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;

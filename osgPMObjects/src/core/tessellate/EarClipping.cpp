@@ -14,6 +14,7 @@ namespace osgPMObjects::core
 namespace
 {
 
+/// Clips ears, the best-shaped first, from a priority queue. Source: see clipEars().
 class Clipper
 {
 public:
@@ -38,7 +39,7 @@ public:
             _ears.pop();
             if (!_visits[ear.tip].exists || _visits[ear.tip].version != ear.version) continue;
             clip(ear.tip);
-            if (2 * _left < _leftWhenCollected) collectReflex(); // cells as few as points, and as large
+            if (2 * _left < _leftWhenCollected) collectReflex(); // keeps the cells as few as the points
         }
         return std::move(_triangles);
     }
@@ -47,7 +48,7 @@ private:
     struct Visit
     {
         std::uint32_t point, previous, next;
-        std::uint32_t version; ///< counts changes of the neighbours
+        std::uint32_t version; ///< number of changes of its neighbours; stale if it differs
         bool exists;
     };
 
@@ -55,23 +56,23 @@ private:
     {
         double shape;
         std::uint32_t tip, version;
-        bool operator<(const Ear& other) const // the best on top, of equal ones the first
+        bool operator<(const Ear& other) const // the best ear is on top; the first of equal ones
         {
             return std::tie(shape, other.tip) < std::tie(other.shape, tip);
         }
     };
 
-    const glm::dvec2& place(std::uint32_t visit) const { return _points[_visits[visit].point]; }
+    const glm::dvec2& position(std::uint32_t visit) const { return _points[_visits[visit].point]; }
 
     bool isConvex(std::uint32_t i) const
     {
-        return orientation(place(_visits[i].previous), place(i), place(_visits[i].next)) > 0.0;
+        return orientation(position(_visits[i].previous), position(i), position(_visits[i].next)) > 0.0;
     }
 
-    /// Area over the squares of the sides: 1 for equal sides, 0 for a sliver, up to a factor.
+    /// Returns the quality: area over the sum of the squared sides, largest for equal sides, 0 for a sliver.
     double shape(std::uint32_t i) const
     {
-        const glm::dvec2 a = place(_visits[i].previous), b = place(i), c = place(_visits[i].next);
+        const glm::dvec2 a = position(_visits[i].previous), b = position(i), c = position(_visits[i].next);
         const double squares = glm::dot(b - a, b - a) + glm::dot(c - b, c - b) + glm::dot(a - c, a - c);
         return std::abs(orientation(a, b, c)) / squares;
     }
@@ -81,8 +82,8 @@ private:
         if (isConvex(i) && isFree(i)) _ears.push({shape(i), i, _visits[i].version});
     }
 
-    /// Whether no point lies in the triangle at `i`, or on its border, but for its own corners. Visits to these corners
-    /// need no look: an edge that leads from one into the triangle ends in it.
+    /// Tells whether no other point lies in or on the triangle at `i`. Other visits of its own corners need no test: an edge
+    /// that leads from one of them into the triangle ends inside it.
     bool isFree(std::uint32_t i)
     {
         const std::uint32_t corners[3] = {_visits[_visits[i].previous].point, _visits[i].point,
@@ -96,7 +97,7 @@ private:
                 using Verdict = TriangleSearch::Verdict;
                 const Visit& visit = _visits[number];
                 if (!visit.exists || isConvex(number))
-                    return Verdict::takeOut; // sectors shrink only, but for withoutSpike()
+                    return Verdict::takeOut; // sectors only shrink, except by withoutSpike()
                 const glm::dvec2& p = _points[visit.point];
                 if (p.x < low.x || p.y < low.y || p.x > high.x || p.y > high.y) return Verdict::goOn;
                 if (visit.point == corners[0] || visit.point == corners[1] || visit.point == corners[2])
@@ -111,7 +112,7 @@ private:
     {
         std::vector<TriangleSearch::Entry> reflex;
         for (std::uint32_t i = 0; i < _visits.size(); ++i)
-            if (_visits[i].exists && !isConvex(i)) reflex.push_back({i, place(i)});
+            if (_visits[i].exists && !isConvex(i)) reflex.push_back({i, position(i)});
         _reflex = TriangleSearch(reflex);
         _leftWhenCollected = _left;
     }
@@ -135,7 +136,7 @@ private:
         --_left;
     }
 
-    /// Where the loop turns back onto its own edge, the edge is taken out. Returns the visit that takes the place of `i`.
+    /// Removes the edge at `i` along which the loop turns back onto itself. Returns the visit that replaces `i`.
     std::uint32_t withoutSpike(std::uint32_t i)
     {
         while (_left > 2 && _visits[_visits[i].previous].point == _visits[_visits[i].next].point)
@@ -144,8 +145,7 @@ private:
             remove(_visits[i].next);
             remove(i);
             i = before;
-            if (!isConvex(i))
-                _reflex.add({i, place(i)}); // its sector has grown by that of the visit taken out
+            if (!isConvex(i)) _reflex.add({i, position(i)}); // its sector grew by that of the removed visit
         }
         return i;
     }
@@ -158,7 +158,7 @@ private:
 
     std::span<const glm::dvec2> _points;
     std::vector<Visit> _visits;
-    TriangleSearch _reflex{{}}; ///< of the visits: at least those that are not convex
+    TriangleSearch _reflex{{}}; ///< the reflex visits, and perhaps some that are convex by now
     std::uint32_t _leftWhenCollected = 0;
     std::priority_queue<Ear> _ears;
     std::vector<Triangle> _triangles;

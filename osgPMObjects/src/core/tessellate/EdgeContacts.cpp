@@ -24,7 +24,7 @@ Box boxOf(std::span<const glm::dvec2> points, const EdgeEnds& edge)
     return {glm::min(points[edge[0]], points[edge[1]]), glm::max(points[edge[0]], points[edge[1]])};
 }
 
-/// For a point on the line of an edge: whether it lies between its ends.
+/// Tells whether a point on the line of an edge lies between its ends.
 bool isBetween(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& p)
 {
     const glm::dvec2 low = glm::min(a, b), high = glm::max(a, b);

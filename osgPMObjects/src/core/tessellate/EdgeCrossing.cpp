@@ -22,19 +22,19 @@ glm::dvec2 crossingOf(std::span<const glm::dvec2> points, const EdgeEnds& first,
     const double share = (between.x * other.y - between.y * other.x) / determinant;
     const glm::dvec2 low = glm::max(glm::min(a, b), glm::min(c, d));
     const glm::dvec2 high = glm::min(glm::max(a, b), glm::max(c, d));
-    const glm::dvec2 place = std::isfinite(share) ? a + along * share : (low + high) * 0.5;
-    return onGrid(glm::clamp(place, low, high), grid);
+    const glm::dvec2 position = std::isfinite(share) ? a + along * share : (low + high) * 0.5;
+    return onGrid(glm::clamp(position, low, high), grid);
 }
 
 InsertedPoint betweenCorners(std::span<const glm::dvec2> corners, const std::array<EdgeEnds, 2>& edges,
-                             const glm::dvec2& place)
+                             const glm::dvec2& position)
 {
     InsertedPoint inserted;
     for (int edge = 0; edge < 2; ++edge)
     {
         const auto [begin, end] = edges[edge];
         const glm::dvec2 &from = corners[begin], along = corners[end] - from;
-        const double share = std::clamp(glm::dot(place - from, along) / glm::dot(along, along), 0.0, 1.0);
+        const double share = std::clamp(glm::dot(position - from, along) / glm::dot(along, along), 0.0, 1.0);
         inserted.corners[2 * edge] = begin;
         inserted.corners[2 * edge + 1] = end;
         inserted.weights[2 * edge] = 0.5 * (1.0 - share);

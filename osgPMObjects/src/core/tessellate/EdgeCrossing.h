@@ -13,12 +13,13 @@ namespace osgPMObjects::core
 
 glm::dvec2 onGrid(const glm::dvec2& point, double grid);
 
-/// Where two edges that cross do so, rounded to a grid. Nearly parallel ones: a place where their boxes overlap.
+/// Returns the crossing point of two edges that cross, rounded to a grid; for nearly parallel edges a point in the
+/// overlap of their boxes.
 glm::dvec2 crossingOf(std::span<const glm::dvec2> points, const EdgeEnds& first, const EdgeEnds& second,
                       double grid);
 
-/// A place on two edges of contours, by the corners at their ends.
+/// Expresses a position on two edges of contours by the corners at their ends.
 InsertedPoint betweenCorners(std::span<const glm::dvec2> corners, const std::array<EdgeEnds, 2>& edges,
-                             const glm::dvec2& place);
+                             const glm::dvec2& position);
 
 } // namespace osgPMObjects::core

@@ -16,12 +16,12 @@ namespace osgPMObjects::core
 namespace
 {
 
-// Powers of two that are cells of grids, for coordinates of at most 1.
-constexpr int kFinestGrid = -46;   ///< crossings are rounded to it
-constexpr int kCoarsestGrid = -20; ///< what corners may be moved by, at worst
-constexpr int kRounds = 24;        ///< of dividing edges, before the grid grows coarser
+// Exponents of the cell size of grids (powers of two), for coordinates of at most 1.
+constexpr int kFinestGrid = -46;   ///< to which crossings are rounded
+constexpr int kCoarsestGrid = -20; ///< to which corners may be moved, at worst
+constexpr int kRounds = 24;        ///< rounds of dividing edges before the grid grows coarser
 
-/// A part of a contour's edge, from `corner` to the next one of that contour.
+/// A part of the contour edge that begins at `corner`.
 struct Part
 {
     EdgeEnds ends;
@@ -29,6 +29,7 @@ struct Part
     std::uint32_t corner, nextCorner;
 };
 
+/// Divides the parts of edges until no two meet. Source: see nodeEdges().
 class Noder
 {
 public:
@@ -49,13 +50,13 @@ public:
     }
 
 private:
-    using Place = std::pair<double, double>;
+    using Coordinates = std::pair<double, double>;
 
-    /// The number of the point at a place, which a new one gets when nothing is there.
-    std::pair<std::uint32_t, bool> pointAt(const glm::dvec2& place)
+    /// Returns the number of the point at a position, and whether it is new.
+    std::pair<std::uint32_t, bool> pointAt(const glm::dvec2& position)
     {
         const auto number = static_cast<std::uint32_t>(_noded.points.size());
-        const auto [at, isNew] = _byPlace.try_emplace(Place(place.x, place.y), number);
+        const auto [at, isNew] = _byPosition.try_emplace(Coordinates(position.x, position.y), number);
         return {at->second, isNew};
     }
 
@@ -65,13 +66,13 @@ private:
         const bool snaps = exponent > kFinestGrid;
         _noded = {};
         _noded.isSnapped = snaps;
-        _byPlace.clear();
+        _byPosition.clear();
         std::vector<std::uint32_t> first(_corners.size());
         for (std::size_t i = 0; i < _corners.size(); ++i)
         {
-            const glm::dvec2 place = snaps ? onGrid(_corners[i], _grid) : _corners[i];
-            const auto [number, isNew] = pointAt(place);
-            _noded.points.push_back(place);
+            const glm::dvec2 position = snaps ? onGrid(_corners[i], _grid) : _corners[i];
+            const auto [number, isNew] = pointAt(position);
+            _noded.points.push_back(position);
             first[i] = number;
             if (!isNew) ++_noded.mergedCorners;
         }
@@ -89,7 +90,7 @@ private:
         uniteEqualParts();
     }
 
-    /// Leaves each pair of points joined once at most, running from the lower number to the higher.
+    /// Merges edges so that each pair of points is joined at most once, from the lower number to the higher.
     void uniteEqualParts()
     {
         for (Part& part : _parts)
@@ -114,7 +115,7 @@ private:
         _parts = std::move(united);
     }
 
-    /// Divides the parts wherever they meet. Whether any did.
+    /// Divides the parts where they meet. Returns whether any did.
     bool divide()
     {
         std::vector<EdgeEnds> edges;
@@ -122,7 +123,8 @@ private:
             edges.push_back(part.ends);
         _cuts.assign(_parts.size(), {});
         bool any = false;
-        const std::vector<glm::dvec2> points = _noded.points; // crossings that are found add to the others
+        const std::vector<glm::dvec2> points =
+            _noded.points; // a copy: crossings are appended to the original
         forEachContact(points, edges,
                        [&](std::uint32_t i, std::uint32_t j, const EdgeContact& contact)
                        {
@@ -141,18 +143,18 @@ private:
     void cross(std::uint32_t i, std::uint32_t j)
     {
         ++_noded.crossings;
-        const glm::dvec2 place = crossingOf(_noded.points, _parts[i].ends, _parts[j].ends, _grid);
+        const glm::dvec2 position = crossingOf(_noded.points, _parts[i].ends, _parts[j].ends, _grid);
         for (const std::uint32_t part : {i, j})
             for (const std::uint32_t end : _parts[part].ends)
-                if (const glm::dvec2 way = glm::abs(_noded.points[end] - place);
+                if (const glm::dvec2 way = glm::abs(_noded.points[end] - position);
                     way.x <= _grid && way.y <= _grid)
                     return cutBoth(i, j, end);
-        const auto [number, isNew] = pointAt(place);
+        const auto [number, isNew] = pointAt(position);
         if (isNew)
         {
-            _noded.points.push_back(place);
+            _noded.points.push_back(position);
             _noded.inserted.push_back(
-                betweenCorners(_corners, {contourEdge(_parts[i]), contourEdge(_parts[j])}, place));
+                betweenCorners(_corners, {contourEdge(_parts[i]), contourEdge(_parts[j])}, position));
         }
         cutBoth(i, j, number);
     }
@@ -185,7 +187,7 @@ private:
         uniteEqualParts();
     }
 
-    /// The cuts of a part in the order in which it passes them, each once.
+    /// Returns the cuts of a part in order along it, each once.
     std::vector<std::uint32_t> alongPart(const Part& part, std::vector<std::uint32_t> cuts) const
     {
         const glm::dvec2 from = _noded.points[part.ends[0]], along = _noded.points[part.ends[1]] - from;
@@ -193,8 +195,8 @@ private:
         const double sign = along[axis] < 0.0 ? -1.0 : 1.0, otherSign = along[1 - axis] < 0.0 ? -1.0 : 1.0;
         const auto key = [&](std::uint32_t cut)
         {
-            const glm::dvec2& place = _noded.points[cut];
-            return std::tuple(sign * place[axis], otherSign * place[1 - axis], cut);
+            const glm::dvec2& position = _noded.points[cut];
+            return std::tuple(sign * position[axis], otherSign * position[1 - axis], cut);
         };
         std::sort(cuts.begin(), cuts.end(),
                   [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
@@ -213,9 +215,9 @@ private:
     std::span<const std::uint32_t> _contourSizes;
     double _grid = 0.0;
     NodedEdges _noded;
-    std::map<Place, std::uint32_t> _byPlace;
+    std::map<Coordinates, std::uint32_t> _byPosition;
     std::vector<Part> _parts;
-    std::vector<std::vector<std::uint32_t>> _cuts; ///< by part: points where it is to be divided
+    std::vector<std::vector<std::uint32_t>> _cuts; ///< by part: points at which it will be divided
 };
 
 } // namespace

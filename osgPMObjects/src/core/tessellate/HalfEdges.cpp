@@ -32,13 +32,13 @@ HalfEdges::HalfEdges(const NodedEdges& noded) : _noded(noded), _clockwise(size()
 
 void HalfEdges::sortAround(std::span<std::uint32_t> fan)
 {
-    const glm::dvec2& centre = place(origin(fan.front()));
+    const glm::dvec2& centre = position(origin(fan.front()));
     const auto isUpper = [&](const glm::dvec2& p)
     { return p.y > centre.y || (p.y == centre.y && p.x > centre.x); };
     std::sort(fan.begin(), fan.end(),
               [&](std::uint32_t a, std::uint32_t b)
               {
-                  const glm::dvec2 &p = place(target(a)), &q = place(target(b));
+                  const glm::dvec2 &p = position(target(a)), &q = position(target(b));
                   if (isUpper(p) != isUpper(q)) return isUpper(p);
                   return orientation(centre, p, q) > 0.0;
               });
@@ -49,7 +49,7 @@ void HalfEdges::sortAround(std::span<std::uint32_t> fan)
 namespace
 {
 
-/// Spreads winding numbers from a half-edge over all that hang together with it.
+/// Spreads winding numbers from a half-edge over its connected component.
 void spread(const HalfEdges& halves, std::uint32_t first, std::vector<std::int32_t>& winding,
             std::vector<char>& isKnown)
 {
@@ -76,19 +76,20 @@ std::vector<std::int32_t> windingNumbers(const HalfEdges& halves)
 {
     std::vector<std::int32_t> winding(halves.size());
     std::vector<char> isKnown(halves.size(), 0);
-    // From the left to the right: whatever lies left of the leftmost point of a group is known by then.
+    // From left to right: the region left of a component's leftmost point is known when it is reached.
     std::vector<std::uint32_t> byPlace(halves.size());
     std::iota(byPlace.begin(), byPlace.end(), 0u);
     std::sort(byPlace.begin(), byPlace.end(),
               [&](std::uint32_t a, std::uint32_t b)
               {
-                  const glm::dvec2 &p = halves.place(halves.origin(a)), &q = halves.place(halves.origin(b));
+                  const glm::dvec2 &p = halves.position(halves.origin(a)),
+                                   &q = halves.position(halves.origin(b));
                   return std::tie(p.x, p.y, a) < std::tie(q.x, q.y, b);
               });
     std::vector<UprightEdge> edges;
-    std::vector<std::uint32_t> downward; // the half-edge of each, with its left side to the right
+    std::vector<std::uint32_t> downward; // the half-edge of each edge whose left side faces right
     for (std::uint32_t half = 0; half < halves.size(); ++half)
-        if (halves.place(halves.origin(half)).y > halves.place(halves.target(half)).y)
+        if (halves.position(halves.origin(half)).y > halves.position(halves.target(half)).y)
         {
             edges.push_back({halves.target(half), halves.origin(half)});
             downward.push_back(half);
@@ -96,14 +97,14 @@ std::vector<std::int32_t> windingNumbers(const HalfEdges& halves)
     for (const std::uint32_t half : byPlace)
     {
         if (isKnown[half]) continue;
-        // All edges at the leftmost point of a group lead to the right: the last one, counter-clockwise, has what is
-        // outside of the group to its left.
+        // All edges at the leftmost point of a component lead to the right. The last of them, counter-clockwise, has the
+        // outside of the component on its left.
         std::uint32_t last = half;
         for (std::uint32_t other = halves.clockwise(half); other != half; other = halves.clockwise(other))
-            if (orientation(halves.place(halves.origin(half)), halves.place(halves.target(last)),
-                            halves.place(halves.target(other))) > 0.0)
+            if (orientation(halves.position(halves.origin(half)), halves.position(halves.target(last)),
+                            halves.position(halves.target(other))) > 0.0)
                 last = other;
-        const auto edge = firstEdgeLeft(halves.points(), edges, halves.place(halves.origin(half)));
+        const auto edge = firstEdgeLeft(halves.points(), edges, halves.position(halves.origin(half)));
         winding[last] = edge ? winding[downward[*edge]] : 0;
         spread(halves, last, winding, isKnown);
     }

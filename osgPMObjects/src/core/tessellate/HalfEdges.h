@@ -10,8 +10,8 @@
 namespace osgPMObjects::core
 {
 
-/// The edges of NodedEdges twice, once in either direction: edge e is half-edge 2e from → to, and 2e + 1 back.
-/// Invariant: isNoded() of what it was made from.
+/// The half-edge structure of noded edges: edge e is the half-edge 2e from → to, and 2e + 1 in the opposite direction.
+/// Invariant: the NodedEdges satisfy isNoded(), and outlive this object.
 class HalfEdges
 {
 public:
@@ -26,19 +26,19 @@ public:
         return half % 2 == 0 ? edge.from : edge.to;
     }
     std::uint32_t target(std::uint32_t half) const { return origin(half ^ 1u); }
-    const glm::dvec2& place(std::uint32_t point) const { return _noded.points[point]; }
+    const glm::dvec2& position(std::uint32_t point) const { return _noded.points[point]; }
     std::span<const glm::dvec2> points() const { return _noded.points; }
 
-    /// How much more often the contours run around what is left of it than around what is right of it.
+    /// Returns the winding number on the left of a half-edge minus that on its right.
     std::int32_t windingStep(std::uint32_t half) const
     {
         const std::int32_t winding = _noded.edges[half / 2].winding;
         return half % 2 == 0 ? winding : -winding;
     }
 
-    /// The next half-edge with the same origin, turning clockwise.
+    /// Returns the next half-edge with the same origin, clockwise.
     std::uint32_t clockwise(std::uint32_t half) const { return _clockwise[half]; }
-    /// The next one around what lies to the left.
+    /// Returns the next half-edge around the face to the left.
     std::uint32_t next(std::uint32_t half) const { return _clockwise[half ^ 1u]; }
 
 private:
@@ -48,7 +48,7 @@ private:
     std::vector<std::uint32_t> _clockwise;
 };
 
-/// By half-edge: how often the contours run around what lies to the left of it.
+/// Returns by half-edge the winding number of the region to its left.
 std::vector<std::int32_t> windingNumbers(const HalfEdges& halves);
 
 } // namespace osgPMObjects::core

@@ -16,6 +16,7 @@ namespace osgPMObjects::core
 namespace
 {
 
+/// Joins holes from left to right. Source: see bridgeHoles().
 class Bridger
 {
 public:
@@ -30,7 +31,7 @@ public:
             _firsts.push_back(leftmost(first, size));
         }
         std::sort(_firsts.begin(), _firsts.end(),
-                  [this](std::uint32_t a, std::uint32_t b) { return isLeftOf(place(a), place(b)); });
+                  [this](std::uint32_t a, std::uint32_t b) { return isLeftOf(position(a), position(b)); });
     }
 
     std::vector<Loop> run()
@@ -63,26 +64,26 @@ private:
         return std::tie(a.x, a.y) < std::tie(b.x, b.y);
     }
 
-    const glm::dvec2& place(std::uint32_t visit) const { return _points[_visits[visit].point]; }
+    const glm::dvec2& position(std::uint32_t visit) const { return _points[_visits[visit].point]; }
 
     std::uint32_t leftmost(std::uint32_t first, std::uint32_t size) const
     {
         std::uint32_t best = first;
         for (std::uint32_t visit = first + 1; visit < first + size; ++visit)
-            if (isLeftOf(place(visit), place(best))) best = visit;
+            if (isLeftOf(position(visit), position(best))) best = visit;
         return best;
     }
 
     bool looksAt(std::uint32_t visit, const glm::dvec2& target) const
     {
         const Visit& v = _visits[visit];
-        return isInSector(place(v.previous), place(visit), place(v.next), target);
+        return isInSector(position(v.previous), position(visit), position(v.next), target);
     }
 
-    /// Of a hole: the visit to its leftmost point that has the inside to the left of it. Nothing for what is no hole.
+    /// Returns the visit to a hole's leftmost point with the inside on its left; nothing for a loop that is no hole.
     std::optional<std::uint32_t> westernVisit(std::uint32_t leftmost) const
     {
-        const glm::dvec2 west = place(leftmost) - glm::dvec2(1.0, 0.0);
+        const glm::dvec2 west = position(leftmost) - glm::dvec2(1.0, 0.0);
         std::uint32_t visit = leftmost;
         do
         {
@@ -94,27 +95,27 @@ private:
 
     void bridge(std::uint32_t hole)
     {
-        // Only edges that run down have the inside on their right; of a bridge, the ray meets that side, too.
+        // Only edges that run down have the inside on their right; the ray meets that side of a bridge, too.
         std::vector<UprightEdge> edges;
         for (const Visit& visit : _visits)
             if (const std::uint32_t behind = _visits[visit.next].point;
                 _points[visit.point].y > _points[behind].y)
                 edges.push_back({behind, visit.point});
-        const auto hit = firstEdgeLeft(_points, edges, place(hole));
+        const auto hit = firstEdgeLeft(_points, edges, position(hole));
         assert(hit && "a hole lies within something");
         if (!hit) return;
-        const std::uint32_t seen = firstInTheWay(edges[*hit], place(hole));
+        const std::uint32_t seen = firstInTheWay(edges[*hit], position(hole));
         for (std::uint32_t visit = 0; visit < _visits.size(); ++visit)
-            if (_visits[visit].point == seen && looksAt(visit, place(hole))) return splice(visit, hole);
+            if (_visits[visit].point == seen && looksAt(visit, position(hole))) return splice(visit, hole);
         assert(false && "one of the visits to a point in sight looks back");
     }
 
-    /// Turns the ray towards an end of the edge that it hit, the one that lies left of `from`, and returns the first point
-    /// that it passes: that end at last.
+    /// Turns the ray towards the end of the hit edge that lies left of `from`; returns the first point that it passes, which
+    /// may be that end.
     std::uint32_t firstInTheWay(const UprightEdge& edge, const glm::dvec2& from) const
     {
         const bool isDown = _points[edge.low].x <= from.x;
-        const double turn = isDown ? 1.0 : -1.0; // counter-clockwise from the west
+        const double turn = isDown ? 1.0 : -1.0; // counter-clockwise from -x
         std::uint32_t first = isDown ? edge.low : edge.high;
         const glm::dvec2 low = _points[edge.low], high = _points[edge.high];
         for (const Visit& visit : _visits)
@@ -132,7 +133,7 @@ private:
 
     static double distance2(const glm::dvec2& a, const glm::dvec2& b) { return glm::dot(a - b, a - b); }
 
-    /// …, outer, hole, around it, hole again, outer again, …
+    /// Joins a hole: the loop becomes …, outer, hole, around it, hole again, outer again, …
     void splice(std::uint32_t outer, std::uint32_t hole)
     {
         const auto holeAgain = static_cast<std::uint32_t>(_visits.size()), outerAgain = holeAgain + 1;

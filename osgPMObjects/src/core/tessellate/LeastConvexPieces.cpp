@@ -18,7 +18,7 @@ namespace
 
 constexpr std::uint32_t kImpossible = std::numeric_limits<std::uint32_t>::max() / 4;
 
-/// A row and column for each visit of the loop.
+/// A square table with a row and a column for each visit of the loop.
 class Square
 {
 public:
@@ -34,6 +34,7 @@ private:
     std::vector<std::uint32_t> _values;
 };
 
+/// Solves the sub-polygons of a loop by dynamic programming. Source: see leastConvexPieces().
 class LeastPieces
 {
 public:
@@ -72,22 +73,22 @@ public:
     }
 
 private:
-    static constexpr std::uint32_t kMayBe = kImpossible - 1; ///< a diagonal that has not been looked at yet
+    static constexpr std::uint32_t kMayBe = kImpossible - 1; ///< a diagonal that is not solved yet
 
-    /// The piece at a diagonal and what lies behind its other sides.
+    /// The piece at a diagonal, and the cost behind its other sides.
     struct Chain
     {
         std::uint32_t pieces = kImpossible;
         std::vector<std::uint32_t> visits; ///< from i to j
     };
 
-    const glm::dvec2& place(std::uint32_t visit) const { return _points[_loop[visit]]; }
+    const glm::dvec2& position(std::uint32_t visit) const { return _points[_loop[visit]]; }
     bool turnsLeft(std::uint32_t a, std::uint32_t b, std::uint32_t c) const
     {
-        return turnsLeftOrNot(place(a), place(b), place(c));
+        return turnsLeftOrStraight(position(a), position(b), position(c));
     }
 
-    /// Edges, and the diagonals that can be of use: between convex corners none is needed.
+    /// Returns the edges and the useful diagonals: between two convex corners none is needed.
     void findWays()
     {
         std::vector<EdgeEnds> edges;
@@ -107,7 +108,8 @@ private:
 
     bool looksAt(std::uint32_t i, std::uint32_t j) const
     {
-        return isInSector(place((i + _count - 1) % _count), place(i), place((i + 1) % _count), place(j));
+        return isInSector(position((i + _count - 1) % _count), position(i), position((i + 1) % _count),
+                          position(j));
     }
 
     bool isDiagonal(std::uint32_t i, std::uint32_t j, const std::vector<EdgeEnds>& edges) const
@@ -119,12 +121,12 @@ private:
                             });
     }
 
-    /// The convex chain from i to j, over visits between them, that leaves the fewest pieces behind its sides; together with
-    /// the way back from j to i it is a piece.
+    /// Returns the convex chain of visits from i to j with the fewest pieces behind its sides; closed by the diagonal from j
+    /// to i it is a piece.
     Chain convexChain(std::uint32_t i, std::uint32_t j) const
     {
         const std::uint32_t size = j - i + 1;
-        // By last and last but one visit of a chain, counted from i: its cost, and the visit before those.
+        // By the last two visits of a chain, counted from i: its cost, and the visit before them.
         Square cost(size, kImpossible), before(size, 0);
         for (std::uint32_t q = 1; q < size; ++q)
             if (_best(i, i + q) < kMayBe && q + 1 < size && turnsLeft(j, i, i + q))
@@ -160,7 +162,7 @@ private:
     std::span<const glm::dvec2> _points;
     const Loop& _loop;
     std::uint32_t _count;
-    Square _best; ///< pieces of the part from visit i to j > i, cut off by the way between them
+    Square _best; ///< least pieces of the part from visit i to j > i that the diagonal i–j cuts off
 };
 
 } // namespace

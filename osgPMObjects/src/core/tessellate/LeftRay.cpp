@@ -9,7 +9,7 @@ namespace osgPMObjects::core
 namespace
 {
 
-/// Of two edges that the ray hits: whether `f` lies right of `e` there.
+/// Tells which of two edges the ray hits first: whether `f` lies right of `e` there.
 bool isNearer(std::span<const glm::dvec2> points, const UprightEdge& f, const UprightEdge& e)
 {
     if (e.low == f.low) return orientation(points[e.low], points[e.high], points[f.high]) < 0.0;

@@ -11,14 +11,15 @@
 namespace osgPMObjects::core
 {
 
-/// An edge by its lower and its higher end, as numbers of points.
+/// An edge given by its lower and its upper end, as point numbers.
 struct UprightEdge
 {
     std::uint32_t low, high;
 };
 
-/// The edge that a ray hits first which leaves `from` to the left (-x), a hair above it, so that it passes no point; among
-/// edges that do not cross. Nothing when it hits none. Exact. Cost: linear. `edges`: low.y < high.y.
+/// Returns the first edge that a ray from `from` to the left (-x) hits; nothing if it hits none. The ray lies an
+/// infinitesimal step above `from`, so that it passes through no point. The edges must not cross, and have low.y <
+/// high.y. Exact. Cost: linear.
 std::optional<std::size_t> firstEdgeLeft(std::span<const glm::dvec2> points,
                                          std::span<const UprightEdge> edges, const glm::dvec2& from);
 

@@ -12,7 +12,7 @@ namespace osgPMObjects::core
 namespace
 {
 
-/// An exact sum of doubles, as components that do not overlap, smallest first.
+/// An exact sum of doubles: components that do not overlap, smallest first.
 class ExactSum
 {
 public:
@@ -23,7 +23,7 @@ public:
         add(product);
     }
 
-    /// Of the largest component, which has the sign of them all.
+    /// Returns the largest component, which has the sign of the sum.
     double leading() const
     {
         for (std::size_t i = _count; i-- > 0;)
@@ -35,7 +35,7 @@ private:
     void add(double term)
     {
         for (std::size_t i = 0; i < _count; ++i)
-        { // Knuth's two-sum: sum and what rounding took from it
+        { // Knuth's two-sum: the sum and its rounding error
             const double sum = term + _parts[i];
             const double partInSum = sum - term;
             _parts[i] = (term - (sum - partInSum)) + (_parts[i] - partInSum);

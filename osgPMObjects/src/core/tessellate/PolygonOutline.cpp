@@ -87,12 +87,12 @@ foundation::Result<PolygonOutline> outlinePolygon(std::span<const glm::dvec3> co
     return outline;
 }
 
-glm::dvec3 placeOf(const InsertedPoint& inserted, std::span<const glm::dvec3> corners)
+glm::dvec3 positionOf(const InsertedPoint& inserted, std::span<const glm::dvec3> corners)
 {
-    glm::dvec3 place(0.0);
+    glm::dvec3 position(0.0);
     for (std::size_t i = 0; i < inserted.corners.size(); ++i)
-        place += inserted.weights[i] * corners[inserted.corners[i]];
-    return place;
+        position += inserted.weights[i] * corners[inserted.corners[i]];
+    return position;
 }
 
 } // namespace osgPMObjects::core

@@ -10,11 +10,11 @@ namespace osgPMObjects::core
 namespace
 {
 
-/// Areas below this share of the absolute ones have cancelled out.
+/// The share of the absolute area below which an area counts as cancelled out.
 constexpr double kCancelled = 1e-9;
 constexpr double kLeastCoordinate = 0x1p-200;
 
-/// Corners scaled to a size of at most 1, exactly but for what underflows.
+/// Scales corners to a size of at most 1; exact but for underflow.
 std::vector<glm::dvec3> scaled(std::span<const glm::dvec3> corners)
 {
     double largest = 0.0;
@@ -30,7 +30,7 @@ std::vector<glm::dvec3> scaled(std::span<const glm::dvec3> corners)
     return small;
 }
 
-/// The sums of the absolute areas of the triangles from the first corner, by axis.
+/// Returns by axis the sum of the absolute areas of the triangles from the first corner.
 glm::dvec3 absoluteAreas(std::span<const glm::dvec3> contour)
 {
     glm::dvec3 sum(0.0);
@@ -50,7 +50,7 @@ double normalZero(double coordinate)
     return std::abs(coordinate) < kLeastCoordinate ? 0.0 : coordinate;
 }
 
-/// Twice the area vector of the contour that has the largest, and the absolute areas of that one.
+/// Returns twice the area vector of the largest contour, and its absolute areas.
 struct LargestContour
 {
     glm::dvec3 area{0.0}, absolute{0.0};
@@ -97,7 +97,7 @@ std::vector<glm::dvec2> projectPolygon(std::span<const glm::dvec3> corners,
         glm::dvec3 across(0.0);
         across[(largestAxis(normal) + 1) % 3] = 1.0;
         const glm::dvec3 y = glm::normalize(glm::cross(normal, across)), x = glm::cross(y, normal);
-        for (const glm::dvec3& c : small) // halved: a diagonal can be as long as √3
+        for (const glm::dvec3& c : small) // halved, for a diagonal can be √3 long
             add(0.5 * glm::dot(x, c), 0.5 * glm::dot(y, c));
         return plane;
     }

@@ -13,7 +13,7 @@ namespace osgPMObjects::core
 namespace
 {
 
-/// The normals of the triangles on either side of the diagonal from `first`, as long as twice their areas.
+/// Returns the normals of the triangles on either side of the diagonal from `first`; their lengths are twice the areas.
 std::array<glm::dvec3, 2> areaNormals(const Quad& quad, std::uint32_t first)
 {
     const auto at = [&](std::uint32_t i) { return quad[(first + i) % 4].position; };
@@ -25,7 +25,7 @@ double angleBetween(const std::array<glm::dvec3, 2>& normals)
     return std::atan2(glm::length(glm::cross(normals[0], normals[1])), glm::dot(normals[0], normals[1]));
 }
 
-/// What the rule wants little of.
+/// Returns the quantity that the rule minimises, for the diagonal from `first`.
 double cost(const Quad& quad, std::uint32_t first, DiagonalRule rule)
 {
     const QuadCorner &a = quad[first], &b = quad[first + 2];

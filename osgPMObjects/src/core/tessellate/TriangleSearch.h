@@ -12,31 +12,31 @@
 namespace osgPMObjects::core
 {
 
-/// Numbered places in a grid of about as many cells, asked for those near a triangle. Cells are gone through row by row as the
-/// triangle lies in them: the box of a long one slantwise has far more.
-/// Memory: 12 B a place. Cost: of making it linear; of a question by the cells that the triangle crosses.
+/// Finds the points near a triangle by a grid with about as many cells as points. It visits the cells row by row as the
+/// triangle covers them, for the bounding box of a long diagonal triangle has many more.
+/// Memory: 12 B a point. Cost: linear to build; a query visits the cells that the triangle covers.
 class TriangleSearch
 {
 public:
     struct Entry
     {
         std::uint32_t number;
-        glm::dvec2 place;
+        glm::dvec2 position;
     };
 
-    /// What to do with a place that was found.
+    /// What to do after a point was found.
     enum class Verdict
     {
         goOn,
-        takeOut, ///< and go on
+        takeOut, ///< remove the point, and go on
         stop,
     };
 
     explicit TriangleSearch(std::span<const Entry> entries)
     {
-        if (!entries.empty()) _low = _high = entries.front().place;
+        if (!entries.empty()) _low = _high = entries.front().position;
         for (const Entry& e : entries)
-            _low = glm::min(_low, e.place), _high = glm::max(_high, e.place);
+            _low = glm::min(_low, e.position), _high = glm::max(_high, e.position);
         _side = std::max(1, static_cast<int>(std::sqrt(static_cast<double>(entries.size()))));
         const glm::dvec2 size = _high - _low;
         for (int axis : {0, 1})
@@ -48,13 +48,14 @@ public:
 
     void add(const Entry& entry)
     {
-        std::uint32_t& first = _first[cellAt(columnOf(entry.place.x), rowOf(entry.place.y))];
+        std::uint32_t& first = _first[cellAt(columnOf(entry.position.x), rowOf(entry.position.y))];
         _next.push_back(first);
         _numbers.push_back(entry.number);
         first = static_cast<std::uint32_t>(_next.size() - 1);
     }
 
-    /// Calls `judge(number)` for all places in or on a triangle, and for others, until it says stop. Returns whether it did.
+    /// Calls `judge(number)` for all points in or on a triangle, and for some others, until it says stop. Returns
+    /// whether it did.
     template<class Judge>
     bool visit(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c, const Judge& judge)
     {
@@ -78,7 +79,7 @@ public:
 
 private:
     static constexpr std::uint32_t kNone = ~0u;
-    static constexpr int kWide = 4; ///< columns from which on rows are looked at closely
+    static constexpr int kWide = 4; ///< wider triangles are clipped to each row
 
     int columnOf(double x) const { return cellOf((x - _low.x) * _perUnit.x); }
     int rowOf(double y) const { return cellOf((y - _low.y) * _perUnit.y); }
@@ -89,12 +90,12 @@ private:
                static_cast<std::size_t>(column);
     }
 
-    /// From where to where a triangle lies in a row, to the width of a cell.
+    /// Returns the extent of a triangle within a row, in x.
     std::pair<double, double> extentIn(int row, const glm::dvec2& a, const glm::dvec2& b,
                                        const glm::dvec2& c) const
     {
         constexpr double kRounding =
-            1e-6; // of a row: places near its border may have been counted to the next
+            1e-6; // of a row: points near its border may have been put into the next row
         const double bottom = _low.y + (row - kRounding) / _perUnit.y;
         const double top = _low.y + (row + 1.0 + kRounding) / _perUnit.y;
         double low = _high.x, high = _low.x;
@@ -133,9 +134,9 @@ private:
 
     glm::dvec2 _low{0.0}, _high{0.0}, _perUnit{0.0};
     int _side = 1;
-    std::vector<std::uint32_t> _first;   ///< by cell: of its places
-    std::vector<std::uint32_t> _next;    ///< by place: another one in its cell
-    std::vector<std::uint32_t> _numbers; ///< by place
+    std::vector<std::uint32_t> _first;   ///< by cell: its first point
+    std::vector<std::uint32_t> _next;    ///< by point: the next one in its cell
+    std::vector<std::uint32_t> _numbers; ///< by point
 };
 
 } // namespace osgPMObjects::core

@@ -11,6 +11,7 @@ namespace osgPMObjects::core
 namespace
 {
 
+/// Divides triangles until their edges are short enough. Source: see meshUniformly().
 class Divider
 {
 public:
@@ -19,7 +20,7 @@ public:
         _mesh.positions.assign(positions.begin(), positions.end());
     }
 
-    /// Whether the triangle could be divided without there being too many.
+    /// Adds the parts of a triangle; returns false if there would be too many triangles.
     bool add(const Triangle& triangle, std::uint32_t origin, std::uint32_t mostTriangles)
     {
         _open.push_back(triangle);
@@ -38,7 +39,7 @@ public:
     UniformMesh& mesh() { return _mesh; }
 
 private:
-    /// The same for both directions, to the last bit.
+    /// Returns the length of an edge, equal to the last bit for both directions.
     double length(std::uint32_t a, std::uint32_t b) const
     {
         return glm::distance(_mesh.positions[a], _mesh.positions[b]);
@@ -57,7 +58,7 @@ private:
         return at->second;
     }
 
-    /// Puts the parts of a triangle with a long edge on the list. Whether it had one.
+    /// Puts the parts of a triangle with a long edge on the list. Returns whether it had one.
     bool divide(const Triangle& triangle)
     {
         bool isLong[3];
@@ -65,7 +66,7 @@ private:
             isLong[i] = length(triangle[i], triangle[(i + 1) % 3]) > _longest;
         const int count = isLong[0] + isLong[1] + isLong[2];
         if (count == 0) return false;
-        // Turned so that of one long edge it is the first, of two the first and the second.
+        // Rotated so that a single long edge comes first, or two come first and second.
         int first = 0;
         while (count < 3 && !(isLong[first] && !isLong[(first + 2) % 3]))
             ++first;

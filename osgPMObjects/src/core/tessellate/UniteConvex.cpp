@@ -14,6 +14,7 @@ namespace osgPMObjects::core
 namespace
 {
 
+/// Removes sides between pieces as long as the united piece is convex. Source: see uniteConvex().
 class Uniter
 {
 public:
@@ -55,7 +56,7 @@ private:
 
     std::uint32_t to(std::uint32_t side) const { return _sides[_sides[side].next].from; }
 
-    /// Sides that run along one another in opposite directions, in the order of the first.
+    /// Returns pairs of sides that run along one another in opposite directions, in the order of the first.
     std::vector<std::pair<std::uint32_t, std::uint32_t>> twins() const
     {
         std::vector<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>> byEnds;
@@ -74,11 +75,11 @@ private:
         return pairs;
     }
 
-    /// Where `side` begins, once it is gone.
+    /// Tells whether the corner at the beginning of `side` stays convex once `side` is removed.
     bool staysConvex(std::uint32_t side, std::uint32_t twin) const
     {
-        return turnsLeftOrNot(_points[_sides[_sides[side].previous].from], _points[_sides[side].from],
-                              _points[to(_sides[twin].next)]);
+        return turnsLeftOrStraight(_points[_sides[_sides[side].previous].from], _points[_sides[side].from],
+                                   _points[to(_sides[twin].next)]);
     }
 
     void unite(std::uint32_t side, std::uint32_t twin)
@@ -99,7 +100,7 @@ private:
 
 } // namespace
 
-bool turnsLeftOrNot(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c)
+bool turnsLeftOrStraight(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c)
 {
     const double turn = orientation(a, b, c);
     return turn > 0.0 || (turn == 0.0 && glm::dot(b - a, c - b) > 0.0);

@@ -9,10 +9,10 @@
 namespace osgPMObjects::core
 {
 
-/// uniteConvex() for pieces that are convex already.
+/// Unites convex pieces like uniteConvex(), which does it for triangles.
 std::vector<Loop> uniteConvexPieces(std::span<const glm::dvec2> points, std::span<const Loop> pieces);
 
-/// Whether the way a→b→c turns left or goes straight on; not back.
-bool turnsLeftOrNot(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c);
+/// Tells whether the path a→b→c turns left or goes straight on.
+bool turnsLeftOrStraight(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c);
 
 } // namespace osgPMObjects::core

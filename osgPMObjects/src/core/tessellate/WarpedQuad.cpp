@@ -21,7 +21,7 @@ V bilinear(const std::array<V, 4>& corners, const glm::dvec2& shares)
                     shares.y);
 }
 
-/// How far from a parallelogram.
+/// Returns the deviation from a parallelogram.
 template<class V>
 double warp(const std::array<V, 4>& corners)
 {
@@ -33,9 +33,9 @@ double cross(const glm::dvec2& a, const glm::dvec2& b)
     return a.x * b.y - a.y * b.x;
 }
 
-/// How much texture a unit of length has anywhere in the patch, at most; infinite, when it is not convex. The matrix from
-/// places to texture is that from shares to texture times the inverse of that from shares to places, whose determinant is
-/// linear, so that all bounds are to be found at corners.
+/// Returns the largest change of texture coordinates a unit of length in the patch; infinite if it is not convex. The matrix
+/// from positions to texture is that from (s, t) to texture times the inverse of that from (s, t) to positions. The
+/// determinant of the latter is linear, so the extremes are at corners.
 double texturePerLength(const TexturedQuad& quad)
 {
     const glm::dvec3 normal = areaVector(quad.positions);
@@ -54,20 +54,20 @@ double texturePerLength(const TexturedQuad& quad)
     return area > 0.0 ? std::sqrt(texture2 * length2) / area : std::numeric_limits<double>::infinity();
 }
 
-/// The quad and a place in it, seen along the average normal.
-std::vector<glm::dvec2> seenFlat(const TexturedQuad& quad, const glm::dvec3& place)
+/// Projects the quad and a position in it along the average normal.
+std::vector<glm::dvec2> seenFlat(const TexturedQuad& quad, const glm::dvec3& position)
 {
     const std::array<glm::dvec3, 5> all = {quad.positions[0], quad.positions[1], quad.positions[2],
-                                           quad.positions[3], place};
+                                           quad.positions[3], position};
     const std::array<std::uint32_t, 2> sizes = {4, 1};
     return projectPolygon(all, sizes, ProjectionRule::averageNormal);
 }
 
-/// Shares of the bilinear patch of a plane quad at its last point. Source: the quadratic equation that is left once s is
-/// taken out of p = a + s e + t f + s t g.
+/// Returns the shares (s, t) of the bilinear patch at the last point of `quad`. Eliminating s from p = a + s e + t f + s t g
+/// leaves a quadratic equation in t.
 std::optional<glm::dvec2> sharesAt(std::span<const glm::dvec2> p)
 {
-    constexpr double kSlack = 1e-9; // a place on the border may fall outside by rounding
+    constexpr double kSlack = 1e-9; // rounding may put a position on the border outside
     const glm::dvec2 e = p[1] - p[0], f = p[3] - p[0], g = p[0] - p[1] + p[2] - p[3], h = p[4] - p[0];
     const double a = cross(g, f), b = cross(e, f) + cross(h, g), c = cross(h, e);
     const double discriminant = b * b - 4.0 * a * c;
@@ -128,10 +128,10 @@ foundation::Result<QuadGrid> meshQuad(const TexturedQuad& quad, double tolerance
 
 std::optional<glm::dvec2> preWarpedTexCoord(const TexturedQuad& quad, const std::array<double, 4>& weights)
 {
-    glm::dvec3 place(0.0);
+    glm::dvec3 position(0.0);
     for (int i = 0; i < 4; ++i)
-        place += weights[i] * quad.positions[i];
-    const auto shares = sharesAt(seenFlat(quad, place));
+        position += weights[i] * quad.positions[i];
+    const auto shares = sharesAt(seenFlat(quad, position));
     if (!shares) return std::nullopt;
     return texCoordAt(quad, *shares);
 }
@@ -143,7 +143,7 @@ std::optional<std::array<glm::dvec3, 4>> projectiveTexCoords(const TexturedQuad&
     const double determinant = cross(d, e);
     const double s = cross(between, e) / determinant, t = cross(between, d) / determinant;
     if (!(s > 0.0 && s < 1.0 && t > 0.0 && t < 1.0)) return std::nullopt;
-    // Each corner is as far away, in projection, as the whole diagonal is long for what lies beyond their meeting.
+    // The q of a corner is the length of its diagonal over that of the part beyond the crossing.
     const std::array<double, 4> q = {1.0 / (1.0 - s), 1.0 / (1.0 - t), 1.0 / s, 1.0 / t};
     std::array<glm::dvec3, 4> coords;
     for (int i = 0; i < 4; ++i)

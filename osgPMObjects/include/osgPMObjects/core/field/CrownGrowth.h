@@ -10,21 +10,24 @@
 namespace osgPMObjects::core
 {
 
-/// How the leaf cards that are left on a rung grow about their middles for those that are gone, so that a crown from far away looks as dense as
-/// from near by. Levels of a progressive mesh keep places of vertices, so it is the vertex shader that moves them.
-/// Without foliage both are empty. Memory: 12 B a wedge.
+/// The growth of the leaf cards that are left on a rung. Cards grow about their centres to replace those that are gone, so
+/// that a distant crown looks as dense as a near one. The vertex shader applies it, for all levels of a progressive mesh
+/// share their vertices. Without foliage both arrays are empty. Memory: 12 B a wedge.
 /// Source: Cook, Halstead, Planck & Ryu, "Stochastic simplification of aggregate detail" (2007), §3.2, for random subsets.
-/// Differs: areas that are measured, what the simplification has kept, and `kShare`.
+/// Differs: the lost area is measured on the cards that the simplification kept; `kShare`.
 struct CrownGrowth
 {
-    /// The logarithm of the area that is given back, of that which is lost: cards that are gone were partly behind others, and those that are left
-    /// are the outer ones. 0.4 has the least error of 0, 0.2 … 1 in pictures (docs/algorithms/fields.md).
+    /// The share of the lost area that growth restores, in the logarithm of the area. It is below 1 because lost cards
+    /// were partly hidden, and the cards left are the outer ones. Of 0, 0.2 … 1 it has the least image error
+    /// (docs/algorithms/fields.md).
     static constexpr double kShare = 0.4;
-    static constexpr float kMost = 5.0f;
+    static constexpr float kMost = 5.0f; ///< the largest scale of a card
 
-    std::vector<glm::vec3> offsets; ///< by wedge: from the middle of its card; 0 of what is no leaf
-    std::vector<float> scales;      ///< by rung and group: of offsets; 1 where there is nothing to grow
+    std::vector<glm::vec3>
+        offsets; ///< by wedge: from its card's centre, in the model's units; 0 for other surfaces
+    std::vector<float> scales; ///< by rung and group: factor of the offsets, 1 … kMost
 
+    /// Measures the growth of every rung. `ladder`: of the same mesh. Cost: linear in the faces of all rungs.
     static CrownGrowth of(const ProgressiveMesh& progressive, const LevelLadder& ladder);
 };
 

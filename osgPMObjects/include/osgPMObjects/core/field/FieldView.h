@@ -6,57 +6,58 @@
 #include <viewlod/Frustum.h>
 
 #include <osgPMObjects/core/field/Field.h>
-#include <osgPMObjects/core/field/FieldPicture.h>
+#include <osgPMObjects/core/field/FieldDrawList.h>
 #include <osgPMObjects/core/selection/SceneSelector.h>
 
 namespace osgPMObjects::core
 {
 
-/// How a camera looks at a field. Frame: the field's, scaled to metres.
-struct FieldLook
+/// The camera of a field view, and what else changes from frame to frame. Frame: the field's, scaled to metres.
+struct FieldCamera
 {
     SelectionView view;
-    glm::dvec3 eye{0.0}; ///< what places are given from: the camera's own, where its levels are another's
-    viewlod::Frustum frustum; ///< its sides cull; near and far planes do not
+    glm::dvec3 eye{
+        0.0}; ///< origin of instance positions: this camera's eye, also if `view` is another camera's
+    viewlod::Frustum frustum; ///< its side planes cull; near and far planes do not
     AttentionRule attention;
-    double metresPerUnit = 1.0; ///< of the field
-    std::uint64_t frame = 0;    ///< the same for cameras that share the eye; rises
-    float stepS = 0.0f;         ///< since the last frame
+    double metresPerUnit = 1.0; ///< of the field's units
+    std::uint64_t frame = 0;    ///< rises from frame to frame; equal for cameras that share the eye
+    float stepS = 0.0f;         ///< time since the last frame
     SceneBudgetSettings budget;
 };
 
-/// What one eye remembers of a field: the level of each object that it has in sight, and how far its switch has come.
-/// An object that was not in sight in the frame before is where its rule wants it: nobody saw how it got there.
-/// Threads: one at a time. The field has to outlive it. Memory: 28 B an object, and some 300 B an object in sight.
+/// The state of one eye's view of a field: by object, the held level and the progress of its switch. An object that was not
+/// visible in the last frame begins at the level that its rule chooses, without a switch.
+/// Threads: one at a time. The field must outlive it. Memory: 28 B an object, and some 300 B a visible object.
 class FieldView
 {
 public:
     explicit FieldView(const Field& field);
 
-    /// Chooses the levels of all objects in sight, goes on with their switches, and sorts them by what draws them.
-    /// A second camera of the same frame finds the switches where the first has moved them.
-    FieldPicture look(const FieldLook& look);
+    /// Chooses the levels of all visible objects, advances their switches, and sorts them into runs to draw. Another camera
+    /// of the same frame gets the switches as the first camera has left them.
+    FieldDrawList update(const FieldCamera& camera);
 
 private:
     struct Memory
     {
         HeldLevel held;
-        SwitchState state; ///< levels are rungs
+        SwitchState state; ///< its levels are rungs
         std::uint64_t frame = kNever;
     };
     static constexpr std::uint64_t kNever = ~std::uint64_t{0};
 
     void findVisible(const viewlod::Frustum& frustum, double metresPerUnit);
-    void choose(const FieldLook& look, FieldPicture& picture);
+    void choose(const FieldCamera& camera, FieldDrawList& drawList);
     const BenefitCurve* curveOf(std::uint32_t model, const CostModel& cost);
-    DrawnLevels advance(std::uint32_t object, const Selection& selection, const FieldLook& look);
+    DrawnLevels advance(std::uint32_t object, const Selection& selection, const FieldCamera& camera);
 
     const Field& _field;
     std::vector<Memory> _memory; ///< by object
     std::vector<BenefitCurve> _curves;
     std::optional<CostModel> _curvesCost;
     SceneSelector _selector;
-    // By object in sight; kept for their memory.
+    // By visible object; members to keep their memory.
     std::vector<std::uint32_t> _visible;
     std::vector<SelectableObject> _selectable;
     std::vector<HeldLevel> _held;

@@ -6,17 +6,17 @@
 namespace osgPMObjects::core
 {
 
-/// In which order the faces of a mesh are kept (TriangleOrders.h).
+/// The order in which the faces of a mesh are kept; TriangleOrders.h describes each.
 enum class FaceOrder
 {
     asTheyAre,
-    library,   ///< for plain caches: meshoptimizer's
+    library,   ///< for plain caches: meshoptimizer's order
     universal, ///< for caches of any size
-    locality,  ///< for a queue of 16 vertices
+    locality,  ///< for a vertex cache that is a queue of 16 vertices
 };
 
-/// Puts the faces of each part and material in order, by the wedges that they share (equal ones, firstEqualWedges(), are one vertex): the faces that one call draws. Which places in
-/// the list belong to which part and material stays.
+/// Orders the faces of each part and material (those that one call draws) by the vertices that they share. Equal wedges
+/// (firstEqualWedges()) count as one vertex. Each list position keeps its part and material.
 /// Cost: that of the order, plus a sort.
 void orderFaces(Mesh& mesh, FaceOrder order);
 

@@ -11,10 +11,10 @@
 namespace osgPMObjects::core
 {
 
-/// Which triangles share edges: the dual graph. Edge i of a triangle runs from corner i to corner i + 1.
-/// Two triangles are neighbours when one runs through the edge in the other direction, so strips keep the orientation. Of an
-/// edge with more than two triangles the first of either direction are paired, and so on. Triangles with equal corners have
-/// no neighbours.
+/// The dual graph of a mesh: which triangles share edges. Edge i of a triangle runs from corner i to corner i + 1.
+/// Two triangles are neighbours if they run through the edge in opposite directions, so strips keep the orientation. On an
+/// edge with more than two triangles the first ones of both directions are paired, then the second ones, and so on.
+/// Triangles with equal corners have no neighbours.
 /// Memory: 24 B a triangle. Cost: n log n.
 class TriangleAdjacency
 {
@@ -30,7 +30,7 @@ public:
         return _neighbours[triangle];
     }
 
-    /// The edge of `triangle` that it shares with `neighbour`; the first, if there are several.
+    /// Returns the first edge of `triangle` that it shares with `neighbour`.
     int edgeTo(std::uint32_t triangle, std::uint32_t neighbour) const
     {
         const auto& all = _neighbours[triangle];

@@ -11,12 +11,12 @@
 namespace osgPMObjects::core
 {
 
-/// All triangles, once each, in strips: rows in which each triangle is a neighbour of the one before.
+/// A partition of a mesh's triangles into strips: sequences in which each triangle is a neighbour of the one before.
 /// Invariant: areStrips().
 struct TriangleStrips
 {
     std::vector<std::uint32_t> triangles; ///< numbers, strip by strip
-    std::vector<std::uint32_t> firsts;    ///< where each strip begins
+    std::vector<std::uint32_t> firsts;    ///< by strip: index of its first triangle
 
     std::size_t size() const { return firsts.size(); }
     std::span<const std::uint32_t> strip(std::size_t i) const
@@ -28,29 +28,32 @@ struct TriangleStrips
 
 bool areStrips(const TriangleStrips& strips, const TriangleAdjacency& adjacency);
 
-/// The vertices of one strip as they are sent. Where it turns to the same side twice, a vertex is repeated; so is the first,
-/// where the strip would begin against its orientation. A strip of m triangles that alternates sends m + 2.
-/// Source: paper 002, "triangle strips".
+/// Returns the vertices of one strip as they are sent to the card. Two turns to the same side repeat a vertex; so does a
+/// strip that begins against its orientation. A strip of m triangles whose turns alternate has m + 2 vertices.
+/// Source: Jin, *Polygon Techniques*, "triangle strips".
 std::vector<std::uint32_t> encodeStrip(std::span<const Triangle> triangles,
                                        std::span<const std::uint32_t> strip);
 
-/// The triangles that a card draws for a strip: those without extent are left out.
+/// Returns the triangles that a card draws for a strip, without those of area zero.
 std::vector<Triangle> decodeStrip(std::span<const std::uint32_t> sent);
 
-/// Improved SGI: begins at a triangle with the fewest neighbours left, of equal ones at that whose neighbours have the fewest
-/// left, extends the three strips through it both ways, keeps the longest, and goes on so. Strips alternate.
-/// Cost: n log n. Source: paper 002, "improved SGI"; Akeley, Haeberli & Burns, tomesh (1990).
+/// Makes strips by the improved SGI algorithm. It begins at the triangle with the fewest free neighbours (a tie goes to the
+/// one whose neighbours have the fewest), grows the three strips through it in both directions, keeps the longest, and
+/// repeats. Turns alternate.
+/// Cost: n log n. Source: Jin, *Polygon Techniques*, "improved SGI"; Akeley, Haeberli & Burns, tomesh (1990).
 TriangleStrips sgiStrips(std::span<const Triangle> triangles);
 
-/// Paths in a spanning tree of the dual graph, as few as that tree allows. Strips turn as they like.
-/// Cost: linear, after the adjacency. Source: paper 002, "dual graph"; after Xiang, Held & Mitchell, "Fast and effective
-/// stripification of polygonal surface models" (1999). Differs: the tree is searched depth first, towards neighbours with the
-/// fewest neighbours left, and cut into the least number of paths, from its leaves up.
+/// Makes strips that are paths in a spanning tree of the dual graph, as few as that tree allows; turns need not alternate.
+/// Cost: linear, after the adjacency. Source: Jin, *Polygon Techniques*, "dual graph", after Xiang, Held & Mitchell,
+/// "Fast and effective stripification of polygonal surface models" (1999). Differs: the tree comes from a depth-first
+/// search that prefers neighbours with the fewest free neighbours, and is cut into the least number of paths from its
+/// leaves up.
 TriangleStrips dualGraphStrips(std::span<const Triangle> triangles);
 
-/// The same strips in another order, some of them backwards: next is always the one whose beginning costs a simulated queue of
-/// `cacheSize` vertices the least, among those that have a vertex in it.
-/// Cost: for each strip, the beginnings of up to 64 others. Source: paper 002, "cache-friendly stripping".
+/// Reorders strips, and reverses some of them. The next strip is the one whose first triangles cost a simulated queue of
+/// `cacheSize` vertices the least, among the strips that have a vertex in it.
+/// Cost: for each strip, the first triangles of up to 64 others. Source: Jin, *Polygon Techniques*, "cache-friendly
+/// stripping".
 TriangleStrips cacheOrderedStrips(std::span<const Triangle> triangles, std::uint32_t vertexCount,
                                   const TriangleStrips& strips, std::uint32_t cacheSize);
 

@@ -11,12 +11,12 @@
 namespace osgPMObjects::core
 {
 
-/// How many vertices are transformed when the triangles are drawn in their order, by a queue of the last `cacheSize`. At
-/// best each vertex once: half a vertex a triangle on large closed meshes; at worst three.
+/// Returns how many vertices a queue of `cacheSize` vertices transforms when it draws the triangles in their order. The best
+/// is each vertex once (half a vertex a triangle on large closed meshes), the worst three a triangle.
 std::uint64_t fifoTransforms(std::span<const Triangle> triangles, std::uint32_t vertexCount,
                              std::uint32_t cacheSize);
 
-/// The same by batches.
+/// Returns how many vertices a card transforms that works on batches of triangles (foundation::BatchCache).
 std::uint64_t batchTransforms(std::span<const Triangle> triangles, std::uint32_t vertexCount,
                               const foundation::BatchLimits& limits = foundation::BatchCache::kNvidia);
 

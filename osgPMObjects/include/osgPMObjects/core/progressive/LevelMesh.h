@@ -10,7 +10,7 @@
 namespace osgPMObjects::core
 {
 
-/// Calls visit(triangle, group) for each face of a level in the order in which it is drawn; holes are left out.
+/// Calls visit(triangle, group) for each face of a level in the order in which it is drawn; holes are skipped.
 template<class Visit>
 void forEachDrawnFace(const ProgressiveMesh& progressive, const ProgressiveLevel& level, const Visit& visit)
 {
@@ -25,8 +25,8 @@ void forEachDrawnFace(const ProgressiveMesh& progressive, const ProgressiveLevel
     }
 }
 
-/// The level after some steps as a plain mesh, faces in the order in which ProgressiveLevel draws them. Parts have been lost on
-/// the way into the progressive mesh: all faces are of one. Cost: that of playing the steps up to there.
+/// Returns the level after `steps` steps as a plain mesh, with its faces in the order in which ProgressiveLevel draws
+/// them. All faces get one part, for a progressive mesh does not keep parts. Cost: that of playing `steps` steps.
 Mesh meshAfter(const ProgressiveMesh& progressive, std::uint32_t steps);
 
 } // namespace osgPMObjects::core

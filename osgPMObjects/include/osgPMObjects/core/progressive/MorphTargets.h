@@ -9,26 +9,28 @@
 namespace osgPMObjects::core
 {
 
-/// Where the vertices of a level are in a coarser one, for a geomorph between the two. With all of them there, faces that the coarser level
-/// has not are without area, and the others are its faces.
-/// Memory: 8 B a wedge that goes.
+/// Tells for each vertex of a level where a coarser level has it: the end positions of a geomorph between the two.
+/// With all vertices at their targets, the faces that the coarser level does not have are without area.
+/// Memory: 8 B for each wedge that only the finer level has.
 /// Source: Hoppe, "Progressive meshes" (1996), §3.1 (geomorphs). Differs: positions and attributes are followed apart.
 struct MorphTargets
 {
     struct Target
     {
-        /// A wedge that lies where this one goes. The same for all wedges of a position.
-        std::uint32_t place = 0;
-        /// The wedge whose attributes it takes. Not always of that place: a wedge whose faces have all vanished on the way has ended there.
-        std::uint32_t look = 0;
+        /// A wedge of the coarser level whose position is the target; the same for all wedges of one position.
+        std::uint32_t positionWedge = 0;
+        /// The wedge whose attributes are the target. It may lie at another position: where all faces of a wedge vanish,
+        /// its attributes stop there.
+        std::uint32_t attributeWedge = 0;
         bool operator==(const Target&) const = default;
     };
 
-    std::uint32_t firstWedge = 0; ///< those before are of the coarser level, too, and stay
-    std::vector<Target> targets;  ///< of the finer level's wedges from firstWedge on
+    std::uint32_t firstWedge = 0; ///< wedges before it belong to both levels and do not move
+    std::vector<Target> targets;  ///< of the finer level's wedges, from firstWedge on
 };
 
-/// `finerSteps`: at most `coarserSteps`, which are at most as many as there are. Cost: linear in the finer level's wedges.
+/// Finds the targets between two levels: `finerSteps` ≤ `coarserSteps` ≤ ProgressiveMesh::stepCount.
+/// Cost: linear in the finer level's wedges.
 MorphTargets morphTargets(const ProgressiveMesh& progressive, std::uint32_t finerSteps,
                           std::uint32_t coarserSteps);
 

@@ -14,59 +14,65 @@
 namespace osgPMObjects::core
 {
 
-/// How a `.pm` file is written. docs/reference/pm-file.md has its layout.
+/// The form of a `.pm` file; docs/reference/pm-file.md describes the format.
+/// Invariant: checkSettings().
 struct PmSettings
 {
-    /// Positions in 16 bits an axis of the mesh's box, normals in 2 × 16 on the octahedron, texture coordinates in 16 of their range,
-    /// colours in 8. Otherwise doubles and floats as they are.
+    static constexpr std::uint32_t kMostStepSections = 32;
+
+    /// True stores positions in 16 bits an axis of the mesh's box, normals in 2 × 16 bits (octahedral), texture
+    /// coordinates in 16 bits of their range, colours in 8 bits. False stores doubles and floats unchanged.
     bool quantised = false;
-    /// Sections of steps, at least one: each ends at a level that a reader may stop at, and doubles the steps.
+    /// Number of sections of steps, 1 … kMostStepSections. A reader may stop after any section; each doubles the steps.
     std::uint32_t stepSections = 8;
-    /// Anything that belongs to the materials and is not known here, textures for instance. Readers get it with the coarsest level.
+    /// Bytes that the file carries with the materials, such as textures; readers get them with the coarsest level.
     std::string attachment;
 };
 
-/// The bytes of a `.pm` file. The mesh has to be valid (isValid()).
+/// Tells whether a file can be written by these settings: else an error that names the field.
+foundation::Outcome checkSettings(const PmSettings& settings);
+
+/// Returns the bytes of a `.pm` file. The mesh must satisfy isValid(), the settings checkSettings().
 std::string pmBytes(const ProgressiveMesh& progressive, const PmSettings& settings = {});
 
-/// Writes a whole file, or none. Errors: as foundation::writeWholeFile().
+/// Writes a whole file, or none. Errors: those of checkSettings() and of foundation::writeWholeFile().
 foundation::Outcome writePm(const std::filesystem::path& file, const ProgressiveMesh& progressive,
                             const PmSettings& settings = {});
 
-/// Reads a `.pm` file section by section, from the coarsest level on. After each there is a whole progressive mesh, whose finest level is
-/// what has been read so far; its level 0 is that one.
-/// Errors: what is no such file, is damaged (each section has a check sum) or cut off, has impossible contents; with place and
-/// section. What was read before an error remains good.
-/// Threads: one. The stream has to outlive it.
+/// Reads a `.pm` file section by section, from the coarsest level on. After each section mesh() returns a whole
+/// progressive mesh whose level 0 is the finest level that has been read.
+/// Errors name the stream and the section: no `.pm` file, a wrong check sum, a file cut off, impossible contents. What was
+/// read before an error remains good.
+/// Threads: one at a time. The stream must outlive the reader.
 class PmReader
 {
 public:
-    /// `place`: the stream's name in errors.
+    /// `place`: name of the stream in errors.
     PmReader(std::istream& stream, std::string place);
     ~PmReader();
     PmReader(PmReader&&) noexcept;
     PmReader& operator=(PmReader&&) noexcept;
 
-    /// Reads up to the next level that can be used; false: there is no more, the mesh is whole.
+    /// Reads up to the next usable level. Returns false when the file has ended and the mesh is whole.
     foundation::Result<bool> readMore();
 
-    /// The mesh as far as it has been read; of no use before the first readMore().
-    /// Cost: linear in it; every step is checked.
+    /// Returns the mesh as far as it has been read; call readMore() at least once before.
+    /// Cost: linear in the mesh; every step is checked.
     foundation::Result<ProgressiveMesh> mesh() const;
 
-    /// What was attached to the materials, known after the first readMore().
+    /// Returns PmSettings::attachment; known after the first readMore().
     const std::string& attachment() const;
 
-    /// How many steps the whole mesh has, and positions, known after the first readMore().
-    std::uint32_t stepsInAll() const;
-    std::uint32_t positionsInAll() const;
+    /// Return how many steps and positions the whole mesh has; known after the first readMore().
+    std::uint32_t totalSteps() const;
+    std::uint32_t totalPositions() const;
 
 private:
     class Sections;
     std::unique_ptr<Sections> _sections;
 };
 
-/// Reads a whole `.pm` file. Errors: it cannot be opened; as PmReader.
+/// Reads a whole `.pm` file. Errors: the file cannot be opened; those of PmReader.
 foundation::Result<ProgressiveMesh> readPm(const std::filesystem::path& file);
 
 } // namespace osgPMObjects::core

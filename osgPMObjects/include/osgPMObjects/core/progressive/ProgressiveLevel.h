@@ -11,27 +11,28 @@
 namespace osgPMObjects::core
 {
 
-/// Slots of an index buffer in a row. Slot s has the indices 3 s, 3 s + 1 and 3 s + 2.
+/// A range of consecutive slots of an index buffer. Slot s has the indices 3 s, 3 s + 1 and 3 s + 2.
 struct SlotRange
 {
     std::uint32_t first = 0, count = 0;
     bool operator==(const SlotRange&) const = default;
 };
 
-/// What steps have done to an index buffer so far.
+/// Counts what steps have done to an index buffer since its construction.
 struct StepStatistics
 {
-    std::uint64_t steps = 0;         ///< either way
-    std::uint64_t facesPatched = 0;  ///< got another wedge at a corner
-    std::uint64_t facesVanished = 0; ///< became a hole, or came back from one
-    std::uint64_t facesMoved = 0;    ///< into another slot
+    std::uint64_t steps = 0;         ///< in either direction
+    std::uint64_t facesPatched = 0;  ///< faces that got another wedge at a corner
+    std::uint64_t facesVanished = 0; ///< faces that became a hole, or came back from one
+    std::uint64_t facesMoved = 0;    ///< faces that moved to another slot
 };
 
-/// The index buffer of one level of a progressive mesh, which is changed in place when the level changes.
-/// Begins with the coarsest level. What it holds depends on the level alone, not on the way there. A hole's three indices are equal: a triangle without area.
-/// Memory: that of the indices, 16-bit ones if there are fewer than 65 536 wedges, and the largest rearrangement's. Nothing is
-/// allocated after construction. Cost of a change: the steps between; no more than that of a step where nothing changes.
-/// Threads: one at a time. The mesh has to outlive it, and must not change.
+/// The index buffer of one level of a progressive mesh; a change of level edits it in place. It begins at the coarsest
+/// level. Its contents depend on the level alone, not on the levels before. A *hole* is a slot with three equal indices,
+/// a triangle without area.
+/// Memory: the indices (16-bit with fewer than 65 536 wedges, else 32-bit) and the largest rearrangement; allocated by the
+/// constructor only. Cost of a change: linear in the steps between the levels and in what they change.
+/// Threads: one at a time. The mesh must outlive this object and must not change.
 class ProgressiveLevel
 {
 public:
@@ -40,29 +41,29 @@ public:
     ProgressiveLevel(ProgressiveLevel&&) noexcept;
     ProgressiveLevel& operator=(ProgressiveLevel&&) noexcept;
 
-    /// Makes the level after so many steps; at most as many as there are.
+    /// Plays steps until `steps` of them lead here from the finest level; `steps` ≤ ProgressiveMesh::stepCount.
     void moveTo(std::uint32_t steps);
 
     std::uint32_t steps() const;
     std::uint32_t faceCount() const;
-    std::uint32_t wedgeCount() const; ///< vertices of the buffer that the level may use: the first
+    std::uint32_t wedgeCount() const; ///< the level uses this many vertices, the first of the buffer
 
     bool hasNarrowIndices() const;
-    std::span<const std::uint16_t> narrowIndices() const; ///< empty if there are too many wedges
-    std::span<const std::uint32_t> wideIndices() const;   ///< empty if 16 bits do
+    std::span<const std::uint16_t> narrowIndices() const; ///< empty with 32-bit indices
+    std::span<const std::uint32_t> wideIndices() const;   ///< empty with 16-bit indices
 
-    /// The face in a slot; of a hole, equal corners.
+    /// Returns the face in a slot; a hole has equal corners.
     Triangle face(std::uint32_t slot) const;
 
-    /// What to draw of a group of faces, in order, appended to a list.
+    /// Appends the slots to draw of one group of faces, in order.
     void appendRanges(std::uint32_t group, std::vector<SlotRange>& ranges) const;
 
-    /// The slots that were written since the last call, roughly, appended to a list in order; everything at first.
+    /// Appends the slots written since the last call, in order, rounded up to blocks of slots; all slots at the first call.
     void takeChanges(std::vector<SlotRange>& changes);
 
     const StepStatistics& statistics() const;
 
-    class Player; ///< for 16- or 32-bit indices
+    class Player; ///< implements both widths of indices
 
 private:
     std::unique_ptr<Player> _player;

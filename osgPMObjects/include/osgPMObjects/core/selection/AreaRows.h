@@ -10,26 +10,27 @@
 namespace osgPMObjects::core
 {
 
-/// Which level is drawn at which projected area: row i while the area is at least `leastPx[i]`, the last row below all of
-/// them.
+/// A table that chooses a level by the projected area of an object: row i is drawn while the area is at least
+/// `leastPx[i]`, the last row below all of them.
 /// Invariant: isAreaRows(). Units: pixels squared.
 struct AreaRows
 {
-    std::vector<double> leastPx;      ///< positive, descending, one fewer than rows
-    std::vector<std::uint32_t> steps; ///< by row: the level that is drawn
+    std::vector<double> leastPx;      ///< pixels squared; positive, descending, one fewer than rows
+    std::vector<std::uint32_t> steps; ///< by row: the level to draw
 
-    /// Rows with half as many faces each, from the full mesh down to `leastFaces` or the last level, each drawn from where
-    /// one of its faces would cover less than `pixelsPerTriangle` of the area, when half of them are seen.
+    /// Returns rows each with half as many faces as the row before, from the full mesh down to `leastFaces` or the last
+    /// level. A row ends where one of its faces covers less than `pixelsPerTriangle`, if half of its faces are visible.
     static AreaRows halving(const LevelTable& table, double pixelsPerTriangle = 1.5,
                             std::uint32_t leastFaces = 8);
 };
 
 bool isAreaRows(const AreaRows& rows);
 
-/// The row of an area: it comes back to the finer one at the row's own area, and leaves it at that divided by `band`² (an
-/// area goes with the square of the distance). `band` ≥ 1, as for kDefaultBand; 1: no hysteresis. The finer row when none
-/// is held.
-/// Source: paper 004, section 2.3.3; hysteresis is ours.
+/// Chooses the row for an area, with hysteresis: it changes to the finer row at that row's own area, and back at that area
+/// divided by `band`² (an area falls with the square of the distance). `band` ≥ 1, see kDefaultBand; 1 means no hysteresis.
+/// Without a held row it returns the finer one. `areaPx`: pixels squared.
+/// Source: Sadykov & Zakharov, *Choosing the level of detail in continuous simplification of polygonal objects* (2002),
+/// section 2.3.3. Differs: hysteresis.
 std::uint32_t areaRowAt(const AreaRows& rows, double areaPx, double band, HeldLevel held);
 
 } // namespace osgPMObjects::core

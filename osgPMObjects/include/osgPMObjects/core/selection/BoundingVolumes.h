@@ -9,27 +9,26 @@
 namespace osgPMObjects::core
 {
 
-/// Frame: world. Units: metres.
+/// A bounding sphere. Frame: world. Units: metres.
 struct BoundingSphere
 {
     glm::dvec3 centre{0.0};
     double radius = 0.0;
 };
 
-/// Frame: world. Units: metres.
+/// A bounding box whose axes may be rotated. Frame: world. Units: metres.
 struct OrientedBox
 {
     glm::dvec3 centre{0.0};
-    glm::dmat3 axes{1.0};      ///< columns: unit vectors at right angles to each other
-    glm::dvec3 halfSizes{0.0}; ///< along the axes; 0 is allowed
+    glm::dmat3 axes{1.0};      ///< columns: orthogonal unit vectors
+    glm::dvec3 halfSizes{0.0}; ///< along the axes; at least 0
 };
 
-/// The ellipsoid with these half axes. That of a box's half sizes lies within the box; times √3 it goes through the corners.
-/// Frame: world. Units: metres.
+/// A bounding ellipsoid, given by its half axes. Frame: world. Units: metres.
 struct Ellipsoid
 {
     glm::dvec3 centre{0.0};
-    glm::dmat3 halfAxes{0.0}; ///< columns; 0 is allowed
+    glm::dmat3 halfAxes{0.0}; ///< columns, orthogonal; they may be 0
 
     static Ellipsoid within(const OrientedBox& box)
     {
@@ -39,8 +38,8 @@ struct Ellipsoid
     }
 };
 
-/// The area of a volume that is not wholly beyond the near plane: no figure of it in the picture can be relied upon, and the
-/// finest level is right.
+/// The projected area of a volume that is not wholly beyond the near plane. Its true area is not reliable, so rules choose
+/// the finest level.
 inline constexpr double kFullArea = std::numeric_limits<double>::infinity();
 
 } // namespace osgPMObjects::core

@@ -9,13 +9,16 @@
 namespace osgPMObjects::core
 {
 
-/// Where an eye is about a box, as an index of kBoxOutlines. On a face's plane it does not see the face.
+/// Returns the region of space around a box that the eye is in, as an index of kBoxOutlines. An eye in the plane of a face
+/// does not see that face.
 std::uint32_t regionOf(const OrientedBox& box, const glm::dvec3& eyeWorld);
 
-/// What an oriented box covers of the picture plane, inside the picture or not. Exact for the perspective projection.
-/// kFullArea with a corner before the near plane, or with the eye inside.
-/// Units: pixels squared. Cost: 8 corners at most 6 of which are projected, one look-up; some 50 ns.
-/// Source: Schmalstieg & Tobler (1999), paper 004 section 2.3.3 and its reference 26.
+/// Computes the area of a box projected onto the image plane, also outside the image. Exact for a perspective projection;
+/// kFullArea if a corner is before the near plane or the eye is inside the box.
+/// Units: pixels squared. Cost: one table look-up and at most 6 projected corners; some 50 ns.
+/// Source: Schmalstieg & Tobler, "Fast projected area computation for three-dimensional bounding boxes" (1999), cited
+/// by Sadykov & Zakharov, *Choosing the level of detail in continuous simplification of polygonal objects* (2002),
+/// section 2.3.3.
 double boxAreaPx(const SelectionView& view, const OrientedBox& box);
 
 } // namespace osgPMObjects::core

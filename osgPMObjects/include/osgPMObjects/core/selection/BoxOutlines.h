@@ -7,24 +7,25 @@
 namespace osgPMObjects::core
 {
 
-/// The corners of a box's outline as the eye sees it, counter-clockwise. A corner's number has bit a set where it lies on the
-/// positive side of axis a.
+/// The corners of a box's outline as the eye sees it, counter-clockwise. Bit a of a corner's number is set if the corner
+/// lies on the positive side of axis a.
 struct BoxOutline
 {
-    std::uint8_t count = 0; ///< 4: one face is seen; 6: two or three; 0: no region, or the eye is inside
+    std::uint8_t count =
+        0; ///< 4: one visible face; 6: two or three; 0: the eye is inside, or the code is not a region
     std::array<std::uint8_t, 6> corners{};
 
     bool operator==(const BoxOutline&) const = default;
 };
 
-/// Where an eye can be about a box: bit 2a is set below the negative side of axis a, bit 2a + 1 above its positive side. Both
-/// at once occur nowhere, so the largest code is 42.
+/// The number of region codes. A code tells on which sides of a box the eye is: bit 2a is set below the negative side of
+/// axis a, bit 2a + 1 above its positive side. Both are never set at once, so the largest code is 42.
 inline constexpr std::uint32_t kBoxRegions = 43;
 
 namespace detail
 {
 
-/// The outline is what is left of the seen faces' edges when those that two of them share are struck out.
+/// Builds an outline: the edges of the visible faces without those that two visible faces share.
 constexpr BoxOutline boxOutline(std::uint32_t region)
 {
     constexpr std::uint8_t kNone = 8;
@@ -70,9 +71,9 @@ constexpr std::array<BoxOutline, kBoxRegions> boxOutlines()
 
 } // namespace detail
 
-/// The outline by region code: 27 of the 43 codes occur, 6 with four corners, 20 with six, and the inside.
+/// The outline for each region code. 27 of the 43 codes occur: 6 with four corners, 20 with six, and the inside.
 /// Source: Schmalstieg & Tobler, "Fast projected area computation for three-dimensional bounding boxes" (1999). Differs: the
-/// compiler works the table out from the faces that a region sees, and corners are numbered by the bits of their sides.
+/// compiler computes the table from the visible faces; corners are numbered by the bits of their sides.
 inline constexpr std::array<BoxOutline, kBoxRegions> kBoxOutlines = detail::boxOutlines();
 
 } // namespace osgPMObjects::core

@@ -7,24 +7,23 @@
 namespace osgPMObjects::core
 {
 
-/// What a rule remembers of one object in one view, kept by the caller: the level or row that it chose last.
+/// The state of a rule with hysteresis for one object in one view, kept by the caller: the last level or row chosen.
 struct HeldLevel
 {
     static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
-    std::uint32_t level = kNone; ///< kNone: not chosen yet, or forgotten while the object was out of sight
+    std::uint32_t level = kNone; ///< kNone: not chosen yet, or forgotten while the object was not visible
 
     bool isHeld() const { return level != kNone; }
 };
 
-/// The width of the band that rules with a tolerance keep a level for. A rule asks with its tolerance divided by the band,
-/// and holds the answer until the tolerance itself would be broken, or the band's other end is reached: a factor of
-/// `kDefaultBand` in distance either way. Back and forth by 5 % changes it by 1.05 / 0.95 = 1.105, so nothing switches
-/// more than once.
+/// The default width of hysteresis, a factor of distance. A rule chooses with its tolerance divided by the band, and holds
+/// that level until the tolerance itself is exceeded or the other end of the band is reached. A distance that varies by
+/// ±5 % changes by 1.05 / 0.95 = 1.105, less than the band, so the level switches at most once.
 inline constexpr double kDefaultBand = 1.12;
 
-/// The row that is held: it goes up while the next one is due, and down while its own is not.
-/// `isDue(row)`: whether to go on to a row from the one before it; `isOver(row)`: whether to go back from it. Both fall
-/// with the row, and no row is due and over at once. `held`: none, or the last answer; `last`: the last row.
+/// Moves the held row up while the next row is due, and down while its own is over.
+/// `isDue(row)`: whether to change to `row` from the row before it; `isOver(row)`: whether to change back from `row`. Both
+/// must fall with the row, and no row may be due and over at once. `held`: the last answer, or none; `last`: the last row.
 template<class IsDue, class IsOver>
 std::uint32_t heldRow(HeldLevel held, std::uint32_t last, const IsDue& isDue, const IsOver& isOver)
 {

@@ -16,44 +16,45 @@
 namespace osgPMObjects::core
 {
 
-/// An object that a level is chosen for: plain data, owned by the caller, as are the tables that instances share.
+/// An object whose level is to be chosen. It is plain data; the caller owns it and the tables that instances share.
 /// Frame: world. Units: metres.
 struct SelectableObject
 {
     BoundingSphere sphere;
     const LevelTable* table = nullptr;
     const SelectionSettings* settings = nullptr;
-    double metresPerUnit = 1.0; ///< of the model's positions; the same along all axes
+    double metresPerUnit = 1.0; ///< of the model's positions, along every axis
     Priority priority;
-    OrientedBox box;                     ///< for the areas of boxes and ellipsoids
-    const FacingBins* facing = nullptr;  ///< for the facing area, about the box's axes
-    const BenefitCurve* curve = nullptr; ///< for the budget; of levels that can be drawn
-    /// The levels that can be drawn, in steps, ascending from 0: of those the coarsest is taken that is no coarser than what
-    /// the rule asks for. Empty: all that SelectionSettings::leastFaces allows; who gives levels leaves those out himself.
-    std::span<const std::uint32_t> drawn;
+    OrientedBox box;                     ///< for SelectionMethod::boxArea and ellipsoidArea
+    const FacingBins* facing = nullptr;  ///< for SelectionMethod::facingArea; in the frame of the box's axes
+    const BenefitCurve* curve = nullptr; ///< for SelectionMethod::budget; of drawable levels only
+    /// The levels that can be drawn, in steps, ascending from 0. The selector takes the coarsest of them that is no
+    /// coarser than the rule asks for. Empty: all levels that SelectionSettings::leastFaces allows; a given list must
+    /// obey it itself.
+    std::span<const std::uint32_t> drawable;
 };
 
-/// What a level was chosen by besides the rule itself.
+/// The cause of a choice.
 enum class SelectionReason : std::uint8_t
 {
     rule,
     clamped,  ///< the rule asked for more steps than there are
-    fullArea, ///< the volume is not wholly beyond the near plane: the finest level
-    gone,     ///< beyond the alpha range: not to be processed
+    fullArea, ///< the volume is not wholly beyond the near plane: the finest level is chosen
+    gone,     ///< the object is beyond the alpha range and is not drawn
 };
 
-/// What to draw of an object.
+/// The choice for one object.
 struct Selection
 {
-    std::uint32_t steps = 0; ///< of the CollapseSequence; 0: the full mesh; a level that can be drawn
+    std::uint32_t steps = 0; ///< the level to draw; 0: the full mesh
     float alpha = 1.0f;      ///< of the alpha range
     SelectionReason reason = SelectionReason::rule;
-    bool hasSwitched = false; ///< the rule asks for another level than last time; not the first time
+    bool hasSwitched = false; ///< true if the level differs from the last choice; false at the first choice
 };
 
-/// The one front of all rules: chooses each object's level by its own method, for one view.
-/// Threads: any number at once, each with its own objects. Memory: none of its own; nothing is allocated.
-/// Cost: see docs/measurements/selection.md; 20 to 80 ns an object.
+/// Chooses the level of each object by its own method, for one view.
+/// Threads: any number at once, each with its own objects. Memory: no allocation.
+/// Cost: 20 to 80 ns an object; see docs/measurements/selection.md.
 class LevelSelector
 {
 public:
@@ -62,18 +63,19 @@ public:
     {
     }
 
-    /// `held`: in and out, the object's own in this view. An object with the method `budget` is given the level of the
-    /// point that SceneBudget has put there; SceneSelector does both.
+    /// Chooses one object's level. `held`: in and out, of this object in this view. An object with the method `budget` gets
+    /// the level of the point that SceneBudget put into `held`; SceneSelector does both.
     Selection select(const SelectableObject& object, HeldLevel& held) const;
 
-    /// What an object's importance and the attention it has are worth.
+    /// Returns priorityGain() of an object: the factor by which its importance and the attention on it magnify it.
     double gainOf(const SelectableObject& object) const
     {
         return priorityGain(object.priority, _attention, _view.eyeWorld, object.sphere);
     }
-    /// Distance from the centre of the bounding sphere, as the author's camera would have it (SelectionView::distancesFrom). Units: metres.
+    /// Returns the distance to compare with settings: from SelectionView::distancesFrom to the centre of the bounding
+    /// sphere, scaled by SelectionView::distanceScale and divided by the gain. Units: metres.
     double distanceM(const SelectableObject& object, double gain) const;
-    /// The error in the model's units that its tolerance in pixels allows.
+    /// Returns the error, in the model's units, that its tolerance in pixels allows.
     double toleranceOf(const SelectableObject& object, double gain) const;
 
     const SelectionView& view() const { return _view; }

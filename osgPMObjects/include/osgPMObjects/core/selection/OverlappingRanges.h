@@ -10,30 +10,31 @@
 namespace osgPMObjects::core
 {
 
-/// A boundary of ranges that overlap. Units: metres of the author's camera (SelectionView::distanceScale).
+/// A boundary of overlapping ranges. Units: metres of the author's camera (SelectionView::distanceScale).
 struct OverlapM
 {
-    double nearM = 0.0; ///< here the finer level comes back while approaching
-    double farM = 0.0;  ///< up to here the finer level holds while receding
+    double nearM = 0.0; ///< an approaching object changes to the finer level here
+    double farM = 0.0;  ///< a receding object changes to the coarser level here
 };
 
 /// Distance ranges that overlap: between the two distances of a boundary the level stays what it was.
 /// Invariant: isOverlappingRanges().
 struct OverlappingRanges
 {
-    std::vector<OverlapM> boundaries; ///< near and far ascend, near > 0, near < far; one fewer than rows
-    std::vector<std::uint32_t> steps; ///< by row: the level that is drawn
+    std::vector<OverlapM> boundaries; ///< near and far ascend, 0 < near < far; one fewer than rows
+    std::vector<std::uint32_t> steps; ///< by row: the level to draw
 
-    /// Around the boundaries of plain ranges, from a boundary over √ratio to the boundary times √ratio. `ratio` > 1: far by
-    /// near; above 1.05 / 0.95 = 1.105 nothing that goes back and forth by 5 % switches twice.
+    /// Widens the boundaries of plain ranges: each goes from the boundary / √ratio to the boundary · √ratio. `ratio` > 1; a
+    /// distance that varies by ±5 % switches at most once if `ratio` is above 1.05 / 0.95 = 1.105.
     static OverlappingRanges around(const Ranges& ranges, double ratio = kDefaultBand);
 };
 
 bool isOverlappingRanges(const OverlappingRanges& ranges);
 
-/// The row of a distance, when the last one was `held`: the finer of two that are possible when none was.
+/// Chooses the row for a distance. The held row decides inside an overlap; the finer row if none is held.
 /// Cost: as many comparisons as rows are passed, and two.
-/// Source: paper 004, section 2.3.2 (King 2000; Rohlf & Helman 1994).
+/// Source: Sadykov & Zakharov, *Choosing the level of detail in continuous simplification of polygonal objects* (2002),
+/// section 2.3.2, after King (2000) and Rohlf & Helman (1994).
 std::uint32_t overlappingRangeAt(const OverlappingRanges& ranges, double distanceM, HeldLevel held);
 
 } // namespace osgPMObjects::core

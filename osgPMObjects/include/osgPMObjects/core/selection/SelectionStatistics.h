@@ -10,23 +10,23 @@
 namespace osgPMObjects::core
 {
 
-/// What one method did in a frame, in objects.
+/// Counts of one method in a frame. Units: objects, except triangles.
 struct MethodStatistics
 {
-    std::uint32_t objects = 0; ///< all that have the method
+    std::uint32_t objects = 0; ///< all objects with the method
     std::uint32_t switched = 0;
     std::uint32_t clamped = 0;
     std::uint32_t fullArea = 0;
     std::uint32_t faded = 0;     ///< drawn with an alpha below 1
     std::uint32_t gone = 0;      ///< beyond the alpha range, not drawn
-    std::uint64_t triangles = 0; ///< of the chosen levels of those that are drawn
+    std::uint64_t triangles = 0; ///< of the chosen levels that are drawn
 
     void count(const Selection& selection, std::uint32_t drawnTriangles);
     MethodStatistics& operator+=(const MethodStatistics& other);
     bool operator==(const MethodStatistics&) const = default;
 };
 
-/// What selection did in a frame, by method.
+/// Counts of a frame's selection, by method.
 struct SelectionStatistics
 {
     std::array<MethodStatistics, kSelectionMethods> byMethod{};

@@ -7,12 +7,13 @@
 namespace osgPMObjects::core
 {
 
-/// What a sphere covers of the picture plane, inside the picture or not: the area of the ellipse that it projects to, exact.
-/// With the centre at depth c_z and distance d from the eye
-///     area = π |det P| r² √(d² - r²) / (c_z² - r²)^(3/2),
-/// what ellipsoidAreaPx() becomes for equal half axes. Towards the picture's edges it is larger than π (K r / d)².
-/// kFullArea where it reaches before the near plane. Units: pixels squared. Cost: some 10 ns.
-/// Source: paper 004, section 2.3.3.
+/// Computes the area of a sphere projected onto the image plane, also outside the image; exact. With the depth c_z of the
+/// centre, its distance d from the eye and the projection P:
+///     area = π |det P| r² √(d² - r²) / (c_z² - r²)^(3/2).
+/// This is ellipsoidAreaPx() with equal half axes. Off the image's centre it is larger than π (K r / d)².
+/// kFullArea if the sphere reaches before the near plane. Units: pixels squared. Cost: some 10 ns.
+/// Source: Sadykov & Zakharov, *Choosing the level of detail in continuous simplification of polygonal objects* (2002),
+/// section 2.3.3, names spheres; the formula is that of EllipsoidArea.h.
 double sphereAreaPx(const SelectionView& view, const BoundingSphere& sphere);
 
 } // namespace osgPMObjects::core

@@ -14,12 +14,12 @@
 namespace osgPMObjects::core
 {
 
-/// Cuts a loop without holes, as bridgeHoles() leaves it, into counter-clockwise triangles of its points, none of area zero;
-/// no other point lies in or on a triangle. The best-shaped ear goes first.
-/// Errors: nothing, when the loop is not one: its edges cross, or it is not counter-clockwise.
-/// Cost: a test of three triangles against the reflex points near them for each triangle: n log n, quadratic at worst.
-/// Source: paper 002, "ear clipping"; Meisters, "Polygons have ears" (1975). That only the neighbours of what was cut change,
-/// and only points that are not convex can lie in an ear: O'Rourke, "Computational geometry in C" (1998), §1.4. Differs:
+/// Cuts a loop without holes (see bridgeHoles()) into counter-clockwise triangles of its points. No triangle has area
+/// zero; no other point lies in or on a triangle. The best-shaped ear is cut first. Returns nothing if the loop's edges
+/// cross or it is not counter-clockwise.
+/// Cost: for each triangle, three triangles are tested against the reflex points near them: n log n, quadratic at worst.
+/// Source: Jin, *Polygon Techniques*, "ear clipping"; Meisters, "Polygons have ears" (1975). O'Rourke, "Computational
+/// geometry in C" (1998), §1.4: a cut changes only its neighbours, and only reflex points can lie in an ear. Differs:
 /// loops may touch themselves; straight points count as reflex; exact.
 std::optional<std::vector<Triangle>> clipEars(std::span<const glm::dvec2> points, const Loop& loop);
 

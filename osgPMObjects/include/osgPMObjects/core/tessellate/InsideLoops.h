@@ -9,21 +9,23 @@
 namespace osgPMObjects::core
 {
 
-/// Which places belong to a polygon, by how often its contours run around them counter-clockwise, less clockwise.
+/// The rule that decides which points are inside a polygon, by its winding number: how often the contours run around the
+/// point counter-clockwise, minus clockwise.
 enum class InsideRule
 {
-    odd,      ///< an odd number of times: whatever the direction of holes, and both halves of a bow-tie
-    nonZero,  ///< any number of times: overlaps belong to it
-    positive, ///< more often counter-clockwise
+    odd,      ///< odd numbers: holes may have any direction; both halves of a bow-tie are inside
+    nonZero,  ///< all numbers but 0: overlaps are inside
+    positive, ///< numbers above 0
 };
 
-/// Points in a row around a part of the plane, which lies to the left of each edge: counter-clockwise around it, clockwise
-/// around its holes. A point comes as often as the part has sectors there; sectors of visits to one point do not overlap.
+/// A closed border of a part of the plane, as point numbers; the part lies to the left of each edge, so a loop runs
+/// counter-clockwise around the part and clockwise around its holes. A point appears once for each sector that the part has
+/// there; the sectors of two visits of one point do not overlap.
 using Loop = std::vector<std::uint32_t>;
 
-/// The borders between inside and outside. Edges with the inside on both sides are dropped. Two loops of the same part of
-/// the inside have no point in common.
-/// Cost: n log n for edges around points, and a ray through all edges for each group of connected ones.
+/// Returns the borders between inside and outside, without edges that have the inside on both sides. Two loops of the same
+/// part of the inside have no common point.
+/// Cost: n log n for sorting edges around points, and a ray through all edges for each group of connected edges.
 std::vector<Loop> insideLoops(const NodedEdges& noded, InsideRule rule);
 
 } // namespace osgPMObjects::core

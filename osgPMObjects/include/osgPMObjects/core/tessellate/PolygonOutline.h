@@ -21,8 +21,8 @@ struct OutlineOptions
     InsideRule inside = InsideRule::odd;
 };
 
-/// A polygon in the plane, ready to be cut: each part of its inside is one loop, without holes, that neither crosses itself
-/// nor others. Numbers of points: the corners of all contours in their order, then the inserted ones.
+/// A polygon in the plane, ready for triangulation: each part of its inside is one loop without holes that crosses neither
+/// itself nor other loops. Point numbers: the corners of all contours in their order, then the inserted points.
 struct PolygonOutline
 {
     std::vector<glm::dvec2> points;
@@ -30,20 +30,21 @@ struct PolygonOutline
     std::vector<Loop> loops;     ///< counter-clockwise
     std::uint32_t crossings = 0; ///< pairs of edges that crossed: a bow-tie has one
     std::uint32_t unusedCorners =
-        0;                     ///< at the place of another one, or not on the border: spikes, zero areas
-    std::uint32_t bridges = 0; ///< holes joined to what surrounds them
-    bool isSnapped = false;    ///< see NodedEdges
-    bool isAlongAverageNormal = false; ///< how it was projected
+        0; ///< corners that repeat another one, or are not on the border: spikes, zero areas
+    std::uint32_t bridges = 0;         ///< holes that were joined to the contour around them
+    bool isSnapped = false;            ///< see NodedEdges
+    bool isAlongAverageNormal = false; ///< true if projected along the average normal
 };
 
-/// `corners`: of all contours, one after the other; `contourSizes`: how many each has; whatever they are like.
-/// The inside lies left of the largest contour: triangles have its direction.
-/// Errors: sizes that do not add up, coordinates that are not finite, edges that cannot be told apart.
+/// Makes the outline of any polygon: concave, with holes, with contours that touch or cross.
+/// `corners`: of all contours, one after the other; `contourSizes`: the number of corners of each.
+/// The largest contour is taken as counter-clockwise; triangles get its orientation.
+/// Errors: sizes that do not add up, coordinates that are not finite, edges that cannot be separated.
 foundation::Result<PolygonOutline> outlinePolygon(std::span<const glm::dvec3> corners,
                                                   std::span<const std::uint32_t> contourSizes,
                                                   const OutlineOptions& options = {});
 
-/// Where an inserted point lies in space.
-glm::dvec3 placeOf(const InsertedPoint& inserted, std::span<const glm::dvec3> corners);
+/// Returns the position of an inserted point in space.
+glm::dvec3 positionOf(const InsertedPoint& inserted, std::span<const glm::dvec3> corners);
 
 } // namespace osgPMObjects::core

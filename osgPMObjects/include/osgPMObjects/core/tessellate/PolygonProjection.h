@@ -10,23 +10,24 @@
 namespace osgPMObjects::core
 {
 
-/// How a polygon in space becomes one in the plane.
+/// The projection that takes a polygon in space to the plane.
 enum class ProjectionRule
 {
-    largestArea, ///< drops the coordinate whose removal leaves the largest area: exact, for flat polygons
-    averageNormal, ///< onto the plane across the average normal: for warped ones, which may overlap themselves otherwise
-    automatic, ///< by largest area, unless edges cross there and fewer do along the average normal
+    largestArea, ///< drops the coordinate that leaves the largest area: exact, for flat polygons
+    averageNormal, ///< projects along the average normal: for warped polygons, which may overlap themselves otherwise
+    automatic, ///< largestArea, unless edges cross there and fewer cross with averageNormal
 };
 
-/// Twice the area of a closed contour, as a vector along its average normal, by the right-hand rule. Units: those of the
-/// corners, squared. Source: Newell's method, as in paper 002, "projection".
+/// Returns twice the area of a closed contour as a vector along its average normal, by the right-hand rule. Units: those of
+/// the corners, squared. Source: Newell's method, as in Jin, *Polygon Techniques*, "projection".
 glm::dvec3 areaVector(std::span<const glm::dvec3> contour);
 
-/// The corners in the plane, scaled by a power of two so that coordinates are at most 1 in size, and those below 2^-200
-/// are zero: what orientation() asks. The largest contour runs counter-clockwise, unless its area is zero.
-/// `corners`: all contours, one after the other; `contourSizes`: of each. Finite. `rule` is not automatic.
-/// Source: paper 002, "projection": area test and normal test. A contour whose parts cancel out (a bow-tie) has no average
-/// normal; it is projected along the axis in which its triangles from the first corner have the largest absolute areas.
+/// Projects corners onto the plane and scales them by a power of two: coordinates are at most 1, and those below 2^-200 are
+/// zero, as orientation() requires. The largest contour runs counter-clockwise, unless its area is zero.
+/// `corners`: all contours, one after the other, finite; `contourSizes`: of each; `rule`: not automatic.
+/// Source: Jin, *Polygon Techniques*, "projection": area test and normal test. A contour whose parts cancel out (a bow-tie)
+/// has no average normal. It is projected along the axis for which its triangles from the first corner have the largest
+/// absolute areas.
 std::vector<glm::dvec2> projectPolygon(std::span<const glm::dvec3> corners,
                                        std::span<const std::uint32_t> contourSizes, ProjectionRule rule);
 

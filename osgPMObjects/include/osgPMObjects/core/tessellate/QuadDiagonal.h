@@ -10,39 +10,39 @@
 namespace osgPMObjects::core
 {
 
-/// By what a quad is cut in two. Of equal diagonals it is the one from corner 0.
+/// The rule that chooses the diagonal of a quad. If both diagonals are equal, the one from corner 0 is chosen.
 enum class DiagonalRule
 {
-    leastColourDifference, ///< between corners with the most similar colours: for lighting computed beforehand
-    leastNormalDifference,   ///< between corners with the most similar normals
-    largestNormalAngle,      ///< so that the two triangles have the largest angle between them: creases stay
-    nearestAreas,            ///< so that the two triangles have the most similar areas
-    nearestHeights,          ///< between corners of the most similar heights
-    largestHeightDifference, ///< between corners of the most different heights
+    leastColourDifference,   ///< joins corners with the most similar colours: for precomputed lighting
+    leastNormalDifference,   ///< joins corners with the most similar normals
+    largestNormalAngle,      ///< makes the angle between the two triangles largest: keeps creases
+    nearestAreas,            ///< makes the two triangles' areas most similar
+    nearestHeights,          ///< joins corners of the most similar heights
+    largestHeightDifference, ///< joins corners of the most different heights
 };
 
 struct QuadCorner
 {
-    glm::dvec3 position{0.0}; ///< height: z
-    glm::dvec3 normal{0.0};   ///< of unit length, for leastNormalDifference
+    glm::dvec3 position{0.0}; ///< z is the height
+    glm::dvec3 normal{0.0};   ///< unit length; for leastNormalDifference
     glm::dvec4 colour{0.0};   ///< for leastColourDifference
 };
 
 using Quad = std::array<QuadCorner, 4>;
 
-/// Whether a rule is one for height fields: these are seen from above, however steep, other quads along their average
-/// normal.
+/// Tells whether a rule is for height fields. It sees quads from above, however steep; other rules see them along their
+/// average normal.
 constexpr bool isForHeightFields(DiagonalRule rule)
 {
     return rule != DiagonalRule::leastColourDifference && rule != DiagonalRule::leastNormalDifference;
 }
 
-/// The diagonals that lie inside of the quad, as the rule sees it: from corner 0 and from corner 1. A convex quad has both,
-/// a concave one that of its reflex corner, a bow-tie and a quad without area none.
+/// Tells which diagonals (from corner 0, from corner 1) lie inside the quad as the rule sees it: both for a convex quad, the
+/// one at the reflex corner for a concave quad, none for a bow-tie or a quad without area.
 std::array<bool, 2> diagonalsInside(const Quad& quad, DiagonalRule rule);
 
-/// The corner from which the quad is to be cut: 0 (0–2) or 1 (1–3), among diagonalsInside(). Nothing: cut it as a polygon.
-/// Source: paper 002, "shading": least difference, and the four ways for height fields.
+/// Chooses the diagonal among diagonalsInside(): 0 for 0–2, 1 for 1–3. Nothing: the quad must be cut as a polygon.
+/// Source: Jin, *Polygon Techniques*, "shading": least difference, and the four rules for height fields.
 std::optional<std::uint32_t> chooseDiagonal(const Quad& quad, DiagonalRule rule);
 
 } // namespace osgPMObjects::core

@@ -14,22 +14,22 @@
 namespace osgPMObjects::core
 {
 
-/// Triangles none of whose edges is longer than was asked.
+/// A mesh whose edges are no longer than a given length.
 struct UniformMesh
 {
-    std::vector<glm::dvec3> positions; ///< those that were given, then the midpoints
+    std::vector<glm::dvec3> positions; ///< the given ones, then the midpoints
     std::vector<std::array<std::uint32_t, 2>>
-        midpointOf; ///< of each further position: the two halfway between which it lies
+        midpointOf; ///< by midpoint: the two positions that it is halfway between
     std::vector<Triangle> triangles;
-    std::vector<std::uint32_t> origin; ///< by triangle: the one that was given, of which it is a part
+    std::vector<std::uint32_t> origin; ///< by triangle: the given triangle that it is a part of
 };
 
-/// Halves every edge that is longer than `longestEdge`, again and again. Whether an edge is divided, and where, hangs on
-/// the places of its ends alone, so triangles that share one divide it alike, also in other calls and in either direction.
-/// Attributes of a midpoint are the mean of those of its two positions.
+/// Halves every edge that is longer than `longestEdge`, until none is. The result depends on the positions of an edge's ends
+/// alone, so triangles that share an edge divide it alike, also in other calls and in the opposite direction.
+/// The attributes of a midpoint are the mean of those of its two positions.
 /// Units: `longestEdge` in those of the positions. Cost: linear in the result.
-/// Errors: an edge length that is not above zero; more than `mostTriangles`.
-/// Source: paper 002, "uniform meshing" (for lighting at vertices) and "edge stitching" (shared edges).
+/// Errors: a length that is not above zero; more than `mostTriangles` triangles.
+/// Source: Jin, *Polygon Techniques*, "uniform meshing" (for lighting at vertices) and "edge stitching" (shared edges).
 foundation::Result<UniformMesh> meshUniformly(std::span<const glm::dvec3> positions,
                                               std::span<const Triangle> triangles, double longestEdge,
                                               std::uint32_t mostTriangles = 10'000'000);
