@@ -8,6 +8,9 @@
 
 #include <osgTerrainROAM/Atmosphere>
 
+#include "MixedColour.h"
+#include "shaders/osgTerrainROAM.h"
+
 namespace osgTerrainROAM
 {
 
@@ -69,11 +72,6 @@ const std::array<SkyKey, kKeys>& skyKeys()
          {0.90f, 0.90f, 0.85f}},
     }};
     return keys;
-}
-
-osg::Vec3f mixed(const osg::Vec3f& a, const osg::Vec3f& b, float t)
-{
-    return a * (1.0f - t) + b * t;
 }
 
 SkyKey keyAt(double elevationDeg)
@@ -194,6 +192,11 @@ void Atmosphere::applyTo(osg::Light& light) const
     light.setAmbient(osg::Vec4f(displayColour(_light.sky * 0.5f), 1.0f));
     light.setDiffuse(osg::Vec4f(displayColour(_light.sun * 0.6f), 1.0f));
     light.setSpecular(osg::Vec4f(displayColour(_light.sun * 0.6f), 1.0f));
+}
+
+const char* Atmosphere::glslFunctions()
+{
+    return shaders::kAtmosphere;
 }
 
 } // namespace osgTerrainROAM

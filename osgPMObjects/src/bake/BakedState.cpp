@@ -11,7 +11,7 @@
 #include <osg/LightModel>
 #include <osg/Material>
 
-#include "BakedShader.h"
+#include "shaders/osgPMObjects.h"
 
 namespace osgPMObjects
 {
@@ -108,8 +108,8 @@ BakedLook::BakedLook(const core::BakedMaps& maps, int gutterPx)
 {
     _normals->setMaxLOD(smallestCopy(gutterPx));
     _program->setName("baked");
-    _program->addShader(new osg::Shader(osg::Shader::VERTEX, kBakedVertexShader));
-    _program->addShader(new osg::Shader(osg::Shader::FRAGMENT, kBakedFragmentShader));
+    _program->addShader(new osg::Shader(osg::Shader::VERTEX, shaders::kBakedVert));
+    _program->addShader(new osg::Shader(osg::Shader::FRAGMENT, shaders::kBakedFrag));
 }
 
 osg::ref_ptr<osg::StateSet> BakedLook::stateFor(const osg::StateSet& state, const Finish& finish,

@@ -6,49 +6,20 @@
 
 #include <osgPMObjects/ObjectShader>
 
+#include "shaders/osgPMObjects.h"
+
 namespace osgPMObjects
 {
 
-namespace
+const char* glslVertexFunctions()
 {
-
-const char* const kVertexMain = R"(
-out vec3 normalInView;
-out vec3 inView;
-out vec4 colour;
-out vec2 textureAt;
-void main()
-{
-    vec4 placed = pmInView(pmPosition());
-    inView = placed.xyz;
-    normalInView = pmNormalInView(pmNormal());
-    colour = pmColour();
-    textureAt = (gl_TextureMatrix[0] * vec4(pmTexCoord0(), 0.0, 1.0)).xy;
-    gl_Position = gl_ProjectionMatrix * placed;
-    pmShow();
+    return shaders::kObjectVertexFunctions;
 }
-)";
 
-const char* const kFragmentMain = R"(
-in vec3 normalInView;
-in vec3 inView;
-in vec4 colour;
-in vec2 textureAt;
-uniform sampler2D pmTexture;
-void main()
+const char* glslFragmentFunctions()
 {
-    float alpha = pmAlpha();
-    vec3 normal = normalize(normalInView);
-    vec4 light = gl_LightSource[0].position;
-    vec3 towards = normalize(light.w == 0.0 ? light.xyz : light.xyz - inView);
-    vec3 ambient = gl_LightModel.ambient.rgb + gl_LightSource[0].ambient.rgb;
-    vec3 diffuse = max(dot(normal, towards), 0.0) * gl_LightSource[0].diffuse.rgb;
-    vec4 paint = colour * texture(pmTexture, textureAt);
-    gl_FragColor = vec4(min(paint.rgb * (ambient + diffuse), vec3(1.0)), paint.a * alpha);
+    return shaders::kObjectFragmentFunctions;
 }
-)";
-
-} // namespace
 
 osg::ref_ptr<osg::Texture2D> whiteTexture()
 {
@@ -80,9 +51,10 @@ osg::ref_ptr<osg::Program> makeObjectProgram()
     const std::string version = "#version 130\n";
     osg::ref_ptr<osg::Program> program = new osg::Program;
     program->setName("osgPMObjects");
-    program->addShader(new osg::Shader(osg::Shader::VERTEX, version + glslVertexFunctions() + kVertexMain));
     program->addShader(
-        new osg::Shader(osg::Shader::FRAGMENT, version + glslFragmentFunctions() + kFragmentMain));
+        new osg::Shader(osg::Shader::VERTEX, version + glslVertexFunctions() + shaders::kObjectVertexMain));
+    program->addShader(new osg::Shader(osg::Shader::FRAGMENT,
+                                       version + glslFragmentFunctions() + shaders::kObjectFragmentMain));
     bindObjectAttributes(*program);
     return program;
 }

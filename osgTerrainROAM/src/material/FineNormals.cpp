@@ -141,24 +141,4 @@ void FineNormals::grow()
     _pages->dirtyTextureObject();
 }
 
-const char* fineNormalsGlsl()
-{
-    return R"(
-uniform sampler2D terrainFineIndex; // of the raster's cells: 1 + page, or 0
-uniform sampler2DArray terrainFineNormals; // x and y of the normal times the share in which it counts, that share
-uniform float terrainCellsPerPlace;
-
-vec2 fineTilt(vec2 tilt)
-{
-    vec2 cells = grid * terrainCellsPerPlace;
-    vec2 alongX = dFdx(cells);
-    vec2 alongY = dFdy(cells);
-    float page = floor(texelFetch(terrainFineIndex, ivec2(cells), 0).r * 65535.0 + 0.5);
-    if (page < 1.0) return tilt;
-    vec3 fine = textureGrad(terrainFineNormals, vec3(fract(cells), page - 1.0), alongX, alongY).rgb;
-    return tilt * (1.0 - fine.b) + fine.rg * 2.0 - 1.0;
-}
-)";
-}
-
 } // namespace osgTerrainROAM

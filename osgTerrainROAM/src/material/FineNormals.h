@@ -46,7 +46,4 @@ private:
     std::unordered_map<std::uint64_t, int> _pageOf; ///< by cell
 };
 
-/// vec2 fineTilt(vec2 tilt): the normal's x and y at the fragment's `grid`, from the normal map's.
-const char* fineNormalsGlsl();
-
 } // namespace osgTerrainROAM

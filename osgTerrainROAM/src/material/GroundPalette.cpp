@@ -4,16 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../MixedColour.h"
+
 namespace osgTerrainROAM
 {
 
 namespace
 {
-
-osg::Vec3f mixed(const osg::Vec3f& a, const osg::Vec3f& b, float t)
-{
-    return a * (1.0f - t) + b * t;
-}
 
 /// One month in temperate latitudes.
 struct Month

@@ -61,34 +61,4 @@ osg::Vec4f bumpinessOver(double spacingM)
             0.35f * finer(1831.0)};
 }
 
-std::string sheetNormalsGlsl(int maps)
-{
-    const std::string count = std::to_string(maps);
-    std::string text = "uniform vec4 sheetFromGrid[" + count + "];\nuniform vec4 sheetRect[" + count +
-                       "];\nuniform vec4 sheetBumpiness[" + count + "];\nuniform float sheetCell;\n";
-    for (int i = 0; i < maps; ++i)
-        text += "uniform sampler2D sheetNormals" + std::to_string(i) + ";\n";
-    text += R"(
-// Over the last cell a sheet fades into what lies below, as its heights do.
-void addSheet(inout vec2 tilt, inout vec4 bumpiness, sampler2D normals, vec4 fromGrid, vec4 rect, vec4 bumps)
-{
-    vec2 inward = min(grid - rect.xy, rect.zw - grid) / sheetCell;
-    vec2 here = texture(normals, grid * fromGrid.xy + fromGrid.zw).rg * 2.0 - 1.0; // for all pixels: its mip level
-    float share = smoothstep(0.0, 1.0, min(inward.x, inward.y));
-    tilt = mix(tilt, here, share);
-    bumpiness = mix(bumpiness, bumps, share);
-}
-
-void sheetTilt(inout vec2 tilt, inout vec4 bumpiness)
-{
-)";
-    for (int i = 0; i < maps; ++i)
-    {
-        const std::string n = std::to_string(i);
-        text += "    addSheet(tilt, bumpiness, sheetNormals" + n + ", sheetFromGrid[" + n + "], sheetRect[" +
-                n + "], sheetBumpiness[" + n + "]);\n";
-    }
-    return text + "}\n";
-}
-
 } // namespace osgTerrainROAM

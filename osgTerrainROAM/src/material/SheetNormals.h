@@ -39,10 +39,6 @@ private:
     std::vector<Map> _maps; ///< coarse before fine
 };
 
-/// void sheetTilt(inout vec2 tilt, inout vec4 bumpiness): the normal's x and y at the fragment's `grid`, and how much of each layer
-/// of bumps is not in the data there.
-std::string sheetNormalsGlsl(int maps);
-
 /// How much of each layer of invented bumps counts over data of a spacing: those that the data themselves show are not invented a
 /// second time.
 osg::Vec4f bumpinessOver(double spacingM);

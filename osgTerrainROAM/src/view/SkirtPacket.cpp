@@ -26,10 +26,10 @@ struct Side
     double share(core::GridPoint p) const { return inwards * ((isRow ? p.row : p.column) - line); }
 };
 
-class Collector
+class SkirtCollector
 {
 public:
-    Collector(const core::RoamMesh& mesh, const std::function<double(const glm::dvec3&)>& depthM)
+    SkirtCollector(const core::RoamMesh& mesh, const std::function<double(const glm::dvec3&)>& depthM)
         : _tree(mesh.tree()),
           _tile(mesh.tile().tile),
           _depthM(depthM),
@@ -138,7 +138,7 @@ PacketPtr skirtPacket(const core::RoamMesh& mesh, std::uint64_t serial,
                       const std::function<double(const glm::dvec3&)>& depthM)
 {
     if (mesh.patches()) return nullptr;
-    MeshPacket packet = std::move(Collector(mesh, depthM).packet);
+    MeshPacket packet = std::move(SkirtCollector(mesh, depthM).packet);
     packet.serial = serial;
     packet.whole = true;
     packet.vertexCount = static_cast<std::uint32_t>(packet.vertices.size());

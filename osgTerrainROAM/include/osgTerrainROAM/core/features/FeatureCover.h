@@ -9,7 +9,7 @@ namespace osgTerrainROAM::core
 {
 
 /// Cover of a square filter by each kind of paint: shares 0…1. The arithmetic is that of the fragment shader
-/// (src/material/FeatureShader.h); maps of the far ground, tests and vehicle models use it.
+/// (src/shaders/FeaturePaint.glsl); maps of the far ground, tests and vehicle models use it.
 struct FeatureCover
 {
     std::array<float, 4> crops{}; ///< by Crop

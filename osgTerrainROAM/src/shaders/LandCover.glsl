@@ -1,24 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "CoverShader.h"
+// Draws land cover, a raster of classes (CoverTexture.h). Neighbouring texels are blended; the grain bends the borders of
+// classes, so that the raster's steps do not show. Functions:
+//   Cover terrainCover(vec2 grid, Grain)                 the classes at a grid position, blended
+//   vec4 coveredGround(vec4 ground, Cover, Grain)        ground colour and share of wood
+//   vec3 townLight(Cover, vec2 place, vec2 x, vec2 y)    radiance of a town's lamps at night; `place`: wrapped position
 
-namespace osgTerrainROAM
-{
-
-const char* coverGlsl()
-{
-    return R"(
-uniform sampler2D terrainCover2D; // kinds / 255, mip levels by majority
+uniform sampler2D terrainCover2D; // class / 255; mip levels by majority
 uniform vec4 coverFromGrid;
 uniform int coverLevels;
-uniform vec4 coverAlbedo[13];     // and share of wood
-uniform vec4 coverPatch[13];      // and share of patches
-uniform vec4 coverBend;           // how far each layer of the grain bends borders, texels
+uniform vec4 coverAlbedo[13];     // rgb, and the share of wood
+uniform vec4 coverPatch[13];      // rgb of patches, and their share
+uniform vec4 coverBend;           // by how many texels each layer of the grain bends borders
 
 struct Cover
 {
     vec3 albedo, patched;
     float wood, patches;
-    float known; // share of kinds that are known
+    float known; // share of texels whose class is known
     float snow, water, town;
 };
 
@@ -40,7 +38,7 @@ Cover terrainCover(vec2 grid, Grain g)
     vec2 part = grid * coverFromGrid.xy + coverFromGrid.zw;
     vec2 texels = vec2(textureSize(terrainCover2D, 0));
     vec2 x = dFdx(part) * texels, y = dFdy(part) * texels;
-    // Between the footprint's length and its width.
+    // The span is the geometric mean of the footprint's length and width.
     float span = sqrt(abs(x.x * y.y - x.y * y.x));
     int level = int(clamp(log2(max(span, 1e-3)) + 1.0, 0.0, float(coverLevels - 1)));
     ivec2 size = textureSize(terrainCover2D, level);
@@ -54,7 +52,7 @@ Cover terrainCover(vec2 grid, Grain g)
     {
         ivec2 corner = ivec2(i & 1, i >> 1);
         float weight = (corner.x == 1 ? f.x : 1.0 - f.x) * (corner.y == 1 ? f.y : 1.0 - f.y);
-        // Not fetched: where neighbouring pixels differ in level, a texel of the wrong level is still one of this place.
+        // Sampled, not fetched: where neighbouring pixels differ in level, the sample still comes from this position.
         float code = textureLod(terrainCover2D, (vec2(cell + corner) + 0.5) / vec2(size), float(level)).r;
         addCover(cover, min(int(code * 255.0 + 0.5), 12), weight);
     }
@@ -73,7 +71,7 @@ vec4 coveredGround(vec4 ground, Cover cover, Grain g)
     return mix(ground, vec4(colour, wood), min(cover.known, 1.0));
 }
 
-// A lamp in each square of 32 m, somewhere in it; a point of the picture, and from afar their mean.
+// Each square of 32 m has one lamp at a random position. A lamp is a point of the image; from afar its mean counts.
 vec3 townLight(Cover cover, vec2 place, vec2 x, vec2 y)
 {
     float night = smoothstep(0.02, -0.09, sunDirection().z);
@@ -91,24 +89,3 @@ vec3 townLight(Cover cover, vec2 place, vec2 x, vec2 y)
     return mix(vec3(3.0, 2.1, 1.1), vec3(2.6, 2.6, 2.4), step(0.75, fract(h * 11.7)))
          * (cover.town * night * (mix(0.03, spot, fine) + glow));
 }
-)";
-}
-
-const char* seasonGlsl()
-{
-    return R"(
-uniform vec4 seasonSnowLine; // snow line, its shift by the season, 1 / (2 radius of the Earth), sample height over z
-
-float seasonSnow(float earlySummers, vec3 place, float steep, Grain g)
-{
-    vec3 local = place + 4096.0 * vec3(terrainEyeWraps);
-    float height = local.z + dot(local.xy, local.xy) * seasonSnowLine.z + seasonSnowLine.w;
-    height += 400.0 * g.metres1831.w + 250.0 * g.metres324.w;
-    float over = smoothstep(-450.0, 450.0, height - seasonSnowLine.x - seasonSnowLine.y);
-    if (seasonSnowLine.y > 0.0) return earlySummers * over;
-    return max(earlySummers, over * (1.0 - 0.85 * smoothstep(0.22, 0.5, steep)));
-}
-)";
-}
-
-} // namespace osgTerrainROAM

@@ -1,14 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "FeatureShader.h"
-
-namespace osgTerrainROAM
-{
-
-const char* featurePaintGlsl()
-{
-    return R"(
-uniform vec3 featureCrops[4];
-uniform vec3 featureSoil;
+// Finds the features under a pixel: Paint terrainPaint(vec2 place, vec2 alongX, vec2 alongY). `place`: the wrapped position,
+// metres; the others: its derivatives. Near features come from cells, far ones from mip-mapped maps of shares.
 
 Paint paintInCell(vec2 place, Footprint f)
 {
@@ -26,7 +18,7 @@ Paint paintInCell(vec2 place, Footprint f)
     return paint;
 }
 
-// From mip-mapped shares: of a road's asphalt some is paint.
+// Reads the mip-mapped shares. A part of a road's asphalt is white paint.
 Paint paintOfMaps(vec2 place, Footprint f)
 {
     vec2 cell = place / featureCellM + vec2(terrainEyeWraps.xy * int(4096.0 / featureCellM) - featureGrid.xy);
@@ -45,8 +37,8 @@ Paint mixed(Paint a, Paint b, float t)
     return Paint(mix(a.crops, b.crops, t), mix(a.beds, b.beds, t), mix(a.marks, b.marks, t), mix(a.rows, b.rows, t));
 }
 
-// A long footprint is cut into up to four across its length; where even these are longer than the lists reach, or the pixel
-// is as wide as a texel of the far maps, those take over.
+// Divides a long footprint into up to four parts along its length. The far maps replace the cells where the parts are longer
+// than the reach of the lists, or the pixel is as wide as a texel of the maps.
 Paint terrainPaint(vec2 place, vec2 alongX, vec2 alongY)
 {
     bool wide = dot(alongX, alongX) > dot(alongY, alongY);
@@ -67,43 +59,6 @@ Paint terrainPaint(vec2 place, vec2 alongX, vec2 alongY)
         Paint more = paintInCell(place + longer * ((float(i) + 0.5) / float(taps) - 0.5), f);
         paint = mixed(paint, more, 1.0 / float(i + 1));
     }
-    paint.marks.w *= float(taps); // a lamp is a point, not a share of the footprint
+    paint.marks.w *= float(taps); // a lamp is a point, its light is no share of the footprint
     return far > 0.0 ? mixed(paint, distant, far) : paint;
 }
-
-// Of what lies on top: nothing grows where the river, a road or a runway is.
-float openShare(Paint paint) { return 1.0 - max(max(paint.beds.x, paint.beds.y), max(paint.beds.z, paint.beds.w)); }
-
-vec4 fieldAlbedo(vec4 ground, Paint paint, Grain g)
-{
-    float share = dot(paint.crops, vec4(1.0));
-    vec3 colour = featureCrops[0] * paint.crops.x + featureCrops[1] * paint.crops.y + featureCrops[2] * paint.crops.z
-                + featureCrops[3] * paint.crops.w;
-    colour = colour * (paint.rows.y * (1.0 - paint.rows.x)) + featureSoil * (share * paint.rows.x);
-    colour *= 1.0 + 0.5 * g.metres2.z + 0.25 * g.metres28.z + 0.2 * g.metres324.w;
-    return vec4(ground.rgb * (1.0 - min(share, 1.0)) + colour, ground.a * (1.0 - min(share, 1.0)));
-}
-
-// Lamps burn from dusk to dawn.
-vec3 paintLight(Paint paint)
-{
-    float night = smoothstep(0.02, -0.09, sunDirection().z);
-    return vec3(3.2, 2.7, 1.9) * (min(paint.marks.w, 1.5) * night);
-}
-
-vec3 pavedAlbedo(vec3 albedo, Paint paint, Grain g)
-{
-    float worn = smoothstep(0.25, 0.75, paint.marks.y + 0.9 * g.metres2.w + 0.5 * g.metres28.w);
-    albedo = mix(albedo, featureSoil * 1.1, worn * min(2.0 * paint.marks.y, 0.75));
-    vec3 gravel = vec3(0.27, 0.24, 0.195) * (1.0 + 0.7 * g.metres2.z + 0.3 * g.metres28.z);
-    albedo = mix(albedo, gravel, paint.beds.z);
-    float stone = 1.0 + 0.35 * g.metres2.z + 0.15 * g.metres28.z + 0.12 * g.metres324.w;
-    albedo = mix(albedo, vec3(0.088, 0.087, 0.086) * stone * (1.0 - 0.14 * paint.marks.z), paint.beds.y);
-    albedo = mix(albedo, vec3(0.070, 0.071, 0.073) * stone, paint.beds.w);
-    float paved = max(paint.beds.y, paint.beds.w);
-    return mix(albedo, vec3(0.60, 0.60, 0.57) * (1.0 + 0.25 * g.metres2.z), min(paint.marks.x, paved) * 0.92);
-}
-)";
-}
-
-} // namespace osgTerrainROAM

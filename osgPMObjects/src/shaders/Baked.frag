@@ -1,32 +1,16 @@
-// -*- c++ -*-
 // SPDX-License-Identifier: Apache-2.0
-#pragma once
+// Lights a baked model by its normal map, as the fixed functions light vertices. Source: Segal and Akeley, The OpenGL
+// Graphics System, version 2.1 (2006), section 2.14.1, without local viewer and spots.
+// A texel holds the mean of normals and so reflects the mean of their light, down to a length of 0.7. A shorter mean comes
+// from two sides of an edge between texels; it must not be darker still.
 
-namespace osgPMObjects
-{
-
-inline constexpr const char* kBakedVertexShader = R"(#version 120
-varying vec3 bakedPlace; // from the eye
-varying vec2 bakedTexel;
-void main()
-{
-    vec4 inView = gl_ModelViewMatrix * gl_Vertex;
-    bakedPlace = inView.xyz;
-    bakedTexel = gl_MultiTexCoord0.xy;
-    gl_ClipVertex = inView;
-    gl_Position = ftransform();
-}
-)";
-
-// OpenGL 2.1, 2.14.1, without local viewer and spots. The mean of normals reflects the mean of their light, down to a length of
-// 0.7: shorter ones are of sides apart, at an edge between texels, not of one that bends, and are not to be darker still.
-inline constexpr const char* kBakedFragmentShader = R"(#version 120
+#version 120
 varying vec3 bakedPlace;
 varying vec2 bakedTexel;
 uniform sampler2D bakedColours;
 uniform sampler2D bakedNormals;
-uniform int bakedLights;     // the first of them that are on
-uniform bool bakedBothSides; // backs are lit by normals turned round
+uniform int bakedLights;     // the number of lights: lights 0 ... bakedLights - 1 are on
+uniform bool bakedBothSides; // back faces are lit with the reversed normal
 void main()
 {
     vec3 mean = 2.0 * texture2D(bakedNormals, bakedTexel).rgb - 1.0;
@@ -51,6 +35,3 @@ void main()
     vec4 paint = texture2D(bakedColours, bakedTexel);
     gl_FragColor = vec4(colour, gl_FrontMaterial.diffuse.a) * paint;
 }
-)";
-
-} // namespace osgPMObjects

@@ -1,12 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <osgTerrainROAM/Atmosphere>
+// Defines the light of sun and sky, the haze, and the step from linear to display values. The class Atmosphere lists the
+// functions and sets the uniforms. The sky's colours and the glow were chosen by eye. GLSL 1.30.
 
-namespace osgTerrainROAM
-{
-
-const char* Atmosphere::glslFunctions()
-{
-    return R"(
 uniform vec3 atmosphereSunDirection;
 uniform vec3 atmosphereSun;
 uniform vec3 atmosphereSky;
@@ -23,7 +18,7 @@ vec3 sunLight() { return atmosphereSun; }
 
 vec3 skyColour(vec3 directionWorld)
 {
-    // Below the horizon the direction is flattened: continuous, and the haze over the ground keeps its glow.
+    // A direction below the horizon is flattened: the colour stays continuous, and haze over the ground keeps its glow.
     vec3 direction = vec3(directionWorld.xy, max(directionWorld.z, 0.0));
     float low = 1.0 - direction.z;
     float low2 = low * low;
@@ -39,14 +34,14 @@ vec3 skyColour(vec3 directionWorld)
 
 vec3 sunDisc(vec3 directionWorld)
 {
-    // 0.53 degrees across, with a soft limb so that it does not crawl.
+    // The disc is 0.53 degrees wide; its edge is soft, so that it does not flicker as it moves.
     float edge = smoothstep(0.999960, 0.999990, dot(directionWorld, atmosphereSunDirection));
     return edge * 12.0 * atmosphereGlow;
 }
 
 vec3 applyHaze(vec3 colour, vec3 directionWorld, float distanceM)
 {
-    // Density falls off exponentially with the height: its integral along the ray has a closed form.
+    // The density of the haze falls exponentially with height, so its integral along the ray has a closed form.
     float rise = clamp(directionWorld.z * distanceM * atmosphereLayer.y, -20.0, 20.0);
     float mean = abs(rise) < 0.01 ? 1.0 - 0.5 * rise : (1.0 - exp(-rise)) / rise;
     float eye = exp(-max(osg_ViewMatrixInverse[3].z - atmosphereLayer.x, 0.0) * atmosphereLayer.y);
@@ -61,10 +56,6 @@ vec3 ambientLight(vec3 normalWorld)
 
 vec3 displayColour(vec3 linear)
 {
-    // Exposure, a film's shoulder, then gamma 2.
+    // Applies the exposure, compresses highlights as film does, then applies gamma 2.
     return sqrt(1.0 - exp(-1.6 * linear));
 }
-)";
-}
-
-} // namespace osgTerrainROAM

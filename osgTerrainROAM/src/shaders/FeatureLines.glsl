@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "FeatureShader.h"
+// Paints roads and rivers as segments of constant width, by the distance to them, with the markings of roads.
+// Source of the distance to a segment: Quilez, 2D distance functions.
 
-namespace osgTerrainROAM
-{
-
-const char* featureLinesGlsl()
-{
-    return R"(
-// Edge lines, lane lines and wheel tracks at a distance from the middle and a way along the road.
+// Returns the shares of white paint (edge and lane lines) and of wheel tracks. `across`: distance from the middle line;
+// `way`: distance along the road; metres.
 vec2 roadMarks(float across, float width, float way, float widthAhead, float halfWidth, int lanes)
 {
     float white = coveredTwice(across, width, halfWidth - 0.37, halfWidth - 0.25);
@@ -18,7 +14,7 @@ vec2 roadMarks(float across, float width, float way, float widthAhead, float hal
         float middle = (float(k) - 0.5 * float(lanes)) * lane;
         white += covered(across, width, middle - 0.06, middle + 0.06) * (lanes > 3 && 2 * k == lanes ? 1.0 : dashes);
     }
-    // Two wheel tracks a lane, a wave that fades into its mean.
+    // A lane has two wheel tracks: a wave that fades into its mean.
     float inLane = across + ((lanes & 1) == 1 ? 0.5 * lane : 0.0);
     float tracks = 0.5 - 0.5 * cos(12.566371 * inLane / lane) * max(1.0 - 2.0 * width / lane, 0.0);
     return vec2(white, tracks);
@@ -66,7 +62,7 @@ int paintLines(inout Paint paint, int record, int count, vec2 at, Footprint f)
             second = min(second, edge);
     }
     if (bestStyle.z < 256.0) return record;
-    // Where another road crosses, neither has markings.
+    // Where two roads cross, neither has markings.
     vec2 way = normalize(bestEnds.zw - bestEnds.xy);
     vec2 normal = bestAcross > 1e-4 ? bestAway / bestAcross : vec2(-way.y, way.x);
     float width = widthAlong(f, normal);
@@ -77,39 +73,3 @@ int paintLines(inout Paint paint, int record, int count, vec2 at, Footprint f)
     paint.marks.z = marks.y * alone;
     return record;
 }
-
-void paintStrokes(inout Paint paint, int record, int count, vec2 at, Footprint f)
-{
-    float area = f.x.x * f.y.y - f.x.y * f.y.x;
-    for (int end = record + 2 * count; record < end; record += 2)
-    {
-        vec4 ends = featureRecord(record);
-        vec4 style = featureRecord(record + 1);
-        vec2 from = at - 0.5 * (ends.xy + ends.zw);
-        if (style.y > 1.5)
-        {
-            // A lamp is a point of the picture, however it lies on the ground.
-            vec2 pixels = vec2(from.x * f.y.y - from.y * f.y.x, from.y * f.x.x - from.x * f.x.y)
-                        / (abs(area) > 1e-9 ? area : 1e-9);
-            paint.marks.w += exp(-1.2 * dot(pixels, pixels)) + 0.03 * exp(-0.08 * dot(pixels, pixels));
-            continue;
-        }
-        vec2 along = ends.zw - ends.xy;
-        float lengthM = length(along);
-        along /= lengthM;
-        vec2 right = vec2(along.y, -along.x);
-        float share = covered(dot(from, along), widthAlong(f, along), -0.5 * lengthM, 0.5 * lengthM)
-                    * covered(dot(from, right), widthAlong(f, right), -style.x, style.x);
-        if (style.y < 0.5)
-        {
-            paint.beds.w = max(paint.beds.w, share);
-            paint.marks.x *= 1.0 - share;
-        }
-        else
-            paint.marks.x += share;
-    }
-}
-)";
-}
-
-} // namespace osgTerrainROAM

@@ -1,19 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <osgPMObjects/ObjectShader>
+// Defines the functions by which a vertex shader reads its vertex; the header ObjectShader lists them.
+// Defines of the state choose: an instance of a field, a change of level (cross-fade or morph), leaf cards. GLSL 1.30.
 
-namespace osgPMObjects
-{
-
-const char* glslVertexFunctions()
-{
-    return R"(
 #pragma import_defines ( OSGPM_INSTANCED, OSGPM_SWITCHED, OSGPM_MORPH, OSGPM_LEAVES )
 
 #ifdef OSGPM_INSTANCED
-in vec4 pmPlace; // from the eye, along the field's axes; scale
-in vec4 pmTurn;
+in vec4 pmPlace; // position from the eye, along the field's axes; scale
+in vec4 pmTurn; // quaternion
 vec3 pmTurned(vec3 v) { return v + 2.0 * cross(pmTurn.xyz, cross(pmTurn.xyz, v) + pmTurn.w * v); }
-// The eye stands at 0, so the translation of the model-view matrix, which floats would not hold, is not needed.
+// The eye is the origin, so the translation of the model-view matrix is not needed; floats could not hold it.
 vec4 pmInView(vec3 position)
 {
     return vec4(mat3(gl_ModelViewMatrix) * (pmPlace.xyz + pmPlace.w * pmTurned(position)), 1.0);
@@ -26,7 +21,7 @@ vec3 pmNormalInView(vec3 normal) { return gl_NormalMatrix * normal; }
 
 #ifdef OSGPM_SWITCHED
 #ifdef OSGPM_INSTANCED
-in vec4 pmShown; // door's lower and upper edge, morph, first vertex that morphs
+in vec4 pmShown; // lower and upper threshold of the screen door; morph 0 ... 1; first vertex that morphs
 #else
 uniform vec4 pmShown;
 #endif
@@ -41,12 +36,12 @@ in vec3 pmTargetPosition;
 in vec3 pmTargetNormal;
 in vec4 pmTargetColour;
 in vec4 pmTargetTexCoords;
-// Vertices that the coarser level has, too, stay: their targets are those of a level that is coarser still.
+// Vertices that the coarser level also has do not move: their targets are those of a still coarser level.
 float pmMorph() { return float(gl_VertexID) >= pmShown.w ? pmShown.z : 0.0; }
 vec3 pmUngrown() { return mix(gl_Vertex.xyz, pmTargetPosition, pmMorph()); }
-// A normal of 0: vertices have none.
+// A target normal of 0 means that vertices have no normals.
 vec3 pmNormal() { return pmTargetNormal == vec3(0.0) ? gl_Normal : mix(gl_Normal, pmTargetNormal, pmMorph()); }
-// A red below 0: the colour is the material's, which vertices do not have.
+// A red below 0 means that vertices have no colours: the material's colour counts.
 vec4 pmColour() { return pmTargetColour.r < 0.0 ? gl_Color : mix(gl_Color, pmTargetColour, pmMorph()); }
 vec2 pmTexCoord0() { return mix(gl_MultiTexCoord0.xy, pmTargetTexCoords.xy, pmMorph()); }
 vec2 pmTexCoord1() { return mix(gl_MultiTexCoord1.xy, pmTargetTexCoords.zw, pmMorph()); }
@@ -70,39 +65,3 @@ vec3 pmPosition() { return pmUngrown() + pmGrowth() * pmLeafOffset; }
 #else
 vec3 pmPosition() { return pmUngrown(); }
 #endif
-)";
-}
-
-const char* glslFragmentFunctions()
-{
-    return R"(
-#pragma import_defines ( OSGPM_SWITCHED, OSGPM_BLENDED )
-
-#ifdef OSGPM_SWITCHED
-flat in vec2 pmDoor;
-#ifdef OSGPM_BLENDED
-float pmAlpha() { return pmDoor.y - pmDoor.x; }
-#else
-// A pixel's place in the order in which a door opens: its bits, from the coarsest grid down.
-float pmPixelOrder()
-{
-    int x = int(gl_FragCoord.x) & 7;
-    int y = int(gl_FragCoord.y) & 7;
-    int d = x ^ y;
-    int order = (d & 1) << 5 | (y & 1) << 4 | (d & 2) << 2 | (y & 2) << 1 | (d & 4) >> 1 | (y & 4) >> 2;
-    return (float(order) + 0.5) / 64.0;
-}
-float pmAlpha()
-{
-    float order = pmPixelOrder();
-    if (order < pmDoor.x || order >= pmDoor.y) discard;
-    return 1.0;
-}
-#endif
-#else
-float pmAlpha() { return 1.0; }
-#endif
-)";
-}
-
-} // namespace osgPMObjects

@@ -1,0 +1,53 @@
+# SPDX-License-Identifier: Apache-2.0
+# cmake -DNAMESPACE=name -DOUTPUT=path "-DFILES=file;…" -P EmbedShaders.cmake: writes path.h and path.cpp with one
+# string constant for each shader file (osgtrainer_shaders in Shaders.cmake).
+cmake_minimum_required(VERSION 3.25)
+
+# The text of a file behind its head: comment lines and a blank line, which are for readers of the file alone.
+function(readShader file out)
+    file(READ "${file}" text)
+    if(NOT text MATCHES "^(//[^\n]*\n)+\n")
+        message(FATAL_ERROR "${file}: no head; begin the file with comment lines and one blank line")
+    endif()
+    string(LENGTH "${CMAKE_MATCH_0}" head)
+    string(SUBSTRING "${text}" ${head} -1 text)
+    if(text MATCHES "[^\t\n -~]")
+        message(FATAL_ERROR "${file}: a character that is not ASCII below the head; some drivers reject it, remove it")
+    endif()
+    set(${out} "${text}" PARENT_SCOPE)
+endfunction()
+
+function(constantName file out)
+    cmake_path(GET file STEM name)
+    cmake_path(GET file EXTENSION extension)
+    if(extension STREQUAL ".vert")
+        string(APPEND name Vert)
+    elseif(extension STREQUAL ".frag")
+        string(APPEND name Frag)
+    elseif(NOT extension STREQUAL ".glsl")
+        message(FATAL_ERROR "${file}: the extension is not that of a shader; rename it to .vert, .frag or .glsl")
+    endif()
+    set(${out} "k${name}" PARENT_SCOPE)
+endfunction()
+
+set(declarations)
+set(definitions)
+foreach(file IN LISTS FILES)
+    readShader("${file}" text)
+    constantName("${file}" name)
+    string(APPEND declarations "extern const char ${name}[];\n")
+    string(APPEND definitions "const char ${name}[] = R\"glsl(${text})glsl\";\n\n")
+endforeach()
+
+set(begin "// Generated from shader files by cmake/EmbedShaders.cmake.\n")
+set(header "${begin}#pragma once\n\nnamespace ${NAMESPACE}::shaders\n{\n${declarations}}\n")
+set(source "${begin}#include \"${NAMESPACE}.h\"\n\nnamespace ${NAMESPACE}::shaders\n{\n${definitions}}\n")
+file(WRITE ${OUTPUT}.cpp "${source}")
+# The header is left alone where its names are the same: what includes it need not be compiled again.
+set(before)
+if(EXISTS ${OUTPUT}.h)
+    file(READ ${OUTPUT}.h before)
+endif()
+if(NOT before STREQUAL header)
+    file(WRITE ${OUTPUT}.h "${header}")
+endif()

@@ -1,0 +1,22 @@
+# SPDX-License-Identifier: Apache-2.0
+# Shader files become C++ constants: no program reads a shader from a file at run time.
+set(OSGTRAINER_EMBED_SHADERS ${CMAKE_CURRENT_LIST_DIR}/EmbedShaders.cmake)
+
+# osgtrainer_shaders(TARGET NAMESPACE FILE…): embeds the files in the target. Its sources include "shaders/NAMESPACE.h",
+# which declares NAMESPACE::shaders::kName for each Name.glsl, kNameVert for Name.vert, kNameFrag for Name.frag.
+# A changed file makes the build embed and compile again; docs/guide/shaders.md describes the files.
+function(osgtrainer_shaders target namespace)
+    set(files ${ARGN})
+    list(TRANSFORM files PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/ REGEX "^[^/]")
+    set(folder ${CMAKE_CURRENT_BINARY_DIR}/${target}-shaders)
+    set(output ${folder}/shaders/${namespace})
+    add_custom_command(OUTPUT ${output}.cpp ${output}.h
+        COMMAND ${CMAKE_COMMAND} "-DNAMESPACE=${namespace}" "-DOUTPUT=${output}" "-DFILES=${files}"
+            -P ${OSGTRAINER_EMBED_SHADERS}
+        DEPENDS ${files} ${OSGTRAINER_EMBED_SHADERS}
+        COMMENT "Embedding the shaders of ${target}" VERBATIM)
+    # Outside the unity files, so that a changed shader compiles this source alone.
+    set_source_files_properties(${output}.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+    target_sources(${target} PRIVATE ${output}.cpp ${output}.h)
+    target_include_directories(${target} PRIVATE ${folder})
+endfunction()

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+// Declares the vector features' textures and the shares that they paint, and filters bands over a pixel's footprint.
+// The filters are exact integrals over the footprint's width, so a line thinner than a pixel becomes its share of it.
+// Features are drawn by the parts FeatureFilters, Areas, Lines, Strokes, Paint, Colours, in this order.
+// Source of the lists: Nehab and Hoppe, Random-access rendering of general vector graphics (2008), section 3.
+
+uniform sampler2D featureCells;     // per cell: first record; numbers of areas, lines, strokes
+uniform sampler2D featureRecords;   // FeatureCells.h; 1024 in a row
+uniform sampler2D featureFarCrops;  // shares, for footprints that are wider than the reach of the lists
+uniform sampler2D featureFarBeds;   // shares of river, asphalt, gravel, runway
+uniform ivec4 featureGrid;          // first cell, number of cells
+uniform float featureCellM;
+uniform float featureFarTexelM;
+
+const float kFeatureReachM = 16.0;
+
+struct Paint
+{
+    vec4 crops; // share of each crop
+    vec4 beds;  // shares of river, asphalt, gravel, runway
+    vec4 marks; // shares of white, worn verge, wheel tracks; light
+    vec2 rows;  // share of bare soil between the plants; shade
+};
+
+// The pixel's footprint on the ground: the vectors of one pixel to the right and one pixel up, metres.
+struct Footprint
+{
+    vec2 x, y;
+};
+
+float widthAlong(Footprint f, vec2 direction)
+{
+    return clamp(abs(dot(f.x, direction)) + abs(dot(f.y, direction)), 1e-3, 2.0 * kFeatureReachM);
+}
+
+// The share of a box filter, centred at x, that lies within low ... high.
+float covered(float x, float width, float low, float high)
+{
+    return max(min(x + 0.5 * width, high) - max(x - 0.5 * width, low), 0.0) / width;
+}
+
+// The same for the band and its mirror image.
+float coveredTwice(float x, float width, float low, float high)
+{
+    return covered(x, width, low, high) + covered(x, width, -high, -low);
+}
+
+// The same for bands 0 ... on that repeat with every period.
+float coveredDashes(float x, float width, float period, float on)
+{
+    vec2 ends = vec2(x + 0.5 * width, x - 0.5 * width) / period;
+    vec2 whole = floor(ends);
+    vec2 filled = whole * (on / period) + min(ends - whole, vec2(on / period));
+    return (filled.x - filled.y) * period / width;
+}
+
+vec4 featureRecord(int index) { return texelFetch(featureRecords, ivec2(index & 1023, index >> 10), 0); }

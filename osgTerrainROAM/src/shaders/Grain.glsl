@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+// Samples the grain image at four periods at once: detail that is finer than the data. Per period: slopes x and y,
+// fine speckle, broad patches; each between -0.5 and 0.5.
+
+struct Grain
+{
+    vec4 metres2; // the period is about 2 m
+    vec4 metres28;
+    vec4 metres324;
+    vec4 metres1831;
+};
+
+// Filters the grain anisotropically: four samples along the footprint's length, each at the mip level of a quarter of it.
+// A level for the whole length would blur ground seen at a grazing angle. A software renderer's own anisotropic filter
+// costs hundreds of times as much.
+vec4 grazingGrain(vec2 at)
+{
+    vec2 alongX = dFdx(at);
+    vec2 alongY = dFdy(at);
+    float x2 = dot(alongX, alongX);
+    float y2 = dot(alongY, alongY);
+    vec2 length4 = (x2 > y2 ? alongX : alongY) * 0.25;
+    float cross2 = abs(alongX.x * alongY.y - alongX.y * alongY.x);
+    // log2 of length over width: the level may be finer by this.
+    float finer = clamp(log2(max(x2, y2) / max(cross2, 1e-20)), 0.0, 2.0);
+    vec4 sum = texture(terrainGrain, at - 1.5 * length4, -finer) + texture(terrainGrain, at - 0.5 * length4, -finer);
+    sum += texture(terrainGrain, at + 0.5 * length4, -finer) + texture(terrainGrain, at + 1.5 * length4, -finer);
+    return 0.25 * sum - 0.5;
+}
+
+// All periods divide 4096 m, the period of the eye's wrapped position. Integer matrices rotate the layers against each
+// other, so that each layer still wraps and their repetitions do not align.
+Grain grainAt(vec2 place)
+{
+    Grain g;
+    g.metres2 = grazingGrain(place * (1.0 / 2.0));
+    g.metres28 = grazingGrain(vec2(2.0 * place.x + place.y, 2.0 * place.y - place.x) * (1.0 / 64.0));
+    g.metres324 = texture(terrainGrain, vec2(3.0 * place.x - place.y, 3.0 * place.y + place.x) * (1.0 / 1024.0)) - 0.5;
+    g.metres1831 = texture(terrainGrain, vec2(place.x + 2.0 * place.y, place.y - 2.0 * place.x) * (1.0 / 4096.0)) - 0.5;
+    return g;
+}
+
+// Returns the slope of the bumps. `bumpiness`: one weight per layer; `wood`: share of treetops, some metres wide and high.
+vec2 bumps(Grain g, vec4 bumpiness, float roughness, float wood)
+{
+    vec2 b = g.metres2.xy * bumpiness.x + g.metres28.xy * (bumpiness.y + 0.5 * wood);
+    b += g.metres324.xy * bumpiness.z + g.metres1831.xy * bumpiness.w;
+    return b * roughness;
+}

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+// Shades a fragment of the terrain: normal, ground colour, layers from below to above, light, haze.
+// TerrainShader.cpp defines TERRAIN_DRAPE, _LAYERS, _FEATURES, _COVER, _SEASON, _SHEETS, _FINE for what the terrain has.
+
+void main()
+{
+    float distanceM = length(fromEye);
+    vec3 directionWorld = terrainWorldFromLocal * (fromEye / distanceM);
+    vec2 mapPlace = grid * terrainMapFromGrid.xy + terrainMapFromGrid.zw;
+    vec2 tilt = texture(terrainNormals, mapPlace).rg * 2.0 - 1.0;
+    vec4 bumpiness = terrainBumpiness;
+#ifdef TERRAIN_SHEETS
+    sheetTilt(tilt, bumpiness);
+#endif
+#ifdef TERRAIN_FINE
+    tilt = fineTilt(tilt);
+#endif
+    vec4 land = texture(terrainLand, mapPlace);
+    vec3 place = fromEye + terrainEyeWrapped;
+    Grain g = grainAt(place.xy);
+
+    float steep = 1.0 - sqrt(max(1.0 - dot(tilt, tilt), 0.0));
+#ifdef TERRAIN_SEASON
+    land.g = seasonSnow(land.g, place, steep, g);
+#endif
+    float snow = smoothstep(0.38, 0.62, land.g + 0.30 * g.metres324.w + 0.22 * g.metres28.w + 0.25 * g.metres1831.w
+                                            - 0.9 * max(steep - 0.25, 0.0));
+    float roughness = mix(1.0 + 1.5 * smoothstep(0.12, 0.35, steep), 0.35, snow);
+    vec4 ground = groundColour(land.r, steep, place.z, g);
+#ifdef TERRAIN_COVER
+    Cover cover = terrainCover(grid, g);
+    ground = coveredGround(ground, cover, g);
+    snow = max(snow, smoothstep(0.35, 0.65, cover.snow));
+#endif
+#ifdef TERRAIN_SEASON
+    // Snow lies between the trees.
+    snow *= 1.0 - ground.a * clamp(0.5 + 2.2 * g.metres28.z + 1.6 * g.metres2.z, 0.0, 1.0);
+#endif
+#ifdef TERRAIN_FEATURES
+    Paint paint = terrainPaint(place.xy, dFdx(fromEye.xy), dFdy(fromEye.xy));
+    ground = fieldAlbedo(ground, paint, g);
+    ground.a *= openShare(paint);
+    roughness *= 0.25 + 0.75 * openShare(paint);
+#endif
+    vec2 bent = tilt - bumps(g, bumpiness, roughness, ground.a * (1.0 - snow));
+    vec3 normal = normalize(vec3(bent, sqrt(max(1.0 - dot(tilt, tilt), 0.02))));
+
+    vec3 albedo = ground.rgb;
+    float shore = smoothstep(terrainShore, terrainShore + 0.08, land.b + 0.12 * g.metres28.w + 0.12 * g.metres324.w)
+                * (1.0 - smoothstep(0.01, 0.05, steep));
+    albedo = mix(albedo, terrainSand * (1.0 + 0.5 * g.metres2.z + 0.3 * g.metres28.z), shore);
+    albedo = mix(albedo, terrainSnow * (1.0 + 0.10 * g.metres2.z + 0.06 * g.metres28.z), snow);
+#if defined(TERRAIN_LAYERS)
+    vec4 imagery = layeredImagery(grid);
+#elif defined(TERRAIN_DRAPE)
+    vec4 imagery = texture(terrainDrape, grid * terrainDrapeFromGrid.xy + terrainDrapeFromGrid.zw);
+#endif
+#if defined(TERRAIN_LAYERS) || defined(TERRAIN_DRAPE)
+    float fine = 1.0 + 0.5 * g.metres2.z + 0.2 * g.metres28.z;
+    albedo = mix(albedo, imagery.rgb * imagery.rgb * fine, imagery.a);
+    float water = (1.0 - imagery.a) * smoothstep(0.47, 0.53, land.b);
+#else
+    float water = smoothstep(0.47, 0.53, land.b);
+#endif
+#ifdef TERRAIN_COVER
+    water = max(water, smoothstep(0.35, 0.65, cover.water));
+#endif
+#ifdef TERRAIN_FEATURES
+    albedo = pavedAlbedo(albedo, paint, g);
+    water = max(water, paint.beds.x) * (1.0 - max(max(paint.beds.y, paint.beds.z), paint.beds.w));
+#endif
+
+    vec3 normalWorld = terrainWorldFromLocal * normal;
+    float sunlit = max(dot(normalWorld, sunDirection()), 0.0) * smoothstep(0.15, 0.6, land.a);
+    vec3 colour = albedo * (sunLight() * sunlit + ambientLight(normalWorld) * land.a);
+    if (water > 0.0) colour = mix(colour, waterColour(directionWorld, g), water);
+#ifdef TERRAIN_COVER
+    colour += townLight(cover, place.xy, dFdx(fromEye.xy), dFdy(fromEye.xy));
+#endif
+#ifdef TERRAIN_FEATURES
+    colour += paintLight(paint);
+#endif
+    gl_FragColor = vec4(displayColour(applyHaze(colour, directionWorld, distanceM)), 1.0);
+}

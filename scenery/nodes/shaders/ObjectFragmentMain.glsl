@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+// Lights an object by the atmosphere's sun and sky and hazes it as the terrain is hazed. Source: Schlick, An inexpensive
+// BRDF model for physically-based rendering (1994), section 4: the Fresnel term.
+
+in vec3 fromEye;
+in vec3 normalWorld;
+in vec4 colour;
+in vec2 textureAt;
+in vec3 inObject;
+uniform sampler2D objectTexture;
+uniform vec4 objectHolesXz;   // x and z of both axes
+uniform vec2 objectHolesSize; // radius; least distance from the middle plane
+uniform float objectLacquer;
+uniform float objectLeaves;   // 1: foliage
+uniform float objectTintMask;
+void main()
+{
+    float shownAlpha = pmAlpha();
+    float toAxis = min(distance(inObject.xz, objectHolesXz.xy), distance(inObject.xz, objectHolesXz.zw));
+    if (toAxis < objectHolesSize.x && abs(inObject.y) > objectHolesSize.y) discard;
+    float distanceM = length(fromEye);
+    vec3 towards = fromEye / distanceM;
+    vec3 normal = normalize(normalWorld);
+    if (!gl_FrontFacing && objectLeaves == 0.0) normal = -normal; // open surfaces have two sides
+    vec4 texel = texture(objectTexture, textureAt);
+    vec4 paint = colour * texel;
+    if (objectTintMask > 0.0) paint = vec4(mix(texel.rgb, paint.rgb, texel.a), 1.0);
+    vec3 albedo = paint.rgb * paint.rgb;              // the inverse of displayColour's gamma
+
+    float sunCosine = dot(normal, sunDirection());
+    float sunHeight = max(sunCosine, 0.0);
+    if (objectLeaves > 0.0) sunHeight = max((sunCosine + 0.5) / 1.5, 0.12); // light comes round the crown and through it
+    vec3 lit = albedo * (sunLight() * sunHeight + ambientLight(normal));
+    // Lacquer and glass reflect 4 % at normal incidence. The mirrored scene is sky above and ground below.
+    float fresnel = objectLacquer * (0.04 + 0.96 * pow(1.0 - max(-dot(normal, towards), 0.0), 5.0));
+    vec3 mirrored = reflect(towards, normal);
+    vec3 scene = mix(0.3 * ambientLight(vec3(0.0, 0.0, -1.0)), skyColour(mirrored), smoothstep(-0.08, 0.08, mirrored.z));
+    vec3 highlight = sunLight() * (objectLacquer * 0.35 * pow(max(dot(mirrored, sunDirection()), 0.0), 120.0));
+    lit = mix(lit, scene, fresnel) + highlight;
+    gl_FragColor = vec4(displayColour(applyHaze(lit, towards, distanceM)), paint.a * shownAlpha);
+}

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <bake/BakedState.h>
+#include <bake/Finish.h>
+
+#include <osgPMObjects/ObjectShader>
+
+#include "Compositions.h"
+#include "RenderedScene.h"
+#include "view/ObjectShading.h"
+#include "view/Sky.h"
+
+namespace shadercheck
+{
+
+namespace
+{
+
+const osg::Program* programOf(const osg::StateSet* state)
+{
+    return state ? dynamic_cast<const osg::Program*>(state->getAttribute(osg::StateAttribute::PROGRAM))
+                 : nullptr;
+}
+
+osg::ref_ptr<const osg::Program> bakedProgram()
+{
+    osgPMObjects::core::BakedMaps maps;
+    maps.sizePx = 1;
+    maps.colours.resize(1);
+    maps.normals.resize(1);
+    const osgPMObjects::BakedLook look(maps, 1);
+    const osg::ref_ptr<osg::StateSet> state = new osg::StateSet;
+    return programOf(look.stateFor(*state, osgPMObjects::Finish(), true));
+}
+
+} // namespace
+
+std::vector<NamedProgram> objectPrograms()
+{
+    const osg::ref_ptr<osg::Node> object = new osg::Group;
+    trainer::setObjectShading(*object, trainer::Finish::matt);
+    return {{"object", osgPMObjects::makeObjectProgram()},
+            {"baked object", bakedProgram()},
+            {"trainer's object", programOf(object->getStateSet())},
+            {"sky", programOf(trainer::makeSky()->getStateSet())},
+            {"tests' triangle", programOf(rendered::shadedTriangle(0.0F)->getStateSet())}};
+}
+
+} // namespace shadercheck
