@@ -18,7 +18,7 @@ namespace osgTerrainROAM
 namespace
 {
 
-constexpr int kRecordsPerRow = 1024; ///< a shift and a mask in the shader
+constexpr int kRecordsPerRow = 1024; ///< a power of two: the shader divides by a shift and a mask
 constexpr int kMaxFarSide = 4096;
 constexpr int kMaxFarPerCell = 8;
 
@@ -88,7 +88,7 @@ private:
     void fillTexel(const core::FeatureCells& cells, int x, int y) const
     {
         const double texelM = cells.cellM / perCell;
-        // Lists reach 16 m: a wider texel is the mean of several filters.
+        // Lists reach 16 m: a wider texel takes the mean of several filters.
         const int parts = static_cast<int>(std::ceil(texelM / (2.0 * core::FeatureCells::kReachM)));
         float sums[8]{};
         for (int j = 0; j < parts; ++j)
@@ -116,7 +116,7 @@ void addTexture(osg::StateSet& stateSet, const char* name, int unit, osg::Image*
     texture->setFilter(osg::Texture::MIN_FILTER,
                        filtered ? osg::Texture::LINEAR_MIPMAP_LINEAR : osg::Texture::NEAREST);
     texture->setFilter(osg::Texture::MAG_FILTER, filtered ? osg::Texture::LINEAR : osg::Texture::NEAREST);
-    // Nothing lies beyond the border.
+    // Beyond the border all shares are 0.
     texture->setWrap(osg::Texture::WRAP_S, osg::Texture::CLAMP_TO_BORDER);
     texture->setWrap(osg::Texture::WRAP_T, osg::Texture::CLAMP_TO_BORDER);
     texture->setBorderColor(osg::Vec4d(0.0, 0.0, 0.0, 0.0));

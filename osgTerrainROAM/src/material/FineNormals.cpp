@@ -22,7 +22,7 @@ std::uint64_t keyOf(int column, int row)
     return static_cast<std::uint64_t>(row) << 32 | static_cast<std::uint64_t>(column);
 }
 
-/// Central differences of placed positions, `reach` places to either side.
+/// The normal by central differences of positions, `reach` grid positions to each side.
 glm::dvec3 normalAt(const core::PlacedTile& tile, int column, int row, int reach)
 {
     const int west = std::max(column - reach, 0),
@@ -83,7 +83,7 @@ void FineNormals::follow(const core::PlacedTile& tile, std::span<const core::Gri
     }
 }
 
-/// The texel of a place counts where a sample lies that is not the raster's.
+/// A texel counts where it has a sample that is not one of the raster.
 void FineNormals::drawCell(const core::PlacedTile& tile, int column, int row)
 {
     const int cell = 1 << _cellShift, step = cell / _side;
@@ -134,7 +134,7 @@ int FineNormals::pageFor(int column, int row)
     return found->second;
 }
 
-/// A texture array cannot grow: its contexts make it anew.
+/// Doubles the texture array. It cannot grow in place: each graphics context makes it anew.
 void FineNormals::grow()
 {
     _pages->setTextureSize(_side, _side, 2 * _pages->getTextureDepth());

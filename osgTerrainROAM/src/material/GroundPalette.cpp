@@ -15,9 +15,9 @@ namespace
 /// One month in temperate latitudes.
 struct Month
 {
-    float bare, autumn;     ///< shares of leaves that have fallen, that have turned
-    float pale;             ///< how far grass has withered
-    float snowShiftM;       ///< of the snow line, from early summer's
+    float bare, autumn;     ///< shares of fallen and of coloured leaves
+    float pale;             ///< share of withered grass
+    float snowShiftM;       ///< added to the snow line of early summer
     osg::Vec3f cereal, row; ///< crops
 };
 
@@ -55,7 +55,7 @@ Month monthAt(double yearShare)
             mixed(a.cereal, b.cereal, t), mixed(a.row, b.row, t)};
 }
 
-/// Early summer's colours of a climate.
+/// The colours of a climate in early summer.
 GroundPalette earlySummer(const Climate& climate)
 {
     const auto dry = static_cast<float>(std::clamp((climate.aridity - 0.15) / 0.7, 0.0, 1.0));

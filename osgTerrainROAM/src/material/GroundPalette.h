@@ -13,22 +13,22 @@
 namespace osgTerrainROAM
 {
 
-/// Albedos of the ground, linear, and what the season does to snow.
+/// Linear albedos of the ground, and the season's shift of the snow line.
 struct GroundPalette
 {
     osg::Vec3f rock, soil, dryGrass, meadow, forest, sand, snow, water;
     std::array<osg::Vec3f, 4> crops; ///< by core::Crop
     osg::Vec3f fieldSoil;
-    float snowShiftM = 0.0f; ///< to the snow line of early summer
+    float snowShiftM = 0.0f; ///< added to the snow line of early summer
 };
 
-/// The palette of a climate; of early summer, or of a time of the year: 0 the first of January … 1 the last of December, counted
-/// half a year on south of the equator. Leaves, grass and crops change by the month, and with the latitude: within 10° of the
-/// equator not at all, from 40° on fully. Keys lie in the middle of each month; between them it is linear. June is early summer.
-/// Every number is a matter of looks. Pure.
+/// The palette of a climate at a time of the year: 0 is the first of January, 1 the last of December, half a year later south of
+/// the equator; without a time it is early summer (June). Leaves, grass and crops change by the month, linearly between the
+/// middles of months: fully from 40° of latitude on, not at all within 10° of the equator.
+/// All numbers were chosen by eye. Pure.
 GroundPalette groundPalette(const Climate& climate, std::optional<double> yearShare);
 
-/// What a kind of ground looks like: its albedo and, in patches, another.
+/// The look of a class of ground: one albedo, and another one in patches.
 struct KindLook
 {
     osg::Vec3f albedo;

@@ -30,7 +30,7 @@ struct DatasetCloser
 };
 using DatasetPtr = std::unique_ptr<GDALDataset, DatasetCloser>;
 
-/// The imagery's pixels, perhaps reduced, as RGBA.
+/// The pixels of the image as RGBA, at a reduced resolution where it is too large.
 struct Pixels
 {
     int width = 0;
@@ -44,7 +44,7 @@ struct Pixels
                           std::clamp(x, 0, width - 1))];
     }
 
-    /// Bilinear; pixel centres at half-integers, as GDAL counts. Beyond the imagery: alpha 0.
+    /// Interpolates bilinearly; pixel centres lie at half-integers, as in GDAL. Alpha is 0 beyond the image.
     std::array<unsigned char, 4> sample(double x, double y) const
     {
         x /= reduction;
@@ -63,7 +63,7 @@ struct Pixels
     }
 };
 
-/// One band into every fourth byte; more than eight bits are stretched between the band's extremes.
+/// Reads one band into every fourth byte; a band of more than eight bits is stretched between its extremes.
 bool readBand(GDALRasterBand& band, Pixels& pixels, int channel)
 {
     double extremes[2] = {0.0, 255.0};
@@ -113,13 +113,13 @@ bool readPixels(GDALDataset& dataset, Pixels& pixels)
     return true;
 }
 
-/// Texels along one axis that keep the imagery's resolution.
+/// The number of texels along one axis that keeps the resolution of the image.
 int drapeSide(double imageryPixels)
 {
     return static_cast<int>(std::clamp(std::ceil(imageryPixels), 2.0, static_cast<double>(kMaxSide)));
 }
 
-/// The part of a tile's grid that imagery is laid over.
+/// The part of a tile's grid that an image covers.
 struct GridBox
 {
     glm::dvec2 first, last;
@@ -130,7 +130,7 @@ GridBox wholeGrid(const core::PlacedTile& tile)
     return {{0.0, 0.0}, {tile.grid().dataColumns() - 1.0, tile.grid().dataRows() - 1.0}};
 }
 
-/// The grid place over a pixel: Newton's method, on a map that is nearly a plane's.
+/// The grid position of a pixel, by Newton's method: the mapping is nearly linear.
 glm::dvec2 gridUnder(const core::PixelNet& net, const glm::dvec2& pixel, glm::dvec2 grid)
 {
     for (int step = 0; step < 12; ++step)
@@ -144,7 +144,7 @@ glm::dvec2 gridUnder(const core::PixelNet& net, const glm::dvec2& pixel, glm::dv
     return grid;
 }
 
-/// The box of the tile's grid around an imagery's border; empty (last below first) where they have nothing in common.
+/// The box of the tile's grid around the border of an image; empty (last below first) where they do not overlap.
 GridBox gridOf(const core::PixelNet& net, const core::PlacedTile& tile, const glm::dvec2& size)
 {
     const GridBox whole = wholeGrid(tile);
@@ -160,7 +160,7 @@ GridBox gridOf(const core::PixelNet& net, const core::PlacedTile& tile, const gl
     return {glm::max(box.first, whole.first), glm::min(box.last, whole.last)};
 }
 
-/// Samples the imagery over a box of the grid; the rows that got any are counted.
+/// Samples the image over a box of the grid; counts the rows with a covered texel.
 bool sampleInto(osg::Image& image, const Pixels& pixels, const core::PixelNet& net, const GridBox& box)
 {
     std::vector<int> covered(static_cast<std::size_t>(image.t()), 0);

@@ -31,13 +31,13 @@ double stepped(double low, double high, double x)
     return t * t * (3.0 - 2.0 * t);
 }
 
-/// The rule of what grows. Every number is a matter of looks.
+/// The rule of vegetation. All numbers were chosen by eye.
 class Growth
 {
 public:
     Growth(const Climate& climate, double spacingM) : _climate(climate)
     {
-        // Coarse samples smooth the slopes that trees and snow have to hold on to.
+        // Coarse samples smooth slopes: the real ones, which hold trees and snow, are steeper.
         _slopeGain = std::clamp(std::pow(spacingM / 10.0, 0.2), 0.8, 1.5);
     }
 
@@ -54,7 +54,7 @@ public:
         green -= 0.33 * gentle * stepped(0.5 * band, 1.5 * band, below) *
                  stepped(-0.25, 0.1, p.hollow + 0.5 * p.noise);
         green += 0.75 * p.noise + 0.25 * std::clamp(p.hollow, -0.6, 0.6);
-        // Below the tree line roots hold slopes that above it are scree.
+        // Below the tree line roots hold slopes; above it such slopes are scree.
         const double holds = 0.75 + 0.45 * stepped(-band, band, below);
         green -= 0.95 * stepped(holds, holds + 0.7, p.steepness * _slopeGain);
         return std::clamp(green * (1.0 - 0.72 * _climate.aridity) + 0.06 * _climate.aridity, 0.0, 1.0);
@@ -78,7 +78,7 @@ unsigned char byteOf(double share)
     return static_cast<unsigned char>(std::lround(std::clamp(share, 0.0, 1.0) * 255.0));
 }
 
-/// Noise over metres, −½…½: periods of 60 samples (within 300 m … 6 km) and of 3.73 times that, turned.
+/// Noise by position in metres, −½…½: periods of 60 samples (300 m … 6 km), and of 3.73 times that, rotated.
 double landNoise(const TileableNoise& noise, double eastM, double northM, double spacingM)
 {
     const double fine = std::clamp(spacingM * 60.0, 300.0, 6000.0);
@@ -88,7 +88,7 @@ double landNoise(const TileableNoise& noise, double eastM, double northM, double
            0.6;
 }
 
-/// What stands for ground where there is none is flat, and would be taken for water: it is no number.
+/// Gives heights without data the value NaN: their filler is flat and would be taken for water.
 MapField withoutHoles(MapField heights, const core::PlacedTile& tile, const MapGrid& grid)
 {
     std::size_t at = 0;

@@ -8,16 +8,16 @@
 namespace osgTerrainROAM
 {
 
-/// The raster of a surface map: one texel per sample of a tile's raster, or of one of its sheets, or per several where that would
-/// exceed what graphics cards take.
+/// The raster of a surface map: one texel per sample of a tile's raster or of one of its sheets, or per several samples where
+/// the map would be larger than graphics cards allow.
 struct MapGrid
 {
     static constexpr int kMaxSide = 8192;
 
-    int step = 1; ///< places of the tile's grid to a texel
+    int step = 1; ///< grid positions of the tile per texel
     int width = 0;
     int height = 0;
-    int west = 0, south = 0; ///< place of the first texel
+    int west = 0, south = 0; ///< grid position of the first texel
     bool isOfRaster = true;
 
     explicit MapGrid(const core::PlacedTile& tile)
@@ -29,13 +29,13 @@ struct MapGrid
         isOfRaster = false;
     }
 
-    /// From one texel to the next, the mean of both directions.
+    /// The distance between neighbouring texels, the mean of both directions.
     double spacingM(const core::PlacedTile& tile) const
     {
         return 0.5 * (tile.field().spacingEastM + tile.field().spacingNorthM) * step / tile.grid().cellSide();
     }
 
-    /// Of a texel, or of the nearest that there is.
+    /// The position of a texel, or of the nearest one inside the map.
     glm::dvec3 position(const core::PlacedTile& tile, int x, int y) const
     {
         const int column = west + std::clamp(x, 0, width - 1) * step,

@@ -13,7 +13,7 @@ namespace osgTerrainROAM
 namespace
 {
 
-/// Placed positions of one row of the map, with the neighbours' rows at hand.
+/// The positions of one row of the map and of its two neighbouring rows.
 using Row = std::vector<glm::dvec3>;
 
 Row placedRow(const core::PlacedTile& tile, const MapGrid& grid, int row)

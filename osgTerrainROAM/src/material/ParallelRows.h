@@ -9,8 +9,8 @@
 namespace osgTerrainROAM
 {
 
-/// Calls work(firstRow, endRow) on bands of rows from several threads and returns when all are done. Each row
-/// belongs to one band, so a result that is computed row by row does not depend on the number of threads.
+/// Calls work(firstRow, endRow) on bands of rows from several threads and returns when all bands are done. Each row
+/// belongs to one band, so results that are computed row by row do not depend on the number of threads.
 inline void parallelRows(int rows, const std::function<void(int, int)>& work)
 {
     const int bands = std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, 8);

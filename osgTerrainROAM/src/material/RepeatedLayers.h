@@ -6,7 +6,7 @@
 namespace osgTerrainROAM
 {
 
-/// Puts generated lines into a shader's text, in place of the line "// <marker>", at the marker's indentation.
+/// Replaces the line "// <marker>" of a shader's text, with its indentation, by generated lines.
 /// A text without the marker is a fault of the program (asserted).
 std::string withLines(std::string text, const std::string& marker, const std::string& lines);
 

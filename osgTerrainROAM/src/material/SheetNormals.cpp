@@ -54,7 +54,7 @@ void SheetNormals::follow(const core::PlacedTile& tile, std::span<const core::Gr
 
 osg::Vec4f bumpinessOver(double spacingM)
 {
-    // A layer counts where its features, an eighth of its period, are finer than two samples.
+    // A layer counts where its features, an eighth of its period wide, are narrower than two samples.
     const auto finer = [=](double periodM)
     { return static_cast<float>(std::clamp((2.0 * spacingM - periodM / 8.0) / spacingM, 0.0, 1.0)); };
     return {0.55f * std::max(finer(2.0), 0.8f), 0.45f * std::max(finer(28.0), 0.3f), 0.40f * finer(324.0),

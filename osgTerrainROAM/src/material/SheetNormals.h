@@ -15,19 +15,19 @@
 namespace osgTerrainROAM
 {
 
-/// Normal maps of the sheets of a tile, each with one texel a sample, over the raster's; the finest kMostMaps of them.
+/// Normal maps of the sheets of a tile, with one texel a sample; of the finest kMostMaps sheets only.
 /// Threads: the update phase. Memory: 4 B a sample, here and on the graphics card, and a third more there.
 class SheetNormals
 {
 public:
     static constexpr std::size_t kMostMaps = 4;
 
-    /// Takes a texture unit for each, from `firstUnit` on.
+    /// Uses one texture unit for each map, from `firstUnit` on.
     SheetNormals(const core::PlacedTile& tile, osg::StateSet& stateSet, unsigned firstUnit);
 
     int maps() const { return static_cast<int>(_maps.size()); }
 
-    /// Draws texels again whose samples or neighbours have moved.
+    /// Computes the texels again whose samples or neighbours have moved.
     void follow(const core::PlacedTile& tile, std::span<const core::GridRect> moved);
 
 private:
@@ -39,8 +39,7 @@ private:
     std::vector<Map> _maps; ///< coarse before fine
 };
 
-/// How much of each layer of invented bumps counts over data of a spacing: those that the data themselves show are not invented a
-/// second time.
+/// The weight of each layer of the grain's bumps over data with this spacing: bumps that the data can show themselves have weight 0.
 osg::Vec4f bumpinessOver(double spacingM);
 
 } // namespace osgTerrainROAM

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Difference from mean elevation over several scales (see Wilson & Gallant, "Terrain Analysis", 2000), taken from an
-// image pyramid.
+// Source: Wilson and Gallant, Terrain Analysis (2000), chapter 3: the difference from mean elevation over several scales,
+// here computed from an image pyramid.
 #include "SkyVisibility.h"
 
 #include <cmath>
@@ -38,7 +38,7 @@ Level halved(const Level& fine)
 {
     Level coarse{std::max(fine.width / 2, 1), std::max(fine.height / 2, 1), {}};
     coarse.values.resize(static_cast<std::size_t>(coarse.width) * coarse.height);
-    // A tent of 4×4 texels, so that the bilinear look-up shows no squares.
+    // The filter is a tent of 4×4 texels, so that bilinear interpolation shows no squares.
     constexpr float kTent[4] = {0.125f, 0.375f, 0.375f, 0.125f};
     parallelRows(coarse.height,
                  [&](int first, int end)
@@ -97,7 +97,7 @@ MapField hollowness(const MapField& heights, const MapGrid& grid, double spacing
 
 float skyVisibility(float hollow)
 {
-    // A plain sees 0.8 of what a summit sees: room for both directions.
+    // A plain has 0.8 of the value of a summit, so that both valleys and ridges show.
     return std::clamp(0.8f - 0.9f * hollow / (1.0f + std::abs(hollow)), 0.25f, 1.0f);
 }
 

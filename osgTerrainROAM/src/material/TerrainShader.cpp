@@ -14,7 +14,7 @@ namespace osgTerrainROAM
 namespace
 {
 
-/// The defines that shaders/TerrainMain.glsl asks for.
+/// The defines that shaders/*.glsl test.
 std::string definesOf(const TerrainLook& look)
 {
     std::string text;
@@ -34,7 +34,7 @@ std::string featureFunctions()
            shaders::kFeatureStrokes + shaders::kFeaturePaint + shaders::kFeatureColours;
 }
 
-/// Each part stands behind those whose functions it calls.
+/// Joins the parts of the fragment shader; each part follows those whose functions it calls.
 std::string fragmentText(const TerrainLook& look)
 {
     std::string text = "#version 330 compatibility\n" + definesOf(look);

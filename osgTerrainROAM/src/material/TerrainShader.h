@@ -6,23 +6,23 @@
 namespace osgTerrainROAM
 {
 
-/// Takes the vertices that RoamDrawable draws: gives a fragment shader `in vec3 fromEye` (metres, tile's frame) and
-/// `in vec2 grid` (samples), and clips at the uniform terrainLastSample.
+/// The vertex shader for the vertices of RoamDrawable (shaders/Terrain.vert): outputs fromEye (metres, tile's frame) and
+/// grid (samples).
 osg::ref_ptr<osg::Shader> terrainVertexShader();
 
-/// What a terrain's program has beside the land that follows from heights and climate. What it lacks costs nothing.
+/// What a terrain has beside the land that follows from heights and climate. What it lacks costs nothing.
 struct TerrainLook
 {
     bool drape = false;    ///< imagery (TerrainMaterial::drape)
-    int layers = 0;        ///< imagery in several resolutions instead (ImageryShader.h)
+    int layers = 0;        ///< number of imagery layers in several resolutions, instead of drape
     bool features = false; ///< vector features (FeatureTextures.h)
-    bool cover = false;    ///< land cover (CoverShader.h)
-    int sheets = 0;        ///< normal maps of denser parts (SheetNormals.h)
+    bool cover = false;    ///< land cover (CoverTexture.h)
+    int sheets = 0;        ///< number of normal maps of denser sheets (SheetNormals.h)
     bool fine = false;     ///< normals between the samples (FineNormals.h)
-    bool season = false;   ///< snow of the season (CoverShader.h)
+    bool season = false;   ///< snow of the season (GroundPalette.h)
 };
 
-/// The terrain's program.
+/// The terrain's program, composed of the parts in shaders/ that the look needs.
 osg::ref_ptr<osg::Program> terrainProgram(const TerrainLook& look);
 
 } // namespace osgTerrainROAM

@@ -23,7 +23,7 @@ std::uint32_t hashed(std::uint32_t x, std::uint32_t y, std::uint32_t seed)
     return h ^ (h >> 15);
 }
 
-/// One of 16 directions at a lattice point, times the way from there.
+/// The dot product of a lattice point's gradient, one of 16 directions, with the vector from the point.
 double gradientDot(std::uint32_t hash, double x, double y)
 {
     static constexpr double kCos[16] = {1.0,  0.92388,  0.70711,  0.38268,  0.0, -0.38268, -0.70711, -0.92388,

@@ -24,12 +24,12 @@ public:
     TileableNoise(int side, const Octaves& octaves);
 
     int side() const { return _side; }
-    /// Texel, indices wrap.
+    /// The value of a texel; indices wrap.
     float at(int x, int y) const
     {
         return _values[static_cast<std::size_t>(y & (_side - 1)) * _side + (x & (_side - 1))];
     }
-    /// Bilinear; one period is 1.
+    /// The value at a position, interpolated bilinearly; one period is 1.
     float sample(double u, double v) const;
 
 private:

@@ -8,11 +8,11 @@ namespace
 {
 
 constexpr std::uint8_t kWater = 255;
-constexpr std::uint8_t kShore = 80;    ///< next to water
-constexpr std::uint8_t kFarShore = 24; ///< one farther
+constexpr std::uint8_t kShore = 80;    ///< land next to water
+constexpr std::uint8_t kFarShore = 24; ///< land one texel farther
 constexpr double kLowerRimShare = 0.04;
 
-/// Flood fill with a stack of texels; every texel is visited once.
+/// Fills a connected area, with a stack of texels; visits each texel once.
 class WaterSearch
 {
 public:

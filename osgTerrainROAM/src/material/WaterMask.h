@@ -9,12 +9,12 @@
 namespace osgTerrainROAM
 {
 
-/// Where water stands, guessed from heights alone: 0 land … 255 water; land next to water has values in between, so
+/// Estimates standing water from heights alone: 0 is land, 255 water; land next to water has values in between, so
 /// that the shore can be drawn finer than the samples.
 /// - sea: connected samples at or below sea level, at least kLeastSamples of them;
 /// - lake: connected samples of exactly equal height, at least kLeastSamples, that no more than 4 % of their rim
 ///   lies below (files flatten standing water; a terrace has a lower side).
-/// Heights that are no number are neither.
+/// NaN heights are neither.
 constexpr int kLeastWaterSamples = 100;
 std::vector<std::uint8_t> waterMask(const MapField& heights, const MapGrid& grid, double seaLevelM);
 
