@@ -17,10 +17,11 @@ struct NamedProgram
     osg::ref_ptr<const osg::Program> program;
 };
 
-/// All combinations of what a terrain may have, and of the colour layers of osgTerrain's tiles.
+/// All combinations of what a terrain may have.
 std::vector<NamedProgram> terrainPrograms();
 /// The terrain's program with nothing, with one thing each, and with everything: enough to check how stages fit together.
 std::vector<NamedProgram> terrainExtremes();
+/// The kinds and units of colour layers on tiles of osgTerrain, with and without holes.
 std::vector<NamedProgram> layerPrograms();
 /// Progressive and baked objects, the trainer's objects and sky, the tests' small scene.
 std::vector<NamedProgram> objectPrograms();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 #include <set>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -49,6 +50,7 @@ TEST(ShaderSyntax, EveryCompositionCompiles)
                           << fault.composition->stage << ")";
     }
     EXPECT_GT(compositions().size(), 300u); // a check of nothing always passes
+    RecordProperty("compositions", std::to_string(compositions().size()));
 }
 
 TEST(ShaderSyntax, StagesOfEveryProgramFitTogether)

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <utility>
+
 #include <material/SheetNormals.h>
 #include <material/TerrainShader.h>
 #include <technique/LayerShader.h>
@@ -30,29 +32,16 @@ NamedProgram programOf(const TerrainLook& look)
     return {name, terrainProgram(look)};
 }
 
-/// None, one, and as many as there can be: the text of each further one is alike.
-std::vector<int> numbersUpTo(std::size_t most)
-{
-    return {0, 1, static_cast<int>(most)};
-}
-
-const std::vector<int> kLayerNumbers = numbersUpTo(osgTerrainROAM::TerrainMaterial::kMaxImagery);
-const std::vector<int> kSheetNumbers = numbersUpTo(osgTerrainROAM::SheetNormals::kMostMaps);
-
-NamedProgram programOf(osgTerrainROAM::LayerPrograms& programs, const std::vector<ColourLayer>& layers,
-                       bool hasHoles)
-{
-    const osg::ref_ptr<osg::Program> program = programs.program(layers, hasHoles);
-    return {program->getName(), program};
-}
+constexpr int kMostImagery = osgTerrainROAM::TerrainMaterial::kMaxImagery;
+constexpr int kMostSheets = osgTerrainROAM::SheetNormals::kMostMaps;
 
 } // namespace
 
 std::vector<NamedProgram> terrainPrograms()
 {
     std::vector<NamedProgram> programs;
-    for (const int layers : kLayerNumbers)
-        for (const int sheets : kSheetNumbers)
+    for (const int layers : {0, 1, kMostImagery})
+        for (const int sheets : {0, 1, kMostSheets})
             for (unsigned mask = 0; mask < 32; ++mask)
                 programs.push_back(programOf({.drape = (mask & 1) != 0,
                                               .layers = layers,
@@ -61,6 +50,11 @@ std::vector<NamedProgram> terrainPrograms()
                                               .sheets = sheets,
                                               .fine = (mask & 8) != 0,
                                               .season = (mask & 16) != 0}));
+    // The numbers between: each further layer adds the same text.
+    for (int layers = 2; layers < kMostImagery; ++layers)
+        programs.push_back(programOf({.layers = layers}));
+    for (int sheets = 2; sheets < kMostSheets; ++sheets)
+        programs.push_back(programOf({.sheets = sheets}));
     return programs;
 }
 
@@ -68,31 +62,41 @@ std::vector<NamedProgram> terrainExtremes()
 {
     std::vector<NamedProgram> programs;
     for (const TerrainLook& look :
-         {TerrainLook{}, TerrainLook{.drape = true}, TerrainLook{.layers = kLayerNumbers.back()},
-          TerrainLook{.features = true}, TerrainLook{.cover = true},
-          TerrainLook{.sheets = kSheetNumbers.back()}, TerrainLook{.fine = true}, TerrainLook{.season = true},
-          TerrainLook{true, kLayerNumbers.back(), true, true, kSheetNumbers.back(), true, true}})
+         {TerrainLook{}, TerrainLook{.drape = true}, TerrainLook{.layers = kMostImagery},
+          TerrainLook{.features = true}, TerrainLook{.cover = true}, TerrainLook{.sheets = kMostSheets},
+          TerrainLook{.fine = true}, TerrainLook{.season = true},
+          TerrainLook{true, kMostImagery, true, true, kMostSheets, true, true}})
         programs.push_back(programOf(look));
     return programs;
 }
 
 std::vector<NamedProgram> layerPrograms()
 {
-    std::vector<ColourLayer> many;
-    for (unsigned unit = 0; unit < osgTerrainROAM::kMostLayers; ++unit)
-        many.push_back({.kind = LayerKind::image, .unit = unit, .texture = {}, .s = {}, .t = {}});
-    many[1].kind = LayerKind::alpha;
-    many[7].kind = LayerKind::contour;
+    const auto layer = [](unsigned unit, LayerKind kind)
+    { return ColourLayer{.kind = kind, .unit = unit, .texture = {}, .s = {}, .t = {}}; };
+    std::vector<std::vector<ColourLayer>> all = {{},
+                                                 {layer(0, LayerKind::image), layer(1, LayerKind::image)}};
+    std::vector<ColourLayer> mixed;
+    for (const LayerKind kind : {LayerKind::image, LayerKind::alpha, LayerKind::contour})
+    {
+        std::vector<ColourLayer> alike;
+        for (unsigned unit = 0; unit < osgTerrainROAM::kMostLayers; ++unit)
+            alike.push_back(layer(unit, kind));
+        all.push_back({alike.front()});
+        mixed.push_back(alike[mixed.size()]);
+        all.push_back(std::move(alike));
+    }
+    all.push_back(mixed);
 
     osgTerrainROAM::LayerPrograms programs;
-    std::vector<NamedProgram> all;
-    for (const bool hasHoles : {false, true})
-    {
-        for (const std::vector<ColourLayer>& layers :
-             {std::vector<ColourLayer>{}, {many[0]}, {many[1]}, {many[7]}, {many[0], many[7]}, many})
-            all.push_back(programOf(programs, layers, hasHoles));
-    }
-    return all;
+    std::vector<NamedProgram> named;
+    for (const auto& layers : all)
+        for (const bool hasHoles : {false, true})
+        {
+            const osg::ref_ptr<osg::Program> program = programs.program(layers, hasHoles);
+            named.push_back({program->getName(), program});
+        }
+    return named;
 }
 
 } // namespace shadercheck
