@@ -48,6 +48,7 @@ layer(install-tests  "^tests/install/"     graphics foundation viewlod objects-c
 layer(render-support "^tests/support/Rendered" ${libraries} test-support)
 layer(test-support   "^tests/support/"     foundation viewlod objects-core terrain-core simulation generator)
 layer(core-tests     "^tests/(core|fuzz)/" ${cores} generator test-support)
+layer(shader-tests   "^tests/osg/shaders/" ${libraries} bench test-support render-support)
 layer(osg-tests      "^tests/osg/"         ${libraries} terminal trainer tools test-support core-tests)
 layer(render-tests   "^tests/render/"      ${libraries} terminal trainer test-support render-support core-tests osg-tests)
 layer(build-support  "^cmake/")

@@ -2,7 +2,7 @@
 # Shader files become C++ constants: no program reads a shader from a file at run time.
 set(OSGTRAINER_EMBED_SHADERS ${CMAKE_CURRENT_LIST_DIR}/EmbedShaders.cmake)
 
-# osgtrainer_shaders(TARGET NAMESPACE FILE…): embeds the files in the target. Its sources include "shaders/NAMESPACE.h",
+# osgtrainer_shaders(TARGET NAMESPACE FILE…): embeds the files in the target. Its sources include <shaders/NAMESPACE.h>,
 # which declares NAMESPACE::shaders::kName for each Name.glsl, kNameVert for Name.vert, kNameFrag for Name.frag.
 # A changed file makes the build embed and compile again; docs/guide/shaders.md describes the files.
 function(osgtrainer_shaders target namespace)

@@ -4,8 +4,7 @@
 #include <string>
 
 #include <osgTerrainROAM/Atmosphere>
-
-#include "shaders/framebench.h"
+#include <shaders/framebench.h>
 
 namespace framebench
 {

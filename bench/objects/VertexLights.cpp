@@ -8,7 +8,7 @@
 #include <osg/Program>
 #include <osg/Uniform>
 
-#include "shaders/objectbench.h"
+#include <shaders/objectbench.h>
 
 namespace objectbench
 {

@@ -7,9 +7,9 @@
 #include <osg/Uniform>
 
 #include <osgTerrainROAM/Atmosphere>
+#include <shaders/osgTerrainROAM.h>
 
 #include "MixedColour.h"
-#include "shaders/osgTerrainROAM.h"
 
 namespace osgTerrainROAM
 {

@@ -19,11 +19,12 @@ void setObjectShading(osg::Node& node, Finish finish, const FlankHoles& holes)
     osg::ref_ptr<osg::Program> program = new osg::Program;
     program->setName("object");
     const std::string version = "#version 130\n";
-    program->addShader(new osg::Shader(osg::Shader::VERTEX,
-                                       version + osgPMObjects::glslVertexFunctions() + shaders::kObjectVertexMain));
-    program->addShader(new osg::Shader(
-        osg::Shader::FRAGMENT, version + osgPMObjects::glslFragmentFunctions() +
-                                   osgTerrainROAM::Atmosphere::glslFunctions() + shaders::kObjectFragmentMain));
+    program->addShader(new osg::Shader(osg::Shader::VERTEX, version + osgPMObjects::glslVertexFunctions() +
+                                                                shaders::kObjectVertexMain));
+    program->addShader(
+        new osg::Shader(osg::Shader::FRAGMENT, version + osgPMObjects::glslFragmentFunctions() +
+                                                   osgTerrainROAM::Atmosphere::glslFunctions() +
+                                                   shaders::kObjectFragmentMain));
     osgPMObjects::bindObjectAttributes(*program);
     osg::StateSet* state = node.getOrCreateStateSet();
     state->setAttributeAndModes(program);

@@ -11,7 +11,7 @@
 #include <osg/LightModel>
 #include <osg/Material>
 
-#include "shaders/osgPMObjects.h"
+#include <shaders/osgPMObjects.h>
 
 namespace osgPMObjects
 {

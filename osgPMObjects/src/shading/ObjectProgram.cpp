@@ -5,8 +5,7 @@
 #include <osg/Uniform>
 
 #include <osgPMObjects/ObjectShader>
-
-#include "shaders/osgPMObjects.h"
+#include <shaders/osgPMObjects.h>
 
 namespace osgPMObjects
 {

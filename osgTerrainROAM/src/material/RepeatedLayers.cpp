@@ -3,7 +3,7 @@
 
 #include <cassert>
 
-#include "shaders/osgTerrainROAM.h"
+#include <shaders/osgTerrainROAM.h>
 
 namespace osgTerrainROAM
 {

@@ -4,9 +4,9 @@
 #include <string>
 
 #include <osgTerrainROAM/Atmosphere>
+#include <shaders/osgTerrainROAM.h>
 
 #include "RepeatedLayers.h"
-#include "shaders/osgTerrainROAM.h"
 
 namespace osgTerrainROAM
 {

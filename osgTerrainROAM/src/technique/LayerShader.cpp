@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "LayerShader.h"
 
+#include <shaders/osgTerrainROAM.h>
+
 #include "../material/RepeatedLayers.h"
 #include "../material/TerrainShader.h"
-#include "shaders/osgTerrainROAM.h"
 
 namespace osgTerrainROAM
 {

@@ -6,7 +6,7 @@
 
 #include <osg/Program>
 
-/// The shader programs that the libraries, the trainer, the benchmarks and the tests draw with, without a graphics context.
+/// The shader programs that the libraries, the benchmarks and the tests draw with, without a graphics context.
 namespace shadercheck
 {
 
@@ -23,7 +23,7 @@ std::vector<NamedProgram> terrainPrograms();
 std::vector<NamedProgram> terrainExtremes();
 /// The kinds and units of colour layers on tiles of osgTerrain, with and without holes.
 std::vector<NamedProgram> layerPrograms();
-/// Progressive and baked objects, the trainer's objects and sky, the tests' small scene.
+/// Progressive and baked objects, objects and sky under the atmosphere, the tests' small scene.
 std::vector<NamedProgram> objectPrograms();
 /// The programs that only benchmarks draw with (built with OSGTRAINER_BENCHMARKS).
 std::vector<NamedProgram> benchPrograms();

@@ -6,8 +6,8 @@
 
 #include "Compositions.h"
 #include "RenderedScene.h"
-#include "view/ObjectShading.h"
-#include "view/Sky.h"
+#include "scenery/nodes/ObjectShading.h"
+#include "scenery/nodes/Sky.h"
 
 namespace shadercheck
 {
@@ -37,11 +37,11 @@ osg::ref_ptr<const osg::Program> bakedProgram()
 std::vector<NamedProgram> objectPrograms()
 {
     const osg::ref_ptr<osg::Node> object = new osg::Group;
-    trainer::setObjectShading(*object, trainer::Finish::matt);
+    scenery::setObjectShading(*object, scenery::Finish::matt);
     return {{"object", osgPMObjects::makeObjectProgram()},
             {"baked object", bakedProgram()},
-            {"trainer's object", programOf(object->getStateSet())},
-            {"sky", programOf(trainer::makeSky()->getStateSet())},
+            {"object under the atmosphere", programOf(object->getStateSet())},
+            {"sky", programOf(scenery::makeSky()->getStateSet())},
             {"tests' triangle", programOf(rendered::shadedTriangle(0.0F)->getStateSet())}};
 }
 
