@@ -38,6 +38,7 @@ function(plantTree)
             "tests/core/tile/TileTest.cpp|osgTerrainROAM/core/Tile.h"
             "tests/install/core/main.cpp|viewlod/Frustum.h"
             "tests/osg/terrain/TerrainTest.cpp|osgTerrainROAM/Terrain"
+            "tests/osg/shaders/LookTest.cpp|bench/frames/Look.h"
             "tests/render/terrain/GoldenTest.cpp|osgOffscreen/Capture"
             "tests/programs/PlayTest.cpp|foundation/Result.h")
         string(REPLACE "|" ";" entry "${entry}")
