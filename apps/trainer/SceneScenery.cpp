@@ -104,7 +104,7 @@ void reportUnheeded(const scenery::SceneryDescription& description, std::vector<
     for (const scenery::SceneryField& field : description.fields)
         if (!field.where.covers.empty())
             notes.push_back("scenery: " + field.name +
-                            ": 'covers' is not heeded, objects stand on any land cover");
+                            ": 'covers' is ignored, objects stand on any land cover");
 }
 
 } // namespace

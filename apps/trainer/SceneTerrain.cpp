@@ -77,7 +77,7 @@ foundation::Result<SceneTerrain> openScene(const std::filesystem::path& file,
         (*node)->accept(finder);
         return SceneTerrain{*node, finder.found};
     }
-    // GDAL reads rasters of more names than anybody can list, and some are those of models (.flt, .dem).
+    // GDAL reads rasters with many suffixes, some of which are also those of models (.flt, .dem).
     auto terrain = openElevation(file, import);
     if (terrain) return terrain;
     const std::string suffix = osgDB::getLowerCaseFileExtension(file.string());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The terrain in somebody else's viewer: terrain_in_osgviewer dem.tif | place.roam
+// Shows the terrain in a viewer of OpenSceneGraph: terrain_in_osgviewer dem.tif | place.roam
 #include <cstdio>
 
 #include <osgGA/TerrainManipulator>
