@@ -74,7 +74,7 @@ compareOrders(const OrderSubject& subject, const std::string& model, const std::
             const std::string file = model + "." + subject.vertices + "." + order + ".u32";
             if (const auto written = dumpIndices(dumpFolder / file, ordered); !written)
                 return written.error();
-            row["dumpIndices"] = file;
+            row["dump"] = file;
         }
         printOrder(order, row);
         json["orders"].push_back(std::move(row));
@@ -123,7 +123,7 @@ void addCompareOrder(CLI::App& compare, Chosen& chosen)
     CLI::App* sub = compare.add_subcommand(
         "order", "orders of triangles, by vertices transformed per triangle for several caches");
     addModelOptions(*sub, request->models, chosen.jsonFile);
-    sub->add_option("--dumpIndices", request->dumpFolder, "write the indices of every order to this folder");
+    sub->add_option("--dump", request->dumpFolder, "write the indices of every order to this folder");
     sub->callback([&chosen, request] { chosen.work = [request] { return compareModelOrders(*request); }; });
 }
 
