@@ -20,11 +20,8 @@ Contestant played(const std::string& name, const core::Mesh& mesh, const core::C
 {
     const osg::ref_ptr<ProgressiveDrawable> drawable = new ProgressiveDrawable(
         new ProgressiveShape(core::buildProgressiveMesh(mesh, sequence, {.arrangement = arrangement}), {}));
-    return {name,
-            [drawable](std::uint32_t steps) -> osg::ref_ptr<osg::Node>
-            {
-                drawable->setSteps(steps);
-                return drawable;
+    return {name, [drawable](std::uint32_t steps) -> osg::ref_ptr<osg::Node> {
+                return drawable->setSteps(steps) ? drawable : nullptr;
             }};
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ten thousand copies of a model at the levels of detail that their pictures need, in a few draws:
+// Ten thousand copies of a model at the levels of detail that the view needs, in a few draw calls:
 //   planted_field FOLDER [MODEL]      writes among.png, above.png; without a model: firs of a cone and a trunk
 #include <cmath>
 #include <cstdio>
@@ -71,7 +71,7 @@ osg::ref_ptr<osg::Node> fir()
     return tree;
 }
 
-/// Each turned and of a size of its own.
+/// Places instances at random, each with its own rotation and size.
 std::vector<FieldInstance> planted(double modelRadiusM)
 {
     std::mt19937 random(7);
@@ -111,7 +111,7 @@ int main(int argc, char** argv)
     const osg::ref_ptr<const ProgressiveShape> shape = progressive->node->shape();
 
     FieldKind kind{shape};
-    kind.selection.method = core::SelectionMethod::screenError; // half a pixel is not seen
+    kind.selection.method = core::SelectionMethod::screenError; // an error of half a pixel is not visible
     kind.selection.tolerancePx = 0.5;
     kind.switching = {core::SwitchMethod::blend, core::BlendProfile::cross, 0.3F, 0.0F};
     const osg::ref_ptr<ProgressiveField> field = new ProgressiveField;

@@ -13,9 +13,9 @@
 namespace
 {
 
-/// osgDB's way to progressive meshes: osgviewer model.pm, osgconv model.ac model.pm. What is written and is no progressive object is made
-/// one. Options: "quantised" for vertices in 16 and 8 bits.
-/// Errors: the message of the result is the Error's line, with file, place and remedy.
+/// The osgDB plugin for progressive meshes: osgviewer model.pm, osgconv model.ac model.pm. It makes a progressive object of any other node
+/// that is written. Options: "quantised" for vertices in 16 and 8 bits.
+/// Errors: the message of the result is that of the Error, with file, what is wrong and the remedy.
 class ReaderWriterPm : public osgDB::ReaderWriter
 {
 public:
@@ -93,7 +93,7 @@ private:
         return osgPMObjects::pmNodeBytes(*made->node, settings);
     }
 
-    /// The node itself, or the only child of groups that do nothing else.
+    /// Returns the node itself, or the only child of groups that do nothing else.
     static const osgPMObjects::ProgressiveNode* progressiveBelow(const osg::Node& node)
     {
         if (const auto* const progressive = dynamic_cast<const osgPMObjects::ProgressiveNode*>(&node))

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What OpenSceneGraph loads when a scene file names a class of the namespace osgPMObjects and nobody has registered it.
+// The library that OpenSceneGraph loads when a scene file names a class of the namespace osgPMObjects that is not registered.
 #include <osgPMObjects/Serializers>
 
 namespace

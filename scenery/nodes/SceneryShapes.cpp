@@ -86,7 +86,7 @@ foundation::Result<osg::ref_ptr<const ProgressiveShape>> shapeOfFile(const std::
     if (osgDB::getLowerCaseFileExtension(file) == "pm") return shapeOfPm(file);
     const auto node = osgPMObjects::readModelNode(file);
     if (!node) return node.error();
-    osgPMObjects::ProgressiveSettings settings;
+    osgPMObjects::MakeProgressiveSettings settings;
     settings.arrangement.arrangement = core::Arrangement::plain;
     const auto made = osgPMObjects::makeProgressive(**node, file, settings);
     if (!made) return made.error();

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <chrono>
+#include <string>
+
+#include <foundation/SettingsCheck.h>
 
 #include <osgPMObjects/core/bake/AtlasMesh.h>
 
@@ -28,7 +31,7 @@ double percent(std::size_t part, std::size_t whole)
     return whole > 0 ? 100.0 * static_cast<double>(part) / static_cast<double>(whole) : 0.0;
 }
 
-/// Gives the mesh's materials baked states; those that are drawn alike become one.
+/// Gives the materials of the mesh baked states; materials that are drawn alike become one.
 void bakeStates(ImportedModel& model, const SurfaceColours& colours, const ImportedModel& full,
                 const BakedLook& look)
 {
@@ -53,9 +56,21 @@ void bakeStates(ImportedModel& model, const SurfaceColours& colours, const Impor
 
 } // namespace
 
+foundation::Outcome checkSettings(const BakeModelSettings& settings)
+{
+    const double slantDeg = settings.charts.mostSlantDeg;
+    return foundation::SettingsCheck("BakeModelSettings")
+        .require(slantDeg >= 0.0 && slantDeg < 90.0, "charts.mostSlantDeg", "is " + std::to_string(slantDeg),
+                 "give degrees from 0 to below 90")
+        .within("maps.samplesPerSide", settings.maps.samplesPerSide, 1.0, 8.0)
+        .within("maps.reach", settings.maps.reach, 0.0)
+        .outcome();
+}
+
 foundation::Result<BakedModel> bakeModel(const ImportedModel& full, const core::Mesh& simplified,
                                          const BakeModelSettings& settings)
 {
+    if (const auto checked = checkSettings(settings); !checked) return checked.error();
     const Clock::time_point start = Clock::now();
     auto atlas = core::packCharts(simplified, core::makeCharts(simplified, settings.charts), settings.atlas);
     if (!atlas) return atlas.error();

@@ -38,13 +38,13 @@ osg::ref_ptr<osg::Texture2D> textureOf(const std::vector<std::array<std::uint8_t
     return texture;
 }
 
-/// How often the normal map may be halved: a texel and half of the next, which filtering reads, have to fit between two charts.
+/// Returns how often the normal map may be halved: one and a half texels, which filtering reads, have to fit between two charts.
 float smallestCopy(int gutterPx)
 {
     return std::floor(std::log2(2.0f * static_cast<float>(gutterPx) / 1.5f));
 }
 
-/// Three channels where the fourth says nothing.
+/// Makes an image of three channels if the fourth has no content.
 osg::ref_ptr<osg::Texture2D> colourTexture(const core::BakedMaps& maps)
 {
     if (std::any_of(maps.colours.begin(), maps.colours.end(),
@@ -87,7 +87,7 @@ osg::ref_ptr<osg::Material> materialOf(const Finish& finish)
     return material;
 }
 
-/// Whether backs are lit as backs. Gloss is painted over like all other light, for the map is what gives it its strength.
+/// Returns whether back faces are lit as back faces. Lets the texture scale gloss like all other light.
 bool lightBoth(osg::StateSet& state)
 {
     const auto* known =
@@ -123,7 +123,7 @@ osg::ref_ptr<osg::StateSet> BakedLook::stateFor(const osg::StateSet& state, cons
     baked->setAttribute(materialOf(finish));
     const bool litFromBothSides = lightBoth(*baked);
     if (!hasNormals) return baked;
-    baked->setTextureAttribute(kNormalUnit, _normals); // no mode: fixed function does not look at it
+    baked->setTextureAttribute(kNormalUnit, _normals); // not enabled: fixed function ignores it
     baked->setAttributeAndModes(_program);
     baked->addUniform(new osg::Uniform("bakedColours", static_cast<int>(kColourUnit)));
     baked->addUniform(new osg::Uniform("bakedNormals", static_cast<int>(kNormalUnit)));

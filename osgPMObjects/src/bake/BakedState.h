@@ -13,15 +13,15 @@
 namespace osgPMObjects
 {
 
-/// What all states of one baked model share.
+/// The look that all states of one baked model share.
 class BakedLook
 {
 public:
-    /// `gutterPx`: that of the maps. Normals are taken from copies so small only that no texel reaches from one chart into the
-    /// next, for a mean of two says nothing; colours from any, for a mean of neighbours does less harm than flicker.
+    /// `gutterPx`: of the maps. Normals are read only from mipmap levels in which no texel reaches from one chart into the next, as the mean of
+    /// two charts is meaningless; colours from all levels, where a mean of neighbours does less harm than flicker.
     BakedLook(const core::BakedMaps& maps, int gutterPx);
 
-    /// A state that draws with the maps what `state` drew with its own textures and colours.
+    /// Makes a state that draws with the maps what `state` drew with its own textures and colours.
     osg::ref_ptr<osg::StateSet> stateFor(const osg::StateSet& state, const Finish& finish,
                                          bool hasNormals) const;
 

@@ -35,7 +35,7 @@ Finish finishOf(const osg::StateSet& state, const VertexColours& colours)
     static const osg::ref_ptr<const osg::Material> nothingSet = new osg::Material;
     const auto* set = dynamic_cast<const osg::Material*>(state.getAttribute(osg::StateAttribute::MATERIAL));
     const osg::Material& material = set ? *set : *nothingSet;
-    // What OSG begins with: faces follow their colours, and those that have none are light grey, darker in ambient light.
+    // OSG's initial state: faces take their vertex colours, and those without are light grey, darker in ambient light.
     const Mode mode = set          ? set->getColorMode()
                       : hasColours ? osg::Material::AMBIENT_AND_DIFFUSE
                                    : osg::Material::OFF;
@@ -45,7 +45,7 @@ Finish finishOf(const osg::StateSet& state, const VertexColours& colours)
     const bool isFollowing = hasColours && (mode == osg::Material::DIFFUSE ||
                                             mode == osg::Material::AMBIENT_AND_DIFFUSE || !finish.isLit);
     finish.timesColours = isFollowing && colours.differ;
-    // An osg::Material makes its diffuse colour the current one, which is what faces without colours of their own have.
+    // An osg::Material makes its diffuse colour the current colour, which faces without colours have.
     const glm::vec4 diffuse = finish.timesColours                    ? glm::vec4(1.0f)
                               : isFollowing                          ? colours.first
                               : finish.isLit || (set && !hasColours) ? glmOf(material.getDiffuse(kFront))

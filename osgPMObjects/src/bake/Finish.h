@@ -10,14 +10,14 @@
 namespace osgPMObjects
 {
 
-/// What a state's surface does with light, alike on all of it. A map is to hold `base` times texture and vertex colour;
-/// base is the largest of what it is divided into, so that no part is above 1, which is all that OpenGL's material can be.
+/// How the surface of a state reflects light, the same everywhere on it. A map holds `base` times texture and vertex colour; `base` is the
+/// largest of the parts it is divided into, so that no part is above 1, the most that an OpenGL material allows.
 struct Finish
 {
     bool isLit = true;
-    bool timesColours = false; ///< vertex colours, which differ, are multiplied with it
-    glm::vec4 base{1.0f};      ///< the largest of the following, by channel; alpha: diffuse's
-    glm::vec3 ambient{0.0f};   ///< the following: parts of base
+    bool timesColours = false; ///< whether vertex colours, which differ, are multiplied with it
+    glm::vec4 base{1.0f};      ///< the largest of the following, by channel; alpha: that of diffuse
+    glm::vec3 ambient{0.0f};   ///< the following are parts of base
     glm::vec3 diffuse{1.0f};
     glm::vec3 emission{0.0f};
     glm::vec3 specular{0.0f};
@@ -27,8 +27,8 @@ struct Finish
 /// The vertex colours of all faces of one material.
 struct VertexColours
 {
-    bool have = false;   ///< there are some
-    bool differ = false; ///< not all are `first`
+    bool have = false;   ///< whether there are any
+    bool differ = false; ///< whether not all are `first`
     glm::vec4 first{1.0f};
 
     void add(const glm::vec4& colour)
@@ -39,10 +39,10 @@ struct VertexColours
     }
 };
 
-/// What a state makes of light without shaders.
+/// Returns how a state reflects light without shaders.
 Finish finishOf(const osg::StateSet& state, const VertexColours& colours);
 
-/// a / b by channel; where there is nothing to divide by, `otherwise`.
+/// Divides a by b, by channel; gives `otherwise` where b is 0.
 glm::vec3 ratio(const glm::vec3& a, const glm::vec3& b, float otherwise);
 
 } // namespace osgPMObjects

@@ -83,7 +83,7 @@ glm::vec4 SurfaceColours::at(std::uint32_t f, const glm::dvec3& weights, std::ui
     if (finish.timesColours) colour *= mean(mesh.colours);
     colour *= finish.base;
     if (face.material == shownWith) return colour;
-    // Another material divides what it takes of diffuse light, so that both show the same in it.
+    // Another material divides its diffuse light by its own base, so both give the same.
     const glm::vec3 share = ratio(finish.diffuse, _finishes[shownWith].diffuse, 1.0f);
     return glm::clamp(colour * glm::vec4(share, 1.0f), 0.0f, 1.0f);
 }

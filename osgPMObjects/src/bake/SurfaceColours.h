@@ -18,16 +18,16 @@
 namespace osgPMObjects
 {
 
-/// What a model's surfaces look like without light: textures, materials and vertex colours.
+/// The colours of a model's surfaces without light: textures, materials and vertex colours.
 /// Threads: any number at once, after construction.
 class SurfaceColours
 {
 public:
     explicit SurfaceColours(const ImportedModel& full);
 
-    /// Of a point of a face, for a map on a face of another material: that material's ambient, diffuse and emitted light times what
-    /// is given here is what the full model shows. Where the two materials are one this is exact; otherwise
-    /// it is for diffuse light.
+    /// Returns the colour of a point of a face, for a map on a face of another material: this colour times that material's ambient, diffuse and
+    /// emitted light is what the full model shows. It is exact if the two materials are the same, and otherwise
+    /// for diffuse light.
     glm::vec4 at(std::uint32_t face, const glm::dvec3& weights, std::uint32_t shownWith) const;
 
     const Finish& finish(std::uint32_t material) const { return _finishes[material]; }

@@ -57,7 +57,7 @@ glm::vec4 TexturePicture::texel(int s, int t) const
 glm::vec4 TexturePicture::at(const glm::dvec2& place) const
 {
     if (!isRead()) return glm::vec4(1.0f);
-    // What is beyond all counting (a broken texture coordinate) looks at the first texel.
+    // A broken texture coordinate, too large to count, reads the first texel.
     constexpr double kFarthest = 1e9; // texels
     const bool isSane = std::abs(place.x) * _width < kFarthest && std::abs(place.y) * _height < kFarthest;
     const glm::dvec2 p = isSane ? place * glm::dvec2(_width, _height) : glm::dvec2(0.0);

@@ -14,17 +14,17 @@
 namespace osgPMObjects
 {
 
-/// A texture's picture, unpacked, and how it is looked at: repeated, mirrored or clamped, between texels or not.
+/// The image of a texture, unpacked, and how it is sampled: repeated, mirrored or clamped, with or without interpolation.
 /// Threads: any number at once.
 class TexturePicture
 {
 public:
-    /// Of a texture without a picture in memory, or a compressed one, nothing can be read: isRead() is false.
+    /// Of a texture without an image in memory, or with a compressed one, nothing can be read: isRead() is false.
     explicit TexturePicture(const osg::Texture& texture);
 
     bool isRead() const { return !_texels.empty(); }
 
-    /// Red, green, blue, alpha, 0…1; texture coordinates as OpenGL has them.
+    /// Returns red, green, blue and alpha, 0…1; texture coordinates as in OpenGL.
     glm::vec4 at(const glm::dvec2& place) const;
 
 private:

@@ -10,8 +10,8 @@
 namespace osgPMObjects
 {
 
-/// The state that a material is drawn with; where the material is seen from both sides and its state is not, a copy with
-/// nothing culled, and the backs lit as backs. Null where the material has none among the `states`.
+/// Returns the state that draws a material. If the material is two-sided and its state is not, this is a copy that culls no side and lights
+/// back faces as back faces. Null: the material has none among the `states`.
 osg::ref_ptr<osg::StateSet> drawnState(const core::Material& material,
                                        std::span<const osg::ref_ptr<osg::StateSet>> states);
 

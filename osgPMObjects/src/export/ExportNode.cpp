@@ -30,7 +30,7 @@ Array* arrayFor(bool isWanted)
     return isWanted ? new Array(osg::Array::BIND_PER_VERTEX) : nullptr;
 }
 
-/// One geometry in the making: its vertices in order of first use.
+/// Builds one geometry, with its vertices in order of first use.
 class GeometryMaker
 {
 public:
@@ -73,7 +73,7 @@ public:
     }
 
 private:
-    /// Numbers of another geometry's vertices may stand in the table still.
+    /// Returns whether a number in the table is that of a vertex of this geometry; the table keeps those of earlier ones.
     bool isMine(std::uint32_t vertex, std::uint32_t wedge) const
     {
         return vertex < _wedges.size() && _wedges[vertex] == wedge;
@@ -120,7 +120,7 @@ private:
     std::vector<std::uint32_t> _indices;
 };
 
-/// Face numbers by part, then material, in the order of first use; within, in the order of the mesh.
+/// Returns the face numbers by part, then material, in order of first use, and within these in the order of the mesh.
 std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::uint32_t>>
 facesByGeometry(const Mesh& mesh)
 {

@@ -12,7 +12,7 @@ namespace osgPMObjects
 namespace
 {
 
-/// A mesh that is this much farther away than large would lose digits in floats: they keep 3e-7 of its size up to here.
+/// The ratio of distance to size above which a mesh gets an origin: below it, floats keep 3e-7 of the size.
 constexpr double kFarAway = 4.0;
 
 double largest(const glm::dvec3& v)

@@ -8,8 +8,8 @@
 namespace osgPMObjects
 {
 
-/// What to take off positions before they become floats: their middle where they lie farther from 0 than four times their
-/// extent, and 0, so that they stay as they are, elsewhere.
+/// Returns what is subtracted from positions before they become floats: their middle, if they lie farther from 0 than four times their
+/// extent, otherwise 0.
 glm::dvec3 floatOrigin(std::span<const glm::dvec3> positions);
 
 } // namespace osgPMObjects

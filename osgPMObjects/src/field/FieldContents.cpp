@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+
+#include "../settings/ErrorPlace.h"
 
 namespace osgPMObjects
 {
@@ -15,16 +18,31 @@ using foundation::Error;
 foundation::Outcome checkKind(const std::string& place, const FieldKind& kind)
 {
     if (!kind.shape)
-        return Error{place, "has no shape", "give every kind one, of makeProgressive() or a .pm file"};
+        return Error{place + ".shape", "there is none",
+                     "give the shape of makeProgressive() or of a .pm file"};
     const auto levels = static_cast<std::uint32_t>(kind.shape->levels().faces.size());
-    if (foundation::Outcome checked = core::checkSettings(kind.selection, levels); !checked)
-        return Error{place, checked.error().place + ' ' + checked.error().what, checked.error().remedy};
-    if (foundation::Outcome checked = core::checkSettings(kind.switching); !checked)
-        return Error{place, checked.error().place + ' ' + checked.error().what, checked.error().remedy};
-    return foundation::success();
+    const foundation::Outcome checked = at(place + ".selection", core::checkSettings(kind.selection, levels));
+    return checked ? at(place + ".switching", core::checkSettings(kind.switching)) : checked;
 }
 
-/// Whether pictures cut holes into a shape: an alpha test, which comes after the shader, would see alphas that fade.
+foundation::Outcome checkInstance(const std::string& place, const FieldInstance& instance, std::size_t kinds)
+{
+    if (instance.kind >= kinds)
+        return Error{place + ".kind", "there is no kind " + std::to_string(instance.kind),
+                     "give a number below " + std::to_string(kinds)};
+    const osg::Vec3d& p = instance.position;
+    if (!std::isfinite(p.x()) || !std::isfinite(p.y()) || !std::isfinite(p.z()))
+        return Error{place + ".position", "a coordinate is not finite", "give finite coordinates"};
+    constexpr double kLengthTolerance = 1e-3;
+    if (!(std::abs(instance.attitude.length2() - 1.0) < kLengthTolerance))
+        return Error{place + ".attitude", "it is not a rotation", "give a quaternion of unit length"};
+    if (!std::isfinite(instance.scale) || instance.scale <= 0.0)
+        return Error{place + ".scale", "it cannot be " + std::to_string(instance.scale),
+                     "give a number above 0"};
+    return at(place + ".priority", core::checkSettings(instance.priority));
+}
+
+/// Whether textures cut holes into a shape. The alpha test runs after the shader, so it would also discard fading fragments.
 bool hasCutOuts(const ProgressiveShape& shape)
 {
     const auto isTested = [](const ProgressiveShape::Group& group)
@@ -32,35 +50,19 @@ bool hasCutOuts(const ProgressiveShape& shape)
     return std::any_of(shape.groups().begin(), shape.groups().end(), isTested);
 }
 
-bool isSound(const FieldInstance& instance)
-{
-    const osg::Quat& q = instance.attitude;
-    return instance.position.valid() && std::isfinite(instance.scale) && instance.scale > 0.0 &&
-           std::abs(q.length2() - 1.0) < 1e-3 && instance.priority.importance > 0.0;
-}
-
 } // namespace
 
-foundation::Outcome checkContents(const std::string& name, const std::vector<FieldKind>& kinds,
+foundation::Outcome checkContents(const std::vector<FieldKind>& kinds,
                                   const std::vector<FieldInstance>& instances)
 {
-    const std::string field = name.empty() ? "field" : name;
+    const auto placeOf = [](const char* list, std::size_t i)
+    { return std::string("ProgressiveField.") + list + "[" + std::to_string(i) + "]"; };
     for (std::size_t i = 0; i < kinds.size(); ++i)
-        if (foundation::Outcome checked = checkKind(field + ", kind " + std::to_string(i), kinds[i]);
+        if (foundation::Outcome checked = checkKind(placeOf("kinds", i), kinds[i]); !checked) return checked;
+    for (std::size_t i = 0; i < instances.size(); ++i)
+        if (foundation::Outcome checked = checkInstance(placeOf("instances", i), instances[i], kinds.size());
             !checked)
             return checked;
-    for (std::size_t i = 0; i < instances.size(); ++i)
-    {
-        const std::string place = field + ", instance " + std::to_string(i);
-        if (instances[i].kind >= kinds.size())
-            return Error{place, "is of kind " + std::to_string(instances[i].kind) + ", which is not there",
-                         "there are " + std::to_string(kinds.size()) + " kinds, counted from 0"};
-        if (!isSound(instances[i]))
-            return Error{place,
-                         "its place is not finite, or its attitude no rotation, or its scale or importance "
-                         "not above 0",
-                         "give finite metres, a unit quaternion, and a scale and importance above 0"};
-    }
     return foundation::success();
 }
 
@@ -116,6 +118,22 @@ std::vector<core::FieldObject> objectsOf(const std::vector<FieldInstance>& insta
                            instance.priority});
     }
     return objects;
+}
+
+std::vector<FieldInstance> instancesOf(const core::Field& field)
+{
+    std::vector<FieldInstance> instances(field.objects().size());
+    for (std::uint32_t i = 0; i < instances.size(); ++i)
+    {
+        const core::FieldObject& object = field.objects()[i];
+        const glm::dquat& q = object.attitude;
+        instances[field.numberOf(i)] = {{object.position.x, object.position.y, object.position.z},
+                                        {q.x, q.y, q.z, q.w},
+                                        object.scale,
+                                        object.model,
+                                        object.priority};
+    }
+    return instances;
 }
 
 } // namespace osgPMObjects

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <string>
+#include <vector>
 
 #include <osgPMObjects/core/field/Field.h>
 
@@ -12,17 +12,16 @@
 namespace osgPMObjects
 {
 
-/// What ProgressiveField::setContents() refuses. `name`: the field's.
-foundation::Outcome checkContents(const std::string& name, const std::vector<FieldKind>& kinds,
-                                  const std::vector<FieldInstance>& instances);
-
-/// By kind; of one shape there is one, which is taken from `known` if it is there.
+/// The meshes by kind. Kinds of one shape share a mesh, which is taken from `known` if it is there.
 std::vector<osg::ref_ptr<FieldMesh>> meshesOf(const std::vector<FieldKind>& kinds,
                                               const std::vector<osg::ref_ptr<FieldMesh>>& known);
 
-/// The same for the core; the tables stay those of the shapes and meshes.
+/// The kinds and instances as the core takes them; its tables are those of the shapes and meshes.
 std::vector<core::FieldModel> modelsOf(const std::vector<FieldKind>& kinds,
                                        const std::vector<osg::ref_ptr<FieldMesh>>& meshes);
 std::vector<core::FieldObject> objectsOf(const std::vector<FieldInstance>& instances);
+
+/// The inverse of objectsOf(), in the order in which the objects were given.
+std::vector<FieldInstance> instancesOf(const core::Field& field);
 
 } // namespace osgPMObjects

@@ -14,7 +14,7 @@ FieldViews::FieldViews(core::Field field) : _field(std::move(field))
         _bound.expandBy(roundedUp(cell.sphere));
 }
 
-core::FieldCamera FieldViews::cameraOf(const CullView& view, const Settings& settings) const
+core::FieldCamera FieldViews::cameraOf(const CullView& view, const ProgressiveFieldSettings& settings) const
 {
     core::FieldCamera camera;
     camera.view =
@@ -28,7 +28,7 @@ core::FieldCamera FieldViews::cameraOf(const CullView& view, const Settings& set
     return camera;
 }
 
-/// Time goes on once a frame, whichever camera of the group comes first.
+/// Advances the group's time once a frame, with the first of its cameras.
 void FieldViews::step(Groups::Entry& entry, const CullView& view)
 {
     if (entry.steppedFrame == view.frame) return;
@@ -37,7 +37,8 @@ void FieldViews::step(Groups::Entry& entry, const CullView& view)
     entry.steppedFrame = view.frame;
 }
 
-std::shared_ptr<const CulledField> FieldViews::look(const CullView& view, const Settings& settings)
+std::shared_ptr<const CulledField> FieldViews::look(const CullView& view,
+                                                    const ProgressiveFieldSettings& settings)
 {
     const std::lock_guard lock(_mutex);
     const auto begin = std::chrono::steady_clock::now();

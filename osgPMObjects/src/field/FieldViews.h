@@ -13,22 +13,14 @@
 namespace osgPMObjects
 {
 
-/// A field's instances and its view groups. Threads: any; settings of a look are the caller's.
+/// The instances of a field and its view groups. Threads: any; the settings of a look belong to the caller.
 class FieldViews
 {
 public:
-    /// What the node's settings add to a view.
-    struct Settings
-    {
-        core::SceneBudgetSettings budget;
-        core::AttentionRule attention;
-        double referencePixelsPerTangent = 0.0;
-    };
-
     explicit FieldViews(core::Field field);
 
-    /// Chooses and sorts for a camera.
-    std::shared_ptr<const CulledField> look(const CullView& view, const Settings& settings);
+    /// Chooses the levels for a camera and sorts the instances by what draws them.
+    std::shared_ptr<const CulledField> look(const CullView& view, const ProgressiveFieldSettings& settings);
 
     const core::Field& field() const { return _field; }
     const osg::BoundingSphere& bound() const { return _bound; }
@@ -39,7 +31,7 @@ private:
     struct Group
     {
         std::unique_ptr<core::FieldView> view;
-        core::SelectionView chosenBy; ///< of the camera that looked last
+        core::SelectionView chosenBy; ///< of the camera that was culled last
         double timeS = 0.0;
         unsigned int steppedFrame = 0;
         float stepS = 0.0F;
@@ -47,11 +39,11 @@ private:
     };
     struct PerCamera
     {
-        std::shared_ptr<InstanceBuffer> buffer; ///< each camera has a picture of its own
+        std::shared_ptr<InstanceBuffer> buffer;
     };
     using Groups = EyeGroups<Group, PerCamera>;
 
-    core::FieldCamera cameraOf(const CullView& view, const Settings& settings) const;
+    core::FieldCamera cameraOf(const CullView& view, const ProgressiveFieldSettings& settings) const;
     static void step(Groups::Entry& entry, const CullView& view);
     void note(Groups::Entry& entry, const CulledField& culled, double cullMs) const;
 

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <foundation/SettingsCheck.h>
+
 #include <osgUtil/CullVisitor>
 
 #include <osgPMObjects/ObjectShader>
 #include <osgPMObjects/ProgressiveField>
+#include <osgPMObjects/Serializers>
 
+#include "../settings/ErrorPlace.h"
 #include "FieldContents.h"
 #include "FieldSolid.h"
 #include "FieldStates.h"
@@ -15,7 +19,20 @@ namespace osgPMObjects
 namespace
 {
 
-/// The states of the traversals that a batch takes.
+/// Stands here because a linker drops objects of a static library that nobody refers to.
+[[maybe_unused]] const bool kAreFieldSerializersRegistered = registerSerializers();
+
+foundation::Outcome checkBudget(const core::SceneBudgetSettings& budget)
+{
+    return at("ProgressiveField.budget", core::checkSettings(budget));
+}
+
+foundation::Outcome checkAttention(const core::AttentionRule& attention)
+{
+    return at("ProgressiveField.attention", core::checkSettings(attention));
+}
+
+/// The states of a batch, one for each pass over its instances.
 std::vector<osg::StateSet*> statesOf(const core::FieldBatch& batch, const FieldKind& kind)
 {
     const FieldStates& states = FieldStates::shared();
@@ -59,6 +76,16 @@ std::unique_ptr<FieldSolid> solidOf(const std::shared_ptr<FieldViews>& views,
 
 } // namespace
 
+foundation::Outcome checkSettings(const ProgressiveFieldSettings& settings)
+{
+    foundation::Outcome checked = checkBudget(settings.budget);
+    if (checked) checked = checkAttention(settings.attention);
+    if (!checked) return checked;
+    return foundation::SettingsCheck("ProgressiveField")
+        .within("referencePixelsPerTangent", settings.referencePixelsPerTangent, 0.0)
+        .outcome();
+}
+
 ProgressiveField::ProgressiveField()
 {
     addObjectShading(*getOrCreateStateSet());
@@ -70,9 +97,7 @@ ProgressiveField::ProgressiveField(const ProgressiveField& other, const osg::Cop
       _meshes(other._meshes),
       _views(other._views ? std::make_shared<FieldViews>(other._views->field()) : nullptr),
       _solid(solidOf(_views, _meshes)),
-      _budget(other._budget),
-      _attention(other._attention),
-      _referencePixelsPerTangent(other._referencePixelsPerTangent)
+      _settings(other._settings)
 {
 }
 
@@ -81,7 +106,7 @@ ProgressiveField::~ProgressiveField() = default;
 foundation::Outcome ProgressiveField::setContents(std::vector<FieldKind> kinds,
                                                   const std::vector<FieldInstance>& instances)
 {
-    if (foundation::Outcome checked = checkContents(getName(), kinds, instances); !checked) return checked;
+    if (foundation::Outcome checked = checkContents(kinds, instances); !checked) return checked;
     std::vector<osg::ref_ptr<FieldMesh>> meshes = meshesOf(kinds, _meshes);
     _views = std::make_shared<FieldViews>(core::Field(modelsOf(kinds, meshes), objectsOf(instances)));
     _kinds = std::move(kinds);
@@ -89,6 +114,32 @@ foundation::Outcome ProgressiveField::setContents(std::vector<FieldKind> kinds,
     _solid = solidOf(_views, _meshes);
     dirtyBound();
     return foundation::success();
+}
+
+foundation::Outcome ProgressiveField::setSettings(const ProgressiveFieldSettings& settings)
+{
+    const foundation::Outcome checked = checkSettings(settings);
+    if (checked) _settings = settings;
+    return checked;
+}
+
+foundation::Outcome ProgressiveField::setBudget(const core::SceneBudgetSettings& budget)
+{
+    const foundation::Outcome checked = checkBudget(budget);
+    if (checked) _settings.budget = budget;
+    return checked;
+}
+
+foundation::Outcome ProgressiveField::setAttention(const core::AttentionRule& attention)
+{
+    const foundation::Outcome checked = checkAttention(attention);
+    if (checked) _settings.attention = attention;
+    return checked;
+}
+
+std::vector<FieldInstance> ProgressiveField::instances() const
+{
+    return _views ? instancesOf(_views->field()) : std::vector<FieldInstance>();
 }
 
 std::size_t ProgressiveField::instanceCount() const
@@ -111,8 +162,7 @@ void ProgressiveField::traverse(osg::NodeVisitor& visitor)
     osgUtil::CullVisitor* const cullVisitor = visitor.asCullVisitor();
     if (_solid && visitor.asIntersectionVisitor()) return _solid->accept(visitor);
     if (!cullVisitor || !_views) return osg::Node::traverse(visitor);
-    const auto culled =
-        _views->look(cullViewOf(*cullVisitor), {_budget, _attention, _referencePixelsPerTangent});
+    const auto culled = _views->look(cullViewOf(*cullVisitor), _settings);
     for (const core::FieldBatch& batch : culled->drawList.batches)
         for (osg::StateSet* const state : statesOf(batch, _kinds[batch.model]))
         {

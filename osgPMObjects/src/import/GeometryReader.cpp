@@ -16,7 +16,7 @@ namespace
 using core::Material;
 using core::Mesh;
 
-/// An attribute array, looked up as it is bound.
+/// An attribute array, read by its binding.
 struct BoundValues
 {
     std::vector<glm::dvec4> values;
@@ -30,7 +30,7 @@ struct BoundValues
         values = valuesOf(*array, isNormalised || array->getNormalize());
     }
 
-    /// Nothing where the array is too short, or off: then the attribute is 0.
+    /// Returns no value if the array is too short or off; the attribute is 0 then.
     const glm::dvec4* at(unsigned vertex, unsigned primitiveSet) const
     {
         const unsigned i = binding == osg::Array::BIND_PER_VERTEX          ? vertex
@@ -44,12 +44,12 @@ struct BoundValues
 
 bool isFinite(const glm::dvec4& v)
 {
-    // What a float cannot hold is infinite on the card.
+    // A value beyond the range of floats is infinite on the card.
     const auto fits = [](double x) { return std::isfinite(static_cast<float>(x)); };
     return fits(v.x) && fits(v.y) && fits(v.z) && fits(v.w);
 }
 
-/// One geometry on its way into the mesh.
+/// Reads one geometry into the mesh.
 class Reading
 {
 public:
@@ -139,12 +139,12 @@ private:
     const GeometryPlace& _place;
     core::MeshBuilder& _mesh;
     ImportReport& _report;
-    osg::Matrixd _normalMatrix; ///< its transpose turns normals
+    osg::Matrixd _normalMatrix; ///< its transpose transforms normals
     bool _isMirrored;
     bool _isPerSet = false;
     std::vector<glm::dvec4> _vertices;
     BoundValues _normals, _colours, _texCoords[Mesh::kTexCoordSets];
-    std::vector<std::uint32_t> _wedges; ///< by vertex, once made
+    std::vector<std::uint32_t> _wedges; ///< by vertex, as soon as it has one
     unsigned _set = 0;
 };
 

@@ -28,8 +28,8 @@ bool isTextured(const osg::StateSet& state, unsigned unit)
     return false;
 }
 
-/// What a state without shaders does not look at; with shaders, nobody knows.
-/// Lighting that is not set counts as on, which is what osgViewer begins with.
+/// Returns the attributes that a state without shaders does not use; with shaders all may be used.
+/// Lighting that is not set counts as on, as osgViewer sets it initially.
 std::uint32_t unseenBy(const osg::StateSet& state)
 {
     if (state.getAttribute(osg::StateAttribute::PROGRAM)) return 0;

@@ -14,15 +14,15 @@
 namespace osgPMObjects
 {
 
-/// The StateSets that faces are drawn with: merged along the path from the root, one for each content.
+/// The StateSets that draw the faces: merged along the path from the root, one for each content.
 class StateTable
 {
 public:
-    /// What is drawn with below a node whose own StateSet is `own`, where `above` is drawn with above it (null: nothing is
+    /// Returns the state that draws what lies below a node with the StateSet `own`, if `above` draws what lies above it (null: nothing is
     /// set). The same arguments give the same pointer.
     osg::ref_ptr<osg::StateSet> below(const osg::ref_ptr<osg::StateSet>& above, osg::StateSet* own);
 
-    /// A material that is drawn with `state` (may be null) by faces that have these attributes.
+    /// Returns the material of faces with these attributes that are drawn with `state` (may be null).
     core::Material materialOf(const osg::ref_ptr<osg::StateSet>& state, std::uint32_t attributes);
 
     const std::vector<osg::ref_ptr<osg::StateSet>>& states() const { return _states; }
@@ -30,7 +30,7 @@ public:
 private:
     std::uint32_t handleOf(const osg::ref_ptr<osg::StateSet>& state);
 
-    /// By all that is drawn with; names do not count.
+    /// Compares everything that affects drawing; names do not count.
     struct LessByContent
     {
         bool operator()(const osg::StateSet* a, const osg::StateSet* b) const;

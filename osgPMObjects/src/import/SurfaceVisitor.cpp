@@ -25,7 +25,7 @@ namespace osgPMObjects
 namespace
 {
 
-/// Which child of an LOD is the finest: the one that is drawn nearest to the eye, or largest on the screen.
+/// Returns the finest child of an LOD: the one that is drawn nearest to the eye, or largest on the screen.
 unsigned finestChild(const osg::LOD& lod)
 {
     const auto& ranges = lod.getRangeList();
@@ -47,7 +47,7 @@ bool isSurfaceOf(const osg::Geometry& geometry, unsigned set)
 SurfaceVisitor::SurfaceVisitor()
     : NodeVisitor(TRAVERSE_ACTIVE_CHILDREN), _matrices{osg::Matrixd::identity()}, _path{nullptr}
 {
-    setNodeMaskOverride(~0u); // so that hidden nodes are seen, and counted
+    setNodeMaskOverride(~0u); // so that hidden nodes are visited and counted
 }
 
 template<class Inside>
@@ -169,7 +169,7 @@ void SurfaceVisitor::read(const osg::Geometry& geometry)
         (isSurfaceOf(geometry, i) ? hasSurface : hasOthers) = true;
     if (hasOthers) keepOthers(geometry);
     if (!hasSurface) return;
-    auto* ownState = const_cast<osg::StateSet*>(geometry.getStateSet()); // StateSets are shared, not changed
+    auto* ownState = const_cast<osg::StateSet*>(geometry.getStateSet()); // shared, not changed
     const osg::ref_ptr<osg::StateSet> state = _states.below(_path.back(), ownState);
     const std::uint32_t material = _mesh.material(_states.materialOf(state, attributesOf(geometry)));
     readGeometry(geometry, {_matrices.back(), material, _mesh.part(partName(geometry))}, _mesh, _report);
@@ -198,7 +198,7 @@ void SurfaceVisitor::keep(osg::Node& node, std::size_t& counter)
     _remainder->addChild(place);
 }
 
-/// Its own name, or that of the nearest node above it that has one.
+/// Returns the name of the drawable, or of the nearest node above it that has one.
 std::string SurfaceVisitor::partName(const osg::Drawable& drawable) const
 {
     if (!drawable.getName().empty()) return drawable.getName();

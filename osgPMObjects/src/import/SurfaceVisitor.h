@@ -15,7 +15,7 @@
 namespace osgPMObjects
 {
 
-/// Walks a graph as importNode() promises to, and puts what it meets into a mesh.
+/// Traverses a graph as importNode() describes and adds its surfaces to a mesh.
 /// Invariant: one matrix and one state for each node of the path, and one below them.
 class SurfaceVisitor : public osg::NodeVisitor
 {
@@ -44,16 +44,16 @@ public:
     bool isTooDeep() const { return _isTooDeep; }
 
     static constexpr std::size_t kDeepest =
-        1000; ///< nodes of a path: a graph that contains itself has no end
+        1000; ///< nodes of a path; a graph that contains itself has no end
 
 private:
-    /// Calls `inside` with the node's own state and the matrix applied, unless the node is hidden or too deep.
+    /// Calls `inside` with the node's state and the matrix applied, unless the node is hidden or too deep.
     template<class Inside>
     void enter(osg::Node& node, const osg::Matrixd& localToRoot, const Inside& inside);
-    /// Keeps a node as it is, under the state and matrix above it.
+    /// Keeps a node unchanged, under the state and matrix above it.
     void keep(osg::Node& node, std::size_t& counter);
     void read(const osg::Geometry& geometry);
-    /// Keeps what is no surface of a geometry.
+    /// Keeps the primitives of a geometry that are not surfaces.
     void keepOthers(const osg::Geometry& geometry);
     std::string partName(const osg::Drawable& drawable) const;
 

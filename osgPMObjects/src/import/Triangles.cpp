@@ -12,11 +12,11 @@ namespace
 
 using Take = std::function<void(const std::array<unsigned, 3>&)>;
 
-/// Vertices that were sent in one go.
+/// A run of vertices of one primitive.
 struct Run
 {
     const osg::PrimitiveSet& set;
-    unsigned first, count; ///< places in the set
+    unsigned first, count; ///< positions in the set
 
     unsigned operator[](unsigned i) const { return set.index(first + i); }
 };
@@ -26,7 +26,7 @@ void takeTriangle(const Run& run, const std::array<unsigned, 3>& places, const T
     take({run[places[0]], run[places[1]], run[places[2]]});
 }
 
-/// Without the degenerate triangles that lead from one strip to the next.
+/// Passes on the triangles of a strip without the degenerate ones that join strips.
 void takeOfStrip(const Run& run, unsigned i, unsigned step, const Take& take)
 {
     const unsigned a = run[i], b = run[i + step], c = run[i + 2 * step];
@@ -79,10 +79,10 @@ void takeRun(const Run& run, GLenum mode, const Take& take)
     }
 }
 
-/// The runs of a set: one, but for those that list several.
+/// Returns the runs of a set: one, except for sets that list several.
 bool runsOf(const osg::PrimitiveSet& set, unsigned vertexCount, std::vector<Run>& runs)
 {
-    const unsigned mostInArray = vertexCount + 4; // a whole primitive beyond them is one too many
+    const unsigned mostInArray = vertexCount + 4; // allows one primitive beyond the array
     const auto add = [&](const auto& counts)
     {
         unsigned first = 0;

@@ -14,18 +14,18 @@
 namespace osgPMObjects
 {
 
-/// All that a `.pm` file has.
+/// The content of a `.pm` file.
 struct PmContents
 {
     core::ProgressiveMesh mesh;
     std::string attachment;
 };
 
-/// Errors: as core::PmReader.
+/// Reads a whole `.pm` file. Errors: as core::PmReader.
 foundation::Result<PmContents> readPmContents(std::istream& stream, const std::string& place);
 
-/// Gives a mesh as many states as its materials name, empty ones where there are none.
-/// Errors: they name more than the mesh can have materials, so that the file is damaged.
+/// Appends empty states until there are as many as the materials of the mesh name.
+/// Errors: they name more than the mesh can have, so the file is damaged.
 foundation::Outcome fitStates(std::vector<osg::ref_ptr<osg::StateSet>>& states,
                               const core::ProgressiveMesh& mesh, const std::string& place);
 

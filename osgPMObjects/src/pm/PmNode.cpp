@@ -6,6 +6,7 @@
 
 #include <osgPMObjects/PmNode>
 
+#include "../settings/ErrorPlace.h"
 #include "PmContents.h"
 
 namespace osgPMObjects
@@ -21,7 +22,7 @@ osg::ref_ptr<osgDB::ReaderWriter> format()
     return osgDB::Registry::instance()->getReaderWriterForExtension(kFormat);
 }
 
-/// The first child has a child with each state, the others are what is no surface.
+/// Makes a group whose first child has one child for each state, and whose other children are `others`.
 osg::ref_ptr<osg::Group> attachedGroup(const std::vector<osg::ref_ptr<osg::StateSet>>& states,
                                        const std::vector<osg::ref_ptr<osg::Node>>& others)
 {
@@ -38,7 +39,7 @@ osg::ref_ptr<osg::Group> attachedGroup(const std::vector<osg::ref_ptr<osg::State
     return root;
 }
 
-/// What a file has besides its mesh.
+/// The content of a file besides its mesh.
 struct Attached
 {
     std::vector<osg::ref_ptr<osg::StateSet>> states;
@@ -87,10 +88,12 @@ foundation::Result<std::string> pmAttachment(const std::vector<osg::ref_ptr<osg:
 foundation::Result<std::string> pmNodeBytes(const ProgressiveNode& node, core::PmSettings settings)
 {
     const ProgressiveShape* const shape = node.shape();
-    if (!shape) return foundation::Error{"progressive node", "has no shape", "give one that is not empty"};
-    if (const auto checked = core::checkSettings(settings); !checked) return checked.error();
+    if (!shape)
+        return foundation::Error{"ProgressiveNode.shape", "there is none", "give a node that is not empty"};
+    if (const auto checked = at("PmSettings", core::checkSettings(settings)); !checked)
+        return checked.error();
     std::vector<osg::ref_ptr<osg::Node>> others;
-    for (unsigned int i = 1; i < node.getNumChildren(); ++i) // the first is the surface
+    for (unsigned int i = 1; i < node.getNumChildren(); ++i) // the first child is the surface
         others.push_back(const_cast<osg::Node*>(node.getChild(i)));
     auto attachment = pmAttachment(shape->states(), others);
     if (!attachment) return attachment.error();

@@ -19,7 +19,7 @@ float luminanceOf(const osg::Vec4& colour)
     return 0.2126f * colour.r() + 0.7152f * colour.g() + 0.0722f * colour.b();
 }
 
-/// Textures finer than this show nothing more in small pictures.
+/// Texels a side; finer textures show nothing more in small images.
 constexpr int kMostTexels = 256;
 
 void addTexels(core::MaterialLook& look, const osg::Image& picture)

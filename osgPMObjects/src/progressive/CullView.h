@@ -11,19 +11,19 @@
 namespace osgPMObjects
 {
 
-/// What one cull traversal knows when it comes to an object.
-/// Frame of `view`: the object's own, scaled to the length unit of the eye, so that distances are in metres whatever scales stand above.
+/// The view for which a cull traversal draws an object.
+/// Frame of `view`: the object's own, in metres of the eye's frame, whatever scales stand above the object.
 struct CullView
 {
     osg::Camera* camera = nullptr;
-    /// Of a shadow or reflection camera, nested and relative to it: whose levels it shows.
+    /// The main camera, for a shadow or reflection camera that is nested and relative to it: its levels are shown.
     const osg::Camera* mainCamera = nullptr;
     unsigned int frame = 0;
-    double timeS = 0.0;                    ///< of the simulation
-    std::optional<unsigned int> contextId; ///< who will draw; absent: nobody
+    double timeS = 0.0;                    ///< time of the simulation
+    std::optional<unsigned int> contextId; ///< the context that will draw; absent: none
     viewlod::ViewState view;
-    double lodScale = 1.0;      ///< OSG's own knob for coarser (> 1) or finer detail
-    double metresPerUnit = 1.0; ///< of the object's frame
+    double lodScale = 1.0;      ///< of OSG; above 1 gives coarser detail
+    double metresPerUnit = 1.0; ///< length of the object's unit
 };
 
 CullView cullViewOf(osgUtil::CullVisitor& visitor);

@@ -13,10 +13,10 @@
 namespace osgPMObjects
 {
 
-/// The view groups of one thing that is drawn: cameras whose eyes coincide share a `Group`, and each has a `PerCamera` in it. A camera that
-/// moves takes its group along. One camera may see the thing at several places in a frame (below several transforms): each is
-/// an eye of its own. A group that
-/// no camera has asked for lately (osgTraversal::isUnused), or whose cameras are gone, is dropped.
+/// The view groups of one drawable thing. Cameras whose eyes coincide share a `Group`, and each camera has a `PerCamera` in it. A camera
+/// that moves takes its group along. A camera that sees the thing at several positions in a frame (below several transforms) has a group
+/// for each of them. A group is dropped when no camera has asked for it for some frames (osgTraversal::isUnused), or its cameras are
+/// gone.
 /// Threads: one at a time.
 template<class Group, class PerCamera>
 class EyeGroups
@@ -24,9 +24,9 @@ class EyeGroups
 public:
     struct Member : PerCamera
     {
-        osg::Camera* identity = nullptr; ///< compared only
+        osg::Camera* identity = nullptr; ///< only compared
         osg::observer_ptr<osg::Camera> camera;
-        unsigned int frame = 0; ///< last asked in
+        unsigned int frame = 0; ///< in which it asked last
     };
 
     struct Entry : Group
@@ -45,8 +45,8 @@ public:
         }
     };
 
-    /// That of a nested camera's main camera, if it sees the thing at one place only: else nobody knows at which this one does.
-    /// `isMade(group)`: whether there is something to borrow.
+    /// Returns the group of a nested camera's main camera, if that sees the thing at one position only; otherwise it is ambiguous.
+    /// `isMade(group)`: whether the group has anything to share.
     template<class IsMade>
     Entry* borrowed(const CullView& view, const IsMade& isMade)
     {
@@ -61,8 +61,8 @@ public:
         return found;
     }
 
-    /// The group of an eye, a fresh one made of `of` if there is none; the camera is one of its members then. `reachM`: how
-    /// far the thing reaches from its 0.
+    /// Returns the group of an eye, made from `of` if there is none, and makes the camera its member. `reachM`: distance from the 0 of the
+    /// thing to its farthest point.
     template<class... Of>
     Entry& find(const CullView& view, double reachM, const Of&... of)
     {
@@ -74,7 +74,7 @@ public:
         return entry;
     }
 
-    /// A camera's place in a group, a fresh one if there is none.
+    /// Returns the entry of a camera in a group, a new one if there is none.
     static Member& memberOf(Entry& entry, const CullView& view)
     {
         Member* member = entry.memberOf(view.camera);

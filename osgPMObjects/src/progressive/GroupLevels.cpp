@@ -13,8 +13,8 @@ void GroupLevels::make(const core::DrawnLevels& drawn, unsigned int frame,
     makeLevel(drawn.first.level, frame, contextId);
 }
 
-/// One of the two is where the index buffer is already; that one is copied, and the buffer goes on to the other. So a blend costs
-/// the steps of a switch at once, whichever way it runs.
+/// Makes both levels of a blend. The index buffer is at one of them already; this one is copied, and the buffer goes on to the other. So a
+/// blend costs the steps of one switch, in whichever direction it runs.
 void GroupLevels::makeStill(const core::DrawnLevels& drawn, unsigned int frame,
                             std::optional<unsigned int> contextId)
 {
@@ -56,7 +56,7 @@ const GroupLevels::Parts& GroupLevels::partsOf(std::uint32_t steps) const
 void GroupLevels::releaseGLObjects(osg::State* state)
 {
     _level->releaseGLObjects(state);
-    // What OSG has uploaded of these goes with them; they are made anew when they are wanted.
+    // What OSG has uploaded of these is released with them; they are made again when they are needed.
     _still = nullptr;
     _morph = nullptr;
     if (!_partsMorph) return;

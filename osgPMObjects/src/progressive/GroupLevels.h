@@ -11,8 +11,8 @@
 namespace osgPMObjects
 {
 
-/// What one view group of an object draws from: its index buffer, and only while it is switched, the other level of a blend or the targets
-/// of a morph.
+/// What draws the levels of one view group of an object: its index buffer and, only while it switches, a copy of the other level of a blend
+/// or the targets of a morph.
 class GroupLevels
 {
 public:
@@ -23,16 +23,16 @@ public:
     {
     }
 
-    /// Makes the levels; `contextId`: as ViewLevel::at().
+    /// Makes the levels. `contextId`: as for ViewLevel::at().
     void make(const core::DrawnLevels& drawn, unsigned int frame, std::optional<unsigned int> contextId);
 
-    /// The parts of a level that has been made. The same ones as long as nothing changes.
+    /// Returns the parts of a level that has been made; the same parts as long as nothing changes.
     const Parts& partsOf(std::uint32_t steps) const;
 
     bool isMade() const { return _drawn != nullptr; }
     const std::shared_ptr<ViewLevel>& level() const { return _level; }
-    const MorphArrays* morph() const { return _morph.get(); } ///< null: nothing morphs
-    const StillLevel* still() const { return _still.get(); }  ///< null: one level is drawn
+    const MorphArrays* morph() const { return _morph.get(); } ///< null: no morph
+    const StillLevel* still() const { return _still.get(); }  ///< null: only one level is drawn
 
     void releaseGLObjects(osg::State* state);
 
@@ -44,7 +44,7 @@ private:
     std::shared_ptr<ViewLevel> _level;
     DrawnLevelPtr _drawn;
     MorphArraysPtr _morph, _partsMorph;
-    Parts _parts; ///< of `_drawn` with `_partsMorph`
+    Parts _parts; ///< of `_drawn`, with `_partsMorph`
     std::shared_ptr<const StillLevel> _still;
 };
 

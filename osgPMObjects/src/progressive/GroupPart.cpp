@@ -14,7 +14,7 @@ GroupPart::GroupPart(osg::ref_ptr<const ProgressiveShape> shape, std::uint32_t g
     setUseVertexBufferObjects(true);
     setUseVertexArrayObject(false);
     setDataVariance(osg::Object::STATIC);
-    setCullingActive(false); // whoever puts it in has looked
+    setCullingActive(false); // cull has tested the object already
 }
 
 void GroupPart::drawImplementation(osg::RenderInfo& renderInfo) const

@@ -10,12 +10,12 @@
 namespace osgPMObjects
 {
 
-/// What cull traversals put into the render graph: the faces that one material has at some level. None is ever changed, so a
-/// frame may be culled while the last is drawn.
+/// A drawable that cull puts into the render graph: the faces of one material at some level. It never changes, so a frame may be culled
+/// while the frame before is drawn.
 class GroupPart : public osg::Drawable
 {
 public:
-    /// `morph`: null where vertices stay where they are.
+    /// `morph`: null if vertices do not move.
     GroupPart(osg::ref_ptr<const ProgressiveShape> shape, std::uint32_t group, MorphArraysPtr morph);
 
     std::uint32_t group() const { return _group; }
@@ -30,7 +30,7 @@ public:
 protected:
     ~GroupPart() override = default;
 
-    /// Draws the faces from the vertex arrays, which are set.
+    /// Draws the faces from the vertex arrays that are set.
     virtual void drawFaces(osg::State& state) const = 0;
 
     const ProgressiveShape& shape() const { return *_shape; }

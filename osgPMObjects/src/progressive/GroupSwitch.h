@@ -8,23 +8,23 @@
 namespace osgPMObjects
 {
 
-/// Where one view group of an object is between two levels. The cameras of the group share it: time goes on with the first of
-/// them that asks in a frame.
+/// The switch of one view group of an object from one level to another. The cameras of the group share it: time advances once a frame, with
+/// the first camera that asks.
 class GroupSwitch
 {
 public:
-    /// A camera may leave out some frames.
+    /// A group may miss so many frames without being reset.
     static constexpr unsigned int kUnseenFrames = 4;
 
-    /// What to draw, regardless of the alpha range. A group that nobody has asked for longer is at rest at the target: nobody saw
-    /// what it was.
+    /// Advances the switch and returns what to draw, without the alpha range. A group that missed more frames is at rest at the target, as no
+    /// camera showed the level before.
     const core::DrawnLevels& advance(std::uint32_t target, const CullView& view,
                                      const core::SwitchSettings& settings, std::uint32_t number);
 
     const core::SwitchState& state() const { return _state; }
     core::SwitchMethod method() const { return _method; }
 
-    /// How much of a blend is the finer level's, 0 to 1.
+    /// The share of the finer level in a blend, 0 to 1.
     float finerShare() const { return _state.to < _state.from ? _state.progress : 1.0f - _state.progress; }
 
 private:

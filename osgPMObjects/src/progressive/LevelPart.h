@@ -9,7 +9,7 @@
 namespace osgPMObjects
 {
 
-/// The faces that a group has in the index buffer of a view group. A fresh one is made when the level changes.
+/// The faces of one group in the index buffer of a view group. A new part is made when the level changes.
 class LevelPart : public GroupPart
 {
 public:
@@ -17,7 +17,7 @@ public:
               MorphArraysPtr morph = nullptr);
 
     using GroupPart::accept;
-    /// The faces that the view group has by then.
+    /// Shows the faces that the view group has when it is called.
     void accept(osg::PrimitiveFunctor& functor) const override;
     void accept(osg::PrimitiveIndexFunctor& functor) const override;
 
@@ -31,7 +31,7 @@ private:
     DrawnLevelPtr _drawn;
 };
 
-/// Gives a functor the faces of one group, or of all.
+/// Passes the faces of one group, or of all groups, to a functor.
 void showFaces(const ViewLevel& level, std::optional<std::uint32_t> group, osg::PrimitiveFunctor& functor);
 void showFaces(const ViewLevel& level, std::optional<std::uint32_t> group,
                osg::PrimitiveIndexFunctor& functor);

@@ -16,7 +16,7 @@ namespace osgPMObjects
 namespace
 {
 
-/// As OSG's own bin of what is transparent.
+/// The bin of OSG's transparent objects.
 constexpr int kTransparentBin = 10;
 
 osg::Vec4 shownOf(const Look& look)
@@ -25,7 +25,7 @@ osg::Vec4 shownOf(const Look& look)
     return {from, to, look.morph, static_cast<float>(look.firstMorphing)};
 }
 
-/// Holes that a picture's alpha cuts stay the same ones while alpha falls.
+/// Scales the reference of an alpha test with alpha, so that the holes that it cuts stay the same.
 void scaleAlphaTest(osg::StateSet& state, float alpha, const osg::StateSet* group)
 {
     if (!group || !(group->getMode(GL_ALPHA_TEST) & osg::StateAttribute::ON)) return;

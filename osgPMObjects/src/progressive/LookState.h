@@ -8,11 +8,11 @@
 namespace osgPMObjects
 {
 
-/// How the faces of one level and group are drawn on the way between two levels, or while they fade.
+/// How the faces of one level and group are drawn while the level changes or the object fades.
 struct Look
 {
-    float doorFrom = 0.0f, doorTo = 1.0f; ///< which pixels of the door's pattern show it
-    float alpha = 1.0f;                   ///< blended with what is behind, if below 1 or isBlended
+    float doorFrom = 0.0f, doorTo = 1.0f; ///< the pixels of the screen door that show it
+    float alpha = 1.0f;                   ///< blended with the background if below 1 or isBlended
     float morph = 0.0f;
     std::uint32_t firstMorphing = 0;
     bool isMorphing = false;
@@ -23,8 +23,8 @@ struct Look
     bool isDrawn() const { return doorFrom < doorTo && alpha > 0.0f; }
 };
 
-/// What is written of faces that are blended: first the nearest depth alone, so that then only the nearest faces are blended with what
-/// is behind, never with each other.
+/// What a pass over blended faces writes. The first pass writes only the nearest depth, so that the second blends only the nearest faces
+/// with the background, and never faces with each other.
 enum class LookPass
 {
     all,
@@ -32,13 +32,13 @@ enum class LookPass
     colour,
 };
 
-/// How a pass tests and writes depth and colours; `protection`: OSG's override values. In which bin it comes is the caller's.
-/// Not of the pass `all`, which leaves that to the state around it.
+/// Sets how a pass tests and writes depth and colours; the caller chooses the bin. `protection`: OSG's override values.
+/// The pass `all` is not allowed, as it leaves these to the state around it.
 void setPass(osg::StateSet& state, LookPass pass,
              osg::StateAttribute::OverrideValue protection = osg::StateAttribute::OFF);
 
-/// The state of a look, to be pushed below that of the group. One is made for each frame, as the last frame may still be
-/// drawn. The pass `all` leaves blending itself to the group's state.
+/// Makes the state of a look, to be pushed below that of the group. It is made for each frame, as the frame before may still be drawn.
+/// The pass `all` leaves blending to the group's state.
 osg::ref_ptr<osg::StateSet> lookState(const Look& look, LookPass pass, const ProgressiveShape::Group& group);
 
 } // namespace osgPMObjects

@@ -1,17 +1,33 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <foundation/SettingsCheck.h>
+
 #include <osgPMObjects/core/progressive/LevelMesh.h>
 #include <osgPMObjects/core/simplify/Simplifiable.h>
 
 #include <osgPMObjects/ExportNode>
 #include <osgPMObjects/MakeProgressive>
 
+#include "../settings/ErrorPlace.h"
+
 namespace osgPMObjects
 {
 
-foundation::Result<ProgressiveModel> makeProgressive(osg::Node& node, const std::string& name,
-                                                     const ProgressiveSettings& settings)
+foundation::Outcome checkSettings(const MakeProgressiveSettings& settings)
 {
-    if (const auto checked = core::checkSettings(settings.arrangement); !checked) return checked.error();
+    const foundation::Outcome checked =
+        foundation::SettingsCheck("MakeProgressiveSettings.simplify")
+            .within("mostTexCoordDrift", settings.simplify.mostTexCoordDrift, 0.0)
+            .within("joinDistance", settings.simplify.joinDistance, 0.0)
+            .within("envelope", settings.simplify.envelope, 0.0)
+            .outcome();
+    if (!checked) return checked;
+    return at("MakeProgressiveSettings.arrangement", core::checkSettings(settings.arrangement));
+}
+
+foundation::Result<ProgressiveModel> makeProgressive(osg::Node& node, const std::string& name,
+                                                     const MakeProgressiveSettings& settings)
+{
+    if (const auto checked = checkSettings(settings); !checked) return checked.error();
     auto imported = importNode(node, name);
     if (!imported) return imported.error();
     core::Mesh& mesh = imported->mesh;

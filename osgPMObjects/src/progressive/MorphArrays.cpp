@@ -15,7 +15,7 @@ namespace
 
 using core::MorphTargets;
 
-/// An array of so many values for each vertex that the finer level has; those that stay are never read.
+/// Makes an array with a value for each vertex of the finer level; values of vertices that do not move are never read.
 template<class Array>
 osg::ref_ptr<Array> arrayOf(const MorphTargets& targets, osg::VertexBufferObject* buffer)
 {
@@ -25,7 +25,7 @@ osg::ref_ptr<Array> arrayOf(const MorphTargets& targets, osg::VertexBufferObject
     return array;
 }
 
-/// What the shape has for each vertex; null: nothing, or one value for all.
+/// Returns the values of the shape by vertex; null: there are none, or one for all vertices.
 template<class Array>
 const Array* perVertex(const osg::Array* array)
 {
@@ -33,7 +33,7 @@ const Array* perVertex(const osg::Array* array)
                                                                        : nullptr;
 }
 
-/// The values of one attribute, taken from where each vertex goes.
+/// Makes the values of one attribute, read from the target of each vertex.
 template<class Array>
 class Attribute
 {
@@ -44,7 +44,7 @@ public:
     {
     }
 
-    /// The same array for all groups whose vertices share one.
+    /// One array for all groups whose vertices share one.
     osg::ref_ptr<Array> of(const Array* source)
     {
         if (!source) return nullptr;
@@ -62,7 +62,7 @@ private:
     osg::ref_ptr<Array> _made;
 };
 
-/// Both sets in one attribute.
+/// Makes one attribute of both sets.
 osg::ref_ptr<osg::Vec4Array> texCoordsOf(const MorphTargets& targets, const osg::Geometry& source,
                                          osg::VertexBufferObject* buffer)
 {
@@ -80,7 +80,7 @@ osg::ref_ptr<osg::Vec4Array> texCoordsOf(const MorphTargets& targets, const osg:
     return both;
 }
 
-/// What has no array, or one value for all vertices, moves nowhere: the shader's functions know it by a normal of 0 and a red below 0.
+/// Sets the value of an attribute without an array by vertex. The shader knows it by a normal of 0 or a red below 0, and moves nothing.
 void hold(osg::State& state, unsigned int attribute, GLfloat first)
 {
     const GLfloat value[4] = {first, 0.0F, 0.0F, 0.0F};
@@ -121,7 +121,7 @@ void MorphArrays::set(osg::RenderInfo& renderInfo, std::uint32_t group) const
     if (!arrays.getVertexAttribArray(kTargetColourAttribute)) hold(state, kTargetColourAttribute, -1.0F);
 }
 
-/// OSG tells arrays by their address, at which the next morph's may be.
+/// Disables the arrays through OSG, which knows arrays by their address: the next morph's may have the same.
 void MorphArrays::unset(osg::State& state)
 {
     for (const unsigned attribute : {kTargetPositionAttribute, kTargetNormalAttribute, kTargetColourAttribute,

@@ -11,23 +11,23 @@
 namespace osgPMObjects
 {
 
-/// The vertices of a level on its way to a coarser one: those of the shape, and beside them where the coarser level has them,
-/// in a vertex buffer of their own, by the numbers of ObjectAttribute. It lives as long as the morph; OSG uploads it to each
-/// context, and takes it back there.
-/// Memory: 12 to 56 B a wedge of the finer level, once here and once in each context. Threads: immutable once made.
+/// The vertices of a level that morphs to a coarser one: the arrays of the shape, and target arrays with the attributes that the coarser
+/// level has, in a vertex buffer of their own, by the numbers of ObjectAttribute. It lives as long as the morph; OSG uploads it to each
+/// context and removes it there.
+/// Memory: 12 to 56 B for each wedge of the finer level, once here and once in each context. Threads: immutable once made.
 class MorphArrays
 {
 public:
-    /// Cost: linear in the finer level's wedges.
+    /// Cost: linear in the wedges of the finer level.
     MorphArrays(const ProgressiveShape& shape, std::uint32_t finerSteps, std::uint32_t coarserSteps);
 
     bool isBetween(std::uint32_t finerSteps, std::uint32_t coarserSteps) const
     {
         return _finer == finerSteps && _coarser == coarserSteps;
     }
-    std::uint32_t firstVertex() const { return _firstVertex; } ///< those before it stay
+    std::uint32_t firstVertex() const { return _firstVertex; } ///< vertices before it do not move
 
-    /// Sets the vertex arrays of a group, and unset() those that only morphs have.
+    /// Sets the vertex arrays of a group; unset() disables those that only a morph has.
     void set(osg::RenderInfo& renderInfo, std::uint32_t group) const;
     static void unset(osg::State& state);
 

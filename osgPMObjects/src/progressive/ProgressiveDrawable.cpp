@@ -1,14 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <algorithm>
+#include <string>
 
 #include <osgUtil/CullVisitor>
 
 #include <osgPMObjects/ProgressiveDrawable>
+#include <osgPMObjects/Serializers>
 
 #include "ViewLevelTable.h"
 
 namespace osgPMObjects
 {
+
+namespace
+{
+
+/// Stands here because a linker drops objects of a static library that nobody refers to.
+[[maybe_unused]] const bool kAreDrawableSerializersRegistered = registerSerializers();
+
+} // namespace
 
 ProgressiveDrawable::ProgressiveDrawable() : ProgressiveDrawable(nullptr) {}
 
@@ -30,9 +39,28 @@ ProgressiveDrawable::ProgressiveDrawable(const ProgressiveDrawable& other, const
 
 ProgressiveDrawable::~ProgressiveDrawable() = default;
 
+void ProgressiveDrawable::setShape(osg::ref_ptr<const ProgressiveShape> shape)
+{
+    _shape = shape;
+    _views = std::make_unique<ViewLevelTable>(_shape);
+    dirtyBound();
+}
+
+foundation::Outcome ProgressiveDrawable::setSteps(std::uint32_t steps)
+{
+    const std::uint32_t most = _shape ? _shape->progressive().stepCount : 0;
+    if (steps > most)
+        return foundation::Error{"ProgressiveDrawable.steps",
+                                 "the shape has " + std::to_string(most) + " steps, not " +
+                                     std::to_string(steps),
+                                 "give at most as many as it has"};
+    _steps = steps;
+    return foundation::success();
+}
+
 core::Selection ProgressiveDrawable::fixedLevel() const
 {
-    return {std::min(_steps, _shape->progressive().stepCount)};
+    return {_steps};
 }
 
 void ProgressiveDrawable::accept(osg::NodeVisitor& visitor)

@@ -17,7 +17,7 @@ namespace osgPMObjects
 namespace
 {
 
-/// The program, and a white texture where the state has none.
+/// Makes a state with the program, and with a white texture if `state` has no texture.
 osg::ref_ptr<osg::StateSet> shadingFor(osg::StateSet* state, osg::Program* program)
 {
     constexpr auto kTexture = osg::StateAttribute::TEXTURE;
@@ -26,8 +26,8 @@ osg::ref_ptr<osg::StateSet> shadingFor(osg::StateSet* state, osg::Program* progr
     osg::StateAttribute* const texture = state ? state->getTextureAttribute(0, kTexture) : nullptr;
     if (texture) shading->setTextureAttribute(0, texture);
     addObjectShading(*shading);
-    shading->setAttributeAndModes(program);                   // one for all
-    if (texture) shading->removeTextureAttribute(0, texture); // the state's own stands above
+    shading->setAttributeAndModes(program);                   // one for all groups
+    if (texture) shading->removeTextureAttribute(0, texture); // that of `state` stands above
     return shading;
 }
 
@@ -115,7 +115,7 @@ void ProgressiveShape::releaseGLObjects(osg::State* state) const
     for (const Group& group : _groups)
     {
         group.arrays->releaseGLObjects(state);
-        // OSG sets no array again that it has set last, though its buffer is another now.
+        // OSG does not set an array again that it set last, though its buffer has changed.
         osg::Geometry::ArrayList arrays;
         group.arrays->getArrayList(arrays);
         for (const auto& array : arrays)

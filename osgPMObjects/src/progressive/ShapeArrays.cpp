@@ -85,7 +85,7 @@ std::vector<std::vector<bool>> wedgesByGroup(const core::ProgressiveMesh& progre
                                for (const std::uint32_t wedge : face)
                                    byGroup[group][wedge] = true;
                            });
-    // What they become has a lower number.
+    // What wedges become has a lower number.
     for (std::vector<bool>& isUsed : byGroup)
         for (std::size_t wedge = isUsed.size(); wedge-- > 0;)
             if (isUsed[wedge]) isUsed[progressive.parents[wedge]] = true;

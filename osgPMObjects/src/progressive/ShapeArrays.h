@@ -14,7 +14,7 @@ class ShapeArrays
 public:
     ShapeArrays(const core::ProgressiveMesh& progressive, const glm::dvec3& origin);
 
-    /// The arrays that a material has, as exportNode() chooses them: a colour that is the same in all of the `isUsed` wedges is one for all.
+    /// Makes the arrays of a material as exportNode() does: a colour that all `isUsed` wedges share is one value for all.
     osg::ref_ptr<osg::Geometry> geometryOf(const core::Material& material,
                                            const std::vector<bool>& isUsed) const;
 
@@ -28,7 +28,7 @@ private:
     osg::ref_ptr<osg::Vec2Array> _texCoords[core::Mesh::kTexCoordSets];
 };
 
-/// By group and wedge, whether faces of the group use the wedge at any level. Cost: that of playing all steps once.
+/// Finds, by group and wedge, whether faces of the group use the wedge at any level. Cost: that of applying all steps once.
 std::vector<std::vector<bool>> wedgesByGroup(const core::ProgressiveMesh& progressive);
 
 } // namespace osgPMObjects

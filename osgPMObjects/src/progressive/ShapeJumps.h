@@ -11,12 +11,12 @@
 namespace osgPMObjects
 {
 
-/// A level that was not played to. Threads: immutable once made.
+/// A level that was made in one pass. Threads: immutable once made.
 struct JumpedLevel
 {
     std::uint32_t steps = 0;
     bool isNarrow = true;
-    std::vector<core::SlotRange> groups; ///< the triangles of each, one group after the other
+    std::vector<core::SlotRange> groups; ///< by group, its triangles, one range after the other
     std::vector<std::byte> indices;
 
     std::uint32_t triangleCount() const
@@ -28,22 +28,22 @@ struct JumpedLevel
 
 using JumpedLevelPtr = std::shared_ptr<const JumpedLevel>;
 
-/// Makes any level of a shape in one pass. To play all steps of 70 000 faces takes some milliseconds, which a frame in which an object
-/// comes into sight near by cannot spare; this takes a tenth of one.
+/// Makes any level of a shape in one pass. Applying all steps of 70 000 faces takes some milliseconds, too long for the frame in which an
+/// object comes into sight near by; one pass takes a tenth of a millisecond.
 /// Memory: that of core::CompactedLevel, once for all view groups. Threads: any.
 class ShapeJumps
 {
 public:
     explicit ShapeJumps(const core::ProgressiveMesh& progressive) : _level(progressive) {}
 
-    /// As many steps take about as long to play as a jump, with its upload: 75 ns each against 1.3 ns a face.
+    /// Returns how many steps take as long to apply as one pass and its upload: 75 ns a step, 1.3 ns a face.
     static std::uint32_t shortest(const core::ProgressiveMesh& progressive)
     {
         constexpr std::uint32_t kLeast = 1000, kFacesOfStep = 32;
         return std::max(kLeast, progressive.slotCount / kFacesOfStep);
     }
 
-    /// None where all steps together are hardly felt.
+    /// Returns null for a shape with so few steps that all together take no noticeable time.
     static std::shared_ptr<ShapeJumps> of(const core::ProgressiveMesh& progressive)
     {
         constexpr std::uint32_t kFewJumps = 4;

@@ -15,7 +15,7 @@ namespace osgPMObjects
 namespace
 {
 
-/// Whether what is above in the scene has a program for what is below.
+/// Returns whether a state above in the scene has a program.
 bool hasProgram(osgUtil::CullVisitor& visitor)
 {
     for (const osgUtil::StateGraph* at = visitor.getCurrentStateGraph(); at; at = at->_parent)
@@ -29,7 +29,7 @@ bool hasProgram(osgUtil::CullVisitor& visitor)
     return false;
 }
 
-/// One object's way into the render graph for one camera.
+/// Puts one object into the render graph for one camera.
 class LevelCull
 {
 public:
@@ -43,7 +43,7 @@ public:
     {
     }
 
-    /// All depths of a level before its first colour, and one level after the other.
+    /// Adds all depths of a level before its first colour, and one level after the other.
     void add(bool isSecond)
     {
         for (const LookPass pass : {LookPass::all, LookPass::depth, LookPass::colour})
@@ -73,7 +73,7 @@ private:
             if (state) _visitor.popStateSet();
     }
 
-    /// In the bin that is sorted by depth: as if each were a little nearer than the one before it, and all of them where the object is.
+    /// Adds parts to the bin that is sorted by depth: all at the object's depth, each slightly nearer than the one before.
     void addInOrder(GroupPart& part)
     {
         osg::RefMatrix& matrix = *_visitor.getModelViewMatrix();

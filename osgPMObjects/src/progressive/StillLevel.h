@@ -31,15 +31,15 @@ private:
     osg::ref_ptr<const osg::DrawElements> _faces;
 };
 
-/// A copy of a level for as long as a blend lasts, while its index buffer goes on to the other level: no second progressive level is
-/// needed, and no step is played for it.
-/// Memory: the indices of the level's faces, once here and once in each context. Threads: immutable once made.
+/// A copy of a level that lives as long as a blend, while the index buffer goes on to the other level. So a blend needs no second
+/// progressive level and applies no steps for it.
+/// Memory: the indices of the faces, once here and once in each context. Threads: immutable once made.
 class StillLevel
 {
 public:
     using Parts = std::vector<osg::ref_ptr<GroupPart>>;
 
-    /// Of the level that `level` is at, `steps`. Cost: linear in its faces.
+    /// Copies the level that `level` is at, `steps`. Cost: linear in its faces.
     StillLevel(const ViewLevel& level, std::uint32_t steps);
 
     std::uint32_t steps() const { return _steps; }

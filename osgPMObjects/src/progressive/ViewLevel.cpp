@@ -43,7 +43,7 @@ bool ViewLevel::isFar(std::uint32_t steps) const
            std::max(steps, here) - std::min(steps, here) > ShapeJumps::shortest(_shape->progressive());
 }
 
-/// Whether something else is shown from now on.
+/// Makes the level; returns whether another one is shown from now on.
 bool ViewLevel::advance(std::uint32_t steps, unsigned int frame)
 {
     if (_jumped) followJump(steps, frame);
@@ -63,7 +63,7 @@ bool ViewLevel::advance(std::uint32_t steps, unsigned int frame)
     return true;
 }
 
-/// Plays as many steps as take about as long as a jump, once in a frame; advance() plays what is left then, if that is no more.
+/// Applies, once a frame, as many steps as take as long as a pass; advance() then applies the rest, if it is no more than that.
 void ViewLevel::followJump(std::uint32_t steps, unsigned int frame)
 {
     if (frame == _jumpFrame || !isFar(steps)) return;
@@ -74,7 +74,7 @@ void ViewLevel::followJump(std::uint32_t steps, unsigned int frame)
 
 void ViewLevel::playTo(std::uint32_t steps)
 {
-    // At first, and behind a jump, everything has changed; whoever draws is given the whole then.
+    // At first, and after a pass, everything has changed; contexts are then given the whole buffer.
     const bool follows = _serial > 1 && !_jumped;
     _jumped = nullptr;
     _level.moveTo(steps);
@@ -83,7 +83,7 @@ void ViewLevel::playTo(std::uint32_t steps)
     if (follows) _changed = packetOf(std::move(changes), false);
 }
 
-/// What a context needs that has what it was given; none once a frame has passed since, for then it has it.
+/// Returns what takes a context from what it was given to the present state; null once a frame has passed since, as it has that by then.
 IndexPacketPtr ViewLevel::packetFor(unsigned int contextId, unsigned int frame)
 {
     Given& given = _given[contextId];
@@ -152,7 +152,7 @@ GpuIndices& ViewLevel::gpuIndices(unsigned int contextId)
     return *slot;
 }
 
-/// The present state instead of one that the context cannot come to any more.
+/// Returns the present state, for a context that can no longer reach the state it was to draw.
 DrawnLevelPtr ViewLevel::repair(osg::State& state, GpuIndices& gpu)
 {
     IndexPacketPtr whole;

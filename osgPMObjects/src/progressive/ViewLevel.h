@@ -17,21 +17,21 @@ namespace osgPMObjects
 {
 
 /// The index buffer of one view group of an object, and its copies in the graphics contexts.
-/// The way to a level that is near is played step by step. One far away is made in one pass, whole; the steps to it are played in the
-/// frames that follow, in each at most twice as many as take as long as the pass, and changes are small again after that.
-/// Invariant: what is shown is in state `_serial`; packets lead from state to state.
-/// Threads: any; the level under one lock, each context's buffer under another that is never held while waiting for the first.
+/// A near level is reached step by step. A distant one is made in one pass, as a whole; its steps are applied in the frames that follow, in
+/// each at most twice as many as take as long as the pass; after that, changes are small again.
+/// Invariant: the level that is shown is state `_serial`; packets lead from state to state.
+/// Threads: any. One lock guards the level, another one each context's buffer; the second is never held while waiting for the first.
 class ViewLevel
 {
 public:
     explicit ViewLevel(osg::ref_ptr<const ProgressiveShape> shape);
 
-    /// Makes the level after `steps` steps and says what to draw. `contextId`: who will draw, so that it can be given the whole
-    /// buffer if it needs it; absent: nobody. The same pointer as long as nothing changes.
+    /// Makes the level after `steps` steps and returns what to draw, the same pointer as long as nothing changes. `contextId`: the context that
+    /// will draw, so that it is given the whole buffer if it needs it; absent: none.
     DrawnLevelPtr at(std::uint32_t steps, unsigned int frame, std::optional<unsigned int> contextId);
 
-    /// Uploads what the context lacks and draws one group. A context that has missed packets (its draw was left out, its objects
-    /// were released) gets the whole buffer in its present state, and draws that.
+    /// Uploads what the context lacks and draws one group. A context that missed packets, because its draw was left out or its objects were
+    /// released, gets the whole buffer in its present state and draws that.
     void draw(osg::State& state, const DrawnLevel& drawn, std::uint32_t group);
 
     /// Calls visit(triangle, group) for each face of the present state, under the lock.
@@ -50,14 +50,14 @@ public:
 
     const ProgressiveShape& shape() const { return *_shape; }
 
-    /// Gives back the buffers of one context, or (nullptr) of all.
+    /// Releases the buffers of one context, or with nullptr of all.
     void releaseGLObjects(osg::State* state);
 
-    /// Fills in what the level knows: steps, triangles, what was played and uploaded.
+    /// Fills in the statistics of the level: steps, triangles, what was applied and uploaded.
     void addTo(ProgressiveViewStatistics& statistics) const;
 
 private:
-    /// What a context was handed last.
+    /// What a context was given last.
     struct Given
     {
         std::uint64_t serial = 0;
@@ -83,12 +83,12 @@ private:
 
     mutable std::mutex _levelMutex; ///< guards everything down to _drawn
     core::ProgressiveLevel _level;
-    JumpedLevelPtr _jumped;      ///< shown as long as `_level` is not there
-    unsigned int _jumpFrame = 0; ///< `_level` has been moved in it
+    JumpedLevelPtr _jumped;      ///< shown until `_level` has reached it
+    unsigned int _jumpFrame = 0; ///< in which `_level` moved last
     std::uint32_t _jumps = 0;
     std::uint64_t _serial = 0;
     IndexPacketPtr _changed,
-        _whole; ///< to _serial from the state before, and from nothing: made when asked for
+        _whole; ///< from the state before to _serial, and from nothing; made when asked for
     std::map<unsigned int, Given> _given;
     DrawnLevelPtr _drawn;
 

@@ -13,20 +13,20 @@
 namespace osgPMObjects
 {
 
-/// Chooses a level for a view; `held` is what the camera's last choice left.
+/// Chooses a level for a view; `held` is the state of the camera's last choice.
 using LevelChoice = std::function<core::Selection(const CullView& view, core::HeldLevel& held)>;
 
-/// The view groups of one drawable: cameras whose eyes coincide share the finest level that they ask for. Threads: any.
+/// The view groups of one drawable. Cameras whose eyes coincide share the finest level that one of them needs. Threads: any.
 class ViewLevelTable
 {
 public:
     explicit ViewLevelTable(osg::ref_ptr<const ProgressiveShape> shape) : _shape(shape) {}
 
-    /// What to draw for a view; nothing of an object that has faded away.
+    /// Returns what to draw for a view; no levels if the object has faded away.
     ShownLevels find(const CullView& view, const LevelChoice& choice,
                      const ProgressiveDrawable::Switching& switching);
 
-    /// The group asked for last; before any, one at `steps` for nobody in particular.
+    /// Returns the level of the group that asked last, or, before any, one at `steps` that belongs to no group.
     std::shared_ptr<ViewLevel> latest(std::uint32_t steps);
     std::vector<ProgressiveViewStatistics> statistics() const;
     void releaseGLObjects(osg::State* state);
@@ -43,7 +43,7 @@ private:
 
         GroupLevels levels;
         GroupSwitch switching;
-        core::DrawnLevels drawn; ///< regardless of the alpha range
+        core::DrawnLevels drawn; ///< without the alpha range
         bool byDoor = false;
         core::Selection latest;
     };

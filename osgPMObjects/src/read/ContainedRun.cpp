@@ -20,7 +20,7 @@ namespace osgPMObjects
 namespace
 {
 
-/// How the child says what follows.
+/// The first byte of what the child sends; it tells what follows.
 constexpr char kBytes = 'B', kError = 'E', kNoMemory = 'M';
 constexpr const char* kRepair = "repair the model, or convert it with another program";
 
@@ -36,7 +36,7 @@ void writeAll(int descriptor, const char* bytes, std::size_t count)
     {
         const ssize_t written = ::write(descriptor, bytes, count);
         if (written < 0 && errno == EINTR) continue;
-        if (written <= 0) return; // nobody reads any more
+        if (written <= 0) return; // the reader is gone
         bytes += written;
         count -= static_cast<std::size_t>(written);
     }
@@ -56,7 +56,7 @@ void restrain(const ReadLimits& limits)
     const rlimit memory{bytes, bytes};
     if (!kIsSanitized) setrlimit(RLIMIT_AS, &memory);
     for (const int signal :
-         {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT}) // nobody's handlers, inherited by the fork
+         {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT}) // default handlers instead of inherited ones
         std::signal(signal, SIG_DFL);
     const int nowhere = open("/dev/null", O_RDWR);
     for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
@@ -83,10 +83,10 @@ void restrain(const ReadLimits& limits)
     {
         say(descriptor, kError, std::string(thrown.what()) + '\n' + kRepair);
     }
-    _exit(0); // no destructors: they are the parent's, too
+    _exit(0); // no destructors: they would run in the parent, too
 }
 
-/// Reads until the child is done; false: not in time.
+/// Reads until the child has ended; returns false if it takes too long.
 bool readAll(int descriptor, double seconds, std::string& bytes)
 {
     using Clock = std::chrono::steady_clock;

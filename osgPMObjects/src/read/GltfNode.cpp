@@ -25,15 +25,15 @@ osg::ref_ptr<osg::Texture2D> textureOf(const core::GltfImage& from)
     const osg::ref_ptr<osg::Image> image = new osg::Image;
     image->allocateImage(from.widthPx, from.heightPx, 1, format, GL_UNSIGNED_BYTE, 1);
     std::copy(from.bytes.begin(), from.bytes.end(),
-              image->data()); // top row first, as glTF's coordinates count
+              image->data()); // the top row first, as in glTF
     const osg::ref_ptr<osg::Texture2D> texture = new osg::Texture2D(image);
     texture->setWrap(osg::Texture::WRAP_S, osg::Texture::REPEAT);
     texture->setWrap(osg::Texture::WRAP_T, osg::Texture::REPEAT);
     return texture;
 }
 
-/// Shininess as bright as a surface of that roughness looks. Source: Walter et al., "Microfacet models for refraction" (2007), the
-/// exponent 2/α² - 2 of a Beckmann lobe, α = roughness² (glTF 2.0, appendix B).
+/// Returns the shininess that looks like a roughness. Source: Walter et al., "Microfacet models for refraction", 2007: the
+/// exponent 2/α² - 2 of a Beckmann lobe, with α = roughness² (glTF 2.0, appendix B).
 float shininess(double roughness)
 {
     const double alpha = std::max(roughness * roughness, 0.1);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 #include <system_error>
 
@@ -21,7 +22,7 @@ namespace
 
 constexpr const char* kRemedy = "check that OSG has a plugin for it (osgversion, osgconv --plugins)";
 
-/// Keeps the first line that is said while it is installed.
+/// Keeps the first line of OSG's messages while it is installed.
 class FirstWords : public osg::NotifyHandler
 {
 public:
@@ -47,7 +48,7 @@ bool isGltf(const std::filesystem::path& file)
     return extension == ".gltf" || extension == ".glb";
 }
 
-/// What must not leave the child: graphs too deep to be written or read, and index arrays, which .osgb keeps.
+/// Prepares a graph for .osgb: finds one that is nested too deep to be written or read, and removes index arrays, which .osgb would keep.
 class Preparation : public osg::NodeVisitor
 {
 public:
@@ -110,10 +111,21 @@ foundation::Result<osg::ref_ptr<osg::Node>> readModelNodeHere(const std::filesys
                              kRemedy};
 }
 
+foundation::Outcome checkSettings(const ReadLimits& limits)
+{
+    if (!std::isfinite(limits.seconds) || limits.seconds <= 0.0)
+        return foundation::Error{"ReadLimits.seconds", "it cannot be " + std::to_string(limits.seconds),
+                                 "give a time above 0"};
+    if (limits.memoryMiB == 0)
+        return foundation::Error{"ReadLimits.memoryMiB", "it cannot be 0", "give at least 1"};
+    return foundation::success();
+}
+
 foundation::Result<osg::ref_ptr<osg::Node>> readModelNode(const std::filesystem::path& file,
                                                           const ReadLimits& limits)
 {
-    std::error_code ignored; // a name too long is a file that is not there
+    if (const auto checked = checkSettings(limits); !checked) return checked.error();
+    std::error_code ignored; // a name that is too long counts as a missing file
     if (!std::filesystem::exists(file, ignored))
         return foundation::Error{file.string(), "there is no such file", "check its path"};
     if (!osgb())

@@ -9,8 +9,10 @@ class ObjectWrapperManager;
 namespace osgPMObjects
 {
 
-/// Each adds what a class needs, unless somebody else (a program, a plugin) has: it is the same code.
+/// Each registers one class with OSG's scene files, unless a program or a plugin already has.
 void addShapeSerializer(osgDB::ObjectWrapperManager& manager);
 void addNodeSerializer(osgDB::ObjectWrapperManager& manager);
+void addDrawableSerializer(osgDB::ObjectWrapperManager& manager);
+void addFieldSerializer(osgDB::ObjectWrapperManager& manager);
 
 } // namespace osgPMObjects

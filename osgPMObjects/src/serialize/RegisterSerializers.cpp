@@ -13,6 +13,8 @@ bool registerSerializers()
     osgDB::ObjectWrapperManager& manager = *osgDB::Registry::instance()->getObjectWrapperManager();
     addShapeSerializer(manager);
     addNodeSerializer(manager);
+    addDrawableSerializer(manager);
+    addFieldSerializer(manager);
     return true;
 }
 

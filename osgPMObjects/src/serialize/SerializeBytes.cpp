@@ -13,8 +13,8 @@ namespace osgPMObjects
 namespace
 {
 
-constexpr std::size_t kPiece = 32768;    ///< bytes at once in a binary file
-constexpr std::size_t kTextPiece = 4096; ///< in a text
+constexpr std::size_t kPiece = 32768;    ///< bytes in one piece of a binary file
+constexpr std::size_t kTextPiece = 4096; ///< bytes in one piece of a text
 
 std::string digitsOf(const std::string& bytes, std::size_t from, std::size_t count)
 {
@@ -30,7 +30,7 @@ std::string digitsOf(const std::string& bytes, std::size_t from, std::size_t cou
     return digits;
 }
 
-/// False: not so many bytes in hexadecimal digits.
+/// Returns false if these are not the hexadecimal digits of `count` bytes.
 bool appendDigits(const std::string& digits, std::size_t count, std::string& bytes)
 {
     if (digits.size() != 2 * count) return false;
@@ -52,11 +52,11 @@ bool readPiece(osgDB::InputStream& in, std::size_t count, std::string& bytes)
         const std::size_t at = bytes.size();
         bytes.resize(at + count);
         in.readCharArray(bytes.data() + at,
-                         static_cast<unsigned int>(count)); // the next size sees whether it failed
+                         static_cast<unsigned int>(count)); // reading the next size finds a failure
         return true;
     }
     std::string digits;
-    in >> digits; // a wrapped string that is cut off is read for ever
+    in >> digits; // not a wrapped string: OSG reads one that is cut off for ever
     return in.getException() == nullptr && appendDigits(digits, count, bytes);
 }
 

@@ -12,11 +12,11 @@ class OutputStream;
 namespace osgPMObjects
 {
 
-/// Bytes in a scene file, in pieces after their sizes: as they are in a binary one, as hexadecimal digits in a text.
+/// Writes bytes to a scene file in pieces, each after its size: unchanged in a binary file, as hexadecimal digits in a text.
 void writeBytes(osgDB::OutputStream& out, const std::string& bytes);
 
-/// Errors: the pieces are not as long as they are said to be, or no digits; then the stream has an exception, and what is
-/// returned is of no use. Memory: no more than what the stream holds, whatever a damaged one says.
+/// Reads what writeBytes() wrote. Errors: a piece is shorter than its size says, or has characters that are no digits; then the stream
+/// has an exception, and the result must not be used. Memory: at most that of the stream, also for a damaged one.
 std::string readBytes(osgDB::InputStream& in);
 
 } // namespace osgPMObjects

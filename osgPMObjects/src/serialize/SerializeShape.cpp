@@ -12,12 +12,13 @@
 #include "../pm/PmContents.h"
 #include "AddSerializers.h"
 #include "SerializeBytes.h"
+#include "SerializeShared.h"
 
 namespace osgPMObjects
 {
 
-/// A shape in a scene file: its states as objects of the file, which shares them, and the bytes of a `.pm` file, whose sections have
-/// check sums. As a whole it is an object of the file, too, which has it once.
+/// A ProgressiveShape in a scene file: its states, as objects that the file shares, and the bytes of a `.pm` file, whose sections have
+/// check sums. The shape is itself an object that the file shares.
 struct ShapeSerializer
 {
     static constexpr const char* kPlace = "progressive shape";
@@ -27,13 +28,13 @@ struct ShapeSerializer
         return !shape.progressive().mesh.positions.empty();
     }
 
-    /// A letter a state: whether it is there. Then those that are.
+    /// Writes one letter for each state, y or n, which tells whether it exists; then the states that exist.
     static bool writeStates(osgDB::OutputStream& out, const ProgressiveShape& shape)
     {
-        std::string areThere = "s";
+        std::string exist = "s";
         for (const osg::ref_ptr<osg::StateSet>& state : shape.states())
-            areThere += state ? 'y' : 'n';
-        out << areThere << out.BEGIN_BRACKET << std::endl;
+            exist += state ? 'y' : 'n';
+        out << exist << out.BEGIN_BRACKET << std::endl;
         for (const osg::ref_ptr<osg::StateSet>& state : shape.states())
             if (state) out << state.get();
         out << out.END_BRACKET << std::endl;
@@ -41,10 +42,10 @@ struct ShapeSerializer
     }
     static bool readStates(osgDB::InputStream& in, ProgressiveShape& shape)
     {
-        std::string areThere;
-        in >> areThere >> in.BEGIN_BRACKET;
-        for (std::size_t i = 1; i < areThere.size() && !in.getException(); ++i)
-            shape._states.push_back(areThere[i] == 'y' ? in.readObjectOfType<osg::StateSet>() : nullptr);
+        std::string exist;
+        in >> exist >> in.BEGIN_BRACKET;
+        for (std::size_t i = 1; i < exist.size() && !in.getException(); ++i)
+            shape._states.push_back(exist[i] == 'y' ? in.readObjectOfType<osg::StateSet>() : nullptr);
         in >> in.END_BRACKET;
         return in.getException() == nullptr;
     }
@@ -70,30 +71,13 @@ struct ShapeSerializer
     }
 };
 
-namespace
-{
-
-osg::Object* makeShape()
-{
-    return new ProgressiveShape;
-}
-
-} // namespace
-
 void addShapeSerializer(osgDB::ObjectWrapperManager& manager)
 {
-    const char* const name = "osgPMObjects::ProgressiveShape";
-    if (manager.getWrapperMap().count(name) > 0) return;
-    const osg::ref_ptr<osgDB::ObjectWrapper> wrapper =
-        new osgDB::ObjectWrapper(&makeShape, name, "osg::Object osgPMObjects::ProgressiveShape");
-    using Serializer = osgDB::UserSerializer<ProgressiveShape>;
-    wrapper->addSerializer(new Serializer("States", &ShapeSerializer::hasContents,
-                                          &ShapeSerializer::readStates, &ShapeSerializer::writeStates),
-                           osgDB::BaseSerializer::RW_USER);
-    wrapper->addSerializer(new Serializer("Levels", &ShapeSerializer::hasContents,
-                                          &ShapeSerializer::readLevels, &ShapeSerializer::writeLevels),
-                           osgDB::BaseSerializer::RW_USER);
-    manager.addWrapper(wrapper);
+    using S = ShapeSerializer;
+    addClass<ProgressiveShape>(manager, "osgPMObjects::ProgressiveShape",
+                               "osg::Object osgPMObjects::ProgressiveShape",
+                               {{"States", &S::hasContents, &S::readStates, &S::writeStates},
+                                {"Levels", &S::hasContents, &S::readLevels, &S::writeLevels}});
 }
 
 } // namespace osgPMObjects

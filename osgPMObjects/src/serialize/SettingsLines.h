@@ -6,29 +6,25 @@
 
 #include <foundation/Result.h>
 
-#include <osgPMObjects/core/selection/Priority.h>
-#include <osgPMObjects/core/selection/SelectionSettings.h>
-#include <osgPMObjects/core/selection/Switch.h>
+#include <osgPMObjects/ProgressiveField>
+#include <osgPMObjects/ProgressiveNode>
 
 namespace osgPMObjects
 {
 
-/// All settings of a ProgressiveNode.
-struct NodeSettings
-{
-    core::SelectionSettings selection;
-    core::SwitchSettings switching{core::SwitchMethod::discrete};
-    std::uint32_t number = 0;
-    core::Priority priority;
-    double referencePixelsPerTangent = 0.0;
-};
+/// Settings as lines of a scene file: a name and its values without spaces, e.g. "tolerancePx=1.5". A number has as few digits as
+/// give back the same number; infinity is kept, too.
+/// `Settings`: ProgressiveNodeSettings, ProgressiveFieldSettings, or FieldKind without its shape.
+template<class Settings>
+std::vector<std::string> linesOf(const Settings& settings);
 
-/// Settings as lines of a scene file: a name and its values without spaces, e.g. "tolerancePx=1.5". Numbers are as short as they can be and are read
-/// back as they were, infinity, too.
-std::vector<std::string> linesOf(const NodeSettings& settings);
+/// The inverse of linesOf(). A field without a line stays as it is.
+/// Errors: a name that is not known, a value that cannot be read; nothing is changed then. Ranges are checked by the setters.
+template<class Settings>
+foundation::Outcome readLines(const std::vector<std::string>& lines, Settings& settings);
 
-/// What has no line stays as it is by default.
-/// Errors: a name that is not known, a value that is none.
-foundation::Result<NodeSettings> settingsOf(const std::vector<std::string>& lines);
+/// An instance of a field as one line, "instance=…"; see visitNumbers().
+std::string lineOf(const FieldInstance& instance);
+foundation::Result<FieldInstance> instanceOf(const std::string& line);
 
 } // namespace osgPMObjects

@@ -17,7 +17,7 @@ namespace
 
 using namespace osgPMObjects;
 
-/// A square of side 1 at a height, facing up, with texture coordinates 0 to `repeats`.
+/// A square of side 1 at a height, front side up, with texture coordinates from 0 to `repeats`.
 osg::ref_ptr<osg::Geometry> square(double height, float repeats = 1.0f)
 {
     osg::ref_ptr<osg::Geometry> geometry = new osg::Geometry;
@@ -47,7 +47,7 @@ osg::ref_ptr<osg::Material> material(const osg::Vec4& ambient, const osg::Vec4& 
     return m;
 }
 
-/// Left half black, right half white.
+/// A texture, its left half black, its right half white.
 osg::ref_ptr<osg::Texture2D> halves()
 {
     osg::ref_ptr<osg::Image> image = new osg::Image;
@@ -84,7 +84,7 @@ const osg::Image& mapOf(const BakedModel& model, unsigned unit, std::uint32_t st
     return *texture->getImage();
 }
 
-/// What the colour map shows at a position, times the diffuse colour of the material there.
+/// Returns the colour map at a position, times the diffuse colour of the material there.
 osg::Vec4 diffuseAt(const BakedModel& baked, std::uint32_t f, const glm::dvec2& place)
 {
     const core::Mesh& mesh = baked.model.mesh;
@@ -113,7 +113,7 @@ void expectNear(const osg::Vec4& a, const osg::Vec4& b)
 
 TEST(BakeModel, ColoursAreTextureTimesMaterial)
 {
-    const auto geometry = square(0.0, 2.0f); // the halves stand there twice
+    const auto geometry = square(0.0, 2.0f); // the texture repeats twice
     geometry->getOrCreateStateSet()->setTextureAttributeAndModes(0, halves());
     geometry->getOrCreateStateSet()->setAttribute(
         material({0.2f, 0.1f, 0.05f, 1.0f}, {0.8f, 0.4f, 0.2f, 1.0f}, {0.1f, 0.1f, 0.1f, 1.0f}));
@@ -224,7 +224,7 @@ TEST(BakeModelMutation, AnotherColourIsSeen)
     auto& map = const_cast<osg::Image&>(mapOf(model, 0));
     map.data()[3 * (32 * 64 + 32)] = 0;
     const core::Mesh& mesh = model.model.mesh;
-    double least = 1.0; // of red, over the square: what diffuseAt() sees is what the map holds
+    double least = 1.0; // the least red of the map over the square
     for (int y = 0; y < 64; ++y)
         for (int x = 0; x < 64; ++x)
             least =

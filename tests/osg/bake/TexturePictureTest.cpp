@@ -13,7 +13,7 @@ namespace
 
 using osgPMObjects::TexturePicture;
 
-/// Four texels: red, green below; blue, white above.
+/// A texture of four texels: red and green below, blue and white above.
 osg::ref_ptr<osg::Texture2D> fourTexels(osg::Texture::WrapMode wrap, osg::Texture::FilterMode filter)
 {
     osg::ref_ptr<osg::Image> image = new osg::Image;

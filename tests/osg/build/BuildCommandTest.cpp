@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `pmtool build` and `info` as they are asked for on the command line, but for the process.
+// `pmtool build` and `info` with the arguments of the command line, in this process.
 #include <fstream>
 
 #include <gmock/gmock.h>
@@ -18,7 +18,7 @@ namespace
 class BuildCommand : public testing::Test
 {
 protected:
-    /// What comes of a command line.
+    /// Runs a command line and returns its result.
     foundation::Result<terminal::Report> run(const std::string& arguments)
     {
         CLI::App app;

@@ -42,7 +42,7 @@ TEST(CompareCache, OursIsNearToFromScratchForFewMoves)
     const ordered_json ours = rowOf(subject, "ours");
     EXPECT_LT(meanOf(ours), 1.08 * scratch);
     EXPECT_LE(ours["faceWritesPerEcol"].get<double>(), 4.0);
-    // What is not in order is told from what is.
+    // The comparison tells a bad order from a good one.
     EXPECT_GT(meanOf(rowOf(subject, "plain")), 2.0 * scratch);
     EXPECT_GT(meanOf(rowOf(subject, "random")), 3.0 * scratch);
     EXPECT_EQ(rowOf(subject, "plain")["faceWritesPerEcol"], 0.0);

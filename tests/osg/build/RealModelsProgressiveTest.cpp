@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Real models as progressive meshes: the same faces at their levels as by collapses alone, whatever the order.
+// Real models as progressive meshes: at each level the same faces as by collapses alone, in whatever order.
 #include <algorithm>
 #include <array>
 #include <filesystem>
@@ -24,7 +24,7 @@ class RealModelProgressive : public testing::TestWithParam<const char*>
 {
 };
 
-/// Faces by the positions and texture coordinates of their corners, those of each begun with the least, in order.
+/// Sorted faces by the positions and texture coordinates of their corners, each face from its least corner on.
 using SeenFaces = std::vector<std::array<std::array<double, 5>, 3>>;
 
 void add(SeenFaces& faces, const Mesh& mesh, const Triangle& wedges)
@@ -102,7 +102,7 @@ TEST_P(RealModelProgressive, IsDrawnNearlyAsFromScratch)
     EXPECT_LE(ours["faceWritesPerEcol"].get<double>(), 4.0);
     EXPECT_LE(ours["bytesPerVertex"].get<double>(), 16.0);
     EXPECT_GT(pmtool::cacheRow(subject, "tswap")["bytesPerVertex"].get<double>(), 16.0);
-    // A random order does not hold that bound.
+    // The mutation: a random order exceeds that bound.
     EXPECT_GT(pmtool::cacheRow(subject, "random")["meanTransformsPerVertex"].get<double>(),
               1.06 * scratch["meanTransformsPerVertex"].get<double>());
 }

@@ -25,7 +25,7 @@ namespace
 using namespace osgPMObjects;
 using core::Material;
 
-/// A unit square in z = 0, facing up, drawn as one quad.
+/// A unit square in z = 0, front side up, drawn as one quad.
 osg::ref_ptr<osg::Geometry> square()
 {
     osg::ref_ptr<osg::Geometry> geometry = new osg::Geometry;
@@ -55,7 +55,7 @@ ImportedModel imported(osg::Node& node)
     return model ? *std::move(model) : ImportedModel{};
 }
 
-/// Twice the area vector of all faces.
+/// Returns twice the area vector of all faces.
 glm::dvec3 areaOf(const core::Mesh& mesh)
 {
     glm::dvec3 sum(0.0);
@@ -135,7 +135,7 @@ TEST(ImportNode, AttributesFollowTheirBindings)
 
 TEST(ImportNode, ReadsIndexArraysOfOldFiles)
 {
-    // What OSG's readers leave: indices as the array's user data, and a binding that has no name any more.
+    // As OSG's readers leave it: indices as the array's user data, and a binding that no longer has a name.
     constexpr auto kPerPrimitive = static_cast<osg::Array::Binding>(3);
     osg::ref_ptr<osg::Geometry> old = square();
     osg::ref_ptr<osg::UShortArray> indices = new osg::UShortArray;
@@ -274,7 +274,7 @@ TEST(ImportNode, RefusesAGraphWithoutEnd)
         << model.error().message();
 }
 
-/// A model with everything in it, for the way there and back.
+/// A model with all that a mesh can have, for export and import.
 osg::ref_ptr<osg::Group> variousModel()
 {
     osg::ref_ptr<osg::Group> root = new osg::Group;
@@ -308,7 +308,7 @@ TEST(ExportNode, IsTheInverseOfTheImport)
     }
 }
 
-/// Four squares around an edge in pairs: the copies of its ends are vertices only once.
+/// Four squares in pairs around an edge: the copies of its ends are one vertex each.
 TEST(ExportNode, CopiesOfPositionsShareVerticesWhereNothingTellsThemApart)
 {
     core::Mesh mesh;

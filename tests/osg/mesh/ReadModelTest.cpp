@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Models are read in a child process: whatever happens there is an error here.
+// Models are read in a child process, so that whatever happens there is an error here.
 #include <algorithm>
 #include <csignal>
 #include <cstdlib>
@@ -150,8 +150,8 @@ TEST(ReadModel, SaysWhatIsWrongWithAFile)
         << messageFor(damaged);
 }
 
-/// Real models of every format with bytes changed: loaders may die, in their child; nothing of ours does.
-/// OSGTRAINER_MUTATIONS: how many in all (84).
+/// Real models of every format with changed bytes: loaders may crash in the child process, but nothing in this one may.
+/// OSGTRAINER_MUTATIONS: their total number (84).
 TEST(ReadModel, MutatedRealModelsCrashNothingOfOurs)
 {
     OSGTRAINER_REAL_DATA_OR_SKIP(models, "models");
@@ -188,7 +188,7 @@ TEST(ReadModel, MutatedRealModelsCrashNothingOfOurs)
         if (!model) continue;
         ++readable;
         ASSERT_EQ(core::defectOf(model->mesh), "") << i;
-        if (model->mesh.faces.size() > 50000 && i % 5 != 0) continue; // time
+        if (model->mesh.faces.size() > 50000 && i % 5 != 0) continue; // saves time
         core::consolidate(model->mesh);
         ASSERT_EQ(core::defectOf(model->mesh), "") << i;
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `pmtool compare order` as it is asked for on the command line, but for the process.
+// `pmtool compare order` with the arguments of the command line, in this process.
 #include <algorithm>
 #include <deque>
 #include <filesystem>
@@ -49,7 +49,7 @@ std::vector<Triangle> readDump(const std::filesystem::path& file)
     return triangles;
 }
 
-/// By the queue as it is told, emptied for each draw call.
+/// Counts transformed vertices with the given queue, which is emptied for each draw call.
 double fifoOf(const std::vector<Triangle>& triangles, const ordered_json& calls, std::size_t size)
 {
     std::size_t misses = 0, next = 0;
@@ -68,7 +68,7 @@ double fifoOf(const std::vector<Triangle>& triangles, const ordered_json& calls,
     return static_cast<double>(misses) / static_cast<double>(triangles.size());
 }
 
-/// The same faces in each draw call, from the same sides.
+/// Checks that each draw call has the same faces with the same front sides.
 bool showsTheSame(const std::vector<Triangle>& a, const std::vector<Triangle>& b, const ordered_json& calls)
 {
     std::size_t next = 0;
@@ -152,7 +152,7 @@ TEST(CompareOrder, OfRealModelsHoldsWhatTheTableSays)
         const auto of = [&](const std::string& order, const std::string& cache)
         { return transforms(mesh, order, cache); };
         for (const std::string cache : {"fifo10", "fifo16", "fifo32"})
-        { // the paper: a universal order is better than strips for caches of more than ten
+        { // a universal order is better than strips for caches of more than ten vertices
             const double strips =
                 std::min({of("sgiStrips", cache), of("dualGraphStrips", cache), of("fifoStrips16", cache)});
             EXPECT_LT(of("universal", cache), strips) << model["model"] << " " << cache;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fields meet what looks for intersections as their objects would, one by one.
+// Intersections with a field, compared with those of its objects as separate nodes.
 #include <cmath>
 #include <thread>
 
@@ -38,7 +38,7 @@ std::vector<FieldKind> torus(std::uint32_t around = 30)
     return {kindOf(subjectOf(testsupport::torus(around, 20)))};
 }
 
-/// Of the first kind, as they are.
+/// Makes instances of the first kind at positions, without rotation or scale.
 std::vector<FieldInstance> standingAt(std::initializer_list<osg::Vec3d> places)
 {
     std::vector<FieldInstance> made;
@@ -47,7 +47,7 @@ std::vector<FieldInstance> standingAt(std::initializer_list<osg::Vec3d> places)
     return made;
 }
 
-/// A torus beside a sheet, and one whose 0 lies some 30 km from it.
+/// Two kinds: a torus beside a sheet, and a shape whose origin lies some 30 km from it.
 std::vector<FieldKind> kinds()
 {
     static const Subject near = torusAndSheet();
@@ -69,7 +69,7 @@ osg::Quat turn(testsupport::Random& random)
     return attitude;
 }
 
-/// In a square with sides of 400, all kinds in turn; what is seen of each lies about its place.
+/// Scatters all kinds in turn over a square with sides of 400; what is visible of each instance lies about its position.
 std::vector<FieldInstance> scattered(std::size_t count, const std::vector<FieldKind>& of)
 {
     testsupport::Random random(17);
@@ -95,7 +95,7 @@ osg::ref_ptr<ProgressiveField> fieldOf(const std::vector<FieldKind>& of,
     return field;
 }
 
-/// The same as plain geometry; the transforms' names are the instances' numbers.
+/// The same instances as plain geometry; the names of the transforms are the instances' numbers.
 osg::ref_ptr<osg::Group> plain(const std::vector<FieldKind>& of, const std::vector<FieldInstance>& placed)
 {
     osg::ref_ptr<osg::Group> root = new osg::Group;
@@ -112,7 +112,7 @@ osg::ref_ptr<osg::Group> plain(const std::vector<FieldKind>& of, const std::vect
     return root;
 }
 
-/// Below a transform that turns, moves and stretches.
+/// The node below a transform that rotates, moves and scales.
 osg::ref_ptr<osg::MatrixTransform> below(osg::Node& node)
 {
     osg::ref_ptr<osg::MatrixTransform> root = new osg::MatrixTransform(
@@ -135,7 +135,7 @@ struct Line
     osg::Vec3d from, to;
 };
 
-/// Through the square and up and down, in the frame above below()'s transform.
+/// Lines through the square, across and down, in the frame above below()'s transform.
 std::vector<Line> lines(std::size_t count, const osg::Matrixd& place)
 {
     testsupport::Random random(5);
@@ -150,7 +150,7 @@ std::vector<Line> lines(std::size_t count, const osg::Matrixd& place)
     return made;
 }
 
-/// How two sets of hits on one line differ at most, in metres and in normals; nothing if they are not as many.
+/// The largest difference of two sets of hits on one line, in metres and in normals; no value if their numbers differ.
 struct Difference
 {
     std::size_t hits = 0, unequalCounts = 0, otherInstances = 0;
@@ -191,7 +191,7 @@ Difference differenceOf(const std::vector<FieldInstance>& inField,
     return worst;
 }
 
-/// Counts what a segment is asked for.
+/// Counts the tests of an intersector.
 class CountingSegment : public Segment
 {
 public:
@@ -208,7 +208,7 @@ public:
         return Segment::clone(visitor);
     }
 
-    std::size_t looks = 0;   ///< at bounds
+    std::size_t looks = 0;   ///< tests of bounds
     std::size_t entered = 0; ///< transforms
 };
 
@@ -307,7 +307,7 @@ TEST(FieldIntersection, WhatIsDrawnDoesNotMatter)
                                { return a.getWorldIntersectPoint() == b.getWorldIntersectPoint(); }));
 }
 
-/// Where floats have a step of 6 cm: spheres are floats, and an edge may lie beyond them.
+/// At coordinates where floats have a step of 6 cm: spheres are floats, and an edge may lie beyond them.
 TEST(FieldIntersection, EdgesAreHitFarFromTheOrigin)
 {
     const osg::Vec3d far(1e6 + 0.03, -1e6 + 0.03, 0.0);

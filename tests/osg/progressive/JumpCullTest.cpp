@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Levels far away are made in one pass, and no frame plays more steps than take as long.
+// Distant levels are made in one pass, and no frame applies more steps than take as long.
 #include <gtest/gtest.h>
 
 #include <osgPMObjects/ProgressiveDrawable>
@@ -15,7 +15,7 @@ using namespace progressive;
 using handcull::cameraAt;
 using handcull::cull;
 
-/// 8 520 positions of two materials.
+/// A mesh of 8 520 positions with two materials.
 const Subject& jumpSubject()
 {
     static const Subject made = subjectOf(
@@ -28,16 +28,16 @@ std::uint32_t most()
     return jumpSubject().shape->progressive().stepCount;
 }
 
-/// Frames of one drawable, each with the steps that were played for it.
+/// Culls frames of one drawable and counts the steps of each.
 class Frames
 {
 public:
     Frames() : _drawable(new ProgressiveDrawable(jumpSubject().shape)) {}
 
-    /// What is shown.
+    /// Culls the next frame and returns what it shows.
     std::vector<SeenTriangle> next(std::uint32_t steps)
     {
-        _drawable->setSteps(steps);
+        EXPECT_TRUE(_drawable->setSteps(steps));
         const auto drawn = trianglesOf(cull(*_drawable, *_camera, ++_frame).drawables);
         const std::uint64_t before = _statistics.played.steps;
         _statistics = _drawable->statistics().at(0);

@@ -133,7 +133,7 @@ TEST_P(ProgressiveModels, AreDrawnAtAnyLevelAsItsMeshIs)
     for (const unsigned eighths : {0, 3, 8, 6, 1, 0})
     {
         const std::uint32_t steps = shape.progressive().stepCount * eighths / 8;
-        node.drawable()->setSteps(steps);
+        EXPECT_TRUE(node.drawable()->setSteps(steps));
         const auto culled = cull(*node.drawable(), *camera, ++frame);
         const osg::ref_ptr<osg::Group> baked = bakeLevel(shape, steps);
         EXPECT_EQ(trianglesOf(culled.drawables), trianglesOf(drawablesOf(*baked))) << eighths;

@@ -20,7 +20,7 @@ const Subject& parallelSubject()
     return made;
 }
 
-/// 800 × 600 pixels of so many metres, from so far away; or a perspective with such pixels at 0.
+/// A camera of 800 × 600 pixels, each so many metres wide, at a distance; or a perspective with such pixels at 0.
 osg::ref_ptr<osg::Camera> camera(double metresPerPixel, double awayM, bool isParallel = true)
 {
     auto made = handcull::cameraAt({8.0, -awayM, 0.3 * awayM}, {8.0, 0.0, 0.0});
@@ -105,7 +105,7 @@ TEST(ParallelProjection, GivesEveryMethodThePixelsThatItHas)
         EXPECT_EQ(of(fine, method), of(fromAfar, method)) << core::nameOf(method);
     }
     EXPECT_GE(of(fine, SelectionMethod::budget), of(coarse, SelectionMethod::budget));
-    // The control: with a perspective's pixels the far one is another.
+    // The control: with the pixels of a perspective the distant one is coarser.
     const auto lens = camera(0.05, 900.0, false);
     const osg::Matrixd projection = lens->getProjectionMatrix();
     const auto farLens = camera(0.05, 90000.0, false);
@@ -118,7 +118,7 @@ TEST(ParallelProjection, HoldsABudget)
     const osg::ref_ptr<ProgressiveField> limited = field();
     const auto eye = camera(0.05, 900.0);
     const std::uint64_t before = looked(*limited, *eye).triangles;
-    limited->setBudget({.budget = before - 100});
+    ASSERT_TRUE(limited->setBudget({.budget = before - 100}));
     handcull::cull(*limited, *eye, 2);
     const FieldViewStatistics statistics = limited->statistics().at(0);
     EXPECT_LE(statistics.triangles, before - 100);

@@ -34,7 +34,7 @@ protected:
     }
     void TearDown() override { osgDB::Registry::instance()->getLibraryFilePathList().pop_front(); }
 
-    /// A red ball with a picture, and a line beside it.
+    /// A textured red ball, and a line beside it.
     static osg::ref_ptr<osg::Group> model()
     {
         const osg::ref_ptr<osg::Group> group = new osg::Group;
@@ -65,7 +65,7 @@ protected:
     testsupport::TestFolder _folder{"pm-plugin"};
 };
 
-/// What a file gave, counted: whichever way it is read, it has to be the same.
+/// The content of a file, counted; it has to be the same, however the file is read.
 struct Counts
 {
     std::size_t positions = 0, wedges = 0, records = 0, groups = 0;
@@ -84,7 +84,7 @@ std::optional<Counts> countsOf(const osg::ref_ptr<osg::Object>& object)
         node->shape()->groups().size(),    progressive.stepCount,         node->getNumChildren()};
 }
 
-/// All ways through osgDB to a file, but that of readBack().
+/// All ways of osgDB to read a file, except that of readBack().
 std::vector<std::optional<Counts>> countsByOtherWays(const std::string& file)
 {
     std::vector<std::optional<Counts>> counts{countsOf(osgDB::readRefObjectFile(file)),

@@ -22,7 +22,7 @@ const Subject& subject()
     return made;
 }
 
-/// A camera at this distance from the middle of what has radius of some 15.
+/// A camera at a distance from the middle of an object with a radius of some 15.
 osg::ref_ptr<osg::Camera> cameraAway(double metres)
 {
     return cameraAt({8.0, -metres, 3.0}, {8.0, 0.0, 0.0});
@@ -43,7 +43,7 @@ TEST(ProgressiveDrawable, DrawsTheTrianglesOfEveryLevelWhateverCameBefore)
     unsigned frame = 0;
     for (const std::uint32_t steps : {0u, most / 3, most / 2, 1u, most, most - 5, most / 4, 0u})
     {
-        drawable->setSteps(steps);
+        EXPECT_TRUE(drawable->setSteps(steps));
         const Culled culled = cull(*drawable, *camera, ++frame);
         const core::Mesh level = core::meshAfter(subject().mesh, subject().sequence, steps);
         EXPECT_EQ(trianglesOf(culled.drawables), trianglesOf(level)) << steps;
@@ -66,7 +66,7 @@ TEST(ProgressiveDrawable, MakesNothingNewWhileNothingChanges)
     const auto camera = cameraAway(40.0);
     const Culled first = cull(*drawable, *camera, 1), second = cull(*drawable, *camera, 2);
     EXPECT_EQ(first.drawables, second.drawables);
-    drawable->setSteps(7);
+    EXPECT_TRUE(drawable->setSteps(7));
     EXPECT_NE(cull(*drawable, *camera, 3).drawables, first.drawables);
 }
 
@@ -106,7 +106,7 @@ TEST(ProgressiveNode, IsCoarserFarAwayAndSaysSo)
     EXPECT_EQ(statistics.selection.reason, core::SelectionReason::rule);
     EXPECT_GT(statistics.played.steps, 0u);
 
-    node->drawable()->setCullingActive(false); // small as it is then
+    node->drawable()->setCullingActive(false); // it is small then
     camera->setViewMatrixAsLookAt({8.0, -9e5, 3.0}, {8.0, 0.0, 0.0}, {0.0, 0.0, 1.0});
     cull(*node, *camera, 3);
     EXPECT_EQ(node->statistics()[0].selection.reason, core::SelectionReason::clamped);
@@ -120,7 +120,7 @@ TEST(ProgressiveNode, KeepsItsScreenErrorWithinTheTolerance)
         cull(*node, *cameraAway(metres), 1);
         const std::uint32_t steps = node->statistics().back().steps;
         const double radius = subject().shape->sphere().radius;
-        // 800 × 600 pixels, 46.8° high; what the corner's pixels grow by is left out, so that this holds the better.
+        // 800 × 600 pixels, 46.8° high. Pixels of the corners, which are larger, are left out; that makes the check stricter.
         const double pixels = subject().shape->levels().errors[steps].distance / (metres - radius) * 300.0 /
                               std::tan(osg::DegreesToRadians(23.4));
         EXPECT_LE(pixels, node->selection().tolerancePx) << metres;

@@ -19,7 +19,7 @@ using namespace progressive;
 using handcull::cameraAt;
 using handcull::cull;
 
-/// A sheet, some 10⁷ m away where floats keep a metre.
+/// A sheet some 10⁷ m away, where floats have a step of a metre.
 Subject sheetFarAway()
 {
     core::Mesh mesh = testsupport::waves(24, 18);
@@ -110,7 +110,7 @@ TEST(ProgressiveBounds, OfAGroupHoldItsFacesAtEveryLevel)
     const auto camera = cameraAt({8.0, -60.0, 3.0}, {8.0, 0.0, 0.0});
     for (std::uint32_t steps = 0; steps <= subject.sequence.steps.size(); steps += 20)
     {
-        drawable->setSteps(steps);
+        EXPECT_TRUE(drawable->setSteps(steps));
         for (const auto& part : cull(*drawable, *camera, steps + 1).drawables)
             for (const SeenTriangle& triangle : trianglesOf(std::vector{part}))
                 for (const auto& corner : triangle)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Progressive objects of made meshes, and the triangles that drawables show, to be compared.
+// Progressive objects of generated meshes, and the triangles that drawables show, for comparison.
 #pragma once
 
 #include <algorithm>
@@ -23,7 +23,7 @@ namespace progressive
 
 using namespace osgPMObjects;
 
-/// A mesh, its levels, and the shape of them.
+/// A mesh, its sequence of levels, and its shape.
 struct Subject
 {
     core::Mesh mesh;
@@ -54,7 +54,7 @@ inline Subject torusAndSheet()
         testsupport::together(testsupport::torus(30, 20), testsupport::waves(24, 18), {4.0, 0.0, 0.0}));
 }
 
-/// Corners in floats, the least first: what must be the same whatever draws it.
+/// A triangle by its corners in floats, the least first, so that equal triangles compare equal.
 using SeenTriangle = std::array<std::array<float, 3>, 3>;
 
 inline SeenTriangle seen(const osg::Vec3& a, const osg::Vec3& b, const osg::Vec3& c)
@@ -83,7 +83,7 @@ std::vector<SeenTriangle> trianglesOf(const Drawables& drawables)
     return functor.triangles;
 }
 
-/// Those of a plain mesh about an origin.
+/// Returns the triangles of a plain mesh about an origin.
 inline std::vector<SeenTriangle> trianglesOf(const core::Mesh& mesh, const osg::Vec3d& origin = {})
 {
     std::vector<SeenTriangle> triangles;

@@ -12,7 +12,7 @@
 namespace progressive
 {
 
-/// A model as it was read, and made progressive.
+/// A model as it was read, and as a progressive object.
 struct RealProgressive
 {
     osg::ref_ptr<osg::Node> original;
@@ -21,7 +21,7 @@ struct RealProgressive
     osgPMObjects::ProgressiveNode& node() const { return *model.node; }
     const osgPMObjects::ProgressiveShape& shape() const { return *model.node->shape(); }
 
-    /// Nothing, and a failed test, where it cannot be read or made progressive.
+    /// Returns none, and fails the test, if the model cannot be read or made progressive.
     static std::optional<RealProgressive> of(const std::filesystem::path& file)
     {
         const auto read = osgPMObjects::readModelNode(file);

@@ -64,7 +64,7 @@ void expectEqual(const core::SelectionSettings& a, const core::SelectionSettings
     EXPECT_EQ(a.alpha.goneM, b.alpha.goneM);
 }
 
-/// Two nodes of one shape, with a third of another between them; the first has settings of its own, and a group beside its surface.
+/// Two nodes of one shape, and between them a node of another shape. The first has its own settings and a second child.
 osg::ref_ptr<osg::Group> scene()
 {
     const osg::ref_ptr<ProgressiveShape> shape = progressive::torusAndSheet().shape;
@@ -73,14 +73,13 @@ osg::ref_ptr<osg::Group> scene()
     const osg::ref_ptr<ProgressiveNode> first = new ProgressiveNode(shape),
                                         second = new ProgressiveNode(shape);
     first->setName("the first");
-    EXPECT_TRUE(first->setSelection(unusualSettings()));
-    core::SwitchSettings switching;
-    switching.method = core::SwitchMethod::geomorph;
-    switching.durationS = 0.7F;
-    EXPECT_TRUE(first->setSwitching(switching));
-    first->setNumber(17);
-    first->setPriority({2.5, true});
-    first->setReferencePixelsPerTangent(1111.25);
+    ProgressiveNodeSettings settings;
+    settings.selection = unusualSettings();
+    settings.switching = {.method = core::SwitchMethod::geomorph, .durationS = 0.7F};
+    settings.priority = {2.5, true};
+    settings.number = 17;
+    settings.referencePixelsPerTangent = 1111.25;
+    EXPECT_TRUE(first->setSettings(settings));
     const osg::ref_ptr<osg::Group> other = new osg::Group;
     other->setName("beside it");
     first->addChild(other);
@@ -125,10 +124,10 @@ TEST_P(SceneFile, GivesBackNodesAsTheyWere)
     expectEqual(node->selection(), unusualSettings());
     EXPECT_EQ(node->switching().method, core::SwitchMethod::geomorph);
     EXPECT_EQ(node->switching().durationS, 0.7F);
-    EXPECT_EQ(node->number(), 17u);
+    EXPECT_EQ(node->settings().number, 17u);
     EXPECT_EQ(node->priority().importance, 2.5);
     EXPECT_TRUE(node->priority().isAttended);
-    EXPECT_EQ(node->referencePixelsPerTangent(), 1111.25);
+    EXPECT_EQ(node->settings().referencePixelsPerTangent, 1111.25);
     ASSERT_EQ(node->getNumChildren(), 2u);
     EXPECT_EQ(node->getChild(0), node->drawable());
     EXPECT_EQ(node->getChild(1)->getName(), "beside it");
@@ -154,7 +153,7 @@ TEST_P(SceneFile, HasASharedShapeOnce)
     EXPECT_NE(nodeOf(*root, 0)->shape(), nodeOf(*root, 1)->shape());
     EXPECT_NE(nodeOf(*root, 0)->drawable(), nodeOf(*root, 2)->drawable());
 
-    // The mutation: the same node with a shape of its own makes the file larger by the shape.
+    // The mutation: with a shape of its own the second node makes the file larger by that shape.
     const osg::ref_ptr<osg::Group> twice = scene();
     twice->setChild(2, new ProgressiveNode(progressive::torusAndSheet().shape));
     const auto size = std::filesystem::file_size(file);
@@ -186,7 +185,7 @@ TEST_P(SceneFile, CutOffAnywhereIsAnErrorOrAPart)
 
 INSTANTIATE_TEST_SUITE_P(AllFormats, SceneFile, testing::Values("osgt", "osgb", "osgx"));
 
-/// The text of the scene, to be damaged.
+/// The text of the scene file, to be damaged.
 struct DamagedSceneFile : testing::Test
 {
     DamagedSceneFile()
@@ -200,7 +199,7 @@ struct DamagedSceneFile : testing::Test
     {
         return osgDB::Registry::instance()->readNode(folder.write("scene.osgt", changed).string(), nullptr);
     }
-    /// With one place changed.
+    /// Returns what reading says with one part of the text replaced.
     std::string complaintAbout(const std::string& what, const std::string& instead) const
     {
         const std::size_t at = text.find(what);
@@ -224,7 +223,7 @@ TEST_F(DamagedSceneFile, SaysWhatIsWrong)
                 HasSubstr("none of the model's"));
     EXPECT_THAT(complaintAbout("isAttended=1", "isAttended=perhaps"), HasSubstr("isAttended"));
     EXPECT_THAT(complaintAbout("importance=2.5", "importance=0"), HasSubstr("importance"));
-    EXPECT_EQ(complaintAbout("importance=2.5", "importance=3"), ""); // what is right is no complaint
+    EXPECT_EQ(complaintAbout("importance=2.5", "importance=3"), ""); // a good value is not refused
 }
 
 TEST_F(DamagedSceneFile, IsFoundByTheCheckSums)
@@ -249,7 +248,7 @@ TEST_F(DamagedSceneFile, NeverEndsTheProgram)
     for (int round = 0; round < 60; ++round)
     {
         std::string changed = text;
-        // Outside OSG's own header, and inside our objects: in their digits and sizes alike.
+        // Outside OSG's header, inside our objects: in digits and sizes alike.
         changed[from + 15 + random() % (text.size() - from - 15)] = static_cast<char>(' ' + random() % 90);
         (void)read(changed);
     }

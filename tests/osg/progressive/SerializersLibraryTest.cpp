@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A program that knows nothing of progressive objects (as osgviewer) reads and writes them: OSG finds the library by itself.
+// A program that is not linked with the library (as osgviewer) reads and writes its objects: OSG loads the serializers by itself.
 #include <gtest/gtest.h>
 
 #include <osgDB/ReadFile>
@@ -15,7 +15,7 @@ constexpr const char* kScene = OSGTRAINER_SOURCE_DIR "/tests/osg/progressive/wav
 
 TEST(SerializersLibrary, IsLoadedForASceneOfProgressiveObjects)
 {
-    // The mutation first: without the folder there is nobody who knows the class.
+    // The mutation first: without the folder nothing knows the class.
     EXPECT_FALSE(osgDB::readRefNodeFile(kScene));
     osgDB::Registry::instance()->getLibraryFilePathList().push_front(OSGTRAINER_PLUGIN_FOLDER);
     const osg::ref_ptr<osg::Node> node = osgDB::readRefNodeFile(kScene);

@@ -21,7 +21,7 @@ using core::SwitchMethod;
 using handcull::cameraAt;
 using handcull::Culled;
 
-constexpr double kFrameS = 0.125; ///< four frames to a switch
+constexpr double kFrameS = 0.125; ///< four frames for a switch
 
 const Subject& switchedSubject()
 {
@@ -47,7 +47,7 @@ std::uint64_t trianglesAt(std::uint32_t steps)
     return core::meshAfter(switchedSubject().mesh, switchedSubject().sequence, steps).faces.size();
 }
 
-/// An object and who looks at it, frame by frame.
+/// An object and the camera that culls it, frame by frame.
 struct Watched
 {
     osg::ref_ptr<ProgressiveNode> node = new ProgressiveNode(switchedSubject().shape);
@@ -72,7 +72,7 @@ struct Watched
     ProgressiveViewStatistics statistics() const { return node->statistics().at(0); }
 };
 
-/// How often an object sets out for another level while it comes and goes by 5 %.
+/// Counts how often an object begins a switch while its distance changes by 5 % to and fro.
 int flipsAround(double metres, SwitchMethod method, const core::SelectionSettings& settings)
 {
     Watched watched(by(method));
@@ -103,10 +103,12 @@ TEST(Switching, IsAtOnceUnlessItIsSet)
     wrong.durationS = 0.0F;
     EXPECT_FALSE(node->setSwitching(wrong));
     EXPECT_EQ(node->switching(), wanted) << "what is refused changes nothing";
-    node->setNumber(7);
+    ProgressiveNodeSettings numbered = node->settings();
+    numbered.number = 7;
+    ASSERT_TRUE(node->setSettings(numbered));
     const osg::ref_ptr<ProgressiveNode> copy = new ProgressiveNode(*node);
     EXPECT_EQ(copy->switching(), wanted);
-    EXPECT_EQ(copy->number(), 7u);
+    EXPECT_EQ(copy->settings().number, 7u);
 }
 
 TEST(Switching, AMorphDrawsTheFinerLevelUntilItIsOver)
@@ -159,7 +161,7 @@ TEST(Switching, ABlendDrawsBothLevelsUntilItIsOver)
     }
 }
 
-/// The index buffer plays the steps of the switch once, as it would for a hard one.
+/// The index buffer applies the steps of the switch once, as for a switch at once.
 TEST(Switching, ABlendPlaysNoMoreStepsThanAHardSwitch)
 {
     std::uint64_t hard = 0;
@@ -236,7 +238,9 @@ TEST(Switching, WaitsByTheNumberOfTheObject)
     for (const std::uint32_t number : {0u, 2u, 1u})
     {
         Watched watched(settings, 100);
-        watched.node->setNumber(number);
+        ProgressiveNodeSettings numbered = watched.node->settings();
+        numbered.number = number;
+        ASSERT_TRUE(watched.node->setSettings(numbered));
         watched.next();
         watched.to(500);
         while (!watched.statistics().switching.isSwitching() && watched.frame < 20)
@@ -255,7 +259,7 @@ TEST(Switching, FlipsAtMostOnceFivePercentAroundAnyDistance)
                 << metres << " m, method " << static_cast<int>(method);
 }
 
-/// The count above can fail: without its band, selection flips.
+/// The count above can fail: without its band the selection flips.
 TEST(SwitchingMutation, WithoutABandItFlips)
 {
     core::SelectionSettings settings;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Removal of vertices on models nobody here wrote.
+// Removal of vertices on models of other authors.
 #include <set>
 
 #include <gtest/gtest.h>

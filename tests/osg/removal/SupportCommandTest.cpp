@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `pmtool support` as it is asked for on the command line, but for the process.
+// `pmtool support` with the arguments of the command line, in this process.
 #include <filesystem>
 #include <fstream>
 #include <iterator>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `pmtool compare simplify` as it is asked for on the command line, but for the process.
+// `pmtool compare simplify` with the arguments of the command line, in this process.
 #include <algorithm>
 #include <cmath>
 #include <fstream>
@@ -28,7 +28,7 @@ class Folder : public testsupport::TestFolder
 public:
     Folder() : TestFolder("compare-simplify") {}
 
-    /// A program that the tests made, as --peer wants it.
+    /// Writes a program for the option --peer.
     std::string peer(const std::string& script) const
     {
         const std::filesystem::path file = write("peer.sh", "#!/bin/sh\n" + script + "\n");
@@ -171,7 +171,7 @@ TEST(CompareSimplify, MeasuresDriftOfAChecker)
     EXPECT_LE(rows[1]["uvDriftTexels"], rows[1]["uvDriftMaxTexels"]);
 }
 
-/// Of a dump with texture coordinates; materials as they are numbered there.
+/// Reads a dump with texture coordinates; materials are numbered as in the dump.
 osgPMObjects::core::Mesh readTextured(const std::filesystem::path& file)
 {
     osgPMObjects::core::Mesh mesh;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What simplification promises, on real models.
+// The guarantees of simplification, on real models.
 #include <cmath>
 #include <filesystem>
 #include <set>
@@ -26,7 +26,7 @@ class RealModel : public testing::TestWithParam<const char*>
 {
 };
 
-/// Clean, and ready to be simplified; without faces, and a failed test, where it cannot be read.
+/// Reads a model and prepares it for simplification; fails the test and returns no faces if it cannot be read.
 Mesh meshFrom(const std::filesystem::path& file)
 {
     const auto model = pmtool::readClean(file.string(), {});
@@ -43,7 +43,7 @@ std::set<std::uint32_t> materialsOf(const Mesh& mesh)
     return materials;
 }
 
-/// How far a mesh is out of a box.
+/// Returns how far a mesh reaches beyond a box.
 double excess(const Mesh& mesh, const Extent& box)
 {
     const Extent own = extentOf(mesh.positions);
@@ -95,7 +95,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 using Tree = RealModel;
 
-/// What a hundredth of the faces covers of what all do, from three sides.
+/// Returns the part of the projected area that a hundredth of the faces still covers, from three sides.
 double coverAtAHundredth(const Mesh& mesh, const SimplifySettings& settings)
 {
     const CollapseSequence sequence = simplify(mesh, settings);

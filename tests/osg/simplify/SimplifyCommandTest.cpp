@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `pmtool simplify` as it is asked for on the command line, but for the process.
+// `pmtool simplify` with the arguments of the command line, in this process.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@ namespace
 class SimplifyCommand : public testing::Test
 {
 protected:
-    /// What comes of a command line.
+    /// Runs a command line and returns its result.
     foundation::Result<terminal::Report> run(const std::string& arguments)
     {
         CLI::App app;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Simplified models with baked maps beside those without: how far their pictures are from the full model's.
+// Simplified models with and without baked maps: how much their images differ from those of the full model.
 #include <sstream>
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ namespace
 
 using namespace osgPMObjects;
 
-/// Rings of colour around the poles of a ball, twelve to a picture.
+/// Makes rings of colour around the poles of a ball, twelve in a texture.
 osg::ref_ptr<osg::StateSet> ringedState()
 {
     osg::ref_ptr<osg::Image> image = new osg::Image;
@@ -98,7 +98,7 @@ protected:
     }
 };
 
-/// The ball, a twentieth of its faces, and how far these are from it without maps.
+/// The ball, a twentieth of its faces, and the image error of these without maps.
 class BakedBall : public BakedPictures
 {
 protected:
@@ -163,7 +163,7 @@ TEST_F(BakedBall, MutationColoursOfAnotherPlaceAreSeen)
     EXPECT_GT(error(full, *nodeOf(bakedOf(turned, bare.mesh))), bareError);
 }
 
-/// A real model, and the part of the bare level's error that has to go at least.
+/// A real model, and the least part of the bare level's error that the maps have to remove.
 struct RealCase
 {
     const char* file;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a blend's depths, drawn before its colours, are there for.
+// The depth pass of a blend, which is drawn before its colours: images without it are worse.
 #include <osg/ColorMask>
 #include <osg/Depth>
 #include <osgUtil/RenderBin>
@@ -15,7 +15,7 @@ namespace
 using namespace switched;
 using core::SwitchMethod;
 
-/// Whether something is drawn for its depth alone.
+/// Returns whether a drawable writes depth alone.
 bool isDepthOnly(const osgUtil::RenderLeaf& leaf)
 {
     for (const osgUtil::StateGraph* at = leaf._parent; at; at = at->_parent)
@@ -29,7 +29,7 @@ bool isDepthOnly(const osgUtil::RenderLeaf& leaf)
     return false;
 }
 
-/// While it lives, the bins that OSG sorts by depth draw all in the same order, but for what isDepthOnly().
+/// While it lives, bins that OSG sorts by depth draw in another order, without drawables that isDepthOnly().
 class WithoutDepthPass
 {
 public:
@@ -41,7 +41,7 @@ public:
     WithoutDepthPass(const WithoutDepthPass&) = delete;
     WithoutDepthPass& operator=(const WithoutDepthPass&) = delete;
 
-    std::size_t left() const { return _left; } ///< out
+    std::size_t left() const { return _left; } ///< drawables left out
 
 private:
     struct Sort : osgUtil::RenderBin::SortCallback
@@ -66,7 +66,7 @@ std::vector<Picture> picturesOfBlend()
     return picturesOfSwitch(scene, finerSteps(), coarserSteps(), 31);
 }
 
-/// A torus from above, before the sheet that belongs to the same object.
+/// A torus seen from above, in front of the sheet that belongs to the same object.
 Picture fromAbove(osg::Node& scene)
 {
     const auto stage = Stage::of(scene);
@@ -89,7 +89,7 @@ Picture pictureOfObject(bool isFading)
     return fromAbove(*node);
 }
 
-/// Of two, one of which stands half before the other.
+/// Two objects, one of them half in front of the other.
 Picture pictureOfField(bool isFading)
 {
     const FieldKind kind{made(), finest(isFading), by(SwitchMethod::blend)};
@@ -106,7 +106,7 @@ TEST(BlendDepths, KeepLevelsFromBeingMixedWithThemselves)
     for (std::size_t frame = 0; frame < all.size(); ++frame)
         EXPECT_EQ(outside(*all[frame], endsAndBehind(), 2), 0) << frame;
 
-    // The mutation: without the pass.
+    // The mutation: without the depth pass.
     const WithoutDepthPass without;
     const auto wrong = picturesOfBlend();
     EXPECT_GE(without.left(), 2u * 28u) << "two materials";
@@ -122,7 +122,7 @@ TEST(BlendDepths, LetNothingOfAFadingObjectShineThroughIt)
     EXPECT_GT(changeBetween(*faded, *ends[1]).mean, 3.0) << "it is there";
     keep(*faded, "fade-with-depths");
 
-    // The mutation: without the pass.
+    // The mutation: without the depth pass.
     const WithoutDepthPass without;
     const Picture wrong = pictureOfObject(true);
     EXPECT_EQ(without.left(), 2u);
@@ -139,7 +139,7 @@ TEST(BlendDepths, LetNothingOfAFadingFieldShineThroughIt)
     EXPECT_GT(changeBetween(*faded, *ends[1]).mean, 3.0) << "it is there";
     keep(*faded, "field-with-depths");
 
-    // The mutation: the pass writes no depth.
+    // The mutation: the depth pass writes no depth.
     osg::StateSet& pass = *FieldStates::shared().blendedDepth;
     pass.setAttributeAndModes(new osg::Depth(osg::Depth::LEQUAL, 0.0, 1.0, false),
                               osg::StateAttribute::ON | osg::StateAttribute::OVERRIDE);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Blends and screen doors, drawn among other objects: no pixel shows anything but the two levels and what is behind them.
+// Blends and screen doors among other objects: no pixel shows anything but the two levels and the background.
 #include <osg/Depth>
 
 #include <osgOffscreen/ImageComparison>
@@ -67,7 +67,7 @@ INSTANTIATE_TEST_SUITE_P(
                (parameter.param.second ? "Back" : "Forth");
     });
 
-/// What hides what is behind it is the depth of both levels.
+/// The depth of both levels hides the background.
 TEST(BlendsMutation, WithoutDepthsTheyAreSeen)
 {
     Scene scene(by(SwitchMethod::blend));
@@ -86,7 +86,7 @@ TEST(ScreenDoor, ShowsEachPixelOfOneLevelOrTheOther)
         EXPECT_EQ(strangers(*picture, {Ends::get().finer, Ends::get().coarser}), 0);
     EXPECT_GT(strangers(*all[15], {Ends::get().finer}), 500);
     EXPECT_GT(strangers(*all[15], {Ends::get().coarser}), 500);
-    // It can fail.
+    // The check can fail.
     EXPECT_GT(
         strangers(*atRest((finerSteps() + coarserSteps()) / 2), {Ends::get().finer, Ends::get().coarser}),
         500);
@@ -110,7 +110,7 @@ TEST(ScreenDoor, KeepsItsPatternWhenASwitchRunsBack)
     EXPECT_TRUE(osgOffscreen::compareImages(*last, *Ends::get().finer).identical());
 }
 
-/// What is transparent at rest is switched by doors while the rest of the object is blended, and fades by its own alpha.
+/// Parts that are transparent at rest switch by screen door while the rest of the object is blended, and fade by their own alpha.
 TEST(BlendsOfGlass, BeginAndEndInThePicturesOfTheirLevelsAndChangeLittleByLittle)
 {
     const osg::ref_ptr<ProgressiveShape> glass = torusOnSheet(true);

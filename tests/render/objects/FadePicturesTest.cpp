@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Alpha ranges, drawn among other objects: an object that fades is mixed with what is behind it, and with nothing of itself.
+// Alpha ranges among other objects: a fading object is mixed with the background, and never with parts of itself.
 #include <cmath>
 #include <functional>
 
@@ -17,7 +17,7 @@ using namespace switched;
 using core::BlendProfile;
 using core::SwitchMethod;
 
-/// The object at some alpha of its alpha range.
+/// The object at an alpha of its alpha range.
 Picture faded(const core::SwitchSettings& switching, double alpha,
               const std::function<void(Scene&)>& change = {},
               const osg::ref_ptr<ProgressiveShape>& shape = made())
@@ -25,7 +25,7 @@ Picture faded(const core::SwitchSettings& switching, double alpha,
     Scene scene(switching, shape);
     core::SelectionSettings settings = always(finerSteps());
     const osg::BoundingSphere ball = scene.node->drawable()->getBound();
-    // The selection's ball is about the middle of the box, too.
+    // The selection's sphere has its centre in the middle of the box, too.
     const double away = ball.radius() / std::sin(osg::DegreesToRadians(15.0));
     settings.alpha = {away - 1.0 + alpha, away + alpha};
     EXPECT_TRUE(scene.node->setSelection(settings));
@@ -35,7 +35,7 @@ Picture faded(const core::SwitchSettings& switching, double alpha,
     return picture;
 }
 
-/// How far a picture is from the object mixed with what is behind it. Without glass before or behind.
+/// Returns how much an image differs from the object mixed with the background; without glass in front or behind.
 int worstMix(const osg::Image& picture, double alpha)
 {
     const auto &object = Ends::get().finer, &behind = Ends::get().behind;
@@ -71,14 +71,14 @@ TEST(AlphaRange, IsExactAtItsEnds)
         osgOffscreen::compareImages(*faded(by(SwitchMethod::blend), 0.0), *Ends::get().behind).identical());
 }
 
-/// Leaves, cut out by an alpha test, do not fall as a whole when they fade below it.
+/// Leaves that are cut out by an alpha test do not vanish as a whole when alpha falls below its reference.
 TEST(AlphaRange, KeepsWhatAnAlphaTestLeaves)
 {
     const osg::ref_ptr<ProgressiveShape> cut = torusOnSheet();
     for (const auto& state : cut->states())
         state->setAttributeAndModes(new osg::AlphaFunc(osg::AlphaFunc::GEQUAL, 0.5F));
     EXPECT_LE(worstMix(*faded(by(SwitchMethod::alpha), 0.25, {}, cut), 0.25), 2);
-    // It can fail: a test from above is not known.
+    // The check can fail: it does not know a test in a state above.
     const auto testAbove = [](Scene& scene)
     {
         scene.node->getOrCreateStateSet()->setAttributeAndModes(
@@ -87,7 +87,7 @@ TEST(AlphaRange, KeepsWhatAnAlphaTestLeaves)
     EXPECT_GT(worstMix(*faded(by(SwitchMethod::alpha), 0.25, testAbove), 0.25), 10);
 }
 
-/// The comparisons above can fail: without the depths of the pass before, an object is blended with its own back.
+/// The comparisons above can fail: without the depth pass an object is blended with its own back side.
 TEST(AlphaRangeMutation, WithoutADepthPassItIsSeen)
 {
     const auto withoutDepth = [](Scene& scene)

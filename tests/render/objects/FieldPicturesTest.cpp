@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fields, drawn: they look as their objects do, one by one.
+// Fields, drawn: their images are those of their objects as separate nodes.
 #include <glm/gtc/type_ptr.hpp>
 #include <gtest/gtest.h>
 
@@ -23,7 +23,7 @@ namespace
 
 using namespace osgPMObjects;
 
-/// A torus with normals, of one colour.
+/// A torus with normals, in one colour.
 osg::ref_ptr<const ProgressiveShape> shape(const osg::Vec4& colour, std::uint32_t around)
 {
     core::Mesh mesh = testsupport::torus(around, around / 2);
@@ -71,7 +71,7 @@ osg::ref_ptr<ProgressiveField> fieldOf(const std::vector<FieldKind>& of,
     return field;
 }
 
-/// The same as baked geometry, each object on its own, on a rung that `rungOf` says.
+/// The same instances as baked geometry, each on the rung that `rungOf` gives.
 template<class RungOf>
 osg::ref_ptr<osg::Group> onePerObject(const std::vector<FieldKind>& of,
                                       const std::vector<FieldInstance>& placed, const RungOf& rungOf)
@@ -91,7 +91,7 @@ osg::ref_ptr<osg::Group> onePerObject(const std::vector<FieldKind>& of,
     return root;
 }
 
-/// As screenError chooses at first sight.
+/// Returns the rung that screenError chooses at first sight.
 std::uint32_t rungAtFirst(const FieldInstance& instance, const ProgressiveShape& shape,
                           const core::LevelLadder& ladder, const viewlod::ViewState& view)
 {
@@ -111,7 +111,7 @@ std::uint32_t rungAtFirst(const FieldInstance& instance, const ProgressiveShape&
     return ladder.rungOf(core::LevelSelector(eye).select(object, held).steps);
 }
 
-/// Pixels that show the sky in a picture, though all around them is covered in another.
+/// Counts pixels that show the sky in one image, though all pixels around them are covered in another.
 std::size_t holes(const osg::Image& picture, const osg::Image& covered)
 {
     const unsigned char* const sky = covered.data(0, static_cast<unsigned>(covered.t()) - 1);
@@ -207,23 +207,23 @@ TEST_F(FieldPictures, AreTheSameForASecondContextAndAfterRelease)
     EXPECT_TRUE(osgOffscreen::compareImages(*first, *picture(again)).identical());
 }
 
-/// Pixels of a screen door are of one level or of the other, wherever both agree they are of both.
+/// Each pixel of a screen door is that of one level or of the other.
 TEST_F(FieldPictures, OfAScreenDoorHaveEveryPixelFromOneOfBothLevels)
 {
     const core::SwitchSettings blend{core::SwitchMethod::blend, core::BlendProfile::cross, 1.0F, 0.0F};
     const osg::ref_ptr<ProgressiveField> blending = fieldOf(kinds(blend), instances());
     const osg::ref_ptr<ProgressiveField> hard = fieldOf(kinds(), instances());
-    // The far view first, which is left at rest; then a step back to where levels are finer.
+    // First the distant view, at rest; then a step back to where levels are finer.
     picture(blending, 0.0, 0.0, 260.0);
-    picture(blending, 0.0, 0.01, 0.0); // the next frame: the switch begins
+    picture(blending, 0.0, 0.01, 0.0); // the next frame, in which the switch begins
     const auto half = picture(blending, 0.0, 0.51, 0.0);
     EXPECT_GT(blending->statistics().at(0).switching, 20u);
     const auto settled = picture(blending, 0.0, 1.6, 0.0);
     EXPECT_EQ(blending->statistics().at(0).switching, 0u);
-    picture(hard, 0.0, 0.0, 260.0); // levels are held on the way, so it has to go the same way
+    picture(hard, 0.0, 0.0, 260.0); // levels depend on the way, so it has to be the same
     EXPECT_LE(osgOffscreen::compareImages(*settled, *picture(hard)).differingPixels, 16u);
     EXPECT_GT(osgOffscreen::compareImages(*half, *settled).differingPixels, 100u) << "nothing was switched";
-    // Outlines of both levels differ by some pixels.
+    // The outlines of both levels differ by some pixels.
     EXPECT_LE(holes(*half, *settled), 60u);
 
     std::vector<FieldKind> faded = kinds(blend);
@@ -232,14 +232,14 @@ TEST_F(FieldPictures, OfAScreenDoorHaveEveryPixelFromOneOfBothLevels)
     EXPECT_GT(holes(*picture(fieldOf(faded, instances())), *settled), 500u) << "would not be noticed";
 }
 
-/// A morph that has just begun has moved hardly anything, though all of it is drawn on a finer rung.
+/// A morph that has just begun has hardly moved, though all instances are drawn on a finer rung.
 TEST_F(FieldPictures, OfAMorphBeginWhereTheCoarserLevelIs)
 {
     const osg::ref_ptr<ProgressiveField> morphing =
         fieldOf(kinds({core::SwitchMethod::geomorph, core::BlendProfile::over, 1.0F, 0.0F}), instances());
     const osg::ref_ptr<ProgressiveField> hard = fieldOf(kinds(), instances());
     picture(morphing, 0.0, 0.0, 260.0);
-    const auto coarse = picture(morphing, 0.0, 0.001); // the next frame: the morph begins
+    const auto coarse = picture(morphing, 0.0, 0.001); // the next frame, in which the morph begins
     const auto begun = picture(morphing, 0.0, 0.0011);
     EXPECT_GT(morphing->statistics().at(0).switching, 20u);
     for (double timeS = 0.2; timeS < 6.0; timeS += 0.2)

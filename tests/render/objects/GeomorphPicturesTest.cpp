@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Geomorphs, drawn: they begin and end in the pictures of their levels, and change the picture little by little.
+// Geomorphs, drawn: they begin and end in the images of their levels and change gradually.
 #include <array>
 #include <cmath>
 #include <set>
@@ -16,8 +16,8 @@ namespace
 
 using namespace switched;
 
-/// The object by the light of the eye, below a state with the program that switched objects are drawn with, so that one that is not
-/// switched is lit the same.
+/// The object with a light at the eye, below a state with the program that draws switching objects, so that one at rest has the same
+/// light.
 struct Lit
 {
     osg::ref_ptr<ProgressiveNode> node;
@@ -42,7 +42,7 @@ std::vector<Picture> picturesOfSwitch(Lit& lit, std::uint32_t from, std::uint32_
     const auto stage = Stage::of(*lit.scene, samples);
     stage->lookAt(lit.ball(), 1.3);
     EXPECT_TRUE(lit.node->setSelection(always(from)));
-    stage->after(kFrameS); // what the first frame of a context leaves behind
+    stage->after(kFrameS); // skips differences of a context's first frame
     std::vector<Picture> pictures;
     pictures.push_back(stage->after(kFrameS));
     EXPECT_TRUE(lit.node->setSelection(always(to)));
@@ -59,7 +59,7 @@ Change largestChange(const std::vector<Picture>& pictures)
     return largest;
 }
 
-/// How many times less a morph changes the picture from one frame to the next than a hard switch, either way.
+/// Returns how many times less a morph changes the image from frame to frame than a switch at once, in either direction.
 struct Gain
 {
     double mean = 1e9, largest = 1e9;
@@ -98,7 +98,7 @@ TEST(Geomorph, BeginsAndEndsInThePicturesOfItsLevels)
         Lit hard(made(), by(core::SwitchMethod::discrete)), morph(made(), by(core::SwitchMethod::geomorph));
         const auto levels = picturesOfSwitch(hard, from, to, 1, 1);
         const auto pictures = picturesOfSwitch(morph, from, to, 1, 33);
-        // Half a second are thirty frames; the first of them shows the level from which it begins.
+        // Half a second is thirty frames; the first shows the level from which the morph begins.
         EXPECT_TRUE(osgOffscreen::compareImages(*pictures[0], *levels[0]).identical());
         EXPECT_TRUE(osgOffscreen::compareImages(*pictures[1], *levels[0]).within(16, 1))
             << osgOffscreen::compareImages(*pictures[1], *levels[0]).message();
@@ -115,11 +115,11 @@ TEST(Geomorph, ChangesThePictureAtLeastFourTimesLessThanAHardSwitch)
     EXPECT_GE(gain.mean, 4.0);
 }
 
-/// What levels do to the picture while an eye comes nearer, by what a change of level alone does: the same eye a frame before and after.
+/// Returns how much levels change the image while an eye approaches: the same eye before and after a change of level.
 Change largestChangeOfApproach(const osg::ref_ptr<ProgressiveShape>& shape, core::SwitchMethod method)
 {
     constexpr int kSamples = 2, kFrames = 150;
-    constexpr std::array kShares = {1.6, 1.1, 0.75, 0.5}; // of the picture's height, where levels change
+    constexpr std::array kShares = {1.6, 1.1, 0.75, 0.5}; // of the image's height, where levels change
     Lit lit(shape, by(method));
     const double whole = lit.ball().radius() / std::sin(osg::DegreesToRadians(15.0));
     const std::uint32_t most = shape->progressive().stepCount;
@@ -165,7 +165,7 @@ TEST(Geomorph, ChangesThePictureAtLeastFourTimesLessAllAlongAnApproach)
     EXPECT_GE(gainOfApproach(made(), "made"), 4.0);
 }
 
-/// The comparison above can fail: below a program that asks nothing of the morph, the switch is hard.
+/// The comparison above can fail: below a program that does not call the functions of the morph, the switch is at once.
 TEST(GeomorphMutation, VerticesThatDoNotMoveAreSeen)
 {
     const osg::ref_ptr<osg::StateSet> state = new osg::StateSet;

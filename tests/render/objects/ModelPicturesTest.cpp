@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Real models, drawn before and after: the way into a mesh and out again shows nothing, nor does consolidation where nothing was
-// broken.
+// Real models, drawn before and after: import and export do not change images, and consolidation does not where there was no
+// defect.
 #include <gtest/gtest.h>
 
 #include <osgPMObjects/core/consolidate/Consolidate.h>
@@ -55,7 +55,7 @@ osg::ref_ptr<osg::Group> nodeOfModel(const ImportedModel& model)
     return root;
 }
 
-/// Whether consolidation has nothing to mend: then it must not show.
+/// Returns whether consolidation has nothing to repair, so that it must not change images.
 bool isUnbroken(const core::ConsolidateReport& r)
 {
     return r.facesDropped() + r.tVertices.inserted + r.tVertices.stitched + r.weldedPositions +
@@ -66,7 +66,7 @@ bool isUnbroken(const core::ConsolidateReport& r)
 class ModelPictures : public testing::TestWithParam<const char*>
 {
 protected:
-    /// Pictures of two nodes in the same eight views.
+    /// Renders two nodes in the same eight views.
     void expectSame(osg::Node& before, osg::Node& after, const char* what)
     {
         static const std::unique_ptr<rendered::ModelStudio> studio = rendered::ModelStudio::open();
@@ -98,7 +98,7 @@ TEST_P(ModelPictures, StayTheSame)
 
 INSTANTIATE_TEST_SUITE_P(Real, ModelPictures, testing::ValuesIn(kModels), testsupport::AfterFile());
 
-/// The comparison above can fail: a face less shows.
+/// The comparison above can fail: a missing face is found.
 TEST(ModelPicturesMutation, AFaceLessIsSeen)
 {
     OSGTRAINER_REAL_DATA_OR_SKIP(file, "models/vehicle/110Bus.ac");

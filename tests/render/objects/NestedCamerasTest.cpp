@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cameras below the main one, while what they look at is blended from one level to another.
+// Cameras below the main one, while the object they see is blended from one level to another.
 #include <osg/LightSource>
 
 #include <osgOffscreen/ImageComparison>
@@ -16,7 +16,7 @@ constexpr int kWidthPx = 320, kHeightPx = 240, kFrames = 33;
 const osg::Vec4 kSky{0.35F, 0.45F, 0.6F, 1.0F};
 const osg::Vec3d kOtherSide{-0.8, -0.7, 0.9};
 
-/// The switched object among others with a lamp, and perhaps a camera that looks at them for a picture of its own, drawn before the main one.
+/// The switching object among others with a lamp, and possibly a camera that renders them into an image of its own before the main one.
 struct Studio
 {
     Studio() : lit(new osg::Group), all(new osg::Group)
@@ -29,7 +29,7 @@ struct Studio
         EXPECT_TRUE(scene.node->setSelection(always(finerSteps())));
     }
 
-    /// From the front; then the nested camera has its place, too, which in `isRelative` follows from that of the main one.
+    /// Looks from the front. The nested camera has its own position, which for `isRelative` follows from that of the main camera.
     void open(bool hasNested, bool isRelative = false, const osg::Vec3d& from = kFrom, bool isFirst = false)
     {
         stage = Stage::of(*all, 1, kWidthPx, kHeightPx);
@@ -41,7 +41,7 @@ struct Studio
         if (!hasNested) return;
         const osg::Matrixd front = stage->camera().getViewMatrix();
         nested->setReferenceFrame(isRelative ? osg::Camera::RELATIVE_RF : osg::Camera::ABSOLUTE_RF);
-        // OSG puts a relative camera's matrix before that of the one above it.
+        // OSG multiplies a relative camera's matrix before that of the camera above it.
         nested->setViewMatrix(isRelative ? aside * osg::Matrixd::inverse(front) : aside);
         nested->setProjectionMatrix(isRelative ? osg::Matrixd() : stage->camera().getProjectionMatrix());
         nested->setRenderOrder(osg::Camera::PRE_RENDER);
@@ -56,7 +56,7 @@ struct Studio
         all->insertChild(isFirst ? 0 : 1, nested);
     }
 
-    /// One frame: the main picture, and that of the nested camera.
+    /// Renders one frame: the main image and that of the nested camera.
     std::pair<Picture, Picture> next()
     {
         const Picture main = stage->after(kFrameS);
@@ -72,7 +72,7 @@ struct Studio
     std::unique_ptr<Stage> stage;
 };
 
-/// What one camera alone sees of the same blend from there; the first is that before it.
+/// Renders what one camera alone sees of the same blend; the first image is that before it.
 std::vector<Picture> alone(const osg::Vec3d& from)
 {
     Studio studio;
@@ -90,7 +90,7 @@ int differing(const Picture& a, const Picture& b)
     return difference.sameShape ? static_cast<int>(difference.differingPixels) : kWidthPx * kHeightPx;
 }
 
-/// A relative camera's matrix is that of the other times its own, which rounds.
+/// The matrix of a relative camera is a product, which rounds.
 constexpr int kRoundedPixels = 16;
 
 const std::vector<Picture>& front()
@@ -105,8 +105,8 @@ const std::vector<Picture>& aside()
     return pictures;
 }
 
-/// One with a place of its own is an eye of its own, and one that is relative shows the main one's levels; either way each has the picture that it
-/// would have alone.
+/// An absolute camera is an eye of its own, and a relative one shows the levels of the main camera; each has the image that it would
+/// have alone.
 class NestedCameras : public testing::TestWithParam<bool>
 {
 };
@@ -125,7 +125,7 @@ TEST_P(NestedCameras, HaveTheirPicturesOfABlendAndLeaveTheMainOneIts)
         if (frame == 18) keep(*main, "nested-main");
         if (frame == 18) keep(*nested, "nested");
     }
-    // A frame too early or too late would be noticed, and so would the other's picture.
+    // A frame too early or too late would be found, and so would the image of the other camera.
     EXPECT_GT(differing(aside()[18], aside()[17]), 500);
     EXPECT_GT(differing(aside()[18], front()[18]), 500);
 }
@@ -133,7 +133,7 @@ TEST_P(NestedCameras, HaveTheirPicturesOfABlendAndLeaveTheMainOneIts)
 INSTANTIATE_TEST_SUITE_P(Frames, NestedCameras, testing::Bool(),
                          [](const auto& p) { return p.param ? "Relative" : "Absolute"; });
 
-/// A camera that comes to a switch late finds its own level at once; the main one's switch goes on.
+/// A camera that joins late finds its own level at once; the main camera's switch goes on.
 TEST(NestedCamerasThatComeLate, HaveNoPartInTheSwitchOfAnotherEye)
 {
     for (const bool isRelative : {false, true})
@@ -149,7 +149,7 @@ TEST(NestedCamerasThatComeLate, HaveNoPartInTheSwitchOfAnotherEye)
         const auto [main, nested] = studio.next();
         EXPECT_EQ(differing(main, front()[13]), 0);
         const Picture& atRest = aside().back();
-        // The control: a relative one has the main one's switch, and shows it half done.
+        // The control: a relative camera shares the switch of the main camera and shows it half done.
         if (isRelative)
             EXPECT_LE(differing(nested, aside()[13]), kRoundedPixels);
         else
@@ -158,7 +158,7 @@ TEST(NestedCamerasThatComeLate, HaveNoPartInTheSwitchOfAnotherEye)
     }
 }
 
-/// One that comes first in the scene is culled before the main one chooses: its picture is of the frame before.
+/// A camera that comes first in the scene is culled before the main camera chooses, and shows the frame before.
 TEST(NestedCamerasThatComeFirst, AreAFrameBehindTheMainOnesLevels)
 {
     Studio studio;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What polishing by images gains, judged by pictures that OSG draws: another renderer, other directions, another projection than
-// those that chose.
+// The gain of polishing by images, measured in images of OSG: another renderer, other directions and another projection than
+// those of the polishing.
 #include <gtest/gtest.h>
 
 #include <osgPMObjects/core/consolidate/Consolidate.h>
@@ -23,7 +23,7 @@ namespace
 using namespace osgPMObjects;
 using core::Mesh;
 
-/// A ball with bumps, smooth normals and a smaller ball inside that nobody sees.
+/// A ball with bumps and smooth normals, and a hidden smaller ball inside.
 Mesh bumpyBallAroundAnother()
 {
     Mesh ball = testsupport::meshOf(testsupport::sphereMesh(40, 60));
@@ -40,7 +40,7 @@ struct Errors
     double quadrics = 0.0, polished = 0.0;
 };
 
-/// Image errors of two levels of the same count.
+/// The image errors of two levels with the same number of faces.
 Errors errorsOf(const core::Mesh& mesh, std::span<const osg::ref_ptr<osg::StateSet>> states,
                 std::size_t faces, const core::PolishSettings& settings)
 {
@@ -77,7 +77,7 @@ TEST(PolishedPictures, AreATenthNearerThanThoseOfQuadrics)
             const Errors errors = errorsOf(mesh, states, faces, settings);
             EXPECT_LT(errors.polished, 0.9 * errors.quadrics) << faces;
             EXPECT_GT(errors.polished, 0.0);
-            settings.views = 0; // without pictures nothing is gained
+            settings.views = 0; // without images there is no gain
             settings.moveRounds = 0;
             const Errors blind = errorsOf(mesh, states, faces, settings);
             EXPECT_GT(blind.polished, 0.9 * blind.quadrics) << faces;
@@ -114,7 +114,7 @@ INSTANTIATE_TEST_SUITE_P(Models, RealPolishedPictures,
                              return stem;
                          });
 
-/// What the judge says of pictures made by hand.
+/// The measure on images made by hand.
 TEST(PolishedPicturesJudge, IsTheRootMeanSquareOverWhatIsCovered)
 {
     const auto picture = [](unsigned char level)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Progressive objects, drawn: at every level, and after however many, they look as plain geometry does.
+// Progressive objects, drawn: at every level, and after any others, they look like plain geometry.
 #include <filesystem>
 #include <numeric>
 
@@ -40,7 +40,7 @@ Pictures picturesOf(osg::Node& node, const osg::BoundingSphere& ball)
     return studio().pictures(node, ball);
 }
 
-/// How many of the pictures differ, by more than the rounding of a corner where a face begins.
+/// Counts the images that differ by more than the rounding of a corner where a face begins.
 int differences(const Pictures& a, const Pictures& b)
 {
     int count = 0;
@@ -49,7 +49,7 @@ int differences(const Pictures& a, const Pictures& b)
     return count;
 }
 
-/// Some of them, to be looked at.
+/// Writes some of the images for inspection.
 void keep(const Pictures& pictures, const std::string& name)
 {
     for (std::size_t i = 0; i < pictures.size(); i += 3)
@@ -70,7 +70,7 @@ core::Mesh shaded(core::Mesh mesh)
     return mesh;
 }
 
-/// A torus and a sheet of another colour, of normals that show every face.
+/// A torus and a sheet of another colour, with normals that show every face.
 struct Made
 {
     core::Mesh mesh;
@@ -120,7 +120,7 @@ TEST(ProgressivePictures, AreThoseOfTheBakedGeometryAtEveryLevel)
     for (const unsigned tenths : {2, 9, 5, 10, 7, 0})
     {
         const std::uint32_t steps = made.most() * tenths / 10;
-        drawable->setSteps(steps);
+        EXPECT_TRUE(drawable->setSteps(steps));
         const Pictures drawn = picturesOf(*drawable, ball);
         keep(drawn, "level" + std::to_string(tenths) + "-");
         EXPECT_EQ(differences(picturesOf(*bakeLevel(*made.shape, steps), ball), drawn), 0) << tenths;
@@ -137,10 +137,10 @@ TEST(ProgressivePictures, AreTheSameAfterManyLevels)
     constexpr std::uint32_t kRounds = 24;
     for (std::uint32_t round = 0; round < kRounds; ++round)
     {
-        drawable->setSteps(round * 97 % (made.most() / 2));
+        EXPECT_TRUE(drawable->setSteps(round * 97 % (made.most() / 2)));
         picturesOf(*drawable, ball);
     }
-    drawable->setSteps(0);
+    EXPECT_TRUE(drawable->setSteps(0));
     EXPECT_EQ(differences(before, picturesOf(*drawable, ball)), 0);
     const auto statistics = drawable->statistics();
     ASSERT_EQ(statistics.size(), 1u);
@@ -149,7 +149,7 @@ TEST(ProgressivePictures, AreTheSameAfterManyLevels)
     EXPECT_LT(statistics[0].bytesUploaded, kRounds * wholeBytes / 2) << "whole buffers were sent";
 }
 
-/// Levels that are far from each other are made in one pass, and what is drawn then changes place in the buffer behind it.
+/// Distant levels are made in one pass; the faces then move in the index buffer while it follows.
 TEST(ProgressivePictures, AreThoseOfTheBakedGeometryAfterJumpsAndBehindThem)
 {
     core::Mesh mesh = shaded(
@@ -162,17 +162,17 @@ TEST(ProgressivePictures, AreThoseOfTheBakedGeometryAfterJumpsAndBehindThem)
     const std::uint32_t most = shape->progressive().stepCount;
     for (const std::uint32_t steps : {0u, most / 2, most / 2 + 20, most - 20, most - 40, 10u})
     {
-        drawable->setSteps(steps);
+        EXPECT_TRUE(drawable->setSteps(steps));
         const osg::ref_ptr<osg::Node> baked = bakeLevel(*shape, steps);
         const Pictures expected = picturesOf(*baked, ball);
-        for (int round = 0; round < 2; ++round) // of some frames each
+        for (int round = 0; round < 2; ++round) // each round takes some frames
             EXPECT_EQ(differences(expected, picturesOf(*drawable, ball)), 0) << steps << ", " << round;
     }
     EXPECT_GE(drawable->statistics().at(0).jumps, 3u);
     EXPECT_GT(drawable->statistics().at(0).played.steps, most) << "they were made up for";
 }
 
-/// The last of sixty frames of coming and going, and how much was uploaded for them.
+/// Returns the last of sixty frames in which the object approaches and recedes, and how much was uploaded for them.
 std::pair<osg::ref_ptr<osg::Image>, std::size_t> lastPicture(osgViewer::ViewerBase::ThreadingModel model,
                                                              core::SwitchMethod method)
 {
@@ -189,7 +189,7 @@ std::pair<osg::ref_ptr<osg::Image>, std::size_t> lastPicture(osgViewer::ViewerBa
         viewer->camera().setViewMatrixAsLookAt({0.0, -away, 0.6 * away}, {0.0, 0.0, 0.0}, {0.0, 0.0, 1.0});
         viewer->frame(0.1 * frame);
     }
-    // The picture is taken by one thread, from the buffers that the others have filled.
+    // The image is taken by one thread, from buffers that the others have filled.
     viewer->viewer().stopThreading();
     viewer->viewer().setThreadingModel(osgViewer::Viewer::SingleThreaded);
     const auto picture = viewer->picture(6.0);
@@ -199,7 +199,7 @@ std::pair<osg::ref_ptr<osg::Image>, std::size_t> lastPicture(osgViewer::ViewerBa
     return {picture, statistics.bytesUploaded};
 }
 
-/// A frame is culled while the last is drawn: what the last draws must not change.
+/// A frame is culled while the frame before is drawn, which must not change.
 TEST(ProgressivePictures, AreTheSameInEveryThreadingModelOfOsgViewer)
 {
     for (const auto method :
@@ -217,13 +217,13 @@ TEST(ProgressivePictures, AreTheSameInEveryThreadingModelOfOsgViewer)
     }
 }
 
-/// Objects released between frames (as when a window is closed) come back whole.
+/// Objects that are released between frames (as when a window is closed) are drawn completely again.
 TEST(ProgressivePictures, AreTheSameAfterTheContextsObjectsAreGone)
 {
     const Made& made = Made::get();
     const osg::ref_ptr<ProgressiveDrawable> drawable = new ProgressiveDrawable(made.shape);
     const osg::BoundingSphere ball = drawable->getBound();
-    drawable->setSteps(made.most() / 2);
+    EXPECT_TRUE(drawable->setSteps(made.most() / 2));
     const Pictures before = picturesOf(*drawable, ball);
     drawable->releaseGLObjects();
     EXPECT_EQ(differences(before, picturesOf(*drawable, ball)), 0);
@@ -267,7 +267,7 @@ Pictures picturesWithout(bool isPageLost, std::uint32_t steps)
     return picturesOf(*partsOf(drawn), ball);
 }
 
-/// The comparisons above can fail: a page that is not uploaded shows.
+/// The comparisons above can fail: a page that is not uploaded is found.
 TEST(ProgressivePicturesMutation, APageThatIsNotUploadedIsSeen)
 {
     const Made& made = Made::get();
@@ -295,7 +295,7 @@ TEST_P(ProgressiveModelPictures, AreThoseOfPlainGeometryAtEveryLevel)
     for (const unsigned eighths : {0, 4, 7, 2, 0})
     {
         const std::uint32_t steps = shape.progressive().stepCount * eighths / 8;
-        node.drawable()->setSteps(steps);
+        EXPECT_TRUE(node.drawable()->setSteps(steps));
         const Pictures drawn = picturesOf(*node.drawable(), ball);
         keep(drawn, std::filesystem::path(GetParam()).stem().string() + std::to_string(eighths) + "-");
         EXPECT_EQ(differences(picturesOf(*bakeLevel(shape, steps), ball), drawn), 0) << eighths;
@@ -305,14 +305,14 @@ TEST_P(ProgressiveModelPictures, AreThoseOfPlainGeometryAtEveryLevel)
     EXPECT_EQ(differences(original, picturesOf(*node.drawable(), ball)), 0) << "level 0 is the model";
 }
 
-/// Whether a pixel differs in two pictures at all.
+/// Returns whether a pixel differs in two images.
 bool differsAt(const osg::Image& a, const osg::Image& b, int x, int y)
 {
     return !std::equal(a.data(x, y), a.data(x, y) + 3, b.data(x, y));
 }
 
-/// Pixels of one level that differ from plain geometry, and those of them at which plain geometry changes, too, when of equal depths the
-/// last one is seen instead of the first.
+/// Counts the pixels of one level that differ from plain geometry, and how many of them also change in plain geometry when the last of equal
+/// depths is drawn instead of the first.
 std::pair<int, int> offAndOfEqualDepth(ProgressiveDrawable& drawable, osg::Group& baked)
 {
     const osg::BoundingSphere ball = drawable.getBound();
@@ -332,9 +332,9 @@ std::pair<int, int> offAndOfEqualDepth(ProgressiveDrawable& drawable, osg::Group
     return {off, ofEqualDepth};
 }
 
-/// OSG leaves out drawables that are smaller than some pixels, plain ones material by material: then a pole of vinson's is missing
-/// that the progressive object, which is culled as a whole, has. Told not to, it draws the same; but far down, where faces have come to lie
-/// in one plane, for pixels of equal depth, which are those of the face that is drawn first.
+/// OSG leaves out drawables that are smaller than some pixels, plain ones material by material: then a pole of vinson is missing that the
+/// progressive object, which is culled as a whole, has. Without that test both draw the same, except for coarse levels, where faces lie in one
+/// plane: at pixels of equal depth the face that is drawn first is seen.
 TEST(ProgressiveModelPicturesOfSmallParts, DifferByThosePartsAndByTheOrderInOnePlaneOnly)
 {
     OSGTRAINER_REAL_DATA_OR_SKIP(file, "models/ship/vinson.ac");
@@ -349,7 +349,7 @@ TEST(ProgressiveModelPicturesOfSmallParts, DifferByThosePartsAndByTheOrderInOneP
     for (const unsigned eighths : {0, 4, 7, 2})
     {
         const std::uint32_t steps = shape.progressive().stepCount * eighths / 8;
-        drawable.setSteps(steps);
+        EXPECT_TRUE(drawable.setSteps(steps));
         const osg::ref_ptr<osg::Group> baked = bakeLevel(shape, steps);
         const Pictures drawn = picturesOf(drawable, ball);
         withoutSmallParts += differences(picturesOf(*baked, ball), drawn);

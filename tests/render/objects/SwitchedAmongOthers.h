@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A switched object among others, of glass and not, and what its pictures may show.
+// A switching object among others, of glass and opaque, and the colours that its images may have.
 #pragma once
 
 #include <optional>
@@ -15,7 +15,7 @@ namespace switched
 
 inline const osg::Vec3d kFrom{0.1, -1.0, 0.25};
 
-/// An unlit square across the view, so far in front of a point (or, below 0, behind it).
+/// An unlit square across the view, at a distance in front of a point (behind it if below 0).
 inline osg::ref_ptr<osg::Node> square(const osg::Vec3d& centre, double nearer, double sideways, double half,
                                       const osg::Vec4& colour)
 {
@@ -42,7 +42,7 @@ inline osg::ref_ptr<osg::Node> square(const osg::Vec3d& centre, double nearer, d
     return geode;
 }
 
-/// The object with a red square before it, a white one behind it, and panes of glass on either side.
+/// The object with a red square in front of it, a white one behind it, and panes of glass on either side.
 struct Scene
 {
     osg::ref_ptr<ProgressiveNode> node;
@@ -71,7 +71,7 @@ struct Scene
     }
 };
 
-/// The levels between which it is switched: one so coarse that their outlines differ.
+/// The levels of the switch: the second is so coarse that their outlines differ.
 inline std::uint32_t finerSteps()
 {
     return made()->progressive().stepCount / 2;
@@ -81,7 +81,7 @@ inline std::uint32_t coarserSteps()
     return made()->progressive().stepCount - 30;
 }
 
-/// The scene with the object at rest at a level, or without it.
+/// Renders the scene with the object at rest at a level, or without it.
 inline Picture atRest(std::optional<std::uint32_t> steps)
 {
     Scene scene(by(core::SwitchMethod::blend));
@@ -103,7 +103,7 @@ struct Ends
     }
 };
 
-/// How many pixels lie beside what some pictures span, channel by channel.
+/// Counts pixels outside the range that some images span, channel by channel.
 inline int outside(const osg::Image& picture, const std::vector<Picture>& ends, int tolerance)
 {
     int count = 0;
@@ -127,7 +127,7 @@ inline int outside(const osg::Image& picture, const std::vector<Picture>& ends, 
     return count;
 }
 
-/// How many pixels are those of none of some pictures.
+/// Counts pixels that are equal to those of none of some images.
 inline int strangers(const osg::Image& picture, const std::vector<Picture>& ends)
 {
     int count = 0;
@@ -141,7 +141,7 @@ inline int strangers(const osg::Image& picture, const std::vector<Picture>& ends
     return count;
 }
 
-/// How many pixels of the red square have another colour.
+/// Counts pixels of the red square that have another colour.
 inline int lostRed(const osg::Image& picture, const osg::Image& behind)
 {
     int count = 0;

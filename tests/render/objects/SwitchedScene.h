@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A progressive object that is switched from one level to another, in captured frames.
+// A progressive object that switches from one level to another, in captured frames.
 #pragma once
 
 #include <algorithm>
@@ -31,7 +31,7 @@ using Picture = osg::ref_ptr<osg::Image>;
 
 inline constexpr double kFrameS = 1.0 / 60.0;
 
-/// A torus that lies on a sheet of another colour, or of glass.
+/// A torus on a sheet of another colour, or of glass.
 inline osg::ref_ptr<ProgressiveShape> torusOnSheet(bool isOfGlass = false)
 {
     core::Mesh mesh = testsupport::lit(
@@ -60,7 +60,7 @@ inline const osg::ref_ptr<ProgressiveShape>& made()
     return shape;
 }
 
-/// Always so many steps.
+/// Settings that always choose the level after so many steps.
 inline core::SelectionSettings always(std::uint32_t steps)
 {
     core::SelectionSettings settings;
@@ -75,7 +75,7 @@ inline core::SwitchSettings by(core::SwitchMethod method,
     return {method, profile, durationS, 0.0F};
 }
 
-/// The mean of squares of `factor` × `factor` pixels, RGB.
+/// Averages squares of `factor` × `factor` pixels, RGB.
 inline Picture shrunk(const osg::Image& picture, int factor)
 {
     Picture small = new osg::Image;
@@ -93,7 +93,7 @@ inline Picture shrunk(const osg::Image& picture, int factor)
     return small;
 }
 
-/// How much one picture differs from another.
+/// The difference of two images.
 struct Change
 {
     double mean = 0.0; ///< over pixels and channels, of 255
@@ -121,7 +121,7 @@ inline Change worst(const Change& a, const Change& b)
     return {std::max(a.mean, b.mean), std::max(a.largest, b.largest)};
 }
 
-/// Captures frames of a scene, one after the other; each pixel of a picture is the mean of `samples` × `samples`.
+/// Captures frames of a scene, one after the other; each pixel of an image is the mean of `samples` × `samples`.
 class Stage
 {
 public:
@@ -140,7 +140,7 @@ public:
         return stage;
     }
 
-    /// From a side, so far away that the ball fills so much of the picture's height.
+    /// Looks from a side, at a distance where the sphere fills so much of the image's height.
     void lookAt(const osg::BoundingSphere& ball, double share = 1.0, osg::Vec3d from = {0.6, -1.0, 0.7})
     {
         from.normalize();
@@ -154,10 +154,10 @@ public:
 
     osg::Camera& camera() { return _viewer->camera(); }
 
-    /// Only lights of the scene shine, not one that goes with the eye.
+    /// Only the lights of the scene are on, no headlight.
     void turnOffHeadlight() { _viewer->viewer().setLightingMode(osg::View::NO_LIGHT); }
 
-    /// Time goes on by so much, and there is a picture.
+    /// Advances the time by so much and renders a frame.
     Picture after(double seconds)
     {
         _timeS += seconds;

@@ -24,6 +24,11 @@ foundation::Outcome checkSettings(const AttentionRule& rule)
         .outcome();
 }
 
+foundation::Outcome checkSettings(const Priority& priority)
+{
+    return foundation::SettingsCheck("priority").above("importance", priority.importance, 0.0).outcome();
+}
+
 double priorityGain(const Priority& priority, const AttentionRule& rule, const glm::dvec3& eyeWorld,
                     const BoundingSphere& sphere)
 {

@@ -31,6 +31,7 @@ struct AttentionRule
 
 /// Tells whether a rule is complete and in its ranges: else an error that names the field. priorityGain() does not check.
 foundation::Outcome checkSettings(const AttentionRule& rule);
+foundation::Outcome checkSettings(const Priority& priority);
 
 /// Computes the factor by which an object counts as larger than it is seen: importance times attention. All methods use it
 /// in one way, as if a magnifying device were held before this object alone: distances (ranges, the continuous rule) and

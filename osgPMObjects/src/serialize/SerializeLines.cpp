@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "SerializeLines.h"
+
+#include <osgDB/InputStream>
+#include <osgDB/OutputStream>
+
+namespace osgPMObjects
+{
+
+void writeLines(osgDB::OutputStream& out, const std::vector<std::string>& lines)
+{
+    out.writeSize(lines.size());
+    out << out.BEGIN_BRACKET << std::endl;
+    for (const std::string& line : lines)
+        out << line << std::endl;
+    out << out.END_BRACKET << std::endl;
+}
+
+std::vector<std::string> readLines(osgDB::InputStream& in)
+{
+    std::vector<std::string> lines;
+    const std::size_t count = in.readSize();
+    in >> in.BEGIN_BRACKET;
+    while (lines.size() < count && !in.getException())
+        in >> lines.emplace_back();
+    in >> in.END_BRACKET;
+    return lines;
+}
+
+} // namespace osgPMObjects
