@@ -4,6 +4,7 @@
 #include <iomanip>
 #include <sstream>
 
+#include <osg/Notify>
 #include <osg/Timer>
 
 #include <osgTerrainROAM/core/roam/PatchBalance.h>
@@ -66,16 +67,21 @@ std::string measurePatches(osgTerrainROAM::RoamTerrain& terrain, osgViewer::View
                            const std::function<void()>& moveEye)
 {
     const EveryPicture pictures(contexts);
+    const auto setPatches = [&](int exponent)
+    {
+        const auto set = terrain.drawable()->setPatchExponent(exponent);
+        if (!set) osg::notify(osg::WARN) << set.error().message() << std::endl; // kExponents are allowed ones
+    };
     const auto frameMs = [&](int exponent)
     {
-        terrain.setPatchExponent(exponent);
+        setPatches(exponent);
         moveEye();
         const osg::ElapsedTime time;
         viewer.frame();
         return time.elapsedTime_m();
     };
     const auto balance = osgTerrainROAM::core::measurePatchBalance(kExponents, kFrames, frameMs);
-    terrain.setPatchExponent(balance.exponent);
+    setPatches(balance.exponent);
     return textOf(balance);
 }
 

@@ -30,12 +30,14 @@ foundation::Result<ViewSetup> viewOf(const FrameRequest& frames, const simulatio
     return setup;
 }
 
-void configure(osgTerrainROAM::RoamTerrain& terrain, const TerrainRequest& request)
+foundation::Outcome configure(osgTerrainROAM::RoamTerrain& terrain, const TerrainRequest& request)
 {
-    terrain.setErrorTolerancePx(request.errorTolerancePx);
-    terrain.setMaxTriangles(request.maxTriangles);
-    terrain.setMorphing(request.morphing);
-    terrain.setPatchExponent(request.patchExponent.value_or(0));
+    osgTerrainROAM::RoamDrawableSettings settings = terrain.settings();
+    settings.errorTolerancePx = request.errorTolerancePx;
+    settings.maxTriangles = request.maxTriangles;
+    settings.morphing = request.morphing;
+    settings.patchExponent = request.patchExponent.value_or(0);
+    return terrain.setSettings(settings);
 }
 
 osg::ref_ptr<osgViewer::Viewer> makeViewer(osg::Group& scene)
@@ -63,7 +65,8 @@ PlaySession::create(simulation::Scenario scenario, SceneTerrain terrain, const P
                                  "add the one whose eye shall look"};
     const auto setup = viewOf(request.frames, scenario.entities.front());
     if (!setup) return setup.error();
-    if (terrain.terrain) configure(*terrain.terrain, request.terrain);
+    if (terrain.terrain)
+        if (const auto set = configure(*terrain.terrain, request.terrain); !set) return set.error();
 
     std::unique_ptr<PlaySession> session(new PlaySession(request, std::move(terrain)));
     simulation::PlayerOptions stage{session->_terrain.origin(), session->_terrain.ground(),

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ScenarioScene.h"
 
+#include <algorithm>
 #include <map>
+
+#include <osg/Notify>
 
 #include "scenery/nodes/Sky.h"
 
@@ -28,7 +31,7 @@ osgTerrainROAM::AtmosphereSettings airOf(const simulation::EnvironmentState& env
     osgTerrainROAM::AtmosphereSettings air;
     air.sunDirectionWorld =
         osgTerrainROAM::sunDirectionFromAngles(environment.sun.azimuthDeg, environment.sun.elevationDeg);
-    if (environment.fogVisualRangeM) air.visibilityM = *environment.fogVisualRangeM;
+    if (environment.fogVisualRangeM) air.visibilityM = std::max(*environment.fogVisualRangeM, 1.0);
     air.cloudCover = cloudCover(environment.cloudState);
     return air;
 }
@@ -71,7 +74,8 @@ void ScenarioScene::show(const simulation::ScenarioPlayer& player)
 {
     for (std::size_t i = 0; i < _entities.size(); ++i)
         _entities[i].show(player.entities()[i]);
-    _atmosphere->apply(airOf(player.environment()));
+    if (const auto set = _atmosphere->setSettings(airOf(player.environment())); !set)
+        osg::notify(osg::WARN) << set.error().message() << std::endl;
 }
 
 } // namespace trainer

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "PopRow.h"
 
+#include <cstdio>
 #include <sstream>
 
 #include "StaticMesh.h"
@@ -58,7 +59,8 @@ void PopRow::refine(int frame)
 {
     const double coarser = frame == _request.coarseFrame ? kCoarser : 1.0;
     const double tolerancePx = _setting.tolerancePx * _setting.samplesPerPx * coarser;
-    _drawable->setErrorTolerancePx(tolerancePx);
+    if (const auto set = _drawable->setErrorTolerancePx(tolerancePx); !set)
+        std::fprintf(stderr, "%s\n", set.error().message().c_str());
     const Eye eye = _request.eye(frame);
     const auto view = viewlod::ViewState::fromMatrices(eye.view, eye.projection, _stage.settings().widthPx,
                                                        _stage.settings().heightPx);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "Subjects.h"
 
+#include <cstdio>
 #include <sstream>
 
 #include "StaticMesh.h"
@@ -25,8 +26,8 @@ Subject ours(const Request& request, double tolerancePx, bool morphing)
     subject.name = "RoamDrawable " + textOf(tolerancePx) + " px" + (morphing ? ", morphing" : "");
     subject.draws = "the wheel's mesh, visible regions only; vertices in whole steps";
     subject.roam = new osgTerrainROAM::RoamDrawable(request.tile);
-    subject.roam->setErrorTolerancePx(tolerancePx);
-    subject.roam->setMorphing(morphing);
+    const auto set = subject.roam->setSettings({.errorTolerancePx = tolerancePx, .morphing = morphing});
+    if (!set) std::fprintf(stderr, "%s\n", set.error().message().c_str());
     subject.node = subject.roam;
     return subject;
 }

@@ -29,14 +29,15 @@ int failed(const foundation::Error& error)
     return 1;
 }
 
-void setMoment(RoamTerrain& terrain, osg::Camera& camera, const Moment& moment)
+foundation::Outcome setMoment(RoamTerrain& terrain, osg::Camera& camera, const Moment& moment)
 {
-    terrain.material()->setSeason((moment.month - 0.5) / 12.0);
+    if (auto set = terrain.material()->setSeason((moment.month - 0.5) / 12.0); !set) return set;
     AtmosphereSettings air = terrain.atmosphere()->settings();
     air.sunDirectionWorld = sunDirectionFromAngles(215.0, moment.sunElevationDeg);
     air.moonlight = 0.7; // counts when the sun is gone
-    terrain.atmosphere()->apply(air);
+    if (auto set = terrain.atmosphere()->setSettings(air); !set) return set;
     camera.setClearColor(osg::Vec4(displayColour(terrain.atmosphere()->light().horizon), 1.0f));
+    return foundation::success();
 }
 
 } // namespace
@@ -59,7 +60,7 @@ int main(int argc, char** argv)
 
     for (const Moment& moment : kMoments)
     {
-        setMoment(**terrain, camera, moment);
+        if (const auto set = setMoment(**terrain, camera, moment); !set) return failed(set.error());
         const auto file = std::filesystem::path(argv[2]) / (std::string(moment.name) + ".png");
         if (const auto written = osgOffscreen::writePng(*(*viewer)->picture(), file); !written)
             return failed(written.error());

@@ -66,9 +66,10 @@ int main(int argc, char** argv)
 {
     osg::ArgumentParser arguments(&argc, argv);
     osg::ref_ptr<osgTerrainROAM::RoamTechnique> technique = new osgTerrainROAM::RoamTechnique;
-    double tolerancePx = technique->errorTolerancePx();
+    double tolerancePx = technique->settings().errorTolerancePx;
     arguments.read("--tolerance", tolerancePx);
-    technique->setErrorTolerancePx(tolerancePx);
+    if (const auto set = technique->setErrorTolerancePx(tolerancePx); !set)
+        return std::fprintf(stderr, "%s\n", set.error().message().c_str()), 1;
     const bool once = arguments.read("--once"); // one frame: what the tests ask for
 
     const osg::ref_ptr<osg::Node> database = argc > 1 ? osgDB::readRefNodeFile(arguments[1]) : madeDatabase();

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <osg/Math>
+#include <osg/Notify>
 #include <osg/Uniform>
 
 #include <osgTerrainROAM/Atmosphere>
@@ -155,14 +156,27 @@ AtmosphereLight atmosphereLight(const AtmosphereSettings& settings)
 Atmosphere::Atmosphere(const AtmosphereSettings& settings) : _stateSet(new osg::StateSet)
 {
     _stateSet->setDataVariance(osg::Object::DYNAMIC);
-    apply(settings);
+    if (const foundation::Outcome set = setSettings(settings); !set)
+    {
+        OSG_WARN << set.error().message() << '\n';
+        update();
+    }
 }
 
-void Atmosphere::apply(const AtmosphereSettings& settings)
+foundation::Outcome Atmosphere::setSettings(const AtmosphereSettings& settings)
 {
+    foundation::Outcome checked = checkSettings(settings);
+    if (!checked) return checked;
     _settings = settings;
-    _light = atmosphereLight(settings);
-    osg::Vec3f direction(settings.sunDirectionWorld);
+    update();
+    return checked;
+}
+
+/// Sets the uniforms from the settings.
+void Atmosphere::update()
+{
+    _light = atmosphereLight(_settings);
+    osg::Vec3f direction(_settings.sunDirectionWorld);
     if (direction.normalize() == 0.0f) direction.set(0.0f, 0.0f, 1.0f);
     const auto set = [this](const char* name, const osg::Vec3f& value)
     { _stateSet->getOrCreateUniform(name, osg::Uniform::FLOAT_VEC3)->set(value); };
@@ -175,7 +189,7 @@ void Atmosphere::apply(const AtmosphereSettings& settings)
     set("atmosphereGlow", _light.glow);
     set("atmosphereExtinction", _light.extinction);
     _stateSet->getOrCreateUniform("atmosphereLayer", osg::Uniform::FLOAT_VEC2)
-        ->set(osg::Vec2f(static_cast<float>(settings.hazeBaseM), 1.0f / _light.hazeScaleHeightM));
+        ->set(osg::Vec2f(static_cast<float>(_settings.hazeBaseM), 1.0f / _light.hazeScaleHeightM));
 }
 
 void Atmosphere::addUniformsTo(osg::StateSet& stateSet) const

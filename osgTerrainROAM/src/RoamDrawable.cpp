@@ -4,6 +4,7 @@
 #include <shared_mutex>
 
 #include <osgTerrainROAM/RoamDrawable>
+#include <osgTerrainROAM/Serializers>
 #include <osgTraversal/CullFacts>
 
 #include "view/ClippedTriangles.h"
@@ -19,7 +20,9 @@ namespace
 
 using namespace osgTraversal;
 
-/// The projection without a far plane, its near plane where we want it.
+[[maybe_unused]] const bool kAreDrawableSerializersRegistered = registerSerializers();
+
+/// Returns the projection without a far plane, and with its near plane at `nearM`.
 glm::dmat4 withoutDepth(glm::dmat4 projection, double nearM)
 {
     projection[2][2] = isParallel(projection) ? 0.0 : -1.0;
@@ -45,7 +48,7 @@ viewlod::ViewState viewOf(osgUtil::CullVisitor& visitor, double nearestM)
     return view;
 }
 
-/// Tells OSG how near and how far this surface reaches, and lets it have so near a plane. In eye space.
+/// Tells OSG how near and how far this surface reaches in eye space, and allows so near a plane.
 void tellNearFar(osgUtil::CullVisitor& visitor, const osg::BoundingBox& box, const viewlod::ViewState& view,
                  double nearestM)
 {
@@ -54,7 +57,7 @@ void tellNearFar(osgUtil::CullVisitor& visitor, const osg::BoundingBox& box, con
     for (unsigned int i = 0; i < 8; ++i)
         farM = std::max(farM, -(osg::Vec3d(box.corner(i)) * eyeFromLocal).z());
     if (farM <= 0.0) return;
-    // A point at the picture's corner is farther away than it is deep.
+    // A point at the corner of the frame is farther away than it is deep.
     const double nearM = std::max(0.95 * nearestM / std::sqrt(view.cornerStretch), farM * 1e-6);
     if (nearM < visitor.getCalculatedNearPlane()) visitor.setCalculatedNearPlane(nearM);
     if (farM > visitor.getCalculatedFarPlane()) visitor.setCalculatedFarPlane(farM);
@@ -73,23 +76,14 @@ RoamDrawable::RoamDrawable(std::shared_ptr<const core::RoamTile> tile)
     setSupportsDisplayList(false);
     setUseVertexBufferObjects(true);
     if (_tile) _box = tileBounds(_tile->tile);
-    if (_tile) _defaultErrorM = 0.25 * std::max(_tile->tile.field().spacingEastM, 0.01);
 }
 
 RoamDrawable::RoamDrawable(const RoamDrawable& other, const osg::CopyOp& copyOp)
     : osg::Drawable(other, copyOp),
       _tile(other._tile),
       _box(other._box),
-      _groups(newGroups(other._patchExponent)),
-      _patchExponent(other._patchExponent),
-      _errorTolerancePx(other._errorTolerancePx),
-      _maxTriangles(other._maxTriangles),
-      _maxAdaptTimeUs(other._maxAdaptTimeUs),
-      _clock(other._clock),
-      _isMorphing(other._isMorphing),
-      _skirtM(other._skirtM),
-      _nearestM(other._nearestM),
-      _defaultErrorM(other._defaultErrorM)
+      _groups(newGroups(other._settings.patchExponent)),
+      _settings(other._settings)
 {
 }
 
@@ -102,11 +96,63 @@ std::unique_ptr<ViewGroupTable> RoamDrawable::newGroups(int patchExponent) const
     return std::make_unique<ViewGroupTable>(std::move(bounds));
 }
 
-void RoamDrawable::setPatchExponent(int exponent)
+foundation::Outcome RoamDrawable::setSettings(const RoamDrawableSettings& settings)
 {
-    if (exponent == _patchExponent) return;
-    _patchExponent = exponent;
-    _groups = newGroups(exponent);
+    foundation::Outcome checked = checkSettings(settings);
+    if (!checked) return checked;
+    const bool hasOtherPatches = settings.patchExponent != _settings.patchExponent;
+    _settings = settings;
+    if (hasOtherPatches) _groups = newGroups(settings.patchExponent);
+    return checked;
+}
+
+template<class Value>
+foundation::Outcome RoamDrawable::set(Value RoamDrawableSettings::*setting, Value value)
+{
+    RoamDrawableSettings settings = _settings;
+    settings.*setting = value;
+    return setSettings(settings);
+}
+
+foundation::Outcome RoamDrawable::setErrorTolerancePx(double pixels)
+{
+    return set(&RoamDrawableSettings::errorTolerancePx, pixels);
+}
+
+foundation::Outcome RoamDrawable::setMaxTriangles(std::uint32_t triangles)
+{
+    return set(&RoamDrawableSettings::maxTriangles, triangles);
+}
+
+foundation::Outcome RoamDrawable::setMaxAdaptTimeUs(double us)
+{
+    return set(&RoamDrawableSettings::maxAdaptTimeUs, us);
+}
+
+foundation::Outcome RoamDrawable::setSkirtM(std::optional<double> leastM)
+{
+    return set(&RoamDrawableSettings::skirtM, leastM);
+}
+
+foundation::Outcome RoamDrawable::setPatchExponent(int exponent)
+{
+    return set(&RoamDrawableSettings::patchExponent, exponent);
+}
+
+foundation::Outcome RoamDrawable::setNearestM(double metres)
+{
+    return set(&RoamDrawableSettings::nearestM, metres);
+}
+
+foundation::Outcome RoamDrawable::setDefaultErrorM(std::optional<double> metres)
+{
+    return set(&RoamDrawableSettings::defaultErrorM, metres);
+}
+
+/// The setting, or what it is by default for this tile.
+double RoamDrawable::defaultErrorM() const
+{
+    return _settings.defaultErrorM.value_or(0.25 * std::max(_tile->tile.field().spacingEastM, 0.01));
 }
 
 void RoamDrawable::followEdits(std::span<const core::GridRect> moved)
@@ -149,16 +195,16 @@ void RoamDrawable::cull(osgUtil::CullVisitor& visitor)
     request.camera = visitor.getCurrentCamera();
     request.mainCamera = mainCameraOf(visitor);
     request.frame = frameOf(visitor);
-    request.target.view = viewOf(visitor, _nearestM);
-    request.target.budget.errorTolerancePx = _errorTolerancePx;
-    request.target.budget.maxTriangles = _maxTriangles;
-    request.target.budget.maxTimeUs = _maxAdaptTimeUs;
-    request.target.budget.clock = _clock;
-    request.target.isMorphing = _isMorphing;
-    request.target.skirtM = _skirtM;
+    request.target.view = viewOf(visitor, _settings.nearestM);
+    request.target.budget.errorTolerancePx = _settings.errorTolerancePx;
+    request.target.budget.maxTriangles = _settings.maxTriangles;
+    request.target.budget.maxTimeUs = _settings.maxAdaptTimeUs;
+    request.target.budget.clock = _settings.adaptClock;
+    request.target.isMorphing = _settings.morphing;
+    request.target.skirtM = _settings.skirtM;
     const viewlod::ViewState view = request.target.view;
     if (isParallel(toGlm(*visitor.getProjectionMatrix())))
-        request.target.errorM = _errorTolerancePx / view.pixelsPerTangent;
+        request.target.errorM = _settings.errorTolerancePx / view.pixelsPerTangent;
 
     const std::optional<unsigned int> contextId = contextIdOf(visitor);
     const ViewGroupTable::Match match = _groups->find(request);
@@ -180,7 +226,7 @@ void RoamDrawable::accept(osg::PrimitiveFunctor& functor) const
 {
     if (!_tile) return;
     ClippedTriangles triangles;
-    _groups->latest(_defaultErrorM)
+    _groups->latest(defaultErrorM())
         ->visitMesh([&](const core::RoamMesh& mesh)
                     { triangles = clippedTriangles(mesh.tile().tile, mesh.drawn()); });
     triangles.accept(functor);

@@ -7,6 +7,7 @@
 #include <osgTerrainROAM/core/features/FeatureImport.h>
 
 #include <osgTerrainROAM/RoamTerrain>
+#include <osgTerrainROAM/Serializers>
 
 #include "material/ImageryDrape.h"
 
@@ -15,6 +16,8 @@ namespace osgTerrainROAM
 
 namespace
 {
+
+[[maybe_unused]] const bool kAreTerrainSerializersRegistered = registerSerializers();
 
 AtmosphereSettings atmosphereSettings(const core::RoamFile& description)
 {
@@ -59,8 +62,7 @@ foundation::Outcome layImagery(TerrainMaterial& material, const core::RoamFile& 
         if (!layer) return layer.error();
         layers.push_back(std::move(*layer));
     }
-    material.setImagery(std::move(layers));
-    return foundation::success();
+    return material.setImagery(std::move(layers));
 }
 
 /// Imports the land cover, if there is one, and gives it to the material.
@@ -103,6 +105,7 @@ RoamTerrain::RoamTerrain(const RoamTerrain& other, const osg::CopyOp& copyOp)
       _tile(other._tile),
       _editor(other._editor),
       _revision(other._revision),
+      _source(other._source),
       _drawable(new RoamDrawable(*other._drawable, copyOp)),
       _material(other._material),
       _featureReport(other._featureReport)
@@ -110,6 +113,22 @@ RoamTerrain::RoamTerrain(const RoamTerrain& other, const osg::CopyOp& copyOp)
     setChild(other.getChildIndex(other._drawable.get()), _drawable);
     setAtmosphere(other._atmosphere);
     if (_editor) setNumChildrenRequiringUpdateTraversal(getNumChildrenRequiringUpdateTraversal() + 1);
+}
+
+/// Shows the terrain of another node, which is dropped afterwards: its drawable has one owner.
+void RoamTerrain::takeContents(const RoamTerrain& other)
+{
+    if (other._editor && !_editor)
+        setNumChildrenRequiringUpdateTraversal(getNumChildrenRequiringUpdateTraversal() + 1);
+    _tile = other._tile;
+    _editor = other._editor;
+    _revision = other._revision;
+    _source = other._source;
+    _material = other._material;
+    _featureReport = other._featureReport;
+    setChild(getChildIndex(_drawable.get()), other._drawable.get());
+    _drawable = other._drawable;
+    setAtmosphere(other._atmosphere);
 }
 
 void RoamTerrain::traverse(osg::NodeVisitor& visitor)
@@ -159,14 +178,18 @@ foundation::Result<osg::ref_ptr<RoamTerrain>> makeTerrain(const core::RoamFile& 
     if (const auto laid = layImagery(*material, description, tile->tile); !laid) return laid.error();
     if (const auto covered = coverGround(*material, description, tile->tile); !covered)
         return covered.error();
-    if (description.seasonOfYear) material->setSeason(description.seasonOfYear);
+    if (description.seasonOfYear)
+        if (const auto set = material->setSeason(description.seasonOfYear); !set) return set.error();
     const auto features = paintFeatures(*material, description, tile->tile);
     if (!features) return features.error();
     osg::ref_ptr<RoamTerrain> terrain = new RoamTerrain(tile, material.get());
     terrain->setFeatureReport(*features);
-    terrain->setErrorTolerancePx(description.errorTolerancePx);
-    terrain->setMaxTriangles(description.maxTriangles);
-    terrain->setAtmosphere(new Atmosphere(atmosphereSettings(description)));
+    RoamDrawableSettings settings;
+    settings.errorTolerancePx = description.errorTolerancePx;
+    settings.maxTriangles = description.maxTriangles;
+    if (const auto set = terrain->setSettings(settings); !set) return set.error();
+    if (const auto set = terrain->atmosphere()->setSettings(atmosphereSettings(description)); !set)
+        return set.error();
     terrain->setName(description.dems.front().string());
     return terrain;
 }
@@ -175,7 +198,9 @@ foundation::Result<osg::ref_ptr<RoamTerrain>> openTerrain(const std::filesystem:
 {
     const auto description = core::describeTerrain(file);
     if (!description) return description.error();
-    return makeTerrain(*description);
+    auto terrain = makeTerrain(*description);
+    if (terrain) (*terrain)->setSource(std::filesystem::absolute(file));
+    return terrain;
 }
 
 } // namespace osgTerrainROAM

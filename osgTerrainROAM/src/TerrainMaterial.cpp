@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <string>
 
@@ -33,12 +32,33 @@ void addTexture(osg::StateSet& stateSet, const char* name, TerrainMaterial::Unit
     stateSet.addUniform(new osg::Uniform(name, static_cast<int>(unit)));
 }
 
-/// Takes grid places to texture coordinates of a map whose first and last texel centres are first and last sample.
+/// Computes the scale and offset from grid positions to texture coordinates of a map whose first and last texel centres
+/// are first and last sample.
 osg::Vec4f mapFromGrid(double texelsPerSample, double offsetTexels, int side, bool wide)
 {
     const auto scale = static_cast<float>(texelsPerSample / side);
     const auto offset = static_cast<float>(offsetTexels / side);
     return wide ? osg::Vec4f(scale, 0, offset, 0) : osg::Vec4f(0, scale, 0, offset);
+}
+
+foundation::Outcome checkImagery(const std::vector<ImageryLayer>& layers)
+{
+    const char* const place = "TerrainMaterial.imagery";
+    if (layers.size() > TerrainMaterial::kMaxImagery)
+        return foundation::Error{place, std::to_string(layers.size()) + " layers are too many",
+                                 "give " + std::to_string(TerrainMaterial::kMaxImagery) + " at most"};
+    for (const ImageryLayer& layer : layers)
+    {
+        if (!layer.image || layer.image->s() < 2 || layer.image->t() < 2)
+            return foundation::Error{place, "a layer has no image", "give each one of 2×2 texels or more"};
+        const glm::dvec2 extent = layer.lastGrid - layer.firstGrid;
+        if (!(extent.x > 0.0 && extent.y > 0.0 && std::isfinite(extent.x + extent.y)))
+            return foundation::Error{place, "a layer has no extent on the grid",
+                                     "set firstGrid and lastGrid"};
+        if (!(std::isfinite(layer.texelM) && layer.texelM > 0.0))
+            return foundation::Error{place, "the texels of a layer have no size", "set texelM"};
+    }
+    return foundation::success();
 }
 
 } // namespace
@@ -78,12 +98,12 @@ void TerrainMaterial::setFeatures(const core::FeatureCells& cells)
     setProgram();
 }
 
-void TerrainMaterial::setImagery(std::vector<ImageryLayer> layers)
+foundation::Outcome TerrainMaterial::setImagery(std::vector<ImageryLayer> layers)
 {
-    assert(layers.size() <= kMaxImagery && "more layers of imagery than texture units for them");
+    if (foundation::Outcome checked = checkImagery(layers); !checked) return checked;
     std::stable_sort(layers.begin(), layers.end(),
                      [](const ImageryLayer& a, const ImageryLayer& b) { return a.texelM > b.texelM; });
-    _imageryLayers = static_cast<int>(std::min(layers.size(), kMaxImagery));
+    _imageryLayers = static_cast<int>(layers.size());
     osg::Uniform* fromGrid = _stateSet->getOrCreateUniform(
         "imageryFromGrid", osg::Uniform::FLOAT_VEC4, static_cast<unsigned>(std::max(_imageryLayers, 1)));
     for (int i = 0; i < _imageryLayers; ++i)
@@ -99,6 +119,7 @@ void TerrainMaterial::setImagery(std::vector<ImageryLayer> layers)
                                                                   offset.x / size.x, offset.y / size.y));
     }
     setProgram();
+    return foundation::success();
 }
 
 void TerrainMaterial::addMaps(const core::PlacedTile& tile, osg::Image* drapeImage)
@@ -191,14 +212,19 @@ void TerrainMaterial::setPalette()
                          _heights.y()));
 }
 
-void TerrainMaterial::setSeason(std::optional<double> yearShare)
+foundation::Outcome TerrainMaterial::setSeason(std::optional<double> yearShare)
 {
+    if (yearShare && !(*yearShare >= 0.0 && *yearShare <= 1.0))
+        return foundation::Error{
+            "TerrainMaterial.season", std::to_string(*yearShare) + " is no share of a year",
+            "give a number from 0 (first of January) to 1 (last of December), or nothing"};
     const bool wasSet = _season.has_value();
     _season = yearShare;
     // A frame that is still being drawn is waited for.
     _stateSet->setDataVariance(osg::Object::DYNAMIC);
     setPalette();
     if (wasSet != _season.has_value()) setProgram();
+    return foundation::success();
 }
 
 void TerrainMaterial::setCover(const core::CoverMap& map)

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <osg/MatrixTransform>
+#include <osg/Notify>
 #include <osgTerrain/Terrain>
 #include <osgTerrain/TerrainTile>
 #include <osgUtil/CullVisitor>
 #include <osgUtil/UpdateVisitor>
 
 #include <osgTerrainROAM/RoamTechnique>
+#include <osgTerrainROAM/Serializers>
 
 #include "GroundDrawable.h"
 #include "TileGround.h"
@@ -16,7 +18,7 @@ namespace osgTerrainROAM
 
 using osgTerrain::TerrainTile;
 
-/// What one init() has made. Threads: immutable, but for the settings of the drawable.
+/// The nodes that one init() has made. Threads: immutable, but for the settings of the drawable.
 struct TechniqueBuffer
 {
     TileGround ground;
@@ -28,6 +30,8 @@ struct TechniqueBuffer
 namespace
 {
 
+[[maybe_unused]] const bool kAreTechniqueSerializersRegistered = registerSerializers();
+
 osg::ref_ptr<osg::MatrixTransform> placed(const osg::Matrixd& matrix, osg::Node* child)
 {
     osg::ref_ptr<osg::MatrixTransform> transform = new osg::MatrixTransform(matrix);
@@ -36,16 +40,20 @@ osg::ref_ptr<osg::MatrixTransform> placed(const osg::Matrixd& matrix, osg::Node*
     return transform;
 }
 
+RoamDrawableSettings withTechniqueSettings(RoamDrawableSettings ofTile, const RoamTechniqueSettings& settings)
+{
+    ofTile.errorTolerancePx = settings.errorTolerancePx;
+    ofTile.maxTriangles = settings.maxTriangles;
+    ofTile.morphing = settings.morphing;
+    return ofTile;
+}
+
 } // namespace
 
 RoamTechnique::RoamTechnique() : _programs(std::make_shared<LayerPrograms>()) {}
 
 RoamTechnique::RoamTechnique(const RoamTechnique& other, const osg::CopyOp& copyOp)
-    : osgTerrain::TerrainTechnique(other, copyOp),
-      _programs(other._programs),
-      _errorTolerancePx(other._errorTolerancePx),
-      _maxTriangles(other._maxTriangles),
-      _isMorphing(other._isMorphing)
+    : osgTerrain::TerrainTechnique(other, copyOp), _programs(other._programs), _settings(other._settings)
 {
 }
 
@@ -63,31 +71,47 @@ RoamDrawable* RoamTechnique::drawable() const
     return buffer ? buffer->drawable.get() : nullptr;
 }
 
-void RoamTechnique::setErrorTolerancePx(double pixels)
+foundation::Outcome checkSettings(const RoamTechniqueSettings& settings)
 {
-    _errorTolerancePx = pixels;
-    applySettings();
+    return checkSettings(withTechniqueSettings({}, settings), "RoamTechnique");
 }
 
-void RoamTechnique::setMaxTriangles(std::uint32_t triangles)
+foundation::Outcome RoamTechnique::setSettings(const RoamTechniqueSettings& settings)
 {
-    _maxTriangles = triangles;
+    foundation::Outcome checked = checkSettings(settings);
+    if (!checked) return checked;
+    _settings = settings;
     applySettings();
+    return checked;
+}
+
+foundation::Outcome RoamTechnique::setErrorTolerancePx(double pixels)
+{
+    RoamTechniqueSettings settings = _settings;
+    settings.errorTolerancePx = pixels;
+    return setSettings(settings);
+}
+
+foundation::Outcome RoamTechnique::setMaxTriangles(std::uint32_t triangles)
+{
+    RoamTechniqueSettings settings = _settings;
+    settings.maxTriangles = triangles;
+    return setSettings(settings);
 }
 
 void RoamTechnique::setMorphing(bool on)
 {
-    _isMorphing = on;
+    _settings.morphing = on;
     applySettings();
 }
 
+/// The settings have been checked: the drawable takes them.
 void RoamTechnique::applySettings() const
 {
     RoamDrawable* const drawn = drawable();
     if (!drawn) return;
-    drawn->setErrorTolerancePx(_errorTolerancePx);
-    drawn->setMaxTriangles(_maxTriangles);
-    drawn->setMorphing(_isMorphing);
+    const foundation::Outcome set = drawn->setSettings(withTechniqueSettings(drawn->settings(), _settings));
+    if (!set) OSG_WARN << set.error().message() << '\n';
 }
 
 RoamTechnique::BufferPtr RoamTechnique::build(int dirtyMask) const
@@ -106,8 +130,11 @@ RoamTechnique::BufferPtr RoamTechnique::build(int dirtyMask) const
     auto buffer = std::make_shared<TechniqueBuffer>();
     buffer->ground = *ground;
     buffer->drawable = new RoamDrawable(ground->tile);
-    // Through ground that one looks through a deep skirt would show.
-    buffer->drawable->setSkirt(blends(*_terrainTile) ? 0.0 : ground->skirtM);
+    // A deep skirt would show through transparent ground.
+    const foundation::Outcome set = buffer->drawable->setSkirtM(blends(*_terrainTile) ? 0.0 : ground->skirtM);
+    if (!set)
+        OSG_WARN << "osgTerrainROAM: tile '" << _terrainTile->getName() << "': " << set.error().message()
+                 << '\n';
     buffer->drawable->setStateSet(tileState(*_terrainTile, *ground, *_programs));
     buffer->drawn = placed(ground->modelFromLocal, buffer->drawable);
     buffer->intersected =

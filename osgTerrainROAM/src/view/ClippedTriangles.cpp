@@ -34,10 +34,10 @@ Polygon clipped(const Polygon& polygon, int axis, double limit)
 }
 
 /// Grows the output triangle by triangle.
-class Collector
+class ClipCollector
 {
 public:
-    Collector(const core::PlacedTile& tile, const core::DrawnMesh& mesh)
+    ClipCollector(const core::PlacedTile& tile, const core::DrawnMesh& mesh)
         : _mesh(mesh),
           _limit(tile.grid().dataColumns() - 1, tile.grid().dataRows() - 1),
           _slotToOut(mesh.vertices.size(), core::kNone)
@@ -112,7 +112,7 @@ void ClippedTriangles::accept(osg::PrimitiveFunctor& functor) const
 
 ClippedTriangles clippedTriangles(const core::PlacedTile& tile, const core::DrawnMesh& mesh)
 {
-    Collector collector(tile, mesh);
+    ClipCollector collector(tile, mesh);
     for (const core::LeafTriangle& triangle : mesh.triangles)
         collector.add(triangle);
     return std::move(collector.out);

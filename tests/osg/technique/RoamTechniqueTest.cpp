@@ -1,5 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+#include <limits>
+#include <sstream>
+
 #include <gtest/gtest.h>
+
+#include <osgDB/Registry>
 
 #include <osgTerrainROAM/RoamTechnique>
 
@@ -61,15 +67,47 @@ TEST(RoamTechnique, HandsItsSettingsOn)
 {
     OneTile scene;
     auto* const prototype = static_cast<RoamTechnique*>(scene.terrain->getTerrainTechniquePrototype());
-    prototype->setErrorTolerancePx(8.0);
+    ASSERT_TRUE(prototype->setErrorTolerancePx(8.0));
     prototype->setMorphing(true);
     const std::uint64_t coarse = scene.triangles(1);
-    EXPECT_TRUE(scene.technique().drawable()->isMorphing());
+    EXPECT_TRUE(scene.technique().drawable()->settings().morphing);
     scene.technique().setMorphing(false);
-    scene.technique().setErrorTolerancePx(0.5);
+    ASSERT_TRUE(scene.technique().setErrorTolerancePx(0.5));
     EXPECT_GT(scene.triangles(2), 2 * coarse);
-    scene.technique().setMaxTriangles(300);
+    ASSERT_TRUE(scene.technique().setMaxTriangles(300));
     EXPECT_LE(scene.triangles(3), 310u);
+}
+
+TEST(RoamTechnique, RefusesSettingsThatAreOutOfRangeAndChangesNothing)
+{
+    const osg::ref_ptr<RoamTechnique> technique = new RoamTechnique;
+    for (const double wrong : {0.0, -1.0, std::nan(""), std::numeric_limits<double>::infinity()})
+    {
+        const auto set = technique->setErrorTolerancePx(wrong);
+        ASSERT_FALSE(set) << wrong;
+        EXPECT_EQ(set.error().place, "RoamTechnique.errorTolerancePx");
+    }
+    EXPECT_EQ(technique->setMaxTriangles(1).error().place, "RoamTechnique.maxTriangles");
+    EXPECT_EQ(technique->settings(), osgTerrainROAM::RoamTechniqueSettings());
+}
+
+TEST(RoamTechnique, ASceneFileStoresItsSettings)
+{
+    const osg::ref_ptr<RoamTechnique> technique = new RoamTechnique;
+    ASSERT_TRUE(technique->setSettings({.errorTolerancePx = 0.1, .maxTriangles = 12345, .morphing = true}));
+    for (const char* format : {"osgt", "osgb"})
+    {
+        osgDB::ReaderWriter* const files = osgDB::Registry::instance()->getReaderWriterForExtension(format);
+        ASSERT_TRUE(files);
+        std::stringstream file;
+        const osg::ref_ptr<osgDB::Options> options =
+            new osgDB::Options(std::string(format) == "osgt" ? "Ascii" : "");
+        ASSERT_TRUE(files->writeObject(*technique, file, options).success()) << format;
+        const osg::ref_ptr<osg::Object> again = files->readObject(file, options).getObject();
+        const auto* const read = dynamic_cast<const RoamTechnique*>(again.get());
+        ASSERT_TRUE(read) << format;
+        EXPECT_EQ(read->settings(), technique->settings()) << format;
+    }
 }
 
 TEST(RoamTechnique, TakesANewElevationLayerWhenTheTileIsDirty)

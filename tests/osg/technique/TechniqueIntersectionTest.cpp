@@ -96,7 +96,8 @@ TEST(TechniqueIntersection, AnswersDoNotDependOnWhatIsDrawn)
     const auto terrain = ours();
     const auto points = places();
     const auto before = heightsAbove(*terrain, points);
-    static_cast<RoamTechnique*>(terrain->getTerrainTechniquePrototype())->setErrorTolerancePx(50.0);
+    ASSERT_TRUE(
+        static_cast<RoamTechnique*>(terrain->getTerrainTechniquePrototype())->setErrorTolerancePx(50.0));
     const auto camera = handcull::cameraAt({-50000, -50000, 9000}, {1900, 1900, 0});
     handcull::cull(*terrain, *camera, 1);
     EXPECT_EQ(heightsAbove(*terrain, points), before);

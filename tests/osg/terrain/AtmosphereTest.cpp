@@ -95,7 +95,7 @@ TEST(Atmosphere, ApplyingChangesTheSameUniforms)
     air->addUniformsTo(*shared);
     AtmosphereSettings fog;
     fog.visibilityM = 100.0;
-    air->apply(fog);
+    ASSERT_TRUE(air->setSettings(fog));
     osg::Vec3f extinction;
     ASSERT_TRUE(shared->getUniform("atmosphereExtinction")->get(extinction));
     EXPECT_NEAR(std::exp(-extinction.y() * 100.0f), 0.05f, 1e-3f);

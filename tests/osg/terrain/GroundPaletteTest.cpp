@@ -75,15 +75,15 @@ TEST(TerrainMaterial, ASeasonChangesUniformsAlone)
     };
     const auto* plain = program();
     const osg::Vec3f summer = meadow();
-    material->setSeason(kJanuary);
+    ASSERT_TRUE(material->setSeason(kJanuary));
     const auto* seasonal = program();
     const osg::Vec3f winter = meadow();
     EXPECT_NE(seasonal, plain);
     EXPECT_NE(winter, summer);
-    material->setSeason(kOctober);
+    ASSERT_TRUE(material->setSeason(kOctober));
     EXPECT_EQ(program(), seasonal);
     EXPECT_NE(meadow(), winter);
-    material->setSeason(std::nullopt);
+    ASSERT_TRUE(material->setSeason(std::nullopt));
     EXPECT_EQ(meadow(), summer);
 }
 

@@ -21,7 +21,7 @@ osg::ref_ptr<RoamDrawable> drawableOf(double tolerancePx = 2.0)
 {
     osg::ref_ptr<RoamDrawable> drawable =
         new RoamDrawable(testsupport::planarTile(testsupport::hills(200, 150)));
-    drawable->setErrorTolerancePx(tolerancePx);
+    EXPECT_TRUE(drawable->setErrorTolerancePx(tolerancePx));
     return drawable;
 }
 
@@ -55,7 +55,10 @@ TEST(RoamDrawableCull, ATimeSliceSpreadsTheWorkOverFrames)
     const auto whole = drawableOf(), sliced = drawableOf();
     const auto camera = cameraAt(kEye, kNorth);
     const std::uint64_t wanted = cull(*whole, *camera, 1).triangles();
-    sliced->setMaxAdaptTimeUs(40.0, viewlod::Budget::Clock::modelled);
+    osgTerrainROAM::RoamDrawableSettings settings = sliced->settings();
+    settings.maxAdaptTimeUs = 40.0;
+    settings.adaptClock = viewlod::Budget::Clock::modelled;
+    ASSERT_TRUE(sliced->setSettings(settings));
     unsigned int frame = 1;
     EXPECT_LT(cull(*sliced, *camera, frame).triangles(), wanted);
     EXPECT_TRUE(sliced->statistics().front().refine.sliceBound);
@@ -70,14 +73,14 @@ TEST(RoamDrawableCull, AStricterToleranceDrawsMoreTriangles)
     const auto drawable = drawableOf(8.0);
     const auto camera = cameraAt(kEye, kNorth);
     const std::uint64_t coarse = cull(*drawable, *camera, 1).triangles();
-    drawable->setErrorTolerancePx(1.0);
+    ASSERT_TRUE(drawable->setErrorTolerancePx(1.0));
     EXPECT_GT(cull(*drawable, *camera, 2).triangles(), 2 * coarse);
 }
 
 TEST(RoamDrawableCull, TheTriangleCeilingHolds)
 {
     const auto drawable = drawableOf(0.5);
-    drawable->setMaxTriangles(3000);
+    ASSERT_TRUE(drawable->setMaxTriangles(3000));
     const auto camera = cameraAt(kEye, kNorth);
     cull(*drawable, *camera, 1);
     const auto statistics = drawable->statistics().front();

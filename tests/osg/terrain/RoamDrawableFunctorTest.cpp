@@ -64,7 +64,7 @@ TEST(RoamDrawableFunctor, CoversExactlyTheDataWithUpwardTriangles)
     const auto before = groundOf(*terrain->drawable());
     handcull::cull(*terrain, *handcull::cameraAt({3000, 300, 900}, {3000, 4000, 500}), 1);
     const auto after = groundOf(*terrain->drawable());
-    terrain->drawable()->setPatchExponent(4);
+    ASSERT_TRUE(terrain->drawable()->setPatchExponent(4));
     const auto patched = groundOf(*terrain->drawable());
     for (const auto* ground : {&before, &after, &patched})
     {
@@ -97,7 +97,7 @@ TEST(RoamDrawableFunctor, AMissingRangeShowsInTheArea)
 TEST(RoamDrawableFunctor, BoundsHoldEveryTriangleTightly)
 {
     const auto terrain = terrainOf();
-    terrain->drawable()->setDefaultErrorM(0.0);
+    ASSERT_TRUE(terrain->drawable()->setDefaultErrorM(0.0));
     const auto ground = groundOf(*terrain->drawable());
     const osg::BoundingBox& box = terrain->drawable()->getBoundingBox();
     for (unsigned int i = 0; i < 8; ++i)
@@ -110,7 +110,7 @@ TEST(RoamDrawableFunctor, BoundsHoldEveryTriangleTightly)
 TEST(RoamDrawableFunctor, IntersectionsLieOnTheSurface)
 {
     const auto terrain = terrainOf();
-    terrain->drawable()->setDefaultErrorM(0.0);
+    ASSERT_TRUE(terrain->drawable()->setDefaultErrorM(0.0));
     testsupport::Random random(5);
     for (int i = 0; i < 20; ++i)
     {

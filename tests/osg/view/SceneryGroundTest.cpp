@@ -72,12 +72,12 @@ TEST(SceneryGround, IsTheDrawnGroundWithinTheTerrainsTolerance)
     const PlacedScenery placed = placedOn(*terrain);
     ASSERT_EQ(placed.placements.size(), 400u);
     const auto camera = handcull::cameraAt(kEye, {3000.0, 4000.0, 500.0});
-    terrain->setErrorTolerancePx(kTolerancePx);
+    ASSERT_TRUE(terrain->drawable()->setErrorTolerancePx(kTolerancePx));
     handcull::cull(*terrain, *camera, 1);
     EXPECT_LE(worstPx(*terrain, placed), kTolerancePx);
 
     // The mutation: a ground that may be drawn worse is farther off.
-    terrain->setErrorTolerancePx(40.0);
+    ASSERT_TRUE(terrain->drawable()->setErrorTolerancePx(40.0));
     for (unsigned frame = 2; frame < 8; ++frame)
         handcull::cull(*terrain, *camera, frame);
     EXPECT_GT(worstPx(*terrain, placed), kTolerancePx);

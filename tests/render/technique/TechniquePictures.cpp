@@ -54,7 +54,7 @@ osg::ref_ptr<osgTerrain::Terrain> drawnBy(osgTerrain::TerrainTechnique* techniqu
 osg::ref_ptr<osgTerrain::Terrain> ours(double tolerancePx, const techniquescene::TileSpec& spec)
 {
     const osg::ref_ptr<osgTerrainROAM::RoamTechnique> technique = new osgTerrainROAM::RoamTechnique;
-    technique->setErrorTolerancePx(tolerancePx);
+    EXPECT_TRUE(technique->setErrorTolerancePx(tolerancePx));
     return drawnBy(technique, spec);
 }
 

@@ -37,9 +37,9 @@ void withoutSkirts(osgTerrain::Terrain& terrain)
     forEachTile(terrain,
                 [](osgTerrain::TerrainTile& tile)
                 {
-                    dynamic_cast<osgTerrainROAM::RoamTechnique&>(*tile.getTerrainTechnique())
-                        .drawable()
-                        ->setSkirt(std::nullopt);
+                    ASSERT_TRUE(dynamic_cast<osgTerrainROAM::RoamTechnique&>(*tile.getTerrainTechnique())
+                                    .drawable()
+                                    ->setSkirtM(std::nullopt));
                 });
 }
 

@@ -106,7 +106,7 @@ TEST(SeasonPaint, GreenFadesUntilOctoberAndJanuary)
     terrain->material()->setCover(halves(GroundKind::meadow, GroundKind::forest));
     const auto season = [&](double month)
     {
-        terrain->material()->setSeason((month - 0.5) / 12.0);
+        EXPECT_TRUE(terrain->material()->setSeason((month - 0.5) / 12.0));
         return meanOf(*fromAbove(terrain), 0, 200);
     };
     const osg::Vec3d june = season(6), october = season(10), january = season(1);
@@ -122,7 +122,7 @@ TEST(SeasonPaint, SnowComesDownToWhereItIsCold)
     {
         const auto terrain = plain({});
         osg::Vec4f line;
-        terrain->material()->setSeason(0.5 / 12.0);
+        EXPECT_TRUE(terrain->material()->setSeason(0.5 / 12.0));
         terrain->material()->stateSet()->getUniform("seasonSnowLine")->get(line);
         line.x() = static_cast<float>(snowLineM);
         terrain->material()->stateSet()->getUniform("seasonSnowLine")->set(line);
@@ -141,7 +141,7 @@ TEST(NightPaint, ARunwayHasLightsOnlyAtNight)
         AtmosphereSettings settings = terrain->atmosphere()->settings();
         settings.sunDirectionWorld = sunDirectionFromAngles(200.0, sunElevationDeg);
         settings.moonlight = moonlight;
-        terrain->atmosphere()->apply(settings);
+        EXPECT_TRUE(terrain->atmosphere()->setSettings(settings));
         Camera camera(terrain);
         const auto picture = camera.picture({20000.0, 18600.0, 80.0}, {0.0, 1.0, -0.3}, kUp);
         int bright = 0;
@@ -169,7 +169,7 @@ TEST(NightPaint, ATownIsLit)
     terrain->material()->setCover(halves(GroundKind::urban, GroundKind::forest));
     AtmosphereSettings settings = terrain->atmosphere()->settings();
     settings.sunDirectionWorld = sunDirectionFromAngles(200.0, -14.0);
-    terrain->atmosphere()->apply(settings);
+    EXPECT_TRUE(terrain->atmosphere()->setSettings(settings));
     const auto picture = fromAbove(terrain);
     EXPECT_GT(meanOf(*picture, 0, 200).x(), 2.0 * meanOf(*picture, 280, kWidthPx).x() + 3.0);
 }
@@ -192,7 +192,7 @@ TEST(ImageryPaint, TheFinestOfSeveralWinsInAnyOrder)
     for (const auto& layers : {std::vector{coarse, fine}, std::vector{fine, coarse}})
     {
         const auto terrain = plain({});
-        terrain->material()->setImagery(layers);
+        EXPECT_TRUE(terrain->material()->setImagery(layers));
         Camera camera(terrain);
         const auto picture = camera.picture({20000.0, 20500.0, 300.0}, -kUp, kNorth);
         const osg::Vec3d west = meanOf(*picture, 0, 230), east = meanOf(*picture, 300, kWidthPx);

@@ -83,7 +83,7 @@ osg::ref_ptr<RoamTerrain> withMaterial(const std::shared_ptr<Tile>& tile, double
     const osg::ref_ptr<TerrainMaterial> material =
         new TerrainMaterial(tile->tile, climateOf(tile->tile, land));
     osg::ref_ptr<RoamTerrain> terrain = new RoamTerrain(tile, material);
-    terrain->setErrorTolerancePx(tolerancePx);
+    EXPECT_TRUE(terrain->drawable()->setErrorTolerancePx(tolerancePx));
     AtmosphereSettings settings;
     settings.sunDirectionWorld = sunDirectionFromAngles(235.0, 40.0);
     settings.visibilityM = 30000.0;

@@ -78,11 +78,11 @@ TEST(TerrainDrawing, PatchesDrawTheSameGround)
         viewer->camera().setProjectionMatrixAsPerspective(45.0, 320.0 / 180.0, 5.0, 30000.0);
         for (const Viewpoint& view : views)
         {
-            terrain->setPatchExponent(0);
+            ASSERT_TRUE(terrain->drawable()->setPatchExponent(0));
             const auto plain = pictureFrom(*viewer, view);
             for (const int exponent : {2, 6})
             {
-                terrain->setPatchExponent(exponent);
+                ASSERT_TRUE(terrain->drawable()->setPatchExponent(exponent));
                 const auto difference = compareImages(*plain, *pictureFrom(*viewer, view));
                 EXPECT_TRUE(difference.within(16, 4))
                     << view.name << ' ' << exponent << ": " << difference.message();

@@ -130,7 +130,7 @@ TEST(TerrainGolden, TwentyPercentMoreHazeIsCaught)
         {
             AtmosphereSettings settings = terrain.atmosphere()->settings();
             settings.visibilityM /= 1.2;
-            terrain.atmosphere()->apply(settings);
+            ASSERT_TRUE(terrain.atmosphere()->setSettings(settings));
         });
 }
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// enhMerge, paper 1, §5.2. What the paper finds by descending from neighbour to neighbour is, among the diamonds, simply
-// everything below: a vertex goes when one of the two that it hangs on goes. The boundary shows afterwards: vertices that
-// went and hang, with one hand, on one that stays.
+// Source: *Methods of continuous level of detail for terrain* (Graphicon 2002), section 5.2 (enhMerge).
+// Differs: the paper descends from neighbour to neighbour. Among diamonds the removed vertices are simply all descendants:
+// a vertex is removed when one of its two parents is. The new leaves are found afterwards: triangles that were split by a
+// removed vertex with one remaining parent.
 #include <cassert>
 
 #include <osgTerrainROAM/core/roam/DiamondTree.h>
@@ -21,7 +22,7 @@ std::uint32_t DiamondTree::enhMerge(VertexSlot v)
         if (next + kAhead < _freeSlots.size()) __builtin_prefetch(&_diamonds[_freeSlots[next + kAhead]]);
         merges += takeApart(_freeSlots[next]);
     }
-    // What becomes a leaf takes the place of one that was below it, and, coarser than a region, any, once that is empty.
+    // A new leaf takes the slot of a leaf that was below it; leaves coarser than a region take any slot, after the others.
     const auto forEachNewLeaf = [&](auto add)
     {
         for (std::size_t i = first; i < _freeSlots.size(); ++i)
@@ -56,8 +57,8 @@ std::uint32_t DiamondTree::enhMerge(VertexSlot v)
     return merges;
 }
 
-/// Cuts the leaves around a vertex out of what is drawn, and frees the vertices that hang on it. Returns the number of
-/// triangles that it had split.
+/// Cuts the leaves around a vertex out of the arena, and removes its child vertices. Returns the number of triangles that
+/// it had split.
 std::uint32_t DiamondTree::takeApart(VertexSlot v)
 {
     bool atBorder = false;
@@ -87,7 +88,7 @@ std::uint32_t DiamondTree::takeApart(VertexSlot v)
     return atBorder ? 1 : 2;
 }
 
-/// The slot of a leaf that was cut out below a triangle; kUndrawn where none below was drawn.
+/// Returns the slot of a leaf that was cut out below a triangle; kUndrawn where none below was drawn.
 std::uint32_t DiamondTree::cutBelow(TriangleId t) const
 {
     const std::uint32_t here = link(t);

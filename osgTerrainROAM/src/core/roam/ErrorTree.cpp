@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Exact error bounds of a triangle bintree: every data sample is compared with the plane of every triangle that
-// holds it, then errors and radii are nested over the diamonds (spec 1 D; Lindstrom & Pascucci 2001 nest so too,
-// but bound the error of a triangle by its split vertex alone, which is no bound on the samples in between).
+// Exact error bounds of a triangle bintree: every data sample is compared with the plane of every triangle that holds it,
+// then errors and radii are nested over the diamonds.
+// Source: Lindstrom & Pascucci, *Visualization of large terrains made easy*, 2001 (nesting). Differs: they take the error
+// of a triangle from its split vertex alone, which does not bound the error of the samples between.
 #include <algorithm>
 #include <atomic>
 #include <cmath>

@@ -17,7 +17,7 @@ void RoamMesh::followTile()
     for (const TileChange* change : *changes)
     {
         for (const GridPoint v : change->vertices)
-            _wheel.lookAgain(v);
+            _wheel.recheck(v);
         for (const GridRect& rect : change->moved)
         {
             if (_patches)
@@ -36,12 +36,12 @@ void RoamMesh::followMoved(const GridRect& rect)
                         if (v != kNone)
                         {
                             _tree.noteMoved(v);
-                            if (v >= DiamondTree::kCorners) _wheel.lookAgain(_tree.place(v).point());
+                            if (v >= DiamondTree::kCorners) _wheel.recheck(_tree.place(v).point());
                             return;
                         }
                         if (!_tree.canSplit(leaf)) return;
                         const GridPoint mid = _tree.middle(leaf);
-                        if (rect.holds(mid.column, mid.row)) _wheel.lookAgain(mid);
+                        if (rect.holds(mid.column, mid.row)) _wheel.recheck(mid);
                     });
 }
 

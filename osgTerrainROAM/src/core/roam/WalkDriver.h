@@ -12,8 +12,9 @@
 namespace osgTerrainROAM::core
 {
 
-/// The paper's own frame loop (paper 1, §5.2): walks the tree of the last frame, splits or merges by the screen error.
-/// Difference: the bounds nest in space, too (spec 1 D), so the result does not depend on the visiting order.
+/// Adapts a tree by a walk over all of it: splits or merges each triangle by its screen error.
+/// Source: *Methods of continuous level of detail for terrain* (Graphicon 2002), section 5.2 (the frame loop).
+/// Differs: the bounds nest in space, too (Refinement.h), so the result does not depend on the visiting order.
 template<class Active>
 class WalkDriver
 {

@@ -11,7 +11,7 @@ namespace osgTerrainROAM::core
 namespace
 {
 
-/// What rounding can add to a margin, and far more.
+/// Exceeds the rounding error of a margin by far.
 constexpr double kRoundingM = 1e-6;
 
 constexpr std::uint32_t watchOf(VertexSlot v, unsigned kind)
@@ -38,74 +38,74 @@ bool WheelDriver::refine(DiamondTree& tree, const viewlod::ViewState& view, doub
     const double scale = view.guaranteedPixelsPerTangent() / tolerancePx;
     const double travelM = glm::distance(view.eyeWorld, _eye) + std::abs(view.nearM - _nearM);
     const bool isStill = _knowsTree && travelM == 0.0 && scale == _scale;
-    if (isStill && _leavingCount == 0 && _coming.empty() && _again.empty() && !_wheel.hasDue()) return true;
-    _followed = tree.changes().vertices.size();
-    _wayM += travelM;
-    bool leavingLeft = false;
-    std::size_t comingLeft = 0;
+    if (isStill && _mergeCount == 0 && _splits.empty() && _rechecks.empty() && !_wheel.hasDue()) return true;
+    _watched = tree.changes().vertices.size();
+    _pathM += travelM;
+    bool mergesLeft = false;
+    std::size_t splitsLeft = 0;
     if (_knowsTree)
     {
         _wheel.advance(travelM, std::abs(scale - _scale));
-        // First what the last frame has left over, so that it is not left over for ever.
-        change(frame, _leavingCount > 0, _coming.size());
-        leavingLeft = _leavingCount > 0;
-        comingLeft = _coming.size();
-        lookAgain(frame);
-        lookAtDue(frame);
+        // First the work that the last frame left, so that it does not wait for ever.
+        applyScheduled(frame, _mergeCount > 0, _splits.size());
+        mergesLeft = _mergeCount > 0;
+        splitsLeft = _splits.size();
+        runRechecks(frame);
+        checkDue(frame);
     }
     else
     {
-        startOver(frame);
+        restart(frame);
     }
     _eye = view.eyeWorld;
     _scale = scale;
     _nearM = view.nearM;
-    return change(frame, leavingLeft, comingLeft) && !_wheel.hasDue();
+    return applyScheduled(frame, mergesLeft, splitsLeft) && !_wheel.hasDue();
 }
 
-void WheelDriver::startOver(Frame& frame)
+void WheelDriver::restart(Frame& frame)
 {
-    _again.clear();
+    _rechecks.clear();
     _wheel.clear();
-    _leaving = {};
-    _leavingCount = 0;
-    _coming.clear();
+    _merges = {};
+    _mergeCount = 0;
+    _splits.clear();
     _backlog = {};
     _marks.assign(frame.tree.vertexSlots(), {});
     _knowsTree = true;
     if (const TriangleId root = DiamondTree::kRoots[0]; frame.tree.isLeaf(root))
-        look(frame, root.apex(), root.quadrant());
+        check(frame, root.apex(), root.quadrant());
     for (VertexSlot v = DiamondTree::kCorners; v < frame.tree.vertexSlots(); ++v)
-        if (!frame.tree.place(v).isFree()) follow(frame, v);
+        if (!frame.tree.place(v).isFree()) watchAround(frame, v);
 }
 
-/// Whatever was known of those places is not true any more. What would split one leaf only, and not the coarser one across,
-/// is forgotten: who splits that one looks.
-void WheelDriver::lookAgain(Frame& frame)
+/// Checks the points that recheck() was called for. A candidate that would split one leaf but not the coarser leaf across
+/// its base is forgotten: splitting that leaf will watch it.
+void WheelDriver::runRechecks(Frame& frame)
 {
     const DiamondTree& tree = frame.tree;
-    for (const GridPoint p : _again)
+    for (const GridPoint p : _rechecks)
     {
         const DiamondTree::AtPlace there = tree.atPlace(p);
-        if (there.vertex != kNone) look(frame, there.vertex, kItself);
+        if (there.vertex != kNone) check(frame, there.vertex, kItself);
         for (std::size_t i = 0; i < there.leafCount; ++i)
             _marks[there.leaves[i].apex()][there.leaves[i].quadrant()] = kNotWatched;
         if (there.leafCount == 0) continue;
         const TriangleId t = there.leaves[0];
         const bool hasBoth = there.leafCount == 2 || !tree.acrossBase(t).exists();
-        if (hasBoth) look(frame, t.apex(), t.quadrant());
+        if (hasBoth) check(frame, t.apex(), t.quadrant());
     }
-    _again.clear();
+    _rechecks.clear();
 }
 
-inline GridPoint WheelDriver::watchedPlace(const DiamondTree& tree, VertexSlot v, unsigned kind)
+inline GridPoint WheelDriver::watchedPoint(const DiamondTree& tree, VertexSlot v, unsigned kind)
 {
     return kind == kItself ? tree.place(v).point() : tree.middle(TriangleId(v, kind));
 }
 
-/// Compiled into the loop over what is due: most of that only has to be watched further.
-[[gnu::always_inline]] inline void WheelDriver::lookAt(Frame& frame, std::uint32_t watch,
-                                                       DeferralWheel::Mark& mark, GridPoint place)
+/// Inlined into the loop over due watches: most of them only have to be watched further.
+[[gnu::always_inline]] inline void WheelDriver::checkWatched(Frame& frame, std::uint32_t watch,
+                                                             DeferralWheel::Mark& mark, GridPoint place)
 {
     ++frame.result.checks;
     frame.slice.check();
@@ -114,15 +114,15 @@ inline GridPoint WheelDriver::watchedPlace(const DiamondTree& tree, VertexSlot v
     if (verdict.active != (kindOf(watch) == kItself))
     {
         mark = kWaits;
-        found(frame, watch, bound.errorM, verdict.distanceM);
+        schedule(frame, watch, bound.errorM, verdict.distanceM);
         return;
     }
     mark = bound.errorM > 0.0f ? _wheel.add(watch, bound.errorM, verdict.marginM - kRoundingM) : kNotWatched;
 }
 
-/// The work is waiting for memory; so it goes in batches, and each is announced while the one before is looked at. What the
-/// slice does not allow for stays due.
-void WheelDriver::lookAtDue(Frame& frame)
+/// Checks due watches in batches: memory is prefetched for one batch while the batch before is checked. Watches that the
+/// slice does not allow for stay due.
+void WheelDriver::checkDue(Frame& frame)
 {
     std::array<DeferralWheel::Batch, 2> batches;
     for (std::size_t here = 0, there = 1;; std::swap(here, there))
@@ -136,13 +136,13 @@ void WheelDriver::lookAtDue(Frame& frame)
             __builtin_prefetch(&_marks[vertexOf(next.watches[i])]);
             __builtin_prefetch(&frame.tree.place(vertexOf(next.watches[i])));
         }
-        lookAtBatch(frame, batches[there]);
+        checkBatch(frame, batches[there]);
         if (next.count == 0) return;
     }
 }
 
-/// All places are found before the first is looked at.
-void WheelDriver::lookAtBatch(Frame& frame, const DeferralWheel::Batch& batch)
+/// Computes all points of the batch before it checks the first, so that their memory is prefetched.
+void WheelDriver::checkBatch(Frame& frame, const DeferralWheel::Batch& batch)
 {
     std::array<std::uint32_t, DeferralWheel::Batch::kMost> wanted; // places in the batch
     std::array<std::int32_t, DeferralWheel::Batch::kMost> columns, rows;
@@ -152,9 +152,9 @@ void WheelDriver::lookAtBatch(Frame& frame, const DeferralWheel::Batch& batch)
     {
         const VertexSlot v = vertexOf(batch.watches[i]);
         const unsigned kind = kindOf(batch.watches[i]);
-        // Whether anybody still waits for it.
+        // Whether the watch is still wanted.
         if (_marks[v][kind] != batch.marks[i] || tree.place(v).isFree()) continue;
-        const GridPoint place = watchedPlace(tree, v, kind);
+        const GridPoint place = watchedPoint(tree, v, kind);
         tree.bounds().prefetch(place);
         wanted[count] = i;
         columns[count] = place.column;
@@ -164,39 +164,39 @@ void WheelDriver::lookAtBatch(Frame& frame, const DeferralWheel::Batch& batch)
     {
         const std::uint32_t watch = batch.watches[wanted[i]];
         DeferralWheel::Mark& mark = _marks[vertexOf(watch)][kindOf(watch)];
-        if (mark == batch.marks[wanted[i]]) // and has not just been looked at
-            lookAt(frame, watch, mark, {columns[i], rows[i]});
+        if (mark == batch.marks[wanted[i]]) // and was not checked meanwhile
+            checkWatched(frame, watch, mark, {columns[i], rows[i]});
     }
 }
 
-void WheelDriver::look(Frame& frame, VertexSlot v, unsigned kind)
+void WheelDriver::check(Frame& frame, VertexSlot v, unsigned kind)
 {
-    lookAt(frame, watchOf(v, kind), _marks[v][kind], watchedPlace(frame.tree, v, kind));
+    checkWatched(frame, watchOf(v, kind), _marks[v][kind], watchedPoint(frame.tree, v, kind));
 }
 
-/// A vertex has become active, or is no longer.
-void WheelDriver::found(Frame& frame, std::uint32_t watch, double errorM, double belowM)
+/// Schedules a split or a merge: a vertex has become active, or is no longer.
+void WheelDriver::schedule(Frame& frame, std::uint32_t watch, double errorM, double belowM)
 {
     const VertexSlot v = vertexOf(watch);
     const unsigned kind = kindOf(watch);
     if (kind == kItself)
     {
-        _leaving[static_cast<std::size_t>(frame.tree.place(v).level)].push_back(v); // no corner: not negative
-        ++_leavingCount;
+        _merges[static_cast<std::size_t>(frame.tree.place(v).level)].push_back(v); // no corner: not negative
+        ++_mergeCount;
         return;
     }
-    if (_coming.empty()) _backlog = {.sinceM = _wayM};
+    if (_splits.empty()) _backlog = {.sinceM = _pathM};
     const double distanceM = std::max(belowM, frame.nearM);
     _backlog.errorPerM = std::max(_backlog.errorPerM, errorM / distanceM);
     _backlog.nearestM = std::min(_backlog.nearestM, distanceM);
-    _coming.emplace_back(v, kind);
+    _splits.emplace_back(v, kind);
 }
 
-/// Watches a new vertex, and what could come after it: the vertices on its diamond's edges that have both parents now.
-void WheelDriver::follow(Frame& frame, VertexSlot v)
+/// Watches a new vertex and the new candidates: the vertices on its diamond's edges that have both parents now.
+void WheelDriver::watchAround(Frame& frame, VertexSlot v)
 {
     const DiamondTree& tree = frame.tree;
-    look(frame, v, kItself);
+    check(frame, v, kItself);
     for (unsigned quadrant = 0; quadrant < 4; ++quadrant)
     {
         const TriangleId t(v, quadrant);
@@ -204,80 +204,81 @@ void WheelDriver::follow(Frame& frame, VertexSlot v)
         const TriangleId across = tree.acrossBase(t);
         const bool hasBoth = !across.exists() || tree.level(across) == tree.level(t);
         const bool watchedThere = across.exists() && _marks[across.apex()][across.quadrant()] != kNotWatched;
-        if (hasBoth && !watchedThere) look(frame, v, quadrant);
+        if (hasBoth && !watchedThere) check(frame, v, quadrant);
     }
 }
 
-void WheelDriver::followNew(Frame& frame)
+void WheelDriver::watchNew(Frame& frame)
 {
     const std::vector<VertexSlot>& added = frame.tree.changes().vertices;
     while (_marks.size() < frame.tree.vertexSlots())
         appendTightly(_marks);
-    for (std::size_t i = _followed; i < added.size(); ++i)
+    for (std::size_t i = _watched; i < added.size(); ++i)
     {
         _marks[added[i]] = {};
         for (const TriangleId t : frame.tree.parents(added[i]))
             if (t.exists()) _marks[t.apex()][t.quadrant()] = kNotWatched;
     }
-    while (_followed < added.size())
-        follow(frame, added[_followed++]);
+    while (_watched < added.size())
+        watchAround(frame, added[_watched++]);
 }
 
-/// Does what has been found to do. Stale is what was found for an earlier eye: it has to be looked at once more.
-bool WheelDriver::change(Frame& frame, bool staleLeaving, std::size_t staleComing)
+/// Performs the scheduled merges and splits. Stale ones were found for an earlier eye and are checked once more.
+bool WheelDriver::applyScheduled(Frame& frame, bool staleMerges, std::size_t staleSplits)
 {
-    return letGo(frame, staleLeaving) && letCome(frame, staleComing);
+    return mergeScheduled(frame, staleMerges) && splitScheduled(frame, staleSplits);
 }
 
-/// Coarser vertices first: what stands on them goes along.
-bool WheelDriver::letGo(Frame& frame, bool areStale)
+/// Merges coarser vertices first: each removes its subtree.
+bool WheelDriver::mergeScheduled(Frame& frame, bool areStale)
 {
-    for (std::size_t level = 0; level < _leaving.size() && _leavingCount > 0; ++level)
-        while (!_leaving[level].empty())
+    for (std::size_t level = 0; level < _merges.size() && _mergeCount > 0; ++level)
+        while (!_merges[level].empty())
         {
             if (frame.slice.isSpent()) return false;
-            const VertexSlot v = _leaving[level].back();
-            _leaving[level].pop_back();
-            --_leavingCount;
-            if (!frame.tree.place(v).isFree() && _marks[v][kItself] == kWaits) takeOut(frame, v, areStale);
+            const VertexSlot v = _merges[level].back();
+            _merges[level].pop_back();
+            --_mergeCount;
+            if (!frame.tree.place(v).isFree() && _marks[v][kItself] == kWaits)
+                mergeVertex(frame, v, areStale);
         }
     return true;
 }
 
-void WheelDriver::takeOut(Frame& frame, VertexSlot v, bool isStale)
+void WheelDriver::mergeVertex(Frame& frame, VertexSlot v, bool isStale)
 {
     DiamondTree& tree = frame.tree;
-    if (isStale && frame.active(tree.bound(v))) return look(frame, v, kItself); // came back
+    if (isStale && frame.active(tree.bound(v))) return check(frame, v, kItself); // active again
     const TriangleId parent = tree.parents(v)[0];
     const std::uint32_t merges = tree.enhMerge(v);
     frame.result.merges += merges;
     frame.slice.change(merges);
-    look(frame, parent.apex(), parent.quadrant());
+    check(frame, parent.apex(), parent.quadrant());
 }
 
-/// The first `stale` are of an earlier eye.
-bool WheelDriver::letCome(Frame& frame, std::size_t stale)
+/// The first `stale` splits are of an earlier eye.
+bool WheelDriver::splitScheduled(Frame& frame, std::size_t stale)
 {
     DiamondTree& tree = frame.tree;
-    while (!_coming.empty())
+    while (!_splits.empty())
     {
         if (frame.slice.isSpent()) return false;
-        const TriangleId t = _coming.back();
+        const TriangleId t = _splits.back();
         const bool isDone = tree.place(t.apex()).isFree() || _marks[t.apex()][t.quadrant()] != kWaits;
-        const bool hasGone = !isDone && _coming.size() <= stale && !frame.active(tree.bound(t));
+        const bool hasGone = !isDone && _splits.size() <= stale && !frame.active(tree.bound(t));
         if (!isDone && !hasGone && !tree.hasRoomToSplit(t, frame.maxLeaves)) return false;
-        _coming.pop_back();
-        stale = std::min(stale, _coming.size());
-        if (isDone) continue; // a forced split was first
+        _splits.pop_back();
+        stale = std::min(stale, _splits.size());
+        if (isDone) continue; // a forced split has done it
         if (hasGone)
         {
-            look(frame, t.apex(), t.quadrant());
+            check(frame, t.apex(), t.quadrant());
             continue;
         }
         const std::uint32_t splits = tree.forceSplit(t);
         frame.result.splits += splits;
         frame.slice.change(splits);
-        followNew(frame);
+        watchNew(frame);
     }
     return true;
 }
@@ -285,10 +286,10 @@ bool WheelDriver::letCome(Frame& frame, std::size_t stale)
 double WheelDriver::errorBoundPx(const viewlod::ViewState& view, double tolerancePx) const
 {
     if (_wheel.hasDue()) return std::numeric_limits<double>::infinity();
-    if (_coming.empty()) return tolerancePx;
-    // Since then the eye may have come nearer, by as much as its way has grown. d / max(d - nearer, near) is largest for
-    // the nearest, or where the difference reaches the near distance.
-    const double scale = view.guaranteedPixelsPerTangent(), nearerM = _wayM - _backlog.sinceM;
+    if (_splits.empty()) return tolerancePx;
+    // Since then the eye may have come nearer by the growth of its path. d / max(d - nearer, near) is largest for the
+    // nearest, or where the difference reaches the near distance.
+    const double scale = view.guaranteedPixelsPerTangent(), nearerM = _pathM - _backlog.sinceM;
     const double atM = std::max(_backlog.nearestM, nearerM + view.nearM);
     return std::max(scale * _backlog.errorPerM * atM / (atM - nearerM), tolerancePx);
 }
@@ -296,8 +297,8 @@ double WheelDriver::errorBoundPx(const viewlod::ViewState& view, double toleranc
 std::size_t WheelDriver::memoryBytes() const
 {
     std::size_t bytes = _wheel.memoryBytes() + _marks.capacity() * sizeof(_marks[0]) +
-                        _coming.capacity() * sizeof(TriangleId);
-    for (const auto& ofLevel : _leaving)
+                        _splits.capacity() * sizeof(TriangleId);
+    for (const auto& ofLevel : _merges)
         bytes += ofLevel.capacity() * sizeof(VertexSlot);
     return bytes;
 }

@@ -13,29 +13,28 @@
 namespace osgTerrainROAM::core
 {
 
-/// Hands out what has to be looked at again, and no sooner than its margin is used up.
-/// Whoever watches a split vertex v asks for it at margin |f_v|: f_v changes by no more than the eye travels plus e_v
-/// times the change of the scale K/τ. So there is one clock per octave of e, which advances by the travel and by the
-/// octave's upper end times the change of scale; a watch is due when its octave's clock has advanced by its margin,
-/// rounded down: to a tick, and where the margin is long by up to an eighth.
-/// Each octave has a timing wheel of levels, each four times as coarse as the one before, whose entries never move between
-/// levels. Numbers are all that is kept: a watch that is no longer wanted is still handed out, and who asked for it
-/// recognises it by its mark.
+/// The queue of split vertices whose decision has to be checked again: it hands each out when its margin may be used up.
+/// The decision f_v of a vertex changes by no more than the eye travels plus e_v times the change of the scale K/τ, so it holds
+/// while that sum is below the margin |f_v|. There is one clock per octave of e: it advances by the travel and by the octave's
+/// upper end times the change of scale. A watch is due when its octave's clock has advanced by its margin, rounded down: to a
+/// tick, and for a long margin by up to an eighth.
+/// Each octave has a timing wheel of levels, each four times as coarse as the one before; entries never move between levels.
+/// The wheel stores numbers only: a cancelled watch is still handed out, and its owner recognises it by its mark.
 /// Memory: 4 B per watch, in blocks of 64 B. Cost: O(1) for a watch, a few words per octave for a step.
-/// Source: spec 1 D, "Deferral"; terrain anchors, point 2. The wheel without cascades is that of Linux timers.
+/// Source: Varghese & Lauck, *Hashed and hierarchical timing wheels*, 1987; without cascades, as the timers of Linux since 4.8.
 class DeferralWheel
 {
 public:
     using Mark = std::uint8_t; ///< of a bucket, 1 to 128; different buckets seldom share one
 
-    /// `tickM`: margins below it are due at the next step.
+    /// `tickM`: watches with a smaller margin are due at the next step.
     explicit DeferralWheel(double tickM);
 
-    /// Asks for `watch` (any number) once its margin is used up; a negative one already is. Returns the mark it will be
-    /// handed out with.
+    /// Adds `watch` (any number), due when its margin is used up; with a negative margin, at the next step. Returns the mark that
+    /// it will be handed out with.
     Mark add(std::uint32_t watch, float errorM, double marginM);
 
-    /// Some watches that are due, and the marks that they were asked for with.
+    /// A batch of due watches, and the marks that add() returned for them.
     struct Batch
     {
         static constexpr std::size_t kMost = 32;
@@ -44,11 +43,11 @@ public:
         std::uint32_t count = 0;
     };
 
-    /// The eye has travelled, the scale K/τ has changed: whatever may have used up its margin is due, larger errors first,
-    /// after what was due before. Cost: that of the buckets, not of what is in them.
+    /// Advances the clocks after the eye has travelled and the scale K/τ has changed: watches whose margin may be used up become
+    /// due, those with larger errors first, after those that are due already. Cost: that of the buckets, not of their entries.
     void advance(double travelM, double scaleChange);
 
-    /// Puts the next of what is due into a batch; none when there is no more.
+    /// Fills a batch with the next due watches; it is empty when there are no more.
     void nextDue(Batch& batch);
     bool hasDue() const { return _nextDue < _due.size(); }
 
@@ -61,7 +60,7 @@ private:
 
     static constexpr std::size_t kPerBlock = 14;
 
-    /// By the highest bit of the ticks to come.
+    /// The level of a watch by the highest bit of the ticks until it is due.
     static constexpr std::array<std::uint8_t, 64> kLevelOfBit = []
     {
         std::array<std::uint8_t, 64> levels{};
@@ -122,7 +121,7 @@ private:
     std::size_t _nextDue = 0;
 };
 
-// Compiled into who looks at watches: this is done for every one of them.
+// Inline: this runs once for every check of a vertex.
 inline DeferralWheel::Mark DeferralWheel::add(std::uint32_t watch, float errorM, double marginM)
 {
     const int which = octaveOf(errorM);

@@ -11,23 +11,22 @@
 namespace osgTerrainROAM::core
 {
 
-/// The ground as the mesh shows it at a place: what wheels must stand on to touch what is seen.
+/// The drawn ground below a position: where wheels have to stand to touch what is visible.
 struct DrawnGround
 {
     glm::dvec3 position; ///< on the drawn triangle (of the leaf's patch, if it carries one), local frame
     glm::dvec3 normal;   ///< of that triangle, unit length, pointing up
-    double boundM;       ///< the true surface over that triangle is nowhere farther from it than this
+    double boundM;       ///< largest distance of the true surface from that triangle
     TriangleId leaf;
 };
 
-/// The *drawn* surface vertically above or below a local position; nothing beyond the edge of the data. groundAt() gives
-/// the *true* one.
-/// Frame: the tile's. Units: metres. Cost: O(depth of the mesh). Threads: while no operation changes the tree, any.
-/// Source: terrain anchors, point 9.
+/// Finds the *drawn* surface vertically above or below a local position; nothing beyond the edge of the data. groundAt() finds
+/// the *true* surface.
+/// Frame: the tile's. Units: metres. Cost: O(depth of the mesh). Threads: any, while no operation changes the tree.
 std::optional<DrawnGround> drawnGroundAt(const DiamondTree& tree, double eastM, double northM);
 
-/// The same for many places (east, north), into as many `grounds`: several ways down the tree at once, so that one need
-/// not wait for another's memory.
+/// Does the same for many positions (east, north), and writes as many `grounds`. It follows several paths down the tree at
+/// once, so that one does not wait for another's memory.
 void drawnGroundAt(const DiamondTree& tree, std::span<const glm::dvec2> places,
                    std::span<std::optional<DrawnGround>> grounds);
 

@@ -11,21 +11,21 @@
 namespace osgTerrainROAM::core
 {
 
-/// What brute force finds in one drawn mesh; all counts are 0 in a sound one.
+/// The findings of a brute-force check of one drawn mesh; all counts are 0 in a sound mesh.
 struct DrawnMeshReport
 {
     std::size_t tJunctions = 0; ///< edges inside the data that no neighbouring triangle shares
     std::size_t cracks =
         0; ///< data samples under no triangle, and vertices that, without morphing, are off their samples
     double maxErrorPx =
-        0.0; ///< largest distance in the picture between a visible sample and the drawn surface
+        0.0; ///< largest distance in the frame, in pixels, between a visible sample and the drawn surface
 };
 
-/// Checks a mesh from outside: it sees only what is drawn, not the tree that made it.
-/// Every data sample is compared with the triangle that covers it, both projected with the view's real matrix;
-/// samples nearer than the near distance or outside the picture have no error (spec 1 D, goal L2).
-/// `view` absent: topology alone. Frame: the tile's local frame.
-/// Cost: one visit per data sample, about 0.1 µs each where it can be visible.
+/// Checks a drawn mesh without the tree that made it.
+/// It compares every data sample with the triangle that covers it, both projected with the view's real matrix. Samples nearer
+/// than the near distance or outside the frame have no error.
+/// `view` absent: checks the topology only. Frame: the tile's local frame.
+/// Cost: one visit per data sample, about 0.1 µs for each that can be visible.
 DrawnMeshReport checkDrawnMesh(const RoamTile& tile, const DrawnMesh& mesh, const viewlod::ViewState* view);
 
 } // namespace osgTerrainROAM::core

@@ -11,7 +11,7 @@
 namespace osgTerrainROAM::core
 {
 
-/// A place of the sample grid.
+/// A point of the sample grid.
 struct GridPoint
 {
     int column = 0;
@@ -29,7 +29,7 @@ struct GridTriangle
 {
     GridPoint apex, left, right;
 
-    /// The sample that splits it; the triangle is not of the finest level.
+    /// The sample that splits it. Precondition: the triangle is not of the finest level.
     GridPoint middleOfBase() const { return middle(left, right); }
 
     /// Whether more of it than its border lies in a field of `columns` × `rows` samples.
@@ -56,15 +56,15 @@ struct GridTriangle
         return {west, south, east, north};
     }
 
-    /// Whether a place lies in it or on its border.
+    /// Whether a point lies in it or on its border.
     bool holds(GridPoint p) const
     {
         const Barycentric b = at(p.column, p.row);
         return b.u >= 0.0 && b.w >= 0.0 && b.u + b.w <= 1.0;
     }
 
-    /// Calls visit(row, west, east) for every row that the triangle touches within `columns` × `rows` places;
-    /// the places west…east, borders included, lie in it. Only rows and columns that are multiples of `step`, a power of two.
+    /// Calls visit(row, west, east) for every row that the triangle touches within `columns` × `rows` points; the points
+    /// west…east, borders included, lie in it. Visits only rows and columns that are multiples of `step`, a power of two.
     template<class Visit>
     void forEachRow(int columns, int rows, const Visit& visit, int step = 1) const
     {
@@ -82,14 +82,14 @@ struct GridTriangle
         }
     }
 
-    /// A place p of the plane is apex + u·(left − apex) + w·(right − apex). The legs are perpendicular and of one
-    /// length, so (u, w) are dot products over its square: exact in binary, a power of two.
+    /// The coordinates of a point p of the plane: p = apex + u·(left − apex) + w·(right − apex). The legs are perpendicular and of
+    /// one length, so (u, w) are dot products divided by its square: a power of two, exact in binary.
     struct Barycentric
     {
         double u, w;
     };
 
-    /// What one sample eastwards and one northwards add to (u, w).
+    /// The change of (u, w) from one sample to the next eastwards and northwards.
     Barycentric perColumn() const { return scaled(left.column - apex.column, right.column - apex.column); }
     Barycentric perRow() const { return scaled(left.row - apex.row, right.row - apex.row); }
 
@@ -108,7 +108,7 @@ private:
         return {alongLeft * inverse, alongRight * inverse};
     }
 
-    /// Widens [west, east] by where edge a–b crosses `row`.
+    /// Widens [west, east] to the point where edge a–b crosses `row`.
     static void widen(GridPoint a, GridPoint b, int row, int& west, int& east)
     {
         if (row < std::min(a.row, b.row) || row > std::max(a.row, b.row)) return;
@@ -124,8 +124,8 @@ private:
     }
 };
 
-/// The two triangles that cover a tile of side × side samples: they share the diagonal from south-west to north-east
-/// as base, and either is the other turned about its middle.
+/// The two triangles that cover a tile of side × side samples: their common base is the diagonal from south-west to
+/// north-east, and each is the other rotated about its middle.
 inline std::array<GridTriangle, 2> rootTriangles(int side)
 {
     const int last = side - 1;

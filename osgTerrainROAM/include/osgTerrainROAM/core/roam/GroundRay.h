@@ -10,7 +10,7 @@
 namespace osgTerrainROAM::core
 {
 
-/// Where a ray meets the true surface.
+/// A point at which a ray meets the true surface.
 struct GroundHit
 {
     double distanceM; ///< along the ray
@@ -18,11 +18,11 @@ struct GroundHit
     glm::dvec3 normal; ///< of the full-resolution triangle, unit length, pointing up
 };
 
-/// The first place where the ray from `origin` along `direction` (unit length) meets the *true* surface, from either
+/// Finds the first point where the ray from `origin` along `direction` (unit length) meets the *true* surface, from either
 /// side, within `maxDistanceM`; nothing beyond the edge of the data.
-/// Frame: the tile's. Cost: what the ray passes close to, not what the tile holds. Threads: const, any.
-/// Source: spec 1 D, Error: no sample below a triangle is farther from it than e_v, so a triangle thickened by e_v holds
-/// the surface.
+/// No sample below a triangle of the bintree is farther from it than e_v, so the surface lies in the triangle thickened by e_v:
+/// the search descends only into triangles whose thickened form the ray meets.
+/// Frame: the tile's. Cost: depends on the triangles near the ray, not on the size of the tile. Threads: const, any.
 std::optional<GroundHit> hitGround(const RoamTile& tile, const glm::dvec3& origin,
                                    const glm::dvec3& direction, double maxDistanceM);
 

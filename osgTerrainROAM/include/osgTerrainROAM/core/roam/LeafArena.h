@@ -12,25 +12,25 @@
 namespace osgTerrainROAM::core
 {
 
-/// How leaves lie in the arenas of their region.
+/// The placement of leaves in the arenas of their region.
 enum class LeafPlacement
 {
     inOrder, ///< in that of the bintree: long strips, few vertices transformed
     nearby,  ///< where there is a gap close by: fewer slots are written
 };
 
-/// Which leaf has which slot of the index buffer. Every region of the tree keeps its leaves in arenas of up to 64 slots,
-/// so that a draw call can leave out the regions that no camera sees, and in the order of the bintree, so that each shares
-/// an edge with the one before: what is drawn together lies together.
-/// Arenas have gaps, drawn as triangles without extent. Where a leaf splits, its two halves take its place and the nearest
-/// gap of the arena, and those between move up by one. A full arena moves to twice its size, and one of 64 slots gives
-/// half of its leaves to a new one behind it, each half spread evenly. One with few leaves joins a neighbour, or moves to
-/// half its size. LeafPlacement::nearby moves none up and spreads none: the gaps are at the arena's end.
-/// Who splits, inserts and erases keeps the slots of the leaves, and has to note again those that are written to the
-/// changes.
+/// The table of the leaves by their slots in the index buffer. Every region of the tree keeps its leaves in arenas of up to 64
+/// slots, so that a draw call can omit the regions that no camera sees. Within a region they lie in the order of the bintree, so
+/// that each leaf shares an edge with the one before.
+/// Arenas have gaps, drawn as triangles without extent. When a leaf splits, its two halves take its slot and the nearest gap of
+/// the arena, and those between move up by one. A full arena moves to twice its size; an arena of 64 slots gives half of its
+/// leaves to a new one behind it. Each half is spread evenly. An arena with few leaves joins a neighbour, or moves to half its
+/// size. LeafPlacement::nearby neither moves nor spreads leaves: the gaps are at the arena's end.
+/// The caller of split, insert and erase keeps the slots of the leaves, and has to read again those in the changes.
 /// Invariant: isConsistent(). Memory: 6 B per slot.
-/// Source: Bayer & McCreight 1972 (leaves of a B-tree: they split, and join); Itai, Konheim & Rodeh 1981 (gaps among what
-/// is in order); docs/decisions/0011.
+/// Source: Bayer & McCreight, *Organization and maintenance of large ordered indexes*, 1972 (leaves of a B-tree split and join);
+/// Itai, Konheim & Rodeh, *A sparse table implementation of priority queues*, 1981 (gaps in an ordered array).
+/// See docs/decisions/0011.
 class LeafArena
 {
 public:
@@ -39,11 +39,11 @@ public:
     {
     }
 
-    /// Anywhere in the region: in order where that was empty.
+    /// Inserts anywhere in the region; in order if the region was empty.
     void insert(TriangleId leaf, std::uint32_t region, MeshChanges& changes);
     void erase(std::uint32_t slot, MeshChanges& changes);
 
-    /// Puts two leaves in the place of one, in their order.
+    /// Replaces one leaf by two, in their order.
     void split(std::uint32_t slot, TriangleId earlier, TriangleId later, MeshChanges& changes);
 
     /// Gives a slot to another leaf of the same region.
@@ -53,8 +53,8 @@ public:
         changes.triangles.push_back(slot);
     }
 
-    /// Erases many leaves: cuts out all, then gives the place of one or another to a new leaf of its region, then accounts
-    /// for the gaps. No leaf moves before that.
+    /// Erase many leaves: cutOut() each, then fillGap() for each new leaf of the same region, then closeGaps(). No leaf moves
+    /// before closeGaps().
     void cutOut(std::uint32_t slot)
     {
         const std::uint32_t index = arenaAt(slot);
@@ -80,7 +80,7 @@ public:
     std::uint32_t regionCount() const { return static_cast<std::uint32_t>(_firstArena.size()); }
     std::uint32_t regionOf(std::uint32_t slot) const { return _arenas[arenaAt(slot)].region; }
 
-    /// Appends what to draw for a region, gaps included, in its order. Returns the number of leaves in it.
+    /// Appends the slots to draw for a region, gaps included, in its order. Returns the number of leaves in it.
     std::uint32_t appendRanges(std::uint32_t region, std::vector<TriangleRange>& ranges) const;
 
     /// Calls visit(leaf) for the leaves of a region, in its order.

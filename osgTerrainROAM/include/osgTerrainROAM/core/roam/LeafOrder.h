@@ -13,7 +13,7 @@ namespace osgTerrainROAM::core
 
 class RoamMesh;
 
-/// How well the order of triangles suits the hardware that draws them. Units: per triangle, but for the strips.
+/// Measures of how well an order of triangles suits the hardware. Units: per triangle, except the strips.
 struct LeafOrder
 {
     double stripLength = 0.0; ///< mean number of triangles in a row that share an edge with the one before
@@ -25,8 +25,8 @@ struct LeafOrder
     double gaps = 0.0;          ///< triangles without extent, sent besides
 };
 
-/// Plays draw calls through models of what keeps transformed vertices: each call begins with nothing. Triangles whose
-/// corners are one vertex are gaps: they send that vertex, but neither count nor break a strip.
+/// Simulates draw calls on models of vertex caches and strips; each call begins with an empty cache. A triangle whose corners
+/// are one vertex is a gap: it sends that vertex, but neither counts nor breaks a strip.
 /// Memory: 20 B per vertex. Cost: some 20 ns a triangle. Source: VertexCache.h.
 class LeafOrderMeter
 {
@@ -40,7 +40,7 @@ public:
     LeafOrder result() const;
 
 private:
-    /// The strip's last triangle: what it shares with the one before, older vertex first once that is known, and its new
+    /// The last triangle of the strip: the edge shared with the one before (older vertex first, once that is known) and its new
     /// vertex.
     struct Strip
     {
@@ -57,7 +57,7 @@ private:
     std::uint64_t _triangles = 0, _gaps = 0, _strips = 0, _stripVertices = 0;
 };
 
-/// Of a whole mesh as it is drawn, one call a region.
+/// Measures a whole mesh as it is drawn, one call a region.
 LeafOrder orderOf(const RoamMesh& mesh);
 
 } // namespace osgTerrainROAM::core

@@ -15,7 +15,7 @@ namespace osgTerrainROAM::core
 
 inline constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
-/// A vertex of the mesh, and the diamond around it, by its place in the pool.
+/// A vertex of the mesh, and the diamond around it, by its slot in the pool.
 using VertexSlot = std::uint32_t;
 
 /// A triangle of the bintree by its apex: one of the quadrants, counter-clockwise, of the diamond around that vertex.
@@ -34,9 +34,9 @@ private:
     std::uint32_t _value = kNone;
 };
 
-/// One vertex as the graphics card takes it. The position counts steps of TileFrame::vertexStepM(), so that a shader can
-/// subtract the eye (counted the same way) without losing anything: at 100 km from the origin one float has 8 mm.
-/// Frame: the tile's local frame. Units: steps; places of the grid.
+/// One vertex in the format of the graphics card. The position counts steps of TileFrame::vertexStepM(), so that a shader can
+/// subtract the eye (counted the same way) exactly: at 100 km from the origin a float resolves 8 mm only.
+/// Frame: the tile's local frame. Units: steps; columns and rows of the grid.
 struct MeshVertex
 {
     glm::ivec3 position{0};
@@ -46,7 +46,7 @@ struct MeshVertex
 };
 static_assert(sizeof(MeshVertex) == 16);
 
-/// The vertex of a place of the grid that is drawn at `position`, to the nearest step.
+/// Makes the vertex of a point of the grid that is drawn at `position`, to the nearest step.
 inline MeshVertex meshVertex(const glm::dvec3& position, GridPoint grid, double stepM)
 {
     return {glm::ivec3(glm::round(position / stepM)), glm::u16vec2(grid.column, grid.row)};
@@ -64,19 +64,19 @@ struct LeafTriangle
 };
 static_assert(sizeof(LeafTriangle) == 12);
 
-/// A mesh as a graphics card would hold it, all of it.
+/// A whole mesh in the format of the graphics card.
 struct DrawnMesh
 {
     std::vector<MeshVertex> vertices;    ///< by slot, free ones included
     std::vector<GridPoint> grid;         ///< of the vertices
     std::vector<LeafTriangle> triangles; ///< in arena order
-    double stepM = 0.0;                  ///< that positions are counted in
+    double stepM = 0.0;                  ///< unit of the positions
     bool isMorphed = false;              ///< vertices need not lie where their samples are
 
     glm::dvec3 position(std::uint32_t vertex) const { return positionOf(vertices[vertex], stepM); }
 };
 
-/// Appends one element; a full vector grows by a quarter, where the library would double it.
+/// Appends one element; a full vector grows by a quarter instead of doubling.
 template<class Element>
 Element& appendTightly(std::vector<Element>& elements, const Element& element = {})
 {
@@ -92,14 +92,14 @@ struct IndexRange
 };
 using TriangleRange = IndexRange; ///< in triangles, not in indices
 
-/// Which elements of the vertex and triangle arrays a refinement wrote: what has to be uploaded.
+/// The elements of the vertex and triangle arrays that a refinement wrote: they have to be uploaded.
 struct MeshChanges
 {
     std::vector<std::uint32_t> vertices;  ///< slots, in the order written, possibly repeated
     std::vector<std::uint32_t> triangles; ///< likewise
-    std::vector<std::uint32_t> gone;      ///< vertex slots that were given back, where that is noted
+    std::vector<std::uint32_t> gone;      ///< slots of removed vertices, if they are recorded
 
-    /// Gives memory back that one large change has left.
+    /// Clears; releases the memory of a single large change.
     void clear()
     {
         for (std::vector<std::uint32_t>* slots : {&vertices, &triangles, &gone})
@@ -111,8 +111,8 @@ struct MeshChanges
     }
 };
 
-/// Sorts slots and joins them into ranges; gaps of up to `maxGap` untouched elements are bridged, for a few bytes
-/// more are cheaper than another call.
+/// Sorts slots and joins them into ranges. Gaps of up to `maxGap` untouched elements are bridged: a few bytes more are
+/// cheaper than another call.
 std::vector<IndexRange> joinedRanges(std::vector<std::uint32_t> slots, std::uint32_t maxGap);
 
 } // namespace osgTerrainROAM::core

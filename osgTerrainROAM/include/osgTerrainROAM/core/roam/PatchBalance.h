@@ -8,7 +8,7 @@
 namespace osgTerrainROAM::core
 {
 
-/// What frames take with patches of different sizes, and the size that they take least with.
+/// The frame times with patches of different sizes, and the size with the least.
 struct PatchBalance
 {
     struct Row
@@ -20,11 +20,12 @@ struct PatchBalance
     std::vector<Row> rows; ///< as asked for
 };
 
-/// Finds the balance of processor and graphics card by measuring this machine. `frameMs` draws one frame, to its end, with
-/// patches of 2^k triangles and returns the time that it took; it is asked in turns, so that other work on the machine
-/// meets all alike, and its first answer for each k, which builds the mesh, does not count. Of exponents whose medians
-/// differ by less than 3 % the smaller wins. Precondition: at least one exponent, ascending; frames > 0.
-/// Source: spec 1, "the balance is a parameter"; paper 1, §5.
+/// Measures the balance of processor and graphics card on this machine. `frameMs` draws one whole frame with patches of 2^k
+/// triangles and returns its time. The exponents are asked in turns, so that other work on the machine affects all alike; the
+/// first answer for each k, which builds the mesh, does not count. Of exponents whose medians differ by less than 3 % the
+/// smallest is chosen. Precondition: at least one exponent, ascending; frames > 0.
+/// Source: *Methods of continuous level of detail for terrain* (Graphicon 2002), section 5.3 (the cost of the processor
+/// against that of the graphics card).
 PatchBalance measurePatchBalance(std::span<const int> exponents, int frames,
                                  const std::function<double(int exponent)>& frameMs);
 

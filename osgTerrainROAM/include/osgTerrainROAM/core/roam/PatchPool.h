@@ -13,21 +13,20 @@
 namespace osgTerrainROAM::core
 {
 
-/// Which leaf has which slot of the patches' vertex buffer. A leaf keeps its slot as long as it lives, wherever its arena
-/// moves it: a patch is written once.
+/// The table of the leaves by their slots in the patches' vertex buffer. A leaf keeps its slot as long as it exists, wherever
+/// its arena moves it: a patch is written once.
 /// Invariant: after follow(), every drawn leaf of the tree has one slot, and no other triangle has any.
-/// Memory: 16 B per vertex of the tree, 40 B per patch. Cost of following: what has changed.
-/// Source: terrain anchors, points 4 (stable slots) and 5 (chunked leaves).
+/// Memory: 16 B per vertex of the tree, 40 B per patch. Cost of following: proportional to the changes.
 class PatchPool
 {
 public:
-    /// Starts with the leaves that the tree has. The tree has to note the vertices that go (DiamondTree::noteGone()).
+    /// Starts with the leaves of the tree. The tree has to record removed vertices (DiamondTree::noteGone()).
     explicit PatchPool(const DiamondTree& tree);
 
-    /// Takes over what the tree's changes say. To be called before they are cleared.
+    /// Follows the changes of the tree. Call it before they are cleared.
     void follow(const DiamondTree& tree);
 
-    /// The patch of a leaf lies elsewhere: the tile has been edited. After follow().
+    /// Marks the patch of a leaf for rewriting after an edit of the tile. Call it after follow().
     void rewrite(const DiamondTree& tree, TriangleId leaf);
 
     const PatchShape& shape() const { return *_shape; }
@@ -43,7 +42,7 @@ public:
         return !frustum.classify(_patches[slot].centre, _patches[slot].radiusM).outside;
     }
 
-    /// Slots that the last follow() gave to other leaves, and that were rewritten.
+    /// Slots that the last follow() gave to other leaves, or that have to be rewritten.
     const std::vector<std::uint32_t>& written() const { return _written; }
 
     std::size_t memoryBytes() const;

@@ -11,12 +11,12 @@
 namespace osgTerrainROAM::core
 {
 
-/// How 2^k triangles lie in a leaf: those of the bintree k levels below it, the same for leaves of all sizes and
-/// directions. They follow each other in the bintree's order (Sierpinski's curve), so that each shares an edge with the one
-/// before, and vertices are counted as they come: both serve the vertex caches.
+/// The layout of the 2^k triangles of a patch: the bintree's descendants k levels below a leaf, the same for leaves of all
+/// sizes and directions. They are in the bintree's order (Sierpinski's curve), so that each shares an edge with the one before;
+/// vertices are numbered in the order of their first use. Both serve the vertex caches.
 struct PatchShape
 {
-    /// A vertex, by how many parts of the leaf's legs it lies from the apex towards left and right.
+    /// A vertex: its distance from the apex towards left and right, in segments of the legs.
     struct Place
     {
         std::uint8_t towardsLeft, towardsRight;
@@ -41,7 +41,7 @@ struct PatchShape
                                     segments};
     }
 
-    /// Appends the vertices of one leaf's patch. Those on its edges have the same bits in the patches beside it.
+    /// Appends the vertices of one leaf's patch. Those on its edges are bit-identical to those of the neighbouring patches.
     void appendVertices(const PlacedTile& tile, const GridTriangle& leaf, std::vector<MeshVertex>& out) const
     {
         for (const Place place : vertices)

@@ -7,11 +7,11 @@
 namespace osgTerrainROAM::core
 {
 
-/// Which of the drivers takes a mesh from eye to eye. In error-target mode all end in the same mesh.
+/// The driver that adapts a mesh from eye to eye. In error-target mode all drivers end in the same mesh.
 enum class Driver
 {
-    wheel, ///< looks only at what the eye's travel may have changed (WheelDriver.h)
-    walk,  ///< the paper's: visits the whole tree of the last frame
+    wheel, ///< checks only vertices that the eye's travel may have changed (WheelDriver.h)
+    walk,  ///< visits the whole tree of the last frame (WalkDriver.h)
     queue, ///< Duchaineau's: two queues by priority, all priorities computed anew in each frame
 };
 
@@ -22,20 +22,20 @@ constexpr std::string_view driverName(Driver driver)
     return driver == Driver::wheel ? "wheel" : driver == Driver::walk ? "walk" : "queue";
 }
 
-/// What one refinement did.
+/// The result of one refinement.
 struct RefineResult
 {
-    std::uint32_t triangles = 0; ///< leaves that overlap the data: what is there to draw
-    std::uint32_t leaves = 0; ///< all leaves, those beyond the data's edge included: what the ceiling counts
+    std::uint32_t triangles = 0; ///< drawn leaves: those that overlap the data
+    std::uint32_t leaves = 0; ///< all leaves, those beyond the data's edge included; the ceiling counts these
     std::uint32_t splits = 0; ///< triangles split, forced ones included
     std::uint32_t merges = 0; ///< triangles merged back
-    std::uint32_t checks = 0; ///< vertices looked at
+    std::uint32_t checks = 0; ///< vertices checked
     double tolerancePx = 0.0; ///< τ reached: the target, or what the triangle ceiling allowed (0: none asked)
     double errorBoundPx =
         0.0; ///< no sample is off by more: τ reached, or more while a slice's work is left over; infinite
              ///< while vertices that may have become active wait to be looked at
     bool ceilingBound = false; ///< the ceiling raised τ
-    bool sliceBound = false;   ///< the time slice ended before the work: the next frame goes on
+    bool sliceBound = false;   ///< the time slice ended before the work; the next frame continues
 };
 
 } // namespace osgTerrainROAM::core

@@ -18,7 +18,7 @@ namespace osgTerrainROAM::core
 /// The priority p_v is viewlod::screenErrorBoundPx() of the vertex's error, position and radius; here it is compared without
 /// a root or a division. The decision depends on the eye alone. Priorities nest, so the active vertices form a conforming
 /// mesh without forced splits.
-/// Source: Lindstrom & Pascucci, *Visualization of large terrains made easy*, 2001, section 3 (nested error and radius).
+/// Source: Lindstrom & Pascucci, *Visualization of large terrains made easy*, 2001 (nested error and radius).
 class ActiveForEye
 {
 public:

@@ -16,9 +16,9 @@
 namespace osgTerrainROAM::core
 {
 
-/// Bounding spheres of the bintree's nodes down to the region level: the hierarchy that culls.
-/// A node's sphere holds every sample of its triangle, and so every refinement of it. It is fitted to the samples: the
-/// nested radii of ErrorTree, made for refinement, are up to twice as large.
+/// The hierarchy for culling: bounding spheres of the bintree's nodes down to the region level.
+/// The sphere of a node holds every sample of its triangle, and so every refinement of it. It is fitted to the samples: the
+/// nested radii of ErrorTree, which are for refinement, are up to twice as large.
 /// Threads: immutable after construction. Memory: 40 B per node above the region level. Cost: two visits per sample.
 class RegionBounds
 {
@@ -30,15 +30,15 @@ public:
     int level() const { return _level; } ///< of the nodes that are regions
     std::uint32_t regionCount() const { return 2u << _level; }
 
-    /// Widens the spheres of the nodes that hold a place of the data to hold its position as it is now.
+    /// Widens the spheres of the nodes that hold a point of the data to hold its present position.
     void include(const PlacedTile& tile, GridPoint place);
 
-    /// The region (path at the region level) that holds a place which is on no region's border.
+    /// The region (path at the region level) that holds a point which is on no region's border.
     /// Units: quarters of samples.
     std::uint32_t pathAt(GridPoint quarters) const { return _paths[cellQuarter(quarters)]; }
 
-    /// Appends the regions (paths at the region level) that may be seen. Plane masks are inherited: a plane that
-    /// has a node inside is not asked again below it. With a horizon, none is given that lies wholly below it.
+    /// Appends the regions (paths at the region level) that may be visible. Plane masks are inherited: a plane that has a node
+    /// inside is not tested again below it. With a horizon, regions wholly below it are omitted.
     void visible(const viewlod::Frustum& frustum, const Horizon* horizon,
                  std::vector<std::uint32_t>& regions) const;
 
@@ -54,7 +54,7 @@ private:
 
     Sphere& sphere(int level, std::uint32_t path) { return _spheres[(2u << level) - 2u + path]; }
     const Sphere& sphere(int level, std::uint32_t path) const { return _spheres[(2u << level) - 2u + path]; }
-    /// At the odd region level four triangles meet in the middle of a square.
+    /// The index of the region at a point: at the odd region level four triangles meet in the middle of a square.
     std::size_t cellQuarter(GridPoint quarters) const
     {
         const int column = quarters.column >> _cellShift, row = quarters.row >> _cellShift;
@@ -69,7 +69,7 @@ private:
     void build(const PlacedTile& tile, const GridTriangle& triangle, int level, std::uint32_t path);
     void include(const GridTriangle& triangle, int level, std::uint32_t path, GridPoint place,
                  const glm::dvec3& position, double heightM);
-    /// What one camera sees, and what of it has been found.
+    /// The frustum of one camera, and the regions found in it.
     struct Search
     {
         const viewlod::Frustum& frustum;

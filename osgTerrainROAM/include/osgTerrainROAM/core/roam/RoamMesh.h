@@ -23,18 +23,17 @@ namespace osgTerrainROAM::core
 {
 
 /// The triangulation of one terrain tile for one view group: it follows the eye from frame to frame.
-/// A vertex is *active* exactly when K·e_v / max(|eye − X_v| − r_v, n) > τ; this nests, so the active set is a
-/// conforming mesh, the same for a given eye whatever came before.
-/// Three drivers take it there (Driver), all with this predicate and to the same mesh.
-/// The tile may be edited between refinements (TileEditor); the next one follows.
-/// Invariant: isConforming() after every operation. Threads: one at a time, holding a shared lock of the tile's mutex where
-/// that is edited.
-/// Memory: memoryBytes(), about 30 B per triangle; pools grow, and no split allocates otherwise.
-/// Source: "Methods of continuous level of detail for terrain" (2002), §5; spec 1 D.
+/// A vertex is *active* exactly when its priority exceeds the tolerance (ActiveForEye). Priorities nest, so the active vertices
+/// form a conforming mesh, the same for a given eye whatever came before.
+/// Three drivers adapt it (Driver), all with this predicate and to the same mesh.
+/// The tile may be edited between refinements (TileEditor); the next refinement follows.
+/// Invariant: isConforming() after every operation. Threads: one at a time; if the tile is edited, with a shared lock of its
+/// mutex. Memory: memoryBytes(), about 30 B per triangle; splits allocate only to grow a pool.
+/// Source: *Methods of continuous level of detail for terrain* (Graphicon 2002), section 5 (ROAM and its frame loop).
 class RoamMesh
 {
 public:
-    /// `bounds`: a tile, or what SplitBounds makes of it for patches.
+    /// `bounds`: a tile, or the SplitBounds of one with patches.
     explicit RoamMesh(SplitBounds bounds, Driver driver = Driver::wheel,
                       LeafPlacement placement = LeafPlacement::inOrder);
 
@@ -42,27 +41,27 @@ public:
     void setDriver(Driver driver);
     Driver driver() const { return _driver; }
 
-    /// Adapts to an eye. Errors are bounded in the whole picture (ViewState::guaranteedPixelsPerTangent).
-    /// The triangle ceiling binds the whole frame: τ rises until the mesh fits, and while it binds follows the number of
-    /// leaves, so that they stay within 1 % (or 4) below it (TriangleCeiling.h finds τ anew where it leaps; the queue merges
-    /// what matters least). Patches count with all their triangles; two are always drawn. A ceiling that comes down in a
-    /// sliced frame is met as soon as the slices allow. The time slice stops the work where it is, and the next call goes
-    /// on: the wheel with what is left over, the others from the start.
-    /// Frame of `view`: the tile's local frame. Cost: the driver's.
+    /// Adapts to an eye. Errors are bounded in the whole frame (ViewState::guaranteedPixelsPerTangent).
+    /// The triangle ceiling holds for the whole frame: τ rises until the mesh fits, and then follows the number of leaves, so that
+    /// they stay within 1 % (or 4) below the ceiling. (TriangleCeiling.h finds τ anew when it has to change much; the queue driver
+    /// merges the leaves of least priority.) Patches count with all their triangles; two triangles are always drawn. A lowered
+    /// ceiling is met as soon as the time slices allow. When the time slice ends, the work stops; the next call continues: the wheel
+    /// with the remaining work, the other drivers from the start.
+    /// Frame of `view`: the tile's local frame. Cost: see the drivers.
     RefineResult refine(const viewlod::ViewState& view, const viewlod::Budget& budget);
 
-    /// Morphing: from the next refinement for an eye on, vertices come and go without a jump, and the error target holds
-    /// for what is drawn; the mesh is refined to two thirds of it (Morph). Patches do not morph: with them it stays off.
+    /// Morphing: from the next refinement for an eye, vertices appear and disappear without a jump, and the error target holds for
+    /// the drawn surface; the mesh is refined to two thirds of it (Morph). Patches do not morph: with them it stays off.
     void setMorphing(bool on) { _isMorphing = on && !patches(); }
     bool isMorphing() const { return _isMorphing; }
 
-    /// View-independent: a vertex is active exactly when e_v > errorM.
+    /// Refines for no eye in particular: a vertex is active exactly when e_v > errorM.
     RefineResult refine(double errorM);
 
     /// Whether the tile has been edited since the last refinement.
     bool isBehind() const { return _revision != tile().revision(); }
 
-    /// GPU-ready data by slot, and what the last refinement changed of them. Slots that are not in use have any content.
+    /// The data for the graphics card by slot, and the changes of the last refinement. Unused slots have any content.
     std::uint32_t vertexSlots() const { return _tree.vertexSlots(); }
     std::uint32_t triangleSlots() const { return _tree.leaves().slotCount(); }
     MeshVertex vertex(VertexSlot v) const { return _tree.place(v).isFree() ? MeshVertex{} : _tree.vertex(v); }
@@ -73,28 +72,28 @@ public:
     }
     const MeshChanges& changes() const { return _tree.changes(); }
 
-    /// Where leaves carry patches, those are what is drawn, and have slots of their own; null: they do not.
+    /// The patches, which are drawn instead of the leaves and have slots of their own; null: the leaves carry none.
     const PatchPool* patches() const { return _patches ? &*_patches : nullptr; }
     int patchExponent() const { return _tree.bounds().patchExponent(); }
 
-    /// Ranges of slots, of triangles or of patches, that can be seen: conservative, by regions of the tree (RegionBounds),
-    /// then patch by patch. Only ranges given here hold live ones, and gaps: triangles without extent (triangle() says so
-    /// too). Appends to `ranges`. Returns the number of triangles in them, gaps not counted.
+    /// Appends the ranges of slots (of triangles or of patches) that may be visible to `ranges`: conservative, by regions of the
+    /// tree (RegionBounds), then patch by patch. Only these ranges hold live slots; they also hold gaps, triangles without extent.
+    /// Returns the number of triangles in them, gaps not counted.
     std::uint32_t visibleRanges(const viewlod::Frustum& frustum, std::vector<IndexRange>& ranges) const;
 
-    /// The same, near ones first, so that the depth test spares what they hide: about half the fragments in hills; and
-    /// without those that are wholly below the horizon, where one is given.
+    /// Does the same, near ranges first, so that the depth test saves hidden fragments: about half of them in hills. With a horizon
+    /// it omits ranges that are wholly below it.
     std::uint32_t visibleRanges(const viewlod::Frustum& frustum, const glm::dvec3& eye,
                                 const Horizon* horizon, std::vector<IndexRange>& ranges) const;
 
-    /// For a camera that looks along rays from the eye that the mesh was last refined for, its horizon. None for any other
-    /// eye, and where it cannot be told.
+    /// The horizon for a camera at the eye that the mesh was last refined for. None for any other eye, and where it is not
+    /// certain.
     std::optional<Horizon> horizon(const glm::dvec3& eye) const;
 
-    /// The same without any camera: all that there is to draw.
+    /// All ranges, without a camera.
     std::vector<IndexRange> allRanges() const;
 
-    /// What such ranges draw; all that there is to draw.
+    /// The mesh that such ranges draw; the whole mesh.
     DrawnMesh drawn(std::span<const IndexRange> ranges) const;
     DrawnMesh drawn() const;
 
@@ -128,13 +127,13 @@ private:
     WheelDriver _wheel;
     std::optional<PatchPool> _patches;
     Morph _morph;
-    std::uint64_t _revision = 0;  ///< of the tile, that the mesh has followed
-    std::vector<GridRect> _moved; ///< where vertices of patches may lie elsewhere
+    std::uint64_t _revision = 0;  ///< revision of the tile that the mesh shows
+    std::vector<GridRect> _moved; ///< rectangles in which vertices of patches may have moved
     bool _isMorphing = false;
     bool _ceilingBound = false; ///< in the last frame
     double _lastTolerancePx = 0.0;
     std::optional<glm::dvec3> _eye; ///< last refined for
-    double _errorPerM = 0.0;        ///< by how much of its distance from there what is drawn may be off
+    double _errorPerM = 0.0;        ///< error of the drawn surface per distance from that eye, at most
     double _nearM = 0.0;
 };
 

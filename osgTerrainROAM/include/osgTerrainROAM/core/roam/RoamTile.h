@@ -18,32 +18,32 @@
 namespace osgTerrainROAM::core
 {
 
-/// What the refinement predicate needs of a split vertex.
+/// The bounds of a split vertex that the refinement predicate needs.
 struct SplitBound
 {
     glm::vec3 centre{0.0f}; ///< X_v, rounded to float; the radius has the rounding included
     float errorM =
-        0.0f; ///< e_v: no sample in the vertex's diamond, nor in any below, is farther from its plane
+        0.0f; ///< e_v: largest distance of a sample, in the vertex's diamond or below, from its plane
     float radiusM = 0.0f; ///< r_v: all split vertices below lie within
 };
 
-/// What an edit has changed, for meshes that follow.
+/// The changes of one edit, for meshes that follow it.
 struct TileChange
 {
-    std::vector<GridPoint> vertices; ///< whose bounds are others now
-    std::vector<GridRect> moved;     ///< places that may lie elsewhere
+    std::vector<GridPoint> vertices; ///< whose bounds have changed
+    std::vector<GridRect> moved;     ///< rectangles of points that may have moved
 };
 
-/// What all views of one terrain tile share: samples, positions, bounds.
-/// Threads: any may read while they hold a lock of mutex() that is shared; who edits (TileEditor) holds it alone. A tile
-/// that is never edited needs none. Memory: that of the placed tile, 32 B per culling node, and some bytes for each
-/// vertex beyond the data's edge that triangles across the edge split at.
+/// The part of a terrain tile that all its views share: samples, positions, bounds.
+/// Threads: any may read while they hold a shared lock of mutex(); an editor (TileEditor) holds it exclusively. A tile that is
+/// never edited needs no lock. Memory: that of the placed tile, 32 B per culling node, and some bytes for each split vertex of
+/// triangles across the data's edge that lies beyond it.
 class RoamTile
 {
 public:
     explicit RoamTile(PlacedTile placedTile);
 
-    /// Of the bintree vertex at a place of the grid.
+    /// The bounds of the bintree vertex at a point of the grid.
     SplitBound bound(GridPoint v) const
     {
         if (!tile.grid().isInData(v.column, v.row)) return boundBeyond(v);
@@ -58,18 +58,18 @@ public:
                                                      : boundBeyond(v).errorM;
     }
 
-    /// Tells the processor that bound(v) will be asked for.
+    /// Prefetches the memory that bound(v) will read.
     void prefetch(GridPoint v) const
     {
         if (tile.grid().isInData(v.column, v.row)) tile.samples().prefetch(v.column, v.row);
     }
 
-    /// What can be kept of an error or a radius at a vertex: the least value that is not less. Keeps such.
+    /// Rounds an error or a radius up to the least value that can be stored at a vertex; setBound() stores such values.
     float roundedUpError(GridPoint v, double errorM) const;
     float roundedUpRadius(GridPoint v, double radiusM) const;
     void setBound(GridPoint v, float errorM, float radiusM);
 
-    /// All that is kept at a place of the grid; to put it back.
+    /// All values that are stored at a point of the grid; restore() puts them back.
     struct Memo
     {
         TileSamples::Kept kept;
@@ -78,14 +78,14 @@ public:
     Memo memo(GridPoint v) const;
     void restore(GridPoint v, const Memo& memo);
 
-    /// Widens what culls to hold a place as it is now.
+    /// Widens the culling bounds to hold the present position of a point.
     void include(GridPoint v);
 
-    /// Vertices whose errors are bounds that could be less (BoundsUpdate).
+    /// Vertices whose errors are bounds that may be larger than the exact ones (BoundsUpdate).
     std::vector<GridPoint> looseVertices() const;
     void setLoose(GridPoint v, bool loose);
 
-    /// Edits so far, and what each has changed: meshes follow from where they are. None: it is too long ago.
+    /// The number of edits so far, and the changes since an earlier one, for meshes that follow. None: it is too long ago.
     std::uint64_t revision() const { return _revision; }
     std::optional<std::vector<const TileChange*>> changesSince(std::uint64_t revision) const;
     void note(TileChange change);

@@ -10,9 +10,9 @@
 namespace osgTerrainROAM::core
 {
 
-/// Writes the leaves of the mesh for an eye into `leaves`, top-down and without memory of earlier frames: the
-/// reference that every incremental driver must equal, and the rival that it must beat.
-/// Cost: O(leaves). Source: Lindstrom & Pascucci 2001 (SOAR), with exact errors.
+/// Writes the leaves of the mesh for an eye into `leaves`, top-down and without memory of earlier frames. It is the reference
+/// that every incremental driver must equal, and must be faster than.
+/// Cost: O(leaves). Source: Lindstrom & Pascucci, *Visualization of large terrains made easy*, 2001 (SOAR). Differs: exact errors.
 void refineFromScratch(const SplitBounds& bounds, const viewlod::ViewState& view, double tolerancePx,
                        std::vector<GridTriangle>& leaves);
 

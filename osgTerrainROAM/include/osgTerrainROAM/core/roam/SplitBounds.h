@@ -10,22 +10,21 @@
 namespace osgTerrainROAM::core
 {
 
-/// What the refinement predicate needs of every split vertex when each leaf carries a patch of 2^k triangles: the leaf's
-/// own descendants k levels further down. So the bintree ends k levels earlier, and an error is that of the patches.
-/// e_v is the largest of the tile's errors k levels below the two triangles that v splits, nested over the tree that is
-/// left. Radii are the tile's: they hold everything below, patches included. k = 0: the tile's own bounds, and nothing
-/// is stored.
-/// k is even: then a patch divides all edges of its leaf into 2^(k/2), and neighbours of any size meet; with odd k legs
-/// and bases are divided differently and do not.
+/// The bounds of every split vertex for a mesh whose leaves carry patches of 2^k triangles: the leaf's own descendants k levels
+/// further down. So the bintree ends k levels earlier, and an error is that of the patches.
+/// e_v is the largest of the tile's errors k levels below the two triangles that v splits, nested over the remaining tree.
+/// Radii are the tile's: they bound everything below, patches included. k = 0: the tile's own bounds; nothing is stored.
+/// k is even, so a patch divides all edges of its leaf into 2^(k/2) segments, and patches of neighbours of any size meet. With
+/// odd k legs and bases would be divided differently.
 /// Threads: immutable; copies share everything. Memory: 4 B for each 2^k samples. Cost of making: about 30 ns a sample.
-/// Source: spec 1 D, "The four weaknesses" (a leaf can carry a patch); terrain anchors, point 5.
+/// Source: Cignoni et al., *BDAM: batched dynamic adaptive meshes*, 2003 (a leaf is a patch whose edges match its neighbours').
 class SplitBounds
 {
 public:
     static constexpr int kMostExponent = 10;
 
-    /// `patchExponent` is brought to an even number from 0 to kMostExponent that the tile has levels for; to 0 where the
-    /// tile's grid is finer than its raster.
+    /// `patchExponent` is reduced to an even number from 0 to kMostExponent for which the tile has levels; to 0 where the tile's
+    /// grid is finer than its raster.
     SplitBounds(std::shared_ptr<const RoamTile> tile, int patchExponent = 0);
 
     SplitBound bound(GridPoint v) const
@@ -35,17 +34,17 @@ public:
         return bound;
     }
 
-    /// e_v alone: without the vertex's place, which costs more than the rest.
+    /// The error e_v alone: it does not need the vertex's position, which costs more.
     float errorM(GridPoint v) const { return _errorsM ? patchErrorM(v) : _tile->errorM(v); }
 
-    /// Tells the processor that bound(v) will be asked for.
+    /// Prefetches the memory that bound(v) will read.
     void prefetch(GridPoint v) const
     {
         _tile->prefetch(v);
         if (_errorsM) __builtin_prefetch(&(*_errorsM)[patchIndex(v)]);
     }
 
-    /// The same after the tile has been edited: with patches, all is measured anew.
+    /// The bounds after an edit of the tile; with patches, all are measured anew.
     SplitBounds remade() const { return SplitBounds(_tile, patchExponent()); }
 
     const RoamTile& tile() const { return *_tile; }

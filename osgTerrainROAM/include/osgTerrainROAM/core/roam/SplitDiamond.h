@@ -10,13 +10,13 @@
 namespace osgTerrainROAM::core
 {
 
-/// The diamond of a vertex that splits triangles of a bintree, from its place in the grid alone.
+/// The diamond of a vertex that splits triangles of a bintree, computed from its position in the grid.
 /// A vertex lies in the middle of a square of side 2h, or in the middle of an edge of one; h is the lowest bit of its
-/// coordinates. Bases of squares join the corners whose column and row, in squares, have an even sum.
+/// coordinates. Bases of squares join the corners whose column and row, counted in squares, have an even sum.
 class SplitDiamond
 {
 public:
-    /// `v`: no corner of the tile. `side`: of the grid, 2^N+1 places.
+    /// `v`: not a corner of the tile. `side`: of the grid, 2^N+1 points.
     SplitDiamond(GridPoint v, int side) : _v(v), _side(side)
     {
         const int bits = v.column | v.row;
@@ -41,7 +41,7 @@ public:
     int half() const { return _half; }
     bool isCentre() const { return _isCentre; }
 
-    /// Of the triangles that it splits: 0 for the roots.
+    /// The level of the triangles that it splits: 0 for the roots.
     int level() const
     {
         const int squares = std::bit_width(static_cast<unsigned>((_side - 1) / _half)) - 2;
@@ -50,7 +50,7 @@ public:
 
     std::array<GridPoint, 2> baseEnds() const { return {plus(_alongBase, 1), plus(_alongBase, -1)}; }
 
-    /// The triangles that it splits, apex first, counter-clockwise: two, or one where it lies on the tile's border.
+    /// Visits the triangles that it splits, apex first, counter-clockwise: two, or one where it lies on the tile's border.
     template<class Visit>
     void forEachTriangle(const Visit& visit) const
     {
@@ -65,7 +65,7 @@ public:
         }
     }
 
-    /// The vertices one level coarser that have to be split before: the apexes, unless they are the tile's corners.
+    /// Visits the vertices one level coarser that have to be split before: the apexes, unless they are the tile's corners.
     template<class Visit>
     void forEachParent(const Visit& visit) const
     {
@@ -73,7 +73,7 @@ public:
             if (const GridPoint p = plus(_towardsApex, sign); isInTile(p) && !isCorner(p)) visit(p);
     }
 
-    /// The vertices in the middle of its legs, one level finer.
+    /// Visits the vertices in the middle of its legs, one level finer.
     template<class Visit>
     void forEachChild(const Visit& visit) const
     {
@@ -85,7 +85,7 @@ public:
             if (const GridPoint c{_v.column + way * d.column, _v.row + way * d.row}; isInTile(c)) visit(c);
     }
 
-    /// Around its triangles.
+    /// The rectangle around its triangles.
     GridRect extent() const { return GridRect{_v.column, _v.row, _v.column, _v.row}.grownBy(_half); }
 
 private:

@@ -9,7 +9,7 @@
 namespace osgTerrainROAM::core
 {
 
-/// Calls visit(GridPoint) for every sample that the sheets of a tile hold in a triangle, its borders included, row by row.
+/// Calls visit(GridPoint) for every sample of a tile's sheets in a triangle, its borders included, row by row.
 template<class Visit>
 void forEachSheetSampleIn(const PlacedTile& tile, const GridTriangle& triangle, const Visit& visit)
 {
@@ -30,7 +30,7 @@ void forEachSheetSampleIn(const PlacedTile& tile, const GridTriangle& triangle, 
     }
 }
 
-/// The same for every sample of the data: the raster's, the sheets', then those between. Some may be given twice.
+/// Does the same for every sample of the data: the raster's, the sheets', then those between. Some may be visited twice.
 template<class Visit>
 void forEachSampleIn(const PlacedTile& tile, const GridTriangle& triangle, const Visit& visit)
 {

@@ -19,49 +19,51 @@
 namespace osgTerrainROAM::core
 {
 
-/// Takes a tree from eye to eye and looks only at vertices that may have changed sides.
-/// Watched are the active vertices, and the vertices that could come next: those whose parents both are active. When one
-/// comes, what may follow it is watched; when one goes, its whole subtree goes (enhMerge).
-/// A frame that is stopped by its limits leaves the rest for the next one, which begins with it.
-/// Invariant: each vertex that could come is watched from one of its parents' quadrants, or waits.
-/// Cost: what changes, and what is due; nothing when eye and scale stand still. Memory: 5 B per vertex and 4 B per watch.
-/// Source: spec 1 D, "Deferral".
+/// Adapts a tree from eye to eye, and checks only vertices whose decision may have changed.
+/// It watches the active vertices, and the candidates: vertices whose parents are both active. After a split it watches the new
+/// candidates; an inactive vertex is removed with its whole subtree (enhMerge).
+/// A frame that its limits stop leaves the rest of its work for the next frame, which begins with it.
+/// Invariant: each candidate is watched from one of its parents' quadrants, or waits to be split.
+/// Cost: the changes and the due watches; none while eye and scale stand still. Memory: 5 B per vertex and 4 B per watch.
+/// Source: *Methods of continuous level of detail for terrain* (Graphicon 2002), section 5.2 (the loop over splits
+/// and enhMerge). Differs: a deferral wheel decides which vertices are checked (DeferralWheel.h).
 class WheelDriver
 {
 public:
     explicit WheelDriver(const RoamTile& tile) : _wheel(tile.tile.field().spacingEastM * kTicksPerCell) {}
 
-    /// The tree has changed by other hands: everything is looked at again.
+    /// Forgets everything, because the tree was changed from outside: the next refinement checks all vertices.
     void forget() { _knowsTree = false; }
 
-    /// A vertex has other bounds now, or lies elsewhere: it is looked at with the next refinement.
-    void lookAgain(GridPoint p) { _again.push_back(p); }
+    /// Has a vertex, whose bounds or position have changed, checked again in the next refinement.
+    void recheck(GridPoint p) { _rechecks.push_back(p); }
 
-    /// Splits and merges until exactly the active vertices are split. False when it stopped before: the next split would
+    /// Splits and merges until exactly the active vertices are split. Returns false when it stopped before: the next split would
     /// have exceeded `maxLeaves`, or the slice is spent. The mesh is valid then, too.
     bool refine(DiamondTree& tree, const viewlod::ViewState& view, double tolerancePx,
                 std::uint32_t maxLeaves, viewlod::Slice& slice, RefineResult& result);
 
-    /// No sample is off by more after a refinement for `view` and `tolerancePx`: that, or more when it was stopped;
-    /// infinite while vertices that are due have not been looked at.
+    /// The bound of the error of every sample after a refinement for `view` and `tolerancePx`: the tolerance, or more when it was
+    /// stopped; infinite while due vertices have not been checked.
     double errorBoundPx(const viewlod::ViewState& view, double tolerancePx) const;
 
-    /// Triangles that would have been split, had there been room or time.
-    std::size_t waiting() const { return _coming.size(); }
+    /// Triangles that would have been split with more room or time.
+    std::size_t waiting() const { return _splits.size(); }
 
     std::size_t memoryBytes() const;
 
 private:
     static constexpr double kTicksPerCell = 1.0 / 256.0;
-    static constexpr unsigned kItself = 4; ///< a watch on the vertex; less: on what would split that quadrant
+    static constexpr unsigned kItself =
+        4; ///< a watch on the vertex; 0…3: on the candidate that would split that quadrant
     static constexpr DeferralWheel::Mark kNotWatched = 0, kWaits = 255;
 
-    /// What all that waits to be split comes up to.
+    /// The bounds of all waiting splits.
     struct Backlog
     {
         double errorPerM = 0.0; ///< the largest e / distance when it was found …
         double nearestM = std::numeric_limits<double>::infinity(); ///< … and the least distance
-        double sinceM = 0.0; ///< the eye's way when the first of it was found
+        double sinceM = 0.0; ///< length of the eye's path when the first was found
     };
 
     /// One refinement.
@@ -75,34 +77,33 @@ private:
         RefineResult& result;
     };
 
-    void startOver(Frame& frame);
-    void lookAgain(Frame& frame);
-    void lookAtDue(Frame& frame);
-    void lookAtBatch(Frame& frame, const DeferralWheel::Batch& batch);
-    static GridPoint watchedPlace(const DiamondTree& tree, VertexSlot v, unsigned kind);
-    void look(Frame& frame, VertexSlot v, unsigned kind);
-    void lookAt(Frame& frame, std::uint32_t watch, DeferralWheel::Mark& mark, GridPoint place);
-    void found(Frame& frame, std::uint32_t watch, double errorM, double belowM);
-    void follow(Frame& frame, VertexSlot v);
-    void followNew(Frame& frame);
-    bool change(Frame& frame, bool staleLeaving, std::size_t staleComing);
-    bool letGo(Frame& frame, bool areStale);
-    void takeOut(Frame& frame, VertexSlot v, bool isStale);
-    bool letCome(Frame& frame, std::size_t stale);
+    void restart(Frame& frame);
+    void runRechecks(Frame& frame);
+    void checkDue(Frame& frame);
+    void checkBatch(Frame& frame, const DeferralWheel::Batch& batch);
+    static GridPoint watchedPoint(const DiamondTree& tree, VertexSlot v, unsigned kind);
+    void check(Frame& frame, VertexSlot v, unsigned kind);
+    void checkWatched(Frame& frame, std::uint32_t watch, DeferralWheel::Mark& mark, GridPoint place);
+    void schedule(Frame& frame, std::uint32_t watch, double errorM, double belowM);
+    void watchAround(Frame& frame, VertexSlot v);
+    void watchNew(Frame& frame);
+    bool applyScheduled(Frame& frame, bool staleMerges, std::size_t staleSplits);
+    bool mergeScheduled(Frame& frame, bool areStale);
+    void mergeVertex(Frame& frame, VertexSlot v, bool isStale);
+    bool splitScheduled(Frame& frame, std::size_t stale);
 
     DeferralWheel _wheel;
-    std::vector<std::array<DeferralWheel::Mark, 5>> _marks; ///< by vertex and kind
-    std::array<std::vector<VertexSlot>, TileGrid::kMostLevels>
-        _leaving; ///< vertices that are active no longer, by level
-    std::size_t _leavingCount = 0;
-    std::vector<TriangleId> _coming; ///< triangles whose split vertex has become active
-    std::vector<GridPoint> _again;   ///< that lookAgain() was told of
-    Backlog _backlog;                ///< of _coming since it was empty last
-    std::size_t _followed = 0;       ///< of the tree's new vertices in this frame
+    std::vector<std::array<DeferralWheel::Mark, 5>> _marks;               ///< by vertex and kind
+    std::array<std::vector<VertexSlot>, TileGrid::kMostLevels> _merges; ///< vertices to remove, by level
+    std::size_t _mergeCount = 0;
+    std::vector<TriangleId> _splits;  ///< triangles to split: their split vertex has become active
+    std::vector<GridPoint> _rechecks; ///< points that recheck() was called for
+    Backlog _backlog;                 ///< of _splits since it was last empty
+    std::size_t _watched = 0;         ///< position in the tree's changes up to which vertices are watched
     bool _knowsTree = false;
     glm::dvec3 _eye{0.0};
     double _scale = 0.0, _nearM = 0.0;
-    double _wayM = 0.0; ///< that the eye has come
+    double _pathM = 0.0; ///< length of the eye's path
 };
 
 } // namespace osgTerrainROAM::core
