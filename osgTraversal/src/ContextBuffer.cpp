@@ -9,7 +9,7 @@ namespace osgTraversal
 namespace
 {
 
-/// Buffers of a context that wait for its thread to delete them; OSG keeps one of these per context.
+/// The buffers of a context that its thread has to delete; OSG keeps one such list per context.
 class BufferDeletion : public osg::GLObjectManager
 {
 public:

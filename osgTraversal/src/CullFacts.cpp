@@ -48,7 +48,7 @@ double eyePerLocal(const osg::Matrixd& eyeFromLocal)
 {
     const osg::Vec3d scale = eyeFromLocal.getScale();
     const double mean = std::cbrt(scale.x() * scale.y() * scale.z());
-    // A rotation's rounding must not look like another distance each time the head turns.
+    // The rounding of a rotation must not change distances when the camera turns.
     return std::abs(mean - 1.0) < 1e-9 || !(mean > 0.0) ? 1.0 : mean;
 }
 

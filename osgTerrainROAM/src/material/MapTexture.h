@@ -6,7 +6,7 @@
 namespace osgTerrainROAM
 {
 
-/// A texture that is filtered, with mip levels, and keeps its size.
+/// Makes a texture of an image, filtered, with mip levels, that keeps its size.
 inline osg::ref_ptr<osg::Texture2D> mapTexture(osg::Image* image, osg::Texture::WrapMode wrap)
 {
     osg::ref_ptr<osg::Texture2D> texture = new osg::Texture2D(image);

@@ -10,7 +10,7 @@
 namespace osgTerrainROAM
 {
 
-/// How a colour layer is laid over the tile.
+/// The blending of a colour layer over the tile.
 enum class LayerKind : char
 {
     image = 'i',
@@ -18,7 +18,7 @@ enum class LayerKind : char
     contour = 'c', ///< colours by height
 };
 
-/// A colour layer as it is drawn.
+/// A colour layer in drawable form.
 struct ColourLayer
 {
     LayerKind kind = LayerKind::image;
@@ -29,14 +29,14 @@ struct ColourLayer
     osg::Vec4f s, t;
 };
 
-/// Layers beyond this are not drawn: stock osgTerrain has as many texture coordinates.
+/// The number of layers that are drawn: stock osgTerrain has as many texture coordinates.
 inline constexpr unsigned int kMostLayers = 8;
 
 /// The colour layers of a tile that have an image: of a SwitchLayer the active one, of a CompositeLayer the first.
 /// A layer with a locator of its own is placed at the tile's corners and bilinearly between.
 std::vector<ColourLayer> colourLayers(const osgTerrain::TerrainTile& tile, const osgTerrain::Locator& master);
 
-/// As GeometryTechnique decides it: by the tile's policy, else its terrain's, else by the first image's alpha.
+/// Whether the tile blends, decided as GeometryTechnique does: by the tile's policy, else its terrain's, else by the first image's alpha.
 bool blends(const osgTerrain::TerrainTile& tile);
 
 } // namespace osgTerrainROAM

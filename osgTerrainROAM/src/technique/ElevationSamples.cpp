@@ -16,7 +16,7 @@ namespace
 /// Samples a side of a tile without elevation layer: enough for the Earth's curvature.
 constexpr int kFlatSide = 65;
 
-/// Larger numbers are no heights in any unit, but what stands for none where no ValidDataOperator says so.
+/// Larger numbers are no heights in any unit: they stand for voids where no ValidDataOperator marks them.
 constexpr float kMostHeight = 1e9f;
 
 float sampleOf(const osgTerrain::Layer& layer, int column, int row)

@@ -22,8 +22,8 @@ struct ElevationSamples
     }
 };
 
-/// Layers of any kind are asked sample by sample, what their ValidDataOperator refuses is void. A tile without elevation
-/// layer is flat. Empty: fewer than two columns or rows, or no height at all.
+/// Reads a layer of any kind sample by sample; samples that its ValidDataOperator refuses are void. A tile without an
+/// elevation layer is flat. Empty: fewer than two columns or rows, or no height at all.
 std::optional<ElevationSamples> elevationSamples(const osgTerrain::TerrainTile& tile);
 
 } // namespace osgTerrainROAM

@@ -14,7 +14,7 @@ namespace osgTerrainROAM
 namespace
 {
 
-/// Reads what a paged node asks for and installs the technique on it, in the thread that reads.
+/// Reads the files of a paged node and installs the technique on them, in the reading thread.
 class InstallingReader : public osgDB::ReadFileCallback
 {
 public:
@@ -25,7 +25,7 @@ public:
 
     osgDB::ReaderWriter::ReadResult readNode(const std::string& name, const osgDB::Options* options) override
     {
-        // The nodes below find this reader on their way in, as part of the options that they are read with.
+        // Nodes that are read below find this reader in the options they are read with.
         osgDB::ReaderWriter::ReadResult result =
             _inner ? _inner->readNode(name, options) : osgDB::ReadFileCallback::readNode(name, options);
         if (osg::Node* node = result.getNode()) installTechnique(*node, *_prototype);
@@ -105,7 +105,7 @@ private:
         return static_cast<RoamTechnique*>(_prototype.clone(osg::CopyOp::SHALLOW_COPY));
     }
 
-    /// Its traverse() would make it build what it is drawn with; the children, which no technique draws, it has as a group.
+    /// Traverses the tile as a group: its own traverse() would build the technique's nodes.
     void install(osgTerrain::TerrainTile& tile)
     {
         tile.setTerrainTechnique(copy());

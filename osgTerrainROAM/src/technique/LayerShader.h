@@ -12,8 +12,8 @@
 namespace osgTerrainROAM
 {
 
-/// Programs that draw tiles as the fixed functions would: lights, material and fog of the scene, textures modulated in
-/// the order of their units; but with normals per pixel. One for each combination of layers, made when first asked for.
+/// The programs that draw tiles as the fixed functions would, but with normals per pixel: lights, material and fog of the
+/// scene, textures modulated in the order of their units. There is one for each combination of layers, made on first use.
 /// Threads: any.
 class LayerPrograms
 {

@@ -32,8 +32,8 @@ osg::Vec3d modelAt(const osgTerrain::Locator& locator, double u, double v, doubl
     return model;
 }
 
-/// Whatever ellipsoid the locator has, the nodes lie where it puts them: what WGS84 calls their height goes where the
-/// geoid's would.
+/// Places the nodes where the locator puts them, whatever its ellipsoid: their height over WGS84 is stored in the place of
+/// the geoid's.
 GeodeticNet::Node nodeAt(const osgTerrain::Locator& locator, double u, double v)
 {
     const osg::Vec3d p = modelAt(locator, u, v, 0.0);
@@ -43,7 +43,7 @@ GeodeticNet::Node nodeAt(const osgTerrain::Locator& locator, double u, double v)
     return node;
 }
 
-/// Metres between neighbouring samples in the middle of the tile.
+/// Computes the metres between neighbouring samples in the middle of the tile.
 double spacingM(const osgTerrain::Locator& locator, double du, double dv)
 {
     return (modelAt(locator, 0.5 + du, 0.5 + dv, 0.0) - modelAt(locator, 0.5, 0.5, 0.0)).length();
@@ -128,8 +128,8 @@ double skirtHeight(const osgTerrain::TerrainTile& tile)
     return layer && layer->getHeightField() ? layer->getHeightField()->getSkirtHeight() : 0.0;
 }
 
-/// A tile of another level beside this one has the data at another resolution. What halving it would change along the
-/// border, twice over, covers a neighbour made that way.
+/// Computes a skirt depth for a neighbour of another level, which has the data at another resolution: twice the change that
+/// halving the resolution makes along the border.
 double levelErrorM(const core::RoamTile& tile)
 {
     const int columns = tile.tile.grid().dataColumns(), rows = tile.tile.grid().dataRows();

@@ -14,8 +14,8 @@
 namespace osgTerrainROAM
 {
 
-/// The ground of an osgTerrain tile as the refinement takes it.
-/// Frames: "model" is what the tile's locator gives; "local" the RoamTile's, metres or the model's unit times a power of two.
+/// The ground of an osgTerrain tile in the form that refinement needs.
+/// Frames: "model" is the frame of the tile's locator; "local" the RoamTile's, metres or the model's unit times a power of two.
 struct TileGround
 {
     std::shared_ptr<const core::RoamTile> tile;

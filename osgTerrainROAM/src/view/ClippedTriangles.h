@@ -12,7 +12,7 @@
 namespace osgTerrainROAM
 {
 
-/// Triangles that are drawn, cut where the data end, as OSG's functors take them.
+/// The drawn triangles, clipped at the edge of the data, in the form of OSG's functors.
 /// Frame: the tile's. Units: metres, single precision.
 struct ClippedTriangles
 {

@@ -80,7 +80,7 @@ void GpuMesh::draw(osg::State& state, std::span<const core::IndexRange> ranges)
 {
     if (ranges.empty() || _serial == 0) return;
     osg::GLExtensions& gl = *state.get<osg::GLExtensions>();
-    // What drew before may have left arrays enabled that OSG means to switch off only with the next Geometry.
+    // An earlier drawable may have left arrays enabled that OSG switches off only with the next Geometry.
     state.disableAllVertexArrays();
     state.unbindVertexBufferObject();
     state.unbindElementBufferObject();

@@ -13,7 +13,7 @@
 namespace osgTerrainROAM
 {
 
-/// One graphics context's copy of a mesh: a vertex and an index buffer.
+/// The copy of a mesh in one graphics context: a vertex buffer and an index buffer.
 /// Threads: as osgTraversal::ContextBuffer.
 class GpuMesh
 {

@@ -10,8 +10,8 @@
 namespace osgTerrainROAM
 {
 
-/// What one refinement changed, copied out of the mesh so that a later refinement may run while this one is drawn.
-/// It leads a copy of the mesh from state `serial - 1` to state `serial`, or from nothing when `whole`.
+/// The changes of one refinement, copied out of the mesh so that a later refinement may run while this one is drawn.
+/// A packet takes a copy of the mesh from state `serial - 1` to state `serial`, or from nothing when `whole`.
 /// Threads: immutable once made.
 struct MeshPacket
 {
@@ -29,7 +29,7 @@ struct MeshPacket
 
 using PacketPtr = std::shared_ptr<const MeshPacket>;
 
-/// Elements that a buffer for `count` elements holds: a power of two, so that it rarely has to move.
+/// The capacity of a buffer for `count` elements: a power of two, so that it is rarely reallocated.
 std::uint32_t bufferCapacity(std::uint32_t count);
 
 PacketPtr changedPacket(const core::RoamMesh& mesh, std::uint64_t serial);

@@ -8,7 +8,7 @@
 namespace osgTerrainROAM
 {
 
-/// Distance from a point to the drawn mesh (its leaves), in metres: what a near plane must not cut.
+/// Computes the distance in metres from a point to the drawn mesh (its leaves): no near plane may lie beyond.
 /// Branch and bound down the bintree: a triangle's leaves lie in the convex hull of its corners and of the split
 /// vertices below, all of them within max(corner distance, r_v) of its split vertex.
 /// Frame: the tile's. Cost: a few nodes per level.

@@ -9,14 +9,14 @@ namespace osgTerrainROAM
 namespace
 {
 
-/// A place on the border: a vertex, or between two.
+/// A point on the border: a vertex, or between two.
 struct EdgePlace
 {
     core::MeshVertex vertex;
     double column, row;
 };
 
-/// One of the four sides: what lies at places with share() > 0 is inside.
+/// One of the four sides: points with share() > 0 are inside.
 struct Side
 {
     bool isRow;  ///< of constant row

@@ -35,7 +35,7 @@ bool ViewGroup::isMetBy(unsigned int frame, const RefineTarget& target) const
     if (!sameKind || (_frame != frame && _statistics.refine.sliceBound)) return false;
     const double scale = scaleOf(target);
     const double present = scaleOf(_target);
-    // What another camera of the group has asked for in this frame may be stricter; an older frame must be equal.
+    // In this frame another camera of the group may have asked for a stricter mesh; a mesh of an older frame must be equal.
     if (_frame == frame && scale <= present && target.view.nearM >= _target.view.nearM) return true;
     return scale == present && target.view.nearM == _target.view.nearM;
 }
@@ -115,7 +115,8 @@ PacketPtr ViewGroup::wholeNow()
     return _whole;
 }
 
-/// Three times as deep as what is drawn may be off at that distance: this side's error, the other side's, and a margin.
+/// Makes the skirt three times as deep as the drawn surface may be off at that distance: the error of this side, that of the
+/// other side, and a margin.
 PacketPtr ViewGroup::skirtNow()
 {
     if (_skirt && _skirt->serial == _serial) return _skirt;

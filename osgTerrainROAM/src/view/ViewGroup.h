@@ -22,7 +22,7 @@
 namespace osgTerrainROAM
 {
 
-/// What the mesh of a group is refined for in one frame: the eye its cameras share, the strictest of their scales.
+/// The target of a group's refinement in one frame: the eye that its cameras share, and the strictest of their scales.
 struct RefineTarget
 {
     viewlod::ViewState view;
@@ -32,7 +32,7 @@ struct RefineTarget
     std::optional<double> errorM; ///< of a parallel projection: view-independent refinement instead
 };
 
-/// What one cull traversal takes along to the draw.
+/// The result of one cull traversal for the draw.
 struct ViewAnswer
 {
     std::uint64_t serial = 0;             ///< state of the mesh that `ranges` belong to
@@ -44,25 +44,25 @@ struct ViewAnswer
 };
 
 /// The mesh of one view group, and its copies in the graphics contexts.
-/// Invariant: the mesh is in state `serial()`; packets lead from state to state.
-/// Threads: any; the mesh under one lock, and the tile under a shared one that is taken after it; each context's buffers under another that is never held while waiting
-/// for the first, except by the repair in draw(), which takes buffers, then mesh; nobody takes them in reverse.
+/// Invariant: the mesh is in state _serial; packets take copies from state to state.
+/// Threads: any. _meshMutex guards the mesh; the tile's mutex is taken after it, shared. _gpuMutex guards the map of buffers
+/// and the counts, and is not held while another lock is awaited; each GpuMesh belongs to its context's draw thread.
 class ViewGroup
 {
 public:
     explicit ViewGroup(core::SplitBounds bounds) : _mesh(std::move(bounds)) {}
 
     /// Refines for the target, unless this frame's mesh is as strict already, and answers for one frustum.
-    /// `contextId`: who will draw, so that it can be given the whole mesh if it needs it; absent: nobody.
+    /// `contextId`: the context that will draw, which may need the whole mesh; absent: none.
     ViewAnswer answer(unsigned int frame, const RefineTarget& target, const viewlod::Frustum& frustum,
                       std::optional<unsigned int> contextId);
 
-    /// As it is, for cameras that borrow another's mesh.
+    /// Answers for a camera that borrows another's mesh, without refining it.
     ViewAnswer answerAsIs(const viewlod::Frustum& frustum, const glm::dvec3& eye,
                           std::optional<unsigned int> contextId);
 
-    /// Uploads and draws an answer. A context that has missed packets (its draw was left out, its objects
-    /// were released) gets the whole mesh in its present state, with ranges found anew. Returns triangles drawn.
+    /// Uploads and draws an answer. A context that has missed packets (its draw was omitted, its objects were released)
+    /// gets the whole mesh in its present state, with new ranges. Returns the number of triangles drawn.
     std::uint32_t draw(osg::State& state, const ViewAnswer& answer, const viewlod::Frustum& frustum);
 
     /// Calls visit(mesh, ranges) under the lock with ranges that are valid now.
@@ -87,13 +87,13 @@ public:
         visit(_mesh);
     }
 
-    /// Gives back the buffers of one context, or (nullptr) of all.
+    /// Releases the buffers of one context, or (nullptr) of all.
     void releaseGLObjects(osg::State* state);
 
     ViewGroupStatistics statistics() const;
 
 private:
-    /// The mesh is this thread's, and nobody edits its tile.
+    /// Locks the mesh, and the tile against edits.
     class Locked
     {
     public:

@@ -67,7 +67,7 @@ ViewGroupTable::Entry& ViewGroupTable::entryFor(const ViewRequest& request)
     const auto shared = std::find_if(_entries.begin(), _entries.end(), sharesEye);
     if (shared != _entries.end()) return *shared;
 
-    // Its own group goes with it, unless another camera has already taken that elsewhere in this frame.
+    // The camera takes its group along, unless another camera has moved the group in this frame.
     if (own && (own->frame != request.frame || own->members.size() == 1))
     {
         own->eye = eye;
@@ -79,7 +79,7 @@ ViewGroupTable::Entry& ViewGroupTable::entryFor(const ViewRequest& request)
     return fresh;
 }
 
-/// A mesh begins with what its tile is, which somebody may be editing.
+/// Locks the tile while the mesh is made, because an edit may be going on.
 std::shared_ptr<ViewGroup> ViewGroupTable::newGroup() const
 {
     const core::SplitBounds& bounds = _bounds.value();

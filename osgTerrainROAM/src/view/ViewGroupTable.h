@@ -14,7 +14,7 @@
 namespace osgTerrainROAM
 {
 
-/// One camera's wish in one frame.
+/// The request of one camera in one frame.
 struct ViewRequest
 {
     osg::Camera* camera = nullptr;
@@ -31,7 +31,7 @@ struct ViewRequest
 class ViewGroupTable
 {
 public:
-    /// `bounds`: none makes a table that is never asked.
+    /// Without `bounds`, find() must not be called.
     explicit ViewGroupTable(std::optional<core::SplitBounds> bounds);
 
     /// The group for a request, and the target with the strictest scale among the group's cameras.
@@ -43,7 +43,7 @@ public:
     };
     Match find(const ViewRequest& request);
 
-    /// The group asked for last; before any, one that is refined to `defaultErrorM` for nobody in particular.
+    /// The group that was asked for last; before the first request, one refined to `defaultErrorM` for no camera.
     std::shared_ptr<ViewGroup> latest(double defaultErrorM);
     std::vector<ViewGroupStatistics> statistics() const;
     void releaseGLObjects(osg::State* state);

@@ -10,8 +10,8 @@
 namespace osgTerrainROAM
 {
 
-/// What one cull traversal puts into the render graph: the part of a group's mesh that one camera sees in one
-/// frame. A fresh one is made per traversal and never changed, so a frame may be culled while the last is drawn.
+/// The drawable that one cull traversal puts into the render graph: the part of a group's mesh that one camera sees in one
+/// frame. Each traversal makes a new one, which never changes, so a frame may be culled while the last is drawn.
 class ViewPart : public osg::Drawable
 {
 public:

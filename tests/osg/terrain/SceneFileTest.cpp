@@ -76,7 +76,7 @@ TEST_P(SceneFile, StoresTheFileTheSettingsAndTheAtmosphere)
     EXPECT_EQ(again->atmosphere()->settings(), air);
     EXPECT_EQ(again->source(), terrain->source());
     ASSERT_TRUE(again->tile());
-    EXPECT_EQ(again->tile()->tile.dataColumns(), 40);
+    EXPECT_EQ(again->tile()->tile.grid().dataColumns(), 40);
     EXPECT_EQ(again->getNumChildren(), 1u);
     EXPECT_EQ(again->getChild(0), again->drawable());
     EXPECT_TRUE(again->editor());

@@ -18,7 +18,8 @@ namespace osgTerrainROAM::core
 namespace
 {
 
-/// The largest distance of samples from a triangle's plane, point by point in the grid.
+/// Finds the largest distance of samples from a triangle's plane; each is compared with the point of the plane that has the
+/// same position in the grid.
 class PlaneError
 {
 public:
@@ -46,7 +47,7 @@ private:
     double _largest2 = 0.0;
 };
 
-/// The odd, or the even, multiples of `half` from `from` on.
+/// Returns the first odd, or even, multiple of `half` that is not less than `from`.
 int firstMultiple(int from, int half, bool odd)
 {
     const int offset = odd ? half : 0;
@@ -122,8 +123,8 @@ void BoundsUpdate::visitLevel(int half, bool isCentre)
         visit(w);
 }
 
-/// The vertices of a level whose diamonds touch what has changed. Where a level is finer than the places that have changed,
-/// only the samples of sheets, and those that edits have put between them, can be off, or vertices beside them.
+/// Collects the vertices of a level whose diamonds touch changed samples. On a level finer than the changed samples only
+/// samples of sheets, samples that edits have added between them, and vertices beside these can have an error.
 void BoundsUpdate::collect(const ChangedPlaces& changed, int half, bool isCentre,
                            std::vector<Wanted>& wanted) const
 {
@@ -192,7 +193,7 @@ void BoundsUpdate::propagate(const SplitDiamond& diamond, const SplitBound& befo
     diamond.forEachParent(
         [&](GridPoint p)
         {
-            // What the parent has may have been this vertex's.
+            // The parent's bound may come from this vertex.
             const bool mayFall = after.errorM < before.errorM &&
                                  _tile.roundedUpError(p, before.errorM) >= _tile.bound(p).errorM;
             _wanted[static_cast<std::size_t>(diamond.level() - 1)].push_back({p, mayFall});

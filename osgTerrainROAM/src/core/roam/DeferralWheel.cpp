@@ -26,7 +26,7 @@ void DeferralWheel::clear()
     _nextDue = 0;
 }
 
-/// A block to add to, before others.
+/// Starts a block in front of the chain `next`.
 std::uint32_t DeferralWheel::startBlock(std::uint32_t next)
 {
     std::uint32_t block = _freeBlock;
@@ -91,7 +91,7 @@ void DeferralWheel::collect(int which, double steppedM)
         const std::int64_t from = before >> (kLevelShift * level), to = now >> (kLevelShift * level);
         if (from == to) break; // coarser levels have not moved either
         std::uint32_t& occupied = octave.occupied[static_cast<std::size_t>(level)];
-        // The slots that have been passed, the one after `from` first.
+        // The slots that were passed, the one after `from` first.
         const auto first = static_cast<int>((from + 1) & (kSlots - 1));
         std::uint32_t passed = std::rotr(occupied, first);
         if (to - from < kSlots) passed &= (1u << (to - from)) - 1u;

@@ -22,7 +22,7 @@ DiamondTree::DiamondTree(SplitBounds bounds, LeafPlacement placement)
                          tile().tile.grid().side()),
       _leaves(tile().regions.regionCount() + 1, placement)
 {
-    // The corners as if they had split something larger: the apexes of the two roots have one quadrant each.
+    // The corners are stored as if they had split a larger triangle: the apexes of the two roots have one quadrant each.
     const auto [first, second] = rootTriangles(tile().tile.grid().side());
     const GridPoint corners[kCorners] = {first.apex, second.apex, first.left, first.right};
     for (const GridPoint p : corners)
@@ -98,7 +98,7 @@ bool DiamondTree::isDrawn(TriangleId t) const
     return _dataFillsTile || core::isDrawn(tile().tile, gridTriangle(t));
 }
 
-/// Notes the slots that the arena has written. One may have been written more than once, or be in use no more.
+/// Stores the slots that the arena has written in the links. A slot may have been written more than once, or be unused now.
 void DiamondTree::relink()
 {
     for (; _linked < _changes.triangles.size(); ++_linked)
@@ -119,7 +119,7 @@ void DiamondTree::addLeaf(TriangleId t)
     relink();
 }
 
-/// Of a leaf: what its link says.
+/// Removes a leaf, given by the value of its link.
 void DiamondTree::removeLeaf(std::uint32_t slot)
 {
     --_leafCount;
@@ -132,7 +132,7 @@ void DiamondTree::removeLeaf(std::uint32_t slot)
     relink();
 }
 
-/// Makes `t` split by `v`, whose two quadrants in it become leaves. They take over its place where it can be seen.
+/// Splits `t` by `v`, whose two quadrants in it become leaves. Where it is drawn, they inherit its slot.
 void DiamondTree::splitLeaf(TriangleId t, VertexSlot v)
 {
     const std::uint32_t slot = link(t);
@@ -159,7 +159,7 @@ void DiamondTree::splitLeaf(TriangleId t, VertexSlot v)
     inherit(slot, isFirstDrawn ? earlier : later);
 }
 
-/// Makes `t`, whose halves are leaves, one again. It takes over a place of theirs.
+/// Merges the halves of `t`, which are leaves. It inherits a slot of theirs.
 void DiamondTree::mergeLeaves(TriangleId t)
 {
     auto [kept, other] = children(t);

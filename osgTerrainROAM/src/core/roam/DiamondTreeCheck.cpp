@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The exhaustive check behind DiamondTree::isConforming. It trusts neither neighbours nor levels: the edges of all leaves
-// are matched by their end samples, so that a T-junction shows as an edge without its twin.
+// The exhaustive check of DiamondTree::isConforming. It uses neither neighbours nor levels: it matches the edges of all
+// leaves by their end samples, so a T-junction shows as an edge without a twin.
 #include <algorithm>
 #include <cstdlib>
 #include <utility>
@@ -13,7 +13,7 @@ namespace osgTerrainROAM::core
 namespace
 {
 
-/// An edge of a leaf, from one place of the grid to another.
+/// An edge of a leaf, from one point of the grid to another.
 struct Edge
 {
     using Ends = std::pair<std::uint64_t, std::uint64_t>;
@@ -67,7 +67,8 @@ std::vector<TriangleId> leavesOf(const DiamondTree& tree)
 
 } // namespace
 
-/// Whether a vertex lies in the middle of what it has split, one level below, and its parents know it.
+/// Whether a vertex lies in the middle of the base of the triangles that it has split, one level below, and their links name
+/// it.
 bool DiamondTree::linksAreSound(VertexSlot v) const
 {
     const DiamondPlace& place = _places[v];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What of a mesh lies where in the grid: for those who follow an edit of the tile.
+// Searches of the mesh by position in the grid, for following an edit of the tile.
 #include <osgTerrainROAM/core/roam/DiamondTree.h>
 
 namespace osgTerrainROAM::core
@@ -8,7 +8,7 @@ namespace osgTerrainROAM::core
 DiamondTree::AtPlace DiamondTree::atPlace(GridPoint p) const
 {
     AtPlace found;
-    // Both sides of an edge that the place lies on are gone down: one child of each level waits.
+    // The search follows both sides of an edge that the point lies on: one child of each level waits.
     std::array<TriangleId, TileGrid::kMostLevels + 3> open = {kRoots[0], kRoots[1]};
     for (std::size_t count = 2; count > 0;)
     {
@@ -46,7 +46,7 @@ void DiamondTree::forEachIn(const GridRect& rect,
             continue;
         }
         const VertexSlot v = splitVertex(t);
-        // From one of the two triangles that it has split is enough.
+        // One of the two triangles that it has split visits it.
         if (holds(v) && parents(v)[0] == t) visit(v, {});
         for (const TriangleId child : children(t))
             open.push_back(child);

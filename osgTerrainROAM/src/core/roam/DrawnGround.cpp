@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The leaf is found from the place in the sample grid, going down the bintree. On the curved Earth a sample's horizontal
-// place depends on its height, so that the line may miss this leaf by a little: from there it is walked over neighbours.
+// Finds the leaf by descending the bintree to the position in the sample grid. On the curved Earth a sample's horizontal
+// position depends on its height, so the vertical line may miss this leaf by a little: a walk over neighbours corrects it.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -32,14 +32,14 @@ VerticalHit meet(const DiamondTree& tree, TriangleId t, const glm::dvec2& place)
     return verticalHit(positions, grid, place);
 }
 
-/// Whether a grid place lies on the right corner's side of apex and middle of the base.
+/// Whether a grid position lies on the right corner's side of the line from the apex to the middle of the base.
 bool isOnTheRight(GridPoint apex, GridPoint mid, const glm::dvec2& grid)
 {
     return (mid.column - apex.column) * (grid.y - apex.row) - (mid.row - apex.row) * (grid.x - apex.column) >
            0.0;
 }
 
-/// A way down the tree to the leaf over a grid place.
+/// A descent of the tree to the leaf at a grid position.
 struct Descent
 {
     glm::dvec2 grid{0.0};
@@ -67,7 +67,7 @@ struct Descent
     }
 };
 
-/// Across the edge that a place lies beyond the farthest.
+/// Returns the neighbour across the edge that a position lies farthest beyond.
 TriangleId towards(const DiamondTree& tree, TriangleId t, const glm::dvec3& weights)
 {
     if (weights.x <= weights.y && weights.x <= weights.z) return tree.acrossBase(t);
@@ -80,13 +80,13 @@ bool isBeyondData(const PlacedTile& tile, const glm::dvec2& grid)
            grid.y > tile.grid().dataRows() - 1 + kEdgeSlack;
 }
 
-/// How far the true surface may be from a leaf, or from its patch, when none of its vertices is displaced.
+/// Computes how far the true surface may be from a leaf, or from its patch, when none of its vertices is displaced.
 double boundM(const DiamondTree& tree, TriangleId leaf)
 {
     return tree.canSplit(leaf) ? tree.bounds().errorM(tree.middle(leaf)) : 0.0;
 }
 
-/// From the leaf under the place in the grid to the one that the vertical line meets.
+/// Walks from the leaf at the grid position to the leaf that the vertical line meets.
 std::optional<DrawnGround> onLeaves(const DiamondTree& tree, TriangleId t, const glm::dvec2& place)
 {
     for (int step = 0; step < kMostSteps && t.exists(); ++step)
@@ -109,7 +109,7 @@ std::optional<DrawnGround> onLeaves(const DiamondTree& tree, TriangleId t, const
     return std::nullopt;
 }
 
-/// The triangle of a leaf's patch over a grid place.
+/// Finds the triangle of a leaf's patch at a grid position.
 GridTriangle inPatch(const DiamondTree& tree, const Descent& leaf)
 {
     GridTriangle t = tree.gridTriangle(leaf.triangle);
@@ -118,7 +118,7 @@ GridTriangle inPatch(const DiamondTree& tree, const Descent& leaf)
     return t;
 }
 
-/// Where a patch triangle's plane says that the place is instead, the way down begins again.
+/// Repeats the descent at the grid position that the plane of a patch triangle gives.
 std::optional<DrawnGround> onPatches(const DiamondTree& tree, Descent descent, const glm::dvec2& place)
 {
     const PlacedTile& tile = tree.tile().tile;

@@ -61,7 +61,7 @@ public:
         if (placed.samples().hasHoles()) noteHoles(triangle);
     }
 
-    /// Where data have holes, samples beside them may lie in leaves that are left out: then the outline is off.
+    /// Counts samples beside holes that lie in leaves that are not drawn: the outline is off there.
     std::size_t uncovered()
     {
         if (_tile.tile.samples().hasHoles()) compareOutline();
@@ -90,7 +90,7 @@ private:
 
     int step() const { return _tile.tile.grid().cellSide(); }
 
-    /// Samples that are not there and drawn all the same.
+    /// Counts missing samples that are drawn.
     void noteHoles(const GridTriangle& t)
     {
         const PlacedTile& placed = _tile.tile;
@@ -105,7 +105,8 @@ private:
             step());
     }
 
-    /// How far samples that are drawn and not there, or there and not drawn, are from the nearest of the other kind.
+    /// Measures the distance of missing samples that are drawn, and of present ones that are not, from the nearest of the
+    /// other kind.
     void compareOutline()
     {
         const PlacedTile& placed = _tile.tile;
@@ -152,7 +153,7 @@ private:
             if (sheets[i].holds(p.column, p.row)) _sheetsCovered[i][sheets[i].index(p.column, p.row)] = true;
     }
 
-    /// The samples of a triangle lie within its error of it, so a sphere around both tells whether any can be seen.
+    /// Tests a sphere around the triangle thickened by its error: whether any of its samples can be visible.
     bool mayBeSeen(const GridTriangle& t, const glm::dvec3& a, const glm::dvec3& du,
                    const glm::dvec3& dw) const
     {

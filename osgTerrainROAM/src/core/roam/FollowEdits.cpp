@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How a mesh follows edits of its tile: vertices that have moved are written again, and where bounds have changed the next
-// refinement looks again.
+// The mesh follows edits of its tile: moved vertices are written again, and vertices with changed bounds are checked in the
+// next refinement.
 #include <osgTerrainROAM/core/roam/RoamMesh.h>
 
 namespace osgTerrainROAM::core
@@ -45,7 +45,7 @@ void RoamMesh::followMoved(const GridRect& rect)
                     });
 }
 
-/// What has changed since is not known any more.
+/// Follows when the list of changes is incomplete: everything may have changed.
 void RoamMesh::followAll()
 {
     const int last = tile().tile.grid().side() - 1;

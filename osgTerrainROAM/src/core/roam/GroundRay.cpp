@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Descent of the bintree along a ray. What lies below a triangle is within e_v of it: within a sphere about the middle of
-// its base, and within a slab about its plane. A ray that is never in both at once passes it by.
+// Descends the bintree along a ray. The surface below a triangle is within e_v of it: within a sphere about the middle of
+// its base, and within a slab about its plane. A ray that is never in both at once misses it.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -60,13 +60,13 @@ private:
         const glm::dvec3 top = position(mid);
         const PlacedTriangle children[2] = {{halves[0], top, t.apex, t.left},
                                             {halves[1], top, t.right, t.apex}};
-        // The nearer one first: what it finds cuts the other short.
+        // The nearer half first: its hit shortens the search of the other.
         const int first = glm::dot(_direction, t.left - t.right) > 0.0 ? 1 : 0;
         visit(children[first], level + 1);
         visit(children[1 - first], level + 1);
     }
 
-    /// Distance at which the ray comes into what holds the surface below `t`; kNowhere: never.
+    /// Returns the distance at which the ray enters the bounds of the surface below `t`; kNowhere: never.
     double entry(const PlacedTriangle& t, double errorM) const
     {
         const glm::dvec3 centre = 0.5 * (t.left + t.right);
@@ -90,7 +90,7 @@ private:
         return from <= to ? from : kNowhere;
     }
 
-    /// Ray against triangle: Möller and Trumbore 1997.
+    /// Source: Möller & Trumbore, *Fast, minimum storage ray-triangle intersection*, 1997.
     void meet(const PlacedTriangle& t)
     {
         const glm::dvec3 e1 = t.left - t.apex, e2 = t.right - t.apex, p = glm::cross(_direction, e2);

@@ -109,14 +109,14 @@ bool Horizon::hides(const glm::dvec3& centre, double radiusM, double highestM) c
     if (nearestM <= _tangentM) return false;
     const double mostM = std::max(std::abs(highestM), std::abs(_ground->lowestM));
     const double footM = awayM + radiusM + std::abs(_heightM) + mostM;
-    // A place below the ellipsoid is nearer to the ball's centre, by nearly as much.
+    // A point below the ellipsoid is nearer to the ball's centre, by nearly its depth.
     const double aboveM = highestM < 0.0 ? 0.98 * highestM : highestM;
     const double flatM2 = kFlattening * footM * footM;
     const double reachM2 = flatM2 + aboveM * (2.0 * std::sqrt(kBallM * kBallM + flatM2) + aboveM) +
                            _depthM * (2.0 * kBallM - _depthM);
     const double beyondM = nearestM - _tangentM;
     if (reachM2 > 0.0 && beyondM * beyondM < reachM2) return false;
-    // The line is in the ground after this share of its way, at most: there it has to be over the data yet.
+    // The line enters the ground after this share of its length, at most: up to there it has to be over the data.
     const double share = _tangentM / nearestM;
     for (std::size_t i = 0; i < _insideM.size(); ++i)
     {

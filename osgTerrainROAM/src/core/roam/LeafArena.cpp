@@ -54,7 +54,7 @@ void LeafArena::split(std::uint32_t slot, TriangleId earlier, TriangleId later, 
     const std::uint32_t index = arenaAt(slot);
     Arena& arena = _arenas[index];
     const std::uint32_t place = slot - arena.first, last = arena.slots() - 1;
-    // How many leaves stand between it and the nearest gap, on either side; what is beyond the arena's ends is none.
+    // The number of leaves between it and the nearest gap, on either side; there is no gap beyond the arena's ends.
     const auto after = static_cast<std::uint32_t>(std::countr_one(arena.used >> place)) - 1;
     const auto before = static_cast<std::uint32_t>(std::countl_one(arena.used << (63 - place))) - 1;
     const bool isAfter = place + after < last && (after <= before || before == place);
@@ -84,7 +84,7 @@ void LeafArena::shift(std::uint32_t slot, std::uint32_t gap, MeshChanges& change
         replace(gap, _leaves[gap + 1], changes);
 }
 
-/// Empty arenas go first: their slots are not written, and so none may join them.
+/// Frees empty arenas first: their slots are not written, so no other arena may join them.
 void LeafArena::closeGaps(MeshChanges& changes)
 {
     for (const std::uint32_t index : _touched)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The exhaustive check behind LeafArena::isConsistent.
+// The exhaustive check of LeafArena::isConsistent.
 #include <algorithm>
 
 #include <osgTerrainROAM/core/roam/LeafArena.h>
@@ -10,7 +10,7 @@ namespace osgTerrainROAM::core
 namespace
 {
 
-/// Which slots a block has been found to hold.
+/// The slots that were found in a block.
 class Claims
 {
 public:
@@ -37,7 +37,7 @@ private:
 
 } // namespace
 
-/// Whether an arena's leaves and slots are what it says.
+/// Whether an arena's counts and links agree with its leaves and slots.
 bool LeafArena::isSound(std::uint32_t index) const
 {
     const Arena& arena = _arenas[index];

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// How the arenas of a region grow, split, join and shrink, and where their leaves come to lie: the leaves of a B-tree (Bayer &
-// McCreight 1972) without the tree above them, for a leaf's slot leads to its arena.
+// The layout of a region's arenas: how they grow, split, join and shrink, and where their leaves lie.
+// Source: Bayer & McCreight, *Organization and maintenance of large ordered indexes*, 1972 (the leaves of a B-tree).
+// Differs: there is no tree above them, because a leaf's slot leads to its arena.
 #include <algorithm>
 #include <bit>
 #include <utility>
@@ -13,19 +14,19 @@ namespace osgTerrainROAM::core
 namespace
 {
 
-/// In eighths of an arena's slots: with so few leaves it looks for another place, and with so many two may join.
+/// In eighths of an arena's slots: the number of leaves at which it shrinks or joins, and the most that two joined may have.
 constexpr std::uint32_t kFew = 3, kMany = 6;
 
 } // namespace
 
-/// Adds an arena's leaves to those that are on their way.
+/// Takes an arena's leaves out, to be laid elsewhere.
 void LeafArena::takeUp(const Arena& arena)
 {
     for (std::uint64_t left = arena.used; left != 0; left &= left - 1)
         _taken.push_back(_leaves[arena.first + static_cast<std::uint32_t>(std::countr_zero(left))]);
 }
 
-/// Lays what was taken up from a full arena, and one more leaf.
+/// Lays the leaves of a full arena, and one more, in new arenas.
 void LeafArena::layInMore(std::uint32_t index, MeshChanges& changes)
 {
     const std::span<const TriangleId> leaves(_taken);
@@ -41,7 +42,7 @@ void LeafArena::layInMore(std::uint32_t index, MeshChanges& changes)
     lay(behind, leaves.subspan(leaves.size() / 2), true, changes);
 }
 
-/// Writes an arena, in order evenly spread. Fresh slots have to be written even where they are gaps.
+/// Writes an arena's leaves in order, evenly spread. New slots have to be written even where they are gaps.
 void LeafArena::lay(std::uint32_t index, std::span<const TriangleId> leaves, bool isFresh,
                     MeshChanges& changes)
 {
@@ -62,7 +63,7 @@ void LeafArena::lay(std::uint32_t index, std::span<const TriangleId> leaves, boo
     }
 }
 
-/// Gives back the slots that an arena does not need.
+/// Releases the slots that an arena does not need.
 void LeafArena::settle(std::uint32_t index, MeshChanges& changes)
 {
     const Arena arena = _arenas[index];
@@ -81,7 +82,7 @@ void LeafArena::settle(std::uint32_t index, MeshChanges& changes)
     lay(index, _taken, true, changes);
 }
 
-/// Takes all leaves of two neighbours into the larger one, if that leaves gaps enough.
+/// Moves all leaves of two neighbours into the larger one, if that leaves enough gaps.
 bool LeafArena::join(std::uint32_t earlier, std::uint32_t later, MeshChanges& changes)
 {
     const bool isLaterLarger = _arenas[later].sizeClass > _arenas[earlier].sizeClass;

@@ -12,7 +12,7 @@ namespace osgTerrainROAM::core
 namespace
 {
 
-/// From one place of the grid to another; such edges run along rows, columns and diagonals.
+/// An edge from one point of the grid to another; it runs along a row, a column or a diagonal.
 struct Edge
 {
     GridPoint from, to;
@@ -22,7 +22,7 @@ struct Edge
     friend bool operator<(const Edge& a, const Edge& b) { return a.key() < b.key(); }
 };
 
-/// Where an edge lies on the line that it is a piece of.
+/// The position of an edge on its line.
 struct Piece
 {
     int direction = 0; ///< of the line: along a row, a column, either diagonal
@@ -66,7 +66,7 @@ bool isAtDataBorder(const PlacedTile& tile, const Edge& e)
            both([&](GridPoint p) { return p.row >= tile.grid().dataRows() - 1; });
 }
 
-/// Those that a piece of the other sense runs along.
+/// Keeps the edges along which an edge of the opposite sense runs.
 std::size_t countOpposed(const std::vector<Edge>& open)
 {
     std::vector<Piece> pieces(open.begin(), open.end());

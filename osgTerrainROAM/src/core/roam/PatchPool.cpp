@@ -13,8 +13,8 @@ PatchPool::PatchPool(const DiamondTree& tree) : _shape(&PatchShape::of(tree.boun
         if (const TriangleId t = tree.leaves().leaf(arenaSlot); t.exists()) take(tree, t);
 }
 
-/// Slots are released first: of vertices that went, of vertices whose place in the pool another has taken since, and of
-/// triangles that were split. What is new among the arena's leaves, or moved only, then has none or still has its own.
+/// Releases slots first: of removed vertices, of vertices whose slot in the pool another vertex has taken since, and of split
+/// triangles. Then a new leaf of the arena has no slot, and a leaf that only moved still has its own.
 void PatchPool::follow(const DiamondTree& tree)
 {
     _written.clear();
@@ -62,8 +62,8 @@ void PatchPool::rewrite(const DiamondTree& tree, TriangleId leaf)
     _written.push_back(slot);
 }
 
-/// Data samples of a triangle are within its error of its plane, which here is that of the leaf without a patch. Vertices
-/// beyond the data's edge need not be.
+/// Bounds a patch: data samples of a triangle are within its error of the plane of the leaf without a patch. Vertices beyond
+/// the data's edge may be farther.
 PatchPool::Patch PatchPool::boundOf(const RoamTile& tile, const GridTriangle& t) const
 {
     const auto position = [&](GridPoint p) { return tile.tile.position(p.column, p.row); };

@@ -11,7 +11,7 @@ namespace osgTerrainROAM::core
 namespace
 {
 
-/// Bisects a leaf k times. Its apex is the grid's origin, its legs are the axes: the left one along the columns.
+/// Bisects a leaf k times, in a grid whose origin is the apex and whose axes are the legs: the left one along the columns.
 class Bisection
 {
 public:
@@ -23,7 +23,7 @@ public:
     }
 
 private:
-    /// `turned`: entered by the other half first, so that the curve goes on where it has left the triangle before.
+    /// `turned`: the other half comes first, so that the curve continues where it left the triangle before.
     void visit(const GridTriangle& t, int levels, bool turned)
     {
         if (levels == 0)

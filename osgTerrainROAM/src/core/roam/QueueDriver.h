@@ -25,8 +25,8 @@ public:
     QueueDriver(DiamondTree& tree, const viewlod::ViewState& view, double tolerancePx,
                 std::uint32_t maxLeaves, viewlod::Slice& slice, RefineResult& result);
 
-    /// Splits above the tolerance while there is room, merges what is below it or what must make room. The tolerance
-    /// reached goes into the result. False when the slice ended before.
+    /// Splits triangles above the tolerance while there is room; merges diamonds below it, or of least priority to make room.
+    /// Writes the tolerance reached into the result. Returns false when the slice ended before.
     bool refine();
 
 private:

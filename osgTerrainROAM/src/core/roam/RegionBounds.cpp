@@ -13,7 +13,7 @@ namespace osgTerrainROAM::core
 namespace
 {
 
-/// The smallest sphere about the middle of the samples' box.
+/// Computes the smallest sphere about the centre of the samples' box.
 template<class Sphere>
 Sphere fitted(const SampleRaster& tile, const GridTriangle& triangle)
 {
@@ -41,7 +41,7 @@ Sphere fitted(const SampleRaster& tile, const GridTriangle& triangle)
     return sphere;
 }
 
-/// About the middle of both centres.
+/// Computes a sphere around two others, about the middle of their centres.
 template<class Sphere>
 Sphere joined(const Sphere& a, const Sphere& b)
 {

@@ -40,7 +40,7 @@ void RoamMesh::setDriver(Driver driver)
     _driver = driver;
 }
 
-/// One run of the walk or the wheel. False when a limit has stopped it.
+/// Runs the walk or the wheel once. Returns false when a limit has stopped it.
 bool RoamMesh::run(const viewlod::ViewState& view, double tolerancePx, std::uint32_t maxLeaves,
                    viewlod::Slice& slice, RefineResult& result)
 {
@@ -50,10 +50,10 @@ bool RoamMesh::run(const viewlod::ViewState& view, double tolerancePx, std::uint
     return WalkDriver(_tree, active, maxLeaves, slice, result).refine();
 }
 
-/// The walk or the wheel, at the lowest tolerance that the ceiling allows. A mesh that was at the ceiling begins with the
-/// tolerance that it had: while the leaves stay in a band below the ceiling nothing else is to be done, and a little more
-/// or less of tolerance brings them back into it. What that does not settle, a sweep over the bintree does.
-/// False when the slice has ended before.
+/// Runs the walk or the wheel at the lowest tolerance that the ceiling allows. A mesh that was at the ceiling starts with its
+/// last tolerance: while the leaves stay in a band below the ceiling, nothing else is necessary; a small change of the
+/// tolerance brings them back into it. Otherwise a sweep over the bintree finds the tolerance.
+/// Returns false when the slice has ended before.
 bool RoamMesh::runWithinCeiling(const viewlod::ViewState& view, const viewlod::Budget& budget,
                                 viewlod::Slice& slice, RefineResult& result)
 {
@@ -91,7 +91,7 @@ RefineResult RoamMesh::refine(const viewlod::ViewState& view, const viewlod::Bud
         result = adaptAndMorph(view, budget);
     _eye = view.eyeWorld;
     _nearM = view.nearM;
-    // Of the meshes that morphing mixes, the coarsest is off by less than twice what the mixture is.
+    // The coarsest mesh that morphing mixes has less than twice the error of the mixture.
     _errorPerM = (_isMorphing ? 2.0 : 1.0) * result.errorBoundPx / view.guaranteedPixelsPerTangent();
     return result;
 }
@@ -107,7 +107,7 @@ RefineResult RoamMesh::adaptAndMorph(const viewlod::ViewState& view, const viewl
     return result;
 }
 
-/// Takes the mesh to an eye, without morphing.
+/// Adapts the mesh to an eye, without morphing.
 RefineResult RoamMesh::adapt(const viewlod::ViewState& view, const viewlod::Budget& ofTriangles)
 {
     RefineResult result;
@@ -135,7 +135,7 @@ RefineResult RoamMesh::adapt(const viewlod::ViewState& view, const viewlod::Budg
     return result;
 }
 
-/// What every refinement ends with.
+/// Ends a refinement: follows with the patches, counts the leaves.
 void RoamMesh::finish(RefineResult& result)
 {
     if (_patches)

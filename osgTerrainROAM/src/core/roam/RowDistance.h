@@ -9,11 +9,11 @@
 namespace osgTerrainROAM::core
 {
 
-/// Stands for a sample that is not there: no distance from it is larger than any other.
+/// The position of a missing sample: its distance from a plane is not larger than any other.
 inline constexpr glm::dvec3 kNoSample{std::numeric_limits<double>::quiet_NaN()};
 
-/// The largest squared distance of `count` samples, one behind the other, from a plane; or `largest`. The plane's point of sample k
-/// is start + (first + k)·perSample: no division, and no error that grows along the row.
+/// Returns the largest squared distance of `count` consecutive samples from a plane, or `largest` if that is larger. The
+/// plane's point for sample k is start + (first + k)·perSample: no division, and no error that grows along the row.
 inline double largestSquared(double largest, const glm::dvec3* samples, int count, const glm::dvec3& start,
                              const glm::dvec3& perSample, int first)
 {

@@ -11,13 +11,14 @@
 namespace osgTerrainROAM::core
 {
 
-/// The samples of a tile's sheets against planes of triangles. Keeps all their positions: 24 B a sample, for as long as it is there.
+/// Measures the samples of a tile's sheets against the planes of triangles. It stores all their positions while it exists:
+/// 24 B a sample.
 class SheetErrors
 {
 public:
     explicit SheetErrors(const PlacedTile& tile);
 
-    /// Of the samples in a triangle, its borders included; 0 where there are none.
+    /// Returns the error of the samples in a triangle, its borders included; 0 where there are none.
     double largestM(const GridTriangle& t) const;
 
 private:

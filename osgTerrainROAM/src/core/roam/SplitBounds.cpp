@@ -34,7 +34,7 @@ public:
     }
 
 private:
-    /// The largest error of the vertices that split a triangle's descendants, 0, 1, … levels below it.
+    /// Returns the largest error of the vertices that split a triangle's descendants 0, 1, … levels below it.
     using ByDepth = std::array<float, SplitBounds::kMostExponent + 1>;
 
     float& error(GridPoint v) { return _errorsM[static_cast<std::size_t>(v.row) * _side + v.column]; }

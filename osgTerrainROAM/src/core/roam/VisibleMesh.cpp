@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What of a RoamMesh is drawn: by regions of the tree, then, with patches, one by one.
+// The drawn part of a RoamMesh: by regions of the tree, then, with patches, patch by patch.
 #include <algorithm>
 
 #include <osgTerrainROAM/core/roam/DrawnGround.h>
@@ -11,7 +11,7 @@ namespace osgTerrainROAM::core
 namespace
 {
 
-/// Nearest first; elements at equal distances keep their order.
+/// Sorts by distance, nearest first; elements at equal distances keep their order.
 template<class Elements, class CentreOf>
 void sortByDistance(Elements&& elements, const glm::dvec3& eye, const CentreOf& centreOf)
 {

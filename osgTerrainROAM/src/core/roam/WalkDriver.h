@@ -25,11 +25,11 @@ public:
     {
     }
 
-    /// Splits and merges until exactly the active vertices are split. False when the slice was spent before, or when that
+    /// Splits and merges until exactly the active vertices are split. Returns false when the slice was spent before, or when that
     /// takes more than `maxLeaves`: the mesh is valid then, too.
     bool refine()
     {
-        // What does not fit at first may when the walk has merged what comes later.
+        // A split that does not fit at first may fit after the walk has merged later triangles.
         return (walkRoots() && !_leftOut) || (!_slice.isSpent() && walkRoots() && !_leftOut);
     }
 

@@ -93,7 +93,7 @@ private:
     bool splitScheduled(Frame& frame, std::size_t stale);
 
     DeferralWheel _wheel;
-    std::vector<std::array<DeferralWheel::Mark, 5>> _marks;               ///< by vertex and kind
+    std::vector<std::array<DeferralWheel::Mark, 5>> _marks;             ///< by vertex and kind
     std::array<std::vector<VertexSlot>, TileGrid::kMostLevels> _merges; ///< vertices to remove, by level
     std::size_t _mergeCount = 0;
     std::vector<TriangleId> _splits;  ///< triangles to split: their split vertex has become active

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Spec 1's R3: a high-frequency feature of one cell does not complicate the whole model. (Where the other requirements
-// are tested: docs/measurements/terrain-refinement.md.)
+// A spike of one sample adds triangles around it only: their number grows with the depth of the bintree, not with the size
+// of the field.
 #include <cmath>
 
 #include <gtest/gtest.h>

@@ -20,11 +20,11 @@ struct Crop
     std::vector<std::pair<double, std::uint32_t>> trianglesAtErrorM;
 };
 
-class Anchors : public testing::TestWithParam<Crop>
+class TriangleCounts : public testing::TestWithParam<Crop>
 {
 };
 
-TEST_P(Anchors, NestedRowIsMetExactly)
+TEST_P(TriangleCounts, NestedRowIsMetExactly)
 {
     OSGTRAINER_REAL_DATA_OR_SKIP(file, GetParam().square.file);
     const auto imported = importDem(file);
@@ -35,7 +35,7 @@ TEST_P(Anchors, NestedRowIsMetExactly)
             << GetParam().square.file << " at " << errorM << " m";
 }
 
-TEST_P(Anchors, OneRaisedSampleChangesTheCount)
+TEST_P(TriangleCounts, OneRaisedSampleChangesTheCount)
 {
     OSGTRAINER_REAL_DATA_OR_SKIP(file, GetParam().square.file);
     const auto imported = importDem(file);
@@ -48,7 +48,7 @@ TEST_P(Anchors, OneRaisedSampleChangesTheCount)
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    Crops, Anchors,
+    Crops, TriangleCounts,
     testing::Values(Crop{measurement::kWhiteMountains, {{20, 129615}, {10, 307452}, {5, 652220}}},
                     Crop{measurement::kAconcagua, {{50, 171580}, {20, 569718}}},
                     Crop{measurement::kGreenRiver, {{1, 1345}, {0.5, 4340}, {0.25, 12927}, {0.1, 51929}}}),
