@@ -21,10 +21,11 @@ TEST(TerrainSerializersLibrary, IsLoadedForASceneWithATerrain)
     spec.epsg = 4326;
     writeRaster(folder / "dem.tif", "GTiff", spec);
     const std::string scene = (folder / "scene.osgt").string();
-    writeBytes(scene,
-               "#Ascii Scene\n#Version 162\n#Generator test\n\nosgTerrainROAM::RoamTerrain {\n  UniqueID 1\n"
-               "  Source \"" +
-                   (folder / "dem.tif").string() + "\"\n  Settings 1 {\n    errorTolerancePx=2\n  }\n}\n");
+    writeBytes(scene, "#Ascii Scene\n#Version 162\n#Generator OpenSceneGraph "
+                      "3.6.5\n\nosgTerrainROAM::RoamTerrain {\n  UniqueID 1\n"
+                      "  Source \"" +
+                          (folder / "dem.tif").string() +
+                          "\"\n  Settings 1 {\n    errorTolerancePx=2\n  }\n}\n");
     // The mutation first: without the folder of the library nobody knows the class.
     EXPECT_FALSE(osgDB::readRefNodeFile(scene));
     osgDB::Registry::instance()->getLibraryFilePathList().push_front(OSGTRAINER_PLUGIN_FOLDER);
