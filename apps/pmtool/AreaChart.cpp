@@ -12,7 +12,7 @@ namespace pmtool
 namespace
 {
 
-/// What lies over a tick by less than this part of the way to the next is not worth a tick of its own.
+/// A value that exceeds a tick by less than this share of the interval gets no tick of its own.
 constexpr double kRounding = 0.1;
 
 // Pixels.
@@ -20,7 +20,7 @@ constexpr double kWidth = 420, kHeight = 240, kLeft = 48, kRight = 18, kTop = 28
 constexpr double kFewest = 0.01; // share of the faces at the left border
 constexpr std::array<const char*, 4> kColours{"#1b6ca8", "#d1495b", "#2e933c", "#555555"};
 
-/// `value` with so many decimals.
+/// Returns `value` with so many decimals.
 std::string text(double value, int decimals)
 {
     char digits[32];
@@ -43,7 +43,7 @@ std::string escaped(const std::string& plain)
     return safe;
 }
 
-/// The picture of one panel, with its corner at the origin.
+/// Draws one panel, with its corner at the origin.
 class Panel
 {
 public:

@@ -88,7 +88,7 @@ Calls callsOf(const ProgressiveMesh& progressive, const CompactedLevel& level)
     return calls;
 }
 
-/// Without holes: they transform nothing.
+/// Returns faces without holes, since holes transform nothing.
 Calls callsOf(const ProgressiveMesh& progressive, const ProgressiveLevel& level)
 {
     Calls calls(progressive.groups.size());
@@ -97,7 +97,7 @@ Calls callsOf(const ProgressiveMesh& progressive, const ProgressiveLevel& level)
     return calls;
 }
 
-/// The same of the levels of a progressive mesh, as a player has them.
+/// The same for the levels of a progressive mesh, as a player draws them.
 template<class Level>
 void addTransforms(const CacheSubject& subject, const ProgressiveMesh& progressive, Level& level, Json& row)
 {
@@ -172,7 +172,7 @@ std::vector<Triangle> trianglesOf(const CompactedLevel& level)
     return triangles;
 }
 
-/// Faces that get into another slot at a step, when all behind the first that vanishes move up.
+/// Counts the faces that change their slot at a step, when all faces after the first removed one move up.
 double writesOfCompaction(const CacheSubject& subject, CompactedLevel& level)
 {
     double sum = 0.0;

@@ -26,11 +26,11 @@ struct CacheSubject
                  const osgPMObjects::core::ArrangementSettings& arrangementSettings);
 };
 
-/// The ways to keep faces in order, as they stand in tables.
+/// The names of all arrangements of faces, as in tables.
 std::vector<std::string> cacheOrderNames();
 
-/// One row of the table. Transforms per vertex: of those that a level's faces use. Calls begin with an empty cache, one for each
-/// material. What an order does not have is left out of the row: time and bytes of those that are made anew for every level.
+/// Measures one arrangement and returns its row. Transforms per vertex count the vertices that a level's faces use. There is one draw
+/// call for each material; it begins with an empty cache. Arrangements made anew for every level have no time and no bytes.
 nlohmann::ordered_json cacheRow(const CacheSubject& subject, const std::string& order);
 
 } // namespace pmtool

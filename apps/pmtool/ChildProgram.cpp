@@ -21,10 +21,10 @@ namespace
 
 using Clock = std::chrono::steady_clock;
 
-/// How often it is looked whether the program is done; its time is its own to tell.
+/// The interval at which the program is polled; the program itself measures its time.
 constexpr std::chrono::milliseconds kPause{2};
 
-/// Starts a program; negative: errno.
+/// Starts a program. Returns its process, or a negative errno.
 pid_t start(const std::vector<std::string>& command, const std::filesystem::path& outputFile)
 {
     std::vector<char*> arguments;
@@ -49,7 +49,7 @@ pid_t start(const std::vector<std::string>& command, const std::filesystem::path
     return failed == 0 ? child : -failed;
 }
 
-/// False: not in time.
+/// Waits for a program. Returns false when the time is over.
 bool waitFor(pid_t child, double seconds, int& status)
 {
     const auto end = Clock::now() + std::chrono::duration<double>(seconds);

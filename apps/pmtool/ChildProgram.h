@@ -10,7 +10,7 @@
 namespace pmtool
 {
 
-/// Runs a program to its end, what it says on both outputs going to `outputFile`. Errors: it cannot be started, was not
+/// Runs a program to its end and writes both its outputs to `outputFile`. Errors: it cannot be started, was not
 /// done after `seconds` (then it is killed), died of a signal, or returned another code than 0.
 foundation::Outcome runProgram(const std::vector<std::string>& command,
                                const std::filesystem::path& outputFile, double seconds);

@@ -6,7 +6,7 @@ namespace pmtool
 
 CLI::App* addCompareGroup(CLI::App& app)
 {
-    CLI::App* group = app.add_subcommand("compare", "measure ways of doing something side by side");
+    CLI::App* group = app.add_subcommand("compare", "measure several algorithms side by side");
     group->require_subcommand(1);
     return group;
 }

@@ -10,7 +10,7 @@
 namespace pmtool
 {
 
-/// Names for what is made of models: the file's name without its extensions; a second one of the same name gets -2.
+/// Makes names of output files: the name of the input file without its extensions; a second one of the same name gets -2.
 class OutputNames
 {
 public:
@@ -20,10 +20,10 @@ private:
     std::map<std::string, int> _used;
 };
 
-/// Creates a folder, and those above it, unless it is there. Errors: it cannot be.
+/// Creates a folder, and those above it, unless it exists. Errors: it cannot be created.
 foundation::Outcome makeFolder(const std::filesystem::path& folder);
 
-/// Writes a model, with its pictures inside, in a format that OSG writes to a stream, told by the extension (.osgb, .osgt, .ive).
+/// Writes a model, with its textures inside, in a format that OSG writes to a stream, chosen by the extension (.osgb, .osgt, .ive).
 /// Errors: no such format, the file cannot be written; then nothing is left behind.
 foundation::Outcome writeModel(const osgPMObjects::ImportedModel& model, const std::filesystem::path& file);
 

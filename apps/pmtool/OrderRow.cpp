@@ -33,7 +33,7 @@ Numbers given(const DrawCall& call)
     return numbers;
 }
 
-/// By chance, the same each time: what no order costs.
+/// Shuffles triangles, the same way each time: the cost of no order.
 Numbers shuffled(const DrawCall& call)
 {
     Numbers numbers = given(call);
@@ -68,7 +68,7 @@ Numbers locality(const DrawCall& call)
     return localityOrder(call.triangles, vertexCount(call), size);
 }
 
-/// One of the two makes the order.
+/// An order, made by one of the two functions.
 struct NamedOrder
 {
     const char* name;

@@ -13,15 +13,15 @@
 namespace pmtool
 {
 
-/// The names of all orders, as they stand in tables.
+/// The names of all orders, as in tables.
 std::vector<std::string> orderNames();
 
-/// An order of a subject, worked out anew.
+/// A computed order of a subject's triangles.
 struct OrderedSubject
 {
     std::vector<std::vector<osgPMObjects::core::Triangle>> calls; ///< by draw call
-    double ms = 0.0;                                              ///< for the order alone, of the processor
-    std::size_t strips = 0, sentVertices = 0; ///< of the orders made of strips: as they would be sent
+    double ms = 0.0;                                              ///< processor time for the order alone
+    std::size_t strips = 0, sentVertices = 0;                     ///< of orders made of strips
 };
 
 OrderedSubject orderSubject(const OrderSubject& subject, const std::string& order);

@@ -16,7 +16,7 @@ namespace
 using osgPMObjects::core::Face;
 using osgPMObjects::core::Mesh;
 
-/// Numbers the vertices of a draw call as they come.
+/// Numbers the vertices of a draw call as they are first used.
 class CallBuilder
 {
 public:

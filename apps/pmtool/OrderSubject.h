@@ -22,12 +22,12 @@ struct DrawCall
     std::vector<glm::dvec3> positions; ///< by vertex
 };
 
-/// A model in one of the ways in which its vertices can be counted.
+/// A model with its vertices counted in one of two ways.
 struct OrderSubject
 {
     std::string
-        vertices; ///< "positions": one for each place, all of the model in one call. "wedges": as it is drawn, one
-                  ///< for each place with its attributes, needless splits merged, a call for each material.
+        vertices; ///< "positions": one for each position, all of the model in one call. "wedges": as it is drawn, one
+    ///< for each position with its attributes, needless splits merged, a call for each material.
     std::vector<DrawCall> calls;
 
     std::size_t triangleCount() const;

@@ -19,7 +19,7 @@ namespace
 using namespace osgPMObjects;
 using Clock = std::chrono::steady_clock;
 
-/// Goes on until the ratio is reached, as the library would without it, or the time is over.
+/// Continues until the ratio is reached, as the library does by default, or the time is over.
 class UntilDeadline : public osgUtil::Simplifier::ContinueSimplificationCallback
 {
 public:

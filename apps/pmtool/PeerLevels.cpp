@@ -20,7 +20,7 @@ namespace
 using namespace osgPMObjects;
 namespace fs = std::filesystem;
 
-/// A folder of this process's own, that goes away.
+/// A temporary folder of this process, removed at the end.
 class WorkFolder
 {
 public:
@@ -43,7 +43,7 @@ private:
     fs::path _path;
 };
 
-/// The last line of a file that is not empty.
+/// Returns the last line of a file that is not empty.
 std::string lastWords(const fs::path& file)
 {
     std::ifstream stream(file);
@@ -53,7 +53,7 @@ std::string lastWords(const fs::path& file)
     return last;
 }
 
-/// Reads `v` and `f` lines; faces are triangles. Errors: an index beyond the positions, something that is no number.
+/// Reads `v` and `f` lines; faces are triangles. Errors: an index beyond the positions, words that are no numbers.
 foundation::Result<core::Mesh> readPlain(const fs::path& file)
 {
     std::ifstream stream(file);
@@ -80,13 +80,13 @@ foundation::Result<core::Mesh> readPlain(const fs::path& file)
                 if (--corner >= positions.size()) words.setstate(std::ios::failbit);
         }
         if (words.fail())
-            return foundation::Error{file.filename().string(), "makes no sense: " + line,
+            return foundation::Error{file.filename().string(), "cannot be understood: " + line,
                                      "let the program write `v x y z` and `f a b c`"};
     }
     return shapeOf(positions, triangles);
 }
 
-/// Lines of a count and a time, others are passed over.
+/// Reads lines of a count and a time; other lines are ignored.
 std::map<std::size_t, double> readTimes(const fs::path& file)
 {
     std::map<std::size_t, double> times;

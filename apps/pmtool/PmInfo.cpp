@@ -16,7 +16,7 @@ namespace
 using namespace osgPMObjects::core;
 using Json = nlohmann::ordered_json;
 
-/// Triangles and errors where so many per cent of the positions are left.
+/// Returns triangles and errors of the level that has so many per cent of the positions.
 Json levelsOf(const ProgressiveMesh& mesh)
 {
     Json levels = Json::array();

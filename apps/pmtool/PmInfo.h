@@ -9,10 +9,10 @@
 namespace pmtool
 {
 
-/// Whether a file's name says that it is a progressive mesh.
+/// Tells by a file's name whether it is a progressive mesh.
 bool isPmFile(const std::string& file);
 
-/// What is in a progressive mesh: counts, errors of some levels, materials, and after which levels a reader may stop.
+/// Returns counts, errors of some levels, and materials of a progressive mesh, and the levels after which a reader may stop.
 /// Errors: as PmReader.
 foundation::Result<nlohmann::ordered_json> describePm(const std::string& file);
 

@@ -18,7 +18,7 @@ using Json = nlohmann::ordered_json;
 namespace
 {
 
-/// Within max(1 %, 4 triangles) a count is reached.
+/// Tells whether a count is reached, within max(1 %, 4 triangles).
 bool isStuck(std::size_t reached, std::size_t target)
 {
     return reached > target + std::max<std::size_t>(4, target / 100);

@@ -14,7 +14,7 @@
 namespace pmtool
 {
 
-/// A model, and all that is the same for every tool.
+/// A model, with everything that is the same for every tool.
 struct SimplifySubject
 {
     std::string name;               ///< of its dumps
@@ -28,7 +28,7 @@ struct SimplifySubject
                     std::vector<double> targetPercents);
 };
 
-/// What is measured about a level, into its row.
+/// Measures a level and adds the figures to its row.
 void addMeasures(nlohmann::ordered_json& row, const SimplifySubject& subject, const SimplifiedLevel& level,
                  std::size_t target);
 
@@ -37,10 +37,10 @@ void addMeasures(nlohmann::ordered_json& row, const SimplifySubject& subject, co
 foundation::Outcome dump(const osgPMObjects::core::Mesh& mesh, const std::filesystem::path& folder,
                          const std::string& stem, nlohmann::ordered_json& row);
 
-/// What a row's dump is called: "forklift.subset.seams.5".
+/// Returns the name of a row's dump: "forklift.subset.seams.5".
 std::string dumpName(const SimplifySubject& subject, const nlohmann::ordered_json& row);
 
-/// For whoever looks on.
+/// Print to the standard output.
 void printHeading(const std::string& file, const SimplifySubject& subject);
 void printRow(const nlohmann::ordered_json& row);
 

@@ -17,17 +17,17 @@
 namespace pmtool
 {
 
-/// What a tool is to do.
+/// The task of a tool.
 struct SimplifyTask
 {
-    const osgPMObjects::core::Mesh& mesh;  ///< consolidated, then positions at one place joined
+    const osgPMObjects::core::Mesh& mesh;  ///< consolidated, then equal positions welded
     const osgPMObjects::core::Mesh& shape; ///< the same, see shapeOf()
     bool seams = true; ///< whether attributes and materials are kept; otherwise only the shape counts
     std::span<const std::size_t> targets; ///< most faces of each level, falling
-    double seconds = 0.0;                 ///< after which a peer is not waited for any longer
+    double seconds = 0.0;                 ///< most time for a peer
 };
 
-/// What a tool made for one target.
+/// The level that a tool made for one target.
 struct SimplifiedLevel
 {
     osgPMObjects::core::Mesh
@@ -36,15 +36,15 @@ struct SimplifiedLevel
     bool isInTime = true;
 };
 
-/// A way to simplify, by name. Errors: the tool refuses the mesh, or is not there.
+/// A simplifier and its name. Errors of `run`: the tool refuses the mesh, or does not exist.
 struct SimplifyTool
 {
     std::string name;
-    bool keepsSeams = true; ///< false: is asked for shapes alone
+    bool keepsSeams = true; ///< false: it gets only shapes
     std::function<foundation::Result<std::vector<SimplifiedLevel>>(const SimplifyTask&)> run;
 };
 
-/// All that are built in.
+/// Returns all tools that are built in.
 std::vector<SimplifyTool> simplifyTools();
 
 /// The simplifiers of osgPMObjects, one for each placement.
@@ -56,15 +56,15 @@ foundation::Result<std::vector<SimplifiedLevel>> meshoptimizerLevels(const Simpl
 /// osgUtil::Simplifier, on one geometry for each part and material; of a shape, on one in all.
 foundation::Result<std::vector<SimplifiedLevel>> osgUtilLevels(const SimplifyTask& task);
 
-/// A program of its own, which is called `PROGRAM IN.obj FOLDER COUNT…`: it writes FOLDER/COUNT.obj for each count of faces, and a
+/// A separate program, which is called `PROGRAM IN.obj FOLDER COUNT…`: it writes FOLDER/COUNT.obj for each count of faces, and a
 /// line "COUNT MS" each to its standard output. Errors: it cannot be started, fails, takes too long, or writes no such file; the last
-/// line it said is in the message.
+/// line of its output is in the message.
 SimplifyTool peerTool(const std::string& name, const std::filesystem::path& program);
 
-/// A mesh's faces by position alone: one wedge for each place, without attributes, one material and one part.
+/// Returns a mesh's faces by position alone: one wedge for each position, without attributes, one material and one part.
 osgPMObjects::core::Mesh shapeOf(const osgPMObjects::core::Mesh& mesh);
 
-/// The faces of a mesh that lie on these triangles of positions; degenerate ones are left out.
+/// Returns a mesh whose faces are these triangles of positions; degenerate ones are left out.
 osgPMObjects::core::Mesh shapeOf(std::span<const glm::dvec3> positions,
                                  std::span<const std::array<std::uint32_t, 3>> triangles);
 

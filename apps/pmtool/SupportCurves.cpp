@@ -17,7 +17,7 @@ using namespace osgPMObjects;
 namespace
 {
 
-/// How many levels of a curve are written.
+/// The number of intervals between the levels of a curve that are written.
 constexpr std::size_t kWrittenLevels = 160;
 
 /// Levels to write: the first with no more faces than each of kWrittenLevels shares, spread evenly in their logarithm.

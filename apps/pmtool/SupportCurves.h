@@ -15,20 +15,21 @@
 namespace pmtool
 {
 
-/// A kind of support vertices, by the name that tables have for it.
+/// A rule for support vertices, and its name in tables.
 struct NamedSupportRule
 {
     const char* name;
     osgPMObjects::core::SupportRule rule;
 };
 
-/// In the order of the curves 1, 2 and 3 of paper 004.
+/// The rules of curves 1, 2 and 3 in Sadykov & Zakharov, *Choosing the level of detail in continuous simplification of polygonal
+/// objects* (2002), figure 14.
 constexpr std::array<NamedSupportRule, 3> kSupportRules{
     {{"none", osgPMObjects::core::SupportRule::none},
      {"maximum", osgPMObjects::core::SupportRule::farthest},
      {"maximum and minimum", osgPMObjects::core::SupportRule::farthestAndNearest}}};
 
-/// A model with its vertices removed as far as one kind of support vertices lets them.
+/// The removal of vertices from a model under one rule for support vertices.
 struct SupportVariant
 {
     std::string name; ///< of the rule
@@ -42,7 +43,7 @@ struct SupportVariant
 SupportVariant removeWith(const osgPMObjects::core::Mesh& shape, const NamedSupportRule& rule,
                           std::uint32_t octreeDepth, osgPMObjects::core::RemovalOptions options);
 
-/// Levels of all variants, as docs/reference/json-tables.md lays them out.
+/// Returns levels of all variants as CSV, as docs/reference/json-tables.md describes it.
 std::string csvOf(const std::vector<SupportVariant>& variants);
 
 AreaPanel panelOf(const std::string& title, const std::vector<SupportVariant>& variants);

@@ -8,7 +8,7 @@
 namespace pmtool
 {
 
-/// How long some work takes, elapsed.
+/// Returns how long some work takes, in milliseconds of elapsed time.
 template<class Work>
 double millisecondsOf(const Work& work)
 {
@@ -17,7 +17,7 @@ double millisecondsOf(const Work& work)
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// The same as far as this thread computes.
+/// Returns how long this thread computes for some work, in milliseconds of processor time.
 template<class Work>
 double threadMillisecondsOf(const Work& work)
 {
