@@ -94,7 +94,7 @@ foundation::Result<terminal::Report> bakeModels(const BakeRequest& request)
     if (!request.outputFolder.empty())
         if (const auto made = makeFolder(request.outputFolder); !made) return made.error();
     OutputNames names;
-    return forEachModel(request.models,
+    return forEachModel(request.models.files,
                         [&](const std::string& file) { return bakeFile(request, names, file); });
 }
 
@@ -103,25 +103,29 @@ foundation::Result<terminal::Report> bakeModels(const BakeRequest& request)
 void addBake(CLI::App& app, Chosen& chosen)
 {
     const auto request = std::make_shared<BakeRequest>();
-    CLI::App* command = app.add_subcommand(
-        "bake", "simplify each model and keep what it looked like in colour and normal maps");
+    CLI::App* command =
+        app.add_subcommand("bake", "simplify each model and keep its appearance in colour and normal maps");
     addModelOptions(*command, request->models, chosen.jsonFile);
     CLI::Option* level = command->add_option("--level", request->levelPercent, "faces to keep, per cent (10)")
                              ->check(terminal::between(0.01, 100.0));
     command->add_option("--faces", request->faces, "faces to keep")
         ->check(CLI::Range(1, 1 << 30))
         ->excludes(level);
-    command->add_option("--size", request->bake.atlas.sizePx, "of the maps' sides, a power of two (1024)")
+    command
+        ->add_option("--size", request->bake.atlas.sizePx,
+                     "side of the maps in texels, a power of two (1024)")
         ->check(CLI::IsMember({16, 32, 64, 128, 256, 512, 1024, 2048, 4096, 8192}));
     command->add_option("--gutter", request->bake.atlas.gutterPx, "texels left free around each chart (3)")
         ->check(CLI::Range(1, 64));
     command
-        ->add_option("--slant", request->bake.charts.mostSlantDeg, "most angle of a face to its chart (55)")
+        ->add_option("--slant", request->bake.charts.mostSlantDeg,
+                     "largest angle of a face to its chart, degrees (55)")
         ->check(terminal::between(1.0, 85.0));
-    command->add_option("--samples", request->bake.maps.samplesPerSide, "a side of each texel (2)")
+    command
+        ->add_option("--samples", request->bake.maps.samplesPerSide, "samples along each side of a texel (2)")
         ->check(CLI::Range(1, 8));
-    command->add_option("--output", request->outputFolder, "write the models, maps inside, there");
-    command->add_option("--format", request->format, "of the models written (osgb)")
+    command->add_option("--output", request->outputFolder, "folder for the models, with their maps inside");
+    command->add_option("--format", request->format, "format of the models (osgb)")
         ->check(CLI::IsMember({"osgb", "osgt", "ive"}));
     command->callback([request, &chosen] { chosen.work = [request] { return bakeModels(*request); }; });
 }

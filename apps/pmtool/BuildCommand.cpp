@@ -89,7 +89,7 @@ void addBuild(CLI::App& app, Chosen& chosen)
     command->add_option("-o,--output", request->output, "the file to write")->required();
     command
         ->add_option("--order", request->arrangement.arrangement,
-                     "of faces: plain, tswap, blocks, ours (default)")
+                     "order of the faces: plain, tswap, blocks, ours (default)")
         ->transform(CLI::CheckedTransformer(arrangements));
     command->add_option("--fifo", request->arrangement.cacheSize, "vertices that the cache holds (16)")
         ->check(terminal::between(3, 1024));
@@ -102,8 +102,9 @@ void addBuild(CLI::App& app, Chosen& chosen)
     command->callback(
         [request, &chosen]
         {
-            chosen.work = [request] {
-                return forEachModel(request->models,
+            chosen.work = [request]
+            {
+                return forEachModel(request->models.files,
                                     [&](const std::string& file) { return build(*request, file); });
             };
         });

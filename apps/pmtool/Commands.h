@@ -9,47 +9,48 @@
 #include "terminal/CommandLine.h"
 #include "terminal/Report.h"
 
+// docs/reference/json-tables.md has the layout of every table.
 namespace pmtool
 {
 
-/// What the command line asked for. Each add…() declares one subcommand with its options, which live in its callback; the
-/// one that is chosen puts its work here.
+/// The work that the command line asked for. Each add…() declares one subcommand; the callback of the chosen one sets `work`.
 struct Chosen
 {
     std::function<foundation::Result<terminal::Report>()> work;
     std::filesystem::path jsonFile;
 };
 
-/// `info`: what is in each model, or progressive mesh.
+/// Declares `info`: prints what is in each model or progressive mesh.
 void addInfo(CLI::App& app, Chosen& chosen);
 
-/// `consolidate`: cleans each model, counts before and after, writes what came out.
+/// Declares `consolidate`: repairs each model, counts before and after, and writes the result.
 void addConsolidate(CLI::App& app, Chosen& chosen);
 
-/// `build`: makes a progressive mesh of a model, a `.pm` file. docs/reference/json-tables.md has the layout of the table.
+/// Declares `build`: makes a progressive mesh of a model, a `.pm` file.
 void addBuild(CLI::App& app, Chosen& chosen);
 
-/// `bake`: simplifies each model and keeps its looks in maps. docs/reference/json-tables.md has the layout of the table.
+/// Declares `bake`: simplifies each model and keeps its appearance in colour and normal maps.
 void addBake(CLI::App& app, Chosen& chosen);
 
-/// `simplify`: levels with fewer triangles, by count or by error.
+/// Declares `simplify`: makes levels with fewer triangles, by count or by error.
 void addSimplify(CLI::App& app, Chosen& chosen);
 
-/// `support`: area against faces as vertices are removed, with support vertices and without. docs/reference/json-tables.md has the
-/// layout of the table.
+/// Declares `support`: measures how the area changes as vertices are removed, with support vertices and without.
 void addSupport(CLI::App& app, Chosen& chosen);
 
-/// `compare`, to which the comparisons are added.
+/// Declares `tessellate`: cuts polygons into triangles or convex pieces.
+void addTessellate(CLI::App& app, Chosen& chosen);
+
+/// Declares `compare`, and returns it for the comparisons.
 CLI::App* addCompareGroup(CLI::App& app);
 
-/// `compare order`: every order of triangles on every model. docs/reference/json-tables.md has the layout of the table.
+/// Declares `compare order`: measures every order of triangles on every model.
 void addCompareOrder(CLI::App& compare, Chosen& chosen);
 
-/// `compare cache`: every way to keep the faces of progressive meshes in order, on every model. docs/reference/json-tables.md has
-/// the layout of the table.
+/// Declares `compare cache`: measures every arrangement of the faces of progressive meshes on every model.
 void addCompareCache(CLI::App& compare, Chosen& chosen);
 
-/// `compare simplify`: every way to simplify on every model. docs/reference/json-tables.md has the layout of the table.
+/// Declares `compare simplify`: measures every simplifier on every model.
 void addCompareSimplify(CLI::App& compare, Chosen& chosen);
 
 } // namespace pmtool

@@ -78,25 +78,24 @@ void addCompareCache(CLI::App& compare, Chosen& chosen)
 {
     const auto request = std::make_shared<CacheRequest>();
     CLI::App* sub = compare.add_subcommand(
-        "cache",
-        "ways to keep the faces of progressive meshes in order, by vertices transformed at all levels");
+        "cache", "arrangements of the faces of progressive meshes, by vertices transformed at all levels");
     addModelOptions(*sub, request->models, chosen.jsonFile);
-    sub->add_option("--levels", request->levels, "how many levels are measured, evenly spaced")
+    sub->add_option("--levels", request->levels, "number of levels measured, evenly spaced (41)")
         ->check(CLI::Range(1, 100000))
         ->capture_default_str();
-    sub->add_option("--fifo", request->settings.cacheSize, "vertices that the cache holds")
+    sub->add_option("--fifo", request->settings.cacheSize, "vertices that the cache holds (16)")
         ->check(CLI::Range(3, 1024))
         ->capture_default_str();
     sub->add_option("--tswap-step", request->settings.tswapStep,
-                    "tswap: share of the faces that vanishes between two orderings")
+                    "tswap: share of the faces that is removed between two orderings (0.1)")
         ->check(CLI::Range(0.001, 1.0))
         ->capture_default_str();
     sub->add_option("--stay-weight", request->settings.stayWeight,
-                    "tswap: what a face that stays is worth, in transformed vertices")
+                    "tswap: weight of a face that stays, in transformed vertices (1)")
         ->check(CLI::Range(0.0, 3.0))
         ->capture_default_str();
     sub->add_option("--window-blocks", request->settings.windowBlocks,
-                    "ours: blocks of faces that become one less at a time")
+                    "ours: blocks of faces that become one less at a time (3)")
         ->check(CLI::Range(2, 64))
         ->capture_default_str();
     sub->callback(
@@ -104,7 +103,7 @@ void addCompareCache(CLI::App& compare, Chosen& chosen)
         {
             chosen.work = [request]
             {
-                return forEachModel(request->models,
+                return forEachModel(request->models.files,
                                     [&](const std::string& file) { return compareModel(file, *request); });
             };
         });

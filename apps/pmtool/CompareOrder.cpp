@@ -23,7 +23,7 @@ struct OrderRequest
     std::filesystem::path dumpFolder;
 };
 
-/// Indices of all draw calls, one after the other, as a graphics card would have them; four bytes each, lowest first.
+/// Indices of all draw calls, one after the other, as a graphics card takes them; four bytes each, lowest first.
 foundation::Outcome dumpIndices(const std::filesystem::path& file, const OrderedSubject& ordered)
 {
     std::string bytes;
@@ -111,7 +111,7 @@ foundation::Result<terminal::Report> compareModelOrders(const OrderRequest& requ
         return foundation::Error{request.dumpFolder.string(), "cannot be made: " + failed.message(),
                                  "name another folder"};
     std::size_t number = 0; // files of the same name in different folders have dumps of their own
-    return forEachModel(request.models, [&](const std::string& file)
+    return forEachModel(request.models.files, [&](const std::string& file)
                         { return compareModel(file, std::to_string(number++), request); });
 }
 

@@ -83,7 +83,7 @@ foundation::Result<terminal::Report> compareSimplifiers(const CompareRequest& re
     if (!request.dumpFolder.empty())
         if (const auto made = makeFolder(request.dumpFolder); !made) return made.error();
     OutputNames names;
-    return forEachModel(request.models,
+    return forEachModel(request.models.files,
                         [&](const std::string& file) { return compareModel(file, request, names); });
 }
 
@@ -95,7 +95,7 @@ bool isName(const std::string& name)
                        [](unsigned char c) { return std::isalnum(c) || c == '-' || c == '_'; });
 }
 
-/// All tools, peers last, or those asked for in the order asked for. Throws: what the command line says makes no sense.
+/// Returns all tools, peers last, or the requested ones in their order. Throws where the command line names no tool.
 std::vector<SimplifyTool> chosenTools(const CompareRequest& request)
 {
     std::vector<SimplifyTool> all = simplifyTools();
@@ -136,8 +136,8 @@ void addCompareSimplify(CLI::App& compare, Chosen& chosen)
     addModelOptions(*sub, request->models, chosen.jsonFile);
     sub->add_option("--dump", request->dumpFolder,
                     "write the original and every level to this folder, as plain .obj");
-    sub->add_option("--tools", request->toolNames, "these alone, with commas between")->delimiter(',');
-    sub->add_option("--targets", request->targetPercents, "of the triangles, in per cent (50,25,10,5,1)")
+    sub->add_option("--tools", request->toolNames, "only these, with commas between")->delimiter(',');
+    sub->add_option("--targets", request->targetPercents, "triangles to keep, per cent (50,25,10,5,1)")
         ->delimiter(',')
         ->check(terminal::between(0.001, 100.0));
     sub->add_option("--seams", request->seams,
@@ -146,7 +146,7 @@ void addCompareSimplify(CLI::App& compare, Chosen& chosen)
     sub->add_option("--peer", request->peers,
                     "NAME=PROGRAM: another simplifier, called PROGRAM IN.obj FOLDER COUNT…");
     sub->add_option("--tool-seconds", request->seconds,
-                    "most time for a level of osgUtil, or for all of a peer (60)")
+                    "most time for a level of osgUtil, or for all levels of a peer, in seconds (60)")
         ->check(terminal::between(0.01, 86400.0));
     sub->add_flag("--checker", request->checker,
                   "put generated texture coordinates with seams on every model");

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <functional>
 #include <iostream>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include <osgPMObjects/core/consolidate/Consolidate.h>
@@ -10,6 +12,7 @@
 
 #include "pmtool/ModelFiles.h"
 #include "pmtool/Models.h"
+#include "pmtool/QuadDiagonals.h"
 #include "pmtool/Timing.h"
 
 namespace pmtool
@@ -26,6 +29,14 @@ const std::map<std::string, core::FaceOrder> kOrders{{"file", core::FaceOrder::a
                                                      {"universal", core::FaceOrder::universal},
                                                      {"locality", core::FaceOrder::locality}};
 
+const std::map<std::string, core::DiagonalRule> kDiagonals{
+    {"colours", core::DiagonalRule::leastColourDifference},
+    {"normals", core::DiagonalRule::leastNormalDifference},
+    {"angle", core::DiagonalRule::largestNormalAngle},
+    {"areas", core::DiagonalRule::nearestAreas},
+    {"heights", core::DiagonalRule::nearestHeights},
+    {"height-difference", core::DiagonalRule::largestHeightDifference}};
+
 struct ConsolidateRequest
 {
     ModelRequest models;
@@ -33,7 +44,30 @@ struct ConsolidateRequest
     std::filesystem::path outputFolder, dumpFolder;
     std::string format = "osgb";
     core::FaceOrder order = core::FaceOrder::library;
+    std::optional<core::DiagonalRule> diagonal; ///< of quads; without it as OpenGL draws them
 };
+
+/// A model, and what was done to its quads before the import.
+struct QuadModel
+{
+    ReadModel model;
+    QuadCounts quads;
+};
+
+foundation::Result<QuadModel> readCut(const ConsolidateRequest& request, const std::string& file)
+{
+    QuadCounts quads;
+    std::optional<KeptQuads> kept;
+    std::function<void(osg::Node&)> cut;
+    if (request.diagonal)
+    {
+        kept.emplace();
+        cut = [&](osg::Node& node) { quads = cutQuads(node, *request.diagonal); };
+    }
+    auto model = read(file, request.models.limits, cut);
+    if (!model) return model.error();
+    return QuadModel{std::move(*model), quads};
+}
 
 /// Every count of a report, by name; zeros are left out.
 std::vector<std::pair<const char*, std::size_t>> countsOf(const core::ConsolidateReport& r)
@@ -83,6 +117,7 @@ void printReport(const std::string& file, const Json& row, const core::Consolida
         std::cout << "  " << key << ": " << before << " -> " << row["after"][key] << '\n';
     std::cout << "  surface change: " << row["surfaceChangePercent"]
               << " % of the diagonal\n  ms: " << row["ms"] << '\n';
+    if (row.contains("quads")) std::cout << "  quads: " << row["quads"].dump() << '\n';
     for (const auto& [what, count] : countsOf(report))
         std::cout << "  " << what << ": " << count << '\n';
 }
@@ -90,20 +125,23 @@ void printReport(const std::string& file, const Json& row, const core::Consolida
 foundation::Result<Json> consolidateFile(const ConsolidateRequest& request, OutputNames& names,
                                          const std::string& file)
 {
-    auto model = read(file, request.models.limits);
-    if (!model) return model.error();
+    auto cut = readCut(request, file);
+    if (!cut) return cut.error();
+    ReadModel* const model = &cut->model;
     core::Mesh& mesh = model->imported.mesh;
     const core::Mesh before = mesh;
     core::ConsolidateReport report;
     const double ms = millisecondsOf([&] { report = core::consolidate(mesh, request.options); });
     const double diagonal = core::diagonalOf(before);
     const double change = core::surfaceChange(before, mesh).largest;
-    const Json row{{"model", file},
-                   {"before", tableOf(core::countMesh(before))},
-                   {"after", tableOf(core::countMesh(mesh))},
-                   {"surfaceChangePercent", diagonal > 0.0 ? 100.0 * change / diagonal : 0.0},
-                   {"trianglesDropped", report.facesDropped()},
-                   {"ms", ms}};
+    Json row{{"model", file},
+             {"before", tableOf(core::countMesh(before))},
+             {"after", tableOf(core::countMesh(mesh))},
+             {"surfaceChangePercent", diagonal > 0.0 ? 100.0 * change / diagonal : 0.0},
+             {"trianglesDropped", report.facesDropped()},
+             {"ms", ms}};
+    if (request.diagonal)
+        row["quads"] = {{"cut", cut->quads.cut}, {"turned", cut->quads.turned}, {"left", cut->quads.left}};
     core::orderFaces(mesh, request.order);
     if (const auto written = write(request, names.nameFor(file), before, model->imported); !written)
         return written.error();
@@ -122,7 +160,7 @@ foundation::Result<terminal::Report> consolidateModels(const ConsolidateRequest&
         if (!folder.empty())
             if (const auto made = makeFolder(folder); !made) return made.error();
     OutputNames names;
-    return forEachModel(request.models,
+    return forEachModel(request.models.files,
                         [&](const std::string& file) { return consolidateFile(request, names, file); });
 }
 
@@ -133,32 +171,39 @@ void addConsolidate(CLI::App& app, Chosen& chosen)
     const auto request = std::make_shared<ConsolidateRequest>();
     CLI::App* command = app.add_subcommand(
         "consolidate",
-        "weld, close cracks, remove what is no face, orient, merge needless splits of each model");
+        "repair each model: weld, close cracks, remove degenerate faces, orient, merge needless splits");
     addModelOptions(*command, request->models, chosen.jsonFile);
-    command->add_option("--output", request->outputFolder, "write the models there");
-    command->add_option("--format", request->format, "of the models written (osgb)")
+    command->add_option("--output", request->outputFolder, "folder for the repaired models");
+    command->add_option("--format", request->format, "format of the models (osgb)")
         ->check(CLI::IsMember({"osgb", "osgt", "ive"}));
-    command->add_option("--order", request->order, "of the faces written (library)")
+    command->add_option("--order", request->order, "order of the faces (library)")
         ->transform(CLI::CheckedTransformer(kOrders));
     command->add_option("--dump", request->dumpFolder,
-                        "write positions and faces before and after there, as plain .obj");
+                        "folder for positions and faces before and after, as plain .obj");
+    command
+        ->add_option(
+            "--quad-diagonal", request->diagonal,
+            "diagonal along which quads are cut: between corners of the nearest colours, normals or heights; "
+            "height-difference: of the most different heights; angle: largest angle between the triangles; "
+            "areas: most similar areas (as OpenGL draws them)")
+        ->transform(CLI::CheckedTransformer(kDiagonals));
     core::ConsolidateOptions& options = request->options;
     command
         ->add_option("--weld", options.weldTolerance,
-                     "positions nearer than this part of the diagonal are one (1e-6)")
+                     "positions nearer than this share of the diagonal become one (1e-6)")
         ->check(terminal::between(0.0, 0.1));
     command
         ->add_option("--stitch", options.stitchTolerance,
-                     "vertices nearer to an edge are put into it (1.01e-5)")
+                     "vertices nearer to an edge than this share of the diagonal are put into it (1.01e-5)")
         ->check(terminal::between(0.0, 0.1));
     command
         ->add_option("--crease", options.creaseAngleDeg,
-                     "sharper edges stay edges in normals that are made (45)")
+                     "edges sharper than this stay sharp in normals that are made, degrees (45)")
         ->check(terminal::between(0.0, 180.0));
     command->add_flag("!--as-oriented", options.orient, "turn no faces");
     command->add_flag(
         "!--keep-unseen", options.wedges.dropUnseen,
-        "keep attributes that the state does not look at, such as coordinates of a missing texture");
+        "keep attributes that the state does not use, such as coordinates of a missing texture");
     command->callback([request, &chosen]
                       { chosen.work = [request] { return consolidateModels(*request); }; });
 }

@@ -73,14 +73,14 @@ void addInfo(CLI::App& app, Chosen& chosen)
 {
     const auto request = std::make_shared<ModelRequest>();
     CLI::App* info = app.add_subcommand(
-        "info", "triangles, defects, parts and materials of each model; levels of each .pm file");
+        "info", "print triangles, defects, parts and materials of each model; levels of each .pm file");
     addModelOptions(*info, *request, chosen.jsonFile);
     info->callback(
         [request, &chosen]
         {
             chosen.work = [request]
             {
-                return forEachModel(*request,
+                return forEachModel(request->files,
                                     [&](const std::string& file) -> foundation::Result<nlohmann::ordered_json>
                                     {
                                         auto row = rowOf(file, request->limits);

@@ -10,20 +10,27 @@ namespace pmtool
 
 using namespace osgPMObjects;
 
+void addJsonOption(CLI::App& command, std::filesystem::path& jsonFile)
+{
+    command.add_option("--json", jsonFile, "write the table there, too");
+}
+
 void addModelOptions(CLI::App& command, ModelRequest& request, std::filesystem::path& jsonFile)
 {
     command.add_option("MODEL", request.files, "files that OpenSceneGraph reads, .gltf, .glb")->required();
-    command.add_option("--json", jsonFile, "write the table there, too");
-    command.add_option("--seconds", request.limits.seconds, "most time to read a model (120)")
+    addJsonOption(command, jsonFile);
+    command.add_option("--seconds", request.limits.seconds, "most time to read a model, in seconds (120)")
         ->check(terminal::between(0.1, 86400.0));
     command.add_option("--memory", request.limits.memoryMiB, "most memory to read a model, MiB (8192)")
         ->check(CLI::Range(64, 1 << 20));
 }
 
-foundation::Result<ReadModel> read(const std::string& file, const ReadLimits& limits)
+foundation::Result<ReadModel> read(const std::string& file, const ReadLimits& limits,
+                                   const std::function<void(osg::Node&)>& prepare)
 {
     const auto node = readModelNode(file, limits);
     if (!node) return node.error();
+    if (prepare) prepare(**node);
     auto imported = importNode(**node, file);
     if (!imported) return imported.error();
     return ReadModel{std::move(*imported), (*node)->getDescriptions()};
@@ -43,12 +50,12 @@ foundation::Result<CleanModel> readClean(const std::string& file, const ReadLimi
 }
 
 foundation::Result<terminal::Report>
-forEachModel(const ModelRequest& request,
+forEachModel(const std::vector<std::string>& files,
              const std::function<foundation::Result<nlohmann::ordered_json>(const std::string& file)>& work)
 {
     terminal::Report report;
     report.json["models"] = nlohmann::ordered_json::array();
-    for (const std::string& file : request.files)
+    for (const std::string& file : files)
     {
         auto row = work(file);
         if (row)

@@ -14,12 +14,15 @@
 namespace pmtool
 {
 
-/// Which models, and what reading them may take.
+/// The models of a command, and the limits of reading them.
 struct ModelRequest
 {
     std::vector<std::string> files;
     osgPMObjects::ReadLimits limits;
 };
+
+/// Declares --json.
+void addJsonOption(CLI::App& command, std::filesystem::path& jsonFile);
 
 /// Declares MODEL…, --json and the limits.
 void addModelOptions(CLI::App& command, ModelRequest& request, std::filesystem::path& jsonFile);
@@ -31,27 +34,31 @@ struct ReadModel
     std::vector<std::string> notes; ///< the file's own descriptions, and what its reader left out
 };
 
-/// Reads a model in a child process, and imports it. Errors: as readModelNode() and importNode().
-foundation::Result<ReadModel> read(const std::string& file, const osgPMObjects::ReadLimits& limits);
+/// Reads a model in a child process, and imports it. `prepare`, where it is given, may change the node before it is imported.
+/// Errors: as readModelNode() and importNode().
+foundation::Result<ReadModel> read(const std::string& file, const osgPMObjects::ReadLimits& limits,
+                                   const std::function<void(osg::Node&)>& prepare = {});
 
-/// The same, ready to be simplified (makeSimplifiable()). Errors: as read(); no triangles are left.
+/// A model that is ready to be simplified (makeSimplifiable()).
 struct CleanModel
 {
     ReadModel read;
     std::size_t trianglesRead = 0; ///< before
 };
+
+/// Reads and cleans a model. Errors: as read(); no triangles are left.
 foundation::Result<CleanModel> readClean(const std::string& file, const osgPMObjects::ReadLimits& limits);
 
-/// Calls `work` for each model; it adds a row to the table's "models", or says what went wrong: then that is printed, the other
-/// models are done all the same, and the table is not sound.
+/// Calls `work` for each file and adds the row that it returns to the table's "models". An error is printed; then the other files
+/// are done all the same, and the table is not sound.
 foundation::Result<terminal::Report>
-forEachModel(const ModelRequest& request,
+forEachModel(const std::vector<std::string>& files,
              const std::function<foundation::Result<nlohmann::ordered_json>(const std::string& file)>& work);
 
-/// Counts under the names that the tables have for them.
+/// Returns counts under their names in tables.
 nlohmann::ordered_json tableOf(const osgPMObjects::core::MeshCounts& counts);
 
-/// What an import met, by name; what it did not meet is left out.
+/// Returns the counts of an import by name; zeros are left out.
 nlohmann::ordered_json tableOf(const osgPMObjects::ImportReport& report);
 
 } // namespace pmtool

@@ -6,12 +6,12 @@
 #include <memory>
 #include <sstream>
 
+#include <osgPMObjects/core/mesh/MeshCounts.h>
 #include <osgPMObjects/core/order/FaceOrder.h>
-#include <osgPMObjects/core/simplify/Simplify.h>
 
+#include "pmtool/LevelMaker.h"
 #include "pmtool/ModelFiles.h"
 #include "pmtool/Models.h"
-#include "pmtool/Timing.h"
 
 namespace pmtool
 {
@@ -22,9 +22,14 @@ namespace
 using namespace osgPMObjects;
 using Json = nlohmann::ordered_json;
 
+const std::map<std::string, SimplifyMethod> kMethods = {{"edges", SimplifyMethod::edges},
+                                                        {"clusters", SimplifyMethod::clusters},
+                                                        {"images", SimplifyMethod::images}};
+
 struct SimplifyRequest
 {
     ModelRequest models;
+    SimplifyMethod method = SimplifyMethod::edges;
     core::SimplifySettings settings;
     std::vector<double> targetsPercent;
     std::vector<double> tolerances; ///< units of the model
@@ -34,13 +39,6 @@ struct SimplifyRequest
     std::string format = "osgb";
 };
 
-/// What a level was asked for by, as its file's name says it.
-struct Wish
-{
-    std::string name;
-    std::size_t steps = 0;
-};
-
 std::string shortest(double value)
 {
     std::ostringstream text;
@@ -48,29 +46,27 @@ std::string shortest(double value)
     return text.str();
 }
 
-std::vector<Wish> wishesOf(const SimplifyRequest& request, const core::CollapseSequence& sequence)
+std::vector<LevelWish> wishesOf(const SimplifyRequest& request, std::size_t facesBefore)
 {
-    std::vector<Wish> wishes;
+    std::vector<LevelWish> wishes;
     for (const double percent : request.targetsPercent)
     {
-        const double faces = static_cast<double>(sequence.facesBefore) * percent / 100.0;
-        wishes.push_back({shortest(percent) + "pc",
-                          core::stepsToFaces(sequence, static_cast<std::size_t>(std::llround(faces)))});
+        const double faces = static_cast<double>(facesBefore) * percent / 100.0;
+        wishes.push_back({shortest(percent) + "pc", static_cast<std::size_t>(std::llround(faces))});
     }
     for (const double tolerance : request.tolerances)
-        wishes.push_back({shortest(tolerance) + "m", core::stepsToDistance(sequence, tolerance)});
+        wishes.push_back({shortest(tolerance) + "m", std::nullopt, tolerance});
     return wishes;
 }
 
-Json rowOf(const core::CollapseSequence& sequence, const Wish& wish)
+std::unique_ptr<LevelMaker> makerOf(const SimplifyRequest& request, const ImportedModel& model)
 {
-    const core::LevelError error = wish.steps > 0 ? sequence.steps[wish.steps - 1].error : core::LevelError();
-    return {{"level", wish.name},
-            {"triangles", wish.steps > 0 ? sequence.steps[wish.steps - 1].facesAfter : sequence.facesBefore},
-            {"distance", error.distance},
-            {"normal", error.normal},
-            {"texCoord", error.texCoord},
-            {"colour", error.colour}};
+    if (request.method == SimplifyMethod::clusters) return clusterLevels(model.mesh);
+    core::SimplifySettings settings = request.settings;
+    const double diagonal = core::diagonalOf(model.mesh);
+    settings.envelope = request.envelopePercent / 100.0 * diagonal;
+    settings.joinDistance = request.joinPercent / 100.0 * diagonal;
+    return sequenceLevels(model, settings, request.method == SimplifyMethod::images);
 }
 
 foundation::Outcome writeLevel(const ImportedModel& model, core::Mesh level,
@@ -80,43 +76,55 @@ foundation::Outcome writeLevel(const ImportedModel& model, core::Mesh level,
     return writeModel({std::move(level), model.states, model.remainder, {}}, file);
 }
 
+void printModel(const Json& row)
+{
+    std::cout << row["model"].get<std::string>() << ": " << row["triangles"] << " triangles";
+    if (row.contains("least")) std::cout << ", at least " << row["least"] << ", " << row["ms"] << " ms";
+    std::cout << '\n';
+}
+
+void printLevel(const Json& level)
+{
+    std::cout << "  " << std::setw(8) << level["level"].get<std::string>() << std::setw(9)
+              << level["triangles"].get<std::size_t>() << " triangles, off by ";
+    if (level.contains("cellSize"))
+        std::cout << "at most " << level["distance"].get<double>() << ", cells of "
+                  << level["cellSize"].get<double>();
+    else
+        std::cout << level["distance"].get<double>() << ", texture by " << level["texCoord"].get<double>();
+    if (level.contains("ms")) std::cout << ", " << level["ms"].get<double>() << " ms";
+    std::cout << '\n';
+}
+
 foundation::Result<Json> simplifyFile(const SimplifyRequest& request, OutputNames& names,
                                       const std::string& file)
 {
     auto model = readClean(file, request.models.limits);
     if (!model) return model.error();
     const ImportedModel& imported = model->read.imported;
-    const core::Mesh& mesh = imported.mesh;
-    core::SimplifySettings settings = request.settings;
-    const double diagonal = core::diagonalOf(mesh);
-    settings.envelope = request.envelopePercent / 100.0 * diagonal;
-    settings.joinDistance = request.joinPercent / 100.0 * diagonal;
-    core::CollapseSequence sequence;
-    const double ms = millisecondsOf([&] { sequence = core::simplify(mesh, settings); });
-    Json row{{"model", file},
-             {"triangles", sequence.facesBefore},
-             {"least", sequence.steps.empty() ? sequence.facesBefore : sequence.steps.back().facesAfter},
-             {"ms", ms},
-             {"levels", Json::array()}};
-    std::cout << file << ": " << row["triangles"] << " triangles, at least " << row["least"] << ", "
-              << row["ms"] << " ms\n";
+    const std::size_t facesBefore = imported.mesh.faces.size();
+    const auto maker = makerOf(request, imported);
+    Json row{{"model", file}, {"triangles", facesBefore}};
+    row.update(maker->summary());
+    row["levels"] = Json::array();
+    printModel(row);
     const std::string name = names.nameFor(file);
-    for (const Wish& wish : wishesOf(request, sequence))
+    for (const LevelWish& wish : wishesOf(request, facesBefore))
     {
-        Json level = rowOf(sequence, wish);
-        const std::string written = name + '.' + wish.name + '.' + request.format;
+        auto level = maker->make(wish);
+        if (!level)
+            return foundation::Error{file + ", level " + wish.name, level.error().what, level.error().remedy};
         if (!request.outputFolder.empty())
         {
-            if (const auto done = writeLevel(imported, core::meshAfter(mesh, sequence, wish.steps),
-                                             request.outputFolder / written);
+            const std::string written = name + '.' + wish.name + '.' + request.format;
+            if (const auto done =
+                    writeLevel(imported, std::move(level->mesh), request.outputFolder / written);
                 !done)
                 return done.error();
-            level["file"] = written;
+            level->row["file"] = written;
         }
-        std::cout << "  " << std::setw(8) << wish.name << std::setw(9) << level["triangles"]
-                  << " triangles, off by " << level["distance"] << ", texture by " << level["texCoord"]
-                  << '\n';
-        row["levels"].push_back(std::move(level));
+        printLevel(level->row);
+        row["levels"].push_back(std::move(level->row));
     }
     return row;
 }
@@ -127,8 +135,20 @@ foundation::Result<terminal::Report> simplifyModels(SimplifyRequest request)
     if (!request.outputFolder.empty())
         if (const auto made = makeFolder(request.outputFolder); !made) return made.error();
     OutputNames names;
-    return forEachModel(request.models,
+    return forEachModel(request.models.files,
                         [&](const std::string& file) { return simplifyFile(request, names, file); });
+}
+
+/// Refuses options that a method would ignore.
+void refuseOptions(const CLI::App& command, const SimplifyRequest& request)
+{
+    std::vector<const char*> refused;
+    if (request.method == SimplifyMethod::clusters)
+        refused = {"--placement", "--envelope", "--join", "--shape-only", "--lopsided", "--thin-leaves"};
+    if (request.method == SimplifyMethod::images) refused = {"--tolerances", "--envelope"};
+    for (const char* option : refused)
+        if (command.count(option) > 0)
+            throw CLI::ValidationError(option, "has no meaning with this --method");
 }
 
 } // namespace
@@ -140,34 +160,47 @@ void addSimplify(CLI::App& app, Chosen& chosen)
                                                                {"quality", core::Placement::quality}};
     const auto request = std::make_shared<SimplifyRequest>();
     request->settings.placement = core::Placement::optimal;
-    CLI::App* command = app.add_subcommand("simplify", "levels of each model with fewer triangles");
+    CLI::App* command = app.add_subcommand("simplify", "make levels of each model with fewer triangles");
     addModelOptions(*command, request->models, chosen.jsonFile);
+    command
+        ->add_option("--method", request->method,
+                     "edges: collapses by error (default); clusters: one vertex for each cube of a grid; "
+                     "images: the last collapses chosen by images")
+        ->transform(CLI::CheckedTransformer(kMethods));
     command->add_option("--targets", request->targetsPercent, "triangles to keep, per cent (25,5,1)")
         ->delimiter(',')
         ->check(terminal::between(0.001, 100.0));
-    command->add_option("--tolerances", request->tolerances, "levels by their error, in the model's unit")
+    command
+        ->add_option("--tolerances", request->tolerances,
+                     "levels by their distance from the original, in units of the model")
         ->delimiter(',')
         ->check(terminal::between(0.0, 1e9));
     command
         ->add_option("--placement", request->settings.placement,
-                     "of vertices: subset, optimal (default), quality")
+                     "positions of vertices: subset, optimal (default), quality")
         ->transform(CLI::CheckedTransformer(placements));
     command
         ->add_option("--envelope", request->envelopePercent,
-                     "never farther from the original than this part of the diagonal, per cent (0: no limit)")
+                     "largest distance from the original, per cent of the diagonal (0: no limit)")
         ->check(terminal::between(0.0, 100.0));
     command
         ->add_option("--join", request->joinPercent,
-                     "parts no farther apart than this part of the diagonal may join, per cent (0: none)")
+                     "parts this near to one another may join, per cent of the diagonal (0: none)")
         ->check(terminal::between(0.0, 100.0));
     command->add_flag("!--shape-only", request->settings.keepSeams, "let textures, normals and materials go");
-    command->add_flag("!--lopsided", request->settings.keepSymmetry, "do not keep models symmetric that are");
+    command->add_flag("!--lopsided", request->settings.keepSymmetry,
+                      "do not keep symmetric models symmetric");
     command->add_flag("!--thin-leaves", request->settings.growLeaves,
                       "let leaf cards vanish without others growing");
-    command->add_option("--output", request->outputFolder, "write the levels there, NAME.LEVEL.FORMAT");
-    command->add_option("--format", request->format, "of the levels written (osgb)")
+    command->add_option("--output", request->outputFolder, "folder for the levels, NAME.LEVEL.FORMAT");
+    command->add_option("--format", request->format, "format of the levels (osgb)")
         ->check(CLI::IsMember({"osgb", "osgt", "ive"}));
-    command->callback([request, &chosen] { chosen.work = [request] { return simplifyModels(*request); }; });
+    command->callback(
+        [request, command, &chosen]
+        {
+            refuseOptions(*command, *request);
+            chosen.work = [request] { return simplifyModels(*request); };
+        });
 }
 
 } // namespace pmtool

@@ -52,7 +52,7 @@ Json rowOf(const SupportVariant& v, std::size_t toQuarter, std::size_t toFewest)
             {"ms", v.ms}};
 }
 
-/// The name of the variant with the least of a figure.
+/// Returns the name of the variant whose figure is the least.
 std::string bestBy(const Json& curves, const char* figure)
 {
     const auto best = std::min_element(curves.begin(), curves.end(),
@@ -74,7 +74,7 @@ void printCurves(const std::string& file, const Json& row)
                   << curve["ms"].get<double>() << '\n';
 }
 
-/// What comes of all models together.
+/// Results of all models together.
 struct Findings
 {
     OutputNames names;
@@ -121,8 +121,8 @@ foundation::Result<terminal::Report> compareSupports(const SupportRequest& reque
     if (!request.outputFolder.empty())
         if (const auto made = makeFolder(request.outputFolder); !made) return made.error();
     Findings findings;
-    auto report =
-        forEachModel(request.models, [&](const std::string& file) { return study(request, findings, file); });
+    auto report = forEachModel(request.models.files,
+                               [&](const std::string& file) { return study(request, findings, file); });
     if (!report) return report;
     Json& table = report->json;
     table["octreeDepth"] = request.depth;
@@ -147,22 +147,23 @@ void addSupport(CLI::App& app, Chosen& chosen)
 {
     const auto request = std::make_shared<SupportRequest>();
     CLI::App* command = app.add_subcommand(
-        "support", "remove vertex by vertex, with and without support vertices: how the area changes");
+        "support", "measure how the area changes as vertices are removed, with and without support vertices");
     addModelOptions(*command, request->models, chosen.jsonFile);
     command->add_option("--output", request->outputFolder,
-                        "write the curves there: NAME.csv, and area-curves.svg of all models");
-    command->add_option("--depth", request->depth, "of the octree: 2^depth cells along each axis (3)")
+                        "folder for the curves: NAME.csv, and area-curves.svg of all models");
+    command->add_option("--depth", request->depth, "depth of the octree: 2^depth cells along each axis (3)")
         ->check(CLI::Range(0, 10));
     command
-        ->add_option("--order", request->removal.order, "of removal: flattest, file or shuffled (flattest)")
+        ->add_option("--order", request->removal.order,
+                     "order of removal: flattest, file or shuffled (flattest)")
         ->transform(CLI::CheckedTransformer(kOrders));
     command
         ->add_option("--crease", request->removal.creaseAngleDeg,
-                     "where two sharper edges meet, a vertex is removed along them (40)")
+                     "where two edges sharper than this meet, a vertex is removed along them, degrees (40)")
         ->check(terminal::between(0.0, 180.0));
     command->add_flag(
         "--seams", request->keepSeams,
-        "keep seams of attributes and borders of materials and parts; else the shape alone counts");
+        "keep seams of attributes and borders of materials and parts; otherwise only the shape counts");
     command->callback([request, &chosen] { chosen.work = [request] { return compareSupports(*request); }; });
 }
 

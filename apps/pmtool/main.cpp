@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// pmtool: looks into models, cleans them and compares what can be made of them.
+// pmtool: inspects, cleans, simplifies and compares models.
 #include "pmtool/Commands.h"
 
 int main(int argc, char** argv)
@@ -14,6 +14,7 @@ int main(int argc, char** argv)
     pmtool::addSimplify(app, chosen);
     pmtool::addBuild(app, chosen);
     pmtool::addSupport(app, chosen);
+    pmtool::addTessellate(app, chosen);
     CLI::App* compare = pmtool::addCompareGroup(app);
     pmtool::addCompareOrder(*compare, chosen);
     pmtool::addCompareCache(*compare, chosen);

@@ -3,50 +3,25 @@
 #include <fstream>
 #include <sstream>
 
-#include <nlohmann/json.hpp>
-
-#include "ProgramRun.h"
-#include "Workplace.h"
+#include "PmToolRun.h"
 
 namespace
 {
 
 using nlohmann::ordered_json;
-using Words = std::vector<std::string>;
-
-ProgramRun runPmTool(Words arguments)
-{
-    arguments.insert(arguments.begin(), OSGTRAINER_PMTOOL);
-    return runProgram(arguments);
-}
 
 /// Two squares side by side, the second with a vertex in the middle of the seam, a face twice, and a flat one.
 constexpr const char* kBroken = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nv 2 1 0\nv 1 0.5 0\n"
                                 "f 1 2 3\nf 1 3 4\nf 7 2 5\nf 7 5 6\nf 7 6 3\nf 7 6 3\nf 1 2 2\n";
 
-Words keysOf(const ordered_json& object)
-{
-    Words keys;
-    for (const auto& [key, value] : object.items())
-        keys.push_back(key);
-    return keys;
-}
-
 const Words kCounts = {"triangles",  "positions",   "attributeVertices", "tJunctions",
                        "duplicates", "degenerates", "nonManifoldEdges",  "components"};
-
-ordered_json tableOf(const Workplace& place, Words arguments)
-{
-    arguments.insert(arguments.end(), {"--json", place.path("table.json")});
-    EXPECT_TRUE(succeeds(runPmTool(arguments)));
-    return ordered_json::parse(readBytes(place.path("table.json")), nullptr, false);
-}
 
 TEST(PmTool, ConsolidateWritesTheTableTheModelAndPlainData)
 {
     const Workplace place;
     const std::string model = place.write("broken.obj", kBroken);
-    const ordered_json table = tableOf(
+    const ordered_json table = pmToolTable(
         place, {"consolidate", model, model, "--output", place.path("clean"), "--dump", place.path("dump")});
     ASSERT_EQ(table["models"].size(), 2U);
     const ordered_json& row = table["models"][0];
@@ -63,7 +38,7 @@ TEST(PmTool, ConsolidateWritesTheTableTheModelAndPlainData)
     EXPECT_EQ(row["after"]["triangles"], 6);
     EXPECT_LT(row["surfaceChangePercent"], 1e-9);
 
-    const ordered_json again = tableOf(place, {"info", place.path("clean/broken.osgb")});
+    const ordered_json again = pmToolTable(place, {"info", place.path("clean/broken.osgb")});
     EXPECT_EQ(again["models"][0]["triangles"], 6);
     EXPECT_EQ(again["models"][0]["tJunctions"], 0);
     EXPECT_TRUE(std::filesystem::exists(place.path("clean/broken-2.osgb"))) << "the second of the same name";
@@ -78,7 +53,7 @@ TEST(PmTool, ConsolidateWritesTheTableTheModelAndPlainData)
 TEST(PmTool, InfoDescribesAModel)
 {
     const Workplace place;
-    const ordered_json table = tableOf(place, {"info", place.write("broken.obj", kBroken)});
+    const ordered_json table = pmToolTable(place, {"info", place.write("broken.obj", kBroken)});
     const ordered_json& row = table["models"][0];
     for (const std::string& key : kCounts)
         EXPECT_TRUE(row.contains(key)) << key;
@@ -106,7 +81,7 @@ TEST(PmTool, BakeWritesTheTableAndTheModelWithItsMaps)
     const Workplace place;
     const std::string model = place.write("hill.obj", hill());
     const ordered_json table =
-        tableOf(place, {"bake", model, "--level", "25", "--size", "64", "--output", place.path("baked")});
+        pmToolTable(place, {"bake", model, "--level", "25", "--size", "64", "--output", place.path("baked")});
     ASSERT_EQ(table["models"].size(), 1U);
     const ordered_json& row = table["models"][0];
     EXPECT_EQ(keysOf(row),
@@ -117,11 +92,11 @@ TEST(PmTool, BakeWritesTheTableAndTheModelWithItsMaps)
     EXPECT_NEAR(row["trianglesReached"].get<double>(), 32.0, 4.0);
     EXPECT_GE(row["charts"], 1);
     EXPECT_GT(row["atlasUsePercent"], 30.0);
-    const ordered_json again = tableOf(place, {"info", place.path("baked/hill.osgb")});
+    const ordered_json again = pmToolTable(place, {"info", place.path("baked/hill.osgb")});
     EXPECT_EQ(again["models"][0]["triangles"], row["trianglesReached"]);
     EXPECT_GT(std::filesystem::file_size(place.path("baked/hill.osgb")), 2U * 3U * 64U * 64U) << "two maps";
     EXPECT_EQ(
-        tableOf(place, {"bake", model, "--faces", "10", "--size", "64"})["models"][0]["trianglesReached"]
+        pmToolTable(place, {"bake", model, "--faces", "10", "--size", "64"})["models"][0]["trianglesReached"]
                 .get<int>() <= 10,
         true);
 }

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include <osgPMObjects/core/simplify/Simplify.h>
+
+#include <osgPMObjects/ImportNode>
+
+namespace pmtool
+{
+
+/// How `pmtool simplify` makes levels.
+enum class SimplifyMethod
+{
+    edges,    ///< edge collapses by quadrics: simplify()
+    clusters, ///< one vertex for each cube of a grid: clusterVertices()
+    images,   ///< edge collapses, the last ones chosen by images: polishByImages()
+};
+
+/// A level that was asked for: by its number of faces, or else by its error.
+struct LevelWish
+{
+    std::string name; ///< in the file's name: "25pc", "0.1m"
+    std::optional<std::size_t> faces;
+    double tolerance = 0.0; ///< units of the model
+};
+
+/// A level that was made, and its row in the table; docs/reference/json-tables.md has the keys.
+struct MadeLevel
+{
+    osgPMObjects::core::Mesh mesh;
+    nlohmann::ordered_json row;
+};
+
+/// Makes the levels of one model by one method. The model must outlive it.
+class LevelMaker
+{
+public:
+    virtual ~LevelMaker() = default;
+
+    /// Figures of all levels together: "least" faces that can be reached, "ms" that were spent before the first level.
+    virtual nlohmann::ordered_json summary() const = 0;
+    virtual foundation::Result<MadeLevel> make(const LevelWish& wish) const = 0;
+};
+
+/// edges and images. Both run simplify() at once. Of images a wish must have `faces`.
+std::unique_ptr<LevelMaker> sequenceLevels(const osgPMObjects::ImportedModel& model,
+                                           const osgPMObjects::core::SimplifySettings& settings,
+                                           bool arePolished);
+
+/// clusters. Errors of make(): no cells of a size that the tolerance asks for.
+std::unique_ptr<LevelMaker> clusterLevels(const osgPMObjects::core::Mesh& mesh);
+
+} // namespace pmtool

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <osgPMObjects/core/polish/PolishByImages.h>
+
+#include <osgPMObjects/MaterialLooks>
+
+#include "pmtool/LevelMaker.h"
+#include "pmtool/Timing.h"
+
+namespace pmtool
+{
+
+namespace
+{
+
+using namespace osgPMObjects;
+using Json = nlohmann::ordered_json;
+
+class SequenceLevels : public LevelMaker
+{
+public:
+    SequenceLevels(const ImportedModel& model, const core::SimplifySettings& settings, bool arePolished)
+        : _model(model), _settings(settings), _arePolished(arePolished)
+    {
+        _ms = millisecondsOf([this] { _sequence = core::simplify(_model.mesh, _settings); });
+    }
+
+    Json summary() const override
+    {
+        return {
+            {"least", _sequence.steps.empty() ? _sequence.facesBefore : _sequence.steps.back().facesAfter},
+            {"ms", _ms}};
+    }
+
+    foundation::Result<MadeLevel> make(const LevelWish& wish) const override
+    {
+        if (!_arePolished) return levelOf(_sequence, wish);
+        foundation::Result<MadeLevel> level = MadeLevel();
+        const double ms = millisecondsOf(
+            [&]
+            {
+                const auto looks = materialLooks(_model.mesh, _model.states);
+                const core::PolishSettings polish{.simplify = _settings};
+                level = levelOf(
+                    core::polishByImages(_model.mesh, _sequence, wish.faces.value(), looks, polish), wish);
+            });
+        level->row["ms"] = ms;
+        return level;
+    }
+
+private:
+    MadeLevel levelOf(const core::CollapseSequence& sequence, const LevelWish& wish) const
+    {
+        const std::size_t steps = wish.faces ? core::stepsToFaces(sequence, *wish.faces)
+                                             : core::stepsToDistance(sequence, wish.tolerance);
+        const core::LevelError error = steps > 0 ? sequence.steps[steps - 1].error : core::LevelError();
+        return {core::meshAfter(_model.mesh, sequence, steps),
+                {{"level", wish.name},
+                 {"triangles", steps > 0 ? sequence.steps[steps - 1].facesAfter : sequence.facesBefore},
+                 {"distance", error.distance},
+                 {"normal", error.normal},
+                 {"texCoord", error.texCoord},
+                 {"colour", error.colour}}};
+    }
+
+    const ImportedModel& _model;
+    core::SimplifySettings _settings;
+    bool _arePolished;
+    core::CollapseSequence _sequence;
+    double _ms = 0.0;
+};
+
+} // namespace
+
+std::unique_ptr<LevelMaker> sequenceLevels(const ImportedModel& model, const core::SimplifySettings& settings,
+                                           bool arePolished)
+{
+    return std::make_unique<SequenceLevels>(model, settings, arePolished);
+}
+
+} // namespace pmtool
