@@ -27,6 +27,7 @@ function(plantTree)
             "measurement/view/Sheet.h|osgOffscreen/Capture"
             "apps/terminal/Terminal.h|foundation/Result.h"
             "apps/ground/Ground.h|osgTerrainROAM/core/Tile.h"
+            "apps/pmtool/polygons/Polygons.h|array"
             "apps/trainer/view/Scene.cpp|osgTerrainROAM/Terrain"
             "apps/terraintool/main.cpp|osgTerrainROAM/core/Tile.h"
             "bench/Frames.cpp|osgTerrainROAM/Terrain"
@@ -109,6 +110,7 @@ expectBreach(apps/terraintool/main.cpp "#include \"../../bench/Frames.cpp\"")
 expectBreach(apps/terraintool/main.cpp "#include \"Frames.cpp\"")
 expectBreach(apps/trainer/view/Scene.cpp "#include \"terraintool/main.cpp\"")
 expectBreach(apps/terminal/Terminal.h "#include \"simulation/Clock.h\"")
+expectBreach(apps/pmtool/polygons/Polygons.h "#include <osg/Node>")
 expectBreach(measurement/Flight.h "#include <osg/Vec3d>")
 expectBreach(measurement/Flight.h "#include \"measurement/view/Sheet.h\"")
 expectBreach(measurement/view/Sheet.h "#include \"scenery/nodes/Sky.h\"")
