@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <osgDB/Registry>
-
 #include <osgPMObjects/Serializers>
 
 #include "AddSerializers.h"
@@ -10,11 +8,10 @@ namespace osgPMObjects
 
 bool registerSerializers()
 {
-    osgDB::ObjectWrapperManager& manager = *osgDB::Registry::instance()->getObjectWrapperManager();
-    addShapeSerializer(manager);
-    addNodeSerializer(manager);
-    addDrawableSerializer(manager);
-    addFieldSerializer(manager);
+    addShapeSerializer();
+    addNodeSerializer();
+    addDrawableSerializer();
+    addFieldSerializer();
     return true;
 }
 

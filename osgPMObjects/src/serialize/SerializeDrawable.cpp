@@ -1,8 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <osgDB/InputStream>
-#include <osgDB/ObjectWrapper>
-#include <osgDB/OutputStream>
-
 #include <osgPMObjects/ProgressiveDrawable>
 
 #include "AddSerializers.h"
@@ -37,17 +33,18 @@ struct DrawableSerializer
     {
         unsigned int steps = 0;
         in >> steps;
-        return !in.getException() && passOn(in, drawable.setSteps(steps));
+        return !in.getException() && osgTraversal::passOn(in, drawable.setSteps(steps));
     }
 };
 
-void addDrawableSerializer(osgDB::ObjectWrapperManager& manager)
+void addDrawableSerializer()
 {
     using S = DrawableSerializer;
-    addClass<ProgressiveDrawable>(manager, "osgPMObjects::ProgressiveDrawable",
-                                  "osg::Object osg::Node osg::Drawable osgPMObjects::ProgressiveDrawable",
-                                  {{"ProgressiveShape", &S::hasShape, &S::readShape, &S::writeShape},
-                                   {"Steps", &S::hasSteps, &S::readSteps, &S::writeSteps}});
+    osgTraversal::addClass<ProgressiveDrawable>(
+        "osgPMObjects::ProgressiveDrawable",
+        "osg::Object osg::Node osg::Drawable osgPMObjects::ProgressiveDrawable",
+        {{"ProgressiveShape", &S::hasShape, &S::readShape, &S::writeShape},
+         {"Steps", &S::hasSteps, &S::readSteps, &S::writeSteps}});
 }
 
 } // namespace osgPMObjects

@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <osg/Program>
-#include <osgDB/InputStream>
-#include <osgDB/ObjectWrapper>
-#include <osgDB/OutputStream>
 
 #include <osgPMObjects/ObjectShader>
 #include <osgPMObjects/ProgressiveField>
 
 #include "AddSerializers.h"
-#include "SerializeLines.h"
 #include "SerializeShared.h"
-#include "SettingsLines.h"
+#include "SettingsFields.h"
 
 namespace osgPMObjects
 {
@@ -24,6 +20,27 @@ void renewShading(ProgressiveField& field)
     osg::StateSet& state = *field.getOrCreateStateSet();
     const osg::StateAttribute* const program = state.getAttribute(osg::StateAttribute::PROGRAM);
     if (program && program->getName() == makeObjectProgram()->getName()) addObjectShading(state);
+}
+
+constexpr const char* kInstanceName = "instance";
+
+/// An instance as one line, "instance=…".
+std::string lineOf(const FieldInstance& instance)
+{
+    osgTraversal::LineWriter writer;
+    writer(kInstanceName, instance);
+    return writer.lines.front();
+}
+
+foundation::Result<FieldInstance> instanceOf(const std::string& line)
+{
+    FieldInstance instance;
+    osgTraversal::LineReader reader({line});
+    reader(kInstanceName, instance);
+    if (const std::string complaint = reader.complaint(); !complaint.empty())
+        return foundation::Error{"instance in a scene file", complaint,
+                                 "correct the line, or write the scene again"};
+    return instance;
 }
 
 bool hasContents(const ProgressiveField& field)
@@ -40,13 +57,13 @@ bool writeContents(osgDB::OutputStream& out, const ProgressiveField& field)
         out << out.PROPERTY("Shape");
         writeShape(out, *kind.shape);
         out << out.PROPERTY("Settings");
-        writeLines(out, linesOf(kind));
+        osgTraversal::writeLines(out, osgTraversal::linesOf(kind));
     }
     std::vector<std::string> lines;
     for (const FieldInstance& instance : field.instances())
         lines.push_back(lineOf(instance));
     out << out.PROPERTY("Instances");
-    writeLines(out, lines);
+    osgTraversal::writeLines(out, lines);
     out << out.END_BRACKET << std::endl;
     return true;
 }
@@ -58,8 +75,14 @@ bool readKind(osgDB::InputStream& in, std::vector<FieldKind>& kinds)
     kind.shape = readShape(in, "ProgressiveField");
     if (!kind.shape) return false;
     in >> in.PROPERTY("Settings");
-    const std::vector<std::string> lines = readLines(in);
-    if (in.getException() || !passOn(in, readLines(lines, kind))) return false;
+    const bool isGood = osgTraversal::readSettings<FieldKind>(in,
+                                                              [&](FieldKind read)
+                                                              {
+                                                                  read.shape = kind.shape;
+                                                                  kind = std::move(read);
+                                                                  return foundation::success();
+                                                              });
+    if (!isGood) return false;
     kinds.push_back(std::move(kind));
     return true;
 }
@@ -72,49 +95,42 @@ bool readContents(osgDB::InputStream& in, ProgressiveField& field)
     while (kinds.size() < count)
         if (in.getException() || !readKind(in, kinds)) return false;
     in >> in.PROPERTY("Instances");
-    const std::vector<std::string> lines = readLines(in);
+    const std::vector<std::string> lines = osgTraversal::readLines(in);
     in >> in.END_BRACKET;
     if (in.getException()) return false;
     std::vector<FieldInstance> instances;
     for (const std::string& line : lines)
     {
         const auto instance = instanceOf(line);
-        if (!instance) return passOn(in, instance.error());
+        if (!instance) return osgTraversal::passOn(in, instance.error());
         instances.push_back(*instance);
     }
-    return passOn(in, field.setContents(std::move(kinds), instances));
-}
-
-bool hasFieldSettings(const ProgressiveField&)
-{
-    return true;
+    return osgTraversal::passOn(in, field.setContents(std::move(kinds), instances));
 }
 
 bool writeFieldSettings(osgDB::OutputStream& out, const ProgressiveField& field)
 {
-    writeLines(out, linesOf(field.settings()));
+    osgTraversal::writeLines(out, osgTraversal::linesOf(field.settings()));
     return true;
 }
 
 bool readFieldSettings(osgDB::InputStream& in, ProgressiveField& field)
 {
-    const std::vector<std::string> lines = readLines(in);
-    if (in.getException()) return false;
     renewShading(field);
-    ProgressiveFieldSettings settings;
-    const foundation::Outcome read = readLines(lines, settings);
-    return passOn(in, read ? field.setSettings(settings) : read);
+    return osgTraversal::readSettings<ProgressiveFieldSettings>(
+        in, [&](const ProgressiveFieldSettings& settings) { return field.setSettings(settings); });
 }
 
 } // namespace
 
 /// A ProgressiveField in a scene file: its settings, its kinds with their shapes, which the file shares, and a line for each instance.
-void addFieldSerializer(osgDB::ObjectWrapperManager& manager)
+void addFieldSerializer()
 {
-    addClass<ProgressiveField>(manager, "osgPMObjects::ProgressiveField",
-                               "osg::Object osg::Node osgPMObjects::ProgressiveField",
-                               {{"Settings", &hasFieldSettings, &readFieldSettings, &writeFieldSettings},
-                                {"Contents", &hasContents, &readContents, &writeContents}});
+    osgTraversal::addClass<ProgressiveField>("osgPMObjects::ProgressiveField",
+                                             "osg::Object osg::Node osgPMObjects::ProgressiveField",
+                                             {{"Settings", &osgTraversal::isAlwaysThere<ProgressiveField>,
+                                               &readFieldSettings, &writeFieldSettings},
+                                              {"Contents", &hasContents, &readContents, &writeContents}});
 }
 
 } // namespace osgPMObjects

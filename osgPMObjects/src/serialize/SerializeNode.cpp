@@ -1,14 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <osgDB/InputStream>
-#include <osgDB/ObjectWrapper>
-#include <osgDB/OutputStream>
-
 #include <osgPMObjects/ProgressiveNode>
 
 #include "AddSerializers.h"
-#include "SerializeLines.h"
 #include "SerializeShared.h"
-#include "SettingsLines.h"
+#include "SettingsFields.h"
 
 namespace osgPMObjects
 {
@@ -17,8 +12,6 @@ namespace osgPMObjects
 /// made again, so the node is written as a Node, not as a Group with all of its children.
 struct NodeSerializer
 {
-    static bool always(const ProgressiveNode&) { return true; }
-
     static bool hasShape(const ProgressiveNode& node) { return node.shape() != nullptr; }
     static bool writeShape(osgDB::OutputStream& out, const ProgressiveNode& node)
     {
@@ -36,16 +29,13 @@ struct NodeSerializer
 
     static bool writeSettings(osgDB::OutputStream& out, const ProgressiveNode& node)
     {
-        writeLines(out, linesOf(node.settings()));
+        osgTraversal::writeLines(out, osgTraversal::linesOf(node.settings()));
         return true;
     }
     static bool readSettings(osgDB::InputStream& in, ProgressiveNode& node)
     {
-        const std::vector<std::string> lines = readLines(in);
-        if (in.getException()) return false;
-        ProgressiveNodeSettings settings;
-        const foundation::Outcome read = readLines(lines, settings);
-        return passOn(in, read ? node.setSettings(settings) : read);
+        return osgTraversal::readSettings<ProgressiveNodeSettings>(
+            in, [&](const ProgressiveNodeSettings& settings) { return node.setSettings(settings); });
     }
 
     static unsigned int otherChildren(const ProgressiveNode& node)
@@ -76,14 +66,14 @@ struct NodeSerializer
     }
 };
 
-void addNodeSerializer(osgDB::ObjectWrapperManager& manager)
+void addNodeSerializer()
 {
     using S = NodeSerializer;
-    addClass<ProgressiveNode>(manager, "osgPMObjects::ProgressiveNode",
-                              "osg::Object osg::Node osgPMObjects::ProgressiveNode",
-                              {{"Shape", &S::hasShape, &S::readShape, &S::writeShape},
-                               {"Settings", &S::always, &S::readSettings, &S::writeSettings},
-                               {"OtherChildren", &S::hasOthers, &S::readOthers, &S::writeOthers}});
+    osgTraversal::addClass<ProgressiveNode>(
+        "osgPMObjects::ProgressiveNode", "osg::Object osg::Node osgPMObjects::ProgressiveNode",
+        {{"Shape", &S::hasShape, &S::readShape, &S::writeShape},
+         {"Settings", &osgTraversal::isAlwaysThere<ProgressiveNode>, &S::readSettings, &S::writeSettings},
+         {"OtherChildren", &S::hasOthers, &S::readOthers, &S::writeOthers}});
 }
 
 } // namespace osgPMObjects

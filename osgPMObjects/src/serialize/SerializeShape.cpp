@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <sstream>
 
-#include <osgDB/InputStream>
-#include <osgDB/ObjectWrapper>
-#include <osgDB/OutputStream>
-
 #include <osgPMObjects/core/progressive/PmFile.h>
 
 #include <osgPMObjects/ProgressiveShape>
@@ -71,13 +67,13 @@ struct ShapeSerializer
     }
 };
 
-void addShapeSerializer(osgDB::ObjectWrapperManager& manager)
+void addShapeSerializer()
 {
     using S = ShapeSerializer;
-    addClass<ProgressiveShape>(manager, "osgPMObjects::ProgressiveShape",
-                               "osg::Object osgPMObjects::ProgressiveShape",
-                               {{"States", &S::hasContents, &S::readStates, &S::writeStates},
-                                {"Levels", &S::hasContents, &S::readLevels, &S::writeLevels}});
+    osgTraversal::addClass<ProgressiveShape>("osgPMObjects::ProgressiveShape",
+                                             "osg::Object osgPMObjects::ProgressiveShape",
+                                             {{"States", &S::hasContents, &S::readStates, &S::writeStates},
+                                              {"Levels", &S::hasContents, &S::readLevels, &S::writeLevels}});
 }
 
 } // namespace osgPMObjects

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "SerializeShared.h"
 
-#include <osgDB/InputStream>
-#include <osgDB/OutputStream>
-
 namespace osgPMObjects
 {
 
@@ -25,12 +22,6 @@ osg::ref_ptr<ProgressiveShape> readShape(osgDB::InputStream& in, const char* own
     }
     in >> in.END_BRACKET;
     return shape;
-}
-
-bool passOn(osgDB::InputStream& in, const foundation::Outcome& outcome)
-{
-    if (!outcome) in.throwException(outcome.error().message());
-    return static_cast<bool>(outcome);
 }
 
 } // namespace osgPMObjects

@@ -4,10 +4,28 @@
 #include <osgPMObjects/ProgressiveField>
 #include <osgPMObjects/ProgressiveNode>
 
+#include "SettingsNames.h"
+
+namespace osgPMObjects::core
+{
+
+/// The two distances of a boundary between ranges, as values of a line.
+template<class Visit>
+void visitNumbers(auto& boundary, Visit&& visit) requires requires
+{
+    boundary.nearM;
+}
+{
+    visit(boundary.nearM);
+    visit(boundary.farM);
+}
+
+} // namespace osgPMObjects::core
+
 namespace osgPMObjects
 {
 
-/// These call visit(name, field) once for every field of settings, both to write them and to read them.
+/// These call visit(name, field) once for every field of settings, both to write them and to read them (osgTraversal/ValueLines).
 template<class Settings, class Visit>
 void visitSelection(Settings& selection, Visit& visit)
 {

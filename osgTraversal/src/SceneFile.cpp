@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "SerializeLines.h"
+#include <osgTraversal/SceneFile>
 
-#include <osgDB/InputStream>
-#include <osgDB/OutputStream>
-
-namespace osgPMObjects
+namespace osgTraversal
 {
 
 void writeLines(osgDB::OutputStream& out, const std::vector<std::string>& lines)
@@ -27,4 +24,10 @@ std::vector<std::string> readLines(osgDB::InputStream& in)
     return lines;
 }
 
-} // namespace osgPMObjects
+bool passOn(osgDB::InputStream& in, const foundation::Outcome& outcome)
+{
+    if (!outcome) in.throwException(outcome.error().message());
+    return static_cast<bool>(outcome);
+}
+
+} // namespace osgTraversal
