@@ -31,7 +31,7 @@ std::shared_ptr<RoamTile> tileOf(int side, int gridExponent)
         testsupport::hills(side, side), {.placement = Placement::planar, .gridExponent = gridExponent}));
 }
 
-/// A square of the raster somewhere, raised by up to a metre.
+/// Returns changes that raise the samples of a random square by up to a metre each. `across`: samples a side.
 std::vector<HeightChange> square(const PlacedTile& tile, int across, testsupport::Random& random)
 {
     const auto room = static_cast<std::uint32_t>(tile.grid().dataColumns() - across);
@@ -50,7 +50,7 @@ void report(benchmark::State& state, std::vector<double>& usPerSample)
     state.counters["p99_us_per_sample"] = measurement::percentile(usPerSample, 0.99);
 }
 
-/// Side of the tile, side of the edit.
+/// Measures edits. Arguments: samples along a side of the tile, and of the edited square.
 void editSamples(benchmark::State& state)
 {
     const auto tile = tileOf(static_cast<int>(state.range(0)), 0);
@@ -72,7 +72,7 @@ BENCHMARK(editSamples)
     ->Iterations(400)
     ->Unit(benchmark::kMicrosecond);
 
-/// A mesh that follows such edits, its eye standing still.
+/// Measures how long a mesh takes to follow such edits while the eye stands still. Arguments: as editSamples().
 void followSamples(benchmark::State& state)
 {
     const auto tile = tileOf(static_cast<int>(state.range(0)), 0);
@@ -102,7 +102,7 @@ BENCHMARK(followSamples)
     ->Iterations(200)
     ->Unit(benchmark::kMicrosecond);
 
-/// A road of 7 m and 300 m between samples of 30 m on a grid of 0.47 m.
+/// Measures building a road 7 m wide and 300 m long between samples 30 m apart, on a grid of 0.47 m.
 void buildRoad(benchmark::State& state)
 {
     const auto tile = tileOf(static_cast<int>(state.range(0)), 6);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tessellation of polygons, and orders of triangles.
+// Measures the tessellation of polygons, and orders of triangles.
 #include <benchmark/benchmark.h>
 
 #include <osgPMObjects/core/order/TriangleOrders.h>
@@ -18,7 +18,7 @@ using testsupport::IndexedMesh;
 using testsupport::Polygon;
 using testsupport::Random;
 
-/// With as many corners as the benchmark's first argument says.
+/// Returns a star with as many corners as the benchmark's first argument says.
 Polygon starFor(const benchmark::State& state, std::uint64_t seed)
 {
     Random random(seed);
@@ -38,7 +38,7 @@ void tessellateStar(benchmark::State& state)
 BENCHMARK(tessellateStar)->RangeMultiplier(10)->Range(4, 40'000)->Unit(benchmark::kMicrosecond);
 
 void tessellateHoles(benchmark::State& state)
-{ // a sheet with small holes, side by side
+{ // a square with a grid of small holes; argument: holes along a side
     Random random(2);
     Polygon sheet;
     const auto side = static_cast<std::uint32_t>(state.range(0));

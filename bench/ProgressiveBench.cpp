@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Levels of progressive meshes: steps, jumps, and making them.
+// Measures progressive meshes: single steps between levels, jumps to a level, and building.
 #include <map>
 
 #include <benchmark/benchmark.h>
@@ -37,7 +37,7 @@ const ProgressiveMesh& progressive(Arrangement arrangement)
     return at->second;
 }
 
-/// The argument: an Arrangement. Items: steps, half of them up.
+/// Measures steps to the coarsest level and back. Argument: an Arrangement. Items: steps.
 void stepDownAndUp(benchmark::State& state)
 {
     const ProgressiveMesh& mesh = progressive(static_cast<Arrangement>(state.range(0)));
@@ -53,7 +53,7 @@ void stepDownAndUp(benchmark::State& state)
 }
 BENCHMARK(stepDownAndUp)->DenseRange(0, 3)->ArgName("arrangement")->Unit(benchmark::kMillisecond);
 
-/// From the full mesh to a level of a percentage of the positions, in one pass.
+/// Measures making a level in one pass. Argument: the positions that it keeps, in per cent.
 void jump(benchmark::State& state)
 {
     const ProgressiveMesh& mesh = progressive(Arrangement::windows);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Adaptation of the ROAM mesh along coherent flights, beside refining from scratch in the same run, and the building
-// of the error tree. Real terrain when OSGTRAINER_REAL_DATA names it, else the tests' hills.
+// Measures how the ROAM mesh adapts along continuous flights, beside refinement from scratch in the same run; merges,
+// ground queries, and building the error tree. The terrain is real if OSGTRAINER_REAL_DATA names it, else the tests' hills.
 //   OSGTRAINER_REAL_DATA=… build/bin/roam_bench
 #include <algorithm>
 #include <chrono>
@@ -49,7 +49,7 @@ const std::shared_ptr<const RoamTile>& tile()
     return placed;
 }
 
-/// On the round Earth: all of the real raster.
+/// Returns a tile on the curved Earth: the whole real raster, or hills.
 const std::shared_ptr<const RoamTile>& curvedTile()
 {
     static const auto placed = std::make_shared<const RoamTile>(
@@ -57,7 +57,7 @@ const std::shared_ptr<const RoamTile>& curvedTile()
     return placed;
 }
 
-/// Frame times of one flight as median, 99th percentile and worst, in microseconds.
+/// Reports the median, 99th percentile and largest of the frame times of a flight. Units: microseconds.
 void report(benchmark::State& state, std::vector<double> frameUs, double triangles)
 {
     std::sort(frameUs.begin(), frameUs.end());
@@ -108,7 +108,7 @@ void flight(benchmark::State& state)
     state.counters["bytes_per_triangle"] = static_cast<double>(mesh.memoryBytes()) / mesh.tree().leafCount();
 }
 
-/// With morphing, the tolerance holds for what is drawn: the mesh is finer.
+/// Measures a flight with morphing. The tolerance holds for the morphed surface, so the mesh is finer.
 void flightMorphing(benchmark::State& state)
 {
     RoamMesh mesh(tile());
@@ -169,7 +169,7 @@ void trueGround(benchmark::State& state)
     queries(state, placed, [&](const glm::dvec2& p) { return groundAt(placed, p.x, p.y); });
 }
 
-/// Over the mesh of the benchmark flight, 30 000 triangles.
+/// Measures single queries of the drawn ground, on the mesh of the benchmark flight, 30 000 triangles.
 template<Placement placement>
 void drawnGround(benchmark::State& state)
 {
@@ -179,7 +179,7 @@ void drawnGround(benchmark::State& state)
             [&](const glm::dvec2& p) { return drawnGroundAt(mesh.tree(), p.x, p.y); });
 }
 
-/// The same, all places in one call.
+/// Measures the same queries, all in one call.
 template<Placement placement>
 void drawnGroundBatch(benchmark::State& state)
 {
@@ -193,7 +193,7 @@ void drawnGroundBatch(benchmark::State& state)
     state.counters["triangles"] = mesh.tree().leafCount();
 }
 
-/// Lines of sight 5 km long from 300 m above the ground.
+/// Measures rays 5 km long from 300 m above the ground.
 void groundRay(benchmark::State& state)
 {
     testsupport::Random random(10);
@@ -218,7 +218,8 @@ void errorTree(benchmark::State& state)
     state.SetItemsProcessed(state.iterations() * side * side);
 }
 
-/// Removes the subtree of one node of level `state.range(0)`, at one sample a triangle, and lets it grow again untimed.
+/// Measures removing the subtree below a triangle. Argument: the level of the triangle. Before each round the subtree is
+/// split down to the samples; that is not timed.
 template<class Merge>
 void mergeSubtree(benchmark::State& state, const Merge& merge)
 {
@@ -253,7 +254,7 @@ void singleMerges(benchmark::State& state)
     mergeSubtree(state, [](DiamondTree& tree, VertexSlot v) { return tree.forceMerge(v); });
 }
 
-// Tolerances in tenths of a pixel; 36 gives about 30 000 triangles on the real crop.
+// Arguments of flights: tolerance in tenths of a pixel; 36 gives about 30 000 triangles on the real crop.
 BENCHMARK(flight<Driver::wheel>)->Arg(36)->Arg(10)->Unit(benchmark::kMillisecond);
 BENCHMARK(flight<Driver::walk>)->Arg(36)->Arg(10)->Unit(benchmark::kMillisecond);
 BENCHMARK(flight<Driver::queue>)->Arg(36)->Unit(benchmark::kMillisecond);

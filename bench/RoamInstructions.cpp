@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs RoamMesh::refine() frame by frame so that Callgrind of Valgrind counts its instructions;
+// Runs RoamMesh::refine() frame by frame, so that Valgrind's Callgrind can count its instructions.
 // scripts/count-instructions runs it.
 //   roam_instructions SCENE TOLERANCE_PX whole|centre [SLICE_US]
-// Prints a line for each frame: triangles, changed diamonds, vertices tested, whether the slice left work over.
-// Without Callgrind it does the same without counting.
+// Prints a line for each frame: triangles, changed diamonds, vertices tested, and 1 if the slice ended the work early.
+// Without Callgrind it does the same, and nothing is counted.
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -36,7 +36,7 @@ struct Scene
 {
     std::string_view name;
     const measurement::RasterCrop& crop;
-    std::optional<measurement::Path> path; ///< none: the random walk
+    std::optional<measurement::Path> path; ///< absent: a random walk
 };
 
 constexpr Scene kScenes[] = {
@@ -63,7 +63,7 @@ std::optional<HeightField> fieldOf(const measurement::RasterCrop& crop)
     return crop.of(*imported);
 }
 
-/// One dump a frame: the first of a run, which builds the mesh, is the first dump.
+/// Counts one frame, as one dump of Callgrind. The first dump of a run is the frame that builds the mesh.
 void countFrame(RoamMesh& mesh, const viewlod::ViewState& view, const viewlod::Budget& budget)
 {
     CALLGRIND_TOGGLE_COLLECT;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The choice of levels for a field of 10 000 objects: each rule for itself, the scene-wide budget along a flight, and switching.
+// Measures how levels are chosen for a field of 10 000 objects: by each rule, by one budget for the scene along a flight; and switching.
 #include <memory>
 
 #include <benchmark/benchmark.h>
@@ -18,7 +18,7 @@ using testsupport::Random;
 
 constexpr std::size_t kObjects = 10'000;
 
-/// Ten models of 1000 to 10 000 positions, on a square kilometre and a half.
+/// A field of 1.5 km by 1.5 km with objects of ten models, of 1000 to 10 000 positions each.
 struct Field
 {
     std::vector<LevelTable> tables;
@@ -76,7 +76,7 @@ struct Field
     }
 };
 
-/// Forward 1 m a frame at 20 m above the field, back to its beginning after 1000 frames.
+/// Returns the selector of a frame. The eye moves 1 m a frame, 20 m above the field, and starts again after 1000 frames.
 LevelSelector selectorOf(int frame)
 {
     const glm::dvec3 eye{0.0, -200.0 + frame % 1000, 20.0};
@@ -108,7 +108,8 @@ BENCHMARK_CAPTURE(rule, facingArea, SelectionMethod::facingArea)->Unit(benchmark
 BENCHMARK_CAPTURE(rule, continuous, SelectionMethod::continuous)->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(rule, screenError, SelectionMethod::screenError)->Unit(benchmark::kMicrosecond);
 
-/// All of them under a budget of a share (in per cent) of what they would like; `jump` m forward from frame to frame.
+/// Measures selection under a budget. Arguments: the budget, in per cent of the triangles without one, and the metres that the
+/// eye moves in a frame.
 void budget(benchmark::State& state)
 {
     Field field(SelectionMethod::budget);
@@ -140,7 +141,7 @@ void switching(benchmark::State& state)
     std::uint32_t frame = 0;
     for ([[maybe_unused]] auto _ : state)
     {
-        const std::uint32_t target = frame++ / 64; // some 2 s a level
+        const std::uint32_t target = frame++ / 64; // a new level about every 2 s
         for (std::uint32_t i = 0; i < kObjects; ++i)
             benchmark::DoNotOptimize(advanceSwitch(states[i], target + i % 3, 1.0f / 30.0f, 1.0f, i, {}));
     }

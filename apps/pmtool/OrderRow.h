@@ -13,7 +13,7 @@
 namespace pmtool
 {
 
-/// The names of all orders, as in tables.
+/// Returns the names of all orders of triangles.
 std::vector<std::string> orderNames();
 
 /// A computed order of a subject's triangles.
@@ -24,9 +24,10 @@ struct OrderedSubject
     std::size_t strips = 0, sentVertices = 0;                     ///< of orders made of strips
 };
 
+/// Computes the order of a name in orderNames() for each draw call of a subject.
 OrderedSubject orderSubject(const OrderSubject& subject, const std::string& order);
 
-/// Vertices transformed for each triangle, by each model of a cache. Every draw call begins with an empty one.
+/// Returns the vertices transformed for each triangle, by cache model. The cache is empty at the beginning of every draw call.
 nlohmann::ordered_json transformsPerTriangle(const OrderSubject& subject, const OrderedSubject& ordered);
 
 } // namespace pmtool

@@ -12,7 +12,7 @@
 namespace terraintool
 {
 
-/// The sums of the checks of all frames of one flight. Units: pixels.
+/// The sums of the checks of all frames of one flight. Units: errors in pixels.
 struct FlightFindings
 {
     std::size_t frames = 0;

@@ -25,7 +25,7 @@ namespace
 {
 
 constexpr std::array<double, 5> kShares{1.0, 0.4, 0.16, 0.06, 0.02};
-constexpr std::uint32_t kLeastFaces = 24; // fewer, and a tree is no tree any more
+constexpr std::uint32_t kLeastFaces = 24; // with fewer, a tree has lost its shape
 
 osg::ref_ptr<osg::Group> levelOf(const ProgressiveShape& shape, std::uint32_t steps)
 {
@@ -53,7 +53,7 @@ osg::ref_ptr<osg::Node> lodOf(const ProgressiveShape& shape, double trianglePx, 
     double from = 0.0;
     for (std::size_t i = 0; i < kShares.size(); ++i)
     {
-        // Where the sphere covers less than half of its faces shall: as AreaRows::halving() has it.
+        // A level ends where the sphere covers half of the pixels that its faces are to cover, as in AreaRows::halving().
         const double leastPx = 0.5 * kShares[i] * levels.faces.front() * trianglePx;
         const double to = pixelsPerTangent * shape.sphere().radius * std::sqrt(std::numbers::pi / leastPx);
         const bool isLast = i + 1 == kShares.size();
@@ -67,7 +67,7 @@ osg::ref_ptr<osg::Node> lodOf(const ProgressiveShape& shape, double trianglePx, 
 osg::ref_ptr<osg::Node> placed(const std::vector<osg::ref_ptr<osg::Node>>& models,
                                const std::vector<FieldInstance>& instances)
 {
-    // Cells of some dozens, so that OSG culls as quickly as it can.
+    // Groups of 50 neighbours, so that OSG can cull many instances at once.
     constexpr std::size_t kPerGroup = 50;
     const osg::ref_ptr<osg::Group> root = new osg::Group;
     for (std::size_t i = 0; i < instances.size(); ++i)

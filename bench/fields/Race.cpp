@@ -19,14 +19,14 @@ namespace
 
 const std::string kFull = "full";
 
-/// By everything in this process, the software renderer among it.
+/// Returns the memory in use by the whole process, the software renderer included.
 double megabytesInUse()
 {
     const struct mallinfo2 info = mallinfo2();
     return static_cast<double>(info.uordblks + info.hblkhd) / 1e6;
 }
 
-/// Of the picture.
+/// Returns the pixels per unit of tangent at the centre of the picture.
 double pixelsPerTangent(const osgOffscreen::OffscreenSettings& picture)
 {
     const double aspect = static_cast<double>(picture.widthPx) / picture.heightPx;
@@ -43,7 +43,7 @@ Race::Json Race::flown(const std::string& name, const Make& make, int frames)
     const double before = megabytesInUse();
     const auto began = Clock::now();
     const osg::ref_ptr<osg::Node> objects = make();
-    // What the scene graph takes; the renderer's own memory is that of the largest frame so far.
+    // This counts the scene graph only: the renderer has not drawn it yet.
     Json row = {{"buildS", 1e-3 * milliseconds(began)}, {"graphMegabytes", megabytesInUse() - before}};
     for (const Path& path : kPaths)
     {

@@ -20,8 +20,8 @@ namespace
 {
 
 constexpr double kFrameS = 0.04;
-constexpr double kSettledS = 2.0; ///< after which no level is being switched
-constexpr int kRounds = 5;        ///< of a path; of each of its frames the quickest counts
+constexpr double kSettledS = 2.0; ///< every switch has ended after this time
+constexpr int kRounds = 5;        ///< flights along a path; the fastest time of each frame counts
 
 } // namespace
 
@@ -44,7 +44,7 @@ Stage::Json Stage::fly(const std::string& name, osg::Node& objects, const Path& 
         for (int i = 0; i < frames; ++i)
         {
             const double ms = frameMs(path, i);
-            if (round > 0) times[i] = std::min(times[i], ms); // the first compiles
+            if (round > 0) times[i] = std::min(times[i], ms); // in the first round shaders compile
         }
     auto& pictures = _pictures[name + path.name];
     pictures.clear();

@@ -13,16 +13,17 @@
 namespace fieldbench
 {
 
-/// Camera positions along two paths over the landscape: at the height of a driver, and 120 m up looking slightly
-/// down.
+/// A straight path of the camera over the landscape: its height above the ground, the slope of its line of sight (negative:
+/// down), and the distance between frames.
 struct Path
 {
     const char* name;
     double heightM, pitch, stepM;
 };
+/// The height of a driver, and 120 m looking slightly down.
 constexpr Path kPaths[] = {{"drive", 2.0, 0.0, 0.6}, {"flight", 120.0, -0.25, 2.0}};
 
-constexpr double kHighDeg = 40.0; ///< of the picture
+constexpr double kHighDeg = 40.0; ///< vertical field of view
 
 /// The scene that contestants are flown in one after the other; it keeps their images for comparison.
 class Stage
@@ -39,6 +40,7 @@ public:
     /// Returns the root mean square difference of the images of two contestants, in levels of 255.
     double difference(const std::string& name, const std::string& other, const Path& path) const;
 
+    /// Removes the objects from the scene.
     void clear();
 
 private:

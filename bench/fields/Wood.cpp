@@ -15,7 +15,7 @@ namespace
 
 using namespace osgPMObjects;
 
-constexpr std::uint32_t kTrees = 5; // come first in the catalogue
+constexpr std::uint32_t kTrees = 5; // the first kinds of the catalogue are trees and the bush
 
 std::uint32_t drawn(testsupport::Random& random, std::uint32_t first, std::uint32_t end)
 {
@@ -34,7 +34,7 @@ std::vector<osg::ref_ptr<const ProgressiveShape>> landscapeShapes()
 
 std::vector<FieldInstance> scattered(std::uint32_t count, std::uint32_t kinds, double spacingM)
 {
-    // One in each cell of a grid, off its middle by chance.
+    // Each cell of a grid has one instance at a random position near its middle.
     const auto side = static_cast<std::uint32_t>(std::ceil(std::sqrt(count)));
     testsupport::Random random(20'26);
     std::vector<FieldInstance> instances;

@@ -25,16 +25,16 @@ namespace
 using measurement::percentile;
 using osgTerrainROAM::RoamTechnique;
 
-constexpr int kDatabaseWarmUpFrames = 3; ///< textures and buffers go to the renderer
+constexpr int kDatabaseWarmUpFrames = 3; ///< these frames upload textures and buffers
 
-/// A database under one technique, and what it took.
+/// A database under one technique, and its measurements.
 struct Candidate
 {
     std::string name;
     osg::ref_ptr<osgTerrain::Terrain> terrain;
     double buildMs = 0.0; ///< of all tiles, in one thread
     FrameCosts costs;
-    DrawCount drawn; ///< of geometries: GeometryTechnique's
+    DrawCount drawn; ///< triangles of osg::Geometry, which only GeometryTechnique draws
 };
 
 osg::ref_ptr<RoamTechnique> ours(double tolerancePx, bool morphing)
@@ -58,7 +58,7 @@ void build(Candidate& candidate)
     candidate.buildMs = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
-/// Of the last frame: tiles out of sight keep the figures of the frame that drew them.
+/// Returns the triangles of the last frame. Tiles out of sight keep the numbers of an earlier frame, which do not count.
 std::uint64_t trianglesOf(const Candidate& candidate)
 {
     std::map<unsigned int, std::uint64_t> byFrame{{0, candidate.drawn.triangles}};

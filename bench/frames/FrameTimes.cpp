@@ -15,9 +15,9 @@ namespace
 
 using measurement::percentile;
 
-constexpr int kWarmUpFrames = 3; ///< shaders compile, buffers fill
+constexpr int kWarmUpFrames = 3; ///< these frames compile shaders and fill buffers
 
-/// Draws one frame of a subject, and takes note of it unless it warms up.
+/// Draws one frame of a subject, and adds its cost if it `counts` (warm-up frames do not).
 void drawOnce(Stage& stage, Subject& subject, const Eye& eye, DrawCount& drawn, bool counts)
 {
     drawn.triangles = 0;
@@ -61,7 +61,7 @@ void measureLook(const Request& request, Stage& stage, Look look, Report& report
         {
             stage.show(subject.node, state);
             drawOnce(stage, subject, request.eye(frame), drawn, frame >= 0);
-            // osgTerrain builds its geometry in its first frame.
+            // Counting starts after the first frame, in which osgTerrain builds its geometry.
             if (frame == -kWarmUpFrames) countDraws(*subject.node, drawn);
         }
     const double oursMs = percentile(subjects.front().costs.wallMs, 0.5);

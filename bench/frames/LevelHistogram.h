@@ -12,6 +12,7 @@ namespace framebench
 class LevelHistogram
 {
 public:
+    /// Counts a difference by its magnitude, at most 510.
     void add(int levels)
     {
         ++_counts[static_cast<std::size_t>(std::abs(levels))];
@@ -33,6 +34,7 @@ public:
 
     std::uint64_t total() const { return _total; }
 
+    /// Returns the share of the values above `levels`; 0 without values.
     double shareAbove(int levels) const
     {
         std::uint64_t above = 0;

@@ -13,7 +13,7 @@ namespace framebench
 namespace
 {
 
-/// Reciprocal of the distance at each pixel; 0: sky.
+/// Returns the reciprocal of the distance at each pixel; 0: sky.
 std::vector<double> nearnessOf(const osg::Image& distance)
 {
     std::vector<double> nearness;

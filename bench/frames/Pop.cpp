@@ -14,9 +14,9 @@ namespace
 
 constexpr Look kLooks[] = {Look::full, Look::relief};
 
-using Edges = std::vector<std::vector<bool>>; ///< of every frame
+using Edges = std::vector<std::vector<bool>>; ///< by frame and pixel
 
-/// The silhouettes of the full mesh in each frame, widened by a pixel, with those of the frame before.
+/// Returns, for each frame, the silhouettes of the full mesh in it and in the frame before, widened by a pixel.
 Edges edgesOf(const Request& request, Stage& stage, osg::Node* full)
 {
     stage.show(full, lookState(*request.material, Look::distance), false);
@@ -31,7 +31,7 @@ Edges edgesOf(const Request& request, Stage& stage, osg::Node* full)
     return edges;
 }
 
-/// How much the full mesh's own picture changes from frame to frame, for comparison.
+/// The changes of the full mesh's image from frame to frame, for comparison.
 struct FullSteps
 {
     void add(const Picture& picture)
@@ -54,7 +54,7 @@ struct Antialiasing
     osgOffscreen::OffscreenSettings picture;
 };
 
-/// `name`: as main.cpp lets through.
+/// Returns the settings of a way to antialias. `name`: none, msaa4, ssaa2 or ssaa4, which main.cpp checks.
 Antialiasing antialiasingOf(const std::string& name, osgOffscreen::OffscreenSettings picture)
 {
     const int perAxis = name == "ssaa4" ? 4 : name == "ssaa2" ? 2 : 1;
@@ -123,8 +123,8 @@ foundation::Outcome measure(const Request& request, const Antialiasing& way, Sta
 foundation::Result<Report> measurePop(const Request& request)
 {
     const osg::ref_ptr<osg::Node> full = fullGrid(request.tile->tile, kFullGridPatchCells);
-    // None is closed before the end: OSG would give its number to the next, and what both draw would take its buffers
-    // to be there.
+    // No stage is closed before the end. Otherwise OSG would give its context number to the next stage, and nodes that both
+    // draw would expect their buffers in the new context.
     std::vector<std::unique_ptr<Stage>> stages;
     const auto open = [&](const osgOffscreen::OffscreenSettings& picture) -> foundation::Outcome
     {

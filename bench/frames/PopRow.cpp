@@ -12,7 +12,7 @@ namespace framebench
 namespace
 {
 
-/// The coarse frame's share of the detail: what the measure has to see.
+/// The factor of the tolerance in the coarse frame, a change that the measurement has to detect.
 constexpr double kCoarser = 10.0;
 
 constexpr std::string_view followingName(Following following)
@@ -51,7 +51,7 @@ PopRow::PopRow(const Request& request, Stage& stage, Setting setting)
 
 bool PopRow::measuresPop() const
 {
-    // At four samples an axis a picture takes seconds, and what pops shows as well with two.
+    // With four samples along an axis a picture takes seconds, and two show the popping as well.
     return _setting.following != Following::frozen && _setting.samplesPerPx <= 2;
 }
 

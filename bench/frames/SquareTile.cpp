@@ -14,7 +14,8 @@ using namespace osgTerrainROAM::core;
 namespace
 {
 
-/// Cells of whole seconds of arc count as squares of 30 m a second, as in the other figures on these terrains.
+/// Returns the side of a cell. One second of arc counts as 30 m in both directions, as in the other measurements of these
+/// terrains.
 double nominalCellM(double spacingM)
 {
     const double seconds = std::round(spacingM / 30.0);

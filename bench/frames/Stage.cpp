@@ -16,10 +16,10 @@ namespace framebench
 namespace
 {
 
-/// As in osgTerrainROAM's own draw.
+/// The period of wrapped positions, the same as in RoamDrawable's draw.
 constexpr double kWrapM = 4096.0;
 
-/// A frame counts as drawn when the renderer has finished it, not when it has been told of it.
+/// Waits at the swap until the renderer has finished the frame, so that the time of a frame includes the drawing.
 struct FinishAtSwap : public osg::GraphicsContext::SwapCallback
 {
     void swapBuffersImplementation(osg::GraphicsContext* context) override

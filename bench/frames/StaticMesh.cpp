@@ -54,7 +54,7 @@ private:
     osg::BoundingBox _box;
 };
 
-/// The two attributes of the shader.
+/// The arrays of the shader's two vertex attributes: position in whole steps, and grid point.
 struct VertexArrays
 {
     osg::ref_ptr<osg::Vec3iArray> position = new osg::Vec3iArray;
@@ -81,7 +81,7 @@ struct VertexArrays
     }
 };
 
-/// One patch's cells; odd and even cells are cut along different diagonals.
+/// Makes the geometry of one patch. Odd and even cells are cut along different diagonals.
 osg::ref_ptr<osg::Geometry> patchOf(const PlacedTile& tile, const VertexArrays& arrays, int left, int bottom,
                                     int cells)
 {

@@ -21,7 +21,7 @@ struct DrawCount
 /// Makes every geometry below `node` add to `count` when it is drawn, which has to outlive it.
 void countDraws(osg::Node& node, DrawCount& count);
 
-/// Makes a mesh in static buffers for the vertex shader of the terrain: attributes 0 (high), 1 (low) and 2 (grid). It
+/// Makes a mesh in static buffers for the vertex shader of the terrain: attributes 0 (position, in whole steps) and 1 (grid). It
 /// is always drawn: culling is off.
 osg::ref_ptr<osg::Geode> staticMesh(const osgTerrainROAM::core::DrawnMesh& mesh);
 

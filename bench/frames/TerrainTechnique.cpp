@@ -53,7 +53,7 @@ osg::ref_ptr<osg::Node> terrainTechnique(const PlacedTile& tile,
     osg::StateSet& state = *terrain->getOrCreateStateSet();
     if (material)
         state.setAttributeAndModes(plainVertexProgram(*material, look));
-    else // above it stands our program, which this one is to be drawn without
+    else // an empty program, which replaces the one above: OSG's fixed function is drawn
         state.setAttributeAndModes(new osg::Program);
     state.addUniform(
         new osg::Uniform("benchSpacing", osg::Vec2f(static_cast<float>(tile.field().spacingEastM),

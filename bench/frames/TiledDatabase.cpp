@@ -14,7 +14,7 @@ using osgTerrainROAM::core::PlacedTile;
 namespace
 {
 
-/// A square of a tile's samples.
+/// A square part of a tile: its south-western sample, and the cells along its side.
 struct Square
 {
     int column, row, cells;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// model_sheet FOLDER [KIND [SEED [DISTANCE]]]: pictures of generated models, three of each kind (or of one): from its front left and its
-// back left at eye level, and from 150 m away, 45 m up, through a longer lens; FOLDER/models.png has them all. Prints what each kind is made of.
+// model_sheet FOLDER [KIND [SEED [DISTANCE]]]: draws pictures of generated models, three of each kind (or of one): from its front right and
+// its back left at eye level, and from 150 m away, 45 m up, through a longer lens; FOLDER/models.png has them all. Prints sizes and counts.
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -36,7 +36,7 @@ struct View
     double heightDeg;
 };
 
-/// `distanceM`: of the two views from near; 0: from where all of it is seen.
+/// Returns the three views of a model. `distanceM`: of the two near views; 0: far enough to see the whole model.
 std::vector<View> viewsOf(const scenery::models::Model& model, double distanceM)
 {
     const double whole = std::max(2.5 * model.radiusM, 1.55 * model.heightM + 0.5 * model.radiusM);
@@ -102,7 +102,7 @@ int main(int argc, char** argv)
                std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - before).count());
         for (const View& view : viewsOf(model, distanceM))
         {
-            // Everything anew for each picture: objects of one context mean nothing in the next.
+            // Each picture has a context of its own, so textures and programs are made anew.
             scenery::ModelStates states;
             const osg::ref_ptr<osgTerrainROAM::Atmosphere> air = new osgTerrainROAM::Atmosphere;
             const auto picture = pictureOf(onPlain(*scenery::makeModelNode(model, states), *air), view);

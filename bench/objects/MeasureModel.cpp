@@ -22,7 +22,7 @@ using Json = Race::Json;
 namespace
 {
 
-/// Means over levels of each contestant: time, invocations, and how many times the frame rate of plain VIPM.
+/// Returns the means over all levels, by contestant: time, invocations, and frame rate as a multiple of plain VIPM's.
 Json summaryOf(const Json& rows, const std::vector<Contestant>& contestants)
 {
     Json summary;

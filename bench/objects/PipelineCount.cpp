@@ -44,7 +44,7 @@ void PipelineCount::end(osg::RenderInfo& renderInfo)
     if (!_isCounting) return;
     osg::GLExtensions& gl = *renderInfo.getState()->get<osg::GLExtensions>();
     gl.glEndQuery(_counted);
-    // The getter of 64 bits does nothing in OSMesa.
+    // The 64-bit function does nothing in OSMesa.
     gl.glGetQueryObjectuiv(_query, kQueryResult, &_result);
 }
 

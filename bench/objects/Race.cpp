@@ -13,7 +13,8 @@ namespace objectbench
 namespace
 {
 
-/// A level far away is drawn in the order of the finest at first, until the frames after it have played the steps to it.
+/// Frames that are drawn before measuring. After a jump to a distant level its faces have the order of the finest level;
+/// the arranged order follows within these frames.
 constexpr int kSettling = 24;
 
 } // namespace

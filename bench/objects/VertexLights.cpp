@@ -19,7 +19,7 @@ osg::ref_ptr<osg::StateSet> vertexLights(int lights, const osg::BoundingSphere& 
     const osg::ref_ptr<osg::Uniform> lamps = new osg::Uniform(osg::Uniform::FLOAT_VEC4, "lamps", lights);
     for (int i = 0; i < lights; ++i)
     {
-        // Evenly over a ball: equal steps in height, the golden angle around.
+        // The lamps lie evenly around a ball: equal steps in height, the golden angle around.
         const double height = 1.0 - (2.0 * i + 1.0) / lights;
         const double turn = i * std::numbers::pi * (3.0 - std::sqrt(5.0));
         const double across = std::sqrt(1.0 - height * height);

@@ -52,8 +52,7 @@ int main(int argc, char** argv)
         ->check(CLI::Range(1, 10000));
     app.add_option("--width", request.picture.widthPx)->check(CLI::Range(16, 4096));
     app.add_option("--height", request.picture.heightPx)->check(CLI::Range(16, 4096));
-    app.add_option("--plot", request.plotFile, "HTML with frames per second against faces")
-        ->type_name("FILE");
+    app.add_option("--plot", request.plotFile, "SVG with frames per second against faces")->type_name("FILE");
     app.add_option("--json", request.jsonFile, "also write the table to this file");
     if (const auto ends = terminal::parse(app, argc, argv)) return *ends;
     return run(request);

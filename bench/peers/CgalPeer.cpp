@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// peer_cgal IN.obj FOLDER COUNT…: FOLDER/COUNT.obj for each count of faces, simplified by CGAL's edge collapse with the cost and
-// placement of Lindstrom and Turk. CGAL's mesh packages are GPL: this program is built on demand, for measuring, and not installed.
+// peer_cgal IN.obj FOLDER COUNT…: writes FOLDER/COUNT.obj for each count of faces, simplified by CGAL's edge collapse with the cost and
+// placement of Lindstrom and Turk. CGAL's mesh packages are GPL, so this program is only for measuring and never installed.
 #include <chrono>
 #include <cstdlib>
 #include <iostream>
@@ -24,7 +24,7 @@ using SurfaceMesh = CGAL::Surface_mesh<Kernel::Point_3>;
 namespace simplification = CGAL::Surface_mesh_simplification;
 namespace processing = CGAL::Polygon_mesh_processing;
 
-/// Faces are counted, as the other tools count; CGAL's own predicate counts edges.
+/// Stops at a number of faces, as the other tools do; CGAL's own predicate counts edges.
 struct FaceCountStop
 {
     std::size_t most;
@@ -68,7 +68,7 @@ int main(int argc, char** argv)
     std::vector<Kernel::Point_3> points;
     for (const auto& p : plain.positions)
         points.emplace_back(p[0], p[1], p[2]);
-    processing::orient_polygon_soup(points, plain.triangles); // doubles what is not manifold
+    processing::orient_polygon_soup(points, plain.triangles); // splits what is not manifold
     if (!processing::is_polygon_soup_a_polygon_mesh(plain.triangles))
     {
         std::cerr << "CGAL: the faces are no manifold, even with its vertices doubled\n";

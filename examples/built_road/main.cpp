@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A road of 7 m with cuttings and embankments, built into a terrain while it is shown and painted, a crater beside it:
-//   built_road dem.tif FOLDER [LENGTH]      writes before.png, driver.png, above.png, undone.png; metres
+// Builds a road 7 m wide into a terrain while it is shown, paints it, and makes a crater beside it:
+//   built_road dem.tif FOLDER [LENGTH]      writes before.png, driver.png, above.png, undone.png; LENGTH in metres
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -23,7 +23,7 @@ int failed(const foundation::Error& error)
     return 1;
 }
 
-/// A gently winding line through the middle of the terrain, from west to east.
+/// Returns a gently winding line through the middle of the terrain, from west to east.
 core::Ribbon roadThrough(double lengthM)
 {
     core::Ribbon road{.crossfall = 0.02, .smoothM = 200.0};
@@ -68,7 +68,7 @@ int main(int argc, char** argv)
     if (argc < 3) return std::fprintf(stderr, "usage: built_road dem.tif FOLDER [LENGTH]\n"), 2;
     core::RoamFile description;
     description.dems = {argv[1]};
-    description.finestSpacingM = 0.5; // samples may lie that close where the road needs them
+    description.finestSpacingM = 0.5; // edits may add samples down to this spacing
     const auto made = makeTerrain(description);
     if (!made) return failed(made.error());
     RoamTerrain& terrain = **made;

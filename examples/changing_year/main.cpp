@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Land cover through the year and into the night; seasons and the hour are uniforms, nothing is built again:
+// Shows land cover through the year and into the night. Season and sun are uniforms, so nothing is built again:
 //   changing_year place.roam FOLDER       writes january.png, may.png, july.png, october.png, dusk.png, night.png
 #include <cstdio>
 #include <filesystem>
@@ -16,7 +16,7 @@ using namespace osgTerrainROAM;
 struct Moment
 {
     const char* name;
-    double month;           ///< 1 … 12, in its middle
+    double month;           ///< 1 … 12; the date is its middle
     double sunElevationDeg; ///< below 0 at night
 };
 
@@ -34,7 +34,7 @@ foundation::Outcome setMoment(RoamTerrain& terrain, osg::Camera& camera, const M
     if (auto set = terrain.material()->setSeason((moment.month - 0.5) / 12.0); !set) return set;
     AtmosphereSettings air = terrain.atmosphere()->settings();
     air.sunDirectionWorld = sunDirectionFromAngles(215.0, moment.sunElevationDeg);
-    air.moonlight = 0.7; // counts when the sun is gone
+    air.moonlight = 0.7; // lights the ground when the sun has set
     if (auto set = terrain.atmosphere()->setSettings(air); !set) return set;
     camera.setClearColor(osg::Vec4(displayColour(terrain.atmosphere()->light().horizon), 1.0f));
     return foundation::success();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Several elevation rasters, of different extents and spacings, as one terrain:
-//   joined_terrain place.roam FOLDER      says how they were joined, writes above.png and across.png
+// Joins several elevation rasters of different extents and spacings to one terrain:
+//   joined_terrain place.roam FOLDER      prints how they were joined, writes above.png and across.png
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
@@ -33,7 +33,7 @@ void report(const core::PlacedTile& tile)
         std::printf("a denser part of %zu samples\n", sheet.table().size());
 }
 
-/// How much of the grid has no ground: the rasters' outline is no rectangle.
+/// Returns the share of the grid that has no ground: the outline of the rasters is not a rectangle.
 double shareOfHoles(const core::PlacedTile& tile)
 {
     constexpr int kLooks = 100;

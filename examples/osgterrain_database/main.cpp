@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A database of osgTerrain tiles under our technique: osgterrain_database [db.osgb] [--tolerance PIXELS] [--once]
-// Without a file it makes four tiles itself, as stock osgTerrain wants them. For a file nothing but
-// installTechnique() is needed, paged children included.
+// Shows a database of osgTerrain tiles with our technique: osgterrain_database [db.osgb] [--tolerance PIXELS] [--once]
+// Without a file it makes four tiles itself, as for stock osgTerrain. A file needs only installTechnique(), also for
+// its paged children.
 #include <cmath>
 #include <cstdio>
 
@@ -70,10 +70,10 @@ int main(int argc, char** argv)
     arguments.read("--tolerance", tolerancePx);
     if (const auto set = technique->setErrorTolerancePx(tolerancePx); !set)
         return std::fprintf(stderr, "%s\n", set.error().message().c_str()), 1;
-    const bool once = arguments.read("--once"); // one frame: what the tests ask for
+    const bool once = arguments.read("--once"); // one frame, for the tests
 
     const osg::ref_ptr<osg::Node> database = argc > 1 ? osgDB::readRefNodeFile(arguments[1]) : madeDatabase();
-    if (!database) return 1; // osgDB has said why
+    if (!database) return 1; // osgDB has printed the reason
     const auto found = osgTerrainROAM::installTechnique(*database, *technique);
     std::printf("%u tiles, %u files to page in\n", found.tiles, found.pagedFiles);
 

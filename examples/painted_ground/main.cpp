@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Roads, rivers, fields and a runway from a map, painted into a terrain. A picture from an eye over a place:
-//   painted_ground place.roam picture.png [EAST NORTH HEIGHT HEADING PITCH]      metres over the ground, degrees
+// Paints roads, rivers, fields and a runway from a map on a terrain, and writes a picture:
+//   painted_ground place.roam picture.png [EAST NORTH HEIGHT HEADING PITCH]      of the eye: metres, degrees; HEIGHT above ground
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>

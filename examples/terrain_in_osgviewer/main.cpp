@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shows the terrain in a viewer of OpenSceneGraph: terrain_in_osgviewer dem.tif | place.roam
+// Shows a terrain in a viewer of OpenSceneGraph: terrain_in_osgviewer dem.tif | place.roam
 #include <cstdio>
 
 #include <osgGA/TerrainManipulator>
@@ -18,7 +18,7 @@ int main(int argc, char** argv)
     osgViewer::Viewer viewer;
     viewer.setSceneData(terrain->get());
     viewer.setCameraManipulator(new osgGA::TerrainManipulator);
-    if (argc > 2 && std::string(argv[2]) == "--once") // one frame: what the tests ask for
+    if (argc > 2 && std::string(argv[2]) == "--once") // one frame, for the tests
     {
         viewer.frame();
         return 0;

@@ -19,7 +19,7 @@ struct SettingRequirement
     const char* allowed; ///< completes the sentence "give …"
 };
 
-/// Errors: the first requirement that is not met, at the place "`owner`.name".
+/// Checks requirements in order. Errors: the first one that is not met, at the place "`owner`.name".
 inline foundation::Outcome checkRequirements(const std::string& owner,
                                              std::span<const SettingRequirement> requirements)
 {

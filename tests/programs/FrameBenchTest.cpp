@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What frame_bench writes: that its tables are whole, and that what it measures is nothing where nothing changes and
-// something where the level of detail is made to jump.
+// Tests what frame_bench writes: its tables are complete, and it measures no popping where nothing changes, but some where
+// the level of detail is made to jump.
 #include "Playing.h"
 
 namespace
@@ -9,7 +9,7 @@ namespace
 using nlohmann::ordered_json;
 using Words = std::vector<std::string>;
 
-/// The table of a short run in small pictures over a hill of 65 × 65 samples.
+/// Returns the table of a short run with small pictures over a hill of 65 × 65 samples.
 ordered_json frameTable(const Workplace& place, const Words& command, const std::string& frames = "4")
 {
     Words arguments{OSGTRAINER_FRAME_BENCH,
@@ -30,7 +30,7 @@ ordered_json frameTable(const Workplace& place, const Words& command, const std:
     arguments.insert(arguments.end(), command.begin() + 1, command.end());
     const ProgramRun run = runProgram(arguments);
     EXPECT_TRUE(succeeds(run));
-    EXPECT_EQ(run.errors, ""); // OSG's complaints about GL, too
+    EXPECT_EQ(run.errors, ""); // also without warnings of OSG about OpenGL
     return ordered_json::parse(readBytes(place.path("frames.json")), nullptr, false);
 }
 
@@ -89,7 +89,7 @@ TEST(FrameBench, ShowsNothingWhereNothingIsLeftOutAndTheEyeStandsStill)
     const Workplace place;
     const ordered_json exact =
         frameTable(place, {"pop", "--tolerance", "0.000001", "--antialiasing", "none", "ssaa2"});
-    // The grid's triangles begin with other corners than the bintree's: interpolation may round the other way.
+    // The triangles of the grid start at other corners than those of the bintree, so interpolation may round differently.
     for (const char* what : {"lodMinusFull", "delta"})
         EXPECT_LE(most(exact, what, "max"), 2) << what;
     EXPECT_EQ(most(exact, "pop", "max"), 0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What `terraintool bench` writes: its table, and the frames for checks from outside.
+// Tests what `terraintool bench` writes: its table, and the frames for checks by other programs.
 #include <cmath>
 #include <cstring>
 #include <set>
@@ -12,7 +12,7 @@ namespace
 using nlohmann::ordered_json;
 using Keys = std::vector<std::string>;
 
-/// The table of a short run over a hill of 65 × 65 samples.
+/// Returns the table of a short run over a hill of 65 × 65 samples.
 ordered_json tableOf(const Workplace& place, Keys more = {})
 {
     Keys arguments{"bench",       place.hill(), "--frames", "6",

@@ -22,7 +22,7 @@ struct CutSettings
     double warpTolerance = 0.0; ///< above 0: textured quads become grids; units of the texture coordinates
 };
 
-/// What was met, over all polygons.
+/// Counts over all polygons.
 struct CutCounts
 {
     std::size_t polygons = 0, corners = 0, holes = 0;
@@ -48,7 +48,7 @@ struct CutMesh
 foundation::Result<CutMesh> cutPolygons(const PolygonSet& set, const CutSettings& settings,
                                         const std::string& file);
 
-/// A mesh as a Wavefront .obj: `v`, `vt` and `f` lines, all digits.
+/// Returns a mesh as Wavefront .obj text: `v`, `vt` and `f` lines, with all digits.
 std::string objTextOf(const CutMesh& mesh);
 
 } // namespace pmtool

@@ -8,9 +8,10 @@
 namespace terraintool
 {
 
-/// Writes frames of a run into a folder, for checks by other programs: DEM-DRIVER-PATH-TOLERANCE-FRAME.json with the eye,
-/// the matrix (projection × view, column after column), picture and tolerance, and beside it a .bin with the triangles:
-/// per corner x, y, z in metres and column, row in samples, five little-endian doubles, apex first.
+/// Returns a sink that writes frames of a run into a folder, for checks by other programs. A frame is two files,
+/// DEM-DRIVER-PATH-TOLERANCE-FRAME.json with the eye, the matrix (projection × view, column after column), the size of the
+/// picture and the tolerance, and a .bin with the triangles: for each corner, apex first, x, y, z and column, row as five
+/// little-endian doubles. Frame: the tile's. Units: metres, samples, pixels. Errors: a file cannot be written.
 FrameSink dumpTo(const std::filesystem::path& folder, const BenchRun& run);
 
 } // namespace terraintool

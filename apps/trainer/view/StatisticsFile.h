@@ -12,14 +12,15 @@
 namespace trainer
 {
 
+/// Returns the statistics as JSON text:
 /// {"frames": [{"frame", "timeS", "triangles", "splits", "merges", "adaptUs", "cullMs", "drawMs", "maxErrorPx"}, …],
-///  "summary": {"frames": n, "triangles": {"median", "p99", "max"}, …}} as JSON text.
+///  "summary": {"frames": n, "triangles": {"median", "p99", "max"}, …}}.
 /// With a scenery each frame has, besides, "objectsVisible", "objectsDrawn", "objectsSwitching", "objectTriangles", "objectCullMs" and
 /// "objectMethods": {METHOD: {"objects", "switched", "clamped", "fullArea", "faded", "gone", "triangles"}, …} of those in sight.
 /// `withTimings` false leaves the measured columns out: two runs then give the same bytes.
 std::string statisticsJson(const std::vector<FrameStatistics>& frames, bool withTimings = true);
 
-/// Errors: the file cannot be written; no partial file remains.
+/// Writes statisticsJson() to a file. Errors: the file cannot be written; no partial file remains.
 foundation::Outcome writeStatistics(const std::vector<FrameStatistics>& frames,
                                     const std::filesystem::path& file);
 

@@ -6,7 +6,7 @@ namespace scenery::models
 
 CellUv uvOf(Detail detail)
 {
-    constexpr float kInset = 0.004F; // a sixtieth of a cell: the first two mip-maps stay clean
+    constexpr float kInset = 0.004F; // a sixtieth of a cell: two mip-maps without colours of neighbours
     const glm::vec2 cell(static_cast<float>(static_cast<int>(detail) % kDetailColumns),
                          static_cast<float>(static_cast<int>(detail) / kDetailColumns));
     const glm::vec2 low = cell / static_cast<float>(kDetailColumns);

@@ -23,7 +23,7 @@ constexpr double kGableStoreyM = 2.75;
 constexpr double kGableSillM = 0.92;
 constexpr double kGableHeadM = 2.30;
 
-/// Windows evenly along a wall, storey by storey; on the ground floor `doorAxis` is a door.
+/// Adds windows to a wall, `axes` in each storey, evenly spaced. On the ground floor a door replaces window `doorAxis`.
 void addAxes(Wall& wall, int storeys, int axes, int doorAxis, Detail window)
 {
     const double pitch = wall.lengthM / axes;
@@ -92,7 +92,7 @@ Model makeFamilyHouse(std::uint64_t seed)
     shell.roofTint = dice.oneOf(kTileTints);
     shell.frameTint = dice.chance(0.7) ? glm::vec3(1.0F) : glm::vec3(0.45F, 0.30F, 0.20F);
     shell.doorTint = dice.oneOf(kDoorTints);
-    Dice mason(seed + 25000); // its own, so that a house of bricks is otherwise the same
+    Dice mason(seed + 25000); // separate, so that bricks change nothing else of a house
     if (mason.chance(0.3))
     {
         shell.wallSurface.painting = Painting::bricks;

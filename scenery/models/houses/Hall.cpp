@@ -23,7 +23,7 @@ void addBand(Wall& wall, int count, double shareWide, double bottomM, double top
                                  bottomM, topM, Detail::hallWindow, 0.08, false});
 }
 
-/// Slabs of frosted plastic that lie on both slopes.
+/// Adds skylights, slabs of frosted plastic, on both slopes of the roof.
 void addSkylights(ModelBuilder& builder, const HouseShell& shell, int count)
 {
     builder.begin("skylight", kHouseDetails);
@@ -36,7 +36,7 @@ void addSkylights(ModelBuilder& builder, const HouseShell& shell, int count)
             const double x = -0.5 * shell.lengthM + (i + 0.5) * pitch;
             const auto cornerAt = [&](std::size_t end, std::size_t point, std::size_t)
             {
-                // Seen against +x: the lower edge's top, the upper edge's top, and the same below.
+                // Points seen against +x: 0 top of the lower edge, 1 top of the upper edge, 2 and 3 the bottoms of both.
                 const bool isUpper = point == 1 || point == 2;
                 const double across = (isUpper ? 0.30 : 0.72) * roof.halfWidth;
                 const double lift = point <= 1 ? 0.06 : -0.05;

@@ -71,7 +71,7 @@ void addDormer(ModelBuilder& builder, const HouseShell& shell, double atX, doubl
     wall.gableM = 0.75 * kHalfM;
     builder.begin("dormer", shell.wallSurface, shell.wallTint);
     addWallFace(builder, wall);
-    const double run = kHighM / slope; // until the slope is as high as the dormer's eaves
+    const double run = kHighM / slope; // in which the roof rises to the dormer's eaves
     for (const double side : {-1.0, 1.0})
     {
         const auto at = [&](double inM, double z)
@@ -80,7 +80,7 @@ void addDormer(ModelBuilder& builder, const HouseShell& shell, double atX, doubl
                           {static_cast<float>(inM / kWallPictureM), static_cast<float>(z / kWallPictureM)}};
         };
         const Corner back = at(run + 0.3, top);
-        for (std::size_t r = 0; r + 1 < wall.rows.size(); ++r) // cut where the front is cut
+        for (std::size_t r = 0; r + 1 < wall.rows.size(); ++r) // cut at the heights of the front
         {
             const Corner low = at(0.0, wall.rows[r]);
             const Corner high = at(0.0, wall.rows[r + 1]);

@@ -79,7 +79,7 @@ void addUnit(ModelBuilder& builder, const Unit& unit, Dice& dice)
 {
     HouseShell shell;
     shell.middle = {unit.middleX, 0.0, 0.0};
-    shell.lengthM = unit.widthM - 0.02; // party walls do not share a plane
+    shell.lengthM = unit.widthM - 0.02; // walls of neighbours are not in one plane
     shell.widthM = unit.depthM;
     shell.rows = rowsOf(unit);
     shell.wallSurface = {Painting::plaster, Coat::matt};
@@ -115,7 +115,7 @@ Model makeTownHouses(std::uint64_t seed)
         unit.middleX = widthM + 0.5 * unit.widthM;
         unit.depthM = depthM;
         unit.storeys = 3 + dice.below(3);
-        unit.liftM = 0.25 * (i % 2) + dice.between(0.0, 0.1); // neighbouring roofs never lie in one plane
+        unit.liftM = 0.25 * (i % 2) + dice.between(0.0, 0.1); // roofs of neighbours are not in one plane
         unit.doorAxis = dice.below(unit.axes);
         widthM += unit.widthM;
         row.push_back(unit);

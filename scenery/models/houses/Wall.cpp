@@ -41,7 +41,7 @@ Corner wallCorner(const Wall& wall, double atM, double heightM, float light, dou
         light};
 }
 
-/// The sides of an opening, cut where the wall's face is cut.
+/// Adds the sides of an opening. They have the rows and columns of the wall's face, so no T-junctions.
 void addReveals(ModelBuilder& builder, const Wall& wall, const Opening& o, const std::vector<double>& columns)
 {
     const auto at = [&](double atM, double heightM, bool isBehind)
@@ -77,7 +77,7 @@ glm::dvec3 Wall::place(double atM, double heightM, double behindM) const
 void addWallFace(ModelBuilder& builder, const Wall& wall)
 {
     const std::vector<double> columns = columnsOf(wall);
-    const auto lightAt = [&](std::size_t row) // darker at the ground and below the eaves
+    const auto lightAt = [&](std::size_t row) // walls are darker at the ground and the eaves
     { return row == 0 ? 0.80F : (row + 1 == wall.rows.size() && !wall.hasGable ? 0.66F : 1.0F); };
     for (std::size_t r = 0; r + 1 < wall.rows.size(); ++r)
         for (std::size_t c = 0; c + 1 < columns.size(); ++c)
@@ -111,7 +111,7 @@ void addOpenings(ModelBuilder& builder, const Wall& wall, bool doors)
     {
         if (isDoor(o.detail) != doors) continue;
         const CellUv uv = uvOf(o.detail);
-        std::vector<std::vector<Corner>> pane; // cut where the reveals are cut
+        std::vector<std::vector<Corner>> pane; // has the rows and columns of the reveals
         for (const double heightM : wall.rows)
         {
             if (heightM < o.bottom - kNear || heightM > o.top + kNear) continue;

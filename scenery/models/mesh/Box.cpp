@@ -6,7 +6,7 @@ namespace scenery::models
 
 void addBox(ModelBuilder& builder, const Box& box)
 {
-    // By side: the axis it looks along and the two that span it, turning the right way round.
+    // `axis` is the normal of a side; u and v span it.
     for (int axis = 0; axis < 3; ++axis)
     {
         const int u = axis == 0 ? 1 : 0;
@@ -25,7 +25,7 @@ void addBox(ModelBuilder& builder, const Box& box)
                               {},
                               light};
             };
-            const bool turns = (axis == 1) != (side == 1); // u × v looks along +axis but for y
+            const bool turns = (axis == 1) != (side == 1); // u × v points along +axis, except for y
             if (turns)
                 builder.quad(at(0, 0), at(1, 0), at(1, 1), at(0, 1));
             else

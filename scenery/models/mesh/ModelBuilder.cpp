@@ -18,7 +18,7 @@ namespace core = osgPMObjects::core;
 glm::dvec3 rounded(const glm::dvec3& p)
 {
     constexpr double kSteps = 4096.0;
-    const auto near = [](double v) { return std::round(v * kSteps) / kSteps + 0.0; }; // + 0: no negative zero
+    const auto near = [](double v) { return std::round(v * kSteps) / kSteps + 0.0; }; // + 0 turns -0 into 0
     return {near(p.x), near(p.y), near(p.z)};
 }
 

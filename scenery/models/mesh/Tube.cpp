@@ -19,7 +19,7 @@ glm::dvec3 directionAt(const std::vector<glm::dvec3>& line, std::size_t i)
     return glm::normalize(line[after] - line[before]);
 }
 
-/// Some unit vector across a direction.
+/// Returns a unit vector perpendicular to a direction.
 glm::dvec3 across(const glm::dvec3& direction)
 {
     const glm::dvec3 other = std::abs(direction.z) < 0.9 ? glm::dvec3(0, 0, 1) : glm::dvec3(1, 0, 0);

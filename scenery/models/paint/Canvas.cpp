@@ -17,7 +17,7 @@ namespace
 
 constexpr int kSamples = 4;
 
-/// Adds to `crossings` where a horizontal line meets the polygon's edges, sorted.
+/// Sets `crossings` to the x at which a horizontal line crosses the polygon's edges, sorted.
 void findCrossings(std::span<const glm::vec2> corners, float y, std::vector<float>& crossings)
 {
     crossings.clear();

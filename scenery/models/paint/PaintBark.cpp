@@ -21,7 +21,7 @@ constexpr int kBarkSizePx = 256;
 struct Furrows
 {
     glm::vec3 ridge, groove;
-    glm::ivec2 cells; ///< across and along: few along make long furrows
+    glm::ivec2 cells; ///< cells of noise across and along the trunk; fewer along make longer furrows
     std::uint32_t seed;
 };
 
@@ -32,10 +32,10 @@ Picture paintFurrows(const Furrows& look)
         for (int x = 0; x < kBarkSizePx; ++x)
         {
             glm::vec2 uv(static_cast<float>(x) / kBarkSizePx, static_cast<float>(y) / kBarkSizePx);
-            uv.x += 0.04F * (tiledNoise(uv, {4, 6}, look.seed + 9) - 0.5F); // furrows wander
+            uv.x += 0.04F * (tiledNoise(uv, {4, 6}, look.seed + 9) - 0.5F); // makes the furrows wind
             const float wave = tiledCloud(uv, look.cells, 3, look.seed);
             const float grain = tiledCloud(uv, {32, 32}, 2, look.seed + 5);
-            // Furrows run where the noise crosses its middle, and branch and join as its contours do.
+            // Furrows follow the contour of the noise at its middle value, so they branch and join.
             const float height = glm::smoothstep(0.01F, 0.20F, std::abs(2.0F * wave - 1.0F));
             const glm::vec3 colour = glm::mix(look.groove, look.ridge, height) * (0.75F + 0.5F * grain);
             canvas.pixel(x, y) = glm::vec4(colour, 1.0F);
@@ -67,7 +67,7 @@ Picture paintBirchBark()
                 glm::mix(glm::vec3(0.72F, 0.69F, 0.64F), glm::vec3(0.90F, 0.89F, 0.86F), cloud), 1.0F);
         }
     Dice dice(5);
-    for (int i = 0; i < 70; ++i) // lenticels and scars, dark and level
+    for (int i = 0; i < 70; ++i) // dark, horizontal lenticels and scars
     {
         const bool isScar = i < 9;
         const glm::vec2 middle(dice.between(0.0, kBarkSizePx), dice.between(6.0, kBarkSizePx - 6.0));

@@ -14,7 +14,7 @@ void paintBusSide(VehiclePainter& p, View view)
 {
     p.look(view);
     p.box({-5.7F, 1.16F}, {5.78F, 2.50F}, 0.06F,
-          VehiclePainter::kBlack); // glass and pillars behind one dark band
+          VehiclePainter::kBlack); // one dark band behind glass and pillars
     for (int i = 0; i < 7; ++i)
     {
         const float x = -5.62F + 1.42F * static_cast<float>(i);
@@ -25,7 +25,7 @@ void paintBusSide(VehiclePainter& p, View view)
     for (const float x : {-5.2F, -4.1F, 1.1F, 2.0F})
         p.seam({{x, 0.42F}, {x, 1.05F}});
     p.seam({{-5.85F, 1.08F}, {5.80F, 1.08F}});
-    for (const float x : {4.12F, -0.42F}) // doors, to the kerb
+    for (const float x : {4.12F, -0.42F}) // doors, on the right only
     {
         if (view == View::left) continue;
         p.box({x - 0.02F, 0.36F}, {x + 1.22F, 2.54F}, 0.04F, VehiclePainter::kBlack);
@@ -44,7 +44,7 @@ void paintBusEnds(VehiclePainter& p)
     p.look(View::front);
     p.glass({{-1.06F, 1.02F}, {1.06F, 1.02F}, {1.04F, 2.46F}, {-1.04F, 2.46F}});
     p.box({-0.98F, 2.50F}, {0.98F, 2.78F}, 0.04F, VehiclePainter::kBlack);
-    p.box({-0.70F, 2.57F}, {0.62F, 2.71F}, 0.02F, {0.80F, 0.52F, 0.10F, 0.0F}); // where it goes
+    p.box({-0.70F, 2.57F}, {0.62F, 2.71F}, 0.02F, {0.80F, 0.52F, 0.10F, 0.0F}); // destination sign
     for (int i = 0; i < 11; ++i)
         p.box({-0.67F + 0.117F * static_cast<float>(i), 2.59F},
               {-0.62F + 0.117F * static_cast<float>(i), 2.69F}, 0.005F, VehiclePainter::kBlack);

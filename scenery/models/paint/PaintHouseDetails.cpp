@@ -20,7 +20,7 @@ constexpr int kCellPx = 256;
 const glm::vec4 kFrame(0.93F, 0.93F, 0.92F, 1.0F);
 const glm::vec4 kSeam(0.30F, 0.30F, 0.30F, 1.0F);
 
-/// Paints one cell in shares of its size.
+/// Paints one cell of the atlas. Units of its functions: shares of the cell's size.
 class CellPainter
 {
 public:
@@ -42,7 +42,7 @@ public:
             }
     }
 
-    /// A pane: the room's dark behind it, the sky's light from above, a lighter slanting band.
+    /// Paints a pane: a dark room behind it, a reflection of the sky that is brighter towards the top, and a light slanting band.
     void glass(const glm::vec2& low, const glm::vec2& high, bool hasCurtain)
     {
         constexpr int kBands = 24;
@@ -72,7 +72,7 @@ private:
     glm::ivec2 _corner;
 };
 
-/// Sashes side by side, each with `rows` × 2 panes when it has bars.
+/// Paints a window of sashes side by side, each with `rows` panes one above the other.
 void paintWindow(Canvas& canvas, Detail detail, int sashes, int rows, bool hasCurtain)
 {
     CellPainter cell(canvas, detail);

@@ -20,13 +20,13 @@ namespace
 
 constexpr int kLeavesSizePx = 512;
 
-/// How a tree's leaves look. Units: shares of the picture's width.
+/// The appearance of a tree's leaves. Units: shares of the picture's width.
 struct LeafLook
 {
     glm::vec3 colour;
     float length, width;
-    float widestAt; ///< along the leaf, 0 stalk … 1 tip
-    float lobes;    ///< how many waves its edge has; 0: smooth
+    float widestAt; ///< position along the leaf, 0 stalk … 1 tip
+    float lobes;    ///< number of waves of its edge; 0: smooth
     int leaves;
     float hanging; ///< 0: leaves point anywhere, 1: they hang down
     std::uint64_t seed;
@@ -47,7 +47,7 @@ void paintLeaf(Canvas& canvas, const LeafLook& look, const glm::vec2& stalk, con
     {
         const float t = static_cast<float>(i) / kSteps;
         const float bent =
-            std::pow(t, std::log(0.5F) / std::log(look.widestAt)); // widest where it becomes a half
+            std::pow(t, std::log(0.5F) / std::log(look.widestAt)); // a half at the widest place
         float half =
             0.5F * look.width * std::pow(std::max(std::sin(std::numbers::pi_v<float> * bent), 0.0F), 0.8F);
         half *= 1.0F + 0.28F * (look.lobes > 0.0F ? std::sin(6.2832F * look.lobes * t) : 0.0F);
@@ -57,14 +57,15 @@ void paintLeaf(Canvas& canvas, const LeafLook& look, const glm::vec2& stalk, con
     }
     outline.insert(outline.end(), left.rbegin(), left.rend());
     canvas.polygon(outline, glm::vec4(colour, 1.0F));
-    // One half in the light, the rib pale.
+    // One half of the leaf is lighter, the rib is pale.
     outline.assign(left.rbegin(), left.rend());
     canvas.polygon(outline, glm::vec4(colour * 1.16F, 1.0F));
     canvas.stroke(stalk - along * (0.2F * look.length), stalk + along * (0.92F * look.length),
                   {0.05F * look.width, 0.02F * look.width}, glm::vec4(colour * 1.3F + 0.02F, 1.0F));
 }
 
-/// Twigs that fan out, and leaves strewn over an oval, pointing more or less outwards; the first ones, behind, in the shade.
+/// Paints twigs that fan out, and leaves scattered over an oval, which point more or less outwards. The first leaves lie
+/// behind the others and are darker.
 Picture paintCluster(const LeafLook& look)
 {
     Canvas canvas(kLeavesSizePx, kLeavesSizePx, glm::vec4(look.colour, 0.0F));
@@ -89,7 +90,7 @@ Picture paintCluster(const LeafLook& look)
         const glm::vec2 tip = centre + along * (0.5F * look.length);
         if (std::max(std::abs(stalk.x), std::abs(tip.x)) > 0.48F || std::max(stalk.y, tip.y) > 0.98F ||
             std::min(stalk.y, tip.y) < 0.02F)
-            continue; // a leaf cut off by the card's edge is seen as one
+            continue; // a leaf cut off by the edge of the card would be noticed
         const float shade = glm::mix(0.58F, 1.02F, share) * random(0.86, 1.14);
         const glm::vec3 hue = look.colour * glm::vec3(random(0.88, 1.16), 1.0F, random(0.8, 1.1));
         paintLeaf(canvas, look, stalk, along, hue * shade);

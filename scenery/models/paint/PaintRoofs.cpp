@@ -26,7 +26,7 @@ float fraction(float v)
 
 Picture paintRoofTiles()
 {
-    constexpr int kAcross = 10; // tiles of 24 by 30 cm
+    constexpr int kAcross = 10; // tiles are 24 cm wide and 30 cm high
     constexpr int kUp = 8;
     Canvas canvas(kRoofSizePx, kRoofSizePx, glm::vec4(1.0F));
     for (int y = 0; y < kRoofSizePx; ++y)
@@ -35,12 +35,12 @@ Picture paintRoofTiles()
             const glm::vec2 uv((static_cast<float>(x) + 0.5F) / kRoofSizePx,
                                (static_cast<float>(y) + 0.5F) / kRoofSizePx);
             const float row = std::floor(uv.y * kUp);
-            const float up = fraction(uv.y * kUp);         // from a tile's lower edge
-            const float across = fraction(uv.x * kAcross); // over its wave
+            const float up = fraction(uv.y * kUp);         // share of the tile's height, from its lower edge
+            const float across = fraction(uv.x * kAcross); // share of the tile's width
             const float wave = std::sin(across * 2.0F * std::numbers::pi_v<float>);
             float light = 0.86F + 0.12F * wave;
-            if (up < 0.10F) light *= 0.55F; // the shadow that the row above leaves
-            if (up > 0.90F) light *= 1.12F; // its rounded edge
+            if (up < 0.10F) light *= 0.55F; // the shadow of the row above
+            if (up > 0.90F) light *= 1.12F; // the rounded edge
             const float tone =
                 tiledNoise({std::floor(uv.x * kAcross) / kAcross, row / kUp}, {kAcross, kUp}, 91);
             light *= 0.86F + 0.22F * tone;

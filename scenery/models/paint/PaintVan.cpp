@@ -36,7 +36,7 @@ void paintVanTop(VehiclePainter& p)
     p.glass({{2.12F, -0.80F}, {2.17F, 0.0F}, {2.12F, 0.80F}, {1.19F, 0.78F}, {1.17F, 0.0F}, {1.19F, -0.78F}});
     p.box({2.16F, -0.70F}, {2.21F, 0.70F}, 0.015F, VehiclePainter::kPlastic);
     p.seam({{2.30F, -0.84F}, {2.34F, 0.0F}, {2.30F, 0.84F}});
-    for (const float x : {-2.2F, -1.5F, -0.8F, -0.1F, 0.6F}) // stiffening beads of the roof
+    for (const float x : {-2.2F, -1.5F, -0.8F, -0.1F, 0.6F}) // stiffening ribs of the roof
         p.box({x, -0.72F}, {x + 0.06F, 0.72F}, 0.03F, {0.86F, 0.86F, 0.86F, 1.0F});
 }
 

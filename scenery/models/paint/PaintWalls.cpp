@@ -17,7 +17,7 @@ namespace
 
 constexpr int kWallSizePx = 256;
 
-/// A picture from a function of the place in the unit square.
+/// Paints a picture from a function that gives the colour at a place in the unit square.
 template<class ColourAt>
 Picture paintEach(const ColourAt& colourAt)
 {
@@ -31,7 +31,7 @@ Picture paintEach(const ColourAt& colourAt)
     return canvas.picture();
 }
 
-/// Upright strips: which one a place is in, and where across it.
+/// A place in a pattern of vertical strips: the number of the strip, and the share of its width.
 struct Strip
 {
     float number, across;
@@ -79,7 +79,7 @@ Picture paintSheetMetal()
         [](const glm::vec2& uv)
         {
             const Strip rib = stripAt(uv.x, 8);
-            // Lit from the left: the flank to the left of a rib is bright, the other in shade.
+            // The light comes from the left: the left flank of a rib is bright, the right one is in shade.
             const float shade = rib.across < 0.12F   ? 1.0F
                                 : rib.across < 0.45F ? 0.92F
                                 : rib.across < 0.57F ? 0.74F

@@ -16,7 +16,7 @@ Picture paintWheel()
     const glm::vec4 alloy(0.66F, 0.67F, 0.69F, 1.0F);
     const glm::vec4 gap(0.12F, 0.12F, 0.13F, 1.0F);
     Canvas canvas(kSizePx, kSizePx, rubber);
-    canvas.setFrame({128.0F, 128.0F}, {125.4F, 125.4F}); // the radius is 0.49 of the picture
+    canvas.setFrame({128.0F, 128.0F}, {125.4F, 125.4F}); // the wheel's radius is 0.49 of the picture's side
     canvas.disc({0.0F, 0.0F}, 0.90F, {0.18F, 0.18F, 0.185F, 1.0F});
     canvas.disc({0.0F, 0.0F}, 0.86F, rubber);
     canvas.disc({0.0F, 0.0F}, 0.69F, alloy);

@@ -13,7 +13,7 @@ namespace scenery::models
 namespace
 {
 
-/// Where a card grows, which way, and how it is turned about that way.
+/// The position of a card: where it grows, the direction of its length (`along`) and of its width (`across`).
 struct CardPlace
 {
     glm::dvec3 stalk, along, across;
@@ -64,7 +64,7 @@ glm::dvec3 anyDirection(Dice& dice)
     return {std::sqrt(1.0 - z * z) * std::cos(turn), std::sqrt(1.0 - z * z) * std::sin(turn), z};
 }
 
-/// Cards along a limb, from `from` of its length on.
+/// Adds cards along a limb, from the share `from` of its length on.
 void addCardsAlong(Cards& cards, const TreeForm& form, const Limb& limb, double from, Dice& dice)
 {
     const glm::dvec3 whole = glm::normalize(limb.line.back() - limb.line.front());
@@ -86,7 +86,7 @@ void addCardsAlong(Cards& cards, const TreeForm& form, const Limb& limb, double 
                 glm::normalize(whole + level * out - glm::dvec3(0, 0, form.cardHang * std::abs(out)));
             place.across =
                 glm::normalize(glm::cross(place.along, glm::dvec3(0, 0, 1)) + 0.35 * anyDirection(dice));
-            // No spray is longer than the bough lets it be: the tip of the tree stays one.
+            // The length of a spray is limited by that of its bough, so that the tip of the tree stays pointed.
             place.lengthM =
                 std::min(place.lengthM, 0.30 + 0.42 * glm::distance(limb.line.front(), limb.line.back())) *
                 glm::mix(1.2, 0.7, share);
@@ -100,7 +100,7 @@ void addCardsAlong(Cards& cards, const TreeForm& form, const Limb& limb, double 
         place.across -= place.along * glm::dot(place.across, place.along);
         if (glm::length(place.across) < 0.1) continue;
         place.across = glm::normalize(place.across);
-        if (glm::cross(place.along, place.across).z > 0.0) place.across = -place.across; // bends downwards
+        if (glm::cross(place.along, place.across).z > 0.0) place.across = -place.across; // cards bend down
         cards.add(place);
     }
 }
@@ -114,7 +114,7 @@ void addFoliage(ModelBuilder& builder, const TreeForm& form, const Skeleton& tre
         addCardsAlong(cards, form, twig, 0.15, dice);
     for (const Limb& bough : tree.boughs)
         addCardsAlong(cards, form, bough, form.twigsPerBough == 0 ? 0.12 : 0.6, dice);
-    for (const Limb& trunk : tree.trunks) // the top
+    for (const Limb& trunk : tree.trunks) // the end of each trunk
     {
         Limb top{{trunk.line[trunk.line.size() - 2], trunk.line.back()}, {}};
         addCardsAlong(cards, form, top, 0.3, dice);

@@ -29,7 +29,7 @@ glm::dvec3 heading(double azimuth, double elevation)
             std::sin(elevation)};
 }
 
-/// The point of a limb at a share of its length, with its radius.
+/// Returns the point at a share of a limb's length, and the radius there.
 std::pair<glm::dvec3, double> pointOf(const Limb& limb, double share)
 {
     const double at = std::clamp(share, 0.0, 1.0) * static_cast<double>(limb.line.size() - 1);
@@ -47,7 +47,8 @@ Limb growTrunk(const TreeForm& form, double heightM, int number, Dice& dice)
     const double stemTop = form.trunkTo * heightM * (form.stems > 1 ? dice.between(0.7, 1.0) : 1.0);
     for (int i = 0; i < kTrunkPoints; ++i)
     {
-        const double t = std::pow(static_cast<double>(i) / (kTrunkPoints - 1), 1.35); // denser at the root
+        const double t =
+            std::pow(static_cast<double>(i) / (kTrunkPoints - 1), 1.35); // more points near the root
         const double z = -kRootM + t * (stemTop + kRootM);
         const double wander = form.trunkWander * heightM * t;
         glm::dvec3 place(wander * std::sin(5.0 * t + phase), wander * std::cos(4.1 * t + phase), z);
@@ -153,7 +154,7 @@ Skeleton growSkeleton(const TreeForm& form, Dice& dice)
         const Limb& trunk = tree.trunks[static_cast<std::size_t>(k % form.stems)];
         const double wanted =
             glm::mix(tree.crown.baseM, 0.95 * form.trunkTo * tree.heightM, (k + dice.unit()) / form.boughs);
-        double share = 0.0; // where the trunk has that height
+        double share = 0.0; // share of the trunk's length at that height
         while (share < 0.97 && pointOf(trunk, share).first.z < wanted)
             share += 0.01;
         const auto [from, radius] = pointOf(trunk, share);

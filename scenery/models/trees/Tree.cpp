@@ -18,7 +18,7 @@ void addLimbs(ModelBuilder& builder, const TreeForm& form, const Skeleton& tree)
     const auto add = [&](const Limb& limb, int sides, double around, bool isTrunk)
     {
         Tube tube{limb.line, limb.radiiM, sides, {around, form.barkRepeats.y}, isTrunk ? 5.0 : 0.0, {}};
-        for (const glm::dvec3& place : limb.line) // in the shade of its own crown
+        for (const glm::dvec3& place : limb.line) // limbs inside the crown are darker
             tube.light.push_back(
                 place.z < tree.crown.baseM
                     ? 1.0F

@@ -31,6 +31,7 @@ double cone(double t)
     return std::pow(std::max(1.0 - t, 0.0), 0.85) * (t < 0.06 ? 0.75 + 4.0 * t : 1.0) + 0.02;
 }
 
+// By TreeKind: oak, birch, poplar, spruce, bush.
 constexpr std::array kForms{TreeForm{.heightM = {11.0, 17.0},
                                      .crownFrom = {0.17, 0.25},
                                      .crownRadius = {0.34, 0.42},

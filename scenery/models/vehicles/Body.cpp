@@ -16,9 +16,9 @@ namespace
 {
 
 constexpr double kLeastStepM = 0.004;
-constexpr std::size_t kUnderPoints = 4; ///< of half a cross section: floor, well, lower edge
+constexpr std::size_t kUnderPoints = 4; ///< points of floor, wheel well and lower edge in a half section
 
-/// Half cross sections (y from 0 on the floor round the outside to 0 on the roof), before stretching.
+/// Half cross sections before stretching: points from y = 0 on the floor around the outside to y = 0 on the roof.
 class Sections
 {
 public:
@@ -50,7 +50,7 @@ public:
         return kept;
     }
 
-    /// Of the sides: above the wheels that of the arch.
+    /// Returns the height of the lower edge of the sides; above the wheels that is the arch.
     double lowerEdge(double x) const
     {
         double edge = _form.bottom(x);
@@ -91,13 +91,13 @@ public:
             points.emplace_back(
                 x, roofHalf * std::pow(std::cos(angle), 2.0 / _form.roofPower) * (turn == 1.0 ? 0.0 : 1.0),
                 rail + (top - rail) * std::pow(std::sin(angle), 2.0 / _form.roofPower) +
-                    0.004 * turn); // never quite flat
+                    0.004 * turn); // so that the roof is never exactly flat
         }
         return points;
     }
 
 private:
-    /// Half the width at a height: tucked in below, widest at a third, a little less at the belt.
+    /// Returns half the width at a height: narrower at the bottom, widest at a third of the height, a little less at the belt.
     double sideAt(double x, double z) const
     {
         const double bottom = _form.bottom(x);
@@ -117,7 +117,7 @@ public:
     {
     }
 
-    /// One quad of places before stretching, counter-clockwise.
+    /// Adds a quad. `places`: its corners before stretching, counter-clockwise.
     void add(const std::array<glm::dvec3, 4>& places, bool isUnder)
     {
         const glm::dvec3 normal = glm::cross(places[2] - places[0], places[3] - places[1]);

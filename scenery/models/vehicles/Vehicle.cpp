@@ -32,7 +32,7 @@ glm::vec3 tintOf(VehicleKind kind, Dice& dice)
     return kind == VehicleKind::van ? dice.oneOf(kVanTints) : dice.oneOf(kBusTints);
 }
 
-/// Mirrors on short arms: at the A-pillar's foot of cars, out in front of a bus.
+/// Adds mirrors on short arms: at the foot of a car's A-pillar, in front of a bus.
 void addMirrors(ModelBuilder& builder, VehicleKind kind, const StretchedForm& body)
 {
     const VehicleForm& form = body.form;
@@ -59,7 +59,7 @@ void addMirrors(ModelBuilder& builder, VehicleKind kind, const StretchedForm& bo
             shell.line.push_back(head + glm::dvec3(0.0, 0.0, 0.5 * place.highM * t));
             shell.radiiM.push_back(place.radiusM * std::sqrt(1.0 - t * t));
         }
-        if (kind == VehicleKind::saloon) // lies across
+        if (kind == VehicleKind::saloon) // the mirror of a saloon is wider than high
             for (std::size_t i = 0; i < shell.line.size(); ++i)
                 shell.line[i] = head + glm::dvec3(0.0, side * (shell.line[i].z - head.z) * 1.4, 0.0);
         builder.tint(glm::vec3(0.25F));

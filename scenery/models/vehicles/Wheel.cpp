@@ -10,7 +10,7 @@ namespace scenery::models
 
 void addWheel(ModelBuilder& builder, const Wheel& wheel)
 {
-    constexpr int kSides = 20; // a corner stands on the ground
+    constexpr int kSides = 20; // a multiple of 4, so that a corner stands on the ground
     struct Step
     {
         double outM, radius; ///< shares of half the width and of the radius
@@ -37,7 +37,7 @@ void addWheel(ModelBuilder& builder, const Wheel& wheel)
                                                             wheel.outwards * step.outM * 0.5 * wheel.widthM,
                                                             std::sin(turn) * step.radius * wheel.radiusM);
             const double shown =
-                step.outM < 0.9 && step.radius > 0.69 ? 0.97 : step.radius; // the tread is plain rubber
+                step.outM < 0.9 && step.radius > 0.69 ? 0.97 : step.radius; // the tread shows plain rubber
             row.push_back({place,
                            {static_cast<float>(0.5 + 0.49 * shown * std::cos(turn)),
                             static_cast<float>(0.5 + 0.49 * shown * std::sin(turn))}});

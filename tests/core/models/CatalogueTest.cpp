@@ -21,7 +21,7 @@ namespace
 
 constexpr std::uint64_t kSeeds = 12;
 
-/// Parts that are bodies of their own; walls, dormers and what stands in their openings are not.
+/// The parts that are not closed bodies.
 const std::set<std::string> kOpenParts{"foliage", "walls", "windows", "doors", "dormer", "dormer window"};
 
 bool isSame(const Model& a, const Model& b)
@@ -140,7 +140,7 @@ TEST(Catalogue, WallsMeetWithoutTJunctions)
 TEST(Catalogue, AnEdgeThatIsCutOnOneSideOnlyWouldBeFound)
 {
     core::Mesh mesh = generate(Kind::barn, 1).mesh;
-    // Faces of walls lose a corner to the middle of an edge: their neighbours keep the whole edge.
+    // A corner moves to the middle of an edge, while the neighbour keeps the whole edge: a T-junction.
     for (std::size_t i = 0; i < 40; ++i)
     {
         core::Face& face = mesh.faces[i];

@@ -12,7 +12,7 @@ using namespace scenery::models;
 namespace
 {
 
-/// What the check says about a car after one thing in it was spoilt.
+/// Returns what the check reports for a car after a deliberate defect.
 template<class Spoil>
 std::string saidOf(const Spoil& spoil)
 {

@@ -13,7 +13,7 @@ using namespace scenery::models;
 namespace
 {
 
-/// What keeps a sequence from giving levels of 25, 10 and 1 % of a mesh; empty: nothing does.
+/// Returns why a sequence does not give valid levels of 25, 10 and 1 % of a mesh; empty if it does.
 std::string defectOfLevels(const core::Mesh& mesh, const core::CollapseSequence& sequence)
 {
     if (!core::isSequenceOf(sequence, mesh)) return "it is no sequence of the mesh";

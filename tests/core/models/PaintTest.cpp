@@ -13,7 +13,7 @@ using namespace scenery::models;
 namespace
 {
 
-/// Mean difference between two columns (or rows), over all rows (columns) and colours.
+/// Returns the mean difference between two columns (or rows), over all rows (columns) and colours.
 double stepBetween(const Picture& p, int first, int second, bool columns)
 {
     const int length = columns ? p.heightPx : p.widthPx;
@@ -25,7 +25,7 @@ double stepBetween(const Picture& p, int first, int second, bool columns)
     return sum / (3.0 * length);
 }
 
-/// The largest step between neighbours inside, and the one over the border.
+/// The largest difference between neighbouring columns (rows) inside the picture, and that across its border.
 bool repeatsWithoutSeam(const Picture& p)
 {
     for (const bool columns : {true, false})

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The terrain core in somebody else's program: a bumpy field refined to half a metre, with no scene graph.
+// Uses the terrain core in a program without a scene graph: refines a bumpy field to half a metre.
 #include <cmath>
 #include <cstdio>
 #include <memory>

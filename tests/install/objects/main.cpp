@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The object core in somebody else's program: a triangle, checked, with no scene graph.
+// Uses the object core in a program without a scene graph: checks a triangle.
 #include <cstdio>
 
 #include <osgPMObjects/core/mesh/MeshCheck.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A progressive object in somebody else's program, beside a drawable of theirs that asks the same of a cull.
+// Uses a progressive object in another program, and osgTraversal, which that program's own drawables may need.
 #include <cstdio>
 
 #include <osg/Geode>

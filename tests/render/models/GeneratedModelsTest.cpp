@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Generated models as they are drawn: seen at all, lit, right side out.
+// Tests how generated models are drawn: visible, lit, with outward faces.
 #include <algorithm>
 #include <limits>
 
@@ -19,9 +19,9 @@ constexpr int kHeightPx = 160;
 
 struct Looks
 {
-    double covered = 0.0; ///< share of the picture that the model is seen on
-    double black = 0.0;   ///< share of that which is black
-    double holes = 0.0;   ///< share of that which changes when faces seen from behind are drawn, too
+    double covered = 0.0; ///< share of the picture that the model covers
+    double black = 0.0;   ///< share of the covered pixels that are black
+    double holes = 0.0;   ///< share of the covered pixels that change when back faces are drawn too
 };
 
 osg::ref_ptr<osg::Image> pictureOf(const Model& model, bool drawsBacks)
@@ -52,7 +52,7 @@ int differenceAt(const osg::Image& a, const osg::Image& b, unsigned x, unsigned 
 
 Looks looksOf(const Model& model)
 {
-    // The background from where the model is looked at: the model itself, without faces.
+    // The background from the same eye: the bounds of the model, without its faces.
     Model nothing = model;
     nothing.mesh.faces.clear();
     const auto background = pictureOf(nothing, false);

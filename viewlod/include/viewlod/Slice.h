@@ -25,6 +25,7 @@ public:
         if (!std::isinf(_limitUs) && !_modelled) _startUs = threadUs();
     }
 
+    /// Report work: entries taken from the wheel, one vertex checked, triangles split or merged.
     void handOut(unsigned watches) { _workUs += kHandOutUs * watches; }
     void check() { _workUs += kCheckUs; }
     void change(unsigned triangles) { _workUs += kChangeUs * triangles; }

@@ -21,7 +21,7 @@ struct PartialSequence
     std::vector<Urgency> urgencies;
 };
 
-/// Collapses some connected parts to nothing, the most urgent collapse first.
+/// Collapses some connected parts to nothing, the collapse with the least Urgency first.
 /// With subset placement, positions whose stars have changed are re-evaluated at once. With other placements, which cost more,
 /// they are re-evaluated when they come first in the queue; except positions with harmful candidates only, which might never
 /// come first. Hubs of large fans always wait.
@@ -34,6 +34,7 @@ public:
         if (state.envelope) _guard.emplace(*state.envelope, state.stars, state.positions);
     }
 
+    /// Collapses the parts with these numbers and returns their steps.
     PartialSequence run(std::span<const std::uint32_t> parts);
 
 private:

@@ -30,12 +30,13 @@ class Envelope
 public:
     Envelope(std::vector<glm::dvec3> positions, std::vector<Triangle> triangles, double distance);
 
-    /// Whether a new face is within the distance of the original.
+    /// Tells whether a new face is within the distance of the original.
     bool holds(const Corners& face) const;
 
-    /// Whether an original triangle is within the distance of some faces.
+    /// Tells whether an original triangle is within the distance of some faces.
     bool isCovered(std::uint32_t triangle, std::span<const Corners> faces) const;
 
+    /// Calls visit(triangle) for each original triangle whose home is a position.
     template<class Visit>
     void visitHomeOf(std::uint32_t position, const Visit& visit) const
     {
@@ -43,6 +44,7 @@ public:
             visit(t);
     }
 
+    /// Moves the home of an original triangle from a position to another.
     void move(std::uint32_t triangle, std::uint32_t from, std::uint32_t to);
 
 private:
@@ -65,7 +67,7 @@ public:
     {
     }
 
-    /// Whether both surfaces stay within the distance when `from` merges into `to` at position `at`.
+    /// Tells whether both surfaces stay within the distance when `from` merges into `to` at position `at`.
     bool allows(std::uint32_t from, std::uint32_t to, const glm::dvec3& at);
 
     /// Moves homes for the collapse that was allowed last; call it before the collapse is done.

@@ -30,6 +30,7 @@ class LeafCollapser
 public:
     explicit LeafCollapser(CollapseState& state) : _state(state), _partners(state.weight) {}
 
+    /// Merges cards until none is left and returns the steps.
     PartialSequence run(std::vector<LeafCard> cards);
 
 private:

@@ -12,7 +12,8 @@
 namespace osgTerrainROAM::core
 {
 
-/// Bounds of the heights of a field's samples above the ellipsoid.
+/// Return a lower and an upper bound of the geoid's height above the ellipsoid over a field, with a metre of slack; 0 without
+/// geodetic positions. Units: metres.
 double lowestGeoidM(const HeightField& field);
 double highestGeoidM(const HeightField& field);
 
@@ -26,7 +27,7 @@ struct HidingGround
 
     explicit HidingGround(const PlacedTile& tile);
 
-    /// Admits the changed height of a sample.
+    /// Lowers the body if the changed height of a sample is below it.
     void include(double heightM)
     {
         if (exists) lowestM = std::min(lowestM, heightM + belowM);
@@ -54,15 +55,16 @@ struct HidingGround
 class Horizon
 {
 public:
-    /// None where nothing is certain: planar tiles, eyes below the drawn surface or too high, coarse drawing.
+    /// Returns the horizon of an eye; none where nothing is certain: planar tiles, eyes below the drawn surface or too high, coarse
+    /// drawing.
     /// `errorPerM`: the drawn surface is off by at most this share of its distance from the eye, or of `nearM`.
     static std::optional<Horizon> around(const PlacedTile& tile, const HidingGround& ground,
                                          const glm::dvec3& eye, double errorPerM, double nearM);
 
-    /// Whether a sphere that reaches at most `highestM` above the ellipsoid is hidden. Cost: 30 flops, two roots.
+    /// Tells whether a sphere that reaches at most `highestM` above the ellipsoid is hidden. Cost: 30 flops, two roots.
     bool hides(const glm::dvec3& centre, double radiusM, double highestM) const;
 
-    /// Whether a sphere lies wholly nearer than the horizon, so that it cannot be hidden.
+    /// Tells whether a sphere lies wholly nearer than the horizon, so that it cannot be hidden.
     bool isNearer(const glm::dvec3& centre, double radiusM) const
     {
         return glm::distance(centre, _eye) + radiusM <= _tangentM;
