@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-# Everything from outside the tree, all of it Debian's (scripts/packages.txt).
+# Everything from outside the tree, all of it Debian's (scripts/packages.txt). Imported targets are global: a project that
+# includes this one with add_subdirectory links libraries that name them.
+set(CMAKE_FIND_PACKAGE_TARGETS_GLOBAL ON)
 find_package(glm REQUIRED)
 find_package(GeographicLib REQUIRED)
 find_package(GDAL CONFIG REQUIRED)
@@ -13,9 +15,9 @@ if(OSGTRAINER_WITH_OSG)
     find_package(OpenSceneGraph 3.6 REQUIRED COMPONENTS osgTerrain osgDB osgUtil osgGA osgViewer OpenThreads)
     include(OsgTarget)
 endif()
-if(BUILD_TESTING)
+if(OSGTRAINER_PROGRAMS AND OSGTRAINER_TESTING)
     find_package(GTest REQUIRED)
 endif()
-if(OSGTRAINER_BENCHMARKS)
+if(OSGTRAINER_PROGRAMS AND OSGTRAINER_BENCHMARKS)
     find_package(benchmark REQUIRED)
 endif()

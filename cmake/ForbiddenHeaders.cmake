@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # OSGTRAINER_FORBIDDEN_HEADERS: a folder of the build tree with a header that ends the compilation for each header of
 # OSG, OpenGL, EGL, GLX and X11 that this machine has. The cores are compiled with it in front of the system's.
-set(OSGTRAINER_FORBIDDEN_HEADERS ${CMAKE_BINARY_DIR}/forbidden-headers)
+set(OSGTRAINER_FORBIDDEN_HEADERS ${PROJECT_BINARY_DIR}/forbidden-headers)
 set(stamp ${OSGTRAINER_FORBIDDEN_HEADERS}/complete)
 if(NOT EXISTS ${stamp})
     foreach(root /usr/include /usr/include/${CMAKE_LIBRARY_ARCHITECTURE})

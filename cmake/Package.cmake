@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # cmake --install: libraries and headers by their own rules (osgtrainer_library), here what find_package needs.
-# Files are installed as found: find_package(osgTrainer COMPONENTS viewlod osgTerrainROAM_core …).
+# Files are installed as found: find_package(osgTrainer COMPONENTS viewlod osgTerrainROAM_core …), and for other build tools
+# pkg-config osgTrainer-viewlod.
 include(CMakePackageConfigHelpers)
 
 set(OSGTRAINER_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/osgTrainer)
@@ -13,3 +14,4 @@ install(FILES ${PROJECT_BINARY_DIR}/osgTrainerConfig.cmake ${PROJECT_BINARY_DIR}
     ${PROJECT_SOURCE_DIR}/cmake/OsgTarget.cmake
     DESTINATION ${OSGTRAINER_PACKAGE_DIR})
 install(EXPORT osgTrainerTargets NAMESPACE osgTrainer:: DESTINATION ${OSGTRAINER_PACKAGE_DIR})
+include(PkgConfigFiles)

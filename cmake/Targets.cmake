@@ -8,6 +8,22 @@ function(osgtrainer_common target)
     target_compile_options(${target} PRIVATE -ffp-contract=off)
 endfunction()
 
+# osgtrainer_install_if_built(TARGET KIND DESTINATION): installs a program or module. One that was not built is left out with a
+# line that names it, so that `cmake --install` works after `cmake --build build --target libraries`.
+function(osgtrainer_install_if_built target kind destination)
+    install(CODE "if(NOT EXISTS \"$<TARGET_FILE:${target}>\")
+    message(STATUS \"Not installed, because it was not built: ${target}\")\nendif()")
+    install(TARGETS ${target} ${kind} DESTINATION ${destination} OPTIONAL)
+endfunction()
+
+# The target `libraries`: all libraries and plugins, without the programs. An installation needs no more.
+if(PROJECT_IS_TOP_LEVEL)
+    set(OSGTRAINER_LIBRARIES_TARGET libraries)
+else()
+    set(OSGTRAINER_LIBRARIES_TARGET osgTrainer_libraries) # the short name may be the other project's
+endif()
+add_custom_target(${OSGTRAINER_LIBRARIES_TARGET})
+
 # osgtrainer_without_graphics(TARGET): the target must not see OSG, OpenGL, EGL or X11: headers that end the compilation
 # stand in front of theirs. The test `layering` reads include lines; this holds for what other headers include, too.
 function(osgtrainer_without_graphics target)
@@ -26,6 +42,7 @@ function(osgtrainer_library name)
     osgtrainer_common(${name})
 
     set_property(GLOBAL APPEND PROPERTY OSGTRAINER_COMPONENTS ${name})
+    add_dependencies(${OSGTRAINER_LIBRARIES_TARGET} ${name})
     install(TARGETS ${name} EXPORT osgTrainerTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
     if(name MATCHES "_core$")
         osgtrainer_without_graphics(${name})
@@ -73,7 +90,7 @@ function(osgtrainer_program name)
     target_compile_definitions(${name} PRIVATE OSGTRAINER_VERSION="${PROJECT_VERSION}")
     osgtrainer_common(${name})
     if(arg_INSTALL)
-        install(TARGETS ${name} DESTINATION ${CMAKE_INSTALL_BINDIR})
+        osgtrainer_install_if_built(${name} RUNTIME ${CMAKE_INSTALL_BINDIR})
     endif()
 endfunction()
 
@@ -87,5 +104,6 @@ function(osgtrainer_osg_plugin name)
     target_link_libraries(${name} PRIVATE ${arg_LINK})
     osgtrainer_common(${name})
     set_target_properties(${name} PROPERTIES PREFIX "" LIBRARY_OUTPUT_DIRECTORY ${CMAKE_LIBRARY_OUTPUT_DIRECTORY}/${folder})
-    install(TARGETS ${name} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/${folder})
+    add_dependencies(${OSGTRAINER_LIBRARIES_TARGET} ${name})
+    osgtrainer_install_if_built(${name} LIBRARY ${CMAKE_INSTALL_LIBDIR}/${folder})
 endfunction()
