@@ -9,8 +9,6 @@
 #include <osgTerrainROAM/RoamTechnique>
 #include <osgTerrainROAM/RoamTerrain>
 
-#include "FirstLook.h"
-
 namespace
 {
 
@@ -43,7 +41,6 @@ public:
         const auto terrain = osgTerrainROAM::openTerrain(file);
         if (!terrain && file.extension() == ".roam") return ReadResult(terrain.error().message());
         if (!terrain) return readDatabase(file.string(), options, terrain.error());
-        (*terrain)->addEventCallback(firstLook(**terrain));
         return ReadResult(terrain->get(), ReadResult::FILE_LOADED);
     }
 
@@ -64,12 +61,6 @@ private:
         return ReadResult(
             foundation::Error{file, "has no osgTerrain tile and pages no file in", "open it without .roam"}
                 .message());
-    }
-
-    static osgTerrainROAM::FirstLook* firstLook(const osgTerrainROAM::RoamTerrain& terrain)
-    {
-        const osg::Vec3f horizon = osgTerrainROAM::displayColour(terrain.atmosphere()->light().horizon);
-        return new osgTerrainROAM::FirstLook(terrain.drawable()->getBoundingBox(), osg::Vec4f(horizon, 1.0f));
     }
 
     /// osgDB's search path applies to plain names; it knows nothing of GDAL's /vsi names.

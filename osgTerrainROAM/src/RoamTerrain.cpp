@@ -6,6 +6,7 @@
 #include <osgTerrainROAM/core/LoadTerrain.h>
 #include <osgTerrainROAM/core/features/FeatureImport.h>
 
+#include <osgTerrainROAM/FirstLook>
 #include <osgTerrainROAM/RoamTerrain>
 #include <osgTerrainROAM/Serializers>
 
@@ -199,7 +200,9 @@ foundation::Result<osg::ref_ptr<RoamTerrain>> openTerrain(const std::filesystem:
     const auto description = core::describeTerrain(file);
     if (!description) return description.error();
     auto terrain = makeTerrain(*description);
-    if (terrain) (*terrain)->setSource(std::filesystem::absolute(file));
+    if (!terrain) return terrain;
+    (*terrain)->setSource(std::filesystem::absolute(file));
+    (*terrain)->addEventCallback(new FirstLook);
     return terrain;
 }
 
