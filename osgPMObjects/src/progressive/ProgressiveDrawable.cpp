@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <cmath>
 #include <string>
 
 #include <osgUtil/CullVisitor>
@@ -16,6 +17,28 @@ namespace
 
 /// Stands here because a linker drops objects of a static library that nobody refers to.
 [[maybe_unused]] const bool kAreDrawableSerializersRegistered = registerSerializers();
+
+bool isScaled(const osg::Matrixd& matrix)
+{
+    constexpr double kRounding = 1e-6;
+    for (int row = 0; row < 3; ++row)
+        if (std::abs(osg::Vec3d(matrix(row, 0), matrix(row, 1), matrix(row, 2)).length2() - 1.0) > kRounding)
+            return true;
+    return false;
+}
+
+/// The state above a scaled object: the fixed functions light it with normals of length 1, as the programs of fields do.
+/// An unscaled one is drawn without it, as its normals need no rounding.
+const osg::StateSet* unitNormals()
+{
+    static const osg::ref_ptr<osg::StateSet> state = []
+    {
+        osg::ref_ptr<osg::StateSet> made = new osg::StateSet;
+        made->setMode(GL_NORMALIZE, osg::StateAttribute::ON);
+        return made;
+    }();
+    return state;
+}
 
 } // namespace
 
@@ -76,9 +99,12 @@ void ProgressiveDrawable::cull(osgUtil::CullVisitor& visitor, const Choice& choi
     if (!_shape || !visitor.validNodeMask(*this)) return;
     if (isCullingActive() && visitor.isCulled(getBoundingBox())) return;
     visitor.pushOntoNodePath(this);
+    const bool needsUnitNormals = isScaled(*visitor.getModelViewMatrix());
+    if (needsUnitNormals) visitor.pushStateSet(unitNormals());
     if (getStateSet()) visitor.pushStateSet(getStateSet());
     cullLevels(visitor, *_shape, _views->find(cullViewOf(visitor), choice, switching), switching.isShaded);
     if (getStateSet()) visitor.popStateSet();
+    if (needsUnitNormals) visitor.popStateSet();
     visitor.popFromNodePath();
 }
 

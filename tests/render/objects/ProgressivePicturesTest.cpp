@@ -7,16 +7,19 @@
 
 #include <osg/Depth>
 #include <osg/Material>
+#include <osg/MatrixTransform>
 
 #include <osgPMObjects/core/simplify/Simplify.h>
 
 #include <osgOffscreen/ImageComparison>
 #include <osgPMObjects/ExportNode>
 #include <osgPMObjects/MakeProgressive>
+#include <osgPMObjects/ProgressiveNode>
 
 #include "ClosedMeshes.h"
 #include "RealData.h"
 #include "RealProgressive.h"
+#include "RenderedError.h"
 #include "RenderedKeep.h"
 #include "RenderedModel.h"
 #include "RenderedPicture.h"
@@ -101,6 +104,23 @@ struct Made
     }
     std::uint32_t most() const { return shape->progressive().stepCount; }
 };
+
+/// The normals of a scaled object are as long as those of an unscaled one; without that they have a hundredth of the length here,
+/// and the object is black.
+TEST(ProgressivePictures, OfAScaledObjectAreAsLightAsThoseOfAnUnscaledOne)
+{
+    const osg::ref_ptr<ProgressiveNode> node = new ProgressiveNode(Made::get().shape);
+    const osg::BoundingSphere ball = node->getBound();
+    const Pictures expected = picturesOf(*node, ball);
+    const osg::ref_ptr<osg::MatrixTransform> scaled =
+        new osg::MatrixTransform(osg::Matrixd::scale(100.0, 100.0, 100.0));
+    scaled->addChild(node);
+    const osg::BoundingSphere large = scaled->getBound();
+    EXPECT_LT(rendered::imageError(expected, picturesOf(*scaled, large)), 0.01);
+    scaled->getOrCreateStateSet()->setMode(GL_NORMALIZE,
+                                           osg::StateAttribute::OFF | osg::StateAttribute::OVERRIDE);
+    EXPECT_GT(rendered::imageError(expected, picturesOf(*scaled, large)), 0.1) << "what this is about";
+}
 
 TEST(ProgressivePictures, AreThoseOfThePlainModelAtTheFinestLevel)
 {
