@@ -98,7 +98,8 @@ foundation::Outcome PlaySession::openPictures(const ViewSetup& setup)
     for (const PictureShape& picture : pictures)
     {
         const auto context = osgOffscreen::OffscreenContext::create(
-            {_request.frames.backend, picture.widthPx, picture.heightPx, _request.frames.samples});
+            {_request.frames.backend, picture.widthPx, picture.heightPx, _request.frames.samples,
+             osgOffscreen::kEverythingNeeds});
         if (!context) return context.error();
         _contexts.push_back(*context);
     }

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // trainer: plays scenarios over terrain and writes images of them.
+#include <osgOffscreen/OpenGlVersion>
+
 #include "PlayCommand.h"
 #include "terminal/CommandLine.h"
 #include "terminal/Terminal.h"
@@ -8,6 +10,8 @@ namespace
 {
 
 using trainer::PlayRequest;
+
+constexpr int kMostFrames = 1'000'000; ///< 11 hours at 24 a second
 
 /// The values of the command line.
 struct Arguments
@@ -42,7 +46,7 @@ void addPlayOptions(CLI::App& command, Arguments& arguments)
     command
         .add_option("--frames", request.frames.count,
                     "number of frames to draw, instead of the whole scenario")
-        ->check(CLI::PositiveNumber);
+        ->check(CLI::Range(1, kMostFrames));
     command.add_option("--backend", arguments.backend, "osmesa or egl");
     command.add_option("--samples", request.frames.samples, "per pixel: 1 or 4")
         ->check(CLI::IsMember({1, 4}));
@@ -102,6 +106,9 @@ int main(int argc, char** argv)
     CLI::App app("Plays driving and flight scenarios over terrain, offscreen, the same way every time.",
                  "trainer");
     app.set_version_flag("--version", OSGTRAINER_VERSION);
+    app.footer(
+        "Needs OpenGL " + osgOffscreen::kEverythingNeeds.text() +
+        " in the compatibility profile, from a driver of the machine (--backend egl) or from Mesa's OSMesa.");
     app.require_subcommand(1);
     Arguments arguments;
     PlayRequest& request = arguments.request;

@@ -35,6 +35,12 @@ osg::GraphicsContext::Traits* traitsOf(const OffscreenSettings& settings)
     return traits.release();
 }
 
+/// The place of errors.
+std::string placeOf(const OffscreenSettings& settings)
+{
+    return "offscreen context (" + std::string(backendName(settings.backend)) + ")";
+}
+
 osg::ref_ptr<OffscreenContext> makeContext(const OffscreenSettings& settings)
 {
 #ifdef OSGTRAINER_WITH_OSMESA
@@ -49,16 +55,26 @@ std::string glText(GLenum name)
     return text ? reinterpret_cast<const char*>(text) : "";
 }
 
+/// Tells whether the current context has the core profile; GL_CONTEXT_PROFILE_MASK is known from 3.2 on.
+bool hasCoreProfile(const osg::GLExtensions& gl)
+{
+    constexpr GLenum kProfileMask = 0x9126;
+    constexpr GLint kCore = 1;
+    GLint mask = 0;
+    if (gl.glVersion >= 3.2F) glGetIntegerv(kProfileMask, &mask);
+    return (mask & kCore) != 0;
+}
+
 } // namespace
 
 Result<osg::ref_ptr<OffscreenContext>> OffscreenContext::create(const OffscreenSettings& settings)
 {
-    const std::string place = "offscreen context (" + std::string(backendName(settings.backend)) + ")";
+    const std::string place = placeOf(settings);
     if (!isAvailable(settings.backend))
         return Error{place, "this build leaves it out", "choose another backend, or build with it"};
     if (settings.widthPx < 1 || settings.heightPx < 1)
         return Error{place,
-                     "a picture of " + std::to_string(settings.widthPx) + "x" +
+                     "an image of " + std::to_string(settings.widthPx) + "x" +
                          std::to_string(settings.heightPx) + " pixels",
                      "give a width and height of at least 1"};
     osg::ref_ptr<OffscreenContext> context = makeContext(settings);
@@ -83,8 +99,7 @@ void OffscreenContext::setNative(const foundation::Outcome& made)
 
 bool OffscreenContext::fail(std::string what, std::string remedy)
 {
-    _error = Error{"offscreen context (" + std::string(backendName(_settings.backend)) + ")", std::move(what),
-                   std::move(remedy)};
+    _error = Error{placeOf(_settings), std::move(what), std::move(remedy)};
     return false;
 }
 
@@ -98,9 +113,14 @@ bool OffscreenContext::realizeImplementation()
     const osg::GLExtensions* gl = nullptr;
     if (!version.empty()) gl = osg::GLExtensions::Get(getState()->getContextID(), true);
     bool drawable = false;
+    foundation::Outcome recent = foundation::success();
     if (gl)
     {
         _rendererName = glText(GL_RENDERER) + " | " + version;
+        recent = checkOpenGl(version, hasCoreProfile(*gl), _settings.leastOpenGl, placeOf(_settings));
+    }
+    if (gl && recent)
+    {
         drawable = _frameBuffer.create(*gl, _settings.widthPx, _settings.heightPx, _settings.samples);
     }
     if (drawable)
@@ -113,11 +133,16 @@ bool OffscreenContext::realizeImplementation()
     if (!gl)
         return fail("GL calls do not reach it",
                     "link the program through osgTrainer::osgOffscreen, so that OSMesa comes before libGL");
+    if (!recent)
+    {
+        _error = recent.error();
+        return false;
+    }
     if (!drawable)
         return fail("no framebuffer of " + std::to_string(_settings.widthPx) + "x" +
                         std::to_string(_settings.heightPx) + " with " + std::to_string(_settings.samples) +
                         " samples",
-                    "ask for a smaller picture, or 0 or 4 samples");
+                    "ask for a smaller image, or for 1 sample a pixel");
     return true;
 }
 
