@@ -5,6 +5,7 @@
 #include <cctype>
 #include <iostream>
 
+#include <foundation/Excerpt.h>
 #include <unistd.h>
 
 namespace terminal
@@ -12,7 +13,8 @@ namespace terminal
 
 int fail(const std::string& program, const foundation::Error& error)
 {
-    std::string message = error.message();
+    const foundation::Error shortened{error.place, foundation::excerpt(error.what), error.remedy};
+    std::string message = shortened.message();
     std::replace_if(
         message.begin(), message.end(), [](unsigned char c) { return std::iscntrl(c) != 0; }, '?');
     std::cerr << program << ": " << message << '\n';

@@ -26,7 +26,7 @@ int main(int argc, char** argv)
     CLI::App* validate =
         add("validate", "fly the tour, or a scenario (.xosc), and check every mesh by brute force",
             terraintool::validate);
-    validate->add_option("--frames", request.frames, "frames of the flight")->check(CLI::PositiveNumber);
+    validate->add_option("--frames", request.frames, "frames of the flight")->check(CLI::Range(1, 1'000'000));
     validate->add_option("--tolerance", request.tolerancePx, "error target in pixels")
         ->check(terminal::between(0.01, 1000.0));
     validate->add_option("--max-triangles", request.maxTriangles, "triangle limit")

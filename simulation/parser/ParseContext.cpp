@@ -33,8 +33,10 @@ ParseContext::ParseContext(const ParseOptions& optionsIn, const XmlSource& sourc
 
 void ParseContext::unsupported(pugi::xml_node node, const std::string& what)
 {
-    add({Problem::Kind::unsupported,
-         {place(node), what + " is not supported yet", "remove it, or see what `trainer check` lists"}});
+    // A tolerant reading is what the check does: it must not recommend itself.
+    const std::string remedy =
+        options.tolerant ? "remove it" : "remove it, or see what `trainer check` lists";
+    add({Problem::Kind::unsupported, {place(node), what + " is not supported yet", remedy}});
 }
 
 void ParseContext::invalid(pugi::xml_node node, const std::string& what, const std::string& remedy)

@@ -57,7 +57,7 @@ INSTANTIATE_TEST_SUITE_P(
                  {"--size: '99999999999x64'", "960x540"}},
         WrongUse{"FpsZero", {"tour", "HILL", "--fps", "0"}, {"--fps: ", "1 to 240", "trainer tour --help"}},
         WrongUse{"FpsNoNumber", {"tour", "HILL", "--fps", "many"}, {"--fps: ", "many"}},
-        WrongUse{"FramesZero", {"tour", "HILL", "--frames", "0"}, {"--frames: "}},
+        WrongUse{"FramesZero", {"tour", "HILL", "--frames", "0"}, {"--frames: Value 0", "1 to 1000000; "}},
         WrongUse{"FramesNegative", {"tour", "HILL", "--frames", "-3"}, {"--frames: "}},
         WrongUse{"Backend", {"tour", "HILL", "--backend", "metal"}, {"backend 'metal'", "osmesa or egl"}},
         WrongUse{"Eye", {"tour", "HILL", "--eye", "third"}, {"--eye: third", "own", "chase"}},

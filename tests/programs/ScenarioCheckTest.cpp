@@ -36,6 +36,7 @@ TEST(ScenarioCheck, ListsEveryProblemWithItsLine)
     EXPECT_NE(run.errors.find(std::to_string(found.size()) + " problems"), std::string::npos) << run.text();
     EXPECT_TRUE(failsWith(runTrainer({"play", file}), 1, "trainer", {file + ":"}))
         << "play says the first alone";
+    EXPECT_EQ(run.output.find("trainer check"), std::string::npos) << "the check recommends itself";
 }
 
 TEST(ScenarioCheck, SaysNothingOfAGoodScenario)

@@ -98,7 +98,15 @@ INSTANTIATE_TEST_SUITE_P(
         BadTerrain{"RoamOfAnUnknownKey",
                    [](const Workplace& place)
                    { return place.write("b.roam", "dem = hill.tif\nmountains = high\n"); },
-                   {"b.roam:2: ", "unknown key 'mountains'"}}),
+                   {"b.roam:2: ", "unknown key 'mountains'"}},
+        BadTerrain{"RoamOfAnOverlongLine",
+                   [](const Workplace& place)
+                   { return place.write("c.roam", "dem = hill.tif\n" + std::string(26000, 'x') + " = 1\n"); },
+                   {"c.roam:2: ", "unknown key 'xxx", "bytes left out"}},
+        BadTerrain{"RoamOfAnOverlongPath",
+                   [](const Workplace& place)
+                   { return place.write("d.roam", "dem = " + std::string(26000, 'x') + "\n"); },
+                   {"d.roam:1: dem '", "bytes left out", "does not exist"}}),
     [](const testing::TestParamInfo<BadTerrain>& test) { return std::string(test.param.name); });
 
 TEST(TerrainErrors, GoAwayWithWhatTheRemedySays)

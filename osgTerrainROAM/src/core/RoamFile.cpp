@@ -10,6 +10,8 @@
 #include <system_error>
 #include <vector>
 
+#include <foundation/Excerpt.h>
+
 #include <osgTerrainROAM/core/RoamFile.h>
 
 #include "TextLines.h"
@@ -34,7 +36,11 @@ struct Entry
     std::string_view key, value;
     std::filesystem::path folder;
 
-    Error error(const std::string& what, const std::string& remedy) const { return {place, what, remedy}; }
+    /// Returns an error of this line; of an overlong line it shows an excerpt.
+    Error error(const std::string& what, const std::string& remedy) const
+    {
+        return {place, foundation::excerpt(what), remedy};
+    }
 };
 
 Result<std::vector<double>> numbers(const Entry& entry, std::size_t least, std::size_t most)
@@ -352,7 +358,8 @@ Result<RoamFile> readRoamFile(const std::filesystem::path& file)
             std::filesystem::exists(named.path, ignored))
             continue;
         return Error{placeOfKey(text, named, file),
-                     std::string(named.key) + " '" + named.path.string() + "' does not exist",
+                     std::string(named.key) + " '" + foundation::excerpt(named.path.string()) +
+                         "' does not exist",
                      "paths are relative to the .roam file"};
     }
     return parsed;
