@@ -13,8 +13,8 @@ namespace osgTerrainROAM::core
 namespace
 {
 
-constexpr double kMostSteps = 65534.0;
-constexpr int kFinestExponent = -10; ///< of the quantum: 1 mm
+constexpr double kMostSteps = 8388606.0; // of 23 bits
+constexpr int kFinestExponent = -10;     ///< of the quantum: 1 mm
 
 } // namespace
 
@@ -49,7 +49,7 @@ void SampleTable::pack(const std::vector<float>& heightsM, double middleM, doubl
     _offsetM = static_cast<float>(offset);
     _samples.reserve(heightsM.size());
     for (const float h : heightsM)
-        _samples.push_back({steps(h), 0, 0, 0});
+        _samples.emplace_back().setSteps(steps(h));
 }
 
 std::uint16_t SampleTable::errorCode(double errorM) const
@@ -88,10 +88,10 @@ void SampleTable::setBound(std::size_t index, float errorM, float radiusM)
     _samples[index].radius = radiusCode(radiusM);
 }
 
-std::int16_t SampleTable::steps(float heightM) const
+std::int32_t SampleTable::steps(float heightM) const
 {
     const double steps = (double{heightM} - double{_offsetM}) / double{_quantumM};
-    return static_cast<std::int16_t>(std::lround(std::clamp(steps, -0.5 * kMostSteps, 0.5 * kMostSteps)));
+    return static_cast<std::int32_t>(std::lround(std::clamp(steps, -0.5 * kMostSteps, 0.5 * kMostSteps)));
 }
 
 void SampleTable::setHeight(std::size_t index, float heightM)
@@ -99,12 +99,14 @@ void SampleTable::setHeight(std::size_t index, float heightM)
     if (_samples.empty())
         _exact[index].heightM = heightM;
     else
-        _samples[index].height = steps(heightM);
+        _samples[index].setSteps(steps(heightM));
 }
 
 void SampleTable::setElsewhere(std::size_t index, bool elsewhere)
 {
-    if (!_samples.empty()) _samples[index].flags = elsewhere ? 1 : 0;
+    if (_samples.empty()) return;
+    std::uint8_t& rest = _samples[index].rest;
+    rest = static_cast<std::uint8_t>(elsewhere ? rest | kElsewhere : rest & ~kElsewhere);
 }
 
 std::size_t SampleTable::memoryBytes() const

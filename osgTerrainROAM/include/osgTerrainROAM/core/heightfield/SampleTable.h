@@ -21,9 +21,9 @@ enum class Storage
 inline constexpr double kEditHeadroom = 2.0;
 
 /// A table of samples: the height of each, and error and radius of the bintree vertex there (ErrorTree).
-/// Compact: 16-bit heights in steps of heightQuantumM(), a power of two: multiples of it, whole metres among them, are kept
-/// exactly. Errors have 5 bits of exponent and 11 of mantissa, radii 253 logarithmic steps; both are rounded up. The data of a
-/// sample are adjacent: reading a vertex costs one cache miss at most.
+/// Compact: 23-bit heights in steps of heightQuantumM(), a power of two: multiples of it, whole metres among them, are kept
+/// exactly. The step is 1 mm (2^-10 m) up to a range of 8 km. Errors have 5 bits of exponent and 11 of mantissa, radii 253
+/// logarithmic steps; both are rounded up. The data of a sample are adjacent: reading a vertex costs one cache miss at most.
 /// Sample `index` is row·columns + column. Units: metres.
 class SampleTable
 {
@@ -36,7 +36,7 @@ public:
 
     float heightM(std::size_t index) const
     {
-        return _samples.empty() ? _exact[index].heightM : _offsetM + _quantumM * _samples[index].height;
+        return _samples.empty() ? _exact[index].heightM : keptHeightM(_samples[index]);
     }
 
     /// The data of one sample.
@@ -48,7 +48,7 @@ public:
     {
         if (_samples.empty()) return _exact[index];
         const Packed& packed = _samples[index];
-        return {_offsetM + _quantumM * packed.height, decodedError(packed.error), _radiiM[packed.radius]};
+        return {keptHeightM(packed), decodedError(packed.error), _radiiM[packed.radius]};
     }
 
     /// Reads a sample. Returns false when its data are elsewhere (FineSamples).
@@ -60,8 +60,8 @@ public:
             return true;
         }
         const Packed& packed = _samples[index];
-        sample = {_offsetM + _quantumM * packed.height, decodedError(packed.error), _radiiM[packed.radius]};
-        return packed.flags == 0;
+        sample = {keptHeightM(packed), decodedError(packed.error), _radiiM[packed.radius]};
+        return !packed.isElsewhere();
     }
 
     /// Fetches a sample into the processor's cache.
@@ -81,7 +81,7 @@ public:
     void setHeight(std::size_t index, float heightM);
 
     /// Tells whether the data of a sample are elsewhere (FineSamples, SampleSheet).
-    bool isElsewhere(std::size_t index) const { return !_samples.empty() && _samples[index].flags != 0; }
+    bool isElsewhere(std::size_t index) const { return !_samples.empty() && _samples[index].isElsewhere(); }
     void setElsewhere(std::size_t index, bool elsewhere);
 
     double heightQuantumM() const { return _quantumM; } ///< twice the largest error of a height; 0: exact
@@ -90,14 +90,30 @@ public:
     std::size_t memoryBytes() const;
 
 private:
+    static constexpr int kLowerBits = 7;
+    static constexpr std::uint8_t kElsewhere = 1 << kLowerBits;
+
     struct Packed
     {
-        std::int16_t height;
+        std::int16_t height; ///< in steps, without the lower kLowerBits
         std::uint16_t error;
         std::uint8_t radius;
-        std::uint8_t flags; ///< 1: the data are elsewhere
+        std::uint8_t rest; ///< the lower bits of the height; kElsewhere: the data are elsewhere
+
+        std::int32_t steps() const { return height * (1 << kLowerBits) + (rest & ~kElsewhere); }
+        bool isElsewhere() const { return (rest & kElsewhere) != 0; }
+        void setSteps(std::int32_t steps)
+        {
+            height = static_cast<std::int16_t>(steps >> kLowerBits);
+            rest = static_cast<std::uint8_t>((rest & kElsewhere) | (steps & ~(-1 << kLowerBits)));
+        }
     };
     static_assert(sizeof(Packed) == 6);
+
+    float keptHeightM(const Packed& packed) const
+    {
+        return _offsetM + _quantumM * static_cast<float>(packed.steps());
+    }
 
     /// An error's code is the bits of a float without its sign, with exponents from 2^-14 on, and without the lower twelve bits.
     static constexpr std::uint32_t kErrorBias = (127u - 14u) << 11;
@@ -109,7 +125,7 @@ private:
     }
 
     void pack(const std::vector<float>& heightsM, double middleM, double rangeM);
-    std::int16_t steps(float heightM) const;
+    std::int32_t steps(float heightM) const;
     std::uint16_t errorCode(double errorM) const;
     std::uint8_t radiusCode(double radiusM) const;
 
