@@ -8,6 +8,7 @@
 #include <osgTraversal/CullFacts>
 
 #include "view/ClippedTriangles.h"
+#include "view/NearFar.h"
 #include "view/TileBounds.h"
 #include "view/ViewGroupTable.h"
 #include "view/ViewPart.h"
@@ -46,23 +47,6 @@ viewlod::ViewState viewOf(osgUtil::CullVisitor& visitor, double nearestM)
     view.nearM = std::max(view.nearM, 1e-3);
     view.pixelsPerTangent /= lodScaleOf(visitor);
     return view;
-}
-
-/// Tells OSG how near and how far this surface reaches in eye space, and allows so near a plane.
-void tellNearFar(osgUtil::CullVisitor& visitor, const osg::BoundingBox& box, const viewlod::ViewState& view,
-                 double nearestM)
-{
-    const osg::Matrixd& eyeFromLocal = *visitor.getModelViewMatrix();
-    double farM = 0.0;
-    for (unsigned int i = 0; i < 8; ++i)
-        farM = std::max(farM, -(osg::Vec3d(box.corner(i)) * eyeFromLocal).z());
-    if (farM <= 0.0) return;
-    // A point at the corner of the frame is farther away than it is deep.
-    const double nearM = std::max(0.95 * nearestM / std::sqrt(view.cornerStretch), farM * 1e-6);
-    if (nearM < visitor.getCalculatedNearPlane()) visitor.setCalculatedNearPlane(nearM);
-    if (farM > visitor.getCalculatedFarPlane()) visitor.setCalculatedFarPlane(farM);
-    const double ratio = 0.95 * visitor.getCalculatedNearPlane() / visitor.getCalculatedFarPlane();
-    if (ratio < visitor.getNearFarRatio()) visitor.setNearFarRatio(ratio);
 }
 
 } // namespace
@@ -213,7 +197,8 @@ void RoamDrawable::cull(osgUtil::CullVisitor& visitor)
                             : match.group->answer(request.frame, match.target, view.frustum, contextId);
     if (answer.ranges.empty()) return;
     if (seeksNearFar(visitor))
-        tellNearFar(visitor, box, view, answer.nearestM * eyePerLocal(*visitor.getModelViewMatrix()));
+        tellNearFar(visitor, box, view.cornerStretch,
+                    answer.nearestM * eyePerLocal(*visitor.getModelViewMatrix()));
 
     if (getStateSet()) visitor.pushStateSet(getStateSet());
     const auto depth = static_cast<float>(answer.nearestM);

@@ -11,6 +11,8 @@
 #include <osgTerrainROAM/Serializers>
 
 #include "material/ImageryDrape.h"
+#include "material/VoidImagery.h"
+#include "surroundings/Surroundings.h"
 
 namespace osgTerrainROAM
 {
@@ -55,15 +57,17 @@ paintFeatures(TerrainMaterial& material, const core::RoamFile& description, cons
 foundation::Outcome layImagery(TerrainMaterial& material, const core::RoamFile& description,
                                const core::PlacedTile& tile)
 {
-    if (description.imagery.size() < 2) return foundation::success();
+    if (description.imagery.size() < 2 && !description.showsVoids) return foundation::success();
     std::vector<ImageryLayer> layers;
+    if (description.showsVoids)
+        if (ImageryLayer voids = voidImagery(tile); voids.image) layers.push_back(std::move(voids));
     for (const std::filesystem::path& file : description.imagery)
     {
         auto layer = imageryLayer(file, tile);
         if (!layer) return layer.error();
         layers.push_back(std::move(*layer));
     }
-    return material.setImagery(std::move(layers));
+    return layers.empty() ? foundation::success() : material.setImagery(std::move(layers));
 }
 
 /// Imports the land cover, if there is one, and gives it to the material.
@@ -109,9 +113,11 @@ RoamTerrain::RoamTerrain(const RoamTerrain& other, const osg::CopyOp& copyOp)
       _source(other._source),
       _drawable(new RoamDrawable(*other._drawable, copyOp)),
       _material(other._material),
+      _surroundings(other._surroundings),
       _featureReport(other._featureReport)
 {
     setChild(other.getChildIndex(other._drawable.get()), _drawable);
+    if (_surroundings) setChild(other.getChildIndex(_surroundings), _surroundings);
     setAtmosphere(other._atmosphere);
     if (_editor) setNumChildrenRequiringUpdateTraversal(getNumChildrenRequiringUpdateTraversal() + 1);
 }
@@ -130,6 +136,28 @@ void RoamTerrain::takeContents(const RoamTerrain& other)
     setChild(getChildIndex(_drawable.get()), other._drawable.get());
     _drawable = other._drawable;
     setAtmosphere(other._atmosphere);
+    if (_surroundings) removeChild(_surroundings);
+    _surroundings = other._surroundings;
+    if (_surroundings) addChild(_surroundings);
+    setCullingActive(!_surroundings);
+}
+
+void RoamTerrain::showSurroundings(bool on)
+{
+    if (on == showsSurroundings() || !_tile || !_material) return;
+    if (on)
+    {
+        const std::shared_lock lock(_tile->mutex());
+        _surroundings = new Surroundings(_tile, _material);
+        addChild(_surroundings);
+    }
+    else
+    {
+        removeChild(_surroundings);
+        _surroundings = nullptr;
+    }
+    // They reach beyond the bounds of the node.
+    setCullingActive(!on);
 }
 
 void RoamTerrain::traverse(osg::NodeVisitor& visitor)
@@ -168,7 +196,7 @@ foundation::Result<osg::ref_ptr<RoamTerrain>> makeTerrain(const core::RoamFile& 
     const auto tile = std::make_shared<core::RoamTile>(std::move(*placed));
 
     osg::ref_ptr<osg::Image> drape;
-    if (description.imagery.size() == 1)
+    if (description.imagery.size() == 1 && !description.showsVoids)
     {
         auto image = imageryDrape(description.imagery.front(), tile->tile);
         if (!image) return image.error();
@@ -191,6 +219,7 @@ foundation::Result<osg::ref_ptr<RoamTerrain>> makeTerrain(const core::RoamFile& 
     if (const auto set = terrain->setSettings(settings); !set) return set.error();
     if (const auto set = terrain->atmosphere()->setSettings(atmosphereSettings(description)); !set)
         return set.error();
+    terrain->showSurroundings(description.surroundings);
     terrain->setName(description.dems.front().string());
     return terrain;
 }

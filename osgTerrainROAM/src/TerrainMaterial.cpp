@@ -41,6 +41,18 @@ osg::Vec4f mapFromGrid(double texelsPerSample, double offsetTexels, int side, bo
     return wide ? osg::Vec4f(scale, 0, offset, 0) : osg::Vec4f(0, scale, 0, offset);
 }
 
+/// Computes by how many texels each layer of the grain bends a border: half a texel by the layers whose features, an eighth of
+/// their period, are finer than texels.
+osg::Vec4f bendOver(double texelM)
+{
+    const auto bend = [=](double periodM)
+    {
+        return static_cast<float>(8.0 * std::min(1.0, 8.0 * texelM / periodM) *
+                                  std::min(1.0, periodM / (2.0 * texelM)));
+    };
+    return {0.3f * bend(2.0), bend(28.0), bend(324.0), bend(4700.0)};
+}
+
 foundation::Outcome checkImagery(const std::vector<ImageryLayer>& layers)
 {
     const char* const place = "TerrainMaterial.imagery";
@@ -172,6 +184,11 @@ void TerrainMaterial::addScales(const core::PlacedTile& tile)
 {
     const double spacingM = 0.5 * (tile.field().spacingEastM + tile.field().spacingNorthM);
     _stateSet->addUniform(new osg::Uniform("terrainBumpiness", bumpinessOver(spacingM)));
+    _stateSet->addUniform(new osg::Uniform("terrainBend", bendOver(MapGrid(tile).spacingM(tile)) * 0.3f));
+    const double perPeriod = 1.0 / (4700.0 * tile.grid().cellSide());
+    _stateSet->addUniform(new osg::Uniform(
+        "terrainBroad", osg::Vec2f(static_cast<float>(tile.field().spacingEastM * perPeriod),
+                                   static_cast<float>(tile.field().spacingNorthM * perPeriod))));
     // A beach some 25 m wide, within the two samples that the water mask slopes over.
     _stateSet->addUniform(new osg::Uniform(
         "terrainShore",
@@ -242,15 +259,8 @@ void TerrainMaterial::setCover(const core::CoverMap& map)
     _stateSet->addUniform(new osg::Uniform("coverFromGrid", mapFromGrid(perColumn, 0.5, map.width, true) +
                                                                 mapFromGrid(perRow, 0.5, map.height, false)));
     _stateSet->addUniform(new osg::Uniform("coverLevels", static_cast<int>(image->getNumMipmapLevels())));
-    // A border is bent by half a texel by the layers whose features, an eighth of their period, are finer than texels.
     const double texelM = _spacingM / std::max(perColumn, 1e-9);
-    const auto bend = [=](double periodM)
-    {
-        return static_cast<float>(8.0 * std::min(1.0, 8.0 * texelM / periodM) *
-                                  std::min(1.0, periodM / (2.0 * texelM)));
-    };
-    _stateSet->addUniform(
-        new osg::Uniform("coverBend", osg::Vec4f(0.3f * bend(2.0), bend(28.0), bend(324.0), bend(1831.0))));
+    _stateSet->addUniform(new osg::Uniform("coverBend", bendOver(texelM)));
     _hasCover = true;
     setProgram();
 }

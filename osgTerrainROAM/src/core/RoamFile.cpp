@@ -155,10 +155,27 @@ Outcome assignWord(Value& target, const Entry& entry, const Word<Value> (&words)
 }
 
 constexpr Word<Placement> kPlacements[] = {{"curved", Placement::curved}, {"planar", Placement::planar}};
-constexpr Word<Voids> kVoids[] = {{"fill", Voids::fill}, {"keep", Voids::keep}};
+/// What the values of `voids` mean.
+struct VoidsWord
+{
+    Voids voids;
+    bool shows;
+};
+constexpr Word<VoidsWord> kVoids[] = {
+    {"fill", {Voids::fill, false}}, {"keep", {Voids::keep, false}}, {"show", {Voids::fill, true}}};
+constexpr Word<bool> kSurroundings[] = {{"made", true}, {"none", false}};
 constexpr Word<VerticalDatum> kDatums[] = {{"automatic", VerticalDatum::automatic},
                                            {"egm96", VerticalDatum::egm96},
                                            {"ellipsoid", VerticalDatum::ellipsoid}};
+
+Outcome assignVoids(RoamFile& file, const Entry& entry)
+{
+    VoidsWord word{Voids::fill, false};
+    const Outcome assigned = assignWord(word, entry, kVoids);
+    file.import.voids = word.voids;
+    file.showsVoids = word.shows;
+    return assigned;
+}
 
 Outcome assignTriangles(RoamFile& file, const Entry& entry)
 {
@@ -215,7 +232,7 @@ constexpr double kFar = 1.0e7; ///< metres; larger than the Earth's radius
 
 constexpr std::array kKeys{
     Key{"dem", [](RoamFile& f, const Entry& e) { return appendPath(f.dems, e); }, true},
-    Key{"voids", [](RoamFile& f, const Entry& e) { return assignWord(f.import.voids, e, kVoids); }},
+    Key{"voids", assignVoids},
     Key{"imagery", assignImagery, true},
     Key{"features", [](RoamFile& f, const Entry& e) { return appendPath(f.features, e); }, true},
     Key{"land_cover", [](RoamFile& f, const Entry& e) { return assignPath(f.landCover, e); }},
@@ -240,6 +257,8 @@ constexpr std::array kKeys{
     Key{"sea_level",
         [](RoamFile& f, const Entry& e) { return assignNumber(f.land.seaLevelM, e, -kFar, kFar); }},
     Key{"sun", assignSun},
+    Key{"surroundings",
+        [](RoamFile& f, const Entry& e) { return assignWord(f.surroundings, e, kSurroundings); }},
     Key{"moonlight", [](RoamFile& f, const Entry& e) { return assignNumber(f.moonlight, e, 0.0, 1.0); }},
     Key{"visibility", [](RoamFile& f, const Entry& e) { return assignNumber(f.visibilityM, e, 1.0, kFar); }},
 };

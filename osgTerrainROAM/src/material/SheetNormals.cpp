@@ -58,7 +58,7 @@ osg::Vec4f bumpinessOver(double spacingM)
     const auto finer = [=](double periodM)
     { return static_cast<float>(std::clamp((2.0 * spacingM - periodM / 8.0) / spacingM, 0.0, 1.0)); };
     return {0.55f * std::max(finer(2.0), 0.8f), 0.45f * std::max(finer(28.0), 0.3f), 0.40f * finer(324.0),
-            0.35f * finer(1831.0)};
+            0.35f * finer(4700.0)};
 }
 
 } // namespace osgTerrainROAM

@@ -25,6 +25,7 @@ std::string definesOf(const TerrainLook& look)
     if (look.season) text += "#define TERRAIN_SEASON\n";
     if (look.sheets > 0) text += "#define TERRAIN_SHEETS\n";
     if (look.fine) text += "#define TERRAIN_FINE\n";
+    if (look.surroundings) text += "#define TERRAIN_SURROUNDINGS\n";
     return text;
 }
 
@@ -43,6 +44,7 @@ std::string fragmentText(const TerrainLook& look)
     text += shaders::kGrain;
     if (look.sheets > 0) text += sheetNormalsText(look.sheets);
     if (look.fine) text += shaders::kFineNormals;
+    if (look.surroundings) text += shaders::kOuterMaps;
     text += shaders::kGroundColour;
     text += shaders::kWaterColour;
     if (look.features) text += featureFunctions();

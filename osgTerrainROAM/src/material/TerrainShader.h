@@ -13,13 +13,14 @@ osg::ref_ptr<osg::Shader> terrainVertexShader();
 /// What a terrain has beside the land that follows from heights and climate. What it lacks costs nothing.
 struct TerrainLook
 {
-    bool drape = false;    ///< imagery (TerrainMaterial::drape)
-    int layers = 0;        ///< number of imagery layers in several resolutions, instead of drape
-    bool features = false; ///< vector features (FeatureTextures.h)
-    bool cover = false;    ///< land cover (CoverTexture.h)
-    int sheets = 0;        ///< number of normal maps of denser sheets (SheetNormals.h)
-    bool fine = false;     ///< normals between the samples (FineNormals.h)
-    bool season = false;   ///< snow of the season (GroundPalette.h)
+    bool drape = false;        ///< imagery (TerrainMaterial::drape)
+    int layers = 0;            ///< number of imagery layers in several resolutions, instead of drape
+    bool features = false;     ///< vector features (FeatureTextures.h)
+    bool cover = false;        ///< land cover (CoverTexture.h)
+    int sheets = 0;            ///< number of normal maps of denser sheets (SheetNormals.h)
+    bool fine = false;         ///< normals between the samples (FineNormals.h)
+    bool season = false;       ///< snow of the season (GroundPalette.h)
+    bool surroundings = false; ///< the ground beyond the data (Surroundings.h), with a season at most
 };
 
 /// The terrain's program, composed of the parts in shaders/ that the look needs.

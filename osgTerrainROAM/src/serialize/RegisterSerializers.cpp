@@ -27,8 +27,8 @@ struct TerrainSerializer
             return foundation::Error{name, "has been edited, and a scene file stores no edits",
                                      "write the scene before the edits, and repeat them after reading"}
                 .message();
-        if (terrain.getNumChildren() != 1)
-            return foundation::Error{name, "has children besides its drawable",
+        if (terrain.getNumChildren() != (terrain.showsSurroundings() ? 2 : 1))
+            return foundation::Error{name, "has children besides its drawables",
                                      "put them beside the terrain, into a group above both"}
                 .message();
         return {};

@@ -7,7 +7,7 @@ struct Grain
     vec4 metres2; // the period is about 2 m
     vec4 metres28;
     vec4 metres324;
-    vec4 metres1831;
+    vec4 metres4700;
 };
 
 // Filters the grain anisotropically: four samples along the footprint's length, each at the mip level of a quarter of it.
@@ -28,15 +28,17 @@ vec4 grazingGrain(vec2 at)
     return 0.25 * sum - 0.5;
 }
 
-// All periods divide 4096 m, the period of the eye's wrapped position. Integer matrices rotate the layers against each
-// other, so that each layer still wraps and their repetitions do not align.
+// The first three periods divide 4096 m, the period of the eye's wrapped position. Integer matrices rotate the layers against
+// each other, so that each layer still wraps and their repetitions do not align. The broadest layer follows the grid.
 Grain grainAt(vec2 place)
 {
     Grain g;
     g.metres2 = grazingGrain(place * (1.0 / 2.0));
     g.metres28 = grazingGrain(vec2(2.0 * place.x + place.y, 2.0 * place.y - place.x) * (1.0 / 64.0));
-    g.metres324 = texture(terrainGrain, vec2(3.0 * place.x - place.y, 3.0 * place.y + place.x) * (1.0 / 1024.0)) - 0.5;
-    g.metres1831 = texture(terrainGrain, vec2(place.x + 2.0 * place.y, place.y - 2.0 * place.x) * (1.0 / 4096.0)) - 0.5;
+    g.metres4700 = texture(terrainGrain, grid * terrainBroad) - 0.5;
+    // Bent by the broad layer, the rows of clumps of this one are not seen from above.
+    vec2 bent = place + 50.0 * g.metres4700.zw;
+    g.metres324 = texture(terrainGrain, vec2(3.0 * bent.x - bent.y, 3.0 * bent.y + bent.x) * (1.0 / 1024.0)) - 0.5;
     return g;
 }
 
@@ -44,6 +46,6 @@ Grain grainAt(vec2 place)
 vec2 bumps(Grain g, vec4 bumpiness, float roughness, float wood)
 {
     vec2 b = g.metres2.xy * bumpiness.x + g.metres28.xy * (bumpiness.y + 0.5 * wood);
-    b += g.metres324.xy * bumpiness.z + g.metres1831.xy * bumpiness.w;
+    b += g.metres324.xy * bumpiness.z + g.metres4700.xy * bumpiness.w;
     return b * roughness;
 }

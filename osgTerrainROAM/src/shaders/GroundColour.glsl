@@ -4,7 +4,7 @@
 // Returns the colour of dry land without snow, and in alpha the share of wood.
 vec4 groundColour(float green, float steep, float heightM, Grain g)
 {
-    green += 0.50 * g.metres324.w + 0.36 * g.metres28.w + 0.60 * g.metres1831.w + 0.20 * g.metres2.w;
+    green += 0.50 * g.metres324.w + 0.36 * g.metres28.w + 0.60 * g.metres4700.w + 0.20 * g.metres2.w;
     vec3 colour = mix(terrainSoil, terrainDryGrass, smoothstep(0.22, 0.42, green));
     colour = mix(colour, terrainMeadow, smoothstep(0.45, 0.62, green));
     float wood = smoothstep(0.68, 0.80, green + 0.10 * g.metres28.z);
@@ -17,6 +17,6 @@ vec4 groundColour(float green, float steep, float heightM, Grain g)
     vec3 rockColour = terrainRock * (1.0 + terrainStrata * (0.6 * sin(bed) + 0.4 * sin(bed * 2.7 + 1.3)));
     colour = mix(colour, rockColour, rock);
 
-    float speckle = 1.1 * g.metres2.z + 0.65 * g.metres28.z + 0.45 * g.metres324.z + 0.35 * g.metres1831.z;
+    float speckle = 1.1 * g.metres2.z + 0.65 * g.metres28.z + 0.45 * g.metres324.z + 0.35 * g.metres4700.z;
     return vec4(colour * max(1.0 + speckle * (1.0 + 0.7 * wood), 0.25), wood * (1.0 - rock));
 }

@@ -43,7 +43,7 @@ Cover terrainCover(vec2 grid, Grain g)
     int level = int(clamp(log2(max(span, 1e-3)) + 1.0, 0.0, float(coverLevels - 1)));
     ivec2 size = textureSize(terrainCover2D, level);
     vec2 bend = g.metres2.xy * coverBend.x + g.metres28.xy * coverBend.y + g.metres324.xy * coverBend.z
-              + g.metres1831.xy * coverBend.w;
+              + g.metres4700.xy * coverBend.w;
     vec2 at = part * vec2(size) - 0.5 + bend * exp2(-float(level));
     ivec2 cell = ivec2(floor(at));
     vec2 f = smoothstep(0.25, 0.75, at - vec2(cell));
@@ -65,7 +65,7 @@ vec4 coveredGround(vec4 ground, Cover cover, Grain g)
     float low = 0.5 + 0.5 * (0.5 - cover.patches / cover.known);
     float noise = 0.5 + 0.9 * g.metres28.w + 0.7 * g.metres324.w + 0.4 * g.metres2.w;
     vec3 colour = mix(cover.albedo, cover.patched, smoothstep(low - 0.12, low + 0.12, noise)) / cover.known;
-    float speckle = 1.1 * g.metres2.z + 0.65 * g.metres28.z + 0.45 * g.metres324.z + 0.35 * g.metres1831.z;
+    float speckle = 1.1 * g.metres2.z + 0.65 * g.metres28.z + 0.45 * g.metres324.z + 0.35 * g.metres4700.z;
     float wood = cover.wood / cover.known;
     colour *= max(1.0 + speckle * (0.8 + 0.7 * wood), 0.25);
     return mix(ground, vec4(colour, wood), min(cover.known, 1.0));

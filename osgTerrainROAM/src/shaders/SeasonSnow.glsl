@@ -7,7 +7,7 @@ float seasonSnow(float earlySummers, vec3 place, float steep, Grain g)
 {
     vec3 local = place + 4096.0 * vec3(terrainEyeWraps);
     float height = local.z + dot(local.xy, local.xy) * seasonSnowLine.z + seasonSnowLine.w;
-    height += 400.0 * g.metres1831.w + 250.0 * g.metres324.w;
+    height += 400.0 * g.metres4700.w + 250.0 * g.metres324.w;
     float over = smoothstep(-450.0, 450.0, height - seasonSnowLine.x - seasonSnowLine.y);
     if (seasonSnowLine.y > 0.0) return earlySummers * over;
     return max(earlySummers, over * (1.0 - 0.85 * smoothstep(0.22, 0.5, steep)));

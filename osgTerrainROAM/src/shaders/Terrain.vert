@@ -12,12 +12,14 @@ uniform float terrainStep; // metres
 uniform mat3 terrainEyeFromLocal;
 uniform mat3x2 terrainGridFromLocal; // approximate; gridBits give the exact value
 uniform vec2 terrainLastSample;
+uniform float terrainLift; // added height per metre of distance: 0, except beyond the data (Surroundings.cpp)
 out vec3 fromEye;
 out vec2 grid;
 
 void main()
 {
     fromEye = vec3(position - terrainEyeSteps) * terrainStep - terrainEyeRest;
+    fromEye.z += terrainLift * length(fromEye);
     vec2 near = terrainGridFromLocal * vec3(vec2(position.xy) * terrainStep, 1.0);
     grid = gridBits + 65536.0 * round((near - gridBits) * (1.0 / 65536.0));
     gl_Position = gl_ProjectionMatrix * vec4(terrainEyeFromLocal * fromEye, 1.0);

@@ -9,6 +9,8 @@ uniform sampler2D terrainLand; // LandMap.h
 uniform sampler2D terrainGrain; // GrainImage.h
 uniform sampler2D terrainDrape;
 uniform vec4 terrainMapFromGrid;
+uniform vec4 terrainBend; // by how many texels each layer of the grain bends the lookups of the maps
+uniform vec2 terrainBroad; // periods of the broadest layer of grain per grid unit
 uniform vec4 terrainDrapeFromGrid;
 uniform vec3 terrainEyeWrapped; // the eye's position modulo 4096 m
 #if defined(TERRAIN_FEATURES) || defined(TERRAIN_SEASON)

@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // Shades a fragment of the terrain: normal, ground colour, layers from below to above, light, haze.
-// TerrainShader.cpp defines TERRAIN_DRAPE, _LAYERS, _FEATURES, _COVER, _SEASON, _SHEETS, _FINE for what the terrain has.
+// TerrainShader.cpp defines TERRAIN_DRAPE, _LAYERS, _FEATURES, _COVER, _SEASON, _SHEETS, _FINE, _SURROUNDINGS for what the terrain has.
 
 void main()
 {
     float distanceM = length(fromEye);
     vec3 directionWorld = terrainWorldFromLocal * (fromEye / distanceM);
-    vec2 mapPlace = grid * terrainMapFromGrid.xy + terrainMapFromGrid.zw;
+    vec3 place = fromEye + terrainEyeWrapped;
+    Grain g = grainAt(place.xy);
+    // The grain bends the lookups by a part of a texel: no threshold follows the rows and columns of the maps.
+    vec2 bend = g.metres2.xy * terrainBend.x + g.metres28.xy * terrainBend.y + g.metres324.xy * terrainBend.z
+              + g.metres4700.xy * terrainBend.w;
+    vec2 mapPlace = grid * terrainMapFromGrid.xy + terrainMapFromGrid.zw + bend / vec2(textureSize(terrainLand, 0));
     vec2 tilt = texture(terrainNormals, mapPlace).rg * 2.0 - 1.0;
     vec4 bumpiness = terrainBumpiness;
 #ifdef TERRAIN_SHEETS
@@ -16,16 +21,17 @@ void main()
     tilt = fineTilt(tilt);
 #endif
     vec4 land = texture(terrainLand, mapPlace);
-    vec3 place = fromEye + terrainEyeWrapped;
-    Grain g = grainAt(place.xy);
+#ifdef TERRAIN_SURROUNDINGS
+    outerMaps(tilt, land);
+#endif
 
     float steep = 1.0 - sqrt(max(1.0 - dot(tilt, tilt), 0.0));
 #ifdef TERRAIN_SEASON
     land.g = seasonSnow(land.g, place, steep, g);
 #endif
-    float snow = smoothstep(0.38, 0.62, land.g + 0.30 * g.metres324.w + 0.22 * g.metres28.w + 0.25 * g.metres1831.w
+    float snow = smoothstep(0.38, 0.62, land.g + 0.30 * g.metres324.w + 0.22 * g.metres28.w + 0.25 * g.metres4700.w
                                             - 0.9 * max(steep - 0.25, 0.0));
-    float roughness = mix(1.0 + 1.5 * smoothstep(0.12, 0.35, steep), 0.35, snow);
+    float roughness = mix(1.0 + 1.5 * smoothstep(0.12, 0.35, steep), 0.8, snow);
     vec4 ground = groundColour(land.r, steep, place.z, g);
 #ifdef TERRAIN_COVER
     Cover cover = terrainCover(grid, g);
@@ -48,8 +54,11 @@ void main()
     vec3 albedo = ground.rgb;
     float shore = smoothstep(terrainShore, terrainShore + 0.08, land.b + 0.12 * g.metres28.w + 0.12 * g.metres324.w)
                 * (1.0 - smoothstep(0.01, 0.05, steep));
+#ifdef TERRAIN_SURROUNDINGS
+    shore = 0.0; // the texels there are wider than a beach
+#endif
     albedo = mix(albedo, terrainSand * (1.0 + 0.5 * g.metres2.z + 0.3 * g.metres28.z), shore);
-    albedo = mix(albedo, terrainSnow * (1.0 + 0.10 * g.metres2.z + 0.06 * g.metres28.z), snow);
+    albedo = mix(albedo, terrainSnow * (1.0 + 0.10 * g.metres2.z + 0.10 * g.metres28.z + 0.16 * g.metres324.w + 0.12 * g.metres4700.w), snow);
 #if defined(TERRAIN_LAYERS)
     vec4 imagery = layeredImagery(grid);
 #elif defined(TERRAIN_DRAPE)

@@ -29,6 +29,7 @@ NamedProgram programOf(const TerrainLook& look)
     if (look.sheets > 0) name += " sheets" + std::to_string(look.sheets);
     if (look.fine) name += " fine";
     if (look.season) name += " season";
+    if (look.surroundings) name += " surroundings";
     return {name, terrainProgram(look)};
 }
 
@@ -55,6 +56,8 @@ std::vector<NamedProgram> terrainPrograms()
         programs.push_back(programOf({.layers = layers}));
     for (int sheets = 2; sheets < kMostSheets; ++sheets)
         programs.push_back(programOf({.sheets = sheets}));
+    for (const bool season : {false, true})
+        programs.push_back(programOf({.season = season, .surroundings = true}));
     return programs;
 }
 
@@ -64,8 +67,8 @@ std::vector<NamedProgram> terrainExtremes()
     for (const TerrainLook& look :
          {TerrainLook{}, TerrainLook{.drape = true}, TerrainLook{.layers = kMostImagery},
           TerrainLook{.features = true}, TerrainLook{.cover = true}, TerrainLook{.sheets = kMostSheets},
-          TerrainLook{.fine = true}, TerrainLook{.season = true},
-          TerrainLook{true, kMostImagery, true, true, kMostSheets, true, true}})
+          TerrainLook{.fine = true}, TerrainLook{.season = true}, TerrainLook{.surroundings = true},
+          TerrainLook{true, kMostImagery, true, true, kMostSheets, true, true, false}})
         programs.push_back(programOf(look));
     return programs;
 }

@@ -77,7 +77,8 @@ TEST_P(SceneFile, StoresTheFileTheSettingsAndTheAtmosphere)
     EXPECT_EQ(again->source(), terrain->source());
     ASSERT_TRUE(again->tile());
     EXPECT_EQ(again->tile()->tile.grid().dataColumns(), 40);
-    EXPECT_EQ(again->getNumChildren(), 1u);
+    EXPECT_EQ(again->getNumChildren(), 2u);
+    EXPECT_TRUE(again->showsSurroundings());
     EXPECT_EQ(again->getChild(0), again->drawable());
     EXPECT_TRUE(again->editor());
     EXPECT_EQ(again->getBound(), terrain->getBound());

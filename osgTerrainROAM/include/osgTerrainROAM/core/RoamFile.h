@@ -29,7 +29,7 @@ struct LandParameters
 
 /// The content of a `.roam` file, which describes a terrain. Text, one `key = value` a line, `#` starts a comment.
 ///   dem = FILE                        an elevation raster; the only required key. Several are joined (importDems)
-///   voids = fill | keep               missing samples: filled smoothly, or holes in the ground
+///   voids = fill | keep | show        missing samples: filled smoothly, or holes in the ground, or filled and coloured
 ///   imagery = FILE                    any raster GDAL opens, draped over the terrain; up to four, the finest wins
 ///   features = FILE                   roads, rivers, fields, runways of any source that OGR opens; may be repeated
 ///   land_cover = FILE                 a raster of classes
@@ -44,6 +44,7 @@ struct LandParameters
 ///   aridity = 0…1    tree_line = METRES    snow_line = METRES    sea_level = METRES
 ///   sun = AZIMUTH ELEVATION           degrees, below the horizon at night        visibility = METRES
 ///   moonlight = 0…1                   1: a full moon, high up
+///   surroundings = made | none        beyond the data: made-up ground to the horizon, or nothing
 /// Relative paths are relative to the file's folder; names that begin with /vsi are GDAL's and stay as they
 /// are. Errors, with place "file:line": unknown or repeated key, missing dem, bad number.
 struct RoamFile
@@ -66,6 +67,8 @@ struct RoamFile
     std::optional<double> sunElevationDeg;
     std::optional<double> visibilityM;
     std::optional<double> moonlight;
+    bool showsVoids = false;  ///< colours filled ground
+    bool surroundings = true; ///< made-up ground beyond the data
 };
 
 /// Parses the text of a .roam file. `name`: its path, for messages and relative paths. Reads no file.

@@ -35,7 +35,8 @@ Outcome place(HeightField& field, Raster& raster, const DemImportOptions& option
     {
         if (!options.spacingM)
             return Error{field.name, "has no georeference",
-                         "state the distance between its samples with --spacing METRES"};
+                         "state the metres between its samples: spacing = METRES in a .roam file, or "
+                         "--spacing METRES"};
         if (!std::isfinite(*options.spacingM) || *options.spacingM <= 0.0)
             return Error{field.name, "cannot have samples " + std::to_string(*options.spacingM) + " m apart",
                          "give --spacing the metres between samples"};
@@ -70,6 +71,18 @@ void openHoles(HeightField& field, std::vector<std::uint8_t> isOutside, Voids vo
     field.mask = SampleMask(isOutside, field.columns, field.rows);
 }
 
+/// Tells the samples that have a height from the voids.
+SampleMask finiteSamples(const HeightField& field)
+{
+    std::vector<std::uint8_t> isThere;
+    isThere.reserve(field.heightsM.size());
+    for (const float h : field.heightsM)
+        isThere.push_back(std::isnan(h) ? 0 : 1);
+    const bool all =
+        std::none_of(isThere.begin(), isThere.end(), [](std::uint8_t there) { return there == 0; });
+    return all ? SampleMask() : SampleMask(isThere, field.columns, field.rows);
+}
+
 std::string namesOf(std::span<const std::filesystem::path> files)
 {
     return files.front().string() +
@@ -97,6 +110,7 @@ Result<HeightField> import(std::span<const std::filesystem::path> files, const D
                          (raster->implausible ? ", or outside -12000 to 9000 m" : std::string()),
                      "check its nodata value and units with gdalinfo"};
     openHoles(field, std::move(raster->isOutside), options.voids);
+    field.measured = finiteSamples(field);
     field.voids = fillVoids(field.heightsM, field.columns, field.rows);
     if (raster->implausible)
         field.voids.method +=

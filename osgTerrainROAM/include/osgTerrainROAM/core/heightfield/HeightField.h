@@ -74,6 +74,7 @@ struct HeightField
     VoidReport voids;
     MosaicReport mosaic;
     std::vector<DensePart> parts; ///< coarse before fine; where they overlap the later one counts
+    SampleMask measured; ///< tells which samples come from the data; the others were voids and are filled
     SampleMask
         mask; ///< tells which samples exist; the others have a height only so that the grid is complete
 
