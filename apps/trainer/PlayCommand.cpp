@@ -2,6 +2,7 @@
 #include "PlayCommand.h"
 
 #include <cmath>
+#include <cstdio>
 #include <iostream>
 
 #include <foundation/WholeFile.h>
@@ -110,6 +111,13 @@ foundation::Outcome playOver(SceneTerrain terrain, simulation::Scenario scenario
     return leaveResults(**session, request);
 }
 
+std::string percent(double share)
+{
+    char text[32];
+    std::snprintf(text, sizeof text, "%.3g %%", 100.0 * share);
+    return text;
+}
+
 /// Returns an absolute path, which a saved scenario can be played with from any folder.
 std::string absoluteName(const std::filesystem::path& file)
 {
@@ -127,7 +135,7 @@ foundation::Outcome play(const PlayRequest& request)
     if (!parsed) return parsed.error();
     const auto file = sceneFileOf(parsed->scenario, request);
     if (!file) return file.error();
-    auto terrain = openScene(*file, request.terrain.import);
+    auto terrain = openScene(*file, request.terrain);
     if (!terrain) return terrain.error();
     return playOver(std::move(*terrain), std::move(parsed->scenario), request);
 }
@@ -136,7 +144,7 @@ foundation::Outcome tour(const PlayRequest& request, const std::filesystem::path
 {
     if (const auto writable = checkResultPlaces(request); !writable) return writable;
     if (const auto writable = foundation::checkWritable(saveFile); !writable) return writable;
-    auto terrain = openElevation(request.terrain.file, request.terrain.import);
+    auto terrain = openElevation(request.terrain.file, request.terrain);
     if (!terrain) return terrain.error();
     simulation::TourOptions options;
     options.durationS = durationS;
@@ -146,6 +154,10 @@ foundation::Outcome tour(const PlayRequest& request, const std::filesystem::path
     if (const auto saved = saveScenario(laid->scenario, saveFile); !saved) return saved;
     std::cout << "tour: " << std::lround(laid->lowestM) << " to " << std::lround(laid->highestM)
               << " m above the ground at " << std::lround(laid->speedMps) << " m/s\n";
+    if (tile.field().voids.count > 0)
+        std::cout << "voids: " << percent(tile.field().voids.share) << " of the samples are filled, and "
+                  << percent(laid->filledShare)
+                  << " of the ground ahead of the flight; --show-voids colours it\n";
     return playOver(std::move(*terrain), std::move(laid->scenario), request);
 }
 

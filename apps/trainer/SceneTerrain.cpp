@@ -57,19 +57,19 @@ simulation::GroundProvider SceneTerrain::ground() const
 }
 
 foundation::Result<SceneTerrain> openElevation(const std::filesystem::path& file,
-                                               const osgTerrainROAM::core::DemImportOptions& import)
+                                               const TerrainRequest& request)
 {
-    const auto description = osgTerrainROAM::core::describeTerrain(file, import);
+    auto description = osgTerrainROAM::core::describeTerrain(file, request.import);
     if (!description) return description.error();
+    description->showsVoids = description->showsVoids || request.showsVoids;
     auto terrain = osgTerrainROAM::makeTerrain(*description);
     if (!terrain) return terrain.error();
     return SceneTerrain{terrain->get(), *terrain};
 }
 
-foundation::Result<SceneTerrain> openScene(const std::filesystem::path& file,
-                                           const osgTerrainROAM::core::DemImportOptions& import)
+foundation::Result<SceneTerrain> openScene(const std::filesystem::path& file, const TerrainRequest& request)
 {
-    if (isTerrainFile(file)) return openElevation(file, import);
+    if (isTerrainFile(file)) return openElevation(file, request);
     const auto node = readModel(file, "give a .roam file, an elevation raster or a model");
     if (node)
     {
@@ -78,7 +78,7 @@ foundation::Result<SceneTerrain> openScene(const std::filesystem::path& file,
         return SceneTerrain{*node, finder.found};
     }
     // GDAL reads rasters with many suffixes, some of which are also those of models (.flt, .dem).
-    auto terrain = openElevation(file, import);
+    auto terrain = openElevation(file, request);
     if (terrain) return terrain;
     const std::string suffix = osgDB::getLowerCaseFileExtension(file.string());
     const bool isModel = osgDB::Registry::instance()->getReaderWriterForExtension(suffix) != nullptr;

@@ -9,10 +9,9 @@
 #include <osg/Node>
 #include <osg/ref_ptr>
 
-#include <osgTerrainROAM/core/heightfield/DemImport.h>
-
 #include <osgTerrainROAM/RoamTerrain>
 
+#include "PlayRequest.h"
 #include "simulation/player/SceneFrame.h"
 
 namespace trainer
@@ -34,11 +33,10 @@ struct SceneTerrain
 /// Opens a .roam file or an elevation raster with the terrain library, whose errors it returns; `terrain` is never
 /// null. Errors: as makeTerrain().
 foundation::Result<SceneTerrain> openElevation(const std::filesystem::path& file,
-                                               const osgTerrainROAM::core::DemImportOptions& import);
+                                               const TerrainRequest& request);
 
 /// Opens a terrain as openElevation() does and any other file with osgDB; a file that osgDB cannot read is tried as a
 /// raster. Errors: no such file, no reader, an empty scene.
-foundation::Result<SceneTerrain> openScene(const std::filesystem::path& file,
-                                           const osgTerrainROAM::core::DemImportOptions& import);
+foundation::Result<SceneTerrain> openScene(const std::filesystem::path& file, const TerrainRequest& request);
 
 } // namespace trainer

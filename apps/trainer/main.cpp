@@ -58,6 +58,8 @@ void addPlayOptions(CLI::App& command, Arguments& arguments)
         ->check(terminal::between(0.3, 10.0));
     command.add_option("--tolerance", request.terrain.errorTolerancePx, "error target in pixels")
         ->check(terminal::between(0.01, 1000.0));
+    command.add_flag("--show-voids", request.terrain.showsVoids,
+                     "colour ground that is filled because the raster has no data there");
     command.add_flag("--morph", request.terrain.morphing,
                      "move vertices gradually when detail changes, with more triangles");
     command.add_option("--patch-exponent", arguments.patchExponent,

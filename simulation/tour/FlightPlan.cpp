@@ -20,6 +20,7 @@ constexpr int kHeadings = 24;
 constexpr std::size_t kHighlights = 8;
 constexpr double kBorderShare = 0.03; ///< of the shorter side, kept from the extent's edge
 constexpr double kOutsidePenalty = 0.9;
+constexpr double kFilledPenalty = 0.9; ///< of ground that was not measured
 constexpr double kLandmarkBonus = 1.5; ///< for a highlight of prominence 1
 constexpr double kOverrunScore = -1e6; ///< of a plan that leaves the extent, less the metres it does
 constexpr std::array<double, 4> kAheads = {0.3, 0.7, 1.2,
@@ -119,9 +120,10 @@ FlightPlan endingAt(const FlightPlan& plan, const glm::dvec2& highlight, double 
     return placed;
 }
 
-double rating(const FlightPlan& plan, const ReliefMap& map, const TourScale& scale)
+/// Returns the rating, and sets the share of ground ahead that was not measured.
+double rating(FlightPlan& plan, const ReliefMap& map, const TourScale& scale)
 {
-    double sum = 0.0;
+    double sum = 0.0, seenGround = 0.0, seenFilled = 0.0;
     for (int look = 0; look < kLooks; ++look)
     {
         const std::size_t i = static_cast<std::size_t>(look * kSteps / (kLooks - 1));
@@ -132,10 +134,18 @@ double rating(const FlightPlan& plan, const ReliefMap& map, const TourScale& sca
                 const glm::dvec2 seen =
                     plan.places[i] +
                     reach * scale.mediumM * glm::dvec2(std::cos(direction), std::sin(direction));
-                sum += weight *
-                       (map.contains(seen.x, seen.y) ? map.interestAt(seen.x, seen.y) : -kOutsidePenalty);
+                if (!map.contains(seen.x, seen.y))
+                {
+                    sum -= weight * kOutsidePenalty;
+                    continue;
+                }
+                const double filled = 1.0 - map.measuredAt(seen.x, seen.y);
+                sum += weight * (map.interestAt(seen.x, seen.y) - kFilledPenalty * filled);
+                seenGround += weight;
+                seenFilled += weight * filled;
             }
     }
+    plan.filledShare = seenGround > 0.0 ? seenFilled / seenGround : 0.0;
     return sum / (kLooks * kFanDeg.size());
 }
 

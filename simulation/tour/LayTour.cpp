@@ -104,8 +104,10 @@ foundation::Result<Tour> layTour(const TourTerrain& terrain, const TourOptions& 
                                  "choose 4 to 3600 seconds"};
     if (!(terrain.widthM() > 0.0 && terrain.depthM() > 0.0) ||
         !std::isfinite(terrain.widthM() + terrain.depthM()))
-        return foundation::Error{"tour", "the terrain has no extent",
-                                 "give a terrain of two samples at least"};
+        return foundation::Error{"tour",
+                                 "no ground between " + std::to_string(terrain.widthM()) +
+                                     " m of width and " + std::to_string(terrain.depthM()) + " m of depth",
+                                 "give a terrain of two samples or more in each direction"};
     const TourScale scale = TourScale::of(terrain, options.durationS);
     const ReliefMap map(terrain);
     const Choice choice = bestChoice(terrain, map, scale);
@@ -125,6 +127,7 @@ foundation::Result<Tour> layTour(const TourTerrain& terrain, const TourOptions& 
     tour.speedMps = scale.speedMps;
     tour.lowestM = heights.first;
     tour.highestM = heights.second;
+    tour.filledShare = choice.plan.filledShare;
     tour.highlight = {choice.plan.highlight.x, choice.plan.highlight.y,
                       terrain.heightM(choice.plan.highlight.x, choice.plan.highlight.y)};
     tour.scenario = tourScenario(terrain, airborneOwnship(), vertices, "A flight over " + terrain.name());

@@ -33,6 +33,7 @@ ReliefMap::ReliefMap(const TourTerrain& terrain)
     rateRuggedness();
     rateProminence();
     blur();
+    dropFilled();
 }
 
 glm::dvec2 ReliefMap::centre(int column, int row) const
@@ -46,23 +47,34 @@ bool ReliefMap::contains(double eastM, double northM) const
     return eastM >= _westM && eastM <= _eastM && northM >= _southM && northM <= _northM;
 }
 
-double ReliefMap::interestAt(double eastM, double northM) const
+std::size_t ReliefMap::indexAt(double eastM, double northM) const
 {
-    if (!contains(eastM, northM)) return 0.0;
     const int column = static_cast<int>((eastM - _westM) / (_eastM - _westM) * _columns);
     const int row = static_cast<int>((northM - _southM) / (_northM - _southM) * _rows);
-    return interest(std::min(column, _columns - 1), std::min(row, _rows - 1));
+    return index(std::min(column, _columns - 1), std::min(row, _rows - 1));
+}
+
+double ReliefMap::interestAt(double eastM, double northM) const
+{
+    return contains(eastM, northM) ? _interest[indexAt(eastM, northM)] : 0.0;
+}
+
+double ReliefMap::measuredAt(double eastM, double northM) const
+{
+    return contains(eastM, northM) ? _measured[indexAt(eastM, northM)] : 0.0;
 }
 
 void ReliefMap::sampleHeights(const TourTerrain& terrain)
 {
     _heights.resize(static_cast<std::size_t>(_columns) * static_cast<std::size_t>(_rows));
     _lows.resize(_heights.size());
+    _measured.resize(_heights.size());
     for (int row = 0; row < _rows; ++row)
         for (int column = 0; column < _columns; ++column)
         {
             double high = -1e300;
             double low = 1e300;
+            int measured = 0;
             for (int k = 0; k < kSamplesPerCell * kSamplesPerCell; ++k)
             {
                 const int across = k % kSamplesPerCell;
@@ -75,9 +87,12 @@ void ReliefMap::sampleHeights(const TourTerrain& terrain)
                 _isFinite = _isFinite && std::isfinite(height);
                 high = std::max(high, height);
                 low = std::min(low, height);
+                measured += !terrain.isMeasured || terrain.isMeasured(place.x, place.y) ? 1 : 0;
             }
             _heights[index(column, row)] = high;
             _lows[index(column, row)] = low;
+            _measured[index(column, row)] =
+                static_cast<double>(measured) / (kSamplesPerCell * kSamplesPerCell);
         }
 }
 
@@ -157,6 +172,16 @@ void ReliefMap::blur()
                     sum += sharp[index(c, r)];
             _interest[index(column, row)] = sum / count;
         }
+}
+
+/// Takes interest and prominence from ground that was not measured: the fill of a void is no landmark.
+void ReliefMap::dropFilled()
+{
+    for (std::size_t i = 0; i < _measured.size(); ++i)
+    {
+        _interest[i] *= _measured[i];
+        _prominence[i] *= _measured[i];
+    }
 }
 
 } // namespace simulation

@@ -23,8 +23,11 @@ public:
     int rows() const { return _rows; }
     glm::dvec2 centre(int column, int row) const;
 
-    /// Returns the interest of the cell at a point; 0 outside the extent.
+    /// Returns the interest of the cell at a point; 0 outside the extent. Ground that was not measured has none.
     double interestAt(double eastM, double northM) const;
+
+    /// Returns the share of the cell at a point that was measured, 0…1; 0 outside the extent.
+    double measuredAt(double eastM, double northM) const;
     bool contains(double eastM, double northM) const;
     double interest(int column, int row) const { return _interest[index(column, row)]; }
 
@@ -36,6 +39,7 @@ public:
     double reliefM() const { return _reliefM; }
 
 private:
+    std::size_t indexAt(double eastM, double northM) const;
     std::size_t index(int column, int row) const
     {
         return static_cast<std::size_t>(row) * static_cast<std::size_t>(_columns) +
@@ -45,6 +49,7 @@ private:
     void rateRuggedness();
     void rateProminence();
     void blur();
+    void dropFilled();
 
     double _westM, _southM, _eastM, _northM;
     double _cellM;
@@ -56,6 +61,7 @@ private:
     std::vector<double> _lows;    ///< lowest
     std::vector<double> _prominence;
     std::vector<double> _interest;
+    std::vector<double> _measured; ///< share of each cell
 };
 
 } // namespace simulation

@@ -28,6 +28,9 @@ struct TourTerrain
     std::optional<Geodetic> origin; ///< of the frame; absent without georeference
     std::string sceneFile;          ///< becomes RoadNetwork/SceneGraphFile
 
+    /// Tells whether the ground was measured, not filled in where the data have a void. Empty: all of it was.
+    std::function<bool(double eastM, double northM)> isMeasured{};
+
     double widthM() const { return eastM - westM; }
     double depthM() const { return northM - southM; }
 
@@ -43,6 +46,7 @@ struct Tour
     double lowestM = 0.0;      ///< smallest height above the ground on the way
     double highestM = 0.0;     ///< largest
     glm::dvec3 highlight{0.0}; ///< the point of interest that a flight faces at its end
+    double filledShare = 0.0;  ///< share of the ground ahead of a flight that was not measured, 0…1
 };
 
 } // namespace simulation

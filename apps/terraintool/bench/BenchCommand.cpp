@@ -68,7 +68,8 @@ void printRow(const nlohmann::ordered_json& row)
               << std::setw(6) << number("tolerancePx") << " px" << std::setw(10) << number("triangles")
               << " triangles" << std::setw(10) << number("adaptUsP50") << " us" << std::setw(10)
               << number("adaptUsP99") << " us p99" << std::setw(9) << number("changesPerFrame") << " changes"
-              << std::setprecision(2) << std::setw(7) << number("maxErrorPx") << " px off\n";
+              << std::setprecision(2) << std::setw(7) << number("maxErrorPx") << " px off"
+              << std::endl; // at once, into a file too
 }
 
 bool isWanted(const Request& request, const BenchRun& run)
@@ -132,7 +133,7 @@ foundation::Result<Report> bench(const Request& request)
         if (!square) return square.error();
         const auto tile = std::make_shared<const RoamTile>(PlacedTile(std::move(*square), Placement::planar));
         std::cout << file << ": " << tile->tile.grid().side() << " x " << tile->tile.grid().side()
-                  << " samples of " << tile->tile.field().spacingEastM << " m\n";
+                  << " samples of " << tile->tile.field().spacingEastM << " m" << std::endl;
         const SplitBounds bounds(tile, request.patchExponent);
         if (const auto done = benchTile(request, file, bounds, report.json); !done) return done.error();
         if (report.json.contains("enhMerge"))
