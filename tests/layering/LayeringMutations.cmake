@@ -17,6 +17,7 @@ function(plantTree)
             "osgTraversal/src/CullFacts.cpp|viewlod/Frustum.h"
             "osgPMObjects/include/osgPMObjects/core/Mesh.h|viewlod/Frustum.h"
             "osgPMObjects/include/osgPMObjects/Object|osg/Drawable"
+            "osgRoads/include/osgRoads/core/Road.h|foundation/Result.h"
             "osgPMObjects/src/Object.cpp|osgTraversal/CullFacts"
             "osgOffscreen/include/osgOffscreen/Capture|osg/Image"
             "simulation/Clock.h|cstdint"
@@ -92,6 +93,9 @@ expectBreach(osgTerrainROAM/include/osgTerrainROAM/core/Tile.h "#include <osgVie
 expectBreach(osgPMObjects/include/osgPMObjects/core/Mesh.h "#include <osgTerrainROAM/core/Tile.h>")
 expectBreach(osgPMObjects/include/osgPMObjects/Object "#include <osgTerrainROAM/Terrain>")
 expectBreach(osgOffscreen/include/osgOffscreen/Capture "#include <osgTerrainROAM/Terrain>")
+expectBreach(osgRoads/include/osgRoads/core/Road.h "#include <osg/Vec3d>")
+expectBreach(osgRoads/include/osgRoads/core/Road.h "#include <osgTerrainROAM/core/Tile.h>")
+expectBreach(osgTerrainROAM/src/core/Tile.cpp "#include <osgRoads/core/NotThere.h>")
 expectBreach(osgTerrainROAM/src/Terrain.cpp "#include <osgOffscreen/Capture>")
 expectBreach(osgTraversal/include/osgTraversal/CullFacts "#include <osgPMObjects/Object>")
 expectBreach(osgTraversal/include/osgTraversal/CullFacts "#include <osgPMObjects/core/Mesh.h>")

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <vector>
+
+#include <foundation/Result.h>
+#include <pugixml.hpp>
+
+namespace foundation
+{
+
+namespace xml
+{
+
+inline constexpr int kMaximumDepth = 64;
+
+inline bool isWideEncoding(std::string_view text)
+{
+    const auto startsWith = [&](std::string_view mark) { return text.substr(0, mark.size()) == mark; };
+    return startsWith("\xFE\xFF") || startsWith("\xFF\xFE") ||
+           startsWith(std::string_view("\0\0\xFE\xFF", 4)) || startsWith(std::string_view("<\0", 2)) ||
+           startsWith(std::string_view("\0<", 2)) || startsWith(std::string_view("\0\0\0<", 4));
+}
+
+} // namespace xml
+
+/// A parsed XML text that knows the line of each of its elements. Whoever includes this links pugixml.
+/// Memory: about four times the text.
+class XmlSource
+{
+public:
+    /// Errors: not a readable regular file, larger than `maximumBytes`, and those of parse().
+    static Result<std::unique_ptr<XmlSource>> read(const std::filesystem::path& file,
+                                                   std::size_t maximumBytes);
+
+    /// Errors, as `name:line`: malformed, no root element, UTF-16 or UTF-32, nested deeper than 64 elements.
+    static Result<std::unique_ptr<XmlSource>> parse(std::string_view text, const std::string& name);
+
+    pugi::xml_node root() const { return _document.document_element(); }
+    const std::string& name() const { return _name; }
+    int lineOf(pugi::xml_node node) const;
+    int lineAt(std::ptrdiff_t offset) const;
+
+private:
+    Outcome checkDepth() const;
+
+    std::string _name;
+    pugi::xml_document _document;
+    std::vector<std::ptrdiff_t> _newlines; ///< offsets, ascending
+};
+
+inline Result<std::unique_ptr<XmlSource>> XmlSource::read(const std::filesystem::path& file,
+                                                          std::size_t maximumBytes)
+{
+    const std::string name = file.string();
+    std::error_code code;
+    if (!std::filesystem::is_regular_file(file, code))
+        return Error{name, std::filesystem::exists(file, code) ? "not a regular file" : "no such file",
+                     "check the path"};
+    const std::uintmax_t bytes = std::filesystem::file_size(file, code);
+    if (code || bytes > maximumBytes)
+        return Error{name, "larger than the limit of " + std::to_string(maximumBytes) + " bytes",
+                     "split the file"};
+    std::ifstream stream(file, std::ios::binary);
+    std::string text(static_cast<std::size_t>(bytes), '\0');
+    stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+    if (!stream && bytes > 0) return Error{name, "cannot be read", "check its permissions"};
+    return parse(text, name);
+}
+
+inline Result<std::unique_ptr<XmlSource>> XmlSource::parse(std::string_view text, const std::string& name)
+{
+    if (xml::isWideEncoding(text)) return Error{name, "not in UTF-8", "save the file as UTF-8"};
+    auto source = std::make_unique<XmlSource>();
+    source->_name = name;
+    for (std::size_t at = text.find('\n'); at != std::string_view::npos; at = text.find('\n', at + 1))
+        source->_newlines.push_back(static_cast<std::ptrdiff_t>(at));
+    const pugi::xml_parse_result parsed = source->_document.load_buffer(
+        text.data(), text.size(), pugi::parse_default, pugi::xml_encoding::encoding_utf8);
+    if (!parsed)
+        return Error{name + ":" + std::to_string(source->lineAt(parsed.offset)),
+                     std::string("not well-formed XML: ") + parsed.description(), "correct the file"};
+    if (Outcome depth = source->checkDepth(); !depth) return depth.error();
+    return source;
+}
+
+inline int XmlSource::lineOf(pugi::xml_node node) const
+{
+    return lineAt(node.offset_debug());
+}
+
+inline int XmlSource::lineAt(std::ptrdiff_t offset) const
+{
+    if (offset < 0) return 0;
+    return static_cast<int>(std::lower_bound(_newlines.begin(), _newlines.end(), offset) -
+                            _newlines.begin()) +
+           1;
+}
+
+/// Walks without recursion: a hostile file may nest as deep as it is long.
+inline Outcome XmlSource::checkDepth() const
+{
+    int depth = 1;
+    for (pugi::xml_node node = root(); node;)
+    {
+        if (depth > xml::kMaximumDepth)
+            return Error{_name + ":" + std::to_string(lineOf(node)),
+                         "elements are nested deeper than " + std::to_string(xml::kMaximumDepth),
+                         "flatten the file"};
+        if (node.first_child())
+        {
+            node = node.first_child();
+            ++depth;
+            continue;
+        }
+        while (node && node != root() && !node.next_sibling())
+        {
+            node = node.parent();
+            --depth;
+        }
+        node = node == root() ? pugi::xml_node() : node.next_sibling();
+    }
+    return success();
+}
+
+} // namespace foundation

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace osgRoads::core
+{
+
+/// The lanes that an object or a signal holds for.
+struct LaneValidity
+{
+    int fromLane = 0, toLane = 0;
+};
+
+/// A corner of an outline: on the road (s, t, dz) or in the frame of the object (u, v, z). Units: metres.
+struct OutlineCorner
+{
+    bool isOnRoad = false;
+    double s = 0.0, t = 0.0; ///< or u and v
+    double z = 0.0;          ///< above the road, or above the origin of the object
+    double height = 0.0;
+    int id = -1;
+};
+
+struct ObjectOutline
+{
+    std::vector<OutlineCorner> corners;
+    bool isClosed = true;
+    bool isOuter = true;
+    std::string fillType, laneType;
+};
+
+/// An object that stands many times along the road, or without a break (distance 0). Values change linearly from start
+/// to end. Units: metres. A value that is not told is that of the object.
+struct ObjectRepeat
+{
+    double s = 0.0, length = 0.0, distance = 0.0;
+    double tStart = 0.0, tEnd = 0.0;
+    double zOffsetStart = 0.0, zOffsetEnd = 0.0;
+    std::optional<double> heightStart, heightEnd, widthStart, widthEnd, lengthStart, lengthEnd, radiusStart,
+        radiusEnd;
+};
+
+/// Something beside or on the road. Angles in radians; hdg relative to the road.
+/// Source: ASAM OpenDRIVE 1.8, 13 (objects).
+struct RoadObject
+{
+    std::string id, name, type, subtype;
+    double s = 0.0, t = 0.0, zOffset = 0.0;
+    double validLength = 0.0;
+    char orientation = '0'; ///< '+', '-', or '0' for both directions
+    double headingRad = 0.0, pitchRad = 0.0, rollRad = 0.0;
+    double length = 0.0, width = 0.0, height = 0.0, radius = 0.0;
+    bool isDynamic = false;
+    bool isPerpendicularToRoad = false;
+    std::vector<ObjectOutline> outlines;
+    std::vector<ObjectRepeat> repeats;
+    std::vector<LaneValidity> validities;
+    std::string parkingAccess; ///< of a parkingSpace
+    int line = 0;
+};
+
+enum class StructureKind
+{
+    bridge,
+    tunnel,
+};
+
+/// A bridge or a tunnel: the road from s to s + length lies on it or in it.
+struct RoadStructure
+{
+    StructureKind kind = StructureKind::bridge;
+    std::string id, name, type;
+    double s = 0.0, length = 0.0;
+    double lighting = 0.0, daylight = 0.0; ///< tunnels, 0 to 1
+    std::vector<LaneValidity> validities;
+    int line = 0;
+};
+
+} // namespace osgRoads::core

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <osgRoads/core/network/RoadObject.h>
+
+namespace osgRoads::core
+{
+
+/// A traffic light or sign. Angles in radians, sizes in metres; (s, t) on the road that it holds for.
+/// Source: ASAM OpenDRIVE 1.8, 14 (signals).
+struct Signal
+{
+    /// Where the post stands, when that is not at (s, t): on a road, or at x, y of the inertial frame.
+    struct Post
+    {
+        bool isOnRoad = false;
+        std::string roadId;
+        double s = 0.0, t = 0.0; ///< or x and y
+        double z = 0.0;          ///< above the road, or in the inertial frame
+        double headingRad = 0.0, pitchRad = 0.0, rollRad = 0.0;
+    };
+
+    struct Dependency
+    {
+        std::string id, type;
+    };
+
+    std::string id, name, country, countryRevision, type, subtype, unit, text;
+    double s = 0.0, t = 0.0, zOffset = 0.0;
+    char orientation = '0';
+    double headingOffsetRad = 0.0, pitchRad = 0.0, rollRad = 0.0;
+    double width = 0.0, height = 0.0;
+    std::optional<double> value;
+    bool isDynamic = false;
+    std::vector<LaneValidity> validities;
+    std::vector<Dependency> dependencies, references;
+    std::optional<Post> post;
+    int line = 0;
+};
+
+/// A signal of another road that holds for this one, too.
+struct SignalReference
+{
+    std::string id; ///< of the signal
+    double s = 0.0, t = 0.0;
+    char orientation = '0';
+    std::vector<LaneValidity> validities;
+    int line = 0;
+};
+
+/// Signals that are switched together.
+struct Controller
+{
+    struct Control
+    {
+        std::string signalId, type;
+    };
+
+    std::string id, name;
+    int sequence = 0;
+    std::vector<Control> controls;
+    int line = 0;
+};
+
+} // namespace osgRoads::core

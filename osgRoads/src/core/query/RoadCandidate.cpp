@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "RoadCandidate.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+#include <osgRoads/core/query/LaneSpan.h>
+#include <osgRoads/core/query/RoadSurface.h>
+
+namespace osgRoads::core
+{
+
+RoadCandidate candidateOn(const RoadNetwork& network, const RoadPiece& piece, glm::dvec2 point, double height)
+{
+    const Road& road = network.roads[piece.road];
+    const PlanElement& element = road.referenceLine.elements()[piece.element];
+    const double ds = element.nearestTo(point, piece.guessAt(point), piece.from, piece.to);
+    const PlanPoint foot = element.at(ds);
+    const double s = element.s + ds;
+    const RoadFrame frame = frameAt(road, s, foot);
+    const glm::dvec2 away = point - foot.position;
+    const double lateral = glm::dot(away, frame.left());
+    const double along = glm::dot(away, frame.tangent); // not 0 beyond the ends of the road
+    const RoadExtent extent = extentAt(road, s);
+    RoadCandidate candidate;
+    candidate.lateral = std::fabs(lateral);
+    RoadPosition& position = candidate.match.position;
+    position.road = static_cast<int>(piece.road);
+    position.s = s;
+    position.t = surfaceT(road, frame, s, lateral);
+    position.h = surfaceHeight(road, s, position.t);
+    const double beside = std::max({extent.rightT - position.t, position.t - extent.leftT, 0.0});
+    double above = 0.0;
+    if (!std::isnan(height))
+    {
+        above = height - frame.pointAt(position.t, position.h).z;
+        const glm::dvec2 across =
+            frame.across(glm::dvec3(glm::dvec2(frame.origin) + lateral * frame.left(), height));
+        position.t = across.x;
+        position.h = across.y;
+    }
+    candidate.match.distance = std::sqrt(beside * beside + along * along + above * above);
+    return candidate;
+}
+
+} // namespace osgRoads::core

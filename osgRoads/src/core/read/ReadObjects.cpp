@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: Apache-2.0
+// Source: ASAM OpenDRIVE 1.8, 13 (objects).
+#include <utility>
+
+#include "ElementReaders.h"
+
+namespace osgRoads::core
+{
+
+namespace
+{
+
+ObjectOutline readOutline(NodeReader& element)
+{
+    ObjectOutline outline;
+    element.has("id");
+    outline.isClosed = !element.has("closed") || element.flag("closed");
+    outline.isOuter = !element.has("outer") || element.flag("outer");
+    outline.fillType = element.text("fillType");
+    outline.laneType = element.text("laneType");
+    element.each("cornerRoad",
+                 [&](NodeReader& corner)
+                 {
+                     outline.corners.push_back({true, corner.number("s"), corner.number("t"),
+                                                corner.number("dz"), corner.numberOr("height", 0.0),
+                                                corner.integer("id", -1)});
+                 });
+    element.each("cornerLocal",
+                 [&](NodeReader& corner)
+                 {
+                     outline.corners.push_back({false, corner.number("u"), corner.number("v"),
+                                                corner.number("z"), corner.numberOr("height", 0.0),
+                                                corner.integer("id", -1)});
+                 });
+    return outline;
+}
+
+ObjectRepeat readRepeat(NodeReader& element)
+{
+    ObjectRepeat repeat;
+    repeat.s = element.number("s");
+    repeat.length = element.number("length");
+    repeat.distance = element.number("distance");
+    repeat.tStart = element.number("tStart");
+    repeat.tEnd = element.number("tEnd");
+    repeat.zOffsetStart = element.numberOr("zOffsetStart", 0.0);
+    repeat.zOffsetEnd = element.numberOr("zOffsetEnd", 0.0);
+    repeat.heightStart = element.optionalNumber("heightStart");
+    repeat.heightEnd = element.optionalNumber("heightEnd");
+    repeat.widthStart = element.optionalNumber("widthStart");
+    repeat.widthEnd = element.optionalNumber("widthEnd");
+    repeat.lengthStart = element.optionalNumber("lengthStart");
+    repeat.lengthEnd = element.optionalNumber("lengthEnd");
+    repeat.radiusStart = element.optionalNumber("radiusStart");
+    repeat.radiusEnd = element.optionalNumber("radiusEnd");
+    if (repeat.length < 0.0 || repeat.distance < 0.0)
+    {
+        element.mistake("repeat has a negative length or distance", "write 0 or more; 0 is used");
+        repeat.length = std::max(repeat.length, 0.0);
+        repeat.distance = std::max(repeat.distance, 0.0);
+    }
+    return repeat;
+}
+
+void readSizes(NodeReader& element, RoadObject& object)
+{
+    object.length = element.numberOr("length", 0.0);
+    object.width = element.numberOr("width", 0.0);
+    object.height = element.numberOr("height", 0.0);
+    object.radius = element.numberOr("radius", 0.0);
+    if (object.length < 0.0 || object.width < 0.0 || object.radius < 0.0)
+        element.mistake("object " + object.id + " has a negative size", "write 0 or more");
+}
+
+RoadObject readObject(NodeReader& element)
+{
+    RoadObject object;
+    object.line = element.line();
+    object.id = element.id("id");
+    object.name = element.text("name");
+    object.type = element.text("type");
+    object.subtype = element.text("subtype");
+    object.s = element.number("s");
+    object.t = element.number("t");
+    object.zOffset = element.numberOr("zOffset", 0.0);
+    object.validLength = element.numberOr("validLength", 0.0);
+    object.orientation = readOrientation(element);
+    object.headingRad = element.numberOr("hdg", 0.0);
+    object.pitchRad = element.numberOr("pitch", 0.0);
+    object.rollRad = element.numberOr("roll", 0.0);
+    readSizes(element, object);
+    object.isDynamic = element.flag("dynamic");
+    object.isPerpendicularToRoad = element.flag("perpToRoad");
+    const auto addOutline = [&](NodeReader& outline) { object.outlines.push_back(readOutline(outline)); };
+    element.each("outline", addOutline); // up to 1.4
+    element.each("outlines", [&](NodeReader& outlines) { outlines.each("outline", addOutline); });
+    element.each("repeat", [&](NodeReader& repeat) { object.repeats.push_back(readRepeat(repeat)); });
+    object.validities = readValidities(element);
+    element.each("parkingSpace",
+                 [&](NodeReader& space)
+                 {
+                     object.parkingAccess = space.text("access");
+                     space.has("restrictions");
+                 });
+    return object;
+}
+
+RoadStructure readStructure(NodeReader& element, StructureKind kind)
+{
+    RoadStructure structure;
+    structure.kind = kind;
+    structure.line = element.line();
+    structure.id = element.text("id");
+    structure.name = element.text("name");
+    structure.type = element.text("type");
+    structure.s = element.number("s");
+    structure.length = element.number("length");
+    if (kind == StructureKind::tunnel)
+    {
+        structure.lighting = element.numberOr("lighting", 0.0);
+        structure.daylight = element.numberOr("daylight", 0.0);
+    }
+    structure.validities = readValidities(element);
+    return structure;
+}
+
+} // namespace
+
+std::vector<LaneValidity> readValidities(NodeReader& element)
+{
+    std::vector<LaneValidity> validities;
+    element.each("validity",
+                 [&](NodeReader& validity) {
+                     validities.push_back({validity.integer("fromLane", 0), validity.integer("toLane", 0)});
+                 });
+    return validities;
+}
+
+void readObjects(NodeReader& road, Road& into)
+{
+    road.each("objects",
+              [&](NodeReader& objects)
+              {
+                  objects.each("object",
+                               [&](NodeReader& element)
+                               {
+                                   into.objects.push_back(readObject(element));
+                                   const RoadObject& object = into.objects.back();
+                                   if (object.s < 0.0 || object.s > into.length + 0.01)
+                                       element.mistake("object " + object.id + " is at s " +
+                                                           shortNumber(object.s) + ", not on the road",
+                                                       "correct s");
+                               });
+                  objects.each("bridge", [&](NodeReader& element)
+                               { into.structures.push_back(readStructure(element, StructureKind::bridge)); });
+                  objects.each("tunnel", [&](NodeReader& element)
+                               { into.structures.push_back(readStructure(element, StructureKind::tunnel)); });
+              });
+}
+
+} // namespace osgRoads::core
