@@ -5,6 +5,7 @@
 
 #include <foundation/WholeFile.h>
 
+#include <osgPMObjects/core/progressive/MeasureLevels.h>
 #include <osgPMObjects/core/progressive/PmFile.h>
 #include <osgPMObjects/core/simplify/Simplify.h>
 
@@ -27,6 +28,7 @@ struct BuildRequest
     ModelRequest models; ///< one
     core::SimplifySettings simplify;
     core::ArrangementSettings arrangement;
+    core::LadderSettings ladder;
     core::PmSettings file;
     std::filesystem::path output;
 };
@@ -48,6 +50,7 @@ foundation::Result<Json> build(const BuildRequest& request, const std::string& f
     core::ProgressiveMesh progressive;
     const double arrangeMs = millisecondsOf(
         [&] { progressive = core::buildProgressiveMesh(mesh, sequence, request.arrangement); });
+    const double measureMs = millisecondsOf([&] { core::measureLevels(progressive, request.ladder); });
     const ImportedModel& imported = model->read.imported;
     std::vector<osg::ref_ptr<osg::Node>> others;
     for (unsigned int i = 0; i < imported.remainder->getNumChildren(); ++i)
@@ -69,7 +72,8 @@ foundation::Result<Json> build(const BuildRequest& request, const std::string& f
              {"overheadBytesPerVertex", static_cast<double>(progressive.overheadBytes()) /
                                             static_cast<double>(progressive.mesh.wedgeCount())},
              {"simplifyMs", simplifyMs},
-             {"arrangeMs", arrangeMs}};
+             {"arrangeMs", arrangeMs},
+             {"measureMs", measureMs}};
     printBuild(row);
     return row;
 }

@@ -3,6 +3,7 @@
 
 #include <osgPMObjects/core/consolidate/MergeWedges.h>
 #include <osgPMObjects/core/mesh/MeshCounts.h>
+#include <osgPMObjects/core/simplify/ToleranceSearch.h>
 #include <osgPMObjects/core/simplify/VertexClustering.h>
 
 #include "pmtool/LevelMaker.h"
@@ -17,6 +18,8 @@ namespace
 using namespace osgPMObjects;
 using Json = nlohmann::ordered_json;
 using Clustered = foundation::Result<core::ClusteredMesh>;
+
+constexpr double kCellDiagonal = 1.7320508; ///< of a cube whose edge is 1
 
 /// Searches a small cell size with at most so many faces, by halving an interval of its logarithm. The number of faces does not
 /// fall at every larger size, so a smaller size than the one found may do, too.
@@ -40,44 +43,59 @@ Clustered clusterToFaces(const core::Mesh& mesh, std::size_t faces)
     return best;
 }
 
+/// Returns large clusters whose measured distance keeps the tolerance. A cell's diagonal does not bound it: what becomes
+/// a line or a point is gone from the surface.
+Clustered clusterWithin(const core::Mesh& mesh, double tolerance, const core::LevelMeter& meter)
+{
+    constexpr double kFiner = 1.25;
+    for (double size = tolerance / kCellDiagonal;; size /= kFiner)
+    {
+        Clustered tried = core::clusterVertices(mesh, size);
+        if (!tried || meter.measure(tried->mesh).maximum <= core::ToleranceSearch::kShare * tolerance)
+            return tried;
+    }
+}
+
 class ClusterLevels : public LevelMaker
 {
 public:
-    explicit ClusterLevels(const core::Mesh& mesh) : _mesh(mesh) {}
+    ClusterLevels(const core::Mesh& mesh, double speckSize) : _mesh(mesh), _errors(mesh, speckSize) {}
 
     Json summary() const override { return Json::object(); }
 
-    foundation::Result<MadeLevel> make(const LevelWish& wish) const override
+    foundation::Result<MadeLevel> make(const LevelWish& wish) override
     {
-        const double diagonalOfCell = std::sqrt(3.0);
         Clustered clustered = core::ClusteredMesh();
         const double ms = millisecondsOf(
             [&]
             {
                 clustered = wish.faces ? clusterToFaces(_mesh, *wish.faces)
-                                       : core::clusterVertices(_mesh, wish.tolerance / diagonalOfCell);
+                                       : clusterWithin(_mesh, wish.tolerance, _errors.meter());
             });
         if (!clustered) return clustered.error();
         core::compactMesh(clustered->mesh);
         Json row{{"level", wish.name},
                  {"triangles", clustered->mesh.faces.size()},
-                 {"distance", clustered->cellSize * diagonalOfCell},
+                 {"distance", clustered->cellSize * kCellDiagonal},
                  {"cellSize", clustered->cellSize},
                  {"lines", clustered->edges.size()},
                  {"points", clustered->points.size()},
                  {"ms", ms}};
-        return MadeLevel{std::move(clustered->mesh), std::move(row)};
+        MadeLevel level{std::move(clustered->mesh), std::move(row)};
+        _errors.addTo(level, wish);
+        return level;
     }
 
 private:
     const core::Mesh& _mesh;
+    LevelErrors _errors;
 };
 
 } // namespace
 
-std::unique_ptr<LevelMaker> clusterLevels(const core::Mesh& mesh)
+std::unique_ptr<LevelMaker> clusterLevels(const core::Mesh& mesh, double speckSize)
 {
-    return std::make_unique<ClusterLevels>(mesh);
+    return std::make_unique<ClusterLevels>(mesh, speckSize);
 }
 
 } // namespace pmtool

@@ -63,6 +63,8 @@ void printInfo(const nlohmann::ordered_json& row)
             for (const auto& entry : value)
                 std::cout << "  " << key.substr(0, key.size() - 1) << ": "
                           << (entry.is_string() ? entry.get<std::string>() : entry.dump()) << '\n';
+        else if (key == "ladder")
+            std::cout << "  measured levels: " << value.size() << '\n';
         else if (key != "model" && !(value.is_object() && value.empty()))
             std::cout << "  " << key << ": " << value.dump() << '\n';
 }

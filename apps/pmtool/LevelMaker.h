@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <osgPMObjects/core/simplify/LevelMeter.h>
 #include <osgPMObjects/core/simplify/Simplify.h>
 
 #include <osgPMObjects/ImportNode>
@@ -22,7 +23,7 @@ enum class SimplifyMethod
     images,   ///< edge collapses, the last ones chosen by images: polishByImages()
 };
 
-/// A level that was asked for: by its number of faces, or else by its error.
+/// A level that was asked for: by its number of faces, or else by its largest measured distance from the original.
 struct LevelWish
 {
     std::string name; ///< in the file's name: "25pc", "0.1m"
@@ -45,15 +46,39 @@ public:
 
     /// Figures of all levels together: "least" faces that can be reached, "ms" that were spent before the first level.
     virtual nlohmann::ordered_json summary() const = 0;
-    virtual foundation::Result<MadeLevel> make(const LevelWish& wish) const = 0;
+    virtual foundation::Result<MadeLevel> make(const LevelWish& wish) = 0;
 };
 
-/// edges and images. Both run simplify() at once. Of images a wish must have `faces`.
+/// Measures the levels of one model, and adds the figures to their rows.
+class LevelErrors
+{
+public:
+    /// The number of points spread by area on each surface.
+    static constexpr std::size_t kSamples = 60'000;
+
+    /// `speckSize`: as of LevelMeter.
+    LevelErrors(const osgPMObjects::core::Mesh& original, double speckSize)
+        : _meter(original, kSamples, speckSize), _hasSpecks(speckSize > 0.0)
+    {
+    }
+
+    const osgPMObjects::core::LevelMeter& meter() const { return _meter; }
+
+    /// Adds "errorMax" and "errorRms"; with specks "specksVanished": those farther from the level than the tolerance, or
+    /// than errorMax where there is none.
+    void addTo(MadeLevel& level, const LevelWish& wish) const;
+
+private:
+    osgPMObjects::core::LevelMeter _meter;
+    bool _hasSpecks;
+};
+
+/// edges and images. Both run simplify() at once. Of images a wish must have `faces`. `speckSize`: as of LevelErrors.
 std::unique_ptr<LevelMaker> sequenceLevels(const osgPMObjects::ImportedModel& model,
                                            const osgPMObjects::core::SimplifySettings& settings,
-                                           bool arePolished);
+                                           bool arePolished, double speckSize);
 
-/// clusters. Errors of make(): no cells of a size that the tolerance asks for.
-std::unique_ptr<LevelMaker> clusterLevels(const osgPMObjects::core::Mesh& mesh);
+/// clusters. Errors of make(): no cells of a size that the tolerance asks for. `speckSize`: as of LevelErrors.
+std::unique_ptr<LevelMaker> clusterLevels(const osgPMObjects::core::Mesh& mesh, double speckSize);
 
 } // namespace pmtool

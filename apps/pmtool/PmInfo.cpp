@@ -36,6 +36,21 @@ Json levelsOf(const ProgressiveMesh& mesh)
     return levels;
 }
 
+/// Returns triangles and measured errors of the levels of the ladder.
+Json ladderOf(const ProgressiveMesh& mesh)
+{
+    Json ladder = Json::array();
+    ProgressiveLevel level(mesh);
+    for (const MeasuredLevel& measured : mesh.ladder)
+    {
+        level.moveTo(measured.steps);
+        ladder.push_back({{"triangles", level.faceCount()},
+                          {"errorMax", measured.error.maximum},
+                          {"errorRms", measured.error.rootMeanSquare}});
+    }
+    return ladder;
+}
+
 } // namespace
 
 bool isPmFile(const std::string& file)
@@ -70,6 +85,7 @@ foundation::Result<Json> describePm(const std::string& file)
               static_cast<double>(mesh->overheadBytes()) / static_cast<double>(mesh->mesh.wedgeCount())},
              {"positionsAfterSections", std::move(stops)},
              {"levels", levelsOf(*mesh)},
+             {"ladder", ladderOf(*mesh)},
              {"materials", Json::array()}};
     for (const FaceGroup& group : mesh->groups)
         row["materials"].push_back(mesh->mesh.materials[group.material].name);

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <optional>
+
 #include <osgPMObjects/core/polish/PolishByImages.h>
+#include <osgPMObjects/core/simplify/ToleranceSearch.h>
 
 #include <osgPMObjects/MaterialLooks>
 
@@ -18,10 +21,12 @@ using Json = nlohmann::ordered_json;
 class SequenceLevels : public LevelMaker
 {
 public:
-    SequenceLevels(const ImportedModel& model, const core::SimplifySettings& settings, bool arePolished)
-        : _model(model), _settings(settings), _arePolished(arePolished)
+    SequenceLevels(const ImportedModel& model, const core::SimplifySettings& settings, bool arePolished,
+                   double speckSize)
+        : _model(model), _settings(settings), _arePolished(arePolished), _errors(model.mesh, speckSize)
     {
         _ms = millisecondsOf([this] { _sequence = core::simplify(_model.mesh, _settings); });
+        _search.emplace(_model.mesh, _sequence, _errors.meter());
     }
 
     Json summary() const override
@@ -31,7 +36,7 @@ public:
             {"ms", _ms}};
     }
 
-    foundation::Result<MadeLevel> make(const LevelWish& wish) const override
+    foundation::Result<MadeLevel> make(const LevelWish& wish) override
     {
         if (!_arePolished) return levelOf(_sequence, wish);
         foundation::Result<MadeLevel> level = MadeLevel();
@@ -48,33 +53,38 @@ public:
     }
 
 private:
-    MadeLevel levelOf(const core::CollapseSequence& sequence, const LevelWish& wish) const
+    MadeLevel levelOf(const core::CollapseSequence& sequence, const LevelWish& wish)
     {
-        const std::size_t steps = wish.faces ? core::stepsToFaces(sequence, *wish.faces)
-                                             : core::stepsToDistance(sequence, wish.tolerance);
+        const std::size_t steps =
+            wish.faces ? core::stepsToFaces(sequence, *wish.faces) : _search->coarsestWithin(wish.tolerance);
         const core::LevelError error = steps > 0 ? sequence.steps[steps - 1].error : core::LevelError();
-        return {core::meshAfter(_model.mesh, sequence, steps),
-                {{"level", wish.name},
-                 {"triangles", steps > 0 ? sequence.steps[steps - 1].facesAfter : sequence.facesBefore},
-                 {"distance", error.distance},
-                 {"normal", error.normal},
-                 {"texCoord", error.texCoord},
-                 {"colour", error.colour}}};
+        MadeLevel level{
+            core::meshAfter(_model.mesh, sequence, steps),
+            {{"level", wish.name},
+             {"triangles", steps > 0 ? sequence.steps[steps - 1].facesAfter : sequence.facesBefore},
+             {"distance", error.distance},
+             {"normal", error.normal},
+             {"texCoord", error.texCoord},
+             {"colour", error.colour}}};
+        _errors.addTo(level, wish);
+        return level;
     }
 
     const ImportedModel& _model;
     core::SimplifySettings _settings;
     bool _arePolished;
+    LevelErrors _errors;
     core::CollapseSequence _sequence;
+    std::optional<core::ToleranceSearch> _search; ///< of `_sequence`, which must not move
     double _ms = 0.0;
 };
 
 } // namespace
 
 std::unique_ptr<LevelMaker> sequenceLevels(const ImportedModel& model, const core::SimplifySettings& settings,
-                                           bool arePolished)
+                                           bool arePolished, double speckSize)
 {
-    return std::make_unique<SequenceLevels>(model, settings, arePolished);
+    return std::make_unique<SequenceLevels>(model, settings, arePolished, speckSize);
 }
 
 } // namespace pmtool

@@ -35,6 +35,7 @@ struct SimplifyRequest
     std::vector<double> tolerances; ///< units of the model
     double envelopePercent = 0.0;   ///< of the diagonal
     double joinPercent = 0.0;       ///< the same
+    double speckSize = 0.0;         ///< units of the model
     std::filesystem::path outputFolder;
     std::string format = "osgb";
 };
@@ -61,12 +62,12 @@ std::vector<LevelWish> wishesOf(const SimplifyRequest& request, std::size_t face
 
 std::unique_ptr<LevelMaker> makerOf(const SimplifyRequest& request, const ImportedModel& model)
 {
-    if (request.method == SimplifyMethod::clusters) return clusterLevels(model.mesh);
+    if (request.method == SimplifyMethod::clusters) return clusterLevels(model.mesh, request.speckSize);
     core::SimplifySettings settings = request.settings;
     const double diagonal = core::diagonalOf(model.mesh);
     settings.envelope = request.envelopePercent / 100.0 * diagonal;
     settings.joinDistance = request.joinPercent / 100.0 * diagonal;
-    return sequenceLevels(model, settings, request.method == SimplifyMethod::images);
+    return sequenceLevels(model, settings, request.method == SimplifyMethod::images, request.speckSize);
 }
 
 foundation::Outcome writeLevel(const ImportedModel& model, core::Mesh level,
@@ -83,15 +84,21 @@ void printModel(const Json& row)
     std::cout << '\n';
 }
 
+std::string distanceText(const Json& distance)
+{
+    return distance.is_null() ? "any distance (no surface is left)" : shortest(distance.get<double>());
+}
+
 void printLevel(const Json& level)
 {
     std::cout << "  " << std::setw(8) << level["level"].get<std::string>() << std::setw(9)
-              << level["triangles"].get<std::size_t>() << " triangles, off by ";
+              << level["triangles"].get<std::size_t>() << " triangles, off by at most "
+              << distanceText(level["errorMax"]) << ", rms " << distanceText(level["errorRms"]);
     if (level.contains("cellSize"))
-        std::cout << "at most " << level["distance"].get<double>() << ", cells of "
-                  << level["cellSize"].get<double>();
+        std::cout << ", cells of " << level["cellSize"].get<double>();
     else
-        std::cout << level["distance"].get<double>() << ", texture by " << level["texCoord"].get<double>();
+        std::cout << ", texture by " << level["texCoord"].get<double>();
+    if (level.contains("specksVanished")) std::cout << ", specks vanished: " << level["specksVanished"];
     if (level.contains("ms")) std::cout << ", " << level["ms"].get<double>() << " ms";
     std::cout << '\n';
 }
@@ -172,8 +179,13 @@ void addSimplify(CLI::App& app, Chosen& chosen)
         ->check(terminal::between(0.001, 100.0));
     command
         ->add_option("--tolerances", request->tolerances,
-                     "levels by their distance from the original, in units of the model")
+                     "levels by their largest measured distance from the original, in units of the model")
         ->delimiter(',')
+        ->check(terminal::between(0.0, 1e9));
+    command
+        ->add_option("--specks", request->speckSize,
+                     "parts up to this size may vanish and do not count as distance, in units of the model "
+                     "(0: all count)")
         ->check(terminal::between(0.0, 1e9));
     command
         ->add_option("--placement", request->settings.placement,

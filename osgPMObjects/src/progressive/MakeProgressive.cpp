@@ -2,6 +2,7 @@
 #include <foundation/SettingsCheck.h>
 
 #include <osgPMObjects/core/progressive/LevelMesh.h>
+#include <osgPMObjects/core/progressive/MeasureLevels.h>
 #include <osgPMObjects/core/simplify/Simplifiable.h>
 
 #include <osgPMObjects/ExportNode>
@@ -21,6 +22,9 @@ foundation::Outcome checkSettings(const MakeProgressiveSettings& settings)
             .within("envelope", settings.simplify.envelope, 0.0)
             .outcome();
     if (!checked) return checked;
+    if (const auto ladder = at("MakeProgressiveSettings.ladder", core::checkSettings(settings.ladder));
+        !ladder)
+        return ladder;
     return at("MakeProgressiveSettings.arrangement", core::checkSettings(settings.arrangement));
 }
 
@@ -38,8 +42,10 @@ foundation::Result<ProgressiveModel> makeProgressive(osg::Node& node, const std:
     core::SimplifySettings simplifySettings = settings.simplify;
     simplifySettings.placement = core::Placement::subset;
     const core::CollapseSequence sequence = core::simplify(mesh, simplifySettings);
-    const osg::ref_ptr<ProgressiveShape> shape = new ProgressiveShape(
-        core::buildProgressiveMesh(mesh, sequence, settings.arrangement), imported->states);
+    core::ProgressiveMesh progressive = core::buildProgressiveMesh(mesh, sequence, settings.arrangement);
+    core::measureLevels(progressive, settings.ladder);
+    const osg::ref_ptr<ProgressiveShape> shape =
+        new ProgressiveShape(std::move(progressive), imported->states);
 
     ProgressiveModel model{new ProgressiveNode(shape), imported->report};
     model.node->setName(node.getName());

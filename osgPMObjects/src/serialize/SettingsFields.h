@@ -40,6 +40,7 @@ void visitSelection(Settings& selection, Visit& visit)
     visit("trianglePx", selection.trianglePx);
     visit("tolerancePx", selection.tolerancePx);
     visit("leastFaces", selection.leastFaces);
+    visit("errorKind", selection.errorKind);
     visit("weights.normal", selection.weights.normal);
     visit("weights.texCoord", selection.weights.texCoord);
     visit("weights.colour", selection.weights.colour);

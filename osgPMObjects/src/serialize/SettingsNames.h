@@ -17,6 +17,10 @@ inline std::array<const char*, kSelectionMethods> sceneFileNames(SelectionMethod
         names[i] = nameOf(static_cast<SelectionMethod>(i));
     return names;
 }
+constexpr auto sceneFileNames(ErrorKind)
+{
+    return std::array{"maximum", "root-mean-square"};
+}
 constexpr auto sceneFileNames(SwitchMethod)
 {
     return std::array{"discrete", "blend", "alpha", "continuous", "geomorph"};

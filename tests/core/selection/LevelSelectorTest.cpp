@@ -78,7 +78,16 @@ TEST(LevelSelector, EveryRuleGoesFromFineToCoarseWithDistance)
         }
         EXPECT_GE(switches, 4);
         EXPECT_GE(last, 700u);
-        EXPECT_EQ(fixture.at(3.0, held).steps, first); // and back
+        const std::uint32_t back = fixture.at(3.0, held).steps;
+        if (method != SelectionMethod::screenError)
+        {
+            EXPECT_EQ(back, first);
+            continue;
+        }
+        const auto view = SelectionView::from(testsupport::viewTo({0, -3.0, 0}, {0, 0, 0}));
+        const double tolerance = LevelSelector(view).toleranceOf(fixture.object, 1.0);
+        EXPECT_EQ(first, coarsestWithin(fixture.table, tolerance)) << "the first choice needs no band";
+        EXPECT_EQ(back, coarsestWithin(fixture.table, tolerance / kDefaultBand));
     }
 }
 

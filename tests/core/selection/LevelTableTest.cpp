@@ -26,6 +26,18 @@ TEST(LevelTable, ThatGrowsOrGetsBetterIsNone)
     EXPECT_FALSE(isOneWith([](LevelTable& t) { t.errors[0].normal = 1e-6f; }));
     EXPECT_FALSE(isOneWith([](LevelTable& t) { t.errors.pop_back(); }));
     EXPECT_FALSE(isOneWith([](LevelTable& t) { t = {}; }));
+    EXPECT_TRUE(isOneWith(
+        [](LevelTable& t) {
+            t.measured = ErrorLadder(std::vector<MeasuredLevel>{{0, {}}, {96, {1.0f, 1.0f}}});
+        }));
+    EXPECT_FALSE(isOneWith(
+        [](LevelTable& t) {
+            t.measured = ErrorLadder(std::vector<MeasuredLevel>{{0, {}}, {97, {1.0f, 1.0f}}});
+        }));
+    EXPECT_FALSE(isOneWith(
+        [](LevelTable& t) {
+            t.measured = ErrorLadder(std::vector<MeasuredLevel>{{1, {}}});
+        }));
 }
 
 TEST(LevelTable, KnowsTheCoarsestLevelWithSoManyFaces)

@@ -114,10 +114,10 @@ TEST(ParallelView, IsOneFromFarAwayToEveryRule)
 TEST(ParallelView, TheScreenErrorIsThatInItsPixels)
 {
     const ParallelFixture fixture(SelectionMethod::screenError);
-    for (const double pixel : {0.0001, 0.001, 0.01})
+    for (const double pixel : {0.00011, 0.0011, 0.011}) // between the errors of two levels
     {
         const std::uint32_t steps = fixture.in(parallel(pixel)).steps;
-        EXPECT_EQ(steps, coarsestWithin(fixture.table.errors, pixel / fixture.settings.band));
+        EXPECT_EQ(steps, coarsestWithin(fixture.table, pixel));
         EXPECT_EQ(fixture.in(parallel(pixel), 0.0, 4.0).steps, fixture.in(parallel(pixel / 4.0)).steps)
             << "a device that magnifies";
     }

@@ -13,12 +13,22 @@ namespace
 using namespace osgPMObjects::core;
 using testsupport::Random;
 
-std::vector<LevelError> errorsOf(std::initializer_list<float> distances)
+LevelTable tableOf(std::vector<LevelError> errors)
+{
+    LevelTable table;
+    for (std::size_t level = 0; level < errors.size(); ++level)
+        table.faces.push_back(static_cast<std::uint32_t>(2 * (errors.size() - level)));
+    table.errors = std::move(errors);
+    return table;
+}
+
+/// Returns a table with estimated distances.
+LevelTable errorsOf(std::initializer_list<float> distances)
 {
     std::vector<LevelError> errors;
     for (const float distance : distances)
         errors.push_back({distance});
-    return errors;
+    return tableOf(std::move(errors));
 }
 
 TEST(ScreenErrorRule, TakesTheCoarsestLevelWithinTheTolerance)
@@ -38,10 +48,11 @@ TEST(ScreenErrorRule, CountsAttributesWhenTheyAreWeighed)
     errors[1] = {0.1f, 0.5f, 0.0f, 0.0f};
     errors[2] = {0.2f, 0.5f, 0.3f, 0.0f};
     errors[3] = {0.3f, 0.5f, 0.3f, 1.0f};
-    EXPECT_EQ(coarsestWithin(errors, 1.0), 3u);
-    EXPECT_EQ(coarsestWithin(errors, 1.0, {.normal = 3.0f}), 0u);
-    EXPECT_EQ(coarsestWithin(errors, 1.0, {.texCoord = 5.0f}), 1u);
-    EXPECT_EQ(coarsestWithin(errors, 1.0, {.colour = 2.0f}), 2u);
+    const LevelTable table = tableOf(errors);
+    EXPECT_EQ(coarsestWithin(table, 1.0), 3u);
+    EXPECT_EQ(coarsestWithin(table, 1.0, {{.normal = 3.0f}}), 0u);
+    EXPECT_EQ(coarsestWithin(table, 1.0, {{.texCoord = 5.0f}}), 1u);
+    EXPECT_EQ(coarsestWithin(table, 1.0, {{.colour = 2.0f}}), 2u);
     EXPECT_FLOAT_EQ(errorOf(errors[3], {1.0f, 1.0f, 2.0f}), 2.0f);
 }
 
@@ -52,7 +63,7 @@ TEST(ScreenErrorRule, TheTolerableErrorIsTheInverseOfTheBoundInPixels)
 }
 
 /// Returns the most switches while the distance varies by ±5 %, at steps of several sizes.
-int mostSwitches(const std::vector<LevelError>& errors, double band)
+int mostSwitches(const LevelTable& errors, double band)
 {
     Random random(12);
     int most = 0;
@@ -71,7 +82,7 @@ int mostSwitches(const std::vector<LevelError>& errors, double band)
 
 TEST(ScreenErrorRule, SwitchesAtMostOnceWhileTheDistanceTremblesByFivePerCent)
 {
-    const auto smooth = testsupport::levelTable(500).errors;                  // many small steps
+    const auto smooth = testsupport::levelTable(500);                         // many small steps
     const auto rough = errorsOf({0.0f, 1e-4f, 1e-3f, 1.1e-3f, 5e-3f, 2e-2f}); // some large ones
     for (const auto& errors : {smooth, rough})
     {
@@ -83,7 +94,7 @@ TEST(ScreenErrorRule, SwitchesAtMostOnceWhileTheDistanceTremblesByFivePerCent)
 
 TEST(ScreenErrorRule, TheToleranceHoldsAlwaysAndTheBandCostsLittle)
 {
-    const auto errors = testsupport::levelTable(500).errors;
+    const LevelTable table = testsupport::levelTable(500);
     Random random(13);
     HeldLevel held;
     double log = -6.0;
@@ -91,16 +102,72 @@ TEST(ScreenErrorRule, TheToleranceHoldsAlwaysAndTheBandCostsLittle)
     {
         log = glm::clamp(log + testsupport::between(random, -0.05, 0.05), -12.0, -3.0);
         const double tolerance = std::exp(log);
-        held.level = heldWithin(errors, tolerance, kDefaultBand, held);
-        EXPECT_LE(errors[held.level].distance, tolerance);
-        EXPECT_GE(held.level, coarsestWithin(errors, tolerance / (kDefaultBand * kDefaultBand)));
-        EXPECT_EQ(heldWithin(errors, tolerance, 1.0, held), coarsestWithin(errors, tolerance));
+        held.level = heldWithin(table, tolerance, kDefaultBand, held);
+        EXPECT_LE(table.errors[held.level].distance, tolerance);
+        EXPECT_GE(held.level, coarsestWithin(table, tolerance / (kDefaultBand * kDefaultBand)));
+        EXPECT_EQ(heldWithin(table, tolerance, 1.0, held), coarsestWithin(table, tolerance));
     }
 }
 
 TEST(ScreenErrorRule, ForgetsALevelThatIsNone)
 {
     EXPECT_EQ(heldWithin(errorsOf({0.0f, 1.0f}), 5.0, 1.1, HeldLevel{17}), 1u);
+}
+
+TEST(ScreenErrorRule, TheFirstChoiceNeedsNoBand)
+{
+    const LevelTable table = errorsOf({0.0f, 1.0f, 2.0f, 3.0f});
+    EXPECT_EQ(heldWithin(table, 2.1, 1.12, HeldLevel{}), 2u);
+    EXPECT_EQ(heldWithin(table, 2.1, 1.12, HeldLevel{3}), 1u) << "a change of level does";
+    EXPECT_EQ(heldWithin(table, 2.1, 1.12, HeldLevel{2}), 2u);
+}
+
+/// A table whose measured errors fall from level 2 to level 4; estimates never fall.
+LevelTable measuredTable()
+{
+    LevelTable table = errorsOf({0.0f, 5.0f, 5.0f, 5.0f, 5.0f, 5.0f, 9.0f});
+    table.measured = ErrorLadder(std::vector<MeasuredLevel>{
+        {0, {0.0f, 0.0f}}, {1, {1.0f, 0.1f}}, {2, {3.0f, 0.2f}}, {4, {2.0f, 0.3f}}, {6, {4.0f, 0.8f}}});
+    return table;
+}
+
+TEST(ScreenErrorRule, MeasuredErrorsReplaceEstimates)
+{
+    const LevelTable table = measuredTable();
+    ASSERT_TRUE(isLevelTable(table));
+    EXPECT_EQ(coarsestWithin(table, 0.9), 0u);
+    EXPECT_EQ(coarsestWithin(table, 1.0), 1u);
+    EXPECT_EQ(coarsestWithin(table, 2.0), 4u) << "level 2 does not keep it, a coarser one does";
+    EXPECT_EQ(coarsestWithin(table, 4.0), 6u);
+    EXPECT_EQ(coarsestWithin(table, 0.31, {.kind = ErrorKind::rootMeanSquare}), 4u);
+    LevelTable estimated = table;
+    estimated.measured = {};
+    EXPECT_EQ(coarsestWithin(estimated, 4.0), 0u) << "one estimate decides";
+}
+
+TEST(ScreenErrorRule, TheToleranceHoldsWhereLevelsAreExcluded)
+{
+    const LevelTable table = measuredTable();
+    EXPECT_EQ(coarsestWithin(table, 2.0, {}, {.mostSteps = 3}), 3u) << "between two levels: as the coarser";
+    EXPECT_EQ(coarsestWithin(table, 2.0, {}, {.mostSteps = 2}), 1u);
+    const std::uint32_t drawable[] = {0, 1, 2, 6};
+    EXPECT_EQ(coarsestWithin(table, 2.0, {}, {.drawable = drawable}), 1u);
+    EXPECT_EQ(coarsestWithin(table, 3.0, {}, {.drawable = drawable}), 2u);
+    std::vector<LevelError> errors = table.errors;
+    for (std::size_t level = 3; level < errors.size(); ++level)
+        errors[level].normal = 1.0f;
+    LevelTable bent = tableOf(errors);
+    bent.measured = table.measured;
+    EXPECT_EQ(coarsestWithin(bent, 2.0, {{.normal = 10.0f}}), 1u) << "attributes exclude levels, too";
+}
+
+TEST(ScreenErrorRule, HoldsMeasuredLevelsWithinTheToleranceOnly)
+{
+    const LevelTable table = measuredTable();
+    EXPECT_EQ(heldWithin(table, 2.0, 1.12, HeldLevel{2}), 1u) << "3 is too much; 4 has to be within 2 / 1.12";
+    EXPECT_EQ(heldWithin(table, 2.0, 1.12, HeldLevel{4}), 4u);
+    EXPECT_EQ(heldWithin(table, 2.4, 1.12, HeldLevel{1}), 1u);
+    EXPECT_EQ(heldWithin(table, 2.6, 1.12, HeldLevel{1}), 4u);
 }
 
 } // namespace

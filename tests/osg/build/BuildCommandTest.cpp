@@ -58,6 +58,15 @@ TEST_F(BuildCommand, WritesAProgressiveMeshThatInfoLooksInto)
         EXPECT_EQ(row["levels"][0]["triangles"], 800);
         EXPECT_EQ(row["levels"][2]["positions"], 110);
         EXPECT_GT(row["levels"][2]["distance"].get<double>(), 0.0);
+        ASSERT_GT(row["ladder"].size(), 20u);
+        EXPECT_EQ(row["ladder"][0]["triangles"], 800);
+        for (std::size_t i = 1; i < row["ladder"].size(); ++i)
+        {
+            const auto &finer = row["ladder"][i - 1], &coarser = row["ladder"][i];
+            const double triangles = coarser["triangles"].get<double>();
+            EXPECT_LE(finer["triangles"].get<double>(), std::max(1.25 * triangles, triangles + 2.0));
+            EXPECT_GE(coarser["errorMax"], coarser["errorRms"]);
+        }
     }
 }
 

@@ -78,6 +78,7 @@ TEST(MakeProgressive, TakesAllSurfacesWithTheirStatesAndKeepsTheRest)
     EXPECT_EQ(model->report.keptDrawables, 1u);
     ASSERT_EQ(node.getNumChildren(), 2u) << "the drawable, and what is no surface";
     ASSERT_EQ(node.shape()->groups().size(), 2u);
+    EXPECT_FALSE(node.shape()->levels().measured.isEmpty()) << "errors are measured";
     std::vector<std::string> names;
     for (const auto& group : node.shape()->groups())
         names.push_back(group.state->getAttribute(osg::StateAttribute::MATERIAL)->getName());

@@ -131,7 +131,7 @@ TEST(ParallelProjection, ChoosesForAnObjectAsAPerspectiveFromFarAway)
     {
         const osg::ref_ptr<ProgressiveNode> node = new ProgressiveNode(parallelSubject().shape);
         ASSERT_TRUE(node->setSelection(settingsOf(method)));
-        for (const double pixel : {0.03, 0.11, 0.4})
+        for (const double pixel : {0.03, 0.11, 0.42})
         {
             const auto steps = [&](bool isParallel)
             {

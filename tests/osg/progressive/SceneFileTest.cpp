@@ -29,6 +29,7 @@ core::SelectionSettings unusualSettings()
     settings.referenceM = 0.1;
     settings.trianglePx = 2.25;
     settings.tolerancePx = 3.0000000001;
+    settings.errorKind = core::ErrorKind::rootMeanSquare;
     settings.leastFaces = 24;
     settings.weights = {0.25f, 0.1f, 3.0f};
     settings.band = 1.3;
@@ -54,6 +55,7 @@ void expectEqual(const core::SelectionSettings& a, const core::SelectionSettings
     EXPECT_EQ(a.referenceM, b.referenceM);
     EXPECT_EQ(a.trianglePx, b.trianglePx);
     EXPECT_EQ(a.tolerancePx, b.tolerancePx);
+    EXPECT_EQ(a.errorKind, b.errorKind);
     EXPECT_EQ(a.leastFaces, b.leastFaces);
     EXPECT_EQ(a.weights.normal, b.weights.normal);
     EXPECT_EQ(a.weights.texCoord, b.weights.texCoord);

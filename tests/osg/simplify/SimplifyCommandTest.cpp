@@ -53,8 +53,8 @@ TEST_F(SimplifyCommand, WritesLevelsByCountAndByError)
         ASSERT_TRUE(written) << written.error().message();
         EXPECT_EQ(written->imported.mesh.faces.size(), level["triangles"].get<std::size_t>());
     }
-    EXPECT_LE(row["levels"][2]["distance"].get<double>(), 0.05);
-    EXPECT_GT(row["levels"][2]["distance"].get<double>(), 0.01);
+    EXPECT_LE(row["levels"][2]["errorMax"].get<double>(), 0.05);
+    EXPECT_GT(row["levels"][2]["errorMax"].get<double>(), 0.01);
 }
 
 TEST_F(SimplifyCommand, StopsAtAnEnvelope)

@@ -47,7 +47,7 @@ const BenefitCurve* FieldView::curveOf(std::uint32_t model, const CostModel& cos
             const FieldModel& each = _field.models()[i];
             _curves.push_back(BenefitCurve::ofLevels(*each.table, _field.allowedRungs(i),
                                                      std::max(each.sphere.radius, 1e-9), cost,
-                                                     each.selection.weights));
+                                                     each.selection.measure()));
         }
     }
     return &_curves[model];

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <cmath>
 #include <limits>
-#include <thread>
 #include <vector>
 
 #include <glm/geometric.hpp>
@@ -15,74 +15,177 @@ namespace osgPMObjects::core
 namespace
 {
 
-constexpr std::size_t kLeastSamplesAThread = 2048;
+/// Samples are measured in chunks, whose results are joined in order: the sums do not depend on the number of threads.
+constexpr std::size_t kChunk = 1024;
 
-const glm::dvec3& placeOf(const glm::dvec3& point)
+struct Sums
 {
-    return point;
-}
-
-const glm::dvec3& placeOf(const SurfacePoint& point)
-{
-    return point.position;
-}
-
-struct Distances
-{
-    double largest = 0.0, sum = 0.0;
+    double largest = 0.0, sum = 0.0, squares = 0.0;
 };
 
-/// Measures neighbouring samples in sequence: the distance to a surface changes by at most the way between two samples, which
-/// bounds the search in the tree.
-template<class Point>
-Distances distancesOf(const std::vector<Point>& samples, std::size_t first, std::size_t last,
-                      const TriangleTree& tree)
+/// Calls work(first, last, chunk) for each chunk of so many samples, in several threads.
+template<class Work>
+void forEachChunk(std::size_t samples, const Work& work)
 {
-    Distances found;
-    double most = std::numeric_limits<double>::infinity();
-    for (std::size_t i = first; i < last; ++i)
-    {
-        const glm::dvec3& place = placeOf(samples[i]);
-        const double d = tree.distance(place, most);
-        found.largest = std::max(found.largest, d);
-        found.sum += d;
-        if (i + 1 < last) most = (d + glm::length(placeOf(samples[i + 1]) - place)) * (1.0 + 1e-9);
-    }
-    return found;
+    parallelShares((samples + kChunk - 1) / kChunk, 2,
+                   [&](std::size_t first, std::size_t last, std::size_t)
+                   {
+                       for (std::size_t chunk = first; chunk < last; ++chunk)
+                           work(chunk * kChunk, std::min(samples, (chunk + 1) * kChunk), chunk);
+                   });
 }
 
-template<class Point>
-Distances distances(const std::vector<Point>& samples, const TriangleTree& tree)
+/// Returns the bound of the distance at the next sample: it changes by at most the way between two samples.
+double boundAfter(double distance, const glm::dvec3& here, const glm::dvec3& next)
 {
-    std::vector<Distances> parts(std::max(1u, std::thread::hardware_concurrency()));
-    parallelShares(samples.size(), kLeastSamplesAThread,
-                   [&](std::size_t first, std::size_t last, std::size_t share)
-                   { parts[share] = distancesOf(samples, first, last, tree); });
-    Distances all;
-    for (const Distances& part : parts)
-        all = {std::max(all.largest, part.largest), all.sum + part.sum};
+    return (distance + glm::length(next - here)) * (1.0 + 1e-9);
+}
+
+/// Measures the spread points of a surface.
+Sums distancesOf(const std::vector<SurfacePoint>& samples, const TriangleTree& tree)
+{
+    std::vector<Sums> chunks((samples.size() + kChunk - 1) / kChunk);
+    forEachChunk(samples.size(),
+                 [&](std::size_t first, std::size_t last, std::size_t chunk)
+                 {
+                     Sums& found = chunks[chunk];
+                     double most = std::numeric_limits<double>::infinity();
+                     for (std::size_t i = first; i < last; ++i)
+                     {
+                         const double d = tree.distance(samples[i].position, most);
+                         found.largest = std::max(found.largest, d);
+                         found.sum += d;
+                         found.squares += d * d;
+                         if (i + 1 < last) most = boundAfter(d, samples[i].position, samples[i + 1].position);
+                     }
+                 });
+    Sums all;
+    for (const Sums& chunk : chunks)
+        all = {std::max(all.largest, chunk.largest), all.sum + chunk.sum, all.squares + chunk.squares};
     return all;
+}
+
+/// Returns the distance of a point from a surface; where that is at most `enough`, some number from it to `enough`.
+double distanceAbove(const glm::dvec3& point, const MeasuredSurface& surface, double enough, double most)
+{
+    if (most <= enough) return most;
+    const std::vector<glm::dvec3>& positions = surface.mesh().positions;
+    double least = most * most, bound = least;
+    surface.tree().visitNear(point, bound,
+                             [&](std::uint32_t triangle)
+                             {
+                                 const Triangle& t = surface.triangles()[triangle];
+                                 const glm::dvec3 away =
+                                     point -
+                                     nearestPoint(point, positions[t[0]], positions[t[1]], positions[t[2]]);
+                                 least = std::min(least, glm::dot(away, away));
+                                 bound = least <= enough * enough ? -1.0 : least; // below 0: no box is nearer
+                             });
+    return std::sqrt(least);
+}
+
+/// Returns the largest distance of points from a surface, at least `atLeast`.
+double largestOf(const std::vector<glm::dvec3>& points, const MeasuredSurface& surface, double atLeast)
+{
+    std::vector<double> chunks((points.size() + kChunk - 1) / kChunk, atLeast);
+    forEachChunk(points.size(),
+                 [&](std::size_t first, std::size_t last, std::size_t chunk)
+                 {
+                     double& largest = chunks[chunk];
+                     double most = std::numeric_limits<double>::infinity();
+                     for (std::size_t i = first; i < last; ++i)
+                     {
+                         const double d = distanceAbove(points[i], surface, largest, most);
+                         largest = std::max(largest, d);
+                         if (i + 1 < last) most = boundAfter(d, points[i], points[i + 1]);
+                     }
+                 });
+    for (const double chunk : chunks)
+        atLeast = std::max(atLeast, chunk);
+    return atLeast;
+}
+
+/// Moves a point of a triangle to larger distances from a surface, by smaller and smaller ways.
+double climbed(SurfacePoint point, double distance, const MeasuredSurface& from, const TriangleTree& to)
+{
+    constexpr double kFirstWay = 0.2, kLastWay = 0.004; // in edges
+    constexpr double kDirections[][2] = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, -1}, {-1, 1}};
+    const std::vector<glm::dvec3>& positions = from.mesh().positions;
+    const Triangle& t = from.triangles()[point.triangle];
+    const glm::dvec3 a = positions[t[0]], ab = positions[t[1]] - a, ac = positions[t[2]] - a;
+    for (double way = kFirstWay; way > kLastWay;)
+    {
+        SurfacePoint best = point;
+        double most = distance;
+        for (const auto& direction : kDirections)
+        {
+            SurfacePoint next = point;
+            next.second = std::clamp(point.second + way * direction[0], 0.0, 1.0);
+            next.third = std::clamp(point.third + way * direction[1], 0.0, 1.0 - next.second);
+            next.position = a + next.second * ab + next.third * ac;
+            const double d = to.distance(next.position, boundAfter(distance, point.position, next.position));
+            if (d > most) best = next, most = d;
+        }
+        if (most > distance)
+            point = best, distance = most;
+        else
+            way *= 0.5;
+    }
+    return distance;
 }
 
 } // namespace
 
+double farthestDistance(const MeasuredSurface& from, const MeasuredSurface& to, double atLeast)
+{
+    constexpr std::size_t kLeastSamplesAStart = 32, kMostStarts = 256;
+    constexpr double kShare = 0.6; // of the largest distance: nearer starts hardly lead beyond it
+    const std::vector<SurfacePoint>& samples = from.spreadPoints();
+    const std::size_t each = std::max(kLeastSamplesAStart, samples.size() / kMostStarts);
+    std::vector<double> farthest((samples.size() + each - 1) / each, atLeast);
+    if (!std::isfinite(atLeast)) return atLeast;
+    const auto search = [&](std::size_t start)
+    {
+        double most = 0.0;
+        std::size_t at = start * each;
+        for (std::size_t i = at; i < std::min(samples.size(), (start + 1) * each); ++i)
+        {
+            const double d = distanceAbove(samples[i].position, to, std::max(most, kShare * atLeast),
+                                           std::numeric_limits<double>::infinity());
+            if (d > most) most = d, at = i;
+        }
+        if (most > kShare * atLeast)
+            farthest[start] = std::max(atLeast, climbed(samples[at], most, from, to.tree()));
+    };
+    parallelShares(farthest.size(), 2,
+                   [&](std::size_t first, std::size_t last, std::size_t)
+                   {
+                       for (std::size_t start = first; start < last; ++start)
+                           search(start);
+                   });
+    for (const double distance : farthest)
+        atLeast = std::max(atLeast, distance);
+    return atLeast;
+}
+
+SurfaceDistance surfaceDistance(const MeasuredSurface& from, const MeasuredSurface& to)
+{
+    const Sums spread = distancesOf(from.spreadPoints(), to.tree());
+    const double count = std::max(1.0, static_cast<double>(from.spreadPoints().size()));
+    return {largestOf(from.fixedPoints(), to, spread.largest), spread.sum / count,
+            std::sqrt(spread.squares / count)};
+}
+
 SurfaceChange surfaceChange(const MeasuredSurface& a, const MeasuredSurface& b)
 {
-    const MeasuredSurface* surfaces[] = {&a, &b};
+    const SurfaceDistance there = surfaceDistance(a, b), back = surfaceDistance(b, a);
+    const auto countA = static_cast<double>(a.spreadPoints().size()),
+               countB = static_cast<double>(b.spreadPoints().size());
     SurfaceChange change;
-    std::size_t spreadCount = 0;
-    for (int side = 0; side < 2; ++side)
-    {
-        const MeasuredSurface& from = *surfaces[side];
-        const TriangleTree& tree = surfaces[1 - side]->tree();
-        const Distances atFixed = distances(from.fixedPoints(), tree);
-        const Distances atSpread = distances(from.spreadPoints(), tree);
-        change.largest = std::max({change.largest, atFixed.largest, atSpread.largest});
-        change.mean += atSpread.sum;
-        change.samples += from.fixedPoints().size() + from.spreadPoints().size();
-        spreadCount += from.spreadPoints().size();
-    }
-    if (spreadCount > 0) change.mean /= static_cast<double>(spreadCount);
+    change.largest = std::max(there.largest, back.largest);
+    if (countA + countB > 0.0) change.mean = (there.mean * countA + back.mean * countB) / (countA + countB);
+    for (const MeasuredSurface* surface : {&a, &b})
+        change.samples += surface->fixedPoints().size() + surface->spreadPoints().size();
     return change;
 }
 

@@ -161,7 +161,7 @@ std::size_t ProgressiveMesh::overheadBytes() const
     const std::size_t indexBytes = mesh.wedgeCount() < std::numeric_limits<std::uint16_t>::max() ? 2 : 4;
     return records.size() + parents.size() * indexBytes + groups.size() * sizeof(FaceGroup) +
            blocks.size() * sizeof(FaceBlock) + errors.size() * sizeof(LevelError) +
-           3 * base.size() * indexBytes;
+           ladder.size() * sizeof(MeasuredLevel) + 3 * base.size() * indexBytes;
 }
 
 LevelError errorAfter(const ProgressiveMesh& progressive, std::uint32_t steps)
@@ -171,8 +171,9 @@ LevelError errorAfter(const ProgressiveMesh& progressive, std::uint32_t steps)
                       : progressive.errors[(steps - 1) / ProgressiveMesh::kErrorStride];
 }
 
-std::uint32_t stepsToDistance(const ProgressiveMesh& progressive, double tolerance)
+std::uint32_t stepsToDistance(const ProgressiveMesh& progressive, double tolerance, ErrorKind kind)
 {
+    if (!progressive.ladder.empty()) return ErrorLadder(progressive.ladder).coarsestWithin(tolerance, kind);
     const auto above = std::partition_point(progressive.errors.begin(), progressive.errors.end(),
                                             [&](const LevelError& e) { return e.distance <= tolerance; });
     const auto kept = static_cast<std::uint32_t>(above - progressive.errors.begin());

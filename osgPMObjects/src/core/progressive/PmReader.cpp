@@ -24,6 +24,12 @@ public:
         if (!_hasBase) return readBase();
         PmSectionStream::Section section;
         if (const auto read = _stream.read(section); !read) return read.error();
+        if (section.letters == kPmLadder && _ladder.empty() && _firstStep == _totalSteps)
+        {
+            if (!readLadder(section.contents))
+                return _stream.damaged("has a ladder of errors that cannot be");
+            return readMore();
+        }
         if (section.letters == kPmSteps) return readSteps(section);
         if (section.letters != kPmEnd)
             return _stream.damaged("has a section " + section.letters + " that does not belong there");
@@ -42,6 +48,7 @@ public:
         whole.records.resize(whole.records.size() + kRecordPadding);
         for (auto piece = _errors.rbegin(); piece != _errors.rend(); ++piece)
             whole.errors.insert(whole.errors.end(), piece->begin(), piece->end());
+        whole.ladder = ladderFrom(_firstStep);
         const auto needs = needsOf(whole);
         if (!needs) return _stream.damaged("has steps that cannot be");
         whole.mostSlotsOfStep = needs->slotsOfStep;
@@ -154,6 +161,34 @@ private:
         return in.isGood() && in.isAtEnd();
     }
 
+    bool readLadder(const std::string& bytes)
+    {
+        PmByteReader in(bytes);
+        const auto count = in.get<std::uint32_t>();
+        if (count == 0 || !in.hasRoomFor(count, 12)) return false;
+        for (std::uint32_t i = 0; i < count; ++i)
+        {
+            MeasuredLevel& level = _ladder.emplace_back();
+            level.steps = in.get<std::uint32_t>();
+            level.error.maximum = in.get<float>();
+            level.error.rootMeanSquare = in.get<float>();
+        }
+        return in.isGood() && in.isAtEnd() && areMeasured(_ladder) && _ladder.back().steps <= _totalSteps;
+    }
+
+    /// Returns the ladder of the levels from `first` on. The first of them has the error of the next coarser measured level.
+    std::vector<MeasuredLevel> ladderFrom(std::uint32_t first) const
+    {
+        std::vector<MeasuredLevel> ladder;
+        for (const MeasuredLevel& level : _ladder)
+        {
+            if (level.steps < first) continue;
+            if (ladder.empty() && level.steps > first) ladder.push_back({0, level.error});
+            ladder.push_back({level.steps - first, level.error});
+        }
+        return ladder;
+    }
+
     bool readVertices(PmByteReader& in, std::uint32_t steps)
     {
         Mesh& mesh = _mesh.mesh;
@@ -210,6 +245,7 @@ private:
     PmVertices _vertices{Mesh{}, false};
     ProgressiveMesh _mesh; ///< without records and errors
     std::string _attachment;
+    std::vector<MeasuredLevel> _ladder; ///< of the whole mesh
     std::vector<std::string> _records;
     std::vector<std::vector<LevelError>> _errors;
 };

@@ -20,7 +20,8 @@ constexpr std::string_view kPmMagic{"OSGPM\x1a\r\n", 8}; // a transfer as text w
 constexpr std::uint32_t kPmVersion = 1;
 
 constexpr std::string_view kPmHead = "HEAD", kPmMaterials = "MATL", kPmAttachment = "ATCH",
-                           kPmLayout = "LAYO", kPmBase = "BASE", kPmSteps = "STEP", kPmEnd = "DONE";
+                           kPmLayout = "LAYO", kPmBase = "BASE", kPmLadder = "LADR", kPmSteps = "STEP",
+                           kPmEnd = "DONE";
 
 /// The arrays that wedges have, and their form.
 enum PmFlag : std::uint32_t

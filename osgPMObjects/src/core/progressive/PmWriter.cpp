@@ -79,6 +79,19 @@ PmByteWriter layoutOf(const ProgressiveMesh& p)
     return out;
 }
 
+PmByteWriter ladderOf(const ProgressiveMesh& p)
+{
+    PmByteWriter out;
+    out.put(static_cast<std::uint32_t>(p.ladder.size()));
+    for (const MeasuredLevel& level : p.ladder)
+    {
+        out.put(level.steps);
+        out.put(level.error.maximum);
+        out.put(level.error.rootMeanSquare);
+    }
+    return out;
+}
+
 /// Writes the sections that hold vertices, one after the other.
 class VertexSections
 {
@@ -175,6 +188,7 @@ std::string pmBytes(const ProgressiveMesh& progressive, const PmSettings& settin
     appendSection(file, kPmLayout, layoutOf(progressive));
     VertexSections sections(progressive, vertices);
     appendSection(file, kPmBase, sections.base());
+    if (!progressive.ladder.empty()) appendSection(file, kPmLadder, ladderOf(progressive));
     std::uint32_t last = progressive.stepCount;
     for (std::uint32_t section = settings.stepSections; section-- > 0;)
     {

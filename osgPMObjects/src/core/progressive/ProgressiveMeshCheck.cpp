@@ -105,7 +105,8 @@ bool areErrors(const ProgressiveMesh& p)
     };
     const auto isFinite = [](const LevelError& e)
     { return std::isfinite(e.distance + e.normal + e.texCoord + e.colour); };
-    return p.errors.size() == kept && std::all_of(p.errors.begin(), p.errors.end(), isFinite) &&
+    return areMeasured(p.ladder) && (p.ladder.empty() || p.ladder.back().steps <= p.stepCount) &&
+           p.errors.size() == kept && std::all_of(p.errors.begin(), p.errors.end(), isFinite) &&
            isFinite(p.finestError) && (p.errors.empty() || !falls(p.finestError, p.errors.front())) &&
            std::adjacent_find(p.errors.begin(), p.errors.end(), falls) == p.errors.end();
 }

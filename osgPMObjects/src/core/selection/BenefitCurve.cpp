@@ -23,9 +23,9 @@ std::uint64_t CostModel::of(std::uint32_t triangles, std::uint32_t vertices) con
 }
 
 BenefitCurve BenefitCurve::of(const LevelTable& table, double radius, const CostModel& cost,
-                              const AttributeWeights& weights, std::uint32_t levels)
+                              const ErrorMeasure& measure, std::uint32_t levels)
 {
-    double faces = table.faces[coarsestWithin(table.errors, 0.0, weights)];
+    double faces = table.faces[coarsestWithin(table, 0.0, measure)];
     const double ratio = std::pow(table.faces.back() / faces, 1.0 / std::max(1u, levels - 1));
     std::vector<std::uint32_t> steps;
     for (std::uint32_t i = 0; i + 1 < levels; ++i, faces *= ratio)
@@ -35,21 +35,23 @@ BenefitCurve BenefitCurve::of(const LevelTable& table, double radius, const Cost
         steps.push_back(std::min(table.mostSteps(), static_cast<std::uint32_t>(level - table.faces.begin())));
     }
     steps.push_back(table.mostSteps());
-    return ofLevels(table, steps, radius, cost, weights);
+    return ofLevels(table, steps, radius, cost, measure);
 }
 
 BenefitCurve BenefitCurve::ofLevels(const LevelTable& table, std::span<const std::uint32_t> levels,
-                                    double radius, const CostModel& cost, const AttributeWeights& weights)
+                                    double radius, const CostModel& cost, const ErrorMeasure& measure)
 {
+    const auto errorAfter = [&](std::uint32_t steps)
+    { return errorOf(table.errorAfter(steps, measure.kind), measure.weights); };
     const auto accuracy = [&](std::uint32_t steps)
-    { return 1.0 - std::min(1.0, errorOf(table.errors[steps], weights) / radius); };
+    { return 1.0 - std::min(1.0, errorAfter(steps) / radius); };
     const double least = accuracy(table.mostSteps());
     std::vector<BenefitPoint> points;
     for (const std::uint32_t steps : levels)
     {
         const std::uint32_t vertices = table.positions > steps ? table.positions - steps : 0;
-        points.push_back({steps, cost.of(table.faces[steps], vertices), accuracy(steps) - least,
-                          errorOf(table.errors[steps], weights)});
+        points.push_back(
+            {steps, cost.of(table.faces[steps], vertices), accuracy(steps) - least, errorAfter(steps)});
     }
     return hullOf(std::move(points));
 }

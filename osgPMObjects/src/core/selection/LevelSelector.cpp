@@ -14,6 +14,20 @@
 namespace osgPMObjects::core
 {
 
+namespace
+{
+
+/// Returns the levels among which a measured error decides; estimates never fall, so a finer level than theirs is good, too.
+AllowedLevels allowedOf(const SelectableObject& object)
+{
+    if (object.table->measured.isEmpty()) return {};
+    if (!object.drawable.empty()) return {.drawable = object.drawable};
+    const std::uint32_t least = object.settings->leastFaces;
+    return {.mostSteps = least > 0 ? object.table->coarsestWith(least) : object.table->mostSteps()};
+}
+
+} // namespace
+
 double LevelSelector::distanceM(const SelectableObject& object, double gain) const
 {
     return glm::length(object.sphere.centre - _view.distancesFrom) * _view.distanceScale / gain;
@@ -84,8 +98,8 @@ Selection LevelSelector::byMethod(const SelectableObject& object, double gain, d
     case SelectionMethod::continuous:
         return byRemoval(object, gain, distanceM, held);
     case SelectionMethod::screenError:
-        held.level = heldWithin(object.table->errors, toleranceOf(object, gain), settings.band, held,
-                                settings.weights);
+        held.level = heldWithin(*object.table, toleranceOf(object, gain), settings.band, held,
+                                settings.measure(), allowedOf(object));
         return {held.level, 1.0f,
                 held.level == object.table->mostSteps() ? SelectionReason::clamped : SelectionReason::rule};
     case SelectionMethod::budget:

@@ -50,8 +50,17 @@ std::uint32_t LevelTable::coarsestWith(std::uint32_t leastFaces) const
     return fewer == faces.begin() ? 0 : static_cast<std::uint32_t>(fewer - faces.begin()) - 1;
 }
 
+LevelError LevelTable::errorAfter(std::uint32_t steps, ErrorKind kind) const
+{
+    LevelError error = errors[steps];
+    if (!measured.isEmpty()) error.distance = measured.errorAfter(steps, kind);
+    return error;
+}
+
 bool isLevelTable(const LevelTable& table)
 {
+    if (!areMeasured(table.measured.levels())) return false;
+    if (!table.measured.isEmpty() && table.measured.levels().back().steps >= table.faces.size()) return false;
     if (table.faces.empty() || table.faces.size() != table.errors.size()) return false;
     if (table.errors.front() != LevelError{}) return false;
     const auto falls = [](const LevelError& a, const LevelError& b) {

@@ -22,7 +22,10 @@ LevelTable LevelTable::of(const ProgressiveMesh& progressive)
     while (table.faces.size() > 1 && table.faces.back() == 0)
         table.faces.pop_back();
     for (std::uint32_t steps = 0; steps < table.faces.size(); ++steps)
-        table.errors.push_back(errorAfter(progressive, steps));
+        table.errors.push_back(core::errorAfter(progressive, steps));
+    std::vector<MeasuredLevel> measured = progressive.ladder;
+    std::erase_if(measured, [&](const MeasuredLevel& l) { return l.steps >= table.faces.size(); });
+    table.measured = ErrorLadder(std::move(measured));
     const auto at = [&](std::uint32_t wedge)
     { return progressive.mesh.positions[progressive.mesh.wedgePositions[wedge]]; };
     forEachDrawnFace(progressive, level,

@@ -9,6 +9,7 @@
 #include <osgPMObjects/core/mesh/Mesh.h>
 #include <osgPMObjects/core/progressive/ArrangementSettings.h>
 #include <osgPMObjects/core/simplify/CollapseSequence.h>
+#include <osgPMObjects/core/simplify/ErrorLadder.h>
 
 namespace osgPMObjects::core
 {
@@ -56,9 +57,11 @@ struct ProgressiveMesh
         records; ///< one record a step, from the finest level on (src/core/progressive/StepRecord.h)
     std::uint32_t stepCount = 0;
     int slotBytes = 0, wedgeBytes = 0; ///< width of slots and wedges in records
-    LevelError finestError; ///< of level 0 against the original mesh; not 0 where finer steps were left out
+    LevelError finestError;            ///< estimate for level 0; not 0 where finer steps were left out
     std::vector<LevelError>
-        errors; ///< of the levels after kErrorStride, 2 kErrorStride, … steps, and of the last level
+        errors; ///< estimates, of the levels after kErrorStride, 2 kErrorStride, … steps, and of the last level
+    /// The measured errors of some levels, from level 0 on; empty: not measured (measureLevels()). Invariant: areMeasured().
+    std::vector<MeasuredLevel> ladder;
 
     /// The sizes of the buffers that a ProgressiveLevel allocates.
     std::uint32_t mostSlotsOfStep = 0; ///< patched and vanished faces of one step
@@ -90,11 +93,12 @@ struct ProgressiveMesh
 ProgressiveMesh buildProgressiveMesh(const Mesh& mesh, const CollapseSequence& sequence,
                                      const ArrangementSettings& settings = {});
 
-/// Returns the most steps whose error of distance stays within `tolerance` (units of positions), by the errors that are
-/// kept.
-std::uint32_t stepsToDistance(const ProgressiveMesh& progressive, double tolerance);
+/// Returns the most steps whose distance from the original is at most `tolerance` (units of positions): by the measured errors,
+/// or else by the estimates that are kept, which know no kinds.
+std::uint32_t stepsToDistance(const ProgressiveMesh& progressive, double tolerance,
+                              ErrorKind kind = ErrorKind::maximum);
 
-/// Returns an upper bound of the errors after `steps` steps.
+/// Returns the largest of the estimates up to `steps` steps.
 LevelError errorAfter(const ProgressiveMesh& progressive, std::uint32_t steps);
 
 /// Tells whether every step can be played and undone within the arrays, with faces of this mesh at every level.

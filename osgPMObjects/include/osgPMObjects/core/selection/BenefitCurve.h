@@ -54,10 +54,10 @@ struct BenefitCurve
     /// `radius`: of the model's bounding sphere, in its units; above 0. The finest point is the cheapest level without
     /// error.
     static BenefitCurve of(const LevelTable& table, double radius, const CostModel& cost,
-                           const AttributeWeights& weights = {}, std::uint32_t levels = 32);
+                           const ErrorMeasure& measure = {}, std::uint32_t levels = 32);
     /// Takes the hull of the given levels, in steps: those that can be drawn.
     static BenefitCurve ofLevels(const LevelTable& table, std::span<const std::uint32_t> levels,
-                                 double radius, const CostModel& cost, const AttributeWeights& weights = {});
+                                 double radius, const CostModel& cost, const ErrorMeasure& measure = {});
     /// Takes the hull of any points, sorted by cost; `points` must not be empty.
     static BenefitCurve hullOf(std::vector<BenefitPoint> points);
 };

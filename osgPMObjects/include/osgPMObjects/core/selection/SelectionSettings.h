@@ -67,11 +67,14 @@ struct SelectionSettings
     /// The number of faces below which no level is chosen, by any method; a mesh with fewer faces is drawn whole.
     /// Callers that give SelectableObject::drawable or ::curve leave such levels out themselves.
     std::uint32_t leastFaces = 0;
+    ErrorKind errorKind = ErrorKind::maximum; ///< the measured error that screenError and budget bound
     AttributeWeights weights;
     double band =
         kDefaultBand; ///< hysteresis of areas, screenError and budget's tolerance: factor ≥ 1, finite
     double continuousBand = 1.0; ///< hysteresis of continuous: factor ≥ 1, finite; 1: exact to the position
     AlphaRange alpha;            ///< for every method
+
+    ErrorMeasure measure() const { return {weights, errorKind}; }
 };
 
 /// Tells whether settings can choose among `levels` levels (LevelTable): else an error that names the field and the remedy.
