@@ -2,6 +2,10 @@
 #include "PlaySession.h"
 
 #include <algorithm>
+#include <chrono>
+#include <fstream>
+
+#include <unistd.h>
 
 #include <osgOffscreen/OffscreenContext>
 
@@ -38,6 +42,15 @@ foundation::Outcome configure(osgTerrainROAM::RoamTerrain& terrain, const Terrai
     settings.morphing = request.morphing;
     settings.patchExponent = request.patchExponent.value_or(0);
     return terrain.setSettings(settings);
+}
+
+/// The memory of this process that is in use, by Linux's /proc; 0 where that is not there.
+double residentMb()
+{
+    std::ifstream file("/proc/self/statm");
+    double size = 0.0, resident = 0.0;
+    if (!(file >> size >> resident)) return 0.0;
+    return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) * 1e-6;
 }
 
 osg::ref_ptr<osgViewer::Viewer> makeViewer(osg::Group& scene)
@@ -153,9 +166,12 @@ foundation::Outcome PlaySession::frame()
 {
     const double frameS = 1.0 / _request.frames.perSecond;
     _scene->show(*_player);
+    const auto begin = std::chrono::steady_clock::now();
     _rig->setEye(_eye->update(_player->entities().front(), _statistics.empty() ? 0.0 : frameS));
     _viewer->frame(_player->timeS());
+    const auto end = std::chrono::steady_clock::now();
     _statistics.push_back(measured());
+    _statistics.back().wallMs = std::chrono::duration<double, std::milli>(end - begin).count();
     for (auto i = _player->clock().stepsPerSecond() / _request.frames.perSecond; i > 0; --i)
         _player->step();
     for (const auto& capture : _captures)
@@ -163,7 +179,7 @@ foundation::Outcome PlaySession::frame()
     return foundation::success();
 }
 
-FrameStatistics PlaySession::measured() const
+FrameStatistics PlaySession::measured()
 {
     FrameStatistics row;
     row.frame = static_cast<std::uint32_t>(_statistics.size());
@@ -173,9 +189,12 @@ FrameStatistics PlaySession::measured() const
     row.cullMs = timings.cullMs;
     row.drawMs = timings.drawMs;
     if (_scenery) row.objects = _scenery->figures(drawn);
+    row.residentMb = residentMb();
     if (!_terrain.terrain) return row;
+    std::uint64_t uploadedBytes = 0;
     for (const auto& group : _terrain.terrain->statistics())
     {
+        uploadedBytes += group.bytesUploaded;
         if (group.frame != drawn) continue; // an eye that has gone
         row.triangles += group.refine.triangles;
         row.splits += group.refine.splits;
@@ -183,6 +202,9 @@ FrameStatistics PlaySession::measured() const
         row.adaptUs += group.adaptUs;
         row.maxErrorPx = std::max(row.maxErrorPx, group.refine.tolerancePx);
     }
+    // A group that has gone takes its count with it.
+    row.uploadBytes = uploadedBytes - std::min(uploadedBytes, _uploadedBytes);
+    _uploadedBytes = uploadedBytes;
     return row;
 }
 

@@ -47,7 +47,7 @@ private:
     foundation::Outcome openPictures(const ViewSetup& setup);
     foundation::Outcome beginCaptures(const ViewSetup& setup);
     void tunePatches();
-    FrameStatistics measured() const;
+    FrameStatistics measured();
 
     PlayRequest _request;
     SceneTerrain _terrain;
@@ -60,6 +60,7 @@ private:
     std::unique_ptr<ChannelRig> _rig;
     std::vector<std::unique_ptr<osgOffscreen::FrameCapture>> _captures;
     std::vector<FrameStatistics> _statistics; ///< of the frames drawn so far
+    std::uint64_t _uploadedBytes = 0;         ///< to the end of the last frame
     std::string _patchNote;
 };
 

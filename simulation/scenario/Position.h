@@ -36,8 +36,8 @@ struct WorldPosition
 
 /// WGS84. The file's `latitude` and `longitude` (1.1) are radians, `latitudeDeg` and `longitudeDeg` (1.2)
 /// degrees; the model keeps degrees.
-/// `height` (1.1) is "above a reference surface", here the ellipsoid; `altitude` (1.2) is above the road
-/// surface, here the ground. Neither: on the ground. Source: ASAM OpenSCENARIO XML 1.1 and 1.3, class
+/// `height` (1.0, 1.1; deprecated from 1.2 on) is "above a reference surface (e.g. sea level, earth surface)", here the
+/// ellipsoid; `altitude` (from 1.2 on) is above the road surface, here the ground. Neither: on the ground. Source: ASAM OpenSCENARIO XML 1.1 and 1.3, class
 /// GeoPosition.
 struct GeoPosition
 {

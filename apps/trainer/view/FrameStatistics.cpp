@@ -17,7 +17,10 @@ const std::vector<StatisticsColumn> kLandColumns = {
     {"adaptUs", [](const FrameStatistics& f) { return f.adaptUs; }, false, true},
     {"cullMs", [](const FrameStatistics& f) { return f.cullMs; }, false, true},
     {"drawMs", [](const FrameStatistics& f) { return f.drawMs; }, false, true},
-    {"maxErrorPx", [](const FrameStatistics& f) { return f.maxErrorPx; }, false, false}};
+    {"maxErrorPx", [](const FrameStatistics& f) { return f.maxErrorPx; }, false, false},
+    {"wallMs", [](const FrameStatistics& f) { return f.wallMs; }, false, true},
+    {"uploadBytes", [](const FrameStatistics& f) { return static_cast<double>(f.uploadBytes); }, true, false},
+    {"residentMb", [](const FrameStatistics& f) { return f.residentMb; }, false, true}};
 
 template<auto member>
 double ofObjects(const FrameStatistics& frame)
@@ -52,7 +55,7 @@ ColumnSummary summaryOf(std::vector<double> values)
     std::sort(values.begin(), values.end());
     const std::size_t n = values.size();
     const std::size_t rank99 = (99 * n + 99) / 100; // rounded up
-    return {0.5 * (values[(n - 1) / 2] + values[n / 2]), values[rank99 - 1], values.back()};
+    return {0.5 * (values[(n - 1) / 2] + values[n / 2]), values[rank99 - 1], values.back(), 0.0};
 }
 
 ColumnSummary summaryOf(const std::vector<FrameStatistics>& frames, const StatisticsColumn& column)
@@ -60,7 +63,11 @@ ColumnSummary summaryOf(const std::vector<FrameStatistics>& frames, const Statis
     std::vector<double> values;
     for (const FrameStatistics& frame : frames)
         values.push_back(column.value(frame));
-    return summaryOf(std::move(values));
+    const double first = values.empty() ? 0.0 : values.front();
+    if (values.size() > 1) values.erase(values.begin());
+    ColumnSummary summary = summaryOf(std::move(values));
+    summary.first = first;
+    return summary;
 }
 
 } // namespace trainer

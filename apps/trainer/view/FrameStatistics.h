@@ -23,8 +23,8 @@ struct ObjectFigures
     osgPMObjects::core::SelectionStatistics selection; ///< by method
 };
 
-/// The figures of one frame. The first five and the last follow from scenario and view only; the times are
-/// measurements. Units: as the names say; microseconds and milliseconds of one thread.
+/// The figures of one frame. Times and memory are measurements; the others follow from scenario and view only.
+/// Units: as the names say; microseconds and milliseconds of one thread, but wallMs.
 struct FrameStatistics
 {
     std::uint32_t frame = 0;
@@ -37,6 +37,9 @@ struct FrameStatistics
     double drawMs = 0.0;
     double maxErrorPx = 0.0;              ///< bound reached, anywhere in the image
     std::optional<ObjectFigures> objects; ///< absent without a scenery
+    double wallMs = 0.0;           ///< from the eye's move to the end of drawing, by the clock on the wall
+    std::uint64_t uploadBytes = 0; ///< of the terrain, to all contexts
+    double residentMb = 0.0;       ///< memory of the process that is in use
 };
 
 /// One column of the statistics.
@@ -54,12 +57,15 @@ const std::vector<StatisticsColumn>& statisticsColumns(const std::vector<FrameSt
 
 /// The summary of one column. Median: the middle value or the mean of the two middle values. p99: the smallest value
 /// that at least 99 % of the frames do not exceed (nearest rank). All 0 without frames.
+/// The first frame builds meshes and compiles shaders: of several frames it stands apart, and the others are summed up.
 struct ColumnSummary
 {
     double median = 0.0;
     double p99 = 0.0;
     double largest = 0.0;
+    double first = 0.0; ///< of the first frame
 };
+/// Sums up all values; `first` stays 0.
 ColumnSummary summaryOf(std::vector<double> values);
 ColumnSummary summaryOf(const std::vector<FrameStatistics>& frames, const StatisticsColumn& column);
 

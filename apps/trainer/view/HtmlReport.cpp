@@ -47,13 +47,14 @@ std::string factsTable(const ReportContent& content)
 
 std::string summaryTable(const std::vector<FrameStatistics>& frames)
 {
-    std::string html = "<table>\n<tr><th></th><th class=\"number\">median</th><th class=\"number\">99 %</th>"
+    std::string html = "<table>\n<tr><th></th><th class=\"number\">first frame</th>"
+                       "<th class=\"number\">median of the others</th><th class=\"number\">99 %</th>"
                        "<th class=\"number\">largest</th></tr>\n";
     for (const StatisticsColumn& column : statisticsColumns(frames))
     {
         const ColumnSummary summary = summaryOf(frames, column);
         html += "<tr><td>" + std::string(column.name) + (column.isMeasured ? " (measured)" : "") + "</td>";
-        for (const double value : {summary.median, summary.p99, summary.largest})
+        for (const double value : {summary.first, summary.median, summary.p99, summary.largest})
             html += "<td class=\"number\">" + number(value) + "</td>";
         html += "</tr>\n";
     }

@@ -64,8 +64,10 @@ std::string statisticsJson(const std::vector<FrameStatistics>& frames, bool with
     {
         if (!withTimings && column.isMeasured) continue;
         const ColumnSummary summary = summaryOf(frames, column);
-        root["summary"][std::string(column.name)] = {
-            {"median", summary.median}, {"p99", summary.p99}, {"max", summary.largest}};
+        root["summary"][std::string(column.name)] = {{"first", summary.first},
+                                                     {"median", summary.median},
+                                                     {"p99", summary.p99},
+                                                     {"max", summary.largest}};
     }
     return root.dump(1) + "\n";
 }

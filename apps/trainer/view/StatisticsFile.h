@@ -13,8 +13,10 @@ namespace trainer
 {
 
 /// Returns the statistics as JSON text:
-/// {"frames": [{"frame", "timeS", "triangles", "splits", "merges", "adaptUs", "cullMs", "drawMs", "maxErrorPx"}, …],
-///  "summary": {"frames": n, "triangles": {"median", "p99", "max"}, …}}.
+/// {"frames": [{"frame", "timeS", "triangles", "splits", "merges", "adaptUs", "cullMs", "drawMs", "maxErrorPx",
+///  "wallMs", "uploadBytes", "residentMb"}, …],
+///  "summary": {"frames": n, "triangles": {"first", "median", "p99", "max"}, …}}; median, p99 and max are those of the
+///  frames behind the first.
 /// With a scenery each frame has, besides, "objectsVisible", "objectsDrawn", "objectsSwitching", "objectTriangles", "objectCullMs" and
 /// "objectMethods": {METHOD: {"objects", "switched", "clamped", "fullArea", "faded", "gone", "triangles"}, …} of those in sight.
 /// `withTimings` false leaves the measured columns out: two runs then give the same bytes.

@@ -125,6 +125,10 @@ TEST(DemFormats, NodataNanAndImpossibleHeightsAreVoids)
     EXPECT_NE(field->voids.method.find("2 of them for heights outside"), std::string::npos);
     for (const float h : field->heightsM)
         EXPECT_EQ(h, 100.0f);
+    int measured = 0;
+    for (int row = 0; row < field->rows; ++row)
+        measured += field->measured.countIn(row, 0, field->columns - 1);
+    EXPECT_EQ(measured, 16);
 
     spec.values[6] = 100.0; // one void fewer must be noticed
     writeRaster(folder / "fewer.tif", "GTiff", spec);

@@ -130,6 +130,39 @@ TEST(LayTour, ShowsThreeHeightsOverOpenLand)
     }
 }
 
+/// The share of a flight's places from which a point lies ahead, within 30 degrees and 8 km.
+double shareFacing(const std::vector<EntityState>& states, const glm::dvec2& point)
+{
+    double facing = 0.0;
+    for (const EntityState& state : states)
+    {
+        const glm::dvec2 to = point - glm::dvec2(state.position);
+        const double headingDeg = glm::degrees(std::atan2(to.y, to.x));
+        const bool isAhead = std::fabs(std::remainder(headingDeg - state.headingDeg, 360.0)) < 30.0;
+        facing += isAhead && glm::length(to) < 8000.0 ? 1.0 : 0.0;
+    }
+    return facing / static_cast<double>(states.size());
+}
+
+TEST(LayTour, KeepsToMeasuredGroundAndSaysHowMuchItSeesIsFilled)
+{
+    TourTerrain terrain = square(12'000.0, mountain, 12.0);
+    const auto measured = layTour(terrain);
+    ASSERT_TRUE(measured);
+    EXPECT_EQ(measured->filledShare, 0.0);
+    EXPECT_GT(shareFacing(flown(*measured, terrain), {6000.0, 5000.0}), 0.3);
+    // The mountain is the fill of a void.
+    terrain.isMeasured = [](double east, double north)
+    { return std::hypot(east - 6000.0, north - 5000.0) > 5000.0; };
+    const auto tour = layTour(terrain);
+    ASSERT_TRUE(tour);
+    EXPECT_LT(tour->filledShare, 0.05);
+    EXPECT_LT(shareFacing(flown(*tour, terrain), {6000.0, 5000.0}), 0.1);
+    // Where all is filled, there is no choice, and it is said.
+    terrain.isMeasured = [](double, double) { return false; };
+    EXPECT_GT(layTour(terrain)->filledShare, 0.99);
+}
+
 TEST(LayTour, HeightsAndSpeedsFitTheExtent)
 {
     const TourScale lidar = TourScale::of(terrains()[0].second, 20.0);

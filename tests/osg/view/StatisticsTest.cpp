@@ -63,8 +63,8 @@ TEST(Statistics, JsonHasEveryKeyOfEveryFrame)
 {
     const auto json = nlohmann::json::parse(trainer::statisticsJson(someFrames(5)));
     ASSERT_EQ(json["frames"].size(), 5U);
-    for (const char* key :
-         {"frame", "timeS", "triangles", "splits", "merges", "adaptUs", "cullMs", "drawMs", "maxErrorPx"})
+    for (const char* key : {"frame", "timeS", "triangles", "splits", "merges", "adaptUs", "cullMs", "drawMs",
+                            "maxErrorPx", "wallMs", "uploadBytes", "residentMb"})
         for (const auto& frame : json["frames"])
             EXPECT_TRUE(frame.contains(key)) << key;
     EXPECT_EQ(json["frames"][3]["triangles"], 1003);
@@ -72,9 +72,24 @@ TEST(Statistics, JsonHasEveryKeyOfEveryFrame)
     EXPECT_EQ(json["frames"][3]["adaptUs"], 53.5);
     EXPECT_EQ(json["frames"][3]["frame"], 3);
     EXPECT_EQ(json["summary"]["frames"], 5);
-    EXPECT_EQ(json["summary"]["triangles"]["median"], 1002.0);
+    EXPECT_EQ(json["summary"]["triangles"]["first"], 1000.0);
+    EXPECT_EQ(json["summary"]["triangles"]["median"], 1002.5);
     EXPECT_EQ(json["summary"]["triangles"]["max"], 1004.0);
     EXPECT_EQ(json["summary"]["drawMs"]["p99"], 7.5);
+}
+
+TEST(Statistics, TheFirstFrameStandsApart)
+{
+    auto frames = someFrames(5);
+    const auto drawMs = [&]
+    { return nlohmann::json::parse(trainer::statisticsJson(frames))["summary"]["drawMs"]; };
+    frames.front().drawMs = 900.0;
+    EXPECT_EQ(drawMs()["first"], 900.0);
+    EXPECT_EQ(drawMs()["max"], 7.5);
+    frames.back().drawMs = 900.0; // any other frame counts
+    EXPECT_EQ(drawMs()["max"], 900.0);
+    frames.resize(1);
+    EXPECT_EQ(drawMs()["max"], 900.0);
 }
 
 TEST(Statistics, WithoutTimingsOnlyWhatTheMachineCannotChangeIsLeft)
