@@ -53,4 +53,7 @@ void addCompareCache(CLI::App& compare, Chosen& chosen);
 /// Declares `compare simplify`: measures every simplifier on every model.
 void addCompareSimplify(CLI::App& compare, Chosen& chosen);
 
+/// Declares `compare silhouette`: measures images of levels from all around on every model.
+void addCompareSilhouette(CLI::App& compare, Chosen& chosen);
+
 } // namespace pmtool

@@ -24,10 +24,10 @@ namespace
 using namespace osgPMObjects;
 using Json = nlohmann::ordered_json;
 
-const std::map<std::string, core::FaceOrder> kOrders{{"file", core::FaceOrder::asTheyAre},
-                                                     {"library", core::FaceOrder::library},
-                                                     {"universal", core::FaceOrder::universal},
-                                                     {"locality", core::FaceOrder::locality}};
+const std::map<std::string, core::FaceOrder> kFaceOrders{{"file", core::FaceOrder::asTheyAre},
+                                                         {"library", core::FaceOrder::library},
+                                                         {"universal", core::FaceOrder::universal},
+                                                         {"locality", core::FaceOrder::locality}};
 
 const std::map<std::string, core::DiagonalRule> kDiagonals{
     {"colours", core::DiagonalRule::leastColourDifference},
@@ -88,6 +88,7 @@ std::vector<std::pair<const char*, std::size_t>> countsOf(const core::Consolidat
         {"edges between faces that do not agree, cut", r.splitEdges.disagreeing},
         {"edges of more than two faces, split", r.splitEdges.crowded},
         {"positions doubled by that", r.splitEdges.copies},
+        {"faces left as they were, since repairs made a count worse", r.facesAsTheyWere},
         {"closed groups", r.insideOut.closedGroups},
         {"of these inside out, turned", r.insideOut.turnedGroups},
         {"of these cavities", r.insideOut.cavities},
@@ -177,7 +178,7 @@ void addConsolidate(CLI::App& app, Chosen& chosen)
     command->add_option("--format", request->format, "format of the models (osgb)")
         ->check(CLI::IsMember({"osgb", "osgt", "ive"}));
     command->add_option("--order", request->order, "order of the faces (library)")
-        ->transform(CLI::CheckedTransformer(kOrders));
+        ->transform(CLI::CheckedTransformer(kFaceOrders));
     command->add_option("--dump", request->dumpFolder,
                         "folder for positions and faces before and after, as plain .obj");
     command

@@ -19,6 +19,7 @@ int main(int argc, char** argv)
     pmtool::addCompareOrder(*compare, chosen);
     pmtool::addCompareCache(*compare, chosen);
     pmtool::addCompareSimplify(*compare, chosen);
+    pmtool::addCompareSilhouette(*compare, chosen);
     if (const auto ends = terminal::parse(app, argc, argv)) return *ends;
     return terminal::report("pmtool", chosen.jsonFile, chosen.work);
 }

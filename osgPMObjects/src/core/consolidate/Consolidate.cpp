@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <numeric>
+#include <utility>
+
 #include <osgPMObjects/core/consolidate/CloseCracks.h>
 #include <osgPMObjects/core/consolidate/Consolidate.h>
 #include <osgPMObjects/core/consolidate/Weld.h>
 #include <osgPMObjects/core/mesh/MeshCounts.h>
 
 #include "MeshSnapshot.h"
+#include "UndoRepairs.h"
 
 namespace osgPMObjects::core
 {
@@ -28,9 +32,22 @@ void add(ConsolidateReport& report, const ClosedCracks& more)
     report.tVertices.moved += more.tVertices.moved;
 }
 
+/// Closes cracks. `origins`: by face, the number that it had at first; brought up to date.
+void closeAndFollow(Mesh& mesh, CrackPasses& cracks, std::vector<std::uint32_t>& origins,
+                    ConsolidateReport& report)
+{
+    const FaceOrigins numbers(mesh);
+    add(report, closeCracks(mesh, cracks));
+    std::vector<std::uint32_t> now = numbers.giveBack(mesh);
+    for (std::uint32_t& face : now)
+        face = origins[face];
+    origins = std::move(now);
+}
+
 /// Reverses faces and splits edges. A split opens edges that may have T-vertices, and inserting those may make an edge non-manifold
 /// again.
-void orientAndSplit(Mesh& mesh, bool orient, CrackPasses& cracks, ConsolidateReport& report)
+void orientAndSplit(Mesh& mesh, bool orient, CrackPasses& cracks, std::vector<std::uint32_t>& origins,
+                    ConsolidateReport& report)
 {
     for (int round = 0; round < kMostRounds; ++round)
     {
@@ -42,8 +59,33 @@ void orientAndSplit(Mesh& mesh, bool orient, CrackPasses& cracks, ConsolidateRep
         report.splitEdges.disagreeing += split.disagreeing;
         report.splitEdges.copies += split.copies;
         if (split.copies == 0 || cracks.made >= cracks.most) return;
-        add(report, closeCracks(mesh, cracks));
+        closeAndFollow(mesh, cracks, origins, report);
     }
+}
+
+/// Reverses faces and splits edges after repairs were undone, where that makes no count worse.
+void orientAndSplitWhatIsBack(Mesh& mesh, bool orient, ConsolidateReport& report)
+{
+    if (orient) report.orientation = orientFaces(mesh);
+    const Mesh before = mesh;
+    std::vector<std::uint32_t> origins(mesh.faces.size());
+    std::iota(origins.begin(), origins.end(), 0u);
+    report.splitEdges.copies += splitNonManifoldEdges(mesh).copies;
+    undoWorseRepairs(mesh, before, origins);
+}
+
+/// Closes cracks, reverses faces and splits edges. Where the passes do not come to an end, as among cards closer to each other than
+/// the tolerance, they may leave more defects than there were: such faces are put back.
+void repair(Mesh& mesh, const Mesh& input, CrackPasses& cracks, bool orient, ConsolidateReport& report)
+{
+    std::vector<std::uint32_t> origins(mesh.faces.size());
+    std::iota(origins.begin(), origins.end(), 0u);
+    closeAndFollow(mesh, cracks, origins, report);
+    orientAndSplit(mesh, orient, cracks, origins, report);
+    report.tVertexPasses = cracks.made;
+    if (cracks.made < cracks.most) return;
+    report.facesAsTheyWere = undoWorseRepairs(mesh, input, origins);
+    if (report.facesAsTheyWere > 0) orientAndSplitWhatIsBack(mesh, orient, report);
 }
 
 } // namespace
@@ -52,13 +94,12 @@ ConsolidateReport consolidate(Mesh& mesh, const ConsolidateOptions& options)
 {
     ConsolidateReport report;
     const double diagonal = diagonalOf(mesh);
+    const Mesh input = mesh;
     report.weldedPositions = weldPositions(mesh, options.weldTolerance * diagonal);
     CrackPasses cracks{.tVertices = {.tolerance = options.stitchTolerance * diagonal},
                        .degenerateHeight = options.degenerateHeight * diagonal,
                        .most = kMostPasses};
-    add(report, closeCracks(mesh, cracks));
-    orientAndSplit(mesh, options.orient, cracks, report);
-    report.tVertexPasses = cracks.made;
+    repair(mesh, input, cracks, options.orient, report);
     if (options.orient) report.insideOut = turnInsideOut(mesh);
     if (options.computeMissingNormals)
         report.facesGivenNormals = computeNormals(

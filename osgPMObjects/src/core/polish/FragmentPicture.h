@@ -34,6 +34,9 @@ public:
     /// Removes a face, which must have the corners with which it was added.
     void remove(const SeenFace& face);
 
+    /// The luminance of each pixel, row by row from below.
+    const std::vector<float>& luminances() const { return _luminance; }
+
     /// Sets the reference: what another image of the same view shows.
     void setReference(const FragmentPicture& picture) { _reference = picture._luminance; }
     /// The sum of squared luminance differences to the reference.

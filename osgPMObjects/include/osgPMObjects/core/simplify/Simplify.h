@@ -21,7 +21,8 @@ struct SimplifySettings
     Placement placement = Placement::subset;
     /// Also weigh appearance: borders of materials, texture coordinates, normals and colours.
     bool keepSeams = true;
-    /// Texture drift, in widths of the texture, that costs as much as a distance of two hundredths of the diagonal.
+    /// Texture drift, in widths of the texture, beyond which it costs as much as a displacement of the surface by the same way, at most
+    /// by two hundredths of the diagonal.
     float mostTexCoordDrift = 2.0f / 1024.0f;
     /// Keep a mesh mirror-symmetric when it is so across the middle of its box: collapses are then done in pairs.
     bool keepSymmetry = true;
@@ -42,7 +43,8 @@ struct SimplifySettings
 /// tolerance of 0), since such positions are not connected. Any other set of faces is allowed: non-manifold or open edges,
 /// parts of one face. When every remaining collapse turns a face over, the least harmful one is done; parts that are smaller
 /// than the error vanish. No position leaves the box of the mesh.
-/// The last face of a material is removed late: at the cost of a distance of a twentieth of the diagonal.
+/// With optimal placement the area that a collapse takes or adds has a cost, so that levels of few faces keep their silhouettes. The last face of a material is
+/// removed at the cost of a distance of half the diagonal for all the area that the material had.
 /// Deterministic: the same for any number of threads.
 /// Memory: some 330 B a position besides the mesh, 650 B with moved positions. Cost: see docs/measurements/simplification.md.
 /// Source: Garland and Heckbert, *Surface simplification using quadric error metrics* (1997); Lindstrom and Turk, *Fast and memory

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -18,16 +19,29 @@ namespace
 
 /// Weight of the edge's length, as a share of the whole quadric at its other end: decides among collapses of equal cost.
 constexpr double kShortness = 1e-6;
-/// Cost of the largest allowed texture drift, as a distance of the patch and a share of the diagonal.
+/// The most that texture drift costs, as a distance of the patch and a share of the diagonal.
 constexpr double kDriftDistance = 0.02;
 /// Cost factor of a collapse that breaks the symmetry.
 constexpr double kLopsided = 1e3;
+/// A material counts as if twice its area were at least this, where the diagonal is 1: a spot may be a mark.
+constexpr double kLeastMaterialArea = 5e-4;
+/// Weight of the area that a collapse takes or adds, see areaCost().
+constexpr double kLostArea = 20.0;
 /// The most neighbours of a position that are evaluated in full: those of the least quadric cost.
 constexpr std::size_t kMostTried = 24;
 
 constexpr double squared(double x)
 {
     return x * x;
+}
+
+/// The cost of a change of twice the area of the faces around a collapse: what an eye at any side sees of thin parts, whose ends
+/// have quadrics of almost no weight, and of spikes. It grows with the cube, so that fine levels do without it.
+/// Only for optimal placement: quality weighs the mean distance alone, and subset cannot move vertices outwards.
+double areaCost(double doubleArea)
+{
+    const double size = std::abs(doubleArea);
+    return kLostArea * size * size * size;
 }
 
 /// Whether a collapse may remove the last faces of a part, or of a material that the part keeps.
@@ -109,7 +123,8 @@ double CollapseChoice::featureCost(std::uint32_t to) const
             [&](const Star::Side& side)
             { return _state.mesh.faces[_star.faces[side.spoked].face].material == kept.material; });
         if (ofKind > 0 && ofKind >= static_cast<std::ptrdiff_t>(kept.faces))
-            cost += _state.weight.of(1.0) * squared(kMaterialDistance);
+            cost +=
+                _state.weight.of(std::max(kept.doubleArea, kLeastMaterialArea)) * squared(kMaterialDistance);
     }
     return cost;
 }
@@ -149,17 +164,33 @@ PatchGap CollapseChoice::gapTo(std::uint32_t to, const glm::dvec3& at, bool with
     PatchGap gap = gapOf(patch, _plan.ofFrom(), look);
     if (!_state.movesPlaces()) return gap;
     const PatchGap ofTo = gapOf(toPatch, _plan.ofTo(), look);
-    return {largerOf(gap.gap, ofTo.gap), gap.slipCost + ofTo.slipCost};
+    return {largerOf(gap.gap, ofTo.gap), gap.slipCost + ofTo.slipCost,
+            std::max(gap.lengthPerTexture, ofTo.lengthPerTexture)};
 }
 
-bool CollapseChoice::isHarmful(std::uint32_t to, const glm::dvec3& at)
+PatchTurn CollapseChoice::turnTo(std::uint32_t to, const glm::dvec3& at)
 {
-    if (foldsOver({_star, _state.positions, to, at}) ||
-        foldsWithTwin(_state.twins, _state.positions, _star, to, at))
-        return true;
-    if (!_state.movesPlaces()) return false;
-    return foldsOver({_toStar, _state.positions, _star.middle, at}) ||
-           foldsWithTwin(_state.twins, _state.positions, _toStar, _star.middle, at);
+    const PatchTurn folded{true, 0.0};
+    PatchTurn turn = turnOf({_star, _state.positions, to, at});
+    if (turn.foldsOver || foldsWithTwin(_state.twins, _state.positions, _star, to, at)) return folded;
+    for (const Star::Side& side : _star.sidesTo(to))
+        turn.doubleArea -= _star.faces[side.spoked].doubleArea;
+    if (!_state.movesPlaces()) return turn;
+    const PatchTurn ofTo = turnOf({_toStar, _state.positions, _star.middle, at});
+    if (ofTo.foldsOver || foldsWithTwin(_state.twins, _state.positions, _toStar, _star.middle, at))
+        return folded;
+    turn.doubleArea += ofTo.doubleArea;
+    return turn;
+}
+
+/// The cost of texture drift that has added up beyond what is allowed: that of a displacement along the surface by as much, at
+/// most by kDriftDistance. So it counts as the surface's own distance does, at whatever size the level is shown.
+double CollapseChoice::driftCost(const PatchGap& gap) const
+{
+    const double drift = _state.errors[_star.middle].texCoord + gap.gap.texCoord;
+    if (!(drift > _state.settings.mostTexCoordDrift)) return 0.0;
+    return _state.weight.of(glm::length(_state.shapes[_star.middle].areaVector)) *
+           squared(std::min(kDriftDistance, drift * gap.lengthPerTexture));
 }
 
 Candidate CollapseChoice::bestOf(std::uint32_t position, std::span<const std::uint32_t> refused)
@@ -181,15 +212,16 @@ Candidate CollapseChoice::bestOf(std::uint32_t position, std::span<const std::ui
         if (best.to != ~0u && !best.urgency.doesHarm && best.urgency.cost <= candidate.urgency.cost) break;
         if (_state.movesPlaces()) gather(_toStar, candidate.to);
         const glm::dvec3 at = placeFor(candidate.to).at;
-        candidate.urgency.doesHarm = isHarmful(candidate.to, at);
+        const PatchTurn turn = turnTo(candidate.to, at);
+        candidate.urgency.doesHarm = turn.foldsOver;
+        if (_state.settings.placement == Placement::optimal)
+            candidate.urgency.cost +=
+                areaCost(turn.doubleArea) * (isLopsided(candidate.to) ? kLopsided : 1.0);
         if (_state.settings.keepSeams)
         {
             planWedges(candidate.to, at);
             const PatchGap gap = gapTo(candidate.to, at, true);
-            candidate.urgency.cost += gap.slipCost;
-            if (_state.errors[position].texCoord + gap.gap.texCoord > _state.settings.mostTexCoordDrift)
-                candidate.urgency.cost += _state.weight.of(glm::length(_state.shapes[position].areaVector)) *
-                                          squared(kDriftDistance);
+            candidate.urgency.cost += gap.slipCost + driftCost(gap);
         }
         if (best.to == ~0u || byUrgency(candidate, best)) best = candidate;
     }
@@ -208,7 +240,7 @@ bool CollapseChoice::isGood(std::uint32_t from, std::uint32_t to, const glm::dve
     gather(_star, from);
     if (!std::binary_search(_star.neighbours.begin(), _star.neighbours.end(), to)) return false;
     if (_state.movesPlaces()) gather(_toStar, to);
-    return !isHarmful(to, place) && featureCost(to) <= kAbout * cost;
+    return !turnTo(to, place).foldsOver && featureCost(to) <= kAbout * cost;
 }
 
 bool CollapseChoice::takesLastFaces(std::uint32_t from, const Candidate& candidate)

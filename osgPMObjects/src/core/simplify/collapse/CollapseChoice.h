@@ -66,7 +66,8 @@ private:
     void planWedges(std::uint32_t to, const glm::dvec3& at);
     PatchGap gapTo(std::uint32_t to, const glm::dvec3& at, bool withLook);
     bool isLopsided(std::uint32_t to) const;
-    bool isHarmful(std::uint32_t to, const glm::dvec3& at);
+    PatchTurn turnTo(std::uint32_t to, const glm::dvec3& at);
+    double driftCost(const PatchGap& gap) const;
     Candidate candidate(std::uint32_t to);
 
     CollapseState& _state;

@@ -32,8 +32,8 @@ struct Candidate
     Urgency urgency;
 };
 
-/// Cost of removing the last face of a material, as a distance and a share of the diagonal.
-constexpr double kMaterialDistance = 0.05;
+/// Cost of removing the last face of a material, as a distance of all its area and a share of the diagonal.
+constexpr double kMaterialDistance = 0.5;
 
 /// A mesh during simplification. Data of each position and face belong to one connected part, so threads that work on different
 /// parts do not share any.

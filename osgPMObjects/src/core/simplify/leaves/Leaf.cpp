@@ -2,9 +2,11 @@
 #include "Leaf.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <utility>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 namespace osgPMObjects::core
@@ -14,6 +16,9 @@ namespace
 {
 
 constexpr double kLeastExposure = 0.02; ///< of any card among others: it may be visible between them
+
+constexpr double kWidening =
+    0.02; // of a box at each side, as a share of its size, for each doubling of its cards
 
 glm::dvec3 middleOfBoth(const Leaf& a, const Leaf& b)
 {
@@ -60,9 +65,19 @@ Leaf::Leaf(const CollapseState& state, LeafCard given) : card(std::move(given))
     seenDoubleArea = exposure * owedDoubleArea;
 }
 
+Extent Leaf::room(const Extent& box) const
+{
+    const glm::dvec3 wider = kWidening * std::log2(double(count)) * (extent.high - extent.low);
+    Extent room;
+    room.add(glm::max(extent.low - wider, box.low));
+    room.add(glm::min(extent.high + wider, box.high));
+    return room;
+}
+
 void Leaf::takeOver(const Leaf& gone)
 {
     middle = middleOfBoth(*this, gone);
+    count += gone.count;
     owedDoubleArea += gone.owedDoubleArea;
     seenDoubleArea += gone.seenDoubleArea;
     extent.add(gone.extent.low);

@@ -30,11 +30,15 @@ struct Leaf
     Extent extent;               ///< the box around them
     double owedDoubleArea = 0.0; ///< the sum of their areas
     double seenDoubleArea = 0.0; ///< the sum of their areas, each times its exposure
+    std::uint32_t count = 1;     ///< of the cards merged into it, itself included
     double exposure = 0.0;       ///< squared distance of the card from all others, in units of its size
     std::vector<Spare> spares;
     LevelError error;
 
     Leaf(const CollapseState& state, LeafCard given);
+    /// The box that the card may fill: that around all cards merged into it, wider the more they are, but within the mesh's box. A
+    /// few large cards have gaps between them that many small ones did not.
+    Extent room(const Extent& box) const;
     /// Adds the sums of a card that is removed.
     void takeOver(const Leaf& gone);
 };

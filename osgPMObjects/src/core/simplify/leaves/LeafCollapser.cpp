@@ -183,7 +183,7 @@ void LeafCollapser::removeLast()
         reach = std::max(reach, glm::distance(last.middle, _state.positions[corner.position]));
     _urgency = {false, _state.weight.of(last.owedDoubleArea) * reach * reach};
     if (_state.settings.keepSeams)
-        _urgency.cost += _state.weight.of(1.0) * kMaterialDistance * kMaterialDistance;
+        _urgency.cost += _state.weight.of(last.owedDoubleArea) * kMaterialDistance * kMaterialDistance;
     _error = last.error;
     _error.distance += float(reach);
     close(last, false);

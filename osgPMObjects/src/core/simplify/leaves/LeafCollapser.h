@@ -23,8 +23,8 @@ namespace osgPMObjects::core
 /// Frame, units: of the state. Threads: one each, on different cards. Cost: n log n; some 20 µs a card.
 /// Source: Remolar et al., *Geometric simplification of foliage* (2002), section 3 (leaf collapse: two leaves become one); Cook
 /// et al., *Stochastic simplification of aggregate detail* (2007), section 3.2 (remaining elements grow to keep the area).
-/// Differs: levels are prefixes of one sequence; the visible area is kept, and no card leaves the box of the cards merged into
-/// it: with the full area an oak at 1 % covers 1.6 times its pixels.
+/// Differs: levels are prefixes of one sequence; the visible area is kept, and cards hardly leave the box of the cards merged
+/// into them: with the full area an oak at 1 % covers 1.6 times its pixels.
 class LeafCollapser
 {
 public:

@@ -44,10 +44,10 @@ LevelError leafError(const CollapseState& state, const Leaf& gone, const Leaf& s
             std::max(distance, std::min(distanceTo(stays.card, before, p), distanceTo(gone.card, ofGone, p)));
     const Wedge a = wedgeOf(state.mesh, gone.card.corners.front().wedges.front());
     const Wedge b = wedgeOf(state.mesh, stays.card.corners.front().wedges.front());
-    Leaf both = stays; // nothing of either is outside of the box
+    Leaf both = stays; // nothing of either is outside of its room
     both.takeOver(gone);
-    distance =
-        std::min(distance + std::max(gone.error.distance, stays.error.distance), both.extent.diagonal());
+    distance = std::min(distance + std::max(gone.error.distance, stays.error.distance),
+                        both.room(state.box).diagonal());
     LevelError error{
         float(distance), std::max({gone.error.normal, stays.error.normal, glm::distance(a.normal, b.normal)}),
         std::max(gone.error.texCoord, stays.error.texCoord), std::max(gone.error.colour, stays.error.colour)};

@@ -6,7 +6,7 @@
 namespace osgPMObjects::core
 {
 
-/// Returns the error after a leaf has merged into another: distance at most the diagonal of the box around all cards merged,
+/// Returns the error after a leaf has merged into another: distance at most the diagonal of the box that the card may fill,
 /// and the differences of normals, texture coordinates and colours.
 LevelError leafError(const CollapseState& state, const Leaf& gone, const Leaf& stays,
                      const LeafGrowth& growth);

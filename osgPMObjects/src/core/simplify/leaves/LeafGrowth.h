@@ -30,8 +30,8 @@ struct LeafGrowth
     bool takesCorners() const;
 };
 
-/// Scales the remaining leaf to the visible area of both, but not beyond the box around all cards merged into it: larger leaves
-/// visibly stick out of the crown. All corners move when there are spare positions enough, else all but one. Not for subset
+/// Scales the remaining leaf to the visible area of both, but not beyond its room (Leaf::room()): larger leaves visibly stick out of
+/// the crown. All corners move when there are spare positions enough, else all but one. Not for subset
 /// placement.
 LeafGrowth scaledLeaf(const CollapseState& state, const Leaf& gone, const Leaf& stays);
 

@@ -38,6 +38,7 @@ LeafGrowth scaledLeaf(const CollapseState& state, const Leaf& gone, const Leaf& 
                                    (gone.seenDoubleArea + stays.seenDoubleArea) / stays.exposure);
     Leaf both = stays;
     both.takeOver(gone);
+    const Extent room = both.room(state.box);
     LeafGrowth best;
     const auto look = [&](const glm::dvec3& from, const glm::dvec3& to)
     {
@@ -45,8 +46,7 @@ LeafGrowth scaledLeaf(const CollapseState& state, const Leaf& gone, const Leaf& 
         for (const glm::dvec3& p : before)
             growth.places.push_back(from == to ? p : p - from + to);
         if (!state.box.contains(extentOf(growth.places))) return;
-        const double scale =
-            mostScale(both.extent, growth.places, to, std::sqrt(std::max(1.0, wanted / area)));
+        const double scale = mostScale(room, growth.places, to, std::sqrt(std::max(1.0, wanted / area)));
         for (glm::dvec3& p : growth.places)
             if (p != to) p = glm::clamp(to + scale * (p - to), state.box.low, state.box.high);
         growth.taken.assign(before.size(), LeafGrowth::kOwn);

@@ -56,7 +56,11 @@ void keepMaterials(const Mesh& mesh, std::span<const glm::dvec3> positions,
         const auto most =
             std::max_element(shares[material].begin(), shares[material].end(),
                              [](const auto& a, const auto& b) { return a.second.area < b.second.area; });
-        if (most != shares[material].end()) parts[most->first].kept.push_back({material, most->second.faces});
+        if (most == shares[material].end()) continue;
+        double doubleArea = 0.0;
+        for (const auto& [part, share] : shares[material])
+            doubleArea += share.area;
+        parts[most->first].kept.push_back({material, most->second.faces, doubleArea});
     }
 }
 

@@ -20,10 +20,12 @@ struct ConnectedPart
     double doubleArea = 0.0;
     double reach =
         0.0; ///< distance of its farthest position from all other parts, at most its own size: the error of removing it
-    /// The materials whose last face this part keeps, since it has most of their faces, with the number of faces left.
+    /// A material whose last face this part keeps, since it has most of its area.
     struct Kept
     {
-        std::uint32_t material = 0, faces = 0;
+        std::uint32_t material = 0;
+        std::uint32_t faces = 0; ///< number of faces left in this part
+        double doubleArea = 0.0; ///< twice the area of the material in the whole mesh, at the start
     };
     std::vector<Kept> kept;
 };

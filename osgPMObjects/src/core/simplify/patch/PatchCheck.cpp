@@ -70,6 +70,7 @@ struct Comparison
 {
     LevelError gap;
     double slipSquared = 0.0;
+    double lengthPerTexture = 0.0;
 };
 
 Comparison compare(const Patch& patch, const Nearest& nearest, const WedgeChange& change, const Look& look)
@@ -102,7 +103,9 @@ Comparison compare(const Patch& patch, const Nearest& nearest, const WedgeChange
         if (!material.has(set == 0 ? Material::texCoord0 : Material::texCoord1)) continue;
         const float drift = glm::distance(is.texCoords[set], was.texCoords[set]);
         comparison.gap.texCoord = std::max(comparison.gap.texCoord, drift);
-        addSlip(drift * lengthPerTexture(corners, wedges, set));
+        const double length = lengthPerTexture(corners, wedges, set);
+        comparison.lengthPerTexture = std::max(comparison.lengthPerTexture, length);
+        addSlip(drift * length);
     }
     if (material.has(Material::colour))
     {
@@ -115,8 +118,9 @@ Comparison compare(const Patch& patch, const Nearest& nearest, const WedgeChange
 
 } // namespace
 
-bool foldsOver(const Patch& patch)
+PatchTurn turnOf(const Patch& patch)
 {
+    PatchTurn turn;
     const glm::dvec3& middle = patch.positions[patch.star.middle];
     for (const Star::Spoked& spoked : patch.star.faces)
     {
@@ -125,13 +129,14 @@ bool foldsOver(const Patch& patch)
         const glm::dvec3 normal = glm::cross(second - patch.to, third - patch.to);
         const double doubleArea = glm::length(normal);
         if (glm::dot(normal, spoked.normal) < kLeastTurnCosine * doubleArea || !(doubleArea > 0.0))
-            return true;
+            return {true, 0.0};
         const double longest = longestSquared(patch.to, second, third);
         if (doubleArea < kNeedle * longest &&
             doubleArea * longestSquared(middle, second, third) < spoked.doubleArea * longest)
-            return true;
+            return {true, 0.0};
+        turn.doubleArea += doubleArea - spoked.doubleArea;
     }
-    return false;
+    return turn;
 }
 
 PatchGap gapOf(const Patch& patch, std::span<const WedgeChange> changes, const Look& look)
@@ -148,6 +153,7 @@ PatchGap gapOf(const Patch& patch, std::span<const WedgeChange> changes, const L
         total.gap.texCoord = std::max(total.gap.texCoord, comparison.gap.texCoord);
         total.gap.colour = std::max(total.gap.colour, comparison.gap.colour);
         total.slipCost += look.weight.of(nearest.doubleArea) * comparison.slipSquared;
+        total.lengthPerTexture = std::max(total.lengthPerTexture, comparison.lengthPerTexture);
     }
     return total;
 }

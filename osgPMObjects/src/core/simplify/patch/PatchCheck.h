@@ -21,10 +21,22 @@ struct Patch
     glm::dvec3 to;
 };
 
-/// Whether a face of the patch turns over, or becomes a needle that it is not now.
+/// The change of a patch's faces.
+struct PatchTurn
+{
+    bool foldsOver = false;  ///< a face turns over, or becomes a needle that it is not now
+    double doubleArea = 0.0; ///< change of twice their area; not computed where a face folds over
+};
+
+/// Computes how a collapse turns and stretches the faces of a patch.
 /// Source: Garland and Heckbert, *Surface simplification using quadric error metrics* (1997), section 4.3 (inversions).
 /// Differs: the limit is below a right angle.
-bool foldsOver(const Patch& patch);
+PatchTurn turnOf(const Patch& patch);
+
+inline bool foldsOver(const Patch& patch)
+{
+    return turnOf(patch).foldsOver;
+}
 
 /// The distance of the removed position from the patch, and the difference in appearance there.
 struct PatchGap
@@ -33,6 +45,7 @@ struct PatchGap
     /// Weighted squared displacement of appearance: of the texture along the surface; of normals and colours as shares of the way
     /// that the position moves.
     double slipCost = 0.0;
+    double lengthPerTexture = 0.0; ///< on the surface, of a unit of texture coordinates: the largest
 };
 
 /// The attributes and materials of the faces that a collapse changes.
