@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Measures progressive meshes: single steps between levels, jumps to a level, and building.
+// Measures progressive meshes: single steps between levels, jumps to a level, and building. The argument `mesh` is a Subject,
+// `arrangement` an Arrangement.
 #include <map>
+#include <utility>
 
 #include <benchmark/benchmark.h>
 
@@ -8,6 +10,7 @@
 #include <osgPMObjects/core/progressive/ProgressiveLevel.h>
 #include <osgPMObjects/core/simplify/Simplify.h>
 
+#include "ScannedMeshes.h"
 #include "SimplifyMeshes.h"
 
 namespace
@@ -15,32 +18,41 @@ namespace
 
 using namespace osgPMObjects::core;
 
-constexpr std::uint32_t kSide = 187; // 69 938 faces
-
-const Mesh& subject()
+enum class Subject
 {
-    static const Mesh mesh = testsupport::waves(kSide, kSide);
-    return mesh;
+    waves,   ///< a grid in waves, 69 938 faces
+    scanned, ///< a closed blob of irregular edges, 70 688 faces
+};
+
+const Mesh& meshOf(Subject subject)
+{
+    static const Mesh waves = testsupport::waves(187, 187);
+    static const Mesh scanned = testsupport::scannedBlob(94);
+    return subject == Subject::waves ? waves : scanned;
 }
 
-const CollapseSequence& sequence()
+const CollapseSequence& sequenceOf(Subject subject)
 {
-    static const CollapseSequence made = simplify(subject());
-    return made;
-}
-
-const ProgressiveMesh& progressive(Arrangement arrangement)
-{
-    static std::map<Arrangement, ProgressiveMesh> made;
-    const auto [at, isNew] = made.try_emplace(arrangement);
-    if (isNew) at->second = buildProgressiveMesh(subject(), sequence(), {.arrangement = arrangement});
+    static std::map<Subject, CollapseSequence> made;
+    const auto [at, isNew] = made.try_emplace(subject);
+    if (isNew) at->second = simplify(meshOf(subject));
     return at->second;
 }
 
-/// Measures steps to the coarsest level and back. Argument: an Arrangement. Items: steps.
+const ProgressiveMesh& progressive(Subject subject, Arrangement arrangement)
+{
+    static std::map<std::pair<Subject, Arrangement>, ProgressiveMesh> made;
+    const auto [at, isNew] = made.try_emplace({subject, arrangement});
+    if (isNew)
+        at->second = buildProgressiveMesh(meshOf(subject), sequenceOf(subject), {.arrangement = arrangement});
+    return at->second;
+}
+
+/// Measures steps to the coarsest level and back. Items: steps.
 void stepDownAndUp(benchmark::State& state)
 {
-    const ProgressiveMesh& mesh = progressive(static_cast<Arrangement>(state.range(0)));
+    const ProgressiveMesh& mesh =
+        progressive(static_cast<Subject>(state.range(0)), static_cast<Arrangement>(state.range(1)));
     ProgressiveLevel level(mesh);
     for (auto _ : state)
     {
@@ -51,27 +63,38 @@ void stepDownAndUp(benchmark::State& state)
     state.counters["bytesPerVertex"] =
         static_cast<double>(mesh.overheadBytes()) / static_cast<double>(mesh.mesh.wedgeCount());
 }
-BENCHMARK(stepDownAndUp)->DenseRange(0, 3)->ArgName("arrangement")->Unit(benchmark::kMillisecond);
+BENCHMARK(stepDownAndUp)
+    ->ArgsProduct({{0, 1}, {0, 1, 2, 3}})
+    ->ArgNames({"mesh", "arrangement"})
+    ->Unit(benchmark::kMillisecond);
 
-/// Measures making a level in one pass. Argument: the positions that it keeps, in per cent.
+/// Measures one pass over all faces that makes the level of a percentage of the positions.
 void jump(benchmark::State& state)
 {
-    const ProgressiveMesh& mesh = progressive(Arrangement::windows);
+    const ProgressiveMesh& mesh = progressive(static_cast<Subject>(state.range(0)), Arrangement::windows);
     CompactedLevel level(mesh);
     for (auto _ : state)
         level.moveTo(
-            static_cast<std::uint32_t>(std::uint64_t{mesh.stepCount} * (100 - state.range(0)) / 100));
+            static_cast<std::uint32_t>(std::uint64_t{mesh.stepCount} * (100 - state.range(1)) / 100));
 }
-BENCHMARK(jump)->Arg(100)->Arg(50)->Arg(10)->ArgName("percent")->Unit(benchmark::kMicrosecond);
+BENCHMARK(jump)
+    ->ArgsProduct({{0, 1}, {100, 75, 50, 10}})
+    ->ArgNames({"mesh", "percent"})
+    ->Unit(benchmark::kMicrosecond);
 
 void build(benchmark::State& state)
 {
-    sequence();
+    const auto subject = static_cast<Subject>(state.range(0));
+    sequenceOf(subject);
     for (auto _ : state)
         benchmark::DoNotOptimize(buildProgressiveMesh(
-            subject(), sequence(), {.arrangement = static_cast<Arrangement>(state.range(0))}));
+            meshOf(subject), sequenceOf(subject), {.arrangement = static_cast<Arrangement>(state.range(1))}));
 }
-BENCHMARK(build)->DenseRange(0, 3)->ArgName("arrangement")->Unit(benchmark::kMillisecond)->Iterations(1);
+BENCHMARK(build)
+    ->ArgsProduct({{0, 1}, {0, 1, 2, 3}})
+    ->ArgNames({"mesh", "arrangement"})
+    ->Unit(benchmark::kMillisecond)
+    ->Iterations(1);
 
 } // namespace
 

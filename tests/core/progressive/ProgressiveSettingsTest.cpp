@@ -41,6 +41,8 @@ TEST(ArrangementSettings, CountsOutsideTheirRangesAreRefused)
     for (const std::uint32_t wrong : {0u, 1u, 65u})
         EXPECT_EQ(refusedField(ArrangementSettings{.windowBlocks = wrong}), "arrangement.windowBlocks")
             << wrong;
+    for (const std::uint32_t wrong : {0u, 17u})
+        EXPECT_EQ(refusedField(ArrangementSettings{.lookAhead = wrong}), "arrangement.lookAhead") << wrong;
 }
 
 TEST(ArrangementSettings, SharesAndWeightsThatAreNoNumbersAreRefused)

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <numeric>
-#include <tuple>
+#include <cstddef>
 
 #include <meshoptimizer.h>
 
@@ -16,14 +15,31 @@ namespace
 /// The limit of triangles at a vertex: at each step the library tests all triangles left at each vertex of its cache.
 constexpr std::uint32_t kMostAtAVertex = 10'000;
 
-/// Returns the numbers of triangles, sorted by their corners.
-std::vector<std::uint32_t> byCorners(std::span<const Triangle> triangles)
+/// Returns for each triangle of `made` its number in `given`, which has the same triangles, corner by corner. Equal triangles
+/// keep their order. Cost: linear in the triangles times those with one first corner.
+std::vector<std::uint32_t> numbersOfTriangles(std::span<const Triangle> given, std::span<const Triangle> made,
+                                              std::uint32_t vertexCount)
 {
-    std::vector<std::uint32_t> numbers(triangles.size());
-    std::iota(numbers.begin(), numbers.end(), 0u);
-    std::sort(numbers.begin(), numbers.end(),
-              [&](std::uint32_t a, std::uint32_t b)
-              { return std::tie(triangles[a], a) < std::tie(triangles[b], b); });
+    std::vector<std::uint32_t> next(std::size_t{vertexCount} + 1,
+                                    0); // by first corner: its first entry in byCorner
+    for (const Triangle& t : given)
+        ++next[t[0] + 1];
+    for (std::size_t v = 1; v < next.size(); ++v)
+        next[v] += next[v - 1];
+    std::vector<std::uint32_t> byCorner(given.size()), ends(next.begin(), next.end());
+    for (std::uint32_t i = 0; i < given.size(); ++i)
+        byCorner[ends[given[i][0]]++] = i;
+    std::vector<std::uint32_t> numbers;
+    numbers.reserve(made.size());
+    for (const Triangle& t : made)
+    {
+        std::uint32_t& first = next[t[0]];
+        const auto begin = byCorner.begin() + first, end = byCorner.begin() + ends[t[0]];
+        const auto found = std::find_if(begin, end, [&](std::uint32_t i) { return given[i] == t; });
+        numbers.push_back(*found);
+        std::rotate(begin, found, found + 1); // the others stay in order
+        ++first;
+    }
     return numbers;
 }
 
@@ -45,12 +61,8 @@ std::vector<std::uint32_t> libraryOrder(std::span<const Triangle> triangles, std
     std::vector<Triangle> ordered(triangles.size());
     meshopt_optimizeVertexCache(ordered.front().data(), triangles.front().data(), 3 * triangles.size(),
                                 vertexCount);
-    // The library returns indices and keeps the order of corners, so equal triangles match after sorting.
-    const std::vector<std::uint32_t> given = byCorners(triangles), made = byCorners(ordered);
-    std::vector<std::uint32_t> order(triangles.size());
-    for (std::size_t i = 0; i < order.size(); ++i)
-        order[made[i]] = given[i];
-    return order;
+    // The library returns indices and keeps the order of corners.
+    return numbersOfTriangles(triangles, ordered, vertexCount);
 }
 
 } // namespace osgPMObjects::core

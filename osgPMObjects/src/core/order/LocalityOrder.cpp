@@ -21,13 +21,17 @@ constexpr int kLost = 12;
 /// draws this many times the longest strip. Shorter strips have good costs at first, but leave ragged borders.
 constexpr double kShortest = 0.375;
 constexpr std::size_t kTrialLengths = 4;
+/// Between full searches, lengths are tried that differ from the latest by so many triangles at most.
+constexpr std::size_t kNearLengths = 4;
 
 /// Draws a mesh strip by strip and tries lengths. Source: see localityOrder().
 class LocalitySorter
 {
 public:
-    LocalitySorter(std::span<const Triangle> triangles, std::uint32_t vertexCount, std::uint32_t cacheSize)
-        : _triangles(triangles),
+    LocalitySorter(std::span<const Triangle> triangles, std::uint32_t vertexCount, std::uint32_t cacheSize,
+                   std::uint32_t fullSearchEvery)
+        : _fullSearchEvery(fullSearchEvery),
+          _triangles(triangles),
           _count(static_cast<std::uint32_t>(triangles.size())),
           _atVertex(triangles, vertexCount),
           _growth(triangles, vertexCount, cacheSize)
@@ -82,35 +86,45 @@ private:
         return {_firstLeft, _growth.borderEdge(_firstLeft)};
     }
 
+    /// Returns the best length by trials: of all lengths, or of those near the length of the latest strip.
     std::size_t bestLength(const Entry& start)
     {
         const std::size_t most = 2 * _growth.cache().size();
         const auto shortest =
             std::max<std::size_t>(static_cast<std::size_t>(kShortest * _growth.cache().size()), 1);
-        std::size_t best = most;
+        const bool isFull = _strips++ % _fullSearchEvery == 0;
+        std::size_t low = shortest, high = most, best = most;
+        if (!isFull)
+        {
+            low = std::max(shortest, _length - std::min(_length, kNearLengths));
+            high = std::min(most, _length + kNearLengths);
+            low += (_length - low) % 2; // the length before is tried, too
+        }
         double least = 4.0; // above the three transforms that a triangle can cost
-        for (std::size_t length = shortest; length <= most; length += 2)
-            if (const double cost = _growth.costOf(start, length, kTrialLengths * most); cost < least)
+        for (std::size_t length = low; length <= high; length += 2)
+            if (const double cost = _growth.costOf(start, length, kTrialLengths * most, least); cost < least)
             {
                 least = cost;
                 best = length;
             }
-        return best;
+        return _length = best;
     }
 
+    std::uint32_t _fullSearchEvery;
     std::span<const Triangle> _triangles;
     std::uint32_t _count;
     VertexTriangles _atVertex;
     StripGrowth _growth;
     std::uint32_t _firstLeft = 0;
+    std::size_t _strips = 0, _length = 0; ///< number of strips laid, and the length of the latest
 };
 
 } // namespace
 
 std::vector<std::uint32_t> localityOrder(std::span<const Triangle> triangles, std::uint32_t vertexCount,
-                                         std::uint32_t cacheSize)
+                                         std::uint32_t cacheSize, std::uint32_t fullSearchEvery)
 {
-    return LocalitySorter(triangles, vertexCount, cacheSize).run();
+    return LocalitySorter(triangles, vertexCount, cacheSize, fullSearchEvery).run();
 }
 
 } // namespace osgPMObjects::core

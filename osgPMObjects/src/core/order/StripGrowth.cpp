@@ -9,30 +9,46 @@ namespace osgPMObjects::core
 StripGrowth::StripGrowth(std::span<const Triangle> triangles, std::uint32_t vertexCount,
                          std::uint32_t cacheSize)
     : _triangles(triangles),
-      _adjacency(triangles),
-      _cache(vertexCount, cacheSize),
-      _isDone(triangles.size(), 0)
+      _neighbours(triangles.size()),
+      _entryEdges(triangles.size()),
+      _openNeighbours(triangles.size() + 1, 0),
+      _isDone(triangles.size() + 1, 0),
+      _cache(vertexCount, cacheSize)
 {
+    const TriangleAdjacency adjacency(triangles);
+    _isDone[outside()] = 1;
+    for (std::uint32_t t = 0; t < triangles.size(); ++t)
+        for (int edge = 0; edge < 3; ++edge)
+        {
+            const std::uint32_t n = adjacency.across(t, edge);
+            _neighbours[t][edge] = n == kNone ? outside() : n;
+            if (n == kNone) continue;
+            _entryEdges[t][edge] = static_cast<std::uint8_t>(adjacency.edgeTo(n, t));
+            ++_openNeighbours[t];
+        }
 }
 
 void StripGrowth::draw(std::uint32_t t)
 {
     _misses += _cache.draw(_triangles[t]);
     _isDone[t] = 1;
+    for (const std::uint32_t n : _neighbours[t])
+        --_openNeighbours[n];
     _order.push_back(t);
+}
+
+void StripGrowth::undraw(std::uint32_t t)
+{
+    _isDone[t] = 0;
+    for (const std::uint32_t n : _neighbours[t])
+        ++_openNeighbours[n];
 }
 
 /// Draws neighbours that have no other neighbour left: as holes they would need their vertices transformed again later.
 void StripGrowth::fillHoles(std::uint32_t t)
 {
-    for (const std::uint32_t n : _adjacency.neighbours(t))
-        if (isOpen(n) && completionCost(n) < 8 && completionCost(n) % 4 == 0) draw(n);
-}
-
-StripGrowth::Entry StripGrowth::entering(std::uint32_t from, int edge, bool isBeside) const
-{
-    const std::uint32_t next = _adjacency.across(from, edge);
-    return {next, _adjacency.edgeTo(next, from), isBeside};
+    for (const std::uint32_t n : _neighbours[t])
+        if (!_isDone[n] && _openNeighbours[n] == 0 && missesOf(n) < 2) draw(n);
 }
 
 void StripGrowth::grow(const Entry& start, std::size_t length)
@@ -51,8 +67,8 @@ void StripGrowth::layStrip(Entry entry, std::size_t length)
         draw(t);
         fillHoles(t);
         const int right = (entry.edge + 1) % 3, left = (entry.edge + 2) % 3;
-        const bool isRightOpen = isOpen(_adjacency.across(t, right));
-        const bool isLeftOpen = isOpen(_adjacency.across(t, left));
+        const bool isRightOpen = !_isDone[_neighbours[t][right]];
+        const bool isLeftOpen = !_isDone[_neighbours[t][left]];
         if (!isRightOpen && !isLeftOpen) return;
         const bool isRight = isRightOpen && (!isLeftOpen || entry.isBeside || turnsRight);
         const bool isBehind =
@@ -85,36 +101,31 @@ StripGrowth::Entry StripGrowth::nextAhead()
     return {kNone, 0};
 }
 
-int StripGrowth::completionCost(std::uint32_t t) const
-{
-    int left = 0;
-    for (int i = 0; i < 3; ++i)
-        left += 4 * !_cache.holds(_triangles[t][i]) + isOpen(_adjacency.across(t, i));
-    return left;
-}
-
 int StripGrowth::borderEdge(std::uint32_t t) const
 {
     for (int edge = 0; edge < 3; ++edge)
-        if (!isOpen(_adjacency.across(t, edge))) return edge;
+        if (_isDone[_neighbours[t][edge]]) return edge;
     return 0;
 }
 
-double StripGrowth::costOf(const Entry& start, std::size_t length, std::size_t triangles)
+double StripGrowth::costOf(const Entry& start, std::size_t length, std::size_t triangles, double most)
 {
     const std::size_t drawnBefore = _order.size(), besideBefore = _beside.size();
     const std::size_t onwardBefore = _ahead.size(), stripsBefore = _strips.size();
     const std::uint64_t missesBefore = _misses;
+    const auto tooMany = missesBefore + static_cast<std::uint64_t>(most * static_cast<double>(triangles));
     _cache.beginTrial();
-    for (Entry entry = start; entry.triangle != kNone && _order.size() < drawnBefore + triangles;
+    for (Entry entry = start;
+         entry.triangle != kNone && _order.size() < drawnBefore + triangles && _misses <= tooMany;
          entry = nextBeside(stripsBefore))
         grow(entry, std::min(length, drawnBefore + triangles - _order.size()));
-    const double cost =
-        static_cast<double>(_misses - missesBefore) / static_cast<double>(_order.size() - drawnBefore);
+    const double cost = _misses > tooMany ? most
+                                          : static_cast<double>(_misses - missesBefore) /
+                                                static_cast<double>(_order.size() - drawnBefore);
     _cache.endTrial();
     _misses = missesBefore;
     for (; _order.size() > drawnBefore; _order.pop_back())
-        _isDone[_order.back()] = 0;
+        undraw(_order.back());
     _beside.resize(besideBefore, {kNone, 0});
     _ahead.resize(onwardBefore, {kNone, 0});
     _strips.resize(stripsBefore, {0, 0});

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -35,8 +36,9 @@ public:
     void grow(const Entry& start, std::size_t length);
 
     /// Returns the transformed vertices a triangle if this strip and the strips beside it have this length, by a trial over
-    /// `triangles` triangles, which is undone.
-    double costOf(const Entry& start, std::size_t length, std::size_t triangles);
+    /// `triangles` triangles, which is undone. A trial that transforms more than `most` · `triangles` vertices ends there and
+    /// returns `most`.
+    double costOf(const Entry& start, std::size_t length, std::size_t triangles, double most);
 
     /// Returns the first entry beside the latest strip that has one; it skips the oldest `kept` strips. kNone: none is left.
     Entry nextBeside(std::size_t kept = 0);
@@ -45,7 +47,10 @@ public:
     void pushAhead(const Entry& entry) { _ahead.push_back(entry); }
 
     /// Returns the cost of drawing a triangle: four for each vertex outside the queue, one for each neighbour not yet drawn.
-    int completionCost(std::uint32_t triangle) const;
+    int completionCost(std::uint32_t triangle) const
+    {
+        return 4 * missesOf(triangle) + _openNeighbours[triangle];
+    }
     /// Returns an edge through which to enter a triangle: one without an undrawn neighbour, if there is one.
     int borderEdge(std::uint32_t triangle) const;
 
@@ -60,16 +65,28 @@ private:
         std::size_t first, end;
     };
 
-    bool isOpen(std::uint32_t t) const { return t != kNone && !_isDone[t]; }
+    /// Number of an absent neighbour: it is always done, so that no test for absence is needed.
+    std::uint32_t outside() const { return static_cast<std::uint32_t>(_triangles.size()); }
+    int missesOf(std::uint32_t t) const
+    {
+        const Triangle& corners = _triangles[t];
+        return !_cache.holds(corners[0]) + !_cache.holds(corners[1]) + !_cache.holds(corners[2]);
+    }
     void draw(std::uint32_t t);
+    void undraw(std::uint32_t t);
     void fillHoles(std::uint32_t t);
-    Entry entering(std::uint32_t from, int edge, bool isBeside) const;
+    Entry entering(std::uint32_t from, int edge, bool isBeside) const
+    {
+        return {_neighbours[from][edge], _entryEdges[from][edge], isBeside};
+    }
     void layStrip(Entry entry, std::size_t length);
 
     std::span<const Triangle> _triangles;
-    TriangleAdjacency _adjacency;
+    std::vector<std::array<std::uint32_t, 3>> _neighbours; ///< by triangle and edge; outside(): none
+    std::vector<std::array<std::uint8_t, 3>> _entryEdges;  ///< by triangle and edge: the neighbour's edge
+    std::vector<std::uint8_t> _openNeighbours;             ///< by triangle: neighbours not yet drawn
+    std::vector<char> _isDone;                             ///< by triangle, and of outside()
     TrialCache _cache;
-    std::vector<char> _isDone;
     std::vector<std::uint32_t> _order;
     std::vector<Beside> _strips; ///< strips with entries beside them, the latest last
     std::vector<Entry> _beside,

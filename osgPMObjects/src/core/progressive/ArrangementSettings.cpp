@@ -16,6 +16,7 @@ foundation::Outcome checkSettings(const ArrangementSettings& settings)
         .above("tswapStep", settings.tswapStep, 0.0, 1.0)
         .within("stayWeight", settings.stayWeight, 0.0)
         .within("touchedLineWeight", settings.touchedLineWeight, 0.0)
+        .within("lookAhead", settings.lookAhead, 1, Limits::kMostLookAhead)
         .outcome();
 }
 

@@ -2,7 +2,7 @@
 #include "GreedyOrder.h"
 
 #include <algorithm>
-#include <array>
+#include <utility>
 
 #include <foundation/VertexCache.h>
 
@@ -18,15 +18,15 @@ constexpr std::uint32_t kFacesOfLine = 10; // in 64 bytes of 16-bit indices
 class GreedyBuffer
 {
 public:
-    GreedyBuffer(std::span<const Triangle> triangles, std::uint32_t vertexCount, std::uint32_t cacheSize,
-                 const GreedyWeights& weights, std::vector<bool> isTouched)
+    GreedyBuffer(std::span<const Triangle> triangles, std::uint32_t vertexCount, const GreedyRules& rules,
+                 std::vector<bool> isTouched)
         : _triangles(triangles),
-          _weights(weights),
+          _rules(rules),
           _isTouched(std::move(isTouched)),
-          _cache(vertexCount, cacheSize),
+          _cache(vertexCount, rules.cacheSize),
           _isPlaced(triangles.size(), false),
           _trianglesOf(vertexCount),
-          _recent(cacheSize)
+          _recent(rules.cacheSize)
     {
         _isTouched.resize(triangles.size() / kFacesOfLine * kFacesOfLine + kFacesOfLine, false);
         for (std::uint32_t t = 0; t < triangles.size(); ++t)
@@ -39,7 +39,9 @@ public:
         std::vector<std::uint32_t> order;
         for (std::uint32_t position = 0; position < _triangles.size(); ++position)
         {
-            const std::uint32_t t = position == 0 ? 0 : bestFor(position);
+            const std::uint32_t t = position == 0          ? 0
+                                    : _rules.lookAhead > 1 ? bestAhead(position)
+                                                           : bestFor(position).triangle;
             order.push_back(t);
             append(t, position);
         }
@@ -47,47 +49,112 @@ public:
     }
 
 private:
-    std::uint32_t bestFor(std::uint32_t position)
+    struct Choice
     {
-        _best = ~0u;
-        _least = 1e9f;
-        if (!_isPlaced[position]) consider(position, position);
+        std::uint32_t triangle = ~0u;
+        float cost = 1e9f;
+
+        bool operator<(const Choice& other) const
+        {
+            return cost != other.cost ? cost < other.cost : triangle < other.triangle;
+        }
+    };
+
+    /// Calls visit(triangle) for each triangle that has this position already or a vertex in the cache; some twice.
+    template<class Visit>
+    void visitCandidates(std::uint32_t position, const Visit& visit) const
+    {
+        if (!_isPlaced[position]) visit(position);
         for (const std::uint32_t vertex : _recent)
             for (const std::uint32_t t : _trianglesOf[vertex])
-                consider(t, position);
-        if (_best != ~0u) return _best;
-        while (_isPlaced[_firstLeft])
-            ++_firstLeft;
-        return _firstLeft;
+                if (!_isPlaced[t]) visit(t);
     }
 
-    void consider(std::uint32_t t, std::uint32_t position)
+    Choice bestFor(std::uint32_t position)
+    {
+        Choice best;
+        visitCandidates(position, [&](std::uint32_t t) { best = std::min(best, {t, costOf(t, position)}); });
+        return best.triangle != ~0u ? best : firstLeft(position);
+    }
+
+    Choice firstLeft(std::uint32_t position)
+    {
+        std::uint32_t t = _firstLeft;
+        while (_isPlaced[t])
+            ++t;
+        return {t, costOf(t, position)};
+    }
+
+    /// Chooses by trials of `lookAhead` triangles.
+    std::uint32_t bestAhead(std::uint32_t position)
+    {
+        std::vector<std::uint32_t> candidates;
+        visitCandidates(position, [&](std::uint32_t t) { candidates.push_back(t); });
+        if (candidates.empty()) return firstLeft(position).triangle;
+        std::sort(candidates.begin(), candidates.end());
+        candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
+        Choice best;
+        for (const std::uint32_t t : candidates)
+            best = std::min(best, {t, trialCost(t, position)});
+        return best.triangle;
+    }
+
+    /// Returns the cost of a triangle and of those that the order without look-ahead would draw after it.
+    float trialCost(std::uint32_t t, std::uint32_t position)
+    {
+        const std::vector<std::uint32_t> recentBefore = _recent;
+        const std::size_t end = std::min<std::size_t>(position + _rules.lookAhead, _triangles.size());
+        Choice next{t, costOf(t, position)};
+        float cost = 0.0f;
+        for (;;)
+        {
+            cost += next.cost;
+            draw(next.triangle, true);
+            if (++position == end) break;
+            next = bestFor(position);
+        }
+        for (; !_tried.empty(); _tried.pop_back())
+            _isPlaced[_tried.back()] = false;
+        for (; !_missed.empty(); _missed.pop_back())
+            _cache.takeBack(_missed.back().first, _missed.back().second);
+        _recent = recentBefore;
+        return cost;
+    }
+
+    float costOf(std::uint32_t t, std::uint32_t position) const
     {
         float cost = 0.0f;
         for (const std::uint32_t vertex : _triangles[t])
             cost += _cache.holds(vertex) ? 0.0f : 1.0f;
-        if (t == position)
-            cost -= _weights.stays;
-        else if (_isTouched[t])
-            cost -= _weights.lineTouched;
-        if (cost > _least || (cost == _least && t >= _best)) return;
-        _least = cost;
-        _best = t;
+        if (t == position) return cost - _rules.weights.stays;
+        return _isTouched[t] ? cost - _rules.weights.lineTouched : cost;
+    }
+
+    void draw(std::uint32_t t, bool isTrial)
+    {
+        _isPlaced[t] = true;
+        if (isTrial) _tried.push_back(t);
+        for (const std::uint32_t vertex : _triangles[t])
+        {
+            const std::uint64_t before = _cache.lastMiss(vertex);
+            if (!_cache.transform(vertex)) continue;
+            if (isTrial) _missed.emplace_back(vertex, before);
+            _recent[_cache.misses() % _recent.size()] = vertex;
+        }
     }
 
     void append(std::uint32_t t, std::uint32_t position)
     {
-        _isPlaced[t] = true;
+        draw(t, false);
+        while (_firstLeft < _triangles.size() && _isPlaced[_firstLeft])
+            ++_firstLeft;
         if (t != position)
         {
             touchLineOf(position);
             touchLineOf(t);
         }
         for (const std::uint32_t vertex : _triangles[t])
-        {
-            if (_cache.transform(vertex)) _recent[_cache.misses() % _recent.size()] = vertex;
             std::erase(_trianglesOf[vertex], t);
-        }
     }
 
     void touchLineOf(std::uint32_t position)
@@ -96,24 +163,25 @@ private:
     }
 
     std::span<const Triangle> _triangles;
-    GreedyWeights _weights;
+    GreedyRules _rules;
     std::vector<bool> _isTouched;
     foundation::FifoCache _cache;
     std::vector<bool> _isPlaced;
     std::vector<std::vector<std::uint32_t>> _trianglesOf; ///< by vertex: triangles left
     std::vector<std::uint32_t> _recent;                   ///< vertices in the cache
-    std::uint32_t _firstLeft = 0, _best = 0;
-    float _least = 0.0f;
+    std::uint32_t _firstLeft = 0;
+    std::vector<std::uint32_t> _tried; ///< triangles of the trial
+    std::vector<std::pair<std::uint32_t, std::uint64_t>>
+        _missed; ///< vertices transformed in the trial, with their last miss before
 };
 
 } // namespace
 
 std::vector<std::uint32_t> greedyOrder(std::span<const Triangle> triangles, std::uint32_t vertexCount,
-                                       std::uint32_t cacheSize, const GreedyWeights& weights,
-                                       std::vector<bool> isTouched)
+                                       const GreedyRules& rules, std::vector<bool> isTouched)
 {
     if (triangles.empty()) return {};
-    return GreedyBuffer(triangles, vertexCount, cacheSize, weights, std::move(isTouched)).order();
+    return GreedyBuffer(triangles, vertexCount, rules, std::move(isTouched)).order();
 }
 
 } // namespace osgPMObjects::core

@@ -15,9 +15,9 @@ class TswapArrangement : public FaceArrangement
 {
 public:
     explicit TswapArrangement(const ArrangementSettings& settings)
-        : _cacheSize(settings.cacheSize),
-          _stepShare(settings.tswapStep),
-          _weights{settings.stayWeight, settings.touchedLineWeight}
+        : _stepShare(settings.tswapStep),
+          _first{settings.cacheSize, {}, settings.lookAhead},
+          _rules{settings.cacheSize, {settings.stayWeight, settings.touchedLineWeight}, settings.lookAhead}
     {
     }
 
@@ -26,7 +26,7 @@ public:
         _numbers = std::make_unique<LocalNumbers>(walk);
         std::uint32_t material = 0;
         for (const std::vector<std::uint32_t>& faces : liveFacesByMaterial(walk))
-            slots.append(material++, ordered(walk, faces, {}, {}), walk.faceCount());
+            slots.append(material++, ordered(walk, faces, _first, {}), walk.faceCount());
         for (const SlotBlock& block : slots.blocks())
             _orderedAt.push_back(block.live);
     }
@@ -51,23 +51,21 @@ private:
         std::vector<std::uint32_t> faces;
         slots.appendFaces(block, faces);
         const auto first = _isTouched.begin() + b.first;
-        slots.rewrite({block}, ordered(walk, faces, _weights, {first, first + b.extent}));
+        slots.rewrite({block}, ordered(walk, faces, _rules, {first, first + b.extent}));
         std::fill_n(first, b.extent, false);
         _orderedAt[block] = b.live;
     }
 
     std::vector<std::uint32_t> ordered(const LevelWalk& walk, const std::vector<std::uint32_t>& faces,
-                                       const GreedyWeights& weights, std::vector<bool> isTouched)
+                                       const GreedyRules& rules, std::vector<bool> isTouched)
     {
-        return _numbers->ordered(
-            walk, faces,
-            [&](std::span<const Triangle> triangles, std::uint32_t wedges)
-            { return greedyOrder(triangles, wedges, _cacheSize, weights, std::move(isTouched)); });
+        return _numbers->ordered(walk, faces,
+                                 [&](std::span<const Triangle> triangles, std::uint32_t wedges)
+                                 { return greedyOrder(triangles, wedges, rules, std::move(isTouched)); });
     }
 
-    std::uint32_t _cacheSize;
     float _stepShare;
-    GreedyWeights _weights;
+    GreedyRules _first, _rules; ///< for the finest level, and for later orderings
     std::unique_ptr<LocalNumbers> _numbers;
     std::vector<std::uint32_t> _orderedAt; ///< by block: number of faces when it was last ordered
     std::vector<bool> _isTouched;          ///< by slot: whether it was written since then

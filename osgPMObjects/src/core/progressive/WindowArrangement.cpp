@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <array>
-
-#include <foundation/VertexCache.h>
-
-#include <osgPMObjects/core/order/TriangleOrders.h>
+#include <cstddef>
+#include <memory>
+#include <span>
 
 #include "FaceArrangement.h"
-#include "Lifetimes.h"
+#include "WindowOrder.h"
 
 namespace osgPMObjects::core
 {
@@ -21,25 +19,22 @@ using Faces = std::vector<std::uint32_t>;
 class WindowArrangement : public FaceArrangement
 {
 public:
-    WindowArrangement(const ArrangementSettings& settings, std::uint32_t blockFaces)
+    explicit WindowArrangement(const ArrangementSettings& settings)
         : _cacheSize(settings.cacheSize),
-          _blockFaces(blockFaces),
+          _blockFaces(settings.blockFaces),
           _windowBlocks(std::max(2u, settings.windowBlocks))
     {
     }
 
     void begin(const LevelWalk& walk, SlotTable& slots) override
     {
-        _numbers = std::make_unique<LocalNumbers>(walk);
-        _lifetimes = std::make_unique<Lifetimes>(walk.split());
-        _cache = std::make_unique<foundation::FifoCache>(
-            static_cast<std::uint32_t>(walk.split().mesh.wedgeCount()), _cacheSize);
+        _order = std::make_unique<WindowOrder>(walk, _cacheSize);
         std::uint32_t material = 0;
         for (const Faces& faces : liveFacesByMaterial(walk))
-            slots.append(material++, bestOrder(walk, faces), _blockFaces);
+            slots.append(material++, _order->ordered(faces), blockFacesOf(faces.size()));
     }
 
-    void afterStep(const LevelWalk& walk, SlotTable& slots) override
+    void afterStep(const LevelWalk&, SlotTable& slots) override
     {
         const Faces touched = slots.blocksWithRemovals();
         for (const std::uint32_t block : touched)
@@ -48,11 +43,21 @@ public:
                 Faces faces;
                 for (const std::uint32_t b : window)
                     slots.appendFaces(b, faces);
-                slots.rewrite(std::move(window), bestOrder(walk, faces));
+                slots.rewrite(std::move(window), _order->ordered(faces));
             }
     }
 
 private:
+    /// Returns the faces of a block in a group of some faces. Vertices on the border of a window are transformed once more, so
+    /// large windows are better, but with few windows many holes are drawn.
+    std::uint32_t blockFacesOf(std::size_t faces) const
+    {
+        constexpr std::size_t kBlocks = 20, kLeastFaces = 1024, kMostFaces = 3072;
+        return _blockFaces != 0
+                   ? _blockFaces
+                   : static_cast<std::uint32_t>(std::clamp(faces / kBlocks, kLeastFaces, kMostFaces));
+    }
+
     /// Returns neighbouring blocks around `block` whose faces fit into one block less; fewer than _windowBlocks only if the
     /// group has no more. Empty: they do not fit.
     Faces windowAround(std::uint32_t block, const SlotTable& slots) const
@@ -95,72 +100,19 @@ private:
             least = std::min(least, block.capacity);
         }
         const std::uint32_t goes = window.size() > 1 ? least : extents / _windowBlocks;
-        constexpr std::uint32_t kMoreRoomPercent = 64;
+        constexpr std::uint32_t kMoreRoomPercent = 85;
         return live + goes + goes * kMoreRoomPercent / 100 <= (window.size() > 1 ? room : extents);
     }
 
-    /// Returns the order, out of several, that costs least until a share of the faces has vanished.
-    Faces bestOrder(const LevelWalk& walk, const Faces& faces)
-    {
-        if (faces.size() < 2) return faces;
-        Faces best = faces;
-        std::uint64_t least = costOf(walk, best);
-        const auto forQueue = [this](std::span<const Triangle> triangles, std::uint32_t wedges)
-        { return localityOrder(triangles, wedges, _cacheSize); };
-        for (const Faces& order : std::array{_numbers->ordered(walk, faces, libraryOrder),
-                                             _numbers->ordered(walk, faces, forQueue)})
-        {
-            const std::uint64_t cost = costOf(walk, order);
-            if (cost >= least) continue;
-            least = cost;
-            best = order;
-        }
-        return best;
-    }
-
-    /// Returns the transformed wedges, summed over some levels from now to the next ordering of the faces.
-    std::uint64_t costOf(const LevelWalk& walk, const Faces& faces)
-    {
-        Faces ends;
-        ends.reserve(faces.size());
-        for (const std::uint32_t face : faces)
-            ends.push_back(_lifetimes->end(face));
-        std::sort(ends.begin(), ends.end());
-        constexpr std::size_t kLevels = 4;
-        std::uint64_t cost = 0;
-        for (std::size_t level = 0; level < kLevels; ++level)
-        {
-            const std::size_t gone = faces.size() * level / ((kLevels - 1) * _windowBlocks);
-            cost += transformsAfter(walk, faces,
-                                    level == 0 ? walk.stepsTaken() : std::min(ends[gone], walk.stepCount()));
-        }
-        return cost;
-    }
-
-    std::uint64_t transformsAfter(const LevelWalk& walk, const Faces& faces, std::uint32_t steps)
-    {
-        _cache->empty();
-        const std::uint64_t before = _cache->misses();
-        for (const std::uint32_t face : faces)
-            if (_lifetimes->end(face) > steps)
-                for (const std::uint32_t wedge : walk.triangle(face))
-                    _cache->transform(_lifetimes->wedgeAfter(wedge, steps));
-        return _cache->misses() - before;
-    }
-
     std::uint32_t _cacheSize, _blockFaces, _windowBlocks;
-    std::unique_ptr<LocalNumbers> _numbers;
-    std::unique_ptr<Lifetimes> _lifetimes;
-    std::unique_ptr<foundation::FifoCache> _cache;
+    std::unique_ptr<WindowOrder> _order;
 };
 
 } // namespace
 
 std::unique_ptr<FaceArrangement> windowArrangement(const ArrangementSettings& settings)
 {
-    constexpr std::uint32_t kBlockFaces = 1024;
-    return std::make_unique<WindowArrangement>(settings,
-                                               settings.blockFaces == 0 ? kBlockFaces : settings.blockFaces);
+    return std::make_unique<WindowArrangement>(settings);
 }
 
 } // namespace osgPMObjects::core

@@ -24,11 +24,12 @@ struct ArrangementSettings
     static constexpr std::uint32_t kMostCacheSize = 1024;
     static constexpr std::uint32_t kMostBlockFaces = 1u << 20;
     static constexpr std::uint32_t kMostWindowBlocks = 64;
+    static constexpr std::uint32_t kMostLookAhead = 16;
 
     Arrangement arrangement = Arrangement::windows;
     /// Number of vertices that the target's vertex cache (a queue) holds; 3 … kMostCacheSize.
     std::uint32_t cacheSize = 16;
-    /// *blocks*, *windows*: faces of a block, at most kMostBlockFaces; 0: 32 for blocks, 1024 for windows.
+    /// *blocks*, *windows*: faces of a block, at most kMostBlockFaces; 0: 32 for blocks, 1024 to 3072 for windows, by the faces of the material.
     std::uint32_t blockFaces = 0;
     /// *windows*: number of neighbouring blocks that become one less; 2 … kMostWindowBlocks. More blocks keep a better
     /// order for more moves: 2 moves a step with 2, 4 with 3.
@@ -39,6 +40,8 @@ struct ArrangementSettings
     /// *tswap*: worth of a face that keeps its slot, and of a processor's cache line that is written anyway. Unit:
     /// transformed vertices; finite, at least 0.
     float stayWeight = 1.0f, touchedLineWeight = 0.25f;
+    /// *tswap*: number of faces that are tried before the next one is chosen; 1 (no look-ahead) … kMostLookAhead.
+    std::uint32_t lookAhead = 1;
 };
 
 /// Tells whether faces can be arranged by these settings: else an error that names the field and its range.
