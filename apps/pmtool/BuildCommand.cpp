@@ -11,7 +11,9 @@
 
 #include <osgPMObjects/PmNode>
 
+#include "pmtool/ArrangementOptions.h"
 #include "pmtool/Models.h"
+#include "pmtool/RemovalOptions.h"
 #include "pmtool/Timing.h"
 
 namespace pmtool
@@ -25,9 +27,11 @@ using Json = nlohmann::ordered_json;
 
 struct BuildRequest
 {
-    ModelRequest models; ///< one
+    ModelRequest models;          ///< one
+    bool removesVertices = false; ///< one by one, instead of collapsing edges by error
     core::SimplifySettings simplify;
-    core::ArrangementSettings arrangement;
+    RemovalRequest removal;
+    ArrangementRequest arrangement;
     core::LadderSettings ladder;
     core::PmSettings file;
     std::filesystem::path output;
@@ -44,12 +48,19 @@ foundation::Result<Json> build(const BuildRequest& request, const std::string& f
 {
     const auto model = readClean(file, request.models.limits);
     if (!model) return model.error();
+    const auto arrangement = arrangementSettingsOf(request.arrangement);
+    if (!arrangement) return arrangement.error();
     const core::Mesh& mesh = model->read.imported.mesh;
     core::CollapseSequence sequence;
-    const double simplifyMs = millisecondsOf([&] { sequence = core::simplify(mesh, request.simplify); });
+    const double simplifyMs = millisecondsOf(
+        [&]
+        {
+            sequence = request.removesVertices ? removalsOf(mesh, request.removal)
+                                               : core::simplify(mesh, request.simplify);
+        });
     core::ProgressiveMesh progressive;
-    const double arrangeMs = millisecondsOf(
-        [&] { progressive = core::buildProgressiveMesh(mesh, sequence, request.arrangement); });
+    const double arrangeMs =
+        millisecondsOf([&] { progressive = core::buildProgressiveMesh(mesh, sequence, *arrangement); });
     const double measureMs = millisecondsOf([&] { core::measureLevels(progressive, request.ladder); });
     const ImportedModel& imported = model->read.imported;
     std::vector<osg::ref_ptr<osg::Node>> others;
@@ -68,6 +79,7 @@ foundation::Result<Json> build(const BuildRequest& request, const std::string& f
              {"positions", progressive.mesh.positions.size()},
              {"vertices", progressive.mesh.wedgeCount()},
              {"steps", progressive.stepCount},
+             {"fifo", arrangement->cacheSize},
              {"fileBytes", bytes.size()},
              {"overheadBytesPerVertex", static_cast<double>(progressive.overheadBytes()) /
                                             static_cast<double>(progressive.mesh.wedgeCount())},
@@ -92,20 +104,26 @@ void addBuild(CLI::App& app, Chosen& chosen)
     command->get_option("MODEL")->expected(1);
     command->add_option("-o,--output", request->output, "the file to write")->required();
     command
-        ->add_option("--order", request->arrangement.arrangement,
+        ->add_option("--method", request->removesVertices,
+                     "edges: collapses by error (default); removal: vertices one by one")
+        ->transform(
+            CLI::CheckedTransformer(std::map<std::string, bool>{{"edges", false}, {"removal", true}}));
+    addRemovalOptions(*command, request->removal);
+    command
+        ->add_option("--order", request->arrangement.settings.arrangement,
                      "order of the faces: plain, tswap, blocks, ours (default)")
         ->transform(CLI::CheckedTransformer(arrangements));
-    command->add_option("--fifo", request->arrangement.cacheSize, "vertices that the cache holds (16)")
-        ->check(terminal::between(3, 1024));
-    command
-        ->add_option("--window-blocks", request->arrangement.windowBlocks,
-                     "ours: blocks of faces that become one less at a time (3)")
-        ->check(terminal::between(2, 64));
+    addArrangementOptions(*command, request->arrangement);
     command->add_flag("--quantised", request->file.quantised, "vertices in 16 and 8 bits");
     command->add_flag("!--shape-only", request->simplify.keepSeams, "let textures, normals and materials go");
     command->callback(
-        [request, &chosen]
+        [request, command, &chosen]
         {
+            for (const char* option : {"--support", "--support-depth"})
+                if (!request->removesVertices && command->count(option) > 0)
+                    throw CLI::ValidationError(option, "has a meaning with --method removal only");
+            if (request->removesVertices && command->count("--shape-only") > 0)
+                throw CLI::ValidationError("--shape-only", "has no meaning with --method removal");
             chosen.work = [request]
             {
                 return forEachModel(request->models.files,

@@ -3,6 +3,7 @@
 #include <iostream>
 #include <memory>
 
+#include "pmtool/ArrangementOptions.h"
 #include "pmtool/CacheRow.h"
 #include "pmtool/Commands.h"
 #include "pmtool/Models.h"
@@ -20,7 +21,7 @@ struct CacheRequest
 {
     ModelRequest models;
     std::size_t levels = 41;
-    osgPMObjects::core::ArrangementSettings settings;
+    ArrangementRequest arrangement;
 };
 
 void printCacheRow(const Json& row)
@@ -61,12 +62,14 @@ foundation::Result<Json> compareModel(const std::string& file, const CacheReques
 {
     auto model = readClean(file, request.models.limits);
     if (!model) return model.error();
-    const CacheSubject shape(shapeOf(model->read.imported.mesh), request.levels, request.settings);
+    const auto settings = arrangementSettingsOf(request.arrangement);
+    if (!settings) return settings.error();
+    const CacheSubject shape(shapeOf(model->read.imported.mesh), request.levels, *settings);
     Json row{{"model", file},
              {"triangles", shape.mesh.faces.size()},
              {"vertices", shape.mesh.wedgeCount()},
              {"orders", compareOrders(shape, file, "positions")}};
-    const CacheSubject drawn(std::move(model->read.imported.mesh), request.levels, request.settings);
+    const CacheSubject drawn(std::move(model->read.imported.mesh), request.levels, *settings);
     row["asDrawn"] = {{"vertices", drawn.mesh.wedgeCount()},
                       {"orders", compareOrders(drawn, file, "as drawn")}};
     return row;
@@ -83,21 +86,7 @@ void addCompareCache(CLI::App& compare, Chosen& chosen)
     sub->add_option("--levels", request->levels, "number of levels measured, evenly spaced (41)")
         ->check(CLI::Range(1, 100000))
         ->capture_default_str();
-    sub->add_option("--fifo", request->settings.cacheSize, "vertices that the cache holds (16)")
-        ->check(CLI::Range(3, 1024))
-        ->capture_default_str();
-    sub->add_option("--tswap-step", request->settings.tswapStep,
-                    "tswap: share of the faces that is removed between two orderings (0.1)")
-        ->check(CLI::Range(0.001, 1.0))
-        ->capture_default_str();
-    sub->add_option("--stay-weight", request->settings.stayWeight,
-                    "tswap: weight of a face that stays, in transformed vertices (1)")
-        ->check(CLI::Range(0.0, 3.0))
-        ->capture_default_str();
-    sub->add_option("--window-blocks", request->settings.windowBlocks,
-                    "ours: blocks of faces that become one less at a time (3)")
-        ->check(CLI::Range(2, 64))
-        ->capture_default_str();
+    addArrangementOptions(*sub, request->arrangement);
     sub->callback(
         [&chosen, request]
         {

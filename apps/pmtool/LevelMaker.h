@@ -12,6 +12,8 @@
 
 #include <osgPMObjects/ImportNode>
 
+#include "pmtool/RemovalOptions.h"
+
 namespace pmtool
 {
 
@@ -21,14 +23,17 @@ enum class SimplifyMethod
     edges,    ///< edge collapses by quadrics: simplify()
     clusters, ///< one vertex for each cube of a grid: clusterVertices()
     images,   ///< edge collapses, the last ones chosen by images: polishByImages()
+    removal,  ///< one vertex a step, holes filled by fans: removeVertices()
 };
 
-/// A level that was asked for: by its number of faces, or else by its largest measured distance from the original.
+/// A level that was asked for: by its number of faces, by its distance from the eye, or else by its largest measured distance
+/// from the original.
 struct LevelWish
 {
-    std::string name; ///< in the file's name: "25pc", "0.1m"
+    std::string name; ///< in the file's name: "25pc", "0.1m", "8x"
     std::optional<std::size_t> faces;
-    double tolerance = 0.0; ///< units of the model
+    double tolerance = 0.0;                       ///< units of the model
+    std::optional<double> farther = std::nullopt; ///< times the distance at which all faces are drawn
 };
 
 /// A level that was made, and its row in the table; docs/reference/json-tables.md has the keys.
@@ -77,6 +82,10 @@ private:
 std::unique_ptr<LevelMaker> sequenceLevels(const osgPMObjects::ImportedModel& model,
                                            const osgPMObjects::core::SimplifySettings& settings,
                                            bool arePolished, double speckSize);
+
+/// removal, likewise.
+std::unique_ptr<LevelMaker> removalLevels(const osgPMObjects::ImportedModel& model,
+                                          const RemovalRequest& request, double speckSize);
 
 /// clusters. Errors of make(): no cells of a size that the tolerance asks for. `speckSize`: as of LevelErrors.
 std::unique_ptr<LevelMaker> clusterLevels(const osgPMObjects::core::Mesh& mesh, double speckSize);

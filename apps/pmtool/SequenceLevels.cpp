@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <optional>
+#include <utility>
 
+#include <osgPMObjects/core/mesh/MeshCounts.h>
 #include <osgPMObjects/core/polish/PolishByImages.h>
+#include <osgPMObjects/core/selection/ContinuousRule.h>
 #include <osgPMObjects/core/simplify/ToleranceSearch.h>
 
 #include <osgPMObjects/MaterialLooks>
@@ -26,6 +29,13 @@ public:
         : _model(model), _settings(settings), _arePolished(arePolished), _errors(model.mesh, speckSize)
     {
         _ms = millisecondsOf([this] { _sequence = core::simplify(_model.mesh, _settings); });
+        _search.emplace(_model.mesh, _sequence, _errors.meter());
+    }
+
+    SequenceLevels(const ImportedModel& model, const RemovalRequest& removal, double speckSize)
+        : _model(model), _errors(model.mesh, speckSize)
+    {
+        _ms = millisecondsOf([&] { _sequence = removalsOf(model.mesh, removal); });
         _search.emplace(_model.mesh, _sequence, _errors.meter());
     }
 
@@ -55,8 +65,7 @@ public:
 private:
     MadeLevel levelOf(const core::CollapseSequence& sequence, const LevelWish& wish)
     {
-        const std::size_t steps =
-            wish.faces ? core::stepsToFaces(sequence, *wish.faces) : _search->coarsestWithin(wish.tolerance);
+        const std::size_t steps = stepsTo(sequence, wish);
         const core::LevelError error = steps > 0 ? sequence.steps[steps - 1].error : core::LevelError();
         MadeLevel level{
             core::meshAfter(_model.mesh, sequence, steps),
@@ -66,13 +75,26 @@ private:
              {"normal", error.normal},
              {"texCoord", error.texCoord},
              {"colour", error.colour}}};
+        if (wish.farther)
+            level.row["trianglesByFormula"] = sequence.facesBefore / (*wish.farther * *wish.farther);
         _errors.addTo(level, wish);
         return level;
     }
 
+    /// Returns the steps to a level; a distance gives the number T of vertices that the continuous rule removes.
+    std::size_t stepsTo(const core::CollapseSequence& sequence, const LevelWish& wish)
+    {
+        if (wish.faces) return core::stepsToFaces(sequence, *wish.faces);
+        if (!wish.farther) return _search->coarsestWithin(wish.tolerance);
+        const core::MeshCounts counts = core::countMesh(_model.mesh);
+        return core::removalAt(1.0, *wish.farther, static_cast<std::uint32_t>(counts.positions),
+                               static_cast<std::uint32_t>(sequence.steps.size()))
+            .steps;
+    }
+
     const ImportedModel& _model;
     core::SimplifySettings _settings;
-    bool _arePolished;
+    bool _arePolished = false;
     LevelErrors _errors;
     core::CollapseSequence _sequence;
     std::optional<core::ToleranceSearch> _search; ///< of `_sequence`, which must not move
@@ -85,6 +107,12 @@ std::unique_ptr<LevelMaker> sequenceLevels(const ImportedModel& model, const cor
                                            bool arePolished, double speckSize)
 {
     return std::make_unique<SequenceLevels>(model, settings, arePolished, speckSize);
+}
+
+std::unique_ptr<LevelMaker> removalLevels(const ImportedModel& model, const RemovalRequest& request,
+                                          double speckSize)
+{
+    return std::make_unique<SequenceLevels>(model, request, speckSize);
 }
 
 } // namespace pmtool

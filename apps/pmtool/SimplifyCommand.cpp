@@ -24,7 +24,8 @@ using Json = nlohmann::ordered_json;
 
 const std::map<std::string, SimplifyMethod> kMethods = {{"edges", SimplifyMethod::edges},
                                                         {"clusters", SimplifyMethod::clusters},
-                                                        {"images", SimplifyMethod::images}};
+                                                        {"images", SimplifyMethod::images},
+                                                        {"removal", SimplifyMethod::removal}};
 
 struct SimplifyRequest
 {
@@ -33,9 +34,11 @@ struct SimplifyRequest
     core::SimplifySettings settings;
     std::vector<double> targetsPercent;
     std::vector<double> tolerances; ///< units of the model
-    double envelopePercent = 0.0;   ///< of the diagonal
-    double joinPercent = 0.0;       ///< the same
-    double speckSize = 0.0;         ///< units of the model
+    std::vector<double> farther;    ///< times the distance at which all faces are drawn
+    RemovalRequest removal;
+    double envelopePercent = 0.0; ///< of the diagonal
+    double joinPercent = 0.0;     ///< the same
+    double speckSize = 0.0;       ///< units of the model
     std::filesystem::path outputFolder;
     std::string format = "osgb";
 };
@@ -57,12 +60,16 @@ std::vector<LevelWish> wishesOf(const SimplifyRequest& request, std::size_t face
     }
     for (const double tolerance : request.tolerances)
         wishes.push_back({shortest(tolerance) + "m", std::nullopt, tolerance});
+    for (const double farther : request.farther)
+        wishes.push_back({shortest(farther) + "x", std::nullopt, 0.0, farther});
     return wishes;
 }
 
 std::unique_ptr<LevelMaker> makerOf(const SimplifyRequest& request, const ImportedModel& model)
 {
     if (request.method == SimplifyMethod::clusters) return clusterLevels(model.mesh, request.speckSize);
+    if (request.method == SimplifyMethod::removal)
+        return removalLevels(model, request.removal, request.speckSize);
     core::SimplifySettings settings = request.settings;
     const double diagonal = core::diagonalOf(model.mesh);
     settings.envelope = request.envelopePercent / 100.0 * diagonal;
@@ -138,7 +145,8 @@ foundation::Result<Json> simplifyFile(const SimplifyRequest& request, OutputName
 
 foundation::Result<terminal::Report> simplifyModels(SimplifyRequest request)
 {
-    if (request.targetsPercent.empty() && request.tolerances.empty()) request.targetsPercent = {25, 5, 1};
+    if (request.targetsPercent.empty() && request.tolerances.empty() && request.farther.empty())
+        request.targetsPercent = {25, 5, 1};
     if (!request.outputFolder.empty())
         if (const auto made = makeFolder(request.outputFolder); !made) return made.error();
     OutputNames names;
@@ -151,8 +159,13 @@ void refuseOptions(const CLI::App& command, const SimplifyRequest& request)
 {
     std::vector<const char*> refused;
     if (request.method == SimplifyMethod::clusters)
+        refused = {"--placement", "--envelope",    "--join",   "--shape-only",
+                   "--lopsided",  "--thin-leaves", "--farther"};
+    if (request.method == SimplifyMethod::images) refused = {"--tolerances", "--envelope", "--farther"};
+    if (request.method == SimplifyMethod::removal)
         refused = {"--placement", "--envelope", "--join", "--shape-only", "--lopsided", "--thin-leaves"};
-    if (request.method == SimplifyMethod::images) refused = {"--tolerances", "--envelope"};
+    else
+        refused.insert(refused.end(), {"--support", "--support-depth"});
     for (const char* option : refused)
         if (command.count(option) > 0)
             throw CLI::ValidationError(option, "has no meaning with this --method");
@@ -172,7 +185,7 @@ void addSimplify(CLI::App& app, Chosen& chosen)
     command
         ->add_option("--method", request->method,
                      "edges: collapses by error (default); clusters: one vertex for each cube of a grid; "
-                     "images: the last collapses chosen by images")
+                     "images: the last collapses chosen by images; removal: vertices one by one")
         ->transform(CLI::CheckedTransformer(kMethods));
     command->add_option("--targets", request->targetsPercent, "triangles to keep, per cent (25,5,1)")
         ->delimiter(',')
@@ -187,6 +200,12 @@ void addSimplify(CLI::App& app, Chosen& chosen)
                      "parts up to this size may vanish and do not count as distance, in units of the model "
                      "(0: all count)")
         ->check(terminal::between(0.0, 1e9));
+    command
+        ->add_option("--farther", request->farther,
+                     "levels for a distance of so many times the one at which all triangles are drawn")
+        ->delimiter(',')
+        ->check(terminal::between(1.0, 1e6));
+    addRemovalOptions(*command, request->removal);
     command
         ->add_option("--placement", request->settings.placement,
                      "positions of vertices: subset, optimal (default), quality")

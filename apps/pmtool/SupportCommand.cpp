@@ -4,11 +4,14 @@
 #include <iostream>
 #include <map>
 #include <memory>
+#include <utility>
 
 #include <foundation/WholeFile.h>
 
 #include <osgPMObjects/core/consolidate/Consolidate.h>
 
+#include "pmtool/ChartSvg.h"
+#include "pmtool/DistanceChart.h"
 #include "pmtool/ModelFiles.h"
 #include "pmtool/Models.h"
 #include "pmtool/SupportCurves.h"
@@ -79,6 +82,7 @@ struct Findings
 {
     OutputNames names;
     std::vector<AreaPanel> panels;
+    std::vector<std::string> distancePanels;
 };
 
 foundation::Result<Json> study(const SupportRequest& request, Findings& findings, const std::string& file)
@@ -110,6 +114,10 @@ foundation::Result<Json> study(const SupportRequest& request, Findings& findings
     printCurves(file, row);
     const std::string name = findings.names.nameFor(file);
     findings.panels.push_back(panelOf(name, variants));
+    std::vector<DistanceLine> lines;
+    for (const SupportVariant& v : variants)
+        lines.push_back({std::to_string(lines.size() + 1) + ' ' + v.name, v.sequence});
+    findings.distancePanels.push_back(distancePanel(name, lines));
     if (request.outputFolder.empty()) return row;
     const auto written = foundation::writeWholeFile(request.outputFolder / (name + ".csv"), csvOf(variants));
     if (!written) return written.error();
@@ -133,10 +141,10 @@ foundation::Result<terminal::Report> compareSupports(const SupportRequest& reque
                                                    [&](const Json& row) { return row[best] == rule.name; });
         std::cout << best << ": " << table[best].dump() << '\n';
     }
-    if (!request.outputFolder.empty())
-        if (const auto written = foundation::writeWholeFile(request.outputFolder / "area-curves.svg",
-                                                            areaChart(findings.panels));
-            !written)
+    if (request.outputFolder.empty()) return report;
+    for (const auto& [name, chart] : {std::pair{"area-curves.svg", areaChart(findings.panels)},
+                                      {"distance-curves.svg", svgSheet(findings.distancePanels)}})
+        if (const auto written = foundation::writeWholeFile(request.outputFolder / name, chart); !written)
             return written.error();
     return report;
 }
@@ -149,8 +157,9 @@ void addSupport(CLI::App& app, Chosen& chosen)
     CLI::App* command = app.add_subcommand(
         "support", "measure how the area changes as vertices are removed, with and without support vertices");
     addModelOptions(*command, request->models, chosen.jsonFile);
-    command->add_option("--output", request->outputFolder,
-                        "folder for the curves: NAME.csv, and area-curves.svg of all models");
+    command->add_option(
+        "--output", request->outputFolder,
+        "folder for the curves: NAME.csv, and area-curves.svg and distance-curves.svg of all models");
     command->add_option("--depth", request->depth, "depth of the octree: 2^depth cells along each axis (3)")
         ->check(CLI::Range(0, 10));
     command
@@ -161,6 +170,10 @@ void addSupport(CLI::App& app, Chosen& chosen)
         ->add_option("--crease", request->removal.creaseAngleDeg,
                      "where two edges sharper than this meet, a vertex is removed along them, degrees (40)")
         ->check(terminal::between(0.0, 180.0));
+    command->add_flag_function(
+        "--fans", [request](std::int64_t) { request->removal.triangulation = core::HoleTriangulation::fan; },
+        "fill holes by fans, as the levels of pmtool build --method removal do; otherwise by Delaunay's "
+        "method");
     command->add_flag(
         "--seams", request->keepSeams,
         "keep seams of attributes and borders of materials and parts; otherwise only the shape counts");

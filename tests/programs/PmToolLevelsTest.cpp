@@ -60,6 +60,56 @@ TEST(PmToolLevels, OfImagesAreThoseOfEdgesUntilTheLastSteps)
     EXPECT_EQ(info["triangles"], images["levels"][0]["triangles"]);
 }
 
+TEST(PmToolLevels, OfRemovedVerticesAreChosenByTheirDistance)
+{
+    const Workplace place;
+    const std::string model = place.write("waves.obj", waves());
+    const auto row = pmToolTable(place, {"simplify", model, "--method", "removal", "--farther", "1,2",
+                                         "--support", "max", "--support-depth", "1"})["models"][0];
+    ASSERT_EQ(row["levels"].size(), 2U);
+    EXPECT_EQ(row["levels"][0]["triangles"], row["triangles"]);
+    EXPECT_EQ(row["levels"][1]["trianglesByFormula"], 72.0);
+    EXPECT_NEAR(row["levels"][1]["triangles"].get<double>(), 72.0, 36.0) << "the border removes one a step";
+}
+
+TEST(PmToolLevels, OfRemovedVerticesArePlayable)
+{
+    const Workplace place;
+    const std::string model = place.write("waves.obj", waves()), file = place.path("waves.pm");
+    const auto built = pmToolTable(
+        place, {"build", model, "-o", file, "--method", "removal", "--support", "both"})["models"][0];
+    const auto free = pmToolTable(place, {"build", model, "-o", file, "--method", "removal"})["models"][0];
+    EXPECT_GT(free["steps"], 120);
+    EXPECT_LT(built["steps"], free["steps"]) << "support vertices stay";
+    const auto info = pmToolTable(place, {"info", file})["models"][0];
+    EXPECT_EQ(info["steps"], free["steps"]);
+}
+
+TEST(PmToolLevels, TakeTheParametersOfTswap)
+{
+    const Workplace place;
+    const std::string model = place.write("waves.obj", waves()), file = place.path("waves.pm");
+    const auto built = pmToolTable(place, {"build", model, "-o", file, "--order", "tswap", "--tswap-step",
+                                           "0.3", "--stay-weight", "0.5", "--line-weight", "0.1",
+                                           "--look-ahead", "2", "--fifo", "24"})["models"][0];
+    EXPECT_EQ(built["fifo"], 24);
+    EXPECT_TRUE(failsWith(runPmTool({"build", model, "-o", file, "--look-ahead", "17"}), 2, "pmtool",
+                          {"--look-ahead"}));
+    EXPECT_TRUE(failsWith(runPmTool({"build", model, "-o", file, "--fifo", "2"}), 2, "pmtool", {"--fifo"}));
+    EXPECT_TRUE(
+        failsWith(runPmTool({"build", model, "-o", file, "--support", "max"}), 2, "pmtool", {"--support"}));
+}
+
+TEST(PmToolLevels, AreArrangedForTheCacheThatWasMeasured)
+{
+    const Workplace place;
+    const std::string model = place.write("waves.obj", waves());
+    const auto built =
+        pmToolTable(place, {"build", model, "-o", place.path("waves.pm"), "--fifo", "measure"})["models"][0];
+    EXPECT_GE(built["fifo"], 3);
+    EXPECT_LE(built["fifo"], 1024);
+}
+
 TEST(PmToolLevels, RefuseWhatTheMethodWouldIgnore)
 {
     const Workplace place;
@@ -74,6 +124,9 @@ TEST(PmToolLevels, RefuseWhatTheMethodWouldIgnore)
     EXPECT_TRUE(refuses("clusters", {"--shape-only"}));
     EXPECT_TRUE(refuses("images", {"--tolerances", "1"}));
     EXPECT_TRUE(refuses("images", {"--envelope", "1"}));
+    EXPECT_TRUE(refuses("removal", {"--placement", "subset"}));
+    EXPECT_TRUE(refuses("clusters", {"--farther", "2"}));
+    EXPECT_TRUE(refuses("edges", {"--support", "max"}));
     EXPECT_TRUE(failsWith(runPmTool({"simplify", model, "--method", "best"}), 2, "pmtool", {"--method"}));
     EXPECT_TRUE(failsWith(runPmTool({"simplify", model, "--method", "clusters", "--tolerances", "0"}), 1,
                           "pmtool", {model, "level 0m"}));

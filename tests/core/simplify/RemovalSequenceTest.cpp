@@ -64,6 +64,8 @@ const std::vector<Mutation> kMutations = {
      [](RemovalSequence& s) { s.addedFaces[s.steps[middleOf(s)].firstAdded].wedges[0] = ~0u; }},
     {"another material",
      [](RemovalSequence& s) { s.addedFaces[s.steps[middleOf(s)].firstAdded].material ^= 1u; }},
+    {"an apex where the new faces do not meet",
+     [](RemovalSequence& s) { s.steps[middleOf(s)].apex = s.steps[middleOf(s)].position == 0 ? 1 : 0; }},
     {"a step that is said to be of a part", [](RemovalSequence& s) { s.steps[middleOf(s)].isOfPart = true; }},
     {"the last step left out",
      [](RemovalSequence& s)

@@ -33,12 +33,15 @@ const char* nameOf(RemovalRefusal refusal);
 /// One removal: a position is removed with all its faces, and new faces fill the hole.
 struct RemovalStep
 {
+    static constexpr std::uint32_t kNoApex = ~0u;
+
     std::uint32_t position = 0;
     std::uint32_t firstRemoved = 0; ///< the first in RemovalSequence::removedFaces; the next step's follow
     std::uint32_t firstAdded = 0;   ///< the first in RemovalSequence::addedFaces; the next step's follow
     bool isOfPart =
         false; ///< a connected group of faces is removed, position by position; no faces fill its holes
-    double error = 0.0; ///< never less than at the step before; see removeVertices()
+    double error = 0.0;           ///< never less than at the step before; see removeVertices()
+    std::uint32_t apex = kNoApex; ///< HoleTriangulation::fan: the position at which all added faces meet
 };
 
 /// A mesh's levels of detail as vertex removals, one position a step, until no position can be removed.

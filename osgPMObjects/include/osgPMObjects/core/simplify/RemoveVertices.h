@@ -21,11 +21,22 @@ enum class RemovalOrder
     shuffled,   ///< in a pseudo-random order, always the same
 };
 
+/// How the hole of a removed position is filled.
+enum class HoleTriangulation
+{
+    delaunay, ///< triangulateContour()
+    /// All new faces meet at one position of the contour, so a progressive mesh can play the removal: collapsesOf(). Of the
+    /// positions at which no face folds over, the one with the largest least angle of a new face is taken. A position where
+    /// several fans touch stays.
+    fan,
+};
+
 struct RemovalOptions
 {
     std::vector<bool> isSupport{}; ///< by position: not to be removed; empty: none. See supportVertices()
     double creaseAngleDeg = 40.0;  ///< a star with just two sharper edges is cut along them; 180: none is
     RemovalOrder order = RemovalOrder::flattest;
+    HoleTriangulation triangulation = HoleTriangulation::delaunay;
     bool removeParts = true; ///< remove a group of faces when it is smaller than the error reached
 };
 

@@ -32,11 +32,31 @@ double coordinate(double x)
 
 } // namespace
 
-RemovalRefusal HoleFilling::fill(const VertexStar& star)
+RemovalRefusal HoleFilling::fill(const VertexStar& star, HoleTriangulation triangulation)
 {
-    _faces.clear();
-    for (const StarSector& sector : star.sectors)
-        if (!fillSector(star, sector)) return RemovalRefusal::folds;
+    if (triangulation == HoleTriangulation::fan) return fillByFan(star);
+    _apex = RemovalStep::kNoApex;
+    return addFan(star, _apex) ? fitness(star) : RemovalRefusal::folds;
+}
+
+/// Tries the fans that fold nothing, the best first.
+RemovalRefusal HoleFilling::fillByFan(const VertexStar& star)
+{
+    findFans(star);
+    RemovalRefusal refusal = RemovalRefusal::folds;
+    for (const Fan& fan : _fans)
+    {
+        _apex = fan.apex;
+        addFan(star, fan.apex);
+        refusal = fitness(star);
+        if (refusal == RemovalRefusal::none) break;
+    }
+    return refusal;
+}
+
+/// Tells whether the new faces fit among the others.
+RemovalRefusal HoleFilling::fitness(const VertexStar& star)
+{
     _corners.clear();
     for (const Face& face : _faces)
         _corners.push_back({_live.mesh().positionOf(face, 0), _live.mesh().positionOf(face, 1),
@@ -48,18 +68,59 @@ RemovalRefusal HoleFilling::fill(const VertexStar& star)
     return RemovalRefusal::none;
 }
 
+/// Finds the positions from which all contours can be filled. A contour that one more edge closes is filled from an end of that
+/// edge, for only so the removal is a collapse of an edge.
+void HoleFilling::findFans(const VertexStar& star)
+{
+    _fans.clear();
+    takeContour(star, star.sectors.front());
+    std::vector<std::uint32_t> apexes = _positions;
+    if (!star.sectors.front().isClosed) apexes = {_positions.front(), _positions.back()};
+    for (const std::uint32_t apex : apexes)
+        if (addFan(star, apex)) _fans.push_back({leastAngleCosine(), apex});
+    std::sort(_fans.begin(), _fans.end());
+}
+
+/// Makes the new faces of all sectors. False: one folds over, or a contour does not have the apex.
+bool HoleFilling::addFan(const VertexStar& star, std::uint32_t apex)
+{
+    _faces.clear();
+    return std::all_of(star.sectors.begin(), star.sectors.end(),
+                       [&](const StarSector& sector) { return fillSector(star, sector, apex); });
+}
+
+/// Returns the cosine of the least angle of the new faces; -1 where there are none.
+double HoleFilling::leastAngleCosine() const
+{
+    double most = -1.0;
+    for (const Face& face : _faces)
+        for (int c = 0; c < 3; ++c)
+        {
+            const glm::dvec3& at = _live.mesh().at(face, c);
+            const glm::dvec3 a = _live.mesh().at(face, (c + 1) % 3) - at,
+                             b = _live.mesh().at(face, (c + 2) % 3) - at;
+            most = std::max(most, glm::dot(a, b) / (glm::length(a) * glm::length(b)));
+        }
+    return most;
+}
+
 void HoleFilling::takeContour(const VertexStar& star, const StarSector& sector)
 {
+    _positions.clear();
     _wedges.clear();
-    _contour.clear();
     for (std::uint32_t i = sector.first; i < sector.first + sector.count; ++i)
     {
+        _positions.push_back(star.faces[i].from);
         _wedges.push_back(star.faces[i].fromWedge);
-        _contour.push_back(_live.at(star.faces[i].from));
     }
-    if (sector.isClosed) return;
-    _wedges.push_back(star.faces[sector.first + sector.count - 1].toWedge);
-    _contour.push_back(_live.at(star.faces[sector.first + sector.count - 1].to));
+    if (!sector.isClosed)
+    {
+        _positions.push_back(star.faces[sector.first + sector.count - 1].to);
+        _wedges.push_back(star.faces[sector.first + sector.count - 1].toWedge);
+    }
+    _contour.clear();
+    for (const std::uint32_t position : _positions)
+        _contour.push_back(_live.at(position));
 }
 
 /// Projects the contour into the plane across its average normal, scaled to size 1. False: it has none, or the opposite orientation
@@ -69,35 +130,53 @@ bool HoleFilling::project(const glm::dvec3& sectorNormal)
     const glm::dvec3 normal = areaVector(_contour);
     const double size = extentOf(_contour).diagonal(), area = glm::length(normal);
     if (!(area > kContourFlatness * size * size) || !(glm::dot(normal, sectorNormal) > 0.0)) return false;
-    const glm::dvec3 up = normal / area;
-    const glm::dvec3 across = std::abs(up.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
-    const glm::dvec3 x = glm::normalize(glm::cross(across, up)), y = glm::cross(up, x);
+    _up = normal / area;
+    const glm::dvec3 across = std::abs(_up.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+    const glm::dvec3 x = glm::normalize(glm::cross(across, _up)), y = glm::cross(_up, x);
     _flat.clear();
     for (const glm::dvec3& p : _contour)
     {
         const glm::dvec3 from = (p - _contour[0]) / size;
         _flat.emplace_back(coordinate(glm::dot(from, x)), coordinate(glm::dot(from, y)));
     }
-    _triangles.clear();
-    if (!triangulateContour(_flat, _triangles)) return false;
-    return std::all_of(_triangles.begin(), _triangles.end(),
-                       [&](const Triangle& t)
-                       {
-                           const glm::dvec3 own =
-                               glm::cross(_contour[t[1]] - _contour[t[0]], _contour[t[2]] - _contour[t[0]]);
-                           return glm::dot(own, up) >= kLeastUpCosine * glm::length(own) &&
-                                  glm::dot(own, sectorNormal) > 0.0;
-                       });
+    return true;
 }
 
-bool HoleFilling::fillSector(const VertexStar& star, const StarSector& sector)
+/// Triangulates the projected contour; with an apex, by triangles that all have it.
+bool HoleFilling::triangulate(std::uint32_t apex)
+{
+    _triangles.clear();
+    if (apex == RemovalStep::kNoApex) return triangulateContour(_flat, _triangles);
+    const auto found = std::find(_positions.begin(), _positions.end(), apex);
+    if (found == _positions.end() || !isSimpleContour(_flat)) return false;
+    const auto size = static_cast<std::uint32_t>(_positions.size());
+    const auto first = static_cast<std::uint32_t>(found - _positions.begin());
+    for (std::uint32_t i = 1; i + 1 < size; ++i)
+        _triangles.push_back({first, (first + i) % size, (first + i + 1) % size});
+    return true;
+}
+
+bool HoleFilling::liesFlat(const Triangle& t, const glm::dvec3& sectorNormal) const
+{
+    const glm::dvec3 own = glm::cross(_contour[t[1]] - _contour[t[0]], _contour[t[2]] - _contour[t[0]]);
+    return glm::dot(own, _up) >= kLeastUpCosine * glm::length(own) && glm::dot(own, sectorNormal) > 0.0;
+}
+
+bool HoleFilling::fillSector(const VertexStar& star, const StarSector& sector, std::uint32_t apex)
 {
     takeContour(star, sector);
-    if (_wedges.size() < 3) return true; // two sides that coincide
+    const bool isAtEnd = apex == RemovalStep::kNoApex || sector.isClosed || apex == _positions.front() ||
+                         apex == _positions.back();
+    if (!isAtEnd) return false;
+    if (_wedges.size() < 3)
+        return apex == RemovalStep::kNoApex || star.sectors.size() == 1 || !sector.isClosed;
     glm::dvec3 normal(0.0);
     for (std::uint32_t i = sector.first; i < sector.first + sector.count; ++i)
         normal += star.faces[i].area;
-    if (!project(normal)) return false;
+    if (!project(normal) || !triangulate(apex)) return false;
+    if (!std::all_of(_triangles.begin(), _triangles.end(),
+                     [&](const Triangle& t) { return liesFlat(t, normal); }))
+        return false;
     const Face& like = _live.face(star.faces[sector.first].slot);
     for (const Triangle& t : _triangles)
         _faces.push_back({{_wedges[t[0]], _wedges[t[1]], _wedges[t[2]]}, like.material, like.part});

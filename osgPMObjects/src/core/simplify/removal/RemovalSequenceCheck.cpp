@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <map>
 #include <set>
@@ -90,6 +91,12 @@ private:
         return {{{a, b}, {b, c}, {c, a}}};
     }
 
+    bool uses(const Face& f, std::uint32_t position) const
+    {
+        const std::array<Side, 3> sides = sidesOf(f);
+        return std::any_of(sides.begin(), sides.end(), [&](const Side& s) { return s.first == position; });
+    }
+
     void enter(std::uint32_t number)
     {
         _isAlive[number] = true;
@@ -165,7 +172,12 @@ private:
                     return "an added face has a corner that no removed face had";
             for (const Side& side : sidesOf(f))
                 add(border, side, -1);
+            if (step.apex != RemovalStep::kNoApex && !uses(f, step.apex))
+                return "an added face does not meet the others at the apex";
         }
+        if (step.apex != RemovalStep::kNoApex &&
+            std::none_of(star.begin(), star.end(), [&](std::uint32_t n) { return uses(face(n), step.apex); }))
+            return "no removed face has the apex";
         return isClosed(border, step.position) ? "" : "the hole is not filled";
     }
 

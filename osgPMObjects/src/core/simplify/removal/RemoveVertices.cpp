@@ -136,9 +136,10 @@ private:
         const double rank = std::exchange(_waiting[p], kNever);
         _refusals[p] = gatherStar(_live, p, _creaseCosine, _star);
         if (_refusals[p] == RemovalRefusal::none && rankOf(p) > rank) return wait(p);
-        if (_refusals[p] == RemovalRefusal::none) _refusals[p] = _filling.fill(_star);
+        if (_refusals[p] == RemovalRefusal::none) _refusals[p] = _filling.fill(_star, _options.triangulation);
         if (_refusals[p] != RemovalRefusal::none) return;
         begin(p, _drift[p] + _filling.distance(), false);
+        _sequence.steps.back().apex = _filling.apex();
         for (const StarFace& f : _star.faces)
             drop(f.slot);
         for (const Face& face : _filling.faces())
