@@ -18,7 +18,7 @@ using namespace osgPMObjects;
 namespace
 {
 
-constexpr double kFarthest = 16.0, kFewest = 1.0 / 256.0; // at the right and the lower border
+constexpr double kFarthest = 16.0, kLeastShare = 1.0 / 256.0; // at the right and the lower border
 constexpr int kPoints = 96;
 
 double xOf(double farther)
@@ -29,7 +29,7 @@ double xOf(double farther)
 
 double yOf(double share)
 {
-    return ChartBox::kTop + std::log(std::max(share, kFewest)) / std::log(kFewest) *
+    return ChartBox::kTop + std::log(std::max(share, kLeastShare)) / std::log(kLeastShare) *
                                 (ChartBox::kHeight - ChartBox::kTop - ChartBox::kBottom);
 }
 
@@ -46,7 +46,7 @@ double shareDrawn(const core::RemovalSequence& removals, double farther)
 std::string distancePanel(const std::string& title, const std::vector<DistanceLine>& lines)
 {
     std::string out = svgLabel(ChartBox::kWidth / 2, 18, "middle", escaped(title), "#000000");
-    for (const double share : {1.0, 0.25, 1.0 / 16, 1.0 / 64, kFewest})
+    for (const double share : {1.0, 0.25, 1.0 / 16, 1.0 / 64, kLeastShare})
         out +=
             svgLine(xOf(1.0), yOf(share), xOf(kFarthest), yOf(share), "#dddddd") +
             svgLabel(ChartBox::kLeft - 4, yOf(share) + 3, "end", decimals(100 * share, 1) + "%", "#000000");
@@ -67,8 +67,8 @@ std::string distancePanel(const std::string& title, const std::vector<DistanceLi
         out += svgCurve(points, colour) +
                svgLabel(at, ChartBox::kHeight - 5, "start", escaped(lines[i].name), colour);
     }
-    return out +
-           svgLine(xOf(1.0), yOf(1.0), xOf(kFarthest), yOf(kFewest), "#999999", " stroke-dasharray=\"3 3\"");
+    return out + svgLine(xOf(1.0), yOf(1.0), xOf(kFarthest), yOf(kLeastShare), "#999999",
+                         " stroke-dasharray=\"3 3\"");
 }
 
 } // namespace pmtool

@@ -76,7 +76,7 @@ struct NamedOrder
     TriangleStrips (*strips)(const DrawCall&);
 };
 
-constexpr NamedOrder kOrders[] = {
+constexpr NamedOrder kNamedOrders[] = {
     {"given", given, nullptr},
     {"random", shuffled, nullptr},
     {"sgiStrips", nullptr, sgi},
@@ -98,14 +98,14 @@ constexpr NamedOrder kOrders[] = {
 std::vector<std::string> orderNames()
 {
     std::vector<std::string> names;
-    for (const NamedOrder& order : kOrders)
+    for (const NamedOrder& order : kNamedOrders)
         names.emplace_back(order.name);
     return names;
 }
 
 OrderedSubject orderSubject(const OrderSubject& subject, const std::string& name)
 {
-    const NamedOrder& order = *std::find_if(std::begin(kOrders), std::end(kOrders),
+    const NamedOrder& order = *std::find_if(std::begin(kNamedOrders), std::end(kNamedOrders),
                                             [&](const NamedOrder& o) { return o.name == name; });
     OrderedSubject ordered;
     for (const DrawCall& call : subject.calls)

@@ -25,9 +25,9 @@ namespace
 using namespace osgPMObjects;
 using Json = nlohmann::ordered_json;
 
-const std::map<std::string, core::RemovalOrder> kOrders{{"flattest", core::RemovalOrder::flattest},
-                                                        {"file", core::RemovalOrder::asNumbered},
-                                                        {"shuffled", core::RemovalOrder::shuffled}};
+const std::map<std::string, core::RemovalOrder> kRemovalOrders{{"flattest", core::RemovalOrder::flattest},
+                                                               {"file", core::RemovalOrder::asNumbered},
+                                                               {"shuffled", core::RemovalOrder::shuffled}};
 
 struct SupportRequest
 {
@@ -165,7 +165,7 @@ void addSupport(CLI::App& app, Chosen& chosen)
     command
         ->add_option("--order", request->removal.order,
                      "order of removal: flattest, file or shuffled (flattest)")
-        ->transform(CLI::CheckedTransformer(kOrders));
+        ->transform(CLI::CheckedTransformer(kRemovalOrders));
     command
         ->add_option("--crease", request->removal.creaseAngleDeg,
                      "where two edges sharper than this meet, a vertex is removed along them, degrees (40)")
