@@ -100,9 +100,12 @@ private:
             least = std::min(least, block.capacity);
         }
         const std::uint32_t goes = window.size() > 1 ? least : extents / _windowBlocks;
-        constexpr std::uint32_t kMoreRoomPercent = 85;
-        return live + goes + goes * kMoreRoomPercent / 100 <= (window.size() > 1 ? room : extents);
+        const std::uint32_t moreRoomPercent = slots.slotCount() > kNarrowSlots ? 85 : 72;
+        return live + goes + goes * moreRoomPercent / 100 <= (window.size() > 1 ? room : extents);
     }
+
+    /// More slots than this need three bytes in records, so moves must be fewer for as many bytes.
+    static constexpr std::uint32_t kNarrowSlots = 0x10000;
 
     std::uint32_t _cacheSize, _blockFaces, _windowBlocks;
     std::unique_ptr<WindowOrder> _order;
