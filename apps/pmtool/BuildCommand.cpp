@@ -66,10 +66,10 @@ foundation::Result<Json> build(const BuildRequest& request, const std::string& f
     std::vector<osg::ref_ptr<osg::Node>> others;
     for (unsigned int i = 0; i < imported.remainder->getNumChildren(); ++i)
         others.push_back(imported.remainder->getChild(i));
-    auto attachment = pmAttachment(imported.states, others);
-    if (!attachment) return foundation::Error{file, attachment.error().what, attachment.error().remedy};
     core::PmSettings settings = request.file;
-    settings.attachment = *std::move(attachment);
+    const auto folder = std::filesystem::path(file).parent_path();
+    if (const auto attached = attachToPm(settings, imported.states, others, folder); !attached)
+        return foundation::Error{file, attached.error().what, attached.error().remedy};
     const std::string bytes = core::pmBytes(progressive, settings);
     if (const auto written = foundation::writeWholeFile(request.output, bytes); !written)
         return written.error();
@@ -87,6 +87,8 @@ foundation::Result<Json> build(const BuildRequest& request, const std::string& f
              {"arrangeMs", arrangeMs},
              {"measureMs", measureMs}};
     printBuild(row);
+    addLosses(row, model->read);
+    printLosses(row);
     return row;
 }
 
@@ -102,17 +104,19 @@ void addBuild(CLI::App& app, Chosen& chosen)
     CLI::App* command = app.add_subcommand("build", "make a progressive mesh, a .pm file, of a model");
     addModelOptions(*command, request->models, chosen.jsonFile);
     command->get_option("MODEL")->expected(1);
-    command->add_option("-o,--output", request->output, "the file to write")->required();
+    command->add_option("-o,--output", request->output, "the .pm file to write")
+        ->required()
+        ->check(terminal::extension(".pm"));
     command
         ->add_option("--method", request->removesVertices,
                      "edges: collapses by error (default); removal: vertices one by one")
         ->transform(
-            CLI::CheckedTransformer(std::map<std::string, bool>{{"edges", false}, {"removal", true}}));
+            terminal::named(std::map<std::string, bool>{{"edges", false}, {"removal", true}}));
     addRemovalOptions(*command, request->removal);
     command
         ->add_option("--order", request->arrangement.settings.arrangement,
                      "order of the faces: plain, tswap, blocks, ours (default)")
-        ->transform(CLI::CheckedTransformer(arrangements));
+        ->transform(terminal::named(arrangements));
     addArrangementOptions(*command, request->arrangement);
     command->add_flag("--quantised", request->file.quantised, "vertices in 16 and 8 bits");
     command->add_flag("!--shape-only", request->simplify.keepSeams, "let textures, normals and materials go");

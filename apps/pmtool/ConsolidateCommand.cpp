@@ -147,11 +147,8 @@ foundation::Result<Json> consolidateFile(const ConsolidateRequest& request, Outp
     if (const auto written = write(request, names.nameFor(file), before, model->imported); !written)
         return written.error();
     printReport(file, row, report);
-    const Json met = tableOf(model->imported.report);
-    for (const auto& [what, count] : met.items())
-        std::cout << "  import: " << what << ' ' << count << '\n';
-    for (const std::string& note : model->notes)
-        std::cout << "  note: " << note << '\n';
+    addLosses(row, *model);
+    printLosses(row);
     return row;
 }
 
@@ -178,7 +175,7 @@ void addConsolidate(CLI::App& app, Chosen& chosen)
     command->add_option("--format", request->format, "format of the models (osgb)")
         ->check(CLI::IsMember({"osgb", "osgt", "ive"}));
     command->add_option("--order", request->order, "order of the faces (library)")
-        ->transform(CLI::CheckedTransformer(kFaceOrders));
+        ->transform(terminal::named(kFaceOrders));
     command->add_option("--dump", request->dumpFolder,
                         "folder for positions and faces before and after, as plain .obj");
     command
@@ -187,7 +184,7 @@ void addConsolidate(CLI::App& app, Chosen& chosen)
             "diagonal along which quads are cut: between corners of the nearest colours, normals or heights; "
             "height-difference: of the most different heights; angle: largest angle between the triangles; "
             "areas: most similar areas (as OpenGL draws them)")
-        ->transform(CLI::CheckedTransformer(kDiagonals));
+        ->transform(terminal::named(kDiagonals));
     core::ConsolidateOptions& options = request->options;
     command
         ->add_option("--weld", options.weldTolerance,

@@ -59,7 +59,7 @@ void printInfo(const nlohmann::ordered_json& row)
 {
     std::cout << row["model"].get<std::string>() << '\n';
     for (const auto& [key, value] : row.items())
-        if (key == "materials" || key == "notes" || key == "levels")
+        if (key == "materials" || key == "notes" || key == "levels" || key == "images")
             for (const auto& entry : value)
                 std::cout << "  " << key.substr(0, key.size() - 1) << ": "
                           << (entry.is_string() ? entry.get<std::string>() : entry.dump()) << '\n';

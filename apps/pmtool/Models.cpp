@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "pmtool/Models.h"
 
+#include <iostream>
+#include <new>
+
 #include <osgPMObjects/core/simplify/Simplifiable.h>
 
+#include "terminal/Guard.h"
 #include "terminal/Terminal.h"
 
 namespace pmtool
@@ -17,7 +21,8 @@ void addJsonOption(CLI::App& command, std::filesystem::path& jsonFile)
 
 void addModelOptions(CLI::App& command, ModelRequest& request, std::filesystem::path& jsonFile)
 {
-    command.add_option("MODEL", request.files, "files that OpenSceneGraph reads, .gltf, .glb")->required();
+    command.add_option("MODEL", request.files, "files that OpenSceneGraph reads, .gltf, .glb, .pm")
+        ->required();
     addJsonOption(command, jsonFile);
     command.add_option("--seconds", request.limits.seconds, "most time to read a model, in seconds (120)")
         ->check(terminal::between(0.1, 86400.0));
@@ -49,6 +54,25 @@ foundation::Result<CleanModel> readClean(const std::string& file, const ReadLimi
     return CleanModel{*std::move(model), trianglesRead};
 }
 
+namespace
+{
+
+/// Does the work on a file. Memory that cannot be had is an error of that file.
+template<class Work>
+foundation::Result<nlohmann::ordered_json> resultOf(const Work& work, const std::string& file)
+{
+    try
+    {
+        return work(file);
+    }
+    catch (const std::bad_alloc&)
+    {
+        return terminal::outOfMemory(file);
+    }
+}
+
+} // namespace
+
 foundation::Result<terminal::Report>
 forEachModel(const std::vector<std::string>& files,
              const std::function<foundation::Result<nlohmann::ordered_json>(const std::string& file)>& work)
@@ -57,7 +81,7 @@ forEachModel(const std::vector<std::string>& files,
     report.json["models"] = nlohmann::ordered_json::array();
     for (const std::string& file : files)
     {
-        auto row = work(file);
+        auto row = resultOf(work, file);
         if (row)
             report.json["models"].push_back(std::move(*row));
         else
@@ -100,6 +124,22 @@ nlohmann::ordered_json tableOf(const ImportReport& report)
     add("droppedArrays", report.droppedArrays);
     add("droppedComponents", report.droppedComponents);
     return table;
+}
+
+void addLosses(nlohmann::ordered_json& row, const ReadModel& model)
+{
+    if (auto losses = tableOf(model.imported.report); !losses.empty()) row["import"] = std::move(losses);
+    if (!model.notes.empty()) row["notes"] = model.notes;
+}
+
+void printLosses(const nlohmann::ordered_json& row)
+{
+    if (row.contains("import"))
+        for (const auto& [what, count] : row["import"].items())
+            std::cout << "  import: " << what << ' ' << count << '\n';
+    if (row.contains("notes"))
+        for (const auto& note : row["notes"])
+            std::cout << "  note: " << note.get<std::string>() << '\n';
 }
 
 } // namespace pmtool

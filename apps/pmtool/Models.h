@@ -61,4 +61,10 @@ nlohmann::ordered_json tableOf(const osgPMObjects::core::MeshCounts& counts);
 /// Returns the counts of an import by name; zeros are left out.
 nlohmann::ordered_json tableOf(const osgPMObjects::ImportReport& report);
 
+/// Adds what was left out on the way from the file to the mesh: "import" and "notes", each unless it is empty.
+void addLosses(nlohmann::ordered_json& row, const ReadModel& model);
+
+/// Prints what addLosses() has added to a row.
+void printLosses(const nlohmann::ordered_json& row);
+
 } // namespace pmtool

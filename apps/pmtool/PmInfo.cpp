@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include <foundation/ReadableFile.h>
+
 #include <osgPMObjects/core/progressive/PmFile.h>
 #include <osgPMObjects/core/progressive/ProgressiveLevel.h>
 
@@ -51,6 +53,15 @@ Json ladderOf(const ProgressiveMesh& mesh)
     return ladder;
 }
 
+/// Returns the bytes of each image, by its format.
+Json imagesOf(const std::vector<PmImage>& images)
+{
+    Json table = Json::array();
+    for (const PmImage& image : images)
+        table.push_back({{"name", image.name}, {"format", image.format}, {"bytes", image.bytes.size()}});
+    return table;
+}
+
 } // namespace
 
 bool isPmFile(const std::string& file)
@@ -60,25 +71,23 @@ bool isPmFile(const std::string& file)
 
 foundation::Result<Json> describePm(const std::string& file)
 {
+    if (const auto readable = foundation::checkReadable(file); !readable) return readable.error();
     std::ifstream stream(file, std::ios::binary);
-    if (!stream) return foundation::Error{file, "cannot be opened", "check its path and permissions"};
     PmReader reader(stream, file);
     Json stops = Json::array();
-    while (true)
-    {
-        const auto more = reader.readMore();
-        if (!more) return more.error();
-        if (!*more) break;
-        const auto soFar = reader.mesh();
-        if (!soFar) return soFar.error();
-        stops.push_back(soFar->mesh.positions.size());
-    }
+    auto more = reader.readMore();
+    if (!more) return more.error();
+    for (; more && *more; more = reader.readMore())
+        stops.push_back(reader.positions());
+    if (!more && !reader.isCutOff()) return more.error();
     const auto mesh = reader.mesh();
     if (!mesh) return mesh.error();
     Json row{{"model", file},
              {"positions", mesh->mesh.positions.size()},
              {"vertices", mesh->mesh.wedgeCount()},
              {"steps", mesh->stepCount},
+             {"missingSteps", reader.totalSteps() - mesh->stepCount},
+             {"images", imagesOf(reader.images())},
              {"blocks", mesh->blocks.size()},
              {"recordBytes", mesh->records.size()},
              {"overheadBytesPerVertex",
@@ -89,6 +98,7 @@ foundation::Result<Json> describePm(const std::string& file)
              {"materials", Json::array()}};
     for (const FaceGroup& group : mesh->groups)
         row["materials"].push_back(mesh->mesh.materials[group.material].name);
+    if (!more) row["notes"] = Json::array({"the file is cut off: " + more.error().message()});
     return row;
 }
 

@@ -22,7 +22,7 @@ void addRemovalOptions(CLI::App& command, RemovalRequest& request)
             "--support", request.support,
             "removal: vertices that stay, of each cell of an octree: none (default); max: the farthest "
             "from its centre; both: the farthest and the nearest")
-        ->transform(CLI::CheckedTransformer(rules));
+        ->transform(terminal::named(rules));
     command
         .add_option("--support-depth", request.octreeDepth,
                     "removal: depth of the octree, 2^depth cells along each axis (3)")

@@ -120,8 +120,10 @@ foundation::Result<Json> simplifyFile(const SimplifyRequest& request, OutputName
     const auto maker = makerOf(request, imported);
     Json row{{"model", file}, {"triangles", facesBefore}};
     row.update(maker->summary());
+    addLosses(row, model->read);
     row["levels"] = Json::array();
     printModel(row);
+    printLosses(row);
     const std::string name = names.nameFor(file);
     for (const LevelWish& wish : wishesOf(request, facesBefore))
     {
@@ -186,7 +188,7 @@ void addSimplify(CLI::App& app, Chosen& chosen)
         ->add_option("--method", request->method,
                      "edges: collapses by error (default); clusters: one vertex for each cube of a grid; "
                      "images: the last collapses chosen by images; removal: vertices one by one")
-        ->transform(CLI::CheckedTransformer(kMethods));
+        ->transform(terminal::named(kMethods));
     command->add_option("--targets", request->targetsPercent, "triangles to keep, per cent (25,5,1)")
         ->delimiter(',')
         ->check(terminal::between(0.001, 100.0));
@@ -209,7 +211,7 @@ void addSimplify(CLI::App& app, Chosen& chosen)
     command
         ->add_option("--placement", request->settings.placement,
                      "positions of vertices: subset, optimal (default), quality")
-        ->transform(CLI::CheckedTransformer(placements));
+        ->transform(terminal::named(placements));
     command
         ->add_option("--envelope", request->envelopePercent,
                      "largest distance from the original, per cent of the diagonal (0: no limit)")

@@ -165,7 +165,7 @@ void addSupport(CLI::App& app, Chosen& chosen)
     command
         ->add_option("--order", request->removal.order,
                      "order of removal: flattest, file or shuffled (flattest)")
-        ->transform(CLI::CheckedTransformer(kRemovalOrders));
+        ->transform(terminal::named(kRemovalOrders));
     command
         ->add_option("--crease", request->removal.creaseAngleDeg,
                      "where two edges sharper than this meet, a vertex is removed along them, degrees (40)")

@@ -128,13 +128,13 @@ void addTessellate(CLI::App& app, Chosen& chosen)
         ->add_option("--inside", cut.outline.inside,
                      "what belongs to a polygon, by how often its contours run around it: odd (default), "
                      "nonzero, positive")
-        ->transform(CLI::CheckedTransformer(kInsides));
+        ->transform(terminal::named(kInsides));
     command
         ->add_option("--projection", cut.outline.projection,
                      "into the plane: automatic (default), area: along the axis of the largest area, normal: "
                      "along the "
                      "average normal")
-        ->transform(CLI::CheckedTransformer(kProjections));
+        ->transform(terminal::named(kProjections));
     command->add_option("--output", request->outputFolder, "folder for the result, NAME.obj");
     command->callback([request, &chosen] { chosen.work = [request] { return tessellateFiles(*request); }; });
 }

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // pmtool: inspects, cleans, simplifies and compares models.
 #include "pmtool/Commands.h"
+#include "terminal/Guard.h"
 
-int main(int argc, char** argv)
+namespace
+{
+
+int run(int argc, char** argv)
 {
     CLI::App app("Inspects, cleans and compares models of objects.", "pmtool");
     app.set_version_flag("--version", OSGTRAINER_VERSION);
@@ -22,4 +26,11 @@ int main(int argc, char** argv)
     pmtool::addCompareSilhouette(*compare, chosen);
     if (const auto ends = terminal::parse(app, argc, argv)) return *ends;
     return terminal::report("pmtool", chosen.jsonFile, chosen.work);
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    return terminal::guarded("pmtool", [=] { return run(argc, argv); });
 }

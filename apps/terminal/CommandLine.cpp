@@ -68,4 +68,11 @@ CLI::Validator between(double least, double most)
     return CLI::Validator(check, range.str());
 }
 
+CLI::Validator extension(const std::string& dotted)
+{
+    const auto check = [dotted](const std::string& text)
+    { return text.ends_with(dotted) ? std::string() : "'" + text + "' does not end in " + dotted; };
+    return CLI::Validator(check, "*" + dotted);
+}
+
 } // namespace terminal

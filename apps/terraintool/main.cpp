@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // terraintool: inspects elevation files and checks the terrain that the ROAM engine draws from them.
 #include "terminal/CommandLine.h"
+#include "terminal/Guard.h"
 #include "terraintool/RunCommand.h"
 
-int main(int argc, char** argv)
+namespace
+{
+
+int run(int argc, char** argv)
 {
     CLI::App app("Inspects elevation files and validates the terrain drawn from them.", "terraintool");
     app.set_version_flag("--version", OSGTRAINER_VERSION);
@@ -65,4 +69,11 @@ int main(int argc, char** argv)
         ->check(CLI::IsMember({"wheel", "walk", "queue", "scratch"}));
     if (const auto ends = terminal::parse(app, argc, argv)) return *ends;
     return terraintool::run(command, request, jsonFile);
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    return terminal::guarded("terraintool", [=] { return run(argc, argv); });
 }

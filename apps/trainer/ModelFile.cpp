@@ -2,10 +2,17 @@
 #include "ModelFile.h"
 
 #include <algorithm>
+#include <set>
+#include <string>
 #include <system_error>
 
 #include <osg/Notify>
 #include <osgDB/ReadFile>
+
+#include <osgPMObjects/MissingImages>
+#include <osgPMObjects/ReadModel>
+
+#include "terminal/Terminal.h"
 
 namespace trainer
 {
@@ -28,6 +35,16 @@ private:
     std::string _line;
 };
 
+/// Names each missing texture once.
+void report(const osgPMObjects::MissingImages& missing, const std::filesystem::path& file)
+{
+    static std::set<std::string> reported;
+    for (const std::string& name : missing.names())
+        if (reported.insert(file.string() + '\n' + name).second)
+            terminal::fail("trainer", {file.string(), osgPMObjects::missingImageNote(name),
+                                       "put it beside the model; it is shown without"});
+}
+
 } // namespace
 
 foundation::Result<osg::ref_ptr<osg::Node>> readModel(const std::filesystem::path& file,
@@ -39,8 +56,10 @@ foundation::Result<osg::ref_ptr<osg::Node>> readModel(const std::filesystem::pat
     const osg::ref_ptr<osg::NotifyHandler> before = osg::getNotifyHandler();
     const osg::ref_ptr<FirstWords> words = new FirstWords;
     osg::setNotifyHandler(words);
+    const osgPMObjects::MissingImages missing;
     osg::ref_ptr<osg::Node> node = osgDB::readRefNodeFile(file.string());
     osg::setNotifyHandler(before);
+    if (node) report(missing, file);
     if (node) return node;
     const std::string reason = words->line().empty() ? "" : " (" + words->line() + ")";
     return foundation::Error{file.string(), "cannot be read by OpenSceneGraph" + reason, remedy};

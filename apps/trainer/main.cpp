@@ -4,6 +4,7 @@
 
 #include "PlayCommand.h"
 #include "terminal/CommandLine.h"
+#include "terminal/Guard.h"
 #include "terminal/Terminal.h"
 
 namespace
@@ -101,9 +102,7 @@ foundation::Outcome complete(Arguments& arguments)
     return readPatchExponent(arguments.patchExponent, request.terrain.patchExponent);
 }
 
-} // namespace
-
-int main(int argc, char** argv)
+int run(int argc, char** argv)
 {
     CLI::App app("Plays driving and flight scenarios over terrain, offscreen, the same way every time.",
                  "trainer");
@@ -134,4 +133,11 @@ int main(int argc, char** argv)
                          : *tour ? trainer::tour(request, arguments.saveFile, arguments.durationS)
                                  : trainer::play(request);
     return outcome ? terminal::kDone : terminal::fail("trainer", outcome.error());
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    return terminal::guarded("trainer", [=] { return run(argc, argv); });
 }

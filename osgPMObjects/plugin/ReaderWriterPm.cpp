@@ -3,6 +3,7 @@
 
 #include <foundation/WholeFile.h>
 
+#include <osg/Notify>
 #include <osgDB/FileNameUtils>
 #include <osgDB/FileUtils>
 #include <osgDB/Registry>
@@ -78,6 +79,9 @@ private:
     static ReadResult read(std::istream& stream, const std::string& place)
     {
         const auto node = osgPMObjects::readPmNode(stream, place);
+        if (node)
+            for (const std::string& note : (*node)->getDescriptions())
+                OSG_WARN << place << ": " << note << std::endl;
         return node ? ReadResult(node->get(), ReadResult::FILE_LOADED) : ReadResult(node.error().message());
     }
 

@@ -8,6 +8,9 @@
 #include <limits>
 #include <thread>
 
+#include <foundation/Threads.h>
+
+#include <osg/Notify>
 #include <osgDB/FileNameUtils>
 
 #include <osgPMObjects/core/simplify/Simplifiable.h>
@@ -63,12 +66,11 @@ void forEachAtOnce(std::size_t count, const Work& work)
         for (std::size_t i = next++; i < count; i = next++)
             work(i);
     };
-    std::vector<std::thread> others;
+    foundation::Threads others;
     for (std::size_t t = 1; t < std::min<std::size_t>(count, std::thread::hardware_concurrency()); ++t)
-        others.emplace_back(run);
+        others.run(run);
     run();
-    for (std::thread& thread : others)
-        thread.join();
+    others.join();
 }
 
 foundation::Result<osg::ref_ptr<const ProgressiveShape>> shapeOfPm(const std::string& file)
@@ -86,6 +88,8 @@ foundation::Result<osg::ref_ptr<const ProgressiveShape>> shapeOfFile(const std::
     if (osgDB::getLowerCaseFileExtension(file) == "pm") return shapeOfPm(file);
     const auto node = osgPMObjects::readModelNode(file);
     if (!node) return node.error();
+    for (const std::string& note : (*node)->getDescriptions())
+        if (note.ends_with(" is missing")) OSG_WARN << file << ": " << note << std::endl;
     osgPMObjects::MakeProgressiveSettings settings;
     settings.arrangement.arrangement = core::Arrangement::plain;
     const auto made = osgPMObjects::makeProgressive(**node, file, settings);

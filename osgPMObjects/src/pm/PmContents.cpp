@@ -8,18 +8,20 @@
 namespace osgPMObjects
 {
 
-foundation::Result<PmContents> readPmContents(std::istream& stream, const std::string& place)
+foundation::Result<PmContents> readPmContents(std::istream& stream, const std::string& place,
+                                              CutFiles cutFiles)
 {
     core::PmReader reader(stream, place);
-    while (true)
-    {
-        const auto more = reader.readMore();
-        if (!more) return more.error();
-        if (!*more) break;
-    }
+    auto more = reader.readMore();
+    if (!more) return more.error();
+    while (more && *more)
+        more = reader.readMore();
+    const bool isCutOff = !more && reader.isCutOff() && cutFiles == CutFiles::accepted;
+    if (!more && !isCutOff) return more.error();
     auto mesh = reader.mesh();
     if (!mesh) return mesh.error();
-    return PmContents{*std::move(mesh), reader.attachment()};
+    const std::uint32_t missing = reader.totalSteps() - mesh->stepCount;
+    return PmContents{*std::move(mesh), reader.attachment(), reader.images(), missing, isCutOff};
 }
 
 foundation::Outcome fitStates(std::vector<osg::ref_ptr<osg::StateSet>>& states,

@@ -8,6 +8,7 @@
 
 #include "../settings/ErrorPlace.h"
 #include "PmContents.h"
+#include "StateImages.h"
 
 namespace osgPMObjects
 {
@@ -67,22 +68,41 @@ foundation::Result<Attached> readAttached(const std::string& bytes, const std::s
     return attached;
 }
 
+/// Says what of a file is not shown; empty where that is nothing.
+std::string noteOf(const PmContents& contents, std::size_t missingImages)
+{
+    const std::uint32_t steps = contents.mesh.stepCount;
+    std::string note;
+    if (contents.isCutOff)
+        note = "the file is cut off: shown without the finest " + std::to_string(contents.missingSteps) +
+               " of " + std::to_string(steps + contents.missingSteps) + " steps";
+    if (missingImages == 0) return note;
+    return note + (note.empty() ? "shown without " : " and without ") + std::to_string(missingImages) +
+           (missingImages == 1 ? " image" : " images");
+}
+
 } // namespace
 
-foundation::Result<std::string> pmAttachment(const std::vector<osg::ref_ptr<osg::StateSet>>& states,
-                                             const std::vector<osg::ref_ptr<osg::Node>>& others)
+foundation::Outcome attachToPm(core::PmSettings& settings,
+                               const std::vector<osg::ref_ptr<osg::StateSet>>& states,
+                               const std::vector<osg::ref_ptr<osg::Node>>& others,
+                               const std::filesystem::path& folder)
 {
     const osg::ref_ptr<osgDB::ReaderWriter> writer = format();
     if (!writer)
         return foundation::Error{"states", "cannot be written: OpenSceneGraph's plugin for .osgb is missing",
                                  "install openscenegraph"};
-    const osg::ref_ptr<osgDB::Options> options = new osgDB::Options("WriteImageHint=IncludeData");
+    const osg::ref_ptr<osgDB::Options> options =
+        new osgDB::Options("WriteImageHint=IncludeData Compressor=zlib");
+    SeparatedStates own = separated(states, folder);
     std::ostringstream stream;
-    const auto written = writer->writeNode(*attachedGroup(states, others), stream, options);
+    const auto written = writer->writeNode(*attachedGroup(own.states, others), stream, options);
     if (!written.success())
         return foundation::Error{"states", "cannot be written: " + written.message(),
                                  "look at the model's states"};
-    return stream.str();
+    settings.attachment = stream.str();
+    settings.images = std::move(own.images);
+    return foundation::success();
 }
 
 foundation::Result<std::string> pmNodeBytes(const ProgressiveNode& node, core::PmSettings settings)
@@ -95,24 +115,26 @@ foundation::Result<std::string> pmNodeBytes(const ProgressiveNode& node, core::P
     std::vector<osg::ref_ptr<osg::Node>> others;
     for (unsigned int i = 1; i < node.getNumChildren(); ++i) // the first child is the surface
         others.push_back(const_cast<osg::Node*>(node.getChild(i)));
-    auto attachment = pmAttachment(shape->states(), others);
-    if (!attachment) return attachment.error();
-    settings.attachment = *std::move(attachment);
+    if (const auto attached = attachToPm(settings, shape->states(), others); !attached)
+        return attached.error();
     return core::pmBytes(shape->progressive(), settings);
 }
 
 foundation::Result<osg::ref_ptr<ProgressiveNode>> readPmNode(std::istream& stream, const std::string& place)
 {
-    auto contents = readPmContents(stream, place);
+    auto contents = readPmContents(stream, place, CutFiles::accepted);
     if (!contents) return contents.error();
     auto attached = readAttached(contents->attachment, place);
     if (!attached) return attached.error();
     const foundation::Outcome fit = fitStates(attached->states, contents->mesh, place);
     if (!fit) return fit.error();
+    const std::size_t missingImages = putBack(contents->images, attached->states);
+    const std::string note = noteOf(*contents, missingImages);
     const osg::ref_ptr<ProgressiveNode> node =
         new ProgressiveNode(new ProgressiveShape(std::move(contents->mesh), std::move(attached->states)));
     for (const osg::ref_ptr<osg::Node>& other : attached->others)
         node->addChild(other);
+    if (!note.empty()) node->addDescription(note);
     return node;
 }
 

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <exception>
 #include <new>
+#include <sstream>
 
 #include <fcntl.h>
 #include <poll.h>
@@ -138,10 +139,10 @@ foundation::Result<std::string> runContained(const std::function<foundation::Res
     int status = 0;
     while (waitpid(child, &status, 0) < 0 && errno == EINTR)
         ;
+    std::ostringstream seconds;
+    seconds << limits.seconds;
     if (!isInTime)
-        return foundation::Error{file,
-                                 what + " was not done after " +
-                                     std::to_string(static_cast<long long>(limits.seconds)) + " s",
+        return foundation::Error{file, what + " was not done after " + seconds.str() + " s",
                                  std::string("give it more time, or ") + kRepair};
     if (WIFSIGNALED(status))
         return foundation::Error{file, what + " died of " + strsignal(WTERMSIG(status)), kRepair};

@@ -7,9 +7,12 @@
 #include <osg/LightModel>
 #include <osg/Material>
 #include <osg/Texture2D>
+#include <osg/ValueObject>
 
 #include <osgPMObjects/ExportNode>
 #include <osgPMObjects/ReadModel>
+
+#include "../pm/ImageFiles.h"
 
 namespace osgPMObjects
 {
@@ -26,6 +29,8 @@ osg::ref_ptr<osg::Texture2D> textureOf(const core::GltfImage& from)
     image->allocateImage(from.widthPx, from.heightPx, 1, format, GL_UNSIGNED_BYTE, 1);
     std::copy(from.bytes.begin(), from.bytes.end(),
               image->data()); // the top row first, as in glTF
+    image->setFileName(from.uri);
+    if (!from.file.empty()) image->setUserValue(kImageFileValue, from.file);
     const osg::ref_ptr<osg::Texture2D> texture = new osg::Texture2D(image);
     texture->setWrap(osg::Texture::WRAP_S, osg::Texture::REPEAT);
     texture->setWrap(osg::Texture::WRAP_T, osg::Texture::REPEAT);
@@ -98,9 +103,11 @@ osg::ref_ptr<osg::Group> nodeOf(const core::GltfModel& model)
     };
     note(model.report.refusedFaces, "faces refused: an index or a coordinate that is none");
     note(model.report.pointsAndLines, "primitives left out: points and lines");
-    note(model.report.unreadImages, "pictures not read");
+    note(model.report.unreadImages, "images not read");
     note(model.report.droppedAttributes, "attribute arrays left out");
     note(model.report.animations, "animations, skins and morph targets left out");
+    for (const std::string& name : model.report.missingImages)
+        root->addDescription(missingImageNote(name));
     return root;
 }
 

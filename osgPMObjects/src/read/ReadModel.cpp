@@ -1,15 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <initializer_list>
 #include <sstream>
-#include <system_error>
+
+#include <foundation/ReadableFile.h>
 
 #include <osg/Geometry>
 #include <osg/NodeVisitor>
 #include <osg/Notify>
+#include <osgDB/FileNameUtils>
 #include <osgDB/ReadFile>
 #include <osgDB/Registry>
 
+#include <osgPMObjects/MakeProgressive>
+#include <osgPMObjects/MissingImages>
+#include <osgPMObjects/PmNode>
 #include <osgPMObjects/ReadModel>
 
 #include "ContainedRun.h"
@@ -20,6 +27,7 @@ namespace osgPMObjects
 namespace
 {
 
+constexpr const char* kRepair = "repair the model, or convert it with another program";
 constexpr const char* kRemedy = "check that OSG has a plugin for it (osgversion, osgconv --plugins)";
 
 /// Keeps the first line of OSG's messages while it is installed.
@@ -40,12 +48,30 @@ private:
     std::string _line;
 };
 
+bool hasExtension(const std::filesystem::path& file, std::initializer_list<const char*> extensions)
+{
+    const std::string own = osgDB::getLowerCaseFileExtension(file.string());
+    return std::any_of(extensions.begin(), extensions.end(),
+                       [&](const char* extension) { return own == extension; });
+}
+
 bool isGltf(const std::filesystem::path& file)
 {
-    std::string extension = file.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return extension == ".gltf" || extension == ".glb";
+    return hasExtension(file, {"gltf", "glb"});
+}
+
+/// Reads the finest level of a progressive mesh as plain geometry.
+foundation::Result<osg::ref_ptr<osg::Node>> finestLevelOfPm(const std::filesystem::path& file)
+{
+    std::ifstream stream(file, std::ios::binary);
+    const auto node = readPmNode(stream, file.string());
+    if (!node) return node.error();
+    const osg::ref_ptr<osg::Group> root = new osg::Group;
+    root->addChild(bakeLevel(*(*node)->shape(), 0));
+    for (unsigned int i = 1; i < (*node)->getNumChildren(); ++i) // the first child is the surface
+        root->addChild((*node)->getChild(i));
+    root->setDescriptions((*node)->getDescriptions());
+    return osg::ref_ptr<osg::Node>(root);
 }
 
 /// Prepares a graph for .osgb: finds one that is nested too deep to be written or read, and removes index arrays, which .osgb would keep.
@@ -95,20 +121,33 @@ foundation::Result<std::string> readAndWrite(const std::filesystem::path& file)
 
 foundation::Result<osg::ref_ptr<osg::Node>> readModelNodeHere(const std::filesystem::path& file)
 {
+    if (const auto readable = foundation::checkReadable(file); !readable) return readable.error();
     if (isGltf(file))
     {
         const auto model = core::readGltf(file);
         if (!model) return model.error();
         return osg::ref_ptr<osg::Node>(nodeOf(*model));
     }
+    if (hasExtension(file, {"pm"})) return finestLevelOfPm(file);
+    const MissingImages missing;
     const osg::ref_ptr<osg::NotifyHandler> before = osg::getNotifyHandler();
     const osg::ref_ptr<FirstWords> words = new FirstWords;
     osg::setNotifyHandler(words);
     const osg::ref_ptr<osg::Node> node = osgDB::readRefNodeFile(file.string());
     osg::setNotifyHandler(before);
+    if (node)
+        for (const std::string& name : missing.names())
+            node->addDescription(missingImageNote(name));
     if (node) return node;
+    const bool hasPlugin = osgDB::Registry::instance()->getReaderWriterForExtension(
+                               osgDB::getLowerCaseFileExtension(file.string())) != nullptr;
     return foundation::Error{file.string(), "cannot be read by OpenSceneGraph" + words->inBrackets(),
-                             kRemedy};
+                             hasPlugin ? kRepair : kRemedy};
+}
+
+std::string missingImageNote(const std::string& name)
+{
+    return "the texture " + name + " is missing";
 }
 
 foundation::Outcome checkSettings(const ReadLimits& limits)
@@ -125,14 +164,12 @@ foundation::Result<osg::ref_ptr<osg::Node>> readModelNode(const std::filesystem:
                                                           const ReadLimits& limits)
 {
     if (const auto checked = checkSettings(limits); !checked) return checked.error();
-    std::error_code ignored; // a name that is too long counts as a missing file
-    if (!std::filesystem::exists(file, ignored))
-        return foundation::Error{file.string(), "there is no such file", "check its path"};
+    if (const auto readable = foundation::checkReadable(file); !readable) return readable.error();
     if (!osgb())
         return foundation::Error{"OpenSceneGraph", "has no plugin for .osgb",
                                  "install the package openscenegraph"};
     const auto bytes = runContained([&] { return readAndWrite(file); }, file.string(),
-                                    isGltf(file) ? "the glTF loader" : "OpenSceneGraph's loader", limits);
+                                    isGltf(file) ? "the glTF loader" : "the loader", limits);
     if (!bytes) return bytes.error();
     std::istringstream stream(*bytes);
     osgDB::ReaderWriter::ReadResult read = osgb()->readNode(stream);

@@ -56,7 +56,7 @@ struct ShapeSerializer
         const std::string bytes = readBytes(in);
         if (in.getException()) return false;
         std::istringstream stream(bytes);
-        auto contents = readPmContents(stream, kPlace);
+        auto contents = readPmContents(stream, kPlace, CutFiles::refused);
         std::vector<osg::ref_ptr<osg::StateSet>> states = std::move(shape._states);
         const foundation::Outcome fit =
             contents ? fitStates(states, contents->mesh, kPlace) : contents.error();

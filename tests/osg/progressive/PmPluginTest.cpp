@@ -2,6 +2,7 @@
 // Progressive meshes as files of OpenSceneGraph.
 #include <fstream>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -18,6 +19,7 @@
 #include <osgPMObjects/MakeProgressive>
 #include <osgPMObjects/PmNode>
 
+#include "Random.h"
 #include "TestFolder.h"
 
 namespace
@@ -179,6 +181,106 @@ TEST_F(PmPlugin, SaysWhatIsWrongWithAFile)
     auto read = osgDB::Registry::instance()->readNode(file, nullptr);
     EXPECT_FALSE(read.validNode());
     EXPECT_THAT(read.message(), testing::HasSubstr("check sum"));
+}
+
+/// An image of noise, which hardly compresses.
+osg::ref_ptr<osg::Image> noise(int side, GLenum format)
+{
+    const osg::ref_ptr<osg::Image> image = new osg::Image;
+    image->allocateImage(side, side, 1, format, GL_UNSIGNED_BYTE, 1);
+    testsupport::Random random(3);
+    for (unsigned i = 0; i < image->getTotalSizeInBytes(); ++i)
+        image->data()[i] = static_cast<unsigned char>(random.below(256));
+    return image;
+}
+
+osg::ref_ptr<osg::Image> imageOf(const ProgressiveNode& node)
+{
+    auto* const texture = dynamic_cast<osg::Texture2D*>(
+        node.shape()->states()[0]->getTextureAttribute(0, osg::StateAttribute::TEXTURE));
+    return texture ? texture->getImage() : nullptr;
+}
+
+void setImage(osg::Group& model, osg::Image* image)
+{
+    model.getChild(0)->getStateSet()->setTextureAttributeAndModes(0, new osg::Texture2D(image));
+}
+
+TEST_F(PmPlugin, KeepsAnImageAsTheFileThatItCameFrom)
+{
+    const std::string png = (_folder / "noise.png").string(), file = (_folder / "ball.pm").string();
+    ASSERT_TRUE(osgDB::writeImageFile(*noise(64, GL_RGB), png));
+    const osg::ref_ptr<osg::Group> group = model();
+    const osg::ref_ptr<osg::Image> image = osgDB::readRefImageFile(png);
+    setImage(*group, image);
+    ASSERT_TRUE(osgDB::writeNodeFile(*group, file));
+    EXPECT_NE(testsupport::bytesOf(file).find(testsupport::bytesOf(png)), std::string::npos);
+    EXPECT_EQ(image->s(), 64) << "the model's own image is as it was";
+    const auto back = readBack(file);
+    ASSERT_TRUE(back && imageOf(*back));
+    EXPECT_EQ(imageOf(*back)->compare(*image), 0);
+
+    // Once the file shows something else, the image itself counts.
+    ASSERT_TRUE(osgDB::writeImageFile(*noise(32, GL_RGB), png));
+    ASSERT_TRUE(osgDB::writeNodeFile(*group, file));
+    EXPECT_EQ(testsupport::bytesOf(file).find(testsupport::bytesOf(png)), std::string::npos);
+    ASSERT_TRUE(imageOf(*readBack(file)));
+    EXPECT_EQ(imageOf(*readBack(file))->compare(*image), 0);
+}
+
+TEST_F(PmPlugin, KeepsImagesOfAnyFormatAsTheyAre)
+{
+    const std::string file = (_folder / "ball.pm").string();
+    const osg::ref_ptr<osg::Image> floats = new osg::Image;
+    floats->allocateImage(5, 3, 1, GL_RGBA, GL_FLOAT, 1);
+    for (unsigned i = 0; i < floats->getTotalSizeInBytes() / 4; ++i)
+        reinterpret_cast<float*>(floats->data())[i] = 0.1F * static_cast<float>(i);
+    for (const osg::ref_ptr<osg::Image>& image :
+         {floats, noise(8, GL_LUMINANCE), noise(8, GL_LUMINANCE_ALPHA), noise(8, GL_RGBA)})
+    {
+        const osg::ref_ptr<osg::Group> group = model();
+        setImage(*group, image);
+        ASSERT_TRUE(osgDB::writeNodeFile(*group, file));
+        const auto back = readBack(file);
+        ASSERT_TRUE(back && imageOf(*back)) << image->getPixelFormat();
+        ASSERT_EQ(imageOf(*back)->s(), image->s());
+        for (int t = 0; t < image->t(); ++t)
+            for (int s = 0; s < image->s(); ++s)
+                ASSERT_EQ(imageOf(*back)->getColor(s, t), image->getColor(s, t)) << image->getPixelFormat();
+    }
+}
+
+TEST_F(PmPlugin, ShowsTheBeginningOfAFileAsACoarserModel)
+{
+    const std::string file = (_folder / "ball.pm").string(), cut = (_folder / "cut.pm").string();
+    const osg::ref_ptr<osg::Group> group = model();
+    setImage(*group, noise(512, GL_RGB));
+    ASSERT_TRUE(osgDB::writeNodeFile(*group, file));
+    const std::string bytes = testsupport::bytesOf(file);
+    const std::uint32_t whole = readBack(file)->shape()->progressive().stepCount;
+    const std::size_t base = bytes.find("BASE"), image = bytes.find("IMAG");
+    ASSERT_LT(base, image);
+    EXPECT_LT(base, bytes.size() / 50) << "little comes before the coarsest level";
+    std::uint32_t last = 0;
+    for (const std::size_t size : {bytes.find("STEP") + 3, image + 100, bytes.size() - 1})
+    {
+        std::ofstream(cut, std::ios::binary) << bytes.substr(0, size);
+        const auto node = readBack(cut);
+        ASSERT_TRUE(node) << size;
+        ASSERT_EQ(node->getNumDescriptions(), 1u);
+        EXPECT_THAT(node->getDescription(0), testing::HasSubstr("the file is cut off"));
+        EXPECT_THAT(node->getDescription(0), testing::HasSubstr("of " + std::to_string(whole) + " steps"));
+        EXPECT_GE(node->shape()->progressive().stepCount, last);
+        last = node->shape()->progressive().stepCount;
+        const auto shown = imageOf(*node);
+        ASSERT_TRUE(shown);
+        if (shown->s() == 512) continue;
+        EXPECT_THAT(node->getDescription(0), testing::HasSubstr("without 1 image"));
+        EXPECT_NEAR(shown->getColor(0, 0).x(), 0.5, 0.02) << "the mean colour";
+    }
+    EXPECT_EQ(last, whole);
+    std::ofstream(cut, std::ios::binary) << bytes.substr(0, base + 20);
+    EXPECT_FALSE(readBack(cut)) << "without its coarsest level it is no model";
 }
 
 TEST_F(PmPlugin, RefusesAnEmptyNode)

@@ -75,6 +75,7 @@ public:
     {
         const std::vector<std::uint32_t>& positions = _excerpt.positions();
         _state.tolerance = whole.state.tolerance;
+        _state.mostNewFaces = whole.state.mostNewFaces;
         whole.state.drift.resize(whole.mesh.positions.size(), 0.0);
         for (const std::uint32_t p : positions)
             _state.drift.push_back(whole.state.drift[p]);
@@ -94,6 +95,7 @@ public:
         const std::vector<std::uint32_t>& positions = _excerpt.positions();
         for (std::size_t p = 0; p < positions.size(); ++p)
             _whole.state.drift[positions[p]] = _state.drift[p];
+        _whole.state.mostNewFaces = _state.mostNewFaces;
         _excerpt.putBack(_whole.mesh, origins);
         _whole.changed.clear();
         for (const std::uint32_t p : _changed)

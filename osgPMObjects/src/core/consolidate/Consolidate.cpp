@@ -18,6 +18,8 @@ namespace
 
 /// The most rounds of splits with the repairs that follow.
 constexpr int kMostRounds = 20;
+/// The most faces that inserted T-vertices may add: known models get less than a tenth.
+constexpr std::size_t kMostGrowth = 2, kSmallGrowth = 4096;
 
 void add(ConsolidateReport& report, const ClosedCracks& more)
 {
@@ -96,7 +98,8 @@ ConsolidateReport consolidate(Mesh& mesh, const ConsolidateOptions& options)
     const double diagonal = diagonalOf(mesh);
     const Mesh input = mesh;
     report.weldedPositions = weldPositions(mesh, options.weldTolerance * diagonal);
-    CrackPasses cracks{.tVertices = {.tolerance = options.stitchTolerance * diagonal},
+    CrackPasses cracks{.tVertices = {.tolerance = options.stitchTolerance * diagonal,
+                                     .mostNewFaces = kMostGrowth * mesh.faces.size() + kSmallGrowth},
                        .degenerateHeight = options.degenerateHeight * diagonal,
                        .most = kMostPasses};
     repair(mesh, input, cracks, options.orient, report);

@@ -40,9 +40,8 @@ glm::ivec3 EdgeCells::cellOf(const glm::dvec3& p) const
     return glm::min(glm::ivec3(cell), _count - 1);
 }
 
-/// Calls `found(cell)` for the cells of a box, until it returns true.
-template<class Found>
-bool EdgeCells::visit(const Extent& box, const Found& found) const
+template<class Visit>
+bool EdgeCells::visitRows(const Extent& box, const Visit& visit) const
 {
     const glm::ivec3 from = cellOf(box.low), to = cellOf(box.high);
     for (int x = from.x; x <= to.x; ++x)
@@ -51,9 +50,22 @@ bool EdgeCells::visit(const Extent& box, const Found& found) const
             const std::size_t row = (static_cast<std::size_t>(x) * static_cast<std::size_t>(_count.y) +
                                      static_cast<std::size_t>(y)) *
                                     static_cast<std::size_t>(_count.z);
-            for (int z = from.z; z <= to.z; ++z)
-                if (found(row + static_cast<std::size_t>(z))) return true;
+            if (visit(row + static_cast<std::size_t>(from.z), row + static_cast<std::size_t>(to.z)))
+                return true;
         }
+    return false;
+}
+
+/// Looks at 64 cells at a time: the box of a large face may have all cells of the grid.
+bool EdgeCells::isAnyMarked(std::size_t first, std::size_t last) const
+{
+    constexpr std::uint64_t kAll = ~std::uint64_t(0);
+    for (std::size_t word = first / 64; word <= last / 64; ++word)
+    {
+        const std::uint64_t from = word == first / 64 ? kAll << first % 64 : kAll;
+        const std::uint64_t to = word == last / 64 ? kAll >> (63 - last % 64) : kAll;
+        if ((_marks[word] & from & to) != 0) return true;
+    }
     return false;
 }
 
@@ -65,12 +77,13 @@ void EdgeCells::markEdge(const glm::dvec3& a, const glm::dvec3& b)
     {
         const glm::dvec3 p = glm::mix(a, b, static_cast<double>(i) / pieces);
         const glm::dvec3 q = glm::mix(a, b, static_cast<double>(i + 1) / pieces);
-        visit({glm::min(p, q) - _reach, glm::max(p, q) + _reach},
-              [this](std::size_t cell)
-              {
-                  _marks[cell / 64] |= std::uint64_t(1) << cell % 64;
-                  return false;
-              });
+        visitRows({glm::min(p, q) - _reach, glm::max(p, q) + _reach},
+                  [this](std::size_t first, std::size_t last)
+                  {
+                      for (std::size_t cell = first; cell <= last; ++cell)
+                          _marks[cell / 64] |= std::uint64_t(1) << cell % 64;
+                      return false;
+                  });
     }
 }
 
@@ -100,7 +113,7 @@ void EdgeCells::markFaces(const Mesh& mesh, std::span<const std::uint8_t> isOne)
 std::vector<std::uint8_t> EdgeCells::facesTouching(const Mesh& mesh) const
 {
     std::vector<std::uint8_t> isTouching(mesh.faces.size(), 0);
-    const auto isMarked = [this](std::size_t cell) { return (_marks[cell / 64] >> cell % 64 & 1) != 0; };
+    const auto isMarked = [this](std::size_t first, std::size_t last) { return isAnyMarked(first, last); };
     parallelShares(mesh.faces.size(), kLeastFacesAThread,
                    [&](std::size_t first, std::size_t last, std::size_t)
                    {
@@ -109,7 +122,7 @@ std::vector<std::uint8_t> EdgeCells::facesTouching(const Mesh& mesh) const
                            Extent box;
                            for (int i = 0; i < 3; ++i)
                                box.add(mesh.at(mesh.faces[f], i));
-                           isTouching[f] = visit(box, isMarked);
+                           isTouching[f] = visitRows(box, isMarked);
                        }
                    });
     return isTouching;

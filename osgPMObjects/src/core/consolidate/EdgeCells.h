@@ -35,8 +35,10 @@ private:
     void markFace(const Mesh& mesh, const Face& face);
     void markEdge(const glm::dvec3& a, const glm::dvec3& b);
     glm::ivec3 cellOf(const glm::dvec3& p) const;
-    template<class Found>
-    bool visit(const Extent& box, const Found& found) const;
+    /// Calls visit(first, last) for each row of cells of a box, until it returns true.
+    template<class Visit>
+    bool visitRows(const Extent& box, const Visit& visit) const;
+    bool isAnyMarked(std::size_t first, std::size_t last) const;
 
     double _reach;
     glm::dvec3 _low;

@@ -31,6 +31,7 @@ public:
           _tolerance(state.tolerance),
           _thinHeight(state.thinHeight),
           _mostDrift(kMostDrift * state.tolerance),
+          _mostNewFaces(state.mostNewFaces),
           _drift(state.drift),
           _waiting(state.waiting),
           _triangles(positionTriangles(mesh)),
@@ -50,11 +51,16 @@ public:
             putOff();
             return _report;
         }
+        std::size_t newFaces = 0;
+        for (const TJunction& t : _found)
+            newFaces += _edges.sides(t.edge).size();
+        if (newFaces > _mostNewFaces) return _report;
         for (const TJunction& t : _found)
             plan(t);
         for (const TJunction& t : _found)
             if (t.distance > 0.5 * _tolerance) moveHalfway(t);
         carryOut();
+        _mostNewFaces -= _report.inserted;
         return _report;
     }
 
@@ -168,6 +174,7 @@ private:
 
     Mesh& _mesh;
     const double _tolerance, _thinHeight, _mostDrift;
+    std::size_t& _mostNewFaces;
     std::vector<double>& _drift;
     std::vector<std::uint32_t>& _waiting;
     const std::vector<Triangle> _triangles;

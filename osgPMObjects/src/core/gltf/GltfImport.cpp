@@ -5,6 +5,7 @@
 #include <functional>
 #include <iterator>
 #include <limits>
+#include <map>
 #include <system_error>
 
 #include <tiny_gltf.h>
@@ -22,12 +23,18 @@ namespace
 
 using Parse = std::function<bool(tinygltf::TinyGLTF&, tinygltf::Model&, std::string& error)>;
 
-/// Accepts all images: one that cannot be decoded is no reason to refuse the model.
+/// The bytes of image files, by the number of the image.
+using ImageFiles = std::map<int, std::string>;
+
+/// Accepts all images, and keeps their files: one that cannot be decoded is no reason to refuse the model.
 bool loadImage(tinygltf::Image* image, const int number, std::string*, std::string*, int width, int height,
-               const unsigned char* bytes, int size, void* options)
+               const unsigned char* bytes, int size, void* files)
 {
     std::string ignored, ignoredToo;
-    if (!tinygltf::LoadImageData(image, number, &ignored, &ignoredToo, width, height, bytes, size, options))
+    if (tinygltf::LoadImageData(image, number, &ignored, &ignoredToo, width, height, bytes, size, nullptr))
+        (*static_cast<ImageFiles*>(files))[number].assign(reinterpret_cast<const char*>(bytes),
+                                                          static_cast<std::size_t>(size));
+    else
         image->width = image->height = image->component = 0;
     return true;
 }
@@ -39,7 +46,22 @@ GltfImage imageOf(const tinygltf::Image& from)
         from.image.size() == static_cast<std::size_t>(from.width) * static_cast<std::size_t>(from.height) *
                                  static_cast<std::size_t>(from.component);
     if (!isWhole) return {};
-    return {from.width, from.height, from.component, from.image};
+    return {from.width, from.height, from.component, from.image, {}, {}};
+}
+
+void takeImages(const tinygltf::Model& parsed, ImageFiles& files, GltfModel& model)
+{
+    for (const tinygltf::Image& from : parsed.images)
+    {
+        GltfImage& image = model.images.emplace_back(imageOf(from));
+        image.uri = from.uri;
+        image.file = std::move(files[static_cast<int>(model.images.size()) - 1]);
+        if (image.channels > 0) continue;
+        if (image.uri.empty())
+            ++model.report.unreadImages;
+        else
+            model.report.missingImages.push_back(image.uri);
+    }
 }
 
 GltfMaterial materialOf(const tinygltf::Model& model, const tinygltf::Material& from)
@@ -99,10 +121,11 @@ foundation::Result<GltfModel> readModel(const Parse& parse, const std::string& n
         return foundation::Error{name, "cannot be read as glTF 2: " + why, "export the model again as .glb"};
     };
     tinygltf::Model parsed;
+    ImageFiles files;
     try
     {
         tinygltf::TinyGLTF loader;
-        loader.SetImageLoader(loadImage, nullptr);
+        loader.SetImageLoader(loadImage, &files);
         loader.SetFsCallbacks({others == OtherFiles::read ? isFile : isNone, &tinygltf::ExpandFilePath,
                                readFile, &tinygltf::WriteWholeFile, nullptr});
         std::string error;
@@ -113,11 +136,7 @@ foundation::Result<GltfModel> readModel(const Parse& parse, const std::string& n
         return refused(thrown.what());
     }
     GltfModel model;
-    for (const tinygltf::Image& image : parsed.images)
-    {
-        model.images.push_back(imageOf(image));
-        model.report.unreadImages += model.images.back().channels == 0;
-    }
+    takeImages(parsed, files, model);
     for (const tinygltf::Material& material : parsed.materials)
         model.materials.push_back(materialOf(parsed, material));
     model.materials.emplace_back();

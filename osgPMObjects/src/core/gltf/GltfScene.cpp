@@ -44,12 +44,26 @@ glm::dmat4 matrixOf(const tinygltf::Node& node)
     return matrix;
 }
 
+/// Returns the limit of wedges and faces: data may be drawn several times, but not without end.
+std::size_t mostElementsOf(const tinygltf::Model& model)
+{
+    constexpr std::size_t kFew = 1 << 22, kOfByte = 4;
+    std::size_t most = kFew;
+    for (const tinygltf::Buffer& buffer : model.buffers)
+        most += kOfByte * buffer.data.size();
+    return most;
+}
+
 /// Walks the nodes of a scene and reads their meshes.
 class SceneReader
 {
 public:
     SceneReader(const tinygltf::Model& model, const std::string& name, GltfModel& into)
-        : _model(model), _name(name), _into(into), _primitives(model, name, _builder, into)
+        : _model(model),
+          _name(name),
+          _into(into),
+          _primitives(model, name, _builder, into),
+          _mostElements(mostElementsOf(model))
     {
     }
 
@@ -116,6 +130,8 @@ private:
             if (_error) return;
             const foundation::Outcome read = _primitives.read(primitive, part, matrix);
             if (!read) _error = read.error();
+            if (_builder.mesh().wedgeCount() + _builder.mesh().faces.size() > _mostElements)
+                return fail("the scene", "draws the same data too often");
         }
     }
 
@@ -126,6 +142,7 @@ private:
     GltfPrimitiveReader _primitives;
     std::optional<foundation::Error> _error;
     std::size_t _visits = 0;
+    const std::size_t _mostElements; ///< wedges and faces
 };
 
 } // namespace

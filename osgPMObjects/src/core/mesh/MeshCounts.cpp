@@ -116,8 +116,8 @@ MeshCounts countMesh(const Mesh& mesh)
         counts.boundaryEdges += edges.isBoundary(e);
         counts.nonManifoldEdges += !edges.isManifold(e);
     }
-    counts.tJunctions = countVertices(findTJunctions(mesh.positions, triangles, edges,
-                                                     kTJunctionTolerance * diagonal, OpenEdges::boundary));
+    counts.tJunctions =
+        countTVertices(mesh.positions, triangles, edges, kTJunctionTolerance * diagonal, OpenEdges::boundary);
     counts.duplicates = countDuplicates(std::move(triangles));
     return counts;
 }

@@ -17,10 +17,14 @@ namespace
 
 /// Samples are measured in chunks, whose results are joined in order: the sums do not depend on the number of threads.
 constexpr std::size_t kChunk = 1024;
+/// Triangles that may be looked at for each sample of a chunk, where most triangles cross the whole mesh; samples that are left then are
+/// not measured. Known models need some dozens.
+constexpr std::uint64_t kMostTrianglesASample = 2048;
 
 struct Sums
 {
     double largest = 0.0, sum = 0.0, squares = 0.0;
+    std::size_t samples = 0;
 };
 
 /// Calls work(first, last, chunk) for each chunk of so many samples, in several threads.
@@ -50,9 +54,13 @@ Sums distancesOf(const std::vector<SurfacePoint>& samples, const TriangleTree& t
                  {
                      Sums& found = chunks[chunk];
                      double most = std::numeric_limits<double>::infinity();
+                     std::uint64_t work = kMostTrianglesASample * (last - first);
                      for (std::size_t i = first; i < last; ++i)
                      {
-                         const double d = tree.distance(samples[i].position, most);
+                         const auto measured = tree.distance(samples[i].position, most, work);
+                         if (!measured) break;
+                         const double d = *measured;
+                         ++found.samples;
                          found.largest = std::max(found.largest, d);
                          found.sum += d;
                          found.squares += d * d;
@@ -61,14 +69,16 @@ Sums distancesOf(const std::vector<SurfacePoint>& samples, const TriangleTree& t
                  });
     Sums all;
     for (const Sums& chunk : chunks)
-        all = {std::max(all.largest, chunk.largest), all.sum + chunk.sum, all.squares + chunk.squares};
+        all = {std::max(all.largest, chunk.largest), all.sum + chunk.sum, all.squares + chunk.squares,
+               all.samples + chunk.samples};
     return all;
 }
 
 /// Returns the distance of a point from a surface; where that is at most `enough`, some number from it to `enough`.
-double distanceAbove(const glm::dvec3& point, const MeasuredSurface& surface, double enough, double most)
+double distanceAbove(const glm::dvec3& point, const MeasuredSurface& surface, double enough, double most,
+                     std::uint64_t& work)
 {
-    if (most <= enough) return most;
+    if (most <= enough || work == 0) return std::min(most, enough);
     const std::vector<glm::dvec3>& positions = surface.mesh().positions;
     double least = most * most, bound = least;
     surface.tree().visitNear(point, bound,
@@ -79,9 +89,11 @@ double distanceAbove(const glm::dvec3& point, const MeasuredSurface& surface, do
                                      point -
                                      nearestPoint(point, positions[t[0]], positions[t[1]], positions[t[2]]);
                                  least = std::min(least, glm::dot(away, away));
-                                 bound = least <= enough * enough ? -1.0 : least; // below 0: no box is nearer
+                                 work -= work > 0;
+                                 const bool isDone = least <= enough * enough || work == 0;
+                                 bound = isDone ? -1.0 : least; // below 0: no box is nearer
                              });
-    return std::sqrt(least);
+    return work == 0 ? std::min(enough, std::sqrt(least)) : std::sqrt(least);
 }
 
 /// Returns the largest distance of points from a surface, at least `atLeast`.
@@ -92,10 +104,11 @@ double largestOf(const std::vector<glm::dvec3>& points, const MeasuredSurface& s
                  [&](std::size_t first, std::size_t last, std::size_t chunk)
                  {
                      double& largest = chunks[chunk];
+                     std::uint64_t work = kMostTrianglesASample * (last - first);
                      double most = std::numeric_limits<double>::infinity();
                      for (std::size_t i = first; i < last; ++i)
                      {
-                         const double d = distanceAbove(points[i], surface, largest, most);
+                         const double d = distanceAbove(points[i], surface, largest, most, work);
                          largest = std::max(largest, d);
                          if (i + 1 < last) most = boundAfter(d, points[i], points[i + 1]);
                      }
@@ -147,11 +160,12 @@ double farthestDistance(const MeasuredSurface& from, const MeasuredSurface& to, 
     const auto search = [&](std::size_t start)
     {
         double most = 0.0;
+        std::uint64_t work = kMostTrianglesASample * each;
         std::size_t at = start * each;
         for (std::size_t i = at; i < std::min(samples.size(), (start + 1) * each); ++i)
         {
             const double d = distanceAbove(samples[i].position, to, std::max(most, kShare * atLeast),
-                                           std::numeric_limits<double>::infinity());
+                                           std::numeric_limits<double>::infinity(), work);
             if (d > most) most = d, at = i;
         }
         if (most > kShare * atLeast)
@@ -171,21 +185,21 @@ double farthestDistance(const MeasuredSurface& from, const MeasuredSurface& to, 
 SurfaceDistance surfaceDistance(const MeasuredSurface& from, const MeasuredSurface& to)
 {
     const Sums spread = distancesOf(from.spreadPoints(), to.tree());
-    const double count = std::max(1.0, static_cast<double>(from.spreadPoints().size()));
+    const double count = std::max(1.0, static_cast<double>(spread.samples));
     return {largestOf(from.fixedPoints(), to, spread.largest), spread.sum / count,
-            std::sqrt(spread.squares / count)};
+            std::sqrt(spread.squares / count), spread.samples};
 }
 
 SurfaceChange surfaceChange(const MeasuredSurface& a, const MeasuredSurface& b)
 {
     const SurfaceDistance there = surfaceDistance(a, b), back = surfaceDistance(b, a);
-    const auto countA = static_cast<double>(a.spreadPoints().size()),
-               countB = static_cast<double>(b.spreadPoints().size());
+    const auto countA = static_cast<double>(there.spreadSamples),
+               countB = static_cast<double>(back.spreadSamples);
     SurfaceChange change;
     change.largest = std::max(there.largest, back.largest);
     if (countA + countB > 0.0) change.mean = (there.mean * countA + back.mean * countB) / (countA + countB);
-    for (const MeasuredSurface* surface : {&a, &b})
-        change.samples += surface->fixedPoints().size() + surface->spreadPoints().size();
+    change.samples =
+        a.fixedPoints().size() + there.spreadSamples + b.fixedPoints().size() + back.spreadSamples;
     return change;
 }
 

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <cmath>
+#include <optional>
 #include <thread>
+#include <utility>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include <osgPMObjects/core/Parallel.h>
 #include <osgPMObjects/core/mesh/Extent.h>
-#include <osgPMObjects/core/mesh/PointGrid.h>
+#include <osgPMObjects/core/mesh/PointTree.h>
 #include <osgPMObjects/core/mesh/TJunctions.h>
 
 namespace osgPMObjects::core
@@ -19,10 +20,52 @@ namespace
 
 /// The least distance of a foot from an end, as a share of the edge; nearer vertices are a matter of welding.
 constexpr double kEnd = 1e-4;
-/// The least number of edges for a thread.
-constexpr std::size_t kLeastEdgesAThread = 4096;
+/// Edges that share a limit of work, and the least number of such groups for a thread.
+constexpr std::size_t kEdgesOfAGroup = 1024, kLeastGroupsAThread = 4;
+/// Limits where the tolerance is larger than the details of the mesh: boxes and points that are looked at for each edge, and junctions
+/// for each edge and vertex. Known models need less than a tenth.
+constexpr std::uint64_t kMostWorkAnEdge = 1024;
+constexpr std::size_t kMostJunctions = 4, kFewJunctions = 65536;
 
-using Ends = std::pair<std::uint32_t, std::uint32_t>;
+/// An edge, and the tests whether boxes and points lie near it.
+class EdgeProbe
+{
+public:
+    EdgeProbe(const glm::dvec3& a, const glm::dvec3& b, double tolerance)
+        : _a(a), _along(b - a), _squaredLength(glm::dot(_along, _along)), _tolerance(tolerance)
+    {
+    }
+
+    bool hasLength() const { return _squaredLength > 0.0; }
+
+    /// Whether a box may hold points near the edge: between the planes at its ends, and within the tolerance of its line.
+    bool operator()(const Extent& box) const
+    {
+        constexpr double kSlack = 1e-12;
+        const glm::dvec3 half = 0.5 * (box.high - box.low), to = box.low + half - _a;
+        const double share = glm::dot(to, _along);
+        const double around =
+            glm::dot(half, glm::abs(_along)) + kSlack * glm::dot(glm::abs(to), glm::abs(_along));
+        if (share + around < 0.0 || share - around > _squaredLength) return false;
+        const double off = glm::length(to - (share / _squaredLength) * _along);
+        return !(off > _tolerance + glm::length(half) + kSlack * glm::length(to));
+    }
+
+    /// Returns the foot of a near point as a share of the edge, and its distance; nothing for others.
+    std::optional<std::pair<double, double>> foot(const glm::dvec3& p) const
+    {
+        const glm::dvec3 toP = p - _a;
+        const double share = glm::dot(toP, _along) / _squaredLength;
+        if (!(share > kEnd && share < 1.0 - kEnd)) return {};
+        const double distance = glm::length(toP - share * _along);
+        if (!(distance <= _tolerance)) return {};
+        return std::pair{share, distance};
+    }
+
+private:
+    glm::dvec3 _a, _along;
+    double _squaredLength, _tolerance;
+};
 
 /// Searches the open edges of a mesh for vertices near them.
 class Search
@@ -33,7 +76,6 @@ public:
         : _positions(positions), _tolerance(tolerance)
     {
         std::vector<bool> isOpenVertex(positions.size(), false);
-        double lengths = 0.0;
         for (std::uint32_t e = 0; e < edges.size(); ++e)
         {
             const std::size_t sides = edges.sides(e).size();
@@ -42,90 +84,108 @@ public:
             if (!among.empty() && !(among[from] && among[to])) continue;
             _edges.push_back({e, std::minmax(from, to)});
             isOpenVertex[from] = isOpenVertex[to] = true;
-            lengths += glm::length(positions[from] - positions[to]);
         }
         for (std::uint32_t v = 0; v < positions.size(); ++v)
-            if (isOpenVertex[v]) _vertices.push_back(v);
-        _cell = cellSize(lengths);
+            if (isOpenVertex[v])
+            {
+                _vertices.push_back(v);
+                _points.push_back(positions[v]);
+            }
     }
 
     std::vector<TJunction> run() const
     {
-        PointGrid grid(_cell, _vertices.size());
-        for (const std::uint32_t v : _vertices)
-            grid.add(_positions[v]);
+        const PointTree tree(_points);
+        const std::size_t most = kMostJunctions * (_edges.size() + _vertices.size()) + kFewJunctions;
         std::vector<std::vector<TJunction>> found(std::max(1u, std::thread::hardware_concurrency()));
-        parallelShares(_edges.size(), kLeastEdgesAThread,
+        parallelShares((_edges.size() + kEdgesOfAGroup - 1) / kEdgesOfAGroup, kLeastGroupsAThread,
                        [&](std::size_t first, std::size_t last, std::size_t share)
                        {
-                           for (std::size_t i = first; i < last; ++i)
-                               searchEdge(_edges[i], grid, found[share]);
+                           for (std::size_t g = first; g < last && found[share].size() < most; ++g)
+                               searchGroup(g, tree, found[share]);
                        });
         std::vector<TJunction> all;
         for (const std::vector<TJunction>& part : found)
-            all.insert(all.end(), part.begin(), part.end());
+            all.insert(all.end(), part.begin(),
+                       part.begin() + std::ptrdiff_t(std::min(part.size(), most - all.size())));
         return all;
+    }
+
+    /// Counts the vertices that are in some junction. A vertex that has been found is not looked for again, so this needs no
+    /// memory for junctions.
+    std::size_t countVertices() const
+    {
+        PointTree tree(_points);
+        std::size_t count = 0;
+        std::uint64_t work = workOf(_edges.size(), tree);
+        for (const OpenEdge& edge : _edges)
+        {
+            const EdgeProbe probe = probeOf(edge);
+            if (!probe.hasLength()) continue;
+            tree.take(probe, work,
+                      [&](std::uint32_t number)
+                      {
+                          const bool isFound = !isEnd(edge, number) && probe.foot(_points[number]);
+                          count += isFound;
+                          return isFound;
+                      });
+        }
+        return count;
     }
 
 private:
     struct OpenEdge
     {
         std::uint32_t edge;
-        Ends ends;
+        std::pair<std::uint32_t, std::uint32_t> ends;
     };
 
-    /// Returns a cell size of the mean edge length, so that all edges together cross a few cells each, but at most 2^20 cells a
-    /// side.
-    double cellSize(double lengths) const
+    /// Returns the most boxes and points to look at for some edges; one edge may be near all points.
+    static std::uint64_t workOf(std::size_t edges, const PointTree& tree)
     {
-        const double mean = _edges.empty() ? 0.0 : lengths / static_cast<double>(_edges.size());
-        const double smallest = extentOf(_positions).diagonal() / (1 << 20);
-        return std::max({mean, 4.0 * _tolerance, smallest, 1e-300});
+        return kMostWorkAnEdge * edges + 16 * std::uint64_t{tree.nodeCount()};
     }
 
-    void searchEdge(const OpenEdge& edge, const PointGrid& grid, std::vector<TJunction>& found) const
+    EdgeProbe probeOf(const OpenEdge& edge) const
     {
-        const glm::dvec3 a = _positions[edge.ends.first], b = _positions[edge.ends.second];
-        const glm::dvec3 along = b - a;
-        const double squaredLength = glm::dot(along, along);
-        const std::size_t before = found.size();
-        const auto visit = [&](std::uint32_t number)
+        return {_positions[edge.ends.first], _positions[edge.ends.second], _tolerance};
+    }
+
+    bool isEnd(const OpenEdge& edge, std::uint32_t number) const
+    {
+        return _vertices[number] == edge.ends.first || _vertices[number] == edge.ends.second;
+    }
+
+    /// Searches the edges of a group, in order. Its limit of work does not depend on the number of threads.
+    void searchGroup(std::size_t group, const PointTree& tree, std::vector<TJunction>& found) const
+    {
+        const std::size_t first = group * kEdgesOfAGroup;
+        const std::size_t last = std::min(first + kEdgesOfAGroup, _edges.size());
+        std::uint64_t work = workOf(last - first, tree);
+        for (std::size_t i = first; i < last; ++i)
         {
-            const std::uint32_t v = _vertices[number];
-            if (v == edge.ends.first || v == edge.ends.second) return;
-            const glm::dvec3 toV = _positions[v] - a;
-            const double share = glm::dot(toV, along) / squaredLength;
-            if (!(share > kEnd && share < 1.0 - kEnd)) return;
-            const double distance = glm::length(toV - share * along);
-            if (distance <= _tolerance) found.push_back({edge.edge, v, share, distance});
-        };
-        const int pieces = std::max(1, static_cast<int>(std::ceil(std::sqrt(squaredLength) / _cell)));
-        for (int i = 0; i < pieces; ++i)
-        {
-            const glm::dvec3 p = a + along * (static_cast<double>(i) / pieces);
-            const glm::dvec3 q = a + along * (static_cast<double>(i + 1) / pieces);
-            grid.visitBox(glm::min(p, q) - _tolerance, glm::max(p, q) + _tolerance, visit);
+            const OpenEdge& edge = _edges[i];
+            const EdgeProbe probe = probeOf(edge);
+            const std::size_t before = found.size();
+            if (!probe.hasLength()) continue;
+            tree.visit(probe, work,
+                       [&](std::uint32_t number)
+                       {
+                           if (isEnd(edge, number)) return;
+                           if (const auto foot = probe.foot(_points[number]))
+                               found.push_back({edge.edge, _vertices[number], foot->first, foot->second});
+                       });
+            std::sort(found.begin() + std::ptrdiff_t(before), found.end(),
+                      [](const TJunction& x, const TJunction& y)
+                      { return x.along != y.along ? x.along < y.along : x.vertex < y.vertex; });
         }
-        sortAlong(found, before);
-    }
-
-    /// Sorts the junctions found since `before` along the edge, and removes repeated ones.
-    static void sortAlong(std::vector<TJunction>& found, std::size_t before)
-    {
-        const auto begin = found.begin() + static_cast<std::ptrdiff_t>(before);
-        std::sort(begin, found.end(),
-                  [](const TJunction& x, const TJunction& y)
-                  { return x.along != y.along ? x.along < y.along : x.vertex < y.vertex; });
-        found.erase(std::unique(begin, found.end(),
-                                [](const TJunction& x, const TJunction& y) { return x.vertex == y.vertex; }),
-                    found.end());
     }
 
     std::span<const glm::dvec3> _positions;
     double _tolerance;
     std::vector<OpenEdge> _edges;
-    std::vector<std::uint32_t> _vertices; ///< of open edges, by their number in the grid
-    double _cell = 1.0;
+    std::vector<std::uint32_t> _vertices; ///< of open edges
+    std::vector<glm::dvec3> _points;      ///< their positions
 };
 
 } // namespace
@@ -137,13 +197,10 @@ std::vector<TJunction> findTJunctions(std::span<const glm::dvec3> positions,
     return Search(positions, triangles, edges, tolerance, open, among).run();
 }
 
-std::size_t countVertices(std::span<const TJunction> junctions)
+std::size_t countTVertices(std::span<const glm::dvec3> positions, std::span<const Triangle> triangles,
+                           const EdgeTable& edges, double tolerance, OpenEdges open)
 {
-    std::vector<std::uint32_t> vertices;
-    for (const TJunction& t : junctions)
-        vertices.push_back(t.vertex);
-    std::sort(vertices.begin(), vertices.end());
-    return static_cast<std::size_t>(std::unique(vertices.begin(), vertices.end()) - vertices.begin());
+    return Search(positions, triangles, edges, tolerance, open, {}).countVertices();
 }
 
 } // namespace osgPMObjects::core

@@ -6,6 +6,7 @@
 #include <thread>
 #include <utility>
 
+#include <foundation/Threads.h>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
@@ -73,8 +74,8 @@ void TriangleTree::build(std::uint32_t first, std::uint32_t last, std::span<cons
                      });
     const bool isShared = threads > 1 && last - first >= kLeastShared;
     std::vector<Node> others; // of the second half, numbered from 0, when another thread builds it
-    std::thread other;
-    if (isShared) other = std::thread([&] { build(middle, last, centres, threads / 2, others); });
+    foundation::Threads other;
+    if (isShared) other.run([&] { build(middle, last, centres, threads / 2, others); });
     build(first, middle, centres, isShared ? threads - threads / 2 : 1, nodes);
     const auto second = static_cast<std::uint32_t>(nodes.size());
     nodes[number].first = second;
@@ -87,15 +88,25 @@ void TriangleTree::build(std::uint32_t first, std::uint32_t last, std::span<cons
 
 double TriangleTree::distance(const glm::dvec3& point, double most) const
 {
+    std::uint64_t all = std::numeric_limits<std::uint64_t>::max();
+    return *distance(point, most, all);
+}
+
+std::optional<double> TriangleTree::distance(const glm::dvec3& point, double most, std::uint64_t& work) const
+{
     double best = most * most;
     visitNear(point, best,
               [&](std::uint32_t triangle)
               {
+                  if (work == 0) best = 0.0; // ends the visit
+                  if (work == 0) return;
+                  --work;
                   const Triangle& t = _triangles[triangle];
                   const glm::dvec3 away =
                       point - nearestPoint(point, _positions[t[0]], _positions[t[1]], _positions[t[2]]);
                   best = std::min(best, glm::dot(away, away));
               });
+    if (work == 0) return {};
     return std::sqrt(best);
 }
 

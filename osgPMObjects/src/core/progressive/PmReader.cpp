@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <fstream>
+#include <unordered_map>
 
 #include <osgPMObjects/core/progressive/PmFile.h>
 
@@ -23,7 +24,12 @@ public:
         if (_isWhole) return false;
         if (!_hasBase) return readBase();
         PmSectionStream::Section section;
-        if (const auto read = _stream.read(section); !read) return read.error();
+        do
+        {
+            if (const auto read = _stream.read(section); !read) return read.error();
+            if (section.letters == kPmImage && !readImage(section.contents))
+                return _stream.damaged("has an image that cannot be");
+        } while (section.letters == kPmImage);
         if (section.letters == kPmLadder && _ladder.empty() && _firstStep == _totalSteps)
         {
             if (!readLadder(section.contents))
@@ -33,7 +39,8 @@ public:
         if (section.letters == kPmSteps) return readSteps(section);
         if (section.letters != kPmEnd)
             return _stream.damaged("has a section " + section.letters + " that does not belong there");
-        if (_firstStep != 0) return _stream.damaged("ends before its last steps");
+        if (_firstStep != 0 || !_firstWedgeOfLater.empty())
+            return _stream.damaged("ends before its last steps");
         _isWhole = true;
         return false;
     }
@@ -58,7 +65,10 @@ public:
         return whole;
     }
 
+    bool isCutOff() const { return _stream.isCutOff(); }
     const std::string& attachment() const { return _attachment; }
+    const std::vector<PmImage>& images() const { return _images; }
+    std::size_t positions() const { return _mesh.mesh.positions.size(); }
     std::uint32_t totalSteps() const { return _totalSteps; }
     std::uint32_t totalPositions() const { return _totalPositions; }
 
@@ -145,6 +155,17 @@ private:
         return in.isGood() && in.isAtEnd();
     }
 
+    bool readImage(const std::string& bytes)
+    {
+        PmByteReader in(bytes);
+        PmImage& image = _images.emplace_back();
+        image.name = in.text();
+        image.format = in.text();
+        image.isFlipped = (in.get<std::uint8_t>() & 1) != 0;
+        image.bytes = in.rest();
+        return in.isGood();
+    }
+
     bool readBaseFaces(const std::string& bytes)
     {
         PmByteReader in(bytes);
@@ -194,13 +215,18 @@ private:
         Mesh& mesh = _mesh.mesh;
         const auto count = in.get<std::uint32_t>();
         if (count != _totalPositions - steps - mesh.positions.size()) return false;
-        if (!in.hasRoomFor(count, 4 + _vertices.positionBytes())) return false;
-        for (std::uint32_t i = 0; i < count; ++i)
+        const std::size_t end = mesh.positions.size() + count;
+        while (mesh.positions.size() < end)
         {
             const auto wedges = in.get<std::uint32_t>();
+            if (_stream.version() > 1 && !_hasBase && (wedges & kPmLater) != 0)
+            {
+                if (!in.isGood() || !skipRun(wedges, end)) return false;
+                continue;
+            }
             const auto position = static_cast<std::uint32_t>(mesh.positions.size());
             mesh.positions.push_back(_vertices.readPosition(in));
-            if (!in.hasRoomFor(wedges, 4 + _vertices.wedgeBytes())) return false;
+            if (!in.isGood() || !in.hasRoomFor(wedges, 4 + _vertices.wedgeBytes())) return false;
             for (std::uint32_t w = 0; w < wedges; ++w)
             {
                 mesh.wedgePositions.push_back(position);
@@ -209,6 +235,52 @@ private:
             }
         }
         return in.isGood() && mesh.wedgeCount() <= _totalWedges;
+    }
+
+    /// Makes positions whose vertices follow later; until then they lie in the middle of the box, where no face uses them.
+    bool skipRun(std::uint32_t code, std::size_t end)
+    {
+        Mesh& mesh = _mesh.mesh;
+        const std::uint32_t wedges = code >> kPmLaterWedgesShift & kPmLaterMostWedges;
+        const std::uint32_t run = code & kPmLaterMostPositions;
+        if (wedges == 0 || run == 0 || run > end - mesh.positions.size()) return false;
+        if (mesh.wedgeCount() + std::uint64_t{run} * wedges >
+            std::min<std::uint64_t>(_totalWedges, mostSlots()))
+            return false;
+        for (std::uint32_t i = 0; i < run; ++i)
+        {
+            const auto position = static_cast<std::uint32_t>(mesh.positions.size());
+            _firstWedgeOfLater[position] = static_cast<std::uint32_t>(mesh.wedgeCount());
+            mesh.positions.push_back(_vertices.middle());
+            for (std::uint32_t w = 0; w < wedges; ++w)
+            {
+                _mesh.parents.push_back(static_cast<std::uint32_t>(mesh.wedgeCount()));
+                mesh.wedgePositions.push_back(position);
+                _vertices.appendEmptyWedge(mesh);
+            }
+        }
+        return true;
+    }
+
+    /// Reads vertices that earlier sections left out.
+    bool readLaterVertices(PmByteReader& in)
+    {
+        if (_stream.version() == 1) return true;
+        Mesh& mesh = _mesh.mesh;
+        const auto count = in.get<std::uint32_t>();
+        if (!in.hasRoomFor(count, 4 + _vertices.positionBytes())) return false;
+        for (std::uint32_t i = 0; i < count; ++i)
+        {
+            const auto position = in.get<std::uint32_t>();
+            const auto later = _firstWedgeOfLater.find(position);
+            if (!in.isGood() || later == _firstWedgeOfLater.end()) return false;
+            mesh.positions[position] = _vertices.readPosition(in);
+            for (std::uint32_t wedge = later->second;
+                 wedge < mesh.wedgeCount() && mesh.wedgePositions[wedge] == position; ++wedge)
+                _vertices.readWedgeAt(in, mesh, wedge);
+            _firstWedgeOfLater.erase(later);
+        }
+        return in.isGood();
     }
 
     static LevelError readError(PmByteReader& in)
@@ -224,7 +296,7 @@ private:
         PmByteReader in(section.contents);
         const auto first = in.get<std::uint32_t>();
         constexpr std::uint32_t kStride = ProgressiveMesh::kErrorStride;
-        if (first >= _firstStep || first % kStride != 0 || !readVertices(in, first))
+        if (first >= _firstStep || first % kStride != 0 || !readVertices(in, first) || !readLaterVertices(in))
             return _stream.damaged("has vertices that cannot be");
         const std::uint32_t errors = (_firstStep + kStride - 1) / kStride - first / kStride;
         if (!in.hasRoomFor(errors + 1, 16)) return _stream.damaged("has too few errors");
@@ -244,8 +316,11 @@ private:
     std::uint32_t _totalPositions = 0, _totalWedges = 0, _totalSteps = 0, _firstStep = 0;
     PmVertices _vertices{Mesh{}, false};
     ProgressiveMesh _mesh; ///< without records and errors
+    std::unordered_map<std::uint32_t, std::uint32_t>
+        _firstWedgeOfLater; ///< by position that is left out so far
     std::string _attachment;
     std::vector<MeasuredLevel> _ladder; ///< of the whole mesh
+    std::vector<PmImage> _images;
     std::vector<std::string> _records;
     std::vector<std::vector<LevelError>> _errors;
 };
@@ -269,9 +344,24 @@ foundation::Result<ProgressiveMesh> PmReader::mesh() const
     return _sections->mesh();
 }
 
+bool PmReader::isCutOff() const
+{
+    return _sections->isCutOff();
+}
+
+const std::vector<PmImage>& PmReader::images() const
+{
+    return _sections->images();
+}
+
 const std::string& PmReader::attachment() const
 {
     return _sections->attachment();
+}
+
+std::size_t PmReader::positions() const
+{
+    return _sections->positions();
 }
 
 std::uint32_t PmReader::totalSteps() const

@@ -56,10 +56,11 @@ foundation::Outcome PmSectionStream::readBegin()
     if (!magic.starts_with(kPmMagic))
         return foundation::Error{_place, "is not a progressive mesh", "make one with pmtool build"};
     const auto version = PmByteReader(std::string_view(magic).substr(kPmMagic.size())).get<std::uint32_t>();
-    if (version != kPmVersion)
+    if (version == 0 || version > kPmVersion)
         return foundation::Error{
-            _place, "is of version " + std::to_string(version) + ", not " + std::to_string(kPmVersion),
+            _place, "is of version " + std::to_string(version) + ", not 1 to " + std::to_string(kPmVersion),
             "build it again with this pmtool"};
+    _version = version;
     return foundation::success();
 }
 
@@ -67,13 +68,14 @@ foundation::Outcome PmSectionStream::read(Section& section)
 {
     constexpr std::size_t kHead = 12, kSum = 4;
     std::string all = take(kHead);
-    if (all.size() < kHead) return damaged("is cut off before a section");
+    _isCutOff = all.size() < kHead;
+    if (_isCutOff) return damaged("is cut off before a section");
     section.letters = all.substr(0, 4);
     const auto length = PmByteReader(std::string_view(all).substr(4)).get<std::uint64_t>();
     section.contents = take(length);
     const std::string sum = take(kSum);
-    if (section.contents.size() != length || sum.size() < kSum)
-        return damaged("is cut off in a section " + printable(section.letters));
+    _isCutOff = section.contents.size() != length || sum.size() < kSum;
+    if (_isCutOff) return damaged("is cut off in a section " + printable(section.letters));
     all += section.contents;
     if (PmByteReader(sum).get<std::uint32_t>() != pmCheckSum(all))
         return damaged("is damaged in a section " + printable(section.letters) +

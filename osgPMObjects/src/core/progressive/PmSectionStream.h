@@ -35,6 +35,12 @@ public:
     /// Returns the size of the file in bytes, if the stream can tell.
     std::optional<std::uint64_t> size() const { return _size; }
 
+    /// Returns the version of the format; known after readBegin().
+    std::uint32_t version() const { return _version; }
+
+    /// Returns whether the latest section was cut off, or missing.
+    bool isCutOff() const { return _isCutOff; }
+
     /// Returns an error that names the current position of the stream.
     foundation::Error damaged(const std::string& what) const;
 
@@ -45,6 +51,8 @@ private:
     std::string _place;
     std::uint64_t _at = 0;
     std::optional<std::uint64_t> _size;
+    std::uint32_t _version = 0;
+    bool _isCutOff = false;
 };
 
 } // namespace osgPMObjects::core

@@ -17,11 +17,17 @@ namespace osgPMObjects::core
 /// contents and a check sum (CRC-32) of all that. Numbers have their lowest byte first. docs/reference/pm-file.md
 /// describes the sections.
 constexpr std::string_view kPmMagic{"OSGPM\x1a\r\n", 8}; // a transfer as text would change it
-constexpr std::uint32_t kPmVersion = 1;
+constexpr std::uint32_t kPmVersion =
+    2; ///< version 1 had no images, and all positions of the coarsest level in BASE
+
+/// A run of positions in BASE whose vertices follow later, instead of the count of a position's wedges: this bit, the wedges of each
+/// position, the number of positions.
+constexpr std::uint32_t kPmLater = 0x80000000, kPmLaterWedgesShift = 16, kPmLaterMostWedges = 0x7fff,
+                        kPmLaterMostPositions = 0xffff;
 
 constexpr std::string_view kPmHead = "HEAD", kPmMaterials = "MATL", kPmAttachment = "ATCH",
-                           kPmLayout = "LAYO", kPmBase = "BASE", kPmLadder = "LADR", kPmSteps = "STEP",
-                           kPmEnd = "DONE";
+                           kPmLayout = "LAYO", kPmBase = "BASE", kPmLadder = "LADR", kPmImage = "IMAG",
+                           kPmSteps = "STEP", kPmEnd = "DONE";
 
 /// The arrays that wedges have, and their form.
 enum PmFlag : std::uint32_t
@@ -78,6 +84,8 @@ public:
         return number;
     }
     std::string text() { return std::string(take(get<std::uint32_t>())); }
+
+    std::string_view rest() { return take(_bytes.size()); }
 
     std::string_view take(std::size_t count)
     {

@@ -174,14 +174,28 @@ void PmVertices::writeWedge(PmByteWriter& out, const Mesh& mesh, std::uint32_t w
             std::lround(glm::clamp(mesh.colours[wedge][channel], 0.0f, 1.0f) * 255.0f)));
 }
 
+void PmVertices::appendEmptyWedge(Mesh& mesh) const
+{
+    if (has(pmNormals)) mesh.normals.emplace_back(0.0f);
+    if (has(pmTexCoords0)) mesh.texCoords[0].emplace_back(0.0f);
+    if (has(pmTexCoords1)) mesh.texCoords[1].emplace_back(0.0f);
+    if (has(pmColours)) mesh.colours.emplace_back(0.0f);
+}
+
 void PmVertices::readWedge(PmByteReader& in, Mesh& mesh) const
 {
+    appendEmptyWedge(mesh);
+    readWedgeAt(in, mesh, static_cast<std::uint32_t>(mesh.wedgeCount()) - 1);
+}
+
+void PmVertices::readWedgeAt(PmByteReader& in, Mesh& mesh, std::uint32_t wedge) const
+{
     const bool q = isQuantised();
-    if (has(pmNormals) && !q) mesh.normals.push_back(getFloats<glm::vec3>(in));
+    if (has(pmNormals) && !q) mesh.normals[wedge] = getFloats<glm::vec3>(in);
     if (has(pmNormals) && q)
     {
         const double x = from16(in.get<std::uint16_t>(), -1.0, 1.0);
-        mesh.normals.push_back(fromOctahedron({x, from16(in.get<std::uint16_t>(), -1.0, 1.0)}));
+        mesh.normals[wedge] = fromOctahedron({x, from16(in.get<std::uint16_t>(), -1.0, 1.0)});
     }
     for (std::size_t set = 0; set < Mesh::kTexCoordSets; ++set)
     {
@@ -191,11 +205,11 @@ void PmVertices::readWedge(PmByteReader& in, Mesh& mesh) const
         for (int axis = 0; q && axis < 2; ++axis)
             uv[axis] = static_cast<float>(
                 from16(in.get<std::uint16_t>(), _texCoordLow[set][axis], _texCoordHigh[set][axis]));
-        mesh.texCoords[set].push_back(uv);
+        mesh.texCoords[set][wedge] = uv;
     }
-    if (has(pmColours) && !q) mesh.colours.push_back(getFloats<glm::vec4>(in));
+    if (has(pmColours) && !q) mesh.colours[wedge] = getFloats<glm::vec4>(in);
     if (!has(pmColours) || !q) return;
-    glm::vec4& colour = mesh.colours.emplace_back();
+    glm::vec4& colour = mesh.colours[wedge];
     for (int channel = 0; channel < 4; ++channel)
         colour[channel] = in.get<std::uint8_t>() / 255.0f;
 }

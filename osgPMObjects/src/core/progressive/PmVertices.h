@@ -29,6 +29,13 @@ public:
     /// Appends a wedge to the arrays of the mesh that the file has.
     void readWedge(PmByteReader& in, Mesh& mesh) const;
 
+    /// Appends a wedge of zeros to the same arrays; readWedgeAt() reads it later.
+    void appendEmptyWedge(Mesh& mesh) const;
+    void readWedgeAt(PmByteReader& in, Mesh& mesh, std::uint32_t wedge) const;
+
+    /// Returns the middle of the box.
+    glm::dvec3 middle() const { return _box.low + 0.5 * (_box.high - _box.low); }
+
     std::size_t positionBytes() const { return isQuantised() ? 6 : 24; }
     std::size_t wedgeBytes() const;
 

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cassert>
+#include <limits>
+#include <span>
+#include <vector>
 
 #include <foundation/WholeFile.h>
 #include <zlib.h>
 
 #include <osgPMObjects/core/progressive/PmFile.h>
 
+#include "NeededPositions.h"
 #include "PmVertices.h"
 #include "StepRecord.h"
 
@@ -61,6 +65,23 @@ PmByteWriter materialsOf(const Mesh& mesh)
     return out;
 }
 
+PmByteWriter contentsOf(const PmImage& image)
+{
+    PmByteWriter out;
+    out.put(std::string_view(image.name));
+    out.put(std::string_view(image.format));
+    out.put(static_cast<std::uint8_t>(image.isFlipped ? 1 : 0));
+    out.append(image.bytes);
+    return out;
+}
+
+/// Writes the images that are not written yet, up to one that is larger than `mostBytes`.
+void appendImages(PmByteWriter& file, std::span<const PmImage>& images, std::size_t mostBytes)
+{
+    for (; !images.empty() && images.front().bytes.size() <= mostBytes; images = images.subspan(1))
+        appendSection(file, kPmImage, contentsOf(images.front()));
+}
+
 PmByteWriter layoutOf(const ProgressiveMesh& p)
 {
     PmByteWriter out;
@@ -99,6 +120,7 @@ public:
     VertexSections(const ProgressiveMesh& progressive, const PmVertices& vertices)
         : _progressive(progressive),
           _vertices(vertices),
+          _needed(progressive),
           _recordsEnd(progressive.records.size() - kRecordPadding)
     {
     }
@@ -106,7 +128,8 @@ public:
     PmByteWriter base()
     {
         PmByteWriter out;
-        appendVertices(out, _progressive.stepCount);
+        _needed.addLevel(_progressive.stepCount);
+        appendBaseVertices(out);
         putError(out, errorAfter(_progressive, _progressive.stepCount));
         out.put(static_cast<std::uint32_t>(_progressive.base.size()));
         for (const Triangle& face : _progressive.base)
@@ -122,6 +145,8 @@ public:
         PmByteWriter out;
         out.put(first);
         appendVertices(out, first);
+        _needed.addLevel(first);
+        appendLaterVertices(out, first == 0);
         const std::size_t stride = ProgressiveMesh::kErrorStride;
         const std::size_t errorsEnd = (_firstStep + stride - 1) / stride;
         putError(out, errorAfter(_progressive, first));
@@ -147,26 +172,87 @@ private:
     /// Writes the vertices of a level that are not written yet: each position with its wedges.
     void appendVertices(PmByteWriter& out, std::uint32_t steps)
     {
-        const Mesh& mesh = _progressive.mesh;
-        const std::size_t end = mesh.positions.size() - steps;
+        const std::size_t end = _progressive.mesh.positions.size() - steps;
         out.put(static_cast<std::uint32_t>(end - _positions));
-        for (; _positions < end; ++_positions)
+        while (_positions < end)
+            appendPosition(out);
+    }
+
+    /// Writes the vertices of the coarsest level, and runs in the place of those that its faces do not need.
+    void appendBaseVertices(PmByteWriter& out)
+    {
+        const std::size_t end = _progressive.mesh.positions.size() - _progressive.stepCount;
+        out.put(static_cast<std::uint32_t>(end));
+        while (_positions < end)
         {
-            const std::uint32_t first = _wedges;
-            while (_wedges < mesh.wedgeCount() && mesh.wedgePositions[_wedges] == _positions)
-                ++_wedges;
-            out.put(_wedges - first);
-            _vertices.writePosition(out, mesh.positions[_positions]);
-            for (std::uint32_t wedge = first; wedge < _wedges; ++wedge)
+            const std::uint32_t wedges = wedgesOf(_wedges);
+            if (_needed.isNeeded(_positions) || wedges > kPmLaterMostWedges)
             {
-                out.put(_progressive.parents[wedge]);
-                _vertices.writeWedge(out, mesh, wedge);
+                appendPosition(out);
+                continue;
             }
+            std::uint32_t run = 0;
+            while (_positions < end && !_needed.isNeeded(_positions) && run < kPmLaterMostPositions &&
+                   wedgesOf(_wedges) == wedges)
+            {
+                _later.push_back({static_cast<std::uint32_t>(_positions++), _wedges});
+                _wedges += wedges;
+                ++run;
+            }
+            out.put(kPmLater | wedges << kPmLaterWedgesShift | run);
         }
     }
 
+    /// Writes the vertices that were left out before and that a level needs, or all of them.
+    void appendLaterVertices(PmByteWriter& out, bool areAll)
+    {
+        const auto isLeft = [&](const LaterPosition& later)
+        { return !areAll && !_needed.isNeeded(later.position); };
+        const auto end = std::stable_partition(_later.begin(), _later.end(), isLeft);
+        out.put(static_cast<std::uint32_t>(_later.end() - end));
+        for (auto later = end; later != _later.end(); ++later)
+        {
+            out.put(later->position);
+            _vertices.writePosition(out, _progressive.mesh.positions[later->position]);
+            for (std::uint32_t i = 0; i < wedgesOf(later->firstWedge); ++i)
+                _vertices.writeWedge(out, _progressive.mesh, later->firstWedge + i);
+        }
+        _later.erase(end, _later.end());
+    }
+
+    /// Writes the next position with its wedges.
+    void appendPosition(PmByteWriter& out)
+    {
+        const std::uint32_t wedges = wedgesOf(_wedges);
+        out.put(wedges);
+        _vertices.writePosition(out, _progressive.mesh.positions[_positions++]);
+        for (std::uint32_t i = 0; i < wedges; ++i, ++_wedges)
+        {
+            out.put(_progressive.parents[_wedges]);
+            _vertices.writeWedge(out, _progressive.mesh, _wedges);
+        }
+    }
+
+    /// Returns the number of wedges of the position that has this one first.
+    std::uint32_t wedgesOf(std::uint32_t first) const
+    {
+        const auto& positions = _progressive.mesh.wedgePositions;
+        std::uint32_t count = 1;
+        while (first + count < positions.size() && positions[first + count] == positions[first])
+            ++count;
+        return count;
+    }
+
+    /// A position whose vertices are not written yet.
+    struct LaterPosition
+    {
+        std::uint32_t position, firstWedge;
+    };
+
     const ProgressiveMesh& _progressive;
     const PmVertices& _vertices;
+    NeededPositions _needed;
+    std::vector<LaterPosition> _later;
     std::size_t _positions = 0, _recordsEnd;
     std::uint32_t _wedges = 0, _firstStep = 0;
 };
@@ -189,6 +275,7 @@ std::string pmBytes(const ProgressiveMesh& progressive, const PmSettings& settin
     VertexSections sections(progressive, vertices);
     appendSection(file, kPmBase, sections.base());
     if (!progressive.ladder.empty()) appendSection(file, kPmLadder, ladderOf(progressive));
+    std::span<const PmImage> images = settings.images;
     std::uint32_t last = progressive.stepCount;
     for (std::uint32_t section = settings.stepSections; section-- > 0;)
     {
@@ -196,9 +283,12 @@ std::string pmBytes(const ProgressiveMesh& progressive, const PmSettings& settin
         const std::uint32_t coarser = progressive.stepCount >> std::min(section, 31u);
         const std::uint32_t first = (progressive.stepCount - coarser) / kStride * kStride;
         if (first == last) continue;
-        appendSection(file, kPmSteps, sections.steps(first));
+        const PmByteWriter steps = sections.steps(first);
+        appendImages(file, images, steps.bytes().size());
+        appendSection(file, kPmSteps, steps);
         last = first;
     }
+    appendImages(file, images, std::numeric_limits<std::size_t>::max());
     appendSection(file, kPmEnd, {});
     return file.bytes();
 }

@@ -7,7 +7,8 @@
 #include <atomic>
 #include <cmath>
 #include <limits>
-#include <thread>
+
+#include <foundation/Threads.h>
 
 #include <osgTerrainROAM/core/heightfield/SampleRaster.h>
 #include <osgTerrainROAM/core/roam/ErrorTree.h>
@@ -121,7 +122,8 @@ ErrorTree::ErrorTree(const PlacedTile& placed)
     {
         TriangleErrors triangles(tile, _errorsM);
         const auto roots = rootTriangles(tile.side());
-        std::thread other([&] { triangles.measure(roots[0], 0); });
+        foundation::Threads other;
+        other.run([&] { triangles.measure(roots[0], 0); });
         triangles.measure(roots[1], 0);
         other.join();
     }

@@ -19,6 +19,8 @@ struct GltfImage
     int widthPx = 0, heightPx = 0;
     int channels = 0; ///< 1 to 4; 0: the image could not be read
     std::vector<unsigned char> bytes;
+    std::string uri;  ///< of a file of its own; else empty
+    std::string file; ///< the bytes of the image file, PNG or JPEG
 };
 
 /// A glTF material, as far as fixed function can show it.
@@ -40,7 +42,8 @@ struct GltfReport
 {
     std::size_t refusedFaces = 0;   ///< an index beyond the vertices, or a coordinate that is not finite
     std::size_t pointsAndLines = 0; ///< primitives that are no surface: left out
-    std::size_t unreadImages = 0;   ///< missing, or of an unknown format
+    std::size_t unreadImages = 0;   ///< inside the file, of an unknown format or damaged
+    std::vector<std::string> missingImages; ///< files of their own that cannot be read
     std::size_t droppedAttributes =
         0;                      ///< attribute arrays that Mesh cannot hold (tangents, joints, further sets)
     std::size_t animations = 0; ///< with skins and morph targets: the mesh is in its rest pose
@@ -56,7 +59,8 @@ struct GltfModel
 
 /// Reads a .gltf or .glb file (version 2): the default scene with its transforms; triangles, strips and fans; attributes of all
 /// component types. Frame: y-up glTF becomes z-up, (x, y, z) → (x, -z, y).
-/// Errors: not readable, not glTF 2, damaged, compressed (Draco, meshopt) or sparse data; nested too deep.
+/// Errors: not readable, not glTF 2, damaged, compressed (Draco, meshopt) or sparse data; nested too deep; more vertices than 4 million
+/// and 4 for each byte of the buffers, since many nodes draw the same data.
 /// Source: Khronos, *glTF 2.0 specification* (2021), sections 3.6 (accessors) and 3.7 (primitives, attributes).
 foundation::Result<GltfModel> readGltf(const std::filesystem::path& file);
 

@@ -14,6 +14,8 @@ struct SurfaceDistance
 {
     double largest = 0.0;
     double mean = 0.0, rootMeanSquare = 0.0; ///< over points spread by area
+    std::size_t spreadSamples =
+        0; ///< of these points; fewer are measured where most triangles cross the mesh
 };
 
 /// Measures the distance of the samples of one surface from another: at every corner and centre of faces that are not

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -39,6 +40,10 @@ public:
 
     /// The distance of a point from the nearest triangle; `most` where none is nearer than that. Units: as the positions.
     double distance(const glm::dvec3& point, double most = std::numeric_limits<double>::infinity()) const;
+
+    /// Returns the same. `work` is the number of triangles that may still be looked at; it is reduced, and at 0 nothing is returned. A point
+    /// lies in the boxes of few triangles, unless most of them cross the whole mesh.
+    std::optional<double> distance(const glm::dvec3& point, double most, std::uint64_t& work) const;
 
     /// Calls `visit(triangle)` for triangles in boxes nearer than `squaredBound` to a point, roughly from near to far; `visit` may
     /// lower the bound.

@@ -6,6 +6,7 @@
 #include <istream>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include <foundation/Result.h>
 
@@ -13,6 +14,16 @@
 
 namespace osgPMObjects::core
 {
+
+/// An image that a file carries for its materials, as the bytes of an image file.
+struct PmImage
+{
+    std::string name;       ///< where it came from; may be empty
+    std::string format;     ///< extension of such files: "png"
+    bool isFlipped = false; ///< after decoding, the first row is the last one
+    std::string bytes;
+    bool operator==(const PmImage&) const = default;
+};
 
 /// The form of a `.pm` file; docs/reference/pm-file.md describes the format.
 /// Invariant: checkSettings().
@@ -25,8 +36,10 @@ struct PmSettings
     bool quantised = false;
     /// Number of sections of steps, 1 … kMostStepSections. A reader may stop after any section; each doubles the steps.
     std::uint32_t stepSections = 8;
-    /// Bytes that the file carries with the materials, such as textures; readers get them with the coarsest level.
+    /// Bytes that the file carries with the materials; readers get them with the coarsest level.
     std::string attachment;
+    /// Images of the materials, which lie behind the coarsest level: each before the first section of steps that is larger.
+    std::vector<PmImage> images;
 };
 
 /// Tells whether a file can be written by these settings: else an error that names the field.
@@ -60,8 +73,17 @@ public:
     /// Cost: linear in the mesh; every step is checked.
     foundation::Result<ProgressiveMesh> mesh() const;
 
+    /// Returns whether the latest error was the end of the stream: what was read before is the beginning of a sound file.
+    bool isCutOff() const;
+
     /// Returns PmSettings::attachment; known after the first readMore().
     const std::string& attachment() const;
+
+    /// Returns the first PmSettings::images, as many as have been read.
+    const std::vector<PmImage>& images() const;
+
+    /// Returns how many positions have been read.
+    std::size_t positions() const;
 
     /// Return how many steps and positions the whole mesh has; known after the first readMore().
     std::uint32_t totalSteps() const;
