@@ -110,8 +110,7 @@ void addBuild(CLI::App& app, Chosen& chosen)
     command
         ->add_option("--method", request->removesVertices,
                      "edges: collapses by error (default); removal: vertices one by one")
-        ->transform(
-            terminal::named(std::map<std::string, bool>{{"edges", false}, {"removal", true}}));
+        ->transform(terminal::named(std::map<std::string, bool>{{"edges", false}, {"removal", true}}));
     addRemovalOptions(*command, request->removal);
     command
         ->add_option("--order", request->arrangement.settings.arrangement,

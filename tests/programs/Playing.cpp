@@ -76,3 +76,11 @@ PictureFacts factsOf(const std::filesystem::path& png)
         }
     return {image.s(), image.t(), colours.size()};
 }
+
+std::vector<std::string> keysOf(const nlohmann::ordered_json& object)
+{
+    std::vector<std::string> keys;
+    for (const auto& [key, value] : object.items())
+        keys.push_back(key);
+    return keys;
+}

@@ -11,6 +11,9 @@
 #include "ProgramRun.h"
 #include "Workplace.h"
 
+/// The names of an object's members, in order.
+std::vector<std::string> keysOf(const nlohmann::ordered_json& object);
+
 /// What a run of the trainer left of its flight or drive.
 struct Playing
 {

@@ -9,14 +9,6 @@ namespace
 
 using Keys = std::vector<std::string>;
 
-Keys keysOf(const nlohmann::ordered_json& object)
-{
-    Keys keys;
-    for (const auto& [key, value] : object.items())
-        keys.push_back(key);
-    return keys;
-}
-
 class Results : public testing::Test
 {
 protected:

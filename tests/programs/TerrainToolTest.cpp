@@ -19,14 +19,6 @@ ordered_json rowsOf(const Workplace& place, const Keys& arguments)
     return root.value("files", ordered_json::array());
 }
 
-Keys keysOf(const ordered_json& object)
-{
-    Keys keys;
-    for (const auto& [key, value] : object.items())
-        keys.push_back(key);
-    return keys;
-}
-
 /// A field with two samples missing.
 std::string withVoids(const Workplace& place)
 {

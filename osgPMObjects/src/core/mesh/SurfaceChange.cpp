@@ -19,7 +19,7 @@ namespace
 constexpr std::size_t kChunk = 1024;
 /// Triangles that may be looked at for each sample of a chunk, where most triangles cross the whole mesh; samples that are left then are
 /// not measured. Known models need some dozens.
-constexpr std::uint64_t kMostTrianglesASample = 2048;
+constexpr std::uint64_t kMostTrianglesASample = 256;
 
 struct Sums
 {
@@ -118,8 +118,9 @@ double largestOf(const std::vector<glm::dvec3>& points, const MeasuredSurface& s
     return atLeast;
 }
 
-/// Moves a point of a triangle to larger distances from a surface, by smaller and smaller ways.
-double climbed(SurfacePoint point, double distance, const MeasuredSurface& from, const TriangleTree& to)
+/// Moves a point of a triangle to larger distances from a surface, by smaller and smaller ways, while there is work left.
+double climbed(SurfacePoint point, double distance, const MeasuredSurface& from, const TriangleTree& to,
+               std::uint64_t work)
 {
     constexpr double kFirstWay = 0.2, kLastWay = 0.004; // in edges
     constexpr double kDirections[][2] = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, -1}, {-1, 1}};
@@ -136,8 +137,10 @@ double climbed(SurfacePoint point, double distance, const MeasuredSurface& from,
             next.second = std::clamp(point.second + way * direction[0], 0.0, 1.0);
             next.third = std::clamp(point.third + way * direction[1], 0.0, 1.0 - next.second);
             next.position = a + next.second * ab + next.third * ac;
-            const double d = to.distance(next.position, boundAfter(distance, point.position, next.position));
-            if (d > most) best = next, most = d;
+            const auto d =
+                to.distance(next.position, boundAfter(distance, point.position, next.position), work);
+            if (!d) return distance;
+            if (*d > most) best = next, most = *d;
         }
         if (most > distance)
             point = best, distance = most;
@@ -151,7 +154,7 @@ double climbed(SurfacePoint point, double distance, const MeasuredSurface& from,
 
 double farthestDistance(const MeasuredSurface& from, const MeasuredSurface& to, double atLeast)
 {
-    constexpr std::size_t kLeastSamplesAStart = 32, kMostStarts = 256;
+    constexpr std::size_t kLeastSamplesAStart = 8, kMostStarts = 1024;
     constexpr double kShare = 0.6; // of the largest distance: nearer starts hardly lead beyond it
     const std::vector<SurfacePoint>& samples = from.spreadPoints();
     const std::size_t each = std::max(kLeastSamplesAStart, samples.size() / kMostStarts);
@@ -169,7 +172,7 @@ double farthestDistance(const MeasuredSurface& from, const MeasuredSurface& to, 
             if (d > most) most = d, at = i;
         }
         if (most > kShare * atLeast)
-            farthest[start] = std::max(atLeast, climbed(samples[at], most, from, to.tree()));
+            farthest[start] = std::max(atLeast, climbed(samples[at], most, from, to.tree(), work));
     };
     parallelShares(farthest.size(), 2,
                    [&](std::size_t first, std::size_t last, std::size_t)
