@@ -34,6 +34,9 @@ Junction readJunction(NodeReader& element);
 
 std::vector<LaneValidity> readValidities(NodeReader& element);
 
+/// Reports an object or signal whose s is not on its road. `name`: what it is, and its id.
+void reportOffRoad(NodeReader& element, const std::string& name, double s, const Road& road);
+
 /// Reads a speed: attributes `max` and `unit`. No value: no limit.
 std::optional<double> readSpeed(NodeReader& element);
 

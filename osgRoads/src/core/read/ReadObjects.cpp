@@ -136,6 +136,12 @@ std::vector<LaneValidity> readValidities(NodeReader& element)
     return validities;
 }
 
+void reportOffRoad(NodeReader& element, const std::string& name, double s, const Road& road)
+{
+    if (s < 0.0 || s > road.length + 0.01)
+        element.mistake(name + " is at s " + shortNumber(s) + ", not on the road", "correct s");
+}
+
 void readObjects(NodeReader& road, Road& into)
 {
     road.each("objects",
@@ -146,10 +152,7 @@ void readObjects(NodeReader& road, Road& into)
                                {
                                    into.objects.push_back(readObject(element));
                                    const RoadObject& object = into.objects.back();
-                                   if (object.s < 0.0 || object.s > into.length + 0.01)
-                                       element.mistake("object " + object.id + " is at s " +
-                                                           shortNumber(object.s) + ", not on the road",
-                                                       "correct s");
+                                   reportOffRoad(element, "object " + object.id, object.s, into);
                                });
                   objects.each("bridge", [&](NodeReader& element)
                                { into.structures.push_back(readStructure(element, StructureKind::bridge)); });

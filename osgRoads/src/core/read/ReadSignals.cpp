@@ -107,10 +107,7 @@ void readSignals(NodeReader& road, Road& into)
                                {
                                    into.signals.push_back(readSignal(element));
                                    const Signal& signal = into.signals.back();
-                                   if (signal.s < 0.0 || signal.s > into.length + 0.01)
-                                       element.mistake("signal " + signal.id + " is at s " +
-                                                           shortNumber(signal.s) + ", not on the road",
-                                                       "correct s");
+                                   reportOffRoad(element, "signal " + signal.id, signal.s, into);
                                });
                   signals.each("signalReference", [&](NodeReader& element)
                                { into.signalReferences.push_back(readReference(element)); });
