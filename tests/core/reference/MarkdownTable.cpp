@@ -38,6 +38,16 @@ std::string sourceText(const std::filesystem::path& relative)
     return {std::istreambuf_iterator<char>(stream), {}};
 }
 
+std::string sourceTexts(const std::filesystem::path& folder, const std::string& exceptStem)
+{
+    std::string text;
+    for (const auto& file :
+         std::filesystem::directory_iterator(std::filesystem::path(OSGTRAINER_SOURCE_DIR) / folder))
+        if (file.path().extension() == ".cpp" && file.path().stem() != exceptStem)
+            text += sourceText(folder / file.path().filename());
+    return text;
+}
+
 Names quotedIn(std::string_view text)
 {
     Names names;

@@ -15,6 +15,9 @@ using Names = std::set<std::string>;
 /// The text of a file of the source tree; empty: it cannot be read.
 std::string sourceText(const std::filesystem::path& relative);
 
+/// The texts of all .cpp files of a folder, but for the one of that stem.
+std::string sourceTexts(const std::filesystem::path& folder, const std::string& exceptStem);
+
 /// The words in backquotes within a text.
 Names quotedIn(std::string_view text);
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // docs/reference/opendrive.md against the names that the sources of the reader ask for, and the words of its enumerations.
-#include <filesystem>
 #include <string>
 
 #include <gmock/gmock.h>
@@ -19,14 +18,7 @@ using reference::Page;
 
 std::string readerSources()
 {
-    const std::filesystem::path folder = "osgRoads/src/core/read";
-    std::string text;
-    for (const auto& file :
-         std::filesystem::directory_iterator(std::filesystem::path(OSGTRAINER_SOURCE_DIR) / folder))
-        if (file.path().extension() == ".cpp" &&
-            file.path().stem() != "NodeReader") // that one asks for any name
-            text += reference::sourceText(folder / file.path().filename());
-    return text;
+    return reference::sourceTexts("osgRoads/src/core/read", "NodeReader"); // which asks for any name
 }
 
 Names readElements(const std::string& source)

@@ -18,13 +18,7 @@ const std::filesystem::path kParser = "simulation/parser";
 
 std::string parserSources()
 {
-    std::string text;
-    for (const auto& file :
-         std::filesystem::directory_iterator(std::filesystem::path(OSGTRAINER_SOURCE_DIR) / kParser))
-        if (file.path().extension() == ".cpp" &&
-            file.path().stem() != "ElementReader") // that one asks for any name
-            text += reference::sourceText(file.path());
-    return text;
+    return reference::sourceTexts(kParser, "ElementReader"); // which asks for any name
 }
 
 bool isElement(const std::string& name)
