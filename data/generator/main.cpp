@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// generate_terrain: makes the default terrain. See data/README.md.
+// generate_terrain: makes the default terrain and a course of roads on it. See data/README.md.
 #include <cinttypes>
 #include <cstdio>
 #include <exception>
@@ -9,6 +9,8 @@
 
 #include "Terrain.h"
 #include "TerrainFile.h"
+#include "course/CourseFile.h"
+#include "course/CourseSearch.h"
 
 namespace
 {
@@ -38,16 +40,33 @@ foundation::Outcome checkHash(std::uint64_t seed, int side, std::uint64_t hash)
     return foundation::success();
 }
 
+/// The place around which the course is searched: gentle land at the foot of the range.
+constexpr glm::dvec2 kCourseMiddleM(1700.0, -900.0);
+constexpr double kCourseStepM = 5.0, kCourseSmoothM = 100.0;
+
+foundation::Outcome makeCourse(const islandgen::Terrain& terrain, std::uint64_t seed, const std::string& file)
+{
+    const auto course = islandgen::searchCourse(terrain, kCourseMiddleM, seed);
+    if (!course)
+        return foundation::Error{"--course", "no closed course fits this land",
+                                 "try another seed or a larger size"};
+    const auto heights = islandgen::courseHeights(terrain, *course, kCourseStepM, kCourseSmoothM);
+    std::printf("%s: %.0f m, %zu bends\n", file.c_str(), course->lengthM, course->bends.size());
+    return islandgen::writeCourse(terrain, *course, heights, file);
+}
+
 int run(int argc, char** argv)
 {
-    CLI::App app{"Makes the default terrain: an island with coast, plain, hills and mountains."};
-    std::string output;
+    CLI::App app{"Makes the default terrain: an island with coast, plain, hills and mountains, and a course "
+                 "of roads."};
+    std::string output, courseFile;
     std::uint64_t seed = islandgen::kDefaultSeed;
     int side = islandgen::kDefaultSide;
     bool check = false;
     app.add_option("-o,--output", output, "the GeoTIFF to write")->required();
     app.add_option("--seed", seed, "another number, another island")->capture_default_str();
     app.add_option("--size", side, "samples along each side, a power of two plus one")->capture_default_str();
+    app.add_option("--course", courseFile, "a road network to write: a closed course, OpenDRIVE");
     app.add_flag("--check-hash", check, "fail when the heights are not the committed ones");
     app.set_version_flag("--version", OSGTRAINER_VERSION);
     try
@@ -72,7 +91,9 @@ int run(int argc, char** argv)
     if (!written) return fail(written.error(), 1);
     std::printf("%s: %d x %d samples, seed %" PRIu64 ", hash %016" PRIx64 "\n", output.c_str(), side, side,
                 seed, hash);
-    return 0;
+    if (courseFile.empty()) return 0;
+    const auto made = makeCourse(*terrain, seed, courseFile);
+    return made ? 0 : fail(made.error(), 1);
 }
 
 } // namespace
