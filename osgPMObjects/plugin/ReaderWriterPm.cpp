@@ -15,7 +15,8 @@ namespace
 {
 
 /// The osgDB plugin for progressive meshes: osgviewer model.pm, osgconv model.ac model.pm. It makes a progressive object of any other node
-/// that is written. Options: "quantised" for vertices in 16 and 8 bits.
+/// that is written. Options, as words of the option string: "quantised" for vertices in 16 and 8 bits; "measured" for the measured
+/// errors of levels, where the object is made here (seconds for a large model).
 /// Errors: the message of the result is that of the Error, with file, what is wrong and the remedy.
 class ReaderWriterPm : public osgDB::ReaderWriter
 {
@@ -24,6 +25,7 @@ public:
     {
         supportsExtension("pm", "progressive mesh");
         supportsOption("quantised", "write vertices in 16 and 8 bits");
+        supportsOption("measured", "measure the errors of levels, and write them");
     }
 
     const char* className() const override { return "osgPMObjects reader and writer"; }
@@ -85,14 +87,21 @@ private:
         return node ? ReadResult(node->get(), ReadResult::FILE_LOADED) : ReadResult(node.error().message());
     }
 
+    static bool isGiven(const char* option, const Options* options)
+    {
+        return options && options->getOptionString().find(option) != std::string::npos;
+    }
+
     static foundation::Result<std::string> bytesOf(const osg::Node& node, const std::string& name,
                                                    const Options* options)
     {
         osgPMObjects::core::PmSettings settings;
-        settings.quantised = options && options->getOptionString().find("quantised") != std::string::npos;
+        settings.quantised = isGiven("quantised", options);
         if (const auto* const progressive = progressiveBelow(node))
             return osgPMObjects::pmNodeBytes(*progressive, settings);
-        const auto made = osgPMObjects::makeProgressive(const_cast<osg::Node&>(node), name);
+        osgPMObjects::MakeProgressiveSettings making;
+        if (!isGiven("measured", options)) making.ladder = std::nullopt;
+        const auto made = osgPMObjects::makeProgressive(const_cast<osg::Node&>(node), name, making);
         if (!made) return made.error();
         return osgPMObjects::pmNodeBytes(*made->node, settings);
     }

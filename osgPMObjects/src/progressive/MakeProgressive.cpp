@@ -22,9 +22,10 @@ foundation::Outcome checkSettings(const MakeProgressiveSettings& settings)
             .within("envelope", settings.simplify.envelope, 0.0)
             .outcome();
     if (!checked) return checked;
-    if (const auto ladder = at("MakeProgressiveSettings.ladder", core::checkSettings(settings.ladder));
-        !ladder)
-        return ladder;
+    if (settings.ladder)
+        if (const auto ladder = at("MakeProgressiveSettings.ladder", core::checkSettings(*settings.ladder));
+            !ladder)
+            return ladder;
     return at("MakeProgressiveSettings.arrangement", core::checkSettings(settings.arrangement));
 }
 
@@ -43,7 +44,7 @@ foundation::Result<ProgressiveModel> makeProgressive(osg::Node& node, const std:
     simplifySettings.placement = core::Placement::subset;
     const core::CollapseSequence sequence = core::simplify(mesh, simplifySettings);
     core::ProgressiveMesh progressive = core::buildProgressiveMesh(mesh, sequence, settings.arrangement);
-    core::measureLevels(progressive, settings.ladder);
+    if (settings.ladder) core::measureLevels(progressive, *settings.ladder);
     const osg::ref_ptr<ProgressiveShape> shape =
         new ProgressiveShape(std::move(progressive), imported->states);
 

@@ -105,7 +105,7 @@ TEST_F(PmPlugin, WritesAnyModelAndReadsAProgressiveObject)
     ASSERT_TRUE(osgDB::writeNodeFile(*model(), file));
     const osg::ref_ptr<ProgressiveNode> node = readBack(file);
     ASSERT_TRUE(node);
-    const auto made = makeProgressive(*model());
+    const auto made = makeProgressive(*model(), "model", {.ladder = std::nullopt});
     ASSERT_TRUE(made);
     EXPECT_EQ(node->shape()->progressive().records, made->node->shape()->progressive().records);
     EXPECT_EQ(node->shape()->progressive().mesh.positions, made->node->shape()->progressive().mesh.positions);
@@ -138,6 +138,17 @@ TEST_F(PmPlugin, QuantisesWhereAsked)
     ASSERT_TRUE(osgDB::writeNodeFile(*model(), smaller, options));
     EXPECT_LT(std::filesystem::file_size(smaller), std::filesystem::file_size(file));
     EXPECT_TRUE(readBack(smaller));
+}
+
+TEST_F(PmPlugin, MeasuresLevelsWhereAsked)
+{
+    const std::string file = (_folder / "ball.pm").string(), measured = (_folder / "measured.pm").string();
+    ASSERT_TRUE(osgDB::writeNodeFile(*model(), file));
+    const osg::ref_ptr<osgDB::Options> options = new osgDB::Options("measured");
+    ASSERT_TRUE(osgDB::writeNodeFile(*model(), measured, options));
+    ASSERT_TRUE(readBack(file) && readBack(measured));
+    EXPECT_TRUE(readBack(file)->shape()->progressive().ladder.empty());
+    EXPECT_GT(readBack(measured)->shape()->progressive().ladder.size(), 10u);
 }
 
 TEST_F(PmPlugin, ReadsTheSameAsAnObjectAsANodeAndFromAStream)

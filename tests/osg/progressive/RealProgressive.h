@@ -30,7 +30,7 @@ struct RealProgressive
             ADD_FAILURE() << read.error().message();
             return std::nullopt;
         }
-        auto made = osgPMObjects::makeProgressive(**read, file.string());
+        auto made = osgPMObjects::makeProgressive(**read, file.string(), {.ladder = std::nullopt});
         if (!made)
         {
             ADD_FAILURE() << made.error().message();

@@ -199,8 +199,8 @@ TEST(MakeProgressiveSettings, ThatAreWrongAreRefused)
                                  [&](S& s) { s.arrangement.touchedLineWeight = narrow; }));
     }
     EXPECT_TRUE(isRefused<S>(arrangement + "cacheSize", [](S& s) { s.arrangement.cacheSize = 2; }));
-    EXPECT_TRUE(isRefused<S>("MakeProgressiveSettings.ladder.ratio", [](S& s) { s.ladder.ratio = 1.3; }));
-    EXPECT_TRUE(isRefused<S>("MakeProgressiveSettings.ladder.samples", [](S& s) { s.ladder.samples = 1; }));
+    EXPECT_TRUE(isRefused<S>("MakeProgressiveSettings.ladder.ratio", [](S& s) { s.ladder->ratio = 1.3; }));
+    EXPECT_TRUE(isRefused<S>("MakeProgressiveSettings.ladder.samples", [](S& s) { s.ladder->samples = 1; }));
     EXPECT_TRUE(isRefused<S>(arrangement + "windowBlocks", [](S& s) { s.arrangement.windowBlocks = 1; }));
     MakeProgressiveSettings wrong;
     wrong.simplify.envelope = kInfinity;

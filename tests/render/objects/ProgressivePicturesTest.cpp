@@ -360,7 +360,7 @@ TEST(ProgressiveModelPicturesOfSmallParts, DifferByThosePartsAndByTheOrderInOneP
     OSGTRAINER_REAL_DATA_OR_SKIP(file, "models/ship/vinson.ac");
     const auto read = readModelNode(file);
     ASSERT_TRUE(read) << read.error().message();
-    auto model = makeProgressive(**read, file.string());
+    auto model = makeProgressive(**read, file.string(), {.ladder = std::nullopt});
     ASSERT_TRUE(model) << model.error().message();
     ProgressiveDrawable& drawable = *model->node->drawable();
     const ProgressiveShape& shape = *drawable.shape();
