@@ -67,7 +67,8 @@ RoamDrawable::RoamDrawable(const RoamDrawable& other, const osg::CopyOp& copyOp)
       _tile(other._tile),
       _box(other._box),
       _groups(newGroups(other._settings.patchExponent)),
-      _settings(other._settings)
+      _settings(other._settings),
+      _closesEdge(other._closesEdge)
 {
 }
 
@@ -186,6 +187,7 @@ void RoamDrawable::cull(osgUtil::CullVisitor& visitor)
     request.target.budget.clock = _settings.adaptClock;
     request.target.isMorphing = _settings.morphing;
     request.target.skirtM = _settings.skirtM;
+    if (_closesEdge && !_settings.skirtM) request.target.skirtM = 0.0;
     const viewlod::ViewState view = request.target.view;
     if (isParallel(toGlm(*visitor.getProjectionMatrix())))
         request.target.errorM = _settings.errorTolerancePx / view.pixelsPerTangent;

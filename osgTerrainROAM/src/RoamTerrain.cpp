@@ -156,6 +156,7 @@ void RoamTerrain::showSurroundings(bool on)
         removeChild(_surroundings);
         _surroundings = nullptr;
     }
+    _drawable->closeEdge(on);
     // They reach beyond the bounds of the node.
     setCullingActive(!on);
 }

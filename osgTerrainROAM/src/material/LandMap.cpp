@@ -3,8 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
+#include <cstdint>
 #include <limits>
+#include <vector>
 
 #include "GroundRule.h"
 #include "NormalMap.h"
@@ -34,27 +35,45 @@ MapField withoutHoles(MapField heights, const core::PlacedTile& tile, const MapG
     return heights;
 }
 
-/// Smooths vegetation and snow over the neighbouring texels: thresholds of single samples would draw the lattice.
+/// Smooths vegetation and snow over the neighbouring texels: thresholds of single samples would draw the lattice. The weights
+/// are 1, 2, 1 along each axis; beyond the edge its texels count again.
 void smooth(osg::Image& land)
 {
-    const osg::ref_ptr<osg::Image> before = new osg::Image(land, osg::CopyOp::DEEP_COPY_ALL);
+    constexpr int kChannels = 2, kTexelBytes = 4;
     const int width = land.s(), height = land.t();
-    const auto rows = [&](int first, int end)
+    std::vector<std::uint16_t> along(static_cast<std::size_t>(width) * height *
+                                     kChannels); // sums within a row
+    const auto sumsOf = [&](int y) { return &along[static_cast<std::size_t>(y) * width * kChannels]; };
+    const auto addAlong = [&](int first, int end)
     {
         for (int y = first; y < end; ++y)
+        {
+            const unsigned char* const row = land.data(0, y);
+            std::uint16_t* out = sumsOf(y);
             for (int x = 0; x < width; ++x)
-                for (int channel = 0; channel < 2; ++channel)
+                for (int channel = 0; channel < kChannels; ++channel)
                 {
-                    int sum = 8; // of weights 16, rounded
-                    for (int j = -1; j <= 1; ++j)
-                        for (int i = -1; i <= 1; ++i)
-                            sum += (2 - std::abs(i)) * (2 - std::abs(j)) *
-                                   before->data(std::clamp(x + i, 0, width - 1),
-                                                std::clamp(y + j, 0, height - 1))[channel];
-                    land.data(x, y)[channel] = static_cast<unsigned char>(sum / 16);
+                    const auto at = [&](int column) { return row[column * kTexelBytes + channel]; };
+                    const int sides = at(std::max(x - 1, 0)) + at(std::min(x + 1, width - 1));
+                    *out++ = static_cast<std::uint16_t>(sides + 2 * at(x));
                 }
+        }
     };
-    parallelRows(height, rows);
+    const auto addAcross = [&](int first, int end)
+    {
+        for (int y = first; y < end; ++y)
+        {
+            const std::uint16_t* const south = sumsOf(std::max(y - 1, 0));
+            const std::uint16_t* const here = sumsOf(y);
+            const std::uint16_t* const north = sumsOf(std::min(y + 1, height - 1));
+            unsigned char* const row = land.data(0, y);
+            for (int i = 0; i < width * kChannels; ++i)
+                row[i / kChannels * kTexelBytes + i % kChannels] =
+                    static_cast<unsigned char>((south[i] + 2 * here[i] + north[i] + 8) / 16);
+        }
+    };
+    parallelRows(height, addAlong);
+    parallelRows(height, addAcross);
 }
 
 } // namespace

@@ -10,22 +10,32 @@ struct Grain
     vec4 metres4700;
 };
 
-// Filters the grain anisotropically: four samples along the footprint's length, each at the mip level of a quarter of it.
-// A level for the whole length would blur ground seen at a grazing angle. A software renderer's own anisotropic filter
-// costs hundreds of times as much.
+const float kGrainLevels = 9.0; // the image has 2^9 texels a side (GrainImage.cpp)
+
+// Filters the grain anisotropically: up to four samples along the footprint's length, as many as it is longer than wide, each
+// at the mip level of its part. A level for the whole length would blur ground seen at a grazing angle. A software renderer's
+// own anisotropic filter costs hundreds of times as much. Where the part is half a period wide one sample tells the mean: a
+// software renderer, which runs both sides of a branch, does end a loop early, and far ground needs half the time.
 vec4 grazingGrain(vec2 at)
 {
     vec2 alongX = dFdx(at);
     vec2 alongY = dFdy(at);
     float x2 = dot(alongX, alongX);
     float y2 = dot(alongY, alongY);
-    vec2 length4 = (x2 > y2 ? alongX : alongY) * 0.25;
+    float length2 = max(max(x2, y2), 1e-20);
     float cross2 = abs(alongX.x * alongY.y - alongX.y * alongY.x);
-    // log2 of length over width: the level may be finer by this.
-    float finer = clamp(log2(max(x2, y2) / max(cross2, 1e-20)), 0.0, 2.0);
-    vec4 sum = texture(terrainGrain, at - 1.5 * length4, -finer) + texture(terrainGrain, at - 0.5 * length4, -finer);
-    sum += texture(terrainGrain, at + 0.5 * length4, -finer) + texture(terrainGrain, at + 1.5 * length4, -finer);
-    return 0.25 * sum - 0.5;
+    float span = max(cross2 * inversesqrt(length2), 0.25 * sqrt(length2)); // periods
+    float level = log2(span) + kGrainLevels;
+    float samples = level > kGrainLevels - 1.0 ? 1.0 : clamp(ceil(sqrt(length2) / span - 0.1), 1.0, 4.0);
+    vec2 stride = (x2 > y2 ? alongX : alongY) / samples;
+    vec2 place = at - stride * (0.5 * samples - 0.5);
+    vec4 sum = vec4(0.0);
+    for (float i = 0.0; i < samples; ++i)
+    {
+        sum += textureLod(terrainGrain, place, level);
+        place += stride;
+    }
+    return sum / samples - 0.5;
 }
 
 // The first three periods divide 4096 m, the period of the eye's wrapped position. Integer matrices rotate the layers against

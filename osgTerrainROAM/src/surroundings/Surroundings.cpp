@@ -26,6 +26,9 @@ constexpr double kReachM = 300000.0; ///< the horizon from 7000 m
 /// edge where the tile is drawn above its true height.
 constexpr float kLift = 0.0005f;
 
+/// After opaque things (0), before the sky and what is transparent.
+constexpr int kBin = 1;
+
 /// The image of one of the material's maps.
 const osg::Image& mapOf(const TerrainMaterial& material, TerrainMaterial::Unit unit)
 {
@@ -138,6 +141,8 @@ void Surroundings::addMaps(const OuterGround& ground, const OuterAxis& columns, 
     _maps->addUniform(new osg::Uniform("outerTexels", static_cast<float>(OuterAxis::kTexels)));
     _maps->addUniform(new osg::Uniform("terrainLift", kLift));
     _maps->addUniform(new osg::Uniform("outerLast", pairOf(ground.last().x, ground.last().y)));
+    // Drawn after the tile: what hills of the data hide is not shaded.
+    _maps->setRenderBinDetails(kBin, "RenderBin");
     // Nothing is clipped at the last sample of the data.
     _maps->addUniform(new osg::Uniform("terrainLastSample", pairOf(1e9, 1e9)));
 }

@@ -2,6 +2,7 @@
 #include "SkirtPacket.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace osgTerrainROAM
 {
@@ -88,7 +89,15 @@ private:
                 ends[found++] = between(corners[i], corners[j], leaf.vertices[i], leaf.vertices[j],
                                         shares[i] / (shares[i] - shares[j]));
         }
-        if (found == 2) addWall(ends[0], ends[1]);
+        if (found != 2) return;
+        // Counter-clockwise around the data: the wall faces outwards.
+        if (along(side, ends[0]) > along(side, ends[1])) std::swap(ends[0], ends[1]);
+        addWall(ends[0], ends[1]);
+    }
+
+    static double along(const Side& side, const EdgePlace& place)
+    {
+        return side.inwards * (side.isRow ? place.column : -place.row);
     }
 
     EdgePlace between(core::GridPoint a, core::GridPoint b, core::VertexSlot from, core::VertexSlot to,
