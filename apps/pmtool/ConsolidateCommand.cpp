@@ -84,6 +84,8 @@ std::vector<std::pair<const char*, std::size_t>> countsOf(const core::Consolidat
         {"open slivers removed", r.tVertices.slivers},
         {"vertices moved towards an edge", r.tVertices.moved},
         {"patches in doubt about their front", r.orientation.doubtful},
+        {"of these judged by few rays or none, since too many faces lie over each other",
+         r.orientation.unjudged},
         {"faces turned", r.orientation.turnedFaces},
         {"edges between faces that do not agree, cut", r.splitEdges.disagreeing},
         {"edges of more than two faces, split", r.splitEdges.crowded},

@@ -9,6 +9,7 @@
 #include <osgRoads/core/read/ReadNetwork.h>
 
 #include "roadtool/Commands.h"
+#include "terminal/Terminal.h"
 
 namespace roadtool
 {
@@ -105,7 +106,7 @@ foundation::Result<Report> validate(const Request& request)
             continue;
         }
         report.sound = false;
-        std::cout << "UNUSABLE " << read.error().message() << '\n';
+        terminal::fail("roadtool", read.error());
         report.json["files"].push_back({{"file", file}, {"error", read.error().message()}});
     }
     return report;

@@ -4,8 +4,12 @@
 
 #include "roadtool/Commands.h"
 #include "terminal/CommandLine.h"
+#include "terminal/Guard.h"
 
-int main(int argc, char** argv)
+namespace
+{
+
+int run(int argc, char** argv)
 {
     CLI::App app("Inspects, validates and draws road networks (OpenDRIVE 1.4 to 1.8).", "roadtool");
     app.set_version_flag("--version", OSGTRAINER_VERSION);
@@ -33,4 +37,11 @@ int main(int argc, char** argv)
         ->check(CLI::Range(16, 16384));
     if (const auto ends = terminal::parse(app, argc, argv)) return *ends;
     return terminal::report("roadtool", jsonFile, [&] { return command(request); });
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    return terminal::guarded("roadtool", [=] { return run(argc, argv); });
 }

@@ -82,6 +82,7 @@ public:
           _pmtool((folders.programs / "pmtool").string()),
           _terraintool((folders.programs / "terraintool").string()),
           _trainer((folders.programs / "trainer").string()),
+          _roadtool((folders.programs / "roadtool").string()),
           _hill(written(folders.scratch / "hill.asc", hillGrid()).string())
     {
     }
@@ -103,6 +104,7 @@ public:
  "where": {"circle": {"eastM": 400, "northM": 400, "radiusM": 300}}}]})");
         const fs::path models = _folders.realData.empty() ? "" : _folders.realData / "models";
         const fs::path dems = _folders.realData.empty() ? "" : _folders.realData / "dem";
+        const fs::path scenarioData = _folders.realData.empty() ? "" : _folders.realData / "openscenario";
         return {modelsOf("obj", joined({waves}, realFiles(models, {".obj"}))),
                 modelsOf("ac", realFiles(models, {".ac"})),
                 modelsOf("glb", joined({corpus / "quad.glb"}, realFiles(models, {".glb"}))),
@@ -114,7 +116,9 @@ public:
                 of("scenery", {scenery}, "--scenery"),
                 of("view", {view}, "--view"),
                 scenarios({_folders.source / "data/scenarios/drive.xosc", corpus / "story.xosc",
-                           corpus / "speed.xosc"})};
+                           corpus / "speed.xosc"}),
+                roads(joined({corpus / "curves.xodr", corpus / "junction.xodr"},
+                             realFiles(scenarioData, {".xodr"})))};
     }
 
 private:
@@ -164,6 +168,19 @@ private:
                 }};
     }
 
+    InputKind roads(std::vector<fs::path> seeds) const
+    {
+        const std::string svg = (_folders.scratch / "roads.svg").string(),
+                          png = (_folders.scratch / "roads.png").string();
+        return {"xodr", std::move(seeds),
+                [roadtool = _roadtool, svg, png](const std::string& file) -> std::vector<Command>
+                {
+                    return {{roadtool, "info", file},
+                            {roadtool, "validate", file},
+                            {roadtool, "draw", file, "--svg", svg, "--png", png, "--pixels", "200"}};
+                }};
+    }
+
     Command tour(const std::string& terrain, const Command& more) const
     {
         Command command = {_trainer, "tour", terrain, "--size", "64x36", "--frames", "1"};
@@ -172,7 +189,7 @@ private:
     }
 
     MutantFolders _folders;
-    std::string _pmtool, _terraintool, _trainer, _hill;
+    std::string _pmtool, _terraintool, _trainer, _roadtool, _hill;
 };
 
 } // namespace

@@ -20,10 +20,10 @@ struct InputKind
 /// The folders that the kinds need.
 struct MutantFolders
 {
-    std::filesystem::path programs; ///< with trainer, terraintool and pmtool
+    std::filesystem::path programs; ///< with trainer, terraintool, pmtool and roadtool
     std::filesystem::path source;   ///< of this project
     std::filesystem::path scratch;  ///< for what is made: seeds, mutants, outputs
-    std::filesystem::path realData; ///< models/ and dem/ give further seeds; empty: none
+    std::filesystem::path realData; ///< models/, dem/ and openscenario/ give further seeds; empty: none
 };
 
 /// Returns all kinds of input that the programs take, and writes the seeds that are made.

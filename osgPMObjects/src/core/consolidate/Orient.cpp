@@ -62,6 +62,7 @@ private:
         double area = 0.0;
         bool isDecided = false;
         bool isTurned = false;
+        bool isCutShort = false;
     };
 
     bool agree(HalfEdge a, HalfEdge b) const { return endsOf(_triangles, a) != endsOf(_triangles, b); }
@@ -131,13 +132,17 @@ private:
                            for (std::size_t i = first; i < last; ++i)
                                judge(*patches[i], tree);
                        });
+        _report.unjudged = _doubtful.size() - patches.size();
+        for (const Patch* patch : patches)
+            _report.unjudged += patch->isCutShort;
     }
 
     void judge(Patch& patch, const TriangleTree& tree) const
     {
-        const double open = openness(_mesh.positions, _triangles, patch.faces, tree, kRays);
-        patch.isDecided = std::abs(open) > kDecided;
-        patch.isTurned = patch.isDecided && open < 0.0;
+        const Openness open = openness(_mesh.positions, _triangles, patch.faces, tree, kRays);
+        patch.isCutShort = open.isCutShort;
+        patch.isDecided = std::abs(open.value) > kDecided;
+        patch.isTurned = patch.isDecided && open.value < 0.0;
     }
 
     /// Takes the largest neighbour first.

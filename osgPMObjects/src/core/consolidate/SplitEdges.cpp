@@ -78,7 +78,8 @@ private:
 
     void pair(std::span<const HalfEdge> sides)
     {
-        using Candidate = std::tuple<bool, bool, double, HalfEdge, HalfEdge>; // worst last
+        using Candidate =
+            std::tuple<bool, bool, double, std::size_t, std::size_t>; // by places in `sides`, worst last
         std::vector<Candidate> candidates;
         const std::size_t reach = sides.size() <= kMostCompared ? sides.size() : 2;
         for (std::size_t i = 0; i < sides.size(); ++i)
@@ -87,17 +88,15 @@ private:
                 if (!agree(sides[i], sides[j])) continue;
                 const Face &a = _mesh.faces[faceOf(sides[i])], &b = _mesh.faces[faceOf(sides[j])];
                 candidates.emplace_back(a.part != b.part, a.material != b.material, fold(sides[i], sides[j]),
-                                        sides[i], sides[j]);
+                                        i, j);
             }
         std::sort(candidates.begin(), candidates.end());
-        std::vector<HalfEdge> taken;
-        const auto isTaken = [&](HalfEdge s)
-        { return std::find(taken.begin(), taken.end(), s) != taken.end(); };
-        for (const auto& [otherPart, otherMaterial, fold, a, b] : candidates)
+        std::vector<bool> isTaken(sides.size(), false);
+        for (const auto& [otherPart, otherMaterial, fold, i, j] : candidates)
         {
-            if (isTaken(a) || isTaken(b)) continue;
-            join(a, b);
-            taken.insert(taken.end(), {a, b});
+            if (isTaken[i] || isTaken[j]) continue;
+            join(sides[i], sides[j]);
+            isTaken[i] = isTaken[j] = true;
         }
     }
 

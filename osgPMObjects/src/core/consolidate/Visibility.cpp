@@ -13,6 +13,10 @@ namespace osgPMObjects::core
 namespace
 {
 
+/// Boxes of the tree that a ray of a patch may look at, on average. Known models need some dozens; where many faces coincide or cross, each
+/// ray would look at all of them.
+constexpr std::uint64_t kMostBoxesARay = 1024;
+
 /// Returns the i-th number, 0 to 1, of an evenly spread sequence. Source: van der Corput, *Verteilungsfunktionen* (1935), base
 /// `base`.
 double spread(int i, int base)
@@ -38,8 +42,8 @@ glm::dvec3 directionBefore(const glm::dvec3& normal, double u, double v)
 
 } // namespace
 
-double openness(std::span<const glm::dvec3> positions, std::span<const Triangle> triangles,
-                std::span<const std::uint32_t> patch, const TriangleTree& tree, int rays)
+Openness openness(std::span<const glm::dvec3> positions, std::span<const Triangle> triangles,
+                  std::span<const std::uint32_t> patch, const TriangleTree& tree, int rays)
 {
     const auto areaVector = [&](std::uint32_t f)
     {
@@ -49,8 +53,10 @@ double openness(std::span<const glm::dvec3> positions, std::span<const Triangle>
     std::vector<double> areas; // cumulative
     for (const std::uint32_t f : patch)
         areas.push_back((areas.empty() ? 0.0 : areas.back()) + glm::length(areaVector(f)));
-    if (!(areas.back() > 0.0)) return 0.0;
+    if (!(areas.back() > 0.0)) return {};
     int front = 0, back = 0;
+    std::uint64_t work = kMostBoxesARay * 2 * static_cast<std::uint64_t>(rays);
+    Openness found;
     for (int i = 0; i < rays; ++i)
     {
         const auto chosen = std::lower_bound(areas.begin(), areas.end(), areas.back() * (i + 0.5) / rays);
@@ -66,10 +72,15 @@ double openness(std::span<const glm::dvec3> positions, std::span<const Triangle>
                                 v * (positions[t[2]] - positions[t[0]]);
         const glm::dvec3 direction = directionBefore(vector / length, spread(i + 1, 5), spread(i + 1, 7));
         const double least = 1e-6 * std::sqrt(length); // starts beyond its own face
-        front += !tree.isHit(from, direction, least);
-        back += !tree.isHit(from, -direction, least);
+        const auto hitBefore = tree.isHit(from, direction, least, work),
+                   hitBehind = tree.isHit(from, -direction, least, work);
+        found.isCutShort = !hitBefore || !hitBehind;
+        if (found.isCutShort) break;
+        front += !*hitBefore;
+        back += !*hitBehind;
     }
-    return front + back == 0 ? 0.0 : static_cast<double>(front - back) / (front + back);
+    if (front + back > 0) found.value = static_cast<double>(front - back) / (front + back);
+    return found;
 }
 
 } // namespace osgPMObjects::core

@@ -24,7 +24,7 @@ constexpr double kEnd = 1e-4;
 constexpr std::size_t kEdgesOfAGroup = 1024, kLeastGroupsAThread = 4;
 /// Limits where the tolerance is larger than the details of the mesh: boxes and points that are looked at for each edge, and junctions
 /// for each edge and vertex. Known models need less than a tenth.
-constexpr std::uint64_t kMostWorkAnEdge = 1024;
+constexpr std::uint64_t kMostWorkAnEdge = 256;
 constexpr std::size_t kMostJunctions = 4, kFewJunctions = 65536;
 
 /// An edge, and the tests whether boxes and points lie near it.

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <thread>
 #include <utility>
@@ -20,6 +21,7 @@ namespace
 
 /// The least number of triangles for which two threads build the halves of a tree.
 constexpr std::uint32_t kLeastShared = 16384;
+constexpr std::uint64_t kUnlimited = std::numeric_limits<std::uint64_t>::max();
 
 /// Whether a ray enters a box before `most` lengths; `inverse`: reciprocal coordinates of its direction.
 bool meets(const Extent& box, const glm::dvec3& from, const glm::dvec3& inverse, double most)
@@ -88,7 +90,7 @@ void TriangleTree::build(std::uint32_t first, std::uint32_t last, std::span<cons
 
 double TriangleTree::distance(const glm::dvec3& point, double most) const
 {
-    std::uint64_t all = std::numeric_limits<std::uint64_t>::max();
+    std::uint64_t all = kUnlimited;
     return *distance(point, most, all);
 }
 
@@ -130,15 +132,16 @@ TrianglePoint TriangleTree::nearest(const glm::dvec3& point, double most, const 
 
 template<class Look>
 bool TriangleTree::follow(const glm::dvec3& from, const glm::dvec3& direction, const double& most,
-                          const Look& look) const
+                          std::uint64_t& work, const Look& look) const
 {
     if (_nodes.empty()) return false;
     const glm::dvec3 inverse = 1.0 / direction;
     std::array<std::uint32_t, kStack> stack;
     std::size_t depth = 0;
     stack[depth++] = 0;
-    while (depth > 0)
+    while (depth > 0 && work > 0)
     {
+        --work;
         const std::uint32_t number = stack[--depth];
         const Node& node = _nodes[number];
         if (!meets(node.box, from, inverse, most)) continue;
@@ -161,7 +164,8 @@ TrianglePoint TriangleTree::firstHit(const glm::dvec3& from, const glm::dvec3& d
 {
     TrianglePoint found;
     double best = most;
-    follow(from, direction, best,
+    std::uint64_t all = kUnlimited;
+    follow(from, direction, best, all,
            [&](std::uint32_t triangle, double distance)
            {
                if (distance < 0.0 || distance >= best || (accepts && !accepts(triangle))) return false;
@@ -174,8 +178,17 @@ TrianglePoint TriangleTree::firstHit(const glm::dvec3& from, const glm::dvec3& d
 
 bool TriangleTree::isHit(const glm::dvec3& from, const glm::dvec3& direction, double least) const
 {
-    return follow(from, direction, std::numeric_limits<double>::infinity(),
-                  [&](std::uint32_t, double distance) { return distance > least; });
+    std::uint64_t all = kUnlimited;
+    return *isHit(from, direction, least, all);
+}
+
+std::optional<bool> TriangleTree::isHit(const glm::dvec3& from, const glm::dvec3& direction, double least,
+                                        std::uint64_t& work) const
+{
+    const bool found = follow(from, direction, std::numeric_limits<double>::infinity(), work,
+                              [&](std::uint32_t, double distance) { return distance > least; });
+    if (!found && work == 0) return {};
+    return found;
 }
 
 } // namespace osgPMObjects::core

@@ -13,6 +13,7 @@ struct Orientation
 {
     std::size_t patches = 0;
     std::size_t doubtful = 0;    ///< patches with a neighbour of opposite orientation
+    std::size_t unjudged = 0;    ///< of these, judged by few rays or none: too many, or among too many faces
     std::size_t turnedFaces = 0; ///< faces of reversed patches
     std::size_t disagreements =
         0; ///< remaining edges whose two faces have the same direction: folds and Möbius strips, to be cut
@@ -26,7 +27,8 @@ struct Orientation
 /// Source: Jin, *Polygon Techniques* (lecture after Akenine-Möller & Haines, *Real-Time Rendering*, 2002, chapter 11),
 /// Consolidation: neighbours of any start polygon are flipped. Differs: visibility decides, after Takayama et al. (2014), see
 /// Visibility.h. The lecture's rule alone, from the largest area, turned cuffs of the model pirate and the hull of CG-57 black.
-/// Cost: linear; a tree of the triangles, and 48 rays a side for the 2 048 largest doubtful patches.
+/// Cost: linear; a tree of the triangles, and 48 rays a side for the 2 048 largest doubtful patches, each of which looks at no more than
+/// 1 024 boxes of that tree on average.
 Orientation orientFaces(Mesh& mesh);
 
 /// Report of turnInsideOut().

@@ -83,6 +83,11 @@ public:
     /// Whether a ray hits a triangle beyond `least` lengths of the direction.
     bool isHit(const glm::dvec3& from, const glm::dvec3& direction, double least) const;
 
+    /// Returns the same. `work` is the number of boxes that may still be looked at; it is reduced, and at 0 nothing is returned. A ray
+    /// meets few boxes, unless many triangles lie in one plane or cross the whole mesh.
+    std::optional<bool> isHit(const glm::dvec3& from, const glm::dvec3& direction, double least,
+                              std::uint64_t& work) const;
+
 private:
     static constexpr std::uint32_t kLeafSize = 4;
     static constexpr std::size_t kStack = 64; ///< enough for 2^32 triangles, halved at every level
@@ -103,9 +108,9 @@ private:
     void build(std::uint32_t first, std::uint32_t last, std::span<const glm::dvec3> centres, unsigned threads,
                std::vector<Node>& nodes);
 
-    /// Calls `look` for the triangles in boxes that the ray enters within `most` lengths, until it returns true.
+    /// Calls `look` for the triangles in boxes that the ray enters within `most` lengths, until it returns true. `work`: as for isHit().
     template<class Look>
-    bool follow(const glm::dvec3& from, const glm::dvec3& direction, const double& most,
+    bool follow(const glm::dvec3& from, const glm::dvec3& direction, const double& most, std::uint64_t& work,
                 const Look& look) const;
 
     std::span<const glm::dvec3> _positions;
