@@ -34,6 +34,9 @@ Junction readJunction(NodeReader& element);
 
 std::vector<LaneValidity> readValidities(NodeReader& element);
 
+/// Reads what objects and signals share; their heading has another name in each.
+void readItem(NodeReader& element, RoadItem& item);
+
 /// Reports an object or signal whose s is not on its road. `name`: what it is, and its id.
 void reportOffRoad(NodeReader& element, const std::string& name, double s, const Road& road);
 

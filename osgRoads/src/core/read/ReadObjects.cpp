@@ -65,8 +65,6 @@ ObjectRepeat readRepeat(NodeReader& element)
 void readSizes(NodeReader& element, RoadObject& object)
 {
     object.length = element.numberOr("length", 0.0);
-    object.width = element.numberOr("width", 0.0);
-    object.height = element.numberOr("height", 0.0);
     object.radius = element.numberOr("radius", 0.0);
     if (object.length < 0.0 || object.width < 0.0 || object.radius < 0.0)
         element.mistake("object " + object.id + " has a negative size", "write 0 or more");
@@ -75,27 +73,15 @@ void readSizes(NodeReader& element, RoadObject& object)
 RoadObject readObject(NodeReader& element)
 {
     RoadObject object;
-    object.line = element.line();
-    object.id = element.id("id");
-    object.name = element.text("name");
-    object.type = element.text("type");
-    object.subtype = element.text("subtype");
-    object.s = element.number("s");
-    object.t = element.number("t");
-    object.zOffset = element.numberOr("zOffset", 0.0);
-    object.validLength = element.numberOr("validLength", 0.0);
-    object.orientation = readOrientation(element);
+    readItem(element, object);
     object.headingRad = element.numberOr("hdg", 0.0);
-    object.pitchRad = element.numberOr("pitch", 0.0);
-    object.rollRad = element.numberOr("roll", 0.0);
-    readSizes(element, object);
-    object.isDynamic = element.flag("dynamic");
+    object.validLength = element.numberOr("validLength", 0.0);
     object.isPerpendicularToRoad = element.flag("perpToRoad");
+    readSizes(element, object);
     const auto addOutline = [&](NodeReader& outline) { object.outlines.push_back(readOutline(outline)); };
     element.each("outline", addOutline); // up to 1.4
     element.each("outlines", [&](NodeReader& outlines) { outlines.each("outline", addOutline); });
     element.each("repeat", [&](NodeReader& repeat) { object.repeats.push_back(readRepeat(repeat)); });
-    object.validities = readValidities(element);
     element.each("parkingSpace",
                  [&](NodeReader& space)
                  {
@@ -134,6 +120,25 @@ std::vector<LaneValidity> readValidities(NodeReader& element)
                      validities.push_back({validity.integer("fromLane", 0), validity.integer("toLane", 0)});
                  });
     return validities;
+}
+
+void readItem(NodeReader& element, RoadItem& item)
+{
+    item.line = element.line();
+    item.id = element.id("id");
+    item.name = element.text("name");
+    item.type = element.text("type");
+    item.subtype = element.text("subtype");
+    item.s = element.number("s");
+    item.t = element.number("t");
+    item.zOffset = element.numberOr("zOffset", 0.0);
+    item.orientation = readOrientation(element);
+    item.pitchRad = element.numberOr("pitch", 0.0);
+    item.rollRad = element.numberOr("roll", 0.0);
+    item.width = element.numberOr("width", 0.0);
+    item.height = element.numberOr("height", 0.0);
+    item.isDynamic = element.flag("dynamic");
+    item.validities = readValidities(element);
 }
 
 void reportOffRoad(NodeReader& element, const std::string& name, double s, const Road& road)

@@ -48,27 +48,13 @@ std::optional<double> readValue(NodeReader& element)
 Signal readSignal(NodeReader& element)
 {
     Signal signal;
-    signal.line = element.line();
-    signal.id = element.id("id");
-    signal.name = element.text("name");
-    signal.s = element.number("s");
-    signal.t = element.number("t");
-    signal.zOffset = element.numberOr("zOffset", 0.0);
-    signal.orientation = readOrientation(element);
-    signal.headingOffsetRad = element.numberOr("hOffset", 0.0);
-    signal.pitchRad = element.numberOr("pitch", 0.0);
-    signal.rollRad = element.numberOr("roll", 0.0);
-    signal.width = element.numberOr("width", 0.0);
-    signal.height = element.numberOr("height", 0.0);
+    readItem(element, signal);
+    signal.headingRad = element.numberOr("hOffset", 0.0);
     signal.country = element.text("country");
     signal.countryRevision = element.text("countryRevision");
-    signal.type = element.text("type");
-    signal.subtype = element.text("subtype");
     signal.unit = element.text("unit");
     signal.text = element.text("text");
     signal.value = readValue(element);
-    signal.isDynamic = element.flag("dynamic");
-    signal.validities = readValidities(element);
     element.each("dependency",
                  [&](NodeReader& other) {
                      signal.dependencies.push_back({other.id("id"), other.text("type")});

@@ -5,14 +5,10 @@
 #include <string>
 #include <vector>
 
+#include <osgRoads/core/network/RoadItem.h>
+
 namespace osgRoads::core
 {
-
-/// The lanes that an object or a signal holds for.
-struct LaneValidity
-{
-    int fromLane = 0, toLane = 0;
-};
 
 /// A corner of an outline: on the road (s, t, dz) or in the frame of the object (u, v, z). Units: metres.
 struct OutlineCorner
@@ -43,23 +39,16 @@ struct ObjectRepeat
         radiusEnd;
 };
 
-/// Something beside or on the road. Angles in radians; hdg relative to the road.
+/// Something beside or on the road.
 /// Source: ASAM OpenDRIVE 1.8, 13 (objects).
-struct RoadObject
+struct RoadObject : RoadItem
 {
-    std::string id, name, type, subtype;
-    double s = 0.0, t = 0.0, zOffset = 0.0;
     double validLength = 0.0;
-    char orientation = '0'; ///< '+', '-', or '0' for both directions
-    double headingRad = 0.0, pitchRad = 0.0, rollRad = 0.0;
-    double length = 0.0, width = 0.0, height = 0.0, radius = 0.0;
-    bool isDynamic = false;
+    double length = 0.0, radius = 0.0;
     bool isPerpendicularToRoad = false;
     std::vector<ObjectOutline> outlines;
     std::vector<ObjectRepeat> repeats;
-    std::vector<LaneValidity> validities;
     std::string parkingAccess; ///< of a parkingSpace
-    int line = 0;
 };
 
 enum class StructureKind

@@ -5,14 +5,14 @@
 #include <string>
 #include <vector>
 
-#include <osgRoads/core/network/RoadObject.h>
+#include <osgRoads/core/network/RoadItem.h>
 
 namespace osgRoads::core
 {
 
-/// A traffic light or sign. Angles in radians, sizes in metres; (s, t) on the road that it holds for.
+/// A traffic light or sign; (s, t) is on the road that it holds for.
 /// Source: ASAM OpenDRIVE 1.8, 14 (signals).
-struct Signal
+struct Signal : RoadItem
 {
     /// Where the post stands, when that is not at (s, t): on a road, or at x, y of the inertial frame.
     struct Post
@@ -29,17 +29,10 @@ struct Signal
         std::string id, type;
     };
 
-    std::string id, name, country, countryRevision, type, subtype, unit, text;
-    double s = 0.0, t = 0.0, zOffset = 0.0;
-    char orientation = '0';
-    double headingOffsetRad = 0.0, pitchRad = 0.0, rollRad = 0.0;
-    double width = 0.0, height = 0.0;
+    std::string country, countryRevision, unit, text;
     std::optional<double> value;
-    bool isDynamic = false;
-    std::vector<LaneValidity> validities;
     std::vector<Dependency> dependencies, references;
     std::optional<Post> post;
-    int line = 0;
 };
 
 /// A signal of another road that holds for this one, too.
