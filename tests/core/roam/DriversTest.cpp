@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The drivers against brute force, from eye to eye without coherence; and what they do with a slice of time.
+#include <array>
+
 #include <gtest/gtest.h>
 
 #include <osgTerrainROAM/core/roam/RoamMesh.h>
@@ -36,10 +38,11 @@ viewlod::ViewState anyView(const PlacedTile& tile, Random& random)
 }
 
 /// For every vertex that the bintree could split: whether it is split. Asks the predicate of each, not of its parents.
-std::vector<bool> activeByBruteForce(const RoamTile& tile, const ActiveForEye& active)
+std::vector<char> activeByBruteForce(const RoamTile& tile, const ActiveForEye& active)
 {
     const int side = tile.tile.grid().side();
-    std::vector<bool> found;
+    std::vector<char> found;
+    found.reserve(static_cast<std::size_t>(side) * side);
     for (int row = 0; row < side; ++row)
         for (int column = 0; column < side; ++column)
         {
@@ -49,32 +52,36 @@ std::vector<bool> activeByBruteForce(const RoamTile& tile, const ActiveForEye& a
     return found;
 }
 
-std::vector<bool> activeIn(const DiamondTree& tree)
+std::vector<char> activeIn(const DiamondTree& tree)
 {
     const auto side = static_cast<std::size_t>(tree.tile().tile.grid().side());
-    std::vector<bool> found(side * side, false);
+    std::vector<char> found(side * side, false);
     for (VertexSlot v = DiamondTree::kCorners; v < tree.vertexSlots(); ++v)
         if (const DiamondPlace& place = tree.place(v); !place.isFree())
             found[place.row * side + place.column] = true;
     return found;
 }
 
-using Setting = std::tuple<Driver, bool, bool>;
+using Setting = std::tuple<bool, bool>;
 
 class Drivers : public testing::TestWithParam<Setting>
 {
 };
 
+/// 250 eyes over each of four grounds, other ones over each. The drivers refine meshes of their own for the same eyes, so that brute
+/// force looks once at each eye.
 TEST_P(Drivers, AreWhereBruteForceIsForAThousandEyes)
 {
-    const auto [driver, padded, curved] = GetParam();
+    const auto [padded, curved] = GetParam();
     const auto tile = tileOf(padded, curved);
-    RoamMesh mesh(tile, driver);
-    Random random(77);
-    std::uint32_t most = 0;
+    std::vector<RoamMesh> meshes;
+    for (const Driver driver : kDrivers)
+        meshes.emplace_back(tile, driver);
+    Random random(77 + (padded ? 1 : 0) + (curved ? 2 : 0));
+    std::array<std::uint32_t, std::size(kDrivers)> most{};
     viewlod::ViewState view = anyView(tile->tile, random);
     double tolerancePx = 2.0;
-    for (int i = 0; i < 1000; ++i)
+    for (int i = 0; i < 250; ++i)
     {
         // Leaps, steps, changes of the lens and of the tolerance, alone and together.
         const std::uint32_t change = random.below(4);
@@ -83,23 +90,27 @@ TEST_P(Drivers, AreWhereBruteForceIsForAThousandEyes)
             view.eyeWorld += glm::dvec3(random.unit() - 0.5, random.unit() - 0.5, 0.1 * random.unit()) * 60.0;
         if (change == 2) view.pixelsPerTangent *= 0.8 + 0.4 * random.unit();
         if (change == 3) tolerancePx = 0.5 * std::exp(3.0 * random.unit());
-        const RefineResult result = mesh.refine(view, {.errorTolerancePx = tolerancePx});
-        ASSERT_EQ(activeIn(mesh.tree()), activeByBruteForce(*tile, ActiveForEye(view, tolerancePx)))
-            << "eye " << i;
-        EXPECT_EQ(result.errorBoundPx, tolerancePx);
-        most = std::max(most, result.leaves);
+        const auto expected = activeByBruteForce(*tile, ActiveForEye(view, tolerancePx));
+        for (std::size_t d = 0; d < meshes.size(); ++d)
+        {
+            const RefineResult result = meshes[d].refine(view, {.errorTolerancePx = tolerancePx});
+            ASSERT_EQ(activeIn(meshes[d].tree()), expected) << driverName(kDrivers[d]) << ", eye " << i;
+            EXPECT_EQ(result.errorBoundPx, tolerancePx);
+            most[d] = std::max(most[d], result.leaves);
+        }
     }
-    EXPECT_TRUE(mesh.isConforming());
-    EXPECT_GT(most, 3000u) << "nothing was refined: nothing was checked";
+    for (std::size_t d = 0; d < meshes.size(); ++d)
+    {
+        EXPECT_TRUE(meshes[d].isConforming());
+        EXPECT_GT(most[d], 3000u) << "nothing was refined: nothing was checked";
+    }
 }
 
-INSTANTIATE_TEST_SUITE_P(Settings, Drivers,
-                         testing::Combine(testing::ValuesIn(kDrivers), testing::Bool(), testing::Bool()),
+INSTANTIATE_TEST_SUITE_P(Settings, Drivers, testing::Combine(testing::Bool(), testing::Bool()),
                          [](const auto& given)
                          {
-                             return std::string(driverName(std::get<0>(given.param))) +
-                                    (std::get<1>(given.param) ? "OnPaddedData" : "OnWholeTile") +
-                                    (std::get<2>(given.param) ? "Curved" : "Planar");
+                             return std::string(std::get<0>(given.param) ? "OnPaddedData" : "OnWholeTile") +
+                                    (std::get<1>(given.param) ? "Curved" : "Planar");
                          });
 
 TEST(DriverSwitch, GoesOnFromAnyOtherDriversMesh)
