@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The same request gives the same bytes; another request gives others.
+#include <memory>
+
 #include <osgOffscreen/Backend>
 
 #include "Playing.h"
@@ -7,10 +9,26 @@
 namespace
 {
 
-/// A tour over the hill that has been saved.
+/// Requests of a tour over the hill and of a drive. What the first run of each gave is shared by the tests.
 class Determinism : public testing::Test
 {
 protected:
+    struct First
+    {
+        Workplace place;
+        Playing tour = playedAs(place, "tour", {"tour", place.hill()}, {"--save", place.path("tour.xosc")});
+        Playing drive = playedAs(place, "drive", {"play", place.write("drive.xosc", driveText("hill.tif"))});
+    };
+
+    static void SetUpTestSuite() { _first = std::make_unique<First>(); }
+    static void TearDownTestSuite() { _first.reset(); }
+
+    static const Playing& flown() { return _first->tour; }
+    static const Playing& driven() { return _first->drive; }
+
+    /// Where the scenario of the first tour was saved.
+    static std::string saved() { return _first->place.path("tour.xosc"); }
+
     Playing tour(const std::string& name, const std::vector<std::string>& more = {}) const
     {
         return playedAs(_place, name, {"tour", _place.hill()}, more);
@@ -19,8 +37,10 @@ protected:
     Playing play(const std::string& name, const std::string& scenario,
                  const std::vector<std::string>& more = {}) const
     {
-        return playedAs(_place, name, {"play", _place.path(scenario)}, more);
+        return playedAs(_place, name, {"play", scenario}, more);
     }
+
+    std::string drive() const { return _place.write("drive.xosc", driveText("hill.tif")); }
 
     /// Not EXPECT_EQ, which would print the pictures.
     static void expectSame(const Playing& a, const Playing& b)
@@ -31,33 +51,33 @@ protected:
     }
 
     Workplace _place;
+    inline static std::unique_ptr<First> _first;
 };
 
 TEST_F(Determinism, TwoRunsGiveTheSameBytes)
 {
-    _place.write("drive.xosc", driveText("hill.tif"));
-    expectSame(play("a", "drive.xosc"), play("b", "drive.xosc"));
-    expectSame(tour("c", {"--save", _place.path("c.xosc")}), tour("d", {"--save", _place.path("d.xosc")}));
-    EXPECT_EQ(readBytes(_place.path("c.xosc")), readBytes(_place.path("d.xosc")));
+    expectSame(driven(), play("drive", drive()));
+    const Workplace& place = _first->place; // the scenario names the folder of the terrain
+    expectSame(flown(),
+               playedAs(place, "again", {"tour", place.hill()}, {"--save", place.path("again.xosc")}));
+    EXPECT_EQ(readBytes(saved()), readBytes(place.path("again.xosc")));
 }
 
 TEST_F(Determinism, APlayOfTheSavedTourIsTheTour)
 {
-    const Playing flown = tour("flown", {"--save", _place.path("tour.xosc")});
-    expectSame(flown, play("played", "tour.xosc"));
+    expectSame(flown(), play("played", saved()));
 }
 
 TEST_F(Determinism, TheNameOfATerrainMakesNoDifference)
 {
-    const Playing flown = tour("flown");
     // .dem: no suffix that anybody listed; .flt: that of OpenFlight models, too.
     for (const char* name : {"hill.dem", "hill.flt", "hill"})
     {
         std::filesystem::copy_file(_place.hill(), _place.path(name));
-        const std::string saved = std::string(name) + ".xosc";
-        expectSame(flown, playedAs(_place, saved + "-flown", {"tour", _place.path(name)},
-                                   {"--save", _place.path(saved)}));
-        expectSame(flown, play(saved + "-played", saved));
+        const std::string scenario = _place.path(std::string(name) + ".xosc");
+        expectSame(flown(), playedAs(_place, std::string(name) + "-flown", {"tour", _place.path(name)},
+                                     {"--save", scenario}));
+        expectSame(flown(), play(std::string(name) + "-played", scenario));
     }
 }
 
@@ -74,39 +94,32 @@ TEST_F(Determinism, BothBackendsGiveTheSameBytes)
 
 TEST_F(Determinism, MovesFromFrameToFrame)
 {
-    const Playing flown = tour("flown");
-    EXPECT_FALSE(flown.frames.at("frame_00000.png") == flown.frames.at("frame_00003.png"));
+    EXPECT_FALSE(flown().frames.at("frame_00000.png") == flown().frames.at("frame_00003.png"));
 }
 
 TEST_F(Determinism, OtherWeatherGivesOtherPictures)
 {
-    const Playing clear = tour("clear", {"--save", _place.path("clear.xosc")});
-    _place.write("fog.xosc",
-                 with(readBytes(_place.path("clear.xosc")), "visualRange=\"20000\"", "visualRange=\"900\""));
-    const Playing fog = play("fog", "fog.xosc");
-    for (const auto& [name, bytes] : clear.frames)
+    const std::string text = with(readBytes(saved()), "visualRange=\"20000\"", "visualRange=\"900\"");
+    const Playing fog = play("fog", _place.write("fog.xosc", text));
+    for (const auto& [name, bytes] : flown().frames)
         EXPECT_FALSE(bytes == fog.frames.at(name)) << name << " shows no fog";
-    EXPECT_EQ(withoutMeasured(clear.statistics), withoutMeasured(fog.statistics)) << "fog changed the mesh";
+    EXPECT_EQ(withoutMeasured(flown().statistics), withoutMeasured(fog.statistics)) << "fog changed the mesh";
 }
 
 TEST_F(Determinism, OneRaisedSampleGivesOtherPictures)
 {
-    tour("as-is", {"--save", _place.path("tour.xosc"), "--frames", "1"});
     _place.writeHill("same.tif", 0.0);
     _place.writeHill("raised.tif", 50.0);
-    const Playing original = play("original", "tour.xosc");
-    expectSame(original, play("same", "tour.xosc", {"--terrain", _place.path("same.tif")}));
-    const Playing raised = play("raised", "tour.xosc", {"--terrain", _place.path("raised.tif")});
-    EXPECT_FALSE(original.frames == raised.frames) << "a sample 50 m higher cannot be seen";
+    expectSame(flown(), play("same", saved(), {"--terrain", _place.path("same.tif")}));
+    const Playing raised = play("raised", saved(), {"--terrain", _place.path("raised.tif")});
+    EXPECT_FALSE(flown().frames == raised.frames) << "a sample 50 m higher cannot be seen";
 }
 
 TEST_F(Determinism, TheChaseCameraIsAnotherEye)
 {
-    _place.write("drive.xosc", driveText("hill.tif"));
-    const Playing own = play("own", "drive.xosc");
-    const Playing chase = play("chase", "drive.xosc", {"--eye", "chase"});
-    EXPECT_FALSE(own.frames == chase.frames);
-    expectSame(chase, play("again", "drive.xosc", {"--eye", "chase"}));
+    const Playing chase = play("chase", drive(), {"--eye", "chase"});
+    EXPECT_FALSE(driven().frames == chase.frames);
+    expectSame(chase, play("again", drive(), {"--eye", "chase"}));
 }
 
 } // namespace
