@@ -33,7 +33,8 @@ std::uint16_t packedComponent(double component)
 
 glm::dvec2 tiltAt(const osg::Image& normalMap, int x, int y)
 {
-    const auto* texel = reinterpret_cast<const std::uint16_t*>(normalMap.data(x, y));
+    const auto* texel =
+        reinterpret_cast<const std::uint16_t*>(normalMap.data()) + normalOffset(normalMap, x, y);
     return glm::dvec2(texel[0], texel[1]) * (2.0 / 65535.0) - 1.0;
 }
 
@@ -69,7 +70,7 @@ osg::ref_ptr<osg::Image> normalMap(const core::PlacedTile& tile, const MapGrid& 
     image->setInternalTextureFormat(GL_RG16);
     visitNormals(tile, grid,
                  [&](int column, int row, const glm::dvec3& normal)
-                 { packNormal(normal, reinterpret_cast<std::uint16_t*>(image->data(column, row))); });
+                 { packNormal(normal, normalTexel(*image, column, row)); });
     return image;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <span>
@@ -34,6 +35,20 @@ osg::ref_ptr<osg::Image> normalMap(const core::PlacedTile& tile, const MapGrid& 
 /// Computes the texels of a normal map again whose samples or neighbours have moved. NormalUpdate.cpp.
 void updateNormals(osg::Image& map, const core::PlacedTile& tile, const MapGrid& grid,
                    std::span<const core::GridRect> moved);
+
+/// Returns where the two values of a texel of a normalMap() begin, counted in values: its rows follow each other without a gap.
+/// osg::Image::data(x, y) works out the size of a texel from its format at each call.
+inline std::size_t normalOffset(const osg::Image& normalMap, int x, int y)
+{
+    const auto width = static_cast<std::size_t>(normalMap.s());
+    return 2 * (static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x));
+}
+
+/// Returns a texel of a normalMap(), to write to.
+inline std::uint16_t* normalTexel(osg::Image& normalMap, int x, int y)
+{
+    return reinterpret_cast<std::uint16_t*>(normalMap.data()) + normalOffset(normalMap, x, y);
+}
 
 /// Returns x and y of the unit normal at a texel of a normalMap().
 glm::dvec2 tiltAt(const osg::Image& normalMap, int x, int y);

@@ -32,7 +32,7 @@ void updateNormals(osg::Image& map, const core::PlacedTile& tile, const MapGrid&
         isTouched = isTouched || !texels.isEmpty();
         for (int y = texels.south; y <= texels.north; ++y)
             for (int x = texels.west; x <= texels.east; ++x)
-                packNormal(normalAt(tile, grid, x, y), reinterpret_cast<std::uint16_t*>(map.data(x, y)));
+                packNormal(normalAt(tile, grid, x, y), normalTexel(map, x, y));
     }
     if (isTouched) map.dirty();
 }
