@@ -84,6 +84,19 @@ TEST(RoadLocator, BesideAndBeyondTheRoad)
     EXPECT_TRUE(locator.nearest(glm::dvec2(40.0, 10.0), 7.0));
 }
 
+/// Feet on curves are found to rounding only; a point on the lanes is still at no distance.
+TEST(RoadLocator, PointsOnACurveAreWithinNoDistance)
+{
+    const std::string bend =
+        "<planView>" +
+        geometry(R"(s="0" x="3" y="-2" hdg="0.4")", 100.0, R"(<spiral curvStart="0" curvEnd="0.03"/>)") +
+        "</planView>";
+    const RoadNetwork read = sound(network(road("1", 100.0, bend + twoLanes())));
+    const RoadLocator locator(read);
+    for (double s = 0.5; s < 100.0; s += 0.7)
+        EXPECT_EQ(locator.within(glm::dvec2(surfacePoint(read.roads[0], s, 1.1)), 0.0).size(), 1u) << s;
+}
+
 /// A bridge 6 m above a road that crosses it at right angles.
 TEST(RoadLocator, TellsABridgeFromTheRoadBelow)
 {

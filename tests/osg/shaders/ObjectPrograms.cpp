@@ -3,10 +3,12 @@
 #include <bake/Finish.h>
 
 #include <osgPMObjects/ObjectShader>
+#include <osgRoads/RoadShader>
 
 #include "Compositions.h"
 #include "RenderedScene.h"
 #include "scenery/nodes/ObjectShading.h"
+#include "scenery/nodes/RoadShading.h"
 #include "scenery/nodes/Sky.h"
 
 namespace shadercheck
@@ -41,6 +43,9 @@ std::vector<NamedProgram> objectPrograms()
     return {{"object", osgPMObjects::makeObjectProgram()},
             {"baked object", bakedProgram()},
             {"object under the atmosphere", programOf(object->getStateSet())},
+            {"road", osgRoads::makeRoadProgram()},
+            {"road under the atmosphere",
+             programOf(scenery::makeRoadNode(std::make_shared<osgRoads::core::RoadMesh>())->getStateSet())},
             {"sky", programOf(scenery::makeSky()->getStateSet())},
             {"tests' triangle", programOf(rendered::shadedTriangle(0.0F)->getStateSet())}};
 }

@@ -44,22 +44,20 @@ std::vector<MarkLine> linesOf(const RoadMark& mark, double width)
     }
 }
 
+double widthOf(const RoadMark& mark)
+{
+    if (mark.width > 0.0) return mark.width;
+    return mark.weight == MarkWeight::bold ? kBoldMarkWidthM : kMarkWidthM;
+}
+
 /// Adds the strokes of one line between two s.
 class StrokeMaker
 {
 public:
     StrokeMaker(const Lane& lane, const RoadMark& mark, double begin, double end)
-        : _lane(lane),
-          _mark(mark),
-          _begin(begin),
-          _end(end),
-          _width(mark.width > 0.0                  ? mark.width
-                 : mark.weight == MarkWeight::bold ? kBoldMarkWidthM
-                                                   : kMarkWidthM)
+        : _lane(lane), _mark(mark), _begin(begin), _end(end), _width(widthOf(mark))
     {
     }
-
-    std::vector<MarkLine> defaultLines() const { return linesOf(_mark, _width); }
 
     void addOne(const MarkLine& line, double from, double to, std::vector<MarkStroke>& strokes) const
     {
@@ -99,6 +97,15 @@ private:
 
 } // namespace
 
+std::vector<MarkLine> repeatedLines(const RoadMark& mark)
+{
+    if (!mark.explicitLines.empty() || mark.type == MarkType::none) return {};
+    std::vector<MarkLine> lines = mark.lines.empty() ? linesOf(mark, widthOf(mark)) : mark.lines;
+    for (MarkLine& line : lines)
+        if (!(line.width > 0.0)) line.width = widthOf(mark);
+    return lines;
+}
+
 std::vector<MarkStroke> markStrokes(const Road& road, const LaneSection& section, const Lane& lane)
 {
     std::vector<MarkStroke> strokes;
@@ -112,8 +119,8 @@ std::vector<MarkStroke> markStrokes(const Road& road, const LaneSection& section
         if (!mark.explicitLines.empty())
             for (const MarkLine& line : mark.explicitLines)
                 maker.addOne(line, begin + line.sOffset, begin + line.sOffset + line.length, strokes);
-        else if (mark.type != MarkType::none)
-            for (const MarkLine& line : mark.lines.empty() ? maker.defaultLines() : mark.lines)
+        else
+            for (const MarkLine& line : repeatedLines(mark))
                 maker.addRepeated(line, strokes);
     }
     return strokes;

@@ -83,7 +83,7 @@ std::vector<RoadMatch> RoadLocator::within(glm::dvec2 point, double withinM) con
                             if (piece.squareTo(point) > limit) return limit;
                             const RoadCandidate candidate =
                                 candidateOn(_index->network, piece, point, kNoHeight);
-                            if (candidate.match.distance > withinM) return limit;
+                            if (candidate.match.distance > withinM + kSameDistanceM) return limit;
                             const auto same = std::find_if(
                                 found.begin(), found.end(),
                                 [&](const RoadCandidate& other)

@@ -31,6 +31,10 @@ inline constexpr double kDoubleSpaceM = 0.12;      ///< between the lines of a d
 /// Source: ASAM OpenDRIVE 1.8, 11.9 (road markings).
 std::vector<MarkStroke> markStrokes(const Road& road, const LaneSection& section, const Lane& lane);
 
+/// Returns the lines of a mark that repeat along the border: those of <type>, else what the type of the mark means, with
+/// their widths. None for a mark with explicit lines.
+std::vector<MarkLine> repeatedLines(const RoadMark& mark);
+
 /// Returns the t of the middle of a stroke at s.
 double strokeT(const Road& road, const LaneSection& section, const MarkStroke& stroke, double s);
 

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <array>
+#include <cmath>
+
+#include <osg/BlendFunc>
+#include <osgUtil/CullVisitor>
+
+#include <osgRoads/RoadDrawable>
+#include <osgRoads/RoadShader>
+#include <osgTraversal/CullFacts>
+
+#include "view/GrainTexture.h"
+#include "view/MarkTexture.h"
+#include "view/RoadPart.h"
+
+namespace osgRoads
+{
+
+namespace
+{
+
+using namespace osgTraversal;
+
+constexpr int kRenderBin = 1; ///< after opaque things
+
+viewlod::ViewState viewOf(osgUtil::CullVisitor& visitor)
+{
+    viewlod::ViewState view =
+        viewStateOf(visitor, *visitor.getModelViewMatrix(), toGlm(*visitor.getProjectionMatrix()));
+    view.pixelsPerTangent /= lodScaleOf(visitor);
+    return view;
+}
+
+void setState(osg::StateSet& state, const core::RoadMesh& mesh)
+{
+    state.setTextureAttributeAndModes(kMarksUnit, makeMarkTexture(mesh.marks));
+    state.setTextureAttributeAndModes(kGrainUnit, makeGrainTexture());
+    state.addUniform(new osg::Uniform("roadMarks", kMarksUnit));
+    state.addUniform(new osg::Uniform("roadGrain", kGrainUnit));
+    state.setAttributeAndModes(new osg::BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA));
+    state.setRenderBinDetails(kRenderBin, "RenderBin");
+}
+
+} // namespace
+
+RoadDrawable::RoadDrawable() : RoadDrawable(std::make_shared<const core::RoadMesh>()) {}
+
+RoadDrawable::RoadDrawable(std::shared_ptr<const core::RoadMesh> mesh)
+    : _mesh(std::move(mesh)), _buffers(std::make_shared<RoadBuffers>(_mesh))
+{
+    setUseDisplayList(false);
+    setSupportsDisplayList(false);
+    setUseVertexBufferObjects(true);
+    setState(*getOrCreateStateSet(), *_mesh);
+}
+
+RoadDrawable::RoadDrawable(const RoadDrawable& other, const osg::CopyOp& copyOp)
+    : osg::Drawable(other, copyOp), _mesh(other._mesh), _buffers(other._buffers), _settings(other._settings)
+{
+}
+
+RoadDrawable::~RoadDrawable() = default;
+
+foundation::Outcome RoadDrawable::setSettings(const core::RoadViewSettings& settings)
+{
+    for (const double value : {settings.farthestM, settings.liftPx, settings.liftFromM, settings.liftFullM})
+        if (!std::isfinite(value) || value < 0.0)
+            return foundation::Error{"RoadDrawable", "a setting is not finite or below 0",
+                                     "give lengths in metres, 0 or more"};
+    if (!(settings.tolerancePx > 0.0))
+        return foundation::Error{"RoadDrawable.tolerancePx", "is not above 0", "give pixels above 0"};
+    _settings = settings;
+    return foundation::success();
+}
+
+void RoadDrawable::accept(osg::NodeVisitor& visitor)
+{
+    osgUtil::CullVisitor* cullVisitor = visitor.asCullVisitor();
+    if (!cullVisitor) return osg::Drawable::accept(visitor);
+    if (!visitor.validNodeMask(*this)) return;
+    visitor.pushOntoNodePath(this);
+    cull(*cullVisitor);
+    visitor.popFromNodePath();
+}
+
+void RoadDrawable::cull(osgUtil::CullVisitor& visitor)
+{
+    const osg::BoundingBox& box = getBoundingBox();
+    if (!box.valid() || (isCullingActive() && visitor.isCulled(box))) return;
+    const viewlod::ViewState view = viewOf(visitor);
+    const auto choices = core::chooseLevels(*_mesh, view, _settings);
+    if (choices.empty()) return;
+    osg::RefMatrix& matrix = *visitor.getModelViewMatrix();
+    if (seeksNearFar(visitor)) visitor.updateCalculatedNearFar(matrix, box);
+    osg::ref_ptr<RoadPart> part = new RoadPart(_buffers, choices, _settings, view.pixelsPerTangent, box);
+    visitor.pushStateSet(getStateSet());
+    visitor.addDrawableAndDepth(part.get(), &matrix, 0.0F);
+    visitor.popStateSet();
+}
+
+void RoadDrawable::accept(osg::PrimitiveFunctor& functor) const
+{
+    std::vector<RoadRange> finest;
+    for (const core::RoadChunk& chunk : _mesh->chunks)
+        if (!chunk.levels.empty())
+            finest.push_back({chunk.levels.front().firstIndex, chunk.levels.front().indexCount});
+    showTriangles(*_mesh, finest, functor);
+}
+
+osg::BoundingBox RoadDrawable::computeBoundingBox() const
+{
+    osg::BoundingBox box;
+    for (const core::RoadChunk& chunk : _mesh->chunks)
+        box.expandBy(osg::BoundingSphere(osg::Vec3(static_cast<float>(chunk.centre.x),
+                                                   static_cast<float>(chunk.centre.y),
+                                                   static_cast<float>(chunk.centre.z)),
+                                         static_cast<float>(chunk.radius) + 1.0F));
+    return box;
+}
+
+void RoadDrawable::releaseGLObjects(osg::State* state) const
+{
+    osg::Drawable::releaseGLObjects(state);
+    _buffers->releaseGLObjects(state);
+}
+
+} // namespace osgRoads

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ChunkBuilder.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <osgRoads/core/query/RoadSurface.h>
+
+namespace osgRoads::core
+{
+
+namespace
+{
+
+constexpr std::size_t kMostSteps = 512;
+constexpr double kSlopeStepM = 0.02; ///< for the direction along the road
+/// Errors are measured at samples: between them a smooth curve departs by little more.
+constexpr double kBetweenSamples = 1.15;
+/// Half a step in each coordinate.
+constexpr double kRoundingM = 0.87 * RoadMesh::kMeshStepM;
+
+std::array<std::int8_t, 4> packed(const glm::dvec3& normal)
+{
+    std::array<std::int8_t, 4> bytes{};
+    for (int i = 0; i < 3; ++i)
+        bytes[static_cast<std::size_t>(i)] = static_cast<std::int8_t>(std::lround(127.0 * normal[i]));
+    return bytes;
+}
+
+} // namespace
+
+ChunkBuilder::ChunkBuilder(const PlacedNetwork& network, int road, const LaneSection& section,
+                           const RoadMeshSettings& settings, MarkRows& marks, RoadMesh& mesh)
+    : _network(network),
+      _road(road),
+      _section(section),
+      _settings(settings),
+      _shape(network.road(road), section, settings.bed),
+      _cover(network, road),
+      _marks(marks),
+      _mesh(mesh)
+{
+}
+
+ChunkBuilder::Row ChunkBuilder::rowAt(double s) const
+{
+    // At its end a section still has its own lanes.
+    Row row;
+    row.s = s;
+    _shape.pointsAt(std::min(s, std::nextafter(_section.end, _section.s)), row.points);
+    row.places.reserve(row.points.size());
+    for (const SectionPoint& point : row.points)
+        row.places.push_back(_network.point({_road, s, point.t, point.h}));
+    return row;
+}
+
+/// Returns how far a row lies from the level that keeps every `stride`th one.
+double ChunkBuilder::gapAt(std::size_t row, std::size_t stride) const
+{
+    const std::size_t first = row / stride * stride, last = std::min(first + stride, _rows.size() - 1);
+    if (row == first) return 0.0;
+    const double share = static_cast<double>(row - first) / static_cast<double>(last - first);
+    double gap = 0.0;
+    for (std::size_t i = 0; i < _rows[row].places.size(); ++i)
+        gap = std::max(gap, glm::distance(_rows[row].places[i],
+                                          glm::mix(_rows[first].places[i], _rows[last].places[i], share)));
+    return gap;
+}
+
+/// Fills _rows: twice as many steps until every second row is near enough.
+void ChunkBuilder::sample(double from, double to)
+{
+    _rows = {rowAt(from), rowAt(0.5 * (from + to)), rowAt(to)};
+    const double longest = _cover.canCover() ? _settings.junctionStepM : _settings.chunkM;
+    for (std::size_t steps = 1; steps < kMostSteps; steps *= 2)
+    {
+        const double step = (to - from) / static_cast<double>(steps);
+        double gap = 0.0;
+        for (std::size_t i = 1; i < _rows.size(); i += 2)
+            gap = std::max(gap, gapAt(i, 2));
+        const bool isFine = kBetweenSamples * gap <= _settings.errorM || step < 2.0 * _settings.shortestStepM;
+        if (isFine && step <= longest) break;
+        std::vector<Row> finer;
+        for (std::size_t i = 0; i < _rows.size(); ++i)
+        {
+            if (i > 0)
+                finer.push_back(rowAt(from + (to - from) * static_cast<double>(2 * i - 1) /
+                                                 static_cast<double>(4 * steps)));
+            finer.push_back(std::move(_rows[i]));
+        }
+        _rows = std::move(finer);
+    }
+}
+
+/// Returns what the vertices of each strip have in common.
+std::vector<MeshVertex> ChunkBuilder::stripsAt(double from) const
+{
+    std::vector<MeshVertex> strips;
+    for (const Strip& strip : _shape.strips())
+    {
+        MeshVertex vertex;
+        vertex.kind = strip.kind;
+        if (strip.rightMark) vertex.rightRow = _marks.rowOf(_section, *strip.rightMark, from);
+        if (strip.leftMark) vertex.leftRow = _marks.rowOf(_section, *strip.leftMark, from);
+        strips.push_back(vertex);
+    }
+    return strips;
+}
+
+void ChunkBuilder::addRow(const Row& row, double from, const std::vector<MeshVertex>& strips)
+{
+    const double ahead = row.s + kSlopeStepM < _section.end ? kSlopeStepM : -kSlopeStepM;
+    const Row other = rowAt(row.s + ahead);
+    const bool hasGround = structureAt(_network.road(_road), row.s) == nullptr;
+    std::size_t first = 0;
+    for (std::size_t i = 0; i < strips.size(); ++i)
+    {
+        const Strip& strip = _shape.strips()[i];
+        const auto count = static_cast<std::size_t>(strip.columns);
+        const bool isOwnCarriageway = strip.lane && isForCars(strip.lane->type);
+        const auto isCovered = [&](double t) { return _cover.canCover() && _cover.covers(row.s, t); };
+        const bool rightCovered = isCovered(row.points[first].t);
+        const bool leftCovered = isCovered(row.points[first + count - 1].t);
+        for (std::size_t j = first; j < first + count; ++j)
+        {
+            MeshVertex vertex = strips[i];
+            const glm::dvec3 steps = glm::round((row.places[j] - _mesh.origin) / RoadMesh::kMeshStepM);
+            for (int axis = 0; axis < 3; ++axis)
+                vertex.position[static_cast<std::size_t>(axis)] = static_cast<std::int32_t>(steps[axis]);
+            vertex.s = static_cast<float>(row.s - from);
+            vertex.across = static_cast<float>(row.points[j].across);
+            vertex.width = static_cast<float>(row.points[j].width);
+            const std::size_t a = j > first ? j - 1 : j, b = j + 1 < first + count ? j + 1 : j;
+            const glm::dvec3 normal =
+                glm::cross((other.places[j] - row.places[j]) / ahead, row.places[b] - row.places[a]);
+            const double length = glm::length(normal);
+            vertex.normal = packed(length > 1e-9 ? normal / length : glm::dvec3(0.0, 0.0, 1.0));
+            if (!isOwnCarriageway && (j == first + count - 1 ? leftCovered : rightCovered))
+                vertex.present = 0;
+            if (strip.isBesideLanes() && !hasGround) vertex.present = 0;
+            if (_cover.canCoverMarks() && rightCovered) vertex.rightMarks = 0;
+            if (_cover.canCoverMarks() && leftCovered) vertex.leftMarks = 0;
+            _mesh.vertices.push_back(vertex);
+        }
+        first += count;
+    }
+}
+
+void ChunkBuilder::addLevels(RoadChunk& chunk, std::uint32_t firstVertex)
+{
+    const std::size_t rows = (_rows.size() + 1) / 2;
+    const auto columns = static_cast<std::uint32_t>(_shape.columns());
+    double error = 0.0;
+    for (std::size_t stride = 1; stride < rows; stride *= 2)
+    {
+        ChunkLevel level;
+        level.firstIndex = static_cast<std::uint32_t>(_mesh.indices.size());
+        for (std::size_t i = 0; i + stride < rows; i += stride)
+        {
+            auto right = firstVertex + static_cast<std::uint32_t>(i) * columns;
+            const auto ahead = static_cast<std::uint32_t>(stride) * columns;
+            for (const Strip& strip : _shape.strips())
+            {
+                const auto count = static_cast<std::uint32_t>(strip.columns);
+                for (std::uint32_t j = right; j + 1 < right + count; ++j)
+                    for (const std::uint32_t index : {j, j + ahead, j + 1, j + 1, j + ahead, j + ahead + 1})
+                        _mesh.indices.push_back(index);
+                right += count;
+            }
+        }
+        level.indexCount = static_cast<std::uint32_t>(_mesh.indices.size()) - level.firstIndex;
+        for (std::size_t row = 0; row < _rows.size(); ++row)
+            error = std::max(error, gapAt(row, 2 * stride));
+        level.errorM = kBetweenSamples * error + kRoundingM;
+        chunk.levels.push_back(level);
+    }
+}
+
+void ChunkBuilder::add(double from, double to)
+{
+    sample(from, to);
+    RoadChunk chunk;
+    chunk.road = _road;
+    chunk.sStart = from;
+    chunk.sEnd = to;
+    const auto firstVertex = static_cast<std::uint32_t>(_mesh.vertices.size());
+    const std::vector<MeshVertex> strips = stripsAt(from);
+    for (std::size_t i = 0; i < _rows.size(); i += 2)
+        addRow(_rows[i], from, strips);
+    addLevels(chunk, firstVertex);
+    glm::dvec3 least(1e300), most(-1e300);
+    for (const Row& row : _rows)
+        for (const glm::dvec3& place : row.places)
+        {
+            least = glm::min(least, place);
+            most = glm::max(most, place);
+        }
+    chunk.centre = 0.5 * (least + most);
+    chunk.radius = 0.5 * glm::distance(least, most) + chunk.levels.front().errorM;
+    _mesh.chunks.push_back(std::move(chunk));
+}
+
+} // namespace osgRoads::core

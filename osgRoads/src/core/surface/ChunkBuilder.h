@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include <osgRoads/core/surface/BuildRoadMesh.h>
+
+#include "CrossSection.h"
+#include "JunctionCover.h"
+#include "MarkRows.h"
+
+namespace osgRoads::core
+{
+
+/// Adds the chunks of one lane section to a mesh.
+class ChunkBuilder
+{
+public:
+    ChunkBuilder(const PlacedNetwork& network, int road, const LaneSection& section,
+                 const RoadMeshSettings& settings, MarkRows& marks, RoadMesh& mesh);
+
+    void add(double from, double to);
+
+private:
+    /// A cross-section, where it lies in the scene.
+    struct Row
+    {
+        double s = 0.0;
+        std::vector<SectionPoint> points;
+        std::vector<glm::dvec3> places;
+    };
+
+    Row rowAt(double s) const;
+    void sample(double from, double to);
+    double gapAt(std::size_t row, std::size_t stride) const;
+    void addRow(const Row& row, double from, const std::vector<MeshVertex>& strips);
+    void addLevels(RoadChunk& chunk, std::uint32_t firstVertex);
+    std::vector<MeshVertex> stripsAt(double from) const;
+
+    const PlacedNetwork& _network;
+    int _road;
+    const LaneSection& _section;
+    const RoadMeshSettings& _settings;
+    CrossSection _shape;
+    JunctionCover _cover;
+    MarkRows& _marks;
+    RoadMesh& _mesh;
+    std::vector<Row> _rows; ///< of the finest level and one between each two of them
+};
+
+} // namespace osgRoads::core

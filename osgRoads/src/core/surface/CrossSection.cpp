@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "CrossSection.h"
+
+#include <algorithm>
+#include <string_view>
+
+#include <osgRoads/core/query/LaneSpan.h>
+#include <osgRoads/core/query/RoadSurface.h>
+
+namespace osgRoads::core
+{
+
+namespace
+{
+
+constexpr int kCurvedColumns = 9; ///< of a lane of a road whose cross-section is not straight
+constexpr double kInsideM = 1e-6; ///< heights of a border are asked for so far inside the lane
+
+SurfaceKind kindOf(LaneType type)
+{
+    switch (type)
+    {
+    case LaneType::shoulder:
+    case LaneType::border:
+        return SurfaceKind::shoulder;
+    case LaneType::curb:
+        return SurfaceKind::kerb;
+    case LaneType::sidewalk:
+        return SurfaceKind::sidewalk;
+    case LaneType::median:
+    case LaneType::none:
+        return SurfaceKind::grass;
+    case LaneType::tram:
+    case LaneType::rail:
+        return SurfaceKind::gravel;
+    default:
+        return SurfaceKind::asphalt;
+    }
+}
+
+/// The kind of a lane: what its material says, else what its type means.
+SurfaceKind kindOf(const Lane& lane)
+{
+    const std::string_view word =
+        lane.materials.empty() ? std::string_view() : lane.materials.front().restriction;
+    if (word == "asphalt") return SurfaceKind::asphalt;
+    if (word == "concrete") return SurfaceKind::concrete;
+    if (word == "pavement" || word == "cobble") return SurfaceKind::sidewalk;
+    if (word == "gravel" || word == "dirt" || word == "soil") return SurfaceKind::gravel;
+    if (word == "vegetation" || word == "grass") return SurfaceKind::grass;
+    return kindOf(lane.type);
+}
+
+bool hasStepsIn(const LaneSection& section)
+{
+    const auto isRaised = [](const Lane& lane) { return !lane.heights.empty() || lane.isLevel; };
+    return std::any_of(section.left.begin(), section.left.end(), isRaised) ||
+           std::any_of(section.right.begin(), section.right.end(), isRaised);
+}
+
+bool isCurved(const Road& road)
+{
+    const bool hasCrossfall = !road.crossfall.leftRad.isEmpty() || !road.crossfall.rightRad.isEmpty();
+    return !road.shapes.empty() || (hasCrossfall && !road.laneOffset.isEmpty());
+}
+
+} // namespace
+
+CrossSection::CrossSection(const Road& road, const LaneSection& section, const RoadBed& bed)
+    : _road(road), _section(section), _bed(bed), _hasSteps(hasStepsIn(section))
+{
+    const int columns = isCurved(road) ? kCurvedColumns : 2;
+    _strips.push_back({.kind = SurfaceKind::skirt});
+    _strips.push_back({.kind = SurfaceKind::verge});
+    for (auto lane = section.right.rbegin(); lane != section.right.rend(); ++lane)
+        addLane(*lane, columns);
+    for (const Lane& lane : section.left)
+        addLane(lane, columns);
+    _strips.push_back({.kind = SurfaceKind::verge});
+    _strips.push_back({.kind = SurfaceKind::skirt});
+    for (const Strip& strip : _strips)
+        _columns += static_cast<std::size_t>(strip.columns);
+}
+
+void CrossSection::addLane(const Lane& lane, int columns)
+{
+    if (_hasSteps && _strips.back().lane) _strips.push_back({.kind = SurfaceKind::kerb});
+    Strip strip{.kind = kindOf(lane), .lane = &lane, .columns = columns};
+    const Lane* inner = _section.lane(lane.id > 0 ? lane.id - 1 : lane.id + 1);
+    strip.rightMark = lane.id > 0 ? inner : &lane;
+    strip.leftMark = lane.id > 0 ? &lane : inner;
+    _strips.push_back(strip);
+}
+
+void CrossSection::pointsAt(double s, std::vector<SectionPoint>& points) const
+{
+    std::vector<LaneSpan> spans;
+    const auto collect = [&](const LaneSpan& span)
+    {
+        spans.push_back(span);
+        return true;
+    };
+    forLanesOutwards(_road, _section, -1, s, collect);
+    std::reverse(spans.begin(), spans.end());
+    forLanesOutwards(_road, _section, 1, s, collect);
+
+    points.clear();
+    std::size_t next = 0;
+    for (const Strip& strip : _strips)
+    {
+        if (strip.lane)
+        {
+            const LaneSpan& span = spans[next++];
+            const double right = std::min(span.innerT, span.outerT), width = span.width();
+            const double inside = std::min(kInsideM, 0.25 * width);
+            for (int i = 0; i < strip.columns; ++i)
+            {
+                const double across = width * i / (strip.columns - 1);
+                const double t = right + std::clamp(across, inside, width - inside);
+                points.push_back({right + across, surfaceHeight(_road, s, t), across, width});
+            }
+        }
+        else
+            points.insert(points.end(), 2, SectionPoint{});
+    }
+    // Steps and verges take their ends from their neighbours.
+    const double offset = _road.laneOffset.value(s);
+    const auto edge = [&](bool isLeft)
+    {
+        if (spans.empty()) return SectionPoint{offset, surfaceHeight(_road, s, offset), 0.0, 0.0};
+        return isLeft ? points[points.size() - 5] : points[4];
+    };
+    const SectionPoint right = edge(false), left = edge(true);
+    const double fall = _bed.vergeM * _bed.vergeFall, run = _bed.skirtM / _bed.skirtSlope;
+    points[3] = {right.t, right.h, _bed.vergeM, _bed.vergeM};
+    points[2] = {right.t - _bed.vergeM, right.h - fall, 0.0, _bed.vergeM};
+    points[1] = {right.t - _bed.vergeM, right.h - fall, run, run};
+    points[0] = {right.t - _bed.vergeM - run, right.h - fall - _bed.skirtM, 0.0, run};
+    const std::size_t end = points.size();
+    points[end - 4] = {left.t, left.h, 0.0, _bed.vergeM};
+    points[end - 3] = {left.t + _bed.vergeM, left.h - fall, _bed.vergeM, _bed.vergeM};
+    points[end - 2] = {left.t + _bed.vergeM, left.h - fall, 0.0, run};
+    points[end - 1] = {left.t + _bed.vergeM + run, left.h - fall - _bed.skirtM, run, run};
+    std::size_t first = 0;
+    for (const Strip& strip : _strips)
+    {
+        if (strip.kind == SurfaceKind::kerb && !strip.lane)
+        {
+            points[first] = {points[first - 1].t, points[first - 1].h, 0.0, 0.0};
+            points[first + 1] = {points[first + 2].t, points[first + 2].h, 0.0, 0.0};
+        }
+        first += static_cast<std::size_t>(strip.columns);
+    }
+}
+
+} // namespace osgRoads::core

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "JunctionCover.h"
+
+#include <cmath>
+
+#include <osgRoads/core/query/LaneSpan.h>
+#include <osgRoads/core/query/RoadSurface.h>
+
+namespace osgRoads::core
+{
+
+namespace
+{
+
+constexpr double kSameLevelM = 1.0;
+constexpr double kWithinM = 1e-3; ///< a border that two roads share belongs to both
+
+bool meetsJunction(const std::optional<RoadLink>& link)
+{
+    return link && link->isJunction;
+}
+
+} // namespace
+
+JunctionCover::JunctionCover(const PlacedNetwork& network, int road)
+    : _network(network),
+      _road(road),
+      _isConnecting(network.road(road).junction >= 0),
+      _canCover(_isConnecting || meetsJunction(network.road(road).predecessor) ||
+                meetsJunction(network.road(road).successor))
+{
+}
+
+bool JunctionCover::covers(double s, double t) const
+{
+    const Road& own = _network.road(_road);
+    const glm::dvec3 place = surfacePoint(own, s, t);
+    for (const RoadMatch& match : _network.locator().within(glm::dvec2(place), 0.0))
+    {
+        if (match.position.road == _road) continue;
+        const Road& other = _network.road(match.position.road);
+        const auto lane = laneAt(other, match.position.s, match.position.t);
+        if (!lane || !isForCars(lane->lane->type)) continue;
+        const RoadExtent extent = extentAt(other, match.position.s);
+        const double inside = std::min(extent.leftT - match.position.t, match.position.t - extent.rightT);
+        const double above = surfacePoint(other, match.position.s, match.position.t).z - place.z;
+        if (inside > kWithinM && std::fabs(above) < kSameLevelM) return true;
+    }
+    return false;
+}
+
+} // namespace osgRoads::core

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <osgRoads/core/place/PlacedNetwork.h>
+
+namespace osgRoads::core
+{
+
+/// Tells where the carriageways of other roads cover what a road has beside its own carriageway: connecting roads lie over
+/// each other and over the verges of their neighbours.
+class JunctionCover
+{
+public:
+    JunctionCover(const PlacedNetwork& network, int road);
+
+    /// Whether anything of this road can be covered.
+    bool canCover() const { return _canCover; }
+    /// Whether the road's own marks may be covered: it connects others in a junction.
+    bool canCoverMarks() const { return _isConnecting; }
+
+    /// Whether a driving lane of another road lies at (s, t) of this one, less than 1 m higher or lower.
+    bool covers(double s, double t) const;
+
+private:
+    const PlacedNetwork& _network;
+    int _road;
+    bool _isConnecting, _canCover;
+};
+
+} // namespace osgRoads::core

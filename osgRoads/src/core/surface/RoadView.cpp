@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+#include <viewlod/ScreenError.h>
+
+#include <osgRoads/core/surface/RoadView.h>
+
+namespace osgRoads::core
+{
+
+namespace
+{
+
+/// Returns the height of a triangle above a point of the plan view.
+std::optional<double> heightIn(const std::array<glm::dvec3, 3>& corners, glm::dvec2 at)
+{
+    const glm::dvec2 a(corners[0]), ab = glm::dvec2(corners[1]) - a, ac = glm::dvec2(corners[2]) - a;
+    const double area = ab.x * ac.y - ab.y * ac.x;
+    if (!(std::fabs(area) > 1e-12)) return std::nullopt;
+    const glm::dvec2 to = at - a;
+    const double b = (to.x * ac.y - to.y * ac.x) / area, c = (ab.x * to.y - ab.y * to.x) / area;
+    constexpr double kEdge = 1e-9;
+    if (b < -kEdge || c < -kEdge || b + c > 1.0 + kEdge) return std::nullopt;
+    return corners[0].z + b * (corners[1].z - corners[0].z) + c * (corners[2].z - corners[0].z);
+}
+
+} // namespace
+
+std::vector<ChunkChoice> chooseLevels(const RoadMesh& mesh, const viewlod::ViewState& view,
+                                      const RoadViewSettings& settings)
+{
+    std::vector<ChunkChoice> choices;
+    const double pixels = view.guaranteedPixelsPerTangent();
+    for (std::size_t i = 0; i < mesh.chunks.size(); ++i)
+    {
+        const RoadChunk& chunk = mesh.chunks[i];
+        const double distance = glm::distance(view.eyeWorld, chunk.centre);
+        if (distance - chunk.radius > settings.farthestM) continue;
+        if (view.frustum.classify(chunk.centre, chunk.radius).outside) continue;
+        std::size_t level = chunk.levels.size() - 1;
+        while (level > 0 && viewlod::screenErrorBoundPx(pixels, chunk.levels[level].errorM, distance,
+                                                        chunk.radius, view.nearM) > settings.tolerancePx)
+            --level;
+        choices.push_back({static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(level)});
+    }
+    return choices;
+}
+
+double liftAt(double distanceM, const viewlod::ViewState& view, const RoadViewSettings& settings)
+{
+    const double share =
+        std::clamp((distanceM - settings.liftFromM) / (settings.liftFullM - settings.liftFromM), 0.0, 1.0);
+    return settings.liftPx / view.pixelsPerTangent * distanceM * share * share * (3.0 - 2.0 * share);
+}
+
+std::optional<double> drawnHeight(const RoadMesh& mesh, const std::vector<ChunkChoice>& choices,
+                                  const viewlod::ViewState& view, const RoadViewSettings& settings,
+                                  glm::dvec2 at, double below)
+{
+    std::optional<double> highest;
+    for (const ChunkChoice& choice : choices)
+    {
+        const RoadChunk& chunk = mesh.chunks[choice.chunk];
+        if (glm::distance(at, glm::dvec2(chunk.centre)) > chunk.radius) continue;
+        const ChunkLevel& level = chunk.levels[choice.level];
+        for (std::uint32_t i = level.firstIndex; i < level.firstIndex + level.indexCount; i += 3)
+        {
+            std::array<glm::dvec3, 3> corners;
+            int present = 0;
+            for (std::uint32_t j = 0; j < 3; ++j)
+            {
+                const MeshVertex& vertex = mesh.vertices[mesh.indices[i + j]];
+                corners[j] = mesh.placeOf(vertex);
+                corners[j].z += liftAt(glm::distance(corners[j], view.eyeWorld), view, settings);
+                present += vertex.present > 0 ? 1 : 0;
+            }
+            const std::optional<double> height = present > 1 ? heightIn(corners, at) : std::nullopt;
+            if (height && *height <= below && (!highest || *height > *highest)) highest = height;
+        }
+    }
+    return highest;
+}
+
+} // namespace osgRoads::core

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+// The reflectance of each kind of surface (core::SurfaceKind), linear. Asphalt reflects 8 to 12 %, worn concrete about 25 %, dry grass
+// and soil 10 to 15 % (Santamouris, Energy and Climate in the Urban Built Environment, 2001, chapter 11). GLSL 1.30.
+
+uniform vec3 roadVerge = vec3(0.105, 0.115, 0.050); // of the ground beside the road
+
+float roadShown()
+{
+    return 1.0 - smoothstep(0.85 * roadLift.w, roadLift.w, length(roadFromEye));
+}
+
+// Two tracks that wheels have polished.
+float roadTracks()
+{
+    float place = roadAt.y / max(roadAt.z, 0.1);
+    float track = max(1.0 - abs(place - 0.26) * 7.0, 1.0 - abs(place - 0.74) * 7.0);
+    return roadAt.z > 2.2 && roadAt.z < 6.0 ? max(track, 0.0) : 0.0;
+}
+
+vec3 roadSlabs(vec3 colour, vec2 filters)
+{
+    float joint = roadLineCover(fract(roadAt.x * 1.25 + 0.5) * 0.8 - 0.4, 0.006, filters.x) +
+                  roadLineCover(fract(roadAt.y * 1.25 + 0.5) * 0.8 - 0.4, 0.006, filters.y);
+    return colour * (1.0 - 0.45 * min(joint, 1.0));
+}
+
+vec3 roadSurface(vec2 filters)
+{
+    vec3 fine = texture(roadGrain, roadGround * 0.5).rgb - 0.5;
+    vec3 wide = texture(roadGrain, roadGround * 0.03125).rgb - 0.5;
+    float stones = 0.55 * fine.r + 0.35 * fine.g;
+    if (roadKind == 0)
+        return vec3(0.098, 0.098, 0.100) * (1.0 + 0.55 * stones + 0.30 * wide.b + 0.22 * wide.g + 0.14 * roadTracks());
+    if (roadKind == 1) return vec3(0.27, 0.26, 0.245) * (1.0 + 0.25 * stones + 0.20 * wide.b);
+    if (roadKind == 2) return vec3(0.115, 0.112, 0.108) * (1.0 + 0.75 * stones + 0.35 * wide.b);
+    if (roadKind == 3) return vec3(0.30, 0.295, 0.285) * (1.0 + 0.25 * stones);
+    if (roadKind == 4) return roadSlabs(vec3(0.235, 0.23, 0.22) * (1.0 + 0.20 * stones + 0.25 * wide.g), filters);
+    if (roadKind == 5) return vec3(0.19, 0.175, 0.15) * (1.0 + 1.1 * stones + 0.3 * wide.g);
+    // Grass: tufts, and soil that shows through.
+    float soil = smoothstep(0.05, 0.30, wide.g + 0.6 * fine.g);
+    vec3 grass = roadVerge * (1.0 + 0.7 * fine.r + 0.8 * fine.g + 0.5 * wide.b);
+    return mix(grass, vec3(0.15, 0.125, 0.09) * (1.0 + 0.6 * stones), 0.6 * soil);
+}
+
+vec3 roadAlbedo()
+{
+    vec2 filters = roadFilters();
+    if (roadPresence.x < 0.5) discard;
+    vec3 colour = max(roadSurface(filters), vec3(0.01));
+    colour = roadMarksOfRow(colour, roadMarkRows.x, roadAt.y, roadPresence.y, filters);
+    return roadMarksOfRow(colour, roadMarkRows.y, roadAt.y - roadAt.z, roadPresence.z, filters);
+}

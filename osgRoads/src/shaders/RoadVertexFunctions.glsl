@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// Takes a vertex of the road to the view. Positions are whole steps relative to the eye: exact at any distance from the origin.
+// GLSL 1.30.
+
+in ivec3 roadPosition;
+in vec3 roadPlace;  // s, across, width
+in vec3 roadNormal;
+in vec4 roadFlags;  // kind, presence, presence of right and left marks: 0 to 255
+in vec2 roadRows;   // of the marks at the right and the left border
+
+uniform ivec3 roadEyeSteps;
+uniform vec3 roadEyeRest;
+uniform vec3 roadEyeWrapped;  // the eye, modulo the period of the grain
+uniform vec4 roadLift;        // pixels as a tangent; from, full, farthest distance
+uniform mat3 roadEyeFromLocal;
+uniform mat3 roadWorldFromLocal;
+
+out vec3 roadFromEye;
+out vec3 roadNormalWorld;
+out vec3 roadAt;        // s, across, width
+out vec3 roadPresence;  // of the surface, of its right and its left marks
+out vec2 roadGround;    // east and north for the grain
+flat out int roadKind;
+flat out ivec2 roadMarkRows;
+
+vec3 roadInView()
+{
+    vec3 fromEye = vec3(roadPosition - roadEyeSteps) * (1.0 / 1024.0) - roadEyeRest;
+    roadGround = roadEyeWrapped.xy + fromEye.xy;
+    // Far away the ground below may err by a pixel; the road stays above it.
+    float distanceM = length(fromEye);
+    fromEye.z += roadLift.x * distanceM * smoothstep(roadLift.y, roadLift.z, distanceM);
+    roadFromEye = roadWorldFromLocal * fromEye;
+    roadNormalWorld = roadWorldFromLocal * roadNormal;
+    roadAt = roadPlace;
+    roadPresence = roadFlags.yzw * (1.0 / 255.0);
+    roadKind = int(roadFlags.x + 0.5);
+    roadMarkRows = ivec2(roadRows + 0.5);
+    return roadEyeFromLocal * fromEye;
+}

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include <osg/Drawable>
+
+#include <osgRoads/core/surface/RoadView.h>
+
+#include "RoadBuffers.h"
+
+namespace osgRoads
+{
+
+/// The drawable that one cull traversal puts into the render graph: the chunks that one camera sees, at its levels. It never
+/// changes, so a frame may be culled while the last is drawn.
+class RoadPart : public osg::Drawable
+{
+public:
+    RoadPart(std::shared_ptr<RoadBuffers> buffers, const std::vector<core::ChunkChoice>& choices,
+             const core::RoadViewSettings& settings, double pixelsPerTangent, const osg::BoundingBox& bounds);
+
+    void drawImplementation(osg::RenderInfo& renderInfo) const override;
+    osg::BoundingBox computeBoundingBox() const override { return _bounds; }
+
+    using osg::Drawable::accept;
+    bool supports(const osg::PrimitiveFunctor&) const override { return true; }
+    void accept(osg::PrimitiveFunctor& functor) const override;
+
+protected:
+    ~RoadPart() override = default;
+
+private:
+    void setUniforms(osg::State& state) const;
+
+    std::shared_ptr<RoadBuffers> _buffers;
+    std::vector<RoadRange> _ranges;
+    core::RoadViewSettings _settings;
+    double _pixelsPerTangent;
+    osg::BoundingBox _bounds;
+};
+
+/// Shows the triangles of ranges to a functor (statistics, intersection), in the scene's frame.
+void showTriangles(const core::RoadMesh& mesh, const std::vector<RoadRange>& ranges,
+                   osg::PrimitiveFunctor& functor);
+
+} // namespace osgRoads
