@@ -34,10 +34,13 @@ AtmosphereSettings atmosphereSettings(const core::RoamFile& description)
 }
 
 /// Imports all sources of features and gives them to the material.
-foundation::Result<core::FeatureReport>
-paintFeatures(TerrainMaterial& material, const core::RoamFile& description, const core::PlacedTile& tile)
+foundation::Result<core::FeatureReport> paintFeatures(TerrainMaterial& material,
+                                                      const core::RoamFile& description,
+                                                      const core::PlacedTile& tile,
+                                                      std::vector<core::GroundFeature> more)
 {
     core::FeatureSet all;
+    all.features = std::move(more);
     for (const std::filesystem::path& source : description.features)
     {
         auto set = core::importFeatures(source, tile);
@@ -194,8 +197,13 @@ foundation::Result<osg::ref_ptr<RoamTerrain>> makeTerrain(const core::RoamFile& 
 {
     auto placed = core::loadTile(description);
     if (!placed) return placed.error();
-    const auto tile = std::make_shared<core::RoamTile>(std::move(*placed));
+    return makeTerrain(description, std::make_shared<core::RoamTile>(std::move(*placed)));
+}
 
+foundation::Result<osg::ref_ptr<RoamTerrain>> makeTerrain(const core::RoamFile& description,
+                                                          const std::shared_ptr<core::RoamTile>& tile,
+                                                          std::vector<core::GroundFeature> moreFeatures)
+{
     osg::ref_ptr<osg::Image> drape;
     if (description.imagery.size() == 1 && !description.showsVoids)
     {
@@ -210,7 +218,7 @@ foundation::Result<osg::ref_ptr<RoamTerrain>> makeTerrain(const core::RoamFile& 
         return covered.error();
     if (description.seasonOfYear)
         if (const auto set = material->setSeason(description.seasonOfYear); !set) return set.error();
-    const auto features = paintFeatures(*material, description, tile->tile);
+    const auto features = paintFeatures(*material, description, tile->tile, std::move(moreFeatures));
     if (!features) return features.error();
     osg::ref_ptr<RoamTerrain> terrain = new RoamTerrain(tile, material.get());
     terrain->setFeatureReport(*features);
@@ -221,7 +229,7 @@ foundation::Result<osg::ref_ptr<RoamTerrain>> makeTerrain(const core::RoamFile& 
     if (const auto set = terrain->atmosphere()->setSettings(atmosphereSettings(description)); !set)
         return set.error();
     terrain->showSurroundings(description.surroundings);
-    terrain->setName(description.dems.front().string());
+    terrain->setName(description.dems.empty() ? tile->tile.field().name : description.dems.front().string());
     return terrain;
 }
 

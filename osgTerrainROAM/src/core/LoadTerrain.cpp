@@ -7,6 +7,9 @@
 namespace osgTerrainROAM::core
 {
 
+/// Samples beside roads, where nothing else is told: beds, cuttings and embankments take no finer ones.
+constexpr double kRoadSpacingM = 2.0;
+
 int gridExponentFor(const HeightField& field, double spacingM)
 {
     const double coarsestM = std::max(field.spacingEastM, field.spacingNorthM);
@@ -35,6 +38,8 @@ foundation::Result<PlacedTile> loadTile(const RoamFile& description)
     PlacedTileOptions options{.placement = description.placement, .origin = description.origin};
     if (description.finestSpacingM)
         options.gridExponent = gridExponentFor(*field, *description.finestSpacingM);
+    else if (!description.roads.empty())
+        options.gridExponent = gridExponentFor(*field, kRoadSpacingM);
     return PlacedTile(std::move(*field), options);
 }
 

@@ -112,6 +112,18 @@ Outcome assignOrigin(RoamFile& file, const Entry& entry)
     return success();
 }
 
+Outcome assignRoadsOrigin(RoamFile& file, const Entry& entry)
+{
+    const auto found = numbers(entry, 2, 3);
+    if (!found) return found.error();
+    const auto& list = *found;
+    if (std::abs(list[0]) > 89.0 || std::abs(list[1]) > 360.0)
+        return entry.error("roads_origin = " + std::string(entry.value) + " is no place for roads",
+                           "give latitude and longitude in degrees, and perhaps the heading");
+    file.roadsOrigin = RoadsOrigin{list[0], list[1], list.size() > 2 ? list[2] : 0.0};
+    return success();
+}
+
 Outcome assignSun(RoamFile& file, const Entry& entry)
 {
     const auto found = numbers(entry, 2, 2);
@@ -163,6 +175,7 @@ struct VoidsWord
 };
 constexpr Word<VoidsWord> kVoids[] = {
     {"fill", {Voids::fill, false}}, {"keep", {Voids::keep, false}}, {"show", {Voids::fill, true}}};
+constexpr Word<bool> kRoadsHeights[] = {{"file", false}, {"ground", true}};
 constexpr Word<bool> kSurroundings[] = {{"made", true}, {"none", false}};
 constexpr Word<VerticalDatum> kDatums[] = {{"automatic", VerticalDatum::automatic},
                                            {"egm96", VerticalDatum::egm96},
@@ -238,6 +251,10 @@ constexpr std::array kKeys{
     Key{"land_cover", [](RoamFile& f, const Entry& e) { return assignPath(f.landCover, e); }},
     Key{"land_cover_classes", assignClasses},
     Key{"season", assignSeason},
+    Key{"roads", [](RoamFile& f, const Entry& e) { return assignPath(f.roads, e); }},
+    Key{"roads_origin", assignRoadsOrigin},
+    Key{"roads_heights",
+        [](RoamFile& f, const Entry& e) { return assignWord(f.roadsOnGround, e, kRoadsHeights); }},
     Key{"origin", assignOrigin},
     Key{"placement", [](RoamFile& f, const Entry& e) { return assignWord(f.placement, e, kPlacements); }},
     Key{"spacing",
@@ -297,7 +314,7 @@ struct NamedFile
 
 std::vector<NamedFile> namedFiles(const RoamFile& file)
 {
-    std::vector<NamedFile> named{{"land_cover", file.landCover}};
+    std::vector<NamedFile> named{{"land_cover", file.landCover}, {"roads", file.roads}};
     if (file.landCoverClasses != "worldcover" && file.landCoverClasses != "corine")
         named.push_back({"land_cover_classes", file.landCoverClasses});
     const auto append = [&](std::string_view key, const std::vector<std::filesystem::path>& paths)

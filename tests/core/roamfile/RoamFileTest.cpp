@@ -35,6 +35,9 @@ sea_level = -1.5
 sun = 230 40
 visibility = 35000
 moonlight = 0.5
+roads = town.xodr
+roads_origin = 46.5 8.25 30
+roads_heights = ground
 )";
 
 std::string messageOf(const std::string& text)
@@ -70,6 +73,12 @@ TEST(RoamFile, HasEveryKey)
     EXPECT_EQ(file->sunElevationDeg, 40.0);
     EXPECT_EQ(file->visibilityM, 35000.0);
     EXPECT_EQ(file->moonlight, 0.5);
+    EXPECT_EQ(file->roads.filename(), "town.xodr");
+    ASSERT_TRUE(file->roadsOrigin);
+    EXPECT_EQ(file->roadsOrigin->latitudeDeg, 46.5);
+    EXPECT_EQ(file->roadsOrigin->longitudeDeg, 8.25);
+    EXPECT_EQ(file->roadsOrigin->headingDeg, 30.0);
+    EXPECT_TRUE(file->roadsOnGround);
     ASSERT_EQ(file->features.size(), 2u);
     EXPECT_EQ(file->features[0], std::filesystem::path("folder/roads.gpkg"));
     EXPECT_EQ(file->features[1], std::filesystem::path("/far/fields.geojson"));
@@ -91,6 +100,9 @@ TEST(RoamFile, ASeasonIsAMonthOrAShareOfTheYear)
     EXPECT_EQ(messageOf(four), "");
     EXPECT_THAT(messageOf(four + "imagery = e\n"),
                 testing::HasSubstr("place.roam:6: is one imagery more than the 4"));
+    EXPECT_THAT(messageOf("dem = a\nroads_origin = 95 8\n"),
+                testing::HasSubstr("place.roam:2: roads_origin = 95 8 is no place for roads"));
+    EXPECT_THAT(messageOf("dem = a\nroads_heights = sea\n"), testing::HasSubstr("use one of: file, ground"));
     EXPECT_THAT(messageOf("dem = a\nmoonlight = 2\n"),
                 testing::HasSubstr("place.roam:2: moonlight = 2 is out of range"));
     EXPECT_THAT(messageOf("dem = a\nland_cover = a\nland_cover = b\n"),

@@ -74,7 +74,7 @@ TEST(GoldenFlight, DefaultFlightIsFlownAsEver)
 
 TEST(GoldenFlight, DefaultDriveIsDrivenAsEver)
 {
-    EXPECT_EQ(hashOf(defaultScenario("drive.xosc")), 8133504088673832358u);
+    EXPECT_EQ(hashOf(defaultScenario("drive.xosc")), 11364760700676401614u);
 }
 
 TEST(GoldenFlight, TheNumberNoticesACentimetre)

@@ -27,6 +27,13 @@ struct LandParameters
     std::optional<double> seaLevelM;
 };
 
+/// Where the (0, 0) of a road network lies that has no georeference of its own. Units: degrees.
+struct RoadsOrigin
+{
+    double latitudeDeg = 0.0, longitudeDeg = 0.0;
+    double headingDeg = 0.0; ///< of the network's y axis, clockwise from north
+};
+
 /// The content of a `.roam` file, which describes a terrain. Text, one `key = value` a line, `#` starts a comment.
 ///   dem = FILE                        an elevation raster; the only required key. Several are joined (importDems)
 ///   voids = fill | keep | show        missing samples: filled smoothly, or holes in the ground, or filled and coloured
@@ -35,6 +42,9 @@ struct LandParameters
 ///   land_cover = FILE                 a raster of classes
 ///   land_cover_classes = worldcover | corine | FILE    what its classes mean (CoverTable.h)
 ///   season = MONTH | 0…1              january … december, or a share of the year; absent: early summer
+///   roads = FILE.xodr                 a road network that the ground is cut to
+///   roads_origin = LAT LON [HEADING]  of the network's (0, 0), degrees; heading of its y axis, clockwise from north
+///   roads_heights = file | ground     the network's own heights, or added to those of the smoothed ground
 ///   origin = LAT LON [HEIGHT]         of the local frame, degrees and metres
 ///   placement = curved | planar
 ///   spacing = METRES                  of a raster without georeference
@@ -56,6 +66,9 @@ struct RoamFile
     std::filesystem::path landCover;        ///< empty: none
     std::filesystem::path landCoverClasses; ///< a table's name or file; empty: worldcover
     std::optional<double> seasonOfYear;     ///< 0…1
+    std::filesystem::path roads;            ///< an OpenDRIVE file; empty: none
+    std::optional<RoadsOrigin> roadsOrigin; ///< absent: by the network's own georeference
+    bool roadsOnGround = false;             ///< the network's heights count from the smoothed ground
     std::optional<Geodetic> origin;
     Placement placement = Placement::curved;
     DemImportOptions import;

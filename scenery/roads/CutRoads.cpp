@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scenery/roads/CutRoads.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <osgRoads/core/query/LaneSpan.h>
+#include <osgRoads/core/query/RoadSurface.h>
+#include <osgTerrainROAM/core/edit/HeightRule.h>
+#include <osgTerrainROAM/core/heightfield/GroundQuery.h>
+
+namespace scenery
+{
+
+namespace
+{
+
+using osgRoads::core::PlacedNetwork;
+using osgRoads::core::Road;
+using osgTerrainROAM::core::EditDetail;
+using osgTerrainROAM::core::PlacedTile;
+using osgTerrainROAM::core::PlanBox;
+
+constexpr double kBoxStepM = 15.0;
+constexpr double kLeastReachM = 4.0; ///< beyond the verge
+
+/// The box of one station: its lanes, and as far beside them as cutting or embankment may reach. False: beyond the data.
+bool boxAt(const PlacedTile& tile, const PlacedNetwork& roads, int road, double s, const RoadCutShape& shape,
+           PlanBox& box)
+{
+    const auto lanes = osgRoads::core::extentAt(roads.road(road), s);
+    double earthworkM = 0.0;
+    bool isOnTile = false;
+    box = {glm::dvec2(1e300), glm::dvec2(-1e300)};
+    for (const double t : {lanes.rightT, 0.5 * (lanes.rightT + lanes.leftT), lanes.leftT})
+    {
+        const glm::dvec3 place = roads.surfacePoint(road, s, t);
+        box.low = glm::min(box.low, glm::dvec2(place));
+        box.high = glm::max(box.high, glm::dvec2(place));
+        const auto ground = osgTerrainROAM::core::groundAt(tile, place.x, place.y);
+        if (!ground) continue;
+        isOnTile = true;
+        earthworkM = std::max(earthworkM, std::abs(ground->position.z - place.z));
+    }
+    const double besideM = shape.bed.vergeM + kLeastReachM + 2.0 * earthworkM / shape.slope;
+    box = box.grownBy(std::min(besideM, shape.reachM) + 0.5 * kBoxStepM);
+    return isOnTile;
+}
+
+std::vector<PlanBox> boxesOf(const PlacedTile& tile, const PlacedNetwork& roads, const RoadCutShape& shape)
+{
+    std::vector<PlanBox> boxes;
+    for (int i = 0; i < static_cast<int>(roads.network().roads.size()); ++i)
+    {
+        const Road& road = roads.road(i);
+        if (!road.isUsable) continue;
+        const int stations = std::max(static_cast<int>(std::ceil(road.length / kBoxStepM)), 1);
+        for (int station = 0; station <= stations; ++station)
+        {
+            PlanBox box;
+            const double s = road.length * station / stations;
+            if (!osgRoads::core::structureAt(road, s) && boxAt(tile, roads, i, s, shape, box))
+                boxes.push_back(box);
+        }
+    }
+    return boxes;
+}
+
+} // namespace
+
+foundation::Result<osgTerrainROAM::core::EditReport>
+cutRoads(osgTerrainROAM::core::TileEditor& editor, const PlacedNetwork& roads, const RoadCutShape& shape)
+{
+    const PlacedTile& tile = editor.tile().tile;
+    const auto boxes = boxesOf(tile, roads, shape);
+    if (boxes.empty())
+        return foundation::Error{tile.field().name, "the roads lie beyond the terrain",
+                                 "state where they lie: roads_origin = LAT LON [HEADING]"};
+    const auto rule = [&](const glm::dvec2& place, double heightM)
+    {
+        const glm::dvec2 grid = tile.frame().gridNear(place);
+        const double z = tile.frame().positionAt(grid.x, grid.y, heightM).z;
+        return roadBand(roads, tile.frame(), shape, glm::dvec3(place, z)).nearestTo(heightM);
+    };
+    const bool isFine = tile.grid().exponent() > 0;
+    const auto changes =
+        osgTerrainROAM::core::changesBy(rule, tile, boxes, isFine ? EditDetail::places : EditDetail::samples);
+    if (!changes) return changes.error();
+    using Between = osgTerrainROAM::core::TileEditor::Between;
+    auto report = editor.apply(*changes, isFine ? Between::stays : Between::follows);
+    editor.forgetUndo();
+    return report;
+}
+
+} // namespace scenery

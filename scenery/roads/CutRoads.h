@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <foundation/Result.h>
+
+#include <osgRoads/core/place/PlacedNetwork.h>
+#include <osgTerrainROAM/core/edit/TileEditor.h>
+
+#include "scenery/roads/RoadBand.h"
+
+namespace scenery
+{
+
+/// Lays roads into the ground of a tile: beds, cuttings and embankments (roadBand()), in one step of the editor. Where the tile's
+/// grid is finer than its raster, samples are added near the roads; otherwise the raster's own change.
+/// Errors: those of changesBy() and TileEditor::apply(); roads beyond the tile.
+foundation::Result<osgTerrainROAM::core::EditReport> cutRoads(osgTerrainROAM::core::TileEditor& editor,
+                                                              const osgRoads::core::PlacedNetwork& roads,
+                                                              const RoadCutShape& shape = {});
+
+} // namespace scenery

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include <foundation/Result.h>
+
+#include <osgTerrainROAM/core/RoamFile.h>
+#include <osgTerrainROAM/core/features/GroundFeature.h>
+#include <osgTerrainROAM/core/roam/RoamTile.h>
+
+#include "scenery/roads/PlaceRoads.h"
+
+namespace scenery
+{
+
+/// Places the roads that a .roam file names on its tile and cuts the ground to them. `placed` of the result is null when the file
+/// names none. Errors: those of placeRoads() and cutRoads().
+foundation::Result<SceneRoads> layRoads(const osgTerrainROAM::core::RoamFile& description,
+                                        const std::shared_ptr<osgTerrainROAM::core::RoamTile>& tile);
+
+/// Returns ribbons to paint on the ground for roads that are too far away to be drawn as meshes: as wide as the lanes that cars
+/// use, unmarked; nothing on bridges and in tunnels. Frame: the scene's.
+std::vector<osgTerrainROAM::core::GroundFeature> farRoads(const osgRoads::core::PlacedNetwork& roads);
+
+} // namespace scenery

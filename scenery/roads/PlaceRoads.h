@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <foundation/Result.h>
+#include <glm/glm.hpp>
+
+#include <osgRoads/core/place/PlacedNetwork.h>
+#include <osgRoads/core/read/Problem.h>
+#include <osgTerrainROAM/core/heightfield/PlacedTile.h>
+
+namespace scenery
+{
+
+/// Which heights roads on a terrain have.
+enum class RoadHeights
+{
+    file,   ///< the file's, in the datum of the terrain's samples
+    ground, ///< the smoothed ground's plus the file's
+};
+
+/// Where a network without a usable georeference lies.
+struct RoadOrigin
+{
+    double latitudeDeg = 0.0, longitudeDeg = 0.0; ///< of the file's (0, 0)
+    double headingDeg = 0.0;                      ///< of the file's y axis, clockwise from north
+};
+
+/// The roads that a terrain is to carry.
+struct RoadsRequest
+{
+    std::filesystem::path file;
+    std::optional<RoadOrigin> origin; ///< absent: by the file's geoReference
+    RoadHeights heights = RoadHeights::file;
+};
+
+/// A network in the scene's frame.
+struct SceneRoads
+{
+    std::shared_ptr<const osgRoads::core::PlacedNetwork> placed;
+    std::vector<std::string> notes; ///< one for each problem of the file, most ten
+};
+
+/// The part of the plan that the usable roads of a network take up, lanes included. Frame: inertial. Units: metres.
+struct PlanExtent
+{
+    glm::dvec2 low{0.0}, high{0.0};
+};
+PlanExtent extentOf(const osgRoads::core::RoadNetwork& network);
+
+/// Reads a network and places it on a tile. On a planar tile the file's x and y are the tile's.
+/// Errors: those of readNetwork(); on a curved tile, neither a geoReference nor an origin; a place that PROJ cannot compute; roads
+/// that lie beyond the tile's data.
+foundation::Result<SceneRoads> placeRoads(const RoadsRequest& request,
+                                          const osgTerrainROAM::core::PlacedTile& tile);
+
+/// The first problems of a file, as lines.
+std::vector<std::string> roadNotes(const std::vector<osgRoads::core::Problem>& problems,
+                                   const std::string& file);
+
+} // namespace scenery

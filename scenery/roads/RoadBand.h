@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include <osgRoads/core/place/PlacedNetwork.h>
+#include <osgRoads/core/place/RoadBed.h>
+#include <osgTerrainROAM/core/heightfield/TileFrame.h>
+
+namespace scenery
+{
+
+/// The cross-section of the ground that carries roads. Units: metres.
+struct RoadCutShape
+{
+    osgRoads::core::RoadBed bed;
+    double slope = 1.0 / 1.5; ///< of cuttings and embankments
+    double reachM = 40.0;     ///< from the lanes; at it any ground is left as it is
+    double vergeEndM = 0.1;   ///< the ground meets the mesh's skirt so far below the verge's outer edge
+    double riseM = 1.0;       ///< width over which the bed comes up to there
+};
+
+/// The heights that the ground may have at a place. A low above the high yields: no road is buried.
+/// Units: metres in the samples' datum.
+struct HeightBand
+{
+    double lowM = -1e9, highM = 1e9;
+
+    bool isOpen() const { return lowM < -1e8 && highM > 1e8; }
+    double nearestTo(double heightM) const
+    {
+        const double raised = heightM > lowM ? heightM : lowM;
+        return raised < highM ? raised : highM;
+    }
+};
+
+/// Returns what the roads near a point of the scene ask of the ground there: a bed under lanes and verge, beside it a cutting or an
+/// embankment that becomes steeper towards its reach. The lowest bed wins. On bridges and in tunnels a road asks nothing.
+/// Threads: const, any. Cost: some microseconds.
+HeightBand roadBand(const osgRoads::core::PlacedNetwork& roads, const osgTerrainROAM::core::TileFrame& frame,
+                    const RoadCutShape& shape, const glm::dvec3& scene);
+
+} // namespace scenery

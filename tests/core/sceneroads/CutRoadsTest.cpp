@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scenery/roads/CutRoads.h"
+
+#include <cmath>
+#include <memory>
+
+#include <glm/gtc/matrix_transform.hpp>
+#include <gtest/gtest.h>
+
+#include <osgRoads/core/read/ReadNetwork.h>
+#include <osgTerrainROAM/core/heightfield/GroundQuery.h>
+#include <osgTerrainROAM/core/roam/DrawnMeshCheck.h>
+#include <osgTerrainROAM/core/roam/RoamMesh.h>
+
+#include "SyntheticField.h"
+
+namespace
+{
+
+using namespace osgTerrainROAM::core;
+using osgRoads::core::PlacedNetwork;
+using scenery::RoadCutShape;
+
+/// 600 m along x at y = 500, 7 m wide, banked, climbing by 2 %; a bridge from 300 to 360 m.
+std::shared_ptr<PlacedNetwork> bankedRoad(double fromHeightM)
+{
+    const std::string lane = R"(<width sOffset="0" a="3.5" b="0" c="0" d="0"/></lane>)";
+    const std::string text =
+        R"(<OpenDRIVE><header revMajor="1" revMinor="7"/><road id="1" length="600" junction="-1">
+<planView><geometry s="0" x="200" y="500" hdg="0" length="600"><line/></geometry></planView>
+<elevationProfile><elevation s="0" a=")" +
+        std::to_string(fromHeightM) + R"(" b="0.02" c="0" d="0"/></elevationProfile>
+<lateralProfile><superelevation s="0" a="0.05" b="0" c="0" d="0"/></lateralProfile>
+<lanes><laneSection s="0"><left><lane id="1" type="driving" level="false">)" +
+        lane + R"(</left><center><lane id="0" type="none" level="false"/></center>
+<right><lane id="-1" type="driving" level="false">)" +
+        lane + R"(</right></laneSection></lanes>
+<objects><bridge id="b" type="concrete" s="300" length="60"/></objects></road></OpenDRIVE>)";
+    auto read = osgRoads::core::parseNetwork(text, "banked.xodr");
+    EXPECT_TRUE(read) << (read ? "" : read.error().message());
+    return std::make_shared<PlacedNetwork>(
+        std::make_shared<osgRoads::core::RoadNetwork>(std::move(read->network)));
+}
+
+/// Hills on a plane, 30 m a sample, with room for samples 1.9 m apart.
+std::shared_ptr<RoamTile> hillTile()
+{
+    return std::make_shared<RoamTile>(PlacedTile(
+        testsupport::hills(33, 33), PlacedTileOptions{.placement = Placement::planar, .gridExponent = 4}));
+}
+
+double groundM(const RoamTile& tile, const glm::dvec3& place)
+{
+    return groundAt(tile.tile, place.x, place.y)->position.z;
+}
+
+/// The depth of the ground below the road: least and most over its lanes, but for the bridge and the road's ends.
+struct Depths
+{
+    double leastM = 1e9, mostM = -1e9;
+};
+Depths depthsUnder(const RoamTile& tile, const PlacedNetwork& roads)
+{
+    Depths depths;
+    for (double s = 5.0; s < 595.0; s += 0.7)
+        for (double t = -3.5; t <= 3.5; t += 0.5)
+        {
+            if (s > 295.0 && s < 365.0) continue;
+            const glm::dvec3 place = roads.surfacePoint(0, s, t);
+            depths.leastM = std::min(depths.leastM, place.z - groundM(tile, place));
+            depths.mostM = std::max(depths.mostM, place.z - groundM(tile, place));
+        }
+    return depths;
+}
+
+viewlod::ViewState viewAlong(const glm::dvec3& eye)
+{
+    return viewlod::ViewState::fromMatrices(
+        glm::lookAt(eye, eye + glm::dvec3(1.0, 0.0, -0.1), {0.0, 0.0, 1.0}),
+        glm::perspective(1.0, 1.25, 0.5, 1e5), 640, 512);
+}
+
+} // namespace
+
+TEST(CutRoads, GroundIsABedUnderBankedLanesInHills)
+{
+    const auto tile = hillTile();
+    const auto roads = bankedRoad(430.0);
+    TileEditor editor(tile);
+    const auto cut = scenery::cutRoads(editor, *roads);
+    ASSERT_TRUE(cut) << cut.error().message();
+    RecordProperty("samplesPerMetre", std::to_string(double(cut->samplesChanged) / 540.0));
+    const Depths depths = depthsUnder(*tile, *roads);
+    EXPECT_GT(depths.leastM, 0.3);
+    // Triangles 1.9 m long span the kink between banked lane and verge: 0.5 m + (0.05 + 0.06) · 0.95 m.
+    EXPECT_LT(depths.mostM, 0.61);
+}
+
+TEST(CutRoads, AShallowBedIsSeenAsTooShallow) // the test above can fail
+{
+    const auto tile = hillTile();
+    const auto roads = bankedRoad(430.0);
+    TileEditor editor(tile);
+    RoadCutShape shallow;
+    shallow.bed.depthM = 0.1;
+    ASSERT_TRUE(scenery::cutRoads(editor, *roads, shallow));
+    EXPECT_LT(depthsUnder(*tile, *roads).leastM, 0.3);
+}
+
+TEST(CutRoads, GroundFarAwayAndUnderABridgeStaysAsItWas)
+{
+    const auto before = hillTile(), tile = hillTile();
+    const auto roads = bankedRoad(600.0);
+    TileEditor editor(tile);
+    ASSERT_TRUE(scenery::cutRoads(editor, *roads));
+    const RoadCutShape shape;
+    for (double x = 20.0; x < 940.0; x += 7.0)
+        for (double y = 20.0; y < 940.0; y += 7.0)
+        {
+            const bool isFar = x < 150.0 || x > 850.0 || std::abs(y - 500.0) > shape.reachM + 10.0;
+            if (!isFar) continue;
+            EXPECT_NEAR(groundM(*tile, {x, y, 0.0}), groundM(*before, {x, y, 0.0}), 1e-3);
+        }
+    EXPECT_NEAR(groundM(*tile, {530.0, 500.0, 0.0}), groundM(*before, {530.0, 500.0, 0.0}), 1e-3);
+}
+
+TEST(CutRoads, EveryMeshOfTheTileKeepsItsPromises)
+{
+    const auto tile = hillTile();
+    const auto roads = bankedRoad(430.0);
+    TileEditor editor(tile);
+    ASSERT_TRUE(scenery::cutRoads(editor, *roads));
+    RoamMesh mesh{SplitBounds(tile)};
+    for (double s = 10.0; s < 600.0; s += 145.0)
+    {
+        const glm::dvec3 eye = roads->surfacePoint(0, s, -1.75) + glm::dvec3(0.0, 0.0, 1.3);
+        const auto view = viewAlong(eye);
+        const auto said = mesh.refine(view, {.errorTolerancePx = 1.0});
+        const DrawnMeshReport report = checkDrawnMesh(*tile, mesh.drawn(), &view);
+        EXPECT_EQ(report.tJunctions, 0u);
+        EXPECT_EQ(report.cracks, 0u);
+        EXPECT_LE(report.maxErrorPx, said.tolerancePx);
+    }
+}
+
+TEST(CutRoads, RoadsBeyondTheTileAreRefused)
+{
+    const auto tile = hillTile();
+    const auto roads = bankedRoad(430.0);
+    TileEditor editor(tile);
+    const auto moved = std::make_shared<RoamTile>(
+        PlacedTile(testsupport::hills(3, 3), PlacedTileOptions{.placement = Placement::planar}));
+    TileEditor other(moved);
+    const auto cut = scenery::cutRoads(other, *roads);
+    ASSERT_FALSE(cut);
+    EXPECT_NE(cut.error().message().find("beyond the terrain"), std::string::npos);
+}
