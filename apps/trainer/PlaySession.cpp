@@ -119,7 +119,8 @@ foundation::Outcome PlaySession::openPictures(const ViewSetup& setup)
     _viewer = makeViewer(_scene->root());
     _rig = std::make_unique<ChannelRig>(*_viewer, setup, _contexts);
     keepCameraTimings(*_viewer);
-    if (!_request.terrain.patchExponent && _terrain.terrain) tunePatches();
+    // Patches and samples between those of the raster, as roads have them, exclude each other.
+    if (!_request.terrain.patchExponent && _terrain.terrain && !_terrain.roads) tunePatches();
     return beginCaptures(setup);
 }
 

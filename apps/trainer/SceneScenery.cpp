@@ -141,7 +141,8 @@ foundation::Result<std::optional<SceneScenery>> makeScenery(const SceneryRequest
                                  "play over an elevation raster or a .roam file"};
     const auto shapes = scenery::makeSceneryShapes(scenery::objectsOf(*description));
     if (!shapes) return shapes.error();
-    const scenery::Ways ways = waysOf(scenario, options, std::max(kLeastS, playS));
+    scenery::Ways ways = waysOf(scenario, options, std::max(kLeastS, playS));
+    if (terrain.roads) keepRoadsClear(*terrain.roads, ways);
     const auto begin = std::chrono::steady_clock::now();
     const scenery::PlacedScenery placed =
         scenery::placeScenery(*description, shapes->measures, groundOf(terrain), ways);

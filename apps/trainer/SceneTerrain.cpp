@@ -11,6 +11,7 @@
 #include <osgTerrainROAM/core/LoadTerrain.h>
 
 #include "ModelFile.h"
+#include "SceneRoads.h"
 #include "ground/TileGround.h"
 
 namespace trainer
@@ -38,8 +39,8 @@ public:
 
 bool isTerrainFile(const std::filesystem::path& file)
 {
-    static constexpr std::array kSuffixes{"roam", "tif", "tiff", "hgt", "gz",  "zip", "asc",
-                                          "dt0",  "dt1", "dt2",  "png", "img", "vrt", "bil"};
+    static constexpr std::array kSuffixes{"roam", "xodr", "tif", "tiff", "hgt", "gz",  "zip", "asc",
+                                          "dt0",  "dt1",  "dt2", "png",  "img", "vrt", "bil"};
     const std::string suffix = osgDB::getLowerCaseFileExtension(file.string());
     return std::find(kSuffixes.begin(), kSuffixes.end(), suffix) != kSuffixes.end();
 }
@@ -53,18 +54,19 @@ std::optional<simulation::Geodetic> SceneTerrain::origin() const
 
 simulation::GroundProvider SceneTerrain::ground() const
 {
-    return terrain ? ground::groundOf(terrain->tile()->tile) : simulation::GroundProvider{};
+    if (!terrain) return {};
+    simulation::GroundProvider bare = ground::groundOf(terrain->tile()->tile);
+    return roads ? groundWithRoads(std::move(bare), roads) : bare;
 }
 
 foundation::Result<SceneTerrain> openElevation(const std::filesystem::path& file,
                                                const TerrainRequest& request)
 {
+    if (osgDB::getLowerCaseFileExtension(file.string()) == "xodr") return openNetwork(file, request);
     auto description = osgTerrainROAM::core::describeTerrain(file, request.import);
     if (!description) return description.error();
     description->showsVoids = description->showsVoids || request.showsVoids;
-    auto terrain = osgTerrainROAM::makeTerrain(*description);
-    if (!terrain) return terrain.error();
-    return SceneTerrain{terrain->get(), *terrain};
+    return makeTerrainWithRoads(*description);
 }
 
 foundation::Result<SceneTerrain> openScene(const std::filesystem::path& file, const TerrainRequest& request)
@@ -75,7 +77,7 @@ foundation::Result<SceneTerrain> openScene(const std::filesystem::path& file, co
     {
         TerrainFinder finder;
         (*node)->accept(finder);
-        return SceneTerrain{*node, finder.found};
+        return SceneTerrain{*node, finder.found, nullptr};
     }
     // GDAL reads rasters with many suffixes, some of which are also those of models (.flt, .dem).
     auto terrain = openElevation(file, request);

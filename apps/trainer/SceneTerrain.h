@@ -2,12 +2,15 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 
 #include <foundation/Result.h>
 
 #include <osg/Node>
 #include <osg/ref_ptr>
+
+#include <osgRoads/core/place/PlacedNetwork.h>
 
 #include <osgTerrainROAM/RoamTerrain>
 
@@ -22,16 +25,17 @@ struct SceneTerrain
 {
     osg::ref_ptr<osg::Node> node;                      ///< the scene
     osg::ref_ptr<osgTerrainROAM::RoamTerrain> terrain; ///< within it; null when the scene has no ROAM terrain
+    std::shared_ptr<const osgRoads::core::PlacedNetwork> roads; ///< null: none
 
     /// Returns the origin of the scene's frame; absent without georeference.
     std::optional<simulation::Geodetic> origin() const;
 
-    /// Returns the true surface; empty when the scene has none. `terrain` must outlive it.
+    /// Returns the true surface, roads included; empty when the scene has none. `terrain` must outlive it.
     simulation::GroundProvider ground() const;
 };
 
-/// Opens a .roam file or an elevation raster with the terrain library, whose errors it returns; `terrain` is never
-/// null. Errors: as makeTerrain().
+/// Opens a .roam file, with its roads, an elevation raster or an OpenDRIVE network (.xodr); `terrain` is never null. Errors: as
+/// makeTerrainWithRoads() and openNetwork().
 foundation::Result<SceneTerrain> openElevation(const std::filesystem::path& file,
                                                const TerrainRequest& request);
 

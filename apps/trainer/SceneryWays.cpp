@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include <osgRoads/core/place/RoadBed.h>
+#include <osgRoads/core/query/LaneSpan.h>
+
 namespace trainer
 {
 
@@ -15,6 +18,7 @@ constexpr double kEyeRoomM = 14.0;    ///< behind the first point: room for a ch
 constexpr double kTreetopsM = 45.0;   ///< above the ground; no object is higher
 constexpr double kWingMarginM = 25.0; ///< beside entities that fly below tree tops
 constexpr double kStepM = 1.0, kJumpM = 200.0;
+constexpr double kRoadStepM = 10.0, kRoadMarginM = 2.0; ///< beside verges
 
 /// The path of one entity, split where it jumps.
 struct Track
@@ -78,6 +82,27 @@ scenery::Ways waysOf(const simulation::Scenario& scenario, const simulation::Pla
     for (std::size_t i = 0; i < tracks.size(); ++i)
         addTrack(tracks[i], scenario.entities[i], ways);
     return ways;
+}
+
+void keepRoadsClear(const osgRoads::core::PlacedNetwork& roads, scenery::Ways& ways)
+{
+    for (std::size_t i = 0; i < roads.network().roads.size(); ++i)
+    {
+        const int index = static_cast<int>(i);
+        const osgRoads::core::Road& road = roads.road(index);
+        if (!road.isUsable) continue;
+        std::vector<glm::dvec2> line;
+        double halfM = 0.0;
+        const int steps = std::max(1, static_cast<int>(std::ceil(road.length / kRoadStepM)));
+        for (int step = 0; step <= steps; ++step)
+        {
+            const double s = road.length * step / steps;
+            const auto lanes = osgRoads::core::extentAt(road, s);
+            line.emplace_back(roads.surfacePoint(index, s, 0.5 * (lanes.rightT + lanes.leftT)));
+            halfM = std::max(halfM, 0.5 * (lanes.leftT - lanes.rightT));
+        }
+        ways.keepClear.push_back({std::move(line), halfM + osgRoads::core::RoadBed{}.vergeM + kRoadMarginM});
+    }
 }
 
 } // namespace trainer

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <osgRoads/core/place/PlacedNetwork.h>
+
 #include "scenery/placement/Surroundings.h"
 #include "simulation/player/ScenarioPlayer.h"
 
@@ -13,5 +15,8 @@ namespace trainer
 /// scenario cannot be played. Cost: its steps.
 scenery::Ways waysOf(const simulation::Scenario& scenario, const simulation::PlayerOptions& options,
                      double longestS);
+
+/// Keeps the roads of a network clear, verges included; bridges and tunnels, too.
+void keepRoadsClear(const osgRoads::core::PlacedNetwork& roads, scenery::Ways& ways);
 
 } // namespace trainer

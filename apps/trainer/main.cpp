@@ -119,8 +119,10 @@ int run(int argc, char** argv)
     play->add_option("--terrain", request.terrain.file,
                      "terrain or scene file instead of the scenario's SceneGraphFile");
     addPlayOptions(*play, arguments);
-    CLI::App* tour = app.add_subcommand("tour", "fly over an elevation file");
-    tour->add_option("DEM", request.terrain.file, "any elevation raster, or a .roam file")->required();
+    CLI::App* tour = app.add_subcommand("tour", "fly over an elevation file or a road network");
+    tour->add_option("DEM", request.terrain.file,
+                     "any elevation raster, a .roam file, or an OpenDRIVE network (.xodr)")
+        ->required();
     tour->add_option("--save", arguments.saveFile, "file for the scenario that is played");
     tour->add_option("--duration", arguments.durationS, "seconds")->check(terminal::between(4.0, 3600.0));
     addPlayOptions(*tour, arguments);

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "SceneRoads.h"
+
+#include <algorithm>
+#include <string>
+
+#include <osg/Group>
+#include <osg/Notify>
+
+#include <osgRoads/core/place/RoadBed.h>
+#include <osgRoads/core/query/LaneSpan.h>
+#include <osgRoads/core/surface/BuildRoadMesh.h>
+#include <osgTerrainROAM/core/LoadTerrain.h>
+
+#include "scenery/nodes/RoadShading.h"
+#include "scenery/roads/CutRoads.h"
+#include "scenery/roads/LayRoads.h"
+#include "scenery/roads/RoadGround.h"
+
+namespace trainer
+{
+
+namespace
+{
+
+using osgRoads::core::PlacedNetwork;
+using osgRoads::core::RoadMatch;
+using osgTerrainROAM::core::RoamFile;
+using osgTerrainROAM::core::RoamTile;
+
+constexpr double kRoadSampleM = 2.0; ///< of the ground beside roads that stand on their own
+constexpr double kNoSeaM = -10000.0; ///< networks know no sea; many lie at height 0
+
+/// The height of a road where a point lies on its lanes or its verge.
+double heightOn(const PlacedNetwork& roads, const RoadMatch& match)
+{
+    const osgRoads::core::RoadBed bed;
+    const auto& [road, s, t, h] = match.position;
+    const auto lanes = osgRoads::core::extentAt(roads.road(road), s);
+    const double edge = std::clamp(t, lanes.rightT, lanes.leftT);
+    return roads.surfacePoint(road, s, edge).z - bed.vergeFall * match.distance;
+}
+
+/// Adds the roads' surface to a terrain and tells what is wrong with their file.
+SceneTerrain withRoads(osg::ref_ptr<osgTerrainROAM::RoamTerrain> terrain, const scenery::SceneRoads& roads)
+{
+    for (const std::string& note : roads.notes)
+        OSG_NOTICE << note << '\n';
+    auto mesh =
+        std::make_shared<const osgRoads::core::RoadMesh>(osgRoads::core::buildRoadMesh(*roads.placed));
+    const osg::ref_ptr<osg::Group> scene = new osg::Group;
+    scene->addChild(terrain);
+    scene->addChild(scenery::makeRoadNode(std::move(mesh)));
+    return SceneTerrain{scene, terrain, roads.placed};
+}
+
+foundation::Result<SceneTerrain> makeScene(const RoamFile& description, const std::shared_ptr<RoamTile>& tile,
+                                           const scenery::SceneRoads& roads)
+{
+    auto terrain = osgTerrainROAM::makeTerrain(description, tile, scenery::farRoads(*roads.placed));
+    if (!terrain) return terrain.error();
+    return withRoads(*terrain, roads);
+}
+
+} // namespace
+
+simulation::GroundProvider groundWithRoads(simulation::GroundProvider ground,
+                                           std::shared_ptr<const PlacedNetwork> roads)
+{
+    return [ground = std::move(ground),
+            roads = std::move(roads)](double eastM, double northM) -> std::optional<simulation::GroundSample>
+    {
+        const auto below = ground(eastM, northM);
+        if (!below) return below;
+        const glm::dvec2 plan(roads->toInertial({eastM, northM, below->heightM}));
+        double heightM = below->heightM;
+        bool isOnLanes = false;
+        for (const RoadMatch& match : roads->locator().within(plan, osgRoads::core::RoadBed{}.vergeM))
+        {
+            const bool onLanes = match.distance < 1e-6;
+            if (isOnLanes && !onLanes) break;
+            const double roadM = heightOn(*roads, match);
+            heightM = onLanes && !isOnLanes ? roadM : std::max(heightM, roadM);
+            isOnLanes = isOnLanes || onLanes;
+        }
+        return simulation::GroundSample{heightM};
+    };
+}
+
+foundation::Result<SceneTerrain> makeTerrainWithRoads(const RoamFile& description)
+{
+    if (description.roads.empty())
+    {
+        auto terrain = osgTerrainROAM::makeTerrain(description);
+        if (!terrain) return terrain.error();
+        return SceneTerrain{terrain->get(), *terrain, nullptr};
+    }
+    auto placed = osgTerrainROAM::core::loadTile(description);
+    if (!placed) return placed.error();
+    const auto tile = std::make_shared<RoamTile>(std::move(*placed));
+    const auto roads = scenery::layRoads(description, tile);
+    if (!roads) return roads.error();
+    return makeScene(description, tile, *roads);
+}
+
+foundation::Result<SceneTerrain> openNetwork(const std::filesystem::path& file, const TerrainRequest& request)
+{
+    auto ground = scenery::makeRoadGround(file);
+    if (!ground) return ground.error();
+    RoamFile description;
+    description.placement = osgTerrainROAM::core::Placement::planar;
+    description.showsVoids = request.showsVoids;
+    description.land.seaLevelM = kNoSeaM;
+    osgTerrainROAM::core::PlacedTileOptions options{.placement = description.placement};
+    options.gridExponent = osgTerrainROAM::core::gridExponentFor(ground->field, kRoadSampleM);
+    const auto tile = std::make_shared<RoamTile>(
+        osgTerrainROAM::core::PlacedTile(std::move(ground->field), std::move(options)));
+    osgTerrainROAM::core::TileEditor editor(tile);
+    if (const auto cut = scenery::cutRoads(editor, *ground->roads.placed); !cut) return cut.error();
+    return makeScene(description, tile, ground->roads);
+}
+
+} // namespace trainer

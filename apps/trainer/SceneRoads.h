@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <memory>
+
+#include <foundation/Result.h>
+
+#include <osgRoads/core/place/PlacedNetwork.h>
+
+#include "SceneTerrain.h"
+
+namespace trainer
+{
+
+/// Returns the ground with the roads on it: on lanes the height of the road's surface, on the verge the higher of verge and ground. Of
+/// several roads over each other the highest counts. Frame: the scene's. Ownership: shares the network.
+simulation::GroundProvider groundWithRoads(simulation::GroundProvider ground,
+                                           std::shared_ptr<const osgRoads::core::PlacedNetwork> roads);
+
+/// Makes the terrain that a .roam file describes with the roads that it names, if any: the ground is cut to them, they are painted on it for
+/// far eyes, and drawn. Problems of the network are told through osg::notify(NOTICE). Errors: as makeTerrain() and
+/// scenery::layRoads().
+foundation::Result<SceneTerrain> makeTerrainWithRoads(const osgTerrainROAM::core::RoamFile& description);
+
+/// Opens an OpenDRIVE network as a scene of its own: roads on made ground (scenery::makeRoadGround(), whose errors it returns).
+foundation::Result<SceneTerrain> openNetwork(const std::filesystem::path& file,
+                                             const TerrainRequest& request);
+
+} // namespace trainer
