@@ -28,6 +28,7 @@ layer(roads-core     "^osgRoads/(include/osgRoads|src)/core/" foundation viewlod
 layer(simulation     "^simulation/"        foundation viewlod)
 layer(models         "^scenery/models/"    foundation objects-core)
 layer(placement      "^scenery/placement/" foundation viewlod objects-core models)
+layer(road-things    "^scenery/roads/things/" foundation objects-core roads-core models)
 layer(scene-roads    "^scenery/roads/"     foundation viewlod objects-core terrain-core roads-core)
 layer(measurement-view "^measurement/view/" graphics foundation offscreen measurement)
 layer(measurement    "^measurement/"       foundation viewlod terrain-core)
@@ -41,8 +42,8 @@ layer(terrain        "^osgTerrainROAM/"    graphics foundation viewlod objects-c
 layer(roads          "^osgRoads/"          graphics foundation viewlod roads-core traversal)
 layer(offscreen      "^osgOffscreen/"      graphics foundation viewlod)
 layer(nodes          "^scenery/nodes/"     graphics foundation viewlod objects-core terrain-core roads-core simulation models placement
-    objects terrain roads)
-set(cores foundation viewlod objects-core terrain-core roads-core simulation models placement scene-roads measurement)
+    objects terrain roads road-things)
+set(cores foundation viewlod objects-core terrain-core roads-core simulation models placement scene-roads road-things measurement)
 set(libraries graphics ${cores} traversal objects terrain roads offscreen nodes measurement-view)
 layer(trainer        "^apps/trainer/"      ${libraries} terminal ground)
 layer(tools          "^apps/"              ${libraries} terminal ground polygons)

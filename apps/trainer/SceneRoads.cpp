@@ -12,7 +12,9 @@
 #include <osgRoads/core/surface/BuildRoadMesh.h>
 #include <osgTerrainROAM/core/LoadTerrain.h>
 
+#include "ground/TileGround.h"
 #include "scenery/nodes/RoadShading.h"
+#include "scenery/nodes/RoadThingsNode.h"
 #include "scenery/roads/CutRoads.h"
 #include "scenery/roads/LayRoads.h"
 #include "scenery/roads/RoadGround.h"
@@ -41,8 +43,24 @@ double heightOn(const PlacedNetwork& roads, const RoadMatch& match)
     return roads.surfacePoint(road, s, edge).z - bed.vergeFall * match.distance;
 }
 
-/// Adds the roads' surface to a terrain and tells what is wrong with their file.
-SceneTerrain withRoads(osg::ref_ptr<osgTerrainROAM::RoamTerrain> terrain, const scenery::SceneRoads& roads)
+/// Signs, lights, posts, rails, bridges and tunnels.
+foundation::Result<osg::ref_ptr<osg::Node>> makeThings(const osgTerrainROAM::RoamTerrain& terrain,
+                                                       const PlacedNetwork& roads)
+{
+    const auto ground = [query = ground::groundOf(terrain.tile()->tile)](double x,
+                                                                         double y) -> std::optional<double>
+    {
+        const auto sample = query(x, y);
+        return sample ? std::optional(sample->heightM) : std::nullopt;
+    };
+    const auto things = scenery::RoadThingsNode::create(scenery::roads::placeRoadThings(roads, ground));
+    if (!things) return things.error();
+    return osg::ref_ptr<osg::Node>((*things)->node());
+}
+
+/// Adds the roads' surface and what stands beside them to a terrain, and tells what is wrong with their file.
+foundation::Result<SceneTerrain> withRoads(osg::ref_ptr<osgTerrainROAM::RoamTerrain> terrain,
+                                           const scenery::SceneRoads& roads)
 {
     for (const std::string& note : roads.notes)
         OSG_NOTICE << note << '\n';
@@ -51,6 +69,9 @@ SceneTerrain withRoads(osg::ref_ptr<osgTerrainROAM::RoamTerrain> terrain, const 
     const osg::ref_ptr<osg::Group> scene = new osg::Group;
     scene->addChild(terrain);
     scene->addChild(scenery::makeRoadNode(std::move(mesh)));
+    const auto things = makeThings(*terrain, *roads.placed);
+    if (!things) return things.error();
+    scene->addChild(things->get());
     return SceneTerrain{scene, terrain, roads.placed};
 }
 

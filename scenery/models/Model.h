@@ -32,6 +32,7 @@ enum class Painting : std::uint8_t
     van,
     bus,
     wheel,
+    roadSigns, ///< roads/SignAtlas.h
     count,
 };
 

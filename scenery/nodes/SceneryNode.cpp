@@ -4,6 +4,7 @@
 #include <map>
 
 #include "scenery/nodes/ObjectShading.h"
+#include "scenery/nodes/ProgressiveModel.h"
 
 namespace scenery
 {
@@ -14,15 +15,7 @@ namespace
 using osgPMObjects::FieldInstance;
 using osgPMObjects::FieldKind;
 
-osg::Quat attitudeOf(const glm::dmat3& axes)
-{
-    // Columns of GLM are rows of OSG.
-    return osg::Matrixd(axes[0].x, axes[0].y, axes[0].z, 0.0, axes[1].x, axes[1].y, axes[1].z, 0.0, axes[2].x,
-                        axes[2].y, axes[2].z, 0.0, 0.0, 0.0, 0.0, 1.0)
-        .getRotate();
-}
-
-FieldInstance instanceOf(const Placement& placement, double groundZM, double importance)
+FieldInstance instanceOfPlacement(const Placement& placement, double groundZM, double importance)
 {
     FieldInstance instance;
     const glm::dvec3 position = placement.position - placement.axes[2] * (groundZM * placement.scale);
@@ -55,7 +48,8 @@ foundation::Result<SceneryNode> makeSceneryNode(const SceneryDescription& descri
             if (!selection) return selection.error();
             kinds.push_back({shape, *selection, field.switching});
         }
-        instances.push_back(instanceOf(placement, shapes.groundZM[placement.object], field.importance));
+        instances.push_back(
+            instanceOfPlacement(placement, shapes.groundZM[placement.object], field.importance));
         instances.back().kind = found->second;
     }
     SceneryNode made{new osg::Group, new osgPMObjects::ProgressiveField};

@@ -13,15 +13,13 @@
 #include <osg/Notify>
 #include <osgDB/FileNameUtils>
 
-#include <osgPMObjects/core/simplify/Simplifiable.h>
-#include <osgPMObjects/core/simplify/Simplify.h>
-
 #include <osgPMObjects/MakeProgressive>
 #include <osgPMObjects/PmNode>
 #include <osgPMObjects/ReadModel>
 
 #include "scenery/models/Catalogue.h"
 #include "scenery/nodes/ModelStates.h"
+#include "scenery/nodes/ProgressiveModel.h"
 
 namespace scenery
 {
@@ -32,28 +30,9 @@ namespace
 using osgPMObjects::ProgressiveShape;
 namespace core = osgPMObjects::core;
 
-core::ProgressiveMesh progressiveOf(core::Mesh mesh)
-{
-    core::makeSimplifiable(mesh);
-    const core::CollapseSequence sequence = core::simplify(mesh);
-    core::ArrangementSettings settings;
-    settings.arrangement = core::Arrangement::plain; // fields have index lists of their own
-    return core::buildProgressiveMesh(mesh, sequence, settings);
-}
-
 Stance stanceOf(models::Kind kind)
 {
     return kind >= models::Kind::saloon ? Stance::tilted : Stance::upright;
-}
-
-/// Anisotropy of 4 made a frame of some thousand trees take ten times as long on llvmpipe; seen from afar and in small triangles it
-/// makes no difference.
-void useIsotropicTextures(const std::vector<osg::ref_ptr<osg::StateSet>>& states)
-{
-    for (const osg::ref_ptr<osg::StateSet>& state : states)
-        if (auto* const texture =
-                dynamic_cast<osg::Texture*>(state->getTextureAttribute(0, osg::StateAttribute::TEXTURE)))
-            texture->setMaxAnisotropy(1.0F);
 }
 
 /// Calls `work(i)` for each number, in as many threads as there are processors, the next free one taking the next number.

@@ -10,6 +10,7 @@
 #include "scenery/models/paint/PaintVehicles.h"
 #include "scenery/models/paint/PaintWalls.h"
 #include "scenery/models/paint/PaintWheel.h"
+#include "scenery/models/roads/PaintSigns.h"
 
 namespace scenery::models
 {
@@ -21,7 +22,7 @@ Picture paint(Painting painting)
         paintOakBark,      paintBirchBark,  paintPineBark,      paintOakLeaves, paintBirchLeaves,
         paintPoplarLeaves, paintBushLeaves, paintSpruceNeedles, paintPlaster,   paintBricks,
         paintSheetMetal,   paintPlanks,     paintRoofTiles,     paintRoofMetal, paintHouseDetails,
-        paintSaloon,       paintVan,        paintBus,           paintWheel};
+        paintSaloon,       paintVan,        paintBus,           paintWheel,     paintSigns};
     return kPainters[static_cast<std::size_t>(painting)]();
 }
 

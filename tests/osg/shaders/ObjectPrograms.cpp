@@ -9,6 +9,7 @@
 #include "RenderedScene.h"
 #include "scenery/nodes/ObjectShading.h"
 #include "scenery/nodes/RoadShading.h"
+#include "scenery/nodes/RoadThingsNode.h"
 #include "scenery/nodes/Sky.h"
 
 namespace shadercheck
@@ -46,6 +47,7 @@ std::vector<NamedProgram> objectPrograms()
             {"road", osgRoads::makeRoadProgram()},
             {"road under the atmosphere",
              programOf(scenery::makeRoadNode(std::make_shared<osgRoads::core::RoadMesh>())->getStateSet())},
+            {"road lamp", scenery::makeRoadLampProgram()},
             {"sky", programOf(scenery::makeSky()->getStateSet())},
             {"tests' triangle", programOf(rendered::shadedTriangle(0.0F)->getStateSet())}};
 }

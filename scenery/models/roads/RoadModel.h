@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <compare>
+#include <string>
+#include <vector>
+
+#include "scenery/models/Model.h"
+#include "scenery/models/roads/SignAtlas.h"
+
+namespace scenery::models
+{
+
+/// What stands beside a road, as plain numbers: equal ones share one model.
+/// Frame: x along the road for the traffic that it is meant for, y left, z up; its face looks towards -x. z = 0 is the road; posts reach
+/// kPostDepthM below it. Units: metres.
+struct RoadModel
+{
+    enum class Kind
+    {
+        sign,
+        board,           ///< a place name or directions: text on a plate
+        trafficLight,    ///< red, amber, green
+        pedestrianLight, ///< red, green
+        pole,
+        delineator,
+        lampPost,
+        cone,
+        box, ///< any object of no model of its own, by its size
+    };
+    enum class Shape
+    {
+        round,
+        triangle,
+        triangleDown,
+        octagon,
+        diamond,
+        square,
+    };
+
+    Kind kind = Kind::box;
+    Shape shape = Shape::round;
+    SignFace face = SignFace::plain;
+    int number = 0; ///< of a speed limit
+    double lengthM = 0.0, widthM = 0.0, heightM = 0.0;
+    double raisedM = 0.0;    ///< lower edge of a plate or of lamps above the road
+    double postDepthM = 0.0; ///< how deep the post reaches below z = 0; 0: it has no post
+    bool isTwoSided = false;
+    std::string text;
+
+    auto operator<=>(const RoadModel&) const = default;
+};
+
+constexpr double kPostDepthM = 0.8;
+
+/// Makes the model. Pure. One surface: kRoadSigns. Sizes of 0 are those of the kind:
+/// traffic lights DIN 67527 and EN 12368 (lenses of 0.2 m), delineators of the German RPS/HLB (1.05 m), lamp posts of 8 m, cones of 0.75 m.
+Model makeRoadModel(const RoadModel& model);
+
+/// A lens of a traffic light. Frame: the model's.
+struct Lens
+{
+    glm::dvec3 middle{0.0};
+    double radiusM = 0.1;
+    SignFace face = SignFace::lampRed;
+};
+
+/// Returns the lenses of a traffic light from the top; none for other models.
+std::vector<Lens> lensesOf(const RoadModel& model);
+
+} // namespace scenery::models

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <foundation/Result.h>
+
+#include <osg/Geometry>
+#include <osg/Group>
+#include <osg/Program>
+
+#include <osgPMObjects/ProgressiveField>
+
+#include "scenery/roads/things/RoadThings.h"
+
+namespace scenery
+{
+
+/// What a traffic light shows. Pedestrian lights show red for all but go.
+enum class LightState
+{
+    off,
+    stop,      ///< red
+    attention, ///< red and amber
+    go,        ///< green
+    caution,   ///< amber
+};
+
+/// Everything beside and over roads as one field of progressive models, and the lamps of traffic lights, which shine by themselves.
+/// To make it: RoadThingsNode::create(roads::placeRoadThings(placedNetwork, groundHeight)), then add node() to a group that has the uniforms of an
+/// Atmosphere. `groundHeight` may be empty.
+/// Frame: the scene's. Threads: setState() in the update phase. Cost: 1 to 10 ms a distinct model, 0.3 to 1 s a kind of plant.
+class RoadThingsNode
+{
+public:
+    /// Errors: as ProgressiveField::setContents().
+    static foundation::Result<std::unique_ptr<RoadThingsNode>> create(const roads::RoadThings& things);
+
+    osg::Group* node() const { return _root.get(); }
+    const osgPMObjects::ProgressiveField& field() const { return *_field; }
+
+    /// Sets what a traffic light shows. Returns false when there is no light of that id. All begin at stop.
+    bool setState(const std::string& signalId, LightState state);
+
+    /// The same by the words stop, attention, go, caution and off, in English or as OpenSCENARIO files write them (red, green, yellow).
+    bool setState(const std::string& signalId, const std::string& state);
+
+private:
+    struct Lamps
+    {
+        std::size_t first = 0;
+        std::vector<models::SignFace> faces;
+    };
+    void addLamps(const roads::RoadThings& things);
+
+    osg::ref_ptr<osg::Group> _root;
+    osg::ref_ptr<osgPMObjects::ProgressiveField> _field;
+    osg::ref_ptr<osg::Geometry> _lamps;
+    std::multimap<std::string, Lamps> _lights; ///< by the id of the signal
+};
+
+/// Makes the program of lamps, which shine by themselves, in the haze of an Atmosphere.
+osg::ref_ptr<osg::Program> makeRoadLampProgram();
+
+} // namespace scenery

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <glm/mat3x3.hpp>
+
+#include <osgRoads/core/place/PlacedNetwork.h>
+
+#include "scenery/models/Catalogue.h"
+#include "scenery/models/roads/RoadModel.h"
+
+namespace scenery::roads
+{
+
+/// Returns the height of the ground at a place of the scene, or nothing where there is none; metres.
+using GroundHeight = std::function<std::optional<double>(double x, double y)>;
+
+/// A model where it stands. Frame: the scene's; columns of `axes` are the model's x, y and z.
+struct StandingThing
+{
+    std::size_t model = 0; ///< into RoadThings::models, or ::grown
+    glm::dvec3 position{0.0};
+    glm::dmat3 axes{1.0};
+    double scale = 1.0;
+    std::string signalId; ///< of a traffic light
+};
+
+/// A model that is made for one place: a guard rail, a building, a bridge. Frame: the scene's axes about `origin`.
+struct OwnThing
+{
+    models::Model model;
+    glm::dvec3 origin{0.0};
+};
+
+/// A generated plant.
+struct GrownModel
+{
+    models::Kind kind = models::Kind::bush;
+    std::uint64_t seed = 1;
+    auto operator<=>(const GrownModel&) const = default;
+};
+
+/// All that stands beside and over the roads of a network.
+struct RoadThings
+{
+    std::vector<models::RoadModel> models;
+    std::vector<StandingThing> standing;
+    std::vector<GrownModel> grown;
+    std::vector<StandingThing> plants;
+    std::vector<OwnThing> own;
+    std::map<std::string, int> withModel, withoutModel; ///< kinds of signals and objects, and how many
+};
+
+/// Places signals, objects, bridges and tunnels. Without `ground` everything stands at the height of its road.
+/// Posts stand upright; `orientation` - turns a signal by half a turn; one that holds for both directions shows its face on both sides. Signals with
+/// a pole object within 0.5 m have no post of their own. Objects without a model are grey boxes of their size.
+/// Source: ASAM OpenDRIVE 1.8, 13 and 14. Cost: linear.
+RoadThings placeRoadThings(const osgRoads::core::PlacedNetwork& placed, const GroundHeight& ground = {});
+
+} // namespace scenery::roads

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scenery/roads/things/SignCodes.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <cstdlib>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace scenery::roads
+{
+
+namespace
+{
+
+using models::RoadModel;
+using models::SignFace;
+using Shape = RoadModel::Shape;
+
+struct SignCode
+{
+    std::string_view code;
+    SignFace face;
+    Shape shape;
+};
+
+constexpr std::array kGerman{SignCode{"101", SignFace::danger, Shape::triangle},
+                             SignCode{"102", SignFace::crossroads, Shape::triangle},
+                             SignCode{"103", SignFace::bendRight, Shape::triangle},
+                             SignCode{"103-10", SignFace::bendLeft, Shape::triangle},
+                             SignCode{"114", SignFace::slippery, Shape::triangle},
+                             SignCode{"120", SignFace::narrow, Shape::triangle},
+                             SignCode{"123", SignFace::roadWorks, Shape::triangle},
+                             SignCode{"131", SignFace::lights, Shape::triangle},
+                             SignCode{"133", SignFace::pedestrians, Shape::triangle},
+                             SignCode{"205", SignFace::giveWay, Shape::triangleDown},
+                             SignCode{"206", SignFace::stop, Shape::octagon},
+                             SignCode{"209", SignFace::right, Shape::round},
+                             SignCode{"209-10", SignFace::left, Shape::round},
+                             SignCode{"209-30", SignFace::ahead, Shape::round},
+                             SignCode{"215", SignFace::roundabout, Shape::round},
+                             SignCode{"222", SignFace::keepRight, Shape::round},
+                             SignCode{"250", SignFace::noVehicles, Shape::round},
+                             SignCode{"267", SignFace::noEntry, Shape::round},
+                             SignCode{"274", SignFace::limit, Shape::round},
+                             SignCode{"275", SignFace::least, Shape::round},
+                             SignCode{"276", SignFace::noOvertaking, Shape::round},
+                             SignCode{"280", SignFace::overtakingEnd, Shape::round},
+                             SignCode{"282", SignFace::allEnd, Shape::round},
+                             SignCode{"306", SignFace::priority, Shape::diamond},
+                             SignCode{"307", SignFace::priorityEnd, Shape::diamond},
+                             SignCode{"314", SignFace::parking, Shape::square},
+                             SignCode{"330", SignFace::motorway, Shape::square},
+                             SignCode{"350", SignFace::crossing, Shape::square}};
+
+constexpr std::array kSwedish{SignCode{"a20", SignFace::roadWorks, Shape::triangle},
+                              SignCode{"a40", SignFace::danger, Shape::triangle},
+                              SignCode{"b1", SignFace::giveWay, Shape::triangleDown},
+                              SignCode{"b2", SignFace::stop, Shape::octagon},
+                              SignCode{"b3", SignFace::crossing, Shape::square},
+                              SignCode{"b4", SignFace::priority, Shape::diamond},
+                              SignCode{"b5", SignFace::priorityEnd, Shape::diamond},
+                              SignCode{"c1", SignFace::noEntry, Shape::round},
+                              SignCode{"c2", SignFace::noVehicles, Shape::round},
+                              SignCode{"c27", SignFace::noOvertaking, Shape::round},
+                              SignCode{"c28", SignFace::overtakingEnd, Shape::round},
+                              SignCode{"c31", SignFace::limit, Shape::round},
+                              SignCode{"e1", SignFace::motorway, Shape::square},
+                              SignCode{"e19", SignFace::parking, Shape::square}};
+
+constexpr std::array kChinese{SignCode{"jin", SignFace::limit, Shape::round},
+                              SignCode{"shi", SignFace::least, Shape::round}};
+
+const SignCode* find(std::span<const SignCode> codes, const std::string& code)
+{
+    const auto found =
+        std::find_if(codes.begin(), codes.end(), [&](const SignCode& c) { return c.code == code; });
+    return found == codes.end() ? nullptr : &*found;
+}
+
+std::string lower(std::string text)
+{
+    std::transform(text.begin(), text.end(), text.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return text;
+}
+
+const SignCode* codeOf(const osgRoads::core::Signal& signal)
+{
+    const std::string country = lower(signal.country), type = lower(signal.type);
+    if (country == "se" || country == "swe") return find(kSwedish, type + signal.subtype);
+    if (country == "cn" || country == "chn") return find(kChinese, type);
+    // A file without a code may have it in the name, as "de_274-50".
+    const std::string number =
+        type.empty() && signal.name.starts_with("de_") ? signal.name.substr(3, 3) : type;
+    const SignCode* exact = find(kGerman, number + "-" + signal.subtype);
+    return exact ? exact : find(kGerman, number);
+}
+
+/// Returns the speed in the units of the sign: from the value, else from subtype 55 as "50" (Germany: 274-55), else from the name.
+int speedOf(const osgRoads::core::Signal& signal)
+{
+    const double value = signal.value.value_or(0.0);
+    if (value > 0.0)
+    {
+        const bool isTens =
+            lower(signal.country) == "se" && value <= 12.0; // esmini numbers Sweden's C31 by tens
+        return static_cast<int>(std::lround(isTens ? 10.0 * value : value));
+    }
+    const int subtype = std::atoi(signal.subtype.c_str());
+    if (signal.country != "se" && subtype >= 51 && subtype <= 63)
+        return 10 * (subtype - 50); // StVO numbers 274-51 (10 km/h) to 274-63 (130)
+    const std::size_t dash = signal.name.rfind('-');
+    return dash == std::string::npos ? 0 : std::max(0, std::atoi(signal.name.c_str() + dash + 1));
+}
+
+} // namespace
+
+bool isPaintedOnRoad(const osgRoads::core::Signal& signal)
+{
+    return signal.type == "294" || signal.type == "293" || signal.type == "297" || signal.type == "1000003" ||
+           signal.name.starts_with("SgRM");
+}
+
+std::optional<models::RoadModel> signModel(const osgRoads::core::Signal& signal)
+{
+    RoadModel model;
+    if (isPaintedOnRoad(signal)) return {};
+    if (signal.type == "1000001" || signal.type == "1000002")
+    {
+        model.kind =
+            signal.type == "1000001" ? RoadModel::Kind::trafficLight : RoadModel::Kind::pedestrianLight;
+        return model;
+    }
+    if (signal.type == "310" || signal.type == "311")
+    {
+        model.kind = RoadModel::Kind::board;
+        model.text = signal.text.empty() ? signal.name : signal.text;
+        std::transform(model.text.begin(), model.text.end(), model.text.begin(),
+                       [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+        return model;
+    }
+    const SignCode* code = codeOf(signal);
+    if (!code) return {};
+    model.kind = RoadModel::Kind::sign;
+    model.face = code->face;
+    model.shape = code->shape;
+    if (code->face == SignFace::limit || code->face == SignFace::least) model.number = speedOf(signal);
+    return model;
+}
+
+} // namespace scenery::roads

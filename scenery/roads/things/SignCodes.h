@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+
+#include <osgRoads/core/network/Signal.h>
+
+#include "scenery/models/roads/RoadModel.h"
+
+namespace scenery::roads
+{
+
+/// Returns the model of a signal by its country, type, subtype and value (lengths 0: not told), or nothing when it is painted on the road or
+/// not known. Known: Germany (StVO, annexes 1 to 3; also under the country OpenDRIVE, whose numbers are these), Sweden
+/// (Vägmärkesförordningen 2007:90), the words jin and shi for China, and traffic lights 1000001 and 1000002.
+std::optional<models::RoadModel> signModel(const osgRoads::core::Signal& signal);
+
+/// Returns whether a signal is painted on the road: arrows, stop lines, crosswalks.
+bool isPaintedOnRoad(const osgRoads::core::Signal& signal);
+
+} // namespace scenery::roads

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scenery/models/roads/RoadModel.h"
+
+#include <cstdlib>
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+#include "scenery/models/ModelCheck.h"
+#include "scenery/models/paint/Paint.h"
+#include "scenery/models/roads/RoadBuilding.h"
+#include "scenery/models/roads/Sweep.h"
+
+using namespace scenery::models;
+
+namespace
+{
+
+std::vector<RoadModel> allModels()
+{
+    std::vector<RoadModel> models;
+    for (int kind = 0; kind <= static_cast<int>(RoadModel::Kind::box); ++kind)
+        for (int shape = 0; shape <= static_cast<int>(RoadModel::Shape::square); ++shape)
+        {
+            RoadModel model;
+            model.kind = static_cast<RoadModel::Kind>(kind);
+            model.shape = static_cast<RoadModel::Shape>(shape);
+            model.raisedM = 2.0;
+            model.postDepthM = kPostDepthM;
+            model.text = "A 24";
+            models.push_back(model);
+        }
+    return models;
+}
+
+/// Returns how many pixels of two cells differ clearly.
+int differing(const Picture& picture, const SignCell& a, const SignCell& b)
+{
+    const auto pixelOf = [&](const SignCell& cell)
+    { return glm::ivec2(cell.low.x * picture.widthPx, cell.low.y * picture.heightPx); };
+    const glm::ivec2 from = pixelOf(a), to = pixelOf(b);
+    int count = 0;
+    for (int y = 0; y < kSignCellPx - 6; ++y)
+        for (int x = 0; x < kSignCellPx - 6; ++x)
+            for (int c = 0; c < 3; ++c)
+            {
+                const int step = picture.at(from.x + x, from.y + y)[c] - picture.at(to.x + x, to.y + y)[c];
+                count += std::abs(step) > 60 ? 1 : 0;
+            }
+    return count;
+}
+
+} // namespace
+
+TEST(RoadModel, EveryModelIsOneAndStandsInTheGround)
+{
+    for (const RoadModel& model : allModels())
+    {
+        const Model made = makeRoadModel(model);
+        EXPECT_EQ(defectOf(made), "") << static_cast<int>(model.kind);
+        EXPECT_EQ(made.surfaces.size(), 1U);
+        EXPECT_TRUE(model.kind == RoadModel::Kind::cone || made.foundationM > 0.25)
+            << static_cast<int>(model.kind);
+    }
+}
+
+TEST(RoadModel, BodiesAreClosed)
+{
+    for (const RoadModel& model : allModels())
+    {
+        const Model made = makeRoadModel(model);
+        for (const auto& part : made.mesh.parts)
+            EXPECT_TRUE(isClosed(made.mesh, part.name)) << static_cast<int>(model.kind) << ' ' << part.name;
+    }
+}
+
+TEST(RoadModel, ThePlateFacesTheDriverThatComes)
+{
+    RoadModel model;
+    model.kind = RoadModel::Kind::sign;
+    model.raisedM = 2.0;
+    const Model made = makeRoadModel(model);
+    // The face is at x = 0 and looks towards -x; the back is 2 cm behind it.
+    int faces = 0;
+    for (const auto& face : made.mesh.faces)
+        if (made.mesh.at(face, 0).x == 0.0 && made.mesh.at(face, 1).x == 0.0 &&
+            made.mesh.at(face, 2).x == 0.0)
+        {
+            ++faces;
+            for (const std::uint32_t wedge : face.wedges)
+                EXPECT_LT(made.mesh.normals[wedge].x, -0.99F);
+        }
+    EXPECT_EQ(faces, 22);
+}
+
+TEST(SignAtlas, LimitsOfDifferentSpeedsLookDifferent)
+{
+    const Picture picture = paint(Painting::roadSigns);
+    EXPECT_GT(differing(picture, cellOfLimit(50, false), cellOfLimit(80, false)), 150);
+    EXPECT_GT(differing(picture, cellOfLimit(50, false), cellOfLimit(0, false)), 400);
+    EXPECT_EQ(differing(picture, cellOfLimit(50, false), cellOfLimit(50, false)), 0);
+    EXPECT_EQ(differing(picture, cellOfLimit(51, false), cellOfLimit(0, false)),
+              0); // no such sign: a ring without a number
+}
+
+TEST(SignAtlas, NoTwoFacesAreTheSame)
+{
+    const Picture picture = paint(Painting::roadSigns);
+    const auto isPlainRing = [](SignFace face)
+    { return face == SignFace::noVehicles || face == SignFace::limit; };
+    for (int a = 0; a < static_cast<int>(SignFace::least); ++a)
+        for (int b = 0; b < a; ++b)
+        {
+            const auto first = static_cast<SignFace>(a), second = static_cast<SignFace>(b);
+            if (isPlainRing(first) && isPlainRing(second)) continue;
+            EXPECT_GT(differing(picture, cellOf(first), cellOf(second)), 100) << a << ' ' << b;
+        }
+}
+
+TEST(RoadBuilding, IsAModelWhicheverWayItsOutlineRuns)
+{
+    const std::vector<glm::dvec3> corners{{0, 0, 0}, {10, 0, 0}, {10, 4, 0}, {4, 4, 0}, {4, 9, 0}, {0, 9, 0}};
+    const Model left = makeOutlineBuilding(corners, std::vector<double>(6, 5.0));
+    const Model right = makeOutlineBuilding({corners.rbegin(), corners.rend()}, std::vector<double>(6, 5.0));
+    for (const Model& model : {left, right})
+    {
+        EXPECT_EQ(defectOf(model), "");
+        EXPECT_EQ(model.heightM, 5.0);
+        EXPECT_EQ(model.mesh.faces.size(), 6U * 2U + 4U);
+    }
+}
+
+TEST(Sweep, IsClosed)
+{
+    ModelBuilder builder;
+    builder.begin("bar", kRoadSigns);
+    const std::vector<glm::dvec2> profile{{-0.1, 0.0}, {0.1, 0.0}, {0.1, 1.0}, {-0.1, 1.0}};
+    addSweep(builder,
+             {{{0, 0, 0}, {0, 1}, profile}, {{4, 0, 0.5}, {0, 1}, profile}, {{8, 1, 0.5}, {0, 1}, profile}});
+    const Model model = builder.finish();
+    EXPECT_EQ(defectOf(model), "");
+    EXPECT_TRUE(isClosed(model.mesh, "bar"));
+    double volume = 0.0;
+    for (const auto& face : model.mesh.faces)
+        volume +=
+            glm::dot(model.mesh.at(face, 0), glm::cross(model.mesh.at(face, 1), model.mesh.at(face, 2))) /
+            6.0;
+    EXPECT_GT(volume, 0.0); // faces look outwards
+}
