@@ -6,6 +6,7 @@
 
 #include <osgRoads/core/place/RoadBed.h>
 #include <osgRoads/core/query/LaneSpan.h>
+#include <osgRoads/core/query/Stations.h>
 
 namespace trainer
 {
@@ -93,10 +94,8 @@ void keepRoadsClear(const osgRoads::core::PlacedNetwork& roads, scenery::Ways& w
         if (!road.isUsable) continue;
         std::vector<glm::dvec2> line;
         double halfM = 0.0;
-        const int steps = std::max(1, static_cast<int>(std::ceil(road.length / kRoadStepM)));
-        for (int step = 0; step <= steps; ++step)
+        for (const double s : osgRoads::core::evenStations(road.length, kRoadStepM))
         {
-            const double s = road.length * step / steps;
             const auto lanes = osgRoads::core::extentAt(road, s);
             line.emplace_back(roads.surfacePoint(index, s, 0.5 * (lanes.rightT + lanes.leftT)));
             halfM = std::max(halfM, 0.5 * (lanes.leftT - lanes.rightT));

@@ -7,6 +7,7 @@
 
 #include <osgRoads/core/query/LaneSpan.h>
 #include <osgRoads/core/query/RoadSurface.h>
+#include <osgRoads/core/query/Stations.h>
 #include <osgTerrainROAM/core/edit/HeightRule.h>
 #include <osgTerrainROAM/core/heightfield/GroundQuery.h>
 
@@ -55,11 +56,9 @@ std::vector<PlanBox> boxesOf(const PlacedTile& tile, const PlacedNetwork& roads,
     {
         const Road& road = roads.road(i);
         if (!road.isUsable) continue;
-        const int stations = std::max(static_cast<int>(std::ceil(road.length / kBoxStepM)), 1);
-        for (int station = 0; station <= stations; ++station)
+        for (const double s : osgRoads::core::evenStations(road.length, kBoxStepM))
         {
             PlanBox box;
-            const double s = road.length * station / stations;
             if (!osgRoads::core::structureAt(road, s) && boxAt(tile, roads, i, s, shape, box))
                 boxes.push_back(box);
         }

@@ -6,6 +6,7 @@
 
 #include <osgRoads/core/query/LaneSpan.h>
 #include <osgRoads/core/query/RoadSurface.h>
+#include <osgRoads/core/query/Stations.h>
 
 #include "scenery/roads/CutRoads.h"
 
@@ -76,16 +77,15 @@ std::vector<GroundFeature> farRoads(const osgRoads::core::PlacedNetwork& roads)
     for (int i = 0; i < static_cast<int>(roads.network().roads.size()); ++i)
     {
         const Road& road = roads.road(i);
+        if (!road.isUsable) continue;
         GroundFeature current = ribbon(0.0);
         const auto finish = [&]
         {
             if (current.paths.front().size() > 1) features.push_back(current);
             current = ribbon(0.0);
         };
-        const int stations = std::max(static_cast<int>(std::ceil(road.length / kRibbonStepM)), 1);
-        for (int station = 0; road.isUsable && station <= stations; ++station)
+        for (const double s : osgRoads::core::evenStations(road.length, kRibbonStepM))
         {
-            const double s = road.length * station / stations;
             const Carriageway lanes = carriagewayAt(road, s);
             const bool isOnGround = lanes.widthM > 1.0 && !osgRoads::core::structureAt(road, s);
             if (isOnGround) current.paths.front().emplace_back(roads.surfacePoint(i, s, lanes.middleT));
