@@ -98,4 +98,14 @@ TEST(LowCounts, ACrownCoversItsPixelsAtAHundredth)
     EXPECT_LT(seen.areaRatio, 1.1);
 }
 
+/// With subset placement a card can only take corners of others: of all cards merged into it, not of the last one alone.
+TEST(LowCounts, ACrownOfTakenCornersCoversItsPixelsAtAHundredth)
+{
+    const Mesh mesh = testsupport::crown(testsupport::LeafKind::quad, 6000, 0.1);
+    const ImageMeter meter(mesh, {}, {.views = 6, .sizePx = 128});
+    const ImageDifference seen = meter.measure(levelWith(mesh, 120, {.placement = Placement::subset}));
+    EXPECT_GT(seen.covered, 0.72); // .68 with corners of the nearest, or of the last one alone
+    EXPECT_LT(seen.areaRatio, 1.1);
+}
+
 } // namespace

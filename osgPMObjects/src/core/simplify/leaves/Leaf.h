@@ -19,12 +19,6 @@ namespace osgPMObjects::core
 /// A card in its current form, with the sums of all cards merged into it.
 struct Leaf
 {
-    /// A position without faces, and a wedge of it: a later step may use them to move a corner.
-    struct Spare
-    {
-        std::uint32_t position = 0, wedge = 0;
-    };
-
     LeafCard card;
     glm::dvec3 middle{0.0};      ///< of all cards merged into it, weighted by visible area
     Extent extent;               ///< the box around them
@@ -32,7 +26,8 @@ struct Leaf
     double seenDoubleArea = 0.0; ///< the sum of their areas, each times its exposure
     std::uint32_t count = 1;     ///< of the cards merged into it, itself included
     double exposure = 0.0;       ///< squared distance of the card from all others, in units of its size
-    std::vector<Spare> spares;
+    std::vector<LeafCard::Corner>
+        spares; ///< of removed cards, without faces: a later step may use them to move a corner
     LevelError error;
 
     Leaf(const CollapseState& state, LeafCard given);

@@ -23,6 +23,8 @@ namespace
 constexpr std::size_t kAtOnce = 24;
 /// Stretched leaves have corners where leaves were, and mixed normals: they may cost this factor more than others.
 constexpr double kStretched = 1.5;
+/// The same with subset placement, where leaves of spare corners keep more of the crown than stretched ones.
+constexpr double kStretchedOfSubset = 0.5;
 
 /// Returns the wedge with the most similar normal.
 std::uint32_t mostAlike(const Mesh& mesh, std::uint32_t wedge, std::span<const std::uint32_t> others)
@@ -81,7 +83,11 @@ void LeafCollapser::mergeCheapest()
 LeafGrowth LeafCollapser::growthOf(const Leaf& gone, const Leaf& stays) const
 {
     LeafGrowth stretched = stretchedLeaf(_state, gone, stays);
-    if (!_state.movesPlaces()) return stretched;
+    if (!_state.movesPlaces())
+    {
+        LeafGrowth ofSpares = leafOfSpares(_state, gone, stays);
+        return stretched.loss < kStretchedOfSubset * ofSpares.loss ? stretched : ofSpares;
+    }
     LeafGrowth scaled = scaledLeaf(_state, gone, stays);
     return stretched.loss < kStretched * scaled.loss ? stretched : scaled;
 }
@@ -126,11 +132,11 @@ void LeafCollapser::grow(Leaf& leaf, const Leaf& gone, const LeafGrowth& growth)
     const auto isTaken = [&](std::uint8_t corner)
     { return std::find(growth.taken.begin(), growth.taken.end(), corner) != growth.taken.end(); };
     for (const std::uint8_t corner : closingOf(gone.card, growth.isTurned).left)
-        if (!isTaken(corner))
-            leaf.spares.push_back(
-                {gone.card.corners[corner].position, gone.card.corners[corner].wedges.front()});
+        if (!isTaken(corner)) leaf.spares.push_back(gone.card.corners[corner]);
     leaf.spares.insert(leaf.spares.end(), gone.spares.begin(), gone.spares.end());
-    if (growth.takesCorners())
+    if (!growth.spares.empty())
+        takeSpares(leaf, growth);
+    else if (growth.takesCorners())
         takeCorners(leaf, gone, growth);
     else if (_state.movesPlaces())
         moveCorners(leaf, growth);
@@ -141,12 +147,29 @@ void LeafCollapser::takeCorners(Leaf& leaf, const Leaf& gone, const LeafGrowth& 
     for (std::size_t c = 0; c < leaf.card.corners.size(); ++c)
     {
         if (growth.taken[c] == LeafGrowth::kOwn) continue;
-        LeafCard::Corner& own = leaf.card.corners[c];
-        const LeafCard::Corner& other = gone.card.corners[growth.taken[c]];
-        addStep(own.position, other.position, 0, growth.places[c]);
-        joinWedges(own, other);
-        own = other;
+        moveTo(leaf.card.corners[c], gone.card.corners[growth.taken[c]]);
     }
+}
+
+void LeafCollapser::takeSpares(Leaf& leaf, const LeafGrowth& growth)
+{
+    for (std::size_t c = 0; c < leaf.card.corners.size(); ++c)
+    {
+        const auto spare =
+            std::find_if(leaf.spares.begin(), leaf.spares.end(),
+                         [&](const LeafCard::Corner& s) { return s.position == growth.spares[c]; });
+        if (spare == leaf.spares.end()) continue;
+        moveTo(leaf.card.corners[c], *spare);
+        leaf.spares.erase(spare);
+    }
+}
+
+/// Replaces a corner of a card by one of a removed card.
+void LeafCollapser::moveTo(LeafCard::Corner& own, const LeafCard::Corner& other)
+{
+    addStep(own.position, other.position, 0, _state.positions[other.position]);
+    joinWedges(own, other);
+    own = other;
 }
 
 /// Moves the corners of a leaf, unless there are too few spare positions: then it grows after further merges. Corners get
@@ -160,14 +183,14 @@ void LeafCollapser::moveCorners(Leaf& leaf, const LeafGrowth& growth)
     for (const std::size_t c : moved)
     {
         const std::uint32_t position = leaf.card.corners[c].position;
-        const Leaf::Spare spare = leaf.spares.back();
+        const LeafCard::Corner spare = leaf.spares.back();
         leaf.spares.pop_back();
         addStep(spare.position, position, 0, growth.places[c]);
         _state.positions[position] = growth.places[c];
         for (const std::uint32_t wedge : leaf.card.corners[c].wedges)
         {
             Wedge attributes = wedgeOf(_state.mesh, wedge);
-            attributes.normal = wedgeOf(_state.mesh, spare.wedge).normal;
+            attributes.normal = wedgeOf(_state.mesh, spare.wedges.front()).normal;
             _done.sequence.movedWedges.push_back({wedge, attributes});
             assignWedge(*_state.movedMesh, wedge, attributes);
         }

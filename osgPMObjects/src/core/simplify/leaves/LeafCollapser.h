@@ -18,7 +18,7 @@ namespace osgPMObjects::core
 /// other. The cost of a pair is the displacement of its areas, weighed as by a quadric, and the size of the smaller card. Cards
 /// deep inside the crown cost little, since they are not visible.
 /// The steps of a pair belong together: first the faces of one card collapse, then corners of the other move. A level between
-/// them has less area, but is valid. With subset placement, corners move to corners of the removed card with the same texture
+/// them has less area, but is valid. With subset placement, corners move to corners of removed cards with the same texture
 /// coordinates; else positions of it without faces are used up to move corners.
 /// Frame, units: of the state. Threads: one each, on different cards. Cost: n log n; some 20 µs a card.
 /// Source: Remolar et al., *Geometric simplification of foliage* (2002), section 3 (leaf collapse: two leaves become one); Cook
@@ -40,6 +40,8 @@ private:
     void close(const Leaf& leaf, bool isTurned);
     void grow(Leaf& leaf, const Leaf& gone, const LeafGrowth& growth);
     void takeCorners(Leaf& leaf, const Leaf& gone, const LeafGrowth& growth);
+    void takeSpares(Leaf& leaf, const LeafGrowth& growth);
+    void moveTo(LeafCard::Corner& own, const LeafCard::Corner& other);
     void moveCorners(Leaf& leaf, const LeafGrowth& growth);
     void removeLast();
     void addStep(std::uint32_t from, std::uint32_t to, std::uint32_t faces, const glm::dvec3& place);

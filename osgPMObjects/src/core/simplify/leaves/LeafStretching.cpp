@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
 #include <span>
+#include <vector>
 
 #include <glm/geometric.hpp>
-
-#include <osgPMObjects/core/mesh/Wedge.h>
 
 #include "LeafClosing.h"
 #include "LeafGrowth.h"
@@ -18,9 +16,6 @@ namespace osgPMObjects::core
 namespace
 {
 
-constexpr double kFlattest = 0.5; ///< cosine between the normals of a stretched leaf's faces: 60°
-constexpr double kTurned = 0.2;   ///< cosine between a face's normals before and after
-
 /// Returns the corner of a card with the same texture coordinates as a corner of another; kOwn where there is none.
 std::uint8_t sameCorner(const CollapseState& state, const LeafCard& card, const LeafCard& other,
                         std::size_t corner)
@@ -28,34 +23,14 @@ std::uint8_t sameCorner(const CollapseState& state, const LeafCard& card, const 
     const glm::dvec3 off = state.positions[other.corners[corner].position];
     std::uint8_t best = LeafGrowth::kOwn;
     double least = std::numeric_limits<double>::infinity();
-    const Wedge looks = wedgeOf(state.mesh, other.corners[corner].wedges.front());
     for (std::uint8_t c = 0; c < card.corners.size(); ++c)
     {
-        const Wedge own = wedgeOf(state.mesh, card.corners[c].wedges.front());
-        double drift = 0.0;
-        for (std::size_t set = 0; set < Mesh::kTexCoordSets; ++set)
-            drift = std::max(drift, double(glm::distance(own.texCoords[set], looks.texCoords[set])));
-        if (state.settings.keepSeams && drift > state.settings.mostTexCoordDrift) continue;
+        if (!looksTheSame(state, card.corners[c], other.corners[corner])) continue;
         const glm::dvec3 away = state.positions[card.corners[c].position] - off;
         const double squared = glm::dot(away, away);
         if (squared < least) least = squared, best = c;
     }
     return best;
-}
-
-bool keepsItsSide(const LeafCard& card, std::span<const glm::dvec3> before, std::span<const glm::dvec3> after)
-{
-    glm::dvec3 first(0.0);
-    for (const LeafCard::Corners& corners : card.faces)
-    {
-        const glm::dvec3 was = doubleAreaVector(corners, before), is = doubleAreaVector(corners, after);
-        if (!(glm::dot(was, is) > kTurned * glm::length(was) * glm::length(is))) return false;
-        // A card with two sides has faces of opposite normals.
-        if (first == glm::dvec3(0.0)) first = is;
-        if (!(std::abs(glm::dot(first, is)) >= kFlattest * glm::length(first) * glm::length(is)))
-            return false;
-    }
-    return true;
 }
 
 /// Whether the wanted corners are left when the other card has collapsed, none of them wanted twice.
@@ -78,9 +53,9 @@ LeafGrowth stretchedLeaf(const CollapseState& state, const Leaf& gone, const Lea
 {
     const auto before = cornerPositions(state, stays.card);
     const std::array closings{closingOf(gone.card, false), closingOf(gone.card, true)};
-    std::array<std::uint8_t, LeafCard::kMostCorners> same{};
+    std::vector<std::uint8_t> same;
     for (std::size_t c = 0; c < before.size(); ++c)
-        same[c] = sameCorner(state, gone.card, stays.card, c);
+        same.push_back(sameCorner(state, gone.card, stays.card, c));
     LeafGrowth best;
     for (std::uint32_t which = 0; which < 1u << before.size(); ++which)
     {
