@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "SceneRoads.h"
 
-#include <algorithm>
 #include <string>
 
 #include <osg/Group>
 #include <osg/Notify>
 
-#include <osgRoads/core/place/RoadBed.h>
-#include <osgRoads/core/query/LaneSpan.h>
 #include <osgRoads/core/surface/BuildRoadMesh.h>
 #include <osgTerrainROAM/core/LoadTerrain.h>
 
@@ -16,6 +13,7 @@
 #include "scenery/nodes/RoadShading.h"
 #include "scenery/nodes/RoadThingsNode.h"
 #include "scenery/roads/CutRoads.h"
+#include "scenery/roads/HeightOnRoads.h"
 #include "scenery/roads/LayRoads.h"
 #include "scenery/roads/RoadGround.h"
 
@@ -26,22 +24,11 @@ namespace
 {
 
 using osgRoads::core::PlacedNetwork;
-using osgRoads::core::RoadMatch;
 using osgTerrainROAM::core::RoamFile;
 using osgTerrainROAM::core::RoamTile;
 
 constexpr double kRoadSampleM = 2.0; ///< of the ground beside roads that stand on their own
 constexpr double kNoSeaM = -10000.0; ///< networks know no sea; many lie at height 0
-
-/// The height of a road where a point lies on its lanes or its verge.
-double heightOn(const PlacedNetwork& roads, const RoadMatch& match)
-{
-    const osgRoads::core::RoadBed bed;
-    const auto& [road, s, t, h] = match.position;
-    const auto lanes = osgRoads::core::extentAt(roads.road(road), s);
-    const double edge = std::clamp(t, lanes.rightT, lanes.leftT);
-    return roads.surfacePoint(road, s, edge).z - bed.vergeFall * match.distance;
-}
 
 /// Signs, lights, posts, rails, bridges and tunnels.
 foundation::Result<osg::ref_ptr<osg::Node>> makeThings(const osgTerrainROAM::RoamTerrain& terrain,
@@ -88,23 +75,13 @@ foundation::Result<SceneTerrain> makeScene(const RoamFile& description, const st
 simulation::GroundProvider groundWithRoads(simulation::GroundProvider ground,
                                            std::shared_ptr<const PlacedNetwork> roads)
 {
-    return [ground = std::move(ground),
-            roads = std::move(roads)](double eastM, double northM) -> std::optional<simulation::GroundSample>
+    return [ground = std::move(ground), roads = std::move(roads)](
+               double eastM, double northM, double fromM) -> std::optional<simulation::GroundSample>
     {
-        const auto below = ground(eastM, northM);
-        if (!below) return below;
-        const glm::dvec2 plan(roads->toInertial({eastM, northM, below->heightM}));
-        double heightM = below->heightM;
-        bool isOnLanes = false;
-        for (const RoadMatch& match : roads->locator().within(plan, osgRoads::core::RoadBed{}.vergeM))
-        {
-            const bool onLanes = match.distance < 1e-6;
-            if (isOnLanes && !onLanes) break;
-            const double roadM = heightOn(*roads, match);
-            heightM = onLanes && !isOnLanes ? roadM : std::max(heightM, roadM);
-            isOnLanes = isOnLanes || onLanes;
-        }
-        return simulation::GroundSample{heightM};
+        const auto bare = ground(eastM, northM, fromM);
+        if (!bare) return bare;
+        return simulation::GroundSample{
+            scenery::heightOnRoads(*roads, {eastM, northM, bare->heightM}, fromM)};
     };
 }
 

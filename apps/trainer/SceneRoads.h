@@ -13,8 +13,7 @@
 namespace trainer
 {
 
-/// Returns the ground with the roads on it: on lanes the height of the road's surface, on the verge the higher of verge and ground. Of
-/// several roads over each other the highest counts. Frame: the scene's. Ownership: shares the network.
+/// Returns the ground with the roads on it (scenery::heightOnRoads()). Frame: the scene's. Ownership: shares the network.
 simulation::GroundProvider groundWithRoads(simulation::GroundProvider ground,
                                            std::shared_ptr<const osgRoads::core::PlacedNetwork> roads);
 

@@ -45,8 +45,8 @@ void standOnGround(const GroundContact& contact, const SceneFrame& frame, Entity
         {
             const double x = (i < 2 ? front : rear) * along;
             const double y = (i % 2 == 0 ? half : -half) * across;
-            const auto ground =
-                frame.groundAt(state.position.x + ch * x - sh * y, state.position.y + sh * x + ch * y);
+            const auto ground = frame.groundAt(state.position.x + ch * x - sh * y,
+                                               state.position.y + sh * x + ch * y, state.position.z);
             if (!ground) return;
             heights[i] = ground->heightM;
         }

@@ -68,10 +68,10 @@ glm::dvec3 SceneFrame::place(const GeoPosition& position) const
     return local;
 }
 
-std::optional<GroundSample> SceneFrame::groundAt(double eastM, double northM) const
+std::optional<GroundSample> SceneFrame::groundAt(double eastM, double northM, double fromM) const
 {
     const bool isNear = std::fabs(eastM) <= kFarthestGroundM && std::fabs(northM) <= kFarthestGroundM;
-    return _ground && isNear ? _ground(eastM, northM) : std::nullopt;
+    return _ground && isNear ? _ground(eastM, northM, fromM) : std::nullopt;
 }
 
 Orientation orientationOf(const Position& position)

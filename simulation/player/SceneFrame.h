@@ -1,26 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <functional>
 #include <optional>
 
 #include <glm/glm.hpp>
 
 #include "simulation/geodesy/LocalFrame.h"
+#include "simulation/player/GroundProvider.h"
 #include "simulation/scenario/Position.h"
 
 namespace simulation
 {
-
-/// The ground at a point. Frame: the scene's.
-struct GroundSample
-{
-    double heightM = 0.0; ///< z of the surface
-};
-
-/// Returns the ground below or above (east, north) in the scene's frame, or nothing outside the data. The same point
-/// must always give the same answer.
-using GroundProvider = std::function<std::optional<GroundSample>(double eastM, double northM)>;
 
 /// Converts the positions of a scenario to points of the scene.
 class SceneFrame
@@ -38,8 +28,9 @@ public:
     /// Precondition: canPlace(). Frame: the scene's.
     glm::dvec3 place(const Position& position) const;
 
-    /// Returns nothing outside the data and beyond 1e8 m, because providers count in samples.
-    std::optional<GroundSample> groundAt(double eastM, double northM) const;
+    /// Asks the ground provider. Returns nothing outside the data and beyond 1e8 m, because providers count in samples.
+    std::optional<GroundSample> groundAt(double eastM, double northM,
+                                         double fromM = GroundProvider::kAnyHeightM) const;
     const std::optional<LocalFrame>& frame() const { return _frame; }
 
 private:

@@ -37,7 +37,7 @@ double ChaseCamera::liftFor(const glm::dvec3& eye, const glm::dvec3& target,
     {
         const double share = static_cast<double>(i) / kSightSamples; // 1 at the eye
         const glm::dvec3 place = target + (eye - target) * share;
-        const std::optional<simulation::GroundSample> under = ground(place.x, place.y);
+        const std::optional<simulation::GroundSample> under = ground(place.x, place.y, place.z);
         if (!under) continue;
         const bool isEye = i == kSightSamples;
         const double clearance = _settings.clearanceM * (isEye ? 1.0 : kSightShare * share);

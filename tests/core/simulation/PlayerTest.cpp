@@ -212,6 +212,31 @@ TEST(Player, ABumpUnderOneWheelShowsInItsTravel)
     EXPECT_FALSE(playing(text.text(), options)->entities().at(0).isOnGround);
 }
 
+/// Ground at 0 and a deck 6 m above it, from x = 20 to 40: what is more than 1 m below the deck stays below.
+std::optional<GroundSample> underADeck(double east, double, double from)
+{
+    return GroundSample{east > 20.0 && east < 40.0 && from > 5.0 ? 6.0 : 0.0};
+}
+
+TEST(Player, AVehicleUnderABridgeStaysBelowAndOnTheBridgeAbove)
+{
+    for (const double startM : {0.0, 6.0})
+    {
+        ScenarioText text;
+        text.privates = teleport("<WorldPosition x=\"23\" y=\"0\" z=\"" + std::to_string(startM) + "\"/>") +
+                        speedAction(13.0);
+        PlayerOptions options;
+        options.ground = underADeck;
+        const auto player = playing(text.text(), options);
+        for (double time = 0.0; time < 0.95; time += 0.05)
+        {
+            playTo(*player, time);
+            EXPECT_NEAR(player->entities().at(0).position.z, startM, 1e-9) << time;
+        }
+        EXPECT_GT(player->entities().at(0).position.x, 34.0);
+    }
+}
+
 TEST(Player, AnAirborneEntityDoesNotSnapToTheGround)
 {
     ScenarioText text;

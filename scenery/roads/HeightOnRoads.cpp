@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scenery/roads/HeightOnRoads.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <osgRoads/core/place/RoadBed.h>
+#include <osgRoads/core/query/LaneSpan.h>
+
+namespace scenery
+{
+
+namespace
+{
+
+using osgRoads::core::PlacedNetwork;
+using osgRoads::core::RoadMatch;
+
+constexpr double kOnLanesM = 1e-6; ///< points that are less far from lanes lie on them
+
+/// What counts before what within one level.
+enum class Rank
+{
+    beside, ///< ground and verge
+    lane,
+    carriageway,
+};
+
+struct Surface
+{
+    double heightM = 0.0;
+    Rank rank = Rank::beside;
+};
+
+Surface surfaceOf(const PlacedNetwork& roads, const RoadMatch& match)
+{
+    const osgRoads::core::RoadBed bed;
+    const auto& [index, s, t, h] = match.position;
+    const auto& road = roads.road(index);
+    if (match.distance > kOnLanesM)
+    {
+        const auto lanes = osgRoads::core::extentAt(road, s);
+        const glm::dvec3 edge = roads.surfacePoint(index, s, std::clamp(t, lanes.rightT, lanes.leftT));
+        return {edge.z - bed.vergeFall * match.distance, Rank::beside};
+    }
+    const auto span = osgRoads::core::laneAt(road, s, t);
+    const bool isForCars = span && osgRoads::core::isForCars(span->lane->type);
+    return {roads.surfacePoint(index, s, t).z, isForCars ? Rank::carriageway : Rank::lane};
+}
+
+/// Returns the level on which something from a height stands.
+double levelFor(const std::vector<Surface>& surfaces, double fromM)
+{
+    double highestBelow = -INFINITY, lowest = INFINITY;
+    for (const Surface& surface : surfaces)
+    {
+        lowest = std::min(lowest, surface.heightM);
+        if (surface.heightM <= fromM + kStepM) highestBelow = std::max(highestBelow, surface.heightM);
+    }
+    return std::isfinite(highestBelow) ? highestBelow : lowest;
+}
+
+} // namespace
+
+double heightOnRoads(const PlacedNetwork& roads, const glm::dvec3& ground, double fromM)
+{
+    std::vector<Surface> surfaces;
+    const glm::dvec2 plan(roads.toInertial(ground));
+    for (const RoadMatch& match : roads.locator().within(plan, osgRoads::core::RoadBed{}.vergeM))
+        surfaces.push_back(surfaceOf(roads, match));
+    // Ground that a lane covers is its bed, or, for something of unknown height, the hill above its tunnel.
+    const bool isCovered =
+        std::any_of(surfaces.begin(), surfaces.end(),
+                    [&](const Surface& surface)
+                    {
+                        return surface.rank > Rank::beside &&
+                               (!std::isfinite(fromM) || std::fabs(surface.heightM - ground.z) < kLevelM);
+                    });
+    if (!isCovered) surfaces.push_back({ground.z, Rank::beside});
+    const double levelM = levelFor(surfaces, fromM);
+    Surface best{-INFINITY, Rank::beside};
+    for (const Surface& surface : surfaces)
+    {
+        if (std::fabs(surface.heightM - levelM) >= kLevelM) continue;
+        if (surface.rank > best.rank || (surface.rank == best.rank && surface.heightM > best.heightM))
+            best = surface;
+    }
+    return best.heightM;
+}
+
+} // namespace scenery
