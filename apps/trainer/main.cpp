@@ -2,6 +2,8 @@
 // trainer: plays scenarios over terrain and writes images of them.
 #include <osgOffscreen/OpenGlVersion>
 
+#include "CompareCommand.h"
+#include "HeadlessCommand.h"
 #include "PlayCommand.h"
 #include "terminal/CommandLine.h"
 #include "terminal/Guard.h"
@@ -24,7 +26,38 @@ struct Arguments
     std::filesystem::path saveFile;
     double durationS = 20.0;
     std::string patchExponent = "0";
+    bool isHeadless = false;
+    trainer::HeadlessRequest headless;
+    trainer::CompareRequest compare;
 };
+
+void addHeadlessOptions(CLI::App& play, Arguments& arguments)
+{
+    trainer::HeadlessRequest& headless = arguments.headless;
+    CLI::Option* const flag =
+        play.add_flag("--headless", arguments.isHeadless, "play without pictures, terrain and models");
+    play.add_option("--fixed_timestep", headless.stepS, "seconds of a step, with --headless")
+        ->check(terminal::between(1e-4, 1.0))
+        ->needs(flag);
+    play.add_option("--duration", headless.durationS, "seconds to play at most, with --headless")
+        ->check(terminal::between(0.0, 1e5))
+        ->needs(flag);
+    play.add_option("--seed", headless.seed, "of everything that a scenario leaves to chance")->needs(flag);
+    play.add_option("--csv_logger", headless.logFile, "file for a row of each step, with --headless")
+        ->needs(flag);
+}
+
+void addCompareOptions(CLI::App& command, trainer::CompareRequest& request)
+{
+    command.add_option("TABLE", request.table, "motion to judge, from --csv_logger")->required();
+    command.add_option("REFERENCE", request.reference, "motion to judge it by; may be compressed by gzip")
+        ->required();
+    command.add_option("--position", request.limits.positionM, "largest difference in metres")
+        ->check(terminal::between(0.0, 1e9));
+    command.add_option("--heading", request.limits.headingDeg, "largest difference in degrees")
+        ->check(terminal::between(0.0, 360.0));
+    command.add_option("--json", request.jsonFile, "file for the differences");
+}
 
 void addPlayOptions(CLI::App& command, Arguments& arguments)
 {
@@ -119,6 +152,7 @@ int run(int argc, char** argv)
     play->add_option("--terrain", request.terrain.file,
                      "terrain or scene file instead of the scenario's SceneGraphFile");
     addPlayOptions(*play, arguments);
+    addHeadlessOptions(*play, arguments);
     CLI::App* tour = app.add_subcommand("tour", "fly over an elevation file or a road network");
     tour->add_option("DEM", request.terrain.file,
                      "any elevation raster, a .roam file, or an OpenDRIVE network (.xodr)")
@@ -128,10 +162,15 @@ int run(int argc, char** argv)
     addPlayOptions(*tour, arguments);
     CLI::App* check = app.add_subcommand("check", "list everything wrong or unsupported in a scenario");
     check->add_option("SCENARIO", request.scenario, "OpenSCENARIO XML")->required();
+    CLI::App* compare = app.add_subcommand("compare", "compare two tables of motion");
+    addCompareOptions(*compare, arguments.compare);
     if (const auto ends = terminal::parse(app, argc, argv)) return *ends;
     if (const auto sound = complete(arguments); !sound)
         return terminal::fail("trainer", sound.error()), terminal::kWrongUse;
-    const auto outcome = *check  ? trainer::check(request.scenario)
+    arguments.headless.scenario = request.scenario;
+    const auto outcome = *check                 ? trainer::check(request.scenario)
+                         : *compare             ? trainer::compare(arguments.compare)
+                         : arguments.isHeadless ? trainer::playHeadless(arguments.headless)
                          : *tour ? trainer::tour(request, arguments.saveFile, arguments.durationS)
                                  : trainer::play(request);
     return outcome ? terminal::kDone : terminal::fail("trainer", outcome.error());

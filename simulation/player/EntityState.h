@@ -2,9 +2,13 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include <glm/glm.hpp>
+
+#include "simulation/road/RoadPlace.h"
 
 namespace simulation
 {
@@ -31,6 +35,8 @@ struct EntityState
     /// wheels. Front left, front right, rear left, rear right; 0 when airborne.
     std::array<double, 4> wheelTravelM{};
     bool isOnGround = false;
+    std::optional<RoadPlace> place; ///< on the road network; nothing without one
+    std::vector<int> collidesWith;  ///< indices of the entities whose boxes overlap this one's
 
     /// The rotation from the body to the scene. Its columns are forward, left and up.
     glm::dmat3 bodyToLocal() const;

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+
+#include <foundation/Result.h>
+
+namespace trainer
+{
+
+/// The arguments of `trainer play --headless`.
+struct HeadlessRequest
+{
+    std::filesystem::path scenario;
+    double stepS = 0.01;
+    double durationS = 3600.0; ///< limit for a scenario that never ends
+    std::uint32_t seed = 0;
+    std::filesystem::path logFile; ///< empty: none
+};
+
+/// Plays a scenario to its stop trigger without a picture: neither terrain nor models are opened, only its roads.
+/// What the scenario has and the player has not is told on stderr, one line each, and passed over.
+/// Errors: as readScenario() and ScenarioPlayer::create(); a file that cannot be written.
+foundation::Outcome playHeadless(const HeadlessRequest& request);
+
+} // namespace trainer

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "simulation/record/CompareMotions.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <foundation/Angle.h>
+#include <glm/geometric.hpp>
+#include <nlohmann/json.hpp>
+
+namespace simulation
+{
+namespace
+{
+
+constexpr double kSameTimeS = 1e-6;
+
+/// Collects the differences of one quantity.
+class SpreadSum
+{
+public:
+    void add(double difference, double timeS)
+    {
+        const double size = std::fabs(difference);
+        if (_count == 0 || size > _spread.largest)
+        {
+            _spread.largest = size;
+            _spread.largestAtS = timeS;
+        }
+        _squares += size * size;
+        ++_count;
+    }
+
+    Spread result() const
+    {
+        Spread spread = _spread;
+        if (_count > 0) spread.rms = std::sqrt(_squares / static_cast<double>(_count));
+        return spread;
+    }
+
+private:
+    Spread _spread;
+    double _squares = 0.0;
+    std::size_t _count = 0;
+};
+
+const MotionSample* sampleAt(const MotionTable& table, const MotionTrack& track, double timeS)
+{
+    const auto found = std::lower_bound(table.timeS.begin(), table.timeS.end(), timeS - kSameTimeS);
+    if (found == table.timeS.end() || *found > timeS + kSameTimeS) return nullptr;
+    const auto& sample = track.samples[static_cast<std::size_t>(found - table.timeS.begin())];
+    return sample ? &*sample : nullptr;
+}
+
+MotionDifference differenceOf(const MotionTable& table, const MotionTable& reference,
+                              const MotionTrack& expected)
+{
+    MotionDifference difference;
+    difference.entity = expected.entity;
+    const MotionTrack* const track = table.find(expected.entity);
+    SpreadSum position;
+    SpreadSum heading;
+    SpreadSum speed;
+    for (std::size_t row = 0; row < reference.timeS.size(); ++row)
+    {
+        if (!expected.samples[row]) continue;
+        const double timeS = reference.timeS[row];
+        const MotionSample* const sample = track ? sampleAt(table, *track, timeS) : nullptr;
+        if (!sample)
+        {
+            ++difference.unmatchedRows;
+            continue;
+        }
+        ++difference.rows;
+        const MotionSample& wanted = *expected.samples[row];
+        position.add(glm::distance(sample->position, wanted.position), timeS);
+        heading.add(std::remainder(foundation::degreesOf(sample->headingRad - wanted.headingRad), 360.0),
+                    timeS);
+        speed.add(sample->speedMps - wanted.speedMps, timeS);
+    }
+    difference.positionM = position.result();
+    difference.headingDeg = heading.result();
+    difference.speedMps = speed.result();
+    return difference;
+}
+
+nlohmann::ordered_json jsonOf(const Spread& spread)
+{
+    return {{"largest", spread.largest}, {"at_s", spread.largestAtS}, {"rms", spread.rms}};
+}
+
+} // namespace
+
+std::vector<MotionDifference> compareMotions(const MotionTable& table, const MotionTable& reference)
+{
+    std::vector<MotionDifference> differences;
+    for (const MotionTrack& expected : reference.tracks)
+        differences.push_back(differenceOf(table, reference, expected));
+    return differences;
+}
+
+bool isWithin(const MotionDifference& difference, const MotionLimits& limits)
+{
+    return difference.unmatchedRows == 0 && difference.positionM.largest <= limits.positionM &&
+           difference.headingDeg.largest <= limits.headingDeg;
+}
+
+std::string differencesText(const std::vector<MotionDifference>& differences, const MotionLimits& limits)
+{
+    nlohmann::ordered_json entities = nlohmann::ordered_json::array();
+    bool within = true;
+    for (const MotionDifference& difference : differences)
+    {
+        within = within && isWithin(difference, limits);
+        entities.push_back({{"entity", difference.entity},
+                            {"rows", difference.rows},
+                            {"unmatched_rows", difference.unmatchedRows},
+                            {"position_m", jsonOf(difference.positionM)},
+                            {"heading_deg", jsonOf(difference.headingDeg)},
+                            {"speed_mps", jsonOf(difference.speedMps)},
+                            {"within", isWithin(difference, limits)}});
+    }
+    const nlohmann::ordered_json text = {
+        {"limits", {{"position_m", limits.positionM}, {"heading_deg", limits.headingDeg}}},
+        {"entities", entities},
+        {"within", within}};
+    return text.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+} // namespace simulation

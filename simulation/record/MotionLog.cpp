@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "simulation/record/MotionLog.h"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+
+#include <foundation/Angle.h>
+
+namespace simulation
+{
+namespace
+{
+
+constexpr std::array kColumns = {"Entity_Name [-]",
+                                 "Entity_ID [-]",
+                                 "Current_Speed [m/s]",
+                                 "Wheel_Angle [deg]",
+                                 "Wheel_Rotation [-]",
+                                 "bb_x [m]",
+                                 "bb_y [m]",
+                                 "bb_z [m]",
+                                 "bb_length [m]",
+                                 "bb_width [m]",
+                                 "bb_height [m]",
+                                 "World_Position_X [m]",
+                                 "World_Position_Y [m]",
+                                 "World_Position_Z [m]",
+                                 "Vel_X [m/s]",
+                                 "Vel_Y [m/s]",
+                                 "Vel_Z [m/s]",
+                                 "Acc_X [m/s2]",
+                                 "Acc_Y [m/s2]",
+                                 "Acc_Z [m/s2]",
+                                 "Distance_Travelled_Along_Road_Segment [m]",
+                                 "Lateral_Distance_Lanem [m]",
+                                 "lane_id",
+                                 "lane_offset [m]",
+                                 "World_Heading_Angle [rad]",
+                                 "Heading_Angle_Rate [rad/s]",
+                                 "Relative_Heading_Angle [rad]",
+                                 "Relative_Heading_Angle_Drive_Direction [rad]",
+                                 "World_Pitch_Angle [rad]",
+                                 "Road_Curvature [1/m]",
+                                 "collision_ids"};
+
+/// Returns an angle within 0 and 2π.
+double turned(double angleRad)
+{
+    const double rest = std::fmod(angleRad, 2.0 * std::numbers::pi);
+    return rest < 0.0 ? rest + 2.0 * std::numbers::pi : rest;
+}
+
+} // namespace
+
+MotionLog::MotionLog(const std::filesystem::path& file, const Scenario& scenario,
+                     const std::string& scenarioName)
+    : _file(file), _stream(_file.written(), std::ios::binary)
+{
+    for (const ScenarioObject& object : scenario.entities)
+        _boxes.push_back(object.box());
+    _last.resize(_boxes.size());
+    writeHeader(scenarioName, _boxes.size());
+}
+
+void MotionLog::writeHeader(const std::string& scenarioName, std::size_t count)
+{
+    _stream << "osgTrainer\nScenario File Name: " << scenarioName << "\nNumber of Vehicles: " << count
+            << "\nIndex [-], TimeStamp [s], ";
+    for (std::size_t i = 1; i <= count; ++i)
+        for (const char* column : kColumns)
+            _stream << '#' << i << ' ' << column << ", ";
+    _stream << '\n';
+}
+
+void MotionLog::add(double timeS, const std::vector<EntityState>& entities)
+{
+    const double stepS = timeS - _lastTimeS;
+    _stream << _row << ", ";
+    cell(timeS);
+    for (std::size_t i = 0; i < entities.size() && i < _boxes.size(); ++i)
+        writeEntity(entities[i], _boxes[i], i, stepS);
+    _stream << '\n';
+    _lastTimeS = timeS;
+    ++_row;
+}
+
+void MotionLog::writeEntity(const EntityState& state, const BoundingBox& box, std::size_t index, double stepS)
+{
+    Last& last = _last[index];
+    const double heading = foundation::radiansOf(state.headingDeg);
+    const bool hasRate = _row > 0 && stepS > 0.0;
+    const glm::dvec3 acceleration = hasRate ? (state.velocity - last.velocity) / stepS : glm::dvec3(0.0);
+    const double turn = std::remainder(heading - last.headingRad, 2.0 * std::numbers::pi);
+    const RoadPlace place = state.place.value_or(RoadPlace{});
+    const double towards = place.lane > 0 ? std::numbers::pi : 0.0;
+    _stream << state.name << ", " << index << ", ";
+    for (const double value : {state.speedMps,
+                               foundation::radiansOf(state.steeringDeg),
+                               turned(foundation::radiansOf(state.wheelRotationDeg)),
+                               box.centre.x,
+                               box.centre.y,
+                               box.centre.z,
+                               box.lengthM,
+                               box.widthM,
+                               box.heightM,
+                               state.position.x,
+                               state.position.y,
+                               state.position.z,
+                               state.velocity.x,
+                               state.velocity.y,
+                               state.velocity.z,
+                               acceleration.x,
+                               acceleration.y,
+                               acceleration.z,
+                               place.s,
+                               place.t})
+        cell(value);
+    _stream << place.lane << ", ";
+    for (const double value :
+         {place.laneOffsetM, turned(heading), hasRate ? turn / stepS : 0.0, turned(place.relativeHeadingRad),
+          turned(place.relativeHeadingRad - towards), foundation::radiansOf(state.pitchDeg), place.curvature})
+        cell(value);
+    for (const int other : state.collidesWith)
+        _stream << other << ' ';
+    _stream << ", ";
+    last = {state.velocity, heading};
+}
+
+void MotionLog::cell(double value)
+{
+    std::array<char, 40> text{};
+    std::snprintf(text.data(), text.size(), "%.6f, ", value);
+    _stream << text.data();
+}
+
+foundation::Outcome MotionLog::finish()
+{
+    _stream.close();
+    if (!_stream)
+        return foundation::Error{_file.written().string(), "cannot be written",
+                                 "free space, or name another file"};
+    return _file.commit();
+}
+
+} // namespace simulation

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include <foundation/Result.h>
+#include <foundation/WholeFile.h>
+
+#include "simulation/player/EntityState.h"
+#include "simulation/scenario/Scenario.h"
+
+namespace simulation
+{
+
+/// Writes what the entities of a play do as a table of text: the columns of esmini's --csv_logger, one row for each step.
+/// Accelerations and the heading rate are differences between rows. The angle of the wheels is in radians, as esmini
+/// has it (its header says degrees).
+class MotionLog
+{
+public:
+    MotionLog(const std::filesystem::path& file, const Scenario& scenario, const std::string& scenarioName);
+
+    /// Writes the row of one step. `entities`: in the order of the scenario.
+    void add(double timeS, const std::vector<EntityState>& entities);
+
+    /// Puts the file in place. Errors: it could not be written.
+    foundation::Outcome finish();
+
+private:
+    struct Last
+    {
+        glm::dvec3 velocity{0.0};
+        double headingRad = 0.0;
+    };
+
+    void writeHeader(const std::string& scenarioName, std::size_t count);
+    void writeEntity(const EntityState& state, const BoundingBox& box, std::size_t index, double stepS);
+    void cell(double value);
+
+    foundation::WholeFile _file;
+    std::ofstream _stream;
+    std::vector<BoundingBox> _boxes;
+    std::vector<Last> _last;
+    double _lastTimeS = 0.0;
+    long _row = 0;
+};
+
+} // namespace simulation

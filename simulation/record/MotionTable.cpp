@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "simulation/record/MotionTable.h"
+
+#include <algorithm>
+#include <array>
+#include <sstream>
+
+#include <zlib.h>
+
+#include "simulation/parser/Expression.h"
+
+namespace simulation
+{
+namespace
+{
+
+constexpr std::size_t kMostBytes = std::size_t{1} << 30;
+
+foundation::Result<std::string> inflated(const std::filesystem::path& file)
+{
+    std::error_code ignored;
+    const gzFile stream =
+        std::filesystem::is_regular_file(file, ignored) ? gzopen(file.c_str(), "rb") : nullptr;
+    if (!stream) return foundation::Error{file.string(), "no such file", "correct the name"};
+    std::string text;
+    std::array<char, 65536> chunk{};
+    int count = 0;
+    while (text.size() < kMostBytes &&
+           (count = gzread(stream, chunk.data(), static_cast<unsigned>(chunk.size()))) > 0)
+        text.append(chunk.data(), static_cast<std::size_t>(count));
+    gzclose(stream);
+    if (count < 0)
+        return foundation::Error{file.string(), "the compressed file is damaged", "fetch it again"};
+    if (text.size() >= kMostBytes)
+        return foundation::Error{file.string(), "larger than 1 GiB", "write fewer rows"};
+    return text;
+}
+
+std::vector<std::string> cellsOf(const std::string& line)
+{
+    std::vector<std::string> cells;
+    std::istringstream stream(line);
+    for (std::string cell; std::getline(stream, cell, ',');)
+    {
+        const std::size_t begin = cell.find_first_not_of(" \t\r");
+        const std::size_t end = cell.find_last_not_of(" \t\r");
+        cells.push_back(begin == std::string::npos ? "" : cell.substr(begin, end - begin + 1));
+    }
+    return cells;
+}
+
+/// The columns of one entity, counted from its name.
+struct Layout
+{
+    std::size_t x = 0, y = 0, z = 0, heading = 0, speed = 0, width = 0;
+};
+
+constexpr std::size_t kFirstEntity = 2; ///< after index and time
+
+class Reader
+{
+public:
+    explicit Reader(const std::string& name) : _name(name) {}
+
+    foundation::Result<MotionTable> run(const std::string& text)
+    {
+        std::istringstream stream(text);
+        for (std::string line; std::getline(stream, line) && !_error;)
+        {
+            ++_line;
+            if (_layout.width > 0)
+                row(cellsOf(line));
+            else if (line.starts_with("Index"))
+                header(cellsOf(line));
+        }
+        if (_error) return *_error;
+        if (_layout.width == 0)
+            return foundation::Error{_name, "no line begins with Index", "give a table of --csv_logger"};
+        return std::move(_table);
+    }
+
+private:
+    void header(const std::vector<std::string>& names)
+    {
+        const auto isOfFirst = [](const std::string& name) { return name.starts_with("#1 "); };
+        _layout.width = static_cast<std::size_t>(std::count_if(names.begin(), names.end(), isOfFirst));
+        const auto find = [&](const std::string& column, std::size_t& place)
+        {
+            const auto found =
+                std::find_if(names.begin(), names.end(),
+                             [&](const std::string& name) { return name.starts_with("#1 " + column); });
+            const auto index = static_cast<std::size_t>(found - names.begin());
+            if (found == names.end() || index < kFirstEntity)
+                fail("there is no column " + column, "give a table of --csv_logger");
+            else
+                place = index - kFirstEntity;
+        };
+        find("Current_Speed", _layout.speed);
+        find("World_Position_X", _layout.x);
+        find("World_Position_Y", _layout.y);
+        find("World_Position_Z", _layout.z);
+        find("World_Heading_Angle", _layout.heading);
+    }
+
+    void row(const std::vector<std::string>& cells)
+    {
+        if (cells.size() < kFirstEntity) return; // an empty line
+        const double time = number(cells[1]);
+        if (!_table.timeS.empty() && time < _table.timeS.back()) fail("the time falls", "sort the rows");
+        for (MotionTrack& track : _table.tracks)
+            track.samples.emplace_back();
+        _table.timeS.push_back(time);
+        for (std::size_t at = kFirstEntity; at < cells.size() && !cells[at].empty() && !_error;
+             at += _layout.width)
+        {
+            if (at + _layout.heading >= cells.size()) return fail("the row ends early", "complete it");
+            trackOf(cells[at]).samples.back() = MotionSample{
+                {number(cells[at + _layout.x]), number(cells[at + _layout.y]), number(cells[at + _layout.z])},
+                number(cells[at + _layout.heading]),
+                number(cells[at + _layout.speed])};
+        }
+    }
+
+    MotionTrack& trackOf(const std::string& entity)
+    {
+        for (MotionTrack& track : _table.tracks)
+            if (track.entity == entity) return track;
+        _table.tracks.push_back({entity, {}});
+        _table.tracks.back().samples.resize(_table.timeS.size());
+        return _table.tracks.back();
+    }
+
+    double number(const std::string& cell)
+    {
+        if (const std::optional<double> value = parseNumber(cell)) return *value;
+        fail("\"" + cell.substr(0, 40) + "\" is not a finite number", "correct the cell");
+        return 0.0;
+    }
+
+    void fail(const std::string& what, const std::string& remedy)
+    {
+        if (!_error) _error = foundation::Error{_name + ":" + std::to_string(_line), what, remedy};
+    }
+
+    const std::string& _name;
+    int _line = 0;
+    Layout _layout;
+    MotionTable _table;
+    std::optional<foundation::Error> _error;
+};
+
+} // namespace
+
+const MotionTrack* MotionTable::find(const std::string& entity) const
+{
+    for (const MotionTrack& track : tracks)
+        if (track.entity == entity) return &track;
+    return nullptr;
+}
+
+foundation::Result<MotionTable> readMotionTable(const std::filesystem::path& file)
+{
+    const foundation::Result<std::string> text = inflated(file);
+    if (!text) return text.error();
+    return parseMotionTable(*text, file.string());
+}
+
+foundation::Result<MotionTable> parseMotionTable(const std::string& text, const std::string& name)
+{
+    return Reader(name).run(text);
+}
+
+} // namespace simulation
