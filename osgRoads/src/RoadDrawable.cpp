@@ -46,7 +46,9 @@ void setState(osg::StateSet& state, const core::RoadMesh& mesh)
 RoadDrawable::RoadDrawable() : RoadDrawable(std::make_shared<const core::RoadMesh>()) {}
 
 RoadDrawable::RoadDrawable(std::shared_ptr<const core::RoadMesh> mesh)
-    : _mesh(std::move(mesh)), _buffers(std::make_shared<RoadBuffers>(_mesh))
+    : _mesh(std::move(mesh)),
+      _tree(std::make_shared<const core::ChunkTree>(*_mesh)),
+      _buffers(std::make_shared<RoadBuffers>(_mesh))
 {
     setUseDisplayList(false);
     setSupportsDisplayList(false);
@@ -55,7 +57,11 @@ RoadDrawable::RoadDrawable(std::shared_ptr<const core::RoadMesh> mesh)
 }
 
 RoadDrawable::RoadDrawable(const RoadDrawable& other, const osg::CopyOp& copyOp)
-    : osg::Drawable(other, copyOp), _mesh(other._mesh), _buffers(other._buffers), _settings(other._settings)
+    : osg::Drawable(other, copyOp),
+      _mesh(other._mesh),
+      _tree(other._tree),
+      _buffers(other._buffers),
+      _settings(other._settings)
 {
 }
 
@@ -88,7 +94,7 @@ void RoadDrawable::cull(osgUtil::CullVisitor& visitor)
     const osg::BoundingBox& box = getBoundingBox();
     if (!box.valid() || (isCullingActive() && visitor.isCulled(box))) return;
     const viewlod::ViewState view = viewOf(visitor);
-    const auto choices = core::chooseLevels(*_mesh, view, _settings);
+    const auto choices = core::chooseLevels(*_mesh, *_tree, view, _settings);
     if (choices.empty()) return;
     osg::RefMatrix& matrix = *visitor.getModelViewMatrix();
     if (seeksNearFar(visitor)) visitor.updateCalculatedNearFar(matrix, box);

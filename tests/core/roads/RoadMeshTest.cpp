@@ -14,7 +14,6 @@
 #include <osgRoads/core/query/LaneSpan.h>
 #include <osgRoads/core/query/RoadSurface.h>
 #include <osgRoads/core/surface/BuildRoadMesh.h>
-#include <osgRoads/core/surface/RoadView.h>
 
 #include "RealData.h"
 #include "RoadTexts.h"
@@ -24,30 +23,6 @@ namespace
 
 using namespace osgRoads::core;
 using namespace roadtexts;
-
-PlacedNetwork placed(const std::string& text)
-{
-    return PlacedNetwork(std::make_shared<const RoadNetwork>(sound(text)));
-}
-
-/// A bend that climbs and tilts, with a raised sidewalk and lanes that change in number and width.
-std::string bentRoad(const std::string& start = R"(s="0" x="0" y="0" hdg="0.3")")
-{
-    const std::string right = std::string(R"(<right><lane id="-1" type="driving" level="false">)") + kWidth +
-                              R"(<roadMark sOffset="0" type="broken" width="0.12"/></lane></right>)";
-    const std::string centre =
-        R"(<center><lane id="0" type="none" level="false"><roadMark sOffset="0" type="solid" width="0.15"/></lane></center>)";
-    return network(road(
-        "1", 150.0,
-        "<planView>" + geometry(start, 150.0, R"(<spiral curvStart="0" curvEnd="0.03"/>)") + "</planView>" +
-            R"(<elevationProfile><elevation s="0" a="5" b="0.06" c="-0.0005" d="0"/></elevationProfile>
-<lateralProfile><superelevation s="0" a="0" b="0.0005" c="0" d="0"/></lateralProfile>
-<lanes><laneSection s="0"><left><lane id="1" type="driving" level="false"><width sOffset="0" a="3.5" b="0" c="0.0002" d="0"/></lane>
-<lane id="2" type="sidewalk" level="false"><width sOffset="0" a="2" b="0" c="0" d="0"/><height sOffset="0" inner="0.12" outer="0.15"/></lane></left>)" +
-            centre + right +
-            R"(</laneSection><laneSection s="70"><left><lane id="1" type="driving" level="false">)" + kWidth +
-            "</lane></left>" + centre + right + "</laneSection></lanes>"));
-}
 
 /// Returns the greatest distance, in height, between a level and the exact surface on lanes, less its stated error.
 double worstExcess(const PlacedNetwork& network, const RoadMesh& mesh, const RoadChunk& chunk,
@@ -176,57 +151,6 @@ TEST(RoadMesh, MarksOfBordersKeepTheirPhase)
         if (row[0].period > 0.0F) phases.insert(row[0].phase);
     EXPECT_GT(phases.size(), 1u); // 9 m do not divide the chunks
     EXPECT_FLOAT_EQ(mesh.marks[1][0].width + mesh.marks[2][0].width, 0.27F);
-}
-
-viewlod::ViewState viewFrom(const glm::dvec3& eye)
-{
-    glm::dmat4 view(1.0), projection(0.0);
-    view[3] = glm::dvec4(-eye, 1.0); // looks down
-    projection[0][0] = projection[1][1] = 1.0;
-    projection[2][2] = -1.0;
-    projection[2][3] = -1.0;
-    projection[3][2] = -0.2;
-    return viewlod::ViewState::fromMatrices(view, projection, 1000, 1000);
-}
-
-TEST(RoadView, DrawnHeightIsTheSurfaceNearTheEye)
-{
-    const PlacedNetwork network = placed(bentRoad());
-    const RoadMesh mesh = buildRoadMesh(network);
-    const RoadViewSettings settings;
-    int asked = 0;
-    for (double s = 5.0; s < 145.0; s += 7.0)
-    {
-        const glm::dvec3 on = network.surfacePoint(0, s, -1.5);
-        const viewlod::ViewState view = viewFrom(on + glm::dvec3(0.0, 0.0, 10.0));
-        const auto height =
-            drawnHeight(mesh, chooseLevels(mesh, view, settings), view, settings, glm::dvec2(on));
-        ASSERT_TRUE(height) << s;
-        EXPECT_NEAR(*height, on.z, 0.01) << s;
-        ++asked;
-    }
-    EXPECT_EQ(asked, 20);
-    const viewlod::ViewState high =
-        viewFrom(network.surfacePoint(0, 50.0, 0.0) + glm::dvec3(0.0, 0.0, 500.0));
-    EXPECT_NEAR(liftAt(500.0, high, settings), 0.9, 1e-9); // 0.9 px at 500 px a unit of tangent
-    EXPECT_EQ(liftAt(20.0, high, settings), 0.0);
-}
-
-TEST(RoadView, FarChunksAreCoarser)
-{
-    const PlacedNetwork network = placed(bentRoad());
-    const RoadMesh mesh = buildRoadMesh(network);
-    const auto triangles = [&](double heightM)
-    {
-        const viewlod::ViewState view =
-            viewFrom(network.surfacePoint(0, 75.0, 0.0) + glm::dvec3(0.0, 0.0, heightM));
-        std::size_t count = 0;
-        for (const ChunkChoice& choice : chooseLevels(mesh, view, {}))
-            count += mesh.chunks[choice.chunk].levels[choice.level].indexCount / 3;
-        return count;
-    };
-    EXPECT_GT(triangles(150.0), 2 * triangles(2000.0));
-    EXPECT_EQ(triangles(5000.0), 0u);
 }
 
 /// All networks at hand; what they cost is printed.

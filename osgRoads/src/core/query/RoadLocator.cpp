@@ -80,14 +80,17 @@ std::vector<RoadMatch> RoadLocator::within(glm::dvec2 point, double withinM) con
                         [&](std::uint32_t item, double limit)
                         {
                             const RoadPiece& piece = _index->pieces[item];
-                            if (piece.squareTo(point) > limit) return limit;
-                            const RoadCandidate candidate =
-                                candidateOn(_index->network, piece, point, kNoHeight);
-                            if (candidate.match.distance > withinM + kSameDistanceM) return limit;
+                            const double square = piece.squareTo(point);
+                            if (square > limit) return limit;
                             const auto same = std::find_if(
                                 found.begin(), found.end(),
                                 [&](const RoadCandidate& other)
-                                { return other.match.position.road == candidate.match.position.road; });
+                                { return other.match.position.road == static_cast<int>(piece.road); });
+                            // Most pieces nearby belong to a road of which a nearer piece is known.
+                            if (same != found.end() && square > limitOf(same->match.distance)) return limit;
+                            const RoadCandidate candidate =
+                                candidateOn(_index->network, piece, point, kNoHeight);
+                            if (candidate.match.distance > withinM + kSameDistanceM) return limit;
                             if (same == found.end())
                                 found.push_back(candidate);
                             else if (candidate.isBetterThan(*same))

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -115,13 +116,21 @@ void ChunkBuilder::addRow(const Row& row, double from, const std::vector<MeshVer
     const double ahead = row.s + kSlopeStepM < _section.end ? kSlopeStepM : -kSlopeStepM;
     const Row other = rowAt(row.s + ahead);
     const bool hasGround = structureAt(_network.road(_road), row.s) == nullptr;
+    // Two strips share a border, where the answer is the same.
+    double askedT = std::numeric_limits<double>::quiet_NaN();
+    bool isAskedCovered = false;
+    const auto isCovered = [&](double t)
+    {
+        if (t == askedT || !_cover.canCover()) return isAskedCovered;
+        askedT = t;
+        return isAskedCovered = _cover.covers(row.s, t);
+    };
     std::size_t first = 0;
     for (std::size_t i = 0; i < strips.size(); ++i)
     {
         const Strip& strip = _shape.strips()[i];
         const auto count = static_cast<std::size_t>(strip.columns);
         const bool isOwnCarriageway = strip.lane && isForCars(strip.lane->type);
-        const auto isCovered = [&](double t) { return _cover.canCover() && _cover.covers(row.s, t); };
         const bool rightCovered = isCovered(row.points[first].t);
         const bool leftCovered = isCovered(row.points[first + count - 1].t);
         for (std::size_t j = first; j < first + count; ++j)

@@ -4,9 +4,9 @@
 
 #include <glm/geometric.hpp>
 
-#include <viewlod/ScreenError.h>
-
 #include <osgRoads/core/surface/RoadView.h>
+
+#include "ChunkLevels.h"
 
 namespace osgRoads::core
 {
@@ -33,18 +33,12 @@ std::vector<ChunkChoice> chooseLevels(const RoadMesh& mesh, const viewlod::ViewS
                                       const RoadViewSettings& settings)
 {
     std::vector<ChunkChoice> choices;
-    const double pixels = view.guaranteedPixelsPerTangent();
     for (std::size_t i = 0; i < mesh.chunks.size(); ++i)
     {
         const RoadChunk& chunk = mesh.chunks[i];
-        const double distance = glm::distance(view.eyeWorld, chunk.centre);
-        if (distance - chunk.radius > settings.farthestM) continue;
+        if (!isNear(view, chunk.centre, chunk.radius, settings.farthestM)) continue;
         if (view.frustum.classify(chunk.centre, chunk.radius).outside) continue;
-        std::size_t level = chunk.levels.size() - 1;
-        while (level > 0 && viewlod::screenErrorBoundPx(pixels, chunk.levels[level].errorM, distance,
-                                                        chunk.radius, view.nearM) > settings.tolerancePx)
-            --level;
-        choices.push_back({static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(level)});
+        choices.push_back({static_cast<std::uint32_t>(i), coarsestLevel(chunk, view, settings.tolerancePx)});
     }
     return choices;
 }

@@ -30,10 +30,12 @@ struct RoadViewSettings
 struct ChunkChoice
 {
     std::uint32_t chunk = 0, level = 0;
+
+    bool operator==(const ChunkChoice&) const = default;
 };
 
 /// Returns the coarsest level of each chunk in the frustum whose error stays within the tolerance anywhere in the image.
-/// Frame: `view` in the scene's.
+/// It looks at every chunk; for each frame of a large network take the one of ChunkTree.h. Frame: `view` in the scene's.
 std::vector<ChunkChoice> chooseLevels(const RoadMesh& mesh, const viewlod::ViewState& view,
                                       const RoadViewSettings& settings);
 
