@@ -6,7 +6,6 @@
 #include <vector>
 
 #include <osgRoads/core/query/LaneSpan.h>
-#include <osgRoads/core/query/RoadSurface.h>
 #include <osgRoads/core/query/Stations.h>
 #include <osgTerrainROAM/core/edit/HeightRule.h>
 #include <osgTerrainROAM/core/heightfield/GroundQuery.h>
@@ -59,8 +58,7 @@ std::vector<PlanBox> boxesOf(const PlacedTile& tile, const PlacedNetwork& roads,
         for (const double s : osgRoads::core::evenStations(road.length, kBoxStepM))
         {
             PlanBox box;
-            if (!osgRoads::core::structureAt(road, s) && boxAt(tile, roads, i, s, shape, box))
-                boxes.push_back(box);
+            if (boxAt(tile, roads, i, s, shape, box)) boxes.push_back(box);
         }
     }
     return boxes;
@@ -69,9 +67,11 @@ std::vector<PlanBox> boxesOf(const PlacedTile& tile, const PlacedNetwork& roads,
 } // namespace
 
 foundation::Result<osgTerrainROAM::core::EditReport>
-cutRoads(osgTerrainROAM::core::TileEditor& editor, const PlacedNetwork& roads, const RoadCutShape& shape)
+cutRoads(osgTerrainROAM::core::TileEditor& editor, const PlacedNetwork& roads, const RoadCutShape& asked)
 {
     const PlacedTile& tile = editor.tile().tile;
+    RoadCutShape shape = asked;
+    shape.sampleM = std::max(tile.field().spacingEastM, tile.field().spacingNorthM) / tile.grid().cellSide();
     const auto boxes = boxesOf(tile, roads, shape);
     if (boxes.empty())
         return foundation::Error{tile.field().name, "the roads lie beyond the terrain",

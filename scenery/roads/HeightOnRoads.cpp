@@ -35,18 +35,12 @@ struct Surface
 
 Surface surfaceOf(const PlacedNetwork& roads, const RoadMatch& match)
 {
-    const osgRoads::core::RoadBed bed;
     const auto& [index, s, t, h] = match.position;
-    const auto& road = roads.road(index);
-    if (match.distance > kOnLanesM)
-    {
-        const auto lanes = osgRoads::core::extentAt(road, s);
-        const glm::dvec3 edge = roads.surfacePoint(index, s, std::clamp(t, lanes.rightT, lanes.leftT));
-        return {edge.z - bed.vergeFall * match.distance, Rank::beside};
-    }
-    const auto span = osgRoads::core::laneAt(road, s, t);
+    const double heightM = roads.surfaceAt(match, osgRoads::core::RoadBed{}).z;
+    if (match.distance > kOnLanesM) return {heightM, Rank::beside};
+    const auto span = osgRoads::core::laneAt(roads.road(index), s, t);
     const bool isForCars = span && osgRoads::core::isForCars(span->lane->type);
-    return {roads.surfacePoint(index, s, t).z, isForCars ? Rank::carriageway : Rank::lane};
+    return {heightM, isForCars ? Rank::carriageway : Rank::lane};
 }
 
 /// Returns the level on which something from a height stands.

@@ -16,36 +16,77 @@ namespace
 using osgRoads::core::PlacedNetwork;
 using osgRoads::core::RoadMatch;
 
-/// The band at `outM` from lanes whose surface has the height `laneM` there.
-HeightBand bandBeside(double laneM, double outM, const RoadCutShape& shape)
+constexpr double kUndercutSamples = 2.0; ///< a triangle's long side and some more
+
+/// The band of a bed below a verge whose surface is at `surfaceM`, `outM` from the lanes.
+HeightBand bandUnderVerge(double surfaceM, double outM, const RoadCutShape& shape)
 {
-    const auto& bed = shape.bed;
-    if (outM <= bed.vergeM)
-    {
-        const double risen = std::clamp((outM - bed.vergeM + shape.riseM) / shape.riseM, 0.0, 1.0);
-        const double height = laneM - bed.vergeFall * outM - std::lerp(bed.depthM, shape.vergeEndM, risen);
-        return {height, height};
-    }
-    const double edgeM = laneM - bed.vergeFall * bed.vergeM - shape.vergeEndM;
-    const double beyondM = outM - bed.vergeM, leftM = shape.reachM - outM;
-    if (leftM <= 0.0) return {};
-    const double halfM = shape.slope * beyondM * (1.0 + beyondM / leftM);
-    return {edgeM - halfM, edgeM + halfM};
+    const double risen = std::clamp((outM - shape.bed.vergeM + shape.riseM) / shape.riseM, 0.0, 1.0);
+    const double height = surfaceM - std::lerp(shape.bed.depthM, shape.vergeEndM, risen);
+    return {height, height};
 }
 
-/// The band that one road asks for.
-HeightBand bandOf(const PlacedNetwork& roads, const RoadMatch& match,
+/// The band of cutting and embankment at `outM` from the lanes of a road whose verge ends at `edgeM`.
+HeightBand bandBeyondVerge(double edgeM, double outM, const RoadCutShape& shape)
+{
+    const double beyondM = outM - shape.bed.vergeM, leftM = shape.reachM - outM;
+    if (leftM <= 0.0) return {};
+    const double halfM = shape.slope * beyondM * (1.0 + beyondM / leftM);
+    return {edgeM - shape.vergeEndM - halfM, edgeM - shape.vergeEndM + halfM};
+}
+
+/// By how much the bed of a steep bank has to lie lower near an edge of the lanes: a triangle of the ground that reaches from
+/// the verge up the bank would lie above both. So there the verge's own slope goes on below the bank.
+double undercutM(const osgRoads::core::Road& road, const osgRoads::core::RoadPosition& at,
+                 const RoadCutShape& shape)
+{
+    if (!road.hasTilt()) return 0.0;
+    const auto frame = osgRoads::core::frameAt(road, at.s);
+    const auto heightAt = [&](double t)
+    { return frame.pointAt(t, osgRoads::core::surfaceHeight(road, at.s, t)).z; };
+    const auto lateralAt = [&](double t)
+    { return frame.lateralOf(t, osgRoads::core::surfaceHeight(road, at.s, t)); };
+    const auto lanes = osgRoads::core::extentAt(road, at.s);
+    double deepestM = 0.0;
+    for (const double edge : {lanes.rightT, lanes.leftT})
+    {
+        const double insideM = std::abs(lateralAt(at.t) - lateralAt(edge));
+        if (insideM > kUndercutSamples * shape.sampleM) continue;
+        deepestM = std::max(deepestM, heightAt(at.t) - heightAt(edge) - shape.bed.vergeFall * insideM);
+    }
+    return deepestM;
+}
+
+/// The ground stays below the deck of a bridge, and below the road of a tunnel that no ground covers (a gallery). What covers a
+/// tunnel stays as it is.
+HeightBand bandOfStructure(osgRoads::core::StructureKind kind, double surfaceM, double outM, double groundM,
+                           const RoadCutShape& shape)
+{
+    const bool isTunnel = kind == osgRoads::core::StructureKind::tunnel;
+    if (isTunnel && groundM > surfaceM + shape.tunnelM) return {};
+    HeightBand band;
+    band.highM = surfaceM - (isTunnel ? shape.bed.depthM : shape.deckM);
+    if (outM > shape.bed.vergeM) band.highM = bandBeyondVerge(band.highM, outM, shape).highM;
+    return band;
+}
+
+/// The band that one road asks for of ground at `groundM`.
+HeightBand bandOf(const PlacedNetwork& roads, const RoadMatch& match, double groundM,
                   const osgTerrainROAM::core::TileFrame& frame, const RoadCutShape& shape)
 {
     const auto& position = match.position;
     const auto& road = roads.road(position.road);
-    if (osgRoads::core::structureAt(road, position.s)) return {};
-    const auto lanes = osgRoads::core::extentAt(road, position.s);
-    const double t = std::clamp(position.t, lanes.rightT, lanes.leftT);
-    const double laneM = frame.heightOf(roads.surfacePoint(position.road, position.s, t));
+    const double surfaceM = frame.heightOf(roads.surfaceAt(match, shape.bed, shape.bed.vergeM));
+    if (const auto* structure = osgRoads::core::structureAt(road, position.s))
+        return bandOfStructure(structure->kind, surfaceM, match.distance, groundM, shape);
+    const bool isOnLanes = match.distance < 1e-6;
+    if (isOnLanes) return bandUnderVerge(surfaceM - undercutM(road, position, shape), 0.0, shape);
     // Beyond an end no mesh covers a bed: there the ground is that beside the verge.
-    const bool isBeyondEnd = match.distance > 1e-6 && t == position.t;
-    return bandBeside(laneM, match.distance + (isBeyondEnd ? shape.bed.vergeM + 1e-9 : 0.0), shape);
+    const auto lanes = osgRoads::core::extentAt(road, position.s);
+    const bool isBeyondEnd = position.t >= lanes.rightT && position.t <= lanes.leftT;
+    if (isBeyondEnd) return bandBeyondVerge(surfaceM, match.distance + shape.bed.vergeM, shape);
+    if (match.distance <= shape.bed.vergeM) return bandUnderVerge(surfaceM, match.distance, shape);
+    return bandBeyondVerge(surfaceM, match.distance, shape);
 }
 
 } // namespace
@@ -55,9 +96,10 @@ HeightBand roadBand(const PlacedNetwork& roads, const osgTerrainROAM::core::Tile
 {
     HeightBand band;
     const glm::dvec2 plan(roads.toInertial(scene));
+    const double groundM = frame.heightOf(scene);
     for (const RoadMatch& match : roads.locator().within(plan, shape.reachM))
     {
-        const HeightBand asked = bandOf(roads, match, frame, shape);
+        const HeightBand asked = bandOf(roads, match, groundM, frame, shape);
         band.lowM = std::max(band.lowM, asked.lowM);
         band.highM = std::min(band.highM, asked.highM);
     }

@@ -7,8 +7,10 @@
 #include <utility>
 #include <vector>
 
+#include <osgRoads/core/place/RoadBed.h>
 #include <osgRoads/core/query/LaneSpan.h>
 #include <osgRoads/core/query/RoadSurface.h>
+#include <osgRoads/core/query/Stations.h>
 #include <osgRoads/core/read/ReadNetwork.h>
 
 #include "scenery/roads/SceneDatum.h"
@@ -89,18 +91,24 @@ void fill(Level& level)
     push(coarse, level);
 }
 
-/// Adds the heights of a road, but for its bridges and tunnels.
-void addRoad(const Road& road, const glm::dvec2& corner, double spacingM, Level& sums)
+/// Adds the heights beside a road, but for its bridges and tunnels. A sample farther out than the verge, so that the two sides of
+/// a narrow bank do not meet in one.
+void addRoad(const RoadNetwork& network, int index, const glm::dvec2& corner, double spacingM, Level& sums)
 {
-    const double stationM = 0.5 * spacingM;
-    for (int i = 0, last = static_cast<int>(std::ceil(road.length / stationM)); i <= last; ++i)
+    const Road& road = network.roads[static_cast<std::size_t>(index)];
+    const osgRoads::core::RoadBed bed;
+    const double outM = bed.vergeM + 0.5 * spacingM;
+    for (const double s : osgRoads::core::evenStations(road.length, 0.5 * spacingM))
     {
-        const double s = std::min(i * stationM, road.length);
         if (osgRoads::core::structureAt(road, s)) continue;
         const auto lanes = osgRoads::core::extentAt(road, s);
-        for (const double t : {lanes.rightT, lanes.leftT})
+        const auto frame = osgRoads::core::frameAt(road, s);
+        for (const double side : {-1.0, 1.0})
         {
-            const glm::dvec3 place = osgRoads::core::surfacePoint(road, s, t);
+            const double t = side < 0.0 ? lanes.rightT : lanes.leftT;
+            const glm::dvec2 beside = frame.moved({t, osgRoads::core::surfaceHeight(road, s, t)}, side * outM,
+                                                  bed.vergeM * bed.vergeFall);
+            const glm::dvec3 place = frame.pointAt(beside.x, beside.y);
             const glm::dvec2 grid = (glm::dvec2(place) - corner) / spacingM;
             const std::size_t at =
                 sums.index(static_cast<int>(std::lround(grid.x)), static_cast<int>(std::lround(grid.y)));
@@ -130,8 +138,9 @@ osgTerrainROAM::core::HeightField fieldOf(const RoadNetwork& network, const Plan
     corner = glm::floor((extent.low - kMarginM) / field.spacingEastM) * field.spacingEastM;
     const glm::ivec2 samples(glm::ceil((extent.high + kMarginM - corner) / field.spacingEastM) + 1.0);
     Level level(samples.x, samples.y);
-    for (const Road& road : network.roads)
-        if (road.isUsable) addRoad(road, corner, field.spacingEastM, level);
+    for (int i = 0; i < static_cast<int>(network.roads.size()); ++i)
+        if (network.roads[static_cast<std::size_t>(i)].isUsable)
+            addRoad(network, i, corner, field.spacingEastM, level);
     for (std::size_t i = 0; i < level.heights.size(); ++i)
         if (level.weights[i] > 0.0f)
         {

@@ -22,7 +22,8 @@ using osgRoads::core::PlacedNetwork;
 using scenery::RoadCutShape;
 
 /// 600 m along x at y = 500, 7 m wide, banked, climbing by 2 %; a bridge from 300 to 360 m.
-std::shared_ptr<PlacedNetwork> bankedRoad(double fromHeightM)
+std::shared_ptr<PlacedNetwork> bankedRoad(double fromHeightM, double bankRad = 0.05,
+                                          const std::string& structure = "bridge")
 {
     const std::string lane = R"(<width sOffset="0" a="3.5" b="0" c="0" d="0"/></lane>)";
     const std::string text =
@@ -30,12 +31,14 @@ std::shared_ptr<PlacedNetwork> bankedRoad(double fromHeightM)
 <planView><geometry s="0" x="200" y="500" hdg="0" length="600"><line/></geometry></planView>
 <elevationProfile><elevation s="0" a=")" +
         std::to_string(fromHeightM) + R"(" b="0.02" c="0" d="0"/></elevationProfile>
-<lateralProfile><superelevation s="0" a="0.05" b="0" c="0" d="0"/></lateralProfile>
+<lateralProfile><superelevation s="0" a=")" +
+        std::to_string(bankRad) + R"(" b="0" c="0" d="0"/></lateralProfile>
 <lanes><laneSection s="0"><left><lane id="1" type="driving" level="false">)" +
         lane + R"(</left><center><lane id="0" type="none" level="false"/></center>
 <right><lane id="-1" type="driving" level="false">)" +
         lane + R"(</right></laneSection></lanes>
-<objects><bridge id="b" type="concrete" s="300" length="60"/></objects></road></OpenDRIVE>)";
+<objects><)" +
+        structure + R"( id="b" type="concrete" s="300" length="60"/></objects></road></OpenDRIVE>)";
     auto read = osgRoads::core::parseNetwork(text, "banked.xodr");
     EXPECT_TRUE(read) << (read ? "" : read.error().message());
     return std::make_shared<PlacedNetwork>(
@@ -107,6 +110,32 @@ TEST(CutRoads, AShallowBedIsSeenAsTooShallow) // the test above can fail
     EXPECT_LT(depthsUnder(*tile, *roads).leastM, 0.3);
 }
 
+TEST(CutRoads, GroundLiesBelowTheLowSideOfASteepBank)
+{
+    const auto tile = hillTile();
+    const auto roads = bankedRoad(430.0, 0.8);
+    TileEditor editor(tile);
+    ASSERT_TRUE(scenery::cutRoads(editor, *roads));
+    EXPECT_GT(depthsUnder(*tile, *roads).leastM, 0.2);
+}
+
+TEST(CutRoads, ABedThatFollowsASteepBankComesThroughItsLowSide) // the test above can fail
+{
+    const auto tile = hillTile();
+    const auto roads = bankedRoad(430.0, 0.8);
+    RoadCutShape followsTheBank;
+    followsTheBank.sampleM = 0.0;
+    const auto bandAt = [&](double lateralM)
+    {
+        const glm::dvec3 edge = roads->surfacePoint(0, 100.0, -3.5);
+        return scenery::roadBand(*roads, tile->tile.frame(), followsTheBank,
+                                 edge + glm::dvec3(0.0, lateralM, 0.0));
+    };
+    // A triangle from the verge to the bank, 1.9 m long, at the lanes' edge.
+    const double chordM = 0.5 * (bandAt(-0.95).highM + bandAt(0.95).highM);
+    EXPECT_GT(chordM, roads->surfacePoint(0, 100.0, -3.5).z - 0.2);
+}
+
 TEST(CutRoads, GroundFarAwayAndUnderABridgeStaysAsItWas)
 {
     const auto before = hillTile(), tile = hillTile();
@@ -121,6 +150,37 @@ TEST(CutRoads, GroundFarAwayAndUnderABridgeStaysAsItWas)
             if (!isFar) continue;
             EXPECT_NEAR(groundM(*tile, {x, y, 0.0}), groundM(*before, {x, y, 0.0}), 1e-3);
         }
+    EXPECT_NEAR(groundM(*tile, {530.0, 500.0, 0.0}), groundM(*before, {530.0, 500.0, 0.0}), 1e-3);
+}
+
+TEST(CutRoads, GroundNeverReachesThroughALowBridgeOrAGallery)
+{
+    auto field = testsupport::hills(33, 33);
+    for (float& heightM : field.heightsM)
+        heightM *= 0.02f;
+    const PlacedTileOptions options{.placement = Placement::planar, .gridExponent = 4};
+    for (const char* const structure : {"bridge", "tunnel"})
+    {
+        const auto tile = std::make_shared<RoamTile>(PlacedTile(field, options));
+        // 2 m below the ground in the middle of the structure
+        const auto roads = bankedRoad(groundM(*tile, {530.0, 500.0, 0.0}) - 6.6 - 2.0, 0.05, structure);
+        TileEditor editor(tile);
+        ASSERT_TRUE(scenery::cutRoads(editor, *roads));
+        for (double s = 290.0; s < 370.0; s += 0.7)
+            for (double t = -3.5; t <= 3.5; t += 0.5)
+            {
+                const glm::dvec3 place = roads->surfacePoint(0, s, t);
+                EXPECT_LT(groundM(*tile, place), place.z - 0.3) << structure << " " << s << " " << t;
+            }
+    }
+}
+
+TEST(CutRoads, GroundThatCoversATunnelStaysAsItWas)
+{
+    const auto before = hillTile(), tile = hillTile();
+    const double deepM = groundM(*before, {530.0, 500.0, 0.0}) - 6.6 - 30.0;
+    TileEditor editor(tile);
+    ASSERT_TRUE(scenery::cutRoads(editor, *bankedRoad(deepM, 0.05, "tunnel")));
     EXPECT_NEAR(groundM(*tile, {530.0, 500.0, 0.0}), groundM(*before, {530.0, 500.0, 0.0}), 1e-3);
 }
 

@@ -12,6 +12,20 @@
 namespace osgRoads::core
 {
 
+namespace
+{
+
+/// Returns how far a t beside the lanes is from them in the plan view; 0 on them.
+double besideM(const Road& road, const RoadFrame& frame, double s, double t, double lateral)
+{
+    const RoadExtent extent = extentAt(road, s);
+    const double edge = std::clamp(t, extent.rightT, extent.leftT);
+    if (edge == t || !road.hasTilt()) return std::fabs(t - edge);
+    return std::fabs(lateral - frame.lateralOf(edge, surfaceHeight(road, s, edge)));
+}
+
+} // namespace
+
 RoadCandidate candidateOn(const RoadNetwork& network, const RoadPiece& piece, glm::dvec2 point, double height)
 {
     const Road& road = network.roads[piece.road];
@@ -23,7 +37,6 @@ RoadCandidate candidateOn(const RoadNetwork& network, const RoadPiece& piece, gl
     const glm::dvec2 away = point - foot.position;
     const double lateral = glm::dot(away, frame.left());
     const double along = glm::dot(away, frame.tangent); // not 0 beyond the ends of the road
-    const RoadExtent extent = extentAt(road, s);
     RoadCandidate candidate;
     candidate.lateral = std::fabs(lateral);
     RoadPosition& position = candidate.match.position;
@@ -31,7 +44,7 @@ RoadCandidate candidateOn(const RoadNetwork& network, const RoadPiece& piece, gl
     position.s = s;
     position.t = surfaceT(road, frame, s, lateral);
     position.h = surfaceHeight(road, s, position.t);
-    const double beside = std::max({extent.rightT - position.t, position.t - extent.leftT, 0.0});
+    const double beside = besideM(road, frame, s, position.t, lateral);
     double above = 0.0;
     if (!std::isnan(height))
     {

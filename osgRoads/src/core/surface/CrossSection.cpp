@@ -58,6 +58,12 @@ bool hasStepsIn(const LaneSection& section)
            std::any_of(section.right.begin(), section.right.end(), isRaised);
 }
 
+/// The frame of a cross-section as far as it is tilted.
+RoadFrame tiltAt(const Road& road, double s)
+{
+    return road.hasTilt() ? frameAt(road, s, {}) : RoadFrame{};
+}
+
 bool isCurved(const Road& road)
 {
     const bool hasCrossfall = !road.crossfall.leftRad.isEmpty() || !road.crossfall.rightRad.isEmpty();
@@ -131,16 +137,23 @@ void CrossSection::pointsAt(double s, std::vector<SectionPoint>& points) const
         return isLeft ? points[points.size() - 5] : points[4];
     };
     const SectionPoint right = edge(false), left = edge(true);
-    const double fall = _bed.vergeM * _bed.vergeFall, run = _bed.skirtM / _bed.skirtSlope;
-    points[3] = {right.t, right.h, _bed.vergeM, _bed.vergeM};
-    points[2] = {right.t - _bed.vergeM, right.h - fall, 0.0, _bed.vergeM};
-    points[1] = {right.t - _bed.vergeM, right.h - fall, run, run};
-    points[0] = {right.t - _bed.vergeM - run, right.h - fall - _bed.skirtM, 0.0, run};
+    const RoadFrame frame = tiltAt(_road, s);
+    const double vergeFallM = _bed.vergeM * _bed.vergeFall, run = _bed.skirtM / _bed.skirtSlope;
+    const auto beside = [&](const SectionPoint& from, double leftM, double downM, double across, double width)
+    {
+        const glm::dvec2 to = frame.moved({from.t, from.h}, leftM, downM);
+        return SectionPoint{to.x, to.y, across, width};
+    };
+    const double outM = _bed.vergeM + run, downM = vergeFallM + _bed.skirtM;
+    points[3] = beside(right, 0.0, 0.0, _bed.vergeM, _bed.vergeM);
+    points[2] = beside(right, -_bed.vergeM, vergeFallM, 0.0, _bed.vergeM);
+    points[1] = beside(right, -_bed.vergeM, vergeFallM, run, run);
+    points[0] = beside(right, -outM, downM, 0.0, run);
     const std::size_t end = points.size();
-    points[end - 4] = {left.t, left.h, 0.0, _bed.vergeM};
-    points[end - 3] = {left.t + _bed.vergeM, left.h - fall, _bed.vergeM, _bed.vergeM};
-    points[end - 2] = {left.t + _bed.vergeM, left.h - fall, 0.0, run};
-    points[end - 1] = {left.t + _bed.vergeM + run, left.h - fall - _bed.skirtM, run, run};
+    points[end - 4] = beside(left, 0.0, 0.0, 0.0, _bed.vergeM);
+    points[end - 3] = beside(left, _bed.vergeM, vergeFallM, _bed.vergeM, _bed.vergeM);
+    points[end - 2] = beside(left, _bed.vergeM, vergeFallM, 0.0, run);
+    points[end - 1] = beside(left, outM, downM, run, run);
     std::size_t first = 0;
     for (const Strip& strip : _strips)
     {

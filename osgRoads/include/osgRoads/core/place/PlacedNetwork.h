@@ -6,6 +6,7 @@
 #include <glm/vec3.hpp>
 
 #include <osgRoads/core/network/RoadNetwork.h>
+#include <osgRoads/core/place/RoadBed.h>
 #include <osgRoads/core/place/RoadDatum.h>
 #include <osgRoads/core/query/RoadLocator.h>
 
@@ -30,6 +31,10 @@ public:
 
     /// Returns the place of the surface at (s, t), lane heights included; beside the lanes the cross-section goes on.
     glm::dvec3 surfacePoint(int road, double s, double t) const;
+
+    /// Returns the place of the surface where the locator has found a road: on its lanes as surfacePoint(), beside them that of
+    /// the verge, which falls outwards whatever the superelevation. Farther out than `mostOutM` it is the place there.
+    glm::dvec3 surfaceAt(const RoadMatch& match, const RoadBed& bed, double mostOutM = 1e9) const;
 
     /// Returns the inertial place of a point of the scene, for look-ups.
     glm::dvec3 toInertial(const glm::dvec3& scene) const

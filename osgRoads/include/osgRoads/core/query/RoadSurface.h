@@ -30,9 +30,19 @@ struct RoadFrame
     /// Returns the inertial position of (t, h).
     glm::dvec3 pointAt(double t, double h) const
     {
-        const double lateral = t * cosRoll - h * sinRoll;
+        const double lateral = lateralOf(t, h);
         return {origin.x - tangent.y * lateral, origin.y + tangent.x * lateral,
                 origin.z + t * sinRoll + h * cosRoll};
+    }
+
+    /// Returns how far (t, h) lies to the left of the reference line in the plan view.
+    double lateralOf(double t, double h) const { return t * cosRoll - h * sinRoll; }
+
+    /// Returns the (t, h) that lies `leftM` to the left of another in the plan view and `downM` lower, whatever the
+    /// superelevation.
+    glm::dvec2 moved(glm::dvec2 from, double leftM, double downM) const
+    {
+        return from + glm::dvec2(leftM * cosRoll - downM * sinRoll, -leftM * sinRoll - downM * cosRoll);
     }
 
     /// Returns (t, h) of an inertial position in the cross-section: the inverse of pointAt().
