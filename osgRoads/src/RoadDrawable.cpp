@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <array>
+#include <bit>
 #include <cmath>
 
 #include <osg/BlendFunc>
@@ -10,8 +11,8 @@
 #include <osgTraversal/CullFacts>
 
 #include "view/GrainTexture.h"
-#include "view/MarkTexture.h"
 #include "view/RoadPart.h"
+#include "view/RowTexture.h"
 
 namespace osgRoads
 {
@@ -33,10 +34,15 @@ viewlod::ViewState viewOf(osgUtil::CullVisitor& visitor)
 
 void setState(osg::StateSet& state, const core::RoadMesh& mesh)
 {
-    state.setTextureAttributeAndModes(kMarksUnit, makeMarkTexture(mesh.marks));
+    std::vector<FloatRow> marks;
+    for (const core::MarkRow& row : mesh.marks)
+        marks.push_back(std::bit_cast<FloatRow>(row));
+    state.setTextureAttributeAndModes(kMarksUnit, makeRowTexture(marks));
+    state.setTextureAttributeAndModes(kDecalsUnit, makeRowTexture(mesh.decals));
     state.setTextureAttributeAndModes(kGrainUnit, makeGrainTexture());
     state.addUniform(new osg::Uniform("roadMarks", kMarksUnit));
     state.addUniform(new osg::Uniform("roadGrain", kGrainUnit));
+    state.addUniform(new osg::Uniform("roadDecals", kDecalsUnit));
     state.setAttributeAndModes(new osg::BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA));
     state.setRenderBinDetails(kRenderBin, "RenderBin");
 }

@@ -7,7 +7,7 @@ in vec3 roadAt;
 in vec3 roadPresence;
 in vec2 roadGround;
 flat in int roadKind;
-flat in ivec2 roadMarkRows;
+flat in ivec3 roadMarkRows;
 
 uniform sampler2D roadMarks;
 uniform sampler2D roadGrain;

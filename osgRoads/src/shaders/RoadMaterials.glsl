@@ -45,8 +45,10 @@ vec3 roadSurface(vec2 filters)
 vec3 roadAlbedo()
 {
     vec2 filters = roadFilters();
+    vec2 planX = dFdx(roadPlan), planY = dFdy(roadPlan);
     if (roadPresence.x < 0.5) discard;
     vec3 colour = max(roadSurface(filters), vec3(0.01));
+    colour = roadDecalsOf(colour, roadMarkRows.z, planX, planY);
     colour = roadMarksOfRow(colour, roadMarkRows.x, roadAt.y, roadPresence.y, filters);
     return roadMarksOfRow(colour, roadMarkRows.y, roadAt.y - roadAt.z, roadPresence.z, filters);
 }

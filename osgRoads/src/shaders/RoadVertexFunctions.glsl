@@ -6,12 +6,13 @@ in ivec3 roadPosition;
 in vec3 roadPlace;  // s, across, width
 in vec3 roadNormal;
 in vec4 roadFlags;  // kind, presence, presence of right and left marks: 0 to 255
-in vec2 roadRows;   // of the marks at the right and the left border
+in vec3 roadRows;   // of the marks at the right and the left border, of the list of decals
 
 uniform ivec3 roadEyeSteps;
 uniform vec3 roadEyeRest;
 uniform vec3 roadEyeWrapped;  // the eye, modulo the period of the grain
 uniform vec4 roadLift;        // pixels as a tangent; from, full, farthest distance
+uniform sampler2D roadDecals;
 uniform mat3 roadEyeFromLocal;
 uniform mat3 roadWorldFromLocal;
 
@@ -21,7 +22,8 @@ out vec3 roadAt;        // s, across, width
 out vec3 roadPresence;  // of the surface, of its right and its left marks
 out vec2 roadGround;    // east and north for the grain
 flat out int roadKind;
-flat out ivec2 roadMarkRows;
+out vec2 roadPlan;      // east and north from the origin of the list of decals
+flat out ivec3 roadMarkRows;
 
 vec3 roadInView()
 {
@@ -35,6 +37,13 @@ vec3 roadInView()
     roadAt = roadPlace;
     roadPresence = roadFlags.yzw * (1.0 / 255.0);
     roadKind = int(roadFlags.x + 0.5);
-    roadMarkRows = ivec2(roadRows + 0.5);
+    roadMarkRows = ivec3(roadRows + 0.5);
+    roadPlan = vec2(0.0);
+    if (roadMarkRows.z > 0)
+    {
+        // Origins lie on a grid of 64 m, which is 65536 steps.
+        ivec2 cell = ivec2(texelFetch(roadDecals, ivec2((roadMarkRows.z & 255) * 4, roadMarkRows.z >> 8), 0).xy);
+        roadPlan = vec2(roadPosition.xy - cell * 65536) * (1.0 / 1024.0);
+    }
     return roadEyeFromLocal * fromEye;
 }

@@ -33,7 +33,7 @@ void setPointers(osg::GLExtensions& gl)
     gl.glVertexAttribPointer(kNormalAttribute, 3, GL_BYTE, GL_TRUE, stride, at(offsetof(MeshVertex, normal)));
     gl.glVertexAttribPointer(kFlagsAttribute, 4, GL_UNSIGNED_BYTE, GL_FALSE, stride,
                              at(offsetof(MeshVertex, kind)));
-    gl.glVertexAttribPointer(kRowsAttribute, 2, GL_UNSIGNED_INT, GL_FALSE, stride,
+    gl.glVertexAttribPointer(kRowsAttribute, 3, GL_UNSIGNED_INT, GL_FALSE, stride,
                              at(offsetof(MeshVertex, rightRow)));
 }
 

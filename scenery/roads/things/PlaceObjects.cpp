@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include <osgRoads/core/query/LaneSpan.h>
+#include <osgRoads/core/query/PaintedItem.h>
 #include <osgRoads/core/query/RoadSurface.h>
 
 #include "scenery/models/roads/RoadBuilding.h"
@@ -149,9 +150,7 @@ void placeObjects(const PlacedNetwork& placed, int road, const GroundHeight& gro
     {
         const std::string words = wordsOf(object),
                           kind = "object " + (object.type.empty() ? std::string("?") : object.type);
-        if (has(words, "crosswalk") || has(words, "parkingspace") || has(words, "roadmark") ||
-            has(words, "patch"))
-            continue; // painted
+        if (osgRoads::core::paintKind(object)) continue;
         if (addOutline(placed, road, object, into))
         {
             ++into.withModel[kind];

@@ -6,6 +6,8 @@
 
 #include <glm/geometric.hpp>
 
+#include <osgRoads/core/query/PaintedItem.h>
+
 #include "scenery/roads/things/Placers.h"
 #include "scenery/roads/things/SignCodes.h"
 #include "scenery/roads/things/ThingPose.h"
@@ -89,7 +91,7 @@ void placeSignals(const PlacedNetwork& placed, int road, RoadThings& into)
             "signal " + (signal.country.empty() ? std::string("?") : signal.country) + " " + signal.type;
         if (!model)
         {
-            if (!isPaintedOnRoad(signal)) ++into.withoutModel[kind];
+            if (!osgRoads::core::paintKind(signal)) ++into.withoutModel[kind];
             continue;
         }
         ++into.withModel[kind];

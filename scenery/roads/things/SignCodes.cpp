@@ -10,6 +10,8 @@
 #include <string>
 #include <string_view>
 
+#include <osgRoads/core/query/PaintedItem.h>
+
 namespace scenery::roads
 {
 
@@ -119,16 +121,10 @@ int speedOf(const osgRoads::core::Signal& signal)
 
 } // namespace
 
-bool isPaintedOnRoad(const osgRoads::core::Signal& signal)
-{
-    return signal.type == "294" || signal.type == "293" || signal.type == "297" || signal.type == "1000003" ||
-           signal.name.starts_with("SgRM");
-}
-
 std::optional<models::RoadModel> signModel(const osgRoads::core::Signal& signal)
 {
     RoadModel model;
-    if (isPaintedOnRoad(signal)) return {};
+    if (osgRoads::core::paintKind(signal)) return {};
     if (signal.type == "1000001" || signal.type == "1000002")
     {
         model.kind =

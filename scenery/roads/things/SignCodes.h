@@ -15,7 +15,4 @@ namespace scenery::roads
 /// (Vägmärkesförordningen 2007:90), the words jin and shi for China, and traffic lights 1000001 and 1000002.
 std::optional<models::RoadModel> signModel(const osgRoads::core::Signal& signal);
 
-/// Returns whether a signal is painted on the road: arrows, stop lines, crosswalks.
-bool isPaintedOnRoad(const osgRoads::core::Signal& signal);
-
 } // namespace scenery::roads

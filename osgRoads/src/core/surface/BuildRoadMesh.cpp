@@ -35,6 +35,7 @@ RoadMesh buildRoadMesh(const PlacedNetwork& network, const RoadMeshSettings& set
     RoadMesh mesh;
     mesh.origin = originOf(network);
     MarkRows marks;
+    DecalRows decals(network, mesh.origin);
     for (std::size_t i = 0; i < network.network().roads.size(); ++i)
     {
         const Road& road = network.network().roads[i];
@@ -42,12 +43,13 @@ RoadMesh buildRoadMesh(const PlacedNetwork& network, const RoadMeshSettings& set
         for (const LaneSection& section : road.sections)
         {
             const std::vector<double> cuts = chunkCuts(road, section, settings.chunkM);
-            ChunkBuilder builder(network, static_cast<int>(i), section, settings, marks, mesh);
+            ChunkBuilder builder(network, static_cast<int>(i), section, settings, marks, decals, mesh);
             for (std::size_t cut = 0; cut + 1 < cuts.size(); ++cut)
                 builder.add(cuts[cut], cuts[cut + 1]);
         }
     }
     mesh.marks = marks.take();
+    mesh.decals = decals.take();
     return mesh;
 }
 

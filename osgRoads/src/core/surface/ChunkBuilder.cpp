@@ -23,6 +23,12 @@ constexpr double kBetweenSamples = 1.15;
 /// Half a step in each coordinate.
 constexpr double kRoundingM = 0.87 * RoadMesh::kMeshStepM;
 
+/// Whether a surface is painted on.
+bool isPaved(SurfaceKind kind)
+{
+    return kind == SurfaceKind::asphalt || kind == SurfaceKind::concrete || kind == SurfaceKind::shoulder;
+}
+
 std::array<std::int8_t, 4> packed(const glm::dvec3& normal)
 {
     std::array<std::int8_t, 4> bytes{};
@@ -34,7 +40,8 @@ std::array<std::int8_t, 4> packed(const glm::dvec3& normal)
 } // namespace
 
 ChunkBuilder::ChunkBuilder(const PlacedNetwork& network, int road, const LaneSection& section,
-                           const RoadMeshSettings& settings, MarkRows& marks, RoadMesh& mesh)
+                           const RoadMeshSettings& settings, MarkRows& marks, DecalRows& decals,
+                           RoadMesh& mesh)
     : _network(network),
       _road(road),
       _section(section),
@@ -42,6 +49,7 @@ ChunkBuilder::ChunkBuilder(const PlacedNetwork& network, int road, const LaneSec
       _shape(network.road(road), section, settings.bed),
       _cover(network, road),
       _marks(marks),
+      _decals(decals),
       _mesh(mesh)
 {
 }
@@ -96,13 +104,28 @@ void ChunkBuilder::sample(double from, double to)
     }
 }
 
+/// Returns the pieces of a strip between the rows of the finest level.
+std::vector<SurfaceQuad> ChunkBuilder::quadsOf(std::size_t firstColumn, std::size_t columns) const
+{
+    std::vector<SurfaceQuad> quads;
+    const std::size_t last = firstColumn + columns - 1;
+    for (std::size_t i = 0; i + 2 < _rows.size(); i += 2)
+        quads.push_back({_rows[i].places[firstColumn], _rows[i + 2].places[firstColumn],
+                         _rows[i + 2].places[last], _rows[i].places[last]});
+    return quads;
+}
+
 /// Returns what the vertices of each strip have in common.
 std::vector<MeshVertex> ChunkBuilder::stripsAt(double from) const
 {
     std::vector<MeshVertex> strips;
+    std::size_t first = 0;
     for (const Strip& strip : _shape.strips())
     {
+        const auto columns = static_cast<std::size_t>(strip.columns);
         MeshVertex vertex;
+        if (isPaved(strip.kind)) vertex.decalRow = _decals.listFor(quadsOf(first, columns));
+        first += columns;
         vertex.kind = strip.kind;
         if (strip.rightMark) vertex.rightRow = _marks.rowOf(_section, *strip.rightMark, from);
         if (strip.leftMark) vertex.leftRow = _marks.rowOf(_section, *strip.leftMark, from);

@@ -6,6 +6,7 @@
 #include <osgRoads/core/surface/BuildRoadMesh.h>
 
 #include "CrossSection.h"
+#include "DecalRows.h"
 #include "JunctionCover.h"
 #include "MarkRows.h"
 
@@ -17,7 +18,7 @@ class ChunkBuilder
 {
 public:
     ChunkBuilder(const PlacedNetwork& network, int road, const LaneSection& section,
-                 const RoadMeshSettings& settings, MarkRows& marks, RoadMesh& mesh);
+                 const RoadMeshSettings& settings, MarkRows& marks, DecalRows& decals, RoadMesh& mesh);
 
     void add(double from, double to);
 
@@ -36,6 +37,7 @@ private:
     void addRow(const Row& row, double from, const std::vector<MeshVertex>& strips);
     void addLevels(RoadChunk& chunk, std::uint32_t firstVertex);
     std::vector<MeshVertex> stripsAt(double from) const;
+    std::vector<SurfaceQuad> quadsOf(std::size_t firstColumn, std::size_t columns) const;
 
     const PlacedNetwork& _network;
     int _road;
@@ -44,6 +46,7 @@ private:
     CrossSection _shape;
     JunctionCover _cover;
     MarkRows& _marks;
+    DecalRows& _decals;
     RoadMesh& _mesh;
     std::vector<Row> _rows; ///< of the finest level and one between each two of them
 };

@@ -12,7 +12,6 @@ namespace osgRoads::core
 namespace
 {
 
-constexpr double kSameLevelM = 1.0;
 constexpr double kWithinM = 1e-3; ///< a border that two roads share belongs to both
 
 bool meetsJunction(const std::optional<RoadLink>& link)

@@ -6,6 +6,9 @@
 namespace osgRoads::core
 {
 
+/// Surfaces less than this above each other are one place.
+inline constexpr double kSameLevelM = 1.0;
+
 /// Tells where the carriageways of other roads cover what a road has beside its own carriageway: connecting roads lie over
 /// each other and over the verges of their neighbours.
 class JunctionCover

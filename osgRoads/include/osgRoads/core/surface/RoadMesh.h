@@ -40,6 +40,7 @@ struct MeshVertex
     std::uint8_t rightMarks = 255; ///< 0: the mark at the right border is not painted here
     std::uint8_t leftMarks = 255;
     std::uint32_t rightRow = 0, leftRow = 0; ///< into RoadMesh::marks; 0: no mark
+    std::uint32_t decalRow = 0;              ///< into RoadMesh::decals; 0: nothing else is painted
 };
 
 /// A line of a mark along a border. Units: metres.
@@ -55,6 +56,11 @@ struct MarkRowLine
 
 /// What is painted along one border within one chunk: at most two lines.
 using MarkRow = std::array<MarkRowLine, 2>;
+
+/// A row of RoadMesh::decals. The first of a list: its origin from the mesh's in steps of 64 m (x, y) and the number of rows that follow.
+/// Each of these is a Decal: start (from the list's origin) and direction in the plan view; length, half of both widths, shift; dash,
+/// period, phase, 0; paint, 0. Units: metres.
+using DecalRow = std::array<float, 16>;
 
 /// One level of a chunk: a range of RoadMesh::indices, and its greatest distance from the exact surface.
 struct ChunkLevel
@@ -83,7 +89,8 @@ struct RoadMesh
     std::vector<MeshVertex> vertices;
     std::vector<std::uint32_t> indices; ///< triangles, counter-clockwise from above
     std::vector<RoadChunk> chunks;
-    std::vector<MarkRow> marks; ///< the first is empty
+    std::vector<MarkRow> marks;   ///< the first is empty
+    std::vector<DecalRow> decals; ///< lists of what is painted on a strip of a chunk; the first row is empty
 
     /// Returns the place of a vertex in the scene. Error: half a step in each coordinate.
     glm::dvec3 placeOf(const MeshVertex& vertex) const

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "MarkTexture.h"
+#include "RowTexture.h"
 
 #include <algorithm>
 #include <cstring>
@@ -13,11 +13,11 @@ namespace
 {
 
 constexpr int kRowsInLine = 256, kTexelsOfRow = 4, kMostLines = 16384;
-static_assert(sizeof(core::MarkRow) == kTexelsOfRow * 4 * sizeof(float));
+static_assert(sizeof(FloatRow) == kTexelsOfRow * 4 * sizeof(float));
 
 } // namespace
 
-osg::ref_ptr<osg::Texture2D> makeMarkTexture(const std::vector<core::MarkRow>& rows)
+osg::ref_ptr<osg::Texture2D> makeRowTexture(const std::vector<FloatRow>& rows)
 {
     const std::size_t most = static_cast<std::size_t>(kRowsInLine) * kMostLines;
     const std::size_t count = std::min(rows.size(), most);
@@ -25,7 +25,7 @@ osg::ref_ptr<osg::Texture2D> makeMarkTexture(const std::vector<core::MarkRow>& r
     const osg::ref_ptr<osg::Image> image = new osg::Image;
     image->allocateImage(kRowsInLine * kTexelsOfRow, lines, 1, GL_RGBA, GL_FLOAT);
     std::memset(image->data(), 0, image->getTotalSizeInBytes());
-    if (count > 0) std::memcpy(image->data(), rows.data(), count * sizeof(core::MarkRow));
+    if (count > 0) std::memcpy(image->data(), rows.data(), count * sizeof(FloatRow));
     image->setInternalTextureFormat(GL_RGBA32F_ARB);
     osg::ref_ptr<osg::Texture2D> texture = new osg::Texture2D(image);
     texture->setInternalFormat(GL_RGBA32F_ARB);
