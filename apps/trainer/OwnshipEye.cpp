@@ -10,6 +10,14 @@ namespace trainer
 namespace
 {
 
+constexpr double kDriverEyeM = 1.2, kAboveM = 30.0;
+
+ChaseSettings chaseFor(const simulation::ScenarioObject& ownship, const FrameRequest& frames)
+{
+    if (frames.eye == EyePoint::above) return ChaseSettings::above(frames.eyeHeightM.value_or(kAboveM));
+    return ownship.isAirborne() ? ChaseSettings::forAircraft() : ChaseSettings::forCar();
+}
+
 glm::dvec3 ownEye(const simulation::ScenarioObject& ownship, double eyeHeightM)
 {
     return ownship.isAirborne() ? scenery::pilotEyeInAircraft() : scenery::driverEyeInCar(eyeHeightM);
@@ -19,9 +27,9 @@ glm::dvec3 ownEye(const simulation::ScenarioObject& ownship, double eyeHeightM)
 
 OwnshipEye::OwnshipEye(const simulation::ScenarioObject& ownship, const FrameRequest& frames,
                        simulation::GroundProvider ground)
-    : _eye(frames.eye),
-      _eyeInBody(ownEye(ownship, frames.eyeHeightM)),
-      _chase(ownship.isAirborne() ? ChaseSettings::forAircraft() : ChaseSettings::forCar()),
+    : _isInside(frames.isInside()),
+      _eyeInBody(ownEye(ownship, frames.eyeHeightM.value_or(kDriverEyeM))),
+      _chase(chaseFor(ownship, frames)),
       _ground(std::move(ground))
 {
 }
@@ -29,8 +37,7 @@ OwnshipEye::OwnshipEye(const simulation::ScenarioObject& ownship, const FrameReq
 scenery::Pose OwnshipEye::update(const simulation::EntityState& state, double dtS)
 {
     const scenery::Pose body = scenery::poseOf(state);
-    if (_eye == EyePoint::chase) return _chase.update(body, dtS, _ground);
-    return scenery::eyeInBody(body, _eyeInBody);
+    return _isInside ? scenery::eyeInBody(body, _eyeInBody) : _chase.update(body, dtS, _ground);
 }
 
 } // namespace trainer

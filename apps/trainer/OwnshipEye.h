@@ -20,7 +20,7 @@ public:
     scenery::Pose update(const simulation::EntityState& state, double dtS);
 
 private:
-    EyePoint _eye;
+    bool _isInside;
     glm::dvec3 _eyeInBody;
     ChaseCamera _chase;
     simulation::GroundProvider _ground;

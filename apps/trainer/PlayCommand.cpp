@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "PlayCommand.h"
 
-#include <cmath>
-#include <cstdio>
 #include <iostream>
 
 #include <foundation/WholeFile.h>
 
 #include "PlaySession.h"
-#include "ground/TileGround.h"
+#include "SceneTour.h"
 #include "simulation/parser/ParseScenario.h"
-#include "simulation/tour/LayTour.h"
 #include "simulation/writer/WriteScenario.h"
 #include "terminal/Terminal.h"
 #include "view/HtmlReport.h"
@@ -111,21 +108,6 @@ foundation::Outcome playOver(SceneTerrain terrain, simulation::Scenario scenario
     return leaveResults(**session, request);
 }
 
-std::string percent(double share)
-{
-    char text[32];
-    std::snprintf(text, sizeof text, "%.3g %%", 100.0 * share);
-    return text;
-}
-
-/// Returns an absolute path, which a saved scenario can be played with from any folder.
-std::string absoluteName(const std::filesystem::path& file)
-{
-    std::error_code failed; // of a working folder that is gone
-    const std::filesystem::path absolute = std::filesystem::absolute(file, failed);
-    return (failed ? file : absolute).string();
-}
-
 } // namespace
 
 foundation::Outcome play(const PlayRequest& request)
@@ -146,19 +128,11 @@ foundation::Outcome tour(const PlayRequest& request, const std::filesystem::path
     if (const auto writable = foundation::checkWritable(saveFile); !writable) return writable;
     auto terrain = openElevation(request.terrain.file, request.terrain);
     if (!terrain) return terrain.error();
-    simulation::TourOptions options;
-    options.durationS = durationS;
-    const auto& tile = terrain->terrain->tile()->tile;
-    auto laid = simulation::layTour(ground::tourTerrainOf(tile, absoluteName(request.terrain.file)), options);
+    const auto laid = layTourFor(*terrain, request, durationS);
     if (!laid) return laid.error();
-    if (const auto saved = saveScenario(laid->scenario, saveFile); !saved) return saved;
-    std::cout << "tour: " << std::lround(laid->lowestM) << " to " << std::lround(laid->highestM)
-              << " m above the ground at " << std::lround(laid->speedMps) << " m/s\n";
-    if (tile.field().voids.count > 0)
-        std::cout << "voids: " << percent(tile.field().voids.share) << " of the samples are filled, and "
-                  << percent(laid->filledShare)
-                  << " of the ground ahead of the flight; --show-voids colours it\n";
-    return playOver(std::move(*terrain), std::move(laid->scenario), request);
+    if (const auto saved = saveScenario(laid->tour.scenario, saveFile); !saved) return saved;
+    std::cout << laid->summary;
+    return playOver(std::move(*terrain), laid->tour.scenario, request);
 }
 
 foundation::Outcome check(const std::filesystem::path& scenario)

@@ -16,8 +16,11 @@ namespace trainer
 /// The eye point of the camera.
 enum class EyePoint
 {
-    own,   ///< the eye of the ownship's driver or pilot
-    chase, ///< a camera behind and above the ownship
+    own,    ///< the eye of the ownship's driver or pilot
+    driver, ///< the same; a tour is a drive then
+    pilot,  ///< the same; a tour is a flight then
+    chase,  ///< a camera behind and above the ownship
+    above,  ///< a camera high above a car, which looks down ahead of it
 };
 
 /// The terrain and how it is drawn.
@@ -42,9 +45,13 @@ struct FrameRequest
     int heightPx = 540;
     int samples = 4; ///< per pixel
     EyePoint eye = EyePoint::own;
-    double eyeHeightM = 1.5; ///< of a driver
+    std::optional<double>
+        eyeHeightM; ///< of a driver above the ground, or of the eye above the car; absent: a usual one
     int perSecond = 24;
     std::optional<int> count; ///< absent: until the scenario ends
+
+    /// Whether the camera is in the ownship, which then is not drawn.
+    bool isInside() const { return eye != EyePoint::chase && eye != EyePoint::above; }
 
     /// The simulated time of `count` frames, in seconds; 0 where it is absent.
     double durationS() const { return count.value_or(0) / static_cast<double>(perSecond); }

@@ -20,17 +20,17 @@ namespace
 {
 
 /// Returns the near plane of a view that sets none, as far away as possible, because the depth resolution at a
-/// distance is proportional to it. A driver sees the ground from 4 m on, a pilot from much farther.
-double nearPlaneM(const simulation::ScenarioObject& ownship)
+/// distance is proportional to it. A driver sees the ground from 4 m on, a pilot or an eye above a car from much farther.
+double nearPlaneM(const simulation::ScenarioObject& ownship, const FrameRequest& frames)
 {
-    return ownship.isAirborne() ? 5.0 : 1.0;
+    return ownship.isAirborne() || frames.eye == EyePoint::above ? 5.0 : 1.0;
 }
 
 foundation::Result<ViewSetup> viewOf(const FrameRequest& frames, const simulation::ScenarioObject& ownship)
 {
     if (!frames.viewFile.empty()) return readView(frames.viewFile);
     ViewSetup setup = singleChannel(frames.widthPx, frames.heightPx);
-    setup.nearM = nearPlaneM(ownship);
+    setup.nearM = nearPlaneM(ownship, frames);
     return setup;
 }
 
@@ -100,7 +100,7 @@ PlaySession::create(simulation::Scenario scenario, SceneTerrain terrain, const P
     if (session->_scenery) session->_scene->root().addChild(session->_scenery->node.root);
     session->_eye = std::make_unique<OwnshipEye>(session->_player->scenario().entities.front(),
                                                  request.frames, session->_terrain.ground());
-    if (request.frames.eye == EyePoint::own) session->_scene->hide(0);
+    if (request.frames.isInside()) session->_scene->hide(0);
     if (const auto opened = session->openPictures(*setup); !opened) return opened.error();
     return session;
 }

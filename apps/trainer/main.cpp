@@ -1,5 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // trainer: plays scenarios over terrain and writes images of them.
+#include <array>
+#include <string>
+#include <utility>
+#include <vector>
+
 #include <osgOffscreen/OpenGlVersion>
 
 #include "CompareCommand.h"
@@ -15,6 +20,22 @@ namespace
 using trainer::PlayRequest;
 
 constexpr int kMostFrames = 1'000'000; ///< 11 hours at 24 a second
+constexpr double kHighestDriverM = 10.0;
+
+constexpr std::array<std::pair<const char*, trainer::EyePoint>, 5> kEyes = {
+    {{"own", trainer::EyePoint::own},
+     {"driver", trainer::EyePoint::driver},
+     {"pilot", trainer::EyePoint::pilot},
+     {"chase", trainer::EyePoint::chase},
+     {"above", trainer::EyePoint::above}}};
+
+std::vector<std::string> eyeNames()
+{
+    std::vector<std::string> names;
+    for (const auto& [name, eye] : kEyes)
+        names.emplace_back(name);
+    return names;
+}
 
 /// The values of the command line.
 struct Arguments
@@ -84,12 +105,15 @@ void addPlayOptions(CLI::App& command, Arguments& arguments)
     command.add_option("--backend", arguments.backend, "osmesa or egl");
     command.add_option("--samples", request.frames.samples, "per pixel: 1 or 4")
         ->check(CLI::IsMember({1, 4}));
-    command.add_option("--eye", arguments.eye, "camera: own (driver, pilot) or chase")
-        ->check(CLI::IsMember({"own", "chase"}));
+    command
+        .add_option("--eye", arguments.eye,
+                    "camera: driver or pilot (own: whichever fits), chase, or above; a tour with driver or "
+                    "above drives along roads")
+        ->check(CLI::IsMember(eyeNames()));
     command
         .add_option("--eye-height", request.frames.eyeHeightM,
-                    "height of a driver's eye above the ground in metres")
-        ->check(terminal::between(0.3, 10.0));
+                    "height in metres of a driver's eye above the ground, or of the eye above the car")
+        ->check(terminal::between(0.3, 2000.0));
     command.add_option("--tolerance", request.terrain.errorTolerancePx, "error target in pixels")
         ->check(terminal::between(0.01, 1000.0));
     command.add_flag("--show-voids", request.terrain.showsVoids,
@@ -131,7 +155,11 @@ foundation::Outcome complete(Arguments& arguments)
     const auto backend = osgOffscreen::parseBackend(arguments.backend);
     if (!backend) return backend.error();
     frames.backend = *backend;
-    frames.eye = arguments.eye == "chase" ? trainer::EyePoint::chase : trainer::EyePoint::own;
+    for (const auto& [name, eye] : kEyes)
+        if (arguments.eye == name) frames.eye = eye;
+    if (frames.eye != trainer::EyePoint::above && frames.eyeHeightM.value_or(0.0) > kHighestDriverM)
+        return foundation::Error{"--eye-height", "no driver's eye is higher than 10 m",
+                                 "write a lower one, or --eye above"};
     return readPatchExponent(arguments.patchExponent, request.terrain.patchExponent);
 }
 
@@ -153,7 +181,8 @@ int run(int argc, char** argv)
                      "terrain or scene file instead of the scenario's SceneGraphFile");
     addPlayOptions(*play, arguments);
     addHeadlessOptions(*play, arguments);
-    CLI::App* tour = app.add_subcommand("tour", "fly over an elevation file or a road network");
+    CLI::App* tour =
+        app.add_subcommand("tour", "fly over an elevation file, or drive through a road network");
     tour->add_option("DEM", request.terrain.file,
                      "any elevation raster, a .roam file, or an OpenDRIVE network (.xodr)")
         ->required();

@@ -74,6 +74,9 @@ INSTANTIATE_TEST_SUITE_P(
         WrongUse{"DurationShort", {"tour", "HILL", "--duration", "1"}, {"--duration: '1'", "4 to 3600"}},
         WrongUse{"SpacingNegative", {"tour", "HILL", "--spacing", "-1"}, {"--spacing: '-1'"}},
         WrongUse{"SpacingInfinite", {"tour", "HILL", "--spacing", "inf"}, {"--spacing: 'inf'"}},
+        WrongUse{"EyeTooHighForADriver",
+                 {"tour", "HILL", "--eye-height", "11"},
+                 {"--eye-height", "no driver's eye is higher than 10 m", "--eye above"}},
         WrongUse{"EyeHeightNan", {"tour", "HILL", "--eye-height", "nan"}, {"--eye-height: 'nan'"}}),
     nameOf);
 

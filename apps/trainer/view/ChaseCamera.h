@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
+
 #include "scenery/nodes/Pose.h"
 #include "simulation/player/SceneFrame.h"
 
@@ -20,6 +22,13 @@ struct ChaseSettings
 
     static ChaseSettings forCar() { return {}; }
     static ChaseSettings forAircraft() { return {26.0, 6.5, 1.6, 4.0, 0.9, 6.0, 2.0}; }
+
+    /// An eye high above a car, which looks down on the road ahead: by 22° from 30 m, more from higher.
+    static ChaseSettings above(double heightM)
+    {
+        const double leadM = std::min(2.0 * heightM, 33.0 + 0.9 * heightM);
+        return {0.5 * heightM, heightM, 0.0, leadM, 1.5, 0.3 * heightM, 2.0};
+    }
 };
 
 /// A camera behind and above a body. It follows the course of the body with a first-order lag (exact for any step, so

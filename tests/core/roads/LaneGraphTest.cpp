@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <osgRoads/core/query/ChooseDrive.h>
 #include <osgRoads/core/query/LaneRoute.h>
 #include <osgRoads/core/query/LaneSpan.h>
 
@@ -139,6 +140,46 @@ TEST(LaneRoute, GoesAgainstRoadsThatRunTheOtherWay)
     ASSERT_TRUE(route) << route.error().message();
     EXPECT_NEAR(route->lengthM, 90.0 + 70.0, 1e-12);
     EXPECT_NEAR(worldPosition(read, route->at(read, 100.0)).x, 110.0, 1e-9);
+}
+
+TEST(ChooseDrive, LeadsThroughTheJunctionWithTheSurplusLeftOutBefore)
+{
+    const RoadNetwork read = sound(junctionText());
+    const LaneRoute drive = chooseDrive(read, LaneGraph(read), 150.0);
+    ASSERT_EQ(drive.legs.size(), 3u);
+    EXPECT_EQ(drive.legs[0].lane, (LaneKey{0, 0, -1, true}));
+    EXPECT_EQ(drive.legs[1].lane.road, 1);
+    EXPECT_EQ(drive.legs[2].lane.road, 2);
+    // 100 + 20 + 80 m are 50 m too many, but half of the drive may lie before the junction.
+    EXPECT_DOUBLE_EQ(drive.legs[0].sFrom, 25.0);
+    EXPECT_DOUBLE_EQ(drive.lengthM, 175.0);
+}
+
+TEST(ChooseDrive, DrivesAShortRoadToItsEndInTheOutermostLane)
+{
+    const RoadNetwork read = sound(network(road(
+        "1", 60.0,
+        planAt(0.0, 60.0) + lanes(section("", lane(-1, "") + lane(-2, "") + lane(-3, "", "sidewalk"))))));
+    const LaneRoute drive = chooseDrive(read, LaneGraph(read), 500.0);
+    ASSERT_EQ(drive.legs.size(), 1u);
+    EXPECT_EQ(drive.legs[0].lane.lane, -2);
+    EXPECT_DOUBLE_EQ(drive.legs[0].sTo, 60.0);
+    EXPECT_DOUBLE_EQ(drive.lengthM, 60.0);
+    EXPECT_TRUE(chooseDrive(RoadNetwork(), LaneGraph(RoadNetwork()), 500.0).legs.empty());
+}
+
+/// The outer lane ends with the first section: the drive goes on in the inner one.
+TEST(ChooseDrive, ChangesToTheLaneThatGoesOn)
+{
+    const RoadNetwork read = sound(network(
+        road("1", 300.0,
+             planAt(0.0, 300.0) + lanes(section("", lane(-1, "<successor id=\"-1\"/>") + lane(-2, "")) +
+                                        section("", lane(-1, "<predecessor id=\"-1\"/>"), 100.0)))));
+    const LaneRoute drive = chooseDrive(read, LaneGraph(read), 280.0);
+    ASSERT_EQ(drive.legs.size(), 3u);
+    EXPECT_EQ(drive.legs[0].lane.lane, -2);
+    EXPECT_TRUE(drive.legs[1].isLaneChange);
+    EXPECT_EQ(drive.legs[2].lane, (LaneKey{0, 1, -1, true}));
 }
 
 } // namespace

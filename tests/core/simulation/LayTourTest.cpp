@@ -260,5 +260,33 @@ TEST(LayDrive, GoesRoundTheHillOnTheGround)
     EXPECT_FALSE(layDrive(terrain, options));
 }
 
+TEST(LayDrive, AlongAWayItKeepsToTheLimitsAndStopsBeforeTheEnd)
+{
+    const TourTerrain terrain = square(
+        500.0, [](double, double) { return 0.0; }, 5.0);
+    std::vector<WayPoint> way;
+    for (int i = 0; i <= 100; ++i) // a deck 7 m above the ground, faster from its middle on
+        way.push_back({{double(i), 3.0, 7.0}, i < 50 ? 8.0 : 12.0});
+    const auto drive = layDriveAlong(terrain, way, 60.0);
+    ASSERT_TRUE(drive) << drive.error().message();
+    PlayerOptions stage;
+    stage.origin = terrain.origin;
+    stage.ground = [](double, double, double from) { return GroundSample{from > 5.0 ? 7.0 : 0.0}; };
+    auto player = ScenarioPlayer::create(drive->scenario, stage);
+    ASSERT_TRUE(player) << player.error().message();
+    double slowest = 1e9;
+    for (; !(*player)->isFinished(); (*player)->step())
+    {
+        const EntityState& car = (*player)->entities().at(0);
+        ASSERT_LT(car.speedMps, car.position.x < 46.0 ? 8.2 : 12.1) << car.position.x;
+        ASSERT_NEAR(car.position.y, 3.0, 1e-3);
+        ASSERT_NEAR(car.position.z, 7.0, 1e-3) << "off the deck";
+        slowest = std::min(slowest, car.speedMps);
+    }
+    EXPECT_LT(slowest, 1.5);
+    EXPECT_NEAR((*player)->entities().at(0).position.x, 95.0, 1.0);
+    EXPECT_FALSE(layDriveAlong(terrain, {{{0, 0, 0}, 9.0}, {{19, 0, 0}, 9.0}}, 60.0));
+}
+
 } // namespace
 } // namespace simulation
