@@ -28,7 +28,6 @@ using osgTerrainROAM::core::RoamFile;
 using osgTerrainROAM::core::RoamTile;
 
 constexpr double kRoadSampleM = 2.0; ///< of the ground beside roads that stand on their own
-constexpr double kNoSeaM = -10000.0; ///< networks know no sea; many lie at height 0
 
 /// Signs, lights, posts, rails, bridges and tunnels.
 foundation::Result<osg::ref_ptr<osg::Node>> makeThings(const osgTerrainROAM::RoamTerrain& terrain,
@@ -108,7 +107,7 @@ foundation::Result<SceneTerrain> openNetwork(const std::filesystem::path& file, 
     RoamFile description;
     description.placement = osgTerrainROAM::core::Placement::planar;
     description.showsVoids = request.showsVoids;
-    description.land.seaLevelM = kNoSeaM;
+    description.land.hasWater = false; // networks know no sea; many lie at height 0
     osgTerrainROAM::core::PlacedTileOptions options{.placement = description.placement};
     options.gridExponent = osgTerrainROAM::core::gridExponentFor(ground->field, kRoadSampleM);
     const auto tile = std::make_shared<RoamTile>(

@@ -113,6 +113,7 @@ Climate climateOf(const core::PlacedTile& tile, const core::LandParameters& land
     climate.aridity = land.aridity.value_or(climate.aridity);
     climate.treeLineM = land.treeLineM.value_or(climate.treeLineM);
     climate.snowLineM = land.snowLineM.value_or(climate.snowLineM);
+    climate.hasWater = land.hasWater;
     climate.seaLevelM = land.seaLevelM.value_or(climate.seaLevelM);
     return climate;
 }

@@ -118,16 +118,6 @@ void addRoad(const RoadNetwork& network, int index, const glm::dvec2& corner, do
     }
 }
 
-/// Adds waves of a few centimetres: ground that is exactly level counts as water.
-void roughen(Level& level)
-{
-    constexpr double kWaveM = 0.04, kAcross = 0.71, kAlong = 0.93; // radians a sample
-    for (int row = 0; row < level.rows; ++row)
-        for (int column = 0; column < level.columns; ++column)
-            level.heights[level.index(column, row)] +=
-                static_cast<float>(kWaveM * (std::sin(kAcross * column) + std::sin(kAlong * row)));
-}
-
 osgTerrainROAM::core::HeightField fieldOf(const RoadNetwork& network, const PlanExtent& extent,
                                           glm::dvec2& corner)
 {
@@ -148,7 +138,6 @@ osgTerrainROAM::core::HeightField fieldOf(const RoadNetwork& network, const Plan
             level.weights[i] = 1.0f;
         }
     fill(level);
-    roughen(level);
     field.columns = level.columns;
     field.rows = level.rows;
     field.heightsM = std::move(level.heights);

@@ -176,6 +176,7 @@ struct VoidsWord
 constexpr Word<VoidsWord> kVoids[] = {
     {"fill", {Voids::fill, false}}, {"keep", {Voids::keep, false}}, {"show", {Voids::fill, true}}};
 constexpr Word<bool> kRoadsHeights[] = {{"file", false}, {"ground", true}};
+constexpr Word<bool> kWaters[] = {{"level", true}, {"none", false}};
 constexpr Word<bool> kSurroundings[] = {{"made", true}, {"none", false}};
 constexpr Word<VerticalDatum> kDatums[] = {{"automatic", VerticalDatum::automatic},
                                            {"egm96", VerticalDatum::egm96},
@@ -273,6 +274,7 @@ constexpr std::array kKeys{
         [](RoamFile& f, const Entry& e) { return assignNumber(f.land.snowLineM, e, -kFar, kFar); }},
     Key{"sea_level",
         [](RoamFile& f, const Entry& e) { return assignNumber(f.land.seaLevelM, e, -kFar, kFar); }},
+    Key{"water", [](RoamFile& f, const Entry& e) { return assignWord(f.land.hasWater, e, kWaters); }},
     Key{"sun", assignSun},
     Key{"surroundings",
         [](RoamFile& f, const Entry& e) { return assignWord(f.surroundings, e, kSurroundings); }},

@@ -24,15 +24,21 @@ unsigned char byteOf(double share)
     return static_cast<unsigned char>(std::lround(std::clamp(share, 0.0, 1.0) * 255.0));
 }
 
-/// Gives heights without data the value NaN: their filler is flat and would be taken for water.
-MapField withoutHoles(MapField heights, const core::PlacedTile& tile, const MapGrid& grid)
+/// Estimates water as waterMask() does, but not where there is no data, whose filler is flat, nor where edits have put samples:
+/// the bed of a road may be level too.
+std::vector<std::uint8_t> waterOf(MapField heights, const core::PlacedTile& tile, const MapGrid& grid,
+                                  const Climate& climate)
 {
+    if (!climate.hasWater) return std::vector<std::uint8_t>(heights.size(), 0);
+    const auto& samples = tile.samples();
+    const bool isPlain = !samples.hasHoles() && samples.fineSamples().isEmpty();
     std::size_t at = 0;
-    for (int y = 0; y < grid.height && tile.samples().hasHoles(); ++y)
+    for (int y = 0; y < grid.height && !isPlain; ++y)
         for (int x = 0; x < grid.width; ++x, ++at)
-            if (!tile.samples().isGround(x * grid.step, y * grid.step))
+            if (!samples.isGround(x * grid.step, y * grid.step) ||
+                samples.hasFineSample(x * grid.step, y * grid.step))
                 heights[at] = std::numeric_limits<float>::quiet_NaN();
-    return heights;
+    return waterMask(heights, grid, climate.seaLevelM);
 }
 
 /// Smooths vegetation and snow over the neighbouring texels: thresholds of single samples would draw the lattice. The weights
@@ -84,8 +90,7 @@ osg::ref_ptr<osg::Image> landMap(const core::PlacedTile& tile, const MapGrid& gr
     const double spacingM = grid.spacingM(tile);
     const MapField heights = mapHeights(tile, grid);
     const MapField hollow = hollowness(heights, grid, spacingM);
-    const std::vector<std::uint8_t> water =
-        waterMask(withoutHoles(heights, tile, grid), grid, climate.seaLevelM);
+    const std::vector<std::uint8_t> water = waterOf(heights, tile, grid, climate);
     const GroundRule rule(climate, spacingM);
     const double sunSide = tile.field().net && tile.field().net->nodes.front().latitudeDeg < 0.0 ? 1.0 : -1.0;
 

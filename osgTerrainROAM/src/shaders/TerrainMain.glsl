@@ -17,10 +17,12 @@ void main()
 #ifdef TERRAIN_SHEETS
     sheetTilt(tilt, bumpiness);
 #endif
-#ifdef TERRAIN_FINE
-    tilt = fineTilt(tilt);
-#endif
     vec4 land = texture(terrainLand, mapPlace);
+#ifdef TERRAIN_FINE
+    float edited;
+    tilt = fineTilt(tilt, edited);
+    land.b *= 1.0 - edited; // what is dug or filled is no water
+#endif
 #ifdef TERRAIN_SURROUNDINGS
     outerMaps(tilt, land);
 #endif

@@ -32,6 +32,7 @@ aridity = 0.4
 tree_line = 1900
 snow_line = 2500
 sea_level = -1.5
+water = none
 sun = 230 40
 visibility = 35000
 moonlight = 0.5
@@ -66,6 +67,7 @@ TEST(RoamFile, HasEveryKey)
     EXPECT_EQ(file->errorTolerancePx, 1.5);
     EXPECT_EQ(file->maxTriangles, 60000u);
     EXPECT_EQ(file->land.aridity, 0.4);
+    EXPECT_FALSE(file->land.hasWater);
     EXPECT_EQ(file->land.treeLineM, 1900.0);
     EXPECT_EQ(file->land.snowLineM, 2500.0);
     EXPECT_EQ(file->land.seaLevelM, -1.5);

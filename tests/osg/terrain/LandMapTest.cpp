@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include <osgTerrainROAM/core/edit/TileEditor.h>
+
 #include "SyntheticField.h"
 #include "material/GrainImage.h"
 #include "material/NormalMap.h"
@@ -125,6 +127,36 @@ TEST(WaterMask, FindsSeaAndLakeButNoTerrace)
     EXPECT_EQ(at(110, 30), 0);
     EXPECT_GT(at(20, 30), 0) << "the shore";
     EXPECT_LT(at(20, 30), 128);
+}
+
+/// A road's bed over a slope: level, and no lake.
+TEST(WaterMask, FindsNoneWhereEditsHaveLevelledTheGround)
+{
+    const auto tile = std::make_shared<core::RoamTile>(
+        core::PlacedTile(fieldOf(60, 60, 30.0, [](int c, int r) { return 103.0 + c + 0.3 * r; }),
+                         core::PlacedTileOptions{.placement = core::Placement::planar, .gridExponent = 1}));
+    std::vector<core::HeightChange> level;
+    for (int column = 40; column < 80; ++column)
+        for (int row = 40; row < 80; ++row)
+            level.push_back({{column, row}, 100.0f});
+    const auto waterOf = [](const core::PlacedTile& of, const Climate& climate)
+    {
+        const MapGrid grid(of);
+        return int(landMap(of, grid, climate, *normalMap(of, grid))->data(30, 30)[2]);
+    };
+    core::TileEditor editor(tile);
+    ASSERT_TRUE(editor.apply(level, core::TileEditor::Between::stays));
+    EXPECT_EQ(waterOf(tile->tile, Climate{}), 0);
+
+    // The same ground as data is a lake, unless its maker says that there is none.
+    const auto data = planar(fieldOf(60, 60, 30.0,
+                                     [](int c, int r)
+                                     {
+                                         const bool isLake = c >= 20 && c < 40 && r >= 20 && r < 40;
+                                         return isLake ? 100.0 : 103.0 + c + 0.3 * r;
+                                     }));
+    EXPECT_EQ(waterOf(data, Climate{}), 255);
+    EXPECT_EQ(waterOf(data, Climate{.hasWater = false}), 0);
 }
 
 /// Where there is no ground, the heights that stand for it are those of the nearest: flat.

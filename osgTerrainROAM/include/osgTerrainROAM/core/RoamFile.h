@@ -25,6 +25,7 @@ struct LandParameters
     std::optional<double> treeLineM;
     std::optional<double> snowLineM;
     std::optional<double> seaLevelM;
+    bool hasWater = true; ///< level ground and ground below the sea is water; false: all ground is land
 };
 
 /// Where the (0, 0) of a road network lies that has no georeference of its own. Units: degrees.
@@ -52,6 +53,7 @@ struct RoadsOrigin
 ///   vertical_datum = automatic | egm96 | ellipsoid
 ///   error_tolerance = PIXELS          max_triangles = COUNT
 ///   aridity = 0…1    tree_line = METRES    snow_line = METRES    sea_level = METRES
+///   water = level | none              level ground and ground below the sea is water, or all ground is land
 ///   sun = AZIMUTH ELEVATION           degrees, below the horizon at night        visibility = METRES
 ///   moonlight = 0…1                   1: a full moon, high up
 ///   surroundings = made | none        beyond the data: made-up ground to the horizon, or nothing
