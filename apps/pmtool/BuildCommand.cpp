@@ -9,6 +9,7 @@
 #include <osgPMObjects/core/progressive/PmFile.h>
 #include <osgPMObjects/core/simplify/Simplify.h>
 
+#include <osgPMObjects/MaterialLooks>
 #include <osgPMObjects/PmNode>
 
 #include "pmtool/ArrangementOptions.h"
@@ -51,12 +52,14 @@ foundation::Result<Json> build(const BuildRequest& request, const std::string& f
     const auto arrangement = arrangementSettingsOf(request.arrangement);
     if (!arrangement) return arrangement.error();
     const core::Mesh& mesh = model->read.imported.mesh;
+    core::SimplifySettings simplifySettings = request.simplify;
+    simplifySettings.materialColours = materialColours(mesh, model->read.imported.states);
     core::CollapseSequence sequence;
     const double simplifyMs = millisecondsOf(
         [&]
         {
             sequence = request.removesVertices ? removalsOf(mesh, request.removal)
-                                               : core::simplify(mesh, request.simplify);
+                                               : core::simplify(mesh, simplifySettings);
         });
     core::ProgressiveMesh progressive;
     const double arrangeMs =

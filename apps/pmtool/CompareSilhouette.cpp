@@ -181,7 +181,8 @@ foundation::Result<Json> compareModelImages(const std::string& file, const Silho
     for (const SimplifyTool& tool : simplifyTools())
     {
         if (std::find(request.tools.begin(), request.tools.end(), tool.name) == request.tools.end()) continue;
-        const SimplifyTask task{mesh, shape, true, targets, 60.0};
+        const SimplifyTask task{mesh,    shape, true,
+                                targets, 60.0,  materialColours(mesh, model->read.imported.states)};
         if (const auto done = compareImages(tool, task, meter, request, name, row["results"]); !done)
             return done.error();
     }

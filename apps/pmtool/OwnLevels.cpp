@@ -25,7 +25,8 @@ constexpr NamedPlacement kPlacements[] = {{"subset", core::Placement::subset},
 std::vector<SimplifiedLevel> levelsOf(const SimplifyTask& task, core::Placement placement)
 {
     core::CollapseSequence sequence;
-    const core::SimplifySettings settings{.placement = placement, .keepSeams = task.seams};
+    const core::SimplifySettings settings{
+        .placement = placement, .keepSeams = task.seams, .materialColours = task.materialColours};
     const double runMs = millisecondsOf([&] { sequence = core::simplify(task.mesh, settings); });
     std::vector<SimplifiedLevel> levels;
     for (const std::size_t target : task.targets)

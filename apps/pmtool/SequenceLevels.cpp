@@ -28,6 +28,7 @@ public:
                    double speckSize)
         : _model(model), _settings(settings), _arePolished(arePolished), _errors(model.mesh, speckSize)
     {
+        _settings.materialColours = materialColours(model.mesh, model.states);
         _ms = millisecondsOf([this] { _sequence = core::simplify(_model.mesh, _settings); });
         _search.emplace(_model.mesh, _sequence, _errors.meter());
     }

@@ -25,6 +25,8 @@ struct SimplifyTask
     bool seams = true; ///< whether attributes and materials are kept; otherwise only the shape counts
     std::span<const std::size_t> targets; ///< most faces of each level, falling
     double seconds = 0.0;                 ///< most time for a peer
+    std::vector<glm::vec3> materialColours =
+        {}; ///< of `mesh`, see osgPMObjects::materialColours(); empty: unknown
 };
 
 /// The level that a tool made for one target.

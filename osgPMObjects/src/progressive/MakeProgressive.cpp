@@ -7,6 +7,7 @@
 
 #include <osgPMObjects/ExportNode>
 #include <osgPMObjects/MakeProgressive>
+#include <osgPMObjects/MaterialLooks>
 
 #include "../settings/ErrorPlace.h"
 
@@ -42,6 +43,8 @@ foundation::Result<ProgressiveModel> makeProgressive(osg::Node& node, const std:
                                  "give a model with surfaces"};
     core::SimplifySettings simplifySettings = settings.simplify;
     simplifySettings.placement = core::Placement::subset;
+    if (simplifySettings.materialColours.empty())
+        simplifySettings.materialColours = materialColours(mesh, imported->states);
     const core::CollapseSequence sequence = core::simplify(mesh, simplifySettings);
     core::ProgressiveMesh progressive = core::buildProgressiveMesh(mesh, sequence, settings.arrangement);
     if (settings.ladder) core::measureLevels(progressive, *settings.ladder);

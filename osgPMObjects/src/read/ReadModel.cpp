@@ -27,7 +27,7 @@ namespace osgPMObjects
 namespace
 {
 
-constexpr const char* kRepair = "repair the model, or convert it with another program";
+constexpr const char* kRepairModel = "repair the model, or convert it with another program";
 constexpr const char* kRemedy = "check that OSG has a plugin for it (osgversion, osgconv --plugins)";
 
 /// Keeps the first line of OSG's messages while it is installed.
@@ -142,7 +142,7 @@ foundation::Result<osg::ref_ptr<osg::Node>> readModelNodeHere(const std::filesys
     const bool hasPlugin = osgDB::Registry::instance()->getReaderWriterForExtension(
                                osgDB::getLowerCaseFileExtension(file.string())) != nullptr;
     return foundation::Error{file.string(), "cannot be read by OpenSceneGraph" + words->inBrackets(),
-                             hasPlugin ? kRepair : kRemedy};
+                             hasPlugin ? kRepairModel : kRemedy};
 }
 
 std::string missingImageNote(const std::string& name)

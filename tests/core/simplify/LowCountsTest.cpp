@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <osgPMObjects/core/polish/ImageMeter.h>
+#include <osgPMObjects/core/simplify/SimplificationError.h>
 #include <osgPMObjects/core/simplify/Simplify.h>
 
 #include "Foliage.h"
@@ -87,6 +88,40 @@ TEST(LowCounts, LastFacesOfMaterialsDoNotTakeTheTailsPlace)
     const Mesh level = levelWith(mesh, 40, {.placement = Placement::optimal});
     EXPECT_GT(extentOfFaces(level).high.x, 3.4);
     EXPECT_GT(ImageMeter(mesh).measure(level).areaRatio, 0.8);
+}
+
+/// A material of few faces that looks like the largest one is no reason to keep them; one that looks different is.
+TEST(LowCounts, LastFacesGoEarlierWhereAnotherMaterialLooksAlike)
+{
+    Mesh mesh = testsupport::roundMesh(32, 16, testsupport::onBumps);
+    const std::size_t first = mesh.materials.size();
+    for (std::uint32_t i = 0; i < 16; ++i)
+    {
+        mesh.materials.push_back({.name = "spot"});
+        mesh.faces[40 * i].material = static_cast<std::uint32_t>(first) + i;
+    }
+    std::vector<glm::vec3> alike(mesh.materials.size(), glm::vec3(0.5f)), different = alike;
+    for (std::size_t i = first; i < different.size(); ++i)
+        different[i] = glm::vec3(float((i - first) % 4), float((i - first) / 4), 3.0f) / 3.0f;
+    const auto missing = [&](std::vector<glm::vec3> colours)
+    {
+        return countMissingMaterials(
+            mesh,
+            levelWith(mesh, 200, {.placement = Placement::optimal, .materialColours = std::move(colours)}));
+    };
+    EXPECT_LE(missing({}), 3u);
+    EXPECT_GE(missing(alike), 10u);
+    EXPECT_LE(missing(different), 3u);
+}
+
+/// Houses far from each other: small against the village, and all that there is to see.
+TEST(LowCounts, HousesOfAVillageKeepTheirSilhouettesAtAThird)
+{
+    Mesh mesh = testsupport::cube();
+    for (int i = 1; i < 64; ++i)
+        mesh = testsupport::together(mesh, testsupport::cube(), {i % 8 * 16.0, i / 8 * 16.0, 0.1 * (i % 5)});
+    const Mesh level = levelWith(mesh, mesh.faces.size() / 3, {.placement = Placement::optimal});
+    EXPECT_GT(ImageMeter(mesh).measure(level).areaRatio, 0.9);
 }
 
 TEST(LowCounts, ACrownCoversItsPixelsAtAHundredth)

@@ -36,6 +36,9 @@ struct SimplifySettings
     /// This is proved for whole triangles, not sampled. The sequence ends when no collapse keeps the bound; no part vanishes, and
     /// no face turns over. Units: as the positions. Takes some twenty times as long.
     double envelope = 0.0;
+    /// By material: its mean colour, 0 to 1, as it is seen from far away (osgPMObjects::materialColours()); empty: unknown. A material
+    /// that looks like one of larger area is given up the earlier, the less they differ.
+    std::vector<glm::vec3> materialColours = {};
 };
 
 /// Computes the sequence of edge collapses of a mesh, from all of its faces to none.
@@ -44,7 +47,7 @@ struct SimplifySettings
 /// parts of one face. When every remaining collapse turns a face over, the least harmful one is done; parts that are smaller
 /// than the error vanish. No position leaves the box of the mesh.
 /// With optimal placement the area that a collapse takes or adds has a cost, so that levels of few faces keep their silhouettes. The last face of a material is
-/// removed at the cost of a distance of half the diagonal for all the area that the material had.
+/// removed at the cost of a distance of half the diagonal, times its contrast to the most similar larger material, for all the area that the material had.
 /// Deterministic: the same for any number of threads.
 /// Memory: some 330 B a position besides the mesh, 650 B with moved positions. Cost: see docs/measurements/simplification.md.
 /// Source: Garland and Heckbert, *Surface simplification using quadric error metrics* (1997); Lindstrom and Turk, *Fast and memory

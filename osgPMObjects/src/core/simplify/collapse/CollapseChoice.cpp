@@ -25,8 +25,6 @@ constexpr double kDriftDistance = 0.02;
 constexpr double kLopsided = 1e3;
 /// A material counts as if twice its area were at least this, where the diagonal is 1: a spot may be a mark.
 constexpr double kLeastMaterialArea = 5e-4;
-/// Weight of the area that a collapse takes or adds, see areaCost().
-constexpr double kLostArea = 20.0;
 /// The most neighbours of a position that are evaluated in full: those of the least quadric cost.
 constexpr std::size_t kMostTried = 24;
 
@@ -41,7 +39,7 @@ constexpr double squared(double x)
 double areaCost(double doubleArea)
 {
     const double size = std::abs(doubleArea);
-    return kLostArea * size * size * size;
+    return size * size * size;
 }
 
 /// Whether a collapse may remove the last faces of a part, or of a material that the part keeps.
@@ -123,8 +121,8 @@ double CollapseChoice::featureCost(std::uint32_t to) const
             [&](const Star::Side& side)
             { return _state.mesh.faces[_star.faces[side.spoked].face].material == kept.material; });
         if (ofKind > 0 && ofKind >= static_cast<std::ptrdiff_t>(kept.faces))
-            cost +=
-                _state.weight.of(std::max(kept.doubleArea, kLeastMaterialArea)) * squared(kMaterialDistance);
+            cost += _state.weight.of(std::max(kept.doubleArea, kLeastMaterialArea)) *
+                    squared(kMaterialDistance * kept.contrast);
     }
     return cost;
 }
@@ -215,8 +213,8 @@ Candidate CollapseChoice::bestOf(std::uint32_t position, std::span<const std::ui
         const PatchTurn turn = turnTo(candidate.to, at);
         candidate.urgency.doesHarm = turn.foldsOver;
         if (_state.settings.placement == Placement::optimal)
-            candidate.urgency.cost +=
-                areaCost(turn.doubleArea) * (isLopsided(candidate.to) ? kLopsided : 1.0);
+            candidate.urgency.cost += _state.lostAreaWeight * areaCost(turn.doubleArea) *
+                                      (isLopsided(candidate.to) ? kLopsided : 1.0);
         if (_state.settings.keepSeams)
         {
             planWedges(candidate.to, at);

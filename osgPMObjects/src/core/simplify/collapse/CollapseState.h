@@ -58,10 +58,11 @@ struct CollapseState
     std::vector<std::uint32_t>
         nearby; ///< by position: the nearest one of another part; empty: parts do not join
     mutable std::vector<std::uint32_t> wentTo; ///< by position: the one it has merged into; itself: none
-    std::vector<StarShape> shapes;             ///< by position
-    std::vector<LevelError> errors;            ///< by position: of everything merged into it
-    std::vector<std::uint32_t> changes;        ///< by position: number of changes of its star
-    std::vector<Candidate> candidates;         ///< by position
+    double lostAreaWeight = 0.0;        ///< of the area that a collapse takes or adds, see CollapseChoice
+    std::vector<StarShape> shapes;      ///< by position
+    std::vector<LevelError> errors;     ///< by position: of everything merged into it
+    std::vector<std::uint32_t> changes; ///< by position: number of changes of its star
+    std::vector<Candidate> candidates;  ///< by position
 
     CollapseState(const Mesh& original, const SimplifySettings& settings);
 

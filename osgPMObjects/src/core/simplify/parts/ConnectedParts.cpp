@@ -13,6 +13,8 @@
 #include <osgPMObjects/core/mesh/TriangleTree.h>
 #include <osgPMObjects/core/mesh/UnionFind.h>
 
+#include "MaterialContrast.h"
+
 namespace osgPMObjects::core
 {
 
@@ -35,7 +37,8 @@ double doubleAreaOf(std::span<const glm::dvec3> p, const Triangle& t)
 
 /// Assigns each material to the part with the largest area of it, which keeps its last face.
 void keepMaterials(const Mesh& mesh, std::span<const glm::dvec3> positions,
-                   std::span<const std::uint32_t> numbers, std::vector<ConnectedPart>& parts)
+                   std::span<const glm::vec3> colours, std::span<const std::uint32_t> numbers,
+                   std::vector<ConnectedPart>& parts)
 {
     struct Share
     {
@@ -43,24 +46,25 @@ void keepMaterials(const Mesh& mesh, std::span<const glm::dvec3> positions,
         std::uint32_t faces = 0;
     };
     std::vector<std::map<std::uint32_t, Share>> shares(mesh.materials.size()); // by material and part
+    std::vector<double> areas(mesh.materials.size(), 0.0);
     for (const Face& face : mesh.faces)
     {
         const Triangle t{mesh.positionOf(face, 0), mesh.positionOf(face, 1), mesh.positionOf(face, 2)};
         if (repeatsCorner(t)) continue;
         Share& share = shares[face.material][numbers[t[0]]];
         share.area += doubleAreaOf(positions, t);
+        areas[face.material] += doubleAreaOf(positions, t);
         ++share.faces;
     }
+    const std::vector<double> contrasts = materialContrasts(mesh.materials, colours, areas);
     for (std::uint32_t material = 0; material < shares.size(); ++material)
     {
         const auto most =
             std::max_element(shares[material].begin(), shares[material].end(),
                              [](const auto& a, const auto& b) { return a.second.area < b.second.area; });
         if (most == shares[material].end()) continue;
-        double doubleArea = 0.0;
-        for (const auto& [part, share] : shares[material])
-            doubleArea += share.area;
-        parts[most->first].kept.push_back({material, most->second.faces, doubleArea});
+        parts[most->first].kept.push_back(
+            {material, most->second.faces, areas[material], contrasts[material]});
     }
 }
 
@@ -82,14 +86,19 @@ double distanceToOthers(const glm::dvec3& point, double most, std::uint32_t part
     return std::sqrt(squared);
 }
 
+double sizeOf(const ConnectedPart& part, std::span<const glm::dvec3> positions)
+{
+    Extent extent;
+    for (const std::uint32_t p : part.positions)
+        extent.add(positions[p]);
+    return extent.diagonal();
+}
+
 /// Returns the largest distance of some of the part's positions from the nearest face of another part.
 double reachOf(const ConnectedPart& part, std::uint32_t number, std::span<const std::uint32_t> numbers,
                const FaceTree& faces)
 {
-    Extent extent;
-    for (const std::uint32_t p : part.positions)
-        extent.add(faces.positions[p]);
-    const double size = 0.5 * extent.diagonal();
+    const double size = 0.5 * sizeOf(part, faces.positions);
     const std::size_t step = std::max<std::size_t>(1, part.positions.size() / kReachSamples);
     double reach = 0.0;
     for (std::size_t i = 0; i < part.positions.size() && reach < size; i += step)
@@ -100,7 +109,8 @@ double reachOf(const ConnectedPart& part, std::uint32_t number, std::span<const 
 
 } // namespace
 
-std::vector<ConnectedPart> connectedParts(const Mesh& mesh, std::span<const glm::dvec3> positions)
+std::vector<ConnectedPart> connectedParts(const Mesh& mesh, std::span<const glm::dvec3> positions,
+                                          std::span<const glm::vec3> colours)
 {
     const std::vector<Triangle> triangles = properTriangles(mesh);
     UnionFind groups(positions.size());
@@ -126,7 +136,7 @@ std::vector<ConnectedPart> connectedParts(const Mesh& mesh, std::span<const glm:
         parts[numbers[t[0]]].doubleArea += doubleAreaOf(positions, t);
         ++parts[numbers[t[0]]].faces;
     }
-    keepMaterials(mesh, positions, numbers, parts);
+    keepMaterials(mesh, positions, colours, numbers, parts);
     if (parts.size() < 2) // no other part
     {
         for (ConnectedPart& part : parts)
@@ -141,6 +151,17 @@ std::vector<ConnectedPart> connectedParts(const Mesh& mesh, std::span<const glm:
                            parts[i].reach = reachOf(parts[i], static_cast<std::uint32_t>(i), numbers, faces);
                    });
     return parts;
+}
+
+double meanSize(std::span<const ConnectedPart> parts, std::span<const glm::dvec3> positions)
+{
+    double area = 0.0, sum = 0.0;
+    for (const ConnectedPart& part : parts)
+    {
+        area += part.doubleArea;
+        sum += part.doubleArea * sizeOf(part, positions);
+    }
+    return area > 0.0 ? sum / area : 0.0;
 }
 
 std::vector<std::uint32_t> partNumbers(std::span<const ConnectedPart> parts, std::size_t positionCount)
