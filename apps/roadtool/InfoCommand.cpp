@@ -8,6 +8,7 @@
 
 #include "roadtool/Commands.h"
 #include "roadtool/TopView.h"
+#include "scenery/roads/things/CountThings.h"
 
 namespace roadtool
 {
@@ -82,6 +83,10 @@ ordered_json describe(const std::string& file, const ReadNetwork& read)
     row["eastM"] = bounds.most.x;
     row["northM"] = bounds.most.y;
     row["mistakes"] = mistakesIn(read);
+    const scenery::roads::ThingCounts things = scenery::roads::countThings(network);
+    row["models"] = things.models;
+    row["painted"] = things.painted;
+    row["withoutModel"] = things.withoutModel;
     row["unsupported"] = ordered_json::array();
     for (const Problem& problem : read.problems)
         if (problem.kind == ProblemKind::unsupported)

@@ -3,9 +3,8 @@
 
 #include <algorithm>
 
-#include "scenery/models/mesh/Box.h"
-#include "scenery/models/mesh/Tube.h"
 #include "scenery/models/roads/Plate.h"
+#include "scenery/models/roads/RoadModelParts.h"
 
 namespace scenery::models
 {
@@ -15,38 +14,27 @@ namespace
 
 using Kind = RoadModel::Kind;
 
-constexpr glm::vec3 kZinc(0.58F, 0.60F, 0.61F);
 constexpr glm::vec3 kHousing(0.09F, 0.10F, 0.10F);
-constexpr double kPostRadiusM = 0.038; ///< of a tube of 76 mm
-constexpr double kLensStepM = 0.28;    ///< from lens to lens
-constexpr double kHeadDepthM = 0.22;
+constexpr double kLensStepM = 0.28; ///< from lens to lens
+constexpr double kHeadDepthM = 0.22, kLightPostM = 0.06;
+constexpr double kLensX = -kHeadDepthM - kLightPostM; ///< the front of the head; its back touches the post
 
-double orElse(double value, double otherwise)
+/// The radius of the post and the arm behind a plate.
+double postRadiusOf(const RoadModel& model)
 {
-    return value > 0.0 ? value : otherwise;
+    return model.armM == 0.0 ? kPostRadiusM : 2.0 * kPostRadiusM;
 }
 
-glm::vec2 plainUv()
-{
-    const SignCell cell = cellOf(SignFace::plain);
-    return 0.5F * (cell.low + cell.high);
-}
-
-void bar(ModelBuilder& builder, const glm::dvec3& from, const glm::dvec3& to, double radiusM)
-{
-    addBar(builder, from, to, radiusM, 8, plainUv());
-}
-
-void box(ModelBuilder& builder, const glm::dvec3& low, const glm::dvec3& high)
-{
-    addBox(builder, {low, high, plainUv(), plainUv(), 0.7F});
-}
-
-void post(ModelBuilder& builder, const RoadModel& model, double topM, double behindM)
+/// Adds the post at x = 0, beside the road with an arm where the model has one.
+void post(ModelBuilder& builder, const RoadModel& model, double topM, double thick)
 {
     if (model.postDepthM <= 0.0) return;
+    const double aside = -model.armM;
     builder.begin("post", kRoadSigns, kZinc);
-    bar(builder, {behindM, 0.0, -model.postDepthM}, {behindM, 0.0, topM}, kPostRadiusM);
+    bar(builder, {0.0, aside, -model.postDepthM}, {0.0, aside, topM}, thick);
+    if (model.armM == 0.0) return;
+    builder.begin("arm", kRoadSigns, kZinc);
+    bar(builder, {0.0, aside, topM - 0.2}, {0.0, 0.0, topM - 0.1}, 0.8 * thick);
 }
 
 void addSign(ModelBuilder& builder, const RoadModel& model)
@@ -54,6 +42,7 @@ void addSign(ModelBuilder& builder, const RoadModel& model)
     Plate plate;
     plate.widthM = orElse(model.widthM, 0.6);
     plate.heightM = orElse(model.heightM, plate.widthM);
+    plate.middle.x = -postRadiusOf(model) - plate.thicknessM;
     plate.middle.z = model.raisedM + 0.5 * plate.heightM;
     plate.shape = model.shape;
     plate.front =
@@ -61,7 +50,7 @@ void addSign(ModelBuilder& builder, const RoadModel& model)
     plate.back = model.isTwoSided ? plate.front : cellOf(SignFace::back);
     builder.begin("plate", kRoadSigns);
     addPlate(builder, plate);
-    post(builder, model, model.raisedM + 0.9 * plate.heightM, plate.thicknessM + kPostRadiusM);
+    post(builder, model, model.raisedM + 0.9 * plate.heightM, postRadiusOf(model));
 }
 
 /// Adds a board: its face is a row of letters in a frame of plain cells, so nothing lies in front of anything.
@@ -73,21 +62,22 @@ void addBoard(ModelBuilder& builder, const RoadModel& model)
                                    std::max<double>(1.0, static_cast<double>(model.text.size())));
     const double width =
         std::max(orElse(model.widthM, 0.0), letter * static_cast<double>(model.text.size()) + 0.2);
-    const double low = model.raisedM, textWidth = letter * static_cast<double>(model.text.size());
+    const double back = -postRadiusOf(model), low = model.raisedM,
+                 textWidth = letter * static_cast<double>(model.text.size());
     builder.begin("plate", kRoadSigns, {0.98F, 0.82F, 0.10F});
-    box(builder, {0.0, -0.5 * width, low}, {0.03, 0.5 * width, low + height});
+    box(builder, {back - 0.03, -0.5 * width, low}, {back, 0.5 * width, low + height});
     builder.begin("letters", kRoadSigns, {0.98F, 0.82F, 0.10F});
     for (std::size_t i = 0; i < model.text.size(); ++i)
     {
         const SignCell cell = cellOfGlyph(model.text[i]);
         const double left = 0.5 * textWidth - letter * static_cast<double>(i), middle = low + 0.5 * height;
-        addBox(builder, {{-0.02, left - letter, middle - 0.5 * letter},
-                         {0.0, left, middle + 0.5 * letter},
+        addBox(builder, {{back - 0.05, left - letter, middle - 0.5 * letter},
+                         {back - 0.03, left, middle + 0.5 * letter},
                          {cell.high.x, cell.low.y},
                          {cell.low.x, cell.high.y},
                          1.0F});
     }
-    post(builder, model, low + height, 0.03 + kPostRadiusM);
+    post(builder, model, low + height, postRadiusOf(model));
 }
 
 void addLights(ModelBuilder& builder, const RoadModel& model)
@@ -96,7 +86,7 @@ void addLights(ModelBuilder& builder, const RoadModel& model)
     const double top = lenses.front().middle.z + 0.5 * kLensStepM,
                  low = lenses.back().middle.z - 0.5 * kLensStepM;
     builder.begin("housing", kRoadSigns, kHousing);
-    box(builder, {0.0, -0.15, low}, {kHeadDepthM, 0.15, top});
+    box(builder, {kLensX, -0.15, low}, {kLensX + kHeadDepthM, 0.15, top});
     builder.begin("lenses", kRoadSigns);
     for (const Lens& lens : lenses)
         addPlate(builder, {lens.middle, 2.0 * lens.radiusM, 2.0 * lens.radiusM, 0.015,
@@ -105,54 +95,7 @@ void addLights(ModelBuilder& builder, const RoadModel& model)
     for (const Lens& lens : lenses)
         box(builder, lens.middle + glm::dvec3(-0.18, -lens.radiusM, lens.radiusM),
             lens.middle + glm::dvec3(0.015, lens.radiusM, lens.radiusM + 0.012));
-    if (model.postDepthM <= 0.0) return;
-    builder.begin("post", kRoadSigns, kZinc);
-    bar(builder, {kHeadDepthM + 0.06, 0.0, -model.postDepthM}, {kHeadDepthM + 0.06, 0.0, top}, 0.06);
-}
-
-void addDelineator(ModelBuilder& builder, const RoadModel& model)
-{
-    const double high = orElse(model.heightM, 1.05);
-    builder.begin("post", kRoadSigns, {0.95F, 0.95F, 0.93F});
-    box(builder, {-0.06, -0.05, -0.3}, {0.06, 0.05, high - 0.32});
-    builder.begin("cap", kRoadSigns, {0.95F, 0.95F, 0.93F});
-    box(builder, {-0.06, -0.05, high - 0.08}, {0.06, 0.05, high});
-    builder.begin("band", kRoadSigns, {0.07F, 0.07F, 0.08F});
-    box(builder, {-0.06, -0.05, high - 0.32}, {0.06, 0.05, high - 0.08});
-    builder.begin("reflector", kRoadSigns, {0.98F, 0.98F, 0.98F});
-    box(builder, {-0.068, -0.025, high - 0.28}, {-0.06, 0.025, high - 0.12});
-}
-
-void addLampPost(ModelBuilder& builder, const RoadModel& model)
-{
-    const double high = orElse(model.heightM, 8.0);
-    builder.begin("post", kRoadSigns, kZinc);
-    addTube(builder,
-            {{{0.0, 0.0, -kPostDepthM}, {0.0, 0.0, high - 0.6}, {0.0, 0.3, high - 0.15}, {0.0, 1.2, high}},
-             {0.09, 0.06, 0.05, 0.04},
-             8,
-             {0.0, 0.0},
-             0.0,
-             {}});
-    builder.begin("luminaire", kRoadSigns, {0.45F, 0.46F, 0.47F});
-    box(builder, {-0.14, 1.1, high - 0.06}, {0.14, 1.75, high + 0.06});
-}
-
-void addCone(ModelBuilder& builder, const RoadModel& model)
-{
-    const double high = orElse(model.heightM, 0.75);
-    builder.begin("foot", kRoadSigns, {0.12F, 0.12F, 0.12F});
-    box(builder, {-0.2, -0.2, 0.0}, {0.2, 0.2, 0.04});
-    for (int band = 0; band < 4; ++band)
-    {
-        const double from = 0.04 + (high - 0.04) * band / 4.0, to = 0.04 + (high - 0.04) * (band + 1) / 4.0;
-        const auto radiusAt = [&](double z) { return 0.15 - 0.125 * z / high; };
-        builder.begin("band " + std::to_string(band), kRoadSigns,
-                      band % 2 == 0 ? glm::vec3(0.92F, 0.28F, 0.05F) : glm::vec3(0.95F, 0.95F, 0.94F));
-        addTube(
-            builder,
-            {{{0.0, 0.0, from}, {0.0, 0.0, to}}, {radiusAt(from), radiusAt(to)}, 12, {0.0, 0.0}, 0.0, {}});
-    }
+    post(builder, model, top, kLightPostM);
 }
 
 void addGreyBox(ModelBuilder& builder, const RoadModel& model)
@@ -173,10 +116,10 @@ std::vector<Lens> lensesOf(const RoadModel& model)
     if (model.kind == Kind::pedestrianLight) faces = {SignFace::lampRed, SignFace::lampGreen};
     std::vector<Lens> lenses;
     for (std::size_t i = 0; i < faces.size(); ++i)
-        lenses.push_back(
-            {{-0.015, 0.0, model.raisedM + kLensStepM * (static_cast<double>(faces.size() - i) - 0.5)},
-             0.105,
-             faces[i]});
+        lenses.push_back({{kLensX - 0.015, 0.0,
+                           model.raisedM + kLensStepM * (static_cast<double>(faces.size() - i) - 0.5)},
+                          0.105,
+                          faces[i]});
     return lenses;
 }
 
@@ -208,6 +151,15 @@ Model makeRoadModel(const RoadModel& model)
         break;
     case Kind::cone:
         addCone(builder, model);
+        break;
+    case Kind::bollard:
+        addBollard(builder, model);
+        break;
+    case Kind::railPost:
+        addRailPost(builder, model);
+        break;
+    case Kind::gantry:
+        addGantry(builder, model);
         break;
     case Kind::box:
         addGreyBox(builder, model);

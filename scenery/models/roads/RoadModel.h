@@ -12,7 +12,8 @@ namespace scenery::models
 {
 
 /// What stands beside a road, as plain numbers: equal ones share one model.
-/// Frame: x along the road for the traffic that it is meant for, y left, z up; its face looks towards -x. z = 0 is the road; posts reach
+/// Frame: x along the road for the traffic that it is meant for, y left, z up; its face looks towards -x, in front of the post at x = 0, so that signs for
+/// both directions share one place. z = 0 is the road; posts reach
 /// kPostDepthM below it. Units: metres.
 struct RoadModel
 {
@@ -26,7 +27,10 @@ struct RoadModel
         delineator,
         lampPost,
         cone,
-        box, ///< any object of no model of its own, by its size
+        bollard,
+        railPost, ///< of a guard rail
+        gantry,   ///< a beam over the road on two posts, widthM apart
+        box,      ///< any object of no model of its own, by its size
     };
     enum class Shape
     {
@@ -45,6 +49,8 @@ struct RoadModel
     double lengthM = 0.0, widthM = 0.0, heightM = 0.0;
     double raisedM = 0.0;    ///< lower edge of a plate or of lamps above the road
     double postDepthM = 0.0; ///< how deep the post reaches below z = 0; 0: it has no post
+    double armM =
+        0.0; ///< a post stands so far to the right of the plate or lamps, which hang from its arm; negative: to the left
     bool isTwoSided = false;
     std::string text;
 
@@ -54,7 +60,8 @@ struct RoadModel
 constexpr double kPostDepthM = 0.8;
 
 /// Makes the model. Pure. One surface: kRoadSigns. Sizes of 0 are those of the kind:
-/// traffic lights DIN 67527 and EN 12368 (lenses of 0.2 m), delineators of the German RPS/HLB (1.05 m), lamp posts of 8 m, cones of 0.75 m.
+/// traffic lights DIN 67527 and EN 12368 (lenses of 0.2 m), delineators of the German RPS/HLB (1.05 m), lamp posts of 8 m, cones of 0.75 m, bollards
+/// of 0.9 m, posts of rails of 0.7 m (EN 1317 systems: C 120 × 80 mm), gantries with 6 m of clearance over 15 m.
 Model makeRoadModel(const RoadModel& model);
 
 /// A lens of a traffic light. Frame: the model's.

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Source: ASAM OpenDRIVE 1.8, 13 (objects).
 #include <algorithm>
-#include <cctype>
 #include <cmath>
-#include <string_view>
 
 #include <osgRoads/core/query/LaneSpan.h>
 #include <osgRoads/core/query/PaintedItem.h>
@@ -19,57 +17,12 @@ namespace scenery::roads
 namespace
 {
 
-using models::RoadModel;
 using osgRoads::core::ObjectInstance;
 using osgRoads::core::PlacedNetwork;
 using osgRoads::core::RoadObject;
 
 constexpr double kVergeM =
     2.5; ///< beside the lanes things stand at the height of the road, further away on the ground
-
-std::string wordsOf(const RoadObject& object)
-{
-    std::string words = object.type + " " + object.subtype + " " + object.name;
-    std::transform(words.begin(), words.end(), words.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return words;
-}
-
-bool has(const std::string& words, std::string_view part)
-{
-    return words.find(part) != std::string::npos;
-}
-
-bool isPlant(const std::string& words)
-{
-    return has(words, "vegetation") || has(words, "tree") || has(words, "bush") || has(words, "hedge");
-}
-
-RoadModel modelOf(const RoadObject& object, const ObjectInstance& instance, bool& isKnown)
-{
-    const std::string words = wordsOf(object);
-    RoadModel model;
-    model.heightM = instance.height;
-    isKnown = true;
-    if (has(words, "guide") || has(words, "delineator"))
-        model.kind = RoadModel::Kind::delineator;
-    else if (has(words, "lamp") || has(words, "streetlight"))
-        model.kind = RoadModel::Kind::lampPost;
-    else if (has(words, "cone"))
-        model.kind = RoadModel::Kind::cone;
-    else if (has(words, "pole"))
-    {
-        model.kind = RoadModel::Kind::pole;
-        model.widthM = instance.radius > 0.0 ? 2.0 * instance.radius : instance.width;
-    }
-    else
-    {
-        isKnown = has(words, "building") || has(words, "barrier") || has(words, "obstacle");
-        model.lengthM = instance.radius > 0.0 ? 2.0 * instance.radius : instance.length;
-        model.widthM = instance.radius > 0.0 ? 2.0 * instance.radius : instance.width;
-    }
-    return model;
-}
 
 glm::dvec3 standsAt(const PlacedNetwork& placed, int road, const ObjectInstance& instance,
                     const GroundHeight& ground)
@@ -142,41 +95,75 @@ bool addOutline(const PlacedNetwork& placed, int road, const RoadObject& object,
     return false;
 }
 
+/// A building of the size that is told, 1 m into the ground.
+void addBuilding(const PlacedNetwork& placed, int road, const ObjectInstance& instance,
+                 const GroundHeight& ground, RoadThings& into)
+{
+    OwnThing thing;
+    thing.origin = standsAt(placed, road, instance, ground);
+    const glm::dmat3 axes = uprightAxes(placed, road, instance.s, instance.t, instance.headingRad);
+    const double u = 0.5 * instance.length, v = 0.5 * instance.width;
+    std::vector<glm::dvec3> corners{axes * glm::dvec3(-u, -v, 0.0), axes * glm::dvec3(u, -v, 0.0),
+                                    axes * glm::dvec3(u, v, 0.0), axes * glm::dvec3(-u, v, 0.0)};
+    thing.model = models::makeOutlineBuilding(std::move(corners), std::vector<double>(4, instance.height));
+    into.own.push_back(std::move(thing));
+}
+
+/// A barrier that the file has as one body lies along the road, where it is turned by less than this.
+constexpr double kAlongRad = 0.2;
+
+ObjectInstance asStretch(const ObjectInstance& instance)
+{
+    ObjectInstance stretch = instance;
+    stretch.isStretch = true;
+    stretch.s = instance.s - 0.5 * instance.length;
+    stretch.sEnd = instance.s + 0.5 * instance.length;
+    stretch.tEnd = instance.t;
+    stretch.zEnd = instance.z;
+    stretch.widthEnd = instance.width;
+    stretch.heightEnd = instance.height;
+    return stretch;
+}
+
+bool isBarrier(const ObjectWords& words)
+{
+    return words.any({"barrier", "railing", "guardrail", "soundbarrier", "fence"});
+}
+
+void placeInstance(const PlacedNetwork& placed, int road, const ObjectWords& words,
+                   const ObjectInstance& instance, const GroundHeight& ground, RoadThings& into)
+{
+    if (instance.isStretch && isPlant(words)) return addHedge(placed, road, instance, ground, into);
+    const auto formOf = [&](const ObjectInstance& stretch)
+    {
+        return stretchForm(words, std::max(stretch.width, stretch.widthEnd),
+                           std::max(stretch.height, stretch.heightEnd));
+    };
+    if (instance.isStretch) return placeStretch(placed, road, formOf(instance), instance, into);
+    if (isBarrier(words) && instance.length > 0.0 && std::fabs(std::sin(instance.headingRad)) < kAlongRad)
+    {
+        const ObjectInstance stretch = asStretch(instance);
+        return placeStretch(placed, road, formOf(stretch), stretch, into);
+    }
+    const bool hasSize = instance.length > 0.0 && instance.width > 0.0 && instance.height > 0.0;
+    if (words.any({"building", "house"}) && hasSize) return addBuilding(placed, road, instance, ground, into);
+    StandingThing thing;
+    thing.position = standsAt(placed, road, instance, ground);
+    thing.axes = uprightAxes(placed, road, instance.s, instance.t, instance.headingRad);
+    if (isPlant(words)) return addPlant(into, thing, instance.height);
+    addStanding(into, objectModel(words, instance).value_or(boxOf(instance)), thing);
+}
+
 } // namespace
 
 void placeObjects(const PlacedNetwork& placed, int road, const GroundHeight& ground, RoadThings& into)
 {
     for (const RoadObject& object : placed.road(road).objects)
     {
-        const std::string words = wordsOf(object),
-                          kind = "object " + (object.type.empty() ? std::string("?") : object.type);
-        if (osgRoads::core::paintKind(object)) continue;
-        if (addOutline(placed, road, object, into))
-        {
-            ++into.withModel[kind];
-            continue;
-        }
+        if (osgRoads::core::paintKind(object) || addOutline(placed, road, object, into)) continue;
+        const ObjectWords words(object);
         for (const ObjectInstance& instance : osgRoads::core::objectInstances(object))
-        {
-            bool isKnown = true;
-            const RoadModel model = modelOf(object, instance, isKnown);
-            ++(isKnown || isPlant(words) || instance.isStretch ? into.withModel : into.withoutModel)[kind];
-            if (instance.isStretch)
-            {
-                if (isPlant(words))
-                    addHedge(placed, road, instance, ground, into);
-                else
-                    placeStretch(placed, road, object, instance, into);
-                continue;
-            }
-            StandingThing thing;
-            thing.position = standsAt(placed, road, instance, ground);
-            thing.axes = uprightAxes(placed, road, instance.s, instance.t, instance.headingRad);
-            if (isPlant(words))
-                addPlant(into, thing, instance.height);
-            else
-                addStanding(into, model, thing);
-        }
+            placeInstance(placed, road, words, instance, ground, into);
     }
 }
 

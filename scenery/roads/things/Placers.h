@@ -3,6 +3,7 @@
 
 #include <osgRoads/core/query/ObjectInstances.h>
 
+#include "scenery/roads/things/ObjectModels.h"
 #include "scenery/roads/things/RoadThings.h"
 
 namespace scenery::roads
@@ -20,9 +21,12 @@ void placeStructures(const osgRoads::core::PlacedNetwork& placed, int road, cons
                      RoadThings& into);
 
 /// Adds a rail, wall or fence that an object draws along a road without a break.
-void placeStretch(const osgRoads::core::PlacedNetwork& placed, int road,
-                  const osgRoads::core::RoadObject& object, const osgRoads::core::ObjectInstance& stretch,
-                  RoadThings& into);
+void placeStretch(const osgRoads::core::PlacedNetwork& placed, int road, StretchForm form,
+                  const osgRoads::core::ObjectInstance& stretch, RoadThings& into);
+
+/// Adds the beam of a guard rail, whose waves swell towards the traffic, and its posts unless the file has posts there.
+void placeGuardRail(const osgRoads::core::PlacedNetwork& placed, int road,
+                    const osgRoads::core::ObjectInstance& stretch, RoadThings& into);
 
 /// Adds a standing model, sharing equal ones.
 void addStanding(RoadThings& into, const models::RoadModel& model, const StandingThing& thing);

@@ -53,7 +53,7 @@ struct RoadThings
     std::vector<GrownModel> grown;
     std::vector<StandingThing> plants;
     std::vector<OwnThing> own;
-    std::map<std::string, int> withModel, withoutModel; ///< kinds of signals and objects, and how many
+    std::map<models::RoadModel, std::size_t> modelIndex; ///< of `models`
 };
 
 /// Places signals, objects, bridges and tunnels. Without `ground` everything stands at the height of its road.

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // Signals and objects on a straight road along x, with places worked by hand.
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
 #include "scenery/models/ModelCheck.h"
+#include "scenery/roads/things/CountThings.h"
+#include "scenery/roads/things/ObjectModels.h"
 #include "scenery/roads/things/RoadThings.h"
 #include "scenery/roads/things/SignCodes.h"
 
@@ -138,6 +142,146 @@ TEST(PlaceRoadThings, RailsBridgesAndTunnelsAreWholeModels)
         EXPECT_EQ(scenery::models::defectOf(own.model), "");
         EXPECT_TRUE(scenery::models::isClosed(own.model.mesh, "line"));
     }
+}
+
+namespace
+{
+
+osgRoads::core::RoadObject stretchOf(const char* type, double t, double height, double z)
+{
+    osgRoads::core::RoadObject object;
+    object.type = type;
+    osgRoads::core::ObjectRepeat repeat;
+    repeat.length = 80.0;
+    repeat.tStart = repeat.tEnd = t;
+    repeat.zOffsetStart = repeat.zOffsetEnd = z;
+    if (height > 0.0) repeat.heightStart = repeat.heightEnd = height;
+    object.repeats = {repeat};
+    return object;
+}
+
+/// Returns the lowest and the highest z, and the least and the greatest y, of the only whole model.
+std::array<double, 4> extentOf(const roads::RoadThings& things)
+{
+    std::array<double, 4> extent{1e9, -1e9, 1e9, -1e9};
+    EXPECT_EQ(things.own.size(), 1U);
+    for (const auto& position : things.own.at(0).model.mesh.positions)
+    {
+        const glm::dvec3 at = things.own[0].origin + glm::dvec3(position);
+        extent = {std::min(extent[0], at.z), std::max(extent[1], at.z), std::min(extent[2], at.y),
+                  std::max(extent[3], at.y)};
+    }
+    return extent;
+}
+
+} // namespace
+
+TEST(PlaceRoadThings, AGuardRailIsABeamOnPosts)
+{
+    osgRoads::core::Road road = straightRoad();
+    road.objects = {stretchOf("guardRail", -5.0, 0.75, 0.0)};
+    const auto things = placed(road);
+    const auto [low, high, right, left] = extentOf(things);
+    EXPECT_NEAR(high, 0.75, 1e-3);
+    EXPECT_NEAR(low, 0.75 - 0.31, 1e-3);
+    // On the right of a road without lanes it looks to the left: from the flange of the post on.
+    EXPECT_NEAR(right, -5.0 + 0.04, 1e-3);
+    EXPECT_NEAR(left, -5.0 + 0.045 + 0.081, 1e-3);
+    EXPECT_EQ(things.standing.size(), 20U); // every 4 m of 80
+    EXPECT_EQ(things.models.at(0).kind, RoadModel::Kind::railPost);
+    EXPECT_EQ(things.models[0].heightM, 0.71);
+}
+
+TEST(PlaceRoadThings, ABeamOfToldHeightAndTheFilesOwnPostsAreKept)
+{
+    osgRoads::core::Road road = straightRoad();
+    osgRoads::core::RoadObject post = stretchOf("rail-pole", 5.0, 0.55, 0.0);
+    post.repeats[0].distance = 8.0;
+    road.objects = {stretchOf("railing", 5.0, 0.2, 0.35), post};
+    const auto things = placed(road);
+    const auto [low, high, right, left] = extentOf(things);
+    EXPECT_NEAR(low, 0.35, 1e-3);
+    EXPECT_NEAR(high, 0.55, 1e-3);
+    EXPECT_LT(left, 5.0); // towards the road
+    EXPECT_EQ(things.standing.size(), 11U);
+}
+
+TEST(PlaceRoadThings, AKerbReachesIntoTheGround)
+{
+    osgRoads::core::Road road = straightRoad();
+    road.objects = {stretchOf("curb", 3.0, 0.0, 0.0)};
+    const auto [low, high, right, left] = extentOf(placed(road));
+    EXPECT_NEAR(low, -0.3, 1e-3);
+    EXPECT_NEAR(high, 0.12, 1e-3);
+    EXPECT_NEAR(left - right, 0.15, 1e-3);
+}
+
+TEST(PlaceRoadThings, WordsAreWholeWords)
+{
+    osgRoads::core::RoadObject object;
+    object.type = "pole";
+    object.subtype = "streetLamp"; // not a tree
+    EXPECT_FALSE(roads::isPlant(roads::ObjectWords(object)));
+    EXPECT_EQ(roads::objectModel(roads::ObjectWords(object), {})->kind, RoadModel::Kind::lampPost);
+    object.type = "tree";
+    object.subtype.clear();
+    EXPECT_TRUE(roads::isPlant(roads::ObjectWords(object)));
+}
+
+TEST(PlaceRoadThings, ASignOverALaneHangsFromAnArmOrAGantry)
+{
+    osgRoads::core::Road road = straightRoad();
+    osgRoads::core::Lane lane;
+    lane.id = -1;
+    lane.type = osgRoads::core::LaneType::driving;
+    lane.width = osgRoads::core::CubicProfile({{0.0, 4.0, 0.0, 0.0, 0.0}});
+    osgRoads::core::LaneSection section;
+    section.end = 200.0;
+    section.right = {lane};
+    road.sections = {section};
+    road.signals = {limit(100.0, -2.0, '+'), limit(50.0, -1.0, '-')};
+    for (auto& signal : road.signals)
+        signal.zOffset = 5.0;
+    osgRoads::core::RoadObject gantry;
+    gantry.type = "gantry";
+    gantry.s = 51.0;
+    auto things = placed(road);
+    ASSERT_EQ(things.standing.size(), 2U);
+    EXPECT_EQ(things.models[0].armM, 2.75); // lanes end 2 m to the right; both sides are as far
+    EXPECT_EQ(things.models[1].armM, 1.75); // against s: the left edge of the lanes is on its right
+    EXPECT_GT(things.models[1].postDepthM, 0.0);
+    road.objects = {gantry};
+    things = placed(road);
+    EXPECT_EQ(things.models[1].armM, 0.0);
+    EXPECT_EQ(things.models[1].postDepthM, 0.0);
+}
+
+TEST(PlaceRoadThings, SignsOfLeftHandTrafficLookAgainstItsDirection)
+{
+    osgRoads::core::Road road = straightRoad();
+    road.isLeftHandTraffic = true;
+    road.signals = {limit(100.0, 4.0, '+')}; // beside the left lanes, which run towards greater s
+    const auto things = placed(road);
+    expectNear(things.standing.at(0).axes[0], {1.0, 0.0, 0.0});
+}
+
+TEST(CountThings, TellsWhatIsDrawnAndWhatIsNot)
+{
+    osgRoads::core::RoadNetwork network;
+    network.roads.push_back(straightRoad());
+    osgRoads::core::Signal unknown = limit(10.0, 0.0, '+'), line = unknown;
+    unknown.type = "99999";
+    line.type = "294";
+    network.roads[0].signals = {limit(1.0, 0.0, '+'), limit(2.0, 0.0, '+'), unknown, line};
+    osgRoads::core::RoadObject statue, tree;
+    statue.type = "art";
+    tree.type = "tree";
+    network.roads[0].objects = {statue, tree};
+    const roads::ThingCounts counts = roads::countThings(network);
+    using Counts = std::map<std::string, int>;
+    EXPECT_EQ(counts.models, (Counts{{"signal de 274", 2}, {"object tree", 1}}));
+    EXPECT_EQ(counts.painted, (Counts{{"signal de 294", 1}}));
+    EXPECT_EQ(counts.withoutModel, (Counts{{"signal de 99999", 1}, {"object art", 1}}));
 }
 
 TEST(SignCodes, KnowTheSignsOfThreeCountries)
