@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "simulation/vehicle/DynamicVehicle.h"
+#include "simulation/vehicle/EarthFrame.h"
+#include "simulation/vehicle/flight/AircraftData.h"
+#include "simulation/vehicle/flight/DrydenTurbulence.h"
+#include "simulation/vehicle/flight/FlightModel.h"
+#include "simulation/vehicle/flight/GroundContacts.h"
+
+namespace simulation
+{
+
+/// What a pilot's instruments and a log say. Units as named; angles about the local level.
+struct FlightReadings
+{
+    Geodetic place;
+    double headingDeg = 0.0; ///< from north, clockwise, 0…360
+    double pitchDeg = 0.0, rollDeg = 0.0;
+    double trueAirspeedMps = 0.0, calibratedAirspeedMps = 0.0;
+    double climbMps = 0.0;
+    double alphaDeg = 0.0, betaDeg = 0.0;
+    double loadFactor = 1.0; ///< across the wing, g
+    double heightAboveGroundM = 0.0;
+    double engineRpm = 0.0, thrustN = 0.0, manifoldPa = 0.0, fuelKgPerS = 0.0;
+    double fuelKg = 0.0, massKg = 0.0;
+    double flapDeg = 0.0, stalled = 0.0;
+    SurfaceAngles surfaces;
+};
+
+/// An aircraft that flies by its data file, at 120 steps a second.
+///
+/// Forces of air and engine are computed once a step and carried to its middle from the last two; near the ground the step is divided
+/// for struts and tyres. Numbers that leave what can be computed end in VehicleCondition::failed, never in NaN.
+/// Cost: see docs/algorithms/flight.md.
+class Aircraft : public DynamicVehicle
+{
+public:
+    /// `seed`: of the turbulence. Both `data` and `earth` are shared with whoever else flies them.
+    Aircraft(std::shared_ptr<const AircraftData> data, std::shared_ptr<const EarthFrame> earth,
+             std::uint64_t seed = 0);
+
+    std::span<const std::string_view> inputNames() const override { return kFlightInputNames; }
+    std::span<double> inputs() override { return _inputs; }
+    double stepSeconds() const override { return kStepS; }
+    void step(const Ground& ground, const Air& air) override;
+    VehicleState state() const override;
+    VehicleStatus status() const override { return _status; }
+
+    /// Puts the aircraft into a state; a state that is not finite is refused, and the status says so.
+    void place(const FlightState& state, double timeS = 0.0);
+
+    const FlightState& flightState() const { return _state; }
+    const AircraftData& data() const { return *_data; }
+    const EarthFrame& earth() const { return *_earth; }
+    FlightReadings readings() const;
+    std::span<const Contact> contacts() const { return _contacts.contacts(); }
+
+    /// Kinetic and potential energy over the ellipsoid. Units: J.
+    double energyJ() const;
+
+    static constexpr double kStepS = 1.0 / 120.0;
+
+private:
+    FlightSurroundings surroundingsNow(const Ground& ground, const Air& air);
+    void stepSystems(const FlightLoads& loads, const FlightSurroundings& surroundings);
+    void stepMotion(const MassProperties& mass, const FlightLoads& loads,
+                    const FlightSurroundings& surroundings, const Ground& ground);
+    void judgeContacts();
+    void liftOutOfGround();
+    bool isComputable() const;
+    void enterStillAir();
+    void crash(std::string_view reason);
+
+    std::shared_ptr<const AircraftData> _data;
+    std::shared_ptr<const EarthFrame> _earth;
+    FlightInputs _inputs = runningInputs();
+    FlightState _state;
+    ForceMoment _lastLoad;
+    bool _hasLastLoad = false;
+    FlightSurroundings _surroundings;
+    EarthFrame::Place _place;
+    double _heightAboveGroundM = 0.0;
+    double _timeS = 0.0;
+    std::int64_t _step = 0;
+    double _startS = 0.0;
+    bool _isOnGround = false;
+    GroundContacts _contacts;
+    DrydenTurbulence _turbulence;
+    VehicleStatus _status;
+};
+
+} // namespace simulation
