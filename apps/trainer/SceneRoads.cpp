@@ -30,8 +30,8 @@ using osgTerrainROAM::core::RoamTile;
 constexpr double kRoadSampleM = 2.0; ///< of the ground beside roads that stand on their own
 
 /// Signs, lights, posts, rails, bridges and tunnels.
-foundation::Result<osg::ref_ptr<osg::Node>> makeThings(const osgTerrainROAM::RoamTerrain& terrain,
-                                                       const PlacedNetwork& roads)
+foundation::Result<std::unique_ptr<scenery::RoadThingsNode>>
+makeThings(const osgTerrainROAM::RoamTerrain& terrain, const PlacedNetwork& roads)
 {
     const auto ground = [query = ground::groundOf(terrain.tile()->tile)](double x,
                                                                          double y) -> std::optional<double>
@@ -39,9 +39,7 @@ foundation::Result<osg::ref_ptr<osg::Node>> makeThings(const osgTerrainROAM::Roa
         const auto sample = query(x, y);
         return sample ? std::optional(sample->heightM) : std::nullopt;
     };
-    const auto things = scenery::RoadThingsNode::create(scenery::roads::placeRoadThings(roads, ground));
-    if (!things) return things.error();
-    return osg::ref_ptr<osg::Node>((*things)->node());
+    return scenery::RoadThingsNode::create(scenery::roads::placeRoadThings(roads, ground));
 }
 
 /// Adds the roads' surface and what stands beside them to a terrain, and tells what is wrong with their file.
@@ -55,10 +53,10 @@ foundation::Result<SceneTerrain> withRoads(osg::ref_ptr<osgTerrainROAM::RoamTerr
     const osg::ref_ptr<osg::Group> scene = new osg::Group;
     scene->addChild(terrain);
     scene->addChild(scenery::makeRoadNode(std::move(mesh)));
-    const auto things = makeThings(*terrain, *roads.placed);
+    auto things = makeThings(*terrain, *roads.placed);
     if (!things) return things.error();
-    scene->addChild(things->get());
-    return SceneTerrain{scene, terrain, roads.placed};
+    scene->addChild((*things)->node());
+    return SceneTerrain{scene, terrain, roads.placed, std::move(*things)};
 }
 
 foundation::Result<SceneTerrain> makeScene(const RoamFile& description, const std::shared_ptr<RoamTile>& tile,

@@ -15,6 +15,7 @@
 #include <osgTerrainROAM/RoamTerrain>
 
 #include "PlayRequest.h"
+#include "scenery/nodes/RoadThingsNode.h"
 #include "simulation/player/SceneFrame.h"
 
 namespace trainer
@@ -26,6 +27,8 @@ struct SceneTerrain
     osg::ref_ptr<osg::Node> node;                      ///< the scene
     osg::ref_ptr<osgTerrainROAM::RoamTerrain> terrain; ///< within it; null when the scene has no ROAM terrain
     std::shared_ptr<const osgRoads::core::PlacedNetwork> roads; ///< null: none
+    std::shared_ptr<scenery::RoadThingsNode> roadThings =
+        nullptr; ///< switches traffic lights; null without roads
 
     /// Returns the origin of the scene's frame; absent without georeference.
     std::optional<simulation::Geodetic> origin() const;

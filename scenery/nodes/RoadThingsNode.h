@@ -1,33 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <map>
 #include <memory>
 #include <string>
-#include <vector>
 
 #include <foundation/Result.h>
 
-#include <osg/Geometry>
 #include <osg/Group>
-#include <osg/Program>
 
 #include <osgPMObjects/ProgressiveField>
 
+#include "scenery/nodes/RoadLamps.h"
 #include "scenery/roads/things/RoadThings.h"
 
 namespace scenery
 {
-
-/// What a traffic light shows. Pedestrian lights show red for all but go.
-enum class LightState
-{
-    off,
-    stop,      ///< red
-    attention, ///< red and amber
-    go,        ///< green
-    caution,   ///< amber
-};
 
 /// Everything beside and over roads as one field of progressive models, and the lamps of traffic lights, which shine by themselves.
 /// To make it: RoadThingsNode::create(roads::placeRoadThings(placedNetwork, groundHeight)), then add node() to a group that has the uniforms of an
@@ -43,26 +30,15 @@ public:
     const osgPMObjects::ProgressiveField& field() const { return *_field; }
 
     /// Sets what a traffic light shows. Returns false when there is no light of that id. All begin at stop.
-    bool setState(const std::string& signalId, LightState state);
+    bool setState(const std::string& signalId, LightState state) { return _lamps->setState(signalId, state); }
 
     /// The same by the words stop, attention, go, caution and off, in English or as OpenSCENARIO files write them (red, green, yellow).
     bool setState(const std::string& signalId, const std::string& state);
 
 private:
-    struct Lamps
-    {
-        std::size_t first = 0;
-        std::vector<models::SignFace> faces;
-    };
-    void addLamps(const roads::RoadThings& things);
-
     osg::ref_ptr<osg::Group> _root;
     osg::ref_ptr<osgPMObjects::ProgressiveField> _field;
-    osg::ref_ptr<osg::Geometry> _lamps;
-    std::multimap<std::string, Lamps> _lights; ///< by the id of the signal
+    std::unique_ptr<RoadLamps> _lamps;
 };
-
-/// Makes the program of lamps, which shine by themselves, in the haze of an Atmosphere.
-osg::ref_ptr<osg::Program> makeRoadLampProgram();
 
 } // namespace scenery

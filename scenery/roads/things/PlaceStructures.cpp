@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <algorithm>
-
-#include <osgRoads/core/query/LaneSpan.h>
+#include <optional>
 
 #include "scenery/roads/things/Placers.h"
 #include "scenery/roads/things/RoadLine.h"
+#include "scenery/roads/things/StructureParts.h"
+#include "scenery/roads/things/ThingPose.h"
 
 namespace scenery::roads
 {
@@ -15,55 +15,99 @@ namespace
 using osgRoads::core::PlacedNetwork;
 using osgRoads::core::RoadStructure;
 
-constexpr double kDeckM = 1.2, kParapetM = 1.1, kParapetWidthM = 0.25,
-                 kSideM = 0.5; ///< bridge: thickness, parapets, beyond the lanes
-constexpr double kPierEveryM = 30.0, kPierRadiusM = 0.6;
-constexpr double kTunnelHighM = 6.2, kTunnelWallM = 4.6, kLiningM = 0.6,
-                 kTunnelSideM = 1.0; ///< inside; clearance 4.5 m and above (RABT)
+constexpr double kDeckM = 1.2, kEdgeM = 0.2, kEdgeWidthM = 0.4,
+                 kSideM = 0.5; ///< thickness; edges above the road; beyond the lanes
+constexpr double kRailM = 1.1,
+                 kRailPostEveryM = 2.0; ///< height of the railing (German RAL-ING: 1.0 m and above)
+constexpr double kPierEveryM = 30.0, kPierRadiusM = 0.6, kPierClearM = 2.5; ///< clear of roads below
 
-struct Sides
+/// Whether another road lies under a place of this one, near enough to be in the way of a pier.
+bool isOverRoad(const PlacedNetwork& placed, int road, const glm::dvec3& place)
 {
-    double left, right;
-    double middle() const { return 0.5 * (left + right); }
-    double half() const { return 0.5 * (left - right); }
-};
-
-Sides sidesAt(const osgRoads::core::Road& road, double s, double beyondM)
-{
-    const auto extent = osgRoads::core::extentAt(road, s);
-    return {extent.leftT + beyondM, extent.rightT - beyondM};
+    for (const auto& match : placed.locator().within(glm::dvec2(placed.toInertial(place)), kPierClearM))
+        if (match.position.road != road &&
+            placed.surfacePoint(match.position.road, match.position.s, match.position.t).z < place.z - kDeckM)
+            return true;
+    return false;
 }
 
-RoadLine concrete(const RoadStructure& structure)
+/// Returns a place for a pier near s, clear of the roads below, or nothing.
+std::optional<double> pierAt(const PlacedNetwork& placed, int road, const RoadStructure& bridge, double s)
 {
-    RoadLine line;
-    line.s = structure.s;
-    line.sEnd = structure.s + structure.length;
-    line.surface = {models::Painting::plaster, models::Coat::matt};
-    line.tint = {0.62F, 0.61F, 0.58F};
-    line.uvPerM = 1.0 / 2.4;
-    return line;
+    const osgRoads::core::Road& plain = placed.road(road);
+    for (double away = 0.0; away < 0.5 * kPierEveryM; away += 1.0)
+        for (const double at : {s + away, s - away})
+        {
+            if (at < bridge.s + kPierClearM || at > bridge.s + bridge.length - kPierClearM) continue;
+            const Sides sides = sidesAt(plain, at, 0.0);
+            bool isClear = true;
+            for (const double share : {-0.6, 0.0, 0.6})
+                isClear = isClear &&
+                          !isOverRoad(placed, road,
+                                      placed.surfacePoint(road, at, sides.middle() + share * sides.half()));
+            if (isClear) return at;
+        }
+    return {};
 }
 
+void addPier(const PlacedNetwork& placed, int road, const RoadStructure& bridge, double s, double depth,
+             RoadThings& into)
+{
+    RoadLine pier = concreteLine(bridge);
+    pier.s = s - kPierRadiusM;
+    pier.sEnd = s + kPierRadiusM;
+    const Sides sides = sidesAt(placed.road(road), s, 0.0);
+    pier.lineT = [middle = sides.middle()](double) { return middle; };
+    pier.profileAt = [half = 0.6 * sides.half(), depth](double)
+    { return boxProfile(half, -depth, -0.9 * kDeckM); };
+    addRoadLine(placed, road, pier, into);
+}
+
+/// Adds piers where there is ground below, clear of other roads.
 void addPiers(const PlacedNetwork& placed, int road, const RoadStructure& bridge, const GroundHeight& ground,
               RoadThings& into)
 {
     for (double along = 0.5 * kPierEveryM; along < bridge.length; along += kPierEveryM)
     {
-        const double s = bridge.s + along;
-        const glm::dvec3 top = placed.surfacePoint(road, s, sidesAt(placed.road(road), s, 0.0).middle());
+        const auto s = pierAt(placed, road, bridge, bridge.s + along);
+        if (!s) continue;
+        const glm::dvec3 top = placed.surfacePoint(road, *s, sidesAt(placed.road(road), *s, 0.0).middle());
         const auto height = ground ? ground(top.x, top.y) : std::nullopt;
-        if (!height || top.z - kDeckM - *height < 1.5) continue;
-        const double depth = top.z - *height + 1.0;
-        RoadLine pier = concrete(bridge);
-        pier.s = s - kPierRadiusM;
-        pier.sEnd = s + kPierRadiusM;
-        pier.lineT = [&, s](double) { return sidesAt(placed.road(road), s, 0.0).middle(); };
-        const double half = 0.6 * sidesAt(placed.road(road), s, 0.0).half();
-        pier.profileAt = [=](double) {
-            return Profile{{-half, -depth}, {half, -depth}, {half, -0.9 * kDeckM}, {-half, -0.9 * kDeckM}};
-        };
-        addRoadLine(placed, road, pier, into);
+        if (height && top.z - kDeckM - *height >= 1.5)
+            addPier(placed, road, bridge, *s, top.z - *height + 1.0, into);
+    }
+}
+
+/// Adds the raised edge of a deck and the railing on it. `side`: 1 to the left.
+void addEdge(const PlacedNetwork& placed, int road, const RoadStructure& bridge, int side, RoadThings& into)
+{
+    RoadLine edge = concreteLine(bridge);
+    edge.lineT = [&plain = placed.road(road), side](double s)
+    {
+        const Sides sides = sidesAt(plain, s, kSideM);
+        return side > 0 ? sides.left : sides.right;
+    };
+    edge.profileAt = [](double) { return boxProfile(0.5 * kEdgeWidthM, -kDeckM, kEdgeM); };
+    addRoadLine(placed, road, edge, into);
+    RoadLine bar = edge;
+    bar.surface = models::kRoadSigns;
+    bar.uvPerM = 0.0;
+    bar.tint = {0.50F, 0.52F, 0.53F};
+    for (const double high : {0.45, 0.75, kRailM})
+    {
+        bar.profileAt = [high](double) { return boxProfile(0.025, high - 0.05, high); };
+        addRoadLine(placed, road, bar, into);
+    }
+    models::RoadModel post;
+    post.kind = models::RoadModel::Kind::pole;
+    post.widthM = 0.06;
+    post.heightM = kRailM - 0.02;
+    for (double s = bridge.s + 0.5; s < bridge.s + bridge.length; s += kRailPostEveryM)
+    {
+        StandingThing thing;
+        thing.position = placed.surfacePoint(road, s, edge.lineT(s));
+        thing.axes = uprightAxes(placed, road, s, edge.lineT(s), 0.0);
+        addStanding(into, post, thing);
     }
 }
 
@@ -71,25 +115,10 @@ void addBridge(const PlacedNetwork& placed, int road, const RoadStructure& bridg
                RoadThings& into)
 {
     const auto& plain = placed.road(road);
-    // Below the surface by 5 cm, so that the deck never fights the road for depth. The road's tilt is that of its edges.
     for (const int side : {1, -1})
-    {
-        RoadLine parapet = concrete(bridge);
-        parapet.lineT = [&plain, side](double s)
-        {
-            const Sides sides = sidesAt(plain, s, kSideM);
-            return side > 0 ? sides.left : sides.right;
-        };
-        parapet.profileAt = [](double)
-        {
-            return Profile{{-0.5 * kParapetWidthM, -kDeckM},
-                           {0.5 * kParapetWidthM, -kDeckM},
-                           {0.5 * kParapetWidthM, kParapetM},
-                           {-0.5 * kParapetWidthM, kParapetM}};
-        };
-        addRoadLine(placed, road, parapet, into);
-    }
-    RoadLine deck = concrete(bridge);
+        addEdge(placed, road, bridge, side, into);
+    // Below the surface by 5 cm, so that the deck never fights the road for depth. The road's tilt is that of its edges.
+    RoadLine deck = concreteLine(bridge);
     deck.lineT = [&plain](double s) { return sidesAt(plain, s, kSideM).middle(); };
     deck.profileAt = [&placed, &plain, road](double s)
     {
@@ -104,47 +133,6 @@ void addBridge(const PlacedNetwork& placed, int road, const RoadStructure& bridg
     addPiers(placed, road, bridge, ground, into);
 }
 
-/// Half a lining: a strip of the inner and the outer side, from the right foot over the crown to the left one.
-Profile lining(double half)
-{
-    const double feet = -0.6;
-    const Profile inner{{-half, feet},
-                        {-half, kTunnelWallM},
-                        {-0.6 * half, kTunnelHighM - 0.3},
-                        {0.0, kTunnelHighM},
-                        {0.6 * half, kTunnelHighM - 0.3},
-                        {half, kTunnelWallM},
-                        {half, feet}};
-    const double wide = half + kLiningM, high = kTunnelHighM + kLiningM;
-    Profile ring{{wide, feet}, {wide, kTunnelWallM + 0.3},      {0.6 * half + 0.3, high - 0.3},
-                 {0.0, high},  {-0.6 * half - 0.3, high - 0.3}, {-wide, kTunnelWallM + 0.3},
-                 {-wide, feet}};
-    ring.insert(ring.end(), inner.begin(), inner.end()); // outside counter-clockwise, inside back
-    return ring;
-}
-
-void addTunnel(const PlacedNetwork& placed, int road, const RoadStructure& tunnel, RoadThings& into)
-{
-    const auto& plain = placed.road(road);
-    RoadLine tube = concrete(tunnel);
-    tube.tint = {0.58F, 0.57F, 0.55F};
-    tube.lineT = [&plain](double s) { return sidesAt(plain, s, kTunnelSideM).middle(); };
-    tube.profileAt = [&plain](double s) { return lining(sidesAt(plain, s, kTunnelSideM).half()); };
-    addRoadLine(placed, road, tube, into);
-    RoadLine lamps = tube;
-    lamps.surface = models::kRoadSigns;
-    lamps.uvPerM = 0.0;
-    lamps.tint = {1.0F, 0.98F, 0.9F};
-    lamps.profileAt = [](double)
-    {
-        return Profile{{-0.15, kTunnelHighM - 0.2},
-                       {0.15, kTunnelHighM - 0.2},
-                       {0.15, kTunnelHighM - 0.1},
-                       {-0.15, kTunnelHighM - 0.1}};
-    };
-    addRoadLine(placed, road, lamps, into);
-}
-
 } // namespace
 
 void placeStructures(const PlacedNetwork& placed, int road, const GroundHeight& ground, RoadThings& into)
@@ -153,7 +141,7 @@ void placeStructures(const PlacedNetwork& placed, int road, const GroundHeight& 
         if (structure.kind == osgRoads::core::StructureKind::bridge)
             addBridge(placed, road, structure, ground, into);
         else
-            addTunnel(placed, road, structure, into);
+            placeTunnel(placed, road, structure, into);
 }
 
 RoadThings placeRoadThings(const PlacedNetwork& placed, const GroundHeight& ground)

@@ -37,6 +37,14 @@ struct OwnThing
     glm::dvec3 origin{0.0};
 };
 
+/// A lamp that shines downwards: a rectangle, seen from below. Frame: the scene's. Units: metres.
+struct CeilingLamp
+{
+    glm::dvec3 middle{0.0};
+    glm::dvec3 along{1.0, 0.0, 0.0}; ///< horizontal unit vector of its length
+    double lengthM = 1.0, widthM = 0.3;
+};
+
 /// A generated plant.
 struct GrownModel
 {
@@ -53,6 +61,7 @@ struct RoadThings
     std::vector<GrownModel> grown;
     std::vector<StandingThing> plants;
     std::vector<OwnThing> own;
+    std::vector<CeilingLamp> lamps;
     std::map<models::RoadModel, std::size_t> modelIndex; ///< of `models`
 };
 

@@ -135,8 +135,11 @@ TEST(PlaceRoadThings, RailsBridgesAndTunnelsAreWholeModels)
     network->index();
     const auto things =
         roads::placeRoadThings(osgRoads::core::PlacedNetwork(network), [](double, double) { return -9.0; });
-    // Rail: 3 pieces. Bridge: two parapets, a deck, two piers. Tunnel: tube and lights.
-    EXPECT_EQ(things.own.size(), 3U + 5U + 2U);
+    // Rail: 3 pieces. Bridge: two edges with three bars each, a deck, two piers. Tunnel: tube and two portals.
+    EXPECT_EQ(things.own.size(), 3U + 11U + 3U);
+    EXPECT_EQ(things.lamps.size(), 2U * 5U); // every 10 m of 50, in two rows
+    // Posts: of the rail every 4 m of 200, of both railings every 2 m of 60.
+    EXPECT_EQ(things.standing.size(), 50U + 2U * 30U);
     for (const auto& own : things.own)
     {
         EXPECT_EQ(scenery::models::defectOf(own.model), "");
@@ -214,6 +217,39 @@ TEST(PlaceRoadThings, AKerbReachesIntoTheGround)
     EXPECT_NEAR(low, -0.3, 1e-3);
     EXPECT_NEAR(high, 0.12, 1e-3);
     EXPECT_NEAR(left - right, 0.15, 1e-3);
+}
+
+TEST(PlaceRoadThings, PiersStandClearOfTheRoadBelow)
+{
+    osgRoads::core::Road above = straightRoad(), below = straightRoad();
+    osgRoads::core::RoadStructure bridge;
+    bridge.s = 60.0;
+    bridge.length = 80.0;
+    above.structures = {bridge};
+    above.elevation = osgRoads::core::CubicProfile({{0.0, 8.0, 0.0, 0.0, 0.0}});
+    below.id = "2";
+    // Crosses below at x = 75, where the first pier would stand.
+    below.referenceLine = osgRoads::core::ReferenceLine(
+        {osgRoads::core::PlanElement(0.0, 200.0, {75.0, -100.0}, 1.5707963, osgRoads::core::LineShape{})});
+    const auto piersOf = [&](bool crosses)
+    {
+        auto network = std::make_shared<osgRoads::core::RoadNetwork>();
+        network->roads.push_back(above);
+        if (crosses) network->roads.push_back(below);
+        network->index();
+        std::vector<double> piers;
+        for (const auto& own : roads::placeRoadThings(osgRoads::core::PlacedNetwork(network),
+                                                      [](double, double) { return 0.0; })
+                                   .own)
+            if (own.origin.x > 61.0) piers.push_back(own.origin.x); // the others begin with the bridge
+        return piers;
+    };
+    const auto alone = piersOf(false), crossed = piersOf(true);
+    ASSERT_EQ(alone.size(), 3U);
+    ASSERT_EQ(crossed.size(), 3U);
+    EXPECT_NEAR(alone[0], 75.0 - 0.6, 1e-6);
+    EXPECT_NEAR(crossed[0], 75.0 + 3.0 - 0.6, 1e-6);
+    EXPECT_EQ(crossed[1], alone[1]);
 }
 
 TEST(PlaceRoadThings, WordsAreWholeWords)

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <osgRoads/core/query/LaneSpan.h>
+
+#include "scenery/roads/things/RoadLine.h"
+
+/// What bridges and tunnels share.
+namespace scenery::roads
+{
+
+/// The t of both sides of a structure.
+struct Sides
+{
+    double left, right;
+    double middle() const { return 0.5 * (left + right); }
+    double half() const { return 0.5 * (left - right); }
+};
+
+/// Returns the sides so far beyond all lanes.
+inline Sides sidesAt(const osgRoads::core::Road& road, double s, double beyondM)
+{
+    const auto extent = osgRoads::core::extentAt(road, s);
+    return {extent.leftT + beyondM, extent.rightT - beyondM};
+}
+
+/// A body of concrete along a structure, without its cross-section.
+inline RoadLine concreteLine(const osgRoads::core::RoadStructure& structure)
+{
+    RoadLine line;
+    line.s = structure.s;
+    line.sEnd = structure.s + structure.length;
+    line.surface = {models::Painting::plaster, models::Coat::matt};
+    line.tint = {0.62F, 0.61F, 0.58F};
+    line.uvPerM = 1.0 / 2.4;
+    return line;
+}
+
+inline Profile boxProfile(double half, double low, double high)
+{
+    return {{-half, low}, {half, low}, {half, high}, {-half, high}};
+}
+
+/// Adds a tunnel: tube, portals and lamps.
+void placeTunnel(const osgRoads::core::PlacedNetwork& placed, int road,
+                 const osgRoads::core::RoadStructure& tunnel, RoadThings& into);
+
+} // namespace scenery::roads

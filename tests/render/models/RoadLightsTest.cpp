@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+// The state of a traffic light is seen in its picture.
+#include <gtest/gtest.h>
+
+#include <osgTerrainROAM/Atmosphere>
+
+#include "RenderedPicture.h"
+#include "scenery/nodes/RoadThingsNode.h"
+
+namespace
+{
+
+using scenery::LightState;
+
+/// A traffic light of id 7 at the origin, looking towards -x, and one that is not looked at.
+scenery::roads::RoadThings twoLights()
+{
+    scenery::models::RoadModel light;
+    light.kind = scenery::models::RoadModel::Kind::trafficLight;
+    light.raisedM = 2.0;
+    scenery::roads::RoadThings things;
+    things.models = {light};
+    scenery::roads::StandingThing thing;
+    thing.signalId = "7";
+    things.standing.push_back(thing);
+    thing.signalId = "8";
+    thing.position.y = 100.0;
+    things.standing.push_back(thing);
+    return things;
+}
+
+/// How many pixels shine red, amber and green.
+struct Shining
+{
+    int red = 0, amber = 0, green = 0;
+    bool operator==(const Shining&) const = default;
+};
+
+Shining countIn(const osg::Image& picture)
+{
+    Shining count;
+    for (int row = 0; row < picture.t(); ++row)
+        for (int column = 0; column < picture.s(); ++column)
+        {
+            const osg::Vec4 colour = picture.getColor(column, row);
+            if (colour.r() > 0.8F && colour.g() < 0.4F) ++count.red;
+            if (colour.r() > 0.8F && colour.g() > 0.5F && colour.b() < 0.45F) ++count.amber;
+            if (colour.g() > 0.75F && colour.r() < 0.5F) ++count.green;
+        }
+    return count;
+}
+
+/// One node and one viewer for all states: contexts take most of the time.
+class RoadLights : public testing::Test
+{
+protected:
+    void SetUp() override
+    {
+        auto made = scenery::RoadThingsNode::create(twoLights());
+        ASSERT_TRUE(made) << made.error().message();
+        _things = std::move(*made);
+        const osg::ref_ptr<osgTerrainROAM::Atmosphere> air = new osgTerrainROAM::Atmosphere;
+        const osg::ref_ptr<osg::Group> root = new osg::Group;
+        root->setStateSet(air->stateSet());
+        root->addChild(_things->node());
+        osgOffscreen::OffscreenSettings settings;
+        settings.widthPx = settings.heightPx = 96;
+        _viewer = rendered::viewerOf(root, settings);
+        ASSERT_TRUE(_viewer);
+        _viewer->camera().setClearColor({0.3F, 0.3F, 0.3F, 1.0F});
+        _viewer->camera().setViewMatrixAsLookAt({-3.0, 0.0, 2.42}, {0.0, 0.0, 2.42}, {0.0, 0.0, 1.0});
+    }
+
+    Shining shown() { return countIn(*_viewer->picture()); }
+
+    std::unique_ptr<scenery::RoadThingsNode> _things;
+    std::unique_ptr<osgOffscreen::OffscreenViewer> _viewer;
+};
+
+TEST_F(RoadLights, ShowTheirState)
+{
+    const Shining stop = shown();
+    EXPECT_GT(stop.red, 50);
+    EXPECT_EQ(stop.amber + stop.green, 0);
+
+    ASSERT_TRUE(_things->setState("7", LightState::attention));
+    const Shining attention = shown();
+    EXPECT_EQ(attention.red, stop.red);
+    EXPECT_GT(attention.amber, 50);
+
+    ASSERT_TRUE(_things->setState("7", "green"));
+    const Shining go = shown();
+    EXPECT_GT(go.green, 50);
+    EXPECT_EQ(go.red + go.amber, 0);
+
+    ASSERT_TRUE(_things->setState("7", LightState::off));
+    EXPECT_EQ(shown(), Shining());
+}
+
+TEST_F(RoadLights, KeepTheirStateWhenAnotherIsSet)
+{
+    const Shining before = shown();
+    EXPECT_TRUE(_things->setState("8", LightState::go));
+    EXPECT_FALSE(_things->setState("9", LightState::go)); // there is none of that id
+    EXPECT_FALSE(_things->setState("7", "purple"));
+    EXPECT_EQ(shown(), before);
+}
+
+} // namespace
