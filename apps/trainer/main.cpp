@@ -10,6 +10,7 @@
 #include "CompareCommand.h"
 #include "HeadlessCommand.h"
 #include "PlayCommand.h"
+#include "QualifyCommand.h"
 #include "terminal/CommandLine.h"
 #include "terminal/Guard.h"
 #include "terminal/Terminal.h"
@@ -50,6 +51,7 @@ struct Arguments
     bool isHeadless = false;
     trainer::HeadlessRequest headless;
     trainer::CompareRequest compare;
+    trainer::QualifyRequest qualify;
 };
 
 void addHeadlessOptions(CLI::App& play, Arguments& arguments)
@@ -131,6 +133,18 @@ void addPlayOptions(CLI::App& command, Arguments& arguments)
         ->check(terminal::between(0.001, 1e5));
 }
 
+/// `qualify` has a command below it for each kind of vehicle. Returns that of flight.
+CLI::App* addQualify(CLI::App& app, trainer::QualifyRequest& request)
+{
+    CLI::App* qualify = app.add_subcommand("qualify", "hold vehicles against what is known of them");
+    qualify->require_subcommand(1);
+    CLI::App* flight =
+        qualify->add_subcommand("flight", "fly an aircraft against its handbook and recorded flights");
+    flight->add_option("--aircraft", request.aircraft, "aircraft file");
+    flight->add_option("--json", request.jsonFile, "JSON file for the figures");
+    return flight;
+}
+
 foundation::Outcome readPatchExponent(const std::string& text, std::optional<int>& exponent)
 {
     exponent = std::nullopt;
@@ -193,7 +207,9 @@ int run(int argc, char** argv)
     check->add_option("SCENARIO", request.scenario, "OpenSCENARIO XML")->required();
     CLI::App* compare = app.add_subcommand("compare", "compare two tables of motion");
     addCompareOptions(*compare, arguments.compare);
+    const CLI::App* qualify = addQualify(app, arguments.qualify);
     if (const auto ends = terminal::parse(app, argc, argv)) return *ends;
+    if (*qualify) return trainer::qualifyFlight(arguments.qualify);
     if (const auto sound = complete(arguments); !sound)
         return terminal::fail("trainer", sound.error()), terminal::kWrongUse;
     arguments.headless.scenario = request.scenario;

@@ -54,6 +54,14 @@ foundation::Result<Table> Table::of(std::vector<double> rows, std::vector<double
     return Table(std::move(rows), std::move(columns), std::move(values));
 }
 
+Table Table::scaled(double factor) const
+{
+    Table copy = *this;
+    for (double& value : copy._values)
+        value *= factor;
+    return copy;
+}
+
 double Table::at(double row, double column) const
 {
     const Between down = findBetween(_rows, row), across = findBetween(_columns, column);

@@ -23,6 +23,9 @@ public:
 
     double at(double row, double column = 0.0) const;
 
+    /// The table with all values multiplied.
+    Table scaled(double factor) const;
+
     double firstRow() const { return _rows.front(); }
     double lastRow() const { return _rows.back(); }
 

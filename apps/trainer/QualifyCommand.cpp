@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "QualifyCommand.h"
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+
+#include "simulation/qualification/FlightChecks.h"
+#include "simulation/vehicle/flight/AircraftFile.h"
+#include "terminal/Report.h"
+
+namespace trainer
+{
+
+namespace
+{
+
+using simulation::AircraftData;
+using simulation::QualificationCheck;
+using simulation::QualificationChecks;
+
+foundation::Result<QualificationChecks> recordedChecks(const std::shared_ptr<const AircraftData>& aircraft,
+                                                       const std::filesystem::path& folder)
+{
+    QualificationChecks all;
+    for (auto checks : {steadyFlightChecks(*aircraft, folder), responseChecks(aircraft, folder),
+                        oscillationChecks(aircraft, folder)})
+    {
+        if (!checks) return checks.error();
+        all.insert(all.end(), checks->begin(), checks->end());
+    }
+    return all;
+}
+
+/// A number that is none has no form in JSON: null.
+nlohmann::ordered_json jsonOf(const QualificationCheck& check)
+{
+    return {{"name", check.name},
+            {"value", std::isfinite(check.value) ? nlohmann::ordered_json(check.value) : nullptr},
+            {"unit", check.unit},
+            {"expected", check.expected},
+            {"tolerance", check.tolerance},
+            {"source", check.source},
+            {"pass", check.passes()}};
+}
+
+foundation::Result<terminal::Report> reportOf(const QualifyRequest& request)
+{
+    const auto aircraft = simulation::readAircraft(request.aircraft);
+    if (!aircraft) return aircraft.error();
+    QualificationChecks checks = simulation::handbookChecks(*aircraft);
+    const char* const data = std::getenv("OSGTRAINER_REAL_DATA");
+    if (data && *data)
+    {
+        const auto recorded = recordedChecks(std::make_shared<const AircraftData>(*aircraft),
+                                             std::filesystem::path(data) / "jsbsim/c172p-response");
+        if (!recorded) return recorded.error();
+        checks.insert(checks.end(), recorded->begin(), recorded->end());
+    }
+    else
+        std::printf("no recorded flights: set OSGTRAINER_REAL_DATA to the folder of real data\n");
+    terminal::Report report;
+    report.json["checks"] = nlohmann::ordered_json::array();
+    for (const QualificationCheck& check : checks)
+    {
+        std::printf("%s  %-40s %10.4g %-6s of %10.4g +- %.4g\n", check.passes() ? "PASS" : "FAIL",
+                    check.name.c_str(), check.value, check.unit.c_str(), check.expected, check.tolerance);
+        report.json["checks"].push_back(jsonOf(check));
+        report.sound = report.sound && check.passes();
+    }
+    return report;
+}
+
+} // namespace
+
+int qualifyFlight(const QualifyRequest& request)
+{
+    return terminal::report("trainer", request.jsonFile, [&] { return reportOf(request); });
+}
+
+} // namespace trainer
