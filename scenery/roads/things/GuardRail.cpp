@@ -22,6 +22,9 @@ using osgRoads::core::Road;
 /// every 4 m; its top is 0.75 m above the road.
 constexpr double kBeamM = 0.31, kDeepM = 0.081, kSheetM = 0.005, kTopM = 0.75, kPostEveryM = 4.0;
 constexpr double kPostHalfM = 0.04;
+constexpr double kLoweredM = 8.0; ///< from an end that stands free down into the ground
+constexpr double kFreeEndM = 5.0; ///< an end nearer to that of its road goes on there
+constexpr double kLowestPostM = 0.4;
 constexpr double kOwnPostM = 1.0; ///< posts of the file stand nearer than this
 
 /// Two waves that swell towards the traffic: `side` 1: to the left.
@@ -58,8 +61,10 @@ bool hasOwnPosts(const Road& road, const ObjectInstance& stretch)
     const double s = 0.5 * (stretch.s + stretch.sEnd), t = 0.5 * (stretch.t + stretch.tEnd);
     for (const auto& object : road.objects)
     {
-        if (object.type.find("pole") == std::string::npos && object.type.find("post") == std::string::npos)
-            continue;
+        const auto model = objectModel(ObjectWords(object), {});
+        const bool isPost = model && (model->kind == models::RoadModel::Kind::railPost ||
+                                      model->kind == models::RoadModel::Kind::pole);
+        if (!isPost) continue;
         for (const auto& repeat : object.repeats)
             if (repeat.distance > 0.0 && repeat.s <= s && s <= repeat.s + repeat.length &&
                 std::fabs(0.5 * (repeat.tStart + repeat.tEnd) - t) < kOwnPostM)
@@ -79,11 +84,17 @@ void placeGuardRail(const PlacedNetwork& placed, int road, const ObjectInstance&
     // A height of no more than a beam's is that of the beam itself; else the beam is at the top of it.
     const double told = std::max(stretch.height, stretch.heightEnd);
     const double thick = told > 0.0 && told <= 1.3 * kBeamM ? told : kBeamM;
+    const auto loweredAt = [from = stretch.s, to = stretch.sEnd, length = plain.length](double s)
+    {
+        const double start = from > kFreeEndM ? (s - from) / kLoweredM : 1.0,
+                     end = to < length - kFreeEndM ? (to - s) / kLoweredM : 1.0;
+        return std::clamp(std::min(start, end), 0.0, 1.0);
+    };
     const auto topAt = [=](double s)
     {
         const double high = stretch.height + (stretch.heightEnd - stretch.height) * share(s);
-        return stretch.z + (stretch.zEnd - stretch.z) * share(s) +
-               (told > 0.0 ? std::max(high, 0.05) : kTopM);
+        return loweredAt(s) * (stretch.z + (stretch.zEnd - stretch.z) * share(s) +
+                               (told > 0.0 ? std::max(high, 0.05) : kTopM));
     };
     const double middle = 0.5 * (stretch.s + stretch.sEnd);
     const int side = sideOfTraffic(plain, middle, tAt(middle));
@@ -97,11 +108,12 @@ void placeGuardRail(const PlacedNetwork& placed, int road, const ObjectInstance&
     if (hasOwnPosts(plain, stretch)) return;
     models::RoadModel post;
     post.kind = models::RoadModel::Kind::railPost;
-    post.heightM = std::round(100.0 * (topAt(middle) - 0.04)) / 100.0;
-    if (post.heightM < 0.1) return;
     const double from = std::max(stretch.s, 0.0), to = std::min(stretch.sEnd, plain.length);
     for (double s = from + 0.5; s < to; s += kPostEveryM)
     {
+        // In steps of 2 cm, so that posts share models.
+        post.heightM = 0.02 * std::floor((topAt(s) - 0.03) / 0.02);
+        if (post.heightM < kLowestPostM) continue;
         StandingThing thing;
         thing.position = placed.surfacePoint(road, s, tAt(s));
         thing.axes = uprightAxes(placed, road, s, tAt(s), 0.0);
