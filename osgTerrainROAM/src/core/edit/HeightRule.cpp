@@ -2,7 +2,10 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <thread>
 #include <utility>
+
+#include <foundation/Threads.h>
 
 #include <osgTerrainROAM/core/edit/HeightRule.h>
 
@@ -13,7 +16,8 @@ namespace
 {
 
 constexpr double kLeastChangeM = 1e-4;
-constexpr int kBlockShift = 5; ///< log2 of the points, or samples, along a block
+constexpr int kBlockShift = 5;           ///< log2 of the points, or samples, along a block
+constexpr std::size_t kLeastBlocks = 16; ///< for a thread
 
 /// The points of the data in a box, and perhaps a few around it: on the curved Earth grid lines are slightly curved.
 GridRect placesIn(const PlacedTile& tile, const PlanBox& box)
@@ -26,8 +30,10 @@ GridRect placesIn(const PlacedTile& tile, const PlanBox& box)
             low = glm::min(low, grid);
             high = glm::max(high, grid);
         }
-    const int slack =
-        (2 << tile.grid().exponent()) + static_cast<int>(0.01 * std::max(high.x - low.x, high.y - low.y));
+    const bool isCurved = tile.frame().placement() == Placement::curved;
+    const int slack = isCurved ? (2 << tile.grid().exponent()) +
+                                     static_cast<int>(0.01 * std::max(high.x - low.x, high.y - low.y))
+                               : 1;
     const auto whole = [&](double v) { return static_cast<int>(std::clamp(v, -1e9, 1e9)); };
     return GridRect{whole(low.x), whole(low.y), whole(high.x) + 1, whole(high.y) + 1}.grownBy(slack).cutTo(
         {0, 0, tile.grid().dataColumns() - 1, tile.grid().dataRows() - 1});
@@ -47,14 +53,16 @@ public:
                 _blocks.emplace(row, column);
     }
 
-    template<class Visit>
-    void forEach(const Visit& visit) const
+    /// The grid points of each block, in the order of rows.
+    std::vector<GridRect> rects() const
     {
+        std::vector<GridRect> rects;
         for (const auto& [row, column] : _blocks)
         {
             const int west = column << _shift, south = row << _shift, size = 1 << _shift;
-            visit(GridRect{west, south, west + size - 1, south + size - 1});
+            rects.push_back({west, south, west + size - 1, south + size - 1});
         }
+        return rects;
     }
 
     std::size_t size() const { return _blocks.size(); }
@@ -63,6 +71,48 @@ private:
     int _shift;
     std::set<std::pair<int, int>> _blocks;
 };
+
+/// Adds what a rule changes at the points, or samples, of a block.
+void addChanges(const GridRect& block, const HeightRule& rule, const PlacedTile& tile, bool ofSamples,
+                std::vector<HeightChange>& changes)
+{
+    const auto look = [&](int column, int row)
+    {
+        const double heightM = tile.samples().heightM(column, row);
+        const glm::dvec2 place = tile.frame().positionOf(column, row, heightM);
+        const double wantedM = rule(place, heightM);
+        if (std::abs(wantedM - heightM) > kLeastChangeM)
+            changes.push_back({{column, row}, static_cast<float>(wantedM)});
+    };
+    if (ofSamples) return tile.samples().forEachSample(block, look);
+    for (int row = block.south; row <= block.north; ++row)
+        for (int column = block.west; column <= block.east; ++column)
+            if (tile.samples().isGround(column, row)) look(column, row);
+}
+
+/// The changes in all blocks, in their order. Each thread looks at a run of blocks.
+std::vector<HeightChange> changesIn(const std::vector<GridRect>& blocks, const HeightRule& rule,
+                                    const PlacedTile& tile, bool ofSamples)
+{
+    const GridRect data{0, 0, tile.grid().dataColumns() - 1, tile.grid().dataRows() - 1};
+    const std::size_t most = std::clamp(std::thread::hardware_concurrency(), 1u, 8u);
+    const std::size_t runs = std::clamp(blocks.size() / kLeastBlocks, std::size_t{1}, most);
+    std::vector<std::vector<HeightChange>> found(runs);
+    const auto look = [&](std::size_t run)
+    {
+        for (std::size_t i = blocks.size() * run / runs; i < blocks.size() * (run + 1) / runs; ++i)
+            addChanges(blocks[i].cutTo(data), rule, tile, ofSamples, found[run]);
+    };
+    foundation::Threads threads;
+    for (std::size_t run = 1; run < runs; ++run)
+        threads.run([&look, run] { look(run); });
+    look(0);
+    threads.join();
+    std::vector<HeightChange> changes = std::move(found.front());
+    for (std::size_t run = 1; run < runs; ++run)
+        changes.insert(changes.end(), found[run].begin(), found[run].end());
+    return changes;
+}
 
 } // namespace
 
@@ -80,26 +130,7 @@ foundation::Result<std::vector<HeightChange>> changesBy(const HeightRule& rule, 
     if (blocks.size() > kMostEditedPlaces >> (2 * kBlockShift))
         return refuse("the edit is too large for so fine a grid", "edit samples only, or in parts");
 
-    std::vector<HeightChange> changes;
-    const auto look = [&](int column, int row)
-    {
-        const double heightM = tile.samples().heightM(column, row);
-        const glm::dvec2 place = tile.frame().positionOf(column, row, heightM);
-        const double wantedM = rule(place, heightM);
-        if (std::abs(wantedM - heightM) > kLeastChangeM)
-            changes.push_back({{column, row}, static_cast<float>(wantedM)});
-    };
-    const GridRect data{0, 0, tile.grid().dataColumns() - 1, tile.grid().dataRows() - 1};
-    blocks.forEach(
-        [&](const GridRect& whole)
-        {
-            const GridRect block = whole.cutTo(data);
-            if (ofSamples) return tile.samples().forEachSample(block, look);
-            for (int row = block.south; row <= block.north; ++row)
-                for (int column = block.west; column <= block.east; ++column)
-                    if (tile.samples().isGround(column, row)) look(column, row);
-        });
-    return changes;
+    return changesIn(blocks.rects(), rule, tile, ofSamples);
 }
 
 } // namespace osgTerrainROAM::core
