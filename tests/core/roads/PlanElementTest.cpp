@@ -139,7 +139,7 @@ TEST(PlanElement, NearestToInvertsAt)
                 {
                     const PlanPoint point = element.at(s);
                     const glm::dvec2 normal(-point.tangent().y, point.tangent().x);
-                    EXPECT_NEAR(element.nearestTo(point.position + t * normal, s + 4.0, 0.0, 50.0), s, 2e-8)
+                    EXPECT_NEAR(element.footOf(point.position + t * normal, s + 4.0, 0.0, 50.0).ds, s, 2e-8)
                         << element.word() << " " << away << " t " << t;
                 }
         }

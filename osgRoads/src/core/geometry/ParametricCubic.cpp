@@ -65,7 +65,11 @@ ParametricCubic ParametricCubic::function(const CurveCoefficients& v, double len
 
 PlanPoint ParametricCubic::at(double s) const
 {
-    const double p = parameterAt(s);
+    return pointAt(parameterAt(s));
+}
+
+PlanPoint ParametricCubic::pointAt(double p) const
+{
     glm::dvec2 velocity(_u.first(p), _v.first(p));
     const glm::dvec2 acceleration(_u.second(p), _v.second(p));
     const double speedHere = std::hypot(velocity.x, velocity.y);
@@ -109,7 +113,7 @@ double ParametricCubic::lengthAt(double p) const
     return (_lengths[panel] + lengthBetween(width * static_cast<double>(panel), p)) / _lengthRatio;
 }
 
-double ParametricCubic::nearestTo(glm::dvec2 local, double guess) const
+double ParametricCubic::nearestParameter(glm::dvec2 local, double guess) const
 {
     double p = _isByArcLength ? guess : tabulatedParameter(guess * _lengthRatio);
     for (int step = 0; step < kMostNewtonSteps; ++step)
@@ -121,11 +125,25 @@ double ParametricCubic::nearestTo(glm::dvec2 local, double guess) const
         const double slope = square - glm::dot(away, acceleration);
         const double change =
             std::clamp(glm::dot(away, velocity) / std::max(slope, 0.1 * square), -_pEnd, _pEnd);
-        p = std::clamp(p + change, -0.1 * _pEnd, 1.1 * _pEnd);
+        const double next = std::clamp(p + change, -0.1 * _pEnd, 1.1 * _pEnd);
+        const double moved = std::fabs(next - p); // 0 where the foot lies beyond an end
+        p = next;
         const bool isNewton = slope > 0.1 * square;
-        if (!(std::fabs(change) > (isNewton ? kLastStep : 1e-3 * kLastStep) * _pEnd)) break;
+        if (!(moved > (isNewton ? kLastStep : 1e-3 * kLastStep) * _pEnd)) break;
     }
-    return lengthAt(p);
+    return p;
+}
+
+/// The velocity between two parameters is a parabola within its three control vectors, and so is its direction, where these lie
+/// within a half-plane.
+double ParametricCubic::turnBetween(double from, double to) const
+{
+    const auto velocity = [this](double p) { return glm::dvec2(_u.first(p), _v.first(p)); };
+    const glm::dvec2 first = velocity(from), last = velocity(to);
+    const glm::dvec2 middle = 2.0 * velocity(0.5 * (from + to)) - 0.5 * (first + last);
+    const auto angle = [](glm::dvec2 a, glm::dvec2 b)
+    { return std::fabs(std::atan2(a.x * b.y - a.y * b.x, glm::dot(a, b))); };
+    return angle(first, middle) + angle(middle, last);
 }
 
 std::size_t ParametricCubic::panelOf(double curveLength) const

@@ -67,7 +67,11 @@ PlanPoint PlanElement::localAt(double ds) const
 
 PlanPoint PlanElement::at(double ds) const
 {
-    PlanPoint point = localAt(ds);
+    return fromLocal(localAt(ds));
+}
+
+PlanPoint PlanElement::fromLocal(PlanPoint point) const
+{
     const glm::dvec2 local = point.position;
     point.position = _position + glm::dvec2(local.x * _direction.x - local.y * _direction.y,
                                             local.x * _direction.y + local.y * _direction.x);
@@ -75,15 +79,25 @@ PlanPoint PlanElement::at(double ds) const
     return point;
 }
 
-double PlanElement::nearestTo(glm::dvec2 position, double guess, double from, double to) const
+PlanFoot PlanElement::footOf(glm::dvec2 position, double guess, double from, double to) const
 {
     const glm::dvec2 offset = position - _position;
     const glm::dvec2 local(glm::dot(offset, _direction), offset.y * _direction.x - offset.x * _direction.y);
+    if (const auto* cubic = std::get_if<ParametricCubic>(&_shape))
+    {
+        const double p = cubic->nearestParameter(local, guess), ds = cubic->lengthAt(p);
+        if (ds >= from && ds <= to) return {ds, fromLocal(cubic->pointAt(p))};
+        return {std::clamp(ds, from, to), at(std::clamp(ds, from, to))};
+    }
+    const double ds = nearestTo(local, guess, from, to);
+    return {ds, at(ds)};
+}
+
+double PlanElement::nearestTo(glm::dvec2 local, double guess, double from, double to) const
+{
     if (std::holds_alternative<LineShape>(_shape)) return std::clamp(local.x, from, to);
     if (const auto* arc = std::get_if<ArcShape>(&_shape))
         return std::clamp(nearestOnArc(local, arc->curvature, guess), from, to);
-    if (const auto* cubic = std::get_if<ParametricCubic>(&_shape))
-        return std::clamp(cubic->nearestTo(local, guess), from, to);
     double ds = std::clamp(guess, from, to);
     for (int step = 0; step < kMostSteps; ++step)
     {

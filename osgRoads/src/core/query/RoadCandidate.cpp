@@ -30,8 +30,7 @@ RoadCandidate candidateOn(const RoadNetwork& network, const RoadPiece& piece, gl
 {
     const Road& road = network.roads[piece.road];
     const PlanElement& element = road.referenceLine.elements()[piece.element];
-    const double ds = element.nearestTo(point, piece.guessAt(point), piece.from, piece.to);
-    const PlanPoint foot = element.at(ds);
+    const auto [ds, foot] = element.footOf(point, piece.guessAt(point), piece.from, piece.to);
     const double s = element.s + ds;
     const RoadFrame frame = frameAt(road, s, foot);
     const glm::dvec2 away = point - foot.position;

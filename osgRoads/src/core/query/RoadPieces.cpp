@@ -18,7 +18,6 @@ namespace
 constexpr double kPieceM = 20.0, kTurnRad = 0.3;
 constexpr double kMostPieces = 200000.0;
 constexpr double kTiltReachM = 1.0; ///< heights above a tilted road plane move the surface sideways by less
-constexpr double kCubicParts = 4.0; ///< a paramPoly3 may bend as it likes: at least so many pieces
 constexpr double kRoundingM = 1e-6;
 constexpr double kBetweenM = 0.01;
 
@@ -57,15 +56,15 @@ ValueRange reachOf(const Road& road, double from, double to)
 
 int partsOf(const PlanElement& element, double length, double longestM)
 {
-    double turnRad = 0.0, least = 1.0;
+    double turnRad = 0.0;
     if (const auto* arc = std::get_if<ArcShape>(&element.shape()))
         turnRad = std::fabs(arc->curvature) * length;
     else if (const auto* spiral = std::get_if<Clothoid>(&element.shape()))
         turnRad =
             std::max(std::fabs(spiral->curvatureAt(0.0)), std::fabs(spiral->curvatureAt(length))) * length;
-    else if (std::holds_alternative<ParametricCubic>(element.shape()))
-        least = kCubicParts;
-    return static_cast<int>(std::ceil(std::max({least, length / longestM, turnRad / kTurnRad})));
+    else if (const auto* cubic = std::get_if<ParametricCubic>(&element.shape()))
+        turnRad = cubic->turnBetween(0.0, cubic->parameterAt(length));
+    return static_cast<int>(std::ceil(std::max({1.0, length / longestM, turnRad / kTurnRad})));
 }
 
 /// The sine of the angle between a direction and the curve at a point; 1 for an obtuse angle.

@@ -4,6 +4,8 @@
 #include <array>
 #include <cstddef>
 
+#include <glm/geometric.hpp>
+
 #include <osgRoads/core/geometry/PlanPoint.h>
 
 namespace osgRoads::core
@@ -45,10 +47,15 @@ public:
     /// Returns the arc length at a parameter: the inverse of parameterAt().
     double lengthAt(double p) const;
 
-    /// Returns the arc length at which the curve is nearest to `local`, by Newton's method from the arc length `guess`.
+    /// Returns the parameter at which the curve is nearest to `local`, by Newton's method from the arc length `guess`.
     /// It may lie a little beyond the ends.
-    double nearestTo(glm::dvec2 local, double guess) const;
+    double nearestParameter(glm::dvec2 local, double guess) const;
 
+    /// Returns a bound on the angle between the tangents of any two points of the curve between two parameters, radians.
+    double turnBetween(double from, double to) const;
+
+    /// Returns the point at a parameter.
+    PlanPoint pointAt(double p) const;
     glm::dvec2 positionAt(double p) const { return {_u.value(p), _v.value(p)}; }
 
     /// The length of the curve divided by the length of its element: 1 in a sound file.
@@ -59,7 +66,7 @@ public:
 
 private:
     ParametricCubic(const CurveCoefficients& u, const CurveCoefficients& v, double length, double pEnd);
-    double speed(double p) const { return std::hypot(_u.first(p), _v.first(p)); }
+    double speed(double p) const { return glm::length(glm::dvec2(_u.first(p), _v.first(p))); }
     double lengthBetween(double from, double to) const;
     std::size_t panelOf(double curveLength) const;
     double tabulatedParameter(double curveLength) const;

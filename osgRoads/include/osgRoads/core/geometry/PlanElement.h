@@ -18,6 +18,13 @@ struct ArcShape
     double curvature = 0.0; ///< 1/m, positive to the left, not 0
 };
 
+/// The point of an element that is nearest to another.
+struct PlanFoot
+{
+    double ds = 0.0; ///< metres after the start of the element
+    PlanPoint point;
+};
+
 /// One piece of a reference line in the plan view: where it starts, and its shape.
 /// Frame: the inertial frame of the file, x east and y north, metres. Shapes are computed relative to the start, so the
 /// precision does not depend on the distance from the origin.
@@ -32,9 +39,9 @@ public:
     /// Returns the point `ds` metres after the start of the element.
     PlanPoint at(double ds) const;
 
-    /// Returns the distance from the start, within [from, to], of the point of the element that is nearest to
-    /// `position`, near `guess`. Error: 1e-9 m where the curve turns less than a quarter circle within [from, to].
-    double nearestTo(glm::dvec2 position, double guess, double from, double to) const;
+    /// Returns the point of the element, between `from` and `to` metres after its start, that is nearest to `position`, near
+    /// `guess`. Error: 1e-9 m where the curve turns less than a quarter circle within [from, to].
+    PlanFoot footOf(glm::dvec2 position, double guess, double from, double to) const;
 
     /// Returns the greatest distance of the curve between two distances from the start to its chord.
     double sagitta(double from, double to) const;
@@ -49,6 +56,8 @@ public:
 
 private:
     PlanPoint localAt(double ds) const;
+    PlanPoint fromLocal(PlanPoint point) const;
+    double nearestTo(glm::dvec2 local, double guess, double from, double to) const;
 
     glm::dvec2 _position, _direction; ///< start and unit vector along its heading
     double _headingRad;
