@@ -1,17 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
-// Look-ups on a road network: road to world, and world to road without a hint. `roads_bench FILE.xodr`.
+// Look-ups on a road network: road to world, and world to road without a hint; its drawn surface, and what a view of it costs.
+// `roads_bench FILE.xodr`.
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <memory>
 #include <random>
 #include <vector>
 
 #include <benchmark/benchmark.h>
+#include <glm/gtc/matrix_transform.hpp>
 
 #include <osgRoads/core/check/NetworkCheck.h>
 #include <osgRoads/core/query/LaneSpan.h>
 #include <osgRoads/core/query/RoadLocator.h>
 #include <osgRoads/core/query/RoadSurface.h>
 #include <osgRoads/core/read/ReadNetwork.h>
+#include <osgRoads/core/surface/BuildRoadMesh.h>
+#include <osgRoads/core/surface/ChunkTree.h>
 
 namespace
 {
@@ -100,6 +106,48 @@ void measure(const char* file, const RoadNetwork& network)
          [](std::size_t i) { benchmark::DoNotOptimize(locator.nearest(course.points[i])); });
 }
 
+/// The surface: how long it takes to make, how large it is, and the choice of levels for a driver on a random road.
+void measureSurface(const std::shared_ptr<const RoadNetwork>& network)
+{
+    static const PlacedNetwork placed(network);
+    benchmark::RegisterBenchmark("mesh",
+                                 [](benchmark::State& state)
+                                 {
+                                     for (auto _ : state)
+                                     {
+                                         const RoadMesh mesh = buildRoadMesh(placed);
+                                         state.counters["chunks"] = static_cast<double>(mesh.chunks.size());
+                                         state.counters["vertices"] =
+                                             static_cast<double>(mesh.vertices.size());
+                                         state.counters["indices"] = static_cast<double>(mesh.indices.size());
+                                     }
+                                 })
+        ->Unit(benchmark::kMillisecond);
+    const auto choose = [network](bool byTree)
+    {
+        return [network, byTree](benchmark::State& state)
+        {
+            static const RoadMesh mesh = buildRoadMesh(placed);
+            static const ChunkTree tree(mesh);
+            const Course course = courseOf(*network);
+            const glm::dmat4 projection = glm::perspective(0.7, 1.6, 0.5, 5000.0);
+            std::size_t i = 0, chosen = 0;
+            for (auto _ : state)
+            {
+                const glm::dvec3 eye = course.points[i++ % kPoints] + glm::dvec3(0.0, 0.0, 1.5);
+                const glm::dmat4 look =
+                    glm::lookAt(eye, eye + glm::dvec3(std::cos(i), std::sin(i), 0.0), {0.0, 0.0, 1.0});
+                const auto view = viewlod::ViewState::fromMatrices(look, projection, 960, 600);
+                chosen += (byTree ? chooseLevels(mesh, tree, view, {}) : chooseLevels(mesh, view, {})).size();
+            }
+            state.counters["chosen"] =
+                benchmark::Counter(static_cast<double>(chosen), benchmark::Counter::kAvgIterations);
+        };
+    };
+    benchmark::RegisterBenchmark("levels_of_every_chunk", choose(false))->Unit(benchmark::kMicrosecond);
+    benchmark::RegisterBenchmark("levels_by_tree", choose(true))->Unit(benchmark::kMicrosecond);
+}
+
 } // namespace
 
 int main(int argc, char** argv)
@@ -110,13 +158,15 @@ int main(int argc, char** argv)
         std::fprintf(stderr, "usage: roads_bench FILE.xodr\n");
         return 2;
     }
-    static const auto read = readNetwork(argv[1]);
+    static auto read = readNetwork(argv[1]);
     if (!read)
     {
         std::fprintf(stderr, "%s\n", read.error().message().c_str());
         return 1;
     }
-    measure(argv[1], read->network);
+    const auto network = std::make_shared<const RoadNetwork>(std::move(read->network));
+    measure(argv[1], *network);
+    measureSurface(network);
     benchmark::RunSpecifiedBenchmarks();
     return 0;
 }

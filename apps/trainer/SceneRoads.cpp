@@ -27,8 +27,6 @@ using osgRoads::core::PlacedNetwork;
 using osgTerrainROAM::core::RoamFile;
 using osgTerrainROAM::core::RoamTile;
 
-constexpr double kRoadSampleM = 2.0; ///< of the ground beside roads that stand on their own
-
 /// Signs, lights, posts, rails, bridges and tunnels.
 foundation::Result<std::unique_ptr<scenery::RoadThingsNode>>
 makeThings(const osgTerrainROAM::RoamTerrain& terrain, const PlacedNetwork& roads)
@@ -107,7 +105,7 @@ foundation::Result<SceneTerrain> openNetwork(const std::filesystem::path& file, 
     description.showsVoids = request.showsVoids;
     description.land.hasWater = false; // networks know no sea; many lie at height 0
     osgTerrainROAM::core::PlacedTileOptions options{.placement = description.placement};
-    options.gridExponent = osgTerrainROAM::core::gridExponentFor(ground->field, kRoadSampleM);
+    options.gridExponent = osgTerrainROAM::core::gridExponentFor(ground->field, ground->roadSampleM);
     const auto tile = std::make_shared<RoamTile>(
         osgTerrainROAM::core::PlacedTile(std::move(ground->field), std::move(options)));
     osgTerrainROAM::core::TileEditor editor(tile);

@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include <glm/geometric.hpp>
+
 namespace scenery
 {
 
@@ -13,6 +15,7 @@ namespace
 
 constexpr double kNodeM = 1000.0;   ///< between nodes, at most
 constexpr double kUpM = 1000.0;     ///< height over which `up` is measured
+constexpr double kAffineM = 1e-7;   ///< by which a map may depart from an affine one
 constexpr int kMostSteps = 64;      ///< between nodes, along a side
 constexpr int kMostIterations = 20; ///< of the inverse; three or four do
 
@@ -50,6 +53,7 @@ foundation::Result<PlanMap> PlanMap::create(const glm::dvec2& low, const glm::dv
             if (!above) return above.error();
             map._nodes.push_back({*ground, (*above - *ground) / kUpM});
         }
+    map._affine = map.affineMap();
     const Node middle = map.at(map._middle);
     const glm::dvec2 half = 0.5 * extentM;
     const auto slope = [&](const glm::dvec2& way)
@@ -61,9 +65,31 @@ foundation::Result<PlanMap> PlanMap::create(const glm::dvec2& low, const glm::dv
     return map;
 }
 
+/// The map as an affine one, if every node is where that would have it.
+std::optional<PlanMap::Affine> PlanMap::affineMap() const
+{
+    const auto node = [this](int column, int row) -> const Node&
+    { return _nodes[static_cast<std::size_t>((row + 1) * _columns + column + 1)]; };
+    Affine map{node(0, 0)};
+    map.east = node(1, 0).position - map.origin.position;
+    map.north = node(0, 1).position - map.origin.position;
+    for (int row = -1; row < _rows - 1; ++row)
+        for (int column = -1; column < _columns - 1; ++column)
+        {
+            const glm::dvec3 expected = map.origin.position + static_cast<double>(column) * map.east +
+                                        static_cast<double>(row) * map.north;
+            if (glm::distance(node(column, row).position, expected) > kAffineM) return std::nullopt;
+            if (glm::distance(node(column, row).up, map.origin.up) > kAffineM / kUpM) return std::nullopt;
+        }
+    return map;
+}
+
 PlanMap::Node PlanMap::at(const glm::dvec2& plan) const
 {
     const glm::dvec2 place = (plan - _low) / _stepM;
+    if (_affine)
+        return {_affine->origin.position + place.x * _affine->east + place.y * _affine->north,
+                _affine->origin.up};
     const int column = static_cast<int>(std::clamp(std::floor(place.x), 0.0, _columns - 4.0));
     const int row = static_cast<int>(std::clamp(std::floor(place.y), 0.0, _rows - 4.0));
     const auto across = weights(place.x - column), along = weights(place.y - row);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include <foundation/Result.h>
@@ -38,11 +39,20 @@ private:
         glm::dvec3 position{0.0}, up{0.0, 0.0, 1.0};
     };
 
+    /// An affine map is computed without weights: on a plane tile it is one.
+    struct Affine
+    {
+        Node origin;
+        glm::dvec3 east{0.0}, north{0.0}; ///< of one step
+    };
+
     Node at(const glm::dvec2& plan) const;
+    std::optional<Affine> affineMap() const;
 
     glm::dvec2 _low{0.0}, _middle{0.0}, _stepM{1.0};
     int _columns = 0, _rows = 0;
     std::vector<Node> _nodes; ///< row-major; the first is one step before _low in both directions
+    std::optional<Affine> _affine;
     glm::dmat3 _toPlan{1.0};
 };
 

@@ -26,6 +26,8 @@ using osgRoads::core::RoadNetwork;
 
 constexpr double kMarginM = 600.0;
 constexpr int kMostSamples = 1000; ///< along a side
+constexpr double kFinestSampleM = 2.0,
+                 kLongestM = 3e5; ///< of samples beside roads: so fine up to that length
 
 /// Heights with weights on a grid; a level of the pyramid.
 struct Level
@@ -146,6 +148,17 @@ osgTerrainROAM::core::HeightField fieldOf(const RoadNetwork& network, const Plan
 
 } // namespace
 
+double roadSampleM(const RoadNetwork& network)
+{
+    double lengthM = 0.0;
+    for (const Road& road : network.roads)
+        lengthM += road.isUsable ? road.length : 0.0;
+    double sampleM = kFinestSampleM;
+    while (lengthM > kLongestM * sampleM / kFinestSampleM)
+        sampleM *= 2.0;
+    return sampleM;
+}
+
 foundation::Result<RoadGround> makeRoadGround(const std::filesystem::path& file)
 {
     auto read = osgRoads::core::readNetwork(file);
@@ -155,6 +168,7 @@ foundation::Result<RoadGround> makeRoadGround(const std::filesystem::path& file)
     RoadGround ground;
     ground.field = fieldOf(*network, extent, ground.cornerM);
     ground.field.name = file.string();
+    ground.roadSampleM = roadSampleM(*network);
     const auto map = PlanMap::create(
         extent.low, extent.high,
         [corner = ground.cornerM](const glm::dvec2& plan, double heightM) -> foundation::Result<glm::dvec3>

@@ -17,7 +17,8 @@ namespace scenery
 struct RoadGround
 {
     osgTerrainROAM::core::HeightField field;
-    glm::dvec2 cornerM{0.0}; ///< the south-western sample, in the file's frame
+    glm::dvec2 cornerM{0.0};  ///< the south-western sample, in the file's frame
+    double roadSampleM = 0.0; ///< between the samples that cutRoads() is to add beside the roads
     SceneRoads roads;
 };
 
@@ -28,5 +29,9 @@ struct RoadGround
 foundation::Result<RoadGround> makeRoadGround(const std::filesystem::path& file);
 
 inline constexpr double kLeastSpacingM = 8.0;
+
+/// Returns how far apart samples beside the roads are: 2 m, twice as much for networks of more than 300 km, and so on,
+/// so that their number stays bounded.
+double roadSampleM(const osgRoads::core::RoadNetwork& network);
 
 } // namespace scenery

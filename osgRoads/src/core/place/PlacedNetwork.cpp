@@ -17,8 +17,7 @@ PlacedNetwork::PlacedNetwork(std::shared_ptr<const RoadNetwork> network,
 
 glm::dvec3 PlacedNetwork::point(const RoadPosition& position) const
 {
-    const glm::dvec3 inertial = worldPosition(*_network, position);
-    return _datum ? _datum->toScene(position, inertial) : inertial;
+    return toScene(position, worldPosition(*_network, position));
 }
 
 glm::dvec3 PlacedNetwork::surfacePoint(int road, double s, double t) const

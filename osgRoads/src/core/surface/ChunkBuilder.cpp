@@ -61,8 +61,9 @@ ChunkBuilder::Row ChunkBuilder::rowAt(double s) const
     row.s = s;
     _shape.pointsAt(std::min(s, std::nextafter(_section.end, _section.s)), row.points);
     row.places.reserve(row.points.size());
+    const RoadFrame frame = frameAt(_network.road(_road), s);
     for (const SectionPoint& point : row.points)
-        row.places.push_back(_network.point({_road, s, point.t, point.h}));
+        row.places.push_back(_network.toScene({_road, s, point.t, point.h}, frame.pointAt(point.t, point.h)));
     return row;
 }
 
@@ -79,11 +80,24 @@ double ChunkBuilder::gapAt(std::size_t row, std::size_t stride) const
     return gap;
 }
 
+/// Whether other roads lie near the chunk whose first, middle and last rows are known.
+bool ChunkBuilder::mayBeCovered() const
+{
+    if (!_cover.canCover()) return false;
+    constexpr double kBulge = 1.25, kMarginM = 1.0; // of widths between these rows
+    double reachM = 0.0;
+    for (const Row& row : _rows)
+        reachM = std::max({reachM, std::fabs(row.points.front().t), std::fabs(row.points.back().t)});
+    const double halfM = 0.5 * (_rows.back().s - _rows.front().s);
+    return _cover.isNearOther(_rows[1].s, halfM + kBulge * reachM + kMarginM);
+}
+
 /// Fills _rows: twice as many steps until every second row is near enough.
 void ChunkBuilder::sample(double from, double to)
 {
     _rows = {rowAt(from), rowAt(0.5 * (from + to)), rowAt(to)};
-    const double longest = _cover.canCover() ? _settings.junctionStepM : _settings.chunkM;
+    _mayBeCovered = mayBeCovered();
+    const double longest = _mayBeCovered ? _settings.junctionStepM : _settings.chunkM;
     for (std::size_t steps = 1; steps < kMostSteps; steps *= 2)
     {
         const double step = (to - from) / static_cast<double>(steps);
@@ -144,7 +158,7 @@ void ChunkBuilder::addRow(const Row& row, double from, const std::vector<MeshVer
     bool isAskedCovered = false;
     const auto isCovered = [&](double t)
     {
-        if (t == askedT || !_cover.canCover()) return isAskedCovered;
+        if (t == askedT || !_mayBeCovered) return isAskedCovered;
         askedT = t;
         return isAskedCovered = _cover.covers(row.s, t);
     };
@@ -154,8 +168,9 @@ void ChunkBuilder::addRow(const Row& row, double from, const std::vector<MeshVer
         const Strip& strip = _shape.strips()[i];
         const auto count = static_cast<std::size_t>(strip.columns);
         const bool isOwnCarriageway = strip.lane && isForCars(strip.lane->type);
-        const bool rightCovered = isCovered(row.points[first].t);
-        const bool leftCovered = isCovered(row.points[first + count - 1].t);
+        const bool isAsked = !isOwnCarriageway || _cover.canCoverMarks();
+        const bool rightCovered = isAsked && isCovered(row.points[first].t);
+        const bool leftCovered = isAsked && isCovered(row.points[first + count - 1].t);
         for (std::size_t j = first; j < first + count; ++j)
         {
             MeshVertex vertex = strips[i];

@@ -33,6 +33,7 @@ private:
 
     Row rowAt(double s) const;
     void sample(double from, double to);
+    bool mayBeCovered() const;
     double gapAt(std::size_t row, std::size_t stride) const;
     void addRow(const Row& row, double from, const std::vector<MeshVertex>& strips);
     void addLevels(RoadChunk& chunk, std::uint32_t firstVertex);
@@ -48,7 +49,8 @@ private:
     MarkRows& _marks;
     DecalRows& _decals;
     RoadMesh& _mesh;
-    std::vector<Row> _rows; ///< of the finest level and one between each two of them
+    bool _mayBeCovered = false; ///< by other roads, anywhere in this chunk
+    std::vector<Row> _rows;     ///< of the finest level and one between each two of them
 };
 
 } // namespace osgRoads::core

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "JunctionCover.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <osgRoads/core/query/LaneSpan.h>
@@ -28,6 +29,14 @@ JunctionCover::JunctionCover(const PlacedNetwork& network, int road)
       _canCover(_isConnecting || meetsJunction(network.road(road).predecessor) ||
                 meetsJunction(network.road(road).successor))
 {
+}
+
+bool JunctionCover::isNearOther(double s, double radiusM) const
+{
+    const glm::dvec2 place = _network.road(_road).referenceLine.at(s).position;
+    const auto matches = _network.locator().within(place, radiusM);
+    return std::any_of(matches.begin(), matches.end(),
+                       [this](const RoadMatch& match) { return match.position.road != _road; });
 }
 
 bool JunctionCover::covers(double s, double t) const

@@ -21,6 +21,10 @@ public:
     /// Whether the road's own marks may be covered: it connects others in a junction.
     bool canCoverMarks() const { return _isConnecting; }
 
+    /// Whether another road's lanes come within `radiusM` of the reference line at s in the plan view. Where none does, nothing within
+    /// that distance is covered.
+    bool isNearOther(double s, double radiusM) const;
+
     /// Whether a driving lane of another road lies at (s, t) of this one, less than 1 m higher or lower.
     bool covers(double s, double t) const;
 

@@ -29,6 +29,12 @@ public:
     /// Returns the place of a road position (h above the road plane). Frame: the scene's.
     glm::dvec3 point(const RoadPosition& position) const;
 
+    /// The same for a position whose inertial place is known.
+    glm::dvec3 toScene(const RoadPosition& position, const glm::dvec3& inertial) const
+    {
+        return _datum ? _datum->toScene(position, inertial) : inertial;
+    }
+
     /// Returns the place of the surface at (s, t), lane heights included; beside the lanes the cross-section goes on.
     glm::dvec3 surfacePoint(int road, double s, double t) const;
 
