@@ -65,12 +65,14 @@ void RoadPart::accept(osg::PrimitiveFunctor& functor) const
 void showTriangles(const core::RoadMesh& mesh, const std::vector<RoadRange>& ranges,
                    osg::PrimitiveFunctor& functor)
 {
-    std::vector<osg::Vec3d> places;
+    // OSG's functors know no positions in double precision.
+    std::vector<osg::Vec3f> places;
     for (const RoadRange& range : ranges)
         for (std::uint32_t i = range.first; i < range.first + range.count; ++i)
         {
             const glm::dvec3 place = mesh.placeOf(mesh.vertices[mesh.indices[i]]);
-            places.emplace_back(place.x, place.y, place.z);
+            places.emplace_back(static_cast<float>(place.x), static_cast<float>(place.y),
+                                static_cast<float>(place.z));
         }
     if (places.empty()) return;
     functor.setVertexArray(static_cast<unsigned int>(places.size()), places.data());

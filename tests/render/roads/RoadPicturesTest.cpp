@@ -86,7 +86,7 @@ TEST(RoadPictures, AMissingChunkIsSeen)
 
 TEST(RoadPictures, TheMarkIsAsWideAsTold)
 {
-    const double visibleM = 2.0 * 6.0 * std::tan(osg::DegreesToRadians(15.0)); // OSG's 30 degrees
+    const double visibleM = 2.0 * 6.0 * std::tan(osg::DegreesToRadians(22.5)); // the viewer's 45 degrees
     EXPECT_NEAR(seenFromAbove(straightRoad()).paint, 0.15 / visibleM, 0.02);
 }
 
