@@ -30,6 +30,12 @@ foundation::Result<std::unique_ptr<simulation::ScenarioPlayer>> openPlayer(simul
                                                                            const HeadlessRequest& request)
 {
     simulation::PlayerOptions options;
+    if (const std::string& file = scenario.roadNetwork.logicFile; !file.empty())
+    {
+        auto roads = simulation::RoadScene::open(request.scenario.parent_path() / file);
+        if (!roads) return roads.error();
+        options.roads = std::move(*roads);
+    }
     options.clock = simulation::FixedClock::forStep(request.stepS);
     options.scenarioName = request.scenario.string();
     return simulation::ScenarioPlayer::create(std::move(scenario), std::move(options));

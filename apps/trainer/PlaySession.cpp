@@ -84,7 +84,7 @@ PlaySession::create(simulation::Scenario scenario, SceneTerrain terrain, const P
     std::unique_ptr<PlaySession> session(new PlaySession(request, std::move(terrain)));
     simulation::PlayerOptions stage{session->_terrain.origin(), session->_terrain.ground(),
                                     simulation::FixedClock::forFrameRate(request.frames.perSecond),
-                                    "scenario"};
+                                    "scenario", nullptr};
     if (!request.scenario.empty()) stage.scenarioName = request.scenario.string();
     auto player = simulation::ScenarioPlayer::create(std::move(scenario), stage);
     if (!player) return player.error();

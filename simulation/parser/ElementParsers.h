@@ -9,15 +9,29 @@ namespace simulation
 // One function for each element that is read: it turns the element into its plain value. Problems go to the context
 // of the reader; each function returns a usable value in every case.
 
-Position parsePosition(ElementReader reader);                       // ParsePosition.cpp
-Orientation parseOrientation(ElementReader reader);                 // ParsePosition.cpp
-Trajectory parseTrajectory(ElementReader reader);                   // ParseTrajectory.cpp
-FollowTrajectoryAction parseFollowTrajectory(ElementReader reader); // ParseTrajectory.cpp
-Environment parseEnvironment(ElementReader reader);                 // ParseEnvironment.cpp
-PrivateAction parsePrivateAction(ElementReader reader);             // ParseAction.cpp
-GlobalAction parseGlobalAction(ElementReader reader);               // ParseAction.cpp
-Trigger parseTrigger(ElementReader reader);                         // ParseCondition.cpp
-ScenarioObject parseScenarioObject(ElementReader reader);           // ParseEntity.cpp
-Storyboard parseStoryboard(ElementReader reader);                   // ParseStoryboard.cpp
+Position parsePosition(ElementReader reader);                             // ParsePosition.cpp
+Orientation parseOrientation(ElementReader reader);                       // ParsePosition.cpp
+Orientation parseOrientationOf(ElementReader position);                   // ParsePosition.cpp
+Route parseRouteIn(ElementReader holder);                                 // ParseRoute.cpp
+RoutePosition parseRoutePosition(ElementReader reader);                   // ParseRoute.cpp
+Trajectory parseTrajectory(ElementReader reader);                         // ParseTrajectory.cpp
+FollowTrajectoryAction parseFollowTrajectory(ElementReader reader);       // ParseTrajectory.cpp
+Environment parseEnvironment(ElementReader reader);                       // ParseEnvironment.cpp
+PrivateAction parsePrivateAction(ElementReader reader);                   // ParseAction.cpp
+PrivateAction parseLongitudinalAction(ElementReader reader);              // ParseLongitudinalAction.cpp
+PrivateAction parseLateralAction(ElementReader reader);                   // ParseLateralAction.cpp
+PrivateAction parseRoutingAction(ElementReader reader);                   // ParseRoutingAction.cpp
+PrivateAction parseSynchronizeAction(ElementReader reader);               // ParseRoutingAction.cpp
+TransitionDynamics parseDynamics(ElementReader reader);                   // ParseLongitudinalAction.cpp
+GlobalAction parseGlobalAction(ElementReader reader);                     // ParseGlobalAction.cpp
+Trigger parseTrigger(ElementReader reader);                               // ParseCondition.cpp
+EntityCondition parseEntityCondition(ElementReader reader);               // ParseEntityCondition.cpp
+DistanceMeasure parseDistanceMeasure(ElementReader& reader);              // ParseEntityCondition.cpp
+std::string parseEntityRef(ElementReader& reader, const char* attribute); // ParseEntityCondition.cpp
+std::vector<ScenarioObject> parseScenarioObject(ElementReader reader); // ParseEntity.cpp: with its trailers
+Storyboard parseStoryboard(ElementReader reader);                      // ParseStoryboard.cpp
+
+/// Reports an element that is not read. `kind`: of thing, for the message.
+Unsupported unsupportedContent(ElementReader& reader, const char* kind); // ParseAction.cpp
 
 } // namespace simulation

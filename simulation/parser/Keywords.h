@@ -56,6 +56,29 @@ inline constexpr Keywords<DynamicsDimension, 3> kDynamicsDimensions = {
      {"distance", DynamicsDimension::distance},
      {"rate", DynamicsDimension::rate}}};
 
+inline constexpr Keywords<DistanceFrame, 5> kDistanceFrames = {{{"entity", DistanceFrame::entity},
+                                                                {"road", DistanceFrame::road},
+                                                                {"lane", DistanceFrame::lane},
+                                                                {"trajectory", DistanceFrame::trajectory},
+                                                                {"world", DistanceFrame::world}}};
+
+inline constexpr Keywords<DistanceKind, 4> kDistanceKinds = {{{"euclidianDistance", DistanceKind::euclidean},
+                                                              {"cartesianDistance", DistanceKind::euclidean},
+                                                              {"longitudinal", DistanceKind::longitudinal},
+                                                              {"lateral", DistanceKind::lateral}}};
+
+inline constexpr Keywords<Direction, 3> kDirections = {{{"longitudinal", Direction::longitudinal},
+                                                        {"lateral", Direction::lateral},
+                                                        {"vertical", Direction::vertical}}};
+
+inline constexpr Keywords<bool, 2> kSpeedValueTypes = {{{"delta", false}, {"factor", true}}};
+
+inline constexpr Keywords<bool, 2> kTriggeringRules = {{{"any", false}, {"all", true}}};
+
+/// The side of the other entity on which a distance is kept.
+inline constexpr Keywords<int, 3> kDisplacements = {
+    {{"any", 0}, {"trailingReferencedEntity", 1}, {"leadingReferencedEntity", -1}}};
+
 inline constexpr Keywords<FollowingMode, 2> kFollowingModes = {
     {{"position", FollowingMode::position}, {"follow", FollowingMode::follow}}};
 

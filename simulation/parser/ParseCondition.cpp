@@ -6,18 +6,17 @@ namespace simulation
 namespace
 {
 
-Unsupported unsupported(ElementReader reader)
+/// Values that are compared as text: ParameterCondition, VariableCondition, UserDefinedValueCondition.
+ValueCondition parseValue(ElementReader reader, const char* nameAttribute)
 {
-    if (reader.node)
-        reader.context.unsupported(reader.node, std::string("the condition ") + reader.node.name());
-    return {reader.context.line(reader.node), reader.node.name()};
+    return {reader.text(nameAttribute), reader.text("value"), reader.choice("rule", kRules)};
 }
 
 ConditionContent parseContent(ElementReader reader)
 {
     ElementReader kind = reader.onlyChild();
-    if (kind.is("ByEntityCondition")) return unsupported(kind.child("EntityCondition").onlyChild());
-    if (!kind.is("ByValueCondition")) return unsupported(kind);
+    if (kind.is("ByEntityCondition")) return parseEntityCondition(kind);
+    if (!kind.is("ByValueCondition")) return unsupportedContent(kind, "condition");
     ElementReader value = kind.onlyChild();
     if (value.is("SimulationTimeCondition"))
         return SimulationTimeCondition{value.number("value"), value.choice("rule", kRules)};
@@ -25,7 +24,12 @@ ConditionContent parseContent(ElementReader reader)
         return StoryboardElementStateCondition{value.choice("storyboardElementType", kElementTypes),
                                                value.text("storyboardElementRef"),
                                                value.choice("state", kElementStates)};
-    return unsupported(value);
+    if (value.is("ParameterCondition")) return parseValue(value, "parameterRef");
+    if (value.is("VariableCondition")) return parseValue(value, "variableRef");
+    if (value.is("UserDefinedValueCondition")) return parseValue(value, "name");
+    if (value.is("TrafficSignalCondition"))
+        return TrafficSignalCondition{value.text("name"), value.text("state")};
+    return unsupportedContent(value, "condition");
 }
 
 Condition parseCondition(ElementReader reader)

@@ -50,20 +50,15 @@ void parseAxles(ElementReader reader, Vehicle& vehicle)
         vehicle.additionalAxles.push_back(parseAxle({reader.context, node}));
 }
 
-/// A hitch and a coupler are noted; a trailer itself comes with a later version, unless its reference is
-/// empty.
-void parseTrailer(ElementReader reader, Vehicle& vehicle)
+/// Hitch, coupler and the reference to a trailer. One that is defined in place is read by parseTrailers().
+void parseHitch(ElementReader reader, Vehicle& vehicle)
 {
     if (const pugi::xml_node node = reader.node.child("TrailerHitch"))
         vehicle.trailerHitchDxM = ElementReader(reader.context, node).number("dx");
     if (const pugi::xml_node node = reader.node.child("TrailerCoupler"))
         vehicle.trailerCouplerDxM = ElementReader(reader.context, node).number("dx");
-    const pugi::xml_node trailer = reader.node.child("Trailer");
-    if (!trailer) return;
-    const pugi::xml_node reference = trailer.child("TrailerRef");
-    const bool isEmpty =
-        reference && ElementReader(reader.context, reference).textOr("entityRef", "").empty();
-    if (!isEmpty) reader.context.unsupported(trailer, "a Trailer");
+    if (const pugi::xml_node node = reader.node.child("Trailer").child("TrailerRef"))
+        vehicle.trailerEntity = ElementReader(reader.context, node).textOr("entityRef", "");
 }
 
 Vehicle parseVehicle(ElementReader reader)
@@ -82,7 +77,7 @@ Vehicle parseVehicle(ElementReader reader)
     vehicle.performance = {performance.notNegative("maxSpeed"), performance.notNegative("maxAcceleration"),
                            performance.notNegative("maxDeceleration")};
     parseAxles(reader.child("Axles"), vehicle);
-    parseTrailer(reader, vehicle);
+    parseHitch(reader, vehicle);
     vehicle.properties = parseProperties(reader);
     return vehicle;
 }
@@ -102,42 +97,87 @@ Object parseSimpleObject(ElementReader reader, const char* categoryAttribute)
     return object;
 }
 
-decltype(ScenarioObject::object) parseObject(ElementReader reader)
+/// Reads the entity of an object, and behind it in `objects` the trailers that are defined in place: the trailer of X is
+/// X+, that of X+ is X++, as in esmini.
+void parseObject(ElementReader reader, std::size_t index, std::vector<ScenarioObject>& objects);
+
+void parseTrailer(ElementReader reader, std::size_t index, std::vector<ScenarioObject>& objects)
+{
+    ParseContext& context = reader.context;
+    pugi::xml_node content = reader.node.child("Trailer").child("CatalogReference");
+    // Inline trailers stand in an element of their own, which has the name of the whole.
+    if (const pugi::xml_node inner = reader.node.child("Trailer").child("Trailer"))
+        for (const char* kind : {"Vehicle", "CatalogReference"})
+            if (!content) content = inner.child(kind);
+    auto* const vehicle = std::get_if<Vehicle>(&objects[index].object);
+    if (!content || !vehicle) return;
+    ScenarioObject trailer;
+    trailer.source = context.line(content);
+    trailer.name = objects[index].name + "+";
+    vehicle->trailerEntity = trailer.name;
+    objects.push_back(std::move(trailer));
+    parseObject({context, content}, objects.size() - 1, objects);
+}
+
+void parseObject(ElementReader reader, std::size_t index, std::vector<ScenarioObject>& objects)
 {
     if (reader.is("CatalogReference"))
     {
         CatalogVisit visit(reader);
-        if (visit.entry()) return parseObject({reader.context, visit.entry()});
-        return Unsupported{reader.context.line(reader.node), "CatalogReference"};
+        objects[index].object = Unsupported{reader.context.line(reader.node), "CatalogReference"};
+        if (visit.entry()) parseObject({reader.context, visit.entry()}, index, objects);
+        return;
     }
     const ParameterScope scope(reader.context, reader.node);
-    if (reader.is("Vehicle")) return parseVehicle(reader);
-    if (reader.is("Pedestrian")) return parseSimpleObject<Pedestrian>(reader, "pedestrianCategory");
-    if (reader.is("MiscObject")) return parseSimpleObject<MiscObject>(reader, "miscObjectCategory");
-    reader.context.unsupported(reader.node, std::string("the object ") + reader.node.name());
-    return Unsupported{reader.context.line(reader.node), reader.node.name()};
+    if (reader.is("Vehicle"))
+    {
+        objects[index].object = parseVehicle(reader);
+        parseTrailer(reader, index, objects);
+    }
+    else if (reader.is("Pedestrian"))
+        objects[index].object = parseSimpleObject<Pedestrian>(reader, "pedestrianCategory");
+    else if (reader.is("MiscObject"))
+        objects[index].object = parseSimpleObject<MiscObject>(reader, "miscObjectCategory");
+    else
+        objects[index].object = unsupportedContent(reader, "object");
+}
+
+Controller parseController(ElementReader reader)
+{
+    if (reader.is("CatalogReference"))
+    {
+        CatalogVisit visit(reader);
+        return visit.entry() ? parseController({reader.context, visit.entry()}) : Controller{};
+    }
+    const ParameterScope scope(reader.context, reader.node);
+    return {reader.context.line(reader.node), reader.name(), parseProperties(reader)};
 }
 
 } // namespace
 
-ScenarioObject parseScenarioObject(ElementReader reader)
+std::vector<ScenarioObject> parseScenarioObject(ElementReader reader)
 {
-    ScenarioObject object;
-    object.source = reader.context.line(reader.node);
-    object.name = reader.name();
+    std::vector<ScenarioObject> objects(1);
+    objects[0].source = reader.context.line(reader.node);
+    objects[0].name = reader.name();
     bool hasObject = false;
     for (pugi::xml_node node : reader.node.children())
     {
         if (node.type() != pugi::node_element) continue;
-        if (hasObject)
+        ElementReader content(reader.context, node);
+        if (content.is("ObjectController"))
+            objects[0].controllers.push_back(parseController(content.onlyChild()));
+        else if (hasObject)
             reader.context.unsupported(node,
                                        std::string("the element ") + node.name() + " in ScenarioObject");
         else
-            object.object = parseObject({reader.context, node});
-        hasObject = true;
+        {
+            parseObject(content, 0, objects);
+            hasObject = true;
+        }
     }
     if (!hasObject) reader.context.invalid(reader.node, "the ScenarioObject is empty", "add a Vehicle");
-    return object;
+    return objects;
 }
 
 } // namespace simulation

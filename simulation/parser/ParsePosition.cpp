@@ -39,6 +39,58 @@ GeoPosition parseGeoPosition(ElementReader reader)
     return position;
 }
 
+LanePosition parseLanePosition(ElementReader reader)
+{
+    reader.allowChildren({"Orientation"});
+    return {reader.context.line(reader.node),
+            reader.text("roadId"),
+            static_cast<int>(reader.number("laneId")),
+            reader.number("s"),
+            reader.numberOr("offset", 0.0),
+            parseOrientationOf(reader)};
+}
+
+RoadPosition parseRoadPosition(ElementReader reader)
+{
+    reader.allowChildren({"Orientation"});
+    return {reader.context.line(reader.node), reader.text("roadId"), reader.number("s"), reader.number("t"),
+            parseOrientationOf(reader)};
+}
+
+RelativeLanePosition parseRelativeLanePosition(ElementReader reader)
+{
+    reader.allowChildren({"Orientation"});
+    RelativeLanePosition position;
+    position.source = reader.context.line(reader.node);
+    position.entity = parseEntityRef(reader, "entityRef");
+    position.lanes = static_cast<int>(reader.number("dLane"));
+    position.isAlongLane = reader.has("dsLane");
+    position.dsM = position.isAlongLane ? reader.number("dsLane") : reader.number("ds");
+    position.offsetM = reader.numberOr("offset", 0.0);
+    position.orientation = parseOrientationOf(reader);
+    return position;
+}
+
+RelativeRoadPosition parseRelativeRoadPosition(ElementReader reader)
+{
+    reader.allowChildren({"Orientation"});
+    return {reader.context.line(reader.node), parseEntityRef(reader, "entityRef"), reader.number("ds"),
+            reader.number("dt"), parseOrientationOf(reader)};
+}
+
+/// RelativeObjectPosition and RelativeWorldPosition.
+template<class Relative>
+Relative parseRelativePosition(ElementReader reader)
+{
+    reader.allowChildren({"Orientation"});
+    return {reader.context.line(reader.node),
+            parseEntityRef(reader, "entityRef"),
+            reader.number("dx"),
+            reader.number("dy"),
+            reader.numberOr("dz", 0.0),
+            parseOrientationOf(reader)};
+}
+
 WorldPosition parseWorldPosition(ElementReader reader)
 {
     reader.allowChildren({});
@@ -56,9 +108,15 @@ WorldPosition parseWorldPosition(ElementReader reader)
 
 Orientation parseOrientation(ElementReader reader)
 {
-    if (reader.textOr("type", "absolute") == "relative")
-        reader.context.unsupported(reader.node, "a relative Orientation");
-    return {reader.optionalNumber("h"), reader.optionalNumber("p"), reader.optionalNumber("r")};
+    return {reader.optionalNumber("h"), reader.optionalNumber("p"), reader.optionalNumber("r"),
+            reader.textOr("type", "absolute") == "relative"};
+}
+
+Orientation parseOrientationOf(ElementReader position)
+{
+    const pugi::xml_node node = position.node.child("Orientation");
+    if (!node) return {.headingRad = {}, .pitchRad = {}, .rollRad = {}, .isRelative = true};
+    return parseOrientation({position.context, node});
 }
 
 Position parsePosition(ElementReader reader)
@@ -66,9 +124,14 @@ Position parsePosition(ElementReader reader)
     ElementReader content = reader.onlyChild();
     if (content.is("WorldPosition")) return parseWorldPosition(content);
     if (content.is("GeoPosition")) return parseGeoPosition(content);
-    if (content.node)
-        content.context.unsupported(content.node, std::string("the position ") + content.node.name());
-    return Unsupported{content.context.line(content.node), content.node.name()};
+    if (content.is("LanePosition")) return parseLanePosition(content);
+    if (content.is("RoadPosition")) return parseRoadPosition(content);
+    if (content.is("RelativeLanePosition")) return parseRelativeLanePosition(content);
+    if (content.is("RelativeRoadPosition")) return parseRelativeRoadPosition(content);
+    if (content.is("RelativeObjectPosition")) return parseRelativePosition<RelativeObjectPosition>(content);
+    if (content.is("RelativeWorldPosition")) return parseRelativePosition<RelativeWorldPosition>(content);
+    if (content.is("RoutePosition")) return parseRoutePosition(content);
+    return unsupportedContent(content, "position");
 }
 
 } // namespace simulation

@@ -40,9 +40,12 @@ std::vector<ScenarioObject> parseEntities(ElementReader reader)
     std::vector<ScenarioObject> objects;
     for (pugi::xml_node node : reader.node.children("ScenarioObject"))
     {
-        objects.push_back(parseScenarioObject({reader.context, node}));
-        if (!reader.context.entityNames.insert(objects.back().name).second)
-            reader.context.invalid(node, "the entity " + objects.back().name + " stands twice", "rename one");
+        for (ScenarioObject& object : parseScenarioObject({reader.context, node}))
+        {
+            if (!reader.context.entityNames.insert(object.name).second)
+                reader.context.invalid(node, "the entity " + object.name + " stands twice", "rename one");
+            objects.push_back(std::move(object));
+        }
     }
     return objects;
 }

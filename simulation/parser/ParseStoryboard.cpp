@@ -9,17 +9,18 @@ namespace
 
 std::string parseEntityRef(ElementReader reader)
 {
-    std::string name = reader.text("entityRef");
-    if (reader.node && !reader.context.entityNames.contains(name))
-        reader.context.invalid(reader.node, "the entity " + name + " does not exist", "name one of Entities");
-    return name;
+    return parseEntityRef(reader, "entityRef");
 }
 
 std::optional<Trigger> parseOptionalTrigger(ElementReader& parent, const char* name)
 {
     const pugi::xml_node node = parent.node.child(name);
     if (!node) return std::nullopt;
-    return parseTrigger({parent.context, node});
+    Trigger trigger = parseTrigger({parent.context, node});
+    // An empty start trigger is in use for one that is not there.
+    const bool isStart = std::string_view(name) == "StartTrigger";
+    if (isStart && trigger.groups.empty()) return std::nullopt;
+    return trigger;
 }
 
 Init parseInit(ElementReader reader)

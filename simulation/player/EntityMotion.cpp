@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <utility>
 
 namespace simulation
 {
@@ -20,37 +22,75 @@ double wrappedDeg(double angleDeg)
 
 } // namespace
 
-EntityMotion::EntityMotion(const ScenarioObject& object, const SceneFrame& frame)
-    : _frame(&frame), _contact(GroundContact::of(object)), _isAirborne(object.isAirborne())
+EntityMotion::EntityMotion(const ScenarioObject& object, const SceneFrame& frame, const RoadScene* roads)
+    : _frame(&frame),
+      _roads(object.isAirborne() ? nullptr : roads),
+      _contact(GroundContact::of(object)),
+      _isAirborne(object.isAirborne())
 {
     _state.name = object.name;
     if (const auto* vehicle = std::get_if<Vehicle>(&object.object))
     {
+        _mostAccelerationMps2 = vehicle->performance.maxAccelerationMps2;
+        _mostDecelerationMps2 = vehicle->performance.maxDecelerationMps2;
         _wheelRadiusM = 0.5 * vehicle->rearAxle.wheelDiameterM;
         if (vehicle->frontAxle) _wheelbaseM = vehicle->frontAxle->positionXM - vehicle->rearAxle.positionXM;
     }
     settle(0.0);
 }
 
-void EntityMotion::teleport(const Position& position, double timeS)
+void EntityMotion::teleport(const Placement& placement, double timeS)
 {
     if (_run) cancel(_runTicket, timeS);
-    _state.position = _frame->place(position);
-    const Orientation orientation = orientationOf(position);
-    _state.headingDeg = wrappedDeg(glm::degrees(orientation.headingRad.value_or(0.0)));
-    _state.pitchDeg = wrappedDeg(glm::degrees(orientation.pitchRad.value_or(0.0)));
-    _state.rollDeg = wrappedDeg(glm::degrees(orientation.rollRad.value_or(0.0)));
+    _state.position = placement.position;
+    _state.headingDeg = wrappedDeg(glm::degrees(placement.headingRad));
+    _givenPitchDeg = wrappedDeg(glm::degrees(placement.pitchRad));
+    _givenRollDeg = wrappedDeg(glm::degrees(placement.rollRad));
+    _state.pitchDeg = _givenPitchDeg;
+    _state.rollDeg = _givenRollDeg;
+    _state.place = _roads ? placement.place : std::nullopt;
+    _state.isAtEndOfRoad = false;
     settle(timeS);
+}
+
+void EntityMotion::setSpeed(double speedMps, double timeS)
+{
+    _speed = SpeedProfile::constant(speedMps);
+    _speedStartS = timeS;
+    _speedTicket = ++_lastTicket;
+}
+
+void EntityMotion::towTo(const glm::dvec3& position, double headingRad, double speedMps)
+{
+    _state.odometerM += glm::length(position - _state.position);
+    _state.position = position;
+    _state.headingDeg = wrappedDeg(glm::degrees(headingRad));
+    if (_roads) findPlace();
+    _state.speedMps = speedMps;
+    _state.velocity = _state.bodyToLocal()[0] * speedMps;
+}
+
+void EntityMotion::setLane(int lane, double offsetM, double turnRad, double alongShare)
+{
+    _alongShare = alongShare;
+    if (!_state.place || !_roads->putOnLane(*_state.place, lane, offsetM)) return;
+    const bool isForward = std::cos(_state.place->relativeHeadingRad) >= 0.0;
+    // A turn to the left of the reference line turns the nose to the right of one that drives against it.
+    _state.place->relativeHeadingRad = isForward ? turnRad : std::numbers::pi - turnRad;
 }
 
 std::int64_t EntityMotion::startSpeed(const SpeedAction& action, double timeS)
 {
     const auto* target = std::get_if<AbsoluteTargetSpeed>(&action.target);
     const double to = target ? target->speedMps : _state.speedMps;
-    _speed = SpeedProfile(_state.speedMps, to, action.dynamics);
+    TransitionDynamics dynamics = action.dynamics;
+    const double most = to > _state.speedMps ? _mostAccelerationMps2 : _mostDecelerationMps2;
+    if (_roads && most > 0.0) dynamics = SpeedProfile::within(most, _state.speedMps, to, dynamics);
+    _speed = SpeedProfile(_state.speedMps, to, dynamics);
     _speedStartS = timeS;
+    _speedTicket = ++_lastTicket;
     settle(timeS);
-    return _speedTicket = ++_lastTicket;
+    return _speedTicket;
 }
 
 std::int64_t EntityMotion::startTrajectory(const FollowTrajectoryAction& action, double timeS)
@@ -79,14 +119,18 @@ void EntityMotion::cancel(std::int64_t ticket, double timeS)
 void EntityMotion::advanceTo(double timeS)
 {
     const double distance =
-        _speed.distanceAt(timeS - _speedStartS) - _speed.distanceAt(_timeS - _speedStartS);
+        _roads ? _speed.speedAt(timeS - _speedStartS) * (timeS - _timeS)
+               : _speed.distanceAt(timeS - _speedStartS) - _speed.distanceAt(_timeS - _speedStartS);
     const glm::dvec3 before = _state.position;
     if (_run)
         followTrajectory(timeS, distance);
+    else if (_state.place)
+        goAlongLane(distance, timeS);
     else
         goStraight(distance);
-    _state.odometerM += glm::length(_state.position - before);
+    if (!_state.place) _state.odometerM += glm::length(_state.position - before);
     settle(timeS);
+    if (_state.place) _state.odometerM += glm::length(_state.position - before);
     _timeS = timeS;
 }
 
@@ -102,7 +146,49 @@ void EntityMotion::followTrajectory(double timeS, double distanceM)
         _speed = SpeedProfile::constant(_state.speedMps);
         _speedStartS = timeS;
     }
-    goStraight(isTimed ? *left * _state.speedMps : *left);
+    const double rest = isTimed ? *left * _state.speedMps : *left;
+    if (_state.place)
+        goAlongLane(rest, timeS);
+    else
+        goStraight(rest);
+}
+
+void EntityMotion::goAlongLane(double distanceM, double timeS)
+{
+    _state.steeringDeg = 0.0;
+    if (distanceM == 0.0) return;
+    const double share = std::exchange(_alongShare, 1.0);
+    if (!walk(*_roads, *_state.place, distanceM * share, _way))
+    {
+        _state.isAtEndOfRoad = true;
+        setSpeed(0.0, timeS);
+    }
+}
+
+void EntityMotion::setPlace(const RoadPlace& place)
+{
+    _state.place = place;
+    standOnRoad();
+}
+
+/// Takes position and angles from the place on the road.
+void EntityMotion::standOnRoad()
+{
+    const RoadPose pose = _roads->poseAt(*_state.place);
+    _state.position = pose.position;
+    _state.headingDeg = wrappedDeg(glm::degrees(pose.headingRad));
+    _state.pitchDeg = wrappedDeg(glm::degrees(pose.pitchRad) + _givenPitchDeg);
+    _state.rollDeg = wrappedDeg(glm::degrees(pose.rollRad) + _givenRollDeg);
+}
+
+/// Finds the place on the road of an entity that has moved without it; it then stands on the road.
+void EntityMotion::findPlace()
+{
+    std::optional<RoadPlace> place = _roads->nearest(_state.position, glm::radians(_state.headingDeg));
+    if (!place) return;
+    place->heightM = _state.place ? _state.place->heightM : 0.0;
+    _state.place = place;
+    _state.position.z = _roads->poseAt(*place).position.z;
 }
 
 /// Along the heading; an airborne entity climbs or sinks with its pitch.
@@ -141,7 +227,12 @@ void EntityMotion::settle(double timeS)
     if (!_run || !_run->isTimed()) _state.speedMps = _speed.speedAt(timeS - _speedStartS);
     _state.isOnGround = false;
     _state.wheelTravelM = {};
-    if (!_isAirborne) standOnGround(_contact, *_frame, _state);
+    if (_roads && _run)
+        findPlace();
+    else if (_state.place)
+        standOnRoad();
+    else if (!_isAirborne)
+        standOnGround(_contact, *_frame, _state);
     if (!_run || _state.isOnGround) _state.velocity = _state.bodyToLocal()[0] * _state.speedMps;
     if (_wheelRadiusM > 0.0)
         _state.wheelRotationDeg = std::fmod(glm::degrees(_state.odometerM / _wheelRadiusM), 360.0);

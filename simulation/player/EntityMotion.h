@@ -6,9 +6,11 @@
 
 #include "simulation/player/EntityState.h"
 #include "simulation/player/GroundContact.h"
+#include "simulation/player/PositionSolver.h"
 #include "simulation/player/SceneFrame.h"
 #include "simulation/player/SpeedProfile.h"
 #include "simulation/player/TrajectoryRun.h"
+#include "simulation/road/RoadWalk.h"
 #include "simulation/scenario/Entity.h"
 
 namespace simulation
@@ -19,19 +21,39 @@ namespace simulation
 /// An airborne entity banks as a coordinated turn requires, tan(bank) = v²κ/g, up to 60°, and pitches along its path,
 /// unless the vertices give these angles.
 /// A trajectory with times sets the speed while it runs; afterwards the entity keeps its last motion.
+/// On a road network an entity without trajectory keeps its lane and its offset from the lane's middle, and moves in each step by
+/// the speed at the end of the step, as esmini does; elsewhere the distance is the integral of the speed.
 class EntityMotion
 {
 public:
-    EntityMotion(const ScenarioObject& object, const SceneFrame& frame);
+    /// `roads`: null without a road network.
+    EntityMotion(const ScenarioObject& object, const SceneFrame& frame, const RoadScene* roads);
 
     const EntityState& state() const { return _state; }
 
-    void teleport(const Position& position, double timeS);
+    void teleport(const Placement& placement, double timeS);
+
+    /// Sets the speed from now on; ends the speed action.
+    void setSpeed(double speedMps, double timeS);
+
+    /// Puts the entity onto a lane at its s, its heading turned to the left of the lane's direction in which it drives.
+    /// `alongShare`: of the next step's way that goes along the lane.
+    void setLane(int lane, double offsetM, double turnRad, double alongShare);
+
+    /// Puts the entity to another place on the road.
+    void setPlace(const RoadPlace& place);
+
+    /// Puts the entity where it is drawn to, at the speed of what draws it.
+    void towTo(const glm::dvec3& position, double headingRad, double speedMps);
+
+    void setWay(RoadWay way) { _way = std::move(way); }
+    bool isOnTrajectory() const { return _run.has_value(); }
 
     /// Starts an action and returns its ticket for isDone() and cancel(). A new action of the same kind ends the one
     /// before.
     std::int64_t startSpeed(const SpeedAction& action, double timeS);
     std::int64_t startTrajectory(const FollowTrajectoryAction& action, double timeS);
+    std::int64_t speedTicket() const { return _speedTicket; }
 
     bool isDone(std::int64_t ticket, double timeS) const;
     void cancel(std::int64_t ticket, double timeS);
@@ -42,14 +64,22 @@ public:
 private:
     void followTrajectory(double timeS, double distanceM);
     void goStraight(double distanceM);
+    void goAlongLane(double distanceM, double timeS);
+    void standOnRoad();
+    void findPlace();
     void takePoint(const PathPoint& point, double speedMps);
     void settle(double timeS);
 
     const SceneFrame* _frame;
+    const RoadScene* _roads;
     GroundContact _contact;
     bool _isAirborne;
+    double _mostAccelerationMps2 = 0.0, _mostDecelerationMps2 = 0.0; ///< 0: no limit
     double _wheelRadiusM = 0.0;
     double _wheelbaseM = 0.0;
+    double _givenPitchDeg = 0.0, _givenRollDeg = 0.0; ///< of the last teleport, beyond those of the road
+    RoadWay _way;
+    double _alongShare = 1.0; ///< of the way of the next step that goes along the lane, not sideways
     EntityState _state;
     double _timeS = 0.0;
     SpeedProfile _speed;

@@ -36,7 +36,9 @@ struct EntityState
     std::array<double, 4> wheelTravelM{};
     bool isOnGround = false;
     std::optional<RoadPlace> place; ///< on the road network; nothing without one
-    std::vector<int> collidesWith;  ///< indices of the entities whose boxes overlap this one's
+    bool isAtEndOfRoad = false;
+    glm::dvec3 acceleration{0.0};  ///< m/s², difference of velocities between steps; on a road network only
+    std::vector<int> collidesWith; ///< indices of the entities whose boxes overlap this one's
 
     /// The rotation from the body to the scene. Its columns are forward, left and up.
     glm::dmat3 bodyToLocal() const;

@@ -79,10 +79,12 @@ void PathCurve::buildAngles(const std::vector<PathVertex>& vertices)
         _mode == FollowingMode::follow ? CubicSpline::Kind::natural : CubicSpline::Kind::linear;
     _pitch = vertexAngles(vertices, &Orientation::pitchRad, kind);
     _roll = vertexAngles(vertices, &Orientation::rollRad, kind);
-    if (_mode == FollowingMode::follow)
+    const bool isGiven =
+        std::all_of(vertices.begin(), vertices.end(),
+                    [](const PathVertex& vertex) { return vertex.orientation.headingRad.has_value(); });
+    if (_mode == FollowingMode::follow || (_mode == FollowingMode::straight && isGiven))
         _heading = vertexAngles(vertices, &Orientation::headingRad, kind);
-    else if (std::all_of(vertices.begin(), vertices.end(),
-                         [](const PathVertex& vertex) { return vertex.orientation.headingRad.has_value(); }))
+    else if (isGiven)
         _heading = givenHeadings(vertices);
     else
         _heading = segmentHeadings(vertices);

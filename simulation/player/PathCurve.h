@@ -33,6 +33,7 @@ struct PathPoint
 ///   and turns within 2 m before and after each corner (esmini does the same);
 /// - `follow`: the natural cubic spline through the vertices, so that speed, bank and pitch do not jump. Headings are
 ///   the spline through those of the vertices, or those of the curve when a vertex has none.
+/// - `straight`: straight between vertices; headings given by the vertices turn evenly from vertex to vertex.
 /// Pitch and roll are interpolated when every vertex gives one, else absent. A closed curve returns from its last
 /// vertex to its first and repeats; its parameter wraps.
 /// Source: ASAM, *OpenSCENARIO XML* 1.3, FollowTrajectoryAction and FollowingMode.

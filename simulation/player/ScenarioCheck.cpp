@@ -98,7 +98,9 @@ private:
         const auto* polyline = std::get_if<Polyline>(&follow.trajectory.shape);
         if (!polyline) return false;
         for (const Vertex& vertex : polyline->vertices)
-            if (std::holds_alternative<Unsupported>(vertex.position)) return false;
+            if (!std::holds_alternative<WorldPosition>(vertex.position) &&
+                !std::holds_alternative<GeoPosition>(vertex.position))
+                return false; // on roads, or relative to entities: known when it begins
         return true;
     }
 

@@ -3,31 +3,29 @@
 
 #include <utility>
 
-#include "simulation/player/EntityMotion.h"
 #include "simulation/player/ScenarioCheck.h"
+#include "simulation/player/ScenePerformer.h"
 #include "simulation/player/StoryboardRunner.h"
 
 namespace simulation
 {
 
-/// Everything that moves: the player's inside, and the performer of the storyboard's actions.
-class ScenarioPlayer::Stage final : public ActionPerformer
+/// Everything that moves: the player's inside.
+class ScenarioPlayer::Stage
 {
 public:
     Stage(Scenario scenarioIn, PlayerOptions options)
         : scenario(std::move(scenarioIn)),
           frame(options.origin, std::move(options.ground)),
           clock(options.clock),
+          _roads(std::move(options.roads)),
           _environmentClock(options.origin),
-          _runner(scenario.storyboard, *this)
+          _performer(scenario, frame, _roads.get(), clock, _environmentClock),
+          _runner(scenario.storyboard, _performer)
     {
-        for (const ScenarioObject& object : scenario.entities)
-            _motions.emplace_back(object, frame);
-        for (const GlobalAction& action : scenario.storyboard.init.globals)
-            perform(action);
-        for (const InitPrivate& initial : scenario.storyboard.init.privates)
-            for (const PrivateAction& action : initial.actions)
-                perform(action, initial.entity);
+        _performer.performInit();
+        publish();
+        look();
         _runner.step(clock.seconds());
         publish();
     }
@@ -36,50 +34,17 @@ public:
     {
         if (isFinished()) return;
         clock.advance();
-        for (EntityMotion& motion : _motions)
-            motion.advanceTo(clock.seconds());
+        _performer.carryOn();
+        _performer.move();
+        look();
         _runner.step(clock.seconds());
-        publish();
+        // What triggers change shows with the next step on roads, as in esmini's tables.
+        if (!_roads) publish();
+        environment = _environmentClock.at(clock.seconds());
     }
 
     bool isFinished() const { return _runner.isFinished(); }
     const std::vector<StoryboardLogEntry>& log() const { return _runner.elements().log(); }
-
-    ActionTicket perform(const PrivateAction& action, const std::string& actor) override
-    {
-        const int entity = scenario.entityIndex(actor);
-        if (entity < 0) return {};
-        EntityMotion& motion = _motions[static_cast<std::size_t>(entity)];
-        const double now = clock.seconds();
-        if (const auto* teleport = std::get_if<TeleportAction>(&action))
-        {
-            if (frame.canPlace(teleport->position)) motion.teleport(teleport->position, now);
-            return {};
-        }
-        if (const auto* speed = std::get_if<SpeedAction>(&action))
-            return {entity, motion.startSpeed(*speed, now)};
-        const auto* follow = std::get_if<FollowTrajectoryAction>(&action);
-        if (!follow || TrajectoryRun::obstacle(*follow, frame)) return {};
-        return {entity, motion.startTrajectory(*follow, now)};
-    }
-
-    void perform(const GlobalAction& action) override
-    {
-        if (const auto* content = std::get_if<EnvironmentAction>(&action))
-            _environmentClock.apply(content->environment, clock.seconds());
-    }
-
-    bool isDone(const ActionTicket& ticket) const override
-    {
-        return ticket.entity < 0 ||
-               _motions[static_cast<std::size_t>(ticket.entity)].isDone(ticket.number, clock.seconds());
-    }
-
-    void cancel(const ActionTicket& ticket) override
-    {
-        if (ticket.entity >= 0)
-            _motions[static_cast<std::size_t>(ticket.entity)].cancel(ticket.number, clock.seconds());
-    }
 
     Scenario scenario;
     SceneFrame frame;
@@ -88,17 +53,29 @@ public:
     EnvironmentState environment;
 
 private:
+    /// Tells the conditions what there is.
+    void look()
+    {
+        ConditionFacts& facts = _runner.facts();
+        states = _performer.states();
+        facts.entities = {&scenario,      &states, &_lasting, _roads.get(), &_performer.positions(),
+                          clock.seconds()};
+        updateLasting(facts.entities, _lasting);
+        facts.values = &_performer.values();
+        facts.signals = &_performer.signalStates();
+    }
+
     void publish()
     {
-        states.clear();
-        for (const EntityMotion& motion : _motions)
-            states.push_back(motion.state());
+        states = _performer.states();
         environment = _environmentClock.at(clock.seconds());
     }
 
+    std::shared_ptr<const RoadScene> _roads;
     EnvironmentClock _environmentClock;
-    std::vector<EntityMotion> _motions;
+    ScenePerformer _performer;
     StoryboardRunner _runner;
+    std::vector<LastingFacts> _lasting;
 };
 
 foundation::Result<std::unique_ptr<ScenarioPlayer>> ScenarioPlayer::create(Scenario scenario,

@@ -13,6 +13,7 @@
 #include "simulation/player/EnvironmentState.h"
 #include "simulation/player/SceneFrame.h"
 #include "simulation/player/StoryboardElements.h"
+#include "simulation/road/RoadScene.h"
 #include "simulation/scenario/Scenario.h"
 
 namespace simulation
@@ -23,13 +24,15 @@ struct PlayerOptions
     std::optional<Geodetic> origin; ///< of the scene; absent: no georeference
     GroundProvider ground;          ///< may be empty: positions are used as the scenario gives them
     FixedClock clock = FixedClock(120);
-    std::string scenarioName = "scenario"; ///< replaces the file in errors: scenarioName:line
+    std::string scenarioName = "scenario";    ///< replaces the file in errors: scenarioName:line
+    std::shared_ptr<const RoadScene> roads{}; ///< of the LogicFile; null: positions on roads are not placed
 };
 
 /// Plays a scenario in fixed steps. Its states depend on the scenario, the options and the number of steps only: two
 /// runs agree to the last bit.
 /// After create() the states are those of time 0, after the Init actions. In one step the clock advances, then the
-/// entities move, then triggers are evaluated and actions start (their motion begins with the next step).
+/// actions go on, entities move, then triggers are evaluated and actions start (their motion begins with the next step). On a
+/// road network the states are those before the triggers, and entities move as in esmini (decision 30).
 /// Frame: the scene's east-north-up. Threads: one player, one thread; players are independent.
 /// Source: ASAM, *OpenSCENARIO XML* 1.3; see also PathCurve, EntityMotion, StoryboardRunner.
 class ScenarioPlayer

@@ -5,18 +5,12 @@
 #include <limits>
 #include <numbers>
 
+#include "simulation/player/TransitionShape.h"
+
 namespace simulation
 {
 namespace
 {
-
-/// Returns the steepest slope of the shape, which goes from 0 to 1 in one unit of time.
-double steepestSlope(DynamicsShape shape)
-{
-    if (shape == DynamicsShape::cubic) return 1.5;
-    if (shape == DynamicsShape::sinusoidal) return 0.5 * std::numbers::pi;
-    return 1.0;
-}
 
 double duration(double from, double to, const TransitionDynamics& dynamics)
 {
@@ -35,6 +29,14 @@ double duration(double from, double to, const TransitionDynamics& dynamics)
 SpeedProfile::SpeedProfile(double fromMps, double toMps, const TransitionDynamics& dynamics)
     : _fromMps(fromMps), _toMps(toMps), _durationS(duration(fromMps, toMps, dynamics)), _shape(dynamics.shape)
 {
+}
+
+TransitionDynamics SpeedProfile::within(double mostMps2, double fromMps, double toMps,
+                                        const TransitionDynamics& dynamics)
+{
+    const double least = steepestSlope(dynamics.shape) * std::fabs(toMps - fromMps) / mostMps2;
+    if (dynamics.shape == DynamicsShape::step || duration(fromMps, toMps, dynamics) >= least) return dynamics;
+    return {dynamics.shape, DynamicsDimension::time, least};
 }
 
 SpeedProfile SpeedProfile::constant(double speedMps)

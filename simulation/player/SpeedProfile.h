@@ -20,6 +20,11 @@ public:
     /// A constant speed.
     static SpeedProfile constant(double speedMps);
 
+    /// Returns the dynamics of the same change that need no more than an acceleration: they take longer where they must. A step
+    /// stays one.
+    static TransitionDynamics within(double mostMps2, double fromMps, double toMps,
+                                     const TransitionDynamics& dynamics);
+
     double speedAt(double timeS) const;
     double distanceAt(double timeS) const;
 

@@ -80,9 +80,10 @@ bool StoryboardElements::is(const StoryboardElementStateCondition& condition) co
     default:
         break;
     }
-    return std::any_of(_visible.begin(), _visible.end(),
-                       [&](const Transition& made)
-                       { return made.element == element && made.transition == condition.state; });
+    const auto isMeant = [&](const Transition& made)
+    { return made.element == element && made.transition == condition.state; };
+    return std::any_of(_visible.begin(), _visible.end(), isMeant) ||
+           std::any_of(_made.begin(), _made.end(), isMeant);
 }
 
 } // namespace simulation

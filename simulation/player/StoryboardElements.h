@@ -24,8 +24,8 @@ struct StoryboardLogEntry
     bool operator==(const StoryboardLogEntry&) const = default;
 };
 
-/// The states of the elements of a storyboard. Conditions see a transition in the step after it was made, whatever
-/// the order of the elements; they see a state at once.
+/// The states of the elements of a storyboard. Conditions see a transition in the step in which it was made, if they are
+/// evaluated later in it, and in the step after; they see a state at once.
 class StoryboardElements
 {
 public:

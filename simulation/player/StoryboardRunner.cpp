@@ -196,7 +196,6 @@ void StoryboardRunner::startEvent(EventRun& event, ManeuverRun& maneuver, const 
             for (const std::string& actor : group.actors)
                 event.tickets[i].push_back(_performer->perform(std::get<PrivateAction>(action), actor));
     }
-    stepRunningEvent(event);
 }
 
 void StoryboardRunner::stepRunningEvent(EventRun& event)

@@ -18,6 +18,7 @@ struct ActionTicket
 {
     int entity = -1; ///< -1: done at once
     std::int64_t number = 0;
+    bool isRunningAction = false; ///< whose number it is
 };
 
 /// The interface that performs the actions of the storyboard.
@@ -33,6 +34,7 @@ public:
 
 /// Runs stories, acts, maneuver groups and events from step to step. An act starts by its trigger and ends with its
 /// groups or by its stop trigger. An event starts by its trigger while its act runs, and ends with its actions.
+/// An event ends no earlier than in the step after its start.
 /// Priorities and execution counts follow the standard.
 /// Source: ASAM, *OpenSCENARIO XML* 1.3, "Storyboard states".
 class StoryboardRunner
@@ -42,6 +44,9 @@ public:
     StoryboardRunner(const Storyboard& storyboard, ActionPerformer& performer);
 
     void step(double timeS);
+
+    /// What conditions ask, besides time and the storyboard: set before each step.
+    ConditionFacts& facts() { return _facts; }
 
     /// Returns true after the stop trigger has fired, or when there is no stop trigger that can fire and all stories
     /// are over.

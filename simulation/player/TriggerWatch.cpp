@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "simulation/player/TriggerWatch.h"
 
+#include "simulation/parser/Expression.h"
+
 namespace simulation
 {
 namespace
@@ -9,12 +11,32 @@ namespace
 /// A time that a decimal delay and a binary step both mean, but write differently, must count as reached.
 constexpr double kSameInstantS = 1e-9;
 
+/// Numbers are compared as numbers, other texts only for equality.
+bool isTrue(const ValueCondition& condition, const ConditionFacts& facts)
+{
+    if (!facts.values) return false;
+    const auto found = facts.values->find(condition.name);
+    if (found == facts.values->end()) return false;
+    const std::optional<double> left = parseNumber(found->second);
+    const std::optional<double> right = parseNumber(condition.value);
+    if (left && right) return nearlyHolds(*left, condition.rule, *right);
+    const bool isSame = found->second == condition.value;
+    return condition.rule == Rule::equalTo ? isSame : condition.rule == Rule::notEqualTo && !isSame;
+}
+
 bool isTrue(const ConditionContent& content, const ConditionFacts& facts)
 {
     if (const auto* time = std::get_if<SimulationTimeCondition>(&content))
         return holds(facts.timeS, time->rule, time->seconds);
     if (const auto* state = std::get_if<StoryboardElementStateCondition>(&content))
         return facts.elementIs(*state);
+    if (const auto* entity = std::get_if<EntityCondition>(&content)) return holdsFor(*entity, facts.entities);
+    if (const auto* value = std::get_if<ValueCondition>(&content)) return isTrue(*value, facts);
+    if (const auto* signal = std::get_if<TrafficSignalCondition>(&content); signal && facts.signals)
+    {
+        const auto found = facts.signals->find(signal->signal);
+        return found != facts.signals->end() && found->second == signal->state;
+    }
     return false;
 }
 
@@ -63,6 +85,9 @@ bool TriggerWatch::update(const ConditionFacts& facts)
 
 bool TriggerWatch::updateCondition(const Condition& condition, Memory& memory, const ConditionFacts& facts)
 {
+    // On roads, conditions on entities are first looked at when these have moved, as in esmini.
+    const bool isEarly = facts.entities.roads && facts.timeS <= 0.0;
+    if (isEarly && std::holds_alternative<EntityCondition>(condition.content)) return false;
     const bool now = isTrue(condition.content, facts);
     const bool value = edgeOf(condition.edge, memory.hasLast, memory.last, now);
     memory.hasLast = true;

@@ -3,8 +3,11 @@
 
 #include <deque>
 #include <functional>
+#include <map>
+#include <string>
 #include <vector>
 
+#include "simulation/player/conditions/EntityConditions.h"
 #include "simulation/scenario/Condition.h"
 
 namespace simulation
@@ -15,6 +18,10 @@ struct ConditionFacts
 {
     double timeS = 0.0;
     std::function<bool(const StoryboardElementStateCondition&)> elementIs;
+    EntityFacts entities{};
+    const std::map<std::string, std::string>* values =
+        nullptr; ///< of parameters, variables and what users name
+    const std::map<std::string, std::string>* signals = nullptr; ///< states of traffic signals
 };
 
 /// Evaluates one trigger from step to step. An edge compares a condition with the step before (the first evaluation

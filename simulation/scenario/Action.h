@@ -5,71 +5,14 @@
 #include <variant>
 
 #include "simulation/scenario/Environment.h"
+#include "simulation/scenario/GlobalActions.h"
+#include "simulation/scenario/LateralActions.h"
+#include "simulation/scenario/LongitudinalActions.h"
+#include "simulation/scenario/RoutingActions.h"
 #include "simulation/scenario/Trajectory.h"
 
 namespace simulation
 {
-
-struct TeleportAction
-{
-    SourceLine source;
-    Position position;
-
-    bool operator==(const TeleportAction&) const = default;
-};
-
-struct FollowTrajectoryAction
-{
-    SourceLine source;
-    Trajectory trajectory;
-    std::optional<Timing> timing; ///< absent (TimeReference/None): the vertices' times are ignored
-    FollowingMode mode = FollowingMode::position;
-    double initialDistanceOffsetM = 0.0;
-
-    bool operator==(const FollowTrajectoryAction&) const = default;
-};
-
-enum class DynamicsShape
-{
-    step,
-    linear,
-    cubic,
-    sinusoidal,
-};
-
-enum class DynamicsDimension
-{
-    time,     ///< seconds
-    distance, ///< metres
-    rate,     ///< metres per second, per second
-};
-
-struct TransitionDynamics
-{
-    DynamicsShape shape = DynamicsShape::step;
-    DynamicsDimension dimension = DynamicsDimension::time;
-    double value = 0.0;
-
-    bool operator==(const TransitionDynamics&) const = default;
-};
-
-struct AbsoluteTargetSpeed
-{
-    double speedMps = 0.0;
-
-    bool operator==(const AbsoluteTargetSpeed&) const = default;
-};
-
-using SpeedTarget = std::variant<AbsoluteTargetSpeed, Unsupported>;
-
-struct SpeedAction
-{
-    SourceLine source;
-    TransitionDynamics dynamics;
-    SpeedTarget target;
-
-    bool operator==(const SpeedAction&) const = default;
-};
 
 struct EnvironmentAction
 {
@@ -79,11 +22,27 @@ struct EnvironmentAction
     bool operator==(const EnvironmentAction&) const = default;
 };
 
+/// An action that changes what is seen, not how anything moves: visibility, lights, animations, controllers that are the
+/// standard's default. It is done at once.
+struct NotedAction
+{
+    static constexpr std::string_view kElement = "NotedAction";
+
+    SourceLine source;
+    std::string element;
+
+    bool operator==(const NotedAction&) const = default;
+};
+
 /// Actions on one entity; they grow here.
-using PrivateAction = std::variant<TeleportAction, FollowTrajectoryAction, SpeedAction, Unsupported>;
+using PrivateAction = std::variant<TeleportAction, FollowTrajectoryAction, SpeedAction, SpeedProfileAction,
+                                   LongitudinalDistanceAction, LaneChangeAction, LaneOffsetAction,
+                                   AssignRouteAction, AcquirePositionAction, SynchronizeAction,
+                                   ActivateControllerAction, NotedAction, Unsupported>;
 
 /// Actions on the scene as a whole.
-using GlobalAction = std::variant<EnvironmentAction, Unsupported>;
+using GlobalAction =
+    std::variant<EnvironmentAction, SetValueAction, TrafficSignalStateAction, EntityAction, Unsupported>;
 
 using Action = std::variant<PrivateAction, GlobalAction>;
 

@@ -2,44 +2,16 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
+#include "simulation/scenario/EntityCondition.h"
+#include "simulation/scenario/Rule.h"
 #include "simulation/scenario/SourceLine.h"
 
 namespace simulation
 {
-
-enum class Rule
-{
-    equalTo,
-    greaterThan,
-    lessThan,
-    greaterOrEqual,
-    lessOrEqual,
-    notEqualTo,
-};
-
-/// Whether `left rule right` is true.
-constexpr bool holds(double left, Rule rule, double right)
-{
-    switch (rule)
-    {
-    case Rule::equalTo:
-        return left == right;
-    case Rule::greaterThan:
-        return left > right;
-    case Rule::lessThan:
-        return left < right;
-    case Rule::greaterOrEqual:
-        return left >= right;
-    case Rule::lessOrEqual:
-        return left <= right;
-    case Rule::notEqualTo:
-        return left != right;
-    }
-    return false;
-}
 
 struct SimulationTimeCondition
 {
@@ -79,7 +51,30 @@ struct StoryboardElementStateCondition
     bool operator==(const StoryboardElementStateCondition&) const = default;
 };
 
-using ConditionContent = std::variant<SimulationTimeCondition, StoryboardElementStateCondition, Unsupported>;
+/// Compares a parameter (1.0, 1.1), a variable (from 1.2 on) or a value that the user names.
+struct ValueCondition
+{
+    static constexpr std::string_view kElement = "ParameterCondition";
+
+    std::string name;
+    std::string value;
+    Rule rule = Rule::greaterThan;
+
+    bool operator==(const ValueCondition&) const = default;
+};
+
+struct TrafficSignalCondition
+{
+    static constexpr std::string_view kElement = "TrafficSignalCondition";
+
+    std::string signal;
+    std::string state;
+
+    bool operator==(const TrafficSignalCondition&) const = default;
+};
+
+using ConditionContent = std::variant<SimulationTimeCondition, StoryboardElementStateCondition,
+                                      ValueCondition, TrafficSignalCondition, EntityCondition, Unsupported>;
 
 enum class ConditionEdge
 {

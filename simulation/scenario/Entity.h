@@ -69,6 +69,7 @@ struct Vehicle
     std::vector<Axle> additionalAxles;
     std::optional<double> trailerHitchDxM;
     std::optional<double> trailerCouplerDxM;
+    std::string trailerEntity; ///< the entity that is towed; empty: none
     Properties properties;
 
     bool operator==(const Vehicle&) const = default;
@@ -100,11 +101,25 @@ struct MiscObject
     bool operator==(const MiscObject&) const = default;
 };
 
+/// What drives an entity in place of the scenario, once it is activated.
+struct Controller
+{
+    SourceLine source;
+    std::string name;
+    Properties properties;
+
+    bool operator==(const Controller&) const = default;
+
+    /// What esmini calls it (ACCController, InteractiveController …): the property esminiController, else the name.
+    std::string kind() const { return properties.find("esminiController").value_or(name); }
+};
+
 struct ScenarioObject
 {
     SourceLine source;
     std::string name;
     std::variant<Vehicle, Pedestrian, MiscObject, Unsupported> object;
+    std::vector<Controller> controllers{};
 
     bool operator==(const ScenarioObject&) const = default;
     const BoundingBox& box() const;

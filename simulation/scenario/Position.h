@@ -2,24 +2,16 @@
 #pragma once
 
 #include <optional>
+#include <string>
+#include <string_view>
 #include <variant>
+#include <vector>
 
+#include "simulation/scenario/RoadPositions.h"
 #include "simulation/scenario/SourceLine.h"
 
 namespace simulation
 {
-
-/// Angles as in OpenSCENARIO; a missing angle follows from the path or the ground.
-/// Frame: ISO 8855 about the axes of the scene. Heading counter-clockwise from east, pitch positive nose down, roll
-/// positive right side down. Units: radians, as in the file.
-struct Orientation
-{
-    std::optional<double> headingRad;
-    std::optional<double> pitchRad;
-    std::optional<double> rollRad;
-
-    bool operator==(const Orientation&) const = default;
-};
 
 /// Frame: east-north-up about the scene's origin. Units: metres.
 /// A missing z means: on the ground, where the player knows one, else 0.
@@ -51,6 +43,37 @@ struct GeoPosition
     bool operator==(const GeoPosition&) const = default;
 };
 
-using Position = std::variant<WorldPosition, GeoPosition, Unsupported>;
+/// A position that refers to nothing that moves.
+using FixedPosition = std::variant<WorldPosition, GeoPosition, LanePosition, RoadPosition, Unsupported>;
+
+/// Places that are driven over one after the other, each by the shortest way from the one before.
+struct Route
+{
+    SourceLine source;
+    std::string name;
+    bool closed = false;
+    std::vector<FixedPosition> waypoints;
+
+    bool operator==(const Route&) const = default;
+};
+
+/// A place on a route, so far from its first waypoint. `lane` absent: the lane of the route, and the offset from its middle.
+struct RoutePosition
+{
+    static constexpr std::string_view kElement = "RoutePosition";
+
+    SourceLine source;
+    Route route;
+    double pathM = 0.0;
+    std::optional<int> lane;
+    double offsetM = 0.0;
+    Orientation orientation;
+
+    bool operator==(const RoutePosition&) const = default;
+};
+
+using Position = std::variant<WorldPosition, GeoPosition, LanePosition, RoadPosition, RelativeLanePosition,
+                              RelativeRoadPosition, RelativeObjectPosition, RelativeWorldPosition,
+                              RoutePosition, Unsupported>;
 
 } // namespace simulation

@@ -66,6 +66,7 @@ enum class FollowingMode
 {
     position,
     follow,
+    straight, ///< no word of the language: `follow` on road networks, where esmini keeps to the straight lines and turns evenly
 };
 
 } // namespace simulation

@@ -58,6 +58,17 @@ inline void writeContent(ElementWriter parent, const Unsupported& content)
     parent.refuse(content);
 }
 
+/// Refuses content that is played, but that no tour has.
+template<class Content>
+requires requires
+{
+    Content::kElement;
+}
+void writeContent(ElementWriter parent, const Content&)
+{
+    parent.refuse({{}, std::string(Content::kElement)});
+}
+
 void writePosition(ElementWriter parent, const Position& position);           // WriteAction.cpp
 void writePrivateAction(ElementWriter parent, const PrivateAction& action);   // WriteAction.cpp
 void writeGlobalAction(ElementWriter parent, const GlobalAction& action);     // WriteAction.cpp

@@ -112,7 +112,7 @@ TEST(Storyboard, EventsFollowOneAnotherByTheirStates)
         player->step();
     EXPECT_EQ(times(*player, "a", State::startTransition), std::vector<double>({1.0}));
     EXPECT_EQ(times(*player, "a", State::endTransition), std::vector<double>({2.0}));
-    EXPECT_EQ(times(*player, "b", State::startTransition), std::vector<double>({2.1}));
+    EXPECT_EQ(times(*player, "b", State::startTransition), std::vector<double>({2.0}));
     EXPECT_EQ(times(*player, "c", State::startTransition).size(), 1u);
     EXPECT_EQ(player->entities().at(0).speedMps, 5.0);
     EXPECT_TRUE(player->isFinished()) << "all stories are over and no trigger could stop it";

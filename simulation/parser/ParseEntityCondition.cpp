@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "simulation/parser/ElementParsers.h"
+
+namespace simulation
+{
+namespace
+{
+
+TimeHeadwayCondition parseTimeHeadway(ElementReader reader)
+{
+    return {parseEntityRef(reader, "entityRef"), reader.number("value"), reader.choice("rule", kRules),
+            parseDistanceMeasure(reader)};
+}
+
+TimeToCollisionCondition parseTimeToCollision(ElementReader reader)
+{
+    TimeToCollisionCondition condition;
+    condition.seconds = reader.number("value");
+    condition.rule = reader.choice("rule", kRules);
+    condition.measure = parseDistanceMeasure(reader);
+    ElementReader target = reader.child("TimeToCollisionConditionTarget");
+    if (const pugi::xml_node node = target.node.child("EntityRef"))
+    {
+        ElementReader entity(reader.context, node);
+        condition.target = parseEntityRef(entity, "entityRef");
+    }
+    else
+        condition.target = parsePosition(target.child("Position"));
+    return condition;
+}
+
+DistanceCondition parseRelativeDistance(ElementReader reader)
+{
+    return {parseEntityRef(reader, "entityRef"), reader.number("value"), reader.choice("rule", kRules),
+            parseDistanceMeasure(reader)};
+}
+
+DistanceCondition parseDistance(ElementReader reader)
+{
+    return {parsePosition(reader.child("Position")), reader.number("value"), reader.choice("rule", kRules),
+            parseDistanceMeasure(reader)};
+}
+
+SpeedCondition parseSpeed(ElementReader reader, const std::string& entity)
+{
+    return {entity, reader.number("value"), reader.choice("rule", kRules),
+            reader.choiceOr("direction", kDirections, Direction::total)};
+}
+
+CollisionCondition parseCollision(ElementReader reader)
+{
+    reader.allowChildren({"EntityRef", "ByType"});
+    CollisionCondition condition;
+    if (const pugi::xml_node node = reader.node.child("EntityRef"))
+    {
+        ElementReader entity(reader.context, node);
+        condition.entity = parseEntityRef(entity, "entityRef");
+    }
+    else if (const pugi::xml_node type = reader.node.child("ByType"))
+        condition.type = ElementReader(reader.context, type).text("type");
+    return condition;
+}
+
+EntityConditionContent parseEntityContent(ElementReader reader)
+{
+    using Kind = LastingCondition::Kind;
+    if (reader.is("TimeHeadwayCondition")) return parseTimeHeadway(reader);
+    if (reader.is("TimeToCollisionCondition")) return parseTimeToCollision(reader);
+    if (reader.is("RelativeDistanceCondition")) return parseRelativeDistance(reader);
+    if (reader.is("DistanceCondition")) return parseDistance(reader);
+    if (reader.is("TraveledDistanceCondition")) return TraveledDistanceCondition{reader.number("value")};
+    if (reader.is("ReachPositionCondition"))
+        return ReachPositionCondition{parsePosition(reader.child("Position")),
+                                      reader.notNegative("tolerance")};
+    if (reader.is("SpeedCondition")) return parseSpeed(reader, "");
+    if (reader.is("RelativeSpeedCondition")) return parseSpeed(reader, parseEntityRef(reader, "entityRef"));
+    if (reader.is("AccelerationCondition"))
+        return AccelerationCondition{reader.number("value"), reader.choice("rule", kRules),
+                                     reader.choiceOr("direction", kDirections, Direction::total)};
+    if (reader.is("StandStillCondition"))
+        return LastingCondition{Kind::standStill, reader.notNegative("duration")};
+    if (reader.is("OffroadCondition")) return LastingCondition{Kind::offroad, reader.notNegative("duration")};
+    if (reader.is("EndOfRoadCondition"))
+        return LastingCondition{Kind::endOfRoad, reader.notNegative("duration")};
+    if (reader.is("CollisionCondition")) return parseCollision(reader);
+    return unsupportedContent(reader, "condition");
+}
+
+} // namespace
+
+std::string parseEntityRef(ElementReader& reader, const char* attribute)
+{
+    std::string name = reader.text(attribute);
+    if (reader.node && !reader.context.entityNames.contains(name))
+        reader.context.invalid(reader.node, "the entity " + name + " does not exist", "name one of Entities");
+    return name;
+}
+
+/// `alongRoute` = `true` (1.0; deprecated from 1.1 on) stands for the frame of the road, along it.
+DistanceMeasure parseDistanceMeasure(ElementReader& reader)
+{
+    DistanceMeasure measure;
+    measure.isFreespace = reader.flagOr("freespace", false);
+    if (reader.flagOr("alongRoute", false))
+        measure = {DistanceFrame::road, DistanceKind::longitudinal, measure.isFreespace};
+    measure.frame = reader.choiceOr("coordinateSystem", kDistanceFrames, measure.frame);
+    measure.kind = reader.choiceOr("relativeDistanceType", kDistanceKinds, measure.kind);
+    return measure;
+}
+
+EntityCondition parseEntityCondition(ElementReader reader)
+{
+    reader.allowChildren({"TriggeringEntities", "EntityCondition"});
+    EntityCondition condition;
+    ElementReader entities = reader.child("TriggeringEntities");
+    condition.isForAll = entities.choice("triggeringEntitiesRule", kTriggeringRules);
+    for (pugi::xml_node node : entities.node.children("EntityRef"))
+    {
+        ElementReader entity(reader.context, node);
+        condition.entities.push_back(parseEntityRef(entity, "entityRef"));
+    }
+    condition.content = parseEntityContent(reader.child("EntityCondition").onlyChild());
+    return condition;
+}
+
+} // namespace simulation

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "simulation/parser/ElementParsers.h"
+
+namespace simulation
+{
+namespace
+{
+
+LaneChangeAction parseLaneChange(ElementReader reader)
+{
+    reader.allowChildren({"LaneChangeActionDynamics", "LaneChangeTarget"});
+    LaneChangeAction action;
+    action.source = reader.context.line(reader.node);
+    action.dynamics = parseDynamics(reader.child("LaneChangeActionDynamics"));
+    action.targetOffsetM = reader.numberOr("targetLaneOffset", 0.0);
+    ElementReader target = reader.child("LaneChangeTarget").onlyChild();
+    if (target.is("RelativeTargetLane"))
+        action.entity = parseEntityRef(target, "entityRef");
+    else if (!target.is("AbsoluteTargetLane"))
+        unsupportedContent(target, "lane change target");
+    action.lane = static_cast<int>(target.number("value"));
+    return action;
+}
+
+LaneOffsetAction parseLaneOffset(ElementReader reader)
+{
+    reader.allowChildren({"LaneOffsetActionDynamics", "LaneOffsetTarget"});
+    LaneOffsetAction action;
+    action.source = reader.context.line(reader.node);
+    action.isContinuous = reader.flagOr("continuous", false);
+    ElementReader dynamics = reader.child("LaneOffsetActionDynamics");
+    action.shape = dynamics.choice("dynamicsShape", kDynamicsShapes);
+    action.maxLateralAccelerationMps2 = dynamics.optionalNumber("maxLateralAcc");
+    ElementReader target = reader.child("LaneOffsetTarget").onlyChild();
+    if (target.is("RelativeTargetLaneOffset"))
+        action.entity = parseEntityRef(target, "entityRef");
+    else if (!target.is("AbsoluteTargetLaneOffset"))
+        unsupportedContent(target, "lane offset target");
+    action.offsetM = target.number("value");
+    return action;
+}
+
+} // namespace
+
+PrivateAction parseLateralAction(ElementReader reader)
+{
+    ElementReader content = reader.onlyChild();
+    if (content.is("LaneChangeAction")) return parseLaneChange(content);
+    if (content.is("LaneOffsetAction")) return parseLaneOffset(content);
+    return unsupportedContent(content, "action");
+}
+
+} // namespace simulation

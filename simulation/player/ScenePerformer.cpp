@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "simulation/player/ScenePerformer.h"
+
+#include <algorithm>
+
+#include "simulation/parser/Expression.h"
+#include "simulation/player/EntityDistance.h"
+#include "simulation/road/RouteWay.h"
+
+namespace simulation
+{
+
+ScenePerformer::ScenePerformer(const Scenario& scenario, const SceneFrame& frame, const RoadScene* roads,
+                               const FixedClock& clock, EnvironmentClock& environment)
+    : _scenario(&scenario),
+      _frame(&frame),
+      _roads(roads),
+      _clock(&clock),
+      _environment(&environment),
+      _positions(frame, roads,
+                 [this](const std::string& entity) -> const EntityState*
+                 {
+                     const int index = find(entity);
+                     return index < 0 ? nullptr : &_motions[static_cast<std::size_t>(index)].state();
+                 }),
+      _trailers(scenario),
+      _isHeld(scenario.entities.size(), false)
+{
+    for (const ScenarioObject& object : scenario.entities)
+        _motions.emplace_back(object, frame, roads);
+    for (const ParameterDeclaration& parameter : scenario.parameters)
+        _values[parameter.name] = parameter.value;
+    publish();
+}
+
+void ScenePerformer::performInit()
+{
+    for (const GlobalAction& action : _scenario->storyboard.init.globals)
+        perform(action);
+    for (const InitPrivate& initial : _scenario->storyboard.init.privates)
+        for (const PrivateAction& action : initial.actions)
+            perform(action, initial.entity);
+    _trailers.align(_motions);
+    publish();
+}
+
+void ScenePerformer::carryOn()
+{
+    for (std::size_t i = 0; i < _running.size(); ++i)
+    {
+        Running& running = _running[i];
+        if (running.action && running.action->step(*this, motion(running.actor))) running.action.reset();
+    }
+    std::erase_if(_running, [](const Running& running) { return !running.action; });
+}
+
+void ScenePerformer::move()
+{
+    for (EntityMotion& motion : _motions)
+        motion.advanceTo(_clock->seconds());
+    _trailers.follow(_motions);
+    publish();
+}
+
+void ScenePerformer::publish()
+{
+    const std::vector<EntityState> before = std::move(_states);
+    _states.clear();
+    for (const EntityMotion& motion : _motions)
+        _states.push_back(motion.state());
+    if (!_roads) return;
+    for (std::size_t i = 0; i < _states.size() && i < before.size(); ++i)
+        _states[i].acceleration = (_states[i].velocity - before[i].velocity) / _clock->stepS();
+    collide();
+}
+
+void ScenePerformer::collide()
+{
+    const auto body = [&](std::size_t index) {
+        return MeasuredBody{&_states[index], _scenario->entities[index].box()};
+    };
+    for (std::size_t i = 0; i < _states.size(); ++i)
+        for (std::size_t j = i + 1; j < _states.size(); ++j)
+            if (overlap(body(i), body(j)))
+            {
+                _states[i].collidesWith.push_back(static_cast<int>(j));
+                _states[j].collidesWith.push_back(static_cast<int>(i));
+            }
+}
+
+void ScenePerformer::end(int actor, ActionDomain domain)
+{
+    for (Running& running : _running)
+        if (running.actor == actor && running.action && running.action->domain() == domain)
+            running.action.reset();
+}
+
+template<class Action>
+ActionTicket ScenePerformer::start(const Action& action, int actor, ActionDomain domain)
+{
+    end(actor, domain);
+    std::unique_ptr<RunningAction> running = startAction(action, *this, actor);
+    if (!running) return {};
+    _running.push_back({++_lastNumber, actor, std::move(running)});
+    return {actor, _lastNumber, true};
+}
+
+ActionTicket ScenePerformer::startSpeed(const SpeedAction& action, int actor)
+{
+    if (std::holds_alternative<RelativeTargetSpeed>(action.target))
+    {
+        const bool isContinuous = std::get<RelativeTargetSpeed>(action.target).isContinuous;
+        const ActionTicket ticket = start(action, actor, ActionDomain::longitudinal);
+        if (isContinuous || !ticket.isRunningAction) return ticket;
+        end(actor, ActionDomain::longitudinal);
+        return {actor, motion(actor).speedTicket()};
+    }
+    end(actor, ActionDomain::longitudinal);
+    return {actor, motion(actor).startSpeed(action, timeS())};
+}
+
+/// The vertices are placed now, when the entities that they refer to are known.
+ActionTicket ScenePerformer::startTrajectory(const FollowTrajectoryAction& action, int actor)
+{
+    FollowTrajectoryAction placed = action;
+    if (auto* polyline = std::get_if<Polyline>(&placed.trajectory.shape); polyline && _roads)
+        for (Vertex& vertex : polyline->vertices)
+        {
+            const auto found = _positions.place(vertex.position);
+            if (!found) return {};
+            if (placed.mode == FollowingMode::follow) placed.mode = FollowingMode::straight;
+            WorldPosition world{vertex.source, found->position.x, found->position.y, found->position.z, {}};
+            if (found->hasHeading) world.orientation.headingRad = found->headingRad;
+            vertex.position = world;
+        }
+    if (TrajectoryRun::obstacle(placed, *_frame)) return {};
+    end(actor, ActionDomain::lateral);
+    if (placed.timing) end(actor, ActionDomain::longitudinal);
+    return {actor, motion(actor).startTrajectory(placed, timeS())};
+}
+
+void ScenePerformer::teleport(const TeleportAction& action, int actor)
+{
+    const auto placed = _positions.place(action.position);
+    if (placed) motion(actor).teleport(*placed, timeS());
+}
+
+void ScenePerformer::assignRoute(const Route& route, int actor)
+{
+    if (!_roads) return;
+    if (auto way = wayOfRoute(*_roads, route)) motion(actor).setWay(std::move(*way));
+}
+
+void ScenePerformer::acquire(const Position& position, int actor)
+{
+    const auto placed = _positions.place(position);
+    const EntityState& state = motion(actor).state();
+    if (!_roads || !placed || !placed->place || !state.place) return;
+    if (auto way = wayBetween(*_roads, *state.place, *placed->place)) motion(actor).setWay(std::move(*way));
+}
+
+ActionTicket ScenePerformer::perform(const PrivateAction& action, const std::string& actorName)
+{
+    const int actor = find(actorName);
+    if (actor < 0) return {};
+    if (const auto* content = std::get_if<SpeedAction>(&action);
+        content && _isHeld[static_cast<std::size_t>(actor)])
+        return {};
+    if (const auto* content = std::get_if<SpeedAction>(&action)) return startSpeed(*content, actor);
+    if (const auto* content = std::get_if<FollowTrajectoryAction>(&action))
+        return startTrajectory(*content, actor);
+    if (const auto* content = std::get_if<LaneChangeAction>(&action))
+        return start(*content, actor, ActionDomain::lateral);
+    if (const auto* content = std::get_if<LaneOffsetAction>(&action))
+        return start(*content, actor, ActionDomain::lateral);
+    if (const auto* content = std::get_if<LongitudinalDistanceAction>(&action))
+        return start(*content, actor, ActionDomain::longitudinal);
+    if (const auto* content = std::get_if<SpeedProfileAction>(&action))
+        return start(*content, actor, ActionDomain::longitudinal);
+    if (const auto* content = std::get_if<SynchronizeAction>(&action))
+        return start(*content, actor, ActionDomain::longitudinal);
+    if (const auto* content = std::get_if<ActivateControllerAction>(&action)) activate(*content, actor);
+    if (const auto* content = std::get_if<TeleportAction>(&action)) teleport(*content, actor);
+    if (const auto* content = std::get_if<AssignRouteAction>(&action)) assignRoute(content->route, actor);
+    if (const auto* content = std::get_if<AcquirePositionAction>(&action)) acquire(content->position, actor);
+    return {};
+}
+
+/// A person who drives is not there: the entity stands still, and speed actions do nothing. Other controllers are not played.
+void ScenePerformer::activate(const ActivateControllerAction& action, int actor)
+{
+    const ScenarioObject& object = _scenario->entities[static_cast<std::size_t>(actor)];
+    const bool isInteractive = std::any_of(object.controllers.begin(), object.controllers.end(),
+                                           [](const Controller& controller)
+                                           { return controller.kind() == "InteractiveController"; });
+    if (!action.longitudinal || !isInteractive) return;
+    _isHeld[static_cast<std::size_t>(actor)] = *action.longitudinal;
+    if (*action.longitudinal) motion(actor).setSpeed(0.0, timeS());
+}
+
+void ScenePerformer::setValue(const SetValueAction& action)
+{
+    std::string& value = _values[action.name];
+    const std::optional<double> old = parseNumber(value);
+    const std::optional<double> given = parseNumber(action.value);
+    if (action.change == SetValueAction::Change::set || !old || !given)
+        value = action.value;
+    else
+        value = formatNumber(action.change == SetValueAction::Change::add ? *old + *given : *old * *given);
+}
+
+void ScenePerformer::perform(const GlobalAction& action)
+{
+    if (const auto* content = std::get_if<EnvironmentAction>(&action))
+        _environment->apply(content->environment, timeS());
+    if (const auto* content = std::get_if<SetValueAction>(&action)) setValue(*content);
+    if (const auto* content = std::get_if<TrafficSignalStateAction>(&action))
+        _signals[content->signal] = content->state;
+}
+
+bool ScenePerformer::isDone(const ActionTicket& ticket) const
+{
+    if (ticket.entity < 0) return true;
+    if (ticket.isRunningAction)
+        return std::none_of(_running.begin(), _running.end(),
+                            [&](const Running& running)
+                            { return running.action && running.number == ticket.number; });
+    return _motions[static_cast<std::size_t>(ticket.entity)].isDone(ticket.number, timeS());
+}
+
+void ScenePerformer::cancel(const ActionTicket& ticket)
+{
+    if (ticket.isRunningAction)
+        for (Running& running : _running)
+        {
+            if (running.number == ticket.number) running.action.reset();
+        }
+    else if (ticket.entity >= 0)
+        motion(ticket.entity).cancel(ticket.number, timeS());
+}
+
+} // namespace simulation

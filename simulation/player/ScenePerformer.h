@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "simulation/clock/FixedClock.h"
+#include "simulation/player/EntityMotion.h"
+#include "simulation/player/EnvironmentState.h"
+#include "simulation/player/PositionSolver.h"
+#include "simulation/player/StoryboardRunner.h"
+#include "simulation/player/Trailers.h"
+#include "simulation/player/actions/RunningAction.h"
+
+namespace simulation
+{
+
+/// The entities of a scenario and everything else that actions change; it performs the storyboard's actions.
+class ScenePerformer final : public ActionPerformer, public ActionScene
+{
+public:
+    /// All must outlive it; `roads` may be null.
+    ScenePerformer(const Scenario& scenario, const SceneFrame& frame, const RoadScene* roads,
+                   const FixedClock& clock, EnvironmentClock& environment);
+
+    /// Performs the actions of Init: those of all entities that place something first, because positions may refer to
+    /// entities that stand further down.
+    void performInit();
+
+    /// Carries running actions on to the time of the clock.
+    void carryOn();
+
+    /// Moves the entities on to the time of the clock.
+    void move();
+
+    const std::vector<EntityState>& states() const { return _states; }
+    const std::map<std::string, std::string>& values() const { return _values; }
+    const std::map<std::string, std::string>& signalStates() const { return _signals; }
+
+    // ActionPerformer
+    ActionTicket perform(const PrivateAction& action, const std::string& actor) override;
+    void perform(const GlobalAction& action) override;
+    bool isDone(const ActionTicket& ticket) const override;
+    void cancel(const ActionTicket& ticket) override;
+
+    // ActionScene
+    double timeS() const override { return _clock->seconds(); }
+    double stepS() const override { return _clock->stepS(); }
+    const RoadScene* roads() const override { return _roads; }
+    const PositionSolver& positions() const override { return _positions; }
+    const Scenario& scenario() const override { return *_scenario; }
+    EntityMotion& motion(int entity) override { return _motions[static_cast<std::size_t>(entity)]; }
+    int find(const std::string& entity) const override { return _scenario->entityIndex(entity); }
+
+private:
+    struct Running
+    {
+        std::int64_t number;
+        int actor;
+        std::unique_ptr<RunningAction> action; ///< null: done
+    };
+
+    template<class Action>
+    ActionTicket start(const Action& action, int actor, ActionDomain domain);
+    void end(int actor, ActionDomain domain);
+    ActionTicket startSpeed(const SpeedAction& action, int actor);
+    ActionTicket startTrajectory(const FollowTrajectoryAction& action, int actor);
+    void teleport(const TeleportAction& action, int actor);
+    void assignRoute(const Route& route, int actor);
+    void acquire(const Position& position, int actor);
+    void activate(const ActivateControllerAction& action, int actor);
+    void setValue(const SetValueAction& action);
+    void collide();
+    void publish();
+
+    const Scenario* _scenario;
+    const SceneFrame* _frame;
+    const RoadScene* _roads;
+    const FixedClock* _clock;
+    EnvironmentClock* _environment;
+    std::vector<EntityMotion> _motions;
+    std::vector<EntityState> _states;
+    PositionSolver _positions;
+    std::vector<Running> _running;
+    std::int64_t _lastNumber = 0;
+    std::map<std::string, std::string> _values;
+    std::map<std::string, std::string> _signals;
+    Trailers _trailers;
+    std::vector<bool> _isHeld; ///< by a driver who is not there
+};
+
+} // namespace simulation

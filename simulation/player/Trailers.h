@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "simulation/player/EntityMotion.h"
+#include "simulation/scenario/Scenario.h"
+
+namespace simulation
+{
+
+/// Draws trailers behind their vehicles. The coupler of a trailer stays at the hitch, and its axle rolls towards it without
+/// slipping sideways: in each step the trailer looks from where its axle was to where the hitch is now (a tractrix).
+class Trailers
+{
+public:
+    explicit Trailers(const Scenario& scenario);
+
+    /// Puts the trailers straight behind their vehicles.
+    void align(std::vector<EntityMotion>& motions) const;
+
+    /// Draws them on, after the vehicles have moved.
+    void follow(std::vector<EntityMotion>& motions) const;
+
+private:
+    struct Link
+    {
+        std::size_t tow = 0, trailer = 0;
+        double hitchM = 0.0, couplerM = 0.0; ///< in front of the reference points
+    };
+
+    std::vector<Link> _links; ///< vehicles before what they draw
+};
+
+} // namespace simulation

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "simulation/player/EntityMotion.h"
+#include "simulation/player/PositionSolver.h"
+#include "simulation/scenario/Action.h"
+
+namespace simulation
+{
+
+/// What an action may ask and change while it runs.
+class ActionScene
+{
+public:
+    virtual ~ActionScene() = default;
+
+    virtual double timeS() const = 0;
+    virtual double stepS() const = 0;
+    virtual const RoadScene* roads() const = 0;
+    virtual const PositionSolver& positions() const = 0;
+    virtual const Scenario& scenario() const = 0;
+    virtual EntityMotion& motion(int entity) = 0;
+
+    /// Returns the index of an entity, or -1.
+    virtual int find(const std::string& entity) const = 0;
+};
+
+/// Which part of the motion of an entity an action has hold of: a new action ends those that hold the same.
+enum class ActionDomain
+{
+    longitudinal,
+    lateral,
+};
+
+/// A private action that lasts. It is stepped at the start of each step after the one in which it began, before entities
+/// move.
+class RunningAction
+{
+public:
+    virtual ~RunningAction() = default;
+
+    virtual ActionDomain domain() const = 0;
+
+    /// Carries the action on to the time of the scene. Returns whether it is done.
+    virtual bool step(ActionScene& scene, EntityMotion& actor) = 0;
+};
+
+/// Starts an action on an entity. Returns nothing for one that is done at once, or that cannot be performed.
+std::unique_ptr<RunningAction> startAction(const LaneChangeAction& action, ActionScene& scene, int actor);
+std::unique_ptr<RunningAction> startAction(const LaneOffsetAction& action, ActionScene& scene, int actor);
+std::unique_ptr<RunningAction> startAction(const LongitudinalDistanceAction& action, ActionScene& scene,
+                                           int actor);
+std::unique_ptr<RunningAction> startAction(const SpeedProfileAction& action, ActionScene& scene, int actor);
+std::unique_ptr<RunningAction> startAction(const SynchronizeAction& action, ActionScene& scene, int actor);
+std::unique_ptr<RunningAction> startAction(const SpeedAction& action, ActionScene& scene, int actor);
+
+} // namespace simulation

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "simulation/road/RoadScene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include <osgRoads/core/query/LaneSpan.h>
+#include <osgRoads/core/query/RoadSurface.h>
+#include <osgRoads/core/read/ReadNetwork.h>
+
+namespace simulation
+{
+namespace
+{
+
+using osgRoads::core::Lane;
+using osgRoads::core::LaneSection;
+using osgRoads::core::LaneSpan;
+using osgRoads::core::Road;
+
+constexpr double kAngleStepM = 0.05; ///< of the difference that gives the direction of a lane's middle
+
+/// Returns the angle between the middle of a lane and the reference line: widths that change turn the lane.
+double laneAngle(const Road& road, const RoadPlace& place)
+{
+    const LaneSection* const section = osgRoads::core::sectionAt(road, place.s);
+    if (!section || place.lane == 0) return std::atan(road.laneOffset.slope(place.s));
+    const double from = std::max(section->s, place.s - kAngleStepM);
+    const double to = std::min(section->end - 1e-9, place.s + kAngleStepM);
+    const auto first = osgRoads::core::laneSpan(road, place.lane, from);
+    const auto last = osgRoads::core::laneSpan(road, place.lane, to);
+    if (!first || !last || !(to > from)) return 0.0;
+    return std::atan((last->centreT() - first->centreT()) / (to - from));
+}
+
+/// Whether wheels belong on a lane of this type: everything but ground beside the road.
+bool carriesTraffic(osgRoads::core::LaneType type)
+{
+    using osgRoads::core::LaneType;
+    return type != LaneType::none && type != LaneType::restricted && type != LaneType::median;
+}
+
+} // namespace
+
+foundation::Result<std::shared_ptr<const RoadScene>> RoadScene::open(const std::filesystem::path& file)
+{
+    auto read = osgRoads::core::readNetwork(file);
+    if (!read) return read.error();
+    return std::make_shared<const RoadScene>(std::move(read->network));
+}
+
+RoadScene::RoadScene(osgRoads::core::RoadNetwork network) : _network(std::move(network)), _locator(_network)
+{
+}
+
+std::optional<RoadPlace> RoadScene::onLane(const std::string& roadId, int lane, double s,
+                                           double offsetM) const
+{
+    RoadPlace place;
+    place.road = _network.roadIndex(roadId);
+    if (place.road < 0 || !roadAt(place).isUsable) return std::nullopt;
+    place.s = std::clamp(s, 0.0, roadAt(place).length);
+    if (!putOnLane(place, lane, offsetM)) return std::nullopt;
+    return looking(place);
+}
+
+std::optional<RoadPlace> RoadScene::onTrack(const std::string& roadId, double s, double t) const
+{
+    RoadPlace place;
+    place.road = _network.roadIndex(roadId);
+    if (place.road < 0 || !roadAt(place).isUsable) return std::nullopt;
+    place.s = std::clamp(s, 0.0, roadAt(place).length);
+    place.t = t;
+    takeNearestLane(place);
+    return looking(place);
+}
+
+std::optional<RoadPlace> RoadScene::nearest(const glm::dvec3& point, double headingRad) const
+{
+    const auto match = _locator.nearest(point);
+    if (!match) return std::nullopt;
+    RoadPlace place;
+    place.road = match->position.road;
+    place.s = match->position.s;
+    place.t = match->position.t;
+    takeNearestLane(place);
+    place.heightM = point.z - poseAt(place).position.z;
+    place.relativeHeadingRad = std::remainder(headingRad - poseAt(place).headingRad, 2.0 * std::numbers::pi);
+    return place;
+}
+
+RoadPose RoadScene::poseAt(const RoadPlace& place) const
+{
+    const Road& road = roadAt(place);
+    const double turned = place.relativeHeadingRad + laneAngle(road, place);
+    const osgRoads::core::WorldPose pose = osgRoads::core::worldPose(
+        _network, {place.road, place.s, place.t, osgRoads::core::surfaceHeight(road, place.s, place.t)},
+        turned);
+    return {pose.position + glm::dvec3(0.0, 0.0, place.heightM), pose.headingRad, -pose.pitchRad,
+            pose.rollRad};
+}
+
+bool RoadScene::putOnLane(RoadPlace& place, int lane, double offsetM) const
+{
+    const Road& road = roadAt(place);
+    double centreT = road.laneOffset.value(place.s);
+    if (lane != 0)
+    {
+        const auto span = osgRoads::core::laneSpan(road, lane, place.s);
+        if (!span) return false;
+        centreT = span->centreT();
+    }
+    place.lane = lane;
+    place.laneOffsetM = offsetM;
+    place.t = centreT + offsetM;
+    place.curvature = road.referenceLine.at(place.s).curvature;
+    return true;
+}
+
+void RoadScene::takeNearestLane(RoadPlace& place) const
+{
+    const Road& road = roadAt(place);
+    place.curvature = road.referenceLine.at(place.s).curvature;
+    place.lane = 0;
+    place.laneOffsetM = place.t - road.laneOffset.value(place.s);
+    const LaneSection* const section = osgRoads::core::sectionAt(road, place.s);
+    if (!section) return;
+    double least = std::numeric_limits<double>::infinity();
+    for (const int sign : {-1, 1})
+        osgRoads::core::forLanesOutwards(road, *section, sign, place.s,
+                                         [&](const LaneSpan& span)
+                                         {
+                                             const double beside =
+                                                 std::fabs(place.t - span.centreT()) - 0.5 * span.width();
+                                             if (span.width() <= 0.0 || beside >= least) return true;
+                                             least = std::max(beside, 0.0);
+                                             place.lane = span.lane->id;
+                                             place.laneOffsetM = place.t - span.centreT();
+                                             return true;
+                                         });
+}
+
+bool RoadScene::runsForward(const RoadPlace& place) const
+{
+    const Road& road = roadAt(place);
+    const LaneSection* const section = osgRoads::core::sectionAt(road, place.s);
+    const Lane* const lane = section && place.lane != 0 ? section->lane(place.lane) : nullptr;
+    return !lane || osgRoads::core::runsForward(road, *lane);
+}
+
+bool RoadScene::isOffRoad(const RoadPlace& place, const glm::dvec3& position) const
+{
+    for (const auto& match : _locator.within(glm::dvec2(position), 1e-6))
+        if (const auto span =
+                osgRoads::core::laneAt(_network.roads[static_cast<std::size_t>(match.position.road)],
+                                       match.position.s, match.position.t))
+            if (carriesTraffic(span->lane->type)) return false;
+    return place.road >= 0;
+}
+
+RoadPlace RoadScene::looking(RoadPlace place) const
+{
+    place.relativeHeadingRad = runsForward(place) ? 0.0 : std::numbers::pi;
+    return place;
+}
+
+} // namespace simulation

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+// Every storyboard of esmini that is stored with its track, played headless and compared with it, row by row.
+#include <algorithm>
+#include <cstdlib>
+
+#include <gtest/gtest.h>
+
+#include "SimulatedTrack.h"
+#include "simulation/parser/ParseScenario.h"
+#include "simulation/player/ScenarioPlayer.h"
+#include "simulation/record/CompareMotions.h"
+
+namespace simulation
+{
+namespace
+{
+
+constexpr double kLongestS = 60.1; ///< of the tracks
+
+/// A storyboard, and the entities that still differ from its track (docs/measurements/scenarios.md says why); "*": all.
+struct RecordedScenario
+{
+    const char* name;
+    std::vector<std::string> differing;
+};
+
+void note(MotionTable& table, const ScenarioPlayer& player)
+{
+    table.timeS.push_back(player.timeS());
+    const std::vector<EntityState>& states = player.entities();
+    for (std::size_t i = 0; i < states.size(); ++i)
+    {
+        if (table.tracks.size() <= i) table.tracks.push_back({states[i].name, {}});
+        table.tracks[i].samples.push_back(
+            MotionSample{states[i].position, glm::radians(states[i].headingDeg), states[i].speedMps});
+    }
+}
+
+/// What the player does with a storyboard, at every tenth step of a hundredth of a second.
+MotionTable played(const std::filesystem::path& file)
+{
+    MotionTable table;
+    auto parsed = readScenario(file, {.tolerant = true, .parameters = {}});
+    EXPECT_TRUE(parsed) << parsed.error().message();
+    if (!parsed) return table;
+    PlayerOptions options;
+    options.clock = FixedClock::forStep(0.01);
+    auto roads = RoadScene::open(file.parent_path() / parsed->scenario.roadNetwork.logicFile);
+    EXPECT_TRUE(roads) << roads.error().message();
+    if (!roads) return table;
+    options.roads = *roads;
+    auto player = ScenarioPlayer::create(std::move(parsed->scenario), std::move(options));
+    EXPECT_TRUE(player) << player.error().message();
+    if (!player) return table;
+    note(table, **player);
+    for (int step = 1; !(*player)->isFinished() && (*player)->timeS() < kLongestS; ++step)
+    {
+        (*player)->step();
+        if (step % 10 == 0) note(table, **player);
+    }
+    return table;
+}
+
+std::filesystem::path folder()
+{
+    return *realData() / "openscenario" / "esmini";
+}
+
+MotionTable recorded(const std::string& name)
+{
+    auto table = readMotionTable(folder() / "tracks" / (name + ".10hz.csv.gz"));
+    EXPECT_TRUE(table) << table.error().message();
+    return table ? std::move(*table) : MotionTable{};
+}
+
+class Recorded : public testing::TestWithParam<RecordedScenario>
+{
+};
+
+TEST_P(Recorded, StoryboardMovesItsEntitiesAsEsminiDoes)
+{
+    if (!realData()) GTEST_SKIP() << "OSGTRAINER_REAL_DATA is unset: no real data, nothing was tested";
+    const RecordedScenario& scenario = GetParam();
+    MotionTable reference = recorded(scenario.name);
+    const MotionTable table = played(folder() / "xosc" / (std::string(scenario.name) + ".xosc"));
+    const bool prints = std::getenv("OSGTRAINER_PRINT_DIFFERENCES") != nullptr;
+    for (const MotionDifference& difference : compareMotions(table, reference))
+    {
+        if (prints)
+            std::printf("| `%s` | %s | %zu | %.4f | %.2f | %.4f | %.2f | %zu |\n", scenario.name,
+                        difference.entity.c_str(), difference.rows, difference.positionM.largest,
+                        difference.positionM.largestAtS, difference.headingDeg.largest,
+                        difference.headingDeg.largestAtS, difference.unmatchedRows);
+        const bool isKnown =
+            std::any_of(scenario.differing.begin(), scenario.differing.end(),
+                        [&](const std::string& name) { return name == "*" || name == difference.entity; });
+        EXPECT_NE(isWithin(difference, {}), isKnown)
+            << difference.entity << ": " << difference.positionM.largest << " m at "
+            << difference.positionM.largestAtS << " s, " << difference.headingDeg.largest << " degrees at "
+            << difference.headingDeg.largestAtS << " s, " << difference.unmatchedRows << " rows missing";
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Esmini, Recorded,
+    testing::Values(RecordedScenario{"acc-test", {"Ego"}}, RecordedScenario{"cut-in", {"OverTaker"}},
+                    RecordedScenario{"cut-in_cr", {}}, RecordedScenario{"cut-in_environment", {"OverTaker"}},
+                    RecordedScenario{"cut-in_simple", {}},
+                    RecordedScenario{"cut-in_visibility", {"OverTaker"}}, RecordedScenario{"drop-bike", {}},
+                    RecordedScenario{"lane-change_clothoid_spline_based_trajectory", {"Car"}},
+                    RecordedScenario{"lane-change_trajectory_wp", {}},
+                    RecordedScenario{"lane_change", {"Ego"}}, RecordedScenario{"light_state", {}},
+                    RecordedScenario{"ltap-od", {}}, RecordedScenario{"pedestrian", {"pedestrian_adult"}},
+                    RecordedScenario{"pedestrian_collision", {"pedestrian_adult"}},
+                    RecordedScenario{"speed-profile", {}}, RecordedScenario{"straight_500m", {}},
+                    RecordedScenario{"synchronize", {}},
+                    RecordedScenario{"traffic_lights", {"Pedestrian_1", "Pedestrian_2"}},
+                    RecordedScenario{"trailers",
+                                     {"Semi_truck_with_extra_trailer", "Semi_truck_with_extra_trailer+",
+                                      "Semi_truck_with_extra_trailer++"}},
+                    RecordedScenario{"trajectory-test", {"*"}}, RecordedScenario{"tunnels", {}},
+                    RecordedScenario{"velodrome", {"Car1", "Car2", "Car3"}}),
+    [](const testing::TestParamInfo<RecordedScenario>& test)
+    {
+        std::string name = test.param.name;
+        std::replace_if(
+            name.begin(), name.end(), [](char c) { return c == '-' || c == '_'; }, 'X');
+        return name;
+    });
+
+TEST(RecordedScenario, AShiftOfSixCentimetresIsNoticed)
+{
+    if (!realData()) GTEST_SKIP() << "OSGTRAINER_REAL_DATA is unset: no real data, nothing was tested";
+    MotionTable reference = recorded("straight_500m");
+    const MotionTable table = played(folder() / "xosc" / "straight_500m.xosc");
+    EXPECT_TRUE(isWithin(compareMotions(table, reference).front(), {}));
+    for (auto& sample : reference.tracks.front().samples)
+        sample->position.y += 0.06;
+    EXPECT_FALSE(isWithin(compareMotions(table, reference).front(), {}));
+}
+
+} // namespace
+} // namespace simulation
