@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+// `trainer qualify flight`: a table of figures, and an exit code that tells whether all are reached.
+#include <fstream>
+#include <iterator>
+
+#include <nlohmann/json.hpp>
+
+#include "ProgramRun.h"
+#include "Workplace.h"
+
+namespace
+{
+
+const char* const kAircraft = OSGTRAINER_SOURCE_DIR "/data/aircraft/c172p.xml";
+
+nlohmann::json readTable(const std::string& file)
+{
+    std::ifstream stream(file);
+    return nlohmann::json::parse(stream, nullptr, false);
+}
+
+TEST(Qualify, WritesEveryFigureWithItsSource)
+{
+    const Workplace place;
+    const std::string file = place.path("figures.json");
+    EXPECT_TRUE(succeeds(runTrainer({"qualify", "flight", "--aircraft", kAircraft, "--json", file})));
+    const nlohmann::json table = readTable(file);
+    ASSERT_TRUE(table.contains("checks"));
+    ASSERT_GE(table["checks"].size(), 5U);
+    for (const nlohmann::json& check : table["checks"])
+    {
+        for (const char* member : {"name", "value", "unit", "expected", "tolerance", "source"})
+            EXPECT_TRUE(check.contains(member)) << check.dump();
+        EXPECT_EQ(check["pass"], true) << check.dump();
+    }
+}
+
+// The control: with a third of its fuel's heat it climbs no more.
+TEST(Qualify, FailsForAnAircraftThatDoesNotReachThem)
+{
+    const Workplace place;
+    std::ifstream stream(kAircraft);
+    std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+    text = with(text, "heatingValueJPerKg=\"43.5e6\"", "heatingValueJPerKg=\"30e6\"");
+    const std::string file = place.path("figures.json");
+    const ProgramRun run =
+        runTrainer({"qualify", "flight", "--aircraft", place.write("weak.xml", text), "--json", file});
+    EXPECT_EQ(run.exitCode, 1) << run.text();
+    EXPECT_NE(run.output.find("FAIL  climb"), std::string::npos) << run.text();
+}
+
+TEST(Qualify, ExplainsAFileThatIsNone)
+{
+    EXPECT_TRUE(failsWith(runTrainer({"qualify", "flight", "--aircraft", "/nowhere.xml"}), 1, "trainer",
+                          {"/nowhere.xml", "no such file"}));
+}
+
+} // namespace
