@@ -11,7 +11,7 @@ namespace osgTerrainROAM::core
 namespace
 {
 
-constexpr double kOnSample = 1e-3;
+constexpr double kAtSample = 1e-3;
 constexpr float kVoid = std::numeric_limits<float>::quiet_NaN();
 
 /// Source: Keys, *Cubic Convolution Interpolation for Digital Image Processing*, 1981, with a = -1/2.
@@ -26,7 +26,7 @@ void cubicWeights(double t, double (&w)[4])
 double snapped(double coordinate)
 {
     const double whole = std::round(coordinate);
-    return std::abs(coordinate - whole) < kOnSample ? whole : coordinate;
+    return std::abs(coordinate - whole) < kAtSample ? whole : coordinate;
 }
 
 } // namespace
@@ -41,7 +41,7 @@ float RasterSampler::sample(int column, int row) const
 double RasterSampler::beyond(const glm::dvec2& place) const
 {
     const glm::dvec2 last(_raster.columns - 1, _raster.rows - 1), beyond = glm::max(-place, place - last);
-    return std::max({beyond.x - kOnSample, beyond.y - kOnSample, 0.0});
+    return std::max({beyond.x - kAtSample, beyond.y - kAtSample, 0.0});
 }
 
 float RasterSampler::heightM(glm::dvec2 place) const
