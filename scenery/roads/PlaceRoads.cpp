@@ -56,13 +56,15 @@ PlanMap::Place placeByOrigin(const PlacedTile& tile, const RoadOrigin& origin)
     };
 }
 
-PlanMap::Place placeByReference(const PlacedTile& tile, const GeoReference& reference)
+/// `heights`: those of the file count from the zero of the header's offset; those above the ground do not.
+PlanMap::Place placeByReference(const PlacedTile& tile, const GeoReference& reference, RoadHeights heights)
 {
-    return [&](const glm::dvec2& plan, double heightM) -> foundation::Result<glm::dvec3>
+    return [&, heights](const glm::dvec2& plan, double heightM) -> foundation::Result<glm::dvec3>
     {
         const auto geodetic = reference.toGeodetic(glm::dvec3(plan, 0.0));
         if (!geodetic) return geodetic.error();
-        return onTile(tile, geodetic->latitudeDeg, geodetic->longitudeDeg, heightM);
+        const double zeroM = heights == RoadHeights::file ? geodetic->heightM : 0.0;
+        return onTile(tile, geodetic->latitudeDeg, geodetic->longitudeDeg, zeroM + heightM);
     };
 }
 
@@ -78,7 +80,7 @@ foundation::Result<PlanMap> mapOf(const RoadsRequest& request, const RoadNetwork
     if (!reference)
         return foundation::Error{reference.error().place, reference.error().what,
                                  "state where its (0, 0) lies: roads_origin = LAT LON [HEADING]"};
-    return PlanMap::create(extent.low, extent.high, placeByReference(tile, *reference));
+    return PlanMap::create(extent.low, extent.high, placeByReference(tile, *reference, request.heights));
 }
 
 /// The tile's ground below a place of the plan.

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <fstream>
 
+#include <GeographicLib/Geocentric.hpp>
+#include <GeographicLib/TransverseMercator.hpp>
 #include <gtest/gtest.h>
 
 #include <osgTerrainROAM/core/heightfield/GroundQuery.h>
@@ -87,6 +89,60 @@ TEST(PlaceRoads, AStatedOriginPutsTheFilesZeroThere)
     EXPECT_NEAR(back.x, 0.0, 1e-6);
     EXPECT_NEAR(back.y, 0.0, 1e-6);
     EXPECT_NEAR(back.z, 2.0, 1e-6);
+}
+
+constexpr double kBesselA = 6377397.155, kBesselF = 1.0 / 299.1528128;
+
+/// Latitude and longitude on Bessel's ellipsoid.
+glm::dvec2 besselDegrees(double eastM, double northM)
+{
+    const GeographicLib::TransverseMercator projection(kBesselA, kBesselF, 1.0);
+    double latitude = 0.0, longitude = 0.0;
+    projection.Reverse(9.0, eastM - 3'500'000.0, northM, latitude, longitude);
+    return {latitude, longitude};
+}
+
+/// Where a plan position of the German grid (Gauss and Krüger's zone 3 on Bessel's ellipsoid, DHDN) lies on WGS84: worked out
+/// without PROJ, by Helmert's seven parameters in the coordinate frame of the Earth (position vector convention).
+glm::dvec2 degreesOfGermanGrid(double eastM, double northM)
+{
+    using namespace GeographicLib;
+    const glm::dvec2 bessel = besselDegrees(eastM, northM);
+    glm::dvec3 x(0.0);
+    Geocentric(kBesselA, kBesselF).Forward(bessel.x, bessel.y, 0.0, x.x, x.y, x.z);
+    const glm::dvec3 turn = glm::dvec3(0.202, 0.045, -2.455) * (std::acos(-1.0) / 648000.0);
+    x = glm::dvec3(598.1, 73.7, 418.2) + (1.0 + 6.7e-6) * (x + glm::cross(turn, x));
+    double latitude = 0.0, longitude = 0.0, height = 0.0;
+    Geocentric::WGS84().Reverse(x.x, x.y, x.z, latitude, longitude, height);
+    return {latitude, longitude};
+}
+
+/// The file's zero and the ground of the tile at a place in the Alps, by a georeference with another datum.
+TEST(PlaceRoads, AGeoreferencePutsTheFileThroughItsDatumAndOffset)
+{
+    const PlacedTile tile = tileInTheAlps();
+    const double eastM = 3'424'700.0, northM = 5'099'350.0;
+    const std::string header =
+        "<geoReference>+proj=tmerc +lat_0=0 +lon_0=9 +k=1 +x_0=3500000 +ellps=bessel "
+        "+towgs84=598.1,73.7,418.2,0.202,0.045,-2.455,6.7 +units=m</geoReference><offset x=\"" +
+        std::to_string(eastM) + "\" y=\"" + std::to_string(northM) + "\" z=\"300\" hdg=\"0\"/>";
+    const auto roads =
+        scenery::placeRoads({straightFile(header), std::nullopt, scenery::RoadHeights::file}, tile);
+    ASSERT_TRUE(roads) << roads.error().message();
+    for (const double s : {0.0, 200.0, 390.0}) // the file's x from -200 to 190
+    {
+        const glm::dvec2 expected = degreesOfGermanGrid(eastM + s - 200.0, northM);
+        const glm::dvec3 place = roads->placed->surfacePoint(0, s, 0.0);
+        const auto geodetic = tile.frame().geodeticFromLocal(place);
+        EXPECT_NEAR(geodetic.latitudeDeg, expected.x, 1e-7) << "more than 1 cm off";
+        EXPECT_NEAR(geodetic.longitudeDeg, expected.y, 1e-7);
+        EXPECT_NEAR(tile.frame().heightOf(place), 302.0, 1e-3) << "elevation 2 m above the offset's 300 m";
+        EXPECT_NEAR(roads->placed->toInertial(place).x, s - 200.0, 1e-6);
+    }
+    // Without the datum it would be about 100 m away.
+    const glm::dvec2 wrong = besselDegrees(eastM, northM);
+    const glm::dvec3 there = tile.frame().localFromGeodetic({wrong.x, wrong.y, 302.0});
+    EXPECT_GT(glm::distance(glm::dvec2(there), glm::dvec2(roads->placed->surfacePoint(0, 200.0, 0.0))), 80.0);
 }
 
 TEST(PlaceRoads, AFileWithoutAGeoreferenceNeedsAnOrigin)
