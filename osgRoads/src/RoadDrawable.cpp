@@ -75,7 +75,8 @@ RoadDrawable::~RoadDrawable() = default;
 
 foundation::Outcome RoadDrawable::setSettings(const core::RoadViewSettings& settings)
 {
-    for (const double value : {settings.farthestM, settings.liftPx, settings.liftFromM, settings.liftFullM})
+    for (const double value :
+         {settings.farthestM, settings.liftPx, settings.liftFromM, settings.liftFullM, settings.nearErrorM})
         if (!std::isfinite(value) || value < 0.0)
             return foundation::Error{"RoadDrawable", "a setting is not finite or below 0",
                                      "give lengths in metres, 0 or more"};

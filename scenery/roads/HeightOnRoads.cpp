@@ -7,6 +7,7 @@
 
 #include <osgRoads/core/place/RoadBed.h>
 #include <osgRoads/core/query/LaneSpan.h>
+#include <osgRoads/core/query/RoadSurface.h>
 
 namespace scenery
 {
@@ -62,7 +63,11 @@ double heightOnRoads(const PlacedNetwork& roads, const glm::dvec3& ground, doubl
     std::vector<Surface> surfaces;
     const glm::dvec2 plan(roads.toInertial(ground));
     for (const RoadMatch& match : roads.locator().within(plan, osgRoads::core::RoadBed{}.vergeM))
-        surfaces.push_back(surfaceOf(roads, match));
+    {
+        const auto& [road, s, t, h] = match.position;
+        if (match.distance <= kOnLanesM || !osgRoads::core::structureAt(roads.road(road), s))
+            surfaces.push_back(surfaceOf(roads, match));
+    }
     // Ground that a lane covers is its bed, or, for something of unknown height, the hill above its tunnel.
     const bool isCovered =
         std::any_of(surfaces.begin(), surfaces.end(),

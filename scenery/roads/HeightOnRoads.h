@@ -12,10 +12,12 @@ namespace scenery
 /// other the highest that is not more than kStepM above it, the lowest where all are. A height that is not finite is not known: the
 /// highest road counts, also where it runs below the ground.
 /// Surfaces closer than kLevelM to each other are one level, of which the one that is drawn counts: a lane for cars before other
-/// lanes, as the mesh of a junction leaves those out, lanes before verge and ground; of two alike the higher.
+/// lanes, as the mesh of a junction leaves those out, lanes before verge and ground; of two alike the higher. Bridges and tunnels have no verge.
 /// `ground`: the point on the ground. Frame: the scene's. Units: metres. Cost: some microseconds near roads. Threads: any.
 double heightOnRoads(const osgRoads::core::PlacedNetwork& roads, const glm::dvec3& ground, double fromM);
 
-inline constexpr double kStepM = 1.0, kLevelM = 1.0;
+/// A wheel on a bank of 60° is 1.3 m above the middle of its car; a deck is 4 m above the road below it.
+inline constexpr double kStepM = 1.5;
+inline constexpr double kLevelM = 1.0;
 
 } // namespace scenery

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include <osgRoads/core/geometry/Cubic.h>
+#include <osgRoads/core/query/LaneSpan.h>
 
 namespace scenery
 {
@@ -15,7 +16,8 @@ namespace
 
 using osgRoads::core::Road;
 
-constexpr double kInsideM = 1e-6; ///< the end of a lane is asked for so far inside its section
+constexpr double kHalfWayM = 1.25; ///< half of what a car needs
+constexpr double kInsideM = 1e-6;  ///< the end of a lane is asked for so far inside its section
 
 /// Speeds where a file tells none, m/s. They are usual limits: 120, 80 and 50 km/h.
 constexpr double kMotorwayMps = 33.3, kRuralMps = 22.2, kTownMps = 13.9;
@@ -75,9 +77,11 @@ public:
     glm::dvec3 placeAt(double wayM) const
     {
         const double s = sAt(wayM);
-        const osgRoads::core::RoadPosition middleOfRoad{_leg.lane.road, s, 0.0, 0.0};
-        return _roads.point(osgRoads::core::laneCentre(_roads.network(), _leg.lane.road, _leg.lane.lane, s)
-                                .value_or(middleOfRoad));
+        const auto span = osgRoads::core::laneSpan(road(), _leg.lane.lane, s);
+        if (!span) return _roads.surfacePoint(_leg.lane.road, s, 0.0);
+        // Where a lane narrows to nothing a car keeps off its outer border.
+        const double halfM = std::max(0.5 * span->width(), kHalfWayM);
+        return _roads.surfacePoint(_leg.lane.road, s, span->outerT + (_leg.lane.lane > 0 ? -halfM : halfM));
     }
 
 private:

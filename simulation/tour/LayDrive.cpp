@@ -15,6 +15,7 @@ namespace
 
 constexpr double kSpacingM = 4.0;
 constexpr double kSmallestDistanceM = 20.0;
+constexpr double kStartAfterBeginM = 1.0;
 constexpr double kStopBeforeEndM = 5.0; ///< the front of the car is 4 m before its reference point
 
 bool contains(const TourTerrain& terrain, const glm::dvec2& place)
@@ -81,7 +82,10 @@ foundation::Result<Tour> layDriveAlong(const TourTerrain& terrain, std::vector<W
         lengthM += glm::distance(way[i].place, way[i - 1].place);
     if (!(lengthM >= kSmallestDistanceM) || !(durationS >= 1.0))
         return foundation::Error{"drive", "too short a way or time", "give 20 m and 1 s at least"};
-    const glm::dvec3 end = way.back().place;
+    // The rear wheels stand on the road, too, when it begins.
+    const glm::dvec3 begin = way.front().place, end = way.back().place;
+    while (glm::distance(way.front().place, begin) < kStartAfterBeginM)
+        way.erase(way.begin());
     while (glm::distance(way.back().place, end) < kStopBeforeEndM)
         way.pop_back();
     std::vector<double> speed = limitsOn(way);

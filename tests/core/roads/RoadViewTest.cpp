@@ -54,7 +54,7 @@ TEST(RoadView, DrawnHeightIsTheSurfaceNearTheEye)
     EXPECT_EQ(asked, 20);
     const viewlod::ViewState high =
         viewFrom(network.surfacePoint(0, 50.0, 0.0) + glm::dvec3(0.0, 0.0, 500.0));
-    EXPECT_NEAR(liftAt(500.0, high, settings), 0.9, 1e-9); // 0.9 px at 500 px a unit of tangent
+    EXPECT_NEAR(liftAt(500.0, high, settings), 0.6, 1e-9); // 0.6 px at 500 px a unit of tangent
     EXPECT_EQ(liftAt(20.0, high, settings), 0.0);
 }
 

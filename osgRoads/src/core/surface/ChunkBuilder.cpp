@@ -20,6 +20,7 @@ constexpr std::size_t kMostSteps = 512;
 constexpr double kSlopeStepM = 0.02; ///< for the direction along the road
 /// Errors are measured at samples: between them a smooth curve departs by little more.
 constexpr double kBetweenSamples = 1.15;
+constexpr double kLeastAreaM2 = 1e-9; ///< of a piece that has a normal
 /// Half a step in each coordinate.
 constexpr double kRoundingM = 0.87 * RoadMesh::kMeshStepM;
 
@@ -73,10 +74,19 @@ double ChunkBuilder::gapAt(std::size_t row, std::size_t stride) const
     const std::size_t first = row / stride * stride, last = std::min(first + stride, _rows.size() - 1);
     if (row == first) return 0.0;
     const double share = static_cast<double>(row - first) / static_cast<double>(last - first);
+    const std::vector<glm::dvec3>&here = _rows[row].places, &before = _rows[first].places,
+          &after = _rows[last].places;
     double gap = 0.0;
-    for (std::size_t i = 0; i < _rows[row].places.size(); ++i)
-        gap = std::max(gap, glm::distance(_rows[row].places[i],
-                                          glm::mix(_rows[first].places[i], _rows[last].places[i], share)));
+    for (std::size_t i = 0; i < here.size(); ++i)
+    {
+        gap = std::max(gap, glm::distance(here[i], glm::mix(before[i], after[i], share)));
+        if (i + 1 == here.size()) break;
+        // On the diagonal that both triangles of a piece share: where a road twists they leave its surface there.
+        const glm::dvec3 off = share * (here[i] - after[i]) + (1.0 - share) * (here[i + 1] - before[i + 1]);
+        const glm::dvec3 normal = glm::cross(after[i] - before[i], before[i + 1] - before[i]);
+        const double length = glm::length(normal);
+        if (length > kLeastAreaM2) gap = std::max(gap, std::fabs(glm::dot(off, normal)) / length);
+    }
     return gap;
 }
 
@@ -148,11 +158,10 @@ std::vector<MeshVertex> ChunkBuilder::stripsAt(double from) const
     return strips;
 }
 
-void ChunkBuilder::addRow(const Row& row, double from, const std::vector<MeshVertex>& strips)
+void ChunkBuilder::addRow(const Row& row, double from, bool hasGround, const std::vector<MeshVertex>& strips)
 {
     const double ahead = row.s + kSlopeStepM < _section.end ? kSlopeStepM : -kSlopeStepM;
     const Row other = rowAt(row.s + ahead);
-    const bool hasGround = structureAt(_network.road(_road), row.s) == nullptr;
     // Two strips share a border, where the answer is the same.
     double askedT = std::numeric_limits<double>::quiet_NaN();
     bool isAskedCovered = false;
@@ -235,8 +244,10 @@ void ChunkBuilder::add(double from, double to)
     chunk.sEnd = to;
     const auto firstVertex = static_cast<std::uint32_t>(_mesh.vertices.size());
     const std::vector<MeshVertex> strips = stripsAt(from);
+    // A chunk lies wholly on a bridge or in a tunnel, or wholly outside.
+    const bool hasGround = structureAt(_network.road(_road), 0.5 * (from + to)) == nullptr;
     for (std::size_t i = 0; i < _rows.size(); i += 2)
-        addRow(_rows[i], from, strips);
+        addRow(_rows[i], from, hasGround, strips);
     addLevels(chunk, firstVertex);
     glm::dvec3 least(1e300), most(-1e300);
     for (const Row& row : _rows)

@@ -35,7 +35,7 @@ private:
     void sample(double from, double to);
     bool mayBeCovered() const;
     double gapAt(std::size_t row, std::size_t stride) const;
-    void addRow(const Row& row, double from, const std::vector<MeshVertex>& strips);
+    void addRow(const Row& row, double from, bool hasGround, const std::vector<MeshVertex>& strips);
     void addLevels(RoadChunk& chunk, std::uint32_t firstVertex);
     std::vector<MeshVertex> stripsAt(double from) const;
     std::vector<SurfaceQuad> quadsOf(std::size_t firstColumn, std::size_t columns) const;

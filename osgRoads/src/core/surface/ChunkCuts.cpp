@@ -28,6 +28,8 @@ std::vector<double> wishedCuts(const Road& road, const LaneSection& section)
     addStarts(road.superelevationRad.pieces(), 0.0, cuts);
     addStarts(road.laneOffset.pieces(), 0.0, cuts);
     addStarts(road.shapes, 0.0, cuts);
+    for (const RoadStructure& structure : road.structures)
+        cuts.insert(cuts.end(), {structure.s, structure.s + structure.length});
     addStarts(section.centre.marks, section.s, cuts);
     for (const auto* side : {&section.left, &section.right})
         for (const Lane& lane : *side)

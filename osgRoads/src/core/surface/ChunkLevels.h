@@ -9,6 +9,7 @@
 #include <viewlod/ViewState.h>
 
 #include <osgRoads/core/surface/RoadMesh.h>
+#include <osgRoads/core/surface/RoadView.h>
 
 namespace osgRoads::core
 {
@@ -19,14 +20,21 @@ inline bool isNear(const viewlod::ViewState& view, const glm::dvec3& centre, dou
     return glm::distance(view.eyeWorld, centre) - radius <= farthestM;
 }
 
-/// Returns the coarsest level of a chunk whose error stays within the tolerance anywhere in the image; else the finest.
-inline std::uint32_t coarsestLevel(const RoadChunk& chunk, const viewlod::ViewState& view, double tolerancePx)
+/// Returns the coarsest level of a chunk whose error stays within the tolerances (RoadViewSettings); else the finest.
+inline std::uint32_t coarsestLevel(const RoadChunk& chunk, const viewlod::ViewState& view,
+                                   const RoadViewSettings& settings)
 {
     const double pixels = view.guaranteedPixelsPerTangent();
     const double distance = glm::distance(view.eyeWorld, chunk.centre);
+    const bool isWhereWheelsAreSeen = distance - chunk.radius < settings.liftFromM;
+    const auto isTooCoarse = [&](double errorM)
+    {
+        if (isWhereWheelsAreSeen && errorM > settings.nearErrorM) return true;
+        return viewlod::screenErrorBoundPx(pixels, errorM, distance, chunk.radius, view.nearM) >
+               settings.tolerancePx;
+    };
     std::size_t level = chunk.levels.size() - 1;
-    while (level > 0 && viewlod::screenErrorBoundPx(pixels, chunk.levels[level].errorM, distance,
-                                                    chunk.radius, view.nearM) > tolerancePx)
+    while (level > 0 && isTooCoarse(chunk.levels[level].errorM))
         --level;
     return static_cast<std::uint32_t>(level);
 }

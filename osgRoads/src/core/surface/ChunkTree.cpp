@@ -103,7 +103,7 @@ std::vector<ChunkChoice> chooseLevels(const RoadMesh& mesh, const ChunkTree& tre
     std::vector<ChunkChoice> choices;
     const ChunkTree::Visible visible = tree.visible(view, settings.farthestM);
     for (const std::uint32_t chunk : visible.chunks)
-        choices.push_back({chunk, coarsestLevel(mesh.chunks[chunk], view, settings.tolerancePx)});
+        choices.push_back({chunk, coarsestLevel(mesh.chunks[chunk], view, settings)});
     return choices;
 }
 

@@ -38,7 +38,7 @@ std::vector<ChunkChoice> chooseLevels(const RoadMesh& mesh, const viewlod::ViewS
         const RoadChunk& chunk = mesh.chunks[i];
         if (!isNear(view, chunk.centre, chunk.radius, settings.farthestM)) continue;
         if (view.frustum.classify(chunk.centre, chunk.radius).outside) continue;
-        choices.push_back({static_cast<std::uint32_t>(i), coarsestLevel(chunk, view, settings.tolerancePx)});
+        choices.push_back({static_cast<std::uint32_t>(i), coarsestLevel(chunk, view, settings)});
     }
     return choices;
 }

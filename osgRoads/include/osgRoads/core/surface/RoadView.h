@@ -17,10 +17,11 @@ namespace osgRoads::core
 /// Which levels a view gets. Units: metres, pixels.
 struct RoadViewSettings
 {
-    double tolerancePx = 1.0;
+    double tolerancePx = 0.5;  ///< together with the lift less than a pixel
     double farthestM = 2500.0; ///< chunks beyond are not drawn; the ground's own paint shows the road there
-    double liftPx = 0.9;       ///< by how much the road is lifted far away, above ground that errs by a pixel
-    double liftFromM = 20.0;   ///< nearer than this nothing is lifted
+    double liftPx = 0.6;       ///< by how much the road is lifted far away, above ground that errs by a pixel
+    double liftFromM = 20.0;   ///< nearer than this nothing is lifted: there wheels are looked at
+    double nearErrorM = 0.008; ///< of levels there, whatever the pixels
     double liftFullM = 120.0;  ///< from here on by all of liftPx
 
     bool operator==(const RoadViewSettings&) const = default;
