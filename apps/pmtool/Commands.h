@@ -56,4 +56,7 @@ void addCompareSimplify(CLI::App& compare, Chosen& chosen);
 /// Declares `compare silhouette`: measures images of levels from all around on every model.
 void addCompareSilhouette(CLI::App& compare, Chosen& chosen);
 
+/// Declares `compare tolerance`: measures how many triangles progressive objects show at a tolerance, and how few would keep it.
+void addCompareTolerance(CLI::App& compare, Chosen& chosen);
+
 } // namespace pmtool

@@ -161,11 +161,12 @@ void refuseOptions(const CLI::App& command, const SimplifyRequest& request)
 {
     std::vector<const char*> refused;
     if (request.method == SimplifyMethod::clusters)
-        refused = {"--placement", "--envelope",    "--join",   "--shape-only",
-                   "--lopsided",  "--thin-leaves", "--farther"};
+        refused = {"--placement",  "--envelope", "--join",        "--join-within",
+                   "--shape-only", "--lopsided", "--thin-leaves", "--farther"};
     if (request.method == SimplifyMethod::images) refused = {"--tolerances", "--envelope", "--farther"};
     if (request.method == SimplifyMethod::removal)
-        refused = {"--placement", "--envelope", "--join", "--shape-only", "--lopsided", "--thin-leaves"};
+        refused = {"--placement",  "--envelope", "--join",       "--join-within",
+                   "--shape-only", "--lopsided", "--thin-leaves"};
     else
         refused.insert(refused.end(), {"--support", "--support-depth"});
     for (const char* option : refused)
@@ -220,6 +221,10 @@ void addSimplify(CLI::App& app, Chosen& chosen)
         ->add_option("--join", request->joinPercent,
                      "parts this near to one another may join, per cent of the diagonal (0: none)")
         ->check(terminal::between(0.0, 100.0));
+    command
+        ->add_flag("--join-within", request->settings.joinWithinParts,
+                   "with --join: so may positions of one part that are on two sides of a gap")
+        ->needs("--join");
     command->add_flag("!--shape-only", request->settings.keepSeams, "let textures, normals and materials go");
     command->add_flag("!--lopsided", request->settings.keepSymmetry,
                       "do not keep symmetric models symmetric");

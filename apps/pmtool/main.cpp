@@ -24,6 +24,7 @@ int run(int argc, char** argv)
     pmtool::addCompareCache(*compare, chosen);
     pmtool::addCompareSimplify(*compare, chosen);
     pmtool::addCompareSilhouette(*compare, chosen);
+    pmtool::addCompareTolerance(*compare, chosen);
     if (const auto ends = terminal::parse(app, argc, argv)) return *ends;
     return terminal::report("pmtool", chosen.jsonFile, chosen.work);
 }

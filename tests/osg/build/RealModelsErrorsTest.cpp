@@ -7,11 +7,11 @@
 #include <osgPMObjects/core/mesh/MeshCounts.h>
 #include <osgPMObjects/core/progressive/LevelMesh.h>
 #include <osgPMObjects/core/progressive/MeasureLevels.h>
-#include <osgPMObjects/core/selection/LevelSelector.h>
 #include <osgPMObjects/core/simplify/SimplificationError.h>
 #include <osgPMObjects/core/simplify/Simplify.h>
 
 #include "RealData.h"
+#include "pmtool/ChosenLevel.h"
 #include "pmtool/Models.h"
 
 namespace
@@ -22,28 +22,6 @@ using namespace osgPMObjects::core;
 class RealModelErrors : public testing::TestWithParam<const char*>
 {
 };
-
-struct ChosenLevel
-{
-    std::uint32_t steps = 0, faces = 0;
-    double tolerance = 0.0; ///< units of the model
-};
-
-/// Chooses as a node does that is so many pixels across in its first frame, at a tolerance of one pixel.
-ChosenLevel chosenAt(const LevelTable& table, double radius, double acrossPx)
-{
-    SelectionView view;
-    view.pixelsPerTangent = view.guaranteedPixelsPerTangent = 5000.0; // a narrow view
-    SelectionSettings settings;
-    SelectableObject object;
-    object.sphere = {{0.0, 0.0, -2.0 * radius * view.pixelsPerTangent / acrossPx}, radius};
-    object.table = &table;
-    object.settings = &settings;
-    const LevelSelector selector(view);
-    HeldLevel held;
-    const std::uint32_t steps = selector.select(object, held).steps;
-    return {steps, table.faces[steps], selector.toleranceOf(object, 1.0)};
-}
 
 /// The largest distance of a level from the original, by other samples than those of the ladder.
 double distanceOf(const SimplificationMeter& meter, const ProgressiveMesh& progressive, double diagonal,
@@ -68,7 +46,7 @@ TEST_P(RealModelErrors, DrawAtMostAThirdMoreThanTheToleranceNeeds)
     const double diagonal = extentOfFaces(original).diagonal();
     for (const double acrossPx : {30.0, 300.0})
     {
-        const ChosenLevel chosen = chosenAt(table, 0.5 * diagonal, acrossPx);
+        const pmtool::ChosenLevel chosen = pmtool::levelShownAt(table, 0.5 * diagonal, acrossPx);
         EXPECT_LE(distanceOf(meter, progressive, diagonal, chosen.steps), 1.05 * chosen.tolerance)
             << acrossPx;
         int looked = 0;
@@ -99,8 +77,10 @@ TEST(RealModelEstimates, DrawSeveralTimesWhatMeasuredErrorsDraw)
     LevelTable estimated = measured; // the mutation
     estimated.measured = {};
     const double radius = 0.5 * extentOfFaces(mesh).diagonal();
-    EXPECT_GT(chosenAt(estimated, radius, 30.0).faces, 1.3 * chosenAt(measured, radius, 30.0).faces);
-    EXPECT_GT(chosenAt(estimated, radius, 300.0).faces, 1.3 * chosenAt(measured, radius, 300.0).faces);
+    EXPECT_GT(pmtool::levelShownAt(estimated, radius, 30.0).faces,
+              1.3 * pmtool::levelShownAt(measured, radius, 30.0).faces);
+    EXPECT_GT(pmtool::levelShownAt(estimated, radius, 300.0).faces,
+              1.3 * pmtool::levelShownAt(measured, radius, 300.0).faces);
 }
 
 } // namespace

@@ -29,6 +29,9 @@ struct SimplifySettings
     /// Above 0: connected parts may join over gaps up to this distance: a position may merge into the nearest one of another part.
     /// Units: as the positions.
     double joinDistance = 0.0;
+    /// With joinDistance: so may positions of one part, if the way between them along its edges is more than three times as long as that
+    /// distance: slits, the gaps between blades, sheets over each other.
+    bool joinWithinParts = false;
     /// Enlarge remaining leaf cards as others are removed, so that foliage keeps its area. Only for materials of foliage: very
     /// many small flat parts of all directions. Not with an envelope or joinDistance, nor for a mesh that is kept symmetric.
     bool growLeaves = true;

@@ -199,7 +199,9 @@ Candidate CollapseChoice::bestOf(std::uint32_t position, std::span<const std::ui
     for (const std::uint32_t to : _star.neighbours)
         if (std::find(refused.begin(), refused.end(), to) == refused.end()) _ranked.push_back(candidate(to));
     const std::uint32_t nearby = _state.nearbyNow(position);
-    if (nearby != ~0u && !_ranked.empty()) _ranked.push_back(candidate(nearby));
+    if (nearby != ~0u && !_ranked.empty() &&
+        !std::binary_search(_star.neighbours.begin(), _star.neighbours.end(), nearby))
+        _ranked.push_back(candidate(nearby));
     const auto byUrgency = [](const Candidate& a, const Candidate& b)
     { return a.urgency != b.urgency ? a.urgency < b.urgency : a.to < b.to; };
     std::sort(_ranked.begin(), _ranked.end(), byUrgency);

@@ -81,8 +81,11 @@ CollapseState::CollapseState(const Mesh& original, const SimplifySettings& given
     std::iota(joinedTo.begin(), joinedTo.end(), 0u);
     wentTo.resize(positions.size());
     std::iota(wentTo.begin(), wentTo.end(), 0u);
-    if (settings.joinDistance > 0.0 && parts.size() > 1)
-        nearby = nearestOfOtherParts(positions, partOf, settings.joinDistance / frame.diagonal());
+    const double join = settings.joinDistance / frame.diagonal();
+    if (join > 0.0 && settings.joinWithinParts)
+        nearby = nearestAcrossGaps(positions, positionTriangles(original), join);
+    else if (join > 0.0 && parts.size() > 1)
+        nearby = nearestOfOtherParts(positions, partOf, join);
     if (settings.envelope > 0.0)
         envelope = std::make_unique<Envelope>(positions, properTriangles(original),
                                               settings.envelope / frame.diagonal());
@@ -93,7 +96,8 @@ std::uint32_t CollapseState::nearbyNow(std::uint32_t position) const
     constexpr std::uint32_t kNone = ~0u;
     if (nearby.empty() || nearby[position] == kNone) return kNone;
     const std::uint32_t now = followed(wentTo, nearby[position]);
-    return stars.hasFaces(now) && partNumber(now) != partNumber(position) ? now : kNone;
+    if (!stars.hasFaces(now) || now == position) return kNone;
+    return settings.joinWithinParts || partNumber(now) != partNumber(position) ? now : kNone;
 }
 
 void CollapseState::joinParts(std::uint32_t from, std::uint32_t to)

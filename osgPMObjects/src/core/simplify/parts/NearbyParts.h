@@ -7,6 +7,8 @@
 
 #include <glm/vec3.hpp>
 
+#include <osgPMObjects/core/Triangle.h>
+
 namespace osgPMObjects::core
 {
 
@@ -17,5 +19,10 @@ namespace osgPMObjects::core
 /// Differs: one pair a position, between parts only.
 std::vector<std::uint32_t> nearestOfOtherParts(std::span<const glm::dvec3> positions,
                                                std::span<const std::uint32_t> partOf, double distance);
+
+/// Finds for each position the nearest one within `distance` that no way along edges of up to three times `distance` leads to; ~0 where
+/// there is none, and for positions without triangles. Source: as above (pairs within a threshold). Cost: for each position, the edges so near.
+std::vector<std::uint32_t> nearestAcrossGaps(std::span<const glm::dvec3> positions,
+                                             std::span<const Triangle> triangles, double distance);
 
 } // namespace osgPMObjects::core
