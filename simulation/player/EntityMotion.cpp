@@ -157,7 +157,10 @@ void EntityMotion::goAlongLane(double distanceM, double timeS)
 {
     _state.steeringDeg = 0.0;
     if (distanceM == 0.0) return;
-    const double share = std::exchange(_alongShare, 1.0);
+    // While a speed action changes the speed the way sideways is not taken off, as in esmini.
+    const bool changesSpeed = timeS - _speedStartS < _speed.durationS();
+    const double sideways = std::exchange(_alongShare, 1.0);
+    const double share = changesSpeed ? 1.0 : sideways;
     if (!walk(*_roads, *_state.place, distanceM * share, _way))
     {
         _state.isAtEndOfRoad = true;

@@ -22,17 +22,28 @@ using osgRoads::core::Road;
 
 constexpr double kAngleStepM = 0.05; ///< of the difference that gives the direction of a lane's middle
 
-/// Returns the angle between the middle of a lane and the reference line: widths that change turn the lane.
-double laneAngle(const Road& road, const RoadPlace& place)
+/// Returns the slope of the middle of a lane over s: widths that change turn the lane.
+double laneSlope(const Road& road, const RoadPlace& place)
 {
     const LaneSection* const section = osgRoads::core::sectionAt(road, place.s);
-    if (!section || place.lane == 0) return std::atan(road.laneOffset.slope(place.s));
+    if (!section || place.lane == 0) return road.laneOffset.slope(place.s);
     const double from = std::max(section->s, place.s - kAngleStepM);
     const double to = std::min(section->end - 1e-9, place.s + kAngleStepM);
     const auto first = osgRoads::core::laneSpan(road, place.lane, from);
     const auto last = osgRoads::core::laneSpan(road, place.lane, to);
     if (!first || !last || !(to > from)) return 0.0;
-    return std::atan((last->centreT() - first->centreT()) / (to - from));
+    return (last->centreT() - first->centreT()) / (to - from);
+}
+
+/// Returns the angle in the plan view between what goes along a lane and the reference line. A bank that changes moves the lane
+/// sideways, too: the distance from the reference line is t times the cosine of the bank.
+double laneAngle(const Road& road, const RoadPlace& place)
+{
+    const double slope = laneSlope(road, place);
+    if (!road.hasTilt()) return std::atan(slope);
+    const double bank = road.superelevationRad.value(place.s);
+    return std::atan(slope * std::cos(bank) -
+                     place.t * std::sin(bank) * road.superelevationRad.slope(place.s));
 }
 
 /// Whether wheels belong on a lane of this type: everything but ground beside the road.
@@ -94,7 +105,13 @@ std::optional<RoadPlace> RoadScene::nearest(const glm::dvec3& point, double head
 RoadPose RoadScene::poseAt(const RoadPlace& place) const
 {
     const Road& road = roadAt(place);
-    const double turned = place.relativeHeadingRad + laneAngle(road, place);
+    // What turns in the plane of the road turns less, seen from above, where the road is banked.
+    const double turn = place.relativeHeadingRad;
+    const double seen =
+        road.hasTilt()
+            ? std::atan2(std::sin(turn) * std::cos(road.superelevationRad.value(place.s)), std::cos(turn))
+            : turn;
+    const double turned = seen + laneAngle(road, place);
     const osgRoads::core::WorldPose pose = osgRoads::core::worldPose(
         _network, {place.road, place.s, place.t, osgRoads::core::surfaceHeight(road, place.s, place.t)},
         turned);

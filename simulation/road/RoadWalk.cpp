@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <numbers>
 
 #include <osgRoads/core/query/LaneSpan.h>
@@ -98,6 +99,18 @@ bool enterRoad(const RoadScene& roads, RoadPlace& place, bool towardsEnd, const 
     return true;
 }
 
+/// A lane whose width has shrunk to nothing is left to the one inside, as in esmini.
+void leaveEndedLane(const RoadScene& roads, RoadPlace& place)
+{
+    constexpr double kNoWidthM = 1e-6;
+    const int inwards = place.lane > 0 ? -1 : 1;
+    for (; std::abs(place.lane) > 1; place.lane += inwards)
+    {
+        const auto span = osgRoads::core::laneSpan(roads.roadAt(place), place.lane, place.s);
+        if (!span || span->width() > kNoWidthM) return;
+    }
+}
+
 } // namespace
 
 bool walk(const RoadScene& roads, RoadPlace& place, double distanceM, const RoadWay& way)
@@ -117,6 +130,7 @@ bool walk(const RoadScene& roads, RoadPlace& place, double distanceM, const Road
         }
         roads.putOnLane(place, place.lane, place.laneOffsetM);
     }
+    leaveEndedLane(roads, place);
     if (!roads.putOnLane(place, place.lane, place.laneOffsetM)) roads.takeNearestLane(place);
     return arrives;
 }

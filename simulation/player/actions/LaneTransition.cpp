@@ -42,7 +42,9 @@ bool LaneTransition::step(ActionScene& scene, EntityMotion& actor)
         shapeSlope(_course.shape, _course.isAhead ? before : now) * change / _course.duration;
     const double sine = _course.isByDistance ? perUnit : perUnit / std::max(std::fabs(speed), kSlowestMps);
     const bool stands = std::fabs(speed) < kSlowestMps;
-    const double turn = stands ? 0.0 : std::asin(std::clamp(sine, -1.0, 1.0));
+    const double turn = stands            ? 0.0
+                        : _course.isAhead ? std::asin(std::clamp(sine, -1.0, 1.0))
+                                          : std::atan(sine);
     actor.setLane(_course.lane, _fromOffsetM + change * shapeValue(_course.shape, now), turn,
                   _course.isAhead ? std::cos(turn) : 1.0);
     return false;

@@ -78,7 +78,7 @@ bool holdsFor(const LastingCondition& condition, const EntityFacts& facts, std::
         condition.kind == LastingCondition::Kind::standStill ? lasting.standStillSinceS
         : condition.kind == LastingCondition::Kind::offroad  ? lasting.offRoadSinceS
                                                              : lasting.endOfRoadSinceS;
-    return since && facts.timeS - *since >= condition.seconds - 1e-9;
+    return since && facts.timeS - *since > condition.seconds + 1e-9;
 }
 
 } // namespace simulation
