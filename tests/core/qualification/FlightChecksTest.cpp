@@ -72,6 +72,7 @@ void expectChecksThatCanFail(const Checks& checksOf)
     }
     for (const AircraftData& aircraft : wrongAircraft())
     {
+        if (unfailed.empty()) return;
         const auto others = checksOf(aircraft);
         ASSERT_TRUE(others);
         for (const QualificationCheck& check : *others)
