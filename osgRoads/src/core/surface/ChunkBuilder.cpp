@@ -139,6 +139,19 @@ std::vector<SurfaceQuad> ChunkBuilder::quadsOf(std::size_t firstColumn, std::siz
     return quads;
 }
 
+/// Whether most of a verge, of which a column is the outer edge, is a gap within a junction.
+bool ChunkBuilder::isGap(std::size_t column, int side) const
+{
+    constexpr std::size_t kAsked = 5; // rows
+    std::size_t gaps = 0;
+    for (std::size_t i = 0; i < kAsked; ++i)
+    {
+        const Row& row = _rows[i * (_rows.size() - 1) / (kAsked - 1)];
+        gaps += _cover.isGap(row.s, row.points[column].t, side) ? 1 : 0;
+    }
+    return 2 * gaps > kAsked;
+}
+
 /// Returns what the vertices of each strip have in common.
 std::vector<MeshVertex> ChunkBuilder::stripsAt(double from) const
 {
@@ -149,8 +162,13 @@ std::vector<MeshVertex> ChunkBuilder::stripsAt(double from) const
         const auto columns = static_cast<std::size_t>(strip.columns);
         MeshVertex vertex;
         if (isPaved(strip.kind)) vertex.decalRow = _decals.listFor(quadsOf(first, columns));
-        first += columns;
         vertex.kind = strip.kind;
+        // Nobody leaves wedges of grass between the lanes of a junction.
+        const bool isRight = first < 4, isVerge = strip.kind == SurfaceKind::verge;
+        if (isVerge && _mayBeCovered && _cover.canCoverMarks() &&
+            isGap(isRight ? first : first + 1, isRight ? -1 : 1))
+            vertex.kind = SurfaceKind::asphalt;
+        first += columns;
         if (strip.rightMark) vertex.rightRow = _marks.rowOf(_section, *strip.rightMark, from);
         if (strip.leftMark) vertex.leftRow = _marks.rowOf(_section, *strip.leftMark, from);
         strips.push_back(vertex);
@@ -165,11 +183,13 @@ void ChunkBuilder::addRow(const Row& row, double from, bool hasGround, const std
     // Two strips share a border, where the answer is the same.
     double askedT = std::numeric_limits<double>::quiet_NaN();
     bool isAskedCovered = false;
-    const auto isCovered = [&](double t)
+    JunctionCover::By askedBy = JunctionCover::By::carriageway;
+    const auto isCovered = [&](double t, JunctionCover::By by)
     {
-        if (t == askedT || !_mayBeCovered) return isAskedCovered;
+        if ((t == askedT && by == askedBy) || !_mayBeCovered) return isAskedCovered;
         askedT = t;
-        return isAskedCovered = _cover.covers(row.s, t);
+        askedBy = by;
+        return isAskedCovered = _cover.covers(row.s, t, by);
     };
     std::size_t first = 0;
     for (std::size_t i = 0; i < strips.size(); ++i)
@@ -178,8 +198,9 @@ void ChunkBuilder::addRow(const Row& row, double from, bool hasGround, const std
         const auto count = static_cast<std::size_t>(strip.columns);
         const bool isOwnCarriageway = strip.lane && isForCars(strip.lane->type);
         const bool isAsked = !isOwnCarriageway || _cover.canCoverMarks();
-        const bool rightCovered = isAsked && isCovered(row.points[first].t);
-        const bool leftCovered = isAsked && isCovered(row.points[first + count - 1].t);
+        const auto by = strip.isBesideLanes() ? JunctionCover::By::paving : JunctionCover::By::carriageway;
+        const bool rightCovered = isAsked && isCovered(row.points[first].t, by);
+        const bool leftCovered = isAsked && isCovered(row.points[first + count - 1].t, by);
         for (std::size_t j = first; j < first + count; ++j)
         {
             MeshVertex vertex = strips[i];

@@ -38,6 +38,7 @@ private:
     void addRow(const Row& row, double from, bool hasGround, const std::vector<MeshVertex>& strips);
     void addLevels(RoadChunk& chunk, std::uint32_t firstVertex);
     std::vector<MeshVertex> stripsAt(double from) const;
+    bool isGap(std::size_t column, int side) const;
     std::vector<SurfaceQuad> quadsOf(std::size_t firstColumn, std::size_t columns) const;
 
     const PlacedNetwork& _network;

@@ -2,6 +2,7 @@
 #include "CrossSection.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string_view>
 
 #include <osgRoads/core/query/LaneSpan.h>
@@ -68,6 +69,15 @@ bool isCurved(const Road& road)
 {
     const bool hasCrossfall = !road.crossfall.leftRad.isEmpty() || !road.crossfall.rightRad.isEmpty();
     return !road.shapes.empty() || (hasCrossfall && !road.laneOffset.isEmpty());
+}
+
+/// Returns the part of a way outwards from t that does not reach beyond the centre of a bend, where the surface would fold over.
+double unfolded(double leftM, double t, double curvature)
+{
+    constexpr double kShare = 0.98; // of the way to the centre
+    if (curvature * leftM <= 0.0) return leftM;
+    const double room = std::max(kShare / std::fabs(curvature) - std::fabs(t), 0.0);
+    return std::copysign(std::min(std::fabs(leftM), room), leftM);
 }
 
 } // namespace
@@ -139,9 +149,10 @@ void CrossSection::pointsAt(double s, std::vector<SectionPoint>& points) const
     const SectionPoint right = edge(false), left = edge(true);
     const RoadFrame frame = tiltAt(_road, s);
     const double vergeFallM = _bed.vergeM * _bed.vergeFall, run = _bed.skirtM / _bed.skirtSlope;
+    const double curvature = _road.referenceLine.at(s).curvature;
     const auto beside = [&](const SectionPoint& from, double leftM, double downM, double across, double width)
     {
-        const glm::dvec2 to = frame.moved({from.t, from.h}, leftM, downM);
+        const glm::dvec2 to = frame.moved({from.t, from.h}, unfolded(leftM, from.t, curvature), downM);
         return SectionPoint{to.x, to.y, across, width};
     };
     const double outM = _bed.vergeM + run, downM = vergeFallM + _bed.skirtM;

@@ -13,6 +13,8 @@ namespace osgRoads::core
 namespace
 {
 
+constexpr double kJointM = 0.02;
+constexpr double kWidestGapM = 5.0;
 constexpr double kWithinM = 1e-3; ///< a border that two roads share belongs to both
 
 bool meetsJunction(const std::optional<RoadLink>& link)
@@ -39,21 +41,32 @@ bool JunctionCover::isNearOther(double s, double radiusM) const
                        [this](const RoadMatch& match) { return match.position.road != _road; });
 }
 
-bool JunctionCover::covers(double s, double t) const
+bool JunctionCover::covers(double s, double t, By by) const
 {
     const Road& own = _network.road(_road);
     const glm::dvec3 place = surfacePoint(own, s, t);
-    for (const RoadMatch& match : _network.locator().within(glm::dvec2(place), 0.0))
+    // Where roads are joined, a verge on the joint lies on both of them but for rounding.
+    const double reach = by == By::paving ? kJointM : 0.0;
+    for (const RoadMatch& match : _network.locator().within(glm::dvec2(place), reach))
     {
         if (match.position.road == _road) continue;
         const Road& other = _network.road(match.position.road);
         const auto lane = laneAt(other, match.position.s, match.position.t);
-        if (!lane || !isForCars(lane->lane->type)) continue;
+        if (!lane) continue;
+        const LaneType type = lane->lane->type;
+        if (by == By::carriageway ? !isForCars(type) : type == LaneType::none) continue;
         const RoadExtent extent = extentAt(other, match.position.s);
         const double inside = std::min(extent.leftT - match.position.t, match.position.t - extent.rightT);
         const double above = surfacePoint(other, match.position.s, match.position.t).z - place.z;
         if (inside > kWithinM && std::fabs(above) < kSameLevelM) return true;
     }
+    return false;
+}
+
+bool JunctionCover::isGap(double s, double t, int side) const
+{
+    for (double away = 0.0; away <= kWidestGapM; away += 1.0)
+        if (covers(s, t + side * away)) return true;
     return false;
 }
 

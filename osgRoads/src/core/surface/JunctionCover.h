@@ -25,8 +25,19 @@ public:
     /// that distance is covered.
     bool isNearOther(double s, double radiusM) const;
 
-    /// Whether a driving lane of another road lies at (s, t) of this one, less than 1 m higher or lower.
-    bool covers(double s, double t) const;
+    /// What covers another road: its carriageway, or all of its lanes that are paved.
+    enum class By
+    {
+        carriageway,
+        paving,
+    };
+
+    /// Whether another road lies at (s, t) of this one, less than 1 m higher or lower.
+    bool covers(double s, double t, By by = By::carriageway) const;
+
+    /// Whether a verge is a gap between carriageways of one junction: a driving lane of another road lies at most 5 m outwards of (s, t).
+    /// `side`: 1 to the left.
+    bool isGap(double s, double t, int side) const;
 
 private:
     const PlacedNetwork& _network;
