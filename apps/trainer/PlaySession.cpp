@@ -10,6 +10,7 @@
 #include <osgOffscreen/OffscreenContext>
 
 #include "MeasurePatches.h"
+#include "SceneRoads.h"
 #include "view/CameraTimings.h"
 #include "view/ViewFile.h"
 
@@ -80,6 +81,7 @@ PlaySession::create(simulation::Scenario scenario, SceneTerrain terrain, const P
     if (!setup) return setup.error();
     if (terrain.terrain)
         if (const auto set = configure(*terrain.terrain, request.terrain); !set) return set.error();
+    if (terrain.roads) setRoadTolerance(*terrain.node, request.terrain.errorTolerancePx);
 
     std::unique_ptr<PlaySession> session(new PlaySession(request, std::move(terrain)));
     simulation::PlayerOptions stage{session->_terrain.origin(), session->_terrain.ground(),

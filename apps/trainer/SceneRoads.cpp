@@ -4,10 +4,13 @@
 #include <string>
 
 #include <osg/Group>
+#include <osg/NodeVisitor>
 #include <osg/Notify>
 
 #include <osgRoads/core/surface/BuildRoadMesh.h>
 #include <osgTerrainROAM/core/LoadTerrain.h>
+
+#include <osgRoads/RoadDrawable>
 
 #include "ground/TileGround.h"
 #include "scenery/nodes/RoadShading.h"
@@ -65,6 +68,28 @@ foundation::Result<SceneTerrain> makeScene(const RoamFile& description, const st
     return withRoads(*terrain, roads);
 }
 
+/// Visits the drawables of roads.
+class RoadSetter : public osg::NodeVisitor
+{
+public:
+    explicit RoadSetter(double errorTolerancePx)
+        : osg::NodeVisitor(TRAVERSE_ALL_CHILDREN), _errorTolerancePx(errorTolerancePx)
+    {
+    }
+
+    void apply(osg::Drawable& drawable) override
+    {
+        auto* road = dynamic_cast<osgRoads::RoadDrawable*>(&drawable);
+        if (!road) return;
+        osgRoads::core::RoadViewSettings settings;
+        settings.tolerancePx *= _errorTolerancePx;
+        if (const auto set = road->setSettings(settings); !set) OSG_WARN << set.error().message() << '\n';
+    }
+
+private:
+    double _errorTolerancePx;
+};
+
 } // namespace
 
 simulation::GroundProvider groundWithRoads(simulation::GroundProvider ground,
@@ -111,6 +136,12 @@ foundation::Result<SceneTerrain> openNetwork(const std::filesystem::path& file, 
     osgTerrainROAM::core::TileEditor editor(tile);
     if (const auto cut = scenery::cutRoads(editor, *ground->roads.placed); !cut) return cut.error();
     return makeScene(description, tile, ground->roads);
+}
+
+void setRoadTolerance(osg::Node& scene, double errorTolerancePx)
+{
+    RoadSetter setter(errorTolerancePx);
+    scene.accept(setter);
 }
 
 } // namespace trainer

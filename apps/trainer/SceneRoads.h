@@ -26,4 +26,7 @@ foundation::Result<SceneTerrain> makeTerrainWithRoads(const osgTerrainROAM::core
 foundation::Result<SceneTerrain> openNetwork(const std::filesystem::path& file,
                                              const TerrainRequest& request);
 
+/// Gives the roads of a scene the error target of its terrain; their own part of it is RoadViewSettings::tolerancePx.
+void setRoadTolerance(osg::Node& scene, double errorTolerancePx);
+
 } // namespace trainer
