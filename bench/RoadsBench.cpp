@@ -115,7 +115,8 @@ void measureSurface(const std::shared_ptr<const RoadNetwork>& network)
                                  {
                                      for (auto _ : state)
                                      {
-                                         const RoadMesh mesh = buildRoadMesh(placed);
+                                         const RoadMesh mesh =
+                                             buildRoadMesh(placed, meshSettingsFor(placed.network()));
                                          state.counters["chunks"] = static_cast<double>(mesh.chunks.size());
                                          state.counters["vertices"] =
                                              static_cast<double>(mesh.vertices.size());

@@ -35,10 +35,7 @@ TopView topView(const RoadNetwork& network)
 {
     TopView view;
     view.background = kGround;
-    double total = 0.0;
-    for (const Road& road : network.roads)
-        if (road.isUsable) total += road.length;
-    const double shortestM = total / kMostSamples;
+    const double shortestM = network.usableLengthM() / kMostSamples;
     const auto paint = [&](bool isJunction, auto part)
     {
         for (const Road& road : network.roads)

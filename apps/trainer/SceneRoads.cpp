@@ -49,8 +49,8 @@ foundation::Result<SceneTerrain> withRoads(osg::ref_ptr<osgTerrainROAM::RoamTerr
 {
     for (const std::string& note : roads.notes)
         OSG_NOTICE << note << '\n';
-    auto mesh =
-        std::make_shared<const osgRoads::core::RoadMesh>(osgRoads::core::buildRoadMesh(*roads.placed));
+    auto mesh = std::make_shared<const osgRoads::core::RoadMesh>(osgRoads::core::buildRoadMesh(
+        *roads.placed, osgRoads::core::meshSettingsFor(roads.placed->network())));
     const osg::ref_ptr<osg::Group> scene = new osg::Group;
     scene->addChild(terrain);
     scene->addChild(scenery::makeRoadNode(std::move(mesh)));

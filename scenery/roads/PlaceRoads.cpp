@@ -26,7 +26,6 @@ using osgTerrainROAM::core::PlacedTile;
 using osgTerrainROAM::core::Placement;
 
 constexpr double kExtentStepM = 20.0;
-constexpr std::size_t kMostNotes = 10;
 
 /// A place of the tile at a height in the datum of its samples.
 glm::dvec3 onTile(const PlacedTile& tile, double latitudeDeg, double longitudeDeg, double heightM)
@@ -119,18 +118,6 @@ PlanExtent extentOf(const RoadNetwork& network)
     return extent;
 }
 
-std::vector<std::string> roadNotes(const std::vector<osgRoads::core::Problem>& problems,
-                                   const std::string& file)
-{
-    std::vector<std::string> notes;
-    for (const auto& problem : problems)
-        if (notes.size() < kMostNotes) notes.push_back(problem.message(file));
-    if (problems.size() > kMostNotes)
-        notes.push_back(file + ": " + std::to_string(problems.size() - kMostNotes) +
-                        " more; roadtool validate tells them all");
-    return notes;
-}
-
 foundation::Result<SceneRoads> placeRoads(const RoadsRequest& request, const PlacedTile& tile)
 {
     auto read = osgRoads::core::readNetwork(request.file);
@@ -144,7 +131,7 @@ foundation::Result<SceneRoads> placeRoads(const RoadsRequest& request, const Pla
         base.emplace(extent.low, extent.high, groundUnder(*map, tile));
     const auto datum = std::make_shared<SceneDatum>(network, std::move(*map), std::move(base));
     return SceneRoads{std::make_shared<osgRoads::core::PlacedNetwork>(network, datum),
-                      roadNotes(read->problems, request.file.string())};
+                      osgRoads::core::firstMessages(read->problems, request.file.string())};
 }
 
 } // namespace scenery

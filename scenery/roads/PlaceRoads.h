@@ -59,8 +59,4 @@ PlanExtent extentOf(const osgRoads::core::RoadNetwork& network);
 foundation::Result<SceneRoads> placeRoads(const RoadsRequest& request,
                                           const osgTerrainROAM::core::PlacedTile& tile);
 
-/// The first problems of a file, as lines.
-std::vector<std::string> roadNotes(const std::vector<osgRoads::core::Problem>& problems,
-                                   const std::string& file);
-
 } // namespace scenery

@@ -150,9 +150,7 @@ osgTerrainROAM::core::HeightField fieldOf(const RoadNetwork& network, const Plan
 
 double roadSampleM(const RoadNetwork& network)
 {
-    double lengthM = 0.0;
-    for (const Road& road : network.roads)
-        lengthM += road.isUsable ? road.length : 0.0;
+    const double lengthM = network.usableLengthM();
     double sampleM = kFinestSampleM;
     while (lengthM > kLongestM * sampleM / kFinestSampleM)
         sampleM *= 2.0;
@@ -176,7 +174,7 @@ foundation::Result<RoadGround> makeRoadGround(const std::filesystem::path& file)
     if (!map) return map.error();
     ground.roads = {
         std::make_shared<osgRoads::core::PlacedNetwork>(network, std::make_shared<SceneDatum>(network, *map)),
-        roadNotes(read->problems, file.string())};
+        osgRoads::core::firstMessages(read->problems, file.string())};
     return ground;
 }
 

@@ -153,6 +153,21 @@ TEST(RoadMesh, MarksOfBordersKeepTheirPhase)
     EXPECT_FLOAT_EQ(mesh.marks[1][0].width + mesh.marks[2][0].width, 0.27F);
 }
 
+TEST(RoadMesh, LongNetworksAreSampledMoreCoarsely)
+{
+    RoadNetwork network;
+    network.roads.resize(2);
+    network.roads[0].length = 2e5;
+    network.roads[0].isUsable = true;
+    network.roads[1].length = 3e9; // told and left out
+    network.roads[1].isUsable = false;
+    EXPECT_EQ(meshSettingsFor(network).errorM, RoadMeshSettings().errorM);
+    network.roads[0].length = 6e5;
+    EXPECT_DOUBLE_EQ(meshSettingsFor(network).errorM, 2.0 * RoadMeshSettings().errorM);
+    network.roads[0].length = 9e6;
+    EXPECT_EQ(meshSettingsFor(network).errorM, 0.01);
+}
+
 /// All networks at hand; what they cost is printed.
 TEST(RoadMesh, EveryFileAtHandIsMeshed)
 {

@@ -145,10 +145,7 @@ PlanBox RoadPiece::box() const
 
 std::vector<RoadPiece> piecesOf(const RoadNetwork& network)
 {
-    double total = 0.0;
-    for (const Road& road : network.roads)
-        if (road.isUsable) total += road.length;
-    const double longestM = std::max(kPieceM, total / kMostPieces);
+    const double longestM = std::max(kPieceM, network.usableLengthM() / kMostPieces);
     std::vector<RoadPiece> pieces;
     for (std::size_t road = 0; road < network.roads.size(); ++road)
     {

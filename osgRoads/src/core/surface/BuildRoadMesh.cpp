@@ -30,6 +30,15 @@ glm::dvec3 originOf(const PlacedNetwork& network)
 
 } // namespace
 
+RoadMeshSettings meshSettingsFor(const RoadNetwork& network)
+{
+    constexpr double kLongestM = 3e5, kCoarsestM = 0.01;
+    RoadMeshSettings settings;
+    settings.errorM =
+        std::clamp(settings.errorM * network.usableLengthM() / kLongestM, settings.errorM, kCoarsestM);
+    return settings;
+}
+
 RoadMesh buildRoadMesh(const PlacedNetwork& network, const RoadMeshSettings& settings)
 {
     RoadMesh mesh;

@@ -35,6 +35,15 @@ public:
     int roadIndex(const std::string& id) const { return find(_roads, id); }
     int junctionIndex(const std::string& id) const { return find(_junctions, id); }
 
+    /// Returns the length of all roads that can be used, metres.
+    double usableLengthM() const
+    {
+        double lengthM = 0.0;
+        for (const Road& road : roads)
+            lengthM += road.isUsable ? road.length : 0.0;
+        return lengthM;
+    }
+
     /// Makes the tables of ids. Of equal ids the first one counts.
     void index()
     {

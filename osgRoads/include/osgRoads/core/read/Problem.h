@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdio>
 #include <string>
+#include <vector>
 
 namespace osgRoads::core
 {
@@ -38,5 +39,18 @@ struct Problem
                (remedy.empty() ? "" : "; " + remedy);
     }
 };
+
+/// Returns the first ten problems of a file as lines, and one for the number of the others.
+inline std::vector<std::string> firstMessages(const std::vector<Problem>& problems, const std::string& file)
+{
+    constexpr std::size_t kMost = 10;
+    std::vector<std::string> messages;
+    for (const Problem& problem : problems)
+        if (messages.size() < kMost) messages.push_back(problem.message(file));
+    if (problems.size() > kMost)
+        messages.push_back(file + ": " + std::to_string(problems.size() - kMost) +
+                           " more; roadtool validate tells them all");
+    return messages;
+}
 
 } // namespace osgRoads::core

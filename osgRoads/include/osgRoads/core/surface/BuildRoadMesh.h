@@ -18,6 +18,10 @@ struct RoadMeshSettings
     RoadBed bed;
 };
 
+/// Returns settings by which the surface of a network fits into memory: as above up to 300 km, coarser in proportion beyond, by
+/// 1 cm at most.
+RoadMeshSettings meshSettingsFor(const RoadNetwork& network);
+
 /// Makes the drawn surface of a network: lanes, kerbs where lane heights step, verges and skirts, with what is painted
 /// along the borders. Roads that cannot be used are left out.
 /// Method: cross-sections of a chunk lie at s in equal steps, whose number doubles until the measured error is small enough;
