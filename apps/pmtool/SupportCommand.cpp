@@ -141,7 +141,7 @@ foundation::Result<terminal::Report> compareSupports(const SupportRequest& reque
                                                    [&](const Json& row) { return row[best] == rule.name; });
         std::cout << best << ": " << table[best].dump() << '\n';
     }
-    if (request.outputFolder.empty()) return report;
+    if (request.outputFolder.empty() || findings.panels.empty()) return report;
     for (const auto& [name, chart] : {std::pair{"area-curves.svg", areaChart(findings.panels)},
                                       {"distance-curves.svg", svgSheet(findings.distancePanels)}})
         if (const auto written = foundation::writeWholeFile(request.outputFolder / name, chart); !written)

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <filesystem>
 #include <iostream>
+#include <string>
+#include <system_error>
 #include <utility>
 
 #include <foundation/WholeFile.h>
@@ -15,19 +18,22 @@ namespace roadtool
 namespace
 {
 
-/// Writes the images that were asked for and tells their names.
+/// Writes the images that were asked for and tells their names. Both are made before one is written: where memory lacks, none is.
 foundation::Outcome writeImages(const TopView& view, const Request& request, nlohmann::ordered_json& row)
 {
+    const std::string svg = request.svgFile.empty() ? std::string() : svgText(view, request.pixels);
+    const RgbImage image = request.pngFile.empty() ? RgbImage() : paintedImage(view, request.pixels);
     if (!request.svgFile.empty())
     {
-        const auto written = foundation::writeWholeFile(request.svgFile, svgText(view, request.pixels));
+        const auto written = foundation::writeWholeFile(request.svgFile, svg);
         if (!written) return written.error();
         row["svg"] = request.svgFile.string();
     }
     if (!request.pngFile.empty())
     {
-        const RgbImage image = paintedImage(view, request.pixels);
         const auto written = writePng(image, request.pngFile);
+        std::error_code none;
+        if (!written && !request.svgFile.empty()) std::filesystem::remove(request.svgFile, none);
         if (!written) return written.error();
         row["png"] = request.pngFile.string();
         row["width"] = image.width;

@@ -8,6 +8,7 @@
 #include <gdal_priv.h>
 
 #include "roadtool/Pictures.h"
+#include "terminal/Guard.h"
 
 namespace roadtool
 {
@@ -44,10 +45,15 @@ foundation::Outcome writePng(const RgbImage& image, const std::filesystem::path&
     CPLPushErrorHandler(CPLQuietErrorHandler);
     foundation::WholeFile whole(file);
     const Dataset dataset = datasetOf(image);
+    if (!dataset)
+    {
+        CPLPopErrorHandler();
+        return terminal::outOfMemory(file.string());
+    }
     GDALDriver* const png = GetGDALDriverManager()->GetDriverByName("PNG");
-    const Dataset copy(dataset && png ? png->CreateCopy(whole.written().string().c_str(), dataset.get(), 0,
-                                                        nullptr, nullptr, nullptr)
-                                      : nullptr);
+    const Dataset copy(
+        png ? png->CreateCopy(whole.written().string().c_str(), dataset.get(), 0, nullptr, nullptr, nullptr)
+            : nullptr);
     const std::string reason = CPLGetLastErrorMsg();
     CPLPopErrorHandler();
     if (!copy) return whole.failure("cannot be written", reason.empty() ? "GDAL has no PNG driver" : reason);

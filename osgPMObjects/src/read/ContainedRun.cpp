@@ -49,6 +49,18 @@ void say(int descriptor, char kind, const std::string& text)
     writeAll(descriptor, text.data(), text.size());
 }
 
+/// Names the limit that was in the way: the caller's, or that of this process where it is lower.
+foundation::Error noMemory(const std::string& file, const std::string& what, const ReadLimits& limits)
+{
+    rlimit own{};
+    const bool isOwn = getrlimit(RLIMIT_AS, &own) == 0 && own.rlim_cur != RLIM_INFINITY &&
+                       own.rlim_cur >> 20 < limits.memoryMiB;
+    return {file,
+            what + " wanted more than " + std::to_string(isOwn ? own.rlim_cur >> 20 : limits.memoryMiB) +
+                (isOwn ? " MiB of address space" : " MiB"),
+            std::string(isOwn ? "raise the limit (ulimit -v), or " : "allow it more memory, or ") + kRepair};
+}
+
 void restrain(const ReadLimits& limits)
 {
     const rlimit none{0, 0};
@@ -150,10 +162,7 @@ foundation::Result<std::string> runContained(const std::function<foundation::Res
         return foundation::Error{file, what + " ended itself", kRepair};
     const char kind = bytes.front();
     bytes.erase(0, 1);
-    if (kind == kNoMemory)
-        return foundation::Error{file,
-                                 what + " wanted more than " + std::to_string(limits.memoryMiB) + " MiB",
-                                 std::string("allow it more memory, or ") + kRepair};
+    if (kind == kNoMemory) return noMemory(file, what, limits);
     if (kind == kError) return asError(file, bytes);
     return bytes;
 }

@@ -11,6 +11,7 @@
 #include <osgPMObjects/core/mesh/MeshCounts.h>
 
 #include "Foliage.h"
+#include "Random.h"
 
 namespace
 {
@@ -127,6 +128,32 @@ TEST(Consolidate, NeverAddsDefectsToCrowdedCards)
             EXPECT_LE(after.nonManifoldEdges, before.nonManifoldEdges) << cards << ' ' << size;
         }
     EXPECT_GT(undone, 0) << "otherwise there was little to see";
+}
+
+/// Faces between random points of a plane's grid, whose edges cross by the thousand: inserting all vertices would add too many faces.
+TEST(Consolidate, NeverAddsDefectsWhereTooManyEdgesCross)
+{
+    constexpr std::uint32_t kSide = 40, kFaces = 3000;
+    std::vector<glm::dvec3> positions;
+    for (std::uint32_t i = 0; i < kSide * kSide; ++i)
+        positions.emplace_back(i % kSide, i / kSide, 0.0);
+    testsupport::Random random(5);
+    std::vector<Triangle> triangles;
+    while (triangles.size() < kFaces)
+    {
+        const Triangle t{random.below(kSide * kSide), random.below(kSide * kSide),
+                         random.below(kSide * kSide)};
+        if (!repeatsCorner(t)) triangles.push_back(t);
+    }
+    Mesh mesh = meshOf(positions, triangles);
+    const MeshCounts before = countMesh(mesh);
+    const ConsolidateReport report = consolidate(mesh);
+    const MeshCounts after = countMesh(mesh);
+    EXPECT_GT(report.facesAsTheyWere, 0u) << "otherwise there was little to see";
+    EXPECT_LE(after.tJunctions, before.tJunctions);
+    EXPECT_LE(after.degenerates, before.degenerates);
+    EXPECT_LE(after.duplicates, before.duplicates);
+    EXPECT_LE(after.nonManifoldEdges, before.nonManifoldEdges);
 }
 
 } // namespace

@@ -96,6 +96,7 @@ public:
         for (std::size_t p = 0; p < positions.size(); ++p)
             _whole.state.drift[positions[p]] = _state.drift[p];
         _whole.state.mostNewFaces = _state.mostNewFaces;
+        _whole.state.isAtLimit = _whole.state.isAtLimit || _state.isAtLimit;
         _excerpt.putBack(_whole.mesh, origins);
         _whole.changed.clear();
         for (const std::uint32_t p : _changed)

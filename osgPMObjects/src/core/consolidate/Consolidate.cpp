@@ -77,7 +77,8 @@ void orientAndSplitWhatIsBack(Mesh& mesh, bool orient, ConsolidateReport& report
 }
 
 /// Closes cracks, reverses faces and splits edges. Where the passes do not come to an end, as among cards closer to each other than
-/// the tolerance, they may leave more defects than there were: such faces are put back.
+/// the tolerance, or would add too many faces, as where edges cross by the thousand, they may leave more defects than there were: such faces
+/// are put back.
 void repair(Mesh& mesh, const Mesh& input, CrackPasses& cracks, bool orient, ConsolidateReport& report)
 {
     std::vector<std::uint32_t> origins(mesh.faces.size());
@@ -85,7 +86,7 @@ void repair(Mesh& mesh, const Mesh& input, CrackPasses& cracks, bool orient, Con
     closeAndFollow(mesh, cracks, origins, report);
     orientAndSplit(mesh, orient, cracks, origins, report);
     report.tVertexPasses = cracks.made;
-    if (cracks.made < cracks.most) return;
+    if (cracks.made < cracks.most && !cracks.tVertices.isAtLimit) return;
     report.facesAsTheyWere = undoWorseRepairs(mesh, input, origins);
     if (report.facesAsTheyWere > 0) orientAndSplitWhatIsBack(mesh, orient, report);
 }

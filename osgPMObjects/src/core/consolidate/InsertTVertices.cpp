@@ -32,6 +32,7 @@ public:
           _thinHeight(state.thinHeight),
           _mostDrift(kMostDrift * state.tolerance),
           _mostNewFaces(state.mostNewFaces),
+          _isAtLimit(state.isAtLimit),
           _drift(state.drift),
           _waiting(state.waiting),
           _triangles(positionTriangles(mesh)),
@@ -54,6 +55,7 @@ public:
         std::size_t newFaces = 0;
         for (const TJunction& t : _found)
             newFaces += _edges.sides(t.edge).size();
+        _isAtLimit = _isAtLimit || newFaces > _mostNewFaces;
         if (newFaces > _mostNewFaces) return _report;
         for (const TJunction& t : _found)
             plan(t);
@@ -175,6 +177,7 @@ private:
     Mesh& _mesh;
     const double _tolerance, _thinHeight, _mostDrift;
     std::size_t& _mostNewFaces;
+    bool& _isAtLimit;
     std::vector<double>& _drift;
     std::vector<std::uint32_t>& _waiting;
     const std::vector<Triangle> _triangles;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <cstdint>
 #include <vector>
 
 #include <glm/geometric.hpp>
@@ -22,6 +23,9 @@ constexpr int kRays = 48;
 constexpr double kDecided = 0.25;
 /// The most patches that are judged by rays.
 constexpr std::size_t kMostJudged = 2048;
+/// Boxes of the tree that all rays together may look at, and the most that a ray may look at on average. Where many faces coincide or
+/// cross, each ray would look at all of them. The patches of known models need up to 145 a ray; 2 048 patches may have 254 each.
+constexpr std::uint64_t kMostBoxes = 50'000'000, kMostBoxesARay = 1024;
 /// Least cosine between the directions from an edge into its two faces at which they fold back onto each other.
 constexpr double kFold = 0.5;
 
@@ -126,20 +130,21 @@ private:
         const TriangleTree tree(_mesh.positions, _triangles);
         std::vector<Patch*> patches = largestFirst();
         patches.resize(std::min(patches.size(), kMostJudged));
+        const std::uint64_t boxesARay = std::min(kMostBoxesARay, kMostBoxes / (2 * kRays * patches.size()));
         parallelShares(patches.size(), 4,
                        [&](std::size_t first, std::size_t last, std::size_t)
                        {
                            for (std::size_t i = first; i < last; ++i)
-                               judge(*patches[i], tree);
+                               judge(*patches[i], tree, boxesARay);
                        });
         _report.unjudged = _doubtful.size() - patches.size();
         for (const Patch* patch : patches)
             _report.unjudged += patch->isCutShort;
     }
 
-    void judge(Patch& patch, const TriangleTree& tree) const
+    void judge(Patch& patch, const TriangleTree& tree, std::uint64_t boxesARay) const
     {
-        const Openness open = openness(_mesh.positions, _triangles, patch.faces, tree, kRays);
+        const Openness open = openness(_mesh.positions, _triangles, patch.faces, tree, kRays, boxesARay);
         patch.isCutShort = open.isCutShort;
         patch.isDecided = std::abs(open.value) > kDecided;
         patch.isTurned = patch.isDecided && open.value < 0.0;

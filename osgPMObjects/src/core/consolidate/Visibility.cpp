@@ -13,10 +13,6 @@ namespace osgPMObjects::core
 namespace
 {
 
-/// Boxes of the tree that a ray of a patch may look at, on average. Known models need some dozens; where many faces coincide or cross, each
-/// ray would look at all of them.
-constexpr std::uint64_t kMostBoxesARay = 1024;
-
 /// Returns the i-th number, 0 to 1, of an evenly spread sequence. Source: van der Corput, *Verteilungsfunktionen* (1935), base
 /// `base`.
 double spread(int i, int base)
@@ -43,7 +39,8 @@ glm::dvec3 directionBefore(const glm::dvec3& normal, double u, double v)
 } // namespace
 
 Openness openness(std::span<const glm::dvec3> positions, std::span<const Triangle> triangles,
-                  std::span<const std::uint32_t> patch, const TriangleTree& tree, int rays)
+                  std::span<const std::uint32_t> patch, const TriangleTree& tree, int rays,
+                  std::uint64_t boxesARay)
 {
     const auto areaVector = [&](std::uint32_t f)
     {
@@ -55,7 +52,7 @@ Openness openness(std::span<const glm::dvec3> positions, std::span<const Triangl
         areas.push_back((areas.empty() ? 0.0 : areas.back()) + glm::length(areaVector(f)));
     if (!(areas.back() > 0.0)) return {};
     int front = 0, back = 0;
-    std::uint64_t work = kMostBoxesARay * 2 * static_cast<std::uint64_t>(rays);
+    std::uint64_t work = boxesARay * 2 * static_cast<std::uint64_t>(rays);
     Openness found;
     for (int i = 0; i < rays; ++i)
     {

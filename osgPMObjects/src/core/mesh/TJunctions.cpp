@@ -22,9 +22,9 @@ namespace
 constexpr double kEnd = 1e-4;
 /// Edges that share a limit of work, and the least number of such groups for a thread.
 constexpr std::size_t kEdgesOfAGroup = 1024, kLeastGroupsAThread = 4;
-/// Limits where the tolerance is larger than the details of the mesh: boxes and points that are looked at for each edge, and junctions
-/// for each edge and vertex. Known models need less than a tenth.
-constexpr std::uint64_t kMostWorkAnEdge = 256;
+/// Limits where the tolerance is larger than the details of the mesh: boxes and points that are looked at for each edge, and besides by a few
+/// edges near all points, together; junctions for each edge and vertex. Known models need up to 160 boxes and points an edge of a group.
+constexpr std::uint64_t kMostWorkAnEdge = 256, kMostWorkOfFew = 1u << 25;
 constexpr std::size_t kMostJunctions = 4, kFewJunctions = 65536;
 
 /// An edge, and the tests whether boxes and points lie near it.
@@ -98,7 +98,7 @@ public:
         const PointTree tree(_points);
         const std::size_t most = kMostJunctions * (_edges.size() + _vertices.size()) + kFewJunctions;
         std::vector<std::vector<TJunction>> found(std::max(1u, std::thread::hardware_concurrency()));
-        parallelShares((_edges.size() + kEdgesOfAGroup - 1) / kEdgesOfAGroup, kLeastGroupsAThread,
+        parallelShares(groupCount(), kLeastGroupsAThread,
                        [&](std::size_t first, std::size_t last, std::size_t share)
                        {
                            for (std::size_t g = first; g < last && found[share].size() < most; ++g)
@@ -117,7 +117,7 @@ public:
     {
         PointTree tree(_points);
         std::size_t count = 0;
-        std::uint64_t work = workOf(_edges.size(), tree);
+        std::uint64_t work = workOf(_edges.size(), tree, 1);
         for (const OpenEdge& edge : _edges)
         {
             const EdgeProbe probe = probeOf(edge);
@@ -140,11 +140,14 @@ private:
         std::pair<std::uint32_t, std::uint32_t> ends;
     };
 
-    /// Returns the most boxes and points to look at for some edges; one edge may be near all points.
-    static std::uint64_t workOf(std::size_t edges, const PointTree& tree)
+    /// Returns the most boxes and points to look at for some edges of as many groups; one edge may be near all points.
+    static std::uint64_t workOf(std::size_t edges, const PointTree& tree, std::size_t groups)
     {
-        return kMostWorkAnEdge * edges + 16 * std::uint64_t{tree.nodeCount()};
+        return kMostWorkAnEdge * edges +
+               std::min(16 * std::uint64_t{tree.nodeCount()}, kMostWorkOfFew / groups);
     }
+
+    std::size_t groupCount() const { return (_edges.size() + kEdgesOfAGroup - 1) / kEdgesOfAGroup; }
 
     EdgeProbe probeOf(const OpenEdge& edge) const
     {
@@ -161,7 +164,7 @@ private:
     {
         const std::size_t first = group * kEdgesOfAGroup;
         const std::size_t last = std::min(first + kEdgesOfAGroup, _edges.size());
-        std::uint64_t work = workOf(last - first, tree);
+        std::uint64_t work = workOf(last - first, tree, groupCount());
         for (std::size_t i = first; i < last; ++i)
         {
             const OpenEdge& edge = _edges[i];

@@ -31,6 +31,7 @@ struct TVertexState
     double thinHeight = 0.0; ///< faces with a T-vertex up to this height are removed, not cut
     std::size_t mostNewFaces =
         std::numeric_limits<std::size_t>::max(); ///< limit of faces that may still be added
+    bool isAtLimit = false;                      ///< a pass would have exceeded it
     std::vector<double> drift{};                 ///< by position: how far it has moved so far
     std::vector<std::uint8_t> among{};           ///< by position: 0 where it is ignored; empty: none is
     std::vector<std::uint32_t> waiting{};        ///< positions of T-junctions that the latest pass postponed
