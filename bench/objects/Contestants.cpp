@@ -16,10 +16,10 @@ namespace
 {
 
 Contestant played(const std::string& name, const core::Mesh& mesh, const core::CollapseSequence& sequence,
-                  core::Arrangement arrangement)
+                  const core::ArrangementSettings& settings)
 {
     const osg::ref_ptr<ProgressiveDrawable> drawable = new ProgressiveDrawable(
-        new ProgressiveShape(core::buildProgressiveMesh(mesh, sequence, {.arrangement = arrangement}), {}));
+        new ProgressiveShape(core::buildProgressiveMesh(mesh, sequence, settings), {}));
     return {name, [drawable](std::uint32_t steps) -> osg::ref_ptr<osg::Node> {
                 return drawable->setSteps(steps) ? drawable : nullptr;
             }};
@@ -30,9 +30,9 @@ Contestant played(const std::string& name, const core::Mesh& mesh, const core::C
 std::vector<Contestant> contestantsOf(const core::Mesh& mesh, const core::CollapseSequence& sequence)
 {
     std::vector<Contestant> all;
-    all.push_back(played("plain", mesh, sequence, core::Arrangement::plain));
-    all.push_back(played("tswap", mesh, sequence, core::Arrangement::tswap));
-    all.push_back(played("ours", mesh, sequence, core::Arrangement::windows));
+    all.push_back(played("plain", mesh, sequence, {.arrangement = core::Arrangement::plain}));
+    all.push_back(played("tswap", mesh, sequence, {.arrangement = core::Arrangement::tswap}));
+    all.push_back(played("ours", mesh, sequence, {.arrangement = core::Arrangement::windows}));
     all.push_back({"scratch",
                    [&mesh, &sequence](std::uint32_t steps) -> osg::ref_ptr<osg::Node>
                    {
@@ -40,6 +40,18 @@ std::vector<Contestant> contestantsOf(const core::Mesh& mesh, const core::Collap
                        core::orderFaces(level, core::FaceOrder::library);
                        return exportNode(level, {});
                    }});
+    return all;
+}
+
+std::vector<Contestant> movingContestantsOf(const core::Mesh& mesh, const core::CollapseSequence& sequence)
+{
+    std::vector<Contestant> all;
+    all.push_back(played("plain", mesh, sequence, {.arrangement = core::Arrangement::plain}));
+    for (const auto& [name, step] :
+         {std::pair{"tswap .4", 0.4f}, {"tswap .2", 0.2f}, {"tswap .1", 0.1f}, {"tswap .05", 0.05f}})
+        all.push_back(
+            played(name, mesh, sequence, {.arrangement = core::Arrangement::tswap, .tswapStep = step}));
+    all.push_back(played("ours", mesh, sequence, {.arrangement = core::Arrangement::windows}));
     return all;
 }
 

@@ -25,4 +25,8 @@ struct Contestant
 std::vector<Contestant> contestantsOf(const osgPMObjects::core::Mesh& mesh,
                                       const osgPMObjects::core::CollapseSequence& sequence);
 
+/// Those that can follow a moving level: plain VIPM, tswap with several numbers of orderings between all faces and none, ours.
+std::vector<Contestant> movingContestantsOf(const osgPMObjects::core::Mesh& mesh,
+                                            const osgPMObjects::core::CollapseSequence& sequence);
+
 } // namespace objectbench

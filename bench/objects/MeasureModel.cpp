@@ -60,14 +60,15 @@ foundation::Result<Json> measureModel(const std::string& file, const Request& re
     std::vector<std::uint32_t> levels;
     for (int i = 0; i < request.levels; ++i)
         levels.push_back(most / static_cast<std::uint32_t>(request.levels) * static_cast<std::uint32_t>(i));
-    std::vector<Contestant> contestants = contestantsOf(mesh, sequence);
+    std::vector<Contestant> contestants =
+        request.movingPercent > 0.0 ? movingContestantsOf(mesh, sequence) : contestantsOf(mesh, sequence);
     const osg::BoundingSphere ball = contestants.front().nodeAt(0)->getBound();
     Json model = {{"model", std::filesystem::path(file).filename().string()},
                   {"triangles", mesh.faces.size()},
                   {"vertices", mesh.wedgeCount()}};
     for (const int lights : request.lights)
     {
-        Json rows = race.run(contestants, levels, lights, ball);
+        Json rows = race.run(contestants, levels, most, lights, ball);
         const core::LevelTable table = core::LevelTable::of(mesh, sequence);
         for (Json& row : rows)
             row["faces"] = table.faces[std::min(row["steps"].get<std::uint32_t>(), table.mostSteps())];

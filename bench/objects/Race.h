@@ -19,12 +19,13 @@ public:
     Race(osgOffscreen::OffscreenViewer& viewer, const Request& request);
 
     /// Returns a row for each level with `ms` and `invocations` of each contestant, with the given number of lights
-    /// around the model.
-    Json run(const std::vector<Contestant>& contestants, const std::vector<std::uint32_t>& levels, int lights,
-             const osg::BoundingSphere& ball);
+    /// around the model. Where the request's levels move, they do so before each frame, which plays the steps; the median counts.
+    Json run(const std::vector<Contestant>& contestants, const std::vector<std::uint32_t>& levels,
+             std::uint32_t mostSteps, int lights, const osg::BoundingSphere& ball);
 
 private:
     double frameMs();
+    double shownMs(std::vector<double> times) const;
     void look(const osg::BoundingSphere& ball);
 
     osgOffscreen::OffscreenViewer& _viewer;

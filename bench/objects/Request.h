@@ -16,6 +16,7 @@ struct Request
     std::vector<std::string> files;
     std::vector<int> lights{32, 96};
     int levels = 10, repeats = 15;
+    double movingPercent = 0.0; ///< of the steps, by which a level changes from frame to frame; 0: it rests
     osgOffscreen::OffscreenSettings picture{.widthPx = 640, .heightPx = 480};
     std::filesystem::path jsonFile, plotFile;
 };

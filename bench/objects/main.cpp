@@ -50,6 +50,10 @@ int main(int argc, char** argv)
     app.add_option("--levels", request.levels)->check(CLI::Range(1, 1000));
     app.add_option("--repeats", request.repeats, "frames of each level; the fastest counts")
         ->check(CLI::Range(1, 10000));
+    app.add_option("--moving", request.movingPercent,
+                   "per cent of all steps by which the level changes from frame to frame, to and fro (0); "
+                   "more numbers of tswaps run")
+        ->check(CLI::Range(0.0, 50.0));
     app.add_option("--width", request.picture.widthPx)->check(CLI::Range(16, 4096));
     app.add_option("--height", request.picture.heightPx)->check(CLI::Range(16, 4096));
     app.add_option("--plot", request.plotFile, "SVG with frames per second against faces")->type_name("FILE");
