@@ -125,10 +125,12 @@ std::optional<models::RoadModel> signModel(const osgRoads::core::Signal& signal)
 {
     RoadModel model;
     if (osgRoads::core::paintKind(signal)) return {};
-    if (signal.type == "1000001" || signal.type == "1000002")
+    // 1000009 to 1000012 are lights with fewer lamps or arrows in them; netconvert writes 1000011 for all lights.
+    constexpr std::array kLights{"1000001", "1000002", "1000009", "1000010", "1000011", "1000012"};
+    if (std::find(kLights.begin(), kLights.end(), signal.type) != kLights.end())
     {
         model.kind =
-            signal.type == "1000001" ? RoadModel::Kind::trafficLight : RoadModel::Kind::pedestrianLight;
+            signal.type == "1000002" ? RoadModel::Kind::pedestrianLight : RoadModel::Kind::trafficLight;
         return model;
     }
     if (signal.type == "310" || signal.type == "311")

@@ -344,5 +344,6 @@ TEST(SignCodes, KnowTheSignsOfThreeCountries)
     EXPECT_EQ(faceOf("se", "c", "31", 5.0), (std::pair{SignFace::limit, 50}));
     EXPECT_EQ(faceOf("cn", "shi", "", 50.0), (std::pair{SignFace::least, 50}));
     EXPECT_EQ(faceOf("de", "99999", "", 0.0).second, -1);
+    EXPECT_EQ(faceOf("OpenDRIVE", "1000011", "30", 0.0).second, 0);  // a light, as netconvert writes it
     EXPECT_EQ(faceOf("OpenDRIVE", "1000003", "-1", 4.0).second, -1); // painted on the road
 }
