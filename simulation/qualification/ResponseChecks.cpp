@@ -92,25 +92,33 @@ foundation::Result<Flight> readCase(const std::filesystem::path& folder, const c
     return readReferenceFlight(folder / (std::string(file) + ".csv.gz"));
 }
 
-/// An oscillation of both flights.
+/// An oscillation of a recorded flight, and how far ours may differ, as shares of period and damping.
+struct OscillationCase
+{
+    const char* file;
+    const char* name;
+    FlightChannel channel;
+    FlightWindow window;
+    double periodShare, dampingShare;
+};
+
 foundation::Result<QualificationChecks>
 compareOscillation(const std::shared_ptr<const AircraftData>& aircraft, const std::filesystem::path& folder,
-                   const char* file, const char* name, FlightChannel channel, const FlightWindow& window,
-                   const std::array<double, 2>& shares)
+                   const OscillationCase& one)
 {
-    const foundation::Result<Flight> reference = readCase(folder, file);
+    const foundation::Result<Flight> reference = readCase(folder, one.file);
     if (!reference) return reference.error();
-    const FlightWindow flown{5.0, window.endS};
-    const auto own =
-        freeOscillation(replay(likeReference(*aircraft), *reference, flown, kMixture), channel, window);
-    const auto theirs = freeOscillation(*reference, channel, window);
+    const auto theirs = freeOscillation(*reference, one.channel, one.window);
     if (!theirs)
-        return foundation::Error{(folder / file).string(), "does not oscillate", "copy the flight again"};
+        return foundation::Error{(folder / one.file).string(), "does not oscillate", "copy the flight again"};
+    const Flight flown = replay(likeReference(*aircraft), *reference, {5.0, one.window.endS}, kMixture);
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    return QualificationChecks{{std::string(name) + ": period", own ? own->periodS : nan, "s",
-                                theirs->periodS, shares[0] * theirs->periodS, kSource},
-                               {std::string(name) + ": damping", own ? own->damping : nan, "1",
-                                theirs->damping, shares[1] * theirs->damping, kSource}};
+    const FreeOscillation own =
+        freeOscillation(flown, one.channel, one.window).value_or(FreeOscillation{nan, nan});
+    const std::string name = one.name;
+    return QualificationChecks{
+        {name + ": period", own.periodS, "s", theirs->periodS, one.periodShare * theirs->periodS, kSource},
+        {name + ": damping", own.damping, "1", theirs->damping, one.dampingShare * theirs->damping, kSource}};
 }
 
 } // namespace
@@ -138,11 +146,11 @@ foundation::Result<QualificationChecks> responseChecks(const std::shared_ptr<con
 foundation::Result<QualificationChecks> oscillationChecks(const std::shared_ptr<const AircraftData>& aircraft,
                                                           const std::filesystem::path& folder)
 {
-    auto phugoid = compareOscillation(aircraft, folder, "phugoid", "phugoid", FlightChannel::airspeed,
-                                      {10.0, 120.0}, {0.05, 0.2});
+    auto phugoid = compareOscillation(
+        aircraft, folder, {"phugoid", "phugoid", FlightChannel::airspeed, {10.0, 120.0}, 0.05, 0.2});
     if (!phugoid) return phugoid.error();
-    auto dutchRoll = compareOscillation(aircraft, folder, "rudder_kick", "Dutch roll", FlightChannel::beta,
-                                        {6.0, 14.0}, {0.1, 0.25});
+    auto dutchRoll = compareOscillation(
+        aircraft, folder, {"rudder_kick", "Dutch roll", FlightChannel::beta, {6.0, 14.0}, 0.1, 0.25});
     if (!dutchRoll) return dutchRoll.error();
     phugoid->insert(phugoid->end(), dutchRoll->begin(), dutchRoll->end());
     return phugoid;

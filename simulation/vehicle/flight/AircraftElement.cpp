@@ -56,7 +56,7 @@ std::optional<std::vector<std::vector<double>>> parseLines(const std::string& te
 
 } // namespace
 
-void AircraftReader::fail(pugi::xml_node node, std::string what, std::string remedy)
+void AircraftReader::fail(pugi::xml_node node, const std::string& what, std::string remedy)
 {
     if (_error) return;
     _error = foundation::Error{_source.name() + ":" + std::to_string(_source.lineOf(node)),

@@ -24,7 +24,7 @@ public:
     const std::optional<foundation::Error>& error() const { return _error; }
 
     /// Keeps an error at an element, unless there is one already.
-    void fail(pugi::xml_node node, std::string what, std::string remedy);
+    void fail(pugi::xml_node node, const std::string& what, std::string remedy);
 
     /// A number of an attribute, from `least` to `most`.
     double number(pugi::xml_node node, const char* attribute, double least, double most);
