@@ -53,7 +53,7 @@ foundation::Result<SceneTerrain> withRoads(osg::ref_ptr<osgTerrainROAM::RoamTerr
         *roads.placed, osgRoads::core::meshSettingsFor(roads.placed->network())));
     const osg::ref_ptr<osg::Group> scene = new osg::Group;
     scene->addChild(terrain);
-    scene->addChild(scenery::makeRoadNode(std::move(mesh)));
+    scene->addChild(scenery::makeRoadNode(std::move(mesh), terrain));
     auto things = makeThings(*terrain, *roads.placed);
     if (!things) return things.error();
     scene->addChild((*things)->node());

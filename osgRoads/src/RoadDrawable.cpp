@@ -67,7 +67,8 @@ RoadDrawable::RoadDrawable(const RoadDrawable& other, const osg::CopyOp& copyOp)
       _mesh(other._mesh),
       _tree(other._tree),
       _buffers(other._buffers),
-      _settings(other._settings)
+      _settings(other._settings),
+      _groundState(other._groundState)
 {
 }
 
@@ -105,9 +106,20 @@ void RoadDrawable::cull(osgUtil::CullVisitor& visitor)
     if (choices.empty()) return;
     osg::RefMatrix& matrix = *visitor.getModelViewMatrix();
     if (seeksNearFar(visitor)) visitor.updateCalculatedNearFar(matrix, box);
-    osg::ref_ptr<RoadPart> part = new RoadPart(_buffers, choices, _settings, view.pixelsPerTangent, box);
+    const auto add = [&](RoadStrips strips)
+    {
+        osg::ref_ptr<RoadPart> part =
+            new RoadPart(_buffers, rangesOf(*_mesh, choices, strips), _settings, view.pixelsPerTangent, box);
+        visitor.addDrawableAndDepth(part.get(), &matrix, 0.0F);
+    };
     visitor.pushStateSet(getStateSet());
-    visitor.addDrawableAndDepth(part.get(), &matrix, 0.0F);
+    add(_groundState ? RoadStrips::paved : RoadStrips::all);
+    if (_groundState)
+    {
+        visitor.pushStateSet(_groundState.get());
+        add(RoadStrips::ground);
+        visitor.popStateSet();
+    }
     visitor.popStateSet();
 }
 

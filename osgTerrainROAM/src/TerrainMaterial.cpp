@@ -101,6 +101,34 @@ void TerrainMaterial::setProgram()
                                                     .sheets = _sheetNormals ? _sheetNormals->maps() : 0,
                                                     .fine = _fineNormals != nullptr,
                                                     .season = _season.has_value()}));
+    for (const auto& [state, look] : _borrowers)
+        lend(*state, look);
+}
+
+void TerrainMaterial::lendLook(osg::StateSet* to, BorrowedLook look)
+{
+    _borrowers.emplace_back(to, std::move(look));
+    lend(*to, _borrowers.back().second);
+}
+
+void TerrainMaterial::lend(osg::StateSet& to, const BorrowedLook& look) const
+{
+    to.merge(*_stateSet);
+    for (const GLenum plane : {GL_CLIP_PLANE0, GL_CLIP_PLANE1})
+        to.setMode(plane, osg::StateAttribute::OFF); // its vertices have no distances
+    const osg::ref_ptr<osg::Program> program = new osg::Program;
+    program->setName("lent ground");
+    const TerrainLook ground{.drape = _hasDrape,
+                             .layers = _imageryLayers,
+                             .features = _hasFeatures,
+                             .cover = _hasCover,
+                             .season = _season.has_value(),
+                             .lentNames = look.names};
+    program->addShader(
+        new osg::Shader(osg::Shader::VERTEX, "#version 330 compatibility\n" + look.vertexText));
+    program->addShader(new osg::Shader(osg::Shader::FRAGMENT, groundText(ground) + look.fragmentText));
+    if (look.finish) look.finish(to, *program);
+    to.setAttributeAndModes(program);
 }
 
 void TerrainMaterial::setFeatures(const core::FeatureCells& cells)

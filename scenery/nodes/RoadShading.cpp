@@ -17,6 +17,9 @@ namespace scenery
 namespace
 {
 
+constexpr int kFirstRoadUnit = 13;
+constexpr double kSlopeM = 100.0; ///< over which the grid's directions are measured
+
 osg::ref_ptr<osg::Program> makeProgram()
 {
     const std::string version = "#version 130\n";
@@ -31,13 +34,55 @@ osg::ref_ptr<osg::Program> makeProgram()
     return program;
 }
 
+/// Lets strips of grass look as the terrain's ground: its grid coordinates are linear over a network, to a part of a sample.
+osg::ref_ptr<osg::StateSet> makeGroundState(osgRoads::RoadDrawable& drawable,
+                                            osgTerrainROAM::RoamTerrain& terrain)
+{
+    const osgRoads::core::RoadMesh& mesh = *drawable.mesh();
+    const auto& frame = terrain.tile()->tile.frame();
+    const glm::dvec2 at(mesh.origin);
+    const glm::dvec2 grid = frame.gridNear(at);
+    const glm::dvec2 east = (frame.gridNear(at + glm::dvec2(kSlopeM, 0.0)) - grid) / kSlopeM;
+    const glm::dvec2 north = (frame.gridNear(at + glm::dvec2(0.0, kSlopeM)) - grid) / kSlopeM;
+    osg::ref_ptr<osg::StateSet> state = new osg::StateSet;
+    state->addUniform(new osg::Uniform("roadGridOrigin", osg::Vec2f(osg::Vec2d(grid.x, grid.y))));
+    state->addUniform(
+        new osg::Uniform("roadGridFromPlan", osg::Vec4f(osg::Vec4d(east.x, east.y, north.x, north.y))));
+    // The names by which the road is given what depends on the eye.
+    const std::string names =
+        "#define terrainEyeWrapped roadEyeWrapped\n#define terrainEyeWraps roadEyeWraps\n"
+        "#define terrainWorldFromLocal roadWorldFromLocal\n";
+    const auto finish =
+        [own = osg::ref_ptr<osg::StateSet>(drawable.getStateSet())](osg::StateSet& to, osg::Program& program)
+    {
+        osgRoads::bindRoadAttributes(program);
+        int unit = kFirstRoadUnit; // the terrain's textures have the road's units
+        for (const auto& [name, ownUnit] : {std::pair{"roadMarks", osgRoads::kMarksUnit},
+                                            {"roadGrain", osgRoads::kGrainUnit},
+                                            {"roadDecals", osgRoads::kDecalsUnit}})
+        {
+            to.setTextureAttributeAndModes(unit,
+                                           own->getTextureAttribute(ownUnit, osg::StateAttribute::TEXTURE));
+            to.getOrCreateUniform(name, osg::Uniform::INT)->set(unit++);
+        }
+    };
+    terrain.material()->lendLook(
+        state,
+        {std::string(osgRoads::glslVertexFunctions()) + shaders::kRoadGroundVertexMain,
+         std::string(osgRoads::glslFragmentFunctions()) + shaders::kRoadGroundFragmentMain, finish, names});
+    return state;
+}
+
 } // namespace
 
-osg::ref_ptr<osg::Node> makeRoadNode(std::shared_ptr<const osgRoads::core::RoadMesh> mesh)
+osg::ref_ptr<osg::Node> makeRoadNode(std::shared_ptr<const osgRoads::core::RoadMesh> mesh,
+                                     osgTerrainROAM::RoamTerrain* terrain)
 {
     const osg::ref_ptr<osg::Geode> geode = new osg::Geode;
     geode->setName("roads");
-    geode->addDrawable(new osgRoads::RoadDrawable(std::move(mesh)));
+    const osg::ref_ptr<osgRoads::RoadDrawable> drawable = new osgRoads::RoadDrawable(std::move(mesh));
+    if (terrain && terrain->material()) drawable->setGroundState(makeGroundState(*drawable, *terrain));
+    geode->addDrawable(drawable);
     geode->getOrCreateStateSet()->setAttributeAndModes(makeProgram());
     return geode;
 }

@@ -8,11 +8,15 @@
 
 #include <osgRoads/core/surface/RoadMesh.h>
 
+#include <osgTerrainROAM/RoamTerrain>
+
 namespace scenery
 {
 
 /// Makes the node that draws the surface of a road network in the light and the haze of the scene's Atmosphere, whose uniforms belong
-/// above it. Frame: the scene's.
-osg::ref_ptr<osg::Node> makeRoadNode(std::shared_ptr<const osgRoads::core::RoadMesh> mesh);
+/// above it. Verges and lanes of grass look as the ground of `terrain` does where they lie; null: they are plain green.
+/// Frame: the scene's, which is the terrain's.
+osg::ref_ptr<osg::Node> makeRoadNode(std::shared_ptr<const osgRoads::core::RoadMesh> mesh,
+                                     osgTerrainROAM::RoamTerrain* terrain = nullptr);
 
 } // namespace scenery

@@ -42,13 +42,18 @@ vec3 roadSurface(vec2 filters)
     return mix(grass, vec3(0.15, 0.125, 0.09) * (1.0 + 0.6 * stones), 0.6 * soil);
 }
 
-vec3 roadAlbedo()
+// Paints decals and marks on a colour.
+vec3 roadPainted(vec3 colour, vec2 filters)
 {
-    vec2 filters = roadFilters();
     vec2 planX = dFdx(roadPlan), planY = dFdy(roadPlan);
-    if (roadPresence.x < 0.5) discard;
-    vec3 colour = max(roadSurface(filters), vec3(0.01));
     colour = roadDecalsOf(colour, roadMarkRows.z, planX, planY);
     colour = roadMarksOfRow(colour, roadMarkRows.x, roadAt.y, roadPresence.y, filters);
     return roadMarksOfRow(colour, roadMarkRows.y, roadAt.y - roadAt.z, roadPresence.z, filters);
+}
+
+vec3 roadAlbedo()
+{
+    vec2 filters = roadFilters();
+    if (roadPresence.x < 0.5) discard;
+    return roadPainted(max(roadSurface(filters), vec3(0.01)), filters);
 }

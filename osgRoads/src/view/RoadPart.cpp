@@ -10,25 +10,40 @@ namespace
 {
 
 /// Where the grain's coordinates are counted from, metres; every period of the grain divides it.
-constexpr double kWrapM = 1024.0;
+constexpr double kWrapM = 4096.0;
 
 } // namespace
 
-RoadPart::RoadPart(std::shared_ptr<RoadBuffers> buffers, const std::vector<core::ChunkChoice>& choices,
+std::vector<RoadRange> rangesOf(const core::RoadMesh& mesh, const std::vector<core::ChunkChoice>& choices,
+                                RoadStrips strips)
+{
+    std::vector<RoadRange> ranges;
+    for (const core::ChunkChoice& choice : choices)
+    {
+        const core::ChunkLevel& level = mesh.chunks[choice.chunk].levels[choice.level];
+        RoadRange range{level.firstIndex, level.indexCount};
+        if (strips == RoadStrips::paved) range.count = level.pavedCount;
+        if (strips == RoadStrips::ground)
+            range = {level.firstIndex + level.pavedCount, level.indexCount - level.pavedCount};
+        if (range.count > 0) ranges.push_back(range);
+    }
+    return ranges;
+}
+
+RoadPart::RoadPart(std::shared_ptr<RoadBuffers> buffers, std::vector<RoadRange> ranges,
                    const core::RoadViewSettings& settings, double pixelsPerTangent,
                    const osg::BoundingBox& bounds)
-    : _buffers(std::move(buffers)), _settings(settings), _pixelsPerTangent(pixelsPerTangent), _bounds(bounds)
+    : _buffers(std::move(buffers)),
+      _ranges(std::move(ranges)),
+      _settings(settings),
+      _pixelsPerTangent(pixelsPerTangent),
+      _bounds(bounds)
 {
     setUseDisplayList(false);
     setSupportsDisplayList(false);
     setUseVertexBufferObjects(true);
     setUseVertexArrayObject(false);
     setDataVariance(osg::Object::STATIC);
-    for (const core::ChunkChoice& choice : choices)
-    {
-        const core::ChunkLevel& level = _buffers->mesh().chunks[choice.chunk].levels[choice.level];
-        _ranges.push_back({level.firstIndex, level.indexCount});
-    }
 }
 
 void RoadPart::setUniforms(osg::State& state) const
@@ -41,7 +56,9 @@ void RoadPart::setUniforms(osg::State& state) const
     const osgTraversal::ProgramUniforms uniforms(state);
     uniforms.set("roadEyeSteps", whole.steps);
     uniforms.set("roadEyeRest", whole.rest);
-    uniforms.set("roadEyeWrapped", osgTraversal::WrappedPlace::of(eye, kWrapM).within);
+    const auto wrapped = osgTraversal::WrappedPlace::of(eye, kWrapM);
+    uniforms.set("roadEyeWrapped", wrapped.within);
+    uniforms.set("roadEyeWraps", wrapped.periods);
     uniforms.set("roadLift",
                  osg::Vec4f(static_cast<float>(_settings.liftPx / _pixelsPerTangent),
                             static_cast<float>(_settings.liftFromM), static_cast<float>(_settings.liftFullM),

@@ -13,12 +13,24 @@
 namespace osgRoads
 {
 
+/// Which strips of the surface are drawn.
+enum class RoadStrips
+{
+    all,
+    paved,
+    ground, ///< core::isGround()
+};
+
+/// Returns the ranges of the chosen levels; none is empty.
+std::vector<RoadRange> rangesOf(const core::RoadMesh& mesh, const std::vector<core::ChunkChoice>& choices,
+                                RoadStrips strips);
+
 /// The drawable that one cull traversal puts into the render graph: the chunks that one camera sees, at its levels. It never
 /// changes, so a frame may be culled while the last is drawn.
 class RoadPart : public osg::Drawable
 {
 public:
-    RoadPart(std::shared_ptr<RoadBuffers> buffers, const std::vector<core::ChunkChoice>& choices,
+    RoadPart(std::shared_ptr<RoadBuffers> buffers, std::vector<RoadRange> ranges,
              const core::RoadViewSettings& settings, double pixelsPerTangent, const osg::BoundingBox& bounds);
 
     void drawImplementation(osg::RenderInfo& renderInfo) const override;

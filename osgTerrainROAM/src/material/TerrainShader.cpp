@@ -25,6 +25,7 @@ std::string definesOf(const TerrainLook& look)
     if (look.season) text += "#define TERRAIN_SEASON\n";
     if (look.sheets > 0) text += "#define TERRAIN_SHEETS\n";
     if (look.fine) text += "#define TERRAIN_FINE\n";
+    if (look.lentNames) text += "#define TERRAIN_LENT\n" + *look.lentNames;
     if (look.surroundings) text += "#define TERRAIN_SURROUNDINGS\n";
     return text;
 }
@@ -35,8 +36,10 @@ std::string featureFunctions()
            shaders::kFeatureStrokes + shaders::kFeaturePaint + shaders::kFeatureColours;
 }
 
-/// Joins the parts of the fragment shader; each part follows those whose functions it calls.
-std::string fragmentText(const TerrainLook& look)
+} // namespace
+
+// Each part follows those whose functions it calls.
+std::string groundText(const TerrainLook& look)
 {
     std::string text = "#version 330 compatibility\n" + definesOf(look);
     text += Atmosphere::glslFunctions();
@@ -51,10 +54,8 @@ std::string fragmentText(const TerrainLook& look)
     if (look.layers > 0) text += imageryText(look.layers);
     if (look.cover) text += shaders::kLandCover;
     if (look.season) text += shaders::kSeasonSnow;
-    return text + shaders::kTerrainMain;
+    return text + shaders::kGroundRadiance;
 }
-
-} // namespace
 
 osg::ref_ptr<osg::Shader> terrainVertexShader()
 {
@@ -66,7 +67,7 @@ osg::ref_ptr<osg::Program> terrainProgram(const TerrainLook& look)
     osg::ref_ptr<osg::Program> program = new osg::Program;
     program->setName("terrain");
     program->addShader(terrainVertexShader());
-    program->addShader(new osg::Shader(osg::Shader::FRAGMENT, fragmentText(look)));
+    program->addShader(new osg::Shader(osg::Shader::FRAGMENT, groundText(look) + shaders::kTerrainMain));
     return program;
 }
 

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
+#include <string>
+
 #include <osg/Program>
 
 namespace osgTerrainROAM
@@ -21,7 +24,12 @@ struct TerrainLook
     bool fine = false;         ///< normals between the samples (FineNormals.h)
     bool season = false;       ///< snow of the season (GroundPalette.h)
     bool surroundings = false; ///< the ground beyond the data (Surroundings.h), with a season at most
+    std::optional<std::string> lentNames =
+        std::nullopt; ///< for another surface (TerrainMaterial::BorrowedLook)
 };
+
+/// The text of the look's fragment shader without main(): vec3 groundRadiance(vec3 directionWorld) and what it needs.
+std::string groundText(const TerrainLook& look);
 
 /// The terrain's program, composed of the parts in shaders/ that the look needs.
 osg::ref_ptr<osg::Program> terrainProgram(const TerrainLook& look);

@@ -4,7 +4,7 @@
 
 // Returns the shares of white paint (edge and lane lines) and of wheel tracks. `across`: distance from the middle line;
 // `way`: distance along the road; metres.
-vec2 roadMarks(float across, float width, float way, float widthAhead, float halfWidth, int lanes)
+vec2 featureRoadMarks(float across, float width, float way, float widthAhead, float halfWidth, int lanes)
 {
     float white = coveredTwice(across, width, halfWidth - 0.37, halfWidth - 0.25);
     float lane = (2.0 * halfWidth - 0.74) / float(lanes);
@@ -67,7 +67,7 @@ int paintLines(inout Paint paint, int record, int count, vec2 at, Footprint f)
     vec2 normal = bestAcross > 1e-4 ? bestAway / bestAcross : vec2(-way.y, way.x);
     float width = widthAlong(f, normal);
     float ahead = clamp(dot(at - bestEnds.xy, way), 0.0, distance(bestEnds.xy, bestEnds.zw)) + bestStyle.y;
-    vec2 marks = roadMarks(bestAcross, width, ahead, widthAlong(f, way), bestStyle.x, (int(bestStyle.z) >> 4) & 15);
+    vec2 marks = featureRoadMarks(bestAcross, width, ahead, widthAlong(f, way), bestStyle.x, (int(bestStyle.z) >> 4) & 15);
     float alone = clamp(0.5 + second / width, 0.0, 1.0);
     paint.marks.x = marks.x * alone;
     paint.marks.z = marks.y * alone;

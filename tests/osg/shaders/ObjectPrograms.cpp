@@ -3,10 +3,13 @@
 #include <bake/Finish.h>
 
 #include <osgPMObjects/ObjectShader>
+#include <osgRoads/RoadDrawable>
 #include <osgRoads/RoadShader>
+#include <osgTerrainROAM/RoamTerrain>
 
 #include "Compositions.h"
 #include "RenderedScene.h"
+#include "SyntheticField.h"
 #include "scenery/nodes/ObjectShading.h"
 #include "scenery/nodes/RoadShading.h"
 #include "scenery/nodes/RoadThingsNode.h"
@@ -35,6 +38,22 @@ osg::ref_ptr<const osg::Program> bakedProgram()
     return programOf(look.stateFor(*state, osgPMObjects::Finish(), true));
 }
 
+/// Of verges that look as the ground of a terrain does, which has features and a season.
+osg::ref_ptr<const osg::Program> roadGroundProgram()
+{
+    using namespace osgTerrainROAM;
+    const auto tile =
+        std::make_shared<core::RoamTile>(core::PlacedTile(testsupport::hills(9, 9), core::Placement::planar));
+    const osg::ref_ptr<TerrainMaterial> material = new TerrainMaterial(tile->tile, Climate{});
+    const osg::ref_ptr<RoamTerrain> terrain = new RoamTerrain(tile, material);
+    const osg::ref_ptr<osg::Node> road =
+        scenery::makeRoadNode(std::make_shared<osgRoads::core::RoadMesh>(), terrain);
+    material->setFeatures(core::FeatureCells({}));
+    (void)material->setSeason(0.9);
+    const auto* drawable = dynamic_cast<const osgRoads::RoadDrawable*>(road->asGeode()->getDrawable(0));
+    return programOf(drawable->groundState());
+}
+
 } // namespace
 
 std::vector<NamedProgram> objectPrograms()
@@ -47,6 +66,7 @@ std::vector<NamedProgram> objectPrograms()
             {"road", osgRoads::makeRoadProgram()},
             {"road under the atmosphere",
              programOf(scenery::makeRoadNode(std::make_shared<osgRoads::core::RoadMesh>())->getStateSet())},
+            {"verge of a road on a terrain", roadGroundProgram()},
             {"road lamp", scenery::makeRoadLampProgram()},
             {"sky", programOf(scenery::makeSky()->getStateSet())},
             {"tests' triangle", programOf(rendered::shadedTriangle(0.0F)->getStateSet())}};

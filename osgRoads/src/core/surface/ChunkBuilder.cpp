@@ -153,7 +153,7 @@ bool ChunkBuilder::isGap(std::size_t column, int side) const
 }
 
 /// Returns what the vertices of each strip have in common.
-std::vector<MeshVertex> ChunkBuilder::stripsAt(double from) const
+std::vector<MeshVertex> ChunkBuilder::stripsAt(double from, bool hasGround) const
 {
     std::vector<MeshVertex> strips;
     std::size_t first = 0;
@@ -161,10 +161,11 @@ std::vector<MeshVertex> ChunkBuilder::stripsAt(double from) const
     {
         const auto columns = static_cast<std::size_t>(strip.columns);
         MeshVertex vertex;
-        if (isPaved(strip.kind)) vertex.decalRow = _decals.listFor(quadsOf(first, columns));
-        vertex.kind = strip.kind;
+        const bool isOnDeck = strip.lane && isGround(strip.kind) && !hasGround;
+        vertex.kind = isOnDeck ? SurfaceKind::shoulder : strip.kind; // no grass on bridges and in tunnels
+        if (isPaved(vertex.kind)) vertex.decalRow = _decals.listFor(quadsOf(first, columns));
         // Nobody leaves wedges of grass between the lanes of a junction.
-        const bool isRight = first < 4, isVerge = strip.kind == SurfaceKind::verge;
+        const bool isRight = first < 4, isVerge = strip.isBesideLanes() && strip.kind != SurfaceKind::skirt;
         if (isVerge && _mayBeCovered && _cover.canCoverMarks() &&
             isGap(isRight ? first : first + 1, isRight ? -1 : 1))
             vertex.kind = SurfaceKind::asphalt;
@@ -226,28 +227,38 @@ void ChunkBuilder::addRow(const Row& row, double from, bool hasGround, const std
     }
 }
 
+/// Adds the triangles of one level, those of the ground's strips or those of the others.
+void ChunkBuilder::addTriangles(std::uint32_t firstVertex, std::size_t rows, std::size_t stride,
+                                bool ofGround)
+{
+    const auto columns = static_cast<std::uint32_t>(_shape.columns());
+    const auto ahead = static_cast<std::uint32_t>(stride) * columns;
+    for (std::size_t i = 0; i + stride < rows; i += stride)
+    {
+        auto right = firstVertex + static_cast<std::uint32_t>(i) * columns;
+        for (const Strip& strip : _shape.strips())
+        {
+            const auto count = static_cast<std::uint32_t>(strip.columns);
+            for (std::uint32_t j = right;
+                 j + 1 < right + count && isGround(_mesh.vertices[right].kind) == ofGround; ++j)
+                for (const std::uint32_t index : {j, j + ahead, j + 1, j + 1, j + ahead, j + ahead + 1})
+                    _mesh.indices.push_back(index);
+            right += count;
+        }
+    }
+}
+
 void ChunkBuilder::addLevels(RoadChunk& chunk, std::uint32_t firstVertex)
 {
     const std::size_t rows = (_rows.size() + 1) / 2;
-    const auto columns = static_cast<std::uint32_t>(_shape.columns());
     double error = 0.0;
     for (std::size_t stride = 1; stride < rows; stride *= 2)
     {
         ChunkLevel level;
         level.firstIndex = static_cast<std::uint32_t>(_mesh.indices.size());
-        for (std::size_t i = 0; i + stride < rows; i += stride)
-        {
-            auto right = firstVertex + static_cast<std::uint32_t>(i) * columns;
-            const auto ahead = static_cast<std::uint32_t>(stride) * columns;
-            for (const Strip& strip : _shape.strips())
-            {
-                const auto count = static_cast<std::uint32_t>(strip.columns);
-                for (std::uint32_t j = right; j + 1 < right + count; ++j)
-                    for (const std::uint32_t index : {j, j + ahead, j + 1, j + 1, j + ahead, j + ahead + 1})
-                        _mesh.indices.push_back(index);
-                right += count;
-            }
-        }
+        addTriangles(firstVertex, rows, stride, false);
+        level.pavedCount = static_cast<std::uint32_t>(_mesh.indices.size()) - level.firstIndex;
+        addTriangles(firstVertex, rows, stride, true);
         level.indexCount = static_cast<std::uint32_t>(_mesh.indices.size()) - level.firstIndex;
         for (std::size_t row = 0; row < _rows.size(); ++row)
             error = std::max(error, gapAt(row, 2 * stride));
@@ -264,9 +275,9 @@ void ChunkBuilder::add(double from, double to)
     chunk.sStart = from;
     chunk.sEnd = to;
     const auto firstVertex = static_cast<std::uint32_t>(_mesh.vertices.size());
-    const std::vector<MeshVertex> strips = stripsAt(from);
     // A chunk lies wholly on a bridge or in a tunnel, or wholly outside.
     const bool hasGround = structureAt(_network.road(_road), 0.5 * (from + to)) == nullptr;
+    const std::vector<MeshVertex> strips = stripsAt(from, hasGround);
     for (std::size_t i = 0; i < _rows.size(); i += 2)
         addRow(_rows[i], from, hasGround, strips);
     addLevels(chunk, firstVertex);

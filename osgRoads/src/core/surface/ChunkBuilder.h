@@ -36,8 +36,9 @@ private:
     bool mayBeCovered() const;
     double gapAt(std::size_t row, std::size_t stride) const;
     void addRow(const Row& row, double from, bool hasGround, const std::vector<MeshVertex>& strips);
+    void addTriangles(std::uint32_t firstVertex, std::size_t rows, std::size_t stride, bool ofGround);
     void addLevels(RoadChunk& chunk, std::uint32_t firstVertex);
-    std::vector<MeshVertex> stripsAt(double from) const;
+    std::vector<MeshVertex> stripsAt(double from, bool hasGround) const;
     bool isGap(std::size_t column, int side) const;
     std::vector<SurfaceQuad> quadsOf(std::size_t firstColumn, std::size_t columns) const;
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string_view>
+#include <utility>
 
 #include <osgRoads/core/query/LaneSpan.h>
 #include <osgRoads/core/query/RoadSurface.h>
@@ -15,6 +16,7 @@ namespace
 {
 
 constexpr int kCurvedColumns = 9; ///< of a lane of a road whose cross-section is not straight
+constexpr double kWidestPavedBorderM = 3.0;
 constexpr double kInsideM = 1e-6; ///< heights of a border are asked for so far inside the lane
 
 SurfaceKind kindOf(LaneType type)
@@ -39,8 +41,14 @@ SurfaceKind kindOf(LaneType type)
     }
 }
 
+/// A border is paved where it is no wider than a hard shoulder; a wider one is land that belongs to the road.
+bool isWideBorder(const Lane& lane, double widthM)
+{
+    return lane.type == LaneType::border && widthM > kWidestPavedBorderM;
+}
+
 /// The kind of a lane: what its material says, else what its type means.
-SurfaceKind kindOf(const Lane& lane)
+SurfaceKind kindOf(const Lane& lane, double widthM)
 {
     const std::string_view word =
         lane.materials.empty() ? std::string_view() : lane.materials.front().restriction;
@@ -49,7 +57,7 @@ SurfaceKind kindOf(const Lane& lane)
     if (word == "pavement" || word == "cobble") return SurfaceKind::sidewalk;
     if (word == "gravel" || word == "dirt" || word == "soil") return SurfaceKind::gravel;
     if (word == "vegetation" || word == "grass") return SurfaceKind::grass;
-    return kindOf(lane.type);
+    return isWideBorder(lane, widthM) ? SurfaceKind::grass : kindOf(lane.type);
 }
 
 bool hasStepsIn(const LaneSection& section)
@@ -94,6 +102,10 @@ CrossSection::CrossSection(const Road& road, const LaneSection& section, const R
         addLane(lane, columns);
     _strips.push_back({.kind = SurfaceKind::verge});
     _strips.push_back({.kind = SurfaceKind::skirt});
+    const std::size_t leftVerge = _strips.size() - 2;
+    for (const auto& [verge, beside] :
+         {std::pair{std::size_t{1}, std::size_t{2}}, {leftVerge, leftVerge - 1}})
+        if (_strips[beside].lane && isGround(_strips[beside].kind)) _strips[verge].kind = SurfaceKind::grass;
     for (const Strip& strip : _strips)
         _columns += static_cast<std::size_t>(strip.columns);
 }
@@ -101,7 +113,8 @@ CrossSection::CrossSection(const Road& road, const LaneSection& section, const R
 void CrossSection::addLane(const Lane& lane, int columns)
 {
     if (_hasSteps && _strips.back().lane) _strips.push_back({.kind = SurfaceKind::kerb});
-    Strip strip{.kind = kindOf(lane), .lane = &lane, .columns = columns};
+    const auto span = laneSpan(_road, lane.id, 0.5 * (_section.s + _section.end));
+    Strip strip{.kind = kindOf(lane, span ? span->width() : 0.0), .lane = &lane, .columns = columns};
     const Lane* inner = _section.lane(lane.id > 0 ? lane.id - 1 : lane.id + 1);
     strip.rightMark = lane.id > 0 ? inner : &lane;
     strip.leftMark = lane.id > 0 ? &lane : inner;
@@ -156,8 +169,8 @@ void CrossSection::pointsAt(double s, std::vector<SectionPoint>& points) const
         return SectionPoint{to.x, to.y, across, width};
     };
     const double outM = _bed.vergeM + run, downM = vergeFallM + _bed.skirtM;
-    points[3] = beside(right, 0.0, 0.0, _bed.vergeM, _bed.vergeM);
-    points[2] = beside(right, -_bed.vergeM, vergeFallM, 0.0, _bed.vergeM);
+    points[3] = beside(right, 0.0, 0.0, 0.0, _bed.vergeM);
+    points[2] = beside(right, -_bed.vergeM, vergeFallM, _bed.vergeM, _bed.vergeM);
     points[1] = beside(right, -_bed.vergeM, vergeFallM, run, run);
     points[0] = beside(right, -outM, downM, 0.0, run);
     const std::size_t end = points.size();

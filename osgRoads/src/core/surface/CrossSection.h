@@ -18,7 +18,7 @@ struct Strip
     const Lane* rightMark = nullptr; ///< whose marks lie at its borders; null: none
     const Lane* leftMark = nullptr;
     int columns = 2;
-    bool isBesideLanes() const { return kind == SurfaceKind::verge || kind == SurfaceKind::skirt; }
+    bool isBesideLanes() const { return !lane && kind != SurfaceKind::kerb; }
 };
 
 /// A point of a cross-section.

@@ -24,15 +24,21 @@ enum class SurfaceKind : std::uint8_t
     skirt, ///< below the verge's outer edge, into the ground
 };
 
+/// Whether a strip looks as the ground around the road does.
+inline bool isGround(SurfaceKind kind)
+{
+    return kind >= SurfaceKind::grass;
+}
+
 /// A vertex of the drawn surface.
 /// Positions are whole steps of kMeshStepM from RoadMesh::origin: their difference to an eye is exact at any distance from
 /// the scene's origin.
 struct MeshVertex
 {
     std::array<std::int32_t, 3> position{};
-    float s = 0.0F;                      ///< metres from the start of the chunk
-    float across = 0.0F;                 ///< metres from the right border of the strip
-    float width = 0.0F;                  ///< of the strip here, metres
+    float s = 0.0F;      ///< metres from the start of the chunk
+    float across = 0.0F; ///< metres from the right border of the strip; of verges from the lanes
+    float width = 0.0F;  ///< of the strip here, metres
     std::array<std::int8_t, 4> normal{}; ///< unit vector times 127
     SurfaceKind kind = SurfaceKind::asphalt;
     std::uint8_t present =
@@ -67,6 +73,8 @@ struct ChunkLevel
 {
     std::uint32_t firstIndex = 0, indexCount = 0;
     double errorM = 0.0;
+    std::uint32_t pavedCount =
+        0; ///< so many of the first indices are those of strips that are not isGround()
 };
 
 /// A stretch of a road within one lane section. Its first and last cross-sections belong to every level, so that

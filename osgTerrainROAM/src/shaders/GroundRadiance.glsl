@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+// Shades a place of the ground: normal, ground colour, layers from below to above, light.
+// TerrainShader.cpp defines TERRAIN_DRAPE, _LAYERS, _FEATURES, _COVER, _SEASON, _SHEETS, _FINE, _SURROUNDINGS for what the terrain has,
+// and _LENT where another surface looks as the ground does: its text defines lentTilt() and lentAlbedo() (TerrainMaterial::lendLook()).
+
+#ifdef TERRAIN_LENT
+vec2 lentTilt();
+vec3 lentAlbedo(vec3 ground, Grain g);
+#endif
+
+// Returns the radiance of the ground towards the eye, without haze.
+vec3 groundRadiance(vec3 directionWorld)
+{
+    vec3 place = fromEye + terrainEyeWrapped;
+    Grain g = grainAt(place.xy);
+    // The grain bends the lookups by a part of a texel: no threshold follows the rows and columns of the maps.
+    vec2 bend = g.metres2.xy * terrainBend.x + g.metres28.xy * terrainBend.y + g.metres324.xy * terrainBend.z
+              + g.metres4700.xy * terrainBend.w;
+    vec2 mapPlace = grid * terrainMapFromGrid.xy + terrainMapFromGrid.zw + bend / vec2(textureSize(terrainLand, 0));
+#ifdef TERRAIN_LENT
+    vec2 tilt = lentTilt();
+#else
+    vec2 tilt = texture(terrainNormals, mapPlace).rg * 2.0 - 1.0;
+#endif
+    vec4 bumpiness = terrainBumpiness;
+#ifdef TERRAIN_SHEETS
+    sheetTilt(tilt, bumpiness);
+#endif
+    vec4 land = texture(terrainLand, mapPlace);
+#ifdef TERRAIN_FINE
+    float edited;
+    tilt = fineTilt(tilt, edited);
+    land.b *= 1.0 - edited; // what is dug or filled is no water
+#endif
+#ifdef TERRAIN_SURROUNDINGS
+    outerMaps(tilt, land);
+#endif
+#ifdef TERRAIN_LENT
+    land.b = 0.0;
+#endif
+
+    float steep = 1.0 - sqrt(max(1.0 - dot(tilt, tilt), 0.0));
+#ifdef TERRAIN_SEASON
+    land.g = seasonSnow(land.g, place, steep, g);
+#endif
+    float snow = smoothstep(0.38, 0.62, land.g + 0.30 * g.metres324.w + 0.22 * g.metres28.w + 0.25 * g.metres4700.w
+                                            - 0.9 * max(steep - 0.25, 0.0));
+    float roughness = mix(1.0 + 1.5 * smoothstep(0.12, 0.35, steep), 0.8, snow);
+    vec4 ground = groundColour(land.r, steep, place.z, g);
+#ifdef TERRAIN_COVER
+    Cover cover = terrainCover(grid, g);
+    ground = coveredGround(ground, cover, g);
+    snow = max(snow, smoothstep(0.35, 0.65, cover.snow));
+#endif
+#ifdef TERRAIN_SEASON
+    // Snow lies between the trees.
+    snow *= 1.0 - ground.a * clamp(0.5 + 2.2 * g.metres28.z + 1.6 * g.metres2.z, 0.0, 1.0);
+#endif
+#ifdef TERRAIN_FEATURES
+    Paint paint = terrainPaint(place.xy, dFdx(fromEye.xy), dFdy(fromEye.xy));
+    ground = fieldAlbedo(ground, paint, g);
+    ground.a *= openShare(paint);
+    roughness *= 0.25 + 0.75 * openShare(paint);
+#endif
+    vec2 bent = tilt - bumps(g, bumpiness, roughness, ground.a * (1.0 - snow));
+    vec3 normal = normalize(vec3(bent, sqrt(max(1.0 - dot(tilt, tilt), 0.02))));
+
+    vec3 albedo = ground.rgb;
+    float shore = smoothstep(terrainShore, terrainShore + 0.08, land.b + 0.12 * g.metres28.w + 0.12 * g.metres324.w)
+                * (1.0 - smoothstep(0.01, 0.05, steep));
+#ifdef TERRAIN_SURROUNDINGS
+    shore = 0.0; // the texels there are wider than a beach
+#endif
+#ifdef TERRAIN_LENT
+    albedo = lentAlbedo(albedo, g);
+#endif
+    albedo = mix(albedo, terrainSand * (1.0 + 0.5 * g.metres2.z + 0.3 * g.metres28.z), shore);
+    albedo = mix(albedo, terrainSnow * (1.0 + 0.10 * g.metres2.z + 0.10 * g.metres28.z + 0.16 * g.metres324.w + 0.12 * g.metres4700.w), snow);
+#if defined(TERRAIN_LAYERS)
+    vec4 imagery = layeredImagery(grid);
+#elif defined(TERRAIN_DRAPE)
+    vec4 imagery = texture(terrainDrape, grid * terrainDrapeFromGrid.xy + terrainDrapeFromGrid.zw);
+#endif
+#if defined(TERRAIN_LAYERS) || defined(TERRAIN_DRAPE)
+    float fine = 1.0 + 0.5 * g.metres2.z + 0.2 * g.metres28.z;
+    albedo = mix(albedo, imagery.rgb * imagery.rgb * fine, imagery.a);
+    float water = (1.0 - imagery.a) * smoothstep(0.47, 0.53, land.b);
+#else
+    float water = smoothstep(0.47, 0.53, land.b);
+#endif
+#ifdef TERRAIN_COVER
+    water = max(water, smoothstep(0.35, 0.65, cover.water));
+#endif
+#ifdef TERRAIN_FEATURES
+    albedo = pavedAlbedo(albedo, paint, g);
+    water = max(water, paint.beds.x) * (1.0 - max(max(paint.beds.y, paint.beds.z), paint.beds.w));
+#endif
+
+    vec3 normalWorld = terrainWorldFromLocal * normal;
+    float sunlit = max(dot(normalWorld, sunDirection()), 0.0) * smoothstep(0.15, 0.6, land.a);
+    vec3 colour = albedo * (sunLight() * sunlit + ambientLight(normalWorld) * land.a);
+    if (water > 0.0) colour = mix(colour, waterColour(directionWorld, g), water);
+#ifdef TERRAIN_COVER
+    colour += townLight(cover, place.xy, dFdx(fromEye.xy), dFdy(fromEye.xy));
+#endif
+#ifdef TERRAIN_FEATURES
+    colour += paintLight(paint);
+#endif
+    return colour;
+}

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// Shades verges and lanes of grass as the ground beside them. Along the lanes the verge is gravel, with a ragged border. After the
+// functions of osgRoads and of the terrain.
+
+in vec3 roadNormalInTile;
+
+vec2 lentTilt()
+{
+    return normalize(roadNormalInTile).xy;
+}
+
+vec3 lentAlbedo(vec3 ground, Grain g)
+{
+    if (roadKind == 7)
+    {
+        float raggedM = roadAt.y + 1.3 * g.metres2.w + 0.9 * g.metres28.w + 0.5 * g.metres2.z;
+        float gravel = 0.85 * (1.0 - smoothstep(0.25, 0.75, raggedM));
+        ground = mix(ground, vec3(0.19, 0.175, 0.15) * (1.0 + 0.9 * g.metres2.z), gravel);
+    }
+    return roadPainted(ground, roadFilters());
+}
+
+void main()
+{
+    if (roadPresence.x < 0.5) discard;
+    float distanceM = length(fromEye);
+    vec3 directionWorld = roadWorldFromLocal * (fromEye / distanceM);
+    vec3 colour = groundRadiance(directionWorld);
+    gl_FragColor = vec4(displayColour(applyHaze(colour, directionWorld, distanceM)), roadShown());
+}
