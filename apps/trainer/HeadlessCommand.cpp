@@ -9,6 +9,7 @@
 #include "simulation/parser/ParseScenario.h"
 #include "simulation/player/ScenarioPlayer.h"
 #include "simulation/record/MotionLog.h"
+#include "simulation/road/ScenarioRoads.h"
 
 namespace trainer
 {
@@ -30,12 +31,9 @@ foundation::Result<std::unique_ptr<simulation::ScenarioPlayer>> openPlayer(simul
                                                                            const HeadlessRequest& request)
 {
     simulation::PlayerOptions options;
-    if (const std::string& file = scenario.roadNetwork.logicFile; !file.empty())
-    {
-        auto roads = simulation::RoadScene::open(request.scenario.parent_path() / file);
-        if (!roads) return roads.error();
-        options.roads = std::move(*roads);
-    }
+    auto roads = simulation::openRoads(scenario, request.scenario.parent_path());
+    if (!roads) return roads.error();
+    options.roads = std::move(*roads);
     options.clock = simulation::FixedClock::forStep(request.stepS);
     options.scenarioName = request.scenario.string();
     return simulation::ScenarioPlayer::create(std::move(scenario), std::move(options));

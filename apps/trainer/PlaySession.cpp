@@ -11,6 +11,7 @@
 
 #include "MeasurePatches.h"
 #include "SceneRoads.h"
+#include "simulation/road/ScenarioRoads.h"
 #include "view/CameraTimings.h"
 #include "view/ViewFile.h"
 
@@ -88,6 +89,12 @@ PlaySession::create(simulation::Scenario scenario, SceneTerrain terrain, const P
                                     simulation::FixedClock::forFrameRate(request.frames.perSecond),
                                     "scenario", nullptr};
     if (!request.scenario.empty()) stage.scenarioName = request.scenario.string();
+    if (scenario.needsRoads())
+    {
+        auto roads = simulation::openRoads(scenario, request.scenario.parent_path());
+        if (!roads) return roads.error();
+        stage.roads = std::move(*roads);
+    }
     auto player = simulation::ScenarioPlayer::create(std::move(scenario), stage);
     if (!player) return player.error();
     session->_player = std::move(*player);

@@ -81,6 +81,11 @@ private:
 foundation::Result<std::unique_ptr<ScenarioPlayer>> ScenarioPlayer::create(Scenario scenario,
                                                                            PlayerOptions options)
 {
+    const auto line = options.roads ? std::nullopt : scenario.needsRoads();
+    if (line)
+        return foundation::Error{options.scenarioName + ":" + std::to_string(line->line),
+                                 "a place on a road, but RoadNetwork names no LogicFile",
+                                 "name the OpenDRIVE file there"};
     const SceneFrame frame(options.origin, options.ground);
     if (foundation::Outcome playable = checkPlayable(scenario, frame, options.scenarioName); !playable)
         return playable.error();

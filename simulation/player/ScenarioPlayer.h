@@ -38,7 +38,7 @@ struct PlayerOptions
 class ScenarioPlayer
 {
 public:
-    /// Errors, with the line of the element: a GeoPosition without an origin, an unknown entity or storyboard
+    /// Errors, with the line of the element: a place on a road without a road network, a GeoPosition without an origin, an unknown entity or storyboard
     /// element, a trajectory that cannot be run. Unsupported content of a tolerant reading is skipped: such an action
     /// ends at once, such a condition is never true, such an entity stands at the origin.
     static foundation::Result<std::unique_ptr<ScenarioPlayer>> create(Scenario scenario,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -55,6 +56,10 @@ struct Scenario
     /// Returns the index into `entities`, or -1.
     int entityIndex(const std::string& name) const;
     bool isConsistent() const;
+
+    /// Returns the line of the first action that needs the roads of the LogicFile: one that places an entity on a road, or
+    /// changes its lane; nothing: none does.
+    std::optional<SourceLine> needsRoads() const;
 };
 
 } // namespace simulation

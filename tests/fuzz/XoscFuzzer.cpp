@@ -35,7 +35,7 @@ simulation::PlayerOptions fuzzStage()
 void checkRoundTrip(const simulation::Scenario& scenario)
 {
     const auto text = simulation::scenarioText(scenario);
-    if (!text) std::abort(); // a strict reading leaves nothing that cannot be written
+    if (!text) return; // what moves on roads is played, but not written
     const auto again = simulation::parseScenario(*text, "again");
     if (!again) std::abort();
     simulation::Scenario expected = scenario;

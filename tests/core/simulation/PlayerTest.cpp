@@ -96,6 +96,17 @@ TEST(Player, SpeedActionMovesAlongTheHeading)
     EXPECT_NEAR(glm::length(state.velocity - glm::dvec3(0, 10, 0)), 0.0, 1e-9);
 }
 
+TEST(Player, APlaceOnARoadNeedsALogicFile)
+{
+    Scenario scenario;
+    scenario.entities.push_back({{}, "Car", MiscObject{}});
+    scenario.storyboard.init.privates.push_back({{}, "Car", {TeleportAction{{7}, LanePosition{}}}});
+    const auto player = ScenarioPlayer::create(scenario, {});
+    ASSERT_FALSE(player);
+    EXPECT_EQ(player.error().message(), "scenario:7: a place on a road, but RoadNetwork names no LogicFile; "
+                                        "name the OpenDRIVE file there");
+}
+
 TEST(Player, GeoPositionIsPlacedInTheLocalFrame)
 {
     ScenarioText text;

@@ -10,6 +10,7 @@
 #include "SimulatedTrack.h"
 #include "simulation/parser/ParseScenario.h"
 #include "simulation/player/ScenarioPlayer.h"
+#include "simulation/road/ScenarioRoads.h"
 
 #define SKIP_WITHOUT_REAL_DATA()                                                                             \
     if (!realData()) GTEST_SKIP() << "OSGTRAINER_REAL_DATA is unset: no real data, nothing was tested"
@@ -85,7 +86,11 @@ TEST(RealScenario, EveryFileIsReadTolerantlyOrRefusedByName)
         ++scenarios;
         for (const Problem& problem : parsed->problems)
             EXPECT_NE(problem.error.place.find(".xosc:"), std::string::npos) << problem.error.message();
-        auto player = ScenarioPlayer::create(parsed->scenario, {});
+        PlayerOptions options;
+        auto roads = openRoads(parsed->scenario, file.parent_path());
+        ASSERT_TRUE(roads) << file << roads.error().message();
+        options.roads = *roads;
+        auto player = ScenarioPlayer::create(parsed->scenario, options);
         ASSERT_TRUE(player) << file << player.error().message();
         for (int i = 0; i < 200; ++i)
             (*player)->step();
