@@ -35,13 +35,25 @@ foundation::Outcome checkResultPlaces(const PlayRequest& request)
     return foundation::success();
 }
 
+/// A SceneGraphFile that is there comes before the LogicFile: storyboards of other programs often name models that are not kept.
 foundation::Result<std::filesystem::path> sceneFileOf(const simulation::Scenario& scenario,
                                                       const PlayRequest& request)
 {
     if (!request.terrain.file.empty()) return request.terrain.file;
-    if (!scenario.roadNetwork.sceneGraphFile.empty())
-        return request.scenario.parent_path() / scenario.roadNetwork.sceneGraphFile;
-    return foundation::Error{request.scenario.string(), "RoadNetwork names no SceneGraphFile",
+    const std::filesystem::path folder = request.scenario.parent_path();
+    const simulation::RoadNetwork& network = scenario.roadNetwork;
+    std::error_code ignored;
+    const bool hasScene = std::filesystem::exists(folder / network.sceneGraphFile, ignored);
+    if (!network.logicFile.empty() && (network.sceneGraphFile.empty() || !hasScene))
+    {
+        if (!network.sceneGraphFile.empty())
+            std::cout << "note: " << network.sceneGraphFile
+                      << " is not there; the roads are shown on ground of their own\n";
+        return folder / network.logicFile;
+    }
+    if (!network.sceneGraphFile.empty()) return folder / network.sceneGraphFile;
+    return foundation::Error{request.scenario.string(),
+                             "RoadNetwork names neither SceneGraphFile nor LogicFile",
                              "add one, or give --terrain FILE"};
 }
 
@@ -117,7 +129,9 @@ foundation::Outcome play(const PlayRequest& request)
     if (!parsed) return parsed.error();
     const auto file = sceneFileOf(parsed->scenario, request);
     if (!file) return file.error();
-    auto terrain = openScene(*file, request.terrain);
+    TerrainRequest scene = request.terrain;
+    scene.inRoadsFrame = true;
+    auto terrain = openScene(*file, scene);
     if (!terrain) return terrain.error();
     return playOver(std::move(*terrain), std::move(parsed->scenario), request);
 }

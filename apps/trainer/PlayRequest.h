@@ -29,6 +29,8 @@ struct TerrainRequest
     std::filesystem::path file; ///< replaces the scenario's scene; empty: the scenario's scene
     osgTerrainROAM::core::DemImportOptions import;
     bool showsVoids = false; ///< colours the ground that fills voids
+    bool inRoadsFrame =
+        false; ///< an OpenDRIVE network keeps its own frame, in which scenarios place entities
     double errorTolerancePx = 1.0;
     std::uint32_t maxTriangles = 500000;
     bool morphing = false; ///< vertices move to their new position during several frames

@@ -4,6 +4,7 @@
 #include <string>
 
 #include <osg/Group>
+#include <osg/MatrixTransform>
 #include <osg/NodeVisitor>
 #include <osg/Notify>
 
@@ -66,6 +67,17 @@ foundation::Result<SceneTerrain> makeScene(const RoamFile& description, const st
     auto terrain = osgTerrainROAM::makeTerrain(description, tile, scenery::farRoads(*roads.placed));
     if (!terrain) return terrain.error();
     return withRoads(*terrain, roads);
+}
+
+/// Moves a scene so that the corner of its terrain lies at a place.
+SceneTerrain moved(SceneTerrain scene, const glm::dvec2& corner)
+{
+    const osg::ref_ptr<osg::MatrixTransform> place =
+        new osg::MatrixTransform(osg::Matrixd::translate(corner.x, corner.y, 0.0));
+    place->addChild(scene.node);
+    scene.node = place;
+    scene.cornerM = corner;
+    return scene;
 }
 
 /// Visits the drawables of roads.
@@ -135,7 +147,8 @@ foundation::Result<SceneTerrain> openNetwork(const std::filesystem::path& file, 
         osgTerrainROAM::core::PlacedTile(std::move(ground->field), std::move(options)));
     osgTerrainROAM::core::TileEditor editor(tile);
     if (const auto cut = scenery::cutRoads(editor, *ground->roads.placed); !cut) return cut.error();
-    return makeScene(description, tile, ground->roads);
+    auto scene = makeScene(description, tile, ground->roads);
+    return scene && request.inRoadsFrame ? moved(std::move(*scene), ground->cornerM) : scene;
 }
 
 void setRoadTolerance(osg::Node& scene, double errorTolerancePx)

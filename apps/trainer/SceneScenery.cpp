@@ -136,7 +136,7 @@ foundation::Result<std::optional<SceneScenery>> makeScenery(const SceneryRequest
     const auto description = descriptionOf(request);
     if (!description) return description.error();
     const std::string place = request.name();
-    if (!terrain.terrain)
+    if (!terrain.terrain || terrain.cornerM != glm::dvec2(0.0))
         return foundation::Error{place, "needs a terrain whose ground can be asked",
                                  "play over an elevation raster or a .roam file"};
     const auto shapes = scenery::makeSceneryShapes(scenery::objectsOf(*description));

@@ -55,8 +55,11 @@ std::optional<simulation::Geodetic> SceneTerrain::origin() const
 simulation::GroundProvider SceneTerrain::ground() const
 {
     if (!terrain) return {};
-    simulation::GroundProvider bare = ground::groundOf(terrain->tile()->tile);
-    return roads ? groundWithRoads(std::move(bare), roads) : bare;
+    simulation::GroundProvider surface = ground::groundOf(terrain->tile()->tile);
+    if (roads) surface = groundWithRoads(std::move(surface), roads);
+    if (cornerM == glm::dvec2(0.0)) return surface;
+    return [surface = std::move(surface), corner = cornerM](double eastM, double northM, double fromM)
+    { return surface(eastM - corner.x, northM - corner.y, fromM); };
 }
 
 foundation::Result<SceneTerrain> openElevation(const std::filesystem::path& file,

@@ -34,7 +34,7 @@ struct ParameterDeclaration
 
 struct RoadNetwork
 {
-    std::string logicFile; ///< kept, not used
+    std::string logicFile; ///< OpenDRIVE
     std::string sceneGraphFile;
 
     bool operator==(const RoadNetwork&) const = default;

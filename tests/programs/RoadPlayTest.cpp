@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+// `trainer play` with pictures where a scenario names roads and no terrain: they are drawn in the frame of its positions.
+#include <osgOffscreen/PngFile>
+
+#include "Playing.h"
+
+namespace
+{
+
+/// 200 m along x, far from the origin, one lane of 4 m on each side.
+const char* const kRoad =
+    R"(<OpenDRIVE><header revMajor="1" revMinor="7"/><road id="1" length="200" junction="-1">
+<planView><geometry s="0" x="31000" y="-17000" hdg="0" length="200"><line/></geometry></planView>
+<lanes><laneSection s="0"><left><lane id="1" type="driving" level="false"><width sOffset="0" a="4" b="0" c="0" d="0"/></lane></left>
+<center><lane id="0" type="none" level="false"/></center>
+<right><lane id="-1" type="driving" level="false"><width sOffset="0" a="4" b="0" c="0" d="0"/></lane></right></laneSection></lanes></road></OpenDRIVE>)";
+
+std::string carAt(const std::string& position)
+{
+    return R"(<OpenSCENARIO><FileHeader revMajor="1" revMinor="2" date="2026-06-01T12:00:00" author="test" description="road"/>
+<RoadNetwork><LogicFile filepath="road.xodr"/><SceneGraphFile filepath="gone.osgb"/></RoadNetwork>
+<Entities><ScenarioObject name="car"><Vehicle name="car" vehicleCategory="car">
+<BoundingBox><Center x="1.4" y="0" z="0.7"/><Dimensions width="1.8" length="4.5" height="1.4"/></BoundingBox>
+<Performance maxSpeed="50" maxAcceleration="5" maxDeceleration="9"/>
+<Axles><FrontAxle maxSteering="0.5" wheelDiameter="0.6" trackWidth="1.6" positionX="2.7" positionZ="0.3"/>
+<RearAxle maxSteering="0" wheelDiameter="0.6" trackWidth="1.6" positionX="0" positionZ="0.3"/></Axles></Vehicle></ScenarioObject></Entities>
+<Storyboard><Init><Actions><Private entityRef="car"><PrivateAction><TeleportAction><Position>)" +
+           position +
+           R"(</Position></TeleportAction></PrivateAction></Private></Actions></Init><StopTrigger/></Storyboard></OpenSCENARIO>)";
+}
+
+/// By how many levels the ground before the car is greener than red.
+int greenBefore(const Workplace& place, const std::string& name, const std::string& position)
+{
+    place.write("road.xodr", kRoad);
+    const std::string scenario = place.write(name + ".xosc", carAt(position)), folder = place.path(name);
+    const ProgramRun run = runTrainer(
+        {"play", scenario, "--frames", "1", "--size", "64x36", "--eye", "driver", "--capture", folder});
+    EXPECT_TRUE(succeeds(run));
+    EXPECT_NE(run.output.find("gone.osgb is not there"), std::string::npos) << run.output;
+    const auto picture = osgOffscreen::readPng(folder + "/frame_00000.png");
+    if (!picture) return 0;
+    const unsigned char* pixel = (*picture)->data(32, 4); // rows count from below
+    return pixel[1] - pixel[0];
+}
+
+TEST(RoadPlay, ShowsTheRoadsOfAScenarioWhereItsPositionsAre)
+{
+    const Workplace place;
+    EXPECT_LT(greenBefore(place, "on", R"(<LanePosition roadId="1" laneId="-1" s="50"/>)"), 5);
+    EXPECT_LT(greenBefore(place, "there", R"(<WorldPosition x="31050" y="-17002"/>)"), 5);
+    EXPECT_GT(greenBefore(place, "beside", R"(<WorldPosition x="31050" y="-17060"/>)"), 8);
+}
+
+} // namespace
