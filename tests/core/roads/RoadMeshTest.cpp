@@ -97,6 +97,23 @@ TEST(RoadMesh, AnUnderstatedErrorIsFound)
     EXPECT_GT(worst, 0.01);
 }
 
+/// A skirt of slope 2 with a normal of its own is drawn as a bare slope: a bright line along every road.
+TEST(RoadMesh, SkirtsAreLitAsTheVergesBesideThem)
+{
+    const RoadMesh mesh = buildRoadMesh(placed(bentRoad()));
+    std::size_t skirts = 0;
+    for (std::size_t i = 1; i < mesh.vertices.size(); ++i)
+    {
+        const MeshVertex &vertex = mesh.vertices[i], &before = mesh.vertices[i - 1];
+        if (vertex.kind == before.kind) continue;
+        if (vertex.kind != SurfaceKind::skirt && before.kind != SurfaceKind::skirt) continue;
+        if (vertex.kind != SurfaceKind::verge && before.kind != SurfaceKind::verge) continue; // the next row's
+        EXPECT_EQ(vertex.normal, before.normal) << i;
+        ++skirts;
+    }
+    EXPECT_GT(skirts, 20u);
+}
+
 std::set<std::uint32_t> verticesAt(const RoadMesh& mesh, const RoadChunk& chunk, const ChunkLevel& level,
                                    double s)
 {

@@ -211,7 +211,11 @@ void ChunkBuilder::addRow(const Row& row, double from, bool hasGround, const std
             vertex.s = static_cast<float>(row.s - from);
             vertex.across = static_cast<float>(row.points[j].across);
             vertex.width = static_cast<float>(row.points[j].width);
-            const std::size_t a = j > first ? j - 1 : j, b = j + 1 < first + count ? j + 1 : j;
+            // A skirt is lit as the verge beside it: its own slope would show as a line where the ground begins.
+            const bool isSkirt = strip.kind == SurfaceKind::skirt;
+            const std::size_t verge = first == 0 ? count : first - 2; // beside a skirt, of two columns
+            const std::size_t a = isSkirt ? verge : j > first ? j - 1 : j;
+            const std::size_t b = isSkirt ? verge + 1 : j + 1 < first + count ? j + 1 : j;
             const glm::dvec3 normal =
                 glm::cross((other.places[j] - row.places[j]) / ahead, row.places[b] - row.places[a]);
             const double length = glm::length(normal);
