@@ -6,6 +6,7 @@
 
 #include <osgTerrainROAM/core/LoadTerrain.h>
 
+#include "scenery/roads/LayRoads.h"
 #include "simulation/parser/ParseScenario.h"
 #include "terminal/Terminal.h"
 #include "terraintool/Commands.h"
@@ -46,6 +47,20 @@ foundation::Result<std::filesystem::path> terrainOf(const std::optional<simulati
     return foundation::Error{file.string(), "RoadNetwork names no SceneGraphFile", "add one"};
 }
 
+/// Loads a terrain and cuts it to the roads that it names.
+foundation::Result<std::shared_ptr<const RoamTile>> tileOf(const RoamFile& description,
+                                                           const Request& request)
+{
+    if (!description.roads.empty() && request.patchExponent != 0)
+        return foundation::Error{description.roads.string(), "ground with roads has no patches",
+                                 "leave out --patch-exponent"};
+    auto placed = loadTile(description);
+    if (!placed) return placed.error();
+    const auto tile = std::make_shared<RoamTile>(std::move(*placed));
+    if (const auto roads = scenery::layRoads(description, tile); !roads) return roads.error();
+    return std::shared_ptr<const RoamTile>(tile);
+}
+
 foundation::Result<FlightFindings> fly(const Request& request, const std::string& file,
                                        nlohmann::ordered_json& row)
 {
@@ -55,15 +70,16 @@ foundation::Result<FlightFindings> fly(const Request& request, const std::string
     if (!terrain) return terrain.error();
     const auto description = describeTerrain(*terrain, request.import);
     if (!description) return description.error();
-    auto placed = loadTile(*description);
-    if (!placed) return placed.error();
-    row["samples"] = placed->samples().table().size();
-    row["voids"] = placed->field().voids.count;
-    const auto views = *scenario ? scenarioViews(**scenario, file, *placed, request.frames)
-                                 : tourViews(*placed, request.frames);
+    const auto tile = tileOf(*description, request);
+    if (!tile) return tile.error();
+    const PlacedTile& placed = (*tile)->tile;
+    row["samples"] = placed.samples().table().size();
+    row["voids"] = placed.field().voids.count;
+    const auto views = *scenario ? scenarioViews(**scenario, file, placed, request.frames)
+                                 : tourViews(placed, request.frames);
     if (!views) return views.error();
 
-    RoamMesh mesh(SplitBounds(std::make_shared<const RoamTile>(std::move(*placed)), request.patchExponent));
+    RoamMesh mesh(SplitBounds(*tile, request.patchExponent));
     mesh.setMorphing(request.morphing);
     FlightFindings flight;
     terminal::Progress progress(file, views->size());

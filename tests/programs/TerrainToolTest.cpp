@@ -127,6 +127,17 @@ TEST(TerrainTool, ValidateFliesAScenario)
     EXPECT_EQ(start[0]["frames"], 2);
 }
 
+TEST(TerrainTool, ValidateOpensTheRoadsThatATerrainNames)
+{
+    const Workplace place;
+    place.hill();
+    place.write("cut.xodr", "<OpenDRIVE><header");
+    const std::string terrain = place.write("roads.roam", "dem = hill.tif\nroads = cut.xodr\n");
+    EXPECT_TRUE(failsWith(runTerrainTool({"validate", terrain}), 1, "terraintool", {"cut.xodr"}));
+    EXPECT_TRUE(failsWith(runTerrainTool({"validate", terrain, "--patch-exponent", "4"}), 1, "terraintool",
+                          {"leave out --patch-exponent"}));
+}
+
 TEST(TerrainTool, ValidateNamesAScenarioWithoutTerrain)
 {
     const Workplace place;

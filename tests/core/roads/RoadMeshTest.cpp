@@ -107,7 +107,8 @@ TEST(RoadMesh, SkirtsAreLitAsTheVergesBesideThem)
         const MeshVertex &vertex = mesh.vertices[i], &before = mesh.vertices[i - 1];
         if (vertex.kind == before.kind) continue;
         if (vertex.kind != SurfaceKind::skirt && before.kind != SurfaceKind::skirt) continue;
-        if (vertex.kind != SurfaceKind::verge && before.kind != SurfaceKind::verge) continue; // the next row's
+        if (vertex.kind != SurfaceKind::verge && before.kind != SurfaceKind::verge)
+            continue; // the next row's
         EXPECT_EQ(vertex.normal, before.normal) << i;
         ++skirts;
     }
