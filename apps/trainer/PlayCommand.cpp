@@ -40,21 +40,20 @@ foundation::Result<std::filesystem::path> sceneFileOf(const simulation::Scenario
                                                       const PlayRequest& request)
 {
     if (!request.terrain.file.empty()) return request.terrain.file;
-    const std::filesystem::path folder = request.scenario.parent_path();
     const simulation::RoadNetwork& network = scenario.roadNetwork;
+    const bool namesScene = !network.sceneGraphFile.empty(), namesRoads = !network.logicFile.empty();
+    if (!namesScene && !namesRoads)
+        return foundation::Error{request.scenario.string(),
+                                 "RoadNetwork names neither SceneGraphFile nor LogicFile",
+                                 "add one, or give --terrain FILE"};
+    const std::filesystem::path folder = request.scenario.parent_path();
+    const std::filesystem::path scene = folder / network.sceneGraphFile;
     std::error_code ignored;
-    const bool hasScene = std::filesystem::exists(folder / network.sceneGraphFile, ignored);
-    if (!network.logicFile.empty() && (network.sceneGraphFile.empty() || !hasScene))
-    {
-        if (!network.sceneGraphFile.empty())
-            std::cout << "note: " << network.sceneGraphFile
-                      << " is not there; the roads are shown on ground of their own\n";
-        return folder / network.logicFile;
-    }
-    if (!network.sceneGraphFile.empty()) return folder / network.sceneGraphFile;
-    return foundation::Error{request.scenario.string(),
-                             "RoadNetwork names neither SceneGraphFile nor LogicFile",
-                             "add one, or give --terrain FILE"};
+    if (namesScene && (!namesRoads || std::filesystem::exists(scene, ignored))) return scene;
+    if (namesScene)
+        std::cout << "note: " << network.sceneGraphFile
+                  << " is not there; the roads are shown on ground of their own\n";
+    return folder / network.logicFile;
 }
 
 foundation::Outcome saveScenario(const simulation::Scenario& scenario, const std::filesystem::path& file)
