@@ -30,6 +30,7 @@ struct ToleranceRequest
     ModelRequest models;
     std::vector<double> acrossPx{30.0, 300.0};
     std::uint32_t points = 60'000;
+    double mostRatio = 0.0; ///< 0: any
 };
 
 /// A model as a progressive mesh, with a meter whose samples are others than those of its ladder.
@@ -123,6 +124,20 @@ foundation::Result<Json> compareModelTolerances(const std::string& file, const T
     return row;
 }
 
+/// Marks the report as unsound, with a line each, for models that show more than `most` times the fewest triangles.
+void judge(terminal::Report& report, double most)
+{
+    for (const Json& model : report.json["models"])
+        for (const Json& result : model["results"])
+        {
+            if (most == 0.0 || result["ratio"].get<double>() <= most) continue;
+            report.sound = false;
+            std::cerr << "pmtool: " << model["model"].get<std::string>() << ": shows "
+                      << result["ratio"].get<double>() << " times the fewest triangles, " << most
+                      << " are allowed; measure a finer ladder\n";
+        }
+}
+
 } // namespace
 
 void addCompareTolerance(CLI::App& compare, Chosen& chosen)
@@ -137,13 +152,18 @@ void addCompareTolerance(CLI::App& compare, Chosen& chosen)
         ->check(terminal::between(1.0, 100'000.0));
     sub->add_option("--points", request->points, "points on each surface to measure by (60000)")
         ->check(terminal::between(100, 10'000'000));
+    sub->add_option("--most-ratio", request->mostRatio,
+                    "fail where a model shows more than so many times the fewest triangles (any)")
+        ->check(terminal::between(1.0, 1000.0));
     sub->callback(
         [&chosen, request]
         {
             chosen.work = [request]
             {
-                return forEachModel(request->models.files, [&](const std::string& file)
-                                    { return compareModelTolerances(file, *request); });
+                auto report = forEachModel(request->models.files, [&](const std::string& file)
+                                           { return compareModelTolerances(file, *request); });
+                if (report) judge(*report, request->mostRatio);
+                return report;
             };
         });
 }

@@ -118,7 +118,9 @@ public:
                 scenarios({_folders.source / "data/scenarios/drive.xosc", corpus / "story.xosc",
                            corpus / "speed.xosc"}),
                 roads(joined({corpus / "curves.xodr", corpus / "junction.xodr"},
-                             realFiles(scenarioData, {".xodr"})))};
+                             realFiles(scenarioData, {".xodr"}))),
+                aircraft({_folders.source / "data/aircraft/c172p.xml"}),
+                polygons({corpus / "faces.obj", corpus / "frame.geojson"})};
     }
 
 private:
@@ -178,6 +180,23 @@ private:
                     return {{roadtool, "info", file},
                             {roadtool, "validate", file},
                             {roadtool, "draw", file, "--svg", svg, "--png", png, "--pixels", "200"}};
+                }};
+    }
+
+    InputKind aircraft(std::vector<fs::path> seeds) const
+    {
+        return {"aircraft", std::move(seeds),
+                [trainer = _trainer](const std::string& file) -> std::vector<Command> {
+                    return {{trainer, "qualify", "flight", "--aircraft", file}};
+                }};
+    }
+
+    InputKind polygons(std::vector<fs::path> seeds) const
+    {
+        const std::string output = (_folders.scratch / "tessellated").string();
+        return {"polygons", std::move(seeds),
+                [pmtool = _pmtool, output](const std::string& file) -> std::vector<Command> {
+                    return {{pmtool, "tessellate", file, "--output", output}};
                 }};
     }
 

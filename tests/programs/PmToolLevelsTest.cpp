@@ -110,6 +110,19 @@ TEST(PmToolLevels, AreArrangedForTheCacheThatWasMeasured)
     EXPECT_LE(built["fifo"], 1024);
 }
 
+/// What a tolerance shows is judged by its exit code, so that it can be asked of all models.
+TEST(PmToolLevels, ShowHardlyMoreThanTheToleranceNeeds)
+{
+    const Workplace place;
+    const auto compare = [&](const char* most)
+    {
+        return runPmTool({"compare", "tolerance", place.write("waves.obj", waves()), "--across", "50",
+                          "--points", "5000", "--most-ratio", most});
+    };
+    EXPECT_TRUE(succeeds(compare("1.3")));
+    EXPECT_TRUE(failsWith(compare("1"), 1, "pmtool", {"waves.obj", "times the fewest triangles"}));
+}
+
 TEST(PmToolLevels, RefuseWhatTheMethodWouldIgnore)
 {
     const Workplace place;

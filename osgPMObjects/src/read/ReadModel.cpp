@@ -20,6 +20,7 @@
 #include <osgPMObjects/ReadModel>
 
 #include "ContainedRun.h"
+#include "CrowdedObj.h"
 
 namespace osgPMObjects
 {
@@ -58,6 +59,16 @@ bool hasExtension(const std::filesystem::path& file, std::initializer_list<const
 bool isGltf(const std::filesystem::path& file)
 {
     return hasExtension(file, {"gltf", "glb"});
+}
+
+/// Returns what OSG's loader is told besides the name of the file: what the registry says, and for a crowded .obj more.
+osg::ref_ptr<osgDB::Options> loaderOptions(const std::filesystem::path& file)
+{
+    const osg::ref_ptr<osgDB::Options> usual = osgDB::Registry::instance()->getOptions();
+    if (!hasExtension(file, {"obj"}) || !isCrowdedObj(file)) return usual;
+    const osg::ref_ptr<osgDB::Options> options = usual ? usual->cloneOptions() : new osgDB::Options;
+    options->setOptionString(options->getOptionString() + " noTriStripPolygons generateFacetNormals");
+    return options;
 }
 
 /// Reads the finest level of a progressive mesh as plain geometry.
@@ -133,7 +144,7 @@ foundation::Result<osg::ref_ptr<osg::Node>> readModelNodeHere(const std::filesys
     const osg::ref_ptr<osg::NotifyHandler> before = osg::getNotifyHandler();
     const osg::ref_ptr<FirstWords> words = new FirstWords;
     osg::setNotifyHandler(words);
-    const osg::ref_ptr<osg::Node> node = osgDB::readRefNodeFile(file.string());
+    const osg::ref_ptr<osg::Node> node = osgDB::readRefNodeFile(file.string(), loaderOptions(file));
     osg::setNotifyHandler(before);
     if (node)
         for (const std::string& name : missing.names())

@@ -67,8 +67,9 @@ TEST(TJunctions, AreThoseOfTheDefinition)
         const EdgeTable edges(soup.triangles, soup.positions.size());
         for (const double tolerance : {1e-6, 0.3})
         {
-            const auto found =
+            const auto [found, isCutShort] =
                 findTJunctions(soup.positions, soup.triangles, edges, tolerance, OpenEdges::boundary);
+            EXPECT_FALSE(isCutShort);
             std::set<std::pair<std::uint32_t, std::uint32_t>> pairs;
             std::set<std::uint32_t> vertices;
             for (const TJunction& t : found)
@@ -91,7 +92,9 @@ TEST(TJunctions, StayFewWhereTheToleranceSwallowsTheMesh)
 {
     const Soup soup(20000, 1000, 1);
     const EdgeTable edges(soup.triangles, soup.positions.size());
-    const auto found = findTJunctions(soup.positions, soup.triangles, edges, 1e9, OpenEdges::boundary);
+    const auto [found, isCutShort] =
+        findTJunctions(soup.positions, soup.triangles, edges, 1e9, OpenEdges::boundary);
+    EXPECT_TRUE(isCutShort);
     EXPECT_GT(found.size(), 60000u);
     EXPECT_LE(found.size(), 4u * (60000u + 60000u) + 65536u);
     EXPECT_GT(countTVertices(soup.positions, soup.triangles, edges, 1e9, OpenEdges::boundary), 59000u);

@@ -130,22 +130,22 @@ TEST(Consolidate, NeverAddsDefectsToCrowdedCards)
     EXPECT_GT(undone, 0) << "otherwise there was little to see";
 }
 
-/// Faces between random points of a plane's grid, whose edges cross by the thousand: inserting all vertices would add too many faces.
-TEST(Consolidate, NeverAddsDefectsWhereTooManyEdgesCross)
+/// `faces` triangles between random ones of some positions.
+Mesh randomFaces(const std::vector<glm::dvec3>& positions, std::uint32_t faces)
 {
-    constexpr std::uint32_t kSide = 40, kFaces = 3000;
-    std::vector<glm::dvec3> positions;
-    for (std::uint32_t i = 0; i < kSide * kSide; ++i)
-        positions.emplace_back(i % kSide, i / kSide, 0.0);
     testsupport::Random random(5);
+    const auto count = static_cast<std::uint32_t>(positions.size());
     std::vector<Triangle> triangles;
-    while (triangles.size() < kFaces)
+    while (triangles.size() < faces)
     {
-        const Triangle t{random.below(kSide * kSide), random.below(kSide * kSide),
-                         random.below(kSide * kSide)};
+        const Triangle t{random.below(count), random.below(count), random.below(count)};
         if (!repeatsCorner(t)) triangles.push_back(t);
     }
-    Mesh mesh = meshOf(positions, triangles);
+    return meshOf(positions, triangles);
+}
+
+void expectNoCountWorse(Mesh mesh)
+{
     const MeshCounts before = countMesh(mesh);
     const ConsolidateReport report = consolidate(mesh);
     const MeshCounts after = countMesh(mesh);
@@ -154,6 +154,26 @@ TEST(Consolidate, NeverAddsDefectsWhereTooManyEdgesCross)
     EXPECT_LE(after.degenerates, before.degenerates);
     EXPECT_LE(after.duplicates, before.duplicates);
     EXPECT_LE(after.nonManifoldEdges, before.nonManifoldEdges);
+}
+
+/// On a plane's grid edges cross by the thousand: inserting all vertices would add too many faces.
+TEST(Consolidate, NeverAddsDefectsWhereTooManyEdgesCross)
+{
+    constexpr std::uint32_t kSide = 40;
+    std::vector<glm::dvec3> positions;
+    for (std::uint32_t i = 0; i < kSide * kSide; ++i)
+        positions.emplace_back(i % kSide, i / kSide, 0.0);
+    expectNoCountWorse(randomFaces(positions, 3000));
+}
+
+/// In a lattice hardly any edge is open before it is split from the others on it: searches for T-junctions are cut short afterwards.
+TEST(Consolidate, NeverAddsDefectsWhereSearchesAreCutShort)
+{
+    constexpr std::uint32_t kSide = 5;
+    std::vector<glm::dvec3> positions;
+    for (std::uint32_t i = 0; i < kSide * kSide * kSide; ++i)
+        positions.emplace_back(i % kSide, i / kSide % kSide, i / kSide / kSide);
+    expectNoCountWorse(randomFaces(positions, 30'000));
 }
 
 } // namespace

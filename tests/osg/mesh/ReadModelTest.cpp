@@ -134,6 +134,41 @@ TEST(ReadModel, ReadsThroughTheChildWhatItReadsHere)
     }
 }
 
+/// A low pyramid without normals, each of its sides so many times.
+std::string pyramidText(int times)
+{
+    std::string text = "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 0 4 0\nv 2 2 .5\n";
+    for (int i = 0; i < times; ++i)
+        text += "f 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n";
+    return text;
+}
+
+bool hasOneNormalAFace(const core::Mesh& mesh)
+{
+    return std::all_of(mesh.faces.begin(), mesh.faces.end(),
+                       [&](const core::Face& face)
+                       {
+                           const glm::vec3& first = mesh.normals[face.wedges[0]];
+                           return mesh.normals[face.wedges[1]] == first &&
+                                  mesh.normals[face.wedges[2]] == first;
+                       });
+}
+
+/// OSG's loader takes time by the square of the faces at a vertex to smooth them: minutes for a file of 2 MB.
+TEST(ReadModel, LetsNoNormalsBeSmoothedAmongCrowdedFaces)
+{
+    const Scratch scratch;
+    const auto read = [&](int times)
+    { return readModelNode(scratch.write("pyramid.obj", pyramidText(times))); };
+    const auto few = read(1), many = read(50);
+    ASSERT_TRUE(few && many);
+    const auto usual = importNode(**few, "few"), crowded = importNode(**many, "many");
+    ASSERT_TRUE(usual && crowded);
+    EXPECT_EQ(crowded->mesh.faces.size(), 200u);
+    EXPECT_TRUE(hasOneNormalAFace(crowded->mesh));
+    EXPECT_FALSE(hasOneNormalAFace(usual->mesh)); // the control
+}
+
 TEST(ReadModel, SaysWhatIsWrongWithAFile)
 {
     const Scratch scratch;

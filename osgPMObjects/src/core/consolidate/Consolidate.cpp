@@ -76,6 +76,25 @@ void orientAndSplitWhatIsBack(Mesh& mesh, bool orient, ConsolidateReport& report
     undoWorseRepairs(mesh, before, origins);
 }
 
+bool isAnyCountWorse(const MeshCounts& now, const MeshCounts& before)
+{
+    return now.tJunctions > before.tJunctions || now.duplicates > before.duplicates ||
+           now.degenerates > before.degenerates || now.nonManifoldEdges > before.nonManifoldEdges;
+}
+
+/// Gives the whole input back where all of its faces are back, or a count is still worse than before: among faces that cross by the thousand the searches for
+/// T-junctions are cut short, so that groups of faces cannot be compared.
+void giveBackWhatIsWorse(Mesh& mesh, const Mesh& input, ConsolidateReport& report)
+{
+    const bool isAllBack = report.facesAsTheyWere == input.faces.size();
+    if (!isAllBack && !isAnyCountWorse(countMesh(mesh), countMesh(input))) return;
+    mesh = input;
+    const int passes = report.tVertexPasses;
+    report = {};
+    report.tVertexPasses = passes;
+    report.facesAsTheyWere = input.faces.size();
+}
+
 /// Closes cracks, reverses faces and splits edges. Where the passes do not come to an end, as among cards closer to each other than
 /// the tolerance, or would add too many faces, as where edges cross by the thousand, they may leave more defects than there were: such faces
 /// are put back.
@@ -88,7 +107,9 @@ void repair(Mesh& mesh, const Mesh& input, CrackPasses& cracks, bool orient, Con
     report.tVertexPasses = cracks.made;
     if (cracks.made < cracks.most && !cracks.tVertices.isAtLimit) return;
     report.facesAsTheyWere = undoWorseRepairs(mesh, input, origins);
-    if (report.facesAsTheyWere > 0) orientAndSplitWhatIsBack(mesh, orient, report);
+    if (report.facesAsTheyWere > 0 && report.facesAsTheyWere < input.faces.size())
+        orientAndSplitWhatIsBack(mesh, orient, report);
+    giveBackWhatIsWorse(mesh, input, report);
 }
 
 } // namespace

@@ -37,8 +37,8 @@ public:
           _waiting(state.waiting),
           _triangles(positionTriangles(mesh)),
           _edges(_triangles, mesh.positions.size()),
-          _found(findTJunctions(mesh.positions, _triangles, _edges, state.tolerance, OpenEdges::notMatched,
-                                state.among))
+          _found(takeFound(findTJunctions(mesh.positions, _triangles, _edges, state.tolerance,
+                                          OpenEdges::notMatched, state.among)))
     {
         _drift.resize(mesh.positions.size(), 0.0);
         _waiting.clear();
@@ -46,6 +46,7 @@ public:
 
     TVertices run()
     {
+        if (_isCutShort) return _report;
         stitch();
         if (_report.stitched > 0)
         {
@@ -55,7 +56,7 @@ public:
         std::size_t newFaces = 0;
         for (const TJunction& t : _found)
             newFaces += _edges.sides(t.edge).size();
-        _isAtLimit = _isAtLimit || newFaces > _mostNewFaces;
+        if (newFaces > _mostNewFaces) _isAtLimit = true;
         if (newFaces > _mostNewFaces) return _report;
         for (const TJunction& t : _found)
             plan(t);
@@ -67,6 +68,14 @@ public:
     }
 
 private:
+    /// Notes whether the search was cut short, which counts as if it would add too many faces.
+    std::vector<TJunction> takeFound(FoundTJunctions found)
+    {
+        _isCutShort = found.isCutShort;
+        _isAtLimit = _isAtLimit || found.isCutShort;
+        return std::move(found.all);
+    }
+
     std::pair<std::uint32_t, std::uint32_t> endsOfEdge(std::uint32_t edge) const
     {
         const auto [from, to] = endsOf(_triangles, _edges.sides(edge).front());
@@ -178,6 +187,7 @@ private:
     const double _tolerance, _thinHeight, _mostDrift;
     std::size_t& _mostNewFaces;
     bool& _isAtLimit;
+    bool _isCutShort = false;
     std::vector<double>& _drift;
     std::vector<std::uint32_t>& _waiting;
     const std::vector<Triangle> _triangles;

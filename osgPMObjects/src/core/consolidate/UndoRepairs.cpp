@@ -48,7 +48,8 @@ struct Examined
           proper(properTriangles(mesh)),
           edges(proper, mesh.positions.size()),
           junctions(findTJunctions(mesh.positions, proper, edges, kTJunctionTolerance * diagonal,
-                                   OpenEdges::boundary))
+                                   OpenEdges::boundary)
+                        .all)
     {
     }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <atomic>
 #include <optional>
 #include <thread>
 #include <utility>
@@ -93,22 +94,29 @@ public:
             }
     }
 
-    std::vector<TJunction> run() const
+    FoundTJunctions run() const
     {
         const PointTree tree(_points);
+        std::atomic<bool> isCutShort = false;
         const std::size_t most = kMostJunctions * (_edges.size() + _vertices.size()) + kFewJunctions;
         std::vector<std::vector<TJunction>> found(std::max(1u, std::thread::hardware_concurrency()));
         parallelShares(groupCount(), kLeastGroupsAThread,
                        [&](std::size_t first, std::size_t last, std::size_t share)
                        {
                            for (std::size_t g = first; g < last && found[share].size() < most; ++g)
-                               searchGroup(g, tree, found[share]);
+                               if (!searchGroup(g, tree, found[share])) isCutShort = true;
+                           if (found[share].size() >= most) isCutShort = true;
                        });
-        std::vector<TJunction> all;
+        FoundTJunctions result;
+        std::vector<TJunction>& all = result.all;
         for (const std::vector<TJunction>& part : found)
-            all.insert(all.end(), part.begin(),
-                       part.begin() + std::ptrdiff_t(std::min(part.size(), most - all.size())));
-        return all;
+        {
+            const std::size_t taken = std::min(part.size(), most - all.size());
+            all.insert(all.end(), part.begin(), part.begin() + std::ptrdiff_t(taken));
+            result.isCutShort = result.isCutShort || taken < part.size();
+        }
+        result.isCutShort = result.isCutShort || isCutShort;
+        return result;
     }
 
     /// Counts the vertices that are in some junction. A vertex that has been found is not looked for again, so this needs no
@@ -159,8 +167,9 @@ private:
         return _vertices[number] == edge.ends.first || _vertices[number] == edge.ends.second;
     }
 
-    /// Searches the edges of a group, in order. Its limit of work does not depend on the number of threads.
-    void searchGroup(std::size_t group, const PointTree& tree, std::vector<TJunction>& found) const
+    /// Searches the edges of a group, in order. Returns whether it came to the end: its limit of work does not depend on the number
+    /// of threads.
+    bool searchGroup(std::size_t group, const PointTree& tree, std::vector<TJunction>& found) const
     {
         const std::size_t first = group * kEdgesOfAGroup;
         const std::size_t last = std::min(first + kEdgesOfAGroup, _edges.size());
@@ -182,6 +191,7 @@ private:
                       [](const TJunction& x, const TJunction& y)
                       { return x.along != y.along ? x.along < y.along : x.vertex < y.vertex; });
         }
+        return work > 0;
     }
 
     std::span<const glm::dvec3> _positions;
@@ -193,9 +203,9 @@ private:
 
 } // namespace
 
-std::vector<TJunction> findTJunctions(std::span<const glm::dvec3> positions,
-                                      std::span<const Triangle> triangles, const EdgeTable& edges,
-                                      double tolerance, OpenEdges open, std::span<const std::uint8_t> among)
+FoundTJunctions findTJunctions(std::span<const glm::dvec3> positions, std::span<const Triangle> triangles,
+                               const EdgeTable& edges, double tolerance, OpenEdges open,
+                               std::span<const std::uint8_t> among)
 {
     return Search(positions, triangles, edges, tolerance, open, among).run();
 }

@@ -31,10 +31,10 @@ struct TVertexState
     double thinHeight = 0.0; ///< faces with a T-vertex up to this height are removed, not cut
     std::size_t mostNewFaces =
         std::numeric_limits<std::size_t>::max(); ///< limit of faces that may still be added
-    bool isAtLimit = false;                      ///< a pass would have exceeded it
-    std::vector<double> drift{};                 ///< by position: how far it has moved so far
-    std::vector<std::uint8_t> among{};           ///< by position: 0 where it is ignored; empty: none is
-    std::vector<std::uint32_t> waiting{};        ///< positions of T-junctions that the latest pass postponed
+    bool isAtLimit = false;               ///< a pass would have exceeded it, or its search was cut short
+    std::vector<double> drift{};          ///< by position: how far it has moved so far
+    std::vector<std::uint8_t> among{};    ///< by position: 0 where it is ignored; empty: none is
+    std::vector<std::uint32_t> waiting{}; ///< positions of T-junctions that the latest pass postponed
 };
 
 /// Makes one pass against T-junctions (see findTJunctions()). A vertex with its foot within twice the tolerance of an end of the
@@ -42,7 +42,7 @@ struct TVertexState
 /// vertices on it, with its faces. New corners get attributes interpolated along the edge, so shading and texture do not change.
 /// An edge that is bent in this way may create new T-junctions: call the function until it changes nothing.
 /// No position moves farther than the tolerance in all passes together; a vertex that would remains a T-junction.
-/// A pass that would exceed the limit of new faces inserts nothing: the tolerance is then larger than the details of the mesh.
+/// A pass that would exceed the limit of new faces, or whose search is cut short, inserts nothing: the tolerance is then larger than the details of the mesh.
 /// Source: Jin, *Polygon Techniques* (lecture after Akenine-Möller & Haines, *Real-Time Rendering*, 2002, chapter 11), Edge
 /// cracking and T-vertices: the vertex is inserted into the neighbouring polygon, which is then triangulated; here by bisection.
 TVertices insertTVertices(Mesh& mesh, TVertexState& state);

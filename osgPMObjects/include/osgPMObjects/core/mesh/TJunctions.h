@@ -19,6 +19,13 @@ struct TJunction
     double distance = 0.0; ///< of the vertex from the edge
 };
 
+/// The T-junctions that a search has found.
+struct FoundTJunctions
+{
+    std::vector<TJunction> all;
+    bool isCutShort = false; ///< the limits of findTJunctions() were reached: there may be more
+};
+
 /// The edges that count as open: a crack may show there.
 enum class OpenEdges
 {
@@ -35,10 +42,9 @@ enum class OpenEdges
 /// vertex and thread.
 /// Source: Jin, *Polygon Techniques* (lecture after Akenine-Möller & Haines, *Real-Time Rendering*, 2002, chapter 11), Edge
 /// cracking and T-vertices.
-std::vector<TJunction> findTJunctions(std::span<const glm::dvec3> positions,
-                                      std::span<const Triangle> triangles, const EdgeTable& edges,
-                                      double tolerance, OpenEdges open,
-                                      std::span<const std::uint8_t> among = {});
+FoundTJunctions findTJunctions(std::span<const glm::dvec3> positions, std::span<const Triangle> triangles,
+                               const EdgeTable& edges, double tolerance, OpenEdges open,
+                               std::span<const std::uint8_t> among = {});
 
 /// Counts the vertices that are in some T-junction. Memory: linear, however many junctions there are. Cost: about linear, and limited
 /// in the same way: then it counts the vertices that were found.
