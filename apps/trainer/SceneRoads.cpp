@@ -20,6 +20,7 @@
 #include "scenery/roads/HeightOnRoads.h"
 #include "scenery/roads/LayRoads.h"
 #include "scenery/roads/RoadGround.h"
+#include "scenery/roads/TunnelOpenings.h"
 
 namespace trainer
 {
@@ -66,6 +67,9 @@ foundation::Result<SceneTerrain> makeScene(const RoamFile& description, const st
 {
     auto terrain = osgTerrainROAM::makeTerrain(description, tile, scenery::farRoads(*roads.placed));
     if (!terrain) return terrain.error();
+    const auto openings = osgTerrainROAM::core::OpeningCells::build(scenery::tunnelOpenings(*roads.placed));
+    if (!openings) return openings.error();
+    (*terrain)->material()->setOpenings(*openings);
     return withRoads(*terrain, roads);
 }
 

@@ -16,6 +16,7 @@
 #include "material/MapGrid.h"
 #include "material/MapTexture.h"
 #include "material/NormalMap.h"
+#include "material/OpeningTexture.h"
 #include "material/SheetNormals.h"
 #include "material/TerrainShader.h"
 
@@ -97,6 +98,7 @@ void TerrainMaterial::setProgram()
     _stateSet->setAttributeAndModes(terrainProgram({.drape = _hasDrape,
                                                     .layers = _imageryLayers,
                                                     .features = _hasFeatures,
+                                                    .openings = _hasOpenings,
                                                     .cover = _hasCover,
                                                     .sheets = _sheetNormals ? _sheetNormals->maps() : 0,
                                                     .fine = _fineNormals != nullptr,
@@ -135,6 +137,13 @@ void TerrainMaterial::setFeatures(const core::FeatureCells& cells)
 {
     addFeatureTextures(*_stateSet, cells, features);
     _hasFeatures = true;
+    setProgram();
+}
+
+void TerrainMaterial::setOpenings(const core::OpeningCells& cells)
+{
+    _hasOpenings = !cells.isEmpty();
+    if (_hasOpenings) addOpeningTexture(*_stateSet, cells, openings);
     setProgram();
 }
 

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "scenery/roads/HeightSpline.h"
+
 namespace scenery
 {
 
@@ -13,13 +15,6 @@ namespace
 {
 
 constexpr double kMostCells = 4e6;
-
-std::array<double, 4> splineWeights(double u)
-{
-    const double v = 1.0 - u;
-    return {v * v * v / 6.0, (3.0 * u * u * u - 6.0 * u * u + 4.0) / 6.0,
-            (3.0 * v * v * v - 6.0 * v * v + 4.0) / 6.0, u * u * u / 6.0};
-}
 
 /// Weighted sums over the lines of a table in one direction: `stride` between neighbours of a line of `count` values.
 void smoothLine(std::vector<float>& values, std::size_t first, std::size_t stride, int count,

@@ -19,7 +19,8 @@ std::optional<double> drawnAt(const DrawnScene& scene, const glm::dvec2& at, dou
     std::optional<double> drawn =
         osgRoads::core::drawnHeight(scene.roads, scene.choices, scene.view, scene.settings, at, highestM);
     const auto ground = osgTerrainROAM::core::drawnGroundAt(scene.ground, at.x, at.y);
-    if (ground && ground->position.z <= highestM)
+    const bool isOpen = ground && scene.openings && scene.openings->isOpen(ground->position);
+    if (ground && !isOpen && ground->position.z <= highestM)
         drawn = drawn ? std::max(*drawn, ground->position.z) : ground->position.z;
     return drawn;
 }

@@ -7,6 +7,7 @@
 #include <glm/glm.hpp>
 
 #include <osgRoads/core/surface/RoadView.h>
+#include <osgTerrainROAM/core/features/OpeningCells.h>
 #include <osgTerrainROAM/core/roam/DiamondTree.h>
 
 namespace scenery
@@ -20,6 +21,7 @@ struct DrawnScene
     std::vector<osgRoads::core::ChunkChoice> choices; ///< of the roads for this view
     osgRoads::core::RoadViewSettings settings;
     viewlod::ViewState view;
+    const osgTerrainROAM::core::OpeningCells* openings = nullptr; ///< where no ground is drawn; null: nowhere
 };
 
 /// A point at which something touches the surface, against the surface that is drawn there.

@@ -6,8 +6,11 @@
 #include <vector>
 
 #include <osgRoads/core/place/RoadBed.h>
+#include <osgRoads/core/place/TunnelTube.h>
 #include <osgRoads/core/query/LaneSpan.h>
 #include <osgRoads/core/query/RoadSurface.h>
+
+#include "scenery/roads/TunnelOpenings.h"
 
 namespace scenery
 {
@@ -44,6 +47,26 @@ Surface surfaceOf(const PlacedNetwork& roads, const RoadMatch& match)
     return {heightM, isForCars ? Rank::carriageway : Rank::lane};
 }
 
+/// Adds what a road has at a place: a lane, its verge, a tunnel's walkway; nothing beside bridges and tubes.
+void addSurface(const PlacedNetwork& roads, const RoadMatch& match, std::vector<Surface>& surfaces)
+{
+    const auto& [index, s, t, h] = match.position;
+    const osgRoads::core::Road& road = roads.road(index);
+    const auto* structure = osgRoads::core::structureAt(road, s);
+    if (structure && structure->kind == osgRoads::core::StructureKind::tunnel)
+    {
+        const osgRoads::core::TunnelTube tube;
+        const auto paved = osgRoads::core::pavedSides(road, s);
+        const double edgeT = std::clamp(t, paved.right, paved.left), outM = std::fabs(t - edgeT);
+        if (outM > kOnLanesM && outM <= tube.besideM)
+        {
+            surfaces.push_back({roads.surfacePoint(index, s, edgeT).z + tube.walkwayM, Rank::beside});
+            return;
+        }
+    }
+    if (match.distance <= kOnLanesM || !structure) surfaces.push_back(surfaceOf(roads, match));
+}
+
 /// Returns the level on which something from a height stands.
 double levelFor(const std::vector<Surface>& surfaces, double fromM)
 {
@@ -61,12 +84,12 @@ double levelFor(const std::vector<Surface>& surfaces, double fromM)
 double heightOnRoads(const PlacedNetwork& roads, const glm::dvec3& ground, double fromM)
 {
     std::vector<Surface> surfaces;
+    bool isOpen = false; // the ground lies in a tunnel's tube, where there is none
     const glm::dvec2 plan(roads.toInertial(ground));
     for (const RoadMatch& match : roads.locator().within(plan, osgRoads::core::RoadBed{}.vergeM))
     {
-        const auto& [road, s, t, h] = match.position;
-        if (match.distance <= kOnLanesM || !osgRoads::core::structureAt(roads.road(road), s))
-            surfaces.push_back(surfaceOf(roads, match));
+        addSurface(roads, match, surfaces);
+        isOpen = isOpen || isInTunnel(roads, match, ground.z);
     }
     // Ground that a lane covers is its bed, or, for something of unknown height, the hill above its tunnel.
     const bool isCovered =
@@ -76,7 +99,7 @@ double heightOnRoads(const PlacedNetwork& roads, const glm::dvec3& ground, doubl
                         return surface.rank > Rank::beside &&
                                (!std::isfinite(fromM) || std::fabs(surface.heightM - ground.z) < kLevelM);
                     });
-    if (!isCovered) surfaces.push_back({ground.z, Rank::beside});
+    if (surfaces.empty() || !(isCovered || isOpen)) surfaces.push_back({ground.z, Rank::beside});
     const double levelM = levelFor(surfaces, fromM);
     Surface best{-INFINITY, Rank::beside};
     for (const Surface& surface : surfaces)

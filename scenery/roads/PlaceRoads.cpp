@@ -126,10 +126,11 @@ foundation::Result<SceneRoads> placeRoads(const RoadsRequest& request, const Pla
     const PlanExtent extent = extentOf(*network);
     auto map = mapOf(request, *network, tile, extent);
     if (!map) return map.error();
-    std::optional<BaseSurface> base;
+    std::shared_ptr<const GroundProfiles> base;
     if (request.heights == RoadHeights::ground)
-        base.emplace(extent.low, extent.high, groundUnder(*map, tile));
-    const auto datum = std::make_shared<SceneDatum>(network, std::move(*map), std::move(base));
+        base = std::make_shared<GroundProfiles>(
+            network, BaseSurface(extent.low, extent.high, groundUnder(*map, tile)));
+    const auto datum = std::make_shared<SceneDatum>(std::move(*map), std::move(base));
     return SceneRoads{std::make_shared<osgRoads::core::PlacedNetwork>(network, datum),
                       osgRoads::core::firstMessages(read->problems, request.file.string())};
 }

@@ -21,7 +21,7 @@ namespace scenery
 enum class RoadHeights
 {
     file,   ///< the file's, in the datum of the terrain's samples
-    ground, ///< the smoothed ground's plus the file's
+    ground, ///< those of profiles on the ground (GroundProfiles.h) plus the file's
 };
 
 /// Where a network without a usable georeference lies.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <osgRoads/core/place/TunnelTube.h>
 #include <osgRoads/core/query/LaneSpan.h>
 #include <osgRoads/core/query/RoadSurface.h>
 
@@ -57,28 +58,40 @@ double undercutM(const osgRoads::core::Road& road, const osgRoads::core::RoadPos
     return deepestM;
 }
 
-/// The ground stays below the deck of a bridge, and below the road of a tunnel that no ground covers (a gallery). What covers a
-/// tunnel stays as it is.
-HeightBand bandOfStructure(osgRoads::core::StructureKind kind, double surfaceM, double outM, double groundM,
-                           const RoadCutShape& shape)
+/// The ground stays below the deck of a bridge.
+HeightBand bandOfBridge(double surfaceM, double outM, const RoadCutShape& shape)
 {
-    const bool isTunnel = kind == osgRoads::core::StructureKind::tunnel;
-    if (isTunnel && groundM > surfaceM + shape.tunnelM) return {};
     HeightBand band;
-    band.highM = surfaceM - (isTunnel ? shape.bed.depthM : shape.deckM);
+    band.highM = surfaceM - shape.deckM;
     if (outM > shape.bed.vergeM) band.highM = bandBeyondVerge(band.highM, outM, shape).highM;
     return band;
 }
 
-/// The band that one road asks for of ground at `groundM`.
-HeightBand bandOf(const PlacedNetwork& roads, const RoadMatch& match, double groundM,
+/// Behind a portal the bands of the open road become wider with the depth, until no ground is outside of them.
+HeightBand bandOfTunnel(double depthM, double surfaceM, double outM, const RoadCutShape& shape)
+{
+    const double behindM = std::max(depthM - std::max(shape.portalBackM, 1.5 * shape.sampleM), 0.0);
+    const bool isVerge = outM <= shape.bed.vergeM;
+    const HeightBand open =
+        isVerge ? bandUnderVerge(surfaceM, outM, shape) : bandBeyondVerge(surfaceM, outM, shape);
+    if (open.isOpen()) return {};
+    const double middleM = 0.5 * (open.lowM + open.highM);
+    const double halfM = std::hypot(0.5 * (open.highM - open.lowM), shape.portalSlope * behindM);
+    return {middleM - halfM, middleM + halfM};
+}
+
+/// The band that one road asks for.
+HeightBand bandOf(const PlacedNetwork& roads, const RoadMatch& match,
                   const osgTerrainROAM::core::TileFrame& frame, const RoadCutShape& shape)
 {
     const auto& position = match.position;
     const auto& road = roads.road(position.road);
     const double surfaceM = frame.heightOf(roads.surfaceAt(match, shape.bed, shape.bed.vergeM));
     if (const auto* structure = osgRoads::core::structureAt(road, position.s))
-        return bandOfStructure(structure->kind, surfaceM, match.distance, groundM, shape);
+        return structure->kind == osgRoads::core::StructureKind::bridge
+                   ? bandOfBridge(surfaceM, match.distance, shape)
+                   : bandOfTunnel(osgRoads::core::depthInTunnel(road, *structure, position.s), surfaceM,
+                                  match.distance, shape);
     const bool isOnLanes = match.distance < 1e-6;
     if (isOnLanes) return bandUnderVerge(surfaceM - undercutM(road, position, shape), 0.0, shape);
     // Beyond an end no mesh covers a bed: there the ground is that beside the verge.
@@ -96,10 +109,9 @@ HeightBand roadBand(const PlacedNetwork& roads, const osgTerrainROAM::core::Tile
 {
     HeightBand band;
     const glm::dvec2 plan(roads.toInertial(scene));
-    const double groundM = frame.heightOf(scene);
     for (const RoadMatch& match : roads.locator().within(plan, shape.reachM))
     {
-        const HeightBand asked = bandOf(roads, match, groundM, frame, shape);
+        const HeightBand asked = bandOf(roads, match, frame, shape);
         band.lowM = std::max(band.lowM, asked.lowM);
         band.highM = std::min(band.highM, asked.highM);
     }

@@ -20,7 +20,8 @@ struct RoadCutShape
     double riseM = 1.0;       ///< width over which the bed comes up to there
     double sampleM = 2.0;     ///< between the samples of the ground
     double deckM = 1.5;       ///< from a bridge's road down to where ground may be
-    double tunnelM = 7.5;     ///< from a tunnel's road up to ground that covers it
+    double portalSlope = 2.0; ///< of the ground that rises behind a portal, over its tube
+    double portalBackM = 3.0; ///< from the portal to where it begins; more than a sample
 };
 
 /// The heights that the ground may have at a place. A low above the high yields: no road is buried.
@@ -38,8 +39,8 @@ struct HeightBand
 };
 
 /// Returns what the roads near a point of the scene ask of the ground there: a bed under lanes and verge, beside it a cutting or an
-/// embankment that becomes steeper towards its reach. The lowest bed wins. Under a bridge the ground is kept below the deck; in a
-/// tunnel it is a bed where it does not cover the tunnel. `scene`: on the ground as it was.
+/// embankment that becomes steeper towards its reach. The lowest bed wins. Under a bridge the ground is kept below the deck.
+/// Over a tunnel it is left as it is (tunnelOpenings() has its inside) but for the slope behind a portal. `scene`: on the ground as it was.
 /// Threads: const, any. Cost: some microseconds.
 HeightBand roadBand(const osgRoads::core::PlacedNetwork& roads, const osgTerrainROAM::core::TileFrame& frame,
                     const RoadCutShape& shape, const glm::dvec3& scene);

@@ -173,7 +173,7 @@ foundation::Result<RoadGround> makeRoadGround(const std::filesystem::path& file)
         { return glm::dvec3(plan - corner, heightM); });
     if (!map) return map.error();
     ground.roads = {
-        std::make_shared<osgRoads::core::PlacedNetwork>(network, std::make_shared<SceneDatum>(network, *map)),
+        std::make_shared<osgRoads::core::PlacedNetwork>(network, std::make_shared<SceneDatum>(*map)),
         osgRoads::core::firstMessages(read->problems, file.string())};
     return ground;
 }

@@ -20,6 +20,9 @@ constexpr std::size_t kRoads = 4;
 constexpr double kSightRadiusM = 250.0; ///< of wider bends one sees the end
 constexpr double kBeforeBendM = 50.0;
 constexpr double kRailHeightM = 2.0; ///< of the embankment
+/// Cover of a portal, which is as high as its tube; of a place that deserves a tunnel; half a tube; before the ends of a road.
+constexpr double kPortalCoverM = 8.0, kTunnelCoverM = 12.0, kTubeM = 6.0, kPortalRoomM = 30.0;
+constexpr double kShortestTunnelM = 40.0, kTunnelStepM = 2.0;
 constexpr double kFootM = 9.0, kRailStepM = 10.0, kShortestRailM = 50.0;
 
 /// The middles of the straights nearest to equal parts of the course.
@@ -117,6 +120,41 @@ std::vector<Stretch> railsOf(const Terrain& terrain, const CourseRoad& road, dou
     return stretches;
 }
 
+/// By how much the ground covers the road at s: the least over its middle and both sides of a tube.
+double coverAt(const Terrain& terrain, const CourseRoad& road, const osgRoads::core::ReferenceLine& line,
+               double s)
+{
+    const auto point = line.at(s);
+    const glm::dvec2 left(-std::sin(point.headingRad), std::cos(point.headingRad));
+    double leastM = 1e9;
+    for (const double side : {-kTubeM, 0.0, kTubeM})
+        leastM = std::min(leastM, groundAt(terrain, point.position + side * left));
+    return leastM - road.elevation.value(s);
+}
+
+/// Finds where a tunnel is in place of a cutting: long enough under ground that covers its tube, and somewhere deep.
+std::vector<Stretch> tunnelsOf(const Terrain& terrain, const CourseRoad& road)
+{
+    const osgRoads::core::ReferenceLine line(road.elements);
+    std::vector<Stretch> stretches;
+    double deepestM = 0.0;
+    Stretch here{-1.0, -1.0};
+    for (double s = kPortalRoomM; s < road.lengthM - kPortalRoomM; s += kTunnelStepM)
+    {
+        const double coverM = coverAt(terrain, road, line, s);
+        if (coverM >= kPortalCoverM)
+        {
+            here = {here.fromM < 0.0 ? s : here.fromM, s};
+            deepestM = std::max(deepestM, coverM);
+            continue;
+        }
+        if (here.toM - here.fromM >= kShortestTunnelM && deepestM >= kTunnelCoverM) stretches.push_back(here);
+        here = {-1.0, -1.0};
+        deepestM = 0.0;
+    }
+    return stretches;
+}
+
 } // namespace
 
 std::vector<CourseRoad> roadsOf(const Terrain& terrain, const Alignment& alignment,
@@ -145,6 +183,7 @@ std::vector<CourseRoad> roadsOf(const Terrain& terrain, const Alignment& alignme
         road.elevation = elevationOf(profile, fromM, toM);
         road.superelevationRad = superelevationOf(road.bends);
         road.noOvertaking = noOvertakingOf(road);
+        road.tunnels = tunnelsOf(terrain, road);
         road.leftRail = railsOf(terrain, road, 1.0);
         road.rightRail = railsOf(terrain, road, -1.0);
     }

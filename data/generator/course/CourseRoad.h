@@ -26,6 +26,7 @@ struct CourseRoad
     osgRoads::core::CubicProfile superelevationRad;
     std::vector<Stretch> noOvertaking;        ///< around bends of little sight
     std::vector<Stretch> leftRail, rightRail; ///< beside embankments
+    std::vector<Stretch> tunnels;             ///< where a cutting would be deep
 };
 
 /// Cuts a course in the middle of four straights into roads of about the same length, one behind the other.

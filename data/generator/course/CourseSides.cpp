@@ -2,6 +2,7 @@
 #include "CourseSides.h"
 
 #include <string>
+#include <vector>
 
 #include "course/XmlFields.h"
 
@@ -13,7 +14,7 @@ namespace
 
 constexpr double kEdgeM = kLaneM + kShoulderM;
 constexpr double kPostBesideM = kEdgeM + 0.5, kRailBesideM = kEdgeM + 0.75, kSignBesideM = kEdgeM + 1.2;
-constexpr double kPostSpacingM = 50.0;
+constexpr double kPostSpacingM = 50.0, kPostFromPortalM = 5.0;
 constexpr double kTightRadiusM = 180.0, kWarningM = 90.0, kLimitSignM = 30.0;
 
 /// What stands along a road; `distanceM` 0: without a break.
@@ -82,6 +83,34 @@ void writeSign(pugi::xml_node signs, int id, const Sign& sign)
     set(signal, "width", 0.6);
 }
 
+void writeTunnel(pugi::xml_node objects, int id, const Stretch& stretch)
+{
+    pugi::xml_node tunnel = objects.append_child("tunnel");
+    set(tunnel, "s", stretch.fromM);
+    set(tunnel, "length", stretch.toM - stretch.fromM);
+    set(tunnel, "id", id);
+    set(tunnel, "name", "");
+    set(tunnel, "type", "standard");
+    set(tunnel, "lighting", 0.5);
+    set(tunnel, "daylight", 0.3);
+}
+
+/// The parts of a road on which posts stand: before, between and behind its tunnels.
+std::vector<Stretch> openPartsOf(const CourseRoad& course)
+{
+    std::vector<Stretch> parts;
+    Stretch part{0.5 * kPostSpacingM, 0.0};
+    for (const Stretch& tunnel : course.tunnels)
+    {
+        part.toM = tunnel.fromM - kPostFromPortalM;
+        if (part.toM > part.fromM) parts.push_back(part);
+        part.fromM = tunnel.toM + kPostFromPortalM;
+    }
+    part.toM = course.lengthM - 0.5 * kPostSpacingM;
+    parts.push_back(part);
+    return parts;
+}
+
 } // namespace
 
 void writeObjects(pugi::xml_node road, const CourseRoad& course)
@@ -90,11 +119,14 @@ void writeObjects(pugi::xml_node road, const CourseRoad& course)
     int id = 1;
     for (const double side : {1.0, -1.0})
     {
-        const Stretch all{0.5 * kPostSpacingM, course.lengthM - 0.5 * kPostSpacingM};
-        writeRow(objects, id++, {"pole", "delineator", all, kPostSpacingM, side * kPostBesideM, 1.0, 0.12});
+        for (const Stretch& open : openPartsOf(course))
+            writeRow(objects, id++,
+                     {"pole", "delineator", open, kPostSpacingM, side * kPostBesideM, 1.0, 0.12});
         for (const Stretch& rail : side > 0.0 ? course.leftRail : course.rightRail)
             writeRow(objects, id++, {"barrier", "guardRail", rail, 0.0, side * kRailBesideM, 0.75, 0.3});
     }
+    for (const Stretch& tunnel : course.tunnels)
+        writeTunnel(objects, id++, tunnel);
 }
 
 void writeSignals(pugi::xml_node road, const CourseRoad& course)

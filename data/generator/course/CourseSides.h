@@ -12,7 +12,7 @@ namespace islandgen
 inline constexpr double kLaneM = 3.5, kShoulderM = 1.0;
 inline constexpr int kSpeedLimitKmh = 80;
 
-/// Writes delineator posts every 50 m on both sides, and guard rails beside embankments.
+/// Writes delineator posts every 50 m on both sides, guard rails beside embankments, and tunnels.
 void writeObjects(pugi::xml_node road, const CourseRoad& course);
 
 /// Writes the signs for both directions: the speed limit at the ends, a warning 90 m before each tight bend.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cmath>
 #include <numbers>
 
 namespace foundation
@@ -16,6 +17,18 @@ constexpr double radiansOf(double degrees)
 constexpr double degreesOf(double radians)
 {
     return radians * (180.0 / std::numbers::pi);
+}
+
+/// Brings an angle to within half a turn of 0: -π…π.
+inline double wrappedRad(double radians)
+{
+    return std::remainder(radians, 2.0 * std::numbers::pi);
+}
+
+/// Brings an angle to within half a turn of 0: -180…180.
+inline double wrappedDeg(double degrees)
+{
+    return std::remainder(degrees, 360.0);
 }
 
 } // namespace foundation

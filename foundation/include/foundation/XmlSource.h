@@ -41,7 +41,8 @@ public:
     static Result<std::unique_ptr<XmlSource>> read(const std::filesystem::path& file,
                                                    std::size_t maximumBytes);
 
-    /// Errors, as `name:line`: malformed, no root element, UTF-16 or UTF-32, nested deeper than 64 elements.
+    /// Errors, as `name:line`: malformed, no root element, nested deeper than 64 elements; as `name`: nothing in it,
+    /// compressed, UTF-16 or UTF-32.
     static Result<std::unique_ptr<XmlSource>> parse(std::string_view text, const std::string& name);
 
     pugi::xml_node root() const { return _document.document_element(); }
@@ -79,6 +80,9 @@ inline Result<std::unique_ptr<XmlSource>> XmlSource::read(const std::filesystem:
 inline Result<std::unique_ptr<XmlSource>> XmlSource::parse(std::string_view text, const std::string& name)
 {
     if (xml::isWideEncoding(text)) return Error{name, "not in UTF-8", "save the file as UTF-8"};
+    if (text.starts_with("\x1F\x8B")) return Error{name, "compressed by gzip", "unpack the file with gunzip"};
+    if (text.find_first_not_of(" \t\r\n") == std::string_view::npos)
+        return Error{name, "there is nothing in the file", "write it again, or name another one"};
     auto source = std::make_unique<XmlSource>();
     source->_name = name;
     for (std::size_t at = text.find('\n'); at != std::string_view::npos; at = text.find('\n', at + 1))

@@ -21,6 +21,7 @@ std::string definesOf(const TerrainLook& look)
     if (look.drape) text += "#define TERRAIN_DRAPE\n";
     if (look.layers > 0) text += "#define TERRAIN_LAYERS\n";
     if (look.features) text += "#define TERRAIN_FEATURES\n";
+    if (look.openings) text += "#define TERRAIN_OPENINGS\n";
     if (look.cover) text += "#define TERRAIN_COVER\n";
     if (look.season) text += "#define TERRAIN_SEASON\n";
     if (look.sheets > 0) text += "#define TERRAIN_SHEETS\n";
@@ -51,6 +52,7 @@ std::string groundText(const TerrainLook& look)
     text += shaders::kGroundColour;
     text += shaders::kWaterColour;
     if (look.features) text += featureFunctions();
+    if (look.openings) text += shaders::kGroundOpenings;
     if (look.layers > 0) text += imageryText(look.layers);
     if (look.cover) text += shaders::kLandCover;
     if (look.season) text += shaders::kSeasonSnow;

@@ -13,7 +13,7 @@ uniform vec4 terrainBend; // by how many texels each layer of the grain bends th
 uniform vec2 terrainBroad; // periods of the broadest layer of grain per grid unit
 uniform vec4 terrainDrapeFromGrid;
 uniform vec3 terrainEyeWrapped; // the eye's position modulo 4096 m
-#if defined(TERRAIN_FEATURES) || defined(TERRAIN_SEASON)
+#if defined(TERRAIN_FEATURES) || defined(TERRAIN_SEASON) || defined(TERRAIN_OPENINGS)
 uniform ivec3 terrainEyeWraps; // the number of whole 4096 m that terrainEyeWrapped leaves out
 #endif
 uniform mat3 terrainWorldFromLocal;

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shades a fragment of the terrain, with haze.
+// Shades a fragment of the terrain, with haze; leaves out those in openings.
 
 void main()
 {
+#ifdef TERRAIN_OPENINGS
+    if (isOpening(fromEye + terrainEyeWrapped)) discard;
+#endif
     float distanceM = length(fromEye);
     vec3 directionWorld = terrainWorldFromLocal * (fromEye / distanceM);
     vec3 colour = groundRadiance(directionWorld);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <osgRoads/core/place/TunnelTube.h>
 #include <osgRoads/core/query/LaneSpan.h>
 
 #include "scenery/roads/things/RoadLine.h"
@@ -9,13 +10,7 @@
 namespace scenery::roads
 {
 
-/// The t of both sides of a structure.
-struct Sides
-{
-    double left, right;
-    double middle() const { return 0.5 * (left + right); }
-    double half() const { return 0.5 * (left - right); }
-};
+using Sides = osgRoads::core::RoadSides;
 
 /// Returns the sides so far beyond all lanes.
 inline Sides sidesAt(const osgRoads::core::Road& road, double s, double beyondM)

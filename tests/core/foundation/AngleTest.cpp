@@ -17,4 +17,11 @@ TEST(AngleTest, ConvertsBothWays)
     EXPECT_DOUBLE_EQ(degreesOf(radiansOf(12.5)), 12.5);
 }
 
+TEST(AngleTest, WrapsToHalfATurn)
+{
+    EXPECT_DOUBLE_EQ(wrappedDeg(270.0), -90.0);
+    EXPECT_DOUBLE_EQ(wrappedDeg(-725.0), -5.0);
+    EXPECT_NEAR(wrappedRad(radiansOf(190.0)), radiansOf(-170.0), 1e-15);
+}
+
 } // namespace foundation

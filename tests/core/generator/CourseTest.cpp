@@ -11,6 +11,7 @@
 #include <osgRoads/core/read/ReadNetwork.h>
 
 #include "course/CourseFile.h"
+#include "course/CourseRoad.h"
 #include "course/CourseSearch.h"
 
 namespace islandgen
@@ -87,6 +88,41 @@ TEST(Course, mutationsAreSeen)
     for (std::size_t i = 100; i < 110; ++i)
         steep.roadM[i] += 8.0;
     EXPECT_GT(steepest(profileOf(steep, 0.0), course().lengthM), 1.1 * kSteepestGrade);
+}
+
+/// The lengths of all tunnels of the course on some land.
+double tunnelsM(const Terrain& terrain, const CourseHeights& heights)
+{
+    double sum = 0.0;
+    for (const CourseRoad& road : roadsOf(terrain, course(), heights))
+        for (const Stretch& tunnel : road.tunnels)
+            sum += tunnel.toM - tunnel.fromM;
+    return sum;
+}
+
+/// The land with a hill on the course at s.
+Terrain withHill(double s, double heightM)
+{
+    Terrain terrain = land();
+    const glm::dvec2 place = course().line().at(s).position;
+    const int side = terrain.heightM.side;
+    for (int row = 0; row < side; ++row)
+        for (int column = 0; column < side; ++column)
+        {
+            const glm::dvec2 at = double(terrain.cellM) * (glm::dvec2(column, row) - 0.5 * (side - 1));
+            const double away = glm::length(at - place) / 150.0;
+            terrain.heightM.at(column, row) += static_cast<float>(heightM * std::exp(-0.5 * away * away));
+        }
+    return terrain;
+}
+
+TEST(Course, aHillIsRunThroughByATunnelAndAHeapIsNot)
+{
+    const CourseHeights heights = courseHeights(land(), course(), 5.0, 100.0);
+    const double without = tunnelsM(land(), heights), s = 0.5 * course().lengthM;
+    // 50 · exp(-(x/150)²/2) is 8 m at x = 287 m.
+    EXPECT_NEAR(tunnelsM(withHill(s, 50.0), heights) - without, 2.0 * 287.0, 200.0);
+    EXPECT_NEAR(tunnelsM(withHill(s, 4.0), heights), without, 40.0);
 }
 
 TEST(Course, isReadWithoutAWord)

@@ -1,48 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 // Typical mistakes of OpenDRIVE files, each with the line that a person is told.
-#include <algorithm>
 #include <string>
 #include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <osgRoads/core/check/NetworkCheck.h>
-
-#include "RoadTexts.h"
+#include "ToldLines.h"
 
 namespace
 {
 
-using namespace osgRoads::core;
 using namespace roadtexts;
 using testing::Contains;
 using testing::Eq;
-
-/// Everything that is told about a text: the error, or the problems and the flaws.
-std::vector<std::string> told(const std::string& text)
-{
-    const auto read = parseNetwork(text, "a.xodr");
-    if (!read) return {read.error().message()};
-    std::vector<std::string> lines;
-    for (const Problem& problem : read->problems)
-        lines.push_back(problem.message("a.xodr"));
-    for (const Flaw& flaw : checkNetwork(read->network).flaws)
-        lines.push_back(flaw.message("a.xodr"));
-    return lines;
-}
-
-std::string plainRoad(const std::string& id)
-{
-    return road(id, 50.0, straightPlan(50.0) + twoLanes());
-}
-
-std::string replaced(std::string text, const std::string& from, const std::string& to)
-{
-    const std::size_t at = text.find(from);
-    EXPECT_NE(at, std::string::npos) << from;
-    return text.replace(at, from.size(), to);
-}
 
 std::string withLink(const std::string& link)
 {
@@ -52,6 +23,15 @@ std::string withLink(const std::string& link)
 TEST(RoadErrors, ASoundNetworkHasNone)
 {
     EXPECT_EQ(told(network(plainRoad("1"))), std::vector<std::string>{});
+}
+
+/// The mutation of the form that every message has: one without its line, and one without a remedy.
+TEST(RoadErrors, AMessageWithoutLineOrRemedyIsNoMessage)
+{
+    const testing::Matcher<std::string> isMessage = testing::MatchesRegex(kMessage);
+    EXPECT_TRUE(isMessage.Matches("a.xodr:3: there is no road; add one"));
+    EXPECT_FALSE(isMessage.Matches("a.xodr: there is no road; add one"));
+    EXPECT_FALSE(isMessage.Matches("a.xodr:3: there is no road"));
 }
 
 TEST(RoadErrors, NotXml)

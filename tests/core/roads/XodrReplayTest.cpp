@@ -18,12 +18,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 namespace
 {
 
-constexpr int kMutationsOfSeed = 1500;
+constexpr int kMutationsOfSeed = 1000;
 
 std::vector<std::string> seeds()
 {
     std::vector<std::string> texts;
-    for (const char* name : {"curves.xodr", "junction.xodr"})
+    for (const char* name : {"bend.xodr", "curves.xodr", "junction.xodr", "things.xodr"})
     {
         std::ifstream stream(std::filesystem::path(OSGTRAINER_SOURCE_DIR) / "tests/fuzz/corpus" / name);
         texts.emplace_back(std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>());

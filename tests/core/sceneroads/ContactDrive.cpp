@@ -19,6 +19,7 @@
 #include "scenery/roads/LanePath.h"
 #include "scenery/roads/LayRoads.h"
 #include "scenery/roads/RoadGround.h"
+#include "scenery/roads/TunnelOpenings.h"
 #include "simulation/tour/LayDrive.h"
 
 namespace
@@ -63,7 +64,8 @@ public:
             const auto levels = static_cast<std::uint32_t>(_scene.mesh.chunks[choice.chunk].levels.size());
             choice.level = std::min(choice.level + _request.coarser, levels - 1);
         }
-        _drawn.emplace(scenery::DrawnScene{_ground.tree(), _scene.mesh, std::move(choices), settings, view});
+        _drawn.emplace(scenery::DrawnScene{_ground.tree(), _scene.mesh, std::move(choices), settings, view,
+                                           &_scene.openings});
     }
 
     void check(const glm::dvec3& place, ContactReport& report) const
@@ -126,6 +128,15 @@ std::vector<glm::dvec3> wheelsOf(const simulation::GroundContact& contact, const
     return wheels;
 }
 
+/// Makes what is drawn of the roads, and where the ground is left out for them.
+void draw(RoadScene& scene)
+{
+    scene.mesh = osgRoads::core::buildRoadMesh(*scene.roads);
+    auto openings = OpeningCells::build(scenery::tunnelOpenings(*scene.roads));
+    EXPECT_TRUE(openings) << (openings ? "" : openings.error().message());
+    if (openings) scene.openings = std::move(*openings);
+}
+
 } // namespace
 
 simulation::PlayerOptions RoadScene::stage() const
@@ -148,10 +159,10 @@ simulation::PlayerOptions RoadScene::stage() const
 
 RoadScene sceneOf(std::shared_ptr<RoamTile> tile, std::shared_ptr<const osgRoads::core::PlacedNetwork> roads)
 {
-    RoadScene scene{std::move(tile), std::move(roads), {}};
+    RoadScene scene{std::move(tile), std::move(roads), {}, {}};
     TileEditor editor(scene.tile);
     EXPECT_TRUE(scenery::cutRoads(editor, *scene.roads));
-    scene.mesh = osgRoads::core::buildRoadMesh(*scene.roads);
+    draw(scene);
     return scene;
 }
 
@@ -170,11 +181,11 @@ RoadScene sceneOf(const std::filesystem::path& file)
     const auto description = describeTerrain(file, {});
     auto placed = loadTile(*description);
     EXPECT_TRUE(placed) << (placed ? "" : placed.error().message());
-    RoadScene scene{std::make_shared<RoamTile>(std::move(*placed)), nullptr, {}};
+    RoadScene scene{std::make_shared<RoamTile>(std::move(*placed)), nullptr, {}, {}};
     const auto roads = scenery::layRoads(*description, scene.tile);
     EXPECT_TRUE(roads) << (roads ? "" : roads.error().message());
     scene.roads = roads->placed;
-    scene.mesh = osgRoads::core::buildRoadMesh(*scene.roads);
+    draw(scene);
     return scene;
 }
 

@@ -8,6 +8,7 @@
 
 #include <osgRoads/core/place/PlacedNetwork.h>
 #include <osgRoads/core/surface/RoadMesh.h>
+#include <osgTerrainROAM/core/features/OpeningCells.h>
 #include <osgTerrainROAM/core/roam/RoamTile.h>
 
 #include "scenery/roads/DrawnContact.h"
@@ -20,6 +21,7 @@ struct RoadScene
     std::shared_ptr<osgTerrainROAM::core::RoamTile> tile;
     std::shared_ptr<const osgRoads::core::PlacedNetwork> roads;
     osgRoads::core::RoadMesh mesh;
+    osgTerrainROAM::core::OpeningCells openings; ///< where no ground is drawn
 
     simulation::PlayerOptions stage() const;
 };

@@ -153,26 +153,23 @@ TEST(CutRoads, GroundFarAwayAndUnderABridgeStaysAsItWas)
     EXPECT_NEAR(groundM(*tile, {530.0, 500.0, 0.0}), groundM(*before, {530.0, 500.0, 0.0}), 1e-3);
 }
 
-TEST(CutRoads, GroundNeverReachesThroughALowBridgeOrAGallery)
+TEST(CutRoads, GroundNeverReachesThroughALowBridge)
 {
     auto field = testsupport::hills(33, 33);
     for (float& heightM : field.heightsM)
         heightM *= 0.02f;
-    const PlacedTileOptions options{.placement = Placement::planar, .gridExponent = 4};
-    for (const char* const structure : {"bridge", "tunnel"})
-    {
-        const auto tile = std::make_shared<RoamTile>(PlacedTile(field, options));
-        // 2 m below the ground in the middle of the structure
-        const auto roads = bankedRoad(groundM(*tile, {530.0, 500.0, 0.0}) - 6.6 - 2.0, 0.05, structure);
-        TileEditor editor(tile);
-        ASSERT_TRUE(scenery::cutRoads(editor, *roads));
-        for (double s = 290.0; s < 370.0; s += 0.7)
-            for (double t = -3.5; t <= 3.5; t += 0.5)
-            {
-                const glm::dvec3 place = roads->surfacePoint(0, s, t);
-                EXPECT_LT(groundM(*tile, place), place.z - 0.3) << structure << " " << s << " " << t;
-            }
-    }
+    const auto tile = std::make_shared<RoamTile>(
+        PlacedTile(field, PlacedTileOptions{.placement = Placement::planar, .gridExponent = 4}));
+    // 2 m below the ground in the middle of the bridge
+    const auto roads = bankedRoad(groundM(*tile, {530.0, 500.0, 0.0}) - 6.6 - 2.0, 0.05);
+    TileEditor editor(tile);
+    ASSERT_TRUE(scenery::cutRoads(editor, *roads));
+    for (double s = 290.0; s < 370.0; s += 0.7)
+        for (double t = -3.5; t <= 3.5; t += 0.5)
+        {
+            const glm::dvec3 place = roads->surfacePoint(0, s, t);
+            EXPECT_LT(groundM(*tile, place), place.z - 0.3) << s << " " << t;
+        }
 }
 
 TEST(CutRoads, GroundThatCoversATunnelStaysAsItWas)

@@ -2,6 +2,7 @@
 // Wheels and whatever stands on a road touch the surface that is drawn: within 1 cm near the eye, within a pixel farther away.
 // OSGTRAINER_EVERY_FRAME=1 checks every frame of more drives, which takes a minute.
 #include <cstdlib>
+#include <fstream>
 #include <iostream>
 
 #include <gtest/gtest.h>
@@ -14,6 +15,7 @@ namespace
 {
 
 constexpr int kSomeFrames = 60;
+constexpr int kEnoughFrames = 6; ///< to meet a road that is drawn too coarsely
 
 bool takesEveryFrame()
 {
@@ -30,11 +32,20 @@ void expectKept(const RoadScene& scene, const simulation::Scenario& drive)
     EXPECT_EQ(report.broken, 0u);
 }
 
-/// The mutations that the check must see: something 2 cm too high, and roads two levels coarser than chosen.
-void expectSeen(const RoadScene& scene, const simulation::Scenario& drive)
+/// The mutations that the check must see: something 2 cm too high, and roads coarser than chosen.
+void expectSeen(const RoadScene& scene, const simulation::Scenario& drive, std::uint32_t coarser)
 {
     EXPECT_GT(contactsOf(scene, drive, {.everyFrames = kSomeFrames, .raisedM = 0.02}).broken, 0u);
-    EXPECT_GT(contactsOf(scene, drive, {.everyFrames = kSomeFrames, .coarser = 2}).broken, 0u);
+    EXPECT_GT(contactsOf(scene, drive, {.everyFrames = kEnoughFrames, .coarser = coarser}).broken, 0u);
+}
+
+/// Hills of New Hampshire, 90 m a sample, with a flat network laid on their slopes.
+std::filesystem::path networkOnHills(const std::filesystem::path& dem, const std::filesystem::path& network)
+{
+    const auto file = std::filesystem::path(testing::TempDir()) / "roads-on-hills.roam";
+    std::ofstream(file) << "dem = " << dem.string() << "\nroads = " << network.string()
+                        << "\nroads_origin = 44.35 -71.53\nroads_heights = ground\n";
+    return file;
 }
 
 } // namespace
@@ -52,7 +63,7 @@ TEST(DrawnContact, HoldsInBendsThatClimbAndFailsWhenItShould)
     const RoadScene scene = sceneOf(file);
     const simulation::Scenario drive = driveOver(scene, 20.0);
     expectKept(scene, drive);
-    expectSeen(scene, drive);
+    expectSeen(scene, drive, 2);
 }
 
 TEST(DrawnContact, HoldsOnTheDefaultDrive)
@@ -64,6 +75,16 @@ TEST(DrawnContact, HoldsOnTheDefaultDrive)
     const auto drive = simulation::readScenario(OSGTRAINER_SOURCE_DIR "/data/scenarios/drive.xosc");
     ASSERT_TRUE(drive);
     expectKept(scene, drive->scenario);
+}
+
+TEST(DrawnContact, HoldsOnARealNetworkInRealHillsAndFailsWhenItShould)
+{
+    OSGTRAINER_REAL_DATA_OR_SKIP(dem, "dem/N44W072.hgt");
+    OSGTRAINER_REAL_DATA_OR_SKIP(network, "openscenario/esmini/xodr/soderleden.xodr");
+    const RoadScene scene = sceneOf(networkOnHills(dem, network));
+    const simulation::Scenario drive = driveOver(scene, 20.0);
+    expectKept(scene, drive);
+    expectSeen(scene, drive, 1);
 }
 
 TEST(DrawnContact, HoldsOnBanksBridgesAndInJunctions)

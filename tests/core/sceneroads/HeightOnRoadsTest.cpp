@@ -9,6 +9,8 @@
 
 #include <osgRoads/core/read/ReadNetwork.h>
 
+#include "TunnelScene.h"
+
 namespace
 {
 
@@ -98,4 +100,17 @@ TEST(HeightOnRoads, TheVergeFallsOutwardsUntilTheGroundIsHigher)
     EXPECT_NEAR(heightOnRoads(roads, {50.0, 5.0, -0.5}, 0.0), -0.06, 1e-9) << "1 m beside the left lane";
     EXPECT_NEAR(heightOnRoads(roads, {50.0, 5.0, -0.04}, 0.0), -0.04, 1e-9);
     EXPECT_NEAR(heightOnRoads(roads, {50.0, 6.6, -0.5}, 0.0), -0.5, 1e-9) << "beyond the verge";
+}
+
+TEST(HeightOnRoads, InATunnelItIsTheRoadOrTheWalkwayWhateverGroundIsInTheTube)
+{
+    const auto roads = tunnelscene::road();
+    const auto heightAt = [&](double x, double besideM, double groundM) {
+        return heightOnRoads(*roads, {x, tunnelscene::kRoadY + besideM, groundM}, tunnelscene::kRoadM + 0.1);
+    };
+    const double inside = tunnelscene::kPortalX + 5.0, outside = tunnelscene::kPortalX - 5.0;
+    EXPECT_NEAR(heightAt(inside, 1.0, 6.2), 5.0, 1e-9) << "the slope behind the portal crosses the tube";
+    EXPECT_NEAR(heightAt(outside, 1.0, 6.2), 6.2, 1e-9) << "a heap on the road counts";
+    EXPECT_NEAR(heightAt(inside, 4.0, 5.2), 5.15, 1e-9) << "the walkway";
+    EXPECT_NEAR(heightAt(inside, 6.0, 5.2), 5.2, 1e-9) << "beside the tube";
 }

@@ -25,6 +25,7 @@ NamedProgram programOf(const TerrainLook& look)
     if (look.drape) name += " drape";
     if (look.layers > 0) name += " layers" + std::to_string(look.layers);
     if (look.features) name += " features";
+    if (look.openings) name += " openings";
     if (look.cover) name += " cover";
     if (look.sheets > 0) name += " sheets" + std::to_string(look.sheets);
     if (look.fine) name += " fine";
@@ -58,6 +59,8 @@ std::vector<NamedProgram> terrainPrograms()
         programs.push_back(programOf({.sheets = sheets}));
     for (const bool season : {false, true})
         programs.push_back(programOf({.season = season, .surroundings = true}));
+    for (const bool features : {false, true})
+        programs.push_back(programOf({.features = features, .openings = true}));
     return programs;
 }
 
@@ -68,7 +71,8 @@ std::vector<NamedProgram> terrainExtremes()
          {TerrainLook{}, TerrainLook{.drape = true}, TerrainLook{.layers = kMostImagery},
           TerrainLook{.features = true}, TerrainLook{.cover = true}, TerrainLook{.sheets = kMostSheets},
           TerrainLook{.fine = true}, TerrainLook{.season = true}, TerrainLook{.surroundings = true},
-          TerrainLook{true, kMostImagery, true, true, kMostSheets, true, true, false}})
+          TerrainLook{.openings = true},
+          TerrainLook{true, kMostImagery, true, true, true, kMostSheets, true, true, false}})
         programs.push_back(programOf(look));
     return programs;
 }

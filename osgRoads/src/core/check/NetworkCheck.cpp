@@ -118,8 +118,8 @@ NetworkFlaws checkNetwork(const RoadNetwork& network, const JointLimits& limits)
     LaneJoints joints = checkLaneJoints(network, limits);
     found.laneJoints = joints.count;
     found.flaws = std::move(joints.flaws);
-    for (auto& more : {checkElementJoints(network, limits), checkLaneWidths(network), checkOverlaps(network),
-                       checkBackLinks(network)})
+    for (auto& more : {checkElementJoints(network, limits), checkProfiles(network, limits),
+                       checkLaneWidths(network), checkOverlaps(network), checkBackLinks(network)})
         found.flaws.insert(found.flaws.end(), more.begin(), more.end());
     std::stable_sort(found.flaws.begin(), found.flaws.end(),
                      [](const Flaw& a, const Flaw& b) { return a.line < b.line; });

@@ -66,8 +66,12 @@ void readSizes(NodeReader& element, RoadObject& object)
 {
     object.length = element.numberOr("length", 0.0);
     object.radius = element.numberOr("radius", 0.0);
-    if (object.length < 0.0 || object.width < 0.0 || object.radius < 0.0)
-        element.mistake("object " + object.id + " has a negative size", "write 0 or more");
+    for (double* size : {&object.length, &object.width, &object.radius})
+    {
+        if (*size >= 0.0) continue;
+        element.mistake("object " + object.id + " has a negative size", "write 0 or more; 0 is used");
+        *size = 0.0;
+    }
 }
 
 RoadObject readObject(NodeReader& element)
@@ -108,6 +112,17 @@ RoadStructure readStructure(NodeReader& element, StructureKind kind)
     }
     structure.validities = readValidities(element);
     return structure;
+}
+
+void readStructureOn(NodeReader& element, StructureKind kind, Road& into)
+{
+    into.structures.push_back(readStructure(element, kind));
+    const RoadStructure& structure = into.structures.back();
+    const std::string name = std::string(element.node.name()) + " " + structure.id;
+    reportOffRoad(element, name, structure.s, into);
+    if (structure.length <= 0.0 && element.has("length"))
+        element.mistake(name + " is " + shortNumber(structure.length) + " m long",
+                        "write a length above 0; it is not drawn");
 }
 
 } // namespace
@@ -160,9 +175,9 @@ void readObjects(NodeReader& road, Road& into)
                                    reportOffRoad(element, "object " + object.id, object.s, into);
                                });
                   objects.each("bridge", [&](NodeReader& element)
-                               { into.structures.push_back(readStructure(element, StructureKind::bridge)); });
+                               { readStructureOn(element, StructureKind::bridge, into); });
                   objects.each("tunnel", [&](NodeReader& element)
-                               { into.structures.push_back(readStructure(element, StructureKind::tunnel)); });
+                               { readStructureOn(element, StructureKind::tunnel, into); });
               });
 }
 

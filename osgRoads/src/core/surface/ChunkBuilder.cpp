@@ -68,24 +68,44 @@ ChunkBuilder::Row ChunkBuilder::rowAt(double s) const
     return row;
 }
 
+/// Returns how far a row lies from the straight pieces between two others.
+double ChunkBuilder::gapBetween(const Row& row, const Row& before, const Row& after)
+{
+    const double share = (row.s - before.s) / (after.s - before.s);
+    const std::vector<glm::dvec3>&here = row.places, &from = before.places, &to = after.places;
+    double gap = 0.0;
+    for (std::size_t i = 0; i < here.size(); ++i)
+    {
+        gap = std::max(gap, glm::distance(here[i], glm::mix(from[i], to[i], share)));
+        if (i + 1 == here.size()) break;
+        // On the diagonal that both triangles of a piece share: where a road twists they leave its surface there.
+        const glm::dvec3 off = share * (here[i] - to[i]) + (1.0 - share) * (here[i + 1] - from[i + 1]);
+        const glm::dvec3 normal = glm::cross(to[i] - from[i], from[i + 1] - from[i]);
+        const double length = glm::length(normal);
+        if (length > kLeastAreaM2) gap = std::max(gap, std::fabs(glm::dot(off, normal)) / length);
+    }
+    return gap;
+}
+
 /// Returns how far a row lies from the level that keeps every `stride`th one.
 double ChunkBuilder::gapAt(std::size_t row, std::size_t stride) const
 {
     const std::size_t first = row / stride * stride, last = std::min(first + stride, _rows.size() - 1);
-    if (row == first) return 0.0;
-    const double share = static_cast<double>(row - first) / static_cast<double>(last - first);
-    const std::vector<glm::dvec3>&here = _rows[row].places, &before = _rows[first].places,
-          &after = _rows[last].places;
+    return row == first ? 0.0 : gapBetween(_rows[row], _rows[first], _rows[last]);
+}
+
+/// Returns the greatest gap of rows in the middle of steps and, where those lie well, at their quarters: in the middle of a bend to
+/// the left and one to the right a straight piece meets the surface.
+double ChunkBuilder::gapOfSteps(double enoughM) const
+{
     double gap = 0.0;
-    for (std::size_t i = 0; i < here.size(); ++i)
+    for (std::size_t i = 1; i < _rows.size(); i += 2)
+        gap = std::max(gap, gapAt(i, 2));
+    for (std::size_t i = 1; i < _rows.size() && gap <= enoughM; i += 2)
     {
-        gap = std::max(gap, glm::distance(here[i], glm::mix(before[i], after[i], share)));
-        if (i + 1 == here.size()) break;
-        // On the diagonal that both triangles of a piece share: where a road twists they leave its surface there.
-        const glm::dvec3 off = share * (here[i] - after[i]) + (1.0 - share) * (here[i + 1] - before[i + 1]);
-        const glm::dvec3 normal = glm::cross(after[i] - before[i], before[i + 1] - before[i]);
-        const double length = glm::length(normal);
-        if (length > kLeastAreaM2) gap = std::max(gap, std::fabs(glm::dot(off, normal)) / length);
+        const Row &before = _rows[i - 1], &after = _rows[i + 1];
+        for (const double share : {0.25, 0.75})
+            gap = std::max(gap, gapBetween(rowAt(std::lerp(before.s, after.s, share)), before, after));
     }
     return gap;
 }
@@ -111,10 +131,8 @@ void ChunkBuilder::sample(double from, double to)
     for (std::size_t steps = 1; steps < kMostSteps; steps *= 2)
     {
         const double step = (to - from) / static_cast<double>(steps);
-        double gap = 0.0;
-        for (std::size_t i = 1; i < _rows.size(); i += 2)
-            gap = std::max(gap, gapAt(i, 2));
-        const bool isFine = kBetweenSamples * gap <= _settings.errorM || step < 2.0 * _settings.shortestStepM;
+        const double enoughM = _settings.errorM / kBetweenSamples;
+        const bool isFine = step < 2.0 * _settings.shortestStepM || gapOfSteps(enoughM) <= enoughM;
         if (isFine && step <= longest) break;
         std::vector<Row> finer;
         for (std::size_t i = 0; i < _rows.size(); ++i)

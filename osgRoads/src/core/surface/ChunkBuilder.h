@@ -34,7 +34,9 @@ private:
     Row rowAt(double s) const;
     void sample(double from, double to);
     bool mayBeCovered() const;
+    static double gapBetween(const Row& row, const Row& before, const Row& after);
     double gapAt(std::size_t row, std::size_t stride) const;
+    double gapOfSteps(double enoughM) const;
     void addRow(const Row& row, double from, bool hasGround, const std::vector<MeshVertex>& strips);
     void addTriangles(std::uint32_t firstVertex, std::size_t rows, std::size_t stride, bool ofGround);
     void addLevels(RoadChunk& chunk, std::uint32_t firstVertex);

@@ -45,7 +45,8 @@ struct JointLimits
     double elementKinkRad = 0.01;
     double laneGapM = 0.01; ///< between the middles of linked lanes, in the plan view
     double laneKinkRad = 0.05;
-    double laneStepM = 0.05; ///< in height
+    double laneStepM = 0.05;  ///< in height, also of a road's own elevation
+    double widthJumpM = 0.05; ///< of a lane's width or border within its section
 };
 
 /// Compares the ends of neighbouring elements of each reference line.

@@ -18,6 +18,9 @@ std::vector<Flaw> checkLaneWidths(const RoadNetwork& network);
 /// number of sample points, 5 m apart on the middle of lanes.
 std::vector<Flaw> checkOverlaps(const RoadNetwork& network);
 
+/// Finds places within a road where its elevation, or within a lane section the width or border of a lane, jumps.
+std::vector<Flaw> checkProfiles(const RoadNetwork& network, const JointLimits& limits = {});
+
 /// Finds links between roads that the other road does not answer.
 std::vector<Flaw> checkBackLinks(const RoadNetwork& network);
 
