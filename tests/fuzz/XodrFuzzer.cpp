@@ -23,6 +23,7 @@ namespace
 using namespace osgRoads::core;
 
 constexpr std::size_t kMostRoads = 20, kMostMarks = 1000;
+constexpr double kLongestM = 2e4; // the checks look at every 5 m: longer networks would take most of the time
 
 void require(bool condition)
 {
@@ -65,6 +66,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const auto read = parseNetwork({reinterpret_cast<const char*>(data), size}, "fuzz");
     if (!read) return 0;
     const RoadNetwork& network = read->network;
+    double lengthM = 0.0;
+    for (const Road& road : network.roads)
+        lengthM += road.isUsable ? road.length : 0.0;
+    if (lengthM > kLongestM) return 0;
     const RoadLocator locator(network);
     std::size_t asked = 0;
     int first = -1, last = -1;

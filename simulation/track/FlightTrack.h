@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace simulation
+{
+
+/// What the heights of a track count from.
+enum class HeightDatum
+{
+    ellipsoid,    ///< WGS84
+    meanSeaLevel, ///< the geoid, up to 107 m from the ellipsoid
+    pressure,     ///< the standard atmosphere: off by the weather of the day
+    ground,
+};
+
+/// Returns the datum in words, for messages.
+const char* nameOf(HeightDatum datum);
+
+/// A recorded position. WGS84 degrees, metres.
+struct TrackFix
+{
+    double timeS =
+        0.0; ///< since 1970-01-01T00:00:00Z, or since the start of the recording where it has no date
+    double latitudeDeg = 0.0, longitudeDeg = 0.0;
+    std::optional<double> heightM;
+    int line = 0; ///< of the file
+};
+
+/// A flight, a drive or a walk that somebody recorded.
+/// Invariant: where it has times they rise; coordinates are in their ranges.
+struct FlightTrack
+{
+    std::string name;
+    std::vector<TrackFix> fixes; ///< one at least
+    HeightDatum datum = HeightDatum::meanSeaLevel;
+    bool hasTimes = true; ///< no: all are 0
+};
+
+/// A record that is passed over, or read otherwise than it is written.
+struct TrackProblem
+{
+    int line = 0;
+    std::string what;
+};
+
+struct TrackReading
+{
+    std::vector<FlightTrack> tracks; ///< in the file's order
+    std::vector<TrackProblem> problems;
+    std::size_t problemCount = 0; ///< with those beyond the thousand that are kept
+};
+
+} // namespace simulation

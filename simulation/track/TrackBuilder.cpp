@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "simulation/track/TrackBuilder.h"
+
+#include <cmath>
+#include <utility>
+
+namespace simulation
+{
+namespace
+{
+
+constexpr std::size_t kMostProblems = 1000;
+constexpr double kFarthestHeightM = 1e6;
+
+} // namespace
+
+const char* nameOf(HeightDatum datum)
+{
+    switch (datum)
+    {
+    case HeightDatum::ellipsoid:
+        return "the ellipsoid";
+    case HeightDatum::meanSeaLevel:
+        return "mean sea level";
+    case HeightDatum::pressure:
+        return "the standard pressure";
+    case HeightDatum::ground:
+        return "the ground";
+    }
+    return "";
+}
+
+FlightTrack& TrackBuilder::begin(const std::string& name, HeightDatum datum)
+{
+    // A track without fixes is used again: no file makes more tracks than it has fixes.
+    if (_reading.tracks.empty() || !_reading.tracks.back().fixes.empty()) _reading.tracks.emplace_back();
+    _reading.tracks.back() = {name, {}, datum, true};
+    return _reading.tracks.back();
+}
+
+void TrackBuilder::add(FlightTrack& track, const TrackFix& fix)
+{
+    if (!(std::fabs(fix.latitudeDeg) <= 90.0 && std::fabs(fix.longitudeDeg) <= 180.0))
+        problem(fix.line, "the position is not within 90 degrees of latitude and 180 of longitude");
+    else if (fix.heightM && !(std::fabs(*fix.heightM) <= kFarthestHeightM))
+        problem(fix.line, "the height is beyond 1000 km");
+    else if (track.hasTimes && !track.fixes.empty() && !(fix.timeS > track.fixes.back().timeS))
+        problem(fix.line,
+                "the time is not later than that of line " + std::to_string(track.fixes.back().line));
+    else
+        track.fixes.push_back(fix);
+}
+
+void TrackBuilder::problem(int line, const std::string& what)
+{
+    ++_reading.problemCount;
+    if (_reading.problems.size() < kMostProblems) _reading.problems.push_back({line, what});
+}
+
+foundation::Result<TrackReading> TrackBuilder::finish()
+{
+    std::erase_if(_reading.tracks, [](const FlightTrack& track) { return track.fixes.empty(); });
+    if (!_reading.tracks.empty()) return std::move(_reading);
+    if (_reading.problems.empty())
+        return foundation::Error{_name, "holds no position", "record the flight again, or name another file"};
+    const TrackProblem& first = _reading.problems.front();
+    return foundation::Error{_name + ":" + std::to_string(first.line),
+                             "no position can be read: " + first.what, "correct the file"};
+}
+
+std::string_view takeLine(std::string_view& text)
+{
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    std::string_view line = text.substr(0, end);
+    text.remove_prefix(std::min(end + 1, text.size()));
+    if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+    return line;
+}
+
+std::string_view trimmed(std::string_view text)
+{
+    const std::size_t begin = text.find_first_not_of(" \t\r\n");
+    if (begin == std::string_view::npos) return {};
+    return text.substr(begin, text.find_last_not_of(" \t\r\n") - begin + 1);
+}
+
+} // namespace simulation

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "simulation/track/TrackHeights.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include <foundation/Angle.h>
+
+namespace simulation
+{
+namespace
+{
+
+constexpr double kRestMps = 2.0;
+constexpr double kRestS = 60.0;
+constexpr std::size_t kFewestResting = 3;
+constexpr double kEarthM = 6371000.0;
+
+/// In the plane, good to a percent over the way between two fixes.
+double metresBetween(const TrackFix& one, const TrackFix& other)
+{
+    const double north = foundation::radiansOf(other.latitudeDeg - one.latitudeDeg);
+    const double east = foundation::radiansOf(foundation::wrappedDeg(other.longitudeDeg - one.longitudeDeg)) *
+                        std::cos(foundation::radiansOf(one.latitudeDeg));
+    return kEarthM * std::hypot(north, east);
+}
+
+bool isResting(const FlightTrack& track, std::size_t i)
+{
+    if (i + 1 >= track.fixes.size() || !track.hasTimes) return false;
+    const TrackFix& fix = track.fixes[i];
+    const bool isAtAnEnd =
+        fix.timeS - track.fixes.front().timeS <= kRestS || track.fixes.back().timeS - fix.timeS <= kRestS;
+    const double seconds = track.fixes[i + 1].timeS - fix.timeS;
+    return isAtAnEnd && metresBetween(fix, track.fixes[i + 1]) < kRestMps * seconds;
+}
+
+double median(std::vector<double>& values)
+{
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+} // namespace
+
+std::string TrackHeights::message() const
+{
+    char text[256];
+    std::snprintf(
+        text, sizeof text,
+        "heights above %s: %+.1f m added (%zu fixes at rest on the ground); %zu fixes were below the ground, "
+        "by %.1f m at most, and are lifted to it",
+        nameOf(datum), offsetM, restingFixes, raisedFixes, deepestM);
+    return text;
+}
+
+TrackHeights fitToGround(FlightTrack& track, const GroundHeight& ground, double clearanceM)
+{
+    TrackHeights done;
+    done.datum = track.datum;
+    std::vector<std::optional<double>> heights;
+    std::vector<double> differences;
+    for (std::size_t i = 0; i < track.fixes.size(); ++i)
+    {
+        const TrackFix& fix = track.fixes[i];
+        heights.push_back(ground(fix.latitudeDeg, fix.longitudeDeg));
+        if (track.datum != HeightDatum::ground && heights.back() && fix.heightM && isResting(track, i))
+            differences.push_back(*heights.back() - *fix.heightM);
+    }
+    if (differences.size() >= kFewestResting)
+    {
+        done.restingFixes = differences.size();
+        done.offsetM = median(differences);
+    }
+    for (std::size_t i = 0; i < track.fixes.size(); ++i)
+    {
+        std::optional<double>& height = track.fixes[i].heightM;
+        if (!heights[i])
+        {
+            if (height) *height += done.offsetM;
+            continue;
+        }
+        const double least = *heights[i] + clearanceM;
+        if (!height)
+            height = least;
+        else
+            *height += track.datum == HeightDatum::ground ? *heights[i] : done.offsetM;
+        if (*height >= least) continue;
+        ++done.raisedFixes;
+        done.deepestM = std::max(done.deepestM, *heights[i] - *height);
+        height = least;
+    }
+    track.datum = HeightDatum::ellipsoid;
+    return done;
+}
+
+} // namespace simulation
