@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "EntityModel.h"
 
-#include <osg/Geode>
-#include <osg/ShapeDrawable>
-
 #include "ModelFile.h"
 #include "scenery/nodes/AircraftModel.h"
+#include "scenery/nodes/EntityLook.h"
 #include "scenery/nodes/ObjectShading.h"
 #include "scenery/nodes/Pose.h"
 
@@ -15,30 +13,23 @@ namespace trainer
 namespace
 {
 
-/// Makes a light grey box of the size of the entity, for entities without a model.
-osg::ref_ptr<osg::Node> makeBox(const simulation::BoundingBox& box)
-{
-    const osg::Vec3 centre(box.centre.x, box.centre.y, box.centre.z);
-    const auto extent = [](double metres) { return static_cast<float>(metres > 0 ? metres : 1.0); };
-    const osg::ref_ptr<osg::ShapeDrawable> shape = new osg::ShapeDrawable(
-        new osg::Box(centre, extent(box.lengthM), extent(box.widthM), extent(box.heightM)));
-    shape->setColor({0.6F, 0.6F, 0.6F, 1.0F});
-    const osg::ref_ptr<osg::Geode> geode = new osg::Geode;
-    geode->addDrawable(shape);
-    scenery::setObjectShading(*geode, scenery::Finish::matt);
-    return geode;
-}
-
 osg::Matrixd matrixOf(const scenery::Pose& pose)
 {
     const glm::dmat4 matrix = scenery::worldFromModel(pose);
     return osg::Matrixd(&matrix[0][0]); // GLM's columns are OSG's rows
 }
 
+/// The eye in a model that was read: a driver's on the left of the middle.
+glm::dvec3 eyeIn(const simulation::BoundingBox& box)
+{
+    return box.centre + glm::dvec3(0.0, 0.2 * box.widthM, 0.32 * box.heightM);
+}
+
 } // namespace
 
 foundation::Result<EntityModel> EntityModel::create(const simulation::ScenarioObject& object,
-                                                    const std::filesystem::path& folder)
+                                                    const std::filesystem::path& folder,
+                                                    scenery::EntityShapes& shapes)
 {
     EntityModel model;
     model._placed = new osg::MatrixTransform;
@@ -54,20 +45,27 @@ foundation::Result<EntityModel> EntityModel::create(const simulation::ScenarioOb
         if (!loaded) return loaded.error();
         scenery::setObjectShading(**loaded, scenery::Finish::matt);
         model._placed->addChild(*loaded);
+        model._eye = eyeIn(object.box());
     }
-    else if (object.isAirborne())
-        model._placed->addChild(scenery::makeLightAircraft());
-    else if (std::holds_alternative<simulation::Vehicle>(object.object))
-        model._car = std::make_shared<scenery::CarModel>();
+    else if (const auto look = scenery::entityLook(object))
+    {
+        model._generated = std::make_shared<scenery::EntityNode>(look->shape, shapes);
+        model._eye = model._generated->eye();
+        if (model._note.empty()) model._note = look->note;
+    }
     else
-        model._placed->addChild(makeBox(object.box()));
+    {
+        model._placed->addChild(scenery::makeLightAircraft());
+        model._eye = scenery::pilotEyeInAircraft();
+    }
     return model;
 }
 
-void EntityModel::show(const simulation::EntityState& state)
+void EntityModel::show(const simulation::EntityState& state, bool isDark)
 {
-    if (_car)
-        _car->setState(state);
+    node()->setNodeMask(state.isVisible && !_isHidden ? ~0U : 0U);
+    if (_generated)
+        _generated->setState(state, scenery::usualLamps(state, isDark));
     else
         _placed->setMatrix(matrixOf(scenery::poseOf(state)));
 }

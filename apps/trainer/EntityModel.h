@@ -9,31 +9,43 @@
 
 #include <osg/MatrixTransform>
 
-#include "scenery/nodes/CarModel.h"
+#include "scenery/nodes/EntityNode.h"
 #include "simulation/player/EntityState.h"
 #include "simulation/scenario/Entity.h"
 
 namespace trainer
 {
 
-/// The model of an entity: the file that its `model3d` names, else a built-in model by its category, else a box of
-/// its size. Frame: the entity's own, placed by show(). Threads: show() between frames.
+/// The model of an entity: the file that its `model3d` names, else a generated model by its category, names and size
+/// (scenery/nodes/EntityLook.h). Frame: the entity's own, placed by show(). Threads: show() between frames.
 class EntityModel
 {
 public:
-    /// `folder`: model3d is relative to it. Errors: a model file that exists and cannot be read.
+    /// `folder`: model3d is relative to it. `shapes`: of all entities. Errors: a model file that exists and cannot be
+    /// read.
     static foundation::Result<EntityModel> create(const simulation::ScenarioObject& object,
-                                                  const std::filesystem::path& folder);
+                                                  const std::filesystem::path& folder,
+                                                  scenery::EntityShapes& shapes);
 
-    osg::Node* node() const { return _car ? _car->node() : _placed.get(); }
-    void show(const simulation::EntityState& state);
+    osg::Node* node() const { return _generated ? _generated->node() : _placed.get(); }
+
+    /// Does not draw it any more: the eye is in it.
+    void hide() { _isHidden = true; }
+
+    /// `isDark`: head lamps are on.
+    void show(const simulation::EntityState& state, bool isDark);
+
+    /// Returns the eye of the driver, rider, walker or pilot. Frame: the entity's.
+    const glm::dvec3& eye() const { return _eye; }
 
     /// Returns a note when another model is drawn than asked for, else an empty text.
     const std::string& note() const { return _note; }
 
 private:
     std::string _note;
-    std::shared_ptr<scenery::CarModel> _car; ///< has wheels to move; else
+    bool _isHidden = false;
+    glm::dvec3 _eye{0.0};
+    std::shared_ptr<scenery::EntityNode> _generated; ///< has parts that move; else
     osg::ref_ptr<osg::MatrixTransform> _placed;
 };
 

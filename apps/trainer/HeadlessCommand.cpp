@@ -3,9 +3,9 @@
 
 #include <chrono>
 #include <cstdio>
-#include <iostream>
 #include <optional>
 
+#include "ScenarioProblems.h"
 #include "simulation/parser/ParseScenario.h"
 #include "simulation/player/ScenarioPlayer.h"
 #include "simulation/record/MotionLog.h"
@@ -16,15 +16,30 @@ namespace trainer
 namespace
 {
 
-/// Tells what is passed over. Errors: the first thing that is wrong.
-foundation::Outcome tell(const std::vector<simulation::Problem>& problems)
+std::optional<simulation::Geodetic> placeOf(const simulation::Position& position)
 {
-    for (const simulation::Problem& problem : problems)
-        if (problem.kind == simulation::Problem::Kind::invalid) return problem.error;
-    for (const simulation::Problem& problem : problems)
-        std::cerr << "warning: " << problem.error.place << ": " << problem.error.what
-                  << "; it is passed over\n";
-    return foundation::success();
+    const auto* geo = std::get_if<simulation::GeoPosition>(&position);
+    if (!geo) return std::nullopt;
+    return simulation::Geodetic{geo->latitudeDeg, geo->longitudeDeg, 0.0};
+}
+
+std::optional<simulation::Geodetic> placeOf(const simulation::PrivateAction& action)
+{
+    if (const auto* teleport = std::get_if<simulation::TeleportAction>(&action))
+        return placeOf(teleport->position);
+    const auto* follow = std::get_if<simulation::FollowTrajectoryAction>(&action);
+    const auto* polyline = follow ? std::get_if<simulation::Polyline>(&follow->trajectory.shape) : nullptr;
+    if (!polyline || polyline->vertices.empty()) return std::nullopt;
+    return placeOf(polyline->vertices.front().position);
+}
+
+/// Without terrain the origin of the scene is the first place on earth in Init, at height 0.
+std::optional<simulation::Geodetic> originOf(const simulation::Scenario& scenario)
+{
+    for (const simulation::InitPrivate& initial : scenario.storyboard.init.privates)
+        for (const simulation::PrivateAction& action : initial.actions)
+            if (const auto place = placeOf(action)) return place;
+    return std::nullopt;
 }
 
 foundation::Result<std::unique_ptr<simulation::ScenarioPlayer>> openPlayer(simulation::Scenario scenario,
@@ -34,6 +49,7 @@ foundation::Result<std::unique_ptr<simulation::ScenarioPlayer>> openPlayer(simul
     auto roads = simulation::openRoads(scenario, request.scenario.parent_path());
     if (!roads) return roads.error();
     options.roads = std::move(*roads);
+    if (!options.roads) options.origin = originOf(scenario);
     options.clock = simulation::FixedClock::forStep(request.stepS);
     options.scenarioName = request.scenario.string();
     return simulation::ScenarioPlayer::create(std::move(scenario), std::move(options));
@@ -44,9 +60,10 @@ foundation::Result<std::unique_ptr<simulation::ScenarioPlayer>> openPlayer(simul
 foundation::Outcome playHeadless(const HeadlessRequest& request)
 {
     if (const auto writable = foundation::checkWritable(request.logFile); !writable) return writable;
-    auto parsed = simulation::readScenario(request.scenario, {.tolerant = true, .parameters = {}});
+    auto parsed =
+        simulation::readScenario(request.scenario, {.tolerant = true, .parameters = request.parameters});
     if (!parsed) return parsed.error();
-    if (const auto sound = tell(parsed->problems); !sound) return sound;
+    if (const auto sound = tellProblems(parsed->problems); !sound) return sound;
     auto player = openPlayer(std::move(parsed->scenario), request);
     if (!player) return player.error();
     std::optional<simulation::MotionLog> log;
@@ -62,6 +79,8 @@ foundation::Outcome playHeadless(const HeadlessRequest& request)
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
     std::printf("played %.2f s, %.0f times as fast as real time\n", (*player)->timeS(),
                 (*player)->timeS() / took.count());
+    for (const auto& [name, value] : (*player)->monitors())
+        std::printf("monitor %s: %s\n", name.c_str(), value ? "true" : "false");
     return log ? log->finish() : foundation::success();
 }
 

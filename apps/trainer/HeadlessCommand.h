@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
+#include <map>
+#include <string>
 
 #include <foundation/Result.h>
 
@@ -14,9 +15,9 @@ struct HeadlessRequest
 {
     std::filesystem::path scenario;
     double stepS = 0.01;
-    double durationS = 3600.0; ///< limit for a scenario that never ends
-    std::uint32_t seed = 0;
-    std::filesystem::path logFile; ///< empty: none
+    double durationS = 3600.0;                       ///< limit for a scenario that never ends
+    std::filesystem::path logFile;                   ///< empty: none
+    std::map<std::string, std::string> parameters{}; ///< values instead of the scenario's
 };
 
 /// Plays a scenario to its stop trigger without a picture: neither terrain nor models are opened, only its roads.

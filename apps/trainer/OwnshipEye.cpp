@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "OwnshipEye.h"
 
-#include "scenery/nodes/AircraftModel.h"
-#include "scenery/nodes/CarModel.h"
+#include <foundation/Angle.h>
+#include <glm/gtc/matrix_transform.hpp>
 
 namespace trainer
 {
@@ -10,7 +10,7 @@ namespace trainer
 namespace
 {
 
-constexpr double kDriverEyeM = 1.2, kAboveM = 30.0;
+constexpr double kAboveM = 30.0;
 
 ChaseSettings chaseFor(const simulation::ScenarioObject& ownship, const FrameRequest& frames)
 {
@@ -18,26 +18,55 @@ ChaseSettings chaseFor(const simulation::ScenarioObject& ownship, const FrameReq
     return ownship.isAirborne() ? ChaseSettings::forAircraft() : ChaseSettings::forCar();
 }
 
-glm::dvec3 ownEye(const simulation::ScenarioObject& ownship, double eyeHeightM)
+RoadsideSettings roadsideFor(const simulation::ScenarioObject& ownship, const FrameRequest& frames)
 {
-    return ownship.isAirborne() ? scenery::pilotEyeInAircraft() : scenery::driverEyeInCar(eyeHeightM);
+    const bool walks = std::holds_alternative<simulation::Pedestrian>(ownship.object);
+    RoadsideSettings settings = frames.eye == EyePoint::tower ? RoadsideSettings::tower()
+                                : walks                       ? RoadsideSettings::kerbOfWalker()
+                                                              : RoadsideSettings::kerb();
+    settings.heightM = frames.eyeHeightM.value_or(settings.heightM);
+    return settings;
+}
+
+/// Heading counter-clockwise from east, pitch upwards.
+scenery::Pose poseOf(const FreeEye& eye)
+{
+    const glm::dmat4 turned =
+        glm::rotate(glm::dmat4(1.0), foundation::radiansOf(eye.headingDeg), {0.0, 0.0, 1.0});
+    const glm::dmat4 tilted = glm::rotate(turned, -foundation::radiansOf(eye.pitchDeg), {0.0, 1.0, 0.0});
+    return {eye.place, glm::dmat3(tilted)};
 }
 
 } // namespace
 
-OwnshipEye::OwnshipEye(const simulation::ScenarioObject& ownship, const FrameRequest& frames,
-                       simulation::GroundProvider ground)
-    : _isInside(frames.isInside()),
-      _eyeInBody(ownEye(ownship, frames.eyeHeightM.value_or(kDriverEyeM))),
+OwnshipEye::OwnshipEye(const simulation::ScenarioObject& ownship, const glm::dvec3& eyeInBody,
+                       const FrameRequest& frames, simulation::GroundProvider ground)
+    : _eye(frames.eye),
+      _eyeInBody(eyeInBody),
+      _free(poseOf(frames.freeEye)),
       _chase(chaseFor(ownship, frames)),
+      _roadside(roadsideFor(ownship, frames)),
       _ground(std::move(ground))
 {
+    if (!ownship.isAirborne()) _eyeInBody.z = frames.eyeHeightM.value_or(_eyeInBody.z);
 }
 
 scenery::Pose OwnshipEye::update(const simulation::EntityState& state, double dtS)
 {
     const scenery::Pose body = scenery::poseOf(state);
-    return _isInside ? scenery::eyeInBody(body, _eyeInBody) : _chase.update(body, dtS, _ground);
+    switch (_eye)
+    {
+    case EyePoint::chase:
+    case EyePoint::above:
+        return _chase.update(body, dtS, _ground);
+    case EyePoint::tower:
+    case EyePoint::kerb:
+        return _roadside.update(body, _ground);
+    case EyePoint::free:
+        return _free;
+    default:
+        return scenery::eyeInBody(body, _eyeInBody);
+    }
 }
 
 } // namespace trainer

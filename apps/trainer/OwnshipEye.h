@@ -4,25 +4,29 @@
 #include "PlayRequest.h"
 #include "simulation/player/ScenarioPlayer.h"
 #include "view/ChaseCamera.h"
+#include "view/RoadsideCamera.h"
 
 namespace trainer
 {
 
-/// The camera position of the ownship, which is the first entity of the scenario.
+/// The camera position by --eye: in the entity that is watched, behind, above or beside it, or where the request says.
 /// Frame: world. Deterministic: depends on the updates only.
 class OwnshipEye
 {
 public:
-    OwnshipEye(const simulation::ScenarioObject& ownship, const FrameRequest& frames,
-               simulation::GroundProvider ground);
+    /// `ownship`: the entity that is watched; `eyeInBody`: of its driver or pilot.
+    OwnshipEye(const simulation::ScenarioObject& ownship, const glm::dvec3& eyeInBody,
+               const FrameRequest& frames, simulation::GroundProvider ground);
 
     /// Returns the camera pose for a state `dtS` after the last one.
     scenery::Pose update(const simulation::EntityState& state, double dtS);
 
 private:
-    bool _isInside;
+    EyePoint _eye;
     glm::dvec3 _eyeInBody;
+    scenery::Pose _free;
     ChaseCamera _chase;
+    RoadsideCamera _roadside;
     simulation::GroundProvider _ground;
 };
 

@@ -6,6 +6,7 @@
 #include <foundation/WholeFile.h>
 
 #include "PlaySession.h"
+#include "ScenarioProblems.h"
 #include "SceneTour.h"
 #include "simulation/parser/ParseScenario.h"
 #include "simulation/writer/WriteScenario.h"
@@ -124,8 +125,10 @@ foundation::Outcome playOver(SceneTerrain terrain, simulation::Scenario scenario
 foundation::Outcome play(const PlayRequest& request)
 {
     if (const auto writable = checkResultPlaces(request); !writable) return writable;
-    auto parsed = simulation::readScenario(request.scenario);
+    auto parsed =
+        simulation::readScenario(request.scenario, {.tolerant = true, .parameters = request.parameters});
     if (!parsed) return parsed.error();
+    if (const auto sound = tellProblems(parsed->problems); !sound) return sound;
     const auto file = sceneFileOf(parsed->scenario, request);
     if (!file) return file.error();
     TerrainRequest scene = request.terrain;
@@ -146,17 +149,6 @@ foundation::Outcome tour(const PlayRequest& request, const std::filesystem::path
     if (const auto saved = saveScenario(laid->tour.scenario, saveFile); !saved) return saved;
     std::cout << laid->summary;
     return playOver(std::move(*terrain), laid->tour.scenario, request);
-}
-
-foundation::Outcome check(const std::filesystem::path& scenario)
-{
-    const auto parsed = simulation::readScenario(scenario, {.tolerant = true, .parameters = {}});
-    if (!parsed) return parsed.error();
-    for (const simulation::Problem& problem : parsed->problems)
-        std::cout << problem.error.message() << '\n';
-    if (parsed->problems.empty()) return foundation::success();
-    return foundation::Error{scenario.string(), std::to_string(parsed->problems.size()) + " problems",
-                             "see the lines above"};
 }
 
 } // namespace trainer

@@ -16,8 +16,4 @@ foundation::Outcome play(const PlayRequest& request);
 /// Makes a tour over request.terrain, writes it to `saveFile` unless that is empty, and plays it. Units: seconds.
 foundation::Outcome tour(const PlayRequest& request, const std::filesystem::path& saveFile, double durationS);
 
-/// Reads a scenario tolerantly and prints each wrong or unsupported item on one line.
-/// Errors: the text is no scenario, or there is such an item.
-foundation::Outcome check(const std::filesystem::path& scenario);
-
 } // namespace trainer

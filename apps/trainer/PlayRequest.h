@@ -3,8 +3,11 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
+
+#include <glm/vec3.hpp>
 
 #include <osgTerrainROAM/core/heightfield/DemImport.h>
 
@@ -21,6 +24,17 @@ enum class EyePoint
     pilot,  ///< the same; a tour is a flight then
     chase,  ///< a camera behind and above the ownship
     above,  ///< a camera high above a car, which looks down ahead of it
+    tower,  ///< one that stands beside the way, high up, and turns after the ownship
+    kerb,   ///< the same at the height of a person at the kerb
+    free,   ///< where the request says
+};
+
+/// A camera of fixed place and direction. Frame: the scene's east-north-up. Units: metres, degrees.
+struct FreeEye
+{
+    glm::dvec3 place{0.0, 0.0, 2.0};
+    double headingDeg = 0.0; ///< counter-clockwise from east
+    double pitchDeg = 0.0;   ///< upwards
 };
 
 /// The terrain and how it is drawn.
@@ -47,13 +61,18 @@ struct FrameRequest
     int heightPx = 540;
     int samples = 4; ///< per pixel
     EyePoint eye = EyePoint::own;
+    std::string eyeEntity; ///< the entity that is watched; empty: the first one
+    FreeEye freeEye;       ///< with EyePoint::free
     std::optional<double>
         eyeHeightM; ///< of a driver above the ground, or of the eye above the car; absent: a usual one
     int perSecond = 24;
     std::optional<int> count; ///< absent: until the scenario ends
 
     /// Whether the camera is in the ownship, which then is not drawn.
-    bool isInside() const { return eye != EyePoint::chase && eye != EyePoint::above; }
+    bool isInside() const
+    {
+        return eye == EyePoint::own || eye == EyePoint::driver || eye == EyePoint::pilot;
+    }
 
     /// The simulated time of `count` frames, in seconds; 0 where it is absent.
     double durationS() const { return count.value_or(0) / static_cast<double>(perSecond); }
@@ -84,7 +103,8 @@ struct OutputRequest
 /// The arguments of `trainer play` and `trainer tour`.
 struct PlayRequest
 {
-    std::filesystem::path scenario; ///< empty in a tour
+    std::filesystem::path scenario;                  ///< empty in a tour
+    std::map<std::string, std::string> parameters{}; ///< values instead of the scenario's
     TerrainRequest terrain;
     FrameRequest frames;
     SceneryRequest scenery;

@@ -55,6 +55,18 @@ double residentMb()
     return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) * 1e-6;
 }
 
+/// Returns the index of the entity that the camera watches. Errors: there is none of that name.
+foundation::Result<std::size_t> watchedEntity(const simulation::Scenario& scenario, const std::string& name)
+{
+    std::string names;
+    for (std::size_t i = 0; i < scenario.entities.size(); ++i)
+    {
+        if (name.empty() || scenario.entities[i].name == name) return i;
+        names += (i > 0 ? ", " : "") + scenario.entities[i].name;
+    }
+    return foundation::Error{"--eye-entity", "there is no entity '" + name + "'", "write one of: " + names};
+}
+
 osg::ref_ptr<osgViewer::Viewer> makeViewer(osg::Group& scene)
 {
     const osg::ref_ptr<osgViewer::Viewer> viewer = new osgViewer::Viewer;
@@ -78,13 +90,16 @@ PlaySession::create(simulation::Scenario scenario, SceneTerrain terrain, const P
     if (scenario.entities.empty())
         return foundation::Error{request.scenario.string(), "no ScenarioObject in Entities",
                                  "add the one whose eye shall look"};
-    const auto setup = viewOf(request.frames, scenario.entities.front());
+    const auto watched = watchedEntity(scenario, request.frames.eyeEntity);
+    if (!watched) return watched.error();
+    const auto setup = viewOf(request.frames, scenario.entities[*watched]);
     if (!setup) return setup.error();
     if (terrain.terrain)
         if (const auto set = configure(*terrain.terrain, request.terrain); !set) return set.error();
     if (terrain.roads) setRoadTolerance(*terrain.node, request.terrain.errorTolerancePx);
 
     std::unique_ptr<PlaySession> session(new PlaySession(request, std::move(terrain)));
+    session->_watched = *watched;
     simulation::PlayerOptions stage{session->_terrain.origin(), session->_terrain.ground(),
                                     simulation::FixedClock::forFrameRate(request.frames.perSecond),
                                     "scenario", nullptr};
@@ -107,9 +122,10 @@ PlaySession::create(simulation::Scenario scenario, SceneTerrain terrain, const P
     if (!scene) return scene.error();
     session->_scene = std::make_unique<ScenarioScene>(std::move(*scene));
     if (session->_scenery) session->_scene->root().addChild(session->_scenery->node.root);
-    session->_eye = std::make_unique<OwnshipEye>(session->_player->scenario().entities.front(),
-                                                 request.frames, session->_terrain.ground());
-    if (request.frames.isInside()) session->_scene->hide(0);
+    session->_eye = std::make_unique<OwnshipEye>(session->_player->scenario().entities[*watched],
+                                                 session->_scene->eyeIn(*watched), request.frames,
+                                                 session->_terrain.ground());
+    if (request.frames.isInside()) session->_scene->hide(*watched);
     if (const auto opened = session->openPictures(*setup); !opened) return opened.error();
     return session;
 }
@@ -153,7 +169,7 @@ void PlaySession::tunePatches()
 {
     constexpr double kLeastStepM = 0.5;
     _scene->show(*_player);
-    const simulation::EntityState& ownship = _player->entities().front();
+    const simulation::EntityState& ownship = _player->entities()[_watched];
     scenery::Pose eye = _eye->update(ownship, 0.0);
     const double stepM = std::max(kLeastStepM, ownship.speedMps / _request.frames.perSecond);
     _patchNote = measurePatches(*_terrain.terrain, *_viewer, _contexts,
@@ -177,7 +193,7 @@ foundation::Outcome PlaySession::frame()
     const double frameS = 1.0 / _request.frames.perSecond;
     _scene->show(*_player);
     const auto begin = std::chrono::steady_clock::now();
-    _rig->setEye(_eye->update(_player->entities().front(), _statistics.empty() ? 0.0 : frameS));
+    _rig->setEye(_eye->update(_player->entities()[_watched], _statistics.empty() ? 0.0 : frameS));
     _viewer->frame(_player->timeS());
     const auto end = std::chrono::steady_clock::now();
     _statistics.push_back(measured());

@@ -54,6 +54,7 @@ private:
     std::unique_ptr<simulation::ScenarioPlayer> _player;
     std::unique_ptr<ScenarioScene> _scene;
     std::optional<SceneScenery> _scenery;
+    std::size_t _watched = 0; ///< the entity that the eye is in or looks at
     std::unique_ptr<OwnshipEye> _eye;
     osg::ref_ptr<osgViewer::Viewer> _viewer;
     std::vector<osg::ref_ptr<osg::GraphicsContext>> _contexts;

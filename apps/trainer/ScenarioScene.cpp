@@ -52,9 +52,11 @@ foundation::Result<ScenarioScene> ScenarioScene::create(const simulation::Scenar
     if (terrain.terrain) terrain.terrain->setAtmosphere(scene._atmosphere);
     scene._root->addChild(scenery::makeSky());
     scene._root->addChild(terrain.node);
+    scene._roadThings = terrain.roadThings;
+    scenery::EntityShapes shapes;
     for (const simulation::ScenarioObject& object : scenario.entities)
     {
-        auto model = EntityModel::create(object, folder);
+        auto model = EntityModel::create(object, folder, shapes);
         if (!model) return model.error();
         scene._root->addChild(model->node());
         scene._entities.push_back(std::move(*model));
@@ -70,10 +72,28 @@ std::vector<std::string> ScenarioScene::notes() const
     return notes;
 }
 
+/// Switches the traffic lights whose state has changed. A signal that is not drawn is told once.
+void ScenarioScene::showSignals(const std::map<std::string, std::string>& states)
+{
+    if (!_roadThings) return;
+    for (const auto& [signal, state] : states)
+    {
+        std::string& shown = _signals[signal];
+        if (shown == state) continue;
+        if (!_roadThings->setState(signal, state))
+            osg::notify(osg::NOTICE) << "signal " << signal << ": no traffic light shows '" << state << "'"
+                                     << std::endl;
+        shown = state;
+    }
+}
+
 void ScenarioScene::show(const simulation::ScenarioPlayer& player)
 {
+    constexpr double kDuskDeg = 2.0; // of the sun's elevation
+    const bool isDark = player.environment().sun.elevationDeg < kDuskDeg;
     for (std::size_t i = 0; i < _entities.size(); ++i)
-        _entities[i].show(player.entities()[i]);
+        _entities[i].show(player.entities()[i], isDark);
+    showSignals(player.signalStates());
     if (const auto set = _atmosphere->setSettings(airOf(player.environment())); !set)
         osg::notify(osg::WARN) << set.error().message() << std::endl;
 }

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -33,18 +35,24 @@ public:
     /// Returns one line for each model that differs from the one asked for.
     std::vector<std::string> notes() const;
 
-    /// Sets entities, sun and atmosphere to the state of the player.
+    /// Sets entities, traffic lights, sun and atmosphere to the state of the player.
     void show(const simulation::ScenarioPlayer& player);
 
+    /// Returns the eye in an entity. Frame: the entity's.
+    const glm::dvec3& eyeIn(std::size_t entity) const { return _entities[entity].eye(); }
+
     /// Hides an entity: the one whose camera is used.
-    void hide(std::size_t entity) { _entities[entity].node()->setNodeMask(0); }
+    void hide(std::size_t entity) { _entities[entity].hide(); }
 
 private:
     ScenarioScene();
+    void showSignals(const std::map<std::string, std::string>& states);
 
     osg::ref_ptr<osg::Group> _root;
     osg::ref_ptr<osgTerrainROAM::Atmosphere> _atmosphere;
-    std::vector<EntityModel> _entities; ///< in the order of Scenario::entities
+    std::shared_ptr<scenery::RoadThingsNode> _roadThings; ///< null without roads
+    std::map<std::string, std::string> _signals;          ///< states that are shown
+    std::vector<EntityModel> _entities;                   ///< in the order of Scenario::entities
 };
 
 } // namespace trainer

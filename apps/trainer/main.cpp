@@ -7,9 +7,11 @@
 
 #include <osgOffscreen/OpenGlVersion>
 
+#include "CheckCommand.h"
 #include "CompareCommand.h"
 #include "HeadlessCommand.h"
 #include "PlayCommand.h"
+#include "PlayVariations.h"
 #include "QualifyCommand.h"
 #include "terminal/CommandLine.h"
 #include "terminal/Guard.h"
@@ -23,12 +25,15 @@ using trainer::PlayRequest;
 constexpr int kMostFrames = 1'000'000; ///< 11 hours at 24 a second
 constexpr double kHighestDriverM = 10.0;
 
-constexpr std::array<std::pair<const char*, trainer::EyePoint>, 5> kEyes = {
+constexpr std::array<std::pair<const char*, trainer::EyePoint>, 8> kEyes = {
     {{"own", trainer::EyePoint::own},
      {"driver", trainer::EyePoint::driver},
      {"pilot", trainer::EyePoint::pilot},
      {"chase", trainer::EyePoint::chase},
-     {"above", trainer::EyePoint::above}}};
+     {"above", trainer::EyePoint::above},
+     {"tower", trainer::EyePoint::tower},
+     {"kerb", trainer::EyePoint::kerb},
+     {"free", trainer::EyePoint::free}}};
 
 std::vector<std::string> eyeNames()
 {
@@ -45,11 +50,14 @@ struct Arguments
     std::string size = "960x540";
     std::string backend{osgOffscreen::backendName(osgOffscreen::defaultBackend())};
     std::string eye = "own";
+    std::vector<double> freeEye;
     std::filesystem::path saveFile;
     double durationS = 20.0;
     std::string patchExponent = "0";
     bool isHeadless = false;
     trainer::HeadlessRequest headless;
+    trainer::VariationRequest variations;
+    trainer::CheckRequest check;
     trainer::CompareRequest compare;
     trainer::QualifyRequest qualify;
 };
@@ -65,9 +73,19 @@ void addHeadlessOptions(CLI::App& play, Arguments& arguments)
     play.add_option("--duration", headless.durationS, "seconds to play at most, with --headless")
         ->check(terminal::between(0.0, 1e5))
         ->needs(flag);
-    play.add_option("--seed", headless.seed, "of everything that a scenario leaves to chance")->needs(flag);
     play.add_option("--csv_logger", headless.logFile, "file for a row of each step, with --headless")
         ->needs(flag);
+}
+
+void addVariationOptions(CLI::App& play, trainer::VariationRequest& request)
+{
+    CLI::Option* const number =
+        play.add_option("--variation", request.number,
+                        "number of the only variation to play, of a file of parameter-value distributions");
+    play.add_flag("--list-variations", request.isListed, "print the variations instead of playing them")
+        ->excludes(number);
+    play.add_option("--seed", request.seed,
+                    "of everything that is left to chance, instead of the file's own");
 }
 
 void addCompareOptions(CLI::App& command, trainer::CompareRequest& request)
@@ -108,13 +126,22 @@ void addPlayOptions(CLI::App& command, Arguments& arguments)
     command.add_option("--samples", request.frames.samples, "per pixel: 1 or 4")
         ->check(CLI::IsMember({1, 4}));
     command
-        .add_option("--eye", arguments.eye,
-                    "camera: driver or pilot (own: whichever fits), chase, or above; a tour with driver or "
-                    "above drives along roads")
+        .add_option(
+            "--eye", arguments.eye,
+            "camera: driver or pilot (own: whichever fits), chase, above, tower, kerb, or free (--eye-at); a "
+            "tour with driver or above drives along roads")
         ->check(CLI::IsMember(eyeNames()));
+    command.add_option("--eye-entity", request.frames.eyeEntity,
+                       "name of the entity that the camera is in or looks at, instead of the first one");
     command
-        .add_option("--eye-height", request.frames.eyeHeightM,
-                    "height in metres of a driver's eye above the ground, or of the eye above the car")
+        .add_option("--eye-at", arguments.freeEye,
+                    "X,Y,Z,HEADING,PITCH of the free camera: metres in the scene's frame, degrees")
+        ->delimiter(',')
+        ->expected(5);
+    command
+        .add_option(
+            "--eye-height", request.frames.eyeHeightM,
+            "height in metres of the eye above the ground (driver, tower, kerb) or above the car (above)")
         ->check(terminal::between(0.3, 2000.0));
     command.add_option("--tolerance", request.terrain.errorTolerancePx, "error target in pixels")
         ->check(terminal::between(0.01, 1000.0));
@@ -131,6 +158,20 @@ void addPlayOptions(CLI::App& command, Arguments& arguments)
         .add_option("--spacing", request.terrain.import.spacingM,
                     "metres between samples of a raster without georeference")
         ->check(terminal::between(0.001, 1e5));
+}
+
+CLI::App* addCheck(CLI::App& app, trainer::CheckRequest& request)
+{
+    CLI::App* check = app.add_subcommand("check", "list everything wrong or not in effect in scenarios");
+    CLI::Option* const files =
+        check->add_option("SCENARIO", request.scenarios, "OpenSCENARIO XML, one file or several");
+    check->add_flag("--strict", request.isStrict, "exit code 1 also for what is not in effect");
+    check->add_option("--json", request.jsonFile, "file for the findings and the elements of each file");
+    check
+        ->add_flag("--coverage", request.printsCoverage,
+                   "print what becomes of every element of the standard")
+        ->excludes(files);
+    return check;
 }
 
 /// `qualify` has a command below it for each kind of vehicle. Returns that of flight.
@@ -158,6 +199,18 @@ foundation::Outcome readPatchExponent(const std::string& text, std::optional<int
     return foundation::success();
 }
 
+/// Takes --eye-at. Errors: it is there without --eye free, or the other way round.
+foundation::Outcome placeFreeEye(Arguments& arguments)
+{
+    trainer::FrameRequest& frames = arguments.request.frames;
+    const std::vector<double>& at = arguments.freeEye;
+    if (at.empty() != (frames.eye != trainer::EyePoint::free))
+        return foundation::Error{"--eye-at", "a free camera needs a place, and no other takes one",
+                                 "write --eye free --eye-at X,Y,Z,HEADING,PITCH"};
+    if (!at.empty()) frames.freeEye = {{at[0], at[1], at[2]}, at[3], at[4]};
+    return foundation::success();
+}
+
 foundation::Outcome complete(Arguments& arguments)
 {
     char rest = 0;
@@ -171,10 +224,36 @@ foundation::Outcome complete(Arguments& arguments)
     frames.backend = *backend;
     for (const auto& [name, eye] : kEyes)
         if (arguments.eye == name) frames.eye = eye;
-    if (frames.eye != trainer::EyePoint::above && frames.eyeHeightM.value_or(0.0) > kHighestDriverM)
+    if (const auto placed = placeFreeEye(arguments); !placed) return placed;
+    if (frames.isInside() && frames.eyeHeightM.value_or(0.0) > kHighestDriverM)
         return foundation::Error{"--eye-height", "no driver's eye is higher than 10 m",
                                  "write a lower one, or --eye above"};
     return readPatchExponent(arguments.patchExponent, request.terrain.patchExponent);
+}
+
+/// Plays a scenario, or the variations of one.
+foundation::Outcome playOne(const Arguments& arguments)
+{
+    const auto play = [&](const trainer::ScenarioPlay& one)
+    {
+        if (arguments.isHeadless)
+        {
+            trainer::HeadlessRequest headless = arguments.headless;
+            headless.scenario = one.scenario;
+            headless.parameters = one.parameters;
+            headless.logFile = trainer::withSuffix(headless.logFile, one.suffix);
+            return trainer::playHeadless(headless);
+        }
+        PlayRequest request = arguments.request;
+        request.scenario = one.scenario;
+        request.parameters = one.parameters;
+        trainer::OutputRequest& output = request.output;
+        output.captureFolder = trainer::withSuffix(output.captureFolder, one.suffix);
+        output.statsFile = trainer::withSuffix(output.statsFile, one.suffix);
+        output.reportFile = trainer::withSuffix(output.reportFile, one.suffix);
+        return trainer::play(request);
+    };
+    return trainer::playVariations(arguments.request.scenario, arguments.variations, play);
 }
 
 int run(int argc, char** argv)
@@ -195,6 +274,7 @@ int run(int argc, char** argv)
                      "terrain or scene file instead of the scenario's SceneGraphFile");
     addPlayOptions(*play, arguments);
     addHeadlessOptions(*play, arguments);
+    addVariationOptions(*play, arguments.variations);
     CLI::App* tour =
         app.add_subcommand("tour", "fly over an elevation file, or drive through a road network");
     tour->add_option("DEM", request.terrain.file,
@@ -203,21 +283,18 @@ int run(int argc, char** argv)
     tour->add_option("--save", arguments.saveFile, "file for the scenario that is played");
     tour->add_option("--duration", arguments.durationS, "seconds")->check(terminal::between(4.0, 3600.0));
     addPlayOptions(*tour, arguments);
-    CLI::App* check = app.add_subcommand("check", "list everything wrong or unsupported in a scenario");
-    check->add_option("SCENARIO", request.scenario, "OpenSCENARIO XML")->required();
+    const CLI::App* check = addCheck(app, arguments.check);
     CLI::App* compare = app.add_subcommand("compare", "compare two tables of motion");
     addCompareOptions(*compare, arguments.compare);
     const CLI::App* qualify = addQualify(app, arguments.qualify);
     if (const auto ends = terminal::parse(app, argc, argv)) return *ends;
+    if (*check) return trainer::check(arguments.check);
     if (*qualify) return trainer::qualifyFlight(arguments.qualify);
     if (const auto sound = complete(arguments); !sound)
         return terminal::fail("trainer", sound.error()), terminal::kWrongUse;
-    arguments.headless.scenario = request.scenario;
-    const auto outcome = *check                 ? trainer::check(request.scenario)
-                         : *compare             ? trainer::compare(arguments.compare)
-                         : arguments.isHeadless ? trainer::playHeadless(arguments.headless)
-                         : *tour ? trainer::tour(request, arguments.saveFile, arguments.durationS)
-                                 : trainer::play(request);
+    const auto outcome = *compare ? trainer::compare(arguments.compare)
+                         : *tour  ? trainer::tour(request, arguments.saveFile, arguments.durationS)
+                                  : playOne(arguments);
     return outcome ? terminal::kDone : terminal::fail("trainer", outcome.error());
 }
 

@@ -14,7 +14,7 @@
 namespace scenery
 {
 
-void setObjectShading(osg::Node& node, Finish finish, const FlankHoles& holes)
+void setObjectShading(osg::Node& node, Finish finish)
 {
     osg::ref_ptr<osg::Program> program = new osg::Program;
     program->setName("object");
@@ -32,9 +32,6 @@ void setObjectShading(osg::Node& node, Finish finish, const FlankHoles& holes)
     state->addUniform(new osg::Uniform("objectLacquer", finish == Finish::lacquered ? 1.0F : 0.0F));
     state->addUniform(new osg::Uniform("objectLeaves", finish == Finish::foliage ? 1.0F : 0.0F));
     state->addUniform(new osg::Uniform("objectTintMask", 0.0F));
-    state->addUniform(new osg::Uniform("objectHolesXz", osg::Vec4f(holes.firstXz.x(), holes.firstXz.y(),
-                                                                   holes.secondXz.x(), holes.secondXz.y())));
-    state->addUniform(new osg::Uniform("objectHolesSize", osg::Vec2f(holes.radiusM, holes.innerYM)));
     state->setTextureAttributeAndModes(0, osgPMObjects::whiteTexture());
     if (finish != Finish::seeThrough) return;
     state->setAttributeAndModes(new osg::BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA));

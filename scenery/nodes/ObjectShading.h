@@ -2,7 +2,6 @@
 #pragma once
 
 #include <osg/Node>
-#include <osg/Vec2f>
 
 namespace scenery
 {
@@ -16,21 +15,12 @@ enum class Finish
     foliage, ///< leaves: cut out by texture unit 0's alpha, one normal for both sides, light comes round and through
 };
 
-/// Round holes in both sides of a body, such as wheel wells. Left out are points within `radiusM` of one of two axes
-/// across the body and farther than `innerYM` from its middle. Frame: the object's. Units: metres.
-struct FlankHoles
-{
-    osg::Vec2f firstXz, secondXz;
-    float radiusM = 0.0F;
-    float innerYM = 0.0F;
-};
-
 /// Lights everything below `node` with the sun and the sky of the atmosphere, and adds the haze of the terrain
 /// (osgTerrainROAM::Atmosphere). Colour: the vertex colours, or the diffuse colour of the material in a loaded model
 /// without them, as display values, times texture unit 0 if there is one. A state below may set the uniform
 /// `objectTintMask` to 1: then the alpha of the texture is the share of the vertex colour. It also shades objects of
 /// a field and objects that switch between levels (osgPMObjects/ObjectShader).
 /// Needs the uniforms of an Atmosphere above it in the graph.
-void setObjectShading(osg::Node& node, Finish finish, const FlankHoles& holes = {});
+void setObjectShading(osg::Node& node, Finish finish);
 
 } // namespace scenery

@@ -125,21 +125,34 @@ void RoadLamps::addCeilingLamp(const roads::CeilingLamp& lamp)
            {0.0, 0.0, -1.0});
 }
 
-bool RoadLamps::setState(const std::string& signalId, LightState state)
+/// Colours the lenses of a signal. `isLit`: of the index of a lens and all faces.
+template<class IsLit>
+bool RoadLamps::colour(const std::string& signalId, const IsLit& isLit)
 {
     const auto [first, last] = _lights.equal_range(signalId);
     for (auto light = first; light != last; ++light)
     {
         std::size_t at = light->second.first;
         const std::vector<models::SignFace>& faces = light->second.faces;
-        for (const models::SignFace face : faces)
+        for (std::size_t lens = 0; lens < faces.size(); ++lens)
             for (int i = 0; i < 3 * (kLampSides - 2); ++i)
-                (*_colours)[at++] = shines(face, faces.size() > 2, state)
-                                        ? lightOf(face)
-                                        : osg::Vec4f(0.0F, 0.0F, 0.0F, 0.0F);
+                (*_colours)[at++] =
+                    isLit(lens, faces) ? lightOf(faces[lens]) : osg::Vec4f(0.0F, 0.0F, 0.0F, 0.0F);
     }
     _colours->dirty();
     return first != last;
+}
+
+bool RoadLamps::setState(const std::string& signalId, LightState state)
+{
+    return colour(signalId, [state](std::size_t lens, const std::vector<models::SignFace>& faces)
+                  { return shines(faces[lens], faces.size() > 2, state); });
+}
+
+bool RoadLamps::setLenses(const std::string& signalId, const std::vector<bool>& lit)
+{
+    return colour(signalId, [&lit](std::size_t lens, const std::vector<models::SignFace>&)
+                  { return lens < lit.size() && lit[lens]; });
 }
 
 } // namespace scenery

@@ -38,12 +38,17 @@ public:
     /// Sets what all lights of a signal show. Returns false when there is none of that id.
     bool setState(const std::string& signalId, LightState state);
 
+    /// Sets the lenses of a signal one by one, from the top; lenses beyond the list are dark. Returns as setState().
+    bool setLenses(const std::string& signalId, const std::vector<bool>& lit);
+
 private:
     struct Lights
     {
         std::size_t first = 0; ///< corner
         std::vector<models::SignFace> faces;
     };
+    template<class IsLit>
+    bool colour(const std::string& signalId, const IsLit& isLit);
     void addFan(const std::vector<glm::dvec3>& corners, const glm::dvec3& towards);
     void addSignal(const roads::StandingThing& thing, const std::vector<models::Lens>& lenses);
     void addCeilingLamp(const roads::CeilingLamp& lamp);

@@ -2,6 +2,8 @@
 #include "scenery/nodes/RoadThingsNode.h"
 
 #include <map>
+#include <optional>
+#include <sstream>
 
 #include "scenery/nodes/ModelStates.h"
 #include "scenery/nodes/ObjectShading.h"
@@ -24,6 +26,20 @@ FieldInstance instanceOf(const roads::StandingThing& thing, std::size_t kind)
     instance.attitude = attitudeOf(thing.axes);
     instance.scale = thing.scale;
     return instance;
+}
+
+/// Reads `on;off;off`; nothing when the text is not such a list.
+std::optional<std::vector<bool>> lensesOf(const std::string& state)
+{
+    if (state.find(';') == std::string::npos) return std::nullopt;
+    std::vector<bool> lit;
+    std::istringstream words(state);
+    for (std::string word; std::getline(words, word, ';');)
+    {
+        if (word != "on" && word != "off" && word != "flashing") return std::nullopt;
+        lit.push_back(word != "off");
+    }
+    return lit;
 }
 
 } // namespace
@@ -68,6 +84,7 @@ bool RoadThingsNode::setState(const std::string& signalId, const std::string& st
         {"go", LightState::go},           {"green", LightState::go},
         {"caution", LightState::caution}, {"yellow", LightState::caution},
         {"amber", LightState::caution}};
+    if (const auto lenses = lensesOf(state)) return _lamps->setLenses(signalId, *lenses);
     const auto word = kWords.find(state);
     return word != kWords.end() && setState(signalId, word->second);
 }

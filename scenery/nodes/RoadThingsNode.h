@@ -32,7 +32,8 @@ public:
     /// Sets what a traffic light shows. Returns false when there is no light of that id. All begin at stop.
     bool setState(const std::string& signalId, LightState state) { return _lamps->setState(signalId, state); }
 
-    /// The same by the words stop, attention, go, caution and off, in English or as OpenSCENARIO files write them (red, green, yellow).
+    /// The same by the words stop, attention, go, caution and off, in English or as OpenSCENARIO files write them (red, green, yellow),
+    /// or by a list of its lenses from the top, as in `on;off;off`. Returns false for other words, too.
     bool setState(const std::string& signalId, const std::string& state);
 
 private:

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <system_error>
 
+#include "simulation/parser/CoverageWalk.h"
+
 namespace simulation
 {
 namespace
@@ -28,6 +30,7 @@ ParseContext::Scope assignments(ElementReader& reference)
     for (pugi::xml_node node : reference.node.child("ParameterAssignments").children("ParameterAssignment"))
     {
         ElementReader reader(reference.context, node);
+        reader.has("parameterRef");
         std::string name = node.attribute("parameterRef").value(); // a name, with or without $: not a value
         if (!name.empty() && name.front() == '$') name.erase(0, 1);
         given[name] = reader.text("value");
@@ -120,6 +123,7 @@ CatalogVisit::CatalogVisit(ElementReader reference)
 
 CatalogVisit::~CatalogVisit()
 {
+    if (_entry) reportUnread(_context, _entry);
     _context.catalogChain.pop_back();
     _context._source = _outerSource;
     _context.catalogEntry = _outerEntry;

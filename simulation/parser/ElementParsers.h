@@ -28,8 +28,20 @@ Trigger parseTrigger(ElementReader reader);                               // Par
 EntityCondition parseEntityCondition(ElementReader reader);               // ParseEntityCondition.cpp
 DistanceMeasure parseDistanceMeasure(ElementReader& reader);              // ParseEntityCondition.cpp
 std::string parseEntityRef(ElementReader& reader, const char* attribute); // ParseEntityCondition.cpp
+/// The entity of an EntityRef or an actor, or the members of the EntitySelection that it names.
+std::vector<std::string> parseEntityRefs(ElementReader reference); // ParseEntityCondition.cpp
+std::vector<std::string> parseSelection(ElementReader reader,
+                                        const std::vector<ScenarioObject>& objects); // ParseSelection.cpp
 std::vector<ScenarioObject> parseScenarioObject(ElementReader reader); // ParseEntity.cpp: with its trailers
+FileHeader parseHeader(ElementReader reader);                          // ParseScenario.cpp
 Storyboard parseStoryboard(ElementReader reader);                      // ParseStoryboard.cpp
+
+/// Reads the instant of `dateTime`.
+DateTime parseInstant(ElementReader& reader); // ParseEnvironment.cpp
+/// Reads the name of a parameter (`parameterRef`), variable or monitor that must be declared.
+std::string parseDeclaredName(ElementReader& reader, const char* attribute);    // ParseGlobalAction.cpp
+std::string parseSignalControllerRef(ElementReader& reader);                    // ParseTrafficSignals.cpp
+std::vector<TrafficSignalController> parseTrafficSignals(ElementReader reader); // ParseTrafficSignals.cpp
 
 /// Reports an element that is not read. `kind`: of thing, for the message.
 Unsupported unsupportedContent(ElementReader& reader, const char* kind); // ParseAction.cpp

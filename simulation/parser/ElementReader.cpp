@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "simulation/parser/Coverage.h"
 #include "simulation/parser/Expression.h"
 
 namespace simulation
@@ -13,6 +15,23 @@ namespace
 
 constexpr std::size_t kMaximumName = 256;
 constexpr double kLargestNumber = 1e9;
+
+std::string listed(const std::vector<std::string_view>& words)
+{
+    std::string text;
+    for (std::size_t i = 0; i < words.size(); ++i)
+        text += (i == 0 ? "" : i + 1 < words.size() ? ", " : " or ") + std::string(words[i]);
+    return text;
+}
+
+/// What was probably meant where a number should stand.
+std::string numberRemedy(const ParseContext& context, std::string text)
+{
+    if (context.lookup(text)) return "write $" + text + " for the parameter";
+    std::replace(text.begin(), text.end(), ',', '.');
+    if (parseNumber(text)) return "write a point, not a comma: " + text;
+    return "write a number, without a unit";
+}
 
 } // namespace
 
@@ -60,7 +79,7 @@ std::optional<std::string> ElementReader::substituted(const char* attribute)
 
 std::string ElementReader::name()
 {
-    const std::string_view raw = node.attribute("name").value();
+    const std::string_view raw = has("name") ? node.attribute("name").value() : "";
     std::string name = raw.starts_with("${") ? std::string(raw) : text("name");
     if (name.size() <= kMaximumName) return name;
     context.invalid(node, "the name is longer than " + std::to_string(kMaximumName) + " characters",
@@ -83,7 +102,7 @@ double ElementReader::number(const char* attribute)
     context.invalid(node,
                     std::string(node.name()) + "/" + attribute + " is not a finite number: \"" +
                         content->substr(0, 40) + "\"",
-                    "write a number");
+                    numberRemedy(context, *content));
     return 0.0;
 }
 
@@ -119,7 +138,7 @@ bool ElementReader::flagOr(const char* attribute, bool fallback)
 {
     const std::string word = textOr(attribute, fallback ? "true" : "false");
     if (word == "true" || word == "1" || word == "True") return true;
-    if (word != "false" && word != "0" && word != "False") unknownWord(attribute, word);
+    if (word != "false" && word != "0" && word != "False") unknownWord(attribute, word, {"true", "false"});
     return false;
 }
 
@@ -132,8 +151,15 @@ ElementReader ElementReader::child(const char* name)
 
 ElementReader ElementReader::onlyChild()
 {
+    pugi::xml_node chosen;
     for (pugi::xml_node candidate : node.children())
-        if (candidate.type() == pugi::node_element) return {context, candidate};
+    {
+        if (candidate.type() != pugi::node_element) continue;
+        const bool isBetter = !chosen || (!coverageOf(chosen.name()) && coverageOf(candidate.name()));
+        const pugi::xml_node surplus = isBetter ? std::exchange(chosen, candidate) : candidate;
+        if (surplus) context.foreign(surplus, std::string("the element ") + surplus.name());
+    }
+    if (chosen) return {context, chosen};
     if (node) context.invalid(node, std::string(node.name()) + " is empty", "add its content");
     return {context, pugi::xml_node()};
 }
@@ -144,17 +170,17 @@ void ElementReader::allowChildren(std::initializer_list<std::string_view> names)
     {
         if (candidate.type() != pugi::node_element) continue;
         if (std::find(names.begin(), names.end(), candidate.name()) == names.end())
-            context.unsupported(candidate,
-                                std::string("the element ") + candidate.name() + " in " + node.name());
+            context.foreign(candidate, std::string("the element ") + candidate.name());
     }
 }
 
-void ElementReader::unknownWord(const char* attribute, const std::string& word)
+void ElementReader::unknownWord(const char* attribute, const std::string& word,
+                                const std::vector<std::string_view>& words)
 {
     context.invalid(node,
                     std::string(node.name()) + "/" + attribute + " has the unknown value \"" +
                         word.substr(0, 40) + "\"",
-                    "use one of the language's words");
+                    "write " + listed(words));
 }
 
 } // namespace simulation

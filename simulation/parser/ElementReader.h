@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <pugixml.hpp>
 
@@ -20,10 +21,19 @@ namespace simulation
 class ElementReader
 {
 public:
-    ElementReader(ParseContext& contextIn, pugi::xml_node nodeIn) : context(contextIn), node(nodeIn) {}
+    ElementReader(ParseContext& contextIn, pugi::xml_node nodeIn) : context(contextIn), node(nodeIn)
+    {
+        if (node) context.touch(node);
+    }
 
     bool is(std::string_view name) const { return node.name() == name; }
-    bool has(const char* attribute) const { return static_cast<bool>(node.attribute(attribute)); }
+    /// Whether there is such an attribute; it counts as read.
+    bool has(const char* attribute) const
+    {
+        const pugi::xml_attribute found = node.attribute(attribute);
+        if (found) context.read(found);
+        return static_cast<bool>(found);
+    }
 
     std::string text(const char* attribute);
     std::string textOr(const char* attribute, const std::string& fallback);
@@ -44,7 +54,13 @@ public:
         const std::string word = text(attribute);
         for (const auto& [candidate, value] : keywords)
             if (candidate == word) return value;
-        if (has(attribute)) unknownWord(attribute, word);
+        if (has(attribute))
+        {
+            std::vector<std::string_view> words;
+            for (const auto& keyword : keywords)
+                words.push_back(keyword.first);
+            unknownWord(attribute, word, words);
+        }
         return keywords.front().second;
     }
 
@@ -57,7 +73,8 @@ public:
     /// Returns the child of that name. A missing child is a problem, and an empty element is returned.
     ElementReader child(const char* name);
 
-    /// Returns the only child element, whatever its name. No child is a problem, and an empty element is returned.
+    /// Returns the only child element, whatever its name; of several the first that the standard has. No child is a problem, and an
+    /// empty element is returned.
     ElementReader onlyChild();
 
     /// Reports each other child element as an unsupported one.
@@ -67,7 +84,8 @@ public:
     pugi::xml_node node;
 
 private:
-    void unknownWord(const char* attribute, const std::string& word);
+    void unknownWord(const char* attribute, const std::string& word,
+                     const std::vector<std::string_view>& words);
     std::optional<std::string> substituted(const char* attribute);
 };
 

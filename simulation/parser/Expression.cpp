@@ -6,6 +6,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 namespace simulation
@@ -139,6 +140,7 @@ private:
         }
         if (name == "true") return 1.0;
         if (name == "false") return 0.0;
+        if (name == "pi" || name == "PI") return std::numbers::pi;
         if (name == "not") return atom() == 0.0 ? 1.0 : 0.0;
         return call(name);
     }
@@ -178,13 +180,21 @@ private:
             std::size_t arity;
             double (*apply)(double a, double b);
         };
-        static constexpr std::array<Function, 9> kFunctions = {{
+        static constexpr std::array<Function, 17> kFunctions = {{
             {"round", 1, [](double a, double) { return std::round(a); }},
             {"floor", 1, [](double a, double) { return std::floor(a); }},
             {"ceil", 1, [](double a, double) { return std::ceil(a); }},
             {"sqrt", 1, [](double a, double) { return std::sqrt(a); }},
             {"abs", 1, [](double a, double) { return std::fabs(a); }},
             {"sign", 1, [](double a, double) { return a > 0.0 ? 1.0 : (a < 0.0 ? -1.0 : 0.0); }},
+            {"sin", 1, [](double a, double) { return std::sin(a); }},
+            {"cos", 1, [](double a, double) { return std::cos(a); }},
+            {"tan", 1, [](double a, double) { return std::tan(a); }},
+            {"asin", 1, [](double a, double) { return std::asin(a); }},
+            {"acos", 1, [](double a, double) { return std::acos(a); }},
+            {"atan", 1, [](double a, double) { return std::atan(a); }},
+            {"exp", 1, [](double a, double) { return std::exp(a); }},
+            {"log", 1, [](double a, double) { return std::log(a); }},
             {"pow", 2, [](double a, double b) { return std::pow(a, b); }},
             {"min", 2, [](double a, double b) { return std::fmin(a, b); }},
             {"max", 2, [](double a, double b) { return std::fmax(a, b); }},

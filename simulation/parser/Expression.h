@@ -22,7 +22,8 @@ std::optional<double> parseNumber(std::string_view text);
 std::string formatNumber(double value);
 
 /// Computes the inside of `${…}`: numbers, `$parameters`, true and false, + - * / %, parentheses, unary minus, and,
-/// or, not, round, floor, ceil, sqrt, pow(a, b), abs, min(a, b), max(a, b), sign. True is 1 and false is 0.
+/// or, not, round, floor, ceil, sqrt, pow(a, b), abs, min(a, b), max(a, b), sign, pi; beyond the standard sin, cos, tan, asin,
+/// acos, atan (radians), exp, log. True is 1 and false is 0.
 /// Errors: Error.what names the fault and the character; division by zero, results that are not finite, and more than
 /// 64 nested levels are errors too. Cost: linear.
 /// Source: ASAM, *OpenSCENARIO XML* 1.3, "Expressions".

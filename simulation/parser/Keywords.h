@@ -71,6 +71,10 @@ inline constexpr Keywords<Direction, 3> kDirections = {{{"longitudinal", Directi
                                                         {"lateral", Direction::lateral},
                                                         {"vertical", Direction::vertical}}};
 
+inline constexpr Keywords<AngleCondition::Kind, 3> kAngleTypes = {{{"heading", AngleCondition::Kind::heading},
+                                                                   {"pitch", AngleCondition::Kind::pitch},
+                                                                   {"roll", AngleCondition::Kind::roll}}};
+
 inline constexpr Keywords<bool, 2> kSpeedValueTypes = {{{"delta", false}, {"factor", true}}};
 
 inline constexpr Keywords<bool, 2> kTriggeringRules = {{{"any", false}, {"all", true}}};

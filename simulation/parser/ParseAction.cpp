@@ -12,6 +12,13 @@ NotedAction noted(ElementReader& reader)
     return {reader.context.line(reader.node), reader.node.name()};
 }
 
+/// Nothing here looks with sensors.
+PrivateAction parseVisibility(ElementReader reader)
+{
+    return VisibilityAction{reader.context.line(reader.node), reader.flagOr("graphics", true),
+                            reader.flagOr("traffic", true), reader.flagOr("sensors", true)};
+}
+
 PrivateAction parseActivateController(ElementReader reader)
 {
     ActivateControllerAction action;
@@ -35,7 +42,7 @@ PrivateAction parseControllerAction(ElementReader reader)
 Unsupported unsupportedContent(ElementReader& reader, const char* kind)
 {
     if (reader.node)
-        reader.context.unsupported(reader.node, std::string("the ") + kind + " " + reader.node.name());
+        reader.context.foreign(reader.node, std::string("the ") + kind + " " + reader.node.name());
     return {reader.context.line(reader.node), reader.node.name()};
 }
 
@@ -50,7 +57,8 @@ PrivateAction parsePrivateAction(ElementReader reader)
     if (content.is("SynchronizeAction")) return parseSynchronizeAction(content);
     if (content.is("ActivateControllerAction")) return parseActivateController(content);
     if (content.is("ControllerAction")) return parseControllerAction(content);
-    if (content.is("VisibilityAction") || content.is("AppearanceAction")) return noted(content);
+    if (content.is("VisibilityAction")) return parseVisibility(content);
+    if (content.is("AppearanceAction")) return noted(content);
     return unsupportedContent(content, "action");
 }
 

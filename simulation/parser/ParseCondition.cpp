@@ -7,9 +7,9 @@ namespace
 {
 
 /// Values that are compared as text: ParameterCondition, VariableCondition, UserDefinedValueCondition.
-ValueCondition parseValue(ElementReader reader, const char* nameAttribute)
+ValueCondition parseValue(ElementReader reader, std::string name)
 {
-    return {reader.text(nameAttribute), reader.text("value"), reader.choice("rule", kRules)};
+    return {std::move(name), reader.text("value"), reader.choice("rule", kRules)};
 }
 
 ConditionContent parseContent(ElementReader reader)
@@ -24,11 +24,15 @@ ConditionContent parseContent(ElementReader reader)
         return StoryboardElementStateCondition{value.choice("storyboardElementType", kElementTypes),
                                                value.text("storyboardElementRef"),
                                                value.choice("state", kElementStates)};
-    if (value.is("ParameterCondition")) return parseValue(value, "parameterRef");
-    if (value.is("VariableCondition")) return parseValue(value, "variableRef");
-    if (value.is("UserDefinedValueCondition")) return parseValue(value, "name");
+    if (value.is("ParameterCondition")) return parseValue(value, parseDeclaredName(value, "parameterRef"));
+    if (value.is("VariableCondition")) return parseValue(value, parseDeclaredName(value, "variableRef"));
+    if (value.is("UserDefinedValueCondition")) return parseValue(value, value.text("name"));
     if (value.is("TrafficSignalCondition"))
         return TrafficSignalCondition{value.text("name"), value.text("state")};
+    if (value.is("TrafficSignalControllerCondition"))
+        return TrafficSignalControllerCondition{parseSignalControllerRef(value), value.text("phase")};
+    if (value.is("TimeOfDayCondition"))
+        return TimeOfDayCondition{parseInstant(value), value.choice("rule", kRules)};
     return unsupportedContent(value, "condition");
 }
 

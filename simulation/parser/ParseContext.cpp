@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "simulation/parser/ParseContext.h"
 
+#include <cmath>
+
+#include "simulation/parser/Coverage.h"
 #include "simulation/parser/ElementReader.h"
 #include "simulation/parser/Expression.h"
 #include "simulation/parser/Keywords.h"
@@ -24,6 +27,32 @@ bool satisfies(const std::string& value, Rule rule, const std::string& bound)
     return holds(*left, rule, *right);
 }
 
+bool isWhole(const std::string& type)
+{
+    return type == "integer" || type == "int" || type == "unsignedInt" || type == "unsignedShort";
+}
+
+/// A value must be one of its type. Numbers drawn for a whole one are rounded.
+void checkType(ParseContext& context, pugi::xml_node node, ParameterDeclaration& declaration, bool isGiven)
+{
+    const std::string& type = declaration.type;
+    const std::string& value = declaration.value;
+    if (value.starts_with("$")) return; // an expression that could not be computed has been told
+    const std::optional<double> number = parseNumber(value);
+    if (isWhole(type) && isGiven && number) declaration.value = formatNumber(std::round(*number));
+    const bool isBoolean = value == "true" || value == "false" || value == "0" || value == "1";
+    const bool fits = isWhole(type)        ? number && (isGiven || std::round(*number) == *number)
+                      : type == "double"   ? number.has_value()
+                      : type == "boolean"  ? isBoolean
+                      : type == "dateTime" ? parseDateTime(value).has_value()
+                                           : true;
+    if (!fits)
+        context.invalid(node,
+                        "the value \"" + value.substr(0, 40) + "\" of the parameter " + declaration.name +
+                            " is no " + type,
+                        type == "boolean" ? "write true or false" : "write one, or change parameterType");
+}
+
 } // namespace
 
 ParseContext::ParseContext(const ParseOptions& optionsIn, const XmlSource& source, CatalogShelf& shelfIn)
@@ -31,12 +60,34 @@ ParseContext::ParseContext(const ParseOptions& optionsIn, const XmlSource& sourc
 {
 }
 
-void ParseContext::unsupported(pugi::xml_node node, const std::string& what)
+void ParseContext::foreign(pugi::xml_node node, const std::string& what)
 {
-    // A tolerant reading is what the check does: it must not recommend itself.
-    const std::string remedy =
-        options.tolerant ? "remove it" : "remove it, or see what `trainer check` lists";
-    add({Problem::Kind::unsupported, {place(node), what + " is not supported yet", remedy}});
+    if (!_reported.insert(node.internal_object()).second) return;
+    const ElementCoverage* const coverage = coverageOf(node.name());
+    if (coverage && coverage->support == Support::passive) return;
+    if (coverage && coverage->support == Support::reported)
+        return unsupported(node, what, std::string(coverage->instead));
+    if (coverage)
+        return add(
+            {Problem::Kind::unknown,
+             {place(node), what + " does not belong in " + node.parent().name(), "it is passed over"}});
+    const auto like = likeElement(node.name());
+    add({Problem::Kind::unknown,
+         {place(node), what + " is no element of OpenSCENARIO",
+          "it is passed over" + (like ? "; did you mean " + std::string(*like) + "?" : std::string())}});
+}
+
+void ParseContext::unsupported(pugi::xml_node node, const std::string& what, const std::string& instead)
+{
+    add({Problem::Kind::unsupported, {place(node), what + " is not supported", "instead: " + instead}});
+}
+
+void ParseContext::approximated(pugi::xml_node node, const ElementCoverage& coverage)
+{
+    if (!options.tolerant || !_approximated.insert(coverage.name).second) return;
+    add({Problem::Kind::approximated,
+         {place(node), "the element " + std::string(coverage.name) + " is approximated",
+          "instead: " + std::string(coverage.instead)}});
 }
 
 void ParseContext::invalid(pugi::xml_node node, const std::string& what, const std::string& remedy)
@@ -64,16 +115,19 @@ std::optional<std::string> ParseContext::lookup(std::string_view name) const
 std::vector<ParameterDeclaration> ParseContext::declareParameters(pugi::xml_node parent, const Scope& given)
 {
     std::vector<ParameterDeclaration> declarations;
-    for (pugi::xml_node node : parent.child("ParameterDeclarations").children())
+    for (pugi::xml_node node : parent.child("ParameterDeclarations").children("ParameterDeclaration"))
     {
         ElementReader reader(*this, node);
-        if (!reader.is("ParameterDeclaration")) continue;
         reader.allowChildren({"ConstraintGroup"});
         ParameterDeclaration declaration{line(node), reader.text("name"), reader.text("parameterType"), ""};
         if (!declaration.name.empty() && declaration.name.front() == '$') declaration.name.erase(0, 1);
         const auto replaced = given.find(declaration.name);
-        declaration.value = replaced == given.end() ? reader.text("value") : replaced->second;
+        const std::string own = reader.text("value");
+        declaration.value = replaced == given.end() ? own : replaced->second;
+        checkType(*this, node, declaration, replaced != given.end());
         checkConstraints(node, declaration.value);
+        if (_scopes.back().contains(declaration.name))
+            invalid(node, "the parameter " + declaration.name + " stands twice", "rename one");
         _scopes.back()[declaration.name] = declaration.value;
         declarations.push_back(std::move(declaration));
     }
@@ -83,20 +137,21 @@ std::vector<ParameterDeclaration> ParseContext::declareParameters(pugi::xml_node
 /// A value must meet every constraint of at least one group.
 void ParseContext::checkConstraints(pugi::xml_node declaration, const std::string& value)
 {
-    bool anyGroup = false;
+    bool anyGroup = false, anyHolds = false;
     for (pugi::xml_node group : declaration.children("ConstraintGroup"))
     {
         anyGroup = true;
         bool all = true;
+        touch(group);
         for (pugi::xml_node node : group.children("ValueConstraint"))
         {
             ElementReader reader(*this, node);
             const Rule rule = reader.choice("rule", kRules);
-            all = all && satisfies(value, rule, reader.text("value"));
+            all = satisfies(value, rule, reader.text("value")) && all;
         }
-        if (all) return;
+        anyHolds = anyHolds || all;
     }
-    if (anyGroup)
+    if (anyGroup && !anyHolds)
         invalid(declaration, "the value " + value + " breaks the parameter's constraints", "change it");
 }
 

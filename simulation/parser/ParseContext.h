@@ -6,6 +6,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <unordered_set>
 #include <vector>
 
 #include <pugixml.hpp>
@@ -18,6 +19,7 @@ namespace simulation
 {
 
 class CatalogShelf;
+struct ElementCoverage;
 
 /// The state of one reading: the visible parameters, the current file and the problems found. A strict reading keeps
 /// the first problem only, and its caller returns it as the Error.
@@ -28,9 +30,25 @@ public:
 
     ParseContext(const ParseOptions& options, const XmlSource& source, CatalogShelf& shelf);
 
-    void unsupported(pugi::xml_node node, const std::string& what);
+    /// Reports an element that is not in effect, or that the standard has not, by its row of the table of elements. Each element is
+    /// reported once.
+    void foreign(pugi::xml_node node, const std::string& what);
+    /// Reports something about an element that is not in effect. `instead`: what is done instead.
+    void unsupported(pugi::xml_node node, const std::string& what, const std::string& instead);
+    /// Reports an element that is not in all in effect; the first of its name. A strict reading does not stop at it.
+    void approximated(pugi::xml_node node, const ElementCoverage& coverage);
     void invalid(pugi::xml_node node, const std::string& what, const std::string& remedy);
     void add(Problem problem);
+
+    /// Notes that a parser asks for an element or an attribute; reportUnread() reports the others.
+    void touch(pugi::xml_node node) { _touched.insert(node.internal_object()); }
+    void read(pugi::xml_attribute attribute) { _touched.insert(attribute.internal_object()); }
+    bool isTouched(pugi::xml_node node) const { return _touched.contains(node.internal_object()); }
+    bool isRead(pugi::xml_attribute attribute) const
+    {
+        return _touched.contains(attribute.internal_object());
+    }
+    bool isReported(pugi::xml_node node) const { return _reported.contains(node.internal_object()); }
 
     bool isStopped() const { return !options.tolerant && !problems.empty(); }
     std::string place(pugi::xml_node node) const;
@@ -49,8 +67,11 @@ public:
     CatalogShelf& shelf;
     std::vector<Problem> problems;
     std::set<std::string> entityNames;
+    std::map<std::string, std::vector<std::string>> selections; ///< of entities: their members
+    std::set<std::string> variableNames, monitorNames, signalControllerNames;
     std::vector<std::string> catalogChain; ///< entries being read, outermost first: a repeated one is a cycle
     pugi::xml_node catalogEntry;           ///< the innermost entry, whose parameters are declared already
+    std::map<std::string, int> elements;   ///< that reportUnread() has seen
 
 private:
     friend class CatalogVisit;
@@ -59,6 +80,8 @@ private:
 
     const XmlSource* _source;
     std::vector<Scope> _scopes;
+    std::unordered_set<const void*> _touched, _reported; ///< elements and attributes
+    std::set<std::string_view> _approximated;            ///< elements that have been told
 };
 
 /// Opens a scope for the declarations of one element and closes it at the end of the block. The declarations of a

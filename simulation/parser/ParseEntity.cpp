@@ -168,8 +168,7 @@ std::vector<ScenarioObject> parseScenarioObject(ElementReader reader)
         if (content.is("ObjectController"))
             objects[0].controllers.push_back(parseController(content.onlyChild()));
         else if (hasObject)
-            reader.context.unsupported(node,
-                                       std::string("the element ") + node.name() + " in ScenarioObject");
+            reader.context.foreign(node, std::string("the element ") + node.name());
         else
         {
             parseObject(content, 0, objects);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "simulation/parser/ElementParsers.h"
+#include "simulation/parser/NearestWord.h"
 
 namespace simulation
 {
@@ -61,6 +62,34 @@ CollisionCondition parseCollision(ElementReader reader)
     return condition;
 }
 
+AngleCondition parseAngle(ElementReader reader, const std::string& entity)
+{
+    return {entity, reader.choice("angleType", kAngleTypes), reader.number("angle"),
+            reader.notNegative("angleTolerance"),
+            reader.choiceOr("coordinateSystem", kDistanceFrames, DistanceFrame::world)};
+}
+
+RelativeClearanceCondition parseClearance(ElementReader reader)
+{
+    reader.allowChildren({"RelativeLaneRange", "EntityRef"});
+    RelativeClearanceCondition condition;
+    condition.forwardM = reader.has("distanceForward") ? reader.notNegative("distanceForward") : 0.0;
+    condition.backwardM = reader.has("distanceBackward") ? reader.notNegative("distanceBackward") : 0.0;
+    condition.isFreespace = reader.flagOr("freeSpace", false);
+    condition.hasOppositeLanes = reader.flagOr("oppositeLanes", false);
+    const auto lane = [](const std::optional<double>& value)
+    { return value ? std::optional(static_cast<int>(*value)) : std::nullopt; };
+    for (pugi::xml_node node : reader.node.children("RelativeLaneRange"))
+    {
+        ElementReader range(reader.context, node);
+        condition.lanes.push_back({lane(range.optionalNumber("from")), lane(range.optionalNumber("to"))});
+    }
+    for (pugi::xml_node node : reader.node.children("EntityRef"))
+        for (const std::string& name : parseEntityRefs({reader.context, node}))
+            condition.entities.push_back(name);
+    return condition;
+}
+
 EntityConditionContent parseEntityContent(ElementReader reader)
 {
     using Kind = LastingCondition::Kind;
@@ -83,6 +112,9 @@ EntityConditionContent parseEntityContent(ElementReader reader)
     if (reader.is("EndOfRoadCondition"))
         return LastingCondition{Kind::endOfRoad, reader.notNegative("duration")};
     if (reader.is("CollisionCondition")) return parseCollision(reader);
+    if (reader.is("AngleCondition")) return parseAngle(reader, "");
+    if (reader.is("RelativeAngleCondition")) return parseAngle(reader, parseEntityRef(reader, "entityRef"));
+    if (reader.is("RelativeClearanceCondition")) return parseClearance(reader);
     return unsupportedContent(reader, "condition");
 }
 
@@ -92,8 +124,21 @@ std::string parseEntityRef(ElementReader& reader, const char* attribute)
 {
     std::string name = reader.text(attribute);
     if (reader.node && !reader.context.entityNames.contains(name))
-        reader.context.invalid(reader.node, "the entity " + name + " does not exist", "name one of Entities");
+    {
+        const auto like = nearestWord(name, reader.context.entityNames,
+                                      [](const std::string& known) { return std::string_view(known); });
+        reader.context.invalid(reader.node, "the entity " + name + " does not exist",
+                               like ? "did you mean " + std::string(*like) + "?"
+                                    : std::string("name one of Entities"));
+    }
     return name;
+}
+
+std::vector<std::string> parseEntityRefs(ElementReader reference)
+{
+    const auto selection = reference.context.selections.find(reference.textOr("entityRef", ""));
+    if (selection != reference.context.selections.end()) return selection->second;
+    return {parseEntityRef(reference, "entityRef")};
 }
 
 /// `alongRoute` = `true` (1.0; deprecated from 1.1 on) stands for the frame of the road, along it.
@@ -116,9 +161,11 @@ EntityCondition parseEntityCondition(ElementReader reader)
     condition.isForAll = entities.choice("triggeringEntitiesRule", kTriggeringRules);
     for (pugi::xml_node node : entities.node.children("EntityRef"))
     {
-        ElementReader entity(reader.context, node);
-        condition.entities.push_back(parseEntityRef(entity, "entityRef"));
+        for (const std::string& name : parseEntityRefs({reader.context, node}))
+            condition.entities.push_back(name);
     }
+    if (condition.entities.empty() && entities.node)
+        reader.context.invalid(entities.node, "TriggeringEntities has no EntityRef", "name an entity");
     condition.content = parseEntityContent(reader.child("EntityCondition").onlyChild());
     return condition;
 }

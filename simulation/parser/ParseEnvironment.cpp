@@ -8,16 +8,7 @@ namespace
 
 TimeOfDay parseTimeOfDay(ElementReader reader)
 {
-    TimeOfDay timeOfDay;
-    timeOfDay.animation = reader.flagOr("animation", false);
-    const std::string text = reader.text("dateTime");
-    if (const std::optional<DateTime> dateTime = parseDateTime(text))
-        timeOfDay.dateTime = *dateTime;
-    else if (reader.has("dateTime"))
-        reader.context.invalid(reader.node,
-                               "TimeOfDay/dateTime is not a date and time: \"" + text.substr(0, 40) + "\"",
-                               "write it as 2025-06-13T06:00:00Z");
-    return timeOfDay;
+    return {parseInstant(reader), reader.flagOr("animation", false)};
 }
 
 Sun parseSun(ElementReader reader)
@@ -64,6 +55,18 @@ Weather parseWeather(ElementReader reader)
 }
 
 } // namespace
+
+DateTime parseInstant(ElementReader& reader)
+{
+    const std::string text = reader.text("dateTime");
+    if (const std::optional<DateTime> dateTime = parseDateTime(text)) return *dateTime;
+    if (reader.has("dateTime"))
+        reader.context.invalid(reader.node,
+                               std::string(reader.node.name()) + "/dateTime is not a date and time: \"" +
+                                   text.substr(0, 40) + "\"",
+                               "write it as 2025-06-13T06:00:00Z");
+    return {};
+}
 
 Environment parseEnvironment(ElementReader reader)
 {

@@ -26,7 +26,7 @@ GlobalAction parseSetValue(ElementReader reader, const char* attribute)
 {
     SetValueAction action;
     action.source = reader.context.line(reader.node);
-    action.name = reader.text(attribute);
+    action.name = parseDeclaredName(reader, attribute);
     ElementReader content = reader.onlyChild();
     if (content.is("SetAction"))
         action.value = content.text("value");
@@ -46,6 +46,9 @@ GlobalAction parseSetValue(ElementReader reader, const char* attribute)
 GlobalAction parseInfrastructure(ElementReader reader)
 {
     ElementReader content = reader.child("TrafficSignalAction").onlyChild();
+    if (content.is("TrafficSignalControllerAction"))
+        return TrafficSignalControllerAction{content.context.line(content.node),
+                                             parseSignalControllerRef(content), content.text("phase")};
     if (content.is("TrafficSignalStateAction"))
         return TrafficSignalStateAction{reader.context.line(content.node), content.text("name"),
                                         content.text("state")};
@@ -55,12 +58,35 @@ GlobalAction parseInfrastructure(ElementReader reader)
 GlobalAction parseEntityAction(ElementReader reader)
 {
     ElementReader content = reader.onlyChild();
-    if (content.is("DeleteEntityAction"))
-        return EntityAction{reader.context.line(reader.node), parseEntityRef(reader, "entityRef"), true};
+    EntityAction action{reader.context.line(reader.node), parseEntityRef(reader, "entityRef"), true, {}};
+    if (content.is("DeleteEntityAction")) return action;
+    if (content.is("AddEntityAction"))
+    {
+        action.isDeleted = false;
+        action.position = parsePosition(content.child("Position"));
+        return action;
+    }
     return unsupportedContent(content, "action");
 }
 
 } // namespace
+
+std::string parseDeclaredName(ElementReader& reader, const char* attribute)
+{
+    ParseContext& context = reader.context;
+    if (!reader.has(attribute)) return reader.text(attribute);
+    std::string name = reader.node.attribute(attribute).value(); // a name, with or without $: not a value
+    if (!name.empty() && name.front() == '$') name.erase(0, 1);
+    const std::string_view kind =
+        std::string_view(attribute).substr(0, std::string_view(attribute).size() - 3);
+    const bool isDeclared = kind == "parameter"  ? context.lookup(name).has_value()
+                            : kind == "variable" ? context.variableNames.contains(name)
+                                                 : context.monitorNames.contains(name);
+    if (!isDeclared)
+        context.invalid(reader.node, "the " + std::string(kind) + " " + name + " is not declared",
+                        "declare it at the root");
+    return name;
+}
 
 GlobalAction parseGlobalAction(ElementReader reader)
 {
@@ -68,6 +94,9 @@ GlobalAction parseGlobalAction(ElementReader reader)
     if (content.is("EnvironmentAction")) return parseEnvironmentAction(content);
     if (content.is("ParameterAction")) return parseSetValue(content, "parameterRef");
     if (content.is("VariableAction")) return parseSetValue(content, "variableRef");
+    if (content.is("SetMonitorAction"))
+        return SetMonitorAction{content.context.line(content.node), parseDeclaredName(content, "monitorRef"),
+                                content.flagOr("value", false)};
     if (content.is("InfrastructureAction")) return parseInfrastructure(content);
     if (content.is("EntityAction")) return parseEntityAction(content);
     return unsupportedContent(content, "action");

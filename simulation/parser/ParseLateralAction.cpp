@@ -19,6 +19,10 @@ LaneChangeAction parseLaneChange(ElementReader reader)
     else if (!target.is("AbsoluteTargetLane"))
         unsupportedContent(target, "lane change target");
     action.lane = static_cast<int>(target.number("value"));
+    if (target.is("AbsoluteTargetLane") && target.has("value") && action.lane == 0)
+        target.context.invalid(target.node,
+                               "AbsoluteTargetLane/value is 0, the reference line, where nobody drives",
+                               "write the id of a lane");
     return action;
 }
 

@@ -9,6 +9,9 @@ namespace
 
 FixedPosition parseWaypoint(ElementReader reader)
 {
+    const std::string strategy = reader.textOr("routeStrategy", "shortest");
+    if (strategy != "shortest")
+        reader.context.unsupported(reader.node, "the routeStrategy " + strategy, "the shortest way is taken");
     ElementReader holder = reader.child("Position");
     const Position position = parsePosition(holder);
     if (const auto* world = std::get_if<WorldPosition>(&position)) return *world;
@@ -16,7 +19,8 @@ FixedPosition parseWaypoint(ElementReader reader)
     if (const auto* lane = std::get_if<LanePosition>(&position)) return *lane;
     if (const auto* road = std::get_if<RoadPosition>(&position)) return *road;
     if (const auto* unknown = std::get_if<Unsupported>(&position)) return *unknown;
-    reader.context.unsupported(holder.node, "a Waypoint that refers to an entity or a route");
+    reader.context.unsupported(holder.node, "a Waypoint that refers to an entity or a route",
+                               "it is left out");
     return Unsupported{reader.context.line(reader.node), "Waypoint"};
 }
 

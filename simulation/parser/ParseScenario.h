@@ -32,8 +32,10 @@ struct Problem
 {
     enum class Kind
     {
-        unsupported, ///< part of the standard or of an extension, but not read here
-        invalid,     ///< against the standard: a missing attribute, a bad number, an unknown entity
+        approximated, ///< in effect, but not in all as the standard says
+        unsupported,  ///< part of the standard, but not in effect
+        unknown,      ///< no part of the standard: a misspelt element, or one of another program
+        invalid,      ///< against the standard: a missing attribute, a bad number, an unknown entity
     };
 
     Kind kind = Kind::invalid;
@@ -43,7 +45,9 @@ struct Problem
 struct ParsedScenario
 {
     Scenario scenario;
-    std::vector<Problem> problems; ///< empty after a strict reading; at most 1000, in the order found
+    std::vector<Problem> problems; ///< empty after a strict reading; at most 1000, by file and line
+    std::map<std::string, int>
+        elements; ///< how many of each there are, without what stands in those not in effect
 };
 
 /// Reads an OpenSCENARIO XML file, 1.0 to 1.3, and the catalogues that it names relative to its folder; only folders

@@ -7,11 +7,6 @@ namespace simulation
 namespace
 {
 
-std::string parseEntityRef(ElementReader reader)
-{
-    return parseEntityRef(reader, "entityRef");
-}
-
 std::optional<Trigger> parseOptionalTrigger(ElementReader& parent, const char* name)
 {
     const pugi::xml_node node = parent.node.child(name);
@@ -36,10 +31,13 @@ Init parseInit(ElementReader reader)
     {
         ElementReader privateReader(context, node);
         privateReader.allowChildren({"PrivateAction"});
-        InitPrivate initial{context.line(node), parseEntityRef(privateReader), {}};
-        for (pugi::xml_node action : node.children("PrivateAction"))
-            initial.actions.push_back(parsePrivateAction({context, action}));
-        init.privates.push_back(std::move(initial));
+        for (const std::string& name : parseEntityRefs(privateReader))
+        {
+            InitPrivate initial{context.line(node), name, {}};
+            for (pugi::xml_node action : node.children("PrivateAction"))
+                initial.actions.push_back(parsePrivateAction({context, action}));
+            init.privates.push_back(std::move(initial));
+        }
     }
     return init;
 }
@@ -55,7 +53,7 @@ NamedAction parseNamedAction(ElementReader reader)
     else
     {
         if (content.node)
-            content.context.unsupported(content.node, std::string("the action ") + content.node.name());
+            content.context.foreign(content.node, std::string("the action ") + content.node.name());
         action.action = GlobalAction{Unsupported{action.source, content.node.name()}};
     }
     return action;
@@ -88,6 +86,15 @@ Maneuver parseManeuver(ElementReader reader)
     return maneuver;
 }
 
+bool hasPrivateAction(const ManeuverGroup& group)
+{
+    for (const Maneuver& maneuver : group.maneuvers)
+        for (const Event& event : maneuver.events)
+            for (const NamedAction& action : event.actions)
+                if (std::holds_alternative<PrivateAction>(action.action)) return true;
+    return false;
+}
+
 ManeuverGroup parseManeuverGroup(ElementReader reader)
 {
     reader.allowChildren({"Actors", "CatalogReference", "Maneuver"});
@@ -98,9 +105,11 @@ ManeuverGroup parseManeuverGroup(ElementReader reader)
     group.maximumExecutionCount = reader.count("maximumExecutionCount", 1);
     ElementReader actors = reader.child("Actors");
     group.selectTriggeringEntities = actors.flagOr("selectTriggeringEntities", false);
-    if (group.selectTriggeringEntities) context.unsupported(actors.node, "selectTriggeringEntities");
+    if (group.selectTriggeringEntities)
+        context.unsupported(actors.node, "selectTriggeringEntities", "the actors that are named act");
     for (pugi::xml_node node : actors.node.children("EntityRef"))
-        group.actors.push_back(parseEntityRef({context, node}));
+        for (const std::string& name : parseEntityRefs({context, node}))
+            group.actors.push_back(name);
     for (pugi::xml_node node : reader.node.children("CatalogReference"))
     {
         CatalogVisit visit({context, node});
@@ -108,6 +117,9 @@ ManeuverGroup parseManeuverGroup(ElementReader reader)
     }
     for (pugi::xml_node node : reader.node.children("Maneuver"))
         group.maneuvers.push_back(parseManeuver({context, node}));
+    if (group.actors.empty() && hasPrivateAction(group))
+        context.unsupported(actors.node, "a private action without actors",
+                            "nothing is done; add an EntityRef to Actors");
     return group;
 }
 

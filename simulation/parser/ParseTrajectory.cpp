@@ -30,8 +30,7 @@ TrajectoryShape parseShape(ElementReader reader)
 {
     ElementReader content = reader.onlyChild();
     if (content.is("Polyline")) return parsePolyline(content);
-    if (content.node)
-        content.context.unsupported(content.node, std::string("the shape ") + content.node.name());
+    if (content.node) content.context.foreign(content.node, std::string("the shape ") + content.node.name());
     return Unsupported{content.context.line(content.node), content.node.name()};
 }
 
@@ -41,7 +40,7 @@ std::optional<Timing> parseTimeReference(ElementReader reader)
     if (!content.is("Timing"))
     {
         if (content.node && !content.is("None"))
-            content.context.unsupported(content.node, std::string("the element ") + content.node.name());
+            content.context.foreign(content.node, std::string("the element ") + content.node.name());
         return std::nullopt;
     }
     Timing timing{content.choice("domainAbsoluteRelative", kTimingDomains), content.number("scale"),

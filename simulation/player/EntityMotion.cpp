@@ -11,8 +11,8 @@ namespace simulation
 namespace
 {
 
-constexpr double kGravityMps2 = 9.80665;
-constexpr double kLargestBankDeg = 60.0;
+constexpr double kStandardGravityMps2 = 9.80665;
+constexpr double kGreatestBankDeg = 60.0;
 constexpr double kSmallestPlanSpeed = 1e-6;
 
 double wrappedDeg(double angleDeg)
@@ -215,8 +215,8 @@ void EntityMotion::takePoint(const PathPoint& point, double speedMps)
     if (point.pitchRad) _state.pitchDeg = wrappedDeg(glm::degrees(*point.pitchRad));
     const double planSpeed = speedMps * std::cos(climbRad);
     const double curvature = point.planCurvature();
-    const double bank = glm::degrees(std::atan(planSpeed * planSpeed * curvature / kGravityMps2));
-    _state.rollDeg = _isAirborne ? -std::clamp(bank, -kLargestBankDeg, kLargestBankDeg) : 0.0;
+    const double bank = glm::degrees(std::atan(planSpeed * planSpeed * curvature / kStandardGravityMps2));
+    _state.rollDeg = _isAirborne ? -std::clamp(bank, -kGreatestBankDeg, kGreatestBankDeg) : 0.0;
     if (point.rollRad) _state.rollDeg = wrappedDeg(glm::degrees(*point.rollRad));
     _state.steeringDeg = glm::degrees(std::atan(_wheelbaseM * curvature));
     _state.speedMps = speedMps;

@@ -37,7 +37,10 @@ struct EntityState
     bool isOnGround = false;
     std::optional<RoadPlace> place; ///< on the road network; nothing without one
     bool isAtEndOfRoad = false;
-    glm::dvec3 acceleration{0.0};  ///< m/s², difference of velocities between steps; on a road network only
+    glm::dvec3 acceleration{0.0}; ///< m/s², difference of velocities between steps; on a road network only
+    bool isPresent =
+        true; ///< false before AddEntityAction and after DeleteEntityAction: not there for conditions and collisions
+    bool isVisible = true;         ///< in pictures
     std::vector<int> collidesWith; ///< indices of the entities whose boxes overlap this one's
 
     /// The rotation from the body to the scene. Its columns are forward, left and up.

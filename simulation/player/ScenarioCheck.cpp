@@ -15,8 +15,8 @@ namespace
 class Walk
 {
 public:
-    Walk(const Scenario& scenario, const SceneFrame& frame, const std::string& name)
-        : _scenario(scenario), _frame(frame), _name(name)
+    Walk(const Scenario& scenario, const SceneFrame& frame, const std::string& name, const RoadScene* roads)
+        : _scenario(scenario), _frame(frame), _name(name), _roads(roads)
     {
     }
 
@@ -82,6 +82,9 @@ private:
             if (isGeo && !_frame.canPlace(teleport->position))
                 fail(teleport->source, "a GeoPosition, but the scene has no georeference",
                      "use WorldPosition");
+            if (const auto* lane = std::get_if<LanePosition>(&teleport->position)) onLane(*lane);
+            if (const auto* road = std::get_if<RoadPosition>(&teleport->position))
+                onRoad(road->roadId, road->source);
         }
         if (const auto* follow = std::get_if<FollowTrajectoryAction>(&content))
         {
@@ -91,6 +94,24 @@ private:
                      "the trajectory " + follow->trajectory.name + " cannot be run: " + *obstacle,
                      "correct its vertices");
         }
+    }
+
+    /// Whether there is the road.
+    bool onRoad(const std::string& id, SourceLine source)
+    {
+        if (!_roads || _roads->network().roadIndex(id) >= 0) return _roads != nullptr;
+        fail(source, "the road " + id + " does not exist", "write the id of a road of the LogicFile");
+        return false;
+    }
+
+    void onLane(const LanePosition& position)
+    {
+        if (!onRoad(position.roadId, position.source)) return;
+        if (!_roads->onLane(position.roadId, position.lane, position.sM, 0.0))
+            fail(position.source,
+                 "the road " + position.roadId + " has no lane " + std::to_string(position.lane) +
+                     " at this s",
+                 "write the id of a lane there");
     }
 
     static bool isSupported(const FollowTrajectoryAction& follow)
@@ -137,6 +158,7 @@ private:
     const Scenario& _scenario;
     const SceneFrame& _frame;
     const std::string& _name;
+    const RoadScene* _roads;
     std::set<Name> _names;
     std::vector<std::pair<const StoryboardElementStateCondition*, SourceLine>> _references;
     std::optional<foundation::Error> _error;
@@ -144,9 +166,10 @@ private:
 
 } // namespace
 
-foundation::Outcome checkPlayable(const Scenario& scenario, const SceneFrame& frame, const std::string& name)
+foundation::Outcome checkPlayable(const Scenario& scenario, const SceneFrame& frame, const std::string& name,
+                                  const RoadScene* roads)
 {
-    return Walk(scenario, frame, name).run();
+    return Walk(scenario, frame, name, roads).run();
 }
 
 } // namespace simulation

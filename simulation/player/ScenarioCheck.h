@@ -6,6 +6,7 @@
 #include <foundation/Result.h>
 
 #include "simulation/player/SceneFrame.h"
+#include "simulation/road/RoadScene.h"
 #include "simulation/scenario/Scenario.h"
 
 namespace simulation
@@ -14,6 +15,8 @@ namespace simulation
 /// Checks that a scenario can be played in a scene: every position can be located, every trajectory can be run, every
 /// reference to an entity or a storyboard element is valid. Unsupported content is skipped.
 /// Errors: the first fault, as `name:line`.
-foundation::Outcome checkPlayable(const Scenario& scenario, const SceneFrame& frame, const std::string& name);
+/// `roads`: of the LogicFile; null: none.
+foundation::Outcome checkPlayable(const Scenario& scenario, const SceneFrame& frame, const std::string& name,
+                                  const RoadScene* roads = nullptr);
 
 } // namespace simulation

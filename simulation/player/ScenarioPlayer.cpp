@@ -44,7 +44,9 @@ public:
     }
 
     bool isFinished() const { return _runner.isFinished(); }
+    const std::map<std::string, bool>& monitors() const { return _performer.monitors(); }
     const std::vector<StoryboardLogEntry>& log() const { return _runner.elements().log(); }
+    const std::map<std::string, std::string>& signalStates() const { return _performer.signals().states(); }
 
     Scenario scenario;
     SceneFrame frame;
@@ -62,7 +64,9 @@ private:
                           clock.seconds()};
         updateLasting(facts.entities, _lasting);
         facts.values = &_performer.values();
-        facts.signals = &_performer.signalStates();
+        facts.signals = &_performer.signals().states();
+        facts.phases = &_performer.signals().phases();
+        facts.dateTime = _environmentClock.at(clock.seconds()).dateTime;
     }
 
     void publish()
@@ -87,7 +91,9 @@ foundation::Result<std::unique_ptr<ScenarioPlayer>> ScenarioPlayer::create(Scena
                                  "a place on a road, but RoadNetwork names no LogicFile",
                                  "name the OpenDRIVE file there"};
     const SceneFrame frame(options.origin, options.ground);
-    if (foundation::Outcome playable = checkPlayable(scenario, frame, options.scenarioName); !playable)
+    if (foundation::Outcome playable =
+            checkPlayable(scenario, frame, options.scenarioName, options.roads.get());
+        !playable)
         return playable.error();
     return std::unique_ptr<ScenarioPlayer>(new ScenarioPlayer(std::move(scenario), std::move(options)));
 }
@@ -123,9 +129,17 @@ const EnvironmentState& ScenarioPlayer::environment() const
 {
     return _stage->environment;
 }
+const std::map<std::string, std::string>& ScenarioPlayer::signalStates() const
+{
+    return _stage->signalStates();
+}
 const std::vector<StoryboardLogEntry>& ScenarioPlayer::log() const
 {
     return _stage->log();
+}
+const std::map<std::string, bool>& ScenarioPlayer::monitors() const
+{
+    return _stage->monitors();
 }
 bool ScenarioPlayer::isFinished() const
 {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -58,7 +59,11 @@ public:
     /// In the order of Scenario::entities.
     const std::vector<EntityState>& entities() const;
     const EnvironmentState& environment() const;
+
+    /// The states of traffic signals that actions have set, by the signal's id, in the file's words.
+    const std::map<std::string, std::string>& signalStates() const;
     const std::vector<StoryboardLogEntry>& log() const;
+    const std::map<std::string, bool>& monitors() const; ///< by name
     bool isFinished() const;
 
 private:

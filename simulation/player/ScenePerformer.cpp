@@ -10,6 +10,44 @@
 namespace simulation
 {
 
+namespace
+{
+
+template<class Visit>
+void visitActions(const Scenario& scenario, Visit visit)
+{
+    for (const Story& story : scenario.storyboard.stories)
+        for (const Act& act : story.acts)
+            for (const ManeuverGroup& group : act.groups)
+                for (const Maneuver& maneuver : group.maneuvers)
+                    for (const Event& event : maneuver.events)
+                        for (const NamedAction& named : event.actions)
+                            visit(named.action);
+}
+
+/// An entity that is added by an action of the story, and that Init does nothing with, is not there before.
+std::vector<bool> absentAtFirst(const Scenario& scenario)
+{
+    std::vector<bool> absent(scenario.entities.size(), false);
+    const auto mark = [&](const std::string& name, bool isAbsent)
+    {
+        const int entity = scenario.entityIndex(name);
+        if (entity >= 0) absent[static_cast<std::size_t>(entity)] = isAbsent;
+    };
+    visitActions(scenario,
+                 [&](const Action& action)
+                 {
+                     const auto* global = std::get_if<GlobalAction>(&action);
+                     const auto* entity = global ? std::get_if<EntityAction>(global) : nullptr;
+                     if (entity && !entity->isDeleted) mark(entity->entity, true);
+                 });
+    for (const InitPrivate& initial : scenario.storyboard.init.privates)
+        mark(initial.entity, false);
+    return absent;
+}
+
+} // namespace
+
 ScenePerformer::ScenePerformer(const Scenario& scenario, const SceneFrame& frame, const RoadScene* roads,
                                const FixedClock& clock, EnvironmentClock& environment)
     : _scenario(&scenario),
@@ -23,13 +61,20 @@ ScenePerformer::ScenePerformer(const Scenario& scenario, const SceneFrame& frame
                      const int index = find(entity);
                      return index < 0 ? nullptr : &_motions[static_cast<std::size_t>(index)].state();
                  }),
+      _signals(scenario.roadNetwork.signalControllers),
       _trailers(scenario),
+      _isAbsent(absentAtFirst(scenario)),
+      _isHidden(scenario.entities.size(), false),
       _isHeld(scenario.entities.size(), false)
 {
     for (const ScenarioObject& object : scenario.entities)
         _motions.emplace_back(object, frame, roads);
     for (const ParameterDeclaration& parameter : scenario.parameters)
         _values[parameter.name] = parameter.value;
+    for (const ParameterDeclaration& variable : scenario.variables)
+        _values[variable.name] = variable.value;
+    for (const MonitorDeclaration& monitor : scenario.monitors)
+        _monitors[monitor.name] = monitor.value;
     publish();
 }
 
@@ -56,6 +101,7 @@ void ScenePerformer::carryOn()
 
 void ScenePerformer::move()
 {
+    _signals.advanceTo(timeS());
     for (EntityMotion& motion : _motions)
         motion.advanceTo(_clock->seconds());
     _trailers.follow(_motions);
@@ -68,7 +114,11 @@ void ScenePerformer::publish()
     _states.clear();
     for (const EntityMotion& motion : _motions)
         _states.push_back(motion.state());
-    if (!_roads) return;
+    for (std::size_t i = 0; i < _states.size(); ++i)
+    {
+        _states[i].isPresent = !_isAbsent[i];
+        _states[i].isVisible = !_isAbsent[i] && !_isHidden[i];
+    }
     for (std::size_t i = 0; i < _states.size() && i < before.size(); ++i)
         _states[i].acceleration = (_states[i].velocity - before[i].velocity) / _clock->stepS();
     collide();
@@ -81,7 +131,7 @@ void ScenePerformer::collide()
     };
     for (std::size_t i = 0; i < _states.size(); ++i)
         for (std::size_t j = i + 1; j < _states.size(); ++j)
-            if (overlap(body(i), body(j)))
+            if (!_isAbsent[i] && !_isAbsent[j] && overlap(body(i), body(j)))
             {
                 _states[i].collidesWith.push_back(static_cast<int>(j));
                 _states[j].collidesWith.push_back(static_cast<int>(i));
@@ -162,7 +212,7 @@ void ScenePerformer::acquire(const Position& position, int actor)
 ActionTicket ScenePerformer::perform(const PrivateAction& action, const std::string& actorName)
 {
     const int actor = find(actorName);
-    if (actor < 0) return {};
+    if (actor < 0 || _isAbsent[static_cast<std::size_t>(actor)]) return {};
     if (const auto* content = std::get_if<SpeedAction>(&action);
         content && _isHeld[static_cast<std::size_t>(actor)])
         return {};
@@ -180,6 +230,8 @@ ActionTicket ScenePerformer::perform(const PrivateAction& action, const std::str
     if (const auto* content = std::get_if<SynchronizeAction>(&action))
         return start(*content, actor, ActionDomain::longitudinal);
     if (const auto* content = std::get_if<ActivateControllerAction>(&action)) activate(*content, actor);
+    if (const auto* content = std::get_if<VisibilityAction>(&action))
+        _isHidden[static_cast<std::size_t>(actor)] = !content->inPictures;
     if (const auto* content = std::get_if<TeleportAction>(&action)) teleport(*content, actor);
     if (const auto* content = std::get_if<AssignRouteAction>(&action)) assignRoute(content->route, actor);
     if (const auto* content = std::get_if<AcquirePositionAction>(&action)) acquire(content->position, actor);
@@ -196,6 +248,22 @@ void ScenePerformer::activate(const ActivateControllerAction& action, int actor)
     if (!action.longitudinal || !isInteractive) return;
     _isHeld[static_cast<std::size_t>(actor)] = *action.longitudinal;
     if (*action.longitudinal) motion(actor).setSpeed(0.0, timeS());
+}
+
+/// What was running ends with the entity.
+void ScenePerformer::addOrDelete(const EntityAction& action)
+{
+    const int entity = find(action.entity);
+    if (entity < 0) return;
+    _isAbsent[static_cast<std::size_t>(entity)] = action.isDeleted;
+    if (action.isDeleted)
+    {
+        for (const ActionDomain domain : {ActionDomain::longitudinal, ActionDomain::lateral})
+            end(entity, domain);
+        motion(entity).setSpeed(0.0, timeS());
+    }
+    else if (const auto placed = action.position ? _positions.place(*action.position) : std::nullopt)
+        motion(entity).teleport(*placed, timeS());
 }
 
 void ScenePerformer::setValue(const SetValueAction& action)
@@ -215,7 +283,12 @@ void ScenePerformer::perform(const GlobalAction& action)
         _environment->apply(content->environment, timeS());
     if (const auto* content = std::get_if<SetValueAction>(&action)) setValue(*content);
     if (const auto* content = std::get_if<TrafficSignalStateAction>(&action))
-        _signals[content->signal] = content->state;
+        _signals.setState(content->signal, content->state);
+    if (const auto* content = std::get_if<TrafficSignalControllerAction>(&action))
+        _signals.beginPhase(*content, timeS());
+    if (const auto* content = std::get_if<SetMonitorAction>(&action))
+        _monitors[content->name] = content->value;
+    if (const auto* content = std::get_if<EntityAction>(&action)) addOrDelete(*content);
 }
 
 bool ScenePerformer::isDone(const ActionTicket& ticket) const

@@ -10,6 +10,7 @@
 #include "simulation/player/EntityMotion.h"
 #include "simulation/player/EnvironmentState.h"
 #include "simulation/player/PositionSolver.h"
+#include "simulation/player/SignalPlan.h"
 #include "simulation/player/StoryboardRunner.h"
 #include "simulation/player/Trailers.h"
 #include "simulation/player/actions/RunningAction.h"
@@ -37,7 +38,8 @@ public:
 
     const std::vector<EntityState>& states() const { return _states; }
     const std::map<std::string, std::string>& values() const { return _values; }
-    const std::map<std::string, std::string>& signalStates() const { return _signals; }
+    const SignalPlan& signals() const { return _signals; }
+    const std::map<std::string, bool>& monitors() const { return _monitors; }
 
     // ActionPerformer
     ActionTicket perform(const PrivateAction& action, const std::string& actor) override;
@@ -71,6 +73,7 @@ private:
     void assignRoute(const Route& route, int actor);
     void acquire(const Position& position, int actor);
     void activate(const ActivateControllerAction& action, int actor);
+    void addOrDelete(const EntityAction& action);
     void setValue(const SetValueAction& action);
     void collide();
     void publish();
@@ -86,8 +89,11 @@ private:
     std::vector<Running> _running;
     std::int64_t _lastNumber = 0;
     std::map<std::string, std::string> _values;
-    std::map<std::string, std::string> _signals;
+    SignalPlan _signals;
+    std::map<std::string, bool> _monitors;
     Trailers _trailers;
+    std::vector<bool> _isAbsent; ///< not added yet, or deleted
+    std::vector<bool> _isHidden;
     std::vector<bool> _isHeld; ///< by a driver who is not there
 };
 

@@ -10,7 +10,7 @@ namespace simulation
 namespace
 {
 
-constexpr double kSamePlaceM = 1e-9;
+constexpr double kSameSpotM = 1e-9;
 constexpr double kLargestTimeS = 1e9;
 
 std::vector<PathVertex> placedVertices(const FollowTrajectoryAction& action, const SceneFrame& frame)
@@ -24,7 +24,7 @@ std::vector<PathVertex> placedVertices(const FollowTrajectoryAction& action, con
         else if (!vertices.empty())
         {
             const double chord = glm::length(placed.position - vertices.back().position);
-            if (chord < kSamePlaceM) continue;
+            if (chord < kSameSpotM) continue;
             placed.parameter = vertices.back().parameter + chord;
         }
         vertices.push_back(placed);
@@ -36,13 +36,13 @@ std::vector<PathVertex> placedVertices(const FollowTrajectoryAction& action, con
 double closingLength(const std::vector<PathVertex>& vertices, bool isTimed)
 {
     const double gap =
-        std::max(kSamePlaceM, glm::length(vertices.front().position - vertices.back().position));
+        std::max(kSameSpotM, glm::length(vertices.front().position - vertices.back().position));
     if (!isTimed) return gap;
     double length = 0.0;
     for (std::size_t i = 1; i < vertices.size(); ++i)
         length += glm::length(vertices[i].position - vertices[i - 1].position);
     const double time = vertices.back().parameter - vertices.front().parameter;
-    return length > 0.0 ? std::max(kSamePlaceM, gap / length * time) : time;
+    return length > 0.0 ? std::max(kSameSpotM, gap / length * time) : time;
 }
 
 PathCurve makeCurve(const FollowTrajectoryAction& action, const SceneFrame& frame)

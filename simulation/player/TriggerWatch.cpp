@@ -24,6 +24,14 @@ bool isTrue(const ValueCondition& condition, const ConditionFacts& facts)
     return condition.rule == Rule::equalTo ? isSame : condition.rule == Rule::notEqualTo && !isSame;
 }
 
+bool isSo(const std::map<std::string, std::string>* states, const std::string& name,
+          const std::string& wanted)
+{
+    if (!states) return false;
+    const auto found = states->find(name);
+    return found != states->end() && found->second == wanted;
+}
+
 bool isTrue(const ConditionContent& content, const ConditionFacts& facts)
 {
     if (const auto* time = std::get_if<SimulationTimeCondition>(&content))
@@ -32,11 +40,13 @@ bool isTrue(const ConditionContent& content, const ConditionFacts& facts)
         return facts.elementIs(*state);
     if (const auto* entity = std::get_if<EntityCondition>(&content)) return holdsFor(*entity, facts.entities);
     if (const auto* value = std::get_if<ValueCondition>(&content)) return isTrue(*value, facts);
-    if (const auto* signal = std::get_if<TrafficSignalCondition>(&content); signal && facts.signals)
-    {
-        const auto found = facts.signals->find(signal->signal);
-        return found != facts.signals->end() && found->second == signal->state;
-    }
+    if (const auto* signal = std::get_if<TrafficSignalCondition>(&content))
+        return isSo(facts.signals, signal->signal, signal->state);
+    if (const auto* controller = std::get_if<TrafficSignalControllerCondition>(&content))
+        return isSo(facts.phases, controller->controller, controller->phase);
+    if (const auto* instant = std::get_if<TimeOfDayCondition>(&content); instant && facts.dateTime)
+        return holds(static_cast<double>(facts.dateTime->unixMilliseconds), instant->rule,
+                     static_cast<double>(instant->dateTime.unixMilliseconds));
     return false;
 }
 

@@ -22,6 +22,8 @@ struct ConditionFacts
     const std::map<std::string, std::string>* values =
         nullptr; ///< of parameters, variables and what users name
     const std::map<std::string, std::string>* signals = nullptr; ///< states of traffic signals
+    const std::map<std::string, std::string>* phases = nullptr;  ///< of the controllers of traffic signals
+    std::optional<DateTime> dateTime{};
 };
 
 /// Evaluates one trigger from step to step. An edge compares a condition with the step before (the first evaluation

@@ -80,7 +80,8 @@ void MotionLog::add(double timeS, const std::vector<EntityState>& entities)
     _stream << _row << ", ";
     cell(timeS);
     for (std::size_t i = 0; i < entities.size() && i < _boxes.size(); ++i)
-        writeEntity(entities[i], _boxes[i], i, stepS);
+        if (entities[i].isPresent)
+            writeEntity(entities[i], _boxes[i], i, stepS); // others have no columns, as in esmini
     _stream << '\n';
     _lastTimeS = timeS;
     ++_row;

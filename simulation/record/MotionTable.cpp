@@ -14,7 +14,7 @@ namespace simulation
 namespace
 {
 
-constexpr std::size_t kMostBytes = std::size_t{1} << 30;
+constexpr std::size_t kMostTableBytes = std::size_t{1} << 30;
 
 foundation::Result<std::string> inflated(const std::filesystem::path& file)
 {
@@ -25,13 +25,13 @@ foundation::Result<std::string> inflated(const std::filesystem::path& file)
     std::string text;
     std::array<char, 65536> chunk{};
     int count = 0;
-    while (text.size() < kMostBytes &&
+    while (text.size() < kMostTableBytes &&
            (count = gzread(stream, chunk.data(), static_cast<unsigned>(chunk.size()))) > 0)
         text.append(chunk.data(), static_cast<std::size_t>(count));
     gzclose(stream);
     if (count < 0)
         return foundation::Error{file.string(), "the compressed file is damaged", "fetch it again"};
-    if (text.size() >= kMostBytes)
+    if (text.size() >= kMostTableBytes)
         return foundation::Error{file.string(), "larger than 1 GiB", "write fewer rows"};
     return text;
 }

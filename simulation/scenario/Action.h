@@ -9,6 +9,7 @@
 #include "simulation/scenario/LateralActions.h"
 #include "simulation/scenario/LongitudinalActions.h"
 #include "simulation/scenario/RoutingActions.h"
+#include "simulation/scenario/TrafficSignals.h"
 #include "simulation/scenario/Trajectory.h"
 
 namespace simulation
@@ -22,7 +23,18 @@ struct EnvironmentAction
     bool operator==(const EnvironmentAction&) const = default;
 };
 
-/// An action that changes what is seen, not how anything moves: visibility, lights, animations, controllers that are the
+/// Shows or hides an entity.
+struct VisibilityAction
+{
+    static constexpr std::string_view kElement = "VisibilityAction";
+
+    SourceLine source;
+    bool inPictures = true, inTraffic = true, inSensors = true;
+
+    bool operator==(const VisibilityAction&) const = default;
+};
+
+/// An action that changes what is seen, not how anything moves: lights, animations, controllers that are the
 /// standard's default. It is done at once.
 struct NotedAction
 {
@@ -38,11 +50,12 @@ struct NotedAction
 using PrivateAction = std::variant<TeleportAction, FollowTrajectoryAction, SpeedAction, SpeedProfileAction,
                                    LongitudinalDistanceAction, LaneChangeAction, LaneOffsetAction,
                                    AssignRouteAction, AcquirePositionAction, SynchronizeAction,
-                                   ActivateControllerAction, NotedAction, Unsupported>;
+                                   ActivateControllerAction, VisibilityAction, NotedAction, Unsupported>;
 
 /// Actions on the scene as a whole.
 using GlobalAction =
-    std::variant<EnvironmentAction, SetValueAction, TrafficSignalStateAction, EntityAction, Unsupported>;
+    std::variant<EnvironmentAction, SetValueAction, SetMonitorAction, TrafficSignalStateAction,
+                 TrafficSignalControllerAction, EntityAction, Unsupported>;
 
 using Action = std::variant<PrivateAction, GlobalAction>;
 

@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "simulation/environment/DateTime.h"
 #include "simulation/scenario/EntityCondition.h"
 #include "simulation/scenario/Rule.h"
 #include "simulation/scenario/SourceLine.h"
@@ -73,8 +74,30 @@ struct TrafficSignalCondition
     bool operator==(const TrafficSignalCondition&) const = default;
 };
 
-using ConditionContent = std::variant<SimulationTimeCondition, StoryboardElementStateCondition,
-                                      ValueCondition, TrafficSignalCondition, EntityCondition, Unsupported>;
+struct TrafficSignalControllerCondition
+{
+    static constexpr std::string_view kElement = "TrafficSignalControllerCondition";
+
+    std::string controller;
+    std::string phase;
+
+    bool operator==(const TrafficSignalControllerCondition&) const = default;
+};
+
+struct TimeOfDayCondition
+{
+    static constexpr std::string_view kElement = "TimeOfDayCondition";
+
+    DateTime dateTime;
+    Rule rule = Rule::greaterThan;
+
+    bool operator==(const TimeOfDayCondition&) const = default;
+};
+
+using ConditionContent =
+    std::variant<SimulationTimeCondition, StoryboardElementStateCondition, ValueCondition,
+                 TrafficSignalCondition, TrafficSignalControllerCondition, TimeOfDayCondition,
+                 EntityCondition, Unsupported>;
 
 enum class ConditionEdge
 {

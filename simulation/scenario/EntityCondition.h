@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -132,10 +133,52 @@ struct CollisionCondition
     bool operator==(const CollisionCondition&) const = default;
 };
 
+/// The heading, pitch or roll of an entity, or what it differs by from those of another one.
+struct AngleCondition
+{
+    static constexpr std::string_view kElement = "AngleCondition";
+
+    enum class Kind
+    {
+        heading,
+        pitch,
+        roll,
+    };
+
+    std::string entity; ///< RelativeAngleCondition: triggering minus this one; empty: AngleCondition
+    Kind kind = Kind::heading;
+    double angleRad = 0.0, toleranceRad = 0.0;
+    DistanceFrame frame = DistanceFrame::world; ///< from which an absolute angle counts
+
+    bool operator==(const AngleCondition&) const = default;
+};
+
+/// Whether lanes beside the triggering entity are free, before and behind it.
+struct RelativeClearanceCondition
+{
+    static constexpr std::string_view kElement = "RelativeClearanceCondition";
+
+    /// Lanes to the left of that of the triggering entity; nothing: without end.
+    struct Lanes
+    {
+        std::optional<int> from, to;
+
+        bool operator==(const Lanes&) const = default;
+    };
+
+    double forwardM = 0.0, backwardM = 0.0;
+    bool isFreespace = false; ///< boxes count, not reference points
+    bool hasOppositeLanes = false;
+    std::vector<Lanes> lanes;          ///< none: all
+    std::vector<std::string> entities; ///< none: all others
+
+    bool operator==(const RelativeClearanceCondition&) const = default;
+};
+
 using EntityConditionContent =
     std::variant<TimeHeadwayCondition, TimeToCollisionCondition, DistanceCondition, TraveledDistanceCondition,
                  ReachPositionCondition, SpeedCondition, AccelerationCondition, LastingCondition,
-                 CollisionCondition, Unsupported>;
+                 CollisionCondition, AngleCondition, RelativeClearanceCondition, Unsupported>;
 
 struct EntityCondition
 {

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
+#include "simulation/scenario/Position.h"
 #include "simulation/scenario/SourceLine.h"
 
 namespace simulation
@@ -40,16 +42,28 @@ struct TrafficSignalStateAction
     bool operator==(const TrafficSignalStateAction&) const = default;
 };
 
-/// Removes an entity.
+/// Removes an entity, or puts one there.
 struct EntityAction
 {
     static constexpr std::string_view kElement = "EntityAction";
 
     SourceLine source;
     std::string entity;
-    bool isDeleted = false; ///< else added, which is not played
+    bool isDeleted = false;           ///< else added
+    std::optional<Position> position; ///< where it is added
 
     bool operator==(const EntityAction&) const = default;
+};
+
+struct SetMonitorAction
+{
+    static constexpr std::string_view kElement = "SetMonitorAction";
+
+    SourceLine source;
+    std::string name;
+    bool value = false;
+
+    bool operator==(const SetMonitorAction&) const = default;
 };
 
 } // namespace simulation

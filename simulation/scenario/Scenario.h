@@ -7,6 +7,7 @@
 
 #include "simulation/scenario/Entity.h"
 #include "simulation/scenario/Storyboard.h"
+#include "simulation/scenario/TrafficSignals.h"
 
 namespace simulation
 {
@@ -32,10 +33,21 @@ struct ParameterDeclaration
     bool operator==(const ParameterDeclaration&) const = default;
 };
 
+/// A value that says at the end whether something has been so.
+struct MonitorDeclaration
+{
+    SourceLine source;
+    std::string name;
+    bool value = false;
+
+    bool operator==(const MonitorDeclaration&) const = default;
+};
+
 struct RoadNetwork
 {
     std::string logicFile; ///< OpenDRIVE
     std::string sceneGraphFile;
+    std::vector<TrafficSignalController> signalControllers{};
 
     bool operator==(const RoadNetwork&) const = default;
 };
@@ -47,6 +59,8 @@ struct Scenario
 {
     FileHeader header;
     std::vector<ParameterDeclaration> parameters;
+    std::vector<ParameterDeclaration> variables{};
+    std::vector<MonitorDeclaration> monitors{};
     RoadNetwork roadNetwork;
     std::vector<ScenarioObject> entities;
     Storyboard storyboard;

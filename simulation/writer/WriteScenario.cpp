@@ -38,6 +38,9 @@ foundation::Result<std::string> scenarioText(const Scenario& scenario)
     for (const ScenarioObject& object : scenario.entities)
         writeScenarioObject(entities, object);
     writeStoryboard(root, scenario.storyboard);
+    if (!scenario.variables.empty()) root.refuse({{}, "VariableDeclarations"});
+    if (!scenario.monitors.empty()) root.refuse({{}, "MonitorDeclarations"});
+    if (!scenario.roadNetwork.signalControllers.empty()) root.refuse({{}, "TrafficSignals"});
     if (!unwritable.empty())
         return foundation::Error{"scenario", unwritable + " is not supported and cannot be written",
                                  "remove it"};

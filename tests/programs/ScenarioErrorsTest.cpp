@@ -52,32 +52,33 @@ TEST_P(ScenarioErrors, AreOneLineThatNamesThePlace)
 
 INSTANTIATE_TEST_SUITE_P(
     Table, ScenarioErrors,
-    testing::Values(
-        BadScenario{"Malformed", "</Entities>", "</Entitees>", {"LINE", "not well-formed XML"}},
-        BadScenario{
-            "UnknownElement", "<TeleportAction>", "<FlyAction/><TeleportAction>", {"LINE", "FlyAction"}},
-        BadScenario{"NoScene",
-                    "<SceneGraphFile filepath=\"hill.tif\"/>",
-                    "",
-                    {"bad.xosc: ", "SceneGraphFile", "--terrain FILE"}},
-        BadScenario{"NoEntities",
-                    "<ScenarioObject name=\"Ego\">" + simulation::kCar + "</ScenarioObject>",
-                    "",
-                    {"bad.xosc"}},
-        BadScenario{"SceneMissing", "hill.tif", "hole.tif", {"hole.tif: ", "no such file"}},
-        BadScenario{"SceneOfNoFormat", "hill.tif", "garbage.osgt", {"garbage.osgt: ", "OpenSceneGraph"}},
-        BadScenario{"SceneOfNoKnownName",
-                    "hill.tif",
-                    "garbage.xyz",
-                    {"garbage.xyz: ", "in no format that GDAL reads"}},
-        BadScenario{"ModelOfNoFormat",
-                    "vehicleCategory=",
-                    "model3d=\"garbage.osgt\" vehicleCategory=",
-                    {"garbage.osgt: ", "another model3d"}},
-        BadScenario{"SceneNoRaster", "hill.tif", "garbage.tif", {"garbage.tif: "}},
-        BadScenario{"SceneOfALongName", "hill.tif", std::string(5000, 'x'), {"no such file"}},
-        BadScenario{"NoNumber", "x=\"-600\"", "x=\"far\"", {"LINE", "\"far\""}},
-        BadScenario{"NoStoryboard", "<Storyboard>", "<Catalog/><Storyboard>", {"LINE", "Catalog"}}),
+    testing::Values(BadScenario{"Malformed", "</Entities>", "</Entitees>", {"LINE", "not well-formed XML"}},
+                    BadScenario{"UnknownEntity",
+                                "<Private entityRef=\"Ego\"",
+                                "<Private entityRef=\"Egon\"",
+                                {"LINE", "did you mean Ego?"}},
+                    BadScenario{"NoScene",
+                                "<SceneGraphFile filepath=\"hill.tif\"/>",
+                                "",
+                                {"bad.xosc: ", "SceneGraphFile", "--terrain FILE"}},
+                    BadScenario{"NoEntities",
+                                "<ScenarioObject name=\"Ego\">" + simulation::kCar + "</ScenarioObject>",
+                                "",
+                                {"bad.xosc"}},
+                    BadScenario{"SceneMissing", "hill.tif", "hole.tif", {"hole.tif: ", "no such file"}},
+                    BadScenario{
+                        "SceneOfNoFormat", "hill.tif", "garbage.osgt", {"garbage.osgt: ", "OpenSceneGraph"}},
+                    BadScenario{"SceneOfNoKnownName",
+                                "hill.tif",
+                                "garbage.xyz",
+                                {"garbage.xyz: ", "in no format that GDAL reads"}},
+                    BadScenario{"ModelOfNoFormat",
+                                "vehicleCategory=",
+                                "model3d=\"garbage.osgt\" vehicleCategory=",
+                                {"garbage.osgt: ", "another model3d"}},
+                    BadScenario{"SceneNoRaster", "hill.tif", "garbage.tif", {"garbage.tif: "}},
+                    BadScenario{"SceneOfALongName", "hill.tif", std::string(5000, 'x'), {"no such file"}},
+                    BadScenario{"NoNumber", "x=\"-600\"", "x=\"far\"", {"LINE", "\"far\""}}),
     [](const testing::TestParamInfo<BadScenario>& test) { return std::string(test.param.name); });
 
 TEST(ScenarioErrors, NameTheLineOfMalformedText)
@@ -98,6 +99,17 @@ TEST(ScenarioErrors, CoverFilesThatHoldNoScenario)
         EXPECT_TRUE(failsWith(runTrainer(play(place, place.path(name))), 1, "trainer", {place.path(name)}));
     EXPECT_TRUE(failsWith(runTrainer(play(place, std::string(5000, 'x'))), 1, "trainer", {"no such file"}));
     EXPECT_EQ(place.files(), before);
+}
+
+TEST(ScenarioErrors, AreNotElementsThatArePassedOver)
+{
+    const Workplace place;
+    const std::string text = with(driveText("hill.tif"), "<TeleportAction>", "<FlyAction/><TeleportAction>");
+    const ProgramRun run = runTrainer(play(place, place.write("odd.xosc", text)));
+    EXPECT_TRUE(succeeds(run)) << run.text();
+    const std::string warning =
+        "warning: " + place.path("odd.xosc") + ":" + lineOf(text, "<FlyAction/>") + ": ";
+    EXPECT_TRUE(run.errors.starts_with(warning)) << run.text();
 }
 
 TEST(ScenarioErrors, LeaveAGoodScenarioAlone)

@@ -69,6 +69,14 @@ void addMirrors(ModelBuilder& builder, VehicleKind kind, const StretchedForm& bo
 
 } // namespace
 
+void addVehicleShell(ModelBuilder& builder, VehicleKind kind, const StretchedForm& body,
+                     const glm::vec3& tint)
+{
+    builder.begin("body", {body.form.painting, Coat::lacquered}, tint);
+    addBody(builder, body);
+    addMirrors(builder, kind, body);
+}
+
 Model makeVehicle(VehicleKind kind, std::uint64_t seed)
 {
     Dice dice(seed + 60000 + 1000 * static_cast<std::uint64_t>(kind));
@@ -77,9 +85,7 @@ Model makeVehicle(VehicleKind kind, std::uint64_t seed)
                              {dice.between(0.96, 1.05), dice.between(0.98, 1.02), dice.between(0.97, 1.05)}};
     const glm::vec3 tint = tintOf(kind, dice);
     ModelBuilder builder;
-    builder.begin("body", {form.painting, Coat::lacquered}, tint);
-    addBody(builder, body);
-    addMirrors(builder, kind, body);
+    addVehicleShell(builder, kind, body, tint);
     builder.begin("wheels", {Painting::wheel, Coat::matt});
     const double radius = body.wheelRadiusM();
     for (const double axle : {form.axles.x, form.axles.y})

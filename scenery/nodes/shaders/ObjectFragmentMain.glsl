@@ -6,18 +6,13 @@ in vec3 fromEye;
 in vec3 normalWorld;
 in vec4 colour;
 in vec2 textureAt;
-in vec3 inObject;
 uniform sampler2D objectTexture;
-uniform vec4 objectHolesXz;   // x and z of both axes
-uniform vec2 objectHolesSize; // radius; least distance from the middle plane
 uniform float objectLacquer;
 uniform float objectLeaves;   // 1: foliage
 uniform float objectTintMask;
 void main()
 {
     float shownAlpha = pmAlpha();
-    float toAxis = min(distance(inObject.xz, objectHolesXz.xy), distance(inObject.xz, objectHolesXz.zw));
-    if (toAxis < objectHolesSize.x && abs(inObject.y) > objectHolesSize.y) discard;
     float distanceM = length(fromEye);
     vec3 towards = fromEye / distanceM;
     vec3 normal = normalize(normalWorld);

@@ -6,12 +6,10 @@ out vec3 fromEye;      // world axes, origin at the eye
 out vec3 normalWorld;
 out vec4 colour;
 out vec2 textureAt;
-out vec3 inObject;
 uniform mat4 osg_ViewMatrixInverse;
 void main()
 {
-    inObject = pmPosition();
-    vec4 inView = pmInView(inObject);
+    vec4 inView = pmInView(pmPosition());
     mat3 worldFromView = mat3(osg_ViewMatrixInverse);
     fromEye = worldFromView * inView.xyz;
     normalWorld = worldFromView * pmNormalInView(pmNormal());

@@ -13,7 +13,7 @@ namespace
 {
 
 constexpr double kSameTime = 1e-9;
-constexpr double kSlowestMps = 1e-3;
+constexpr double kSlowestSidewaysMps = 1e-3;
 
 } // namespace
 
@@ -40,8 +40,9 @@ bool LaneTransition::step(ActionScene& scene, EntityMotion& actor)
     }
     const double perUnit =
         shapeSlope(_course.shape, _course.isAhead ? before : now) * change / _course.duration;
-    const double sine = _course.isByDistance ? perUnit : perUnit / std::max(std::fabs(speed), kSlowestMps);
-    const bool stands = std::fabs(speed) < kSlowestMps;
+    const double sine =
+        _course.isByDistance ? perUnit : perUnit / std::max(std::fabs(speed), kSlowestSidewaysMps);
+    const bool stands = std::fabs(speed) < kSlowestSidewaysMps;
     const double turn = stands            ? 0.0
                         : _course.isAhead ? std::asin(std::clamp(sine, -1.0, 1.0))
                                           : std::atan(sine);

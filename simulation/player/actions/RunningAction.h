@@ -10,6 +10,7 @@
 #include "simulation/player/EntityMotion.h"
 #include "simulation/player/PositionSolver.h"
 #include "simulation/scenario/Action.h"
+#include "simulation/scenario/Scenario.h"
 
 namespace simulation
 {

@@ -38,8 +38,8 @@ bool holdsFor(const EntityCondition& condition, const EntityFacts& facts)
     for (const std::string& name : condition.entities)
     {
         const int entity = facts.scenario->entityIndex(name);
-        const bool holds =
-            entity >= 0 && holdsForEntity(condition.content, facts, static_cast<std::size_t>(entity));
+        const bool holds = entity >= 0 && (*facts.states)[static_cast<std::size_t>(entity)].isPresent &&
+                           holdsForEntity(condition.content, facts, static_cast<std::size_t>(entity));
         if (holds && !condition.isForAll) return true;
         all = all && holds;
     }

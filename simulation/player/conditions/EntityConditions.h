@@ -62,5 +62,9 @@ bool holdsFor(const AccelerationCondition& condition, const EntityFacts& facts,
               std::size_t entity); // MotionConditions.cpp
 bool holdsFor(const LastingCondition& condition, const EntityFacts& facts,
               std::size_t entity); // MotionConditions.cpp
+bool holdsFor(const AngleCondition& condition, const EntityFacts& facts,
+              std::size_t entity); // AngleConditions.cpp
+bool holdsFor(const RelativeClearanceCondition& condition, const EntityFacts& facts,
+              std::size_t entity); // ClearanceCondition.cpp
 
 } // namespace simulation

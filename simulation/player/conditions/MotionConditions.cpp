@@ -10,7 +10,7 @@ namespace simulation
 namespace
 {
 
-constexpr double kStandingMps = 1e-3;
+constexpr double kStandStillMps = 1e-3;
 
 /// A part of a vector in the frame of an entity: x forward, y left, z up; its length where no direction is given.
 double partOf(const glm::dvec3& vector, const EntityState& state, Direction direction)
@@ -42,7 +42,7 @@ void updateLasting(const EntityFacts& facts, std::vector<LastingFacts>& lasting)
     for (std::size_t i = 0; i < lasting.size(); ++i)
     {
         const EntityState& state = (*facts.states)[i];
-        keep(lasting[i].standStillSinceS, std::fabs(state.speedMps) < kStandingMps, facts.timeS);
+        keep(lasting[i].standStillSinceS, std::fabs(state.speedMps) < kStandStillMps, facts.timeS);
         keep(lasting[i].endOfRoadSinceS, state.isAtEndOfRoad, facts.timeS);
         keep(lasting[i].offRoadSinceS,
              facts.roads && state.place && facts.roads->isOffRoad(*state.place, state.position), facts.timeS);

@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 
 #include "SourceNames.h"
+#include "simulation/parser/Coverage.h"
 
 namespace
 {
@@ -42,7 +43,8 @@ Names attributes(const std::string& source)
                                     "count", "flagOr", "choice", "choiceOr", "has", "attribute"},
                                    true);
     names.merge(reference::literalsOfCalls(
-        source, {"parseAngleDeg", "parseSimpleObject", "parseEntityRef", "parseSetValue", "parseValue"},
+        source,
+        {"parseAngleDeg", "parseSimpleObject", "parseEntityRef", "parseSetValue", "parseDeclaredName"},
         false));
     return names;
 }
@@ -78,6 +80,13 @@ TEST(OpenScenarioReference, NamesTheWordsOfTheLanguage)
         ++words;
     }
     EXPECT_GT(words, 30u);
+}
+
+TEST(OpenScenarioReference, HasTheCoveragePageOfTheTable)
+{
+    const std::string page = reference::sourceText("docs/reference/openscenario-coverage.md");
+    EXPECT_EQ(page, simulation::coveragePage()) << "write it with `trainer check --coverage`";
+    EXPECT_NE(page.substr(1), simulation::coveragePage());
 }
 
 TEST(SourceNames, FindsLiteralsOfCallsAlone)

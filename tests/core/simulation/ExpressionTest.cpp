@@ -43,8 +43,9 @@ INSTANTIATE_TEST_SUITE_P(Expression, ExpressionValue,
                                          Case{"sqrt(16) + abs(-1)", 5.0}, Case{"round(2.5)", 3.0},
                                          Case{"floor(-0.5)", -1.0}, Case{"ceil(0.2)", 1.0},
                                          Case{"min(1, max(2, 3))", 1.0}, Case{"sign(-9)", -1.0},
-                                         Case{"not true or true and $on", 1.0}, Case{"not (1 and 0)", 1.0},
-                                         Case{"false or false", 0.0}));
+                                         Case{"2 * pi", 6.283185307179586}, Case{"cos(pi)", -1.0},
+                                         Case{"log(exp(2))", 2.0}, Case{"not true or true and $on", 1.0},
+                                         Case{"not (1 and 0)", 1.0}, Case{"false or false", 0.0}));
 
 class ExpressionFault : public testing::TestWithParam<Case>
 {
@@ -61,7 +62,7 @@ INSTANTIATE_TEST_SUITE_P(Expression, ExpressionFault,
                          testing::Values(Case{"", 0}, Case{"1 +", 0}, Case{"(1", 0}, Case{"1)", 0},
                                          Case{"1 2", 0}, Case{"$missing", 0}, Case{"$word + 1", 0},
                                          Case{"1 / 0", 0}, Case{"5 % (1 - 1)", 0}, Case{"sqrt(-1)", 0},
-                                         Case{"1e308 * 10", 0}, Case{"pow(2)", 0}, Case{"sin(1)", 0},
+                                         Case{"1e308 * 10", 0}, Case{"pow(2)", 0}, Case{"sine(1)", 0},
                                          Case{"1 ; 2", 0}, Case{"1e999", 0}));
 
 TEST(Expression, DeepNestingIsRefused)

@@ -58,6 +58,23 @@ double leastClearance(const ChaseSettings& settings, const GroundProvider& seenB
 
 } // namespace
 
+/// The angle between the axis of the camera and the way to the body, degrees.
+double angleToBody(double heightM)
+{
+    ChaseCamera camera(ChaseSettings::above(heightM));
+    const Pose body;
+    const Pose eye = camera.update(body, 0.01, {});
+    return glm::degrees(
+        std::acos(glm::dot(eye.worldFromBody[0], glm::normalize(body.positionWorld - eye.positionWorld))));
+}
+
+TEST(ChaseCamera, FromHighAboveTheCarIsInThePicture)
+{
+    EXPECT_LT(angleToBody(300.0), 15.0);
+    EXPECT_LT(angleToBody(1000.0), 15.0);
+    EXPECT_NEAR(angleToBody(30.0), 41.6, 0.1); // looks at the road ahead instead
+}
+
 TEST(ChaseCamera, IsNeverBelowTheGround)
 {
     for (const ChaseSettings& settings : {ChaseSettings::forCar(), ChaseSettings::forAircraft()})

@@ -4,8 +4,8 @@
 #include <osg/ComputeBoundsVisitor>
 #include <osg/TriangleFunctor>
 
+#include "RenderedUsualCar.h"
 #include "scenery/nodes/AircraftModel.h"
-#include "scenery/nodes/CarModel.h"
 #include "scenery/nodes/ModelMesh.h"
 
 namespace
@@ -37,27 +37,55 @@ double volumeOf(const scenery::ModelMesh& mesh)
 
 } // namespace
 
-TEST(CarModel, HasTheSizeItSaysAndStandsOnTheGround)
+TEST(EntityNode, HasTheSizeOfItsShapeAndStandsOnTheGround)
 {
-    const scenery::CarModel car;
+    const UsualCar car;
     const osg::BoundingBox box = boundsOf(car.node());
-    EXPECT_NEAR(box.zMin(), 0.0, 0.02);
-    EXPECT_NEAR(box.zMax(), 1.46, 0.02);
+    EXPECT_NEAR(box.zMin(), 0.0, 0.03);
+    EXPECT_NEAR(box.zMax(), UsualCar::shape().heightM, 0.03);
     // The contact shadow's rim reaches half a metre beyond.
-    EXPECT_NEAR(box.xMax(), 3.55, 0.65);
-    EXPECT_NEAR(box.xMin(), -0.87, 0.65);
+    EXPECT_NEAR(box.xMax(), UsualCar::shape().frontXM(), 0.65);
+    EXPECT_NEAR(box.xMin(), UsualCar::shape().backXM(), 0.65);
 }
 
-TEST(CarModel, MovesWithItsStateAndItsWheelsTravel)
+TEST(EntityNode, MovesWithItsStateAndItsWheelsTravel)
 {
-    scenery::CarModel car;
+    UsualCar car;
     simulation::EntityState state;
     state.position = {1000.0, 2000.0, 300.0};
     car.setState(state);
-    EXPECT_NEAR(boundsOf(car.node()).zMin(), 300.0, 0.02);
+    EXPECT_NEAR(boundsOf(car.node()).zMin(), 300.0, 0.03);
     state.wheelTravelM = {0.0, 0.0, 0.0, -0.1};
     car.setState(state);
-    EXPECT_NEAR(boundsOf(car.node()).zMin(), 299.9, 0.02);
+    EXPECT_NEAR(boundsOf(car.node()).zMin(), 299.9, 0.03);
+}
+
+TEST(EntityLamps, UsualOnesFollowBrakingReversingAndDusk)
+{
+    using Kind = scenery::models::EntityLamp::Kind;
+    const auto isLit = [](const simulation::EntityState& state, bool isDark, Kind kind)
+    { return scenery::usualLamps(state, isDark)[static_cast<std::size_t>(kind)]; };
+    simulation::EntityState state;
+    state.headingDeg = 90.0;
+    state.speedMps = 10.0;
+    EXPECT_FALSE(isLit(state, false, Kind::brake));
+    state.acceleration = {0.0, -2.0, 0.0};
+    EXPECT_TRUE(isLit(state, false, Kind::brake));
+    state.acceleration = {-2.0, 0.0, 0.0}; // in a bend, not braking
+    EXPECT_FALSE(isLit(state, false, Kind::brake));
+    state.speedMps = -1.0;
+    EXPECT_TRUE(isLit(state, false, Kind::reversing));
+    EXPECT_FALSE(isLit(state, false, Kind::head));
+    EXPECT_TRUE(isLit(state, true, Kind::head));
+}
+
+TEST(EntityNode, EqualShapesShareTheirMeshes)
+{
+    scenery::EntityShapes shapes;
+    EXPECT_EQ(shapes.of(UsualCar::shape()), shapes.of(UsualCar::shape()));
+    scenery::models::EntityShape other = UsualCar::shape();
+    other.blue = 0.5F;
+    EXPECT_NE(shapes.of(other), shapes.of(UsualCar::shape()));
 }
 
 TEST(AircraftModel, HasTheSizeItSaysAndStandsOnItsWheels)

@@ -93,6 +93,12 @@ TEST_F(RoadLights, ShowTheirState)
     EXPECT_GT(go.green, 50);
     EXPECT_EQ(go.red + go.amber, 0);
 
+    ASSERT_TRUE(_things->setState("7", "off;on;off"));
+    const Shining second = shown();
+    EXPECT_GT(second.amber, 50);
+    EXPECT_EQ(second.red + second.green, 0);
+    EXPECT_FALSE(_things->setState("7", "off;bright;off"));
+
     ASSERT_TRUE(_things->setState("7", LightState::off));
     EXPECT_EQ(shown(), Shining());
 }

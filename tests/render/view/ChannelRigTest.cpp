@@ -9,8 +9,8 @@
 #include <osgOffscreen/ImageComparison>
 
 #include "RenderedView.h"
+#include "RenderedUsualCar.h"
 #include "scenery/nodes/AircraftModel.h"
-#include "scenery/nodes/CarModel.h"
 
 using osgOffscreen::compareImages;
 using trainer::ViewSetup;
@@ -77,7 +77,7 @@ osg::ref_ptr<osg::Image> cut(const osg::Image& picture, unsigned leftPx, unsigne
 struct CarOnGround : rendered::ViewScene
 {
     CarOnGround() { root->addChild(car.node()); }
-    scenery::CarModel car;
+    UsualCar car;
     const scenery::Pose eye = scenery::poseLookingAt({-6.0, -5.0, 2.5}, {1.3, 0.4, 0.8});
 };
 
@@ -130,10 +130,10 @@ TEST(ChannelRig, PicturesDoNotDependOnHowFarFromTheOriginTheSceneLies)
     const auto a = draw(near.root, trainer::singleChannel(320, 160), near.eye);
     const auto b = draw(far.root, trainer::singleChannel(320, 160), eye);
     const auto difference = compareImages(*a[0], *b[0]);
-    // The rounding of the matrices differs, by a level or two of shading; a shift by a pixel would be tens of levels.
-    EXPECT_TRUE(difference.within(320U * 160U / 20, 2)) << difference.message();
+    // The rounding of the matrices differs, by up to three levels of a shaded texture; a shift by a pixel would be tens of levels.
+    EXPECT_TRUE(difference.within(320U * 160U / 20, 3)) << difference.message();
     eye.positionWorld.y += 0.05;
     const auto shifted = draw(far.root, trainer::singleChannel(320, 160), eye);
-    EXPECT_FALSE(compareImages(*a[0], *shifted[0]).within(320U * 160U / 20, 2))
+    EXPECT_FALSE(compareImages(*a[0], *shifted[0]).within(320U * 160U / 20, 3))
         << "the bound sees five centimetres";
 }

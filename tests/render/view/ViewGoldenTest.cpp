@@ -4,8 +4,8 @@
 #include "RenderedGolden.h"
 #include "RenderedPicture.h"
 #include "RenderedView.h"
+#include "RenderedUsualCar.h"
 #include "scenery/nodes/AircraftModel.h"
-#include "scenery/nodes/CarModel.h"
 
 namespace
 {
@@ -29,7 +29,7 @@ std::string rendererOf(osgOffscreen::Backend backend)
 osg::ref_ptr<osg::Image> carPicture(osgOffscreen::Backend backend, double steeringDeg = 12.0)
 {
     const rendered::ViewScene scene;
-    scenery::CarModel car;
+    UsualCar car;
     simulation::EntityState state;
     state.steeringDeg = steeringDeg;
     car.setState(state);
@@ -55,6 +55,34 @@ TEST(ViewGolden, CarAndAircraftAreAsStored)
         EXPECT_TRUE(rendered::matchesGolden(*carPicture(backend), "view-car", rendererOf(backend)));
         EXPECT_TRUE(rendered::matchesGolden(*aircraftPicture(backend), "view-aircraft", rendererOf(backend)));
     }
+}
+
+TEST(EntityLamps, ShineOnlyWhileTheyAreLit)
+{
+    using Lamp = scenery::models::EntityLamp::Kind;
+    const auto redOf = [](bool brakes)
+    {
+        const rendered::ViewScene scene;
+        UsualCar car;
+        scenery::models::LitLamps lit{};
+        lit[static_cast<std::size_t>(Lamp::brake)] = brakes;
+        car.setState({}, lit);
+        scene.root->addChild(car.node());
+        const auto picture =
+            rendered::pictureFrom(scene.root, scenery::poseLookingAt({-6.0, 0.0, 1.2}, {0.0, 0.0, 0.7}),
+                                  settingsOf(osgOffscreen::defaultBackend()));
+        int count = 0;
+        for (int y = 0; y < picture->t(); ++y)
+            for (int x = 0; x < picture->s(); ++x)
+            {
+                const unsigned char* pixel =
+                    picture->data(static_cast<unsigned>(x), static_cast<unsigned>(y));
+                count += pixel[0] > 235 && pixel[1] < 120;
+            }
+        return count;
+    };
+    EXPECT_EQ(redOf(false), 0);
+    EXPECT_GT(redOf(true), 20);
 }
 
 TEST(ViewGolden, SmallChangesDoNotMatch)

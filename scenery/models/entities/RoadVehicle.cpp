@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "scenery/models/entities/EntityGenerators.h"
+#include "scenery/models/entities/RollingParts.h"
+#include "scenery/models/vehicles/Vehicle.h"
+
+namespace scenery::models
+{
+
+namespace
+{
+
+VehicleKind vehicleKindOf(EntityKind kind)
+{
+    if (kind == EntityKind::van) return VehicleKind::van;
+    return kind == EntityKind::bus ? VehicleKind::bus : VehicleKind::saloon;
+}
+
+/// The lamps of a kind, as the texture shows them. Frame: the form's, before it is stretched. Units: metres.
+struct LampPlaces
+{
+    glm::dvec2 head, tail; ///< y and z of their middles
+    glm::dvec2 headSize, tailSize;
+};
+
+LampPlaces lampPlaces(VehicleKind kind)
+{
+    if (kind == VehicleKind::van) return {{0.70, 0.77}, {0.945, 1.15}, {0.24, 0.16}, {0.13, 0.18}};
+    if (kind == VehicleKind::bus) return {{0.84, 0.68}, {1.075, 1.0}, {0.32, 0.13}, {0.22, 0.18}};
+    return {{0.68, 0.66}, {0.635, 0.815}, {0.22, 0.10}, {0.16, 0.13}};
+}
+
+/// Returns x of the foremost (or hindmost) cross-section that contains (y, z).
+double surfaceX(const VehicleForm& form, const glm::dvec2& at, bool isAhead)
+{
+    constexpr int kSteps = 400;
+    for (int i = 0; i < kSteps / 2; ++i)
+    {
+        const double x = (isAhead ? 1.0 : -1.0) * form.lengthM * (0.5 - static_cast<double>(i) / kSteps);
+        if (form.half(x) >= at.x && form.top(x) >= at.y && form.bottom(x) <= at.y) return x;
+    }
+    return 0.0;
+}
+
+class LampBuilder
+{
+public:
+    LampBuilder(const StretchedForm& body, double middleXM, EntityModel& model)
+        : _body(body), _middleXM(middleXM), _model(model)
+    {
+    }
+
+    /// Adds a lamp on both sides. `at`: y and z in the form's frame.
+    void pair(EntityLamp::Kind left, EntityLamp::Kind right, const glm::dvec2& at, const glm::dvec2& size,
+              bool looksAhead)
+    {
+        constexpr double kAheadM = 0.012;
+        const glm::dvec2 inner(std::max(at.x - 0.5 * size.x, 0.0), at.y);
+        const double x = surfaceX(_body.form, inner, looksAhead) * _body.stretch.x +
+                         (looksAhead ? kAheadM : -kAheadM) + _middleXM;
+        for (const double side : {1.0, -1.0})
+            _model.lamps.push_back({side > 0.0 ? left : right,
+                                    {x, side * at.x * _body.stretch.y, at.y * _body.stretch.z},
+                                    looksAhead,
+                                    size.x * _body.stretch.y,
+                                    size.y * _body.stretch.z});
+    }
+
+private:
+    const StretchedForm& _body;
+    double _middleXM;
+    EntityModel& _model;
+};
+
+void addLamps(EntityModel& model, const StretchedForm& body, VehicleKind kind, double middleXM)
+{
+    using Lamp = EntityLamp::Kind;
+    const LampPlaces places = lampPlaces(kind);
+    LampBuilder lamps(body, middleXM, model);
+    const auto beside = [](const glm::dvec2& at, const glm::dvec2& size, double share)
+    { return at + glm::dvec2(share * size.x, 0.0); };
+    lamps.pair(Lamp::head, Lamp::head, places.head, places.headSize, true);
+    lamps.pair(Lamp::indicatorLeft, Lamp::indicatorRight, beside(places.head, places.headSize, 0.65),
+               places.headSize * glm::dvec2(0.3, 0.8), true);
+    lamps.pair(Lamp::tail, Lamp::tail, places.tail - glm::dvec2(0.0, 0.25 * places.tailSize.y),
+               places.tailSize * glm::dvec2(1.0, 0.4), false);
+    lamps.pair(Lamp::brake, Lamp::brake, places.tail + glm::dvec2(0.0, 0.25 * places.tailSize.y),
+               places.tailSize * glm::dvec2(1.0, 0.45), false);
+    lamps.pair(Lamp::indicatorLeft, Lamp::indicatorRight, beside(places.tail, places.tailSize, 0.55),
+               places.tailSize * glm::dvec2(0.35, 0.8), false);
+    lamps.pair(Lamp::reversing, Lamp::reversing, beside(places.tail, places.tailSize, -0.7),
+               places.tailSize * glm::dvec2(0.4, 0.4), false);
+}
+
+/// Returns the form with its axles and wheels where the shape has them.
+VehicleForm formFor(const EntityShape& shape, VehicleKind kind, const glm::dvec3& stretch)
+{
+    VehicleForm form = vehicleForm(kind);
+    if (shape.axles.size() < 2) return form;
+    const auto inForm = [&](double x) { return (x - shape.middleXM) / stretch.x; };
+    const double reach = 0.5 * form.lengthM - 1.4 * form.archRadiusM;
+    form.axles = {std::clamp(inForm(shape.axles.front().xM), 0.0, reach),
+                  std::clamp(inForm(shape.axles.back().xM), -reach, 0.0)};
+    const double radius = shape.axles.front().wheelRadiusM / stretch.z;
+    form.archRadiusM = radius * form.archRadiusM / form.wheelRadiusM;
+    form.wheelRadiusM = radius;
+    return form;
+}
+
+} // namespace
+
+EntityModel makeRoadVehicle(const EntityShape& shape)
+{
+    const VehicleKind kind = vehicleKindOf(shape.kind);
+    const VehicleForm& usual = vehicleForm(kind);
+    const glm::dvec3 stretch(shape.lengthM / usual.lengthM, shape.widthM / usual.widthM,
+                             shape.heightM / usual.heightM);
+    const VehicleForm form = formFor(shape, kind, stretch);
+    const StretchedForm body{form, stretch};
+    ModelBuilder builder;
+    addVehicleShell(builder, kind, body, {shape.red, shape.green, shape.blue});
+    EntityModel model;
+    model.parts = {model.addMesh(builder.finish(38.0))};
+    addWheels(model, shape, glm::translate(glm::dmat4(1.0), {shape.middleXM, 0.0, 0.0}), form.wheelWidthM);
+    addLamps(model, body, kind, shape.middleXM);
+    const double seatAheadM = kind == VehicleKind::saloon ? 0.4889 * shape.lengthM : shape.lengthM - 1.6;
+    model.eye = {
+        shape.backXM() + (kind == VehicleKind::bus ? shape.lengthM - 1.0 : seatAheadM), 0.2 * shape.widthM,
+        kind == VehicleKind::saloon ? 1.2 : shape.heightM * (kind == VehicleKind::van ? 0.70 : 0.62)};
+    return model;
+}
+
+} // namespace scenery::models

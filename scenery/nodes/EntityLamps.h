@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include <osg/Geometry>
+#include <osg/Node>
+
+#include "scenery/models/entities/EntityModel.h"
+#include "simulation/player/EntityState.h"
+
+namespace scenery
+{
+
+/// Returns the lamps that a driver has on where no action says otherwise: the brake lamps while the entity slows down by
+/// more than 0.5 m/s², the reversing lamps while it goes backwards, and head and tail lamps in the dark.
+models::LitLamps usualLamps(const simulation::EntityState& state, bool isDark);
+
+/// The lamps of one entity. Those that are lit shine by themselves; the others are not drawn, so that the lenses of the
+/// model are seen. Frame: the entity's. Threads: light() in the update phase.
+class EntityLamps
+{
+public:
+    /// All lamps begin dark.
+    explicit EntityLamps(std::vector<models::EntityLamp> lamps);
+
+    /// Null when there are no lamps.
+    osg::Node* node() const { return _node.get(); }
+
+    void light(const models::LitLamps& lit);
+
+private:
+    std::vector<models::EntityLamp> _lamps;
+    models::LitLamps _lit{};
+    osg::ref_ptr<osg::Vec4Array> _colours = new osg::Vec4Array;
+    osg::ref_ptr<osg::Node> _node;
+};
+
+} // namespace scenery

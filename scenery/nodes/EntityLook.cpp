@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scenery/nodes/EntityLook.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <string_view>
+#include <vector>
+
+#include "scenery/models/entities/UsualSize.h"
+
+namespace scenery
+{
+
+namespace
+{
+
+using models::EntityKind;
+using models::EntityShape;
+
+struct Colour
+{
+    float red, green, blue;
+};
+
+/// The words that can tell what an object is, in lower case.
+std::string wordsOf(const simulation::ScenarioObject& object)
+{
+    std::string words = object.name + ' ' + object.model3d();
+    std::visit(
+        [&](const auto& content)
+        {
+            if constexpr (requires { content.category; }) words += ' ' + content.name;
+        },
+        object.object);
+    std::transform(words.begin(), words.end(), words.begin(),
+                   [](unsigned char c) { return std::tolower(c); });
+    return words;
+}
+
+bool hasAny(const std::string& words, std::initializer_list<std::string_view> searched)
+{
+    return std::any_of(searched.begin(), searched.end(),
+                       [&](std::string_view word) { return words.find(word) != std::string::npos; });
+}
+
+EntityKind kindOf(const simulation::Vehicle& vehicle, const std::string& words)
+{
+    const std::string& category = vehicle.category;
+    if (category == "bus" || category == "train" || category == "tram") return EntityKind::bus;
+    if (category == "van") return EntityKind::van;
+    if (category == "truck" || category == "semitractor")
+    {
+        if (category == "semitractor" || hasAny(words, {"tractor"})) return EntityKind::tractor;
+        return vehicle.box.lengthM < 4.5 && hasAny(words, {"van"}) ? EntityKind::van : EntityKind::lorry;
+    }
+    if (category == "semitrailer") return EntityKind::semitrailer;
+    if (category == "trailer") return hasAny(words, {"semi"}) ? EntityKind::semitrailer : EntityKind::trailer;
+    if (category == "motorbike") return EntityKind::motorbike;
+    if (category == "bicycle") return EntityKind::bicycle;
+    return hasAny(words, {"van"}) && vehicle.box.heightM > 1.9 ? EntityKind::van : EntityKind::car;
+}
+
+EntityKind kindOf(const simulation::Pedestrian& pedestrian, const std::string& words)
+{
+    if (pedestrian.category == "wheelchair") return EntityKind::wheelchair;
+    const bool isAnimal = pedestrian.category == "animal" || hasAny(words, {"moose", "deer", "_dog", "dog_"});
+    return isAnimal ? EntityKind::animal : EntityKind::pedestrian;
+}
+
+EntityKind kindOf(const simulation::MiscObject& object, const std::string& words)
+{
+    if (hasAny(words, {"cone", "pylon"})) return EntityKind::cone;
+    if (object.category == "barrier" || hasAny(words, {"wall", "barrier"})) return EntityKind::barrier;
+    const bool isPole =
+        object.category == "pole" || object.category == "streetLamp" || hasAny(words, {"pole"});
+    return isPole ? EntityKind::pole : EntityKind::box;
+}
+
+EntityKind kindOf(const simulation::Unsupported&, const std::string&)
+{
+    return EntityKind::box;
+}
+
+bool isPaintable(EntityKind kind)
+{
+    return kind != EntityKind::animal && kind != EntityKind::box;
+}
+
+/// A colour by a word of the names, else one of several by a hash of the object's name (FNV-1a).
+Colour colourOf(const std::string& words, const std::string& name, EntityKind kind)
+{
+    static constexpr std::array<std::pair<std::string_view, Colour>, 12> kNamed{
+        {{"white", {0.93F, 0.93F, 0.92F}},
+         {"red", {0.72F, 0.09F, 0.08F}},
+         {"blue", {0.12F, 0.24F, 0.52F}},
+         {"yellow", {0.88F, 0.70F, 0.14F}},
+         {"green", {0.16F, 0.38F, 0.24F}},
+         {"black", {0.09F, 0.09F, 0.10F}},
+         {"silver", {0.70F, 0.72F, 0.74F}},
+         {"grey", {0.45F, 0.46F, 0.48F}},
+         {"gray", {0.45F, 0.46F, 0.48F}},
+         {"orange", {0.85F, 0.40F, 0.08F}},
+         {"brown", {0.36F, 0.25F, 0.17F}},
+         {"police", {0.93F, 0.93F, 0.94F}}}};
+    if (isPaintable(kind))
+        for (const auto& [word, colour] : kNamed)
+            if (words.find(word) != std::string::npos) return colour;
+    static constexpr std::array<Colour, 8> kPaints{{{0.72F, 0.10F, 0.09F},
+                                                    {0.80F, 0.81F, 0.83F},
+                                                    {0.15F, 0.26F, 0.48F},
+                                                    {0.42F, 0.44F, 0.47F},
+                                                    {0.20F, 0.34F, 0.26F},
+                                                    {0.62F, 0.56F, 0.46F},
+                                                    {0.93F, 0.93F, 0.92F},
+                                                    {0.78F, 0.55F, 0.12F}}};
+    static constexpr std::array<Colour, 8> kCoats{{{0.33F, 0.24F, 0.16F},
+                                                   {0.28F, 0.20F, 0.14F},
+                                                   {0.40F, 0.29F, 0.19F},
+                                                   {0.30F, 0.25F, 0.20F},
+                                                   {0.36F, 0.26F, 0.15F},
+                                                   {0.24F, 0.19F, 0.15F},
+                                                   {0.42F, 0.33F, 0.24F},
+                                                   {0.31F, 0.22F, 0.16F}}};
+    static constexpr std::array<Colour, 1> kWood{{{0.58F, 0.44F, 0.28F}}};
+    std::uint32_t hash = 2166136261U;
+    for (const char c : name)
+        hash = (hash ^ static_cast<unsigned char>(c)) * 16777619U;
+    if (kind == EntityKind::box) return kWood[0];
+    return kind == EntityKind::animal ? kCoats[hash % kCoats.size()] : kPaints[hash % kPaints.size()];
+}
+
+void addAxle(EntityShape& shape, const simulation::Axle& axle)
+{
+    if (axle.wheelDiameterM > 0.0)
+        shape.axles.push_back(
+            {axle.positionXM, axle.trackWidthM, 0.5 * axle.wheelDiameterM, axle.maxSteeringRad > 0.0});
+}
+
+void takeAxles(EntityShape& shape, const simulation::Vehicle& vehicle)
+{
+    if (vehicle.frontAxle) addAxle(shape, *vehicle.frontAxle);
+    addAxle(shape, vehicle.rearAxle);
+    for (const simulation::Axle& axle : vehicle.additionalAxles)
+        addAxle(shape, axle);
+    for (std::size_t i = 0; i < shape.axles.size();
+         ++i) // a maxSteering at the rear is a habit of files, not a steered axle
+        shape.axles[i].steers = shape.axles[i].steers && i == 0 && vehicle.frontAxle.has_value();
+}
+
+std::string metres(double value)
+{
+    std::string text = std::to_string(value);
+    return text.substr(0, text.find('.') + 2);
+}
+
+} // namespace
+
+std::optional<EntityLook> entityLook(const simulation::ScenarioObject& object)
+{
+    if (object.isAirborne()) return std::nullopt;
+    const std::string words = wordsOf(object);
+    const simulation::BoundingBox& box = object.box();
+    EntityLook look;
+    EntityShape& shape = look.shape;
+    shape.kind = std::visit([&](const auto& content) { return kindOf(content, words); }, object.object);
+    shape.lengthM = box.lengthM;
+    shape.widthM = box.widthM;
+    shape.heightM = box.heightM;
+    shape.middleXM = box.centre.x;
+    if (const auto* vehicle = std::get_if<simulation::Vehicle>(&object.object)) takeAxles(shape, *vehicle);
+    const Colour colour = colourOf(words, object.name, shape.kind);
+    shape.red = colour.red;
+    shape.green = colour.green;
+    shape.blue = colour.blue;
+    if (models::isPlausible(shape)) return look;
+    models::setUsualSize(shape);
+    if (box == simulation::BoundingBox{}) return look; // the file gives no size
+    look.note = object.name + ": a bounding box of " + metres(box.lengthM) + " m by " + metres(box.widthM) +
+                " m by " + metres(box.heightM) + " m cannot be that of its category; it is drawn " +
+                metres(shape.lengthM) + " m long";
+    return look;
+}
+
+} // namespace scenery

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "scenery/models/entities/EntityShape.h"
+#include "simulation/scenario/Entity.h"
+
+namespace scenery
+{
+
+/// What a scenario's object looks like.
+struct EntityLook
+{
+    models::EntityShape shape;
+    std::string note; ///< why the shape differs from the file's; empty: it does not
+};
+
+/// Chooses kind, size and colour. The kind follows the category and, where that leaves it open, words in the names of the
+/// object, of its type and of its model (tractor, cone, wall, moose …); the colour follows a colour word there (`car_red`),
+/// else the object's name. The size is that of the bounding box, or the usual one where the box cannot be that of the kind.
+/// Nothing for aircraft and helicopters. Pure.
+std::optional<EntityLook> entityLook(const simulation::ScenarioObject& object);
+
+} // namespace scenery
