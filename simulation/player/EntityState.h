@@ -8,6 +8,7 @@
 
 #include <glm/glm.hpp>
 
+#include "simulation/player/AircraftParts.h"
 #include "simulation/road/RoadPlace.h"
 
 namespace simulation
@@ -35,7 +36,8 @@ struct EntityState
     /// wheels. Front left, front right, rear left, rear right; 0 when airborne.
     std::array<double, 4> wheelTravelM{};
     bool isOnGround = false;
-    std::optional<RoadPlace> place; ///< on the road network; nothing without one
+    std::optional<AircraftParts> aircraft; ///< of one that flies by its own physics
+    std::optional<RoadPlace> place;        ///< on the road network; nothing without one
     bool isAtEndOfRoad = false;
     glm::dvec3 acceleration{0.0}; ///< m/s², difference of velocities between steps; on a road network only
     bool isPresent =

@@ -4,9 +4,11 @@
 #include <span>
 #include <string_view>
 
+#include <foundation/Result.h>
 #include <glm/glm.hpp>
 #include <glm/gtc/quaternion.hpp>
 
+#include "simulation/player/EntityState.h"
 #include "simulation/vehicle/Air.h"
 #include "simulation/vehicle/Ground.h"
 
@@ -40,6 +42,16 @@ struct VehicleState
     bool isOnGround = false;
 };
 
+/// Where and how a vehicle begins.
+/// Frame: the scene's east-north-up, as EntityState: the place is that of the reference point. Units: metres, radians, m/s.
+struct VehicleStart
+{
+    glm::dvec3 position{0.0};
+    double headingRad = 0.0; ///< counter-clockwise from east
+    double speedMps = 0.0;
+    bool isInAir = false; ///< it flies there; else it stands or rolls on the ground below the position
+};
+
 /// Anything that moves by its own physics. Whoever controls it writes inputs; whoever shows it reads the state.
 /// Determinism: the same inputs, ground and air give the same bytes. Threads: one at a time.
 class DynamicVehicle
@@ -57,6 +69,16 @@ public:
     virtual double stepSeconds() const = 0;
 
     virtual void step(const Ground& ground, const Air& air) = 0;
+
+    /// Puts the vehicle where it begins, at the time 0, sound and as steady as it can be there.
+    /// Errors: no such beginning (in water, inside the ground, too slow to fly), with the place; then the vehicle is as before.
+    virtual foundation::Outcome begin(const VehicleStart& start, const Ground& ground, const Air& air) = 0;
+
+    /// The reference point of EntityState, from the centre of mass: on the ground below the rear axle, struts unloaded. Body axes.
+    virtual glm::dvec3 referencePoint() const = 0;
+
+    /// Writes what pictures need besides the motion: wheels, steering, surfaces.
+    virtual void writeParts(EntityState& entity) const = 0;
 
     virtual VehicleState state() const = 0;
     virtual VehicleStatus status() const = 0;

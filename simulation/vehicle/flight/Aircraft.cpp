@@ -40,7 +40,7 @@ ForceMoment wreckLoad(const AircraftData& aircraft, const MassProperties& mass, 
 
 Aircraft::Aircraft(std::shared_ptr<const AircraftData> data, std::shared_ptr<const EarthFrame> earth,
                    std::uint64_t seed)
-    : _data(std::move(data)), _earth(std::move(earth)), _contacts(*_data), _turbulence(seed)
+    : _data(std::move(data)), _earth(std::move(earth)), _contacts(*_data), _turns(*_data), _turbulence(seed)
 {
     for (std::size_t i = 0; i < _data->tanks.size() && i < kMostTanks; ++i)
         _state.fuelKg[i] = _data->tanks[i].contentsKg;
@@ -231,6 +231,9 @@ void Aircraft::step(const Ground& ground, const Air& air)
     if (_status.condition == VehicleCondition::crashed) loads.load = wreckLoad(*_data, mass, loads.air);
     stepMotion(mass, loads, _surroundings, ground);
     stepSystems(loads, _surroundings);
+    _turns.step(*_data, _contacts.contacts(),
+                glm::dot(_state.motion.velocity, _state.motion.attitude * glm::dvec3(1.0, 0.0, 0.0)),
+                _state.engineRadps, kStepS);
     _timeS = _startS + static_cast<double>(++_step) * kStepS;
     if (isComputable()) return;
     _state = before;

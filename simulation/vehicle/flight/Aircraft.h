@@ -10,6 +10,7 @@
 #include "simulation/vehicle/flight/DrydenTurbulence.h"
 #include "simulation/vehicle/flight/FlightModel.h"
 #include "simulation/vehicle/flight/GroundContacts.h"
+#include "simulation/vehicle/flight/WheelTurns.h"
 
 namespace simulation
 {
@@ -47,6 +48,9 @@ public:
     std::span<double> inputs() override { return _inputs; }
     double stepSeconds() const override { return kStepS; }
     void step(const Ground& ground, const Air& air) override;
+    foundation::Outcome begin(const VehicleStart& start, const Ground& ground, const Air& air) override;
+    glm::dvec3 referencePoint() const override;
+    void writeParts(EntityState& entity) const override;
     VehicleState state() const override;
     VehicleStatus status() const override { return _status; }
 
@@ -65,6 +69,17 @@ public:
     static constexpr double kStepS = 1.0 / 120.0;
 
 private:
+    /// Where begin() puts it.
+    struct Beginning
+    {
+        FlightState state;
+        FlightInputs inputs;
+    };
+
+    foundation::Result<Beginning> flyingState(const VehicleStart& start, const GroundPoint& below,
+                                              const Air& air) const;
+    foundation::Result<Beginning> standingState(const VehicleStart& start, const GroundPoint& below,
+                                                const Ground& ground) const;
     FlightSurroundings surroundingsNow(const Ground& ground, const Air& air);
     void stepSystems(const FlightLoads& loads, const FlightSurroundings& surroundings);
     void stepMotion(const MassProperties& mass, const FlightLoads& loads,
@@ -89,6 +104,7 @@ private:
     double _startS = 0.0;
     bool _isOnGround = false;
     GroundContacts _contacts;
+    WheelTurns _turns;
     DrydenTurbulence _turbulence;
     VehicleStatus _status;
 };

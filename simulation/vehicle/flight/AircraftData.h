@@ -181,6 +181,7 @@ struct ContactData
     double springNPerM = 0.0;
     double dampingNsPerM = 0.0;
     double friction = 0.8; ///< on dry asphalt, sideways and braked
+    double radiusM = 0.2;  ///< of a wheel
     double steeringDeg = 0.0;
     Brake brake = Brake::none;
     double strongestMps = 0.0; ///< vertical speed at which it breaks

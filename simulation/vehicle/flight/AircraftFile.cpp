@@ -120,7 +120,7 @@ void readPropeller(AircraftReader& reader, pugi::xml_node root, PropellerData& p
 void readContact(AircraftReader& reader, pugi::xml_node node, bool isWheel, AircraftData& data)
 {
     reader.onlyAttributes(
-        node, isWheel ? "xM yM zM springNPerM dampingNsPerM friction steeringDeg brake breaksAtMps"
+        node, isWheel ? "xM yM zM radiusM springNPerM dampingNsPerM friction steeringDeg brake breaksAtMps"
                       : "xM yM zM springNPerM dampingNsPerM friction breaksAtMps");
     ContactData contact;
     contact.name = reader.name(node);
@@ -132,6 +132,7 @@ void readContact(AircraftReader& reader, pugi::xml_node node, bool isWheel, Airc
     contact.strongestMps = reader.number(node, "breaksAtMps", 0.0, 1000.0);
     if (isWheel)
     {
+        contact.radiusM = reader.number(node, "radiusM", 0.01, 5.0);
         contact.steeringDeg = reader.number(node, "steeringDeg", -90.0, 90.0);
         const std::string_view brake = node.attribute("brake").value();
         contact.brake = brake == "left" ? Brake::left : brake == "right" ? Brake::right : Brake::none;

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "simulation/vehicle/ProvidedGround.h"
 #include "simulation/vehicle/WeatherAir.h"
 #include "simulation/vehicle/flight/Aircraft.h"
 #include "simulation/vehicle/flight/AircraftFile.h"

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "simulation/player/EntityState.h"
+#include "simulation/scenario/Entity.h"
+#include "simulation/vehicle/DynamicVehicle.h"
+
+namespace simulation
+{
+
+/// The others in the scene, as they were at the end of the step before. Without a scenario there is nobody.
+struct Traffic
+{
+    std::span<const EntityState> entities{}; ///< in the scenario's order
+    std::span<const BoundingBox> boxes{};    ///< of the same; entity's frame
+    int own = -1;                            ///< which of them is controlled; -1: none
+    const std::map<std::string, std::string>* signalStates =
+        nullptr; ///< by the signal's id; null: no signals
+};
+
+/// All that a controller may know before a step.
+struct ControlView
+{
+    const VehicleState& state;
+    VehicleStatus status;
+    const Ground& ground;
+    const Air& air;
+    const Traffic& traffic;
+    std::int64_t step = 0; ///< steps made since the vehicle's start
+    double timeS = 0.0;    ///< of the simulation
+};
+
+/// Whatever controls a vehicle: recorded inputs, an autopilot, a driver, hands. It has its route and its orders from its maker.
+/// Determinism: the inputs depend on the views so far alone. Threads: one.
+class VehicleController
+{
+public:
+    virtual ~VehicleController() = default;
+
+    /// Writes the inputs of the step that follows. `inputs`: those of the last step, in the order of DynamicVehicle::inputNames().
+    virtual void control(const ControlView& view, std::span<double> inputs) = 0;
+
+    /// What it is about, in a word or two, for logs and instruments; empty: nothing to say.
+    virtual std::string_view phase() const { return {}; }
+
+    /// Whether it has done all that it was told; it goes on controlling nevertheless.
+    virtual bool isDone() const { return false; }
+};
+
+} // namespace simulation

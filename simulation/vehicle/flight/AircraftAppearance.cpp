@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <foundation/Angle.h>
+
+#include "simulation/vehicle/flight/Aircraft.h"
+
+namespace simulation
+{
+namespace
+{
+
+GearLeg legOf(const ContactData& wheel)
+{
+    constexpr double kMiddleM = 0.1;
+    if (wheel.place.y < -kMiddleM) return kLeftLeg;
+    return wheel.place.y > kMiddleM ? kRightLeg : kNoseLeg;
+}
+
+} // namespace
+
+void Aircraft::writeParts(EntityState& entity) const
+{
+    AircraftParts parts;
+    const SurfaceAngles surfaces = surfaceAngles(*_data, _inputs, _state.flapDeg);
+    parts.elevatorDeg = foundation::degreesOf(surfaces.elevator);
+    parts.leftAileronDeg = foundation::degreesOf(surfaces.aileron);
+    // The right one goes the other way, by its own travel.
+    parts.rightAileronDeg =
+        _data->aileron.degreesAt(-trimmedInputOf(_inputs, FlightInput::aileron, FlightInput::aileronTrim));
+    parts.rudderDeg = foundation::degreesOf(surfaces.rudder);
+    parts.flapDeg = _state.flapDeg;
+    parts.propellerTurnDeg = _turns.propellerDeg();
+    parts.propellerRadps = _state.engineRadps;
+    const std::span<const Contact> contacts = _contacts.contacts();
+    for (std::size_t i = 0; i < contacts.size(); ++i)
+    {
+        const ContactData& data = _data->contacts[i];
+        if (!data.isWheel) continue;
+        const GearLeg leg = legOf(data);
+        parts.strutM[leg] = std::max(0.0, contacts[i].depthM);
+        parts.wheelTurnDeg[leg] = _turns.wheelDeg(i);
+        if (leg == kNoseLeg) parts.noseSteeringDeg = data.steeringDeg * inputOf(_inputs, FlightInput::rudder);
+    }
+    const bool isRunning = _status.condition == VehicleCondition::sound && _state.engineRadps > 0.0;
+    parts.hasNavigationLights = parts.hasStrobes = parts.hasBeacon = parts.hasLandingLight = isRunning;
+    entity.aircraft = parts;
+    entity.wheelRotationDeg = parts.wheelTurnDeg[kLeftLeg];
+    entity.steeringDeg = parts.noseSteeringDeg;
+    entity.isOnGround = _isOnGround;
+}
+
+} // namespace simulation
