@@ -8,8 +8,8 @@
 #include <osgOffscreen/FrameGrabber>
 #include <osgOffscreen/ImageComparison>
 
-#include "RenderedView.h"
 #include "RenderedUsualCar.h"
+#include "RenderedView.h"
 #include "scenery/nodes/AircraftModel.h"
 
 using osgOffscreen::compareImages;

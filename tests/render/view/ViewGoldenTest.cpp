@@ -3,8 +3,8 @@
 
 #include "RenderedGolden.h"
 #include "RenderedPicture.h"
-#include "RenderedView.h"
 #include "RenderedUsualCar.h"
+#include "RenderedView.h"
 #include "scenery/nodes/AircraftModel.h"
 
 namespace
