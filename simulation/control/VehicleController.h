@@ -2,27 +2,14 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <span>
-#include <string>
 #include <string_view>
 
-#include "simulation/player/EntityState.h"
-#include "simulation/scenario/Entity.h"
+#include "simulation/player/Traffic.h"
 #include "simulation/vehicle/DynamicVehicle.h"
 
 namespace simulation
 {
-
-/// The others in the scene, as they were at the end of the step before. Without a scenario there is nobody.
-struct Traffic
-{
-    std::span<const EntityState> entities{}; ///< in the scenario's order
-    std::span<const BoundingBox> boxes{};    ///< of the same; entity's frame
-    int own = -1;                            ///< which of them is controlled; -1: none
-    const std::map<std::string, std::string>* signalStates =
-        nullptr; ///< by the signal's id; null: no signals
-};
 
 /// All that a controller may know before a step.
 struct ControlView

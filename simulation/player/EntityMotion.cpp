@@ -70,6 +70,18 @@ void EntityMotion::towTo(const glm::dvec3& position, double headingRad, double s
     _state.velocity = _state.bodyToLocal()[0] * speedMps;
 }
 
+void EntityMotion::takeState(const EntityState& state, double timeS)
+{
+    EntityState taken = state;
+    taken.name = std::move(_state.name);
+    taken.place = _state.place;
+    _state = std::move(taken);
+    _timeS = timeS;
+    if (!_roads) return;
+    findPlace();
+    _state.position.z = state.position.z;
+}
+
 void EntityMotion::setLane(int lane, double offsetM, double turnRad, double alongShare)
 {
     _alongShare = alongShare;

@@ -46,7 +46,11 @@ public:
     /// Puts the entity where it is drawn to, at the speed of what draws it.
     void towTo(const glm::dvec3& position, double headingRad, double speedMps);
 
+    /// Takes the state of what moves the entity in place of its actions; name and place on the road are found here.
+    void takeState(const EntityState& state, double timeS);
+
     void setWay(RoadWay way) { _way = std::move(way); }
+    bool isAirborne() const { return _isAirborne; }
     bool isOnTrajectory() const { return _run.has_value(); }
 
     /// Starts an action and returns its ticket for isDone() and cancel(). A new action of the same kind ends the one

@@ -23,7 +23,10 @@ public:
           _performer(scenario, frame, _roads.get(), clock, _environmentClock),
           _runner(scenario.storyboard, _performer)
     {
+        for (const auto& [entity, motion] : options.motions)
+            _performer.lend(scenario.entityIndex(entity), motion);
         _performer.performInit();
+        begun = _performer.beginLent();
         publish();
         look();
         _runner.step(clock.seconds());
@@ -51,6 +54,7 @@ public:
     Scenario scenario;
     SceneFrame frame;
     FixedClock clock;
+    foundation::Outcome begun = foundation::success(); ///< of the motions that were lent
     std::vector<EntityState> states;
     EnvironmentState environment;
 
@@ -95,7 +99,13 @@ foundation::Result<std::unique_ptr<ScenarioPlayer>> ScenarioPlayer::create(Scena
             checkPlayable(scenario, frame, options.scenarioName, options.roads.get());
         !playable)
         return playable.error();
-    return std::unique_ptr<ScenarioPlayer>(new ScenarioPlayer(std::move(scenario), std::move(options)));
+    for (const auto& [entity, motion] : options.motions)
+        if (scenario.entityIndex(entity) < 0)
+            return foundation::Error{options.scenarioName, "there is no entity '" + entity + "' to move",
+                                     "name one of Entities"};
+    std::unique_ptr<ScenarioPlayer> player(new ScenarioPlayer(std::move(scenario), std::move(options)));
+    if (const auto& begun = player->_stage->begun; !begun) return begun.error();
+    return player;
 }
 
 ScenarioPlayer::ScenarioPlayer(Scenario scenario, PlayerOptions options)

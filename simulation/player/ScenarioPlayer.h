@@ -12,6 +12,7 @@
 #include "simulation/clock/FixedClock.h"
 #include "simulation/player/EntityState.h"
 #include "simulation/player/EnvironmentState.h"
+#include "simulation/player/ExternalMotion.h"
 #include "simulation/player/SceneFrame.h"
 #include "simulation/player/StoryboardElements.h"
 #include "simulation/road/RoadScene.h"
@@ -27,6 +28,9 @@ struct PlayerOptions
     FixedClock clock = FixedClock(120);
     std::string scenarioName = "scenario";    ///< replaces the file in errors: scenarioName:line
     std::shared_ptr<const RoadScene> roads{}; ///< of the LogicFile; null: positions on roads are not placed
+
+    /// What moves entities in place of their actions, by name; Init tells where they begin.
+    std::map<std::string, std::shared_ptr<ExternalMotion>> motions{};
 };
 
 /// Plays a scenario in fixed steps. Its states depend on the scenario, the options and the number of steps only: two
@@ -40,7 +44,7 @@ class ScenarioPlayer
 {
 public:
     /// Errors, with the line of the element: a place on a road without a road network, a GeoPosition without an origin, an unknown entity or storyboard
-    /// element, a trajectory that cannot be run. Unsupported content of a tolerant reading is skipped: such an action
+    /// element, a trajectory that cannot be run, a motion of no entity or that cannot begin. Unsupported content of a tolerant reading is skipped: such an action
     /// ends at once, such a condition is never true, such an entity stands at the origin.
     static foundation::Result<std::unique_ptr<ScenarioPlayer>> create(Scenario scenario,
                                                                       PlayerOptions options);

@@ -68,7 +68,11 @@ ScenePerformer::ScenePerformer(const Scenario& scenario, const SceneFrame& frame
       _isHeld(scenario.entities.size(), false)
 {
     for (const ScenarioObject& object : scenario.entities)
+    {
         _motions.emplace_back(object, frame, roads);
+        _boxes.push_back(object.box());
+    }
+    _lent.resize(_motions.size());
     for (const ParameterDeclaration& parameter : scenario.parameters)
         _values[parameter.name] = parameter.value;
     for (const ParameterDeclaration& variable : scenario.variables)
@@ -102,10 +106,39 @@ void ScenePerformer::carryOn()
 void ScenePerformer::move()
 {
     _signals.advanceTo(timeS());
-    for (EntityMotion& motion : _motions)
-        motion.advanceTo(_clock->seconds());
+    for (std::size_t i = 0; i < _motions.size(); ++i)
+        if (!_lent[i]) _motions[i].advanceTo(_clock->seconds());
+    moveLent();
     _trailers.follow(_motions);
     publish();
+}
+
+void ScenePerformer::lend(int entity, std::shared_ptr<ExternalMotion> motion)
+{
+    _lent[static_cast<std::size_t>(entity)] = std::move(motion);
+}
+
+foundation::Outcome ScenePerformer::beginLent()
+{
+    for (std::size_t i = 0; i < _motions.size(); ++i)
+    {
+        if (!_lent[i]) continue;
+        const auto begun = _lent[i]->begin(_motions[i].state(), _motions[i].isAirborne());
+        if (!begun) return begun;
+        _motions[i].takeState(_lent[i]->state(), timeS());
+    }
+    publish();
+    return foundation::success();
+}
+
+/// All see the others as they were before.
+void ScenePerformer::moveLent()
+{
+    for (std::size_t i = 0; i < _motions.size(); ++i)
+        if (_lent[i])
+            _lent[i]->advanceTo(timeS(), {_states, _boxes, static_cast<int>(i), &_signals.states()});
+    for (std::size_t i = 0; i < _motions.size(); ++i)
+        if (_lent[i]) _motions[i].takeState(_lent[i]->state(), timeS());
 }
 
 void ScenePerformer::publish()

@@ -9,6 +9,7 @@
 #include "simulation/clock/FixedClock.h"
 #include "simulation/player/EntityMotion.h"
 #include "simulation/player/EnvironmentState.h"
+#include "simulation/player/ExternalMotion.h"
 #include "simulation/player/PositionSolver.h"
 #include "simulation/player/SignalPlan.h"
 #include "simulation/player/StoryboardRunner.h"
@@ -25,6 +26,12 @@ public:
     /// All must outlive it; `roads` may be null.
     ScenePerformer(const Scenario& scenario, const SceneFrame& frame, const RoadScene* roads,
                    const FixedClock& clock, EnvironmentClock& environment);
+
+    /// Lets something else move an entity; before performInit().
+    void lend(int entity, std::shared_ptr<ExternalMotion> motion);
+
+    /// Lets lent entities begin where they stand; after performInit(). Errors: one cannot.
+    foundation::Outcome beginLent();
 
     /// Performs the actions of Init: those of all entities that place something first, because positions may refer to
     /// entities that stand further down.
@@ -77,6 +84,7 @@ private:
     void setValue(const SetValueAction& action);
     void collide();
     void publish();
+    void moveLent();
 
     const Scenario* _scenario;
     const SceneFrame* _frame;
@@ -84,6 +92,8 @@ private:
     const FixedClock* _clock;
     EnvironmentClock* _environment;
     std::vector<EntityMotion> _motions;
+    std::vector<std::shared_ptr<ExternalMotion>> _lent; ///< by entity; null: it moves by its actions
+    std::vector<BoundingBox> _boxes;
     std::vector<EntityState> _states;
     PositionSolver _positions;
     std::vector<Running> _running;
