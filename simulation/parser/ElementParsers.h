@@ -9,12 +9,17 @@ namespace simulation
 // One function for each element that is read: it turns the element into its plain value. Problems go to the context
 // of the reader; each function returns a usable value in every case.
 
-Position parsePosition(ElementReader reader);                             // ParsePosition.cpp
-Orientation parseOrientation(ElementReader reader);                       // ParsePosition.cpp
-Orientation parseOrientationOf(ElementReader position);                   // ParsePosition.cpp
-Route parseRouteIn(ElementReader holder);                                 // ParseRoute.cpp
-RoutePosition parseRoutePosition(ElementReader reader);                   // ParseRoute.cpp
-Trajectory parseTrajectory(ElementReader reader);                         // ParseTrajectory.cpp
+Position parsePosition(ElementReader reader);               // ParsePosition.cpp
+Orientation parseOrientation(ElementReader reader);         // ParsePosition.cpp
+Orientation parseOrientationOf(ElementReader position);     // ParsePosition.cpp
+Route parseRouteIn(ElementReader holder);                   // ParseRoute.cpp
+RoutePosition parseRoutePosition(ElementReader reader);     // ParseRoute.cpp
+Trajectory parseTrajectory(ElementReader reader);           // ParseTrajectory.cpp
+TrajectoryShape parseTrajectoryShape(ElementReader reader); // ParseTrajectoryShape.cpp
+/// Refuses times that a Timing cannot use. `holder`: the element that the problem is told of.
+void checkShapeTimes(ParseContext& context, pugi::xml_node holder,
+                     const TrajectoryShape& shape);                       // ParseTrajectoryShape.cpp
+TrajectoryPosition parseTrajectoryPosition(ElementReader reader);         // ParseTrajectory.cpp
 FollowTrajectoryAction parseFollowTrajectory(ElementReader reader);       // ParseTrajectory.cpp
 Environment parseEnvironment(ElementReader reader);                       // ParseEnvironment.cpp
 PrivateAction parsePrivateAction(ElementReader reader);                   // ParseAction.cpp

@@ -131,6 +131,7 @@ Position parsePosition(ElementReader reader)
     if (content.is("RelativeObjectPosition")) return parseRelativePosition<RelativeObjectPosition>(content);
     if (content.is("RelativeWorldPosition")) return parseRelativePosition<RelativeWorldPosition>(content);
     if (content.is("RoutePosition")) return parseRoutePosition(content);
+    if (content.is("TrajectoryPosition")) return parseTrajectoryPosition(content);
     return unsupportedContent(content, "position");
 }
 

@@ -58,6 +58,11 @@ RoutePosition parseRoutePosition(ElementReader reader)
     position.orientation = parseOrientationOf(reader);
     position.route = parseRouteIn(reader.child("RouteRef"));
     ElementReader place = reader.child("InRoutePosition").onlyChild();
+    if (place.is("FromCurrentEntity"))
+    {
+        position.entity = parseEntityRef(place, "entityRef");
+        return position;
+    }
     if (place.is("FromLaneCoordinates"))
     {
         position.lane = static_cast<int>(place.number("laneId"));

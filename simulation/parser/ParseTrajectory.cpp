@@ -7,33 +7,6 @@ namespace simulation
 namespace
 {
 
-Polyline parsePolyline(ElementReader reader)
-{
-    reader.allowChildren({"Vertex"});
-    ParseContext& context = reader.context;
-    Polyline polyline;
-    polyline.source = context.line(reader.node);
-    for (pugi::xml_node node : reader.node.children("Vertex"))
-    {
-        if (context.isStopped()) break;
-        ElementReader vertex(context, node);
-        vertex.allowChildren({"Position"});
-        polyline.vertices.push_back(
-            {context.line(node), vertex.optionalNumber("time"), parsePosition(vertex.child("Position"))});
-    }
-    if (polyline.vertices.size() < 2)
-        context.invalid(reader.node, "a Polyline needs two vertices", "add vertices");
-    return polyline;
-}
-
-TrajectoryShape parseShape(ElementReader reader)
-{
-    ElementReader content = reader.onlyChild();
-    if (content.is("Polyline")) return parsePolyline(content);
-    if (content.node) content.context.foreign(content.node, std::string("the shape ") + content.node.name());
-    return Unsupported{content.context.line(content.node), content.node.name()};
-}
-
 std::optional<Timing> parseTimeReference(ElementReader reader)
 {
     ElementReader content = reader.onlyChild();
@@ -48,27 +21,6 @@ std::optional<Timing> parseTimeReference(ElementReader reader)
     if (!Timing::isScale(timing.scale))
         content.context.invalid(content.node, "Timing/scale is not within 1e-6 and 1e6", "use 1");
     return timing;
-}
-
-/// Times must rise, in a trajectory that is played by them.
-void checkTimes(ParseContext& context, pugi::xml_node node, const Trajectory& trajectory)
-{
-    const auto* polyline = std::get_if<Polyline>(&trajectory.shape);
-    if (!polyline) return;
-    for (std::size_t i = 0; i < polyline->vertices.size(); ++i)
-    {
-        const std::optional<double>& time = polyline->vertices[i].timeS;
-        const std::string vertex = "vertex " + std::to_string(i + 1) + " (line " +
-                                   std::to_string(polyline->vertices[i].source.line) + ")";
-        if (!time)
-            context.invalid(node, vertex + " has no time, but the trajectory has a Timing", "add its time");
-        else if (i > 0 && !Vertex::isLater(polyline->vertices[i - 1].timeS.value_or(*time - 1.0), *time))
-            context.invalid(node, "the time of " + vertex + " is not later than the one before",
-                            "order the vertices");
-        else
-            continue;
-        return;
-    }
 }
 
 /// The trajectory stands directly in the action (1.0), or in a TrajectoryRef, or in a catalogue.
@@ -94,8 +46,20 @@ Trajectory parseTrajectory(ElementReader reader)
     trajectory.source = reader.context.line(reader.node);
     trajectory.name = reader.name();
     trajectory.closed = reader.flagOr("closed", false);
-    trajectory.shape = parseShape(reader.child("Shape"));
+    trajectory.shape = parseTrajectoryShape(reader.child("Shape"));
     return trajectory;
+}
+
+TrajectoryPosition parseTrajectoryPosition(ElementReader reader)
+{
+    reader.allowChildren({"Orientation", "TrajectoryRef"});
+    TrajectoryPosition position;
+    position.source = reader.context.line(reader.node);
+    position.trajectory = std::make_shared<const Trajectory>(parseTrajectoryReference(reader));
+    position.sM = reader.notNegative("s");
+    position.tM = reader.numberOr("t", 0.0);
+    position.orientation = parseOrientationOf(reader);
+    return position;
 }
 
 FollowTrajectoryAction parseFollowTrajectory(ElementReader reader)
@@ -112,7 +76,7 @@ FollowTrajectoryAction parseFollowTrajectory(ElementReader reader)
     action.initialDistanceOffsetM =
         reader.has("initialDistanceOffset") ? reader.notNegative("initialDistanceOffset") : 0.0;
     if (action.timing && !reader.context.isStopped())
-        checkTimes(reader.context, reader.node, action.trajectory);
+        checkShapeTimes(reader.context, reader.node, action.trajectory.shape);
     return action;
 }
 

@@ -109,7 +109,8 @@ std::int64_t EntityMotion::startTrajectory(const FollowTrajectoryAction& action,
 {
     _run.emplace(action, *_frame, timeS);
     _runTicket = ++_lastTicket;
-    takePoint(_run->point(), _run->isTimed() ? _run->timedSpeedMps() : _speed.speedAt(timeS - _speedStartS));
+    takePoint(_run->point(), _run->isTimed() ? _run->timedSpeedMps(_roads != nullptr)
+                                             : _speed.speedAt(timeS - _speedStartS));
     settle(timeS);
     return _runTicket;
 }
@@ -128,13 +129,15 @@ void EntityMotion::cancel(std::int64_t ticket, double timeS)
     _speedStartS = timeS;
 }
 
-void EntityMotion::advanceTo(double timeS)
+void EntityMotion::advanceTo(double timeS, double stepS)
 {
     const double distance =
-        _roads ? _speed.speedAt(timeS - _speedStartS) * (timeS - _timeS)
+        _roads ? _speed.speedAt(timeS - _speedStartS) * stepS
                : _speed.distanceAt(timeS - _speedStartS) - _speed.distanceAt(_timeS - _speedStartS);
     const glm::dvec3 before = _state.position;
-    if (_run)
+    if (std::exchange(_standsForAStep, false))
+        ;
+    else if (_run)
         followTrajectory(timeS, distance);
     else if (_state.place)
         goAlongLane(distance, timeS);
@@ -150,9 +153,11 @@ void EntityMotion::followTrajectory(double timeS, double distanceM)
 {
     const bool isTimed = _run->isTimed();
     const std::optional<double> left = isTimed ? _run->advanceTo(timeS) : _run->advanceBy(distanceM);
-    takePoint(_run->point(), isTimed ? _run->timedSpeedMps() : _speed.speedAt(timeS - _speedStartS));
+    takePoint(_run->point(),
+              isTimed ? _run->timedSpeedMps(_roads != nullptr) : _speed.speedAt(timeS - _speedStartS));
     if (!left) return;
     _run.reset();
+    if (_roads) findPlace();
     if (isTimed)
     {
         _speed = SpeedProfile::constant(_state.speedMps);

@@ -33,6 +33,9 @@ public:
 
     void teleport(const Placement& placement, double timeS);
 
+    /// Lets the entity stand in the next step, whatever its speed.
+    void standForAStep() { _standsForAStep = true; }
+
     /// Sets the speed from now on; ends the speed action.
     void setSpeed(double speedMps, double timeS);
 
@@ -62,8 +65,8 @@ public:
     bool isDone(std::int64_t ticket, double timeS) const;
     void cancel(std::int64_t ticket, double timeS);
 
-    /// Advances the entity to a later time.
-    void advanceTo(double timeS);
+    /// Advances the entity to a later time, by one step.
+    void advanceTo(double timeS, double stepS);
 
 private:
     void followTrajectory(double timeS, double distanceM);
@@ -83,6 +86,7 @@ private:
     double _wheelbaseM = 0.0;
     double _givenPitchDeg = 0.0, _givenRollDeg = 0.0; ///< of the last teleport, beyond those of the road
     RoadWay _way;
+    bool _standsForAStep = false;
     double _alongShare = 1.0; ///< of the way of the next step that goes along the lane, not sideways
     EntityState _state;
     double _timeS = 0.0;

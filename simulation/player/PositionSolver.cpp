@@ -7,6 +7,7 @@
 #include <foundation/Angle.h>
 
 #include "simulation/player/LaneCount.h"
+#include "simulation/player/ShapeSampling.h"
 #include "simulation/road/RouteWay.h"
 
 namespace simulation
@@ -32,12 +33,16 @@ std::optional<Placement> PositionSolver::place(const Position& position) const
     if (const auto* road = std::get_if<RoadPosition>(&position))
         return onRoad(_roads ? _roads->onTrack(road->roadId, road->sM, road->tM) : std::nullopt,
                       road->orientation);
+    if (const auto* route = std::get_if<RoutePosition>(&position); route && !route->entity.empty())
+        return placeAtEntity(*route);
     if (const auto* route = std::get_if<RoutePosition>(&position))
         return onRoad(_roads ? placeOnRoute(*_roads, *route) : std::nullopt, route->orientation);
     if (const auto* lane = std::get_if<RelativeLanePosition>(&position)) return placeRelative(*lane);
     if (const auto* road = std::get_if<RelativeRoadPosition>(&position)) return placeRelative(*road);
     if (const auto* object = std::get_if<RelativeObjectPosition>(&position)) return placeRelative(*object);
     if (const auto* world = std::get_if<RelativeWorldPosition>(&position)) return placeRelative(*world);
+    if (const auto* trajectory = std::get_if<TrajectoryPosition>(&position))
+        return placeOnTrajectory(*trajectory);
     if (!_frame->canPlace(position)) return std::nullopt;
     Placement placed = inWorld(_frame->place(position), orientationOf(position), 0.0);
     const auto* world = std::get_if<WorldPosition>(&position);
@@ -46,6 +51,21 @@ std::optional<Placement> PositionSolver::place(const Position& position) const
         placed.place->heightM = 0.0;
         placed.position = _roads->poseAt(*placed.place).position;
     }
+    return placed;
+}
+
+std::optional<Placement> PositionSolver::placeAtEntity(const RoutePosition& position) const
+{
+    const EntityState* const base = _states(position.entity);
+    if (!base) return std::nullopt;
+    if (base->place) return onRoad(base->place, position.orientation);
+    return inWorld(base->position, position.orientation, foundation::radiansOf(base->headingDeg));
+}
+
+std::optional<Placement> PositionSolver::placeOnTrajectory(const TrajectoryPosition& position) const
+{
+    std::optional<Placement> placed = simulation::placeOnTrajectory(position, *this);
+    if (placed && _roads) placed->place = _roads->nearest(placed->position, placed->headingRad);
     return placed;
 }
 
@@ -93,11 +113,13 @@ std::optional<Placement> PositionSolver::placeRelative(const RelativeLanePositio
     if (!_roads || !base || !base->place) return std::nullopt;
     RoadPlace placed = *base->place;
     const int lane = lanesBeside(placed.lane, looksForward(placed) ? position.lanes : -position.lanes);
-    const double heading = _roads->runsForward(placed) ? 0.0 : std::numbers::pi;
-    placed.relativeHeadingRad = heading;
+    const bool looksAhead = looksForward(placed);
+    const bool isAgainstTraffic = _roads->runsForward(placed) != looksAhead;
+    placed.relativeHeadingRad = looksAhead ? 0.0 : std::numbers::pi;
     placed.heightM = 0.0;
     if (!_roads->putOnLane(placed, 0, 0.0)) return std::nullopt;
     walk(*_roads, placed, position.dsM, {});
+    if (isAgainstTraffic) placed.relativeHeadingRad += std::numbers::pi;
     if (!_roads->putOnLane(placed, lane, position.offsetM)) return std::nullopt;
     return onRoad(placed, position.orientation);
 }

@@ -41,6 +41,8 @@ private:
     std::optional<Placement> onRoad(const std::optional<RoadPlace>& place,
                                     const Orientation& orientation) const;
     Placement inWorld(const glm::dvec3& point, const Orientation& orientation, double baseHeadingRad) const;
+    std::optional<Placement> placeAtEntity(const RoutePosition& position) const;
+    std::optional<Placement> placeOnTrajectory(const TrajectoryPosition& position) const;
     std::optional<Placement> placeRelative(const RelativeLanePosition& position) const;
     std::optional<Placement> placeRelative(const RelativeRoadPosition& position) const;
     std::optional<Placement> placeRelative(const RelativeObjectPosition& position) const;

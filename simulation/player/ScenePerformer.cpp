@@ -5,6 +5,7 @@
 
 #include "simulation/parser/Expression.h"
 #include "simulation/player/EntityDistance.h"
+#include "simulation/player/ShapeSampling.h"
 #include "simulation/road/RouteWay.h"
 
 namespace simulation
@@ -107,7 +108,7 @@ void ScenePerformer::move()
 {
     _signals.advanceTo(timeS());
     for (std::size_t i = 0; i < _motions.size(); ++i)
-        if (!_lent[i]) _motions[i].advanceTo(_clock->seconds());
+        if (!_lent[i]) _motions[i].advanceTo(_clock->seconds(), _clock->stepS());
     moveLent();
     _trailers.follow(_motions);
     publish();
@@ -206,16 +207,14 @@ ActionTicket ScenePerformer::startSpeed(const SpeedAction& action, int actor)
 ActionTicket ScenePerformer::startTrajectory(const FollowTrajectoryAction& action, int actor)
 {
     FollowTrajectoryAction placed = action;
-    if (auto* polyline = std::get_if<Polyline>(&placed.trajectory.shape); polyline && _roads)
-        for (Vertex& vertex : polyline->vertices)
-        {
-            const auto found = _positions.place(vertex.position);
-            if (!found) return {};
-            if (placed.mode == FollowingMode::follow) placed.mode = FollowingMode::straight;
-            WorldPosition world{vertex.source, found->position.x, found->position.y, found->position.z, {}};
-            if (found->hasHeading) world.orientation.headingRad = found->headingRad;
-            vertex.position = world;
-        }
+    const bool isCurve = !std::holds_alternative<Polyline>(action.trajectory.shape);
+    if (isCurve || _roads)
+    {
+        auto polyline = sampledShape(action.trajectory.shape, _positions, &motion(actor).state());
+        if (!polyline) return {};
+        placed.trajectory.shape = std::move(*polyline);
+        if (isCurve || placed.mode == FollowingMode::follow) placed.mode = FollowingMode::straight;
+    }
     if (TrajectoryRun::obstacle(placed, *_frame)) return {};
     end(actor, ActionDomain::lateral);
     if (placed.timing) end(actor, ActionDomain::longitudinal);
@@ -225,7 +224,9 @@ ActionTicket ScenePerformer::startTrajectory(const FollowTrajectoryAction& actio
 void ScenePerformer::teleport(const TeleportAction& action, int actor)
 {
     const auto placed = _positions.place(action.position);
-    if (placed) motion(actor).teleport(*placed, timeS());
+    if (!placed) return;
+    motion(actor).teleport(*placed, timeS());
+    if (_roads && timeS() > 0.0) motion(actor).standForAStep(); // as in esmini (decision 30)
 }
 
 void ScenePerformer::assignRoute(const Route& route, int actor)

@@ -81,9 +81,11 @@ TrajectoryRun::TrajectoryRun(const FollowTrajectoryAction& action, const SceneFr
       _curve(makeCurve(action, frame)),
       _parameter(_curve.begin())
 {
-    _distanceM = _curve.isClosed() ? action.initialDistanceOffsetM
-                                   : std::min(action.initialDistanceOffsetM, _curve.lengthM());
-    _parameter = _curve.parameterAt(_distanceM);
+    const auto& polyline = std::get<Polyline>(action.trajectory.shape);
+    _lengthM = _curve.isClosed() ? _curve.lengthM() : polyline.lengthM.value_or(_curve.lengthM());
+    _distanceM =
+        _curve.isClosed() ? action.initialDistanceOffsetM : std::min(action.initialDistanceOffsetM, _lengthM);
+    _parameter = _curve.parameterAt(_lengthM > 0.0 ? _distanceM * _curve.lengthM() / _lengthM : 0.0);
     _timeOffset = _parameter - _curve.begin();
     if (_timing) advanceTo(startTimeS);
 }
@@ -111,14 +113,16 @@ std::optional<double> TrajectoryRun::advanceTo(double timeS)
 std::optional<double> TrajectoryRun::advanceBy(double distanceM)
 {
     _distanceM += distanceM;
-    _parameter = _curve.parameterAt(_distanceM);
-    if (_curve.isClosed() || _distanceM < _curve.lengthM()) return std::nullopt;
-    return _distanceM - _curve.lengthM();
+    _parameter = _curve.parameterAt(_distanceM * _curve.lengthM() / _lengthM);
+    if (_curve.isClosed() || _distanceM < _lengthM) return std::nullopt;
+    return _distanceM - _lengthM;
 }
 
-double TrajectoryRun::timedSpeedMps() const
+double TrajectoryRun::timedSpeedMps(bool inPlan) const
 {
-    return _hasBegun ? glm::length(_curve.at(_parameter).tangent) / _timing->scale : 0.0;
+    if (!_hasBegun) return 0.0;
+    const glm::dvec3 along = _curve.at(_parameter).tangent;
+    return (inPlan ? std::hypot(along.x, along.y) : glm::length(along)) / _timing->scale;
 }
 
 } // namespace simulation

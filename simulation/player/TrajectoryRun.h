@@ -33,8 +33,8 @@ public:
     PathPoint point() const { return _curve.at(_parameter); }
 
     /// Returns the speed of the curve at the current point, for trajectories with times; 0 before the time of the
-    /// first vertex.
-    double timedSpeedMps() const;
+    /// first vertex. `inPlan`: seen from above, as esmini counts it on roads.
+    double timedSpeedMps(bool inPlan) const;
 
 private:
     double parameterAtTime(double timeS) const;
@@ -45,6 +45,7 @@ private:
     double _parameter;
     double _timeOffset = 0.0; ///< added to the parameter for a start inside the trajectory
     double _distanceM = 0.0;
+    double _lengthM = 0.0; ///< where the trajectory ends
     bool _hasBegun = true;
 };
 

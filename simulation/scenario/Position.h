@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -64,6 +65,7 @@ struct RoutePosition
 
     SourceLine source;
     Route route;
+    std::string entity; ///< not empty: where this entity is (FromCurrentEntity), whatever the path says
     double pathM = 0.0;
     std::optional<int> lane;
     double offsetM = 0.0;
@@ -72,8 +74,24 @@ struct RoutePosition
     bool operator==(const RoutePosition&) const = default;
 };
 
+struct Trajectory;
+
+/// A place so far along a trajectory, and beside it.
+struct TrajectoryPosition
+{
+    static constexpr std::string_view kElement = "TrajectoryPosition";
+
+    SourceLine source;
+    std::shared_ptr<const Trajectory> trajectory; ///< never null
+    double sM = 0.0;
+    double tM = 0.0; ///< to the left
+    Orientation orientation;
+
+    bool operator==(const TrajectoryPosition& other) const;
+};
+
 using Position = std::variant<WorldPosition, GeoPosition, LanePosition, RoadPosition, RelativeLanePosition,
                               RelativeRoadPosition, RelativeObjectPosition, RelativeWorldPosition,
-                              RoutePosition, Unsupported>;
+                              RoutePosition, TrajectoryPosition, Unsupported>;
 
 } // namespace simulation

@@ -62,7 +62,7 @@ struct RelativeLanePosition
     SourceLine source;
     std::string entity;
     int lanes = 0;
-    double dsM = 0.0;         ///< along the road, in the direction of greater s
+    double dsM = 0.0;         ///< along the road, in the direction in which the entity looks
     bool isAlongLane = false; ///< dsLane: in the direction of the entity's lane instead
     double offsetM = 0.0;
     Orientation orientation;

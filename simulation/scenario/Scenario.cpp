@@ -14,6 +14,7 @@ bool isOnRoad(const Position& position)
            !std::holds_alternative<GeoPosition>(position) &&
            !std::holds_alternative<RelativeObjectPosition>(position) &&
            !std::holds_alternative<RelativeWorldPosition>(position) &&
+           !std::holds_alternative<TrajectoryPosition>(position) &&
            !std::holds_alternative<Unsupported>(position);
 }
 

@@ -26,12 +26,74 @@ struct Vertex
 struct Polyline
 {
     SourceLine source;
-    std::vector<Vertex> vertices; ///< two at least
+    std::vector<Vertex> vertices;    ///< two at least
+    std::optional<double> lengthM{}; ///< of the curve that it stands for; nothing: that of its lines
 
     bool operator==(const Polyline&) const = default;
 };
 
-using TrajectoryShape = std::variant<Polyline, Unsupported>;
+/// A curve whose curvature changes evenly over its length. Units: metres, seconds, 1/m.
+struct Clothoid
+{
+    static constexpr std::string_view kElement = "Clothoid";
+
+    SourceLine source;
+    double curvature = 0.0;      ///< at the start, positive to the left
+    double curvaturePrime = 0.0; ///< per metre; 1.0: curvatureDot
+    double lengthM = 0.0;
+    std::optional<double> startTimeS, stopTimeS;
+    Position start;
+
+    bool operator==(const Clothoid&) const = default;
+};
+
+/// Clothoids one after the other.
+struct ClothoidSpline
+{
+    static constexpr std::string_view kElement = "ClothoidSpline";
+
+    struct Segment
+    {
+        double curvatureStart = 0.0, curvatureEnd = 0.0;
+        double lengthM = 0.0;
+        double headingOffsetRad = 0.0; ///< turns the direction at the start
+        std::optional<double> timeStartS;
+        std::optional<Position>
+            start; ///< nothing: where the one before ends; of the first one, where the entity is
+
+        bool operator==(const Segment&) const = default;
+    };
+
+    SourceLine source;
+    std::vector<Segment> segments;
+    std::optional<double> timeEndS;
+
+    bool operator==(const ClothoidSpline&) const = default;
+};
+
+/// A non-uniform rational B-spline.
+struct Nurbs
+{
+    static constexpr std::string_view kElement = "Nurbs";
+
+    struct ControlPoint
+    {
+        std::optional<double> timeS;
+        double weight = 1.0;
+        Position position;
+
+        bool operator==(const ControlPoint&) const = default;
+    };
+
+    SourceLine source;
+    int order = 2; ///< degree plus one
+    std::vector<ControlPoint> points;
+    std::vector<double> knots; ///< never falling; as many as points plus order
+
+    bool operator==(const Nurbs&) const = default;
+};
+
+using TrajectoryShape = std::variant<Polyline, Clothoid, ClothoidSpline, Nurbs, Unsupported>;
 
 struct Trajectory
 {

@@ -115,7 +115,7 @@ INSTANTIATE_TEST_SUITE_P(
                     RecordedScenario{"speed-profile", {}}, RecordedScenario{"straight_500m", {}},
                     RecordedScenario{"synchronize", {}},
                     RecordedScenario{"traffic_lights", {"Pedestrian_1", "Pedestrian_2"}},
-                    RecordedScenario{"trailers", {}}, RecordedScenario{"trajectory-test", {"*"}},
+                    RecordedScenario{"trailers", {}}, RecordedScenario{"trajectory-test", {"Target"}},
                     RecordedScenario{"tunnels", {}}, RecordedScenario{"velodrome", {}}),
     [](const testing::TestParamInfo<RecordedScenario>& test)
     {
