@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+
+#include "simulation/control/flight/CircuitPlan.h"
+#include "simulation/control/flight/FlightOrders.h"
+#include "simulation/control/flight/RunwayFlight.h"
+
+namespace simulation
+{
+
+/// What an autopilot is told.
+struct AutopilotSettings
+{
+    std::shared_ptr<const EarthFrame> earth;
+    std::vector<FlightOrder> orders;
+    std::optional<RunwayStrip> runway; ///< of takeoff, circuit and land
+};
+
+/// Flies an aircraft by orders, one after the other (docs/algorithms/autopilot.md). After the last it holds what it has.
+/// It sees state, air and ground alone, so it flies any vehicle that has the inputs of an aircraft.
+class Autopilot final : public VehicleController
+{
+public:
+    /// Errors: a vehicle without elevator, aileron, rudder or throttle; orders that need a runway, and none.
+    static foundation::Result<Autopilot> create(AutopilotSettings settings, const DynamicVehicle& vehicle);
+
+    void control(const ControlView& view, std::span<double> inputs) override;
+    std::string_view phase() const override { return _phase; }
+    bool isDone() const override { return _order >= _settings.orders.size(); }
+
+private:
+    /// Places of inputs in the vehicle's list; -1: it has none.
+    struct Places
+    {
+        int elevator = -1, aileron = -1, rudder = -1, throttle = -1, flaps = -1, mixture = -1, leftBrake = -1,
+            rightBrake = -1, ignition = -1;
+    };
+
+    Autopilot(AutopilotSettings settings, const Places& places, double wheelsBelowM, double stepS);
+    void takeOrders(const FlightSense& sense, double timeS);
+    bool isOrderDone(const FlightOrder& order, const FlightSense& sense, double timeS) const;
+    void beginOrder(const FlightOrder& order, const FlightSense& sense, double timeS);
+    FlightCommand fly(const FlightSense& sense);
+    FlightCommand holdTargets(const FlightSense& sense);
+    FlightCommand flyCircuit(const FlightSense& sense);
+    void write(const FlightCommand& command, std::span<double> inputs) const;
+
+    AutopilotSettings _settings;
+    Places _places;
+    double _wheelsBelowM, _stepS;
+    std::size_t _order = 0;
+    bool _hasBegun = false;
+    double _orderStartS = 0.0;
+    double _heading = 0.0, _altitudeM = 0.0, _speedMps = 0.0, _climbMps = 3.0;
+    std::optional<TakeOff> _takeOff;
+    std::optional<CircuitPlan> _circuit;
+    std::optional<Landing> _landing;
+    AttitudeHold _attitude;
+    SpeedAndClimb _climb;
+    bool _isClimbing = false; ///< by pitch for speed, full power or idle
+    FlightCommand _last;
+    std::string_view _phase = "hold";
+};
+
+} // namespace simulation
