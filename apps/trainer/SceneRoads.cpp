@@ -32,6 +32,9 @@ using osgRoads::core::PlacedNetwork;
 using osgTerrainROAM::core::RoamFile;
 using osgTerrainROAM::core::RoamTile;
 
+/// Nearer than this the roads' mesh hides their ribbons on the ground: it begins to fade out later.
+const double kRibbonsFromM = 0.8 * osgRoads::core::RoadViewSettings().farthestM;
+
 /// Signs, lights, posts, rails, bridges and tunnels.
 foundation::Result<std::unique_ptr<scenery::RoadThingsNode>>
 makeThings(const osgTerrainROAM::RoamTerrain& terrain, const PlacedNetwork& roads)
@@ -65,7 +68,8 @@ foundation::Result<SceneTerrain> withRoads(osg::ref_ptr<osgTerrainROAM::RoamTerr
 foundation::Result<SceneTerrain> makeScene(const RoamFile& description, const std::shared_ptr<RoamTile>& tile,
                                            const scenery::SceneRoads& roads)
 {
-    auto terrain = osgTerrainROAM::makeTerrain(description, tile, scenery::farRoads(*roads.placed));
+    auto terrain =
+        osgTerrainROAM::makeTerrain(description, tile, {scenery::farRoads(*roads.placed), kRibbonsFromM});
     if (!terrain) return terrain.error();
     const auto openings = osgTerrainROAM::core::OpeningCells::build(scenery::tunnelOpenings(*roads.placed));
     if (!openings) return openings.error();

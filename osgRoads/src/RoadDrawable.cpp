@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
+
+#include <glm/geometric.hpp>
 
 #include <osg/BlendFunc>
 #include <osgUtil/CullVisitor>
@@ -22,7 +25,8 @@ namespace
 
 using namespace osgTraversal;
 
-constexpr int kRenderBin = 1; ///< after opaque things
+constexpr int kFadingBin = 1; ///< after opaque things
+constexpr int kNearBin = -1;  ///< before the ground, so that no pixel of it is shaded below a road
 
 viewlod::ViewState viewOf(osgUtil::CullVisitor& visitor)
 {
@@ -43,8 +47,35 @@ void setState(osg::StateSet& state, const core::RoadMesh& mesh)
     state.addUniform(new osg::Uniform("roadMarks", kMarksUnit));
     state.addUniform(new osg::Uniform("roadGrain", kGrainUnit));
     state.addUniform(new osg::Uniform("roadDecals", kDecalsUnit));
-    state.setAttributeAndModes(new osg::BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA));
-    state.setRenderBinDetails(kRenderBin, "RenderBin");
+}
+
+osg::ref_ptr<osg::StateSet> fadingState()
+{
+    osg::ref_ptr<osg::StateSet> state = new osg::StateSet;
+    state->setAttributeAndModes(new osg::BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA));
+    state->setRenderBinDetails(kFadingBin, "RenderBin");
+    return state;
+}
+
+osg::ref_ptr<osg::StateSet> nearState()
+{
+    osg::ref_ptr<osg::StateSet> state = new osg::StateSet;
+    state->setRenderBinDetails(kNearBin, "RenderBin");
+    return state;
+}
+
+/// Parts the choices: in front those of chunks that are too near to fade anywhere. Returns their number.
+std::size_t nearFirst(std::vector<core::ChunkChoice>& choices, const core::RoadMesh& mesh,
+                      const viewlod::ViewState& view, const core::RoadViewSettings& settings)
+{
+    const auto middle = std::stable_partition(
+        choices.begin(), choices.end(),
+        [&](const core::ChunkChoice& choice)
+        {
+            const core::RoadChunk& chunk = mesh.chunks[choice.chunk];
+            return glm::distance(chunk.centre, view.eyeWorld) + chunk.radius < settings.fadeFromM();
+        });
+    return static_cast<std::size_t>(middle - choices.begin());
 }
 
 } // namespace
@@ -102,24 +133,38 @@ void RoadDrawable::cull(osgUtil::CullVisitor& visitor)
     const osg::BoundingBox& box = getBoundingBox();
     if (!box.valid() || (isCullingActive() && visitor.isCulled(box))) return;
     const viewlod::ViewState view = viewOf(visitor);
-    const auto choices = core::chooseLevels(*_mesh, *_tree, view, _settings);
+    auto choices = core::chooseLevels(*_mesh, *_tree, view, _settings);
     if (choices.empty()) return;
+    const std::size_t nearCount = nearFirst(choices, *_mesh, view, _settings);
+    const std::vector<core::ChunkChoice> fading(choices.begin() + static_cast<std::ptrdiff_t>(nearCount),
+                                                choices.end());
+    choices.resize(nearCount);
     osg::RefMatrix& matrix = *visitor.getModelViewMatrix();
     if (seeksNearFar(visitor)) visitor.updateCalculatedNearFar(matrix, box);
-    const auto add = [&](RoadStrips strips)
+    const auto add = [&](const std::vector<core::ChunkChoice>& chosen, RoadStrips strips)
     {
+        auto ranges = rangesOf(*_mesh, chosen, strips);
+        if (ranges.empty()) return;
         osg::ref_ptr<RoadPart> part =
-            new RoadPart(_buffers, rangesOf(*_mesh, choices, strips), _settings, view.pixelsPerTangent, box);
+            new RoadPart(_buffers, std::move(ranges), _settings, view.pixelsPerTangent, box);
         visitor.addDrawableAndDepth(part.get(), &matrix, 0.0F);
     };
-    visitor.pushStateSet(getStateSet());
-    add(_groundState ? RoadStrips::paved : RoadStrips::all);
-    if (_groundState)
+    const auto addAll = [&](const std::vector<core::ChunkChoice>& chosen, osg::StateSet* state)
     {
-        visitor.pushStateSet(_groundState.get());
-        add(RoadStrips::ground);
+        visitor.pushStateSet(state);
+        add(chosen, _groundState ? RoadStrips::paved : RoadStrips::all);
+        if (_groundState)
+        {
+            visitor.pushStateSet(_groundState.get());
+            add(chosen, RoadStrips::ground);
+            visitor.popStateSet();
+        }
         visitor.popStateSet();
-    }
+    };
+    static const osg::ref_ptr<osg::StateSet> kNear = nearState(), kFading = fadingState();
+    visitor.pushStateSet(getStateSet());
+    addAll(choices, kNear.get());
+    addAll(fading, kFading.get());
     visitor.popStateSet();
 }
 

@@ -36,11 +36,10 @@ AtmosphereSettings atmosphereSettings(const core::RoamFile& description)
 /// Imports all sources of features and gives them to the material.
 foundation::Result<core::FeatureReport> paintFeatures(TerrainMaterial& material,
                                                       const core::RoamFile& description,
-                                                      const core::PlacedTile& tile,
-                                                      std::vector<core::GroundFeature> more)
+                                                      const core::PlacedTile& tile, FarFeatures more)
 {
     core::FeatureSet all;
-    all.features = std::move(more);
+    all.features = std::move(more.features);
     for (const std::filesystem::path& source : description.features)
     {
         auto set = core::importFeatures(source, tile);
@@ -52,7 +51,7 @@ foundation::Result<core::FeatureReport> paintFeatures(TerrainMaterial& material,
     if (all.features.empty()) return all.report;
     const auto cells = core::FeatureCells::build(all.features);
     if (!cells) return cells.error();
-    material.setFeatures(*cells);
+    material.setFeatures(*cells, description.features.empty() ? more.nearestM : 0.0);
     return all.report;
 }
 
@@ -202,7 +201,7 @@ foundation::Result<osg::ref_ptr<RoamTerrain>> makeTerrain(const core::RoamFile& 
 
 foundation::Result<osg::ref_ptr<RoamTerrain>> makeTerrain(const core::RoamFile& description,
                                                           const std::shared_ptr<core::RoamTile>& tile,
-                                                          std::vector<core::GroundFeature> moreFeatures)
+                                                          FarFeatures moreFeatures)
 {
     osg::ref_ptr<osg::Image> drape;
     if (description.imagery.size() == 1 && !description.showsVoids)

@@ -122,7 +122,7 @@ void TerrainMaterial::lend(osg::StateSet& to, const BorrowedLook& look) const
     program->setName("lent ground");
     const TerrainLook ground{.drape = _hasDrape,
                              .layers = _imageryLayers,
-                             .features = _hasFeatures,
+                             .features = _hasFeatures && _featuresFromM <= 0.0,
                              .cover = _hasCover,
                              .season = _season.has_value(),
                              .lentNames = look.names};
@@ -133,10 +133,12 @@ void TerrainMaterial::lend(osg::StateSet& to, const BorrowedLook& look) const
     to.setAttributeAndModes(program);
 }
 
-void TerrainMaterial::setFeatures(const core::FeatureCells& cells)
+void TerrainMaterial::setFeatures(const core::FeatureCells& cells, double nearestM)
 {
     addFeatureTextures(*_stateSet, cells, features);
+    _stateSet->getOrCreateUniform("featureNearestM", osg::Uniform::FLOAT)->set(static_cast<float>(nearestM));
     _hasFeatures = true;
+    _featuresFromM = nearestM;
     setProgram();
 }
 

@@ -45,6 +45,37 @@ Carriageway carriagewayAt(const Road& road, double s)
     return left > right ? Carriageway{0.5 * (left + right), left - right} : Carriageway{};
 }
 
+/// A stretch of a road.
+struct Stretch
+{
+    double from = 0.0, to = 0.0;
+};
+
+/// Returns the stretches of a road that lie on the ground. Where a ribbon ends in the open, its round end must not reach beyond the
+/// road's: it is shorter by half its width.
+std::vector<Stretch> stretchesOnGround(const Road& road)
+{
+    std::vector<Stretch> covered;
+    for (const auto& structure : road.structures)
+        covered.push_back({structure.s, structure.s + structure.length});
+    std::sort(covered.begin(), covered.end(),
+              [](const Stretch& a, const Stretch& b) { return a.from < b.from; });
+    covered.push_back({road.length, road.length});
+    std::vector<Stretch> stretches;
+    double from = 0.0;
+    for (const Stretch& next : covered)
+    {
+        const bool goesOnBefore = from <= 0.0 && road.predecessor;
+        const bool goesOnAfter = next.from >= road.length && road.successor;
+        const double to = std::min(next.from, road.length);
+        const Stretch stretch{goesOnBefore ? from : from + 0.5 * carriagewayAt(road, from).widthM,
+                              goesOnAfter ? to : to - 0.5 * carriagewayAt(road, to).widthM};
+        if (stretch.to > stretch.from) stretches.push_back(stretch);
+        from = std::max(from, next.to);
+    }
+    return stretches;
+}
+
 GroundFeature ribbon(double widthM)
 {
     GroundFeature feature;
@@ -52,6 +83,33 @@ GroundFeature ribbon(double widthM)
     feature.style.marked = false;
     feature.paths.emplace_back();
     return feature;
+}
+
+/// Adds the ribbons of a stretch of a road: one for each width.
+void addRibbons(const osgRoads::core::PlacedNetwork& roads, int road, const Stretch& stretch,
+                std::vector<GroundFeature>& features)
+{
+    GroundFeature current = ribbon(0.0);
+    const auto finish = [&]
+    {
+        if (current.paths.front().size() > 1) features.push_back(current);
+        current = ribbon(0.0);
+    };
+    for (const double along : osgRoads::core::evenStations(stretch.to - stretch.from, kRibbonStepM))
+    {
+        const double s = stretch.from + along;
+        const Carriageway lanes = carriagewayAt(roads.road(road), s);
+        const bool isRoad = lanes.widthM > 1.0;
+        if (isRoad) current.paths.front().emplace_back(roads.surfacePoint(road, s, lanes.middleT));
+        if (!isRoad || std::abs(current.style.widthM - lanes.widthM) > 0.5)
+        {
+            const auto last = current.paths.front();
+            finish();
+            if (isRoad) current.paths.front().push_back(last.back()); // the next one begins here
+        }
+        current.style.widthM = lanes.widthM;
+    }
+    finish();
 }
 
 } // namespace
@@ -75,30 +133,9 @@ std::vector<GroundFeature> farRoads(const osgRoads::core::PlacedNetwork& roads)
 {
     std::vector<GroundFeature> features;
     for (int i = 0; i < static_cast<int>(roads.network().roads.size()); ++i)
-    {
-        const Road& road = roads.road(i);
-        if (!road.isUsable) continue;
-        GroundFeature current = ribbon(0.0);
-        const auto finish = [&]
-        {
-            if (current.paths.front().size() > 1) features.push_back(current);
-            current = ribbon(0.0);
-        };
-        for (const double s : osgRoads::core::evenStations(road.length, kRibbonStepM))
-        {
-            const Carriageway lanes = carriagewayAt(road, s);
-            const bool isOnGround = lanes.widthM > 1.0 && !osgRoads::core::structureAt(road, s);
-            if (isOnGround) current.paths.front().emplace_back(roads.surfacePoint(i, s, lanes.middleT));
-            if (!isOnGround || std::abs(current.style.widthM - lanes.widthM) > 0.5)
-            {
-                const auto last = current.paths.front();
-                finish();
-                if (isOnGround) current.paths.front().push_back(last.back()); // the next one begins here
-            }
-            current.style.widthM = lanes.widthM;
-        }
-        finish();
-    }
+        if (roads.road(i).isUsable)
+            for (const Stretch& stretch : stretchesOnGround(roads.road(i)))
+                addRibbons(roads, i, stretch, features);
     return features;
 }
 

@@ -21,7 +21,7 @@ foundation::Result<SceneRoads> layRoads(const osgTerrainROAM::core::RoamFile& de
                                         const std::shared_ptr<osgTerrainROAM::core::RoamTile>& tile);
 
 /// Returns ribbons to paint on the ground for roads that are too far away to be drawn as meshes: as wide as the lanes that cars
-/// use, unmarked; nothing on bridges and in tunnels. Frame: the scene's.
+/// use, unmarked; nothing on bridges and in tunnels, nothing beyond the end of a road that no other one follows. Frame: the scene's.
 std::vector<osgTerrainROAM::core::GroundFeature> farRoads(const osgRoads::core::PlacedNetwork& roads);
 
 } // namespace scenery

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any bytes may be given as a road network: they are read, checked and asked for positions, or refused.
+// Any bytes may be given as a road network: they are read, checked, asked for positions and meshed, or refused.
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <memory>
 #include <string_view>
+#include <utility>
 
 #include <osgRoads/core/check/NetworkCheck.h>
 #include <osgRoads/core/query/LaneRoute.h>
@@ -13,6 +15,7 @@
 #include <osgRoads/core/query/RoadLocator.h>
 #include <osgRoads/core/query/RoadSurface.h>
 #include <osgRoads/core/read/ReadNetwork.h>
+#include <osgRoads/core/surface/BuildRoadMesh.h>
 
 // NOLINTNEXTLINE(readability-identifier-naming): the name is libFuzzer's
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
@@ -24,6 +27,7 @@ using namespace osgRoads::core;
 
 constexpr std::size_t kMostRoads = 20, kMostMarks = 1000;
 constexpr double kLongestM = 2e4; // the checks look at every 5 m: longer networks would take most of the time
+constexpr double kLongestMeshM = 150.0; // a mesh has a cross-section each few decimetres
 
 void require(bool condition)
 {
@@ -58,12 +62,33 @@ void askRoad(const RoadNetwork& network, const RoadLocator& locator, int index)
     }
 }
 
+/// The drawn surface: whole triangles of vertices that are there, and levels whose errors are numbers that do not fall.
+void checkMesh(RoadNetwork network)
+{
+    const PlacedNetwork placed(std::make_shared<const RoadNetwork>(std::move(network)));
+    const RoadMesh mesh = buildRoadMesh(placed);
+    require(mesh.indices.size() % 3 == 0);
+    for (const std::uint32_t index : mesh.indices)
+        require(index < mesh.vertices.size());
+    for (const RoadChunk& chunk : mesh.chunks)
+    {
+        require(!chunk.levels.empty() && std::isfinite(chunk.radius));
+        double errorM = 0.0;
+        for (const ChunkLevel& level : chunk.levels)
+        {
+            require(level.firstIndex + level.indexCount <= mesh.indices.size());
+            require(std::isfinite(level.errorM) && level.errorM >= errorM);
+            errorM = level.errorM;
+        }
+    }
+}
+
 } // namespace
 
 // NOLINTNEXTLINE(readability-identifier-naming)
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
-    const auto read = parseNetwork({reinterpret_cast<const char*>(data), size}, "fuzz");
+    auto read = parseNetwork({reinterpret_cast<const char*>(data), size}, "fuzz");
     if (!read) return 0;
     const RoadNetwork& network = read->network;
     double lengthM = 0.0;
@@ -86,5 +111,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const LaneGraph graph(network);
     const auto route = findRoute(network, graph, {first, 0.1, -1.0, 0.0}, {last, 0.2, -1.0, 0.0});
     if (route) route->at(network, 0.5 * route->lengthM);
+    if (lengthM < kLongestMeshM) checkMesh(std::move(read->network));
     return 0;
 }

@@ -11,6 +11,7 @@ uniform sampler2D featureFarBeds;   // shares of river, asphalt, gravel, runway
 uniform ivec4 featureGrid;          // first cell, number of cells
 uniform float featureCellM;
 uniform float featureFarTexelM;
+uniform float featureNearestM;      // nothing is painted on ground that is nearer to the eye
 
 const float kFeatureReachM = 16.0;
 

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds the features under a pixel: Paint terrainPaint(vec2 place, vec2 alongX, vec2 alongY). `place`: the wrapped position,
-// metres; the others: its derivatives. Near features come from cells, far ones from mip-mapped maps of shares.
+// Finds the features under a pixel: Paint terrainPaintFrom(float distanceM, vec2 place, vec2 alongX, vec2 alongY). `place`: the wrapped
+// position, metres; the others: its derivatives. Near features come from cells, far ones from mip-mapped maps of shares.
+
+const Paint kNoPaint = Paint(vec4(0.0), vec4(0.0), vec4(0.0), vec2(0.0, 1.0));
 
 Paint paintInCell(vec2 place, Footprint f)
 {
-    Paint paint = Paint(vec4(0.0), vec4(0.0), vec4(0.0), vec2(0.0, 1.0));
+    Paint paint = kNoPaint;
     vec2 cell = floor(place / featureCellM);
     ivec2 index = ivec2(cell) + terrainEyeWraps.xy * int(4096.0 / featureCellM) - featureGrid.xy;
     if (any(lessThan(index, ivec2(0))) || any(greaterThanEqual(index, featureGrid.zw))) return paint;
@@ -61,4 +63,13 @@ Paint terrainPaint(vec2 place, vec2 alongX, vec2 alongY)
     }
     paint.marks.w *= float(taps); // a lamp is a point, its light is no share of the footprint
     return far > 0.0 ? mixed(paint, distant, far) : paint;
+}
+
+// The same beyond featureNearestM. A loop, not a branch: software drawing leaves a loop out where no pixel of a group enters it.
+Paint terrainPaintFrom(float distanceM, vec2 place, vec2 alongX, vec2 alongY)
+{
+    Paint paint = kNoPaint;
+    for (int i = distanceM < featureNearestM ? 1 : 0; i < 1; ++i)
+        paint = terrainPaint(place, alongX, alongY);
+    return paint;
 }

@@ -91,6 +91,17 @@ TEST(RoadDecals, ExplicitLinesOfABendAreCutIntoStraightPieces)
     EXPECT_NEAR(length, 60.0 + 3.0 * 49.75 / 50.0, 0.01);
 }
 
+/// A sway may leap as far as numbers go: a line of it is some thousand pieces, not one each 16 m.
+TEST(RoadDecals, ALineThatLeapsAwayHasAnEnd)
+{
+    std::string text = explicitRoad(straightPlan(100.0));
+    const std::string end = "</explicit>";
+    text.insert(text.find(end) + end.size(), R"(<sway ds="0" a="0" b="0" c="0" d="1e12"/>)");
+    const auto decals = roadDecals(placed(text));
+    EXPECT_GE(decals.size(), 2u);
+    EXPECT_LE(decals.size(), 2048u);
+}
+
 TEST(RoadDecals, AStopLineStaysOnTheSideThatItStops)
 {
     // The middle of the road is told as its place: traffic to lesser s keeps to greater t.

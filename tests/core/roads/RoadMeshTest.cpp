@@ -156,6 +156,20 @@ TEST(RoadMesh, FarFromTheOriginItIsTheSameMesh)
             EXPECT_LE(std::abs(near.vertices[i].position[axis] - far.vertices[i].position[axis]), 1);
 }
 
+/// Positions are whole numbers of 32 bits: what lies farther from the middle of a network is left out.
+TEST(RoadMesh, LeavesOutWhatLiesBeyondItsReach)
+{
+    const auto elevated = [](const std::string& height)
+    {
+        return buildRoadMesh(placed(network(
+            road("1", 50.0,
+                 straightPlan(50.0) + "<elevationProfile><elevation s=\"0\" a=\"0\" b=\"0\" c=\"0\" d=\"" +
+                     height + "\"/></elevationProfile>" + twoLanes()))));
+    };
+    EXPECT_TRUE(elevated("1e12").chunks.empty());
+    EXPECT_FALSE(elevated("15").chunks.empty()); // 1875 km high at its end
+}
+
 TEST(RoadMesh, MarksOfBordersKeepTheirPhase)
 {
     const RoadMesh mesh = buildRoadMesh(placed(bentRoad()));

@@ -232,6 +232,34 @@ TEST(FeaturePaint, DoesNotSparkleWhenTheEyeMoves)
     EXPECT_GT(flashes(unfiltered, pilot, {0.3, 0.4, 0.0}, down), 2000u);
 }
 
+/// What stands for meshes near by is painted from a distance on. From 60 m above, a road 30 m wide near the eye and one 200 m wide 2 km ahead.
+TEST(FeaturePaint, IsLeftOutNearerThanTold)
+{
+    const std::vector roads = {line(FeatureKind::road, 30.0, {900.0, 20000.0}, {1100.0, 20000.0}),
+                               line(FeatureKind::road, 200.0, {0.0, 22000.0}, {2000.0, 22000.0})};
+    const auto levels = [&](double nearestM)
+    {
+        const auto terrain = plain(roads);
+        const auto cells = core::FeatureCells::build(roads);
+        if (nearestM > 0.0) terrain->material()->setFeatures(*cells, nearestM);
+        Camera camera(terrain);
+        const osg::Vec3d eye(1000.0, 19850.0, 60.0);
+        const auto picture = camera.picture(eye, osg::Vec3d(0.0, 1.0, -0.2), kZenith);
+        const auto at = [&](const osg::Vec3d& place)
+        {
+            const osg::Vec2d pixel = camera.pixelOf(place);
+            return level(*picture, static_cast<int>(pixel.x()), static_cast<int>(pixel.y()));
+        };
+        return std::array{at({1000.0, 20000.0, 0.0}), at({1000.0, 22000.0, 0.0}), at({1000.0, 20100.0, 0.0})};
+    };
+    const auto all = levels(0.0), far = levels(1000.0), none = levels(1e6);
+    EXPECT_EQ(far[0], none[0]);
+    EXPECT_EQ(far[1], all[1]);
+    EXPECT_EQ(far[2], all[2]) << "bare ground";
+    EXPECT_NE(all[0], none[0]) << "else the test could not fail";
+    EXPECT_NE(all[1], none[1]);
+}
+
 TEST(FeaturePaint, NothingOfItIsDrawnWhereNothingIsPainted)
 {
     const auto far = plain({line(FeatureKind::road, 8.0, {50000.0, 50000.0}, {50500.0, 50000.0})});

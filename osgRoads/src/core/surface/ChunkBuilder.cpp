@@ -7,6 +7,7 @@
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
 
 #include <osgRoads/core/query/RoadSurface.h>
 
@@ -289,9 +290,20 @@ void ChunkBuilder::addLevels(RoadChunk& chunk, std::uint32_t firstVertex)
     }
 }
 
+/// Whether all of the chunk lies where positions of the mesh can be counted.
+bool ChunkBuilder::isWithinReach() const
+{
+    const auto isNear = [this](const glm::dvec3& place)
+    { return glm::all(glm::lessThan(glm::abs(place - _mesh.origin), glm::dvec3(RoadMesh::kReachM))); };
+    return std::all_of(_rows.begin(), _rows.end(),
+                       [&](const Row& row)
+                       { return std::all_of(row.places.begin(), row.places.end(), isNear); });
+}
+
 void ChunkBuilder::add(double from, double to)
 {
     sample(from, to);
+    if (!isWithinReach()) return;
     RoadChunk chunk;
     chunk.road = _road;
     chunk.sStart = from;

@@ -34,6 +34,7 @@ private:
     Row rowAt(double s) const;
     void sample(double from, double to);
     bool mayBeCovered() const;
+    bool isWithinReach() const;
     static double gapBetween(const Row& row, const Row& before, const Row& after);
     double gapAt(std::size_t row, std::size_t stride) const;
     double gapOfSteps(double enoughM) const;

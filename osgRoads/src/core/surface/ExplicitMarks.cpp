@@ -15,6 +15,7 @@ namespace
 {
 
 constexpr double kBendM = 0.005, kLongestPieceM = 16.0, kShortestPieceM = 0.25;
+constexpr int kMostHalvings = 10; ///< of a stroke: with a sway that leaps away there is no end of pieces
 
 /// Cuts a stroke where the border bends away from the straight line.
 class StrokeCutter
@@ -26,17 +27,17 @@ public:
     {
     }
 
-    void cut(double from, double to) const
+    void cut(double from, double to, int halvings = kMostHalvings) const
     {
         const glm::dvec3 start = at(from), middle = at(0.5 * (from + to)), end = at(to);
         const glm::dvec2 way(end - start);
         const double length = glm::length(way);
         if (!(length > 1e-6)) return;
         const double aside = glm::distance(glm::dvec2(middle), 0.5 * glm::dvec2(start + end));
-        if (length > kShortestPieceM && (length > kLongestPieceM || aside > kBendM))
+        if (halvings > 0 && length > kShortestPieceM && (length > kLongestPieceM || aside > kBendM))
         {
-            cut(from, 0.5 * (from + to));
-            cut(0.5 * (from + to), to);
+            cut(from, 0.5 * (from + to), halvings - 1);
+            cut(0.5 * (from + to), to, halvings - 1);
             return;
         }
         Decal decal;

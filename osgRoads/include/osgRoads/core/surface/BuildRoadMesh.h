@@ -23,7 +23,8 @@ struct RoadMeshSettings
 RoadMeshSettings meshSettingsFor(const RoadNetwork& network);
 
 /// Makes the drawn surface of a network: lanes, kerbs where lane heights step, verges and skirts, with what is painted
-/// along the borders. Roads that cannot be used are left out.
+/// along the borders. Roads that cannot be used are left out, and
+/// what lies more than RoadMesh::kReachM from the middle of the network.
 /// Method: cross-sections of a chunk lie at s in equal steps, whose number doubles until the measured error is small enough;
 /// each level leaves out every other one. A level's error is the greatest distance, over cross-sections twice as dense as the
 /// finest level, of a point from the point of the level with the same s and place across.

@@ -92,6 +92,8 @@ struct RoadChunk
 struct RoadMesh
 {
     static constexpr double kMeshStepM = 1.0 / 1024.0;
+    static constexpr double kReachM =
+        2e6; ///< from the origin in each direction: nothing beyond is in the mesh
 
     glm::dvec3 origin{0.0};
     std::vector<MeshVertex> vertices;

@@ -24,6 +24,9 @@ struct RoadViewSettings
     double nearErrorM = 0.008; ///< of levels there, whatever the pixels
     double liftFullM = 120.0;  ///< from here on by all of liftPx
 
+    /// Returns the distance from which on the surface fades out; the fragment shader has the same share.
+    double fadeFromM() const { return 0.85 * farthestM; }
+
     bool operator==(const RoadViewSettings&) const = default;
 };
 
