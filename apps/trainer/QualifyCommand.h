@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <vector>
 
 namespace trainer
 {
@@ -17,5 +18,18 @@ struct QualifyRequest
 /// one line for each figure, writes them as JSON, and returns the exit code of the program: terminal::kFailed after an error and when a
 /// figure fails.
 int qualifyFlight(const QualifyRequest& request);
+
+/// The arguments of `trainer qualify drive`.
+struct QualifyDriveRequest
+{
+    std::vector<std::filesystem::path> vehicles{"data/vehicles/car.xml", "data/vehicles/van.xml",
+                                                "data/vehicles/bus.xml"};
+    double standsS = 3600.0;        ///< on a slope
+    std::filesystem::path jsonFile; ///< empty: none
+};
+
+/// Drives road vehicles against the figures of their files, the single-track model, the friction of their tyres, a slope and a kerb; prints,
+/// writes and returns as qualifyFlight().
+int qualifyDrive(const QualifyDriveRequest& request);
 
 } // namespace trainer

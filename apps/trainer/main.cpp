@@ -60,6 +60,7 @@ struct Arguments
     trainer::CheckRequest check;
     trainer::CompareRequest compare;
     trainer::QualifyRequest qualify;
+    trainer::QualifyDriveRequest qualifyDrive;
 };
 
 void addHeadlessOptions(CLI::App& play, Arguments& arguments)
@@ -174,16 +175,23 @@ CLI::App* addCheck(CLI::App& app, trainer::CheckRequest& request)
     return check;
 }
 
-/// `qualify` has a command below it for each kind of vehicle. Returns that of flight.
-CLI::App* addQualify(CLI::App& app, trainer::QualifyRequest& request)
+/// `qualify` has a command below it for each kind of vehicle. Returns that of flight and that of drive.
+std::pair<CLI::App*, CLI::App*> addQualify(CLI::App& app, Arguments& arguments)
 {
+    trainer::QualifyRequest& request = arguments.qualify;
+    trainer::QualifyDriveRequest& ofDrive = arguments.qualifyDrive;
     CLI::App* qualify = app.add_subcommand("qualify", "hold vehicles against what is known of them");
     qualify->require_subcommand(1);
     CLI::App* flight =
         qualify->add_subcommand("flight", "fly an aircraft against its handbook and recorded flights");
     flight->add_option("--aircraft", request.aircraft, "aircraft file");
     flight->add_option("--json", request.jsonFile, "JSON file for the figures");
-    return flight;
+    CLI::App* drive = qualify->add_subcommand("drive", "drive road vehicles against figures and models");
+    drive->add_option("--vehicle", ofDrive.vehicles, "road vehicle files");
+    drive->add_option("--stand", ofDrive.standsS, "seconds to stand on a slope")
+        ->check(terminal::between(1.0, 86400.0));
+    drive->add_option("--json", ofDrive.jsonFile, "JSON file for the figures");
+    return {flight, drive};
 }
 
 foundation::Outcome readPatchExponent(const std::string& text, std::optional<int>& exponent)
@@ -286,10 +294,11 @@ int run(int argc, char** argv)
     const CLI::App* check = addCheck(app, arguments.check);
     CLI::App* compare = app.add_subcommand("compare", "compare two tables of motion");
     addCompareOptions(*compare, arguments.compare);
-    const CLI::App* qualify = addQualify(app, arguments.qualify);
+    const auto [qualifyFlight, qualifyDrive] = addQualify(app, arguments);
     if (const auto ends = terminal::parse(app, argc, argv)) return *ends;
     if (*check) return trainer::check(arguments.check);
-    if (*qualify) return trainer::qualifyFlight(arguments.qualify);
+    if (*qualifyFlight) return trainer::qualifyFlight(arguments.qualify);
+    if (*qualifyDrive) return trainer::qualifyDrive(arguments.qualifyDrive);
     if (const auto sound = complete(arguments); !sound)
         return terminal::fail("trainer", sound.error()), terminal::kWrongUse;
     const auto outcome = *compare ? trainer::compare(arguments.compare)

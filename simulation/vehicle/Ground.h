@@ -71,6 +71,12 @@ public:
     /// Answers for each point what lies below it, or above it where it is under ground; of surfaces over each other (a bridge), the
     /// one that the point stands on. `answers` has the length of `points`.
     virtual void below(std::span<const glm::dvec3> points, std::span<GroundPoint> answers) const = 0;
+
+    /// The same for whoever needs no normals: those of the answers may be left upright.
+    virtual void heightsBelow(std::span<const glm::dvec3> points, std::span<GroundPoint> answers) const
+    {
+        below(points, answers);
+    }
 };
 
 /// Level ground of one kind, for tests and for scenes without terrain.

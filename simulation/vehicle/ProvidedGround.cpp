@@ -30,4 +30,15 @@ void ProvidedGround::below(std::span<const glm::dvec3> points, std::span<GroundP
         answers[i] = _provider ? at(points[i]) : GroundPoint{};
 }
 
+void ProvidedGround::heightsBelow(std::span<const glm::dvec3> points, std::span<GroundPoint> answers) const
+{
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+        answers[i] = {};
+        if (!_provider) continue;
+        const auto sample = _provider(points[i].x, points[i].y, points[i].z + kClimbableM);
+        if (sample) answers[i] = {sample->heightM, {0.0, 0.0, 1.0}, _kind, true};
+    }
+}
+
 } // namespace simulation

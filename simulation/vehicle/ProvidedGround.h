@@ -9,7 +9,7 @@ namespace simulation
 
 /// The ground of a scene (terrain, roads) as vehicles ask for it: heights of a provider, normals from its heights half a metre around,
 /// one kind for all. A point whose neighbours lie outside the data is unknown.
-/// Cost: five look-ups a point.
+/// Cost: five look-ups a point; one where normals are not needed.
 class ProvidedGround : public Ground
 {
 public:
@@ -20,6 +20,7 @@ public:
     }
 
     void below(std::span<const glm::dvec3> points, std::span<GroundPoint> answers) const override;
+    void heightsBelow(std::span<const glm::dvec3> points, std::span<GroundPoint> answers) const override;
 
 private:
     GroundPoint at(const glm::dvec3& point) const;

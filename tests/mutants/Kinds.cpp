@@ -120,6 +120,8 @@ public:
                 roads(joined({corpus / "curves.xodr", corpus / "junction.xodr"},
                              realFiles(scenarioData, {".xodr"}))),
                 aircraft({_folders.source / "data/aircraft/c172p.xml"}),
+                roadVehicles(
+                    {_folders.source / "data/vehicles/car.xml", _folders.source / "data/vehicles/van.xml"}),
                 polygons({corpus / "faces.obj", corpus / "frame.geojson"})};
     }
 
@@ -188,6 +190,14 @@ private:
         return {"aircraft", std::move(seeds),
                 [trainer = _trainer](const std::string& file) -> std::vector<Command> {
                     return {{trainer, "qualify", "flight", "--aircraft", file}};
+                }};
+    }
+
+    InputKind roadVehicles(std::vector<fs::path> seeds) const
+    {
+        return {"vehicle", std::move(seeds),
+                [trainer = _trainer](const std::string& file) -> std::vector<Command> {
+                    return {{trainer, "qualify", "drive", "--stand", "10", "--vehicle", file}};
                 }};
     }
 

@@ -2,6 +2,8 @@
 // `trainer qualify flight`: a table of figures, and an exit code that tells whether all are reached.
 #include <fstream>
 #include <iterator>
+#include <string>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -52,6 +54,44 @@ TEST(Qualify, FailsForAnAircraftThatDoesNotReachThem)
 TEST(Qualify, ExplainsAFileThatIsNone)
 {
     EXPECT_TRUE(failsWith(runTrainer({"qualify", "flight", "--aircraft", "/nowhere.xml"}), 1, "trainer",
+                          {"/nowhere.xml", "no such file"}));
+}
+
+const char* const kCar = OSGTRAINER_SOURCE_DIR "/data/vehicles/car.xml";
+
+TEST(QualifyDrive, WritesEveryFigureWithItsSource)
+{
+    const Workplace place;
+    const std::string file = place.path("figures.json");
+    EXPECT_TRUE(
+        succeeds(runTrainer({"qualify", "drive", "--stand", "10", "--vehicle", kCar, "--json", file})));
+    const nlohmann::json table = readTable(file);
+    ASSERT_TRUE(table.contains("checks"));
+    ASSERT_EQ(table["checks"].size(), 12U);
+    for (const nlohmann::json& check : table["checks"])
+    {
+        for (const char* member : {"name", "value", "unit", "expected", "tolerance", "source"})
+            EXPECT_TRUE(check.contains(member)) << check.dump();
+        EXPECT_EQ(check["pass"], true) << check.dump();
+    }
+}
+
+// The control: with weak brakes it stops late.
+TEST(QualifyDrive, FailsForAVehicleThatDoesNotReachThem)
+{
+    const Workplace place;
+    std::ifstream stream(kCar);
+    std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+    text = with(text, "mostNm=\"7000\"", "mostNm=\"1500\"");
+    const ProgramRun run =
+        runTrainer({"qualify", "drive", "--stand", "10", "--vehicle", place.write("weak.xml", text)});
+    EXPECT_EQ(run.exitCode, 1) << run.text();
+    EXPECT_NE(run.output.find("FAIL  mid-size car: 100-0"), std::string::npos) << run.text();
+}
+
+TEST(QualifyDrive, ExplainsAFileThatIsNone)
+{
+    EXPECT_TRUE(failsWith(runTrainer({"qualify", "drive", "--vehicle", "/nowhere.xml"}), 1, "trainer",
                           {"/nowhere.xml", "no such file"}));
 }
 

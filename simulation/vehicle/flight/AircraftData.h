@@ -8,7 +8,7 @@
 
 #include <glm/glm.hpp>
 
-#include "simulation/vehicle/flight/Table.h"
+#include "simulation/vehicle/Table.h"
 
 namespace simulation
 {

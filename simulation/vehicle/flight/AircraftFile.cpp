@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "simulation/vehicle/flight/AircraftElement.h"
+#include "simulation/vehicle/VehicleFileReader.h"
 #include "simulation/vehicle/flight/FlightModel.h"
 
 namespace simulation
@@ -16,7 +16,7 @@ namespace
 constexpr std::size_t kMostBytes = 4U << 20U;
 constexpr double kMost = 1e9;
 
-void readBody(AircraftReader& reader, pugi::xml_node root, AircraftData& data)
+void readBody(VehicleFileReader& reader, pugi::xml_node root, AircraftData& data)
 {
     const pugi::xml_node geometry = reader.child(root, "geometry");
     reader.onlyAttributes(geometry, "wingAreaM2 wingSpanM meanChordM");
@@ -54,14 +54,14 @@ void readBody(AircraftReader& reader, pugi::xml_node root, AircraftData& data)
         reader.fail(root, "has more than " + std::to_string(kMostTanks) + " tanks", "join some");
 }
 
-SurfaceTravel readTravel(AircraftReader& reader, pugi::xml_node root, const char* name)
+SurfaceTravel readTravel(VehicleFileReader& reader, pugi::xml_node root, const char* name)
 {
     const pugi::xml_node node = reader.child(root, name);
     reader.onlyAttributes(node, "negativeDeg positiveDeg");
     return {reader.number(node, "negativeDeg", -90.0, 0.0), reader.number(node, "positiveDeg", 0.0, 90.0)};
 }
 
-void readControls(AircraftReader& reader, pugi::xml_node root, AircraftData& data)
+void readControls(VehicleFileReader& reader, pugi::xml_node root, AircraftData& data)
 {
     data.elevator = readTravel(reader, root, "elevator");
     data.aileron = readTravel(reader, root, "aileron");
@@ -77,7 +77,7 @@ void readControls(AircraftReader& reader, pugi::xml_node root, AircraftData& dat
                   reader.number(stall, "platePitch", 0.0, 5.0)};
 }
 
-void readEngine(AircraftReader& reader, pugi::xml_node root, EngineData& engine)
+void readEngine(VehicleFileReader& reader, pugi::xml_node root, EngineData& engine)
 {
     const pugi::xml_node node = reader.child(root, "engine");
     reader.onlyAttributes(
@@ -101,7 +101,7 @@ void readEngine(AircraftReader& reader, pugi::xml_node root, EngineData& engine)
     engine.efficiency = reader.table(reader.child(node, "efficiency"), false);
 }
 
-void readPropeller(AircraftReader& reader, pugi::xml_node root, PropellerData& propeller)
+void readPropeller(VehicleFileReader& reader, pugi::xml_node root, PropellerData& propeller)
 {
     const pugi::xml_node node = reader.child(root, "propeller");
     reader.onlyAttributes(node, "diameterM inertiaKgM2 turnsRight discShiftMPerRad xM yM zM");
@@ -117,7 +117,7 @@ void readPropeller(AircraftReader& reader, pugi::xml_node root, PropellerData& p
     propeller.power = reader.table(reader.child(node, "power"), false);
 }
 
-void readContact(AircraftReader& reader, pugi::xml_node node, bool isWheel, AircraftData& data)
+void readContact(VehicleFileReader& reader, pugi::xml_node node, bool isWheel, AircraftData& data)
 {
     reader.onlyAttributes(
         node, isWheel ? "xM yM zM radiusM springNPerM dampingNsPerM friction steeringDeg brake breaksAtMps"
@@ -149,7 +149,7 @@ std::size_t indexOf(const std::array<std::string_view, N>& names, std::string_vi
     return static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
 }
 
-Argument readArgument(AircraftReader& reader, pugi::xml_node node, const char* attribute)
+Argument readArgument(VehicleFileReader& reader, pugi::xml_node node, const char* attribute)
 {
     const pugi::xml_attribute found = node.attribute(attribute);
     if (!found) return Argument::none;
@@ -160,7 +160,7 @@ Argument readArgument(AircraftReader& reader, pugi::xml_node node, const char* a
     return Argument::none;
 }
 
-void readCoefficients(AircraftReader& reader, pugi::xml_node root, AircraftData& data)
+void readCoefficients(VehicleFileReader& reader, pugi::xml_node root, AircraftData& data)
 {
     std::array<bool, kPartNames.size()> isGiven{};
     for (const Part factor : {Part::liftGround, Part::dragGround})
@@ -191,34 +191,18 @@ void readCoefficients(AircraftReader& reader, pugi::xml_node root, AircraftData&
                         "add it: without it nothing flies");
 }
 
-/// Sources first: every other element names one. Fails on elements that are none of ours.
-void checkElements(AircraftReader& reader, pugi::xml_node root)
-{
-    constexpr std::string_view kElements =
-        " geometry aerodynamicPoint empty load tank elevator aileron rudder flaps "
-        "stall engine propeller wheel skid coefficient ";
-    for (const pugi::xml_node node : root.children("source"))
-        reader.listSource(node);
-    for (const pugi::xml_node node : root.children())
-    {
-        if (node.type() != pugi::node_element || std::string_view(node.name()) == "source") continue;
-        if (kElements.find(std::string(" ") + node.name() + " ") == std::string_view::npos)
-            reader.fail(node, std::string("<") + node.name() + "> is unknown",
-                        "remove it; docs/reference/aircraft-file.md lists all");
-        reader.checkSource(node);
-    }
-}
-
 foundation::Result<AircraftData> readSource(const foundation::XmlSource& source)
 {
-    AircraftReader reader(source);
+    VehicleFileReader reader(source, "docs/reference/aircraft-file.md");
     const pugi::xml_node root = source.root();
     AircraftData data;
     if (std::string_view(root.name()) != "aircraft" ||
         std::string_view(root.attribute("version").value()) != "1")
         reader.fail(root, "is no <aircraft version=\"1\">", "give an aircraft's data file of this version");
     data.name = reader.name(root);
-    if (!reader.error()) checkElements(reader, root);
+    if (!reader.error())
+        reader.onlyElements(root, "geometry aerodynamicPoint empty load tank elevator aileron rudder flaps "
+                                  "stall engine propeller wheel skid coefficient");
     if (!reader.error()) readBody(reader, root, data);
     if (!reader.error()) readControls(reader, root, data);
     if (!reader.error()) readEngine(reader, root, data.engine);

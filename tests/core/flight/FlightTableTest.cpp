@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
-#include "simulation/vehicle/flight/Table.h"
+#include "simulation/vehicle/Table.h"
 
 namespace
 {

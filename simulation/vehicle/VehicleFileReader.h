@@ -10,16 +10,20 @@
 #include <foundation/XmlSource.h>
 #include <glm/glm.hpp>
 
-#include "simulation/vehicle/flight/Table.h"
+#include "simulation/vehicle/Table.h"
 
 namespace simulation
 {
 
-/// Reads the elements of an aircraft's file and keeps the first error; what is read after an error is 0.
-class AircraftReader
+/// Reads the elements of a vehicle's data file and keeps the first error; what is read after an error is 0.
+class VehicleFileReader
 {
 public:
-    explicit AircraftReader(const foundation::XmlSource& source) : _source(source) {}
+    /// `page`: of the documentation, for remedies; a text that lives as long as the program.
+    VehicleFileReader(const foundation::XmlSource& source, std::string_view page)
+        : _source(source), _page(page)
+    {
+    }
 
     const std::optional<foundation::Error>& error() const { return _error; }
 
@@ -41,15 +45,19 @@ public:
     /// The only child of that name; an error where there is none.
     pugi::xml_node child(pugi::xml_node parent, const char* name);
 
+    /// Fails where an element of the file is none of these (separated by blanks) or names no listed source; lists sources first.
+    void onlyElements(pugi::xml_node root, std::string_view names);
+
     /// Fails where an element has attributes other than these (separated by blanks) and name and source.
     void onlyAttributes(pugi::xml_node node, std::string_view names);
 
-    /// Lists a source, or checks that an element's source is listed.
+private:
     void listSource(pugi::xml_node node);
     void checkSource(pugi::xml_node node);
+    std::string lists() const { return "remove it; " + std::string(_page) + " lists all"; }
 
-private:
     const foundation::XmlSource& _source;
+    std::string_view _page;
     std::set<std::string> _sources;
     std::optional<foundation::Error> _error;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "simulation/vehicle/flight/Table.h"
+#include "simulation/vehicle/Table.h"
 
 #include <algorithm>
 #include <cmath>

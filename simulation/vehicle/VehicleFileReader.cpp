@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "simulation/vehicle/flight/AircraftElement.h"
+#include "simulation/vehicle/VehicleFileReader.h"
 
 #include <charconv>
 #include <cmath>
@@ -56,14 +56,14 @@ std::optional<std::vector<std::vector<double>>> parseLines(const std::string& te
 
 } // namespace
 
-void AircraftReader::fail(pugi::xml_node node, const std::string& what, std::string remedy)
+void VehicleFileReader::fail(pugi::xml_node node, const std::string& what, std::string remedy)
 {
     if (_error) return;
     _error = foundation::Error{_source.name() + ":" + std::to_string(_source.lineOf(node)),
                                foundation::excerpt(what), std::move(remedy)};
 }
 
-double AircraftReader::number(pugi::xml_node node, const char* attribute, double least, double most)
+double VehicleFileReader::number(pugi::xml_node node, const char* attribute, double least, double most)
 {
     const pugi::xml_attribute found = node.attribute(attribute);
     const std::string label = std::string("<") + node.name() + "> ";
@@ -83,13 +83,13 @@ double AircraftReader::number(pugi::xml_node node, const char* attribute, double
     return *value;
 }
 
-glm::dvec3 AircraftReader::place(pugi::xml_node node)
+glm::dvec3 VehicleFileReader::place(pugi::xml_node node)
 {
     return {number(node, "xM", -100.0, 100.0), number(node, "yM", -100.0, 100.0),
             number(node, "zM", -100.0, 100.0)};
 }
 
-Table AircraftReader::table(pugi::xml_node node, bool hasColumns)
+Table VehicleFileReader::table(pugi::xml_node node, bool hasColumns)
 {
     const std::string label = std::string("the table of <") + node.name() + "> ";
     std::string wrong;
@@ -119,14 +119,14 @@ Table AircraftReader::table(pugi::xml_node node, bool hasColumns)
     return Table(0.0);
 }
 
-std::string AircraftReader::name(pugi::xml_node node)
+std::string VehicleFileReader::name(pugi::xml_node node)
 {
     const std::string name = node.attribute("name").value();
     if (name.empty()) fail(node, std::string("<") + node.name() + "> has no name", "give it one");
     return name;
 }
 
-pugi::xml_node AircraftReader::child(pugi::xml_node parent, const char* name)
+pugi::xml_node VehicleFileReader::child(pugi::xml_node parent, const char* name)
 {
     const pugi::xml_node found = parent.child(name);
     if (!found)
@@ -136,17 +136,31 @@ pugi::xml_node AircraftReader::child(pugi::xml_node parent, const char* name)
     return found;
 }
 
-void AircraftReader::onlyAttributes(pugi::xml_node node, std::string_view names)
+void VehicleFileReader::onlyAttributes(pugi::xml_node node, std::string_view names)
 {
     const std::string padded = " name source " + std::string(names) + " ";
     for (const pugi::xml_attribute attribute : node.attributes())
         if (padded.find(std::string(" ") + attribute.name() + " ") == std::string::npos)
             fail(node,
                  std::string("<") + node.name() + "> has an unknown attribute '" + attribute.name() + "'",
-                 "remove it; docs/reference/aircraft-file.md lists all");
+                 lists());
 }
 
-void AircraftReader::listSource(pugi::xml_node node)
+void VehicleFileReader::onlyElements(pugi::xml_node root, std::string_view names)
+{
+    const std::string padded = " " + std::string(names) + " ";
+    for (const pugi::xml_node node : root.children("source"))
+        listSource(node);
+    for (const pugi::xml_node node : root.children())
+    {
+        if (node.type() != pugi::node_element || std::string_view(node.name()) == "source") continue;
+        if (padded.find(std::string(" ") + node.name() + " ") == std::string::npos)
+            fail(node, std::string("<") + node.name() + "> is unknown", lists());
+        checkSource(node);
+    }
+}
+
+void VehicleFileReader::listSource(pugi::xml_node node)
 {
     const std::string key = node.attribute("key").value();
     if (key.empty() || std::string_view(node.child_value()).empty())
@@ -156,7 +170,7 @@ void AircraftReader::listSource(pugi::xml_node node)
         fail(node, "the source '" + key + "' is listed twice", "keep one");
 }
 
-void AircraftReader::checkSource(pugi::xml_node node)
+void VehicleFileReader::checkSource(pugi::xml_node node)
 {
     const std::string key = node.attribute("source").value();
     if (!_sources.contains(key))

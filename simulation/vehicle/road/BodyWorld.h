@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include <glm/glm.hpp>
+#include <glm/gtc/quaternion.hpp>
+
+#include "simulation/vehicle/Ground.h"
+#include "simulation/vehicle/road/RoadVehicleData.h"
+
+namespace simulation
+{
+
+/// Motion of a rigid body. Frames: the scene's; rates in the scene's axes. Units: metres, m/s, rad/s.
+struct SolidMotion
+{
+    glm::dvec3 position{0.0}; ///< of the centre of mass
+    glm::dquat bodyToScene{1.0, 0.0, 0.0, 0.0};
+    glm::dvec3 velocity{0.0};
+    glm::dvec3 rates{0.0};
+};
+
+/// What a body hit in the last step.
+struct SolidHit
+{
+    bool touches = false;
+    double closingMps = 0.0; ///< the fastest closing speed among its contacts, before they were resolved
+};
+
+/// Rigid bodies of boxes that meet each other and the ground: a world of Bullet in double precision.
+///
+/// Forces are added before each step and hold for it alone. The ground is met only where a body has been given a patch of it. One thread,
+/// a fixed order of bodies: the same calls give the same bytes.
+class BodyWorld
+{
+public:
+    BodyWorld();
+    ~BodyWorld();
+    BodyWorld(const BodyWorld&) = delete;
+    BodyWorld& operator=(const BodyWorld&) = delete;
+
+    /// Adds a body of boxes about its centre of mass; returns its number.
+    int add(const RoadMassProperties& mass, const HullData& hull);
+
+    void place(int body, const SolidMotion& motion);
+    SolidMotion motion(int body) const;
+
+    void setGravity(int body, const glm::dvec3& gravity);
+
+    /// A force at a point given from the centre of mass, scene's axes. Units: N, metres.
+    void push(int body, const glm::dvec3& force, const glm::dvec3& arm);
+
+    /// Lays a patch of the ground below a body, or takes it away. The ground must answer as before while it lies.
+    void layGround(int body, const Ground& ground, double reachM);
+    void liftGround(int body);
+
+    void step(double stepS);
+
+    SolidHit hit(int body) const;
+
+private:
+    struct Parts;
+    std::unique_ptr<Parts> _parts;
+};
+
+} // namespace simulation
