@@ -110,6 +110,8 @@ foundation::Outcome leaveResults(const PlaySession& session, const PlayRequest& 
     return foundation::success();
 }
 
+} // namespace
+
 foundation::Outcome playOver(SceneTerrain terrain, simulation::Scenario scenario, const PlayRequest& request)
 {
     auto session = PlaySession::create(std::move(scenario), std::move(terrain), request);
@@ -119,8 +121,6 @@ foundation::Outcome playOver(SceneTerrain terrain, simulation::Scenario scenario
     if (const auto played = playToTheEnd(**session, request); !played) return played;
     return leaveResults(**session, request);
 }
-
-} // namespace
 
 foundation::Outcome play(const PlayRequest& request)
 {

@@ -6,6 +6,8 @@
 #include <foundation/Result.h>
 
 #include "PlayRequest.h"
+#include "SceneTerrain.h"
+#include "simulation/scenario/Scenario.h"
 
 namespace trainer
 {
@@ -15,5 +17,8 @@ foundation::Outcome play(const PlayRequest& request);
 
 /// Makes a tour over request.terrain, writes it to `saveFile` unless that is empty, and plays it. Units: seconds.
 foundation::Outcome tour(const PlayRequest& request, const std::filesystem::path& saveFile, double durationS);
+
+/// Plays a scenario over an opened terrain, and leaves the results of the request.
+foundation::Outcome playOver(SceneTerrain terrain, simulation::Scenario scenario, const PlayRequest& request);
 
 } // namespace trainer

@@ -11,8 +11,10 @@
 #include "CompareCommand.h"
 #include "HeadlessCommand.h"
 #include "PlayCommand.h"
+#include "PlayTracks.h"
 #include "PlayVariations.h"
 #include "QualifyCommand.h"
+#include "simulation/track/ReadTrack.h"
 #include "terminal/CommandLine.h"
 #include "terminal/Guard.h"
 #include "terminal/Terminal.h"
@@ -57,6 +59,7 @@ struct Arguments
     bool isHeadless = false;
     trainer::HeadlessRequest headless;
     trainer::VariationRequest variations;
+    trainer::TrackRequest tracks;
     trainer::CheckRequest check;
     trainer::CompareRequest compare;
     trainer::QualifyRequest qualify;
@@ -239,9 +242,25 @@ foundation::Outcome complete(Arguments& arguments)
     return readPatchExponent(arguments.patchExponent, request.terrain.patchExponent);
 }
 
+void addTrackOptions(CLI::App& play, trainer::TrackRequest& request)
+{
+    play.add_option("--start", request.startS, "seconds into a recording at which to begin")
+        ->check(terminal::between(0.0, 1e6));
+    play.add_option("--save", request.saveFile, "file for the scenario that is made of a recording");
+}
+
+/// Plays a recording. Errors: options that belong to scenarios.
+foundation::Outcome playRecording(const Arguments& arguments)
+{
+    if (!arguments.isHeadless) return trainer::playTracks(arguments.request, arguments.tracks);
+    return foundation::Error{"--headless", "a recording is played over its terrain",
+                             "leave it out; or --save the scenario, and play that headless"};
+}
+
 /// Plays a scenario, or the variations of one.
 foundation::Outcome playOne(const Arguments& arguments)
 {
+    if (simulation::isTrackFile(arguments.request.scenario)) return playRecording(arguments);
     const auto play = [&](const trainer::ScenarioPlay& one)
     {
         if (arguments.isHeadless)
@@ -276,13 +295,16 @@ int run(int argc, char** argv)
     Arguments arguments;
     PlayRequest& request = arguments.request;
 
-    CLI::App* play = app.add_subcommand("play", "play an OpenSCENARIO file");
-    play->add_option("SCENARIO", request.scenario, "OpenSCENARIO XML")->required();
+    CLI::App* play = app.add_subcommand("play", "play an OpenSCENARIO file, or a recorded flight");
+    play->add_option("SCENARIO", request.scenario,
+                     "OpenSCENARIO XML, or a recording (.igc, .gpx, .kml, .acmi, .csv)")
+        ->required();
     play->add_option("--terrain", request.terrain.file,
                      "terrain or scene file instead of the scenario's SceneGraphFile");
     addPlayOptions(*play, arguments);
     addHeadlessOptions(*play, arguments);
     addVariationOptions(*play, arguments.variations);
+    addTrackOptions(*play, arguments.tracks);
     CLI::App* tour =
         app.add_subcommand("tour", "fly over an elevation file, or drive through a road network");
     tour->add_option("DEM", request.terrain.file,

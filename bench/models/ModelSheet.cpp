@@ -11,30 +11,20 @@
 
 #include <foundation/Angle.h>
 
-#include <osgOffscreen/OffscreenViewer>
 #include <osgOffscreen/PngFile>
 
+#include "Picture.h"
 #include "Plain.h"
 #include "measurement/view/ContactSheet.h"
 #include "scenery/models/Catalogue.h"
 #include "scenery/nodes/ModelStates.h"
-#include "scenery/nodes/Pose.h"
 
 namespace
 {
 
 using scenery::models::KindFacts;
 
-constexpr int kWidthPx = 640;
-constexpr int kHeightPx = 400;
 constexpr double kEyeM = 1.7;
-
-struct View
-{
-    const char* name;
-    glm::dvec3 eye, target;
-    double heightDeg;
-};
 
 /// Returns the three views of a model. `distanceM`: of the two near views; 0: far enough to see the whole model.
 std::vector<View> viewsOf(const scenery::models::Model& model, double distanceM)
@@ -50,27 +40,6 @@ std::vector<View> viewsOf(const scenery::models::Model& model, double distanceM)
     return {{"front", from(-38.0, away, kEyeM), target, 40.0},
             {"back", from(145.0, away, kEyeM), target, 40.0},
             {"far", from(-60.0, 143.0, 45.0), target, 14.0}};
-}
-
-osg::ref_ptr<osg::Image> pictureOf(osg::Node* scene, const View& view)
-{
-    osgOffscreen::OffscreenSettings settings;
-    settings.widthPx = kWidthPx;
-    settings.heightPx = kHeightPx;
-    settings.samples = 4;
-    auto made = osgOffscreen::OffscreenViewer::create(settings);
-    if (!made)
-    {
-        std::fprintf(stderr, "%s\n", made.error().message().c_str());
-        std::exit(1);
-    }
-    osgOffscreen::OffscreenViewer& viewer = **made;
-    viewer.viewer().setSceneData(scene);
-    viewer.camera().setProjectionMatrixAsPerspective(view.heightDeg,
-                                                     static_cast<double>(kWidthPx) / kHeightPx, 0.3, 1e5);
-    const glm::dmat4 matrix = scenery::viewFromWorld(scenery::poseLookingAt(view.eye, view.target));
-    viewer.camera().setViewMatrix(osg::Matrixd(&matrix[0][0]));
-    return viewer.picture();
 }
 
 void report(const KindFacts& facts, const scenery::models::Model& model, double ms)

@@ -20,6 +20,25 @@ enum class HeightDatum
 /// Returns the datum in words, for messages.
 const char* nameOf(HeightDatum datum);
 
+/// What moved, as far as the file tells.
+enum class TrackKind
+{
+    unknown,
+    aircraft,
+    helicopter,
+    ship,
+    vehicle,
+    person,
+    thing,
+    mark, ///< no body: a waypoint, a bullseye
+};
+
+/// A recorded attitude. Degrees: yaw clockwise from true north, pitch nose up, roll right side down.
+struct TrackAttitude
+{
+    double yawDeg = 0.0, pitchDeg = 0.0, rollDeg = 0.0;
+};
+
 /// A recorded position. WGS84 degrees, metres.
 struct TrackFix
 {
@@ -28,6 +47,7 @@ struct TrackFix
     double latitudeDeg = 0.0, longitudeDeg = 0.0;
     std::optional<double> heightM;
     int line = 0; ///< of the file
+    std::optional<TrackAttitude> attitude{};
 };
 
 /// A flight, a drive or a walk that somebody recorded.
@@ -38,6 +58,8 @@ struct FlightTrack
     std::vector<TrackFix> fixes; ///< one at least
     HeightDatum datum = HeightDatum::meanSeaLevel;
     bool hasTimes = true; ///< no: all are 0
+    TrackKind kind = TrackKind::unknown;
+    std::optional<double> endS{}; ///< when it was taken out of the recording, on the clock of the fixes
 };
 
 /// A record that is passed over, or read otherwise than it is written.

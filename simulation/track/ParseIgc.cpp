@@ -142,6 +142,7 @@ private:
         FlightTrack& track = _builder.begin(_name, !bySatellite ? HeightDatum::pressure
                                                    : _isGeoid   ? HeightDatum::meanSeaLevel
                                                                 : HeightDatum::ellipsoid);
+        track.kind = TrackKind::aircraft;
         double above = 0.0; // of the satellites' height over the pressure's
         for (const Fix& fix : _fixes)
             if (fix.hasSatelliteHeight)

@@ -45,11 +45,29 @@ public:
 
     void take(pugi::xml_node parent, std::string_view element)
     {
+        if (_track.fixes.empty()) _track.hasTimes = timesDiffer(parent, element);
         for (pugi::xml_node node : parent.children())
             if (plainName(node) == element) take(node);
     }
 
 private:
+    /// Points of one and the same time, as some programs write them, have none.
+    static bool timesDiffer(pugi::xml_node parent, std::string_view element)
+    {
+        std::optional<double> first;
+        std::size_t points = 0;
+        for (pugi::xml_node node : parent.children())
+        {
+            if (plainName(node) != element) continue;
+            ++points;
+            const auto time = unixSeconds(textOf(node, "time"));
+            if (points == 1 && !time) return false;
+            if (points == 1) first = time;
+            if (time && *time != *first) return true;
+        }
+        return points == 1 && first;
+    }
+
     void take(pugi::xml_node node)
     {
         const int line = _source.lineOf(node);
@@ -61,7 +79,6 @@ private:
             _builder.problem(line, "a point without lat and lon");
             return;
         }
-        if (_track.fixes.empty()) _track.hasTimes = time.has_value();
         if (_track.hasTimes && !time)
         {
             _builder.problem(line, "a point without time in a track that has them");

@@ -2,9 +2,13 @@
 #include "simulation/track/ReadTrack.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cstring>
 #include <fstream>
+#include <map>
+#include <optional>
+#include <utility>
 
 #include <foundation/ReadableFile.h>
 #include <zlib.h>
@@ -31,19 +35,14 @@ std::size_t word(std::string_view bytes, std::size_t at)
            static_cast<std::size_t>(static_cast<unsigned char>(bytes[at + 1])) << 8;
 }
 
-/// The text of the first file of a zip archive. Source: PKWARE, *.ZIP file format specification*, 4.3.7.
-foundation::Result<std::string> firstOfZip(std::string_view zip, const std::string& name)
+/// What a compressed stream holds. `windowBits`: as of inflateInit2(). Nothing where it is damaged or holds too much.
+std::optional<std::string> inflated(std::string_view bytes, int windowBits)
 {
-    const foundation::Error damaged{name, "is a damaged zip archive", "copy it again, or unpack it"};
-    if (zip.size() < kZipHeader) return damaged;
-    const std::size_t method = word(zip, 8);
-    const std::size_t begin = kZipHeader + word(zip, 26) + word(zip, 28);
-    if (begin > zip.size() || method != Z_DEFLATED) return damaged;
     z_stream stream;
     std::memset(&stream, 0, sizeof stream);
-    if (inflateInit2(&stream, -MAX_WBITS) != Z_OK) return damaged;
-    stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(zip.data() + begin));
-    stream.avail_in = static_cast<uInt>(zip.size() - begin);
+    if (inflateInit2(&stream, windowBits) != Z_OK) return std::nullopt;
+    stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
+    stream.avail_in = static_cast<uInt>(bytes.size());
     std::string text;
     int status = Z_OK;
     while (status == Z_OK && text.size() <= kMostBytes)
@@ -57,11 +56,75 @@ foundation::Result<std::string> firstOfZip(std::string_view zip, const std::stri
         text.resize(before + kPiece - stream.avail_out);
     }
     inflateEnd(&stream);
-    if (status != Z_STREAM_END) return damaged;
+    if (status != Z_STREAM_END) return std::nullopt;
     return text;
 }
 
+/// The text of the first file of a zip archive. Source: PKWARE, *.ZIP file format specification*, 4.3.7.
+std::optional<std::string> firstOfZip(std::string_view zip)
+{
+    if (zip.size() < kZipHeader) return std::nullopt;
+    const std::size_t method = word(zip, 8);
+    const std::size_t begin = kZipHeader + word(zip, 26) + word(zip, 28);
+    if (begin > zip.size()) return std::nullopt;
+    if (method == Z_DEFLATED) return inflated(zip.substr(begin), -MAX_WBITS);
+    const std::size_t stored = word(zip, 18) | word(zip, 20) << 16;
+    if (method != 0 || stored == 0 || stored > zip.size() - begin) return std::nullopt;
+    return std::string(zip.substr(begin, stored));
+}
+
+/// Puts the content of a compressed file in its place.
+foundation::Outcome unpack(std::string& text, const std::string& name)
+{
+    constexpr int kGzip = 16;
+    const bool isZip = text.starts_with("PK\x03\x04");
+    if (!isZip && !text.starts_with("\x1F\x8B")) return foundation::success();
+    std::optional<std::string> unpacked = isZip ? firstOfZip(text) : inflated(text, kGzip + MAX_WBITS);
+    if (!unpacked)
+        return foundation::Error{name, isZip ? "is a damaged zip archive" : "is damaged by its checksum",
+                                 "copy it again, or unpack it"};
+    text = std::move(*unpacked);
+    return foundation::success();
+}
+
+/// Tracks without a name have that of the file; those of the same name are numbered.
+void nameTracks(TrackReading& reading, const std::filesystem::path& file)
+{
+    std::string stem = file.stem().string();
+    if (extensionOf(file) == ".gz" || stem.ends_with(".txt") || stem.ends_with(".zip"))
+        stem = std::filesystem::path(stem).stem().string();
+    std::map<std::string, int> counts;
+    for (FlightTrack& track : reading.tracks)
+    {
+        constexpr std::size_t kLongest = 200; // a scenario's names have 256 characters at most
+        if (track.name.empty() || track.name == file.string()) track.name = stem;
+        track.name.resize(std::min(track.name.size(), kLongest));
+        const int count = ++counts[track.name];
+        if (count > 1) track.name += " " + std::to_string(count);
+    }
+}
+
+foundation::Result<TrackReading> parse(std::string_view text, const std::filesystem::path& file)
+{
+    const std::string name = file.string();
+    const std::string extension = extensionOf(file) == ".gz" ? extensionOf(file.stem()) : extensionOf(file);
+    if (extension == ".igc") return parseIgc(text, name);
+    if (extension == ".gpx") return parseGpx(text, name);
+    if (extension == ".kml") return parseKml(text, name);
+    if (extension == ".csv") return parseTrackTable(text, name);
+    if (extension == ".acmi") return parseAcmi(text, name);
+    return foundation::Error{name, "is no track file by its name",
+                             "name an .igc, .gpx, .kml, .acmi or .csv file"};
+}
+
 } // namespace
+
+bool isTrackFile(const std::filesystem::path& file)
+{
+    static constexpr std::array<std::string_view, 5> kExtensions{".igc", ".gpx", ".kml", ".acmi", ".csv"};
+    const std::string extension = extensionOf(file) == ".gz" ? extensionOf(file.stem()) : extensionOf(file);
+    return std::find(kExtensions.begin(), kExtensions.end(), extension) != kExtensions.end();
+}
 
 foundation::Result<TrackReading> readTracks(const std::filesystem::path& file)
 {
@@ -72,18 +135,10 @@ foundation::Result<TrackReading> readTracks(const std::filesystem::path& file)
         return foundation::Error{name, "is larger than 256 MiB", "split the recording"};
     std::ifstream stream(file, std::ios::binary);
     std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-    const std::string extension = extensionOf(file);
-    if (extension == ".igc") return parseIgc(text, name);
-    if (extension == ".gpx") return parseGpx(text, name);
-    if (extension == ".kml") return parseKml(text, name);
-    if (extension == ".csv") return parseTrackTable(text, name);
-    if (extension != ".acmi")
-        return foundation::Error{name, "is no track file by its name",
-                                 "name an .igc, .gpx, .kml, .acmi or .csv file"};
-    if (!text.starts_with("PK\x03\x04")) return parseAcmi(text, name);
-    const auto unpacked = firstOfZip(text, name);
-    if (!unpacked) return unpacked.error();
-    return parseAcmi(*unpacked, name);
+    if (const auto unpacked = unpack(text, name); !unpacked) return unpacked.error();
+    auto reading = parse(text, file);
+    if (reading) nameTracks(*reading, file);
+    return reading;
 }
 
 } // namespace simulation

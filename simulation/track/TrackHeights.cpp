@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include <foundation/Angle.h>
+#include "simulation/track/TrackMotion.h"
 
 namespace simulation
 {
@@ -15,16 +15,6 @@ namespace
 constexpr double kRestMps = 2.0;
 constexpr double kRestS = 60.0;
 constexpr std::size_t kFewestResting = 3;
-constexpr double kEarthM = 6371000.0;
-
-/// In the plane, good to a percent over the way between two fixes.
-double metresBetween(const TrackFix& one, const TrackFix& other)
-{
-    const double north = foundation::radiansOf(other.latitudeDeg - one.latitudeDeg);
-    const double east = foundation::radiansOf(foundation::wrappedDeg(other.longitudeDeg - one.longitudeDeg)) *
-                        std::cos(foundation::radiansOf(one.latitudeDeg));
-    return kEarthM * std::hypot(north, east);
-}
 
 bool isResting(const FlightTrack& track, std::size_t i)
 {
@@ -48,15 +38,24 @@ double median(std::vector<double>& values)
 std::string TrackHeights::message() const
 {
     char text[256];
-    std::snprintf(
-        text, sizeof text,
-        "heights above %s: %+.1f m added (%zu fixes at rest on the ground); %zu fixes were below the ground, "
-        "by %.1f m at most, and are lifted to it",
-        nameOf(datum), offsetM, restingFixes, raisedFixes, deepestM);
-    return text;
+    std::string message = std::string("heights above ") + nameOf(datum);
+    if (restingFixes > 0)
+    {
+        std::snprintf(text, sizeof text, ": %+.1f m added (%zu fixes at rest on the ground)", offsetM,
+                      restingFixes);
+        message += text;
+    }
+    if (raisedFixes > 0)
+    {
+        std::snprintf(text, sizeof text,
+                      "; %zu fixes were below the ground, by %.1f m at most, and are lifted to it",
+                      raisedFixes, deepestM);
+        message += text;
+    }
+    return message;
 }
 
-TrackHeights fitToGround(FlightTrack& track, const GroundHeight& ground, double clearanceM)
+TrackHeights fitToGround(FlightTrack& track, const GroundHeight& ground, double clearanceM, bool findsOffset)
 {
     TrackHeights done;
     done.datum = track.datum;
@@ -69,7 +68,7 @@ TrackHeights fitToGround(FlightTrack& track, const GroundHeight& ground, double 
         if (track.datum != HeightDatum::ground && heights.back() && fix.heightM && isResting(track, i))
             differences.push_back(*heights.back() - *fix.heightM);
     }
-    if (differences.size() >= kFewestResting)
+    if (findsOffset && differences.size() >= kFewestResting)
     {
         done.restingFixes = differences.size();
         done.offsetM = median(differences);

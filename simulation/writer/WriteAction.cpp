@@ -118,6 +118,16 @@ void writeContent(ElementWriter parent, const EnvironmentAction& action)
         element.child("RoadCondition").set("frictionScaleFactor", *environment.roadFriction);
 }
 
+void writeContent(ElementWriter parent, const EntityAction& action)
+{
+    ElementWriter element = parent.child("EntityAction");
+    element.set("entityRef", action.entity);
+    if (action.isDeleted)
+        element.child("DeleteEntityAction");
+    else if (ElementWriter added = element.child("AddEntityAction"); action.position)
+        writePosition(added, *action.position);
+}
+
 } // namespace
 
 void writePosition(ElementWriter parent, const Position& position)

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "SceneTerrain.h"
+#include "simulation/track/FlightTrack.h"
+
+namespace trainer
+{
+
+/// Makes flat ground below recorded tracks, at the height that one fix of fifty is below, with 20 km around them: a stage for a
+/// recording whose terrain is not at hand. Errors: tracks that are more than 5 degrees apart, or beyond 80 degrees of latitude.
+foundation::Result<SceneTerrain> makeFlatScene(const std::vector<simulation::FlightTrack>& tracks);
+
+} // namespace trainer

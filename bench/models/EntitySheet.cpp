@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: Apache-2.0
+// entity_sheet FOLDER [NAME]: draws pictures of moving entities from near by: each category from its left side, its front right and its back left,
+// walks in four phases, lamps in four states, wheels that steer; FOLDER/entities.png has them all. Prints counts.
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <foundation/Angle.h>
+
+#include <osgOffscreen/PngFile>
+
+#include "Picture.h"
+#include "Plain.h"
+#include "measurement/view/ContactSheet.h"
+#include "scenery/models/entities/UsualSize.h"
+#include "scenery/nodes/AircraftModel.h"
+#include "scenery/nodes/EntityNode.h"
+
+namespace
+{
+
+using scenery::models::EntityKind;
+using scenery::models::EntityLamp;
+using scenery::models::EntityShape;
+
+constexpr double kEyeM = 1.7;
+
+struct Subject
+{
+    std::string name;
+    EntityKind kind;
+    simulation::EntityState state{};
+    scenery::models::LitLamps lit{};
+    double headingDeg = 0.0; ///< of the only camera; 0: three cameras
+};
+
+const std::vector<std::pair<std::string, EntityKind>> kKinds = {{"car", EntityKind::car},
+                                                                {"van", EntityKind::van},
+                                                                {"bus", EntityKind::bus},
+                                                                {"lorry", EntityKind::lorry},
+                                                                {"tractor", EntityKind::tractor},
+                                                                {"semitrailer", EntityKind::semitrailer},
+                                                                {"trailer", EntityKind::trailer},
+                                                                {"motorbike", EntityKind::motorbike},
+                                                                {"bicycle", EntityKind::bicycle},
+                                                                {"pedestrian", EntityKind::pedestrian},
+                                                                {"wheelchair", EntityKind::wheelchair},
+                                                                {"animal", EntityKind::animal},
+                                                                {"cone", EntityKind::cone},
+                                                                {"barrier", EntityKind::barrier},
+                                                                {"pole", EntityKind::pole},
+                                                                {"box", EntityKind::box}};
+
+scenery::models::LitLamps lampsOf(std::initializer_list<EntityLamp::Kind> kinds)
+{
+    scenery::models::LitLamps lit{};
+    for (const EntityLamp::Kind kind : kinds)
+        lit[static_cast<std::size_t>(kind)] = true;
+    return lit;
+}
+
+EntityShape shapeOf(EntityKind kind)
+{
+    EntityShape shape;
+    shape.kind = kind;
+    shape.red = 0.72F;
+    shape.green = 0.10F;
+    shape.blue = 0.09F;
+    if (kind == EntityKind::box) shape.red = 0.58F, shape.green = 0.44F, shape.blue = 0.28F;
+    if (kind == EntityKind::animal) shape.red = 0.33F, shape.green = 0.24F, shape.blue = 0.16F;
+    scenery::models::setUsualSize(shape);
+    return shape;
+}
+
+std::vector<Subject> subjects()
+{
+    using Lamp = EntityLamp::Kind;
+    std::vector<Subject> all;
+    for (const auto& [name, kind] : kKinds)
+        all.push_back({name, kind});
+    for (const EntityKind kind : {EntityKind::pedestrian, EntityKind::animal})
+        for (int phase = 0; phase < 6; ++phase)
+        {
+            simulation::EntityState state;
+            state.speedMps = 1.4;
+            state.odometerM = phase * 0.21;
+            all.push_back(
+                {(kind == EntityKind::animal ? "animal-step" : "pedestrian-step") + std::to_string(phase),
+                 kind,
+                 state,
+                 {},
+                 90.0});
+        }
+    const std::vector<std::pair<std::string, scenery::models::LitLamps>> lamps = {
+        {"head", lampsOf({Lamp::head, Lamp::tail})},
+        {"brake", lampsOf({Lamp::brake, Lamp::tail})},
+        {"left", lampsOf({Lamp::indicatorLeft})}};
+    for (const EntityKind kind : {EntityKind::car, EntityKind::van, EntityKind::bus, EntityKind::lorry,
+                                  EntityKind::motorbike, EntityKind::semitrailer})
+        for (const auto& [name, lit] : lamps)
+        {
+            simulation::EntityState state;
+            state.steeringDeg = 25.0;
+            const std::string base = kKinds[static_cast<std::size_t>(kind)].first;
+            all.push_back({base + "-" + name, kind, state, lit, name == "head" ? 30.0 : 155.0});
+        }
+    return all;
+}
+
+std::vector<View> viewsOf(const osg::BoundingSphere& ball, double headingDeg)
+{
+    const double away = std::max(2.5 * ball.radius(), 2.0);
+    const glm::dvec3 middle(ball.center().x(), ball.center().y(), ball.center().z());
+    const double eyeM = std::min(kEyeM, 1.6 * middle.z + 0.4);
+    const auto from = [&](const char* name, double turnDeg) -> View
+    {
+        const double turn = foundation::radiansOf(turnDeg);
+        const glm::dvec3 eye(middle.x + away * std::cos(turn), middle.y + away * std::sin(turn), eyeM);
+        return {name, eye, middle, 40.0};
+    };
+    if (headingDeg != 0.0) return {from("", headingDeg)};
+    return {from("-side", 90.0), from("-front", -38.0), from("-back", 155.0)};
+}
+
+void drawOne(const std::filesystem::path& stem, osg::Node& node, double headingDeg,
+             std::vector<std::filesystem::path>& files)
+{
+    for (const View& view : viewsOf(node.getBound(), headingDeg))
+    {
+        const osg::ref_ptr<osgTerrainROAM::Atmosphere> air = new osgTerrainROAM::Atmosphere;
+        const auto picture = pictureOf(onPlain(node, *air), view);
+        files.emplace_back(stem.string() + view.name + ".png");
+        if (const auto written = osgOffscreen::writePng(*picture, files.back()); written) continue;
+        std::fprintf(stderr, "%s cannot be written\n", files.back().c_str());
+        std::exit(1);
+    }
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    if (argc < 2)
+    {
+        std::fprintf(stderr, "usage: entity_sheet FOLDER [NAME]\n");
+        return 2;
+    }
+    const std::filesystem::path folder = argv[1];
+    const std::string only = argc > 2 ? argv[2] : "";
+    std::vector<std::filesystem::path> files;
+    for (const Subject& subject : subjects())
+    {
+        if (!subject.name.starts_with(only)) continue;
+        scenery::EntityShapes shapes;
+        scenery::EntityNode entity(shapeOf(subject.kind), shapes);
+        entity.setState(subject.state, subject.lit);
+        drawOne(folder / subject.name, *entity.node(), subject.headingDeg, files);
+    }
+    if (std::string("aircraft").starts_with(only))
+        drawOne(folder / "aircraft", *scenery::makeLightAircraft(), 0.0, files);
+    const auto sheet = measurement::makeContactSheet(files, {6, 100, 1944, 4});
+    if (!sheet || !osgOffscreen::writePng(**sheet, folder / "entities.png"))
+    {
+        std::fprintf(stderr, "the sheet could not be written\n");
+        return 1;
+    }
+    return 0;
+}
