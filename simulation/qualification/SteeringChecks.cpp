@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -7,7 +8,7 @@
 
 #include "simulation/qualification/DriveChecks.h"
 #include "simulation/qualification/TestDrive.h"
-#include "simulation/vehicle/road/Tyre.h"
+#include "simulation/vehicle/road/SteadyTurn.h"
 
 namespace simulation
 {
@@ -24,15 +25,11 @@ constexpr double kWatchedS = 6.0;
 class SingleTrack
 {
 public:
-    explicit SingleTrack(const RoadVehicleData& vehicle) : _mass(massProperties(vehicle))
+    explicit SingleTrack(const RoadVehicleData& vehicle)
+        : _mass(massProperties(vehicle)),
+          _stiffness(axleStiffness(vehicle)),
+          _understeer(understeerOf(vehicle))
     {
-        const std::array<double, 2> loads = restLoads(vehicle);
-        for (std::size_t i = 0; i < 2; ++i)
-        {
-            const AxleData& axle = vehicle.axles[i];
-            _stiffness[i] =
-                2.0 * axle.tyresPerSide * tyreStiffness(axle.tyre, loads[i] / axle.tyresPerSide).y;
-        }
         _front = vehicle.axles[0].xM - _mass.centre.x;
         _rear = _mass.centre.x - vehicle.axles[1].xM;
     }
@@ -40,10 +37,7 @@ public:
     /// Yaw rate over steering angle in a steady turn.
     double gain(double speedMps) const
     {
-        const double length = _front + _rear;
-        const double turning = _mass.massKg * (_rear * _stiffness[1] - _front * _stiffness[0]) /
-                               (_stiffness[0] * _stiffness[1] * length);
-        return speedMps / (length + turning * speedMps * speedMps);
+        return speedMps / (_front + _rear + _understeer * speedMps * speedMps);
     }
 
     /// Yaw rates at each step for steering angles at each step.
@@ -68,7 +62,8 @@ public:
 
 private:
     RoadMassProperties _mass;
-    std::array<double, 2> _stiffness{};
+    std::array<double, 2> _stiffness;
+    double _understeer;
     double _front = 0.0, _rear = 0.0;
 };
 
