@@ -63,6 +63,7 @@ void addSurface(const PlacedNetwork& roads, const RoadMatch& match, std::vector<
             surfaces.push_back({roads.surfacePoint(index, s, edgeT).z + tube.walkwayM, Rank::beside});
             return;
         }
+        if (outM > tube.besideM) return; // there is hillside
     }
     if (match.distance <= kOnLanesM || !structure) surfaces.push_back(surfaceOf(roads, match));
 }

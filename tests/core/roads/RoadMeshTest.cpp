@@ -17,6 +17,7 @@
 
 #include "RealData.h"
 #include "RoadTexts.h"
+#include "ToldLines.h"
 
 namespace
 {
@@ -168,6 +169,52 @@ TEST(RoadMesh, LeavesOutWhatLiesBeyondItsReach)
     };
     EXPECT_TRUE(elevated("1e12").chunks.empty());
     EXPECT_FALSE(elevated("15").chunks.empty()); // 1875 km high at its end
+}
+
+/// Beside a tunnel there is hillside: the tube encloses the paved lanes. On a bridge an unpaved lane is part of the deck.
+TEST(RoadMesh, UnpavedLanesBesideATunnelAreNotThere)
+{
+    const auto farthestPresent = [](const std::string& structure)
+    {
+        const std::string none =
+            std::string(R"(<lane id="2" type="none" level="false">)") + kWidth + "</lane><lane id=\"1\"";
+        const std::string text =
+            network(road("1", 50.0,
+                         straightPlan(50.0) + replaced(twoLanes(), "<lane id=\"1\"", none) + "<objects><" +
+                             structure + R"( id="x" s="0" length="50" type="standard"/></objects>)"));
+        const RoadMesh mesh = buildRoadMesh(placed(text));
+        double farthest = 0.0;
+        for (const std::uint32_t index : mesh.indices)
+            if (mesh.vertices[index].present > 0)
+                farthest = std::max(farthest, mesh.placeOf(mesh.vertices[index]).y);
+        return farthest;
+    };
+    EXPECT_NEAR(farthestPresent("tunnel"), 3.5, 1e-3);
+    EXPECT_NEAR(farthestPresent("bridge"), 7.0, 1e-3);
+}
+
+/// No triangle is stored of which nothing is drawn.
+TEST(RoadMesh, CoveredPiecesOfJunctionsHaveNoTriangles)
+{
+    const std::string crossing =
+        road("2", 50.0,
+             "<planView>" + geometry(R"(s="0" x="25" y="-25" hdg="1.5707963")", 50.0, "<line/>") +
+                 "</planView>" + twoLanes(),
+             "junction=\"9\"");
+    const std::string text = network(road("1", 50.0, straightPlan(50.0) + twoLanes(), "junction=\"9\"") +
+                                     crossing + "<junction id=\"9\" name=\"x\"/>");
+    const RoadMesh mesh = buildRoadMesh(placed(text));
+    std::size_t covered = 0;
+    for (const MeshVertex& vertex : mesh.vertices)
+        covered += vertex.present == 0 ? 1 : 0;
+    EXPECT_GT(covered, 0u) << "else nothing is tested";
+    for (std::size_t i = 0; i < mesh.indices.size(); i += 6)
+    {
+        int present = 0;
+        for (std::size_t j = i; j < i + 6; ++j)
+            present += mesh.vertices[mesh.indices[j]].present;
+        EXPECT_GT(present, 0);
+    }
 }
 
 TEST(RoadMesh, MarksOfBordersKeepTheirPhase)

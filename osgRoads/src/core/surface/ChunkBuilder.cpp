@@ -9,6 +9,8 @@
 #include <glm/geometric.hpp>
 #include <glm/vector_relational.hpp>
 
+#include <osgRoads/core/place/TunnelTube.h>
+#include <osgRoads/core/query/LaneSpan.h>
 #include <osgRoads/core/query/RoadSurface.h>
 
 namespace osgRoads::core
@@ -196,6 +198,16 @@ std::vector<MeshVertex> ChunkBuilder::stripsAt(double from, bool hasGround) cons
     return strips;
 }
 
+/// Whether a lane lies outside of the tube that the paved lanes have: there is hillside, which stays as it is.
+bool ChunkBuilder::isOutsideOfTunnel(const Lane& lane, const Row& row) const
+{
+    if (!_isInTunnel || lane.type != LaneType::none) return false;
+    const double s = std::min(row.s, std::nextafter(_section.end, _section.s));
+    const auto span = laneSpan(_network.road(_road), lane.id, s);
+    const RoadSides paved = pavedSides(_network.road(_road), s);
+    return span && (lane.id > 0 ? span->innerT >= paved.left : span->innerT <= paved.right);
+}
+
 void ChunkBuilder::addRow(const Row& row, double from, bool hasGround, const std::vector<MeshVertex>& strips)
 {
     const double ahead = row.s + kSlopeStepM < _section.end ? kSlopeStepM : -kSlopeStepM;
@@ -218,6 +230,8 @@ void ChunkBuilder::addRow(const Row& row, double from, bool hasGround, const std
         const auto count = static_cast<std::size_t>(strip.columns);
         const bool isOwnCarriageway = strip.lane && isForCars(strip.lane->type);
         const bool isAsked = !isOwnCarriageway || _cover.canCoverMarks();
+        const bool isOutsideOfTube =
+            strip.lane && isGround(strip.kind) && isOutsideOfTunnel(*strip.lane, row);
         const auto by = strip.isBesideLanes() ? JunctionCover::By::paving : JunctionCover::By::carriageway;
         const bool rightCovered = isAsked && isCovered(row.points[first].t, by);
         const bool leftCovered = isAsked && isCovered(row.points[first + count - 1].t, by);
@@ -241,13 +255,22 @@ void ChunkBuilder::addRow(const Row& row, double from, bool hasGround, const std
             vertex.normal = packed(length > 1e-9 ? normal / length : glm::dvec3(0.0, 0.0, 1.0));
             if (!isOwnCarriageway && (j == first + count - 1 ? leftCovered : rightCovered))
                 vertex.present = 0;
-            if (strip.isBesideLanes() && !hasGround) vertex.present = 0;
+            if ((strip.isBesideLanes() && !hasGround) || isOutsideOfTube) vertex.present = 0;
             if (_cover.canCoverMarks() && rightCovered) vertex.rightMarks = 0;
             if (_cover.canCoverMarks() && leftCovered) vertex.leftMarks = 0;
             _mesh.vertices.push_back(vertex);
         }
         first += count;
     }
+}
+
+/// Adds both triangles of a piece of which something is drawn.
+void ChunkBuilder::addQuad(const std::array<std::uint32_t, 4>& corners)
+{
+    const auto isDrawn = [this](std::uint32_t corner) { return _mesh.vertices[corner].present > 0; };
+    if (std::none_of(corners.begin(), corners.end(), isDrawn)) return;
+    for (const std::size_t corner : {0, 1, 2, 2, 1, 3})
+        _mesh.indices.push_back(corners[corner]);
 }
 
 /// Adds the triangles of one level, those of the ground's strips or those of the others.
@@ -264,8 +287,7 @@ void ChunkBuilder::addTriangles(std::uint32_t firstVertex, std::size_t rows, std
             const auto count = static_cast<std::uint32_t>(strip.columns);
             for (std::uint32_t j = right;
                  j + 1 < right + count && isGround(_mesh.vertices[right].kind) == ofGround; ++j)
-                for (const std::uint32_t index : {j, j + ahead, j + 1, j + 1, j + ahead, j + ahead + 1})
-                    _mesh.indices.push_back(index);
+                addQuad({j, j + ahead, j + 1, j + ahead + 1});
             right += count;
         }
     }
@@ -310,7 +332,9 @@ void ChunkBuilder::add(double from, double to)
     chunk.sEnd = to;
     const auto firstVertex = static_cast<std::uint32_t>(_mesh.vertices.size());
     // A chunk lies wholly on a bridge or in a tunnel, or wholly outside.
-    const bool hasGround = structureAt(_network.road(_road), 0.5 * (from + to)) == nullptr;
+    const RoadStructure* structure = structureAt(_network.road(_road), 0.5 * (from + to));
+    const bool hasGround = structure == nullptr;
+    _isInTunnel = structure && structure->kind == StructureKind::tunnel;
     const std::vector<MeshVertex> strips = stripsAt(from, hasGround);
     for (std::size_t i = 0; i < _rows.size(); i += 2)
         addRow(_rows[i], from, hasGround, strips);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <vector>
 
 #include <osgRoads/core/surface/BuildRoadMesh.h>
@@ -35,6 +37,8 @@ private:
     void sample(double from, double to);
     bool mayBeCovered() const;
     bool isWithinReach() const;
+    bool isOutsideOfTunnel(const Lane& lane, const Row& row) const;
+    void addQuad(const std::array<std::uint32_t, 4>& corners);
     static double gapBetween(const Row& row, const Row& before, const Row& after);
     double gapAt(std::size_t row, std::size_t stride) const;
     double gapOfSteps(double enoughM) const;
@@ -55,6 +59,7 @@ private:
     DecalRows& _decals;
     RoadMesh& _mesh;
     bool _mayBeCovered = false; ///< by other roads, anywhere in this chunk
+    bool _isInTunnel = false;   ///< this chunk
     std::vector<Row> _rows;     ///< of the finest level and one between each two of them
 };
 
