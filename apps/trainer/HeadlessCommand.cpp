@@ -66,20 +66,25 @@ foundation::Outcome playHeadless(const HeadlessRequest& request)
     if (const auto sound = tellProblems(parsed->problems); !sound) return sound;
     auto player = openPlayer(std::move(parsed->scenario), request);
     if (!player) return player.error();
+    return playOut(**player, request);
+}
+
+foundation::Outcome playOut(simulation::ScenarioPlayer& player, const HeadlessRequest& request)
+{
     std::optional<simulation::MotionLog> log;
     if (!request.logFile.empty())
-        log.emplace(request.logFile, (*player)->scenario(), request.scenario.filename().string());
+        log.emplace(request.logFile, player.scenario(), request.scenario.filename().string());
     const auto begin = std::chrono::steady_clock::now();
-    if (log) log->add(0.0, (*player)->entities());
-    while (!(*player)->isFinished() && (*player)->timeS() < request.durationS - 1e-9)
+    if (log) log->add(0.0, player.entities());
+    while (!player.isFinished() && !player.areMotionsDone() && player.timeS() < request.durationS - 1e-9)
     {
-        (*player)->step();
-        if (log) log->add((*player)->timeS(), (*player)->entities());
+        player.step();
+        if (log) log->add(player.timeS(), player.entities());
     }
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
-    std::printf("played %.2f s, %.0f times as fast as real time\n", (*player)->timeS(),
-                (*player)->timeS() / took.count());
-    for (const auto& [name, value] : (*player)->monitors())
+    std::printf("played %.2f s, %.0f times as fast as real time\n", player.timeS(),
+                player.timeS() / took.count());
+    for (const auto& [name, value] : player.monitors())
         std::printf("monitor %s: %s\n", name.c_str(), value ? "true" : "false");
     return log ? log->finish() : foundation::success();
 }

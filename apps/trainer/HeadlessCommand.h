@@ -7,6 +7,8 @@
 
 #include <foundation/Result.h>
 
+#include "simulation/player/ScenarioPlayer.h"
+
 namespace trainer
 {
 
@@ -19,6 +21,10 @@ struct HeadlessRequest
     std::filesystem::path logFile;                   ///< empty: none
     std::map<std::string, std::string> parameters{}; ///< values instead of the scenario's
 };
+
+/// Plays to the stop trigger, until all motions that were lent are done, or request.durationS, with the log of request.logFile; prints how
+/// fast. Errors: a file that cannot be written.
+foundation::Outcome playOut(simulation::ScenarioPlayer& player, const HeadlessRequest& request);
 
 /// Plays a scenario to its stop trigger without a picture: neither terrain nor models are opened, only its roads.
 /// What the scenario has and the player has not is told on stderr, one line each, and passed over.

@@ -20,8 +20,6 @@ namespace trainer
 namespace
 {
 
-constexpr double kLongestPlayS = 3600.0; ///< limit for a scenario that never ends
-
 /// Checks before the work begins that all results can be written.
 foundation::Outcome checkResultPlaces(const PlayRequest& request)
 {
@@ -68,7 +66,7 @@ foundation::Outcome saveScenario(const simulation::Scenario& scenario, const std
 foundation::Outcome playToTheEnd(PlaySession& session, const PlayRequest& request)
 {
     const int limit =
-        request.frames.count.value_or(static_cast<int>(kLongestPlayS * request.frames.perSecond));
+        request.frames.count.value_or(static_cast<int>(request.longestS * request.frames.perSecond));
     terminal::Progress progress("frames", request.frames.count ? static_cast<std::size_t>(limit) : 0);
     for (int frame = 0; frame < limit && (request.frames.count || !session.isFinished()); ++frame)
     {
@@ -136,6 +134,12 @@ foundation::Outcome play(const PlayRequest& request)
     auto terrain = openScene(*file, scene);
     if (!terrain) return terrain.error();
     return playOver(std::move(*terrain), std::move(parsed->scenario), request);
+}
+
+foundation::Outcome playScene(SceneTerrain terrain, simulation::Scenario scenario, const PlayRequest& request)
+{
+    if (const auto writable = checkResultPlaces(request); !writable) return writable;
+    return playOver(std::move(terrain), std::move(scenario), request);
 }
 
 foundation::Outcome tour(const PlayRequest& request, const std::filesystem::path& saveFile, double durationS)

@@ -4,14 +4,18 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include <osgTerrainROAM/core/heightfield/DemImport.h>
 
 #include <osgOffscreen/Backend>
+
+#include "simulation/player/ExternalMotion.h"
 
 namespace trainer
 {
@@ -37,12 +41,21 @@ struct FreeEye
     double pitchDeg = 0.0;   ///< upwards
 };
 
+/// A level strip that is laid into the ground. Frame: the scene's. Units: metres.
+struct StripRequest
+{
+    glm::dvec2 threshold{0.0}; ///< middle of the end at which one lands
+    double courseDeg = 0.0;    ///< from north, clockwise
+    double lengthM = 800.0, widthM = 30.0;
+};
+
 /// The terrain and how it is drawn.
 struct TerrainRequest
 {
     std::filesystem::path file; ///< replaces the scenario's scene; empty: the scenario's scene
     osgTerrainROAM::core::DemImportOptions import;
-    bool showsVoids = false; ///< colours the ground that fills voids
+    std::optional<StripRequest> strip{}; ///< absent: none is laid
+    bool showsVoids = false;             ///< colours the ground that fills voids
     bool inRoadsFrame =
         false; ///< an OpenDRIVE network keeps its own frame, in which scenarios place entities
     double errorTolerancePx = 1.0;
@@ -96,11 +109,12 @@ struct OutputRequest
     std::filesystem::path captureFolder;
     std::filesystem::path statsFile;
     std::filesystem::path reportFile;
-    std::string contactSheet; ///< image file beside the report that the report shows
-    std::string video;        ///< video file beside the report that the report shows
+    std::string contactSheet;           ///< image file beside the report that the report shows
+    std::string video;                  ///< video file beside the report that the report shows
+    std::filesystem::path motionFile{}; ///< a row for each step with the motion of every entity
 };
 
-/// The arguments of `trainer play` and `trainer tour`.
+/// The arguments of `trainer play`, `trainer tour` and what pictures show of a vehicle that is flown or driven.
 struct PlayRequest
 {
     std::filesystem::path scenario;                  ///< empty in a tour
@@ -109,6 +123,10 @@ struct PlayRequest
     FrameRequest frames;
     SceneryRequest scenery;
     OutputRequest output;
+
+    /// What moves entities in place of their actions. The play ends when all their controllers have done what they were told.
+    std::map<std::string, std::shared_ptr<simulation::ExternalMotion>> motions{};
+    double longestS = 3600.0; ///< limit for a scenario that never ends
 };
 
 } // namespace trainer

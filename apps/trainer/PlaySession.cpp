@@ -100,9 +100,12 @@ PlaySession::create(simulation::Scenario scenario, SceneTerrain terrain, const P
 
     std::unique_ptr<PlaySession> session(new PlaySession(request, std::move(terrain)));
     session->_watched = *watched;
-    simulation::PlayerOptions stage{session->_terrain.origin(), session->_terrain.ground(),
+    simulation::PlayerOptions stage{session->_terrain.origin(),
+                                    session->_terrain.ground(),
                                     simulation::FixedClock::forFrameRate(request.frames.perSecond),
-                                    "scenario", nullptr};
+                                    "scenario",
+                                    nullptr,
+                                    {}};
     if (!request.scenario.empty()) stage.scenarioName = request.scenario.string();
     if (scenario.needsRoads())
     {
@@ -110,9 +113,15 @@ PlaySession::create(simulation::Scenario scenario, SceneTerrain terrain, const P
         if (!roads) return roads.error();
         stage.roads = std::move(*roads);
     }
+    stage.motions = request.motions;
     auto player = simulation::ScenarioPlayer::create(std::move(scenario), stage);
     if (!player) return player.error();
     session->_player = std::move(*player);
+    if (!request.output.motionFile.empty())
+    {
+        session->_log.emplace(request.output.motionFile, session->_player->scenario(), stage.scenarioName);
+        session->_log->add(0.0, session->_player->entities());
+    }
     auto scenery = makeScenery(request.scenery, request.frames.durationS(), session->_player->scenario(),
                                stage, session->_terrain);
     if (!scenery) return scenery.error();
@@ -199,7 +208,10 @@ foundation::Outcome PlaySession::frame()
     _statistics.push_back(measured());
     _statistics.back().wallMs = std::chrono::duration<double, std::milli>(end - begin).count();
     for (auto i = _player->clock().stepsPerSecond() / _request.frames.perSecond; i > 0; --i)
+    {
         _player->step();
+        if (_log) _log->add(_player->timeS(), _player->entities());
+    }
     for (const auto& capture : _captures)
         if (const auto outcome = capture->outcome(); !outcome) return outcome.error();
     return foundation::success();
@@ -238,7 +250,7 @@ foundation::Outcome PlaySession::finish()
 {
     for (const auto& capture : _captures)
         if (const auto written = capture->finish(); !written) return written.error();
-    return foundation::success();
+    return _log ? _log->finish() : foundation::success();
 }
 
 } // namespace trainer

@@ -12,6 +12,7 @@
 #include "PlayRequest.h"
 #include "ScenarioScene.h"
 #include "SceneScenery.h"
+#include "simulation/record/MotionLog.h"
 #include "view/ChannelRig.h"
 #include "view/FrameStatistics.h"
 
@@ -32,7 +33,7 @@ public:
     /// written.
     foundation::Outcome frame();
 
-    bool isFinished() const { return _player->isFinished(); }
+    bool isFinished() const { return _player->isFinished() || _player->areMotionsDone(); }
     const std::vector<FrameStatistics>& statistics() const { return _statistics; }
     const simulation::ScenarioPlayer& player() const { return *_player; }
 
@@ -63,6 +64,7 @@ private:
     std::vector<FrameStatistics> _statistics; ///< of the frames drawn so far
     std::uint64_t _uploadedBytes = 0;         ///< to the end of the last frame
     std::string _patchNote;
+    std::optional<simulation::MotionLog> _log;
 };
 
 } // namespace trainer

@@ -13,6 +13,7 @@
 
 #include <osgRoads/RoadDrawable>
 
+#include "SceneStrip.h"
 #include "ground/TileGround.h"
 #include "scenery/nodes/RoadShading.h"
 #include "scenery/nodes/RoadThingsNode.h"
@@ -34,6 +35,8 @@ using osgTerrainROAM::core::RoamTile;
 
 /// Nearer than this the roads' mesh hides their ribbons on the ground: it begins to fade out later.
 const double kRibbonsFromM = 0.8 * osgRoads::core::RoadViewSettings().farthestM;
+
+constexpr double kStripSpacingM = 5.0; ///< between the samples of a strip
 
 /// Signs, lights, posts, rails, bridges and tunnels.
 foundation::Result<std::unique_ptr<scenery::RoadThingsNode>>
@@ -66,10 +69,13 @@ foundation::Result<SceneTerrain> withRoads(osg::ref_ptr<osgTerrainROAM::RoamTerr
 }
 
 foundation::Result<SceneTerrain> makeScene(const RoamFile& description, const std::shared_ptr<RoamTile>& tile,
-                                           const scenery::SceneRoads& roads)
+                                           const scenery::SceneRoads& roads,
+                                           const std::vector<osgTerrainROAM::core::GroundFeature>& painted)
 {
-    auto terrain =
-        osgTerrainROAM::makeTerrain(description, tile, {scenery::farRoads(*roads.placed), kRibbonsFromM});
+    osgTerrainROAM::FarFeatures far{scenery::farRoads(*roads.placed), kRibbonsFromM};
+    if (!painted.empty()) far.nearestM = 0.0; // a runway has no mesh
+    far.features.insert(far.features.end(), painted.begin(), painted.end());
+    auto terrain = osgTerrainROAM::makeTerrain(description, tile, std::move(far));
     if (!terrain) return terrain.error();
     const auto openings = osgTerrainROAM::core::OpeningCells::build(scenery::tunnelOpenings(*roads.placed));
     if (!openings) return openings.error();
@@ -125,9 +131,12 @@ simulation::GroundProvider groundWithRoads(simulation::GroundProvider ground,
     };
 }
 
-foundation::Result<SceneTerrain> makeTerrainWithRoads(const RoamFile& description)
+foundation::Result<SceneTerrain> makeTerrainWithRoads(const RoamFile& asked,
+                                                      const std::optional<StripRequest>& strip)
 {
-    if (description.roads.empty())
+    RoamFile description = asked;
+    if (strip && !description.finestSpacingM) description.finestSpacingM = kStripSpacingM;
+    if (description.roads.empty() && !strip)
     {
         auto terrain = osgTerrainROAM::makeTerrain(description);
         if (!terrain) return terrain.error();
@@ -138,7 +147,17 @@ foundation::Result<SceneTerrain> makeTerrainWithRoads(const RoamFile& descriptio
     const auto tile = std::make_shared<RoamTile>(std::move(*placed));
     const auto roads = scenery::layRoads(description, tile);
     if (!roads) return roads.error();
-    return makeScene(description, tile, *roads);
+    std::vector<osgTerrainROAM::core::GroundFeature> painted;
+    if (strip)
+    {
+        const auto runway = layStrip(tile, *strip);
+        if (!runway) return runway.error();
+        painted.push_back(*runway);
+    }
+    if (roads->placed) return makeScene(description, tile, *roads, painted);
+    auto terrain = osgTerrainROAM::makeTerrain(description, tile, {std::move(painted), 0.0});
+    if (!terrain) return terrain.error();
+    return SceneTerrain{terrain->get(), *terrain, nullptr};
 }
 
 foundation::Result<SceneTerrain> openNetwork(const std::filesystem::path& file, const TerrainRequest& request)
@@ -155,7 +174,7 @@ foundation::Result<SceneTerrain> openNetwork(const std::filesystem::path& file, 
         osgTerrainROAM::core::PlacedTile(std::move(ground->field), std::move(options)));
     osgTerrainROAM::core::TileEditor editor(tile);
     if (const auto cut = scenery::cutRoads(editor, *ground->roads.placed); !cut) return cut.error();
-    auto scene = makeScene(description, tile, ground->roads);
+    auto scene = makeScene(description, tile, ground->roads, {});
     return scene && request.inRoadsFrame ? moved(std::move(*scene), ground->cornerM) : scene;
 }
 

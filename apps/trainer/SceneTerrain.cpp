@@ -69,7 +69,14 @@ foundation::Result<SceneTerrain> openElevation(const std::filesystem::path& file
     auto description = osgTerrainROAM::core::describeTerrain(file, request.import);
     if (!description) return description.error();
     description->showsVoids = description->showsVoids || request.showsVoids;
-    return makeTerrainWithRoads(*description);
+    auto scene = makeTerrainWithRoads(*description, request.strip);
+    if (scene && description->land.seaLevelM)
+    {
+        const auto& frame = scene->terrain->tile()->tile.frame();
+        const glm::dvec2 grid = frame.gridNear(glm::dvec2(0.0));
+        scene->seaLevelM = frame.positionAt(grid.x, grid.y, *description->land.seaLevelM).z;
+    }
+    return scene;
 }
 
 foundation::Result<SceneTerrain> openScene(const std::filesystem::path& file, const TerrainRequest& request)

@@ -28,8 +28,9 @@ struct SceneTerrain
     osg::ref_ptr<osgTerrainROAM::RoamTerrain> terrain; ///< within it; null when the scene has no ROAM terrain
     std::shared_ptr<const osgRoads::core::PlacedNetwork> roads; ///< null: none
     std::shared_ptr<scenery::RoadThingsNode> roadThings =
-        nullptr;             ///< switches traffic lights; null without roads
-    glm::dvec2 cornerM{0.0}; ///< of the terrain's frame in that of the scene
+        nullptr;                       ///< switches traffic lights; null without roads
+    std::optional<double> seaLevelM{}; ///< z of the sea at the scene's origin; absent: not known
+    glm::dvec2 cornerM{0.0};           ///< of the terrain's frame in that of the scene
 
     /// Returns the origin of the scene's frame; absent without georeference.
     std::optional<simulation::Geodetic> origin() const;

@@ -9,6 +9,7 @@
 
 #include "CheckCommand.h"
 #include "CompareCommand.h"
+#include "FlyCommand.h"
 #include "HeadlessCommand.h"
 #include "PlayCommand.h"
 #include "PlayTracks.h"
@@ -64,6 +65,8 @@ struct Arguments
     trainer::CompareRequest compare;
     trainer::QualifyRequest qualify;
     trainer::QualifyDriveRequest qualifyDrive;
+    trainer::FlyRequest fly;
+    std::vector<double> strip;
 };
 
 void addHeadlessOptions(CLI::App& play, Arguments& arguments)
@@ -197,6 +200,63 @@ std::pair<CLI::App*, CLI::App*> addQualify(CLI::App& app, Arguments& arguments)
     return {flight, drive};
 }
 
+CLI::App* addFly(CLI::App& app, Arguments& arguments)
+{
+    trainer::FlyRequest& fly = arguments.fly;
+    CLI::App* command = app.add_subcommand("fly", "fly an aircraft by its own physics");
+    command->add_option(
+        "WORLD", arguments.request.terrain.file,
+        "terrain to fly over: a .roam file, a raster or an OpenDRIVE network; without it level ground");
+    command->add_flag("--headless", fly.isHeadless, "fly without pictures");
+    command->add_option("--duration", fly.durationS, "seconds to fly at most")
+        ->check(terminal::between(0.0, 1e5));
+    command->add_option("--csv_logger", arguments.request.output.motionFile, "file for a row of each step");
+    command->add_option("--aircraft", fly.aircraft, "aircraft file");
+    CLI::Option* const inputs = command->add_option("--inputs", fly.inputs, "inputs file to fly by");
+    command->add_option("--record-inputs", fly.recordInputs, "inputs file to write");
+    command
+        ->add_option("--orders", fly.orders,
+                     "of the autopilot: takeoff; heading 240; altitude 500; speed 45; wait 30; circuit; land")
+        ->excludes(inputs);
+    command
+        ->add_option("--start", fly.start,
+                     "X,Y,H,HEADING,SPEED: metres in the scene's frame, metres above the ground, degrees "
+                     "from north, m/s")
+        ->delimiter(',')
+        ->expected(5);
+    command
+        ->add_option("--strip", arguments.strip,
+                     "X,Y,COURSE,LENGTH of a level strip that is laid: its threshold in the scene's frame, "
+                     "degrees from north, metres")
+        ->delimiter(',')
+        ->expected(4);
+    command->add_option("--wind", fly.wind, "FROM,KNOTS: degrees from north, kt")
+        ->delimiter(',')
+        ->expected(2);
+    command->add_option("--gusts", fly.gustsMps, "standard deviation of turbulence, m/s")
+        ->check(terminal::between(0.0, 20.0));
+    command->add_option("--seed", fly.seed, "of the turbulence");
+    addPlayOptions(*command, arguments);
+    return command;
+}
+
+/// Completes a flight. Errors: a strip without length.
+foundation::Outcome flyOne(Arguments& arguments)
+{
+    trainer::FlyRequest& fly = arguments.fly;
+    const std::vector<double>& strip = arguments.strip;
+    if (!strip.empty())
+    {
+        if (!(strip[3] >= 100.0 && strip[3] <= 10'000.0))
+            return foundation::Error{"--strip", "its length is not from 100 to 10000 m",
+                                     "write X,Y,COURSE,LENGTH"};
+        arguments.request.terrain.strip =
+            trainer::StripRequest{{strip[0], strip[1]}, strip[2], strip[3], 30.0};
+    }
+    fly.play = arguments.request;
+    return trainer::fly(fly);
+}
+
 foundation::Outcome readPatchExponent(const std::string& text, std::optional<int>& exponent)
 {
     exponent = std::nullopt;
@@ -316,6 +376,7 @@ int run(int argc, char** argv)
     const CLI::App* check = addCheck(app, arguments.check);
     CLI::App* compare = app.add_subcommand("compare", "compare two tables of motion");
     addCompareOptions(*compare, arguments.compare);
+    const CLI::App* fly = addFly(app, arguments);
     const auto [qualifyFlight, qualifyDrive] = addQualify(app, arguments);
     if (const auto ends = terminal::parse(app, argc, argv)) return *ends;
     if (*check) return trainer::check(arguments.check);
@@ -323,9 +384,10 @@ int run(int argc, char** argv)
     if (*qualifyDrive) return trainer::qualifyDrive(arguments.qualifyDrive);
     if (const auto sound = complete(arguments); !sound)
         return terminal::fail("trainer", sound.error()), terminal::kWrongUse;
-    const auto outcome = *compare ? trainer::compare(arguments.compare)
-                         : *tour  ? trainer::tour(request, arguments.saveFile, arguments.durationS)
-                                  : playOne(arguments);
+    const auto outcome = *fly       ? flyOne(arguments)
+                         : *compare ? trainer::compare(arguments.compare)
+                         : *tour    ? trainer::tour(request, arguments.saveFile, arguments.durationS)
+                                    : playOne(arguments);
     return outcome ? terminal::kDone : terminal::fail("trainer", outcome.error());
 }
 

@@ -51,7 +51,7 @@ void RecordedInputs::control(const ControlView& view, std::span<double> inputs)
     _track.valuesAt(place, _values);
     for (std::size_t i = 0; i < _places.size(); ++i)
         if (_values[i] != kInputNotGiven) inputs[_places[i]] = _values[i];
-    _isDone = _track.end && place >= *_track.end;
+    _isDone = _track.end && _track.placeOf(view.step + 1, _stepS) >= *_track.end;
 }
 
 } // namespace simulation

@@ -47,6 +47,7 @@ public:
     }
 
     bool isFinished() const { return _runner.isFinished(); }
+    bool areMotionsDone() const { return _performer.areLentDone(); }
     const std::map<std::string, bool>& monitors() const { return _performer.monitors(); }
     const std::vector<StoryboardLogEntry>& log() const { return _runner.elements().log(); }
     const std::map<std::string, std::string>& signalStates() const { return _performer.signals().states(); }
@@ -150,6 +151,10 @@ const std::vector<StoryboardLogEntry>& ScenarioPlayer::log() const
 const std::map<std::string, bool>& ScenarioPlayer::monitors() const
 {
     return _stage->monitors();
+}
+bool ScenarioPlayer::areMotionsDone() const
+{
+    return _stage->areMotionsDone();
 }
 bool ScenarioPlayer::isFinished() const
 {

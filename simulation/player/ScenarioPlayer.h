@@ -70,6 +70,9 @@ public:
     const std::map<std::string, bool>& monitors() const; ///< by name
     bool isFinished() const;
 
+    /// Whether there are motions that were lent, and all are done.
+    bool areMotionsDone() const;
+
 private:
     ScenarioPlayer(Scenario scenario, PlayerOptions options);
 

@@ -132,6 +132,14 @@ foundation::Outcome ScenePerformer::beginLent()
     return foundation::success();
 }
 
+bool ScenePerformer::areLentDone() const
+{
+    const auto isLent = [](const auto& motion) { return motion != nullptr; };
+    return std::any_of(_lent.begin(), _lent.end(), isLent) &&
+           std::all_of(_lent.begin(), _lent.end(),
+                       [](const auto& motion) { return !motion || motion->isDone(); });
+}
+
 /// All see the others as they were before.
 void ScenePerformer::moveLent()
 {

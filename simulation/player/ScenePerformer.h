@@ -33,6 +33,9 @@ public:
     /// Lets lent entities begin where they stand; after performInit(). Errors: one cannot.
     foundation::Outcome beginLent();
 
+    /// Whether there are such entities, and all are done.
+    bool areLentDone() const;
+
     /// Performs the actions of Init: those of all entities that place something first, because positions may refer to
     /// entities that stand further down.
     void performInit();

@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "FlyCommand.h"
+
+#include <cmath>
+#include <cstdio>
+
+#include <foundation/Angle.h>
+#include <foundation/WholeFile.h>
+
+#include "HeadlessCommand.h"
+#include "PlayCommand.h"
+#include "SceneGround.h"
+#include "SceneTerrain.h"
+#include "simulation/control/RecordedInputs.h"
+#include "simulation/control/VehicleMotion.h"
+#include "simulation/control/flight/Autopilot.h"
+#include "simulation/tour/TourScenario.h"
+#include "simulation/vehicle/WeatherAir.h"
+#include "simulation/vehicle/flight/Aircraft.h"
+#include "simulation/vehicle/flight/AircraftFile.h"
+
+namespace trainer
+{
+
+namespace
+{
+
+constexpr double kStartHeightM = 300.0, kStartSpeedMps = 50.0;
+constexpr double kBehindThresholdM = 20.0; ///< where a take-off begins on its strip
+constexpr const char* kEntity = "Ego";
+
+/// Where the flight begins. Angles in degrees from north, clockwise.
+struct FlightStart
+{
+    glm::dvec2 place{0.0};
+    double heightM = 0.0; ///< above the ground
+    double headingDeg = 0.0, speedMps = 0.0;
+};
+
+FlightStart startOf(const FlyRequest& request)
+{
+    if (!request.start.empty())
+        return {{request.start[0], request.start[1]}, request.start[2], request.start[3], request.start[4]};
+    const auto& strip = request.play.terrain.strip;
+    if (!strip) return {{0.0, 0.0}, kStartHeightM, 0.0, kStartSpeedMps};
+    const double course = foundation::radiansOf(strip->courseDeg);
+    return {strip->threshold + kBehindThresholdM * glm::dvec2(std::sin(course), std::cos(course)), 0.0,
+            strip->courseDeg, 0.0};
+}
+
+simulation::WeatherAir airOf(const FlyRequest& request)
+{
+    simulation::WeatherSettings weather;
+    weather.gustDeviationMps = request.gustsMps;
+    if (!request.wind.empty())
+    {
+        const double from = foundation::radiansOf(request.wind[0]), mps = request.wind[1] * 1852.0 / 3600.0;
+        weather.windMps = {-mps * std::sin(from), -mps * std::cos(from), 0.0};
+        if (request.gustsMps > 0.0) weather.windAtSixMetresMps = mps;
+    }
+    return simulation::WeatherAir(weather);
+}
+
+/// What stands where the flight begins, for the scenario that the pictures show.
+simulation::Scenario scenarioOf(const glm::dvec3& start, const FlightStart& from,
+                                const std::optional<simulation::Geodetic>& origin)
+{
+    simulation::Scenario scenario;
+    scenario.header = {1, 3, "2024-01-01T00:00:00", "osgTrainer", "A flight"};
+    simulation::Vehicle vehicle;
+    vehicle.name = "aircraft";
+    vehicle.category = "aircraft";
+    vehicle.box = {{-0.8, 0.0, 1.4}, 8.2, 11.0, 2.8};
+    scenario.entities.push_back({{}, kEntity, vehicle});
+    const double heading = foundation::radiansOf(90.0 - from.headingDeg);
+    simulation::TourTerrain terrain;
+    terrain.origin = origin;
+    terrain.eastM = terrain.northM = 20'000.0;
+    scenario.storyboard.init.globals.push_back(
+        simulation::EnvironmentAction{{}, simulation::tourEnvironment(terrain, heading)});
+    simulation::TeleportAction teleport;
+    teleport.position = simulation::WorldPosition{
+        {}, start.x, start.y, start.z, simulation::Orientation{heading, std::nullopt, std::nullopt}};
+    simulation::SpeedAction speed;
+    speed.target = simulation::AbsoluteTargetSpeed{from.speedMps};
+    scenario.storyboard.init.privates.push_back({{}, kEntity, {teleport, speed}});
+    return scenario;
+}
+
+std::vector<simulation::FlightOrder> standardOrders(const FlyRequest& request)
+{
+    using simulation::FlightOrderKind;
+    if (!request.play.terrain.strip) return {{FlightOrderKind::wait, request.durationS}};
+    if (request.start.empty())
+        return {{FlightOrderKind::takeOff}, {FlightOrderKind::circuit}, {FlightOrderKind::land}};
+    return {{FlightOrderKind::land}};
+}
+
+foundation::Result<std::unique_ptr<simulation::VehicleController>>
+controllerOf(const FlyRequest& request, const simulation::DynamicVehicle& vehicle,
+             const std::shared_ptr<const simulation::EarthFrame>& earth,
+             const std::optional<simulation::RunwayStrip>& runway)
+{
+    if (!request.inputs.empty())
+    {
+        auto track = simulation::readInputs(request.inputs);
+        if (!track) return track.error();
+        auto inputs = simulation::RecordedInputs::create(std::move(*track), vehicle, request.inputs.string());
+        if (!inputs) return inputs.error();
+        return std::unique_ptr<simulation::VehicleController>(
+            std::make_unique<simulation::RecordedInputs>(std::move(*inputs)));
+    }
+    std::vector<simulation::FlightOrder> orders = standardOrders(request);
+    if (!request.orders.empty())
+    {
+        const auto read = simulation::parseFlightOrders(request.orders, "--orders");
+        if (!read) return read.error();
+        orders = *read;
+    }
+    auto pilot = simulation::Autopilot::create({earth, std::move(orders), runway}, vehicle);
+    if (!pilot) return foundation::Error{"--orders", pilot.error().what, "give --strip, or other orders"};
+    return std::unique_ptr<simulation::VehicleController>(
+        std::make_unique<simulation::Autopilot>(std::move(*pilot)));
+}
+
+/// The strip as it lies in the scene.
+std::optional<simulation::RunwayStrip> runwayOf(const FlyRequest& request, const simulation::Ground& ground)
+{
+    const auto& strip = request.play.terrain.strip;
+    if (!strip) return std::nullopt;
+    const glm::dvec3 place(strip->threshold, 1e4);
+    simulation::GroundPoint below;
+    ground.below({&place, 1}, {&below, 1});
+    return simulation::RunwayStrip{{strip->threshold, below.heightM},
+                                   foundation::radiansOf(strip->courseDeg),
+                                   strip->lengthM,
+                                   strip->widthM};
+}
+
+/// The flight before its first step.
+struct ReadyFlight
+{
+    std::shared_ptr<simulation::VehicleMotion> motion;
+    simulation::Scenario scenario;
+};
+
+foundation::Result<ReadyFlight> readyFlight(const FlyRequest& request,
+                                            std::shared_ptr<const simulation::Ground> ground,
+                                            const std::optional<simulation::Geodetic>& origin)
+{
+    const auto data = simulation::readAircraft(request.aircraft);
+    if (!data) return data.error();
+    const auto earth =
+        std::make_shared<const simulation::EarthFrame>(origin.value_or(simulation::Geodetic{46.0, 8.0, 0.0}));
+    auto aircraft = std::make_unique<simulation::Aircraft>(
+        std::make_shared<const simulation::AircraftData>(*data), earth, request.seed);
+    const FlightStart from = startOf(request);
+    glm::dvec3 start(from.place, 1e4);
+    simulation::GroundPoint below;
+    ground->below({&start, 1}, {&below, 1});
+    if (!below.isKnown)
+        return foundation::Error{"--start", "there is no ground at the start", "give a place on the terrain"};
+    start.z = below.heightM + from.heightM;
+    auto controller = controllerOf(request, *aircraft, earth, runwayOf(request, *ground));
+    if (!controller) return controller.error();
+    auto vehicle =
+        std::make_unique<simulation::ControlledVehicle>(std::move(aircraft), std::move(*controller));
+    if (!request.recordInputs.empty()) vehicle->record();
+    auto motion = std::make_shared<simulation::VehicleMotion>(
+        std::move(vehicle), std::move(ground),
+        std::make_shared<const simulation::WeatherAir>(airOf(request)));
+    return ReadyFlight{std::move(motion), scenarioOf(start, from, origin)};
+}
+
+foundation::Outcome leaveFlight(const FlyRequest& request, const simulation::VehicleMotion& motion)
+{
+    const simulation::VehicleState& state = motion.vehicle().now();
+    std::printf("flown %.2f s; at the end %s, %.1f m/s, %.1f m east, %.1f m north, %.1f m high\n",
+                state.timeS, state.isOnGround ? "on the ground" : "in the air", glm::length(state.velocity),
+                state.position.x, state.position.y, state.position.z);
+    if (!motion.note().empty()) std::printf("note: the aircraft %s\n", motion.note().c_str());
+    if (request.recordInputs.empty()) return foundation::success();
+    return motion.vehicle().recorder()->write(request.recordInputs);
+}
+
+foundation::Outcome flyHeadless(const FlyRequest& request, ReadyFlight flight,
+                                const simulation::PlayerOptions& stage)
+{
+    HeadlessRequest headless;
+    headless.stepS = simulation::Aircraft::kStepS;
+    headless.durationS = request.durationS;
+    headless.logFile = request.play.output.motionFile;
+    headless.scenario = "flight";
+    simulation::PlayerOptions options = stage;
+    options.clock = simulation::FixedClock(120);
+    options.motions[kEntity] = flight.motion;
+    auto player = simulation::ScenarioPlayer::create(std::move(flight.scenario), std::move(options));
+    if (!player) return player.error();
+    return playOut(**player, headless);
+}
+
+} // namespace
+
+foundation::Outcome fly(const FlyRequest& request)
+{
+    for (const auto& file : {request.recordInputs, request.play.output.motionFile})
+        if (const auto writable = foundation::checkWritable(file); !writable) return writable;
+    const bool hasWorld = !request.play.terrain.file.empty();
+    if (!hasWorld && !request.isHeadless)
+        return foundation::Error{"WORLD", "pictures need a world", "name a terrain, or write --headless"};
+    SceneTerrain terrain;
+    std::shared_ptr<const simulation::Ground> ground = std::make_shared<simulation::LevelGround>();
+    if (hasWorld)
+    {
+        auto opened = openElevation(request.play.terrain.file, request.play.terrain);
+        if (!opened) return opened.error();
+        terrain = std::move(*opened);
+        ground = std::make_shared<SceneGround>(terrain.ground(), terrain.seaLevelM);
+        if (!request.play.terrain.strip && request.start.empty())
+            std::printf(
+                "note: there is no runway in this world; the flight begins in the air (--strip lays one)\n");
+    }
+    auto flight = readyFlight(request, ground, terrain.origin());
+    if (!flight) return flight.error();
+    const auto motion = flight->motion;
+    if (request.isHeadless)
+    {
+        simulation::PlayerOptions stage;
+        stage.origin = terrain.origin();
+        stage.ground = terrain.ground();
+        if (const auto flown = flyHeadless(request, std::move(*flight), stage); !flown) return flown;
+        return leaveFlight(request, *motion);
+    }
+    PlayRequest play = request.play;
+    play.motions[kEntity] = motion;
+    play.longestS = request.durationS;
+    if (const auto flown = playScene(std::move(terrain), std::move(flight->scenario), play); !flown)
+        return flown;
+    return leaveFlight(request, *motion);
+}
+
+} // namespace trainer

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <foundation/Result.h>
+
+#include "PlayRequest.h"
+
+namespace trainer
+{
+
+/// The arguments of `trainer fly`. Empty paths: none.
+struct FlyRequest
+{
+    PlayRequest play; ///< its terrain file is the world; empty: level ground, without pictures
+    bool isHeadless = false;
+    double durationS = 600.0; ///< at most
+    std::filesystem::path aircraft = "data/aircraft/c172p.xml";
+    std::string
+        orders; ///< of the autopilot; empty: takeoff, circuit, land with a strip, else it holds what it has
+    std::filesystem::path inputs; ///< recorded inputs in place of the autopilot
+    std::filesystem::path recordInputs;
+    std::vector<double>
+        start; ///< east, north, height above the ground, heading in degrees, speed in m/s; empty: on the strip, or over the middle
+    std::vector<double> wind; ///< from, degrees; kt
+    double gustsMps = 0.0;    ///< deviation of turbulence above 600 m
+    std::uint64_t seed = 1;   ///< of the turbulence
+};
+
+/// Flies an aircraft by its own physics over a world, by the autopilot or by recorded inputs, with or without pictures. Prints how it ended.
+/// Errors: those of the files, of the world, of the start (in water, in the ground), pictures without a world.
+foundation::Outcome fly(const FlyRequest& request);
+
+} // namespace trainer

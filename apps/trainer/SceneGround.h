@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+
+#include "simulation/vehicle/ProvidedGround.h"
+
+namespace trainer
+{
+
+/// The ground of a scene as vehicles meet it: land by its heights; below the sea's level there is water at that level.
+class SceneGround final : public simulation::Ground
+{
+public:
+    /// `seaLevelM`: z of the sea at the scene's origin, from where it bends with the Earth; absent: no sea.
+    SceneGround(simulation::GroundProvider provider, std::optional<double> seaLevelM)
+        : _land(std::move(provider)), _seaLevelM(seaLevelM)
+    {
+    }
+
+    void below(std::span<const glm::dvec3> points, std::span<simulation::GroundPoint> answers) const override
+    {
+        constexpr double kTwiceEarthM = 2.0 * 6.371e6;
+        _land.below(points, answers);
+        if (!_seaLevelM) return;
+        for (std::size_t i = 0; i < points.size(); ++i)
+        {
+            const double seaM =
+                *_seaLevelM - (points[i].x * points[i].x + points[i].y * points[i].y) / kTwiceEarthM;
+            if (answers[i].isKnown && answers[i].heightM < seaM)
+                answers[i] = {seaM, {0.0, 0.0, 1.0}, simulation::GroundKind::water, true};
+        }
+    }
+
+private:
+    simulation::ProvidedGround _land;
+    std::optional<double> _seaLevelM;
+};
+
+} // namespace trainer

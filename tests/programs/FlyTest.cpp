@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+// `trainer fly`: flights that repeat, with and without pictures, and what it says of a flight that cannot be.
+#include <fstream>
+#include <iterator>
+
+#include "ProgramRun.h"
+#include "Workplace.h"
+
+namespace
+{
+
+const char* const kFlown = OSGTRAINER_SOURCE_DIR "/data/aircraft/c172p.xml";
+
+std::vector<std::string> flight(std::vector<std::string> more)
+{
+    std::vector<std::string> all{"fly", "--aircraft", kFlown};
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+}
+
+std::string wholeText(const std::string& file)
+{
+    std::ifstream stream(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+/// The rows of a table of motion at whole seconds, without their numbers.
+std::vector<std::string> rowsAtSeconds(const std::string& file)
+{
+    std::vector<std::string> rows;
+    for (const std::string& line : linesOf(wholeText(file)))
+        if (line.find(".000000, Ego") != std::string::npos) rows.push_back(line.substr(line.find(',')));
+    return rows;
+}
+
+TEST(Fly, RecordedInputsRepeatAFlightToTheLastByte)
+{
+    const Workplace place;
+    const std::string motion = place.path("a.csv"), again = place.path("b.csv"),
+                      inputs = place.path("inputs.txt");
+    const std::vector<std::string> gusty{"--headless", "--wind",     "270,10", "--gusts",
+                                         "1",          "--duration", "20"};
+    std::vector<std::string> first = flight(gusty), second = flight(gusty);
+    first.insert(first.end(), {"--strip", "0,0,0,800", "--csv_logger", motion, "--record-inputs", inputs});
+    second.insert(second.end(), {"--strip", "0,0,0,800", "--csv_logger", again, "--inputs", inputs});
+    EXPECT_TRUE(succeeds(runTrainer(first)));
+    EXPECT_TRUE(succeeds(runTrainer(second)));
+    EXPECT_EQ(wholeText(motion), wholeText(again));
+    EXPECT_GT(rowsAtSeconds(motion).size(), 18U);
+
+    // The control: other gusts, other bytes.
+    second.insert(second.end(), {"--seed", "2"});
+    EXPECT_TRUE(succeeds(runTrainer(second)));
+    EXPECT_NE(wholeText(motion), wholeText(again));
+}
+
+TEST(Fly, LandsToAStopWithoutPictures)
+{
+    const ProgramRun run = runTrainer(flight({"--headless", "--strip", "0,0,0,800"}));
+    EXPECT_TRUE(succeeds(run));
+    EXPECT_NE(run.output.find("at the end on the ground, 0.0 m/s"), std::string::npos) << run.text();
+}
+
+TEST(Fly, PicturesAtAnotherRateLeaveTheFlightAsItIs)
+{
+    const Workplace place;
+    const std::string slow = place.path("slow.csv"), fast = place.path("fast.csv"),
+                      pictures = place.path("pictures");
+    const std::vector<std::string> over{place.hill(), "--start", "0,0,300,90,50", "--size", "64x36",
+                                        "--samples",  "1",       "--wind",        "200,15", "--gusts",
+                                        "1"};
+    std::vector<std::string> first = flight(over), second = flight(over);
+    first.insert(first.end(), {"--fps", "2", "--frames", "6", "--csv_logger", slow, "--capture", pictures});
+    second.insert(second.end(), {"--fps", "5", "--frames", "15", "--csv_logger", fast});
+    EXPECT_TRUE(succeeds(runTrainer(first)));
+    EXPECT_TRUE(succeeds(runTrainer(second)));
+    const std::vector<std::string> rows = rowsAtSeconds(slow), others = rowsAtSeconds(fast);
+    ASSERT_GE(rows.size(), 3U);
+    ASSERT_EQ(rows.size(), others.size());
+    // All but what is a difference between rows: positions and velocities.
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        EXPECT_EQ(rows[i].substr(0, rows[i].find("Acc")).substr(0, 240), others[i].substr(0, 240));
+    EXPECT_TRUE(std::filesystem::exists(pictures + "/frame_00005.png"));
+}
+
+TEST(Fly, TellsWhatCannotBeFlown)
+{
+    const Workplace place;
+    const auto told = [&](std::vector<std::string> more, const std::vector<std::string>& words)
+    {
+        more.insert(more.end(), {"--headless", "--csv_logger", place.path("none.csv")});
+        EXPECT_TRUE(failsWith(runTrainer(flight(more)), 1, "trainer", words));
+        EXPECT_FALSE(std::filesystem::exists(place.path("none.csv")));
+    };
+    told({"--orders", "land"}, {"no runway", "--strip"});
+    told({"--orders", "loop"}, {"'loop'", "takeoff"});
+    told({"--inputs", place.write("in.txt", "osgtrainer-inputs 1\ncolumns time pull\n0 1\n")},
+         {"in.txt", "'pull'", "elevator"});
+    told({place.hill(), "--start", "99999,0,0,0,0"}, {"no ground"});
+    told({place.hill(), "--start", "0,0,-50,0,50"}, {"inside the ground", "raise it"});
+    told({place.hill(), "--strip", "99999,0,0,800"}, {"--strip", "beyond the data"});
+    told({place.write("sea.roam", "dem = hill.tif\nsea_level = 1000\n"), "--start", "0,0,0,0,0"}, {"water"});
+    EXPECT_TRUE(failsWith(runTrainer(flight({})), 1, "trainer", {"WORLD", "--headless"}));
+    const ProgramRun noRunway = runTrainer(flight({place.hill(), "--headless", "--duration", "1"}));
+    EXPECT_NE(noRunway.output.find("no runway"), std::string::npos) << noRunway.text();
+}
+
+TEST(Fly, TellsOfACrash)
+{
+    const Workplace place;
+    const std::string dive =
+        place.write("dive.txt", "osgtrainer-inputs 1\ncolumns time elevator\n0 1\nend 30\n");
+    const ProgramRun run = runTrainer(flight({"--headless", "--inputs", dive}));
+    EXPECT_TRUE(succeeds(run));
+    EXPECT_NE(run.output.find("note: the aircraft crashed after"), std::string::npos) << run.text();
+}
+
+} // namespace
