@@ -16,6 +16,12 @@ constexpr int kReliefMean = 12;  ///< half width, in cells, of the mean that it 
 constexpr double kWindow = 0.7;  ///< half width of the stretch of border, as a share of the distance to it
 constexpr double kHillsM[] = {6e3, 25e3, 100e3}; ///< wavelengths of the noise
 
+/// Wavelengths of coasts, the share of a wave by which they swing (six standard deviations), and the most of the distance from the data.
+constexpr double kCoastsM[] = {1.5e3, 6e3, 25e3, 100e3};
+constexpr double kSwing = 2.0, kSwingPerDistance = 1.2;
+/// How much noise adds to a share of water of one half, for six standard deviations: bays and islands.
+constexpr double kBays = 1.2;
+
 double stepped(double low, double high, double x)
 {
     const double t = std::clamp((x - low) / (high - low), 0.0, 1.0);
@@ -129,6 +135,31 @@ double OuterGround::hillsM(const glm::dvec2& grid, double distanceM) const
     return hills;
 }
 
+/// The noise of all coasts, each limited in proportion to the distance from the data, in metres. `shift`: of the noise, in its periods.
+double OuterGround::coastNoiseM(const glm::dvec2& place, double distanceM, double shift) const
+{
+    double noiseM = 0.0;
+    for (const double wave : kCoastsM)
+        noiseM += std::min(kSwing * wave, kSwingPerDistance * distanceM) *
+                  (_noise.sample(place.x / (4.0 * wave) + shift, place.y / (4.0 * wave) - shift) - 0.5);
+    return noiseM;
+}
+
+/// The border beside a place: not the nearest part of it, or coasts would run out in straight lines. They wind, the more the farther
+/// out, and have bays and islands.
+BorderLoop::Means OuterGround::borderBeside(const glm::dvec2& grid, const glm::dvec2& border,
+                                            double samples) const
+{
+    const glm::dvec2 place = _localFromGrid * grid;
+    const double distanceM = samples * _spacingM;
+    const double nearest = _border.positionOf(border / static_cast<double>(_tile.grid().cellSide()));
+    const double aside = coastNoiseM(place, distanceM, 0.0) / _spacingM;
+    BorderLoop::Means means = _border.around(nearest + aside, kWindow * samples);
+    const double bays = coastNoiseM(place, distanceM, 0.37) / std::max(kSwingPerDistance * distanceM, 1e-9);
+    means.water = std::clamp(means.water + kBays * bays * 4.0 * means.water * (1.0 - means.water), 0.0, 1.0);
+    return means;
+}
+
 OuterGround::Site OuterGround::at(const glm::dvec2& grid) const
 {
     const glm::dvec2 border = glm::clamp(grid, glm::dvec2(0.0), _last);
@@ -142,7 +173,7 @@ OuterGround::Site OuterGround::at(const glm::dvec2& grid) const
     const double perSample = 1.0 / _tile.grid().cellSide();
     const double samples = glm::length(beyond) * perSample;
     const double distanceM = samples * _spacingM;
-    const BorderLoop::Means means = _border.around(_border.positionOf(border * perSample), kWindow * samples);
+    const BorderLoop::Means means = borderBeside(grid, border, samples);
     // The slope goes on across the border: the data are turned about the point there, and soon fade.
     const double fadeM = std::max(0.012 * _sideM, 4.0 * _spacingM);
     const double turned =

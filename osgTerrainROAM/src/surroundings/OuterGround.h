@@ -15,7 +15,7 @@ namespace osgTerrainROAM
 
 /// The made-up ground beyond the data of a tile. At the border it has the heights and the slopes of the data; farther out it
 /// tends to the mean of a stretch of border that grows with the distance, with hills like those of the data, mirrored, and
-/// with broad noise. Where most of the stretch is water there is water of its level: sea stays sea.
+/// with broad noise. Where most of the stretch is water there is water of its level: sea stays sea, and coasts wind.
 /// Units: grid coordinates of the tile (TileGrid), metres. Threads: immutable.
 /// Cost: about 0.3 µs a call.
 class OuterGround
@@ -50,6 +50,8 @@ private:
     void makeRelief();
     double reliefAt(const glm::dvec2& grid) const;
     double hillsM(const glm::dvec2& grid, double distanceM) const;
+    double coastNoiseM(const glm::dvec2& place, double distanceM, double shift) const;
+    BorderLoop::Means borderBeside(const glm::dvec2& grid, const glm::dvec2& border, double samples) const;
     double heightNear(const glm::dvec2& grid) const;
 
     const core::PlacedTile& _tile;

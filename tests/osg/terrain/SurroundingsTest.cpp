@@ -115,6 +115,33 @@ TEST(OuterGround, SeaStaysSea)
     EXPECT_LT(land.ground.at({-900, -700}).water, 0.01);
 }
 
+/// Half of the data is sea. Beyond them the coast winds: from place to place it does not go on in one direction.
+TEST(OuterGround, CoastsWindBeyondTheData)
+{
+    core::HeightField field = testsupport::hills(257, 257, 90.0);
+    for (int row = 0; row < 257; ++row)
+        for (int column = 0; column < 257; ++column)
+            field.heightsM[static_cast<std::size_t>(row) * 257 + column] = column < 128 ? 0.0f : 40.0f;
+    const Around around(std::move(field));
+    const auto coastAt = [&](double row) // the middle of all changes between water and land in a row
+    {
+        double sum = 0.0;
+        int changes = 0;
+        for (double column = 0.0; column < 256.0; column += 0.5)
+        {
+            const bool was = around.ground.at({column, row}).water >= 0.5;
+            const bool is = around.ground.at({column + 0.5, row}).water >= 0.5;
+            if (was != is) sum += column, ++changes;
+        }
+        return changes > 0 ? sum / changes : -1.0;
+    };
+    EXPECT_NEAR(coastAt(257.5), 128.0, 3.0); // at the data it goes on
+    double bends = 0.0;
+    for (double row = 270.0; row < 450.0; row += 6.0)
+        bends = std::max(bends, std::abs(coastAt(row + 6.0) - 2.0 * coastAt(row) + coastAt(row - 6.0)));
+    EXPECT_GT(bends, 2.0); // 1 where the nearest part of the border counts
+}
+
 TEST(OuterMesh, MeetsEverySampleOfTheBorder)
 {
     for (const auto& [columns, rows] : {std::pair{65, 49}, {200, 180}, {5, 643}})
