@@ -58,6 +58,12 @@ void addMeasures(Json& row, const SimplifySubject& subject, const SimplifiedLeve
         row["uvDriftMaxTexels"] = error.drift->largest;
         row["uvDriftVisiblePercent"] = 100.0 * error.drift->visibleShare;
     }
+    if (error.smear)
+    {
+        row["uvSmearMeanPercent"] = error.smear->mean;
+        row["uvSmearPercent"] = error.smear->ofNinetyNine;
+        row["uvSmearedAreaPercent"] = 100.0 * error.smear->farShare;
+    }
     if (!level.isInTime) row["timedOut"] = true;
 }
 

@@ -11,9 +11,11 @@
 #include <osgPMObjects/core/mesh/MeshCounts.h>
 #include <osgPMObjects/core/mesh/SurfaceChange.h>
 #include <osgPMObjects/core/simplify/Simplify.h>
+#include <osgPMObjects/core/simplify/TextureSmear.h>
 
 #include "Foliage.h"
 #include "RealData.h"
+#include "pmtool/CheckerCoordinates.h"
 #include "pmtool/Models.h"
 
 namespace
@@ -118,6 +120,32 @@ TEST_P(Tree, CoversMoreWhenItsLeavesGrow)
 
 INSTANTIATE_TEST_SUITE_P(Models, Tree,
                          testing::Values("tree/eztree_oak_medium.obj", "tree/eztree_bush_1.obj"));
+
+/// Returns the share of a level's area that shows its texture farther from its place than the level is from the original.
+double smearedShare(const Mesh& mesh, const SimplifySettings& settings, double share)
+{
+    const CollapseSequence sequence = simplify(mesh, settings);
+    const auto faces = static_cast<std::size_t>(share * static_cast<double>(mesh.faces.size()));
+    const Mesh level = meshAfter(mesh, sequence, stepsToFaces(sequence, faces));
+    const MeasuredSurface before(mesh), after(level);
+    const auto smear = TextureSmearMeter(before).measure(after, surfaceChange(before, after).largest);
+    return smear ? smear->farShare : 1.0;
+}
+
+TEST(TexturedModel, IsHardlySmearedDownToATwentieth)
+{
+    OSGTRAINER_REAL_DATA_OR_SKIP(file, std::filesystem::path("models/vehicle/CesiumMilkTruck.obj"));
+    Mesh mesh = meshFrom(file);
+    pmtool::addCheckerCoordinates(mesh);
+    SimplifySettings settings;
+    EXPECT_LT(smearedShare(mesh, settings, 0.1), 0.04);
+    settings.placement = Placement::optimal;
+    EXPECT_LT(smearedShare(mesh, settings, 0.1), 0.01);
+    EXPECT_LT(smearedShare(mesh, settings, 0.05), 0.05);
+    EXPECT_LT(smearedShare(mesh, settings, 0.01), 0.12);
+    settings.keepSeams = false; // the mutation: what is seen has no cost
+    EXPECT_GT(smearedShare(mesh, settings, 0.05), 0.06);
+}
 
 using LeaflessModel = RealModel;
 

@@ -6,6 +6,7 @@
 
 #include <osgPMObjects/core/mesh/MeasuredSurface.h>
 #include <osgPMObjects/core/simplify/TextureDrift.h>
+#include <osgPMObjects/core/simplify/TextureSmear.h>
 
 namespace osgPMObjects::core
 {
@@ -18,6 +19,8 @@ struct SimplificationError
     double maxPercent = 0.0;  ///< largest distance, over these points and all corners and centres of faces
     double boxExcessPercent = 0.0; ///< distance of the level's farthest vertex outside of the original's box
     std::optional<TextureDrift> drift; ///< empty when the level has no texture coordinates
+    std::optional<TextureSmear>
+        smear; ///< the same, in per cent of the diagonal; far: farther than the largest distance
 };
 
 /// Compares levels of any origin with one original. Only the meshes are read.
@@ -39,6 +42,7 @@ private:
     Extent _box; ///< of the positions that the original's faces use
     MeasuredSurface _original;
     TextureDriftMeter _drift;
+    TextureSmearMeter _smear;
 };
 
 /// Counts the materials that have faces in the original and none in the level.

@@ -23,7 +23,11 @@ std::vector<bool> materialsWithFaces(const Mesh& mesh, std::size_t count)
 } // namespace
 
 SimplificationMeter::SimplificationMeter(const Mesh& original, std::size_t spread)
-    : _spread(spread), _box(extentOfFaces(original)), _original(original, spread), _drift(_original)
+    : _spread(spread),
+      _box(extentOfFaces(original)),
+      _original(original, spread),
+      _drift(_original),
+      _smear(_original)
 {
 }
 
@@ -32,8 +36,10 @@ SimplificationError SimplificationMeter::measure(const Mesh& level) const
     const MeasuredSurface surface(level, _spread);
     const SurfaceChange change = surfaceChange(_original, surface);
     const double diagonal = _box.diagonal(), percent = diagonal > 0.0 ? 100.0 / diagonal : 0.0;
+    std::optional<TextureSmear> smear = _smear.measure(surface, change.largest);
+    if (smear) smear->mean *= percent, smear->ofNinetyNine *= percent;
     return {percent * change.mean, percent * change.largest, percent * boxExcess(level),
-            _drift.measure(surface)};
+            _drift.measure(surface), smear};
 }
 
 double SimplificationMeter::boxExcess(const Mesh& level) const

@@ -12,6 +12,8 @@
 #include <osgPMObjects/core/mesh/MeshCounts.h>
 #include <osgPMObjects/core/simplify/TextureDrift.h>
 
+#include "TexturedFace.h"
+
 namespace osgPMObjects::core
 {
 
@@ -27,18 +29,6 @@ glm::dvec3 crossOf(const Mesh& mesh, const Triangle& t)
 {
     return glm::cross(mesh.positions[t[1]] - mesh.positions[t[0]],
                       mesh.positions[t[2]] - mesh.positions[t[0]]);
-}
-
-glm::dvec2 texCoordAt(const Mesh& mesh, std::uint32_t face, double second, double third)
-{
-    const auto at = [&](int corner)
-    { return glm::dvec2(mesh.texCoords[0][mesh.faces[face].wedges[corner]]); };
-    return at(0) + second * (at(1) - at(0)) + third * (at(2) - at(0));
-}
-
-bool isTextured(const Mesh& mesh, std::uint32_t material)
-{
-    return !mesh.texCoords[0].empty() && mesh.materials[material].has(Material::texCoord0);
 }
 
 } // namespace
