@@ -109,10 +109,16 @@ std::vector<Subject> subjects()
     return all;
 }
 
-std::vector<View> viewsOf(const osg::BoundingSphere& ball, double headingDeg)
+/// What is looked at. Units: metres.
+struct Extent
 {
-    const double away = std::max(2.5 * ball.radius(), 2.0);
-    const glm::dvec3 middle(ball.center().x(), ball.center().y(), ball.center().z());
+    double middleXM, lengthM, heightM;
+};
+
+std::vector<View> viewsOf(const Extent& extent, double headingDeg)
+{
+    const double away = std::max({0.95 * extent.lengthM + 1.0, 1.9 * extent.heightM, 1.5});
+    const glm::dvec3 middle(extent.middleXM, 0.0, 0.5 * extent.heightM);
     const double eyeM = std::min(kEyeM, 1.6 * middle.z + 0.4);
     const auto from = [&](const char* name, double turnDeg) -> View
     {
@@ -124,10 +130,10 @@ std::vector<View> viewsOf(const osg::BoundingSphere& ball, double headingDeg)
     return {from("-side", 90.0), from("-front", -38.0), from("-back", 155.0)};
 }
 
-void drawOne(const std::filesystem::path& stem, osg::Node& node, double headingDeg,
+void drawOne(const std::filesystem::path& stem, osg::Node& node, const Extent& extent, double headingDeg,
              std::vector<std::filesystem::path>& files)
 {
-    for (const View& view : viewsOf(node.getBound(), headingDeg))
+    for (const View& view : viewsOf(extent, headingDeg))
     {
         const osg::ref_ptr<osgTerrainROAM::Atmosphere> air = new osgTerrainROAM::Atmosphere;
         const auto picture = pictureOf(onPlain(node, *air), view);
@@ -154,12 +160,14 @@ int main(int argc, char** argv)
     {
         if (!subject.name.starts_with(only)) continue;
         scenery::EntityShapes shapes;
-        scenery::EntityNode entity(shapeOf(subject.kind), shapes);
+        const EntityShape shape = shapeOf(subject.kind);
+        scenery::EntityNode entity(shape, shapes);
         entity.setState(subject.state, subject.lit);
-        drawOne(folder / subject.name, *entity.node(), subject.headingDeg, files);
+        drawOne(folder / subject.name, *entity.node(), {shape.middleXM, shape.lengthM, shape.heightM},
+                subject.headingDeg, files);
     }
     if (std::string("aircraft").starts_with(only))
-        drawOne(folder / "aircraft", *scenery::makeLightAircraft(), 0.0, files);
+        drawOne(folder / "aircraft", *scenery::makeLightAircraft(), {-1.4, 9.0, 2.75}, 0.0, files);
     const auto sheet = measurement::makeContactSheet(files, {6, 100, 1944, 4});
     if (!sheet || !osgOffscreen::writePng(**sheet, folder / "entities.png"))
     {

@@ -61,7 +61,8 @@ EntityLamps::EntityLamps(std::vector<models::EntityLamp> lamps) : _lamps(std::mo
         const auto first = static_cast<GLushort>(corners->size());
         for (const auto& [across, up] : {std::pair{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}})
         {
-            const osg::Vec3d at(lamp.middle.x, lamp.middle.y + ahead * across * lamp.widthM,
+            const osg::Vec3d at(lamp.middle.x + ahead * across * lamp.sweepM,
+                                lamp.middle.y + ahead * across * lamp.widthM,
                                 lamp.middle.z + up * lamp.heightM);
             corners->push_back(osg::Vec3f(at));
             normals->push_back(osg::Vec3f(static_cast<float>(ahead), 0.0F, 0.0F));

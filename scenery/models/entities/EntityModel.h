@@ -40,6 +40,7 @@ struct EntityLamp
     glm::dvec3 middle{0.0}; ///< in the entity's frame
     bool looksAhead = true; ///< else backwards
     double widthM = 0.2, heightM = 0.1;
+    double sweepM = 0.0; ///< how far the end on its left lies farther ahead than that on its right
 };
 
 /// Which lamps shine, by EntityLamp::Kind.

@@ -33,7 +33,7 @@ LampPlaces lampPlaces(VehicleKind kind)
     return {{0.68, 0.66}, {0.635, 0.815}, {0.22, 0.10}, {0.16, 0.13}};
 }
 
-/// Returns x of the foremost (or hindmost) cross-section that contains (y, z).
+/// Returns x of the foremost (or hindmost) cross-section that contains (y, z); 0 where none does.
 double surfaceX(const VehicleForm& form, const glm::dvec2& at, bool isAhead)
 {
     constexpr int kSteps = 400;
@@ -57,19 +57,47 @@ public:
     void pair(EntityLamp::Kind left, EntityLamp::Kind right, const glm::dvec2& at, const glm::dvec2& size,
               bool looksAhead)
     {
-        constexpr double kAheadM = 0.012;
-        const glm::dvec2 inner(std::max(at.x - 0.5 * size.x, 0.0), at.y);
-        const double x = surfaceX(_body.form, inner, looksAhead) * _body.stretch.x +
-                         (looksAhead ? kAheadM : -kAheadM) + _middleXM;
-        for (const double side : {1.0, -1.0})
-            _model.lamps.push_back({side > 0.0 ? left : right,
-                                    {x, side * at.x * _body.stretch.y, at.y * _body.stretch.z},
-                                    looksAhead,
-                                    size.x * _body.stretch.y,
-                                    size.y * _body.stretch.z});
+        constexpr int kStrips = 4;
+        const std::size_t before = _model.lamps.size();
+        for (int i = 0; i < kStrips; ++i)
+        {
+            const double inner = std::max(at.x + size.x * (static_cast<double>(i) / kStrips - 0.5), 0.0);
+            const double outer = at.x + size.x * (static_cast<double>(i + 1) / kStrips - 0.5);
+            strip(left, right, {inner, outer}, {at.y, size.y}, looksAhead);
+        }
+        if (_model.lamps.size() > before) return; // else all of it is beside the body: it is moved onto it
+        double inner = std::max(at.x - 0.5 * size.x, 0.0);
+        while (inner > 0.0 && surfaceX(_body.form, {inner, at.y}, looksAhead) == 0.0)
+            inner -= 0.01; // to where there is a body
+        inner = std::max(inner - size.x, 0.0);
+        strip(left, right, {inner, inner + size.x}, {at.y, size.y}, looksAhead, true);
     }
 
 private:
+    /// Adds a narrow part of a lamp on both sides, which lies on the body. `across`: y of its ends; `up`: z of its middle and
+    /// its height; in the form's frame. Nothing where the body has ended or turned to its side, unless
+    /// it is flat.
+    void strip(EntityLamp::Kind left, EntityLamp::Kind right, const glm::dvec2& across, const glm::dvec2& up,
+               bool looksAhead, bool isFlat = false)
+    {
+        constexpr double kAheadM = 0.012, kSteepest = 4.0;
+        const double ahead = looksAhead ? 1.0 : -1.0;
+        const double end = ahead * surfaceX(_body.form, {across.x, up.x}, looksAhead);
+        const double at[2] = {end, isFlat ? end : ahead * surfaceX(_body.form, {across.y, up.x}, looksAhead)};
+        if (end == 0.0 || at[0] - at[1] > kSteepest * (across.y - across.x)) return;
+        const double middleX =
+            ahead * (0.5 * (at[0] + at[1]) * _body.stretch.x + (isFlat ? 1.5 : 1.0) * kAheadM) + _middleXM;
+        const double sweep = ahead * (at[1] - at[0]) * _body.stretch.x; // of the outer end against the inner
+        const double middleY = 0.5 * (across.x + across.y) * _body.stretch.y;
+        for (const double side : {1.0, -1.0})
+            _model.lamps.push_back({side > 0.0 ? left : right,
+                                    {middleX, side * middleY, up.x * _body.stretch.z},
+                                    looksAhead,
+                                    (across.y - across.x) * _body.stretch.y,
+                                    up.y * _body.stretch.z,
+                                    side * sweep});
+    }
+
     const StretchedForm& _body;
     double _middleXM;
     EntityModel& _model;

@@ -62,6 +62,11 @@ std::vector<AxleShape> usualAxles(const EntityShape& shape)
     const double track = 0.86 * shape.widthM;
     const double rear = shape.backXM() + size.rearOverhang * shape.lengthM / size.usualLength;
     const AxleShape axle{rear, track, size.wheelRadius, false};
+    constexpr double kBetweenM = 1.31; // of a semitrailer's three axles
+    if (shape.kind == EntityKind::semitrailer)
+        return {{rear + kBetweenM, track, size.wheelRadius, false},
+                axle,
+                {rear - kBetweenM, track, size.wheelRadius, false}};
     if (size.wheelbase <= 0.0) return {axle};
     return {{rear + size.wheelbase * shape.lengthM / size.usualLength, track, size.wheelRadius, true}, axle};
 }

@@ -27,7 +27,7 @@ PersonColours coloursOf(const EntityShape& shape)
 /// Returns how high the hips are above the ground: lower while a foot is far ahead, as over an inverted pendulum.
 double hipHeight(const PersonSize& size, const Gait& gait, const EntityMotion& motion)
 {
-    constexpr double kStraight = 0.985, kFollowed = 0.75;
+    constexpr double kStraight = 0.997, kFollowed = 0.92;
     const double reach = kStraight * (size.hip() - size.ankle());
     const double phase = gait.phase(motion.odometerM, 0.0);
     const double step = 0.25 * gait.strideM * Gait::vigour(motion.speedMps);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scenery/models/entities/EntityModel.h"
 
+#include <set>
+
 #include <gtest/gtest.h>
 
 #include "scenery/models/ModelCheck.h"
@@ -103,6 +105,34 @@ TEST(EntityModel, EqualShapesGiveTheSameBytes)
     ASSERT_EQ(a.meshes.size(), b.meshes.size());
     for (std::size_t i = 0; i < a.meshes.size(); ++i)
         EXPECT_EQ(a.meshes[i].mesh.positions, b.meshes[i].mesh.positions);
+}
+
+TEST(EntityModel, LampsOfEachKindLieOnTheBody)
+{
+    using Lamp = models::EntityLamp::Kind;
+    for (const EntityKind kind : {EntityKind::car, EntityKind::van, EntityKind::bus})
+    {
+        SCOPED_TRACE(static_cast<int>(kind));
+        const EntityShape shape = usual(kind);
+        const EntityModel model = models::makeEntityModel(shape);
+        std::set<std::pair<Lamp, bool>> found; // with the end of the vehicle
+        for (const models::EntityLamp& lamp : model.lamps)
+        {
+            found.emplace(lamp.kind, lamp.looksAhead);
+            EXPECT_LE(std::abs(lamp.middle.y) + 0.5 * lamp.widthM, 0.5 * shape.widthM + 0.04);
+            EXPECT_LE(std::abs(lamp.sweepM), 4.5 * lamp.widthM) << "a lamp that runs along the side";
+            EXPECT_GE(lamp.looksAhead ? lamp.middle.x - shape.middleXM : shape.middleXM - lamp.middle.x,
+                      0.4 * shape.lengthM);
+        }
+        for (const auto& [lamp, isAhead] : {std::pair{Lamp::head, true},
+                                            {Lamp::tail, false},
+                                            {Lamp::brake, false},
+                                            {Lamp::indicatorLeft, true},
+                                            {Lamp::indicatorRight, true},
+                                            {Lamp::indicatorLeft, false},
+                                            {Lamp::indicatorRight, false}})
+            EXPECT_TRUE(found.contains({lamp, isAhead})) << static_cast<int>(lamp);
+    }
 }
 
 TEST(EntityModel, AStandingFootStaysWhereItIs)
