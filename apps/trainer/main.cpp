@@ -9,6 +9,7 @@
 
 #include "CheckCommand.h"
 #include "CompareCommand.h"
+#include "DriveCommand.h"
 #include "FlyCommand.h"
 #include "HeadlessCommand.h"
 #include "PlayCommand.h"
@@ -65,6 +66,7 @@ struct Arguments
     trainer::CompareRequest compare;
     trainer::QualifyRequest qualify;
     trainer::QualifyDriveRequest qualifyDrive;
+    trainer::DriveRequest drive;
     trainer::FlyRequest fly;
     std::vector<double> strip;
 };
@@ -179,6 +181,35 @@ CLI::App* addCheck(CLI::App& app, trainer::CheckRequest& request)
                    "print what becomes of every element of the standard")
         ->excludes(files);
     return check;
+}
+
+CLI::App* addDrive(CLI::App& app, Arguments& arguments)
+{
+    trainer::DriveRequest& request = arguments.drive;
+    CLI::App* drive = app.add_subcommand("drive", "drive a road vehicle by its own physics");
+    drive
+        ->add_option("WORLD", arguments.request.terrain.file, "OpenDRIVE network, or a .roam file with roads")
+        ->required();
+    drive->add_flag("--headless", request.isHeadless, "drive without pictures");
+    drive->add_option("--vehicle", request.vehicle, "road vehicle file");
+    drive->add_option("--duration", request.durationS, "seconds to drive at most")
+        ->check(terminal::between(0.1, 1e5));
+    drive->add_option("--length", request.lengthM, "metres of lanes to drive")
+        ->check(terminal::between(20.0, 1e6));
+    drive->add_option("--speed", request.speedMps, "most that the driver wants, m/s")
+        ->check(terminal::between(0.5, 100.0));
+    drive->add_option("--csv_logger", arguments.request.output.motionFile, "file for a row of each step");
+    drive->add_option("--inputs", request.inputs, "inputs file to drive by, in place of the driver");
+    drive->add_option("--record-inputs", request.recordInputs, "inputs file to write");
+    addPlayOptions(*drive, arguments);
+    return drive;
+}
+
+foundation::Outcome driveOne(const Arguments& arguments)
+{
+    trainer::DriveRequest request = arguments.drive;
+    request.play = arguments.request;
+    return trainer::drive(request);
 }
 
 /// `qualify` has a command below it for each kind of vehicle. Returns that of flight and that of drive.
@@ -377,6 +408,7 @@ int run(int argc, char** argv)
     CLI::App* compare = app.add_subcommand("compare", "compare two tables of motion");
     addCompareOptions(*compare, arguments.compare);
     const CLI::App* fly = addFly(app, arguments);
+    const CLI::App* drive = addDrive(app, arguments);
     const auto [qualifyFlight, qualifyDrive] = addQualify(app, arguments);
     if (const auto ends = terminal::parse(app, argc, argv)) return *ends;
     if (*check) return trainer::check(arguments.check);
@@ -385,6 +417,7 @@ int run(int argc, char** argv)
     if (const auto sound = complete(arguments); !sound)
         return terminal::fail("trainer", sound.error()), terminal::kWrongUse;
     const auto outcome = *fly       ? flyOne(arguments)
+                         : *drive   ? driveOne(arguments)
                          : *compare ? trainer::compare(arguments.compare)
                          : *tour    ? trainer::tour(request, arguments.saveFile, arguments.durationS)
                                     : playOne(arguments);

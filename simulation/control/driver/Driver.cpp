@@ -52,6 +52,7 @@ double Driver::steering(const VehicleState& state)
 {
     const glm::dvec3 reference = state.position + state.bodyToScene * _vehicle.referencePoint();
     _beside = _path.nearest(reference, _beside.alongM, _hasBegun ? kReachM : 1e9);
+    _worstM = std::max(_worstM, std::abs(_beside.offsetM));
     const glm::dvec3 forward = state.bodyToScene * glm::dvec3(1.0, 0.0, 0.0);
     const double speed = glm::dot(state.velocity, forward);
     const double aimM = std::clamp(kAimS * speed, kLeastAimM, kMostAimM);

@@ -45,6 +45,9 @@ public:
     /// Where the vehicle's reference point is beside the way.
     const DriverPath::Beside& beside() const { return _beside; }
     const DriverPath& path() const { return _path; }
+
+    /// The largest distance from the way so far.
+    double worstOffsetM() const { return _worstM; }
     DriverSettings& settings() { return _settings; }
 
 private:
@@ -68,7 +71,7 @@ private:
     DriverSettings _settings;
     HandShift _hand;
     DriverPath::Beside _beside;
-    double _understeer = 0.0;
+    double _understeer = 0.0, _worstM = 0.0;
     double _offsetM = 0.0, _wantedOffsetM = 0.0; ///< from the way, to the left
     double _referenceMps = 0.0, _held = 0.0;
     std::size_t _nextStop = 0;

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+
+#include <foundation/Result.h>
+
+#include "PlayRequest.h"
+
+namespace trainer
+{
+
+/// The arguments of `trainer drive`. Empty paths: none.
+struct DriveRequest
+{
+    PlayRequest play; ///< its terrain file is the world: an OpenDRIVE network, or a .roam file with roads
+    bool isHeadless = false;
+    std::filesystem::path vehicle = "data/vehicles/car.xml";
+    double durationS = 600.0;     ///< at most
+    double lengthM = 5000.0;      ///< of the way
+    double speedMps = 0.0;        ///< most that the driver wants; 0: what the roads allow
+    std::filesystem::path inputs; ///< recorded inputs in place of the driver
+    std::filesystem::path recordInputs;
+};
+
+/// Drives a road vehicle by its own physics along the lanes of a world, by the driver or by recorded inputs, with or without
+/// pictures. Prints how far it came and how far from the middle of its lane it was at most.
+/// Errors: those of the files, of the world (no roads), of the start.
+foundation::Outcome drive(const DriveRequest& request);
+
+} // namespace trainer
