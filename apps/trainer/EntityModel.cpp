@@ -55,7 +55,8 @@ foundation::Result<EntityModel> EntityModel::create(const simulation::ScenarioOb
     }
     else
     {
-        model._placed->addChild(scenery::makeLightAircraft());
+        model._aircraft = scenery::makeLightAircraft();
+        model._placed->addChild(model._aircraft);
         model._eye = scenery::pilotEyeInAircraft();
     }
     return model;
@@ -68,6 +69,7 @@ void EntityModel::show(const simulation::EntityState& state, bool isDark)
         _generated->setState(state, scenery::usualLamps(state, isDark));
     else
         _placed->setMatrix(matrixOf(scenery::poseOf(state)));
+    if (_aircraft && state.aircraft) scenery::showAircraftParts(*_aircraft, *state.aircraft);
 }
 
 } // namespace trainer

@@ -47,6 +47,7 @@ private:
     glm::dvec3 _eye{0.0};
     std::shared_ptr<scenery::EntityNode> _generated; ///< has parts that move; else
     osg::ref_ptr<osg::MatrixTransform> _placed;
+    osg::ref_ptr<osg::Group> _aircraft; ///< below it; null: it is none
 };
 
 } // namespace trainer

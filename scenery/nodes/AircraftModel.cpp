@@ -7,6 +7,7 @@
 #include <osg/Geode>
 #include <osg/Group>
 #include <osg/Math>
+#include <osg/MatrixTransform>
 
 #include "scenery/nodes/ModelMesh.h"
 #include "scenery/nodes/ObjectShading.h"
@@ -124,17 +125,48 @@ void addWheel(ModelMesh& mesh, const osg::Vec3f& hub, float radiusM)
     mesh.addTurned({hub, {0.0F, 1.0F, 0.0F}, {{-0.09F, 0.09F}, {0.09F, 0.09F}}, 16}, kMetal);
 }
 
-void addGear(ModelMesh& mesh)
+/// Where a leg's wheel touches the ground in the model, and its name in the graph.
+struct LegPlace
 {
-    const std::size_t since = mesh.triangles();
-    mesh.addBar({0.05F, 0.40F, 0.80F}, {0.0F, 1.12F, 0.26F}, 0.04F, kWhite);
-    mesh.addBar({0.0F, 1.10F, 0.22F}, {0.0F, 1.26F, 0.22F}, 0.03F, kMetal);
-    addWheel(mesh, {0.0F, 1.26F, 0.22F}, 0.22F);
-    mesh.mirrorSince(since);
+    const char* name;
+    osg::Vec3d bottom;
+};
+
+const std::array<LegPlace, simulation::kGearLegs> kLegPlaces = {
+    {{"nose gear", {1.70, 0.0, 0.0}}, {"left gear", {0.0, 1.26, 0.0}}, {"right gear", {0.0, -1.26, 0.0}}}};
+const char* const kPropellerName = "propeller";
+
+/// `side`: 1 left, -1 right.
+void addMainLeg(ModelMesh& mesh, float side)
+{
+    mesh.addBar({0.05F, side * 0.40F, 0.80F}, {0.0F, side * 1.12F, 0.26F}, 0.04F, kWhite);
+    mesh.addBar({0.0F, side * 1.10F, 0.22F}, {0.0F, side * 1.26F, 0.22F}, 0.03F, kMetal);
+    addWheel(mesh, {0.0F, side * 1.26F, 0.22F}, 0.22F);
+}
+
+void addNoseLeg(ModelMesh& mesh)
+{
     mesh.addBar({1.62F, 0.0F, 0.85F}, {1.68F, 0.0F, 0.42F}, 0.045F, kMetal);
     mesh.addBar({1.68F, 0.10F, 0.44F}, {1.70F, 0.10F, 0.19F}, 0.02F, kMetal);
     mesh.addBar({1.68F, -0.10F, 0.44F}, {1.70F, -0.10F, 0.19F}, 0.02F, kMetal);
     addWheel(mesh, {1.70F, 0.0F, 0.19F}, 0.19F);
+}
+
+osg::ref_ptr<osg::Node> legNode(int leg)
+{
+    ModelMesh mesh;
+    if (leg == simulation::kNoseLeg)
+        addNoseLeg(mesh);
+    else
+        addMainLeg(mesh, leg == simulation::kLeftLeg ? 1.0F : -1.0F);
+    const osg::ref_ptr<osg::Geode> geode = new osg::Geode;
+    geode->addDrawable(mesh.geometry());
+    setObjectShading(*geode, Finish::lacquered);
+    const osg::ref_ptr<osg::MatrixTransform> placed = new osg::MatrixTransform;
+    placed->setName(kLegPlaces[static_cast<std::size_t>(leg)].name);
+    placed->setDataVariance(osg::Object::DYNAMIC);
+    placed->addChild(geode);
+    return placed;
 }
 
 /// What the eye keeps of two blades at 40 turns a second: a thin disc, a little darker towards its rim.
@@ -175,12 +207,11 @@ osg::ref_ptr<osg::Geometry> propellerBlur()
 
 } // namespace
 
-osg::ref_ptr<osg::Node> makeLightAircraft(const osg::Vec4f& trim)
+osg::ref_ptr<osg::Group> makeLightAircraft(const osg::Vec4f& trim)
 {
     ModelMesh mesh;
     addFuselage(mesh, trim);
     addWings(mesh, trim);
-    addGear(mesh);
     mesh.addTurned({{2.34F, 0.0F, kPropellerZM},
                     {1.0F, 0.0F, 0.0F},
                     {{0.0F, 0.17F}, {0.12F, 0.15F}, {0.24F, 0.09F}, {0.31F, 0.01F}}},
@@ -192,12 +223,33 @@ osg::ref_ptr<osg::Node> makeLightAircraft(const osg::Vec4f& trim)
     body->addDrawable(mesh.geometry());
     setObjectShading(*body, Finish::lacquered);
     aircraft->addChild(body);
+    for (int leg = 0; leg < simulation::kGearLegs; ++leg)
+        aircraft->addChild(legNode(leg));
     osg::ref_ptr<osg::Geode> blur = new osg::Geode;
-    blur->setName("propeller");
+    blur->setName(kPropellerName);
     blur->addDrawable(propellerBlur());
     setObjectShading(*blur, Finish::seeThrough);
     aircraft->addChild(blur);
     return aircraft;
+}
+
+void showAircraftParts(osg::Group& aircraft, const simulation::AircraftParts& parts)
+{
+    constexpr double kBlurRadps = 20.0;
+    for (unsigned i = 0; i < aircraft.getNumChildren(); ++i)
+    {
+        osg::Node* const child = aircraft.getChild(i);
+        if (child->getName() == kPropellerName)
+            child->setNodeMask(parts.propellerRadps > kBlurRadps ? ~0U : 0U);
+        for (std::size_t leg = 0; leg < kLegPlaces.size(); ++leg)
+        {
+            auto* const placed = dynamic_cast<osg::MatrixTransform*>(child);
+            if (!placed || placed->getName() != kLegPlaces[leg].name) continue;
+            const glm::dvec3& bottom = parts.wheelBottom[leg];
+            placed->setMatrix(osg::Matrixd::translate(
+                osg::Vec3d(bottom.x, bottom.y, bottom.z + parts.strutM[leg]) - kLegPlaces[leg].bottom));
+        }
+    }
 }
 
 glm::dvec3 pilotEyeInAircraft()

@@ -3,6 +3,8 @@
 
 #include <array>
 
+#include <glm/glm.hpp>
+
 namespace simulation
 {
 
@@ -26,9 +28,10 @@ struct AircraftParts
     double flapDeg = 0.0;          ///< trailing edge down
     double propellerTurnDeg = 0.0; ///< 0…360, in its sense of turning
     double propellerRadps = 0.0;
-    double noseSteeringDeg = 0.0;                 ///< positive to the left
-    std::array<double, kGearLegs> strutM{};       ///< pressed in
-    std::array<double, kGearLegs> wheelTurnDeg{}; ///< 0…360, forward
+    double noseSteeringDeg = 0.0;                    ///< positive to the left
+    std::array<glm::dvec3, kGearLegs> wheelBottom{}; ///< struts unloaded; entity's frame
+    std::array<double, kGearLegs> strutM{};          ///< pressed in
+    std::array<double, kGearLegs> wheelTurnDeg{};    ///< 0…360, forward
     bool hasNavigationLights = false, hasStrobes = false, hasBeacon = false, hasLandingLight = false;
 
     bool operator==(const AircraftParts&) const = default;

@@ -30,12 +30,15 @@ void Aircraft::writeParts(EntityState& entity) const
     parts.flapDeg = _state.flapDeg;
     parts.propellerTurnDeg = _turns.propellerDeg();
     parts.propellerRadps = _state.engineRadps;
+    const glm::dvec3 centre = massProperties(*_data, _state.fuelKg).centre, reference = referencePoint();
     const std::span<const Contact> contacts = _contacts.contacts();
     for (std::size_t i = 0; i < contacts.size(); ++i)
     {
         const ContactData& data = _data->contacts[i];
         if (!data.isWheel) continue;
         const GearLeg leg = legOf(data);
+        const glm::dvec3 arm = bodyPlace(data.place, centre);
+        parts.wheelBottom[leg] = glm::dvec3(arm.x, -arm.y, -arm.z) - reference;
         parts.strutM[leg] = std::max(0.0, contacts[i].depthM);
         parts.wheelTurnDeg[leg] = _turns.wheelDeg(i);
         if (leg == kNoseLeg) parts.noseSteeringDeg = data.steeringDeg * inputOf(_inputs, FlightInput::rudder);

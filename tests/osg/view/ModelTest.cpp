@@ -99,6 +99,18 @@ TEST(AircraftModel, HasTheSizeItSaysAndStandsOnItsWheels)
                                         scenery::pilotEyeInAircraft().z)));
 }
 
+TEST(AircraftModel, PutsItsWheelsWhereTheirStrutsAre)
+{
+    const osg::ref_ptr<osg::Group> aircraft = scenery::makeLightAircraft();
+    simulation::AircraftParts parts;
+    parts.wheelBottom = {glm::dvec3(1.65, 0.0, -0.1), glm::dvec3(0.0, 1.1, 0.0), glm::dvec3(0.0, -1.1, 0.0)};
+    scenery::showAircraftParts(*aircraft, parts);
+    EXPECT_NEAR(boundsOf(aircraft).zMin(), -0.1, 0.005);
+    parts.strutM = {0.15, 0.06, 0.04};
+    scenery::showAircraftParts(*aircraft, parts);
+    EXPECT_NEAR(boundsOf(aircraft).zMin(), 0.04, 0.005); // that of the right wheel
+}
+
 TEST(ModelMesh, FacesLookOutwardsAndMirroringKeepsThemSo)
 {
     scenery::ModelMesh mesh;
