@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "EntityModel.h"
 
+#include <map>
+#include <string>
+
 #include "ModelFile.h"
 #include "scenery/nodes/AircraftModel.h"
 #include "scenery/nodes/EntityLook.h"
@@ -62,11 +65,40 @@ foundation::Result<EntityModel> EntityModel::create(const simulation::ScenarioOb
     return model;
 }
 
+namespace
+{
+
+/// The lamps that are on when those that actions have switched are as they say.
+scenery::models::LitLamps switched(scenery::models::LitLamps lit, const simulation::EntityState& state)
+{
+    using Kind = scenery::models::EntityLamp::Kind;
+    static const std::multimap<std::string, Kind> kLamps = {{"lowBeam", Kind::head},
+                                                            {"highBeam", Kind::head},
+                                                            {"daytimeRunningLights", Kind::head},
+                                                            {"lowBeam", Kind::tail},
+                                                            {"brakeLights", Kind::brake},
+                                                            {"indicatorLeft", Kind::indicatorLeft},
+                                                            {"indicatorRight", Kind::indicatorRight},
+                                                            {"warningLights", Kind::indicatorLeft},
+                                                            {"warningLights", Kind::indicatorRight},
+                                                            {"reversingLights", Kind::reversing},
+                                                            {"specialPurposeLights", Kind::warning}};
+    for (const auto& [name, lamp] : state.lamps)
+    {
+        const auto [first, last] = kLamps.equal_range(name);
+        for (auto found = first; found != last; ++found)
+            lit[static_cast<std::size_t>(found->second)] = lamp.isLit;
+    }
+    return lit;
+}
+
+} // namespace
+
 void EntityModel::show(const simulation::EntityState& state, bool isDark)
 {
     node()->setNodeMask(state.isVisible && !_isHidden ? ~0U : 0U);
     if (_generated)
-        _generated->setState(state, scenery::usualLamps(state, isDark));
+        _generated->setState(state, switched(scenery::usualLamps(state, isDark), state));
     else
         _placed->setMatrix(matrixOf(scenery::poseOf(state)));
     if (_aircraft && state.aircraft) scenery::showAircraftParts(*_aircraft, *state.aircraft);

@@ -39,7 +39,10 @@ std::vector<std::string> parseSelection(ElementReader reader,
                                         const std::vector<ScenarioObject>& objects); // ParseSelection.cpp
 std::vector<ScenarioObject> parseScenarioObject(ElementReader reader); // ParseEntity.cpp: with its trailers
 FileHeader parseHeader(ElementReader reader);                          // ParseScenario.cpp
-Storyboard parseStoryboard(ElementReader reader);                      // ParseStoryboard.cpp
+/// A Controller, or one of a catalogue. One that is not played is told.
+Controller parseController(ElementReader reader); // ParseController.cpp
+Properties parseProperties(ElementReader reader); // ParseEntity.cpp: those of an object
+Storyboard parseStoryboard(ElementReader reader); // ParseStoryboard.cpp
 
 /// Reads the instant of `dateTime`.
 DateTime parseInstant(ElementReader& reader); // ParseEnvironment.cpp

@@ -83,6 +83,12 @@ inline constexpr Keywords<bool, 2> kTriggeringRules = {{{"any", false}, {"all", 
 inline constexpr Keywords<int, 3> kDisplacements = {
     {{"any", 0}, {"trailingReferencedEntity", 1}, {"leadingReferencedEntity", -1}}};
 
+inline constexpr Keywords<int, 3> kLateralDisplacements = {
+    {{"any", 0}, {"leftToReferencedEntity", 1}, {"rightToReferencedEntity", -1}}};
+
+inline constexpr Keywords<LightMode, 3> kLightModes = {
+    {{"off", LightMode::off}, {"on", LightMode::on}, {"flashing", LightMode::flashing}}};
+
 inline constexpr Keywords<FollowingMode, 2> kFollowingModes = {
     {{"position", FollowingMode::position}, {"follow", FollowingMode::follow}}};
 

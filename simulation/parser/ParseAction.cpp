@@ -23,17 +23,69 @@ PrivateAction parseActivateController(ElementReader reader)
 {
     ActivateControllerAction action;
     action.source = reader.context.line(reader.node);
+    action.controller = reader.textOr("objectControllerRef", reader.textOr("controllerRef", ""));
     if (reader.has("longitudinal")) action.longitudinal = reader.flagOr("longitudinal", false);
     if (reader.has("lateral")) action.lateral = reader.flagOr("lateral", false);
+    return action;
+}
+
+AssignControllerAction parseAssignController(ElementReader reader)
+{
+    AssignControllerAction action;
+    action.source = reader.context.line(reader.node);
+    if (reader.has("activateLongitudinal"))
+        action.longitudinal = reader.flagOr("activateLongitudinal", false);
+    if (reader.has("activateLateral")) action.lateral = reader.flagOr("activateLateral", false);
+    ElementReader content = reader.onlyChild();
+    action.controller = parseController(content.is("ObjectController") ? content.onlyChild() : content);
+    return action;
+}
+
+LightStateAction parseLightState(ElementReader reader)
+{
+    LightStateAction action;
+    action.source = reader.context.line(reader.node);
+    ElementReader type = reader.child("LightType").onlyChild();
+    if (type.is("VehicleLight"))
+        action.light = type.text("vehicleLightType");
+    else if (type.is("UserDefinedLight"))
+        action.light = type.text("userDefinedLightType");
+    else
+        unsupportedContent(type, "light");
+    ElementReader state = reader.child("LightState");
+    action.mode = state.choice("mode", kLightModes);
+    action.onS = state.numberOr("flashingOnDuration", action.onS);
+    action.offS = state.numberOr("flashingOffDuration", action.offS);
+    return action;
+}
+
+/// Lights are switched; animations are seen only, and nothing shows them.
+PrivateAction parseAppearance(ElementReader reader)
+{
+    ElementReader content = reader.onlyChild();
+    if (content.is("LightStateAction")) return parseLightState(content);
+    unsupportedContent(content, "action");
+    return noted(content);
+}
+
+PrivateAction parseTrailerAction(ElementReader reader)
+{
+    ElementReader content = reader.onlyChild();
+    TrailerAction action;
+    action.source = reader.context.line(reader.node);
+    if (content.is("ConnectTrailerAction"))
+        action.trailer = parseEntityRef(content, "trailerRef");
+    else if (!content.is("DisconnectTrailerAction"))
+        return unsupportedContent(content, "action");
     return action;
 }
 
 /// From 1.1 on the actions on controllers stand in a ControllerAction.
 PrivateAction parseControllerAction(ElementReader reader)
 {
-    const pugi::xml_node activate = reader.node.child("ActivateControllerAction");
-    if (activate) return parseActivateController({reader.context, activate});
     ElementReader content = reader.onlyChild();
+    if (content.is("AssignControllerAction")) return parseAssignController(content);
+    if (content.is("ActivateControllerAction")) return parseActivateController(content);
     return unsupportedContent(content, "action");
 }
 
@@ -58,7 +110,8 @@ PrivateAction parsePrivateAction(ElementReader reader)
     if (content.is("ActivateControllerAction")) return parseActivateController(content);
     if (content.is("ControllerAction")) return parseControllerAction(content);
     if (content.is("VisibilityAction")) return parseVisibility(content);
-    if (content.is("AppearanceAction")) return noted(content);
+    if (content.is("AppearanceAction")) return parseAppearance(content);
+    if (content.is("TrailerAction")) return parseTrailerAction(content);
     return unsupportedContent(content, "action");
 }
 

@@ -90,6 +90,14 @@ void ParseContext::approximated(pugi::xml_node node, const ElementCoverage& cove
           "instead: " + std::string(coverage.instead)}});
 }
 
+void ParseContext::controllerNotPlayed(pugi::xml_node node, const std::string& kind)
+{
+    if (!options.tolerant) return;
+    add({Problem::Kind::approximated,
+         {place(node), "the controller " + kind + " is not played",
+          "instead: the actions of the scenario move the entity"}});
+}
+
 void ParseContext::invalid(pugi::xml_node node, const std::string& what, const std::string& remedy)
 {
     add({Problem::Kind::invalid, {place(node), what, remedy}});

@@ -37,6 +37,8 @@ public:
     void unsupported(pugi::xml_node node, const std::string& what, const std::string& instead);
     /// Reports an element that is not in all in effect; the first of its name. A strict reading does not stop at it.
     void approximated(pugi::xml_node node, const ElementCoverage& coverage);
+    /// Reports a controller of a kind that is not played. A strict reading does not stop at it.
+    void controllerNotPlayed(pugi::xml_node node, const std::string& kind);
     void invalid(pugi::xml_node node, const std::string& what, const std::string& remedy);
     void add(Problem problem);
 

@@ -24,22 +24,6 @@ Axle parseAxle(ElementReader reader)
             reader.notNegative("trackWidth"), reader.number("positionX"), reader.number("positionZ")};
 }
 
-Properties parseProperties(ElementReader parent)
-{
-    Properties properties;
-    const pugi::xml_node node = parent.node.child("Properties");
-    if (!node) return properties;
-    ElementReader(parent.context, node).allowChildren({"Property", "File", "CustomContent"});
-    for (pugi::xml_node property : node.children("Property"))
-    {
-        ElementReader reader(parent.context, property);
-        properties.values.emplace_back(reader.text("name"), reader.text("value"));
-    }
-    for (pugi::xml_node file : node.children("File"))
-        properties.files.push_back(ElementReader(parent.context, file).text("filepath"));
-    return properties;
-}
-
 void parseAxles(ElementReader reader, Vehicle& vehicle)
 {
     reader.allowChildren({"FrontAxle", "RearAxle", "AdditionalAxle"});
@@ -142,18 +126,23 @@ void parseObject(ElementReader reader, std::size_t index, std::vector<ScenarioOb
         objects[index].object = unsupportedContent(reader, "object");
 }
 
-Controller parseController(ElementReader reader)
-{
-    if (reader.is("CatalogReference"))
-    {
-        CatalogVisit visit(reader);
-        return visit.entry() ? parseController({reader.context, visit.entry()}) : Controller{};
-    }
-    const ParameterScope scope(reader.context, reader.node);
-    return {reader.context.line(reader.node), reader.name(), parseProperties(reader)};
-}
-
 } // namespace
+
+Properties parseProperties(ElementReader parent)
+{
+    Properties properties;
+    const pugi::xml_node node = parent.node.child("Properties");
+    if (!node) return properties;
+    ElementReader(parent.context, node).allowChildren({"Property", "File", "CustomContent"});
+    for (pugi::xml_node property : node.children("Property"))
+    {
+        ElementReader reader(parent.context, property);
+        properties.values.emplace_back(reader.text("name"), reader.text("value"));
+    }
+    for (pugi::xml_node file : node.children("File"))
+        properties.files.push_back(ElementReader(parent.context, file).text("filepath"));
+    return properties;
+}
 
 std::vector<ScenarioObject> parseScenarioObject(ElementReader reader)
 {

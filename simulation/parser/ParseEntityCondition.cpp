@@ -141,13 +141,13 @@ std::vector<std::string> parseEntityRefs(ElementReader reference)
     return {parseEntityRef(reference, "entityRef")};
 }
 
-/// `alongRoute` = `true` (1.0; deprecated from 1.1 on) stands for the frame of the road, along it.
+/// `alongRoute` = `true` (1.0; deprecated from 1.1 on) stands for the frame of the lane, along it, as in esmini.
 DistanceMeasure parseDistanceMeasure(ElementReader& reader)
 {
     DistanceMeasure measure;
     measure.isFreespace = reader.flagOr("freespace", false);
     if (reader.flagOr("alongRoute", false))
-        measure = {DistanceFrame::road, DistanceKind::longitudinal, measure.isFreespace};
+        measure = {DistanceFrame::lane, DistanceKind::longitudinal, measure.isFreespace};
     measure.frame = reader.choiceOr("coordinateSystem", kDistanceFrames, measure.frame);
     measure.kind = reader.choiceOr("relativeDistanceType", kDistanceKinds, measure.kind);
     return measure;

@@ -44,6 +44,22 @@ LaneOffsetAction parseLaneOffset(ElementReader reader)
     return action;
 }
 
+LateralDistanceAction parseLateralDistance(ElementReader reader)
+{
+    reader.allowChildren({"DynamicConstraints"});
+    LateralDistanceAction action;
+    action.source = reader.context.line(reader.node);
+    action.entity = parseEntityRef(reader, "entityRef");
+    action.distanceM = reader.numberOr("distance", 0.0);
+    action.isContinuous = reader.flagOr("continuous", false);
+    action.measure = parseDistanceMeasure(reader);
+    action.measure.kind = DistanceKind::lateral;
+    action.side = reader.choiceOr("displacement", kLateralDisplacements, 0);
+    if (const pugi::xml_node node = reader.node.child("DynamicConstraints"))
+        action.maxSpeedMps = ElementReader(reader.context, node).optionalNumber("maxSpeed");
+    return action;
+}
+
 } // namespace
 
 PrivateAction parseLateralAction(ElementReader reader)
@@ -51,6 +67,7 @@ PrivateAction parseLateralAction(ElementReader reader)
     ElementReader content = reader.onlyChild();
     if (content.is("LaneChangeAction")) return parseLaneChange(content);
     if (content.is("LaneOffsetAction")) return parseLaneOffset(content);
+    if (content.is("LateralDistanceAction")) return parseLateralDistance(content);
     return unsupportedContent(content, "action");
 }
 

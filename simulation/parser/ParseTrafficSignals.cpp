@@ -20,7 +20,7 @@ SignalPhase parsePhase(ElementReader reader, const std::string& controller)
     return phase;
 }
 
-TrafficSignalController parseController(ElementReader reader)
+TrafficSignalController parseSignalController(ElementReader reader)
 {
     reader.allowChildren({"Phase"});
     TrafficSignalController controller;
@@ -41,7 +41,7 @@ std::vector<TrafficSignalController> parseTrafficSignals(ElementReader reader)
     std::vector<TrafficSignalController> controllers;
     for (pugi::xml_node node : reader.node.children("TrafficSignalController"))
     {
-        controllers.push_back(parseController({reader.context, node}));
+        controllers.push_back(parseSignalController({reader.context, node}));
         if (!reader.context.signalControllerNames.insert(controllers.back().name).second)
             reader.context.invalid(node,
                                    "the TrafficSignalController " + controllers.back().name + " stands twice",

@@ -83,16 +83,30 @@ double betweenBoxes(const MeasuredBody& from, const MeasuredBody& to)
     return least;
 }
 
-/// How far a box reaches along the road before and behind its reference point, in the direction in which `from` looks.
+/// How far a box reaches along the reference line before and behind its reference point, in the direction in which `from`
+/// looks: of its corners, each by the circle that the road follows there.
 Extent alongRoad(const MeasuredBody& body, bool isForward)
 {
-    const double turn = body.state->place->relativeHeadingRad;
-    const double sense = isForward ? 1.0 : -1.0;
-    const double cosine = sense * std::cos(turn);
-    const double half =
-        0.5 * (std::fabs(std::cos(turn)) * body.box.lengthM + std::fabs(std::sin(turn)) * body.box.widthM);
-    const double middle = cosine * body.box.centre.x - sense * std::sin(turn) * body.box.centre.y;
-    return {middle - half, middle + half};
+    const RoadPlace& place = *body.state->place;
+    const double cosine = std::cos(place.relativeHeadingRad), sine = std::sin(place.relativeHeadingRad);
+    Extent extent{1e300, -1e300};
+    for (const double x : {-0.5, 0.5})
+        for (const double y : {-0.5, 0.5})
+        {
+            const double ahead = body.box.centre.x + x * body.box.lengthM;
+            const double left = body.box.centre.y + y * body.box.widthM;
+            const double inwards = 1.0 - place.curvature * (place.t + sine * ahead + cosine * left);
+            const double metres = (cosine * ahead - sine * left) / std::max(inwards, 0.05);
+            extent.least = std::min(extent.least, isForward ? metres : -metres);
+            extent.most = std::max(extent.most, isForward ? metres : -metres);
+        }
+    return extent;
+}
+
+/// How long a metre of the reference line is at the t of a place.
+double lengthBeside(const RoadPlace& place)
+{
+    return 1.0 - place.curvature * place.t;
 }
 
 std::optional<double> onRoads(const MeasuredBody& from, const MeasuredBody& to,
@@ -100,7 +114,9 @@ std::optional<double> onRoads(const MeasuredBody& from, const MeasuredBody& to,
 {
     if (!from.state->place || !to.state->place) return std::nullopt;
     if (measure.kind == DistanceKind::lateral) return to.state->place->t - from.state->place->t;
-    const auto metres = distanceAlong(roads, *from.state->place, *to.state->place);
+    auto metres = distanceAlong(roads, *from.state->place, *to.state->place);
+    if (metres && measure.frame == DistanceFrame::lane)
+        *metres *= 0.5 * (lengthBeside(*from.state->place) + lengthBeside(*to.state->place));
     if (!metres || !measure.isFreespace) return metres;
     const bool isForward = std::cos(from.state->place->relativeHeadingRad) >= 0.0;
     Extent other = alongRoad(to, isForward);

@@ -107,10 +107,9 @@ std::int64_t EntityMotion::startSpeed(const SpeedAction& action, double timeS)
 
 std::int64_t EntityMotion::startTrajectory(const FollowTrajectoryAction& action, double timeS)
 {
-    _run.emplace(action, *_frame, timeS);
+    _run.emplace(action, *_frame, timeS, _roads != nullptr);
     _runTicket = ++_lastTicket;
-    takePoint(_run->point(), _run->isTimed() ? _run->timedSpeedMps(_roads != nullptr)
-                                             : _speed.speedAt(timeS - _speedStartS));
+    takePoint(_run->point(), _run->isTimed() ? _run->timedSpeedMps() : _speed.speedAt(timeS - _speedStartS));
     settle(timeS);
     return _runTicket;
 }
@@ -153,8 +152,7 @@ void EntityMotion::followTrajectory(double timeS, double distanceM)
 {
     const bool isTimed = _run->isTimed();
     const std::optional<double> left = isTimed ? _run->advanceTo(timeS) : _run->advanceBy(distanceM);
-    takePoint(_run->point(),
-              isTimed ? _run->timedSpeedMps(_roads != nullptr) : _speed.speedAt(timeS - _speedStartS));
+    takePoint(_run->point(), isTimed ? _run->timedSpeedMps() : _speed.speedAt(timeS - _speedStartS));
     if (!left) return;
     _run.reset();
     if (_roads) findPlace();

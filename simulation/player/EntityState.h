@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,9 +11,18 @@
 
 #include "simulation/player/AircraftParts.h"
 #include "simulation/road/RoadPlace.h"
+#include "simulation/scenario/AppearanceActions.h"
 
 namespace simulation
 {
+
+/// A lamp that an action has switched. Units: seconds.
+struct LampState
+{
+    LightMode mode = LightMode::off;
+    double sinceS = 0.0, onS = 0.5, offS = 0.5;
+    bool isLit = false; ///< now: a flashing one begins lit
+};
 
 /// The position and the motion of an entity at one instant.
 /// Frame: the scene's east-north-up; the position is that of the reference point (for a vehicle the middle of the
@@ -42,7 +52,9 @@ struct EntityState
     glm::dvec3 acceleration{0.0}; ///< m/s², difference of velocities between steps; on a road network only
     bool isPresent =
         true; ///< false before AddEntityAction and after DeleteEntityAction: not there for conditions and collisions
-    bool isVisible = true;         ///< in pictures
+    bool isVisible = true; ///< in pictures
+    std::map<std::string, LampState>
+        lamps{};                   ///< that light states have switched, by the names of the standard
     std::vector<int> collidesWith; ///< indices of the entities whose boxes overlap this one's
 
     /// The rotation from the body to the scene. Its columns are forward, left and up.

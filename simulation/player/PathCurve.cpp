@@ -55,9 +55,10 @@ double PathPoint::planCurvature() const
 }
 
 PathCurve::PathCurve(std::vector<PathVertex> vertices, FollowingMode mode,
-                     std::optional<double> closingLength)
+                     std::optional<double> closingLength, bool inPlan)
     : _mode(mode),
       _closed(closingLength.has_value()),
+      _inPlan(inPlan),
       _begin(vertices.front().parameter),
       _end(vertices.back().parameter + closingLength.value_or(0.0))
 {
@@ -95,7 +96,7 @@ void PathCurve::buildAngles(const std::vector<PathVertex>& vertices)
 void PathCurve::buildDistances()
 {
     const auto speedAt = [this](double u)
-    { return glm::length(glm::dvec3(_x.at(u).first, _y.at(u).first, _z.at(u).first)); };
+    { return glm::length(glm::dvec3(_x.at(u).first, _y.at(u).first, _inPlan ? 0.0 : _z.at(u).first)); };
     const std::size_t divisions = _mode == FollowingMode::follow ? kTableDivisions : 1;
     _parameters = {_begin};
     _distances = {0.0};

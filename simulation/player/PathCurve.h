@@ -42,7 +42,9 @@ class PathCurve
 public:
     /// `vertices`: at least two, parameters strictly increasing. A closed curve needs `closingLength`, the parameter
     /// from the last vertex back to the first.
-    PathCurve(std::vector<PathVertex> vertices, FollowingMode mode, std::optional<double> closingLength);
+    /// `inPlan`: distances are seen from above.
+    PathCurve(std::vector<PathVertex> vertices, FollowingMode mode, std::optional<double> closingLength,
+              bool inPlan = false);
 
     PathPoint at(double parameter) const;
 
@@ -63,6 +65,7 @@ private:
 
     FollowingMode _mode;
     bool _closed;
+    bool _inPlan;
     double _begin;
     double _end;
     CubicSpline _x, _y, _z;

@@ -12,18 +12,6 @@
 
 namespace simulation
 {
-namespace
-{
-
-glm::dvec3 turned(double headingRad, double dx, double dy, double dz)
-{
-    const double cosine = std::cos(headingRad);
-    const double sine = std::sin(headingRad);
-    return {cosine * dx - sine * dy, sine * dx + cosine * dy, dz};
-}
-
-} // namespace
-
 std::optional<Placement> PositionSolver::place(const Position& position) const
 {
     if (const auto* lane = std::get_if<LanePosition>(&position))
@@ -138,7 +126,8 @@ std::optional<Placement> PositionSolver::placeRelative(const RelativeObjectPosit
     const EntityState* const base = _states(position.entity);
     if (!base) return std::nullopt;
     const double heading = foundation::radiansOf(base->headingDeg);
-    return inWorld(base->position + turned(heading, position.dxM, position.dyM, position.dzM),
+    return inWorld(base->position +
+                       base->bodyToLocal() * glm::dvec3(position.dxM, position.dyM, position.dzM),
                    position.orientation, heading);
 }
 

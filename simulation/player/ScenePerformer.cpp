@@ -2,6 +2,7 @@
 #include "simulation/player/ScenePerformer.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "simulation/parser/Expression.h"
 #include "simulation/player/EntityDistance.h"
@@ -13,6 +14,8 @@ namespace simulation
 
 namespace
 {
+
+constexpr double kInstantS = 1e-9;
 
 template<class Visit>
 void visitActions(const Scenario& scenario, Visit visit)
@@ -66,12 +69,14 @@ ScenePerformer::ScenePerformer(const Scenario& scenario, const SceneFrame& frame
       _trailers(scenario),
       _isAbsent(absentAtFirst(scenario)),
       _isHidden(scenario.entities.size(), false),
-      _isHeld(scenario.entities.size(), false)
+      _active(scenario.entities.size()),
+      _lamps(scenario.entities.size())
 {
     for (const ScenarioObject& object : scenario.entities)
     {
         _motions.emplace_back(object, frame, roads);
         _boxes.push_back(object.box());
+        _controllers.push_back(object.controllers);
     }
     _lent.resize(_motions.size());
     for (const ParameterDeclaration& parameter : scenario.parameters)
@@ -108,7 +113,8 @@ void ScenePerformer::move()
 {
     _signals.advanceTo(timeS());
     for (std::size_t i = 0; i < _motions.size(); ++i)
-        if (!_lent[i]) _motions[i].advanceTo(_clock->seconds(), _clock->stepS());
+        if (!_lent[i] && !_active[i]) _motions[i].advanceTo(timeS(), _clock->stepS());
+    moveControlled();
     moveLent();
     _trailers.follow(_motions);
     publish();
@@ -140,6 +146,17 @@ bool ScenePerformer::areLentDone() const
                        [](const auto& motion) { return !motion || motion->isDone(); });
 }
 
+/// They see the others where they are now, as in esmini.
+void ScenePerformer::moveControlled()
+{
+    for (std::size_t i = 0; i < _motions.size(); ++i)
+    {
+        if (_lent[i] || !_active[i]) continue;
+        _motions[i].setSpeed(_active[i]->speedAfter(*this, static_cast<int>(i)), timeS());
+        _motions[i].advanceTo(timeS(), _clock->stepS());
+    }
+}
+
 /// All see the others as they were before.
 void ScenePerformer::moveLent()
 {
@@ -160,6 +177,15 @@ void ScenePerformer::publish()
     {
         _states[i].isPresent = !_isAbsent[i];
         _states[i].isVisible = !_isAbsent[i] && !_isHidden[i];
+        for (auto& [name, lamp] : _lamps[i])
+        {
+            const double period = lamp.onS + lamp.offS;
+            const double since = timeS() - lamp.sinceS;
+            lamp.isLit = lamp.mode == LightMode::on ||
+                         (lamp.mode == LightMode::flashing &&
+                          (period <= 0.0 || std::fmod(since + kInstantS, period) < lamp.onS));
+        }
+        _states[i].lamps = _lamps[i];
     }
     for (std::size_t i = 0; i < _states.size() && i < before.size(); ++i)
         _states[i].acceleration = (_states[i].velocity - before[i].velocity) / _clock->stepS();
@@ -255,9 +281,25 @@ ActionTicket ScenePerformer::perform(const PrivateAction& action, const std::str
 {
     const int actor = find(actorName);
     if (actor < 0 || _isAbsent[static_cast<std::size_t>(actor)]) return {};
-    if (const auto* content = std::get_if<SpeedAction>(&action);
-        content && _isHeld[static_cast<std::size_t>(actor)])
-        return {};
+    if (isHeld(action, actor)) return {};
+    if (const auto* content = std::get_if<ActivateControllerAction>(&action);
+        content && content->longitudinal)
+        activate(content->controller, *content->longitudinal, actor);
+    if (const auto* content = std::get_if<AssignControllerAction>(&action)) assign(*content, actor);
+    if (const auto* content = std::get_if<VisibilityAction>(&action))
+        _isHidden[static_cast<std::size_t>(actor)] = !content->inPictures;
+    if (const auto* content = std::get_if<LightStateAction>(&action)) light(*content, actor);
+    if (const auto* content = std::get_if<TrailerAction>(&action))
+        _trailers.couple(actor, find(content->trailer));
+    if (const auto* content = std::get_if<TeleportAction>(&action)) teleport(*content, actor);
+    if (const auto* content = std::get_if<AssignRouteAction>(&action)) assignRoute(content->route, actor);
+    if (const auto* content = std::get_if<AcquirePositionAction>(&action)) acquire(content->position, actor);
+    return performRunning(action, actor);
+}
+
+/// Those that last.
+ActionTicket ScenePerformer::performRunning(const PrivateAction& action, int actor)
+{
     if (const auto* content = std::get_if<SpeedAction>(&action)) return startSpeed(*content, actor);
     if (const auto* content = std::get_if<FollowTrajectoryAction>(&action))
         return startTrajectory(*content, actor);
@@ -265,31 +307,55 @@ ActionTicket ScenePerformer::perform(const PrivateAction& action, const std::str
         return start(*content, actor, ActionDomain::lateral);
     if (const auto* content = std::get_if<LaneOffsetAction>(&action))
         return start(*content, actor, ActionDomain::lateral);
+    if (const auto* content = std::get_if<LateralDistanceAction>(&action))
+        return start(*content, actor, ActionDomain::lateral);
     if (const auto* content = std::get_if<LongitudinalDistanceAction>(&action))
         return start(*content, actor, ActionDomain::longitudinal);
     if (const auto* content = std::get_if<SpeedProfileAction>(&action))
         return start(*content, actor, ActionDomain::longitudinal);
     if (const auto* content = std::get_if<SynchronizeAction>(&action))
         return start(*content, actor, ActionDomain::longitudinal);
-    if (const auto* content = std::get_if<ActivateControllerAction>(&action)) activate(*content, actor);
-    if (const auto* content = std::get_if<VisibilityAction>(&action))
-        _isHidden[static_cast<std::size_t>(actor)] = !content->inPictures;
-    if (const auto* content = std::get_if<TeleportAction>(&action)) teleport(*content, actor);
-    if (const auto* content = std::get_if<AssignRouteAction>(&action)) assignRoute(content->route, actor);
-    if (const auto* content = std::get_if<AcquirePositionAction>(&action)) acquire(content->position, actor);
     return {};
 }
 
-/// A person who drives is not there: the entity stands still, and speed actions do nothing. Other controllers are not played.
-void ScenePerformer::activate(const ActivateControllerAction& action, int actor)
+/// Whether a controller has hold of what the action would change. It hears which speed is asked for.
+bool ScenePerformer::isHeld(const PrivateAction& action, int actor)
 {
-    const ScenarioObject& object = _scenario->entities[static_cast<std::size_t>(actor)];
-    const bool isInteractive = std::any_of(object.controllers.begin(), object.controllers.end(),
-                                           [](const Controller& controller)
-                                           { return controller.kind() == "InteractiveController"; });
-    if (!action.longitudinal || !isInteractive) return;
-    _isHeld[static_cast<std::size_t>(actor)] = *action.longitudinal;
-    if (*action.longitudinal) motion(actor).setSpeed(0.0, timeS());
+    SpeedController* const active = _active[static_cast<std::size_t>(actor)].get();
+    if (!active) return false;
+    if (const auto* content = std::get_if<SpeedAction>(&action))
+    {
+        if (const auto* target = std::get_if<AbsoluteTargetSpeed>(&content->target))
+            active->askFor(target->speedMps);
+        return true;
+    }
+    return std::holds_alternative<LongitudinalDistanceAction>(action) ||
+           std::holds_alternative<SpeedProfileAction>(action) ||
+           std::holds_alternative<SynchronizeAction>(action);
+}
+
+void ScenePerformer::assign(const AssignControllerAction& action, int actor)
+{
+    _controllers[static_cast<std::size_t>(actor)].push_back(action.controller);
+    if (action.longitudinal) activate(action.controller.name, *action.longitudinal, actor);
+}
+
+/// Of several controllers the one of that name, else the one assigned last.
+void ScenePerformer::activate(const std::string& controller, bool isActive, int actor)
+{
+    const auto index = static_cast<std::size_t>(actor);
+    _active[index].reset();
+    const std::vector<Controller>& known = _controllers[index];
+    if (!isActive || known.empty()) return;
+    const auto named = std::find_if(known.begin(), known.end(),
+                                    [&](const Controller& one) { return one.name == controller; });
+    _active[index] = makeSpeedController(named != known.end() ? *named : known.back(), motion(actor).state());
+    if (_active[index]) end(actor, ActionDomain::longitudinal);
+}
+
+void ScenePerformer::light(const LightStateAction& action, int actor)
+{
+    _lamps[static_cast<std::size_t>(actor)][action.light] = {action.mode, timeS(), action.onS, action.offS};
 }
 
 /// What was running ends with the entity.

@@ -12,6 +12,7 @@
 #include "simulation/player/ExternalMotion.h"
 #include "simulation/player/PositionSolver.h"
 #include "simulation/player/SignalPlan.h"
+#include "simulation/player/SpeedController.h"
 #include "simulation/player/StoryboardRunner.h"
 #include "simulation/player/Trailers.h"
 #include "simulation/player/actions/RunningAction.h"
@@ -64,6 +65,7 @@ public:
     const PositionSolver& positions() const override { return _positions; }
     const Scenario& scenario() const override { return *_scenario; }
     EntityMotion& motion(int entity) override { return _motions[static_cast<std::size_t>(entity)]; }
+    bool isPresent(int entity) const override { return !_isAbsent[static_cast<std::size_t>(entity)]; }
     int find(const std::string& entity) const override { return _scenario->entityIndex(entity); }
 
 private:
@@ -82,7 +84,12 @@ private:
     void teleport(const TeleportAction& action, int actor);
     void assignRoute(const Route& route, int actor);
     void acquire(const Position& position, int actor);
-    void activate(const ActivateControllerAction& action, int actor);
+    ActionTicket performRunning(const PrivateAction& action, int actor);
+    void assign(const AssignControllerAction& action, int actor);
+    void activate(const std::string& controller, bool isActive, int actor);
+    void light(const LightStateAction& action, int actor);
+    bool isHeld(const PrivateAction& action, int actor);
+    void moveControlled();
     void addOrDelete(const EntityAction& action);
     void setValue(const SetValueAction& action);
     void collide();
@@ -107,7 +114,9 @@ private:
     Trailers _trailers;
     std::vector<bool> _isAbsent; ///< not added yet, or deleted
     std::vector<bool> _isHidden;
-    std::vector<bool> _isHeld; ///< by a driver who is not there
+    std::vector<std::vector<Controller>> _controllers;     ///< of each entity
+    std::vector<std::unique_ptr<SpeedController>> _active; ///< null: the actions set the speed
+    std::vector<std::map<std::string, LampState>> _lamps;  ///< that actions have switched
 };
 
 } // namespace simulation

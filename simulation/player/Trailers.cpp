@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "simulation/player/Trailers.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <glm/geometric.hpp>
@@ -18,7 +19,7 @@ glm::dvec3 hitchOf(const EntityState& state, double hitchM)
 
 } // namespace
 
-Trailers::Trailers(const Scenario& scenario)
+Trailers::Trailers(const Scenario& scenario) : _scenario(&scenario)
 {
     const auto vehicleAt = [&](std::size_t index)
     { return std::get_if<Vehicle>(&scenario.entities[index].object); };
@@ -43,6 +44,24 @@ Trailers::Trailers(const Scenario& scenario)
             tow = static_cast<std::size_t>(trailer);
         }
     }
+}
+
+void Trailers::couple(int tow, int trailer)
+{
+    const auto from = static_cast<std::size_t>(tow);
+    std::erase_if(
+        _links, [&](const Link& link)
+        { return link.tow == from || (trailer >= 0 && link.trailer == static_cast<std::size_t>(trailer)); });
+    if (trailer < 0 || trailer == tow) return;
+    const auto to = static_cast<std::size_t>(trailer);
+    const auto* const drawing = std::get_if<Vehicle>(&_scenario->entities[from].object);
+    const auto* const drawn = std::get_if<Vehicle>(&_scenario->entities[to].object);
+    if (!drawing || !drawn) return;
+    // Before what the trailer itself draws.
+    const auto behind =
+        std::find_if(_links.begin(), _links.end(), [&](const Link& link) { return link.tow == to; });
+    _links.insert(behind,
+                  {from, to, drawing->trailerHitchDxM.value_or(0.0), drawn->trailerCouplerDxM.value_or(0.0)});
 }
 
 void Trailers::align(std::vector<EntityMotion>& motions) const

@@ -22,6 +22,9 @@ public:
     /// Draws them on, after the vehicles have moved.
     void follow(std::vector<EntityMotion>& motions) const;
 
+    /// Couples a trailer to what draws it from now on, or (`trailer` below 0) leaves the one that is drawn.
+    void couple(int tow, int trailer);
+
 private:
     struct Link
     {
@@ -29,6 +32,7 @@ private:
         double hitchM = 0.0, couplerM = 0.0; ///< in front of the reference points
     };
 
+    const Scenario* _scenario;
     std::vector<Link> _links; ///< vehicles before what they draw
 };
 

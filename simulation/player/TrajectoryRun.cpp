@@ -45,12 +45,12 @@ double closingLength(const std::vector<PathVertex>& vertices, bool isTimed)
     return length > 0.0 ? std::max(kSameSpotM, gap / length * time) : time;
 }
 
-PathCurve makeCurve(const FollowTrajectoryAction& action, const SceneFrame& frame)
+PathCurve makeCurve(const FollowTrajectoryAction& action, const SceneFrame& frame, bool inPlan)
 {
     std::vector<PathVertex> vertices = placedVertices(action, frame);
     std::optional<double> closing;
     if (action.trajectory.closed) closing = closingLength(vertices, action.timing.has_value());
-    return {std::move(vertices), action.mode, closing};
+    return {std::move(vertices), action.mode, closing, inPlan};
 }
 
 } // namespace
@@ -75,10 +75,12 @@ std::optional<std::string> TrajectoryRun::obstacle(const FollowTrajectoryAction&
     return std::nullopt;
 }
 
-TrajectoryRun::TrajectoryRun(const FollowTrajectoryAction& action, const SceneFrame& frame, double startTimeS)
+TrajectoryRun::TrajectoryRun(const FollowTrajectoryAction& action, const SceneFrame& frame, double startTimeS,
+                             bool inPlan)
     : _timing(action.timing),
       _startTimeS(startTimeS),
-      _curve(makeCurve(action, frame)),
+      _inPlan(inPlan),
+      _curve(makeCurve(action, frame, inPlan)),
       _parameter(_curve.begin())
 {
     const auto& polyline = std::get<Polyline>(action.trajectory.shape);
@@ -118,11 +120,11 @@ std::optional<double> TrajectoryRun::advanceBy(double distanceM)
     return _distanceM - _lengthM;
 }
 
-double TrajectoryRun::timedSpeedMps(bool inPlan) const
+double TrajectoryRun::timedSpeedMps() const
 {
     if (!_hasBegun) return 0.0;
     const glm::dvec3 along = _curve.at(_parameter).tangent;
-    return (inPlan ? std::hypot(along.x, along.y) : glm::length(along)) / _timing->scale;
+    return (_inPlan ? std::hypot(along.x, along.y) : glm::length(along)) / _timing->scale;
 }
 
 } // namespace simulation

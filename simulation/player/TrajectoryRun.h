@@ -21,7 +21,9 @@ public:
     static std::optional<std::string> obstacle(const FollowTrajectoryAction& action, const SceneFrame& frame);
 
     /// Precondition: no obstacle(). A vertex without time at the position of the vertex before it is left out.
-    TrajectoryRun(const FollowTrajectoryAction& action, const SceneFrame& frame, double startTimeS);
+    /// `inPlan`: distances and speeds are seen from above, as esmini counts them on roads.
+    TrajectoryRun(const FollowTrajectoryAction& action, const SceneFrame& frame, double startTimeS,
+                  bool inPlan);
 
     bool isTimed() const { return _timing.has_value(); }
 
@@ -33,14 +35,15 @@ public:
     PathPoint point() const { return _curve.at(_parameter); }
 
     /// Returns the speed of the curve at the current point, for trajectories with times; 0 before the time of the
-    /// first vertex. `inPlan`: seen from above, as esmini counts it on roads.
-    double timedSpeedMps(bool inPlan) const;
+    /// first vertex.
+    double timedSpeedMps() const;
 
 private:
     double parameterAtTime(double timeS) const;
 
     std::optional<Timing> _timing;
     double _startTimeS;
+    bool _inPlan;
     PathCurve _curve;
     double _parameter;
     double _timeOffset = 0.0; ///< added to the parameter for a start inside the trajectory

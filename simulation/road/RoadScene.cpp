@@ -53,6 +53,31 @@ bool carriesTraffic(osgRoads::core::LaneType type)
     return type != LaneType::none && type != LaneType::restricted && type != LaneType::median;
 }
 
+/// Who is on the strip between a road and its sidewalk belongs to the sidewalk, as in esmini.
+void leaveKerb(const Road& road, RoadPlace& place)
+{
+    using osgRoads::core::LaneType;
+    const auto kerb = osgRoads::core::laneSpan(road, place.lane, place.s);
+    if (!kerb || (kerb->lane->type != LaneType::border && kerb->lane->type != LaneType::curb)) return;
+    const int beside = place.lane + (place.lane > 0 ? 1 : -1);
+    const auto walk = osgRoads::core::laneSpan(road, beside, place.s);
+    if (!walk || walk->lane->type != LaneType::sidewalk || walk->width() <= 0.0) return;
+    place.lane = beside;
+    place.laneOffsetM = place.t - walk->centreT();
+}
+
+/// The height of the surface at a place. Who belongs to a sidewalk is as high as it is, on the kerb beside it, too.
+double heightAt(const Road& road, const RoadPlace& place)
+{
+    constexpr double kInsideM = 1e-6;
+    const auto span = osgRoads::core::laneSpan(road, place.lane, place.s);
+    double t = place.t;
+    if (span && span->lane->type == osgRoads::core::LaneType::sidewalk && span->width() > 2.0 * kInsideM)
+        t = std::clamp(t, std::min(span->innerT, span->outerT) + kInsideM,
+                       std::max(span->innerT, span->outerT) - kInsideM);
+    return osgRoads::core::surfaceHeight(road, place.s, t);
+}
+
 } // namespace
 
 foundation::Result<std::shared_ptr<const RoadScene>> RoadScene::open(const std::filesystem::path& file)
@@ -112,9 +137,8 @@ RoadPose RoadScene::poseAt(const RoadPlace& place) const
             ? std::atan2(std::sin(turn) * std::cos(road.superelevationRad.value(place.s)), std::cos(turn))
             : turn;
     const double turned = seen + laneAngle(road, place);
-    const osgRoads::core::WorldPose pose = osgRoads::core::worldPose(
-        _network, {place.road, place.s, place.t, osgRoads::core::surfaceHeight(road, place.s, place.t)},
-        turned);
+    const osgRoads::core::WorldPose pose =
+        osgRoads::core::worldPose(_network, {place.road, place.s, place.t, heightAt(road, place)}, turned);
     return {pose.position + glm::dvec3(0.0, 0.0, place.heightM), pose.headingRad, -pose.pitchRad,
             pose.rollRad};
 }
@@ -157,6 +181,7 @@ void RoadScene::takeNearestLane(RoadPlace& place) const
                                              place.laneOffsetM = place.t - span.centreT();
                                              return true;
                                          });
+    leaveKerb(road, place);
 }
 
 bool RoadScene::runsForward(const RoadPlace& place) const

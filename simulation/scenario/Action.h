@@ -4,6 +4,7 @@
 #include <string>
 #include <variant>
 
+#include "simulation/scenario/AppearanceActions.h"
 #include "simulation/scenario/Environment.h"
 #include "simulation/scenario/GlobalActions.h"
 #include "simulation/scenario/LateralActions.h"
@@ -34,8 +35,7 @@ struct VisibilityAction
     bool operator==(const VisibilityAction&) const = default;
 };
 
-/// An action that changes what is seen, not how anything moves: lights, animations, controllers that are the
-/// standard's default. It is done at once.
+/// An action that changes what is seen, not how anything moves: animations. It is done at once.
 struct NotedAction
 {
     static constexpr std::string_view kElement = "NotedAction";
@@ -47,10 +47,12 @@ struct NotedAction
 };
 
 /// Actions on one entity; they grow here.
-using PrivateAction = std::variant<TeleportAction, FollowTrajectoryAction, SpeedAction, SpeedProfileAction,
-                                   LongitudinalDistanceAction, LaneChangeAction, LaneOffsetAction,
-                                   AssignRouteAction, AcquirePositionAction, SynchronizeAction,
-                                   ActivateControllerAction, VisibilityAction, NotedAction, Unsupported>;
+using PrivateAction =
+    std::variant<TeleportAction, FollowTrajectoryAction, SpeedAction, SpeedProfileAction,
+                 LongitudinalDistanceAction, LaneChangeAction, LaneOffsetAction, LateralDistanceAction,
+                 AssignRouteAction, AcquirePositionAction, SynchronizeAction, ActivateControllerAction,
+                 AssignControllerAction, VisibilityAction, LightStateAction, TrailerAction, NotedAction,
+                 Unsupported>;
 
 /// Actions on the scene as a whole.
 using GlobalAction =

@@ -1,10 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "simulation/scenario/Entity.h"
 
+#include <charconv>
+#include <cmath>
 #include <type_traits>
 
 namespace simulation
 {
+
+double Controller::number(const std::string& property, double fallback) const
+{
+    const std::optional<std::string> text = properties.find(property);
+    if (!text) return fallback;
+    double value = 0.0;
+    const auto [end, error] = std::from_chars(text->data(), text->data() + text->size(), value);
+    return error == std::errc() && end == text->data() + text->size() && std::isfinite(value) ? value
+                                                                                              : fallback;
+}
+
 namespace
 {
 

@@ -112,6 +112,18 @@ struct Controller
 
     /// What esmini calls it (ACCController, InteractiveController …): the property esminiController, else the name.
     std::string kind() const { return properties.find("esminiController").value_or(name); }
+
+    bool isInteractive() const { return kind() == "InteractiveController"; }
+    bool isAdaptiveCruise() const { return kind() == "ACCController"; }
+    bool isIntelligentDriver() const { return kind() == "IntelligentDriver" || kind() == "NaturalDriver"; }
+    bool isDefault() const { return kind().empty() || kind() == "DefaultController"; }
+    bool isPlayed() const
+    {
+        return isDefault() || isInteractive() || isAdaptiveCruise() || isIntelligentDriver();
+    }
+
+    /// Returns a property as a number, or `fallback`.
+    double number(const std::string& property, double fallback) const;
 };
 
 struct ScenarioObject

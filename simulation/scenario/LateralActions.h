@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "simulation/scenario/Distance.h"
 #include "simulation/scenario/Dynamics.h"
 #include "simulation/scenario/SourceLine.h"
 
@@ -38,6 +39,22 @@ struct LaneOffsetAction
     std::string entity; ///< empty: the offset is from the middle of the own lane
 
     bool operator==(const LaneOffsetAction&) const = default;
+};
+
+/// Keeps a distance sideways to another entity.
+struct LateralDistanceAction
+{
+    static constexpr std::string_view kElement = "LateralDistanceAction";
+
+    SourceLine source;
+    std::string entity;
+    double distanceM = 0.0;
+    bool isContinuous = false;
+    DistanceMeasure measure;
+    int side = 0; ///< displacement: 1 to the left of the other, -1 to its right, 0: where it is
+    std::optional<double> maxSpeedMps; ///< sideways; nothing: the distance is there at once
+
+    bool operator==(const LateralDistanceAction&) const = default;
 };
 
 } // namespace simulation

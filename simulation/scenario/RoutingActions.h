@@ -73,6 +73,7 @@ struct ActivateControllerAction
     static constexpr std::string_view kElement = "ActivateControllerAction";
 
     SourceLine source;
+    std::string controller; ///< its name; empty: the one assigned last
     std::optional<bool> longitudinal, lateral;
 
     bool operator==(const ActivateControllerAction&) const = default;

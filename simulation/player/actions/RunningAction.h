@@ -28,6 +28,9 @@ public:
     virtual const Scenario& scenario() const = 0;
     virtual EntityMotion& motion(int entity) = 0;
 
+    /// Whether an entity is there: it is not before it is added and after it is deleted.
+    virtual bool isPresent(int entity) const = 0;
+
     /// Returns the index of an entity, or -1.
     virtual int find(const std::string& entity) const = 0;
 };
@@ -55,6 +58,8 @@ public:
 /// Starts an action on an entity. Returns nothing for one that is done at once, or that cannot be performed.
 std::unique_ptr<RunningAction> startAction(const LaneChangeAction& action, ActionScene& scene, int actor);
 std::unique_ptr<RunningAction> startAction(const LaneOffsetAction& action, ActionScene& scene, int actor);
+std::unique_ptr<RunningAction> startAction(const LateralDistanceAction& action, ActionScene& scene,
+                                           int actor);
 std::unique_ptr<RunningAction> startAction(const LongitudinalDistanceAction& action, ActionScene& scene,
                                            int actor);
 std::unique_ptr<RunningAction> startAction(const SpeedProfileAction& action, ActionScene& scene, int actor);

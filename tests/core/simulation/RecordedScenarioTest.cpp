@@ -103,18 +103,16 @@ TEST_P(Recorded, StoryboardMovesItsEntitiesAsEsminiDoes)
 
 INSTANTIATE_TEST_SUITE_P(
     Esmini, Recorded,
-    testing::Values(RecordedScenario{"acc-test", {"Ego"}}, RecordedScenario{"cut-in", {}},
+    testing::Values(RecordedScenario{"acc-test", {}}, RecordedScenario{"cut-in", {}},
                     RecordedScenario{"cut-in_cr", {}}, RecordedScenario{"cut-in_environment", {}},
                     RecordedScenario{"cut-in_simple", {}},
                     RecordedScenario{"cut-in_visibility", {"OverTaker"}}, RecordedScenario{"drop-bike", {}},
                     RecordedScenario{"lane-change_clothoid_spline_based_trajectory", {"Car"}},
                     RecordedScenario{"lane-change_trajectory_wp", {}}, RecordedScenario{"lane_change", {}},
                     RecordedScenario{"light_state", {}}, RecordedScenario{"ltap-od", {}},
-                    RecordedScenario{"pedestrian", {"pedestrian_adult"}},
-                    RecordedScenario{"pedestrian_collision", {"pedestrian_adult"}},
+                    RecordedScenario{"pedestrian", {}}, RecordedScenario{"pedestrian_collision", {}},
                     RecordedScenario{"speed-profile", {}}, RecordedScenario{"straight_500m", {}},
-                    RecordedScenario{"synchronize", {}},
-                    RecordedScenario{"traffic_lights", {"Pedestrian_1", "Pedestrian_2"}},
+                    RecordedScenario{"synchronize", {}}, RecordedScenario{"traffic_lights", {}},
                     RecordedScenario{"trailers", {}}, RecordedScenario{"trajectory-test", {"Target"}},
                     RecordedScenario{"tunnels", {}}, RecordedScenario{"velodrome", {}}),
     [](const testing::TestParamInfo<RecordedScenario>& test)

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+// Source: Treiber, Hennecke, Helbing, *Congested traffic states in empirical observations and microscopic simulations*, Physical Review
+// E 62, 2000, equations 3 and 4.
+#include <algorithm>
+#include <cmath>
+
+#include "simulation/player/LeadVehicle.h"
+#include "simulation/player/SpeedController.h"
+
+namespace simulation
+{
+namespace
+{
+
+/// Follows the vehicle ahead by the intelligent driver model:
+/// a·(1 − (v / v0)⁴ − (s* / s)²), s* = s0 + v·T + v·Δv / (2·√(a·b)).
+/// Properties (esmini's NaturalDriver has the first three): desiredSpeed v0, desiredDistance s0, desiredTHW T, maxAcc a, comfortDec b.
+class IntelligentDriver final : public SpeedController
+{
+public:
+    IntelligentDriver(const Controller& controller, double speedMps)
+        : _speedMps(speedMps),
+          _desiredMps(controller.number("desiredSpeed", speedMps)),
+          _distanceM(controller.number("desiredDistance", 2.0)),
+          _headwayS(controller.number("desiredTHW", 1.5)),
+          _accelerationMps2(controller.number("maxAcc", 1.5)),
+          _decelerationMps2(controller.number("comfortDec", 2.0))
+    {
+    }
+
+    double speedAfter(ActionScene& scene, int actor) override
+    {
+        constexpr double kLookAheadM = 200.0, kLateralM = 5.0, kTouchingM = 0.1;
+        const double share = _desiredMps > 0.0 ? _speedMps / _desiredMps : 1.0;
+        double acceleration = 1.0 - share * share * share * share;
+        if (const auto lead = leadVehicleOf(scene, actor, kLookAheadM, kLateralM))
+        {
+            const double closing = _speedMps - scene.motion(lead->entity).state().speedMps;
+            const double brakes = 2.0 * std::sqrt(std::max(_accelerationMps2 * _decelerationMps2, 0.01));
+            const double wanted =
+                _distanceM + std::max(0.0, _speedMps * _headwayS + _speedMps * closing / brakes);
+            const double ratio = wanted / std::max(lead->gapM, kTouchingM);
+            acceleration -= ratio * ratio;
+        }
+        const Performance limits = performanceOf(scene.scenario().entities[static_cast<std::size_t>(actor)]);
+        _speedMps += scene.stepS() * std::clamp(_accelerationMps2 * acceleration, -limits.maxDecelerationMps2,
+                                                limits.maxAccelerationMps2);
+        _speedMps = std::max(0.0, _speedMps);
+        return _speedMps;
+    }
+
+    void askFor(double speedMps) override { _desiredMps = speedMps; }
+
+private:
+    double _speedMps;
+    double _desiredMps, _distanceM, _headwayS, _accelerationMps2, _decelerationMps2;
+};
+
+} // namespace
+
+std::unique_ptr<SpeedController> makeIntelligentDriver(const Controller& controller, double speedMps)
+{
+    return std::make_unique<IntelligentDriver>(controller, speedMps);
+}
+
+} // namespace simulation

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "simulation/scenario/Entity.h"
+
+// Source: ASAM OpenSCENARIO XML 1.3, LightStateAction, AssignControllerAction, TrailerAction.
+
+namespace simulation
+{
+
+enum class LightMode
+{
+    off,
+    on,
+    flashing,
+};
+
+/// Switches a lamp of an entity.
+struct LightStateAction
+{
+    static constexpr std::string_view kElement = "LightStateAction";
+
+    SourceLine source;
+    std::string light; ///< brakeLights, indicatorLeft … as the standard names them, or the user
+    LightMode mode = LightMode::on;
+    double onS = 0.5, offS = 0.5; ///< of flashing
+
+    bool operator==(const LightStateAction&) const = default;
+};
+
+/// Gives an entity another controller; nothing: that domain stays as it is.
+struct AssignControllerAction
+{
+    static constexpr std::string_view kElement = "AssignControllerAction";
+
+    SourceLine source;
+    Controller controller;
+    std::optional<bool> longitudinal, lateral;
+
+    bool operator==(const AssignControllerAction&) const = default;
+};
+
+/// Couples a trailer, or (`trailer` empty) leaves the one that is coupled where it is.
+struct TrailerAction
+{
+    static constexpr std::string_view kElement = "TrailerAction";
+
+    SourceLine source;
+    std::string trailer;
+
+    bool operator==(const TrailerAction&) const = default;
+};
+
+} // namespace simulation
