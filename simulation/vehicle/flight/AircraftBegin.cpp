@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string>
 
+#include <foundation/Angle.h>
 #include <glm/gtc/quaternion.hpp>
 
 #include "simulation/vehicle/WeatherAir.h"
