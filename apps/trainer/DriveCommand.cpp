@@ -10,13 +10,10 @@
 #include <foundation/WholeFile.h>
 
 #include "DriveWay.h"
-#include "HeadlessCommand.h"
-#include "PlayCommand.h"
 #include "SceneTerrain.h"
 #include "simulation/control/RecordedInputs.h"
 #include "simulation/control/VehicleMotion.h"
 #include "simulation/control/driver/Driver.h"
-#include "simulation/player/ScenarioPlayer.h"
 #include "simulation/tour/TourScenario.h"
 #include "simulation/vehicle/WeatherAir.h"
 #include "simulation/vehicle/road/RoadVehicleFile.h"
@@ -105,25 +102,6 @@ foundation::Outcome leaveDrive(const DriveRequest& request, const simulation::Ve
     return vehicle.recorder()->write(request.recordInputs);
 }
 
-foundation::Outcome driveHeadless(const DriveRequest& request, simulation::Scenario scenario,
-                                  const SceneTerrain& scene,
-                                  const std::shared_ptr<simulation::ExternalMotion>& motion)
-{
-    HeadlessRequest headless;
-    headless.stepS = simulation::RoadVehicle::kStepS;
-    headless.durationS = request.durationS;
-    headless.logFile = request.play.output.motionFile;
-    headless.scenario = "drive";
-    simulation::PlayerOptions options;
-    options.origin = scene.origin();
-    options.ground = scene.ground();
-    options.clock = simulation::FixedClock(120);
-    options.motions[kCar] = motion;
-    auto player = simulation::ScenarioPlayer::create(std::move(scenario), std::move(options));
-    if (!player) return player.error();
-    return playOut(**player, headless);
-}
-
 } // namespace
 
 foundation::Outcome drive(const DriveRequest& request)
@@ -148,16 +126,10 @@ foundation::Outcome drive(const DriveRequest& request)
     const auto motion = std::make_shared<simulation::VehicleMotion>(
         std::move(driven), groundForWheels(*scene), std::make_shared<const simulation::WeatherAir>());
     simulation::Scenario scenario = driveScenario(*data, *path, scene->origin());
-    if (request.isHeadless)
-    {
-        if (const auto played = driveHeadless(request, std::move(scenario), *scene, motion); !played)
-            return played;
-        return leaveDrive(request, *motion);
-    }
-    PlayRequest play = request.play;
-    play.motions[kCar] = motion;
-    play.longestS = request.durationS;
-    if (const auto played = playScene(std::move(*scene), std::move(scenario), play); !played) return played;
+    if (const auto played =
+            playRide(request, std::move(*scene), {std::move(scenario), kCar, motion, "drive"});
+        !played)
+        return played;
     return leaveDrive(request, *motion);
 }
 

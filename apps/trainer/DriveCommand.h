@@ -5,18 +5,15 @@
 
 #include <foundation/Result.h>
 
-#include "PlayRequest.h"
+#include "Ride.h"
 
 namespace trainer
 {
 
-/// The arguments of `trainer drive`. Empty paths: none.
-struct DriveRequest
+/// The arguments of `trainer drive`; the terrain file is the world: an OpenDRIVE network, or a .roam file with roads. Empty paths: none.
+struct DriveRequest : RideRequest
 {
-    PlayRequest play; ///< its terrain file is the world: an OpenDRIVE network, or a .roam file with roads
-    bool isHeadless = false;
     std::filesystem::path vehicle = "data/vehicles/car.xml";
-    double durationS = 600.0;     ///< at most
     double lengthM = 5000.0;      ///< of the way
     double speedMps = 0.0;        ///< most that the driver wants; 0: what the roads allow
     std::filesystem::path inputs; ///< recorded inputs in place of the driver

@@ -7,8 +7,6 @@
 #include <foundation/Angle.h>
 #include <foundation/WholeFile.h>
 
-#include "HeadlessCommand.h"
-#include "PlayCommand.h"
 #include "SceneGround.h"
 #include "SceneTerrain.h"
 #include "simulation/control/RecordedInputs.h"
@@ -183,22 +181,6 @@ foundation::Outcome leaveFlight(const FlyRequest& request, const simulation::Veh
     return motion.vehicle().recorder()->write(request.recordInputs);
 }
 
-foundation::Outcome flyHeadless(const FlyRequest& request, ReadyFlight flight,
-                                const simulation::PlayerOptions& stage)
-{
-    HeadlessRequest headless;
-    headless.stepS = simulation::Aircraft::kStepS;
-    headless.durationS = request.durationS;
-    headless.logFile = request.play.output.motionFile;
-    headless.scenario = "flight";
-    simulation::PlayerOptions options = stage;
-    options.clock = simulation::FixedClock(120);
-    options.motions[kEntity] = flight.motion;
-    auto player = simulation::ScenarioPlayer::create(std::move(flight.scenario), std::move(options));
-    if (!player) return player.error();
-    return playOut(**player, headless);
-}
-
 } // namespace
 
 foundation::Outcome fly(const FlyRequest& request)
@@ -223,18 +205,9 @@ foundation::Outcome fly(const FlyRequest& request)
     auto flight = readyFlight(request, ground, terrain.origin());
     if (!flight) return flight.error();
     const auto motion = flight->motion;
-    if (request.isHeadless)
-    {
-        simulation::PlayerOptions stage;
-        stage.origin = terrain.origin();
-        stage.ground = terrain.ground();
-        if (const auto flown = flyHeadless(request, std::move(*flight), stage); !flown) return flown;
-        return leaveFlight(request, *motion);
-    }
-    PlayRequest play = request.play;
-    play.motions[kEntity] = motion;
-    play.longestS = request.durationS;
-    if (const auto flown = playScene(std::move(terrain), std::move(flight->scenario), play); !flown)
+    if (const auto flown =
+            playRide(request, std::move(terrain), {std::move(flight->scenario), kEntity, motion, "flight"});
+        !flown)
         return flown;
     return leaveFlight(request, *motion);
 }

@@ -8,17 +8,14 @@
 
 #include <foundation/Result.h>
 
-#include "PlayRequest.h"
+#include "Ride.h"
 
 namespace trainer
 {
 
-/// The arguments of `trainer fly`. Empty paths: none.
-struct FlyRequest
+/// The arguments of `trainer fly`; the terrain file is the world, none is level ground without pictures. Empty paths: none.
+struct FlyRequest : RideRequest
 {
-    PlayRequest play; ///< its terrain file is the world; empty: level ground, without pictures
-    bool isHeadless = false;
-    double durationS = 600.0; ///< at most
     std::filesystem::path aircraft = "data/aircraft/c172p.xml";
     std::string
         orders; ///< of the autopilot; empty: takeoff, circuit, land with a strip, else it holds what it has

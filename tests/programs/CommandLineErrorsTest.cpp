@@ -41,7 +41,8 @@ INSTANTIATE_TEST_SUITE_P(
     Table, TrainerWrongUse,
     testing::Values(
         WrongUse{"NoCommand", {}, {"command line: no command", "play, tour, check"}},
-        WrongUse{"UnknownCommand", {"sail"}, {"sail: no such command", "play, tour, check", "trainer --help"}},
+        WrongUse{
+            "UnknownCommand", {"sail"}, {"sail: no such command", "play, tour, check", "trainer --help"}},
         WrongUse{"UnknownOptionFirst", {"--fly"}, {"--fly: no such command or option", "trainer --help"}},
         WrongUse{"MissingScenario", {"play"}, {"SCENARIO", "trainer play --help"}},
         WrongUse{"MissingTerrain", {"tour"}, {"DEM", "trainer tour --help"}},
