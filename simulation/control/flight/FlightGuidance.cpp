@@ -53,13 +53,19 @@ double bankToLine(const FlightSense& sense, const CourseLine& line, double mostB
     return std::clamp(std::atan(rate * sense.groundSpeedMps / kStandardGravity), -mostBank, mostBank);
 }
 
+double SpeedAndClimb::speedRate(double speedMps, double stepS)
+{
+    const double rate = _hasLastSpeed ? (speedMps - _lastSpeedMps) / stepS : 0.0;
+    _lastSpeedMps = speedMps;
+    _hasLastSpeed = true;
+    return rate;
+}
+
 PowerAndPitch SpeedAndClimb::holdClimb(const FlightSense& sense, double speedMps, double climbMps,
                                        double stepS)
 {
     const double speed = sense.calibratedAirspeedMps;
-    const double rate = _hasLastSpeed ? (speed - _lastSpeedMps) / stepS : 0.0;
-    _lastSpeedMps = speed;
-    _hasLastSpeed = true;
+    const double rate = speedRate(speed, stepS);
     const double error = std::clamp(speedMps - speed, -5.0, 5.0);
     _throttle = std::clamp(_throttle + kThrottleIntegralGain * error * stepS, 0.0, 1.0);
     const double throttle = std::clamp(
@@ -75,9 +81,7 @@ PowerAndPitch SpeedAndClimb::holdSpeed(const FlightSense& sense, double throttle
                                        double stepS)
 {
     const double speed = sense.calibratedAirspeedMps;
-    const double rate = _hasLastSpeed ? (speed - _lastSpeedMps) / stepS : 0.0;
-    _lastSpeedMps = speed;
-    _hasLastSpeed = true;
+    const double rate = speedRate(speed, stepS);
     const double error = std::clamp(speed - speedMps, -8.0, 8.0);
     _climbPitch = std::clamp(_climbPitch + 0.004 * error * stepS, kLeastPitch, kMostPitch);
     _throttle = throttle;

@@ -47,6 +47,9 @@ public:
     void reset(const FlightSense& sense, double throttle);
 
 private:
+    /// How fast the airspeed has changed since the step before; keeps it for the next. Units: m/s².
+    double speedRate(double speedMps, double stepS);
+
     double _throttle = 0.5;
     double _attack = 0.05;    ///< pitch less path, slowly followed
     double _climbPitch = 0.1; ///< the integral part of holdSpeed()
