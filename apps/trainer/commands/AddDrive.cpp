@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <memory>
+
+#include "DriveCommand.h"
+#include "commands/Commands.h"
+#include "commands/PlayOptions.h"
+
+namespace trainer
+{
+
+namespace
+{
+
+struct DriveLine
+{
+    PlayOptions play;
+    DriveRequest drive;
+};
+
+foundation::Outcome driveOne(const DriveLine& line)
+{
+    DriveRequest request = line.drive;
+    request.play = line.play.request;
+    return drive(request);
+}
+
+} // namespace
+
+std::vector<Command> addDrive(CLI::App& program)
+{
+    const auto line = std::make_shared<DriveLine>();
+    CLI::App* command = program.add_subcommand("drive", "drive a road vehicle by its own physics");
+    command
+        ->add_option("WORLD", line->play.request.terrain.file,
+                     "OpenDRIVE network, or a .roam file with roads")
+        ->required();
+    command->add_flag("--headless", line->drive.isHeadless, "drive without pictures");
+    command->add_option("--vehicle", line->drive.vehicle, "road vehicle file");
+    command->add_option("--duration", line->drive.durationS, "seconds to drive at most")
+        ->check(terminal::between(0.1, 1e5));
+    command->add_option("--length", line->drive.lengthM, "metres of lanes to drive")
+        ->check(terminal::between(20.0, 1e6));
+    command->add_option("--speed", line->drive.speedMps, "most that the driver wants, m/s")
+        ->check(terminal::between(0.5, 100.0));
+    command->add_option("--csv_logger", line->play.request.output.motionFile, "file for a row of each step");
+    command->add_option("--inputs", line->drive.inputs, "inputs file to drive by, in place of the driver");
+    command->add_option("--record-inputs", line->drive.recordInputs, "inputs file to write");
+    line->play.addTo(*command);
+    return {{command, line->play.running([line] { return driveOne(*line); })}};
+}
+
+} // namespace trainer

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "commands/PlayOptions.h"
+
+#include <array>
+#include <cstdio>
+#include <utility>
+
+#include "terminal/Terminal.h"
+
+namespace trainer
+{
+
+namespace
+{
+
+constexpr int kMostFrames = 1'000'000; ///< 11 hours at 24 a second
+constexpr double kHighestDriverM = 10.0;
+
+constexpr std::array<std::pair<const char*, EyePoint>, 8> kEyes = {{{"own", EyePoint::own},
+                                                                    {"driver", EyePoint::driver},
+                                                                    {"pilot", EyePoint::pilot},
+                                                                    {"chase", EyePoint::chase},
+                                                                    {"above", EyePoint::above},
+                                                                    {"tower", EyePoint::tower},
+                                                                    {"kerb", EyePoint::kerb},
+                                                                    {"free", EyePoint::free}}};
+
+std::vector<std::string> eyeNames()
+{
+    std::vector<std::string> names;
+    for (const auto& [name, eye] : kEyes)
+        names.emplace_back(name);
+    return names;
+}
+
+foundation::Outcome readPatchExponent(const std::string& text, std::optional<int>& exponent)
+{
+    exponent = std::nullopt;
+    if (text == "measure") return foundation::success();
+    int value = -1;
+    char rest = 0;
+    if (std::sscanf(text.c_str(), "%d%c", &value, &rest) != 1 || value < 0 || value > 10 || value % 2 != 0)
+        return foundation::Error{"--patch-exponent", "'" + text + "' is no even number from 0 to 10",
+                                 "write 0, 2, 4, 6, 8 or 10, or measure"};
+    exponent = value;
+    return foundation::success();
+}
+
+} // namespace
+
+void PlayOptions::addTo(CLI::App& command)
+{
+    addOutputOptions(command);
+    addFrameOptions(command);
+    addEyeOptions(command);
+    addTerrainOptions(command);
+}
+
+void PlayOptions::addOutputOptions(CLI::App& command)
+{
+    command.add_option("--capture", request.output.captureFolder,
+                       "folder for the images, from frame_00000.png on");
+    command.add_option(
+        "--scenery", request.scenery.description,
+        "JSON file that describes the objects on the terrain (docs/reference/scenery-file.md)");
+    command.add_option("--objects", request.scenery.modelsFolder,
+                       "folder of models to scatter beside the path");
+    command.add_option("--stats", request.output.statsFile, "JSON file for the statistics of each frame");
+    command.add_option("--report", request.output.reportFile, "HTML file with plots of the statistics");
+    command.add_option("--report-sheet", request.output.contactSheet,
+                       "image file beside the report, shown in it");
+    command.add_option("--report-video", request.output.video, "video file beside the report, shown in it");
+}
+
+void PlayOptions::addFrameOptions(CLI::App& command)
+{
+    command.add_option("--view", request.frames.viewFile, "XML file that describes one or several channels");
+    command.add_option("--size", _size, "WIDTHxHEIGHT in pixels, without a view file");
+    command.add_option("--fps", request.frames.perSecond, "frames per second")->check(CLI::Range(1, 240));
+    command
+        .add_option("--frames", request.frames.count,
+                    "number of frames to draw, instead of the whole scenario")
+        ->check(CLI::Range(1, kMostFrames));
+    command.add_option("--backend", _backend, "osmesa or egl");
+    command.add_option("--samples", request.frames.samples, "per pixel: 1 or 4")
+        ->check(CLI::IsMember({1, 4}));
+}
+
+void PlayOptions::addEyeOptions(CLI::App& command)
+{
+    command
+        .add_option(
+            "--eye", _eye,
+            "camera: driver or pilot (own: whichever fits), chase, above, tower, kerb, or free (--eye-at); a "
+            "tour with driver or above drives along roads")
+        ->check(CLI::IsMember(eyeNames()));
+    command.add_option("--eye-entity", request.frames.eyeEntity,
+                       "name of the entity that the camera is in or looks at, instead of the first one");
+    command
+        .add_option("--eye-at", _freeEye,
+                    "X,Y,Z,HEADING,PITCH of the free camera: metres in the scene's frame, degrees")
+        ->delimiter(',')
+        ->expected(5);
+    command
+        .add_option(
+            "--eye-height", request.frames.eyeHeightM,
+            "height in metres of the eye above the ground (driver, tower, kerb) or above the car (above)")
+        ->check(terminal::between(0.3, 2000.0));
+}
+
+void PlayOptions::addTerrainOptions(CLI::App& command)
+{
+    command.add_option("--tolerance", request.terrain.errorTolerancePx, "error target in pixels")
+        ->check(terminal::between(0.01, 1000.0));
+    command.add_flag("--show-voids", request.terrain.showsVoids,
+                     "colour ground that is filled because the raster has no data there");
+    command.add_flag("--morph", request.terrain.morphing,
+                     "move vertices gradually when detail changes, with more triangles");
+    command.add_option("--patch-exponent", _patchExponent,
+                       "2^K triangles for each leaf, K even from 0 to 10; or 'measure': the fastest on "
+                       "this machine");
+    command.add_option("--max-triangles", request.terrain.maxTriangles, "triangle limit of the terrain")
+        ->check(CLI::Range(2u, 100000000u));
+    command
+        .add_option("--spacing", request.terrain.import.spacingM,
+                    "metres between samples of a raster without georeference")
+        ->check(terminal::between(0.001, 1e5));
+}
+
+/// Takes --eye-at. Errors: it is there without --eye free, or the other way round.
+foundation::Outcome PlayOptions::placeFreeEye()
+{
+    FrameRequest& frames = request.frames;
+    const std::vector<double>& at = _freeEye;
+    if (at.empty() != (frames.eye != EyePoint::free))
+        return foundation::Error{"--eye-at", "a free camera needs a place, and no other takes one",
+                                 "write --eye free --eye-at X,Y,Z,HEADING,PITCH"};
+    if (!at.empty()) frames.freeEye = {{at[0], at[1], at[2]}, at[3], at[4]};
+    return foundation::success();
+}
+
+foundation::Outcome PlayOptions::complete()
+{
+    char rest = 0;
+    FrameRequest& frames = request.frames;
+    if (std::sscanf(_size.c_str(), "%dx%d%c", &frames.widthPx, &frames.heightPx, &rest) != 2 ||
+        frames.widthPx < 16 || frames.heightPx < 16 || frames.widthPx > 8192 || frames.heightPx > 8192)
+        return foundation::Error{"--size", "'" + _size + "' is not a size", "write it as 960x540"};
+    const auto backend = osgOffscreen::parseBackend(_backend);
+    if (!backend) return backend.error();
+    frames.backend = *backend;
+    for (const auto& [name, eye] : kEyes)
+        if (_eye == name) frames.eye = eye;
+    if (const auto placed = placeFreeEye(); !placed) return placed;
+    if (frames.isInside() && frames.eyeHeightM.value_or(0.0) > kHighestDriverM)
+        return foundation::Error{"--eye-height", "no driver's eye is higher than 10 m",
+                                 "write a lower one, or --eye above"};
+    return readPatchExponent(_patchExponent, request.terrain.patchExponent);
+}
+
+std::function<int()> PlayOptions::running(std::function<foundation::Outcome()> work)
+{
+    return [this, work = std::move(work)]
+    {
+        if (const auto sound = complete(); !sound)
+            return terminal::fail("trainer", sound.error()), int{terminal::kWrongUse};
+        return exitCodeOf(work());
+    };
+}
+
+int exitCodeOf(const foundation::Outcome& outcome)
+{
+    return outcome ? int{terminal::kDone} : terminal::fail("trainer", outcome.error());
+}
+
+} // namespace trainer

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <foundation/Result.h>
+
+#include "PlayRequest.h"
+#include "terminal/CommandLine.h"
+
+namespace trainer
+{
+
+/// The options of every command that shows pictures, as they stand in the command line. It must live as long as the command.
+class PlayOptions
+{
+public:
+    void addTo(CLI::App& command);
+
+    /// Writes into the request what the options' words mean; after the line is read.
+    /// Errors: --size that is no size, --eye-at without --eye free, an eye too high, an unknown --backend or --patch-exponent.
+    foundation::Outcome complete();
+
+    /// Returns what runs the command: complete(), then `work`.
+    std::function<int()> running(std::function<foundation::Outcome()> work);
+
+    PlayRequest request;
+
+private:
+    foundation::Outcome placeFreeEye();
+
+    void addOutputOptions(CLI::App& command);
+    void addFrameOptions(CLI::App& command);
+    void addEyeOptions(CLI::App& command);
+    void addTerrainOptions(CLI::App& command);
+
+    std::string _size = "960x540";
+    std::string _backend{osgOffscreen::backendName(osgOffscreen::defaultBackend())};
+    std::string _eye = "own";
+    std::vector<double> _freeEye;
+    std::string _patchExponent = "0";
+};
+
+/// Returns the exit code of a command's work, and prints its error.
+int exitCodeOf(const foundation::Outcome& outcome);
+
+} // namespace trainer
