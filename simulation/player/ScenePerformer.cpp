@@ -4,10 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "simulation/parser/Expression.h"
 #include "simulation/player/EntityDistance.h"
-#include "simulation/player/ShapeSampling.h"
-#include "simulation/road/RouteWay.h"
 
 namespace simulation
 {
@@ -213,190 +210,16 @@ void ScenePerformer::end(int actor, ActionDomain domain)
             running.action.reset();
 }
 
-template<class Action>
-ActionTicket ScenePerformer::start(const Action& action, int actor, ActionDomain domain)
-{
-    end(actor, domain);
-    std::unique_ptr<RunningAction> running = startAction(action, *this, actor);
-    if (!running) return {};
-    _running.push_back({++_lastNumber, actor, std::move(running)});
-    return {actor, _lastNumber, true};
-}
-
-ActionTicket ScenePerformer::startSpeed(const SpeedAction& action, int actor)
-{
-    if (std::holds_alternative<RelativeTargetSpeed>(action.target))
-    {
-        const bool isContinuous = std::get<RelativeTargetSpeed>(action.target).isContinuous;
-        const ActionTicket ticket = start(action, actor, ActionDomain::longitudinal);
-        if (isContinuous || !ticket.isRunningAction) return ticket;
-        end(actor, ActionDomain::longitudinal);
-        return {actor, motion(actor).speedTicket()};
-    }
-    end(actor, ActionDomain::longitudinal);
-    return {actor, motion(actor).startSpeed(action, timeS())};
-}
-
-/// The vertices are placed now, when the entities that they refer to are known.
-ActionTicket ScenePerformer::startTrajectory(const FollowTrajectoryAction& action, int actor)
-{
-    FollowTrajectoryAction placed = action;
-    const bool isCurve = !std::holds_alternative<Polyline>(action.trajectory.shape);
-    if (isCurve || _roads)
-    {
-        auto polyline = sampledShape(action.trajectory.shape, _positions, &motion(actor).state());
-        if (!polyline) return {};
-        placed.trajectory.shape = std::move(*polyline);
-        if (isCurve || placed.mode == FollowingMode::follow) placed.mode = FollowingMode::straight;
-    }
-    if (TrajectoryRun::obstacle(placed, *_frame)) return {};
-    end(actor, ActionDomain::lateral);
-    if (placed.timing) end(actor, ActionDomain::longitudinal);
-    return {actor, motion(actor).startTrajectory(placed, timeS())};
-}
-
-void ScenePerformer::teleport(const TeleportAction& action, int actor)
-{
-    const auto placed = _positions.place(action.position);
-    if (!placed) return;
-    motion(actor).teleport(*placed, timeS());
-    if (_roads && timeS() > 0.0) motion(actor).standForAStep(); // as in esmini (decision 30)
-}
-
-void ScenePerformer::assignRoute(const Route& route, int actor)
-{
-    if (!_roads) return;
-    if (auto way = wayOfRoute(*_roads, route)) motion(actor).setWay(std::move(*way));
-}
-
-void ScenePerformer::acquire(const Position& position, int actor)
-{
-    const auto placed = _positions.place(position);
-    const EntityState& state = motion(actor).state();
-    if (!_roads || !placed || !placed->place || !state.place) return;
-    if (auto way = wayBetween(*_roads, *state.place, *placed->place)) motion(actor).setWay(std::move(*way));
-}
-
 ActionTicket ScenePerformer::perform(const PrivateAction& action, const std::string& actorName)
 {
     const int actor = find(actorName);
-    if (actor < 0 || _isAbsent[static_cast<std::size_t>(actor)]) return {};
-    if (isHeld(action, actor)) return {};
-    if (const auto* content = std::get_if<ActivateControllerAction>(&action);
-        content && content->longitudinal)
-        activate(content->controller, *content->longitudinal, actor);
-    if (const auto* content = std::get_if<AssignControllerAction>(&action)) assign(*content, actor);
-    if (const auto* content = std::get_if<VisibilityAction>(&action))
-        _isHidden[static_cast<std::size_t>(actor)] = !content->inPictures;
-    if (const auto* content = std::get_if<LightStateAction>(&action)) light(*content, actor);
-    if (const auto* content = std::get_if<TrailerAction>(&action))
-        _trailers.couple(actor, find(content->trailer));
-    if (const auto* content = std::get_if<TeleportAction>(&action)) teleport(*content, actor);
-    if (const auto* content = std::get_if<AssignRouteAction>(&action)) assignRoute(content->route, actor);
-    if (const auto* content = std::get_if<AcquirePositionAction>(&action)) acquire(content->position, actor);
-    return performRunning(action, actor);
-}
-
-/// Those that last.
-ActionTicket ScenePerformer::performRunning(const PrivateAction& action, int actor)
-{
-    if (const auto* content = std::get_if<SpeedAction>(&action)) return startSpeed(*content, actor);
-    if (const auto* content = std::get_if<FollowTrajectoryAction>(&action))
-        return startTrajectory(*content, actor);
-    if (const auto* content = std::get_if<LaneChangeAction>(&action))
-        return start(*content, actor, ActionDomain::lateral);
-    if (const auto* content = std::get_if<LaneOffsetAction>(&action))
-        return start(*content, actor, ActionDomain::lateral);
-    if (const auto* content = std::get_if<LateralDistanceAction>(&action))
-        return start(*content, actor, ActionDomain::lateral);
-    if (const auto* content = std::get_if<LongitudinalDistanceAction>(&action))
-        return start(*content, actor, ActionDomain::longitudinal);
-    if (const auto* content = std::get_if<SpeedProfileAction>(&action))
-        return start(*content, actor, ActionDomain::longitudinal);
-    if (const auto* content = std::get_if<SynchronizeAction>(&action))
-        return start(*content, actor, ActionDomain::longitudinal);
-    return {};
-}
-
-/// Whether a controller has hold of what the action would change. It hears which speed is asked for.
-bool ScenePerformer::isHeld(const PrivateAction& action, int actor)
-{
-    SpeedController* const active = _active[static_cast<std::size_t>(actor)].get();
-    if (!active) return false;
-    if (const auto* content = std::get_if<SpeedAction>(&action))
-    {
-        if (const auto* target = std::get_if<AbsoluteTargetSpeed>(&content->target))
-            active->askFor(target->speedMps);
-        return true;
-    }
-    return std::holds_alternative<LongitudinalDistanceAction>(action) ||
-           std::holds_alternative<SpeedProfileAction>(action) ||
-           std::holds_alternative<SynchronizeAction>(action);
-}
-
-void ScenePerformer::assign(const AssignControllerAction& action, int actor)
-{
-    _controllers[static_cast<std::size_t>(actor)].push_back(action.controller);
-    if (action.longitudinal) activate(action.controller.name, *action.longitudinal, actor);
-}
-
-/// Of several controllers the one of that name, else the one assigned last.
-void ScenePerformer::activate(const std::string& controller, bool isActive, int actor)
-{
-    const auto index = static_cast<std::size_t>(actor);
-    _active[index].reset();
-    const std::vector<Controller>& known = _controllers[index];
-    if (!isActive || known.empty()) return;
-    const auto named = std::find_if(known.begin(), known.end(),
-                                    [&](const Controller& one) { return one.name == controller; });
-    _active[index] = makeSpeedController(named != known.end() ? *named : known.back(), motion(actor).state());
-    if (_active[index]) end(actor, ActionDomain::longitudinal);
-}
-
-void ScenePerformer::light(const LightStateAction& action, int actor)
-{
-    _lamps[static_cast<std::size_t>(actor)][action.light] = {action.mode, timeS(), action.onS, action.offS};
-}
-
-/// What was running ends with the entity.
-void ScenePerformer::addOrDelete(const EntityAction& action)
-{
-    const int entity = find(action.entity);
-    if (entity < 0) return;
-    _isAbsent[static_cast<std::size_t>(entity)] = action.isDeleted;
-    if (action.isDeleted)
-    {
-        for (const ActionDomain domain : {ActionDomain::longitudinal, ActionDomain::lateral})
-            end(entity, domain);
-        motion(entity).setSpeed(0.0, timeS());
-    }
-    else if (const auto placed = action.position ? _positions.place(*action.position) : std::nullopt)
-        motion(entity).teleport(*placed, timeS());
-}
-
-void ScenePerformer::setValue(const SetValueAction& action)
-{
-    std::string& value = _values[action.name];
-    const std::optional<double> old = parseNumber(value);
-    const std::optional<double> given = parseNumber(action.value);
-    if (action.change == SetValueAction::Change::set || !old || !given)
-        value = action.value;
-    else
-        value = formatNumber(action.change == SetValueAction::Change::add ? *old + *given : *old * *given);
+    if (actor < 0 || _isAbsent[static_cast<std::size_t>(actor)] || isHeld(action, actor)) return {};
+    return std::visit([&](const auto& content) { return carryOut(content, actor); }, action);
 }
 
 void ScenePerformer::perform(const GlobalAction& action)
 {
-    if (const auto* content = std::get_if<EnvironmentAction>(&action))
-        _environment->apply(content->environment, timeS());
-    if (const auto* content = std::get_if<SetValueAction>(&action)) setValue(*content);
-    if (const auto* content = std::get_if<TrafficSignalStateAction>(&action))
-        _signals.setState(content->signal, content->state);
-    if (const auto* content = std::get_if<TrafficSignalControllerAction>(&action))
-        _signals.beginPhase(*content, timeS());
-    if (const auto* content = std::get_if<SetMonitorAction>(&action))
-        _monitors[content->name] = content->value;
-    if (const auto* content = std::get_if<EntityAction>(&action)) addOrDelete(*content);
+    std::visit([&](const auto& content) { carryOut(content); }, action);
 }
 
 bool ScenePerformer::isDone(const ActionTicket& ticket) const

@@ -79,19 +79,36 @@ private:
     template<class Action>
     ActionTicket start(const Action& action, int actor, ActionDomain domain);
     void end(int actor, ActionDomain domain);
-    ActionTicket startSpeed(const SpeedAction& action, int actor);
-    ActionTicket startTrajectory(const FollowTrajectoryAction& action, int actor);
-    void teleport(const TeleportAction& action, int actor);
-    void assignRoute(const Route& route, int actor);
-    void acquire(const Position& position, int actor);
-    ActionTicket performRunning(const PrivateAction& action, int actor);
-    void assign(const AssignControllerAction& action, int actor);
+    // What each action does; a ticket of one that lasts.
+    ActionTicket carryOut(const TeleportAction& action, int actor);
+    ActionTicket carryOut(const FollowTrajectoryAction& action, int actor);
+    ActionTicket carryOut(const SpeedAction& action, int actor);
+    ActionTicket carryOut(const SpeedProfileAction& action, int actor);
+    ActionTicket carryOut(const LongitudinalDistanceAction& action, int actor);
+    ActionTicket carryOut(const LaneChangeAction& action, int actor);
+    ActionTicket carryOut(const LaneOffsetAction& action, int actor);
+    ActionTicket carryOut(const LateralDistanceAction& action, int actor);
+    ActionTicket carryOut(const AssignRouteAction& action, int actor);
+    ActionTicket carryOut(const AcquirePositionAction& action, int actor);
+    ActionTicket carryOut(const SynchronizeAction& action, int actor);
+    ActionTicket carryOut(const ActivateControllerAction& action, int actor);
+    ActionTicket carryOut(const AssignControllerAction& action, int actor);
+    ActionTicket carryOut(const VisibilityAction& action, int actor);
+    ActionTicket carryOut(const LightStateAction& action, int actor);
+    ActionTicket carryOut(const TrailerAction& action, int actor);
+    ActionTicket carryOut(const NotedAction&, int) { return {}; }
+    ActionTicket carryOut(const Unsupported&, int) { return {}; }
+    void carryOut(const EnvironmentAction& action);
+    void carryOut(const SetValueAction& action);
+    void carryOut(const SetMonitorAction& action);
+    void carryOut(const TrafficSignalStateAction& action);
+    void carryOut(const TrafficSignalControllerAction& action);
+    void carryOut(const EntityAction& action);
+    void carryOut(const Unsupported&) {}
+
     void activate(const std::string& controller, bool isActive, int actor);
-    void light(const LightStateAction& action, int actor);
     bool isHeld(const PrivateAction& action, int actor);
     void moveControlled();
-    void addOrDelete(const EntityAction& action);
-    void setValue(const SetValueAction& action);
     void collide();
     void publish();
     void moveLent();

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: Apache-2.0
+// What each private action does: one overload an action.
+#include <algorithm>
+
+#include "simulation/player/ScenePerformer.h"
+#include "simulation/player/ShapeSampling.h"
+#include "simulation/road/RouteWay.h"
+
+namespace simulation
+{
+
+template<class Action>
+ActionTicket ScenePerformer::start(const Action& action, int actor, ActionDomain domain)
+{
+    end(actor, domain);
+    std::unique_ptr<RunningAction> running = startAction(action, *this, actor);
+    if (!running) return {};
+    _running.push_back({++_lastNumber, actor, std::move(running)});
+    return {actor, _lastNumber, true};
+}
+
+ActionTicket ScenePerformer::carryOut(const SpeedAction& action, int actor)
+{
+    if (std::holds_alternative<RelativeTargetSpeed>(action.target))
+    {
+        const bool isContinuous = std::get<RelativeTargetSpeed>(action.target).isContinuous;
+        const ActionTicket ticket = start(action, actor, ActionDomain::longitudinal);
+        if (isContinuous || !ticket.isRunningAction) return ticket;
+        end(actor, ActionDomain::longitudinal);
+        return {actor, motion(actor).speedTicket()};
+    }
+    end(actor, ActionDomain::longitudinal);
+    return {actor, motion(actor).startSpeed(action, timeS())};
+}
+
+/// The vertices are placed now, when the entities that they refer to are known.
+ActionTicket ScenePerformer::carryOut(const FollowTrajectoryAction& action, int actor)
+{
+    FollowTrajectoryAction placed = action;
+    const bool isCurve = !std::holds_alternative<Polyline>(action.trajectory.shape);
+    if (isCurve || _roads)
+    {
+        auto polyline = sampledShape(action.trajectory.shape, _positions, &motion(actor).state());
+        if (!polyline) return {};
+        placed.trajectory.shape = std::move(*polyline);
+        if (isCurve || placed.mode == FollowingMode::follow) placed.mode = FollowingMode::straight;
+    }
+    if (TrajectoryRun::obstacle(placed, *_frame)) return {};
+    end(actor, ActionDomain::lateral);
+    if (placed.timing) end(actor, ActionDomain::longitudinal);
+    return {actor, motion(actor).startTrajectory(placed, timeS())};
+}
+
+ActionTicket ScenePerformer::carryOut(const LaneChangeAction& action, int actor)
+{
+    return start(action, actor, ActionDomain::lateral);
+}
+
+ActionTicket ScenePerformer::carryOut(const LaneOffsetAction& action, int actor)
+{
+    return start(action, actor, ActionDomain::lateral);
+}
+
+ActionTicket ScenePerformer::carryOut(const LateralDistanceAction& action, int actor)
+{
+    return start(action, actor, ActionDomain::lateral);
+}
+
+ActionTicket ScenePerformer::carryOut(const LongitudinalDistanceAction& action, int actor)
+{
+    return start(action, actor, ActionDomain::longitudinal);
+}
+
+ActionTicket ScenePerformer::carryOut(const SpeedProfileAction& action, int actor)
+{
+    return start(action, actor, ActionDomain::longitudinal);
+}
+
+ActionTicket ScenePerformer::carryOut(const SynchronizeAction& action, int actor)
+{
+    return start(action, actor, ActionDomain::longitudinal);
+}
+
+ActionTicket ScenePerformer::carryOut(const TeleportAction& action, int actor)
+{
+    const auto placed = _positions.place(action.position);
+    if (!placed) return {};
+    motion(actor).teleport(*placed, timeS());
+    if (_roads && timeS() > 0.0) motion(actor).standForAStep(); // as in esmini (decision 30)
+    return {};
+}
+
+ActionTicket ScenePerformer::carryOut(const AssignRouteAction& action, int actor)
+{
+    if (!_roads) return {};
+    if (auto way = wayOfRoute(*_roads, action.route)) motion(actor).setWay(std::move(*way));
+    return {};
+}
+
+ActionTicket ScenePerformer::carryOut(const AcquirePositionAction& action, int actor)
+{
+    const auto placed = _positions.place(action.position);
+    const EntityState& state = motion(actor).state();
+    if (!_roads || !placed || !placed->place || !state.place) return {};
+    if (auto way = wayBetween(*_roads, *state.place, *placed->place)) motion(actor).setWay(std::move(*way));
+    return {};
+}
+
+ActionTicket ScenePerformer::carryOut(const ActivateControllerAction& action, int actor)
+{
+    if (action.longitudinal) activate(action.controller, *action.longitudinal, actor);
+    return {};
+}
+
+ActionTicket ScenePerformer::carryOut(const AssignControllerAction& action, int actor)
+{
+    _controllers[static_cast<std::size_t>(actor)].push_back(action.controller);
+    if (action.longitudinal) activate(action.controller.name, *action.longitudinal, actor);
+    return {};
+}
+
+ActionTicket ScenePerformer::carryOut(const VisibilityAction& action, int actor)
+{
+    _isHidden[static_cast<std::size_t>(actor)] = !action.inPictures;
+    return {};
+}
+
+ActionTicket ScenePerformer::carryOut(const LightStateAction& action, int actor)
+{
+    _lamps[static_cast<std::size_t>(actor)][action.light] = {action.mode, timeS(), action.onS, action.offS};
+    return {};
+}
+
+ActionTicket ScenePerformer::carryOut(const TrailerAction& action, int actor)
+{
+    _trailers.couple(actor, find(action.trailer));
+    return {};
+}
+
+/// Whether a controller has hold of what the action would change. It hears which speed is asked for.
+bool ScenePerformer::isHeld(const PrivateAction& action, int actor)
+{
+    SpeedController* const active = _active[static_cast<std::size_t>(actor)].get();
+    if (!active) return false;
+    if (const auto* content = std::get_if<SpeedAction>(&action))
+    {
+        if (const auto* target = std::get_if<AbsoluteTargetSpeed>(&content->target))
+            active->askFor(target->speedMps);
+        return true;
+    }
+    return std::holds_alternative<LongitudinalDistanceAction>(action) ||
+           std::holds_alternative<SpeedProfileAction>(action) ||
+           std::holds_alternative<SynchronizeAction>(action);
+}
+
+/// Of several controllers the one of that name, else the one assigned last.
+void ScenePerformer::activate(const std::string& controller, bool isActive, int actor)
+{
+    const auto index = static_cast<std::size_t>(actor);
+    _active[index].reset();
+    const std::vector<Controller>& known = _controllers[index];
+    if (!isActive || known.empty()) return;
+    const auto named = std::find_if(known.begin(), known.end(),
+                                    [&](const Controller& one) { return one.name == controller; });
+    _active[index] = makeSpeedController(named != known.end() ? *named : known.back(), motion(actor).state());
+    if (_active[index]) end(actor, ActionDomain::longitudinal);
+}
+
+} // namespace simulation
