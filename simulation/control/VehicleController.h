@@ -33,6 +33,9 @@ public:
     /// Writes the inputs of the step that follows. `inputs`: those of the last step, in the order of DynamicVehicle::inputNames().
     virtual void control(const ControlView& view, std::span<double> inputs) = 0;
 
+    /// Gets the vehicle back after somebody else controlled it; control() follows. `inputs`: as they are.
+    virtual void resume(const ControlView& /*view*/, std::span<const double> /*inputs*/) {}
+
     /// What it is about, in a word or two, for logs and instruments; empty: nothing to say.
     virtual std::string_view phase() const { return {}; }
 

@@ -204,6 +204,14 @@ void Driver::pedals(double wantedMps2, double speedMps, RoadInputs& inputs)
     inputs[static_cast<std::size_t>(RoadInput::handbrake)] = 0.0;
 }
 
+void Driver::resume(const ControlView& /*view*/, std::span<const double> /*inputs*/)
+{
+    _hasBegun = false;
+    _held = _offsetM = _wantedOffsetM = 0.0;
+    _nextStop = 0;
+    _waitedS = 0.0;
+}
+
 void Driver::control(const ControlView& view, std::span<double> inputs)
 {
     if (inputs.size() != kRoadInputCount) return;

@@ -39,6 +39,9 @@ public:
     Driver(const RoadVehicle& vehicle, DriverPath path, const DriverSettings& settings = {});
 
     void control(const ControlView& view, std::span<double> inputs) override;
+
+    /// Goes on along the way from the nearest place of it.
+    void resume(const ControlView& view, std::span<const double> inputs) override;
     std::string_view phase() const override { return _phase; }
     bool isDone() const override { return _isDone; }
 

@@ -65,9 +65,7 @@ void Autopilot::control(const ControlView& view, std::span<double> inputs)
     const FlightSense sense = senseOf(view, *_settings.earth, _wheelsBelowM);
     if (view.step == 0)
     {
-        _heading = sense.heading;
-        _altitudeM = sense.altitudeM;
-        _speedMps = sense.calibratedAirspeedMps;
+        holdWhatIs(sense);
         _last.throttle = inputs[static_cast<std::size_t>(_places.throttle)];
         _last.flaps = _places.flaps >= 0 ? inputs[static_cast<std::size_t>(_places.flaps)] : 0.0;
         _climb.reset(sense, _last.throttle);
@@ -78,6 +76,31 @@ void Autopilot::control(const ControlView& view, std::span<double> inputs)
         _last.flaps + std::clamp(command.flaps - _last.flaps, -kFlapsPerS * _stepS, kFlapsPerS * _stepS);
     write(command, inputs);
     _last = command;
+}
+
+void Autopilot::holdWhatIs(const FlightSense& sense)
+{
+    _heading = sense.heading;
+    _altitudeM = sense.altitudeM;
+    _speedMps = sense.calibratedAirspeedMps;
+}
+
+void Autopilot::resume(const ControlView& view, std::span<const double> inputs)
+{
+    const FlightSense sense = senseOf(view, *_settings.earth, _wheelsBelowM);
+    const auto input = [&](int place) { return place < 0 ? 0.0 : inputs[static_cast<std::size_t>(place)]; };
+    _last.throttle = input(_places.throttle);
+    _last.flaps = input(_places.flaps);
+    _last.surfaces = {input(_places.elevator), input(_places.aileron), input(_places.rudder)};
+    _climb.reset(sense, _last.throttle);
+    _attitude.reset(_last.surfaces.elevator);
+    if (_landing) _landing->begin(sense, _last.throttle, _last.surfaces.elevator);
+    const auto& orders = _settings.orders;
+    const bool hasTargets =
+        std::any_of(orders.begin(), orders.end(),
+                    [](const FlightOrder& order)
+                    { return order.kind < FlightOrderKind::takeOff && order.kind != FlightOrderKind::wait; });
+    if (!hasTargets) holdWhatIs(sense);
 }
 
 void Autopilot::takeOrders(const FlightSense& sense, double timeS)

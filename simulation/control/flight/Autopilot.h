@@ -29,6 +29,9 @@ public:
     static foundation::Result<Autopilot> create(AutopilotSettings settings, const DynamicVehicle& vehicle);
 
     void control(const ControlView& view, std::span<double> inputs) override;
+
+    /// Goes on with its order from what is flown now. Heading, altitude and speed that no order names are held as they are.
+    void resume(const ControlView& view, std::span<const double> inputs) override;
     std::string_view phase() const override { return _phase; }
     bool isDone() const override { return _order >= _settings.orders.size(); }
 
@@ -41,6 +44,7 @@ private:
     };
 
     Autopilot(AutopilotSettings settings, const Places& places, double wheelsBelowM, double stepS);
+    void holdWhatIs(const FlightSense& sense);
     void takeOrders(const FlightSense& sense, double timeS);
     bool isOrderDone(const FlightOrder& order, const FlightSense& sense, double timeS) const;
     void beginOrder(const FlightOrder& order, const FlightSense& sense, double timeS);

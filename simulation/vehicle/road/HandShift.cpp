@@ -15,13 +15,12 @@ constexpr double kEarlyShare = 0.5; ///< at no throttle
 constexpr double kLowShare = 1.5;   ///< of idle, at which a lower gear is taken
 constexpr double kClosingS = 0.25;  ///< of the clutch, after a shift
 
-/// The clutch's pedal by engine speed: pressed at idle, released at about twice that.
-double pedalAt(double rpm, const RoadEngineData& engine)
+} // namespace
+
+double HandShift::clutchAt(double rpm, const RoadEngineData& engine)
 {
     return 1.0 - std::clamp((rpm - 1.05 * engine.idleRpm) / (1.1 * engine.idleRpm), 0.0, 1.0);
 }
-
-} // namespace
 
 void HandShift::begin(const RoadVehicle& vehicle)
 {
@@ -73,7 +72,7 @@ void HandShift::control(const RoadVehicle& vehicle, double throttle, RoadInputs&
         set(RoadInput::clutch, 1.0);
         return;
     }
-    const double pedal = pedalAt(vehicle.readings().engineRpm, vehicle.data().engine);
+    const double pedal = clutchAt(vehicle.readings().engineRpm, vehicle.data().engine);
     set(RoadInput::clutch, std::max(pedal, _shiftS / kClosingS));
     if (throttle <= 0.0 && _gear == 1 && vehicle.readings().speedMps < 2.0) set(RoadInput::clutch, 1.0);
 }

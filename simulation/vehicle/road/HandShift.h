@@ -17,6 +17,9 @@ public:
     /// Sets clutch, gear and, while it shifts, throttle of the next step. `throttle`: what the right foot wants, 0…1.
     void control(const RoadVehicle& vehicle, double throttle, RoadInputs& inputs);
 
+    /// The clutch's pedal at an engine speed: pressed at idle, released at about twice that.
+    static double clutchAt(double rpm, const RoadEngineData& engine);
+
 private:
     int chooseGear(const RoadVehicle& vehicle, double throttle) const;
 

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+// A car and a van by hand, and a driver who gets his vehicle back.
+#include "simulation/control/driver/RoadHands.h"
+
+#include <cmath>
+
+#include "DriverSupport.h"
+#include "simulation/control/HandOver.h"
+
+namespace
+{
+
+using namespace simulation;
+using testsupport::Ride;
+
+std::size_t axisOf(const Hands& hands, std::string_view input)
+{
+    const int axis = hands.axisOf(input);
+    EXPECT_GE(axis, 0) << input;
+    return static_cast<std::size_t>(axis);
+}
+
+DriverPath wayOf(double lengthM)
+{
+    std::vector<DriverPoint> points;
+    for (int x = 0; x < static_cast<int>(lengthM); ++x)
+        points.push_back({{x, 0.0, 0.0}, 20.0});
+    return DriverPath(points, {});
+}
+
+/// Steps a vehicle of its own by a controller.
+class RoadSeat
+{
+public:
+    explicit RoadSeat(const std::string& name)
+        : _ride(name, wayOf(2000.0), std::make_shared<const LevelGround>())
+    {
+    }
+
+    void run(VehicleController& controller, double seconds)
+    {
+        RoadVehicle& vehicle = _ride.vehicle();
+        for (int i = 0; i < std::lround(seconds / RoadVehicle::kStepS); ++i)
+        {
+            const VehicleState state = vehicle.state();
+            controller.control({state, vehicle.status(), _ground, _air, {}, _steps++, state.timeS},
+                               vehicle.inputs());
+            vehicle.step(_ground, _air);
+        }
+    }
+
+    RoadVehicle& vehicle() { return _ride.vehicle(); }
+    Driver& driver() { return _ride.driver(); }
+
+private:
+    Ride _ride;
+    LevelGround _ground;
+    WeatherAir _air;
+    std::int64_t _steps = 0;
+};
+
+class HandsOf : public testing::TestWithParam<const char*>
+{
+};
+
+TEST_P(HandsOf, DriveOffSteerAndStopByKeys)
+{
+    RoadSeat seat(GetParam());
+    HandOver both(nullptr, driverHands(seat.vehicle()), true);
+    Hands& hands = both.hands();
+    hands.hold(axisOf(hands, "throttle"), 1.0);
+    seat.run(both, 12.0);
+    EXPECT_GT(seat.vehicle().readings().speedMps, 12.0);
+    EXPECT_GT(seat.vehicle().readings().gear, 1); // a manual gearbox was shifted
+    hands.hold(axisOf(hands, "throttle"), 0.0);
+    hands.hold(axisOf(hands, "steering"), 1.0);
+    double mostMps2 = 0.0;
+    for (int i = 0; i < 20; ++i)
+    {
+        seat.run(both, 0.1);
+        mostMps2 = std::max(
+            mostMps2, std::abs(seat.vehicle().readings().yawRateRadps * seat.vehicle().readings().speedMps));
+    }
+    EXPECT_NEAR(mostMps2, 4.0, 1.2) << "held keys lead to a bend that the tyres hold";
+    hands.hold(axisOf(hands, "steering"), 0.0);
+    hands.hold(axisOf(hands, "brake"), 1.0);
+    seat.run(both, 6.0);
+    EXPECT_NEAR(seat.vehicle().readings().speedMps, 0.0, 0.1);
+    EXPECT_EQ(seat.vehicle().status().condition, VehicleCondition::sound);
+}
+
+TEST_P(HandsOf, DriveBackwardsInReverse)
+{
+    RoadSeat seat(GetParam());
+    HandOver both(nullptr, driverHands(seat.vehicle()), true);
+    Hands& hands = both.hands();
+    seat.run(both, 0.5);
+    hands.add(axisOf(hands, "gear"), -2.0);
+    hands.hold(axisOf(hands, "throttle"), 0.5);
+    seat.run(both, 6.0);
+    EXPECT_LT(seat.vehicle().readings().speedMps, -1.0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Vehicles, HandsOf, testing::Values("car", "van"));
+
+TEST(DriverHandOver, GoesOnAlongTheWayFromWhereHandsLeftIt)
+{
+    RoadSeat seat("car");
+    auto driver = std::make_unique<Driver>(seat.vehicle(), wayOf(2000.0));
+    const Driver& automatic = *driver;
+    HandOver both(std::move(driver), driverHands(seat.vehicle()), false);
+    seat.run(both, 10.0);
+    both.giveToHands(true);
+    Hands& hands = both.hands();
+    hands.hold(axisOf(hands, "steering"), 1.0);
+    seat.run(both, 0.6);
+    hands.hold(axisOf(hands, "steering"), -1.0);
+    seat.run(both, 0.6);
+    hands.hold(axisOf(hands, "steering"), 0.0);
+    seat.run(both, 0.5);
+    const double asideM = seat.vehicle().state().position.y;
+    EXPECT_GT(asideM, 1.0);
+    both.giveToHands(false);
+    seat.run(both, 8.0);
+    EXPECT_NEAR(seat.vehicle().state().position.y, 0.0, 0.3);
+    EXPECT_GT(seat.vehicle().readings().speedMps, 10.0);
+    EXPECT_GT(automatic.beside().alongM, 100.0);
+}
+
+} // namespace
