@@ -52,6 +52,7 @@ foundation::Result<std::unique_ptr<simulation::ScenarioPlayer>> openPlayer(simul
     if (!options.roads) options.origin = originOf(scenario);
     options.clock = simulation::FixedClock::forStep(request.stepS);
     options.scenarioName = request.scenario.string();
+    options.seed = request.seed;
     return simulation::ScenarioPlayer::create(std::move(scenario), std::move(options));
 }
 

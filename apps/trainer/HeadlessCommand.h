@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -20,6 +21,7 @@ struct HeadlessRequest
     double durationS = 3600.0;                       ///< limit for a scenario that never ends
     std::filesystem::path logFile;                   ///< empty: none
     std::map<std::string, std::string> parameters{}; ///< values instead of the scenario's
+    std::uint64_t seed = 0;                          ///< of what the player leaves to chance
 };
 
 /// Plays to the stop trigger, until all motions that were lent are done, or request.durationS, with the log of request.logFile; prints how

@@ -105,7 +105,8 @@ PlaySession::create(simulation::Scenario scenario, SceneTerrain terrain, const P
                                     simulation::FixedClock::forFrameRate(request.frames.perSecond),
                                     "scenario",
                                     nullptr,
-                                    {}};
+                                    {},
+                                    request.seed};
     if (!request.scenario.empty()) stage.scenarioName = request.scenario.string();
     if (scenario.needsRoads())
     {

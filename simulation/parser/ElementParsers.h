@@ -29,6 +29,7 @@ PrivateAction parseRoutingAction(ElementReader reader);                   // Par
 PrivateAction parseSynchronizeAction(ElementReader reader);               // ParseRoutingAction.cpp
 TransitionDynamics parseDynamics(ElementReader reader);                   // ParseLongitudinalAction.cpp
 GlobalAction parseGlobalAction(ElementReader reader);                     // ParseGlobalAction.cpp
+GlobalAction parseTrafficAction(ElementReader reader);                    // ParseTraffic.cpp
 Trigger parseTrigger(ElementReader reader);                               // ParseCondition.cpp
 EntityCondition parseEntityCondition(ElementReader reader);               // ParseEntityCondition.cpp
 DistanceMeasure parseDistanceMeasure(ElementReader& reader);              // ParseEntityCondition.cpp
@@ -38,7 +39,10 @@ std::vector<std::string> parseEntityRefs(ElementReader reference); // ParseEntit
 std::vector<std::string> parseSelection(ElementReader reader,
                                         const std::vector<ScenarioObject>& objects); // ParseSelection.cpp
 std::vector<ScenarioObject> parseScenarioObject(ElementReader reader); // ParseEntity.cpp: with its trailers
-FileHeader parseHeader(ElementReader reader);                          // ParseScenario.cpp
+/// The same of an element without a name of its own.
+std::vector<ScenarioObject> parseObjectContent(ElementReader reader,
+                                               const std::string& name); // ParseEntity.cpp
+FileHeader parseHeader(ElementReader reader);                            // ParseScenario.cpp
 /// A Controller, or one of a catalogue. One that is not played is told.
 Controller parseController(ElementReader reader); // ParseController.cpp
 Properties parseProperties(ElementReader reader); // ParseEntity.cpp: those of an object

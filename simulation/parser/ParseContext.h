@@ -71,6 +71,7 @@ public:
     std::set<std::string> entityNames;
     std::map<std::string, std::vector<std::string>> selections; ///< of entities: their members
     std::set<std::string> variableNames, monitorNames, signalControllerNames;
+    bool hasRoads = false;                 ///< a LogicFile is named
     std::vector<std::string> catalogChain; ///< entries being read, outermost first: a repeated one is a cycle
     pugi::xml_node catalogEntry;           ///< the innermost entry, whose parameters are declared already
     std::map<std::string, int> elements;   ///< that reportUnread() has seen

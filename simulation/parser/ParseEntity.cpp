@@ -146,9 +146,14 @@ Properties parseProperties(ElementReader parent)
 
 std::vector<ScenarioObject> parseScenarioObject(ElementReader reader)
 {
+    return parseObjectContent(reader, reader.name());
+}
+
+std::vector<ScenarioObject> parseObjectContent(ElementReader reader, const std::string& name)
+{
     std::vector<ScenarioObject> objects(1);
     objects[0].source = reader.context.line(reader.node);
-    objects[0].name = reader.name();
+    objects[0].name = name;
     bool hasObject = false;
     for (pugi::xml_node node : reader.node.children())
     {

@@ -99,6 +99,7 @@ GlobalAction parseGlobalAction(ElementReader reader)
                                 content.flagOr("value", false)};
     if (content.is("InfrastructureAction")) return parseInfrastructure(content);
     if (content.is("EntityAction")) return parseEntityAction(content);
+    if (content.is("TrafficAction")) return parseTrafficAction(content);
     return unsupportedContent(content, "action");
 }
 

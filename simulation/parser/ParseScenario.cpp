@@ -22,6 +22,7 @@ RoadNetwork parseRoadNetwork(ElementReader reader)
     RoadNetwork network;
     if (const pugi::xml_node node = reader.node.child("LogicFile"))
         network.logicFile = ElementReader(reader.context, node).text("filepath");
+    reader.context.hasRoads = !network.logicFile.empty();
     if (const pugi::xml_node node = reader.node.child("SceneGraphFile"))
         network.sceneGraphFile = ElementReader(reader.context, node).text("filepath");
     if (const pugi::xml_node node = reader.node.child("TrafficSignals"))

@@ -176,7 +176,7 @@ void EntityMotion::goAlongLane(double distanceM, double timeS)
     const bool changesSpeed = timeS - _speedStartS < _speed.durationS();
     const double sideways = std::exchange(_alongShare, 1.0);
     const double share = changesSpeed ? 1.0 : sideways;
-    if (!walk(*_roads, *_state.place, distanceM * share, _way))
+    if (!walk(*_roads, *_state.place, distanceM * share, _way, _turns ? &*_turns : nullptr))
     {
         _state.isAtEndOfRoad = true;
         setSpeed(0.0, timeS);

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "simulation/parser/RandomDraw.h"
 #include "simulation/player/EntityState.h"
 #include "simulation/player/GroundContact.h"
 #include "simulation/player/PositionSolver.h"
@@ -52,7 +53,19 @@ public:
     /// Takes the state of what moves the entity in place of its actions; name and place on the road are found here.
     void takeState(const EntityState& state, double timeS);
 
-    void setWay(RoadWay way) { _way = std::move(way); }
+    void setWay(RoadWay way)
+    {
+        _way = std::move(way);
+        _turns.reset();
+    }
+
+    /// Takes a road by chance wherever several follow, from now on.
+    void turnAtRandom(RandomDraw draw)
+    {
+        _way.clear();
+        _turns = std::move(draw);
+    }
+
     bool isAirborne() const { return _isAirborne; }
     bool isOnTrajectory() const { return _run.has_value(); }
 
@@ -86,6 +99,7 @@ private:
     double _wheelbaseM = 0.0;
     double _givenPitchDeg = 0.0, _givenRollDeg = 0.0; ///< of the last teleport, beyond those of the road
     RoadWay _way;
+    std::optional<RandomDraw> _turns; ///< absent: by the way, else straight on
     bool _standsForAStep = false;
     double _alongShare = 1.0; ///< of the way of the next step that goes along the lane, not sideways
     EntityState _state;

@@ -61,6 +61,15 @@ std::optional<double> gapToCutIn(const MeasuredBody& own, const MeasuredBody& ot
     return isNear ? std::optional(x) : std::nullopt;
 }
 
+/// Spares the search along the roads: who is farther away in a straight line is so along them. A reference line inside a bend may be
+/// half as long as the lane.
+bool isTooFar(const MeasuredBody& own, const MeasuredBody& other, double lookAheadM)
+{
+    const double reach = 2.0 * lookAheadM + own.box.lengthM + other.box.lengthM;
+    const glm::dvec2 apart(other.state->position - own.state->position);
+    return glm::dot(apart, apart) > reach * reach;
+}
+
 } // namespace
 
 std::optional<LeadVehicle> leadVehicleOf(ActionScene& scene, int actor, double lookAheadM, double lateralM)
@@ -71,6 +80,7 @@ std::optional<LeadVehicle> leadVehicleOf(ActionScene& scene, int actor, double l
     {
         if (i == actor || !scene.isPresent(i)) continue;
         const MeasuredBody other = bodyOf(scene, i);
+        if (isTooFar(own, other, lookAheadM)) continue;
         std::optional<double> gap =
             scene.roads() ? gapOnLane(own, other, *scene.roads(), lookAheadM, lateralM) : std::nullopt;
         if (gap && lead && *gap >= lead->gapM) gap.reset();

@@ -16,11 +16,12 @@ class ScenarioPlayer::Stage
 public:
     Stage(Scenario scenarioIn, PlayerOptions options)
         : scenario(std::move(scenarioIn)),
+          _traffic(scenario, options.seed),
           frame(options.origin, std::move(options.ground)),
           clock(options.clock),
           _roads(std::move(options.roads)),
           _environmentClock(options.origin),
-          _performer(scenario, frame, _roads.get(), clock, _environmentClock),
+          _performer({scenario, frame, _roads.get(), clock, _environmentClock, _traffic, options.seed}),
           _runner(scenario.storyboard, _performer)
     {
         for (const auto& [entity, motion] : options.motions)
@@ -53,6 +54,7 @@ public:
     const std::map<std::string, std::string>& signalStates() const { return _performer.signals().states(); }
 
     Scenario scenario;
+    TrafficPlan _traffic; ///< adds entities to the scenario, before anything counts them
     SceneFrame frame;
     FixedClock clock;
     foundation::Outcome begun = foundation::success(); ///< of the motions that were lent

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <optional>
@@ -31,6 +32,8 @@ struct PlayerOptions
 
     /// What moves entities in place of their actions, by name; Init tells where they begin.
     std::map<std::string, std::shared_ptr<ExternalMotion>> motions{};
+
+    std::uint64_t seed = 0; ///< of what is left to chance: traffic and random routes
 };
 
 /// Plays a scenario in fixed steps. Its states depend on the scenario, the options and the number of steps only: two

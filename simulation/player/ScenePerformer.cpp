@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "simulation/player/EntityDistance.h"
+#include "simulation/scenario/VisitActions.h"
 
 namespace simulation
 {
@@ -13,18 +14,6 @@ namespace
 {
 
 constexpr double kInstantS = 1e-9;
-
-template<class Visit>
-void visitActions(const Scenario& scenario, Visit visit)
-{
-    for (const Story& story : scenario.storyboard.stories)
-        for (const Act& act : story.acts)
-            for (const ManeuverGroup& group : act.groups)
-                for (const Maneuver& maneuver : group.maneuvers)
-                    for (const Event& event : maneuver.events)
-                        for (const NamedAction& named : event.actions)
-                            visit(named.action);
-}
 
 /// An entity that is added by an action of the story, and that Init does nothing with, is not there before.
 std::vector<bool> absentAtFirst(const Scenario& scenario)
@@ -49,29 +38,32 @@ std::vector<bool> absentAtFirst(const Scenario& scenario)
 
 } // namespace
 
-ScenePerformer::ScenePerformer(const Scenario& scenario, const SceneFrame& frame, const RoadScene* roads,
-                               const FixedClock& clock, EnvironmentClock& environment)
-    : _scenario(&scenario),
-      _frame(&frame),
-      _roads(roads),
-      _clock(&clock),
-      _environment(&environment),
-      _positions(frame, roads,
+ScenePerformer::ScenePerformer(const Place& place)
+    : _scenario(&place.scenario),
+      _frame(&place.frame),
+      _roads(place.roads),
+      _clock(&place.clock),
+      _environment(&place.environment),
+      _positions(place.frame, place.roads,
                  [this](const std::string& entity) -> const EntityState*
                  {
                      const int index = find(entity);
                      return index < 0 ? nullptr : &_motions[static_cast<std::size_t>(index)].state();
                  }),
-      _signals(scenario.roadNetwork.signalControllers),
-      _trailers(scenario),
-      _isAbsent(absentAtFirst(scenario)),
-      _isHidden(scenario.entities.size(), false),
-      _active(scenario.entities.size()),
-      _lamps(scenario.entities.size())
+      _signals(place.scenario.roadNetwork.signalControllers),
+      _trailers(place.scenario),
+      _traffic(place.traffic, place.seed),
+      _isAbsent(absentAtFirst(place.scenario)),
+      _isHidden(place.scenario.entities.size(), false),
+      _active(place.scenario.entities.size()),
+      _lamps(place.scenario.entities.size())
 {
+    const Scenario& scenario = place.scenario;
+    for (int i = 0; i < static_cast<int>(scenario.entities.size()); ++i)
+        if (isTraffic(i)) _isAbsent[static_cast<std::size_t>(i)] = true;
     for (const ScenarioObject& object : scenario.entities)
     {
-        _motions.emplace_back(object, frame, roads);
+        _motions.emplace_back(object, place.frame, place.roads);
         _boxes.push_back(object.box());
         _controllers.push_back(object.controllers);
     }
@@ -93,6 +85,7 @@ void ScenePerformer::performInit()
         for (const PrivateAction& action : initial.actions)
             perform(action, initial.entity);
     _trailers.align(_motions);
+    _traffic.step(*this);
     publish();
 }
 
@@ -110,10 +103,11 @@ void ScenePerformer::move()
 {
     _signals.advanceTo(timeS());
     for (std::size_t i = 0; i < _motions.size(); ++i)
-        if (!_lent[i] && !_active[i]) _motions[i].advanceTo(timeS(), _clock->stepS());
+        if (!_lent[i] && !_active[i] && !_isAbsent[i]) _motions[i].advanceTo(timeS(), _clock->stepS());
     moveControlled();
     moveLent();
     _trailers.follow(_motions);
+    _traffic.step(*this);
     publish();
 }
 
@@ -148,7 +142,7 @@ void ScenePerformer::moveControlled()
 {
     for (std::size_t i = 0; i < _motions.size(); ++i)
     {
-        if (_lent[i] || !_active[i]) continue;
+        if (_lent[i] || !_active[i] || _isAbsent[i]) continue;
         _motions[i].setSpeed(_active[i]->speedAfter(*this, static_cast<int>(i)), timeS());
         _motions[i].advanceTo(timeS(), _clock->stepS());
     }
@@ -195,8 +189,8 @@ void ScenePerformer::collide()
         return MeasuredBody{&_states[index], _scenario->entities[index].box()};
     };
     for (std::size_t i = 0; i < _states.size(); ++i)
-        for (std::size_t j = i + 1; j < _states.size(); ++j)
-            if (!_isAbsent[i] && !_isAbsent[j] && overlap(body(i), body(j)))
+        for (std::size_t j = i + 1; !_isAbsent[i] && j < _states.size(); ++j)
+            if (!_isAbsent[j] && overlap(body(i), body(j)))
             {
                 _states[i].collidesWith.push_back(static_cast<int>(j));
                 _states[j].collidesWith.push_back(static_cast<int>(i));
@@ -220,6 +214,32 @@ ActionTicket ScenePerformer::perform(const PrivateAction& action, const std::str
 void ScenePerformer::perform(const GlobalAction& action)
 {
     std::visit([&](const auto& content) { carryOut(content); }, action);
+}
+
+void ScenePerformer::appear(int vehicle, const RoadPlace& place, double speedMps)
+{
+    const auto index = static_cast<std::size_t>(vehicle);
+    const RoadPose pose = _roads->poseAt(place);
+    motion(vehicle).setSpeed(speedMps, timeS());
+    motion(vehicle).teleport({pose.position, pose.headingRad, 0.0, 0.0, true, place}, timeS());
+    motion(vehicle).turnAtRandom(RandomDraw(_traffic.seed(), _scenario->entities[index].name, ++_appeared));
+    _isAbsent[index] = false;
+    activate("", true, vehicle);
+}
+
+void ScenePerformer::vanish(int vehicle)
+{
+    for (const ActionDomain domain : {ActionDomain::longitudinal, ActionDomain::lateral})
+        end(vehicle, domain);
+    _active[static_cast<std::size_t>(vehicle)].reset();
+    _isAbsent[static_cast<std::size_t>(vehicle)] = true;
+    motion(vehicle).setSpeed(0.0, timeS());
+}
+
+const std::vector<LaneSite>& ScenePerformer::laneSites()
+{
+    if (!_laneSites) _laneSites = simulation::laneSites(*_roads);
+    return *_laneSites;
 }
 
 bool ScenePerformer::isDone(const ActionTicket& ticket) const

@@ -16,17 +16,28 @@
 #include "simulation/player/StoryboardRunner.h"
 #include "simulation/player/Trailers.h"
 #include "simulation/player/actions/RunningAction.h"
+#include "simulation/player/traffic/RoadTraffic.h"
 
 namespace simulation
 {
 
 /// The entities of a scenario and everything else that actions change; it performs the storyboard's actions.
-class ScenePerformer final : public ActionPerformer, public ActionScene
+class ScenePerformer final : public ActionPerformer, public TrafficScene
 {
 public:
-    /// All must outlive it; `roads` may be null.
-    ScenePerformer(const Scenario& scenario, const SceneFrame& frame, const RoadScene* roads,
-                   const FixedClock& clock, EnvironmentClock& environment);
+    /// What it works on; all must outlive it. `roads` may be null.
+    struct Place
+    {
+        const Scenario& scenario;
+        const SceneFrame& frame;
+        const RoadScene* roads;
+        const FixedClock& clock;
+        EnvironmentClock& environment;
+        const TrafficPlan& traffic;
+        std::uint64_t seed;
+    };
+
+    explicit ScenePerformer(const Place& place);
 
     /// Lets something else move an entity; before performInit().
     void lend(int entity, std::shared_ptr<ExternalMotion> motion);
@@ -68,6 +79,12 @@ public:
     bool isPresent(int entity) const override { return !_isAbsent[static_cast<std::size_t>(entity)]; }
     int find(const std::string& entity) const override { return _scenario->entityIndex(entity); }
 
+    // TrafficScene
+    void appear(int vehicle, const RoadPlace& place, double speedMps) override;
+    void vanish(int vehicle) override;
+    bool isTraffic(int entity) const override { return _traffic.plan().isTraffic(entity); }
+    const std::vector<LaneSite>& laneSites() override;
+
 private:
     struct Running
     {
@@ -104,6 +121,7 @@ private:
     void carryOut(const TrafficSignalStateAction& action);
     void carryOut(const TrafficSignalControllerAction& action);
     void carryOut(const EntityAction& action);
+    void carryOut(const TrafficAction& action) { _traffic.begin(action); }
     void carryOut(const Unsupported&) {}
 
     void activate(const std::string& controller, bool isActive, int actor);
@@ -129,7 +147,10 @@ private:
     SignalPlan _signals;
     std::map<std::string, bool> _monitors;
     Trailers _trailers;
-    std::vector<bool> _isAbsent; ///< not added yet, or deleted
+    RoadTraffic _traffic;
+    std::optional<std::vector<LaneSite>> _laneSites; ///< made when traffic asks for them
+    std::uint64_t _appeared = 0;                     ///< vehicles of traffic so far
+    std::vector<bool> _isAbsent;                     ///< not added yet, or deleted
     std::vector<bool> _isHidden;
     std::vector<std::vector<Controller>> _controllers;     ///< of each entity
     std::vector<std::unique_ptr<SpeedController>> _active; ///< null: the actions set the speed

@@ -58,14 +58,15 @@ bool enterSection(const RoadScene& roads, RoadPlace& place, bool towardsEnd)
     return false;
 }
 
-/// Of several roads the one on the route, else the one on which the heading changes least.
+/// Of several roads the one on the route, else one by chance, or the one on which the heading changes least.
 const RoadStep* chosen(const RoadScene& roads, const std::vector<RoadStep>& steps, const RoadPlace& place,
-                       const RoadWay& way)
+                       const RoadWay& way, RandomDraw* turns)
 {
     for (std::size_t i = 0; i + 1 < way.size(); ++i)
         if (way[i] == place.road)
             for (const RoadStep& step : steps)
                 if (step.road == way[i + 1]) return &step;
+    if (turns && !steps.empty()) return &steps[turns->index(std::vector<double>(steps.size(), 1.0))];
     const RoadStep* best = nullptr;
     double least = 10.0;
     for (const RoadStep& step : steps)
@@ -82,10 +83,11 @@ const RoadStep* chosen(const RoadScene& roads, const std::vector<RoadStep>& step
 }
 
 /// Goes from a road to the one that follows. False: none does.
-bool enterRoad(const RoadScene& roads, RoadPlace& place, bool towardsEnd, const RoadWay& way)
+bool enterRoad(const RoadScene& roads, RoadPlace& place, bool towardsEnd, const RoadWay& way,
+               RandomDraw* turns)
 {
     const auto steps = stepsFrom(roads.network(), place.road, towardsEnd, place.lane);
-    const RoadStep* const step = chosen(roads, steps, place, way);
+    const RoadStep* const step = chosen(roads, steps, place, way, turns);
     if (!step) return false;
     const bool isTurned = step->entersAtStart != towardsEnd;
     place.road = step->road;
@@ -113,7 +115,7 @@ void leaveEndedLane(const RoadScene& roads, RoadPlace& place)
 
 } // namespace
 
-bool walk(const RoadScene& roads, RoadPlace& place, double distanceM, const RoadWay& way)
+bool walk(const RoadScene& roads, RoadPlace& place, double distanceM, const RoadWay& way, RandomDraw* turns)
 {
     double rest = std::fabs(distanceM);
     bool arrives = true;
@@ -123,7 +125,7 @@ bool walk(const RoadScene& roads, RoadPlace& place, double distanceM, const Road
         rest = walkSection(roads, place, rest, towardsEnd);
         if (rest <= 0.0) break;
         if (enterSection(roads, place, towardsEnd)) continue;
-        if (!enterRoad(roads, place, towardsEnd, way))
+        if (!enterRoad(roads, place, towardsEnd, way, turns))
         {
             arrives = false;
             break;

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "simulation/parser/RandomDraw.h"
 #include "simulation/road/RoadScene.h"
 
 namespace simulation
@@ -26,9 +27,11 @@ std::vector<RoadStep> stepsFrom(const osgRoads::core::RoadNetwork& network, int 
 /// Moves a place along its lane, on the side on which it looks (backwards where the distance is negative): over lane sections,
 /// links and junctions, with its offset and heading to the lane kept. In a junction it takes the road of `way`, else the
 /// road that turns least. What is beyond the middle of the lane counts as far as it moves itself, not the reference line.
+/// `turns`: where the way does not say, it chooses instead, each road as often as the others.
 /// Returns false at the end of the last road, where the place then is.
 /// Differs: esmini leaves the choice in a junction without route to chance.
-bool walk(const RoadScene& roads, RoadPlace& place, double distanceM, const RoadWay& way);
+bool walk(const RoadScene& roads, RoadPlace& place, double distanceM, const RoadWay& way,
+          RandomDraw* turns = nullptr);
 
 /// Returns the distance along the reference lines between two places, by the shortest way: positive where `to` is ahead
 /// of where `from` looks. Nothing: no way within `mostM`.

@@ -10,6 +10,7 @@
 #include "simulation/scenario/LateralActions.h"
 #include "simulation/scenario/LongitudinalActions.h"
 #include "simulation/scenario/RoutingActions.h"
+#include "simulation/scenario/TrafficActions.h"
 #include "simulation/scenario/TrafficSignals.h"
 #include "simulation/scenario/Trajectory.h"
 
@@ -57,7 +58,7 @@ using PrivateAction =
 /// Actions on the scene as a whole.
 using GlobalAction =
     std::variant<EnvironmentAction, SetValueAction, SetMonitorAction, TrafficSignalStateAction,
-                 TrafficSignalControllerAction, EntityAction, Unsupported>;
+                 TrafficSignalControllerAction, EntityAction, TrafficAction, Unsupported>;
 
 using Action = std::variant<PrivateAction, GlobalAction>;
 

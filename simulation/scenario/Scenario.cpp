@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "simulation/scenario/VisitActions.h"
+
 namespace simulation
 {
 namespace
@@ -25,6 +27,26 @@ std::optional<SourceLine> roadsFor(const PrivateAction& action)
     if (const auto* change = std::get_if<LaneChangeAction>(&action)) return change->source;
     if (const auto* offset = std::get_if<LaneOffsetAction>(&action)) return offset->source;
     return std::nullopt;
+}
+
+std::optional<SourceLine> lineOfTraffic(const GlobalAction& action)
+{
+    const auto* traffic = std::get_if<TrafficAction>(&action);
+    return traffic ? std::optional(traffic->source) : std::nullopt;
+}
+
+std::optional<SourceLine> trafficLine(const Scenario& scenario)
+{
+    std::optional<SourceLine> line;
+    for (const GlobalAction& action : scenario.storyboard.init.globals)
+        if (!line) line = lineOfTraffic(action);
+    visitActions(scenario,
+                 [&](const Action& action)
+                 {
+                     const auto* global = std::get_if<GlobalAction>(&action);
+                     if (!line && global) line = lineOfTraffic(*global);
+                 });
+    return line;
 }
 
 } // namespace
@@ -50,18 +72,19 @@ bool Scenario::isConsistent() const
 
 std::optional<SourceLine> Scenario::needsRoads() const
 {
+    if (!roadNetwork.logicFile.empty())
+        if (const auto line = trafficLine(*this)) return line;
     for (const InitPrivate& initial : storyboard.init.privates)
         for (const PrivateAction& action : initial.actions)
             if (const auto line = roadsFor(action)) return line;
-    for (const Story& story : storyboard.stories)
-        for (const Act& act : story.acts)
-            for (const ManeuverGroup& group : act.groups)
-                for (const Maneuver& maneuver : group.maneuvers)
-                    for (const Event& event : maneuver.events)
-                        for (const NamedAction& named : event.actions)
-                            if (const auto* action = std::get_if<PrivateAction>(&named.action))
-                                if (const auto line = roadsFor(*action)) return line;
-    return std::nullopt;
+    std::optional<SourceLine> line;
+    visitActions(*this,
+                 [&](const Action& action)
+                 {
+                     const auto* own = std::get_if<PrivateAction>(&action);
+                     if (!line && own) line = roadsFor(*own);
+                 });
+    return line;
 }
 
 } // namespace simulation

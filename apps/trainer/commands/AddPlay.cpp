@@ -76,12 +76,14 @@ foundation::Outcome playOne(const PlayLine& line)
             HeadlessRequest headless = line.headless;
             headless.scenario = one.scenario;
             headless.parameters = one.parameters;
+            headless.seed = line.variations.seed.value_or(0);
             headless.logFile = withSuffix(headless.logFile, one.suffix);
             return playHeadless(headless);
         }
         PlayRequest request = line.play.request;
         request.scenario = one.scenario;
         request.parameters = one.parameters;
+        request.seed = line.variations.seed.value_or(0);
         OutputRequest& output = request.output;
         output.captureFolder = withSuffix(output.captureFolder, one.suffix);
         output.statsFile = withSuffix(output.statsFile, one.suffix);

@@ -56,7 +56,7 @@ TEST(OpenScenarioReference, DescribesEveryElementAndNoOther)
     EXPECT_THAT(names, testing::Contains("FollowTrajectoryAction"));
     EXPECT_EQ(differences(names, page.column("Elements", 0)), "");
     EXPECT_NE(differences(names, page.without("Wind").column("Elements", 0)), "");
-    EXPECT_NE(differences(names, page.with("Elements", "TrafficSwarmAction").column("Elements", 0)), "");
+    EXPECT_NE(differences(names, page.with("Elements", "SensorReferenceSet").column("Elements", 0)), "");
 }
 
 TEST(OpenScenarioReference, NamesEveryAttributeAndNoOther)
