@@ -61,6 +61,7 @@ public:
     /// The length of the curve divided by the length of its element: 1 in a sound file.
     double lengthRatio() const { return _lengthRatio; }
 
+    bool isByArcLength() const { return _isByArcLength; }
     const CurveCoefficients& u() const { return _u; }
     const CurveCoefficients& v() const { return _v; }
 

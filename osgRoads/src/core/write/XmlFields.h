@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdio>
+#include <string>
+#include <string_view>
+
+#include <pugixml.hpp>
+
+#include <osgRoads/core/geometry/Cubic.h>
+#include <osgRoads/core/network/LaneType.h>
+
+namespace osgRoads::core
+{
+
+/// Writes attributes of an XML element. Numbers have twelve significant digits.
+inline void set(pugi::xml_node node, const char* name, double value)
+{
+    char text[32];
+    std::snprintf(text, sizeof text, "%.12g", value == 0.0 ? 0.0 : value);
+    node.append_attribute(name).set_value(text);
+}
+
+inline void set(pugi::xml_node node, const char* name, int value)
+{
+    node.append_attribute(name).set_value(value);
+}
+
+inline void set(pugi::xml_node node, const char* name, std::string_view value)
+{
+    node.append_attribute(name).set_value(std::string(value).c_str());
+}
+
+/// The word of OpenDRIVE for a value.
+template<class Value, std::size_t Count>
+std::string_view keyword(const Keywords<Value, Count>& words, Value value)
+{
+    for (const auto& [word, meaning] : words)
+        if (meaning == value) return word;
+    return {};
+}
+
+/// Writes an element for each piece of a profile. `start`: the name of its beginning, s or sOffset.
+inline void writeProfile(pugi::xml_node parent, const char* name, const char* start,
+                         const CubicProfile& profile)
+{
+    for (const Cubic& piece : profile.pieces())
+    {
+        const pugi::xml_node node = parent.append_child(name);
+        set(node, start, piece.s);
+        set(node, "a", piece.a);
+        set(node, "b", piece.b);
+        set(node, "c", piece.c);
+        set(node, "d", piece.d);
+    }
+}
+
+} // namespace osgRoads::core
