@@ -24,6 +24,7 @@ function(plantTree)
             "simulation/Clock.h|cstdint"
             "scenery/models/Tree.h|osgPMObjects/core/Mesh.h"
             "scenery/placement/Place.h|scenery/models/Tree.h"
+            "worldmaking/streets/Heights.h|scenery/roads/CutRoads.h"
             "scenery/roads/CutRoads.h|osgRoads/core/place/PlacedNetwork.h"
             "scenery/roads/things/Things.h|scenery/models/Tree.h"
             "scenery/nodes/Sky.h|osgTerrainROAM/Terrain"

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// worldtool: makes worlds from elevation data and maps.
+#include "terminal/CommandLine.h"
+#include "terminal/Guard.h"
+#include "worldtool/Commands.h"
+
+namespace
+{
+
+int run(int argc, char** argv)
+{
+    CLI::App app("Makes worlds from elevation data and maps.", "worldtool");
+    app.set_version_flag("--version", OSGTRAINER_VERSION);
+    app.require_subcommand(1);
+    worldtool::Request request;
+    std::filesystem::path jsonFile;
+    CLI::App* build = app.add_subcommand("build", "a world with the streets of a map");
+    build->add_option("DEM", request.dems, "elevation rasters")->required();
+    build->add_option("--map", request.map, "an OpenStreetMap extract: .osm, .osm.gz or .osm.pbf")
+        ->required();
+    build->add_option("-o,--output", request.world, "the folder of the world")->required();
+    build->add_option("--json", jsonFile, "also write the report to this file");
+    if (const auto ends = terminal::parse(app, argc, argv)) return *ends;
+    return terminal::report("worldtool", jsonFile, [&] { return worldtool::build(request); });
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    return terminal::guarded("worldtool", [=] { return run(argc, argv); });
+}

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// Maps as they are read: what is kept, and what is told of bad ones.
+#include "worldmaking/map/ReadOsm.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "MadeMap.h"
+
+namespace
+{
+
+using worldmaking::parseOsm;
+using worldmaking::StreetMap;
+
+TEST(ReadOsm, KeepsStreetsWithTheirNodesAndTurnRules)
+{
+    MadeMap made;
+    const int a = made.node(0, 0), b = made.node(100, 0), c = made.node(100, 50);
+    made.node(500, 500); // of no street
+    const int street = made.way({a, b}, {{"highway", "primary"}, {"name", "Alt &amp; Neu"}});
+    const int other = made.way({b, c});
+    made.way({a, c}, {{"waterway", "river"}});
+    made.rule("no_left_turn", street, b, other);
+    const auto map = parseOsm(made.text(), "osm", "made.osm");
+    ASSERT_TRUE(map) << map.error().message();
+    ASSERT_EQ(map->ways.size(), 2u);
+    EXPECT_EQ(map->nodes.size(), 3u);
+    EXPECT_EQ(worldmaking::valueOf(map->ways[0].tags, "name"), "Alt & Neu");
+    EXPECT_NEAR(map->nodes[1].longitudeDeg,
+                1.5 + 100.0 / (111000.0 * std::cos(42.5 * 3.14159265358979 / 180.0)), 1e-6);
+    ASSERT_EQ(map->turnRules.size(), 1u);
+    EXPECT_EQ(map->turnRules[0].via, b);
+    EXPECT_FALSE(map->turnRules[0].isOnly);
+}
+
+TEST(ReadOsm, WaysGoOnWithoutNodesThatAreMissing)
+{
+    MadeMap made;
+    const int a = made.node(0, 0), b = made.node(100, 0);
+    made.way({a, 77, b});
+    made.way({a, 78});
+    const auto map = parseOsm(made.text(), "osm", "made.osm");
+    ASSERT_TRUE(map) << map.error().message();
+    EXPECT_EQ(map->ways.size(), 1u);
+    EXPECT_EQ(map->ways[0].nodes.size(), 2u);
+    EXPECT_EQ(map->missingNodes, 2u);
+    EXPECT_EQ(map->shortWays, 1u);
+}
+
+TEST(ReadOsm, TellsWhatIsWrong)
+{
+    using testing::HasSubstr;
+    const auto messageOf = [](const std::string& text, const char* format)
+    {
+        const auto map = parseOsm(text, format, "bad");
+        return map ? std::string("it was read") : map.error().message();
+    };
+    EXPECT_THAT(messageOf("<osm version=\"0.6\"/>", "osm"), HasSubstr("bad: there is no street in it"));
+    EXPECT_THAT(messageOf("<osm version=\"0.6\"><way id=\"1\"", "osm"), HasSubstr("bad: cannot be read"));
+    EXPECT_THAT(messageOf("no map at all", "osm"), HasSubstr("check that it is complete"));
+    EXPECT_THAT(messageOf("no map at all", "pbf"), HasSubstr("check that it is complete"));
+    MadeMap made;
+    made.way({8, 9});
+    EXPECT_THAT(messageOf(made.text(), "osm"), HasSubstr("its streets have no nodes"));
+}
+
+} // namespace

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// Any bytes may be given as a map: its streets become a network on a hillside, or it is refused.
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <optional>
+#include <string_view>
+
+#include "worldmaking/map/ReadOsm.h"
+#include "worldmaking/streets/BuildStreets.h"
+
+// NOLINTNEXTLINE(readability-identifier-naming): the name is libFuzzer's
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
+
+namespace
+{
+
+void require(bool condition)
+{
+    if (!condition) std::abort();
+}
+
+/// Ground within a tenth of a degree of the seeds' place.
+std::optional<double> hillside(double latitudeDeg, double longitudeDeg)
+{
+    if (std::fabs(latitudeDeg - 42.5) > 0.1 || std::fabs(longitudeDeg - 1.5) > 0.1) return std::nullopt;
+    return 1000.0 + 5000.0 * (latitudeDeg - 42.5) + 40.0 * std::sin(2000.0 * longitudeDeg);
+}
+
+} // namespace
+
+// NOLINTNEXTLINE(readability-identifier-naming)
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+{
+    const auto map = worldmaking::parseOsm({reinterpret_cast<const char*>(data), size}, "osm", "fuzz");
+    if (!map) return 0;
+    const auto streets = worldmaking::buildStreets(*map, hillside, "fuzz");
+    if (!streets) return 0;
+    for (const auto& road : streets->network.roads)
+    {
+        require(std::isfinite(road.length) && road.length > 0.0);
+        require(!road.referenceLine.isEmpty() && !road.sections.empty());
+        require(std::isfinite(road.elevation.value(0.5 * road.length)));
+    }
+    return 0;
+}

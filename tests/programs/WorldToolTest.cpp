@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+// worldtool as somebody runs it: a country from real data, and what is told of bad input.
+#include <algorithm>
+#include <cmath>
+
+#include <nlohmann/json.hpp>
+
+#include <osgRoads/core/check/NetworkCheck.h>
+#include <osgRoads/core/read/ReadNetwork.h>
+
+#include "MadeMap.h"
+#include "ProgramRun.h"
+#include "RealData.h"
+#include "TestFolder.h"
+
+namespace
+{
+
+using testsupport::TestFolder;
+
+ProgramRun runWorldTool(std::vector<std::string> arguments)
+{
+    arguments.insert(arguments.begin(), OSGTRAINER_WORLDTOOL);
+    return runProgram(arguments);
+}
+
+/// A flat raster of 0.02° around the made map's zero.
+std::string writeGround(const TestFolder& folder)
+{
+    std::string text = "ncols 21\nnrows 21\nxllcorner 1.49\nyllcorner 42.49\ncellsize 0.001\n";
+    for (int row = 0; row < 21; ++row)
+    {
+        for (int column = 0; column < 21; ++column)
+            text += "500 ";
+        text += '\n';
+    }
+    folder.write("flat.prj",
+                 "GEOGCS[\"WGS 84\",DATUM[\"WGS_1984\",SPHEROID[\"WGS 84\",6378137,298.257223563]],"
+                 "PRIMEM[\"Greenwich\",0],UNIT[\"degree\",0.0174532925199433]]");
+    return folder.write("flat.asc", text).string();
+}
+
+TEST(WorldTool, SaysWhatItCannotUse)
+{
+    const TestFolder folder("worldtool");
+    const std::string ground = writeGround(folder), world = (folder / "world").string();
+    MadeMap there, elsewhere;
+    there.way({there.node(0, 0), there.node(200, 0)});
+    elsewhere.way({elsewhere.node(90000, 0), elsewhere.node(90100, 0)});
+    const auto built = [&](const std::string& dem, const std::filesystem::path& map) {
+        return runWorldTool({"build", dem, "--map", map.string(), "-o", world});
+    };
+    EXPECT_TRUE(failsWith(built(ground, folder / "none.osm"), 1, "worldtool", {"none.osm", "no such file"}));
+    EXPECT_TRUE(failsWith(built(ground, folder.write("empty.osm", "")), 1, "worldtool", {"is empty"}));
+    EXPECT_TRUE(failsWith(built(ground, folder.write("cut.osm", there.text().substr(0, 150))), 1, "worldtool",
+                          {"cut.osm: cannot be read as OpenStreetMap data"}));
+    EXPECT_TRUE(
+        failsWith(built(ground, folder.write("map.txt", "no")), 1, "worldtool", {"map.txt", ".osm.pbf"}));
+    EXPECT_TRUE(failsWith(built(ground, folder.write("beside.osm", elsewhere.text())), 1, "worldtool",
+                          {"beside.osm: none of its streets lies on the elevation data"}));
+    EXPECT_TRUE(failsWith(built((folder / "no.tif").string(), folder.write("there.osm", there.text())), 1,
+                          "worldtool", {"no.tif"}));
+    EXPECT_FALSE(std::filesystem::exists(folder / "world/roads.xodr"));
+    EXPECT_EQ(built(ground, folder / "there.osm").exitCode, 0);
+    EXPECT_TRUE(std::filesystem::exists(folder / "world/roads.xodr"));
+    EXPECT_TRUE(std::filesystem::exists(folder / "world/world.roam"));
+}
+
+TEST(WorldTool, TheSameInputGivesTheSameBytes)
+{
+    const TestFolder folder("worldtool");
+    const std::string ground = writeGround(folder);
+    MadeMap map;
+    const int middle = map.node(0, 0);
+    for (const auto& [east, north] : {std::pair(200, 10), {-150, 60}, {20, -180}, {-30, 220}})
+        map.way({middle, map.node(0.4 * east, 0.3 * north), map.node(east, north)});
+    const std::string file = folder.write("map.osm", map.text()).string();
+    for (const char* world : {"a", "b"})
+        EXPECT_TRUE(
+            succeeds(runWorldTool({"build", ground, "--map", file, "-o", (folder / world).string()})));
+    EXPECT_EQ(testsupport::bytesOf(folder / "a/roads.xodr"), testsupport::bytesOf(folder / "b/roads.xodr"));
+    EXPECT_FALSE(testsupport::bytesOf(folder / "a/roads.xodr").empty());
+}
+
+/// The steepest grade of the roads for cars, and the worst tunnel: how far it lies above the straight line between its ends.
+struct Extremes
+{
+    double grade = 0.0, tunnelRiseM = 0.0;
+};
+
+Extremes extremesOf(const osgRoads::core::RoadNetwork& network)
+{
+    Extremes extremes;
+    for (const auto& road : network.roads)
+    {
+        for (double s = 0.0; s <= road.length; s += 2.0)
+            extremes.grade = std::max(extremes.grade, std::fabs(road.elevation.slope(s)));
+        for (const auto& structure : road.structures)
+        {
+            if (structure.kind != osgRoads::core::StructureKind::tunnel) continue;
+            const double start = road.elevation.value(structure.s);
+            const double end = road.elevation.value(structure.s + structure.length);
+            for (double s = 0.0; s <= structure.length; s += 10.0)
+            {
+                const double line = start + (end - start) * s / structure.length;
+                extremes.tunnelRiseM =
+                    std::max(extremes.tunnelRiseM, road.elevation.value(structure.s + s) - line);
+            }
+        }
+    }
+    return extremes;
+}
+
+TEST(WorldTool, ACountryOfRealStreetsHasNoOpenJointAndNoSteepRoad)
+{
+    OSGTRAINER_REAL_DATA_OR_SKIP(map, "osm/andorra.osm.pbf");
+    OSGTRAINER_REAL_DATA_OR_SKIP(dem, "dem/N42E001.hgt.zip");
+    const TestFolder folder("worldtool");
+    const std::string table = (folder / "report.json").string();
+    ASSERT_TRUE(succeeds(runWorldTool(
+        {"build", dem.string(), "--map", map.string(), "-o", (folder / "world").string(), "--json", table})));
+    const auto report = nlohmann::json::parse(testsupport::bytesOf(table))["streets"];
+    EXPECT_EQ(report["waysBeyondGround"], 0);
+    EXPECT_GT(report["roadsKm"], 400.0);
+    const auto read = osgRoads::core::readNetwork((folder / "world/roads.xodr").string());
+    ASSERT_TRUE(read) << read.error().message();
+    EXPECT_TRUE(read->problems.empty());
+    osgRoads::core::JointLimits limits; // 1 cm in the plan
+    limits.laneStepM = 0.01;
+    const auto joints = osgRoads::core::checkLaneJoints(read->network, limits);
+    EXPECT_GT(joints.count, 20000u);
+    EXPECT_TRUE(joints.flaws.empty()) << joints.flaws.front().message("roads.xodr");
+    EXPECT_TRUE(osgRoads::core::checkElementJoints(read->network).empty());
+    const Extremes extremes = extremesOf(read->network);
+    EXPECT_LE(extremes.grade, 0.151);
+    EXPECT_LE(extremes.tunnelRiseM, 10.0) << "a tunnel climbs over its hill";
+}
+
+} // namespace

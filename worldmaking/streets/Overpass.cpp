@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "worldmaking/streets/Overpass.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <set>
+#include <unordered_map>
+#include <utility>
+
+#include <glm/common.hpp>
+
+namespace worldmaking
+{
+
+namespace
+{
+
+constexpr double kCellM = 100.0;
+
+struct PieceRef
+{
+    std::size_t chain = 0, piece = 0;
+
+    auto operator<=>(const PieceRef&) const = default;
+};
+
+/// Finds pairs of pieces that come near each other, each once.
+class PieceGrid
+{
+public:
+    PieceGrid(const StreetGraph& graph, const std::vector<glm::dvec2>& places)
+    {
+        for (std::size_t chain = 0; chain < graph.chains.size(); ++chain)
+            for (std::size_t piece = 0; piece < graph.chains[chain].pieces.size(); ++piece)
+            {
+                const auto& points = graph.chains[chain].points;
+                add({chain, piece}, places[points[piece]], places[points[piece + 1]]);
+            }
+    }
+
+    std::set<std::pair<PieceRef, PieceRef>> pairs() const
+    {
+        std::set<std::pair<PieceRef, PieceRef>> found;
+        for (const auto& [cell, pieces] : _cells)
+            for (std::size_t i = 0; i < pieces.size(); ++i)
+                for (std::size_t j = i + 1; j < pieces.size(); ++j)
+                    found.insert(std::minmax(pieces[i], pieces[j]));
+        return found;
+    }
+
+private:
+    void add(const PieceRef& piece, glm::dvec2 a, glm::dvec2 b)
+    {
+        const glm::dvec2 low = glm::floor(glm::min(a, b) / kCellM),
+                         high = glm::floor(glm::max(a, b) / kCellM);
+        for (double x = low.x; x <= high.x; ++x)
+            for (double y = low.y; y <= high.y; ++y)
+                _cells[static_cast<long long>(x) * 0x40000000LL + static_cast<long long>(y)].push_back(piece);
+    }
+
+    std::unordered_map<long long, std::vector<PieceRef>> _cells;
+};
+
+double cross(glm::dvec2 a, glm::dvec2 b)
+{
+    return a.x * b.y - a.y * b.x;
+}
+
+/// The shares of both pieces at which they cross.
+std::optional<glm::dvec2> crossingOf(glm::dvec2 a, glm::dvec2 b, glm::dvec2 c, glm::dvec2 d)
+{
+    const double area = cross(b - a, d - c);
+    if (std::fabs(area) < 1e-9) return std::nullopt;
+    const double u = cross(c - a, d - c) / area, v = cross(c - a, b - a) / area;
+    if (u < 0.0 || u > 1.0 || v < 0.0 || v > 1.0) return std::nullopt;
+    return glm::dvec2(u, v);
+}
+
+} // namespace
+
+Overpasses overpassesOf(const StreetGraph& graph, const std::vector<glm::dvec2>& places,
+                        const std::vector<CentreLine>& lines)
+{
+    Overpasses result;
+    const auto level = [&](const PieceRef& ref)
+    {
+        const StreetPlace place = graph.traitsAt(graph.chains[ref.chain], ref.piece).place;
+        return place == StreetPlace::bridge ? 1 : place == StreetPlace::tunnel ? -1 : 0;
+    };
+    const auto along = [&](const PieceRef& ref, double share)
+    {
+        const auto& pointsM = lines[ref.chain].pointsM();
+        return pointsM[ref.piece] + share * (pointsM[ref.piece + 1] - pointsM[ref.piece]);
+    };
+    for (const auto& [a, b] : PieceGrid(graph, places).pairs())
+    {
+        const auto& p = graph.chains[a.chain].points;
+        const auto& q = graph.chains[b.chain].points;
+        const std::uint32_t ends[] = {p[a.piece], p[a.piece + 1], q[b.piece], q[b.piece + 1]};
+        if (ends[0] == ends[2] || ends[0] == ends[3] || ends[1] == ends[2] || ends[1] == ends[3]) continue;
+        const auto shares = crossingOf(places[ends[0]], places[ends[1]], places[ends[2]], places[ends[3]]);
+        if (!shares) continue;
+        if (level(a) == level(b))
+        {
+            ++result.untold;
+            continue;
+        }
+        const Overpass as{a.chain, b.chain, along(a, shares->x), along(b, shares->y)};
+        result.found.push_back(level(a) > level(b) ? as : Overpass{as.lower, as.upper, as.lowerM, as.upperM});
+    }
+    return result;
+}
+
+} // namespace worldmaking

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <osgRoads/core/network/RoadNetwork.h>
+
+#include "worldmaking/streets/BuildStreets.h"
+#include "worldmaking/streets/CentreLine.h"
+#include "worldmaking/streets/ConnectingRoad.h"
+#include "worldmaking/streets/LaneLayout.h"
+#include "worldmaking/streets/Mouths.h"
+#include "worldmaking/streets/StreetGraph.h"
+#include "worldmaking/streets/StreetHeights.h"
+#include "worldmaking/streets/Turns.h"
+
+namespace worldmaking
+{
+
+/// Puts the parts of streets together to the roads and junctions of a network. The road of chain i has the id i; junctions and
+/// connecting roads have ids after them.
+class StreetNetwork
+{
+public:
+    StreetNetwork(const StreetMap& map, const StreetGraph& graph, const std::vector<CentreLine>& lines,
+                  const std::vector<ChainCut>& cuts, const StreetHeights& heights)
+        : _map(map), _graph(graph), _lines(lines), _cuts(cuts), _heights(heights)
+    {
+    }
+
+    void build(osgRoads::core::RoadNetwork& network, StreetReport& report) const;
+
+private:
+    /// A lane at the mouth of a road.
+    struct Gate
+    {
+        int laneId = 0;
+        LaneGate gate;
+    };
+    /// An arm of a crossing with its lanes, from the middle of the road outwards.
+    struct Arm
+    {
+        StreetArm arm;
+        std::vector<Gate> in, out;
+    };
+
+    osgRoads::core::Road roadOf(std::size_t chain, StreetReport& report) const;
+    void addKinds(std::size_t chain, osgRoads::core::Road& road) const;
+    void addStructures(std::size_t chain, osgRoads::core::Road& road, StreetReport& report) const;
+    void measure(std::size_t chain, const osgRoads::core::Road& road, StreetReport& report) const;
+    double placeOf(std::size_t chain, std::size_t point, double lengthM) const;
+    std::string junctionId(int crossing) const;
+
+    Arm armOf(const StreetArm& arm, const osgRoads::core::Road& road) const;
+    std::vector<char> allowedTurns(const Crossing& crossing) const;
+    bool isAllowed(const Crossing& crossing, const StreetArm& from, const StreetArm& to) const;
+    void addJunction(std::size_t crossing, osgRoads::core::RoadNetwork& network, StreetReport& report) const;
+
+    const StreetMap& _map;
+    const StreetGraph& _graph;
+    const std::vector<CentreLine>& _lines;
+    const std::vector<ChainCut>& _cuts;
+    const StreetHeights& _heights;
+};
+
+} // namespace worldmaking
