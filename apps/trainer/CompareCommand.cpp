@@ -22,6 +22,26 @@ void print(const simulation::MotionDifference& difference, const simulation::Mot
                 simulation::isWithin(difference, limits) ? "" : "  beyond the limits");
 }
 
+void print(const char* kind, const simulation::EventMatch& match)
+{
+    if (match.count + match.unmatched > 0)
+        std::printf("  %s %zu, unmatched %zu, at most %.2f s apart", kind, match.count, match.unmatched,
+                    match.largestS);
+}
+
+void print(const simulation::EventDifference& events)
+{
+    if (events.laneChanges.count + events.laneChanges.unmatched + events.collisions.count +
+            events.collisions.unmatched + events.speedKinks.count + events.speedKinks.unmatched ==
+        0)
+        return;
+    std::printf("%-24s", "");
+    print("lane changes", events.laneChanges);
+    print("collisions", events.collisions);
+    print("kinks of speed", events.speedKinks);
+    std::printf("\n");
+}
+
 } // namespace
 
 foundation::Outcome compare(const CompareRequest& request)
@@ -32,11 +52,15 @@ foundation::Outcome compare(const CompareRequest& request)
     const auto reference = simulation::readMotionTable(request.reference);
     if (!reference) return reference.error();
     const auto differences = simulation::compareMotions(*table, *reference);
-    for (const simulation::MotionDifference& difference : differences)
-        print(difference, request.limits);
+    const auto events = simulation::compareEvents(*table, *reference);
+    for (std::size_t i = 0; i < differences.size(); ++i)
+    {
+        print(differences[i], request.limits);
+        print(events[i]);
+    }
     if (!request.jsonFile.empty())
     {
-        const std::string text = simulation::differencesText(differences, request.limits);
+        const std::string text = simulation::differencesText(differences, events, request.limits);
         if (const auto written = foundation::writeWholeFile(request.jsonFile, text); !written) return written;
     }
     const auto beyond = std::count_if(differences.begin(), differences.end(),

@@ -29,6 +29,7 @@ PrivateAction parseRoutingAction(ElementReader reader);                   // Par
 PrivateAction parseSynchronizeAction(ElementReader reader);               // ParseRoutingAction.cpp
 TransitionDynamics parseDynamics(ElementReader reader);                   // ParseLongitudinalAction.cpp
 GlobalAction parseGlobalAction(ElementReader reader);                     // ParseGlobalAction.cpp
+OverrideAction parseOverride(ElementReader reader);                       // ParseOverride.cpp
 GlobalAction parseTrafficAction(ElementReader reader);                    // ParseTraffic.cpp
 Trigger parseTrigger(ElementReader reader);                               // ParseCondition.cpp
 EntityCondition parseEntityCondition(ElementReader reader);               // ParseEntityCondition.cpp

@@ -89,6 +89,17 @@ inline constexpr Keywords<int, 3> kLateralDisplacements = {
 inline constexpr Keywords<LightMode, 3> kLightModes = {
     {{"off", LightMode::off}, {"on", LightMode::on}, {"flashing", LightMode::flashing}}};
 
+inline constexpr Keywords<GearLever, 4> kGearLevers = {{{"d", GearLever::forward},
+                                                        {"r", GearLever::reverse},
+                                                        {"n", GearLever::neutral},
+                                                        {"p", GearLever::park}}};
+
+inline constexpr Keywords<RouteStrategy, 4> kRouteStrategies = {
+    {{"shortest", RouteStrategy::shortest},
+     {"fastest", RouteStrategy::fastest},
+     {"leastIntersections", RouteStrategy::leastIntersections},
+     {"random", RouteStrategy::random}}};
+
 inline constexpr Keywords<FollowingMode, 2> kFollowingModes = {
     {{"position", FollowingMode::position}, {"follow", FollowingMode::follow}}};
 

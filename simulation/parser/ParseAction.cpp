@@ -6,12 +6,6 @@ namespace simulation
 namespace
 {
 
-/// An action that is seen and moves nothing: its content is not read.
-NotedAction noted(ElementReader& reader)
-{
-    return {reader.context.line(reader.node), reader.node.name()};
-}
-
 /// Nothing here looks with sensors.
 PrivateAction parseVisibility(ElementReader reader)
 {
@@ -59,13 +53,55 @@ LightStateAction parseLightState(ElementReader reader)
     return action;
 }
 
-/// Lights are switched; animations are seen only, and nothing shows them.
+/// A person's gestures stand for its motion where there is none.
+std::string partOfPerson(ElementReader reader)
+{
+    reader.allowChildren({"PedestrianGesture"});
+    std::string part = reader.textOr("motion", reader.textOr("userDefinedPedestrianAnimation", ""));
+    for (pugi::xml_node node : reader.node.children("PedestrianGesture"))
+    {
+        const std::string gesture = ElementReader(reader.context, node).text("gesture");
+        part += (part.empty() ? "" : "+") + gesture;
+    }
+    return part;
+}
+
+std::string animatedPart(ElementReader type)
+{
+    ElementReader content = type.onlyChild();
+    if (content.is("PedestrianAnimation")) return partOfPerson(content);
+    if (content.is("AnimationFile")) return content.child("File").text("filepath");
+    if (content.is("UserDefinedAnimation")) return content.text("userDefinedAnimationType");
+    if (content.is("ComponentAnimation"))
+    {
+        ElementReader component = content.onlyChild();
+        if (component.is("VehicleComponent")) return component.text("vehicleComponentType");
+        if (component.is("UserDefinedComponent")) return component.text("userDefinedComponentType");
+        unsupportedContent(component, "component");
+        return {};
+    }
+    unsupportedContent(content, "animation");
+    return {};
+}
+
+AnimationAction parseAnimation(ElementReader reader)
+{
+    AnimationAction action;
+    action.source = reader.context.line(reader.node);
+    action.part = animatedPart(reader.child("AnimationType"));
+    if (const pugi::xml_node node = reader.node.child("AnimationState"))
+        action.state = ElementReader(reader.context, node).number("state");
+    if (reader.has("animationDuration")) action.durationS = reader.notNegative("animationDuration");
+    action.isLoop = reader.flagOr("loop", false);
+    return action;
+}
+
 PrivateAction parseAppearance(ElementReader reader)
 {
     ElementReader content = reader.onlyChild();
     if (content.is("LightStateAction")) return parseLightState(content);
-    unsupportedContent(content, "action");
-    return noted(content);
+    if (content.is("AnimationAction")) return parseAnimation(content);
+    return unsupportedContent(content, "action");
 }
 
 PrivateAction parseTrailerAction(ElementReader reader)
@@ -86,6 +122,7 @@ PrivateAction parseControllerAction(ElementReader reader)
     ElementReader content = reader.onlyChild();
     if (content.is("AssignControllerAction")) return parseAssignController(content);
     if (content.is("ActivateControllerAction")) return parseActivateController(content);
+    if (content.is("OverrideControllerValueAction")) return parseOverride(content);
     return unsupportedContent(content, "action");
 }
 

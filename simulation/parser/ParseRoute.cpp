@@ -9,9 +9,6 @@ namespace
 
 FixedPosition parseWaypoint(ElementReader reader)
 {
-    const std::string strategy = reader.textOr("routeStrategy", "shortest");
-    if (strategy != "shortest")
-        reader.context.unsupported(reader.node, "the routeStrategy " + strategy, "the shortest way is taken");
     ElementReader holder = reader.child("Position");
     const Position position = parsePosition(holder);
     if (const auto* world = std::get_if<WorldPosition>(&position)) return *world;
@@ -33,7 +30,12 @@ Route parseRoute(ElementReader reader)
     route.name = reader.name();
     route.closed = reader.flagOr("closed", false);
     for (pugi::xml_node node : reader.node.children("Waypoint"))
-        route.waypoints.push_back(parseWaypoint({reader.context, node}));
+    {
+        ElementReader waypoint(reader.context, node);
+        route.strategies.push_back(
+            waypoint.choiceOr("routeStrategy", kRouteStrategies, RouteStrategy::shortest));
+        route.waypoints.push_back(parseWaypoint(waypoint));
+    }
     if (route.waypoints.empty()) reader.context.invalid(reader.node, "a Route has no Waypoint", "add two");
     return route;
 }

@@ -31,6 +31,7 @@ PrivateAction parseRoutingAction(ElementReader reader)
     if (content.is("AssignRouteAction")) return AssignRouteAction{source, parseRouteIn(content)};
     if (content.is("AcquirePositionAction"))
         return AcquirePositionAction{source, parsePosition(content.child("Position"))};
+    if (content.is("RandomRouteAction")) return RandomRouteAction{source};
     return unsupportedContent(content, "action");
 }
 

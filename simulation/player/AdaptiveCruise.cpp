@@ -33,7 +33,8 @@ public:
 
     double speedAfter(ActionScene& scene, int actor) override
     {
-        const Performance limits = performanceOf(scene.scenario().entities[static_cast<std::size_t>(actor)]);
+        Performance limits = performanceOf(scene.scenario().entities[static_cast<std::size_t>(actor)]);
+        limits.maxDecelerationMps2 *= scene.grip();
         const double braking = std::max(limits.maxDecelerationMps2, 0.1);
         const double lookAheadM = std::max(50.0, 2.0 * kLeastGapM + _speedMps * _speedMps / braking);
         if (const auto lead = leadVehicleOf(scene, actor, lookAheadM, _lateralM))

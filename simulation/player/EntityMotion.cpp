@@ -75,6 +75,7 @@ void EntityMotion::takeState(const EntityState& state, double timeS)
     EntityState taken = state;
     taken.name = std::move(_state.name);
     taken.place = _state.place;
+    taken.animations = std::move(_state.animations);
     _state = std::move(taken);
     _timeS = timeS;
     if (!_roads) return;

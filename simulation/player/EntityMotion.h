@@ -66,6 +66,7 @@ public:
         _turns = std::move(draw);
     }
 
+    void setAnimation(const std::string& part, double state) { _state.animations[part] = state; }
     bool isAirborne() const { return _isAirborne; }
     bool isOnTrajectory() const { return _run.has_value(); }
 

@@ -48,13 +48,17 @@ struct EntityState
     bool isOnGround = false;
     std::optional<AircraftParts> aircraft; ///< of one that flies by its own physics
     std::optional<RoadPlace> place;        ///< on the road network; nothing without one
+    std::optional<RoadPlace>
+        laneUnder; ///< the same by the lane that is under it: one that changes its lane has the new one already
     bool isAtEndOfRoad = false;
     glm::dvec3 acceleration{0.0}; ///< m/s², difference of velocities between steps; on a road network only
     bool isPresent =
         true; ///< false before AddEntityAction and after DeleteEntityAction: not there for conditions and collisions
     bool isVisible = true; ///< in pictures
     std::map<std::string, LampState>
-        lamps{};                   ///< that light states have switched, by the names of the standard
+        lamps{}; ///< that light states have switched, by the names of the standard
+    std::map<std::string, double>
+        animations{}; ///< the states of doors, motions … that animations have set, by the names of the standard
     std::vector<int> collidesWith; ///< indices of the entities whose boxes overlap this one's
 
     /// The rotation from the body to the scene. Its columns are forward, left and up.

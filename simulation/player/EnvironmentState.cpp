@@ -29,6 +29,7 @@ void EnvironmentClock::apply(const Environment& environment, double timeS)
         _setAtS = timeS;
         _givenSun.reset();
     }
+    if (environment.roadFriction) _state.roadFriction = *environment.roadFriction;
     if (!environment.weather) return;
     const Weather& weather = *environment.weather;
     if (weather.sun)
@@ -41,6 +42,8 @@ void EnvironmentClock::apply(const Environment& environment, double timeS)
     if (!weather.cloudState.empty()) _state.cloudState = weather.cloudState;
     if (weather.precipitation) _state.precipitation = weather.precipitation;
     if (weather.wind) _state.wind = weather.wind;
+    if (weather.temperatureK) _state.temperatureK = weather.temperatureK;
+    if (weather.pressurePa) _state.pressurePa = weather.pressurePa;
 }
 
 EnvironmentState EnvironmentClock::at(double timeS) const

@@ -21,6 +21,8 @@ struct EnvironmentState
     std::string cloudState; ///< as the scenario wrote it; empty: nothing said
     std::optional<Precipitation> precipitation;
     std::optional<Wind> wind;
+    std::optional<double> temperatureK, pressurePa; ///< of the air at the origin
+    double roadFriction = 1.0;                      ///< of dry asphalt
 };
 
 /// The environment as the actions so far have set it, and as it changes during the day. An action changes only what
@@ -34,6 +36,7 @@ public:
 
     void apply(const Environment& environment, double timeS);
     EnvironmentState at(double timeS) const;
+    double roadFriction() const { return _state.roadFriction; }
 
 private:
     Geodetic _place;

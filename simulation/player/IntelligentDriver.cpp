@@ -42,7 +42,8 @@ public:
             const double ratio = wanted / std::max(lead->gapM, kTouchingM);
             acceleration -= ratio * ratio;
         }
-        const Performance limits = performanceOf(scene.scenario().entities[static_cast<std::size_t>(actor)]);
+        Performance limits = performanceOf(scene.scenario().entities[static_cast<std::size_t>(actor)]);
+        limits.maxDecelerationMps2 *= scene.grip();
         _speedMps += scene.stepS() * std::clamp(_accelerationMps2 * acceleration, -limits.maxDecelerationMps2,
                                                 limits.maxAccelerationMps2);
         _speedMps = std::max(0.0, _speedMps);

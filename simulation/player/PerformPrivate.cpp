@@ -93,7 +93,8 @@ ActionTicket ScenePerformer::carryOut(const TeleportAction& action, int actor)
 ActionTicket ScenePerformer::carryOut(const AssignRouteAction& action, int actor)
 {
     if (!_roads) return {};
-    if (auto way = wayOfRoute(*_roads, action.route)) motion(actor).setWay(std::move(*way));
+    RandomDraw draw(_traffic.seed(), _scenario->entities[static_cast<std::size_t>(actor)].name, ++_drawn);
+    if (auto way = wayOfRoute(*_roads, action.route, &draw)) motion(actor).setWay(std::move(*way));
     return {};
 }
 
@@ -137,10 +138,40 @@ ActionTicket ScenePerformer::carryOut(const TrailerAction& action, int actor)
     return {};
 }
 
+/// Those of several parts go on beside one another.
+ActionTicket ScenePerformer::carryOut(const AnimationAction& action, int actor)
+{
+    std::unique_ptr<RunningAction> running = startAction(action, *this, actor);
+    if (running->step(*this, motion(actor))) return {};
+    _running.push_back({++_lastNumber, actor, std::move(running)});
+    return {actor, _lastNumber, true};
+}
+
+ActionTicket ScenePerformer::carryOut(const OverrideAction& action, int actor)
+{
+    const auto index = static_cast<std::size_t>(actor);
+    _controls[index].take(action);
+    const double speed = motion(actor).state().speedMps;
+    _pedals[index] =
+        _controls[index].isAny() ? std::make_unique<PedalDrive>(_controls[index], speed) : nullptr;
+    if (_pedals[index])
+        end(actor, ActionDomain::longitudinal);
+    else if (_active[index])
+        activate("", true, actor); // it begins at the speed of now
+    return {};
+}
+
+ActionTicket ScenePerformer::carryOut(const RandomRouteAction&, int actor)
+{
+    const std::string& name = _scenario->entities[static_cast<std::size_t>(actor)].name;
+    motion(actor).turnAtRandom(RandomDraw(_traffic.seed(), name, ++_drawn));
+    return {};
+}
+
 /// Whether a controller has hold of what the action would change. It hears which speed is asked for.
 bool ScenePerformer::isHeld(const PrivateAction& action, int actor)
 {
-    SpeedController* const active = _active[static_cast<std::size_t>(actor)].get();
+    SpeedController* const active = driverOf(static_cast<std::size_t>(actor));
     if (!active) return false;
     if (const auto* content = std::get_if<SpeedAction>(&action))
     {

@@ -56,6 +56,8 @@ ScenePerformer::ScenePerformer(const Place& place)
       _isAbsent(absentAtFirst(place.scenario)),
       _isHidden(place.scenario.entities.size(), false),
       _active(place.scenario.entities.size()),
+      _controls(place.scenario.entities.size()),
+      _pedals(place.scenario.entities.size()),
       _lamps(place.scenario.entities.size())
 {
     const Scenario& scenario = place.scenario;
@@ -103,7 +105,7 @@ void ScenePerformer::move()
 {
     _signals.advanceTo(timeS());
     for (std::size_t i = 0; i < _motions.size(); ++i)
-        if (!_lent[i] && !_active[i] && !_isAbsent[i]) _motions[i].advanceTo(timeS(), _clock->stepS());
+        if (!_lent[i] && !driverOf(i) && !_isAbsent[i]) _motions[i].advanceTo(timeS(), _clock->stepS());
     moveControlled();
     moveLent();
     _trailers.follow(_motions);
@@ -142,8 +144,9 @@ void ScenePerformer::moveControlled()
 {
     for (std::size_t i = 0; i < _motions.size(); ++i)
     {
-        if (_lent[i] || !_active[i] || _isAbsent[i]) continue;
-        _motions[i].setSpeed(_active[i]->speedAfter(*this, static_cast<int>(i)), timeS());
+        SpeedController* const driver = driverOf(i);
+        if (_lent[i] || !driver || _isAbsent[i]) continue;
+        _motions[i].setSpeed(driver->speedAfter(*this, static_cast<int>(i)), timeS());
         _motions[i].advanceTo(timeS(), _clock->stepS());
     }
 }
@@ -158,6 +161,20 @@ void ScenePerformer::moveLent()
         if (_lent[i]) _motions[i].takeState(_lent[i]->state(), timeS());
 }
 
+/// Pedals come before a controller.
+SpeedController* ScenePerformer::driverOf(std::size_t entity) const
+{
+    return _pedals[entity] ? _pedals[entity].get() : _active[entity].get();
+}
+
+std::optional<RoadPlace> ScenePerformer::laneUnder(const EntityState& state) const
+{
+    if (!_roads || !state.place) return std::nullopt;
+    RoadPlace under = *state.place;
+    _roads->takeNearestLane(under);
+    return under;
+}
+
 void ScenePerformer::publish()
 {
     const std::vector<EntityState> before = std::move(_states);
@@ -167,6 +184,7 @@ void ScenePerformer::publish()
     for (std::size_t i = 0; i < _states.size(); ++i)
     {
         _states[i].isPresent = !_isAbsent[i];
+        _states[i].laneUnder = laneUnder(_states[i]);
         _states[i].isVisible = !_isAbsent[i] && !_isHidden[i];
         for (auto& [name, lamp] : _lamps[i])
         {
@@ -222,7 +240,7 @@ void ScenePerformer::appear(int vehicle, const RoadPlace& place, double speedMps
     const RoadPose pose = _roads->poseAt(place);
     motion(vehicle).setSpeed(speedMps, timeS());
     motion(vehicle).teleport({pose.position, pose.headingRad, 0.0, 0.0, true, place}, timeS());
-    motion(vehicle).turnAtRandom(RandomDraw(_traffic.seed(), _scenario->entities[index].name, ++_appeared));
+    motion(vehicle).turnAtRandom(RandomDraw(_traffic.seed(), _scenario->entities[index].name, ++_drawn));
     _isAbsent[index] = false;
     activate("", true, vehicle);
 }

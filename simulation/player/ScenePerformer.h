@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <string>
@@ -10,6 +11,7 @@
 #include "simulation/player/EntityMotion.h"
 #include "simulation/player/EnvironmentState.h"
 #include "simulation/player/ExternalMotion.h"
+#include "simulation/player/PedalDrive.h"
 #include "simulation/player/PositionSolver.h"
 #include "simulation/player/SignalPlan.h"
 #include "simulation/player/SpeedController.h"
@@ -76,6 +78,7 @@ public:
     const PositionSolver& positions() const override { return _positions; }
     const Scenario& scenario() const override { return *_scenario; }
     EntityMotion& motion(int entity) override { return _motions[static_cast<std::size_t>(entity)]; }
+    double grip() const override { return std::min(_environment->roadFriction(), 1.0); }
     bool isPresent(int entity) const override { return !_isAbsent[static_cast<std::size_t>(entity)]; }
     int find(const std::string& entity) const override { return _scenario->entityIndex(entity); }
 
@@ -113,7 +116,9 @@ private:
     ActionTicket carryOut(const VisibilityAction& action, int actor);
     ActionTicket carryOut(const LightStateAction& action, int actor);
     ActionTicket carryOut(const TrailerAction& action, int actor);
-    ActionTicket carryOut(const NotedAction&, int) { return {}; }
+    ActionTicket carryOut(const AnimationAction& action, int actor);
+    ActionTicket carryOut(const OverrideAction& action, int actor);
+    ActionTicket carryOut(const RandomRouteAction& action, int actor);
     ActionTicket carryOut(const Unsupported&, int) { return {}; }
     void carryOut(const EnvironmentAction& action);
     void carryOut(const SetValueAction& action);
@@ -124,10 +129,12 @@ private:
     void carryOut(const TrafficAction& action) { _traffic.begin(action); }
     void carryOut(const Unsupported&) {}
 
+    SpeedController* driverOf(std::size_t entity) const;
     void activate(const std::string& controller, bool isActive, int actor);
     bool isHeld(const PrivateAction& action, int actor);
     void moveControlled();
     void collide();
+    std::optional<RoadPlace> laneUnder(const EntityState& state) const;
     void publish();
     void moveLent();
 
@@ -149,11 +156,13 @@ private:
     Trailers _trailers;
     RoadTraffic _traffic;
     std::optional<std::vector<LaneSite>> _laneSites; ///< made when traffic asks for them
-    std::uint64_t _appeared = 0;                     ///< vehicles of traffic so far
+    std::uint64_t _drawn = 0;                        ///< series of random numbers so far
     std::vector<bool> _isAbsent;                     ///< not added yet, or deleted
     std::vector<bool> _isHidden;
     std::vector<std::vector<Controller>> _controllers;     ///< of each entity
     std::vector<std::unique_ptr<SpeedController>> _active; ///< null: the actions set the speed
+    std::vector<Controls> _controls;                       ///< that actions have taken over
+    std::vector<std::unique_ptr<PedalDrive>> _pedals;      ///< null: none of them changes the speed
     std::vector<std::map<std::string, LampState>> _lamps;  ///< that actions have switched
 };
 

@@ -89,6 +89,11 @@ nlohmann::ordered_json jsonOf(const Spread& spread)
     return {{"largest", spread.largest}, {"at_s", spread.largestAtS}, {"rms", spread.rms}};
 }
 
+nlohmann::ordered_json jsonOf(const EventMatch& match)
+{
+    return {{"count", match.count}, {"unmatched", match.unmatched}, {"largest_s", match.largestS}};
+}
+
 } // namespace
 
 std::vector<MotionDifference> compareMotions(const MotionTable& table, const MotionTable& reference)
@@ -105,12 +110,14 @@ bool isWithin(const MotionDifference& difference, const MotionLimits& limits)
            difference.headingDeg.largest <= limits.headingDeg;
 }
 
-std::string differencesText(const std::vector<MotionDifference>& differences, const MotionLimits& limits)
+std::string differencesText(const std::vector<MotionDifference>& differences,
+                            const std::vector<EventDifference>& events, const MotionLimits& limits)
 {
     nlohmann::ordered_json entities = nlohmann::ordered_json::array();
     bool within = true;
-    for (const MotionDifference& difference : differences)
+    for (std::size_t i = 0; i < differences.size(); ++i)
     {
+        const MotionDifference& difference = differences[i];
         within = within && isWithin(difference, limits);
         entities.push_back({{"entity", difference.entity},
                             {"rows", difference.rows},
@@ -119,6 +126,10 @@ std::string differencesText(const std::vector<MotionDifference>& differences, co
                             {"heading_deg", jsonOf(difference.headingDeg)},
                             {"speed_mps", jsonOf(difference.speedMps)},
                             {"within", isWithin(difference, limits)}});
+        if (i >= events.size()) continue;
+        entities.back()["lane_changes"] = jsonOf(events[i].laneChanges);
+        entities.back()["collisions"] = jsonOf(events[i].collisions);
+        entities.back()["speed_kinks"] = jsonOf(events[i].speedKinks);
     }
     const nlohmann::ordered_json text = {
         {"limits", {{"position_m", limits.positionM}, {"heading_deg", limits.headingDeg}}},

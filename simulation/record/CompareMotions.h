@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "simulation/record/MotionTable.h"
+#include "simulation/record/MotionEvents.h"
 
 namespace simulation
 {
@@ -41,7 +41,8 @@ struct MotionLimits
 /// Whether every row of the reference was matched and stays within the limits; the limits themselves are within.
 bool isWithin(const MotionDifference& difference, const MotionLimits& limits);
 
-/// The differences as JSON: an object with `limits`, `entities` and `within`.
-std::string differencesText(const std::vector<MotionDifference>& differences, const MotionLimits& limits);
+/// The differences as JSON: an object with `limits`, `entities` and `within`. `events`: of the same entities.
+std::string differencesText(const std::vector<MotionDifference>& differences,
+                            const std::vector<EventDifference>& events, const MotionLimits& limits);
 
 } // namespace simulation

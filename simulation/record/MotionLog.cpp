@@ -94,7 +94,8 @@ void MotionLog::writeEntity(const EntityState& state, const BoundingBox& box, st
     const bool hasRate = _row > 0 && stepS > 0.0;
     const glm::dvec3 acceleration = hasRate ? (state.velocity - last.velocity) / stepS : glm::dvec3(0.0);
     const double turn = std::remainder(heading - last.headingRad, 2.0 * std::numbers::pi);
-    const RoadPlace place = state.place.value_or(RoadPlace{});
+    // The lane is the one under the entity, as in esmini.
+    const RoadPlace place = state.laneUnder.value_or(state.place.value_or(RoadPlace{}));
     const double towards = place.lane > 0 ? std::numbers::pi : 0.0;
     _stream << state.name << ", " << index << ", ";
     for (const double value : {state.speedMps,

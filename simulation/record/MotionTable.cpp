@@ -53,6 +53,7 @@ std::vector<std::string> cellsOf(const std::string& line)
 struct Layout
 {
     std::size_t x = 0, y = 0, z = 0, heading = 0, speed = 0, width = 0;
+    std::optional<std::size_t> lane, collisions;
 };
 
 constexpr std::size_t kFirstEntity = 2; ///< after index and time
@@ -100,6 +101,16 @@ private:
         find("World_Position_Y", _layout.y);
         find("World_Position_Z", _layout.z);
         find("World_Heading_Angle", _layout.heading);
+        const auto findOptional = [&](const std::string& column) -> std::optional<std::size_t>
+        {
+            const auto found =
+                std::find_if(names.begin(), names.end(),
+                             [&](const std::string& name) { return name.starts_with("#1 " + column); });
+            if (found == names.end()) return std::nullopt;
+            return static_cast<std::size_t>(found - names.begin()) - kFirstEntity;
+        };
+        _layout.lane = findOptional("lane_id");
+        _layout.collisions = findOptional("collision_ids");
     }
 
     void row(const std::vector<std::string>& cells)
@@ -117,7 +128,12 @@ private:
             trackOf(cells[at]).samples.back() = MotionSample{
                 {number(cells[at + _layout.x]), number(cells[at + _layout.y]), number(cells[at + _layout.z])},
                 number(cells[at + _layout.heading]),
-                number(cells[at + _layout.speed])};
+                number(cells[at + _layout.speed]),
+                _layout.lane && at + *_layout.lane < cells.size()
+                    ? static_cast<int>(number(cells[at + *_layout.lane]))
+                    : 0,
+                _layout.collisions && at + *_layout.collisions < cells.size() &&
+                    !cells[at + *_layout.collisions].empty()};
         }
     }
 

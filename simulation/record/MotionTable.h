@@ -18,6 +18,8 @@ struct MotionSample
     glm::dvec3 position{0.0};
     double headingRad = 0.0;
     double speedMps = 0.0;
+    int lane = 0;          ///< lane_id; 0 where the table has none
+    bool collides = false; ///< with any other entity
 };
 
 struct MotionTrack

@@ -5,9 +5,11 @@
 #include <functional>
 #include <map>
 #include <queue>
+#include <set>
 #include <tuple>
 
 #include "simulation/road/RoadWalk.h"
+#include "simulation/road/SpeedLimit.h"
 
 namespace simulation
 {
@@ -31,15 +33,17 @@ struct FoundWay
 class WaySearch
 {
 public:
-    WaySearch(const RoadScene& roads, const RoadPlace& from, const RoadPlace& to)
-        : _network(roads.network()), _from(from), _to(to)
+    WaySearch(const RoadScene& roads, const RoadPlace& from, const RoadPlace& to,
+              RouteStrategy strategy = RouteStrategy::shortest)
+        : _roads(roads), _network(roads.network()), _from(from), _to(to), _strategy(strategy)
     {
     }
 
     /// The way that leaves the road of the start at one of its ends.
     std::optional<FoundWay> run(bool towardsEnd, double mostM)
     {
-        push({_from.road, towardsEnd}, towardsEnd ? lengthOf(_from.road) - _from.s : _from.s, {});
+        const double first = towardsEnd ? lengthOf(_from.road) - _from.s : _from.s;
+        push({_from.road, towardsEnd}, costOf(_from.road, first), {});
         while (!_queue.empty())
         {
             const auto [metres, end, before] = _queue.top();
@@ -49,9 +53,11 @@ public:
             for (const RoadStep& step : stepsFrom(_network, end.road, end.atEnd, 0))
             {
                 if (step.road == _to.road)
-                    return FoundWay{metres + (step.entersAtStart ? _to.s : lengthOf(_to.road) - _to.s),
-                                    roadsTo(end)};
-                push({step.road, step.entersAtStart}, metres + lengthOf(step.road), end);
+                {
+                    const double last = step.entersAtStart ? _to.s : lengthOf(_to.road) - _to.s;
+                    return FoundWay{metres + costOf(_to.road, last), roadsTo(end)};
+                }
+                push({step.road, step.entersAtStart}, metres + costOf(step.road, lengthOf(step.road)), end);
             }
         }
         return std::nullopt;
@@ -61,6 +67,22 @@ private:
     using Open = std::tuple<double, RoadEnd, RoadEnd>; ///< metres so far, the end reached, the one before
 
     double lengthOf(int road) const { return _network.roads[static_cast<std::size_t>(road)].length; }
+
+    /// Metres; for the fastest way seconds times the usual speed, for the one of least intersections with 10 km for each.
+    double costOf(int road, double metres) const
+    {
+        constexpr double kUsualMps = 50.0 / 3.6, kIntersectionM = 1e4;
+        if (_strategy == RouteStrategy::fastest)
+        {
+            RoadPlace place;
+            place.road = road;
+            return metres * kUsualMps / std::max(speedLimitAt(_roads, place).value_or(kUsualMps), 0.1);
+        }
+        const bool isInJunction = !_network.roads[static_cast<std::size_t>(road)].junctionId.empty();
+        return _strategy == RouteStrategy::leastIntersections && isInJunction ? metres + kIntersectionM
+                                                                              : metres;
+    }
+
     void push(RoadEnd end, double metres, RoadEnd before) { _queue.push({metres, end, before}); }
 
     RoadWay roadsTo(RoadEnd end) const
@@ -72,12 +94,56 @@ private:
         return way;
     }
 
+    const RoadScene& _roads;
     const osgRoads::core::RoadNetwork& _network;
     const RoadPlace& _from;
     const RoadPlace& _to;
+    RouteStrategy _strategy;
     std::priority_queue<Open, std::vector<Open>, std::greater<>> _queue;
     std::map<RoadEnd, RoadEnd> _before;
 };
+
+/// Draws a way without a road twice: at each end of a road the roads that follow are tried in a random order, the last one that leads
+/// nowhere is given up.
+std::optional<RoadWay> drawnWay(const RoadScene& roads, const RoadPlace& from, const RoadPlace& to,
+                                RandomDraw& draw)
+{
+    struct Open
+    {
+        int road;
+        std::vector<RoadStep> steps; ///< not tried yet
+    };
+    const auto stepsOf = [&](int road, bool atEnd)
+    {
+        std::vector<RoadStep> steps = stepsFrom(roads.network(), road, atEnd, 0);
+        for (std::size_t i = steps.size(); i > 1; --i)
+            std::swap(steps[i - 1], steps[draw.index(std::vector<double>(i, 1.0))]);
+        return steps;
+    };
+    std::set<int> visited{from.road};
+    std::vector<Open> open{{from.road, stepsOf(from.road, looksForward(from))}};
+    while (!open.empty())
+    {
+        if (open.back().steps.empty())
+        {
+            open.pop_back();
+            continue;
+        }
+        const RoadStep step = open.back().steps.back();
+        open.back().steps.pop_back();
+        if (step.road == to.road)
+        {
+            RoadWay way;
+            for (const Open& passed : open)
+                way.push_back(passed.road);
+            way.push_back(to.road);
+            return way;
+        }
+        if (visited.insert(step.road).second)
+            open.push_back({step.road, stepsOf(step.road, step.entersAtStart)});
+    }
+    return std::nullopt;
+}
 
 } // namespace
 
@@ -93,12 +159,15 @@ std::optional<double> distanceAlong(const RoadScene& roads, const RoadPlace& fro
     return std::nullopt;
 }
 
-std::optional<RoadWay> wayBetween(const RoadScene& roads, const RoadPlace& from, const RoadPlace& to)
+std::optional<RoadWay> wayBetween(const RoadScene& roads, const RoadPlace& from, const RoadPlace& to,
+                                  RouteStrategy strategy, RandomDraw* draw)
 {
-    constexpr double kFarthestM = 1e6;
+    constexpr double kFarthestM = 1e9;
     const bool forward = looksForward(from);
     if (from.road == to.road && (forward ? to.s >= from.s : to.s <= from.s)) return RoadWay{from.road};
-    if (auto found = WaySearch(roads, from, to).run(forward, kFarthestM)) return std::move(found->roads);
+    if (strategy == RouteStrategy::random && draw) return drawnWay(roads, from, to, *draw);
+    if (auto found = WaySearch(roads, from, to, strategy).run(forward, kFarthestM))
+        return std::move(found->roads);
     return std::nullopt;
 }
 

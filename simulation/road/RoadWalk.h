@@ -6,6 +6,7 @@
 
 #include "simulation/parser/RandomDraw.h"
 #include "simulation/road/RoadScene.h"
+#include "simulation/scenario/Position.h"
 
 namespace simulation
 {
@@ -38,7 +39,10 @@ bool walk(const RoadScene& roads, RoadPlace& place, double distanceM, const Road
 std::optional<double> distanceAlong(const RoadScene& roads, const RoadPlace& from, const RoadPlace& to,
                                     double mostM = 1e4);
 
-/// Returns the roads of the shortest way from where a place looks to another, whatever the lanes; nothing: there is none.
-std::optional<RoadWay> wayBetween(const RoadScene& roads, const RoadPlace& from, const RoadPlace& to);
+/// Returns the roads of a way from where a place looks to another, whatever the lanes; nothing: there is none. `random`: the way is
+/// drawn among those that pass no road twice.
+std::optional<RoadWay> wayBetween(const RoadScene& roads, const RoadPlace& from, const RoadPlace& to,
+                                  RouteStrategy strategy = RouteStrategy::shortest,
+                                  RandomDraw* draw = nullptr);
 
 } // namespace simulation

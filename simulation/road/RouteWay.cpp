@@ -16,17 +16,19 @@ std::optional<RoadPlace> placeOfWaypoint(const RoadScene& roads, const FixedPosi
     return std::nullopt;
 }
 
-std::optional<RoadWay> wayOfRoute(const RoadScene& roads, const Route& route)
+std::optional<RoadWay> wayOfRoute(const RoadScene& roads, const Route& route, RandomDraw* draw)
 {
     RoadWay way;
     std::optional<RoadPlace> from;
-    for (const FixedPosition& waypoint : route.waypoints)
+    for (std::size_t i = 0; i < route.waypoints.size(); ++i)
     {
-        const std::optional<RoadPlace> to = placeOfWaypoint(roads, waypoint);
+        const std::optional<RoadPlace> to = placeOfWaypoint(roads, route.waypoints[i]);
         if (!to) return std::nullopt;
         if (from)
         {
-            const std::optional<RoadWay> part = wayBetween(roads, *from, *to);
+            const std::optional<RoadWay> part =
+                wayBetween(roads, *from, *to,
+                           i < route.strategies.size() ? route.strategies[i] : RouteStrategy::shortest, draw);
             if (!part) return std::nullopt;
             way.insert(way.end(), part->begin() + (way.empty() ? 0 : 1), part->end());
         }

@@ -9,6 +9,7 @@
 #include "simulation/scenario/GlobalActions.h"
 #include "simulation/scenario/LateralActions.h"
 #include "simulation/scenario/LongitudinalActions.h"
+#include "simulation/scenario/OverrideAction.h"
 #include "simulation/scenario/RoutingActions.h"
 #include "simulation/scenario/TrafficActions.h"
 #include "simulation/scenario/TrafficSignals.h"
@@ -36,24 +37,13 @@ struct VisibilityAction
     bool operator==(const VisibilityAction&) const = default;
 };
 
-/// An action that changes what is seen, not how anything moves: animations. It is done at once.
-struct NotedAction
-{
-    static constexpr std::string_view kElement = "NotedAction";
-
-    SourceLine source;
-    std::string element;
-
-    bool operator==(const NotedAction&) const = default;
-};
-
 /// Actions on one entity; they grow here.
 using PrivateAction =
     std::variant<TeleportAction, FollowTrajectoryAction, SpeedAction, SpeedProfileAction,
                  LongitudinalDistanceAction, LaneChangeAction, LaneOffsetAction, LateralDistanceAction,
                  AssignRouteAction, AcquirePositionAction, SynchronizeAction, ActivateControllerAction,
-                 AssignControllerAction, VisibilityAction, LightStateAction, TrailerAction, NotedAction,
-                 Unsupported>;
+                 AssignControllerAction, VisibilityAction, LightStateAction, TrailerAction, AnimationAction,
+                 OverrideAction, RandomRouteAction, Unsupported>;
 
 /// Actions on the scene as a whole.
 using GlobalAction =

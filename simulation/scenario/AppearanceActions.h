@@ -31,6 +31,20 @@ struct LightStateAction
     bool operator==(const LightStateAction&) const = default;
 };
 
+/// Moves a part of an entity (a door), or lets a person move: it takes effect in EntityState::animations.
+struct AnimationAction
+{
+    static constexpr std::string_view kElement = "AnimationAction";
+
+    SourceLine source;
+    std::string part;                ///< doorFrontLeft …, a motion, a gesture, a file, or the user's word
+    double state = 1.0;              ///< to which it goes; a door: 0 closed, 1 open
+    std::optional<double> durationS; ///< nothing: at once
+    bool isLoop = false;
+
+    bool operator==(const AnimationAction&) const = default;
+};
+
 /// Gives an entity another controller; nothing: that domain stays as it is.
 struct AssignControllerAction
 {

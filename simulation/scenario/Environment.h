@@ -39,7 +39,7 @@ struct Precipitation
 
 struct Wind
 {
-    double directionRad = 0.0; ///< where it comes from, as Sun::azimuthRad
+    double directionRad = 0.0; ///< where it blows to, from the x axis towards y
     double speedMps = 0.0;
 
     bool operator==(const Wind&) const = default;

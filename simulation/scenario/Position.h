@@ -47,13 +47,23 @@ struct GeoPosition
 /// A position that refers to nothing that moves.
 using FixedPosition = std::variant<WorldPosition, GeoPosition, LanePosition, RoadPosition, Unsupported>;
 
-/// Places that are driven over one after the other, each by the shortest way from the one before.
+/// How the way from one waypoint to the next is chosen.
+enum class RouteStrategy
+{
+    shortest,
+    fastest, ///< by the speed limits
+    leastIntersections,
+    random,
+};
+
+/// Places that are driven over one after the other.
 struct Route
 {
     SourceLine source;
     std::string name;
     bool closed = false;
     std::vector<FixedPosition> waypoints;
+    std::vector<RouteStrategy> strategies; ///< of the way to each waypoint; shorter: shortest
 
     bool operator==(const Route&) const = default;
 };

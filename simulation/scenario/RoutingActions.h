@@ -42,6 +42,16 @@ struct AssignRouteAction
     bool operator==(const AssignRouteAction&) const = default;
 };
 
+/// Takes a road by chance in every junction.
+struct RandomRouteAction
+{
+    static constexpr std::string_view kElement = "RandomRouteAction";
+
+    SourceLine source;
+
+    bool operator==(const RandomRouteAction&) const = default;
+};
+
 struct AcquirePositionAction
 {
     static constexpr std::string_view kElement = "AcquirePositionAction";

@@ -31,6 +31,9 @@ public:
     /// Whether an entity is there: it is not before it is added and after it is deleted.
     virtual bool isPresent(int entity) const = 0;
 
+    /// The share of the vehicles' greatest deceleration that the road leaves them: its friction, at most 1.
+    virtual double grip() const = 0;
+
     /// Returns the index of an entity, or -1.
     virtual int find(const std::string& entity) const = 0;
 };
@@ -40,6 +43,7 @@ enum class ActionDomain
 {
     longitudinal,
     lateral,
+    looks, ///< no motion: such actions do not end one another
 };
 
 /// A private action that lasts. It is stepped at the start of each step after the one in which it began, before entities
@@ -65,5 +69,6 @@ std::unique_ptr<RunningAction> startAction(const LongitudinalDistanceAction& act
 std::unique_ptr<RunningAction> startAction(const SpeedProfileAction& action, ActionScene& scene, int actor);
 std::unique_ptr<RunningAction> startAction(const SynchronizeAction& action, ActionScene& scene, int actor);
 std::unique_ptr<RunningAction> startAction(const SpeedAction& action, ActionScene& scene, int actor);
+std::unique_ptr<RunningAction> startAction(const AnimationAction& action, ActionScene& scene, int actor);
 
 } // namespace simulation

@@ -79,7 +79,43 @@ TEST(CompareMotions, ARowThatIsMissingIsADifference)
     EXPECT_EQ(found[0].unmatchedRows, 1u);
     EXPECT_EQ(found[1].unmatchedRows, 1u);
     EXPECT_FALSE(isWithin(found[0], {}));
-    EXPECT_NE(differencesText(found, {}).find("\"within\": false"), std::string::npos);
+    EXPECT_NE(differencesText(found, compareEvents(shorter, reference), {}).find("\"within\": false"),
+              std::string::npos);
+}
+
+/// Rows of a tenth of a second: a lane from each digit of `lanes`, a speed from each number, a collision where `touches` has an x.
+std::string eventTable(const std::string& lanes, const std::vector<double>& speeds,
+                       const std::string& touches)
+{
+    std::string text =
+        "Index, Time, #1 Entity_Name, #1 Current_Speed, #1 World_Position_X, #1 World_Position_Y, "
+        "#1 World_Position_Z, #1 World_Heading_Angle, #1 lane_id, #1 collision_ids, \n";
+    for (std::size_t i = 0; i < lanes.size(); ++i)
+        text += std::to_string(i) + ", " + std::to_string(0.1 * static_cast<double>(i)) + ", Ego, " +
+                std::to_string(speeds[i]) + ", 0, 0, 0, 0, " + lanes[i] + ", " +
+                (touches[i] == 'x' ? "1 " : "") + ", \n";
+    return text;
+}
+
+TEST(CompareEvents, MatchesLaneChangesCollisionsAndKinks)
+{
+    // From 1 m/s² to −2 m/s² at 0.4 s; the lane changes at 0.5 s, the collision begins at 0.6 s.
+    const std::vector<double> speeds{10.0, 10.1, 10.2, 10.3, 10.4, 10.2, 10.0, 9.8, 9.6};
+    const MotionTable reference = table(eventTable("111112222", speeds, "      xx "));
+    const auto same = compareEvents(reference, reference).front();
+    EXPECT_EQ(same.laneChanges.count, 1u);
+    EXPECT_EQ(same.collisions.count, 1u);
+    EXPECT_EQ(same.speedKinks.count, 1u);
+    EXPECT_TRUE(isWithin(same, 0.0));
+    const std::vector<double> later{10.0, 10.1, 10.2, 10.3, 10.4, 10.5, 10.3, 10.1, 9.9};
+    const auto moved = compareEvents(table(eventTable("111111122", later, "    xx   ")), reference).front();
+    EXPECT_NEAR(moved.laneChanges.largestS, 0.2, 1e-9);
+    EXPECT_NEAR(moved.collisions.largestS, 0.2, 1e-9);
+    EXPECT_NEAR(moved.speedKinks.largestS, 0.1, 1e-9);
+    EXPECT_FALSE(isWithin(moved, 0.1 + 1e-6));
+    const auto other = compareEvents(table(eventTable("111113333", speeds, "         ")), reference).front();
+    EXPECT_EQ(other.laneChanges.unmatched, 2u) << "to another lane: one missing, one too many";
+    EXPECT_EQ(other.collisions.unmatched, 1u);
 }
 
 } // namespace

@@ -7,6 +7,7 @@
 
 #include "SimulatedTrack.h"
 #include "simulation/parser/ParseScenario.h"
+#include "simulation/player/EntityDistance.h"
 #include "simulation/player/ScenarioPlayer.h"
 #include "simulation/record/CompareMotions.h"
 
@@ -22,6 +23,7 @@ struct RecordedScenario
 {
     const char* name;
     std::vector<std::string> differing;
+    std::vector<std::string> otherEvents{}; ///< entities with an event that is elsewhere, or missing
 };
 
 void note(MotionTable& table, const ScenarioPlayer& player)
@@ -31,8 +33,9 @@ void note(MotionTable& table, const ScenarioPlayer& player)
     for (std::size_t i = 0; i < states.size(); ++i)
     {
         if (table.tracks.size() <= i) table.tracks.push_back({states[i].name, {}});
-        table.tracks[i].samples.push_back(
-            MotionSample{states[i].position, glm::radians(states[i].headingDeg), states[i].speedMps});
+        table.tracks[i].samples.push_back(MotionSample{
+            states[i].position, glm::radians(states[i].headingDeg), states[i].speedMps,
+            states[i].laneUnder ? states[i].laneUnder->lane : 0, !states[i].collidesWith.empty()});
     }
 }
 
@@ -73,6 +76,33 @@ MotionTable recorded(const std::string& name)
     return table ? std::move(*table) : MotionTable{};
 }
 
+/// The tracks name no collisions: they are found from where the boxes of the scenario were.
+void findCollisions(MotionTable& reference, const std::filesystem::path& file)
+{
+    auto parsed = readScenario(file, {.tolerant = true, .parameters = {}});
+    ASSERT_TRUE(parsed);
+    for (std::size_t row = 0; row < reference.timeS.size(); ++row)
+    {
+        std::vector<EntityState> states(reference.tracks.size());
+        std::vector<MeasuredBody> bodies;
+        for (std::size_t i = 0; i < states.size(); ++i)
+        {
+            const int entity = parsed->scenario.entityIndex(reference.tracks[i].entity);
+            const auto& sample = reference.tracks[i].samples[row];
+            if (entity < 0 || !sample) continue;
+            states[i].position = sample->position;
+            states[i].headingDeg = glm::degrees(sample->headingRad);
+            bodies.push_back({&states[i], parsed->scenario.entities[static_cast<std::size_t>(entity)].box()});
+        }
+        for (std::size_t i = 0; i < bodies.size(); ++i)
+            for (std::size_t j = 0; j < bodies.size(); ++j)
+                if (i != j && overlap(bodies[i], bodies[j]))
+                    reference.tracks[static_cast<std::size_t>(bodies[i].state - states.data())]
+                        .samples[row]
+                        ->collides = true;
+    }
+}
+
 class Recorded : public testing::TestWithParam<RecordedScenario>
 {
 };
@@ -101,19 +131,47 @@ TEST_P(Recorded, StoryboardMovesItsEntitiesAsEsminiDoes)
     }
 }
 
+TEST_P(Recorded, LaneChangesCollisionsAndKinksOfSpeedComeWithinATenthOfASecond)
+{
+    if (!realData()) GTEST_SKIP() << "OSGTRAINER_REAL_DATA is unset: no real data, nothing was tested";
+    const RecordedScenario& scenario = GetParam();
+    const auto file = folder() / "xosc" / (std::string(scenario.name) + ".xosc");
+    MotionTable reference = recorded(scenario.name);
+    findCollisions(reference, file);
+    const MotionTable table = played(file);
+    const bool prints = std::getenv("OSGTRAINER_PRINT_DIFFERENCES") != nullptr;
+    for (const EventDifference& events : compareEvents(table, reference))
+    {
+        if (prints)
+            std::printf("| `%s` | %s | %zu | %zu | %.1f | %zu | %zu | %.1f | %zu | %zu | %.1f |\n",
+                        scenario.name, events.entity.c_str(), events.laneChanges.count,
+                        events.laneChanges.unmatched, events.laneChanges.largestS, events.collisions.count,
+                        events.collisions.unmatched, events.collisions.largestS, events.speedKinks.count,
+                        events.speedKinks.unmatched, events.speedKinks.largestS);
+        const bool isKnown = std::find(scenario.otherEvents.begin(), scenario.otherEvents.end(),
+                                       events.entity) != scenario.otherEvents.end();
+        EXPECT_NE(isWithin(events, 0.1 + 1e-6), isKnown) << events.entity;
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(
     Esmini, Recorded,
     testing::Values(RecordedScenario{"acc-test", {}}, RecordedScenario{"cut-in", {}},
-                    RecordedScenario{"cut-in_cr", {}}, RecordedScenario{"cut-in_environment", {}},
+                    RecordedScenario{"cut-in_cr", {}, {"Truck"}}, RecordedScenario{"cut-in_environment", {}},
                     RecordedScenario{"cut-in_simple", {}}, RecordedScenario{"cut-in_visibility", {}},
-                    RecordedScenario{"drop-bike", {}},
-                    RecordedScenario{"lane-change_clothoid_spline_based_trajectory", {"Car"}},
-                    RecordedScenario{"lane-change_trajectory_wp", {}}, RecordedScenario{"lane_change", {}},
-                    RecordedScenario{"light_state", {}}, RecordedScenario{"ltap-od", {}},
-                    RecordedScenario{"pedestrian", {}}, RecordedScenario{"pedestrian_collision", {}},
-                    RecordedScenario{"speed-profile", {}}, RecordedScenario{"straight_500m", {}},
-                    RecordedScenario{"synchronize", {}}, RecordedScenario{"traffic_lights", {}},
-                    RecordedScenario{"trailers", {}}, RecordedScenario{"trajectory-test", {"Target"}},
+                    RecordedScenario{"drop-bike", {}, {"bike"}},
+                    RecordedScenario{"lane-change_clothoid_spline_based_trajectory", {"Car"}, {"Car"}},
+                    RecordedScenario{"lane-change_trajectory_wp", {}},
+                    RecordedScenario{"lane_change", {}, {"Ego"}}, RecordedScenario{"light_state", {}},
+                    RecordedScenario{"ltap-od", {}}, RecordedScenario{"pedestrian", {}},
+                    RecordedScenario{"pedestrian_collision", {}}, RecordedScenario{"speed-profile", {}},
+                    RecordedScenario{"straight_500m", {}}, RecordedScenario{"synchronize", {}},
+                    RecordedScenario{"traffic_lights", {}},
+                    RecordedScenario{"trailers",
+                                     {},
+                                     {"Ego+", "Semi_truck_with_extra_trailer+",
+                                      "Semi_truck_with_extra_trailer++", "Semi_trailer"}},
+                    RecordedScenario{"trajectory-test", {"Target"}, {"Target"}},
                     RecordedScenario{"tunnels", {}}, RecordedScenario{"velodrome", {}}),
     [](const testing::TestParamInfo<RecordedScenario>& test)
     {

@@ -94,7 +94,7 @@ std::unique_ptr<ScenarioPlayer> trafficPlayer(const std::string& text, std::uint
     return player ? std::move(*player) : nullptr;
 }
 
-void playTo(ScenarioPlayer& player, double timeS)
+void playTraffic(ScenarioPlayer& player, double timeS)
 {
     while (player.timeS() < timeS - 1e-9)
         player.step();
@@ -116,7 +116,7 @@ std::vector<double> placesAfter(const std::string& text, double timeS)
     const auto player = trafficPlayer(text);
     std::vector<double> places;
     if (!player) return places;
-    playTo(*player, timeS);
+    playTraffic(*player, timeS);
     for (const EntityState& state : present(*player))
         places.push_back(state.position.x);
     return places;
@@ -151,7 +151,7 @@ TEST(TrafficSource, SpreadsOverTheLanesAroundItsPlace)
     const auto player =
         trafficPlayer(trafficText(trafficAction(source(100.0, R"(rate="2" radius="30" velocity="10")"))));
     ASSERT_TRUE(player);
-    playTo(*player, 20.0);
+    playTraffic(*player, 20.0);
     bool isThere[2] = {false, false};
     for (const EntityState& state : present(*player))
     {
@@ -192,7 +192,7 @@ TEST(TrafficSource, TakesTheObjectsOf13)
         trafficPlayer(trafficText(trafficAction(source(100.0, R"(rate="0.5" radius="0" speed="10")", mix))));
     ASSERT_TRUE(player);
     EXPECT_EQ(player->scenario().entities.back().box().lengthM, 5.0);
-    playTo(*player, 3.0);
+    playTraffic(*player, 3.0);
     ASSERT_EQ(present(*player).size(), 2u);
     EXPECT_NEAR(present(*player)[0].position.x, 130.0, 1e-6);
 }
@@ -232,7 +232,7 @@ TEST(TrafficSink, LeavesTheEntitiesOfTheFile)
     const auto player = trafficPlayer(trafficText(
         trafficAction("<TrafficSinkAction radius=\"9\">" + onLaneAt(500.0) + "</TrafficSinkAction>")));
     ASSERT_TRUE(player);
-    playTo(*player, 1.0);
+    playTraffic(*player, 1.0);
     EXPECT_TRUE(player->entities()[0].isPresent);
 }
 
@@ -291,7 +291,7 @@ TEST(Traffic, IsTheSameForASeedAndAnotherForAnother)
     {
         std::vector<double> places;
         const auto player = trafficPlayer(trafficText(trafficAction(swarm(""))), seed);
-        playTo(*player, 5.0);
+        playTraffic(*player, 5.0);
         for (const EntityState& state : present(*player))
             places.push_back(state.position.x);
         return places;
@@ -322,7 +322,7 @@ TEST(TrafficArea, IsFilledOnceOrAgainAndAgain)
                 EXPECT_TRUE(state.position.x >= 100.0 && state.position.x <= 200.0) << state.position.x;
                 EXPECT_NEAR(state.position.y, -1.75, 1e-9);
             }
-            playTo(*player, 20.0);
+            playTraffic(*player, 20.0);
             const auto last = present(*player);
             ASSERT_EQ(last.size(), 3u);
             for (std::size_t i = 0; i < last.size(); ++i)
