@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
 #include "ProgramRun.h"
