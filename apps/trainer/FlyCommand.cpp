@@ -16,6 +16,8 @@
 #include "simulation/vehicle/WeatherAir.h"
 #include "simulation/vehicle/flight/Aircraft.h"
 #include "simulation/vehicle/flight/AircraftFile.h"
+#include "simulation/vehicle/jsbsim/JsbsimFile.h"
+#include "simulation/vehicle/jsbsim/JsbsimVehicle.h"
 
 namespace trainer
 {
@@ -135,6 +137,45 @@ std::optional<simulation::RunwayStrip> runwayOf(const FlyRequest& request, const
                                    strip->widthM};
 }
 
+/// What JSBSim is to fly; nothing: the aircraft is one of our own.
+foundation::Result<std::optional<simulation::JsbsimData>> jsbsimOf(const FlyRequest& request)
+{
+    std::error_code ignored;
+    simulation::JsbsimData data;
+    if (simulation::isJsbsimFile(request.aircraft))
+    {
+        auto read = simulation::readJsbsimAircraft(request.aircraft);
+        if (!read) return read.error();
+        data = std::move(*read);
+    }
+    else if (!request.jsbsimRoot.empty() && !std::filesystem::exists(request.aircraft, ignored))
+        data.name = data.aircraft = request.aircraft.string();
+    else if (!request.jsbsimRoot.empty())
+        return foundation::Error{"--jsbsim-root", "the aircraft is a file that JSBSim does not fly",
+                                 "write --aircraft NAME, a folder of aircraft/ there"};
+    else
+        return std::optional<simulation::JsbsimData>();
+    if (!request.jsbsimRoot.empty()) data.root = request.jsbsimRoot;
+    if (!request.jsbsim.empty()) data.program = request.jsbsim;
+    if (data.root.empty())
+        return foundation::Error{data.name, "it names no root of JSBSim", "write --jsbsim-root FOLDER"};
+    return std::optional(std::move(data));
+}
+
+foundation::Result<std::unique_ptr<simulation::DynamicVehicle>>
+aircraftOf(const FlyRequest& request, const std::shared_ptr<const simulation::EarthFrame>& earth)
+{
+    auto jsbsim = jsbsimOf(request);
+    if (!jsbsim) return jsbsim.error();
+    if (*jsbsim)
+        return std::unique_ptr<simulation::DynamicVehicle>(std::make_unique<simulation::JsbsimVehicle>(
+            std::make_shared<const simulation::JsbsimData>(std::move(**jsbsim)), earth, request.seed));
+    auto data = simulation::readAircraft(request.aircraft);
+    if (!data) return data.error();
+    return std::unique_ptr<simulation::DynamicVehicle>(std::make_unique<simulation::Aircraft>(
+        std::make_shared<const simulation::AircraftData>(std::move(*data)), earth, request.seed));
+}
+
 /// The flight before its first step.
 struct ReadyFlight
 {
@@ -146,12 +187,10 @@ foundation::Result<ReadyFlight> readyFlight(const FlyRequest& request,
                                             std::shared_ptr<const simulation::Ground> ground,
                                             const std::optional<simulation::Geodetic>& origin)
 {
-    const auto data = simulation::readAircraft(request.aircraft);
-    if (!data) return data.error();
     const auto earth =
         std::make_shared<const simulation::EarthFrame>(origin.value_or(simulation::Geodetic{46.0, 8.0, 0.0}));
-    auto aircraft = std::make_unique<simulation::Aircraft>(
-        std::make_shared<const simulation::AircraftData>(*data), earth, request.seed);
+    auto aircraft = aircraftOf(request, earth);
+    if (!aircraft) return aircraft.error();
     const FlightStart from = startOf(request);
     glm::dvec3 start(from.place, 1e4);
     simulation::GroundPoint below;
@@ -159,10 +198,10 @@ foundation::Result<ReadyFlight> readyFlight(const FlyRequest& request,
     if (!below.isKnown)
         return foundation::Error{"--start", "there is no ground at the start", "give a place on the terrain"};
     start.z = below.heightM + from.heightM;
-    auto controller = controllerOf(request, *aircraft, earth, runwayOf(request, *ground));
+    auto controller = controllerOf(request, **aircraft, earth, runwayOf(request, *ground));
     if (!controller) return controller.error();
     auto vehicle =
-        std::make_unique<simulation::ControlledVehicle>(std::move(aircraft), std::move(*controller));
+        std::make_unique<simulation::ControlledVehicle>(std::move(*aircraft), std::move(*controller));
     if (!request.recordInputs.empty()) vehicle->record();
     auto motion = std::make_shared<simulation::VehicleMotion>(
         std::move(vehicle), std::move(ground),
@@ -176,6 +215,8 @@ foundation::Outcome leaveFlight(const FlyRequest& request, const simulation::Veh
     std::printf("flown %.2f s; at the end %s, %.1f m/s, %.1f m east, %.1f m north, %.1f m high\n",
                 state.timeS, state.isOnGround ? "on the ground" : "in the air", glm::length(state.velocity),
                 state.position.x, state.position.y, state.position.z);
+    const auto* jsbsim = dynamic_cast<const simulation::JsbsimVehicle*>(&motion.vehicle().vehicle());
+    if (jsbsim && !jsbsim->note().empty()) std::printf("note: %s\n", jsbsim->note().c_str());
     if (!motion.note().empty()) std::printf("note: the aircraft %s\n", motion.note().c_str());
     if (request.recordInputs.empty()) return foundation::success();
     return motion.vehicle().recorder()->write(request.recordInputs);

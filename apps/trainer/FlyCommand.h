@@ -16,7 +16,10 @@ namespace trainer
 /// The arguments of `trainer fly`; the terrain file is the world, none is level ground without pictures. Empty paths: none.
 struct FlyRequest : RideRequest
 {
-    std::filesystem::path aircraft = "data/aircraft/c172p.xml";
+    std::filesystem::path aircraft =
+        "data/aircraft/c172p.xml";    ///< a data file; with jsbsimRoot also the name of an aircraft of JSBSim
+    std::filesystem::path jsbsimRoot; ///< the folder with JSBSim's aircraft/; empty: that of the data file
+    std::filesystem::path jsbsim;     ///< JSBSim's program; empty: that of the data file, or of PATH
     std::string
         orders; ///< of the autopilot; empty: takeoff, circuit, land with a strip, else it holds what it has
     std::filesystem::path inputs; ///< recorded inputs in place of the autopilot

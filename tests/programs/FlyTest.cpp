@@ -105,6 +105,30 @@ TEST(Fly, TellsWhatCannotBeFlown)
     EXPECT_NE(noRunway.output.find("no runway"), std::string::npos) << noRunway.text();
 }
 
+/// The stand-in for JSBSim flies straight on, and loses itself after half a second where the aircraft is called `dies`.
+TEST(Fly, LetsJsbsimFly)
+{
+    const Workplace place;
+    for (const std::string name : {"normal", "dies"})
+    {
+        std::filesystem::create_directories(place.path("aircraft/" + name));
+        std::ofstream(place.path("aircraft/" + name + "/" + name + ".xml")) << "<fdm_config/>";
+    }
+    const auto flown = [&](const std::string& aircraft, const std::string& program)
+    {
+        return runTrainer({"fly", "--headless", "--start", "0,0,300,90,50", "--duration", "2", "--jsbsim-root", place.path(""),
+                           "--jsbsim", program, "--aircraft", aircraft});
+    };
+    const ProgramRun run = flown("normal", OSGTRAINER_JSBSIM_STAND_IN);
+    EXPECT_TRUE(succeeds(run));
+    EXPECT_NE(run.output.find("flown 2.00 s; at the end in the air, 50.0 m/s, 100.0 m east"), std::string::npos) << run.text();
+    const ProgramRun lost = flown("dies", OSGTRAINER_JSBSIM_STAND_IN);
+    EXPECT_TRUE(succeeds(lost));
+    EXPECT_NE(lost.output.find("note: the aircraft failed after 0.51 s: JSBSim ended"), std::string::npos) << lost.text();
+    EXPECT_TRUE(failsWith(flown("normal", "no-such-program"), 1, "trainer", {"no-such-program", "cannot be started"}));
+    EXPECT_TRUE(failsWith(flown("glider", OSGTRAINER_JSBSIM_STAND_IN), 1, "trainer", {"no such aircraft"}));
+}
+
 TEST(Fly, TellsOfACrash)
 {
     const Workplace place;

@@ -47,7 +47,11 @@ std::vector<Command> addFly(CLI::App& program)
     command->add_option("--duration", line->fly.durationS, "seconds to fly at most")
         ->check(terminal::between(0.0, 1e5));
     command->add_option("--csv_logger", line->play.request.output.motionFile, "file for a row of each step");
-    command->add_option("--aircraft", line->fly.aircraft, "aircraft file");
+    command->add_option("--aircraft", line->fly.aircraft,
+                        "aircraft file, or with --jsbsim-root the name of an aircraft of JSBSim");
+    command->add_option("--jsbsim-root", line->fly.jsbsimRoot,
+                        "folder with the aircraft of JSBSim, which flies in a process of its own");
+    command->add_option("--jsbsim", line->fly.jsbsim, "JSBSim's program, instead of the one that PATH finds");
     CLI::Option* const inputs = command->add_option("--inputs", line->fly.inputs, "inputs file to fly by");
     command->add_option("--record-inputs", line->fly.recordInputs, "inputs file to write");
     command

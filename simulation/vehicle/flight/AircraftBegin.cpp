@@ -6,6 +6,7 @@
 #include <foundation/Angle.h>
 #include <glm/gtc/quaternion.hpp>
 
+#include "simulation/vehicle/StartCheck.h"
 #include "simulation/vehicle/WeatherAir.h"
 #include "simulation/vehicle/flight/Aircraft.h"
 #include "simulation/vehicle/flight/Trim.h"
@@ -18,19 +19,7 @@ namespace
 constexpr double kSettleS = 8.0; ///< in which an aircraft stands still on its struts
 constexpr double kStillMps = 1e-4;
 constexpr double kIdleRadps = 75.0;
-constexpr double kLeastClearanceM = 2.0; ///< of the centre of mass in flight
-constexpr double kPressedM = 0.02;       ///< by which the deepest strut begins pressed in
-
-std::string placeText(const glm::dvec3& place)
-{
-    return std::to_string(std::lround(place.x)) + " m east, " + std::to_string(std::lround(place.y)) +
-           " m north, " + std::to_string(std::lround(place.z)) + " m high";
-}
-
-foundation::Error noStart(const VehicleStart& start, const std::string& what, const std::string& remedy)
-{
-    return {"the start at " + placeText(start.position), what, remedy};
-}
+constexpr double kPressedM = 0.02; ///< by which the deepest strut begins pressed in
 
 /// The attitude of body axes forward, right, down whose up is `up` and whose nose looks along a heading.
 glm::dquat standingAttitude(const glm::dvec3& up, double headingRad)
@@ -88,13 +77,7 @@ foundation::Result<Aircraft::Beginning> Aircraft::flyingState(const VehicleStart
                                                               const GroundPoint& below, const Air& air) const
 {
     const double heightM = _earth->placeAt(start.position).geodetic.heightM;
-    const double clearanceM = start.position.z - below.heightM;
-    if (below.isKnown && clearanceM < kLeastClearanceM)
-        return noStart(
-            start,
-            clearanceM < 0.0 ? "lies " + std::to_string(std::lround(-clearanceM)) + " m inside the ground"
-                             : "is too low to fly there",
-            "raise it above " + std::to_string(std::lround(below.heightM + kLeastClearanceM)) + " m");
+    if (const auto free = checkFlyingStart(start, below); !free) return free.error();
     const AirSample sample = air.at(start.position, heightM, 0.0);
     const glm::dvec3 over(start.speedMps * std::cos(start.headingRad),
                           start.speedMps * std::sin(start.headingRad), 0.0);
@@ -112,8 +95,7 @@ foundation::Result<Aircraft::Beginning> Aircraft::flyingState(const VehicleStart
 foundation::Result<Aircraft::Beginning>
 Aircraft::standingState(const VehicleStart& start, const GroundPoint& below, const Ground& ground) const
 {
-    if (!below.isKnown) return noStart(start, "there is no ground", "move it onto the terrain");
-    if (below.kind == GroundKind::water) return noStart(start, "lies in water", "move it onto land");
+    if (const auto free = checkStandingStart(start, below); !free) return free.error();
     Aircraft settled(_data, _earth);
     FlightState state = settled.flightState();
     BodyMotion& motion = state.motion;

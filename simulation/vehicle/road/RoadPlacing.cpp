@@ -9,6 +9,7 @@
 #include <foundation/Angle.h>
 
 #include "simulation/vehicle/StandardAtmosphere.h"
+#include "simulation/vehicle/StartCheck.h"
 #include "simulation/vehicle/road/RoadVehicle.h"
 
 namespace simulation
@@ -81,21 +82,15 @@ void RoadVehicle::place(const RoadStart& start, const Ground& ground, double tim
 
 foundation::Outcome RoadVehicle::begin(const VehicleStart& start, const Ground& ground, const Air& /*air*/)
 {
-    const auto refuse = [&](const std::string& what, const std::string& remedy)
-    {
-        return foundation::Error{"the start at " + std::to_string(std::lround(start.position.x)) +
-                                     " m east, " + std::to_string(std::lround(start.position.y)) + " m north",
-                                 what, remedy};
-    };
-    if (start.isInAir) return refuse("is in the air", "let a road vehicle begin on the ground");
+    if (start.isInAir) return noStart(start, "is in the air", "let a road vehicle begin on the ground");
     GroundPoint below;
     ground.below({&start.position, 1}, {&below, 1});
-    if (!below.isKnown) return refuse("there is no ground", "move it onto the terrain or a road");
-    if (below.kind == GroundKind::water) return refuse("lies in water", "move it onto land");
+    if (const auto free = checkStandingStart(start, below); !free) return free;
     RoadVehicle trial(_data, _earth);
     trial.place({start.position, start.headingRad, start.speedMps}, ground);
     if (trial._status.condition != VehicleCondition::sound)
-        return refuse(std::string(trial._status.reason), "move it onto ground that carries all wheels");
+        return noStart(start, std::string(trial._status.reason),
+                       "move it onto ground that carries all wheels");
     _inputs = {};
     place({start.position, start.headingRad, start.speedMps}, ground);
     return foundation::success();
