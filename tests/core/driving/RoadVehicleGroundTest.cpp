@@ -139,8 +139,15 @@ TEST(RoadVehicleTest, SaysWhenThereIsNoGroundOrWater)
     const auto drowned = vehicle.begin({}, LevelGround(0.0, GroundKind::water), air);
     ASSERT_FALSE(drowned);
     EXPECT_THAT(drowned.error().message(), testing::HasSubstr("lies in water"));
+    const VehicleState before = vehicle.state();
+    const auto buried = vehicle.begin({{0.0, 0.0, -50.0}, 0.0, 0.0}, LevelGround(), air);
+    ASSERT_FALSE(buried);
+    EXPECT_THAT(buried.error().message(),
+                testing::HasSubstr("lies 50 m inside the ground; raise it above -1 m"));
+    EXPECT_EQ(vehicle.state().position, before.position); // refused: it is as before
+    EXPECT_EQ(vehicle.status().condition, VehicleCondition::sound);
     EXPECT_TRUE(
-        vehicle.begin({{0.0, 0.0, -50.0}, 0.0, 0.0}, LevelGround(), air)); // inside the ground: put onto it
+        vehicle.begin({{0.0, 0.0, -0.5}, 0.0, 0.0}, LevelGround(), air)); // hardly inside: put onto it
     EXPECT_GT(vehicle.state().position.z, 0.0);
     stepFor(vehicle, NoGround(), 0.1);
     EXPECT_EQ(vehicle.status().condition, VehicleCondition::failed);

@@ -205,8 +205,7 @@ int main(int argc, char** argv)
     for (int i = 0; i < 3; ++i)
         for (int axis = 0; axis < 3; ++axis)
             point.properties[std::string("gear/unit") + (i > 0 ? "[" + std::to_string(i) + "]" : "") + "/" +
-                             "xyz"[axis] + "-position"] =
-                places[i][axis];
+                             "xyz"[axis] + "-position"] = places[i][axis];
     point.latitude = kDegree * element(state, "latitude");
     point.longitude = kDegree * element(state, "longitude");
     point.height = element(state, "altitudeMSL");
