@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -47,6 +48,13 @@ struct HeightNodes
     std::vector<int> areaOf;     ///< of each crossing
     std::vector<HeightRow> rows; ///< of each chain
     std::size_t count = 0;
+
+    /// The area at a crossing, or nothing at a dead end.
+    std::optional<std::size_t> areaAt(int crossing) const
+    {
+        if (crossing < 0) return std::nullopt;
+        return static_cast<std::size_t>(areaOf[static_cast<std::size_t>(crossing)]);
+    }
 
     /// The node at which an arm begins.
     std::size_t mouth(const StreetArm& arm) const { return arm.isEnd ? rows[arm.chain].last() : 0; }

@@ -2,118 +2,16 @@
 #include "worldmaking/streets/StreetHeights.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
 #include <utility>
 
-#include "scenery/roads/HeightFit.h"
-#include "worldmaking/streets/HeightRoom.h"
+#include "worldmaking/streets/HeightFitter.h"
 
 namespace worldmaking
 {
 
 namespace
 {
-
-using scenery::HeightStep;
-
-constexpr double kHeadroomM = 6.5; ///< between their nodes: 4.5 m, a deck of 0.9 m, and what rounding takes
-
-/// The gradient of the plane that fits the beginnings of the arms best.
-glm::dvec2 gradientOf(const HeightNodes& nodes, std::size_t area, const std::vector<double>& heights)
-{
-    double xx = 1.0, xy = 0.0, yy = 1.0; // square metres; level where arms are too short to tell
-    glm::dvec2 right(0.0);
-    for (const StreetArm& arm : nodes.areas[area].arms)
-    {
-        const HeightRow& row = nodes.rows[arm.chain];
-        const std::size_t node = arm.isEnd ? row.last() - 1 : 1;
-        const glm::dvec2 way = row.points[node].position - nodes.areas[area].middle;
-        xx += way.x * way.x, xy += way.x * way.y, yy += way.y * way.y;
-        right += (heights[row.first + node] - heights[area]) * way;
-    }
-    const double determinant = xx * yy - xy * xy;
-    const glm::dvec2 gradient((yy * right.x - xy * right.y) / determinant,
-                              (xx * right.y - xy * right.x) / determinant);
-    const double slope = glm::length(gradient);
-    return slope > kMostLean ? gradient * (kMostLean / slope) : gradient;
-}
-
-std::vector<CrossingPlane> planesOf(const HeightNodes& nodes, const std::vector<double>& heights)
-{
-    std::vector<CrossingPlane> planes;
-    for (std::size_t i = 0; i < nodes.areas.size(); ++i)
-        planes.push_back({nodes.areas[i].middle, gradientOf(nodes, i, heights), heights[i]});
-    return planes;
-}
-
-/// The area at a crossing, or nothing at a dead end.
-std::optional<std::size_t> areaAt(const HeightNodes& nodes, int crossing)
-{
-    if (crossing < 0) return std::nullopt;
-    return static_cast<std::size_t>(nodes.areaOf[static_cast<std::size_t>(crossing)]);
-}
-
-/// The nodes on both sides of an overpass: the curve between them is lower than a peak at one of them.
-struct Pass
-{
-    std::array<std::size_t, 2> lower, upper;
-
-    template<class Holds>
-    bool all(const Holds& holds) const
-    {
-        for (const std::size_t below : lower)
-            for (const std::size_t above : upper)
-                if (!holds(below, above)) return false;
-        return true;
-    }
-};
-
-/// Collects how far heights may differ.
-class StepMaker
-{
-public:
-    StepMaker(const HeightNodes& nodes, const std::vector<CrossingPlane>& planes)
-        : _nodes(nodes), _planes(planes)
-    {
-    }
-
-    void addRow(const HeightRow& row, const StreetChain& chain)
-    {
-        if (const auto area = areaAt(_nodes, chain.startCrossing)) tie(*area, row, 0, row.stepM);
-        for (std::size_t k = 0; k < row.last(); ++k)
-        {
-            const double mostM = std::min(row.steepest[k], row.steepest[k + 1]) * row.stepM;
-            steps.push_back({row.first + k, row.first + k + 1, -mostM, mostM});
-        }
-        if (const auto area = areaAt(_nodes, chain.endCrossing)) tie(*area, row, row.last(), -row.stepM);
-    }
-
-    void addOverpass(const Pass& pass)
-    {
-        for (const std::size_t below : pass.lower)
-            for (const std::size_t above : pass.upper)
-                steps.push_back({below, above, kHeadroomM, std::numeric_limits<double>::infinity()});
-    }
-
-    std::vector<HeightStep> steps;
-
-private:
-    /// Holds the mouth of a road, and the node after it, in the plane of an area. `inwardM`: from the mouth along s to that node.
-    void tie(std::size_t area, const HeightRow& row, std::size_t mouth, double inwardM)
-    {
-        const CrossingPlane& plane = _planes[area];
-        const double rise = glm::dot(plane.gradient, row.points[mouth].position - plane.middle);
-        const double nextRise = rise + inwardM * plane.gradeAlong(row.points[mouth]);
-        const std::size_t next = inwardM > 0.0 ? mouth + 1 : mouth - 1;
-        steps.push_back({area, row.first + mouth, rise, rise});
-        steps.push_back({area, row.first + next, nextRise, nextRise});
-    }
-
-    const HeightNodes& _nodes;
-    const std::vector<CrossingPlane>& _planes;
-};
 
 /// The nodes before and after a place of a road.
 std::array<std::size_t, 2> nodesAround(const HeightRow& row, double alongM)
@@ -125,110 +23,16 @@ std::array<std::size_t, 2> nodesAround(const HeightRow& row, double alongM)
     return {at(std::floor(place)), at(std::ceil(place))};
 }
 
-/// Fits heights to planes and overpasses. Where limits contradict each other, planes lean less (short roads between planes that lean
-/// apart; level planes always fit), then overpasses are given up (a bridge too close to the crossing that it passes).
-class HeightFitter
+std::vector<OverpassNodes> overpassNodes(const HeightNodes& nodes, const std::vector<ChainCut>& cuts,
+                                         const std::vector<Overpass>& overpasses)
 {
-public:
-    HeightFitter(const StreetGraph& graph, const HeightNodes& nodes, const std::vector<double>& wishes)
-        : planes(planesOf(nodes, wishes)), _graph(graph), _nodes(nodes), _wishes(wishes)
-    {
-    }
-
-    /// `overpasses`: lower and upper node of each.
-    std::vector<double> fit(std::vector<Pass> overpasses)
-    {
-        std::vector<double> heights = fitted({});
-        for (int attempt = 0; attempt < kMostAttempts && levelStrained(heights); ++attempt)
-            heights = fitted({});
-        const std::size_t all = overpasses.size();
-        const HeightRoom room(heights, _steps);
-        std::erase_if(overpasses,
-                      [&](const Pass& pass)
-                      {
-                          return !pass.all([&](std::size_t below, std::size_t above)
-                                           { return room.allows(below, above, kHeadroomM); });
-                      });
-        while (!overpasses.empty())
-        {
-            heights = fitted(overpasses);
-            const std::vector<char> strained = strainedNodes(heights);
-            const auto isStrained = [&](const Pass& pass)
-            {
-                return !pass.all([&](std::size_t below, std::size_t above)
-                                 { return strained[below] == 0 && strained[above] == 0; });
-            };
-            if (std::erase_if(overpasses, isStrained) == 0) break; // each has room, and all together
-            if (overpasses.empty()) heights = fitted({});
-        }
-        lostOverpasses = all - overpasses.size();
-        return heights;
-    }
-
-    std::vector<CrossingPlane> planes;
-    std::size_t lostOverpasses = 0;
-
-private:
-    static constexpr int kMostAttempts = 12;
-    static constexpr double kErrorM = 0.001, kLessLean = 0.5, kLevel = 0.005;
-
-    std::vector<double> fitted(const std::vector<Pass>& overpasses)
-    {
-        StepMaker maker(_nodes, planes);
-        for (std::size_t i = 0; i < _nodes.rows.size(); ++i)
-            maker.addRow(_nodes.rows[i], _graph.chains[i]);
-        for (const Pass& pass : overpasses)
-            maker.addOverpass(pass);
-        _steps = std::move(maker.steps);
-        return scenery::fitHeights(_wishes, _steps);
-    }
-
-    /// Returns for each node whether a step at it is not kept.
-    std::vector<char> strainedNodes(const std::vector<double>& heights) const
-    {
-        std::vector<char> isStrained(_nodes.count, 0);
-        for (const HeightStep& step : _steps)
-        {
-            const double rise = heights[step.to] - heights[step.from];
-            if (rise < step.leastM - kErrorM || rise > step.mostM + kErrorM)
-                isStrained[step.from] = isStrained[step.to] = 1;
-        }
-        return isStrained;
-    }
-
-    /// Makes planes more level around steps that are not kept. Returns false if there is none.
-    bool levelStrained(const std::vector<double>& heights)
-    {
-        const std::vector<char> isStrained = strainedNodes(heights);
-        bool isLevelled = false;
-        for (std::size_t i = 0; i < planes.size(); ++i)
-        {
-            glm::dvec2& gradient = planes[i].gradient;
-            if (gradient == glm::dvec2(0.0) || !isStrainedAround(i, isStrained)) continue;
-            gradient *= glm::length(gradient) < kLevel ? 0.0 : kLessLean;
-            isLevelled = true;
-        }
-        return isLevelled;
-    }
-
-    bool isStrainedAround(std::size_t area, const std::vector<char>& isStrained) const
-    {
-        const auto& arms = _nodes.areas[area].arms;
-        return std::any_of(arms.begin(), arms.end(),
-                           [&](const StreetArm& arm)
-                           {
-                               const HeightRow& row = _nodes.rows[arm.chain];
-                               const std::size_t mouth = row.first + _nodes.mouth(arm);
-                               return isStrained[mouth] != 0 ||
-                                      isStrained[arm.isEnd ? mouth - 1 : mouth + 1] != 0;
-                           });
-    }
-
-    const StreetGraph& _graph;
-    const HeightNodes& _nodes;
-    const std::vector<double>& _wishes;
-    std::vector<HeightStep> _steps;
-};
+    const auto nodesAt = [&](std::size_t chain, double alongM)
+    { return nodesAround(nodes.rows[chain], alongM - cuts[chain].startM); };
+    std::vector<OverpassNodes> passes;
+    for (const Overpass& pass : overpasses)
+        passes.push_back({nodesAt(pass.lower, pass.lowerM), nodesAt(pass.upper, pass.upperM)});
+    return passes;
+}
 
 } // namespace
 
@@ -237,34 +41,25 @@ StreetHeights heightsOf(const StreetGraph& graph, const std::vector<CentreLine>&
                         const GroundHeight& ground)
 {
     const HeightNodes nodes = heightNodesOf(graph, lines, cuts);
-    const std::vector<double> wishes = smoothGround(nodes, ground);
-    HeightFitter fitter(graph, nodes, wishes);
-    const auto nodesAt = [&](std::size_t chain, double alongM)
-    { return nodesAround(nodes.rows[chain], alongM - cuts[chain].startM); };
-    std::vector<Pass> passes;
-    for (const Overpass& pass : overpasses)
-        passes.push_back({nodesAt(pass.lower, pass.lowerM), nodesAt(pass.upper, pass.upperM)});
-    const std::vector<double> heights = fitter.fit(std::move(passes));
-    std::vector<CrossingPlane>& planes = fitter.planes;
-    for (std::size_t i = 0; i < planes.size(); ++i)
-        planes[i].heightM = heights[i];
-    StreetHeights result;
+    const FittedHeights fitted =
+        fitToLimits(graph, nodes, smoothGround(nodes, ground), overpassNodes(nodes, cuts, overpasses));
     const auto planeAt = [&](int crossing)
     {
-        const auto area = areaAt(nodes, crossing);
-        return area ? &planes[*area] : nullptr;
+        const auto area = nodes.areaAt(crossing);
+        return area ? &fitted.planes[*area] : nullptr;
     };
+    StreetHeights result;
     for (std::size_t i = 0; i < nodes.rows.size(); ++i)
     {
         const HeightRow& row = nodes.rows[i];
-        const auto first = heights.begin() + static_cast<std::ptrdiff_t>(row.first);
+        const auto first = fitted.heightsM.begin() + static_cast<std::ptrdiff_t>(row.first);
         result.profiles.push_back(
             profileOf(row, {first, first + static_cast<std::ptrdiff_t>(row.points.size())},
                       {planeAt(graph.chains[i].startCrossing), planeAt(graph.chains[i].endCrossing)}));
     }
     for (const int area : nodes.areaOf)
-        result.planes.push_back(planes[static_cast<std::size_t>(area)]);
-    result.lostOverpasses = fitter.lostOverpasses;
+        result.planes.push_back(fitted.planes[static_cast<std::size_t>(area)]);
+    result.lostOverpasses = fitted.lostOverpasses;
     return result;
 }
 

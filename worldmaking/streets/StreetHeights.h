@@ -20,13 +20,9 @@ struct StreetHeights
 
 /// Finds the heights of all streets over a ground: close to it where they lie on it, through hills in tunnels and over valleys on
 /// bridges, within the grades of their classes, with headroom where one passes over another.
-/// Method: smoothGround() gives the wished heights, scenery::fitHeights() those nearest to them that keep every limit, profileOf() the
-/// curves. A crossing's plane leans as its arms do, by kMostLean at most.
-/// Limits that the map makes impossible are exceeded as little as the fit can do.
+/// Method: smoothGround() gives the wished heights, fitToLimits() those nearest to them that keep the limits, profileOf() the curves.
 StreetHeights heightsOf(const StreetGraph& graph, const std::vector<CentreLine>& lines,
                         const std::vector<ChainCut>& cuts, const std::vector<Overpass>& overpasses,
                         const GroundHeight& ground);
-
-inline constexpr double kMostLean = 0.05; ///< metres per metre
 
 } // namespace worldmaking

@@ -3,11 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
-
-#include <osgRoads/core/query/LaneSpan.h>
-#include <osgRoads/core/query/RoadSurface.h>
 
 namespace worldmaking
 {
@@ -15,10 +11,6 @@ namespace worldmaking
 namespace
 {
 
-using osgRoads::core::ContactPoint;
-using osgRoads::core::Junction;
-using osgRoads::core::JunctionConnection;
-using osgRoads::core::LaneType;
 using osgRoads::core::Road;
 using osgRoads::core::RoadKind;
 using osgRoads::core::RoadLink;
@@ -29,14 +21,6 @@ using osgRoads::core::StructureKind;
 constexpr double kGradeStepM = 5.0;
 constexpr double kKmhPerMps = 3.6;
 constexpr double kLeastStructureM = 2.0;
-
-RoadLink linkTo(const StreetArm& arm)
-{
-    RoadLink link;
-    link.elementId = std::to_string(arm.chain);
-    link.contactPoint = arm.isEnd ? ContactPoint::end : ContactPoint::start;
-    return link;
-}
 
 } // namespace
 
@@ -62,19 +46,7 @@ Road StreetNetwork::roadOf(std::size_t index, StreetReport& report) const
     road.referenceLine = line.part(fromM, toM);
     road.elevation = _heights.profiles[index].elevation;
     road.superelevationRad = _heights.profiles[index].superelevationRad;
-    std::vector<LayoutPart> parts;
-    for (std::size_t piece = 0; piece < chain.pieces.size(); ++piece)
-    {
-        const StreetTraits& traits = _graph.traitsAt(chain, piece);
-        if (piece > 0 && traits.hasSameLanes(_graph.traitsAt(chain, piece - 1))) continue;
-        const double startM = placeOf(index, piece, road.length);
-        if (!parts.empty() && startM - parts.back().startM < kLeastRoadM)
-            parts.back().layout = layoutOf(traits);
-        else if (parts.empty() || startM < road.length - kLeastRoadM)
-            parts.push_back({startM, layoutOf(traits)});
-    }
-    parts.front().startM = 0.0;
-    RoadLanes lanes = lanesOf(parts, road.length);
+    RoadLanes lanes = lanesOf(layoutParts(index, road.length), road.length);
     road.sections = std::move(lanes.sections);
     road.laneOffset = std::move(lanes.offset);
     addKinds(index, road);
@@ -91,6 +63,24 @@ Road StreetNetwork::roadOf(std::size_t index, StreetReport& report) const
     road.isUsable = true;
     measure(index, road, report);
     return road;
+}
+
+std::vector<LayoutPart> StreetNetwork::layoutParts(std::size_t index, double lengthM) const
+{
+    const StreetChain& chain = _graph.chains[index];
+    std::vector<LayoutPart> parts;
+    for (std::size_t piece = 0; piece < chain.pieces.size(); ++piece)
+    {
+        const StreetTraits& traits = _graph.traitsAt(chain, piece);
+        if (piece > 0 && traits.hasSameLanes(_graph.traitsAt(chain, piece - 1))) continue;
+        const double startM = placeOf(index, piece, lengthM);
+        if (!parts.empty() && startM - parts.back().startM < kLeastRoadM)
+            parts.back().layout = layoutOf(traits);
+        else if (parts.empty() || startM < lengthM - kLeastRoadM)
+            parts.push_back({startM, layoutOf(traits)});
+    }
+    parts.front().startM = 0.0;
+    return parts;
 }
 
 void StreetNetwork::addKinds(std::size_t index, Road& road) const
@@ -162,96 +152,6 @@ void StreetNetwork::measure(std::size_t index, const Road& road, StreetReport& r
         report.steepestPercent = std::max(report.steepestPercent, 100.0 * grade);
         if (grade > _graph.traitsAt(chain, piece).steepest + 0.005) report.steepKm += kGradeStepM / 1000.0;
     }
-}
-
-StreetNetwork::Arm StreetNetwork::armOf(const StreetArm& arm, const Road& road) const
-{
-    Arm result;
-    result.arm = arm;
-    const double s = arm.isEnd ? road.length : 0.0;
-    const auto frame = osgRoads::core::frameAt(road, s);
-    const auto& section = arm.isEnd ? road.sections.back() : road.sections.front();
-    const auto addSide = [&](int sign, std::vector<Gate>& gates)
-    {
-        osgRoads::core::forLanesOutwards(
-            road, section, sign, s,
-            [&](const osgRoads::core::LaneSpan& span)
-            {
-                if (span.lane->type != LaneType::driving || span.width() < 0.1) return true;
-                const double heading = frame.headingRad + (sign > 0 ? std::numbers::pi : 0.0);
-                gates.push_back(
-                    {span.lane->id, {glm::dvec2(frame.pointAt(span.innerT, 0.0)), heading, span.width()}});
-                return true;
-            });
-    };
-    addSide(-1, arm.isEnd ? result.in : result.out);
-    addSide(1, arm.isEnd ? result.out : result.in);
-    return result;
-}
-
-bool StreetNetwork::isAllowed(const Crossing& crossing, const StreetArm& from, const StreetArm& to) const
-{
-    const auto wayOf = [&](const StreetArm& arm)
-    {
-        const auto& pieces = _graph.chains[arm.chain].pieces;
-        return (arm.isEnd ? pieces.back() : pieces.front()).way;
-    };
-    const std::int64_t fromWay = wayOf(from), toWay = wayOf(to);
-    for (const TurnRule& rule : _map.turnRules)
-    {
-        const auto isHere = [&](std::uint32_t point) { return _map.nodes[point].id == rule.via; };
-        if (rule.from != fromWay || std::none_of(crossing.points.begin(), crossing.points.end(), isHere))
-            continue;
-        if (rule.isOnly != (rule.to == toWay)) return false;
-    }
-    return true;
-}
-
-std::vector<char> StreetNetwork::allowedTurns(const Crossing& crossing) const
-{
-    std::vector<char> allowed;
-    for (const StreetArm& from : crossing.arms)
-        for (const StreetArm& to : crossing.arms)
-            allowed.push_back(isAllowed(crossing, from, to) ? 1 : 0);
-    return allowed;
-}
-
-void StreetNetwork::addJunction(std::size_t index, RoadNetwork& network, StreetReport& report) const
-{
-    const Crossing& crossing = _graph.crossings[index];
-    std::vector<Arm> arms;
-    std::vector<ArmLanes> lanes;
-    for (const StreetArm& arm : crossing.arms)
-    {
-        const Road& road = network.roads[arm.chain];
-        arms.push_back(armOf(arm, road));
-        const double heading = road.referenceLine.at(arm.isEnd ? road.length : 0.0).headingRad;
-        lanes.push_back({heading + (arm.isEnd ? std::numbers::pi : 0.0),
-                         static_cast<int>(arms.back().in.size()), static_cast<int>(arms.back().out.size())});
-    }
-    Junction junction;
-    junction.id = junctionId(static_cast<int>(index));
-    for (const Turn& turn : turnsOf(lanes, allowedTurns(crossing)))
-    {
-        const Gate& from = arms[turn.fromArm].in[static_cast<std::size_t>(turn.fromLane)];
-        const Gate& to = arms[turn.toArm].out[static_cast<std::size_t>(turn.toLane)];
-        Road road = connectingRoad(from.gate, to.gate, _heights.planes[index]);
-        road.id = std::to_string(network.roads.size() + _graph.crossings.size());
-        road.junctionId = junction.id;
-        road.predecessor = linkTo(arms[turn.fromArm].arm);
-        road.successor = linkTo(arms[turn.toArm].arm);
-        road.sections.front().right.front().predecessors = {from.laneId};
-        road.sections.front().right.front().successors = {to.laneId};
-        JunctionConnection connection;
-        connection.id = std::to_string(junction.connections.size());
-        connection.incomingRoadId = std::to_string(arms[turn.fromArm].arm.chain);
-        connection.connectingRoadId = road.id;
-        connection.laneLinks.push_back({from.laneId, -1});
-        junction.connections.push_back(std::move(connection));
-        network.roads.push_back(std::move(road));
-        ++report.turns;
-    }
-    network.junctions.push_back(std::move(junction));
 }
 
 void StreetNetwork::build(RoadNetwork& network, StreetReport& report) const

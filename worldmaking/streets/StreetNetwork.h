@@ -46,6 +46,7 @@ private:
     };
 
     osgRoads::core::Road roadOf(std::size_t chain, StreetReport& report) const;
+    std::vector<LayoutPart> layoutParts(std::size_t chain, double lengthM) const;
     void addKinds(std::size_t chain, osgRoads::core::Road& road) const;
     void addStructures(std::size_t chain, osgRoads::core::Road& road, StreetReport& report) const;
     void measure(std::size_t chain, const osgRoads::core::Road& road, StreetReport& report) const;
