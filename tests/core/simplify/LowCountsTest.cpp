@@ -124,6 +124,23 @@ TEST(LowCounts, HousesOfAVillageKeepTheirSilhouettesAtAThird)
     EXPECT_GT(ImageMeter(mesh).measure(level).areaRatio, 0.9);
 }
 
+/// Cubes far from each other, two triangles left for each. A triangle with its corners on a cube has an area of at most the root of
+/// 3/4 and half of that as mean silhouette; that of the cube is 6/4 (Cauchy). So levels inside of the houses show at most .58 of them,
+/// and only faces that grow when others go can show more.
+TEST(LowCounts, HousesOfAVillageKeepTheirSilhouettesAtTwoTrianglesEach)
+{
+    Mesh mesh = testsupport::cube();
+    for (int i = 1; i < 64; ++i)
+        mesh = testsupport::together(mesh, testsupport::cube(), {i % 8 * 16.0, i / 8 * 16.0, 0.1 * (i % 5)});
+    const ImageMeter meter(mesh);
+    const auto areaAt = [&](Placement placement)
+    { return meter.measure(levelWith(mesh, 128, {.placement = placement})).areaRatio; };
+    const double mostInside = 2.0 * 0.5 * std::sqrt(0.75) / 1.5;
+    EXPECT_GT(areaAt(Placement::optimal), 0.9);
+    EXPECT_LT(areaAt(Placement::subset), mostInside);
+    EXPECT_LT(areaAt(Placement::quality), mostInside); // its faces do not grow
+}
+
 TEST(LowCounts, ACrownCoversItsPixelsAtAHundredth)
 {
     const Mesh mesh = testsupport::crown(testsupport::LeafKind::quad, 6000, 0.1);

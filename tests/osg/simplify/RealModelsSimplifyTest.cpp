@@ -140,9 +140,9 @@ TEST(TexturedModel, IsHardlySmearedDownToATwentieth)
     SimplifySettings settings;
     EXPECT_LT(smearedShare(mesh, settings, 0.1), 0.04);
     settings.placement = Placement::optimal;
-    EXPECT_LT(smearedShare(mesh, settings, 0.1), 0.01);
+    EXPECT_LT(smearedShare(mesh, settings, 0.1), 0.012);
     EXPECT_LT(smearedShare(mesh, settings, 0.05), 0.05);
-    EXPECT_LT(smearedShare(mesh, settings, 0.01), 0.12);
+    EXPECT_LT(smearedShare(mesh, settings, 0.01), 0.16);
     settings.keepSeams = false; // the mutation: what is seen has no cost
     EXPECT_GT(smearedShare(mesh, settings, 0.05), 0.06);
 }

@@ -8,6 +8,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "../quadric/KeepArea.h"
 #include "../sequence/LevelErrors.h"
 #include "../symmetry/TwinFolds.h"
 
@@ -31,15 +32,6 @@ constexpr std::size_t kMostTried = 24;
 constexpr double squared(double x)
 {
     return x * x;
-}
-
-/// The cost of a change of twice the area of the faces around a collapse: what an eye at any side sees of thin parts, whose ends
-/// have quadrics of almost no weight, and of spikes. It grows with the cube, so that fine levels do without it.
-/// Only for optimal placement: quality weighs the mean distance alone, and subset cannot move vertices outwards.
-double areaCost(double doubleArea)
-{
-    const double size = std::abs(doubleArea);
-    return size * size * size;
 }
 
 /// Whether a collapse may remove the last faces of a part, or of a material that the part keeps.
@@ -88,10 +80,31 @@ CollapseChoice::Place CollapseChoice::placeFor(std::uint32_t to) const
     const StarShape& shape = _state.shapes[_star.middle];
     if (!_state.movesPlaces()) return {there, std::max(0.0, shape.quadric.at(there - here))};
     const CollapsingEdge edge{here, there, shape, _state.shapes[to], sharedAreaVector(_star, to)};
-    glm::dvec3 at = glm::clamp(bestPlace(edge), _state.box.low, _state.box.high);
+    const glm::dvec3 at = allowedPlace(to, bestPlace(edge));
+    return {at, costAt(edge, at)};
+}
+
+/// Returns the nearest place in the box of the mesh, and in the plane of symmetry where the collapse is to stay there.
+glm::dvec3 CollapseChoice::allowedPlace(std::uint32_t to, const glm::dvec3& wanted) const
+{
+    glm::dvec3 at = glm::clamp(wanted, _state.box.low, _state.box.high);
     const MirrorTwins& twins = _state.twins;
     if (twins.isInPlane(to) || twins.of(to) == _star.middle) at[twins.axis] = 0.0;
-    return {at, costAt(edge, at)};
+    return at;
+}
+
+/// Returns the place of a collapse. The last faces of a part keep their area with optimal placement, so that it does not shrink before it
+/// vanishes; unless a face turns over there.
+glm::dvec3 CollapseChoice::placeKeepingLastArea(std::uint32_t to)
+{
+    constexpr std::uint32_t kLastFaces = 16;
+    const glm::dvec3 best = placeFor(to).at;
+    const ConnectedPart& part = _state.part(to);
+    const double most = _state.areaCost.mostSwelling * std::sqrt(part.doubleArea);
+    if (_state.settings.placement != Placement::optimal || part.faces > kLastFaces || !(most > 0.0))
+        return best;
+    const glm::dvec3 at = allowedPlace(to, placeKeepingArea({_star, _toStar, _state.positions}, best, most));
+    return turnTo(to, at).foldsOver ? best : at;
 }
 
 /// Whether a collapse breaks the symmetry of the mesh, even with its mirror image done.
@@ -211,12 +224,11 @@ Candidate CollapseChoice::bestOf(std::uint32_t position, std::span<const std::ui
     {
         if (best.to != ~0u && !best.urgency.doesHarm && best.urgency.cost <= candidate.urgency.cost) break;
         if (_state.movesPlaces()) gather(_toStar, candidate.to);
-        const glm::dvec3 at = placeFor(candidate.to).at;
+        const glm::dvec3 at = placeKeepingLastArea(candidate.to);
         const PatchTurn turn = turnTo(candidate.to, at);
         candidate.urgency.doesHarm = turn.foldsOver;
-        if (_state.settings.placement == Placement::optimal)
-            candidate.urgency.cost += _state.lostAreaWeight * areaCost(turn.doubleArea) *
-                                      (isLopsided(candidate.to) ? kLopsided : 1.0);
+        candidate.urgency.cost +=
+            _state.areaCost.of(_star, turn.doubleArea) * (isLopsided(candidate.to) ? kLopsided : 1.0);
         if (_state.settings.keepSeams)
         {
             planWedges(candidate.to, at);
@@ -255,7 +267,7 @@ CollapseChoice::Effect CollapseChoice::effectOf(std::uint32_t from, std::uint32_
     gather(_star, from);
     if (_state.movesPlaces()) gather(_toStar, to);
     Effect effect;
-    effect.at = place != nullptr ? *place : placeFor(to).at;
+    effect.at = place != nullptr ? *place : placeKeepingLastArea(to);
     planWedges(to, effect.at);
     LevelError gap = gapTo(to, effect.at, _state.settings.keepSeams).gap;
     effect.facesGone = static_cast<std::uint32_t>(_star.sidesTo(to).size());

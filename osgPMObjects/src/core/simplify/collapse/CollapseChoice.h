@@ -58,6 +58,8 @@ private:
         double cost = 0.0;
     };
     Place placeFor(std::uint32_t to) const;
+    glm::dvec3 allowedPlace(std::uint32_t to, const glm::dvec3& wanted) const;
+    glm::dvec3 placeKeepingLastArea(std::uint32_t to);
     double featureCost(std::uint32_t to) const;
     void gather(Star& star, std::uint32_t position) const
     {

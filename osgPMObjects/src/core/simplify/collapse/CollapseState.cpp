@@ -30,15 +30,6 @@ AreaWeight weightFor(Placement placement, std::size_t faces)
     return {2.0, 0.0};
 }
 
-/// The weight of lost area, more in scattered models: a house is small against its village, but its silhouette is all that the eye
-/// sees of it. zone_maisons-ba, parts of .02: 82 % of the silhouettes at 25 % instead of 65.
-double weightOfLostArea(double sizeOfParts)
-{
-    constexpr double kLostArea = 20.0, kScattered = 0.2;
-    const double scattering = std::max(1.0, kScattered / std::max(sizeOfParts, 1e-3));
-    return kLostArea * scattering * scattering;
-}
-
 std::unique_ptr<Mesh> withoutPositions(const Mesh& mesh)
 {
     auto copy = std::make_unique<Mesh>(mesh);
@@ -71,7 +62,7 @@ CollapseState::CollapseState(const Mesh& original, const SimplifySettings& given
       parts(connectedParts(original, positions, given.materialColours)),
       partOf(partNumbers(parts, positions.size())),
       foliage(foliageOf(*this, original)),
-      lostAreaWeight(weightOfLostArea(meanSize(parts, positions))),
+      areaCost(AreaCost::forModel(given, meanSize(parts, positions), !foliage.empty())),
       shapes(positions.size()),
       errors(positions.size()),
       changes(positions.size(), 0),

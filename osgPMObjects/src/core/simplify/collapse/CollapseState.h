@@ -17,6 +17,7 @@
 #include "../quadric/Placement.h"
 #include "../star/StarMesh.h"
 #include "../symmetry/MirrorTwins.h"
+#include "AreaCost.h"
 #include "CollapseQueue.h"
 #include "UnitFrame.h"
 
@@ -58,7 +59,7 @@ struct CollapseState
     std::vector<std::uint32_t>
         nearby; ///< by position: the nearest one of another part; empty: parts do not join
     mutable std::vector<std::uint32_t> wentTo; ///< by position: the one it has merged into; itself: none
-    double lostAreaWeight = 0.0;        ///< of the area that a collapse takes or adds, see CollapseChoice
+    AreaCost areaCost;
     std::vector<StarShape> shapes;      ///< by position
     std::vector<LevelError> errors;     ///< by position: of everything merged into it
     std::vector<std::uint32_t> changes; ///< by position: number of changes of its star
