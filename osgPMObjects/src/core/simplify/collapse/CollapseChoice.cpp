@@ -84,13 +84,17 @@ CollapseChoice::Place CollapseChoice::placeFor(std::uint32_t to) const
     return {at, costAt(edge, at)};
 }
 
-/// Returns the nearest place in the box of the mesh, and in the plane of symmetry where the collapse is to stay there.
+/// Returns the nearest place in the box of the mesh, and in the plane of symmetry or on the axis where the collapse is to stay there.
 glm::dvec3 CollapseChoice::allowedPlace(std::uint32_t to, const glm::dvec3& wanted) const
 {
     glm::dvec3 at = glm::clamp(wanted, _state.box.low, _state.box.high);
     const MirrorTwins& twins = _state.twins;
     if (twins.isInPlane(to) || twins.of(to) == _star.middle) at[twins.axis] = 0.0;
-    return at;
+    const RotationOrbits& orbits = _state.orbits;
+    if (!orbits.isRound()) return at;
+    if (orbits.isOnAxis(to)) return orbits.within(at, 0.0);
+    if (orbits.isOnAxis(_star.middle)) return _state.positions[to]; // it has no image that would go elsewhere
+    return orbits.within(at, orbits.radiusIn(_state.box));
 }
 
 /// Returns the place of a collapse. The last faces of a part keep their area with optimal placement, so that it does not shrink before it
@@ -110,6 +114,9 @@ glm::dvec3 CollapseChoice::placeKeepingLastArea(std::uint32_t to)
 /// Whether a collapse breaks the symmetry of the mesh, even with its mirror image done.
 bool CollapseChoice::isLopsided(std::uint32_t to) const
 {
+    const RotationOrbits& orbits = _state.orbits;
+    if (orbits.isRound())
+        return orbits.isOnAxis(_star.middle) ? !orbits.isOnAxis(to) : orbits.stepFor(_star.middle, to) == 0;
     const MirrorTwins& twins = _state.twins;
     if (!twins.isMirrored()) return false;
     if (twins.isInPlane(_star.middle)) return !twins.isInPlane(to);

@@ -42,7 +42,7 @@ std::vector<std::vector<LeafCard>> foliageOf(const CollapseState& state, const M
 {
     const SimplifySettings& settings = state.settings;
     if (!settings.growLeaves || settings.envelope > 0.0 || settings.joinDistance > 0.0 ||
-        state.twins.isMirrored())
+        state.twins.isMirrored() || state.orbits.isRound())
         return {};
     return leafCards(original, state.positions, state.parts, state.partOf);
 }
@@ -58,7 +58,9 @@ CollapseState::CollapseState(const Mesh& original, const SimplifySettings& given
       positions(frame.unit(original.positions)),
       box(extentOf(positions)),
       stars(original),
-      twins(given.keepSymmetry ? mirrorTwins(positions, positionTriangles(original)) : MirrorTwins()),
+      orbits(given.keepSymmetry ? rotationOrbits(positions, positionTriangles(original)) : RotationOrbits()),
+      twins(given.keepSymmetry && !orbits.isRound() ? mirrorTwins(positions, positionTriangles(original))
+                                                    : MirrorTwins()),
       parts(connectedParts(original, positions, given.materialColours)),
       partOf(partNumbers(parts, positions.size())),
       foliage(foliageOf(*this, original)),

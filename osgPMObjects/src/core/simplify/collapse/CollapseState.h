@@ -17,6 +17,7 @@
 #include "../quadric/Placement.h"
 #include "../star/StarMesh.h"
 #include "../symmetry/MirrorTwins.h"
+#include "../symmetry/RotationOrbits.h"
 #include "AreaCost.h"
 #include "CollapseQueue.h"
 #include "UnitFrame.h"
@@ -49,7 +50,8 @@ struct CollapseState
     std::vector<glm::dvec3> positions; ///< in the unit frame
     Extent box;                        ///< in the unit frame
     StarMesh stars;
-    MirrorTwins twins;
+    RotationOrbits orbits;              ///< of a round mesh
+    MirrorTwins twins;                  ///< of another one
     std::unique_ptr<Envelope> envelope; ///< null: no envelope
     std::vector<ConnectedPart> parts;
     std::vector<std::uint32_t> partOf; ///< by position: its part at the start

@@ -81,8 +81,35 @@ void Collapser::collapse(std::uint32_t from)
 {
     const std::uint32_t to = _state.candidates[from].to;
     const Urgency urgency = _queue.leastUrgency();
+    const std::uint32_t step = _state.orbits.isRound() ? _state.orbits.stepFor(from, to) : 0;
     perform(from, to, urgency, nullptr);
-    collapseTwin(from, to, urgency);
+    if (_state.orbits.isRound())
+        collapseImages(from, to, step, urgency);
+    else
+        collapseTwin(from, to, urgency);
+}
+
+/// Performs the images of a collapse of a round mesh, each after `step` least turns more. Where one is not possible the mesh is round no more.
+/// Levels between them are allowed, unlike those between two mirror images: they are many.
+/// A position on the axis is its own image: the middle of a flat cap may go before any other, and changes no shape.
+void Collapser::collapseImages(std::uint32_t from, std::uint32_t to, std::uint32_t step,
+                               const Urgency& urgency)
+{
+    RotationOrbits& orbits = _state.orbits;
+    if (orbits.isOnAxis(from)) return;
+    bool isWhole = step > 0;
+    for (std::uint32_t turns = step; isWhole && turns < orbits.fold; turns += step)
+    {
+        const std::uint32_t imageFrom = orbits.imageOf(from, turns), imageTo = orbits.imageOf(to, turns);
+        const glm::dvec3 place =
+            _state.movesPlaces() ? orbits.imageOf(_state.positions[to], turns) : _state.positions[imageTo];
+        isWhole = _choice.isGood(imageFrom, imageTo, place, urgency.cost) &&
+                  (!_guard || _guard->allows(imageFrom, imageTo, place));
+        if (!isWhole) break;
+        perform(imageFrom, imageTo, urgency, &place);
+    }
+    orbits.step = step;
+    if (!isWhole) orbits.fold = 0;
 }
 
 /// Performs the mirrored collapse on the other side of a symmetric mesh, if it is still possible there.

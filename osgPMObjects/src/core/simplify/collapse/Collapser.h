@@ -44,6 +44,7 @@ private:
     void enterWhatIsAllowed(std::uint32_t position);
     bool isHasty(const Candidate& candidate) const;
     void collapse(std::uint32_t from);
+    void collapseImages(std::uint32_t from, std::uint32_t to, std::uint32_t step, const Urgency& urgency);
     void collapseTwin(std::uint32_t from, std::uint32_t to, const Urgency& urgency);
     void perform(std::uint32_t from, std::uint32_t to, const Urgency& urgency, const glm::dvec3* place);
     void record(std::uint32_t from, std::uint32_t to, const CollapseChoice::Effect& effect);

@@ -30,6 +30,8 @@ std::vector<PartGroup> groupsOf(const CollapseState& state)
     for (std::uint32_t p = 0; p < state.positions.size(); ++p)
     {
         join(p, state.twins.of(p));
+        if (state.orbits.isRound())
+            join(p, state.parts.front().positions.front()); // they get less round together
         if (!state.nearby.empty()) join(p, state.nearby[p]);
     }
     std::vector<bool> isLeaf(state.parts.size(), false);

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <utility>
 
-#include <glm/geometric.hpp>
-
 #include <osgPMObjects/core/mesh/MeshCounts.h>
 #include <osgPMObjects/core/mesh/PointGrid.h>
+
+#include "PositionAt.h"
 
 namespace osgPMObjects::core
 {
@@ -15,23 +15,7 @@ namespace osgPMObjects::core
 namespace
 {
 
-constexpr double kTolerance = 1e-6;         ///< of the diagonal: files have rounded floats
 constexpr double kLeastMirroredShare = 0.9; ///< of the positions; the rest may be an aerial or a number plate
-
-/// Returns the position nearest to a point; kNone where none is within the tolerance.
-std::uint32_t positionAt(const glm::dvec3& place, std::span<const glm::dvec3> positions,
-                         const PointGrid& grid)
-{
-    std::uint32_t nearest = MirrorTwins::kNone;
-    double least = kTolerance;
-    grid.visitBox(place - kTolerance, place + kTolerance,
-                  [&](std::uint32_t p)
-                  {
-                      const double distance = glm::distance(positions[p], place);
-                      if (distance < least) least = distance, nearest = p;
-                  });
-    return nearest;
-}
 
 /// Finds the image of each position across an axis; an image counts only when it is mutual.
 MirrorTwins twinsAcross(int axis, std::span<const glm::dvec3> positions, const PointGrid& grid)
@@ -63,9 +47,7 @@ std::size_t pairedFaces(const MirrorTwins& twins, std::span<const Triangle> sort
 
 MirrorTwins mirrorTwins(std::span<const glm::dvec3> positions, std::span<const Triangle> triangles)
 {
-    PointGrid grid(4.0 * kTolerance, positions.size());
-    for (const glm::dvec3& p : positions)
-        grid.add(p);
+    const PointGrid grid = samePlaceGrid(positions);
     std::vector<Triangle> sorted;
     for (const Triangle& t : triangles)
         sorted.push_back(sortedCorners(t));
