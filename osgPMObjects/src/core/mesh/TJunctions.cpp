@@ -10,6 +10,7 @@
 
 #include <osgPMObjects/core/Parallel.h>
 #include <osgPMObjects/core/mesh/Extent.h>
+#include <osgPMObjects/core/mesh/FirstAtPlace.h>
 #include <osgPMObjects/core/mesh/PointTree.h>
 #include <osgPMObjects/core/mesh/TJunctions.h>
 
@@ -53,7 +54,7 @@ public:
     }
 
     /// Returns the foot of a near point as a share of the edge, and its distance; nothing for others.
-    std::optional<std::pair<double, double>> foot(const glm::dvec3& p) const
+    std::optional<std::pair<double, double>> foot(const glm::dvec3& p) const // the ends have none
     {
         const glm::dvec3 toP = p - _a;
         const double share = glm::dot(toP, _along) / _squaredLength;
@@ -86,17 +87,12 @@ public:
             _edges.push_back({e, std::minmax(from, to)});
             isOpenVertex[from] = isOpenVertex[to] = true;
         }
-        for (std::uint32_t v = 0; v < positions.size(); ++v)
-            if (isOpenVertex[v])
-            {
-                _vertices.push_back(v);
-                _points.push_back(positions[v]);
-            }
+        gatherPlaces(isOpenVertex);
     }
 
     FoundTJunctions run() const
     {
-        const PointTree tree(_points);
+        const PointTree tree(_places);
         std::atomic<bool> isCutShort = false;
         const std::size_t most = kMostJunctions * (_edges.size() + _vertices.size()) + kFewJunctions;
         std::vector<std::vector<TJunction>> found(std::max(1u, std::thread::hardware_concurrency()));
@@ -123,7 +119,7 @@ public:
     /// memory for junctions.
     std::size_t countVertices() const
     {
-        PointTree tree(_points);
+        PointTree tree(_places);
         std::size_t count = 0;
         std::uint64_t work = workOf(_edges.size(), tree, 1);
         for (const OpenEdge& edge : _edges)
@@ -133,8 +129,8 @@ public:
             tree.take(probe, work,
                       [&](std::uint32_t number)
                       {
-                          const bool isFound = !isEnd(edge, number) && probe.foot(_points[number]);
-                          count += isFound;
+                          const bool isFound = probe.foot(_places[number]).has_value();
+                          if (isFound) count += verticesAt(number).size();
                           return isFound;
                       });
         }
@@ -162,9 +158,28 @@ private:
         return {_positions[edge.ends.first], _positions[edge.ends.second], _tolerance};
     }
 
-    bool isEnd(const OpenEdge& edge, std::uint32_t number) const
+    /// Gathers the open vertices by their places: those that a split of edges has made may lie a hundred deep at one, and each
+    /// search is to look at it once.
+    void gatherPlaces(const std::vector<bool>& isOpenVertex)
     {
-        return _vertices[number] == edge.ends.first || _vertices[number] == edge.ends.second;
+        const std::vector<std::uint32_t> first = firstAtPlace(_positions);
+        for (std::uint32_t v = 0; v < _positions.size(); ++v)
+            if (isOpenVertex[v]) _vertices.push_back(v);
+        std::stable_sort(_vertices.begin(), _vertices.end(),
+                         [&](std::uint32_t v, std::uint32_t w) { return first[v] < first[w]; });
+        for (std::uint32_t i = 0; i < _vertices.size(); ++i)
+        {
+            if (i > 0 && first[_vertices[i]] == first[_vertices[i - 1]]) continue;
+            _places.push_back(_positions[_vertices[i]]);
+            _firstVertex.push_back(i);
+        }
+        _firstVertex.push_back(static_cast<std::uint32_t>(_vertices.size()));
+    }
+
+    std::span<const std::uint32_t> verticesAt(std::uint32_t place) const
+    {
+        return std::span(_vertices).subspan(_firstVertex[place],
+                                            _firstVertex[place + 1] - _firstVertex[place]);
     }
 
     /// Searches the edges of a group, in order. Returns whether it came to the end: its limit of work does not depend on the number
@@ -183,9 +198,10 @@ private:
             tree.visit(probe, work,
                        [&](std::uint32_t number)
                        {
-                           if (isEnd(edge, number)) return;
-                           if (const auto foot = probe.foot(_points[number]))
-                               found.push_back({edge.edge, _vertices[number], foot->first, foot->second});
+                           const auto foot = probe.foot(_places[number]);
+                           if (!foot) return;
+                           for (const std::uint32_t vertex : verticesAt(number))
+                               found.push_back({edge.edge, vertex, foot->first, foot->second});
                        });
             std::sort(found.begin() + std::ptrdiff_t(before), found.end(),
                       [](const TJunction& x, const TJunction& y)
@@ -197,8 +213,9 @@ private:
     std::span<const glm::dvec3> _positions;
     double _tolerance;
     std::vector<OpenEdge> _edges;
-    std::vector<std::uint32_t> _vertices; ///< of open edges
-    std::vector<glm::dvec3> _points;      ///< their positions
+    std::vector<std::uint32_t> _vertices;    ///< of open edges, place by place
+    std::vector<glm::dvec3> _places;         ///< the positions of these, each once
+    std::vector<std::uint32_t> _firstVertex; ///< by place: its first in _vertices; one more at the end
 };
 
 } // namespace
