@@ -62,8 +62,9 @@ void CatalogShelf::openDirectory(ParseContext& context, pugi::xml_node directory
     if (!_opened.insert(path).second) return;
     if (!std::filesystem::is_directory(path, code))
     {
-        context.invalid(directory, "the catalogue folder " + path.string() + " does not exist",
-                        "correct the path: it counts from the scenario's folder");
+        context.add({Problem::Kind::unsupported,
+                     {context.place(directory), "the catalogue folder " + path.string() + " does not exist",
+                      "instead: it has no entries; the path counts from the scenario's folder"}});
         return;
     }
     for (const std::filesystem::path& file : catalogFiles(path))

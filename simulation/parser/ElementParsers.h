@@ -45,9 +45,10 @@ std::vector<ScenarioObject> parseObjectContent(ElementReader reader,
                                                const std::string& name); // ParseEntity.cpp
 FileHeader parseHeader(ElementReader reader);                            // ParseScenario.cpp
 /// A Controller, or one of a catalogue. One that is not played is told.
-Controller parseController(ElementReader reader); // ParseController.cpp
-Properties parseProperties(ElementReader reader); // ParseEntity.cpp: those of an object
-Storyboard parseStoryboard(ElementReader reader); // ParseStoryboard.cpp
+Controller parseObjectController(ElementReader reader); // ParseEntity.cpp
+Controller parseController(ElementReader reader);       // ParseController.cpp
+Properties parseProperties(ElementReader reader);       // ParseEntity.cpp: those of an object
+Storyboard parseStoryboard(ElementReader reader);       // ParseStoryboard.cpp
 
 /// Reads the instant of `dateTime`.
 DateTime parseInstant(ElementReader& reader); // ParseEnvironment.cpp

@@ -31,7 +31,8 @@ AssignControllerAction parseAssignController(ElementReader reader)
         action.longitudinal = reader.flagOr("activateLongitudinal", false);
     if (reader.has("activateLateral")) action.lateral = reader.flagOr("activateLateral", false);
     ElementReader content = reader.onlyChild();
-    action.controller = parseController(content.is("ObjectController") ? content.onlyChild() : content);
+    action.controller =
+        content.is("ObjectController") ? parseObjectController(content) : parseController(content);
     return action;
 }
 
@@ -116,11 +117,20 @@ PrivateAction parseTrailerAction(ElementReader reader)
     return action;
 }
 
-/// From 1.1 on the actions on controllers stand in a ControllerAction.
+/// From 1.1 on a ControllerAction has one of the actions on controllers; in 1.0 two of them stand in it together.
 PrivateAction parseControllerAction(ElementReader reader)
 {
+    reader.allowChildren(
+        {"AssignControllerAction", "ActivateControllerAction", "OverrideControllerValueAction"});
+    const pugi::xml_node assigned = reader.node.child("AssignControllerAction");
+    const pugi::xml_node overridden = reader.node.child("OverrideControllerValueAction");
+    if (assigned)
+    {
+        AssignControllerAction action = parseAssignController({reader.context, assigned});
+        if (overridden) action.overrides = parseOverride({reader.context, overridden});
+        return action;
+    }
     ElementReader content = reader.onlyChild();
-    if (content.is("AssignControllerAction")) return parseAssignController(content);
     if (content.is("ActivateControllerAction")) return parseActivateController(content);
     if (content.is("OverrideControllerValueAction")) return parseOverride(content);
     return unsupportedContent(content, "action");

@@ -12,6 +12,21 @@ ValueCondition parseValue(ElementReader reader, std::string name)
     return {std::move(name), reader.text("value"), reader.choice("rule", kRules)};
 }
 
+/// Some programs keep their criteria as conditions on parameters that nobody declares: such a condition is never true.
+ConditionContent parseParameterCondition(ElementReader reader)
+{
+    std::string name = reader.node.attribute("parameterRef").value();
+    if (!name.empty() && name.front() == '$') name.erase(0, 1);
+    if (!reader.has("parameterRef") || reader.context.lookup(name))
+        return parseValue(reader, parseDeclaredName(reader, "parameterRef"));
+    reader.has("value");
+    reader.has("rule");
+    reader.context.unsupported(reader.node,
+                               "a condition on the parameter \"" + name + "\", which is not declared,",
+                               "it is never true");
+    return Unsupported{reader.context.line(reader.node), reader.node.name()};
+}
+
 ConditionContent parseContent(ElementReader reader)
 {
     ElementReader kind = reader.onlyChild();
@@ -24,7 +39,7 @@ ConditionContent parseContent(ElementReader reader)
         return StoryboardElementStateCondition{value.choice("storyboardElementType", kElementTypes),
                                                value.text("storyboardElementRef"),
                                                value.choice("state", kElementStates)};
-    if (value.is("ParameterCondition")) return parseValue(value, parseDeclaredName(value, "parameterRef"));
+    if (value.is("ParameterCondition")) return parseParameterCondition(value);
     if (value.is("VariableCondition")) return parseValue(value, parseDeclaredName(value, "variableRef"));
     if (value.is("UserDefinedValueCondition")) return parseValue(value, value.text("name"));
     if (value.is("TrafficSignalCondition"))

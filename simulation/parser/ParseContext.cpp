@@ -127,8 +127,10 @@ std::vector<ParameterDeclaration> ParseContext::declareParameters(pugi::xml_node
     {
         ElementReader reader(*this, node);
         reader.allowChildren({"ConstraintGroup"});
-        ParameterDeclaration declaration{line(node), reader.text("name"), reader.text("parameterType"), ""};
-        if (!declaration.name.empty() && declaration.name.front() == '$') declaration.name.erase(0, 1);
+        std::string name = node.attribute("name").value(); // with or without $: not a value
+        if (!reader.has("name")) reader.text("name");      // tells that it is missing
+        if (!name.empty() && name.front() == '$') name.erase(0, 1);
+        ParameterDeclaration declaration{line(node), std::move(name), reader.text("parameterType"), ""};
         const auto replaced = given.find(declaration.name);
         const std::string own = reader.text("value");
         declaration.value = replaced == given.end() ? own : replaced->second;

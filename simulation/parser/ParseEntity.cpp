@@ -54,6 +54,7 @@ Vehicle parseVehicle(ElementReader reader)
     vehicle.source = context.line(reader.node);
     vehicle.name = reader.name();
     vehicle.category = reader.text("vehicleCategory");
+    reader.textOr("role", ""); // nothing here asks who uses it
     vehicle.model3d = reader.textOr("model3d", "");
     vehicle.massKg = reader.optionalNumber("mass");
     vehicle.box = parseBoundingBox(reader.child("BoundingBox"));
@@ -75,6 +76,7 @@ Object parseSimpleObject(ElementReader reader, const char* categoryAttribute)
     object.name = reader.name();
     object.category = reader.text(categoryAttribute);
     object.model3d = reader.textOr("model3d", reader.textOr("model", ""));
+    reader.textOr("role", "");
     object.massKg = reader.numberOr("mass", 0.0);
     object.box = parseBoundingBox(reader.child("BoundingBox"));
     object.properties = parseProperties(reader);
@@ -128,6 +130,14 @@ void parseObject(ElementReader reader, std::size_t index, std::vector<ScenarioOb
 
 } // namespace
 
+Controller parseObjectController(ElementReader reader)
+{
+    Controller controller = parseController(reader.onlyChild());
+    controller.objectName = reader.textOr("name", "");
+    reader.textOr("controllerType", "");
+    return controller;
+}
+
 Properties parseProperties(ElementReader parent)
 {
     Properties properties;
@@ -160,7 +170,7 @@ std::vector<ScenarioObject> parseObjectContent(ElementReader reader, const std::
         if (node.type() != pugi::node_element) continue;
         ElementReader content(reader.context, node);
         if (content.is("ObjectController"))
-            objects[0].controllers.push_back(parseController(content.onlyChild()));
+            objects[0].controllers.push_back(parseObjectController(content));
         else if (hasObject)
             reader.context.foreign(node, std::string("the element ") + node.name());
         else

@@ -152,6 +152,7 @@ foundation::Result<ParsedScenario> parseSource(const XmlSource& source, CatalogS
 FileHeader parseHeader(ElementReader reader)
 {
     reader.allowChildren({"License", "Properties"});
+    parseProperties(reader);
     FileHeader header{reader.count("revMajor", 1), reader.count("revMinor", 0), reader.text("date"),
                       reader.text("author"), reader.text("description")};
     if (header.revMajor != 1)

@@ -24,7 +24,7 @@ int vehicleCount(ElementReader& reader, double wanted)
 Controller parseDriver(ElementReader reader)
 {
     ElementReader content = reader.onlyChild();
-    return parseController(content.is("ObjectController") ? content.onlyChild() : content);
+    return content.is("ObjectController") ? parseObjectController(content) : parseController(content);
 }
 
 /// 1.0 to 1.2: categories and controllers, each with weights.

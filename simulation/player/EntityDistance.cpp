@@ -146,6 +146,14 @@ std::optional<double> distanceBetween(const MeasuredBody& from, const MeasuredBo
 
 bool overlap(const MeasuredBody& first, const MeasuredBody& second)
 {
+    const glm::dvec2 apart(second.state->position - first.state->position);
+    const auto reachOf = [](const BoundingBox& box)
+    {
+        return std::hypot(std::fabs(box.centre.x) + 0.5 * box.lengthM,
+                          std::fabs(box.centre.y) + 0.5 * box.widthM);
+    };
+    const double reach = reachOf(first.box) + reachOf(second.box);
+    if (glm::dot(apart, apart) > reach * reach) return false; // spares most of the angles
     for (const MeasuredBody* body : {&first, &second})
     {
         const double heading = foundation::radiansOf(body->state->headingDeg);

@@ -117,6 +117,7 @@ ActionTicket ScenePerformer::carryOut(const AssignControllerAction& action, int 
 {
     _controllers[static_cast<std::size_t>(actor)].push_back(action.controller);
     if (action.longitudinal) activate(action.controller.name, *action.longitudinal, actor);
+    if (action.overrides) carryOut(*action.overrides, actor);
     return {};
 }
 
@@ -192,7 +193,10 @@ void ScenePerformer::activate(const std::string& controller, bool isActive, int 
     const std::vector<Controller>& known = _controllers[index];
     if (!isActive || known.empty()) return;
     const auto named = std::find_if(known.begin(), known.end(),
-                                    [&](const Controller& one) { return one.name == controller; });
+                                    [&](const Controller& one) {
+                                        return one.name == controller ||
+                                               (!controller.empty() && one.objectName == controller);
+                                    });
     _active[index] = makeSpeedController(named != known.end() ? *named : known.back(), motion(actor).state());
     if (_active[index]) end(actor, ActionDomain::longitudinal);
 }

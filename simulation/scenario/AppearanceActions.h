@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "simulation/scenario/Entity.h"
+#include "simulation/scenario/OverrideAction.h"
 
 // Source: ASAM OpenSCENARIO XML 1.3, LightStateAction, AssignControllerAction, TrailerAction.
 
@@ -53,6 +54,7 @@ struct AssignControllerAction
     SourceLine source;
     Controller controller;
     std::optional<bool> longitudinal, lateral;
+    std::optional<OverrideAction> overrides{}; ///< 1.0: both stand in one ControllerAction
 
     bool operator==(const AssignControllerAction&) const = default;
 };

@@ -107,6 +107,8 @@ struct Controller
     SourceLine source;
     std::string name;
     Properties properties;
+    std::string
+        objectName{}; ///< of the ObjectController that it stands in (1.3), by which actions name it, too
 
     bool operator==(const Controller&) const = default;
 
