@@ -14,6 +14,7 @@
 #include "simulation/control/RecordedInputs.h"
 #include "simulation/control/VehicleMotion.h"
 #include "simulation/control/driver/Driver.h"
+#include "simulation/control/driver/RoadHands.h"
 #include "simulation/tour/TourScenario.h"
 #include "simulation/vehicle/WeatherAir.h"
 #include "simulation/vehicle/road/RoadVehicleFile.h"
@@ -25,7 +26,6 @@ namespace
 {
 
 constexpr const char* kCar = "Ego";
-constexpr double kStartM = 1.0; ///< of the way, at which the rear axle begins
 
 simulation::Axle scenarioAxle(const simulation::RoadVehicleData& data, std::size_t index)
 {
@@ -37,7 +37,7 @@ simulation::Axle scenarioAxle(const simulation::RoadVehicleData& data, std::size
 /// One vehicle that stands at the begin of its way.
 simulation::Scenario driveScenario(const simulation::RoadVehicleData& data,
                                    const simulation::DriverPath& path,
-                                   const std::optional<simulation::Geodetic>& origin)
+                                   const std::optional<simulation::Geodetic>& origin, double startM)
 {
     simulation::Scenario scenario;
     scenario.header = {1, 3, "2024-01-01T00:00:00", "osgTrainer", "A drive"};
@@ -52,20 +52,20 @@ simulation::Scenario driveScenario(const simulation::RoadVehicleData& data,
     vehicle.frontAxle = scenarioAxle(data, 0);
     vehicle.rearAxle = scenarioAxle(data, 1);
     scenario.entities.push_back({{}, kCar, vehicle});
-    const glm::dvec3 start = path.placeAt(kStartM);
+    const glm::dvec3 start = path.placeAt(startM);
     simulation::TeleportAction teleport;
     teleport.position = simulation::WorldPosition{
         {},
         start.x,
         start.y,
         start.z,
-        simulation::Orientation{path.headingRadAt(kStartM), std::nullopt, std::nullopt}};
+        simulation::Orientation{path.headingRadAt(startM), std::nullopt, std::nullopt}};
     scenario.storyboard.init.privates.push_back({{}, kCar, {teleport}});
     simulation::TourTerrain terrain;
     terrain.origin = origin;
     terrain.eastM = terrain.northM = 20'000.0;
     scenario.storyboard.init.globals.push_back(
-        simulation::EnvironmentAction{{}, simulation::tourEnvironment(terrain, path.headingRadAt(kStartM))});
+        simulation::EnvironmentAction{{}, simulation::tourEnvironment(terrain, path.headingRadAt(startM))});
     return scenario;
 }
 
@@ -87,20 +87,81 @@ driverOf(const DriveRequest& request, const simulation::RoadVehicle& vehicle, si
         std::make_unique<simulation::RecordedInputs>(std::move(*inputs)));
 }
 
-/// Tells of a drive at its end, and writes what was recorded.
-foundation::Outcome leaveDrive(const DriveRequest& request, const simulation::VehicleMotion& motion)
+void tellDrive(const simulation::VehicleMotion& motion)
 {
     const simulation::ControlledVehicle& vehicle = motion.vehicle();
-    if (const auto* driver = dynamic_cast<const simulation::Driver*>(vehicle.controller()))
+    const simulation::VehicleController* controller = vehicle.controller();
+    const auto* const seat = dynamic_cast<const simulation::HandOver*>(controller);
+    if (seat) controller = seat->automatic();
+    const auto* const driver = dynamic_cast<const simulation::Driver*>(controller);
+    if (driver && !seat)
         std::printf("driven %.2f s, %.1f of %.0f m of lanes, %.3f m from the middle at most\n",
                     vehicle.now().timeS, driver->beside().alongM, driver->path().lengthM(),
                     driver->worstOffsetM());
     else
-        std::printf("driven %.2f s by recorded inputs\n", vehicle.now().timeS);
+        std::printf("driven %.2f s by %s\n", vehicle.now().timeS, seat ? "hand" : "recorded inputs");
     if (!motion.note().empty()) std::printf("note: the vehicle %s\n", motion.note().c_str());
-    if (request.recordInputs.empty()) return foundation::success();
-    return vehicle.recorder()->write(request.recordInputs);
 }
+
+/// Makes one drive after the other along one way.
+class DriveMaker final : public RideMaker
+{
+public:
+    DriveMaker(const DriveRequest& request, const simulation::RoadVehicleData& data,
+               const SceneTerrain& scene, simulation::DriverPath path)
+        : _request(request),
+          _data(std::make_shared<const simulation::RoadVehicleData>(data)),
+          _ground(groundForWheels(scene)),
+          _origin(scene.origin()),
+          _path(std::move(path))
+    {
+        if (_origin) _earth = std::make_shared<const simulation::EarthFrame>(*_origin);
+        _startsM.push_back(std::min(_request.startM, _path.lengthM() - 1.0));
+        for (const double share : {0.25, 0.5, 0.75})
+            _startsM.push_back(std::round(share * _path.lengthM()));
+    }
+
+    KeyScope kind() const override { return KeyScope::drive; }
+
+    std::vector<RidePlace> places() const override
+    {
+        std::vector<RidePlace> places;
+        for (const double startM : _startsM)
+        {
+            char name[60], option[60];
+            std::snprintf(name, sizeof name, "at %.0f m of the way", startM);
+            std::snprintf(option, sizeof option, "--start-at %.17g", startM);
+            places.push_back({name, option});
+        }
+        return places;
+    }
+
+    foundation::Result<Ride> make(std::size_t place) override
+    {
+        auto car = std::make_unique<simulation::RoadVehicle>(_data, _earth);
+        auto controller = driverOf(_request, *car, _path);
+        if (!controller) return controller.error();
+        if (_request.hasWindow())
+            *controller = std::make_unique<simulation::HandOver>(
+                std::move(*controller), simulation::driverHands(*car), _request.inputs.empty());
+        auto* const hands = dynamic_cast<simulation::HandOver*>(controller->get());
+        auto driven = std::make_unique<simulation::ControlledVehicle>(std::move(car), std::move(*controller));
+        if (!_request.recordInputs.empty()) driven->record();
+        auto motion = std::make_shared<simulation::VehicleMotion>(
+            std::move(driven), _ground, std::make_shared<const simulation::WeatherAir>());
+        return Ride{driveScenario(*_data, _path, _origin, _startsM[place]), kCar, std::move(motion), "drive",
+                    hands};
+    }
+
+private:
+    const DriveRequest& _request;
+    std::shared_ptr<const simulation::RoadVehicleData> _data;
+    std::shared_ptr<const simulation::Ground> _ground;
+    std::optional<simulation::Geodetic> _origin;
+    std::shared_ptr<const simulation::EarthFrame> _earth;
+    simulation::DriverPath _path;
+    std::vector<double> _startsM;
+};
 
 } // namespace
 
@@ -109,28 +170,17 @@ foundation::Outcome drive(const DriveRequest& request)
     for (const auto& file : {request.recordInputs, request.play.output.motionFile})
         if (const auto writable = foundation::checkWritable(file); !writable) return writable;
     const std::filesystem::path& world = request.play.terrain.file;
-    const auto read = simulation::readRoadVehicle(request.vehicle);
-    if (!read) return read.error();
-    const auto data = std::make_shared<const simulation::RoadVehicleData>(*read);
+    const auto data = simulation::readRoadVehicle(request.vehicle);
+    if (!data) return data.error();
     auto scene = openElevation(world, request.play.terrain);
     if (!scene) return scene.error();
     const auto path = driveWay(*scene, world.string(), request.lengthM);
     if (!path) return path.error();
-    std::shared_ptr<const simulation::EarthFrame> earth;
-    if (const auto origin = scene->origin()) earth = std::make_shared<const simulation::EarthFrame>(*origin);
-    auto car = std::make_unique<simulation::RoadVehicle>(data, earth);
-    auto controller = driverOf(request, *car, *path);
-    if (!controller) return controller.error();
-    auto driven = std::make_unique<simulation::ControlledVehicle>(std::move(car), std::move(*controller));
-    if (!request.recordInputs.empty()) driven->record();
-    const auto motion = std::make_shared<simulation::VehicleMotion>(
-        std::move(driven), groundForWheels(*scene), std::make_shared<const simulation::WeatherAir>());
-    simulation::Scenario scenario = driveScenario(*data, *path, scene->origin());
-    if (const auto played =
-            playRide(request, std::move(*scene), {std::move(scenario), kCar, motion, "drive"});
-        !played)
-        return played;
-    return leaveDrive(request, *motion);
+    DriveMaker maker(request, *data, *scene, *path);
+    const auto motion = playRides(request, std::move(*scene), maker);
+    if (!motion) return motion.error();
+    tellDrive(**motion);
+    return foundation::success();
 }
 
 } // namespace trainer

@@ -14,14 +14,13 @@ namespace trainer
 struct DriveRequest : RideRequest
 {
     std::filesystem::path vehicle = "data/vehicles/car.xml";
-    double lengthM = 5000.0;      ///< of the way
-    double speedMps = 0.0;        ///< most that the driver wants; 0: what the roads allow
-    std::filesystem::path inputs; ///< recorded inputs in place of the driver
-    std::filesystem::path recordInputs;
+    double lengthM = 5000.0; ///< of the way
+    double speedMps = 0.0;   ///< most that the driver wants; 0: what the roads allow
+    double startM = 1.0;     ///< of the way, at which the rear axle begins
 };
 
-/// Drives a road vehicle by its own physics along the lanes of a world, by the driver or by recorded inputs, with or without
-/// pictures. Prints how far it came and how far from the middle of its lane it was at most.
+/// Drives a road vehicle by its own physics along the lanes of a world: by the driver or by recorded inputs, with or without
+/// pictures, or by hand in a window. Prints how far it came and how far from the middle of its lane it was at most.
 /// Errors: those of the files, of the world (no roads), of the start.
 foundation::Outcome drive(const DriveRequest& request);
 

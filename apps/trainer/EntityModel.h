@@ -29,8 +29,8 @@ public:
 
     osg::Node* node() const { return _generated ? _generated->node() : _placed.get(); }
 
-    /// Does not draw it any more: the eye is in it.
-    void hide() { _isHidden = true; }
+    /// Does not draw it any more: the eye is in it; or draws it again.
+    void hide(bool isHidden = true) { _isHidden = isHidden; }
 
     /// `isDark`: head lamps are on.
     void show(const simulation::EntityState& state, bool isDark);

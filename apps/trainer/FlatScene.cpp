@@ -71,7 +71,8 @@ core::HeightField flatField(Extent extent)
 
 } // namespace
 
-foundation::Result<SceneTerrain> makeFlatScene(const std::vector<simulation::FlightTrack>& tracks)
+foundation::Result<SceneTerrain> makeFlatScene(const std::vector<simulation::FlightTrack>& tracks,
+                                               std::vector<osgTerrainROAM::core::GroundFeature> painted)
 {
     Extent extent;
     for (const simulation::FlightTrack& track : tracks)
@@ -87,7 +88,7 @@ foundation::Result<SceneTerrain> makeFlatScene(const std::vector<simulation::Fli
     core::RoamFile description;
     description.land.hasWater = false;
     const auto tile = std::make_shared<core::RoamTile>(core::PlacedTile(flatField(std::move(extent))));
-    auto terrain = osgTerrainROAM::makeTerrain(description, tile);
+    auto terrain = osgTerrainROAM::makeTerrain(description, tile, {std::move(painted), 0.0});
     if (!terrain) return terrain.error();
     return SceneTerrain{terrain->get(), *terrain, nullptr};
 }

@@ -3,6 +3,8 @@
 
 #include <vector>
 
+#include <osgTerrainROAM/core/features/GroundFeature.h>
+
 #include "SceneTerrain.h"
 #include "simulation/track/FlightTrack.h"
 
@@ -10,7 +12,8 @@ namespace trainer
 {
 
 /// Makes flat ground below recorded tracks, at the height that one fix of fifty is below, with 20 km around them: a stage for a
-/// recording whose terrain is not at hand. Errors: tracks that are more than 5 degrees apart, or beyond 80 degrees of latitude.
-foundation::Result<SceneTerrain> makeFlatScene(const std::vector<simulation::FlightTrack>& tracks);
+/// recording whose terrain is not at hand. `painted`: onto it. Errors: tracks that are more than 5 degrees apart, or beyond 80 degrees of latitude.
+foundation::Result<SceneTerrain> makeFlatScene(const std::vector<simulation::FlightTrack>& tracks,
+                                               std::vector<osgTerrainROAM::core::GroundFeature> painted = {});
 
 } // namespace trainer

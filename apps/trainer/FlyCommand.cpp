@@ -7,11 +7,14 @@
 #include <foundation/Angle.h>
 #include <foundation/WholeFile.h>
 
+#include "FlatScene.h"
 #include "SceneGround.h"
+#include "SceneStrip.h"
 #include "SceneTerrain.h"
 #include "simulation/control/RecordedInputs.h"
 #include "simulation/control/VehicleMotion.h"
 #include "simulation/control/flight/Autopilot.h"
+#include "simulation/control/flight/FlightHands.h"
 #include "simulation/tour/TourScenario.h"
 #include "simulation/vehicle/WeatherAir.h"
 #include "simulation/vehicle/flight/Aircraft.h"
@@ -29,23 +32,48 @@ constexpr double kStartHeightM = 300.0, kStartSpeedMps = 50.0;
 constexpr double kBehindThresholdM = 20.0; ///< where a take-off begins on its strip
 constexpr const char* kEntity = "Ego";
 
-/// Where the flight begins. Angles in degrees from north, clockwise.
+/// Where a flight begins. Angles in degrees from north, clockwise.
 struct FlightStart
 {
+    std::string name;
     glm::dvec2 place{0.0};
     double heightM = 0.0; ///< above the ground
     double headingDeg = 0.0, speedMps = 0.0;
 };
 
-FlightStart startOf(const FlyRequest& request)
+/// A place beside a strip. `alongM`, `leftM`: from its threshold.
+glm::dvec2 besideStrip(const StripRequest& strip, double alongM, double leftM)
 {
-    if (!request.start.empty())
-        return {{request.start[0], request.start[1]}, request.start[2], request.start[3], request.start[4]};
+    const double course = foundation::radiansOf(strip.courseDeg);
+    const glm::dvec2 ahead(std::sin(course), std::cos(course));
+    return strip.threshold + alongM * ahead + leftM * glm::dvec2(-ahead.y, ahead.x);
+}
+
+/// The first is that of the request.
+std::vector<FlightStart> startsOf(const FlyRequest& request)
+{
     const auto& strip = request.play.terrain.strip;
-    if (!strip) return {{0.0, 0.0}, kStartHeightM, 0.0, kStartSpeedMps};
-    const double course = foundation::radiansOf(strip->courseDeg);
-    return {strip->threshold + kBehindThresholdM * glm::dvec2(std::sin(course), std::cos(course)), 0.0,
-            strip->courseDeg, 0.0};
+    std::vector<FlightStart> starts;
+    if (!request.start.empty())
+        starts.push_back({"the start",
+                          {request.start[0], request.start[1]},
+                          request.start[2],
+                          request.start[3],
+                          request.start[4]});
+    else if (!strip)
+        starts.push_back({"the start", {0.0, 0.0}, kStartHeightM, 0.0, kStartSpeedMps});
+    const glm::dvec2 middle = starts.empty() ? glm::dvec2(0.0) : starts.front().place;
+    if (!strip)
+    {
+        starts.push_back({"high above", middle, 1500.0, 0.0, kStartSpeedMps});
+        return starts;
+    }
+    const double course = strip->courseDeg;
+    starts.push_back({"on the runway", besideStrip(*strip, kBehindThresholdM, 0.0), 0.0, course, 0.0});
+    starts.push_back({"on final", besideStrip(*strip, -2500.0, 0.0), 140.0, course, 33.0});
+    starts.push_back({"downwind", besideStrip(*strip, 0.5 * strip->lengthM, 1200.0), 300.0,
+                      std::fmod(course + 180.0, 360.0), 45.0});
+    return starts;
 }
 
 simulation::WeatherAir airOf(const FlyRequest& request)
@@ -176,50 +204,113 @@ aircraftOf(const FlyRequest& request, const std::shared_ptr<const simulation::Ea
         std::make_shared<const simulation::AircraftData>(std::move(*data)), earth, request.seed));
 }
 
-/// The flight before its first step.
-struct ReadyFlight
+/// Makes one flight after the other over one ground.
+class FlightMaker final : public RideMaker
 {
-    std::shared_ptr<simulation::VehicleMotion> motion;
-    simulation::Scenario scenario;
+public:
+    FlightMaker(const FlyRequest& request, std::shared_ptr<const simulation::Ground> ground,
+                const std::optional<simulation::Geodetic>& origin)
+        : _request(request),
+          _ground(std::move(ground)),
+          _origin(origin),
+          _earth(std::make_shared<const simulation::EarthFrame>(
+              origin.value_or(simulation::Geodetic{46.0, 8.0, 0.0}))),
+          _starts(startsOf(request))
+    {
+    }
+
+    KeyScope kind() const override { return KeyScope::flight; }
+    std::vector<RidePlace> places() const override;
+    foundation::Result<Ride> make(std::size_t place) override;
+
+private:
+    foundation::Result<std::unique_ptr<simulation::VehicleController>>
+    seated(std::unique_ptr<simulation::VehicleController> automatic,
+           const simulation::DynamicVehicle& aircraft) const;
+
+    const FlyRequest& _request;
+    std::shared_ptr<const simulation::Ground> _ground;
+    std::optional<simulation::Geodetic> _origin;
+    std::shared_ptr<const simulation::EarthFrame> _earth;
+    std::vector<FlightStart> _starts;
 };
 
-foundation::Result<ReadyFlight> readyFlight(const FlyRequest& request,
-                                            std::shared_ptr<const simulation::Ground> ground,
-                                            const std::optional<simulation::Geodetic>& origin)
+std::vector<RidePlace> FlightMaker::places() const
 {
-    const auto earth =
-        std::make_shared<const simulation::EarthFrame>(origin.value_or(simulation::Geodetic{46.0, 8.0, 0.0}));
-    auto aircraft = aircraftOf(request, earth);
-    if (!aircraft) return aircraft.error();
-    const FlightStart from = startOf(request);
+    std::vector<RidePlace> places;
+    for (const FlightStart& start : _starts)
+    {
+        char option[160];
+        std::snprintf(option, sizeof option, "--start %.17g,%.17g,%.17g,%.17g,%.17g", start.place.x,
+                      start.place.y, start.heightM, start.headingDeg, start.speedMps);
+        places.push_back({start.name, option});
+    }
+    return places;
+}
+
+/// A pilot beside the autopilot. He has it first unless there are orders or inputs.
+foundation::Result<std::unique_ptr<simulation::VehicleController>>
+FlightMaker::seated(std::unique_ptr<simulation::VehicleController> automatic,
+                    const simulation::DynamicVehicle& aircraft) const
+{
+    auto hands = simulation::pilotHands(aircraft);
+    if (!hands) return hands.error();
+    const bool isByHand = _request.orders.empty() && _request.inputs.empty();
+    return std::unique_ptr<simulation::VehicleController>(
+        std::make_unique<simulation::HandOver>(std::move(automatic), std::move(*hands), isByHand));
+}
+
+foundation::Result<Ride> FlightMaker::make(std::size_t place)
+{
+    const FlightStart& from = _starts[place];
     glm::dvec3 start(from.place, 1e4);
     simulation::GroundPoint below;
-    ground->below({&start, 1}, {&below, 1});
+    _ground->below({&start, 1}, {&below, 1});
     if (!below.isKnown)
         return foundation::Error{"--start", "there is no ground at the start", "give a place on the terrain"};
     start.z = below.heightM + from.heightM;
-    auto controller = controllerOf(request, **aircraft, earth, runwayOf(request, *ground));
+    auto aircraft = aircraftOf(_request, _earth);
+    if (!aircraft) return aircraft.error();
+    auto controller = controllerOf(_request, **aircraft, _earth, runwayOf(_request, *_ground));
     if (!controller) return controller.error();
+    if (_request.hasWindow()) controller = seated(std::move(*controller), **aircraft);
+    if (!controller) return controller.error();
+    auto* const hands = dynamic_cast<simulation::HandOver*>(controller->get());
     auto vehicle =
         std::make_unique<simulation::ControlledVehicle>(std::move(*aircraft), std::move(*controller));
-    if (!request.recordInputs.empty()) vehicle->record();
+    if (!_request.recordInputs.empty()) vehicle->record();
     auto motion = std::make_shared<simulation::VehicleMotion>(
-        std::move(vehicle), std::move(ground),
-        std::make_shared<const simulation::WeatherAir>(airOf(request)));
-    return ReadyFlight{std::move(motion), scenarioOf(start, from, origin)};
+        std::move(vehicle), _ground, std::make_shared<const simulation::WeatherAir>(airOf(_request)));
+    return Ride{scenarioOf(start, from, _origin), kEntity, std::move(motion), "flight", hands};
 }
 
-foundation::Outcome leaveFlight(const FlyRequest& request, const simulation::VehicleMotion& motion)
+void tellFlight(const simulation::VehicleMotion& motion)
 {
     const simulation::VehicleState& state = motion.vehicle().now();
     std::printf("flown %.2f s; at the end %s, %.1f m/s, %.1f m east, %.1f m north, %.1f m high\n",
                 state.timeS, state.isOnGround ? "on the ground" : "in the air", glm::length(state.velocity),
                 state.position.x, state.position.y, state.position.z);
+    if (!motion.note().empty()) std::printf("note: the aircraft %s\n", motion.note().c_str());
     const auto* jsbsim = dynamic_cast<const simulation::JsbsimVehicle*>(&motion.vehicle().vehicle());
     if (jsbsim && !jsbsim->note().empty()) std::printf("note: %s\n", jsbsim->note().c_str());
-    if (!motion.note().empty()) std::printf("note: the aircraft %s\n", motion.note().c_str());
-    if (request.recordInputs.empty()) return foundation::success();
-    return motion.vehicle().recorder()->write(request.recordInputs);
+}
+
+/// The world of the request; level ground for a window without one.
+foundation::Result<SceneTerrain> openWorld(const FlyRequest& request)
+{
+    const std::filesystem::path& world = request.play.terrain.file;
+    if (!world.empty()) return openElevation(world, request.play.terrain);
+    if (request.isHeadless) return SceneTerrain{};
+    if (!request.hasWindow())
+        return foundation::Error{"WORLD", "pictures need a world", "name a terrain, or write --headless"};
+    simulation::FlightTrack middle;
+    middle.fixes.push_back({});
+    middle.fixes.back().latitudeDeg = 46.0;
+    middle.fixes.back().longitudeDeg = 8.0;
+    middle.fixes.back().heightM = 0.0;
+    std::vector<osgTerrainROAM::core::GroundFeature> painted;
+    if (request.play.terrain.strip) painted.push_back(paintedStrip(*request.play.terrain.strip));
+    return makeFlatScene({middle}, std::move(painted));
 }
 
 } // namespace
@@ -228,29 +319,20 @@ foundation::Outcome fly(const FlyRequest& request)
 {
     for (const auto& file : {request.recordInputs, request.play.output.motionFile})
         if (const auto writable = foundation::checkWritable(file); !writable) return writable;
-    const bool hasWorld = !request.play.terrain.file.empty();
-    if (!hasWorld && !request.isHeadless)
-        return foundation::Error{"WORLD", "pictures need a world", "name a terrain, or write --headless"};
-    SceneTerrain terrain;
+    auto terrain = openWorld(request);
+    if (!terrain) return terrain.error();
     std::shared_ptr<const simulation::Ground> ground = std::make_shared<simulation::LevelGround>();
-    if (hasWorld)
-    {
-        auto opened = openElevation(request.play.terrain.file, request.play.terrain);
-        if (!opened) return opened.error();
-        terrain = std::move(*opened);
-        ground = std::make_shared<SceneGround>(terrain.ground(), terrain.seaLevelM);
-        if (!request.play.terrain.strip && request.start.empty())
-            std::printf(
-                "note: there is no runway in this world; the flight begins in the air (--strip lays one)\n");
-    }
-    auto flight = readyFlight(request, ground, terrain.origin());
-    if (!flight) return flight.error();
-    const auto motion = flight->motion;
-    if (const auto flown =
-            playRide(request, std::move(terrain), {std::move(flight->scenario), kEntity, motion, "flight"});
-        !flown)
-        return flown;
-    return leaveFlight(request, *motion);
+    // Without a world the ground is level, in a window as without one: a flight repeats.
+    const bool hasWorld = !request.play.terrain.file.empty();
+    if (hasWorld) ground = std::make_shared<SceneGround>(terrain->ground(), terrain->seaLevelM);
+    if (hasWorld && !request.play.terrain.strip && request.start.empty())
+        std::printf(
+            "note: there is no runway in this world; the flight begins in the air (--strip lays one)\n");
+    FlightMaker maker(request, ground, terrain->origin());
+    const auto motion = playRides(request, std::move(*terrain), maker);
+    if (!motion) return motion.error();
+    tellFlight(**motion);
+    return foundation::success();
 }
 
 } // namespace trainer

@@ -22,8 +22,6 @@ struct FlyRequest : RideRequest
     std::filesystem::path jsbsim;     ///< JSBSim's program; empty: that of the data file, or of PATH
     std::string
         orders; ///< of the autopilot; empty: takeoff, circuit, land with a strip, else it holds what it has
-    std::filesystem::path inputs; ///< recorded inputs in place of the autopilot
-    std::filesystem::path recordInputs;
     std::vector<double>
         start; ///< east, north, height above the ground, heading in degrees, speed in m/s; empty: on the strip, or over the middle
     std::vector<double> wind; ///< from, degrees; kt
@@ -31,8 +29,8 @@ struct FlyRequest : RideRequest
     std::uint64_t seed = 1;   ///< of the turbulence
 };
 
-/// Flies an aircraft by its own physics over a world, by the autopilot or by recorded inputs, with or without pictures. Prints how it ended.
-/// Errors: those of the files, of the world, of the start (in water, in the ground), pictures without a world.
+/// Flies an aircraft by its own physics over a world: by the autopilot or by recorded inputs, with or without pictures, or by hand in a window.
+/// Prints how it ended. Errors: those of the files, of the world, of the start (in water, in the ground), offscreen pictures without a world.
 foundation::Outcome fly(const FlyRequest& request);
 
 } // namespace trainer

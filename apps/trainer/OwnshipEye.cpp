@@ -10,7 +10,10 @@ namespace trainer
 namespace
 {
 
-constexpr double kAboveM = 30.0;
+constexpr double kAboveM = 30.0, kMapM = 2000.0;
+
+const glm::dmat3 kNorthUp({0.0, 0.0, -1.0}, {-1.0, 0.0, 0.0},
+                          {0.0, 1.0, 0.0}); ///< forward is down, left west
 
 ChaseSettings chaseFor(const simulation::ScenarioObject& ownship, const FrameRequest& frames)
 {
@@ -46,7 +49,8 @@ OwnshipEye::OwnshipEye(const simulation::ScenarioObject& ownship, const glm::dve
       _free(poseOf(frames.freeEye)),
       _chase(chaseFor(ownship, frames)),
       _roadside(roadsideFor(ownship, frames)),
-      _ground(std::move(ground))
+      _ground(std::move(ground)),
+      _mapHeightM(frames.eyeHeightM.value_or(kMapM))
 {
     if (!ownship.isAirborne()) _eyeInBody.z = frames.eyeHeightM.value_or(_eyeInBody.z);
 }
@@ -64,6 +68,8 @@ scenery::Pose OwnshipEye::update(const simulation::EntityState& state, double dt
         return _roadside.update(body, _ground);
     case EyePoint::free:
         return _free;
+    case EyePoint::map:
+        return {body.positionWorld + glm::dvec3(0.0, 0.0, _mapHeightM), kNorthUp};
     default:
         return scenery::eyeInBody(body, _eyeInBody);
     }

@@ -21,6 +21,13 @@ public:
     /// Returns the camera pose for a state `dtS` after the last one.
     scenery::Pose update(const simulation::EntityState& state, double dtS);
 
+    /// Moves the free eye.
+    void setFree(const scenery::Pose& pose) { _free = pose; }
+
+    /// Lets the map be seen from another height. Units: m.
+    void setMapHeight(double heightM) { _mapHeightM = heightM; }
+    double mapHeightM() const { return _mapHeightM; }
+
 private:
     EyePoint _eye;
     glm::dvec3 _eyeInBody;
@@ -28,6 +35,7 @@ private:
     ChaseCamera _chase;
     RoadsideCamera _roadside;
     simulation::GroundProvider _ground;
+    double _mapHeightM;
 };
 
 } // namespace trainer

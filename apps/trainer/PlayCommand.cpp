@@ -13,6 +13,7 @@
 #include "terminal/Terminal.h"
 #include "view/HtmlReport.h"
 #include "view/StatisticsFile.h"
+#include "window/WindowSession.h"
 
 namespace trainer
 {
@@ -112,6 +113,11 @@ foundation::Outcome leaveResults(const PlaySession& session, const PlayRequest& 
 
 foundation::Outcome playOver(SceneTerrain terrain, simulation::Scenario scenario, const PlayRequest& request)
 {
+    if (request.window.isWanted)
+    {
+        auto window = WindowSession::create(std::move(scenario), std::move(terrain), request, nullptr, {});
+        return window ? (*window)->run() : window.error();
+    }
     auto session = PlaySession::create(std::move(scenario), std::move(terrain), request);
     if (!session) return session.error();
     for (const std::string& note : (*session)->notes())

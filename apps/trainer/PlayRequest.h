@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -31,6 +32,7 @@ enum class EyePoint
     tower,  ///< one that stands beside the way, high up, and turns after the ownship
     kerb,   ///< the same at the height of a person at the kerb
     free,   ///< where the request says
+    map,    ///< straight down from high above the ownship, north up
 };
 
 /// A camera of fixed place and direction. Frame: the scene's east-north-up. Units: metres, degrees.
@@ -114,6 +116,19 @@ struct OutputRequest
     std::filesystem::path motionFile{}; ///< a row for each step with the motion of every entity
 };
 
+/// The window that shows a play in real time.
+struct WindowRequest
+{
+    bool isWanted = false; ///< else pictures are offscreen, if there are any
+    bool isFullscreen = false;
+    int screen = 0;
+    std::vector<int> place; ///< x, y, width, height in pixels; empty: anywhere, with the size of the frames
+    std::filesystem::path picturesFolder = "."; ///< for those that a key asks for
+    std::filesystem::path devicesFile;          ///< what joysticks and wheels are for; empty: the usual
+    std::filesystem::path keysFile;             ///< a test aid: keys at times
+    double pictureS = 0.0; ///< a test aid: each picture counts as so long; 0: the wall clock
+};
+
 /// The arguments of `trainer play`, `trainer tour` and what pictures show of a vehicle that is flown or driven.
 struct PlayRequest
 {
@@ -123,6 +138,7 @@ struct PlayRequest
     FrameRequest frames;
     SceneryRequest scenery;
     OutputRequest output;
+    WindowRequest window{};
 
     /// What moves entities in place of their actions. The play ends when all their controllers have done what they were told.
     std::map<std::string, std::shared_ptr<simulation::ExternalMotion>> motions{};

@@ -10,8 +10,6 @@
 #include <osgOffscreen/OffscreenContext>
 
 #include "MeasurePatches.h"
-#include "SceneRoads.h"
-#include "simulation/road/ScenarioRoads.h"
 #include "view/CameraTimings.h"
 #include "view/ViewFile.h"
 
@@ -21,29 +19,12 @@ namespace trainer
 namespace
 {
 
-/// Returns the near plane of a view that sets none, as far away as possible, because the depth resolution at a
-/// distance is proportional to it. A driver sees the ground from 4 m on, a pilot or an eye above a car from much farther.
-double nearPlaneM(const simulation::ScenarioObject& ownship, const FrameRequest& frames)
-{
-    return ownship.isAirborne() || frames.eye == EyePoint::above ? 5.0 : 1.0;
-}
-
 foundation::Result<ViewSetup> viewOf(const FrameRequest& frames, const simulation::ScenarioObject& ownship)
 {
     if (!frames.viewFile.empty()) return readView(frames.viewFile);
     ViewSetup setup = singleChannel(frames.widthPx, frames.heightPx);
-    setup.nearM = nearPlaneM(ownship, frames);
+    setup.nearM = nearPlaneM(ownship, frames.eye);
     return setup;
-}
-
-foundation::Outcome configure(osgTerrainROAM::RoamTerrain& terrain, const TerrainRequest& request)
-{
-    osgTerrainROAM::RoamDrawableSettings settings = terrain.settings();
-    settings.errorTolerancePx = request.errorTolerancePx;
-    settings.maxTriangles = request.maxTriangles;
-    settings.morphing = request.morphing;
-    settings.patchExponent = request.patchExponent.value_or(0);
-    return terrain.setSettings(settings);
 }
 
 /// The memory of this process that is in use, by Linux's /proc; 0 where that is not there.
@@ -53,18 +34,6 @@ double residentMb()
     double size = 0.0, resident = 0.0;
     if (!(file >> size >> resident)) return 0.0;
     return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) * 1e-6;
-}
-
-/// Returns the index of the entity that the camera watches. Errors: there is none of that name.
-foundation::Result<std::size_t> watchedEntity(const simulation::Scenario& scenario, const std::string& name)
-{
-    std::string names;
-    for (std::size_t i = 0; i < scenario.entities.size(); ++i)
-    {
-        if (name.empty() || scenario.entities[i].name == name) return i;
-        names += (i > 0 ? ", " : "") + scenario.entities[i].name;
-    }
-    return foundation::Error{"--eye-entity", "there is no entity '" + name + "'", "write one of: " + names};
 }
 
 osg::ref_ptr<osgViewer::Viewer> makeViewer(osg::Group& scene)
@@ -79,69 +48,40 @@ osg::ref_ptr<osgViewer::Viewer> makeViewer(osg::Group& scene)
 
 } // namespace
 
-PlaySession::PlaySession(const PlayRequest& request, SceneTerrain terrain)
-    : _request(request), _terrain(std::move(terrain))
+PlaySession::PlaySession(const PlayRequest& request, PlayScene play)
+    : _request(request), _play(std::move(play))
 {
 }
 
 foundation::Result<std::unique_ptr<PlaySession>>
 PlaySession::create(simulation::Scenario scenario, SceneTerrain terrain, const PlayRequest& request)
 {
-    if (scenario.entities.empty())
-        return foundation::Error{request.scenario.string(), "no ScenarioObject in Entities",
-                                 "add the one whose eye shall look"};
-    const auto watched = watchedEntity(scenario, request.frames.eyeEntity);
-    if (!watched) return watched.error();
-    const auto setup = viewOf(request.frames, scenario.entities[*watched]);
+    const auto clock = simulation::FixedClock::forFrameRate(request.frames.perSecond);
+    auto play = PlayScene::create(std::move(scenario), std::move(terrain), request, clock);
+    if (!play) return play.error();
+    const auto setup = viewOf(request.frames, play->ownship());
     if (!setup) return setup.error();
-    if (terrain.terrain)
-        if (const auto set = configure(*terrain.terrain, request.terrain); !set) return set.error();
-    if (terrain.roads) setRoadTolerance(*terrain.node, request.terrain.errorTolerancePx);
-
-    std::unique_ptr<PlaySession> session(new PlaySession(request, std::move(terrain)));
-    session->_watched = *watched;
-    simulation::PlayerOptions stage{session->_terrain.origin(),
-                                    session->_terrain.ground(),
-                                    simulation::FixedClock::forFrameRate(request.frames.perSecond),
-                                    "scenario",
-                                    nullptr,
-                                    {},
-                                    request.seed};
-    if (!request.scenario.empty()) stage.scenarioName = request.scenario.string();
-    if (scenario.needsRoads())
-    {
-        auto roads = simulation::openRoads(scenario, request.scenario.parent_path());
-        if (!roads) return roads.error();
-        stage.roads = std::move(*roads);
-    }
-    stage.motions = request.motions;
-    auto player = simulation::ScenarioPlayer::create(std::move(scenario), stage);
-    if (!player) return player.error();
-    session->_player = std::move(*player);
-    if (!request.output.motionFile.empty())
-    {
-        session->_log.emplace(request.output.motionFile, session->_player->scenario(), stage.scenarioName);
-        session->_log->add(0.0, session->_player->entities());
-    }
-    auto scenery = makeScenery(request.scenery, request.frames.durationS(), session->_player->scenario(),
-                               stage, session->_terrain);
-    if (!scenery) return scenery.error();
-    session->_scenery = *std::move(scenery);
-    auto scene = ScenarioScene::create(session->_player->scenario(), session->_terrain,
-                                       request.scenario.parent_path());
-    if (!scene) return scene.error();
-    session->_scene = std::make_unique<ScenarioScene>(std::move(*scene));
-    if (session->_scenery) session->_scene->root().addChild(session->_scenery->node.root);
-    session->_eye = std::make_unique<OwnshipEye>(session->_player->scenario().entities[*watched],
-                                                 session->_scene->eyeIn(*watched), request.frames,
-                                                 session->_terrain.ground());
-    if (request.frames.isInside()) session->_scene->hide(*watched);
+    std::unique_ptr<PlaySession> session(new PlaySession(request, std::move(*play)));
     if (const auto opened = session->openPictures(*setup); !opened) return opened.error();
+    session->beginLog();
     return session;
+}
+
+void PlaySession::beginLog()
+{
+    if (!_request.output.motionFile.empty())
+    {
+        const std::string name = _request.scenario.empty() ? "scenario" : _request.scenario.string();
+        _log.emplace(_request.output.motionFile, _play.player->scenario(), name);
+        _log->add(0.0, _play.player->entities());
+    }
 }
 
 foundation::Outcome PlaySession::openPictures(const ViewSetup& setup)
 {
+    _eye = std::make_unique<OwnshipEye>(_play.ownship(), _play.scene->eyeIn(_play.watched), _request.frames,
+                                        _play.terrain.ground());
+    if (_request.frames.isInside()) _play.scene->hide(_play.watched);
     const std::vector<PictureShape> pictures = picturesOf(setup);
     for (const PictureShape& picture : pictures)
     {
@@ -151,11 +91,11 @@ foundation::Outcome PlaySession::openPictures(const ViewSetup& setup)
         if (!context) return context.error();
         _contexts.push_back(*context);
     }
-    _viewer = makeViewer(_scene->root());
+    _viewer = makeViewer(_play.scene->root());
     _rig = std::make_unique<ChannelRig>(*_viewer, setup, _contexts);
     keepCameraTimings(*_viewer);
     // Patches and samples between those of the raster, as roads have them, exclude each other.
-    if (!_request.terrain.patchExponent && _terrain.terrain && !_terrain.roads) tunePatches();
+    if (!_request.terrain.patchExponent && _play.terrain.terrain && !_play.terrain.roads) tunePatches();
     return beginCaptures(setup);
 }
 
@@ -178,11 +118,11 @@ foundation::Outcome PlaySession::beginCaptures(const ViewSetup& setup)
 void PlaySession::tunePatches()
 {
     constexpr double kLeastStepM = 0.5;
-    _scene->show(*_player);
-    const simulation::EntityState& ownship = _player->entities()[_watched];
+    _play.scene->show(*_play.player);
+    const simulation::EntityState& ownship = _play.player->entities()[_play.watched];
     scenery::Pose eye = _eye->update(ownship, 0.0);
     const double stepM = std::max(kLeastStepM, ownship.speedMps / _request.frames.perSecond);
-    _patchNote = measurePatches(*_terrain.terrain, *_viewer, _contexts,
+    _patchNote = measurePatches(*_play.terrain.terrain, *_viewer, _contexts,
                                 [&]
                                 {
                                     eye.positionWorld += stepM * eye.forward();
@@ -192,26 +132,25 @@ void PlaySession::tunePatches()
 
 std::vector<std::string> PlaySession::notes() const
 {
-    std::vector<std::string> notes = _scene->notes();
+    std::vector<std::string> notes = _play.notes();
     if (!_patchNote.empty()) notes.push_back(_patchNote);
-    if (_scenery) notes.insert(notes.end(), _scenery->notes.begin(), _scenery->notes.end());
     return notes;
 }
 
 foundation::Outcome PlaySession::frame()
 {
     const double frameS = 1.0 / _request.frames.perSecond;
-    _scene->show(*_player);
+    _play.scene->show(*_play.player);
     const auto begin = std::chrono::steady_clock::now();
-    _rig->setEye(_eye->update(_player->entities()[_watched], _statistics.empty() ? 0.0 : frameS));
-    _viewer->frame(_player->timeS());
+    _rig->setEye(_eye->update(_play.player->entities()[_play.watched], _statistics.empty() ? 0.0 : frameS));
+    _viewer->frame(_play.player->timeS());
     const auto end = std::chrono::steady_clock::now();
     _statistics.push_back(measured());
     _statistics.back().wallMs = std::chrono::duration<double, std::milli>(end - begin).count();
-    for (auto i = _player->clock().stepsPerSecond() / _request.frames.perSecond; i > 0; --i)
+    for (auto i = _play.player->clock().stepsPerSecond() / _request.frames.perSecond; i > 0; --i)
     {
-        _player->step();
-        if (_log) _log->add(_player->timeS(), _player->entities());
+        _play.player->step();
+        if (_log) _log->add(_play.player->timeS(), _play.player->entities());
     }
     for (const auto& capture : _captures)
         if (const auto outcome = capture->outcome(); !outcome) return outcome.error();
@@ -222,16 +161,16 @@ FrameStatistics PlaySession::measured()
 {
     FrameStatistics row;
     row.frame = static_cast<std::uint32_t>(_statistics.size());
-    row.timeS = _player->timeS();
+    row.timeS = _play.player->timeS();
     const unsigned drawn = _viewer->getFrameStamp()->getFrameNumber();
     const CameraTimings timings = cameraTimings(*_viewer, drawn);
     row.cullMs = timings.cullMs;
     row.drawMs = timings.drawMs;
-    if (_scenery) row.objects = _scenery->figures(drawn);
+    if (_play.scenery) row.objects = _play.scenery->figures(drawn);
     row.residentMb = residentMb();
-    if (!_terrain.terrain) return row;
+    if (!_play.terrain.terrain) return row;
     std::uint64_t uploadedBytes = 0;
-    for (const auto& group : _terrain.terrain->statistics())
+    for (const auto& group : _play.terrain.terrain->statistics())
     {
         uploadedBytes += group.bytesUploaded;
         if (group.frame != drawn) continue; // an eye that has gone

@@ -9,9 +9,7 @@
 #include <osgOffscreen/FrameCapture>
 
 #include "OwnshipEye.h"
-#include "PlayRequest.h"
-#include "ScenarioScene.h"
-#include "SceneScenery.h"
+#include "PlayScene.h"
 #include "simulation/record/MotionLog.h"
 #include "view/ChannelRig.h"
 #include "view/FrameStatistics.h"
@@ -33,9 +31,9 @@ public:
     /// written.
     foundation::Outcome frame();
 
-    bool isFinished() const { return _player->isFinished() || _player->areMotionsDone(); }
+    bool isFinished() const { return _play.player->isFinished() || _play.player->areMotionsDone(); }
     const std::vector<FrameStatistics>& statistics() const { return _statistics; }
-    const simulation::ScenarioPlayer& player() const { return *_player; }
+    const simulation::ScenarioPlayer& player() const { return *_play.player; }
 
     /// Returns the differences from the scenario and the measurements made before it began, one line each.
     std::vector<std::string> notes() const;
@@ -44,18 +42,15 @@ public:
     foundation::Outcome finish();
 
 private:
-    PlaySession(const PlayRequest& request, SceneTerrain terrain);
+    PlaySession(const PlayRequest& request, PlayScene play);
+    void beginLog();
     foundation::Outcome openPictures(const ViewSetup& setup);
     foundation::Outcome beginCaptures(const ViewSetup& setup);
     void tunePatches();
     FrameStatistics measured();
 
     PlayRequest _request;
-    SceneTerrain _terrain;
-    std::unique_ptr<simulation::ScenarioPlayer> _player;
-    std::unique_ptr<ScenarioScene> _scene;
-    std::optional<SceneScenery> _scenery;
-    std::size_t _watched = 0; ///< the entity that the eye is in or looks at
+    PlayScene _play;
     std::unique_ptr<OwnshipEye> _eye;
     osg::ref_ptr<osgViewer::Viewer> _viewer;
     std::vector<osg::ref_ptr<osg::GraphicsContext>> _contexts;

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "Ride.h"
 
+#include <foundation/WholeFile.h>
+
 #include "HeadlessCommand.h"
 #include "PlayCommand.h"
 #include "simulation/player/ScenarioPlayer.h"
+#include "window/WindowSession.h"
 
 namespace trainer
 {
@@ -30,15 +33,47 @@ foundation::Outcome rideHeadless(const RideRequest& request, const SceneTerrain&
     return playOut(**player, headless);
 }
 
-} // namespace
-
-foundation::Outcome playRide(const RideRequest& request, SceneTerrain terrain, Ride ride)
+foundation::Outcome rideInPictures(const RideRequest& request, SceneTerrain terrain, Ride ride)
 {
-    if (request.isHeadless) return rideHeadless(request, terrain, std::move(ride));
     PlayRequest play = request.play;
     play.motions[ride.entity] = ride.motion;
     play.longestS = request.durationS;
     return playScene(std::move(terrain), std::move(ride.scenario), play);
+}
+
+} // namespace
+
+bool RideRequest::hasWindow() const
+{
+    if (isHeadless) return false;
+    if (play.window.isWanted) return true;
+    const OutputRequest& output = play.output;
+    return output.captureFolder.empty() && output.statsFile.empty() && output.reportFile.empty() &&
+           output.motionFile.empty() && play.frames.viewFile.empty() && !play.frames.count &&
+           inputs.empty() && recordInputs.empty();
+}
+
+foundation::Result<std::shared_ptr<simulation::VehicleMotion>>
+playRides(const RideRequest& request, SceneTerrain terrain, RideMaker& maker)
+{
+    if (request.hasWindow())
+    {
+        auto session =
+            WindowSession::create({}, std::move(terrain), request.play, &maker, request.recordInputs);
+        if (!session) return session.error();
+        if (const auto shown = (*session)->run(); !shown) return shown.error();
+        return (*session)->motion();
+    }
+    auto ride = maker.make(0);
+    if (!ride) return ride.error();
+    const auto motion = ride->motion;
+    const auto played = request.isHeadless ? rideHeadless(request, terrain, std::move(*ride))
+                                           : rideInPictures(request, std::move(terrain), std::move(*ride));
+    if (!played) return played.error();
+    if (!request.recordInputs.empty())
+        if (const auto written = motion->vehicle().recorder()->write(request.recordInputs); !written)
+            return written.error();
+    return motion;
 }
 
 } // namespace trainer

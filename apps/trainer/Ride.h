@@ -3,11 +3,14 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include <foundation/Result.h>
 
 #include "PlayRequest.h"
 #include "SceneTerrain.h"
+#include "input/KeyTable.h"
+#include "simulation/control/HandOver.h"
 #include "simulation/control/VehicleMotion.h"
 #include "simulation/scenario/Scenario.h"
 
@@ -20,7 +23,30 @@ struct Ride
     simulation::Scenario scenario;
     std::string entity; ///< of the scenario, which the motion moves
     std::shared_ptr<simulation::VehicleMotion> motion;
-    std::string name; ///< in the table of motion
+    std::string name;                      ///< in the table of motion
+    simulation::HandOver* hands = nullptr; ///< of the motion; null: nobody sits in it
+};
+
+/// Where a ride may begin.
+struct RidePlace
+{
+    std::string name;
+    std::string option; ///< of the command line, with which a ride without a window begins there
+};
+
+/// Makes one ride after the other in one world, each from its start.
+class RideMaker
+{
+public:
+    virtual ~RideMaker() = default;
+
+    virtual KeyScope kind() const = 0;
+
+    /// At least one.
+    virtual std::vector<RidePlace> places() const = 0;
+
+    /// Errors: a place where nothing can begin.
+    virtual foundation::Result<Ride> make(std::size_t place) = 0;
 };
 
 /// How a ride is played.
@@ -28,10 +54,17 @@ struct RideRequest
 {
     PlayRequest play; ///< pictures, and the table of motion
     bool isHeadless = false;
-    double durationS = 600.0; ///< at most
+    double durationS = 600.0;     ///< at most; in a window as long as somebody sits there
+    std::filesystem::path inputs; ///< recorded inputs in place of the autopilot or driver
+    std::filesystem::path recordInputs;
+
+    /// Whether somebody sits in it: a window is asked for, or nothing else is.
+    bool hasWindow() const;
 };
 
-/// Plays a ride, with pictures or at 120 steps a second without. Errors: as playScene() and playOut().
-foundation::Outcome playRide(const RideRequest& request, SceneTerrain terrain, Ride ride);
+/// Plays rides: in a window, with pictures, or at 120 steps a second without. Writes the files of the request, and returns the motion of
+/// the last one. Errors: as playScene(), playOut() and WindowSession.
+foundation::Result<std::shared_ptr<simulation::VehicleMotion>>
+playRides(const RideRequest& request, SceneTerrain terrain, RideMaker& maker);
 
 } // namespace trainer

@@ -87,12 +87,13 @@ void ScenarioScene::showSignals(const std::map<std::string, std::string>& states
     }
 }
 
-void ScenarioScene::show(const simulation::ScenarioPlayer& player)
+void ScenarioScene::show(const simulation::ScenarioPlayer& player,
+                         const std::vector<simulation::EntityState>& entities)
 {
     constexpr double kDuskDeg = 2.0; // of the sun's elevation
     const bool isDark = player.environment().sun.elevationDeg < kDuskDeg;
     for (std::size_t i = 0; i < _entities.size(); ++i)
-        _entities[i].show(player.entities()[i], isDark);
+        _entities[i].show(entities[i], isDark);
     showSignals(player.signalStates());
     if (const auto set = _atmosphere->setSettings(airOf(player.environment())); !set)
         osg::notify(osg::WARN) << set.error().message() << std::endl;

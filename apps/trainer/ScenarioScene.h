@@ -36,13 +36,16 @@ public:
     std::vector<std::string> notes() const;
 
     /// Sets entities, traffic lights, sun and atmosphere to the state of the player.
-    void show(const simulation::ScenarioPlayer& player);
+    void show(const simulation::ScenarioPlayer& player) { show(player, player.entities()); }
+
+    /// The same with entities between two steps.
+    void show(const simulation::ScenarioPlayer& player, const std::vector<simulation::EntityState>& entities);
 
     /// Returns the eye in an entity. Frame: the entity's.
     const glm::dvec3& eyeIn(std::size_t entity) const { return _entities[entity].eye(); }
 
-    /// Hides an entity: the one whose camera is used.
-    void hide(std::size_t entity) { _entities[entity].hide(); }
+    /// Hides an entity: the one whose camera is used; or shows it again.
+    void hide(std::size_t entity, bool isHidden = true) { _entities[entity].hide(isHidden); }
 
 private:
     ScenarioScene();

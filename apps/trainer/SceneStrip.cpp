@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "SceneStrip.h"
 
+#include <cmath>
 #include <numeric>
 
 #include <foundation/Angle.h>
@@ -18,13 +19,27 @@ namespace
 constexpr int kHeightsAlong = 50;
 constexpr double kShoulderM = 15.0; ///< of level ground on either side and at the ends
 
+glm::dvec2 alongStrip(const StripRequest& strip)
+{
+    const double course = foundation::radiansOf(strip.courseDeg);
+    return {std::sin(course), std::cos(course)};
+}
+
 } // namespace
+
+osgTerrainROAM::core::GroundFeature paintedStrip(const StripRequest& strip)
+{
+    osgTerrainROAM::core::GroundFeature runway;
+    runway.style.kind = osgTerrainROAM::core::FeatureKind::runway;
+    runway.style.widthM = strip.widthM;
+    runway.paths = {{strip.threshold, strip.threshold + strip.lengthM * alongStrip(strip)}};
+    return runway;
+}
 
 foundation::Result<osgTerrainROAM::core::GroundFeature>
 layStrip(const std::shared_ptr<osgTerrainROAM::core::RoamTile>& tile, const StripRequest& strip)
 {
-    const double course = foundation::radiansOf(strip.courseDeg);
-    const glm::dvec2 along(std::sin(course), std::cos(course));
+    const glm::dvec2 along = alongStrip(strip);
     osgTerrainROAM::core::Ribbon ribbon;
     ribbon.points = {strip.threshold - kShoulderM * along,
                      strip.threshold + (strip.lengthM + kShoulderM) * along};
@@ -44,12 +59,7 @@ layStrip(const std::shared_ptr<osgTerrainROAM::core::RoamTile>& tile, const Stri
                                   static_cast<double>(groundM.size()));
     const auto laid = editor.conform(ribbon);
     if (!laid) return foundation::Error{"--strip", laid.error().what, laid.error().remedy};
-
-    osgTerrainROAM::core::GroundFeature runway;
-    runway.style.kind = osgTerrainROAM::core::FeatureKind::runway;
-    runway.style.widthM = strip.widthM;
-    runway.paths = {{strip.threshold, strip.threshold + strip.lengthM * along}};
-    return runway;
+    return paintedStrip(strip);
 }
 
 } // namespace trainer

@@ -18,4 +18,7 @@ namespace trainer
 foundation::Result<osgTerrainROAM::core::GroundFeature>
 layStrip(const std::shared_ptr<osgTerrainROAM::core::RoamTile>& tile, const StripRequest& strip);
 
+/// How a strip is painted onto level ground.
+osgTerrainROAM::core::GroundFeature paintedStrip(const StripRequest& strip);
+
 } // namespace trainer

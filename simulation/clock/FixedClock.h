@@ -34,6 +34,14 @@ public:
 
     void advance() { ++_step; }
 
+    /// The same clock at its start.
+    FixedClock anew() const
+    {
+        FixedClock clock(*this);
+        clock._step = 0;
+        return clock;
+    }
+
     std::int64_t step() const { return _step; }
     /// Steps in a second. Not for a clock of forStep(), whose second may be no whole number of steps.
     std::int64_t stepsPerSecond() const { return _stepsPerSecond; }

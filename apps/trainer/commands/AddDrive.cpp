@@ -34,7 +34,7 @@ std::vector<Command> addDrive(CLI::App& program)
         ->add_option("WORLD", line->play.request.terrain.file,
                      "OpenDRIVE network, or a .roam file with roads")
         ->required();
-    command->add_flag("--headless", line->drive.isHeadless, "drive without pictures");
+    command->add_flag("--headless", line->drive.isHeadless, "drive without pictures and without a window");
     command->add_option("--vehicle", line->drive.vehicle, "road vehicle file");
     command->add_option("--duration", line->drive.durationS, "seconds to drive at most")
         ->check(terminal::between(0.1, 1e5));
@@ -42,6 +42,8 @@ std::vector<Command> addDrive(CLI::App& program)
         ->check(terminal::between(20.0, 1e6));
     command->add_option("--speed", line->drive.speedMps, "most that the driver wants, m/s")
         ->check(terminal::between(0.5, 100.0));
+    command->add_option("--start-at", line->drive.startM, "metres of the way at which to begin")
+        ->check(terminal::between(1.0, 1e6));
     command->add_option("--csv_logger", line->play.request.output.motionFile, "file for a row of each step");
     command->add_option("--inputs", line->drive.inputs, "inputs file to drive by, in place of the driver");
     command->add_option("--record-inputs", line->drive.recordInputs, "inputs file to write");

@@ -26,9 +26,10 @@ std::vector<Command> addCompare(CLI::App& program);
 std::vector<Command> addFly(CLI::App& program);
 std::vector<Command> addDrive(CLI::App& program);
 std::vector<Command> addQualify(CLI::App& program);
+std::vector<Command> addDevices(CLI::App& program);
 
 /// The commands in the order of --help.
-inline constexpr AddCommand kCommands[] = {addPlay, addTour,  addCheck,  addCompare,
-                                           addFly,  addDrive, addQualify};
+inline constexpr AddCommand kCommands[] = {addPlay, addTour,  addCheck,   addCompare,
+                                           addFly,  addDrive, addQualify, addDevices};
 
 } // namespace trainer

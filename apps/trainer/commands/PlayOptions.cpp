@@ -16,14 +16,15 @@ namespace
 constexpr int kMostFrames = 1'000'000; ///< 11 hours at 24 a second
 constexpr double kHighestDriverM = 10.0;
 
-constexpr std::array<std::pair<const char*, EyePoint>, 8> kEyes = {{{"own", EyePoint::own},
+constexpr std::array<std::pair<const char*, EyePoint>, 9> kEyes = {{{"own", EyePoint::own},
                                                                     {"driver", EyePoint::driver},
                                                                     {"pilot", EyePoint::pilot},
                                                                     {"chase", EyePoint::chase},
                                                                     {"above", EyePoint::above},
                                                                     {"tower", EyePoint::tower},
                                                                     {"kerb", EyePoint::kerb},
-                                                                    {"free", EyePoint::free}}};
+                                                                    {"free", EyePoint::free},
+                                                                    {"map", EyePoint::map}}};
 
 std::vector<std::string> eyeNames()
 {
@@ -54,6 +55,57 @@ void PlayOptions::addTo(CLI::App& command)
     addFrameOptions(command);
     addEyeOptions(command);
     addTerrainOptions(command);
+    addWindowOptions(command);
+}
+
+void PlayOptions::addWindowOptions(CLI::App& command)
+{
+    WindowRequest& window = request.window;
+    _window = command
+                  .add_option(
+                      "--window", _windowPlace,
+                      "shows it in a window, in real time; X Y WIDTH HEIGHT of it in pixels, or none of them")
+                  ->expected(0, 4);
+    command.add_flag("--fullscreen", window.isFullscreen, "the same on the whole screen");
+    command.add_option("--screen", window.screen, "screen of the window, from 0")->check(CLI::Range(0, 63));
+    command.add_option("--pictures", window.picturesFolder, "folder for the pictures that F12 writes");
+    command.add_option("--devices", window.devicesFile,
+                       "devices file: what joysticks, pedals and wheels do (docs/reference/devices-file.md)");
+    command.add_option("--keys", window.keysFile,
+                       "key script that is played in the window (docs/reference/key-script.md)");
+    command
+        .add_option("--picture-time", window.pictureS,
+                    "seconds that each picture of the window counts as, instead of the clock's")
+        ->check(terminal::between(1e-3, 1.0));
+}
+
+/// Errors: a number of values that is none of --window's, what a window excludes.
+foundation::Outcome PlayOptions::placeWindow()
+{
+    WindowRequest& window = request.window;
+    window.isWanted = _window->count() > 0 || window.isFullscreen || !window.keysFile.empty();
+    auto& place = window.place;
+    for (const std::string& cell : _windowPlace)
+    {
+        int value = 0;
+        char rest = 0;
+        if (_windowPlace.size() == 1 && (cell.empty() || cell == "{}" || cell == "true")) continue; // none
+        if (std::sscanf(cell.c_str(), "%d%c", &value, &rest) != 1)
+            return foundation::Error{"--window", "'" + cell + "' is no number of pixels",
+                                     "write X Y WIDTH HEIGHT, or --window behind the other arguments"};
+        place.push_back(value);
+    }
+    if (!place.empty() && place.size() != 4)
+        return foundation::Error{"--window", "it has " + std::to_string(place.size()) + " values",
+                                 "write none, or X Y WIDTH HEIGHT"};
+    if (!place.empty() && (place[2] < 16 || place[3] < 16 || place[2] > 8192 || place[3] > 8192))
+        return foundation::Error{"--window", "that is no size", "write a WIDTH and HEIGHT from 16 to 8192"};
+    if (window.isWanted && !request.frames.viewFile.empty())
+        return foundation::Error{"--view", "a window has one channel", "leave it or the window out"};
+    if (window.isWanted && (!request.output.statsFile.empty() || !request.output.reportFile.empty()))
+        return foundation::Error{"--window", "--stats and --report are of offscreen pictures",
+                                 "leave them or the window out"};
+    return foundation::success();
 }
 
 void PlayOptions::addOutputOptions(CLI::App& command)
@@ -89,10 +141,10 @@ void PlayOptions::addFrameOptions(CLI::App& command)
 void PlayOptions::addEyeOptions(CLI::App& command)
 {
     command
-        .add_option(
-            "--eye", _eye,
-            "camera: driver or pilot (own: whichever fits), chase, above, tower, kerb, or free (--eye-at); a "
-            "tour with driver or above drives along roads")
+        .add_option("--eye", _eye,
+                    "camera: driver or pilot (own: whichever fits), chase, above, tower, kerb, map, or free "
+                    "(--eye-at); a "
+                    "tour with driver or above drives along roads")
         ->check(CLI::IsMember(eyeNames()));
     command.add_option("--eye-entity", request.frames.eyeEntity,
                        "name of the entity that the camera is in or looks at, instead of the first one");
@@ -152,6 +204,7 @@ foundation::Outcome PlayOptions::complete()
     for (const auto& [name, eye] : kEyes)
         if (_eye == name) frames.eye = eye;
     if (const auto placed = placeFreeEye(); !placed) return placed;
+    if (const auto placed = placeWindow(); !placed) return placed;
     if (frames.isInside() && frames.eyeHeightM.value_or(0.0) > kHighestDriverM)
         return foundation::Error{"--eye-height", "no driver's eye is higher than 10 m",
                                  "write a lower one, or --eye above"};

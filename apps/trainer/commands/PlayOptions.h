@@ -35,12 +35,16 @@ private:
     void addFrameOptions(CLI::App& command);
     void addEyeOptions(CLI::App& command);
     void addTerrainOptions(CLI::App& command);
+    void addWindowOptions(CLI::App& command);
+    foundation::Outcome placeWindow();
 
     std::string _size = "960x540";
     std::string _backend{osgOffscreen::backendName(osgOffscreen::defaultBackend())};
     std::string _eye = "own";
     std::vector<double> _freeEye;
     std::string _patchExponent = "0";
+    CLI::Option* _window = nullptr;
+    std::vector<std::string> _windowPlace;
 };
 
 /// Returns the exit code of a command's work, and prints its error.

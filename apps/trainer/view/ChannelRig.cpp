@@ -25,9 +25,6 @@ ChannelRig::ChannelRig(osgViewer::View& view, ViewSetup setup,
     const bool isTiled = _setup.layout == ViewSetup::Layout::tiled;
     // Slaves inherit cull settings from it every frame.
     _master->setComputeNearFarMode(osg::Camera::DO_NOT_COMPUTE_NEAR_FAR);
-    _master->setProjectionMatrix(
-        toOsg(channelProjection(_setup.channels.front(), _setup.nearM, _setup.farM)));
-    int leftPx = 0;
     for (std::size_t i = 0; i < _setup.channels.size(); ++i)
     {
         const Channel& channel = _setup.channels[i];
@@ -35,13 +32,35 @@ ChannelRig::ChannelRig(osgViewer::View& view, ViewSetup setup,
         camera->setName(channel.name);
         camera->setReferenceFrame(osg::Transform::ABSOLUTE_RF);
         camera->setGraphicsContext(contexts[isTiled ? 0 : i]);
-        camera->setViewport(isTiled ? leftPx : 0, 0, channel.widthPx, channel.heightPx);
         camera->setComputeNearFarMode(osg::Camera::DO_NOT_COMPUTE_NEAR_FAR);
-        camera->setProjectionMatrix(toOsg(channelProjection(channel, _setup.nearM, _setup.farM)));
-        view.addSlave(camera, true);
+        camera->setProjectionResizePolicy(osg::Camera::FIXED);
         _cameras.push_back(camera);
+    }
+    shape();
+    for (const auto& camera : _cameras)
+        view.addSlave(camera, true);
+}
+
+void ChannelRig::shape()
+{
+    const bool isTiled = _setup.layout == ViewSetup::Layout::tiled;
+    _master->setProjectionMatrix(
+        toOsg(channelProjection(_setup.channels.front(), _setup.nearM, _setup.farM)));
+    int leftPx = 0;
+    for (std::size_t i = 0; i < _cameras.size(); ++i)
+    {
+        const Channel& channel = _setup.channels[i];
+        _cameras[i]->setViewport(isTiled ? leftPx : 0, 0, channel.widthPx, channel.heightPx);
+        _cameras[i]->setProjectionMatrix(toOsg(channelProjection(channel, _setup.nearM, _setup.farM)));
         leftPx += channel.widthPx;
     }
+}
+
+void ChannelRig::reshape(ViewSetup setup)
+{
+    assert(setup.channels.size() == _cameras.size());
+    _setup = std::move(setup);
+    shape();
 }
 
 void ChannelRig::setEye(const scenery::Pose& eye)

@@ -25,10 +25,15 @@ public:
     /// Sets the camera pose for the next frame.
     void setEye(const scenery::Pose& eye);
 
+    /// Takes other sizes, frustums, near and far planes of the same channels, for a window that has changed.
+    void reshape(ViewSetup setup);
+
     const ViewSetup& setup() const { return _setup; }
     const std::vector<osg::ref_ptr<osg::Camera>>& cameras() const { return _cameras; }
 
 private:
+    void shape();
+
     osg::ref_ptr<osg::Camera> _master;
     ViewSetup _setup;
     std::vector<osg::ref_ptr<osg::Camera>> _cameras;

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "PlayScene.h"
+
+#include "SceneRoads.h"
+#include "simulation/road/ScenarioRoads.h"
+
+namespace trainer
+{
+
+namespace
+{
+
+foundation::Outcome configure(osgTerrainROAM::RoamTerrain& terrain, const TerrainRequest& request)
+{
+    osgTerrainROAM::RoamDrawableSettings settings = terrain.settings();
+    settings.errorTolerancePx = request.errorTolerancePx;
+    settings.maxTriangles = request.maxTriangles;
+    settings.morphing = request.morphing;
+    settings.patchExponent = request.patchExponent.value_or(0);
+    return terrain.setSettings(settings);
+}
+
+/// Returns the index of the entity that the camera watches. Errors: there is none of that name.
+foundation::Result<std::size_t> watchedEntity(const simulation::Scenario& scenario, const std::string& name)
+{
+    std::string names;
+    for (std::size_t i = 0; i < scenario.entities.size(); ++i)
+    {
+        if (name.empty() || scenario.entities[i].name == name) return i;
+        names += (i > 0 ? ", " : "") + scenario.entities[i].name;
+    }
+    return foundation::Error{"--eye-entity", "there is no entity '" + name + "'", "write one of: " + names};
+}
+
+} // namespace
+
+double nearPlaneM(const simulation::ScenarioObject& ownship, EyePoint eye)
+{
+    return ownship.isAirborne() || eye == EyePoint::above ? 5.0 : 1.0;
+}
+
+foundation::Result<simulation::PlayerOptions> playerOptionsOf(const simulation::Scenario& scenario,
+                                                              const SceneTerrain& terrain,
+                                                              const PlayRequest& request,
+                                                              const simulation::FixedClock& clock)
+{
+    simulation::PlayerOptions stage{terrain.origin(), terrain.ground(), clock, "scenario", nullptr, {},
+                                    request.seed};
+    if (!request.scenario.empty()) stage.scenarioName = request.scenario.string();
+    if (scenario.needsRoads())
+    {
+        auto roads = simulation::openRoads(scenario, request.scenario.parent_path());
+        if (!roads) return roads.error();
+        stage.roads = std::move(*roads);
+    }
+    stage.motions = request.motions;
+    return stage;
+}
+
+foundation::Result<PlayScene> PlayScene::create(simulation::Scenario scenario, SceneTerrain terrain,
+                                                const PlayRequest& request,
+                                                const simulation::FixedClock& clock)
+{
+    if (scenario.entities.empty())
+        return foundation::Error{request.scenario.string(), "no ScenarioObject in Entities",
+                                 "add the one whose eye shall look"};
+    const auto watched = watchedEntity(scenario, request.frames.eyeEntity);
+    if (!watched) return watched.error();
+    if (terrain.terrain)
+        if (const auto set = configure(*terrain.terrain, request.terrain); !set) return set.error();
+    if (terrain.roads) setRoadTolerance(*terrain.node, request.terrain.errorTolerancePx);
+    PlayScene play;
+    play.terrain = std::move(terrain);
+    play.watched = *watched;
+    const auto stage = playerOptionsOf(scenario, play.terrain, request, clock);
+    if (!stage) return stage.error();
+    auto player = simulation::ScenarioPlayer::create(std::move(scenario), *stage);
+    if (!player) return player.error();
+    play.player = std::move(*player);
+    auto scenery = makeScenery(request.scenery, request.frames.durationS(), play.player->scenario(), *stage,
+                               play.terrain);
+    if (!scenery) return scenery.error();
+    play.scenery = *std::move(scenery);
+    auto scene = ScenarioScene::create(play.player->scenario(), play.terrain, request.scenario.parent_path());
+    if (!scene) return scene.error();
+    play.scene = std::make_unique<ScenarioScene>(std::move(*scene));
+    if (play.scenery) play.scene->root().addChild(play.scenery->node.root);
+    return play;
+}
+
+std::vector<std::string> PlayScene::notes() const
+{
+    std::vector<std::string> notes = scene->notes();
+    if (scenery) notes.insert(notes.end(), scenery->notes.begin(), scenery->notes.end());
+    return notes;
+}
+
+} // namespace trainer

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "PlayRequest.h"
+#include "ScenarioScene.h"
+#include "SceneScenery.h"
+#include "simulation/player/ScenarioPlayer.h"
+#include "view/Channel.h"
+
+namespace trainer
+{
+
+/// A scenario over its terrain, ready to be stepped and drawn, offscreen or in a window.
+struct PlayScene
+{
+    SceneTerrain terrain;
+    std::unique_ptr<simulation::ScenarioPlayer> player;
+    std::unique_ptr<ScenarioScene> scene;
+    std::optional<SceneScenery> scenery;
+    std::size_t watched = 0; ///< the entity that the eye is in or looks at
+
+    /// `terrain`: from openScene(). Errors: a scenario without entities or with other faults, an entity to watch that there is not, terrain
+    /// settings, models and scenery that cannot be used.
+    static foundation::Result<PlayScene> create(simulation::Scenario scenario, SceneTerrain terrain,
+                                                const PlayRequest& request,
+                                                const simulation::FixedClock& clock);
+
+    /// Returns one line for each difference from what was asked for.
+    std::vector<std::string> notes() const;
+
+    const simulation::ScenarioObject& ownship() const { return player->scenario().entities[watched]; }
+};
+
+/// How a scenario is played over a terrain. Errors: a road network that cannot be read.
+foundation::Result<simulation::PlayerOptions> playerOptionsOf(const simulation::Scenario& scenario,
+                                                              const SceneTerrain& terrain,
+                                                              const PlayRequest& request,
+                                                              const simulation::FixedClock& clock);
+
+/// Returns the near plane of a view that sets none, as far away as possible, because the depth resolution at a
+/// distance is proportional to it. A driver sees the ground from 4 m on, a pilot or an eye above a car from much farther.
+double nearPlaneM(const simulation::ScenarioObject& ownship, EyePoint eye);
+
+} // namespace trainer

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <foundation/Result.h>
+
+namespace trainer
+{
+
+/// A line of a text file: its cells, parted by blanks and tabs, without what stands after #.
+struct TextLine
+{
+    std::vector<std::string_view> cells; ///< at least one
+    std::string place;                   ///< file:line
+};
+
+/// Gives every line that is not empty to `take`, after it has seen `first` as the first of them. Ends with the first error.
+/// Errors: another first line, no line, those of `take`.
+foundation::Outcome readLines(std::string_view text, const std::string& name, std::string_view first,
+                              const std::function<foundation::Outcome(const TextLine&)>& take);
+
+/// A number within limits, or nothing.
+std::optional<double> numberIn(std::string_view cell, double least, double most);
+
+/// The whole text of a file. Errors: it cannot be read or is larger than `mostBytes`.
+foundation::Result<std::string> wholeText(const std::filesystem::path& file, std::uintmax_t mostBytes);
+
+} // namespace trainer

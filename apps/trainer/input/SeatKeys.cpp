@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "input/SeatKeys.h"
+
+#include <algorithm>
+
+#include "input/Keys.h"
+
+namespace trainer
+{
+
+const KeyBinding* SeatKeys::bindingOf(int key) const
+{
+    for (const KeyBinding& binding : keyTable())
+        if (keyOf(binding.key) == key && isFor(binding, _vehicle)) return &binding;
+    return nullptr;
+}
+
+/// Two keys against each other push nowhere.
+void SeatKeys::pushHeld(const KeyBinding& binding)
+{
+    double sum = 0.0;
+    for (const int key : _held)
+        if (const KeyBinding* held = bindingOf(key))
+            if (held->deed == binding.deed && held->input == binding.input) sum += held->amount;
+    if (binding.deed == KeyDeed::glance) return _target.act(KeyDeed::glance, sum);
+    _target.holdInput(binding.input, std::clamp(sum, -1.0, 1.0));
+}
+
+void SeatKeys::press(int key)
+{
+    if (std::find(_held.begin(), _held.end(), key) != _held.end()) return;
+    _held.push_back(key);
+    const KeyBinding* binding = bindingOf(key);
+    if (!binding) return;
+    switch (binding->deed)
+    {
+    case KeyDeed::hold:
+    case KeyDeed::glance:
+        return pushHeld(*binding);
+    case KeyDeed::add:
+        return _target.addToInput(binding->input, binding->amount);
+    case KeyDeed::flip:
+        return _target.flipInput(binding->input);
+    default:
+        return _target.act(binding->deed, binding->amount);
+    }
+}
+
+void SeatKeys::release(int key)
+{
+    const auto found = std::find(_held.begin(), _held.end(), key);
+    if (found == _held.end()) return;
+    _held.erase(found);
+    const KeyBinding* binding = bindingOf(key);
+    if (binding && (binding->deed == KeyDeed::hold || binding->deed == KeyDeed::glance)) pushHeld(*binding);
+}
+
+void SeatKeys::releaseAll()
+{
+    while (!_held.empty())
+        release(_held.back());
+}
+
+} // namespace trainer

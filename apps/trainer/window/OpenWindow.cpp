@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "window/OpenWindow.h"
+
+#include <chrono>
+#include <cstdlib>
+#include <thread>
+
+#include <osg/GLExtensions>
+#include <osg/Notify>
+#include <osg/State>
+
+#include <osgOffscreen/OpenGlVersion>
+
+namespace trainer
+{
+
+namespace
+{
+
+using Traits = osg::GraphicsContext::Traits;
+
+constexpr const char* kPlace = "--window";
+// A display that has just started on a busy machine may not have its OpenGL yet.
+constexpr int kTries = 3;
+constexpr auto kBetweenTries = std::chrono::milliseconds(300);
+constexpr int kLeftPx = 60, kTopPx = 40; ///< of a window without a place
+
+/// Keeps OSG's own lines about a missing display from the terminal.
+class QuietNotices
+{
+public:
+    QuietNotices() : _level(osg::getNotifyLevel()) { osg::setNotifyLevel(osg::ALWAYS); }
+    ~QuietNotices() { osg::setNotifyLevel(_level); }
+    QuietNotices(const QuietNotices&) = delete;
+    QuietNotices& operator=(const QuietNotices&) = delete;
+
+private:
+    osg::NotifySeverity _level;
+};
+
+osg::ref_ptr<Traits> traitsOf(const WindowRequest& request, const FrameRequest& frames)
+{
+    osg::ref_ptr<Traits> traits = new Traits;
+    traits->readDISPLAY();
+    traits->setUndefinedScreenDetailsToDefaultScreen();
+    if (request.screen > 0) traits->screenNum = request.screen;
+    const bool hasPlace = request.place.size() == 4;
+    traits->x = hasPlace ? request.place[0] : kLeftPx;
+    traits->y = hasPlace ? request.place[1] : kTopPx;
+    traits->width = hasPlace ? request.place[2] : frames.widthPx;
+    traits->height = hasPlace ? request.place[3] : frames.heightPx;
+    traits->windowName = "trainer";
+    traits->windowDecoration = true;
+    traits->red = traits->green = traits->blue = traits->alpha = 8;
+    traits->depth = 24;
+    traits->stencil = 8;
+    traits->doubleBuffer = true;
+    traits->vsync = true;
+    traits->samples = static_cast<unsigned>(frames.samples > 1 ? frames.samples : 0);
+    traits->sampleBuffers = frames.samples > 1 ? 1 : 0;
+    return traits;
+}
+
+/// Null: the display has no OpenGL for it.
+osg::ref_ptr<osgViewer::GraphicsWindow> realizedWindow(Traits& traits)
+{
+    const osg::ref_ptr<osg::GraphicsContext> context = osg::GraphicsContext::createGraphicsContext(&traits);
+    osg::ref_ptr<osgViewer::GraphicsWindow> window = dynamic_cast<osgViewer::GraphicsWindow*>(context.get());
+    if (window && !window->realize()) window = nullptr;
+    return window;
+}
+
+/// Fills the whole screen.
+foundation::Outcome coverScreen(Traits& traits)
+{
+    auto* const system = osg::GraphicsContext::getWindowingSystemInterface();
+    unsigned width = 0, height = 0;
+    if (system) system->getScreenResolution(traits, width, height);
+    if (width == 0 || height == 0)
+        return foundation::Error{"--fullscreen", "the screen tells no size", "leave it out"};
+    traits.x = traits.y = 0;
+    traits.width = static_cast<int>(width);
+    traits.height = static_cast<int>(height);
+    traits.windowDecoration = false;
+    return foundation::success();
+}
+
+foundation::Outcome checkScreen(const WindowRequest& request, const Traits& traits)
+{
+    auto* const system = osg::GraphicsContext::getWindowingSystemInterface();
+    const osg::GraphicsContext::ScreenIdentifier first(traits.hostName, traits.displayNum, 0);
+    const unsigned screens = system ? system->getNumScreens(first) : 0;
+    if (screens == 0)
+    {
+        const char* const display = std::getenv("DISPLAY");
+        const std::string what = display && *display ? "there is no display '" + std::string(display) + "'"
+                                                     : "there is no display: DISPLAY is not set";
+        return foundation::Error{kPlace, what,
+                                 "run it on a desktop or under xvfb-run, or leave --window out"};
+    }
+    if (request.screen >= static_cast<int>(screens))
+        return foundation::Error{"--screen", "there are " + std::to_string(screens) + " screens",
+                                 "count from 0"};
+    return foundation::success();
+}
+
+foundation::Outcome checkGl(osgViewer::GraphicsWindow& window)
+{
+    window.makeCurrent();
+    const GLubyte* const version = glGetString(GL_VERSION);
+    const std::string text = version ? reinterpret_cast<const char*>(version) : "";
+    window.releaseContext();
+    if (text.empty())
+        return foundation::Error{kPlace, "OpenGL's calls do not reach the window",
+                                 "build with OSGTRAINER_WITH_OSMESA=OFF for a vendor's own driver"};
+    return osgOffscreen::checkOpenGl(text, false, osgOffscreen::kEverythingNeeds, kPlace);
+}
+
+} // namespace
+
+foundation::Result<osg::ref_ptr<osgViewer::GraphicsWindow>> openWindow(const WindowRequest& request,
+                                                                       const FrameRequest& frames)
+{
+    const QuietNotices quiet;
+    const osg::ref_ptr<Traits> traits = traitsOf(request, frames);
+    if (const auto there = checkScreen(request, *traits); !there) return there.error();
+    if (request.isFullscreen)
+        if (const auto covered = coverScreen(*traits); !covered) return covered.error();
+    osg::ref_ptr<osgViewer::GraphicsWindow> window = realizedWindow(*traits);
+    for (int tries = 1; !window && tries < kTries; ++tries)
+    {
+        std::this_thread::sleep_for(kBetweenTries);
+        window = realizedWindow(*traits);
+    }
+    if (!window)
+        return foundation::Error{kPlace, "the display has no OpenGL for windows",
+                                 "use one with GLX, try --samples 1, or leave --window out"};
+    if (const auto recent = checkGl(*window); !recent) return recent.error();
+    return window;
+}
+
+} // namespace trainer

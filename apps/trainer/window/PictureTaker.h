@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <mutex>
+#include <optional>
+#include <string>
+
+#include <osg/Camera>
+
+namespace trainer
+{
+
+/// Writes the picture of a window to a file when it is asked to: FOLDER/picture-1.png and on. As the final callback of the camera that draws last.
+/// Threads: ask() from any; the callback from the one that draws.
+class PictureTaker : public osg::Camera::DrawCallback
+{
+public:
+    explicit PictureTaker(std::filesystem::path folder) : _folder(std::move(folder)) {}
+
+    /// The next picture that is drawn is written.
+    void ask() { _isAsked = true; }
+
+    /// What became of the last one, once: its file, or why there is none.
+    std::optional<std::string> takeNote();
+
+    void operator()(osg::RenderInfo& renderInfo) const override;
+
+private:
+    std::filesystem::path _folder;
+    mutable std::mutex _mutex; ///< for what follows
+    mutable bool _isAsked = false;
+    mutable int _count = 0;
+    mutable std::optional<std::string> _note;
+};
+
+} // namespace trainer

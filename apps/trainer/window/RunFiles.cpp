@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "window/RunFiles.h"
+
+#include "PlayVariations.h"
+
+namespace trainer
+{
+
+namespace
+{
+
+foundation::Outcome moveAside(const std::filesystem::path& file, const std::string& suffix)
+{
+    std::error_code failed;
+    if (file.empty() || !std::filesystem::exists(file, failed)) return foundation::success();
+    std::filesystem::rename(file, withSuffix(file, suffix), failed);
+    if (failed) return foundation::Error{file.string(), failed.message(), "free its folder"};
+    return foundation::success();
+}
+
+} // namespace
+
+void RunFiles::add(const simulation::ScenarioPlayer& player)
+{
+    _hasSteps = _hasSteps || player.timeS() > 0.0;
+    if (_motionFile.empty()) return;
+    if (!_log) _log.emplace(_motionFile, player.scenario(), _name);
+    _log->add(player.timeS(), player.entities());
+}
+
+foundation::Outcome RunFiles::finish(const simulation::VehicleMotion* motion)
+{
+    if (_log)
+    {
+        const auto finished = _log->finish();
+        _log.reset();
+        if (!finished) return finished;
+    }
+    const auto* const recorder = motion ? motion->vehicle().recorder() : nullptr;
+    if (!recorder || !_hasSteps || _inputsFile.empty()) return foundation::success();
+    return recorder->write(_inputsFile);
+}
+
+foundation::Outcome RunFiles::next(const simulation::VehicleMotion* motion)
+{
+    const bool hadSteps = std::exchange(_hasSteps, false);
+    if (!hadSteps)
+    {
+        _log.reset();
+        return foundation::success();
+    }
+    _hasSteps = true;
+    const auto written = finish(motion);
+    _hasSteps = false;
+    if (!written) return written;
+    const std::string suffix = "-" + std::to_string(++_runs);
+    for (const auto& file : {_motionFile, _inputsFile})
+        if (const auto moved = moveAside(file, suffix); !moved) return moved;
+    return foundation::success();
+}
+
+} // namespace trainer

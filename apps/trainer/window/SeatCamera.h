@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+
+#include "OwnshipEye.h"
+#include "PlayScene.h"
+
+namespace trainer
+{
+
+/// The eye of a window: a view that keys change, and a head that turns in it. Frame: world. Threads: one.
+class SeatCamera
+{
+public:
+    /// `play`: with its player; it must outlive this.
+    SeatCamera(PlayScene& play, const FrameRequest& frames);
+
+    /// Takes a view of kSeatViews, counted; another number is the next one.
+    void setView(std::size_t view);
+    std::size_t view() const { return _view; }
+    void nextView();
+
+    /// The way to look from the view's own. Degrees to the left.
+    void glance(double leftDeg) { _glanceDeg = leftDeg; }
+
+    /// Turns the head, or the free eye: degrees to the left and upwards.
+    void turn(double leftDeg, double upDeg);
+
+    /// Moves the free eye ahead, or takes the map nearer. `notches`: of a wheel.
+    void move(double notches);
+
+    /// The camera for a state of the ownship, `dtS` after the last one.
+    scenery::Pose update(const simulation::EntityState& ownship, double dtS);
+
+    /// Begins the view anew: the ownship was put elsewhere.
+    void restart() { setView(_view); }
+
+    /// Somebody who sits low sees the ground near the own wheels.
+    double nearM() const { return isInside() ? 1.0 : nearPlaneM(_ownship, _frames.eye); }
+    bool isInside() const { return _frames.isInside(); }
+    bool isMap() const { return _frames.eye == EyePoint::map; }
+    double mapHeightM() const { return _eye->mapHeightM(); }
+
+private:
+    PlayScene& _play;
+    simulation::ScenarioObject _ownship;
+    FrameRequest _frames;
+    std::unique_ptr<OwnshipEye> _eye;
+    std::size_t _view = 0;
+    double _glanceDeg = 0.0, _turnedDeg = 0.0, _raisedDeg = 0.0;
+    scenery::Pose _last;
+};
+
+} // namespace trainer

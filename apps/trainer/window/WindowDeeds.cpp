@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the keys of a window do.
+#include <cstdio>
+
+#include "window/WindowSession.h"
+
+namespace trainer
+{
+
+namespace
+{
+
+constexpr const char* kUsualDevices = "data/devices.txt";
+constexpr std::string_view kBrakes[] = {"left_brake", "right_brake"};
+
+} // namespace
+
+/// The usual devices file need not be there: then joysticks do nothing.
+foundation::Outcome WindowSession::openDevices()
+{
+    std::filesystem::path file = _request.window.devicesFile;
+    std::error_code ignored;
+    if (file.empty() && !std::filesystem::exists(file = kUsualDevices, ignored)) return foundation::success();
+    auto maps = readDevices(file);
+    if (!maps) return maps.error();
+    _devices = std::make_unique<Devices>();
+    _deviceHands = std::make_unique<DeviceHands>(std::move(*maps));
+    return foundation::success();
+}
+
+void WindowSession::readDevicesNow()
+{
+    if (!_devices) return;
+    for (const std::string& note : _devices->update())
+        tell(note);
+    _deviceHands->apply(_devices->states(), _ride.hands ? &_ride.hands->hands() : nullptr, *_keys);
+}
+
+void WindowSession::holdInput(std::string_view input, double direction)
+{
+    if (!_ride.hands) return;
+    if (input == "brakes")
+    {
+        for (const std::string_view brake : kBrakes)
+            holdInput(brake, direction);
+        return;
+    }
+    simulation::Hands& hands = _ride.hands->hands();
+    if (const int axis = hands.axisOf(input); axis >= 0)
+        hands.hold(static_cast<std::size_t>(axis), direction);
+}
+
+void WindowSession::addToInput(std::string_view input, double amount)
+{
+    if (!_ride.hands) return;
+    simulation::Hands& hands = _ride.hands->hands();
+    if (const int axis = hands.axisOf(input); axis >= 0) hands.add(static_cast<std::size_t>(axis), amount);
+}
+
+void WindowSession::flipInput(std::string_view input)
+{
+    if (!_ride.hands) return;
+    simulation::Hands& hands = _ride.hands->hands();
+    const int axis = hands.axisOf(input);
+    if (axis < 0) return;
+    const auto at = static_cast<std::size_t>(axis);
+    const simulation::HandAxis& range = hands.axes()[at];
+    const bool isUp = hands.value(at) > 0.5 * (range.least + range.most);
+    hands.put(at, isUp ? range.least : range.most);
+}
+
+void WindowSession::handOver()
+{
+    if (!_ride.hands) return;
+    const bool isByHand = !_ride.hands->isByHand();
+    if (!_ride.hands->giveToHands(isByHand)) return tell("there is nobody to give it to");
+    if (isByHand && _live->pace().isPaused()) _live->pace().setPaused(false);
+    tell(isByHand ? "you have it" : "you have given it back");
+}
+
+/// Everything from the start, or from another one; what was recorded so far is kept.
+void WindowSession::restart(std::size_t place)
+{
+    Ride next;
+    next.scenario = _ride.scenario;
+    PlayRequest request = _request;
+    if (_maker)
+    {
+        auto made = _maker->make(place);
+        if (!made) return tell(made.error().message());
+        next = std::move(*made);
+        request.motions[next.entity] = next.motion;
+    }
+    const auto options =
+        playerOptionsOf(next.scenario, _play.terrain, request, _live->player().clock().anew());
+    if (!options) return tell(options.error().message());
+    auto player = simulation::ScenarioPlayer::create(next.scenario, *options);
+    if (!player) return tell(player.error().message());
+    if (const auto kept = _files.next(_ride.motion.get()); !kept)
+    {
+        _failed = kept;
+        return;
+    }
+    _keys->releaseAll();
+    _live->restart(std::move(*player));
+    _ride = std::move(next);
+    _request = std::move(request);
+    _place = place;
+    _camera->restart();
+    if (!_maker) return tell("from the start");
+    const RidePlace where = _maker->places()[place];
+    tell(where.name);
+    if (_files.recordsInputs() && !where.option.empty())
+        std::printf("note: what is recorded from here is played with %s\n", where.option.c_str());
+}
+
+void WindowSession::toggleFullscreen()
+{
+    auto* const system = osg::GraphicsContext::getWindowingSystemInterface();
+    unsigned width = 0, height = 0;
+    if (system) system->getScreenResolution(*_window->getTraits(), width, height);
+    if (width == 0 || height == 0) return;
+    _isCovering = !_isCovering;
+    if (_isCovering)
+    {
+        _window->getWindowRectangle(_oldPlace[0], _oldPlace[1], _oldPlace[2], _oldPlace[3]);
+        _window->setWindowDecoration(false);
+        _window->setWindowRectangle(0, 0, static_cast<int>(width), static_cast<int>(height));
+        return;
+    }
+    _window->setWindowDecoration(true);
+    _window->setWindowRectangle(_oldPlace[0], _oldPlace[1], _oldPlace[2], _oldPlace[3]);
+}
+
+void WindowSession::act(KeyDeed deed, double amount)
+{
+    simulation::RealTimePace& pace = _live->pace();
+    switch (deed)
+    {
+    case KeyDeed::help:
+        return _overlay.showHelp(_vehicle, !_overlay.isHelpShown());
+    case KeyDeed::statistics:
+        return _overlay.showStatistics(!_overlay.areStatisticsShown());
+    case KeyDeed::instruments:
+        if (_hud) _hud->show(!_hud->isShown());
+        return;
+    case KeyDeed::fullscreen:
+        return toggleFullscreen();
+    case KeyDeed::picture:
+        return _pictures->ask();
+    case KeyDeed::end:
+        _isEnded = true;
+        return;
+    case KeyDeed::view:
+        return _camera->setView(static_cast<std::size_t>(amount));
+    case KeyDeed::nextView:
+        return _camera->nextView();
+    case KeyDeed::glance:
+        return _camera->glance(amount);
+    case KeyDeed::pause:
+        return pace.setPaused(!pace.isPaused());
+    case KeyDeed::step:
+        return pace.stepOnce();
+    case KeyDeed::slower:
+        return pace.slower();
+    case KeyDeed::faster:
+        return pace.faster();
+    case KeyDeed::realTime:
+        return pace.setRate(1.0);
+    case KeyDeed::reset:
+        return restart(_place);
+    case KeyDeed::reposition:
+        return restart(_maker ? (_place + 1) % _maker->places().size() : 0);
+    case KeyDeed::handOver:
+        return handOver();
+    default:
+        return;
+    }
+}
+
+} // namespace trainer

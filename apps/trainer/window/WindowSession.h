@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <chrono>
+#include <memory>
+
+#include <osgOffscreen/FrameCapture>
+
+#include "Ride.h"
+#include "hud/Hud.h"
+#include "hud/TextOverlay.h"
+#include "input/DeviceHands.h"
+#include "input/KeyScript.h"
+#include "input/SeatKeys.h"
+#include "simulation/player/LivePlay.h"
+#include "view/ChannelRig.h"
+#include "window/PictureTaker.h"
+#include "window/RunFiles.h"
+#include "window/SeatCamera.h"
+#include "window/SeatViewer.h"
+
+namespace trainer
+{
+
+/// Plays a scenario, or a ride that somebody controls, in a window in real time (decision 34). Each picture: events, the steps that are due,
+/// the scene, then drawing. It ends when the window is closed, by its key, and by SIGINT or SIGTERM; recordings are written always.
+/// Threads: one.
+class WindowSession final : private KeyTarget
+{
+public:
+    /// `scenario`: what is played where `maker` is null. `recordInputs`: file for what the hands do; empty: none.
+    /// Errors: those of PlayScene, of openWindow() and of readKeyScript(); a ride that cannot begin.
+    static foundation::Result<std::unique_ptr<WindowSession>>
+    create(simulation::Scenario scenario, SceneTerrain terrain, const PlayRequest& request, RideMaker* maker,
+           const std::filesystem::path& recordInputs);
+    ~WindowSession() override;
+
+    /// Returns when it has ended. Errors: a file that cannot be written.
+    foundation::Outcome run();
+
+    /// Of the last ride; null without one.
+    std::shared_ptr<simulation::VehicleMotion> motion() const { return _ride.motion; }
+
+private:
+    /// Of the pictures so far. Units: ms.
+    struct PictureTimes
+    {
+        double lastMs = 0.0, worstMs = 0.0, sumMs = 0.0;
+        int count = 0;
+    };
+
+    WindowSession(const PlayRequest& request, RideMaker* maker, const std::filesystem::path& recordInputs);
+    foundation::Outcome open(simulation::Scenario scenario, SceneTerrain terrain);
+    foundation::Outcome openPictures();
+    double wallS() const;
+    void playKeys(double wallS);
+    void afterEvents();
+    void fitToWindow();
+    foundation::Outcome openDevices();
+    void readDevicesNow();
+    void restart(std::size_t place);
+    void tell(const std::string& text);
+    void showTexts(double wallS);
+    void waitForNext(std::chrono::steady_clock::time_point begun) const;
+    void tellEnd() const;
+    foundation::Outcome finish();
+
+    // KeyTarget
+    void holdInput(std::string_view input, double direction) override;
+    void addToInput(std::string_view input, double amount) override;
+    void flipInput(std::string_view input) override;
+    void act(KeyDeed deed, double amount) override;
+    void handOver();
+    void toggleFullscreen();
+
+    PlayRequest _request;
+    RideMaker* _maker;
+    KeyScope _vehicle;
+    Ride _ride; ///< without a maker: its scenario alone
+    std::size_t _place = 0;
+    RunFiles _files;
+    PlayScene _play;
+    std::unique_ptr<simulation::LivePlay> _live;
+    osg::ref_ptr<osgViewer::GraphicsWindow> _window;
+    osg::ref_ptr<SeatViewer> _viewer;
+    std::unique_ptr<ChannelRig> _rig;
+    std::unique_ptr<SeatCamera> _camera;
+    std::unique_ptr<SeatKeys> _keys;
+    std::unique_ptr<Devices> _devices;
+    std::unique_ptr<DeviceHands> _deviceHands;
+    TextOverlay _overlay;
+    std::unique_ptr<Hud> _hud; ///< null without a vehicle
+    osg::ref_ptr<PictureTaker> _pictures;
+    std::unique_ptr<osgOffscreen::FrameCapture> _capture;
+    std::vector<WindowEvent> _script;
+    std::size_t _scripted = 0; ///< of its events that have happened
+    std::chrono::steady_clock::time_point _begun;
+    double _lastWallS = 0.0, _toldAtS = -1e9;
+    std::string _told;
+    PictureTimes _times;
+    foundation::Outcome _failed = foundation::success(); ///< of a reset
+    int _oldPlace[4] = {0, 0, 0, 0};                     ///< of the window before it covered the screen
+    bool _isCovering = false, _isEnded = false;
+};
+
+} // namespace trainer

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: Apache-2.0
+// Rides by hand in a window, on a display of their own (Xvfb): what keys do, that it repeats without a window, and that nothing that
+// happens to a window hangs or loses a recording.
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+
+#include "Playing.h"
+
+namespace
+{
+
+const char* const kSeatAircraft = OSGTRAINER_SOURCE_DIR "/data/aircraft/c172p.xml";
+const char* const kSeatCar = OSGTRAINER_SOURCE_DIR "/data/vehicles/car.xml";
+const char* const kSeatStreet = OSGTRAINER_SOURCE_DIR "/data/street.xodr";
+
+const char* const kOnDisplay = OSGTRAINER_SOURCE_DIR "/tests/programs/on-display";
+
+bool hasXvfb()
+{
+    return std::system("command -v Xvfb >/dev/null") == 0;
+}
+
+std::string allOf(const std::string& file)
+{
+    std::ifstream stream(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+class Window : public testing::Test
+{
+protected:
+    void SetUp() override
+    {
+        if (!hasXvfb()) GTEST_SKIP() << "SKIPPED: no Xvfb; install the package xvfb";
+    }
+
+    /// Runs the trainer on a display of its own, in a window of 96x54.
+    ProgramRun inWindow(std::vector<std::string> arguments, std::vector<std::string> command = {kOnDisplay})
+    {
+        command.insert(command.end(), {"--", OSGTRAINER_TRAINER});
+        command.insert(command.end(), arguments.begin(), arguments.end());
+        command.insert(command.end(), {"--size", "96x54", "--samples", "1", "--window"});
+        return runProgram(command, 120.0);
+    }
+
+    std::string keys(const std::string& name, const std::string& lines)
+    {
+        return place.write(name, "osgtrainer-keys 1\n" + lines);
+    }
+
+    std::string path(const std::string& name) { return place.path(name); }
+
+    Workplace place;
+};
+
+std::vector<std::string> with(std::vector<std::string> words, const std::vector<std::string>& more)
+{
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+}
+
+TEST_F(Window, AFlightByKeysRepeatsHeadlessToTheLastByte)
+{
+    const std::vector<std::string> flight{"fly", "--aircraft", kSeatAircraft, "--start", "0,0,300,90,50"};
+    const auto flown = [&](const std::string& name, const std::string& lines, const std::string& pictureS)
+    {
+        EXPECT_TRUE(succeeds(inWindow(
+            with(flight, {"--keys", keys(name + ".keys", lines), "--picture-time", pictureS, "--csv_logger",
+                          path(name + ".csv"), "--record-inputs", path(name + ".txt")}))));
+        return allOf(path(name + ".csv"));
+    };
+    // A key counts from the first step of its picture on: these have the same one at both rates.
+    const std::string lines =
+        "0.51 hold Left 1\n1.01 hold PageUp 1\n2.01 tap f\n2.51 hold Down 0.5\n4 close\n";
+    const std::string first = flown("first", lines, "0.1"), slow = flown("slow", lines, "0.5");
+    EXPECT_GT(slow.size(), 40'000U);
+    EXPECT_TRUE(first == slow) << "pictures of 500 ms change the flight";
+    // The control: other keys.
+    EXPECT_NE(slow, flown("other", "0.51 hold Right 1\n4 close\n", "0.5"));
+    EXPECT_TRUE(succeeds(runTrainer(
+        with(flight, {"--headless", "--inputs", path("first.txt"), "--csv_logger", path("again.csv")}))));
+    EXPECT_EQ(first, allOf(path("again.csv")));
+}
+
+TEST_F(Window, ADriveIsTakenOverGivenBackAndRepeats)
+{
+    const std::vector<std::string> drive{"drive", kSeatStreet, "--vehicle", kSeatCar, "--length", "150"};
+    const std::string lines = "1 tap Tab\n2 tap F2\n5 tap Tab\n5.5 hold Up 1.5\n6 hold Left 0.2\n8 close\n";
+    const ProgramRun run =
+        inWindow(with(drive, {"--keys", keys("drive.keys", lines), "--picture-time", "0.25", "--csv_logger",
+                              path("hand.csv"), "--record-inputs", path("hand.txt")}));
+    EXPECT_TRUE(succeeds(run));
+    EXPECT_NE(run.output.find("s by hand"), std::string::npos) << run.text();
+    EXPECT_TRUE(succeeds(runTrainer(
+        with(drive, {"--headless", "--inputs", path("hand.txt"), "--csv_logger", path("again.csv")}))));
+    const std::string hand = allOf(path("hand.csv"));
+    EXPECT_GT(hand.size(), 40'000U);
+    EXPECT_EQ(hand, allOf(path("again.csv")));
+}
+
+TEST_F(Window, AKeyIsInThePictureOfItsFrame)
+{
+    const auto pictures = [&](const std::string& name, const std::string& lines)
+    {
+        EXPECT_TRUE(succeeds(inWindow(
+            {"fly", place.hill(), "--aircraft", kSeatAircraft, "--start", "0,0,300,90,50", "--eye", "chase",
+             "--keys", keys(name + ".keys", lines), "--picture-time", "0.1", "--capture", path(name)})));
+        return bytesIn(path(name));
+    };
+    const auto without = pictures("without", "2 tap Escape\n"),
+               keyed = pictures("keyed", "1 press Left\n2 tap Escape\n");
+    ASSERT_EQ(without.size(), keyed.size());
+    ASSERT_GE(keyed.size(), 20U);
+    int number = 0, first = -1;
+    for (const auto& [file, bytes] : keyed)
+    {
+        if (first < 0 && without.at(file) != bytes) first = number;
+        ++number;
+    }
+    // Pressed at 1.0 s: picture 10.
+    EXPECT_GE(first, 10);
+    EXPECT_LE(first, 12) << "more than two pictures behind";
+    RecordProperty("picturesBehind", first - 10);
+}
+
+TEST_F(Window, ResetKeepsWhatWasRecorded)
+{
+    const std::string lines = "1 tap BackSpace\n2 tap Home\n3 tap p\n3.2 tap Period\n4 close\n";
+    const ProgramRun run = inWindow({"fly", "--aircraft", kSeatAircraft, "--strip", "0,0,0,800", "--keys",
+                                     keys("reset.keys", lines), "--picture-time", "0.1", "--record-inputs",
+                                     path("in.txt"), "--csv_logger", path("in.csv")});
+    EXPECT_TRUE(succeeds(run));
+    for (const char* name : {"in.txt", "in-1.txt", "in-2.txt", "in.csv", "in-1.csv", "in-2.csv"})
+        EXPECT_GT(allOf(path(name)).size(), 100U) << name;
+    EXPECT_NE(run.output.find("--start "), std::string::npos) << run.text();
+}
+
+TEST_F(Window, ResizedAndClosedAtAnyMomentItLosesNothing)
+{
+    for (const char* lines :
+         {"0 close\n", "0.1 resize 300 40\n0.2 resize 16 200\n0.3 tap F1\n0.4 tap F11\n0.5 close\n",
+          "0.1 tap v\n0.2 tap v\n0.3 tap v\n0.4 tap v\n0.5 tap v\n0.6 tap v\n0.7 tap Escape\n"})
+    {
+        const std::string recorded = path("closed.txt");
+        std::filesystem::remove(recorded);
+        EXPECT_TRUE(
+            succeeds(inWindow({"fly", "--aircraft", kSeatAircraft, "--keys", keys("close.keys", lines),
+                               "--picture-time", "0.1", "--record-inputs", recorded})))
+            << lines;
+        EXPECT_EQ(std::filesystem::exists(recorded), std::string(lines).find("0 close") != 0) << lines;
+    }
+}
+
+TEST_F(Window, ASignalEndsItWithItsRecording)
+{
+    const std::string recorded = path("ended.txt"), shown = path("picture-1.png");
+    const std::string line = std::string(OSGTRAINER_TRAINER) + " fly --aircraft " + kSeatAircraft +
+                             " --keys " + keys("end.keys", "0.5 tap F12\n") + " --pictures " + path("") +
+                             " --record-inputs " + recorded +
+                             " --size 96x54 --samples 1 --window & p=$!; while [ ! -e " + shown +
+                             " ]; do sleep 0.1; done; kill -TERM $p; wait $p";
+    EXPECT_TRUE(succeeds(runProgram({kOnDisplay, "--", "sh", "-c", line}, 60.0)));
+    EXPECT_EQ(allOf(recorded).rfind("osgtrainer-inputs 1", 0), 0U);
+}
+
+TEST_F(Window, SaysWhatADisplayLacks)
+{
+    EXPECT_TRUE(failsWith(inWindow({"fly", "--aircraft", kSeatAircraft}, {kOnDisplay, "-extension", "GLX"}),
+                          1, "trainer", {"--window", "OpenGL"}));
+    EXPECT_TRUE(failsWith(inWindow({"fly", "--aircraft", kSeatAircraft, "--screen", "7"}), 1, "trainer",
+                          {"--screen", "screens"}));
+    EXPECT_TRUE(failsWith(runProgram({"env", "-u", "DISPLAY", OSGTRAINER_TRAINER, "fly", "--aircraft",
+                                      kSeatAircraft, "--window"}),
+                          1, "trainer", {"--window", "DISPLAY"}));
+    EXPECT_TRUE(
+        failsWith(runTrainer({"fly", "--window", "1", "2", "3"}), 2, "trainer", {"--window", "3 values"}));
+    EXPECT_TRUE(failsWith(runTrainer({"fly", "--window", "x.tif"}), 2, "trainer", {"--window", "x.tif"}));
+}
+
+} // namespace
