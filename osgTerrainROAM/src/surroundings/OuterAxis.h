@@ -36,6 +36,13 @@ public:
         return (texel - kOutside) * _inside;
     }
 
+    /// Grid units per texel at a grid position.
+    double spacingAt(double grid) const
+    {
+        const double beyond = grid < 0.0 ? -grid : grid > _last ? grid - _last : 0.0;
+        return _inside + beyond / _curve;
+    }
+
     double last() const { return _last; }
     double curve() const { return _curve; }
     double inside() const { return _inside; } ///< grid units per texel within the data

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace osgTerrainROAM
 {
@@ -12,7 +13,6 @@ namespace
 
 constexpr double kEarthRadiusM = 6371000.0;
 constexpr int kReliefSide = 192; ///< cells of the relief along the longer side
-constexpr int kReliefMean = 12;  ///< half width, in cells, of the mean that it is counted from
 constexpr double kWindow = 0.7;  ///< half width of the stretch of border, as a share of the distance to it
 constexpr double kHillsM[] = {6e3, 25e3, 100e3}; ///< wavelengths of the noise
 
@@ -40,32 +40,9 @@ bool isWater(const osg::Image& land, int x, int y)
     return land.data(x, y)[2] >= 128;
 }
 
-/// Subtracts from each value the mean of the square around it.
-std::vector<float> lessLocalMean(const std::vector<float>& heights, int columns, int rows)
-{
-    const auto width = static_cast<std::size_t>(columns) + 1;
-    std::vector<double> sums(width * (static_cast<std::size_t>(rows) + 1), 0.0);
-    const auto sum = [&](int x, int y) -> double& { return sums[static_cast<std::size_t>(y) * width + x]; };
-    const auto at = [&](int x, int y) { return static_cast<std::size_t>(y) * columns + x; };
-    for (int y = 0; y < rows; ++y)
-        for (int x = 0; x < columns; ++x)
-            sum(x + 1, y + 1) = heights[at(x, y)] + sum(x, y + 1) + sum(x + 1, y) - sum(x, y);
-    std::vector<float> less(heights.size());
-    for (int y = 0; y < rows; ++y)
-        for (int x = 0; x < columns; ++x)
-        {
-            const int west = std::max(x - kReliefMean, 0), east = std::min(x + kReliefMean + 1, columns);
-            const int south = std::max(y - kReliefMean, 0), north = std::min(y + kReliefMean + 1, rows);
-            const double mean = (sum(east, north) - sum(west, north) - sum(east, south) + sum(west, south)) /
-                                ((east - west) * (north - south));
-            less[at(x, y)] = heights[at(x, y)] - static_cast<float>(mean);
-        }
-    return less;
-}
-
 } // namespace
 
-OuterGround::OuterGround(const core::PlacedTile& tile, const osg::Image& land)
+OuterGround::OuterGround(const core::PlacedTile& tile, const osg::Image& land, double reachM)
     : _tile(tile),
       _land(land),
       _map(tile),
@@ -75,7 +52,9 @@ OuterGround::OuterGround(const core::PlacedTile& tile, const osg::Image& land)
       _localFromGrid(glm::inverse(_gridFromLocal)),
       _spacingM(0.5 * (tile.field().spacingEastM + tile.field().spacingNorthM)),
       _sideM(_spacingM * std::max(tile.field().columns, tile.field().rows)),
-      _noise(256, {4, 5, 0.55, 97})
+      _noise(256, {4, 5, 0.55, 97}),
+      _columns(_last.x, reachM / _spacingM * tile.grid().cellSide()),
+      _rows(_last.y, reachM / _spacingM * tile.grid().cellSide())
 {
     makeRelief();
 }
@@ -83,21 +62,16 @@ OuterGround::OuterGround(const core::PlacedTile& tile, const osg::Image& land)
 void OuterGround::makeRelief()
 {
     const double cell = std::max(_last.x, _last.y) / kReliefSide;
-    _reliefColumns = std::clamp(static_cast<int>(std::lround(_last.x / cell)), 1, kReliefSide) + 1;
-    _reliefRows = std::clamp(static_cast<int>(std::lround(_last.y / cell)), 1, kReliefSide) + 1;
+    const int columns = std::clamp(static_cast<int>(std::lround(_last.x / cell)), 1, kReliefSide) + 1;
+    const int rows = std::clamp(static_cast<int>(std::lround(_last.y / cell)), 1, kReliefSide) + 1;
     std::vector<float> heights;
-    for (int y = 0; y < _reliefRows; ++y)
-        for (int x = 0; x < _reliefColumns; ++x)
-        {
-            const glm::dvec2 share(x / (_reliefColumns - 1.0), y / (_reliefRows - 1.0));
-            heights.push_back(static_cast<float>(heightNear(share * _last)));
-        }
+    for (int y = 0; y < rows; ++y)
+        for (int x = 0; x < columns; ++x)
+            heights.push_back(
+                static_cast<float>(heightNear(glm::dvec2((x + 0.5) / columns, (y + 0.5) / rows) * _last)));
     _lowestM = *std::min_element(heights.begin(), heights.end());
-    _relief = lessLocalMean(heights, _reliefColumns, _reliefRows);
-    double squares = 0.0;
-    for (const float value : _relief)
-        squares += static_cast<double>(value) * value;
-    _deviationM = std::sqrt(squares / static_cast<double>(_relief.size()));
+    _relief = OuterRelief(columns, rows, heights);
+    _reliefCellM = cell * _spacingM / _tile.grid().cellSide();
 }
 
 /// Height of the raster's sample nearest to a position of the data.
@@ -108,29 +82,29 @@ double OuterGround::heightNear(const glm::dvec2& grid) const
     return _tile.samples().heightM(sample.x * cell, sample.y * cell);
 }
 
-double OuterGround::reliefAt(const glm::dvec2& grid) const
+double OuterGround::reliefAt(const glm::dvec2& grid, double texelM) const
 {
-    const double x = mirrored(grid.x, _last.x) / _last.x * (_reliefColumns - 1);
-    const double y = mirrored(grid.y, _last.y) / _last.y * (_reliefRows - 1);
-    const int i = std::min(static_cast<int>(x), _reliefColumns - 2);
-    const int j = std::min(static_cast<int>(y), _reliefRows - 2);
-    const float* const row = &_relief[static_cast<std::size_t>(j) * _reliefColumns + i];
-    return std::lerp(std::lerp(row[0], row[1], x - i),
-                     std::lerp(row[_reliefColumns], row[_reliefColumns + 1], x - i), y - j);
+    constexpr double kTexelsACell = 1.5;
+    return _relief.at(mirrored(grid.x, _last.x) / _last.x, mirrored(grid.y, _last.y) / _last.y,
+                      std::max(1.0, kTexelsACell * texelM / _reliefCellM));
 }
 
-/// The hills beyond the border: those of the data, and noise of wavelengths that the data do not have.
+/// The hills beyond the border: those of the data, and noise of wavelengths that the data do not have; each where texels are fine enough
+/// for it.
 double OuterGround::hillsM(const glm::dvec2& grid, double distanceM) const
 {
     const double onsetM = std::max(0.02 * _sideM, 8.0 * _spacingM);
-    double hills = reliefAt(grid) * stepped(0.5 * onsetM, 5.0 * onsetM, distanceM);
+    const double texelM =
+        std::max(_columns.spacingAt(grid.x), _rows.spacingAt(grid.y)) * _spacingM / _tile.grid().cellSide();
+    double hills = reliefAt(grid, texelM) * stepped(0.5 * onsetM, 5.0 * onsetM, distanceM);
     const glm::dvec2 place = _localFromGrid * grid;
     for (const double wave : kHillsM)
     {
         if (wave < 0.5 * _sideM) continue;
-        const double amplitude = std::min(2.0 * _deviationM, 0.012 * wave);
+        const double amplitude = std::min(2.0 * _relief.deviationM(), 0.012 * wave);
         const double noise = _noise.sample(place.x / (4.0 * wave), place.y / (4.0 * wave)) - 0.5;
-        hills += 3.0 * amplitude * noise * stepped(0.1 * wave, wave, distanceM);
+        hills += 3.0 * amplitude * noise * stepped(0.1 * wave, wave, distanceM) *
+                 (1.0 - stepped(wave / 6.0, wave / 2.0, texelM));
     }
     return hills;
 }

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <vector>
-
 #include <osg/Image>
 
 #include <osgTerrainROAM/core/heightfield/PlacedTile.h>
 
 #include "../material/TileableNoise.h"
 #include "BorderLoop.h"
+#include "OuterAxis.h"
+#include "OuterRelief.h"
 
 namespace osgTerrainROAM
 {
@@ -21,8 +21,8 @@ namespace osgTerrainROAM
 class OuterGround
 {
 public:
-    /// `land`: landMap() of the tile.
-    OuterGround(const core::PlacedTile& tile, const osg::Image& land);
+    /// `land`: landMap() of the tile. `reachM`: how far the ground goes beyond the data.
+    OuterGround(const core::PlacedTile& tile, const osg::Image& land, double reachM);
 
     struct Site
     {
@@ -43,12 +43,15 @@ public:
 
     const core::PlacedTile& tile() const { return _tile; }
     const BorderLoop& border() const { return _border; }
+    /// The axes of the maps and the mesh. Hills finer than their texels are left out.
+    const OuterAxis& columns() const { return _columns; }
+    const OuterAxis& rows() const { return _rows; }
     glm::dvec2 last() const { return _last; }     ///< grid position of the last sample
     double spacingM() const { return _spacingM; } ///< of the raster's samples
 
 private:
     void makeRelief();
-    double reliefAt(const glm::dvec2& grid) const;
+    double reliefAt(const glm::dvec2& grid, double texelM) const;
     double hillsM(const glm::dvec2& grid, double distanceM) const;
     double coastNoiseM(const glm::dvec2& place, double distanceM, double shift) const;
     BorderLoop::Means borderBeside(const glm::dvec2& grid, const glm::dvec2& border, double samples) const;
@@ -63,10 +66,9 @@ private:
     double _spacingM, _sideM;
     TileableNoise _noise;
 
-    int _reliefColumns = 0, _reliefRows = 0;
-    std::vector<float>
-        _relief; ///< heights less their mean over the surroundings, on a coarse grid over the data
-    double _deviationM = 0.0; ///< standard deviation of the relief
+    OuterAxis _columns, _rows;
+    OuterRelief _relief; ///< a coarse grid over the data
+    double _reliefCellM = 1.0;
     double _lowestM = 0.0;
 };
 

@@ -118,11 +118,9 @@ Surroundings::Surroundings(std::shared_ptr<const core::RoamTile> tile, TerrainMa
     setUseDisplayList(false);
     setSupportsDisplayList(false);
     setCullingActive(false);
-    const OuterGround ground(_tile->tile, mapOf(*material, TerrainMaterial::land));
-    const double reach = kReachM / ground.spacingM() * _tile->tile.grid().cellSide();
-    const OuterAxis columns(ground.last().x, reach), rows(ground.last().y, reach);
-    _buffers = std::make_shared<OuterBuffers>(outerMesh(ground, columns, rows));
-    addMaps(ground, columns, rows);
+    const OuterGround ground(_tile->tile, mapOf(*material, TerrainMaterial::land), kReachM);
+    _buffers = std::make_shared<OuterBuffers>(outerMesh(ground, ground.columns(), ground.rows()));
+    addMaps(ground, ground.columns(), ground.rows());
 }
 
 void Surroundings::addMaps(const OuterGround& ground, const OuterAxis& columns, const OuterAxis& rows)

@@ -31,9 +31,9 @@ struct Around
     explicit Around(core::HeightField field)
         : tile(std::move(field), core::Placement::planar),
           land(landMap(tile, MapGrid(tile), {}, *normalMap(tile, MapGrid(tile)))),
-          ground(tile, *land),
-          columns(ground.last().x, 100000.0 / tile.field().spacingEastM),
-          rows(ground.last().y, 100000.0 / tile.field().spacingNorthM)
+          ground(tile, *land, 100000.0),
+          columns(ground.columns()),
+          rows(ground.rows())
     {
     }
 };
@@ -140,6 +140,44 @@ TEST(OuterGround, CoastsWindBeyondTheData)
     for (double row = 270.0; row < 450.0; row += 6.0)
         bends = std::max(bends, std::abs(coastAt(row + 6.0) - 2.0 * coastAt(row) + coastAt(row - 6.0)));
     EXPECT_GT(bends, 2.0); // 1 where the nearest part of the border counts
+}
+
+/// Returns the mean difference of the heights of neighbouring rows beside the data, so many texels beyond the eastern border.
+double roughnessAlong(const Around& around, int texel)
+{
+    double sum = 0.0;
+    const double x = around.columns.gridAt(OuterAxis::kOutside + OuterAxis::kInside + texel);
+    const auto heightAt = [&](int row) {
+        return around.ground.at({x, around.rows.gridAt(OuterAxis::kOutside + row)}).heightM;
+    };
+    for (int row = 0; row < OuterAxis::kInside; ++row)
+        sum += std::abs(heightAt(row + 1) - heightAt(row));
+    return sum / OuterAxis::kInside;
+}
+
+/// Beside a narrow raster the rows of the surroundings are a few metres apart, the columns soon hundreds: hills that no column can show
+/// would be streaks that run straight away from the border.
+TEST(OuterGround, HasNoStreaksWhereItsTexelsAreLong)
+{
+    const Around around(testsupport::hills(512, 256, 1.0));
+    const double near = roughnessAlong(around, 24), far = roughnessAlong(around, 100);
+    ASSERT_GT(around.columns.spacingAt(around.columns.gridAt(OuterAxis::kOutside + OuterAxis::kInside + 100)),
+              100.0);
+    EXPECT_GT(near, 0.01); // there are hills
+    EXPECT_LT(far, 0.1 * near);
+}
+
+TEST(OuterRelief, IsTheMeanOfItsCellsAtCoarserLevels)
+{
+    std::vector<float> heights;
+    for (int y = 0; y < 64; ++y)
+        for (int x = 0; x < 64; ++x)
+            heights.push_back((x + y) % 2 == 0 ? 1.0f : -1.0f);
+    const OuterRelief relief(64, 64, heights);
+    EXPECT_NEAR(relief.deviationM(), 1.0, 0.05);
+    EXPECT_NEAR(std::abs(relief.at(32.5 / 64.0, 20.5 / 64.0, 1.0)), 1.0, 0.05); // the middle of a cell
+    EXPECT_NEAR(relief.at(33.0 / 64.0, 21.0 / 64.0, 2.0), 0.0, 0.05);
+    EXPECT_NEAR(relief.at(0.3, 0.7, 1e9), 0.0, 0.05);
 }
 
 TEST(OuterMesh, MeetsEverySampleOfTheBorder)
