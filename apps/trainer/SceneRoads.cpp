@@ -59,6 +59,9 @@ foundation::Result<SceneTerrain> withRoads(osg::ref_ptr<osgTerrainROAM::RoamTerr
         OSG_NOTICE << note << '\n';
     auto mesh = std::make_shared<const osgRoads::core::RoadMesh>(osgRoads::core::buildRoadMesh(
         *roads.placed, osgRoads::core::meshSettingsFor(roads.placed->network())));
+    const std::string unreached =
+        osgRoads::core::unreachedMessage(*mesh, roads.placed->network(), roads.file);
+    if (!unreached.empty()) OSG_NOTICE << unreached << '\n';
     const osg::ref_ptr<osg::Group> scene = new osg::Group;
     scene->addChild(terrain);
     scene->addChild(scenery::makeRoadNode(std::move(mesh), terrain));

@@ -84,7 +84,7 @@ foundation::Result<SceneTour> layRoadDrive(const SceneTerrain& scene, const simu
     for (const scenery::LanePathPoint& point : scenery::lanePath(*scene.roads, route))
         way.push_back({point.place, point.limitMps});
     auto laid = simulation::layDriveAlong(terrain, std::move(way), durationS);
-    if (!laid) return laid.error();
+    if (!laid) return foundation::Error{file, laid.error().what, laid.error().remedy};
     std::string summary = "drive: " + std::to_string(std::lround(route.lengthM)) + " m of lanes from road " +
                           network.roads[static_cast<std::size_t>(route.legs.front().lane.road)].id +
                           " on, at up to " + std::to_string(std::lround(laid->speedMps)) + " m/s\n";

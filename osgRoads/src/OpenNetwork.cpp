@@ -35,8 +35,9 @@ foundation::Result<osg::ref_ptr<osg::Node>> openNetwork(const std::filesystem::p
     auto read = core::readNetwork(file);
     if (!read) return read.error();
     const core::PlacedNetwork placed(std::make_shared<const core::RoadNetwork>(std::move(read->network)));
-    const osg::ref_ptr<RoadDrawable> drawable = new RoadDrawable(std::make_shared<const core::RoadMesh>(
-        core::buildRoadMesh(placed, core::meshSettingsFor(placed.network()))));
+    const auto mesh = std::make_shared<const core::RoadMesh>(
+        core::buildRoadMesh(placed, core::meshSettingsFor(placed.network())));
+    const osg::ref_ptr<RoadDrawable> drawable = new RoadDrawable(mesh);
     if (const auto set = drawable->setSettings(settings); !set) return set.error();
     const osg::ref_ptr<osg::Geode> geode = new osg::Geode;
     geode->setName(file.filename().string());
@@ -44,6 +45,9 @@ foundation::Result<osg::ref_ptr<osg::Node>> openNetwork(const std::filesystem::p
     geode->getOrCreateStateSet()->setAttributeAndModes(makeRoadProgram());
     for (const std::string& message : core::firstMessages(read->problems, file.string()))
         geode->addDescription(message);
+    if (const std::string unreached = core::unreachedMessage(*mesh, placed.network(), file.string());
+        !unreached.empty())
+        geode->addDescription(unreached);
     return osg::ref_ptr<osg::Node>(geode);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scenery/nodes/RoadLamps.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -11,6 +12,8 @@
 #include <osgPMObjects/ObjectShader>
 #include <osgTerrainROAM/Atmosphere>
 #include <shaders/scenery.h>
+
+#include "scenery/models/roads/LampArrow.h"
 
 namespace scenery
 {
@@ -38,6 +41,19 @@ bool shines(models::SignFace face, bool hasAmber, LightState state)
     return hasAmber ? state == LightState::stop || state == LightState::attention : state != LightState::go;
 }
 
+const osg::Vec4f kDarkArrow(0.004F, 0.004F, 0.004F, 1.0F);
+
+std::vector<glm::dvec2> circle()
+{
+    std::vector<glm::dvec2> outline;
+    for (int i = 0; i < kLampSides; ++i)
+    {
+        const double turn = 2.0 * std::numbers::pi * i / kLampSides;
+        outline.emplace_back(std::cos(turn), std::sin(turn));
+    }
+    return outline;
+}
+
 /// The light of the lamps of tunnels.
 const osg::Vec4f kCeilingLight(1.3F, 1.22F, 1.0F, 1.0F);
 
@@ -60,8 +76,8 @@ osg::ref_ptr<osg::Program> makeRoadLampProgram()
 RoadLamps::RoadLamps(const roads::RoadThings& things)
 {
     for (const roads::StandingThing& thing : things.standing)
-        if (const auto lenses = models::lensesOf(things.models[thing.model]); !lenses.empty())
-            addSignal(thing, lenses);
+        if (const models::RoadModel& model = things.models[thing.model]; !models::lensesOf(model).empty())
+            addSignal(thing, model);
     for (const roads::CeilingLamp& lamp : things.lamps)
         addCeilingLamp(lamp);
     if (_corners->empty()) return;
@@ -96,24 +112,37 @@ void RoadLamps::addFan(const std::vector<glm::dvec3>& corners, const glm::dvec3&
         }
 }
 
-void RoadLamps::addSignal(const roads::StandingThing& thing, const std::vector<models::Lens>& lenses)
+/// Lit green lamps are arrows, red and amber ones have a dark arrow on them.
+/// Source: Convention on Road Signs and Signals (Vienna, 1968), article 23, 4.
+void RoadLamps::addSignal(const roads::StandingThing& thing, const models::RoadModel& model)
 {
-    Lights lights{_corners->size(), {}};
-    for (const models::Lens& lens : lenses)
+    Lights lights;
+    const models::Tilt tilt = models::tiltOf(model);
+    const glm::dvec3 towards = thing.axes * (tilt.turn * glm::dvec3(-1.0, 0.0, 0.0));
+    const auto arrow = models::arrowPieces(model.arrow);
+    for (const models::Lens& lens : models::lensesOf(model))
     {
-        lights.faces.push_back(lens.face);
-        std::vector<glm::dvec3> corners;
-        for (int i = 0; i < kLampSides; ++i)
+        const auto add = [&](const std::vector<glm::dvec2>& outline, double aheadM, const osg::Vec4f& light)
         {
-            const double turn = -2.0 * std::numbers::pi * i / kLampSides;
-            const glm::dvec3 inModel =
-                lens.middle + glm::dvec3(-kLampAheadM, 0.95 * lens.radiusM * std::cos(turn),
-                                         0.95 * lens.radiusM * std::sin(turn));
-            corners.push_back(thing.position + thing.axes * inModel);
-        }
-        addFan(corners, -thing.axes[0]);
+            std::vector<glm::dvec3> corners;
+            // Seen against the model's x, its y and z run clockwise.
+            for (auto at = outline.rbegin(); at != outline.rend(); ++at)
+                corners.push_back(thing.position +
+                                  thing.axes *
+                                      tilt.at(lens.middle + glm::dvec3(-aheadM, 0.95 * lens.radiusM * at->x,
+                                                                       0.95 * lens.radiusM * at->y)));
+            const std::size_t first = _corners->size();
+            addFan(corners, towards);
+            lights.pieces.push_back({lights.faces.size(), first, _corners->size() - first, light});
+        };
+        const bool isArrowAlone = !arrow.empty() && lens.face == models::SignFace::lampGreen;
+        if (!isArrowAlone) add(circle(), kLampAheadM, lightOf(lens.face));
+        for (const auto& piece : arrow)
+            add(piece, isArrowAlone ? kLampAheadM : 2.0 * kLampAheadM,
+                isArrowAlone ? lightOf(lens.face) : kDarkArrow);
+        lights.faces.push_back(lens.face);
     }
-    _lights.emplace(thing.signalId, lights);
+    _lights.emplace(thing.signalId, std::move(lights));
 }
 
 void RoadLamps::addCeilingLamp(const roads::CeilingLamp& lamp)
@@ -131,14 +160,10 @@ bool RoadLamps::colour(const std::string& signalId, const IsLit& isLit)
 {
     const auto [first, last] = _lights.equal_range(signalId);
     for (auto light = first; light != last; ++light)
-    {
-        std::size_t at = light->second.first;
-        const std::vector<models::SignFace>& faces = light->second.faces;
-        for (std::size_t lens = 0; lens < faces.size(); ++lens)
-            for (int i = 0; i < 3 * (kLampSides - 2); ++i)
-                (*_colours)[at++] =
-                    isLit(lens, faces) ? lightOf(faces[lens]) : osg::Vec4f(0.0F, 0.0F, 0.0F, 0.0F);
-    }
+        for (const Piece& piece : light->second.pieces)
+            std::fill_n(_colours->begin() + static_cast<std::ptrdiff_t>(piece.first), piece.count,
+                        isLit(piece.lens, light->second.faces) ? piece.light
+                                                               : osg::Vec4f(0.0F, 0.0F, 0.0F, 0.0F));
     _colours->dirty();
     return first != last;
 }

@@ -42,15 +42,22 @@ public:
     bool setLenses(const std::string& signalId, const std::vector<bool>& lit);
 
 private:
+    /// A piece of a lamp that shines with it.
+    struct Piece
+    {
+        std::size_t lens = 0;
+        std::size_t first = 0, count = 0; ///< corners
+        osg::Vec4f light;
+    };
     struct Lights
     {
-        std::size_t first = 0; ///< corner
         std::vector<models::SignFace> faces;
+        std::vector<Piece> pieces;
     };
     template<class IsLit>
     bool colour(const std::string& signalId, const IsLit& isLit);
     void addFan(const std::vector<glm::dvec3>& corners, const glm::dvec3& towards);
-    void addSignal(const roads::StandingThing& thing, const std::vector<models::Lens>& lenses);
+    void addSignal(const roads::StandingThing& thing, const models::RoadModel& model);
     void addCeilingLamp(const roads::CeilingLamp& lamp);
 
     glm::dvec3 _origin{0.0};

@@ -72,6 +72,7 @@ cutRoads(osgTerrainROAM::core::TileEditor& editor, const PlacedNetwork& roads, c
     const PlacedTile& tile = editor.tile().tile;
     RoadCutShape shape = asked;
     shape.sampleM = std::max(tile.field().spacingEastM, tile.field().spacingNorthM) / tile.grid().cellSide();
+    shape.torn = std::make_shared<const TornRoads>(roads.network());
     const auto boxes = boxesOf(tile, roads, shape);
     if (boxes.empty())
         return foundation::Error{tile.field().name, "the roads lie beyond the terrain",

@@ -12,6 +12,7 @@
 #include <osgTerrainROAM/core/heightfield/GroundQuery.h>
 
 #include "scenery/roads/SceneDatum.h"
+#include "scenery/roads/TornRoads.h"
 
 namespace scenery
 {
@@ -118,11 +119,22 @@ PlanExtent extentOf(const RoadNetwork& network)
     return extent;
 }
 
+foundation::Result<RoadsFile> readRoads(const std::filesystem::path& file)
+{
+    auto read = osgRoads::core::readNetwork(file);
+    if (!read) return read.error();
+    RoadsFile roads{std::make_shared<const RoadNetwork>(std::move(read->network)),
+                    osgRoads::core::firstMessages(read->problems, file.string())};
+    for (std::string& note : TornRoads(*roads.network).notes(*roads.network, file.string()))
+        roads.notes.push_back(std::move(note));
+    return roads;
+}
+
 foundation::Result<SceneRoads> placeRoads(const RoadsRequest& request, const PlacedTile& tile)
 {
-    auto read = osgRoads::core::readNetwork(request.file);
+    auto read = readRoads(request.file);
     if (!read) return read.error();
-    const auto network = std::make_shared<const RoadNetwork>(std::move(read->network));
+    const auto& network = read->network;
     const PlanExtent extent = extentOf(*network);
     auto map = mapOf(request, *network, tile, extent);
     if (!map) return map.error();
@@ -131,8 +143,8 @@ foundation::Result<SceneRoads> placeRoads(const RoadsRequest& request, const Pla
         base = std::make_shared<GroundProfiles>(
             network, BaseSurface(extent.low, extent.high, groundUnder(*map, tile)));
     const auto datum = std::make_shared<SceneDatum>(std::move(*map), std::move(base));
-    return SceneRoads{std::make_shared<osgRoads::core::PlacedNetwork>(network, datum),
-                      osgRoads::core::firstMessages(read->problems, request.file.string())};
+    return SceneRoads{std::make_shared<osgRoads::core::PlacedNetwork>(network, datum), std::move(read->notes),
+                      request.file.string()};
 }
 
 } // namespace scenery

@@ -43,7 +43,8 @@ struct RoadsRequest
 struct SceneRoads
 {
     std::shared_ptr<const osgRoads::core::PlacedNetwork> placed;
-    std::vector<std::string> notes; ///< one for each problem of the file, most ten
+    std::vector<std::string> notes; ///< what is wrong with the file, and what is drawn otherwise, a line each
+    std::string file;
 };
 
 /// The part of the plan that the usable roads of a network take up, lanes included. Frame: inertial. Units: metres.
@@ -52,6 +53,16 @@ struct PlanExtent
     glm::dvec2 low{0.0}, high{0.0};
 };
 PlanExtent extentOf(const osgRoads::core::RoadNetwork& network);
+
+/// A network as its file has it.
+struct RoadsFile
+{
+    std::shared_ptr<const osgRoads::core::RoadNetwork> network;
+    std::vector<std::string> notes; ///< as SceneRoads has them
+};
+
+/// Reads a network for a scene. Errors: those of readNetwork().
+foundation::Result<RoadsFile> readRoads(const std::filesystem::path& file);
 
 /// Reads a network and places it on a tile. On a planar tile the file's x and y are the tile's.
 /// Errors: those of readNetwork(); on a curved tile, neither a geoReference nor an origin; a place that PROJ cannot compute; roads

@@ -86,6 +86,7 @@ HeightBand bandOf(const PlacedNetwork& roads, const RoadMatch& match,
 {
     const auto& position = match.position;
     const auto& road = roads.road(position.road);
+    if (shape.torn && shape.torn->at(position.road, position.s)) return {};
     const double surfaceM = frame.heightOf(roads.surfaceAt(match, shape.bed, shape.bed.vergeM));
     if (const auto* structure = osgRoads::core::structureAt(road, position.s))
         return structure->kind == osgRoads::core::StructureKind::bridge

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
+
 #include <glm/glm.hpp>
 
 #include <osgRoads/core/place/PlacedNetwork.h>
 #include <osgRoads/core/place/RoadBed.h>
 #include <osgTerrainROAM/core/heightfield/TileFrame.h>
+
+#include "scenery/roads/TornRoads.h"
 
 namespace scenery
 {
@@ -22,6 +26,7 @@ struct RoadCutShape
     double deckM = 1.5;       ///< from a bridge's road down to where ground may be
     double portalSlope = 2.0; ///< of the ground that rises behind a portal, over its tube
     double portalBackM = 3.0; ///< from the portal to where it begins; more than a sample
+    std::shared_ptr<const TornRoads> torn; ///< where roads ask nothing of the ground; null: nowhere
 };
 
 /// The heights that the ground may have at a place. A low above the high yields: no road is buried.

@@ -11,9 +11,9 @@
 #include <osgRoads/core/query/LaneSpan.h>
 #include <osgRoads/core/query/RoadSurface.h>
 #include <osgRoads/core/query/Stations.h>
-#include <osgRoads/core/read/ReadNetwork.h>
 
 #include "scenery/roads/SceneDatum.h"
+#include "scenery/roads/TornRoads.h"
 
 namespace scenery
 {
@@ -95,14 +95,15 @@ void fill(Level& level)
 
 /// Adds the heights beside a road, but for its bridges and tunnels. A sample farther out than the verge, so that the two sides of
 /// a narrow bank do not meet in one.
-void addRoad(const RoadNetwork& network, int index, const glm::dvec2& corner, double spacingM, Level& sums)
+void addRoad(const RoadNetwork& network, const TornRoads& torn, int index, const glm::dvec2& corner,
+             double spacingM, Level& sums)
 {
     const Road& road = network.roads[static_cast<std::size_t>(index)];
     const osgRoads::core::RoadBed bed;
     const double outM = bed.vergeM + 0.5 * spacingM;
     for (const double s : osgRoads::core::evenStations(road.length, 0.5 * spacingM))
     {
-        if (osgRoads::core::structureAt(road, s)) continue;
+        if (osgRoads::core::structureAt(road, s) || torn.at(index, s)) continue;
         const auto lanes = osgRoads::core::extentAt(road, s);
         const auto frame = osgRoads::core::frameAt(road, s);
         for (const double side : {-1.0, 1.0})
@@ -120,8 +121,8 @@ void addRoad(const RoadNetwork& network, int index, const glm::dvec2& corner, do
     }
 }
 
-osgTerrainROAM::core::HeightField fieldOf(const RoadNetwork& network, const PlanExtent& extent,
-                                          glm::dvec2& corner)
+osgTerrainROAM::core::HeightField fieldOf(const RoadNetwork& network, const TornRoads& torn,
+                                          const PlanExtent& extent, glm::dvec2& corner)
 {
     const glm::dvec2 size = extent.high - extent.low + 2.0 * kMarginM;
     osgTerrainROAM::core::HeightField field;
@@ -132,7 +133,7 @@ osgTerrainROAM::core::HeightField fieldOf(const RoadNetwork& network, const Plan
     Level level(samples.x, samples.y);
     for (int i = 0; i < static_cast<int>(network.roads.size()); ++i)
         if (network.roads[static_cast<std::size_t>(i)].isUsable)
-            addRoad(network, i, corner, field.spacingEastM, level);
+            addRoad(network, torn, i, corner, field.spacingEastM, level);
     for (std::size_t i = 0; i < level.heights.size(); ++i)
         if (level.weights[i] > 0.0f)
         {
@@ -159,12 +160,13 @@ double roadSampleM(const RoadNetwork& network)
 
 foundation::Result<RoadGround> makeRoadGround(const std::filesystem::path& file)
 {
-    auto read = osgRoads::core::readNetwork(file);
+    auto read = readRoads(file);
     if (!read) return read.error();
-    const auto network = std::make_shared<const RoadNetwork>(std::move(read->network));
+    const auto& network = read->network;
     const PlanExtent extent = extentOf(*network);
     RoadGround ground;
-    ground.field = fieldOf(*network, extent, ground.cornerM);
+    const TornRoads torn(*network);
+    ground.field = fieldOf(*network, torn, extent, ground.cornerM);
     ground.field.name = file.string();
     ground.roadSampleM = roadSampleM(*network);
     const auto map = PlanMap::create(
@@ -174,7 +176,7 @@ foundation::Result<RoadGround> makeRoadGround(const std::filesystem::path& file)
     if (!map) return map.error();
     ground.roads = {
         std::make_shared<osgRoads::core::PlacedNetwork>(network, std::make_shared<SceneDatum>(*map)),
-        osgRoads::core::firstMessages(read->problems, file.string())};
+        std::move(read->notes), file.string()};
     return ground;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "RoadBuffers.h"
 
+#include <algorithm>
 #include <array>
 
 #include <osgRoads/RoadShader>
@@ -17,10 +18,12 @@ using osgTraversal::bufferOffset;
 constexpr std::array kAttributes{kPositionAttribute, kPlaceAttribute, kNormalAttribute, kFlagsAttribute,
                                  kRowsAttribute};
 
+constexpr std::uint32_t kPageVertices = 1U << 15; ///< about, and no less than a chunk's
+
 template<class Element>
-void fill(osg::GLExtensions& gl, GLenum target, const std::vector<Element>& elements)
+void fill(osg::GLExtensions& gl, GLenum target, std::span<const Element> elements)
 {
-    gl.glBufferData(target, static_cast<GLsizeiptr>(elements.size() * sizeof(Element)), elements.data(),
+    gl.glBufferData(target, static_cast<GLsizeiptr>(elements.size_bytes()), elements.data(),
                     GL_STATIC_DRAW_ARB);
 }
 
@@ -39,55 +42,118 @@ void setPointers(osg::GLExtensions& gl)
 
 } // namespace
 
-RoadBuffers::Pair& RoadBuffers::pairOf(osg::State& state)
+RoadBuffers::RoadBuffers(std::shared_ptr<const core::RoadMesh> mesh) : _mesh(std::move(mesh))
 {
-    const std::lock_guard lock(_mutex);
-    std::unique_ptr<Pair>& pair = _pairs[state.getContextID()];
-    if (!pair) pair = std::make_unique<Pair>(state.getContextID());
-    return *pair;
+    for (const core::RoadChunk& chunk : _mesh->chunks)
+    {
+        if (_pages.empty() || _pages.back().vertexCount + chunk.vertexCount > kPageVertices)
+            _pages.push_back({chunk.firstVertex, 0, chunk.levels.front().firstIndex, 0});
+        Page& page = _pages.back();
+        page.vertexCount = chunk.firstVertex + chunk.vertexCount - page.firstVertex;
+        page.indexCount = chunk.levels.back().firstIndex + chunk.levels.back().indexCount - page.firstIndex;
+    }
 }
 
-void RoadBuffers::draw(osg::State& state, const std::vector<RoadRange>& ranges)
+RoadBuffers::Context& RoadBuffers::contextOf(osg::State& state)
+{
+    const std::lock_guard lock(_mutex);
+    std::unique_ptr<Context>& context = _contexts[state.getContextID()];
+    if (!context) context = std::make_unique<Context>();
+    return *context;
+}
+
+std::size_t RoadBuffers::pageOf(std::uint32_t index) const
+{
+    const auto after =
+        std::upper_bound(_pages.begin(), _pages.end(), index,
+                         [](std::uint32_t i, const Page& page) { return i < page.firstIndex; });
+    return static_cast<std::size_t>(after - _pages.begin()) - 1;
+}
+
+/// Binds the buffers of a page, and fills them where they are new.
+void RoadBuffers::bind(osg::State& state, Context& context, std::size_t number) const
+{
+    osg::GLExtensions& gl = *state.get<osg::GLExtensions>();
+    Pair& pair = context.pairs.try_emplace(number, state.getContextID()).first->second;
+    pair.drawn = context.draws;
+    const bool isNew = !pair.vertices.isMade();
+    gl.glBindBuffer(GL_ARRAY_BUFFER_ARB, pair.vertices.name(gl));
+    gl.glBindBuffer(GL_ELEMENT_ARRAY_BUFFER_ARB, pair.indices.name(gl));
+    setPointers(gl);
+    if (!isNew) return;
+    const Page& page = _pages[number];
+    fill(gl, GL_ARRAY_BUFFER_ARB, std::span(_mesh->vertices).subspan(page.firstVertex, page.vertexCount));
+    std::vector<std::uint32_t> indices(_mesh->indices.begin() + page.firstIndex,
+                                       _mesh->indices.begin() + page.firstIndex + page.indexCount);
+    for (std::uint32_t& index : indices)
+        index -= page.firstVertex;
+    fill(gl, GL_ELEMENT_ARRAY_BUFFER_ARB, std::span<const std::uint32_t>(indices));
+    context.bytes += page.bytes();
+}
+
+/// Releases pages that this draw did not need, those not drawn for longest first, until the rest is small enough.
+void RoadBuffers::releaseOld(Context& context) const
+{
+    while (context.bytes > kMostBytes)
+    {
+        const auto oldest =
+            std::min_element(context.pairs.begin(), context.pairs.end(),
+                             [](const auto& a, const auto& b) { return a.second.drawn < b.second.drawn; });
+        if (oldest->second.drawn == context.draws) return;
+        context.bytes -= _pages[oldest->first].bytes();
+        context.pairs.erase(oldest);
+    }
+}
+
+void RoadBuffers::draw(osg::State& state, std::span<const RoadRange> ranges)
 {
     osg::GLExtensions& gl = *state.get<osg::GLExtensions>();
     // An earlier drawable may have left arrays enabled that OSG switches off only with the next Geometry.
     state.disableAllVertexArrays();
     state.unbindVertexBufferObject();
     state.unbindElementBufferObject();
-    Pair& pair = pairOf(state);
-    const bool isNew = !pair.vertices.isMade();
-    gl.glBindBuffer(GL_ARRAY_BUFFER_ARB, pair.vertices.name(gl));
-    gl.glBindBuffer(GL_ELEMENT_ARRAY_BUFFER_ARB, pair.indices.name(gl));
-    if (isNew)
-    {
-        fill(gl, GL_ARRAY_BUFFER_ARB, _mesh->vertices);
-        fill(gl, GL_ELEMENT_ARRAY_BUFFER_ARB, _mesh->indices);
-    }
-    setPointers(gl);
+    Context& context = contextOf(state);
+    ++context.draws;
     for (const GLuint attribute : kAttributes)
         gl.glEnableVertexAttribArray(attribute);
     std::vector<GLsizei> counts;
     std::vector<const void*> offsets;
-    for (const RoadRange& range : ranges)
+    for (std::size_t i = 0; i < ranges.size();)
     {
-        counts.push_back(static_cast<GLsizei>(range.count));
-        offsets.push_back(bufferOffset(range.first * sizeof(std::uint32_t)));
+        const std::size_t number = pageOf(ranges[i].first);
+        const Page& page = _pages[number];
+        counts.clear();
+        offsets.clear();
+        for (; i < ranges.size() && ranges[i].first - page.firstIndex < page.indexCount; ++i)
+        {
+            counts.push_back(static_cast<GLsizei>(ranges[i].count));
+            offsets.push_back(bufferOffset((ranges[i].first - page.firstIndex) * sizeof(std::uint32_t)));
+        }
+        bind(state, context, number);
+        gl.glMultiDrawElements(GL_TRIANGLES, counts.data(), GL_UNSIGNED_INT, offsets.data(),
+                               static_cast<GLsizei>(counts.size()));
     }
-    gl.glMultiDrawElements(GL_TRIANGLES, counts.data(), GL_UNSIGNED_INT, offsets.data(),
-                           static_cast<GLsizei>(counts.size()));
     for (const GLuint attribute : kAttributes)
         gl.glDisableVertexAttribArray(attribute);
     gl.glBindBuffer(GL_ARRAY_BUFFER_ARB, 0);
     gl.glBindBuffer(GL_ELEMENT_ARRAY_BUFFER_ARB, 0);
+    releaseOld(context);
+}
+
+std::size_t RoadBuffers::bytesOf(unsigned int contextId) const
+{
+    const std::lock_guard lock(_mutex);
+    const auto context = _contexts.find(contextId);
+    return context == _contexts.end() ? 0 : context->second->bytes;
 }
 
 void RoadBuffers::releaseGLObjects(osg::State* state)
 {
     const std::lock_guard lock(_mutex);
     if (state)
-        _pairs.erase(state->getContextID());
+        _contexts.erase(state->getContextID());
     else
-        _pairs.clear();
+        _contexts.clear();
 }
 
 } // namespace osgRoads

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <mutex>
+#include <span>
 #include <vector>
 
 #include <osg/State>
@@ -21,31 +23,63 @@ struct RoadRange
     std::uint32_t first = 0, count = 0;
 };
 
-/// The buffers of a road mesh in the graphics contexts. Each is filled when it is drawn first.
+/// The buffers of a road mesh in the graphics contexts. The mesh is cut into pages of consecutive chunks; a context has those that were drawn, so
+/// that of a large network only the surroundings of its eyes are held twice. Beyond kMostBytes pages that have not been drawn for longest are released.
 /// Threads: draw() in draw threads; release from any.
 class RoadBuffers
 {
 public:
-    explicit RoadBuffers(std::shared_ptr<const core::RoadMesh> mesh) : _mesh(std::move(mesh)) {}
+    static constexpr std::size_t kMostBytes = std::size_t{256}
+                                              << 20; ///< of a context, but for what one draw needs
+
+    explicit RoadBuffers(std::shared_ptr<const core::RoadMesh> mesh);
 
     const core::RoadMesh& mesh() const { return *_mesh; }
-    void draw(osg::State& state, const std::vector<RoadRange>& ranges);
+    /// Draws ranges of indices, which lie within one chunk each and grow.
+    void draw(osg::State& state, std::span<const RoadRange> ranges);
+
+    /// Returns the bytes that a context holds.
+    std::size_t bytesOf(unsigned int contextId) const;
 
     /// Releases what a context has, or what all have.
     void releaseGLObjects(osg::State* state);
 
 private:
+    /// Chunks that share buffers; they have their vertices and indices for themselves.
+    struct Page
+    {
+        std::uint32_t firstVertex = 0, vertexCount = 0, firstIndex = 0, indexCount = 0;
+
+        std::size_t bytes() const
+        {
+            return vertexCount * sizeof(core::MeshVertex) + indexCount * sizeof(std::uint32_t);
+        }
+    };
+
     struct Pair
     {
         explicit Pair(unsigned int contextId) : vertices(contextId), indices(contextId) {}
         osgTraversal::ContextBuffer vertices, indices;
+        std::uint64_t drawn = 0; ///< number of the draw that needed it last
     };
 
-    Pair& pairOf(osg::State& state);
+    /// What a context has; touched by its draw thread alone.
+    struct Context
+    {
+        std::map<std::size_t, Pair> pairs; ///< by page
+        std::uint64_t draws = 0;
+        std::size_t bytes = 0;
+    };
+
+    Context& contextOf(osg::State& state);
+    std::size_t pageOf(std::uint32_t index) const;
+    void bind(osg::State& state, Context& context, std::size_t page) const;
+    void releaseOld(Context& context) const;
 
     std::shared_ptr<const core::RoadMesh> _mesh;
-    std::mutex _mutex;
-    std::map<unsigned int, std::unique_ptr<Pair>> _pairs;
+    std::vector<Page> _pages;
+    mutable std::mutex _mutex;
+    std::map<unsigned int, std::unique_ptr<Context>> _contexts;
 };
 
 } // namespace osgRoads

@@ -43,7 +43,7 @@ void ModelBuilder::triangle(const Corner& a, const Corner& b, const Corner& c)
     const std::array<const Corner*, 3> corners{&a, &b, &c};
     std::array<std::uint32_t, 3> positions{};
     for (std::size_t i = 0; i < 3; ++i)
-        positions[i] = _mesh.position(rounded(corners[i]->at));
+        positions[i] = _mesh.position(rounded(_turn * corners[i]->at + _shift));
     if (positions[0] == positions[1] || positions[1] == positions[2] || positions[2] == positions[0]) return;
     core::Face face;
     face.material = _material;
@@ -52,7 +52,7 @@ void ModelBuilder::triangle(const Corner& a, const Corner& b, const Corner& c)
     {
         core::Wedge wedge;
         wedge.position = positions[i];
-        wedge.normal = corners[i]->normal;
+        wedge.normal = glm::mat3(_turn) * corners[i]->normal;
         wedge.texCoords[0] = corners[i]->uv;
         wedge.colour = glm::vec4(_tint * corners[i]->light, 1.0F);
         face.wedges[i] = _mesh.wedge(wedge);

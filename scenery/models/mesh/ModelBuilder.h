@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include <glm/mat3x3.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
@@ -33,6 +34,13 @@ public:
     void begin(const std::string& part, const Surface& surface, const glm::vec3& tint = glm::vec3(1.0F));
     void tint(const glm::vec3& tint) { _tint = tint; }
 
+    /// From here on corners are turned by `turn`, then moved by `shift`.
+    void place(const glm::dmat3& turn, const glm::dvec3& shift)
+    {
+        _turn = turn;
+        _shift = shift;
+    }
+
     /// Adds a triangle or quad, corners counter-clockwise seen from outside.
     void triangle(const Corner& a, const Corner& b, const Corner& c);
     void quad(const Corner& a, const Corner& b, const Corner& c, const Corner& d);
@@ -51,6 +59,8 @@ private:
     std::uint32_t _material = 0;
     std::uint32_t _part = 0;
     glm::vec3 _tint{1.0F};
+    glm::dmat3 _turn{1.0};
+    glm::dvec3 _shift{0.0};
 };
 
 } // namespace scenery::models

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include <glm/mat3x3.hpp>
+
 #include "scenery/models/Model.h"
 #include "scenery/models/roads/SignAtlas.h"
 
@@ -42,6 +44,17 @@ struct RoadModel
         square,
     };
 
+    /// Where the arrow of a traffic light points.
+    enum class Arrow
+    {
+        none,
+        left,
+        right,
+        ahead,
+        leftAhead,
+        rightAhead,
+    };
+
     Kind kind = Kind::box;
     Shape shape = Shape::round;
     SignFace face = SignFace::plain;
@@ -51,8 +64,12 @@ struct RoadModel
     double postDepthM = 0.0; ///< how deep the post reaches below z = 0; 0: it has no post
     double armM =
         0.0; ///< a post stands so far to the right of the plate or lamps, which hang from its arm; negative: to the left
+    double pitchRad = 0.0,
+           rollRad = 0.0; ///< of plate or lamps, about y, then about the turned x; posts stay upright
     bool isTwoSided = false;
-    std::string text;
+    bool isWhite = false; ///< a board of white, not of yellow
+    Arrow arrow = Arrow::none;
+    std::string text; ///< of a board: capitals and digits of Latin-1, lines parted by '\n'
 
     auto operator<=>(const RoadModel&) const = default;
 };
@@ -72,7 +89,21 @@ struct Lens
     SignFace face = SignFace::lampRed;
 };
 
-/// Returns the lenses of a traffic light from the top; none for other models.
+/// Returns the lenses of a traffic light from the top; none for other models. Before it is pitched and rolled.
 std::vector<Lens> lensesOf(const RoadModel& model);
+
+/// How plate or lamps are turned, then moved, by pitch and roll: about their middle, and so far forward that they clear the post.
+struct Tilt
+{
+    glm::dmat3 turn{1.0};
+    glm::dvec3 shift{0.0};
+
+    glm::dvec3 at(const glm::dvec3& point) const { return turn * point + shift; }
+};
+Tilt tiltOf(const RoadModel& model);
+
+/// Returns the axes of something that is pitched about its y, then rolled about its x. Positive pitch lowers x, positive roll raises y.
+/// Source: ASAM OpenDRIVE 1.8, 8.2 (right-handed; heading, then pitch, then roll).
+glm::dmat3 pitchAndRoll(double pitchRad, double rollRad);
 
 } // namespace scenery::models

@@ -36,6 +36,11 @@ inline void box(ModelBuilder& builder, const glm::dvec3& low, const glm::dvec3& 
     addBox(builder, {low, high, plainUv(), plainUv(), 0.7F});
 }
 
+/// Generators of what a post carries, with the post (SignHeads.cpp).
+void addSign(ModelBuilder& builder, const RoadModel& model);
+void addBoard(ModelBuilder& builder, const RoadModel& model);
+void addLights(ModelBuilder& builder, const RoadModel& model);
+
 /// Generators of what stands on its own (StreetFurniture.cpp).
 void addDelineator(ModelBuilder& builder, const RoadModel& model);
 void addLampPost(ModelBuilder& builder, const RoadModel& model);

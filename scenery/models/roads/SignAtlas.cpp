@@ -37,8 +37,8 @@ SignCell cellOfLimit(int speed, bool isLeast)
     if (isLeast)
         return speed % 10 == 0 && speed >= 30 && speed <= 80 ? cellAt(kFirstLeast + speed / 10 - 3)
                                                              : cellOf(SignFace::least);
-    return speed % 5 == 0 && speed >= 5 && speed <= 130 ? cellAt(kFirstLimit + speed / 5 - 1)
-                                                        : cellOf(SignFace::limit);
+    return speed % 5 == 0 && speed >= 5 && speed <= 5 * kLimits ? cellAt(kFirstLimit + speed / 5 - 1)
+                                                                : cellOf(SignFace::limit);
 }
 
 } // namespace scenery::models

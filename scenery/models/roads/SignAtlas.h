@@ -58,10 +58,10 @@ struct SignCell
 
 SignCell cellOf(SignFace face);
 
-/// The cell of a letter or digit: black on a ground that takes the tint. Others than A to Z, 0 to 9, '-', '.' are blank.
+/// The cell of a letter or digit: black on a ground that takes the tint. Others (Latin-1) than A to Z, Ä, Å, É, Ö, Ü, 0 to 9 and - . / : , ( ) are blank.
 SignCell cellOfGlyph(char glyph);
 
-/// The cells of speed limits (5 to 130 by 5) and of least speeds (blue); others give those without a number.
+/// The cells of speed limits (5 to 140 by 5) and of least speeds (blue); others give those without a number.
 SignCell cellOfLimit(int speed, bool isLeast);
 
 constexpr int kSignColumns = 16; ///< of the atlas

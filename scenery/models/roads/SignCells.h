@@ -9,9 +9,9 @@ namespace scenery::models
 {
 
 /// The order of the cells of the atlas: faces, speed limits, least speeds, glyphs.
-inline constexpr std::string_view kGlyphs = "ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-.";
+inline constexpr std::string_view kGlyphs = "ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-./:,()\xC4\xC5\xC9\xD6\xDC";
 constexpr int kFirstLimit = static_cast<int>(SignFace::count);
-constexpr int kLimits = 26; ///< 5, 10 … 130
+constexpr int kLimits = 28; ///< 5, 10 … 140
 constexpr int kFirstLeast = kFirstLimit + kLimits;
 constexpr int kLeasts = 6; ///< 30, 40 … 80
 constexpr int kFirstGlyph = kFirstLeast + kLeasts;

@@ -54,7 +54,17 @@ constexpr std::array kStrokes{Glyph{'A', "a0a4c6e4e0 a2e2"},
                               Glyph{'8', "b3a4a5b6d6e5e4d3b3a2a1b0d0e1e2d3"},
                               Glyph{'9', "b0d1e3e5d6b6a5a4b3d3e4"},
                               Glyph{'-', "b3d3"},
-                              Glyph{'.', "c0c0"}};
+                              Glyph{'.', "c0c0"},
+                              Glyph{'/', "a0e6"},
+                              Glyph{':', "c1c1 c4c4"},
+                              Glyph{',', "c1b0"},
+                              Glyph{'(', "d6c5c1d0"},
+                              Glyph{')', "b6c5c1b0"},
+                              Glyph{'\xC4', "a0a3c5e3e0 a1e1 b6b6 d6d6"},
+                              Glyph{'\xC5', "a0a3c4e3e0 a1e1 c6c6"},
+                              Glyph{'\xC9', "e0a0a4e4 a2d2 c5d6"},
+                              Glyph{'\xD6', "b0a1a3b4d4e3e1d0b0 b6b6 d6d6"},
+                              Glyph{'\xDC', "a4a1b0d0e1e4 b6b6 d6d6"}};
 
 constexpr float kAspect = 0.56F;  ///< width of a glyph, share of its height
 constexpr float kAdvance = 0.86F; ///< from a glyph to the next

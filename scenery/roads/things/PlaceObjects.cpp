@@ -151,6 +151,7 @@ void placeInstance(const PlacedNetwork& placed, int road, const ObjectWords& wor
     thing.position = standsAt(placed, road, instance, ground);
     thing.axes = uprightAxes(placed, road, instance.s, instance.t, instance.headingRad);
     if (isPlant(words)) return addPlant(into, thing, instance.height);
+    thing.axes = tiltedAxes(thing.axes, instance.pitchRad, instance.rollRad);
     addStanding(into, objectModel(words, instance).value_or(boxOf(instance)), thing);
 }
 

@@ -75,10 +75,10 @@ double armOf(const Road& road, const Signal& signal)
     return signal.orientation == '-' ? -arm : arm;
 }
 
-/// Sizes in steps of a centimetre, so that equal signs share a model.
-double rounded(double metres)
+/// Sizes in steps of a centimetre, angles in hundredths, so that equal signs share a model.
+double rounded(double value)
 {
-    return std::round(100.0 * metres) / 100.0;
+    return std::round(100.0 * value) / 100.0 + 0.0; // no -0
 }
 
 void setSizes(RoadModel& model, const Signal& signal)
@@ -94,6 +94,8 @@ void setSizes(RoadModel& model, const Signal& signal)
     // A light whose height reaches from the road up: the lamps are at its top.
     if (isLight && signal.zOffset < 1.0) model.raisedM = rounded(std::max(signal.height - headM, 2.1));
     if (!isLight && signal.zOffset < 0.3 && signal.height < 1.5) model.raisedM = 2.0;
+    model.pitchRad = rounded(signal.post ? signal.post->pitchRad : signal.pitchRad);
+    model.rollRad = rounded(signal.post ? signal.post->rollRad : signal.rollRad);
 }
 
 void setPost(RoadModel& model, const Road& road, const Signal& signal, const Carriers& carriers)
@@ -118,6 +120,11 @@ double asideOf(const Road& road, const Signal& signal)
 }
 
 } // namespace
+
+glm::dmat3 tiltedAxes(const glm::dmat3& upright, double pitchRad, double rollRad)
+{
+    return pitchRad == 0.0 && rollRad == 0.0 ? upright : upright * models::pitchAndRoll(pitchRad, rollRad);
+}
 
 glm::dmat3 uprightAxes(const PlacedNetwork& placed, int road, double s, double t, double headingRad)
 {

@@ -66,7 +66,7 @@ struct RoadThings
 };
 
 /// Places signals, objects, bridges and tunnels. Without `ground` everything stands at the height of its road.
-/// Posts stand upright; `orientation` - turns a signal by half a turn; one that holds for both directions shows its face on both sides. Signals with
+/// Posts stand upright, what they carry is pitched and rolled as told, other objects as a whole; `orientation` - turns a signal by half a turn; one that holds for both directions shows its face on both sides. Signals with
 /// a pole object within 0.5 m have no post of their own. Objects without a model are grey boxes of their size.
 /// Source: ASAM OpenDRIVE 1.8, 13 and 14. Cost: linear.
 RoadThings placeRoadThings(const osgRoads::core::PlacedNetwork& placed, const GroundHeight& ground = {});

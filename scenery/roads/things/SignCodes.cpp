@@ -119,30 +119,83 @@ int speedOf(const osgRoads::core::Signal& signal)
     return dash == std::string::npos ? 0 : std::max(0, std::atoi(signal.name.c_str() + dash + 1));
 }
 
+/// Returns a text as the atlas of signs has letters: capitals of Latin-1; "\\n" of the file parts lines. Others than Latin letters are blank.
+std::string lettersOf(const std::string& utf8)
+{
+    std::string letters;
+    for (std::size_t i = 0; i < utf8.size(); ++i)
+    {
+        const auto byte = static_cast<unsigned char>(utf8[i]);
+        if (utf8.compare(i, 2, "\\n") == 0)
+        {
+            letters += '\n';
+            ++i;
+        }
+        else if (byte < 0x80)
+            letters += static_cast<char>(std::toupper(byte));
+        else if ((byte == 0xC2 || byte == 0xC3) && i + 1 < utf8.size())
+        {
+            const auto latin = static_cast<unsigned char>(((byte & 3U) << 6U) | (utf8[++i] & 0x3F));
+            const bool isSmall = latin >= 0xE0 && latin != 0xF7;
+            letters += static_cast<char>(isSmall ? latin - 0x20 : latin);
+        }
+        else if (byte >= 0xC0)
+            letters += ' '; // its further bytes are passed over
+    }
+    return letters;
+}
+
+/// Places and directions of the StVO, its additional signs, and any other that has a text but no face.
+std::optional<RoadModel> boardOf(const osgRoads::core::Signal& signal)
+{
+    const bool isPlace = signal.type == "310" || signal.type == "311";
+    if (!isPlace && signal.text.empty()) return {};
+    RoadModel model;
+    model.kind = RoadModel::Kind::board;
+    model.text = lettersOf(signal.text.empty() ? signal.name : signal.text);
+    model.isWhite = !isPlace;
+    return model;
+}
+
+/// The arrow of a light of type 1000010 to 1000012 by its subtype.
+RoadModel::Arrow arrowOf(const osgRoads::core::Signal& signal)
+{
+    using Arrow = RoadModel::Arrow;
+    if (signal.type != "1000010" && signal.type != "1000011" && signal.type != "1000012") return Arrow::none;
+    switch (std::abs(std::atoi(signal.subtype.c_str())))
+    {
+    case 10:
+        return Arrow::left;
+    case 20:
+        return Arrow::right;
+    case 30:
+        return Arrow::ahead;
+    case 40:
+        return Arrow::leftAhead;
+    case 50:
+        return Arrow::rightAhead;
+    default:
+        return Arrow::none;
+    }
+}
+
 } // namespace
 
 std::optional<models::RoadModel> signModel(const osgRoads::core::Signal& signal)
 {
     RoadModel model;
     if (osgRoads::core::paintKind(signal)) return {};
-    // 1000009 to 1000012 are lights with fewer lamps or arrows in them; netconvert writes 1000011 for all lights.
+    // 1000009 to 1000012 are lights with fewer lamps or with arrows in them; netconvert writes 1000011 for all lights.
     constexpr std::array kLights{"1000001", "1000002", "1000009", "1000010", "1000011", "1000012"};
     if (std::find(kLights.begin(), kLights.end(), signal.type) != kLights.end())
     {
         model.kind =
             signal.type == "1000002" ? RoadModel::Kind::pedestrianLight : RoadModel::Kind::trafficLight;
-        return model;
-    }
-    if (signal.type == "310" || signal.type == "311")
-    {
-        model.kind = RoadModel::Kind::board;
-        model.text = signal.text.empty() ? signal.name : signal.text;
-        std::transform(model.text.begin(), model.text.end(), model.text.begin(),
-                       [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+        model.arrow = arrowOf(signal);
         return model;
     }
     const SignCode* code = codeOf(signal);
-    if (!code) return {};
+    if (!code) return boardOf(signal);
     model.kind = RoadModel::Kind::sign;
     model.face = code->face;
     model.shape = code->shape;

@@ -10,6 +10,9 @@ namespace scenery::roads
 glm::dmat3 uprightAxes(const osgRoads::core::PlacedNetwork& placed, int road, double s, double t,
                        double headingRad);
 
+/// Returns axes that are pitched about their y, then rolled about their x.
+glm::dmat3 tiltedAxes(const glm::dmat3& upright, double pitchRad, double rollRad);
+
 /// Returns the heading of a signal to its road: its orientation and its own offset.
 double headingOf(const osgRoads::core::Signal& signal);
 

@@ -9,6 +9,7 @@
 
 #include "scenery/models/ModelCheck.h"
 #include "scenery/models/paint/Paint.h"
+#include "scenery/models/roads/LampArrow.h"
 #include "scenery/models/roads/RoadBuilding.h"
 #include "scenery/models/roads/Sweep.h"
 
@@ -148,4 +149,125 @@ TEST(Sweep, IsClosed)
             glm::dot(model.mesh.at(face, 0), glm::cross(model.mesh.at(face, 1), model.mesh.at(face, 2))) /
             6.0;
     EXPECT_GT(volume, 0.0); // faces look outwards
+}
+
+namespace
+{
+
+/// The box around a part of a model.
+struct Box
+{
+    glm::dvec3 low{1e9}, high{-1e9};
+};
+
+Box boxOf(const Model& model, const std::string& part)
+{
+    Box box;
+    for (const auto& face : model.mesh.faces)
+        for (int corner = 0; corner < 3; ++corner)
+            if (model.mesh.parts[face.part].name == part)
+            {
+                const glm::dvec3 at(model.mesh.at(face, corner));
+                box = {glm::min(box.low, at), glm::max(box.high, at)};
+            }
+    return box;
+}
+
+RoadModel tiltedSign(double pitchRad, double rollRad)
+{
+    RoadModel model;
+    model.kind = RoadModel::Kind::sign;
+    model.shape = RoadModel::Shape::square;
+    model.widthM = model.heightM = 1.0;
+    model.raisedM = 2.0;
+    model.postDepthM = kPostDepthM;
+    model.pitchRad = pitchRad;
+    model.rollRad = rollRad;
+    return model;
+}
+
+} // namespace
+
+TEST(RoadModel, APlateIsPitchedAboutItsMiddleAndClearsItsPost)
+{
+    const Model level = makeRoadModel(tiltedSign(0.0, 0.0)), pitched = makeRoadModel(tiltedSign(0.5, 0.0));
+    const Box before = boxOf(level, "plate"), after = boxOf(pitched, "plate");
+    EXPECT_NEAR(after.high.z - after.low.z, std::cos(0.5), 0.03);
+    EXPECT_NEAR(after.high.x - after.low.x, std::sin(0.5), 0.03);
+    EXPECT_NEAR(0.5 * (after.low.z + after.high.z), 2.5, 0.03);
+    EXPECT_LE(after.high.x, before.high.x + 0.03);
+    const Box post = boxOf(pitched, "post");
+    EXPECT_EQ(post.low.x, boxOf(level, "post").low.x);
+    // Without the way forward it would reach half of its height times sin 0.5 behind the front of its post.
+    EXPECT_GT(before.high.x + 0.5 * std::sin(0.5), post.high.x + 0.1);
+}
+
+TEST(RoadModel, ARolledPlateStandsOnItsCorner)
+{
+    const Box rolled = boxOf(makeRoadModel(tiltedSign(0.0, std::acos(std::sqrt(0.5)))), "plate");
+    EXPECT_NEAR(rolled.high.z - rolled.low.z, std::sqrt(2.0), 1e-3);
+    // Positive roll raises the left side.
+    const Model slightly = makeRoadModel(tiltedSign(0.0, 0.1));
+    double highest = -1e9, leftOfIt = 0.0;
+    for (const glm::dvec3& at : slightly.mesh.positions)
+        if (at.z > highest)
+        {
+            highest = at.z;
+            leftOfIt = at.y;
+        }
+    EXPECT_GT(leftOfIt, 0.4);
+}
+
+TEST(RoadModel, ABoardHasItsLinesBelowEachOther)
+{
+    RoadModel board;
+    board.kind = RoadModel::Kind::board;
+    board.heightM = 1.0;
+    board.widthM = 2.0;
+    board.text = "AB";
+    const Box one = boxOf(makeRoadModel(board), "letters");
+    board.text = "AB\nAB";
+    const Box two = boxOf(makeRoadModel(board), "letters");
+    EXPECT_NEAR(one.high.z - one.low.z, 0.6, 0.01);
+    EXPECT_NEAR(two.high.z - two.low.z, 0.9, 0.01); // two rows of 0.4 m, 0.5 m apart
+}
+
+TEST(RoadModel, LettersOfOtherAlphabetsThanAsciiAreReadable)
+{
+    const Picture picture = paint(Painting::roadSigns);
+    const SignCell blank = cellOfGlyph('\xFE'), a = cellOfGlyph('A');
+    for (const char letter : {'\xC4', '\xC5', '\xC9', '\xD6', '\xDC', '/', '('})
+    {
+        EXPECT_GT(differing(picture, cellOfGlyph(letter), blank), 500) << letter;
+        EXPECT_GT(differing(picture, cellOfGlyph(letter), a), 100) << letter;
+    }
+    EXPECT_GT(differing(picture, cellOfLimit(140, false), cellOf(SignFace::limit)), 500);
+}
+
+TEST(RoadModel, ArrowsOfLampsAreMirrorImages)
+{
+    const auto areaOf = [](RoadModel::Arrow arrow, double side)
+    {
+        double area = 0.0;
+        for (const auto& piece : arrowPieces(arrow))
+        {
+            double twice = 0.0, middle = 0.0;
+            for (std::size_t i = 0; i < piece.size(); ++i)
+            {
+                const glm::dvec2 a = piece[i], b = piece[(i + 1) % piece.size()];
+                twice += a.x * b.y - a.y * b.x;
+                middle += a.x / static_cast<double>(piece.size());
+                EXPECT_LT(glm::length(a), 1.0);
+            }
+            EXPECT_GT(twice, 0.0); // counter-clockwise
+            if (side * middle > 0.0) area += 0.5 * twice;
+        }
+        return area;
+    };
+    using Arrow = RoadModel::Arrow;
+    EXPECT_GT(areaOf(Arrow::left, 1.0), areaOf(Arrow::left, -1.0)); // the head is to the left
+    EXPECT_NEAR(areaOf(Arrow::left, 1.0), areaOf(Arrow::right, -1.0), 1e-12);
+    EXPECT_NEAR(areaOf(Arrow::leftAhead, 1.0), areaOf(Arrow::rightAhead, -1.0), 1e-12);
+    EXPECT_GT(areaOf(Arrow::leftAhead, 1.0), 0.2);
+    EXPECT_TRUE(arrowPieces(Arrow::none).empty());
 }

@@ -197,4 +197,30 @@ TEST(RoadContentErrors, FilesThatHoldNoText)
     EXPECT_EQ(messageOf("\xFF\xFE<"), "a.xodr: not in UTF-8; save the file as UTF-8");
 }
 
+TEST(RoadContentErrors, MarkingsOfObjects)
+{
+    const auto marked = [](const std::string& attributes, const std::string& corners = "")
+    {
+        return told(poleAt(
+            "s=\"10\" t=\"3\" length=\"2\" width=\"1\"",
+            "<markings><marking color=\"white\" lineLength=\"0\" spaceLength=\"0\" startOffset=\"0\" " +
+                attributes + ">" + corners + "</marking></markings>"));
+    };
+    EXPECT_THAT(marked("stopOffset=\"0\" side=\"left\""), ElementsAre());
+    EXPECT_THAT(
+        marked("stopOffset=\"0\" side=\"top\""),
+        ElementsAre("a.xodr:8: road 1: marking/side has the unknown value \"top\"; use a word of the "
+                    "standard",
+                    "a.xodr:8: road 1: a marking of object o has neither a side nor two corners; write side "
+                    "or cornerReference; it is not painted"));
+    EXPECT_THAT(
+        marked("stopOffset=\"-1\" side=\"left\""),
+        ElementsAre("a.xodr:8: road 1: a marking of object o has a negative width, length or offset; write 0 "
+                    "or more; 0 is used"));
+    EXPECT_THAT(
+        marked("stopOffset=\"0\" side=\"left\"", "<cornerReference id=\"4\"/>"),
+        ElementsAre("a.xodr:8: road 1: a marking of object o names corner 4, which none of its outlines has; "
+                    "give a corner that id; this one is passed over"));
+}
+
 } // namespace

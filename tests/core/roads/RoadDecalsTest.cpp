@@ -171,6 +171,83 @@ TEST(RoadDecals, AParkingSpaceIsOpenTowardsTheRoad)
                   -2.1); // the side at t = -2 is not painted
 }
 
+/// A parking space of 5 m by 2 m about (50, -3) with what stands in it.
+std::string space(const std::string& content)
+{
+    return R"(<objects><object id="1" zOffset="0" type="parkingSpace" s="50" t="-3" hdg="0" length="5" width="2">)" +
+           content + "</object></objects>";
+}
+
+std::string marking(const std::string& attributes, const std::string& corners = "")
+{
+    return "<marking color=\"yellow\" width=\"0.2\" " + attributes + ">" + corners + "</marking>";
+}
+
+TEST(RoadDecals, MarkingsTakeThePlaceOfTheUsualLinesOfASpace)
+{
+    const auto decals = roadDecals(straightWith(
+        space("<markings>" +
+              marking(R"(side="left" lineLength="0" spaceLength="0" startOffset="0.5" stopOffset="1")") +
+              marking(R"(side="rear" lineLength="0.5" spaceLength="0.25" startOffset="0" stopOffset="0")") +
+              "</markings>")));
+    ASSERT_EQ(decals.size(), 2u);
+    expectNear(glm::dvec2(decals[0].start), {48.0, -2.0}); // the left side is at t -2, from s 47.5 to 52.5
+    expectNear(decals[0].along, {1.0, 0.0});
+    EXPECT_NEAR(decals[0].length, 3.5, 1e-9);
+    EXPECT_EQ(decals[0].widthStart, 0.2);
+    EXPECT_EQ(decals[0].period, 0.0);
+    EXPECT_GT(decals[0].paint.r, 3.0 * decals[0].paint.b); // yellow
+    expectNear(glm::dvec2(decals[1].start), {47.5, -4.0});
+    expectNear(decals[1].along, {0.0, 1.0});
+    EXPECT_EQ(decals[1].dash, 0.5);
+    EXPECT_EQ(decals[1].period, 0.75);
+}
+
+TEST(RoadDecals, DashesOfAMarkingGoOnAroundACorner)
+{
+    const std::string outline =
+        R"(<outlines><outline id="0"><cornerLocal id="0" u="0" v="0" z="0"/><cornerLocal id="1" u="4" v="0" z="0"/>
+<cornerLocal id="2" u="4" v="3" z="0"/></outline></outlines>)";
+    const auto decals = roadDecals(straightWith(
+        space(outline + "<markings>" +
+              marking(R"(lineLength="1" spaceLength="0.5" startOffset="1" stopOffset="1")",
+                      R"(<cornerReference id="0"/><cornerReference id="1"/><cornerReference id="2"/>)") +
+              "</markings>")));
+    ASSERT_EQ(decals.size(), 2u);
+    expectNear(glm::dvec2(decals[0].start), {51.0, -3.0});
+    EXPECT_NEAR(decals[0].length, 3.0, 1e-9); // two whole periods of 1.5 m
+    expectNear(glm::dvec2(decals[1].start), {54.0, -3.0});
+    EXPECT_NEAR(decals[1].length, 2.0, 1e-9);
+    EXPECT_NEAR(decals[1].phase, 0.0, 1e-9);
+    // A metre less before the corner: the pattern is 0.5 m on at it.
+    const auto later = roadDecals(straightWith(
+        space(outline + "<markings>" +
+              marking(R"(lineLength="1" spaceLength="0.5" startOffset="2" stopOffset="0")",
+                      R"(<cornerReference id="0"/><cornerReference id="1"/><cornerReference id="2"/>)") +
+              "</markings>")));
+    ASSERT_EQ(later.size(), 2u);
+    EXPECT_NEAR(later[1].phase, 0.5, 1e-9);
+}
+
+TEST(RoadDecals, AnObjectWithoutPaintOfItsOwnMayHaveMarkings)
+{
+    const auto island = [](const std::string& content)
+    {
+        return roadDecals(straightWith(
+            R"(<objects><object id="1" zOffset="0" type="trafficIsland" s="50" t="0" hdg="0.5" length="5" width="2">)" +
+            content + "</object></objects>"));
+    };
+    EXPECT_EQ(island("").size(), 0u);
+    const auto decals =
+        island("<markings>" +
+               marking(R"(side="front" lineLength="0" spaceLength="0" startOffset="0" stopOffset="0")") +
+               "</markings>");
+    ASSERT_EQ(decals.size(), 1u); // from the right to the left corner of the front, turned by 0.5 rad
+    expectNear(glm::dvec2(decals[0].start),
+               {50.0 + 2.5 * std::cos(0.5) + std::sin(0.5), 2.5 * std::sin(0.5) - std::cos(0.5)});
+    expectNear(decals[0].along, {-std::sin(0.5), std::cos(0.5)});
+}
+
 /// Counts the strips of a mesh on which something is painted, and the rows of all lists.
 std::pair<std::size_t, std::size_t> painted(const RoadMesh& mesh)
 {

@@ -169,6 +169,24 @@ TEST(RoadMesh, LeavesOutWhatLiesBeyondItsReach)
     };
     EXPECT_TRUE(elevated("1e12").chunks.empty());
     EXPECT_FALSE(elevated("15").chunks.empty()); // 1875 km high at its end
+    EXPECT_TRUE(elevated("15").unreached.empty());
+    EXPECT_EQ(elevated("1e12").unreached, std::vector<int>{0});
+}
+
+TEST(RoadMesh, RoadsBeyondItsReachAreTold)
+{
+    const auto twoRoads = [](const std::string& x)
+    {
+        const std::string far = "<planView>" +
+                                geometry("s=\"0\" x=\"" + x + "\" y=\"0\" hdg=\"0\"", 50.0, "<line/>") +
+                                "</planView>";
+        const PlacedNetwork roads = placed(network(plainRoad("a") + road("b", 50.0, far + twoLanes())));
+        return unreachedMessage(buildRoadMesh(roads), roads.network(), "two.xodr");
+    };
+    EXPECT_EQ(twoRoads("3900000"), "");
+    EXPECT_EQ(twoRoads("4100000"), "two.xodr:3: road a and 1 more not drawn where they lie more than 2000 km "
+                                   "from the middle of the network; "
+                                   "split the network, or correct x, y and elevation");
 }
 
 /// Beside a tunnel there is hillside: the tube encloses the paved lanes. On a bridge an unpaved lane is part of the deck.
@@ -230,6 +248,74 @@ TEST(RoadMesh, MarksOfBordersKeepTheirPhase)
         if (row[0].period > 0.0F) phases.insert(row[0].phase);
     EXPECT_GT(phases.size(), 1u); // 9 m do not divide the chunks
     EXPECT_FLOAT_EQ(mesh.marks[1][0].width + mesh.marks[2][0].width, 0.27F);
+}
+
+/// 100 roads of 40 m side by side; the middle mark of each is as wide as its number says, and each has an arrow.
+PlacedNetwork manyRoads()
+{
+    std::string roads;
+    for (int i = 0; i < 100; ++i)
+    {
+        const std::string plan =
+            "<planView>" +
+            geometry("s=\"0\" x=\"0\" y=\"" + std::to_string(20 * i) + "\" hdg=\"0\"", 40.0, "<line/>") +
+            "</planView>";
+        const std::string mark =
+            "<lane id=\"0\" type=\"none\" level=\"false\"><roadMark sOffset=\"0\" type=\"solid\" width=\"" +
+            std::to_string(0.1 + 0.001 * i) + "\"/></lane>";
+        roads += road(
+            std::to_string(i), 40.0,
+            plan + replaced(twoLanes(), "<lane id=\"0\" type=\"none\" level=\"false\"/>", mark) +
+                R"(<signals><signal id="1" type="297" country="de" subtype="-1" dynamic="no" zOffset="0" s="20" t="-1.75" orientation="+"/></signals>)");
+    }
+    return placed(network(roads));
+}
+
+/// Returns what is wrong in a mesh of manyRoads(): vertices that are not their chunk's, or marks and decals of another road.
+std::string wrongIn(const RoadMesh& mesh)
+{
+    std::set<int> painted;
+    for (const RoadChunk& chunk : mesh.chunks)
+        for (std::uint32_t i = chunk.levels.front().firstIndex;
+             i < chunk.levels.front().firstIndex + chunk.levels.front().indexCount; ++i)
+        {
+            if (mesh.indices[i] - chunk.firstVertex >= chunk.vertexCount) return "a vertex of another chunk";
+            const MeshVertex& vertex = mesh.vertices[mesh.indices[i]];
+            if (std::fabs(mesh.placeOf(vertex).y - 20.0 * chunk.road) > 10.0)
+                return "a place of another road";
+            for (const std::uint32_t row : {vertex.rightRow, vertex.leftRow})
+                if (row > 0 && std::fabs(mesh.marks[row][0].width -
+                                         (0.1F + 0.001F * static_cast<float>(chunk.road))) > 1e-5F)
+                    return "a mark of another road";
+            if (vertex.decalRow == 0) continue;
+            const DecalRow &list = mesh.decals[vertex.decalRow], &first = mesh.decals[vertex.decalRow + 1];
+            const double y = mesh.origin.y + 64.0 * list[1] + first[1];
+            if (std::fabs(y - (20.0 * chunk.road - 1.75)) > 1e-3) return "a decal of another road";
+            painted.insert(chunk.road);
+        }
+    return painted.size() == 100 ? "" : "a road without its arrow";
+}
+
+TEST(RoadMesh, PartsOfALargeNetworkAreJoinedWithTheirMarks)
+{
+    RoadMesh mesh = buildRoadMesh(manyRoads());
+    ASSERT_EQ(mesh.chunks.size(), 100u);
+    EXPECT_EQ(wrongIn(mesh), "");
+    // Rows of the first part in a chunk of another.
+    const RoadChunk& last = mesh.chunks.back();
+    for (std::uint32_t i = 0; i < last.vertexCount; ++i)
+        mesh.vertices[last.firstVertex + i].decalRow = mesh.vertices[mesh.chunks[3].firstVertex + i].decalRow;
+    EXPECT_EQ(wrongIn(mesh), "a decal of another road");
+}
+
+TEST(RoadMesh, IsTheSameInEveryRun)
+{
+    const RoadMesh once = buildRoadMesh(manyRoads()), again = buildRoadMesh(manyRoads());
+    EXPECT_EQ(once.indices, again.indices);
+    EXPECT_EQ(once.decals, again.decals);
+    ASSERT_EQ(once.vertices.size(), again.vertices.size());
+    for (std::size_t i = 0; i < once.vertices.size(); ++i)
+        EXPECT_EQ(once.vertices[i].position, again.vertices[i].position);
 }
 
 TEST(RoadMesh, LongNetworksAreSampledMoreCoarsely)

@@ -78,6 +78,42 @@ TEST(PlaceRoadThings, ASignLooksAtTheTrafficThatItIsFor)
     EXPECT_GT(things.models[0].postDepthM, 0.0);
 }
 
+TEST(PlaceRoadThings, PlatesArePitchedAndRolledOnAnUprightPost)
+{
+    osgRoads::core::Road road = straightRoad();
+    road.signals = {limit(100.0, -4.0, '+')};
+    road.signals[0].pitchRad = 0.104;
+    road.signals[0].rollRad = -0.05;
+    const auto things = placed(road);
+    ASSERT_EQ(things.standing.size(), 1U);
+    expectNear(things.standing[0].axes[2], {0.0, 0.0, 1.0});
+    EXPECT_EQ(things.models[0].pitchRad, 0.1); // in hundredths
+    EXPECT_EQ(things.models[0].rollRad, -0.05);
+    // Where the post stands elsewhere, its own angles count.
+    road.signals[0].post = osgRoads::core::Signal::Post{true, "1", 90.0, -5.0, 0.0, 0.0, 0.2, 0.0};
+    EXPECT_EQ(placed(road).models[0].pitchRad, 0.2);
+    EXPECT_EQ(placed(road).models[0].rollRad, 0.0);
+}
+
+TEST(PlaceRoadThings, ObjectsArePitchedAndRolledAsAWhole)
+{
+    osgRoads::core::Road road = straightRoad();
+    osgRoads::core::RoadObject pole;
+    pole.type = "pole";
+    pole.s = 100.0;
+    pole.t = 5.0;
+    pole.height = 4.0;
+    pole.pitchRad = 0.3;
+    road.objects = {pole};
+    pole.pitchRad = 0.0;
+    pole.rollRad = 0.2;
+    road.objects.push_back(pole);
+    const auto things = placed(road);
+    ASSERT_EQ(things.standing.size(), 2U);
+    expectNear(things.standing[0].axes[2], {std::sin(0.3), 0.0, std::cos(0.3)});  // leans ahead
+    expectNear(things.standing[1].axes[2], {0.0, -std::sin(0.2), std::cos(0.2)}); // leans to the right
+}
+
 TEST(PlaceRoadThings, APoleOfTheFileTakesThePlaceOfThePost)
 {
     osgRoads::core::Road road = straightRoad();
@@ -346,4 +382,35 @@ TEST(SignCodes, KnowTheSignsOfThreeCountries)
     EXPECT_EQ(faceOf("de", "99999", "", 0.0).second, -1);
     EXPECT_EQ(faceOf("OpenDRIVE", "1000011", "30", 0.0).second, 0);  // a light, as netconvert writes it
     EXPECT_EQ(faceOf("OpenDRIVE", "1000003", "-1", 4.0).second, -1); // painted on the road
+}
+
+TEST(SignCodes, ATextWithoutAFaceIsABoard)
+{
+    osgRoads::core::Signal signal;
+    signal.country = "de";
+    signal.type = "1004";
+    EXPECT_FALSE(roads::signModel(signal));
+    signal.text = "in\\n200 m \xC3\xB6";
+    const auto model = roads::signModel(signal);
+    ASSERT_TRUE(model);
+    EXPECT_EQ(model->kind, RoadModel::Kind::board);
+    EXPECT_EQ(model->text, "IN\n200 M \xD6");
+    EXPECT_TRUE(model->isWhite);
+    signal.type = "310";
+    EXPECT_FALSE(roads::signModel(signal)->isWhite);
+}
+
+TEST(SignCodes, LampsHaveTheArrowsOfTheirSubtype)
+{
+    osgRoads::core::Signal signal;
+    signal.type = "1000011";
+    signal.subtype = "-40";
+    EXPECT_EQ(roads::signModel(signal)->arrow, RoadModel::Arrow::leftAhead);
+    signal.subtype = "20";
+    EXPECT_EQ(roads::signModel(signal)->arrow, RoadModel::Arrow::right);
+    signal.subtype = "-1";
+    EXPECT_EQ(roads::signModel(signal)->arrow, RoadModel::Arrow::none);
+    signal.type = "1000001";
+    signal.subtype = "20";
+    EXPECT_EQ(roads::signModel(signal)->arrow, RoadModel::Arrow::none);
 }

@@ -84,6 +84,32 @@ TEST(RoadPictures, AMissingChunkIsSeen)
     EXPECT_GT(seenFromAbove(std::move(mesh)).empty, 0.3);
 }
 
+/// Buffers hold pages of consecutive chunks of about 32 768 vertices together; each is drawn from its own.
+TEST(RoadPictures, PagesOfALongRoadMeetWithoutAGap)
+{
+    constexpr std::uint32_t kPageVertices = 1U << 15;
+    const std::string plan =
+        "<planView>" +
+        geometry(R"(s="0" x="0" y="0" hdg="0")", 6000.0, R"(<spiral curvStart="0.02" curvEnd="-0.02"/>)") +
+        "</planView>";
+    const core::RoadMesh mesh = core::buildRoadMesh(placed(network(road("1", 6000.0, plan + twoLanes()))));
+    std::uint32_t inPage = 0, pages = 1;
+    for (std::size_t i = 0; i < mesh.chunks.size(); ++i)
+    {
+        if (inPage + mesh.chunks[i].vertexCount > kPageVertices)
+        {
+            const core::RoadChunk& chunk = mesh.chunks[i];
+            const glm::dvec3 place = mesh.placeOf(mesh.vertices[chunk.firstVertex + chunk.vertexCount / 20]);
+            const osg::Vec3d at(place.x, place.y, place.z);
+            EXPECT_EQ(sharesOf(mesh, at + osg::Vec3d(0.0, 0.0, 4.0), at, {1.0, 0.0, 0.0}).empty, 0.0) << i;
+            ++pages;
+            inPage = 0;
+        }
+        inPage += mesh.chunks[i].vertexCount;
+    }
+    EXPECT_GT(pages, 1U);
+}
+
 TEST(RoadPictures, TheMarkIsAsWideAsTold)
 {
     const double visibleM = 2.0 * 6.0 * std::tan(osg::DegreesToRadians(22.5)); // the viewer's 45 degrees

@@ -13,11 +13,7 @@ namespace osgRoads::core
 namespace
 {
 
-/// A place where one piece of a profile ends, and the next begins elsewhere.
-struct Jump
-{
-    double s = 0.0, size = 0.0;
-};
+using Jump = ElevationStep; ///< of any profile
 
 /// Finds the jumps of a profile between 0 and its end. Of pieces that begin at one place the last one counts.
 std::vector<Jump> jumpsOf(const CubicProfile& profile, double end, double limit)
@@ -37,7 +33,7 @@ std::vector<Jump> jumpsOf(const CubicProfile& profile, double end, double limit)
 
 void checkElevation(const Road& road, double limit, std::vector<Flaw>& flaws)
 {
-    for (const Jump& jump : jumpsOf(road.elevation, road.length, limit))
+    for (const Jump& jump : elevationSteps(road, limit))
         flaws.push_back({FlawKind::step, road.line,
                          "road " + road.id + " at s " + shortNumber(jump.s) + ": the elevation jumps by " +
                              shortNumber(jump.size) + " m",
@@ -56,6 +52,11 @@ void checkWidth(const Road& road, const LaneSection& section, const Lane& lane, 
 }
 
 } // namespace
+
+std::vector<ElevationStep> elevationSteps(const Road& road, double limitM)
+{
+    return jumpsOf(road.elevation, road.length, limitM);
+}
 
 std::vector<Flaw> checkProfiles(const RoadNetwork& network, const JointLimits& limits)
 {

@@ -19,6 +19,8 @@ ObjectInstance plainInstance(const RoadObject& object)
     instance.t = object.t;
     instance.z = object.zOffset;
     instance.headingRad = object.headingRad;
+    instance.pitchRad = object.pitchRad;
+    instance.rollRad = object.rollRad;
     instance.length = object.length;
     instance.width = object.width;
     instance.height = object.height;

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Source: ASAM OpenDRIVE 1.8, 13 (objects).
+#include <algorithm>
 #include <utility>
+
+#include <osgRoads/core/query/MarkStrokes.h>
 
 #include "ElementReaders.h"
 
@@ -74,6 +77,60 @@ void readSizes(NodeReader& element, RoadObject& object)
     }
 }
 
+bool hasCorner(const RoadObject& object, int id)
+{
+    return std::any_of(object.outlines.begin(), object.outlines.end(),
+                       [id](const ObjectOutline& outline)
+                       {
+                           return std::any_of(outline.corners.begin(), outline.corners.end(),
+                                              [id](const OutlineCorner& corner) { return corner.id == id; });
+                       });
+}
+
+/// Reads the corners of a marking. Without two of them it needs a side.
+void readMarkedCorners(NodeReader& element, const RoadObject& object, ObjectMarking& marking)
+{
+    element.each("cornerReference",
+                 [&](NodeReader& corner)
+                 {
+                     const int id = corner.integer("id", -1);
+                     if (hasCorner(object, id))
+                         marking.corners.push_back(id);
+                     else
+                         corner.mistake("a marking of object " + object.id + " names corner " +
+                                            std::to_string(id) + ", which none of its outlines has",
+                                        "give a corner that id; this one is passed over");
+                 });
+    if (marking.corners.size() < 2 && marking.side == ObjectSide::none)
+        element.mistake("a marking of object " + object.id + " has neither a side nor two corners",
+                        "write side or cornerReference; it is not painted");
+}
+
+ObjectMarking readMarking(NodeReader& element, const RoadObject& object)
+{
+    ObjectMarking marking;
+    marking.side = element.choice("side", kObjectSides, ObjectSide::none);
+    marking.colour = element.choice("color", kMarkColours, MarkColour::white);
+    const MarkWeight weight = element.choice("weight", kMarkWeights, MarkWeight::standard);
+    marking.width = element.numberOr("width", 0.0);
+    marking.lineLength = element.number("lineLength");
+    marking.spaceLength = element.number("spaceLength");
+    marking.startOffset = element.number("startOffset");
+    marking.stopOffset = element.number("stopOffset");
+    element.has("zOffset"); // paint lies on the road
+    for (double* size : {&marking.width, &marking.lineLength, &marking.spaceLength, &marking.startOffset,
+                         &marking.stopOffset})
+    {
+        if (*size >= 0.0) continue;
+        element.mistake("a marking of object " + object.id + " has a negative width, length or offset",
+                        "write 0 or more; 0 is used");
+        *size = 0.0;
+    }
+    if (marking.width == 0.0) marking.width = weight == MarkWeight::bold ? kBoldMarkWidthM : kMarkWidthM;
+    readMarkedCorners(element, object, marking);
+    return marking;
+}
+
 RoadObject readObject(NodeReader& element)
 {
     RoadObject object;
@@ -85,6 +142,12 @@ RoadObject readObject(NodeReader& element)
     const auto addOutline = [&](NodeReader& outline) { object.outlines.push_back(readOutline(outline)); };
     element.each("outline", addOutline); // up to 1.4
     element.each("outlines", [&](NodeReader& outlines) { outlines.each("outline", addOutline); });
+    element.each("markings",
+                 [&](NodeReader& markings)
+                 {
+                     markings.each("marking", [&](NodeReader& marking)
+                                   { object.markings.push_back(readMarking(marking, object)); });
+                 });
     element.each("repeat", [&](NodeReader& repeat) { object.repeats.push_back(readRepeat(repeat)); });
     element.each("parkingSpace",
                  [&](NodeReader& space)

@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <atomic>
+#include <thread>
+#include <utility>
 
+#include <foundation/Threads.h>
 #include <glm/common.hpp>
 
+#include <osgRoads/core/read/Problem.h>
 #include <osgRoads/core/surface/BuildRoadMesh.h>
 
 #include "ChunkBuilder.h"
 #include "ChunkCuts.h"
+#include "MeshJoiner.h"
 
 namespace osgRoads::core
 {
@@ -28,24 +34,24 @@ glm::dvec3 originOf(const PlacedNetwork& network)
     return least.x > most.x ? glm::dvec3(0.0) : glm::round(0.5 * (least + most));
 }
 
-} // namespace
+/// So many roads are meshed by one thread at a time, and so many parts before they are joined. The mesh depends on the former (equal marks of two
+/// parts are two rows), not on the number of threads.
+constexpr std::size_t kRoadsOfPart = 64, kPartsAtOnce = 16;
 
-RoadMeshSettings meshSettingsFor(const RoadNetwork& network)
+/// A range of roads.
+struct RoadSpan
 {
-    constexpr double kLongestM = 3e5, kCoarsestM = 0.01;
-    RoadMeshSettings settings;
-    settings.errorM =
-        std::clamp(settings.errorM * network.usableLengthM() / kLongestM, settings.errorM, kCoarsestM);
-    return settings;
-}
+    std::size_t first = 0, end = 0;
+};
 
-RoadMesh buildRoadMesh(const PlacedNetwork& network, const RoadMeshSettings& settings)
+RoadMesh buildPart(const PlacedNetwork& network, const RoadMeshSettings& settings, const DecalFinder& finder,
+                   const glm::dvec3& origin, const RoadSpan& span)
 {
     RoadMesh mesh;
-    mesh.origin = originOf(network);
+    mesh.origin = origin;
     MarkRows marks;
-    DecalRows decals(network, mesh.origin);
-    for (std::size_t i = 0; i < network.network().roads.size(); ++i)
+    DecalRows decals(finder, origin);
+    for (std::size_t i = span.first; i < span.end; ++i)
     {
         const Road& road = network.network().roads[i];
         if (!road.isUsable) continue;
@@ -60,6 +66,70 @@ RoadMesh buildRoadMesh(const PlacedNetwork& network, const RoadMeshSettings& set
     mesh.marks = marks.take();
     mesh.decals = decals.take();
     return mesh;
+}
+
+std::vector<RoadSpan> partsOf(const RoadNetwork& network)
+{
+    std::vector<RoadSpan> spans;
+    for (std::size_t first = 0; first < network.roads.size(); first += kRoadsOfPart)
+        spans.push_back({first, std::min(first + kRoadsOfPart, network.roads.size())});
+    return spans;
+}
+
+/// Calls `work(i)` for the numbers below `count`, in as many threads as the machine has.
+template<class Work>
+void inThreads(std::size_t count, const Work& work)
+{
+    std::atomic<std::size_t> next = 0;
+    const auto some = [&]
+    {
+        for (std::size_t i = next++; i < count; i = next++)
+            work(i);
+    };
+    foundation::Threads others;
+    for (std::size_t i = 1; i < std::min<std::size_t>(count, std::thread::hardware_concurrency()); ++i)
+        others.run(some);
+    some();
+    others.join();
+}
+
+} // namespace
+
+RoadMeshSettings meshSettingsFor(const RoadNetwork& network)
+{
+    constexpr double kLongestM = 3e5, kCoarsestM = 0.01;
+    RoadMeshSettings settings;
+    settings.errorM =
+        std::clamp(settings.errorM * network.usableLengthM() / kLongestM, settings.errorM, kCoarsestM);
+    return settings;
+}
+
+RoadMesh buildRoadMesh(const PlacedNetwork& network, const RoadMeshSettings& settings)
+{
+    const std::vector<RoadSpan> spans = partsOf(network.network());
+    MeshJoiner joiner(originOf(network), spans.size());
+    const DecalFinder decals(network);
+    std::vector<RoadMesh> parts;
+    for (std::size_t first = 0; first < spans.size(); first += kPartsAtOnce)
+    {
+        parts.resize(std::min(kPartsAtOnce, spans.size() - first));
+        inThreads(parts.size(), [&](std::size_t i)
+                  { parts[i] = buildPart(network, settings, decals, joiner.origin(), spans[first + i]); });
+        for (RoadMesh& part : parts)
+            joiner.add(std::exchange(part, {}));
+    }
+    return joiner.take();
+}
+
+std::string unreachedMessage(const RoadMesh& mesh, const RoadNetwork& network, const std::string& file)
+{
+    if (mesh.unreached.empty()) return {};
+    const Road& first = network.roads[static_cast<std::size_t>(mesh.unreached.front())];
+    const std::size_t others = mesh.unreached.size() - 1;
+    return file + ":" + std::to_string(first.line) + ": road " + first.id +
+           (others > 0 ? " and " + std::to_string(others) + " more" : "") + " not drawn where " +
+           (others > 0 ? "they lie" : "it lies") + " more than " + shortNumber(RoadMesh::kReachM / 1000.0) +
+           " km from the middle of the network; split the network, or correct x, y and elevation";
 }
 
 } // namespace osgRoads::core

@@ -23,6 +23,7 @@ constexpr std::size_t kMostSteps = 512;
 constexpr double kSlopeStepM = 0.02; ///< for the direction along the road
 /// Errors are measured at samples: between them a smooth curve departs by little more.
 constexpr double kBetweenSamples = 1.15;
+constexpr double kAlongShare = 0.1;   ///< of a gap along the road, to one across it
 constexpr double kLeastAreaM2 = 1e-9; ///< of a piece that has a normal
 /// Half a step in each coordinate.
 constexpr double kRoundingM = 0.87 * RoadMesh::kMeshStepM;
@@ -71,16 +72,20 @@ ChunkBuilder::Row ChunkBuilder::rowAt(double s) const
     return row;
 }
 
-/// Returns how far a row lies from the straight pieces between two others.
+/// Returns how far a row lies from the straight pieces between two others. What lies along a piece, but not at the place that s
+/// has there, moves the ends of dashes only; the outer edges of skirts, the first and the last column, lie in the ground.
 double ChunkBuilder::gapBetween(const Row& row, const Row& before, const Row& after)
 {
     const double share = (row.s - before.s) / (after.s - before.s);
     const std::vector<glm::dvec3>&here = row.places, &from = before.places, &to = after.places;
     double gap = 0.0;
-    for (std::size_t i = 0; i < here.size(); ++i)
+    for (std::size_t i = 1; i + 1 < here.size(); ++i)
     {
-        gap = std::max(gap, glm::distance(here[i], glm::mix(from[i], to[i], share)));
-        if (i + 1 == here.size()) break;
+        const glm::dvec3 way = to[i] - from[i], aside = here[i] - glm::mix(from[i], to[i], share);
+        const double square = glm::dot(way, way), along = square > 0.0 ? glm::dot(aside, way) / square : 0.0;
+        gap = std::max(
+            {gap, glm::length(aside - along * way), kAlongShare * std::fabs(along) * std::sqrt(square)});
+        if (i + 2 == here.size()) break;
         // On the diagonal that both triangles of a piece share: where a road twists they leave its surface there.
         const glm::dvec3 off = share * (here[i] - to[i]) + (1.0 - share) * (here[i + 1] - from[i + 1]);
         const glm::dvec3 normal = glm::cross(to[i] - from[i], from[i + 1] - from[i]);
@@ -325,7 +330,11 @@ bool ChunkBuilder::isWithinReach() const
 void ChunkBuilder::add(double from, double to)
 {
     sample(from, to);
-    if (!isWithinReach()) return;
+    if (!isWithinReach())
+    {
+        if (_mesh.unreached.empty() || _mesh.unreached.back() != _road) _mesh.unreached.push_back(_road);
+        return;
+    }
     RoadChunk chunk;
     chunk.road = _road;
     chunk.sStart = from;
@@ -338,6 +347,8 @@ void ChunkBuilder::add(double from, double to)
     const std::vector<MeshVertex> strips = stripsAt(from, hasGround);
     for (std::size_t i = 0; i < _rows.size(); i += 2)
         addRow(_rows[i], from, hasGround, strips);
+    chunk.firstVertex = firstVertex;
+    chunk.vertexCount = static_cast<std::uint32_t>(_mesh.vertices.size()) - firstVertex;
     addLevels(chunk, firstVertex);
     glm::dvec3 least(1e300), most(-1e300);
     for (const Row& row : _rows)

@@ -26,7 +26,11 @@ double crossingAt(glm::dvec2 a, glm::dvec2 b, double u)
 
 DecalMaker::DecalMaker(const PlacedNetwork& network, int road, double s, double t, double headingRad,
                        std::vector<Decal>& into)
-    : _origin(network.surfacePoint(road, s, t)), _paint(paintOf(MarkColour::white)), _into(into)
+    : _network(network),
+      _road(road),
+      _origin(network.surfacePoint(road, s, t)),
+      _paint(paintOf(MarkColour::white)),
+      _into(into)
 {
     const double length = network.road(road).length, step = std::min(0.5, 0.25 * length);
     const double at = std::clamp(s, step, std::max(step, length - step));
@@ -41,6 +45,12 @@ glm::dvec2 DecalMaker::toItem(const glm::dvec3& scene) const
 {
     const glm::dvec2 to(scene - _origin);
     return {glm::dot(_ahead, to), _ahead.x * to.y - _ahead.y * to.x};
+}
+
+glm::dvec2 DecalMaker::cornerOf(const OutlineCorner& corner) const
+{
+    return corner.isOnRoad ? toItem(_network.surfacePoint(_road, corner.s, corner.t))
+                           : glm::dvec2(corner.s, corner.t);
 }
 
 Decal DecalMaker::decal(glm::dvec2 from, glm::dvec2 along) const
@@ -67,13 +77,15 @@ void DecalMaker::bar(glm::dvec2 from, glm::dvec2 to, double width)
     stripedBar(from, to, width, 0.0, 0.0);
 }
 
-void DecalMaker::stripedBar(glm::dvec2 from, glm::dvec2 to, double width, double dash, double period)
+void DecalMaker::stripedBar(glm::dvec2 from, glm::dvec2 to, double width, double dash, double period,
+                            double phase)
 {
     const double length = glm::distance(from, to);
     if (!(length > 0.0)) return;
     Decal made = decal(from, (to - from) / length);
     made.dash = dash;
     made.period = period;
+    made.phase = phase;
     add(made, length, width, width, 0.0);
 }
 

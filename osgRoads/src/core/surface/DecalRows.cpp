@@ -61,8 +61,7 @@ DecalRow rowOf(const Decal& decal, glm::dvec2 origin)
 
 } // namespace
 
-DecalRows::DecalRows(const PlacedNetwork& network, const glm::dvec3& origin)
-    : _origin(origin), _decals(roadDecals(network)), _rows(1)
+DecalFinder::DecalFinder(const PlacedNetwork& network) : _decals(roadDecals(network))
 {
     std::vector<PlanBox> boxes(_decals.size());
     for (std::size_t i = 0; i < _decals.size(); ++i)
@@ -71,10 +70,10 @@ DecalRows::DecalRows(const PlacedNetwork& network, const glm::dvec3& origin)
     if (!boxes.empty()) _tree = BoxTree(boxes);
 }
 
-std::uint32_t DecalRows::listFor(std::span<const SurfaceQuad> quads)
+std::vector<std::uint32_t> DecalFinder::on(std::span<const SurfaceQuad> quads) const
 {
-    if (_tree.isEmpty() || quads.empty()) return 0;
     std::vector<std::uint32_t> found;
+    if (_tree.isEmpty()) return found;
     for (const SurfaceQuad& quad : quads)
     {
         const Corners plan{glm::dvec2(quad[0]), glm::dvec2(quad[1]), glm::dvec2(quad[2]),
@@ -94,9 +93,15 @@ std::uint32_t DecalRows::listFor(std::span<const SurfaceQuad> quads)
                          return limit;
                      });
     }
-    if (found.empty()) return 0;
     std::sort(found.begin(), found.end());
     found.erase(std::unique(found.begin(), found.end()), found.end());
+    return found;
+}
+
+std::uint32_t DecalRows::listFor(std::span<const SurfaceQuad> quads)
+{
+    std::vector<std::uint32_t> found = _finder.on(quads);
+    if (found.empty()) return 0;
     found.resize(std::min(found.size(), kMostInList));
     // The origin of a list lies near its first quad.
     const glm::dvec2 cell = glm::round(glm::dvec2(quads.front()[0] - _origin) / kListGridM);
@@ -104,7 +109,7 @@ std::uint32_t DecalRows::listFor(std::span<const SurfaceQuad> quads)
     _rows.push_back(
         {static_cast<float>(cell.x), static_cast<float>(cell.y), static_cast<float>(found.size())});
     for (const std::uint32_t i : found)
-        _rows.push_back(rowOf(_decals[i], glm::dvec2(_origin) + kListGridM * cell));
+        _rows.push_back(rowOf(_finder.decals()[i], glm::dvec2(_origin) + kListGridM * cell));
     return row;
 }
 

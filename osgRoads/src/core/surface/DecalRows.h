@@ -16,13 +16,32 @@ namespace osgRoads::core
 /// A four-sided piece of the drawn surface; corners in order. Frame: the scene's.
 using SurfaceQuad = std::array<glm::dvec3, 4>;
 
-/// Finds what is painted on pieces of the surface and writes it into lists for the shader. A decal belongs to every surface that it
+/// All that is painted on a network, to be found by place. Threads: const, any.
+class DecalFinder
+{
+public:
+    explicit DecalFinder(const PlacedNetwork& network);
+
+    /// Returns the decals that lie on any of the quads, in the order of decals().
+    std::vector<std::uint32_t> on(std::span<const SurfaceQuad> quads) const;
+
+    const std::vector<Decal>& decals() const { return _decals; }
+
+private:
+    std::vector<Decal> _decals;
+    BoxTree _tree;
+};
+
+/// Writes what is painted on pieces of the surface into lists for the shader. A decal belongs to every surface that it
 /// lies on, whichever road that is of: a crosswalk at the end of a road reaches into the junction.
 class DecalRows
 {
 public:
-    /// `origin`: of the mesh.
-    DecalRows(const PlacedNetwork& network, const glm::dvec3& origin);
+    /// `origin`: of the mesh. `finder` must outlive it.
+    DecalRows(const DecalFinder& finder, const glm::dvec3& origin)
+        : _finder(finder), _origin(origin), _rows(1)
+    {
+    }
 
     /// Returns the row of the list of what lies on any of the quads; 0: nothing.
     std::uint32_t listFor(std::span<const SurfaceQuad> quads);
@@ -30,9 +49,8 @@ public:
     std::vector<DecalRow> take() { return std::move(_rows); }
 
 private:
+    const DecalFinder& _finder;
     glm::dvec3 _origin;
-    std::vector<Decal> _decals;
-    BoxTree _tree;
     std::vector<DecalRow> _rows;
 };
 

@@ -9,6 +9,7 @@
 
 #include "DecalMaker.h"
 #include "ExplicitMarks.h"
+#include "Markings.h"
 
 namespace osgRoads::core
 {
@@ -83,16 +84,15 @@ void addSignal(const PlacedNetwork& network, int road, const Signal& signal, std
 }
 
 /// The corners of an object in its own frame: of its outer outline, else of its length and width.
-std::vector<glm::dvec2> cornersOf(const PlacedNetwork& network, int road, const RoadObject& object,
-                                  const ObjectInstance& instance, const DecalMaker& maker)
+std::vector<glm::dvec2> cornersOf(const RoadObject& object, const ObjectInstance& instance,
+                                  const DecalMaker& maker)
 {
     std::vector<glm::dvec2> corners;
     for (const ObjectOutline& outline : object.outlines)
     {
         if (!outline.isOuter || outline.corners.size() < 3) continue;
         for (const OutlineCorner& corner : outline.corners)
-            corners.push_back(corner.isOnRoad ? maker.toItem(network.surfacePoint(road, corner.s, corner.t))
-                                              : glm::dvec2(corner.s, corner.t));
+            corners.push_back(maker.cornerOf(corner));
         return corners;
     }
     const double u = 0.5 * instance.length, v = 0.5 * instance.width;
@@ -120,8 +120,9 @@ void addParkingSpace(const std::vector<glm::dvec2>& corners, double t, double he
 
 void addObject(const PlacedNetwork& network, int road, const RoadObject& object, std::vector<Decal>& into)
 {
+    addMarkings(network, road, object, into);
     const auto kind = paintKind(object);
-    if (!kind) return;
+    if (!kind || (*kind == PaintKind::parkingSpace && !object.markings.empty())) return;
     if (*kind == PaintKind::stopLine || *kind == PaintKind::yieldLine)
         return addLineAcross(network, road, object, *kind, into);
     for (const ObjectInstance& instance : objectInstances(object))
@@ -134,7 +135,7 @@ void addObject(const PlacedNetwork& network, int road, const RoadObject& object,
             maker.arrow(arrowHeads(object), orElse(instance.length, 5.0) / 5.0);
             continue;
         }
-        const std::vector<glm::dvec2> corners = cornersOf(network, road, object, instance, maker);
+        const std::vector<glm::dvec2> corners = cornersOf(object, instance, maker);
         if (corners.size() < 3) continue;
         if (*kind == PaintKind::parkingSpace)
             addParkingSpace(corners, instance.t, heading, maker);

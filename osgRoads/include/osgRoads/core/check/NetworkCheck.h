@@ -18,6 +18,15 @@ std::vector<Flaw> checkLaneWidths(const RoadNetwork& network);
 /// number of sample points, 5 m apart on the middle of lanes.
 std::vector<Flaw> checkOverlaps(const RoadNetwork& network);
 
+/// A place of a road where its own elevation jumps. Units: metres.
+struct ElevationStep
+{
+    double s = 0.0, size = 0.0;
+};
+
+/// Finds the jumps of a road's elevation that are larger than a limit, in the order of s.
+std::vector<ElevationStep> elevationSteps(const Road& road, double limitM);
+
 /// Finds places within a road where its elevation, or within a lane section the width or border of a lane, jumps.
 std::vector<Flaw> checkProfiles(const RoadNetwork& network, const JointLimits& limits = {});
 

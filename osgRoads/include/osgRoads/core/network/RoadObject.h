@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <osgRoads/core/network/RoadItem.h>
+#include <osgRoads/core/network/RoadMark.h>
 
 namespace osgRoads::core
 {
@@ -39,6 +40,34 @@ struct ObjectRepeat
         radiusEnd;
 };
 
+/// A side of an object's length and width in its own frame (u ahead, v to the left).
+enum class ObjectSide
+{
+    none,
+    left,
+    right,
+    front,
+    rear,
+};
+
+inline constexpr Keywords<ObjectSide, 4> kObjectSides = {{{"left", ObjectSide::left},
+                                                          {"right", ObjectSide::right},
+                                                          {"front", ObjectSide::front},
+                                                          {"rear", ObjectSide::rear}}};
+
+/// A line that is painted along a side of an object, or from corner to corner of its outlines. Units: metres.
+/// Source: ASAM OpenDRIVE 1.8, 13.7 (object markings).
+struct ObjectMarking
+{
+    ObjectSide side = ObjectSide::none;
+    std::vector<int> corners; ///< ids, in the order of the line; they count before `side`
+    MarkColour colour = MarkColour::white;
+    double width = 0.0; ///< where a file does not tell it, that of marks of its weight
+    double lineLength = 0.0, spaceLength = 0.0; ///< of a dash, and between two; either 0: without gaps
+    double startOffset = 0.0,
+           stopOffset = 0.0; ///< from the ends of the side or of the line to those of the paint
+};
+
 /// Something beside or on the road.
 /// Source: ASAM OpenDRIVE 1.8, 13 (objects).
 struct RoadObject : RoadItem
@@ -48,6 +77,7 @@ struct RoadObject : RoadItem
     bool isPerpendicularToRoad = false;
     std::vector<ObjectOutline> outlines;
     std::vector<ObjectRepeat> repeats;
+    std::vector<ObjectMarking> markings;
     std::string parkingAccess; ///< of a parkingSpace
 };
 

@@ -16,6 +16,7 @@ struct ObjectInstance
 {
     double s = 0.0, t = 0.0, z = 0.0; ///< z above the road
     double headingRad = 0.0;          ///< relative to the road
+    double pitchRad = 0.0, rollRad = 0.0;
     double length = 0.0, width = 0.0, height = 0.0, radius = 0.0;
     bool isStretch = false; ///< from (s, t, z) to (sEnd, tEnd, zEnd), with widthEnd and heightEnd there
     double sEnd = 0.0, tEnd = 0.0, zEnd = 0.0, widthEnd = 0.0, heightEnd = 0.0;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <string>
+
 #include <osgRoads/core/place/PlacedNetwork.h>
 #include <osgRoads/core/place/RoadBed.h>
 #include <osgRoads/core/surface/RoadMesh.h>
@@ -27,8 +29,13 @@ RoadMeshSettings meshSettingsFor(const RoadNetwork& network);
 /// what lies more than RoadMesh::kReachM from the middle of the network.
 /// Method: cross-sections of a chunk lie at s in equal steps, whose number doubles until the measured error is small enough;
 /// each level leaves out every other one. A level's error is the greatest distance, over cross-sections twice as dense as the
-/// finest level, of a point from the point of the level with the same s and place across.
-/// Cost: about 2 µs a vertex.
+/// finest level, of a point from the level's line between the cross-sections beside it at the same place across; what it is off along that
+/// line counts a tenth, and the outer edges of skirts, which lie in the ground, do not count.
+/// Cost: about 1 µs of processor time a vertex; parts of 64 roads are made in as many threads as the machine has, with the same result for any
+/// number of them.
 RoadMesh buildRoadMesh(const PlacedNetwork& network, const RoadMeshSettings& settings = {});
+
+/// Returns a line about the roads that are not in a mesh since they lie too far from the middle of their network; empty when all are.
+std::string unreachedMessage(const RoadMesh& mesh, const RoadNetwork& network, const std::string& file);
 
 } // namespace osgRoads::core

@@ -85,7 +85,8 @@ struct RoadChunk
     double sStart = 0.0, sEnd = 0.0;
     glm::dvec3 centre{0.0}; ///< of the sphere around it, in the scene
     double radius = 0.0;
-    std::vector<ChunkLevel> levels; ///< the finest first; errors do not fall
+    std::uint32_t firstVertex = 0, vertexCount = 0; ///< its own, and no other's
+    std::vector<ChunkLevel> levels;                 ///< the finest first; errors do not fall
 };
 
 /// The drawn surface of a network, in one pair of buffers. It never changes.
@@ -100,6 +101,7 @@ struct RoadMesh
     std::vector<std::uint32_t> indices; ///< triangles, counter-clockwise from above
     std::vector<RoadChunk> chunks;
     std::vector<MarkRow> marks;   ///< the first is empty
+    std::vector<int> unreached;   ///< roads of which something lies beyond kReachM, growing
     std::vector<DecalRow> decals; ///< lists of what is painted on a strip of a chunk; the first row is empty
 
     /// Returns the place of a vertex in the scene. Error: half a step in each coordinate.
