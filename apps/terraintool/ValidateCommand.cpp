@@ -54,11 +54,9 @@ foundation::Result<std::shared_ptr<const RoamTile>> tileOf(const RoamFile& descr
     if (!description.roads.empty() && request.patchExponent != 0)
         return foundation::Error{description.roads.string(), "ground with roads has no patches",
                                  "leave out --patch-exponent"};
-    auto placed = loadTile(description);
-    if (!placed) return placed.error();
-    const auto tile = std::make_shared<RoamTile>(std::move(*placed));
-    if (const auto roads = scenery::layRoads(description, tile); !roads) return roads.error();
-    return std::shared_ptr<const RoamTile>(tile);
+    const auto loaded = scenery::loadRoadTile(description);
+    if (!loaded) return loaded.error();
+    return std::shared_ptr<const RoamTile>(loaded->tile);
 }
 
 foundation::Result<FlightFindings> fly(const Request& request, const std::string& file,

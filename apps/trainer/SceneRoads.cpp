@@ -145,11 +145,9 @@ foundation::Result<SceneTerrain> makeTerrainWithRoads(const RoamFile& asked,
         if (!terrain) return terrain.error();
         return SceneTerrain{terrain->get(), *terrain, nullptr};
     }
-    auto placed = osgTerrainROAM::core::loadTile(description);
-    if (!placed) return placed.error();
-    const auto tile = std::make_shared<RoamTile>(std::move(*placed));
-    const auto roads = scenery::layRoads(description, tile);
-    if (!roads) return roads.error();
+    const auto loaded = scenery::loadRoadTile(description);
+    if (!loaded) return loaded.error();
+    const auto& [tile, roads] = *loaded;
     std::vector<osgTerrainROAM::core::GroundFeature> painted;
     if (strip)
     {
@@ -157,7 +155,7 @@ foundation::Result<SceneTerrain> makeTerrainWithRoads(const RoamFile& asked,
         if (!runway) return runway.error();
         painted.push_back(*runway);
     }
-    if (roads->placed) return makeScene(description, tile, *roads, painted);
+    if (roads.placed) return makeScene(description, tile, roads, painted);
     auto terrain = osgTerrainROAM::makeTerrain(description, tile, {std::move(painted), 0.0});
     if (!terrain) return terrain.error();
     return SceneTerrain{terrain->get(), *terrain, nullptr};

@@ -7,6 +7,7 @@
 #include <osgRoads/core/query/LaneSpan.h>
 #include <osgRoads/core/query/RoadSurface.h>
 #include <osgRoads/core/query/Stations.h>
+#include <osgTerrainROAM/core/LoadTerrain.h>
 
 #include "scenery/roads/CutRoads.h"
 
@@ -127,6 +128,16 @@ foundation::Result<SceneRoads> layRoads(const osgTerrainROAM::core::RoamFile& de
     osgTerrainROAM::core::TileEditor editor(tile);
     if (const auto cut = cutRoads(editor, *roads->placed); !cut) return cut.error();
     return roads;
+}
+
+foundation::Result<RoadTile> loadRoadTile(const osgTerrainROAM::core::RoamFile& description)
+{
+    auto placed = osgTerrainROAM::core::loadTile(description);
+    if (!placed) return placed.error();
+    const auto tile = std::make_shared<osgTerrainROAM::core::RoamTile>(std::move(*placed));
+    auto roads = layRoads(description, tile);
+    if (!roads) return roads.error();
+    return RoadTile{tile, std::move(*roads)};
 }
 
 std::vector<GroundFeature> farRoads(const osgRoads::core::PlacedNetwork& roads)
