@@ -24,7 +24,7 @@ constexpr std::array kBindings{
     KeyBinding{"3", Scope::all, view, "", 2.0, "view from above"},
     KeyBinding{"4", Scope::all, view, "", 3.0, "view from a tower"},
     KeyBinding{"5", Scope::all, view, "", 4.0, "view from the kerb"},
-    KeyBinding{"6", Scope::all, view, "", 5.0, "free view: mouse turns, wheel moves"},
+    KeyBinding{"6", Scope::all, view, "", 5.0, "free view: mouse and wheel move"},
     KeyBinding{"7", Scope::all, view, "", 6.0, "map, north up; wheel: scale"},
     KeyBinding{"v", Scope::all, nextView, "", 0.0, "next view"},
     KeyBinding{"q", Scope::all, glance, "", 60.0, "look left while held"},
@@ -60,7 +60,7 @@ constexpr std::array kBindings{
     KeyBinding{"Left", Scope::drive, hold, "steering", 1.0, "steer left"},
     KeyBinding{"Right", Scope::drive, hold, "steering", -1.0, "steer right"},
     KeyBinding{"Space", Scope::drive, hold, "handbrake", 1.0, "handbrake"},
-    KeyBinding{"PageUp", Scope::drive, add, "gear", 1.0, "gear up: reverse, neutral, drive"},
+    KeyBinding{"PageUp", Scope::drive, add, "gear", 1.0, "gear: reverse, neutral, drive"},
     KeyBinding{"PageDown", Scope::drive, add, "gear", -1.0, "gear down"},
 };
 
