@@ -6,6 +6,8 @@
 #include <numbers>
 #include <utility>
 
+#include <foundation/Angle.h>
+
 namespace simulation
 {
 namespace
@@ -17,7 +19,7 @@ constexpr double kSmallestPlanSpeed = 1e-6;
 
 double wrappedDeg(double angleDeg)
 {
-    return std::remainder(angleDeg, 360.0);
+    return foundation::wrappedDeg(angleDeg);
 }
 
 } // namespace

@@ -65,12 +65,11 @@ std::optional<Placement> PositionSolver::onRoad(const std::optional<RoadPlace>& 
     RoadPlace placed = *place;
     const double given = orientation.headingRad.value_or(0.0);
     if (orientation.isRelative)
-        placed.relativeHeadingRad = std::remainder(placed.relativeHeadingRad + given, 2.0 * std::numbers::pi);
+        placed.relativeHeadingRad = foundation::wrappedRad(placed.relativeHeadingRad + given);
     else if (orientation.headingRad)
     {
         placed.relativeHeadingRad = 0.0;
-        placed.relativeHeadingRad =
-            std::remainder(given - _roads->poseAt(placed).headingRad, 2.0 * std::numbers::pi);
+        placed.relativeHeadingRad = foundation::wrappedRad(given - _roads->poseAt(placed).headingRad);
     }
     const RoadPose pose = _roads->poseAt(placed);
     return Placement{pose.position,

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <foundation/Angle.h>
+
 namespace simulation
 {
 
@@ -18,13 +20,13 @@ double mixed(double from, double to, double share)
 /// Degrees, in the range of `to`'s full turn.
 double mixedDeg(double fromDeg, double toDeg, double share)
 {
-    return toDeg - (1.0 - share) * std::remainder(toDeg - fromDeg, 360.0);
+    return toDeg - (1.0 - share) * foundation::wrappedDeg(toDeg - fromDeg);
 }
 
 /// -180…180
 double signedDeg(double deg)
 {
-    return std::remainder(deg, 360.0);
+    return foundation::wrappedDeg(deg);
 }
 
 /// 0…360

@@ -108,7 +108,7 @@ double turnRate(const AircraftData& aircraft, const SeaLevel& sea, double knots,
     const double before = flying.readings().headingDeg;
     for (int i = 0; i < 600; ++i)
         flying.step(LevelGround(-1000.0), WeatherAir());
-    return std::remainder(flying.readings().headingDeg - before, 360.0) / 5.0;
+    return foundation::wrappedDeg(flying.readings().headingDeg - before) / 5.0;
 }
 
 } // namespace

@@ -74,7 +74,7 @@ MotionDifference differenceOf(const MotionTable& table, const MotionTable& refer
         ++difference.rows;
         const MotionSample& wanted = *expected.samples[row];
         position.add(glm::distance(sample->position, wanted.position), timeS);
-        heading.add(std::remainder(foundation::degreesOf(sample->headingRad - wanted.headingRad), 360.0),
+        heading.add(foundation::wrappedDeg(foundation::degreesOf(sample->headingRad - wanted.headingRad)),
                     timeS);
         speed.add(sample->speedMps - wanted.speedMps, timeS);
     }

@@ -93,7 +93,7 @@ void MotionLog::writeEntity(const EntityState& state, const BoundingBox& box, st
     const double heading = foundation::radiansOf(state.headingDeg);
     const bool hasRate = _row > 0 && stepS > 0.0;
     const glm::dvec3 acceleration = hasRate ? (state.velocity - last.velocity) / stepS : glm::dvec3(0.0);
-    const double turn = std::remainder(heading - last.headingRad, 2.0 * std::numbers::pi);
+    const double turn = foundation::wrappedRad(heading - last.headingRad);
     // The lane is the one under the entity, as in esmini.
     const RoadPlace place = state.laneUnder.value_or(state.place.value_or(RoadPlace{}));
     const double towards = place.lane > 0 ? std::numbers::pi : 0.0;

@@ -6,6 +6,8 @@
 #include <limits>
 #include <numbers>
 
+#include <foundation/Angle.h>
+
 #include <osgRoads/core/query/LaneSpan.h>
 #include <osgRoads/core/query/RoadSurface.h>
 #include <osgRoads/core/read/ReadNetwork.h>
@@ -123,7 +125,7 @@ std::optional<RoadPlace> RoadScene::nearest(const glm::dvec3& point, double head
     place.t = match->position.t;
     takeNearestLane(place);
     place.heightM = point.z - poseAt(place).position.z;
-    place.relativeHeadingRad = std::remainder(headingRad - poseAt(place).headingRad, 2.0 * std::numbers::pi);
+    place.relativeHeadingRad = foundation::wrappedRad(headingRad - poseAt(place).headingRad);
     return place;
 }
 

@@ -6,6 +6,8 @@
 #include <cstdlib>
 #include <numbers>
 
+#include <foundation/Angle.h>
+
 #include <osgRoads/core/query/LaneSpan.h>
 
 namespace simulation
@@ -72,9 +74,8 @@ const RoadStep* chosen(const RoadScene& roads, const std::vector<RoadStep>& step
     for (const RoadStep& step : steps)
     {
         const Road& road = roads.network().roads[static_cast<std::size_t>(step.road)];
-        const double turn = std::fabs(std::remainder(road.referenceLine.at(road.length).headingRad -
-                                                         road.referenceLine.at(0.0).headingRad,
-                                                     2.0 * kPi));
+        const double turn = std::fabs(foundation::wrappedRad(road.referenceLine.at(road.length).headingRad -
+                                                             road.referenceLine.at(0.0).headingRad));
         if (turn >= least) continue;
         least = turn;
         best = &step;
@@ -96,7 +97,7 @@ bool enterRoad(const RoadScene& roads, RoadPlace& place, bool towardsEnd, const 
     if (isTurned)
     {
         place.laneOffsetM = -place.laneOffsetM;
-        place.relativeHeadingRad = std::remainder(place.relativeHeadingRad + kPi, 2.0 * kPi);
+        place.relativeHeadingRad = foundation::wrappedRad(place.relativeHeadingRad + kPi);
     }
     return true;
 }

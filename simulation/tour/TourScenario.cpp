@@ -20,7 +20,7 @@ constexpr int kMinutesPerTry = 15;
 /// Smaller is better.
 double lightFault(const SunDirection& sun, double compassDeg)
 {
-    const double side = std::fabs(std::remainder(sun.azimuthDeg - compassDeg, 360.0));
+    const double side = std::fabs(foundation::wrappedDeg(sun.azimuthDeg - compassDeg));
     const double elevation = (sun.elevationDeg - kWantedElevationDeg) / 15.0;
     const double aside = (side - kWantedSideDeg) / 60.0;
     return elevation * elevation + aside * aside;

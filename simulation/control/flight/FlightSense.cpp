@@ -3,7 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include <foundation/Angle.h>
 
 #include "simulation/vehicle/StandardAtmosphere.h"
 
@@ -18,7 +19,7 @@ constexpr double kLeastAirspeedMps = 1.0; ///< below it angles of the air mean n
 
 double halfTurn(double angle)
 {
-    return std::remainder(angle, 2.0 * std::numbers::pi);
+    return foundation::wrappedRad(angle);
 }
 
 FlightSense senseOf(const ControlView& view, const EarthFrame& earth, double wheelsBelowM)

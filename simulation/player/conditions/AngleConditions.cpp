@@ -41,7 +41,7 @@ bool holdsFor(const AngleCondition& condition, const EntityFacts& facts, std::si
         angle = angleOf(own, condition.kind) -
                 angleOf((*facts.states)[static_cast<std::size_t>(other)], condition.kind);
     }
-    const double difference = std::remainder(angle - condition.angleRad, 2.0 * std::numbers::pi);
+    const double difference = foundation::wrappedRad(angle - condition.angleRad);
     return std::fabs(difference) <= condition.toleranceRad + kSameAngleRad;
 }
 

@@ -6,6 +6,7 @@
 #include <set>
 #include <tuple>
 
+#include <foundation/Angle.h>
 #include <glm/geometric.hpp>
 
 #include <osgRoads/core/check/JointCheck.h>
@@ -22,7 +23,7 @@ namespace
 /// The smaller angle between two headings.
 double turnBetween(double a, double b)
 {
-    return std::fabs(std::remainder(a - b, 2.0 * std::numbers::pi));
+    return std::fabs(foundation::wrappedRad(a - b));
 }
 
 /// A lane at one end of a road.

@@ -5,6 +5,8 @@
 #include <optional>
 #include <vector>
 
+#include <foundation/Angle.h>
+
 #include <osgRoads/core/query/ChooseDrive.h>
 #include <osgRoads/core/query/LaneSpan.h>
 #include <osgRoads/core/query/RoadSurface.h>
@@ -74,7 +76,7 @@ private:
     double turnOf(std::uint32_t lane) const
     {
         const LaneKey& key = _graph.lanes()[lane];
-        return std::fabs(std::remainder(headingAt(key, true) - headingAt(key, false), 2.0 * std::acos(-1.0)));
+        return std::fabs(foundation::wrappedRad(headingAt(key, true) - headingAt(key, false)));
     }
 
     bool goesOn(std::uint32_t lane) const
