@@ -20,7 +20,8 @@ namespace
 constexpr std::size_t kChunk = 1024;
 /// Triangles that may be looked at for each sample of a chunk, and for all corners and centres together, where most triangles cross the whole
 /// mesh; samples that are left then are not measured. Known models need up to 130 for a spread sample, 80 for a corner or centre.
-constexpr std::uint64_t kMostTrianglesASample = 256, kMostTrianglesOfCorners = 1u << 25;
+constexpr std::uint64_t kMostTrianglesASpreadSample = 160, kMostTrianglesASample = 256,
+                        kMostTrianglesOfCorners = 1u << 25;
 
 struct Sums
 {
@@ -55,7 +56,7 @@ Sums distancesOf(const std::vector<SurfacePoint>& samples, const TriangleTree& t
                  {
                      Sums& found = chunks[chunk];
                      double most = std::numeric_limits<double>::infinity();
-                     std::uint64_t work = kMostTrianglesASample * (last - first);
+                     std::uint64_t work = kMostTrianglesASpreadSample * (last - first);
                      for (std::size_t i = first; i < last; ++i)
                      {
                          const auto measured = tree.distance(samples[i].position, most, work);
