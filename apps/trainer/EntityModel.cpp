@@ -5,10 +5,10 @@
 #include <string>
 
 #include "ModelFile.h"
-#include "scenery/nodes/AircraftModel.h"
 #include "scenery/nodes/EntityLook.h"
 #include "scenery/nodes/ObjectShading.h"
 #include "scenery/nodes/Pose.h"
+#include "scenery/nodes/UsualAircraft.h"
 
 namespace trainer
 {
@@ -50,17 +50,13 @@ foundation::Result<EntityModel> EntityModel::create(const simulation::ScenarioOb
         model._placed->addChild(*loaded);
         model._eye = eyeIn(object.box());
     }
-    else if (const auto look = scenery::entityLook(object))
-    {
-        model._generated = std::make_shared<scenery::EntityNode>(look->shape, shapes);
-        model._eye = model._generated->eye();
-        if (model._note.empty()) model._note = look->note;
-    }
     else
     {
-        model._aircraft = scenery::makeLightAircraft();
-        model._placed->addChild(model._aircraft);
-        model._eye = scenery::pilotEyeInAircraft();
+        const scenery::EntityLook look = scenery::entityLook(object);
+        model._generated = std::make_shared<scenery::EntityNode>(look.shape, shapes);
+        model._flies = scenery::models::isAircraft(look.shape.kind);
+        model._eye = model._generated->eye();
+        if (model._note.empty()) model._note = look.note;
     }
     return model;
 }
@@ -94,14 +90,18 @@ scenery::models::LitLamps switched(scenery::models::LitLamps lit, const simulati
 
 } // namespace
 
-void EntityModel::show(const simulation::EntityState& state, bool isDark)
+void EntityModel::show(const simulation::EntityState& state, const Light& light,
+                       const simulation::GroundProvider& ground)
 {
     node()->setNodeMask(state.isVisible && !_isHidden ? ~0U : 0U);
-    if (_generated)
-        _generated->setState(state, switched(scenery::usualLamps(state, isDark), state));
+    if (!_generated) return _placed->setMatrix(matrixOf(scenery::poseOf(state)));
+    simulation::EntityState shown = state;
+    if (_flies && !shown.aircraft) shown.aircraft = scenery::usualAircraftParts(state, light.isDark);
+    _generated->setState(shown, switched(scenery::usualLamps(shown, light.isDark, light.timeS), state));
+    if (state.isVisible)
+        _generated->castShadow(light.sun, ground);
     else
-        _placed->setMatrix(matrixOf(scenery::poseOf(state)));
-    if (_aircraft && state.aircraft) scenery::showAircraftParts(*_aircraft, *state.aircraft);
+        _generated->shadow()->setNodeMask(0);
 }
 
 } // namespace trainer

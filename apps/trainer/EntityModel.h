@@ -29,11 +29,23 @@ public:
 
     osg::Node* node() const { return _generated ? _generated->node() : _placed.get(); }
 
-    /// Does not draw it any more: the eye is in it; or draws it again.
+    /// Its shadow on the ground, which stands beside node(); null: it casts none, as models that were read.
+    osg::Node* shadow() const { return _generated ? _generated->shadow() : nullptr; }
+
+    /// Does not draw it any more, but for its shadow: the eye is in it; or draws it again.
     void hide(bool isHidden = true) { _isHidden = isHidden; }
 
-    /// `isDark`: head lamps are on.
-    void show(const simulation::EntityState& state, bool isDark);
+    /// The light in which entities are seen.
+    struct Light
+    {
+        glm::dvec3 sun{0.0, 0.0, 1.0}; ///< towards it, unit vector
+        bool isDark = false;           ///< head lamps are on
+        double timeS = 0.0;            ///< by which lamps flash
+    };
+
+    /// `ground`: onto which it casts its shadow; may be empty.
+    void show(const simulation::EntityState& state, const Light& light,
+              const simulation::GroundProvider& ground);
 
     /// Returns the eye of the driver, rider, walker or pilot. Frame: the entity's.
     const glm::dvec3& eye() const { return _eye; }
@@ -47,7 +59,7 @@ private:
     glm::dvec3 _eye{0.0};
     std::shared_ptr<scenery::EntityNode> _generated; ///< has parts that move; else
     osg::ref_ptr<osg::MatrixTransform> _placed;
-    osg::ref_ptr<osg::Group> _aircraft; ///< below it; null: it is none
+    bool _flies = false; ///< it is generated as an aircraft
 };
 
 } // namespace trainer

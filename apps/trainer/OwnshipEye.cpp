@@ -15,10 +15,12 @@ constexpr double kAboveM = 30.0, kMapM = 2000.0;
 const glm::dmat3 kNorthUp({0.0, 0.0, -1.0}, {-1.0, 0.0, 0.0},
                           {0.0, 1.0, 0.0}); ///< forward is down, left west
 
-ChaseSettings chaseFor(const simulation::ScenarioObject& ownship, const FrameRequest& frames)
+ChaseSettings chaseFor(const simulation::ScenarioObject& ownship, const TrainSize& train,
+                       const FrameRequest& frames)
 {
     if (frames.eye == EyePoint::above) return ChaseSettings::above(frames.eyeHeightM.value_or(kAboveM));
-    return ownship.isAirborne() ? ChaseSettings::forAircraft() : ChaseSettings::forCar();
+    if (ownship.isAirborne()) return ChaseSettings::forAircraft();
+    return ChaseSettings::forTrain(train.behindM, train.heightM);
 }
 
 RoadsideSettings roadsideFor(const simulation::ScenarioObject& ownship, const FrameRequest& frames)
@@ -42,12 +44,13 @@ scenery::Pose poseOf(const FreeEye& eye)
 
 } // namespace
 
-OwnshipEye::OwnshipEye(const simulation::ScenarioObject& ownship, const glm::dvec3& eyeInBody,
-                       const FrameRequest& frames, simulation::GroundProvider ground)
+OwnshipEye::OwnshipEye(const simulation::ScenarioObject& ownship, const TrainSize& train,
+                       const glm::dvec3& eyeInBody, const FrameRequest& frames,
+                       simulation::GroundProvider ground)
     : _eye(frames.eye),
       _eyeInBody(eyeInBody),
       _free(poseOf(frames.freeEye)),
-      _chase(chaseFor(ownship, frames)),
+      _chase(chaseFor(ownship, train, frames)),
       _roadside(roadsideFor(ownship, frames)),
       _ground(std::move(ground)),
       _mapHeightM(frames.eyeHeightM.value_or(kMapM))

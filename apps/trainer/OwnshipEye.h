@@ -5,6 +5,7 @@
 #include "simulation/player/ScenarioPlayer.h"
 #include "view/ChaseCamera.h"
 #include "view/RoadsideCamera.h"
+#include "view/WatchedEntity.h"
 
 namespace trainer
 {
@@ -14,8 +15,8 @@ namespace trainer
 class OwnshipEye
 {
 public:
-    /// `ownship`: the entity that is watched; `eyeInBody`: of its driver or pilot.
-    OwnshipEye(const simulation::ScenarioObject& ownship, const glm::dvec3& eyeInBody,
+    /// `ownship`: the entity that is watched; `train`: it and what it tows; `eyeInBody`: of its driver or pilot.
+    OwnshipEye(const simulation::ScenarioObject& ownship, const TrainSize& train, const glm::dvec3& eyeInBody,
                const FrameRequest& frames, simulation::GroundProvider ground);
 
     /// Returns the camera pose for a state `dtS` after the last one.

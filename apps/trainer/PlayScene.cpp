@@ -3,6 +3,7 @@
 
 #include "SceneRoads.h"
 #include "simulation/road/ScenarioRoads.h"
+#include "view/WatchedEntity.h"
 
 namespace trainer
 {
@@ -18,18 +19,6 @@ foundation::Outcome configure(osgTerrainROAM::RoamTerrain& terrain, const Terrai
     settings.morphing = request.morphing;
     settings.patchExponent = request.patchExponent.value_or(0);
     return terrain.setSettings(settings);
-}
-
-/// Returns the index of the entity that the camera watches. Errors: there is none of that name.
-foundation::Result<std::size_t> watchedEntity(const simulation::Scenario& scenario, const std::string& name)
-{
-    std::string names;
-    for (std::size_t i = 0; i < scenario.entities.size(); ++i)
-    {
-        if (name.empty() || scenario.entities[i].name == name) return i;
-        names += (i > 0 ? ", " : "") + scenario.entities[i].name;
-    }
-    return foundation::Error{"--eye-entity", "there is no entity '" + name + "'", "write one of: " + names};
 }
 
 } // namespace

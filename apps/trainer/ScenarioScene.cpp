@@ -53,12 +53,14 @@ foundation::Result<ScenarioScene> ScenarioScene::create(const simulation::Scenar
     scene._root->addChild(scenery::makeSky());
     scene._root->addChild(terrain.node);
     scene._roadThings = terrain.roadThings;
+    scene._ground = terrain.ground();
     scenery::EntityShapes shapes;
     for (const simulation::ScenarioObject& object : scenario.entities)
     {
         auto model = EntityModel::create(object, folder, shapes);
         if (!model) return model.error();
         scene._root->addChild(model->node());
+        if (model->shadow()) scene._root->addChild(model->shadow());
         scene._entities.push_back(std::move(*model));
     }
     return scene;
@@ -91,9 +93,12 @@ void ScenarioScene::show(const simulation::ScenarioPlayer& player,
                          const std::vector<simulation::EntityState>& entities)
 {
     constexpr double kDuskDeg = 2.0; // of the sun's elevation
-    const bool isDark = player.environment().sun.elevationDeg < kDuskDeg;
+    const auto& sun = player.environment().sun;
+    const osg::Vec3d towards = osgTerrainROAM::sunDirectionFromAngles(sun.azimuthDeg, sun.elevationDeg);
+    const EntityModel::Light light{
+        {towards.x(), towards.y(), towards.z()}, sun.elevationDeg < kDuskDeg, player.timeS()};
     for (std::size_t i = 0; i < _entities.size(); ++i)
-        _entities[i].show(entities[i], isDark);
+        _entities[i].show(entities[i], light, _ground);
     showSignals(player.signalStates());
     if (const auto set = _atmosphere->setSettings(airOf(player.environment())); !set)
         osg::notify(osg::WARN) << set.error().message() << std::endl;

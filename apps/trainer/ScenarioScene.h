@@ -55,6 +55,7 @@ private:
     osg::ref_ptr<osgTerrainROAM::Atmosphere> _atmosphere;
     std::shared_ptr<scenery::RoadThingsNode> _roadThings; ///< null without roads
     std::map<std::string, std::string> _signals;          ///< states that are shown
+    simulation::GroundProvider _ground;                   ///< onto which shadows fall
     std::vector<EntityModel> _entities;                   ///< in the order of Scenario::entities
 };
 

@@ -15,7 +15,6 @@
 #include "Plain.h"
 #include "measurement/view/ContactSheet.h"
 #include "scenery/models/entities/UsualSize.h"
-#include "scenery/nodes/AircraftModel.h"
 #include "scenery/nodes/EntityNode.h"
 
 namespace
@@ -47,7 +46,16 @@ const std::vector<std::pair<std::string, EntityKind>> kKinds = {{"car", EntityKi
                                                                 {"bicycle", EntityKind::bicycle},
                                                                 {"pedestrian", EntityKind::pedestrian},
                                                                 {"wheelchair", EntityKind::wheelchair},
-                                                                {"animal", EntityKind::animal},
+                                                                {"horse", EntityKind::horse},
+                                                                {"cow", EntityKind::cow},
+                                                                {"sheep", EntityKind::sheep},
+                                                                {"deer", EntityKind::deer},
+                                                                {"dog", EntityKind::dog},
+                                                                {"aircraft", EntityKind::lightAircraft},
+                                                                {"glider", EntityKind::glider},
+                                                                {"airliner", EntityKind::airliner},
+                                                                {"helicopter", EntityKind::helicopter},
+                                                                {"ship", EntityKind::ship},
                                                                 {"cone", EntityKind::cone},
                                                                 {"barrier", EntityKind::barrier},
                                                                 {"pole", EntityKind::pole},
@@ -69,7 +77,7 @@ EntityShape shapeOf(EntityKind kind)
     shape.green = 0.10F;
     shape.blue = 0.09F;
     if (kind == EntityKind::box) shape.red = 0.58F, shape.green = 0.44F, shape.blue = 0.28F;
-    if (kind == EntityKind::animal) shape.red = 0.33F, shape.green = 0.24F, shape.blue = 0.16F;
+    if (scenery::models::isAnimal(kind)) shape.red = 0.33F, shape.green = 0.24F, shape.blue = 0.16F;
     scenery::models::setUsualSize(shape);
     return shape;
 }
@@ -80,14 +88,14 @@ std::vector<Subject> subjects()
     std::vector<Subject> all;
     for (const auto& [name, kind] : kKinds)
         all.push_back({name, kind});
-    for (const EntityKind kind : {EntityKind::pedestrian, EntityKind::animal})
+    for (const EntityKind kind : {EntityKind::pedestrian, EntityKind::horse})
         for (int phase = 0; phase < 6; ++phase)
         {
             simulation::EntityState state;
             state.speedMps = 1.4;
             state.odometerM = phase * 0.21;
             all.push_back(
-                {(kind == EntityKind::animal ? "animal-step" : "pedestrian-step") + std::to_string(phase),
+                {(kind == EntityKind::horse ? "horse-step" : "pedestrian-step") + std::to_string(phase),
                  kind,
                  state,
                  {},
@@ -119,7 +127,7 @@ std::vector<View> viewsOf(const Extent& extent, double headingDeg)
 {
     const double away = std::max({0.95 * extent.lengthM + 1.0, 1.9 * extent.heightM, 1.5});
     const glm::dvec3 middle(extent.middleXM, 0.0, 0.5 * extent.heightM);
-    const double eyeM = std::min(kEyeM, 1.6 * middle.z + 0.4);
+    const double eyeM = extent.lengthM > 20.0 ? extent.heightM : std::min(kEyeM, 1.6 * middle.z + 0.4);
     const auto from = [&](const char* name, double turnDeg) -> View
     {
         const double turn = foundation::radiansOf(turnDeg);
@@ -166,8 +174,6 @@ int main(int argc, char** argv)
         drawOne(folder / subject.name, *entity.node(), {shape.middleXM, shape.lengthM, shape.heightM},
                 subject.headingDeg, files);
     }
-    if (std::string("aircraft").starts_with(only))
-        drawOne(folder / "aircraft", *scenery::makeLightAircraft(), {-1.4, 9.0, 2.75}, 0.0, files);
     const auto sheet = measurement::makeContactSheet(files, {6, 100, 1944, 4});
     if (!sheet || !osgOffscreen::writePng(**sheet, folder / "entities.png"))
     {

@@ -33,6 +33,7 @@ enum class Painting : std::uint8_t
     bus,
     wheel,
     roadSigns, ///< roads/SignAtlas.h
+    estate,
     count,
 };
 

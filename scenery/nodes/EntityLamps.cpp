@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scenery/nodes/EntityLamps.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <osg/Geode>
 
 #include "scenery/nodes/RoadLamps.h"
@@ -30,6 +33,14 @@ osg::Vec4f lightOf(models::EntityLamp::Kind kind)
         return {1.4F, 0.50F, 0.02F, 1.0F};
     case Kind::warning:
         return {0.05F, 0.15F, 1.5F, 1.0F};
+    case Kind::navigationRed:
+    case Kind::beacon:
+        return {1.5F, 0.05F, 0.03F, 1.0F};
+    case Kind::navigationGreen:
+        return {0.05F, 1.4F, 0.35F, 1.0F};
+    case Kind::strobe:
+    case Kind::landing:
+        return {3.0F, 3.0F, 3.0F, 1.0F};
     default:
         return {1.2F, 1.2F, 1.15F, 1.0F};
     }
@@ -37,9 +48,48 @@ osg::Vec4f lightOf(models::EntityLamp::Kind kind)
 
 } // namespace
 
-models::LitLamps usualLamps(const simulation::EntityState& state, bool isDark)
+namespace
+{
+
+/// Whether a lamp that flashes once in a period is lit.
+bool flashes(double timeS, double periodS, double litS)
+{
+    return timeS - std::floor(timeS / periodS) * periodS < litS;
+}
+
+models::LitLamps lampsOf(const simulation::AircraftParts& parts, double timeS)
 {
     using Kind = models::EntityLamp::Kind;
+    constexpr double kStrobePeriodS = 1.2, kBeaconPeriodS = 1.0, kFlashS = 0.1;
+    const auto at = [](Kind kind) { return static_cast<std::size_t>(kind); };
+    models::LitLamps lit{};
+    for (const Kind kind : {Kind::navigationRed, Kind::navigationGreen, Kind::navigationWhite})
+        lit[at(kind)] = parts.hasNavigationLights;
+    lit[at(Kind::landing)] = parts.hasLandingLight;
+    lit[at(Kind::strobe)] = parts.hasStrobes && flashes(timeS, kStrobePeriodS, kFlashS);
+    lit[at(Kind::beacon)] =
+        parts.hasBeacon && flashes(timeS + 0.5 * kBeaconPeriodS, kBeaconPeriodS, 2.0 * kFlashS);
+    return lit;
+}
+
+/// The glow of a lamp: several strips that make up one lens share it.
+osg::Vec3f glowOf(const models::EntityLamp& lamp)
+{
+    using Kind = models::EntityLamp::Kind;
+    constexpr float kLensM2 = 0.02F, kPoint = 2.5F;
+    const osg::Vec4f light = lightOf(lamp.kind);
+    const float area = static_cast<float>(lamp.widthM * lamp.heightM);
+    if (lamp.kind >= Kind::navigationRed) return osg::Vec3f(light.x(), light.y(), light.z()) * kPoint;
+    const float strength = (lamp.kind == Kind::head ? 3.0F : 1.2F) * std::min(area / kLensM2, 1.0F);
+    return osg::Vec3f(light.x(), light.y(), light.z()) * strength;
+}
+
+} // namespace
+
+models::LitLamps usualLamps(const simulation::EntityState& state, bool isDark, double timeS)
+{
+    using Kind = models::EntityLamp::Kind;
+    if (state.aircraft) return lampsOf(*state.aircraft, timeS);
     constexpr double kBrakingMps2 = 0.5, kStandingMps = 0.05;
     const double ahead = glm::dot(state.acceleration, state.bodyToLocal()[0]);
     const auto at = [](Kind kind) { return static_cast<std::size_t>(kind); };
@@ -82,8 +132,11 @@ EntityLamps::EntityLamps(std::vector<models::EntityLamp> lamps) : _lamps(std::mo
     const osg::ref_ptr<osg::Geode> geode = new osg::Geode;
     geode->addDrawable(geometry);
     geode->getOrCreateStateSet()->setAttributeAndModes(makeRoadLampProgram());
-    geode->setNodeMask(0); // all are dark
-    _node = geode;
+    _glow.emplace(_lamps);
+    _node = new osg::Group;
+    _node->addChild(geode);
+    _node->addChild(_glow->node());
+    _node->setNodeMask(0); // all are dark
 }
 
 void EntityLamps::light(const models::LitLamps& lit)
@@ -91,14 +144,17 @@ void EntityLamps::light(const models::LitLamps& lit)
     if (!_node || lit == _lit) return;
     _lit = lit;
     bool isAnyLit = false;
+    std::vector<osg::Vec3f> glows(_lamps.size());
     for (std::size_t i = 0; i < _lamps.size(); ++i)
     {
         const bool isLit = lit[static_cast<std::size_t>(_lamps[i].kind)];
         isAnyLit = isAnyLit || isLit;
+        if (isLit) glows[i] = glowOf(_lamps[i]);
         for (std::size_t corner = 0; corner < kCorners; ++corner)
             (*_colours)[kCorners * i + corner] = isLit ? lightOf(_lamps[i].kind) : osg::Vec4f();
     }
     _colours->dirty();
+    _glow->light(glows);
     _node->setNodeMask(isAnyLit ? ~0U : 0U);
 }
 

@@ -1,23 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include <osg/Geometry>
-#include <osg/Node>
+#include <osg/Group>
 
 #include "scenery/models/entities/EntityModel.h"
+#include "scenery/nodes/LampGlow.h"
 #include "simulation/player/EntityState.h"
 
 namespace scenery
 {
 
 /// Returns the lamps that a driver has on where no action says otherwise: the brake lamps while the entity slows down by
-/// more than 0.5 m/s², the reversing lamps while it goes backwards, and head and tail lamps in the dark.
-models::LitLamps usualLamps(const simulation::EntityState& state, bool isDark);
+/// more than 0.5 m/s², the reversing lamps while it goes backwards, and head and tail lamps in the dark. Those of an aircraft are on
+/// as its parts say; strobes and the beacon flash by `timeS`, once in 1.2 s and in 1 s.
+models::LitLamps usualLamps(const simulation::EntityState& state, bool isDark, double timeS = 0.0);
 
-/// The lamps of one entity. Those that are lit shine by themselves; the others are not drawn, so that the lenses of the
-/// model are seen. Frame: the entity's. Threads: light() in the update phase.
+/// The lamps of one entity. Those that are lit shine by themselves, with a glow about them; the others are not drawn, so that the
+/// lenses of the model are seen. Frame: the entity's. Threads: light() in the update phase.
 class EntityLamps
 {
 public:
@@ -33,7 +36,8 @@ private:
     std::vector<models::EntityLamp> _lamps;
     models::LitLamps _lit{};
     osg::ref_ptr<osg::Vec4Array> _colours = new osg::Vec4Array;
-    osg::ref_ptr<osg::Node> _node;
+    std::optional<LampGlow> _glow;
+    osg::ref_ptr<osg::Group> _node;
 };
 
 } // namespace scenery

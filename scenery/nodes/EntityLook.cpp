@@ -44,6 +44,39 @@ bool hasAny(const std::string& words, std::initializer_list<std::string_view> se
                        [&](std::string_view word) { return words.find(word) != std::string::npos; });
 }
 
+/// FNV-1a.
+std::uint32_t hashOf(const std::string& name)
+{
+    std::uint32_t hash = 2166136261U;
+    for (const char c : name)
+        hash = (hash ^ static_cast<unsigned char>(c)) * 16777619U;
+    return hash;
+}
+
+/// The kind of something that flies.
+EntityKind flyingKind(const simulation::ScenarioObject& object, const std::string& words)
+{
+    constexpr double kAirlinerFromM = 20.0;
+    const auto* vehicle = std::get_if<simulation::Vehicle>(&object.object);
+    if ((vehicle && vehicle->category == "helicopter") ||
+        hasAny(words, {"helicopter", "heli_", "rotorcraft"}))
+        return EntityKind::helicopter;
+    if (hasAny(words, {"glider", "sailplane", "soar"})) return EntityKind::glider;
+    const bool isLarge = object.box().lengthM > kAirlinerFromM;
+    return isLarge || hasAny(words, {"airliner", "airbus", "boeing", "a320", "b737", "jet"})
+               ? EntityKind::airliner
+               : EntityKind::lightAircraft;
+}
+
+EntityKind animalKind(const std::string& words)
+{
+    if (hasAny(words, {"dog", "wolf", "fox"})) return EntityKind::dog;
+    if (hasAny(words, {"cow", "cattle", "bull", "calf"})) return EntityKind::cow;
+    if (hasAny(words, {"sheep", "lamb", "goat"})) return EntityKind::sheep;
+    if (hasAny(words, {"horse", "pony", "donkey"})) return EntityKind::horse;
+    return EntityKind::deer;
+}
+
 EntityKind kindOf(const simulation::Vehicle& vehicle, const std::string& words)
 {
     const std::string& category = vehicle.category;
@@ -65,12 +98,13 @@ EntityKind kindOf(const simulation::Pedestrian& pedestrian, const std::string& w
 {
     if (pedestrian.category == "wheelchair") return EntityKind::wheelchair;
     const bool isAnimal = pedestrian.category == "animal" || hasAny(words, {"moose", "deer", "_dog", "dog_"});
-    return isAnimal ? EntityKind::animal : EntityKind::pedestrian;
+    return isAnimal ? animalKind(words) : EntityKind::pedestrian;
 }
 
 EntityKind kindOf(const simulation::MiscObject& object, const std::string& words)
 {
     if (hasAny(words, {"cone", "pylon"})) return EntityKind::cone;
+    if (hasAny(words, {"ship", "boat", "ferry", "vessel", "yacht"})) return EntityKind::ship;
     if (object.category == "barrier" || hasAny(words, {"wall", "barrier"})) return EntityKind::barrier;
     const bool isPole =
         object.category == "pole" || object.category == "streetLamp" || hasAny(words, {"pole"});
@@ -84,7 +118,24 @@ EntityKind kindOf(const simulation::Unsupported&, const std::string&)
 
 bool isPaintable(EntityKind kind)
 {
-    return kind != EntityKind::animal && kind != EntityKind::box;
+    return !models::isAnimal(kind) && kind != EntityKind::box;
+}
+
+/// The coat of an animal.
+Colour coatOf(EntityKind kind, std::uint32_t hash)
+{
+    static constexpr std::array<Colour, 4> kBrown{
+        {{0.33F, 0.24F, 0.16F}, {0.28F, 0.20F, 0.14F}, {0.40F, 0.29F, 0.19F}, {0.36F, 0.26F, 0.15F}}};
+    static constexpr std::array<Colour, 4> kCows{
+        {{0.11F, 0.10F, 0.10F}, {0.42F, 0.22F, 0.13F}, {0.50F, 0.33F, 0.20F}, {0.16F, 0.14F, 0.13F}}};
+    static constexpr std::array<Colour, 4> kDogs{
+        {{0.60F, 0.45F, 0.27F}, {0.13F, 0.12F, 0.12F}, {0.40F, 0.27F, 0.16F}, {0.78F, 0.74F, 0.68F}}};
+    static constexpr std::array<Colour, 4> kWool{
+        {{0.82F, 0.79F, 0.71F}, {0.76F, 0.73F, 0.66F}, {0.86F, 0.83F, 0.76F}, {0.70F, 0.66F, 0.58F}}};
+    const std::size_t pick = hash % 4U;
+    if (kind == EntityKind::cow) return kCows[pick];
+    if (kind == EntityKind::dog) return kDogs[pick];
+    return kind == EntityKind::sheep ? kWool[pick] : kBrown[pick];
 }
 
 /// A colour by a word of the names, else one of several by a hash of the object's name (FNV-1a).
@@ -114,20 +165,30 @@ Colour colourOf(const std::string& words, const std::string& name, EntityKind ki
                                                     {0.62F, 0.56F, 0.46F},
                                                     {0.93F, 0.93F, 0.92F},
                                                     {0.78F, 0.55F, 0.12F}}};
-    static constexpr std::array<Colour, 8> kCoats{{{0.33F, 0.24F, 0.16F},
-                                                   {0.28F, 0.20F, 0.14F},
-                                                   {0.40F, 0.29F, 0.19F},
-                                                   {0.30F, 0.25F, 0.20F},
-                                                   {0.36F, 0.26F, 0.15F},
-                                                   {0.24F, 0.19F, 0.15F},
-                                                   {0.42F, 0.33F, 0.24F},
-                                                   {0.31F, 0.22F, 0.16F}}};
     static constexpr std::array<Colour, 1> kWood{{{0.58F, 0.44F, 0.28F}}};
-    std::uint32_t hash = 2166136261U;
-    for (const char c : name)
-        hash = (hash ^ static_cast<unsigned char>(c)) * 16777619U;
+    static constexpr std::array<Colour, 6> kTrims{{{0.10F, 0.22F, 0.50F},
+                                                   {0.70F, 0.10F, 0.09F},
+                                                   {0.12F, 0.36F, 0.24F},
+                                                   {0.84F, 0.42F, 0.08F},
+                                                   {0.14F, 0.15F, 0.18F},
+                                                   {0.80F, 0.62F, 0.12F}}};
     if (kind == EntityKind::box) return kWood[0];
-    return kind == EntityKind::animal ? kCoats[hash % kCoats.size()] : kPaints[hash % kPaints.size()];
+    if (models::isAircraft(kind)) return kTrims[hashOf(name) % kTrims.size()]; // on white
+    return models::isAnimal(kind) ? coatOf(kind, hashOf(name)) : kPaints[hashOf(name) % kPaints.size()];
+}
+
+/// The body of a car: by words, else by its height and length, else by its name.
+models::CarBody bodyOf(const EntityShape& shape, const std::string& words, const std::string& name)
+{
+    using models::CarBody;
+    constexpr double kSuvFromM = 1.62, kHatchbackToM = 4.15;
+    if (hasAny(words, {"suv", "jeep", "offroad"})) return CarBody::suv;
+    if (hasAny(words, {"hatch"})) return CarBody::hatchback;
+    if (hasAny(words, {"estate", "wagon", "kombi", "touring"})) return CarBody::estate;
+    if (hasAny(words, {"sedan", "saloon", "limousine"})) return CarBody::saloon;
+    if (shape.heightM > kSuvFromM) return CarBody::suv;
+    if (shape.lengthM < kHatchbackToM) return CarBody::hatchback;
+    return (hashOf(name) / 8U) % 3U == 0U ? CarBody::estate : CarBody::saloon;
 }
 
 void addAxle(EntityShape& shape, const simulation::Axle& axle)
@@ -156,14 +217,15 @@ std::string metres(double value)
 
 } // namespace
 
-std::optional<EntityLook> entityLook(const simulation::ScenarioObject& object)
+EntityLook entityLook(const simulation::ScenarioObject& object)
 {
-    if (object.isAirborne()) return std::nullopt;
     const std::string words = wordsOf(object);
     const simulation::BoundingBox& box = object.box();
     EntityLook look;
     EntityShape& shape = look.shape;
-    shape.kind = std::visit([&](const auto& content) { return kindOf(content, words); }, object.object);
+    shape.kind = object.isAirborne()
+                     ? flyingKind(object, words)
+                     : std::visit([&](const auto& content) { return kindOf(content, words); }, object.object);
     shape.lengthM = box.lengthM;
     shape.widthM = box.widthM;
     shape.heightM = box.heightM;
@@ -173,9 +235,11 @@ std::optional<EntityLook> entityLook(const simulation::ScenarioObject& object)
     shape.red = colour.red;
     shape.green = colour.green;
     shape.blue = colour.blue;
-    if (models::isPlausible(shape)) return look;
-    models::setUsualSize(shape);
-    if (box == simulation::BoundingBox{}) return look; // the file gives no size
+    const bool isFitting = models::isPlausible(shape);
+    if (!isFitting) models::setUsualSize(shape);
+    if (shape.kind == EntityKind::car) shape.body = bodyOf(shape, words, object.name);
+    // Aircraft have one size for each kind unless the file's is plainly another.
+    if (isFitting || models::isAircraft(shape.kind) || box == simulation::BoundingBox{}) return look;
     look.note = object.name + ": a bounding box of " + metres(box.lengthM) + " m by " + metres(box.widthM) +
                 " m by " + metres(box.heightM) + " m cannot be that of its category; it is drawn " +
                 metres(shape.lengthM) + " m long";

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <optional>
 #include <string>
 
 #include "scenery/models/entities/EntityShape.h"
@@ -18,9 +17,9 @@ struct EntityLook
 };
 
 /// Chooses kind, size and colour. The kind follows the category and, where that leaves it open, words in the names of the
-/// object, of its type and of its model (tractor, cone, wall, moose …); the colour follows a colour word there (`car_red`),
-/// else the object's name. The size is that of the bounding box, or the usual one where the box cannot be that of the kind.
-/// Nothing for aircraft and helicopters. Pure.
-std::optional<EntityLook> entityLook(const simulation::ScenarioObject& object);
+/// object, of its type and of its model (tractor, cone, wall, moose, glider, ferry …); the colour follows a colour word there
+/// (`car_red`), else the object's name, and so does the body of a car (saloon, hatchback, estate, sport utility vehicle), as far as
+/// its size leaves it open. The size is that of the bounding box, or the usual one where the box cannot be that of the kind. Pure.
+EntityLook entityLook(const simulation::ScenarioObject& object);
 
 } // namespace scenery

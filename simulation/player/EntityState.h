@@ -45,6 +45,8 @@ struct EntityState
     /// The travel of each suspension: the height of the ground under the wheel above (+) the mean plane of the four
     /// wheels. Front left, front right, rear left, rear right; 0 when airborne.
     std::array<double, 4> wheelTravelM{};
+    /// How far each wheel has turned by its own physics, in the same order, 0…360, forward; nothing: wheels roll with the odometer.
+    std::optional<std::array<double, 4>> wheelTurnDeg{};
     bool isOnGround = false;
     std::optional<AircraftParts> aircraft; ///< of one that flies by its own physics
     std::optional<RoadPlace> place;        ///< on the road network; nothing without one

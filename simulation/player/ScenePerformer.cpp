@@ -194,7 +194,8 @@ void ScenePerformer::publish()
                          (lamp.mode == LightMode::flashing &&
                           (period <= 0.0 || std::fmod(since + kInstantS, period) < lamp.onS));
         }
-        _states[i].lamps = _lamps[i];
+        for (const auto& [name, lamp] : _lamps[i]) // over those of its own physics
+            _states[i].lamps[name] = lamp;
     }
     for (std::size_t i = 0; i < _states.size() && i < before.size(); ++i)
         _states[i].acceleration = (_states[i].velocity - before[i].velocity) / _clock->stepS();

@@ -146,8 +146,9 @@ void PlayOptions::addEyeOptions(CLI::App& command)
                     "(--eye-at); a "
                     "tour with driver or above drives along roads")
         ->check(CLI::IsMember(eyeNames()));
-    command.add_option("--eye-entity", request.frames.eyeEntity,
-                       "name of the entity that the camera is in or looks at, instead of the first one");
+    command.add_option(
+        "--eye-entity", request.frames.eyeEntity,
+        "name of the entity that the camera is in or looks at, instead of ego or the first vehicle");
     command
         .add_option("--eye-at", _freeEye,
                     "X,Y,Z,HEADING,PITCH of the free camera: metres in the scene's frame, degrees")

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 
 #include "scenery/nodes/Pose.h"
 #include "simulation/player/SceneFrame.h"
@@ -23,12 +24,27 @@ struct ChaseSettings
     static ChaseSettings forCar() { return {}; }
     static ChaseSettings forAircraft() { return {26.0, 6.5, 1.6, 4.0, 0.9, 6.0, 2.0}; }
 
-    /// An eye high above a car, which looks down on the road ahead: by 22° from 30 m, and from 300 m by 55°,
-    /// so that the car stays in the picture.
+    /// Behind a vehicle and what it tows: `behindM`: how far they reach behind the vehicle's origin, `heightM`: how high.
+    static ChaseSettings forTrain(double behindM, double heightM)
+    {
+        ChaseSettings settings;
+        settings.distanceM = std::max(settings.distanceM, behindM + 8.0);
+        settings.heightM = std::max(settings.heightM, heightM + 1.3);
+        return settings;
+    }
+
+    /// An eye high above a car, behind it: it looks down on the road ahead, as far as the car stays in the picture. From 30 m it
+    /// looks down by 26°, from 300 m by 55°.
     static ChaseSettings above(double heightM)
     {
-        return {0.5 * heightM, heightM, 0.0, std::min(2.0 * heightM, 60.0), 1.5, 0.3 * heightM, 2.0};
+        const double behindM = std::max(0.5 * heightM, std::min(1.2 * heightM, 36.0));
+        const double downRad = std::atan2(heightM, behindM) - kLowInPictureRad;
+        const double leadM = std::min(heightM / std::tan(downRad) - behindM, 60.0);
+        return {behindM, heightM, 0.0, leadM, 1.5, 0.3 * heightM, 2.0};
     }
+
+    static constexpr double kLowInPictureRad =
+        0.244; ///< 14°: of 20° from the middle of the usual picture to its edge
 };
 
 /// A camera behind and above a body. It follows the course of the body with a first-order lag (exact for any step, so

@@ -14,6 +14,11 @@ EntityModel makeBicycle(const EntityShape& shape);
 EntityModel makePedestrian(const EntityShape& shape);
 EntityModel makeWheelchair(const EntityShape& shape);
 EntityModel makeAnimal(const EntityShape& shape);
+EntityModel makeLightAircraft(const EntityShape& shape);
+EntityModel makeGlider(const EntityShape& shape);
+EntityModel makeAirliner(const EntityShape& shape);
+EntityModel makeHelicopter(const EntityShape& shape);
+EntityModel makeShip(const EntityShape& shape);
 EntityModel makeThing(const EntityShape& shape); ///< cone, barrier, pole, box
 
 } // namespace scenery::models

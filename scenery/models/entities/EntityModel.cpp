@@ -33,8 +33,22 @@ EntityModel generate(const EntityShape& shape)
         return makePedestrian(shape);
     case EntityKind::wheelchair:
         return makeWheelchair(shape);
-    case EntityKind::animal:
+    case EntityKind::horse:
+    case EntityKind::cow:
+    case EntityKind::sheep:
+    case EntityKind::deer:
+    case EntityKind::dog:
         return makeAnimal(shape);
+    case EntityKind::lightAircraft:
+        return makeLightAircraft(shape);
+    case EntityKind::glider:
+        return makeGlider(shape);
+    case EntityKind::airliner:
+        return makeAirliner(shape);
+    case EntityKind::helicopter:
+        return makeHelicopter(shape);
+    case EntityKind::ship:
+        return makeShip(shape);
     default:
         return makeThing(shape);
     }
@@ -47,6 +61,11 @@ EntityModel makeEntityModel(EntityShape shape)
     keepWheelsInside(shape);
     EntityModel model = generate(shape);
     if (shape.kind == EntityKind::pedestrian) return model;
+    if (isAircraft(shape.kind) || shape.kind == EntityKind::ship)
+    {
+        model.shadowHalfLengthM = 0.0; // it stands on legs, or on nothing
+        return model;
+    }
     model.shadowMiddleXM = shape.middleXM;
     model.shadowHalfLengthM = 0.5 * shape.lengthM;
     model.shadowHalfWidthM = 0.5 * shape.widthM;

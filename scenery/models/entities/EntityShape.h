@@ -21,11 +21,39 @@ enum class EntityKind
     bicycle,
     pedestrian,
     wheelchair,
-    animal,
+    horse,
+    cow,
+    sheep,
+    deer, ///< with antlers where it is as high as a moose
+    dog,
+    lightAircraft,
+    glider,
+    airliner,
+    helicopter,
+    ship,
     cone,
     barrier,
     pole,
     box, ///< of no known kind
+};
+
+inline bool isAnimal(EntityKind kind)
+{
+    return kind >= EntityKind::horse && kind <= EntityKind::dog;
+}
+
+inline bool isAircraft(EntityKind kind)
+{
+    return kind >= EntityKind::lightAircraft && kind <= EntityKind::helicopter;
+}
+
+/// The bodies of cars.
+enum class CarBody
+{
+    saloon,
+    hatchback,
+    estate,
+    suv,
 };
 
 /// An axle with its two wheels. Units: metres.
@@ -47,6 +75,7 @@ struct EntityShape
     double middleXM = 0.0;        ///< of the box; z runs from 0 to heightM
     std::vector<AxleShape> axles; ///< from the front; may be empty
     float red = 0.7F, green = 0.7F, blue = 0.7F;
+    CarBody body = CarBody::saloon; ///< of a car
 
     auto operator<=>(const EntityShape&) const = default;
     double frontXM() const { return middleXM + 0.5 * lengthM; }

@@ -13,10 +13,11 @@ namespace scenery::models
 namespace
 {
 
-VehicleKind vehicleKindOf(EntityKind kind)
+VehicleKind vehicleKindOf(const EntityShape& shape)
 {
-    if (kind == EntityKind::van) return VehicleKind::van;
-    return kind == EntityKind::bus ? VehicleKind::bus : VehicleKind::saloon;
+    if (shape.kind == EntityKind::van) return VehicleKind::van;
+    if (shape.kind == EntityKind::bus) return VehicleKind::bus;
+    return shape.body == CarBody::saloon ? VehicleKind::saloon : VehicleKind::estate;
 }
 
 /// The lamps of a kind, as the texture shows them. Frame: the form's, before it is stretched. Units: metres.
@@ -142,7 +143,7 @@ VehicleForm formFor(const EntityShape& shape, VehicleKind kind, const glm::dvec3
 
 EntityModel makeRoadVehicle(const EntityShape& shape)
 {
-    const VehicleKind kind = vehicleKindOf(shape.kind);
+    const VehicleKind kind = vehicleKindOf(shape);
     const VehicleForm& usual = vehicleForm(kind);
     const glm::dvec3 stretch(shape.lengthM / usual.lengthM, shape.widthM / usual.widthM,
                              shape.heightM / usual.heightM);
@@ -154,10 +155,10 @@ EntityModel makeRoadVehicle(const EntityShape& shape)
     model.parts = {model.addMesh(builder.finish(38.0))};
     addWheels(model, shape, glm::translate(glm::dmat4(1.0), {shape.middleXM, 0.0, 0.0}), form.wheelWidthM);
     addLamps(model, body, kind, shape.middleXM);
-    const double seatAheadM = kind == VehicleKind::saloon ? 0.4889 * shape.lengthM : shape.lengthM - 1.6;
-    model.eye = {
-        shape.backXM() + (kind == VehicleKind::bus ? shape.lengthM - 1.0 : seatAheadM), 0.2 * shape.widthM,
-        kind == VehicleKind::saloon ? 1.2 : shape.heightM * (kind == VehicleKind::van ? 0.70 : 0.62)};
+    const double seatAheadM = isCar(kind) ? 0.4889 * shape.lengthM : shape.lengthM - 1.6;
+    model.eye = {shape.backXM() + (kind == VehicleKind::bus ? shape.lengthM - 1.0 : seatAheadM),
+                 0.2 * shape.widthM,
+                 isCar(kind) ? 1.2 : shape.heightM * (kind == VehicleKind::van ? 0.70 : 0.62)};
     return model;
 }
 

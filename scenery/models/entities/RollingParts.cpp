@@ -48,7 +48,9 @@ glm::dmat4 wheelMatrix(const WheelPlace& wheel, const EntityMotion& motion)
                               : std::clamp(motion.wheelTravelM[static_cast<std::size_t>(wheel.travel)],
                                            -kMostTravelM, kMostTravelM);
     const bool isRight = wheel.hub.y < 0.0;
-    const double rolled = std::fmod(motion.odometerM / wheel.radiusM, 2.0 * std::numbers::pi);
+    const bool isTurned = wheel.travel >= 0 && motion.wheelTurnRad;
+    const double rolled = isTurned ? (*motion.wheelTurnRad)[static_cast<std::size_t>(wheel.travel)]
+                                   : std::fmod(motion.odometerM / wheel.radiusM, 2.0 * std::numbers::pi);
     const double turned = (wheel.steers ? motion.steeringRad : 0.0) + (isRight ? std::numbers::pi : 0.0);
     glm::dmat4 matrix = glm::translate(glm::dmat4(1.0), wheel.hub + glm::dvec3(0.0, 0.0, travel));
     matrix = glm::rotate(matrix, turned, glm::dvec3(0.0, 0.0, 1.0));
@@ -67,6 +69,7 @@ void addWheels(EntityModel& model, const EntityShape& shape, const glm::dmat4& b
                std::size_t dualFrom)
 {
     RollingPose pose{body, {}};
+    model.names = {"body"};
     std::map<std::pair<double, double>, std::size_t> known; ///< by radius and width
     for (std::size_t axle = 0; axle < shape.axles.size(); ++axle)
         for (const double side : {1.0, -1.0})
@@ -76,6 +79,8 @@ void addWheels(EntityModel& model, const EntityShape& shape, const glm::dmat4& b
             const auto [entry, isNew] = known.try_emplace({radius, wide}, model.meshes.size());
             if (isNew) model.addMesh(makeWheel(radius, wide));
             model.parts.push_back(entry->second);
+            model.names.push_back(std::string("wheel ") + std::to_string(axle) +
+                                  (side > 0.0 ? " left" : " right"));
             pose.wheels.push_back(placeOf(shape, axle, side, wide));
         }
     model.pose = std::move(pose);

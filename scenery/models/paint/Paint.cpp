@@ -22,7 +22,8 @@ Picture paint(Painting painting)
         paintOakBark,      paintBirchBark,  paintPineBark,      paintOakLeaves, paintBirchLeaves,
         paintPoplarLeaves, paintBushLeaves, paintSpruceNeedles, paintPlaster,   paintBricks,
         paintSheetMetal,   paintPlanks,     paintRoofTiles,     paintRoofMetal, paintHouseDetails,
-        paintSaloon,       paintVan,        paintBus,           paintWheel,     paintSigns};
+        paintSaloon,       paintVan,        paintBus,           paintWheel,     paintSigns,
+        paintEstate};
     return kPainters[static_cast<std::size_t>(painting)]();
 }
 

@@ -10,7 +10,8 @@ namespace
 
 using View = VehiclePainter::View;
 
-void paintSaloonSide(VehiclePainter& p)
+/// The side but for the windows behind the front door.
+void paintCarSide(VehiclePainter& p)
 {
     p.look(View::side);
     p.glass({{0.98F, 0.955F},
@@ -19,12 +20,6 @@ void paintSaloonSide(VehiclePainter& p)
              {0.15F, 1.345F},
              {-0.09F, 1.355F},
              {-0.12F, 0.965F}});
-    p.glass({{-0.18F, 0.965F},
-             {-0.17F, 1.355F},
-             {-0.55F, 1.335F},
-             {-0.90F, 1.235F},
-             {-1.22F, 1.055F},
-             {-1.26F, 0.995F}});
     p.seam({{1.02F, 0.90F}, {1.03F, 0.62F}, {0.96F, 0.33F}, {-0.10F, 0.33F}});
     p.seam({{-0.15F, 0.95F}, {-0.13F, 0.60F}, {-0.10F, 0.33F}, {-0.86F, 0.33F}});
     p.seam({{-1.20F, 0.98F}, {-1.14F, 0.80F}, {-0.95F, 0.66F}});
@@ -43,7 +38,8 @@ void paintSaloonSide(VehiclePainter& p)
     p.box({1.20F, 0.60F}, {1.28F, 0.63F}, 0.01F, VehiclePainter::kAmber);
 }
 
-void paintSaloonTop(VehiclePainter& p)
+/// Windscreen, bonnet and head lamps from above.
+void paintCarTop(VehiclePainter& p)
 {
     p.look(View::top);
     p.glass({{1.15F, -0.66F},
@@ -54,17 +50,10 @@ void paintSaloonTop(VehiclePainter& p)
              {0.46F, 0.575F},
              {0.42F, 0.0F},
              {0.46F, -0.575F}});
-    p.glass({{-0.92F, -0.56F},
-             {-0.89F, 0.0F},
-             {-0.92F, 0.56F},
-             {-1.46F, 0.61F},
-             {-1.49F, 0.0F},
-             {-1.46F, -0.61F}});
     p.seam({{1.26F, -0.76F}, {1.30F, 0.0F}, {1.26F, 0.76F}});
     for (const float side : {-1.0F, 1.0F})
     {
         p.seam({{1.30F, side * 0.74F}, {1.75F, side * 0.72F}, {2.08F, side * 0.60F}});
-        p.seam({{-1.56F, side * 0.64F}, {-2.10F, side * 0.62F}});
         p.fill({{2.25F, side * 0.60F},
                 {2.12F, side * 0.74F},
                 {1.98F, side * 0.80F},
@@ -72,11 +61,41 @@ void paintSaloonTop(VehiclePainter& p)
                 {2.10F, side * 0.56F}},
                VehiclePainter::kLamp);
     }
-    p.seam({{-1.56F, -0.64F}, {-1.60F, 0.0F}, {-1.56F, 0.64F}});
     p.box({1.20F, -0.62F}, {1.235F, 0.62F}, 0.012F, VehiclePainter::kPlastic);
 }
 
-void paintSaloonEnds(VehiclePainter& p)
+void paintBoot(VehiclePainter& p)
+{
+    p.look(View::side);
+    p.glass({{-0.18F, 0.965F},
+             {-0.17F, 1.355F},
+             {-0.55F, 1.335F},
+             {-0.90F, 1.235F},
+             {-1.22F, 1.055F},
+             {-1.26F, 0.995F}});
+    p.look(View::top);
+    p.glass({{-0.92F, -0.56F},
+             {-0.89F, 0.0F},
+             {-0.92F, 0.56F},
+             {-1.46F, 0.61F},
+             {-1.49F, 0.0F},
+             {-1.46F, -0.61F}});
+    for (const float side : {-1.0F, 1.0F})
+        p.seam({{-1.56F, side * 0.64F}, {-2.10F, side * 0.62F}});
+    p.seam({{-1.56F, -0.64F}, {-1.60F, 0.0F}, {-1.56F, 0.64F}});
+}
+
+/// The windows behind the front door of an estate, and the pane of its tailgate.
+void paintTailgate(VehiclePainter& p)
+{
+    p.look(View::side);
+    p.glass({{-0.18F, 0.965F}, {-0.17F, 1.355F}, {-0.90F, 1.345F}, {-1.02F, 1.30F}, {-1.06F, 0.985F}});
+    p.glass({{-1.12F, 0.985F}, {-1.09F, 1.335F}, {-1.60F, 1.315F}, {-1.82F, 1.22F}, {-1.90F, 1.03F}});
+    p.look(View::back);
+    p.glass({{-0.60F, 0.99F}, {-0.52F, 1.30F}, {0.52F, 1.30F}, {0.60F, 0.99F}});
+}
+
+void paintCarEnds(VehiclePainter& p)
 {
     p.look(View::front);
     p.box({-0.62F, 0.20F}, {0.62F, 0.35F}, 0.03F, VehiclePainter::kPlastic);
@@ -100,13 +119,32 @@ void paintSaloonEnds(VehiclePainter& p)
 
 } // namespace
 
+namespace
+{
+
+Picture paintCar(VehicleKind kind)
+{
+    VehiclePainter painter(vehicleForm(kind));
+    paintCarSide(painter);
+    paintCarTop(painter);
+    paintCarEnds(painter);
+    if (kind == VehicleKind::saloon)
+        paintBoot(painter);
+    else
+        paintTailgate(painter);
+    return painter.picture();
+}
+
+} // namespace
+
 Picture paintSaloon()
 {
-    VehiclePainter painter(vehicleForm(VehicleKind::saloon));
-    paintSaloonSide(painter);
-    paintSaloonTop(painter);
-    paintSaloonEnds(painter);
-    return painter.picture();
+    return paintCar(VehicleKind::saloon);
+}
+
+Picture paintEstate()
+{
+    return paintCar(VehicleKind::estate);
 }
 
 } // namespace scenery::models

@@ -28,7 +28,7 @@ constexpr std::array kBusTints{glm::vec3(0.85F, 0.67F, 0.15F), glm::vec3(0.75F, 
 
 glm::vec3 tintOf(VehicleKind kind, Dice& dice)
 {
-    if (kind == VehicleKind::saloon) return dice.oneOf(kCarTints);
+    if (isCar(kind)) return dice.oneOf(kCarTints);
     return kind == VehicleKind::van ? dice.oneOf(kVanTints) : dice.oneOf(kBusTints);
 }
 
@@ -46,7 +46,7 @@ void addMirrors(ModelBuilder& builder, VehicleKind kind, const StretchedForm& bo
     const std::array<Place, 3> places{Place{{0.92, 0.84, 0.95}, {0.88, 1.00, 1.00}, 0.075, 0.11},
                                       {{1.62, 0.96, 1.22}, {1.60, 1.16, 1.34}, 0.09, 0.30},
                                       {{5.70, 1.10, 2.62}, {6.05, 1.32, 2.30}, 0.10, 0.34}};
-    const Place& place = places[static_cast<std::size_t>(kind)];
+    const Place& place = places[isCar(kind) ? 0 : static_cast<std::size_t>(kind)];
     for (const double side : {1.0, -1.0})
     {
         const auto at = [&](const glm::dvec3& p) { return p * glm::dvec3(1.0, side, 1.0) * body.stretch; };
@@ -59,7 +59,7 @@ void addMirrors(ModelBuilder& builder, VehicleKind kind, const StretchedForm& bo
             shell.line.push_back(head + glm::dvec3(0.0, 0.0, 0.5 * place.highM * t));
             shell.radiiM.push_back(place.radiusM * std::sqrt(1.0 - t * t));
         }
-        if (kind == VehicleKind::saloon) // the mirror of a saloon is wider than high
+        if (isCar(kind)) // the mirror of a car is wider than high
             for (std::size_t i = 0; i < shell.line.size(); ++i)
                 shell.line[i] = head + glm::dvec3(0.0, side * (shell.line[i].z - head.z) * 1.4, 0.0);
         builder.tint(glm::vec3(0.25F));

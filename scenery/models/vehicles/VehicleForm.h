@@ -16,7 +16,14 @@ enum class VehicleKind
     saloon,
     van,
     bus,
+    estate, ///< also hatchbacks and sport utility vehicles, stretched
 };
+
+/// Whether a kind is a car.
+inline bool isCar(VehicleKind kind)
+{
+    return kind == VehicleKind::saloon || kind == VehicleKind::estate;
+}
 
 /// The shape of a vehicle before a seed stretches it. All curves run over x; the origin is in the middle of the
 /// vehicle. Units: metres.

@@ -78,6 +78,36 @@ VehicleForm saloonForm()
             .painting = Painting::saloon};
 }
 
+/// As the saloon up to the roof, which goes on to a steep tailgate.
+VehicleForm estateForm()
+{
+    VehicleForm form = saloonForm();
+    form.top = Curve({{-2.25, 0.84},  {-2.24, 0.96},  {-2.21, 1.10}, {-2.14, 1.29},  {-2.09, 1.36},
+                      {-1.98, 1.405}, {-1.75, 1.425}, {-1.30, 1.44}, {-0.90, 1.455}, {-0.40, 1.465},
+                      {0.0, 1.46},    {0.35, 1.425},  {0.70, 1.27},  {1.05, 1.065},  {1.18, 1.00},
+                      {1.35, 0.965},  {1.80, 0.885},  {2.08, 0.79},  {2.20, 0.69},   {2.25, 0.58}});
+    form.belt = Curve({{-2.25, 0.76},
+                       {-2.15, 0.90},
+                       {-1.80, 0.965},
+                       {-1.0, 0.955},
+                       {0.0, 0.925},
+                       {0.9, 0.895},
+                       {1.5, 0.83},
+                       {2.0, 0.72},
+                       {2.20, 0.62},
+                       {2.25, 0.52}});
+    form.lean = Curve({{-2.25, 0.16},
+                       {-1.6, 0.22},
+                       {-1.0, 0.25},
+                       {0.0, 0.25},
+                       {0.55, 0.25},
+                       {1.1, 0.15},
+                       {1.4, 0.10},
+                       {2.25, 0.10}});
+    form.painting = Painting::estate;
+    return form;
+}
+
 VehicleForm vanForm()
 {
     return {
@@ -162,7 +192,7 @@ VehicleForm busForm()
 
 const VehicleForm& vehicleForm(VehicleKind kind)
 {
-    static const std::array kForms{saloonForm(), vanForm(), busForm()};
+    static const std::array kForms{saloonForm(), vanForm(), busForm(), estateForm()};
     return kForms[static_cast<std::size_t>(kind)];
 }
 

@@ -96,10 +96,28 @@ foundation::Outcome RoadVehicle::begin(const VehicleStart& start, const Ground& 
     return foundation::success();
 }
 
+/// The lamps that pedal and gear lever switch.
+void RoadVehicle::writeLamps(EntityState& entity) const
+{
+    constexpr double kPressed = 0.02;
+    const auto light = [&](const char* name, bool isLit) {
+        entity.lamps[name] = {isLit ? LightMode::on : LightMode::off, 0.0, 0.0, 0.0, isLit};
+    };
+    light("brakeLights", inputOf(_inputs, RoadInput::brake) > kPressed);
+    light("reversingLights", _drivetrain.state().gear < 0);
+}
+
 void RoadVehicle::writeParts(EntityState& entity) const
 {
-    entity.wheelRotationDeg = foundation::degreesOf(_wheels[0].rotationRad);
-    if (entity.wheelRotationDeg < 0.0) entity.wheelRotationDeg += 360.0;
+    entity.wheelTurnDeg.emplace();
+    for (std::size_t i = 0; i < 4; ++i)
+    {
+        double& turn = (*entity.wheelTurnDeg)[i];
+        turn = foundation::degreesOf(_wheels[i].rotationRad);
+        if (turn < 0.0) turn += 360.0;
+    }
+    entity.wheelRotationDeg = entity.wheelTurnDeg->front();
+    writeLamps(entity);
     entity.steeringDeg = foundation::degreesOf(_steerRad);
     entity.isOnGround = state().isOnGround;
     for (std::size_t i = 0; i < 4; ++i)

@@ -124,6 +124,7 @@ private:
     void antiLock(RoadWheel& wheel, double wheelBrakeNm, double rollingMps, double stepS) const;
     double shaftRadps() const;
     bool isComputable() const;
+    void writeLamps(EntityState& entity) const;
     void crash(std::string_view reason);
     void fail(std::string_view reason);
 

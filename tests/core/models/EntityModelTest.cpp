@@ -46,11 +46,15 @@ Bounds boundsOf(const EntityModel& model, const EntityMotion& motion)
     return bounds;
 }
 
-constexpr std::array kKinds{
-    EntityKind::car,     EntityKind::van,         EntityKind::bus,        EntityKind::lorry,
-    EntityKind::tractor, EntityKind::semitrailer, EntityKind::trailer,    EntityKind::motorbike,
-    EntityKind::bicycle, EntityKind::pedestrian,  EntityKind::wheelchair, EntityKind::animal,
-    EntityKind::cone,    EntityKind::barrier,     EntityKind::pole,       EntityKind::box};
+constexpr std::array kKinds{EntityKind::car,        EntityKind::van,           EntityKind::bus,
+                            EntityKind::lorry,      EntityKind::tractor,       EntityKind::semitrailer,
+                            EntityKind::trailer,    EntityKind::motorbike,     EntityKind::bicycle,
+                            EntityKind::pedestrian, EntityKind::wheelchair,    EntityKind::horse,
+                            EntityKind::cow,        EntityKind::sheep,         EntityKind::deer,
+                            EntityKind::dog,        EntityKind::lightAircraft, EntityKind::glider,
+                            EntityKind::airliner,   EntityKind::helicopter,    EntityKind::ship,
+                            EntityKind::cone,       EntityKind::barrier,       EntityKind::pole,
+                            EntityKind::box};
 
 /// Returns the place of an ankle of a walker in the world: its part's origin.
 glm::dvec3 ankleOf(const EntityModel& walker, std::size_t shoe, const EntityMotion& motion)
@@ -89,10 +93,13 @@ TEST(EntityModel, EveryKindIsSoundStandsOnTheGroundAndFillsItsBox)
             EXPECT_EQ(models::defectOf(mesh), "");
         ASSERT_EQ(model.pose({}).size(), model.parts.size());
         const Bounds bounds = boundsOf(model, {});
-        EXPECT_NEAR(bounds.low.z, 0.0,
-                    kind == EntityKind::pole ? 1.0 : 0.03); // a pole has a foot in the ground
+        const double below = kind == EntityKind::pole   ? 1.0
+                             : kind == EntityKind::ship ? 4.0
+                                                        : 0.03; // a foot in the ground, a draught
+        EXPECT_NEAR(bounds.low.z, 0.0, below);
         EXPECT_NEAR(bounds.high.z, shape.heightM, 0.15 * shape.heightM);
-        if (kind == EntityKind::pedestrian || kind == EntityKind::pole) continue; // not as long as wide
+        if (kind == EntityKind::pedestrian || kind == EntityKind::pole || kind == EntityKind::helicopter)
+            continue; // not as long as wide; a rotor reaches beyond
         EXPECT_NEAR(bounds.high.x, shape.frontXM(), 0.12 + 0.1 * shape.lengthM);
         EXPECT_NEAR(bounds.low.x, shape.backXM(), 0.12 + 0.1 * shape.lengthM);
     }
@@ -149,7 +156,8 @@ TEST(EntityModel, AWalkerThatStopsStandsWithBothFeetOnTheGround)
     const EntityModel walker = models::makeEntityModel(usual(EntityKind::pedestrian));
     for (const double odometerM : {0.0, 0.4, 0.8})
     {
-        const EntityMotion motion{odometerM, 0.0, 0.0, {}};
+        EntityMotion motion;
+        motion.odometerM = odometerM;
         const glm::dvec3 left = ankleOf(walker, 3, motion), right = ankleOf(walker, 7, motion);
         EXPECT_NEAR(left.x, right.x, 0.01);
         EXPECT_NEAR(left.z, right.z, 0.01);

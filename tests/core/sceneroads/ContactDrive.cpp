@@ -44,51 +44,6 @@ void tell(std::ostream& out, const scenery::DrawnContact& worst)
         << worst.place.x << ' ' << worst.place.y << ' ' << worst.place.z;
 }
 
-/// One camera, whose mesh of the ground follows it.
-class Watcher
-{
-public:
-    Watcher(const RoadScene& scene, const ContactRequest& request)
-        : _scene(scene), _request(request), _ground(SplitBounds(scene.tile))
-    {
-    }
-
-    void look(const glm::dvec3& eye, const glm::dvec3& at)
-    {
-        const viewlod::ViewState view = viewFrom(eye, at);
-        _ground.refine(view, {.errorTolerancePx = 1.0, .maxTriangles = 500000});
-        osgRoads::core::RoadViewSettings settings;
-        auto choices = osgRoads::core::chooseLevels(_scene.mesh, view, settings);
-        for (auto& choice : choices)
-        {
-            const auto levels = static_cast<std::uint32_t>(_scene.mesh.chunks[choice.chunk].levels.size());
-            choice.level = std::min(choice.level + _request.coarser, levels - 1);
-        }
-        _drawn.emplace(scenery::DrawnScene{_ground.tree(), _scene.mesh, std::move(choices), settings, view,
-                                           &_scene.openings});
-    }
-
-    void check(const glm::dvec3& place, ContactReport& report) const
-    {
-        const glm::dvec4 clip = _drawn->view.clipFromWorld * glm::dvec4(place, 1.0);
-        if (std::max(std::abs(clip.x), std::abs(clip.y)) > clip.w) return; // not in the image
-        const auto contact = scenery::contactAt(*_drawn, place + glm::dvec3(0.0, 0.0, _request.raisedM));
-        ++report.points;
-        report.undrawn += contact ? 0 : 1;
-        if (!contact) return;
-        report.broken += contact->isKept() ? 0 : 1;
-        const bool isNear = contact->distanceM <= scenery::DrawnContact::kNearM;
-        if (isNear && std::abs(contact->gapM) > std::abs(report.worstNear.gapM)) report.worstNear = *contact;
-        if (!isNear && std::abs(contact->gapPx) > std::abs(report.worstFar.gapPx)) report.worstFar = *contact;
-    }
-
-private:
-    const RoadScene& _scene;
-    const ContactRequest& _request;
-    RoamMesh _ground;
-    std::optional<scenery::DrawnScene> _drawn;
-};
-
 /// Points ahead of the car: on its lane and on both verges, at the heights on which something stands there.
 std::vector<glm::dvec3> pointsAhead(const RoadScene& scene, const simulation::GroundProvider& ground,
                                     const simulation::EntityState& car)
@@ -138,6 +93,40 @@ void draw(RoadScene& scene)
 }
 
 } // namespace
+
+DrawnWatcher::DrawnWatcher(const RoadScene& scene, const ContactRequest& request)
+    : _scene(scene), _request(request), _ground(SplitBounds(scene.tile))
+{
+}
+
+void DrawnWatcher::look(const glm::dvec3& eye, const glm::dvec3& at)
+{
+    const viewlod::ViewState view = viewFrom(eye, at);
+    _ground.refine(view, {.errorTolerancePx = 1.0, .maxTriangles = 500000});
+    osgRoads::core::RoadViewSettings settings;
+    auto choices = osgRoads::core::chooseLevels(_scene.mesh, view, settings);
+    for (auto& choice : choices)
+    {
+        const auto levels = static_cast<std::uint32_t>(_scene.mesh.chunks[choice.chunk].levels.size());
+        choice.level = std::min(choice.level + _request.coarser, levels - 1);
+    }
+    _drawn.emplace(scenery::DrawnScene{_ground.tree(), _scene.mesh, std::move(choices), settings, view,
+                                       &_scene.openings});
+}
+
+void DrawnWatcher::check(const glm::dvec3& place, ContactReport& report) const
+{
+    const glm::dvec4 clip = _drawn->view.clipFromWorld * glm::dvec4(place, 1.0);
+    if (std::max(std::abs(clip.x), std::abs(clip.y)) > clip.w) return; // not in the image
+    const auto contact = scenery::contactAt(*_drawn, place + glm::dvec3(0.0, 0.0, _request.raisedM));
+    ++report.points;
+    report.undrawn += contact ? 0 : 1;
+    if (!contact) return;
+    report.broken += contact->isKept() ? 0 : 1;
+    const bool isNear = contact->distanceM <= scenery::DrawnContact::kNearM;
+    if (isNear && std::abs(contact->gapM) > std::abs(report.worstNear.gapM)) report.worstNear = *contact;
+    if (!isNear && std::abs(contact->gapPx) > std::abs(report.worstFar.gapPx)) report.worstFar = *contact;
+}
 
 simulation::PlayerOptions RoadScene::stage() const
 {
@@ -224,7 +213,7 @@ ContactReport contactsOf(const RoadScene& scene, simulation::Scenario scenario, 
     EXPECT_TRUE(player) << (player ? "" : player.error().message());
     if (!player) return report;
     const auto contact = simulation::GroundContact::of((*player)->scenario().entities.front());
-    Watcher driver(scene, request), behind(scene, request);
+    DrawnWatcher driver(scene, request), behind(scene, request);
     const auto stepsPerFrame = stage.clock.stepsPerSecond() / 24 * request.everyFrames;
     for (; !(*player)->isFinished(); ++report.frames)
     {

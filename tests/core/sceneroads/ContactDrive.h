@@ -4,11 +4,13 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include <osgRoads/core/place/PlacedNetwork.h>
 #include <osgRoads/core/surface/RoadMesh.h>
 #include <osgTerrainROAM/core/features/OpeningCells.h>
+#include <osgTerrainROAM/core/roam/RoamMesh.h>
 #include <osgTerrainROAM/core/roam/RoamTile.h>
 
 #include "scenery/roads/DrawnContact.h"
@@ -50,6 +52,25 @@ struct ContactReport
     std::size_t frames = 0, points = 0, broken = 0, undrawn = 0;
     scenery::DrawnContact worstNear, worstFar;
     std::string text() const;
+};
+
+/// One camera, whose mesh of the ground follows it, as the trainer refines it.
+class DrawnWatcher
+{
+public:
+    DrawnWatcher(const RoadScene& scene, const ContactRequest& request);
+
+    /// Refines ground and roads for a view of 40° and 960 by 540 pixels.
+    void look(const glm::dvec3& eye, const glm::dvec3& at);
+
+    /// Compares a place with what is drawn there, if it is in the image.
+    void check(const glm::dvec3& place, ContactReport& report) const;
+
+private:
+    const RoadScene& _scene;
+    const ContactRequest _request;
+    osgTerrainROAM::core::RoamMesh _ground;
+    std::optional<scenery::DrawnScene> _drawn;
 };
 
 /// Plays a drive. In each frame the wheels are compared with what a camera behind the car draws below them, and points up to 800 m

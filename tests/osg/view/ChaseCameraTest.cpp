@@ -70,9 +70,19 @@ double angleToBody(double heightM)
 
 TEST(ChaseCamera, FromHighAboveTheCarIsInThePicture)
 {
-    EXPECT_LT(angleToBody(300.0), 15.0);
-    EXPECT_LT(angleToBody(1000.0), 15.0);
-    EXPECT_NEAR(angleToBody(30.0), 41.6, 0.1); // looks at the road ahead instead
+    // Half of the usual picture is 20° high; 15° leave room for the car itself.
+    for (const double heightM : {3.0, 10.0, 30.0, 50.0, 80.0, 300.0, 1000.0})
+        EXPECT_LT(angleToBody(heightM), 15.0) << heightM;
+}
+
+TEST(ChaseCamera, BehindATrainItIsBehindTheLastTrailer)
+{
+    const auto eyeX = [](const ChaseSettings& settings)
+    { return ChaseCamera(settings).update({}, 0.0, {}).positionWorld.x; };
+    EXPECT_DOUBLE_EQ(eyeX(ChaseSettings::forTrain(0.9, 1.4)), -9.0);
+    EXPECT_DOUBLE_EQ(eyeX(ChaseSettings::forTrain(17.0, 4.0)), -25.0);
+    EXPECT_GT(eyeX(ChaseSettings::forCar()), -17.0) << "the mutation: it would be inside the trailer";
+    EXPECT_GT(ChaseSettings::forTrain(17.0, 4.0).heightM, 5.0);
 }
 
 TEST(ChaseCamera, IsNeverBelowTheGround)

@@ -5,7 +5,6 @@
 #include <osg/TriangleFunctor>
 
 #include "RenderedUsualCar.h"
-#include "scenery/nodes/AircraftModel.h"
 #include "scenery/nodes/ModelMesh.h"
 
 namespace
@@ -79,6 +78,28 @@ TEST(EntityLamps, UsualOnesFollowBrakingReversingAndDusk)
     EXPECT_TRUE(isLit(state, true, Kind::head));
 }
 
+TEST(EntityLamps, OfAnAircraftAreOnAsItsPartsSayAndStrobesFlash)
+{
+    using Kind = scenery::models::EntityLamp::Kind;
+    simulation::EntityState state;
+    state.aircraft.emplace().hasNavigationLights = true;
+    const auto isLit = [&](Kind kind, double timeS)
+    { return scenery::usualLamps(state, true, timeS)[static_cast<std::size_t>(kind)]; };
+    EXPECT_TRUE(isLit(Kind::navigationRed, 0.0) && isLit(Kind::navigationGreen, 0.0) &&
+                isLit(Kind::navigationWhite, 0.0));
+    EXPECT_FALSE(isLit(Kind::strobe, 0.05) || isLit(Kind::landing, 0.0) || isLit(Kind::beacon, 0.5));
+    state.aircraft->hasStrobes = state.aircraft->hasBeacon = state.aircraft->hasLandingLight = true;
+    EXPECT_TRUE(isLit(Kind::landing, 0.3));
+    int strobes = 0, beacons = 0;
+    for (int frame = 0; frame < 24 * 6; ++frame) // five periods of the one, six of the other
+    {
+        strobes += isLit(Kind::strobe, frame / 24.0) ? 1 : 0;
+        beacons += isLit(Kind::beacon, frame / 24.0) ? 1 : 0;
+    }
+    EXPECT_NEAR(strobes, 5 * 2.4, 3.0);
+    EXPECT_NEAR(beacons, 6 * 4.8, 3.0);
+}
+
 TEST(EntityNode, EqualShapesShareTheirMeshes)
 {
     scenery::EntityShapes shapes;
@@ -86,29 +107,6 @@ TEST(EntityNode, EqualShapesShareTheirMeshes)
     scenery::models::EntityShape other = UsualCar::shape();
     other.blue = 0.5F;
     EXPECT_NE(shapes.of(other), shapes.of(UsualCar::shape()));
-}
-
-TEST(AircraftModel, HasTheSizeItSaysAndStandsOnItsWheels)
-{
-    const osg::BoundingBox box = boundsOf(scenery::makeLightAircraft());
-    EXPECT_NEAR(box.zMin(), 0.0, 0.02);
-    EXPECT_NEAR(box.zMax(), 2.75, 0.06);
-    EXPECT_NEAR(box.yMax() - box.yMin(), 11.0, 0.1);
-    EXPECT_NEAR(box.xMax() - box.xMin(), 8.1, 0.3);
-    EXPECT_TRUE(box.contains(osg::Vec3d(scenery::pilotEyeInAircraft().x, scenery::pilotEyeInAircraft().y,
-                                        scenery::pilotEyeInAircraft().z)));
-}
-
-TEST(AircraftModel, PutsItsWheelsWhereTheirStrutsAre)
-{
-    const osg::ref_ptr<osg::Group> aircraft = scenery::makeLightAircraft();
-    simulation::AircraftParts parts;
-    parts.wheelBottom = {glm::dvec3(1.65, 0.0, -0.1), glm::dvec3(0.0, 1.1, 0.0), glm::dvec3(0.0, -1.1, 0.0)};
-    scenery::showAircraftParts(*aircraft, parts);
-    EXPECT_NEAR(boundsOf(aircraft).zMin(), -0.1, 0.005);
-    parts.strutM = {0.15, 0.06, 0.04};
-    scenery::showAircraftParts(*aircraft, parts);
-    EXPECT_NEAR(boundsOf(aircraft).zMin(), 0.04, 0.005); // that of the right wheel
 }
 
 TEST(ModelMesh, FacesLookOutwardsAndMirroringKeepsThemSo)

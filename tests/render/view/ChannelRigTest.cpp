@@ -10,7 +10,6 @@
 
 #include "RenderedUsualCar.h"
 #include "RenderedView.h"
-#include "scenery/nodes/AircraftModel.h"
 
 using osgOffscreen::compareImages;
 using trainer::ViewSetup;

@@ -5,7 +5,6 @@
 #include "RenderedPicture.h"
 #include "RenderedUsualCar.h"
 #include "RenderedView.h"
-#include "scenery/nodes/AircraftModel.h"
 
 namespace
 {
@@ -41,7 +40,18 @@ osg::ref_ptr<osg::Image> carPicture(osgOffscreen::Backend backend, double steeri
 osg::ref_ptr<osg::Image> aircraftPicture(osgOffscreen::Backend backend, float trimRed = 0.1F)
 {
     const rendered::ViewScene scene;
-    scene.root->addChild(scenery::makeLightAircraft({trimRed, 0.22F, 0.50F, 1.0F}));
+    scenery::models::EntityShape shape;
+    shape.kind = scenery::models::EntityKind::lightAircraft;
+    scenery::models::setUsualSize(shape);
+    shape.red = trimRed;
+    shape.green = 0.22F;
+    shape.blue = 0.50F;
+    scenery::EntityShapes shapes;
+    scenery::EntityNode aircraft(shape, shapes);
+    simulation::EntityState state;
+    state.aircraft.emplace().propellerRadps = 250.0;
+    aircraft.setState(state, {});
+    scene.root->addChild(aircraft.node());
     return rendered::pictureFrom(scene.root, scenery::poseLookingAt({9.0, -8.0, 3.0}, {-1.0, 0.0, 1.4}),
                                  settingsOf(backend));
 }
@@ -83,6 +93,58 @@ TEST(EntityLamps, ShineOnlyWhileTheyAreLit)
     };
     EXPECT_EQ(redOf(false), 0);
     EXPECT_GT(redOf(true), 20);
+}
+
+namespace
+{
+
+/// How much brighter the picture of an aircraft with navigation lights is than without, summed over the picture, by colours.
+glm::dvec3 glowSeen(const glm::dvec3& eye, double sunElevationDeg)
+{
+    const auto pictureWith = [&](bool isLit)
+    {
+        osgTerrainROAM::AtmosphereSettings air;
+        air.sunDirectionWorld = osgTerrainROAM::sunDirectionFromAngles(180.0, sunElevationDeg);
+        const rendered::ViewScene scene(air);
+        scenery::models::EntityShape shape;
+        shape.kind = scenery::models::EntityKind::lightAircraft;
+        scenery::models::setUsualSize(shape);
+        scenery::EntityShapes shapes;
+        scenery::EntityNode aircraft(shape, shapes);
+        simulation::EntityState state;
+        state.position.z = 50.0;
+        state.aircraft.emplace().hasNavigationLights = isLit;
+        aircraft.setState(state, scenery::usualLamps(state, true));
+        scene.root->addChild(aircraft.node());
+        osgOffscreen::OffscreenSettings settings = settingsOf(osgOffscreen::defaultBackend());
+        settings.widthPx = 480;
+        settings.heightPx = 270;
+        return rendered::pictureFrom(scene.root, scenery::poseLookingAt(eye, {0.0, 0.0, 52.0}), settings);
+    };
+    const osg::ref_ptr<osg::Image> lit = pictureWith(true), dark = pictureWith(false);
+    glm::dvec3 sum(0.0);
+    for (int y = 0; y < lit->t(); ++y)
+        for (int x = 0; x < lit->s(); ++x)
+            for (int c = 0; c < 3; ++c)
+                sum[c] += lit->data(static_cast<unsigned>(x), static_cast<unsigned>(y))[c] -
+                          dark->data(static_cast<unsigned>(x), static_cast<unsigned>(y))[c];
+    return sum;
+}
+
+} // namespace
+
+TEST(LampGlow, NavigationLightsShowTheirColoursToTheirSides)
+{
+    const glm::dvec3 left = glowSeen({60.0, 200.0, 52.0}, -12.0),
+                     right = glowSeen({60.0, -200.0, 52.0}, -12.0),
+                     behind = glowSeen({-200.0, 0.0, 52.0}, -12.0);
+    EXPECT_GT(left.r, 3.0 * left.g + 100.0) << "red on the left";
+    EXPECT_GT(right.g, 3.0 * right.r + 100.0) << "green on the right";
+    EXPECT_GT(std::min({behind.r, behind.g, behind.b}), 100.0) << "white behind";
+    EXPECT_LT(std::abs(behind.r - behind.g), 0.2 * behind.r);
+    // From 2 km they are seen as well; by day they are faint.
+    EXPECT_GT(glowSeen({600.0, 2000.0, 52.0}, -12.0).r, 60.0);
+    EXPECT_LT(glowSeen({60.0, 200.0, 52.0}, 50.0).r, left.r);
 }
 
 TEST(ViewGolden, SmallChangesDoNotMatch)

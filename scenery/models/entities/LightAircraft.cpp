@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+// A single-engined high-wing aeroplane, 8.1 m long, 11 m span, 2.75 m high. Origin: on the ground below the axle of the main wheels.
+#include "scenery/models/entities/Airframe.h"
+#include "scenery/models/entities/EntityGenerators.h"
+
+namespace scenery::models
+{
+
+namespace
+{
+
+constexpr double kLightLengthM = 8.1;
+constexpr int kLightSides = 32;
+
+void addLightFuselage(ModelBuilder& body, const glm::vec3& trim)
+{
+    const auto rings = fuselageRings({{-5.20, 1.52, 0.05, 0.13},
+                                      {-4.00, 1.47, 0.17, 0.23},
+                                      {-2.30, 1.43, 0.34, 0.40},
+                                      {-1.60, 1.43, 0.43, 0.52},
+                                      {-1.15, 1.42, 0.49, 0.63},
+                                      {-0.40, 1.41, 0.545, 0.70},
+                                      {-0.30, 1.41, 0.55, 0.70},
+                                      {0.52, 1.41, 0.56, 0.70},
+                                      {0.66, 1.40, 0.56, 0.69},
+                                      {0.98, 1.28, 0.555, 0.58},
+                                      {1.22, 1.20, 0.54, 0.50},
+                                      {1.60, 1.20, 0.51, 0.47},
+                                      {2.05, 1.21, 0.45, 0.41},
+                                      {2.28, 1.22, 0.36, 0.31},
+                                      {2.34, 1.22, 0.22, 0.20}},
+                                     2.78);
+    body.begin("fuselage", kAircraftPaint, kAircraftWhite);
+    addLoft(body, rings, kLightSides);
+    // Ring points run from the left side (0) over the top (8) to the right side (16). Ring 0 is the tail's tip.
+    body.begin("windows", kAircraftPaint, kCanopy);
+    addBand(body, rings, kLightSides, {9, 11, 2, 14}); // windscreen
+    for (const auto& [from, to] : {std::pair{1, 5}, {11, 15}})
+    {
+        addBand(body, rings, kLightSides, {7, 8, from, to}); // doors
+        addBand(body, rings, kLightSides, {5, 6, from, to}); // rear windows
+    }
+    body.begin("stripe", kAircraftPaint, trim);
+    for (const auto& [from, to] : {std::pair{31, 32}, {16, 17}})
+        addBand(body, rings, kLightSides, {2, 14, from, to, 0.006});
+    body.begin("air intake", kRoadSigns, kAircraftTyre);
+    box(body, {2.25, -0.24, 1.02}, {2.352, 0.24, 1.10});
+}
+
+void addLightTail(Airframe& frame, const glm::vec3& trim)
+{
+    Airframe::Wing tail;
+    tail.stations = {{{-4.05, 0.05, 1.55}, 1.05}, {{-4.25, 1.65, 1.55}, 0.75}, {{-4.35, 1.72, 1.55}, 0.50}};
+    tail.hingeShare = 0.58;
+    frame.addWings(tail);
+    Airframe::Wing fin;
+    fin.tint = trim;
+    fin.stations = {{{-2.9, 0.0, 1.62}, 2.30, 0.06},
+                    {{-3.85, 0.0, 1.80}, 1.40, 0.10},
+                    {{-4.55, 0.0, 2.60}, 0.90},
+                    {{-4.72, 0.0, 2.75}, 0.62}};
+    fin.hingeShare = 0.62;
+    fin.hingedFrom = 1;
+    fin.hingedTo = 2;
+    frame.addWing(fin, AircraftJoint::rudder);
+}
+
+void addWingsAndStruts(Airframe& frame, const glm::vec3& trim)
+{
+    const AerofoilStation root{{0.95, 0.0, 2.06}, 1.62}, inner{{0.95, 0.45, 2.073}, 1.62},
+        middle{{0.95, 2.6, 2.13}, 1.62}, outer{{0.84, 4.9, 2.20}, 1.22};
+    Airframe::Wing flapped;
+    flapped.stations = {root, inner, middle};
+    flapped.hingedFrom = 1;
+    flapped.hingedTo = 2;
+    flapped.left = AircraftJoint::leftFlap;
+    flapped.right = AircraftJoint::rightFlap;
+    frame.addWings(flapped);
+    Airframe::Wing banking;
+    banking.stations = {middle, outer};
+    banking.left = AircraftJoint::leftAileron;
+    banking.right = AircraftJoint::rightAileron;
+    frame.addWings(banking);
+    ModelBuilder& body = frame.body();
+    const std::vector<AerofoilStation> tip{outer, {{0.80, 5.4, 2.215}, 1.10}, {{0.60, 5.5, 2.22}, 0.70}};
+    body.begin("tips", kAircraftPaint, trim);
+    addWingPanel(body, {tip});
+    addWingPanel(body, {mirrored(tip)});
+    body.begin("struts", kAircraftPaint, kAircraftWhite);
+    for (const double side : {1.0, -1.0})
+        bar(body, {0.42, side * 0.50, 0.92}, {0.42, side * 2.55, 2.08}, 0.035);
+}
+
+} // namespace
+
+EntityModel makeLightAircraft(const EntityShape& shape)
+{
+    const glm::vec3 trim(shape.red, shape.green, shape.blue);
+    Airframe frame;
+    addLightFuselage(frame.body(), trim);
+    addWingsAndStruts(frame, trim);
+    addLightTail(frame, trim);
+    frame.addLeg(0, {1.62, 0.0, 0.85}, {1.70, 0.0, 0.0}, 0.19, 0.14);
+    frame.addLeg(1, {0.05, 0.40, 0.80}, {0.0, 1.26, 0.0}, 0.22, 0.16);
+    frame.addLeg(2, {0.05, -0.40, 0.80}, {0.0, -1.26, 0.0}, 0.22, 0.16);
+    ModelBuilder& body = frame.body();
+    body.begin("spinner", kAircraftPaint, trim);
+    addLimb(body, {2.34, 0.0, 1.22}, {2.50, 0.0, 1.22}, 0.17, 0.12);
+    frame.addRotor({.hub = {2.42, 0.0, 1.22}, .axis = {1.0, 0.0, 0.0}, .radiusM = 0.95}, 2, 0.17,
+                   kAircraftTyre);
+    frame.addNavigationLamps({0.62, 5.5, 2.23}, {-5.3, 0.0, 1.52}, {-5.0, 0.0, 2.80});
+    frame.addLamp(EntityLamp::Kind::landing, {2.36, 0.0, 0.98}, 0.0, 0.6);
+    return frame.finish(shape.lengthM / kLightLengthM, glm::dvec3(0.45, 0.27, 1.75));
+}
+
+} // namespace scenery::models
