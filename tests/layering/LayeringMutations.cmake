@@ -33,6 +33,7 @@ function(plantTree)
             "apps/terminal/Terminal.h|foundation/Result.h"
             "apps/ground/Ground.h|osgTerrainROAM/core/Tile.h"
             "apps/pmtool/polygons/Polygons.h|array"
+            "apps/trainer/input/Keys.h|simulation/Clock.h"
             "apps/trainer/view/Scene.cpp|osgTerrainROAM/Terrain"
             "apps/terraintool/main.cpp|osgTerrainROAM/core/Tile.h"
             "bench/Frames.cpp|osgTerrainROAM/Terrain"

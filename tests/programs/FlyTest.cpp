@@ -100,7 +100,8 @@ TEST(Fly, TellsWhatCannotBeFlown)
     told({place.hill(), "--start", "0,0,-50,0,50"}, {"inside the ground", "raise it"});
     told({place.hill(), "--strip", "99999,0,0,800"}, {"--strip", "beyond the data"});
     told({place.write("sea.roam", "dem = hill.tif\nsea_level = 1000\n"), "--start", "0,0,0,0,0"}, {"water"});
-    EXPECT_TRUE(failsWith(runTrainer(flight({})), 1, "trainer", {"WORLD", "--headless"}));
+    EXPECT_TRUE(failsWith(runTrainer(flight({"--capture", place.path("frames")})), 1, "trainer",
+                          {"WORLD", "--headless"}));
     const ProgramRun noRunway = runTrainer(flight({place.hill(), "--headless", "--duration", "1"}));
     EXPECT_NE(noRunway.output.find("no runway"), std::string::npos) << noRunway.text();
 }
