@@ -87,17 +87,17 @@ foundation::Outcome coverScreen(Traits& traits)
 
 foundation::Outcome checkScreen(const WindowRequest& request, const Traits& traits)
 {
+    const auto lacking = [](const std::string& what) {
+        return foundation::Error{kPlace, what,
+                                 "run it on a desktop or under xvfb-run, or leave --window out"};
+    };
+    const char* const display = std::getenv("DISPLAY");
+    // Without a name OSG would take whatever display is the machine's first, which may be somebody else's.
+    if (!display || !*display) return lacking("there is no display: DISPLAY is not set");
     auto* const system = osg::GraphicsContext::getWindowingSystemInterface();
     const osg::GraphicsContext::ScreenIdentifier first(traits.hostName, traits.displayNum, 0);
     const unsigned screens = system ? system->getNumScreens(first) : 0;
-    if (screens == 0)
-    {
-        const char* const display = std::getenv("DISPLAY");
-        const std::string what = display && *display ? "there is no display '" + std::string(display) + "'"
-                                                     : "there is no display: DISPLAY is not set";
-        return foundation::Error{kPlace, what,
-                                 "run it on a desktop or under xvfb-run, or leave --window out"};
-    }
+    if (screens == 0) return lacking("there is no display '" + std::string(display) + "'");
     if (request.screen >= static_cast<int>(screens))
         return foundation::Error{"--screen", "there are " + std::to_string(screens) + " screens",
                                  "count from 0"};
