@@ -20,17 +20,6 @@ namespace
 
 constexpr std::size_t kGlowCorners = 4;
 
-osg::ref_ptr<osg::Program> makeGlowProgram()
-{
-    osg::ref_ptr<osg::Program> program = new osg::Program;
-    program->setName("lamp glow");
-    const std::string version = "#version 130\n";
-    program->addShader(new osg::Shader(osg::Shader::VERTEX, version + shaders::kGlowVertexMain));
-    program->addShader(new osg::Shader(
-        osg::Shader::FRAGMENT, version + osgTerrainROAM::Atmosphere::glslFunctions() + shaders::kGlowMain));
-    return program;
-}
-
 /// Half the width of the glow of a lamp: some times its lens.
 float glowM(const models::EntityLamp& lamp)
 {
@@ -47,7 +36,7 @@ osg::Vec3f middleOfLight(const models::EntityLamp& lamp)
 osg::ref_ptr<osg::StateSet> glowState()
 {
     const osg::ref_ptr<osg::StateSet> state = new osg::StateSet;
-    state->setAttributeAndModes(makeGlowProgram());
+    state->setAttributeAndModes(makeLampGlowProgram());
     state->setAttributeAndModes(new osg::BlendFunc(GL_ONE, GL_ONE));
     state->setAttributeAndModes(new osg::Depth(osg::Depth::LESS, 0.0, 1.0, false));
     state->setMode(GL_CULL_FACE, osg::StateAttribute::OFF);
@@ -69,6 +58,17 @@ struct GlowBound : public osg::Drawable::ComputeBoundingBoxCallback
 };
 
 } // namespace
+
+osg::ref_ptr<osg::Program> makeLampGlowProgram()
+{
+    osg::ref_ptr<osg::Program> program = new osg::Program;
+    program->setName("lamp glow");
+    const std::string version = "#version 130\n";
+    program->addShader(new osg::Shader(osg::Shader::VERTEX, version + shaders::kGlowVertexMain));
+    program->addShader(new osg::Shader(
+        osg::Shader::FRAGMENT, version + osgTerrainROAM::Atmosphere::glslFunctions() + shaders::kGlowMain));
+    return program;
+}
 
 LampGlow::LampGlow(const std::vector<models::EntityLamp>& lamps)
 {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <osg/Geometry>
+#include <osg/Program>
 
 #include "scenery/models/entities/EntityModel.h"
 
@@ -28,5 +29,8 @@ private:
     osg::ref_ptr<osg::Vec4Array> _colours = new osg::Vec4Array;
     osg::ref_ptr<osg::Node> _node;
 };
+
+/// The program of the glow: its light fades towards the edge and in the haze.
+osg::ref_ptr<osg::Program> makeLampGlowProgram();
 
 } // namespace scenery

@@ -28,12 +28,6 @@ constexpr double kNearGroundM = 1.0; ///< what is higher flies
 
 osg::ref_ptr<osg::StateSet> shadowState(osg::Image& mask)
 {
-    osg::ref_ptr<osg::Program> program = new osg::Program;
-    program->setName("shadow");
-    const std::string version = "#version 130\n";
-    program->addShader(new osg::Shader(osg::Shader::VERTEX, version + shaders::kShadowVertexMain));
-    program->addShader(new osg::Shader(
-        osg::Shader::FRAGMENT, version + osgTerrainROAM::Atmosphere::glslFunctions() + shaders::kShadowMain));
     const osg::ref_ptr<osg::Texture2D> texture = new osg::Texture2D(&mask);
     texture->setFilter(osg::Texture::MIN_FILTER, osg::Texture::LINEAR);
     texture->setFilter(osg::Texture::MAG_FILTER, osg::Texture::LINEAR);
@@ -41,7 +35,7 @@ osg::ref_ptr<osg::StateSet> shadowState(osg::Image& mask)
     texture->setWrap(osg::Texture::WRAP_T, osg::Texture::CLAMP_TO_EDGE);
     texture->setResizeNonPowerOfTwoHint(false);
     osg::ref_ptr<osg::StateSet> state = new osg::StateSet;
-    state->setAttributeAndModes(program);
+    state->setAttributeAndModes(makeSunShadowProgram());
     state->setTextureAttributeAndModes(0, texture);
     state->addUniform(new osg::Uniform("shadowMask", 0));
     state->setAttributeAndModes(new osg::BlendFunc(GL_ZERO, GL_SRC_COLOR));
@@ -69,6 +63,17 @@ glm::dmat3 levelAxes(const glm::dmat3& body)
 }
 
 } // namespace
+
+osg::ref_ptr<osg::Program> makeSunShadowProgram()
+{
+    osg::ref_ptr<osg::Program> program = new osg::Program;
+    program->setName("shadow");
+    const std::string version = "#version 130\n";
+    program->addShader(new osg::Shader(osg::Shader::VERTEX, version + shaders::kShadowVertexMain));
+    program->addShader(new osg::Shader(
+        osg::Shader::FRAGMENT, version + osgTerrainROAM::Atmosphere::glslFunctions() + shaders::kShadowMain));
+    return program;
+}
 
 SunShadow::SunShadow()
 {

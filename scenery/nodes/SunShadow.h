@@ -7,6 +7,7 @@
 #include <osg/Geometry>
 #include <osg/Image>
 #include <osg/MatrixTransform>
+#include <osg/Program>
 
 #include "scenery/models/entities/ShadowMask.h"
 #include "simulation/player/EntityState.h"
@@ -55,5 +56,8 @@ private:
     osg::ref_ptr<osg::Geometry> _patch = new osg::Geometry;
     osg::ref_ptr<osg::MatrixTransform> _placed = new osg::MatrixTransform;
 };
+
+/// The program of the patch: it darkens what lies below by its mask, as much as the haze lets through.
+osg::ref_ptr<osg::Program> makeSunShadowProgram();
 
 } // namespace scenery

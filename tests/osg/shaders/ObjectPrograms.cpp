@@ -10,10 +10,12 @@
 #include "Compositions.h"
 #include "RenderedScene.h"
 #include "SyntheticField.h"
+#include "scenery/nodes/LampGlow.h"
 #include "scenery/nodes/ObjectShading.h"
 #include "scenery/nodes/RoadShading.h"
 #include "scenery/nodes/RoadThingsNode.h"
 #include "scenery/nodes/Sky.h"
+#include "scenery/nodes/SunShadow.h"
 
 namespace shadercheck
 {
@@ -68,6 +70,8 @@ std::vector<NamedProgram> objectPrograms()
              programOf(scenery::makeRoadNode(std::make_shared<osgRoads::core::RoadMesh>())->getStateSet())},
             {"verge of a road on a terrain", roadGroundProgram()},
             {"road lamp", scenery::makeRoadLampProgram()},
+            {"lamp glow", scenery::makeLampGlowProgram()},
+            {"sun shadow", scenery::makeSunShadowProgram()},
             {"sky", programOf(scenery::makeSky()->getStateSet())},
             {"tests' triangle", programOf(rendered::shadedTriangle(0.0F)->getStateSet())}};
 }
