@@ -42,7 +42,10 @@ std::size_t viewOfEye(EyePoint eye)
 } // namespace
 
 SeatCamera::SeatCamera(PlayScene& play, const FrameRequest& frames)
-    : _play(play), _ownship(play.ownship()), _frames(frames)
+    : _play(play),
+      _ownship(play.ownship()),
+      _train(trainOf(play.player->scenario(), play.watched)),
+      _frames(frames)
 {
     setView(viewOfEye(frames.eye));
 }
@@ -55,8 +58,8 @@ void SeatCamera::setView(std::size_t view)
     if (hasBeen) _frames.eyeHeightM.reset(); // that of the command line was for its own view
     if (_frames.eye == EyePoint::above && !_frames.eyeHeightM) _frames.eyeHeightM = kAboveInstrumentsM;
     _turnedDeg = _raisedDeg = 0.0;
-    _eye = std::make_unique<OwnshipEye>(_ownship, trainOf(_play.player->scenario(), _play.watched),
-                                        _play.scene->eyeIn(_play.watched), _frames, _play.terrain.ground());
+    _eye = std::make_unique<OwnshipEye>(_ownship, _train, _play.scene->eyeIn(_play.watched), _frames,
+                                        _play.terrain.ground());
     if (hasBeen) _eye->setFree(_last);
     _play.scene->hide(_play.watched, _frames.isInside());
 }

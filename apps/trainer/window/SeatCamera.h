@@ -45,6 +45,7 @@ public:
 private:
     PlayScene& _play;
     simulation::ScenarioObject _ownship;
+    TrainSize _train; ///< asked for at the beginning: the player goes to whoever steps it
     FrameRequest _frames;
     std::unique_ptr<OwnshipEye> _eye;
     std::size_t _view = 0;
