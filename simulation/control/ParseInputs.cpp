@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <sstream>
 
 #include <foundation/Excerpt.h>
-#include <foundation/ReadableFile.h>
+#include <foundation/LineCells.h>
+#include <foundation/WholeText.h>
 
 #include "simulation/control/InputTrack.h"
 #include "simulation/parser/Expression.h"
@@ -20,21 +19,6 @@ constexpr int kMostStepsPerSecond = 100'000;
 constexpr double kLargestInput = 1e9;
 constexpr std::uintmax_t kMostInputBytes = 256u << 20;
 
-/// The cells of a line, parted by blanks and tabs; a # ends the line.
-std::vector<std::string_view> inputCells(std::string_view line)
-{
-    line = line.substr(0, line.find('#'));
-    std::vector<std::string_view> cells;
-    for (std::size_t at = 0;;)
-    {
-        at = line.find_first_not_of(" \t\r", at);
-        if (at == std::string_view::npos) return cells;
-        const std::size_t end = std::min(line.find_first_of(" \t\r", at), line.size());
-        cells.push_back(line.substr(at, end - at));
-        at = end;
-    }
-}
-
 /// Reads an inputs file line by line.
 class InputReader
 {
@@ -44,7 +28,7 @@ public:
     foundation::Outcome take(std::string_view line)
     {
         ++_line;
-        const std::vector<std::string_view> cells = inputCells(line);
+        const std::vector<std::string_view> cells = foundation::lineCells(line);
         if (cells.empty()) return foundation::success();
         if (!_isKnown) return takeFirst(cells);
         if (_track.end) return wrong("text after the line 'end'", "remove it, or move 'end' down");
@@ -176,13 +160,9 @@ foundation::Result<InputTrack> parseInputs(std::string_view text, const std::str
 
 foundation::Result<InputTrack> readInputs(const std::filesystem::path& file)
 {
-    if (const auto readable = foundation::checkReadable(file); !readable) return readable.error();
-    std::error_code code;
-    if (std::filesystem::file_size(file, code) > kMostInputBytes || code)
-        return foundation::Error{file.string(), "is larger than 256 MiB", "shorten it"};
-    std::ostringstream text;
-    text << std::ifstream(file, std::ios::binary).rdbuf();
-    return parseInputs(text.str(), file.string());
+    const auto text = foundation::readWholeText(file, kMostInputBytes);
+    if (!text) return text.error();
+    return parseInputs(*text, file.string());
 }
 
 } // namespace simulation

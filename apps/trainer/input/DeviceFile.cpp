@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include <foundation/Excerpt.h>
+#include <foundation/WholeText.h>
 
 #include "input/Keys.h"
 #include "input/LineReader.h"
@@ -142,7 +143,7 @@ foundation::Result<std::vector<DeviceMap>> parseDevices(std::string_view text, c
 
 foundation::Result<std::vector<DeviceMap>> readDevices(const std::filesystem::path& file)
 {
-    const auto text = wholeText(file, kMostDeviceBytes);
+    const auto text = foundation::readWholeText(file, kMostDeviceBytes);
     if (!text) return text.error();
     return parseDevices(*text, file.string());
 }

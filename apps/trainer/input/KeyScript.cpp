@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include <foundation/Excerpt.h>
+#include <foundation/WholeText.h>
 
 #include "input/Keys.h"
 #include "input/LineReader.h"
@@ -100,7 +101,7 @@ foundation::Result<std::vector<WindowEvent>> parseKeyScript(std::string_view tex
 
 foundation::Result<std::vector<WindowEvent>> readKeyScript(const std::filesystem::path& file)
 {
-    const auto text = wholeText(file, kMostScriptBytes);
+    const auto text = foundation::readWholeText(file, kMostScriptBytes);
     if (!text) return text.error();
     return parseKeyScript(*text, file.string());
 }

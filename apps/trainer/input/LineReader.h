@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
@@ -27,8 +26,5 @@ foundation::Outcome readLines(std::string_view text, const std::string& name, st
 
 /// A number within limits, or nothing.
 std::optional<double> numberIn(std::string_view cell, double least, double most);
-
-/// The whole text of a file. Errors: it cannot be read or is larger than `mostBytes`.
-foundation::Result<std::string> wholeText(const std::filesystem::path& file, std::uintmax_t mostBytes);
 
 } // namespace trainer
