@@ -1,30 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cstdio>
-
-#include <pugixml.hpp>
+#include <foundation/XmlFields.h>
 
 namespace islandgen
 {
 
-/// Writes attributes of an XML element. Numbers have twelve significant digits: 1 µm at the size of the course.
-inline void set(pugi::xml_node node, const char* name, double value)
-{
-    char text[32];
-    std::snprintf(text, sizeof text, "%.12g", value == 0.0 ? 0.0 : value);
-    node.append_attribute(name).set_value(text);
-}
-
-inline void set(pugi::xml_node node, const char* name, int value)
-{
-    node.append_attribute(name).set_value(value);
-}
-
-inline void set(pugi::xml_node node, const char* name, const char* value)
-{
-    node.append_attribute(name).set_value(value);
-}
+using foundation::set;
 
 inline pugi::xml_node addLane(pugi::xml_node side, int id, const char* type)
 {

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cstdio>
-#include <string>
 #include <string_view>
 
-#include <pugixml.hpp>
+#include <foundation/XmlFields.h>
 
 #include <osgRoads/core/geometry/Cubic.h>
 #include <osgRoads/core/network/LaneType.h>
@@ -13,23 +11,7 @@
 namespace osgRoads::core
 {
 
-/// Writes attributes of an XML element. Numbers have twelve significant digits.
-inline void set(pugi::xml_node node, const char* name, double value)
-{
-    char text[32];
-    std::snprintf(text, sizeof text, "%.12g", value == 0.0 ? 0.0 : value);
-    node.append_attribute(name).set_value(text);
-}
-
-inline void set(pugi::xml_node node, const char* name, int value)
-{
-    node.append_attribute(name).set_value(value);
-}
-
-inline void set(pugi::xml_node node, const char* name, std::string_view value)
-{
-    node.append_attribute(name).set_value(std::string(value).c_str());
-}
+using foundation::set;
 
 /// The word of OpenDRIVE for a value.
 template<class Value, std::size_t Count>
