@@ -13,6 +13,7 @@
 
 #include <osgRoads/RoadDrawable>
 
+#include "SceneMap.h"
 #include "SceneStrip.h"
 #include "ground/TileGround.h"
 #include "scenery/nodes/RoadShading.h"
@@ -38,17 +39,34 @@ const double kRibbonsFromM = 0.8 * osgRoads::core::RoadViewSettings().farthestM;
 
 constexpr double kStripSpacingM = 5.0; ///< between the samples of a strip
 
-/// Signs, lights, posts, rails, bridges and tunnels.
-foundation::Result<std::unique_ptr<scenery::RoadThingsNode>>
-makeThings(const osgTerrainROAM::RoamTerrain& terrain, const PlacedNetwork& roads)
+/// The height of the bare ground of a terrain, which must outlive it.
+HeightOfGround bareGround(const osgTerrainROAM::RoamTerrain& terrain)
 {
-    const auto ground = [query = ground::groundOf(terrain.tile()->tile)](double x,
-                                                                         double y) -> std::optional<double>
+    return [query = ground::groundOf(terrain.tile()->tile)](double x, double y) -> std::optional<double>
     {
         const auto sample = query(x, y);
         return sample ? std::optional(sample->heightM) : std::nullopt;
     };
-    return scenery::RoadThingsNode::create(scenery::roads::placeRoadThings(roads, ground));
+}
+
+/// Signs, lights, posts, rails, bridges and tunnels.
+foundation::Result<std::unique_ptr<scenery::RoadThingsNode>>
+makeThings(const osgTerrainROAM::RoamTerrain& terrain, const PlacedNetwork& roads)
+{
+    return scenery::RoadThingsNode::create(scenery::roads::placeRoadThings(roads, bareGround(terrain)));
+}
+
+/// Adds the buildings and objects of a description.
+foundation::Result<SceneTerrain> withMap(const RoamFile& description, SceneTerrain scene)
+{
+    if (description.buildings.empty() && description.objects.empty()) return scene;
+    const osg::ref_ptr<osg::Group> group = new osg::Group;
+    group->addChild(scene.node);
+    const auto added =
+        addMapScenery(description, scene.terrain->tile()->tile, bareGround(*scene.terrain), *group);
+    if (!added) return added.error();
+    scene.node = group;
+    return scene;
 }
 
 /// Adds the roads' surface and what stands beside them to a terrain, and tells what is wrong with their file.
@@ -143,7 +161,7 @@ foundation::Result<SceneTerrain> makeTerrainWithRoads(const RoamFile& asked,
     {
         auto terrain = osgTerrainROAM::makeTerrain(description);
         if (!terrain) return terrain.error();
-        return SceneTerrain{terrain->get(), *terrain, nullptr};
+        return withMap(description, SceneTerrain{terrain->get(), *terrain, nullptr});
     }
     const auto loaded = scenery::loadRoadTile(description);
     if (!loaded) return loaded.error();
@@ -155,10 +173,14 @@ foundation::Result<SceneTerrain> makeTerrainWithRoads(const RoamFile& asked,
         if (!runway) return runway.error();
         painted.push_back(*runway);
     }
-    if (roads.placed) return makeScene(description, tile, roads, painted);
+    if (roads.placed)
+    {
+        auto scene = makeScene(description, tile, roads, painted);
+        return scene ? withMap(description, *std::move(scene)) : scene;
+    }
     auto terrain = osgTerrainROAM::makeTerrain(description, tile, {std::move(painted), 0.0});
     if (!terrain) return terrain.error();
-    return SceneTerrain{terrain->get(), *terrain, nullptr};
+    return withMap(description, SceneTerrain{terrain->get(), *terrain, nullptr});
 }
 
 foundation::Result<SceneTerrain> openNetwork(const std::filesystem::path& file, const TerrainRequest& request)

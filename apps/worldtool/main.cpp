@@ -19,6 +19,11 @@ int run(int argc, char** argv)
     build->add_option("--map", request.map, "an OpenStreetMap extract: .osm, .osm.gz or .osm.pbf")
         ->required();
     build->add_option("-o,--output", request.world, "the folder of the world")->required();
+    build
+        ->add_option("--bounds", request.bounds,
+                     "the part of the map to use: WEST,SOUTH,EAST,NORTH in degrees")
+        ->delimiter(',')
+        ->expected(4);
     build->add_option("--json", jsonFile, "also write the report to this file");
     if (const auto ends = terminal::parse(app, argc, argv)) return *ends;
     return terminal::report("worldtool", jsonFile, [&] { return worldtool::build(request); });

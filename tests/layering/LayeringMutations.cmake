@@ -25,6 +25,7 @@ function(plantTree)
             "scenery/models/Tree.h|osgPMObjects/core/Mesh.h"
             "scenery/placement/Place.h|scenery/models/Tree.h"
             "worldmaking/streets/Heights.h|scenery/roads/CutRoads.h"
+            "scenery/buildings/House.h|scenery/models/Tree.h"
             "scenery/roads/CutRoads.h|osgRoads/core/place/PlacedNetwork.h"
             "scenery/roads/things/Things.h|scenery/models/Tree.h"
             "scenery/nodes/Sky.h|osgTerrainROAM/Terrain"

@@ -74,10 +74,17 @@ TEST(WorldTool, TheSameInputGivesTheSameBytes)
     const int middle = map.node(0, 0);
     for (const auto& [east, north] : {std::pair(200, 10), {-150, 60}, {20, -180}, {-30, 220}})
         map.way({middle, map.node(0.4 * east, 0.3 * north), map.node(east, north)});
+    const int a = map.node(60, 80), b = map.node(75, 80), c = map.node(75, 92);
+    map.way({a, b, c, a}, {{"building", "house"}});
     const std::string file = folder.write("map.osm", map.text()).string();
     for (const char* world : {"a", "b"})
         EXPECT_TRUE(
             succeeds(runWorldTool({"build", ground, "--map", file, "-o", (folder / world).string()})));
+    EXPECT_EQ(testsupport::bytesOf(folder / "a/buildings.gpkg"),
+              testsupport::bytesOf(folder / "b/buildings.gpkg"));
+    EXPECT_FALSE(testsupport::bytesOf(folder / "a/buildings.gpkg").empty());
+    EXPECT_NE(testsupport::bytesOf(folder / "a/world.roam").find("buildings = buildings.gpkg"),
+              std::string::npos);
     EXPECT_EQ(testsupport::bytesOf(folder / "a/roads.xodr"), testsupport::bytesOf(folder / "b/roads.xodr"));
     EXPECT_FALSE(testsupport::bytesOf(folder / "a/roads.xodr").empty());
 }

@@ -44,6 +44,8 @@ std::vector<NamedFile> namedFiles(const RoamFile& file)
     append("dem", file.dems);
     append("imagery", file.imagery);
     append("features", file.features);
+    append("buildings", file.buildings);
+    append("objects", file.objects);
     return named;
 }
 

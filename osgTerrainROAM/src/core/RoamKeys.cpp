@@ -136,6 +136,8 @@ constexpr std::array kKeys{
     Key{"voids", assignVoids},
     Key{"imagery", assignImagery, true},
     Key{"features", [](RoamFile& f, const RoamEntry& e) { return appendPath(f.features, e); }, true},
+    Key{"buildings", [](RoamFile& f, const RoamEntry& e) { return appendPath(f.buildings, e); }, true},
+    Key{"objects", [](RoamFile& f, const RoamEntry& e) { return appendPath(f.objects, e); }, true},
     Key{"land_cover", [](RoamFile& f, const RoamEntry& e) { return assignPath(f.landCover, e); }},
     Key{"land_cover_classes", assignClasses},
     Key{"season", assignSeason},

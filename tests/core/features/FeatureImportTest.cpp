@@ -7,6 +7,7 @@
 #include <ogrsf_frmts.h>
 
 #include <osgTerrainROAM/core/features/FeatureImport.h>
+#include <osgTerrainROAM/core/features/ShapeImport.h>
 #include <osgTerrainROAM/core/heightfield/GroundQuery.h>
 
 #include "FeatureText.h"
@@ -156,4 +157,31 @@ TEST(FeatureImport, ErrorsNameTheFileAndWhatToDo)
     EXPECT_THAT(messageOf(castles, flat), HasSubstr("use placement = curved"));
     EXPECT_THAT(messageOf(writeGeoPackage(folder, {46.02, 8.02, 0.0}, false), curvedTile()),
                 HasSubstr("map.gpkg: layer 'roads': has no coordinate system"));
+}
+
+TEST(ShapeImport, TakesPointsAndOutlinesWithTheirHolesAndTags)
+{
+    const Folder folder("shapes");
+    const auto path = folder.write("map.geojson",
+                                   R"({"type": "FeatureCollection", "features": [
+ {"type": "Feature", "properties": {"building": "yes", "other_tags": "\"height\"=>\"7\",\"roof:shape\"=>\"flat\""},
+  "geometry": {"type": "MultiPolygon", "coordinates": [
+   [[[100, 100], [140, 100], [140, 130], [100, 130], [100, 100]], [[110, 110], [120, 110], [120, 120], [110, 110]]],
+   [[[200, 100], [240, 100], [240, 130], [200, 100]]]]}},
+ {"type": "Feature", "properties": {"kind": "oak"}, "geometry": {"type": "Point", "coordinates": [50, 60]}},
+ {"type": "Feature", "properties": {}, "geometry": {"type": "LineString", "coordinates": [[0, 0], [10, 10]]}},
+ {"type": "Feature", "properties": {"kind": "oak"}, "geometry": {"type": "Point", "coordinates": [-9000, 60]}}]})");
+    const auto read = importShapes(path, planarTile());
+    ASSERT_TRUE(read) << read.error().message();
+    ASSERT_EQ(read->shapes.size(), 3u);
+    EXPECT_EQ(read->shapes[0].rings.size(), 2u);
+    EXPECT_EQ(read->shapes[0].rings[0].size(), 4u);
+    EXPECT_EQ(read->shapes[0].tags.at("height"), "7");
+    EXPECT_EQ(read->shapes[0].tags.at("roof:shape"), "flat");
+    EXPECT_EQ(read->shapes[1].rings.size(), 1u);
+    EXPECT_FALSE(read->shapes[2].isArea());
+    EXPECT_EQ(read->shapes[2].point, glm::dvec2(50, 60));
+    EXPECT_EQ(read->lines, 1u);
+    EXPECT_EQ(read->outside, 1u);
+    EXPECT_FALSE(importShapes(folder.path() / "none.gpkg", planarTile()));
 }

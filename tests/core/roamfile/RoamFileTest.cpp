@@ -18,6 +18,9 @@ dem = heights/dem.tif
 imagery = /far/image.tif   # absolute
 features = roads.gpkg
 features = /far/fields.geojson
+buildings = houses.gpkg
+buildings = towers.gpkg
+objects = trees.gpkg
 land_cover = cover.tif
 land_cover_classes = corine
 season = october
@@ -84,6 +87,9 @@ TEST(RoamFile, HasEveryKey)
     ASSERT_EQ(file->features.size(), 2u);
     EXPECT_EQ(file->features[0], std::filesystem::path("folder/roads.gpkg"));
     EXPECT_EQ(file->features[1], std::filesystem::path("/far/fields.geojson"));
+    EXPECT_EQ(file->buildings,
+              (std::vector<std::filesystem::path>{"folder/houses.gpkg", "folder/towers.gpkg"}));
+    EXPECT_EQ(file->objects, std::vector<std::filesystem::path>{"folder/trees.gpkg"});
     EXPECT_EQ(file->landCover, std::filesystem::path("folder/cover.tif"));
     EXPECT_EQ(file->landCoverClasses, std::filesystem::path("corine"));
     EXPECT_NEAR(file->seasonOfYear.value_or(0.0), 9.5 / 12.0, 1e-12);

@@ -110,7 +110,11 @@ void Field::sortIntoCells()
     {
         while (end < count && cellOf[_numbers[end]] == cellOf[_numbers[first]])
             ++end;
-        _cells.push_back({around(std::span(_spheres).subspan(first, end - first)), first, end});
+        FieldCell cell{around(std::span(_spheres).subspan(first, end - first)), first, end, 0.0};
+        for (std::uint32_t i = first; i < end; ++i)
+            cell.goneM = std::max(cell.goneM, _models[_objects[i].model].selection.alpha.goneM *
+                                                  _objects[i].priority.importance);
+        _cells.push_back(cell);
     }
 }
 

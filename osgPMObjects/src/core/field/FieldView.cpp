@@ -13,12 +13,17 @@ namespace osgPMObjects::core
 
 FieldView::FieldView(const Field& field) : _field(field), _memory(field.objects().size()) {}
 
-void FieldView::findVisible(const viewlod::Frustum& frustum, double metresPerUnit)
+void FieldView::findVisible(const FieldCamera& camera)
 {
+    const viewlod::Frustum& frustum = camera.frustum;
+    const double metresPerUnit = camera.metresPerUnit;
     constexpr viewlod::Frustum::Mask kSides = 0x0F; // left, right, bottom, top
     _visible.clear();
     for (const FieldCell& cell : _field.cells())
     {
+        const double nearestM = glm::distance(cell.sphere.centre * metresPerUnit, camera.view.distancesFrom) -
+                                cell.sphere.radius * metresPerUnit;
+        if (nearestM * camera.view.distanceScale >= cell.goneM * camera.attention.attendedGain) continue;
         const auto verdict =
             frustum.classify(cell.sphere.centre * metresPerUnit, cell.sphere.radius * metresPerUnit, kSides);
         if (verdict.outside) continue;
@@ -86,7 +91,7 @@ DrawnLevels FieldView::advance(std::uint32_t object, const Selection& selection,
 FieldDrawList FieldView::update(const FieldCamera& camera)
 {
     FieldDrawList drawList;
-    findVisible(camera.frustum, camera.metresPerUnit);
+    findVisible(camera);
     choose(camera, drawList);
     FieldSorter sorter(_field);
     const glm::dvec3 eye = camera.eye / camera.metresPerUnit;

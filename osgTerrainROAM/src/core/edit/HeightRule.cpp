@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
 #include <thread>
 #include <utility>
@@ -8,6 +9,7 @@
 #include <foundation/Threads.h>
 
 #include <osgTerrainROAM/core/edit/HeightRule.h>
+#include <osgTerrainROAM/core/heightfield/GroundQuery.h>
 
 namespace osgTerrainROAM::core
 {
@@ -16,24 +18,37 @@ namespace
 {
 
 constexpr double kLeastChangeM = 1e-4;
-constexpr int kBlockShift = 5;           ///< log2 of the points, or samples, along a block
-constexpr std::size_t kLeastBlocks = 16; ///< for a thread
+constexpr int kBlockShift = 3;           ///< log2 of the points, or samples, along a block
+constexpr std::size_t kLeastBlocks = 64; ///< for a thread
+constexpr double kSmallBoxM =
+    250.0; ///< within one the ground's height moves places by less than a grid point
 
-/// The points of the data in a box, and perhaps a few around it: on the curved Earth grid lines are slightly curved.
+/// The grid coordinates of a place. `isExact`: found on the ground there; else by TileFrame::gridNear(), off by up to a sample.
+glm::dvec2 gridOf(const PlacedTile& tile, const glm::dvec2& place, bool& isExact)
+{
+    const auto ground = isExact ? groundAt(tile, place.x, place.y) : std::optional<GroundPoint>(std::nullopt);
+    isExact = ground.has_value();
+    return ground ? tile.frame().gridAt(ground->position) : tile.frame().gridNear(place);
+}
+
+/// The points of the data in a box, and perhaps a few around it: on the curved Earth grid lines are slightly curved, and the ground's
+/// height shifts places, by less than a point within a small box.
 GridRect placesIn(const PlacedTile& tile, const PlanBox& box)
 {
     glm::dvec2 low(1e30), high(-1e30);
+    const bool isCurved = tile.frame().placement() == Placement::curved;
+    const glm::dvec2 size = box.high - box.low;
+    bool isExact = isCurved && std::max(size.x, size.y) <= kSmallBoxM;
     for (const double x : {box.low.x, box.high.x})
         for (const double y : {box.low.y, box.high.y})
         {
-            const glm::dvec2 grid = tile.frame().gridNear({x, y});
+            const glm::dvec2 grid = gridOf(tile, {x, y}, isExact);
             low = glm::min(low, grid);
             high = glm::max(high, grid);
         }
-    const bool isCurved = tile.frame().placement() == Placement::curved;
-    const int slack = isCurved ? (2 << tile.grid().exponent()) +
-                                     static_cast<int>(0.01 * std::max(high.x - low.x, high.y - low.y))
-                               : 1;
+    const int least = !isCurved ? 1 : (isExact ? 2 : 2 << tile.grid().exponent());
+    const int slack =
+        least + (isCurved ? static_cast<int>(0.01 * std::max(high.x - low.x, high.y - low.y)) : 0);
     const auto whole = [&](double v) { return static_cast<int>(std::clamp(v, -1e9, 1e9)); };
     return GridRect{whole(low.x), whole(low.y), whole(high.x) + 1, whole(high.y) + 1}.grownBy(slack).cutTo(
         {0, 0, tile.grid().dataColumns() - 1, tile.grid().dataRows() - 1});

@@ -42,6 +42,8 @@ struct FieldCell
 {
     BoundingSphere sphere;
     std::uint32_t first = 0, end = 0; ///< range of objects
+    double goneM =
+        0.0; ///< distance from which on none of them is drawn, unless it is attended; metres of AlphaRange
 };
 
 /// A set of many static instances of a few models, sorted into the cells of a grid over x and y for culling.

@@ -47,7 +47,7 @@ private:
     };
     static constexpr std::uint64_t kNever = ~std::uint64_t{0};
 
-    void findVisible(const viewlod::Frustum& frustum, double metresPerUnit);
+    void findVisible(const FieldCamera& camera);
     void choose(const FieldCamera& camera, FieldDrawList& drawList);
     const BenefitCurve* curveOf(std::uint32_t model, const CostModel& cost);
     DrawnLevels advance(std::uint32_t object, const Selection& selection, const FieldCamera& camera);

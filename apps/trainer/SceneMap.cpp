@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "SceneMap.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include <osg/Notify>
+
+#include <osgTerrainROAM/core/features/ShapeImport.h>
+
+#include "scenery/buildings/StandBuildings.h"
+#include "scenery/models/Catalogue.h"
+#include "scenery/models/Dice.h"
+#include "scenery/nodes/BuildingsNode.h"
+#include "scenery/nodes/SceneryNode.h"
+
+namespace trainer
+{
+
+namespace
+{
+
+using osgTerrainROAM::core::MapShape;
+using osgTerrainROAM::core::ShapeSet;
+
+constexpr double kTreesGoneM = 1600.0, kTreesFadeM = 1300.0, kHousesGoneM = 8000.0;
+constexpr std::uint64_t kBudgetTriangles = 400000;
+
+double numberIn(const MapShape& shape, std::string_view key, double otherwise)
+{
+    const auto found = shape.tags.find(key);
+    if (found == shape.tags.end()) return otherwise;
+    double number = otherwise;
+    const std::string& text = found->second;
+    const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), number);
+    return failure == std::errc() && std::isfinite(number) ? number : otherwise;
+}
+
+std::string_view tagIn(const MapShape& shape, std::string_view key)
+{
+    const auto found = shape.tags.find(key);
+    return found == shape.tags.end() ? std::string_view() : std::string_view(found->second);
+}
+
+/// The model that stands at a point: that of its `kind`, or for a tree of OpenStreetMap one of its leaves.
+std::optional<scenery::models::Kind> kindOf(const MapShape& shape)
+{
+    const std::string_view name = tagIn(shape, "kind");
+    for (const auto& facts : scenery::models::kinds())
+        if (facts.name == name) return facts.kind;
+    if (tagIn(shape, "natural") != "tree") return std::nullopt;
+    return tagIn(shape, "leaf_type") == "needleleaved" ? scenery::models::Kind::spruce
+                                                       : scenery::models::Kind::oak;
+}
+
+/// The settings by which a kind is drawn.
+scenery::SceneryField fieldOf(const scenery::SceneryObject& object, std::size_t number)
+{
+    scenery::SceneryField field;
+    field.name = std::to_string(number);
+    field.objects = {object};
+    const bool isTree = *object.kind <= scenery::models::Kind::bush;
+    field.selection.settings.method = isTree ? osgPMObjects::core::SelectionMethod::budget
+                                             : osgPMObjects::core::SelectionMethod::screenError;
+    field.selection.settings.leastFaces = isTree ? 24 : 0;
+    field.selection.settings.alpha = osgPMObjects::core::AlphaRange{isTree ? kTreesFadeM : 0.9 * kHousesGoneM,
+                                                                    isTree ? kTreesGoneM : kHousesGoneM};
+    return field;
+}
+
+/// The points of maps as placed models.
+class Objects
+{
+public:
+    explicit Objects(const HeightOfGround& ground) : _ground(ground)
+    {
+        _description.budget.budget = kBudgetTriangles;
+    }
+
+    void add(const ShapeSet& shapes)
+    {
+        for (const MapShape& shape : shapes.shapes)
+            if (shape.isArea() || !stand(shape)) ++unused;
+    }
+
+    foundation::Outcome addTo(osg::Group& scene, const std::string& place) const
+    {
+        const auto shapes = scenery::makeSceneryShapes(scenery::objectsOf(_description));
+        if (!shapes) return shapes.error();
+        const auto node = scenery::makeSceneryNode(_description, _placed, *shapes, place);
+        if (!node) return node.error();
+        scene.addChild(node->root);
+        return foundation::success();
+    }
+
+    bool isEmpty() const { return _placed.placements.empty(); }
+    std::size_t unused = 0;
+
+private:
+    bool stand(const MapShape& shape)
+    {
+        const auto kind = kindOf(shape);
+        const auto heightM = kind ? _ground(shape.point.x, shape.point.y) : std::nullopt;
+        if (!heightM) return false;
+        scenery::models::Dice dice(static_cast<std::uint64_t>(shape.id));
+        const double bearing = numberIn(shape, "heading", dice.between(0.0, 360.0));
+        const double heading = std::numbers::pi * (0.5 - bearing / 180.0);
+        const auto seed = static_cast<std::uint64_t>(std::clamp(numberIn(shape, "seed", 1.0), 0.0, 1000.0));
+        const std::uint32_t number = numberOf({kind, seed, {}});
+        const double scale = std::clamp(numberIn(shape, "scale", 1.0), 0.05, 20.0);
+        _placed.placements.push_back(
+            {{shape.point, *heightM}, scenery::uprightAxes(heading), scale, number, number});
+        return true;
+    }
+
+    std::uint32_t numberOf(const scenery::SceneryObject& object)
+    {
+        const auto same = [&](const scenery::SceneryField& field) { return field.objects.front() == object; };
+        const auto found = std::find_if(_description.fields.begin(), _description.fields.end(), same);
+        const auto number = static_cast<std::size_t>(found - _description.fields.begin());
+        if (found == _description.fields.end()) _description.fields.push_back(fieldOf(object, number));
+        return static_cast<std::uint32_t>(number);
+    }
+
+    const HeightOfGround& _ground;
+    scenery::SceneryDescription _description; ///< a field for each model
+    scenery::PlacedScenery _placed;
+};
+
+foundation::Error nothingIn(const std::filesystem::path& source, const char* remedy)
+{
+    return {source.string(), "has nothing that can stand here", remedy};
+}
+
+foundation::Outcome addBuildings(const std::filesystem::path& source,
+                                 const osgTerrainROAM::core::PlacedTile& tile, const HeightOfGround& ground,
+                                 osg::Group& scene)
+{
+    const auto shapes = osgTerrainROAM::core::importShapes(source, tile);
+    if (!shapes) return shapes.error();
+    const scenery::StandingBuildings made = scenery::standBuildings(*shapes, ground);
+    if (made.buildings.empty()) return nothingIn(source, "give footprints of buildings of this place");
+    OSG_NOTICE << source.string() << ": " << made.buildings.size() << " buildings; "
+               << shapes->outside + made.beyondGround << " beyond the ground, "
+               << shapes->lines + shapes->invalid + made.unusable << " not usable\n";
+    scene.addChild(scenery::makeBuildingsNode(made.buildings));
+    return foundation::success();
+}
+
+} // namespace
+
+foundation::Outcome addMapScenery(const osgTerrainROAM::core::RoamFile& description,
+                                  const osgTerrainROAM::core::PlacedTile& tile, const HeightOfGround& ground,
+                                  osg::Group& scene)
+{
+    for (const std::filesystem::path& source : description.buildings)
+        if (const auto added = addBuildings(source, tile, ground, scene); !added) return added;
+    Objects objects(ground);
+    for (const std::filesystem::path& source : description.objects)
+    {
+        const auto shapes = osgTerrainROAM::core::importShapes(source, tile);
+        if (!shapes) return shapes.error();
+        objects.add(*shapes);
+        if (objects.isEmpty()) return nothingIn(source, "give points with a kind of the generated models");
+    }
+    if (objects.unused > 0)
+        OSG_NOTICE << "objects: " << objects.unused << " of no known kind, or beyond the ground\n";
+    return objects.isEmpty() ? foundation::success() : objects.addTo(scene, "objects");
+}
+
+} // namespace trainer

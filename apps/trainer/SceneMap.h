@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include <foundation/Result.h>
+
+#include <osg/Group>
+
+#include <osgTerrainROAM/core/RoamFile.h>
+#include <osgTerrainROAM/core/heightfield/PlacedTile.h>
+
+namespace trainer
+{
+
+/// Returns the height of the ground in the scene's z; nothing beyond the data.
+using HeightOfGround = std::function<std::optional<double>(double eastM, double northM)>;
+
+/// Adds what a .roam file's `buildings` and `objects` put on the ground, and says what could not be used.
+/// Errors: those of importShapes(); a source without anything that can stand here.
+foundation::Outcome addMapScenery(const osgTerrainROAM::core::RoamFile& description,
+                                  const osgTerrainROAM::core::PlacedTile& tile, const HeightOfGround& ground,
+                                  osg::Group& scene);
+
+} // namespace trainer

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <foundation/Result.h>
+
+#include <osgTerrainROAM/core/heightfield/PlacedTile.h>
+
+namespace osgTerrainROAM::core
+{
+
+/// A point or an area of a map with all its attributes. Frame: the tile's local east and north, metres.
+struct MapShape
+{
+    std::int64_t id = 0;   ///< its number in the source
+    glm::dvec2 point{0.0}; ///< of a point
+    std::vector<std::vector<glm::dvec2>>
+        rings; ///< of an area: the outer one, then its holes; none repeats its first point
+    std::map<std::string, std::string, std::less<>> tags;
+
+    bool isArea() const { return !rings.empty(); }
+};
+
+/// The points and areas of a source. Lines are counted and left out.
+struct ShapeSet
+{
+    std::vector<MapShape> shapes;
+    std::size_t lines = 0, outside = 0, invalid = 0;
+};
+
+/// Reads the points and areas of any vector source that GDAL's OGR opens, with all attributes (those of OGR's other_tags, too).
+/// Each polygon of several is a shape of its own. Coordinates are put on the tile's ground, as importFeatures() does.
+/// Errors: as importFeatures(), but for a source that has none of them. Cost: about 3 µs a vertex. Threads: any.
+foundation::Result<ShapeSet> importShapes(const std::filesystem::path& source, const PlacedTile& tile);
+
+} // namespace osgTerrainROAM::core

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include "scenery/models/Model.h"
+
+namespace scenery
+{
+
+enum class RoofForm : std::uint8_t
+{
+    flat,
+    gabled,
+    hipped,
+    pyramidal,
+    skillion, ///< one slope
+};
+
+/// A building on its footprint. Frame: the scene's east and north. Units: metres; colours as display values.
+struct Building
+{
+    std::vector<std::vector<glm::dvec2>>
+        rings;           ///< the outer one counter-clockwise, then courtyards clockwise
+    double eavesM = 6.0; ///< of the walls above the floor, without the roof
+    double roofM = 2.5;  ///< of the roof above the eaves
+    RoofForm roof = RoofForm::gabled;
+    bool isRidgeAcross = false; ///< the ridge lies along the shorter side
+    int storeys = 2;
+    bool hasWindows = true, hasShop = false;
+    models::Painting wall = models::Painting::plaster, cover = models::Painting::roofTiles;
+    glm::vec3 wallTint{1.0F}, roofTint{0.6F, 0.36F, 0.28F}, doorTint{0.42F, 0.26F, 0.16F};
+};
+
+/// A building on the ground. Units: metres in the scene's z.
+struct StandingBuilding
+{
+    Building building;
+    double floorM = 0.0; ///< of its ground floor
+    double footM = 0.0;  ///< where its walls begin, in the ground
+};
+
+} // namespace scenery

@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scenery/buildings/BuildingFacets.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <osgPMObjects/core/tessellate/Tessellation.h>
+
+#include "scenery/buildings/Outline.h"
+#include "scenery/buildings/RoofPlanes.h"
+#include "scenery/models/houses/DetailAtlas.h"
+#include "scenery/models/houses/GableRoof.h"
+#include "scenery/models/houses/Wall.h"
+
+namespace scenery
+{
+
+namespace
+{
+
+using models::Detail;
+
+constexpr double kEavesOutM = 0.45, kFasciaM = 0.22;
+constexpr double kProudM = 0.04;
+constexpr double kWindowHalfM = 0.6, kSillM = 0.95, kHeadM = 2.3, kAxisM = 3.1, kDoorHalfM = 0.6,
+                 kDoorM = 2.15;
+
+/// Adds the parts of one building.
+class Maker
+{
+public:
+    Maker(const StandingBuilding& standing, const glm::dvec3& origin, BuildingFacets& facets)
+        : _standing(standing),
+          _building(standing.building),
+          _roof(standing.building),
+          _origin(origin),
+          _facets(facets),
+          _eavesM(standing.floorM + standing.building.eavesM)
+    {
+    }
+
+    void make()
+    {
+        std::vector<PlanRing> covered = _building.rings;
+        if (_building.roof != RoofForm::flat) covered.front() = grownRing(covered.front(), kEavesOutM);
+        for (const PlanRing& ring : _building.rings)
+            for (std::size_t i = 0; i < ring.size(); ++i)
+                addWall(ring[i], ring[(i + 1) % ring.size()]);
+        addRoof(covered);
+        for (std::size_t i = 0; i < covered.front().size(); ++i)
+            addEaves(i, covered.front());
+        if (_building.hasWindows) addOpenings();
+    }
+
+private:
+    glm::vec3 local(const glm::dvec2& place, double heightM) const
+    {
+        return glm::vec3(glm::dvec3(place, heightM) - _origin);
+    }
+
+    void addWall(const glm::dvec2& from, const glm::dvec2& to)
+    {
+        const double lengthM = glm::length(to - from);
+        std::vector<double> shares{0.0};
+        for (const double share : _roof.breaksOn(from, to))
+            shares.push_back(share);
+        shares.push_back(1.0);
+        std::vector<glm::vec3> corners{local(from, _standing.footM), local(to, _standing.footM)};
+        std::vector<glm::vec2> uv{uvOf(0.0, _standing.footM), uvOf(lengthM, _standing.footM)};
+        for (auto share = shares.rbegin(); share != shares.rend(); ++share)
+        {
+            const glm::dvec2 place = glm::mix(from, to, *share);
+            const double topM = std::max(_eavesM + _roof.heightM(place), _standing.footM);
+            corners.push_back(local(place, topM));
+            uv.push_back(uvOf(*share * lengthM, topM));
+        }
+        _facets.shell[_building.wall].addPolygon(corners, uv, _building.wallTint);
+    }
+
+    glm::vec2 uvOf(double alongM, double heightM) const
+    {
+        return glm::vec2(glm::dvec2(alongM, heightM - _standing.floorM) / models::kWallPictureM);
+    }
+
+    void addRoof(const std::vector<PlanRing>& rings)
+    {
+        std::vector<glm::dvec3> corners;
+        std::vector<std::uint32_t> sizes;
+        for (const PlanRing& ring : rings)
+        {
+            sizes.push_back(static_cast<std::uint32_t>(ring.size()));
+            for (const glm::dvec2& corner : ring)
+                corners.emplace_back(corner - glm::dvec2(_origin), 0.0);
+        }
+        const auto tessellation = osgPMObjects::core::tessellate(corners, sizes);
+        if (!tessellation) return;
+        for (const auto& inserted : tessellation->inserted)
+        {
+            glm::dvec3 at(0.0);
+            for (std::size_t i = 0; i < inserted.corners.size(); ++i)
+                at += inserted.weights[i] * corners[inserted.corners[i]];
+            corners.push_back(at);
+        }
+        for (const auto& triangle : tessellation->triangles)
+            addRoofTriangle({glm::dvec2(corners[triangle[0]]), glm::dvec2(corners[triangle[1]]),
+                             glm::dvec2(corners[triangle[2]])});
+    }
+
+    void addRoofTriangle(std::array<glm::dvec2, 3> triangle)
+    {
+        const glm::dvec2 ab = triangle[1] - triangle[0], ac = triangle[2] - triangle[0];
+        if (ab.x * ac.y - ab.y * ac.x < 0.0) std::swap(triangle[1], triangle[2]);
+        for (glm::dvec2& corner : triangle)
+            corner += glm::dvec2(_origin);
+        for (const RoofPlanes::Part& part : _roof.partsOf(triangle))
+        {
+            std::vector<glm::vec3> corners;
+            std::vector<glm::vec2> uv;
+            const double slope = glm::length(part.gradient);
+            const glm::dvec2 up = slope > 1e-6 ? part.gradient / slope : glm::dvec2(0.0, 1.0);
+            for (const glm::dvec2& corner : part.corners)
+            {
+                const glm::dvec2 at = corner - glm::dvec2(_origin);
+                corners.push_back(local(corner, _eavesM + _roof.heightM(corner)));
+                uv.emplace_back(
+                    glm::dvec2(at.x * up.y - at.y * up.x, glm::dot(at, up) * std::hypot(1.0, slope)) /
+                    models::kRoofPictureM);
+            }
+            _facets.shell[_building.cover].addPolygon(corners, uv, _building.roofTint);
+        }
+    }
+
+    /// The board along an edge of the roof, and what closes it to the wall from below.
+    void addEaves(std::size_t edge, const PlanRing& outer)
+    {
+        const PlanRing& wall = _building.rings.front();
+        const std::size_t next = (edge + 1) % outer.size();
+        if (outer[edge] == wall[edge]) return; // no eaves
+        std::vector<double> shares{0.0};
+        for (const double share : _roof.breaksOn(outer[edge], outer[next]))
+            shares.push_back(share);
+        shares.push_back(1.0);
+        for (std::size_t i = 0; i + 1 < shares.size(); ++i)
+        {
+            const glm::dvec2 a = glm::mix(outer[edge], outer[next], shares[i]);
+            const glm::dvec2 b = glm::mix(outer[edge], outer[next], shares[i + 1]);
+            const glm::dvec2 c = glm::mix(wall[edge], wall[next], shares[i]);
+            const glm::dvec2 d = glm::mix(wall[edge], wall[next], shares[i + 1]);
+            const double aM = _eavesM + _roof.heightM(a), bM = _eavesM + _roof.heightM(b);
+            addBoard({local(a, aM - kFasciaM), local(b, bM - kFasciaM), local(b, bM), local(a, aM)});
+            addBoard({local(c, _eavesM + _roof.heightM(c) - kFasciaM),
+                      local(d, _eavesM + _roof.heightM(d) - kFasciaM), local(b, bM - kFasciaM),
+                      local(a, aM - kFasciaM)});
+        }
+    }
+
+    void addBoard(const std::vector<glm::vec3>& corners)
+    {
+        _facets.shell[_building.cover].addPolygon(
+            corners, std::vector<glm::vec2>(corners.size(), glm::vec2(0.2F)), 0.7F * _building.roofTint);
+    }
+
+    void addOpenings()
+    {
+        std::size_t longest = 0;
+        const PlanRing& outer = _building.rings.front();
+        const auto lengthOf = [&](const PlanRing& ring, std::size_t i)
+        { return glm::length(ring[(i + 1) % ring.size()] - ring[i]); };
+        for (std::size_t i = 0; i < outer.size(); ++i)
+            if (lengthOf(outer, i) > lengthOf(outer, longest)) longest = i;
+        for (std::size_t r = 0; r < _building.rings.size(); ++r)
+            for (std::size_t i = 0; i < _building.rings[r].size(); ++i)
+                addAxes(_building.rings[r][i], _building.rings[r][(i + 1) % _building.rings[r].size()],
+                        r == 0 && i == longest);
+    }
+
+    void addAxes(const glm::dvec2& from, const glm::dvec2& to, bool hasDoor)
+    {
+        const double lengthM = glm::length(to - from);
+        const int axes = static_cast<int>((lengthM - 0.6) / kAxisM + 0.25);
+        const double storeyM = _building.eavesM / _building.storeys;
+        for (int axis = 0; axis < axes; ++axis)
+            for (int storey = 0; storey < _building.storeys; ++storey)
+            {
+                const double middle = (axis + 0.5) * lengthM / axes,
+                             floor = _standing.floorM + storey * storeyM;
+                const bool isDoor = hasDoor && storey == 0 && axis == axes / 2;
+                if (isDoor)
+                    addOpening(from, to, middle, kDoorHalfM, floor + 0.05, floor + kDoorM,
+                               _building.hasShop ? Detail::glassDoor : Detail::door, _building.doorTint);
+                else if (_building.hasShop && storey == 0)
+                    addOpening(from, to, middle, 0.45 * lengthM / axes, floor + 0.4, floor + 2.5,
+                               Detail::shopFront, glm::vec3(0.9F));
+                else
+                    addOpening(from, to, middle, kWindowHalfM, floor + kSillM,
+                               floor + std::min(kHeadM, storeyM - 0.15), Detail::window, glm::vec3(1.0F));
+            }
+    }
+
+    void addOpening(const glm::dvec2& from, const glm::dvec2& to, double middleM, double halfM, double lowM,
+                    double highM, Detail detail, const glm::vec3& tint)
+    {
+        const glm::dvec2 along = glm::normalize(to - from), out(along.y, -along.x);
+        const glm::dvec2 left = from + along * (middleM - halfM) + out * kProudM;
+        const glm::dvec2 right = from + along * (middleM + halfM) + out * kProudM;
+        const models::CellUv uv = models::uvOf(detail);
+        _facets.openings.addPolygon(
+            {local(left, lowM), local(right, lowM), local(right, highM), local(left, highM)},
+            {uv.at(0.0F, 0.0F), uv.at(1.0F, 0.0F), uv.at(1.0F, 1.0F), uv.at(0.0F, 1.0F)}, tint);
+    }
+
+    const StandingBuilding& _standing;
+    const Building& _building;
+    RoofPlanes _roof;
+    glm::dvec3 _origin;
+    BuildingFacets& _facets;
+    double _eavesM;
+};
+
+} // namespace
+
+void Facets::addPolygon(const std::vector<glm::vec3>& corners, const std::vector<glm::vec2>& uv,
+                        const glm::vec3& colour)
+{
+    glm::vec3 normal(0.0F); // twice the area (Newell)
+    for (std::size_t i = 0; i < corners.size(); ++i)
+        normal += glm::cross(corners[i] - corners[0], corners[(i + 1) % corners.size()] - corners[0]);
+    const float length = glm::length(normal);
+    if (!(length > 1e-5F)) return;
+    const auto first = static_cast<std::uint32_t>(positions.size());
+    for (std::size_t i = 0; i < corners.size(); ++i)
+    {
+        positions.push_back(corners[i]);
+        normals.push_back(normal / length);
+        colours.push_back(colour);
+        uvs.push_back(uv[i]);
+    }
+    for (std::uint32_t i = 1; i + 1 < corners.size(); ++i)
+        indices.insert(indices.end(), {first, first + i, first + i + 1});
+}
+
+void addBuilding(const StandingBuilding& standing, const glm::dvec3& origin, BuildingFacets& facets)
+{
+    Maker(standing, origin, facets).make();
+}
+
+} // namespace scenery

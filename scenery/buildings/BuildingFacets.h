@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include "scenery/buildings/Building.h"
+
+namespace scenery
+{
+
+/// Triangles of one texture, ready for a vertex buffer. Frame: that of an origin of the caller's. Colours as display values.
+struct Facets
+{
+    std::vector<glm::vec3> positions, normals, colours;
+    std::vector<glm::vec2> uvs;
+    std::vector<std::uint32_t> indices;
+
+    /// Adds a flat convex polygon, counter-clockwise seen from outside.
+    void addPolygon(const std::vector<glm::vec3>& corners, const std::vector<glm::vec2>& uv,
+                    const glm::vec3& colour);
+};
+
+/// The facets of buildings: walls and roofs by texture, and windows and doors, which are only worth drawing near by.
+struct BuildingFacets
+{
+    std::map<models::Painting, Facets> shell;
+    Facets openings; ///< of Painting::houseDetails, 4 cm before the walls
+};
+
+/// Adds a building: walls from its foot up to the roof, the roof with its eaves, windows in each storey, a door.
+/// `origin`: of the facets' frame, in the scene. Closed: each wall ends on the roof's planes.
+void addBuilding(const StandingBuilding& standing, const glm::dvec3& origin, BuildingFacets& facets);
+
+} // namespace scenery

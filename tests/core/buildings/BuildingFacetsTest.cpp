@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: Apache-2.0
+// The walls and roofs of buildings enclose their volume: what is missing or stands off changes it.
+#include "scenery/buildings/BuildingFacets.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "scenery/buildings/Outline.h"
+#include "scenery/buildings/RoofPlanes.h"
+
+namespace
+{
+
+using namespace scenery;
+
+constexpr double kFloorM = 103.0, kFootM = 101.5;
+const glm::dvec3 kOrigin(1000.0, 2000.0, kFootM); ///< the open underside lies in z = 0, so it adds no volume
+
+std::vector<PlanRing> moved(std::vector<PlanRing> rings)
+{
+    for (PlanRing& ring : rings)
+        for (glm::dvec2& corner : ring)
+            corner += glm::dvec2(kOrigin);
+    return tidiedRings(rings);
+}
+
+StandingBuilding house(std::vector<PlanRing> rings, RoofForm roof)
+{
+    StandingBuilding standing;
+    standing.building.rings = moved(std::move(rings));
+    standing.building.roof = roof;
+    standing.building.eavesM = 6.0;
+    standing.building.roofM = roof == RoofForm::flat ? 0.0 : 3.0;
+    standing.floorM = kFloorM;
+    standing.footM = kFootM;
+    return standing;
+}
+
+const std::vector<PlanRing> kSquare{{{0, 0}, {10, 0}, {10, 10}, {0, 10}}};
+const std::vector<PlanRing> kHook{{{0, 0}, {20, 0}, {20, 6}, {8, 6}, {8, 14}, {0, 14}}};
+const std::vector<PlanRing> kCourt{{{0, 0}, {30, 0}, {30, 20}, {0, 20}},
+                                   {{10, 6}, {20, 6}, {20, 14}, {10, 14}}};
+
+BuildingFacets facetsOf(const StandingBuilding& standing)
+{
+    BuildingFacets facets;
+    addBuilding(standing, kOrigin, facets);
+    return facets;
+}
+
+double volumeOf(const Facets& facets)
+{
+    double volume = 0.0;
+    for (std::size_t i = 0; i < facets.indices.size(); i += 3)
+    {
+        const glm::dvec3 a(facets.positions[facets.indices[i]]), b(facets.positions[facets.indices[i + 1]]),
+            c(facets.positions[facets.indices[i + 2]]);
+        volume += glm::dot(a, glm::cross(b, c)) / 6.0;
+    }
+    return volume;
+}
+
+double volumeOf(const BuildingFacets& facets)
+{
+    double volume = 0.0;
+    for (const auto& [painting, shell] : facets.shell)
+        volume += volumeOf(shell);
+    return volume;
+}
+
+/// The volume by columns of 10 cm below the roof's planes.
+double expectedVolume(const StandingBuilding& standing)
+{
+    constexpr double kStepM = 0.1;
+    const RoofPlanes roof(standing.building);
+    double volume = 0.0;
+    for (double x = 0.5 * kStepM; x < 32.0; x += kStepM)
+        for (double y = 0.5 * kStepM; y < 32.0; y += kStepM)
+        {
+            const glm::dvec2 place = glm::dvec2(kOrigin) + glm::dvec2(x, y);
+            if (!isWithin(standing.building.rings, place)) continue;
+            const double topM = kFloorM + standing.building.eavesM + roof.heightM(place);
+            volume += kStepM * kStepM * (topM - kFootM);
+        }
+    return volume;
+}
+
+TEST(BuildingFacets, EncloseWhatLiesBelowTheRoof)
+{
+    for (const RoofForm roof :
+         {RoofForm::flat, RoofForm::gabled, RoofForm::hipped, RoofForm::pyramidal, RoofForm::skillion})
+        for (const auto* rings :
+             {&kHook, &kCourt}) // outlines that are not convex have no eaves, which would add to the volume
+        {
+            if (rings == &kCourt && roof != RoofForm::flat) continue;
+            const StandingBuilding standing = house(*rings, roof);
+            const double expected = expectedVolume(standing);
+            EXPECT_NEAR(volumeOf(facetsOf(standing)), expected, 0.01 * expected) << static_cast<int>(roof);
+        }
+}
+
+TEST(BuildingFacets, AMissingWallOrARaisedRoofIsSeen)
+{
+    const StandingBuilding standing = house(kHook, RoofForm::gabled);
+    const double expected = expectedVolume(standing);
+    BuildingFacets open = facetsOf(standing);
+    Facets& walls = open.shell.at(standing.building.wall);
+    walls.indices.erase(walls.indices.begin() + 6, walls.indices.begin() + 12); // the eastern one
+    EXPECT_GT(std::abs(volumeOf(open) - expected), 0.01 * expected);
+    BuildingFacets raised = facetsOf(standing);
+    for (glm::vec3& position : raised.shell.at(standing.building.cover).positions)
+        position.z += 0.3F;
+    EXPECT_GT(std::abs(volumeOf(raised) - expected), 0.01 * expected);
+}
+
+TEST(BuildingFacets, AGableRoofHasItsRidgeInTheMiddleAndEavesBeyondTheWalls)
+{
+    const StandingBuilding standing = house(kSquare, RoofForm::gabled);
+    const BuildingFacets facets = facetsOf(standing);
+    const Facets& roof = facets.shell.at(standing.building.cover);
+    float highest = 0.0F, east = 0.0F;
+    for (const glm::vec3& position : roof.positions)
+    {
+        highest = std::max(highest, position.z);
+        east = std::max(east, position.x);
+    }
+    EXPECT_NEAR(highest, kFloorM - kFootM + 9.0, 1e-3);
+    EXPECT_NEAR(east, 10.45, 1e-3);
+}
+
+TEST(BuildingFacets, EachStoreyHasWindowsAndOneHouseOneDoor)
+{
+    StandingBuilding standing = house(kSquare, RoofForm::flat);
+    standing.building.storeys = 2;
+    // 10 m of wall have three axes: four walls, two storeys.
+    EXPECT_EQ(facetsOf(standing).openings.indices.size(), 6u * 24u);
+    standing.building.hasWindows = false;
+    EXPECT_TRUE(facetsOf(standing).openings.indices.empty());
+}
+
+TEST(RoofPlanes, OfAHipRoofFallToAllFourSides)
+{
+    const StandingBuilding standing = house({{{0, 0}, {20, 0}, {20, 10}, {0, 10}}}, RoofForm::hipped);
+    const RoofPlanes roof(standing.building);
+    const glm::dvec2 corner(kOrigin);
+    EXPECT_NEAR(roof.heightM(corner + glm::dvec2(10, 5)), 3.0, 1e-9);
+    EXPECT_NEAR(roof.heightM(corner + glm::dvec2(5, 5)), 3.0, 1e-9);
+    EXPECT_NEAR(roof.heightM(corner + glm::dvec2(2.5, 5)), 1.5, 1e-9);
+    EXPECT_NEAR(roof.heightM(corner + glm::dvec2(0, 5)), 0.0, 1e-9);
+    EXPECT_NEAR(roof.heightM(corner + glm::dvec2(10, 0)), 0.0, 1e-9);
+    const auto breaks = roof.breaksOn(corner + glm::dvec2(0, 5), corner + glm::dvec2(20, 5));
+    ASSERT_FALSE(breaks.empty());
+    EXPECT_NEAR(breaks.front(), 0.25, 1e-9);
+}
+
+} // namespace

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scenery/buildings/BuildingRules.h"
+
+#include <gtest/gtest.h>
+
+#include "scenery/buildings/TagColour.h"
+
+namespace
+{
+
+using namespace scenery;
+
+std::vector<std::vector<glm::dvec2>> rectangle(double lengthM, double widthM)
+{
+    return {{{0, 0}, {lengthM, 0}, {lengthM, widthM}, {0, widthM}}};
+}
+
+TEST(BuildingRules, TagsAreStrongerThanRules)
+{
+    const auto tower = buildingOf(rectangle(20, 12),
+                                  {{"building", "yes"},
+                                   {"height", "30 m"},
+                                   {"building:levels", "8"},
+                                   {"roof:shape", "hipped"},
+                                   {"roof:height", "4"},
+                                   {"building:colour", "#336699"},
+                                   {"roof:colour", "red"}},
+                                  1);
+    ASSERT_TRUE(tower);
+    EXPECT_DOUBLE_EQ(tower->eavesM, 26.0);
+    EXPECT_DOUBLE_EQ(tower->roofM, 4.0);
+    EXPECT_EQ(tower->storeys, 8);
+    EXPECT_EQ(tower->roof, RoofForm::hipped);
+    EXPECT_NEAR(tower->wallTint.b, 0.6F, 1e-3);
+    EXPECT_EQ(colourOfTag("red"), tower->roofTint);
+}
+
+TEST(BuildingRules, WithoutTagsTheSameIdGivesTheSameHouse)
+{
+    const BuildingTags tags{{"building", "house"}};
+    const auto a = buildingOf(rectangle(11, 9), tags, 5), b = buildingOf(rectangle(11, 9), tags, 5);
+    ASSERT_TRUE(a && b);
+    EXPECT_EQ(a->eavesM, b->eavesM);
+    EXPECT_EQ(a->wallTint, b->wallTint);
+    int gabled = 0, differing = 0;
+    for (std::uint64_t id = 0; id < 1000; ++id)
+    {
+        const auto house = buildingOf(rectangle(11, 9), tags, id);
+        gabled += house->roof == RoofForm::gabled;
+        differing += house->wallTint != a->wallTint;
+    }
+    EXPECT_NEAR(gabled, 800, 50);
+    EXPECT_GT(differing, 600);
+}
+
+TEST(BuildingRules, WhatHasNoAreaIsNoBuilding)
+{
+    EXPECT_FALSE(buildingOf({}, {}, 1));
+    EXPECT_FALSE(buildingOf({{{0, 0}, {10, 0}}}, {}, 1));
+    EXPECT_FALSE(buildingOf({{{0, 0}, {10, 0}, {20, 0}}}, {}, 1));
+    EXPECT_FALSE(buildingOf(rectangle(900, 900), {}, 1));
+    EXPECT_TRUE(buildingOf({{{0, 0}, {0, 9}, {9, 9}, {9, 0}}}, {}, 1)); // clockwise
+}
+
+TEST(BuildingRules, PointsAreTowersWhereTheirTagsSaySo)
+{
+    const auto mast = towerOf({5, 5}, {{"man_made", "mast"}, {"height", "45"}}, 1);
+    ASSERT_TRUE(mast);
+    EXPECT_DOUBLE_EQ(mast->eavesM + mast->roofM, 45.0);
+    EXPECT_FALSE(towerOf({5, 5}, {{"man_made", "survey_point"}}, 1));
+    EXPECT_FALSE(towerOf({5, 5}, {}, 1));
+}
+
+TEST(TagColour, ReadsNamesAndHexadecimalNumbers)
+{
+    EXPECT_EQ(colourOfTag("#fff"), glm::vec3(1.0F));
+    EXPECT_EQ(colourOfTag("#000000"), glm::vec3(0.0F));
+    EXPECT_TRUE(colourOfTag("beige"));
+    for (const char* text : {"", "#", "#12", "#12345", "#gggggg", "brick;red", "#-12345"})
+        EXPECT_FALSE(colourOfTag(text)) << text;
+}
+
+} // namespace

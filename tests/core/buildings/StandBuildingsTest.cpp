@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scenery/buildings/StandBuildings.h"
+
+#include <gtest/gtest.h>
+
+namespace
+{
+
+using namespace scenery;
+using osgTerrainROAM::core::MapShape;
+using osgTerrainROAM::core::ShapeSet;
+
+ShapeSet oneHouse()
+{
+    ShapeSet set;
+    set.shapes.push_back(
+        {7, {}, {{{0, 0}, {12, 0}, {12, 8}, {0, 8}}}, {{"building", "house"}, {"height", "8"}}});
+    return set;
+}
+
+TEST(StandBuildings, TheFloorLiesOnTheHighestGroundAndWallsReachBelowTheLowest)
+{
+    const auto slope = [](double eastM, double) { return std::optional(100.0 + 0.2 * eastM); };
+    const StandingBuildings made = standBuildings(oneHouse(), slope);
+    ASSERT_EQ(made.buildings.size(), 1u);
+    EXPECT_NEAR(made.buildings[0].floorM, 102.4, 1e-9);
+    EXPECT_NEAR(made.buildings[0].footM, 99.5, 1e-9);
+}
+
+TEST(StandBuildings, OnASteepSlopeTheFloorIsLowerAndNoWallFloats)
+{
+    const auto slope = [](double eastM, double) { return std::optional(100.0 + 1.5 * eastM); };
+    const StandingBuildings made = standBuildings(oneHouse(), slope);
+    ASSERT_EQ(made.buildings.size(), 1u);
+    EXPECT_LT(made.buildings[0].floorM, 100.0 + 5.0);
+    EXPECT_LT(made.buildings[0].footM, 100.0);
+}
+
+TEST(StandBuildings, WhatLiesBeyondTheGroundIsCounted)
+{
+    const auto none = [](double eastM, double) { return eastM < 5.0 ? std::optional(1.0) : std::nullopt; };
+    const StandingBuildings made = standBuildings(oneHouse(), none);
+    EXPECT_TRUE(made.buildings.empty());
+    EXPECT_EQ(made.beyondGround, 1u);
+}
+
+} // namespace

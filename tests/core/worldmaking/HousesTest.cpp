@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+// Houses of small made maps: what stands on roads, over each other or in water, and what the measures say of one that does.
+#include "worldmaking/land/Houses.h"
+
+#include <gtest/gtest.h>
+
+#include <osgRoads/core/network/RoadNetwork.h>
+
+#include "MadeStreets.h"
+#include "TestFolder.h"
+#include "scenery/buildings/Outline.h"
+#include "worldmaking/map/ReadLand.h"
+
+namespace
+{
+
+using namespace worldmaking;
+
+/// A street from west to east, and what a test puts beside it.
+struct Village
+{
+    MadeMap map;
+
+    Village() { map.way({map.node(-200, 0), map.node(200, 0)}); }
+
+    void box(double eastM, double northM, double lengthM, double widthM, const char* key = "building",
+             const char* value = "house")
+    {
+        const int first = map.node(eastM, northM);
+        const int b = map.node(eastM + lengthM, northM), c = map.node(eastM + lengthM, northM + widthM),
+                  d = map.node(eastM, northM + widthM);
+        map.way({first, b, c, d, first}, {{key, value}});
+    }
+};
+
+/// The houses of a village on level ground.
+struct Built
+{
+    Streets streets;
+    LandMap land;
+    HouseReport report;
+    std::vector<House> houses;
+    double leastRoomM = 100.0;
+
+    explicit Built(const Village& village)
+        : streets(streetsOf(village.map, [](double, double) { return 500.0; }))
+    {
+        const testsupport::TestFolder folder("houses");
+        const auto read = readLand(folder.write("map.osm", village.map.text()));
+        EXPECT_TRUE(read) << (read ? "" : read.error().message());
+        land = *read;
+        const auto plane = MapPlane::create(streets.network.header, "made");
+        const RoadRoom room(streets.network);
+        houses = housesOf(
+            land, *plane, room, [](const glm::dvec2&) { return true; }, report);
+        for (const House& house : houses)
+            leastRoomM = std::min(leastRoomM, room.distanceM(house.building.rings, 100.0));
+    }
+};
+
+TEST(Houses, OneThatReachesOntoTheStreetIsCutBack)
+{
+    Village village;
+    village.box(0, 2, 12, 10); // the street is some 5.5 m wide
+    const Built built(village);
+    ASSERT_EQ(built.houses.size(), 1u);
+    EXPECT_EQ(built.report.cutBack, 1u);
+    EXPECT_GE(built.leastRoomM, kHouseRoomM - 1e-6);
+    EXPECT_LT(scenery::areaOf(built.houses[0].building.rings), 118.0);
+    EXPECT_GT(scenery::areaOf(built.houses[0].building.rings), 80.0);
+}
+
+TEST(Houses, OneOnTheStreetIsLeftOut)
+{
+    Village village;
+    village.box(0, -4, 12, 8);
+    village.box(50, 10, 12, 8);
+    const Built built(village);
+    EXPECT_EQ(built.houses.size(), 1u);
+    EXPECT_EQ(built.report.onRoad, 1u);
+}
+
+TEST(Houses, OfTwoOverEachOtherTheLargerStays)
+{
+    Village village;
+    village.box(0, 20, 12, 10);
+    village.box(6, 24, 20, 10);
+    village.box(26, 24, 10, 10); // shares a wall with the second
+    const Built built(village);
+    EXPECT_EQ(built.houses.size(), 2u);
+    EXPECT_EQ(built.report.overlapping, 1u);
+}
+
+TEST(Houses, OneInALakeIsLeftOut)
+{
+    Village village;
+    village.box(0, 20, 12, 10);
+    village.box(-40, 15, 80, 40, "natural", "water");
+    const Built built(village);
+    EXPECT_TRUE(built.houses.empty());
+    EXPECT_EQ(built.report.inWater, 1u);
+}
+
+TEST(Houses, TheMeasuresSeeAHouseThatIsMovedOntoTheStreetOrItsNeighbour)
+{
+    Village village;
+    village.box(0, 10, 12, 10);
+    village.box(20, 10, 12, 10);
+    const Built built(village);
+    ASSERT_EQ(built.houses.size(), 2u);
+    const RoadRoom room(built.streets.network);
+    PlanRings onStreet = built.houses[0].building.rings, onOther = onStreet;
+    for (glm::dvec2& corner : onStreet[0])
+        corner.y -= 12.0;
+    for (glm::dvec2& corner : onOther[0])
+        corner.x += 15.0;
+    EXPECT_GT(room.distanceM(built.houses[0].building.rings, 100.0), 5.0);
+    EXPECT_EQ(room.distanceM(onStreet, 100.0), 0.0);
+    const auto& neighbour = built.houses[1].building.rings;
+    EXPECT_EQ(commonAreaOf(built.houses[0].building.rings, neighbour), 0.0);
+    EXPECT_GT(commonAreaOf(onOther, neighbour), 50.0);
+}
+
+} // namespace

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "worldmaking/land/Houses.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <memory>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+#include <glm/glm.hpp>
+#include <ogr_geometry.h>
+
+#include "scenery/buildings/BuildingRules.h"
+#include "scenery/buildings/Outline.h"
+#include "worldmaking/land/PlanGrid.h"
+#include "worldmaking/map/GdalScope.h"
+
+namespace worldmaking
+{
+
+namespace
+{
+
+constexpr double kLeastShare = 0.45; ///< of a house that is cut back
+
+bool isUnderground(const Tags& tags)
+{
+    if (valueOf(tags, "location") == "underground") return true;
+    const std::string_view layer = valueOf(tags, "layer");
+    return !layer.empty() && layer.front() == '-';
+}
+
+std::unique_ptr<OGRPolygon> polygonOf(const PlanRings& rings)
+{
+    auto polygon = std::make_unique<OGRPolygon>();
+    for (const auto& ring : rings)
+    {
+        auto* const line = new OGRLinearRing; // the polygon's from here on
+        for (const glm::dvec2& corner : ring)
+            line->addPoint(corner.x, corner.y);
+        line->closeRings();
+        polygon->addRingDirectly(line);
+    }
+    return polygon;
+}
+
+/// The water of a map, as outlines in the plane.
+class Waters
+{
+public:
+    Waters(const LandMap& map, const MapPlane& plane)
+    {
+        for (const LandShape& shape : map.shapes)
+            if (isWater(shape))
+                if (auto rings = plane.toPlan(shape.paths))
+                {
+                    _grid.add(_outlines.size(), boxOf(rings->front()));
+                    _outlines.push_back(std::move(*rings));
+                }
+    }
+
+    bool contain(const glm::dvec2& place) const
+    {
+        bool isInside = false;
+        _grid.near({place, place},
+                   [&](std::size_t i) { isInside = isInside || scenery::isWithin(_outlines[i], place); });
+        return isInside;
+    }
+
+private:
+    std::vector<PlanRings> _outlines;
+    PlanGrid _grid;
+};
+
+/// Leaves out houses that lie over larger ones.
+void partOverlapping(std::vector<House>& houses, HouseReport& report)
+{
+    std::vector<std::size_t> order(houses.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    const auto areaAt = [&](std::size_t i) { return scenery::areaOf(houses[i].building.rings); };
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return areaAt(a) > areaAt(b); });
+    PlanGrid grid;
+    std::vector<char> stays(houses.size(), 1);
+    for (const std::size_t i : order)
+    {
+        const auto& rings = houses[i].building.rings;
+        const double most = std::max(kMostOverlapM2, kMostOverlap * areaAt(i));
+        grid.near(boxOf(rings.front()),
+                  [&](std::size_t other)
+                  {
+                      if (stays[i] && commonAreaOf(rings, houses[other].building.rings) > most) stays[i] = 0;
+                  });
+        if (stays[i])
+            grid.add(i, boxOf(rings.front()));
+        else
+            ++report.overlapping;
+    }
+    std::vector<House> kept;
+    for (std::size_t i = 0; i < houses.size(); ++i)
+        if (stays[i]) kept.push_back(std::move(houses[i]));
+    houses = std::move(kept);
+}
+
+/// Looks at one thing after the other.
+class HouseTaker
+{
+public:
+    HouseTaker(const LandMap& map, const MapPlane& plane, const RoadRoom& roads, const HasGround& ground,
+               HouseReport& report)
+        : _plane(plane), _roads(roads), _ground(ground), _waters(map, plane), _report(report)
+    {
+    }
+
+    std::optional<House> take(const LandShape& shape)
+    {
+        ++_report.read;
+        if (isUnderground(shape.tags)) return leave(_report.underground);
+        const auto rings = _plane.toPlan(shape.paths);
+        auto building = rings ? buildingOf(shape, *rings) : std::nullopt;
+        if (!building) return leave(_report.unusable);
+        for (const glm::dvec2& corner : building->rings.front())
+            if (!_ground(corner)) return leave(_report.beyondGround);
+        const auto middle = scenery::rectangleAround(building->rings.front()).middle;
+        if (_waters.contain(middle)) return leave(_report.inWater);
+        auto free = _roads.cutBack(building->rings, kHouseRoomM, kLeastShare);
+        if (!free) return leave(_report.onRoad);
+        House house{shape, std::move(*building)};
+        if (*free != house.building.rings)
+        {
+            ++_report.cutBack;
+            const auto again = shape.form == ShapeForm::area ? buildingOf(shape, *free) : std::nullopt;
+            if (!again) return leave(_report.onRoad);
+            house.building = *again;
+        }
+        auto degrees = _plane.toDegrees(house.building.rings);
+        if (!degrees) return leave(_report.unusable);
+        if (shape.form == ShapeForm::area) house.shape.paths = std::move(*degrees);
+        return house;
+    }
+
+private:
+    static std::optional<House> leave(std::size_t& count)
+    {
+        ++count;
+        return std::nullopt;
+    }
+
+    static std::optional<scenery::Building> buildingOf(const LandShape& shape, const PlanRings& rings)
+    {
+        const auto id = static_cast<std::uint64_t>(shape.id);
+        if (shape.form == ShapeForm::area) return scenery::buildingOf(rings, shape.tags, id);
+        return scenery::towerOf(rings.front().front(), shape.tags, id);
+    }
+
+    const MapPlane& _plane;
+    const RoadRoom& _roads;
+    const HasGround& _ground;
+    Waters _waters;
+    HouseReport& _report;
+};
+
+bool isHouse(const LandShape& shape)
+{
+    if (shape.form == ShapeForm::line) return false;
+    if (shape.form == ShapeForm::point)
+        return scenery::towerOf(shape.paths.front().front(), shape.tags, 0).has_value();
+    const std::string_view kind = valueOf(shape.tags, "building");
+    return !kind.empty() && kind != "no";
+}
+
+} // namespace
+
+bool isWater(const LandShape& shape)
+{
+    if (shape.form != ShapeForm::area) return false;
+    const std::string_view use = valueOf(shape.tags, "landuse"), way = valueOf(shape.tags, "waterway");
+    return valueOf(shape.tags, "natural") == "water" || use == "reservoir" || use == "basin" ||
+           way == "riverbank";
+}
+
+double commonAreaOf(const PlanRings& a, const PlanRings& b)
+{
+    const GdalScope quiet; // GEOS tells of outlines that cross themselves; they have no common area then
+    const auto first = polygonOf(a), second = polygonOf(b);
+    double area = 0.0;
+    if (first->Intersects(second.get()))
+    {
+        const std::unique_ptr<OGRGeometry> common(first->Intersection(second.get()));
+        const auto type = common ? wkbFlatten(common->getGeometryType()) : wkbUnknown;
+        if (type == wkbPolygon) area = common->toPolygon()->get_Area();
+        if (type == wkbMultiPolygon || type == wkbGeometryCollection)
+            area = common->toGeometryCollection()->get_Area();
+    }
+    return area;
+}
+
+std::vector<House> housesOf(const LandMap& map, const MapPlane& plane, const RoadRoom& roads,
+                            const HasGround& ground, HouseReport& report)
+{
+    HouseTaker taker(map, plane, roads, ground, report);
+    std::vector<House> houses;
+    for (const LandShape& shape : map.shapes)
+        if (isHouse(shape))
+            if (auto house = taker.take(shape)) houses.push_back(*std::move(house));
+    partOverlapping(houses, report);
+    for (const House& house : houses)
+        ++(house.shape.form == ShapeForm::point ? report.towers : report.standing);
+    return houses;
+}
+
+} // namespace worldmaking

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+#include "scenery/buildings/Building.h"
+#include "worldmaking/land/RoadRoom.h"
+#include "worldmaking/map/LandMap.h"
+#include "worldmaking/map/MapPlane.h"
+
+namespace worldmaking
+{
+
+/// A building or tower of a map that stands right. `rings` of the building: in the plane.
+struct House
+{
+    LandShape shape; ///< as the map has it, its outline perhaps cut back (degrees)
+    scenery::Building building;
+};
+
+/// What became of a map's buildings.
+struct HouseReport
+{
+    std::size_t read = 0, underground = 0, unusable = 0, beyondGround = 0;
+    std::size_t cutBack = 0;     ///< their outline reached onto a road
+    std::size_t onRoad = 0;      ///< left out: too little of them lies beside the roads
+    std::size_t overlapping = 0; ///< left out: they lie over a larger one
+    std::size_t inWater = 0;     ///< left out: their middle lies in water
+    std::size_t standing = 0, towers = 0;
+};
+
+/// Tells whether a place of the plane has ground.
+using HasGround = std::function<bool(const glm::dvec2& plan)>;
+
+/// Takes the buildings (key `building`) and towers of a map that can stand: none within kHouseRoomM of a lane, none over another,
+/// none in water. Larger ones come first where two overlap. Sources: as scenery::buildingOf().
+std::vector<House> housesOf(const LandMap& map, const MapPlane& plane, const RoadRoom& roads,
+                            const HasGround& ground, HouseReport& report);
+
+/// Tells whether an area of a map is open water.
+bool isWater(const LandShape& shape);
+
+inline constexpr double kHouseRoomM = 0.5;    ///< between a house and lanes
+inline constexpr double kMostOverlapM2 = 1.0; ///< of two houses, or …
+inline constexpr double kMostOverlap = 0.03;  ///< … this share of the smaller
+
+/// The common area of two outlines, square metres. Source: GEOS, through OGR.
+double commonAreaOf(const PlanRings& a, const PlanRings& b);
+
+} // namespace worldmaking
