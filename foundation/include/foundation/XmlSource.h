@@ -12,6 +12,7 @@
 #include <vector>
 
 #include <foundation/Result.h>
+#include <foundation/Utf8.h>
 #include <pugixml.hpp>
 
 namespace foundation
@@ -21,14 +22,6 @@ namespace xml
 {
 
 inline constexpr int kMaximumDepth = 64;
-
-inline bool isWideEncoding(std::string_view text)
-{
-    const auto startsWith = [&](std::string_view mark) { return text.substr(0, mark.size()) == mark; };
-    return startsWith("\xFE\xFF") || startsWith("\xFF\xFE") ||
-           startsWith(std::string_view("\0\0\xFE\xFF", 4)) || startsWith(std::string_view("<\0", 2)) ||
-           startsWith(std::string_view("\0<", 2)) || startsWith(std::string_view("\0\0\0<", 4));
-}
 
 } // namespace xml
 
@@ -41,8 +34,8 @@ public:
     static Result<std::unique_ptr<XmlSource>> read(const std::filesystem::path& file,
                                                    std::size_t maximumBytes);
 
-    /// Errors, as `name:line`: malformed, no root element, nested deeper than 64 elements; as `name`: nothing in it,
-    /// compressed, UTF-16 or UTF-32.
+    /// UTF-16 and UTF-32 are converted. Errors, as `name:line`: malformed, no root element, nested deeper than 64 elements; as `name`: nothing
+    /// in it, compressed, not valid in its encoding.
     static Result<std::unique_ptr<XmlSource>> parse(std::string_view text, const std::string& name);
 
     pugi::xml_node root() const { return _document.document_element(); }
@@ -79,7 +72,12 @@ inline Result<std::unique_ptr<XmlSource>> XmlSource::read(const std::filesystem:
 
 inline Result<std::unique_ptr<XmlSource>> XmlSource::parse(std::string_view text, const std::string& name)
 {
-    if (xml::isWideEncoding(text)) return Error{name, "not in UTF-8", "save the file as UTF-8"};
+    if (const auto encoding = wideEncodingOf(text))
+    {
+        const auto converted = toUtf8(text, *encoding);
+        if (converted && !wideEncodingOf(*converted)) return parse(*converted, name);
+        return Error{name, std::string("not valid ") + *encoding, "save the file as UTF-8"};
+    }
     if (text.starts_with("\x1F\x8B")) return Error{name, "compressed by gzip", "unpack the file with gunzip"};
     if (text.find_first_not_of(" \t\r\n") == std::string_view::npos)
         return Error{name, "there is nothing in the file", "write it again, or name another one"};
