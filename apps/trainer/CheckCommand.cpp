@@ -12,6 +12,7 @@
 #include "simulation/parser/Coverage.h"
 #include "simulation/parser/ParseScenario.h"
 #include "simulation/parser/Variations.h"
+#include "simulation/track/LayRecordings.h"
 #include "terminal/Terminal.h"
 
 namespace trainer
@@ -45,6 +46,8 @@ void add(Finding& finding, const std::filesystem::path& scenario,
     }
     finding.problems.insert(finding.problems.end(), parsed->problems.begin(), parsed->problems.end());
     finding.elements = std::move(parsed->elements);
+    if (const auto laid = simulation::layRecordings(parsed->scenario, {scenario}); !laid)
+        finding.problems.push_back({Problem::Kind::invalid, laid.error()});
 }
 
 /// A file of distributions is checked with its scenario in every variation; what they share is told once.

@@ -11,10 +11,10 @@
 
 #include "DriveWay.h"
 #include "SceneTerrain.h"
-#include "simulation/control/RecordedInputs.h"
 #include "simulation/control/VehicleMotion.h"
 #include "simulation/control/driver/Driver.h"
 #include "simulation/control/driver/RoadHands.h"
+#include "simulation/control/scenario/VehicleFiles.h"
 #include "simulation/tour/TourScenario.h"
 #include "simulation/vehicle/WeatherAir.h"
 #include "simulation/vehicle/road/RoadVehicleFile.h"
@@ -72,19 +72,11 @@ simulation::Scenario driveScenario(const simulation::RoadVehicleData& data,
 foundation::Result<std::unique_ptr<simulation::VehicleController>>
 driverOf(const DriveRequest& request, const simulation::RoadVehicle& vehicle, simulation::DriverPath path)
 {
-    if (request.inputs.empty())
-    {
-        simulation::DriverSettings settings;
-        if (request.speedMps > 0.0) settings.speedMps = request.speedMps;
-        return std::unique_ptr<simulation::VehicleController>(
-            std::make_unique<simulation::Driver>(vehicle, std::move(path), settings));
-    }
-    auto track = simulation::readInputs(request.inputs);
-    if (!track) return track.error();
-    auto inputs = simulation::RecordedInputs::create(std::move(*track), vehicle, request.inputs.string());
-    if (!inputs) return inputs.error();
+    if (!request.inputs.empty()) return simulation::openInputs(request.inputs, vehicle);
+    simulation::DriverSettings settings;
+    if (request.speedMps > 0.0) settings.speedMps = request.speedMps;
     return std::unique_ptr<simulation::VehicleController>(
-        std::make_unique<simulation::RecordedInputs>(std::move(*inputs)));
+        std::make_unique<simulation::Driver>(vehicle, std::move(path), settings));
 }
 
 void tellDrive(const simulation::VehicleMotion& motion)
@@ -111,7 +103,7 @@ public:
                const SceneTerrain& scene, simulation::DriverPath path)
         : _request(request),
           _data(std::make_shared<const simulation::RoadVehicleData>(data)),
-          _ground(groundForWheels(scene)),
+          _ground(groundForWheels(scene, request.surface)),
           _origin(scene.origin()),
           _path(std::move(path))
     {

@@ -6,6 +6,7 @@
 #include <foundation/Result.h>
 
 #include "Ride.h"
+#include "simulation/vehicle/Ground.h"
 
 namespace trainer
 {
@@ -17,6 +18,7 @@ struct DriveRequest : RideRequest
     double lengthM = 5000.0; ///< of the way
     double speedMps = 0.0;   ///< most that the driver wants; 0: what the roads allow
     double startM = 1.0;     ///< of the way, at which the rear axle begins
+    simulation::GroundKind surface = simulation::GroundKind::asphalt; ///< of the roads
 };
 
 /// Drives a road vehicle by its own physics along the lanes of a world: by the driver or by recorded inputs, with or without

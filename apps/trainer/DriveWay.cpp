@@ -6,9 +6,11 @@
 
 #include <osgRoads/core/query/ChooseDrive.h>
 
+#include "SceneGround.h"
 #include "ground/TileGround.h"
 #include "scenery/roads/HeightOnRoads.h"
 #include "scenery/roads/LanePath.h"
+#include "simulation/road/StopSignals.h"
 
 namespace trainer
 {
@@ -17,26 +19,8 @@ namespace
 {
 
 using osgRoads::core::RouteLeg;
-using osgRoads::core::Signal;
 
-constexpr const char* kStopSign = "206";   // of the German regulations
-constexpr const char* kLights = "1000001"; // of OpenDRIVE's own signals
-constexpr double kAboveBedM = 0.2;         // a road lies so far above the ground that is cut to it
-
-/// Whether a signal stops who drives along a leg.
-bool holdsFor(const Signal& signal, const RouteLeg& leg)
-{
-    if (signal.type != kStopSign && signal.type != kLights) return false;
-    if (signal.orientation != '0' && (signal.orientation == '+') != leg.lane.isForward) return false;
-    if (signal.s < std::min(leg.sFrom, leg.sTo) || signal.s > std::max(leg.sFrom, leg.sTo)) return false;
-    if (signal.validities.empty()) return true;
-    return std::any_of(signal.validities.begin(), signal.validities.end(),
-                       [&](const osgRoads::core::LaneValidity& lanes)
-                       {
-                           return leg.lane.lane >= std::min(lanes.fromLane, lanes.toLane) &&
-                                  leg.lane.lane <= std::max(lanes.fromLane, lanes.toLane);
-                       });
-}
+constexpr double kAboveBedM = 0.2; // a road lies so far above the ground that is cut to it
 
 std::vector<simulation::DriverStop> stopsOn(const osgRoads::core::RoadNetwork& network,
                                             const osgRoads::core::LaneRoute& route)
@@ -45,23 +29,24 @@ std::vector<simulation::DriverStop> stopsOn(const osgRoads::core::RoadNetwork& n
     double begunM = 0.0;
     for (const RouteLeg& leg : route.legs)
     {
-        for (const Signal& signal : network.roads[static_cast<std::size_t>(leg.lane.road)].signals)
-            if (holdsFor(signal, leg))
-                stops.push_back({begunM + std::abs(signal.s - leg.sFrom),
-                                 signal.type == kStopSign ? std::string() : signal.id});
+        for (const simulation::RoadStop& stop :
+             simulation::stopsBetween(network, leg.lane.road, leg.lane.lane, leg.sFrom, leg.sTo))
+            stops.push_back({begunM + std::abs(stop.sM - leg.sFrom), stop.signal});
         begunM += std::abs(leg.sTo - leg.sFrom);
     }
-    std::stable_sort(stops.begin(), stops.end(), [](const auto& a, const auto& b) { return a.atM < b.atM; });
     return stops;
 }
 
-/// Land and roads, asked for together: which of both is higher tells the kind.
+/// Land, roads and sea, asked for together: which of them is highest tells the kind.
 class WheelsGround final : public simulation::Ground
 {
 public:
-    explicit WheelsGround(const SceneTerrain& scene)
-        : _land(ground::groundOf(scene.terrain->tile()->tile)),
+    WheelsGround(const SceneTerrain& scene, simulation::GroundKind paving)
+        : _terrain(scene.terrain),
+          _land(ground::groundOf(scene.terrain->tile()->tile)),
           _roads(scene.roads),
+          _sea(scene.seaLevelM),
+          _paving(paving),
           _corner(scene.cornerM, 0.0)
     {
     }
@@ -97,15 +82,20 @@ private:
         constexpr double kClimbableM = 0.5;
         const auto land = _land(point.x, point.y, point.z + kClimbableM);
         if (!land) return {};
-        if (!_roads) return {land->heightM, {0.0, 0.0, 1.0}, GroundKind::grass, true};
         const double height =
-            scenery::heightOnRoads(*_roads, {point.x, point.y, land->heightM}, point.z + kClimbableM);
+            _roads ? scenery::heightOnRoads(*_roads, {point.x, point.y, land->heightM}, point.z + kClimbableM)
+                   : land->heightM;
+        const double sea = _sea ? seaHeightAt(*_sea, point + _corner) : height;
+        if (height < sea) return {sea, {0.0, 0.0, 1.0}, GroundKind::water, true};
         const bool isRoad = std::abs(height - land->heightM) > kAboveBedM;
-        return {height, {0.0, 0.0, 1.0}, isRoad ? GroundKind::asphalt : GroundKind::grass, true};
+        return {height, {0.0, 0.0, 1.0}, isRoad ? _paving : GroundKind::grass, true};
     }
 
+    osg::ref_ptr<osgTerrainROAM::RoamTerrain> _terrain; ///< kept for _land
     simulation::GroundProvider _land;
     std::shared_ptr<const osgRoads::core::PlacedNetwork> _roads;
+    std::optional<double> _sea;
+    simulation::GroundKind _paving; ///< of the roads
     glm::dvec3 _corner;
 };
 
@@ -129,9 +119,11 @@ foundation::Result<simulation::DriverPath> driveWay(const SceneTerrain& scene, c
     return simulation::DriverPath(points, stopsOn(network, route));
 }
 
-std::shared_ptr<const simulation::Ground> groundForWheels(const SceneTerrain& scene)
+std::shared_ptr<const simulation::Ground> groundForWheels(const SceneTerrain& scene,
+                                                          simulation::GroundKind paving)
 {
-    return std::make_shared<const WheelsGround>(scene);
+    if (!scene.terrain) return std::make_shared<const simulation::ProvidedGround>(scene.ground());
+    return std::make_shared<const WheelsGround>(scene, paving);
 }
 
 } // namespace trainer

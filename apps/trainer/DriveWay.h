@@ -18,7 +18,8 @@ namespace trainer
 foundation::Result<simulation::DriverPath> driveWay(const SceneTerrain& scene, const std::string& file,
                                                     double lengthM);
 
-/// The ground of a scene as wheels meet it: asphalt on roads, grass beside them.
-std::shared_ptr<const simulation::Ground> groundForWheels(const SceneTerrain& scene);
+/// The ground of a scene as wheels meet it: `paving` on roads, grass beside them, water where the sea is higher.
+std::shared_ptr<const simulation::Ground>
+groundForWheels(const SceneTerrain& scene, simulation::GroundKind paving = simulation::GroundKind::asphalt);
 
 } // namespace trainer

@@ -11,14 +11,13 @@
 #include "SceneGround.h"
 #include "SceneStrip.h"
 #include "SceneTerrain.h"
-#include "simulation/control/RecordedInputs.h"
 #include "simulation/control/VehicleMotion.h"
 #include "simulation/control/flight/Autopilot.h"
 #include "simulation/control/flight/FlightHands.h"
+#include "simulation/control/scenario/VehicleFiles.h"
 #include "simulation/tour/TourScenario.h"
 #include "simulation/vehicle/WeatherAir.h"
 #include "simulation/vehicle/flight/Aircraft.h"
-#include "simulation/vehicle/flight/AircraftFile.h"
 #include "simulation/vehicle/jsbsim/JsbsimFile.h"
 #include "simulation/vehicle/jsbsim/JsbsimVehicle.h"
 
@@ -129,15 +128,7 @@ controllerOf(const FlyRequest& request, const simulation::DynamicVehicle& vehicl
              const std::shared_ptr<const simulation::EarthFrame>& earth,
              const std::optional<simulation::RunwayStrip>& runway)
 {
-    if (!request.inputs.empty())
-    {
-        auto track = simulation::readInputs(request.inputs);
-        if (!track) return track.error();
-        auto inputs = simulation::RecordedInputs::create(std::move(*track), vehicle, request.inputs.string());
-        if (!inputs) return inputs.error();
-        return std::unique_ptr<simulation::VehicleController>(
-            std::make_unique<simulation::RecordedInputs>(std::move(*inputs)));
-    }
+    if (!request.inputs.empty()) return simulation::openInputs(request.inputs, vehicle);
     std::vector<simulation::FlightOrder> orders = standardOrders(request);
     if (!request.orders.empty())
     {
@@ -156,13 +147,7 @@ std::optional<simulation::RunwayStrip> runwayOf(const FlyRequest& request, const
 {
     const auto& strip = request.play.terrain.strip;
     if (!strip) return std::nullopt;
-    const glm::dvec3 place(strip->threshold, 1e4);
-    simulation::GroundPoint below;
-    ground.below({&place, 1}, {&below, 1});
-    return simulation::RunwayStrip{{strip->threshold, below.heightM},
-                                   foundation::radiansOf(strip->courseDeg),
-                                   strip->lengthM,
-                                   strip->widthM};
+    return simulation::runwayOn(ground, strip->threshold, strip->courseDeg, strip->lengthM, strip->widthM);
 }
 
 /// What JSBSim is to fly; nothing: the aircraft is one of our own.
@@ -191,17 +176,20 @@ foundation::Result<std::optional<simulation::JsbsimData>> jsbsimOf(const FlyRequ
 }
 
 foundation::Result<std::unique_ptr<simulation::DynamicVehicle>>
-aircraftOf(const FlyRequest& request, const std::shared_ptr<const simulation::EarthFrame>& earth)
+aircraftOf(const FlyRequest& request, const std::optional<simulation::Geodetic>& origin)
 {
     auto jsbsim = jsbsimOf(request);
     if (!jsbsim) return jsbsim.error();
     if (*jsbsim)
         return std::unique_ptr<simulation::DynamicVehicle>(std::make_unique<simulation::JsbsimVehicle>(
-            std::make_shared<const simulation::JsbsimData>(std::move(**jsbsim)), earth, request.seed));
-    auto data = simulation::readAircraft(request.aircraft);
-    if (!data) return data.error();
-    return std::unique_ptr<simulation::DynamicVehicle>(std::make_unique<simulation::Aircraft>(
-        std::make_shared<const simulation::AircraftData>(std::move(*data)), earth, request.seed));
+            std::make_shared<const simulation::JsbsimData>(std::move(**jsbsim)), simulation::earthOf(origin),
+            request.seed));
+    auto aircraft = simulation::openVehicle(request.aircraft, origin, request.seed);
+    if (!aircraft) return aircraft.error();
+    if (!dynamic_cast<const simulation::Aircraft*>(aircraft->get()))
+        return foundation::Error{request.aircraft.string(), "is a road vehicle",
+                                 "give the data file of an aircraft, or write trainer drive"};
+    return aircraft;
 }
 
 /// Makes one flight after the other over one ground.
@@ -213,8 +201,7 @@ public:
         : _request(request),
           _ground(std::move(ground)),
           _origin(origin),
-          _earth(std::make_shared<const simulation::EarthFrame>(
-              origin.value_or(simulation::Geodetic{46.0, 8.0, 0.0}))),
+          _earth(simulation::earthOf(origin)),
           _starts(startsOf(request))
     {
     }
@@ -269,7 +256,7 @@ foundation::Result<Ride> FlightMaker::make(std::size_t place)
     if (!below.isKnown)
         return foundation::Error{"--start", "there is no ground at the start", "give a place on the terrain"};
     start.z = below.heightM + from.heightM;
-    auto aircraft = aircraftOf(_request, _earth);
+    auto aircraft = aircraftOf(_request, _origin);
     if (!aircraft) return aircraft.error();
     auto controller = controllerOf(_request, **aircraft, _earth, runwayOf(_request, *_ground));
     if (!controller) return controller.error();

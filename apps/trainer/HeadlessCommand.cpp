@@ -6,10 +6,12 @@
 #include <optional>
 
 #include "ScenarioProblems.h"
+#include "simulation/control/scenario/ScenarioMotions.h"
 #include "simulation/parser/ParseScenario.h"
 #include "simulation/player/ScenarioPlayer.h"
 #include "simulation/record/MotionLog.h"
 #include "simulation/road/ScenarioRoads.h"
+#include "simulation/vehicle/RoadSceneGround.h"
 
 namespace trainer
 {
@@ -53,6 +55,10 @@ foundation::Result<std::unique_ptr<simulation::ScenarioPlayer>> openPlayer(simul
     options.clock = simulation::FixedClock::forStep(request.stepS);
     options.scenarioName = request.scenario.string();
     options.seed = request.seed;
+    std::shared_ptr<const simulation::Ground> ground = std::make_shared<simulation::LevelGround>();
+    if (options.roads) ground = std::make_shared<simulation::RoadSceneGround>(options.roads);
+    options.motionSource = std::make_shared<simulation::ScenarioMotions>(simulation::ScenarioMotions::World{
+        std::move(ground), options.origin, request.scenario.parent_path(), request.seed});
     return simulation::ScenarioPlayer::create(std::move(scenario), std::move(options));
 }
 
@@ -65,6 +71,7 @@ foundation::Outcome playHeadless(const HeadlessRequest& request)
         simulation::readScenario(request.scenario, {.tolerant = true, .parameters = request.parameters});
     if (!parsed) return parsed.error();
     if (const auto sound = tellProblems(parsed->problems); !sound) return sound;
+    if (const auto laid = tellRecordings(parsed->scenario, {request.scenario}); !laid) return laid;
     auto player = openPlayer(std::move(parsed->scenario), request);
     if (!player) return player.error();
     return playOut(**player, request);
@@ -85,6 +92,8 @@ foundation::Outcome playOut(simulation::ScenarioPlayer& player, const HeadlessRe
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
     std::printf("played %.2f s, %.0f times as fast as real time\n", player.timeS(),
                 player.timeS() / took.count());
+    for (const std::string& note : player.notes())
+        std::printf("note: %s\n", note.c_str());
     for (const auto& [name, value] : player.monitors())
         std::printf("monitor %s: %s\n", name.c_str(), value ? "true" : "false");
     return log ? log->finish() : foundation::success();

@@ -123,6 +123,8 @@ foundation::Outcome playOver(SceneTerrain terrain, simulation::Scenario scenario
     for (const std::string& note : (*session)->notes())
         std::cout << "note: " << note << '\n';
     if (const auto played = playToTheEnd(**session, request); !played) return played;
+    for (const std::string& note : (*session)->player().notes())
+        std::cout << "note: " << note << '\n';
     return leaveResults(**session, request);
 }
 
@@ -139,6 +141,8 @@ foundation::Outcome play(const PlayRequest& request)
     scene.inRoadsFrame = true;
     auto terrain = openScene(*file, scene);
     if (!terrain) return terrain.error();
+    const simulation::SceneFrame frame(terrain->origin(), terrain->ground());
+    if (const auto laid = tellRecordings(parsed->scenario, {request.scenario, &frame}); !laid) return laid;
     return playOver(std::move(*terrain), std::move(parsed->scenario), request);
 }
 

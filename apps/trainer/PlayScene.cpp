@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "PlayScene.h"
 
+#include "DriveWay.h"
 #include "SceneRoads.h"
+#include "simulation/control/scenario/ScenarioMotions.h"
 #include "simulation/road/ScenarioRoads.h"
 #include "view/WatchedEntity.h"
 
@@ -33,8 +35,13 @@ foundation::Result<simulation::PlayerOptions> playerOptionsOf(const simulation::
                                                               const PlayRequest& request,
                                                               const simulation::FixedClock& clock)
 {
-    simulation::PlayerOptions stage{terrain.origin(), terrain.ground(), clock, "scenario", nullptr, {},
-                                    request.seed};
+    simulation::PlayerOptions stage;
+    stage.origin = terrain.origin();
+    stage.ground = terrain.ground();
+    stage.clock = clock;
+    stage.seed = request.seed;
+    stage.motionSource = std::make_shared<simulation::ScenarioMotions>(simulation::ScenarioMotions::World{
+        groundForWheels(terrain), stage.origin, request.scenario.parent_path(), request.seed});
     if (!request.scenario.empty()) stage.scenarioName = request.scenario.string();
     if (scenario.needsRoads())
     {

@@ -27,4 +27,13 @@ foundation::Outcome tellProblems(const std::vector<simulation::Problem>& problem
     return foundation::success();
 }
 
+foundation::Outcome tellRecordings(simulation::Scenario& scenario, const simulation::RecordingPlace& place)
+{
+    const auto notes = simulation::layRecordings(scenario, place);
+    if (!notes) return notes.error();
+    for (const std::string& note : *notes)
+        std::cout << "track: " << note << '\n';
+    return foundation::success();
+}
+
 } // namespace trainer

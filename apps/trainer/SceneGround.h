@@ -8,6 +8,13 @@
 namespace trainer
 {
 
+/// z of the sea at a place, from its z at the scene's origin: it bends with the Earth.
+inline double seaHeightAt(double seaLevelM, const glm::dvec3& place)
+{
+    constexpr double kTwiceEarthM = 2.0 * 6.371e6;
+    return seaLevelM - (place.x * place.x + place.y * place.y) / kTwiceEarthM;
+}
+
 /// The ground of a scene as vehicles meet it: land by its heights; below the sea's level there is water at that level.
 class SceneGround final : public simulation::Ground
 {
@@ -20,13 +27,11 @@ public:
 
     void below(std::span<const glm::dvec3> points, std::span<simulation::GroundPoint> answers) const override
     {
-        constexpr double kTwiceEarthM = 2.0 * 6.371e6;
         _land.below(points, answers);
         if (!_seaLevelM) return;
         for (std::size_t i = 0; i < points.size(); ++i)
         {
-            const double seaM =
-                *_seaLevelM - (points[i].x * points[i].x + points[i].y * points[i].y) / kTwiceEarthM;
+            const double seaM = seaHeightAt(*_seaLevelM, points[i]);
             if (answers[i].isKnown && answers[i].heightM < seaM)
                 answers[i] = {seaM, {0.0, 0.0, 1.0}, simulation::GroundKind::water, true};
         }

@@ -30,6 +30,7 @@ public:
     DynamicVehicle& vehicle() { return *_vehicle; }
     const DynamicVehicle& vehicle() const { return *_vehicle; }
     const VehicleController* controller() const { return _controller.get(); }
+    VehicleController* controller() { return _controller.get(); }
     const InputRecorder* recorder() const { return _recorder ? &*_recorder : nullptr; }
 
     /// Steps made so far.

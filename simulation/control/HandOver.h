@@ -52,6 +52,7 @@ public:
         _automatic->control(view, inputs);
     }
 
+    std::string note() const override { return _automatic ? _automatic->note() : std::string(); }
     std::string_view phase() const override { return _isByHand ? _hands.phase() : _automatic->phase(); }
 
     /// A person decides when a ride by hand is over.

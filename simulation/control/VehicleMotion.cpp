@@ -7,6 +7,8 @@
 
 #include <foundation/Angle.h>
 
+#include "simulation/vehicle/ScenarioWeather.h"
+
 namespace simulation
 {
 namespace
@@ -39,39 +41,84 @@ EntityState entityStateOf(const VehicleState& vehicle, const glm::dvec3& referen
 
 VehicleMotion::VehicleMotion(std::unique_ptr<ControlledVehicle> vehicle, std::shared_ptr<const Ground> ground,
                              std::shared_ptr<const Air> air)
-    : _vehicle(std::move(vehicle)), _ground(std::move(ground)), _air(std::move(air))
+    : _vehicle(std::move(vehicle)), _land(std::move(ground)), _ground(_land), _air(std::move(air))
 {
     publish(0.0);
 }
 
-foundation::Outcome VehicleMotion::begin(const EntityState& start, bool isAirborne)
+void VehicleMotion::followWeather(double originHeightM, double turbulenceMps)
 {
+    _weather = Weather{originHeightM, turbulenceMps};
+    WeatherSettings settings;
+    settings.gustDeviationMps = turbulenceMps;
+    _air = std::make_shared<const WeatherAir>(settings);
+}
+
+void VehicleMotion::takeWeather(const EnvironmentState& environment)
+{
+    if (!_weather) return;
+    const GroundWeather ground = groundWeatherOf(environment);
+    if (ground != _weather->ground) _ground = std::make_shared<const WeatheredGround>(_land, ground);
+    _weather->ground = ground;
+    if (environment.wind == _weather->wind && environment.temperatureK == _weather->temperatureK &&
+        environment.pressurePa == _weather->pressurePa)
+        return;
+    _weather->wind = environment.wind;
+    _weather->temperatureK = environment.temperatureK;
+    _weather->pressurePa = environment.pressurePa;
+    WeatherSettings settings = weatherOf(environment, _weather->originHeightM);
+    settings.gustDeviationMps = _weather->turbulenceMps;
+    _air = std::make_shared<const WeatherAir>(settings);
+}
+
+void VehicleMotion::askForSpeed(double speedMps)
+{
+    if (_vehicle->controller()) _vehicle->controller()->askForSpeed(speedMps);
+}
+
+void VehicleMotion::askForPlace(const std::optional<glm::dvec3>& place)
+{
+    if (_vehicle->controller()) _vehicle->controller()->askForPlace(place);
+}
+
+foundation::Outcome VehicleMotion::begin(const EntityState& start, bool isAirborne, double timeS,
+                                         const EnvironmentState& environment)
+{
+    _startS = timeS;
+    takeWeather(environment);
     const auto begun = _vehicle->vehicle().begin({start.position, foundation::radiansOf(start.headingDeg),
                                                   start.speedMps, isAirborne && start.speedMps > 0.0},
                                                  *_ground, *_air);
     if (!begun) return begun;
     _vehicle->look();
-    publish(0.0);
+    publish(_startS);
     return foundation::success();
 }
 
 void VehicleMotion::advanceTo(double timeS, const Traffic& traffic)
 {
     constexpr double kSameTimeS = 1e-9;
-    while (_vehicle->now().timeS < timeS - kSameTimeS)
+    if (traffic.environment) takeWeather(*traffic.environment);
+    while (_vehicle->now().timeS < timeS - _startS - kSameTimeS)
     {
         _vehicle->step(*_ground, *_air, traffic);
         _odometerM += glm::distance(_vehicle->before().position, _vehicle->now().position);
         const VehicleStatus status = _vehicle->vehicle().status();
         if (status.condition != VehicleCondition::sound && _note.empty())
-            _note = noteOf(status, _vehicle->now().timeS);
+            _note = noteOf(status, _startS + _vehicle->now().timeS);
     }
     publish(timeS);
 }
 
+std::string VehicleMotion::note() const
+{
+    if (!_note.empty() || !_vehicle->controller()) return _note;
+    return _vehicle->controller()->note();
+}
+
 void VehicleMotion::publish(double timeS)
 {
-    _state = entityStateOf(stateBetween(_vehicle->before(), _vehicle->now(), timeS),
+    _state = entityStateOf(stateBetween(_vehicle->before(), _vehicle->now(), timeS - _startS),
                            _vehicle->vehicle().referencePoint());
     _vehicle->vehicle().writeParts(_state);
     _state.odometerM = _odometerM;

@@ -5,6 +5,7 @@
 
 #include "simulation/control/ControlledVehicle.h"
 #include "simulation/player/ExternalMotion.h"
+#include "simulation/vehicle/WeatheredGround.h"
 
 namespace simulation
 {
@@ -17,22 +18,41 @@ public:
     VehicleMotion(std::unique_ptr<ControlledVehicle> vehicle, std::shared_ptr<const Ground> ground,
                   std::shared_ptr<const Air> air);
 
-    foundation::Outcome begin(const EntityState& start, bool isAirborne) override;
+    /// Takes wind, air and road friction from the environment of the scenario, from begin() on. `originHeightM`: of the scene's origin
+    /// above the ellipsoid; `turbulenceMps`: deviation of gusts above 600 m.
+    void followWeather(double originHeightM, double turbulenceMps);
+
+    foundation::Outcome begin(const EntityState& start, bool isAirborne, double timeS,
+                              const EnvironmentState& environment) override;
     void advanceTo(double timeS, const Traffic& traffic) override;
+    void askForSpeed(double speedMps) override;
+    void askForPlace(const std::optional<glm::dvec3>& place) override;
     const EntityState& state() const override { return _state; }
     bool isDone() const override { return _vehicle->controller() && _vehicle->controller()->isDone(); }
 
-    /// When and why it is not sound any more.
-    std::string note() const override { return _note; }
+    /// When and why it is not sound any more, else what its controller tells.
+    std::string note() const override;
 
     const ControlledVehicle& vehicle() const { return *_vehicle; }
 
 private:
+    /// What of an environment moves a vehicle.
+    struct Weather
+    {
+        double originHeightM = 0.0, turbulenceMps = 0.0;
+        std::optional<Wind> wind{};
+        std::optional<double> temperatureK{}, pressurePa{};
+        GroundWeather ground{};
+    };
+
     void publish(double timeS);
+    void takeWeather(const EnvironmentState& environment);
 
     std::unique_ptr<ControlledVehicle> _vehicle;
-    std::shared_ptr<const Ground> _ground;
+    std::shared_ptr<const Ground> _land, _ground; ///< as it is, and as the weather leaves it
     std::shared_ptr<const Air> _air;
+    std::optional<Weather> _weather; ///< absent: the air is that of the maker
+    double _startS = 0.0;            ///< of the simulation
     EntityState _state;
     double _odometerM = 0.0;
     std::string _note;

@@ -284,8 +284,8 @@ constexpr auto kElements = std::to_array<ElementCoverage>({
     {"Environment", "Wind", Support::approximated,
      "it is the wind of vehicles that fly or drive by their own physics; nothing else is moved by it"},
     {"Environment", "RoadCondition", Support::approximated,
-     "it bounds how controllers and pedals brake; nothing skids"},
-    {"Environment", "Wetness", Support::reported, "kept dry"},
+     "friction and wetness are those of vehicles with physics, and the friction bounds how controllers and "
+     "pedals brake; not drawn"},
     {"Environment", "DomeImage", Support::reported, "the sky is computed"},
     {"Conditions", "ByValueCondition"},
     {"Conditions", "SimulationTimeCondition"},

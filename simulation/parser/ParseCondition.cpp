@@ -76,7 +76,8 @@ Trigger parseTrigger(ElementReader reader)
         for (pugi::xml_node node : groupNode.children("Condition"))
             group.conditions.push_back(parseCondition({reader.context, node}));
         if (group.conditions.empty())
-            reader.context.invalid(groupNode, "a ConditionGroup has no Condition", "add one");
+            reader.context.unsupported(groupNode, "a ConditionGroup without a Condition",
+                                       "it never triggers; add one");
         trigger.groups.push_back(std::move(group));
     }
     return trigger;

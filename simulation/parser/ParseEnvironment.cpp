@@ -68,6 +68,12 @@ DateTime parseInstant(ElementReader& reader)
     return {};
 }
 
+constexpr Keywords<std::string_view, 5> kWetness{{{"dry", "dry"},
+                                                  {"moist", "moist"},
+                                                  {"wetWithPuddles", "wetWithPuddles"},
+                                                  {"lowFlooded", "lowFlooded"},
+                                                  {"highFlooded", "highFlooded"}}};
+
 Environment parseEnvironment(ElementReader reader)
 {
     reader.allowChildren({"ParameterDeclarations", "TimeOfDay", "Weather", "RoadCondition"});
@@ -81,7 +87,11 @@ Environment parseEnvironment(ElementReader reader)
     if (const pugi::xml_node node = reader.node.child("Weather"))
         environment.weather = parseWeather({context, node});
     if (const pugi::xml_node node = reader.node.child("RoadCondition"))
-        environment.roadFriction = ElementReader(context, node).notNegative("frictionScaleFactor");
+    {
+        ElementReader road(context, node);
+        environment.roadFriction = road.notNegative("frictionScaleFactor");
+        environment.roadWetness = road.choiceOr("wetness", kWetness, std::string_view());
+    }
     return environment;
 }
 

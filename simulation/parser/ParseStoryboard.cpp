@@ -105,8 +105,6 @@ ManeuverGroup parseManeuverGroup(ElementReader reader)
     group.maximumExecutionCount = reader.count("maximumExecutionCount", 1);
     ElementReader actors = reader.child("Actors");
     group.selectTriggeringEntities = actors.flagOr("selectTriggeringEntities", false);
-    if (group.selectTriggeringEntities)
-        context.unsupported(actors.node, "selectTriggeringEntities", "the actors that are named act");
     for (pugi::xml_node node : actors.node.children("EntityRef"))
         for (const std::string& name : parseEntityRefs({context, node}))
             group.actors.push_back(name);
@@ -117,7 +115,7 @@ ManeuverGroup parseManeuverGroup(ElementReader reader)
     }
     for (pugi::xml_node node : reader.node.children("Maneuver"))
         group.maneuvers.push_back(parseManeuver({context, node}));
-    if (group.actors.empty() && hasPrivateAction(group))
+    if (group.actors.empty() && !group.selectTriggeringEntities && hasPrivateAction(group))
         context.unsupported(actors.node, "a private action without actors",
                             "nothing is done; add an EntityRef to Actors");
     return group;

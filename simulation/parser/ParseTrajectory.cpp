@@ -30,6 +30,14 @@ Trajectory parseTrajectoryReference(ElementReader action)
     ElementReader holder(action.context, reference ? reference : action.node);
     if (const pugi::xml_node catalog = holder.node.child("CatalogReference"))
     {
+        ElementReader entry(action.context, catalog);
+        if (namesTrackFile(entry.textOr("catalogName", "")))
+        {
+            // A file of recorded tracks in place of a catalogue.
+            const Recording recording{entry.text("catalogName"), entry.text("entryName")};
+            return {action.context.line(catalog), recording.track.empty() ? recording.file : recording.track,
+                    false, Polyline{}, recording};
+        }
         CatalogVisit visit({action.context, catalog});
         return visit.entry() ? parseTrajectory({action.context, visit.entry()}) : Trajectory{};
     }
@@ -75,7 +83,7 @@ FollowTrajectoryAction parseFollowTrajectory(ElementReader reader)
         action.mode = ElementReader(reader.context, mode).choice("followingMode", kFollowingModes);
     action.initialDistanceOffsetM =
         reader.has("initialDistanceOffset") ? reader.notNegative("initialDistanceOffset") : 0.0;
-    if (action.timing && !reader.context.isStopped())
+    if (action.timing && !action.trajectory.recording && !reader.context.isStopped())
         checkShapeTimes(reader.context, reader.node, action.trajectory.shape);
     return action;
 }

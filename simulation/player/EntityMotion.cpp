@@ -186,6 +186,12 @@ void EntityMotion::goAlongLane(double distanceM, double timeS)
     }
 }
 
+WayAhead EntityMotion::wayAhead(double lengthM) const
+{
+    if (_run) return {_run->pointsAhead(lengthM), {}};
+    return _state.place ? wayAlongLane(*_roads, *_state.place, _way, _turns, lengthM) : WayAhead{};
+}
+
 void EntityMotion::setPlace(const RoadPlace& place)
 {
     _state.place = place;

@@ -11,7 +11,7 @@
 #include "simulation/player/SceneFrame.h"
 #include "simulation/player/SpeedProfile.h"
 #include "simulation/player/TrajectoryRun.h"
-#include "simulation/road/RoadWalk.h"
+#include "simulation/road/WayAhead.h"
 #include "simulation/scenario/Entity.h"
 
 namespace simulation
@@ -53,6 +53,12 @@ public:
     /// Takes the state of what moves the entity in place of its actions; name and place on the road are found here.
     void takeState(const EntityState& state, double timeS);
 
+    const RoadWay& way() const { return _way; }
+    const std::optional<RandomDraw>& turns() const
+    {
+        return _turns;
+    } ///< absent: by the way, else straight on
+
     void setWay(RoadWay way)
     {
         _way = std::move(way);
@@ -69,6 +75,12 @@ public:
     void setAnimation(const std::string& part, double state) { _state.animations[part] = state; }
     bool isAirborne() const { return _isAirborne; }
     bool isOnTrajectory() const { return _run.has_value(); }
+
+    /// The speed that the actions ask for, whoever moves the entity. Units: m/s.
+    double askedSpeedAt(double timeS) const { return _speed.speedAt(timeS - _speedStartS); }
+
+    /// Where it goes by itself from here: the rest of its trajectory, else its lane by its way, up to a length. Without either no points.
+    WayAhead wayAhead(double lengthM) const;
 
     /// Starts an action and returns its ticket for isDone() and cancel(). A new action of the same kind ends the one
     /// before.

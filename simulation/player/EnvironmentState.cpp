@@ -30,6 +30,7 @@ void EnvironmentClock::apply(const Environment& environment, double timeS)
         _givenSun.reset();
     }
     if (environment.roadFriction) _state.roadFriction = *environment.roadFriction;
+    if (!environment.roadWetness.empty()) _state.roadWetness = environment.roadWetness;
     if (!environment.weather) return;
     const Weather& weather = *environment.weather;
     if (weather.sun)

@@ -23,6 +23,7 @@ struct EnvironmentState
     std::optional<Wind> wind;
     std::optional<double> temperatureK, pressurePa; ///< of the air at the origin
     double roadFriction = 1.0;                      ///< of dry asphalt
+    std::string roadWetness = "dry";                ///< in the standard's words
 };
 
 /// The environment as the actions so far have set it, and as it changes during the day. An action changes only what

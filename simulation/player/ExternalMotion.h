@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include <foundation/Result.h>
@@ -18,10 +19,18 @@ public:
 
     /// Begins where the Init actions put the entity: an airborne one with a speed flies, any other stands on the ground or rolls.
     /// Errors: it cannot begin there.
-    virtual foundation::Outcome begin(const EntityState& start, bool isAirborne) = 0;
+    /// `environment`: at the time `timeS` of the simulation, which is its begin.
+    virtual foundation::Outcome begin(const EntityState& start, bool isAirborne, double timeS,
+                                      const EnvironmentState& environment) = 0;
 
     /// Moves on to a later time. `traffic`: the scene before.
     virtual void advanceTo(double timeS, const Traffic& traffic) = 0;
+
+    /// Hears which speed the scenario asks for. Units: m/s.
+    virtual void askForSpeed(double /*speedMps*/) {}
+
+    /// Hears beside which place of its way the scenario wants it to be; nothing: on its own way again.
+    virtual void askForPlace(const std::optional<glm::dvec3>& /*place*/) {}
 
     /// At the time of the last advanceTo(). The name is left empty.
     virtual const EntityState& state() const = 0;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "simulation/player/LeadVehicle.h"
+#include "simulation/player/RedLight.h"
 #include "simulation/player/SpeedController.h"
 
 namespace simulation
@@ -30,18 +31,19 @@ public:
 
     double speedAfter(ActionScene& scene, int actor) override
     {
-        constexpr double kLookAheadM = 200.0, kLateralM = 5.0, kTouchingM = 0.1;
+        constexpr double kLookAheadM = 200.0, kLateralM = 5.0, kLightM = 100.0;
+        constexpr double kLightBrakes =
+            2.0; ///< of the comfortable deceleration, to stop at a light that turns
+        constexpr double kBeforeLineM = 1.0;
         const double share = _desiredMps > 0.0 ? _speedMps / _desiredMps : 1.0;
         double acceleration = 1.0 - share * share * share * share;
+        double crowd = 0.0;
         if (const auto lead = leadVehicleOf(scene, actor, kLookAheadM, kLateralM))
-        {
-            const double closing = _speedMps - scene.motion(lead->entity).state().speedMps;
-            const double brakes = 2.0 * std::sqrt(std::max(_accelerationMps2 * _decelerationMps2, 0.01));
-            const double wanted =
-                _distanceM + std::max(0.0, _speedMps * _headwayS + _speedMps * closing / brakes);
-            const double ratio = wanted / std::max(lead->gapM, kTouchingM);
-            acceleration -= ratio * ratio;
-        }
+            crowd = crowding(lead->gapM, scene.motion(lead->entity).state().speedMps);
+        // A red light is one that stands with its back at the line.
+        if (const auto gapM = redLightAhead(scene, actor, kLightM, kLightBrakes * _decelerationMps2))
+            crowd = std::max(crowd, crowding(*gapM + _distanceM - kBeforeLineM, 0.0));
+        acceleration -= crowd;
         Performance limits = performanceOf(scene.scenario().entities[static_cast<std::size_t>(actor)]);
         limits.maxDecelerationMps2 *= scene.grip();
         _speedMps += scene.stepS() * std::clamp(_accelerationMps2 * acceleration, -limits.maxDecelerationMps2,
@@ -53,6 +55,18 @@ public:
     void askFor(double speedMps) override { _desiredMps = speedMps; }
 
 private:
+    /// How much something ahead slows it down: (s* / s)².
+    double crowding(double gapM, double aheadMps) const
+    {
+        constexpr double kTouchingM = 0.1;
+        const double brakes = 2.0 * std::sqrt(std::max(_accelerationMps2 * _decelerationMps2, 0.01));
+        const double closing = _speedMps - aheadMps;
+        const double wanted =
+            _distanceM + std::max(0.0, _speedMps * _headwayS + _speedMps * closing / brakes);
+        const double ratio = wanted / std::max(gapM, kTouchingM);
+        return ratio * ratio;
+    }
+
     double _speedMps;
     double _desiredMps, _distanceM, _headwayS, _accelerationMps2, _decelerationMps2;
 };

@@ -9,6 +9,19 @@
 namespace simulation
 {
 
+namespace
+{
+
+bool movesSideways(const PrivateAction& action)
+{
+    return std::holds_alternative<LaneChangeAction>(action) ||
+           std::holds_alternative<LaneOffsetAction>(action) ||
+           std::holds_alternative<LateralDistanceAction>(action) ||
+           std::holds_alternative<FollowTrajectoryAction>(action);
+}
+
+} // namespace
+
 template<class Action>
 ActionTicket ScenePerformer::start(const Action& action, int actor, ActionDomain domain)
 {
@@ -86,6 +99,7 @@ ActionTicket ScenePerformer::carryOut(const TeleportAction& action, int actor)
     const auto placed = _positions.place(action.position);
     if (!placed) return {};
     motion(actor).teleport(*placed, timeS());
+    _lent.restart(static_cast<std::size_t>(actor), timeS());
     if (_roads && timeS() > 0.0) motion(actor).standForAStep(); // as in esmini (decision 30)
     return {};
 }
@@ -109,14 +123,14 @@ ActionTicket ScenePerformer::carryOut(const AcquirePositionAction& action, int a
 
 ActionTicket ScenePerformer::carryOut(const ActivateControllerAction& action, int actor)
 {
-    if (action.longitudinal) activate(action.controller, *action.longitudinal, actor);
+    activate(action.controller, {action.longitudinal, action.lateral}, actor);
     return {};
 }
 
 ActionTicket ScenePerformer::carryOut(const AssignControllerAction& action, int actor)
 {
     _controllers[static_cast<std::size_t>(actor)].push_back(action.controller);
-    if (action.longitudinal) activate(action.controller.name, *action.longitudinal, actor);
+    activate(action.controller.name, {action.longitudinal, action.lateral}, actor);
     if (action.overrides) carryOut(*action.overrides, actor);
     return {};
 }
@@ -158,7 +172,7 @@ ActionTicket ScenePerformer::carryOut(const OverrideAction& action, int actor)
     if (_pedals[index])
         end(actor, ActionDomain::longitudinal);
     else if (_active[index])
-        activate("", true, actor); // it begins at the speed of now
+        activate("", {true, std::nullopt}, actor); // it begins at the speed of now
     return {};
 }
 
@@ -172,12 +186,16 @@ ActionTicket ScenePerformer::carryOut(const RandomRouteAction&, int actor)
 /// Whether a controller has hold of what the action would change. It hears which speed is asked for.
 bool ScenePerformer::isHeld(const PrivateAction& action, int actor)
 {
-    SpeedController* const active = driverOf(static_cast<std::size_t>(actor));
-    if (!active) return false;
+    const auto index = static_cast<std::size_t>(actor);
+    if (_lent.has(index) && movesSideways(action)) return _lent.holds(index, ActionDomain::lateral);
+    const bool isLent = _lent.has(index) && _lent.holds(index, ActionDomain::longitudinal);
+    SpeedController* const active = _lent.has(index) ? nullptr : driverOf(index);
+    if (!isLent && !active) return false;
     if (const auto* content = std::get_if<SpeedAction>(&action))
     {
-        if (const auto* target = std::get_if<AbsoluteTargetSpeed>(&content->target))
-            active->askFor(target->speedMps);
+        const auto* const target = std::get_if<AbsoluteTargetSpeed>(&content->target);
+        if (target && isLent) _lent.askForSpeed(index, target->speedMps);
+        if (target && active) active->askFor(target->speedMps);
         return true;
     }
     return std::holds_alternative<LongitudinalDistanceAction>(action) ||
@@ -185,19 +203,37 @@ bool ScenePerformer::isHeld(const PrivateAction& action, int actor)
            std::holds_alternative<SynchronizeAction>(action);
 }
 
-/// Of several controllers the one of that name, else the one assigned last.
-void ScenePerformer::activate(const std::string& controller, bool isActive, int actor)
+/// Of several controllers the one of that name, else the one assigned last; null: there is none.
+const Controller* ScenePerformer::controllerOf(const std::string& controller, int actor) const
 {
-    const auto index = static_cast<std::size_t>(actor);
-    _active[index].reset();
-    const std::vector<Controller>& known = _controllers[index];
-    if (!isActive || known.empty()) return;
+    const std::vector<Controller>& known = _controllers[static_cast<std::size_t>(actor)];
+    if (known.empty()) return nullptr;
     const auto named = std::find_if(known.begin(), known.end(),
                                     [&](const Controller& one) {
                                         return one.name == controller ||
                                                (!controller.empty() && one.objectName == controller);
                                     });
-    _active[index] = makeSpeedController(named != known.end() ? *named : known.back(), motion(actor).state());
+    return named != known.end() ? &*named : &known.back();
+}
+
+/// A controller with physics moves the entity; any other one its speed alone.
+void ScenePerformer::activate(const std::string& name, const LentMotions::Wish& wish, int actor)
+{
+    const auto index = static_cast<std::size_t>(actor);
+    const Controller* const controller = controllerOf(name, actor);
+    if (controller && controller->hasPhysics())
+    {
+        _active[index].reset();
+        _lent.wish(index, *controller, wish, timeS());
+        for (const ActionDomain domain : {ActionDomain::longitudinal, ActionDomain::lateral})
+            if (_lent.holds(index, domain)) end(actor, domain);
+        return;
+    }
+    if (wish.longitudinal.value_or(false)) _lent.release(index, timeS());
+    if (!wish.longitudinal) return;
+    _active[index].reset();
+    if (!*wish.longitudinal || !controller) return;
+    _active[index] = makeSpeedController(*controller, motion(actor).state());
     if (_active[index]) end(actor, ActionDomain::longitudinal);
 }
 

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "simulation/player/TrajectoryRun.h"
+#include "simulation/scenario/VisitActions.h"
 
 namespace simulation
 {
@@ -170,6 +171,39 @@ foundation::Outcome checkPlayable(const Scenario& scenario, const SceneFrame& fr
                                   const RoadScene* roads)
 {
     return Walk(scenario, frame, name, roads).run();
+}
+
+foundation::Outcome checkControllers(const Scenario& scenario, MotionSource& source, const std::string& name)
+{
+    foundation::Outcome sound = foundation::success();
+    const auto look = [&](const Controller& controller, const ScenarioObject& object)
+    {
+        if (!sound || !controller.hasPhysics()) return;
+        if (const auto usable = source.check(controller, object); !usable)
+            sound = foundation::Error{name + ":" + std::to_string(controller.source.line) + ", controller " +
+                                          controller.name + ", " + usable.error().place,
+                                      usable.error().what, usable.error().remedy};
+    };
+    for (const ScenarioObject& object : scenario.entities)
+        for (const Controller& controller : object.controllers)
+            look(controller, object);
+    const auto lookAt = [&](const PrivateAction& action, const std::string& actor)
+    {
+        const auto* assigned = std::get_if<AssignControllerAction>(&action);
+        const int entity = assigned ? scenario.entityIndex(actor) : -1;
+        if (entity >= 0) look(assigned->controller, scenario.entities[static_cast<std::size_t>(entity)]);
+    };
+    for (const InitPrivate& initial : scenario.storyboard.init.privates)
+        for (const PrivateAction& action : initial.actions)
+            lookAt(action, initial.entity);
+    visitGroups(scenario,
+                [&](const ManeuverGroup& group, const Action& action)
+                {
+                    const auto* own = std::get_if<PrivateAction>(&action);
+                    for (const std::string& actor : group.actors)
+                        if (own) lookAt(*own, actor);
+                });
+    return sound;
 }
 
 } // namespace simulation

@@ -5,6 +5,7 @@
 
 #include <foundation/Result.h>
 
+#include "simulation/player/MotionSource.h"
 #include "simulation/player/SceneFrame.h"
 #include "simulation/road/RoadScene.h"
 #include "simulation/scenario/Scenario.h"
@@ -18,5 +19,9 @@ namespace simulation
 /// `roads`: of the LogicFile; null: none.
 foundation::Outcome checkPlayable(const Scenario& scenario, const SceneFrame& frame, const std::string& name,
                                   const RoadScene* roads = nullptr);
+
+/// Checks the controllers of all entities, and those that actions assign, before the play. Errors: of MotionSource::check(), with the
+/// line of the controller.
+foundation::Outcome checkControllers(const Scenario& scenario, MotionSource& source, const std::string& name);
 
 } // namespace simulation

@@ -21,11 +21,12 @@ public:
           clock(options.clock),
           _roads(std::move(options.roads)),
           _environmentClock(options.origin),
-          _performer({scenario, frame, _roads.get(), clock, _environmentClock, _traffic, options.seed}),
+          _performer({scenario, frame, _roads.get(), clock, _environmentClock, _traffic, options.seed,
+                      std::move(options.motionSource)}),
           _runner(scenario.storyboard, _performer)
     {
         for (const auto& [entity, motion] : options.motions)
-            _performer.lend(scenario.entityIndex(entity), motion);
+            _performer.lent().lend(static_cast<std::size_t>(scenario.entityIndex(entity)), motion);
         _performer.performInit();
         begun = _performer.beginLent();
         publish();
@@ -48,7 +49,8 @@ public:
     }
 
     bool isFinished() const { return _runner.isFinished(); }
-    bool areMotionsDone() const { return _performer.areLentDone(); }
+    bool areMotionsDone() const { return _performer.lent().areDone(); }
+    std::vector<std::string> notes() const { return _performer.lent().notes(); }
     const std::map<std::string, bool>& monitors() const { return _performer.monitors(); }
     const std::vector<StoryboardLogEntry>& log() const { return _runner.elements().log(); }
     const std::map<std::string, std::string>& signalStates() const { return _performer.signals().states(); }
@@ -102,6 +104,9 @@ foundation::Result<std::unique_ptr<ScenarioPlayer>> ScenarioPlayer::create(Scena
             checkPlayable(scenario, frame, options.scenarioName, options.roads.get());
         !playable)
         return playable.error();
+    if (options.motionSource)
+        if (auto usable = checkControllers(scenario, *options.motionSource, options.scenarioName); !usable)
+            return usable.error();
     for (const auto& [entity, motion] : options.motions)
         if (scenario.entityIndex(entity) < 0)
             return foundation::Error{options.scenarioName, "there is no entity '" + entity + "' to move",
@@ -153,6 +158,10 @@ const std::vector<StoryboardLogEntry>& ScenarioPlayer::log() const
 const std::map<std::string, bool>& ScenarioPlayer::monitors() const
 {
     return _stage->monitors();
+}
+std::vector<std::string> ScenarioPlayer::notes() const
+{
+    return _stage->notes();
 }
 bool ScenarioPlayer::areMotionsDone() const
 {

@@ -13,7 +13,7 @@
 #include "simulation/clock/FixedClock.h"
 #include "simulation/player/EntityState.h"
 #include "simulation/player/EnvironmentState.h"
-#include "simulation/player/ExternalMotion.h"
+#include "simulation/player/MotionSource.h"
 #include "simulation/player/SceneFrame.h"
 #include "simulation/player/StoryboardElements.h"
 #include "simulation/road/RoadScene.h"
@@ -32,6 +32,9 @@ struct PlayerOptions
 
     /// What moves entities in place of their actions, by name; Init tells where they begin.
     std::map<std::string, std::shared_ptr<ExternalMotion>> motions{};
+
+    /// Makes the vehicles with physics that controllers of entities drive; null: the scenario moves those entities.
+    std::shared_ptr<MotionSource> motionSource{};
 
     std::uint64_t seed = 0; ///< of what is left to chance: traffic and random routes
 };
@@ -72,6 +75,9 @@ public:
     const std::vector<StoryboardLogEntry>& log() const;
     const std::map<std::string, bool>& monitors() const; ///< by name
     bool isFinished() const;
+
+    /// What a person should know of vehicles with physics: a crash, a controller that could not begin. A line each.
+    std::vector<std::string> notes() const;
 
     /// Whether there are motions that were lent, and all are done.
     bool areMotionsDone() const;

@@ -20,6 +20,7 @@ public:
     SceneFrame(const std::optional<Geodetic>& origin, GroundProvider ground);
 
     bool hasOrigin() const { return _frame.has_value(); }
+    bool hasGround() const { return static_cast<bool>(_ground); }
 
     /// Returns false for a GeoPosition without an origin, for an unsupported position, and for coordinates beyond
     /// 1e9.

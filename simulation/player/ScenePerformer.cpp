@@ -14,6 +14,7 @@ namespace
 {
 
 constexpr double kInstantS = 1e-9;
+constexpr double kWayM = 20'000.0; ///< that a driver knows when a controller begins
 
 /// An entity that is added by an action of the story, and that Init does nothing with, is not there before.
 std::vector<bool> absentAtFirst(const Scenario& scenario)
@@ -44,6 +45,9 @@ ScenePerformer::ScenePerformer(const Place& place)
       _roads(place.roads),
       _clock(&place.clock),
       _environment(&place.environment),
+      _lent({place.scenario, _motions, [this] { return _environment->at(timeS()); },
+             [](const EntityMotion& motion) { return motion.wayAhead(kWayM); }},
+            place.motionSource),
       _positions(place.frame, place.roads,
                  [this](const std::string& entity) -> const EntityState*
                  {
@@ -69,7 +73,6 @@ ScenePerformer::ScenePerformer(const Place& place)
         _boxes.push_back(object.box());
         _controllers.push_back(object.controllers);
     }
-    _lent.resize(_motions.size());
     for (const ParameterDeclaration& parameter : scenario.parameters)
         _values[parameter.name] = parameter.value;
     for (const ParameterDeclaration& variable : scenario.variables)
@@ -105,7 +108,7 @@ void ScenePerformer::move()
 {
     _signals.advanceTo(timeS());
     for (std::size_t i = 0; i < _motions.size(); ++i)
-        if (!_lent[i] && !driverOf(i) && !_isAbsent[i]) _motions[i].advanceTo(timeS(), _clock->stepS());
+        if (!_lent.has(i) && !driverOf(i) && !_isAbsent[i]) _motions[i].advanceTo(timeS(), _clock->stepS());
     moveControlled();
     moveLent();
     _trailers.follow(_motions);
@@ -113,30 +116,11 @@ void ScenePerformer::move()
     publish();
 }
 
-void ScenePerformer::lend(int entity, std::shared_ptr<ExternalMotion> motion)
-{
-    _lent[static_cast<std::size_t>(entity)] = std::move(motion);
-}
-
 foundation::Outcome ScenePerformer::beginLent()
 {
-    for (std::size_t i = 0; i < _motions.size(); ++i)
-    {
-        if (!_lent[i]) continue;
-        const auto begun = _lent[i]->begin(_motions[i].state(), _motions[i].isAirborne());
-        if (!begun) return begun;
-        _motions[i].takeState(_lent[i]->state(), timeS());
-    }
+    auto begun = _lent.beginAll();
     publish();
-    return foundation::success();
-}
-
-bool ScenePerformer::areLentDone() const
-{
-    const auto isLent = [](const auto& motion) { return motion != nullptr; };
-    return std::any_of(_lent.begin(), _lent.end(), isLent) &&
-           std::all_of(_lent.begin(), _lent.end(),
-                       [](const auto& motion) { return !motion || motion->isDone(); });
+    return begun;
 }
 
 /// They see the others where they are now, as in esmini.
@@ -145,7 +129,7 @@ void ScenePerformer::moveControlled()
     for (std::size_t i = 0; i < _motions.size(); ++i)
     {
         SpeedController* const driver = driverOf(i);
-        if (_lent[i] || !driver || _isAbsent[i]) continue;
+        if (_lent.has(i) || !driver || _isAbsent[i]) continue;
         _motions[i].setSpeed(driver->speedAfter(*this, static_cast<int>(i)), timeS());
         _motions[i].advanceTo(timeS(), _clock->stepS());
     }
@@ -154,11 +138,27 @@ void ScenePerformer::moveControlled()
 /// All see the others as they were before.
 void ScenePerformer::moveLent()
 {
-    for (std::size_t i = 0; i < _motions.size(); ++i)
-        if (_lent[i])
-            _lent[i]->advanceTo(timeS(), {_states, _boxes, static_cast<int>(i), &_signals.states()});
-    for (std::size_t i = 0; i < _motions.size(); ++i)
-        if (_lent[i]) _motions[i].takeState(_lent[i]->state(), timeS());
+    const EnvironmentState environment = _environment->at(timeS());
+    _lent.advanceTo(
+        timeS(),
+        [&](std::size_t entity) {
+            return Traffic{_states, _boxes, static_cast<int>(entity), &_signals.states(), &environment};
+        },
+        [this](std::size_t entity) { return askedPlace(entity); });
+}
+
+/// Where a lateral action that runs has put the entity.
+std::optional<glm::dvec3> ScenePerformer::askedPlace(std::size_t entity) const
+{
+    const bool isMoved = std::any_of(_running.begin(), _running.end(),
+                                     [&](const Running& running)
+                                     {
+                                         return running.action && running.actor == static_cast<int>(entity) &&
+                                                running.action->domain() == ActionDomain::lateral;
+                                     });
+    const EntityState& state = _motions[entity].state();
+    if (!isMoved || !_roads || !state.place) return std::nullopt;
+    return _roads->poseAt(*state.place).position;
 }
 
 /// Pedals come before a controller.
@@ -243,7 +243,7 @@ void ScenePerformer::appear(int vehicle, const RoadPlace& place, double speedMps
     motion(vehicle).teleport({pose.position, pose.headingRad, 0.0, 0.0, true, place}, timeS());
     motion(vehicle).turnAtRandom(RandomDraw(_traffic.seed(), _scenario->entities[index].name, ++_drawn));
     _isAbsent[index] = false;
-    activate("", true, vehicle);
+    activate("", {true, true}, vehicle);
 }
 
 void ScenePerformer::vanish(int vehicle)
@@ -251,6 +251,7 @@ void ScenePerformer::vanish(int vehicle)
     for (const ActionDomain domain : {ActionDomain::longitudinal, ActionDomain::lateral})
         end(vehicle, domain);
     _active[static_cast<std::size_t>(vehicle)].reset();
+    _lent.release(static_cast<std::size_t>(vehicle), timeS());
     _isAbsent[static_cast<std::size_t>(vehicle)] = true;
     motion(vehicle).setSpeed(0.0, timeS());
 }

@@ -10,7 +10,7 @@
 #include "simulation/clock/FixedClock.h"
 #include "simulation/player/EntityMotion.h"
 #include "simulation/player/EnvironmentState.h"
-#include "simulation/player/ExternalMotion.h"
+#include "simulation/player/LentMotions.h"
 #include "simulation/player/PedalDrive.h"
 #include "simulation/player/PositionSolver.h"
 #include "simulation/player/SignalPlan.h"
@@ -37,18 +37,17 @@ public:
         EnvironmentClock& environment;
         const TrafficPlan& traffic;
         std::uint64_t seed;
+        std::shared_ptr<MotionSource> motionSource{}; ///< null: controllers with physics move nothing
     };
 
     explicit ScenePerformer(const Place& place);
 
-    /// Lets something else move an entity; before performInit().
-    void lend(int entity, std::shared_ptr<ExternalMotion> motion);
+    /// The entities that vehicles with physics move.
+    LentMotions& lent() { return _lent; }
+    const LentMotions& lent() const { return _lent; }
 
     /// Lets lent entities begin where they stand; after performInit(). Errors: one cannot.
     foundation::Outcome beginLent();
-
-    /// Whether there are such entities, and all are done.
-    bool areLentDone() const;
 
     /// Performs the actions of Init: those of all entities that place something first, because positions may refer to
     /// entities that stand further down.
@@ -80,6 +79,7 @@ public:
     EntityMotion& motion(int entity) override { return _motions[static_cast<std::size_t>(entity)]; }
     double grip() const override { return std::min(_environment->roadFriction(), 1.0); }
     bool isPresent(int entity) const override { return !_isAbsent[static_cast<std::size_t>(entity)]; }
+    const std::map<std::string, std::string>& signalStates() const override { return _signals.states(); }
     int find(const std::string& entity) const override { return _scenario->entityIndex(entity); }
 
     // TrafficScene
@@ -130,13 +130,15 @@ private:
     void carryOut(const Unsupported&) {}
 
     SpeedController* driverOf(std::size_t entity) const;
-    void activate(const std::string& controller, bool isActive, int actor);
+    const Controller* controllerOf(const std::string& name, int actor) const;
+    void activate(const std::string& controller, const LentMotions::Wish& wish, int actor);
     bool isHeld(const PrivateAction& action, int actor);
     void moveControlled();
     void collide();
     std::optional<RoadPlace> laneUnder(const EntityState& state) const;
     void publish();
     void moveLent();
+    std::optional<glm::dvec3> askedPlace(std::size_t entity) const;
 
     const Scenario* _scenario;
     const SceneFrame* _frame;
@@ -144,7 +146,7 @@ private:
     const FixedClock* _clock;
     EnvironmentClock* _environment;
     std::vector<EntityMotion> _motions;
-    std::vector<std::shared_ptr<ExternalMotion>> _lent; ///< by entity; null: it moves by its actions
+    LentMotions _lent;
     std::vector<BoundingBox> _boxes;
     std::vector<EntityState> _states;
     PositionSolver _positions;

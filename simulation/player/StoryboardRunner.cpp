@@ -44,18 +44,19 @@ StoryboardRunner::GroupRun StoryboardRunner::makeGroup(const ManeuverGroup& grou
         ManeuverRun maneuverRun{_elements.add(Type::maneuver, run.element, maneuver.name, maneuver.source),
                                 {}};
         for (const Event& event : maneuver.events)
-            maneuverRun.events.push_back(makeEvent(event, maneuverRun.element));
+            maneuverRun.events.push_back(
+                makeEvent(event, maneuverRun.element, group.selectTriggeringEntities));
         run.maneuvers.push_back(std::move(maneuverRun));
     }
     return run;
 }
 
-StoryboardRunner::EventRun StoryboardRunner::makeEvent(const Event& event, int maneuver)
+StoryboardRunner::EventRun StoryboardRunner::makeEvent(const Event& event, int maneuver, bool keepsEntities)
 {
     EventRun run{&event, _elements.add(Type::event, maneuver, event.name, event.source), {}, {}, 0, {}};
     for (const NamedAction& action : event.actions)
         run.actionElements.push_back(_elements.add(Type::action, run.element, action.name, action.source));
-    if (event.startTrigger) run.start.emplace(*event.startTrigger);
+    if (event.startTrigger) run.start.emplace(*event.startTrigger, keepsEntities);
     return run;
 }
 
@@ -185,6 +186,11 @@ void StoryboardRunner::startEvent(EventRun& event, ManeuverRun& maneuver, const 
     }
     ++event.executions;
     start(event.element);
+    event.actors = group.actors;
+    if (group.selectTriggeringEntities && event.start)
+        for (const std::string& entity : event.start->triggering())
+            if (std::find(event.actors.begin(), event.actors.end(), entity) == event.actors.end())
+                event.actors.push_back(entity);
     event.tickets.assign(event.event->actions.size(), {});
     for (std::size_t i = 0; i < event.tickets.size(); ++i)
     {
@@ -193,7 +199,7 @@ void StoryboardRunner::startEvent(EventRun& event, ManeuverRun& maneuver, const 
         if (const auto* global = std::get_if<GlobalAction>(&action))
             _performer->perform(*global);
         else
-            for (const std::string& actor : group.actors)
+            for (const std::string& actor : event.actors)
                 event.tickets[i].push_back(_performer->perform(std::get<PrivateAction>(action), actor));
     }
 }

@@ -62,6 +62,7 @@ private:
         std::optional<TriggerWatch> start;
         int executions = 0;
         std::vector<std::vector<ActionTicket>> tickets; ///< of each action, while the event runs
+        std::vector<std::string> actors{};              ///< of this execution
     };
     struct ManeuverRun
     {
@@ -90,7 +91,7 @@ private:
 
     ActRun makeAct(const Act& act, int story);
     GroupRun makeGroup(const ManeuverGroup& group, int act);
-    EventRun makeEvent(const Event& event, int maneuver);
+    EventRun makeEvent(const Event& event, int maneuver, bool keepsEntities);
 
     void stepAct(ActRun& act);
     void stepGroup(GroupRun& group);

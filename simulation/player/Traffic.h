@@ -6,6 +6,7 @@
 #include <string>
 
 #include "simulation/player/EntityState.h"
+#include "simulation/player/EnvironmentState.h"
 #include "simulation/scenario/Entity.h"
 
 namespace simulation
@@ -18,7 +19,8 @@ struct Traffic
     std::span<const BoundingBox> boxes{};    ///< of the same; entity's frame
     int own = -1;                            ///< which of them is controlled; -1: none
     const std::map<std::string, std::string>* signalStates =
-        nullptr; ///< by the signal's id; null: no signals
+        nullptr;                                   ///< by the signal's id; null: no signals
+    const EnvironmentState* environment = nullptr; ///< of now; null: nothing is said of it
 };
 
 } // namespace simulation

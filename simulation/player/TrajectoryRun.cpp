@@ -120,6 +120,18 @@ std::optional<double> TrajectoryRun::advanceBy(double distanceM)
     return _distanceM - _lengthM;
 }
 
+std::vector<AheadPoint> TrajectoryRun::pointsAhead(double lengthM) const
+{
+    constexpr double kPointM = 1.0;
+    const double from = _curve.distanceAt(_parameter);
+    const double to = _curve.isClosed() ? from + lengthM : std::min(from + lengthM, _curve.lengthM());
+    std::vector<AheadPoint> points;
+    for (double at = from; at < to; at += kPointM)
+        points.push_back({_curve.at(_curve.parameterAt(at)).position, std::nullopt});
+    points.push_back({_curve.at(_curve.parameterAt(to)).position, std::nullopt});
+    return points;
+}
+
 double TrajectoryRun::timedSpeedMps() const
 {
     if (!_hasBegun) return 0.0;

@@ -8,6 +8,7 @@
 
 #include "simulation/player/PathCurve.h"
 #include "simulation/player/SceneFrame.h"
+#include "simulation/road/WayAhead.h"
 #include "simulation/scenario/Action.h"
 
 namespace simulation
@@ -33,6 +34,9 @@ public:
     std::optional<double> advanceBy(double distanceM);
 
     PathPoint point() const { return _curve.at(_parameter); }
+
+    /// Returns places of the rest, a metre apart, up to a length; a closed one goes round. The first is where it now is.
+    std::vector<AheadPoint> pointsAhead(double lengthM) const;
 
     /// Returns the speed of the curve at the current point, for trajectories with times; 0 before the time of the
     /// first vertex.

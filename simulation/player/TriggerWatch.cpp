@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "simulation/player/TriggerWatch.h"
 
+#include <algorithm>
+
 #include "simulation/parser/Expression.h"
 
 namespace simulation
@@ -62,7 +64,8 @@ bool edgeOf(ConditionEdge edge, bool hasLast, bool last, bool now)
 
 } // namespace
 
-TriggerWatch::TriggerWatch(const Trigger& trigger) : _trigger(&trigger)
+TriggerWatch::TriggerWatch(const Trigger& trigger, bool keepsEntities)
+    : _trigger(&trigger), _keepsEntities(keepsEntities)
 {
     reset();
 }
@@ -79,8 +82,10 @@ bool TriggerWatch::update(const ConditionFacts& facts)
 {
     bool fires = false;
     std::size_t index = 0;
+    _triggering.clear();
     for (const ConditionGroup& group : _trigger->groups)
     {
+        const std::size_t first = index;
         bool all = !group.conditions.empty();
         for (const Condition& condition : group.conditions)
         {
@@ -89,8 +94,17 @@ bool TriggerWatch::update(const ConditionFacts& facts)
             all = all && value;
         }
         fires = fires || all;
+        if (all && _keepsEntities) addTriggering(first, index);
     }
     return fires;
+}
+
+void TriggerWatch::addTriggering(std::size_t first, std::size_t last)
+{
+    for (std::size_t i = first; i < last; ++i)
+        for (const std::string& entity : _memories[i].triggering)
+            if (std::find(_triggering.begin(), _triggering.end(), entity) == _triggering.end())
+                _triggering.push_back(entity);
 }
 
 bool TriggerWatch::updateCondition(const Condition& condition, Memory& memory, const ConditionFacts& facts)
@@ -100,14 +114,23 @@ bool TriggerWatch::updateCondition(const Condition& condition, Memory& memory, c
     if (isEarly && std::holds_alternative<EntityCondition>(condition.content)) return false;
     const bool now = isTrue(condition.content, facts);
     const bool value = edgeOf(condition.edge, memory.hasLast, memory.last, now);
+    const auto* const onEntities =
+        _keepsEntities ? std::get_if<EntityCondition>(&condition.content) : nullptr;
+    std::vector<std::string> held =
+        onEntities ? triggeringEntities(*onEntities, facts.entities) : std::vector<std::string>();
+    // At a falling edge they are those of the step before.
+    memory.triggering = !now && value ? memory.entities : held;
+    memory.entities = std::move(held);
     memory.hasLast = true;
     memory.last = now;
     if (condition.delayS <= 0.0) return value;
-    if (memory.changes.empty() || memory.changes.back().value != value)
-        memory.changes.push_back({facts.timeS, value});
+    if (memory.changes.empty() || memory.changes.back().value != value ||
+        memory.changes.back().entities != memory.triggering)
+        memory.changes.push_back({facts.timeS, value, memory.triggering});
     const double then = facts.timeS - condition.delayS + kSameInstantS;
     while (memory.changes.size() > 1 && memory.changes[1].timeS <= then)
         memory.changes.pop_front();
+    memory.triggering = memory.changes.front().entities;
     return memory.changes.front().timeS <= then && memory.changes.front().value;
 }
 

@@ -34,10 +34,15 @@ class TriggerWatch
 {
 public:
     /// `trigger` must outlive the watch.
-    explicit TriggerWatch(const Trigger& trigger);
+    /// `keepsEntities`: triggering() is asked for.
+    explicit TriggerWatch(const Trigger& trigger, bool keepsEntities = false);
 
     /// Evaluates the trigger. Call it once per step, in the order of time.
     bool update(const ConditionFacts& facts);
+
+    /// The triggering entities of the last update(): those for which a condition of a group that fired held, when it held. One that waits for
+    /// a falling edge has those for which it held last. In the order of the conditions, none twice.
+    const std::vector<std::string>& triggering() const { return _triggering; }
 
     /// Clears the history.
     void reset();
@@ -47,18 +52,24 @@ private:
     {
         double timeS;
         bool value;
+        std::vector<std::string> entities; ///< for which it held
     };
     struct Memory
     {
         bool hasLast = false;
         bool last = false;
+        std::vector<std::string> entities;   ///< for which it held last
+        std::vector<std::string> triggering; ///< of the last value
         std::deque<Change> changes; ///< the first may be older than the delay: it holds until the second
     };
 
+    void addTriggering(std::size_t first, std::size_t last);
     bool updateCondition(const Condition& condition, Memory& memory, const ConditionFacts& facts);
 
     const Trigger* _trigger;
+    bool _keepsEntities;
     std::vector<Memory> _memories; ///< of all conditions, group after group
+    std::vector<std::string> _triggering;
 };
 
 } // namespace simulation

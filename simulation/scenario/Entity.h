@@ -112,8 +112,18 @@ struct Controller
 
     bool operator==(const Controller&) const = default;
 
-    /// What esmini calls it (ACCController, InteractiveController …): the property esminiController, else the name.
-    std::string kind() const { return properties.find("esminiController").value_or(name); }
+    /// What drives: the property `kind`, else esminiController (ACCController, InteractiveController …), else the name.
+    std::string kind() const
+    {
+        if (const auto kind = properties.find("kind")) return *kind;
+        return properties.find("esminiController").value_or(name);
+    }
+
+    // Those that move a vehicle with physics.
+    bool isAutopilot() const { return kind() == "Autopilot"; }
+    bool isDriver() const { return kind() == "Driver"; }
+    bool isRecordedInputs() const { return kind() == "RecordedInputs"; }
+    bool hasPhysics() const { return isAutopilot() || isDriver() || isRecordedInputs(); }
 
     bool isInteractive() const { return kind() == "InteractiveController"; }
     bool isAdaptiveCruise() const { return kind() == "ACCController"; }
@@ -121,7 +131,7 @@ struct Controller
     bool isDefault() const { return kind().empty() || kind() == "DefaultController"; }
     bool isPlayed() const
     {
-        return isDefault() || isInteractive() || isAdaptiveCruise() || isIntelligentDriver();
+        return isDefault() || isInteractive() || isAdaptiveCruise() || isIntelligentDriver() || hasPhysics();
     }
 
     /// Returns a property as a number, or `fallback`.

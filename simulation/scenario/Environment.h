@@ -66,6 +66,7 @@ struct Environment
     std::optional<TimeOfDay> timeOfDay;
     std::optional<Weather> weather;
     std::optional<double> roadFriction;
+    std::string roadWetness; ///< dry, moist, wetWithPuddles, lowFlooded, highFlooded; empty: unchanged
 
     bool operator==(const Environment&) const = default;
 };

@@ -29,6 +29,15 @@ std::optional<SourceLine> roadsFor(const PrivateAction& action)
     return std::nullopt;
 }
 
+/// A driver goes along the roads where there are some.
+std::optional<SourceLine> driverLine(const Scenario& scenario)
+{
+    for (const ScenarioObject& object : scenario.entities)
+        for (const Controller& controller : object.controllers)
+            if (controller.isDriver()) return controller.source;
+    return std::nullopt;
+}
+
 std::optional<SourceLine> lineOfTraffic(const GlobalAction& action)
 {
     const auto* traffic = std::get_if<TrafficAction>(&action);
@@ -73,7 +82,10 @@ bool Scenario::isConsistent() const
 std::optional<SourceLine> Scenario::needsRoads() const
 {
     if (!roadNetwork.logicFile.empty())
+    {
         if (const auto line = trafficLine(*this)) return line;
+        if (const auto line = driverLine(*this)) return line;
+    }
     for (const InitPrivate& initial : storyboard.init.privates)
         for (const PrivateAction& action : initial.actions)
             if (const auto line = roadsFor(action)) return line;

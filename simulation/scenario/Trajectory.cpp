@@ -1,8 +1,33 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "simulation/scenario/Trajectory.h"
 
+#include <algorithm>
+#include <array>
+#include <cctype>
+
 namespace simulation
 {
+
+namespace
+{
+
+std::string smallExtensionOf(const std::filesystem::path& file)
+{
+    std::string extension = file.extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+    return extension;
+}
+
+} // namespace
+
+bool namesTrackFile(const std::filesystem::path& file)
+{
+    static constexpr std::array<std::string_view, 5> kExtensions{".igc", ".gpx", ".kml", ".acmi", ".csv"};
+    const std::string last = smallExtensionOf(file);
+    const std::string extension = last == ".gz" ? smallExtensionOf(file.stem()) : last;
+    return std::find(kExtensions.begin(), kExtensions.end(), extension) != kExtensions.end();
+}
 
 bool TrajectoryPosition::operator==(const TrajectoryPosition& other) const
 {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <variant>
@@ -95,12 +96,26 @@ struct Nurbs
 
 using TrajectoryShape = std::variant<Polyline, Clothoid, ClothoidSpline, Nurbs, Unsupported>;
 
+/// A flight that somebody recorded, in a file beside the scenario.
+struct Recording
+{
+    std::string file;  ///< as the scenario names it
+    std::string track; ///< its name in the file; empty: the first that moves
+
+    bool operator==(const Recording&) const = default;
+};
+
+/// Returns whether a file is one of recorded tracks by its name (.igc, .gpx, .kml, .acmi, .csv, in small or capital letters), with .gz after it
+/// or without.
+bool namesTrackFile(const std::filesystem::path& file);
+
 struct Trajectory
 {
     SourceLine source;
     std::string name;
     bool closed = false; ///< the last vertex is joined to the first, and the path repeats
     TrajectoryShape shape;
+    std::optional<Recording> recording{}; ///< where the shape comes from; layRecordings() fills it
 
     bool operator==(const Trajectory&) const = default;
 };

@@ -2,7 +2,6 @@
 #include "simulation/track/ReadTrack.h"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <cstring>
 #include <fstream>
@@ -12,6 +11,8 @@
 
 #include <foundation/ReadableFile.h>
 #include <zlib.h>
+
+#include "simulation/scenario/Trajectory.h"
 
 namespace simulation
 {
@@ -121,9 +122,7 @@ foundation::Result<TrackReading> parse(std::string_view text, const std::filesys
 
 bool isTrackFile(const std::filesystem::path& file)
 {
-    static constexpr std::array<std::string_view, 5> kExtensions{".igc", ".gpx", ".kml", ".acmi", ".csv"};
-    const std::string extension = extensionOf(file) == ".gz" ? extensionOf(file.stem()) : extensionOf(file);
-    return std::find(kExtensions.begin(), kExtensions.end(), extension) != kExtensions.end();
+    return namesTrackFile(file);
 }
 
 foundation::Result<TrackReading> readTracks(const std::filesystem::path& file)

@@ -58,7 +58,8 @@ struct GroundPoint
     double heightM = 0.0;             ///< z of the surface in the scene's frame
     glm::dvec3 normal{0.0, 0.0, 1.0}; ///< of length 1
     GroundKind kind = GroundKind::asphalt;
-    bool isKnown = false; ///< false outside the data
+    bool isKnown = false;   ///< false outside the data
+    double gripScale = 1.0; ///< of the friction that its kind has
 };
 
 /// The ground as vehicles ask for it. The same question must always have the same answer.

@@ -50,10 +50,18 @@ void writeContent(ElementWriter parent, const FollowTrajectoryAction& action)
     ElementWriter element = parent.child("RoutingAction").child("FollowTrajectoryAction");
     if (action.initialDistanceOffsetM != 0.0)
         element.set("initialDistanceOffset", action.initialDistanceOffsetM);
-    ElementWriter trajectory = element.child("TrajectoryRef").child("Trajectory");
-    trajectory.set("name", action.trajectory.name).set("closed", action.trajectory.closed);
-    ElementWriter shape = trajectory.child("Shape");
-    std::visit([&](const auto& content) { writeContent(shape, content); }, action.trajectory.shape);
+    ElementWriter holder = element.child("TrajectoryRef");
+    if (const auto& recording = action.trajectory.recording)
+        holder.child("CatalogReference")
+            .set("catalogName", recording->file)
+            .set("entryName", recording->track);
+    else
+    {
+        ElementWriter trajectory = holder.child("Trajectory");
+        trajectory.set("name", action.trajectory.name).set("closed", action.trajectory.closed);
+        ElementWriter shape = trajectory.child("Shape");
+        std::visit([&](const auto& content) { writeContent(shape, content); }, action.trajectory.shape);
+    }
     ElementWriter reference = element.child("TimeReference");
     if (action.timing)
         reference.child("Timing")
@@ -114,8 +122,10 @@ void writeContent(ElementWriter parent, const EnvironmentAction& action)
             .set("animation", environment.timeOfDay->animation)
             .set("dateTime", formatDateTime(environment.timeOfDay->dateTime));
     if (environment.weather) writeWeather(element.child("Weather"), *environment.weather);
-    if (environment.roadFriction)
-        element.child("RoadCondition").set("frictionScaleFactor", *environment.roadFriction);
+    if (!environment.roadFriction) return;
+    ElementWriter road = element.child("RoadCondition");
+    road.set("frictionScaleFactor", *environment.roadFriction);
+    if (!environment.roadWetness.empty()) road.set("wetness", environment.roadWetness);
 }
 
 void writeContent(ElementWriter parent, const EntityAction& action)

@@ -36,6 +36,21 @@ TEST(Drive, GivesTheSameBytesAgainAndByItsRecordedInputs)
     EXPECT_EQ(first, driven("replayed.csv", "--inputs"));
 }
 
+TEST(Drive, OnIceItComesLessFar)
+{
+    const auto drivenM = [](const std::string& surface)
+    {
+        const ProgramRun run = runTrainer({"drive", kStreet, "--headless", "--vehicle", kDriven, "--length",
+                                           "200", "--duration", "6", "--surface", surface});
+        EXPECT_TRUE(succeeds(run)) << run.text();
+        const std::size_t driven = run.output.find("driven"), at = run.output.find(" s, ", driven);
+        return at == std::string::npos ? 0.0 : std::atof(run.output.c_str() + at + 4);
+    };
+    const double dry = drivenM("asphalt");
+    EXPECT_GT(dry, 20.0);
+    EXPECT_LT(drivenM("ice"), 0.9 * dry);
+}
+
 TEST(Drive, SaysWhatIsWrong)
 {
     const Workplace place;
@@ -43,6 +58,8 @@ TEST(Drive, SaysWhatIsWrong)
                           {"/nowhere.xodr"}));
     EXPECT_TRUE(failsWith(runTrainer({"drive", kStreet, "--headless", "--vehicle", "/nowhere.xml"}), 1,
                           "trainer", {"/nowhere.xml", "no such file"}));
+    EXPECT_TRUE(failsWith(runTrainer({"drive", kStreet, "--headless", "--surface", "mud"}), 2, "trainer",
+                          {"mud", "gravel"}));
 }
 
 } // namespace

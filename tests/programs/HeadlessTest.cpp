@@ -102,7 +102,7 @@ std::string fifty(const std::string& roads)
                 "<RoadNetwork><LogicFile filepath=\"" + roads + "\"/></RoadNetwork>");
 }
 
-TEST(Headless, FiftyVehiclesOnAJunctionNetworkPlayFasterThanTheClock)
+TEST(Headless, FiftyVehiclesOnAJunctionNetworkArePlayedToTheEnd)
 {
     const char* const folder = std::getenv("OSGTRAINER_REAL_DATA");
     if (!folder || !*folder)
@@ -120,9 +120,6 @@ TEST(Headless, FiftyVehiclesOnAJunctionNetworkPlayFasterThanTheClock)
     for (const auto& track : table->tracks)
         present += track.samples[1500].has_value();
     EXPECT_GE(present, 45u) << "of fifty, after half a minute";
-    const std::size_t at = run.output.find("s, ");
-    ASSERT_NE(at, std::string::npos) << run.output;
-    EXPECT_GT(std::atof(run.output.c_str() + at + 3), 0.2) << "times real time, loosely: machines are loaded";
 }
 
 } // namespace

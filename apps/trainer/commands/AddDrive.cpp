@@ -11,6 +11,11 @@ namespace trainer
 namespace
 {
 
+const std::map<std::string, simulation::GroundKind> kSurfaces{
+    {"asphalt", simulation::GroundKind::asphalt}, {"wet", simulation::GroundKind::wetAsphalt},
+    {"gravel", simulation::GroundKind::gravel},   {"grass", simulation::GroundKind::grass},
+    {"snow", simulation::GroundKind::snow},       {"ice", simulation::GroundKind::ice}};
+
 struct DriveLine
 {
     PlayOptions play;
@@ -44,6 +49,8 @@ std::vector<Command> addDrive(CLI::App& program)
         ->check(terminal::between(0.5, 100.0));
     command->add_option("--start-at", line->drive.startM, "metres of the way at which to begin")
         ->check(terminal::between(1.0, 1e6));
+    command->add_option("--surface", line->drive.surface, "what the roads are made of")
+        ->transform(terminal::named(kSurfaces));
     command->add_option("--csv_logger", line->play.request.output.motionFile, "file for a row of each step");
     command->add_option("--inputs", line->drive.inputs, "inputs file to drive by, in place of the driver");
     command->add_option("--record-inputs", line->drive.recordInputs, "inputs file to write");

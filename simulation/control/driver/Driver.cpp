@@ -6,6 +6,7 @@
 
 #include <foundation/Angle.h>
 
+#include "simulation/road/StopSignals.h"
 #include "simulation/vehicle/road/SteadyTurn.h"
 
 namespace simulation
@@ -23,14 +24,6 @@ constexpr double kStandsMps = 0.15;
 constexpr double kSlowsPerS = 2.0;    ///< deceleration for each m/s too fast
 constexpr double kAheadAgainM = 12.0; ///< between both when an overtaker comes back
 
-/// Whether a traffic light lets pass: its last lamp, or a word.
-bool letsPass(const std::string& state)
-{
-    if (state.find("green") != std::string::npos || state == "go" || state == "off") return true;
-    const std::size_t last = state.rfind(';');
-    return last != std::string::npos && state.substr(last + 1) == "on";
-}
-
 double lengthAhead(const RoadVehicleData& data)
 {
     const HullBox& box = data.hull.boxes.front();
@@ -43,7 +36,9 @@ Driver::Driver(const RoadVehicle& vehicle, DriverPath path, const DriverSettings
     : _vehicle(vehicle),
       _path(std::move(path)),
       _settings(settings),
-      _understeer(understeerOf(vehicle.data()))
+      _understeer(understeerOf(vehicle.data())),
+      _wishMps(settings.speedMps),
+      _gentleMps(settings.speedMps)
 {
 }
 
@@ -64,10 +59,19 @@ double Driver::steering(const VehicleState& state)
     return std::clamp(angle / foundation::radiansOf(data.steering.lockDeg), -1.0, 1.0);
 }
 
+/// Slows down to a new wish no harder than for a bend.
+void Driver::followWish(double speedMps)
+{
+    if (_settings.speedMps != _wishMps)
+        _gentleMps = std::max(_settings.speedMps, std::min(_gentleMps, speedMps));
+    _wishMps = _settings.speedMps;
+    _gentleMps = std::max(_wishMps, _gentleMps - _settings.brakeMps2 * RoadVehicle::kStepS);
+}
+
 /// As fast as limit and bends allow, so that the brakes reach each bend in time.
 double Driver::wantedSpeed(double speedMps) const
 {
-    double wanted = std::min(_settings.speedMps, _path.limitAt(_beside.alongM));
+    double wanted = std::min(_gentleMps, _path.limitAt(_beside.alongM));
     const double seen = 20.0 + speedMps * speedMps / _settings.brakeMps2;
     for (double ahead = 0.0; ahead < std::min(seen, kSeenM); ahead += 2.0)
     {
@@ -150,9 +154,9 @@ Driver::Ahead Driver::lookAtOthers(const ControlView& view, double offsetM) cons
 void Driver::considerOvertaking(const ControlView& view, double speedMps)
 {
     const Ahead own = lookAtOthers(view, 0.0);
-    const bool isOut = _wantedOffsetM != 0.0;
+    const bool isOut = _wantedOffsetM != 0.0 && !_isLed;
     const double wish = wantedSpeed(speedMps);
-    if (!isOut && _settings.overtakes && own.gapM < 40.0 && own.speedMps < 0.8 * wish)
+    if (!isOut && !_isLed && _settings.overtakes && own.gapM < 40.0 && own.speedMps < 0.8 * wish)
     {
         const Ahead left = lookAtOthers(view, _settings.overtakeOffsetM);
         const double needed = 60.0 + 12.0 * std::max(0.0, speedMps - left.speedMps);
@@ -170,6 +174,7 @@ void Driver::considerOvertaking(const ControlView& view, double speedMps)
         }
         if (isClear) _wantedOffsetM = 0.0;
     }
+    if (_isLed) return;
     const double most = kAsideMps * RoadVehicle::kStepS;
     _offsetM += std::clamp(_wantedOffsetM - _offsetM, -most, most);
 }
@@ -204,6 +209,13 @@ void Driver::pedals(double wantedMps2, double speedMps, RoadInputs& inputs)
     inputs[static_cast<std::size_t>(RoadInput::handbrake)] = 0.0;
 }
 
+void Driver::askForPlace(const std::optional<glm::dvec3>& place)
+{
+    _isLed = place.has_value();
+    _wantedOffsetM = place ? _path.nearest(*place, _beside.alongM, kReachM).offsetM : 0.0;
+    if (place) _offsetM = _wantedOffsetM;
+}
+
 void Driver::resume(const ControlView& /*view*/, std::span<const double> /*inputs*/)
 {
     _hasBegun = false;
@@ -225,6 +237,7 @@ void Driver::control(const ControlView& view, std::span<double> inputs)
         _referenceMps = speed;
         _hasBegun = true;
     }
+    followWish(speed);
     considerOvertaking(view, speed);
     const Ahead ahead = nearestAhead(view, speed);
     const double wish = wantedSpeed(speed);

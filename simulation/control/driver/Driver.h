@@ -39,6 +39,8 @@ public:
     Driver(const RoadVehicle& vehicle, DriverPath path, const DriverSettings& settings = {});
 
     void control(const ControlView& view, std::span<double> inputs) override;
+    void askForSpeed(double speedMps) override { _settings.speedMps = speedMps; }
+    void askForPlace(const std::optional<glm::dvec3>& place) override;
 
     /// Goes on along the way from the nearest place of it.
     void resume(const ControlView& view, std::span<const double> inputs) override;
@@ -62,6 +64,7 @@ private:
     };
 
     double steering(const VehicleState& state);
+    void followWish(double speedMps);
     double wantedSpeed(double speedMps) const;
     Ahead nearestAhead(const ControlView& view, double speedMps);
     void lookAtStops(const ControlView& view, double speedMps, Ahead& ahead);
@@ -77,9 +80,11 @@ private:
     double _understeer = 0.0, _worstM = 0.0;
     double _offsetM = 0.0, _wantedOffsetM = 0.0; ///< from the way, to the left
     double _referenceMps = 0.0, _held = 0.0;
+    double _wishMps, _gentleMps; ///< the speed that is wanted, and on the way down to it
     std::size_t _nextStop = 0;
     double _waitedS = 0.0;
     bool _hasBegun = false, _isDone = false;
+    bool _isLed = false; ///< beside its way, where somebody else wants it
     std::string_view _phase = "drive";
 };
 

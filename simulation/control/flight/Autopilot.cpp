@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 #include <foundation/Angle.h>
 
@@ -70,7 +71,11 @@ void Autopilot::control(const ControlView& view, std::span<double> inputs)
         _last.flaps = _places.flaps >= 0 ? inputs[static_cast<std::size_t>(_places.flaps)] : 0.0;
         _climb.reset(sense, _last.throttle);
     }
-    takeOrders(sense, view.timeS);
+    takeOrders(sense, view);
+    constexpr double kLeastMps = 10.0;
+    if (_askedMps && sense.trueAirspeedMps > kLeastMps)
+        _speedMps = *_askedMps * sense.calibratedAirspeedMps / sense.trueAirspeedMps;
+    lookAhead(sense, view);
     FlightCommand command = fly(sense);
     command.flaps =
         _last.flaps + std::clamp(command.flaps - _last.flaps, -kFlapsPerS * _stepS, kFlapsPerS * _stepS);
@@ -103,23 +108,33 @@ void Autopilot::resume(const ControlView& view, std::span<const double> inputs)
     if (!hasTargets) holdWhatIs(sense);
 }
 
-void Autopilot::takeOrders(const FlightSense& sense, double timeS)
+void Autopilot::takeOrders(const FlightSense& sense, const ControlView& view)
 {
     while (_order < _settings.orders.size())
     {
         const FlightOrder& order = _settings.orders[_order];
-        if (!_hasBegun) beginOrder(order, sense, timeS);
-        if (!isOrderDone(order, sense, timeS)) return;
+        if (!_hasBegun) beginOrder(order, sense, view);
+        if (!isOrderDone(order, sense, view.timeS)) return;
         _hasBegun = false;
         _isClimbing = false;
         ++_order;
     }
 }
 
-void Autopilot::beginOrder(const FlightOrder& order, const FlightSense& sense, double timeS)
+void Autopilot::beginCircuit(const Ground& ground)
+{
+    if (_settings.avoidsGround)
+        _circuit.emplace(*_settings.runway, ground);
+    else
+        _circuit.emplace(*_settings.runway);
+    if (_circuit->isRightHanded() && _note.empty())
+        _note = "flew a right-handed circuit, since the ground on the left is too high";
+}
+
+void Autopilot::beginOrder(const FlightOrder& order, const FlightSense& sense, const ControlView& view)
 {
     _hasBegun = true;
-    _orderStartS = timeS;
+    _orderStartS = view.timeS;
     _phase = "hold";
     if (order.kind >= FlightOrderKind::takeOff || order.kind == FlightOrderKind::climb)
     {
@@ -137,6 +152,7 @@ void Autopilot::beginOrder(const FlightOrder& order, const FlightSense& sense, d
         break;
     case FlightOrderKind::speed:
         _speedMps = order.value;
+        _askedMps.reset();
         break;
     case FlightOrderKind::verticalSpeed:
         _climbMps = order.value;
@@ -151,7 +167,7 @@ void Autopilot::beginOrder(const FlightOrder& order, const FlightSense& sense, d
         _takeOff.emplace(*_settings.runway);
         break;
     case FlightOrderKind::circuit:
-        _circuit.emplace(*_settings.runway);
+        beginCircuit(view.ground);
         break;
     case FlightOrderKind::land:
         _landing.emplace(*_settings.runway);
@@ -203,8 +219,44 @@ FlightCommand Autopilot::fly(const FlightSense& sense)
     return holdTargets(sense);
 }
 
+/// Whether it takes off, lands or stands.
+bool Autopilot::isNearGround() const
+{
+    if (_landing) return true;
+    return _order < _settings.orders.size() && _settings.orders[_order].kind == FlightOrderKind::takeOff;
+}
+
+void Autopilot::lookAhead(const FlightSense& sense, const ControlView& view)
+{
+    const bool wasAvoiding = _isAvoiding;
+    _isAvoiding =
+        _settings.avoidsGround && !isNearGround() && _guard.look(sense, view.ground, view.timeS).isUrgent();
+    if (_isAvoiding == wasAvoiding) return;
+    _climb.reset(sense, _last.throttle);
+    if (!_note.empty()) return;
+    char text[80];
+    std::snprintf(text, sizeof text, "left its orders after %.1f s: the ground ahead is too high",
+                  view.timeS);
+    _note = text;
+}
+
+/// Climbs at full power, and turns away where that is not enough. `bank`: without such ground.
+FlightCommand Autopilot::avoid(const FlightSense& sense, double bank)
+{
+    const TerrainAdvice& advice = _guard.advice();
+    _phase = "avoid";
+    const PowerAndPitch hold = _climb.holdSpeed(sense, 1.0, kClimbSpeedMps, _stepS);
+    FlightCommand command;
+    command.throttle = 1.0;
+    if (advice.track)
+        bank = bankToHeading(sense, sense.heading + halfTurn(*advice.track - sense.track), kHoldBank);
+    command.surfaces = _attitude.step(sense, hold.pitch, bank, _stepS);
+    return command;
+}
+
 FlightCommand Autopilot::holdTargets(const FlightSense& sense)
 {
+    if (_isAvoiding) return avoid(sense, bankToHeading(sense, _heading, kHoldBank));
     FlightCommand command;
     PowerAndPitch hold;
     if (_isClimbing)
@@ -224,6 +276,7 @@ FlightCommand Autopilot::flyCircuit(const FlightSense& sense)
 {
     _circuit->advance(sense);
     const CircuitPlan::Leg leg = _circuit->leg();
+    if (_isAvoiding) return avoid(sense, bankToLine(sense, leg.line, kHoldBank));
     _phase = leg.name;
     FlightCommand command;
     command.flaps = leg.flaps;

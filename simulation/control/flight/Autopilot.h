@@ -8,6 +8,7 @@
 #include "simulation/control/flight/CircuitPlan.h"
 #include "simulation/control/flight/FlightOrders.h"
 #include "simulation/control/flight/RunwayFlight.h"
+#include "simulation/control/flight/TerrainGuard.h"
 
 namespace simulation
 {
@@ -18,6 +19,8 @@ struct AutopilotSettings
     std::shared_ptr<const EarthFrame> earth;
     std::vector<FlightOrder> orders;
     std::optional<RunwayStrip> runway; ///< of takeoff, circuit and land
+    bool avoidsGround =
+        true; ///< climbs and turns before ground that rises ahead, whatever its orders; not while it takes off and lands
 };
 
 /// Flies an aircraft by orders, one after the other (docs/algorithms/autopilot.md). After the last it holds what it has.
@@ -30,9 +33,13 @@ public:
 
     void control(const ControlView& view, std::span<double> inputs) override;
 
+    /// Takes it for a true airspeed; an order of speed that comes later counts in its place.
+    void askForSpeed(double speedMps) override { _askedMps = speedMps; }
+
     /// Goes on with its order from what is flown now. Heading, altitude and speed that no order names are held as they are.
     void resume(const ControlView& view, std::span<const double> inputs) override;
     std::string_view phase() const override { return _phase; }
+    std::string note() const override { return _note; }
     bool isDone() const override { return _order >= _settings.orders.size(); }
 
 private:
@@ -45,12 +52,16 @@ private:
 
     Autopilot(AutopilotSettings settings, const Places& places, double wheelsBelowM, double stepS);
     void holdWhatIs(const FlightSense& sense);
-    void takeOrders(const FlightSense& sense, double timeS);
+    void takeOrders(const FlightSense& sense, const ControlView& view);
     bool isOrderDone(const FlightOrder& order, const FlightSense& sense, double timeS) const;
-    void beginOrder(const FlightOrder& order, const FlightSense& sense, double timeS);
+    void beginOrder(const FlightOrder& order, const FlightSense& sense, const ControlView& view);
+    void beginCircuit(const Ground& ground);
     FlightCommand fly(const FlightSense& sense);
     FlightCommand holdTargets(const FlightSense& sense);
     FlightCommand flyCircuit(const FlightSense& sense);
+    FlightCommand avoid(const FlightSense& sense, double bank);
+    void lookAhead(const FlightSense& sense, const ControlView& view);
+    bool isNearGround() const;
     void write(const FlightCommand& command, std::span<double> inputs) const;
 
     AutopilotSettings _settings;
@@ -60,6 +71,7 @@ private:
     bool _hasBegun = false;
     double _orderStartS = 0.0;
     double _heading = 0.0, _altitudeM = 0.0, _speedMps = 0.0, _climbMps = 3.0;
+    std::optional<double> _askedMps; ///< true airspeed
     std::optional<TakeOff> _takeOff;
     std::optional<CircuitPlan> _circuit;
     std::optional<Landing> _landing;
@@ -67,7 +79,10 @@ private:
     SpeedAndClimb _climb;
     bool _isClimbing = false; ///< by pitch for speed, full power or idle
     FlightCommand _last;
+    TerrainGuard _guard;
+    bool _isAvoiding = false;
     std::string_view _phase = "hold";
+    std::string _note;
 };
 
 } // namespace simulation

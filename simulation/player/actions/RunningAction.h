@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -33,6 +34,9 @@ public:
 
     /// The share of the vehicles' greatest deceleration that the road leaves them: its friction, at most 1.
     virtual double grip() const = 0;
+
+    /// The states of traffic signals, by id.
+    virtual const std::map<std::string, std::string>& signalStates() const = 0;
 
     /// Returns the index of an entity, or -1.
     virtual int find(const std::string& entity) const = 0;

@@ -24,11 +24,26 @@ bool holdsForEntity(const EntityConditionContent& content, const EntityFacts& fa
         content);
 }
 
+bool holdsForNamed(const EntityConditionContent& content, const EntityFacts& facts, const std::string& name)
+{
+    const int entity = facts.scenario->entityIndex(name);
+    return entity >= 0 && (*facts.states)[static_cast<std::size_t>(entity)].isPresent &&
+           holdsForEntity(content, facts, static_cast<std::size_t>(entity));
+}
+
 } // namespace
 
 bool nearlyHolds(double left, Rule rule, double right)
 {
     return holds(std::fabs(left - right) < kSameValue ? right : left, rule, right);
+}
+
+std::vector<std::string> triggeringEntities(const EntityCondition& condition, const EntityFacts& facts)
+{
+    std::vector<std::string> triggering;
+    for (const std::string& name : condition.entities)
+        if (facts.states && holdsForNamed(condition.content, facts, name)) triggering.push_back(name);
+    return triggering;
 }
 
 bool holdsFor(const EntityCondition& condition, const EntityFacts& facts)
@@ -37,9 +52,7 @@ bool holdsFor(const EntityCondition& condition, const EntityFacts& facts)
     bool all = !condition.entities.empty();
     for (const std::string& name : condition.entities)
     {
-        const int entity = facts.scenario->entityIndex(name);
-        const bool holds = entity >= 0 && (*facts.states)[static_cast<std::size_t>(entity)].isPresent &&
-                           holdsForEntity(condition.content, facts, static_cast<std::size_t>(entity));
+        const bool holds = holdsForNamed(condition.content, facts, name);
         if (holds && !condition.isForAll) return true;
         all = all && holds;
     }

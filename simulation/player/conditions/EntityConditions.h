@@ -40,6 +40,9 @@ void updateLasting(const EntityFacts& facts, std::vector<LastingFacts>& lasting)
 /// Whether a condition holds for one of its triggering entities, or for all. Values are equal within 1e-6.
 bool holdsFor(const EntityCondition& condition, const EntityFacts& facts);
 
+/// Returns the triggering entities for which a condition holds, in the order of the condition.
+std::vector<std::string> triggeringEntities(const EntityCondition& condition, const EntityFacts& facts);
+
 /// Whether `left rule right`, equal within 1e-6.
 bool nearlyHolds(double left, Rule rule, double right);
 

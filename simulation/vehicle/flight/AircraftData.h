@@ -180,8 +180,9 @@ struct ContactData
     glm::dvec3 place{0.0}; ///< unloaded
     double springNPerM = 0.0;
     double dampingNsPerM = 0.0;
-    double friction = 0.8; ///< on dry asphalt, sideways and braked
-    double radiusM = 0.2;  ///< of a wheel
+    double friction = 0.8;        ///< on dry asphalt, sideways and braked
+    double radiusM = 0.2;         ///< of a wheel
+    double corneringPerRad = 8.0; ///< of a wheel: force sideways over load and slip angle
     double steeringDeg = 0.0;
     Brake brake = Brake::none;
     double strongestMps = 0.0; ///< vertical speed at which it breaks

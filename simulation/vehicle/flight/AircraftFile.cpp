@@ -120,7 +120,8 @@ void readPropeller(VehicleFileReader& reader, pugi::xml_node root, PropellerData
 void readContact(VehicleFileReader& reader, pugi::xml_node node, bool isWheel, AircraftData& data)
 {
     reader.onlyAttributes(
-        node, isWheel ? "xM yM zM radiusM springNPerM dampingNsPerM friction steeringDeg brake breaksAtMps"
+        node, isWheel ? "xM yM zM radiusM springNPerM dampingNsPerM friction corneringPerRad steeringDeg "
+                        "brake breaksAtMps"
                       : "xM yM zM springNPerM dampingNsPerM friction breaksAtMps");
     ContactData contact;
     contact.name = reader.name(node);
@@ -133,6 +134,8 @@ void readContact(VehicleFileReader& reader, pugi::xml_node node, bool isWheel, A
     if (isWheel)
     {
         contact.radiusM = reader.number(node, "radiusM", 0.01, 5.0);
+        if (node.attribute("corneringPerRad"))
+            contact.corneringPerRad = reader.number(node, "corneringPerRad", 0.5, 100.0);
         contact.steeringDeg = reader.number(node, "steeringDeg", -90.0, 90.0);
         const std::string_view brake = node.attribute("brake").value();
         contact.brake = brake == "left" ? Brake::left : brake == "right" ? Brake::right : Brake::none;

@@ -39,16 +39,28 @@ WheelAxes wheelAxes(const glm::dquat& attitude, double steering, const glm::dvec
 }
 
 /// The largest forces of a tyre along and across, for each newton of load.
-glm::dvec2 gripOf(const ContactData& data, const GroundControls& controls, GroundKind kind)
+glm::dvec2 gripOf(const ContactData& data, const GroundControls& controls, const GroundPoint& point)
 {
-    const GroundFriction ground = frictionOf(kind);
-    const double grip = data.friction * ground.gripFactor;
+    const GroundFriction ground = frictionOf(point.kind);
+    const double grip = data.friction * ground.gripFactor * point.gripScale;
     if (!data.isWheel || controls.isBroken) return glm::dvec2(std::max(grip, 0.1));
     const double brake = data.brake == Brake::left    ? controls.leftBrake
                          : data.brake == Brake::right ? controls.rightBrake
                                                       : 0.0;
     return {std::min(ground.rollingResistance + brake * grip, std::max(grip, ground.rollingResistance)),
             grip};
+}
+
+constexpr double kRollsMps = 1.0;
+
+/// How fast a rolling wheel takes its bend sideways out of the contact: after the relaxation length the force is that of the slip angle,
+/// corneringPerRad times the load.
+double carriedOut(const Contact& contact, const ContactData& data, double rollingMps, double stepS)
+{
+    constexpr double kLeastRelaxationM = 0.05;
+    const double relaxationM =
+        std::max(kLeastRelaxationM, data.corneringPerRad * contact.loadN / data.springNPerM);
+    return contact.slip.y * std::min(rollingMps / relaxationM, 1.0 / stepS);
 }
 
 } // namespace
@@ -102,14 +114,21 @@ ForceMoment GroundContacts::pressOne(std::size_t index, const BodyMotion& motion
     const double steering = foundation::radiansOf(data.steeringDeg) * controls.steering;
     const WheelAxes axes = wheelAxes(motion.attitude, steering, normal);
     const glm::dvec2 sliding(glm::dot(velocity, axes.along), glm::dot(velocity, axes.across));
-    const double bristleDamping = 0.5 * data.dampingNsPerM;
-    contact.slip += sliding * stepS;
-    glm::dvec2 force = -data.springNPerM * contact.slip - bristleDamping * sliding;
-    const glm::dvec2 most = gripOf(data, controls, contact.ground.kind) * contact.loadN;
+    glm::dvec2 bristleDamping(0.5 * data.dampingNsPerM);
+    glm::dvec2 bending = sliding;
+    if (data.isWheel && !controls.isBroken)
+    {
+        bending.y -= carriedOut(contact, data, std::abs(sliding.x), stepS);
+        // Rolling damps by itself.
+        bristleDamping.y *= std::max(0.0, 1.0 - std::abs(sliding.x) / kRollsMps);
+    }
+    contact.slip += bending * stepS;
+    glm::dvec2 force = -data.springNPerM * contact.slip - bristleDamping * bending;
+    const glm::dvec2 most = gripOf(data, controls, contact.ground) * contact.loadN;
     force = glm::clamp(force, -most, most);
     const double whole = glm::length(force), round = std::max(most.x, most.y);
     if (whole > round) force *= round / whole;
-    contact.slip = -(force + bristleDamping * sliding) / data.springNPerM;
+    contact.slip = -(force + bristleDamping * bending) / data.springNPerM;
     const glm::dvec3 onBody = glm::conjugate(motion.attitude) *
                               (contact.loadN * normal + force.x * axes.along + force.y * axes.across);
     return {onBody, glm::cross(contact.arm, onBody)};

@@ -114,8 +114,8 @@ void RoadVehicle::pressWheel(std::size_t index, double driveNm, double stepS)
                             glm::dot(velocity, across)};
     wheel.slip = -motion.slidingAlongMps / std::max(std::abs(rolling), 0.5);
     const double count = axle.tyresPerSide;
-    const TyreForce pulls = tyreForce(tyre, wheel.loadN / count, frictionOf(wheel.ground.kind()).gripFactor,
-                                      motion, stepS, wheel.bend);
+    const TyreForce pulls =
+        tyreForce(tyre, wheel.loadN / count, wheel.ground.grip(), motion, stepS, wheel.bend);
     wheel.forceN = count * pulls.forceN;
     wheel.tyreSlip = pulls.slip;
     spin(index, driveNm, rolling, stepS);

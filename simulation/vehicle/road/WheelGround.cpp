@@ -56,6 +56,7 @@ void WheelGround::take(std::span<const GroundPoint> answers)
     const GroundPoint& leftSide = answers[heights() + 1];
     _slopeAcross = (leftSide.heightM - right.heightM) / _widthM;
     _kind = leftSide.kind == right.kind ? right.kind : std::max(leftSide.kind, right.kind);
+    _gripScale = std::min(leftSide.gripScale, right.gripScale);
 }
 
 WheelContact WheelGround::contactOf(const glm::dvec3& hub, double radiusM) const

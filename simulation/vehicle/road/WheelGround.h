@@ -38,6 +38,9 @@ public:
     bool isKnown() const { return _isKnown; }
     GroundKind kind() const { return _kind; }
 
+    /// The friction of the ground over that of dry asphalt.
+    double grip() const { return frictionOf(_kind).gripFactor * _gripScale; }
+
     /// How the wheel stands with its hub at a place.
     WheelContact contactOf(const glm::dvec3& hub, double radiusM) const;
 
@@ -51,6 +54,7 @@ private:
     double _slopeAcross = 0.0, _widthM = 0.2;
     bool _isKnown = false;
     GroundKind _kind = GroundKind::asphalt;
+    double _gripScale = 1.0;
 };
 
 } // namespace simulation

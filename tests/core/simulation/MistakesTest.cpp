@@ -216,7 +216,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"NegativeDelay", "delay=\"0\"", "delay=\"-1\"", "Condition/delay is negative",
                 "write 0 or more"},
         Mistake{"EmptyGroup", "<ConditionGroup>\n", "<ConditionGroup/><ConditionGroup>\n",
-                "a ConditionGroup has no Condition", "add one"},
+                "a ConditionGroup without a Condition", "it never triggers; add one"},
         Mistake{"NobodyTriggers", "<EntityRef entityRef=\"Ego\"/></TriggeringEntities>",
                 "</TriggeringEntities>", "TriggeringEntities has no EntityRef", "name an entity"},
         Mistake{"UnknownElementRef", "storyboardElementRef=\"first\"", "storyboardElementRef=\"frist\"",

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "simulation/road/StopSignals.h"
+
+#include <algorithm>
+
+namespace simulation
+{
+namespace
+{
+
+using osgRoads::core::LaneValidity;
+using osgRoads::core::Signal;
+
+constexpr const char* kStopSign = "206";
+constexpr const char* kLights = "1000001";
+
+bool holdsFor(char orientation, const std::vector<LaneValidity>& validities, int lane, bool isForward)
+{
+    if (orientation != '0' && (orientation == '+') != isForward) return false;
+    if (validities.empty()) return true;
+    return std::any_of(validities.begin(), validities.end(),
+                       [&](const LaneValidity& lanes) {
+                           return lane >= std::min(lanes.fromLane, lanes.toLane) &&
+                                  lane <= std::max(lanes.fromLane, lanes.toLane);
+                       });
+}
+
+const Signal* signalOf(const osgRoads::core::RoadNetwork& network, const std::string& id)
+{
+    for (const osgRoads::core::Road& road : network.roads)
+        for (const Signal& signal : road.signals)
+            if (signal.id == id) return &signal;
+    return nullptr;
+}
+
+} // namespace
+
+std::vector<RoadStop> stopsBetween(const osgRoads::core::RoadNetwork& network, int road, int lane,
+                                   double fromM, double toM)
+{
+    const osgRoads::core::Road& under = network.roads[static_cast<std::size_t>(road)];
+    const bool isForward = toM >= fromM;
+    std::vector<RoadStop> stops;
+    const auto add =
+        [&](const Signal& signal, double sM, char orientation, const std::vector<LaneValidity>& validities)
+    {
+        if (signal.type != kStopSign && signal.type != kLights) return;
+        if (sM < std::min(fromM, toM) || sM > std::max(fromM, toM)) return;
+        if (!holdsFor(orientation, validities, lane, isForward)) return;
+        stops.push_back({sM, signal.type == kStopSign ? std::string() : signal.id});
+    };
+    for (const Signal& signal : under.signals)
+        add(signal, signal.s, signal.orientation, signal.validities);
+    for (const osgRoads::core::SignalReference& reference : under.signalReferences)
+        if (const Signal* const signal = signalOf(network, reference.id))
+            add(*signal, reference.s, reference.orientation, reference.validities);
+    std::stable_sort(stops.begin(), stops.end(),
+                     [&](const RoadStop& a, const RoadStop& b)
+                     { return isForward ? a.sM < b.sM : a.sM > b.sM; });
+    return stops;
+}
+
+bool letsPass(const std::string& state)
+{
+    if (state.find("green") != std::string::npos || state == "go" || state == "off") return true;
+    const std::size_t last = state.rfind(';');
+    return last != std::string::npos && state.substr(last + 1) == "on";
+}
+
+} // namespace simulation
