@@ -97,7 +97,8 @@ void EntityModel::show(const simulation::EntityState& state, const Light& light,
     if (!_generated) return _placed->setMatrix(matrixOf(scenery::poseOf(state)));
     simulation::EntityState shown = state;
     if (_flies && !shown.aircraft) shown.aircraft = scenery::usualAircraftParts(state, light.isDark);
-    _generated->setState(shown, switched(scenery::usualLamps(shown, light.isDark, light.timeS), state));
+    _lit = switched(scenery::usualLamps(shown, light.isDark, light.timeS), state);
+    _generated->setState(shown, _lit);
     if (state.isVisible)
         _generated->castShadow(light.sun, ground);
     else

@@ -50,6 +50,9 @@ public:
     /// Returns the eye of the driver, rider, walker or pilot. Frame: the entity's.
     const glm::dvec3& eye() const { return _eye; }
 
+    /// Which lamps the last show() has lit.
+    const scenery::models::LitLamps& litLamps() const { return _lit; }
+
     /// Returns a note when another model is drawn than asked for, else an empty text.
     const std::string& note() const { return _note; }
 
@@ -57,6 +60,7 @@ private:
     std::string _note;
     bool _isHidden = false;
     glm::dvec3 _eye{0.0};
+    scenery::models::LitLamps _lit{};
     std::shared_ptr<scenery::EntityNode> _generated; ///< has parts that move; else
     osg::ref_ptr<osg::MatrixTransform> _placed;
     bool _flies = false; ///< it is generated as an aircraft

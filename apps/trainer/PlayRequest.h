@@ -80,6 +80,8 @@ struct FrameRequest
     FreeEye freeEye;       ///< with EyePoint::free
     std::optional<double>
         eyeHeightM; ///< of a driver above the ground, or of the eye above the car; absent: a usual one
+    std::optional<bool>
+        interior; ///< whether the inside of the vehicle is drawn; absent: where somebody sits in it by name or in a window
     int perSecond = 24;
     std::optional<int> count; ///< absent: until the scenario ends
 
@@ -87,6 +89,12 @@ struct FrameRequest
     bool isInside() const
     {
         return eye == EyePoint::own || eye == EyePoint::driver || eye == EyePoint::pilot;
+    }
+
+    /// Whether the inside of the vehicle is drawn. A view file has none: its channels are the windows of a cockpit.
+    bool showsInterior(bool hasWindow) const
+    {
+        return isInside() && viewFile.empty() && interior.value_or(hasWindow || eye != EyePoint::own);
     }
 
     /// The simulated time of `count` frames, in seconds; 0 where it is absent.

@@ -22,7 +22,9 @@ namespace
 foundation::Result<ViewSetup> viewOf(const FrameRequest& frames, const simulation::ScenarioObject& ownship)
 {
     if (!frames.viewFile.empty()) return readView(frames.viewFile);
-    ViewSetup setup = singleChannel(frames.widthPx, frames.heightPx);
+    ViewSetup setup = frames.showsInterior(false)
+                          ? singleChannel(frames.widthPx, frames.heightPx, SceneInterior::kPictureDeg)
+                          : singleChannel(frames.widthPx, frames.heightPx);
     setup.nearM = nearPlaneM(ownship, frames.eye);
     return setup;
 }
@@ -94,6 +96,7 @@ foundation::Outcome PlaySession::openPictures(const ViewSetup& setup)
     }
     _viewer = makeViewer(_play.scene->root());
     _rig = std::make_unique<ChannelRig>(*_viewer, setup, _contexts);
+    if (_request.frames.showsInterior(false)) _interior = SceneInterior::create(_play, *_viewer, *_rig);
     keepCameraTimings(*_viewer);
     // Patches and samples between those of the raster, as roads have them, exclude each other.
     if (!_request.terrain.patchExponent && _play.terrain.terrain && !_play.terrain.roads) tunePatches();
@@ -138,12 +141,26 @@ std::vector<std::string> PlaySession::notes() const
     return notes;
 }
 
+/// Moves the eye, and the inside of the vehicle with it. `dtS`: since the last picture.
+void PlaySession::look(double dtS)
+{
+    const auto& entities = _play.player->entities();
+    scenery::Pose eye = _eye->update(entities[_play.watched], dtS);
+    if (_interior) eye = bent(eye, -_interior->view().lookDownDeg());
+    _rig->setEye(eye);
+    if (!_interior) return;
+    const auto moved = _request.motions.find(_play.ownship().name);
+    _interior->update(_play, *_play.player, entities,
+                      moved == _request.motions.end() ? nullptr : moved->second.get(), eye, *_rig,
+                      MirrorPace::all);
+}
+
 foundation::Outcome PlaySession::frame()
 {
     const double frameS = 1.0 / _request.frames.perSecond;
     _play.scene->show(*_play.player);
     const auto begin = std::chrono::steady_clock::now();
-    _rig->setEye(_eye->update(_play.player->entities()[_play.watched], _statistics.empty() ? 0.0 : frameS));
+    look(_statistics.empty() ? 0.0 : frameS);
     _viewer->frame(_play.player->timeS());
     const auto end = std::chrono::steady_clock::now();
     _statistics.push_back(measured());

@@ -10,6 +10,7 @@
 
 #include "OwnshipEye.h"
 #include "PlayScene.h"
+#include "SceneInterior.h"
 #include "simulation/record/MotionLog.h"
 #include "view/ChannelRig.h"
 #include "view/FrameStatistics.h"
@@ -48,6 +49,7 @@ private:
     foundation::Outcome beginCaptures(const ViewSetup& setup);
     void tunePatches();
     FrameStatistics measured();
+    void look(double dtS);
 
     PlayRequest _request;
     PlayScene _play;
@@ -55,6 +57,7 @@ private:
     osg::ref_ptr<osgViewer::Viewer> _viewer;
     std::vector<osg::ref_ptr<osg::GraphicsContext>> _contexts;
     std::unique_ptr<ChannelRig> _rig;
+    std::unique_ptr<SceneInterior> _interior; ///< null: not drawn
     std::vector<std::unique_ptr<osgOffscreen::FrameCapture>> _captures;
     std::vector<FrameStatistics> _statistics; ///< of the frames drawn so far
     std::uint64_t _uploadedBytes = 0;         ///< to the end of the last frame

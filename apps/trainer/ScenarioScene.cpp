@@ -89,14 +89,19 @@ void ScenarioScene::showSignals(const std::map<std::string, std::string>& states
     }
 }
 
+bool ScenarioScene::isDark(const simulation::EnvironmentState& environment)
+{
+    constexpr double kDuskDeg = 2.0; // of the sun's elevation
+    return environment.sun.elevationDeg < kDuskDeg;
+}
+
 void ScenarioScene::show(const simulation::ScenarioPlayer& player,
                          const std::vector<simulation::EntityState>& entities)
 {
-    constexpr double kDuskDeg = 2.0; // of the sun's elevation
     const auto& sun = player.environment().sun;
     const osg::Vec3d towards = osgTerrainROAM::sunDirectionFromAngles(sun.azimuthDeg, sun.elevationDeg);
     const EntityModel::Light light{
-        {towards.x(), towards.y(), towards.z()}, sun.elevationDeg < kDuskDeg, player.timeS()};
+        {towards.x(), towards.y(), towards.z()}, isDark(player.environment()), player.timeS()};
     for (std::size_t i = 0; i < _entities.size(); ++i)
         _entities[i].show(entities[i], light, _ground);
     showSignals(player.signalStates());

@@ -35,6 +35,9 @@ public:
     /// Returns one line for each model that differs from the one asked for.
     std::vector<std::string> notes() const;
 
+    /// Whether lamps are on: the sun is lower than 2 degrees.
+    static bool isDark(const simulation::EnvironmentState& environment);
+
     /// Sets entities, traffic lights, sun and atmosphere to the state of the player.
     void show(const simulation::ScenarioPlayer& player) { show(player, player.entities()); }
 
@@ -43,6 +46,15 @@ public:
 
     /// Returns the eye in an entity. Frame: the entity's.
     const glm::dvec3& eyeIn(std::size_t entity) const { return _entities[entity].eye(); }
+
+    /// Returns which of an entity's lamps are lit.
+    const scenery::models::LitLamps& lampsOf(std::size_t entity) const
+    {
+        return _entities[entity].litLamps();
+    }
+
+    /// The uniforms of light and air, for what is drawn beside the scene.
+    osg::StateSet* air() const { return _atmosphere->stateSet(); }
 
     /// Hides an entity: the one whose camera is used; or shows it again.
     void hide(std::size_t entity, bool isHidden = true) { _entities[entity].hide(isHidden); }

@@ -34,6 +34,7 @@ enum class Painting : std::uint8_t
     wheel,
     roadSigns, ///< roads/SignAtlas.h
     estate,
+    instruments, ///< cockpit/PaintInstruments.h
     count,
 };
 

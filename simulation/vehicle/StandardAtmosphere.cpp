@@ -59,4 +59,12 @@ double trueAirspeed(double calibratedMps, const AirState& air)
                    air.temperatureK);
 }
 
+double altimeterHeight(double pressurePa, double settingPa)
+{
+    constexpr double kPower = kGasConstant * kLapseRate / kStandardGravity;
+    const auto heightOf = [](double pa)
+    { return kSeaTemperatureK / kLapseRate * (1.0 - std::pow(pa / kSeaPressurePa, kPower)); };
+    return heightOf(pressurePa) - heightOf(settingPa);
+}
+
 } // namespace simulation

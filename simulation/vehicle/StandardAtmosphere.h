@@ -36,4 +36,8 @@ double calibratedAirspeed(double trueMps, const AirState& air);
 /// The inverse of calibratedAirspeed().
 double trueAirspeed(double calibratedMps, const AirState& air);
 
+/// What an altimeter shows in air of a pressure when it is set to another: the height between the two in the standard troposphere. Units:
+/// Pa, metres. Source: ICAO Doc 7488 (as standardAtmosphere()).
+double altimeterHeight(double pressurePa, double settingPa);
+
 } // namespace simulation

@@ -59,8 +59,8 @@ std::vector<osg::ref_ptr<osg::Image>> framesOf(const Workplace& place, const Sho
 {
     const std::string folder = shot.name + shot.eye + tolerance;
     playedAs(place, folder, {"tour", shot.network.string()},
-             {"--eye", shot.eye, "--duration", "8", "--tolerance", tolerance, "--size", shot.size, "--frames",
-              std::to_string(shot.frames)});
+             {"--eye", shot.eye, "--interior", "off", "--duration", "8", "--tolerance", tolerance, "--size",
+              shot.size, "--frames", std::to_string(shot.frames)});
     std::vector<osg::ref_ptr<osg::Image>> images;
     for (const auto& [name, bytes] : bytesIn(place.path(folder)))
         if (auto image = osgOffscreen::readPng(std::filesystem::path(place.path(folder)) / name))

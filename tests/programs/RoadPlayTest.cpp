@@ -34,8 +34,8 @@ int greenBefore(const Workplace& place, const std::string& name, const std::stri
 {
     place.write("road.xodr", kRoad);
     const std::string scenario = place.write(name + ".xosc", carAt(position)), folder = place.path(name);
-    const ProgramRun run = runTrainer(
-        {"play", scenario, "--frames", "1", "--size", "64x36", "--eye", "driver", "--capture", folder});
+    const ProgramRun run = runTrainer({"play", scenario, "--frames", "1", "--size", "64x36", "--eye",
+                                       "driver", "--interior", "off", "--capture", folder});
     EXPECT_TRUE(succeeds(run));
     EXPECT_NE(run.output.find("gone.osgb is not there"), std::string::npos) << run.output;
     const auto picture = osgOffscreen::readPng(folder + "/frame_00000.png");

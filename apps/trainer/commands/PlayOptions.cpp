@@ -146,6 +146,11 @@ void PlayOptions::addEyeOptions(CLI::App& command)
                     "(--eye-at); a "
                     "tour with driver or above drives along roads")
         ->check(CLI::IsMember(eyeNames()));
+    command
+        .add_option(
+            "--interior", _interior,
+            "on or off: cockpit or car around the eye; usual with --eye driver or pilot and in a window")
+        ->check(CLI::IsMember({"on", "off"}));
     command.add_option(
         "--eye-entity", request.frames.eyeEntity,
         "name of the entity that the camera is in or looks at, instead of ego or the first vehicle");
@@ -204,6 +209,7 @@ foundation::Outcome PlayOptions::complete()
     frames.backend = *backend;
     for (const auto& [name, eye] : kEyes)
         if (_eye == name) frames.eye = eye;
+    if (!_interior.empty()) frames.interior = _interior == "on";
     if (const auto placed = placeFreeEye(); !placed) return placed;
     if (const auto placed = placeWindow(); !placed) return placed;
     if (frames.isInside() && frames.eyeHeightM.value_or(0.0) > kHighestDriverM)

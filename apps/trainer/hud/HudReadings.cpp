@@ -1,18 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "hud/HudReadings.h"
 
+#include <foundation/Units.h>
+
 #include "simulation/vehicle/flight/Aircraft.h"
 #include "simulation/vehicle/road/RoadVehicle.h"
 
 namespace trainer
 {
 
-namespace
-{
-
-constexpr double kMpsPerKnot = 1852.0 / 3600.0, kMetresPerFoot = 0.3048, kKmhPerMps = 3.6;
-
-} // namespace
+using foundation::kKmhPerMps, foundation::kMetresPerFoot, foundation::kMpsPerKnot;
 
 HudLayout hudLayoutOf(const simulation::DynamicVehicle& vehicle)
 {

@@ -30,6 +30,13 @@ constexpr std::array kBindings{
     KeyBinding{"q", Scope::all, glance, "", 60.0, "look left while held"},
     KeyBinding{"e", Scope::all, glance, "", -60.0, "look right while held"},
     KeyBinding{"c", Scope::all, glance, "", 180.0, "look back while held"},
+    KeyBinding{"u", Scope::all, leanAhead, "", 1.0, "head forward, in the seat"},
+    KeyBinding{"n", Scope::all, leanAhead, "", -1.0, "head back"},
+    KeyBinding{"h", Scope::all, leanLeft, "", 1.0, "head to the left"},
+    KeyBinding{"l", Scope::all, leanLeft, "", -1.0, "head to the right"},
+    KeyBinding{"t", Scope::all, leanUp, "", 1.0, "head up"},
+    KeyBinding{"b", Scope::all, leanUp, "", -1.0, "head down"},
+    KeyBinding{"o", Scope::all, straighten, "", 0.0, "head straight ahead again"},
     KeyBinding{"p", Scope::all, pause, "", 0.0, "pause, or go on"},
     KeyBinding{"Period", Scope::all, step, "", 0.0, "one step"},
     KeyBinding{"Minus", Scope::all, slower, "", 0.0, "half as fast"},
@@ -55,6 +62,8 @@ constexpr std::array kBindings{
     KeyBinding{"Return", Scope::flight, hold, "starter", 1.0, "starter"},
     KeyBinding{"k", Scope::flight, hold, "mixture", 1.0, "mixture richer"},
     KeyBinding{"j", Scope::flight, hold, "mixture", -1.0, "mixture leaner"},
+    KeyBinding{"Comma", Scope::flight, altimeter, "", -1.0, "altimeter setting lower"},
+    KeyBinding{"Slash", Scope::flight, altimeter, "", 1.0, "altimeter setting higher"},
     KeyBinding{"Up", Scope::drive, hold, "throttle", 1.0, "throttle"},
     KeyBinding{"Down", Scope::drive, hold, "brake", 1.0, "brake"},
     KeyBinding{"Left", Scope::drive, hold, "steering", 1.0, "steer left"},
@@ -62,6 +71,8 @@ constexpr std::array kBindings{
     KeyBinding{"Space", Scope::drive, hold, "handbrake", 1.0, "handbrake"},
     KeyBinding{"PageUp", Scope::drive, add, "gear", 1.0, "gear: reverse, neutral, drive"},
     KeyBinding{"PageDown", Scope::drive, add, "gear", -1.0, "gear down"},
+    KeyBinding{"z", Scope::drive, add, "indicator", 1.0, "indicator: right, off, left"},
+    KeyBinding{"x", Scope::drive, add, "indicator", -1.0, "indicator: left, off, right"},
 };
 
 } // namespace

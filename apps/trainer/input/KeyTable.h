@@ -21,7 +21,12 @@ enum class KeyDeed
     end,
     view, ///< `amount`: place in kSeatViews
     nextView,
-    glance, ///< turns the head while it is held; `amount`: degrees to the left
+    glance,    ///< turns the head while it is held; `amount`: degrees to the left
+    leanAhead, ///< moves the head in its seat while it is held; `amount`: 1 or -1
+    leanLeft,
+    leanUp,
+    straighten,
+    altimeter, ///< sets it; `amount`: hPa more
     pause,
     step,
     slower,
@@ -54,6 +59,12 @@ struct KeyBinding
 
 /// Every key. No key stands twice in what one vehicle sees.
 std::span<const KeyBinding> keyTable();
+
+/// Whether a deed lasts while its key is held: its amount is then the sum of what is held, and 0 when nothing is.
+constexpr bool isHeld(KeyDeed deed)
+{
+    return deed == KeyDeed::hold || (deed >= KeyDeed::glance && deed <= KeyDeed::leanUp);
+}
 
 /// Whether a binding is there for a vehicle of the kind `vehicle` (ride stands for none: then scope all alone counts).
 bool isFor(const KeyBinding& binding, KeyScope vehicle);

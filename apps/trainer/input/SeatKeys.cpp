@@ -22,7 +22,7 @@ void SeatKeys::pushHeld(const KeyBinding& binding)
     for (const int key : _held)
         if (const KeyBinding* held = bindingOf(key))
             if (held->deed == binding.deed && held->input == binding.input) sum += held->amount;
-    if (binding.deed == KeyDeed::glance) return _target.act(KeyDeed::glance, sum);
+    if (binding.deed != KeyDeed::hold) return _target.act(binding.deed, sum);
     _target.holdInput(binding.input, std::clamp(sum, -1.0, 1.0));
 }
 
@@ -32,11 +32,9 @@ void SeatKeys::press(int key)
     _held.push_back(key);
     const KeyBinding* binding = bindingOf(key);
     if (!binding) return;
+    if (isHeld(binding->deed)) return pushHeld(*binding);
     switch (binding->deed)
     {
-    case KeyDeed::hold:
-    case KeyDeed::glance:
-        return pushHeld(*binding);
     case KeyDeed::add:
         return _target.addToInput(binding->input, binding->amount);
     case KeyDeed::flip:
@@ -52,7 +50,7 @@ void SeatKeys::release(int key)
     if (found == _held.end()) return;
     _held.erase(found);
     const KeyBinding* binding = bindingOf(key);
-    if (binding && (binding->deed == KeyDeed::hold || binding->deed == KeyDeed::glance)) pushHeld(*binding);
+    if (binding && isHeld(binding->deed)) pushHeld(*binding);
 }
 
 void SeatKeys::releaseAll()

@@ -20,7 +20,7 @@ public:
     virtual void addToInput(std::string_view input, double amount) = 0;
     virtual void flipInput(std::string_view input) = 0;
 
-    /// Everything else; glance has the sum of what is held, and 0 when nothing is.
+    /// Everything else; deeds that are held have the sum of what is held, and 0 when nothing is.
     virtual void act(KeyDeed deed, double amount) = 0;
 };
 

@@ -21,7 +21,8 @@ constexpr std::array kViewEyes{EyePoint::own,  EyePoint::chase, EyePoint::above,
                                EyePoint::kerb, EyePoint::free,  EyePoint::map};
 static_assert(kViewEyes.size() == std::size(kSeatViews));
 
-constexpr double kAboveInstrumentsM = 70.0; ///< so steep that the instruments do not hide the car
+constexpr double kAboveInstrumentsM = 70.0;          ///< so steep that the instruments do not hide the car
+constexpr double kReachM = 0.25, kHeadNotchM = 0.02; ///< of a head in its seat
 constexpr double kMostUpDeg = 80.0, kMoveM = 2.0, kZoom = 1.25, kLowestMapM = 100.0, kHighestMapM = 30'000.0;
 
 glm::dmat3 rotated(const glm::dmat3& frame, double leftDeg, double upDeg)
@@ -75,8 +76,15 @@ void SeatCamera::turn(double leftDeg, double upDeg)
     _raisedDeg = std::clamp(_raisedDeg + upDeg, -kMostUpDeg, kMostUpDeg);
 }
 
+void SeatCamera::straighten()
+{
+    _turnedDeg = _raisedDeg = 0.0;
+    _head = glm::dvec3(0.0);
+}
+
 void SeatCamera::move(double notches)
 {
+    if (isInside()) _head.x = std::clamp(_head.x + kHeadNotchM * notches, -kReachM, kReachM);
     if (isMap())
         _eye->setMapHeight(
             std::clamp(_eye->mapHeightM() * std::pow(kZoom, -notches), kLowestMapM, kHighestMapM));
@@ -101,8 +109,14 @@ scenery::Pose SeatCamera::update(const simulation::EntityState& ownship, double 
         _eye->setFree(pose);
     }
     _last = pose;
+    if (isInside())
+    {
+        _head = glm::clamp(_head + dtS * _leanMps, -kReachM, kReachM);
+        pose.positionWorld += pose.worldFromBody * _head;
+    }
+    const double bentDeg = isInside() ? _bentDeg : 0.0;
     if (_frames.eye != EyePoint::free)
-        pose.worldFromBody = rotated(pose.worldFromBody, _turnedDeg + _glanceDeg, _raisedDeg);
+        pose.worldFromBody = rotated(pose.worldFromBody, _turnedDeg + _glanceDeg, _raisedDeg + bentDeg);
     return pose;
 }
 

@@ -27,6 +27,15 @@ public:
     /// Turns the head, or the free eye: degrees to the left and upwards.
     void turn(double leftDeg, double upDeg);
 
+    /// How the head is bent where it looks straight ahead: degrees upwards.
+    void bend(double upDeg) { _bentDeg = upDeg; }
+
+    /// Moves the head in its seat while this is not 0: metres a second along an axis of the vehicle. It stays within reach of its place.
+    void lean(int axis, double mps) { _leanMps[axis] = mps; }
+
+    /// The head looks straight ahead from its place again.
+    void straighten();
+
     /// Moves the free eye ahead, or takes the map nearer. `notches`: of a wheel.
     void move(double notches);
 
@@ -49,7 +58,8 @@ private:
     FrameRequest _frames;
     std::unique_ptr<OwnshipEye> _eye;
     std::size_t _view = 0;
-    double _glanceDeg = 0.0, _turnedDeg = 0.0, _raisedDeg = 0.0;
+    double _glanceDeg = 0.0, _turnedDeg = 0.0, _raisedDeg = 0.0, _bentDeg = 0.0;
+    glm::dvec3 _head{0.0}, _leanMps{0.0}; ///< from its place; vehicle's frame
     scenery::Pose _last;
 };
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the keys of a window do.
+#include <cmath>
 #include <cstdio>
 
 #include "window/WindowSession.h"
@@ -10,6 +11,7 @@ namespace trainer
 namespace
 {
 
+constexpr double kLeanMps = 0.3;
 constexpr const char* kUsualDevices = "data/devices.txt";
 constexpr std::string_view kBrakes[] = {"left_brake", "right_brake"};
 
@@ -132,6 +134,12 @@ void WindowSession::toggleFullscreen()
     _window->setWindowRectangle(_oldPlace[0], _oldPlace[1], _oldPlace[2], _oldPlace[3]);
 }
 
+/// Somebody who sees the instruments of a cockpit has them there, unless a key says otherwise.
+bool WindowSession::isHudShown() const
+{
+    return _isHudWanted.value_or(!_interior || !_camera->isInside());
+}
+
 void WindowSession::act(KeyDeed deed, double amount)
 {
     simulation::RealTimePace& pace = _live->pace();
@@ -142,7 +150,7 @@ void WindowSession::act(KeyDeed deed, double amount)
     case KeyDeed::statistics:
         return _overlay.showStatistics(!_overlay.areStatisticsShown());
     case KeyDeed::instruments:
-        if (_hud) _hud->show(!_hud->isShown());
+        _isHudWanted = !isHudShown();
         return;
     case KeyDeed::fullscreen:
         return toggleFullscreen();
@@ -157,6 +165,18 @@ void WindowSession::act(KeyDeed deed, double amount)
         return _camera->nextView();
     case KeyDeed::glance:
         return _camera->glance(amount);
+    case KeyDeed::leanAhead:
+        return _camera->lean(0, kLeanMps * amount);
+    case KeyDeed::leanLeft:
+        return _camera->lean(1, kLeanMps * amount);
+    case KeyDeed::leanUp:
+        return _camera->lean(2, kLeanMps * amount);
+    case KeyDeed::straighten:
+        return _camera->straighten();
+    case KeyDeed::altimeter:
+        if (!_interior) return;
+        return tell("altimeter set to " + std::to_string(std::lround(_interior->turnAltimeter(amount))) +
+                    " hPa");
     case KeyDeed::pause:
         return pace.setPaused(!pace.isPaused());
     case KeyDeed::step:

@@ -96,6 +96,7 @@ foundation::Outcome WindowSession::openPictures()
     _overlay.camera()->setGraphicsContext(_window);
     _overlay.camera()->setFinalDrawCallback(_pictures);
     _viewer->addSlave(_overlay.camera(), false);
+    if (_request.frames.interior.value_or(true)) _interior = SceneInterior::create(_play, *_viewer, *_rig);
     _camera = std::make_unique<SeatCamera>(_play, _request.frames);
     _keys = std::make_unique<SeatKeys>(_vehicle, static_cast<KeyTarget&>(*this));
     _viewer->addEventHandler(new WindowEvents(*_keys, *_camera));
@@ -146,17 +147,36 @@ void WindowSession::fitToWindow()
 {
     const int width = std::max(_window->getTraits()->width, 16);
     const int height = std::max(_window->getTraits()->height, 16);
-    ViewSetup setup = singleChannel(width, height);
+    const bool isInterior = _interior && _interior->view().isShown();
+    ViewSetup setup =
+        isInterior ? singleChannel(width, height, SceneInterior::kPictureDeg) : singleChannel(width, height);
     setup.nearM = _camera->nearM();
     const Channel& before = _rig->setup().channels.front();
     const osg::Viewport* const overlay = _overlay.camera()->getViewport();
     const bool isOverlayRight = overlay && overlay->width() == width && overlay->height() == height;
     if (before.widthPx == width && before.heightPx == height && isOverlayRight &&
-        _rig->setup().nearM == setup.nearM)
+        before.frustum.topDeg == setup.channels.front().frustum.topDeg && _rig->setup().nearM == setup.nearM)
         return;
     _rig->reshape(setup);
     _overlay.resize(width, height);
     if (_hud) _hud->resize(width, height);
+}
+
+/// Moves the eye, and the inside of the vehicle with it.
+void WindowSession::look(double wallS)
+{
+    if (_interior)
+    {
+        _interior->view().show(_camera->isInside());
+        _camera->bend(-_interior->view().lookDownDeg());
+    }
+    fitToWindow();
+    const scenery::Pose eye =
+        _camera->update(_live->shown()[_play.watched], std::max(0.0, wallS - _lastWallS));
+    _rig->setEye(eye);
+    if (_interior)
+        _interior->update(_play, _live->player(), _live->shown(), _ride.motion.get(), eye, *_rig,
+                          MirrorPace::one);
 }
 
 void WindowSession::afterEvents()
@@ -168,10 +188,10 @@ void WindowSession::afterEvents()
     if (_live->isOver() && !wasOver) tell("the end; BackSpace begins again");
     _viewer->getFrameStamp()->setSimulationTime(_live->pace().timeS());
     _play.scene->show(_live->player(), _live->shown());
-    fitToWindow();
-    _rig->setEye(_camera->update(_live->shown()[_play.watched], std::max(0.0, wall - _lastWallS)));
+    look(wall);
     _lastWallS = wall;
     _overlay.showMark(_camera->isMap(), _live->shown()[_play.watched].headingDeg);
+    if (_hud) _hud->show(isHudShown());
     if (_hud) _hud->setValues(hudValuesOf(_ride.motion->vehicle().vehicle()));
     showTexts(wall);
 }

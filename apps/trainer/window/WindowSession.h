@@ -7,6 +7,7 @@
 #include <osgOffscreen/FrameCapture>
 
 #include "Ride.h"
+#include "SceneInterior.h"
 #include "hud/Hud.h"
 #include "hud/TextOverlay.h"
 #include "input/DeviceHands.h"
@@ -56,6 +57,7 @@ private:
     void playKeys(double wallS);
     void afterEvents();
     void fitToWindow();
+    void look(double wallS);
     foundation::Outcome openDevices();
     void readDevicesNow();
     void restart(std::size_t place);
@@ -72,6 +74,7 @@ private:
     void act(KeyDeed deed, double amount) override;
     void handOver();
     void toggleFullscreen();
+    bool isHudShown() const;
 
     PlayRequest _request;
     RideMaker* _maker;
@@ -85,11 +88,13 @@ private:
     osg::ref_ptr<SeatViewer> _viewer;
     std::unique_ptr<ChannelRig> _rig;
     std::unique_ptr<SeatCamera> _camera;
+    std::unique_ptr<SceneInterior> _interior; ///< null: one does not sit inside, or it is off
     std::unique_ptr<SeatKeys> _keys;
     std::unique_ptr<Devices> _devices;
     std::unique_ptr<DeviceHands> _deviceHands;
     TextOverlay _overlay;
-    std::unique_ptr<Hud> _hud; ///< null without a vehicle
+    std::unique_ptr<Hud> _hud;        ///< null without a vehicle
+    std::optional<bool> _isHudWanted; ///< absent: where no instruments of a cockpit are seen
     osg::ref_ptr<PictureTaker> _pictures;
     std::unique_ptr<osgOffscreen::FrameCapture> _capture;
     std::vector<WindowEvent> _script;

@@ -194,13 +194,11 @@ void Airframe::addLeg(std::size_t index, const glm::dvec3& from, const glm::dvec
     add(part, wheel);
 }
 
-void Airframe::addRotor(const EntityRotor& rotor, int blades, double chordM, const glm::vec3& tint)
+void addBlades(ModelBuilder& builder, const EntityRotor& rotor, int blades, double chordM)
 {
     const glm::dvec3 aside =
         std::abs(rotor.axis.z) > 0.9 ? glm::dvec3(1.0, 0.0, 0.0) : glm::dvec3(0.0, 0.0, 1.0);
     const glm::dvec3 a = glm::normalize(glm::cross(aside, rotor.axis)), b = glm::cross(rotor.axis, a);
-    ModelBuilder builder;
-    builder.begin("blades", kAircraftPaint, tint);
     for (int i = 0; i < blades; ++i)
     {
         const double turn = 2.0 * std::numbers::pi * i / blades;
@@ -216,6 +214,13 @@ void Airframe::addRotor(const EntityRotor& rotor, int blades, double chordM, con
                  ring(1.0, 0.35, 0.2), ring(1.0, 0.0, 0.2)},
                 12);
     }
+}
+
+void Airframe::addRotor(const EntityRotor& rotor, int blades, double chordM, const glm::vec3& tint)
+{
+    ModelBuilder builder;
+    builder.begin("blades", kAircraftPaint, tint);
+    addBlades(builder, rotor, blades, chordM);
     EntityRotor made = rotor;
     made.blades =
         add({.joint = AircraftJoint::rotor, .pivot = rotor.hub, .axis = rotor.axis, .turns = rotor.turns},

@@ -93,6 +93,9 @@ private:
     ModelBuilder _body;
 };
 
+/// Adds the blades of a rotor about its hub, where they are before they turn. Precondition: a part with the texture roadSigns has begun.
+void addBlades(ModelBuilder& builder, const EntityRotor& rotor, int blades, double chordM);
+
 /// Adds a band over the rings of a loft, from one ring and one point to others, a little above it: a window, a stripe. Points are
 /// counted as addLoft() places them. Precondition: a part has begun.
 struct LoftBand

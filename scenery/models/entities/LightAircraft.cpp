@@ -2,6 +2,7 @@
 // A single-engined high-wing aeroplane, 8.1 m long, 11 m span, 2.75 m high. Origin: on the ground below the axle of the main wheels.
 #include "scenery/models/entities/Airframe.h"
 #include "scenery/models/entities/EntityGenerators.h"
+#include "scenery/models/entities/LightAircraftForm.h"
 
 namespace scenery::models
 {
@@ -9,27 +10,11 @@ namespace scenery::models
 namespace
 {
 
-constexpr double kLightLengthM = 8.1;
 constexpr int kLightSides = 32;
 
 void addLightFuselage(ModelBuilder& body, const glm::vec3& trim)
 {
-    const auto rings = fuselageRings({{-5.20, 1.52, 0.05, 0.13},
-                                      {-4.00, 1.47, 0.17, 0.23},
-                                      {-2.30, 1.43, 0.34, 0.40},
-                                      {-1.60, 1.43, 0.43, 0.52},
-                                      {-1.15, 1.42, 0.49, 0.63},
-                                      {-0.40, 1.41, 0.545, 0.70},
-                                      {-0.30, 1.41, 0.55, 0.70},
-                                      {0.52, 1.41, 0.56, 0.70},
-                                      {0.66, 1.40, 0.56, 0.69},
-                                      {0.98, 1.28, 0.555, 0.58},
-                                      {1.22, 1.20, 0.54, 0.50},
-                                      {1.60, 1.20, 0.51, 0.47},
-                                      {2.05, 1.21, 0.45, 0.41},
-                                      {2.28, 1.22, 0.36, 0.31},
-                                      {2.34, 1.22, 0.22, 0.20}},
-                                     2.78);
+    const auto rings = fuselageRings({kLightSections.begin(), kLightSections.end()}, kLightRoundness);
     body.begin("fuselage", kAircraftPaint, kAircraftWhite);
     addLoft(body, rings, kLightSides);
     // Ring points run from the left side (0) over the top (8) to the right side (16). Ring 0 is the tail's tip.
@@ -67,8 +52,7 @@ void addLightTail(Airframe& frame, const glm::vec3& trim)
 
 void addWingsAndStruts(Airframe& frame, const glm::vec3& trim)
 {
-    const AerofoilStation root{{0.95, 0.0, 2.06}, 1.62}, inner{{0.95, 0.45, 2.073}, 1.62},
-        middle{{0.95, 2.6, 2.13}, 1.62}, outer{{0.84, 4.9, 2.20}, 1.22};
+    const auto& [root, inner, middle, outer] = kLightWing;
     Airframe::Wing flapped;
     flapped.stations = {root, inner, middle};
     flapped.hingedFrom = 1;
@@ -88,7 +72,10 @@ void addWingsAndStruts(Airframe& frame, const glm::vec3& trim)
     addWingPanel(body, {mirrored(tip)});
     body.begin("struts", kAircraftPaint, kAircraftWhite);
     for (const double side : {1.0, -1.0})
-        bar(body, {0.42, side * 0.50, 0.92}, {0.42, side * 2.55, 2.08}, 0.035);
+    {
+        const glm::dvec3 across(1.0, side, 1.0);
+        bar(body, across * kLightStrutLow, across * kLightStrutHigh, kLightStrutRadiusM);
+    }
 }
 
 } // namespace
@@ -106,8 +93,8 @@ EntityModel makeLightAircraft(const EntityShape& shape)
     ModelBuilder& body = frame.body();
     body.begin("spinner", kAircraftPaint, trim);
     addLimb(body, {2.34, 0.0, 1.22}, {2.50, 0.0, 1.22}, 0.17, 0.12);
-    frame.addRotor({.hub = {2.42, 0.0, 1.22}, .axis = {1.0, 0.0, 0.0}, .radiusM = 0.95}, 2, 0.17,
-                   kAircraftTyre);
+    frame.addRotor({.hub = kLightPropellerHub, .axis = {1.0, 0.0, 0.0}, .radiusM = kLightPropellerRadiusM}, 2,
+                   kLightPropellerChordM, kAircraftTyre);
     frame.addNavigationLamps({0.62, 5.5, 2.23}, {-5.3, 0.0, 1.52}, {-5.0, 0.0, 2.80});
     frame.addLamp(EntityLamp::Kind::landing, {2.36, 0.0, 0.98}, 0.0, 0.6);
     return frame.finish(shape.lengthM / kLightLengthM, glm::dvec3(0.45, 0.27, 1.75));

@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "scenery/models/cockpit/PaintInstruments.h"
 #include "scenery/models/paint/PaintBark.h"
 #include "scenery/models/paint/PaintHouseDetails.h"
 #include "scenery/models/paint/PaintLeaves.h"
@@ -23,7 +24,7 @@ Picture paint(Painting painting)
         paintPoplarLeaves, paintBushLeaves, paintSpruceNeedles, paintPlaster,   paintBricks,
         paintSheetMetal,   paintPlanks,     paintRoofTiles,     paintRoofMetal, paintHouseDetails,
         paintSaloon,       paintVan,        paintBus,           paintWheel,     paintSigns,
-        paintEstate};
+        paintEstate,       paintInstruments};
     return kPainters[static_cast<std::size_t>(painting)]();
 }
 

@@ -2,6 +2,7 @@
 #include "scenery/models/roads/StrokeFont.h"
 
 #include <array>
+#include <cmath>
 
 namespace scenery::models
 {
@@ -73,8 +74,11 @@ void paintGlyph(Canvas& canvas, const StrokeText& text, std::string_view lines, 
 {
     const auto pointAt = [&](std::size_t i)
     {
-        return low + text.height * glm::vec2(kAspect * static_cast<float>(lines[i] - 'a') / 4.0F,
-                                             static_cast<float>(lines[i + 1] - '0') / 6.0F);
+        const glm::vec2 out = low - text.middle +
+                              text.height * glm::vec2(kAspect * static_cast<float>(lines[i] - 'a') / 4.0F,
+                                                      static_cast<float>(lines[i + 1] - '0') / 6.0F);
+        const float c = std::cos(text.turnRad), s = std::sin(text.turnRad);
+        return text.middle + glm::vec2(c * out.x - s * out.y, s * out.x + c * out.y);
     };
     const float width = text.weight * text.height;
     for (std::size_t i = 0; i + 1 < lines.size(); i += 2)

@@ -19,6 +19,7 @@ struct StrokeText
     float height = 1.0F;
     float weight = 0.16F; ///< width of a stroke, share of the height
     glm::vec4 colour{0.0F, 0.0F, 0.0F, 0.0F};
+    float turnRad = 0.0F; ///< about its middle, counter-clockwise
 };
 void paintText(Canvas& canvas, const StrokeText& text);
 

@@ -65,6 +65,7 @@ Hands driverHands(const RoadVehicle& vehicle)
         {"brake", 0.0, 1.0, 1.5, 4.0},
         {"handbrake", 0.0, 1.0, 4.0, 4.0},
         {"gear", -1.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0},
+        {"indicator", -1.0, 1.0, 0.0},
     };
     auto hands = Hands::create(std::move(axes), vehicle);
     hands->finishBy(ClutchFoot(vehicle));

@@ -24,7 +24,9 @@ struct FlightReadings
     double trueAirspeedMps = 0.0, calibratedAirspeedMps = 0.0;
     double climbMps = 0.0;
     double alphaDeg = 0.0, betaDeg = 0.0;
-    double loadFactor = 1.0; ///< across the wing, g
+    double loadFactor = 1.0;      ///< across the wing, g
+    double sideLoad = 0.0;        ///< to the right, g; without the forces of wheels
+    double pressurePa = 101325.0; ///< of the air around
     double heightAboveGroundM = 0.0;
     double engineRpm = 0.0, thrustN = 0.0, manifoldPa = 0.0, fuelKgPerS = 0.0;
     double fuelKg = 0.0, massKg = 0.0;
@@ -58,6 +60,7 @@ public:
     void place(const FlightState& state, double timeS = 0.0);
 
     const FlightState& flightState() const { return _state; }
+    const FlightInputs& flightInputs() const { return _inputs; }
     const AircraftData& data() const { return *_data; }
     const EarthFrame& earth() const { return *_earth; }
     FlightReadings readings() const;

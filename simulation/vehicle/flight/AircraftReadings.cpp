@@ -46,6 +46,8 @@ FlightReadings Aircraft::readings() const
     readings.betaDeg = foundation::degreesOf(loads.air.beta);
     readings.massKg = mass.massKg;
     readings.loadFactor = -loads.load.force.z / (readings.massKg * kStandardGravity);
+    readings.sideLoad = loads.load.force.y / (readings.massKg * kStandardGravity);
+    readings.pressurePa = air.pressurePa;
     readings.heightAboveGroundM = _heightAboveGroundM;
     readings.engineRpm = _state.engineRadps * 30.0 / std::numbers::pi;
     readings.thrustN = loads.propeller.thrustN;

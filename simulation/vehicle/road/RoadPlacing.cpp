@@ -99,12 +99,16 @@ foundation::Outcome RoadVehicle::begin(const VehicleStart& start, const Ground& 
 /// The lamps that pedal and gear lever switch.
 void RoadVehicle::writeLamps(EntityState& entity) const
 {
-    constexpr double kPressed = 0.02;
+    constexpr double kPressed = 0.02, kFlashS = 0.7; // UN R48: 60 to 120 a minute
     const auto light = [&](const char* name, bool isLit) {
         entity.lamps[name] = {isLit ? LightMode::on : LightMode::off, 0.0, 0.0, 0.0, isLit};
     };
     light("brakeLights", inputOf(_inputs, RoadInput::brake) > kPressed);
     light("reversingLights", _drivetrain.state().gear < 0);
+    const double indicator = inputOf(_inputs, RoadInput::indicator);
+    const bool isFlash = std::fmod(_timeS, kFlashS) < 0.5 * kFlashS;
+    light("indicatorLeft", indicator > 0.5 && isFlash);
+    light("indicatorRight", indicator < -0.5 && isFlash);
 }
 
 void RoadVehicle::writeParts(EntityState& entity) const

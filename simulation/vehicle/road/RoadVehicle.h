@@ -73,6 +73,7 @@ public:
     std::span<const std::string_view> inputNames() const override { return kRoadInputNames; }
     std::span<double> inputs() override { return _inputs; }
     RoadInputs& roadInputs() { return _inputs; }
+    const RoadInputs& roadInputs() const { return _inputs; }
     double stepSeconds() const override { return kStepS; }
     void step(const Ground& ground, const Air& air) override;
     foundation::Outcome begin(const VehicleStart& start, const Ground& ground, const Air& air) override;

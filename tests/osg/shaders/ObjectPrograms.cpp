@@ -10,6 +10,7 @@
 #include "Compositions.h"
 #include "RenderedScene.h"
 #include "SyntheticField.h"
+#include "scenery/nodes/InteriorShading.h"
 #include "scenery/nodes/LampGlow.h"
 #include "scenery/nodes/ObjectShading.h"
 #include "scenery/nodes/RoadShading.h"
@@ -70,6 +71,8 @@ std::vector<NamedProgram> objectPrograms()
              programOf(scenery::makeRoadNode(std::make_shared<osgRoads::core::RoadMesh>())->getStateSet())},
             {"verge of a road on a terrain", roadGroundProgram()},
             {"road lamp", scenery::makeRoadLampProgram()},
+            {"interior of a vehicle", scenery::makeInteriorProgram()},
+            {"mirror", scenery::makeMirrorProgram()},
             {"lamp glow", scenery::makeLampGlowProgram()},
             {"sun shadow", scenery::makeSunShadowProgram()},
             {"sky", programOf(scenery::makeSky()->getStateSet())},

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include <osgViewer/View>
+
+#include "scenery/nodes/InteriorNode.h"
+#include "simulation/scenario/Entity.h"
+#include "view/Channel.h"
+
+namespace trainer
+{
+
+/// Which mirrors are drawn anew in a picture.
+enum class MirrorPace
+{
+    all,
+    one, ///< in turn, where pictures take long
+};
+
+/// The inside of the vehicle that the eye is in, drawn over the picture of one channel by a camera of its own: its near plane is at the
+/// eye, that of the scene is not (decision 37). Its mirrors show the scene. Threads: the update phase of the viewer.
+class InteriorView
+{
+public:
+    /// `eyeInBody`: of the driver or pilot. Null where one does not sit inside of such an entity.
+    static std::unique_ptr<InteriorView> create(const simulation::ScenarioObject& vehicle,
+                                                const glm::dvec3& eyeInBody);
+
+    /// Begins to draw after `picture`, a camera of the view. `air`: the uniforms of an Atmosphere. `scene`: what mirrors show.
+    void addTo(osgViewer::View& view, osg::Camera& picture, osg::StateSet& air, osg::Node& scene);
+
+    /// Whether it is drawn; hidden, it costs nothing.
+    void show(bool isShown);
+    bool isShown() const { return _isShown; }
+
+    /// Of the eye's own direction. Units: degrees.
+    double lookDownDeg() const { return _isShown ? _interior.model().lookDownDeg : 0.0; }
+
+    /// For a picture of `channel` from `eye`. `isDark`: the instruments are lit.
+    void update(const scenery::Pose& vehicle, const scenery::Pose& eye, const Channel& channel,
+                const scenery::models::Readings& readings, bool isDark, MirrorPace pace);
+
+private:
+    explicit InteriorView(scenery::models::InteriorModel model);
+    void updateMirrors(const scenery::Pose& vehicle, const scenery::Pose& eye, MirrorPace pace);
+
+    scenery::InteriorNode _interior;
+    osg::ref_ptr<osg::Camera> _camera;
+    std::vector<osg::ref_ptr<osg::Camera>> _mirrors;
+    std::size_t _turn = 0; ///< the mirror that comes next
+    bool _isShown = true;
+};
+
+} // namespace trainer

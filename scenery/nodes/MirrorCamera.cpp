@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scenery/nodes/MirrorCamera.h"
+
+#include <algorithm>
+
+namespace scenery
+{
+
+MirrorView mirrorView(const models::InteriorMirror& mirror, const Pose& vehicle, const glm::dvec3& eyeWorld,
+                      double farM)
+{
+    constexpr double kLeastNearM = 1.0; // the vehicle itself is not drawn
+    const glm::dvec3 low = vehicle.worldFromBodyPoint(mirror.lowLeft);
+    const glm::dvec3 across = vehicle.worldFromBodyPoint(mirror.lowRight) - low,
+                     high = vehicle.worldFromBodyPoint(mirror.topLeft) - low;
+    const glm::dvec3 right = glm::normalize(across), up = glm::normalize(high), out = glm::cross(right, up);
+    const double beforeM = glm::dot(eyeWorld - low, out);
+    MirrorView made;
+    made.isSeen = beforeM > 0.01;
+    if (!made.isSeen) return made;
+    const glm::dvec3 image = eyeWorld - 2.0 * beforeM * out;
+    made.view = viewFromWorld({image, glm::dmat3(out, right, up)});
+    const glm::dvec3 corner = low - image;
+    const double nearM = std::max(beforeM, kLeastNearM), scale = nearM / beforeM;
+    const double left = -glm::dot(corner + across, right) * scale, rightM = -glm::dot(corner, right) * scale;
+    const double bottom = glm::dot(corner, up) * scale, top = glm::dot(corner + high, up) * scale;
+    glm::dmat4& p = made.projection;
+    p = glm::dmat4(0.0);
+    p[0][0] = 2.0 * nearM / (rightM - left);
+    p[1][1] = 2.0 * nearM / (top - bottom);
+    p[2][0] = (rightM + left) / (rightM - left);
+    p[2][1] = (top + bottom) / (top - bottom);
+    p[2][2] = -(farM + nearM) / (farM - nearM);
+    p[2][3] = -1.0;
+    p[3][2] = -2.0 * farM * nearM / (farM - nearM);
+    return made;
+}
+
+osg::ref_ptr<osg::Camera> makeMirrorCamera(osg::Texture2D& picture)
+{
+    osg::ref_ptr<osg::Camera> camera = new osg::Camera;
+    camera->setReferenceFrame(osg::Transform::ABSOLUTE_RF);
+    camera->setRenderOrder(osg::Camera::PRE_RENDER);
+    camera->setRenderTargetImplementation(osg::Camera::FRAME_BUFFER_OBJECT);
+    camera->attach(osg::Camera::COLOR_BUFFER, &picture);
+    camera->attach(osg::Camera::DEPTH_BUFFER, GL_DEPTH_COMPONENT24);
+    camera->setViewport(0, 0, picture.getTextureWidth(), picture.getTextureHeight());
+    camera->setComputeNearFarMode(osg::Camera::DO_NOT_COMPUTE_NEAR_FAR);
+    camera->setProjectionResizePolicy(osg::Camera::FIXED);
+    camera->setAllowEventFocus(false);
+    rest(*camera);
+    return camera;
+}
+
+void setMirrorView(osg::Camera& camera, const MirrorView& view)
+{
+    if (!view.isSeen) return rest(camera);
+    camera.setViewMatrix(osg::Matrixd(&view.view[0][0]));
+    camera.setProjectionMatrix(osg::Matrixd(&view.projection[0][0]));
+    camera.setClearMask(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    camera.setCullMask(~0U);
+}
+
+void rest(osg::Camera& camera)
+{
+    camera.setClearMask(0);
+    camera.setCullMask(0);
+}
+
+} // namespace scenery
