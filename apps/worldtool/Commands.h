@@ -16,13 +16,14 @@ struct Request
 {
     std::vector<std::filesystem::path> dems; ///< elevation rasters, one or more
     std::filesystem::path map;               ///< an OpenStreetMap extract
+    std::filesystem::path runways;           ///< a table of OurAirports; empty: none
     std::filesystem::path world;             ///< the folder to write
     std::vector<double> bounds;              ///< west, south, east, north in degrees; empty: the whole map
 };
 
 using terminal::Report;
 
-/// Makes a world of elevation data and a map: WORLD/roads.xodr, buildings.gpkg, world.roam, and a report of what was used. The
+/// Makes a world of elevation data and a map: WORLD/roads.xodr, buildings.gpkg, ground.gpkg, landcover.tif, trees.gpkg, world.roam, and a report of what was used. The
 /// folder is made where there is none; of its files those alone are replaced, each as a whole.
 /// Errors: those of importDems(), readOsm(), readLand() and buildStreets(); bounds that are none; files that cannot be written.
 foundation::Result<Report> build(const Request& request);

@@ -24,6 +24,7 @@ int run(int argc, char** argv)
                      "the part of the map to use: WEST,SOUTH,EAST,NORTH in degrees")
         ->delimiter(',')
         ->expected(4);
+    build->add_option("--runways", request.runways, "runways as OurAirports lists them: .csv");
     build->add_option("--json", jsonFile, "also write the report to this file");
     if (const auto ends = terminal::parse(app, argc, argv)) return *ends;
     return terminal::report("worldtool", jsonFile, [&] { return worldtool::build(request); });

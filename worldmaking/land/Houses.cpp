@@ -108,9 +108,8 @@ void partOverlapping(std::vector<House>& houses, HouseReport& report)
 class HouseTaker
 {
 public:
-    HouseTaker(const LandMap& map, const MapPlane& plane, const RoadRoom& roads, const HasGround& ground,
-               HouseReport& report)
-        : _plane(plane), _roads(roads), _ground(ground), _waters(map, plane), _report(report)
+    HouseTaker(const LandMap& map, const MapPlane& plane, const HouseRoom& room, HouseReport& report)
+        : _plane(plane), _room(room), _waters(map, plane), _report(report)
     {
     }
 
@@ -122,10 +121,12 @@ public:
         auto building = rings ? buildingOf(shape, *rings) : std::nullopt;
         if (!building) return leave(_report.unusable);
         for (const glm::dvec2& corner : building->rings.front())
-            if (!_ground(corner)) return leave(_report.beyondGround);
+            if (!_room.hasGround(corner)) return leave(_report.beyondGround);
+        for (const PlanRings& strip : _room.strips)
+            if (commonAreaOf(strip, building->rings) > 0.0) return leave(_report.onRunway);
         const auto middle = scenery::rectangleAround(building->rings.front()).middle;
         if (_waters.contain(middle)) return leave(_report.inWater);
-        auto free = _roads.cutBack(building->rings, kHouseRoomM, kLeastShare);
+        auto free = _room.roads.cutBack(building->rings, kHouseRoomM, kLeastShare);
         if (!free) return leave(_report.onRoad);
         House house{shape, std::move(*building)};
         if (*free != house.building.rings)
@@ -156,8 +157,7 @@ private:
     }
 
     const MapPlane& _plane;
-    const RoadRoom& _roads;
-    const HasGround& _ground;
+    const HouseRoom& _room;
     Waters _waters;
     HouseReport& _report;
 };
@@ -197,10 +197,10 @@ double commonAreaOf(const PlanRings& a, const PlanRings& b)
     return area;
 }
 
-std::vector<House> housesOf(const LandMap& map, const MapPlane& plane, const RoadRoom& roads,
-                            const HasGround& ground, HouseReport& report)
+std::vector<House> housesOf(const LandMap& map, const MapPlane& plane, const HouseRoom& room,
+                            HouseReport& report)
 {
-    HouseTaker taker(map, plane, roads, ground, report);
+    HouseTaker taker(map, plane, room, report);
     std::vector<House> houses;
     for (const LandShape& shape : map.shapes)
         if (isHouse(shape))

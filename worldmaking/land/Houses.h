@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "scenery/buildings/Building.h"
@@ -27,6 +28,7 @@ struct HouseReport
     std::size_t cutBack = 0;     ///< their outline reached onto a road
     std::size_t onRoad = 0;      ///< left out: too little of them lies beside the roads
     std::size_t overlapping = 0; ///< left out: they lie over a larger one
+    std::size_t onRunway = 0;    ///< left out: they reach onto a runway's strip
     std::size_t inWater = 0;     ///< left out: their middle lies in water
     std::size_t standing = 0, towers = 0;
 };
@@ -34,10 +36,18 @@ struct HouseReport
 /// Tells whether a place of the plane has ground.
 using HasGround = std::function<bool(const glm::dvec2& plan)>;
 
-/// Takes the buildings (key `building`) and towers of a map that can stand: none within kHouseRoomM of a lane, none over another,
-/// none in water. Larger ones come first where two overlap. Sources: as scenery::buildingOf().
-std::vector<House> housesOf(const LandMap& map, const MapPlane& plane, const RoadRoom& roads,
-                            const HasGround& ground, HouseReport& report);
+/// What houses must leave free. Frame: the plane.
+struct HouseRoom
+{
+    const RoadRoom& roads;
+    std::span<const PlanRings> strips; ///< of runways
+    HasGround hasGround;
+};
+
+/// Takes the buildings (key `building`) and towers of a map that can stand: none within kHouseRoomM of a lane, none on a runway, none over
+/// another, none in water. Larger ones come first where two overlap. Sources: as scenery::buildingOf().
+std::vector<House> housesOf(const LandMap& map, const MapPlane& plane, const HouseRoom& room,
+                            HouseReport& report);
 
 /// Tells whether an area of a map is open water.
 bool isWater(const LandShape& shape);

@@ -42,7 +42,7 @@ struct Built
     std::vector<House> houses;
     double leastRoomM = 100.0;
 
-    explicit Built(const Village& village)
+    explicit Built(const Village& village, const std::vector<PlanRings>& strips = {})
         : streets(streetsOf(village.map, [](double, double) { return 500.0; }))
     {
         const testsupport::TestFolder folder("houses");
@@ -51,8 +51,7 @@ struct Built
         land = *read;
         const auto plane = MapPlane::create(streets.network.header, "made");
         const RoadRoom room(streets.network);
-        houses = housesOf(
-            land, *plane, room, [](const glm::dvec2&) { return true; }, report);
+        houses = housesOf(land, *plane, {room, strips, [](const glm::dvec2&) { return true; }}, report);
         for (const House& house : houses)
             leastRoomM = std::min(leastRoomM, room.distanceM(house.building.rings, 100.0));
     }
@@ -99,6 +98,18 @@ TEST(Houses, OneInALakeIsLeftOut)
     const Built built(village);
     EXPECT_TRUE(built.houses.empty());
     EXPECT_EQ(built.report.inWater, 1u);
+}
+
+TEST(Houses, OneOnARunwaysStripIsLeftOut)
+{
+    Village village;
+    village.box(0, 20, 12, 10);
+    village.box(80, 20, 12, 10);
+    const glm::dvec2 middle = Built(village).houses[0].building.rings[0][0];
+    const Built built(village, {{{middle - 20.0, middle + glm::dvec2(20, -20), middle + 20.0,
+                                  middle + glm::dvec2(-20, 20)}}});
+    EXPECT_EQ(built.houses.size(), 1u);
+    EXPECT_EQ(built.report.onRunway, 1u);
 }
 
 TEST(Houses, TheMeasuresSeeAHouseThatIsMovedOntoTheStreetOrItsNeighbour)

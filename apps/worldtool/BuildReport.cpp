@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "worldtool/BuildReport.h"
+
+namespace worldtool
+{
+
+nlohmann::ordered_json rowOf(const worldmaking::StreetReport& report)
+{
+    return {{"ways", report.ways},
+            {"closedWays", report.closedWays},
+            {"waysBeyondGround", report.waysBeyondGround},
+            {"shortWays", report.shortWays},
+            {"missingNodes", report.missingNodes},
+            {"streets", report.streets},
+            {"crossings", report.crossings},
+            {"turns", report.turns},
+            {"bridges", report.bridges},
+            {"tunnels", report.tunnels},
+            {"overpasses", report.overpasses},
+            {"lostOverpasses", report.lostOverpasses},
+            {"untoldOverpasses", report.untoldOverpasses},
+            {"sharpBends", report.sharpBends},
+            {"roadsKm", report.lengthKm},
+            {"maxGradePercent", report.steepestPercent},
+            {"steepKm", report.steepKm}};
+}
+
+nlohmann::ordered_json rowOf(const worldmaking::HouseReport& report)
+{
+    return {{"read", report.read},
+            {"standing", report.standing},
+            {"towers", report.towers},
+            {"cutBack", report.cutBack},
+            {"onRoad", report.onRoad},
+            {"overlapping", report.overlapping},
+            {"onRunway", report.onRunway},
+            {"inWater", report.inWater},
+            {"underground", report.underground},
+            {"beyondGround", report.beyondGround},
+            {"unusable", report.unusable}};
+}
+
+nlohmann::ordered_json rowOf(const worldmaking::LandReport& report, std::size_t unusedRunways)
+{
+    return {{"coverAreas", report.coverAreas}, {"fields", report.fields},   {"waters", report.waters},
+            {"waterLines", report.waterLines}, {"ways", report.ways},       {"railways", report.railways},
+            {"aprons", report.aprons},         {"runways", report.runways}, {"unusedRunways", unusedRunways}};
+}
+
+nlohmann::ordered_json rowOf(const worldmaking::TreeReport& report)
+{
+    return {{"inWoods", report.inWoods},       {"single", report.single}, {"inRows", report.inRows},
+            {"inOrchards", report.inOrchards}, {"hedges", report.hedges}, {"shrubs", report.shrubs},
+            {"spacingM", report.spacingM}};
+}
+
+} // namespace worldtool

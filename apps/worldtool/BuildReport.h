@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "worldmaking/land/Houses.h"
+#include "worldmaking/land/LandUse.h"
+#include "worldmaking/land/Trees.h"
+#include "worldmaking/streets/BuildStreets.h"
+
+namespace worldtool
+{
+
+/// The counts of a world's parts, as docs/reference/json-tables.md has them.
+nlohmann::ordered_json rowOf(const worldmaking::StreetReport& report);
+nlohmann::ordered_json rowOf(const worldmaking::HouseReport& report);
+nlohmann::ordered_json rowOf(const worldmaking::LandReport& report, std::size_t unusedRunways);
+nlohmann::ordered_json rowOf(const worldmaking::TreeReport& report);
+
+} // namespace worldtool
