@@ -24,7 +24,8 @@ namespace
 /// Checks before the work begins that all results can be written.
 foundation::Outcome checkResultPlaces(const PlayRequest& request)
 {
-    std::vector<std::filesystem::path> files{request.output.statsFile, request.output.reportFile};
+    std::vector<std::filesystem::path> files{request.output.statsFile, request.output.reportFile,
+                                             request.sound.file};
     std::error_code ignored;
     if (!request.output.captureFolder.empty() &&
         std::filesystem::is_directory(request.output.captureFolder, ignored))

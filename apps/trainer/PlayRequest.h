@@ -124,6 +124,13 @@ struct OutputRequest
     std::filesystem::path motionFile{}; ///< a row for each step with the motion of every entity
 };
 
+/// What is heard.
+struct SoundRequest
+{
+    bool isMuted = false;
+    std::filesystem::path file; ///< of what is heard in offscreen pictures; empty: none
+};
+
 /// The window that shows a play in real time.
 struct WindowRequest
 {
@@ -147,6 +154,7 @@ struct PlayRequest
     SceneryRequest scenery;
     OutputRequest output;
     WindowRequest window{};
+    SoundRequest sound{};
 
     /// What moves entities in place of their actions. The play ends when all their controllers have done what they were told.
     std::map<std::string, std::shared_ptr<simulation::ExternalMotion>> motions{};

@@ -66,6 +66,9 @@ PlaySession::create(simulation::Scenario scenario, SceneTerrain terrain, const P
     std::unique_ptr<PlaySession> session(new PlaySession(request, std::move(*play)));
     if (const auto opened = session->openPictures(*setup); !opened) return opened.error();
     session->beginLog();
+    if (!request.sound.file.empty())
+        session->_sound = std::make_unique<SoundTrack>(request.sound, session->_play.player->scenario(),
+                                                       session->_play.watched, request.frames.perSecond);
     return session;
 }
 
@@ -141,6 +144,13 @@ std::vector<std::string> PlaySession::notes() const
     return notes;
 }
 
+/// Null: the player moves it.
+const simulation::ExternalMotion* PlaySession::motionOfOwnship() const
+{
+    const auto moved = _request.motions.find(_play.ownship().name);
+    return moved == _request.motions.end() ? nullptr : moved->second.get();
+}
+
 /// Moves the eye, and the inside of the vehicle with it. `dtS`: since the last picture.
 void PlaySession::look(double dtS)
 {
@@ -149,10 +159,7 @@ void PlaySession::look(double dtS)
     if (_interior) eye = bent(eye, -_interior->view().lookDownDeg());
     _rig->setEye(eye);
     if (!_interior) return;
-    const auto moved = _request.motions.find(_play.ownship().name);
-    _interior->update(_play, *_play.player, entities,
-                      moved == _request.motions.end() ? nullptr : moved->second.get(), eye, *_rig,
-                      MirrorPace::all);
+    _interior->update(_play, *_play.player, entities, motionOfOwnship(), eye, *_rig, MirrorPace::all);
 }
 
 foundation::Outcome PlaySession::frame()
@@ -170,6 +177,8 @@ foundation::Outcome PlaySession::frame()
         _play.player->step();
         if (_log) _log->add(_play.player->timeS(), _play.player->entities());
     }
+    if (_sound)
+        if (const auto heard = _sound->add(_play.player->entities(), motionOfOwnship()); !heard) return heard;
     for (const auto& capture : _captures)
         if (const auto outcome = capture->outcome(); !outcome) return outcome.error();
     return foundation::success();
@@ -208,6 +217,8 @@ foundation::Outcome PlaySession::finish()
 {
     for (const auto& capture : _captures)
         if (const auto written = capture->finish(); !written) return written.error();
+    if (_sound)
+        if (const auto written = _sound->finish(); !written) return written;
     return _log ? _log->finish() : foundation::success();
 }
 

@@ -12,6 +12,7 @@
 #include "PlayScene.h"
 #include "SceneInterior.h"
 #include "simulation/record/MotionLog.h"
+#include "sound/SoundTrack.h"
 #include "view/ChannelRig.h"
 #include "view/FrameStatistics.h"
 
@@ -50,6 +51,7 @@ private:
     void tunePatches();
     FrameStatistics measured();
     void look(double dtS);
+    const simulation::ExternalMotion* motionOfOwnship() const;
 
     PlayRequest _request;
     PlayScene _play;
@@ -63,6 +65,7 @@ private:
     std::uint64_t _uploadedBytes = 0;         ///< to the end of the last frame
     std::string _patchNote;
     std::optional<simulation::MotionLog> _log;
+    std::unique_ptr<SoundTrack> _sound; ///< null: not written
 };
 
 } // namespace trainer

@@ -49,8 +49,8 @@ bool RideRequest::hasWindow() const
     if (play.window.isWanted) return true;
     const OutputRequest& output = play.output;
     return output.captureFolder.empty() && output.statsFile.empty() && output.reportFile.empty() &&
-           output.motionFile.empty() && play.frames.viewFile.empty() && !play.frames.count &&
-           inputs.empty() && recordInputs.empty();
+           output.motionFile.empty() && play.sound.file.empty() && play.frames.viewFile.empty() &&
+           !play.frames.count && inputs.empty() && recordInputs.empty();
 }
 
 foundation::Result<std::shared_ptr<simulation::VehicleMotion>>

@@ -102,6 +102,8 @@ foundation::Outcome PlayOptions::placeWindow()
         return foundation::Error{"--window", "that is no size", "write a WIDTH and HEIGHT from 16 to 8192"};
     if (window.isWanted && !request.frames.viewFile.empty())
         return foundation::Error{"--view", "a window has one channel", "leave it or the window out"};
+    if (window.isWanted && !request.sound.file.empty())
+        return foundation::Error{"--sound", "a window plays what is heard", "leave it or the window out"};
     if (window.isWanted && (!request.output.statsFile.empty() || !request.output.reportFile.empty()))
         return foundation::Error{"--window", "--stats and --report are of offscreen pictures",
                                  "leave them or the window out"};
@@ -117,6 +119,9 @@ void PlayOptions::addOutputOptions(CLI::App& command)
         "JSON file that describes the objects on the terrain (docs/reference/scenery-file.md)");
     command.add_option("--objects", request.scenery.modelsFolder,
                        "folder of models to scatter beside the path");
+    command.add_option("--sound", request.sound.file,
+                       "WAVE file of what is heard where the eye is, with offscreen pictures");
+    command.add_flag("--mute", request.sound.isMuted, "nothing is heard");
     command.add_option("--stats", request.output.statsFile, "JSON file for the statistics of each frame");
     command.add_option("--report", request.output.reportFile, "HTML file with plots of the statistics");
     command.add_option("--report-sheet", request.output.contactSheet,

@@ -102,6 +102,7 @@ foundation::Outcome WindowSession::openPictures()
     _viewer->addEventHandler(new WindowEvents(*_keys, *_camera));
     _live = std::make_unique<simulation::LivePlay>(
         std::move(_play.player), [this](const simulation::ScenarioPlayer& player) { _files.add(player); });
+    openSound();
     fitToWindow();
     if (_request.output.captureFolder.empty()) return foundation::success();
     auto capture = osgOffscreen::FrameCapture::begin(_window, _request.output.captureFolder);
@@ -162,6 +163,22 @@ void WindowSession::fitToWindow()
     if (_hud) _hud->resize(width, height);
 }
 
+void WindowSession::openSound()
+{
+    // Time that counts by pictures has no sound.
+    if (_request.sound.isMuted || _request.window.pictureS > 0.0) return;
+    _sound = std::make_unique<SceneSound>(_live->player().scenario(), _play.watched);
+    _speaker = std::make_unique<Loudspeaker>();
+    if (!_speaker->fault().empty()) std::cout << "note: " << _speaker->fault() << "; nothing is heard\n";
+}
+
+void WindowSession::sound()
+{
+    if (!_speaker) return;
+    if (_live->pace().isPaused()) return _speaker->pause();
+    _speaker->set(_sound->hear(_live->shown(), vehicleOf(_ride.motion.get())));
+}
+
 /// Moves the eye, and the inside of the vehicle with it.
 void WindowSession::look(double wallS)
 {
@@ -193,6 +210,7 @@ void WindowSession::afterEvents()
     _overlay.showMark(_camera->isMap(), _live->shown()[_play.watched].headingDeg);
     if (_hud) _hud->show(isHudShown());
     if (_hud) _hud->setValues(hudValuesOf(_ride.motion->vehicle().vehicle()));
+    sound();
     showTexts(wall);
 }
 

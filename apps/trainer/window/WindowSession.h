@@ -14,6 +14,8 @@
 #include "input/KeyScript.h"
 #include "input/SeatKeys.h"
 #include "simulation/player/LivePlay.h"
+#include "sound/Loudspeaker.h"
+#include "sound/SceneSound.h"
 #include "view/ChannelRig.h"
 #include "window/PictureTaker.h"
 #include "window/RunFiles.h"
@@ -58,6 +60,8 @@ private:
     void afterEvents();
     void fitToWindow();
     void look(double wallS);
+    void openSound();
+    void sound();
     foundation::Outcome openDevices();
     void readDevicesNow();
     void restart(std::size_t place);
@@ -93,8 +97,10 @@ private:
     std::unique_ptr<Devices> _devices;
     std::unique_ptr<DeviceHands> _deviceHands;
     TextOverlay _overlay;
-    std::unique_ptr<Hud> _hud;        ///< null without a vehicle
-    std::optional<bool> _isHudWanted; ///< absent: where no instruments of a cockpit are seen
+    std::unique_ptr<SceneSound> _sound;
+    std::unique_ptr<Loudspeaker> _speaker; ///< null: muted
+    std::unique_ptr<Hud> _hud;             ///< null without a vehicle
+    std::optional<bool> _isHudWanted;      ///< absent: where no instruments of a cockpit are seen
     osg::ref_ptr<PictureTaker> _pictures;
     std::unique_ptr<osgOffscreen::FrameCapture> _capture;
     std::vector<WindowEvent> _script;
