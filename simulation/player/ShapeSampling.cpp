@@ -169,7 +169,9 @@ std::optional<Polyline> sampled(const Nurbs& nurbs, const PositionSolver& positi
     for (int k = 0; k <= count; ++k)
     {
         const double u = curve.begin() + step * k;
-        const glm::dvec3 along = curve.tangentAt(u + (k < count ? 0.5 * kAhead : 0.0) * step);
+        // The first looks along the line to the next, the others a little ahead.
+        const glm::dvec3 along = k == 0 ? curve.at(u + step) - curve.at(u)
+                                        : curve.tangentAt(u + (k < count ? 0.5 * kAhead : 0.0) * step);
         if (std::hypot(along.x, along.y) > 0.0) heading = std::atan2(along.y, along.x);
         addSample(polyline, origin + curve.at(u), heading,
                   isTimed ? std::optional(timeBetween(nurbs, peaks, u)) : std::nullopt);

@@ -7,6 +7,8 @@
 
 #include <foundation/Angle.h>
 
+#include "simulation/control/flight/RunwayClearance.h"
+
 namespace simulation
 {
 namespace
@@ -121,6 +123,31 @@ void Autopilot::takeOrders(const FlightSense& sense, const ControlView& view)
     }
 }
 
+/// Refuses the order where the ground is so far above the way that clears it.
+bool Autopilot::isFree(double aboveM, const std::string& what)
+{
+    _isRefused = _settings.avoidsGround && aboveM > 0.0;
+    if (_isRefused) _note = what + std::to_string(std::max(1L, std::lround(aboveM))) + " m too high";
+    return !_isRefused;
+}
+
+void Autopilot::beginTakeOff(const Ground& ground)
+{
+    _takeOff.emplace(*_settings.runway);
+    isFree(aboveClimbOutM(*_settings.runway, ground),
+           "refused to take off: the ground beyond the runway is ");
+}
+
+void Autopilot::beginLanding(const FlightSense& sense, const Ground& ground)
+{
+    const RunwayStrip& runway = *_settings.runway;
+    if (!isFree(aboveFinalM(runway, ground, -runway.centreLine().alongM(sense.position)),
+                "refused to land: the ground before the runway is "))
+        return;
+    _landing.emplace(runway);
+    _landing->begin(sense, _last.throttle, _last.surfaces.elevator);
+}
+
 void Autopilot::beginCircuit(const Ground& ground)
 {
     if (_settings.avoidsGround)
@@ -164,14 +191,13 @@ void Autopilot::beginOrder(const FlightOrder& order, const FlightSense& sense, c
     case FlightOrderKind::wait:
         break;
     case FlightOrderKind::takeOff:
-        _takeOff.emplace(*_settings.runway);
+        beginTakeOff(view.ground);
         break;
     case FlightOrderKind::circuit:
         beginCircuit(view.ground);
         break;
     case FlightOrderKind::land:
-        _landing.emplace(*_settings.runway);
-        _landing->begin(sense, _last.throttle, _last.surfaces.elevator);
+        beginLanding(sense, view.ground);
         break;
     }
 }
@@ -189,7 +215,7 @@ bool Autopilot::isOrderDone(const FlightOrder& order, const FlightSense& sense, 
     case FlightOrderKind::circuit:
         return _circuit->isDone();
     case FlightOrderKind::land:
-        return _landing->isDone();
+        return _landing && _landing->isDone();
     default:
         return true;
     }
@@ -199,6 +225,13 @@ FlightCommand Autopilot::fly(const FlightSense& sense)
 {
     const FlightOrderKind kind =
         _order < _settings.orders.size() ? _settings.orders[_order].kind : FlightOrderKind::wait;
+    if (kind == FlightOrderKind::takeOff && _isRefused)
+    {
+        _phase = "refused";
+        FlightCommand stands;
+        stands.brakes = 1.0;
+        return stands;
+    }
     if (kind == FlightOrderKind::takeOff)
     {
         const FlightCommand command = _takeOff->step(sense, _stepS);

@@ -19,8 +19,8 @@ struct AutopilotSettings
     std::shared_ptr<const EarthFrame> earth;
     std::vector<FlightOrder> orders;
     std::optional<RunwayStrip> runway; ///< of takeoff, circuit and land
-    bool avoidsGround =
-        true; ///< climbs and turns before ground that rises ahead, whatever its orders; not while it takes off and lands
+    /// Climbs and turns before ground that rises ahead, whatever its orders; refuses to take off and to land where it is in the way.
+    bool avoidsGround = true;
 };
 
 /// Flies an aircraft by orders, one after the other (docs/algorithms/autopilot.md). After the last it holds what it has.
@@ -56,6 +56,9 @@ private:
     bool isOrderDone(const FlightOrder& order, const FlightSense& sense, double timeS) const;
     void beginOrder(const FlightOrder& order, const FlightSense& sense, const ControlView& view);
     void beginCircuit(const Ground& ground);
+    void beginTakeOff(const Ground& ground);
+    void beginLanding(const FlightSense& sense, const Ground& ground);
+    bool isFree(double aboveM, const std::string& what);
     FlightCommand fly(const FlightSense& sense);
     FlightCommand holdTargets(const FlightSense& sense);
     FlightCommand flyCircuit(const FlightSense& sense);
@@ -81,6 +84,7 @@ private:
     FlightCommand _last;
     TerrainGuard _guard;
     bool _isAvoiding = false;
+    bool _isRefused = false; ///< the order, because of the ground on its way
     std::string_view _phase = "hold";
     std::string _note;
 };

@@ -153,4 +153,29 @@ TEST(TerrainGuard, ACircuitIsFlownOnTheSideWithTheLowerGround)
               VehicleCondition::crashed);
 }
 
+TEST(TerrainGuard, RefusesToTakeOffIntoAHill)
+{
+    const Hills hills({{{0.0, 2200.0}, 250.0, 500.0}});
+    const VehicleStart start{{0.0, 20.0, 0.0}, std::numbers::pi / 2.0, 0.0, false};
+    const HillFlight flight = flyOver(hills, "takeoff; wait 60", start, 100.0, true);
+    EXPECT_EQ(flight.condition, VehicleCondition::sound);
+    EXPECT_NEAR(flight.place.y, 20.0, 1.0);
+    EXPECT_NE(flight.note.find("refused to take off: the ground beyond the runway is"), std::string::npos)
+        << flight.note;
+    EXPECT_EQ(flyOver(hills, "takeoff; wait 60", start, 100.0, false).condition, VehicleCondition::crashed);
+}
+
+TEST(TerrainGuard, RefusesToLandThroughAHill)
+{
+    const Hills hills({{{0.0, -1000.0}, 150.0, 250.0}});
+    const VehicleStart start{{0.0, -2800.0, 180.0}, std::numbers::pi / 2.0, 33.0, true};
+    const HillFlight flight = flyOver(hills, "land", start, 150.0, true);
+    EXPECT_EQ(flight.condition, VehicleCondition::sound);
+    EXPECT_FALSE(flight.isDone);
+    EXPECT_GT(flight.leastClearanceM, 10.0);
+    EXPECT_NE(flight.note.find("refused to land: the ground before the runway is"), std::string::npos)
+        << flight.note;
+    EXPECT_EQ(flyOver(hills, "land", start, 150.0, false).condition, VehicleCondition::crashed);
+}
+
 } // namespace

@@ -171,8 +171,8 @@ INSTANTIATE_TEST_SUITE_P(
                                      {},
                                      {"Ego+", "Semi_truck_with_extra_trailer+",
                                       "Semi_truck_with_extra_trailer++", "Semi_trailer"}},
-                    RecordedScenario{"trajectory-test", {"Target"}, {"Target"}},
-                    RecordedScenario{"tunnels", {}}, RecordedScenario{"velodrome", {}}),
+                    RecordedScenario{"trajectory-test", {}, {"Target"}}, RecordedScenario{"tunnels", {}},
+                    RecordedScenario{"velodrome", {}}),
     [](const testing::TestParamInfo<RecordedScenario>& test)
     {
         std::string name = test.param.name;
