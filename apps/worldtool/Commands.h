@@ -28,4 +28,8 @@ using terminal::Report;
 /// Errors: those of importDems(), readOsm(), readLand() and buildStreets(); bounds that are none; files that cannot be written.
 foundation::Result<Report> build(const Request& request);
 
+/// Looks by brute force for what stands wrong in a world: a folder with world.roam, or a .roam file. The report is not sound where
+/// anything does. Errors: those of readRoamFile(), loadRoadTile(), importShapes() and importFeatures().
+foundation::Result<Report> check(const std::filesystem::path& world);
+
 } // namespace worldtool

@@ -26,8 +26,14 @@ int run(int argc, char** argv)
         ->expected(4);
     build->add_option("--runways", request.runways, "runways as OurAirports lists them: .csv");
     build->add_option("--json", jsonFile, "also write the report to this file");
+    std::filesystem::path checked;
+    CLI::App* check = app.add_subcommand("check", "looks for what stands wrong in a world");
+    check->add_option("WORLD", checked, "the folder of a world, or a .roam file")->required();
+    check->add_option("--json", jsonFile, "also write the report to this file");
     if (const auto ends = terminal::parse(app, argc, argv)) return *ends;
-    return terminal::report("worldtool", jsonFile, [&] { return worldtool::build(request); });
+    return terminal::report(
+        "worldtool", jsonFile,
+        [&] { return check->parsed() ? worldtool::check(checked) : worldtool::build(request); });
 }
 
 } // namespace

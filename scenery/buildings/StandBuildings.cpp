@@ -11,7 +11,7 @@ namespace scenery
 namespace
 {
 
-constexpr double kStepM = 4.0;
+constexpr double kStepM = 1.0;
 
 } // namespace
 

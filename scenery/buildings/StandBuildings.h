@@ -26,7 +26,7 @@ struct StandingBuildings
 /// ground under the outline, or lower where it falls by more than a storey; walls down to the lowest and half a metre into it.
 StandingBuildings standBuildings(const osgTerrainROAM::core::ShapeSet& shapes, const GroundHeight& ground);
 
-/// The lowest and the highest ground under an outline, at its corners, every 4 m along its edges, and in its middle.
+/// The lowest and the highest ground under an outline, at its corners and each metre along its edges.
 struct GroundSpan
 {
     double lowM = 0.0, highM = 0.0;

@@ -2,6 +2,7 @@
 // worldtool as somebody runs it: a country from real data, and what is told of bad input.
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 
 #include <nlohmann/json.hpp>
 
@@ -87,6 +88,36 @@ TEST(WorldTool, TheSameInputGivesTheSameBytes)
               std::string::npos);
     EXPECT_EQ(testsupport::bytesOf(folder / "a/roads.xodr"), testsupport::bytesOf(folder / "b/roads.xodr"));
     EXPECT_FALSE(testsupport::bytesOf(folder / "a/roads.xodr").empty());
+}
+
+TEST(WorldTool, WhatItMakesStandsRightAndATreeOnTheStreetIsSeen)
+{
+    const TestFolder folder("worldtool");
+    const std::string ground = writeGround(folder), world = (folder / "world").string();
+    MadeMap map;
+    map.way({map.node(-300, 0), map.node(300, 20)});
+    for (const int northM : {3, 30, 34})
+    {
+        const int a = map.node(60, northM), b = map.node(75, northM), c = map.node(75, northM + 12);
+        map.way({a, b, c, a}, {{"building", "house"}});
+    }
+    const int a = map.node(-300, -300), b = map.node(300, -300), c = map.node(300, 300),
+              d = map.node(-300, 300);
+    map.way({a, b, c, d, a}, {{"landuse", "forest"}});
+    const std::string file = folder.write("map.osm", map.text()).string();
+    ASSERT_TRUE(succeeds(runWorldTool({"build", ground, "--map", file, "-o", world})));
+    const std::string table = (folder / "check.json").string();
+    EXPECT_TRUE(succeeds(runWorldTool({"check", world, "--json", table})));
+    const auto faults = nlohmann::json::parse(testsupport::bytesOf(table));
+    EXPECT_GT(faults["objects"].get<int>(), 1000);
+    EXPECT_EQ(faults["onRoad"].get<int>(), 0);
+    std::ofstream(folder / "world/more.geojson")
+        << R"({"type": "FeatureCollection", "features": [{"type": "Feature", "properties": {"kind": "oak"},)"
+        << R"( "geometry": {"type": "Point", "coordinates": [1.5, 42.50009]}}]})";
+    std::ofstream(folder / "world/world.roam", std::ios::app) << "objects = more.geojson\n";
+    EXPECT_EQ(runWorldTool({"check", world, "--json", table}).exitCode, 1);
+    EXPECT_EQ(nlohmann::json::parse(testsupport::bytesOf(table))["onRoad"].get<int>(), 1);
+    EXPECT_EQ(runWorldTool({"check", (folder / "none").string()}).exitCode, 1);
 }
 
 /// The steepest grade of the roads for cars, and the worst tunnel: how far it lies above the straight line between its ends.

@@ -15,6 +15,7 @@
 #include "scenery/buildings/BuildingRules.h"
 #include "scenery/buildings/Outline.h"
 #include "worldmaking/land/PlanGrid.h"
+#include "worldmaking/land/Waters.h"
 #include "worldmaking/map/GdalScope.h"
 
 namespace worldmaking
@@ -45,34 +46,6 @@ std::unique_ptr<OGRPolygon> polygonOf(const PlanRings& rings)
     }
     return polygon;
 }
-
-/// The water of a map, as outlines in the plane.
-class Waters
-{
-public:
-    Waters(const LandMap& map, const MapPlane& plane)
-    {
-        for (const LandShape& shape : map.shapes)
-            if (isWater(shape))
-                if (auto rings = plane.toPlan(shape.paths))
-                {
-                    _grid.add(_outlines.size(), boxOf(rings->front()));
-                    _outlines.push_back(std::move(*rings));
-                }
-    }
-
-    bool contain(const glm::dvec2& place) const
-    {
-        bool isInside = false;
-        _grid.near({place, place},
-                   [&](std::size_t i) { isInside = isInside || scenery::isWithin(_outlines[i], place); });
-        return isInside;
-    }
-
-private:
-    std::vector<PlanRings> _outlines;
-    PlanGrid _grid;
-};
 
 /// Leaves out houses that lie over larger ones.
 void partOverlapping(std::vector<House>& houses, HouseReport& report)
@@ -172,14 +145,6 @@ bool isHouse(const LandShape& shape)
 }
 
 } // namespace
-
-bool isWater(const LandShape& shape)
-{
-    if (shape.form != ShapeForm::area) return false;
-    const std::string_view use = valueOf(shape.tags, "landuse"), way = valueOf(shape.tags, "waterway");
-    return valueOf(shape.tags, "natural") == "water" || use == "reservoir" || use == "basin" ||
-           way == "riverbank";
-}
 
 double commonAreaOf(const PlanRings& a, const PlanRings& b)
 {

@@ -49,9 +49,6 @@ struct HouseRoom
 std::vector<House> housesOf(const LandMap& map, const MapPlane& plane, const HouseRoom& room,
                             HouseReport& report);
 
-/// Tells whether an area of a map is open water.
-bool isWater(const LandShape& shape);
-
 inline constexpr double kHouseRoomM = 0.5;    ///< between a house and lanes
 inline constexpr double kMostOverlapM2 = 1.0; ///< of two houses, or …
 inline constexpr double kMostOverlap = 0.03;  ///< … this share of the smaller

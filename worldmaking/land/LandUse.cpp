@@ -10,8 +10,8 @@
 
 #include "scenery/buildings/BuildingRules.h"
 #include "scenery/buildings/Outline.h"
-#include "worldmaking/land/Houses.h"
 #include "worldmaking/land/MapFile.h"
+#include "worldmaking/land/Waters.h"
 #include "worldmaking/streets/StreetTraits.h"
 
 namespace worldmaking

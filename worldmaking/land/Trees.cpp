@@ -10,6 +10,7 @@
 #include "scenery/buildings/Outline.h"
 #include "scenery/models/Dice.h"
 #include "worldmaking/land/MapFile.h"
+#include "worldmaking/land/Waters.h"
 
 namespace worldmaking
 {
@@ -45,7 +46,8 @@ std::uint64_t seedOf(std::int64_t column, std::int64_t row)
 class Planter
 {
 public:
-    Planter(const TakenGround& taken, const PlanHeight& height) : _taken(taken), _height(height)
+    Planter(const LandMap& map, const MapPlane& plane, const TakenGround& taken, const PlanHeight& height)
+        : _taken(taken), _height(height), _waters(map, plane)
     {
         for (std::size_t i = 0; i < taken.houses.size(); ++i)
         {
@@ -77,7 +79,7 @@ public:
 private:
     bool isFree(const glm::dvec2& place) const
     {
-        if (_taken.cover.at(place) == Cover::water) return false;
+        if (_taken.cover.at(place) == Cover::water || _waters.contain(place)) return false;
         bool isFree = true;
         _houses.near({place, place},
                      [&](std::size_t i)
@@ -114,6 +116,7 @@ private:
 
     const TakenGround& _taken;
     const PlanHeight& _height;
+    Waters _waters;
     PlanGrid _houses, _runways;
     std::unordered_map<std::uint64_t, bool> _isHigh;
 };
@@ -210,7 +213,7 @@ private:
 std::vector<Tree> treesOf(const LandMap& map, const MapPlane& plane, const TakenGround& taken,
                           const PlanHeight& height, TreeReport& report)
 {
-    Planter planter(taken, height);
+    Planter planter(map, plane, taken, height);
     for (const LandShape& shape : map.shapes)
         plantShape(shape, plane, planter, report);
     const CoverRaster& cover = taken.cover;

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <iostream>
+#include <memory>
+#include <string_view>
+
+#include <osgTerrainROAM/core/features/FeatureImport.h>
+#include <osgTerrainROAM/core/features/ShapeImport.h>
+#include <osgTerrainROAM/core/heightfield/GroundQuery.h>
+
+#include "scenery/buildings/StandBuildings.h"
+#include "scenery/roads/LayRoads.h"
+#include "worldmaking/check/WorldCheck.h"
+#include "worldtool/Commands.h"
+
+namespace worldtool
+{
+
+namespace
+{
+
+using osgTerrainROAM::core::FeatureKind;
+using osgTerrainROAM::core::PlacedTile;
+using osgTerrainROAM::core::RoamFile;
+using worldmaking::WorldThings;
+
+foundation::Outcome addHouses(const RoamFile& world, const PlacedTile& tile, WorldThings& things)
+{
+    for (const auto& source : world.buildings)
+    {
+        const auto shapes = osgTerrainROAM::core::importShapes(source, tile);
+        if (!shapes) return shapes.error();
+        auto made = scenery::standBuildings(*shapes, things.groundM);
+        for (auto& house : made.buildings)
+            things.houses.push_back(std::move(house));
+    }
+    return foundation::success();
+}
+
+foundation::Outcome addPlants(const RoamFile& world, const PlacedTile& tile, WorldThings& things)
+{
+    for (const auto& source : world.objects)
+    {
+        const auto shapes = osgTerrainROAM::core::importShapes(source, tile);
+        if (!shapes) return shapes.error();
+        for (const auto& shape : shapes->shapes)
+            if (!shape.isArea()) things.plants.push_back(shape.point);
+    }
+    return foundation::success();
+}
+
+/// The paving of a runway: its line, as wide as it is.
+worldmaking::PlanRings pavingOf(const std::vector<glm::dvec2>& line, double widthM)
+{
+    const glm::dvec2 along = glm::normalize(line.back() - line.front());
+    const glm::dvec2 side = 0.5 * widthM * glm::dvec2(-along.y, along.x);
+    return {{line.front() - side, line.back() - side, line.back() + side, line.front() + side}};
+}
+
+foundation::Outcome addGround(const RoamFile& world, const PlacedTile& tile, WorldThings& things)
+{
+    for (const auto& source : world.features)
+    {
+        const auto set = osgTerrainROAM::core::importFeatures(source, tile);
+        if (!set) return set.error();
+        for (const auto& feature : set->features)
+        {
+            if (feature.style.kind == FeatureKind::river && feature.isArea)
+                things.waters.push_back(feature.paths);
+            if (feature.style.kind == FeatureKind::runway && !feature.isArea)
+                things.runways.push_back(pavingOf(feature.paths.front(), feature.style.widthM));
+        }
+    }
+    return foundation::success();
+}
+
+nlohmann::ordered_json rowOf(const worldmaking::WorldFaults& faults)
+{
+    return {{"objects", faults.objects},     {"roadsKm", faults.roadsKm},
+            {"onRoad", faults.onRoad},       {"inWater", faults.inWater},
+            {"onRunway", faults.onRunway},   {"overlapping", faults.overlapping},
+            {"floating", faults.floating},   {"floatingRoads", faults.floatingRoads},
+            {"sunkRoads", faults.sunkRoads}, {"maxGradePercent", faults.maxGradePercent}};
+}
+
+} // namespace
+
+foundation::Result<Report> check(const std::filesystem::path& world)
+{
+    const auto file = std::filesystem::is_directory(world) ? world / "world.roam" : world;
+    const auto description = osgTerrainROAM::core::readRoamFile(file);
+    if (!description) return description.error();
+    const auto loaded = scenery::loadRoadTile(*description);
+    if (!loaded) return loaded.error();
+    const PlacedTile& tile = loaded->tile->tile;
+    WorldThings things;
+    things.roads = loaded->roads.placed.get();
+    things.groundM = [&](double eastM, double northM) -> std::optional<double>
+    {
+        const auto ground = osgTerrainROAM::core::groundAt(tile, eastM, northM);
+        return ground ? std::optional(ground->position.z) : std::nullopt;
+    };
+    for (const auto add : {addHouses, addPlants, addGround})
+        if (const auto added = add(*description, tile, things); !added) return added.error();
+    const worldmaking::WorldFaults faults = worldmaking::checkWorld(things);
+    Report report;
+    report.json = rowOf(faults);
+    report.sound = faults.total() == 0;
+    for (const auto& [key, value] : report.json.items())
+        std::cout << key << ' ' << value.dump() << '\n';
+    return report;
+}
+
+} // namespace worldtool

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "worldmaking/check/WorldCheck.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include <glm/glm.hpp>
+
+#include <osgRoads/core/query/LaneSpan.h>
+#include <osgRoads/core/query/RoadSurface.h>
+#include <osgRoads/core/query/Stations.h>
+
+#include "scenery/buildings/Outline.h"
+#include "worldmaking/land/Houses.h"
+#include "worldmaking/land/PlanGrid.h"
+
+namespace worldmaking
+{
+
+namespace
+{
+
+using osgRoads::core::PlacedNetwork;
+
+constexpr double kLaneStepM = 1.0, kEdgeStepM = 1.0, kRoadStepM = 5.0;
+constexpr double kHeightSlackM = 0.02;
+
+/// Finds outlines that hold a place.
+class Outlines
+{
+public:
+    void add(const PlanRings& rings)
+    {
+        _grid.add(_rings.size(), boxOf(rings.front()));
+        _rings.push_back(&rings);
+    }
+
+    /// Calls `use(number)` for the outlines around a place.
+    template<class Use>
+    void around(const glm::dvec2& place, const Use& use) const
+    {
+        _grid.near({place, place},
+                   [&](std::size_t i)
+                   {
+                       if (scenery::isWithin(*_rings[i], place)) use(i);
+                   });
+    }
+
+    bool hold(const glm::dvec2& place) const
+    {
+        bool isHeld = false;
+        around(place, [&](std::size_t) { isHeld = true; });
+        return isHeld;
+    }
+
+private:
+    std::vector<const PlanRings*> _rings;
+    PlanGrid _grid;
+};
+
+bool isInTunnel(const osgRoads::core::Road& road, double s)
+{
+    const auto* const structure = osgRoads::core::structureAt(road, s);
+    return structure && structure->kind == osgRoads::core::StructureKind::tunnel;
+}
+
+/// One look at a world.
+class Checker
+{
+public:
+    explicit Checker(const WorldThings& things) : _things(things)
+    {
+        for (const auto& house : things.houses)
+            _houses.add(house.building.rings);
+        for (const PlanRings& water : things.waters)
+            _waters.add(water);
+        for (const PlanRings& runway : things.runways)
+            _runways.add(runway);
+    }
+
+    WorldFaults look()
+    {
+        faults.objects = _things.houses.size() + _things.plants.size();
+        lookAtHouses();
+        lookAtPlants();
+        if (_things.roads) lookAtRoads();
+        faults.onRoad += _housesOnRoads.size();
+        return faults;
+    }
+
+private:
+    void lookAtHouses()
+    {
+        PlanGrid grid;
+        for (std::size_t i = 0; i < _things.houses.size(); ++i)
+        {
+            const auto& house = _things.houses[i];
+            const PlanRings& rings = house.building.rings;
+            const glm::dvec2 middle = scenery::rectangleAround(rings.front()).middle;
+            faults.inWater += _waters.hold(middle) ? 1 : 0;
+            faults.onRunway += _runways.hold(middle) ? 1 : 0;
+            faults.floating += isFloating(house) ? 1 : 0;
+            const MapBox box = boxOf(rings.front());
+            const double area = scenery::areaOf(rings);
+            grid.near(box,
+                      [&](std::size_t other)
+                      {
+                          const PlanRings& its = _things.houses[other].building.rings;
+                          const double most =
+                              std::max(kMostOverlapM2, kMostOverlap * std::min(area, scenery::areaOf(its)));
+                          // The frames of placement and of the scene differ by less than a hundredth.
+                          if (commonAreaOf(rings, its) > 1.05 * most) ++faults.overlapping;
+                      });
+            grid.add(i, box);
+        }
+    }
+
+    bool isFloating(const scenery::StandingBuilding& house) const
+    {
+        double lowest = 1e300;
+        for (const auto& ring : house.building.rings)
+            for (std::size_t i = 0; i < ring.size(); ++i)
+            {
+                const glm::dvec2 &a = ring[i], &b = ring[(i + 1) % ring.size()];
+                const int steps = std::max(1, static_cast<int>(std::ceil(glm::length(b - a) / kEdgeStepM)));
+                for (int k = 0; k < steps; ++k)
+                {
+                    const glm::dvec2 place = glm::mix(a, b, static_cast<double>(k) / steps);
+                    const auto ground = _things.groundM(place.x, place.y);
+                    if (!ground) return true;
+                    lowest = std::min(lowest, *ground);
+                }
+            }
+        return lowest < house.footM - kHeightSlackM || house.floorM < lowest - kHeightSlackM;
+    }
+
+    void lookAtPlants()
+    {
+        for (const glm::dvec2& place : _things.plants)
+        {
+            faults.inWater += _waters.hold(place) ? 1 : 0;
+            faults.onRunway += _runways.hold(place) ? 1 : 0;
+            faults.overlapping += _houses.hold(place) ? 1 : 0;
+            const auto ground = _things.groundM(place.x, place.y);
+            faults.floating += ground ? 0 : 1;
+            if (ground && _things.roads && isOnLanes(glm::dvec3(place, *ground))) ++faults.onRoad;
+        }
+    }
+
+    bool isOnLanes(const glm::dvec3& scene) const
+    {
+        const PlacedNetwork& roads = *_things.roads;
+        const auto matches = roads.locator().within(glm::dvec2(roads.toInertial(scene)), 0.0);
+        return std::any_of(matches.begin(), matches.end(),
+                           [&](const osgRoads::core::RoadMatch& match)
+                           { return !isInTunnel(roads.road(match.position.road), match.position.s); });
+    }
+
+    void lookAtRoads()
+    {
+        const PlacedNetwork& roads = *_things.roads;
+        for (int i = 0; i < static_cast<int>(roads.network().roads.size()); ++i)
+        {
+            const auto& road = roads.road(i);
+            if (!road.isUsable) continue;
+            if (road.junctionId.empty()) faults.roadsKm += 1e-3 * road.length;
+            lookAtLanes(i);
+            lookAtBed(i);
+        }
+    }
+
+    /// The houses that a road's lanes run through.
+    void lookAtLanes(int index)
+    {
+        const auto& road = _things.roads->road(index);
+        for (const double s : osgRoads::core::evenStations(road.length, kLaneStepM))
+        {
+            faults.maxGradePercent =
+                std::max(faults.maxGradePercent, 100.0 * std::abs(road.elevation.slope(s)));
+            if (isInTunnel(road, s)) continue;
+            const auto lanes = osgRoads::core::extentAt(road, s);
+            for (const double t : {lanes.rightT, 0.5 * (lanes.rightT + lanes.leftT), lanes.leftT})
+                _houses.around(glm::dvec2(_things.roads->surfacePoint(index, s, t)),
+                               [&](std::size_t house) { _housesOnRoads.insert(house); });
+        }
+    }
+
+    /// Whether the ground carries a road.
+    void lookAtBed(int index)
+    {
+        const auto& road = _things.roads->road(index);
+        bool isFloating = false, isSunk = false;
+        for (const double s : osgRoads::core::evenStations(road.length, kRoadStepM))
+        {
+            if (osgRoads::core::structureAt(road, s)) continue;
+            const auto lanes = osgRoads::core::extentAt(road, s);
+            const glm::dvec3 place =
+                _things.roads->surfacePoint(index, s, 0.5 * (lanes.rightT + lanes.leftT));
+            const auto ground = _things.groundM(place.x, place.y);
+            isFloating = isFloating || !ground || place.z - *ground > kMostGapM;
+            isSunk = isSunk || (ground && *ground - place.z > kMostCoverM);
+        }
+        faults.floatingRoads += isFloating ? 1 : 0;
+        faults.sunkRoads += isSunk ? 1 : 0;
+    }
+
+    const WorldThings& _things;
+    Outlines _houses, _waters, _runways;
+    std::set<std::size_t> _housesOnRoads;
+    WorldFaults faults;
+};
+
+} // namespace
+
+WorldFaults checkWorld(const WorldThings& things)
+{
+    return Checker(things).look();
+}
+
+} // namespace worldmaking

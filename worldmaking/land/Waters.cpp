@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "worldmaking/land/Waters.h"
+
+#include "scenery/buildings/Outline.h"
+
+namespace worldmaking
+{
+
+bool isWater(const LandShape& shape)
+{
+    if (shape.form != ShapeForm::area) return false;
+    const std::string_view use = valueOf(shape.tags, "landuse"), way = valueOf(shape.tags, "waterway");
+    return valueOf(shape.tags, "natural") == "water" || use == "reservoir" || use == "basin" ||
+           way == "riverbank";
+}
+
+Waters::Waters(const LandMap& map, const MapPlane& plane)
+{
+    for (const LandShape& shape : map.shapes)
+    {
+        auto rings = isWater(shape) ? plane.toPlan(shape.paths) : std::nullopt;
+        if (!rings) continue;
+        _grid.add(_outlines.size(), boxOf(rings->front()));
+        _outlines.push_back(std::move(*rings));
+    }
+}
+
+bool Waters::contain(const glm::dvec2& place) const
+{
+    bool isInside = false;
+    _grid.near({place, place},
+               [&](std::size_t i) { isInside = isInside || scenery::isWithin(_outlines[i], place); });
+    return isInside;
+}
+
+} // namespace worldmaking
