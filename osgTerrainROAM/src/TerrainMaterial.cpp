@@ -98,6 +98,7 @@ void TerrainMaterial::setProgram()
     _stateSet->setAttributeAndModes(terrainProgram({.drape = _hasDrape,
                                                     .layers = _imageryLayers,
                                                     .features = _hasFeatures,
+                                                    .farFeatures = _featuresFromM > 0.0,
                                                     .openings = _hasOpenings,
                                                     .cover = _hasCover,
                                                     .sheets = _sheetNormals ? _sheetNormals->maps() : 0,
@@ -135,7 +136,7 @@ void TerrainMaterial::lend(osg::StateSet& to, const BorrowedLook& look) const
 
 void TerrainMaterial::setFeatures(const core::FeatureCells& cells, double nearestM)
 {
-    addFeatureTextures(*_stateSet, cells, features);
+    addFeatureTextures(*_stateSet, cells, features, nearestM > 0.0);
     _stateSet->getOrCreateUniform("featureNearestM", osg::Uniform::FLOAT)->set(static_cast<float>(nearestM));
     _hasFeatures = true;
     _featuresFromM = nearestM;

@@ -20,7 +20,7 @@ namespace
 
 constexpr int kRecordsPerRow = 1024; ///< a power of two: the shader divides by a shift and a mask
 constexpr int kMaxFarSide = 4096;
-constexpr int kMaxFarPerCell = 8;
+constexpr int kMaxFarPerCell = 8; ///< and twice as many where the far maps are all there is
 
 osg::ref_ptr<osg::Image> floatImage(int width, int height)
 {
@@ -53,10 +53,11 @@ osg::ref_ptr<osg::Image> recordImage(const core::FeatureCells& cells)
 /// The far maps: texels along a cell, and the two images.
 struct FarMaps
 {
-    int perCell = kMaxFarPerCell;
+    int perCell;
     osg::ref_ptr<osg::Image> crops, beds;
 
-    explicit FarMaps(const core::FeatureCells& cells) : crops(new osg::Image), beds(new osg::Image)
+    FarMaps(const core::FeatureCells& cells, int mostPerCell)
+        : perCell(mostPerCell), crops(new osg::Image), beds(new osg::Image)
     {
         while (perCell > 1 && std::max(cells.columns, cells.rows) * perCell > kMaxFarSide)
             perCell /= 2;
@@ -126,12 +127,15 @@ void addTexture(osg::StateSet& stateSet, const char* name, int unit, osg::Image*
 
 } // namespace
 
-void addFeatureTextures(osg::StateSet& stateSet, const core::FeatureCells& cells, int firstUnit)
+void addFeatureTextures(osg::StateSet& stateSet, const core::FeatureCells& cells, int firstUnit, bool isFar)
 {
-    const FarMaps far(cells);
-    addTexture(stateSet, "featureCells", firstUnit, cellImage(cells).get(), false);
-    addTexture(stateSet, "featureRecords", firstUnit + 1, recordImage(cells).get(), false);
-    addTexture(stateSet, "featureFarCrops", firstUnit + 2, far.crops.get(), true);
+    const FarMaps far(cells, isFar ? 2 * kMaxFarPerCell : kMaxFarPerCell);
+    if (!isFar)
+    {
+        addTexture(stateSet, "featureCells", firstUnit, cellImage(cells).get(), false);
+        addTexture(stateSet, "featureRecords", firstUnit + 1, recordImage(cells).get(), false);
+        addTexture(stateSet, "featureFarCrops", firstUnit + 2, far.crops.get(), true);
+    }
     addTexture(stateSet, "featureFarBeds", firstUnit + 3, far.beds.get(), true);
     osg::ref_ptr<osg::Uniform> grid = new osg::Uniform(osg::Uniform::INT_VEC4, "featureGrid");
     grid->set(cells.firstCell.x, cells.firstCell.y, cells.columns, cells.rows);

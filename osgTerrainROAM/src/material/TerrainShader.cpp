@@ -31,10 +31,12 @@ std::string definesOf(const TerrainLook& look)
     return text;
 }
 
-std::string featureFunctions()
+std::string featureFunctions(bool far)
 {
-    return std::string(shaders::kFeatureFilters) + shaders::kFeatureAreas + shaders::kFeatureLines +
-           shaders::kFeatureStrokes + shaders::kFeaturePaint + shaders::kFeatureColours;
+    const std::string painted = far ? std::string(shaders::kFarFeatures)
+                                    : std::string(shaders::kFeatureAreas) + shaders::kFeatureLines +
+                                          shaders::kFeatureStrokes + shaders::kFeaturePaint;
+    return std::string(shaders::kFeatureFilters) + shaders::kFeatureMaps + painted + shaders::kFeatureColours;
 }
 
 } // namespace
@@ -51,7 +53,7 @@ std::string groundText(const TerrainLook& look)
     if (look.surroundings) text += shaders::kOuterMaps;
     text += shaders::kGroundColour;
     text += shaders::kWaterColour;
-    if (look.features) text += featureFunctions();
+    if (look.features) text += featureFunctions(look.farFeatures);
     if (look.openings) text += shaders::kGroundOpenings;
     if (look.layers > 0) text += imageryText(look.layers);
     if (look.cover) text += shaders::kLandCover;

@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Declares the vector features' textures and the shares that they paint, and filters bands over a pixel's footprint.
 // The filters are exact integrals over the footprint's width, so a line thinner than a pixel becomes its share of it.
-// Features are drawn by the parts FeatureFilters, Areas, Lines, Strokes, Paint, Colours, in this order.
+// Features are drawn by the parts FeatureFilters, Maps, then Areas, Lines, Strokes, Paint or FarFeatures alone, then Colours, in this order.
 // Source of the lists: Nehab and Hoppe, Random-access rendering of general vector graphics (2008), section 3.
 
 uniform sampler2D featureCells;     // per cell: first record; numbers of areas, lines, strokes
 uniform sampler2D featureRecords;   // FeatureCells.h; 1024 in a row
-uniform sampler2D featureFarCrops;  // shares, for footprints that are wider than the reach of the lists
-uniform sampler2D featureFarBeds;   // shares of river, asphalt, gravel, runway
 uniform ivec4 featureGrid;          // first cell, number of cells
 uniform float featureCellM;
-uniform float featureFarTexelM;
-uniform float featureNearestM;      // nothing is painted on ground that is nearer to the eye
 
 const float kFeatureReachM = 16.0;
 
@@ -22,6 +18,8 @@ struct Paint
     vec4 marks; // shares of white, worn verge, wheel tracks; light
     vec2 rows;  // share of bare soil between the plants; shade
 };
+
+const Paint kNoPaint = Paint(vec4(0.0), vec4(0.0), vec4(0.0), vec2(0.0, 1.0));
 
 // The pixel's footprint on the ground: the vectors of one pixel to the right and one pixel up, metres.
 struct Footprint

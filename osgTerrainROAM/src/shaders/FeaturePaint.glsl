@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds the features under a pixel: Paint terrainPaintFrom(float distanceM, vec2 place, vec2 alongX, vec2 alongY). `place`: the wrapped
-// position, metres; the others: its derivatives. Near features come from cells, far ones from mip-mapped maps of shares.
-
-const Paint kNoPaint = Paint(vec4(0.0), vec4(0.0), vec4(0.0), vec2(0.0, 1.0));
+// Finds the features under a pixel: Paint terrainPaint(vec2 place, vec2 alongX, vec2 alongY). `place`: the wrapped position, metres; the
+// others: its derivatives. Near features come from cells, far ones from mip-mapped maps of shares.
 
 Paint paintInCell(vec2 place, Footprint f)
 {
@@ -17,20 +15,6 @@ Paint paintInCell(vec2 place, Footprint f)
     if (list.y > 0.0) record = paintAreas(paint, record, int(list.y), at, f);
     if (list.z > 0.0) record = paintLines(paint, record, int(list.z), at, f);
     if (list.w > 0.0) paintStrokes(paint, record, int(list.w), at, f);
-    return paint;
-}
-
-// Reads the mip-mapped shares. A part of a road's asphalt is white paint.
-Paint paintOfMaps(vec2 place, Footprint f)
-{
-    vec2 cell = place / featureCellM + vec2(terrainEyeWraps.xy * int(4096.0 / featureCellM) - featureGrid.xy);
-    vec2 scale = 1.0 / vec2(featureGrid.zw);
-    vec2 x = f.x / featureCellM * scale, y = f.y / featureCellM * scale;
-    Paint paint;
-    paint.crops = textureGrad(featureFarCrops, cell * scale, x, y);
-    paint.beds = textureGrad(featureFarBeds, cell * scale, x, y);
-    paint.marks = vec4(0.03 * paint.beds.y + 0.07 * paint.beds.w, 0.05 * paint.beds.y, 0.25, 0.02 * paint.beds.w);
-    paint.rows = vec2(0.12, 1.0);
     return paint;
 }
 
@@ -63,13 +47,4 @@ Paint terrainPaint(vec2 place, vec2 alongX, vec2 alongY)
     }
     paint.marks.w *= float(taps); // a lamp is a point, its light is no share of the footprint
     return far > 0.0 ? mixed(paint, distant, far) : paint;
-}
-
-// The same beyond featureNearestM. A loop, not a branch: software drawing leaves a loop out where no pixel of a group enters it.
-Paint terrainPaintFrom(float distanceM, vec2 place, vec2 alongX, vec2 alongY)
-{
-    Paint paint = kNoPaint;
-    for (int i = distanceM < featureNearestM ? 1 : 0; i < 1; ++i)
-        paint = terrainPaint(place, alongX, alongY);
-    return paint;
 }

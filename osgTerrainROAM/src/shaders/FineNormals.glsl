@@ -13,8 +13,12 @@ vec2 fineTilt(vec2 tilt, out float edited)
     vec2 alongX = dFdx(cells);
     vec2 alongY = dFdy(cells);
     float page = floor(texelFetch(terrainFineIndex, ivec2(cells), 0).r * 65535.0 + 0.5);
-    if (page < 1.0) return tilt;
-    vec3 fine = textureGrad(terrainFineNormals, vec3(fract(cells), page - 1.0), alongX, alongY).rgb;
-    edited = fine.b;
-    return tilt * (1.0 - fine.b) + fine.rg * 2.0 - 1.0;
+    // No branch: software drawing leaves out a loop that no pixel of a group enters.
+    for (int i = page < 1.0 ? 1 : 0; i < 1; ++i)
+    {
+        vec3 fine = textureGrad(terrainFineNormals, vec3(fract(cells), page - 1.0), alongX, alongY).rgb;
+        edited = fine.b;
+        tilt = tilt * (1.0 - fine.b) + fine.rg * 2.0 - 1.0;
+    }
+    return tilt;
 }

@@ -9,6 +9,7 @@
 
 #include <osgRoads/core/query/ChooseDrive.h>
 #include <osgRoads/core/query/LaneSpan.h>
+#include <osgRoads/core/query/RoadSurface.h>
 #include <osgRoads/core/surface/BuildRoadMesh.h>
 #include <osgTerrainROAM/core/LoadTerrain.h>
 #include <osgTerrainROAM/core/heightfield/GroundQuery.h>
@@ -61,8 +62,13 @@ std::vector<glm::dvec3> pointsAhead(const RoadScene& scene, const simulation::Gr
         const double s = on->position.s + sign * aheadM;
         if (s <= 0.0 || s >= road.length) continue;
         const auto lanes = osgRoads::core::extentAt(road, s);
+        const auto* structure = osgRoads::core::structureAt(road, s);
+        const bool hasVerges =
+            !structure ||
+            structure->kind != osgRoads::core::StructureKind::tunnel; // it has walkways, which are models
         for (const double t : {on->position.t, lanes.rightT - kVergeM, lanes.leftT + kVergeM})
         {
+            if (t != on->position.t && !hasVerges) continue;
             glm::dvec3 place = scene.roads->surfacePoint(on->position.road, s, t);
             if (const auto sample = ground(place.x, place.y, place.z)) place.z = sample->heightM;
             points.push_back(place);

@@ -88,7 +88,8 @@ TEST(TunnelOpenings, WheelsInTheTunnelTouchTheRoadThatIsDrawn)
 {
     const RoadScene scene = sceneOf(ridge(), road());
     const ContactReport report = contactsOf(scene, driveOver(scene, 30.0), {.everyFrames = 4});
-    EXPECT_GT(report.points - report.undrawn, 3000U) << "walkways are no part of the roads' mesh";
+    EXPECT_GT(report.points, 3000U);
+    EXPECT_EQ(report.undrawn, 0U);
     EXPECT_EQ(report.broken, 0U) << report.text();
 }
 

@@ -254,7 +254,8 @@ TEST(FeaturePaint, IsLeftOutNearerThanTold)
     };
     const auto all = levels(0.0), far = levels(1000.0), none = levels(1e6);
     EXPECT_EQ(far[0], none[0]);
-    EXPECT_EQ(far[1], all[1]);
+    EXPECT_LT(std::abs(far[1] - all[1]), 0.25 * std::abs(all[1] - none[1]))
+        << "by the map of shares, which knows the mean of the marks only";
     EXPECT_EQ(far[2], all[2]) << "bare ground";
     EXPECT_NE(all[0], none[0]) << "else the test could not fail";
     EXPECT_NE(all[1], none[1]);
