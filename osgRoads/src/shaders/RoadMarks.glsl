@@ -5,6 +5,7 @@ in vec3 roadFromEye;
 in vec3 roadNormalWorld;
 in vec3 roadAt;
 in vec3 roadPresence;
+in float roadWear;
 in vec2 roadGround;
 flat in int roadKind;
 flat in ivec3 roadMarkRows;

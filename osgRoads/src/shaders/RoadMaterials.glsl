@@ -51,9 +51,32 @@ vec3 roadPainted(vec3 colour, vec2 filters)
     return roadMarksOfRow(colour, roadMarkRows.y, roadAt.y - roadAt.z, roadPresence.z, filters);
 }
 
+// How far the surface has worn off here, in patches; above 0.7 nothing is left.
+float roadGone()
+{
+    vec2 alongX = dFdx(roadGround) * 0.05, alongY = dFdy(roadGround) * 0.05;
+    float gone = roadWear;
+    // No branch: software drawing leaves out a loop that no pixel of a group enters.
+    for (int i = roadWear > 0.0 ? 0 : 1; i < 1; ++i)
+    {
+        vec3 patches = textureGrad(roadGrain, roadGround * 0.05, alongX, alongY).rgb - 0.5;
+        gone += min(2.0 * roadWear, 1.0) * (0.9 * patches.b + 0.6 * patches.g + 0.3 * patches.r);
+    }
+    return gone;
+}
+
+// Whether there is a surface at all.
+bool isRoadThere()
+{
+    return roadPresence.x >= 0.5 && roadGone() <= 0.7;
+}
+
 vec3 roadAlbedo()
 {
     vec2 filters = roadFilters();
-    if (roadPresence.x < 0.5) discard;
-    return roadPainted(max(roadSurface(filters), vec3(0.01)), filters);
+    float gone = roadGone();
+    if (roadPresence.x < 0.5 || gone > 0.7) discard;
+    vec3 painted = roadPainted(max(roadSurface(filters), vec3(0.01)), filters);
+    float stones = texture(roadGrain, roadGround * 0.5).r - 0.5;
+    return mix(painted, vec3(0.15, 0.13, 0.10) * (1.0 + 1.1 * stones), smoothstep(0.15, 0.55, gone));
 }

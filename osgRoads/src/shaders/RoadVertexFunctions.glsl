@@ -4,7 +4,7 @@
 
 in ivec3 roadPosition;
 in vec3 roadPlace;  // s, across, width
-in vec3 roadNormal;
+in vec4 roadNormal; // and how far the surface has worn off
 in vec4 roadFlags;  // kind, presence, presence of right and left marks: 0 to 255
 in vec3 roadRows;   // of the marks at the right and the left border, of the list of decals
 
@@ -20,6 +20,7 @@ out vec3 roadFromEye;
 out vec3 roadNormalWorld;
 out vec3 roadAt;        // s, across, width
 out vec3 roadPresence;  // of the surface, of its right and its left marks
+out float roadWear;     // 1 where the road ends in the open
 out vec2 roadGround;    // east and north for the grain
 flat out int roadKind;
 out vec2 roadPlan;      // east and north from the origin of the list of decals
@@ -33,7 +34,8 @@ vec3 roadInView()
     float distanceM = length(fromEye);
     fromEye.z += roadLift.x * distanceM * smoothstep(roadLift.y, roadLift.z, distanceM);
     roadFromEye = roadWorldFromLocal * fromEye;
-    roadNormalWorld = roadWorldFromLocal * roadNormal;
+    roadNormalWorld = roadWorldFromLocal * roadNormal.xyz;
+    roadWear = max(roadNormal.w, 0.0);
     roadAt = roadPlace;
     roadPresence = roadFlags.yzw * (1.0 / 255.0);
     roadKind = int(roadFlags.x + 0.5);

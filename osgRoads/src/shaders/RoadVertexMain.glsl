@@ -5,6 +5,6 @@ out vec3 roadNormalInView;
 void main()
 {
     vec3 inView = roadInView();
-    roadNormalInView = roadEyeFromLocal * roadNormal;
+    roadNormalInView = roadEyeFromLocal * roadNormal.xyz;
     gl_Position = gl_ProjectionMatrix * vec4(inView, 1.0);
 }

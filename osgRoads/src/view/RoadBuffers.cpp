@@ -33,7 +33,7 @@ void setPointers(osg::GLExtensions& gl)
     const auto at = [](std::size_t bytes) { return bufferOffset(bytes); };
     gl.glVertexAttribIPointer(kPositionAttribute, 3, GL_INT, stride, at(offsetof(MeshVertex, position)));
     gl.glVertexAttribPointer(kPlaceAttribute, 3, GL_FLOAT, GL_FALSE, stride, at(offsetof(MeshVertex, s)));
-    gl.glVertexAttribPointer(kNormalAttribute, 3, GL_BYTE, GL_TRUE, stride, at(offsetof(MeshVertex, normal)));
+    gl.glVertexAttribPointer(kNormalAttribute, 4, GL_BYTE, GL_TRUE, stride, at(offsetof(MeshVertex, normal)));
     gl.glVertexAttribPointer(kFlagsAttribute, 4, GL_UNSIGNED_BYTE, GL_FALSE, stride,
                              at(offsetof(MeshVertex, kind)));
     gl.glVertexAttribPointer(kRowsAttribute, 3, GL_UNSIGNED_INT, GL_FALSE, stride,

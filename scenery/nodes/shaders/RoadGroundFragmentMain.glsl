@@ -22,7 +22,7 @@ vec3 lentAlbedo(vec3 ground, Grain g)
 
 void main()
 {
-    if (roadPresence.x < 0.5) discard;
+    if (!isRoadThere()) discard;
     float distanceM = length(fromEye);
     vec3 directionWorld = roadWorldFromLocal * (fromEye / distanceM);
     vec3 colour = groundRadiance(directionWorld);

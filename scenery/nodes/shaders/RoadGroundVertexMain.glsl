@@ -13,6 +13,6 @@ void main()
     vec2 plan = vec2(roadPosition.xy) * (1.0 / 1024.0);
     grid = roadGridOrigin + roadGridFromPlan.xy * plan.x + roadGridFromPlan.zw * plan.y;
     fromEye = vec3(roadPosition - roadEyeSteps) * (1.0 / 1024.0) - roadEyeRest;
-    roadNormalInTile = roadNormal;
+    roadNormalInTile = roadNormal.xyz;
     gl_Position = gl_ProjectionMatrix * vec4(inView, 1.0);
 }

@@ -55,10 +55,11 @@ RoadMesh buildPart(const PlacedNetwork& network, const RoadMeshSettings& setting
     {
         const Road& road = network.network().roads[i];
         if (!road.isUsable) continue;
+        const OpenEnds ends(network, static_cast<int>(i));
         for (const LaneSection& section : road.sections)
         {
-            const std::vector<double> cuts = chunkCuts(road, section, settings.chunkM);
-            ChunkBuilder builder(network, static_cast<int>(i), section, settings, marks, decals, mesh);
+            const std::vector<double> cuts = chunkCuts(road, section, ends.cuts(), settings.chunkM);
+            ChunkBuilder builder(network, static_cast<int>(i), section, ends, settings, marks, decals, mesh);
             for (std::size_t cut = 0; cut + 1 < cuts.size(); ++cut)
                 builder.add(cuts[cut], cuts[cut + 1]);
         }

@@ -45,11 +45,12 @@ std::array<std::int8_t, 4> packed(const glm::dvec3& normal)
 } // namespace
 
 ChunkBuilder::ChunkBuilder(const PlacedNetwork& network, int road, const LaneSection& section,
-                           const RoadMeshSettings& settings, MarkRows& marks, DecalRows& decals,
-                           RoadMesh& mesh)
+                           const OpenEnds& ends, const RoadMeshSettings& settings, MarkRows& marks,
+                           DecalRows& decals, RoadMesh& mesh)
     : _network(network),
       _road(road),
       _section(section),
+      _ends(ends),
       _settings(settings),
       _shape(network.road(road), section, settings.bed),
       _cover(network, road),
@@ -217,6 +218,7 @@ void ChunkBuilder::addRow(const Row& row, double from, bool hasGround, const std
 {
     const double ahead = row.s + kSlopeStepM < _section.end ? kSlopeStepM : -kSlopeStepM;
     const Row other = rowAt(row.s + ahead);
+    const auto wear = static_cast<std::int8_t>(std::lround(127.0 * _ends.wearAt(row.s)));
     // Two strips share a border, where the answer is the same.
     double askedT = std::numeric_limits<double>::quiet_NaN();
     bool isAskedCovered = false;
@@ -258,6 +260,7 @@ void ChunkBuilder::addRow(const Row& row, double from, bool hasGround, const std
                 glm::cross((other.places[j] - row.places[j]) / ahead, row.places[b] - row.places[a]);
             const double length = glm::length(normal);
             vertex.normal = packed(length > 1e-9 ? normal / length : glm::dvec3(0.0, 0.0, 1.0));
+            vertex.normal[3] = wear;
             if (!isOwnCarriageway && (j == first + count - 1 ? leftCovered : rightCovered))
                 vertex.present = 0;
             if ((strip.isBesideLanes() && !hasGround) || isOutsideOfTube) vertex.present = 0;

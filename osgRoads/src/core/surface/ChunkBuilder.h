@@ -11,6 +11,7 @@
 #include "DecalRows.h"
 #include "JunctionCover.h"
 #include "MarkRows.h"
+#include "OpenEnds.h"
 
 namespace osgRoads::core
 {
@@ -19,7 +20,7 @@ namespace osgRoads::core
 class ChunkBuilder
 {
 public:
-    ChunkBuilder(const PlacedNetwork& network, int road, const LaneSection& section,
+    ChunkBuilder(const PlacedNetwork& network, int road, const LaneSection& section, const OpenEnds& ends,
                  const RoadMeshSettings& settings, MarkRows& marks, DecalRows& decals, RoadMesh& mesh);
 
     void add(double from, double to);
@@ -52,6 +53,7 @@ private:
     const PlacedNetwork& _network;
     int _road;
     const LaneSection& _section;
+    const OpenEnds& _ends;
     const RoadMeshSettings& _settings;
     CrossSection _shape;
     JunctionCover _cover;

@@ -20,9 +20,8 @@ void addStarts(const Pieces& pieces, double from, std::vector<double>& cuts)
         cuts.push_back(from + piece.s);
 }
 
-std::vector<double> wishedCuts(const Road& road, const LaneSection& section)
+std::vector<double> wishedCuts(const Road& road, const LaneSection& section, std::vector<double> cuts)
 {
-    std::vector<double> cuts;
     addStarts(road.referenceLine.elements(), 0.0, cuts);
     addStarts(road.elevation.pieces(), 0.0, cuts);
     addStarts(road.superelevationRad.pieces(), 0.0, cuts);
@@ -44,7 +43,8 @@ std::vector<double> wishedCuts(const Road& road, const LaneSection& section)
 
 } // namespace
 
-std::vector<double> chunkCuts(const Road& road, const LaneSection& section, double longestM)
+std::vector<double> chunkCuts(const Road& road, const LaneSection& section, const std::vector<double>& more,
+                              double longestM)
 {
     const double start = std::max(section.s, 0.0), end = std::min(section.end, road.length);
     std::vector<double> cuts;
@@ -58,7 +58,7 @@ std::vector<double> chunkCuts(const Road& road, const LaneSection& section, doub
             cuts.push_back(from + (to - from) * i / parts);
         cuts.push_back(to);
     };
-    for (const double cut : wishedCuts(road, section))
+    for (const double cut : wishedCuts(road, section, more))
         if (cut > cuts.back() + kShortestM && cut < end - kShortestM) reach(cut);
     reach(end);
     return cuts;

@@ -39,7 +39,8 @@ struct MeshVertex
     float s = 0.0F;      ///< metres from the start of the chunk
     float across = 0.0F; ///< metres from the right border of the strip; of verges from the lanes
     float width = 0.0F;  ///< of the strip here, metres
-    std::array<std::int8_t, 4> normal{}; ///< unit vector times 127
+    std::array<std::int8_t, 4>
+        normal{}; ///< unit vector times 127; how far the surface has worn off, 0 to 127
     SurfaceKind kind = SurfaceKind::asphalt;
     std::uint8_t present =
         255; ///< 0: another road's carriageway covers this place; interpolated, cut at a half
