@@ -141,6 +141,8 @@ struct WindowRequest
     std::filesystem::path picturesFolder = "."; ///< for those that a key asks for
     std::filesystem::path devicesFile;          ///< what joysticks and wheels are for; empty: the usual
     std::filesystem::path keysFile;             ///< a test aid: keys at times
+    bool choosesSamples = true;                 ///< none was asked for: one where a processor draws
+    bool choosesTolerance = true;               ///< none was asked for: as pictures are quick
     double pictureS = 0.0; ///< a test aid: each picture counts as so long; 0: the wall clock
 };
 

@@ -25,6 +25,17 @@ foundation::Outcome configure(osgTerrainROAM::RoamTerrain& terrain, const Terrai
 
 } // namespace
 
+void setTolerance(SceneTerrain& terrain, double tolerancePx)
+{
+    if (terrain.terrain)
+    {
+        osgTerrainROAM::RoamDrawableSettings settings = terrain.terrain->settings();
+        settings.errorTolerancePx = tolerancePx;
+        (void)terrain.terrain->setSettings(settings); // a number of pixels above 0
+    }
+    if (terrain.roads) setRoadTolerance(*terrain.node, tolerancePx);
+}
+
 double nearPlaneM(const simulation::ScenarioObject& ownship, EyePoint eye)
 {
     return ownship.isAirborne() || eye == EyePoint::above ? 5.0 : 1.0;

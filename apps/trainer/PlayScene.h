@@ -36,6 +36,9 @@ struct PlayScene
     const simulation::ScenarioObject& ownship() const { return player->scenario().entities[watched]; }
 };
 
+/// Lets terrain and roads err by so many pixels from the next picture on.
+void setTolerance(SceneTerrain& terrain, double tolerancePx);
+
 /// How a scenario is played over a terrain. Errors: a road network that cannot be read.
 foundation::Result<simulation::PlayerOptions> playerOptionsOf(const simulation::Scenario& scenario,
                                                               const SceneTerrain& terrain,

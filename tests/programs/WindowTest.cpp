@@ -164,6 +164,60 @@ TEST_F(Window, ASignalEndsItWithItsRecording)
     EXPECT_EQ(allOf(recorded).rfind("osgtrainer-inputs 1", 0), 0U);
 }
 
+/// The server of the display is killed, as when a session on a desktop ends.
+TEST_F(Window, ADisplayThatGoesAwayLeavesTheRecording)
+{
+    const std::string recorded = path("gone.txt"), motion = path("gone.csv"), shown = path("picture-1.png");
+    const std::string line = std::string(OSGTRAINER_TRAINER) + " fly --aircraft " + kSeatAircraft +
+                             " --keys " + keys("gone.keys", "0.5 tap F12\n") + " --pictures " + path("") +
+                             " --record-inputs " + recorded + " --csv_logger " + motion +
+                             " --size 96x54 --samples 1 --mute --window & p=$!; while [ ! -e " + shown +
+                             " ]; do sleep 0.1; done; pkill -KILL -P $PPID Xvfb; wait $p";
+    const ProgramRun run = runProgram({kOnDisplay, "--", "sh", "-c", line}, 60.0);
+    EXPECT_EQ(run.exitCode, 1);
+    EXPECT_NE(run.errors.find("trainer: --window: the display has gone away"), std::string::npos)
+        << run.text();
+    EXPECT_EQ(allOf(recorded).rfind("osgtrainer-inputs 1", 0), 0U);
+    EXPECT_GT(allOf(motion).size(), 1000U);
+    // What is recorded is whole: it can be played.
+    EXPECT_TRUE(
+        succeeds(runTrainer({"fly", "--aircraft", kSeatAircraft, "--headless", "--inputs", recorded})));
+}
+
+/// A tour and a scenario show in a window as well, on the whole screen too.
+TEST_F(Window, ToursAndPlaysShowAndEnd)
+{
+    const std::string ends = keys("ends.keys", "0.3 tap v\n0.6 tap F1\n0.9 tap Tab\n1 close\n");
+    EXPECT_TRUE(succeeds(inWindow({"tour", place.hill(), "--keys", ends, "--picture-time", "0.1"})));
+    const std::string scenario = path("tour.xosc");
+    ASSERT_TRUE(
+        succeeds(runTrainer({"tour", place.hill(), "--save", scenario, "--frames", "1", "--size", "64x36"})));
+    EXPECT_TRUE(succeeds(
+        inWindow({"play", scenario, "--terrain", place.hill(), "--keys", ends, "--picture-time", "0.1"})));
+    const ProgramRun full = inWindow({"tour", place.hill(), "--fullscreen", "--keys", ends, "--picture-time",
+                                      "0.1", "--capture", path("full")});
+    EXPECT_TRUE(succeeds(full));
+    const auto pictures = bytesIn(path("full"));
+    ASSERT_FALSE(pictures.empty());
+    EXPECT_EQ(factsOf(std::filesystem::path(path("full")) / pictures.begin()->first).widthPx, 1280)
+        << "not the whole screen";
+}
+
+/// Two on one display, each with its recording.
+TEST_F(Window, ASecondInstanceDoesNotDisturbTheFirst)
+{
+    const auto one = [&](const std::string& name)
+    {
+        return std::string(OSGTRAINER_TRAINER) + " fly --aircraft " + kSeatAircraft + " --keys " +
+               keys(name + ".keys", "1 close\n") + " --record-inputs " + path(name + ".txt") +
+               " --picture-time 0.1 --size 96x54 --samples 1 --window";
+    };
+    EXPECT_TRUE(succeeds(
+        runProgram({kOnDisplay, "--", "sh", "-c", one("a") + " & p=$!; " + one("b") + " && wait $p"}, 60.0)));
+    EXPECT_EQ(allOf(path("a.txt")), allOf(path("b.txt")));
+    EXPECT_GT(allOf(path("a.txt")).size(), 50U);
+}
+
 TEST_F(Window, SaysWhatADisplayLacks)
 {
     EXPECT_TRUE(failsWith(inWindow({"fly", "--aircraft", kSeatAircraft}, {kOnDisplay, "-extension", "GLX"}),

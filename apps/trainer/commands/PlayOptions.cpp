@@ -139,8 +139,8 @@ void PlayOptions::addFrameOptions(CLI::App& command)
                     "number of frames to draw, instead of the whole scenario")
         ->check(CLI::Range(1, kMostFrames));
     command.add_option("--backend", _backend, "osmesa or egl");
-    command.add_option("--samples", request.frames.samples, "per pixel: 1 or 4")
-        ->check(CLI::IsMember({1, 4}));
+    _samples = command.add_option("--samples", request.frames.samples, "per pixel: 1 or 4")
+                   ->check(CLI::IsMember({1, 4}));
 }
 
 void PlayOptions::addEyeOptions(CLI::App& command)
@@ -173,8 +173,9 @@ void PlayOptions::addEyeOptions(CLI::App& command)
 
 void PlayOptions::addTerrainOptions(CLI::App& command)
 {
-    command.add_option("--tolerance", request.terrain.errorTolerancePx, "error target in pixels")
-        ->check(terminal::between(0.01, 1000.0));
+    _tolerance =
+        command.add_option("--tolerance", request.terrain.errorTolerancePx, "error target in pixels")
+            ->check(terminal::between(0.01, 1000.0));
     command.add_flag("--show-voids", request.terrain.showsVoids,
                      "colour ground that is filled because the raster has no data there");
     command.add_flag("--morph", request.terrain.morphing,
@@ -217,6 +218,8 @@ foundation::Outcome PlayOptions::complete()
     if (!_interior.empty()) frames.interior = _interior == "on";
     if (const auto placed = placeFreeEye(); !placed) return placed;
     if (const auto placed = placeWindow(); !placed) return placed;
+    request.window.choosesSamples = _samples->count() == 0;
+    request.window.choosesTolerance = _tolerance->count() == 0;
     if (frames.isInside() && frames.eyeHeightM.value_or(0.0) > kHighestDriverM)
         return foundation::Error{"--eye-height", "no driver's eye is higher than 10 m",
                                  "write a lower one, or --eye above"};

@@ -70,6 +70,18 @@ osg::ref_ptr<osgViewer::GraphicsWindow> realizedWindow(Traits& traits)
     return window;
 }
 
+/// The same, tried again where it fails.
+osg::ref_ptr<osgViewer::GraphicsWindow> realizedSoon(Traits& traits)
+{
+    osg::ref_ptr<osgViewer::GraphicsWindow> window = realizedWindow(traits);
+    for (int tries = 1; !window && tries < kTries; ++tries)
+    {
+        std::this_thread::sleep_for(kBetweenTries);
+        window = realizedWindow(traits);
+    }
+    return window;
+}
+
 /// Fills the whole screen.
 foundation::Outcome coverScreen(Traits& traits)
 {
@@ -104,6 +116,16 @@ foundation::Outcome checkScreen(const WindowRequest& request, const Traits& trai
     return foundation::success();
 }
 
+/// Mesa's drivers without a GPU: each sample takes its time.
+bool isDrawnByProcessor(osgViewer::GraphicsWindow& window)
+{
+    window.makeCurrent();
+    const GLubyte* const renderer = glGetString(GL_RENDERER);
+    const std::string text = renderer ? reinterpret_cast<const char*>(renderer) : "";
+    window.releaseContext();
+    return text.find("llvmpipe") != std::string::npos || text.find("softpipe") != std::string::npos;
+}
+
 foundation::Outcome checkGl(osgViewer::GraphicsWindow& window)
 {
     window.makeCurrent();
@@ -126,11 +148,12 @@ foundation::Result<osg::ref_ptr<osgViewer::GraphicsWindow>> openWindow(const Win
     if (const auto there = checkScreen(request, *traits); !there) return there.error();
     if (request.isFullscreen)
         if (const auto covered = coverScreen(*traits); !covered) return covered.error();
-    osg::ref_ptr<osgViewer::GraphicsWindow> window = realizedWindow(*traits);
-    for (int tries = 1; !window && tries < kTries; ++tries)
+    osg::ref_ptr<osgViewer::GraphicsWindow> window = realizedSoon(*traits);
+    if (window && request.choosesSamples && traits->samples > 1 && isDrawnByProcessor(*window))
     {
-        std::this_thread::sleep_for(kBetweenTries);
-        window = realizedWindow(*traits);
+        traits->samples = traits->sampleBuffers = 0;
+        window->close();
+        window = realizedSoon(*traits);
     }
     if (!window)
         return foundation::Error{kPlace, "the display has no OpenGL for windows",

@@ -6,6 +6,7 @@
 #include <iostream>
 #include <thread>
 
+#include "window/DisplayLoss.h"
 #include "window/EndSignals.h"
 #include "window/OpenWindow.h"
 #include "window/WindowEvents.h"
@@ -30,7 +31,8 @@ WindowSession::WindowSession(const PlayRequest& request, RideMaker* maker,
       _files(request.output.motionFile, recordInputs,
              request.scenario.empty() ? "scenario" : request.scenario.filename().string()),
       _pictures(new PictureTaker(request.window.picturesFolder)),
-      _begun(std::chrono::steady_clock::now())
+      _begun(std::chrono::steady_clock::now()),
+      _quality(request.terrain.errorTolerancePx)
 {
 }
 
@@ -238,9 +240,10 @@ void WindowSession::showTexts(double wallS)
     const double meanMs = _times.count > 0 ? _times.sumMs / _times.count : 0.0;
     std::snprintf(text, sizeof text,
                   "time     %8.2f s\npicture  %8.1f ms\nmean     %8.1f ms\nworst    %8.1f ms\n"
-                  "steps    %8lld\ncut      %8.2f s\n%s",
+                  "steps    %8lld\ncut      %8.2f s\nerror    %8.2f px\n%s",
                   pace.timeS(), _times.lastMs, meanMs, _times.worstMs, static_cast<long long>(pace.steps()),
-                  pace.cutS(), _ride.hands ? std::string(_ride.hands->phase()).c_str() : "");
+                  pace.cutS(), _quality.tolerancePx(),
+                  _ride.hands ? std::string(_ride.hands->phase()).c_str() : "");
     _overlay.setStatistics(text);
 }
 
@@ -250,8 +253,21 @@ void WindowSession::waitForNext(std::chrono::steady_clock::time_point begun) con
     std::this_thread::sleep_until(begun + kLeastPicture);
 }
 
+void WindowSession::measurePicture(std::chrono::steady_clock::time_point begun)
+{
+    _times.lastMs =
+        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begun).count();
+    _times.sumMs += _times.lastMs;
+    _times.worstMs = std::max(_times.worstMs, _times.lastMs);
+    ++_times.count;
+    // Time that counts by pictures gives the same ones on every machine.
+    if (_request.window.pictureS > 0.0 || !_request.window.choosesTolerance) return;
+    if (_quality.add(_times.lastMs)) setTolerance(_play.terrain, _quality.tolerancePx());
+}
+
 foundation::Outcome WindowSession::run()
 {
+    const DisplayLoss loss([this] { (void)_files.finish(_ride.motion.get()); });
     const EndSignals signals;
     _begun = std::chrono::steady_clock::now();
     while (!_viewer->done() && !_isEnded && !signals.haveCome() && _failed)
@@ -259,11 +275,7 @@ foundation::Outcome WindowSession::run()
         const auto begun = std::chrono::steady_clock::now();
         playKeys(wallS());
         _viewer->frame();
-        _times.lastMs =
-            std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begun).count();
-        _times.sumMs += _times.lastMs;
-        _times.worstMs = std::max(_times.worstMs, _times.lastMs);
-        ++_times.count;
+        measurePicture(begun);
         waitForNext(begun);
     }
     tellEnd();

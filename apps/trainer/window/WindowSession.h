@@ -17,6 +17,7 @@
 #include "sound/Loudspeaker.h"
 #include "sound/SceneSound.h"
 #include "view/ChannelRig.h"
+#include "view/PictureQuality.h"
 #include "window/PictureTaker.h"
 #include "window/RunFiles.h"
 #include "window/SeatCamera.h"
@@ -62,6 +63,7 @@ private:
     void look(double wallS);
     void openSound();
     void sound();
+    void measurePicture(std::chrono::steady_clock::time_point begun);
     foundation::Outcome openDevices();
     void readDevicesNow();
     void restart(std::size_t place);
@@ -109,6 +111,7 @@ private:
     double _lastWallS = 0.0, _toldAtS = -1e9;
     std::string _told;
     PictureTimes _times;
+    PictureQuality _quality;
     foundation::Outcome _failed = foundation::success(); ///< of a reset
     int _oldPlace[4] = {0, 0, 0, 0};                     ///< of the window before it covered the screen
     bool _isCovering = false, _isEnded = false;
