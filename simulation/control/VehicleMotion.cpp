@@ -14,6 +14,8 @@ namespace simulation
 namespace
 {
 
+constexpr double kDuskDeg = 3.0; ///< of the sun, below which one drives with light
+
 std::string noteOf(const VehicleStatus& status, double timeS)
 {
     char time[40];
@@ -98,7 +100,11 @@ foundation::Outcome VehicleMotion::begin(const EntityState& start, bool isAirbor
 void VehicleMotion::advanceTo(double timeS, const Traffic& traffic)
 {
     constexpr double kSameTimeS = 1e-9;
-    if (traffic.environment) takeWeather(*traffic.environment);
+    if (traffic.environment)
+    {
+        takeWeather(*traffic.environment);
+        _isDark = traffic.environment->sun.elevationDeg < kDuskDeg;
+    }
     while (_vehicle->now().timeS < timeS - _startS - kSameTimeS)
     {
         _vehicle->step(*_ground, *_air, traffic);
@@ -121,6 +127,8 @@ void VehicleMotion::publish(double timeS)
     _state = entityStateOf(stateBetween(_vehicle->before(), _vehicle->now(), timeS - _startS),
                            _vehicle->vehicle().referencePoint());
     _vehicle->vehicle().writeParts(_state);
+    if (_state.lamps.contains("brakeLights"))
+        _state.lamps["lowBeam"] = {_isDark ? LightMode::on : LightMode::off, 0.0, 0.0, 0.0, _isDark};
     _state.odometerM = _odometerM;
 }
 

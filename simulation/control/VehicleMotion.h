@@ -53,6 +53,7 @@ private:
     std::shared_ptr<const Air> _air;
     std::optional<Weather> _weather; ///< absent: the air is that of the maker
     double _startS = 0.0;            ///< of the simulation
+    bool _isDark = false;            ///< as the environment has it: lamps that a vehicle has shine
     EntityState _state;
     double _odometerM = 0.0;
     std::string _note;

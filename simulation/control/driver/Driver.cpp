@@ -216,6 +216,14 @@ void Driver::askForPlace(const std::optional<glm::dvec3>& place)
     if (place) _offsetM = _wantedOffsetM;
 }
 
+/// Shows that it goes aside until it is there.
+double Driver::indicator() const
+{
+    constexpr double kThereM = 0.3;
+    const double asideM = _wantedOffsetM - _beside.offsetM;
+    return std::abs(asideM) < kThereM ? 0.0 : std::copysign(1.0, asideM);
+}
+
 void Driver::resume(const ControlView& /*view*/, std::span<const double> /*inputs*/)
 {
     _hasBegun = false;
@@ -252,6 +260,7 @@ void Driver::control(const ControlView& view, std::span<double> inputs)
     if (speed > wish) wanted = std::min(wanted, kSlowsPerS * (wish - speed));
     wanted = std::clamp(wanted, -8.0, _settings.accelerateMps2);
     pedals(wanted, speed, next);
+    next[static_cast<std::size_t>(RoadInput::indicator)] = indicator();
     std::copy(next.begin(), next.end(), inputs.begin());
 }
 

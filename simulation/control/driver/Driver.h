@@ -65,6 +65,7 @@ private:
 
     double steering(const VehicleState& state);
     void followWish(double speedMps);
+    double indicator() const;
     double wantedSpeed(double speedMps) const;
     Ahead nearestAhead(const ControlView& view, double speedMps);
     void lookAtStops(const ControlView& view, double speedMps, Ahead& ahead);

@@ -159,6 +159,44 @@ TEST(ScenarioControl, DriversKeepTheirDistanceToEachOther)
     EXPECT_TRUE(ego(*player).collidesWith.empty());
 }
 
+bool isLit(const simulation::EntityState& state, const std::string& lamp)
+{
+    const auto found = state.lamps.find(lamp);
+    return found != state.lamps.end() && found->second.isLit;
+}
+
+TEST(ScenarioControl, LampsFollowDuskAndChangesOfLane)
+{
+    for (const bool isNight : {false, true})
+    {
+        simulation::ScenarioText text = driven(20.0);
+        text.globals =
+            std::string(
+                "<GlobalAction><EnvironmentAction><Environment name=\"e\"><TimeOfDay animation=\"false\" "
+                "dateTime=\"2024-06-21T") +
+            (isNight ? "00" : "12") + ":00:00Z\"/></Environment></EnvironmentAction></GlobalAction>";
+        text.privates = onLane(100.0) + speedAction(20.0) + activate("true", "false");
+        text.stories = story(event("left", laneChange(1, 4.0), timeCondition(3.0)));
+        auto player = opened(text);
+        ASSERT_TRUE(player);
+        int left = 0, right = 0;
+        double firstS = 1e9;
+        while ((*player)->timeS() < 15.0)
+        {
+            (*player)->step();
+            if (isLit(ego(**player), "indicatorLeft")) firstS = std::min(firstS, (*player)->timeS());
+            left += isLit(ego(**player), "indicatorLeft");
+            right += isLit(ego(**player), "indicatorRight");
+        }
+        EXPECT_EQ(isLit(ego(**player), "lowBeam"), isNight);
+        EXPECT_GT(left, 50);
+        EXPECT_LT(left, 500); // it is there after some seconds
+        EXPECT_EQ(right, 0);
+        EXPECT_GT(firstS, 3.0);
+        EXPECT_LT(firstS, 6.0);
+    }
+}
+
 /// Ego's states at whole seconds, with a clock of the scene.
 std::vector<simulation::EntityState> everySecond(const simulation::FixedClock& clock)
 {
