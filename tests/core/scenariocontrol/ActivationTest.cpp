@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Who has an entity: a controller with physics from its activation to its deactivation, in the domains that it is given; else the scenario.
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 
 #include "ControlPlay.h"
 
@@ -56,6 +58,57 @@ TEST(ScenarioControl, AControllerIsFoundByItsKindWhateverItsName)
         ASSERT_TRUE(player);
         EXPECT_EQ(ego(*player).wheelTurnDeg.has_value(), kind == "Driver") << kind;
     }
+}
+
+TEST(ScenarioControl, AControllerMayBeAssignedByAnAction)
+{
+    simulation::ScenarioText text = driven(20.0);
+    text.entities = "<ScenarioObject name=\"Ego\">" + simulation::kCar + "</ScenarioObject>";
+    text.privates = onLane(100.0) + speedAction(20.0);
+    const std::string assigned =
+        "<PrivateAction><ControllerAction><AssignControllerAction activateLateral=\"true\" "
+        "activateLongitudinal=\"true\"><Controller name=\"Driver\"><Properties>" +
+        property("vehicle", kCarFile) +
+        "</Properties></Controller></AssignControllerAction></ControllerAction></PrivateAction>";
+    text.stories = story(event("assign", assigned, timeCondition(3.0)));
+    auto player = played(text, 2.9);
+    ASSERT_TRUE(player);
+    EXPECT_FALSE(ego(*player).wheelTurnDeg);
+    playTo(*player, 10.0);
+    EXPECT_TRUE(ego(*player).wheelTurnDeg);
+    EXPECT_NEAR(ego(*player).position.x, 100.0 + 20.0 * 10.0, 4.0);
+    // Its properties are checked before the play, too.
+    text.stories = story(event("assign", assigned, timeCondition(3.0)));
+    text.stories.replace(text.stories.find(kCarFile), kCarFile.size(), "nothing.xml");
+    EXPECT_FALSE(opened(text));
+}
+
+TEST(ScenarioControl, AControllerMayStandInACatalogue)
+{
+    const auto folder = std::filesystem::path(testing::TempDir()) / "controller_catalogue_test";
+    std::filesystem::create_directories(folder);
+    std::ofstream(folder / "Controllers.xosc")
+        << R"(<OpenSCENARIO><FileHeader revMajor="1" revMinor="3" date="d" description="d" author="a"/><Catalog name="Controllers">)"
+        << R"(<Controller name="calm"><ParameterDeclarations><ParameterDeclaration name="mps" parameterType="double" value="9"/></ParameterDeclarations><Properties>)"
+        << property("kind", "Driver") << property("vehicle", kCarFile) << property("speed", "$mps")
+        << "</Properties></Controller></Catalog></OpenSCENARIO>";
+    simulation::ScenarioText text = driven(9.0);
+    text.catalogs =
+        R"(<CatalogLocations><ControllerCatalog><Directory path="."/></ControllerCatalog></CatalogLocations>)";
+    text.entities =
+        "<ScenarioObject name=\"Ego\">" + simulation::kCar +
+        R"(<ObjectController><CatalogReference catalogName="Controllers" entryName="calm"><ParameterAssignments>
+<ParameterAssignment parameterRef="mps" value="14"/></ParameterAssignments></CatalogReference></ObjectController></ScenarioObject>)";
+    text.stop = simulation::stopAt(1000.0);
+    std::ofstream(folder / "test.xosc") << text.text();
+    auto parsed = simulation::readScenario(folder / "test.xosc");
+    ASSERT_TRUE(parsed) << parsed.error().message();
+    auto player = begunPlay(std::move(parsed->scenario));
+    ASSERT_TRUE(player) << player.error().message();
+    playTo(**player, 30.0);
+    EXPECT_TRUE(ego(**player).wheelTurnDeg);
+    EXPECT_NEAR(ego(**player).speedMps, 14.0, 0.3);
+    std::filesystem::remove_all(folder);
 }
 
 TEST(ScenarioControl, SpeedActionsAreWishesToTheDriver)

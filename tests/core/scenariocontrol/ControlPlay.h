@@ -93,12 +93,9 @@ struct Stage
     std::filesystem::path folder = OSGTRAINER_SOURCE_DIR;
 };
 
-inline foundation::Result<std::unique_ptr<simulation::ScenarioPlayer>> opened(simulation::ScenarioText text,
-                                                                              const Stage& stage = {})
+inline foundation::Result<std::unique_ptr<simulation::ScenarioPlayer>>
+begunPlay(simulation::Scenario scenario, const Stage& stage = {})
 {
-    if (text.stop.empty()) text.stop = simulation::stopAt(1000.0);
-    auto parsed = simulation::parseScenario(text.text(), "test.xosc", {.tolerant = true, .parameters = {}});
-    if (!parsed) return parsed.error();
     std::shared_ptr<const simulation::Ground> ground = stage.ground;
     if (!ground && stage.roads) ground = std::make_shared<simulation::RoadSceneGround>(stage.roads);
     if (!ground) ground = std::make_shared<simulation::LevelGround>();
@@ -108,7 +105,16 @@ inline foundation::Result<std::unique_ptr<simulation::ScenarioPlayer>> opened(si
     options.scenarioName = "test.xosc";
     options.motionSource = std::make_shared<simulation::ScenarioMotions>(
         simulation::ScenarioMotions::World{ground, std::nullopt, stage.folder, stage.seed});
-    return simulation::ScenarioPlayer::create(std::move(parsed->scenario), std::move(options));
+    return simulation::ScenarioPlayer::create(std::move(scenario), std::move(options));
+}
+
+inline foundation::Result<std::unique_ptr<simulation::ScenarioPlayer>> opened(simulation::ScenarioText text,
+                                                                              const Stage& stage = {})
+{
+    if (text.stop.empty()) text.stop = simulation::stopAt(1000.0);
+    auto parsed = simulation::parseScenario(text.text(), "test.xosc", {.tolerant = true, .parameters = {}});
+    if (!parsed) return parsed.error();
+    return begunPlay(std::move(parsed->scenario), stage);
 }
 
 inline void playTo(simulation::ScenarioPlayer& player, double timeS)
