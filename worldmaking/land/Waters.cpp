@@ -6,6 +6,13 @@
 namespace worldmaking
 {
 
+namespace
+{
+
+constexpr double kShoreM = 0.5;
+
+} // namespace
+
 bool isWater(const LandShape& shape)
 {
     if (shape.form != ShapeForm::area) return false;
@@ -28,8 +35,13 @@ Waters::Waters(const LandMap& map, const MapPlane& plane)
 bool Waters::contain(const glm::dvec2& place) const
 {
     bool isInside = false;
-    _grid.near({place, place},
-               [&](std::size_t i) { isInside = isInside || scenery::isWithin(_outlines[i], place); });
+    _grid.near({place - kShoreM, place + kShoreM},
+               [&](std::size_t i)
+               {
+                   for (const glm::dvec2 side :
+                        {glm::dvec2(0, 0), {kShoreM, 0}, {-kShoreM, 0}, {0, kShoreM}, {0, -kShoreM}})
+                       isInside = isInside || scenery::isWithin(_outlines[i], place + side);
+               });
     return isInside;
 }
 

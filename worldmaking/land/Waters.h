@@ -20,6 +20,7 @@ class Waters
 public:
     Waters(const LandMap& map, const MapPlane& plane);
 
+    /// Tells whether a place is in water, or half a metre from it.
     bool contain(const glm::dvec2& place) const;
 
 private:
