@@ -99,7 +99,7 @@ void EntityModel::show(const simulation::EntityState& state, const Light& light,
     if (_flies && !shown.aircraft) shown.aircraft = scenery::usualAircraftParts(state, light.isDark);
     _lit = switched(scenery::usualLamps(shown, light.isDark, light.timeS), state);
     _generated->setState(shown, _lit);
-    if (state.isVisible)
+    if (state.isVisible && (_isHidden || !light.castsByMaps))
         _generated->castShadow(light.sun, ground);
     else
         _generated->shadow()->setNodeMask(0);

@@ -41,6 +41,7 @@ public:
         glm::dvec3 sun{0.0, 0.0, 1.0}; ///< towards it, unit vector
         bool isDark = false;           ///< head lamps are on
         double timeS = 0.0;            ///< by which lamps flash
+        bool castsByMaps = false;      ///< what is drawn casts its shadow by itself
     };
 
     /// `ground`: onto which it casts its shadow; may be empty.

@@ -76,8 +76,9 @@ struct FrameRequest
     int heightPx = 540;
     int samples = 4; ///< per pixel
     EyePoint eye = EyePoint::own;
-    std::string eyeEntity; ///< the entity that is watched; empty: as watchedEntity()
-    FreeEye freeEye;       ///< with EyePoint::free
+    std::string eyeEntity;  ///< the entity that is watched; empty: as watchedEntity()
+    FreeEye freeEye;        ///< with EyePoint::free
+    bool hasShadows = true; ///< of the sun, by maps
     std::optional<double>
         eyeHeightM; ///< of a driver above the ground, or of the eye above the car; absent: a usual one
     std::optional<bool>

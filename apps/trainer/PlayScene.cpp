@@ -91,7 +91,8 @@ foundation::Result<PlayScene> PlayScene::create(simulation::Scenario scenario, S
     auto scene = ScenarioScene::create(play.player->scenario(), play.terrain, request.scenario.parent_path());
     if (!scene) return scene.error();
     play.scene = std::make_unique<ScenarioScene>(std::move(*scene));
-    if (play.scenery) play.scene->root().addChild(play.scenery->node.root);
+    play.scene->setShadows(request.frames.hasShadows);
+    if (play.scenery) play.scene->sunlit().addChild(play.scenery->node.root);
     return play;
 }
 

@@ -38,7 +38,10 @@ osgTerrainROAM::AtmosphereSettings airOf(const simulation::EnvironmentState& env
 
 } // namespace
 
-ScenarioScene::ScenarioScene() : _root(new osg::Group), _atmosphere(new osgTerrainROAM::Atmosphere)
+ScenarioScene::ScenarioScene()
+    : _root(new osg::Group),
+      _atmosphere(new osgTerrainROAM::Atmosphere),
+      _sunlit(new osgTerrainROAM::SunShadows(_atmosphere))
 {
     _atmosphere->addUniformsTo(*_root->getOrCreateStateSet());
     _root->getStateSet()->setDataVariance(osg::Object::DYNAMIC);
@@ -51,7 +54,8 @@ foundation::Result<ScenarioScene> ScenarioScene::create(const simulation::Scenar
     ScenarioScene scene;
     if (terrain.terrain) terrain.terrain->setAtmosphere(scene._atmosphere);
     scene._root->addChild(scenery::makeSky());
-    scene._root->addChild(terrain.node);
+    scene._root->addChild(scene._sunlit);
+    scene._sunlit->addChild(terrain.node);
     scene._roadThings = terrain.roadThings;
     scene._ground = terrain.ground();
     scenery::EntityShapes shapes;
@@ -59,7 +63,7 @@ foundation::Result<ScenarioScene> ScenarioScene::create(const simulation::Scenar
     {
         auto model = EntityModel::create(object, folder, shapes);
         if (!model) return model.error();
-        scene._root->addChild(model->node());
+        scene._sunlit->addChild(model->node());
         if (model->shadow()) scene._root->addChild(model->shadow());
         scene._entities.push_back(std::move(*model));
     }
@@ -100,8 +104,10 @@ void ScenarioScene::show(const simulation::ScenarioPlayer& player,
 {
     const auto& sun = player.environment().sun;
     const osg::Vec3d towards = osgTerrainROAM::sunDirectionFromAngles(sun.azimuthDeg, sun.elevationDeg);
-    const EntityModel::Light light{
-        {towards.x(), towards.y(), towards.z()}, isDark(player.environment()), player.timeS()};
+    const EntityModel::Light light{{towards.x(), towards.y(), towards.z()},
+                                   isDark(player.environment()),
+                                   player.timeS(),
+                                   _sunlit->isShown()};
     for (std::size_t i = 0; i < _entities.size(); ++i)
         _entities[i].show(entities[i], light, _ground);
     showSignals(player.signalStates());

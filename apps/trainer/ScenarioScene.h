@@ -12,6 +12,7 @@
 #include <osg/Group>
 
 #include <osgTerrainROAM/Atmosphere>
+#include <osgTerrainROAM/SunShadows>
 
 #include "EntityModel.h"
 #include "SceneTerrain.h"
@@ -32,6 +33,9 @@ public:
 
     osg::Group& root() { return *_root; }
 
+    /// What the sun shines on: terrain, entities and scenery. Part of root().
+    osgTerrainROAM::SunShadows& sunlit() { return *_sunlit; }
+
     /// Returns one line for each model that differs from the one asked for.
     std::vector<std::string> notes() const;
 
@@ -43,6 +47,9 @@ public:
 
     /// The same with entities between two steps.
     void show(const simulation::ScenarioPlayer& player, const std::vector<simulation::EntityState>& entities);
+
+    /// Shadows of the sun by maps, or patches below entities alone.
+    void setShadows(bool areShown) { _sunlit->setShown(areShown); }
 
     /// Returns the eye in an entity. Frame: the entity's.
     const glm::dvec3& eyeIn(std::size_t entity) const { return _entities[entity].eye(); }
@@ -65,6 +72,7 @@ private:
 
     osg::ref_ptr<osg::Group> _root;
     osg::ref_ptr<osgTerrainROAM::Atmosphere> _atmosphere;
+    osg::ref_ptr<osgTerrainROAM::SunShadows> _sunlit;
     std::shared_ptr<scenery::RoadThingsNode> _roadThings; ///< null without roads
     std::map<std::string, std::string> _signals;          ///< states that are shown
     simulation::GroundProvider _ground;                   ///< onto which shadows fall

@@ -30,8 +30,7 @@ constexpr int kNearBin = -1;  ///< before the ground, so that no pixel of it is 
 
 viewlod::ViewState viewOf(osgUtil::CullVisitor& visitor)
 {
-    viewlod::ViewState view =
-        viewStateOf(visitor, *visitor.getModelViewMatrix(), toGlm(*visitor.getProjectionMatrix()));
+    viewlod::ViewState view = detailViewOf(visitor);
     view.pixelsPerTangent /= lodScaleOf(visitor);
     return view;
 }

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
 
 #include <osg/Math>
 #include <osg/Notify>
@@ -210,7 +211,8 @@ void Atmosphere::applyTo(osg::Light& light) const
 
 const char* Atmosphere::glslFunctions()
 {
-    return shaders::kAtmosphere;
+    static const std::string functions = std::string(shaders::kAtmosphere) + shaders::kSunShadows;
+    return functions.c_str();
 }
 
 } // namespace osgTerrainROAM

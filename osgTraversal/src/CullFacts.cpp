@@ -61,4 +61,19 @@ viewlod::ViewState viewStateOf(osgUtil::CullVisitor& visitor, const osg::Matrixd
     return viewlod::ViewState::fromMatrices(toGlm(eyeFromLocal), projection, width, height);
 }
 
+viewlod::ViewState detailViewOf(osgUtil::CullVisitor& visitor)
+{
+    const glm::dmat4 projection = toGlm(*visitor.getProjectionMatrix());
+    viewlod::ViewState view = viewStateOf(visitor, *visitor.getModelViewMatrix(), projection);
+    const osg::Camera* const main = mainCameraOf(visitor);
+    if (!main || !main->getViewport() || !isParallel(projection)) return view;
+    const viewlod::ViewState seen = viewlod::ViewState::fromMatrices(
+        toGlm(*visitor.getModelViewMatrix()), toGlm(main->getProjectionMatrix()),
+        static_cast<int>(main->getViewport()->width()), static_cast<int>(main->getViewport()->height()));
+    view.pixelsPerTangent = seen.pixelsPerTangent;
+    view.cornerStretch = seen.cornerStretch;
+    view.nearM = seen.nearM;
+    return view;
+}
+
 } // namespace osgTraversal

@@ -141,6 +141,10 @@ void PlayOptions::addFrameOptions(CLI::App& command)
     command.add_option("--backend", _backend, "osmesa or egl");
     _samples = command.add_option("--samples", request.frames.samples, "per pixel: 1 or 4")
                    ->check(CLI::IsMember({1, 4}));
+    command
+        .add_option("--shadows", _shadows,
+                    "on or off: shadows of the sun on everything (the usual), or below entities alone")
+        ->check(CLI::IsMember({"on", "off"}));
 }
 
 void PlayOptions::addEyeOptions(CLI::App& command)
@@ -215,6 +219,7 @@ foundation::Outcome PlayOptions::complete()
     frames.backend = *backend;
     for (const auto& [name, eye] : kEyes)
         if (_eye == name) frames.eye = eye;
+    frames.hasShadows = _shadows == "on";
     if (!_interior.empty()) frames.interior = _interior == "on";
     if (const auto placed = placeFreeEye(); !placed) return placed;
     if (const auto placed = placeWindow(); !placed) return placed;

@@ -62,7 +62,8 @@ std::shared_ptr<const CulledField> FieldViews::look(const CullView& view,
         entry->chosenBy = camera.view;
 
     const auto culled = std::make_shared<CulledField>();
-    culled->drawList = entry->view->update(camera);
+    const auto pixelM = view.isParallel ? std::optional(1.0 / view.view.pixelsPerTangent) : std::nullopt;
+    culled->drawList = isBorrowed ? entry->view->lend(camera, pixelM) : entry->view->update(camera);
     culled->serial = ++_serial;
     if (!member.buffer) member.buffer = std::make_shared<InstanceBuffer>();
     culled->buffer = member.buffer;

@@ -21,6 +21,7 @@ CullView cullViewOf(osgUtil::CullVisitor& visitor)
     const osg::Matrixd eyeFromMetres =
         osg::Matrixd::scale(unitsPerMetre, unitsPerMetre, unitsPerMetre) * eyeFromLocal;
     const glm::dmat4 projection = osgTraversal::toGlm(*visitor.getProjectionMatrix());
+    cull.isParallel = osgTraversal::isParallel(projection);
     cull.view = osgTraversal::viewStateOf(visitor, eyeFromMetres, projection);
     if (osgTraversal::seeksNearFar(visitor)) cull.view.nearM = 0.0;
     return cull;

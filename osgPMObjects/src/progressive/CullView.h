@@ -24,6 +24,7 @@ struct CullView
     viewlod::ViewState view;
     double lodScale = 1.0;      ///< of OSG; above 1 gives coarser detail
     double metresPerUnit = 1.0; ///< length of the object's unit
+    bool isParallel = false;    ///< the projection; then view.pixelsPerTangent counts by the metre
 };
 
 CullView cullViewOf(osgUtil::CullVisitor& visitor);

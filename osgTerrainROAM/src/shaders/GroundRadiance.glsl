@@ -97,7 +97,10 @@ vec3 groundRadiance(vec3 directionWorld)
 #endif
 
     vec3 normalWorld = terrainWorldFromLocal * normal;
-    float sunlit = max(dot(normalWorld, sunDirection()), 0.0) * smoothstep(0.15, 0.6, land.a);
+    float sunlit = max(dot(normalWorld, sunDirection()), 0.0);
+    // Where no shadow is known, ground that sees little of the sky sees little of the sun.
+    sunlit *= sunShare(directionWorld * length(fromEye), terrainWorldFromLocal * vec3(tilt, sqrt(max(1.0 - dot(tilt, tilt), 0.02))),
+                       smoothstep(0.15, 0.6, land.a));
     vec3 colour = albedo * (sunLight() * sunlit + ambientLight(normalWorld) * land.a);
     if (water > 0.0) colour = mix(colour, waterColour(directionWorld, g), water);
 #ifdef TERRAIN_COVER

@@ -4,11 +4,13 @@
 
 void main()
 {
+#ifndef SUN_SHADOW_MAP // depth alone
     vec3 albedo = roadAlbedo();
     float distanceM = length(roadFromEye);
     vec3 towards = roadFromEye / distanceM;
     vec3 normal = normalize(roadNormalWorld);
-    vec3 lit = albedo * (sunLight() * max(dot(normal, sunDirection()), 0.0) + ambientLight(normal));
+    float sunlit = max(dot(normal, sunDirection()), 0.0) * sunShare(roadFromEye, normal, 1.0);
+    vec3 lit = albedo * (sunLight() * sunlit + ambientLight(normal));
     if (roadKind < 5)
     {
         float fresnel = 0.12 * pow(1.0 - max(-dot(normal, towards), 0.0), 6.0);
@@ -16,4 +18,5 @@ void main()
         lit = mix(lit, skyColour(vec3(mirrored.xy, max(mirrored.z, 0.0))), fresnel);
     }
     gl_FragColor = vec4(displayColour(applyHaze(lit, towards, distanceM)), roadShown());
+#endif
 }

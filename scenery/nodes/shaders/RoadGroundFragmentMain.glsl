@@ -23,8 +23,10 @@ vec3 lentAlbedo(vec3 ground, Grain g)
 void main()
 {
     if (!isRoadThere()) discard;
+#ifndef SUN_SHADOW_MAP // depth alone
     float distanceM = length(fromEye);
     vec3 directionWorld = roadWorldFromLocal * (fromEye / distanceM);
     vec3 colour = groundRadiance(directionWorld);
     gl_FragColor = vec4(displayColour(applyHaze(colour, directionWorld, distanceM)), roadShown());
+#endif
 }

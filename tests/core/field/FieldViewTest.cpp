@@ -176,6 +176,34 @@ TEST(FieldView, ShowsAnotherCameraOfTheEyeTheSame)
     EXPECT_GT(first.switching, 0u);
 }
 
+TEST(FieldView, LendsWhatItChoseToTheCameraOfAShadow)
+{
+    const Field field = testsupport::scatteredField({modelWith(SelectionMethod::budget)}, 1500, 300.0);
+    FieldView memory(field), twin(field);
+    for (std::uint64_t frame = 1; frame <= 20; ++frame)
+    {
+        const double y = -400.0 + 10.0 * static_cast<double>(frame);
+        FieldCamera camera =
+            testsupport::cameraFrom(testsupport::viewTo({0.0, y, 30.0}, {0.0, y + 100.0, 0.0}), frame);
+        camera.budget.budget = 60000;
+        const FieldDrawList drawList = memory.update(camera);
+        ASSERT_EQ(rungsByX(twin.update(camera)), rungsByX(drawList)) << "lending has changed something";
+        FieldCamera borrower = camera;
+        EXPECT_EQ(rungsByX(memory.lend(borrower)), rungsByX(drawList));
+        borrower.frustum = testsupport::viewTo({0.0, 0.0, 2000.0}, {0.0, 0.0, 0.0}).frustum;
+        const FieldDrawList whole = memory.lend(borrower);
+        EXPECT_EQ(whole.drawn, field.objects().size()) << "behind the eye, too";
+        const auto all = rungsByX(whole), chosen = rungsByX(drawList);
+        EXPECT_TRUE(std::includes(all.begin(), all.end(), chosen.begin(), chosen.end())) << frame;
+
+        // Parallel rays of 1 m: no more triangles than pixels ask for, and what is smaller than a pixel is left out.
+        const FieldDrawList coarse = memory.lend(borrower, 1.0);
+        EXPECT_LT(coarse.triangles, whole.triangles / 2);
+        EXPECT_GT(coarse.drawn, 0u);
+        EXPECT_EQ(memory.lend(borrower, 1000.0).drawn, 0u);
+    }
+}
+
 TEST(FieldView, ForgetsWhatWasOutOfSight)
 {
     FieldModel model = modelWith(SelectionMethod::screenError);

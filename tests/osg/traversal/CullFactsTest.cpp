@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include <osgUtil/RenderStage>
@@ -51,6 +53,27 @@ TEST(CullFacts, ACameraThatIsNotNestedLooksForItself)
     NestedCull cull(osg::Transform::RELATIVE_RF);
     cull.visitor->setCurrentRenderBin(cull.mainStage);
     EXPECT_EQ(mainCameraOf(*cull.visitor), nullptr);
+}
+
+TEST(CullFacts, AShadowCameraChoosesDetailByThePixelsOfItsMainCamera)
+{
+    const auto pixelsIn = [](osg::Transform::ReferenceFrame frame)
+    {
+        NestedCull cull(frame);
+        cull.main->setViewport(0, 0, 800, 600);
+        cull.main->setProjectionMatrixAsPerspective(60.0, 4.0 / 3.0, 1.0, 100.0);
+        cull.visitor->pushViewport(new osg::Viewport(0, 0, 64, 64));
+        cull.visitor->pushProjectionMatrix(new osg::RefMatrix(osg::Matrixd::ortho(-32, 32, -32, 32, -9, 9)));
+        cull.visitor->pushModelViewMatrix(new osg::RefMatrix, osg::Transform::ABSOLUTE_RF);
+        const double pixels = detailViewOf(*cull.visitor).pixelsPerTangent;
+        cull.visitor->popModelViewMatrix();
+        cull.visitor->popProjectionMatrix();
+        cull.visitor->popViewport();
+        return pixels;
+    };
+    EXPECT_NEAR(pixelsIn(osg::Transform::ABSOLUTE_RF_INHERIT_VIEWPOINT), 300.0 / std::tan(osg::PI / 6.0),
+                1e-9);
+    EXPECT_NEAR(pixelsIn(osg::Transform::ABSOLUTE_RF), 1.0, 1e-9) << "its own: a pixel a metre";
 }
 
 TEST(CullFacts, TheRoundingOfARotationIsNoScale)

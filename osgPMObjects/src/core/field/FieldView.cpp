@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <numbers>
 
 #include <glm/glm.hpp>
 
@@ -10,6 +11,17 @@
 
 namespace osgPMObjects::core
 {
+
+namespace
+{
+
+/// Returns the number of faces that show the outline of an object of this radius in pixels: one for four pixels of its disc.
+std::uint32_t facesFor(double radiusPx)
+{
+    return static_cast<std::uint32_t>(std::min(0.25 * std::numbers::pi * radiusPx * radiusPx, 1e9));
+}
+
+} // namespace
 
 FieldView::FieldView(const Field& field) : _field(field), _memory(field.objects().size()) {}
 
@@ -84,8 +96,47 @@ DrawnLevels FieldView::advance(std::uint32_t object, const Selection& selection,
     if (!wasSeen) memory.state = SwitchState::at(wanted);
     const float stepS = memory.frame == camera.frame ? 0.0f : camera.stepS;
     memory.frame = camera.frame;
-    return advanceOnLadder(memory.state, wanted, stepS, selection.alpha, _field.numberOf(object),
-                           model.switching);
+    memory.drawn = advanceOnLadder(memory.state, wanted, stepS, selection.alpha, _field.numberOf(object),
+                                   model.switching);
+    return memory.drawn;
+}
+
+DrawnLevels FieldView::lent(std::uint32_t object, const FieldCamera& camera, std::optional<double> pixelM)
+{
+    const std::uint32_t number = _field.objects()[object].model;
+    const FieldModel& model = _field.models()[number];
+    const Memory& memory = _memory[object];
+    const bool isChosen = memory.frame == camera.frame;
+    SelectableObject selectable = _field.selectable(object, camera.metresPerUnit);
+    selectable.curve = curveOf(number, camera.budget.cost);
+    std::uint32_t steps = 0;
+    if (pixelM)
+        steps = model.table->coarsestWith(
+            std::max(facesFor(selectable.sphere.radius / *pixelM), model.selection.leastFaces));
+    else if (!isChosen)
+        steps = selectAlone(LevelSelector(camera.view, camera.attention), selectable).steps;
+    const std::uint32_t rung = model.ladder->rungOf(steps);
+    if (isChosen && (!pixelM || rung <= memory.state.from || !memory.drawn.isDrawn())) return memory.drawn;
+    SwitchState still = SwitchState::at(rung);
+    return advanceOnLadder(still, rung, 0.0f, 1.0f, _field.numberOf(object), model.switching);
+}
+
+FieldDrawList FieldView::lend(const FieldCamera& camera, std::optional<double> pixelM)
+{
+    FieldDrawList drawList;
+    findVisible(camera);
+    FieldSorter sorter(_field);
+    const glm::dvec3 eye = camera.eye / camera.metresPerUnit;
+    for (const std::uint32_t object : _visible)
+    {
+        if (pixelM && _field.spheres()[object].radius * camera.metresPerUnit < *pixelM) continue;
+        const DrawnLevels levels = lent(object, camera, pixelM);
+        ++drawList.visible;
+        drawList.drawn += levels.isDrawn() ? 1 : 0;
+        showLevels(sorter, _field, object, levels, eye);
+    }
+    sorter.fill(drawList);
+    return drawList;
 }
 
 FieldDrawList FieldView::update(const FieldCamera& camera)

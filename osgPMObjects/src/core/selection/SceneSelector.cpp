@@ -49,6 +49,15 @@ foundation::Outcome checkSettings(const SceneBudgetSettings& settings)
         .outcome();
 }
 
+Selection selectAlone(const LevelSelector& selector, const SelectableObject& object)
+{
+    HeldLevel held;
+    if (object.settings->method == SelectionMethod::budget)
+        held.level = finestOfUse(*object.curve, selector.toleranceOf(object, selector.gainOf(object)),
+                                 object.settings->band, {});
+    return selector.select(object, held);
+}
+
 void SceneSelector::add(const LevelSelector& selector, const SelectableObject& object, HeldLevel held,
                         std::uint32_t number)
 {

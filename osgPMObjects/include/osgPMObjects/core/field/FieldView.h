@@ -28,7 +28,7 @@ struct FieldCamera
 
 /// The state of one eye's view of a field: by object, the held level and the progress of its switch. An object that was not
 /// visible in the last frame begins at the level that its rule chooses, without a switch.
-/// Threads: one at a time. The field must outlive it. Memory: 28 B an object, and some 300 B a visible object.
+/// Threads: one at a time. The field must outlive it. Memory: 56 B an object, and some 300 B a visible object.
 class FieldView
 {
 public:
@@ -38,11 +38,18 @@ public:
     /// of the same frame gets the switches as the first camera has left them.
     FieldDrawList update(const FieldCamera& camera);
 
+    /// Returns the runs to draw for a camera that shows what another one chose, as that of a shadow or of a mirror does, and changes
+    /// nothing. Objects that no camera has chosen in this frame, behind the eye for one, have the level that they would get without
+    /// a budget. `pixelM`: of a camera of parallel rays, for which levels as coarse as its pixels will do, and smaller objects are
+    /// left out; absent for others.
+    FieldDrawList lend(const FieldCamera& camera, std::optional<double> pixelM = std::nullopt);
+
 private:
     struct Memory
     {
         HeldLevel held;
         SwitchState state; ///< its levels are rungs
+        DrawnLevels drawn; ///< in the last frame
         std::uint64_t frame = kNever;
     };
     static constexpr std::uint64_t kNever = ~std::uint64_t{0};
@@ -51,6 +58,7 @@ private:
     void choose(const FieldCamera& camera, FieldDrawList& drawList);
     const BenefitCurve* curveOf(std::uint32_t model, const CostModel& cost);
     DrawnLevels advance(std::uint32_t object, const Selection& selection, const FieldCamera& camera);
+    DrawnLevels lent(std::uint32_t object, const FieldCamera& camera, std::optional<double> pixelM);
 
     const Field& _field;
     std::vector<Memory> _memory; ///< by object

@@ -27,6 +27,9 @@ struct SceneBudgetSettings
 /// Tells whether levels can be chosen by these settings: else an error that names the field. SceneSelector does not check.
 foundation::Outcome checkSettings(const SceneBudgetSettings& settings);
 
+/// Chooses one object's level as if nothing had been chosen before and the budget had no limit.
+Selection selectAlone(const LevelSelector& selector, const SelectableObject& object);
+
 /// Chooses the levels of all visible objects. Objects with a rule of their own get theirs from LevelSelector; then the
 /// objects with the method `budget` share the rest of the budget.
 /// An object's benefit is the gain of its BenefitCurve times its projected size, π·(K·r/d)² pixels wherever it is in the

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <optional>
+
+#include <osg/Notify>
+#include <osgUtil/CullVisitor>
+#include <osgUtil/RenderStage>
+
+#include <osgTerrainROAM/SunShadows>
+#include <osgTraversal/CullFacts>
+
+#include "ShadowPlan.h"
+
+namespace osgTerrainROAM
+{
+
+namespace
+{
+
+constexpr int kMaps = ShadowPlan::kMaps;
+
+bool areUsable(const SunShadowSettings& settings)
+{
+    return settings.reachesM[0] > 0.0 && std::is_sorted(settings.reachesM.begin(), settings.reachesM.end()) &&
+           settings.reachesM[kMaps - 1] <= ShadowPlan::kDepthM && settings.texels >= 64 &&
+           settings.texels <= 4096;
+}
+
+/// Four maps, two by two.
+osg::ref_ptr<osg::Texture2D> makeTexture(int texels)
+{
+    osg::ref_ptr<osg::Texture2D> texture = new osg::Texture2D;
+    texture->setTextureSize(2 * texels, 2 * texels);
+    texture->setInternalFormat(GL_DEPTH_COMPONENT24);
+    texture->setSourceFormat(GL_DEPTH_COMPONENT);
+    texture->setSourceType(GL_UNSIGNED_INT);
+    texture->setFilter(osg::Texture::MIN_FILTER, osg::Texture::LINEAR);
+    texture->setFilter(osg::Texture::MAG_FILTER, osg::Texture::LINEAR);
+    texture->setWrap(osg::Texture::WRAP_S, osg::Texture::CLAMP_TO_EDGE);
+    texture->setWrap(osg::Texture::WRAP_T, osg::Texture::CLAMP_TO_EDGE);
+    texture->setShadowComparison(true);
+    texture->setShadowCompareFunc(osg::Texture::LEQUAL);
+    return texture;
+}
+
+osg::ref_ptr<osg::Camera> makeCamera(osg::Texture2D* texture, int map, int texels)
+{
+    osg::ref_ptr<osg::Camera> camera = new osg::Camera;
+    camera->setName("sun shadow map");
+    camera->setReferenceFrame(osg::Transform::ABSOLUTE_RF_INHERIT_VIEWPOINT); // the levels of the main camera
+    camera->setRenderOrder(osg::Camera::PRE_RENDER, map - kMaps);             // before mirrors
+    camera->setRenderTargetImplementation(osg::Camera::FRAME_BUFFER_OBJECT);
+    camera->attach(osg::Camera::DEPTH_BUFFER, texture);
+    camera->setDrawBuffer(GL_NONE);
+    camera->setReadBuffer(GL_NONE);
+    camera->setClearMask(GL_DEPTH_BUFFER_BIT);
+    camera->setViewport((map % 2) * texels, (map / 2) * texels, texels, texels);
+    camera->setComputeNearFarMode(osg::Camera::DO_NOT_COMPUTE_NEAR_FAR);
+    camera->getOrCreateStateSet()->setDefine("SUN_SHADOW_MAP");
+    camera->setCullingMode(osg::CullSettings::VIEW_FRUSTUM_SIDES_CULLING);
+    return camera;
+}
+
+osg::Matrixd viewMatrix(const glm::dmat3& lightFromWorld, const osg::Vec3d& eye)
+{
+    osg::Matrixd rotation;
+    for (int row = 0; row < 3; ++row)
+        for (int column = 0; column < 3; ++column)
+            rotation(row, column) = lightFromWorld[row][column]; // OSG multiplies row vectors
+    return osg::Matrixd::translate(-eye) * rotation;
+}
+
+} // namespace
+
+/// The children of a SunShadows as the cameras of its maps see them.
+class SunShadows::Casters : public osg::Group
+{
+public:
+    explicit Casters(SunShadows& shadows) : _shadows(shadows) { setCullingActive(false); }
+
+    void traverse(osg::NodeVisitor& visitor) override { _shadows.osg::Group::traverse(visitor); }
+
+private:
+    SunShadows& _shadows;
+};
+
+/// What one camera knows of the maps: where they lie, if its picture has maps of its own, and what its programs see of them.
+struct SunShadows::View
+{
+    osg::observer_ptr<osg::Camera> camera;
+    std::optional<unsigned int> frame; ///< of the plan
+    ShadowPlan plan, before;           ///< `before`: of the frame before that
+    osg::ref_ptr<osg::StateSet> state = new osg::StateSet;
+    osg::ref_ptr<osg::Uniform> axes = new osg::Uniform(osg::Uniform::FLOAT_MAT3, "sunShadowAxes");
+    osg::ref_ptr<osg::Uniform> maps = new osg::Uniform(osg::Uniform::FLOAT_VEC3, "sunShadowMaps", kMaps);
+
+    View(osg::Camera& of, osg::Texture2D* texture, int texels) : camera(&of)
+    {
+        state->setDataVariance(osg::Object::DYNAMIC);
+        state->setDefine("SUN_SHADOWS");
+        state->setTextureAttribute(kUnit, texture);
+        state->addUniform(new osg::Uniform("sunShadowMap", kUnit));
+        state->addUniform(new osg::Uniform("sunShadowTexels", static_cast<float>(texels)));
+        state->addUniform(new osg::Uniform("sunShadowDepthM", static_cast<float>(ShadowPlan::kDepthM)));
+        state->addUniform(axes);
+        state->addUniform(maps);
+    }
+
+    void show(const ShadowPlan& shown, const osg::Vec3d& eye)
+    {
+        osg::Matrix3 matrix;
+        for (int column = 0; column < 3; ++column)
+            for (int row = 0; row < 3; ++row)
+                matrix[3 * column + row] = static_cast<float>(shown.lightFromWorld[column][row]);
+        axes->set(matrix);
+        const glm::dvec2 eyeInLight(shown.lightFromWorld * glm::dvec3(eye.x(), eye.y(), eye.z()));
+        for (int i = 0; i < kMaps; ++i)
+        {
+            const glm::dvec2 centre = shown.maps[i].centre - eyeInLight;
+            maps->setElement(i, osg::Vec3f(osg::Vec3d(centre.x, centre.y, shown.maps[i].reachM)));
+        }
+    }
+};
+
+SunShadows::SunShadows(osg::ref_ptr<const Atmosphere> atmosphere, const SunShadowSettings& settings)
+    : _atmosphere(std::move(atmosphere)), _settings(settings)
+{
+    if (!areUsable(_settings))
+    {
+        OSG_WARN << "SunShadows: reaches must ascend from above 0 to " << ShadowPlan::kDepthM
+                 << " m, and a map have 64 to 4096 texels; the usual settings are used\n";
+        _settings = {};
+    }
+    setCullingActive(false); // a shadow is seen where what casts it is not
+    _texture = makeTexture(_settings.texels);
+    for (int map = 0; map < kMaps; ++map)
+    {
+        _cameras[map] = makeCamera(_texture, map, _settings.texels);
+        _cameras[map]->addChild(new Casters(*this));
+    }
+}
+
+SunShadows::~SunShadows() = default;
+
+SunShadows::View& SunShadows::viewOf(osg::Camera& camera)
+{
+    std::erase_if(_views, [](const auto& entry) { return !entry.second->camera.valid(); });
+    std::unique_ptr<View>& view = _views[&camera];
+    if (!view) view = std::make_unique<View>(camera, _texture, _settings.texels);
+    return *view;
+}
+
+/// Where the maps of a picture lie in a frame, whichever of its cameras is culled first.
+const ShadowPlan& SunShadows::planOf(osg::Camera& root, unsigned int frame)
+{
+    View& view = viewOf(root);
+    if (view.frame == frame) return view.plan;
+    osg::Vec3d sun = _atmosphere->settings().sunDirectionWorld;
+    sun.normalize();
+    const osg::Vec3d eye = root.getInverseViewMatrix().getTrans();
+    view.before = view.plan;
+    view.plan = ShadowPlan::of({eye.x(), eye.y(), eye.z()}, {sun.x(), sun.y(), sun.z()}, _settings.reachesM,
+                               _settings.texels);
+    view.frame = frame;
+    return view.plan;
+}
+
+/// The maps that a camera finds which is drawn before the pictures, as that of a mirror: those of the last frame, of a picture whose eye
+/// is near. Null: there are none.
+const ShadowPlan* SunShadows::lastPlan(const osg::Camera& camera, unsigned int frame) const
+{
+    constexpr double kNearM = 20.0;
+    for (const auto& [other, view] : _views)
+    {
+        if (!view->frame || view->before.maps[0].reachM == 0.0 || !view->camera.valid()) continue;
+        const osg::Vec3d between =
+            other->getInverseViewMatrix().getTrans() - camera.getInverseViewMatrix().getTrans();
+        if (other->getGraphicsContext() == camera.getGraphicsContext() && between.length() < kNearM)
+            return view->frame == frame ? &view->before : &view->plan;
+    }
+    return nullptr;
+}
+
+void SunShadows::drawMaps(osgUtil::CullVisitor& visitor, const ShadowPlan& plan, const osg::Vec3d& eye)
+{
+    const glm::dvec2 eyeInLight(plan.lightFromWorld * glm::dvec3(eye.x(), eye.y(), eye.z()));
+    for (int i = 0; i < kMaps; ++i)
+    {
+        const ShadowMap& map = plan.maps[i];
+        const glm::dvec2 low = map.centre - eyeInLight - map.reachM, high = low + 2.0 * map.reachM;
+        _cameras[i]->setViewMatrix(viewMatrix(plan.lightFromWorld, eye));
+        _cameras[i]->setProjectionMatrixAsOrtho(low.x, high.x, low.y, high.y, -ShadowPlan::kDepthM,
+                                                ShadowPlan::kDepthM);
+        _cameras[i]->accept(visitor);
+    }
+}
+
+void SunShadows::cull(osgUtil::CullVisitor& visitor)
+{
+    osg::Camera& camera = *visitor.getCurrentCamera();
+    osg::Camera* const root = visitor.getRenderStage()->getCamera();
+    const bool isNested = root && root != &camera;
+    const bool isFirst = !isNested && camera.getRenderOrder() == osg::Camera::PRE_RENDER;
+    const unsigned int frame = osgTraversal::frameOf(visitor);
+    const ShadowPlan* const plan =
+        isFirst ? lastPlan(camera, frame) : &planOf(isNested ? *root : camera, frame);
+    if (!plan) return osg::Group::traverse(visitor);
+    const osg::Vec3d eye = visitor.getEyeLocal();
+    View& view = viewOf(camera);
+    view.show(*plan, eye);
+    visitor.pushStateSet(view.state);
+    osg::Group::traverse(visitor);
+    visitor.popStateSet();
+    // After the picture, whose levels of detail they show; they are drawn before it. Mirrors use those of a picture.
+    if (!isNested && !isFirst) drawMaps(visitor, *plan, eye);
+}
+
+void SunShadows::traverse(osg::NodeVisitor& visitor)
+{
+    osgUtil::CullVisitor* const cullVisitor = visitor.asCullVisitor();
+    const bool isLit =
+        _atmosphere->light().sun.length2() > 0.0F && _atmosphere->settings().sunDirectionWorld.z() > 0.0;
+    if (!cullVisitor || !_isShown || !isLit) return osg::Group::traverse(visitor);
+    cull(*cullVisitor);
+}
+
+} // namespace osgTerrainROAM

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+// Shadow maps in pictures: the shadow of a post lies where the sun's rays put it, from any eye and whichever way one looks.
+#include <cmath>
+#include <optional>
+
+#include <glm/gtc/matrix_transform.hpp>
+#include <gtest/gtest.h>
+
+#include <osgTerrainROAM/SunShadows>
+
+#include "RenderedView.h"
+
+namespace
+{
+
+constexpr int kWidthPx = 480, kHeightPx = 360;
+constexpr double kPostM = 3.0, kHalfM = 0.2, kPostAtM = 4.0; ///< a post of 3 m, 0.4 m wide, 4 m east
+
+osg::ref_ptr<osg::Geode> post()
+{
+    scenery::ModelMesh mesh;
+    mesh.addBox({kPostAtM - kHalfM, -kHalfM, 0.0}, {kPostAtM + kHalfM, kHalfM, kPostM},
+                {0.5F, 0.5F, 0.5F, 1.0F});
+    osg::ref_ptr<osg::Geode> geode = new osg::Geode;
+    geode->addDrawable(mesh.geometry());
+    scenery::setObjectShading(*geode, scenery::Finish::matt);
+    return geode;
+}
+
+/// A picture of the post on a plain with the sun in the east, and where places on the plain are in it.
+class Picture
+{
+public:
+    Picture(double sunDeg, const glm::dvec3& eye, const glm::dvec3& at, bool hasShadows = true)
+    {
+        osgTerrainROAM::AtmosphereSettings air;
+        air.sunDirectionWorld = osgTerrainROAM::sunDirectionFromAngles(90.0, sunDeg);
+        const rendered::ViewScene scene(air);
+        const osg::ref_ptr<osgTerrainROAM::SunShadows> sunlit =
+            new osgTerrainROAM::SunShadows(scene.atmosphere);
+        sunlit->setShown(hasShadows);
+        const osg::ref_ptr<osg::Node> ground = scene.root->getChild(1);
+        scene.root->removeChild(ground);
+        sunlit->addChild(ground);
+        sunlit->addChild(post());
+        scene.root->addChild(sunlit);
+        osgOffscreen::OffscreenSettings settings;
+        settings.backend = osgOffscreen::defaultBackend();
+        settings.widthPx = kWidthPx;
+        settings.heightPx = kHeightPx;
+        settings.samples = 1;
+        const scenery::Pose pose = scenery::poseLookingAt(eye, at);
+        _clipFromWorld =
+            glm::perspective(glm::radians(40.0), static_cast<double>(kWidthPx) / kHeightPx, 0.5, 2e5) *
+            scenery::viewFromWorld(pose);
+        _image = rendered::pictureFrom(scene.root, pose, settings);
+    }
+
+    /// The brightness of a place on the plain, 0…255.
+    int at(double x, double y) const
+    {
+        const glm::dvec4 clip = _clipFromWorld * glm::dvec4(x, y, 0.0, 1.0);
+        const auto column = static_cast<unsigned>((0.5 + 0.5 * clip.x / clip.w) * kWidthPx);
+        const auto row = static_cast<unsigned>((0.5 + 0.5 * clip.y / clip.w) * kHeightPx);
+        return _image->data(column, row)[1];
+    }
+
+    bool isDark(double x, double y) const { return at(x, y) < 0.8 * at(2.0, 1.5); }
+
+    /// The western end of the shadow, metres east; absent without one.
+    std::optional<double> shadowEnd() const
+    {
+        for (double x = -2.0; x < 3.0; x += 0.005)
+            if (isDark(x, 0.0)) return x;
+        return std::nullopt;
+    }
+
+    /// Its width at 3 m east.
+    double shadowWidth() const
+    {
+        double width = 0.0;
+        for (double y = -1.0; y < 1.0; y += 0.005)
+            width += isDark(3.0, y) ? 0.005 : 0.0;
+        return width;
+    }
+
+private:
+    glm::dmat4 _clipFromWorld{1.0};
+    osg::ref_ptr<osg::Image> _image;
+};
+
+const glm::dvec3 kEye(0.5, -6.0, 9.0), kAt(1.5, 0.0, 0.0);
+
+double endOf(double sunDeg)
+{
+    return kPostAtM - kHalfM - kPostM / std::tan(glm::radians(sunDeg));
+}
+
+/// Two texels of the nearest map, and by how much a place is looked up off its surface at 11 m: 3 pixels along the rays.
+constexpr double kToleranceM = 0.15;
+
+} // namespace
+
+TEST(SunShadowMaps, AShadowLiesWhereTheRaysPutIt)
+{
+    for (const double sunDeg : {40.0, 50.0, 65.0})
+    {
+        const Picture picture(sunDeg, kEye, kAt);
+        ASSERT_TRUE(picture.shadowEnd()) << sunDeg;
+        EXPECT_NEAR(*picture.shadowEnd(), endOf(sunDeg), kToleranceM) << sunDeg;
+        EXPECT_NEAR(picture.shadowWidth(), 2.0 * kHalfM, kToleranceM) << sunDeg;
+    }
+}
+
+TEST(SunShadowMaps, ASunThatIsOffBySixDegreesIsSeen)
+{
+    EXPECT_GT(std::abs(*Picture(46.0, kEye, kAt).shadowEnd() - endOf(40.0)), kToleranceM) << "the mutation";
+}
+
+TEST(SunShadowMaps, TheShadowStaysWhenTheEyeMovesAndTurns)
+{
+    const double end = *Picture(50.0, kEye, kAt).shadowEnd();
+    for (const glm::dvec3& by :
+         {glm::dvec3(0.013, 0.0, 0.0), glm::dvec3(0.4, -0.3, 0.2), glm::dvec3(-3.0, 2.0, 1.0)})
+        EXPECT_NEAR(*Picture(50.0, kEye + by, kAt + glm::dvec3(-0.5, 0.4, 0.0)).shadowEnd(), end, 0.05);
+}
+
+TEST(SunShadowMaps, WithoutSunOrSwitchedOffThereIsNone)
+{
+    EXPECT_FALSE(Picture(50.0, kEye, kAt, false).shadowEnd());
+    EXPECT_FALSE(Picture(-5.0, kEye, kAt).shadowEnd());
+}
