@@ -5,8 +5,6 @@
 
 #include <glm/geometric.hpp>
 
-#include <osgRoads/core/query/RoadSurface.h>
-
 #include "JunctionCover.h"
 
 namespace osgRoads::core
@@ -18,10 +16,20 @@ namespace
 constexpr double kNearM = 2.0; ///< another road's lanes, or the road's other end
 constexpr double kShortestM = 3.0 * OpenEnds::kWearM;
 
+/// Whether a bridge or tunnel reaches into the wear of an end.
+bool hasStructureNear(const Road& road, double s)
+{
+    return std::any_of(road.structures.begin(), road.structures.end(),
+                       [s](const RoadStructure& structure) {
+                           return structure.s < s + OpenEnds::kWearM &&
+                                  structure.s + structure.length > s - OpenEnds::kWearM;
+                       });
+}
+
 bool isOpen(const PlacedNetwork& network, int index, double s, const std::optional<RoadLink>& link)
 {
     const Road& road = network.road(index);
-    if (link || road.junction >= 0 || road.length < kShortestM || structureAt(road, s)) return false;
+    if (link || road.junction >= 0 || road.length < kShortestM || hasStructureNear(road, s)) return false;
     const glm::dvec2 start = road.referenceLine.at(0.0).position,
                      end = road.referenceLine.at(road.length).position;
     return glm::distance(start, end) > kNearM && !JunctionCover(network, index).isNearOther(s, kNearM);

@@ -9,7 +9,7 @@ namespace osgRoads::core
 {
 
 /// Tells where the surface of a road wears off into the ground: within kWearM of an end that leads nowhere. An end leads on where the file
-/// links it, where another road or the road's other end lies there, and on bridges and in tunnels, which have no ground.
+/// links it, and where another road or the road's other end lies there. Beside a bridge or tunnel, which have no ground, it stays whole.
 class OpenEnds
 {
 public:
