@@ -16,6 +16,7 @@
 
 #include <osgOffscreen/Backend>
 
+#include "hud/HudUnits.h"
 #include "simulation/player/ExternalMotion.h"
 
 namespace trainer
@@ -142,9 +143,10 @@ struct WindowRequest
     std::filesystem::path picturesFolder = "."; ///< for those that a key asks for
     std::filesystem::path devicesFile;          ///< what joysticks and wheels are for; empty: the usual
     std::filesystem::path keysFile;             ///< a test aid: keys at times
-    bool choosesSamples = true;                 ///< none was asked for: one where a processor draws
-    bool choosesTolerance = true;               ///< none was asked for: as pictures are quick
-    double pictureS = 0.0; ///< a test aid: each picture counts as so long; 0: the wall clock
+    HudUnits units = HudUnits::usual;
+    bool choosesSamples = true;   ///< none was asked for: one where a processor draws
+    bool choosesTolerance = true; ///< none was asked for: as pictures are quick
+    double pictureS = 0.0;        ///< a test aid: each picture counts as so long; 0: the wall clock
 };
 
 /// The arguments of `trainer play`, `trainer tour` and what pictures show of a vehicle that is flown or driven.

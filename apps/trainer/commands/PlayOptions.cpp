@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdio>
+#include <map>
 #include <utility>
 
 #include "terminal/Terminal.h"
@@ -68,6 +69,9 @@ void PlayOptions::addWindowOptions(CLI::App& command)
                   ->expected(0, 4);
     command.add_flag("--fullscreen", window.isFullscreen, "the same on the whole screen");
     command.add_option("--screen", window.screen, "screen of the window, from 0")->check(CLI::Range(0, 63));
+    command.add_option("--units", window.units, "of the figures in the picture: usual, metric or imperial")
+        ->transform(CLI::CheckedTransformer(std::map<std::string, HudUnits>{
+            {"usual", HudUnits::usual}, {"metric", HudUnits::metric}, {"imperial", HudUnits::imperial}}));
     command.add_option("--pictures", window.picturesFolder, "folder for the pictures that F12 writes");
     command.add_option("--devices", window.devicesFile,
                        "devices file: what joysticks, pedals and wheels do (docs/reference/devices-file.md)");

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "hud/Gauge.h"
+#include "hud/HudUnits.h"
 #include "simulation/vehicle/DynamicVehicle.h"
 
 namespace trainer
@@ -17,9 +18,9 @@ struct HudLayout
 
 /// The gauges for a vehicle: of an aircraft airspeed, altitude, heading, vertical speed, engine and flaps; of a road vehicle speed, engine and gear;
 /// of any other its speed.
-HudLayout hudLayoutOf(const simulation::DynamicVehicle& vehicle);
+HudLayout hudLayoutOf(const simulation::DynamicVehicle& vehicle, HudUnits units = HudUnits::usual);
 
 /// The values of hudLayoutOf()'s gauges now, in their order and units.
-std::vector<double> hudValuesOf(const simulation::DynamicVehicle& vehicle);
+std::vector<double> hudValuesOf(const simulation::DynamicVehicle& vehicle, HudUnits units = HudUnits::usual);
 
 } // namespace trainer

@@ -91,7 +91,7 @@ foundation::Outcome WindowSession::openPictures()
                                         std::vector<osg::ref_ptr<osg::GraphicsContext>>{_window});
     if (_ride.motion)
     {
-        _hud = std::make_unique<Hud>(hudLayoutOf(_ride.motion->vehicle().vehicle()));
+        _hud = std::make_unique<Hud>(hudLayoutOf(_ride.motion->vehicle().vehicle(), _request.window.units));
         _hud->camera()->setGraphicsContext(_window);
         _viewer->addSlave(_hud->camera(), false);
     }
@@ -211,7 +211,7 @@ void WindowSession::afterEvents()
     _lastWallS = wall;
     _overlay.showMark(_camera->isMap(), _live->shown()[_play.watched].headingDeg);
     if (_hud) _hud->show(isHudShown());
-    if (_hud) _hud->setValues(hudValuesOf(_ride.motion->vehicle().vehicle()));
+    if (_hud) _hud->setValues(hudValuesOf(_ride.motion->vehicle().vehicle(), _request.window.units));
     sound();
     showTexts(wall);
 }

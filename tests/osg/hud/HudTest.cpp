@@ -115,6 +115,27 @@ TEST(HudValues, TellTheStateOfACarWithinAPixel)
     }
 }
 
+/// The same state in each system of units: by factors written out here.
+TEST(HudValues, AreInTheUnitsAskedFor)
+{
+    Aircraft aircraft = someAircraft();
+    ASSERT_TRUE(aircraft.begin({{0.0, 0.0, 900.0}, 0.4, 50.0, true}, LevelGround(), WeatherAir()));
+    aircraft.step(LevelGround(), WeatherAir());
+    const auto usual = hudValuesOf(aircraft), metric = hudValuesOf(aircraft, HudUnits::metric);
+    EXPECT_NEAR(metric[0], usual[0] * 1.852, 1e-9);
+    EXPECT_NEAR(metric[1], usual[1] * 0.3048, 1e-9);
+    EXPECT_NEAR(metric[3], usual[3] * 0.00508, 1e-9);
+    EXPECT_EQ(hudLayoutOf(aircraft, HudUnits::metric).gauges[1].label, "ALT m");
+    EXPECT_EQ(hudValuesOf(aircraft, HudUnits::imperial), usual);
+    RoadVehicle car = someCar();
+    car.place({{0.0, 0.0, 0.0}, 0.3, 25.0}, LevelGround());
+    EXPECT_NEAR(hudValuesOf(car, HudUnits::imperial)[0], 55.92, 0.01);
+    EXPECT_NEAR(hudValuesOf(car, HudUnits::metric)[0], 90.0, 1e-9);
+    EXPECT_EQ(hudLayoutOf(car, HudUnits::imperial).gauges[0].label, "SPEED mph");
+    for (const HudUnits units : {HudUnits::usual, HudUnits::metric, HudUnits::imperial})
+        EXPECT_EQ(hudValuesOf(aircraft, units).size(), hudLayoutOf(aircraft, units).gauges.size());
+}
+
 TEST(Help, HasEveryKeyOfTheTable)
 {
     for (const KeyScope vehicle : {KeyScope::all, KeyScope::flight, KeyScope::drive})
