@@ -15,8 +15,10 @@ namespace
 
 constexpr double kSpacingM = 4.0;
 constexpr double kSmallestDistanceM = 20.0;
-constexpr double kStartAfterBeginM = 1.0;
-constexpr double kStopBeforeEndM = 5.0; ///< the front of the car is 4 m before its reference point
+/// The surface of a road that ends in the open wears off over its last 15 m; the front of the car is 4 m before its reference point, the
+/// rear wheels at it.
+constexpr double kWornM = 15.0, kFrontM = 5.0, kRearM = 1.0;
+constexpr double kLargestShare = 0.1; ///< of a way, for each end
 
 bool contains(const TourTerrain& terrain, const glm::dvec2& place)
 {
@@ -82,11 +84,11 @@ foundation::Result<Tour> layDriveAlong(const TourTerrain& terrain, std::vector<W
         lengthM += glm::distance(way[i].place, way[i - 1].place);
     if (!(lengthM >= kSmallestDistanceM) || !(durationS >= 1.0))
         return foundation::Error{"drive", "too short a way or time", "give 20 m and 1 s at least"};
-    // The rear wheels stand on the road, too, when it begins.
+    const double wornM = std::min(kWornM, kLargestShare * lengthM);
     const glm::dvec3 begin = way.front().place, end = way.back().place;
-    while (glm::distance(way.front().place, begin) < kStartAfterBeginM)
+    while (glm::distance(way.front().place, begin) < wornM + kRearM)
         way.erase(way.begin());
-    while (glm::distance(way.back().place, end) < kStopBeforeEndM)
+    while (glm::distance(way.back().place, end) < wornM + kFrontM)
         way.pop_back();
     std::vector<double> speed = limitsOn(way);
     speed.back() = 0.0;

@@ -87,7 +87,11 @@ foundation::Outcome coverScreen(Traits& traits)
 {
     auto* const system = osg::GraphicsContext::getWindowingSystemInterface();
     unsigned width = 0, height = 0;
-    if (system) system->getScreenResolution(traits, width, height);
+    for (int tries = 0; system && width == 0 && tries < kTries; ++tries)
+    {
+        if (tries > 0) std::this_thread::sleep_for(kBetweenTries);
+        system->getScreenResolution(traits, width, height);
+    }
     if (width == 0 || height == 0)
         return foundation::Error{"--fullscreen", "the screen tells no size", "leave it out"};
     traits.x = traits.y = 0;
