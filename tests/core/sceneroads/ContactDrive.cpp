@@ -45,6 +45,18 @@ void tell(std::ostream& out, const scenery::DrawnContact& worst)
         << worst.place.x << ' ' << worst.place.y << ' ' << worst.place.z;
 }
 
+/// Whether a place is on the face of a kerb: the surface beside it, 1 cm away, is another 2 cm or more higher or lower.
+bool isOnStep(const simulation::GroundProvider& ground, const glm::dvec3& place)
+{
+    constexpr double kAsideM = 0.01, kStepM = 0.02;
+    for (const glm::dvec2& aside : {glm::dvec2(kAsideM, 0.0), glm::dvec2(-kAsideM, 0.0),
+                                    glm::dvec2(0.0, kAsideM), glm::dvec2(0.0, -kAsideM)})
+        if (const auto sample = ground(place.x + aside.x, place.y + aside.y, place.z + 0.5);
+            sample && std::abs(sample->heightM - place.z) > kStepM)
+            return true;
+    return false;
+}
+
 /// Points ahead of the car: on its lane and on both verges, at the heights on which something stands there.
 std::vector<glm::dvec3> pointsAhead(const RoadScene& scene, const simulation::GroundProvider& ground,
                                     const simulation::EntityState& car)
@@ -71,7 +83,7 @@ std::vector<glm::dvec3> pointsAhead(const RoadScene& scene, const simulation::Gr
             if (t != on->position.t && !hasVerges) continue;
             glm::dvec3 place = scene.roads->surfacePoint(on->position.road, s, t);
             if (const auto sample = ground(place.x, place.y, place.z)) place.z = sample->heightM;
-            points.push_back(place);
+            if (!isOnStep(ground, place)) points.push_back(place);
         }
     }
     return points;
