@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include <glm/gtc/matrix_transform.hpp>
+
 namespace scenery
 {
 
@@ -24,15 +26,7 @@ MirrorView mirrorView(const models::InteriorMirror& mirror, const Pose& vehicle,
     const double nearM = std::max(beforeM, kLeastNearM), scale = nearM / beforeM;
     const double left = -glm::dot(corner + across, right) * scale, rightM = -glm::dot(corner, right) * scale;
     const double bottom = glm::dot(corner, up) * scale, top = glm::dot(corner + high, up) * scale;
-    glm::dmat4& p = made.projection;
-    p = glm::dmat4(0.0);
-    p[0][0] = 2.0 * nearM / (rightM - left);
-    p[1][1] = 2.0 * nearM / (top - bottom);
-    p[2][0] = (rightM + left) / (rightM - left);
-    p[2][1] = (top + bottom) / (top - bottom);
-    p[2][2] = -(farM + nearM) / (farM - nearM);
-    p[2][3] = -1.0;
-    p[3][2] = -2.0 * farM * nearM / (farM - nearM);
+    made.projection = glm::frustum(left, rightM, bottom, top, nearM, farM);
     return made;
 }
 

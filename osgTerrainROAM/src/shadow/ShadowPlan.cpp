@@ -36,4 +36,13 @@ ShadowPlan ShadowPlan::of(const glm::dvec3& eye, const glm::dvec3& sun,
     return plan;
 }
 
+std::array<ShadowMap, ShadowPlan::kMaps> ShadowPlan::from(const glm::dvec3& eye) const
+{
+    const glm::dvec2 eyeInLight(lightFromWorld * eye);
+    std::array<ShadowMap, kMaps> seen = maps;
+    for (ShadowMap& map : seen)
+        map.centre -= eyeInLight;
+    return seen;
+}
+
 } // namespace osgTerrainROAM

@@ -32,6 +32,9 @@ struct ShadowPlan
     /// `eye`: world, metres. `sun`: towards it, unit vector. `texels`: a map's side.
     static ShadowPlan of(const glm::dvec3& eye, const glm::dvec3& sun,
                          const std::array<double, kMaps>& reachesM, int texels);
+
+    /// The maps with their centres relative to an eye.
+    std::array<ShadowMap, kMaps> from(const glm::dvec3& eye) const;
 };
 
 } // namespace osgTerrainROAM

@@ -61,6 +61,11 @@ osg::ref_ptr<osg::Camera> makeCamera(osg::Texture2D* texture, int map, int texel
     return camera;
 }
 
+glm::dvec3 vectorOf(const osg::Vec3d& vector)
+{
+    return {vector.x(), vector.y(), vector.z()};
+}
+
 osg::Matrixd viewMatrix(const glm::dmat3& lightFromWorld, const osg::Vec3d& eye)
 {
     osg::Matrixd rotation;
@@ -113,12 +118,9 @@ struct SunShadows::View
             for (int row = 0; row < 3; ++row)
                 matrix[3 * column + row] = static_cast<float>(shown.lightFromWorld[column][row]);
         axes->set(matrix);
-        const glm::dvec2 eyeInLight(shown.lightFromWorld * glm::dvec3(eye.x(), eye.y(), eye.z()));
-        for (int i = 0; i < kMaps; ++i)
-        {
-            const glm::dvec2 centre = shown.maps[i].centre - eyeInLight;
-            maps->setElement(i, osg::Vec3f(osg::Vec3d(centre.x, centre.y, shown.maps[i].reachM)));
-        }
+        unsigned int number = 0;
+        for (const ShadowMap& map : shown.from(vectorOf(eye)))
+            maps->setElement(number++, osg::Vec3f(osg::Vec3d(map.centre.x, map.centre.y, map.reachM)));
     }
 };
 
@@ -157,10 +159,9 @@ const ShadowPlan& SunShadows::planOf(osg::Camera& root, unsigned int frame)
     if (view.frame == frame) return view.plan;
     osg::Vec3d sun = _atmosphere->settings().sunDirectionWorld;
     sun.normalize();
-    const osg::Vec3d eye = root.getInverseViewMatrix().getTrans();
     view.before = view.plan;
-    view.plan = ShadowPlan::of({eye.x(), eye.y(), eye.z()}, {sun.x(), sun.y(), sun.z()}, _settings.reachesM,
-                               _settings.texels);
+    view.plan = ShadowPlan::of(vectorOf(root.getInverseViewMatrix().getTrans()), vectorOf(sun),
+                               _settings.reachesM, _settings.texels);
     view.frame = frame;
     return view.plan;
 }
@@ -183,11 +184,10 @@ const ShadowPlan* SunShadows::lastPlan(const osg::Camera& camera, unsigned int f
 
 void SunShadows::drawMaps(osgUtil::CullVisitor& visitor, const ShadowPlan& plan, const osg::Vec3d& eye)
 {
-    const glm::dvec2 eyeInLight(plan.lightFromWorld * glm::dvec3(eye.x(), eye.y(), eye.z()));
+    const auto maps = plan.from(vectorOf(eye));
     for (int i = 0; i < kMaps; ++i)
     {
-        const ShadowMap& map = plan.maps[i];
-        const glm::dvec2 low = map.centre - eyeInLight - map.reachM, high = low + 2.0 * map.reachM;
+        const glm::dvec2 low = maps[i].centre - maps[i].reachM, high = low + 2.0 * maps[i].reachM;
         _cameras[i]->setViewMatrix(viewMatrix(plan.lightFromWorld, eye));
         _cameras[i]->setProjectionMatrixAsOrtho(low.x, high.x, low.y, high.y, -ShadowPlan::kDepthM,
                                                 ShadowPlan::kDepthM);
