@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "FlightMaker.h"
+
+#include <cmath>
+#include <cstdio>
+
+#include <foundation/Angle.h>
+
+#include "FlightAircraft.h"
+#include "simulation/control/VehicleMotion.h"
+#include "simulation/control/flight/Autopilot.h"
+#include "simulation/control/flight/FlightHands.h"
+#include "simulation/control/scenario/VehicleFiles.h"
+#include "simulation/tour/TourScenario.h"
+#include "simulation/vehicle/WeatherAir.h"
+
+namespace trainer
+{
+
+namespace
+{
+
+constexpr const char* kEntity = "Ego";
+
+simulation::WeatherAir airOf(const FlyRequest& request)
+{
+    simulation::WeatherSettings weather;
+    weather.gustDeviationMps = request.gustsMps;
+    if (!request.wind.empty())
+    {
+        const double from = foundation::radiansOf(request.wind[0]), mps = request.wind[1] * 1852.0 / 3600.0;
+        weather.windMps = {-mps * std::sin(from), -mps * std::cos(from), 0.0};
+        if (request.gustsMps > 0.0) weather.windAtSixMetresMps = mps;
+    }
+    return simulation::WeatherAir(weather);
+}
+
+/// What stands where the flight begins, for the scenario that the pictures show.
+simulation::Scenario scenarioOf(const glm::dvec3& start, const FlightStart& from,
+                                const std::optional<simulation::Geodetic>& origin)
+{
+    simulation::Scenario scenario;
+    scenario.header = {1, 3, "2024-01-01T00:00:00", "osgTrainer", "A flight"};
+    simulation::Vehicle vehicle;
+    vehicle.name = "aircraft";
+    vehicle.category = "aircraft";
+    vehicle.box = {{-0.8, 0.0, 1.4}, 8.2, 11.0, 2.8};
+    scenario.entities.push_back({{}, kEntity, vehicle});
+    const double heading = foundation::radiansOf(90.0 - from.headingDeg);
+    simulation::TourTerrain terrain;
+    terrain.origin = origin;
+    terrain.eastM = terrain.northM = 20'000.0;
+    scenario.storyboard.init.globals.push_back(
+        simulation::EnvironmentAction{{}, simulation::tourEnvironment(terrain, heading)});
+    simulation::TeleportAction teleport;
+    teleport.position = simulation::WorldPosition{
+        {}, start.x, start.y, start.z, simulation::Orientation{heading, std::nullopt, std::nullopt}};
+    simulation::SpeedAction speed;
+    speed.target = simulation::AbsoluteTargetSpeed{from.speedMps};
+    scenario.storyboard.init.privates.push_back({{}, kEntity, {teleport, speed}});
+    return scenario;
+}
+
+std::vector<simulation::FlightOrder> standardOrders(const FlyRequest& request)
+{
+    using simulation::FlightOrderKind;
+    if (!request.play.terrain.strip) return {{FlightOrderKind::wait, request.durationS}};
+    if (request.start.empty())
+        return {{FlightOrderKind::takeOff}, {FlightOrderKind::circuit}, {FlightOrderKind::land}};
+    return {{FlightOrderKind::land}};
+}
+
+foundation::Result<std::unique_ptr<simulation::VehicleController>>
+controllerOf(const FlyRequest& request, const simulation::DynamicVehicle& vehicle,
+             const std::shared_ptr<const simulation::EarthFrame>& earth,
+             const std::optional<simulation::RunwayStrip>& runway)
+{
+    if (!request.inputs.empty()) return simulation::openInputs(request.inputs, vehicle);
+    std::vector<simulation::FlightOrder> orders = standardOrders(request);
+    if (!request.orders.empty())
+    {
+        const auto read = simulation::parseFlightOrders(request.orders, "--orders");
+        if (!read) return read.error();
+        orders = *read;
+    }
+    auto pilot = simulation::Autopilot::create({earth, std::move(orders), runway}, vehicle);
+    if (!pilot) return foundation::Error{"--orders", pilot.error().what, "give --strip, or other orders"};
+    return std::unique_ptr<simulation::VehicleController>(
+        std::make_unique<simulation::Autopilot>(std::move(*pilot)));
+}
+
+/// The strip as it lies in the scene.
+std::optional<simulation::RunwayStrip> runwayOf(const FlyRequest& request, const simulation::Ground& ground)
+{
+    const auto& strip = request.play.terrain.strip;
+    if (!strip) return std::nullopt;
+    return simulation::runwayOn(ground, strip->threshold, strip->courseDeg, strip->lengthM, strip->widthM);
+}
+
+} // namespace
+
+std::vector<RidePlace> FlightMaker::places() const
+{
+    std::vector<RidePlace> places;
+    for (const FlightStart& start : _starts)
+    {
+        char option[160];
+        std::snprintf(option, sizeof option, "--start %.17g,%.17g,%.17g,%.17g,%.17g", start.place.x,
+                      start.place.y, start.heightM, start.headingDeg, start.speedMps);
+        places.push_back({start.name, option});
+    }
+    return places;
+}
+
+/// A pilot beside the autopilot. He has it first unless there are orders or inputs.
+foundation::Result<std::unique_ptr<simulation::VehicleController>>
+FlightMaker::seated(std::unique_ptr<simulation::VehicleController> automatic,
+                    const simulation::DynamicVehicle& aircraft) const
+{
+    auto hands = simulation::pilotHands(aircraft);
+    if (!hands) return hands.error();
+    const bool isByHand = _request.orders.empty() && _request.inputs.empty();
+    return std::unique_ptr<simulation::VehicleController>(
+        std::make_unique<simulation::HandOver>(std::move(automatic), std::move(*hands), isByHand));
+}
+
+foundation::Result<Ride> FlightMaker::make(std::size_t place)
+{
+    const FlightStart& from = _starts[place];
+    glm::dvec3 start(from.place, 1e4);
+    simulation::GroundPoint below;
+    _ground->below({&start, 1}, {&below, 1});
+    if (!below.isKnown)
+        return foundation::Error{"--start", "there is no ground at the start", "give a place on the terrain"};
+    start.z = below.heightM + from.heightM;
+    auto aircraft = aircraftOf(_request, _origin);
+    if (!aircraft) return aircraft.error();
+    auto controller = controllerOf(_request, **aircraft, _earth, runwayOf(_request, *_ground));
+    if (!controller) return controller.error();
+    if (_request.hasWindow()) controller = seated(std::move(*controller), **aircraft);
+    if (!controller) return controller.error();
+    auto* const hands = dynamic_cast<simulation::HandOver*>(controller->get());
+    auto vehicle =
+        std::make_unique<simulation::ControlledVehicle>(std::move(*aircraft), std::move(*controller));
+    if (!_request.recordInputs.empty()) vehicle->record();
+    auto motion = std::make_shared<simulation::VehicleMotion>(
+        std::move(vehicle), _ground, std::make_shared<const simulation::WeatherAir>(airOf(_request)));
+    return Ride{scenarioOf(start, from, _origin), kEntity, std::move(motion), "flight", hands};
+}
+
+} // namespace trainer
