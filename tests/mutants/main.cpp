@@ -139,14 +139,14 @@ int main(int argc, char** argv)
     CLI::App app("Damages every kind of input and runs the programs on it.", "mutants");
     Request request;
     app.add_option("--programs", request.folders.programs,
-                   "folder of trainer, terraintool, pmtool and roadtool");
+                   "folder of trainer, terraintool, pmtool, roadtool and worldtool");
     app.add_option("--source", request.folders.source, "folder of this project's source");
     app.add_option("--scratch", request.folders.scratch, "folder for mutants; faulty ones are kept there");
     app.add_option("--count", request.count, "mutants of each kind (3)");
     app.add_option("--first", request.first, "number of the first mutant (0)");
     app.add_option("--kinds", request.kinds,
-                   "only these kinds: obj, ac, glb, gltf, pm, dem, roam, scenery, view, xosc, xodr, "
-                   "aircraft, vehicle, polygons");
+                   "only these kinds: obj, ac, glb, gltf, pm, dem, roam, scenery, view, xosc, xodr, osm, "
+                   "geojson, runways, aircraft, vehicle, tracks, inputs, keys, devices, polygons");
     app.add_flag("--control", request.isControl,
                  "run programs that crash, hang or eat memory, which must be found out");
     CLI11_PARSE(app, argc, argv);
