@@ -5,8 +5,10 @@
 #include <system_error>
 
 #include "worldmaking/land/Runways.h"
+#include "worldmaking/madeup/MadeUpMap.h"
 #include "worldmaking/map/ReadLand.h"
 #include "worldmaking/map/ReadOsm.h"
+#include "worldtool/BuildReport.h"
 #include "worldtool/Commands.h"
 #include "worldtool/EarthGround.h"
 #include "worldtool/WorldMaker.h"
@@ -73,6 +75,18 @@ foundation::Result<WholeMap> readMap(const std::filesystem::path& file, const Ma
     return map;
 }
 
+worldmaking::MadeUpSettings settingsOf(const Request& request, const MapBounds& ground)
+{
+    worldmaking::MadeUpSettings settings;
+    settings.seed = request.seed;
+    settings.aridity = request.aridity;
+    settings.bounds = ground;
+    if (const auto& b = request.bounds; !b.empty())
+        settings.bounds = {std::max(b[0], ground.west), std::max(b[1], ground.south),
+                           std::min(b[2], ground.east), std::min(b[3], ground.north)};
+    return settings;
+}
+
 void print(const nlohmann::ordered_json& rows)
 {
     for (const auto& [part, row] : rows.items())
@@ -91,19 +105,35 @@ foundation::Result<Report> build(const Request& request)
                                  "name a folder that can be written"};
     const auto bounds = boundsOf(request);
     if (!bounds) return bounds.error();
-    const auto map = readMap(request.map, *bounds);
+    const bool isMadeUp = request.map.empty();
+    auto map = isMadeUp ? foundation::Result<WholeMap>(WholeMap()) : readMap(request.map, *bounds);
     if (!map) return map.error();
     const auto ground = loadGround(request.dems);
     if (!ground) return ground.error();
     std::vector<worldmaking::Runway> runways;
+    nlohmann::ordered_json madeUp, places = nlohmann::ordered_json::array();
+    if (isMadeUp)
+    {
+        auto made = worldmaking::makeUpMap(ground->heightM, settingsOf(request, ground->bounds));
+        if (!made) return made.error();
+        map->land = std::move(made->land);
+        map->streets = worldmaking::streetsOf(map->land);
+        runways = std::move(made->runways);
+        madeUp = rowOf(made->report);
+        for (const worldmaking::MadeUpPlace& place : made->places)
+            places.push_back(
+                {{"kind", place.kind}, {"longitudeDeg", place.degrees.x}, {"latitudeDeg", place.degrees.y}});
+    }
     std::size_t unusableRunways = 0;
     if (!request.runways.empty())
     {
         auto read = worldmaking::readRunways(request.runways, unusableRunways);
         if (!read) return read.error();
-        runways = std::move(*read);
+        runways.insert(runways.end(), read->begin(), read->end());
     }
-    WorldMaker maker({request, map->streets, map->land, *bounds, runways, unusableRunways}, *ground);
+    WorldMaker maker({request, map->streets, map->land, *bounds, runways, unusableRunways}, ground->heightM);
+    if (isMadeUp) maker.report.json["madeUp"] = madeUp;
+    if (isMadeUp) maker.report.json["places"] = places;
     if (const auto made = maker.make(); !made) return made.error();
     print(maker.report.json);
     return maker.report;

@@ -54,4 +54,14 @@ nlohmann::ordered_json rowOf(const worldmaking::TreeReport& report)
             {"spacingM", report.spacingM}};
 }
 
+nlohmann::ordered_json rowOf(const worldmaking::MadeUpReport& report)
+{
+    return {{"areaKm2", report.areaKm2},     {"settlements", report.settlements},
+            {"unreached", report.unreached}, {"farms", report.farms},
+            {"houses", report.houses},       {"fields", report.fields},
+            {"hedges", report.hedges},       {"woods", report.woods},
+            {"lakes", report.lakes},         {"bridges", report.bridges},
+            {"roadsKm", report.roadsKm},     {"airfields", report.airfields}};
+}
+
 } // namespace worldtool

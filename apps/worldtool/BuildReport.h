@@ -6,6 +6,7 @@
 #include "worldmaking/land/Houses.h"
 #include "worldmaking/land/LandUse.h"
 #include "worldmaking/land/Trees.h"
+#include "worldmaking/madeup/MadeUpMap.h"
 #include "worldmaking/streets/BuildStreets.h"
 
 namespace worldtool
@@ -16,5 +17,6 @@ nlohmann::ordered_json rowOf(const worldmaking::StreetReport& report);
 nlohmann::ordered_json rowOf(const worldmaking::HouseReport& report);
 nlohmann::ordered_json rowOf(const worldmaking::LandReport& report, std::size_t unusedRunways);
 nlohmann::ordered_json rowOf(const worldmaking::TreeReport& report);
+nlohmann::ordered_json rowOf(const worldmaking::MadeUpReport& report);
 
 } // namespace worldtool

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <vector>
 
@@ -15,7 +16,9 @@ namespace worldtool
 struct Request
 {
     std::vector<std::filesystem::path> dems; ///< elevation rasters, one or more
-    std::filesystem::path map;               ///< an OpenStreetMap extract
+    std::filesystem::path map;               ///< an OpenStreetMap extract; empty: one is made up
+    std::uint64_t seed = 1;                  ///< of what is made up
+    double aridity = 0.12;                   ///< of what is made up: 0 wet … 1 desert
     std::filesystem::path runways;           ///< a table of OurAirports; empty: none
     std::filesystem::path world;             ///< the folder to write
     std::vector<double> bounds;              ///< west, south, east, north in degrees; empty: the whole map
@@ -23,7 +26,7 @@ struct Request
 
 using terminal::Report;
 
-/// Makes a world of elevation data and a map: WORLD/roads.xodr, buildings.gpkg, ground.gpkg, landcover.tif, trees.gpkg, world.roam, and a report of what was used. The
+/// Makes a world of elevation data and a map, or of one that is made up: WORLD/roads.xodr, buildings.gpkg, ground.gpkg, landcover.tif, trees.gpkg, world.roam, and a report of what was used. The
 /// folder is made where there is none; of its files those alone are replaced, each as a whole.
 /// Errors: those of importDems(), readOsm(), readLand() and buildStreets(); bounds that are none; files that cannot be written.
 foundation::Result<Report> build(const Request& request);

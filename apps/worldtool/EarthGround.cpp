@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "worldtool/EarthGround.h"
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -31,9 +32,19 @@ std::optional<double> heightOf(const PlacedTile& tile, double latitudeDeg, doubl
     return heightM;
 }
 
+worldmaking::MapBounds boundsOf(const PlacedTile& tile)
+{
+    const auto corner = [&](int column, int row)
+    { return tile.frame().geodeticFromLocal(tile.frame().positionOf(column, row, 0.0)); };
+    const int east = tile.grid().dataColumns() - 1, north = tile.grid().dataRows() - 1;
+    const auto a = corner(0, 0), b = corner(east, 0), c = corner(east, north), d = corner(0, north);
+    return {std::max(a.longitudeDeg, d.longitudeDeg), std::max(a.latitudeDeg, b.latitudeDeg),
+            std::min(b.longitudeDeg, c.longitudeDeg), std::min(c.latitudeDeg, d.latitudeDeg)};
+}
+
 } // namespace
 
-foundation::Result<worldmaking::GroundOnEarth> loadGround(const std::vector<std::filesystem::path>& dems)
+foundation::Result<EarthGround> loadGround(const std::vector<std::filesystem::path>& dems)
 {
     osgTerrainROAM::core::RoamFile description;
     description.dems = dems;
@@ -43,8 +54,9 @@ foundation::Result<worldmaking::GroundOnEarth> loadGround(const std::vector<std:
     if (tile->frame().placement() == osgTerrainROAM::core::Placement::planar)
         return foundation::Error{dems.front().string(), "has no georeference, so no map fits it",
                                  "give elevation data with a coordinate reference system"};
-    return worldmaking::GroundOnEarth([tile](double latitudeDeg, double longitudeDeg)
-                                      { return heightOf(*tile, latitudeDeg, longitudeDeg); });
+    return EarthGround{[tile](double latitudeDeg, double longitudeDeg)
+                       { return heightOf(*tile, latitudeDeg, longitudeDeg); },
+                       boundsOf(*tile)};
 }
 
 } // namespace worldtool

@@ -25,7 +25,8 @@ constexpr double kRoadSampleM = 3.0; ///< between samples of the ground beside r
 
 foundation::Outcome WorldMaker::make()
 {
-    const std::string mapName = _source.request.map.string();
+    const std::string mapName =
+        _source.request.map.empty() ? "the made-up map" : _source.request.map.string();
     const auto streets = worldmaking::buildStreets(_source.streets, _ground, mapName);
     if (!streets) return streets.error();
     report.json["streets"] = rowOf(streets->report);

@@ -16,8 +16,13 @@ int run(int argc, char** argv)
     std::filesystem::path jsonFile;
     CLI::App* build = app.add_subcommand("build", "a world with the streets of a map");
     build->add_option("DEM", request.dems, "elevation rasters")->required();
-    build->add_option("--map", request.map, "an OpenStreetMap extract: .osm, .osm.gz or .osm.pbf")
-        ->required();
+    CLI::Option* map =
+        build->add_option("--map", request.map,
+                          "an OpenStreetMap extract: .osm, .osm.gz or .osm.pbf; without it a map is made up");
+    build->add_option("--seed", request.seed, "of the map that is made up")->excludes(map);
+    build->add_option("--aridity", request.aridity, "of the made-up map: 0 wet and green … 1 desert")
+        ->check(CLI::Range(0.0, 1.0))
+        ->excludes(map);
     build->add_option("-o,--output", request.world, "the folder of the world")->required();
     build
         ->add_option("--bounds", request.bounds,

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include <foundation/Result.h>
+
+#include "worldmaking/land/Runways.h"
+#include "worldmaking/map/LandMap.h"
+#include "worldmaking/streets/BuildStreets.h"
+
+namespace worldmaking
+{
+
+/// By what a map is made up.
+struct MadeUpSettings
+{
+    std::uint64_t seed = 1;
+    double aridity = 0.12; ///< 0 wet … 1 desert, which has hardly any woods and fields
+    double treeLineM = 2000.0;
+    MapBounds bounds; ///< the part of the ground to fill
+};
+
+/// Something of a made-up map that one may look for: town, village, hamlet, airfield, lake, bridge.
+struct MadeUpPlace
+{
+    std::string_view kind;
+    glm::dvec2 degrees{0.0}; ///< east and north, of its middle
+};
+
+/// What was made up, by number.
+struct MadeUpReport
+{
+    std::size_t settlements = 0, unreached = 0; ///< unreached: no way leads to them on feasible grades
+    std::size_t farms = 0, houses = 0, fields = 0, hedges = 0, woods = 0, lakes = 0, bridges = 0,
+                airfields = 0;
+    double areaKm2 = 0.0, roadsKm = 0.0;
+};
+
+/// A map of a place that has none, as a reader of maps would give it, and its runways.
+struct MadeUpMap
+{
+    LandMap land; ///< with the streets as lines
+    std::vector<Runway> runways;
+    std::vector<MadeUpPlace> places; ///< the town first
+    MadeUpReport report;
+};
+
+/// Makes up a map over a ground: an airfield on the gentlest, lakes, a town, villages, hamlets and farms on gentle ground near water, roads
+/// between them on feasible grades, streets with houses, fields along the relief, hedges, orchards, woods on slopes and along streams.
+/// The same ground and seed give the same map. At most kLargestKm a side: a larger ground is filled about its middle.
+/// Errors: bounds without ground; PROJ. Cost: some 10 s for 600 km².
+foundation::Result<MadeUpMap> makeUpMap(const GroundOnEarth& ground, const MadeUpSettings& settings);
+
+inline constexpr double kLargestKm = 26.0;
+
+} // namespace worldmaking
