@@ -25,7 +25,7 @@ namespace
 foundation::Outcome checkResultPlaces(const PlayRequest& request)
 {
     std::vector<std::filesystem::path> files{request.output.statsFile, request.output.reportFile,
-                                             request.sound.file};
+                                             request.sound.file, request.output.partsFile};
     std::error_code ignored;
     if (!request.output.captureFolder.empty() &&
         std::filesystem::is_directory(request.output.captureFolder, ignored))
@@ -105,6 +105,12 @@ foundation::Outcome leaveResults(const PlaySession& session, const PlayRequest& 
     if (!request.output.statsFile.empty())
         if (const auto written = writeStatistics(session.statistics(), request.output.statsFile); !written)
             return written;
+    if (session.parts())
+    {
+        std::cout << partsText(session.parts()->costs());
+        if (const auto written = writeParts(session.parts()->costs(), request.output.partsFile); !written)
+            return written;
+    }
     if (!request.output.reportFile.empty())
         return writeReport(reportOf(session, request), session.statistics(), request.output.reportFile);
     return foundation::success();

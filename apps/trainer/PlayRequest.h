@@ -18,6 +18,7 @@
 
 #include "hud/HudUnits.h"
 #include "simulation/player/ExternalMotion.h"
+#include "view/Quality.h"
 
 namespace trainer
 {
@@ -80,6 +81,7 @@ struct FrameRequest
     std::string eyeEntity;  ///< the entity that is watched; empty: as watchedEntity()
     FreeEye freeEye;        ///< with EyePoint::free
     bool hasShadows = true; ///< of the sun, by maps
+    Quality quality = Quality::high;
     std::optional<double>
         eyeHeightM; ///< of a driver above the ground, or of the eye above the car; absent: a usual one
     std::optional<bool>
@@ -123,6 +125,7 @@ struct OutputRequest
     std::filesystem::path reportFile;
     std::string contactSheet;           ///< image file beside the report that the report shows
     std::string video;                  ///< video file beside the report that the report shows
+    std::filesystem::path partsFile{};  ///< what the parts of a picture cost
     std::filesystem::path motionFile{}; ///< a row for each step with the motion of every entity
 };
 
@@ -145,6 +148,7 @@ struct WindowRequest
     std::filesystem::path keysFile;             ///< a test aid: keys at times
     HudUnits units = HudUnits::usual;
     bool choosesSamples = true;   ///< none was asked for: one where a processor draws
+    bool choosesQuality = true;   ///< none was asked for: as pictures are quick
     bool choosesTolerance = true; ///< none was asked for: as pictures are quick
     double pictureS = 0.0;        ///< a test aid: each picture counts as so long; 0: the wall clock
 };

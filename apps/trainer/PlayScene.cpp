@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "PlayScene.h"
 
+#include <limits>
+
 #include "DriveWay.h"
 #include "SceneRoads.h"
 #include "simulation/control/scenario/ScenarioMotions.h"
@@ -34,6 +36,17 @@ void setTolerance(SceneTerrain& terrain, double tolerancePx)
         (void)terrain.terrain->setSettings(settings); // a number of pixels above 0
     }
     if (terrain.roads) setRoadTolerance(*terrain.node, tolerancePx);
+}
+
+void setQuality(PlayScene& play, Quality quality)
+{
+    const QualityRules rules = rulesOf(quality);
+    play.scene->setQuality(rules);
+    if (!play.scenery) return;
+    osgPMObjects::core::SceneBudgetSettings budget = play.scenery->fullBudget;
+    if (budget.budget != std::numeric_limits<std::uint64_t>::max())
+        budget.budget = static_cast<std::uint64_t>(rules.budgetShare * static_cast<double>(budget.budget));
+    (void)play.scenery->node.field->setBudget(budget); // valid, as the whole one is
 }
 
 double nearPlaneM(const simulation::ScenarioObject& ownship, EyePoint eye)
@@ -93,6 +106,7 @@ foundation::Result<PlayScene> PlayScene::create(simulation::Scenario scenario, S
     play.scene = std::make_unique<ScenarioScene>(std::move(*scene));
     play.scene->setShadows(request.frames.hasShadows);
     if (play.scenery) play.scene->sunlit().addChild(play.scenery->node.root);
+    trainer::setQuality(play, request.frames.quality);
     return play;
 }
 

@@ -36,6 +36,9 @@ struct PlayScene
     const simulation::ScenarioObject& ownship() const { return player->scenario().entities[watched]; }
 };
 
+/// Draws with this quality from the next picture on. Terrain and roads keep their tolerance.
+void setQuality(PlayScene& play, Quality quality);
+
 /// Lets terrain and roads err by so many pixels from the next picture on.
 void setTolerance(SceneTerrain& terrain, double tolerancePx);
 

@@ -11,6 +11,7 @@
 
 #include "MeasurePatches.h"
 #include "view/CameraTimings.h"
+#include "view/ProcessorTime.h"
 #include "view/ViewFile.h"
 
 namespace trainer
@@ -103,6 +104,8 @@ foundation::Outcome PlaySession::openPictures(const ViewSetup& setup)
     keepCameraTimings(*_viewer);
     // Patches and samples between those of the raster, as roads have them, exclude each other.
     if (!_request.terrain.patchExponent && _play.terrain.terrain && !_play.terrain.roads) tunePatches();
+    if (!_request.output.partsFile.empty())
+        _parts = std::make_unique<PictureParts>(_play, *_viewer, _contexts);
     return beginCaptures(setup);
 }
 
@@ -167,10 +170,15 @@ foundation::Outcome PlaySession::frame()
     const double frameS = 1.0 / _request.frames.perSecond;
     _play.scene->show(*_play.player);
     const auto begin = std::chrono::steady_clock::now();
+    const double usedMs = processorMs();
     look(_statistics.empty() ? 0.0 : frameS);
-    _viewer->frame(_play.player->timeS());
+    if (_parts)
+        _parts->draw(_play.player->timeS());
+    else
+        _viewer->frame(_play.player->timeS());
     const auto end = std::chrono::steady_clock::now();
     _statistics.push_back(measured());
+    _statistics.back().processorMs = processorMs() - usedMs;
     _statistics.back().wallMs = std::chrono::duration<double, std::milli>(end - begin).count();
     for (auto i = _play.player->clock().stepsPerSecond() / _request.frames.perSecond; i > 0; --i)
     {

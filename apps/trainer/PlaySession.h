@@ -9,6 +9,7 @@
 #include <osgOffscreen/FrameCapture>
 
 #include "OwnshipEye.h"
+#include "PictureParts.h"
 #include "PlayScene.h"
 #include "SceneInterior.h"
 #include "simulation/record/MotionLog.h"
@@ -36,6 +37,7 @@ public:
     bool isFinished() const { return _play.player->isFinished() || _play.player->areMotionsDone(); }
     const std::vector<FrameStatistics>& statistics() const { return _statistics; }
     const simulation::ScenarioPlayer& player() const { return *_play.player; }
+    const PictureParts* parts() const { return _parts.get(); } ///< null: not measured
 
     /// Returns the differences from the scenario and the measurements made before it began, one line each.
     std::vector<std::string> notes() const;
@@ -65,7 +67,8 @@ private:
     std::uint64_t _uploadedBytes = 0;         ///< to the end of the last frame
     std::string _patchNote;
     std::optional<simulation::MotionLog> _log;
-    std::unique_ptr<SoundTrack> _sound; ///< null: not written
+    std::unique_ptr<SoundTrack> _sound;   ///< null: not written
+    std::unique_ptr<PictureParts> _parts; ///< null: not measured
 };
 
 } // namespace trainer

@@ -78,6 +78,16 @@ std::vector<std::string> ScenarioScene::notes() const
     return notes;
 }
 
+void ScenarioScene::setQuality(const QualityRules& rules)
+{
+    osg::StateSet& state = *_root->getStateSet();
+    for (const Quality quality : {Quality::low, Quality::medium})
+        if (const char* const other = rulesOf(quality).define; other != rules.define)
+            state.removeDefine(other);
+    if (rules.define) state.setDefine(rules.define);
+    _sunlit->setSettings(rules.shadows);
+}
+
 /// Switches the traffic lights whose state has changed. A signal that is not drawn is told once.
 void ScenarioScene::showSignals(const std::map<std::string, std::string>& states)
 {

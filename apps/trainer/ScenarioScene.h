@@ -17,6 +17,7 @@
 #include "EntityModel.h"
 #include "SceneTerrain.h"
 #include "simulation/player/ScenarioPlayer.h"
+#include "view/Quality.h"
 
 namespace trainer
 {
@@ -50,6 +51,9 @@ public:
 
     /// Shadows of the sun by maps, or patches below entities alone.
     void setShadows(bool areShown) { _sunlit->setShown(areShown); }
+
+    /// Shadows and shaders of this quality, from the next picture on.
+    void setQuality(const QualityRules& rules);
 
     /// Returns the eye in an entity. Frame: the entity's.
     const glm::dvec3& eyeIn(std::size_t entity) const { return _entities[entity].eye(); }

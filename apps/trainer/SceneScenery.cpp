@@ -151,6 +151,7 @@ foundation::Result<std::optional<SceneScenery>> makeScenery(const SceneryRequest
     if (!node) return node.error();
     std::optional<SceneScenery> made(std::in_place);
     made->node = *std::move(node);
+    made->fullBudget = made->node.field->budget();
     report(placed, *shapes, placingS, made->notes);
     reportUnheeded(*description, made->notes);
     return made;

@@ -18,7 +18,8 @@ namespace trainer
 struct SceneScenery
 {
     scenery::SceneryNode node;
-    std::vector<std::string> notes; ///< number of objects, fields without room, time
+    osgPMObjects::core::SceneBudgetSettings fullBudget; ///< of the scenery file
+    std::vector<std::string> notes;                     ///< number of objects, fields without room, time
 
     /// Returns the figures of the frame drawn last.
     ObjectFigures figures(unsigned int frameNumber) const;

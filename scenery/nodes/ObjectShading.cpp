@@ -30,6 +30,7 @@ void setObjectShading(osg::Node& node, Finish finish)
     state->setAttributeAndModes(program);
     state->addUniform(new osg::Uniform("objectTexture", 0));
     state->addUniform(new osg::Uniform("objectLacquer", finish == Finish::lacquered ? 1.0F : 0.0F));
+    if (finish == Finish::lacquered) state->setDefine("OBJECT_LACQUER");
     state->addUniform(new osg::Uniform("objectLeaves", finish == Finish::foliage ? 1.0F : 0.0F));
     state->addUniform(new osg::Uniform("objectTintMask", 0.0F));
     state->setTextureAttributeAndModes(0, osgPMObjects::whiteTexture());

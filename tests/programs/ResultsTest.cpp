@@ -61,8 +61,8 @@ TEST_F(Results, StatisticsHaveTheKeysThatWereAgreed)
     const auto root = nlohmann::ordered_json::parse(readBytes(_place.path("frames.json")));
     EXPECT_EQ(keysOf(root), (Keys{"frames", "summary"}));
     ASSERT_EQ(root["frames"].size(), 3U);
-    const Keys columns{"triangles", "splits",     "merges", "adaptUs",     "cullMs",
-                       "drawMs",    "maxErrorPx", "wallMs", "uploadBytes", "residentMb"};
+    const Keys columns{"triangles",  "splits", "merges",      "adaptUs",     "cullMs",    "drawMs",
+                       "maxErrorPx", "wallMs", "processorMs", "uploadBytes", "residentMb"};
     Keys row{"frame", "timeS"};
     row.insert(row.end(), columns.begin(), columns.end());
     for (std::size_t i = 0; i < 3; ++i)

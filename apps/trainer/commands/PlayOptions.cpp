@@ -108,6 +108,9 @@ foundation::Outcome PlayOptions::placeWindow()
         return foundation::Error{"--view", "a window has one channel", "leave it or the window out"};
     if (window.isWanted && !request.sound.file.empty())
         return foundation::Error{"--sound", "a window plays what is heard", "leave it or the window out"};
+    if (!request.output.partsFile.empty() && (window.isWanted || !request.output.captureFolder.empty()))
+        return foundation::Error{"--parts", "its pictures lack parts and are not for looking at",
+                                 "leave --window and --capture out"};
     if (window.isWanted && (!request.output.statsFile.empty() || !request.output.reportFile.empty()))
         return foundation::Error{"--window", "--stats and --report are of offscreen pictures",
                                  "leave them or the window out"};
@@ -127,6 +130,8 @@ void PlayOptions::addOutputOptions(CLI::App& command)
                        "WAVE file of what is heard where the eye is, with offscreen pictures");
     command.add_flag("--mute", request.sound.isMuted, "nothing is heard");
     command.add_option("--stats", request.output.statsFile, "JSON file for the statistics of each frame");
+    command.add_option("--parts", request.output.partsFile,
+                       "JSON file for what the parts of a picture cost: each picture leaves out another");
     command.add_option("--report", request.output.reportFile, "HTML file with plots of the statistics");
     command.add_option("--report-sheet", request.output.contactSheet,
                        "image file beside the report, shown in it");
@@ -145,6 +150,12 @@ void PlayOptions::addFrameOptions(CLI::App& command)
     command.add_option("--backend", _backend, "osmesa or egl");
     _samples = command.add_option("--samples", request.frames.samples, "per pixel: 1 or 4")
                    ->check(CLI::IsMember({1, 4}));
+    _quality = command
+                   .add_option("--quality", request.frames.quality,
+                               "low, medium or high: what pictures leave out to be quick "
+                               "(docs/reference/quality.md)")
+                   ->transform(CLI::CheckedTransformer(std::map<std::string, Quality>{
+                       {"low", Quality::low}, {"medium", Quality::medium}, {"high", Quality::high}}));
     command
         .add_option("--shadows", _shadows,
                     "on or off: shadows of the sun on everything (the usual), or below entities alone")
@@ -228,7 +239,9 @@ foundation::Outcome PlayOptions::complete()
     if (const auto placed = placeFreeEye(); !placed) return placed;
     if (const auto placed = placeWindow(); !placed) return placed;
     request.window.choosesSamples = _samples->count() == 0;
+    request.window.choosesQuality = _quality->count() == 0;
     request.window.choosesTolerance = _tolerance->count() == 0;
+    if (_tolerance->count() == 0) request.terrain.errorTolerancePx = rulesOf(frames.quality).tolerancePx;
     if (frames.isInside() && frames.eyeHeightM.value_or(0.0) > kHighestDriverM)
         return foundation::Error{"--eye-height", "no driver's eye is higher than 10 m",
                                  "write a lower one, or --eye above"};

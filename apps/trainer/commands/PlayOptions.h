@@ -44,7 +44,7 @@ private:
     std::vector<double> _freeEye;
     std::string _patchExponent = "0";
     CLI::Option* _window = nullptr;
-    CLI::Option *_samples = nullptr, *_tolerance = nullptr;
+    CLI::Option *_samples = nullptr, *_tolerance = nullptr, *_quality = nullptr;
     std::vector<std::string> _windowPlace;
 };
 

@@ -19,6 +19,7 @@ const std::vector<StatisticsColumn> kLandColumns = {
     {"drawMs", [](const FrameStatistics& f) { return f.drawMs; }, false, true},
     {"maxErrorPx", [](const FrameStatistics& f) { return f.maxErrorPx; }, false, false},
     {"wallMs", [](const FrameStatistics& f) { return f.wallMs; }, false, true},
+    {"processorMs", [](const FrameStatistics& f) { return f.processorMs; }, false, true},
     {"uploadBytes", [](const FrameStatistics& f) { return static_cast<double>(f.uploadBytes); }, true, false},
     {"residentMb", [](const FrameStatistics& f) { return f.residentMb; }, false, true}};
 

@@ -24,7 +24,7 @@ struct ObjectFigures
 };
 
 /// The figures of one frame. Times and memory are measurements; the others follow from scenario and view only.
-/// Units: as the names say; microseconds and milliseconds of one thread, but wallMs.
+/// Units: as the names say; microseconds and milliseconds of one thread, but wallMs and processorMs.
 struct FrameStatistics
 {
     std::uint32_t frame = 0;
@@ -38,6 +38,7 @@ struct FrameStatistics
     double maxErrorPx = 0.0;              ///< bound reached, anywhere in the image
     std::optional<ObjectFigures> objects; ///< absent without a scenery
     double wallMs = 0.0;           ///< from the eye's move to the end of drawing, by the clock on the wall
+    double processorMs = 0.0;      ///< of all threads of the process, in the same time
     std::uint64_t uploadBytes = 0; ///< of the terrain, to all contexts
     double residentMb = 0.0;       ///< memory of the process that is in use
 };

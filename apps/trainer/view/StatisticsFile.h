@@ -14,7 +14,7 @@ namespace trainer
 
 /// Returns the statistics as JSON text:
 /// {"frames": [{"frame", "timeS", "triangles", "splits", "merges", "adaptUs", "cullMs", "drawMs", "maxErrorPx",
-///  "wallMs", "uploadBytes", "residentMb"}, …],
+///  "wallMs", "processorMs", "uploadBytes", "residentMb"}, …],
 ///  "summary": {"frames": n, "triangles": {"first", "median", "p99", "max"}, …}}; median, p99 and max are those of the
 ///  frames behind the first.
 /// With a scenery each frame has, besides, "objectsVisible", "objectsDrawn", "objectsSwitching", "objectTriangles", "objectCullMs" and

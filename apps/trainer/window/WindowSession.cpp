@@ -32,7 +32,8 @@ WindowSession::WindowSession(const PlayRequest& request, RideMaker* maker,
              request.scenario.empty() ? "scenario" : request.scenario.filename().string()),
       _pictures(new PictureTaker(request.window.picturesFolder)),
       _begun(std::chrono::steady_clock::now()),
-      _quality(request.terrain.errorTolerancePx)
+      _quality(request.terrain.errorTolerancePx, request.window.choosesTolerance, request.frames.quality,
+               request.window.choosesQuality)
 {
 }
 
@@ -261,8 +262,11 @@ void WindowSession::measurePicture(std::chrono::steady_clock::time_point begun)
     _times.worstMs = std::max(_times.worstMs, _times.lastMs);
     ++_times.count;
     // Time that counts by pictures gives the same ones on every machine.
-    if (_request.window.pictureS > 0.0 || !_request.window.choosesTolerance) return;
-    if (_quality.add(_times.lastMs)) setTolerance(_play.terrain, _quality.tolerancePx());
+    if (_request.window.pictureS > 0.0) return;
+    const Quality before = _quality.quality();
+    if (!_quality.add(_times.lastMs)) return;
+    if (_quality.quality() != before) setQuality(_play, _quality.quality());
+    setTolerance(_play.terrain, _quality.tolerancePx());
 }
 
 foundation::Outcome WindowSession::run()

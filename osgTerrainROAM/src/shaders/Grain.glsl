@@ -18,15 +18,22 @@ const float kGrainLevels = 9.0; // the image has 2^9 texels a side (GrainImage.c
 // software renderer, which runs both sides of a branch, does end a loop early, and far ground needs half the time.
 vec4 grazingGrain(vec2 at)
 {
+#ifdef PICTURE_LOW
+    const float kMostSamples = 1.0;
+#elif defined(PICTURE_MEDIUM)
+    const float kMostSamples = 2.0;
+#else
+    const float kMostSamples = 4.0;
+#endif
     vec2 alongX = dFdx(at);
     vec2 alongY = dFdy(at);
     float x2 = dot(alongX, alongX);
     float y2 = dot(alongY, alongY);
     float length2 = max(max(x2, y2), 1e-20);
     float cross2 = abs(alongX.x * alongY.y - alongX.y * alongY.x);
-    float span = max(cross2 * inversesqrt(length2), 0.25 * sqrt(length2)); // periods
+    float span = max(cross2 * inversesqrt(length2), sqrt(length2) / kMostSamples); // periods
     float level = log2(span) + kGrainLevels;
-    float samples = level > kGrainLevels - 1.0 ? 1.0 : clamp(ceil(sqrt(length2) / span - 0.1), 1.0, 4.0);
+    float samples = level > kGrainLevels - 1.0 ? 1.0 : clamp(ceil(sqrt(length2) / span - 0.1), 1.0, kMostSamples);
     vec2 stride = (x2 > y2 ? alongX : alongY) / samples;
     vec2 place = at - stride * (0.5 * samples - 0.5);
     vec4 sum = vec4(0.0);

@@ -102,7 +102,9 @@ vec3 groundRadiance(vec3 directionWorld)
     sunlit *= sunShare(directionWorld * length(fromEye), terrainWorldFromLocal * vec3(tilt, sqrt(max(1.0 - dot(tilt, tilt), 0.02))),
                        smoothstep(0.15, 0.6, land.a));
     vec3 colour = albedo * (sunLight() * sunlit + ambientLight(normalWorld) * land.a);
-    if (water > 0.0) colour = mix(colour, waterColour(directionWorld, g), water);
+    // No branch: software drawing leaves out a loop that no pixel of a group enters.
+    for (int i = water > 0.0 ? 0 : 1; i < 1; ++i)
+        colour = mix(colour, waterColour(directionWorld, g), water);
 #ifdef TERRAIN_COVER
     colour += townLight(cover, place.xy, dFdx(fromEye.xy), dFdy(fromEye.xy));
 #endif

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ShadowPlan.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <glm/common.hpp>
@@ -23,22 +24,24 @@ glm::dmat3 lightAxes(const glm::dvec3& sun)
 } // namespace
 
 ShadowPlan ShadowPlan::of(const glm::dvec3& eye, const glm::dvec3& sun,
-                          const std::array<double, kMaps>& reachesM, int texels)
+                          const std::array<double, kMaps>& reachesM, int texels, double cellShare)
 {
     ShadowPlan plan;
     plan.lightFromWorld = lightAxes(sun);
-    const glm::dvec2 eyeInLight(plan.lightFromWorld * eye);
+    const glm::dvec3 eyeInLight = plan.lightFromWorld * eye;
+    const double cellTexels = std::max(std::floor(cellShare * texels), 1.0);
     for (int i = 0; i < kMaps; ++i)
     {
-        const double texelM = 2.0 * reachesM[i] / texels;
-        plan.maps[i] = {glm::floor(eyeInLight / texelM + 0.5) * texelM, reachesM[i]};
+        const double cellM = cellTexels * 2.0 * reachesM[i] / texels;
+        plan.maps[i] = {glm::floor(eyeInLight / cellM + 0.5) * cellM, reachesM[i]};
+        if (cellTexels == 1.0) plan.maps[i].centre.z = eyeInLight.z;
     }
     return plan;
 }
 
 std::array<ShadowMap, ShadowPlan::kMaps> ShadowPlan::from(const glm::dvec3& eye) const
 {
-    const glm::dvec2 eyeInLight(lightFromWorld * eye);
+    const glm::dvec3 eyeInLight = lightFromWorld * eye;
     std::array<ShadowMap, kMaps> seen = maps;
     for (ShadowMap& map : seen)
         map.centre -= eyeInLight;

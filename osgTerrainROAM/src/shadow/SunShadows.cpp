@@ -18,12 +18,13 @@ namespace
 {
 
 constexpr int kMaps = ShadowPlan::kMaps;
+constexpr double kSameSun = 0.9999985; ///< cosine of 0.1 degrees
 
 bool areUsable(const SunShadowSettings& settings)
 {
     return settings.reachesM[0] > 0.0 && std::is_sorted(settings.reachesM.begin(), settings.reachesM.end()) &&
            settings.reachesM[kMaps - 1] <= ShadowPlan::kDepthM && settings.texels >= 64 &&
-           settings.texels <= 4096;
+           settings.texels <= 4096 && settings.cellShare >= 0.0 && settings.cellShare <= 0.2;
 }
 
 /// Four maps, two by two.
@@ -89,23 +90,34 @@ private:
     SunShadows& _shadows;
 };
 
+/// What a map shows: it need not be drawn anew for the same place, light and casters.
+struct SunShadows::Drawn
+{
+    unsigned int context = 0;
+    glm::dmat3 lightFromWorld{0.0};
+    ShadowMap map;
+    std::vector<osg::BoundingSphere> casters; ///< of the children, in their order
+};
+
 /// What one camera knows of the maps: where they lie, if its picture has maps of its own, and what its programs see of them.
 struct SunShadows::View
 {
     osg::observer_ptr<osg::Camera> camera;
     std::optional<unsigned int> frame; ///< of the plan
     ShadowPlan plan, before;           ///< `before`: of the frame before that
+    glm::dvec3 sun{0.0};               ///< of the plan
     osg::ref_ptr<osg::StateSet> state = new osg::StateSet;
     osg::ref_ptr<osg::Uniform> axes = new osg::Uniform(osg::Uniform::FLOAT_MAT3, "sunShadowAxes");
-    osg::ref_ptr<osg::Uniform> maps = new osg::Uniform(osg::Uniform::FLOAT_VEC3, "sunShadowMaps", kMaps);
+    osg::ref_ptr<osg::Uniform> maps = new osg::Uniform(osg::Uniform::FLOAT_VEC4, "sunShadowMaps", kMaps);
 
-    View(osg::Camera& of, osg::Texture2D* texture, int texels) : camera(&of)
+    View(osg::Camera& of, osg::Texture2D* texture, const SunShadowSettings& settings) : camera(&of)
     {
         state->setDataVariance(osg::Object::DYNAMIC);
         state->setDefine("SUN_SHADOWS");
+        if (!settings.isSoft) state->setDefine("SUN_SHADOW_HARD");
         state->setTextureAttribute(kUnit, texture);
         state->addUniform(new osg::Uniform("sunShadowMap", kUnit));
-        state->addUniform(new osg::Uniform("sunShadowTexels", static_cast<float>(texels)));
+        state->addUniform(new osg::Uniform("sunShadowTexels", static_cast<float>(settings.texels)));
         state->addUniform(new osg::Uniform("sunShadowDepthM", static_cast<float>(ShadowPlan::kDepthM)));
         state->addUniform(axes);
         state->addUniform(maps);
@@ -120,25 +132,41 @@ struct SunShadows::View
         axes->set(matrix);
         unsigned int number = 0;
         for (const ShadowMap& map : shown.from(vectorOf(eye)))
-            maps->setElement(number++, osg::Vec3f(osg::Vec3d(map.centre.x, map.centre.y, map.reachM)));
+            maps->setElement(number++,
+                             osg::Vec4f(osg::Vec4d(map.centre.x, map.centre.y, map.centre.z, map.reachM)));
     }
 };
 
 SunShadows::SunShadows(osg::ref_ptr<const Atmosphere> atmosphere, const SunShadowSettings& settings)
-    : _atmosphere(std::move(atmosphere)), _settings(settings)
+    : _atmosphere(std::move(atmosphere))
 {
+    setCullingActive(false); // a shadow is seen where what casts it is not
+    setSettings(settings);
+}
+
+void SunShadows::setSettings(const SunShadowSettings& settings)
+{
+    if (_texture && settings == _settings) return;
+    _settings = settings;
     if (!areUsable(_settings))
     {
         OSG_WARN << "SunShadows: reaches must ascend from above 0 to " << ShadowPlan::kDepthM
-                 << " m, and a map have 64 to 4096 texels; the usual settings are used\n";
+                 << " m, a map have 64 to 4096 texels and a cell a share of 0 to 0.2; the usual settings are "
+                    "used\n";
         _settings = {};
     }
-    setCullingActive(false); // a shadow is seen where what casts it is not
+    makeMaps();
+}
+
+void SunShadows::makeMaps()
+{
+    _views.clear();
     _texture = makeTexture(_settings.texels);
     for (int map = 0; map < kMaps; ++map)
     {
         _cameras[map] = makeCamera(_texture, map, _settings.texels);
         _cameras[map]->addChild(new Casters(*this));
+        _drawn[map] = std::make_unique<Drawn>();
     }
 }
 
@@ -148,7 +176,7 @@ SunShadows::View& SunShadows::viewOf(osg::Camera& camera)
 {
     std::erase_if(_views, [](const auto& entry) { return !entry.second->camera.valid(); });
     std::unique_ptr<View>& view = _views[&camera];
-    if (!view) view = std::make_unique<View>(camera, _texture, _settings.texels);
+    if (!view) view = std::make_unique<View>(camera, _texture, _settings);
     return *view;
 }
 
@@ -160,8 +188,11 @@ const ShadowPlan& SunShadows::planOf(osg::Camera& root, unsigned int frame)
     osg::Vec3d sun = _atmosphere->settings().sunDirectionWorld;
     sun.normalize();
     view.before = view.plan;
-    view.plan = ShadowPlan::of(vectorOf(root.getInverseViewMatrix().getTrans()), vectorOf(sun),
-                               _settings.reachesM, _settings.texels);
+    // Turned axes would draw all maps anew.
+    const bool isKept = _settings.cellShare > 0.0 && glm::dot(view.sun, vectorOf(sun)) > kSameSun;
+    if (!isKept) view.sun = vectorOf(sun);
+    view.plan = ShadowPlan::of(vectorOf(root.getInverseViewMatrix().getTrans()), view.sun, _settings.reachesM,
+                               _settings.texels, _settings.cellShare);
     view.frame = frame;
     return view.plan;
 }
@@ -182,15 +213,54 @@ const ShadowPlan* SunShadows::lastPlan(const osg::Camera& camera, unsigned int f
     return nullptr;
 }
 
+/// Whether a child has moved that casts into a map and not into the nearer one alone.
+bool SunShadows::hasMoved(int map, const ShadowPlan& plan) const
+{
+    const Drawn& drawn = *_drawn[map];
+    if (drawn.casters.size() != getNumChildren()) return true;
+    const auto touches = [&](const osg::BoundingSphere& sphere, const ShadowMap& of, double sign)
+    {
+        const glm::dvec3 away = glm::abs(plan.lightFromWorld * vectorOf(sphere.center()) - of.centre);
+        return std::max(away.x, away.y) + sign * sphere.radius() < of.reachM;
+    };
+    for (unsigned int i = 0; i < getNumChildren(); ++i)
+    {
+        const osg::BoundingSphere &before = drawn.casters[i], now = getChild(i)->getBound();
+        if (before.center() == now.center() && before.radius() == now.radius()) continue;
+        for (const osg::BoundingSphere& sphere : {before, now})
+            if (sphere.valid() && touches(sphere, plan.maps[map], -1.0) &&
+                (map == 0 || !touches(sphere, plan.maps[map - 1], 1.0)))
+                return true;
+    }
+    return false;
+}
+
+/// Whether a map has to be drawn; it counts as drawn then.
+bool SunShadows::needsDrawing(int map, const ShadowPlan& plan, unsigned int context)
+{
+    if (_settings.cellShare == 0.0) return true;
+    Drawn& drawn = *_drawn[map];
+    const bool isSame = drawn.context == context && drawn.lightFromWorld == plan.lightFromWorld &&
+                        drawn.map == plan.maps[map];
+    if (isSame && !hasMoved(map, plan)) return false;
+    drawn = {context, plan.lightFromWorld, plan.maps[map], {}};
+    for (unsigned int i = 0; i < getNumChildren(); ++i)
+        drawn.casters.push_back(getChild(i)->getBound());
+    return true;
+}
+
 void SunShadows::drawMaps(osgUtil::CullVisitor& visitor, const ShadowPlan& plan, const osg::Vec3d& eye)
 {
     const auto maps = plan.from(vectorOf(eye));
+    const unsigned int context = visitor.getState() ? visitor.getState()->getContextID() : 0;
     for (int i = 0; i < kMaps; ++i)
     {
-        const glm::dvec2 low = maps[i].centre - maps[i].reachM, high = low + 2.0 * maps[i].reachM;
+        if (!needsDrawing(i, plan, context)) continue;
+        const glm::dvec3 low = maps[i].centre - maps[i].reachM, high = low + 2.0 * maps[i].reachM;
         _cameras[i]->setViewMatrix(viewMatrix(plan.lightFromWorld, eye));
-        _cameras[i]->setProjectionMatrixAsOrtho(low.x, high.x, low.y, high.y, -ShadowPlan::kDepthM,
-                                                ShadowPlan::kDepthM);
+        _cameras[i]->setProjectionMatrixAsOrtho(low.x, high.x, low.y, high.y,
+                                                -ShadowPlan::kDepthM - maps[i].centre.z,
+                                                ShadowPlan::kDepthM - maps[i].centre.z);
         _cameras[i]->accept(visitor);
     }
 }

@@ -7,6 +7,7 @@ namespace
 {
 
 using trainer::PictureQuality;
+using trainer::Quality;
 
 /// Adds so many pictures; returns how often the tolerance changed.
 int add(PictureQuality& quality, int pictures, double ms)
@@ -41,6 +42,30 @@ TEST(PictureQuality, TakesOneSlowPictureForWhatItIs)
         add(quality, 1, 300.0);
     }
     EXPECT_EQ(quality.tolerancePx(), 2.0);
+}
+
+TEST(PictureQuality, LeavesOutDetailBeforeTheGroundGetsCoarser)
+{
+    PictureQuality quality(1.0, true, Quality::high, true);
+    add(quality, 1, 0.0);
+    add(quality, 10, 200.0);
+    EXPECT_EQ(quality.quality(), Quality::medium);
+    EXPECT_EQ(quality.tolerancePx(), 1.0);
+    add(quality, 10, 200.0);
+    EXPECT_EQ(quality.quality(), Quality::low);
+    add(quality, 10, 200.0);
+    EXPECT_EQ(quality.tolerancePx(), 1.5);
+    add(quality, 20, 20.0);
+    EXPECT_EQ(quality.tolerancePx(), 1.0);
+    EXPECT_EQ(quality.quality(), Quality::medium);
+    EXPECT_EQ(add(quality, 100, 35.0), 0) << "quick enough for this quality, not for the next";
+}
+
+TEST(PictureQuality, KeepsWhatWasAskedFor)
+{
+    PictureQuality quality(1.0, false, Quality::high, false);
+    EXPECT_EQ(add(quality, 200, 500.0) + add(quality, 200, 5.0), 0);
+    EXPECT_EQ(quality.quality(), Quality::high);
 }
 
 } // namespace

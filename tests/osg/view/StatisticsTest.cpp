@@ -64,7 +64,7 @@ TEST(Statistics, JsonHasEveryKeyOfEveryFrame)
     const auto json = nlohmann::json::parse(trainer::statisticsJson(someFrames(5)));
     ASSERT_EQ(json["frames"].size(), 5U);
     for (const char* key : {"frame", "timeS", "triangles", "splits", "merges", "adaptUs", "cullMs", "drawMs",
-                            "maxErrorPx", "wallMs", "uploadBytes", "residentMb"})
+                            "maxErrorPx", "wallMs", "processorMs", "uploadBytes", "residentMb"})
         for (const auto& frame : json["frames"])
             EXPECT_TRUE(frame.contains(key)) << key;
     EXPECT_EQ(json["frames"][3]["triangles"], 1003);

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "PictureParts.h"
+
+#include <chrono>
+
+#include <osg/GL>
+#include <osg/NodeVisitor>
+#include <osgUtil/Statistics>
+#include <osgViewer/Renderer>
+
+#include <osgRoads/RoadDrawable>
+
+#include "view/ProcessorTime.h"
+
+namespace trainer
+{
+
+namespace
+{
+
+/// Shows or hides what is drawn of roads and of the things on them.
+class RoadSwitch : public osg::NodeVisitor
+{
+public:
+    explicit RoadSwitch(bool isShown) : osg::NodeVisitor(TRAVERSE_ALL_CHILDREN), _isShown(isShown)
+    {
+        setNodeMaskOverride(~0U);
+    }
+
+    void apply(osg::Drawable& drawable) override
+    {
+        if (dynamic_cast<osgRoads::RoadDrawable*>(&drawable)) drawable.setNodeMask(_isShown ? ~0U : 0U);
+    }
+
+private:
+    bool _isShown;
+};
+
+void setShown(osg::Node* node, bool isShown)
+{
+    if (node) node->setNodeMask(isShown ? ~0U : 0U);
+}
+
+/// The draws and triangles of what was culled last for a camera, with those of the cameras below it.
+void count(osg::Camera& camera, PictureCost& cost)
+{
+    const auto* const renderer = dynamic_cast<osgViewer::Renderer*>(camera.getRenderer());
+    if (!renderer) return;
+    for (unsigned int i = 0; i < 2; ++i)
+    {
+        osgUtil::SceneView* const view = const_cast<osgViewer::Renderer*>(renderer)->getSceneView(i);
+        if (!view || !view->getRenderStage()) continue;
+        osgUtil::Statistics statistics;
+        if (!view->getStats(statistics)) continue;
+        cost.drawables += statistics.numDrawables;
+        return;
+    }
+}
+
+} // namespace
+
+PictureParts::PictureParts(PlayScene& scene, osgViewer::Viewer& viewer,
+                           const std::vector<osg::ref_ptr<osg::GraphicsContext>>& contexts)
+    : _viewer(viewer), _contexts(contexts)
+{
+    addParts(scene);
+    for (const Part& part : _parts)
+        _costs.push_back({part.name, {}});
+}
+
+void PictureParts::addParts(PlayScene& scene)
+{
+    ScenarioScene* const drawn = scene.scene.get();
+    _parts.push_back({"", [](bool) {}});
+    if (drawn->sunlit().isShown())
+        _parts.push_back({"shadows", [drawn](bool isShown) { drawn->setShadows(isShown); }});
+    if (scene.scenery)
+        _parts.push_back(
+            {"scenery", [root = scene.scenery->node.root](bool isShown) { setShown(root, isShown); }});
+    if (scene.terrain.roads)
+        _parts.push_back({"roads",
+                          [node = scene.terrain.node, things = scene.terrain.roadThings](bool isShown)
+                          {
+                              RoadSwitch roads(isShown);
+                              node->accept(roads);
+                              if (things) setShown(things->node(), isShown);
+                          }});
+    if (scene.terrain.terrain)
+        _parts.push_back(
+            {"ground", [terrain = scene.terrain.terrain](bool isShown) { setShown(terrain, isShown); }});
+    for (unsigned int i = 0; i < drawn->root().getNumChildren(); ++i)
+        if (osg::Node* const node = drawn->root().getChild(i); node->getName() == "sky")
+            _parts.push_back({"sky", [node](bool isShown) { setShown(node, isShown); }});
+}
+
+void PictureParts::draw(double timeS)
+{
+    const std::size_t turn = _pictures % _parts.size();
+    _parts[turn].show(false);
+    PictureCost cost;
+    const auto begin = std::chrono::steady_clock::now();
+    const double usedMs = processorMs();
+    _viewer.frame(timeS);
+    for (const auto& context : _contexts)
+    {
+        context->makeCurrent();
+        glFinish();
+    }
+    cost.processorMs = processorMs() - usedMs;
+    cost.wallMs = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+    for (unsigned int i = 0; i < _viewer.getNumSlaves(); ++i)
+        count(*_viewer.getSlave(i)._camera, cost);
+    _parts[turn].show(true);
+    if (_pictures >= _parts.size()) _costs[turn].pictures.push_back(cost);
+    ++_pictures;
+}
+
+} // namespace trainer

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+
+#include <osgTerrainROAM/SunShadows>
+
+namespace trainer
+{
+
+/// How much of a picture's detail is drawn.
+enum class Quality : std::uint8_t
+{
+    low,
+    medium,
+    high
+};
+
+/// What a quality leaves out. docs/reference/quality.md tells people the same.
+struct QualityRules
+{
+    double tolerancePx; ///< of terrain, roads and single objects, where none was asked for
+    double budgetShare; ///< of the triangles that a scenery file allows
+    const char* define; ///< of the shaders, for cheaper ones; null: none
+    osgTerrainROAM::SunShadowSettings shadows;
+};
+
+inline QualityRules rulesOf(Quality quality)
+{
+    switch (quality)
+    {
+    case Quality::low:
+        return {4.0, 0.2, "PICTURE_LOW", {{15.0, 60.0, 240.0, 2000.0}, 512, 0.125, false}};
+    case Quality::medium:
+        return {2.0, 0.4, "PICTURE_MEDIUM", {{20.0, 90.0, 400.0, 5000.0}, 1024, 0.125, false}};
+    case Quality::high:
+        break;
+    }
+    return {1.0, 1.0, nullptr, {}};
+}
+
+} // namespace trainer
