@@ -37,6 +37,12 @@ enum class EyePoint
     map,    ///< straight down from high above the ownship, north up
 };
 
+/// Whether the eye keeps its distance to the ownship, and so has its speed.
+constexpr bool movesWithOwnship(EyePoint eye)
+{
+    return eye != EyePoint::tower && eye != EyePoint::kerb && eye != EyePoint::free;
+}
+
 /// A camera of fixed place and direction. Frame: the scene's east-north-up. Units: metres, degrees.
 struct FreeEye
 {

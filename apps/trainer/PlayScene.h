@@ -33,6 +33,9 @@ struct PlayScene
     /// Returns one line for each difference from what was asked for.
     std::vector<std::string> notes() const;
 
+    /// Says which eye it is seen from.
+    void setEye(EyePoint eye) { scene->ride(movesWithOwnship(eye) ? std::optional(watched) : std::nullopt); }
+
     const simulation::ScenarioObject& ownship() const { return player->scenario().entities[watched]; }
 };
 

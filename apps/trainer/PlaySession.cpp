@@ -88,6 +88,7 @@ foundation::Outcome PlaySession::openPictures(const ViewSetup& setup)
     _eye = std::make_unique<OwnshipEye>(_play.ownship(), trainOf(_play.player->scenario(), _play.watched),
                                         _play.scene->eyeIn(_play.watched), _request.frames,
                                         _play.terrain.ground());
+    _play.setEye(_request.frames.eye);
     if (_request.frames.isInside()) _play.scene->hide(_play.watched);
     const std::vector<PictureShape> pictures = picturesOf(setup);
     for (const PictureShape& picture : pictures)

@@ -1,49 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ScenarioScene.h"
 
-#include <algorithm>
-#include <map>
-
 #include <osg/Notify>
 
+#include "SceneWeather.h"
 #include "scenery/nodes/Sky.h"
 
 namespace trainer
 {
 
-namespace
-{
-
-/// Returns the cloud cover 0…1 of the cloud states of OpenSCENARIO 1.0 and of 1.2 (oktas).
-double cloudCover(const std::string& state)
-{
-    static const std::map<std::string, double> kCover{
-        {"free", 0.0},      {"cloudy", 0.6},      {"overcast", 1.0},  {"rainy", 1.0},
-        {"zeroOktas", 0.0}, {"oneOktas", 0.125},  {"twoOktas", 0.25}, {"threeOktas", 0.375},
-        {"fourOktas", 0.5}, {"fiveOktas", 0.625}, {"sixOktas", 0.75}, {"sevenOktas", 0.875},
-        {"eightOktas", 1.0}};
-    const auto found = kCover.find(state);
-    return found == kCover.end() ? 0.0 : found->second;
-}
-
-osgTerrainROAM::AtmosphereSettings airOf(const simulation::EnvironmentState& environment)
-{
-    osgTerrainROAM::AtmosphereSettings air;
-    air.sunDirectionWorld =
-        osgTerrainROAM::sunDirectionFromAngles(environment.sun.azimuthDeg, environment.sun.elevationDeg);
-    if (environment.fogVisualRangeM) air.visibilityM = std::max(*environment.fogVisualRangeM, 1.0);
-    air.cloudCover = cloudCover(environment.cloudState);
-    return air;
-}
-
-} // namespace
-
 ScenarioScene::ScenarioScene()
     : _root(new osg::Group),
       _atmosphere(new osgTerrainROAM::Atmosphere),
-      _sunlit(new osgTerrainROAM::SunShadows(_atmosphere))
+      _sunlit(new osgTerrainROAM::SunShadows(_atmosphere)),
+      _roadWetness(new osg::Uniform("roadWetness", 0.0F))
 {
     _atmosphere->addUniformsTo(*_root->getOrCreateStateSet());
+    _root->getStateSet()->addUniform(_roadWetness);
     _root->getStateSet()->setDataVariance(osg::Object::DYNAMIC);
 }
 
@@ -55,6 +28,7 @@ foundation::Result<ScenarioScene> ScenarioScene::create(const simulation::Scenar
     if (terrain.terrain) terrain.terrain->setAtmosphere(scene._atmosphere);
     scene._root->addChild(scenery::makeSky());
     scene._root->addChild(scene._sunlit);
+    scene._root->addChild(&scene._drops.node());
     scene._sunlit->addChild(terrain.node);
     scene._roadThings = terrain.roadThings;
     scene._ground = terrain.ground();
@@ -121,8 +95,17 @@ void ScenarioScene::show(const simulation::ScenarioPlayer& player,
     for (std::size_t i = 0; i < _entities.size(); ++i)
         _entities[i].show(entities[i], light, _ground);
     showSignals(player.signalStates());
-    if (const auto set = _atmosphere->setSettings(airOf(player.environment())); !set)
+    showWeather(player.environment(), player.timeS(), entities);
+}
+
+void ScenarioScene::showWeather(const simulation::EnvironmentState& environment, double timeS,
+                                const std::vector<simulation::EntityState>& entities)
+{
+    if (const auto set = _atmosphere->setSettings(airOf(environment)); !set)
         osg::notify(osg::WARN) << set.error().message() << std::endl;
+    _roadWetness->set(roadWetnessOf(environment));
+    const glm::dvec3 eye = _ridden ? entities[*_ridden].velocity : glm::dvec3(0.0);
+    _drops.show(fallingOf(environment), timeS, windOf(environment), {eye.x, eye.y, eye.z});
 }
 
 } // namespace trainer

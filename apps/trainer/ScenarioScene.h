@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,7 @@
 
 #include "EntityModel.h"
 #include "SceneTerrain.h"
+#include "scenery/nodes/FallingDrops.h"
 #include "simulation/player/ScenarioPlayer.h"
 #include "view/Quality.h"
 
@@ -43,11 +45,14 @@ public:
     /// Whether lamps are on: the sun is lower than 2 degrees.
     static bool isDark(const simulation::EnvironmentState& environment);
 
-    /// Sets entities, traffic lights, sun and atmosphere to the state of the player.
+    /// Sets entities, traffic lights, sun, atmosphere and weather to the state of the player.
     void show(const simulation::ScenarioPlayer& player) { show(player, player.entities()); }
 
     /// The same with entities between two steps.
     void show(const simulation::ScenarioPlayer& player, const std::vector<simulation::EntityState>& entities);
+
+    /// The eye moves with this entity, or stands: drops are streaks by their speed relative to it.
+    void ride(const std::optional<std::size_t>& entity) { _ridden = entity; }
 
     /// Shadows of the sun by maps, or patches below entities alone.
     void setShadows(bool areShown) { _sunlit->setShown(areShown); }
@@ -73,10 +78,15 @@ public:
 private:
     ScenarioScene();
     void showSignals(const std::map<std::string, std::string>& states);
+    void showWeather(const simulation::EnvironmentState& environment, double timeS,
+                     const std::vector<simulation::EntityState>& entities);
 
     osg::ref_ptr<osg::Group> _root;
     osg::ref_ptr<osgTerrainROAM::Atmosphere> _atmosphere;
     osg::ref_ptr<osgTerrainROAM::SunShadows> _sunlit;
+    osg::ref_ptr<osg::Uniform> _roadWetness;
+    scenery::FallingDrops _drops;
+    std::optional<std::size_t> _ridden;
     std::shared_ptr<scenery::RoadThingsNode> _roadThings; ///< null without roads
     std::map<std::string, std::string> _signals;          ///< states that are shown
     simulation::GroundProvider _ground;                   ///< onto which shadows fall

@@ -6,6 +6,7 @@
 
 #include "worldmaking/land/Runways.h"
 #include "worldmaking/madeup/MadeUpMap.h"
+#include "worldmaking/map/ClipShapes.h"
 #include "worldmaking/map/ReadLand.h"
 #include "worldmaking/map/ReadOsm.h"
 #include "worldtool/BuildReport.h"
@@ -58,8 +59,12 @@ struct WholeMap
     worldmaking::LandMap land;
 };
 
-foundation::Result<WholeMap> readMap(const std::filesystem::path& file, const MapBounds& bounds)
+/// `ground`: of the elevation data.
+foundation::Result<WholeMap> readMap(const std::filesystem::path& file, const MapBounds& bounds,
+                                     const MapBounds& ground)
 {
+    constexpr double kMarginDeg = 0.05; // woods and waters go on to the edge of what is seen
+
     WholeMap map;
     if (isOsm(file))
     {
@@ -71,6 +76,7 @@ foundation::Result<WholeMap> readMap(const std::filesystem::path& file, const Ma
     auto land = worldmaking::readLand(file, bounds);
     if (!land) return land.error();
     map.land = std::move(*land);
+    worldmaking::clipTo(ground, kMarginDeg, map.land);
     if (!isOsm(file)) map.streets = worldmaking::streetsOf(map.land);
     return map;
 }
@@ -105,11 +111,12 @@ foundation::Result<Report> build(const Request& request)
                                  "name a folder that can be written"};
     const auto bounds = boundsOf(request);
     if (!bounds) return bounds.error();
-    const bool isMadeUp = request.map.empty();
-    auto map = isMadeUp ? foundation::Result<WholeMap>(WholeMap()) : readMap(request.map, *bounds);
-    if (!map) return map.error();
     const auto ground = loadGround(request.dems);
     if (!ground) return ground.error();
+    const bool isMadeUp = request.map.empty();
+    auto map =
+        isMadeUp ? foundation::Result<WholeMap>(WholeMap()) : readMap(request.map, *bounds, ground->bounds);
+    if (!map) return map.error();
     std::vector<worldmaking::Runway> runways;
     nlohmann::ordered_json madeUp, places = nlohmann::ordered_json::array();
     if (isMadeUp)

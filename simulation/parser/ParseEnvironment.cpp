@@ -17,11 +17,14 @@ Sun parseSun(ElementReader reader)
             reader.optionalNumber("illuminance")};
 }
 
+/// From version 1.1 on millimetres an hour; before, a share of the most, for which heavy rain is taken.
 Precipitation parsePrecipitation(ElementReader reader)
 {
+    constexpr double kMostMmPerHour = 20.0;
     Precipitation precipitation{reader.text("precipitationType"),
                                 reader.optionalNumber("precipitationIntensity")};
-    if (!precipitation.intensity) precipitation.intensity = reader.optionalNumber("intensity"); // 1.0
+    const auto share = reader.optionalNumber("intensity");
+    if (!precipitation.intensity && share) precipitation.intensity = *share * kMostMmPerHour;
     return precipitation;
 }
 

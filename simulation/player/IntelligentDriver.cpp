@@ -3,10 +3,12 @@
 // E 62, 2000, equations 3 and 4.
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "simulation/player/LeadVehicle.h"
-#include "simulation/player/RedLight.h"
 #include "simulation/player/SpeedController.h"
+#include "simulation/player/StopAhead.h"
+#include "simulation/road/StopSignals.h"
 
 namespace simulation
 {
@@ -31,17 +33,14 @@ public:
 
     double speedAfter(ActionScene& scene, int actor) override
     {
-        constexpr double kLookAheadM = 200.0, kLateralM = 5.0, kLightM = 100.0;
-        constexpr double kLightBrakes =
-            2.0; ///< of the comfortable deceleration, to stop at a light that turns
-        constexpr double kBeforeLineM = 1.0;
+        constexpr double kLookAheadM = 200.0, kLateralM = 5.0, kBeforeLineM = 1.0;
         const double share = _desiredMps > 0.0 ? _speedMps / _desiredMps : 1.0;
         double acceleration = 1.0 - share * share * share * share;
         double crowd = 0.0;
         if (const auto lead = leadVehicleOf(scene, actor, kLookAheadM, kLateralM))
             crowd = crowding(lead->gapM, scene.motion(lead->entity).state().speedMps);
-        // A red light is one that stands with its back at the line.
-        if (const auto gapM = redLightAhead(scene, actor, kLightM, kLightBrakes * _decelerationMps2))
+        // A line to stop at is as one that stands with its back at the line.
+        if (const auto gapM = lineAhead(scene, actor))
             crowd = std::max(crowd, crowding(*gapM + _distanceM - kBeforeLineM, 0.0));
         acceleration -= crowd;
         Performance limits = performanceOf(scene.scenario().entities[static_cast<std::size_t>(actor)]);
@@ -55,6 +54,31 @@ public:
     void askFor(double speedMps) override { _desiredMps = speedMps; }
 
 private:
+    /// The gap to the next line at which it has to stop. At a sign it stands for a while, and then goes on.
+    std::optional<double> lineAhead(ActionScene& scene, int actor)
+    {
+        constexpr double kLineM = 100.0, kStandingMps = 0.2, kAtLineM = 3.0, kLookS = 1.5;
+        constexpr double kBrakes = 2.0; ///< of the comfortable deceleration, to stop at a light that turns
+        if (!mayHaveToStop(scene)) return std::nullopt;
+        const auto stop = stopAhead(scene, actor, {kLineM, kBrakes * _decelerationMps2, _servedSignM});
+        if (!stop) return std::nullopt;
+        if (stop->isSign && _speedMps < kStandingMps && stop->gapM < kAtLineM)
+        {
+            _waitedS += scene.stepS();
+            if (_waitedS < kLookS) return stop->gapM;
+            _waitedS = 0.0;
+            _servedSignM = scene.motion(actor).state().odometerM + stop->gapM;
+            return std::nullopt;
+        }
+        return stop->gapM;
+    }
+
+    bool mayHaveToStop(const ActionScene& scene)
+    {
+        if (!_hasSigns) _hasSigns = scene.roads() && hasStopSigns(scene.roads()->network());
+        return *_hasSigns || !scene.signalStates().empty();
+    }
+
     /// How much something ahead slows it down: (s* / s)².
     double crowding(double gapM, double aheadMps) const
     {
@@ -69,6 +93,9 @@ private:
 
     double _speedMps;
     double _desiredMps, _distanceM, _headwayS, _accelerationMps2, _decelerationMps2;
+    double _waitedS = 0.0; ///< at the sign ahead
+    std::optional<double> _servedSignM;
+    std::optional<bool> _hasSigns; ///< in the network; nothing: not looked for yet
 };
 
 } // namespace

@@ -11,8 +11,13 @@ namespace
 using osgRoads::core::LaneValidity;
 using osgRoads::core::Signal;
 
-constexpr const char* kStopSign = "206";
 constexpr const char* kLights = "1000001";
+
+bool isStopSign(const Signal& signal)
+{
+    return signal.type == "206" ||
+           (signal.country == "se" && (signal.type == "b" || signal.type == "B") && signal.subtype == "2");
+}
 
 bool holdsFor(char orientation, const std::vector<LaneValidity>& validities, int lane, bool isForward)
 {
@@ -44,10 +49,10 @@ std::vector<RoadStop> stopsBetween(const osgRoads::core::RoadNetwork& network, i
     const auto add =
         [&](const Signal& signal, double sM, char orientation, const std::vector<LaneValidity>& validities)
     {
-        if (signal.type != kStopSign && signal.type != kLights) return;
+        if (!isStopSign(signal) && signal.type != kLights) return;
         if (sM < std::min(fromM, toM) || sM > std::max(fromM, toM)) return;
         if (!holdsFor(orientation, validities, lane, isForward)) return;
-        stops.push_back({sM, signal.type == kStopSign ? std::string() : signal.id});
+        stops.push_back({sM, isStopSign(signal) ? std::string() : signal.id});
     };
     for (const Signal& signal : under.signals)
         add(signal, signal.s, signal.orientation, signal.validities);
@@ -58,6 +63,13 @@ std::vector<RoadStop> stopsBetween(const osgRoads::core::RoadNetwork& network, i
                      [&](const RoadStop& a, const RoadStop& b)
                      { return isForward ? a.sM < b.sM : a.sM > b.sM; });
     return stops;
+}
+
+bool hasStopSigns(const osgRoads::core::RoadNetwork& network)
+{
+    return std::any_of(network.roads.begin(), network.roads.end(),
+                       [](const osgRoads::core::Road& road)
+                       { return std::any_of(road.signals.begin(), road.signals.end(), isStopSign); });
 }
 
 bool letsPass(const std::string& state)

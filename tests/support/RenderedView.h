@@ -37,6 +37,14 @@ struct ViewScene
     osg::ref_ptr<osg::Group> root;
 };
 
+inline osgOffscreen::OffscreenSettings smallPicture()
+{
+    osgOffscreen::OffscreenSettings settings;
+    settings.widthPx = 160;
+    settings.heightPx = 120;
+    return settings;
+}
+
 /// A picture of a scene from an eye, 40° high.
 inline osg::ref_ptr<osg::Image> pictureFrom(osg::Node* scene, const scenery::Pose& eye,
                                             const osgOffscreen::OffscreenSettings& settings)

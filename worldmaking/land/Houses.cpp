@@ -17,6 +17,7 @@
 #include "worldmaking/land/PlanGrid.h"
 #include "worldmaking/land/Waters.h"
 #include "worldmaking/map/GdalScope.h"
+#include "worldmaking/map/OgrPolygon.h"
 
 namespace worldmaking
 {
@@ -31,20 +32,6 @@ bool isUnderground(const Tags& tags)
     if (valueOf(tags, "location") == "underground") return true;
     const std::string_view layer = valueOf(tags, "layer");
     return !layer.empty() && layer.front() == '-';
-}
-
-std::unique_ptr<OGRPolygon> polygonOf(const PlanRings& rings)
-{
-    auto polygon = std::make_unique<OGRPolygon>();
-    for (const auto& ring : rings)
-    {
-        auto* const line = new OGRLinearRing; // the polygon's from here on
-        for (const glm::dvec2& corner : ring)
-            line->addPoint(corner.x, corner.y);
-        line->closeRings();
-        polygon->addRingDirectly(line);
-    }
-    return polygon;
 }
 
 /// Leaves out houses that lie over larger ones.

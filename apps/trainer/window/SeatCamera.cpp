@@ -56,6 +56,7 @@ void SeatCamera::setView(std::size_t view)
     const bool hasBeen = _eye != nullptr;
     _view = view % kViewEyes.size();
     _frames.eye = kViewEyes[_view];
+    _play.setEye(_frames.eye);
     if (hasBeen) _frames.eyeHeightM.reset(); // that of the command line was for its own view
     if (_frames.eye == EyePoint::above && !_frames.eyeHeightM) _frames.eyeHeightM = kAboveInstrumentsM;
     _turnedDeg = _raisedDeg = 0.0;

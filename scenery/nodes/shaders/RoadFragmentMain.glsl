@@ -1,22 +1,37 @@
 // SPDX-License-Identifier: Apache-2.0
 // Lights the road by the atmosphere's sun and sky and hazes it as the terrain is hazed. A road seen along its surface mirrors the sky a little.
-// Source: Schlick, An inexpensive BRDF model for physically-based rendering (1994), section 4: the Fresnel term.
+// A wet one is darker, since light that its film of water throws back enters it again, and mirrors the sky as water does, where the film lies
+// unbroken: in patches, more of them the wetter it is.
+// Source: Schlick, An inexpensive BRDF model for physically-based rendering (1994), section 4: the Fresnel term; Lekner and Dorf, Why some
+// things are darker when wet (1988), section 4: rough dark surfaces lose some two fifths.
+
+uniform float roadWetness; // 0 dry ... 1 with puddles
+
+float waterFilm()
+{
+    float patches = texture(roadGrain, roadGround * 0.03125).b + 0.5 * (texture(roadGrain, roadGround * 0.125).g - 0.5);
+    return smoothstep(0.95 - roadWetness, 1.30 - roadWetness, patches);
+}
+
+vec3 mirroring(vec3 lit, vec3 towards, vec3 normal)
+{
+    float grazing = 1.0 - max(-dot(normal, towards), 0.0);
+    float fresnel = 0.12 * pow(grazing, 6.0);
+    if (roadWetness > 0.0) fresnel = mix(fresnel, 0.02 + 0.98 * pow(grazing, 5.0), 0.8 * waterFilm());
+    vec3 mirrored = reflect(towards, normal);
+    return mix(lit, skyColour(vec3(mirrored.xy, max(mirrored.z, 0.0))), fresnel);
+}
 
 void main()
 {
 #ifndef SUN_SHADOW_MAP // depth alone
-    vec3 albedo = roadAlbedo();
+    vec3 albedo = roadAlbedo() * (1.0 - 0.4 * min(roadWetness * 1.25, 1.0));
     float distanceM = length(roadFromEye);
     vec3 towards = roadFromEye / distanceM;
     vec3 normal = normalize(roadNormalWorld);
     float sunlit = max(dot(normal, sunDirection()), 0.0) * sunShare(roadFromEye, normal, 1.0);
     vec3 lit = albedo * (sunLight() * sunlit + ambientLight(normal));
-    if (roadKind < 5)
-    {
-        float fresnel = 0.12 * pow(1.0 - max(-dot(normal, towards), 0.0), 6.0);
-        vec3 mirrored = reflect(towards, normal);
-        lit = mix(lit, skyColour(vec3(mirrored.xy, max(mirrored.z, 0.0))), fresnel);
-    }
+    if (roadKind < 5) lit = mirroring(lit, towards, normal);
     gl_FragColor = vec4(displayColour(applyHaze(lit, towards, distanceM)), roadShown());
 #endif
 }

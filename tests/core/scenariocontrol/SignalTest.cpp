@@ -81,6 +81,43 @@ TEST(SignalsAhead, TrafficDrivesThroughALightThatTurnsTooLate)
     EXPECT_NEAR(ego(*player).position.x, 100.0 + 15.0 * 20.0, 2.0);
 }
 
+TEST(SignalsAhead, TrafficStopsAtASignLooksAndGoesOn)
+{
+    simulation::ScenarioText text = followed(15.0);
+    text.globals = light("green");
+    auto player = played(text, 25.0, withSignals());
+    ASSERT_TRUE(player);
+    double slowestMps = 15.0, stoodAtM = 0.0, stoodS = 0.0;
+    for (double timeS = 25.1; timeS < 90.0; timeS += 0.1)
+    {
+        playTo(*player, timeS);
+        const double speedMps = ego(*player).speedMps;
+        if (speedMps < 0.2) stoodS += 0.1;
+        if (speedMps >= slowestMps) continue;
+        slowestMps = speedMps;
+        stoodAtM = ego(*player).position.x;
+    }
+    EXPECT_LT(slowestMps, 0.2);
+    EXPECT_NEAR(stoodAtM + 3.9, 599.0, 1.0);
+    EXPECT_GT(stoodS, 1.4);
+    EXPECT_LT(stoodS, 4.0);
+    EXPECT_GT(ego(*player).position.x, 700.0);
+}
+
+TEST(SignalsAhead, ASignForTheOtherDirectionStopsNobody)
+{
+    std::string turned = signals();
+    const std::size_t sign = turned.find("id=\"8\"");
+    turned.replace(turned.find("orientation=\"+\"", sign), 15, "orientation=\"-\"");
+    Stage stage;
+    stage.roads = straight(turned);
+    simulation::ScenarioText text = followed(15.0);
+    text.globals = light("green");
+    const auto player = played(text, 40.0, stage);
+    ASSERT_TRUE(player);
+    EXPECT_NEAR(ego(*player).position.x, 100.0 + 15.0 * 40.0, 3.0);
+}
+
 TEST(SignalsAhead, AGreenLightStopsNobody)
 {
     simulation::ScenarioText text = driven(15.0);

@@ -10,6 +10,7 @@
 #include "Compositions.h"
 #include "RenderedScene.h"
 #include "SyntheticField.h"
+#include "scenery/nodes/FallingDrops.h"
 #include "scenery/nodes/InteriorShading.h"
 #include "scenery/nodes/LampGlow.h"
 #include "scenery/nodes/ObjectShading.h"
@@ -74,6 +75,7 @@ std::vector<NamedProgram> objectPrograms()
             {"interior of a vehicle", scenery::makeInteriorProgram()},
             {"mirror", scenery::makeMirrorProgram()},
             {"lamp glow", scenery::makeLampGlowProgram()},
+            {"falling drops", scenery::makeFallingDropsProgram()},
             {"sun shadow", scenery::makeSunShadowProgram()},
             {"sky", programOf(scenery::makeSky()->getStateSet())},
             {"tests' triangle", programOf(rendered::shadedTriangle(0.0F)->getStateSet())}};

@@ -12,14 +12,6 @@ using osgTerrainROAM::sunDirectionFromAngles;
 namespace
 {
 
-osgOffscreen::OffscreenSettings smallPicture()
-{
-    osgOffscreen::OffscreenSettings settings;
-    settings.widthPx = 160;
-    settings.heightPx = 120;
-    return settings;
-}
-
 AtmosphereSettings sunAt(double elevationDeg)
 {
     AtmosphereSettings air;
@@ -55,7 +47,8 @@ osg::ref_ptr<osg::Image> towardsHorizon(const AtmosphereSettings& air, const glm
 {
     const rendered::ViewScene scene(air);
     const glm::dvec3 eye(0.0, 0.0, 2.0);
-    return rendered::pictureFrom(scene.root, scenery::poseLookingAt(eye, eye + direction), smallPicture());
+    return rendered::pictureFrom(scene.root, scenery::poseLookingAt(eye, eye + direction),
+                                 rendered::smallPicture());
 }
 
 } // namespace
@@ -99,7 +92,7 @@ TEST(Sky, TheSunStandsWhereItIsSaidToBe)
     const osg::Vec3d sun = air.sunDirectionWorld;
     const scenery::Pose eye =
         scenery::poseLookingAt({0, 0, 2}, {sun.x() * 100, sun.y() * 100, 2 + sun.z() * 100});
-    const auto picture = rendered::pictureFrom(scene.root, eye, smallPicture());
+    const auto picture = rendered::pictureFrom(scene.root, eye, rendered::smallPicture());
     const auto level = [&](unsigned x, unsigned y)
     { return picture->data(x, y)[0] + picture->data(x, y)[1]; };
     EXPECT_GT(level(80, 60), level(60, 60));
@@ -111,8 +104,8 @@ TEST(Sky, StarsComeOutAtNightOnly)
     const auto brightest = [](double elevationDeg)
     {
         const rendered::ViewScene scene(sunAt(elevationDeg));
-        const auto picture =
-            rendered::pictureFrom(scene.root, scenery::poseLookingAt({0, 0, 2}, {0, 1, 3}), smallPicture());
+        const auto picture = rendered::pictureFrom(scene.root, scenery::poseLookingAt({0, 0, 2}, {0, 1, 3}),
+                                                   rendered::smallPicture());
         int largest = 0;
         for (unsigned y = 1; y < 120; ++y)
             for (unsigned x = 1; x < 160; ++x)
