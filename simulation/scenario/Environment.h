@@ -31,7 +31,7 @@ struct Sun
 
 struct Precipitation
 {
-    std::string type; ///< dry, rain, snow
+    std::string type;                ///< dry, rain, snow
     std::optional<double> intensity; ///< mm/h
 
     bool operator==(const Precipitation&) const = default;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Frames of the trainer itself, compared byte for byte: a flight, a drive at dusk with scenery, a drive through two channels, a
-// tour with scenery. Each is the last of some frames, so that speeds and clocks count. Written anew by
+// Frames of the trainer itself, compared byte for byte: a flight, a drive at dusk with scenery, a drive through two channels, one
+// in rain, a tour with scenery. Each is the last of some frames, so that speeds and clocks count. Written anew by
 // OSGTRAINER_WRITE_GOLDEN=1 ctest -R TrainerGolden; tests/faults seeds faults that these frames must show.
 #include <osgOffscreen/OffscreenContext>
 #include <osgOffscreen/PngFile>
@@ -112,6 +112,23 @@ std::string pastCrateText(const std::string& time, const std::string& clouds)
     return overHill(text);
 }
 
+/// A car on a wet road in rain and wind.
+std::string rainText()
+{
+    simulation::ScenarioText text;
+    text.globals =
+        "<GlobalAction><EnvironmentAction><Environment name=\"rain\"><Weather><Precipitation "
+        "precipitationType=\"rain\" precipitationIntensity=\"6\"/><Wind direction=\"1\" speed=\"5\"/>"
+        "</Weather><RoadCondition frictionScaleFactor=\"1\" wetness=\"wetWithPuddles\"/>"
+        "</Environment></EnvironmentAction></GlobalAction>";
+    text.privates = simulation::teleport("<LanePosition roadId=\"1\" laneId=\"-1\" s=\"20\"/>") +
+                    simulation::speedAction(15.0);
+    text.stop = simulation::stopAt(4.0);
+    return with(text.text(), "<RoadNetwork/>",
+                "<RoadNetwork><LogicFile filepath=\"" OSGTRAINER_SOURCE_DIR
+                "/data/scenarios/physics.xodr\"/></RoadNetwork>");
+}
+
 constexpr const char* kTwoChannels = R"(<View nearM="0.5">
 <Channel name="left" widthPx="160" heightPx="120" yawDeg="-22" fovXDeg="44"/>
 <Channel name="right" widthPx="160" heightPx="120" yawDeg="22" pitchDeg="-3" xM="0.5" yM="-1" zM="0.4">
@@ -166,6 +183,14 @@ TEST(TrainerGolden, ATourWithScenery)
         captured(place, {"tour", place.hill(), "--scenery", place.write("s.json", kBelowTheTour), "--fps",
                          "2", "--size", "240x135"});
     EXPECT_TRUE(matches(frames / "frame_00004.png", "trainer-tour"));
+}
+
+TEST(TrainerGolden, ADriveInRain)
+{
+    const Workplace place;
+    const std::string file = place.write("rain.xosc", rainText());
+    const auto frames = captured(place, {"play", file, "--eye", "chase", "--fps", "4", "--size", "240x135"});
+    EXPECT_TRUE(matches(frames / "frame_00004.png", "trainer-rain"));
 }
 
 /// The comparison can fail: two minutes move the sun by half a degree.
