@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "PlayScene.h"
 
+#include <algorithm>
 #include <limits>
+#include <memory>
 
 #include "DriveWay.h"
+#include "RoadsInScene.h"
 #include "SceneRoads.h"
 #include "simulation/control/scenario/ScenarioMotions.h"
 #include "simulation/road/ScenarioRoads.h"
@@ -23,6 +26,18 @@ foundation::Outcome configure(osgTerrainROAM::RoamTerrain& terrain, const Terrai
     settings.morphing = request.morphing;
     settings.patchExponent = request.patchExponent.value_or(0);
     return terrain.setSettings(settings);
+}
+
+/// The roads of a scenario where the scene shows them: those of a georeferenced world lie in its frame, not in that of their file.
+std::shared_ptr<const simulation::RoadScene> inScene(std::shared_ptr<const simulation::RoadScene> roads,
+                                                     const SceneTerrain& terrain)
+{
+    if (!roads || !terrain.roads || !terrain.origin()) return roads;
+    const auto &named = roads->network().roads, &shown = terrain.roads->network().roads;
+    const bool isSame =
+        std::equal(named.begin(), named.end(), shown.begin(), shown.end(),
+                   [](const auto& a, const auto& b) { return a.id == b.id && a.length == b.length; });
+    return isSame ? std::make_shared<const simulation::RoadScene>(roadsInScene(*terrain.roads)) : roads;
 }
 
 } // namespace
@@ -71,7 +86,7 @@ foundation::Result<simulation::PlayerOptions> playerOptionsOf(const simulation::
     {
         auto roads = simulation::openRoads(scenario, request.scenario.parent_path());
         if (!roads) return roads.error();
-        stage.roads = std::move(*roads);
+        stage.roads = inScene(std::move(*roads), terrain);
     }
     stage.motions = request.motions;
     return stage;

@@ -56,18 +56,41 @@ std::optional<scenery::models::Kind> kindOf(const MapShape& shape)
                                                        : scenery::models::Kind::oak;
 }
 
-/// The settings by which a kind is drawn.
+/// Vehicles by the continuous rule T with geomorph: level by level as far as the vertex.
+void drawContinuously(scenery::SceneryField& field)
+{
+    field.selection.settings.method = osgPMObjects::core::SelectionMethod::continuous;
+    field.selection.settings.continuousBand = 1.1;
+    field.selection.settings.alpha = osgPMObjects::core::AlphaRange{1500.0, 2000.0};
+    field.switching.method = osgPMObjects::core::SwitchMethod::geomorph;
+}
+
+/// Houses by ranges that overlap.
+void drawByRanges(scenery::SceneryField& field)
+{
+    field.selection.settings.method = osgPMObjects::core::SelectionMethod::overlappingRanges;
+    field.selection.boundariesM = {120.0, 300.0, 700.0, 1600.0};
+    field.selection.facesPercent = {100.0, 60.0, 30.0, 14.0, 6.0};
+    field.selection.settings.alpha = osgPMObjects::core::AlphaRange{0.9 * kHousesGoneM, kHousesGoneM};
+    field.switching.method = osgPMObjects::core::SwitchMethod::blend;
+}
+
+/// The settings by which a kind is drawn: trees share a budget.
 scenery::SceneryField fieldOf(const scenery::SceneryObject& object, std::size_t number)
 {
     scenery::SceneryField field;
     field.name = std::to_string(number);
     field.objects = {object};
-    const bool isTree = *object.kind <= scenery::models::Kind::bush;
-    field.selection.settings.method = isTree ? osgPMObjects::core::SelectionMethod::budget
-                                             : osgPMObjects::core::SelectionMethod::screenError;
-    field.selection.settings.leastFaces = isTree ? 24 : 0;
-    field.selection.settings.alpha = osgPMObjects::core::AlphaRange{isTree ? kTreesFadeM : 0.9 * kHousesGoneM,
-                                                                    isTree ? kTreesGoneM : kHousesGoneM};
+    if (*object.kind >= scenery::models::Kind::saloon)
+        drawContinuously(field);
+    else if (*object.kind >= scenery::models::Kind::familyHouse)
+        drawByRanges(field);
+    else
+    {
+        field.selection.settings.method = osgPMObjects::core::SelectionMethod::budget;
+        field.selection.settings.leastFaces = 24;
+        field.selection.settings.alpha = osgPMObjects::core::AlphaRange{kTreesFadeM, kTreesGoneM};
+    }
     return field;
 }
 

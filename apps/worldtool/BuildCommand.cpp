@@ -118,6 +118,8 @@ foundation::Result<Report> build(const Request& request)
         isMadeUp ? foundation::Result<WholeMap>(WholeMap()) : readMap(request.map, *bounds, ground->bounds);
     if (!map) return map.error();
     std::vector<worldmaking::Runway> runways;
+    bool hasSea = false;
+    std::vector<worldmaking::MadeUpPlace> madePlaces;
     nlohmann::ordered_json madeUp, places = nlohmann::ordered_json::array();
     if (isMadeUp)
     {
@@ -127,6 +129,8 @@ foundation::Result<Report> build(const Request& request)
         map->streets = worldmaking::streetsOf(map->land);
         runways = std::move(made->runways);
         madeUp = rowOf(made->report);
+        hasSea = made->hasSea;
+        madePlaces = made->places;
         for (const worldmaking::MadeUpPlace& place : made->places)
             places.push_back(
                 {{"kind", place.kind}, {"longitudeDeg", place.degrees.x}, {"latitudeDeg", place.degrees.y}});
@@ -138,7 +142,9 @@ foundation::Result<Report> build(const Request& request)
         if (!read) return read.error();
         runways.insert(runways.end(), read->begin(), read->end());
     }
-    WorldMaker maker({request, map->streets, map->land, *bounds, runways, unusableRunways}, ground->heightM);
+    WorldMaker maker({request, map->streets, map->land, *bounds, runways, unusableRunways, hasSea, madePlaces,
+                      ground->placeInScene},
+                     ground->heightM);
     if (isMadeUp) maker.report.json["madeUp"] = madeUp;
     if (isMadeUp) maker.report.json["places"] = places;
     if (const auto made = maker.make(); !made) return made.error();

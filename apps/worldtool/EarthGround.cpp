@@ -54,9 +54,17 @@ foundation::Result<EarthGround> loadGround(const std::vector<std::filesystem::pa
     if (tile->frame().placement() == osgTerrainROAM::core::Placement::planar)
         return foundation::Error{dems.front().string(), "has no georeference, so no map fits it",
                                  "give elevation data with a coordinate reference system"};
-    return EarthGround{[tile](double latitudeDeg, double longitudeDeg)
-                       { return heightOf(*tile, latitudeDeg, longitudeDeg); },
-                       boundsOf(*tile)};
+    return EarthGround{
+        [tile](double latitudeDeg, double longitudeDeg)
+        { return heightOf(*tile, latitudeDeg, longitudeDeg); },
+        boundsOf(*tile),
+        [tile](const glm::dvec2& degrees)
+        {
+            const double heightM = heightOf(*tile, degrees.y, degrees.x).value_or(0.0);
+            const auto& frame = tile->frame();
+            const glm::dvec2 grid = frame.gridAt(frame.localFromGeodetic({degrees.y, degrees.x, 0.0}));
+            return frame.positionAt(grid.x, grid.y, heightM);
+        }};
 }
 
 } // namespace worldtool

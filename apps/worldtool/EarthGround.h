@@ -2,9 +2,11 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <vector>
 
 #include <foundation/Result.h>
+#include <glm/glm.hpp>
 
 #include "worldmaking/map/LandMap.h"
 #include "worldmaking/streets/BuildStreets.h"
@@ -17,6 +19,8 @@ struct EarthGround
 {
     worldmaking::GroundOnEarth heightM; ///< by latitude and longitude, in the datum of the samples
     worldmaking::MapBounds bounds;
+    /// Where the ground is in the scene that shows the data: metres east and north of their middle, and up.
+    std::function<glm::dvec3(const glm::dvec2& degrees)> placeInScene;
 };
 
 /// Loads elevation rasters. Errors: those of importDems(); a raster without georeference.

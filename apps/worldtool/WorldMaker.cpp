@@ -10,8 +10,10 @@
 
 #include "worldmaking/land/HouseFile.h"
 #include "worldmaking/land/LandUse.h"
+#include "worldmaking/land/ModelPoints.h"
 #include "worldmaking/land/Trees.h"
 #include "worldtool/BuildReport.h"
+#include "worldtool/RideFiles.h"
 
 namespace worldtool
 {
@@ -44,6 +46,9 @@ foundation::Outcome WorldMaker::make()
     }
     if (auto made = makeHouses(*plane, room); !made) return made;
     if (auto made = makeLand(*plane, room, streets->network.header.geoReference); !made) return made;
+    if (const RideSource rides{streets->network, *plane, _source.places, _runways, _source.placeInScene};
+        !_source.places.empty())
+        if (auto written = writeRides(rides, _source.request.world); !written) return written;
     if (auto written = foundation::writeWholeFile(file("report.json"), report.json.dump(2) + '\n'); !written)
         return written;
     return foundation::writeWholeFile(file("world.roam"), describe());
@@ -88,6 +93,10 @@ foundation::Outcome WorldMaker::makeLand(const worldmaking::MapPlane& plane,
     _hasCover = land.coverAreas > 0;
     if (_hasCover)
         if (auto written = cover.write(file("landcover.tif"), proj); !written) return written;
+    const auto models = worldmaking::writeModels(_source.land, plane, room, file("objects.gpkg"));
+    if (!models) return models.error();
+    _hasModels = *models > 0;
+    report.json["models"] = {{"standing", *models}};
     const auto height = [&](const glm::dvec2& plan) { return heightM(plane, plan); };
     const auto trees =
         worldmaking::treesOf(_source.land, plane, {room, cover, _houses, _strips}, height, plants);
@@ -113,6 +122,8 @@ std::string WorldMaker::describe() const
     text << "roads = roads.xodr\nroads_heights = file\nfinest_spacing = " << kRoadSampleM << '\n';
     if (!_houses.empty()) text << "buildings = buildings.gpkg\n";
     if (_hasTrees) text << "objects = trees.gpkg\n";
+    if (_hasModels) text << "objects = objects.gpkg\n";
+    if (_source.hasSea) text << "sea_level = 0\n";
     if (_hasGround) text << "features = ground.gpkg\n";
     if (_hasCover) text << "land_cover = landcover.tif\nland_cover_classes = worldcover\n";
     return text.str();

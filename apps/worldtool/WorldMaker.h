@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <span>
 
 #include <foundation/Result.h>
@@ -8,6 +9,7 @@
 #include "worldmaking/land/Houses.h"
 #include "worldmaking/land/PlanGrid.h"
 #include "worldmaking/land/Runways.h"
+#include "worldmaking/madeup/MadeUpMap.h"
 #include "worldmaking/streets/BuildStreets.h"
 #include "worldtool/Commands.h"
 
@@ -23,6 +25,9 @@ struct WorldSource
     worldmaking::MapBounds bounds;
     std::span<const worldmaking::Runway> runways;
     std::size_t unusableRunways = 0;
+    bool hasSea = false;                                ///< at height 0: the world says so
+    std::span<const worldmaking::MadeUpPlace> places{}; ///< of a made-up map, which gets scenarios
+    std::function<glm::dvec3(const glm::dvec2& degrees)> placeInScene{};
 };
 
 /// Makes the parts of a world one after the other, and writes each as it is made; world.roam comes last.
@@ -53,7 +58,7 @@ private:
     std::vector<worldmaking::House> _houses;
     std::vector<worldmaking::Runway> _runways; ///< those on the ground
     std::vector<worldmaking::PlanRings> _strips;
-    bool _hasGround = false, _hasCover = false, _hasTrees = false;
+    bool _hasGround = false, _hasCover = false, _hasTrees = false, _hasModels = false;
 };
 
 } // namespace worldtool

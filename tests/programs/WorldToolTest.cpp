@@ -149,6 +149,52 @@ Extremes extremesOf(const osgRoads::core::RoadNetwork& network)
     return extremes;
 }
 
+/// A plain with hills in the north, 7 km wide.
+std::string writeHills(const TestFolder& folder)
+{
+    constexpr int kSide = 91;
+    std::string text = "ncols 91\nnrows 91\nxllcorner 1.455\nyllcorner 42.465\ncellsize 0.001\n";
+    for (int row = 0; row < kSide; ++row)
+    {
+        for (int column = 0; column < kSide; ++column)
+        {
+            const double rise = std::max(0, 40 - row);
+            text += std::to_string(400.0 + 6.0 * rise + 2.5 * rise * std::sin(0.2 * column)) + ' ';
+        }
+        text += '\n';
+    }
+    folder.write("hills.prj", testsupport::bytesOf(folder / "flat.prj"));
+    return folder.write("hills.asc", text).string();
+}
+
+TEST(WorldTool, WithoutAMapItMakesOneUpThatStandsRight)
+{
+    const TestFolder folder("worldtool");
+    (void)writeGround(folder);
+    const std::string hills = writeHills(folder);
+    const auto built = [&](const char* world, const char* seed) {
+        return runWorldTool({"build", hills, "--seed", seed, "-o", (folder / world).string()});
+    };
+    ASSERT_TRUE(succeeds(built("a", "1")));
+    ASSERT_TRUE(succeeds(built("b", "1")));
+    ASSERT_TRUE(succeeds(built("c", "2")));
+    for (const char* file :
+         {"roads.xodr", "buildings.gpkg", "ground.gpkg", "trees.gpkg", "objects.gpkg", "drive.xosc"})
+    {
+        const std::string a = testsupport::bytesOf(folder / "a" / file);
+        EXPECT_FALSE(a.empty()) << file;
+        EXPECT_EQ(a, testsupport::bytesOf(folder / "b" / file)) << file;
+        EXPECT_NE(a, testsupport::bytesOf(folder / "c" / file)) << file;
+    }
+    const std::string report = (folder / "report.json").string();
+    EXPECT_TRUE(succeeds(runWorldTool({"check", (folder / "a").string(), "--json", report})));
+    const auto found = nlohmann::json::parse(testsupport::bytesOf(report));
+    EXPECT_GT(found["objects"].get<int>(), 500);
+    EXPECT_GT(found["roadsKm"].get<double>(), 2.0);
+    EXPECT_TRUE(failsWith(runWorldTool({"build", hills, "--map", "x.osm", "--seed", "2", "-o", "y"}), 2,
+                          "worldtool", {"--seed"}));
+}
+
 TEST(WorldTool, ACountryOfRealStreetsHasNoOpenJointAndNoSteepRoad)
 {
     OSGTRAINER_REAL_DATA_OR_SKIP(map, "osm/andorra.osm.pbf");

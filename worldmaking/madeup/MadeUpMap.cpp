@@ -80,6 +80,7 @@ foundation::Result<MadeUpMap> makeUpMap(const GroundOnEarth& ground, const MadeU
     land.make();
     MadeUpMap made;
     made.report = land.report;
+    made.hasSea = grid.hasSea();
     std::int64_t id = 0;
     for (const MadeShape& shape : land.shapes)
     {

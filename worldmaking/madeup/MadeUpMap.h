@@ -47,6 +47,7 @@ struct MadeUpMap
     std::vector<Runway> runways;
     std::vector<MadeUpPlace> places; ///< the town first
     MadeUpReport report;
+    bool hasSea = false; ///< at height 0
 };
 
 /// Makes up a map over a ground: an airfield on the gentlest, lakes, a town, villages, hamlets and farms on gentle ground near water, roads

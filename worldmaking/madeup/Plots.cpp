@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <utility>
@@ -67,6 +68,8 @@ PlannedHouse houseFor(const Settlement& settlement, double outwards, Dice& dice)
     if (settlement.kind == SettlementKind::town && outwards > 0.8 && draw < 0.12)
         return {"industrial", dice.between(28.0, 45.0), dice.between(20.0, 30.0), 9.0, 12.0, 1, false,
                 "flat"};
+    if (settlement.kind == SettlementKind::hamlet && draw > 0.4) // a generated model, which has its own size
+        return {"house", 13.5, 12.0, dice.between(5.0, 9.0), dice.between(8.0, 16.0)};
     if (settlement.kind != SettlementKind::town && draw < 0.16)
         return {"barn", dice.between(14.0, 22.0), dice.between(9.0, 11.0), 7.0, 9.0, 1};
     return {"house",
@@ -120,6 +123,45 @@ private:
     const PlotRules& _rules;
     TakenPlots& _taken;
 };
+
+/// Degrees from north, clockwise, as text.
+std::string bearingOf(const glm::dvec2& direction)
+{
+    const double bearing = std::atan2(direction.x, direction.y) * 180.0 / std::numbers::pi;
+    return std::to_string(static_cast<int>(std::lround(bearing < 0.0 ? bearing + 360.0 : bearing)));
+}
+
+/// Parks a vehicle where there is room.
+void park(const glm::dvec2& place, const glm::dvec2& ahead, HouseBuilder& builder, Dice& dice,
+          MadeShapes& shapes)
+{
+    const bool isVan = dice.chance(0.15);
+    if (!builder.build(rectangleOf(place, ahead, isVan ? 5.6 : 4.7, 2.1), 0.35)) return;
+    shapes.push_back(pointShape(place, {{"model", isVan ? "van" : "saloon"},
+                                        {"heading", bearingOf(ahead)},
+                                        {"seed", std::to_string(1 + dice.below(isVan ? 1 : 2))}}));
+}
+
+/// What belongs to a house: a car beside it or cars before it, trees behind it.
+void furnish(const PlannedHouse& house, const glm::dvec2& middle, const glm::dvec2& along,
+             const glm::dvec2& out, HouseBuilder& builder, Dice& dice, MadeShapes& shapes)
+{
+    const std::string_view kind = house.kind;
+    const double frontM = 0.5 * house.depthM; // from the middle to the wall at the street
+    if (kind == "house" && dice.chance(0.5))
+        park(middle + (0.5 * house.frontM + 1.8) * along - dice.between(0.0, 2.0) * out,
+             dice.chance(0.5) ? out : -out, builder, dice, shapes);
+    if (kind == "apartments" || kind == "industrial")
+        for (double at = -0.5 * house.frontM + 1.6; at < 0.5 * house.frontM - 1.0; at += 2.7)
+            if (dice.chance(0.55))
+                park(middle + at * along - (frontM + 2.9) * out, -out, builder, dice, shapes);
+    if (kind != "house" && kind != "barn") return;
+    for (int i = 0; i < 3; ++i)
+        if (dice.chance(0.45))
+            shapes.push_back(pointShape(middle + (frontM + dice.between(5.0, 16.0)) * out +
+                                            dice.between(-9.0, 9.0) * along,
+                                        {{"natural", "tree"}, {"leaf_type", "broadleaved"}}));
+}
 
 /// The church and the square, as near to the middle as they find room.
 void addMiddle(const Settlement& settlement, const PlotRules& rules, TakenPlots& taken, Dice& dice,
@@ -212,7 +254,13 @@ MadeShapes housesAlong(const Settlement& settlement, int number, const PlotRules
                 const glm::dvec2 middle = points[i] + (frontM + 0.5 * wanted.depthM) * out;
                 const PlanRings rings = rectangleOf(middle, along, wanted.frontM, wanted.depthM);
                 if (!street.build(rings, wanted.isRow ? 0.05 : kGapM)) continue;
-                shapes.push_back(areaShape(rings, tagsOfHouse(wanted, dice)));
+                if (settlement.kind == SettlementKind::hamlet && wanted.depthM == 12.0)
+                    shapes.push_back(pointShape(middle, {{"model", "family-house"},
+                                                         {"heading", bearingOf(along)},
+                                                         {"seed", std::to_string(1 + dice.below(3))}}));
+                else
+                    shapes.push_back(areaShape(rings, tagsOfHouse(wanted, dice)));
+                furnish(wanted, middle, along, out, street, dice, shapes);
                 if (std::string_view(wanted.kind) == "house" && dice.chance(0.35))
                 {
                     const PlanRings shed = rectangleOf(middle + (0.5 * wanted.depthM + 7.0) * out +

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+
+#include <foundation/Result.h>
+
+#include "worldmaking/land/RoadRoom.h"
+#include "worldmaking/map/LandMap.h"
+#include "worldmaking/map/MapPlane.h"
+
+namespace worldmaking
+{
+
+/// Writes the points of a map that name a generated model (key `model`, and `heading` in degrees from north, clockwise, and `seed`) as
+/// objects of a world, but those nearer than kModelRoomM to lanes. Returns how many there are; no file where there is none.
+/// Errors: as MapFile::finish().
+foundation::Result<std::size_t> writeModels(const LandMap& map, const MapPlane& plane, const RoadRoom& roads,
+                                            const std::filesystem::path& file);
+
+inline constexpr double kModelRoomM = 1.2;
+
+} // namespace worldmaking
