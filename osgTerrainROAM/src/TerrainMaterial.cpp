@@ -8,6 +8,7 @@
 #include <osgTerrainROAM/TerrainMaterial>
 
 #include "material/CoverTexture.h"
+#include "material/DetailImages.h"
 #include "material/FeatureTextures.h"
 #include "material/FineNormals.h"
 #include "material/GrainImage.h"
@@ -182,6 +183,8 @@ void TerrainMaterial::addMaps(const core::PlacedTile& tile, osg::Image* drapeIma
     addTexture(*_stateSet, "terrainNormals", normals, _normalImage.get(), osg::Texture::CLAMP_TO_EDGE);
     addTexture(*_stateSet, "terrainLand", land, landImage.get(), osg::Texture::CLAMP_TO_EDGE);
     addTexture(*_stateSet, "terrainGrain", grain, grainImage().get(), osg::Texture::REPEAT);
+    _stateSet->setTextureAttribute(detail, detailTexture());
+    _stateSet->addUniform(new osg::Uniform("terrainDetail", static_cast<int>(detail)));
     const double perSample = 1.0 / grid.step;
     _stateSet->addUniform(
         new osg::Uniform("terrainMapFromGrid", mapFromGrid(perSample, 0.5, grid.width, true) +

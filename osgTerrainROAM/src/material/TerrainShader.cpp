@@ -51,6 +51,7 @@ std::string groundText(const TerrainLook& look)
     if (look.sheets > 0) text += sheetNormalsText(look.sheets);
     if (look.fine) text += shaders::kFineNormals;
     if (look.surroundings) text += shaders::kOuterMaps;
+    text += shaders::kGroundDetail;
     text += shaders::kGroundColour;
     text += shaders::kWaterColour;
     if (look.features) text += featureFunctions(look.farFeatures);

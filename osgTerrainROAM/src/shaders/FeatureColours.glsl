@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Turns the shares of vector features into colour and light. Functions:
 //   float openShare(Paint)                          share of the ground without river, road or runway
-//   vec4 fieldAlbedo(vec4 ground, Paint, Grain)     ground colour and share of wood, with the fields on it
+//   vec4 fieldAlbedo(vec4 ground, Paint, Grain, GroundKinds)   ground colour and share of wood, with the fields on it; what it is made of
 //   vec3 pavedAlbedo(vec3 albedo, Paint, Grain)     roads, runways and their markings over everything
 //   vec3 paintLight(Paint)                          radiance of lamps
 
@@ -10,9 +10,14 @@ uniform vec3 featureSoil;
 
 float openShare(Paint paint) { return 1.0 - max(max(paint.beds.x, paint.beds.y), max(paint.beds.z, paint.beds.w)); }
 
-vec4 fieldAlbedo(vec4 ground, Paint paint, Grain g)
+vec4 fieldAlbedo(vec4 ground, Paint paint, Grain g, inout GroundKinds kinds)
 {
     float share = dot(paint.crops, vec4(1.0));
+    float other = 1.0 - min(share, 1.0), open = openShare(paint);
+    float soil = share * paint.rows.x, plants = max(share - soil, 0.0);
+    kinds.open = (kinds.open * other + vec4(0.8 * plants, 0.05 * soil, 0.95 * soil, 0.0)) * open;
+    kinds.open.y += paint.beds.z;
+    kinds.other *= other * open;
     vec3 colour = featureCrops[0] * paint.crops.x + featureCrops[1] * paint.crops.y + featureCrops[2] * paint.crops.z
                 + featureCrops[3] * paint.crops.w;
     colour = colour * (paint.rows.y * (1.0 - paint.rows.x)) + featureSoil * (share * paint.rows.x);

@@ -16,7 +16,7 @@ const float kGrainLevels = 9.0; // the image has 2^9 texels a side (GrainImage.c
 // at the mip level of its part. A level for the whole length would blur ground seen at a grazing angle. A software renderer's
 // own anisotropic filter costs hundreds of times as much. Where the part is half a period wide one sample tells the mean: a
 // software renderer, which runs both sides of a branch, does end a loop early, and far ground needs half the time.
-vec4 grazingGrain(vec2 at)
+vec4 grazingGrain(vec2 at, vec2 alongX, vec2 alongY)
 {
 #ifdef PICTURE_LOW
     const float kMostSamples = 1.0;
@@ -25,8 +25,6 @@ vec4 grazingGrain(vec2 at)
 #else
     const float kMostSamples = 4.0;
 #endif
-    vec2 alongX = dFdx(at);
-    vec2 alongY = dFdy(at);
     float x2 = dot(alongX, alongX);
     float y2 = dot(alongY, alongY);
     float length2 = max(max(x2, y2), 1e-20);
@@ -45,6 +43,8 @@ vec4 grazingGrain(vec2 at)
     return sum / samples - 0.5;
 }
 
+vec4 grazingGrain(vec2 at) { return grazingGrain(at, dFdx(at), dFdy(at)); }
+
 // The first three periods divide 4096 m, the period of the eye's wrapped position. Integer matrices rotate the layers against
 // each other, so that each layer still wraps and their repetitions do not align. The broadest layer follows the grid.
 Grain grainAt(vec2 place)
@@ -57,6 +57,25 @@ Grain grainAt(vec2 place)
     vec2 bent = place + 50.0 * g.metres4700.zw;
     g.metres324 = texture(terrainGrain, vec2(3.0 * bent.x - bent.y, 3.0 * bent.y + bent.x) * (1.0 / 1024.0)) - 0.5;
     return g;
+}
+
+// Replaces the two finest layers where the ground is so steep that they would be stretched, by those on the upright plane that faces it
+// most. `tilt`: x and y of the normal; `steep`: one less its z. Returns the share of them.
+float cliffGrain(inout Grain g, vec3 place, vec2 tilt, float steep, out vec3 along)
+{
+    bool isEast = abs(tilt.x) > abs(tilt.y);
+    along = isEast ? vec3(0.0, 1.0, 0.0) : vec3(1.0, 0.0, 0.0);
+    float share = smoothstep(0.30, 0.45, steep);
+    vec2 on = isEast ? place.yz : place.xz;
+    vec2 alongX = dFdx(on), alongY = dFdy(on);
+    // No branch: software drawing leaves out a loop that no pixel of a group enters.
+    for (int i = share > 0.0 ? 0 : 1; i < 1; ++i)
+    {
+        mat2 turned = mat2(2.0, -1.0, 1.0, 2.0) * (1.0 / 64.0);
+        g.metres2 = mix(g.metres2, grazingGrain(on * 0.5, alongX * 0.5, alongY * 0.5), share);
+        g.metres28 = mix(g.metres28, grazingGrain(turned * on, turned * alongX, turned * alongY), share);
+    }
+    return share;
 }
 
 // Returns the slope of the bumps. `bumpiness`: one weight per layer; `wood`: share of treetops, some metres wide and high.

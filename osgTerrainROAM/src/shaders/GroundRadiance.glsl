@@ -5,7 +5,7 @@
 
 #ifdef TERRAIN_LENT
 vec2 lentTilt();
-vec3 lentAlbedo(vec3 ground, Grain g);
+vec3 lentAlbedo(vec3 ground, Grain g, inout GroundKinds kinds);
 #endif
 
 // Returns the radiance of the ground towards the eye, without haze.
@@ -13,6 +13,8 @@ vec3 groundRadiance(vec3 directionWorld)
 {
     vec3 place = fromEye + terrainEyeWrapped;
     Grain g = grainAt(place.xy);
+    float coarse = coarseShare(length(fromEye));
+    g.metres2.z *= coarse;
     // The grain bends the lookups by a part of a texel: no threshold follows the rows and columns of the maps.
     vec2 bend = g.metres2.xy * terrainBend.x + g.metres28.xy * terrainBend.y + g.metres324.xy * terrainBend.z
               + g.metres4700.xy * terrainBend.w;
@@ -46,10 +48,13 @@ vec3 groundRadiance(vec3 directionWorld)
     float snow = smoothstep(0.38, 0.62, land.g + 0.30 * g.metres324.w + 0.22 * g.metres28.w + 0.25 * g.metres4700.w
                                             - 0.9 * max(steep - 0.25, 0.0));
     float roughness = mix(1.0 + 1.5 * smoothstep(0.12, 0.35, steep), 0.8, snow);
-    vec4 ground = groundColour(land.r, steep, place.z, g);
+    vec3 cliffAlong;
+    float cliff = cliffGrain(g, place, tilt, steep, cliffAlong);
+    GroundKinds kinds;
+    vec4 ground = groundColour(land.r, steep, place.z, g, kinds);
 #ifdef TERRAIN_COVER
     Cover cover = terrainCover(grid, g);
-    ground = coveredGround(ground, cover, g);
+    ground = coveredGround(ground, cover, g, kinds);
     snow = max(snow, smoothstep(0.35, 0.65, cover.snow));
 #endif
 #ifdef TERRAIN_SEASON
@@ -58,12 +63,12 @@ vec3 groundRadiance(vec3 directionWorld)
 #endif
 #ifdef TERRAIN_FEATURES
     Paint paint = terrainPaint(place.xy, dFdx(fromEye.xy), dFdy(fromEye.xy));
-    ground = fieldAlbedo(ground, paint, g);
+    ground = fieldAlbedo(ground, paint, g, kinds);
     ground.a *= openShare(paint);
     roughness *= 0.25 + 0.75 * openShare(paint);
 #endif
-    vec2 bent = tilt - bumps(g, bumpiness, roughness, ground.a * (1.0 - snow));
-    vec3 normal = normalize(vec3(bent, sqrt(max(1.0 - dot(tilt, tilt), 0.02))));
+    kinds.open *= 1.0 - snow;
+    kinds.other = vec2(snow, kinds.other.y * (1.0 - snow));
 
     vec3 albedo = ground.rgb;
     float shore = smoothstep(terrainShore, terrainShore + 0.08, land.b + 0.12 * g.metres28.w + 0.12 * g.metres324.w)
@@ -72,7 +77,7 @@ vec3 groundRadiance(vec3 directionWorld)
     shore = 0.0; // the texels there are wider than a beach
 #endif
 #ifdef TERRAIN_LENT
-    albedo = lentAlbedo(albedo, g);
+    albedo = lentAlbedo(albedo, g, kinds);
 #endif
     albedo = mix(albedo, terrainSand * (1.0 + 0.5 * g.metres2.z + 0.3 * g.metres28.z), shore);
     albedo = mix(albedo, terrainSnow * (1.0 + 0.10 * g.metres2.z + 0.10 * g.metres28.z + 0.16 * g.metres324.w + 0.12 * g.metres4700.w), snow);
@@ -95,6 +100,16 @@ vec3 groundRadiance(vec3 directionWorld)
     albedo = pavedAlbedo(albedo, paint, g);
     water = max(water, paint.beds.x) * (1.0 - max(max(paint.beds.y, paint.beds.z), paint.beds.w));
 #endif
+
+    vec4 detail = groundDetail(kinds, mix(place.xy, vec2(dot(place, cliffAlong), place.z), step(0.5, cliff)), dFdx(fromEye.xy),
+                               dFdy(fromEye.xy), fromEye);
+    albedo *= max(1.0 + detail.w, 0.15);
+    // On cliffs the bumps of the two finest layers and the detail lie on the upright plane.
+    vec2 upright = g.metres2.xy * (coarse * bumpiness.x * roughness) + detail.xy;
+    Grain level = g;
+    level.metres2.xy *= coarse * (1.0 - cliff);
+    vec2 bent = tilt - bumps(level, bumpiness, roughness, ground.a * (1.0 - snow)) - detail.xy * (1.0 - cliff);
+    vec3 normal = normalize(vec3(bent, sqrt(max(1.0 - dot(tilt, tilt), 0.02))) - cliff * (upright.x * cliffAlong + vec3(0.0, 0.0, upright.y)));
 
     vec3 normalWorld = terrainWorldFromLocal * normal;
     float sunlit = max(dot(normalWorld, sunDirection()), 0.0);

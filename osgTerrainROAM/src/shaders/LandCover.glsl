@@ -2,7 +2,7 @@
 // Draws land cover, a raster of classes (CoverTexture.h). Neighbouring texels are blended; the grain bends the borders of
 // classes, so that the raster's steps do not show. Functions:
 //   Cover terrainCover(vec2 grid, Grain)                 the classes at a grid position, blended
-//   vec4 coveredGround(vec4 ground, Cover, Grain)        ground colour and share of wood
+//   vec4 coveredGround(vec4 ground, Cover, Grain, GroundKinds)   ground colour and share of wood; what it is made of
 //   vec3 townLight(Cover, vec2 place, vec2 x, vec2 y)    radiance of a town's lamps at night; `place`: wrapped position
 
 uniform sampler2D terrainCover2D; // class / 255; mip levels by majority
@@ -18,12 +18,22 @@ struct Cover
     float wood, patches;
     float known; // share of texels whose class is known
     float snow, water, town;
+    vec4 open; // GroundKinds
+    float litter;
 };
+
+// What each kind of land cover is made of near by: grass, stones, earth, rock (GroundKinds). The rest is litter.
+const vec4 kCoverOpen[13] = vec4[13](vec4(0.0), vec4(0.0, 0.2, 0.0, 0.8), vec4(0.0, 0.2, 0.8, 0.0), vec4(0.6, 0.0, 0.4, 0.0),
+                                     vec4(1.0, 0.0, 0.0, 0.0), vec4(0.6, 0.0, 0.2, 0.0), vec4(0.0), vec4(0.0, 0.0, 0.4, 0.0),
+                                     vec4(0.0), vec4(0.0), vec4(0.3, 0.0, 0.7, 0.0), vec4(0.4, 0.4, 0.2, 0.0),
+                                     vec4(0.9, 0.0, 0.1, 0.0));
 
 void addCover(inout Cover cover, int kind, float weight)
 {
     if (kind == 0) return;
     cover.known += weight;
+    cover.open += weight * kCoverOpen[kind];
+    cover.litter += kind == 6 ? weight : kind == 5 ? 0.2 * weight : 0.0;
     cover.albedo += weight * coverAlbedo[kind].rgb;
     cover.wood += weight * coverAlbedo[kind].a;
     cover.patched += weight * coverPatch[kind].rgb;
@@ -47,7 +57,7 @@ Cover terrainCover(vec2 grid, Grain g)
     vec2 at = part * vec2(size) - 0.5 + bend * exp2(-float(level));
     ivec2 cell = ivec2(floor(at));
     vec2 f = smoothstep(0.25, 0.75, at - vec2(cell));
-    Cover cover = Cover(vec3(0.0), vec3(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
+    Cover cover = Cover(vec3(0.0), vec3(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, vec4(0.0), 0.0);
     for (int i = 0; i < 4; ++i)
     {
         ivec2 corner = ivec2(i & 1, i >> 1);
@@ -59,9 +69,12 @@ Cover terrainCover(vec2 grid, Grain g)
     return cover;
 }
 
-vec4 coveredGround(vec4 ground, Cover cover, Grain g)
+vec4 coveredGround(vec4 ground, Cover cover, Grain g, inout GroundKinds kinds)
 {
     if (cover.known <= 0.0) return ground;
+    float known = min(cover.known, 1.0);
+    kinds.open = mix(kinds.open, cover.open / cover.known, known);
+    kinds.other = mix(kinds.other, vec2(0.0, cover.litter / cover.known), known);
     float low = 0.5 + 0.5 * (0.5 - cover.patches / cover.known);
     float noise = 0.5 + 0.9 * g.metres28.w + 0.7 * g.metres324.w + 0.4 * g.metres2.w;
     vec3 colour = mix(cover.albedo, cover.patched, smoothstep(low - 0.12, low + 0.12, noise)) / cover.known;

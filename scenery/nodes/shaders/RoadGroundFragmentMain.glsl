@@ -9,13 +9,15 @@ vec2 lentTilt()
     return normalize(roadNormalInTile).xy;
 }
 
-vec3 lentAlbedo(vec3 ground, Grain g)
+vec3 lentAlbedo(vec3 ground, Grain g, inout GroundKinds kinds)
 {
     if (roadKind == 7)
     {
         float raggedM = roadAt.y + 1.3 * g.metres2.w + 0.9 * g.metres28.w + 0.5 * g.metres2.z;
         float gravel = 0.85 * (1.0 - smoothstep(0.25, 0.75, raggedM));
         ground = mix(ground, vec3(0.19, 0.175, 0.15) * (1.0 + 0.9 * g.metres2.z), gravel);
+        kinds.open = mix(kinds.open, vec4(0.0, 1.0, 0.0, 0.0), gravel);
+        kinds.other *= 1.0 - gravel;
     }
     return roadPainted(ground, roadFilters());
 }

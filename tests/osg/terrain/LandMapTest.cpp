@@ -11,6 +11,7 @@
 #include <osgTerrainROAM/core/edit/TileEditor.h>
 
 #include "SyntheticField.h"
+#include "material/DetailImages.h"
 #include "material/GrainImage.h"
 #include "material/NormalMap.h"
 #include "material/SkyVisibility.h"
@@ -105,6 +106,45 @@ TEST(GrainImage, EveryChannelHasMeanOneHalf)
             sum += image->data()[4 * i + channel];
         EXPECT_NEAR(sum / (image->s() * image->t()) / 255.0, 0.5, 0.01) << channel;
     }
+}
+
+TEST(DetailImages, EverySurfaceHasMeanOneHalfAndNoSeam)
+{
+    for (int detail = 0; detail < kDetails; ++detail)
+    {
+        const auto image = detailImage(static_cast<Detail>(detail));
+        const int side = image->s();
+        for (int channel = 0; channel < 4; ++channel)
+        {
+            double sum = 0.0, seam = 0.0, inside = 0.0;
+            for (int y = 0; y < side; ++y)
+            {
+                const auto at = [&](int x) { return static_cast<double>(image->data(x, y)[channel]); };
+                seam += std::abs(at(side - 1) - at(0));
+                inside += std::abs(at(side / 2) - at(side / 2 - 1));
+                for (int x = 0; x < side; ++x)
+                    sum += at(x);
+            }
+            EXPECT_NEAR(sum / (side * side) / 255.0, 0.5, 0.02) << detail << ' ' << channel;
+            EXPECT_LT(seam, 2.5 * inside) << detail << ' ' << channel;
+        }
+    }
+}
+
+/// Slopes are those of the heights: a normal that points the other way would light blades from below.
+TEST(DetailImages, SlopesRiseWhereHeightsDo)
+{
+    const auto image = detailImage(Detail::stones);
+    double along = 0.0, turned = 0.0;
+    for (int y = 0; y < image->t(); ++y)
+        for (int x = 1; x + 1 < image->s(); ++x)
+        {
+            const double rise = image->data(x + 1, y)[2] - image->data(x - 1, y)[2];
+            along += rise * (image->data(x, y)[0] - 127.5);
+            turned += rise * (image->data(x, y)[1] - 127.5);
+        }
+    EXPECT_GT(along, 0.0);
+    EXPECT_LT(std::abs(turned), 0.2 * along) << "the mutation: x for y";
 }
 
 TEST(WaterMask, FindsSeaAndLakeButNoTerrace)
