@@ -77,6 +77,9 @@ void PictureParts::addParts(PlayScene& scene)
     if (scene.scenery)
         _parts.push_back(
             {"scenery", [root = scene.scenery->node.root](bool isShown) { setShown(root, isShown); }});
+    if (scene.cover)
+        _parts.push_back({"ground cover", [node = scene.cover->node()](bool isShown)
+                          { node->setNodeMask(isShown ? osgTerrainROAM::SunShadows::kCastsNone : 0U); }});
     if (scene.terrain.roads)
         _parts.push_back({"roads",
                           [node = scene.terrain.node, things = scene.terrain.roadThings](bool isShown)

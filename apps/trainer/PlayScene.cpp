@@ -57,6 +57,7 @@ void setQuality(PlayScene& play, Quality quality)
 {
     const QualityRules rules = rulesOf(quality);
     play.scene->setQuality(rules);
+    if (play.cover) play.cover->setReaches(rules.coverReaches);
     if (!play.scenery) return;
     osgPMObjects::core::SceneBudgetSettings budget = play.scenery->fullBudget;
     if (budget.budget != std::numeric_limits<std::uint64_t>::max())
@@ -121,6 +122,8 @@ foundation::Result<PlayScene> PlayScene::create(simulation::Scenario scenario, S
     play.scene = std::make_unique<ScenarioScene>(std::move(*scene));
     play.scene->setShadows(request.frames.hasShadows);
     if (play.scenery) play.scene->sunlit().addChild(play.scenery->node.root);
+    play.cover = makeCover(play.terrain);
+    if (play.cover) play.scene->sunlit().addChild(play.cover->node());
     trainer::setQuality(play, request.frames.quality);
     return play;
 }

@@ -8,6 +8,7 @@
 
 #include "PlayRequest.h"
 #include "ScenarioScene.h"
+#include "SceneCover.h"
 #include "SceneScenery.h"
 #include "simulation/player/ScenarioPlayer.h"
 #include "view/Channel.h"
@@ -22,13 +23,20 @@ struct PlayScene
     std::unique_ptr<simulation::ScenarioPlayer> player;
     std::unique_ptr<ScenarioScene> scene;
     std::optional<SceneScenery> scenery;
-    std::size_t watched = 0; ///< the entity that the eye is in or looks at
+    std::unique_ptr<scenery::GroundCoverNode> cover; ///< null: none
+    std::size_t watched = 0;                         ///< the entity that the eye is in or looks at
 
     /// `terrain`: from openScene(). Errors: a scenario without entities or with other faults, an entity to watch that there is not, terrain
     /// settings, models and scenery that cannot be used.
     static foundation::Result<PlayScene> create(simulation::Scenario scenario, SceneTerrain terrain,
                                                 const PlayRequest& request,
                                                 const simulation::FixedClock& clock);
+
+    /// Brings what stands around the eye only. Frame: world.
+    void follow(const glm::dvec3& eye) const
+    {
+        if (cover) cover->follow(eye);
+    }
 
     /// Returns one line for each difference from what was asked for.
     std::vector<std::string> notes() const;

@@ -162,6 +162,7 @@ void PlaySession::look(double dtS)
     scenery::Pose eye = _eye->update(entities[_play.watched], dtS);
     if (_interior) eye = bent(eye, -_interior->view().lookDownDeg());
     _rig->setEye(eye);
+    _play.follow(eye.positionWorld);
     if (!_interior) return;
     _interior->update(_play, *_play.player, entities, motionOfOwnship(), eye, *_rig, MirrorPace::all);
 }

@@ -21,6 +21,7 @@ struct QualityRules
 {
     double tolerancePx; ///< of terrain, roads and single objects, where none was asked for
     double budgetShare; ///< of the triangles that a scenery file allows
+    int coverReaches;   ///< of what grows around the eye: how many of scenery::kCoverReachesM
     const char* define; ///< of the shaders, for cheaper ones; null: none
     osgTerrainROAM::SunShadowSettings shadows;
 };
@@ -30,13 +31,13 @@ inline QualityRules rulesOf(Quality quality)
     switch (quality)
     {
     case Quality::low:
-        return {4.0, 0.2, "PICTURE_LOW", {{15.0, 60.0, 240.0, 2000.0}, 512, 0.125, false}};
+        return {4.0, 0.2, 0, "PICTURE_LOW", {{15.0, 60.0, 240.0, 2000.0}, 512, 0.125, false}};
     case Quality::medium:
-        return {2.0, 0.4, "PICTURE_MEDIUM", {{20.0, 90.0, 400.0, 5000.0}, 1024, 0.125, false}};
+        return {2.0, 0.4, 1, "PICTURE_MEDIUM", {{20.0, 90.0, 400.0, 5000.0}, 1024, 0.125, false}};
     case Quality::high:
         break;
     }
-    return {1.0, 1.0, nullptr, {}};
+    return {1.0, 1.0, 3, nullptr, {}};
 }
 
 } // namespace trainer

@@ -194,6 +194,7 @@ void WindowSession::look(double wallS)
     const scenery::Pose eye =
         _camera->update(_live->shown()[_play.watched], std::max(0.0, wallS - _lastWallS));
     _rig->setEye(eye);
+    _play.follow(eye.positionWorld);
     if (_interior)
         _interior->update(_play, _live->player(), _live->shown(), _ride.motion.get(), eye, *_rig,
                           MirrorPace::one);

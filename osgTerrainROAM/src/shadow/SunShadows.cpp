@@ -58,6 +58,8 @@ osg::ref_ptr<osg::Camera> makeCamera(osg::Texture2D* texture, int map, int texel
     camera->setViewport((map % 2) * texels, (map / 2) * texels, texels, texels);
     camera->setComputeNearFarMode(osg::Camera::DO_NOT_COMPUTE_NEAR_FAR);
     camera->getOrCreateStateSet()->setDefine("SUN_SHADOW_MAP");
+    camera->setInheritanceMask(camera->getInheritanceMask() & ~osg::CullSettings::CULL_MASK);
+    camera->setCullMask(~SunShadows::kCastsNone);
     camera->setCullingMode(osg::CullSettings::VIEW_FRUSTUM_SIDES_CULLING);
     return camera;
 }

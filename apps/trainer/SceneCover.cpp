@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "SceneCover.h"
+
+#include "scenery/nodes/GroundShares.h"
+
+namespace trainer
+{
+
+namespace
+{
+
+constexpr double kFromLanesM = 0.6; ///< the gravel beside them is bare
+
+bool isOnRoad(const osgRoads::core::PlacedNetwork& roads, const glm::dvec3& place)
+{
+    return !roads.locator().within(glm::dvec2(roads.toInertial(place)), kFromLanesM).empty();
+}
+
+} // namespace
+
+std::unique_ptr<scenery::GroundCoverNode> makeCover(const SceneTerrain& terrain)
+{
+    if (!terrain.terrain || terrain.cornerM != glm::dvec2(0.0)) return nullptr;
+    auto query = [shares = std::make_shared<const scenery::GroundShares>(*terrain.terrain),
+                  roads = terrain.roads, ground = terrain.ground(),
+                  tile = terrain.terrain->tile()](glm::dvec2 place) -> std::optional<scenery::CoverGround>
+    {
+        const auto sample = ground(place.x, place.y);
+        if (!sample || (roads && isOnRoad(*roads, {place, sample->heightM}))) return std::nullopt;
+        const auto found = shares->at(place);
+        return scenery::CoverGround{sample->heightM, found.grass, found.stones, found.litter};
+    };
+    return std::make_unique<scenery::GroundCoverNode>(std::move(query), *terrain.terrain->material());
+}
+
+} // namespace trainer

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+
+#include "SceneTerrain.h"
+#include "scenery/nodes/GroundCoverNode.h"
+
+namespace trainer
+{
+
+/// Makes what grows and lies around the eye on a terrain, but not on lanes, nor on what its maps show as water, runway or field. Null: the
+/// scene has no terrain, or not in the scene's own frame.
+std::unique_ptr<scenery::GroundCoverNode> makeCover(const SceneTerrain& terrain);
+
+} // namespace trainer
