@@ -20,19 +20,51 @@ namespace
 
 using foundation::Error;
 
-constexpr double kMetresPerDegree = 111320.0, kSmallestKm = 3.0;
+constexpr double kMetresPerDegree = 111320.0, kSmallestKm = 1.0;
 constexpr double kFinestM = 12.0;
 constexpr int kMostPoints = 1000; ///< of the grid, a side
 
-MapBounds cutToSize(const MapBounds& bounds)
+/// How much of a part of the ground people would settle on: samples on land that is no steeper than kGentle.
+int gentleSamples(const MapBounds& part, const GroundOnEarth& ground)
 {
-    const double latitude = 0.5 * (bounds.south + bounds.north),
-                 longitude = 0.5 * (bounds.west + bounds.east);
+    constexpr int kSamples = 16;
+    constexpr double kGentle = 0.06, kStepDeg = 0.002;
+    int gentle = 0;
+    for (int row = 0; row < kSamples; ++row)
+        for (int column = 0; column < kSamples; ++column)
+        {
+            const double north = part.south + (part.north - part.south) * (row + 0.5) / kSamples,
+                         east = part.west + (part.east - part.west) * (column + 0.5) / kSamples;
+            const auto here = ground(north, east), beside = ground(north + kStepDeg, east);
+            if (here && beside && *here > 0.5 &&
+                std::abs(*beside - *here) < kGentle * kStepDeg * kMetresPerDegree)
+                ++gentle;
+        }
+    return gentle;
+}
+
+/// The part of the size that is filled: that with the most gentle land, the middle one of equals.
+MapBounds cutToSize(const MapBounds& bounds, const GroundOnEarth& ground)
+{
+    const double latitude = 0.5 * (bounds.south + bounds.north);
     const double perEast = kMetresPerDegree * std::cos(latitude * std::numbers::pi / 180.0);
-    const double halfEast = std::min(0.5 * (bounds.east - bounds.west), 500.0 * kLargestKm / perEast),
-                 halfNorth =
-                     std::min(0.5 * (bounds.north - bounds.south), 500.0 * kLargestKm / kMetresPerDegree);
-    return {longitude - halfEast, latitude - halfNorth, longitude + halfEast, latitude + halfNorth};
+    const double width = std::min(bounds.east - bounds.west, 1000.0 * kLargestKm / perEast),
+                 height = std::min(bounds.north - bounds.south, 1000.0 * kLargestKm / kMetresPerDegree);
+    const double freeEast = bounds.east - bounds.west - width,
+                 freeNorth = bounds.north - bounds.south - height;
+    MapBounds best;
+    double most = -1.0;
+    for (int row = 0; row <= 4; ++row)
+        for (int column = 0; column <= 4; ++column)
+        {
+            const double west = bounds.west + 0.25 * column * freeEast,
+                         south = bounds.south + 0.25 * row * freeNorth;
+            const MapBounds part{west, south, west + width, south + height};
+            const double score =
+                gentleSamples(part, ground) - 0.01 * (std::abs(row - 2) + std::abs(column - 2));
+            if (score > most) most = score, best = part;
+        }
+    return best;
 }
 
 foundation::Result<MapPlane> planeAbout(const MapBounds& bounds)
@@ -62,12 +94,12 @@ std::optional<MapBox> boxWithin(const MapBounds& bounds, const MapPlane& plane)
 
 foundation::Result<MadeUpMap> makeUpMap(const GroundOnEarth& ground, const MadeUpSettings& settings)
 {
-    const MapBounds bounds = cutToSize(settings.bounds);
+    const MapBounds bounds = cutToSize(settings.bounds, ground);
     const auto plane = planeAbout(bounds);
     if (!plane) return plane.error();
     const auto box = boxWithin(bounds, *plane);
     if (!box || std::min(box->high.x - box->low.x, box->high.y - box->low.y) < 1000.0 * kSmallestKm)
-        return Error{"the made-up map", "the ground is less than 3 km wide",
+        return Error{"the made-up map", "the ground is less than 1 km wide",
                      "give --map, or larger elevation data"};
     const double widthM = std::max(box->high.x - box->low.x, box->high.y - box->low.y);
     const GroundGrid grid(*box, std::max(kFinestM, widthM / kMostPoints),
@@ -78,6 +110,9 @@ foundation::Result<MadeUpMap> makeUpMap(const GroundOnEarth& ground, const MadeU
                           });
     MadeUpLand land(grid, settings);
     land.make();
+    if (land.report.roadsKm <= 0.0)
+        return Error{"the made-up map", "the ground is nowhere gentle enough for a settlement and its roads",
+                     "give --map, or --bounds of gentler land"};
     MadeUpMap made;
     made.report = land.report;
     made.hasSea = grid.hasSea();

@@ -283,19 +283,28 @@ TEST(MadeUpMap, GroundThatIsTooSmallIsTold)
     settings.bounds = {8.0, 46.0, 8.01, 46.01};
     const auto made = makeUpMap(hillyGround, settings);
     ASSERT_FALSE(made);
-    EXPECT_NE(made.error().message().find("3 km"), std::string::npos);
+    EXPECT_NE(made.error().message().find("1 km"), std::string::npos);
 }
 
-TEST(MadeUpMap, AMountainSideGetsNoTownAndNoRunway)
+TEST(MadeUpMap, AMountainSideGetsNoTown)
 {
     const auto steep = [](double latitudeDeg, double) -> std::optional<double>
     { return 1000.0 + 0.5 * (latitudeDeg - kLatitudeDeg) * kPerDegree; };
     const auto made = makeUpMap(steep, settingsOf(1));
+    ASSERT_FALSE(made);
+    EXPECT_NE(made.error().message().find("nowhere gentle enough"), std::string::npos);
+}
+
+TEST(MadeUpMap, OfALargeGroundTheGentlePartIsFilled)
+{
+    const auto ground = [](double latitudeDeg, double longitudeDeg) -> std::optional<double>
+    { return longitudeDeg < kLongitudeDeg + 0.3 ? 0.0 : *hillyGround(latitudeDeg, longitudeDeg); };
+    MadeUpSettings settings = settingsOf(1);
+    settings.bounds = {kLongitudeDeg - 0.4, kLatitudeDeg - 0.04, kLongitudeDeg + 0.4, kLatitudeDeg + 0.02};
+    const auto made = makeUpMap(ground, settings);
     ASSERT_TRUE(made) << made.error().message();
-    EXPECT_EQ(made->report.settlements, 0u);
-    EXPECT_EQ(made->report.airfields, 0u);
-    EXPECT_EQ(made->report.fields, 0u);
-    EXPECT_GT(made->report.woods, 0u);
+    ASSERT_FALSE(made->places.empty());
+    EXPECT_GT(made->places.front().degrees.x, kLongitudeDeg + 0.3); // the rest is sea
 }
 
 } // namespace
