@@ -16,6 +16,7 @@
 #include "scenery/models/Dice.h"
 #include "scenery/nodes/BuildingsNode.h"
 #include "scenery/nodes/SceneryNode.h"
+#include "scenery/roads/NearestStreet.h"
 
 namespace trainer
 {
@@ -160,11 +161,11 @@ foundation::Error nothingIn(const std::filesystem::path& source, const char* rem
 
 foundation::Outcome addBuildings(const std::filesystem::path& source,
                                  const osgTerrainROAM::core::PlacedTile& tile, const HeightOfGround& ground,
-                                 osg::Group& scene)
+                                 const scenery::NearestStreet& street, osg::Group& scene)
 {
     const auto shapes = osgTerrainROAM::core::importShapes(source, tile);
     if (!shapes) return shapes.error();
-    const scenery::StandingBuildings made = scenery::standBuildings(*shapes, ground);
+    const scenery::StandingBuildings made = scenery::standBuildings(*shapes, ground, street);
     if (made.buildings.empty()) return nothingIn(source, "give footprints of buildings of this place");
     OSG_NOTICE << source.string() << ": " << made.buildings.size() << " buildings; "
                << shapes->outside + made.beyondGround << " beyond the ground, "
@@ -177,10 +178,11 @@ foundation::Outcome addBuildings(const std::filesystem::path& source,
 
 foundation::Outcome addMapScenery(const osgTerrainROAM::core::RoamFile& description,
                                   const osgTerrainROAM::core::PlacedTile& tile, const HeightOfGround& ground,
-                                  osg::Group& scene)
+                                  const osgRoads::core::PlacedNetwork* roads, osg::Group& scene)
 {
+    const scenery::NearestStreet street = roads ? scenery::nearestStreet(*roads) : scenery::NearestStreet();
     for (const std::filesystem::path& source : description.buildings)
-        if (const auto added = addBuildings(source, tile, ground, scene); !added) return added;
+        if (const auto added = addBuildings(source, tile, ground, street, scene); !added) return added;
     Objects objects(ground);
     for (const std::filesystem::path& source : description.objects)
     {

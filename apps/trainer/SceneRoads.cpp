@@ -62,8 +62,8 @@ foundation::Result<SceneTerrain> withMap(const RoamFile& description, SceneTerra
     if (description.buildings.empty() && description.objects.empty()) return scene;
     const osg::ref_ptr<osg::Group> group = new osg::Group;
     group->addChild(scene.node);
-    const auto added =
-        addMapScenery(description, scene.terrain->tile()->tile, bareGround(*scene.terrain), *group);
+    const auto added = addMapScenery(description, scene.terrain->tile()->tile, bareGround(*scene.terrain),
+                                     scene.roads.get(), *group);
     if (!added) return added.error();
     scene.node = group;
     return scene;

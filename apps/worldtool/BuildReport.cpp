@@ -19,6 +19,7 @@ nlohmann::ordered_json rowOf(const worldmaking::StreetReport& report)
             {"overpasses", report.overpasses},
             {"lostOverpasses", report.lostOverpasses},
             {"untoldOverpasses", report.untoldOverpasses},
+            {"untoldBridges", report.untoldBridges},
             {"sharpBends", report.sharpBends},
             {"roadsKm", report.lengthKm},
             {"maxGradePercent", report.steepestPercent},

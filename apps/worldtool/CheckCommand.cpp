@@ -9,6 +9,7 @@
 
 #include "scenery/buildings/StandBuildings.h"
 #include "scenery/roads/LayRoads.h"
+#include "scenery/roads/NearestStreet.h"
 #include "worldmaking/check/WorldCheck.h"
 #include "worldtool/Commands.h"
 
@@ -29,7 +30,9 @@ foundation::Outcome addHouses(const RoamFile& world, const PlacedTile& tile, Wor
     {
         const auto shapes = osgTerrainROAM::core::importShapes(source, tile);
         if (!shapes) return shapes.error();
-        auto made = scenery::standBuildings(*shapes, things.groundM);
+        auto made = scenery::standBuildings(*shapes, things.groundM,
+                                            things.roads ? scenery::nearestStreet(*things.roads)
+                                                         : scenery::NearestStreet());
         for (auto& house : made.buildings)
             things.houses.push_back(std::move(house));
     }
@@ -84,6 +87,39 @@ nlohmann::ordered_json rowOf(const worldmaking::WorldFaults& faults)
 
 } // namespace
 
+namespace
+{
+
+/// The places of roads that the ground leaves or covers. Units: metres, degrees.
+nlohmann::ordered_json placesOf(const worldmaking::WorldFaults& faults,
+                                const osgRoads::core::PlacedNetwork& roads, const PlacedTile& tile)
+{
+    auto rows = nlohmann::ordered_json::array();
+    for (const auto& fault : faults.roadFaults)
+    {
+        const auto& road = roads.road(fault.road);
+        nlohmann::ordered_json row{{"fault", fault.isSunk ? "sunk" : "floating"},
+                                   {"road", road.id},
+                                   {"sM", fault.sM},
+                                   {"byM", fault.byM},
+                                   {"isTurn", !road.junctionId.empty()}};
+        if (tile.frame().placement() == osgTerrainROAM::core::Placement::curved)
+        {
+            const auto at = tile.frame().geodeticFromLocal(fault.place);
+            row["latitudeDeg"] = at.latitudeDeg;
+            row["longitudeDeg"] = at.longitudeDeg;
+        }
+        if (fault.other >= 0)
+            row["beside"] = {{"road", roads.road(fault.other).id},
+                             {"awayM", fault.otherM},
+                             {"higherM", fault.otherHigherM}};
+        rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
+} // namespace
+
 foundation::Result<Report> check(const std::filesystem::path& world)
 {
     const auto file = std::filesystem::is_directory(world) ? world / "world.roam" : world;
@@ -107,6 +143,7 @@ foundation::Result<Report> check(const std::filesystem::path& world)
     report.sound = faults.total() == 0;
     for (const auto& [key, value] : report.json.items())
         std::cout << key << ' ' << value.dump() << '\n';
+    if (things.roads) report.json["roadFaults"] = placesOf(faults, *things.roads, tile);
     return report;
 }
 

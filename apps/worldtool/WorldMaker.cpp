@@ -7,7 +7,10 @@
 #include <foundation/WholeFile.h>
 
 #include <osgRoads/core/write/WriteNetwork.h>
+#include <osgTerrainROAM/core/LoadTerrain.h>
+#include <osgTerrainROAM/core/edit/EditFile.h>
 
+#include "scenery/roads/LayRoads.h"
 #include "worldmaking/land/HouseFile.h"
 #include "worldmaking/land/LandUse.h"
 #include "worldmaking/land/ModelPoints.h"
@@ -51,7 +54,22 @@ foundation::Outcome WorldMaker::make()
         if (auto written = writeRides(rides, _source.request.world); !written) return written;
     if (auto written = foundation::writeWholeFile(file("report.json"), report.json.dump(2) + '\n'); !written)
         return written;
-    return foundation::writeWholeFile(file("world.roam"), describe());
+    if (auto made = makeEdits(); !made) return made;
+    return foundation::writeWholeFile(file("world.roam"), describe() + "edits = ground.edits\n");
+}
+
+/// Cuts the ground to the roads, so that opening the world need not.
+foundation::Outcome WorldMaker::makeEdits()
+{
+    const auto description = osgTerrainROAM::core::parseRoamFile(describe(), file("world.roam"));
+    if (!description) return description.error();
+    const auto before = osgTerrainROAM::core::loadRoamTile(*description);
+    if (!before) return before.error();
+    const auto cut = scenery::loadRoadTile(*description);
+    if (!cut) return cut.error();
+    const auto source = osgTerrainROAM::core::editSourceOf(*description);
+    if (!source) return source.error();
+    return osgTerrainROAM::core::writeEdits(**before, *cut->tile, *source, file("ground.edits"));
 }
 
 std::optional<double> WorldMaker::heightM(const worldmaking::MapPlane& plane, const glm::dvec2& plan) const

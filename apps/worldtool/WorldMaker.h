@@ -48,6 +48,7 @@ private:
     foundation::Outcome makeHouses(const worldmaking::MapPlane& plane, const worldmaking::RoadRoom& room);
     foundation::Outcome makeLand(const worldmaking::MapPlane& plane, const worldmaking::RoadRoom& room,
                                  const std::string& proj);
+    foundation::Outcome makeEdits();
     std::optional<double> heightM(const worldmaking::MapPlane& plane, const glm::dvec2& plan) const;
     std::optional<worldmaking::MapBox> limitIn(const worldmaking::MapPlane& plane) const;
     std::filesystem::path file(const char* name) const { return _source.request.world / name; }

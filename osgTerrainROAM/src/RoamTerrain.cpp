@@ -194,9 +194,9 @@ void RoamTerrain::setAtmosphere(Atmosphere* atmosphere)
 
 foundation::Result<osg::ref_ptr<RoamTerrain>> makeTerrain(const core::RoamFile& description)
 {
-    auto placed = core::loadTile(description);
-    if (!placed) return placed.error();
-    return makeTerrain(description, std::make_shared<core::RoamTile>(std::move(*placed)));
+    const auto tile = core::loadRoamTile(description);
+    if (!tile) return tile.error();
+    return makeTerrain(description, *tile);
 }
 
 foundation::Result<osg::ref_ptr<RoamTerrain>> makeTerrain(const core::RoamFile& description,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -39,8 +41,18 @@ struct Building
 struct StandingBuilding
 {
     Building building;
-    double floorM = 0.0; ///< of its ground floor
-    double footM = 0.0;  ///< where its walls begin, in the ground
+    double floorM = 0.0;                        ///< of its ground floor
+    double footM = 0.0;                         ///< where its walls begin, in the ground
+    std::vector<std::vector<double>> groundM{}; ///< at the corners of its rings; empty: level with the floor
+    std::size_t doorEdge = 0; ///< of the outer ring, from this corner to the next: the side of the street
+
+    /// Returns the ground at a share of the way along an edge of a ring.
+    double groundAt(std::size_t ring, std::size_t edge, double share) const
+    {
+        if (groundM.empty()) return floorM;
+        const std::vector<double>& corners = groundM[ring];
+        return std::lerp(corners[edge], corners[(edge + 1) % corners.size()], share);
+    }
 };
 
 } // namespace scenery

@@ -23,8 +23,11 @@ using models::Detail;
 
 constexpr double kEavesOutM = 0.45, kFasciaM = 0.22;
 constexpr double kProudM = 0.04;
+constexpr float kPlinthShade = 0.62F; ///< of the wall's colour
+constexpr double kClearM = 0.15;      ///< from the ground to the sill of a window
+constexpr double kHighStepM = 1.5;    ///< a door stands no higher above the ground: it opens into the plinth
 constexpr double kWindowHalfM = 0.6, kSillM = 0.95, kHeadM = 2.3, kAxisM = 3.1, kDoorHalfM = 0.6,
-                 kDoorM = 2.15;
+                 kDoorM = 2.15, kShopSillM = 0.4;
 
 /// Adds the parts of one building.
 class Maker
@@ -61,21 +64,32 @@ private:
 
     void addWall(const glm::dvec2& from, const glm::dvec2& to)
     {
-        const double lengthM = glm::length(to - from);
+        const double lengthM = glm::length(to - from), lowM = std::max(_standing.footM, _standing.floorM);
+        addPlinth(from, to, lowM);
         std::vector<double> shares{0.0};
         for (const double share : _roof.breaksOn(from, to))
             shares.push_back(share);
         shares.push_back(1.0);
-        std::vector<glm::vec3> corners{local(from, _standing.footM), local(to, _standing.footM)};
-        std::vector<glm::vec2> uv{uvOf(0.0, _standing.footM), uvOf(lengthM, _standing.footM)};
+        std::vector<glm::vec3> corners{local(from, lowM), local(to, lowM)};
+        std::vector<glm::vec2> uv{uvOf(0.0, lowM), uvOf(lengthM, lowM)};
         for (auto share = shares.rbegin(); share != shares.rend(); ++share)
         {
             const glm::dvec2 place = glm::mix(from, to, *share);
-            const double topM = std::max(_eavesM + _roof.heightM(place), _standing.footM);
+            const double topM = std::max(_eavesM + _roof.heightM(place), lowM);
             corners.push_back(local(place, topM));
             uv.push_back(uvOf(*share * lengthM, topM));
         }
         _facets.shell[_building.wall].addPolygon(corners, uv, _building.wallTint);
+    }
+
+    /// The wall below the floor, which shows where the ground falls.
+    void addPlinth(const glm::dvec2& from, const glm::dvec2& to, double topM)
+    {
+        const double lengthM = glm::length(to - from), footM = _standing.footM;
+        _facets.shell[_building.wall].addPolygon(
+            {local(from, footM), local(to, footM), local(to, topM), local(from, topM)},
+            {uvOf(0.0, footM), uvOf(lengthM, footM), uvOf(lengthM, topM), uvOf(0.0, topM)},
+            kPlinthShade * _building.wallTint);
     }
 
     glm::vec2 uvOf(double alongM, double heightM) const
@@ -163,39 +177,54 @@ private:
 
     void addOpenings()
     {
-        std::size_t longest = 0;
-        const PlanRing& outer = _building.rings.front();
-        const auto lengthOf = [&](const PlanRing& ring, std::size_t i)
-        { return glm::length(ring[(i + 1) % ring.size()] - ring[i]); };
-        for (std::size_t i = 0; i < outer.size(); ++i)
-            if (lengthOf(outer, i) > lengthOf(outer, longest)) longest = i;
         for (std::size_t r = 0; r < _building.rings.size(); ++r)
             for (std::size_t i = 0; i < _building.rings[r].size(); ++i)
-                addAxes(_building.rings[r][i], _building.rings[r][(i + 1) % _building.rings[r].size()],
-                        r == 0 && i == longest);
+                addAxes(r, i);
     }
 
-    void addAxes(const glm::dvec2& from, const glm::dvec2& to, bool hasDoor)
+    void addAxes(std::size_t ring, std::size_t edge)
     {
+        const PlanRing& corners = _building.rings[ring];
+        const glm::dvec2 &from = corners[edge], &to = corners[(edge + 1) % corners.size()];
         const double lengthM = glm::length(to - from);
         const int axes = static_cast<int>((lengthM - 0.6) / kAxisM + 0.25);
-        const double storeyM = _building.eavesM / _building.storeys;
+        const bool hasDoor = ring == 0 && edge == _standing.doorEdge;
         for (int axis = 0; axis < axes; ++axis)
-            for (int storey = 0; storey < _building.storeys; ++storey)
-            {
-                const double middle = (axis + 0.5) * lengthM / axes,
-                             floor = _standing.floorM + storey * storeyM;
-                const bool isDoor = hasDoor && storey == 0 && axis == axes / 2;
-                if (isDoor)
-                    addOpening(from, to, middle, kDoorHalfM, floor + 0.05, floor + kDoorM,
-                               _building.hasShop ? Detail::glassDoor : Detail::door, _building.doorTint);
-                else if (_building.hasShop && storey == 0)
-                    addOpening(from, to, middle, 0.45 * lengthM / axes, floor + 0.4, floor + 2.5,
-                               Detail::shopFront, glm::vec3(0.9F));
-                else
-                    addOpening(from, to, middle, kWindowHalfM, floor + kSillM,
-                               floor + std::min(kHeadM, storeyM - 0.15), Detail::window, glm::vec3(1.0F));
-            }
+        {
+            const double share = (axis + 0.5) / axes, groundM = _standing.groundAt(ring, edge, share);
+            const bool isDoor = hasDoor && axis == axes / 2;
+            if (isDoor) addDoor(from, to, share * lengthM, groundM);
+            for (int storey = isDoor ? 1 : 0; storey < _building.storeys; ++storey)
+                addWindow(from, to, {share * lengthM, lengthM / axes, groundM}, storey);
+        }
+    }
+
+    void addDoor(const glm::dvec2& from, const glm::dvec2& to, double middleM, double groundM)
+    {
+        const double floorM =
+            _standing.floorM - groundM > kHighStepM ? groundM : std::max(_standing.floorM, groundM);
+        addOpening(from, to, middleM, kDoorHalfM, floorM + 0.05, floorM + kDoorM,
+                   _building.hasShop ? Detail::glassDoor : Detail::door, _building.doorTint);
+    }
+
+    /// The place of windows over each other. Units: metres.
+    struct Axis
+    {
+        double middleM, spacingM, groundM;
+    };
+
+    void addWindow(const glm::dvec2& from, const glm::dvec2& to, const Axis& axis, int storey)
+    {
+        const double storeyM = _building.eavesM / _building.storeys,
+                     floorM = _standing.floorM + storey * storeyM;
+        const bool isShop = _building.hasShop && storey == 0;
+        if (floorM + (isShop ? kShopSillM : kSillM) < axis.groundM + kClearM) return; // in the ground
+        if (isShop)
+            addOpening(from, to, axis.middleM, 0.45 * axis.spacingM, floorM + kShopSillM, floorM + 2.5,
+                       Detail::shopFront, glm::vec3(0.9F));
+        else
+            addOpening(from, to, axis.middleM, kWindowHalfM, floorM + kSillM,
+                       floorM + std::min(kHeadM, storeyM - 0.15), Detail::window, glm::vec3(1.0F));
     }
 
     void addOpening(const glm::dvec2& from, const glm::dvec2& to, double middleM, double halfM, double lowM,

@@ -2,6 +2,7 @@
 #include "scenery/buildings/StandBuildings.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "scenery/buildings/BuildingRules.h"
 
@@ -12,6 +13,51 @@ namespace
 {
 
 constexpr double kStepM = 1.0;
+constexpr double kLeastDoorEdgeM = 2.5;
+constexpr double kThresholdM = 0.05; ///< of a floor above the ground at its door
+
+/// The edge of the outer ring whose middle is nearest to the street, of those that are long enough for a door; else the longest one.
+std::size_t doorEdgeOf(const std::vector<glm::dvec2>& ring, double groundM, const NearestStreet& street)
+{
+    glm::dvec2 middle(0.0);
+    for (const glm::dvec2& corner : ring)
+        middle += corner / static_cast<double>(ring.size());
+    const auto to = street ? street(glm::dvec3(middle, groundM)) : std::nullopt;
+    std::size_t best = 0;
+    double most = -1e300;
+    for (std::size_t i = 0; i < ring.size(); ++i)
+    {
+        const glm::dvec2 &from = ring[i], &next = ring[(i + 1) % ring.size()];
+        const double lengthM = glm::length(next - from);
+        const bool isNarrow = lengthM < kLeastDoorEdgeM;
+        const double rank = !to ? lengthM : (isNarrow ? -1e6 : 0.0) - glm::length(0.5 * (from + next) - *to);
+        if (rank <= most) continue;
+        most = rank;
+        best = i;
+    }
+    return best;
+}
+
+/// Puts a building on the ground. False: some of it lies beyond.
+bool stand(StandingBuilding& standing, const GroundHeight& ground, const NearestStreet& street)
+{
+    const Building& building = standing.building;
+    const auto span = groundUnder(building.rings, ground);
+    if (!span) return false;
+    for (const auto& ring : building.rings)
+    {
+        standing.groundM.emplace_back();
+        for (const glm::dvec2& corner : ring)
+            standing.groundM.back().push_back(ground(corner.x, corner.y).value_or(span->lowM));
+    }
+    standing.doorEdge = doorEdgeOf(building.rings.front(), span->lowM, street);
+    const double mostM = span->lowM + std::max(kMostCellarM, 0.5 * building.eavesM);
+    const double doorM = std::clamp(standing.groundAt(0, standing.doorEdge, 0.5), span->lowM,
+                                    street ? span->highM : std::min(span->highM, mostM));
+    standing.floorM = std::max(doorM + kThresholdM, std::min(span->highM - kMostSunkM, mostM));
+    standing.footM = span->lowM - kFootM;
+    return true;
+}
 
 } // namespace
 
@@ -31,14 +77,15 @@ std::optional<GroundSpan> groundUnder(const std::vector<std::vector<glm::dvec2>>
         for (std::size_t i = 0; i < ring.size(); ++i)
         {
             const glm::dvec2 &from = ring[i], &to = ring[(i + 1) % ring.size()];
-            const int steps = std::max(1, static_cast<int>(glm::length(to - from) / kStepM));
+            const int steps = std::max(1, static_cast<int>(std::ceil(glm::length(to - from) / kStepM)));
             for (int k = 0; k < steps; ++k)
                 if (!look(glm::mix(from, to, static_cast<double>(k) / steps))) return std::nullopt;
         }
     return span;
 }
 
-StandingBuildings standBuildings(const osgTerrainROAM::core::ShapeSet& shapes, const GroundHeight& ground)
+StandingBuildings standBuildings(const osgTerrainROAM::core::ShapeSet& shapes, const GroundHeight& ground,
+                                 const NearestStreet& street)
 {
     StandingBuildings standing;
     for (const auto& shape : shapes.shapes)
@@ -51,15 +98,11 @@ StandingBuildings standBuildings(const osgTerrainROAM::core::ShapeSet& shapes, c
             ++standing.unusable;
             continue;
         }
-        const auto span = groundUnder(building->rings, ground);
-        if (!span)
-        {
+        StandingBuilding placed{*std::move(building)};
+        if (stand(placed, ground, street))
+            standing.buildings.push_back(std::move(placed));
+        else
             ++standing.beyondGround;
-            continue;
-        }
-        const double floorM =
-            std::min(span->highM, span->lowM + std::max(kMostCellarM, 0.5 * building->eavesM));
-        standing.buildings.push_back({*std::move(building), floorM, span->lowM - kFootM});
     }
     return standing;
 }

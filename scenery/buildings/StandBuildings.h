@@ -15,6 +15,9 @@ namespace scenery
 /// Returns the height of the ground in the scene's z; nothing beyond the data.
 using GroundHeight = std::function<std::optional<double>(double eastM, double northM)>;
 
+/// Returns the nearest place of a street in the plan from a place on the ground; nothing where none is near.
+using NearestStreet = std::function<std::optional<glm::dvec2>(const glm::dvec3& place)>;
+
 /// The buildings of a map on the ground, and what was left out.
 struct StandingBuildings
 {
@@ -22,9 +25,11 @@ struct StandingBuildings
     std::size_t beyondGround = 0, unusable = 0;
 };
 
-/// Makes buildings of a map's areas (buildingOf()) and points (towerOf()) and puts them on the ground: the floor at the highest
-/// ground under the outline, or lower where it falls by more than a storey; walls down to the lowest and half a metre into it.
-StandingBuildings standBuildings(const osgTerrainROAM::core::ShapeSet& shapes, const GroundHeight& ground);
+/// Makes buildings of a map's areas (buildingOf()) and points (towerOf()) and puts them on the ground. The door is on the side of the nearest street,
+/// or on the longest one, and the floor at the ground there; higher where more than kMostSunkM of a wall would lie in the ground, but not by
+/// so much that walls show below the floor for more than kMostCellarM and half the eaves. Walls go down to the lowest ground and half a metre into it.
+StandingBuildings standBuildings(const osgTerrainROAM::core::ShapeSet& shapes, const GroundHeight& ground,
+                                 const NearestStreet& street = {});
 
 /// The lowest and the highest ground under an outline, at its corners and each metre along its edges.
 struct GroundSpan
@@ -34,8 +39,8 @@ struct GroundSpan
 std::optional<GroundSpan> groundUnder(const std::vector<std::vector<glm::dvec2>>& rings,
                                       const GroundHeight& ground);
 
-inline constexpr double kFootM = 0.5; ///< of walls in the lowest ground
-inline constexpr double kMostCellarM =
-    3.0; ///< by which walls may show below the floor before the floor is lowered
+inline constexpr double kFootM = 0.5;     ///< of walls in the lowest ground
+inline constexpr double kMostSunkM = 2.4; ///< of the uphill walls
+inline constexpr double kMostCellarM = 3.0;
 
 } // namespace scenery

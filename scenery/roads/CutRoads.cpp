@@ -10,6 +10,8 @@
 #include <osgTerrainROAM/core/edit/HeightRule.h>
 #include <osgTerrainROAM/core/heightfield/GroundQuery.h>
 
+#include "scenery/roads/RoadEdges.h"
+
 namespace scenery
 {
 
@@ -23,7 +25,20 @@ using osgTerrainROAM::core::PlacedTile;
 using osgTerrainROAM::core::PlanBox;
 
 constexpr double kBoxStepM = 15.0;
-constexpr double kLeastReachM = 4.0; ///< beyond the verge
+constexpr double kMarginM = 2.0; ///< by which earthworks may be larger between the places that are looked at
+constexpr double kLeastRiseM = 0.05; ///< smaller ones are left out
+
+/// Where tunnels of a network come out. Frame: the scene's, x and y.
+std::vector<glm::dvec2> portalsOf(const PlacedNetwork& roads)
+{
+    std::vector<glm::dvec2> portals;
+    for (int i = 0; i < static_cast<int>(roads.network().roads.size()); ++i)
+        for (const auto& structure : roads.road(i).structures)
+            if (roads.road(i).isUsable && structure.kind == osgRoads::core::StructureKind::tunnel)
+                for (const double s : {structure.s, structure.s + structure.length})
+                    portals.emplace_back(roads.surfacePoint(i, std::min(s, roads.road(i).length), 0.0));
+    return portals;
+}
 
 /// The box of one station: its lanes, and as far beside them as cutting or embankment may reach. False: beyond the data.
 bool boxAt(const PlacedTile& tile, const PlacedNetwork& roads, int road, double s, const RoadCutShape& shape,
@@ -43,8 +58,8 @@ bool boxAt(const PlacedTile& tile, const PlacedNetwork& roads, int road, double 
         isOnTile = true;
         earthworkM = std::max(earthworkM, std::abs(ground->position.z - place.z));
     }
-    const double besideM = shape.bed.vergeM + kLeastReachM + 2.0 * earthworkM / shape.slope;
-    box = box.grownBy(std::min(besideM, shape.reachM) + 0.5 * kBoxStepM);
+    const double besideM = shape.bed.vergeM + RoadEdges::reachOf(earthworkM + kMarginM, shape);
+    box = box.grownBy(besideM + 0.5 * kBoxStepM);
     return isOnTile;
 }
 
@@ -77,11 +92,22 @@ cutRoads(osgTerrainROAM::core::TileEditor& editor, const PlacedNetwork& roads, c
     if (boxes.empty())
         return foundation::Error{tile.field().name, "the roads lie beyond the terrain",
                                  "state where they lie: roads_origin = LAT LON [HEADING]"};
+    const RoadEdges edges(roads, tile, shape);
+    const std::vector<glm::dvec2> portals = portalsOf(roads);
+    const double portalM = 2.0 * shape.reachM;
     const auto rule = [&](const glm::dvec2& place, double heightM)
     {
         const glm::dvec2 grid = tile.frame().gridNear(place);
         const double z = tile.frame().positionAt(grid.x, grid.y, heightM).z;
-        return roadBand(roads, tile.frame(), shape, glm::dvec3(place, z)).nearestTo(heightM);
+        const bool isByPortal =
+            std::any_of(portals.begin(), portals.end(),
+                        [&](const glm::dvec2& portal)
+                        { return glm::dot(portal - place, portal - place) < portalM * portalM; });
+        const HeightBand band = roadBand(roads, tile.frame(), shape, glm::dvec3(place, z),
+                                         isByPortal ? shape.reachM : shape.structureM);
+        if (band.isBed) return band.nearestTo(heightM);
+        const double riseM = edges.riseAt(place);
+        return band.nearestTo(std::abs(riseM) < kLeastRiseM ? heightM : heightM + riseM);
     };
     const bool isFine = tile.grid().exponent() > 0;
     const auto changes =

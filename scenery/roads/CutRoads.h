@@ -11,7 +11,7 @@
 namespace scenery
 {
 
-/// Lays roads into the ground of a tile: beds, cuttings and embankments (roadBand()), in one step of the editor. Where the tile's
+/// Lays roads into the ground of a tile: beds (roadBand()), and a smooth surface between and beside them (RoadEdges), in one step of the editor. Where the tile's
 /// grid is finer than its raster, samples are added near the roads; otherwise the raster's own change.
 /// Errors: those of changesBy() and TileEditor::apply(); roads beyond the tile.
 foundation::Result<osgTerrainROAM::core::EditReport> cutRoads(osgTerrainROAM::core::TileEditor& editor,

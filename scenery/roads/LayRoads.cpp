@@ -124,7 +124,7 @@ foundation::Result<SceneRoads> layRoads(const osgTerrainROAM::core::RoamFile& de
     if (const auto& origin = description.roadsOrigin)
         request.origin = RoadOrigin{origin->latitudeDeg, origin->longitudeDeg, origin->headingDeg};
     auto roads = placeRoads(request, tile->tile);
-    if (!roads) return roads;
+    if (!roads || !description.edits.empty()) return roads;
     osgTerrainROAM::core::TileEditor editor(tile);
     if (const auto cut = cutRoads(editor, *roads->placed); !cut) return cut.error();
     return roads;
@@ -132,12 +132,11 @@ foundation::Result<SceneRoads> layRoads(const osgTerrainROAM::core::RoamFile& de
 
 foundation::Result<RoadTile> loadRoadTile(const osgTerrainROAM::core::RoamFile& description)
 {
-    auto placed = osgTerrainROAM::core::loadTile(description);
-    if (!placed) return placed.error();
-    const auto tile = std::make_shared<osgTerrainROAM::core::RoamTile>(std::move(*placed));
-    auto roads = layRoads(description, tile);
+    const auto tile = osgTerrainROAM::core::loadRoamTile(description);
+    if (!tile) return tile.error();
+    auto roads = layRoads(description, *tile);
     if (!roads) return roads.error();
-    return RoadTile{tile, std::move(*roads)};
+    return RoadTile{*tile, std::move(*roads)};
 }
 
 std::vector<GroundFeature> farRoads(const osgRoads::core::PlacedNetwork& roads)

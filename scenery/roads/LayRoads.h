@@ -15,7 +15,8 @@
 namespace scenery
 {
 
-/// Places the roads that a .roam file names on its tile and cuts the ground to them. `placed` of the result is null when the file
+/// Places the roads that a .roam file names on its tile and cuts the ground to them, unless the file names edits: then the tile is cut already
+/// (loadRoamTile()). `placed` of the result is null when the file
 /// names none. Errors: those of placeRoads() and cutRoads().
 foundation::Result<SceneRoads> layRoads(const osgTerrainROAM::core::RoamFile& description,
                                         const std::shared_ptr<osgTerrainROAM::core::RoamTile>& tile);
@@ -31,7 +32,7 @@ struct RoadTile
     SceneRoads roads; ///< `placed` null: none are named
 };
 
-/// Loads the tile that a .roam file describes and lays its roads. Errors: those of loadTile() and layRoads().
+/// Loads the tile that a .roam file describes and lays its roads. Errors: those of loadRoamTile() and layRoads().
 foundation::Result<RoadTile> loadRoadTile(const osgTerrainROAM::core::RoamFile& description);
 
 } // namespace scenery

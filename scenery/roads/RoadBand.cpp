@@ -17,20 +17,21 @@ namespace
 using osgRoads::core::PlacedNetwork;
 using osgRoads::core::RoadMatch;
 
-constexpr double kUndercutSamples = 2.0; ///< a triangle's long side and some more
+constexpr double kUndercutSamples = 2.0;  ///< a triangle's long side and some more
+constexpr double kProtectedSamples = 1.2; ///< so far from lower lanes no bed lies higher
 
 /// The band of a bed below a verge whose surface is at `surfaceM`, `outM` from the lanes.
 HeightBand bandUnderVerge(double surfaceM, double outM, const RoadCutShape& shape)
 {
     const double risen = std::clamp((outM - shape.bed.vergeM + shape.riseM) / shape.riseM, 0.0, 1.0);
     const double height = surfaceM - std::lerp(shape.bed.depthM, shape.vergeEndM, risen);
-    return {height, height};
+    return {height, height, true};
 }
 
-/// The band of cutting and embankment at `outM` from the lanes of a road whose verge ends at `edgeM`.
-HeightBand bandBeyondVerge(double edgeM, double outM, const RoadCutShape& shape)
+/// The band beside a bridge or a portal at `outM` from the lanes of a road whose verge ends at `edgeM`.
+HeightBand bandBeyondVerge(double edgeM, double outM, double reachM, const RoadCutShape& shape)
 {
-    const double beyondM = outM - shape.bed.vergeM, leftM = shape.reachM - outM;
+    const double beyondM = outM - shape.bed.vergeM, leftM = reachM - outM;
     if (leftM <= 0.0) return {};
     const double halfM = shape.slope * beyondM * (1.0 + beyondM / leftM);
     return {edgeM - shape.vergeEndM - halfM, edgeM - shape.vergeEndM + halfM};
@@ -63,7 +64,8 @@ HeightBand bandOfBridge(double surfaceM, double outM, const RoadCutShape& shape)
 {
     HeightBand band;
     band.highM = surfaceM - shape.deckM;
-    if (outM > shape.bed.vergeM) band.highM = bandBeyondVerge(band.highM, outM, shape).highM;
+    if (outM > shape.bed.vergeM)
+        band.highM = bandBeyondVerge(band.highM, outM, shape.structureM, shape).highM;
     return band;
 }
 
@@ -72,51 +74,78 @@ HeightBand bandOfTunnel(double depthM, double surfaceM, double outM, const RoadC
 {
     const double behindM = std::max(depthM - std::max(shape.portalBackM, 1.5 * shape.sampleM), 0.0);
     const bool isVerge = outM <= shape.bed.vergeM;
-    const HeightBand open =
-        isVerge ? bandUnderVerge(surfaceM, outM, shape) : bandBeyondVerge(surfaceM, outM, shape);
+    const HeightBand open = isVerge ? bandUnderVerge(surfaceM, outM, shape)
+                                    : bandBeyondVerge(surfaceM, outM, shape.reachM, shape);
     if (open.isOpen()) return {};
     const double middleM = 0.5 * (open.lowM + open.highM);
     const double halfM = std::hypot(0.5 * (open.highM - open.lowM), shape.portalSlope * behindM);
     return {middleM - halfM, middleM + halfM};
 }
 
-/// The band that one road asks for.
-HeightBand bandOf(const PlacedNetwork& roads, const RoadMatch& match,
-                  const osgTerrainROAM::core::TileFrame& frame, const RoadCutShape& shape)
+/// Returns the surface of a road where it is nearest, in the samples' datum.
+double surfaceM(const PlacedNetwork& roads, const RoadMatch& match,
+                const osgTerrainROAM::core::TileFrame& frame, const RoadCutShape& shape)
+{
+    return frame.heightOf(roads.surfaceAt(match, shape.bed, shape.bed.vergeM));
+}
+
+/// The band that a bridge or a tunnel asks for.
+HeightBand bandOfStructure(const PlacedNetwork& roads, const RoadMatch& match,
+                           const osgRoads::core::RoadStructure& structure,
+                           const osgTerrainROAM::core::TileFrame& frame, const RoadCutShape& shape)
+{
+    const double heightM = surfaceM(roads, match, frame, shape);
+    if (structure.kind == osgRoads::core::StructureKind::bridge)
+        return bandOfBridge(heightM, match.distance, shape);
+    const double depthM =
+        osgRoads::core::depthInTunnel(roads.road(match.position.road), structure, match.position.s);
+    return bandOfTunnel(depthM, heightM, match.distance, shape);
+}
+
+/// The bed that an open road asks for, up to a sample beyond its verge, too. A sample beyond its end the ground is as beside the verge: a triangle that
+/// rises from there to a hill would lie over its lanes.
+HeightBand bedOf(const PlacedNetwork& roads, const RoadMatch& match,
+                 const osgTerrainROAM::core::TileFrame& frame, const RoadCutShape& shape)
 {
     const auto& position = match.position;
     const auto& road = roads.road(position.road);
-    if (shape.torn && shape.torn->at(position.road, position.s)) return {};
-    const double surfaceM = frame.heightOf(roads.surfaceAt(match, shape.bed, shape.bed.vergeM));
-    if (const auto* structure = osgRoads::core::structureAt(road, position.s))
-        return structure->kind == osgRoads::core::StructureKind::bridge
-                   ? bandOfBridge(surfaceM, match.distance, shape)
-                   : bandOfTunnel(osgRoads::core::depthInTunnel(road, *structure, position.s), surfaceM,
-                                  match.distance, shape);
-    const bool isOnLanes = match.distance < 1e-6;
-    if (isOnLanes) return bandUnderVerge(surfaceM - undercutM(road, position, shape), 0.0, shape);
-    // Beyond an end no mesh covers a bed: there the ground is that beside the verge.
+    const double heightM = surfaceM(roads, match, frame, shape);
+    if (match.distance < 1e-6) return bandUnderVerge(heightM - undercutM(road, position, shape), 0.0, shape);
     const auto lanes = osgRoads::core::extentAt(road, position.s);
     const bool isBeyondEnd = position.t >= lanes.rightT && position.t <= lanes.leftT;
-    if (isBeyondEnd) return bandBeyondVerge(surfaceM, match.distance + shape.bed.vergeM, shape);
-    if (match.distance <= shape.bed.vergeM) return bandUnderVerge(surfaceM, match.distance, shape);
-    return bandBeyondVerge(surfaceM, match.distance, shape);
+    if (isBeyondEnd) return {heightM - shape.vergeEndM, heightM - shape.vergeEndM, true};
+    HeightBand band = bandUnderVerge(heightM, std::min(match.distance, shape.bed.vergeM), shape);
+    band.isBed = match.distance <= shape.bed.vergeM;
+    return band;
 }
 
 } // namespace
 
 HeightBand roadBand(const PlacedNetwork& roads, const osgTerrainROAM::core::TileFrame& frame,
-                    const RoadCutShape& shape, const glm::dvec3& scene)
+                    const RoadCutShape& shape, const glm::dvec3& scene, double withinM)
 {
-    HeightBand band;
+    HeightBand bed, beside;
+    bed.lowM = 1e9;
+    const double bedReachM = std::max(shape.bed.vergeM, kProtectedSamples * shape.sampleM);
     const glm::dvec2 plan(roads.toInertial(scene));
-    for (const RoadMatch& match : roads.locator().within(plan, shape.reachM))
+    for (const RoadMatch& match : roads.locator().within(plan, std::max(withinM, bedReachM)))
     {
-        const HeightBand asked = bandOf(roads, match, frame, shape);
-        band.lowM = std::max(band.lowM, asked.lowM);
-        band.highM = std::min(band.highM, asked.highM);
+        const auto& [index, s, t, h] = match.position;
+        if (shape.torn && shape.torn->at(index, s)) continue;
+        if (const auto* structure = osgRoads::core::structureAt(roads.road(index), s))
+        {
+            const HeightBand asked = bandOfStructure(roads, match, *structure, frame, shape);
+            beside.lowM = std::max(beside.lowM, asked.lowM);
+            beside.highM = std::min(beside.highM, asked.highM);
+            continue;
+        }
+        if (match.distance > bedReachM) continue;
+        const HeightBand asked = bedOf(roads, match, frame, shape);
+        if (asked.isOpen()) continue;
+        bed.lowM = bed.highM = std::min(bed.lowM, asked.lowM);
+        bed.isBed = bed.isBed || asked.isBed;
     }
-    return band;
+    return bed.isBed ? bed : beside;
 }
 
 } // namespace scenery

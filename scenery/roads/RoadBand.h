@@ -18,8 +18,9 @@ namespace scenery
 struct RoadCutShape
 {
     osgRoads::core::RoadBed bed;
-    double slope = 1.0 / 1.5; ///< of cuttings and embankments
+    double slope = 1.0 / 1.5; ///< of the ground that is kept off bridges and portals
     double reachM = 40.0;     ///< from the lanes; at it any ground is left as it is
+    double structureM = 12.0; ///< the same of bridges
     double vergeEndM = 0.1;   ///< the ground meets the mesh's skirt so far below the verge's outer edge
     double riseM = 1.0;       ///< width over which the bed comes up to there
     double sampleM = 2.0;     ///< between the samples of the ground
@@ -34,6 +35,7 @@ struct RoadCutShape
 struct HeightBand
 {
     double lowM = -1e9, highM = 1e9;
+    bool isBed = false; ///< the place lies under lanes or a verge
 
     bool isOpen() const { return lowM < -1e8 && highM > 1e8; }
     double nearestTo(double heightM) const
@@ -43,11 +45,20 @@ struct HeightBand
     }
 };
 
-/// Returns what the roads near a point of the scene ask of the ground there: a bed under lanes and verge, beside it a cutting or an
-/// embankment that becomes steeper towards its reach. The lowest bed wins. Under a bridge the ground is kept below the deck.
-/// Over a tunnel it is left as it is (tunnelOpenings() has its inside) but for the slope behind a portal. `scene`: on the ground as it was.
+/// Returns what the roads at a point of the scene ask of the ground there: a bed under lanes and verge, of which the lowest wins; so does that of a
+/// lower road whose lanes are as near as a sample, since a triangle of the ground from here to there must not lie over them. Elsewhere ground is
+/// kept below the decks of bridges, and behind portals it rises in a slope; over a tunnel it is left as it is (tunnelOpenings() has its inside).
+/// What lies between roads is RoadEdges' business. `scene`: on the ground as it was.
 /// Threads: const, any. Cost: some microseconds.
 HeightBand roadBand(const osgRoads::core::PlacedNetwork& roads, const osgTerrainROAM::core::TileFrame& frame,
-                    const RoadCutShape& shape, const glm::dvec3& scene);
+                    const RoadCutShape& shape, const glm::dvec3& scene, double withinM);
+
+/// The same for the reach of a portal, which is the farthest.
+inline HeightBand roadBand(const osgRoads::core::PlacedNetwork& roads,
+                           const osgTerrainROAM::core::TileFrame& frame, const RoadCutShape& shape,
+                           const glm::dvec3& scene)
+{
+    return roadBand(roads, frame, shape, scene, shape.reachM);
+}
 
 } // namespace scenery

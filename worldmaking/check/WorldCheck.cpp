@@ -24,7 +24,7 @@ namespace
 using osgRoads::core::PlacedNetwork;
 
 constexpr double kLaneStepM = 1.0, kEdgeStepM = 1.0, kRoadStepM = 5.0;
-constexpr double kHeightSlackM = 0.02;
+constexpr double kHeightSlackM = 0.02, kEndM = 0.5;
 
 /// Finds outlines that hold a place.
 class Outlines
@@ -63,6 +63,13 @@ bool isInTunnel(const osgRoads::core::Road& road, double s)
 {
     const auto* const structure = osgRoads::core::structureAt(road, s);
     return structure && structure->kind == osgRoads::core::StructureKind::tunnel;
+}
+
+/// Whether a place lies on a bridge or in a tunnel, or so near its end that rounding decides.
+bool isOnStructure(const osgRoads::core::Road& road, double s)
+{
+    const auto has = [&](double at) { return osgRoads::core::structureAt(road, at) != nullptr; };
+    return has(s) || has(s - kEndM) || has(s + kEndM);
 }
 
 /// One look at a world.
@@ -190,19 +197,42 @@ private:
     void lookAtBed(int index)
     {
         const auto& road = _things.roads->road(index);
-        bool isFloating = false, isSunk = false;
+        RoadFault floating{false, index}, sunk{true, index};
         for (const double s : osgRoads::core::evenStations(road.length, kRoadStepM))
         {
-            if (osgRoads::core::structureAt(road, s)) continue;
+            if (isOnStructure(road, s)) continue;
             const auto lanes = osgRoads::core::extentAt(road, s);
             const glm::dvec3 place =
                 _things.roads->surfacePoint(index, s, 0.5 * (lanes.rightT + lanes.leftT));
             const auto ground = _things.groundM(place.x, place.y);
-            isFloating = isFloating || !ground || place.z - *ground > kMostGapM;
-            isSunk = isSunk || (ground && *ground - place.z > kMostCoverM);
+            const double gapM = ground ? place.z - *ground : 1e9;
+            if (gapM > std::max(kMostGapM, floating.byM))
+                floating.sM = s, floating.byM = gapM, floating.place = place;
+            if (-gapM > std::max(kMostCoverM, sunk.byM)) sunk.sM = s, sunk.byM = -gapM, sunk.place = place;
         }
-        faults.floatingRoads += isFloating ? 1 : 0;
-        faults.sunkRoads += isSunk ? 1 : 0;
+        faults.floatingRoads += noted(floating) ? 1 : 0;
+        faults.sunkRoads += noted(sunk) ? 1 : 0;
+    }
+
+    /// Notes a fault, if it is one, with the road beside it.
+    bool noted(RoadFault fault)
+    {
+        if (fault.byM <= 0.0) return false;
+        const PlacedNetwork& roads = *_things.roads;
+        for (const auto& match :
+             roads.locator().within(glm::dvec2(roads.toInertial(fault.place)), RoadFault::kReasonM))
+        {
+            if (match.position.road == fault.road) continue;
+            const double higherM =
+                roads.surfacePoint(match.position.road, match.position.s, match.position.t).z - fault.place.z;
+            if (std::abs(higherM) < RoadFault::kReasonHeightM) continue;
+            fault.other = match.position.road;
+            fault.otherM = match.distance;
+            fault.otherHigherM = higherM;
+            break;
+        }
+        faults.roadFaults.push_back(fault);
+        return true;
     }
 
     const WorldThings& _things;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 
 #include <osgRoads/core/place/PlacedNetwork.h>
 
@@ -27,6 +28,19 @@ struct WorldThings
         groundM; ///< with its cuttings; nothing beyond the data
 };
 
+/// The worst place of a road that the ground leaves or covers.
+struct RoadFault
+{
+    bool isSunk = false; ///< covered; otherwise floating
+    int road = -1;
+    double sM = 0.0, byM = 0.0; ///< along the road; from the road down to the ground, or up to it
+    glm::dvec3 place{0.0};      ///< on the road
+    int other = -1;             ///< the nearest other road that may be the reason; -1: none within kReasonM
+    double otherM = 0.0;        ///< from the place to its lanes
+    double otherHigherM = 0.0;  ///< by which it lies higher, or lower
+    static constexpr double kReasonM = 20.0, kReasonHeightM = 0.3;
+};
+
 /// What stands wrong, and how much there is.
 struct WorldFaults
 {
@@ -40,6 +54,7 @@ struct WorldFaults
     std::size_t floatingRoads = 0,
                 sunkRoads = 0; ///< roads that the ground leaves, or covers, somewhere off bridges and tunnels
     double maxGradePercent = 0.0;
+    std::vector<RoadFault> roadFaults; ///< one for each floating or sunk road, in their order
 
     std::size_t total() const
     {

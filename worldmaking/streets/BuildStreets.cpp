@@ -12,6 +12,7 @@
 #include "worldmaking/streets/Overpass.h"
 #include "worldmaking/streets/StreetHeights.h"
 #include "worldmaking/streets/StreetNetwork.h"
+#include "worldmaking/streets/UntoldBridges.h"
 
 namespace worldmaking
 {
@@ -122,6 +123,7 @@ foundation::Result<Streets> buildStreets(const StreetMap& map, const GroundOnEar
     report.untoldOverpasses = overpasses.untold;
     StreetNetwork network(used, graph, lines, cuts, heights);
     network.build(streets.network, report);
+    report.untoldBridges = addUntoldBridges(streets.network);
     return streets;
 }
 

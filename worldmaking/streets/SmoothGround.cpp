@@ -42,6 +42,16 @@ public:
                 add(node - a, node - b, weight * kSecond[a] * kSecond[b]);
     }
 
+    /// Adds weight · (height - that of a place between two other nodes)².
+    void addTie(const StreetTie& tie)
+    {
+        const std::size_t nodes[] = {tie.node, tie.before, tie.after};
+        const double shares[] = {1.0, tie.share - 1.0, -tie.share};
+        for (std::size_t a = 0; a < 3; ++a)
+            for (std::size_t b = 0; b < 3; ++b)
+                add(nodes[a], nodes[b], tie.weight * shares[a] * shares[b]);
+    }
+
     std::vector<double> least() const
     {
         Eigen::SparseMatrix<double> matrix(_right.size(), _right.size());
@@ -63,7 +73,8 @@ private:
 
 } // namespace
 
-std::vector<double> smoothGround(const HeightNodes& nodes, const GroundHeight& ground)
+std::vector<double> smoothGround(const HeightNodes& nodes, const GroundHeight& ground,
+                                 std::span<const StreetTie> ties)
 {
     SquareSum sum(nodes.count);
     const auto wish = [&](std::size_t node, const glm::dvec2& plan, bool isFree)
@@ -86,6 +97,8 @@ std::vector<double> smoothGround(const HeightNodes& nodes, const GroundHeight& g
                 sum.addStretch(row.first + k - 1, row.first + k, kStretching);
             if (k > 1) sum.addBend(row.first + k, kBending);
         }
+    for (const StreetTie& tie : ties)
+        sum.addTie(tie);
     return sum.least();
 }
 

@@ -5,7 +5,9 @@
 #include <cmath>
 #include <utility>
 
+#include "worldmaking/streets/CloseStreets.h"
 #include "worldmaking/streets/HeightFitter.h"
+#include "worldmaking/streets/LaneLayout.h"
 
 namespace worldmaking
 {
@@ -21,6 +23,14 @@ std::array<std::size_t, 2> nodesAround(const HeightRow& row, double alongM)
     { return row.first + static_cast<std::size_t>(std::clamp(node, 0.0, most)); };
     const double place = alongM / row.stepM;
     return {at(std::floor(place)), at(std::ceil(place))};
+}
+
+std::vector<double> halfWidthsOf(const StreetGraph& graph)
+{
+    std::vector<double> halfM;
+    for (const StreetChain& chain : graph.chains)
+        halfM.push_back(layoutOf(graph.traitsAt(chain, 0)).halfWidthM());
+    return halfM;
 }
 
 std::vector<OverpassNodes> overpassNodes(const HeightNodes& nodes, const std::vector<ChainCut>& cuts,
@@ -41,8 +51,9 @@ StreetHeights heightsOf(const StreetGraph& graph, const std::vector<CentreLine>&
                         const GroundHeight& ground)
 {
     const HeightNodes nodes = heightNodesOf(graph, lines, cuts);
+    const auto ties = closeStreets(nodes, halfWidthsOf(graph));
     const FittedHeights fitted =
-        fitToLimits(graph, nodes, smoothGround(nodes, ground), overpassNodes(nodes, cuts, overpasses));
+        fitToLimits(graph, nodes, smoothGround(nodes, ground, ties), overpassNodes(nodes, cuts, overpasses));
     const auto planeAt = [&](int crossing)
     {
         const auto area = nodes.areaAt(crossing);

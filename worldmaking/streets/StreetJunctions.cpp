@@ -23,6 +23,18 @@ using osgRoads::core::Road;
 using osgRoads::core::RoadLink;
 using osgRoads::core::RoadNetwork;
 
+/// A turn between two bridges crosses the same air, one between two tunnels the same hill.
+void addStructure(Road& road, StreetPlace place)
+{
+    const bool isBridge = place == StreetPlace::bridge;
+    osgRoads::core::RoadStructure structure;
+    structure.id = road.id + "-0";
+    structure.kind = isBridge ? osgRoads::core::StructureKind::bridge : osgRoads::core::StructureKind::tunnel;
+    structure.type = isBridge ? "concrete" : "standard";
+    structure.length = road.length;
+    road.structures.push_back(std::move(structure));
+}
+
 RoadLink linkTo(const StreetArm& arm)
 {
     RoadLink link;
@@ -85,6 +97,12 @@ std::vector<char> StreetNetwork::allowedTurns(const Crossing& crossing) const
     return allowed;
 }
 
+StreetPlace StreetNetwork::placeAt(const StreetArm& arm) const
+{
+    const StreetChain& chain = _graph.chains[arm.chain];
+    return _graph.traitsAt(chain, arm.isEnd ? chain.pieces.size() - 1 : 0).place;
+}
+
 void StreetNetwork::addJunction(std::size_t index, RoadNetwork& network, StreetReport& report) const
 {
     const Crossing& crossing = _graph.crossings[index];
@@ -106,6 +124,9 @@ void StreetNetwork::addJunction(std::size_t index, RoadNetwork& network, StreetR
         const Gate& to = arms[turn.toArm].out[static_cast<std::size_t>(turn.toLane)];
         Road road = connectingRoad(from.gate, to.gate, _heights.planes[index]);
         road.id = std::to_string(network.roads.size() + _graph.crossings.size());
+        if (const StreetPlace place = placeAt(arms[turn.fromArm].arm);
+            place != StreetPlace::ground && place == placeAt(arms[turn.toArm].arm))
+            addStructure(road, place);
         road.junctionId = junction.id;
         road.predecessor = linkTo(arms[turn.fromArm].arm);
         road.successor = linkTo(arms[turn.toArm].arm);

@@ -56,6 +56,7 @@ private:
     Arm armOf(const StreetArm& arm, const osgRoads::core::Road& road) const;
     std::vector<char> allowedTurns(const Crossing& crossing) const;
     bool isAllowed(const Crossing& crossing, const StreetArm& from, const StreetArm& to) const;
+    StreetPlace placeAt(const StreetArm& arm) const;
     void addJunction(std::size_t crossing, osgRoads::core::RoadNetwork& network, StreetReport& report) const;
 
     const StreetMap& _map;

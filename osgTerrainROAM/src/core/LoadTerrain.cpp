@@ -2,7 +2,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include <foundation/WholeText.h>
+
 #include <osgTerrainROAM/core/LoadTerrain.h>
+#include <osgTerrainROAM/core/edit/EditFile.h>
 
 namespace osgTerrainROAM::core
 {
@@ -41,6 +44,31 @@ foundation::Result<PlacedTile> loadTile(const RoamFile& description)
     else if (!description.roads.empty())
         options.gridExponent = gridExponentFor(*field, kRoadSpacingM);
     return PlacedTile(std::move(*field), options);
+}
+
+foundation::Result<std::shared_ptr<RoamTile>> loadRoamTile(const RoamFile& description)
+{
+    auto placed = loadTile(description);
+    if (!placed) return placed.error();
+    auto tile = std::make_shared<RoamTile>(std::move(*placed));
+    if (description.edits.empty()) return tile;
+    const auto source = editSourceOf(description);
+    if (!source) return source.error();
+    if (const auto read = readEdits(*tile, *source, description.edits); !read) return read.error();
+    return tile;
+}
+
+foundation::Result<std::uint64_t> editSourceOf(const RoamFile& description)
+{
+    if (description.roads.empty()) return markOf({});
+    constexpr std::uintmax_t kMostBytes = std::uintmax_t{4} << 30;
+    const auto roads = foundation::readWholeText(description.roads, kMostBytes);
+    if (!roads) return roads.error();
+    std::string place = description.roadsOnGround ? "ground" : "file";
+    if (const auto& origin = description.roadsOrigin)
+        for (const double value : {origin->latitudeDeg, origin->longitudeDeg, origin->headingDeg})
+            place += ' ' + std::to_string(value);
+    return markOf(place, markOf(*roads));
 }
 
 } // namespace osgTerrainROAM::core

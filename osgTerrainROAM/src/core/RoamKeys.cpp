@@ -142,6 +142,7 @@ constexpr std::array kKeys{
     Key{"land_cover_classes", assignClasses},
     Key{"season", assignSeason},
     Key{"roads", [](RoamFile& f, const RoamEntry& e) { return assignPath(f.roads, e); }},
+    Key{"edits", [](RoamFile& f, const RoamEntry& e) { return assignPath(f.edits, e); }},
     Key{"roads_origin", assignRoadsOrigin},
     Key{"roads_heights",
         [](RoamFile& f, const RoamEntry& e) { return assignWord(f.roadsOnGround, e, kRoadsHeights); }},

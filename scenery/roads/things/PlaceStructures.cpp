@@ -116,7 +116,8 @@ void addBridge(const PlacedNetwork& placed, int road, const RoadStructure& bridg
 {
     const auto& plain = placed.road(road);
     for (const int side : {1, -1})
-        addEdge(placed, road, bridge, side, into);
+        if (plain.junctionId.empty()) // a railing along a turn would stand across the other lanes
+            addEdge(placed, road, bridge, side, into);
     // Below the surface by 5 cm, so that the deck never fights the road for depth. The road's tilt is that of its edges.
     RoadLine deck = concreteLine(bridge);
     deck.lineT = [&plain](double s) { return sidesAt(plain, s, kSideM).middle(); };
@@ -140,7 +141,7 @@ void placeStructures(const PlacedNetwork& placed, int road, const GroundHeight& 
     for (const RoadStructure& structure : placed.road(road).structures)
         if (structure.kind == osgRoads::core::StructureKind::bridge)
             addBridge(placed, road, structure, ground, into);
-        else
+        else if (placed.road(road).junctionId.empty()) // walls of a turn would stand across the other lanes
             placeTunnel(placed, road, structure, into);
 }
 

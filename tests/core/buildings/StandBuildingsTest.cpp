@@ -18,13 +18,39 @@ ShapeSet oneHouse()
     return set;
 }
 
-TEST(StandBuildings, TheFloorLiesOnTheHighestGroundAndWallsReachBelowTheLowest)
+TEST(StandBuildings, TheDoorIsOnTheStreetsSideAndTheFloorAtTheGroundThere)
 {
-    const auto slope = [](double eastM, double) { return std::optional(100.0 + 0.2 * eastM); };
+    const auto slope = [](double eastM, double) { return std::optional(100.0 + 0.15 * eastM); };
+    for (const double streetM : {-20.0, 30.0})
+    {
+        const auto street = [&](const glm::dvec3& from)
+        { return std::optional(glm::dvec2(streetM, from.y)); };
+        const StandingBuildings made = standBuildings(oneHouse(), slope, street);
+        ASSERT_EQ(made.buildings.size(), 1u);
+        const StandingBuilding& house = made.buildings[0];
+        EXPECT_EQ(house.doorEdge, streetM < 0.0 ? 3u : 1u);
+        EXPECT_NEAR(house.floorM, streetM < 0.0 ? 100.05 : 101.85, 1e-9);
+        EXPECT_NEAR(house.footM, 99.5, 1e-9);
+        EXPECT_NEAR(house.groundAt(0, 0, 0.5), 100.9, 1e-9);
+    }
+}
+
+TEST(StandBuildings, WithoutAStreetTheDoorIsOnTheLongestSide)
+{
+    const auto slope = [](double, double northM) { return std::optional(100.0 + 0.2 * northM); };
     const StandingBuildings made = standBuildings(oneHouse(), slope);
     ASSERT_EQ(made.buildings.size(), 1u);
-    EXPECT_NEAR(made.buildings[0].floorM, 102.4, 1e-9);
-    EXPECT_NEAR(made.buildings[0].footM, 99.5, 1e-9);
+    EXPECT_EQ(made.buildings[0].doorEdge, 0u);
+    EXPECT_NEAR(made.buildings[0].floorM, 100.05, 1e-9);
+}
+
+TEST(StandBuildings, NoMoreThanAStoreyOfTheUphillWallLiesInTheGround)
+{
+    const auto slope = [](double eastM, double) { return std::optional(100.0 + 0.3 * eastM); };
+    const auto street = [](const glm::dvec3& from) { return std::optional(glm::dvec2(-20.0, from.y)); };
+    const StandingBuildings made = standBuildings(oneHouse(), slope, street);
+    ASSERT_EQ(made.buildings.size(), 1u);
+    EXPECT_NEAR(made.buildings[0].floorM, 103.6 - kMostSunkM, 1e-9);
 }
 
 TEST(StandBuildings, OnASteepSlopeTheFloorIsLowerAndNoWallFloats)

@@ -13,6 +13,7 @@
 
 #include "MadeStreets.h"
 #include "TestFolder.h"
+#include "worldmaking/streets/UntoldBridges.h"
 
 namespace
 {
@@ -200,6 +201,73 @@ TEST(WriteNetwork, TellsWhatItWouldLose)
     ASSERT_FALSE(written);
     EXPECT_NE(written.error().message().find("road 0 has a signal, which is not written"), std::string::npos);
     EXPECT_FALSE(std::filesystem::exists(folder / "lost.xodr"));
+}
+
+/// The heights of two streets `apartM` beside each other, the second 8 m higher on a terrace, in their middles.
+double heightBetween(double apartM)
+{
+    MadeMap map;
+    map.way({map.node(-150, 0), map.node(150, 0)});
+    map.way({map.node(-150, apartM), map.node(150, apartM)});
+    const Streets streets =
+        streetsOf(map, [&](double, double northM) { return northM < 0.5 * apartM ? 1000.0 : 1008.0; });
+    const auto& roads = streets.network.roads;
+    return std::fabs(roads[1].elevation.value(0.5 * roads[1].length) -
+                     roads[0].elevation.value(0.5 * roads[0].length));
+}
+
+TEST(BuildStreets, StreetsCloseToEachOtherHaveHeightsThatFitTogether)
+{
+    EXPECT_LT(heightBetween(9.0), 2.0);
+    EXPECT_NEAR(heightBetween(40.0), 8.0, 0.1); // the first could fail
+}
+
+TEST(BuildStreets, ATurnBetweenTwoBridgesIsABridge)
+{
+    MadeMap map;
+    const int middle = map.node(0, 0);
+    map.way({map.node(-100, 0), middle}, {{"highway", "secondary"}, {"bridge", "yes"}, {"layer", "1"}});
+    map.way({middle, map.node(100, 0)}, {{"highway", "secondary"}, {"bridge", "yes"}, {"layer", "1"}});
+    map.way({middle, map.node(0, 100)});
+    const Streets streets = streetsOf(map, [](double, double) { return 1000.0; });
+    std::size_t bridges = 0, turns = 0;
+    for (const Road& road : streets.network.roads)
+    {
+        if (road.junctionId.empty()) continue;
+        ++turns;
+        if (road.structures.empty()) continue;
+        ++bridges;
+        EXPECT_EQ(road.structures.front().kind, StructureKind::bridge);
+        EXPECT_NEAR(road.structures.front().length, road.length, 1e-6);
+    }
+    EXPECT_EQ(turns, 6u);
+    EXPECT_EQ(bridges, 2u); // straight on, in both directions
+}
+
+/// How many bridges a street needs that runs 5 m beside another, `higherM` above it.
+std::size_t bridgesBeside(double higherM)
+{
+    const auto straight = [](double northM, double heightM)
+    {
+        MadeMap map;
+        map.way({map.node(-60, northM), map.node(60, northM)});
+        return streetsOf(map, [heightM](double, double) { return heightM; }).network.roads.front();
+    };
+    RoadNetwork network;
+    network.roads = {straight(0.0, 1000.0), straight(0.0, 1000.0 + higherM)};
+    network.roads[1].id = "1";
+    network.roads[1].laneOffset = CubicProfile({Cubic{0.0, 6.0}});
+    network.index();
+    const std::size_t count = worldmaking::addUntoldBridges(network);
+    EXPECT_TRUE(network.roads[0].structures.empty());
+    EXPECT_EQ(network.roads[1].structures.size(), count);
+    return count;
+}
+
+TEST(BuildStreets, AStreetThatNoGroundCanCarryBesideALowerOneIsABridge)
+{
+    EXPECT_EQ(bridgesBeside(8.0), 1u);
+    EXPECT_EQ(bridgesBeside(1.0), 0u);
 }
 
 } // namespace

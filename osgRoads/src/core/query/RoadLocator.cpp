@@ -73,6 +73,25 @@ std::optional<RoadMatch> RoadLocator::nearest(const glm::dvec3& point, double wi
     return _index->nearest(glm::dvec2(point), point.z, withinM);
 }
 
+bool RoadLocator::holdsOnOther(glm::dvec2 point, double withinM, int road,
+                               const std::function<bool(const RoadMatch&)>& holds) const
+{
+    constexpr double kStop = -1.0; // no box is nearer
+    bool isFound = false;
+    _index->tree.search(
+        point, limitOf(withinM),
+        [&](std::uint32_t item, double limit)
+        {
+            const RoadPiece& piece = _index->pieces[item];
+            if (isFound || static_cast<int>(piece.road) == road || piece.squareTo(point) > limit)
+                return limit;
+            const RoadMatch match = candidateOn(_index->network, piece, point, kNoHeight).match;
+            isFound = match.distance <= withinM + kSameDistanceM && holds(match);
+            return isFound ? kStop : limit;
+        });
+    return isFound;
+}
+
 std::vector<RoadMatch> RoadLocator::within(glm::dvec2 point, double withinM) const
 {
     std::vector<RoadCandidate> found;

@@ -36,9 +36,7 @@ JunctionCover::JunctionCover(const PlacedNetwork& network, int road)
 bool JunctionCover::isNearOther(double s, double radiusM) const
 {
     const glm::dvec2 place = _network.road(_road).referenceLine.at(s).position;
-    const auto matches = _network.locator().within(place, radiusM);
-    return std::any_of(matches.begin(), matches.end(),
-                       [this](const RoadMatch& match) { return match.position.road != _road; });
+    return _network.locator().holdsOnOther(place, radiusM, _road, [](const RoadMatch&) { return true; });
 }
 
 bool JunctionCover::covers(double s, double t, By by) const
@@ -47,20 +45,19 @@ bool JunctionCover::covers(double s, double t, By by) const
     const glm::dvec3 place = surfacePoint(own, s, t);
     // Where roads are joined, a verge on the joint lies on both of them but for rounding.
     const double reach = by == By::paving ? kJointM : 0.0;
-    for (const RoadMatch& match : _network.locator().within(glm::dvec2(place), reach))
+    const auto isCover = [&](const RoadMatch& match)
     {
-        if (match.position.road == _road) continue;
         const Road& other = _network.road(match.position.road);
         const auto lane = laneAt(other, match.position.s, match.position.t);
-        if (!lane) continue;
+        if (!lane) return false;
         const LaneType type = lane->lane->type;
-        if (by == By::carriageway ? !isForCars(type) : type == LaneType::none) continue;
+        if (by == By::carriageway ? !isForCars(type) : type == LaneType::none) return false;
         const RoadExtent extent = extentAt(other, match.position.s);
         const double inside = std::min(extent.leftT - match.position.t, match.position.t - extent.rightT);
         const double above = surfacePoint(other, match.position.s, match.position.t).z - place.z;
-        if (inside > kWithinM && std::fabs(above) < kSameLevelM) return true;
-    }
-    return false;
+        return inside > kWithinM && std::fabs(above) < kSameLevelM;
+    };
+    return _network.locator().holdsOnOther(glm::dvec2(place), reach, _road, isCover);
 }
 
 bool JunctionCover::isGap(double s, double t, int side) const

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <memory>
 
 #include <foundation/Result.h>
 
 #include <osgTerrainROAM/core/RoamFile.h>
 #include <osgTerrainROAM/core/heightfield/PlacedTile.h>
+#include <osgTerrainROAM/core/roam/RoamTile.h>
 
 namespace osgTerrainROAM::core
 {
@@ -22,5 +25,11 @@ int gridExponentFor(const HeightField& field, double spacingM);
 
 /// Imports and places the terrain of a description. Errors: those of importDem.
 foundation::Result<PlacedTile> loadTile(const RoamFile& description);
+
+/// The same with the bounds of its vertices and the edits that the description names. Errors: those of loadTile() and readEdits().
+foundation::Result<std::shared_ptr<RoamTile>> loadRoamTile(const RoamFile& description);
+
+/// The mark of what the edits of a description are made from: the bytes of its roads' file, and how these are placed. Errors: a file that cannot be read.
+foundation::Result<std::uint64_t> editSourceOf(const RoamFile& description);
 
 } // namespace osgTerrainROAM::core

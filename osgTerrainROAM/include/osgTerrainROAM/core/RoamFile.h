@@ -46,6 +46,7 @@ struct RoadsOrigin
 ///   land_cover_classes = worldcover | corine | FILE    what its classes mean (CoverTable.h)
 ///   season = MONTH | 0…1              january … december, or a share of the year; absent: early summer
 ///   roads = FILE.xodr                 a road network that the ground is cut to
+///   edits = FILE                      heights that edits have left (EditFile.h), in place of cutting the ground to the roads
 ///   roads_origin = LAT LON [HEADING]  of the network's (0, 0), degrees; heading of its y axis, clockwise from north
 ///   roads_heights = file | ground     the network's own heights, or added to those of the smoothed ground
 ///   origin = LAT LON [HEIGHT]         of the local frame, degrees and metres
@@ -73,6 +74,7 @@ struct RoamFile
     std::filesystem::path landCoverClasses;       ///< a table's name or file; empty: worldcover
     std::optional<double> seasonOfYear;           ///< 0…1
     std::filesystem::path roads;                  ///< an OpenDRIVE file; empty: none
+    std::filesystem::path edits;                  ///< kept by writeEdits(); empty: none
     std::optional<RoadsOrigin> roadsOrigin;       ///< absent: by the network's own georeference
     bool roadsOnGround = false;                   ///< the network's heights count from the smoothed ground
     std::optional<Geodetic> origin;

@@ -87,7 +87,15 @@ std::vector<GridPoint> RoamTile::looseVertices() const
 {
     std::vector<GridPoint> vertices;
     for (const std::uint64_t key : _loose)
-        vertices.push_back({static_cast<int>(key & 0xffffffffu), static_cast<int>(key >> 32)});
+        vertices.push_back(placeOf(key));
+    return vertices;
+}
+
+std::vector<GridPoint> RoamTile::verticesBeyond() const
+{
+    std::vector<GridPoint> vertices;
+    for (const auto& [key, bound] : _beyond)
+        vertices.push_back(placeOf(key));
     return vertices;
 }
 

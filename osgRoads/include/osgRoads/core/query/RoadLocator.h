@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -43,6 +44,11 @@ public:
 
     /// Returns every road whose lanes are not farther from the point than `withinM` in the plan view, nearest first.
     std::vector<RoadMatch> within(glm::dvec2 point, double withinM) const;
+
+    /// Tells whether `holds` says so of a place on any road but `road` whose lanes are not farther from the point than `withinM` in the plan view. It
+    /// is asked for several places of a road, in any order, until it holds: cheaper than within() where the answer is often yes.
+    bool holdsOnOther(glm::dvec2 point, double withinM, int road,
+                      const std::function<bool(const RoadMatch&)>& holds) const;
 
     static constexpr double kAnywhereM = 1e9;
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -8,6 +9,8 @@
 #include <limits>
 #include <memory>
 #include <unordered_map>
+#include <utility>
+#include <vector>
 
 #include <osgTerrainROAM/core/heightfield/GridRect.h>
 #include <osgTerrainROAM/core/heightfield/SampleTable.h>
@@ -87,10 +90,31 @@ public:
                     visitChunk(found->first, *found->second, rect, visit);
     }
 
+    /// The columns and rows of the south-western points of all chunks, by rows.
+    std::vector<std::pair<int, int>> chunkPlaces() const
+    {
+        std::vector<Key> keys;
+        for (const auto& [key, chunk] : _chunks)
+            keys.push_back(key);
+        std::sort(keys.begin(), keys.end());
+        std::vector<std::pair<int, int>> places;
+        for (const Key key : keys)
+            places.push_back({static_cast<int>(key & 0xffffffffu) << kChunkShift, static_cast<int>(key >> 32)
+                                                                                      << kChunkShift});
+        return places;
+    }
+
+    using Chunk = std::array<Sample, kChunkSide * kChunkSide>;
+
+    /// Replaces the chunk with this south-western point.
+    void setChunk(int column, int row, const Chunk& samples)
+    {
+        _chunks[keyOf(column, row)] = std::make_unique<Chunk>(samples);
+    }
+
     std::size_t memoryBytes() const { return _chunks.size() * (sizeof(Chunk) + 64); }
 
 private:
-    using Chunk = std::array<Sample, kChunkSide * kChunkSide>;
     using Key = std::uint64_t;
 
     static constexpr Sample kNothing{kNoHeight, 0.0f, 0.0f};

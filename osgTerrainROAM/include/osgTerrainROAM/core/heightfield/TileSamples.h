@@ -129,6 +129,12 @@ public:
     /// Puts a sample at a point of the data, or replaces the one there; the surface of the raster around it stays as it is.
     void setFineHeight(int column, int row, float heightM);
 
+    /// Replaces a chunk of fine samples. Precondition: those of them at points of the raster are marked as elsewhere.
+    void setFineChunk(int column, int row, const FineSamples::Chunk& samples)
+    {
+        _fine.setChunk(column, row, samples);
+    }
+
     /// Counts a point among the samples, although its height goes on following the surface. Does nothing where a sample is.
     void count(int column, int row);
 

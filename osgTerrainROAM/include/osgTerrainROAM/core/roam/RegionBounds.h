@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <cstdlib>
+#include <span>
 #include <vector>
 
 #include <glm/glm.hpp>
@@ -44,7 +45,6 @@ public:
 
     glm::dvec3 centre(std::uint32_t region) const { return sphere(_level, region).centre; }
 
-private:
     struct Sphere
     {
         glm::dvec3 centre;
@@ -52,6 +52,11 @@ private:
         double highestM; ///< of the samples, above the ellipsoid, or more
     };
 
+    /// The spheres of all nodes, level by level, to be kept and put back in a tile of the same data.
+    std::span<const Sphere> spheres() const { return _spheres; }
+    void setSpheres(std::span<const Sphere> spheres) { _spheres.assign(spheres.begin(), spheres.end()); }
+
+private:
     Sphere& sphere(int level, std::uint32_t path) { return _spheres[(2u << level) - 2u + path]; }
     const Sphere& sphere(int level, std::uint32_t path) const { return _spheres[(2u << level) - 2u + path]; }
     /// The index of the region at a point: at the odd region level four triangles meet in the middle of a square.

@@ -85,6 +85,9 @@ public:
     std::vector<GridPoint> looseVertices() const;
     void setLoose(GridPoint v, bool loose);
 
+    /// Vertices beyond the data that have an error.
+    std::vector<GridPoint> verticesBeyond() const;
+
     /// The number of edits so far, and the changes since an earlier one, for meshes that follow. None: it is too long ago.
     std::uint64_t revision() const { return _revision; }
     std::optional<std::vector<const TileChange*>> changesSince(std::uint64_t revision) const;
@@ -105,6 +108,11 @@ private:
     static std::uint64_t keyOf(GridPoint v)
     {
         return static_cast<std::uint64_t>(v.row) << 32 | static_cast<std::uint64_t>(v.column);
+    }
+
+    static GridPoint placeOf(std::uint64_t key)
+    {
+        return {static_cast<int>(key & 0xffffffffu), static_cast<int>(key >> 32)};
     }
 
     SplitBound boundBeyond(GridPoint v) const;
