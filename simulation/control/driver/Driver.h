@@ -56,6 +56,10 @@ public:
     DriverSettings& settings() { return _settings; }
 
 private:
+    static constexpr double kSeenM = 250.0; ///< ahead of the vehicle
+    static constexpr double kReachM = 12.0; ///< along the way, in which it is looked for
+    static constexpr double kStandsMps = 0.15;
+
     /// Somebody ahead, or something to stop at.
     struct Ahead
     {
@@ -71,6 +75,7 @@ private:
     void lookAtStops(const ControlView& view, double speedMps, Ahead& ahead);
     Ahead lookAtOthers(const ControlView& view, double offsetM) const;
     void considerOvertaking(const ControlView& view, double speedMps);
+    double acceleration(double speedMps, const Ahead& ahead) const;
     void pedals(double wantedMps2, double speedMps, RoadInputs& inputs);
 
     const RoadVehicle& _vehicle;
