@@ -15,7 +15,7 @@
 #include "simulation/control/driver/Driver.h"
 #include "simulation/control/driver/RoadHands.h"
 #include "simulation/control/scenario/VehicleFiles.h"
-#include "simulation/tour/TourScenario.h"
+#include "simulation/tour/RideEnvironment.h"
 #include "simulation/vehicle/WeatherAir.h"
 #include "simulation/vehicle/road/RoadVehicleFile.h"
 
@@ -37,7 +37,8 @@ simulation::Axle scenarioAxle(const simulation::RoadVehicleData& data, std::size
 /// One vehicle that stands at the begin of its way.
 simulation::Scenario driveScenario(const simulation::RoadVehicleData& data,
                                    const simulation::DriverPath& path,
-                                   const std::optional<simulation::Geodetic>& origin, double startM)
+                                   const std::optional<simulation::Geodetic>& origin, double startM,
+                                   const simulation::RideConditions& conditions)
 {
     simulation::Scenario scenario;
     scenario.header = {1, 3, "2024-01-01T00:00:00", "osgTrainer", "A drive"};
@@ -64,8 +65,8 @@ simulation::Scenario driveScenario(const simulation::RoadVehicleData& data,
     simulation::TourTerrain terrain;
     terrain.origin = origin;
     terrain.eastM = terrain.northM = 20'000.0;
-    scenario.storyboard.init.globals.push_back(
-        simulation::EnvironmentAction{{}, simulation::tourEnvironment(terrain, path.headingRadAt(startM))});
+    scenario.storyboard.init.globals.push_back(simulation::EnvironmentAction{
+        {}, simulation::rideEnvironment(terrain, path.headingRadAt(startM), conditions)});
     return scenario;
 }
 
@@ -86,10 +87,11 @@ void tellDrive(const simulation::VehicleMotion& motion)
     const auto* const seat = dynamic_cast<const simulation::HandOver*>(controller);
     if (seat) controller = seat->automatic();
     const auto* const driver = dynamic_cast<const simulation::Driver*>(controller);
-    if (driver && !seat)
-        std::printf("driven %.2f s, %.1f of %.0f m of lanes, %.3f m from the middle at most\n",
-                    vehicle.now().timeS, driver->beside().alongM, driver->path().lengthM(),
-                    driver->worstOffsetM());
+    const bool isWatched = seat && !seat->wishes().empty();
+    if (driver && (!seat || isWatched))
+        std::printf("driven %.2f s%s, %.1f of %.0f m of lanes, %.3f m from the middle at most\n",
+                    vehicle.now().timeS, isWatched ? " by keys" : "", driver->beside().alongM,
+                    driver->path().lengthM(), driver->worstOffsetM());
     else
         std::printf("driven %.2f s by %s\n", vehicle.now().timeS, seat ? "hand" : "recorded inputs");
     if (!motion.note().empty()) std::printf("note: the vehicle %s\n", motion.note().c_str());
@@ -141,8 +143,9 @@ public:
         if (!_request.recordInputs.empty()) driven->record();
         auto motion = std::make_shared<simulation::VehicleMotion>(
             std::move(driven), _ground, std::make_shared<const simulation::WeatherAir>());
-        return Ride{driveScenario(*_data, _path, _origin, _startsM[place]), kCar, std::move(motion), "drive",
-                    hands};
+        motion->followWeather(_origin ? _origin->heightM : 0.0, 0.0);
+        return Ride{driveScenario(*_data, _path, _origin, _startsM[place], _request.conditions), kCar,
+                    std::move(motion), "drive", hands};
     }
 
 private:

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 
 #include <foundation/Result.h>
 
@@ -15,10 +16,10 @@ namespace trainer
 struct DriveRequest : RideRequest
 {
     std::filesystem::path vehicle = "data/vehicles/car.xml";
-    double lengthM = 5000.0; ///< of the way
-    double speedMps = 0.0;   ///< most that the driver wants; 0: what the roads allow
-    double startM = 1.0;     ///< of the way, at which the rear axle begins
-    simulation::GroundKind surface = simulation::GroundKind::asphalt; ///< of the roads
+    double lengthM = 5000.0;                       ///< of the way
+    double speedMps = 0.0;                         ///< most that the driver wants; 0: what the roads allow
+    double startM = 1.0;                           ///< of the way, at which the rear axle begins
+    std::optional<simulation::GroundKind> surface; ///< of the roads; absent: what their lanes are made of
 };
 
 /// Drives a road vehicle by its own physics along the lanes of a world: by the driver or by recorded inputs, with or without

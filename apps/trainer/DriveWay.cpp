@@ -6,6 +6,7 @@
 
 #include <osgRoads/core/query/ChooseDrive.h>
 
+#include "LaneMaterial.h"
 #include "SceneGround.h"
 #include "ground/TileGround.h"
 #include "scenery/roads/HeightOnRoads.h"
@@ -41,12 +42,13 @@ std::vector<simulation::DriverStop> stopsOn(const osgRoads::core::RoadNetwork& n
 class WheelsGround final : public simulation::Ground
 {
 public:
-    WheelsGround(const SceneTerrain& scene, simulation::GroundKind paving)
+    WheelsGround(const SceneTerrain& scene, std::optional<simulation::GroundKind> paving)
         : _terrain(scene.terrain),
           _land(ground::groundOf(scene.terrain->tile()->tile)),
           _roads(scene.roads),
           _sea(scene.seaLevelM),
-          _paving(paving),
+          _paving(paving.value_or(simulation::GroundKind::asphalt)),
+          _asksLanes(!paving && scene.roads && hasMaterials(scene.roads->network())),
           _corner(scene.cornerM, 0.0)
     {
     }
@@ -58,6 +60,7 @@ public:
         {
             answers[i] = at(points[i] - _corner);
             if (!answers[i].isKnown) continue;
+            askLane(points[i], answers[i]);
             const auto slope = [&](const glm::dvec3& step)
             {
                 const auto on = at(points[i] - _corner + step), back = at(points[i] - _corner - step);
@@ -72,10 +75,21 @@ public:
                       std::span<simulation::GroundPoint> answers) const override
     {
         for (std::size_t i = 0; i < points.size(); ++i)
+        {
             answers[i] = at(points[i] - _corner);
+            askLane(points[i], answers[i]);
+        }
     }
 
 private:
+    /// What the lane itself is made of.
+    void askLane(const glm::dvec3& point, simulation::GroundPoint& answer) const
+    {
+        if (!_asksLanes || answer.kind != _paving) return;
+        const glm::dvec3 on = glm::dvec3(point.x, point.y, answer.heightM) - _corner;
+        answer.kind = laneMaterialAt(*_roads, on).value_or(_paving);
+    }
+
     simulation::GroundPoint at(const glm::dvec3& point) const
     {
         using simulation::GroundKind;
@@ -95,7 +109,8 @@ private:
     simulation::GroundProvider _land;
     std::shared_ptr<const osgRoads::core::PlacedNetwork> _roads;
     std::optional<double> _sea;
-    simulation::GroundKind _paving; ///< of the roads
+    simulation::GroundKind _paving; ///< of roads that do not say
+    bool _asksLanes;
     glm::dvec3 _corner;
 };
 
@@ -120,7 +135,7 @@ foundation::Result<simulation::DriverPath> driveWay(const SceneTerrain& scene, c
 }
 
 std::shared_ptr<const simulation::Ground> groundForWheels(const SceneTerrain& scene,
-                                                          simulation::GroundKind paving)
+                                                          std::optional<simulation::GroundKind> paving)
 {
     if (!scene.terrain) return std::make_shared<const simulation::ProvidedGround>(scene.ground());
     return std::make_shared<const WheelsGround>(scene, paving);

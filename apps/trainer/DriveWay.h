@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include <foundation/Result.h>
@@ -18,8 +19,9 @@ namespace trainer
 foundation::Result<simulation::DriverPath> driveWay(const SceneTerrain& scene, const std::string& file,
                                                     double lengthM);
 
-/// The ground of a scene as wheels meet it: `paving` on roads, grass beside them, water where the sea is higher.
-std::shared_ptr<const simulation::Ground>
-groundForWheels(const SceneTerrain& scene, simulation::GroundKind paving = simulation::GroundKind::asphalt);
+/// The ground of a scene as wheels meet it: on roads `paving`, or without one what their lanes are made of, asphalt where they do not say;
+/// grass beside them, water where the sea is higher.
+std::shared_ptr<const simulation::Ground> groundForWheels(const SceneTerrain& scene,
+                                                          std::optional<simulation::GroundKind> paving = {});
 
 } // namespace trainer

@@ -11,7 +11,7 @@
 #include "simulation/control/flight/Autopilot.h"
 #include "simulation/control/flight/FlightHands.h"
 #include "simulation/control/scenario/VehicleFiles.h"
-#include "simulation/tour/TourScenario.h"
+#include "simulation/tour/RideEnvironment.h"
 #include "simulation/vehicle/WeatherAir.h"
 
 namespace trainer
@@ -37,7 +37,8 @@ simulation::WeatherAir airOf(const FlyRequest& request)
 
 /// What stands where the flight begins, for the scenario that the pictures show.
 simulation::Scenario scenarioOf(const glm::dvec3& start, const FlightStart& from,
-                                const std::optional<simulation::Geodetic>& origin)
+                                const std::optional<simulation::Geodetic>& origin,
+                                const simulation::RideConditions& conditions)
 {
     simulation::Scenario scenario;
     scenario.header = {1, 3, "2024-01-01T00:00:00", "osgTrainer", "A flight"};
@@ -51,7 +52,7 @@ simulation::Scenario scenarioOf(const glm::dvec3& start, const FlightStart& from
     terrain.origin = origin;
     terrain.eastM = terrain.northM = 20'000.0;
     scenario.storyboard.init.globals.push_back(
-        simulation::EnvironmentAction{{}, simulation::tourEnvironment(terrain, heading)});
+        simulation::EnvironmentAction{{}, simulation::rideEnvironment(terrain, heading, conditions)});
     simulation::TeleportAction teleport;
     teleport.position = simulation::WorldPosition{
         {}, start.x, start.y, start.z, simulation::Orientation{heading, std::nullopt, std::nullopt}};
@@ -145,7 +146,8 @@ foundation::Result<Ride> FlightMaker::make(std::size_t place)
     if (!_request.recordInputs.empty()) vehicle->record();
     auto motion = std::make_shared<simulation::VehicleMotion>(
         std::move(vehicle), _ground, std::make_shared<const simulation::WeatherAir>(airOf(_request)));
-    return Ride{scenarioOf(start, from, _origin), kEntity, std::move(motion), "flight", hands};
+    return Ride{scenarioOf(start, from, _origin, _request.conditions), kEntity, std::move(motion), "flight",
+                hands};
 }
 
 } // namespace trainer

@@ -13,7 +13,7 @@
 namespace trainer
 {
 
-/// The arguments of `trainer fly`; the terrain file is the world, none is level ground without pictures. Empty paths: none.
+/// The arguments of `trainer fly`; the terrain file is the world, none is level ground. Empty paths: none.
 struct FlyRequest : RideRequest
 {
     std::filesystem::path aircraft =
@@ -30,7 +30,7 @@ struct FlyRequest : RideRequest
 };
 
 /// Flies an aircraft by its own physics over a world: by the autopilot or by recorded inputs, with or without pictures, or by hand in a window.
-/// Prints how it ended. Errors: those of the files, of the world, of the start (in water, in the ground), offscreen pictures without a world.
+/// Prints how it ended. Errors: those of the files, of the world, of the start (in water, in the ground).
 foundation::Outcome fly(const FlyRequest& request);
 
 } // namespace trainer

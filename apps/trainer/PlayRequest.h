@@ -152,6 +152,7 @@ struct WindowRequest
     std::filesystem::path picturesFolder = "."; ///< for those that a key asks for
     std::filesystem::path devicesFile;          ///< what joysticks and wheels are for; empty: the usual
     std::filesystem::path keysFile;             ///< a test aid: keys at times
+    bool byKeys = false; ///< a test aid: the autopilot or driver presses the keys of a person
     HudUnits units = HudUnits::usual;
     bool choosesSamples = true;   ///< none was asked for: one where a processor draws
     bool choosesQuality = true;   ///< none was asked for: as pictures are quick

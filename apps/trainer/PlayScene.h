@@ -63,4 +63,7 @@ foundation::Result<simulation::PlayerOptions> playerOptionsOf(const simulation::
 /// distance is proportional to it. A driver sees the ground from 4 m on, a pilot or an eye above a car from much farther.
 double nearPlaneM(const simulation::ScenarioObject& ownship, EyePoint eye);
 
+/// The same for somebody who sits inside and sees the ground near the own wheels. Units: metres.
+inline constexpr double kNearFromInsideM = 1.0;
+
 } // namespace trainer

@@ -26,7 +26,7 @@ foundation::Result<ViewSetup> viewOf(const FrameRequest& frames, const simulatio
     ViewSetup setup = frames.showsInterior(false)
                           ? singleChannel(frames.widthPx, frames.heightPx, SceneInterior::kPictureDeg)
                           : singleChannel(frames.widthPx, frames.heightPx);
-    setup.nearM = nearPlaneM(ownship, frames.eye);
+    setup.nearM = frames.showsInterior(false) ? kNearFromInsideM : nearPlaneM(ownship, frames.eye);
     return setup;
 }
 

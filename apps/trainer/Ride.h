@@ -13,6 +13,7 @@
 #include "simulation/control/HandOver.h"
 #include "simulation/control/VehicleMotion.h"
 #include "simulation/scenario/Scenario.h"
+#include "simulation/tour/RideEnvironment.h"
 
 namespace trainer
 {
@@ -57,6 +58,7 @@ struct RideRequest
     double durationS = 600.0;     ///< at most; in a window as long as somebody sits there
     std::filesystem::path inputs; ///< recorded inputs in place of the autopilot or driver
     std::filesystem::path recordInputs;
+    simulation::RideConditions conditions; ///< time of day and weather
 
     /// Whether somebody sits in it: a window is asked for, or nothing else is.
     bool hasWindow() const;

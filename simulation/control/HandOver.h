@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <utility>
+#include <vector>
 
 #include "simulation/control/Hands.h"
 
@@ -40,11 +41,22 @@ public:
     const Hands& hands() const { return _hands; }
     const VehicleController* automatic() const { return _automatic.get(); }
 
+    /// From now on the automatic is asked while the hands have it, and what it would do is kept: a test aid.
+    void watchWishes() { _watches = _automatic != nullptr; }
+
+    /// The inputs that the automatic would have written at the last step; empty before the first, or unwatched.
+    std::span<const double> wishes() const { return _wishes; }
+
     void control(const ControlView& view, std::span<double> inputs) override
     {
         const bool hasChanged = std::exchange(_hasChanged, false);
         if (_isByHand)
         {
+            if (_watches)
+            {
+                _wishes.assign(inputs.begin(), inputs.end());
+                _automatic->control(view, _wishes);
+            }
             if (hasChanged) _hands.take(inputs, view.step == 0);
             return _hands.control(view, inputs);
         }
@@ -63,6 +75,8 @@ private:
     Hands _hands;
     bool _isByHand;
     bool _hasChanged; ///< hands, since the last step
+    bool _watches = false;
+    std::vector<double> _wishes;
 };
 
 } // namespace simulation

@@ -127,7 +127,7 @@ void VehicleMotion::publish(double timeS)
     _state = entityStateOf(stateBetween(_vehicle->before(), _vehicle->now(), timeS - _startS),
                            _vehicle->vehicle().referencePoint());
     _vehicle->vehicle().writeParts(_state);
-    if (_state.lamps.contains("brakeLights"))
+    if (_state.lamps.contains("brakeLights") && !_state.lamps.contains("lowBeam"))
         _state.lamps["lowBeam"] = {_isDark ? LightMode::on : LightMode::off, 0.0, 0.0, 0.0, _isDark};
     _state.odometerM = _odometerM;
 }

@@ -6,10 +6,14 @@ namespace simulation
 
 GroundWeather groundWeatherOf(const EnvironmentState& environment)
 {
-    const bool rains = environment.precipitation && environment.precipitation->type == "rain" &&
-                       environment.precipitation->intensity.value_or(1.0) > 0.0;
-    const bool isDry = environment.roadWetness == "dry" && !rains;
-    return {environment.roadFriction, !isDry && environment.roadFriction >= 1.0};
+    const auto falls = [&](const char* type)
+    {
+        return environment.precipitation && environment.precipitation->type == type &&
+               environment.precipitation->intensity.value_or(1.0) > 0.0;
+    };
+    const bool isDry = environment.roadWetness == "dry" && !falls("rain");
+    const bool isGiven = environment.roadFriction < 1.0;
+    return {environment.roadFriction, !isDry && !isGiven, falls("snow") && !isGiven};
 }
 
 void WeatheredGround::change(std::span<GroundPoint> answers) const
@@ -18,6 +22,7 @@ void WeatheredGround::change(std::span<GroundPoint> answers) const
     {
         if (answer.kind != GroundKind::asphalt) continue;
         if (_weather.isWet) answer.kind = GroundKind::wetAsphalt;
+        if (_weather.isSnowy) answer.kind = GroundKind::snow;
         answer.gripScale *= _weather.asphaltScale;
     }
 }

@@ -15,6 +15,7 @@ struct GroundWeather
 {
     double asphaltScale = 1.0; ///< of the friction of asphalt (frictionScaleFactor)
     bool isWet = false;        ///< asphalt is wet: the road is moist or wetter, or it rains
+    bool isSnowy = false;      ///< it snows: asphalt is covered
 
     bool operator==(const GroundWeather&) const = default;
 };

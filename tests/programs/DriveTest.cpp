@@ -51,6 +51,61 @@ TEST(Drive, OnIceItComesLessFar)
     EXPECT_LT(drivenM("ice"), 0.9 * dry);
 }
 
+/// A street whose lane says what it is made of; empty: it does not.
+std::string streetOf(const Workplace& place, const std::string& surface)
+{
+    std::string lane = R"(<lane id="-1" type="driving"><width sOffset="0" a="3.5" b="0" c="0" d="0"/>)";
+    if (!surface.empty()) lane += R"(<material sOffset="0" friction="1" surface=")" + surface + R"("/>)";
+    return place.write(
+        "street-of-" + surface + ".xodr",
+        R"(<OpenDRIVE><header revMajor="1" revMinor="7"/><road id="1" length="300" junction="-1">)"
+        R"(<planView><geometry s="0" x="0" y="0" hdg="0" length="300"><line/></geometry></planView>)"
+        R"(<lanes><laneSection s="0"><center><lane id="0" type="none"/></center><right>)" +
+            lane + "</lane></right></laneSection></lanes></road></OpenDRIVE>");
+}
+
+/// The table of a drive along it.
+std::string drivenOn(const Workplace& place, const std::string& surface,
+                     const std::vector<std::string>& options = {})
+{
+    const std::string file = place.path("driven.csv");
+    std::vector<std::string> words{
+        "drive", streetOf(place, surface), "--headless", "--vehicle", kDriven, "--duration",
+        "12",    "--csv_logger",           file};
+    words.insert(words.end(), options.begin(), options.end());
+    EXPECT_TRUE(succeeds(runTrainer(words)));
+    return bytesOf(file);
+}
+
+TEST(Drive, TyresMeetWhatTheLaneIsMadeOf)
+{
+    const Workplace place;
+    const std::string dry = drivenOn(place, "");
+    EXPECT_GT(dry.size(), 10'000U);
+    EXPECT_TRUE(drivenOn(place, "asphalt") == dry);
+    EXPECT_TRUE(drivenOn(place, "unheard-of") == dry);
+    for (const char* kind : {"gravel", "grass", "snow", "ice"})
+    {
+        const std::string driven = drivenOn(place, kind);
+        EXPECT_TRUE(driven != dry) << kind;
+        EXPECT_TRUE(driven == drivenOn(place, "", {"--surface", kind})) << kind;
+        EXPECT_TRUE(drivenOn(place, kind, {"--surface", "asphalt"}) == dry)
+            << kind << ": the option comes first";
+    }
+}
+
+TEST(Drive, TyresMeetTheWeather)
+{
+    const Workplace place;
+    const std::string dry = drivenOn(place, "");
+    EXPECT_TRUE(drivenOn(place, "", {"--weather", "rain"}) == drivenOn(place, "", {"--surface", "wet"}));
+    EXPECT_TRUE(drivenOn(place, "", {"--weather", "snow"}) == drivenOn(place, "", {"--surface", "snow"}));
+    EXPECT_TRUE(drivenOn(place, "", {"--weather", "fog", "--time", "22:30"}) == dry);
+    EXPECT_TRUE(drivenOn(place, "", {"--weather", "rain"}) != dry);
+    // Gravel is no wetter than it is.
+    EXPECT_TRUE(drivenOn(place, "gravel", {"--weather", "rain"}) == drivenOn(place, "gravel"));
+}
+
 TEST(Drive, SaysWhatIsWrong)
 {
     const Workplace place;
@@ -60,6 +115,11 @@ TEST(Drive, SaysWhatIsWrong)
                           "trainer", {"/nowhere.xml", "no such file"}));
     EXPECT_TRUE(failsWith(runTrainer({"drive", kStreet, "--headless", "--surface", "mud"}), 2, "trainer",
                           {"mud", "gravel"}));
+    EXPECT_TRUE(failsWith(runTrainer({"drive", kStreet, "--headless", "--weather", "hail"}), 2, "trainer",
+                          {"hail", "rain"}));
+    for (const char* time : {"24:00", "8", "8:60", "8:00x"})
+        EXPECT_TRUE(failsWith(runTrainer({"drive", kStreet, "--headless", "--time", time}), 1, "trainer",
+                              {"--time", time}));
 }
 
 } // namespace

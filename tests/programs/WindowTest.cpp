@@ -1,31 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rides by hand in a window, on a display of their own (Xvfb): what keys do, that it repeats without a window, and that nothing that
 // happens to a window hangs or loses a recording.
-#include <cstdlib>
-#include <fstream>
-#include <iterator>
+#include <cstdio>
 
 #include "Playing.h"
+#include "WindowRun.h"
 
 namespace
 {
-
-const char* const kSeatAircraft = OSGTRAINER_SOURCE_DIR "/data/aircraft/c172p.xml";
-const char* const kSeatCar = OSGTRAINER_SOURCE_DIR "/data/vehicles/car.xml";
-const char* const kSeatStreet = OSGTRAINER_SOURCE_DIR "/data/street.xodr";
-
-const char* const kOnDisplay = OSGTRAINER_SOURCE_DIR "/tests/programs/on-display";
-
-bool hasXvfb()
-{
-    return std::system("command -v Xvfb >/dev/null") == 0;
-}
-
-std::string allOf(const std::string& file)
-{
-    std::ifstream stream(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-}
 
 class Window : public testing::Test
 {
@@ -33,15 +15,6 @@ protected:
     void SetUp() override
     {
         if (!hasXvfb()) GTEST_SKIP() << "SKIPPED: no Xvfb; install the package xvfb";
-    }
-
-    /// Runs the trainer on a display of its own, in a window of 96x54.
-    ProgramRun inWindow(std::vector<std::string> arguments, std::vector<std::string> command = {kOnDisplay})
-    {
-        command.insert(command.end(), {"--", OSGTRAINER_TRAINER});
-        command.insert(command.end(), arguments.begin(), arguments.end());
-        command.insert(command.end(), {"--size", "96x54", "--samples", "1", "--window"});
-        return runProgram(command, 120.0);
     }
 
     std::string keys(const std::string& name, const std::string& lines)
@@ -53,12 +26,6 @@ protected:
 
     Workplace place;
 };
-
-std::vector<std::string> with(std::vector<std::string> words, const std::vector<std::string>& more)
-{
-    words.insert(words.end(), more.begin(), more.end());
-    return words;
-}
 
 TEST_F(Window, AFlightByKeysRepeatsHeadlessToTheLastByte)
 {
@@ -97,6 +64,54 @@ TEST_F(Window, ADriveIsTakenOverGivenBackAndRepeats)
     const std::string hand = allOf(path("hand.csv"));
     EXPECT_GT(hand.size(), 40'000U);
     EXPECT_EQ(hand, allOf(path("again.csv")));
+}
+
+/// The clock of the machine: closed 20 s after it opened, it has shown 20 s, whatever a picture takes.
+TEST_F(Window, RealTimeIsKeptWithPicturesOfHalfASecond)
+{
+    const std::vector<std::string> command{kOnDisplay, "--", "env",
+                                           std::string("LD_PRELOAD=") + OSGTRAINER_SLOW_SWAP};
+    std::vector<std::string> words = command;
+    words.insert(words.end(), {OSGTRAINER_TRAINER,
+                               "fly",
+                               "--aircraft",
+                               kSeatAircraft,
+                               "--mute",
+                               "--interior",
+                               "off",
+                               "--shadows",
+                               "off",
+                               "--tolerance",
+                               "8",
+                               "--start",
+                               "0,0,300,90,50",
+                               "--keys",
+                               keys("slow.keys", "20 close\n"),
+                               "--size",
+                               "64x36",
+                               "--samples",
+                               "1",
+                               "--window"});
+    const ProgramRun run = runProgram(words, 120.0);
+    ASSERT_TRUE(succeeds(run));
+    double shownS = 0.0, clockS = 0.0, meanMs = 0.0;
+    int pictures = 0;
+    const std::size_t line = run.output.find("shown ");
+    ASSERT_NE(line, std::string::npos) << run.text();
+    ASSERT_EQ(std::sscanf(run.output.c_str() + line,
+                          "shown %lf s in %lf s of the clock, %d pictures of %lf ms", &shownS, &clockS,
+                          &pictures, &meanMs),
+              4);
+    // The first picture compiles shaders. What a picture takes beyond a second is not caught up but told.
+    double cutS = 0.0;
+    if (const std::size_t note = run.output.find("note: "); note != std::string::npos)
+        std::sscanf(run.output.c_str() + note, "note: %lf s were lost", &cutS);
+    EXPECT_LT(cutS, 5.0);
+    EXPECT_GT(meanMs, 500.0) << "pictures were quick: the test shows nothing";
+    EXPECT_NEAR((shownS + cutS) / clockS, 1.0, 0.01);
+    // The window closes in the picture after its time; that one shows it still.
+    EXPECT_GT(shownS + cutS, 19.8 - 1.5e-3 * meanMs);
+    EXPECT_LT(shownS + cutS, 20.2 + 1.5e-3 * meanMs);
 }
 
 TEST_F(Window, AKeyIsInThePictureOfItsFrame)

@@ -4,6 +4,7 @@
 #include "DriveCommand.h"
 #include "commands/Commands.h"
 #include "commands/PlayOptions.h"
+#include "commands/RideOptions.h"
 
 namespace trainer
 {
@@ -19,6 +20,7 @@ const std::map<std::string, simulation::GroundKind> kSurfaces{
 struct DriveLine
 {
     PlayOptions play;
+    RideOptions ride;
     DriveRequest drive;
 };
 
@@ -26,6 +28,7 @@ foundation::Outcome driveOne(const DriveLine& line)
 {
     DriveRequest request = line.drive;
     request.play = line.play.request;
+    if (const auto complete = line.ride.complete(request); !complete) return complete;
     return drive(request);
 }
 
@@ -54,6 +57,7 @@ std::vector<Command> addDrive(CLI::App& program)
     command->add_option("--csv_logger", line->play.request.output.motionFile, "file for a row of each step");
     command->add_option("--inputs", line->drive.inputs, "inputs file to drive by, in place of the driver");
     command->add_option("--record-inputs", line->drive.recordInputs, "inputs file to write");
+    line->ride.addTo(*command);
     line->play.addTo(*command);
     return {{command, line->play.running([line] { return driveOne(*line); })}};
 }

@@ -4,6 +4,7 @@
 #include "FlyCommand.h"
 #include "commands/Commands.h"
 #include "commands/PlayOptions.h"
+#include "commands/RideOptions.h"
 
 namespace trainer
 {
@@ -14,6 +15,7 @@ namespace
 struct FlyLine
 {
     PlayOptions play;
+    RideOptions ride;
     FlyRequest fly;
     std::vector<double> strip;
 };
@@ -23,6 +25,7 @@ foundation::Outcome flyOne(const FlyLine& line)
 {
     FlyRequest request = line.fly;
     request.play = line.play.request;
+    if (const auto complete = line.ride.complete(request); !complete) return complete;
     const std::vector<double>& strip = line.strip;
     if (!strip.empty())
     {
@@ -76,6 +79,7 @@ std::vector<Command> addFly(CLI::App& program)
     command->add_option("--gusts", line->fly.gustsMps, "standard deviation of turbulence, m/s")
         ->check(terminal::between(0.0, 20.0));
     command->add_option("--seed", line->fly.seed, "of the turbulence");
+    line->ride.addTo(*command);
     line->play.addTo(*command);
     return {{command, line->play.running([line] { return flyOne(*line); })}};
 }

@@ -77,6 +77,8 @@ void PlayOptions::addWindowOptions(CLI::App& command)
                        "devices file: what joysticks, pedals and wheels do (docs/reference/devices-file.md)");
     command.add_option("--keys", window.keysFile,
                        "key script that is played in the window (docs/reference/key-script.md)");
+    command.add_flag("--by-keys", window.byKeys,
+                     "a test aid: the autopilot or driver presses the keys that a person would");
     command
         .add_option("--picture-time", window.pictureS,
                     "seconds that each picture of the window counts as, instead of the clock's")
@@ -87,7 +89,8 @@ void PlayOptions::addWindowOptions(CLI::App& command)
 foundation::Outcome PlayOptions::placeWindow()
 {
     WindowRequest& window = request.window;
-    window.isWanted = _window->count() > 0 || window.isFullscreen || !window.keysFile.empty();
+    window.isWanted =
+        _window->count() > 0 || window.isFullscreen || !window.keysFile.empty() || window.byKeys;
     auto& place = window.place;
     for (const std::string& cell : _windowPlace)
     {

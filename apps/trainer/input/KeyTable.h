@@ -26,6 +26,7 @@ enum class KeyDeed
     leanLeft,
     leanUp,
     straighten,
+    panel,     ///< the head reads the instruments, or looks out again
     altimeter, ///< sets it; `amount`: hPa more
     pause,
     step,

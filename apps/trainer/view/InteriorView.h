@@ -39,6 +39,9 @@ public:
     /// Of the eye's own direction. Units: degrees.
     double lookDownDeg() const { return _isShown ? _interior.model().lookDownDeg : 0.0; }
 
+    /// Where a head looks that reads the instruments.
+    const scenery::models::PanelView& panel() const { return _interior.model().panel; }
+
     /// For a picture of `channel` from `eye`. `isDark`: the instruments are lit.
     void update(const scenery::Pose& vehicle, const scenery::Pose& eye, const Channel& channel,
                 const scenery::models::Readings& readings, bool isDark, MirrorPace pace);

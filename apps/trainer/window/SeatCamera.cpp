@@ -115,6 +115,11 @@ scenery::Pose SeatCamera::update(const simulation::EntityState& ownship, double 
         _head = glm::clamp(_head + dtS * _leanMps, -kReachM, kReachM);
         pose.positionWorld += pose.worldFromBody * _head;
     }
+    if (readsPanel())
+    {
+        pose.worldFromBody = rotated(pose.worldFromBody, _panel.leftDeg, _panel.upDeg);
+        return pose;
+    }
     const double bentDeg = isInside() ? _bentDeg : 0.0;
     if (_frames.eye != EyePoint::free)
         pose.worldFromBody = rotated(pose.worldFromBody, _turnedDeg + _glanceDeg, _raisedDeg + bentDeg);

@@ -5,6 +5,7 @@
 
 #include "OwnshipEye.h"
 #include "PlayScene.h"
+#include "SceneInterior.h"
 
 namespace trainer
 {
@@ -30,6 +31,17 @@ public:
     /// How the head is bent where it looks straight ahead: degrees upwards.
     void bend(double upDeg) { _bentDeg = upDeg; }
 
+    /// Whether the head reads the instruments, and where they are: a picture of them alone, from the same seat.
+    void readPanel(bool reads, const scenery::models::PanelView& panel)
+    {
+        _reads = reads;
+        _panel = panel;
+    }
+    bool readsPanel() const { return _reads && isInside(); }
+
+    /// The height of a picture from inside. Units: degrees.
+    double insideDeg() const { return readsPanel() ? _panel.heightDeg : SceneInterior::kPictureDeg; }
+
     /// Moves the head in its seat while this is not 0: metres a second along an axis of the vehicle. It stays within reach of its place.
     void lean(int axis, double mps) { _leanMps[axis] = mps; }
 
@@ -45,8 +57,7 @@ public:
     /// Begins the view anew: the ownship was put elsewhere.
     void restart() { setView(_view); }
 
-    /// Somebody who sits low sees the ground near the own wheels.
-    double nearM() const { return isInside() ? 1.0 : nearPlaneM(_ownship, _frames.eye); }
+    double nearM() const { return isInside() ? kNearFromInsideM : nearPlaneM(_ownship, _frames.eye); }
     bool isInside() const { return _frames.isInside(); }
     bool isMap() const { return _frames.eye == EyePoint::map; }
     double mapHeightM() const { return _eye->mapHeightM(); }
@@ -58,6 +69,8 @@ private:
     FrameRequest _frames;
     std::unique_ptr<OwnshipEye> _eye;
     std::size_t _view = 0;
+    scenery::models::PanelView _panel;
+    bool _reads = false;
     double _glanceDeg = 0.0, _turnedDeg = 0.0, _raisedDeg = 0.0, _bentDeg = 0.0;
     glm::dvec3 _head{0.0}, _leanMps{0.0}; ///< from its place; vehicle's frame
     scenery::Pose _last;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "input/HandInputs.h"
 #include "window/WindowSession.h"
 
 namespace trainer
@@ -13,7 +14,6 @@ namespace
 
 constexpr double kLeanMps = 0.3;
 constexpr const char* kUsualDevices = "data/devices.txt";
-constexpr std::string_view kBrakes[] = {"left_brake", "right_brake"};
 
 } // namespace
 
@@ -40,35 +40,17 @@ void WindowSession::readDevicesNow()
 
 void WindowSession::holdInput(std::string_view input, double direction)
 {
-    if (!_ride.hands) return;
-    if (input == "brakes")
-    {
-        for (const std::string_view brake : kBrakes)
-            holdInput(brake, direction);
-        return;
-    }
-    simulation::Hands& hands = _ride.hands->hands();
-    if (const int axis = hands.axisOf(input); axis >= 0)
-        hands.hold(static_cast<std::size_t>(axis), direction);
+    if (_ride.hands) trainer::holdInput(_ride.hands->hands(), input, direction);
 }
 
 void WindowSession::addToInput(std::string_view input, double amount)
 {
-    if (!_ride.hands) return;
-    simulation::Hands& hands = _ride.hands->hands();
-    if (const int axis = hands.axisOf(input); axis >= 0) hands.add(static_cast<std::size_t>(axis), amount);
+    if (_ride.hands) trainer::addToInput(_ride.hands->hands(), input, amount);
 }
 
 void WindowSession::flipInput(std::string_view input)
 {
-    if (!_ride.hands) return;
-    simulation::Hands& hands = _ride.hands->hands();
-    const int axis = hands.axisOf(input);
-    if (axis < 0) return;
-    const auto at = static_cast<std::size_t>(axis);
-    const simulation::HandAxis& range = hands.axes()[at];
-    const bool isUp = hands.value(at) > 0.5 * (range.least + range.most);
-    hands.put(at, isUp ? range.least : range.most);
+    if (_ride.hands) trainer::flipInput(_ride.hands->hands(), input);
 }
 
 void WindowSession::handOver()
@@ -106,6 +88,7 @@ void WindowSession::restart(std::size_t place)
     _keys->releaseAll();
     _live->restart(std::move(*player));
     _ride = std::move(next);
+    if (_ride.hands && _request.window.byKeys) _ride.hands->watchWishes();
     _request = std::move(request);
     _place = place;
     _camera->restart();
@@ -173,6 +156,9 @@ void WindowSession::act(KeyDeed deed, double amount)
         return _camera->lean(2, kLeanMps * amount);
     case KeyDeed::straighten:
         return _camera->straighten();
+    case KeyDeed::panel:
+        if (_interior) _camera->readPanel(!_camera->readsPanel(), _interior->view().panel());
+        return;
     case KeyDeed::altimeter:
         if (!_interior) return;
         return tell("altimeter set to " + std::to_string(std::lround(_interior->turnAltimeter(amount))) +

@@ -2,7 +2,6 @@
 #include "window/WindowSession.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <iostream>
 #include <thread>
 
@@ -18,7 +17,6 @@ namespace
 {
 
 constexpr int kSeatStepsPerSecond = 120;
-constexpr double kToldS = 4.0; ///< how long a message stands
 constexpr auto kLeastPicture = std::chrono::microseconds(16'000);
 
 } // namespace
@@ -51,23 +49,27 @@ WindowSession::create(simulation::Scenario scenario, SceneTerrain terrain, const
 
 foundation::Outcome WindowSession::open(simulation::Scenario scenario, SceneTerrain terrain)
 {
+    std::vector<WindowEvent> script;
     if (!_request.window.keysFile.empty())
     {
-        auto script = readKeyScript(_request.window.keysFile);
-        if (!script) return script.error();
-        _script = std::move(*script);
+        auto read = readKeyScript(_request.window.keysFile);
+        if (!read) return read.error();
+        script = std::move(*read);
     }
     if (const auto opened = openDevices(); !opened) return opened;
     // Before the work of a scene, so that a machine without a display hears of it at once.
     auto window = openWindow(_request.window, _request.frames);
     if (!window) return window.error();
     _window = *window;
+    _watch = std::make_unique<WindowWatch>(*_window);
+    _injected = std::make_unique<InjectedEvents>(_window, std::move(script), _vehicle);
     _ride.scenario = std::move(scenario);
     if (_maker)
     {
         auto ride = _maker->make(_place);
         if (!ride) return ride.error();
         _ride = std::move(*ride);
+        if (_ride.hands && _request.window.byKeys) _ride.hands->watchWishes();
         _files.setName(_ride.name);
         _request.motions[_ride.entity] = _ride.motion;
     }
@@ -82,7 +84,7 @@ foundation::Outcome WindowSession::open(simulation::Scenario scenario, SceneTerr
 
 foundation::Outcome WindowSession::openPictures()
 {
-    _viewer = new SeatViewer([this] { afterEvents(); });
+    _viewer = new SeatViewer([this] { afterEvents(); }, [this] { finishCapture(); });
     _viewer->setThreadingModel(osgViewer::ViewerBase::SingleThreaded);
     _viewer->setKeyEventSetsDone(0);
     _viewer->setLightingMode(osg::View::NO_LIGHT);
@@ -117,33 +119,16 @@ foundation::Outcome WindowSession::openPictures()
 /// With the test aid each picture counts as so long, whatever it takes.
 double WindowSession::wallS() const
 {
-    if (_request.window.pictureS > 0.0) return _times.count * _request.window.pictureS;
+    if (_request.window.pictureS > 0.0) return _times.count() * _request.window.pictureS;
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - _begun).count();
 }
 
-void WindowSession::playKeys(double wallS)
+void WindowSession::injectEvents(double wallS)
 {
-    osgGA::EventQueue& queue = *_window->getEventQueue();
-    for (; _scripted < _script.size() && _script[_scripted].atS <= wallS; ++_scripted)
-    {
-        const WindowEvent& event = _script[_scripted];
-        switch (event.kind)
-        {
-        case WindowEvent::Kind::press:
-            queue.keyPress(event.key, queue.getTime(), event.key);
-            break;
-        case WindowEvent::Kind::release:
-            queue.keyRelease(event.key, queue.getTime(), event.key);
-            break;
-        case WindowEvent::Kind::resize:
-            _window->setWindowRectangle(_window->getTraits()->x, _window->getTraits()->y, event.widthPx,
-                                        event.heightPx);
-            break;
-        case WindowEvent::Kind::close:
-            queue.closeWindow();
-            break;
-        }
-    }
+    _injected->playScript(wallS);
+    if (!_request.window.byKeys || !_ride.hands) return;
+    const double nextS = _request.window.pictureS > 0.0 ? _request.window.pictureS : 1e-3 * _times.lastMs();
+    _injected->moveHand(*_ride.hands, _ride.motion->vehicle().vehicle(), nextS);
 }
 
 /// The size of the window may change at any time.
@@ -153,7 +138,7 @@ void WindowSession::fitToWindow()
     const int height = std::max(_window->getTraits()->height, 16);
     const bool isInterior = _interior && _interior->view().isShown();
     ViewSetup setup =
-        isInterior ? singleChannel(width, height, SceneInterior::kPictureDeg) : singleChannel(width, height);
+        isInterior ? singleChannel(width, height, _camera->insideDeg()) : singleChannel(width, height);
     setup.nearM = _camera->nearM();
     const Channel& before = _rig->setup().channels.front();
     const osg::Viewport* const overlay = _overlay.camera()->getViewport();
@@ -197,7 +182,7 @@ void WindowSession::look(double wallS)
     _play.follow(eye.positionWorld);
     if (_interior)
         _interior->update(_play, _live->player(), _live->shown(), _ride.motion.get(), eye, *_rig,
-                          MirrorPace::one);
+                          _request.window.pictureS > 0.0 ? MirrorPace::all : MirrorPace::one);
 }
 
 void WindowSession::afterEvents()
@@ -220,33 +205,14 @@ void WindowSession::afterEvents()
 
 void WindowSession::tell(const std::string& text)
 {
-    _told = text;
-    _toldAtS = _lastWallS;
+    _texts.tell(text, _lastWallS);
 }
 
 void WindowSession::showTexts(double wallS)
 {
     if (const auto note = _pictures->takeNote()) tell(*note);
-    const simulation::RealTimePace& pace = _live->pace();
-    std::string line = wallS - _toldAtS < kToldS ? _told : "";
-    if (line.empty() && pace.isPaused()) line = "pause";
-    if (line.empty() && pace.rate() != 1.0)
-    {
-        char text[40];
-        std::snprintf(text, sizeof text, "%g times real time", pace.rate());
-        line = text;
-    }
-    _overlay.setMessage(line);
-    if (!_overlay.areStatisticsShown()) return;
-    char text[300];
-    const double meanMs = _times.count > 0 ? _times.sumMs / _times.count : 0.0;
-    std::snprintf(text, sizeof text,
-                  "time     %8.2f s\npicture  %8.1f ms\nmean     %8.1f ms\nworst    %8.1f ms\n"
-                  "steps    %8lld\ncut      %8.2f s\nerror    %8.2f px\n%s",
-                  pace.timeS(), _times.lastMs, meanMs, _times.worstMs, static_cast<long long>(pace.steps()),
-                  pace.cutS(), _quality.tolerancePx(),
-                  _ride.hands ? std::string(_ride.hands->phase()).c_str() : "");
-    _overlay.setStatistics(text);
+    _texts.show(_overlay, wallS, _live->pace(), _times, _quality.tolerancePx(),
+                _ride.hands ? _ride.hands->phase() : std::string_view());
 }
 
 void WindowSession::waitForNext(std::chrono::steady_clock::time_point begun) const
@@ -257,17 +223,26 @@ void WindowSession::waitForNext(std::chrono::steady_clock::time_point begun) con
 
 void WindowSession::measurePicture(std::chrono::steady_clock::time_point begun)
 {
-    _times.lastMs =
-        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begun).count();
-    _times.sumMs += _times.lastMs;
-    _times.worstMs = std::max(_times.worstMs, _times.lastMs);
-    ++_times.count;
+    _times.add(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begun).count());
     // Time that counts by pictures gives the same ones on every machine.
-    if (_request.window.pictureS > 0.0) return;
+    if (_request.window.pictureS > 0.0 || _isHidden) return;
     const Quality before = _quality.quality();
-    if (!_quality.add(_times.lastMs)) return;
+    if (!_quality.add(_times.lastMs())) return;
     if (_quality.quality() != before) setQuality(_play, _quality.quality());
     setTolerance(_play.terrain, _quality.tolerancePx());
+}
+
+/// Time goes on where nobody sees the window, but nothing is drawn. Keys that are held where another window gets the keyboard count as let go.
+void WindowSession::showPicture()
+{
+    const WindowWatch::State state = _watch->look();
+    if (state.hasLostFocus) _keys->releaseAll();
+    _isHidden = state.isHidden && _times.count() > 0;
+    if (state.isGone) _isEnded = true;
+    if (_isEnded) return;
+    if (!_isHidden) return _viewer->frame();
+    _viewer->advance();
+    _viewer->eventTraversal();
 }
 
 foundation::Outcome WindowSession::run()
@@ -278,30 +253,27 @@ foundation::Outcome WindowSession::run()
     while (!_viewer->done() && !_isEnded && !signals.haveCome() && _failed)
     {
         const auto begun = std::chrono::steady_clock::now();
-        playKeys(wallS());
-        _viewer->frame();
+        injectEvents(wallS());
+        showPicture();
         measurePicture(begun);
         waitForNext(begun);
     }
-    tellEnd();
+    printEnd(_live->pace(), _times);
     return finish();
 }
 
-void WindowSession::tellEnd() const
+/// Needs a window that is open.
+void WindowSession::finishCapture()
 {
-    const simulation::RealTimePace& pace = _live->pace();
-    std::printf("shown %.2f s in %.2f s of the clock, %d pictures of %.1f ms, %.1f ms at most\n",
-                pace.timeS(), pace.wallS(), _times.count,
-                _times.count > 0 ? _times.sumMs / _times.count : 0.0, _times.worstMs);
-    if (pace.cutS() > 0.0)
-        std::printf("note: %.2f s were lost in pictures that took longer than a second\n", pace.cutS());
+    if (!_capture) return;
+    if (const auto captured = _capture->finish(); !captured && _failed) _failed = captured.error();
+    _capture.reset();
 }
 
 foundation::Outcome WindowSession::finish()
 {
     const auto written = _files.finish(_ride.motion.get());
-    if (_capture)
-        if (const auto captured = _capture->finish(); !captured) return captured.error();
+    finishCapture();
     return _failed ? written : _failed;
 }
 

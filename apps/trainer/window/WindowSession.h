@@ -11,17 +11,20 @@
 #include "hud/Hud.h"
 #include "hud/TextOverlay.h"
 #include "input/DeviceHands.h"
-#include "input/KeyScript.h"
 #include "input/SeatKeys.h"
 #include "simulation/player/LivePlay.h"
 #include "sound/Loudspeaker.h"
 #include "sound/SceneSound.h"
 #include "view/ChannelRig.h"
 #include "view/PictureQuality.h"
+#include "window/InjectedEvents.h"
 #include "window/PictureTaker.h"
+#include "window/PictureTimes.h"
 #include "window/RunFiles.h"
 #include "window/SeatCamera.h"
+#include "window/SeatTexts.h"
 #include "window/SeatViewer.h"
+#include "window/WindowWatch.h"
 
 namespace trainer
 {
@@ -46,18 +49,12 @@ public:
     std::shared_ptr<simulation::VehicleMotion> motion() const { return _ride.motion; }
 
 private:
-    /// Of the pictures so far. Units: ms.
-    struct PictureTimes
-    {
-        double lastMs = 0.0, worstMs = 0.0, sumMs = 0.0;
-        int count = 0;
-    };
-
     WindowSession(const PlayRequest& request, RideMaker* maker, const std::filesystem::path& recordInputs);
     foundation::Outcome open(simulation::Scenario scenario, SceneTerrain terrain);
     foundation::Outcome openPictures();
     double wallS() const;
-    void playKeys(double wallS);
+    void injectEvents(double wallS);
+    void showPicture();
     void afterEvents();
     void fitToWindow();
     void look(double wallS);
@@ -70,7 +67,7 @@ private:
     void tell(const std::string& text);
     void showTexts(double wallS);
     void waitForNext(std::chrono::steady_clock::time_point begun) const;
-    void tellEnd() const;
+    void finishCapture();
     foundation::Outcome finish();
 
     // KeyTarget
@@ -105,16 +102,16 @@ private:
     std::optional<bool> _isHudWanted;      ///< absent: where no instruments of a cockpit are seen
     osg::ref_ptr<PictureTaker> _pictures;
     std::unique_ptr<osgOffscreen::FrameCapture> _capture;
-    std::vector<WindowEvent> _script;
-    std::size_t _scripted = 0; ///< of its events that have happened
+    std::unique_ptr<WindowWatch> _watch;
+    std::unique_ptr<InjectedEvents> _injected;
     std::chrono::steady_clock::time_point _begun;
-    double _lastWallS = 0.0, _toldAtS = -1e9;
-    std::string _told;
+    double _lastWallS = 0.0;
+    SeatTexts _texts;
     PictureTimes _times;
     PictureQuality _quality;
-    foundation::Outcome _failed = foundation::success(); ///< of a reset
+    foundation::Outcome _failed = foundation::success(); ///< of a reset, or of captured pictures
     int _oldPlace[4] = {0, 0, 0, 0};                     ///< of the window before it covered the screen
-    bool _isCovering = false, _isEnded = false;
+    bool _isCovering = false, _isEnded = false, _isHidden = false;
 };
 
 } // namespace trainer

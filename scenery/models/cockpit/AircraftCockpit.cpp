@@ -104,6 +104,7 @@ InteriorModel makeAircraftCockpit(const EntityShape& shape, const glm::dvec3& ey
 {
     InteriorModel interior;
     interior.lookDownDeg = 7.0;
+    interior.panel = panelViewOf(aircraftPanel(), kPanelXM);
     const auto atEye = movedBy(eye);
     interior.parts.push_back({"panel", panelModel(), InteriorCoat::inside, atEye});
     interior.parts.push_back({"cabin", cockpitCabinModel(), InteriorCoat::inside, atEye});

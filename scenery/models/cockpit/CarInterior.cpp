@@ -157,6 +157,7 @@ InteriorModel makeCarInterior(const EntityShape& shape, const glm::dvec3& eye)
 {
     InteriorModel interior;
     interior.lookDownDeg = 5.0;
+    interior.panel = panelViewOf(carPanel(), kClusterXM);
     const Walls walls = wallsOf(shape, eye);
     const auto atEye = movedBy(eye);
     interior.parts.push_back({"dashboard", dashboardModel(walls), InteriorCoat::inside, atEye});

@@ -10,6 +10,7 @@
 #include <glm/mat4x4.hpp>
 
 #include "scenery/models/Model.h"
+#include "scenery/models/cockpit/PanelView.h"
 #include "scenery/models/cockpit/Readings.h"
 #include "scenery/models/entities/EntityModel.h"
 
@@ -49,6 +50,7 @@ struct InteriorModel
     std::vector<InteriorMirror> mirrors;
     std::optional<EntityRotor> propeller; ///< drawn as a disc where it turns fast
     double lookDownDeg = 0.0;             ///< of a head at rest, to have the instruments in sight
+    PanelView panel;                      ///< of a head that reads them
 };
 
 /// Makes the interior of a vehicle of the shape, seen from `eye` (EntityModel::eye): a car's, or the cockpit of an aircraft; nothing for

@@ -66,6 +66,7 @@ Hands driverHands(const RoadVehicle& vehicle)
         {"handbrake", 0.0, 1.0, 4.0, 4.0},
         {"gear", -1.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0},
         {"indicator", -1.0, 1.0, 0.0},
+        {"lights", -1.0, 1.0, 0.0},
     };
     auto hands = Hands::create(std::move(axes), vehicle);
     hands->finishBy(ClutchFoot(vehicle));

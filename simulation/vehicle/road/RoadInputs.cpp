@@ -13,7 +13,8 @@ double inputOf(const RoadInputs& inputs, RoadInput input)
     const double value = inputs[static_cast<std::size_t>(input)];
     if (std::isnan(value)) return 0.0;
     if (input == RoadInput::gear) return std::round(std::clamp(value, -1.0, kMostGears));
-    const bool isTwoSided = input == RoadInput::steering || input == RoadInput::indicator;
+    const bool isTwoSided =
+        input == RoadInput::steering || input == RoadInput::indicator || input == RoadInput::lights;
     return std::clamp(value, isTwoSided ? -1.0 : 0.0, 1.0);
 }
 

@@ -18,13 +18,14 @@ enum class RoadInput
     clutch,    ///< 0…1: pressed; without effect in an automatic
     gear,      ///< -1 reverse, 0 neutral, 1 and up: the gear, or any forward gear of an automatic
     indicator, ///< 1 left, -1 right, 0 off
+    lights,    ///< head lamps: 1 on, -1 off, 0 by themselves in the dark
     count
 };
 
 inline constexpr std::size_t kRoadInputCount = static_cast<std::size_t>(RoadInput::count);
 
 inline constexpr std::array<std::string_view, kRoadInputCount> kRoadInputNames{
-    "steering", "throttle", "brake", "handbrake", "clutch", "gear", "indicator"};
+    "steering", "throttle", "brake", "handbrake", "clutch", "gear", "indicator", "lights"};
 
 using RoadInputs = std::array<double, kRoadInputCount>;
 

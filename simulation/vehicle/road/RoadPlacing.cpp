@@ -96,7 +96,7 @@ foundation::Outcome RoadVehicle::begin(const VehicleStart& start, const Ground& 
     return foundation::success();
 }
 
-/// The lamps that pedal and gear lever switch.
+/// The lamps that pedal, levers and switch light.
 void RoadVehicle::writeLamps(EntityState& entity) const
 {
     constexpr double kPressed = 0.02, kFlashS = 0.7; // UN R48: 60 to 120 a minute
@@ -109,6 +109,8 @@ void RoadVehicle::writeLamps(EntityState& entity) const
     const bool isFlash = std::fmod(_timeS, kFlashS) < 0.5 * kFlashS;
     light("indicatorLeft", indicator > 0.5 && isFlash);
     light("indicatorRight", indicator < -0.5 && isFlash);
+    const double lights = inputOf(_inputs, RoadInput::lights);
+    if (std::abs(lights) > 0.5) light("lowBeam", lights > 0.0);
 }
 
 void RoadVehicle::writeParts(EntityState& entity) const

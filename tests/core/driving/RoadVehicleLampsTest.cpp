@@ -34,6 +34,18 @@ TEST(RoadVehicleLamps, FollowPedalAndGearLever)
     EXPECT_TRUE(shownOf(car).lamps.at("reversingLights").isLit);
 }
 
+TEST(RoadVehicleLamps, HeadLampsFollowTheirSwitchAndAreElseLeftToTheDark)
+{
+    RoadVehicle car(testsupport::roadVehicle());
+    const LevelGround ground;
+    car.place({{}, 0.0, 0.0}, ground);
+    EXPECT_FALSE(shownOf(car).lamps.contains("lowBeam"));
+    testsupport::setInput(car, RoadInput::lights, 1.0);
+    EXPECT_TRUE(shownOf(car).lamps.at("lowBeam").isLit);
+    testsupport::setInput(car, RoadInput::lights, -1.0);
+    EXPECT_FALSE(shownOf(car).lamps.at("lowBeam").isLit);
+}
+
 TEST(RoadVehicleLamps, WheelsTurnWithTheWayAndStandWhenLocked)
 {
     RoadVehicle car(testsupport::roadVehicle());

@@ -250,6 +250,24 @@ TEST(ScenarioControl, LampsFollowDuskAndChangesOfLane)
     }
 }
 
+TEST(ScenarioControl, AHeadLampSwitchComesBeforeTheDark)
+{
+    for (const bool isNight : {false, true})
+    {
+        const auto file = std::filesystem::path(testing::TempDir()) / "switch-in-scenario.txt";
+        std::ofstream(file) << "osgtrainer-inputs 1\ncolumns time lights\n0 " << (isNight ? -1 : 1) << "\n";
+        simulation::ScenarioText text = driven(20.0, property("inputs", file.string()), "RecordedInputs");
+        text.globals =
+            std::string(
+                "<GlobalAction><EnvironmentAction><Environment name=\"e\"><TimeOfDay animation=\"false\" "
+                "dateTime=\"2024-06-21T") +
+            (isNight ? "00" : "12") + ":00:00Z\"/></Environment></EnvironmentAction></GlobalAction>";
+        const auto player = played(text, 1.0);
+        ASSERT_TRUE(player);
+        EXPECT_EQ(isLit(ego(*player), "lowBeam"), !isNight);
+    }
+}
+
 /// Ego's states at whole seconds, with a clock of the scene.
 std::vector<simulation::EntityState> everySecond(const simulation::FixedClock& clock)
 {

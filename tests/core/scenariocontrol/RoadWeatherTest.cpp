@@ -58,9 +58,9 @@ TEST(RoadWeather, OfAnEnvironment)
     environment.precipitation = simulation::Precipitation{"rain", 2.0};
     EXPECT_EQ(simulation::groundWeatherOf(environment), (simulation::GroundWeather{1.0, true}));
     environment.precipitation = simulation::Precipitation{"snow", 2.0};
-    EXPECT_EQ(simulation::groundWeatherOf(environment), (simulation::GroundWeather{1.0, false}));
+    EXPECT_EQ(simulation::groundWeatherOf(environment), (simulation::GroundWeather{1.0, false, true}));
     environment.roadWetness = "moist";
-    EXPECT_EQ(simulation::groundWeatherOf(environment), (simulation::GroundWeather{1.0, true}));
+    EXPECT_EQ(simulation::groundWeatherOf(environment), (simulation::GroundWeather{1.0, true, true}));
     environment.roadFriction = 0.4;
     EXPECT_EQ(simulation::groundWeatherOf(environment), (simulation::GroundWeather{0.4, false}));
 }

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "Ride.h"
+
+namespace trainer
+{
+
+/// The options that flights and drives share besides those of pictures: under which sky they go.
+class RideOptions
+{
+public:
+    /// Adds them to a command; this must outlive its parsing.
+    void addTo(CLI::App& command);
+
+    /// Writes them into a request. Errors: a time of day that is none.
+    foundation::Outcome complete(RideRequest& request) const;
+
+private:
+    std::string _time;
+    simulation::RideWeather _weather = simulation::RideWeather::clear;
+};
+
+} // namespace trainer

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "hud/TextOverlay.h"
+#include "simulation/clock/RealTimePace.h"
+#include "window/PictureTimes.h"
+
+namespace trainer
+{
+
+/// What a window says: the last message for some seconds, then the pace where it is not the usual; and its statistics.
+class SeatTexts
+{
+public:
+    void tell(const std::string& text, double wallS)
+    {
+        _told = text;
+        _toldAtS = wallS;
+    }
+
+    /// `phase`: what whoever controls is about. `tolerancePx`: of the terrain.
+    void show(TextOverlay& overlay, double wallS, const simulation::RealTimePace& pace,
+              const PictureTimes& times, double tolerancePx, std::string_view phase) const;
+
+private:
+    std::string _told;
+    double _toldAtS = -1e9;
+};
+
+/// Prints how a play in a window ended.
+void printEnd(const simulation::RealTimePace& pace, const PictureTimes& times);
+
+} // namespace trainer

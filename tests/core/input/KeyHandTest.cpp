@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+// The simulated hand: which keys it presses for a wish.
+#include "input/KeyHand.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "input/HandInputs.h"
+#include "input/Keys.h"
+#include "simulation/vehicle/DynamicVehicle.h"
+
+namespace
+{
+
+using namespace trainer;
+
+constexpr std::array<std::string_view, 4> kWished{"elevator", "elevator_trim", "flaps", "throttle"};
+
+/// A vehicle with these inputs that nothing steps.
+class Wished : public simulation::DynamicVehicle
+{
+public:
+    std::span<const std::string_view> inputNames() const override { return kWished; }
+    std::span<double> inputs() override { return _inputs; }
+    double stepSeconds() const override { return 0.01; }
+    void step(const simulation::Ground& /*ground*/, const simulation::Air& /*air*/) override {}
+    foundation::Outcome begin(const simulation::VehicleStart& /*start*/, const simulation::Ground& /*ground*/,
+                              const simulation::Air& /*air*/) override
+    {
+        return foundation::success();
+    }
+    glm::dvec3 referencePoint() const override { return glm::dvec3(0.0); }
+    void writeParts(simulation::EntityState& /*entity*/) const override {}
+    simulation::VehicleState state() const override { return {}; }
+    simulation::VehicleStatus status() const override { return {}; }
+
+private:
+    std::array<double, 4> _inputs{};
+};
+
+simulation::Hands handsOf(const Wished& vehicle)
+{
+    auto hands = simulation::Hands::create({{"elevator", -1.0, 1.0, 0.4, 0.8},
+                                            {"elevator_trim", -1.0, 1.0, 0.1},
+                                            {"flaps", 0.0, 1.0, 0.5},
+                                            {"throttle", 0.0, 1.0, 0.5}},
+                                           vehicle);
+    EXPECT_TRUE(hands);
+    return std::move(*hands);
+}
+
+std::string wordsOf(const std::vector<KeyStroke>& strokes)
+{
+    std::string words;
+    for (const KeyStroke& stroke : strokes)
+        words += (stroke.isDown ? "+" : "-") + keyName(stroke.key) + " ";
+    return words;
+}
+
+TEST(KeyHand, PressesWhatLeadsThereAndLetsGoThere)
+{
+    const Wished vehicle;
+    simulation::Hands hands = handsOf(vehicle);
+    KeyHand hand(KeyScope::flight);
+    const auto decide = [&](double throttle)
+    {
+        const std::array wishes{0.0, 0.0, 0.0, throttle};
+        return wordsOf(hand.decide(hands, wishes, kWished, 0.1));
+    };
+    EXPECT_EQ(decide(0.5), "+PageUp ");
+    EXPECT_EQ(decide(0.5), "") << "a key that is down is not pressed again";
+    hands.add(3, 0.5);
+    EXPECT_EQ(decide(0.5), "-PageUp ");
+    EXPECT_EQ(decide(0.2), "+PageDown ");
+    EXPECT_EQ(decide(0.9), "+PageUp -PageDown ") << "in the order of the table";
+}
+
+TEST(KeyHand, TapsFlapsAndTrimsAway)
+{
+    const Wished vehicle;
+    simulation::Hands hands = handsOf(vehicle);
+    KeyHand hand(KeyScope::flight);
+    EXPECT_EQ(wordsOf(hand.decide(hands, std::array{0.0, 0.0, 0.6, 0.0}, kWished, 0.1)), "+f -f ");
+    addToInput(hands, "flaps", 1.0 / 3.0);
+    EXPECT_EQ(wordsOf(hand.decide(hands, std::array{0.0, 0.0, 0.4, 0.0}, kWished, 0.1)), "");
+    std::string words;
+    for (int i = 0; i < 20; ++i) // an elevator that would be held for two seconds
+        words += wordsOf(hand.decide(hands, std::array{-0.2, 0.0, 1.0 / 3.0, 0.0}, kWished, 0.1));
+    EXPECT_NE(words.find("+s "), std::string::npos) << words;
+    EXPECT_NE(words.find("+Down "), std::string::npos) << words;
+    EXPECT_EQ(words.find("+w "), std::string::npos) << words;
+}
+
+TEST(KeyHand, WaitsWithoutWishes)
+{
+    const Wished vehicle;
+    KeyHand hand(KeyScope::flight);
+    EXPECT_TRUE(hand.decide(handsOf(vehicle), {}, kWished, 0.1).empty());
+}
+
+} // namespace
