@@ -36,10 +36,11 @@ worldmaking::MapBounds boundsOf(const PlacedTile& tile)
 {
     const auto corner = [&](int column, int row)
     { return tile.frame().geodeticFromLocal(tile.frame().positionOf(column, row, 0.0)); };
-    const int east = tile.grid().dataColumns() - 1, north = tile.grid().dataRows() - 1;
-    const auto a = corner(0, 0), b = corner(east, 0), c = corner(east, north), d = corner(0, north);
-    return {std::max(a.longitudeDeg, d.longitudeDeg), std::max(a.latitudeDeg, b.latitudeDeg),
-            std::min(b.longitudeDeg, c.longitudeDeg), std::min(c.latitudeDeg, d.latitudeDeg)};
+    const int last = tile.grid().dataColumns() - 1, top = tile.grid().dataRows() - 1;
+    const auto a = corner(0, 0), b = corner(last, 0), c = corner(last, top), d = corner(0, top);
+    const auto [west, east] = std::minmax({a.longitudeDeg, b.longitudeDeg, c.longitudeDeg, d.longitudeDeg});
+    const auto [south, north] = std::minmax({a.latitudeDeg, b.latitudeDeg, c.latitudeDeg, d.latitudeDeg});
+    return {west, south, east, north};
 }
 
 } // namespace

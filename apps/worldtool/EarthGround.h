@@ -14,7 +14,7 @@
 namespace worldtool
 {
 
-/// The ground of elevation data, and the largest rectangle of degrees about its middle that lies within its corners.
+/// The ground of elevation data, and the rectangle of degrees around its corners; there need not be ground everywhere in it.
 struct EarthGround
 {
     worldmaking::GroundOnEarth heightM; ///< by latitude and longitude, in the datum of the samples

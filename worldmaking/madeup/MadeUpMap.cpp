@@ -78,16 +78,16 @@ foundation::Result<MapPlane> planeAbout(const MapBounds& bounds)
     return MapPlane::create(header, "the made-up map");
 }
 
-/// The box of the plane that lies within bounds.
-std::optional<MapBox> boxWithin(const MapBounds& bounds, const MapPlane& plane)
+/// The box of the plane around bounds.
+std::optional<MapBox> boxAround(const MapBounds& bounds, const MapPlane& plane)
 {
     const auto southWest = plane.toPlan({bounds.west, bounds.south}),
                southEast = plane.toPlan({bounds.east, bounds.south}),
                northWest = plane.toPlan({bounds.west, bounds.north}),
                northEast = plane.toPlan({bounds.east, bounds.north});
     if (!southWest || !southEast || !northWest || !northEast) return std::nullopt;
-    return MapBox{{std::max(southWest->x, northWest->x), std::max(southWest->y, southEast->y)},
-                  {std::min(southEast->x, northEast->x), std::min(northWest->y, northEast->y)}};
+    return MapBox{{std::min(southWest->x, northWest->x), std::min(southWest->y, southEast->y)},
+                  {std::max(southEast->x, northEast->x), std::max(northWest->y, northEast->y)}};
 }
 
 } // namespace
@@ -97,7 +97,7 @@ foundation::Result<MadeUpMap> makeUpMap(const GroundOnEarth& ground, const MadeU
     const MapBounds bounds = cutToSize(settings.bounds, ground);
     const auto plane = planeAbout(bounds);
     if (!plane) return plane.error();
-    const auto box = boxWithin(bounds, *plane);
+    const auto box = boxAround(bounds, *plane);
     if (!box || std::min(box->high.x - box->low.x, box->high.y - box->low.y) < 1000.0 * kSmallestKm)
         return Error{"the made-up map", "the ground is less than 1 km wide",
                      "give --map, or larger elevation data"};
@@ -111,8 +111,8 @@ foundation::Result<MadeUpMap> makeUpMap(const GroundOnEarth& ground, const MadeU
     MadeUpLand land(grid, settings);
     land.make();
     if (land.report.roadsKm <= 0.0)
-        return Error{"the made-up map", "the ground is nowhere gentle enough for a settlement and its roads",
-                     "give --map, or --bounds of gentler land"};
+        return Error{"the made-up map", "the ground is too small, or nowhere gentle enough, for a settlement and its roads",
+                     "give --map, or larger or gentler elevation data"};
     MadeUpMap made;
     made.report = land.report;
     made.hasSea = grid.hasSea();
