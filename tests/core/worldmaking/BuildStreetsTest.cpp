@@ -267,7 +267,7 @@ std::size_t bridgesBeside(double higherM)
 TEST(BuildStreets, AStreetThatNoGroundCanCarryBesideALowerOneIsABridge)
 {
     EXPECT_EQ(bridgesBeside(8.0), 1u);
-    EXPECT_EQ(bridgesBeside(1.0), 0u);
+    EXPECT_EQ(bridgesBeside(0.8), 0u); // a bed and the skirt of the surface hide that
 }
 
 } // namespace
