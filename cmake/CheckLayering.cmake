@@ -28,7 +28,7 @@ layer(roads-core     "^osgRoads/(include/osgRoads|src)/core/" foundation viewlod
 layer(simulation     "^simulation/"        foundation viewlod roads-core)
 layer(models         "^scenery/models/"    foundation objects-core)
 layer(placement      "^scenery/placement/" foundation viewlod objects-core models)
-layer(buildings     "^scenery/buildings/" foundation objects-core terrain-core models)
+layer(buildings     "^scenery/(buildings|structures)/" foundation objects-core terrain-core models)
 layer(road-things    "^scenery/roads/things/" foundation objects-core roads-core models)
 layer(scene-roads    "^scenery/roads/"     foundation viewlod objects-core terrain-core roads-core)
 layer(worldmaking    "^worldmaking/"       foundation viewlod objects-core terrain-core roads-core scene-roads models buildings)

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "FlyCommand.h"
 
+#include <cmath>
 #include <cstdio>
 
+#include <foundation/Angle.h>
+#include <foundation/Units.h>
 #include <foundation/WholeFile.h>
 
 #include "FlatScene.h"
@@ -30,6 +33,13 @@ void tellFlight(const simulation::VehicleMotion& motion)
     if (jsbsim && !jsbsim->note().empty()) std::printf("note: %s\n", jsbsim->note().c_str());
 }
 
+/// The wind of `--wind`, to where it blows.
+glm::dvec2 windOf(const std::vector<double>& fromAndKnots)
+{
+    const double from = foundation::radiansOf(fromAndKnots[0]);
+    return -foundation::kMpsPerKnot * fromAndKnots[1] * glm::dvec2(std::sin(from), std::cos(from));
+}
+
 /// The world of the request; level ground where pictures have none.
 foundation::Result<SceneTerrain> openWorld(const FlyRequest& request)
 {
@@ -48,8 +58,9 @@ foundation::Result<SceneTerrain> openWorld(const FlyRequest& request)
 
 } // namespace
 
-foundation::Outcome fly(const FlyRequest& request)
+foundation::Outcome fly(const FlyRequest& asked)
 {
+    FlyRequest request = asked;
     for (const auto& file : {request.recordInputs, request.play.output.motionFile})
         if (const auto writable = foundation::checkWritable(file); !writable) return writable;
     auto terrain = openWorld(request);
@@ -58,9 +69,13 @@ foundation::Outcome fly(const FlyRequest& request)
     // Without a world the ground is level, in a window as without one: a flight repeats.
     const bool hasWorld = !request.play.terrain.file.empty();
     if (hasWorld) ground = std::make_shared<SceneGround>(terrain->ground(), terrain->seaLevelM);
+    if (!request.play.terrain.strip && (request.start.empty() || !request.orders.empty()))
+        request.play.terrain.strip = runwayInUse(
+            terrain->runways, request.wind.empty() ? std::nullopt : std::optional(request.wind[0]));
     if (hasWorld && !request.play.terrain.strip && request.start.empty())
         std::printf(
             "note: there is no runway in this world; the flight begins in the air (--strip lays one)\n");
+    if (terrain->airfield && !request.wind.empty()) terrain->airfield->setWind(windOf(request.wind));
     FlightMaker maker(request, ground, terrain->origin());
     const auto motion = playRides(request, std::move(*terrain), maker);
     if (!motion) return motion.error();

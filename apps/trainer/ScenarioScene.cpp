@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ScenarioScene.h"
 
+#include <cmath>
+
 #include <osg/Notify>
 
 #include "SceneWeather.h"
@@ -31,6 +33,7 @@ foundation::Result<ScenarioScene> ScenarioScene::create(const simulation::Scenar
     scene._root->addChild(&scene._drops.node());
     scene._sunlit->addChild(terrain.node);
     scene._roadThings = terrain.roadThings;
+    scene._airfield = terrain.airfield;
     scene._ground = terrain.ground();
     scenery::EntityShapes shapes;
     for (const simulation::ScenarioObject& object : scenario.entities)
@@ -101,6 +104,9 @@ void ScenarioScene::show(const simulation::ScenarioPlayer& player,
 void ScenarioScene::showWeather(const simulation::EnvironmentState& environment, double timeS,
                                 const std::vector<simulation::EntityState>& entities)
 {
+    if (const auto& wind = environment.wind; wind && _airfield)
+        _airfield->setWind(wind->speedMps *
+                           glm::dvec2(std::cos(wind->directionRad), std::sin(wind->directionRad)));
     if (const auto set = _atmosphere->setSettings(airOf(environment)); !set)
         osg::notify(osg::WARN) << set.error().message() << std::endl;
     _roadWetness->set(roadWetnessOf(environment));

@@ -88,6 +88,7 @@ private:
     scenery::FallingDrops _drops;
     std::optional<std::size_t> _ridden;
     std::shared_ptr<scenery::RoadThingsNode> _roadThings; ///< null without roads
+    std::shared_ptr<scenery::AirfieldNode> _airfield;     ///< null without any
     std::map<std::string, std::string> _signals;          ///< states that are shown
     simulation::GroundProvider _ground;                   ///< onto which shadows fall
     std::vector<EntityModel> _entities;                   ///< in the order of Scenario::entities

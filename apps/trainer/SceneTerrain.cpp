@@ -12,6 +12,7 @@
 
 #include "ModelFile.h"
 #include "SceneRoads.h"
+#include "SceneStructures.h"
 #include "ground/TileGround.h"
 
 namespace trainer
@@ -70,7 +71,12 @@ foundation::Result<SceneTerrain> openElevation(const std::filesystem::path& file
     if (!description) return description.error();
     description->showsVoids = description->showsVoids || request.showsVoids;
     auto scene = makeTerrainWithRoads(*description, request.strip);
-    if (scene && description->land.seaLevelM)
+    if (!scene) return scene;
+    auto runways = sceneRunways(*description, scene->terrain->tile()->tile);
+    if (!runways) return runways.error();
+    scene->runways = *std::move(runways);
+    if (const auto added = addStructures(*description, *scene); !added) return added.error();
+    if (description->land.seaLevelM)
     {
         const auto& frame = scene->terrain->tile()->tile.frame();
         const glm::dvec2 grid = frame.gridNear(glm::dvec2(0.0));

@@ -15,6 +15,8 @@
 #include <osgTerrainROAM/RoamTerrain>
 
 #include "PlayRequest.h"
+#include "SceneRunways.h"
+#include "scenery/nodes/AirfieldNode.h"
 #include "scenery/nodes/RoadThingsNode.h"
 #include "simulation/player/SceneFrame.h"
 
@@ -28,9 +30,11 @@ struct SceneTerrain
     osg::ref_ptr<osgTerrainROAM::RoamTerrain> terrain; ///< within it; null when the scene has no ROAM terrain
     std::shared_ptr<const osgRoads::core::PlacedNetwork> roads; ///< null: none
     std::shared_ptr<scenery::RoadThingsNode> roadThings =
-        nullptr;                       ///< switches traffic lights; null without roads
-    std::optional<double> seaLevelM{}; ///< z of the sea at the scene's origin; absent: not known
-    glm::dvec2 cornerM{0.0};           ///< of the terrain's frame in that of the scene
+        nullptr;                        ///< switches traffic lights; null without roads
+    std::optional<double> seaLevelM{};  ///< z of the sea at the scene's origin; absent: not known
+    glm::dvec2 cornerM{0.0};            ///< of the terrain's frame in that of the scene
+    std::vector<SceneRunway> runways{}; ///< those of its maps
+    std::shared_ptr<scenery::AirfieldNode> airfield = nullptr; ///< lights and windsocks; null: none
 
     /// Returns the origin of the scene's frame; absent without georeference.
     std::optional<simulation::Geodetic> origin() const;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <fstream>
 #include <iostream>
 #include <string>
 #include <system_error>
@@ -10,6 +11,7 @@
 #include "worldmaking/map/ReadLand.h"
 #include "worldmaking/map/ReadOsm.h"
 #include "worldtool/BuildReport.h"
+#include "worldtool/BuildState.h"
 #include "worldtool/Commands.h"
 #include "worldtool/EarthGround.h"
 #include "worldtool/WorldMaker.h"
@@ -111,6 +113,21 @@ foundation::Result<Report> build(const Request& request)
                                  "name a folder that can be written"};
     const auto bounds = boundsOf(request);
     if (!bounds) return bounds.error();
+    auto state = BuildState::open(request);
+    if (!state) return state.error();
+    if (state->isWhole())
+    {
+        // Those who make worlds by rules see that it is new.
+        for (const char* name : {"world.roam", "drive.xosc", "circuit.xosc"})
+            if (const auto file = request.world / name; std::filesystem::exists(file, failed))
+                std::filesystem::last_write_time(file, std::filesystem::file_time_type::clock::now(), failed);
+        Report made;
+        std::ifstream stream(request.world / "report.json");
+        made.json = nlohmann::ordered_json::parse(stream, nullptr, false);
+        std::cerr << "worldtool: " << request.world.string() << " is made of these inputs already\n";
+        print(made.json);
+        return made;
+    }
     const auto ground = loadGround(request.dems);
     if (!ground) return ground.error();
     const bool isMadeUp = request.map.empty();
@@ -144,7 +161,7 @@ foundation::Result<Report> build(const Request& request)
     }
     WorldMaker maker({request, map->streets, map->land, *bounds, runways, unusableRunways, hasSea, madePlaces,
                       ground->placeInScene},
-                     ground->heightM);
+                     ground->heightM, std::move(*state));
     if (isMadeUp) maker.report.json["madeUp"] = madeUp;
     if (isMadeUp) maker.report.json["places"] = places;
     if (const auto made = maker.make(); !made) return made.error();

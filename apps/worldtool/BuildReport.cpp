@@ -43,9 +43,16 @@ nlohmann::ordered_json rowOf(const worldmaking::HouseReport& report)
 
 nlohmann::ordered_json rowOf(const worldmaking::LandReport& report, std::size_t unusedRunways)
 {
-    return {{"coverAreas", report.coverAreas}, {"fields", report.fields},   {"waters", report.waters},
-            {"waterLines", report.waterLines}, {"ways", report.ways},       {"railways", report.railways},
-            {"aprons", report.aprons},         {"runways", report.runways}, {"unusedRunways", unusedRunways}};
+    return {{"coverAreas", report.coverAreas},
+            {"fields", report.fields},
+            {"waters", report.waters},
+            {"waterLines", report.waterLines},
+            {"ways", report.ways},
+            {"railways", report.railways},
+            {"aprons", report.aprons},
+            {"runways", report.runways},
+            {"unusedRunways", unusedRunways},
+            {"silentWoodsHa", report.silentWoodsHa}};
 }
 
 nlohmann::ordered_json rowOf(const worldmaking::TreeReport& report)
@@ -63,6 +70,35 @@ nlohmann::ordered_json rowOf(const worldmaking::MadeUpReport& report)
             {"hedges", report.hedges},       {"woods", report.woods},
             {"lakes", report.lakes},         {"bridges", report.bridges},
             {"roadsKm", report.roadsKm},     {"airfields", report.airfields}};
+}
+
+nlohmann::ordered_json rowOf(const worldmaking::WaterReport& report)
+{
+    return {{"lakes", report.lakes},
+            {"rivers", report.rivers},
+            {"unlevelled", report.unlevelled},
+            {"beyondGround", report.beyondGround}};
+}
+
+nlohmann::ordered_json rowOf(const worldmaking::AirfieldReport& report)
+{
+    return {{"runways", report.runways},
+            {"steepRunways", report.steepRunways},
+            {"taxiways", report.taxiways},
+            {"aprons", report.aprons},
+            {"beyondGround", report.beyondGround}};
+}
+
+nlohmann::ordered_json rowOf(const worldmaking::StructureReport& report)
+{
+    return {{"walls", report.walls},
+            {"fences", report.fences},
+            {"powerLines", report.powerLines},
+            {"railways", report.railways},
+            {"turbines", report.turbines},
+            {"windsocks", report.windsocks},
+            {"cut", report.cut},
+            {"beyondGround", report.beyondGround}};
 }
 
 } // namespace worldtool

@@ -3,8 +3,11 @@
 
 #include <nlohmann/json.hpp>
 
+#include "worldmaking/earth/Airfields.h"
+#include "worldmaking/earth/WaterWorks.h"
 #include "worldmaking/land/Houses.h"
 #include "worldmaking/land/LandUse.h"
+#include "worldmaking/land/Structures.h"
 #include "worldmaking/land/Trees.h"
 #include "worldmaking/madeup/MadeUpMap.h"
 #include "worldmaking/streets/BuildStreets.h"
@@ -18,5 +21,8 @@ nlohmann::ordered_json rowOf(const worldmaking::HouseReport& report);
 nlohmann::ordered_json rowOf(const worldmaking::LandReport& report, std::size_t unusedRunways);
 nlohmann::ordered_json rowOf(const worldmaking::TreeReport& report);
 nlohmann::ordered_json rowOf(const worldmaking::MadeUpReport& report);
+nlohmann::ordered_json rowOf(const worldmaking::WaterReport& report);
+nlohmann::ordered_json rowOf(const worldmaking::AirfieldReport& report);
+nlohmann::ordered_json rowOf(const worldmaking::StructureReport& report);
 
 } // namespace worldtool

@@ -78,11 +78,18 @@ foundation::Outcome addGround(const RoamFile& world, const PlacedTile& tile, Wor
 
 nlohmann::ordered_json rowOf(const worldmaking::WorldFaults& faults)
 {
-    return {{"objects", faults.objects},     {"roadsKm", faults.roadsKm},
-            {"onRoad", faults.onRoad},       {"inWater", faults.inWater},
-            {"onRunway", faults.onRunway},   {"overlapping", faults.overlapping},
-            {"floating", faults.floating},   {"floatingRoads", faults.floatingRoads},
-            {"sunkRoads", faults.sunkRoads}, {"maxGradePercent", faults.maxGradePercent}};
+    return {{"objects", faults.objects},
+            {"roadsKm", faults.roadsKm},
+            {"onRoad", faults.onRoad},
+            {"inWater", faults.inWater},
+            {"onRunway", faults.onRunway},
+            {"overlapping", faults.overlapping},
+            {"floating", faults.floating},
+            {"floatingRoads", faults.floatingRoads},
+            {"sunkRoads", faults.sunkRoads},
+            {"unevenRunways", faults.unevenRunways},
+            {"unevenWaters", faults.unevenWaters},
+            {"maxGradePercent", faults.maxGradePercent}};
 }
 
 } // namespace
@@ -134,6 +141,11 @@ foundation::Result<Report> check(const std::filesystem::path& world)
     {
         const auto ground = osgTerrainROAM::core::groundAt(tile, eastM, northM);
         return ground ? std::optional(ground->position.z) : std::nullopt;
+    };
+    things.elevationM = [&](const glm::dvec2& place) -> std::optional<double>
+    {
+        const auto ground = osgTerrainROAM::core::groundAt(tile, place.x, place.y);
+        return ground ? std::optional(tile.frame().heightOf(ground->position)) : std::nullopt;
     };
     for (const auto add : {addHouses, addPlants, addGround})
         if (const auto added = add(*description, tile, things); !added) return added.error();

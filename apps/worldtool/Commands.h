@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include <foundation/Result.h>
@@ -21,6 +22,7 @@ struct Request
     double aridity = 0.12;                   ///< of what is made up: 0 wet … 1 desert
     std::filesystem::path runways;           ///< a table of OurAirports; empty: none
     std::filesystem::path world;             ///< the folder to write
+    std::string version;                     ///< of the program: another one makes a world anew
     std::vector<double> bounds;              ///< west, south, east, north in degrees; empty: the whole map
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "worldtool/WorldMaker.h"
 
+#include <iterator>
+#include <memory>
 #include <sstream>
 #include <system_error>
 
@@ -11,9 +13,14 @@
 #include <osgTerrainROAM/core/edit/EditFile.h>
 
 #include "scenery/roads/LayRoads.h"
+#include "worldmaking/earth/Airfields.h"
+#include "worldmaking/earth/EarthworkFile.h"
+#include "worldmaking/earth/WaterWorks.h"
 #include "worldmaking/land/HouseFile.h"
 #include "worldmaking/land/LandUse.h"
 #include "worldmaking/land/ModelPoints.h"
+#include "worldmaking/land/SilentLand.h"
+#include "worldmaking/land/Structures.h"
 #include "worldmaking/land/Trees.h"
 #include "worldtool/BuildReport.h"
 #include "worldtool/RideFiles.h"
@@ -32,30 +39,38 @@ foundation::Outcome WorldMaker::make()
 {
     const std::string mapName =
         _source.request.map.empty() ? "the made-up map" : _source.request.map.string();
-    const auto streets = worldmaking::buildStreets(_source.streets, _ground, mapName);
+    if (auto made = makeEarth(); !made) return made;
+    const auto streets = worldmaking::buildStreets(_source.streets, _shaped, mapName);
     if (!streets) return streets.error();
     report.json["streets"] = rowOf(streets->report);
-    if (auto written = osgRoads::core::writeNetwork(streets->network, file("roads.xodr")); !written)
+    std::error_code ignored;
+    if (!_state.has("world.roam")) std::filesystem::remove(file("world.roam"), ignored); // of other inputs
+    if (auto written = _writeEarth(); !written) return written;
+    if (auto written = part("roads.xodr", [&](const auto& path)
+                            { return osgRoads::core::writeNetwork(streets->network, path); });
+        !written)
         return written;
     const auto plane = worldmaking::MapPlane::create(streets->network.header, mapName);
     if (!plane) return plane.error();
     const worldmaking::RoadRoom room(streets->network);
-    for (const worldmaking::Runway& runway : _source.runways)
-    {
-        const auto strip = worldmaking::stripOf(runway, *plane);
-        if (!strip || !_ground(runway.from.y, runway.from.x) || !_ground(runway.to.y, runway.to.x)) continue;
-        _runways.push_back(runway);
-        _strips.push_back(*strip);
-    }
+    for (const worldmaking::Runway& runway : _runways)
+        if (const auto strip = worldmaking::stripOf(runway, *plane)) _strips.push_back(*strip);
     if (auto made = makeHouses(*plane, room); !made) return made;
     if (auto made = makeLand(*plane, room, streets->network.header.geoReference); !made) return made;
     if (const RideSource rides{streets->network, *plane, _source.places, _runways, _source.placeInScene};
         !_source.places.empty())
         if (auto written = writeRides(rides, _source.request.world); !written) return written;
-    if (auto written = foundation::writeWholeFile(file("report.json"), report.json.dump(2) + '\n'); !written)
+    std::error_code failed;
+    for (const char* ride : {"drive.xosc", "circuit.xosc"})
+        if (!_source.places.empty() && std::filesystem::exists(file(ride), failed))
+            if (auto noted = _state.note(ride); !noted) return noted;
+    if (auto written = part("report.json", [&](const auto& path)
+                            { return foundation::writeWholeFile(path, report.json.dump(2) + '\n'); });
+        !written)
         return written;
-    if (auto made = makeEdits(); !made) return made;
-    return foundation::writeWholeFile(file("world.roam"), describe() + "edits = ground.edits\n");
+    if (auto made = part("ground.edits", [&](const auto&) { return makeEdits(); }); !made) return made;
+    return part("world.roam", [&](const auto& path)
+                { return foundation::writeWholeFile(path, describe() + "edits = ground.edits\n"); });
 }
 
 /// Cuts the ground to the roads, so that opening the world need not.
@@ -63,7 +78,9 @@ foundation::Outcome WorldMaker::makeEdits()
 {
     const auto description = osgTerrainROAM::core::parseRoamFile(describe(), file("world.roam"));
     if (!description) return description.error();
-    const auto before = osgTerrainROAM::core::loadRoamTile(*description);
+    osgTerrainROAM::core::RoamFile bare = *description; // without its earthworks, which the edits hold, too
+    bare.earthworks.clear();
+    const auto before = osgTerrainROAM::core::loadRoamTile(bare);
     if (!before) return before.error();
     const auto cut = scenery::loadRoadTile(*description);
     if (!cut) return cut.error();
@@ -75,7 +92,48 @@ foundation::Outcome WorldMaker::makeEdits()
 std::optional<double> WorldMaker::heightM(const worldmaking::MapPlane& plane, const glm::dvec2& plan) const
 {
     const auto place = plane.toDegrees(plan);
-    return place ? _ground(place->y, place->x) : std::nullopt;
+    return place ? _shaped(place->y, place->x) : std::nullopt;
+}
+
+/// Runways and water come first: streets, houses and woods follow the ground
+/// that they have shaped.
+foundation::Outcome WorldMaker::makeEarth()
+{
+    const auto made =
+        worldmaking::MapPlane::create(worldmaking::planeAbout(_source.land), _source.request.map.string());
+    if (!made) return made.error();
+    const auto plane = std::make_shared<const worldmaking::MapPlane>(*made);
+    const worldmaking::PlanHeight ground = [&](const glm::dvec2& plan) -> std::optional<double>
+    {
+        const auto place = plane->toDegrees(plan);
+        return place ? _ground(place->y, place->x) : std::nullopt;
+    };
+    const auto isOnGround = [&](const glm::dvec2& place) { return _ground(place.y, place.x).has_value(); };
+    for (worldmaking::Runway& runway : worldmaking::runwaysOf(_source.land, *plane, _source.runways))
+        if (isOnGround(runway.from) && isOnGround(runway.to)) _runways.push_back(std::move(runway));
+    worldmaking::WaterReport water;
+    worldmaking::AirfieldReport air;
+    auto works = worldmaking::waterWorks(_source.land, *plane, ground, water);
+    auto ofAir = worldmaking::airfieldWorks(_source.land, _runways, *plane, ground, air);
+    std::move(ofAir.begin(), ofAir.end(), std::back_inserter(works));
+    report.json["water"] = rowOf(water);
+    report.json["airfields"] = rowOf(air);
+    _hasEarth = !works.empty();
+    if (_hasEarth)
+        _writeEarth = [this, works, plane]
+        {
+            return part("earthworks.gpkg",
+                        [&](const auto& path) { return worldmaking::writeEarthworks(works, *plane, path); });
+        };
+    const auto earth =
+        std::make_shared<const osgTerrainROAM::core::Earthworks>(std::move(works), 0.0, ground);
+    _shaped = [bare = _ground, plane, earth](double latitudeDeg, double longitudeDeg) -> std::optional<double>
+    {
+        const auto height = bare(latitudeDeg, longitudeDeg);
+        const auto plan = height ? plane->toPlan({longitudeDeg, latitudeDeg}) : std::nullopt;
+        return plan ? std::optional(earth->heightM(*plan, *height)) : height;
+    };
+    return foundation::success();
 }
 
 std::optional<worldmaking::MapBox> WorldMaker::limitIn(const worldmaking::MapPlane& plane) const
@@ -93,8 +151,8 @@ foundation::Outcome WorldMaker::makeHouses(const worldmaking::MapPlane& plane,
     const auto hasGround = [&](const glm::dvec2& plan) { return heightM(plane, plan).has_value(); };
     _houses = worldmaking::housesOf(_source.land, plane, {room, _strips, hasGround}, counts);
     report.json["buildings"] = rowOf(counts);
-    return _houses.empty() ? foundation::success()
-                           : worldmaking::writeHouses(_houses, file("buildings.gpkg"));
+    if (_houses.empty()) return foundation::success();
+    return part("buildings.gpkg", [&](const auto& path) { return worldmaking::writeHouses(_houses, path); });
 }
 
 foundation::Outcome WorldMaker::makeLand(const worldmaking::MapPlane& plane,
@@ -103,29 +161,52 @@ foundation::Outcome WorldMaker::makeLand(const worldmaking::MapPlane& plane,
     worldmaking::LandReport land;
     worldmaking::TreeReport plants;
     if (auto written = worldmaking::writeGround(_source.land, _runways, file("ground.gpkg"), land); !written)
-        return written;
+        return written; // and counts, so it is written in any case
     _hasGround =
         land.fields + land.waters + land.waterLines + land.ways + land.railways + land.aprons + land.runways >
         0;
-    const auto cover = worldmaking::coverRasterOf(_source.land, plane, limitIn(plane), land);
+    auto cover = worldmaking::coverRasterOf(_source.land, plane, limitIn(plane), land);
     _hasCover = land.coverAreas > 0;
+    const worldmaking::PlanHeight height = [&](const glm::dvec2& plan) { return heightM(plane, plan); };
+    const auto middle = plane.toDegrees({0.0, 0.0});
+    const bool isMap = !_source.request.map.empty(); // what is made up leaves nothing open
+    if (_hasCover && isMap && middle)
+        land.silentWoodsHa =
+            1e-4 * cover.texelM() * cover.texelM() *
+            static_cast<double>(worldmaking::fillSilentLand(cover, {room, _houses, height, middle->y}));
     if (_hasCover)
-        if (auto written = cover.write(file("landcover.tif"), proj); !written) return written;
+        if (auto written = part("landcover.tif", [&](const auto& path) { return cover.write(path, proj); });
+            !written)
+            return written;
+    worldmaking::StructureReport standing;
+    if (auto written = worldmaking::writeStructures(_source.land, plane, {room, _runways, _strips, height},
+                                                    file("structures.gpkg"), standing);
+        !written)
+        return written;
+    _hasStructures = standing.written > 0;
+    report.json["structures"] = rowOf(standing);
     const auto models = worldmaking::writeModels(_source.land, plane, room, file("objects.gpkg"));
     if (!models) return models.error();
     _hasModels = *models > 0;
     report.json["models"] = {{"standing", *models}};
-    const auto height = [&](const glm::dvec2& plan) { return heightM(plane, plan); };
+    if (_hasModels)
+        if (auto noted = _state.note("objects.gpkg"); !noted) return noted;
     const auto trees =
         worldmaking::treesOf(_source.land, plane, {room, cover, _houses, _strips}, height, plants);
     _hasTrees = !trees.empty();
-    report.json["land"] = rowOf(land, _source.unusableRunways + _source.runways.size() - _runways.size());
+    report.json["land"] = rowOf(land, _source.unusableRunways);
     report.json["trees"] = rowOf(plants);
     report.json["unused"] = land.unused;
-    return _hasTrees ? worldmaking::writeTrees(trees, plane, file("trees.gpkg")) : foundation::success();
+    for (const auto& [name, isMade] :
+         {std::pair("ground.gpkg", _hasGround), std::pair("structures.gpkg", _hasStructures)})
+        if (isMade)
+            if (auto noted = _state.note(name); !noted) return noted;
+    if (!_hasTrees) return foundation::success();
+    return part("trees.gpkg", [&](const auto& path) { return worldmaking::writeTrees(trees, plane, path); });
 }
 
-/// A path between the folders keeps a world usable when both are moved together.
+/// A path between the folders keeps a world usable when both are moved
+/// together.
 std::string WorldMaker::describe() const
 {
     std::ostringstream text;
@@ -138,7 +219,9 @@ std::string WorldMaker::describe() const
              << '\n';
     }
     text << "roads = roads.xodr\nroads_heights = file\nfinest_spacing = " << kRoadSampleM << '\n';
+    if (_hasEarth) text << "earthworks = earthworks.gpkg\n";
     if (!_houses.empty()) text << "buildings = buildings.gpkg\n";
+    if (_hasStructures) text << "structures = structures.gpkg\n";
     if (_hasTrees) text << "objects = trees.gpkg\n";
     if (_hasModels) text << "objects = objects.gpkg\n";
     if (_source.hasSea) text << "sea_level = 0\n";

@@ -6,11 +6,15 @@
 
 #include <foundation/Result.h>
 
+#include <osgTerrainROAM/core/edit/Earthworks.h>
+
+#include "terminal/Terminal.h"
 #include "worldmaking/land/Houses.h"
 #include "worldmaking/land/PlanGrid.h"
 #include "worldmaking/land/Runways.h"
 #include "worldmaking/madeup/MadeUpMap.h"
 #include "worldmaking/streets/BuildStreets.h"
+#include "worldtool/BuildState.h"
 #include "worldtool/Commands.h"
 
 namespace worldtool
@@ -30,12 +34,13 @@ struct WorldSource
     std::function<glm::dvec3(const glm::dvec2& degrees)> placeInScene{};
 };
 
-/// Makes the parts of a world one after the other, and writes each as it is made; world.roam comes last.
+/// Makes the parts of a world one after the other, and writes each as it is
+/// made; world.roam comes last.
 class WorldMaker
 {
 public:
-    WorldMaker(const WorldSource& source, const worldmaking::GroundOnEarth& ground)
-        : _source(source), _ground(ground)
+    WorldMaker(const WorldSource& source, const worldmaking::GroundOnEarth& ground, BuildState state)
+        : _source(source), _ground(ground), _state(std::move(state))
     {
     }
 
@@ -45,6 +50,20 @@ public:
     Report report;
 
 private:
+    /// Writes a file of the world unless it is made already, and tells how far
+    /// the world is.
+    template<class Write>
+    foundation::Outcome part(const char* name, const Write& write)
+    {
+        if (!_state.has(name))
+        {
+            if (const foundation::Outcome written = write(file(name)); !written) return written;
+            if (const auto noted = _state.note(name); !noted) return noted;
+        }
+        _progress.advance();
+        return foundation::success();
+    }
+    foundation::Outcome makeEarth();
     foundation::Outcome makeHouses(const worldmaking::MapPlane& plane, const worldmaking::RoadRoom& room);
     foundation::Outcome makeLand(const worldmaking::MapPlane& plane, const worldmaking::RoadRoom& room,
                                  const std::string& proj);
@@ -56,10 +75,15 @@ private:
 
     WorldSource _source;
     const worldmaking::GroundOnEarth& _ground;
+    BuildState _state;
+    terminal::Progress _progress{"worldtool: files", 0};
+    worldmaking::GroundOnEarth _shaped; ///< with its earthworks
     std::vector<worldmaking::House> _houses;
     std::vector<worldmaking::Runway> _runways; ///< those on the ground
     std::vector<worldmaking::PlanRings> _strips;
-    bool _hasGround = false, _hasCover = false, _hasTrees = false, _hasModels = false;
+    std::function<foundation::Outcome()> _writeEarth = [] { return foundation::success(); };
+    bool _hasGround = false, _hasCover = false, _hasTrees = false, _hasEarth = false, _hasStructures = false;
+    bool _hasModels = false;
 };
 
 } // namespace worldtool

@@ -13,6 +13,7 @@ int run(int argc, char** argv)
     app.set_version_flag("--version", OSGTRAINER_VERSION);
     app.require_subcommand(1);
     worldtool::Request request;
+    request.version = OSGTRAINER_VERSION;
     std::filesystem::path jsonFile;
     CLI::App* build = app.add_subcommand("build", "a world with the streets of a map");
     build->add_option("DEM", request.dems, "elevation rasters")->required();

@@ -6,11 +6,8 @@
 #include <map>
 #include <utility>
 
-#include <osg/Geometry>
-#include <osg/LOD>
-#include <osg/MatrixTransform>
-
 #include "scenery/buildings/BuildingFacets.h"
+#include "scenery/nodes/FacetNodes.h"
 #include "scenery/nodes/ModelStates.h"
 #include "scenery/nodes/ObjectShading.h"
 
@@ -29,54 +26,12 @@ Square squareOf(const StandingBuilding& standing, double sideM)
             static_cast<std::int64_t>(std::floor(corner.y / sideM))};
 }
 
-osg::Vec3f vectorOf(const glm::vec3& v)
-{
-    return {v.x, v.y, v.z};
-}
-
-osg::ref_ptr<osg::Geometry> geometryOf(const Facets& facets)
-{
-    const osg::ref_ptr<osg::Vec3Array> positions = new osg::Vec3Array, normals = new osg::Vec3Array;
-    const osg::ref_ptr<osg::Vec4Array> colours = new osg::Vec4Array;
-    const osg::ref_ptr<osg::Vec2Array> uvs = new osg::Vec2Array;
-    for (std::size_t i = 0; i < facets.positions.size(); ++i)
-    {
-        positions->push_back(vectorOf(facets.positions[i]));
-        normals->push_back(vectorOf(facets.normals[i]));
-        colours->push_back(osg::Vec4f(vectorOf(facets.colours[i]), 1.0F));
-        uvs->push_back({facets.uvs[i].x, facets.uvs[i].y});
-    }
-    const osg::ref_ptr<osg::Geometry> geometry = new osg::Geometry;
-    geometry->setUseVertexBufferObjects(true);
-    geometry->setUseDisplayList(false);
-    geometry->setVertexArray(positions);
-    geometry->setNormalArray(normals, osg::Array::BIND_PER_VERTEX);
-    geometry->setColorArray(colours, osg::Array::BIND_PER_VERTEX);
-    geometry->setTexCoordArray(0, uvs, osg::Array::BIND_PER_VERTEX);
-    geometry->addPrimitiveSet(
-        new osg::DrawElementsUInt(GL_TRIANGLES, facets.indices.begin(), facets.indices.end()));
-    return geometry;
-}
-
 /// The facets of one square, in a frame about one of its buildings.
 struct SquareFacets
 {
     glm::dvec3 origin{0.0};
     BuildingFacets facets;
 };
-
-/// Adds a node below `parent` that is drawn up to `farM`.
-osg::Group& addRange(osg::Group& parent, const glm::dvec3& origin, double farM)
-{
-    const osg::ref_ptr<osg::MatrixTransform> place =
-        new osg::MatrixTransform(osg::Matrixd::translate(origin.x, origin.y, origin.z));
-    const osg::ref_ptr<osg::LOD> lod = new osg::LOD;
-    const osg::ref_ptr<osg::Group> content = new osg::Group;
-    lod->addChild(content, 0.0F, static_cast<float>(farM));
-    place->addChild(lod);
-    parent.addChild(place);
-    return *content;
-}
 
 std::map<Square, SquareFacets> facetsBySquare(std::span<const StandingBuilding> buildings, double sideM)
 {
@@ -107,12 +62,12 @@ osg::ref_ptr<osg::Group> makeBuildingsNode(std::span<const StandingBuilding> bui
     };
     for (const auto& [square, made] : facetsBySquare(buildings, kShellSquareM))
     {
-        osg::Group& group = addRange(*root, made.origin, kShellFarM);
+        osg::Group& group = addRange(*root, made.origin, 0.0, kShellFarM);
         for (const auto& [painting, facets] : made.facets.shell)
             add(group, facets, painting);
     }
     for (const auto& [square, made] : facetsBySquare(buildings, kOpeningsSquareM))
-        add(addRange(*root, made.origin, kOpeningsFarM), made.facets.openings,
+        add(addRange(*root, made.origin, 0.0, kOpeningsFarM), made.facets.openings,
             models::Painting::houseDetails);
     return root;
 }

@@ -25,14 +25,15 @@ foundation::Result<SceneRoads> layRoads(const osgTerrainROAM::core::RoamFile& de
 /// use, unmarked; nothing on bridges and in tunnels, nothing beyond the end of a road that no other one follows. Frame: the scene's.
 std::vector<osgTerrainROAM::core::GroundFeature> farRoads(const osgRoads::core::PlacedNetwork& roads);
 
-/// A tile whose ground is cut to the roads on it.
+/// A tile whose ground is cut to its earthworks and to the roads on it.
 struct RoadTile
 {
     std::shared_ptr<osgTerrainROAM::core::RoamTile> tile;
     SceneRoads roads; ///< `placed` null: none are named
 };
 
-/// Loads the tile that a .roam file describes and lays its roads. Errors: those of loadRoamTile() and layRoads().
+/// Loads the tile that a .roam file describes, shapes it by its earthworks and lays its roads. Errors: those of loadRoamTile() and
+/// layRoads().
 foundation::Result<RoadTile> loadRoadTile(const osgTerrainROAM::core::RoamFile& description);
 
 } // namespace scenery

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <map>
 
 #include <nlohmann/json.hpp>
 
@@ -118,6 +119,96 @@ TEST(WorldTool, WhatItMakesStandsRightAndATreeOnTheStreetIsSeen)
     EXPECT_EQ(runWorldTool({"check", world, "--json", table}).exitCode, 1);
     EXPECT_EQ(nlohmann::json::parse(testsupport::bytesOf(table))["onRoad"].get<int>(), 1);
     EXPECT_EQ(runWorldTool({"check", (folder / "none").string()}).exitCode, 1);
+}
+
+/// A map with something for every file of a world.
+MadeMap mapOfEverything()
+{
+    MadeMap map;
+    map.way({map.node(-300, 0), map.node(300, 20)});
+    const auto box = [&](double eastM, double northM, double sideM, const char* key, const char* value)
+    {
+        const int a = map.node(eastM, northM), b = map.node(eastM + sideM, northM),
+                  c = map.node(eastM + sideM, northM + sideM), d = map.node(eastM, northM + sideM);
+        map.way({a, b, c, d, a}, {{key, value}});
+    };
+    box(60, 40, 12, "building", "house");
+    box(-600, -700, 600, "landuse", "forest");
+    box(300, 300, 120, "natural", "water");
+    map.way({map.node(-500, 500), map.node(500, 520)}, {{"power", "line"}});
+    map.way({map.node(-400, 700), map.node(400, 700)}, {{"aeroway", "runway"}, {"ref", "09/27"}});
+    return map;
+}
+
+/// All files of a folder with their bytes.
+std::map<std::string, std::string> filesOf(const std::filesystem::path& folder)
+{
+    std::map<std::string, std::string> files;
+    for (const auto& entry : std::filesystem::directory_iterator(folder))
+        files[entry.path().filename().string()] = testsupport::bytesOf(entry.path());
+    return files;
+}
+
+TEST(WorldTool, ABuildThatWasKilledGoesOnToTheSameBytes)
+{
+    const TestFolder folder("worldtool");
+    const std::string ground = writeGround(folder);
+    const std::string file = folder.write("map.osm", mapOfEverything().text()).string();
+    const auto command = [&](const char* world)
+    {
+        return std::vector<std::string>{OSGTRAINER_WORLDTOOL,     "build", ground, "--map", file, "-o",
+                                        (folder / world).string()};
+    };
+    ASSERT_TRUE(succeeds(runProgram(command("whole"))));
+    auto whole = filesOf(folder / "whole");
+    for (const char* name :
+         {"roads.xodr", "buildings.gpkg", "earthworks.gpkg", "structures.gpkg", "ground.gpkg",
+          "landcover.tif", "trees.gpkg", "world.roam", "report.json", "build.json"})
+        EXPECT_TRUE(whole.contains(name)) << name;
+    int killed = 0;
+    for (double limitS = 0.02; limitS < 3.0 && killed < 12; limitS *= 1.35)
+    {
+        const ProgramRun run = runProgram(command("killed"), limitS);
+        if (!run.timedOut) break;
+        ++killed;
+        std::filesystem::create_directories(folder / "killed"); // it was killed before it made it
+        std::filesystem::copy(folder / "killed", folder / "resumed",
+                              std::filesystem::copy_options::recursive);
+        EXPECT_TRUE(succeeds(runProgram(command("resumed"))));
+        auto resumed = filesOf(folder / "resumed");
+        for (const auto& [name, bytes] : whole)
+            EXPECT_TRUE(resumed[name] == bytes) << name << " after " << limitS << " s";
+        for (const auto& [name, bytes] : resumed)
+            EXPECT_TRUE(whole.contains(name)) << name << " is left over";
+        std::filesystem::remove_all(folder / "resumed");
+    }
+    EXPECT_GT(killed, 0) << "no build was killed";
+}
+
+TEST(WorldTool, AWorldThatIsMadeStaysAndADamagedFileIsMadeAgain)
+{
+    const TestFolder folder("worldtool");
+    const std::string ground = writeGround(folder);
+    const std::string file = folder.write("map.osm", mapOfEverything().text()).string();
+    const auto build = [&] {
+        return runWorldTool({"build", ground, "--map", file, "-o", (folder / "world").string()});
+    };
+    const ProgramRun first = build();
+    ASSERT_TRUE(succeeds(first));
+    const auto whole = filesOf(folder / "world");
+    const auto madeAt = std::filesystem::last_write_time(folder / "world/trees.gpkg");
+    const ProgramRun again = build();
+    EXPECT_EQ(again.output, first.output);
+    EXPECT_NE(again.errors.find("already"), std::string::npos);
+    EXPECT_EQ(std::filesystem::last_write_time(folder / "world/trees.gpkg"), madeAt);
+    std::ofstream(folder / "world/trees.gpkg", std::ios::app) << "x";
+    EXPECT_EQ(build().errors.find("already"), std::string::npos);
+    EXPECT_TRUE(filesOf(folder / "world") == whole);
+    auto other = mapOfEverything();
+    other.way({other.node(-300, -100), other.node(300, -100)});
+    std::ofstream(file) << other.text();
+    EXPECT_EQ(build().errors.find("already"), std::string::npos) << "another map";
+    EXPECT_FALSE(filesOf(folder / "world") == whole);
 }
 
 /// The steepest grade of the roads for cars, and the worst tunnel: how far it lies above the straight line between its ends.

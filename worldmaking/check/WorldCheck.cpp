@@ -12,6 +12,7 @@
 #include <osgRoads/core/query/Stations.h>
 
 #include "scenery/buildings/Outline.h"
+#include "worldmaking/check/LevelCheck.h"
 #include "worldmaking/land/Houses.h"
 #include "worldmaking/land/PlanGrid.h"
 
@@ -245,7 +246,18 @@ private:
 
 WorldFaults checkWorld(const WorldThings& things)
 {
-    return Checker(things).look();
+    WorldFaults faults = Checker(things).look();
+    if (!things.elevationM) return faults;
+    for (const PlanRings& paving : things.runways)
+    {
+        const auto& corner = paving.front(); // two at one end, then two at the other
+        faults.unevenRunways +=
+            !isEvenRunway(runwayFigures(0.5 * (corner[0] + corner[3]), 0.5 * (corner[1] + corner[2]),
+                                        glm::distance(corner[0], corner[3]), things.elevationM));
+    }
+    for (const PlanRings& water : things.waters)
+        faults.unevenWaters += !isEvenWater(waterFigures(water, things.elevationM));
+    return faults;
 }
 
 } // namespace worldmaking

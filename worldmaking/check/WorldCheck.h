@@ -12,6 +12,7 @@
 #include <osgRoads/core/place/PlacedNetwork.h>
 
 #include "scenery/buildings/Building.h"
+#include "worldmaking/land/PlanHeight.h"
 #include "worldmaking/land/RoadRoom.h"
 
 namespace worldmaking
@@ -26,6 +27,8 @@ struct WorldThings
     std::vector<PlanRings> waters, runways;
     std::function<std::optional<double>(double eastM, double northM)>
         groundM; ///< with its cuttings; nothing beyond the data
+    PlanHeight
+        elevationM; ///< the same in the datum of the samples; empty: runways and waters are not measured
 };
 
 /// The worst place of a road that the ground leaves or covers.
@@ -53,12 +56,15 @@ struct WorldFaults
     std::size_t floating = 0;    ///< houses with walls that end above the ground or floors below all of it
     std::size_t floatingRoads = 0,
                 sunkRoads = 0; ///< roads that the ground leaves, or covers, somewhere off bridges and tunnels
+    std::size_t unevenRunways = 0; ///< steep or bumpy (LevelCheck.h)
+    std::size_t unevenWaters = 0;  ///< steep, or higher than their shores
     double maxGradePercent = 0.0;
     std::vector<RoadFault> roadFaults; ///< one for each floating or sunk road, in their order
 
     std::size_t total() const
     {
-        return onRoad + inWater + onRunway + overlapping + floating + floatingRoads + sunkRoads;
+        return onRoad + inWater + onRunway + overlapping + floating + floatingRoads + sunkRoads +
+               unevenRunways + unevenWaters;
     }
 };
 

@@ -37,15 +37,30 @@ public:
 
     static constexpr int kMostCells = 8000;
 
-    /// Gives the texels whose middle lies within an outline a class. Source: even-odd rule, row by row.
+    /// Gives the texels whose middle lies within an outline a class. Source:
+    /// even-odd rule, row by row.
     void paint(const PlanRings& rings, Cover cover);
+
+    /// Gives each texel without a class what `choose(its middle)` returns.
+    template<class Choose>
+    void fillRest(const Choose& choose)
+    {
+        for (std::size_t i = 0; i < _classes.size(); ++i)
+            if (_classes[i] == 0)
+            {
+                const auto columns = static_cast<std::size_t>(_columns);
+                const glm::dvec2 cell(static_cast<double>(i % columns), static_cast<double>(i / columns));
+                _classes[i] = static_cast<std::uint8_t>(choose(_box.low + _texelM * (cell + 0.5)));
+            }
+    }
 
     Cover at(const glm::dvec2& plan) const;
     const MapBox& box() const { return _box; }
     double texelM() const { return _texelM; }
     std::size_t count(Cover cover) const;
 
-    /// Writes a GeoTIFF with the plane's coordinate system (`proj`: text of PROJ), whole or not at all.
+    /// Writes a GeoTIFF with the plane's coordinate system (`proj`: text of
+    /// PROJ), whole or not at all.
     foundation::Outcome write(const std::filesystem::path& file, const std::string& proj) const;
 
 private:

@@ -10,6 +10,8 @@
 
 #include "scenery/buildings/BuildingRules.h"
 #include "scenery/buildings/Outline.h"
+#include "scenery/structures/Structure.h"
+#include "worldmaking/earth/WaterWorks.h"
 #include "worldmaking/land/MapFile.h"
 #include "worldmaking/land/Waters.h"
 #include "worldmaking/streets/StreetTraits.h"
@@ -91,13 +93,16 @@ Tags withDetails(std::string_view kind, const Tags& tags, std::initializer_list<
     return made;
 }
 
-std::optional<Painted> paintedLine(const Tags& tags, LandReport& report)
+std::optional<Painted> paintedLine(const LandShape& shape, LandReport& report)
 {
+    const Tags& tags = shape.tags;
     if (isSet(tags, "tunnel") || valueOf(tags, "location") == "underground") return std::nullopt;
     if (const auto way = valueOf(tags, "waterway"); isOneOf(way, kRivers))
     {
         ++report.waterLines;
-        return Painted{GroundLayer::rivers, withDetails(way, tags, {"width"})};
+        Tags made = withDetails(way, tags, {"width"});
+        if (const auto widthM = riverWidthM(shape)) made["width"] = std::to_string(*widthM);
+        return Painted{GroundLayer::rivers, std::move(made)};
     }
     if (const auto path = valueOf(tags, "highway"); isOneOf(path, kPaths) && !isSet(tags, "bridge"))
     {
@@ -143,6 +148,10 @@ void countUnused(const LandShape& shape, LandReport& report)
     const Tags& tags = shape.tags;
     if (isSet(tags, "building") || coverOf(tags) || (isSet(tags, "highway") && traitsOf(tags))) return;
     const auto natural = valueOf(tags, "natural");
+    if (valueOf(tags, "aeroway") == "runway" || valueOf(tags, "aeroway") == "windsock") return;
+    if (valueOf(tags, "power") == "tower" || valueOf(tags, "power") == "pole") return; // where lines bend
+    if (scenery::structureOf(std::vector<glm::dvec2>(shape.form == ShapeForm::point ? 1 : 2), tags, 0))
+        return;
     if (natural == "tree" || natural == "tree_row" || valueOf(tags, "barrier") == "hedge") return; // planted
     if (shape.form == ShapeForm::point && scenery::towerOf(glm::dvec2(0.0), tags, 0)) return;
     for (const char* key : {"aeroway", "highway", "waterway", "railway", "aerialway", "power", "barrier",
@@ -212,7 +221,7 @@ foundation::Outcome writeGround(const LandMap& map, std::span<const Runway> runw
     for (const LandShape& shape : map.shapes)
     {
         std::optional<Painted> painted;
-        if (shape.form == ShapeForm::line) painted = paintedLine(shape.tags, report);
+        if (shape.form == ShapeForm::line) painted = paintedLine(shape, report);
         if (shape.form == ShapeForm::area) painted = paintedArea(shape, report);
         if (painted)
             layers[static_cast<std::size_t>(painted->layer)].emplace_back(&shape, std::move(painted->tags));

@@ -24,11 +24,13 @@ public:
     MapFile(const MapFile&) = delete;
     MapFile& operator=(const MapFile&) = delete;
 
-    /// Begins a layer; add() writes to the last one. `keys`: its attributes, all of them texts.
-    void beginLayer(const std::string& name, ShapeForm form, const std::vector<std::string>& keys);
+    /// Begins a layer; add() writes to the last one. `keys`: its attributes, all of them texts. `hasHeights`: of its points.
+    void beginLayer(const std::string& name, ShapeForm form, const std::vector<std::string>& keys,
+                    bool hasHeights = false);
 
-    /// Adds a feature with the tags that the layer has attributes for. Units: degrees.
-    void add(const std::vector<std::vector<glm::dvec2>>& paths, const Tags& tags);
+    /// Adds a feature with the tags that the layer has attributes for. Units: degrees. `heightsM`: of each point of each path; none: 0.
+    void add(const std::vector<std::vector<glm::dvec2>>& paths, const Tags& tags,
+             const std::vector<std::vector<double>>& heightsM = {});
 
     /// Ends writing. Errors: the first that GDAL has told; a file that cannot be written.
     foundation::Outcome finish();

@@ -14,6 +14,7 @@
 
 #include "worldmaking/land/CoverRaster.h"
 #include "worldmaking/land/Houses.h"
+#include "worldmaking/land/PlanHeight.h"
 
 namespace worldmaking
 {
@@ -41,9 +42,6 @@ struct TreeReport
     std::size_t inWoods = 0, single = 0, inRows = 0, inOrchards = 0, hedges = 0, shrubs = 0;
     double spacingM = 0.0; ///< between trees of woods
 };
-
-/// Returns the height of the ground at a place of the plane; nothing beyond it.
-using PlanHeight = std::function<std::optional<double>(const glm::dvec2& plan)>;
 
 /// Plants woods where the raster has trees, one in each square of a grid, somewhere within it; wider apart where the whole would be more
 /// than kMostTrees. Orchards and hedges have rows of bushes, tree rows and single trees those of the map. None stands within

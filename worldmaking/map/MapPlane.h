@@ -12,8 +12,13 @@
 #include <osgRoads/core/network/RoadNetwork.h>
 #include <osgRoads/core/query/GeoReference.h>
 
+#include "worldmaking/map/LandMap.h"
+
 namespace worldmaking
 {
+
+/// Describes a transverse Mercator about the middle of a map.
+osgRoads::core::NetworkHeader planeAbout(const LandMap& map);
 
 /// The plane of a network: degrees east and north to metres of its inertial frame, and back. Threads: one at a time.
 class MapPlane

@@ -180,7 +180,10 @@ bool isOneOf(std::string_view word, std::initializer_list<std::string_view> word
 
 foundation::Result<LandMap> readLand(const std::filesystem::path& file, const MapBounds& bounds)
 {
-    if (const auto readable = foundation::checkReadable(file); !readable) return readable.error();
+    std::error_code ignored;
+    const bool isFolder = std::filesystem::is_directory(file, ignored); // of shapefiles
+    if (const auto readable = foundation::checkReadable(file); !isFolder && !readable)
+        return readable.error();
     GdalScope errors;
     const std::string name = file.string();
     const DatasetPtr dataset(GDALDataset::Open(openableName(file).c_str(),

@@ -6,6 +6,7 @@
 
 #include <osgTerrainROAM/core/LoadTerrain.h>
 #include <osgTerrainROAM/core/edit/EditFile.h>
+#include <osgTerrainROAM/core/edit/ShapeGround.h>
 
 namespace osgTerrainROAM::core
 {
@@ -41,7 +42,7 @@ foundation::Result<PlacedTile> loadTile(const RoamFile& description)
     PlacedTileOptions options{.placement = description.placement, .origin = description.origin};
     if (description.finestSpacingM)
         options.gridExponent = gridExponentFor(*field, *description.finestSpacingM);
-    else if (!description.roads.empty())
+    else if (!description.roads.empty() || !description.earthworks.empty())
         options.gridExponent = gridExponentFor(*field, kRoadSpacingM);
     return PlacedTile(std::move(*field), options);
 }
@@ -51,7 +52,11 @@ foundation::Result<std::shared_ptr<RoamTile>> loadRoamTile(const RoamFile& descr
     auto placed = loadTile(description);
     if (!placed) return placed.error();
     auto tile = std::make_shared<RoamTile>(std::move(*placed));
-    if (description.edits.empty()) return tile;
+    if (description.edits.empty())
+    {
+        if (const auto shaped = shapeGround(description.earthworks, tile); !shaped) return shaped.error();
+        return tile;
+    }
     const auto source = editSourceOf(description);
     if (!source) return source.error();
     if (const auto read = readEdits(*tile, *source, description.edits); !read) return read.error();
@@ -68,7 +73,14 @@ foundation::Result<std::uint64_t> editSourceOf(const RoamFile& description)
     if (const auto& origin = description.roadsOrigin)
         for (const double value : {origin->latitudeDeg, origin->longitudeDeg, origin->headingDeg})
             place += ' ' + std::to_string(value);
-    return markOf(place, markOf(*roads));
+    std::uint64_t mark = markOf(place, markOf(*roads));
+    for (const auto& file : description.earthworks)
+    {
+        const auto works = foundation::readWholeText(file, kMostBytes);
+        if (!works) return works.error();
+        mark = markOf(*works, mark);
+    }
+    return mark;
 }
 
 } // namespace osgTerrainROAM::core

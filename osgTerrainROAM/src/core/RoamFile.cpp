@@ -46,6 +46,8 @@ std::vector<NamedFile> namedFiles(const RoamFile& file)
     append("features", file.features);
     append("buildings", file.buildings);
     append("objects", file.objects);
+    append("structures", file.structures);
+    append("earthworks", file.earthworks);
     return named;
 }
 

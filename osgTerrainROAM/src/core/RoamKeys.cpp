@@ -138,6 +138,8 @@ constexpr std::array kKeys{
     Key{"features", [](RoamFile& f, const RoamEntry& e) { return appendPath(f.features, e); }, true},
     Key{"buildings", [](RoamFile& f, const RoamEntry& e) { return appendPath(f.buildings, e); }, true},
     Key{"objects", [](RoamFile& f, const RoamEntry& e) { return appendPath(f.objects, e); }, true},
+    Key{"structures", [](RoamFile& f, const RoamEntry& e) { return appendPath(f.structures, e); }, true},
+    Key{"earthworks", [](RoamFile& f, const RoamEntry& e) { return appendPath(f.earthworks, e); }, true},
     Key{"land_cover", [](RoamFile& f, const RoamEntry& e) { return assignPath(f.landCover, e); }},
     Key{"land_cover_classes", assignClasses},
     Key{"season", assignSeason},

@@ -40,7 +40,7 @@ MadeMap valley()
     map.way({map.node(-250, -250), map.node(250, -240)}, {{"highway", "path"}});
     map.way({map.node(-250, 250), map.node(250, 240)}, {{"waterway", "stream"}, {"width", "3"}});
     map.way({map.node(-250, 260), map.node(250, 250)}, {{"waterway", "stream"}, {"tunnel", "culvert"}});
-    map.way({map.node(-250, 270), map.node(250, 260)}, {{"power", "line"}});
+    map.way({map.node(-250, 270), map.node(250, 260)}, {{"aerialway", "gondola"}});
     return map;
 }
 
@@ -104,7 +104,7 @@ TEST(LandUse, PaintsEachThingAndCountsTheOthers)
     EXPECT_EQ(made.landReport.waterLines, 1u) << "a stream in a culvert is not seen";
     EXPECT_EQ(made.landReport.ways, 1u);
     EXPECT_EQ(made.landReport.fields, 1u);
-    EXPECT_EQ(made.landReport.unused.at("power=line"), 1u);
+    EXPECT_EQ(made.landReport.unused.at("aerialway=gondola"), 1u);
     EXPECT_FALSE(made.landReport.unused.contains("barrier=hedge"));
     const auto read = readLand(folder / "ground.gpkg");
     ASSERT_TRUE(read) << read.error().message();

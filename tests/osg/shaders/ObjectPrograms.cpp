@@ -10,6 +10,7 @@
 #include "Compositions.h"
 #include "RenderedScene.h"
 #include "SyntheticField.h"
+#include "scenery/nodes/AirfieldNode.h"
 #include "scenery/nodes/FallingDrops.h"
 #include "scenery/nodes/InteriorShading.h"
 #include "scenery/nodes/LampGlow.h"
@@ -74,6 +75,7 @@ std::vector<NamedProgram> objectPrograms()
             {"road lamp", scenery::makeRoadLampProgram()},
             {"interior of a vehicle", scenery::makeInteriorProgram()},
             {"mirror", scenery::makeMirrorProgram()},
+            {"PAPI", scenery::makePapiProgram()},
             {"lamp glow", scenery::makeLampGlowProgram()},
             {"falling drops", scenery::makeFallingDropsProgram()},
             {"sun shadow", scenery::makeSunShadowProgram()},

@@ -26,7 +26,8 @@ int gridExponentFor(const HeightField& field, double spacingM);
 /// Imports and places the terrain of a description. Errors: those of importDem.
 foundation::Result<PlacedTile> loadTile(const RoamFile& description);
 
-/// The same with the bounds of its vertices and the edits that the description names. Errors: those of loadTile() and readEdits().
+/// The same with the bounds of its vertices and the edits that the description names. Without edits, the ground is shaped by its earthworks.
+/// Errors: those of loadTile(), readEdits() and shapeGround().
 foundation::Result<std::shared_ptr<RoamTile>> loadRoamTile(const RoamFile& description);
 
 /// The mark of what the edits of a description are made from: the bytes of its roads' file, and how these are placed. Errors: a file that cannot be read.

@@ -42,6 +42,8 @@ struct RoadsOrigin
 ///   features = FILE                   roads, rivers, fields, runways of any source that OGR opens; may be repeated
 ///   buildings = FILE                  footprints of buildings, of any source that OGR opens; may be repeated
 ///   objects = FILE                    points where generated models stand; may be repeated
+///   structures = FILE                 lines and points of walls, fences, power lines, railways, turbines; may be repeated
+///   earthworks = FILE                 areas and lines with heights that the ground is cut and filled to; may be repeated
 ///   land_cover = FILE                 a raster of classes
 ///   land_cover_classes = worldcover | corine | FILE    what its classes mean (CoverTable.h)
 ///   season = MONTH | 0…1              january … december, or a share of the year; absent: early summer
@@ -68,15 +70,17 @@ struct RoamFile
     static constexpr std::size_t kMaxImagery = 4;
     std::vector<std::filesystem::path> imagery; ///< kMaxImagery at most
     std::vector<std::filesystem::path> features;
-    std::vector<std::filesystem::path> buildings; ///< drawn by programs that draw buildings
-    std::vector<std::filesystem::path> objects;   ///< likewise
-    std::filesystem::path landCover;              ///< empty: none
-    std::filesystem::path landCoverClasses;       ///< a table's name or file; empty: worldcover
-    std::optional<double> seasonOfYear;           ///< 0…1
-    std::filesystem::path roads;                  ///< an OpenDRIVE file; empty: none
-    std::filesystem::path edits;                  ///< kept by writeEdits(); empty: none
-    std::optional<RoadsOrigin> roadsOrigin;       ///< absent: by the network's own georeference
-    bool roadsOnGround = false;                   ///< the network's heights count from the smoothed ground
+    std::vector<std::filesystem::path> buildings;  ///< drawn by programs that draw buildings
+    std::vector<std::filesystem::path> objects;    ///< likewise
+    std::vector<std::filesystem::path> structures; ///< likewise
+    std::vector<std::filesystem::path> earthworks; ///< what the ground is cut and filled to
+    std::filesystem::path landCover;               ///< empty: none
+    std::filesystem::path landCoverClasses;        ///< a table's name or file; empty: worldcover
+    std::optional<double> seasonOfYear;            ///< 0…1
+    std::filesystem::path roads;                   ///< an OpenDRIVE file; empty: none
+    std::filesystem::path edits;                   ///< kept by writeEdits(), earthworks included; empty: none
+    std::optional<RoadsOrigin> roadsOrigin;        ///< absent: by the network's own georeference
+    bool roadsOnGround = false;                    ///< the network's heights count from the smoothed ground
     std::optional<Geodetic> origin;
     Placement placement = Placement::curved;
     DemImportOptions import;

@@ -73,6 +73,7 @@ FeatureShapes::FeatureShapes(const std::vector<GroundFeature>& features)
         const bool isRunway = feature.style.kind == FeatureKind::runway;
         if (feature.isArea) areas.push_back(areaOf(feature));
         RunwayFrame frame{{}, {}, feature.style.widthM, feature.style.designator};
+        frame.isPaved = feature.style.pavement == Pavement::asphalt;
         if (isRunway && feature.isArea && runwayOfArea(feature.paths, frame))
             for (const Stroke& stroke : runwayStrokes(frame))
                 strokes.push_back(stroke);

@@ -32,6 +32,7 @@ public:
 
     std::vector<Stroke> strokes()
     {
+        if (!_frame.isPaved) return boards();
         if (_frame.hasBed) add(_frame.a, _frame.b, 0.5 * _widthM, FeatureCells::asphalt);
         if (_lengthM < kShortestM || _widthM < 8.0) return _strokes;
         const Axis first{_frame.a, (_frame.b - _frame.a) / _lengthM};
@@ -58,6 +59,24 @@ private:
     void white(const Axis& axis, double from, double to, double across, double widthM)
     {
         add(axis.at(from, across), axis.at(to, across), 0.5 * widthM, FeatureCells::white);
+    }
+
+    /// White boards of 3 m by 1 m, 90 m apart at most, two at each corner.
+    std::vector<Stroke> boards()
+    {
+        const Axis axis{_frame.a, (_frame.b - _frame.a) / std::max(_lengthM, 1.0)};
+        const int count = std::max(1, static_cast<int>(std::ceil(_lengthM / 90.0)));
+        for (int i = 0; i <= count; ++i)
+            for (const double side : {-0.5, 0.5})
+            {
+                const double s = std::clamp(_lengthM * i / count, 1.5, std::max(_lengthM - 1.5, 1.5));
+                white(axis, s - 1.5, s + 1.5, side * _widthM, 1.0);
+                if (i > 0 && i < count) continue;
+                const double end = i == 0 ? 0.5 : _lengthM - 0.5;
+                add(axis.at(end, side * (_widthM - 3.0)), axis.at(end, side * _widthM), 0.5,
+                    FeatureCells::white);
+            }
+        return _strokes;
     }
 
     void edges(const Axis& axis)

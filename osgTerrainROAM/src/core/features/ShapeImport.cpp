@@ -74,7 +74,21 @@ private:
             for (const OGRGeometry* part : *geometry.toGeometryCollection())
                 add(*part, like, toWgs84, depth + 1);
         else
+        {
             ++set.lines;
+            if (type == wkbLineString) addLine(*geometry.toLineString(), like, toWgs84);
+        }
+    }
+
+    void addLine(const OGRLineString& line, const MapShape& like, OGRCoordinateTransformation* toWgs84)
+    {
+        MapLine made{like.id, {}, like.tags};
+        for (glm::dvec2 vertex : pathOf(line, false))
+        {
+            if (!transform(vertex, toWgs84)) return;
+            made.points.push_back(_placer.placed(vertex.x, vertex.y));
+        }
+        if (made.points.size() > 1 && _placer.meetsTile(made.points)) set.linear.push_back(std::move(made));
     }
 
     void addPoint(const OGRPoint& point, MapShape shape, OGRCoordinateTransformation* toWgs84)

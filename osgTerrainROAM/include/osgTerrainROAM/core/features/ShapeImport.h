@@ -27,14 +27,23 @@ struct MapShape
     bool isArea() const { return !rings.empty(); }
 };
 
-/// The points and areas of a source. Lines are counted and left out.
+/// A line of a map with all its attributes. Frame: the tile's local east and north, metres.
+struct MapLine
+{
+    std::int64_t id = 0; ///< its number in the source
+    std::vector<glm::dvec2> points;
+    std::map<std::string, std::string, std::less<>> tags;
+};
+
+/// The points, areas and lines of a source.
 struct ShapeSet
 {
-    std::vector<MapShape> shapes;
+    std::vector<MapShape> shapes; ///< points and areas
+    std::vector<MapLine> linear;  ///< as many as `lines`, less those beyond the tile or without two points
     std::size_t lines = 0, outside = 0, invalid = 0;
 };
 
-/// Reads the points and areas of any vector source that GDAL's OGR opens, with all attributes (those of OGR's other_tags, too).
+/// Reads the points, areas and lines of any vector source that GDAL's OGR opens, with all attributes (those of OGR's other_tags, too).
 /// Each polygon of several is a shape of its own. Coordinates are put on the tile's ground, as importFeatures() does.
 /// Errors: as importFeatures(), but for a source that has none of them. Cost: about 3 µs a vertex. Threads: any.
 foundation::Result<ShapeSet> importShapes(const std::filesystem::path& source, const PlacedTile& tile);

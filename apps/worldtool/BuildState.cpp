@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "worldtool/BuildState.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <cstdio>
+#include <fstream>
+#include <optional>
+
+#include <foundation/WholeFile.h>
+
+namespace worldtool
+{
+
+namespace
+{
+
+constexpr const char* kName = "build.json";
+
+/// A sum over bytes. Source: Fowler, Noll & Vo, FNV-1a, 64 bit.
+class Sum
+{
+public:
+    void add(const char* bytes, std::size_t count)
+    {
+        for (std::size_t i = 0; i < count; ++i)
+            _value = (_value ^ static_cast<unsigned char>(bytes[i])) * 0x100000001b3ULL;
+    }
+    void add(const std::string& text) { add(text.c_str(), text.size() + 1); }
+
+    /// Returns false where the file cannot be read.
+    bool addFile(const std::filesystem::path& file)
+    {
+        std::ifstream stream(file, std::ios::binary);
+        if (!stream) return false;
+        std::array<char, 65536> bytes{};
+        while (stream.read(bytes.data(), bytes.size()) || stream.gcount() > 0)
+            add(bytes.data(), static_cast<std::size_t>(stream.gcount()));
+        return stream.eof();
+    }
+
+    std::string text() const
+    {
+        char digits[20];
+        std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(_value));
+        return digits;
+    }
+
+private:
+    std::uint64_t _value = 0xcbf29ce484222325ULL;
+};
+
+std::optional<std::string> sumOf(const std::filesystem::path& file)
+{
+    Sum sum;
+    return sum.addFile(file) ? std::optional(sum.text()) : std::nullopt;
+}
+
+} // namespace
+
+foundation::Result<BuildState> BuildState::open(const Request& request)
+{
+    Sum sum;
+    sum.add(request.version);
+    (void)sum.addFile("/proc/self/exe"); // another program may make another world
+    sum.add(std::to_string(request.seed) + ' ' + std::to_string(request.aridity));
+    for (const double bound : request.bounds)
+        sum.add(std::to_string(bound));
+    std::vector<std::filesystem::path> inputs = request.dems;
+    inputs.push_back(request.map);
+    inputs.push_back(request.runways);
+    std::error_code ignored;
+    if (std::filesystem::is_directory(request.map, ignored))
+        for (const auto& entry : std::filesystem::directory_iterator(request.map, ignored))
+            inputs.push_back(entry.path());
+    std::sort(inputs.begin() + static_cast<std::ptrdiff_t>(request.dems.size()), inputs.end());
+    for (const auto& input : inputs)
+    {
+        sum.add(input.string());
+        if (std::filesystem::is_regular_file(input, ignored) && !sum.addFile(input))
+            return foundation::Error{input.string(), "cannot be read", "check the path and its permissions"};
+    }
+    BuildState state;
+    state._world = request.world;
+    std::ifstream stream(request.world / kName);
+    const auto read = nlohmann::ordered_json::parse(stream, nullptr, false);
+    const std::string inputsSum = sum.text();
+    const bool isSame = read.is_object() && read.contains("inputs") && read["inputs"] == inputsSum &&
+                        read.contains("files") && read["files"].is_object();
+    state._json =
+        isSame ? read
+               : nlohmann::ordered_json{{"inputs", inputsSum}, {"files", nlohmann::ordered_json::object()}};
+    return state;
+}
+
+bool BuildState::has(const std::string& name) const
+{
+    const auto& files = _json["files"];
+    const auto found = files.find(name);
+    const auto sum = found == files.end() ? std::nullopt : sumOf(_world / name);
+    return sum && *found == *sum;
+}
+
+bool BuildState::isWhole() const
+{
+    if (!has("world.roam")) return false;
+    for (const auto& [name, sum] : _json["files"].items())
+        if (!has(name)) return false;
+    return true;
+}
+
+foundation::Outcome BuildState::note(const std::string& name)
+{
+    const auto sum = sumOf(_world / name);
+    if (!sum)
+        return foundation::Error{(_world / name).string(), "cannot be read",
+                                 "check the path and its permissions"};
+    _json["files"][name] = *sum;
+    return foundation::writeWholeFile(_world / kName, _json.dump(1) + '\n');
+}
+
+} // namespace worldtool

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scenery/nodes/FacetNodes.h"
+
+#include <osg/LOD>
+#include <osg/MatrixTransform>
+
+namespace scenery
+{
+
+namespace
+{
+
+osg::Vec3f vectorOf(const glm::vec3& v)
+{
+    return {v.x, v.y, v.z};
+}
+
+} // namespace
+
+osg::ref_ptr<osg::Geometry> geometryOf(const Facets& facets)
+{
+    const osg::ref_ptr<osg::Vec3Array> positions = new osg::Vec3Array, normals = new osg::Vec3Array;
+    const osg::ref_ptr<osg::Vec4Array> colours = new osg::Vec4Array;
+    const osg::ref_ptr<osg::Vec2Array> uvs = new osg::Vec2Array;
+    for (std::size_t i = 0; i < facets.positions.size(); ++i)
+    {
+        positions->push_back(vectorOf(facets.positions[i]));
+        normals->push_back(vectorOf(facets.normals[i]));
+        colours->push_back(osg::Vec4f(vectorOf(facets.colours[i]), 1.0F));
+        uvs->push_back({facets.uvs[i].x, facets.uvs[i].y});
+    }
+    const osg::ref_ptr<osg::Geometry> geometry = new osg::Geometry;
+    geometry->setUseVertexBufferObjects(true);
+    geometry->setUseDisplayList(false);
+    geometry->setVertexArray(positions);
+    geometry->setNormalArray(normals, osg::Array::BIND_PER_VERTEX);
+    geometry->setColorArray(colours, osg::Array::BIND_PER_VERTEX);
+    geometry->setTexCoordArray(0, uvs, osg::Array::BIND_PER_VERTEX);
+    geometry->addPrimitiveSet(
+        new osg::DrawElementsUInt(GL_TRIANGLES, facets.indices.begin(), facets.indices.end()));
+    return geometry;
+}
+
+osg::Group& addRange(osg::Group& parent, const glm::dvec3& origin, double nearM, double farM)
+{
+    const osg::ref_ptr<osg::MatrixTransform> place =
+        new osg::MatrixTransform(osg::Matrixd::translate(origin.x, origin.y, origin.z));
+    const osg::ref_ptr<osg::LOD> lod = new osg::LOD;
+    const osg::ref_ptr<osg::Group> content = new osg::Group;
+    lod->addChild(content, static_cast<float>(nearM), static_cast<float>(farM));
+    place->addChild(lod);
+    parent.addChild(place);
+    return *content;
+}
+
+} // namespace scenery

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <osg/Geometry>
+#include <osg/Group>
+
+#include "scenery/buildings/BuildingFacets.h"
+
+namespace scenery
+{
+
+/// Makes a geometry of facets, in their frame.
+osg::ref_ptr<osg::Geometry> geometryOf(const Facets& facets);
+
+/// Adds a node below `parent`, at `origin`, whose content is drawn from `nearM` to `farM`; returns it.
+osg::Group& addRange(osg::Group& parent, const glm::dvec3& origin, double nearM, double farM);
+
+} // namespace scenery

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <string_view>
+
+#include "scenery/structures/Structure.h"
+
+namespace scenery
+{
+
+namespace
+{
+
+std::string_view tagOf(const StructureTags& tags, std::string_view key)
+{
+    const auto found = tags.find(key);
+    return found == tags.end() ? std::string_view() : std::string_view(found->second);
+}
+
+bool isTagged(const StructureTags& tags, std::string_view key)
+{
+    const auto value = tagOf(tags, key);
+    return !value.empty() && value != "no";
+}
+
+double metresOf(const StructureTags& tags, std::string_view key, double least, double most, double otherwise)
+{
+    const auto text = tagOf(tags, key);
+    double number = 0.0;
+    const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), number);
+    return failure == std::errc() && number >= least && number <= most ? number : otherwise;
+}
+
+bool isUndergroundLine(const StructureTags& tags)
+{
+    const auto place = tagOf(tags, "location"), layer = tagOf(tags, "layer");
+    return isTagged(tags, "tunnel") || place == "underground" || place == "underwater" ||
+           (!layer.empty() && layer.front() == '-' && !isTagged(tags, "bridge"));
+}
+
+bool setBarrier(Structure& structure, const StructureTags& tags)
+{
+    constexpr std::array<std::string_view, 4> kWalls{"wall", "retaining_wall", "city_wall", "yes"};
+    const auto barrier = tagOf(tags, "barrier");
+    const bool isWall = std::find(kWalls.begin(), kWalls.end(), barrier) != kWalls.end();
+    if (!isWall && barrier != "fence" && barrier != "handrail" && barrier != "guard_rail") return false;
+    structure.kind = isWall ? StructureKind::wall : StructureKind::fence;
+    const bool isOfCity = barrier == "city_wall";
+    structure.heightM = metresOf(tags, "height", 0.3, 30.0, isOfCity ? 6.0 : 1.2);
+    structure.widthM = metresOf(tags, "width", 0.1, 10.0, isOfCity ? 1.5 : 0.4);
+    return true;
+}
+
+bool setPower(Structure& structure, const StructureTags& tags)
+{
+    constexpr double kHighVoltage = 200000.0;
+    const auto power = tagOf(tags, "power");
+    if (power != "line" && power != "minor_line") return false;
+    structure.kind = power == "line" ? StructureKind::powerLine : StructureKind::poleLine;
+    const bool isHigh = metresOf(tags, "voltage", 1.0, 2e6, 0.0) >= kHighVoltage;
+    const double usualM = power == "minor_line" ? 9.5 : isHigh ? 48.0 : 28.0;
+    structure.heightM = metresOf(tags, "height", 5.0, 150.0, usualM);
+    return true;
+}
+
+bool setRailway(Structure& structure, const StructureTags& tags)
+{
+    constexpr std::array<std::string_view, 5> kRailways{"rail", "narrow_gauge", "light_rail", "preserved",
+                                                        "tram"};
+    if (std::find(kRailways.begin(), kRailways.end(), tagOf(tags, "railway")) == kRailways.end())
+        return false;
+    structure.kind = StructureKind::railway;
+    structure.isBridge = isTagged(tags, "bridge");
+    structure.hasWire = tagOf(tags, "electrified") == "contact_line";
+    structure.heightM = 0.0;
+    return true;
+}
+
+} // namespace
+
+std::optional<Structure> structureOf(std::vector<glm::dvec2> line, const StructureTags& tags,
+                                     std::uint64_t id)
+{
+    Structure structure;
+    structure.line = std::move(line);
+    structure.id = id;
+    if (structure.line.size() == 1)
+    {
+        const bool isTurbine = tagOf(tags, "generator:source") == "wind" ||
+                               tagOf(tags, "kind") == "wind_turbine" ||
+                               tagOf(tags, "generator:method") == "wind_turbine";
+        if (!isTurbine) return std::nullopt;
+        structure.kind = StructureKind::windTurbine;
+        structure.heightM =
+            metresOf(tags, "height:hub", 15.0, 200.0, metresOf(tags, "height", 15.0, 200.0, 95.0));
+        return structure;
+    }
+    if (structure.line.size() < 2 || isUndergroundLine(tags)) return std::nullopt;
+    if (setBarrier(structure, tags) || setPower(structure, tags) || setRailway(structure, tags))
+        return structure;
+    return std::nullopt;
+}
+
+} // namespace scenery

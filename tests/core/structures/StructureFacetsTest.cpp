@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scenery/structures/StructureFacets.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "scenery/structures/Beams.h"
+
+using scenery::Facets;
+using scenery::Structure;
+using scenery::StructureKind;
+using scenery::structureOf;
+
+namespace
+{
+
+std::optional<double> slope(double eastM, double northM)
+{
+    if (std::abs(eastM) > 5000.0) return std::nullopt;
+    return 200.0 + 0.1 * eastM - 0.05 * northM;
+}
+
+/// Six times the volume that triangles enclose, by their turn: positive where they look outwards.
+double turnedVolume(const Facets& facets)
+{
+    double sum = 0.0;
+    for (std::size_t i = 0; i + 2 < facets.indices.size(); i += 3)
+    {
+        const glm::dvec3 a(facets.positions[facets.indices[i]]), b(facets.positions[facets.indices[i + 1]]),
+            c(facets.positions[facets.indices[i + 2]]);
+        sum += glm::dot(a, glm::cross(b, c));
+    }
+    return sum;
+}
+
+std::size_t trianglesOf(const scenery::StructureSquares& squares)
+{
+    std::size_t count = 0;
+    for (const auto& [number, square] : squares)
+        count += (square.fine.indices.size() + square.coarse.indices.size() + square.low.indices.size()) / 3;
+    return count;
+}
+
+/// The highest and lowest point above the ground.
+std::pair<double, double> heightsOf(const scenery::StructureSquares& squares)
+{
+    double low = 1e9, high = -1e9;
+    for (const auto& [number, square] : squares)
+        for (const Facets* facets : {&square.fine, &square.coarse, &square.low})
+            for (const glm::vec3& position : facets->positions)
+            {
+                const glm::dvec3 place = square.origin + glm::dvec3(position);
+                low = std::min(low, place.z - *slope(place.x, place.y));
+                high = std::max(high, place.z - *slope(place.x, place.y));
+            }
+    return {low, high};
+}
+
+} // namespace
+
+TEST(Structures, TagsSayWhatStands)
+{
+    const std::vector<glm::dvec2> line{{0, 0}, {100, 0}};
+    EXPECT_EQ(structureOf(line, {{"barrier", "wall"}}, 1)->kind, StructureKind::wall);
+    EXPECT_EQ(structureOf(line, {{"barrier", "wall"}, {"height", "2.5"}}, 1)->heightM, 2.5);
+    EXPECT_EQ(structureOf(line, {{"barrier", "fence"}}, 1)->kind, StructureKind::fence);
+    EXPECT_EQ(structureOf(line, {{"power", "line"}, {"voltage", "380000"}}, 1)->heightM, 48.0);
+    EXPECT_EQ(structureOf(line, {{"power", "minor_line"}}, 1)->kind, StructureKind::poleLine);
+    EXPECT_TRUE(structureOf(line, {{"railway", "rail"}, {"bridge", "yes"}, {"layer", "1"}}, 1)->isBridge);
+    EXPECT_EQ(structureOf({{5, 5}}, {{"generator:source", "wind"}}, 1)->kind, StructureKind::windTurbine);
+    EXPECT_FALSE(structureOf(line, {{"railway", "rail"}, {"tunnel", "yes"}}, 1));
+    EXPECT_FALSE(structureOf(line, {{"power", "cable"}, {"location", "underground"}}, 1));
+    EXPECT_FALSE(structureOf(line, {{"railway", "abandoned"}}, 1));
+    EXPECT_FALSE(structureOf(line, {{"barrier", "hedge"}}, 1)) << "hedges are plants";
+    EXPECT_FALSE(structureOf({{5, 5}}, {{"power", "tower"}}, 1));
+}
+
+TEST(Structures, BoxesLookOutwards)
+{
+    Facets facets;
+    scenery::Beams beams(facets, {0, 0, 0});
+    beams.box({0, 0, 5}, {0.6, 0.8}, {2.0, 1.0, 0.5});
+    // Without its bottom: the other sides, seen from a point of the bottom, enclose all of it.
+    for (glm::vec3& position : facets.positions)
+        position.z -= 4.5F;
+    EXPECT_NEAR(turnedVolume(facets), 6.0 * 4.0 * 2.0 * 1.0, 1e-3);
+    for (std::size_t i = 0; i + 2 < facets.indices.size(); i += 3)
+        std::swap(facets.indices[i], facets.indices[i + 1]);
+    EXPECT_LT(turnedVolume(facets), 0.0);
+}
+
+TEST(Structures, AWallStandsInTheGroundAndAsHighAsItIs)
+{
+    Structure wall;
+    wall.line = {{0, 0}, {90, 30}, {120, -40}};
+    wall.heightM = 2.0;
+    std::size_t beyond = 0;
+    const auto [low, high] = heightsOf(scenery::structureFacets({&wall, 1}, slope, beyond));
+    EXPECT_EQ(beyond, 0u);
+    EXPECT_NEAR(high, 2.0, 0.1);
+    EXPECT_NEAR(low, -0.4, 0.1);
+}
+
+TEST(Structures, EveryKindIsBuiltAndThoseBeyondTheGroundAreCounted)
+{
+    for (const StructureKind kind :
+         {StructureKind::wall, StructureKind::fence, StructureKind::powerLine, StructureKind::poleLine,
+          StructureKind::railway, StructureKind::windTurbine})
+    {
+        Structure made;
+        made.kind = kind;
+        made.heightM = kind == StructureKind::windTurbine ? 95.0 : 10.0;
+        made.hasWire = true;
+        made.line = {{0, 0}, {130, 0}};
+        if (kind == StructureKind::windTurbine) made.line.resize(1);
+        std::size_t beyond = 0;
+        const auto squares = scenery::structureFacets({&made, 1}, slope, beyond);
+        EXPECT_GT(trianglesOf(squares), 20u) << static_cast<int>(kind);
+        EXPECT_EQ(beyond, 0u);
+        EXPECT_GT(heightsOf(squares).first, -3.0) << "nothing lies deep in the ground";
+        for (glm::dvec2& place : made.line)
+            place.x += 9000.0;
+        EXPECT_EQ(trianglesOf(scenery::structureFacets({&made, 1}, slope, beyond)), 0u);
+        EXPECT_EQ(beyond, 1u);
+    }
+}
+
+TEST(Structures, ARailwayBridgeIsStraight)
+{
+    Structure bridge;
+    bridge.kind = StructureKind::railway;
+    bridge.isBridge = true;
+    bridge.line = {{0, 0}, {100, 0}};
+    const auto gorge = [](double eastM, double) -> std::optional<double>
+    { return 200.0 - 0.02 * eastM * (100.0 - eastM); };
+    std::size_t beyond = 0;
+    double low = 1e9;
+    for (const auto& [number, square] : scenery::structureFacets({&bridge, 1}, gorge, beyond))
+        for (const glm::vec3& position : square.low.positions)
+            low = std::min(low, square.origin.z + position.z);
+    EXPECT_NEAR(low, 199.1, 0.01);
+}

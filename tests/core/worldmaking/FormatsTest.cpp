@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+// Maps in the formats that ogr2ogr makes of OpenStreetMap data.
+#include <map>
+#include <string>
+
+#include <gdal_utils.h>
+#include <gtest/gtest.h>
+
+#include "MadeMap.h"
+#include "TestFolder.h"
+#include "worldmaking/map/GdalScope.h"
+#include "worldmaking/map/ReadLand.h"
+
+namespace
+{
+
+MadeMap smallTown()
+{
+    MadeMap map;
+    const auto box = [&](double eastM, double northM, double sideM, const char* key, const char* value)
+    {
+        const int first = map.node(eastM, northM), b = map.node(eastM + sideM, northM),
+                  c = map.node(eastM + sideM, northM + sideM), d = map.node(eastM, northM + sideM);
+        map.way({first, b, c, d, first}, {{key, value}});
+    };
+    map.way({map.node(-300, 0), map.node(300, 0)},
+            {{"highway", "residential"}, {"lanes", "2"}, {"oneway", "yes"}});
+    map.way({map.node(0, 0), map.node(0, 200)},
+            {{"highway", "secondary"}, {"bridge", "yes"}, {"layer", "1"}});
+    map.way({map.node(-250, 270), map.node(250, 260)}, {{"power", "line"}, {"voltage", "110000"}});
+    map.way({map.node(-250, 300), map.node(250, 300)}, {{"aeroway", "runway"}, {"ref", "09/27"}});
+    box(-100, 60, 15, "building", "house");
+    box(100, 100, 80, "natural", "water");
+    box(-300, -300, 200, "landuse", "forest");
+    return map;
+}
+
+/// Converts as `ogr2ogr -f FORMAT` does.
+bool convert(const std::filesystem::path& from, const std::filesystem::path& to, const char* format)
+{
+    worldmaking::GdalScope errors;
+    const worldmaking::DatasetPtr source(GDALDataset::Open(from.c_str(), GDAL_OF_VECTOR));
+    if (!source) return false;
+    const char* arguments[] = {"-f", format, "-skipfailures", nullptr};
+    GDALVectorTranslateOptions* const options =
+        GDALVectorTranslateOptionsNew(const_cast<char**>(arguments), nullptr);
+    GDALDatasetH sources[] = {source.get()};
+    int wrongUse = 0;
+    const GDALDatasetH made = GDALVectorTranslate(to.c_str(), nullptr, 1, sources, options, &wrongUse);
+    GDALVectorTranslateOptionsFree(options);
+    if (made) GDALClose(made);
+    return made && wrongUse == 0;
+}
+
+/// How many shapes have what a world is made of.
+std::map<std::string, int> countsOf(const worldmaking::LandMap& map)
+{
+    std::map<std::string, int> counts;
+    for (const auto& shape : map.shapes)
+        for (const char* key : {"highway", "bridge", "oneway", "power", "voltage", "aeroway", "ref",
+                                "building", "natural", "landuse"})
+            if (const auto value = worldmaking::valueOf(shape.tags, key); !value.empty())
+                ++counts[std::string(key) + "=" + std::string(value)];
+    return counts;
+}
+
+} // namespace
+
+TEST(Formats, AGeoPackageOfOgr2ogrHasWhatTheMapHad)
+{
+    const testsupport::TestFolder folder("formats");
+    const auto osm = folder.write("town.osm", smallTown().text());
+    const auto known = worldmaking::readLand(osm);
+    ASSERT_TRUE(known) << known.error().message();
+    EXPECT_EQ(countsOf(*known).size(), 11u);
+    ASSERT_TRUE(convert(osm, folder / "town.gpkg", "GPKG"));
+    const auto read = worldmaking::readLand(folder / "town.gpkg");
+    ASSERT_TRUE(read) << read.error().message();
+    EXPECT_EQ(countsOf(*read), countsOf(*known));
+    EXPECT_EQ(worldmaking::streetsOf(*read).ways.size(), 2u);
+}
+
+TEST(Formats, AFolderOfShapefilesHasWhatTheMapHad)
+{
+    const testsupport::TestFolder folder("formats");
+    const auto osm = folder.write("town.osm", smallTown().text());
+    const auto known = worldmaking::readLand(osm);
+    ASSERT_TRUE(known);
+    ASSERT_TRUE(convert(osm, folder / "town", "ESRI Shapefile"));
+    const auto read = worldmaking::readLand(folder / "town");
+    ASSERT_TRUE(read) << read.error().message();
+    EXPECT_EQ(countsOf(*read), countsOf(*known));
+    EXPECT_EQ(worldmaking::streetsOf(*read).ways.size(), 2u);
+}

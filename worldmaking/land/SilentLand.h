@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+#include "worldmaking/land/CoverRaster.h"
+#include "worldmaking/land/Houses.h"
+#include "worldmaking/land/PlanHeight.h"
+
+namespace worldmaking
+{
+
+/// What woods keep away from where the map is silent.
+struct SilentLand
+{
+    const RoadRoom& roads;
+    std::span<const House> houses;
+    const PlanHeight& height;
+    double latitudeDeg = 45.0;
+};
+
+/// Puts woods where a map says nothing, so that what is drawn there as wood has
+/// trees: on slopes more than on level ground, in patches of some hundred
+/// metres, kSilentRoomM from houses and 15 m from lanes, up to the tree line of
+/// the latitude. Returns how many texels are wood now that were silent. The
+/// rest stays silent.
+std::size_t fillSilentLand(CoverRaster& cover, const SilentLand& land);
+
+/// Height of the tree line, metres. Source: Körner, *Alpine treelines*, 2012,
+/// fig. 4.1, as two straight lines.
+double treeLineM(double latitudeDeg);
+
+inline constexpr double kSilentRoomM = 60.0;
+
+} // namespace worldmaking

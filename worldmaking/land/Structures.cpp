@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "worldmaking/land/Structures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <glm/glm.hpp>
+
+#include "scenery/buildings/Outline.h"
+#include "scenery/structures/Structure.h"
+#include "worldmaking/land/MapFile.h"
+
+namespace worldmaking
+{
+
+namespace
+{
+
+using scenery::StructureKind;
+
+constexpr double kGateStepM = 2.0; ///< a wall is looked at so often
+constexpr double kLeastPieceM = 3.0;
+constexpr double kWindsockM = 15.0; ///< beyond the edge of the strip that stays free
+constexpr double kWindsockAlongM = 150.0;
+constexpr double kNearRunwayM = 1500.0;
+
+const std::vector<std::string> kKeys{
+    "kind",   "barrier",  "power",     "voltage",     "railway",          "bridge",
+    "height", "width",    "layer",     "electrified", "generator:source", "generator:method",
+    "tunnel", "location", "height:hub"};
+
+/// Collects what a map has, and writes it.
+class StructureTaker
+{
+public:
+    StructureTaker(const MapPlane& plane, const StructureRoom& room, StructureReport& report)
+        : _plane(plane), _room(room), _report(report)
+    {
+    }
+
+    void take(const LandShape& shape)
+    {
+        if (shape.form == ShapeForm::point && valueOf(shape.tags, "aeroway") == "windsock")
+            return takeWindsock(shape);
+        // Areas with a barrier are fenced; a plant's outline is no turbine.
+        const bool isFenced = shape.form == ShapeForm::area && !valueOf(shape.tags, "barrier").empty();
+        if (shape.form == ShapeForm::area && !isFenced) return;
+        auto paths = _plane.toPlan(shape.paths);
+        if (!paths) return;
+        if (isFenced)
+            for (auto& ring : *paths)
+                ring.push_back(ring.front());
+        for (auto& path : *paths)
+            takeLine(shape, std::move(path));
+    }
+
+    /// A runway without a windsock gets one.
+    void addWindsocks()
+    {
+        for (const Runway& runway : _room.runways)
+        {
+            const auto from = _plane.toPlan(runway.from), to = _plane.toPlan(runway.to);
+            if (!from || !to) continue;
+            const bool hasOne =
+                std::any_of(_windsocks.begin(), _windsocks.end(),
+                            [&](const glm::dvec2& sock)
+                            { return glm::distance(sock, 0.5 * (*from + *to)) < kNearRunwayM; });
+            if (hasOne) continue;
+            const glm::dvec2 along = glm::normalize(*to - *from), left(-along.y, along.x);
+            const double outM = 0.5 * runway.widthM + kStripSideM + kWindsockM;
+            const double aheadM = std::min(kWindsockAlongM, 0.4 * glm::distance(*from, *to));
+            for (const double side : {1.0, -1.0})
+                if (const glm::dvec2 place = *from + aheadM * along + side * outM * left; isFree(place))
+                {
+                    addWindsock(place);
+                    break;
+                }
+        }
+    }
+
+    std::size_t size() const { return _lines.size() + _points.size(); }
+
+    foundation::Outcome write(const std::filesystem::path& file) const
+    {
+        MapFile made(file);
+        const auto writeAll = [&](const char* name, ShapeForm form, const auto& things)
+        {
+            if (!things.empty()) made.beginLayer(name, form, kKeys);
+            for (const auto& [path, tags] : things)
+                if (const auto degrees = _plane.toDegrees({path})) made.add(*degrees, tags);
+        };
+        writeAll("lines", ShapeForm::line, _lines);
+        writeAll("points", ShapeForm::point, _points);
+        return made.finish();
+    }
+
+private:
+    using Thing = std::pair<std::vector<glm::dvec2>, Tags>;
+
+    void takeWindsock(const LandShape& shape)
+    {
+        if (const auto place = _plane.toPlan(shape.paths.front().front()); place && isFree(*place))
+            addWindsock(*place);
+    }
+
+    void addWindsock(const glm::dvec2& place)
+    {
+        _windsocks.push_back(place);
+        _points.push_back({{place}, {{"kind", "windsock"}}});
+        ++_report.windsocks;
+    }
+
+    bool isFree(const glm::dvec2& place) const
+    {
+        const bool isOnStrip =
+            std::any_of(_room.strips.begin(), _room.strips.end(),
+                        [&](const PlanRings& strip) { return scenery::isWithin(strip, place); });
+        return !isOnStrip && _room.ground(place) && _room.roads.distanceM(place, kGateM) >= kGateM;
+    }
+
+    void takeLine(const LandShape& shape, std::vector<glm::dvec2> path)
+    {
+        const auto structure = scenery::structureOf(path, shape.tags, static_cast<std::uint64_t>(shape.id));
+        if (!structure) return;
+        const bool isKnown =
+            std::all_of(path.begin(), path.end(),
+                        [&](const glm::dvec2& place) { return _room.ground(place).has_value(); });
+        if (!isKnown)
+        {
+            ++_report.beyondGround;
+            return;
+        }
+        switch (structure->kind)
+        {
+        case StructureKind::wall:
+        case StructureKind::fence:
+            return takeBarrier(shape, structure->kind, path);
+        case StructureKind::powerLine:
+        case StructureKind::poleLine:
+            ++_report.powerLines;
+            break;
+        case StructureKind::railway:
+            ++_report.railways;
+            break;
+        case StructureKind::windTurbine:
+            if (!isFree(path.front())) return;
+            ++_report.turbines;
+            _points.emplace_back(std::move(path), shape.tags);
+            return;
+        }
+        _lines.emplace_back(std::move(path), shape.tags);
+    }
+
+    /// The pieces of a wall between roads.
+    void takeBarrier(const LandShape& shape, StructureKind kind, const std::vector<glm::dvec2>& path)
+    {
+        ++(kind == StructureKind::wall ? _report.walls : _report.fences);
+        std::vector<glm::dvec2> piece;
+        double pieceM = 0.0;
+        bool isCut = false;
+        const auto finish = [&]
+        {
+            if (pieceM >= kLeastPieceM) _lines.emplace_back(piece, shape.tags);
+            piece.clear();
+            pieceM = 0.0;
+        };
+        for (std::size_t i = 0; i + 1 < path.size(); ++i)
+        {
+            const int steps = std::max(1, static_cast<int>(glm::distance(path[i], path[i + 1]) / kGateStepM));
+            for (int step = i == 0 ? 0 : 1; step <= steps; ++step)
+            {
+                const glm::dvec2 place = glm::mix(path[i], path[i + 1], static_cast<double>(step) / steps);
+                if (!isFree(place))
+                {
+                    isCut = true;
+                    finish();
+                    continue;
+                }
+                if (!piece.empty()) pieceM += glm::distance(piece.back(), place);
+                // Places on a straight stretch need no corner.
+                if (piece.size() > 1 && step > 1)
+                    piece.back() = place;
+                else
+                    piece.push_back(place);
+            }
+        }
+        finish();
+        _report.cut += isCut;
+    }
+
+    const MapPlane& _plane;
+    const StructureRoom& _room;
+    StructureReport& _report;
+    std::vector<Thing> _lines, _points;
+    std::vector<glm::dvec2> _windsocks;
+};
+
+} // namespace
+
+foundation::Outcome writeStructures(const LandMap& map, const MapPlane& plane, const StructureRoom& room,
+                                    const std::filesystem::path& file, StructureReport& report)
+{
+    StructureTaker taker(plane, room, report);
+    for (const LandShape& shape : map.shapes)
+        taker.take(shape);
+    taker.addWindsocks();
+    report.written = taker.size();
+    return taker.size() == 0 ? foundation::success() : taker.write(file);
+}
+
+} // namespace worldmaking
