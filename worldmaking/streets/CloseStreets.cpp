@@ -18,6 +18,8 @@ namespace
 constexpr double kStepCellM = 40.0;  ///< more than two half widths, kCloseM and a step
 constexpr double kMostWeight = 60.0; ///< where pavings touch
 constexpr double kOwnAwayM = 40.0;   ///< along a street to where it is beside itself
+constexpr double kPortalM =
+    60.0; ///< from a bridge or tunnel on, whose slope goes on from that of the street before it
 
 /// A step of a row: from one node to the next.
 struct Step
@@ -70,12 +72,12 @@ public:
     void addTies(std::size_t row, std::size_t k, std::vector<StreetTie>& ties) const
     {
         const HeightRow& own = _nodes.rows[row];
-        if (own.isFree[k] != 0) return;
+        if (isAtPortal(own, k)) return;
         std::vector<std::pair<std::size_t, StreetTie>> best; // by row
         const auto look = [&](const Step& step)
         {
             const HeightRow& other = _nodes.rows[step.row];
-            if (other.isFree[step.node] != 0 || other.isFree[step.node + 1] != 0) return;
+            if (isAtPortal(other, step.node) || isAtPortal(other, step.node + 1)) return;
             const double alongM = (static_cast<double>(step.node) - static_cast<double>(k)) * own.stepM;
             if (step.row == row && std::abs(alongM) < kOwnAwayM) return;
             const auto tie = tieOf(own.points[k].position, step, _halfM[row]);
@@ -96,6 +98,16 @@ public:
     }
 
 private:
+    /// Whether a node is on a bridge or in a tunnel, or near its end.
+    static bool isAtPortal(const HeightRow& row, std::size_t k)
+    {
+        const auto reach = static_cast<std::size_t>(kPortalM / row.stepM);
+        const std::size_t first = k > reach ? k - reach : 0, last = std::min(row.last(), k + reach);
+        return std::any_of(row.isFree.begin() + static_cast<std::ptrdiff_t>(first),
+                           row.isFree.begin() + static_cast<std::ptrdiff_t>(last) + 1,
+                           [](auto isFree) { return isFree != 0; });
+    }
+
     StreetTie tieOf(const glm::dvec2& place, const Step& step, double halfM) const
     {
         const HeightRow& other = _nodes.rows[step.row];
