@@ -111,7 +111,8 @@ foundation::Result<MadeUpMap> makeUpMap(const GroundOnEarth& ground, const MadeU
     MadeUpLand land(grid, settings);
     land.make();
     if (land.report.roadsKm <= 0.0)
-        return Error{"the made-up map", "the ground is too small, or nowhere gentle enough, for a settlement and its roads",
+        return Error{"the made-up map",
+                     "the ground is too small, or nowhere gentle enough, for a settlement and its roads",
                      "give --map, or larger or gentler elevation data"};
     MadeUpMap made;
     made.report = land.report;

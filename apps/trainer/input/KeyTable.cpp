@@ -37,7 +37,7 @@ constexpr std::array kBindings{
     KeyBinding{"t", Scope::all, leanUp, "", 1.0, "head up"},
     KeyBinding{"b", Scope::all, leanUp, "", -1.0, "head down"},
     KeyBinding{"o", Scope::all, straighten, "", 0.0, "head straight ahead again"},
-    KeyBinding{"m", Scope::ride, panel, "", 0.0, "read the instruments, or look out again"},
+    KeyBinding{"m", Scope::ride, panel, "", 0.0, "close to the dials, or away"},
     KeyBinding{"p", Scope::all, pause, "", 0.0, "pause, or go on"},
     KeyBinding{"Period", Scope::all, step, "", 0.0, "one step"},
     KeyBinding{"Minus", Scope::all, slower, "", 0.0, "half as fast"},

@@ -138,7 +138,7 @@ TEST(ParseScenario, EnvironmentWithAllItsParts)
     EXPECT_TRUE(action.environment.timeOfDay->animation);
     EXPECT_EQ(action.environment.weather->fogVisualRangeM, 500.0);
     EXPECT_EQ(action.environment.weather->sun->elevationRad, 0.5);
-    EXPECT_EQ(action.environment.weather->precipitation->intensity, 0.5);
+    EXPECT_EQ(action.environment.weather->precipitation->intensity, 10.0); // mm/h: half of the most
     EXPECT_EQ(action.environment.weather->cloudState, "free");
     EXPECT_EQ(action.environment.roadFriction, 0.9);
 }
