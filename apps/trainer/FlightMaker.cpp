@@ -26,12 +26,9 @@ simulation::WeatherAir airOf(const FlyRequest& request)
 {
     simulation::WeatherSettings weather;
     weather.gustDeviationMps = request.gustsMps;
-    if (!request.wind.empty())
-    {
-        const double from = foundation::radiansOf(request.wind[0]), mps = request.wind[1] * 1852.0 / 3600.0;
-        weather.windMps = {-mps * std::sin(from), -mps * std::cos(from), 0.0};
-        if (request.gustsMps > 0.0) weather.windAtSixMetresMps = mps;
-    }
+    weather.windMps = glm::dvec3(request.windMps(), 0.0);
+    if (!request.wind.empty() && request.gustsMps > 0.0)
+        weather.windAtSixMetresMps = glm::length(weather.windMps);
     return simulation::WeatherAir(weather);
 }
 

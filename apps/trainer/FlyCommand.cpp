@@ -33,13 +33,6 @@ void tellFlight(const simulation::VehicleMotion& motion)
     if (jsbsim && !jsbsim->note().empty()) std::printf("note: %s\n", jsbsim->note().c_str());
 }
 
-/// The wind of `--wind`, to where it blows.
-glm::dvec2 windOf(const std::vector<double>& fromAndKnots)
-{
-    const double from = foundation::radiansOf(fromAndKnots[0]);
-    return -foundation::kMpsPerKnot * fromAndKnots[1] * glm::dvec2(std::sin(from), std::cos(from));
-}
-
 /// The world of the request; level ground where pictures have none.
 foundation::Result<SceneTerrain> openWorld(const FlyRequest& request)
 {
@@ -58,6 +51,13 @@ foundation::Result<SceneTerrain> openWorld(const FlyRequest& request)
 
 } // namespace
 
+glm::dvec2 FlyRequest::windMps() const
+{
+    if (wind.empty()) return glm::dvec2(0.0);
+    const double from = foundation::radiansOf(wind[0]);
+    return -foundation::kMpsPerKnot * wind[1] * glm::dvec2(std::sin(from), std::cos(from));
+}
+
 foundation::Outcome fly(const FlyRequest& asked)
 {
     FlyRequest request = asked;
@@ -75,7 +75,7 @@ foundation::Outcome fly(const FlyRequest& asked)
     if (hasWorld && !request.play.terrain.strip && request.start.empty())
         std::printf(
             "note: there is no runway in this world; the flight begins in the air (--strip lays one)\n");
-    if (terrain->airfield && !request.wind.empty()) terrain->airfield->setWind(windOf(request.wind));
+    if (terrain->airfield && !request.wind.empty()) terrain->airfield->setWind(request.windMps());
     FlightMaker maker(request, ground, terrain->origin());
     const auto motion = playRides(request, std::move(*terrain), maker);
     if (!motion) return motion.error();

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <foundation/Result.h>
+#include <glm/vec2.hpp>
 
 #include "Ride.h"
 
@@ -27,6 +28,9 @@ struct FlyRequest : RideRequest
     std::vector<double> wind; ///< from, degrees; kt
     double gustsMps = 0.0;    ///< deviation of turbulence above 600 m
     std::uint64_t seed = 1;   ///< of the turbulence
+
+    /// The velocity of the air, east and north in m/s; zero without a wind.
+    glm::dvec2 windMps() const;
 };
 
 /// Flies an aircraft by its own physics over a world: by the autopilot or by recorded inputs, with or without pictures, or by hand in a window.

@@ -14,6 +14,8 @@
 #include <osgTerrainROAM/Atmosphere>
 #include <shaders/scenery.h>
 
+#include "scenery/nodes/NoBound.h"
+
 namespace scenery
 {
 
@@ -23,12 +25,6 @@ namespace
 constexpr int kDropBin = 12;            // after what is blended and what glows
 constexpr int kCornersOfADrop = 6;      // two triangles
 constexpr double kExposureS = 1.0 / 50; // over which an eye sees a drop as a streak
-
-/// The box has no share in the bounds of the scene, nor in its near and far planes.
-struct NoBound : public osg::Drawable::ComputeBoundingBoxCallback
-{
-    osg::BoundingBox computeBound(const osg::Drawable&) const override { return {}; }
-};
 
 /// Goes with each eye in whole boxes, so that the coordinates in it are small anywhere in the world.
 class BoxesAroundEye : public osg::Transform

@@ -11,6 +11,8 @@
 #include <osgTerrainROAM/Atmosphere>
 #include <shaders/scenery.h>
 
+#include "scenery/nodes/NoBound.h"
+
 namespace scenery
 {
 
@@ -19,12 +21,6 @@ namespace
 
 /// After the opaque bin (0), so that hidden sky costs nothing; before transparent things (10).
 constexpr int kSkyBin = 5;
-
-/// The rectangle has no place in the world, and no share in the bounds of the scene.
-struct NoBound : public osg::Drawable::ComputeBoundingBoxCallback
-{
-    osg::BoundingBox computeBound(const osg::Drawable&) const override { return {}; }
-};
 
 osg::ref_ptr<osg::Geometry> wholePicture()
 {

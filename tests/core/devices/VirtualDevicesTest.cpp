@@ -5,6 +5,7 @@
 #include <SDL.h>
 #include <gtest/gtest.h>
 
+#include "StillVehicle.h"
 #include "input/DeviceHands.h"
 
 namespace
@@ -12,29 +13,7 @@ namespace
 
 using namespace trainer;
 
-/// A vehicle with two inputs that nothing steps.
-class Still : public simulation::DynamicVehicle
-{
-public:
-    static constexpr std::array<std::string_view, 2> kNames{"elevator", "throttle"};
-
-    std::span<const std::string_view> inputNames() const override { return kNames; }
-    std::span<double> inputs() override { return _inputs; }
-    double stepSeconds() const override { return 0.01; }
-    void step(const simulation::Ground& /*ground*/, const simulation::Air& /*air*/) override {}
-    foundation::Outcome begin(const simulation::VehicleStart& /*start*/, const simulation::Ground& /*ground*/,
-                              const simulation::Air& /*air*/) override
-    {
-        return foundation::success();
-    }
-    glm::dvec3 referencePoint() const override { return glm::dvec3(0.0); }
-    void writeParts(simulation::EntityState& /*entity*/) const override {}
-    simulation::VehicleState state() const override { return {}; }
-    simulation::VehicleStatus status() const override { return {}; }
-
-private:
-    std::array<double, 2> _inputs{};
-};
+constexpr std::array<std::string_view, 2> kInputs{"elevator", "throttle"};
 
 class PressedKeys : public KeyTarget
 {
@@ -101,7 +80,7 @@ TEST(VirtualJoystick, MovesHandsIsToldWhenItGoesAndTakenUpAgain)
         "devices");
     ASSERT_TRUE(maps);
     DeviceHands deviceHands(*maps);
-    const Still vehicle;
+    const testsupport::StillVehicle vehicle(kInputs);
     auto hands = simulation::Hands::create({{"elevator"}, {"throttle", 0.0, 1.0}}, vehicle);
     ASSERT_TRUE(hands);
     PressedKeys target;

@@ -8,9 +8,9 @@
 
 #include <gtest/gtest.h>
 
+#include "StillVehicle.h"
 #include "input/HandInputs.h"
 #include "input/Keys.h"
-#include "simulation/vehicle/DynamicVehicle.h"
 
 namespace
 {
@@ -19,29 +19,7 @@ using namespace trainer;
 
 constexpr std::array<std::string_view, 4> kWished{"elevator", "elevator_trim", "flaps", "throttle"};
 
-/// A vehicle with these inputs that nothing steps.
-class Wished : public simulation::DynamicVehicle
-{
-public:
-    std::span<const std::string_view> inputNames() const override { return kWished; }
-    std::span<double> inputs() override { return _inputs; }
-    double stepSeconds() const override { return 0.01; }
-    void step(const simulation::Ground& /*ground*/, const simulation::Air& /*air*/) override {}
-    foundation::Outcome begin(const simulation::VehicleStart& /*start*/, const simulation::Ground& /*ground*/,
-                              const simulation::Air& /*air*/) override
-    {
-        return foundation::success();
-    }
-    glm::dvec3 referencePoint() const override { return glm::dvec3(0.0); }
-    void writeParts(simulation::EntityState& /*entity*/) const override {}
-    simulation::VehicleState state() const override { return {}; }
-    simulation::VehicleStatus status() const override { return {}; }
-
-private:
-    std::array<double, 4> _inputs{};
-};
-
-simulation::Hands handsOf(const Wished& vehicle)
+simulation::Hands handsOf(const testsupport::StillVehicle& vehicle)
 {
     auto hands = simulation::Hands::create({{"elevator", -1.0, 1.0, 0.4, 0.8},
                                             {"elevator_trim", -1.0, 1.0, 0.1},
@@ -62,7 +40,7 @@ std::string wordsOf(const std::vector<KeyStroke>& strokes)
 
 TEST(KeyHand, PressesWhatLeadsThereAndLetsGoThere)
 {
-    const Wished vehicle;
+    const testsupport::StillVehicle vehicle(kWished);
     simulation::Hands hands = handsOf(vehicle);
     KeyHand hand(KeyScope::flight);
     const auto decide = [&](double throttle)
@@ -80,7 +58,7 @@ TEST(KeyHand, PressesWhatLeadsThereAndLetsGoThere)
 
 TEST(KeyHand, TapsFlapsAndTrimsAway)
 {
-    const Wished vehicle;
+    const testsupport::StillVehicle vehicle(kWished);
     simulation::Hands hands = handsOf(vehicle);
     KeyHand hand(KeyScope::flight);
     EXPECT_EQ(wordsOf(hand.decide(hands, std::array{0.0, 0.0, 0.6, 0.0}, kWished, 0.1)), "+f -f ");
@@ -96,7 +74,7 @@ TEST(KeyHand, TapsFlapsAndTrimsAway)
 
 TEST(KeyHand, WaitsWithoutWishes)
 {
-    const Wished vehicle;
+    const testsupport::StillVehicle vehicle(kWished);
     KeyHand hand(KeyScope::flight);
     EXPECT_TRUE(hand.decide(handsOf(vehicle), {}, kWished, 0.1).empty());
 }

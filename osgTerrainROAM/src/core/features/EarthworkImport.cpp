@@ -97,27 +97,17 @@ private:
 foundation::Result<std::vector<Earthwork>> importEarthworks(const std::filesystem::path& source,
                                                             const PlacedTile& tile)
 {
-    GdalSession gdal;
-    const auto dataset = openVectorSource(source, tile, gdal);
-    if (!dataset) return dataset.error();
     WorkReader reader(tile);
-    for (OGRLayer* layer : (*dataset)->GetLayers())
-    {
-        const auto toWgs84 = transformationOf(source, *layer, tile);
-        if (!toWgs84) return toWgs84.error();
-        layer->ResetReading();
-        while (true)
+    const auto read = forEachFeature(
+        source, tile,
+        [&](OGRFeature& feature, OGRLayer& layer, OGRCoordinateTransformation* toWgs84) -> foundation::Outcome
         {
-            gdal.clear();
-            const OGRFeatureUniquePtr feature{layer->GetNextFeature()};
-            if (!feature) break;
-            if (!reader.take(*feature, toWgs84->get()))
-                return foundation::Error{
-                    placeOf(source, *layer) + ": feature " + std::to_string(feature->GetFID()),
-                    "has no heights", "give its points a third coordinate, metres in the samples' datum"};
-        }
-        if (gdal.hasFailed()) return damageOf(source, *layer, gdal);
-    }
+            if (reader.take(feature, toWgs84)) return foundation::success();
+            return foundation::Error{placeOf(source, layer) + ": feature " + std::to_string(feature.GetFID()),
+                                     "has no heights",
+                                     "give its points a third coordinate, metres in the samples' datum"};
+        });
+    if (!read) return read.error();
     return std::move(reader.works);
 }
 

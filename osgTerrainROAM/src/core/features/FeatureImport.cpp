@@ -59,30 +59,17 @@ void addGeometry(Geometry& geometry, const OGRGeometry& source, int depth)
 class Reader
 {
 public:
-    Reader(std::filesystem::path source, const PlacedTile& tile, GdalSession& gdal)
-        : _source(std::move(source)), _tile(tile), _placer(tile), _gdal(gdal)
+    Reader(std::filesystem::path source, const PlacedTile& tile) : _source(std::move(source)), _placer(tile)
     {
     }
 
-    Outcome read(OGRLayer& layer)
+    Outcome read(OGRFeature& feature, OGRLayer& layer, OGRCoordinateTransformation* toWgs84)
     {
-        auto made = transformationOf(_source, layer, _tile);
-        if (!made) return made.error();
-        const Transformation transformation = std::move(*made);
-        layer.ResetReading();
-        while (true)
-        {
-            // Only an error that ends reading is damage; a vertex outside the Earth makes one feature invalid.
-            _gdal.clear();
-            const OGRFeatureUniquePtr feature{layer.GetNextFeature()};
-            if (!feature) break;
-            ++set.report.read;
-            take(*feature, layer.GetName(), transformation.get());
-            if (_vertices > kMostVertices)
-                return Error{placeOf(_source, layer), "has more than 20 million vertices",
-                             "cut it to the terrain's extent with ogr2ogr -clipsrc"};
-        }
-        if (_gdal.hasFailed()) return damageOf(_source, layer, _gdal);
+        ++set.report.read;
+        take(feature, layer.GetName(), toWgs84);
+        if (_vertices > kMostVertices)
+            return Error{placeOf(_source, layer), "has more than 20 million vertices",
+                         "cut it to the terrain's extent with ogr2ogr -clipsrc"};
         return success();
     }
 
@@ -149,9 +136,7 @@ private:
     }
 
     std::filesystem::path _source;
-    const PlacedTile& _tile;
     GroundPlacer _placer;
-    GdalSession& _gdal;
     std::size_t _vertices = 0;
 };
 
@@ -159,12 +144,12 @@ private:
 
 Result<FeatureSet> importFeatures(const std::filesystem::path& source, const PlacedTile& tile)
 {
-    GdalSession gdal;
-    const auto dataset = openVectorSource(source, tile, gdal);
-    if (!dataset) return dataset.error();
-    Reader reader(source, tile, gdal);
-    for (OGRLayer* layer : (*dataset)->GetLayers())
-        if (const Outcome read = reader.read(*layer); !read) return read.error();
+    Reader reader(source, tile);
+    const Outcome read =
+        forEachFeature(source, tile,
+                       [&](OGRFeature& feature, OGRLayer& layer, OGRCoordinateTransformation* toWgs84)
+                       { return reader.read(feature, layer, toWgs84); });
+    if (!read) return read.error();
     if (reader.set.features.empty())
         return Error{
             source.string(), "has nothing to paint: " + reader.set.report.message(),

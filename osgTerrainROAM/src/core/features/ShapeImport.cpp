@@ -140,24 +140,14 @@ private:
 
 foundation::Result<ShapeSet> importShapes(const std::filesystem::path& source, const PlacedTile& tile)
 {
-    GdalSession gdal;
-    const auto dataset = openVectorSource(source, tile, gdal);
-    if (!dataset) return dataset.error();
     ShapeReader reader(tile);
-    for (OGRLayer* layer : (*dataset)->GetLayers())
-    {
-        const auto toWgs84 = transformationOf(source, *layer, tile);
-        if (!toWgs84) return toWgs84.error();
-        layer->ResetReading();
-        while (true)
-        {
-            gdal.clear();
-            const OGRFeatureUniquePtr feature{layer->GetNextFeature()};
-            if (!feature) break;
-            reader.take(*feature, toWgs84->get());
-        }
-        if (gdal.hasFailed()) return damageOf(source, *layer, gdal);
-    }
+    const auto read = forEachFeature(source, tile,
+                                     [&](OGRFeature& feature, OGRLayer&, OGRCoordinateTransformation* toWgs84)
+                                     {
+                                         reader.take(feature, toWgs84);
+                                         return foundation::success();
+                                     });
+    if (!read) return read.error();
     return std::move(reader.set);
 }
 

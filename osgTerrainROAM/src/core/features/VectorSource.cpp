@@ -3,9 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <string_view>
 #include <system_error>
 
+#include <gdal_priv.h>
+
+#include "../heightfield/GdalSession.h"
 #include "FeatureTags.h"
 
 namespace osgTerrainROAM::core
@@ -13,6 +17,16 @@ namespace osgTerrainROAM::core
 
 using foundation::Error;
 using foundation::Result;
+
+namespace
+{
+
+struct DatasetCloser
+{
+    void operator()(GDALDataset* dataset) const { GDALClose(dataset); }
+};
+using DatasetPtr = std::unique_ptr<GDALDataset, DatasetCloser>;
+using Transformation = std::unique_ptr<OGRCoordinateTransformation>;
 
 Result<DatasetPtr> openVectorSource(const std::filesystem::path& source, const PlacedTile& tile,
                                     GdalSession& gdal)
@@ -30,11 +44,6 @@ Result<DatasetPtr> openVectorSource(const std::filesystem::path& source, const P
         return Error{name, gdal.hasFailed() ? gdal.firstError() : "is no vector source that OGR can open",
                      "give a GeoPackage, GeoJSON, shapefile or the like"};
     return dataset;
-}
-
-std::string placeOf(const std::filesystem::path& source, OGRLayer& layer)
-{
-    return source.string() + ": layer '" + layer.GetName() + "'";
 }
 
 Result<Transformation> transformationOf(const std::filesystem::path& source, OGRLayer& layer,
@@ -56,6 +65,43 @@ Result<Transformation> transformationOf(const std::filesystem::path& source, OGR
         return Error{placeOf(source, layer), "has a coordinate system that cannot be related to WGS84",
                      "reproject it with ogr2ogr -t_srs EPSG:4326"};
     return made;
+}
+
+Error damageOf(const std::filesystem::path& source, OGRLayer& layer, const GdalSession& gdal)
+{
+    return {placeOf(source, layer), "is damaged: " + gdal.firstError(),
+            "fetch it again, or repair it with ogr2ogr"};
+}
+
+} // namespace
+
+foundation::Outcome forEachFeature(const std::filesystem::path& source, const PlacedTile& tile,
+                                   const FeatureUse& use)
+{
+    GdalSession gdal;
+    const auto dataset = openVectorSource(source, tile, gdal);
+    if (!dataset) return dataset.error();
+    for (OGRLayer* layer : (*dataset)->GetLayers())
+    {
+        const auto toWgs84 = transformationOf(source, *layer, tile);
+        if (!toWgs84) return toWgs84.error();
+        layer->ResetReading();
+        while (true)
+        {
+            // Only an error that ends reading is damage; a vertex outside the Earth makes one feature invalid.
+            gdal.clear();
+            const OGRFeatureUniquePtr feature{layer->GetNextFeature()};
+            if (!feature) break;
+            if (const auto used = use(*feature, *layer, toWgs84->get()); !used) return used;
+        }
+        if (gdal.hasFailed()) return damageOf(source, *layer, gdal);
+    }
+    return foundation::success();
+}
+
+std::string placeOf(const std::filesystem::path& source, OGRLayer& layer)
+{
+    return source.string() + ": layer '" + layer.GetName() + "'";
 }
 
 bool transform(glm::dvec2& vertex, OGRCoordinateTransformation* toWgs84)
@@ -82,12 +128,6 @@ std::vector<glm::dvec2> pathOf(const OGRSimpleCurve& curve, bool ring)
             path.push_back(point);
     if (ring && path.size() > 1 && path.front() == path.back()) path.pop_back();
     return path;
-}
-
-Error damageOf(const std::filesystem::path& source, OGRLayer& layer, const GdalSession& gdal)
-{
-    return {placeOf(source, layer), "is damaged: " + gdal.firstError(),
-            "fetch it again, or repair it with ogr2ogr"};
 }
 
 } // namespace osgTerrainROAM::core
