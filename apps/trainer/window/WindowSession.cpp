@@ -5,7 +5,6 @@
 #include <iostream>
 #include <thread>
 
-#include "window/DisplayLoss.h"
 #include "window/EndSignals.h"
 #include "window/OpenWindow.h"
 #include "window/WindowEvents.h"
@@ -61,6 +60,7 @@ foundation::Outcome WindowSession::open(simulation::Scenario scenario, SceneTerr
     auto window = openWindow(_request.window, _request.frames);
     if (!window) return window.error();
     _window = *window;
+    _loss = std::make_unique<WindowLoss>(*_window, [this] { (void)_files.finish(_ride.motion.get()); });
     _watch = std::make_unique<WindowWatch>(*_window);
     _injected = std::make_unique<InjectedEvents>(_window, std::move(script), _vehicle);
     _ride.scenario = std::move(scenario);
@@ -238,7 +238,7 @@ void WindowSession::showPicture()
     const WindowWatch::State state = _watch->look();
     if (state.hasLostFocus) _keys->releaseAll();
     _isHidden = state.isHidden && _times.count() > 0;
-    if (state.isGone) _isEnded = true;
+    if (state.isGone) WindowLoss::endWithoutWindow();
     if (_isEnded) return;
     if (!_isHidden) return _viewer->frame();
     _viewer->advance();
@@ -247,7 +247,6 @@ void WindowSession::showPicture()
 
 foundation::Outcome WindowSession::run()
 {
-    const DisplayLoss loss([this] { (void)_files.finish(_ride.motion.get()); });
     const EndSignals signals;
     _begun = std::chrono::steady_clock::now();
     while (!_viewer->done() && !_isEnded && !signals.haveCome() && _failed)

@@ -24,6 +24,7 @@
 #include "window/SeatCamera.h"
 #include "window/SeatTexts.h"
 #include "window/SeatViewer.h"
+#include "window/WindowLoss.h"
 #include "window/WindowWatch.h"
 
 namespace trainer
@@ -85,6 +86,7 @@ private:
     Ride _ride; ///< without a maker: its scenario alone
     std::size_t _place = 0;
     RunFiles _files;
+    std::unique_ptr<WindowLoss> _loss; ///< until all that speaks with the window is gone
     PlayScene _play;
     std::unique_ptr<simulation::LivePlay> _live;
     osg::ref_ptr<osgViewer::GraphicsWindow> _window;
