@@ -73,7 +73,7 @@ public:
 private:
     Command tour(const std::string& terrain, const Command& more) const
     {
-        Command words = {"tour", terrain, "--size", "64x36", "--frames", "1"};
+        Command words = {"tour", "--no-world", terrain, "--size", "64x36", "--frames", "1"};
         words.insert(words.end(), more.begin(), more.end());
         return _folders.command("trainer", words);
     }

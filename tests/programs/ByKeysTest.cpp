@@ -88,7 +88,7 @@ void ByKeys::rideAndRepeat(const std::vector<std::string>& ride, const std::stri
     const std::vector<std::string> drawn{"--size", "64x36", "--samples", "1",        "--shadows",
                                          "off",    "--eye", eye,         "--capture"};
     window = runProgram(
-        with(with({kOnDisplay, "--", OSGTRAINER_TRAINER}, ride),
+        with(with({kOnDisplay, "--", OSGTRAINER_TRAINER}, withoutWorld(ride)),
              with(drawn, {path("seen"), "--mute", "--by-keys", "--picture-time", "0.1", "--csv_logger",
                           path("hand.csv"), "--record-inputs", path("hand.txt"), "--window"})),
         500.0);

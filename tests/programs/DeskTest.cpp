@@ -28,7 +28,7 @@ protected:
     {
         const std::string script = place.write("desk.keys", "osgtrainer-keys 1\n" + keys + "0.6 tap F12\n");
         const std::string line =
-            before + " " + OSGTRAINER_TRAINER + " fly --aircraft " + kSeatAircraft +
+            before + " " + OSGTRAINER_TRAINER + " fly --no-world --aircraft " + kSeatAircraft +
             " --mute --interior off --shadows off --tolerance 8 --keys " + script + " --pictures " +
             path("") + " --record-inputs " + path("in.txt") + " --csv_logger " + path("in.csv") +
             " --size 240x136 --samples 1 " + more + " --window & p=$!; shot() { n=0; while [ ! -s " +

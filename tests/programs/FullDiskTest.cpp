@@ -22,7 +22,7 @@ bool canMount(const Workplace& place)
 }
 
 const std::string kTour =
-    R"("$2" tour "$3" --size 160x90 --frames 8 --capture "$1/frames" --stats "$1/stats.json")";
+    R"("$2" tour --no-world "$3" --size 160x90 --frames 8 --capture "$1/frames" --stats "$1/stats.json")";
 
 /// The last line is the error; those before it tell of the progress.
 void expectEndsWithError(const ProgramRun& run, const std::string& words)
@@ -74,9 +74,10 @@ TEST(FullDisk, AReadOnlyFolderIsNamedBeforeTheFlight)
         "mount --bind \"$1\" \"$1\" && mount -o remount,bind,ro \"$1\" || exit 99\nexec ";
     const ProgramRun run = inShell({"unshare", "-m"}, readOnly + kTour, place);
     EXPECT_TRUE(failsWith(run, 1, "trainer", {place.path("disk/stats.json"), "Read-only file system"}));
-    const ProgramRun pictures = runProgram(
-        {"unshare", "-m", "sh", "-c", readOnly + "\"$2\" tour \"$3\" --size 64x36 --capture \"$1/frames\"",
-         "sh", place.path("disk"), OSGTRAINER_TRAINER, place.hill()});
+    const ProgramRun pictures =
+        runProgram({"unshare", "-m", "sh", "-c",
+                    readOnly + "\"$2\" tour --no-world \"$3\" --size 64x36 --capture \"$1/frames\"", "sh",
+                    place.path("disk"), OSGTRAINER_TRAINER, place.hill()});
     EXPECT_TRUE(failsWith(pictures, 1, "trainer", {place.path("disk/frames"), "Read-only file system"}));
 }
 

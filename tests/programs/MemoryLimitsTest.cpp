@@ -115,8 +115,9 @@ TEST(MemoryLimits, EveryCommandSaysWhatItLacks)
     Limits limits(place);
     const auto sized = [&](const char* size)
     {
-        return Command{OSGTRAINER_TRAINER,       "tour",   place.hill(), "--frames", "1", "--stats",
-                       place.path("stats.json"), "--size", size};
+        return Command{OSGTRAINER_TRAINER, "tour", "--no-world", place.hill(),
+                       "--frames",         "1",    "--stats",    place.path("stats.json"),
+                       "--size",           size};
     };
     for (const Command& command : {sized("64x36"), sized("2048x2048")})
         limits.run("trainer", command, {330, 360, 420, 600});

@@ -14,8 +14,8 @@ ProgramRun tourWith(const Workplace& place, std::vector<std::string> command,
                     const std::vector<std::string>& options)
 {
     command.insert(command.begin(), "env");
-    command.insert(command.end(),
-                   {OSGTRAINER_TRAINER, "tour", place.hill(), "--frames", "1", "--size", "32x18"});
+    command.insert(command.end(), {OSGTRAINER_TRAINER, "tour", "--no-world", place.hill(), "--frames", "1",
+                                   "--size", "32x18"});
     command.insert(command.end(), options.begin(), options.end());
     return runProgram(command);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ProgramRun.h"
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
@@ -72,8 +73,18 @@ ProgramRun runProgram(const std::vector<std::string>& command, double limitS)
     return run;
 }
 
+std::vector<std::string> withoutWorld(std::vector<std::string> arguments)
+{
+    const bool mayHaveOne =
+        !arguments.empty() && (arguments.front() == "tour" || arguments.front() == "fly") &&
+        std::find(arguments.begin(), arguments.end(), "--world-folder") == arguments.end();
+    if (mayHaveOne) arguments.insert(arguments.begin() + 1, "--no-world");
+    return arguments;
+}
+
 ProgramRun runTrainer(std::vector<std::string> arguments)
 {
+    arguments = withoutWorld(std::move(arguments));
     arguments.insert(arguments.begin(), OSGTRAINER_TRAINER);
     return runProgram(arguments);
 }

@@ -21,6 +21,10 @@ struct ProgramRun
 /// Runs a command (a path, or a name in PATH) to its end, or for `limitS` seconds and then kills it.
 ProgramRun runProgram(const std::vector<std::string>& command, double limitS = 300.0);
 
+/// The arguments of the trainer with --no-world behind `tour` and `fly`, so that no test makes or opens a world by the way. With --world-folder they stay as they are.
+std::vector<std::string> withoutWorld(std::vector<std::string> arguments);
+
+/// Runs the trainer, withoutWorld().
 ProgramRun runTrainer(std::vector<std::string> arguments);
 ProgramRun runTerrainTool(std::vector<std::string> arguments);
 

@@ -13,6 +13,7 @@ bool hasXvfb()
 ProgramRun inWindow(std::vector<std::string> arguments, std::vector<std::string> command)
 {
     command.insert(command.end(), {"--", OSGTRAINER_TRAINER});
+    arguments = withoutWorld(std::move(arguments));
     command.insert(command.end(), arguments.begin(), arguments.end());
     command.insert(command.end(), {"--size", "96x54", "--samples", "1", "--window"});
     return runProgram(command, 400.0);

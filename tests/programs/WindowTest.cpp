@@ -72,26 +72,13 @@ TEST_F(Window, RealTimeIsKeptWithPicturesOfHalfASecond)
     const std::vector<std::string> command{kOnDisplay, "--", "env",
                                            std::string("LD_PRELOAD=") + OSGTRAINER_SLOW_SWAP};
     std::vector<std::string> words = command;
-    words.insert(words.end(), {OSGTRAINER_TRAINER,
-                               "fly",
-                               "--aircraft",
-                               kSeatAircraft,
-                               "--mute",
-                               "--interior",
-                               "off",
-                               "--shadows",
-                               "off",
-                               "--tolerance",
-                               "8",
-                               "--start",
-                               "0,0,300,90,50",
-                               "--keys",
-                               keys("slow.keys", "20 close\n"),
-                               "--size",
-                               "64x36",
-                               "--samples",
-                               "1",
-                               "--window"});
+    words.insert(words.end(),
+                 {OSGTRAINER_TRAINER, "fly",           "--no-world",  "--aircraft",
+                  kSeatAircraft,      "--mute",        "--interior",  "off",
+                  "--shadows",        "off",           "--tolerance", "8",
+                  "--start",          "0,0,300,90,50", "--keys",      keys("slow.keys", "20 close\n"),
+                  "--size",           "64x36",         "--samples",   "1",
+                  "--window"});
     const ProgramRun run = runProgram(words, 120.0);
     ASSERT_TRUE(succeeds(run));
     double shownS = 0.0, clockS = 0.0, meanMs = 0.0;
@@ -170,7 +157,7 @@ TEST_F(Window, ResizedAndClosedAtAnyMomentItLosesNothing)
 TEST_F(Window, ASignalEndsItWithItsRecording)
 {
     const std::string recorded = path("ended.txt"), shown = path("picture-1.png");
-    const std::string line = std::string(OSGTRAINER_TRAINER) + " fly --aircraft " + kSeatAircraft +
+    const std::string line = std::string(OSGTRAINER_TRAINER) + " fly --no-world --aircraft " + kSeatAircraft +
                              " --keys " + keys("end.keys", "0.5 tap F12\n") + " --pictures " + path("") +
                              " --record-inputs " + recorded +
                              " --size 96x54 --samples 1 --window & p=$!; while [ ! -e " + shown +
@@ -183,7 +170,7 @@ TEST_F(Window, ASignalEndsItWithItsRecording)
 TEST_F(Window, ADisplayThatGoesAwayLeavesTheRecording)
 {
     const std::string recorded = path("gone.txt"), motion = path("gone.csv"), shown = path("picture-1.png");
-    const std::string line = std::string(OSGTRAINER_TRAINER) + " fly --aircraft " + kSeatAircraft +
+    const std::string line = std::string(OSGTRAINER_TRAINER) + " fly --no-world --aircraft " + kSeatAircraft +
                              " --keys " + keys("gone.keys", "0.5 tap F12\n") + " --pictures " + path("") +
                              " --record-inputs " + recorded + " --csv_logger " + motion +
                              " --size 96x54 --samples 1 --mute --window & p=$!; while [ ! -e " + shown +
@@ -223,7 +210,7 @@ TEST_F(Window, ASecondInstanceDoesNotDisturbTheFirst)
 {
     const auto one = [&](const std::string& name)
     {
-        return std::string(OSGTRAINER_TRAINER) + " fly --aircraft " + kSeatAircraft + " --keys " +
+        return std::string(OSGTRAINER_TRAINER) + " fly --no-world --aircraft " + kSeatAircraft + " --keys " +
                keys(name + ".keys", "1 close\n") + " --record-inputs " + path(name + ".txt") +
                " --picture-time 0.1 --size 96x54 --samples 1 --window";
     };
@@ -239,8 +226,8 @@ TEST_F(Window, SaysWhatADisplayLacks)
                           1, "trainer", {"--window", "OpenGL"}));
     EXPECT_TRUE(failsWith(inWindow({"fly", "--aircraft", kSeatAircraft, "--screen", "7"}), 1, "trainer",
                           {"--screen", "screens"}));
-    EXPECT_TRUE(failsWith(runProgram({"env", "-u", "DISPLAY", OSGTRAINER_TRAINER, "fly", "--aircraft",
-                                      kSeatAircraft, "--window"}),
+    EXPECT_TRUE(failsWith(runProgram({"env", "-u", "DISPLAY", OSGTRAINER_TRAINER, "fly", "--no-world",
+                                      "--aircraft", kSeatAircraft, "--window"}),
                           1, "trainer", {"--window", "DISPLAY"}));
     EXPECT_TRUE(
         failsWith(runTrainer({"fly", "--window", "1", "2", "3"}), 2, "trainer", {"--window", "3 values"}));

@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "DriveCommand.h"
+#include "WorldFiles.h"
 #include "commands/Commands.h"
 #include "commands/PlayOptions.h"
 #include "commands/RideOptions.h"
@@ -29,6 +30,12 @@ foundation::Outcome driveOne(const DriveLine& line)
     DriveRequest request = line.drive;
     request.play = line.play.request;
     if (const auto complete = line.ride.complete(request); !complete) return complete;
+    if (request.play.terrain.file.empty())
+    {
+        const auto world = defaultWorld();
+        if (!world) return world.error();
+        request.play.terrain.file = *world;
+    }
     return drive(request);
 }
 
@@ -38,10 +45,8 @@ std::vector<Command> addDrive(CLI::App& program)
 {
     const auto line = std::make_shared<DriveLine>();
     CLI::App* command = program.add_subcommand("drive", "drive a road vehicle by its own physics");
-    command
-        ->add_option("WORLD", line->play.request.terrain.file,
-                     "OpenDRIVE network, or a .roam file with roads")
-        ->required();
+    command->add_option("WORLD", line->play.request.terrain.file,
+                        "OpenDRIVE network, or a .roam file with roads; without it the default world");
     command->add_flag("--headless", line->drive.isHeadless, "drive without pictures and without a window");
     command->add_option("--vehicle", line->drive.vehicle, "road vehicle file");
     command->add_option("--duration", line->drive.durationS, "seconds to drive at most")

@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "FlyCommand.h"
+#include "WorldFiles.h"
 #include "commands/Commands.h"
 #include "commands/PlayOptions.h"
 #include "commands/RideOptions.h"
@@ -18,9 +19,10 @@ struct FlyLine
     RideOptions ride;
     FlyRequest fly;
     std::vector<double> strip;
+    bool leavesWorldOut = false;
 };
 
-/// Completes a flight. Errors: a strip without length.
+/// Completes a flight. Errors: a strip without length; those of defaultWorld().
 foundation::Outcome flyOne(const FlyLine& line)
 {
     FlyRequest request = line.fly;
@@ -34,6 +36,12 @@ foundation::Outcome flyOne(const FlyLine& line)
                                      "write X,Y,COURSE,LENGTH"};
         request.play.terrain.strip = StripRequest{{strip[0], strip[1]}, strip[2], strip[3], 30.0};
     }
+    if (request.play.terrain.file.empty() && strip.empty() && !line.leavesWorldOut)
+    {
+        const auto world = defaultWorld();
+        if (!world) return world.error();
+        request.play.terrain.file = *world;
+    }
     return fly(request);
 }
 
@@ -43,9 +51,11 @@ std::vector<Command> addFly(CLI::App& program)
 {
     const auto line = std::make_shared<FlyLine>();
     CLI::App* command = program.add_subcommand("fly", "fly an aircraft by its own physics");
-    command->add_option(
-        "WORLD", line->play.request.terrain.file,
-        "terrain to fly over: a .roam file, a raster or an OpenDRIVE network; without it level ground");
+    command->add_option("WORLD", line->play.request.terrain.file,
+                        "terrain to fly over: a .roam file, a raster or an OpenDRIVE network; without it the "
+                        "default world, or "
+                        "level ground with --strip");
+    command->add_flag("--no-world", line->leavesWorldOut, "without WORLD: level ground");
     command->add_flag("--headless", line->fly.isHeadless, "fly without pictures");
     command->add_option("--duration", line->fly.durationS, "seconds to fly at most")
         ->check(terminal::between(0.0, 1e5));

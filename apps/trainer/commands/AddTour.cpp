@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "PlayCommand.h"
+#include "WorldFiles.h"
 #include "commands/Commands.h"
 #include "commands/PlayOptions.h"
 
@@ -16,7 +17,18 @@ struct TourLine
     PlayOptions play;
     std::filesystem::path saveFile;
     double durationS = 20.0;
+    WorldChoice world;
 };
+
+/// Where files say what stands on the elevation, no world is made up over it.
+foundation::Outcome tourOne(const TourLine& line)
+{
+    PlayRequest request = line.play.request;
+    if (!line.world.isLeftOut && request.scenery.isEmpty())
+        if (const auto world = worldOver(request.terrain.file, line.world.folder))
+            request.terrain.file = *world;
+    return tour(request, line.saveFile, line.durationS);
+}
 
 } // namespace
 
@@ -31,9 +43,14 @@ std::vector<Command> addTour(CLI::App& program)
         ->required();
     command->add_option("--save", line->saveFile, "file for the scenario that is played");
     command->add_option("--duration", line->durationS, "seconds")->check(terminal::between(4.0, 3600.0));
+    CLI::Option* const leftOut = command->add_flag(
+        "--no-world", line->world.isLeftOut, "the elevation alone, without a world that is made up over it");
+    command
+        ->add_option("--world-folder", line->world.folder,
+                     "folder of the world that is made up over a raster, instead of one in ~/.cache")
+        ->excludes(leftOut);
     line->play.addTo(*command);
-    return {{command, line->play.running(
-                          [line] { return tour(line->play.request, line->saveFile, line->durationS); })}};
+    return {{command, line->play.running([line] { return tourOne(*line); })}};
 }
 
 } // namespace trainer

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "WorldFiles.h"
+
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include "RunProgram.h"
+
+namespace trainer
+{
+
+namespace
+{
+
+namespace fs = std::filesystem;
+
+constexpr const char* kLeaveOut = "name a WORLD, or give --no-world";
+
+/// The folder that the program lies in; empty where the system does not tell.
+fs::path programFolder()
+{
+    std::error_code failed;
+    return fs::read_symlink("/proc/self/exe", failed).parent_path();
+}
+
+/// A name that differs for rasters of the same name in different folders. Source: Fowler, Noll & Vo, FNV-1a, 64 bit.
+std::string folderName(const fs::path& dem)
+{
+    std::uint64_t sum = 0xcbf29ce484222325ULL;
+    for (const char byte : dem.string())
+        sum = (sum ^ static_cast<unsigned char>(byte)) * 0x100000001b3ULL;
+    char digits[20];
+    std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(sum));
+    return dem.stem().string() + '-' + digits;
+}
+
+/// Where worlds of the user are kept; empty where the environment names no place.
+fs::path cacheFolder()
+{
+    const char* const cache = std::getenv("XDG_CACHE_HOME");
+    if (cache && *cache) return fs::path(cache) / "osgTrainer/worlds";
+    const char* const home = std::getenv("HOME");
+    return home && *home ? fs::path(home) / ".cache/osgTrainer/worlds" : fs::path();
+}
+
+/// Makes a world, or finds it made. One program at a time does that in a folder.
+foundation::Result<fs::path> madeWorld(const fs::path& dem, const fs::path& folder)
+{
+    const fs::path tool = programFolder() / "worldtool";
+    std::error_code failed;
+    if (!fs::exists(tool, failed))
+        return foundation::Error{tool.string(), "is not there, so no world can be made up", kLeaveOut};
+    fs::create_directories(folder, failed);
+    if (failed)
+        return foundation::Error{folder.string(), "cannot be made: " + failed.message(),
+                                 "give --world-folder FOLDER that can be written"};
+    const fs::path world = folder / "world.roam";
+    if (!fs::exists(world, failed))
+        std::cerr << "trainer: makes up a world over " << dem.string() << " in " << folder.string()
+                  << ", once; --no-world leaves it out\n";
+    const auto ran = runProgram(
+        {tool.string(), "build", dem.string(), "--seed", "1", "--output", folder.string()}, folder / "lock");
+    if (!ran) return ran.error();
+    if (*ran != 0 || !fs::exists(world, failed))
+        return foundation::Error{dem.string(), "no world is made up over it", kLeaveOut};
+    return world;
+}
+
+} // namespace
+
+foundation::Result<fs::path> defaultWorld()
+{
+    const fs::path data = programFolder().parent_path() / "data", world = data / "world/world.roam";
+    std::error_code failed;
+    if (fs::exists(world, failed)) return world;
+    const fs::path dem = data / "default_terrain.tif";
+    if (fs::exists(dem, failed)) return madeWorld(dem, data / "world");
+    return foundation::Error{world.string(), "the default world is not there",
+                             "build the target default_world, or " + std::string(kLeaveOut)};
+}
+
+std::optional<fs::path> worldOver(const fs::path& dem, const fs::path& folder)
+{
+    std::error_code failed;
+    const std::string suffix = dem.extension().string();
+    if (suffix == ".roam" || suffix == ".xodr" || !fs::is_regular_file(dem, failed)) return std::nullopt;
+    const fs::path place = fs::canonical(dem, failed), cache = cacheFolder();
+    const auto made =
+        folder.empty() && cache.empty()
+            ? foundation::Error{"HOME", "is not set, so there is no cache for a world", "give --world-folder"}
+            : madeWorld(place, fs::absolute(folder.empty() ? cache / folderName(place) : folder));
+    if (made) return *made;
+    std::cerr << "note: " << made.error().message() << "; the elevation is shown alone\n";
+    return std::nullopt;
+}
+
+} // namespace trainer

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+// The worlds that the trainer shows where nobody names one: made up over a raster, once, and the default world.
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include <nlohmann/json.hpp>
+
+#include "Playing.h"
+#include "ProgramRun.h"
+#include "Workplace.h"
+
+namespace
+{
+
+/// A georeferenced plain of 7 km with hills in the north.
+std::string writePlain(const Workplace& place)
+{
+    constexpr int kSide = 91;
+    std::string text = "ncols 91\nnrows 91\nxllcorner 1.455\nyllcorner 42.465\ncellsize 0.001\n";
+    for (int row = 0; row < kSide; ++row)
+    {
+        for (int column = 0; column < kSide; ++column)
+        {
+            const double rise = std::max(0, 40 - row);
+            text += std::to_string(400.0 + 6.0 * rise + 2.5 * rise * std::sin(0.2 * column)) + ' ';
+        }
+        text += '\n';
+    }
+    (void)place.write("plain.prj",
+                      "GEOGCS[\"WGS 84\",DATUM[\"WGS_1984\",SPHEROID[\"WGS 84\",6378137,298.257223563]],"
+                      "PRIMEM[\"Greenwich\",0],UNIT[\"degree\",0.0174532925199433]]");
+    return place.write("plain.asc", text);
+}
+
+bool tells(const ProgramRun& run, const char* words)
+{
+    return run.errors.find(words) != std::string::npos;
+}
+
+TEST(TourWorld, AWorldIsMadeUpOverARasterOnce)
+{
+    const Workplace place;
+    const std::string plain = writePlain(place);
+    const auto tour = [&](const std::string& name, std::vector<std::string> more)
+    {
+        std::vector<std::string> words{"tour",  plain,       "--frames",       "1",         "--size",
+                                       "96x54", "--capture", place.path(name), "--samples", "1"};
+        words.insert(words.end(), more.begin(), more.end());
+        return runTrainer(words);
+    };
+    const std::vector<std::string> inFolder{"--world-folder", place.path("world")};
+    const ProgramRun first = tour("first", inFolder), second = tour("second", inFolder);
+    EXPECT_TRUE(succeeds(first));
+    EXPECT_TRUE(succeeds(second));
+    EXPECT_TRUE(tells(first, "makes up a world over")) << first.text();
+    EXPECT_FALSE(tells(second, "makes up a world over")) << second.text();
+    EXPECT_TRUE(bytesIn(place.path("first")) == bytesIn(place.path("second")));
+    // The control: the elevation alone is another picture, and has no roads.
+    EXPECT_TRUE(succeeds(tour("bare", {})));
+    EXPECT_FALSE(bytesIn(place.path("first")) == bytesIn(place.path("bare")));
+    EXPECT_TRUE(succeeds(tour("drive", {"--world-folder", place.path("world"), "--eye", "driver"})));
+    EXPECT_TRUE(failsWith(tour("no-drive", {"--eye", "driver"}), 1, "trainer", {"no roads"}));
+    // A file of the world that is damaged is made anew.
+    (void)place.write("world/trees.gpkg", "damaged");
+    EXPECT_TRUE(succeeds(tour("third", inFolder)));
+    EXPECT_TRUE(bytesIn(place.path("first")) == bytesIn(place.path("third")));
+}
+
+TEST(TourWorld, WhereNoneCanBeMadeTheElevationIsShownAlone)
+{
+    const Workplace place;
+    const ProgramRun run = runTrainer({"tour", place.hill(), "--world-folder", place.path("world"),
+                                       "--frames", "1", "--size", "32x18", "--samples", "1"});
+    EXPECT_TRUE(succeeds(run));
+    EXPECT_TRUE(tells(run, "the elevation is shown alone")) << run.text();
+    EXPECT_FALSE(std::filesystem::exists(place.path("world/world.roam")));
+}
+
+TEST(TourWorld, FlightsAndDrivesUseTheDefaultWorldBesideTheProgram)
+{
+    const Workplace place;
+    std::filesystem::create_directories(place.path("there/bin"));
+    std::filesystem::copy_file(OSGTRAINER_TRAINER, place.path("there/bin/trainer"));
+    const auto ride = [&](const char* kind, std::vector<std::string> more)
+    {
+        std::vector<std::string> words{place.path("there/bin/trainer"), kind, "--headless", "--duration",
+                                       "2"};
+        words.insert(words.end(), more.begin(), more.end());
+        return runProgram(words);
+    };
+    const std::vector<std::string> car{"--vehicle", OSGTRAINER_SOURCE_DIR "/data/vehicles/car.xml"},
+        aircraft{"--aircraft", OSGTRAINER_SOURCE_DIR "/data/aircraft/c172p.xml", "--start", "0,0,300,90,50"};
+    EXPECT_TRUE(failsWith(ride("drive", car), 1, "trainer", {"default world", "default_world", "WORLD"}));
+    EXPECT_TRUE(failsWith(ride("fly", aircraft), 1, "trainer", {"default world", "--no-world"}));
+    const std::string world = place.path("there/data/world");
+    ASSERT_TRUE(succeeds(runProgram({OSGTRAINER_WORLDTOOL, "build", writePlain(place), "--output", world})));
+    const ProgramRun driven = ride("drive", car);
+    EXPECT_TRUE(succeeds(driven));
+    EXPECT_NE(driven.output.find("m of lanes"), std::string::npos) << driven.text();
+    const ProgramRun flown = ride("fly", aircraft);
+    EXPECT_TRUE(succeeds(flown));
+    // The plain lies at 400 m and more; level ground at 0.
+    EXPECT_EQ(flown.output.find(" 300.0 m high"), std::string::npos) << flown.text();
+    EXPECT_TRUE(succeeds(ride("fly", {"--no-world", "--aircraft", aircraft[1], "--start", "0,0,300,90,50"})));
+}
+
+} // namespace
