@@ -18,6 +18,7 @@ function(plantTree)
             "osgPMObjects/include/osgPMObjects/core/Mesh.h|viewlod/Frustum.h"
             "osgPMObjects/include/osgPMObjects/Object|osg/Drawable"
             "osgRoads/include/osgRoads/core/Road.h|foundation/Result.h"
+            "osgMultiTriangulation/include/osgMultiTriangulation/core/Forest.h|osgPMObjects/core/Mesh.h"
             "osgRoads/include/osgRoads/RoadDrawable|osg/Drawable"
             "osgPMObjects/src/Object.cpp|osgTraversal/CullFacts"
             "osgOffscreen/include/osgOffscreen/Capture|osg/Image"
@@ -101,6 +102,9 @@ expectBreach(osgPMObjects/include/osgPMObjects/Object "#include <osgTerrainROAM/
 expectBreach(osgOffscreen/include/osgOffscreen/Capture "#include <osgTerrainROAM/Terrain>")
 expectBreach(osgRoads/include/osgRoads/core/Road.h "#include <osg/Vec3d>")
 expectBreach(osgRoads/include/osgRoads/core/Road.h "#include <osgTerrainROAM/core/Tile.h>")
+expectBreach(osgMultiTriangulation/include/osgMultiTriangulation/core/Forest.h "#include <osg/Vec3d>")
+expectBreach(osgMultiTriangulation/include/osgMultiTriangulation/core/Forest.h "#include <osgTerrainROAM/core/Tile.h>")
+expectBreach(osgTerrainROAM/src/core/Tile.cpp "#include <osgMultiTriangulation/core/NotThere.h>")
 expectBreach(osgTerrainROAM/src/core/Tile.cpp "#include <osgRoads/core/NotThere.h>")
 expectBreach(osgTerrainROAM/src/Terrain.cpp "#include <osgOffscreen/Capture>")
 expectBreach(osgTraversal/include/osgTraversal/CullFacts "#include <osgPMObjects/Object>")

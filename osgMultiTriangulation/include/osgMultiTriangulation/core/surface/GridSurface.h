@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+
+#include <osgMultiTriangulation/core/surface/SurfaceMesh.h>
+
+namespace osgMultiTriangulation::core
+{
+
+/// Returns a grid of heights as a mesh with two triangles a cell; sample (column, row) is the point (column, row).
+/// Each cell is cut along the diagonal whose ends differ less in height, from the south-west when both differ alike.
+/// `heights`: row-major, the southernmost row first. Columns and rows: at least 2.
+SurfaceMesh gridSurface(int columns, int rows, std::span<const float> heights);
+
+} // namespace osgMultiTriangulation::core

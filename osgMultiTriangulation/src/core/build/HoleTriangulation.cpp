@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "HoleTriangulation.h"
+
+#include <algorithm>
+#include <bit>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace osgMultiTriangulation::core
+{
+
+void HoleTriangulation::begin(int count)
+{
+    assert(count >= 3 && count <= kMostCorners);
+    _count = count;
+    int number = 0;
+    for (int i = 0; i + 2 < count; ++i)
+        for (int j = i + 1; j + 1 < count; ++j)
+        {
+            _base[i][j] = number - (j + 1);
+            const Point &a = _corners[i], &b = _corners[j];
+            const double abX = b.x - a.x, abY = b.y - a.y, abH = b.height - a.height;
+            for (int k = j + 1; k < count; ++k, ++number)
+            {
+                const Point& c = _corners[k];
+                const double acX = c.x - a.x, acY = c.y - a.y, acH = c.height - a.height;
+                const double area = abX * acY - abY * acX;
+                Candidate& piece = _candidates[number];
+                piece.error = piece.squares = 0.0;
+                piece.isProper = area > 0.0;
+                if (!piece.isProper) continue;
+                piece.slopeX = (abH * acY - acH * abY) / area;
+                piece.slopeY = (abX * acH - acX * abH) / area;
+                piece.base = a.height - piece.slopeX * a.x - piece.slopeY * a.y;
+            }
+        }
+}
+
+bool HoleTriangulation::isLeft(int i, int j, const Point& p) const
+{
+    const Point &a = _corners[i], &b = _corners[j];
+    return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x) >= 0.0;
+}
+
+void HoleTriangulation::add(const Point& point)
+{
+    // Bit j of left[i]: the point lies left of i→j. Sides of the polygon have it on their left, the last side from 0 on its right.
+    std::array<unsigned, kMostCorners> left;
+    for (int i = 0; i + 1 < _count; ++i)
+    {
+        left[i] = 2u << i;
+        for (int j = i + 2; j < _count; ++j)
+            left[i] |= static_cast<unsigned>(isLeft(i, j, point)) << j;
+    }
+    left[0] &= ~(1u << (_count - 1));
+    for (int i = 0; i + 2 < _count; ++i)
+        for (unsigned js = left[i] & ((1u << (_count - 1)) - 1); js != 0; js &= js - 1)
+        {
+            const int j = std::countr_zero(js);
+            for (unsigned ks = left[j] & ~left[i]; ks != 0; ks &= ks - 1)
+            {
+                Candidate& piece = candidate(i, j, std::countr_zero(ks));
+                const double error =
+                    std::abs(piece.slopeX * point.x + piece.slopeY * point.y + piece.base - point.height);
+                piece.error = std::max(piece.error, error);
+                piece.squares += error * error;
+            }
+        }
+}
+
+bool HoleTriangulation::solve()
+{
+    for (int i = 0; i + 1 < _count; ++i)
+        _best[i][i + 1] = {0.0, 0.0, i};
+    for (int length = 2; length < _count; ++length)
+        for (int i = 0; i + length < _count; ++i)
+        {
+            const int k = i + length;
+            Part best{std::numeric_limits<double>::max(), 0.0, -1};
+            for (int j = i + 1; j < k; ++j)
+            {
+                const Candidate& piece = candidate(i, j, k);
+                const Part &before = _best[i][j], &behind = _best[j][k];
+                if (!piece.isProper || before.middle < 0 || behind.middle < 0) continue;
+                const double error = std::max({piece.error, before.error, behind.error});
+                if (error > best.error) continue;
+                const double squares = piece.squares + before.squares + behind.squares;
+                if (error < best.error || squares < best.squares) best = {error, squares, j};
+            }
+            _best[i][k] = best;
+        }
+    return _best[0][_count - 1].middle >= 0;
+}
+
+std::span<const HoleTriangulation::Piece> HoleTriangulation::pieces()
+{
+    std::array<std::pair<int, int>, kMostCorners> open; // sides of pieces still to be found
+    std::size_t opens = 1, found = 0;
+    open[0] = {0, _count - 1};
+    while (opens > 0)
+    {
+        const auto [i, k] = open[--opens];
+        if (k - i < 2) continue;
+        const int j = _best[i][k].middle;
+        _pieces[found++] = {static_cast<std::uint8_t>(i), static_cast<std::uint8_t>(j),
+                            static_cast<std::uint8_t>(k), candidate(i, j, k).error};
+        open[opens++] = {i, j};
+        open[opens++] = {j, k};
+    }
+    return std::span(_pieces).first(found);
+}
+
+} // namespace osgMultiTriangulation::core

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cassert>
+#include <cmath>
+
+#include <osgMultiTriangulation/core/surface/GridSurface.h>
+
+namespace osgMultiTriangulation::core
+{
+
+SurfaceMesh gridSurface(int columns, int rows, std::span<const float> heights)
+{
+    assert(columns >= 2 && rows >= 2 && heights.size() == static_cast<std::size_t>(columns) * rows);
+    SurfaceMesh mesh;
+    mesh.points.reserve(heights.size());
+    mesh.triangles.reserve(2 * heights.size());
+    for (int row = 0; row < rows; ++row)
+        for (int column = 0; column < columns; ++column)
+            mesh.points.push_back({column, row, heights[static_cast<std::size_t>(row) * columns + column]});
+    for (int row = 0; row + 1 < rows; ++row)
+        for (int column = 0; column + 1 < columns; ++column)
+        {
+            const auto sw = static_cast<std::uint32_t>(row * columns + column);
+            const std::uint32_t se = sw + 1, nw = sw + columns, ne = nw + 1;
+            const bool rises = std::abs(heights[sw] - heights[ne]) <= std::abs(heights[se] - heights[nw]);
+            mesh.triangles.push_back(rises ? Triangle{sw, se, ne} : Triangle{sw, se, nw});
+            mesh.triangles.push_back(rises ? Triangle{sw, ne, nw} : Triangle{se, ne, nw});
+        }
+    return mesh;
+}
+
+} // namespace osgMultiTriangulation::core
