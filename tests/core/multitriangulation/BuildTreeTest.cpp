@@ -70,9 +70,16 @@ TEST(BuildTree, theDrainIsTheInput)
         const std::uint32_t number = built.triangle[t];
         EXPECT_EQ(built.tree.lower[number], kNone);
         EXPECT_EQ(built.tree.errors[number], 0.0f);
-        for (int c = 0; c < 3; ++c)
-            EXPECT_EQ(built.tree.points[built.tree.corners[number][c]], mesh.points[mesh.triangles[t][c]]);
+        Triangle own = mesh.triangles[t],
+                 drawn = built.tree.corners[number]; // stars begin where their ring does
+        for (std::uint32_t& corner : drawn)
+            corner = built.points[corner];
+        std::ranges::rotate(own, std::ranges::min_element(own));
+        std::ranges::rotate(drawn, std::ranges::min_element(drawn));
+        EXPECT_EQ(drawn, own);
     }
+    for (std::size_t p = 0; p < mesh.points.size(); ++p)
+        EXPECT_EQ(built.tree.points[p], mesh.points[built.points[p]]);
     EXPECT_EQ(static_cast<std::size_t>(std::ranges::count(built.tree.lower, kNone)), mesh.triangles.size());
 }
 
@@ -107,7 +114,7 @@ TEST(BuildTree, simplifyingInTwoStepsStillKnowsEveryPoint)
     const PointCells cells(mesh.points);
     EXPECT_LE(cells.greatestExcess(rest.mesh, rest.errors), 1e-6);
     EXPECT_NEAR(cells.greatestExcess(rest.mesh, std::vector<float>(rest.errors.size(), 0.0f)),
-                *std::ranges::max_element(rest.errors), 1e-4)
+                *std::ranges::max_element(rest.errors), 5e-4 * *std::ranges::max_element(rest.errors))
         << "not exact";
 }
 

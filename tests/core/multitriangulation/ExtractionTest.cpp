@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <optional>
-#include <string>
 
 #include <gtest/gtest.h>
 
 #include <osgMultiTriangulation/core/build/BuildTree.h>
-#include <osgMultiTriangulation/core/check/ErrorCheck.h>
 #include <osgMultiTriangulation/core/check/SurfaceCheck.h>
 #include <osgMultiTriangulation/core/extract/Extraction.h>
 
+#include "CheckedForest.h"
 #include "HillSurface.h"
 
 namespace osgMultiTriangulation::core
@@ -23,20 +21,7 @@ struct ExtractionCase
 {
     SurfaceMesh mesh = testsupport::hillSurface(60, 70);
     ForestTree main{buildTree(fullMesh(mesh)).tree, kNone, {}};
-    PointCells cells{mesh.points};
-    std::vector<OutlineSide> outline = outlineOf(mesh);
-
-    /// Tells what is wrong with a triangulation, by brute force over all points.
-    std::optional<std::string> fault(const Extraction& extraction) const
-    {
-        const SurfaceMesh drawn = extraction.mesh();
-        if (auto found = checkSurface(drawn, outline)) return found;
-        std::vector<float> bounds;
-        for (const InTree& at : extraction.active())
-            bounds.push_back(extraction.part(at.tree).errors[at.number]);
-        if (cells.greatestExcess(drawn, bounds) > 1e-6) return "a point is beyond its bound";
-        return std::nullopt;
-    }
+    testsupport::CheckedSurface checked{mesh};
 };
 
 auto above(float toleranceM)
@@ -63,9 +48,9 @@ TEST(Extraction, everyToleranceGivesATriangulationWithinIt)
     for (const float tolerance : {40.0f, 10.0f, 3.0f, 1.0f, 0.3f, 0.0f})
     {
         Extraction extraction(here.main);
-        EXPECT_EQ(here.fault(extraction), std::nullopt) << "the root";
+        EXPECT_EQ(here.checked.fault(extraction), std::nullopt) << "the root";
         extraction.refine(above(tolerance));
-        EXPECT_EQ(here.fault(extraction), std::nullopt) << tolerance;
+        EXPECT_EQ(here.checked.fault(extraction), std::nullopt) << tolerance;
         for (const InTree& at : extraction.active())
             EXPECT_LE(here.main.part.errors[at.number], tolerance);
         EXPECT_GE(extraction.active().size(), least);
@@ -97,7 +82,7 @@ TEST(Extraction, followsAMovingPlaceAndStandsStillWithIt)
     {
         const auto criterion = nearPlace(2.0 + 1.3 * step, 60.0 - step);
         extraction.update(criterion);
-        ASSERT_EQ(here.fault(extraction), std::nullopt) << step;
+        ASSERT_EQ(here.checked.fault(extraction), std::nullopt) << step;
         for (const InTree& at : extraction.active())
             EXPECT_FALSE(criterion(here.main.part, at.number) && here.main.part.lower[at.number] != kNone);
         const std::uint64_t before = extraction.changes();
@@ -112,30 +97,30 @@ TEST(Extraction, theCheckFindsWhatIsWrong) // mutations of a valid triangulation
     Extraction extraction(here.main);
     extraction.refine(above(3.0f));
     const SurfaceMesh good = extraction.mesh();
-    ASSERT_EQ(checkSurface(good, here.outline), std::nullopt);
+    ASSERT_EQ(checkSurface(good, here.checked.outline), std::nullopt);
 
     SurfaceMesh hole = good;
     hole.triangles.erase(hole.triangles.begin() + 20);
-    EXPECT_NE(checkSurface(hole, here.outline), std::nullopt);
+    EXPECT_NE(checkSurface(hole, here.checked.outline), std::nullopt);
 
     SurfaceMesh turned = good;
     std::swap(turned.triangles[7][0], turned.triangles[7][1]);
-    EXPECT_NE(checkSurface(turned, here.outline), std::nullopt);
+    EXPECT_NE(checkSurface(turned, here.checked.outline), std::nullopt);
 
     SurfaceMesh doubled = good;
     doubled.triangles.push_back(doubled.triangles[3]);
-    EXPECT_NE(checkSurface(doubled, here.outline), std::nullopt);
+    EXPECT_NE(checkSurface(doubled, here.checked.outline), std::nullopt);
 
     SurfaceMesh crack = good; // a corner of one triangle alone moves
     SurfacePoint moved = crack.points[crack.triangles[30][0]];
     moved.x += moved.x < 30 ? 1 : -1;
     crack.points.push_back(moved);
     crack.triangles[30][0] = static_cast<std::uint32_t>(crack.points.size() - 1);
-    EXPECT_NE(checkSurface(crack, here.outline), std::nullopt);
+    EXPECT_NE(checkSurface(crack, here.checked.outline), std::nullopt);
 
     for (float& error : here.main.part.errors) // bounds that are too small by a tenth
         error *= 0.9f;
-    EXPECT_NE(here.fault(extraction), std::nullopt);
+    EXPECT_NE(here.checked.fault(extraction), std::nullopt);
 }
 
 } // namespace

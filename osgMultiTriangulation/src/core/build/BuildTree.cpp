@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <algorithm>
+#include <array>
+#include <cassert>
+#include <span>
 
 #include <osgMultiTriangulation/core/build/BuildTree.h>
+#include <osgMultiTriangulation/core/structure/ErrorCode.h>
+#include <osgMultiTriangulation/core/structure/StarRing.h>
 
 #include "Simplification.h"
 
@@ -44,9 +48,12 @@ private:
         {
             const LiveSurface::Face& face = surface.face(slot);
             if (face.number == kNone) continue;
-            addTriangle(face.number, kNone);
+            Triangle corners = face.corners;
+            for (std::uint32_t& corner : corners)
+                corner = _places[corner];
+            addTriangle(face.number, kNone, corners);
             rest.mesh.triangles.push_back(_built.tree.corners.back());
-            rest.errors.push_back(face.error);
+            rest.errors.push_back(_built.tree.errors.back());
             rest.firstHidden.push_back(static_cast<std::uint32_t>(rest.hidden.size()));
             for (std::uint32_t p = face.firstPoint; p != kNone; p = surface.vertex(p).next)
                 rest.hidden.push_back({static_cast<std::int32_t>(surface.vertex(p).x),
@@ -74,9 +81,40 @@ private:
             tree.lower[floor] = number;
             tree.floors.push_back(floor);
         }
-        for (std::uint32_t s = 0; s < removal.starCount; ++s)
-            addTriangle(_done.stars()[removal.firstStar + s], number);
+        addStar(removal, number);
         tree.fragments.push_back(fragment);
+    }
+
+    /// Adds the triangles of a star in the order of its ring, which follows from the floor.
+    void addStar(const Removal& removal, std::uint32_t number)
+    {
+        MultiTriangulation& tree = _built.tree;
+        std::array<Triangle, StarRing::kMost> floor;
+        for (std::uint32_t c = 0; c < removal.createdCount; ++c)
+            floor[c] = tree.corners[_numbers[removal.firstCreated + c]];
+        StarRing ring;
+        [[maybe_unused]] const bool isFound =
+            findStarRing(std::span(floor).first(removal.createdCount), tree.points, tree.points.back(), ring);
+        assert(isFound && ring.triangles() == removal.starCount);
+        for (std::size_t i = 0; i < ring.triangles(); ++i)
+        {
+            const Triangle corners = ring.triangle(i, tree.rootPoints + number);
+            for (std::uint32_t s = 0; s < removal.starCount; ++s)
+            {
+                const std::uint32_t created = _done.stars()[removal.firstStar + s];
+                if (_numbers[created] == kNone && hasSide(created, corners[0], corners[1]))
+                    addTriangle(created, number, corners);
+            }
+        }
+    }
+
+    /// Whether a triangle has a side, given by points of the tree.
+    bool hasSide(std::uint32_t created, std::uint32_t from, std::uint32_t to) const
+    {
+        const Triangle& t = _done.corners()[created];
+        for (int c = 0; c < 3; ++c)
+            if (_places[t[c]] == from && _places[t[(c + 1) % 3]] == to) return true;
+        return false;
     }
 
     void addPoint(std::uint32_t v)
@@ -86,15 +124,12 @@ private:
         _built.tree.points.push_back(_mesh.points[v]);
     }
 
-    void addTriangle(std::uint32_t created, std::uint32_t upper)
+    void addTriangle(std::uint32_t created, std::uint32_t upper, const Triangle& corners)
     {
         MultiTriangulation& tree = _built.tree;
         _numbers[created] = tree.triangleCount();
-        Triangle corners = _done.corners()[created];
-        for (std::uint32_t& corner : corners)
-            corner = _places[corner];
         tree.corners.push_back(corners);
-        tree.errors.push_back(_done.errors()[created]);
+        tree.errors.push_back(errorOfCode(codeOfError(_done.errors()[created])));
         tree.upper.push_back(upper);
         tree.lower.push_back(kNone);
     }

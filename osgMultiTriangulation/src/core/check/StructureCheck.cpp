@@ -107,6 +107,17 @@ std::optional<std::string> checkTriangle(const MultiTriangulation& tree, std::ui
     return std::nullopt;
 }
 
+/// Whether two trees mean the same triangle, from whichever corner on.
+bool isSameTriangle(const MultiTriangulation& a, const Triangle& ofA, const MultiTriangulation& b,
+                    const Triangle& ofB)
+{
+    for (int turn = 0; turn < 3; ++turn)
+        if (a.points[ofA[0]] == b.points[ofB[turn]] && a.points[ofA[1]] == b.points[ofB[(turn + 1) % 3]] &&
+            a.points[ofA[2]] == b.points[ofB[(turn + 2) % 3]])
+            return true;
+    return false;
+}
+
 std::optional<std::string> checkPlace(const Forest& forest, const ForestTree& tree,
                                       std::vector<std::vector<bool>>& taken)
 {
@@ -119,9 +130,8 @@ std::optional<std::string> checkPlace(const Forest& forest, const ForestTree& tr
             return "its root is not in its parent's drain";
         if (taken[tree.parent][at]) return "its root is another tree's, too";
         taken[tree.parent][at] = true;
-        for (int c = 0; c < 3; ++c)
-            if (own.points[own.corners[t][c]] != above.points[above.corners[at][c]])
-                return "its root has other corners than in its parent";
+        if (!isSameTriangle(own, own.corners[t], above, above.corners[at]))
+            return "its root has other corners than in its parent";
         if (own.errors[t] != above.errors[at]) return "its root has other errors than in its parent";
     }
     return std::nullopt;

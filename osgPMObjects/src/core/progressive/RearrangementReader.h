@@ -5,9 +5,9 @@
 #include <numeric>
 #include <vector>
 
+#include <osgPMObjects/core/progressive/Bytes.h>
 #include <osgPMObjects/core/progressive/ProgressiveMesh.h>
 
-#include "Bytes.h"
 #include "IndexSlots.h"
 #include "StepRecord.h"
 

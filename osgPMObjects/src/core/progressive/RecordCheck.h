@@ -6,7 +6,8 @@
 #include <optional>
 #include <vector>
 
-#include "CheckedReader.h"
+#include <osgPMObjects/core/progressive/CheckedReader.h>
+
 #include "ProgressiveMeshCheck.h"
 #include "StepRecord.h"
 

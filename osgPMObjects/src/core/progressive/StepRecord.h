@@ -7,9 +7,9 @@
 #include <vector>
 
 #include <osgPMObjects/core/Triangle.h>
+#include <osgPMObjects/core/progressive/Bytes.h>
 #include <osgPMObjects/core/progressive/ProgressiveMesh.h>
 
-#include "Bytes.h"
 #include "SlotTable.h"
 
 namespace osgPMObjects::core

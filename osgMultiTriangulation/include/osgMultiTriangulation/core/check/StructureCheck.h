@@ -13,8 +13,8 @@ namespace osgMultiTriangulation::core
 /// two floors, links that do not agree, a floor that does not cover what its star covers, a star that is no star.
 std::optional<std::string> checkStructure(const MultiTriangulation& tree);
 
-/// The same for all trees of a forest, and for how they hang together: the root of a tree lies in its parent's drain, corner for
-/// corner, and in no other tree's root.
+/// The same for all trees of a forest, and for how they hang together: the root of a tree lies in its parent's drain, with the same
+/// corners, and in no other tree's root.
 std::optional<std::string> checkStructure(const Forest& forest);
 
 } // namespace osgMultiTriangulation::core

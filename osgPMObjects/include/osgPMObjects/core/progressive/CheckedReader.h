@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "Bytes.h"
+#include <osgPMObjects/core/progressive/Bytes.h>
 
 namespace osgPMObjects::core
 {
