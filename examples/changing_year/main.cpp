@@ -36,7 +36,8 @@ foundation::Outcome setMoment(RoamTerrain& terrain, osg::Camera& camera, const M
     air.sunDirectionWorld = sunDirectionFromAngles(215.0, moment.sunElevationDeg);
     air.moonlight = 0.7; // lights the ground when the sun has set
     if (auto set = terrain.atmosphere()->setSettings(air); !set) return set;
-    camera.setClearColor(osg::Vec4(displayColour(terrain.atmosphere()->light().horizon), 1.0f));
+    const AtmosphereLight& light = terrain.atmosphere()->light();
+    camera.setClearColor(osg::Vec4(displayColour(light.horizon, light.exposure), 1.0f));
     return foundation::success();
 }
 

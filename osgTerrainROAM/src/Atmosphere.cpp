@@ -12,6 +12,7 @@
 #include <shaders/osgTerrainROAM.h>
 
 #include "MixedColour.h"
+#include "SunThroughAir.h"
 
 namespace osgTerrainROAM
 {
@@ -19,12 +20,20 @@ namespace osgTerrainROAM
 namespace
 {
 
-/// Clear air at one height of the sun.
+/// The sky of clear air at one height of the sun.
 struct SkyKey
 {
     double elevationDeg;
-    osg::Vec3f sun, zenith, horizon, glow;
+    osg::Vec3f zenith, horizon, glow;
 };
+
+/// Sunlight above the air. With it, level ground under a sun of 60 degrees is lit in white, as a camera that is set to daylight shows
+/// it: warm by the sun, blue by the sky.
+const osg::Vec3f kSunAboveAir(2.36f, 2.29f, 2.20f);
+/// Haze as in a layer of this height, even up to its top.
+constexpr float kHazeLayerM = 1200.0f;
+/// What the ground reflects: grass and soil.
+const osg::Vec3f kGroundAlbedo(0.150f, 0.150f, 0.105f);
 
 // Chosen by eye against photographs: blue by day, warm at the horizon, steel-blue dusk, dark but not black
 // night.
@@ -32,46 +41,14 @@ constexpr int kKeys = 8;
 const std::array<SkyKey, kKeys>& skyKeys()
 {
     static const std::array<SkyKey, kKeys> keys{{
-        {-18.0,
-         {0.00f, 0.00f, 0.00f},
-         {0.002f, 0.003f, 0.007f},
-         {0.003f, 0.004f, 0.008f},
-         {0.0f, 0.0f, 0.0f}},
-        {-8.0,
-         {0.00f, 0.00f, 0.00f},
-         {0.010f, 0.017f, 0.040f},
-         {0.030f, 0.036f, 0.055f},
-         {0.04f, 0.02f, 0.02f}},
-        {-3.0,
-         {0.00f, 0.00f, 0.00f},
-         {0.035f, 0.058f, 0.120f},
-         {0.130f, 0.120f, 0.140f},
-         {0.35f, 0.15f, 0.08f}},
-        {0.0,
-         {0.10f, 0.03f, 0.01f},
-         {0.060f, 0.100f, 0.210f},
-         {0.270f, 0.230f, 0.230f},
-         {0.95f, 0.45f, 0.18f}},
-        {5.0,
-         {0.95f, 0.55f, 0.28f},
-         {0.080f, 0.150f, 0.320f},
-         {0.420f, 0.420f, 0.450f},
-         {1.10f, 0.72f, 0.38f}},
-        {15.0,
-         {1.60f, 1.25f, 0.90f},
-         {0.090f, 0.190f, 0.420f},
-         {0.480f, 0.560f, 0.670f},
-         {1.00f, 0.88f, 0.68f}},
-        {35.0,
-         {1.90f, 1.72f, 1.48f},
-         {0.095f, 0.215f, 0.490f},
-         {0.510f, 0.640f, 0.800f},
-         {0.90f, 0.88f, 0.80f}},
-        {90.0,
-         {2.00f, 1.88f, 1.70f},
-         {0.100f, 0.225f, 0.510f},
-         {0.520f, 0.660f, 0.830f},
-         {0.90f, 0.90f, 0.85f}},
+        {-18.0, {0.002f, 0.003f, 0.007f}, {0.003f, 0.004f, 0.008f}, {0.0f, 0.0f, 0.0f}},
+        {-8.0, {0.010f, 0.017f, 0.040f}, {0.030f, 0.036f, 0.055f}, {0.04f, 0.02f, 0.02f}},
+        {-3.0, {0.035f, 0.058f, 0.120f}, {0.130f, 0.120f, 0.140f}, {0.35f, 0.15f, 0.08f}},
+        {0.0, {0.060f, 0.100f, 0.210f}, {0.270f, 0.230f, 0.230f}, {0.95f, 0.45f, 0.18f}},
+        {5.0, {0.080f, 0.150f, 0.320f}, {0.420f, 0.420f, 0.450f}, {1.10f, 0.72f, 0.38f}},
+        {15.0, {0.090f, 0.190f, 0.420f}, {0.480f, 0.560f, 0.670f}, {1.00f, 0.88f, 0.68f}},
+        {35.0, {0.095f, 0.215f, 0.490f}, {0.510f, 0.640f, 0.800f}, {0.90f, 0.88f, 0.80f}},
+        {90.0, {0.100f, 0.225f, 0.510f}, {0.520f, 0.660f, 0.830f}, {0.90f, 0.90f, 0.85f}},
     }};
     return keys;
 }
@@ -85,8 +62,8 @@ SkyKey keyAt(double elevationDeg)
         ++i;
     const float t =
         static_cast<float>((e - keys[i].elevationDeg) / (keys[i + 1].elevationDeg - keys[i].elevationDeg));
-    return {e, mixed(keys[i].sun, keys[i + 1].sun, t), mixed(keys[i].zenith, keys[i + 1].zenith, t),
-            mixed(keys[i].horizon, keys[i + 1].horizon, t), mixed(keys[i].glow, keys[i + 1].glow, t)};
+    return {e, mixed(keys[i].zenith, keys[i + 1].zenith, t), mixed(keys[i].horizon, keys[i + 1].horizon, t),
+            mixed(keys[i].glow, keys[i + 1].glow, t)};
 }
 
 float luminance(const osg::Vec3f& c)
@@ -109,12 +86,6 @@ osg::Vec3d sunDirectionFromAngles(double azimuthDeg, double elevationDeg)
             std::sin(elevation)};
 }
 
-osg::Vec3f displayColour(const osg::Vec3f& linear)
-{
-    const auto channel = [](float x) { return std::sqrt(1.0f - std::exp(-1.6f * x)); };
-    return {channel(linear.x()), channel(linear.y()), channel(linear.z())};
-}
-
 AtmosphereLight atmosphereLight(const AtmosphereSettings& settings)
 {
     osg::Vec3d direction = settings.sunDirectionWorld;
@@ -134,10 +105,10 @@ AtmosphereLight atmosphereLight(const AtmosphereSettings& settings)
     light.hazeScaleHeightM =
         static_cast<float>(2500.0 / std::clamp((settings.visibilityM - 2000.0) / 18000.0, 1e-5, 1.0));
 
-    // An equivalent layer of 1200 m of that air between the ground and space.
-    const float clear = static_cast<float>(std::exp(-green * 1200.0));
-    const float direct = clear * (1.0f - 0.92f * cloud) * static_cast<float>(settings.sunIntensity);
-    light.sun = direction.z() > -0.02 ? key.sun * direct : osg::Vec3f();
+    const float clear = static_cast<float>(std::exp(-green * kHazeLayerM));
+    const float direct = (1.0f - 0.92f * cloud) * static_cast<float>(settings.sunIntensity);
+    const osg::Vec3f through = sunThroughAir(elevationDeg, light.extinction * kHazeLayerM);
+    light.sun = direction.z() > -0.02 ? osg::componentMultiply(kSunAboveAir, through) * direct : osg::Vec3f();
     light.glow = key.glow * (clear * (1.0f - 0.9f * cloud));
 
     const osg::Vec3f overcast = mixed(grey(0.62f * luminance(key.horizon)), key.horizon * 0.62f, 0.25f);
@@ -150,7 +121,9 @@ AtmosphereLight atmosphereLight(const AtmosphereSettings& settings)
     const float moon = static_cast<float>(std::clamp((-2.0 - elevationDeg) / 8.0, 0.0, 1.0) *
                                           std::clamp(settings.moonlight, 0.0, 1.0) * (1.0 - 0.8 * cloud));
     light.sky += osg::Vec3f(0.050f, 0.062f, 0.088f) * moon;
-    light.ground = (light.sun * static_cast<float>(std::max(direction.z(), 0.0)) + light.sky) * 0.16f;
+    const osg::Vec3f level = light.sun * static_cast<float>(std::max(direction.z(), 0.0)) + light.sky;
+    light.ground = osg::componentMultiply(level, kGroundAlbedo);
+    light.exposure = exposureOf(luminance(level));
     return light;
 }
 
@@ -189,6 +162,7 @@ void Atmosphere::update()
     set("atmosphereHorizon", _light.horizon);
     set("atmosphereGlow", _light.glow);
     set("atmosphereExtinction", _light.extinction);
+    _stateSet->getOrCreateUniform("atmosphereExposure", osg::Uniform::FLOAT)->set(_light.exposure);
     _stateSet->getOrCreateUniform("atmosphereLayer", osg::Uniform::FLOAT_VEC2)
         ->set(osg::Vec2f(static_cast<float>(_settings.hazeBaseM), 1.0f / _light.hazeScaleHeightM));
 }
@@ -204,9 +178,9 @@ void Atmosphere::applyTo(osg::Light& light) const
 {
     const osg::Vec3d direction = _settings.sunDirectionWorld;
     light.setPosition(osg::Vec4(osg::Vec3f(direction), 0.0f));
-    light.setAmbient(osg::Vec4f(displayColour(_light.sky * 0.5f), 1.0f));
-    light.setDiffuse(osg::Vec4f(displayColour(_light.sun * 0.6f), 1.0f));
-    light.setSpecular(osg::Vec4f(displayColour(_light.sun * 0.6f), 1.0f));
+    light.setAmbient(osg::Vec4f(displayColour(_light.sky * 0.5f, _light.exposure), 1.0f));
+    light.setDiffuse(osg::Vec4f(displayColour(_light.sun * 0.6f, _light.exposure), 1.0f));
+    light.setSpecular(osg::Vec4f(displayColour(_light.sun * 0.6f, _light.exposure), 1.0f));
 }
 
 const char* Atmosphere::glslFunctions()

@@ -13,6 +13,6 @@ void main()
     vec3 directionWorld = terrainWorldFromLocal * (fromEye / distanceM);
     vec2 tilt = texture(terrainNormals, grid * terrainMapFromGrid.xy + terrainMapFromGrid.zw).rg * 2.0 - 1.0;
     vec3 normalWorld = terrainWorldFromLocal * normalize(vec3(tilt, sqrt(max(1.0 - dot(tilt, tilt), 0.02))));
-    vec3 light = sunLight() * max(dot(normalWorld, sunDirection()), 0.0) + ambientLight(normalWorld);
+    vec3 light = lightOn(normalWorld, max(dot(normalWorld, sunDirection()), 0.0), 1.0);
     gl_FragColor = vec4(displayColour(applyHaze(0.18 * light, directionWorld, distanceM)), 1.0);
 }

@@ -68,7 +68,7 @@ GroundPalette earlySummer(const Climate& climate)
     palette.meadow = of({0.085f, 0.130f, 0.032f}, {0.200f, 0.190f, 0.095f});
     palette.forest = of({0.032f, 0.056f, 0.022f}, {0.080f, 0.095f, 0.045f});
     palette.sand = of({0.380f, 0.320f, 0.225f}, {0.420f, 0.330f, 0.220f});
-    palette.snow = of({0.560f, 0.590f, 0.640f}, {0.560f, 0.590f, 0.640f});
+    palette.snow = of({0.830f, 0.845f, 0.860f}, {0.830f, 0.845f, 0.860f});
     palette.water = of({0.012f, 0.040f, 0.055f}, {0.015f, 0.045f, 0.055f});
     palette.crops = {osg::Vec3f(0.150f, 0.165f, 0.050f), osg::Vec3f(0.075f, 0.120f, 0.030f),
                      osg::Vec3f(0.090f, 0.145f, 0.035f), osg::Vec3f(0.045f, 0.075f, 0.022f)};

@@ -10,6 +10,7 @@ uniform vec3 atmosphereZenith;
 uniform vec3 atmosphereHorizon;
 uniform vec3 atmosphereGlow;
 uniform vec3 atmosphereExtinction;
+uniform float atmosphereExposure;
 uniform vec2 atmosphereLayer; // height of the haze's base in the world, 1 / scale height
 uniform mat4 osg_ViewMatrixInverse;
 
@@ -54,8 +55,14 @@ vec3 ambientLight(vec3 normalWorld)
     return mix(atmosphereGround, atmosphereSky, 0.5 + 0.5 * normalWorld.z);
 }
 
+vec3 lightOn(vec3 normalWorld, float sunlit, float skyShare)
+{
+    return sunLight() * sunlit + ambientLight(normalWorld) * skyShare;
+}
+
 vec3 displayColour(vec3 linear)
 {
-    // Applies the exposure, compresses highlights as film does, then applies gamma 2.
-    return sqrt(1.0 - exp(-1.6 * linear));
+    // ToneMapping.cpp has it again, and its sources. The eighth root lifts the contrast to the power of 1.125.
+    vec3 exposed = max(atmosphereExposure * linear, 0.0);
+    return sqrt(1.0 - exp(-exposed * sqrt(sqrt(sqrt(exposed)))));
 }

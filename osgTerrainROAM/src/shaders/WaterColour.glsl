@@ -12,6 +12,6 @@ vec3 waterColour(vec3 directionWorld, Grain g)
     float away = 1.0 - facing;
     float away2 = away * away;
     float fresnel = 0.02 + 0.98 * away2 * away2 * away;
-    vec3 deep = terrainWater * (sunLight() * max(sunDirection().z, 0.0) + ambientLight(vec3(0.0, 0.0, 1.0)));
+    vec3 deep = terrainWater * lightOn(vec3(0.0, 0.0, 1.0), max(sunDirection().z, 0.0), 1.0);
     return mix(deep, skyColour(normalize(mirrored)), fresnel * 0.85);
 }

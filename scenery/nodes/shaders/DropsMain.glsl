@@ -11,7 +11,7 @@ void main()
     vec3 up = vec3(0.0, 0.0, 1.0);
     vec3 towards = normalize(fromEye);
     vec3 gathered = 0.5 * (skyColour(vec3(towards.xy, 0.2)) + skyColour(up));
-    vec3 white = 0.95 * (ambientLight(up) + 0.25 * sunLight() * max(sunDirection().z, 0.0));
+    vec3 white = 0.95 * lightOn(up, 0.25 * max(sunDirection().z, 0.0), 1.0);
     float edge = 1.0 - smoothstep(0.6, 1.0, dropsLook.x > 0.5 ? length(inFlake) : abs(inFlake.x));
     float alpha = share * edge * mix(0.45, 0.95, dropsLook.x);
     gl_FragColor = vec4(displayColour(mix(gathered, white, dropsLook.x)), alpha);

@@ -17,7 +17,6 @@ void main()
     vec4 paint = colour * texel;
     if (objectTintMask > 0.0) paint = vec4(mix(texel.rgb, paint.rgb, texel.a), 1.0);
     vec3 albedo = paint.rgb * paint.rgb; // the inverse of displayColour's gamma
-    vec3 light = interiorShare.x * sunLight() * max(dot(normal, sunDirection()), 0.0)
-               + interiorShare.y * ambientLight(normal) + interiorLamp;
+    vec3 light = lightOn(normal, interiorShare.x * max(dot(normal, sunDirection()), 0.0), interiorShare.y) + interiorLamp;
     gl_FragColor = vec4(displayColour(albedo * light), shownAlpha);
 }

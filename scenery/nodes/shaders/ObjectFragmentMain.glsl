@@ -28,14 +28,14 @@ void main()
     float sunCosine = dot(normal, sunDirection());
     float sunHeight = max(sunCosine, 0.0);
     if (objectLeaves > 0.0) sunHeight = max((sunCosine + 0.5) / 1.5, 0.12); // light comes round the crown and through it
-    vec3 sun = sunLight() * sunShare(fromEye, normal, 1.0);
-    vec3 lit = albedo * (sun * sunHeight + ambientLight(normal));
+    float share = sunShare(fromEye, normal, 1.0);
+    vec3 lit = albedo * lightOn(normal, share * sunHeight, 1.0);
 #ifdef OBJECT_LACQUER
     // Lacquer and glass reflect 4 % at normal incidence. The mirrored scene is sky above and ground below.
     float fresnel = objectLacquer * (0.04 + 0.96 * pow(1.0 - max(-dot(normal, towards), 0.0), 5.0));
     vec3 mirrored = reflect(towards, normal);
     vec3 scene = mix(0.3 * ambientLight(vec3(0.0, 0.0, -1.0)), skyColour(mirrored), smoothstep(-0.08, 0.08, mirrored.z));
-    vec3 highlight = sun * (objectLacquer * 0.35 * pow(max(dot(mirrored, sunDirection()), 0.0), 120.0));
+    vec3 highlight = sunLight() * (share * objectLacquer * 0.35 * pow(max(dot(mirrored, sunDirection()), 0.0), 120.0));
     lit = mix(lit, scene, fresnel) + highlight;
 #endif
     gl_FragColor = vec4(displayColour(applyHaze(lit, towards, distanceM)), paint.a * shownAlpha);

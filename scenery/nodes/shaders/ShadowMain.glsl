@@ -8,9 +8,9 @@ uniform sampler2D shadowMask;
 void main()
 {
     const float kAlbedo = 0.15;
-    vec3 sky = kAlbedo * ambientLight(vec3(0.0, 0.0, 1.0));
-    vec3 sun = kAlbedo * sunLight() * max(sunDirection().z, 0.0);
-    vec3 left = displayColour(sky) / max(displayColour(sky + sun), vec3(1e-4));
+    const vec3 kUp = vec3(0.0, 0.0, 1.0);
+    vec3 lit = displayColour(kAlbedo * lightOn(kUp, max(sunDirection().z, 0.0), 1.0));
+    vec3 left = displayColour(kAlbedo * lightOn(kUp, 0.0, 1.0)) / max(lit, vec3(1e-4));
     float distanceM = length(fromEye);
     vec3 towards = fromEye / distanceM;
     float through = (applyHaze(vec3(1.0), towards, distanceM) - applyHaze(vec3(0.0), towards, distanceM)).g;

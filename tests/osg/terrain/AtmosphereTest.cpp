@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <osg/Math>
+
 #include <osgTerrainROAM/Atmosphere>
 
 namespace
@@ -65,6 +67,39 @@ TEST(Atmosphere, TheSunsHeightDecidesTheColours)
     EXPECT_GT(evening.sun.x(), 1.5f * evening.sun.z()) << "warm in the evening";
     EXPECT_EQ(brightness(night.sun), 0.0f);
     EXPECT_LT(brightness(night.sky), 0.05f * brightness(noon.sky));
+}
+
+TEST(Atmosphere, TheSunIsAsStrongBesideTheSkyAsItIsMeasured)
+{
+    // Clear skies: the sky gives a sixth to a tenth of the light of a high sun, as much as the sun at some 10 degrees.
+    const auto ratio = [](double elevationDeg)
+    {
+        const AtmosphereLight light = atmosphereLight(withSun(elevationDeg));
+        return light.sun.y() * std::sin(osg::DegreesToRadians(elevationDeg)) / light.sky.y();
+    };
+    EXPECT_GT(ratio(60.0), 4.5);
+    EXPECT_LT(ratio(60.0), 10.0);
+    EXPECT_GT(ratio(20.0), 1.0);
+    EXPECT_LT(ratio(5.0), 0.6);
+    const AtmosphereLight evening = atmosphereLight(withSun(8.0));
+    EXPECT_GT(evening.sun.x(), 2.0f * evening.sun.z()) << "warm";
+    EXPECT_GT(evening.sky.z(), 1.2f * evening.sky.x()) << "shadows are blue";
+}
+
+TEST(Atmosphere, TheExposureFollowsTheLightByAPart)
+{
+    const AtmosphereLight noon = atmosphereLight(withSun(60)), evening = atmosphereLight(withSun(8));
+    const auto card = [](const AtmosphereLight& light, double elevationDeg)
+    {
+        const float level =
+            light.sun.y() * static_cast<float>(std::sin(osg::DegreesToRadians(elevationDeg))) + light.sky.y();
+        return displayColour(osg::Vec3f(0.124f, 0.124f, 0.124f) * level, light.exposure).y() * 255.0f;
+    };
+    EXPECT_GT(evening.exposure, 1.3f * noon.exposure);
+    EXPECT_LT(card(evening, 8.0), 0.8f * card(noon, 60.0)) << "an evening stays darker";
+    EXPECT_NEAR(card(noon, 60.0), 118.0f, 3.0f);
+    EXPECT_EQ(exposureOf(1e-9f), exposureOf(0.0f)) << "and the night has an end";
+    EXPECT_EQ(exposureOf(100.0f), exposureOf(2.0f)) << "as has the day";
 }
 
 TEST(Atmosphere, LightChangesSteadilyWithTheSun)
