@@ -23,7 +23,8 @@ namespace
 using simulation::Problem;
 using Json = nlohmann::ordered_json;
 
-constexpr std::array<const char*, 4> kKinds = {"approximated", "not supported", "unknown", "wrong"};
+constexpr std::array<const char*, 5> kKinds = {"approximated", "not supported", "unknown", "assumed",
+                                               "wrong"};
 constexpr std::array<const char*, 4> kSupport = {"played", "passedOver", "approximated", "notInEffect"};
 
 struct Finding
@@ -70,7 +71,7 @@ Finding find(const std::filesystem::path& file)
 
 bool isWrong(const Problem& problem, bool isStrict)
 {
-    return isStrict || problem.kind == Problem::Kind::invalid || problem.kind == Problem::Kind::unknown;
+    return isStrict || problem.kind >= Problem::Kind::unknown;
 }
 
 Json jsonOf(const std::filesystem::path& scenario, const Finding& finding)

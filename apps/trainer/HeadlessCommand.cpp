@@ -48,6 +48,8 @@ foundation::Result<std::unique_ptr<simulation::ScenarioPlayer>> openPlayer(simul
                                                                            const HeadlessRequest& request)
 {
     simulation::PlayerOptions options;
+    if (const auto missing = simulation::missingRoads(scenario, request.scenario.parent_path()))
+        std::fprintf(stderr, "warning: %s\n", missing->message().c_str());
     auto roads = simulation::openRoads(scenario, request.scenario.parent_path());
     if (!roads) return roads.error();
     options.roads = std::move(*roads);

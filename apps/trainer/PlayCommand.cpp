@@ -9,6 +9,7 @@
 #include "ScenarioProblems.h"
 #include "SceneTour.h"
 #include "simulation/parser/ParseScenario.h"
+#include "simulation/road/ScenarioRoads.h"
 #include "simulation/writer/WriteScenario.h"
 #include "terminal/Terminal.h"
 #include "view/HtmlReport.h"
@@ -54,7 +55,9 @@ foundation::Result<std::filesystem::path> sceneFileOf(const simulation::Scenario
     if (namesScene)
         std::cout << "note: " << network.sceneGraphFile
                   << " is not there; the roads are shown on ground of their own\n";
-    return folder / network.logicFile;
+    const std::filesystem::path roads = simulation::roadsFile(scenario, folder);
+    return roads.empty() ? folder / network.logicFile
+                         : roads; // one that is not there is told when it is opened
 }
 
 foundation::Outcome saveScenario(const simulation::Scenario& scenario, const std::filesystem::path& file)

@@ -85,6 +85,7 @@ foundation::Result<simulation::PlayerOptions> playerOptionsOf(const simulation::
     if (!request.scenario.empty()) stage.scenarioName = request.scenario.string();
     if (scenario.needsRoads())
     {
+        // One that is not there is told by the player, with the place that needs it.
         auto roads = simulation::openRoads(scenario, request.scenario.parent_path());
         if (!roads) return roads.error();
         stage.roads = inScene(std::move(*roads), terrain);

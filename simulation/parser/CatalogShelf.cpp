@@ -60,6 +60,7 @@ void CatalogShelf::openDirectory(ParseContext& context, pugi::xml_node directory
 {
     std::error_code code;
     if (!_opened.insert(path).second) return;
+    if (std::filesystem::is_regular_file(path, code)) return openFile(context, path);
     if (!std::filesystem::is_directory(path, code))
     {
         context.add({Problem::Kind::unsupported,
@@ -68,14 +69,17 @@ void CatalogShelf::openDirectory(ParseContext& context, pugi::xml_node directory
         return;
     }
     for (const std::filesystem::path& file : catalogFiles(path))
-    {
-        foundation::Result<std::unique_ptr<XmlSource>> source =
-            XmlSource::read(file, context.options.maximumBytes);
-        if (source)
-            _sources.push_back(std::move(*source));
-        else
-            context.add({Problem::Kind::invalid, source.error()});
-    }
+        openFile(context, file);
+}
+
+void CatalogShelf::openFile(ParseContext& context, const std::filesystem::path& file)
+{
+    foundation::Result<std::unique_ptr<XmlSource>> source =
+        XmlSource::read(file, context.options.maximumBytes);
+    if (source)
+        _sources.push_back(std::move(*source));
+    else
+        context.add({Problem::Kind::invalid, source.error()});
 }
 
 CatalogShelf::Entry CatalogShelf::find(const std::string& catalog, const std::string& entry) const
@@ -93,7 +97,7 @@ CatalogShelf::Entry CatalogShelf::find(const std::string& catalog, const std::st
     return {};
 }
 
-CatalogVisit::CatalogVisit(ElementReader reference)
+CatalogVisit::CatalogVisit(ElementReader reference, const char* instead)
     : _context(reference.context),
       _outerSource(reference.context._source),
       _outerEntry(reference.context.catalogEntry)
@@ -106,7 +110,10 @@ CatalogVisit::CatalogVisit(ElementReader reference)
     const CatalogShelf::Entry found = _context.shelf.find(catalog, entry);
     const bool isCycle = std::find(_context.catalogChain.begin(), _context.catalogChain.end(), key) !=
                          _context.catalogChain.end();
-    if (!found.node)
+    if (!found.node && instead)
+        _context.assumed(reference.node, "the catalogue entry " + key + " does not exist",
+                         std::string(instead) + "; correct catalogName, entryName or CatalogLocations");
+    else if (!found.node)
         _context.invalid(reference.node, "the catalogue entry " + key + " does not exist",
                          "correct catalogName, entryName or CatalogLocations");
     else if (isCycle)

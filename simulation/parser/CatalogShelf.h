@@ -16,8 +16,8 @@
 namespace simulation
 {
 
-/// The catalogues of a scenario: the regular .xosc files directly in the folders that CatalogLocations names. The
-/// files are sorted by name, and each is read once.
+/// The catalogues of a scenario: the regular .xosc files directly in the folders that CatalogLocations names, and files that
+/// it names themselves. The files of a folder are sorted by name, and each is read once.
 class CatalogShelf
 {
 public:
@@ -39,6 +39,7 @@ public:
 
 private:
     void openDirectory(ParseContext& context, pugi::xml_node directory, const std::filesystem::path& path);
+    void openFile(ParseContext& context, const std::filesystem::path& file);
 
     std::optional<std::filesystem::path> _folder;
     std::set<std::filesystem::path> _opened;
@@ -51,8 +52,8 @@ class CatalogVisit
 {
 public:
     /// `reference`: a CatalogReference element. A missing entry or a cycle becomes a problem, and entry() is then
-    /// empty.
-    explicit CatalogVisit(ElementReader reference);
+    /// empty. `instead`: what is done without the entry; null: nothing can be.
+    explicit CatalogVisit(ElementReader reference, const char* instead = nullptr);
     ~CatalogVisit();
     CatalogVisit(const CatalogVisit&) = delete;
     CatalogVisit& operator=(const CatalogVisit&) = delete;

@@ -16,9 +16,10 @@ Route parseRouteIn(ElementReader holder);                   // ParseRoute.cpp
 RoutePosition parseRoutePosition(ElementReader reader);     // ParseRoute.cpp
 Trajectory parseTrajectory(ElementReader reader);           // ParseTrajectory.cpp
 TrajectoryShape parseTrajectoryShape(ElementReader reader); // ParseTrajectoryShape.cpp
-/// Refuses times that a Timing cannot use. `holder`: the element that the problem is told of.
-void checkShapeTimes(ParseContext& context, pugi::xml_node holder,
-                     const TrajectoryShape& shape);                       // ParseTrajectoryShape.cpp
+/// Refuses times that a Timing cannot use; of vertices at one time the first is kept. `holder`: the element that the problem
+/// is told of. Returns false where the shape has no time at all, so that the Timing stands for nothing.
+bool checkShapeTimes(ParseContext& context, pugi::xml_node holder,
+                     TrajectoryShape& shape);                             // CheckShapeTimes.cpp
 TrajectoryPosition parseTrajectoryPosition(ElementReader reader);         // ParseTrajectory.cpp
 FollowTrajectoryAction parseFollowTrajectory(ElementReader reader);       // ParseTrajectory.cpp
 Environment parseEnvironment(ElementReader reader);                       // ParseEnvironment.cpp

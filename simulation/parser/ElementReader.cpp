@@ -24,6 +24,16 @@ std::string listed(const std::vector<std::string_view>& words)
     return text;
 }
 
+/// A number of xsd:double, or what is written for one without bound, within ±1e9.
+std::optional<double> parseBound(const std::string& text)
+{
+    const bool isBelow = text.starts_with('-');
+    for (const char* word : {"INF", "inf", "Infinity", "infinity"})
+        if (text.substr(isBelow ? 1 : 0) == word) return isBelow ? -kLargestNumber : kLargestNumber;
+    const std::optional<double> value = parseNumber(text);
+    return value ? std::optional(std::clamp(*value, -kLargestNumber, kLargestNumber)) : std::nullopt;
+}
+
 /// What was probably meant where a number should stand.
 std::string numberRemedy(const ParseContext& context, std::string text)
 {
@@ -49,6 +59,13 @@ std::string ElementReader::text(const char* attribute)
 std::string ElementReader::textOr(const char* attribute, const std::string& fallback)
 {
     return has(attribute) ? text(attribute) : fallback;
+}
+
+std::string ElementReader::textAssumed(const char* attribute)
+{
+    if (!node || has(attribute)) return text(attribute);
+    assume(attribute, "it is left empty");
+    return {};
 }
 
 /// `$name` and `${expression}` stand for the whole value, as the language has it. Nothing after a problem.
@@ -80,7 +97,7 @@ std::optional<std::string> ElementReader::substituted(const char* attribute)
 std::string ElementReader::name()
 {
     const std::string_view raw = has("name") ? node.attribute("name").value() : "";
-    std::string name = raw.starts_with("${") ? std::string(raw) : text("name");
+    std::string name = raw.starts_with("${") ? std::string(raw) : textAssumed("name");
     if (name.size() <= kMaximumName) return name;
     context.invalid(node, "the name is longer than " + std::to_string(kMaximumName) + " characters",
                     "shorten it");
@@ -111,6 +128,27 @@ double ElementReader::numberOr(const char* attribute, double fallback)
     return has(attribute) ? number(attribute) : fallback;
 }
 
+double ElementReader::numberAssumed(const char* attribute, double fallback)
+{
+    if (!node || has(attribute)) return number(attribute);
+    assume(attribute, formatNumber(fallback) + " is taken");
+    return fallback;
+}
+
+double ElementReader::bound(const char* attribute)
+{
+    if (!has(attribute)) return number(attribute);
+    const std::optional<std::string> content = substituted(attribute);
+    const std::optional<double> value = content ? parseBound(*content) : std::nullopt;
+    return value ? *value : number(attribute); // which tells what is wrong
+}
+
+std::optional<double> ElementReader::optionalBound(const char* attribute)
+{
+    if (!has(attribute)) return std::nullopt;
+    return bound(attribute);
+}
+
 std::optional<double> ElementReader::optionalNumber(const char* attribute)
 {
     if (!has(attribute)) return std::nullopt;
@@ -119,7 +157,7 @@ std::optional<double> ElementReader::optionalNumber(const char* attribute)
 
 double ElementReader::notNegative(const char* attribute)
 {
-    const double value = number(attribute);
+    const double value = bound(attribute);
     if (value >= 0.0) return value;
     context.invalid(node, std::string(node.name()) + "/" + attribute + " is negative", "write 0 or more");
     return 0.0;
@@ -149,6 +187,12 @@ ElementReader ElementReader::child(const char* name)
     return {context, found};
 }
 
+bool ElementReader::hasContent() const
+{
+    return static_cast<bool>(
+        node.find_child([](pugi::xml_node child) { return child.type() == pugi::node_element; }));
+}
+
 ElementReader ElementReader::onlyChild()
 {
     pugi::xml_node chosen;
@@ -172,6 +216,11 @@ void ElementReader::allowChildren(std::initializer_list<std::string_view> names)
         if (std::find(names.begin(), names.end(), candidate.name()) == names.end())
             context.foreign(candidate, std::string("the element ") + candidate.name());
     }
+}
+
+void ElementReader::assume(const char* attribute, const std::string& instead)
+{
+    context.assumed(node, std::string(node.name()) + " has no attribute " + attribute, instead + "; add it");
 }
 
 void ElementReader::unknownWord(const char* attribute, const std::string& word,

@@ -37,12 +37,19 @@ public:
 
     std::string text(const char* attribute);
     std::string textOr(const char* attribute, const std::string& fallback);
+    /// Returns a text on which no motion depends; one that is missing is told and left empty.
+    std::string textAssumed(const char* attribute);
     /// Returns the attribute `name`, at most 256 characters, because each storyboard element keeps the path of its
-    /// names. Names are text: `${…}` in a name is not computed.
+    /// names. Names are text: `${…}` in a name is not computed. One that is missing is told and left empty.
     std::string name();
     /// Returns a finite number within ±1e9. This bound keeps everything that is computed from it finite.
     double number(const char* attribute);
     double numberOr(const char* attribute, double fallback);
+    /// A number that is missing is told, and `fallback` is taken.
+    double numberAssumed(const char* attribute, double fallback);
+    /// Returns a number that only bounds others, or is compared with them: `INF` and what is beyond 1e9 count as 1e9.
+    double bound(const char* attribute);
+    std::optional<double> optionalBound(const char* attribute);
     std::optional<double> optionalNumber(const char* attribute);
     double notNegative(const char* attribute);
     int count(const char* attribute, int fallback);
@@ -70,8 +77,19 @@ public:
         return has(attribute) ? choice(attribute, keywords) : fallback;
     }
 
+    /// A word that is missing is told, and the first one is taken.
+    template<class Value, std::size_t Count>
+    Value choiceAssumed(const char* attribute, const Keywords<Value, Count>& keywords)
+    {
+        if (!node || has(attribute)) return choice(attribute, keywords);
+        assume(attribute, std::string(keywords.front().first) + " is taken");
+        return keywords.front().second;
+    }
+
     /// Returns the child of that name. A missing child is a problem, and an empty element is returned.
     ElementReader child(const char* name);
+
+    bool hasContent() const; ///< a child element, whatever its name
 
     /// Returns the only child element, whatever its name; of several the first that the standard has. No child is a problem, and an
     /// empty element is returned.
@@ -84,6 +102,7 @@ public:
     pugi::xml_node node;
 
 private:
+    void assume(const char* attribute, const std::string& instead);
     void unknownWord(const char* attribute, const std::string& word,
                      const std::vector<std::string_view>& words);
     std::optional<std::string> substituted(const char* attribute);

@@ -130,6 +130,11 @@ PrivateAction parseControllerAction(ElementReader reader)
         if (overridden) action.overrides = parseOverride({reader.context, overridden});
         return action;
     }
+    if (!reader.hasContent())
+    {
+        reader.context.assumed(reader.node, "ControllerAction is empty", "nothing is done; add its content");
+        return Unsupported{reader.context.line(reader.node), reader.node.name()};
+    }
     ElementReader content = reader.onlyChild();
     if (content.is("ActivateControllerAction")) return parseActivateController(content);
     if (content.is("OverrideControllerValueAction")) return parseOverride(content);

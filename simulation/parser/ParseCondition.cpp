@@ -34,7 +34,7 @@ ConditionContent parseContent(ElementReader reader)
     if (!kind.is("ByValueCondition")) return unsupportedContent(kind, "condition");
     ElementReader value = kind.onlyChild();
     if (value.is("SimulationTimeCondition"))
-        return SimulationTimeCondition{value.number("value"), value.choice("rule", kRules)};
+        return SimulationTimeCondition{value.bound("value"), value.choice("rule", kRules)};
     if (value.is("StoryboardElementStateCondition"))
         return StoryboardElementStateCondition{value.choice("storyboardElementType", kElementTypes),
                                                value.text("storyboardElementRef"),
@@ -57,7 +57,7 @@ Condition parseCondition(ElementReader reader)
     condition.source = reader.context.line(reader.node);
     condition.name = reader.name();
     condition.delayS = reader.has("delay") ? reader.notNegative("delay") : 0.0;
-    condition.edge = reader.choice("conditionEdge", kConditionEdges);
+    condition.edge = reader.choiceAssumed("conditionEdge", kConditionEdges);
     condition.content = parseContent(reader);
     return condition;
 }

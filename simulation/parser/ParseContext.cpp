@@ -98,6 +98,11 @@ void ParseContext::controllerNotPlayed(pugi::xml_node node, const std::string& k
           "instead: the actions of the scenario move the entity"}});
 }
 
+void ParseContext::assumed(pugi::xml_node node, const std::string& what, const std::string& instead)
+{
+    add({Problem::Kind::assumed, {place(node), what, "instead: " + instead}});
+}
+
 void ParseContext::invalid(pugi::xml_node node, const std::string& what, const std::string& remedy)
 {
     add({Problem::Kind::invalid, {place(node), what, remedy}});

@@ -39,6 +39,8 @@ public:
     void approximated(pugi::xml_node node, const ElementCoverage& coverage);
     /// Reports a controller of a kind that is not played. A strict reading does not stop at it.
     void controllerNotPlayed(pugi::xml_node node, const std::string& kind);
+    /// Reports a slip that leaves one plain reading. `instead`: that reading.
+    void assumed(pugi::xml_node node, const std::string& what, const std::string& instead);
     void invalid(pugi::xml_node node, const std::string& what, const std::string& remedy);
     void add(Problem problem);
 

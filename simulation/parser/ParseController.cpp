@@ -9,7 +9,7 @@ Controller parseController(ElementReader reader)
 {
     if (reader.is("CatalogReference"))
     {
-        CatalogVisit visit(reader);
+        CatalogVisit visit(reader, "the actions of the scenario move the entity");
         return visit.entry() ? parseController({reader.context, visit.entry()}) : Controller{};
     }
     const ParameterScope scope(reader.context, reader.node);

@@ -147,7 +147,8 @@ Properties parseProperties(ElementReader parent)
     for (pugi::xml_node property : node.children("Property"))
     {
         ElementReader reader(parent.context, property);
-        properties.values.emplace_back(reader.text("name"), reader.text("value"));
+        std::string name = reader.text("name");
+        properties.values.emplace_back(std::move(name), reader.textAssumed("value"));
     }
     for (pugi::xml_node file : node.children("File"))
         properties.files.push_back(ElementReader(parent.context, file).text("filepath"));
@@ -156,7 +157,7 @@ Properties parseProperties(ElementReader parent)
 
 std::vector<ScenarioObject> parseScenarioObject(ElementReader reader)
 {
-    return parseObjectContent(reader, reader.name());
+    return parseObjectContent(reader, reader.has("name") ? reader.name() : reader.text("name"));
 }
 
 std::vector<ScenarioObject> parseObjectContent(ElementReader reader, const std::string& name)
@@ -170,7 +171,9 @@ std::vector<ScenarioObject> parseObjectContent(ElementReader reader, const std::
         if (node.type() != pugi::node_element) continue;
         ElementReader content(reader.context, node);
         if (content.is("ObjectController"))
-            objects[0].controllers.push_back(parseObjectController(content));
+        {
+            if (content.hasContent()) objects[0].controllers.push_back(parseObjectController(content));
+        }
         else if (hasObject)
             reader.context.foreign(node, std::string("the element ") + node.name());
         else

@@ -9,14 +9,14 @@ namespace
 
 TimeHeadwayCondition parseTimeHeadway(ElementReader reader)
 {
-    return {parseEntityRef(reader, "entityRef"), reader.number("value"), reader.choice("rule", kRules),
+    return {parseEntityRef(reader, "entityRef"), reader.bound("value"), reader.choice("rule", kRules),
             parseDistanceMeasure(reader)};
 }
 
 TimeToCollisionCondition parseTimeToCollision(ElementReader reader)
 {
     TimeToCollisionCondition condition;
-    condition.seconds = reader.number("value");
+    condition.seconds = reader.bound("value");
     condition.rule = reader.choice("rule", kRules);
     condition.measure = parseDistanceMeasure(reader);
     ElementReader target = reader.child("TimeToCollisionConditionTarget");
@@ -32,19 +32,19 @@ TimeToCollisionCondition parseTimeToCollision(ElementReader reader)
 
 DistanceCondition parseRelativeDistance(ElementReader reader)
 {
-    return {parseEntityRef(reader, "entityRef"), reader.number("value"), reader.choice("rule", kRules),
+    return {parseEntityRef(reader, "entityRef"), reader.bound("value"), reader.choice("rule", kRules),
             parseDistanceMeasure(reader)};
 }
 
 DistanceCondition parseDistance(ElementReader reader)
 {
-    return {parsePosition(reader.child("Position")), reader.number("value"), reader.choice("rule", kRules),
+    return {parsePosition(reader.child("Position")), reader.bound("value"), reader.choice("rule", kRules),
             parseDistanceMeasure(reader)};
 }
 
 SpeedCondition parseSpeed(ElementReader reader, const std::string& entity)
 {
-    return {entity, reader.number("value"), reader.choice("rule", kRules),
+    return {entity, reader.bound("value"), reader.choice("rule", kRules),
             reader.choiceOr("direction", kDirections, Direction::total)};
 }
 
@@ -97,14 +97,14 @@ EntityConditionContent parseEntityContent(ElementReader reader)
     if (reader.is("TimeToCollisionCondition")) return parseTimeToCollision(reader);
     if (reader.is("RelativeDistanceCondition")) return parseRelativeDistance(reader);
     if (reader.is("DistanceCondition")) return parseDistance(reader);
-    if (reader.is("TraveledDistanceCondition")) return TraveledDistanceCondition{reader.number("value")};
+    if (reader.is("TraveledDistanceCondition")) return TraveledDistanceCondition{reader.bound("value")};
     if (reader.is("ReachPositionCondition"))
         return ReachPositionCondition{parsePosition(reader.child("Position")),
                                       reader.notNegative("tolerance")};
     if (reader.is("SpeedCondition")) return parseSpeed(reader, "");
     if (reader.is("RelativeSpeedCondition")) return parseSpeed(reader, parseEntityRef(reader, "entityRef"));
     if (reader.is("AccelerationCondition"))
-        return AccelerationCondition{reader.number("value"), reader.choice("rule", kRules),
+        return AccelerationCondition{reader.bound("value"), reader.choice("rule", kRules),
                                      reader.choiceOr("direction", kDirections, Direction::total)};
     if (reader.is("StandStillCondition"))
         return LastingCondition{Kind::standStill, reader.notNegative("duration")};
@@ -158,7 +158,7 @@ EntityCondition parseEntityCondition(ElementReader reader)
     reader.allowChildren({"TriggeringEntities", "EntityCondition"});
     EntityCondition condition;
     ElementReader entities = reader.child("TriggeringEntities");
-    condition.isForAll = entities.choice("triggeringEntitiesRule", kTriggeringRules);
+    condition.isForAll = entities.choiceAssumed("triggeringEntitiesRule", kTriggeringRules);
     for (pugi::xml_node node : entities.node.children("EntityRef"))
     {
         for (const std::string& name : parseEntityRefs({reader.context, node}))

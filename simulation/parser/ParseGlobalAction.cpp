@@ -13,7 +13,7 @@ EnvironmentAction parseEnvironmentAction(ElementReader reader)
     action.source = reader.context.line(reader.node);
     if (const pugi::xml_node reference = reader.node.child("CatalogReference"))
     {
-        CatalogVisit visit({reader.context, reference});
+        CatalogVisit visit({reader.context, reference}, "the environment stays as it is");
         if (visit.entry()) action.environment = parseEnvironment({reader.context, visit.entry()});
         return action;
     }

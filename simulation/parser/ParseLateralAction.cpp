@@ -32,9 +32,15 @@ LaneOffsetAction parseLaneOffset(ElementReader reader)
     LaneOffsetAction action;
     action.source = reader.context.line(reader.node);
     action.isContinuous = reader.flagOr("continuous", false);
-    ElementReader dynamics = reader.child("LaneOffsetActionDynamics");
-    action.shape = dynamics.choice("dynamicsShape", kDynamicsShapes);
-    action.maxLateralAccelerationMps2 = dynamics.optionalNumber("maxLateralAcc");
+    if (const pugi::xml_node node = reader.node.child("LaneOffsetActionDynamics"))
+    {
+        ElementReader dynamics(reader.context, node);
+        action.shape = dynamics.choice("dynamicsShape", kDynamicsShapes);
+        action.maxLateralAccelerationMps2 = dynamics.optionalBound("maxLateralAcc");
+    }
+    else
+        reader.context.assumed(reader.node, "LaneOffsetAction has no element LaneOffsetActionDynamics",
+                               "the offset is there at once; add it");
     ElementReader target = reader.child("LaneOffsetTarget").onlyChild();
     if (target.is("RelativeTargetLaneOffset"))
         action.entity = parseEntityRef(target, "entityRef");
@@ -56,7 +62,7 @@ LateralDistanceAction parseLateralDistance(ElementReader reader)
     action.measure.kind = DistanceKind::lateral;
     action.side = reader.choiceOr("displacement", kLateralDisplacements, 0);
     if (const pugi::xml_node node = reader.node.child("DynamicConstraints"))
-        action.maxSpeedMps = ElementReader(reader.context, node).optionalNumber("maxSpeed");
+        action.maxSpeedMps = ElementReader(reader.context, node).optionalBound("maxSpeed");
     return action;
 }
 

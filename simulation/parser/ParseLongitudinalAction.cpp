@@ -29,9 +29,9 @@ SpeedAction parseSpeedAction(ElementReader reader)
 
 DynamicConstraints parseConstraints(ElementReader reader)
 {
-    return {reader.optionalNumber("maxSpeed"), reader.optionalNumber("maxAcceleration"),
-            reader.optionalNumber("maxDeceleration"), reader.optionalNumber("maxAccelerationRate"),
-            reader.optionalNumber("maxDecelerationRate")};
+    return {reader.optionalBound("maxSpeed"), reader.optionalBound("maxAcceleration"),
+            reader.optionalBound("maxDeceleration"), reader.optionalBound("maxAccelerationRate"),
+            reader.optionalBound("maxDecelerationRate")};
 }
 
 SpeedProfileAction parseSpeedProfile(ElementReader reader)
@@ -78,8 +78,13 @@ LongitudinalDistanceAction parseLongitudinalDistance(ElementReader reader)
 
 TransitionDynamics parseDynamics(ElementReader reader)
 {
-    return {reader.choice("dynamicsShape", kDynamicsShapes),
-            reader.choice("dynamicsDimension", kDynamicsDimensions), reader.number("value")};
+    TransitionDynamics dynamics;
+    dynamics.shape = reader.choice("dynamicsShape", kDynamicsShapes);
+    const bool isStep = dynamics.shape == DynamicsShape::step; // what else there is changes nothing
+    dynamics.dimension = isStep ? reader.choiceAssumed("dynamicsDimension", kDynamicsDimensions)
+                                : reader.choice("dynamicsDimension", kDynamicsDimensions);
+    dynamics.value = isStep ? reader.numberAssumed("value", 0.0) : reader.number("value");
+    return dynamics;
 }
 
 PrivateAction parseLongitudinalAction(ElementReader reader)

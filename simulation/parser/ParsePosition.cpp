@@ -63,9 +63,9 @@ RelativeLanePosition parseRelativeLanePosition(ElementReader reader)
     RelativeLanePosition position;
     position.source = reader.context.line(reader.node);
     position.entity = parseEntityRef(reader, "entityRef");
-    position.lanes = static_cast<int>(reader.number("dLane"));
+    position.lanes = static_cast<int>(reader.numberAssumed("dLane", 0.0));
     position.isAlongLane = reader.has("dsLane");
-    position.dsM = position.isAlongLane ? reader.number("dsLane") : reader.number("ds");
+    position.dsM = position.isAlongLane ? reader.number("dsLane") : reader.numberAssumed("ds", 0.0);
     position.offsetM = reader.numberOr("offset", 0.0);
     position.orientation = parseOrientationOf(reader);
     return position;
@@ -74,8 +74,8 @@ RelativeLanePosition parseRelativeLanePosition(ElementReader reader)
 RelativeRoadPosition parseRelativeRoadPosition(ElementReader reader)
 {
     reader.allowChildren({"Orientation"});
-    return {reader.context.line(reader.node), parseEntityRef(reader, "entityRef"), reader.number("ds"),
-            reader.number("dt"), parseOrientationOf(reader)};
+    return {reader.context.line(reader.node), parseEntityRef(reader, "entityRef"),
+            reader.numberAssumed("ds", 0.0), reader.numberAssumed("dt", 0.0), parseOrientationOf(reader)};
 }
 
 /// RelativeObjectPosition and RelativeWorldPosition.
@@ -83,12 +83,9 @@ template<class Relative>
 Relative parseRelativePosition(ElementReader reader)
 {
     reader.allowChildren({"Orientation"});
-    return {reader.context.line(reader.node),
-            parseEntityRef(reader, "entityRef"),
-            reader.number("dx"),
-            reader.number("dy"),
-            reader.numberOr("dz", 0.0),
-            parseOrientationOf(reader)};
+    return {reader.context.line(reader.node), parseEntityRef(reader, "entityRef"),
+            reader.numberAssumed("dx", 0.0),  reader.numberAssumed("dy", 0.0),
+            reader.numberOr("dz", 0.0),       parseOrientationOf(reader)};
 }
 
 WorldPosition parseWorldPosition(ElementReader reader)

@@ -46,7 +46,7 @@ std::vector<ScenarioObject> parseEntities(ElementReader reader)
     for (pugi::xml_node node : reader.node.children("EntitySelection"))
     {
         ElementReader selection(reader.context, node);
-        const std::string name = selection.name();
+        const std::string name = selection.has("name") ? selection.name() : selection.text("name");
         if (reader.context.entityNames.contains(name))
             reader.context.invalid(node, "the entity " + name + " stands twice", "rename one");
         reader.context.selections[name] = parseSelection(selection, objects);
@@ -153,8 +153,8 @@ FileHeader parseHeader(ElementReader reader)
 {
     reader.allowChildren({"License", "Properties"});
     parseProperties(reader);
-    FileHeader header{reader.count("revMajor", 1), reader.count("revMinor", 0), reader.text("date"),
-                      reader.text("author"), reader.text("description")};
+    FileHeader header{reader.count("revMajor", 1), reader.count("revMinor", 0), reader.textAssumed("date"),
+                      reader.textAssumed("author"), reader.textAssumed("description")};
     if (header.revMajor != 1)
         reader.context.invalid(reader.node,
                                "OpenSCENARIO XML " + std::to_string(header.revMajor) + " is unknown",

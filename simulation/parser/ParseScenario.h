@@ -35,6 +35,7 @@ struct Problem
         approximated, ///< in effect, but not in all as the standard says
         unsupported,  ///< part of the standard, but not in effect
         unknown,      ///< no part of the standard: a misspelt element, or one of another program
+        assumed,      ///< against the standard, but with one plain reading, which is taken
         invalid,      ///< against the standard: a missing attribute, a bad number, an unknown entity
     };
 

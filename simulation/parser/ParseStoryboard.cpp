@@ -22,7 +22,7 @@ Init parseInit(ElementReader reader)
 {
     reader.allowChildren({"Actions"});
     ParseContext& context = reader.context;
-    ElementReader actions = reader.child("Actions");
+    ElementReader actions(context, reader.node.child("Actions")); // from 1.1 on it may be missing
     actions.allowChildren({"GlobalAction", "Private"});
     Init init;
     for (pugi::xml_node node : actions.node.children("GlobalAction"))
@@ -65,11 +65,12 @@ Event parseEvent(ElementReader reader)
     Event event;
     event.source = reader.context.line(reader.node);
     event.name = reader.name();
-    event.priority = reader.choice("priority", kPriorities);
+    event.priority = reader.choiceAssumed("priority", kPriorities);
     event.maximumExecutionCount = reader.count("maximumExecutionCount", 1);
     for (pugi::xml_node node : reader.node.children("Action"))
         event.actions.push_back(parseNamedAction({reader.context, node}));
-    if (event.actions.empty()) reader.context.invalid(reader.node, "an Event has no Action", "add one");
+    if (event.actions.empty())
+        reader.context.assumed(reader.node, "an Event has no Action", "it does nothing; add one");
     event.startTrigger = parseOptionalTrigger(reader, "StartTrigger");
     return event;
 }

@@ -9,6 +9,12 @@ namespace
 
 std::optional<Timing> parseTimeReference(ElementReader reader)
 {
+    if (!reader.hasContent())
+    {
+        reader.context.assumed(reader.node, "TimeReference is empty",
+                               "the speed of the entity moves it; add None");
+        return std::nullopt;
+    }
     ElementReader content = reader.onlyChild();
     if (!content.is("Timing"))
     {
@@ -83,8 +89,9 @@ FollowTrajectoryAction parseFollowTrajectory(ElementReader reader)
         action.mode = ElementReader(reader.context, mode).choice("followingMode", kFollowingModes);
     action.initialDistanceOffsetM =
         reader.has("initialDistanceOffset") ? reader.notNegative("initialDistanceOffset") : 0.0;
-    if (action.timing && !action.trajectory.recording && !reader.context.isStopped())
-        checkShapeTimes(reader.context, reader.node, action.trajectory.shape);
+    if (action.timing && !action.trajectory.recording && !reader.context.isStopped() &&
+        !checkShapeTimes(reader.context, reader.node, action.trajectory.shape))
+        action.timing.reset();
     return action;
 }
 

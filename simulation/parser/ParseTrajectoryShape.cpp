@@ -123,74 +123,7 @@ Nurbs parseNurbs(ElementReader reader)
     return nurbs;
 }
 
-std::vector<std::optional<double>> timesOf(const TrajectoryShape& shape)
-{
-    std::vector<std::optional<double>> times;
-    if (const auto* clothoid = std::get_if<Clothoid>(&shape))
-        times = {clothoid->startTimeS, clothoid->stopTimeS};
-    if (const auto* spline = std::get_if<ClothoidSpline>(&shape))
-    {
-        for (const ClothoidSpline::Segment& segment : spline->segments)
-            times.push_back(segment.timeStartS);
-        times.push_back(spline->timeEndS);
-    }
-    if (const auto* nurbs = std::get_if<Nurbs>(&shape))
-        for (const Nurbs::ControlPoint& point : nurbs->points)
-            times.push_back(point.timeS);
-    return times;
-}
-
-/// Names a time of a shape for a message.
-std::string nameOfTime(const TrajectoryShape& shape, std::size_t index)
-{
-    if (std::holds_alternative<Clothoid>(shape)) return index == 0 ? "startTime" : "stopTime";
-    if (const auto* spline = std::get_if<ClothoidSpline>(&shape))
-        return index < spline->segments.size() ? "the timeStart of segment " + std::to_string(index + 1)
-                                               : "timeEnd";
-    return "the time of control point " + std::to_string(index + 1);
-}
-
-void checkVertexTimes(ParseContext& context, pugi::xml_node holder, const Polyline& polyline)
-{
-    for (std::size_t i = 0; i < polyline.vertices.size(); ++i)
-    {
-        const std::optional<double>& time = polyline.vertices[i].timeS;
-        const std::string vertex = "vertex " + std::to_string(i + 1) + " (line " +
-                                   std::to_string(polyline.vertices[i].source.line) + ")";
-        if (!time)
-            context.invalid(holder, vertex + " has no time, but the trajectory has a Timing", "add its time");
-        else if (i > 0 && !Vertex::isLater(polyline.vertices[i - 1].timeS.value_or(*time - 1.0), *time))
-            context.invalid(holder, "the time of " + vertex + " is not later than the one before",
-                            "order the vertices");
-        else
-            continue;
-        return;
-    }
-}
-
 } // namespace
-
-void checkShapeTimes(ParseContext& context, pugi::xml_node holder, const TrajectoryShape& shape)
-{
-    if (const auto* polyline = std::get_if<Polyline>(&shape))
-    {
-        checkVertexTimes(context, holder, *polyline);
-        return;
-    }
-    const std::vector<std::optional<double>> times = timesOf(shape);
-    for (std::size_t i = 0; i < times.size(); ++i)
-    {
-        if (!times[i])
-            context.invalid(holder, nameOfTime(shape, i) + " is missing, but the trajectory has a Timing",
-                            "add it");
-        else if (i > 0 && !Vertex::isLater(*times[i - 1], *times[i]))
-            context.invalid(holder, nameOfTime(shape, i) + " is not later than the one before",
-                            "let times rise");
-        else
-            continue;
-        return;
-    }
-}
 
 TrajectoryShape parseTrajectoryShape(ElementReader reader)
 {

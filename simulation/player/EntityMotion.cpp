@@ -35,6 +35,7 @@ EntityMotion::EntityMotion(const ScenarioObject& object, const SceneFrame& frame
     {
         _mostAccelerationMps2 = vehicle->performance.maxAccelerationMps2;
         _mostDecelerationMps2 = vehicle->performance.maxDecelerationMps2;
+        _mostSpeedMps = vehicle->performance.maxSpeedMps;
         _wheelRadiusM = 0.5 * vehicle->rearAxle.wheelDiameterM;
         if (vehicle->frontAxle) _wheelbaseM = vehicle->frontAxle->positionXM - vehicle->rearAxle.positionXM;
     }
@@ -85,9 +86,8 @@ void EntityMotion::takeState(const EntityState& state, double timeS)
     _state.position.z = state.position.z;
 }
 
-void EntityMotion::setLane(int lane, double offsetM, double turnRad, double alongShare)
+void EntityMotion::setLane(int lane, double offsetM, double turnRad)
 {
-    _alongShare = alongShare;
     if (!_state.place || !_roads->putOnLane(*_state.place, lane, offsetM)) return;
     const bool isForward = std::cos(_state.place->relativeHeadingRad) >= 0.0;
     // A turn to the left of the reference line turns the nose to the right of one that drives against it.
@@ -97,7 +97,8 @@ void EntityMotion::setLane(int lane, double offsetM, double turnRad, double alon
 std::int64_t EntityMotion::startSpeed(const SpeedAction& action, double timeS)
 {
     const auto* target = std::get_if<AbsoluteTargetSpeed>(&action.target);
-    const double to = target ? target->speedMps : _state.speedMps;
+    double to = target ? target->speedMps : _state.speedMps;
+    if (_roads && _mostSpeedMps > 0.0) to = std::clamp(to, -_mostSpeedMps, _mostSpeedMps);
     TransitionDynamics dynamics = action.dynamics;
     const double most = to > _state.speedMps ? _mostAccelerationMps2 : _mostDecelerationMps2;
     if (_roads && most > 0.0) dynamics = SpeedProfile::within(most, _state.speedMps, to, dynamics);
@@ -134,7 +135,7 @@ void EntityMotion::cancel(std::int64_t ticket, double timeS)
 void EntityMotion::advanceTo(double timeS, double stepS)
 {
     const double distance =
-        _roads ? _speed.speedAt(timeS - _speedStartS) * stepS
+        _roads ? roadStepM(timeS, stepS)
                : _speed.distanceAt(timeS - _speedStartS) - _speed.distanceAt(_timeS - _speedStartS);
     const glm::dvec3 before = _state.position;
     if (std::exchange(_standsForAStep, false))
@@ -149,6 +150,13 @@ void EntityMotion::advanceTo(double timeS, double stepS)
     settle(timeS);
     if (_state.place) _state.odometerM += glm::length(_state.position - before);
     _timeS = timeS;
+}
+
+/// By the speed at the end of the step, or that at its beginning where a lane change moves the entity before its speed changes.
+double EntityMotion::roadStepM(double timeS, double stepS) const
+{
+    const bool isBefore = _along && _along->order < _speedTicket;
+    return _speed.speedAt((isBefore ? _timeS : timeS) - _speedStartS) * stepS;
 }
 
 void EntityMotion::followTrajectory(double timeS, double distanceM)
@@ -174,11 +182,8 @@ void EntityMotion::followTrajectory(double timeS, double distanceM)
 void EntityMotion::goAlongLane(double distanceM, double timeS)
 {
     _state.steeringDeg = 0.0;
+    const double share = std::exchange(_along, std::nullopt).value_or(AlongLane{}).share;
     if (distanceM == 0.0) return;
-    // While a speed action changes the speed the way sideways is not taken off, as in esmini.
-    const bool changesSpeed = timeS - _speedStartS < _speed.durationS();
-    const double sideways = std::exchange(_alongShare, 1.0);
-    const double share = changesSpeed ? 1.0 : sideways;
     if (!walk(*_roads, *_state.place, distanceM * share, _way, _turns ? &*_turns : nullptr))
     {
         _state.isAtEndOfRoad = true;

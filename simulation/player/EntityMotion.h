@@ -41,8 +41,20 @@ public:
     void setSpeed(double speedMps, double timeS);
 
     /// Puts the entity onto a lane at its s, its heading turned to the left of the lane's direction in which it drives.
-    /// `alongShare`: of the next step's way that goes along the lane.
-    void setLane(int lane, double offsetM, double turnRad, double alongShare);
+    void setLane(int lane, double offsetM, double turnRad);
+
+    /// What a lane change leaves of the way of the next step.
+    struct AlongLane
+    {
+        double share = 1.0;     ///< that goes along the lane, not sideways
+        std::int64_t order = 0; ///< of the lane change among the actions of the entity: see takeOrder()
+    };
+
+    /// A speed action that began after the lane change sets the speed behind it in each step.
+    void goAlong(const AlongLane& along) { _along = along; }
+
+    /// Returns the number of an action that begins now.
+    std::int64_t takeOrder() { return ++_lastTicket; }
 
     /// Puts the entity to another place on the road.
     void setPlace(const RoadPlace& place);
@@ -98,6 +110,7 @@ private:
     void followTrajectory(double timeS, double distanceM);
     void goStraight(double distanceM);
     void goAlongLane(double distanceM, double timeS);
+    double roadStepM(double timeS, double stepS) const;
     void standOnRoad();
     void findPlace();
     void takePoint(const PathPoint& point, double speedMps);
@@ -107,14 +120,14 @@ private:
     const RoadScene* _roads;
     GroundContact _contact;
     bool _isAirborne;
-    double _mostAccelerationMps2 = 0.0, _mostDecelerationMps2 = 0.0; ///< 0: no limit
+    double _mostAccelerationMps2 = 0.0, _mostDecelerationMps2 = 0.0, _mostSpeedMps = 0.0; ///< 0: no limit
     double _wheelRadiusM = 0.0;
     double _wheelbaseM = 0.0;
     double _givenPitchDeg = 0.0, _givenRollDeg = 0.0; ///< of the last teleport, beyond those of the road
     RoadWay _way;
     std::optional<RandomDraw> _turns; ///< absent: by the way, else straight on
     bool _standsForAStep = false;
-    double _alongShare = 1.0; ///< of the way of the next step that goes along the lane, not sideways
+    std::optional<AlongLane> _along; ///< in the next step
     EntityState _state;
     double _timeS = 0.0;
     SpeedProfile _speed;

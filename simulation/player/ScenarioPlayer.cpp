@@ -95,9 +95,12 @@ foundation::Result<std::unique_ptr<ScenarioPlayer>> ScenarioPlayer::create(Scena
                                                                            PlayerOptions options)
 {
     const auto line = options.roads ? std::nullopt : scenario.needsRoads();
+    const std::string& logicFile = scenario.roadNetwork.logicFile;
     if (line)
         return foundation::Error{options.scenarioName + ":" + std::to_string(line->line),
-                                 "a place on a road, but RoadNetwork names no LogicFile",
+                                 "a place on a road, but " +
+                                     (logicFile.empty() ? "RoadNetwork names no LogicFile"
+                                                        : "the LogicFile " + logicFile + " is not there"),
                                  "name the OpenDRIVE file there"};
     const SceneFrame frame(options.origin, options.ground);
     if (foundation::Outcome playable =

@@ -4,12 +4,31 @@
 namespace simulation
 {
 
+std::filesystem::path roadsFile(const Scenario& scenario, const std::filesystem::path& folder)
+{
+    const std::string& name = scenario.roadNetwork.logicFile;
+    if (name.empty()) return {};
+    std::error_code ignored;
+    for (const char* extension : {"", ".xodr"})
+        if (const auto file = folder / (name + extension); std::filesystem::is_regular_file(file, ignored))
+            return file;
+    return {};
+}
+
+std::optional<foundation::Error> missingRoads(const Scenario& scenario, const std::filesystem::path& folder)
+{
+    const std::string& name = scenario.roadNetwork.logicFile;
+    if (name.empty() || !roadsFile(scenario, folder).empty()) return std::nullopt;
+    return foundation::Error{(folder / name).string(), "the LogicFile is not there",
+                             "instead: there are no roads; correct its path"};
+}
+
 foundation::Result<std::shared_ptr<const RoadScene>> openRoads(const Scenario& scenario,
                                                                const std::filesystem::path& folder)
 {
-    const std::string& file = scenario.roadNetwork.logicFile;
+    const std::filesystem::path file = roadsFile(scenario, folder);
     if (file.empty()) return std::shared_ptr<const RoadScene>();
-    return RoadScene::open(folder / file);
+    return RoadScene::open(file);
 }
 
 } // namespace simulation

@@ -1,13 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <filesystem>
+#include <memory>
+#include <optional>
+
 #include "simulation/road/RoadScene.h"
 #include "simulation/scenario/Scenario.h"
 
 namespace simulation
 {
 
-/// Opens the roads that the LogicFile of a scenario names; null: it names none. `folder`: of the scenario.
+/// Returns the file that the LogicFile of a scenario names, as it is written or, for the bare name of a town, with `.xodr`. Empty:
+/// it names none, or none is there. `folder`: of the scenario.
+std::filesystem::path roadsFile(const Scenario& scenario, const std::filesystem::path& folder);
+
+/// Says that a LogicFile is named and none is there. Nothing: all is well.
+std::optional<foundation::Error> missingRoads(const Scenario& scenario, const std::filesystem::path& folder);
+
+/// Opens the roads of roadsFile(); null: there are none.
 /// Errors: as RoadScene::open().
 foundation::Result<std::shared_ptr<const RoadScene>> openRoads(const Scenario& scenario,
                                                                const std::filesystem::path& folder);

@@ -21,9 +21,9 @@ std::unique_ptr<RunningAction> startAction(const LaneChangeAction& action, Actio
     if (!scene.roads()->putOnLane(target, lane, action.targetOffsetM)) return nullptr;
     const double amount = target.t - motion.state().place->t;
     return std::make_unique<LaneTransition>(
-        LaneTransition::Course{lane, action.targetOffsetM, action.dynamics.shape,
-                               durationOf(action.dynamics, amount),
-                               action.dynamics.dimension == DynamicsDimension::distance, false, true},
+        LaneTransition::Course{
+            lane, action.targetOffsetM, action.dynamics.shape, durationOf(action.dynamics, amount),
+            action.dynamics.dimension == DynamicsDimension::distance, false, true, motion.takeOrder()},
         motion, *scene.roads());
 }
 

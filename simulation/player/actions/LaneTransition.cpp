@@ -14,6 +14,7 @@ namespace
 
 constexpr double kSameTime = 1e-9;
 constexpr double kSlowestSidewaysMps = 1e-3;
+constexpr double kGreatestTurnRad = 1.57; ///< less than a right angle: it looks along its way
 
 } // namespace
 
@@ -25,30 +26,83 @@ LaneTransition::LaneTransition(const Course& course, const EntityMotion& actor, 
     _fromOffsetM = roads.putOnLane(middle, course.lane, 0.0) ? place.t - middle.t : place.laneOffsetM;
 }
 
+/// While the entity is on the way, the walk along the road changes its lane by the links.
+void LaneTransition::followLinks(const RoadPlace& place)
+{
+    const bool isForward = looksForward(place);
+    if (_isOnLane)
+    {
+        _course.lane = place.lane;
+        if (isForward != _isForward)
+        {
+            _fromOffsetM = -_fromOffsetM;
+            _course.toOffsetM = -_course.toOffsetM;
+        }
+    }
+    _isForward = isForward;
+}
+
+void LaneTransition::turnTo(EntityMotion& actor, double offsetM, double turnRad)
+{
+    actor.setLane(_course.lane, offsetM, std::clamp(turnRad, -kGreatestTurnRad, kGreatestTurnRad));
+    _isOnLane = true;
+}
+
+double LaneTransition::now() const
+{
+    return _course.duration > 0.0 ? (_done + kSameTime) / _course.duration : 1.0;
+}
+
+double LaneTransition::offsetNow() const
+{
+    return _fromOffsetM + (_course.toOffsetM - _fromOffsetM) * shapeValue(_course.shape, now());
+}
+
+bool LaneTransition::arrive(EntityMotion& actor)
+{
+    turnTo(actor, _course.toOffsetM, 0.0);
+    return !_course.isEndless;
+}
+
+bool LaneTransition::stepAhead(EntityMotion& actor, double stepS)
+{
+    if (_course.duration <= 0.0) return arrive(actor);
+    const double speed = actor.state().speedMps;
+    const double way = std::fabs(speed) * stepS;
+    if (std::fabs(speed) < kSlowestSidewaysMps) return false;
+    const double change = _course.toOffsetM - _fromOffsetM;
+    const double perUnit = shapeSlope(_course.shape, _done / _course.duration) * change / _course.duration;
+    double turn = std::atan(perUnit); // of metres by metres
+    if (_course.isByDistance)
+        _done += way * std::cos(turn);
+    else
+    {
+        const double share = std::clamp(perUnit * stepS / way, -1.0, 1.0);
+        turn = std::asin(share);
+        _done += std::fabs(perUnit) * stepS > way ? way / std::fabs(perUnit) : stepS;
+    }
+    actor.goAlong({std::cos(turn), _course.order});
+    if (now() >= 1.0) return arrive(actor);
+    turnTo(actor, offsetNow(), speed < 0.0 ? -turn : turn);
+    return false;
+}
+
+bool LaneTransition::stepOffset(EntityMotion& actor, double stepS)
+{
+    if (std::exchange(_hasBegun, true)) _done += stepS;
+    if (now() >= 1.0) return arrive(actor);
+    const double change = _course.toOffsetM - _fromOffsetM;
+    const double rate = shapeSlope(_course.shape, now()) * change / _course.duration;
+    const double speed = actor.state().speedMps;
+    turnTo(actor, offsetNow(), std::fabs(speed) < kSlowestSidewaysMps ? 0.0 : std::atan(rate / speed));
+    return false;
+}
+
 bool LaneTransition::step(ActionScene& scene, EntityMotion& actor)
 {
-    const double speed = actor.state().speedMps;
-    const double before = _course.duration > 0.0 ? _done / _course.duration : 1.0;
-    if (_course.isAhead || std::exchange(_hasBegun, true))
-        _done += _course.isByDistance ? std::fabs(speed) * scene.stepS() : scene.stepS();
-    const double now = _course.duration > 0.0 ? (_done + kSameTime) / _course.duration : 1.0;
-    const double change = _course.toOffsetM - _fromOffsetM;
-    if (now >= 1.0)
-    {
-        actor.setLane(_course.lane, _course.toOffsetM, 0.0, 1.0);
-        return !_course.isEndless;
-    }
-    const double perUnit =
-        shapeSlope(_course.shape, _course.isAhead ? before : now) * change / _course.duration;
-    const double sine =
-        _course.isByDistance ? perUnit : perUnit / std::max(std::fabs(speed), kSlowestSidewaysMps);
-    const bool stands = std::fabs(speed) < kSlowestSidewaysMps;
-    const double turn = stands            ? 0.0
-                        : _course.isAhead ? std::asin(std::clamp(sine, -1.0, 1.0))
-                                          : std::atan(sine);
-    actor.setLane(_course.lane, _fromOffsetM + change * shapeValue(_course.shape, now), turn,
-                  _course.isAhead ? std::cos(turn) : 1.0);
-    return false;
+    if (!actor.state().place) return true;
+    followLinks(*actor.state().place);
+    return _course.isAhead ? stepAhead(actor, scene.stepS()) : stepOffset(actor, scene.stepS());
 }
 
 double durationOf(const TransitionDynamics& dynamics, double amount)

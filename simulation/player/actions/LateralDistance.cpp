@@ -35,7 +35,7 @@ public:
         const double move = std::clamp(missing, -most, most);
         const double speed = std::max(std::fabs(actor.state().speedMps), 1e-3);
         const double turn = _action.maxSpeedMps ? std::atan(move / (speed * scene.stepS())) : 0.0;
-        actor.setLane(place.lane, place.laneOffsetM + move, turn, 1.0);
+        actor.setLane(place.lane, place.laneOffsetM + move, turn);
         return !_action.isContinuous && std::fabs(missing - move) < kThereM;
     }
 

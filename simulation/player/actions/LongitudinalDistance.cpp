@@ -9,7 +9,9 @@ namespace simulation
 namespace
 {
 
-constexpr double kReachedM = 0.01;
+constexpr double kReachedM = 0.1;
+constexpr double kSpringPerM = 0.4; ///< of the greatest acceleration
+constexpr double kNoLimit = 1e9;
 
 /// Keeps the distance to the other entity along the road: at once without limits, else with the accelerations that are
 /// allowed.
@@ -29,8 +31,8 @@ public:
         if (!scene.roads() || !lead.place || !actor.state().place) return true;
         const auto ahead = distanceAlong(*scene.roads(), *actor.state().place, *lead.place);
         if (!ahead) return !_action.isContinuous;
-        const double side = _action.side != 0 ? _action.side : (*ahead >= 0.0 ? 1.0 : -1.0);
-        const double excess = *ahead - side * wantedM(scene, actor, lead);
+        if (_action.side == 0) _action.side = *ahead >= 0.0 ? 1 : -1; // from now on
+        const double excess = *ahead - _action.side * wantedM(scene, lead);
         if (_action.isLimited) return follow(scene, actor, lead, excess);
         RoadPlace place = *actor.state().place;
         walk(*scene.roads(), place, excess, {});
@@ -40,9 +42,10 @@ public:
     }
 
 private:
-    double wantedM(ActionScene& scene, const EntityMotion& actor, const EntityState&) const
+    /// A time gap is the way of the other entity in that time, as in esmini.
+    double wantedM(ActionScene& scene, const EntityState& lead) const
     {
-        double wanted = _action.distanceM.value_or(_action.timeGapS.value_or(0.0) * actor.state().speedMps);
+        double wanted = _action.distanceM.value_or(_action.timeGapS.value_or(0.0) * std::fabs(lead.speedMps));
         if (!_action.measure.isFreespace) return wanted;
         const BoundingBox& own = scene.scenario().entities[static_cast<std::size_t>(_actor)].box();
         const BoundingBox& other = scene.scenario().entities[static_cast<std::size_t>(_other)].box();
@@ -50,21 +53,24 @@ private:
         return wanted + (_action.side < 0 ? other.centre.x - own.centre.x : own.centre.x - other.centre.x);
     }
 
-    /// The speed from which the gap closes at the braking that is allowed, within the limits.
-    bool follow(ActionScene& scene, EntityMotion& actor, const EntityState& lead, double excess) const
+    /// A critically damped spring between the entities, within the limits, as in esmini; the standard leaves the law open.
+    bool follow(ActionScene& scene, EntityMotion& actor, const EntityState& lead, double excess)
     {
         const Performance performance = performanceOf(scene);
-        const double faster =
-            _action.constraints.maxAccelerationMps2.value_or(performance.maxAccelerationMps2);
-        const double slower =
-            _action.constraints.maxDecelerationMps2.value_or(performance.maxDecelerationMps2);
-        const double most = _action.constraints.maxSpeedMps.value_or(performance.maxSpeedMps);
-        const double closing =
-            excess >= 0.0 ? std::sqrt(2.0 * slower * excess) : -std::sqrt(-2.0 * faster * excess);
-        const double wanted = std::clamp(lead.speedMps + closing, 0.0, most > 0.0 ? most : 1e3);
+        const DynamicConstraints& limits = _action.constraints;
+        const double faster = limits.maxAccelerationMps2.value_or(performance.maxAccelerationMps2);
+        const double slower = limits.maxDecelerationMps2.value_or(performance.maxDecelerationMps2);
+        const double most = limits.maxSpeedMps.value_or(performance.maxSpeedMps);
+        const double spring = kSpringPerM * (excess < 0.0 ? faster : slower);
         const double now = actor.state().speedMps;
-        actor.setSpeed(std::clamp(wanted, now - slower * scene.stepS(), now + faster * scene.stepS()),
-                       scene.timeS());
+        const double pull = excess * spring - (now - lead.speedMps) * 2.0 * std::sqrt(spring);
+        const double wanted = std::clamp(pull, -slower, faster);
+        const double down = limits.maxDecelerationRateMps3.value_or(kNoLimit) * scene.stepS();
+        const double up = limits.maxAccelerationRateMps3.value_or(kNoLimit) * scene.stepS();
+        if (wanted < 0.0) _accelerationMps2 = std::max(wanted, _accelerationMps2 - down);
+        if (wanted >= 0.0) _accelerationMps2 = std::min(wanted, _accelerationMps2 + up);
+        const double bound = most > 0.0 ? most : kNoLimit;
+        actor.setSpeed(std::clamp(now + _accelerationMps2 * scene.stepS(), -bound, bound), scene.timeS());
         return !_action.isContinuous && std::fabs(excess) < kReachedM;
     }
 
@@ -77,6 +83,7 @@ private:
 
     LongitudinalDistanceAction _action;
     int _actor, _other;
+    double _accelerationMps2 = 0.0;
 };
 
 } // namespace
@@ -87,8 +94,8 @@ std::unique_ptr<RunningAction> startAction(const LongitudinalDistanceAction& act
     const int other = scene.find(action.entity);
     if (other < 0) return nullptr;
     auto running = std::make_unique<KeepDistance>(action, actor, other);
-    const bool isDone = running->step(scene, scene.motion(actor));
-    if (isDone) return nullptr;
+    // What is there at once is there now; a limited one begins with the next step.
+    if (!action.isLimited && running->step(scene, scene.motion(actor))) return nullptr;
     return running;
 }
 

@@ -39,8 +39,9 @@ Names attributes(const std::string& source)
 {
     Names names =
         reference::literalsOfCalls(source,
-                                   {"text", "textOr", "number", "numberOr", "optionalNumber", "notNegative",
-                                    "count", "flagOr", "choice", "choiceOr", "has", "attribute"},
+                                   {"text", "textOr", "textAssumed", "number", "numberOr", "numberAssumed",
+                                    "optionalNumber", "notNegative", "bound", "optionalBound", "count",
+                                    "flagOr", "choice", "choiceOr", "choiceAssumed", "has", "attribute"},
                                    true);
     names.merge(reference::literalsOfCalls(
         source,

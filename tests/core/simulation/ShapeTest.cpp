@@ -178,7 +178,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         ShapeMistake{
             "NoTime",
-            R"(<Clothoid curvature="0" curvaturePrime="0" length="5"><Position><WorldPosition x="0" y="0"/></Position></Clothoid>)",
+            R"(<Clothoid curvature="0" curvaturePrime="0" length="5" stopTime="2"><Position><WorldPosition x="0" y="0"/></Position></Clothoid>)",
             "startTime is missing, but the trajectory has a Timing"},
         ShapeMistake{
             "Backwards",

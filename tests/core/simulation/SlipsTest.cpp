@@ -1,0 +1,296 @@
+// SPDX-License-Identifier: Apache-2.0
+// Slips in storyboards of others that leave one plain reading: it is taken, told with its line, and the play goes on.
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+
+#include <gtest/gtest.h>
+
+#include "RoadPlay.h"
+#include "simulation/road/ScenarioRoads.h"
+
+namespace simulation
+{
+namespace
+{
+
+/// Ego at 10 m/s on lane -1 at 100 m; the event `go` sets 4 m/s at 1 s.
+ScenarioText soundText()
+{
+    ScenarioText text;
+    text.entities += "<ScenarioObject name=\"Lead\">" + kCar + "</ScenarioObject>";
+    text.privates = roadplay::onLane(100.0) + speedAction(10.0);
+    text.stories = story(event("go", speedAction(4.0), timeCondition(1.0)));
+    text.stop = stopAt(2.0);
+    return text;
+}
+
+struct Slip
+{
+    const char* name;
+    const char* replaced; ///< in the text without slips
+    const char* by;
+    const char* what;    ///< of the message
+    const char* instead; ///< of the message
+};
+
+class Slips : public testing::TestWithParam<Slip>
+{
+};
+
+std::vector<Problem> problemsIn(const std::string& text)
+{
+    const auto parsed = parseScenario(text, "test.xosc", {.tolerant = true, .parameters = {}});
+    EXPECT_TRUE(parsed) << parsed.error().message();
+    return parsed ? parsed->problems : std::vector<Problem>();
+}
+
+/// The text of a scenario with a slip, played to 2 s.
+std::unique_ptr<ScenarioPlayer> played(const std::string& text)
+{
+    auto parsed = parseScenario(text, "test.xosc", {.tolerant = true, .parameters = {}});
+    PlayerOptions options;
+    options.clock = FixedClock::forStep(roadplay::kStepS);
+    options.roads = roadplay::straight();
+    auto player = ScenarioPlayer::create(std::move(parsed->scenario), std::move(options));
+    EXPECT_TRUE(player) << player.error().message();
+    if (!player) return nullptr;
+    roadplay::playTo(**player, 3.0);
+    return std::move(*player);
+}
+
+TEST_P(Slips, AreToldAndTheOneReadingIsPlayed)
+{
+    std::string text = soundText().text();
+    const std::size_t at = text.find(GetParam().replaced);
+    ASSERT_NE(at, std::string::npos);
+    text.replace(at, std::string(GetParam().replaced).size(), GetParam().by);
+    const auto problems = problemsIn(text);
+    ASSERT_EQ(problems.size(), 1u) << (problems.empty() ? "" : problems.back().error.message());
+    EXPECT_EQ(problems[0].kind, Problem::Kind::assumed);
+    EXPECT_NE(problems[0].error.what.find(GetParam().what), std::string::npos) << problems[0].error.message();
+    EXPECT_NE(problems[0].error.remedy.find(GetParam().instead), std::string::npos)
+        << problems[0].error.message();
+    const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n');
+    EXPECT_LE(std::abs(std::stol(problems[0].error.place.substr(10)) - line), 2);
+    const auto player = played(text);
+    ASSERT_TRUE(player);
+    EXPECT_NEAR(player->timeS(), 2.0, 1e-9) << "the stop trigger";
+    EXPECT_NEAR(player->entities()[0].speedMps, 4.0, 1e-9) << "the event";
+    EXPECT_NEAR(player->entities()[0].position.x, 114.0, 0.05);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Table, Slips,
+    testing::Values(
+        Slip{"Author", " author=\"a\"", "", "FileHeader has no attribute author", "left empty"},
+        Slip{"Date", " date=\"d\"", "", "FileHeader has no attribute date", "left empty"},
+        Slip{"NameOfAnAction", " name=\"goAction\"", "", "Action has no attribute name", "left empty"},
+        Slip{"NameOfAnEvent", "<Event name=\"go\"", "<Event", "Event has no attribute name", "left empty"},
+        Slip{"NameOfAVehicle", "<Vehicle name=\"car\"", "<Vehicle", "Vehicle has no attribute name",
+             "left empty"},
+        Slip{"Priority", " priority=\"parallel\"", "", "Event has no attribute priority",
+             "overwrite is taken"},
+        Slip{"Edge", " conditionEdge=\"none\"", "", "Condition has no attribute conditionEdge",
+             "none is taken"},
+        Slip{"DimensionOfAStep", " dynamicsDimension=\"time\"", "",
+             "SpeedActionDynamics has no attribute dynamicsDimension", "time is taken"},
+        Slip{"ValueOfAStep", " value=\"0.000000\"", "", "SpeedActionDynamics has no attribute value",
+             "0 is taken"},
+        Slip{"EventWithoutAction", "<Event name=\"go\"",
+             "<Event name=\"nothing\" priority=\"parallel\"/><Event name=\"go\"", "an Event has no Action",
+             "it does nothing"},
+        Slip{"EmptyControllerAction", "<PrivateAction>",
+             "<PrivateAction><ControllerAction/></PrivateAction><PrivateAction>", "ControllerAction is empty",
+             "nothing is done"},
+        Slip{"ControllerOfNoCatalogue", "</Vehicle></ScenarioObject>",
+             "</Vehicle><ObjectController><CatalogReference catalogName=\"c\" "
+             "entryName=\"e\"/></ObjectController></ScenarioObject>",
+             "the catalogue entry c/e does not exist", "the actions of the scenario move the entity"},
+        Slip{"EnvironmentOfNoCatalogue", "<Actions>",
+             "<Actions><GlobalAction><EnvironmentAction><CatalogReference catalogName=\"c\" "
+             "entryName=\"e\"/></EnvironmentAction></GlobalAction>",
+             "the catalogue entry c/e does not exist", "the environment stays as it is"}),
+    [](const testing::TestParamInfo<Slip>& test) { return std::string(test.param.name); });
+
+TEST(Slips, WhatTheMotionHangsOnIsRefusedAsBefore)
+{
+    for (const auto& [good, bad] :
+         {std::pair("dynamicsShape=\"step\"", "dynamicsShape=\"linear\" shape=\"\""),
+          std::pair(" s=\"100.000000\"", ""), std::pair(" laneId=\"-1\"", ""),
+          std::pair("<ScenarioObject name=\"Lead\"", "<ScenarioObject")})
+    {
+        std::string text = soundText().text();
+        const std::size_t at = text.find(good);
+        ASSERT_NE(at, std::string::npos) << good;
+        text.replace(at, std::string(good).size(), bad);
+        if (std::string(bad).starts_with("dynamicsShape"))
+            text.replace(text.find(" value=\"0.000000\""), 17, ""); // of a change that takes time
+        const auto problems = problemsIn(text);
+        EXPECT_TRUE(std::any_of(problems.begin(), problems.end(),
+                                [](const Problem& problem)
+                                { return problem.kind == Problem::Kind::invalid; }))
+            << bad;
+    }
+}
+
+/// What versions from 1.1 on allow is no slip.
+TEST(Slips, AnEmptyObjectControllerAndAnInitWithoutActionsAreNone)
+{
+    ScenarioText text = soundText();
+    text.entities.insert(text.entities.find("</ScenarioObject>"), "<ObjectController/>");
+    EXPECT_TRUE(problemsIn(text.text()).empty());
+    std::string bare = text.text();
+    const std::size_t from = bare.find("<Actions>"), to = bare.find("</Actions>") + 10;
+    bare.erase(from, to - from);
+    EXPECT_TRUE(problemsIn(bare).empty());
+}
+
+TEST(Slips, RelativePositionsWithoutDistancesAreAtTheEntity)
+{
+    for (const char* position :
+         {"<RelativeLanePosition entityRef=\"Ego\"/>", "<RelativeRoadPosition entityRef=\"Ego\"/>",
+          "<RelativeObjectPosition entityRef=\"Ego\"/>", "<RelativeWorldPosition entityRef=\"Ego\"/>"})
+    {
+        ScenarioText text = soundText();
+        text.privates += "</Private><Private entityRef=\"Lead\">" + teleport(position);
+        const auto problems = problemsIn(text.text());
+        ASSERT_EQ(problems.size(), 2u) << position;
+        EXPECT_EQ(problems[0].kind, Problem::Kind::assumed);
+        const auto player = roadplay::played(text, 0.0);
+        EXPECT_NEAR(player->entities()[1].position.x, 100.0, 1e-6) << position;
+        EXPECT_NEAR(player->entities()[1].position.y, -1.75, 1e-6) << position;
+    }
+}
+
+TEST(Slips, NumbersThatOnlyBoundMayHaveNoBound)
+{
+    for (const char* most : {"INF", "1e10", "1.7976931348623157e+308"})
+    {
+        ScenarioText text = soundText();
+        text.entities.replace(text.entities.find("maxAcceleration=\"5\""), 19,
+                              std::string("maxAcceleration=\"") + most + "\"");
+        text.stop =
+            std::string(
+                "<StopTrigger><ConditionGroup><Condition name=\"c\" delay=\"0\" conditionEdge=\"none\">"
+                "<ByValueCondition><SimulationTimeCondition rule=\"greaterThan\" value=\"") +
+            most + "\"/></ByValueCondition></Condition></ConditionGroup></StopTrigger>";
+        EXPECT_TRUE(problemsIn(text.text()).empty()) << most;
+        EXPECT_NEAR(roadplay::played(text, 3.0)->timeS(), 3.0, 1e-9) << "it never stops";
+    }
+    ScenarioText text = soundText();
+    text.privates = teleport("<WorldPosition x=\"INF\" y=\"0\"/>"); // the control: a place is no bound
+    EXPECT_EQ(problemsIn(text.text()).at(0).kind, Problem::Kind::invalid);
+}
+
+TEST(Slips, AnOffsetWithoutDynamicsIsThereAtOnce)
+{
+    ScenarioText text = soundText();
+    text.stories = story(event(
+        "go",
+        R"(<PrivateAction><LateralAction><LaneOffsetAction continuous="false"><LaneOffsetTarget><AbsoluteTargetLaneOffset value="0.5"/></LaneOffsetTarget></LaneOffsetAction></LateralAction></PrivateAction>)",
+        timeCondition(1.0)));
+    ASSERT_EQ(problemsIn(text.text()).size(), 1u);
+    EXPECT_EQ(problemsIn(text.text())[0].kind, Problem::Kind::assumed);
+    EXPECT_NEAR(roadplay::played(text, 1.0)->entities()[0].position.y, -1.75, 1e-9);
+    EXPECT_NEAR(roadplay::played(text, 1.1)->entities()[0].position.y, -1.25, 1e-9);
+}
+
+TEST(Slips, ATimingWithoutAnyTimeIsNone)
+{
+    const std::string far = "<WorldPosition x=\"50\" y=\"0\"/>", start = "<WorldPosition x=\"0\" y=\"0\"/>";
+    ScenarioText text = soundText();
+    text.stories.clear();
+    text.privates = speedAction(10.0) + followTrajectory(vertex(start) + vertex(far), kTiming);
+    ASSERT_EQ(problemsIn(text.text()).size(), 1u);
+    EXPECT_EQ(problemsIn(text.text())[0].kind, Problem::Kind::assumed);
+    EXPECT_NEAR(roadplay::played(text, 2.0)->entities()[0].position.x, 20.0, 1e-6) << "by its speed";
+    text.privates = speedAction(10.0) + followTrajectory(vertex(start, "0") + vertex(far), kTiming);
+    EXPECT_EQ(problemsIn(text.text()).at(0).kind, Problem::Kind::invalid) << "the control";
+}
+
+TEST(Slips, OfTwoVerticesAtOneTimeTheFirstIsKept)
+{
+    const auto at = [](double x, const char* time)
+    { return vertex("<WorldPosition x=\"" + std::to_string(x) + "\" y=\"0\"/>", time); };
+    ScenarioText text = soundText();
+    text.stories.clear();
+    text.privates = followTrajectory(at(0.0, "0") + at(10.0, "1") + at(11.0, "1") + at(20.0, "2"), kTiming);
+    const auto problems = problemsIn(text.text());
+    ASSERT_EQ(problems.size(), 1u);
+    EXPECT_EQ(problems[0].kind, Problem::Kind::assumed);
+    EXPECT_NE(problems[0].error.what.find("vertex 3"), std::string::npos) << problems[0].error.message();
+    EXPECT_NEAR(roadplay::played(text, 1.5)->entities()[0].position.x, 15.0, 1e-6);
+    text.privates = followTrajectory(at(0.0, "0") + at(10.0, "1") + at(11.0, "0.5"), kTiming);
+    EXPECT_EQ(problemsIn(text.text()).at(0).kind, Problem::Kind::invalid) << "the control: times that fall";
+}
+
+class Files : public testing::Test
+{
+protected:
+    void SetUp() override
+    {
+        folder = std::filesystem::path(testing::TempDir()) / "slips_test";
+        std::filesystem::remove_all(folder);
+        std::filesystem::create_directories(folder);
+    }
+    void write(const std::string& name, const std::string& text) const
+    {
+        std::ofstream(folder / name) << text;
+    }
+
+    std::filesystem::path folder;
+};
+
+TEST_F(Files, ACatalogueLocationMayNameTheFile)
+{
+    write("cars.xosc", "<OpenSCENARIO><FileHeader revMajor=\"1\" revMinor=\"0\" date=\"d\" description=\"d\" "
+                       "author=\"a\"/><Catalog name=\"Cars\">" +
+                           kCar + "</Catalog></OpenSCENARIO>");
+    ScenarioText text = soundText();
+    text.catalogs =
+        R"(<CatalogLocations><VehicleCatalog><Directory path="cars.xosc"/></VehicleCatalog></CatalogLocations>)";
+    text.entities =
+        R"(<ScenarioObject name="Ego"><CatalogReference catalogName="Cars" entryName="car"/></ScenarioObject>)";
+    write("scene.xosc", text.text());
+    const auto parsed = readScenario(folder / "scene.xosc", {.tolerant = true, .parameters = {}});
+    ASSERT_TRUE(parsed) << parsed.error().message();
+    EXPECT_TRUE(parsed->problems.empty()) << parsed->problems[0].error.message();
+    EXPECT_EQ(parsed->scenario.entities.at(0).box().lengthM, 5.0);
+}
+
+TEST_F(Files, ATownThatIsNotThereLeavesAPlayWithoutRoads)
+{
+    Scenario scenario;
+    EXPECT_FALSE(missingRoads(scenario, folder)) << "it names none";
+    scenario.roadNetwork.logicFile = "Town01";
+    const auto missing = missingRoads(scenario, folder);
+    ASSERT_TRUE(missing);
+    EXPECT_NE(missing->message().find("Town01: the LogicFile is not there; instead: there are no roads"),
+              std::string::npos)
+        << missing->message();
+    const auto none = openRoads(scenario, folder);
+    ASSERT_TRUE(none) << none.error().message();
+    EXPECT_FALSE(*none);
+    write("Town01.xodr", roadtexts::network(roadtexts::road(
+                             "1", 100.0, roadtexts::straightPlan(100.0) + roadtexts::twoLanes())));
+    EXPECT_FALSE(missingRoads(scenario, folder));
+    const auto roads = openRoads(scenario, folder);
+    ASSERT_TRUE(roads) << roads.error().message();
+    ASSERT_TRUE(*roads) << "the name with .xodr";
+    EXPECT_EQ((*roads)->network().roads.size(), 1u);
+}
+
+TEST_F(Files, APlaceOnARoadThatIsNotThereIsRefusedWithTheName)
+{
+    auto parsed = parseScenario(soundText().text(), "test.xosc", {.tolerant = true, .parameters = {}});
+    ASSERT_TRUE(parsed);
+    parsed->scenario.roadNetwork.logicFile = "Town01";
+    const auto player = ScenarioPlayer::create(std::move(parsed->scenario), {});
+    ASSERT_FALSE(player);
+    EXPECT_NE(player.error().message().find("the LogicFile Town01 is not there"), std::string::npos)
+        << player.error().message();
+}
+
+} // namespace
+} // namespace simulation
