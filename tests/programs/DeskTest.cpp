@@ -149,12 +149,12 @@ TEST_F(Desk, DestroyedWhileAPictureIsMadeItKeepsItsRecording)
         std::filesystem::remove(path("in.txt"));
         const std::string preloaded =
             std::string("LD_PRELOAD=") + OSGTRAINER_LOST_WINDOW + " OSGTRAINER_LOSE_WINDOW='" + moment + "'";
-        const ProgramRun run =
-            runProgram({kOnDisplay, "--", "sh", "-c",
-                        preloaded + " exec " + OSGTRAINER_TRAINER + " fly --aircraft " + kSeatAircraft +
-                            " --mute --interior off --shadows off --tolerance 8 --record-inputs " +
-                            path("in.txt") + " --size 240x136 --samples 1 --window"},
-                       150.0);
+        const ProgramRun run = runProgram(
+            {kOnDisplay, "--", "sh", "-c",
+             preloaded + " exec " + OSGTRAINER_TRAINER + " fly --no-world --aircraft " + kSeatAircraft +
+                 " --mute --interior off --shadows off --tolerance 8 --record-inputs " + path("in.txt") +
+                 " --size 240x136 --samples 1 --window"},
+            150.0);
         EXPECT_FALSE(run.timedOut) << moment;
         EXPECT_EQ(run.exitCode, 1) << moment << run.text();
         EXPECT_NE(run.text().find("another program has destroyed the window"), std::string::npos)
