@@ -44,7 +44,7 @@ using terminal::Report;
 foundation::Result<Report> info(const Request& request);
 
 /// Flies the tour over each terrain, and the path of each scenario (.xosc) over the terrain that it names, and checks the
-/// mesh of every frame by brute force.
+/// mesh of every frame by brute force. A .mt file is checked by validateMt().
 foundation::Result<Report> validate(const Request& request);
 
 /// Measures every driver on the benchmark paths over a planar square of each terrain.

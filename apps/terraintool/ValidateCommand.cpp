@@ -12,6 +12,7 @@
 #include "terraintool/Commands.h"
 #include "terraintool/FlightFindings.h"
 #include "terraintool/FlightViews.h"
+#include "terraintool/mt/MtRequest.h"
 
 namespace terraintool
 {
@@ -97,6 +98,11 @@ foundation::Result<Report> validate(const Request& request)
     Report report;
     for (const std::string& file : request.files)
     {
+        if (std::filesystem::path(file).extension() == ".mt")
+        {
+            validateMt(file, request.frames, report);
+            continue;
+        }
         nlohmann::ordered_json row;
         row["file"] = file;
         const auto flight = fly(request, file, row);

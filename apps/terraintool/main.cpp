@@ -3,6 +3,7 @@
 #include "terminal/CommandLine.h"
 #include "terminal/Guard.h"
 #include "terraintool/RunCommand.h"
+#include "terraintool/mt/AddMtCommands.h"
 
 namespace
 {
@@ -67,6 +68,7 @@ int run(int argc, char** argv)
         ->check(CLI::Range(1, 100000));
     bench->add_option("--drivers", request.drivers, "only these drivers: wheel, walk, queue, scratch")
         ->check(CLI::IsMember({"wheel", "walk", "queue", "scratch"}));
+    terraintool::addMtBuild(app, jsonFile, command);
     if (const auto ends = terminal::parse(app, argc, argv)) return *ends;
     return terraintool::run(command, request, jsonFile);
 }

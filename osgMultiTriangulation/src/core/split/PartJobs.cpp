@@ -15,7 +15,6 @@ PartJobs::PartJobs(const SurfaceMesh& mesh, const Partition& partition)
       _joinedAt(mesh.points.size(), 255),
       _current(mesh.points.size(), kNone),
       _rests(partition.parts.size()),
-      _trees(partition.parts.size()),
       _locked(partition.parts.size(), 0)
 {
     std::vector<std::uint32_t> holders;
@@ -38,9 +37,12 @@ PartJobs::PartJobs(const SurfaceMesh& mesh, const Partition& partition)
         _trianglesOf[next[holders[t]]++] = t;
 }
 
-void PartJobs::build(std::uint32_t part)
+TreeRecord PartJobs::build(std::uint32_t part)
 {
     const PlanPart& own = _partition.parts[part];
+    std::vector<std::size_t> roots; // triangles of each half; they come first in what is gathered
+    for (const std::uint32_t half : own.halves)
+        if (half != kNone) roots.push_back(_rests[half].measured.mesh.triangles.size());
     PartMesh gathered = gather(part);
     TreeOptions options;
     const std::size_t count = gathered.inputs.size();
@@ -51,26 +53,30 @@ void PartJobs::build(std::uint32_t part)
     options.keep = own.depth == 0 ? 0 : _locked[part] + (count - _locked[part]) / 2;
     BuiltTree built = buildTree(gathered.measured, options);
 
-    std::uint32_t firstRoot = 0; // the halves' roots come first in what was gathered
-    for (const std::uint32_t half : own.halves)
+    TreeRecord record{std::move(built.tree), {}};
+    auto root = built.triangle.begin();
+    for (const std::size_t triangles : roots)
     {
-        if (half == kNone) continue;
-        const auto begin = built.triangle.begin() + firstRoot;
-        firstRoot += _trees[half].part.rootTriangles;
-        _trees[half].parentTriangles.assign(begin, built.triangle.begin() + firstRoot);
+        record.childRoots.emplace_back(root, root + triangles);
+        root += triangles;
     }
+    if (own.depth == 0) return record;
     PartMesh rest;
     rest.measured = std::move(built.rest);
-    const std::size_t left = rest.measured.mesh.points.size();
-    for (std::uint32_t p = 0; p < left; ++p)
+    for (std::uint32_t p = 0; p < rest.measured.mesh.points.size(); ++p)
     {
         rest.inputs.push_back(gathered.inputs[built.points[p]]);
         rest.joinedAt.push_back(gathered.joinedAt[built.points[p]]);
-        _current[rest.inputs.back()] = p;
     }
-    _trees[part].part = std::move(built.tree);
-    _trees[part].parent = own.parent;
-    if (own.depth > 0) _rests[part] = std::move(rest);
+    restore(part, std::move(rest));
+    return record;
+}
+
+void PartJobs::restore(std::uint32_t part, PartMesh rest)
+{
+    for (std::uint32_t p = 0; p < rest.inputs.size(); ++p)
+        _current[rest.inputs[p]] = p;
+    _rests[part] = std::move(rest);
 }
 
 PartMesh PartJobs::gather(std::uint32_t part)
@@ -137,11 +143,6 @@ void PartJobs::addTriangles(std::uint32_t part, PartMesh& gathered)
         all.errors.push_back(0.0f);
         all.firstHidden.push_back(static_cast<std::uint32_t>(all.hidden.size()));
     }
-}
-
-Forest PartJobs::takeForest()
-{
-    return Forest{std::move(_trees)};
 }
 
 } // namespace osgMultiTriangulation::core

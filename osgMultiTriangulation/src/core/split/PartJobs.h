@@ -7,6 +7,7 @@
 
 #include <osgMultiTriangulation/core/build/BuildTree.h>
 #include <osgMultiTriangulation/core/split/BuildForest.h>
+#include <osgMultiTriangulation/core/structure/TreeRecord.h>
 
 namespace osgMultiTriangulation::core
 {
@@ -27,10 +28,13 @@ public:
     PartJobs(const SurfaceMesh& mesh, const Partition& partition);
 
     /// Builds the tree of a part, and keeps what is left of it for the part above.
-    void build(std::uint32_t part);
+    TreeRecord build(std::uint32_t part);
 
-    /// Takes the trees once all are built, numbered like their parts.
-    Forest takeForest();
+    /// What is left of a part that was built, until the part above is.
+    const PartMesh& restOf(std::uint32_t part) const { return _rests[part]; }
+
+    /// Goes on from a part that was built by an earlier run.
+    void restore(std::uint32_t part, PartMesh rest);
 
     /// The points that stay on the border of a part, after it was built.
     std::uint32_t lockedIn(std::uint32_t part) const { return _locked[part]; }

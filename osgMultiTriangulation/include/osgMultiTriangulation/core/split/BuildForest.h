@@ -27,7 +27,7 @@ struct ForestOptions
 /// What a build came to.
 struct ForestReport
 {
-    std::uint32_t rectangles = 0;
+    std::uint32_t rectangles = 0, trees = 0;
     std::uint32_t largestTree = 0, smallestTree = 0; ///< points of the drains of rectangles
     std::uint32_t mainPart = 0;                      ///< points of the main part's drain
     double borderPoints = 0.0;                       ///< mean number that stays on the border of a rectangle

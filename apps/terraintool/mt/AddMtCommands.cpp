@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "terraintool/mt/AddMtCommands.h"
+
+#include <algorithm>
+#include <thread>
+
+namespace terraintool
+{
+
+void addMtBuild(CLI::App& app, std::filesystem::path& jsonFile, Command& command)
+{
+    CLI::App* sub = app.add_subcommand("mt-build", "build a multi-triangulation, a .mt file");
+    const auto request = std::make_shared<MtBuildRequest>();
+    request->options.jobs = std::max(1u, std::thread::hardware_concurrency());
+    sub->add_option("INPUT", request->inputs, "elevation rasters, joined")->required();
+    sub->add_option("-o,--output", request->output, "the file to write")
+        ->required()
+        ->check(terminal::extension(".mt"));
+    sub->add_option("--memory", request->memoryMb, "MB that the build may take")
+        ->check(terminal::between(1.0, 1e7));
+    sub->add_option("--jobs", request->options.jobs, "threads")->check(CLI::Range(1u, 1024u));
+    sub->add_option("--trees", request->options.treeCount, "rectangles; without it: balanced")
+        ->check(CLI::Range(1u, 1'000'000u));
+    sub->add_flag_callback(
+        "--median", [request] { request->options.where = osgMultiTriangulation::core::SplitAt::median; },
+        "halve rectangles at the median");
+    sub->add_option("--spacing", request->import.spacingM, "metres between samples without georeference")
+        ->check(terminal::between(0.001, 1e5));
+    sub->add_option("--json", jsonFile, "also write the table to this file");
+    sub->callback([request, &command] { command = [request](const Request&) { return buildMt(*request); }; });
+}
+
+} // namespace terraintool

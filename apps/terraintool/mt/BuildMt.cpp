@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+#include <iostream>
+#include <optional>
+
+#include <foundation/WholeFile.h>
+
+#include <osgMultiTriangulation/core/check/SurfaceCheck.h>
+#include <osgMultiTriangulation/core/file/BuildMtFile.h>
+#include <osgMultiTriangulation/core/surface/DropPoints.h>
+#include <osgMultiTriangulation/core/surface/GridSurface.h>
+
+#include "terminal/Terminal.h"
+#include "terraintool/mt/MtRequest.h"
+
+namespace terraintool
+{
+
+namespace
+{
+
+using namespace osgMultiTriangulation::core;
+
+/// A surface with the place of its lattice.
+struct PlacedSurface
+{
+    SurfaceMesh mesh;
+    PlanFrame frame;
+};
+
+foundation::Result<PlacedSurface> readRasters(const MtBuildRequest& request)
+{
+    const auto field = osgTerrainROAM::core::importDems(request.inputs, request.import);
+    if (!field) return field.error();
+    PlacedSurface surface;
+    surface.frame.stepX = field->spacingEastM;
+    surface.frame.stepY = field->spacingNorthM;
+    surface.mesh = gridSurface(field->columns, field->rows, field->heightsM);
+    if (field->mask.hasAll()) return surface;
+    std::vector<bool> isThere;
+    for (int row = 0; row < field->rows; ++row)
+        for (int column = 0; column < field->columns; ++column)
+            isThere.push_back(field->mask.holds(column, row));
+    dropPoints(surface.mesh, std::move(isThere));
+    return surface;
+}
+
+/// The memory that a build takes at most, in MB: surface and rests by point, and a tree in each thread.
+double neededMb(std::size_t points, std::uint32_t trees, unsigned jobs)
+{
+    constexpr double kBytesOfPoint = 190.0, kBytesOfTreePoint = 500.0;
+    const double all = static_cast<double>(points);
+    return (kBytesOfPoint * all + kBytesOfTreePoint * jobs * all / trees) / 1e6;
+}
+
+foundation::Outcome checkMemory(const MtBuildRequest& request, std::size_t points)
+{
+    const std::uint32_t trees = request.options.treeCount > 0
+                                    ? request.options.treeCount
+                                    : balancedTreeCount(static_cast<double>(points), request.options.border);
+    const double needed = neededMb(points, trees, request.options.jobs);
+    if (request.memoryMb <= 0.0 || needed <= request.memoryMb) return foundation::success();
+    return foundation::Error{request.output.string(),
+                             "needs " + std::to_string(std::lround(std::ceil(needed))) + " MB for " +
+                                 std::to_string(points) + " points",
+                             "allow more with --memory, or build parts of the input by themselves"};
+}
+
+} // namespace
+
+foundation::Result<terminal::Report> buildMt(const MtBuildRequest& request)
+{
+    if (const auto writable = foundation::checkWritable(request.output); !writable) return writable.error();
+    const auto surface = readRasters(request);
+    if (!surface) return surface.error();
+    if (const auto fault = checkInput(surface->mesh))
+        return foundation::Error{request.inputs[0].string(), *fault, "repair the input"};
+    if (const auto enough = checkMemory(request, surface->mesh.points.size()); !enough) return enough.error();
+    ForestOptions options = request.options;
+    std::optional<terminal::Progress> bar;
+    options.progress = [&](std::uint32_t done, std::uint32_t all)
+    {
+        if (!bar) bar.emplace(request.output.string(), all - done + 1);
+        bar->advance();
+        return true;
+    };
+    const auto built = buildMtFile(surface->mesh, surface->frame, options, request.output);
+    bar.reset();
+    if (!built) return built.error();
+    terminal::Report report;
+    nlohmann::ordered_json& row = report.json["files"].emplace_back();
+    row["file"] = request.output.string();
+    row["points"] = surface->mesh.points.size();
+    row["triangles"] = surface->mesh.triangles.size();
+    row["trees"] = built->trees;
+    row["rectangles"] = built->rectangles;
+    row["largestTree"] = built->largestTree;
+    row["smallestTree"] = built->smallestTree;
+    row["mainPart"] = built->mainPart;
+    row["borderPoints"] = built->borderPoints;
+    row["fileBytes"] = std::filesystem::file_size(request.output);
+    std::cout << request.output.string() << ": " << surface->mesh.points.size() << " points in "
+              << built->trees << " trees, " << row["fileBytes"] << " bytes\n";
+    return report;
+}
+
+} // namespace terraintool

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <limits>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <foundation/Result.h>
+
+#include <osgMultiTriangulation/core/file/MtInfo.h>
+#include <osgMultiTriangulation/core/file/TreeCode.h>
+#include <osgMultiTriangulation/core/structure/Forest.h>
+
+namespace osgMultiTriangulation::core
+{
+
+/// A tree that was read, with its ties to those below it.
+struct ReadTree
+{
+    ForestTree tree;
+    std::vector<std::vector<std::uint32_t>> childRoots; ///< by child, in the order of their numbers
+};
+
+/// A file of a split multi-triangulation (.mt), read tree by tree. docs/reference/mt-file.md describes it.
+/// Threads: any number may read at once.
+class MtFile
+{
+public:
+    /// Reads the header and the directory. Errors: no such file, not a .mt file, another version, damaged header or directory.
+    static foundation::Result<MtFile> open(const std::filesystem::path& file);
+
+    const MtInfo& info() const { return _info; }
+    const std::filesystem::path& path() const { return _file; }
+
+    /// The children of a tree, in the order of their numbers.
+    std::span<const std::uint32_t> childrenOf(std::uint32_t tree) const { return _children[tree]; }
+
+    /// Reads a tree. `parent`: its parent, completely read; null for the main part. `fragments`: at most so many.
+    /// Errors: truncated, damaged, does not fit its parent; each names the tree. The other trees stay usable.
+    foundation::Result<ReadTree> read(std::uint32_t tree, const ReadTree* parent,
+                                      std::size_t fragments = std::numeric_limits<std::size_t>::max()) const;
+
+private:
+    foundation::Error failure(const std::string& what) const;
+    foundation::Outcome readDirectory(std::span<const char> header);
+
+    std::filesystem::path _file;
+    MtInfo _info;
+    std::vector<std::vector<std::uint32_t>> _children;
+};
+
+/// A tree as bytes, with what the directory says of it but its place.
+struct EncodedTree
+{
+    MtEntry entry;
+    std::vector<std::byte> bytes;
+};
+
+EncodedTree encodedTree(const TreeRecord& record, std::uint32_t parent, double heightStep);
+
+/// Writes a file from encoded trees, one at a time. It appears under its name when it is complete.
+/// `info`: frame, heightStep, points and triangles; its trees are replaced. `entries`: by tree. `bytesOf`: the bytes of a tree,
+/// asked for once each, in order. Errors: no such folder, no permission, no room; what `bytesOf` returns.
+foundation::Outcome
+writeMtFile(const std::filesystem::path& file, MtInfo info, std::vector<MtEntry> entries,
+            const std::function<foundation::Result<std::vector<std::byte>>(std::uint32_t)>& bytesOf);
+
+} // namespace osgMultiTriangulation::core

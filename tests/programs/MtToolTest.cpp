@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+// terraintool mt-build and validate of its files, from the program itself.
+#include <filesystem>
+#include <fstream>
+
+#include "Playing.h"
+
+namespace
+{
+
+using nlohmann::ordered_json;
+
+std::vector<std::string> building(const Workplace& place, const std::string& output)
+{
+    return {"mt-build", place.hill(), "-o", place.path(output), "--trees", "5"};
+}
+
+TEST(MtTool, buildsAFileThatValidateFindsSound)
+{
+    const Workplace place;
+    std::vector<std::string> build = building(place, "hill.mt");
+    build.insert(build.end(), {"--json", place.path("built.json")});
+    EXPECT_TRUE(succeeds(runTerrainTool(build)));
+    const auto built = ordered_json::parse(readBytes(place.path("built.json")))["files"][0];
+    EXPECT_EQ(keysOf(built),
+              (std::vector<std::string>{"file", "points", "triangles", "trees", "rectangles", "largestTree",
+                                        "smallestTree", "mainPart", "borderPoints", "fileBytes"}));
+    EXPECT_EQ(built["points"], 65 * 65);
+    EXPECT_FALSE(std::filesystem::exists(place.path("hill.mt.parts")));
+    EXPECT_TRUE(succeeds(runTerrainTool(
+        {"validate", place.path("hill.mt"), "--frames", "12", "--json", place.path("found.json")})));
+    const auto found = ordered_json::parse(readBytes(place.path("found.json")))["files"][0];
+    EXPECT_EQ(keysOf(found),
+              (std::vector<std::string>{"file", "points", "trees", "wholeTrees", "frames", "measuredFrames",
+                                        "mostTriangles", "worstExcessM", "faults"}));
+    EXPECT_EQ(found["frames"], 12);
+    EXPECT_EQ(found["faults"].size(), 0U);
+}
+
+TEST(MtTool, oneThreadAndFourWriteTheSameBytes)
+{
+    const Workplace place;
+    std::vector<std::string> one = building(place, "one.mt"), four = building(place, "four.mt");
+    one.insert(one.end(), {"--jobs", "1"});
+    four.insert(four.end(), {"--jobs", "4"});
+    EXPECT_TRUE(succeeds(runTerrainTool(one)));
+    EXPECT_TRUE(succeeds(runTerrainTool(four)));
+    EXPECT_EQ(readBytes(place.path("one.mt")), readBytes(place.path("four.mt")));
+}
+
+TEST(MtTool, validateTellsTheTreeThatIsDamagedAndFliesOverTheOthers)
+{
+    const Workplace place;
+    ASSERT_TRUE(succeeds(runTerrainTool(building(place, "hill.mt"))));
+    std::string bytes = readBytes(place.path("hill.mt"));
+    bytes[bytes.size() - 100] ^= 1;
+    std::ofstream(place.path("hill.mt"), std::ios::binary) << bytes;
+    const ProgramRun run = runTerrainTool({"validate", place.path("hill.mt"), "--frames", "5"});
+    EXPECT_EQ(run.exitCode, 1);
+    EXPECT_NE(run.output.find("BROKEN"), std::string::npos) << run.text();
+    EXPECT_NE(run.output.find("is damaged: its checksum differs"), std::string::npos) << run.text();
+    EXPECT_NE(run.output.find("5 frames"), std::string::npos) << run.text();
+}
+
+TEST(MtTool, wrongUseIsTold)
+{
+    const Workplace place;
+    EXPECT_TRUE(failsWith(runTerrainTool({"mt-build", place.hill(), "-o", place.path("hill.txt")}), 2,
+                          "terraintool", {".mt"}));
+    EXPECT_TRUE(failsWith(runTerrainTool({"mt-build", place.path("none.tif"), "-o", place.path("a.mt")}), 1,
+                          "terraintool", {"none.tif"}));
+    place.write("empty.tif", "");
+    EXPECT_TRUE(failsWith(runTerrainTool({"mt-build", place.path("empty.tif"), "-o", place.path("a.mt")}), 1,
+                          "terraintool", {"empty.tif"}));
+    std::vector<std::string> little = building(place, "a.mt");
+    little.insert(little.end(), {"--memory", "1"});
+    EXPECT_TRUE(failsWith(runTerrainTool(little), 1, "terraintool", {"MB", "--memory"}));
+    EXPECT_FALSE(std::filesystem::exists(place.path("a.mt")));
+}
+
+} // namespace
