@@ -106,4 +106,80 @@ TEST(ProgressiveLevel, GoesUpThroughTheVeryBuffersThatItWentDown)
     }
 }
 
+/// Returns how many holes of a buffer do not hold the last index of the slot before them, or 0 behind an unused slot.
+std::size_t wrongHoles(const ProgressiveMesh& progressive, const ProgressiveLevel& level,
+                       const std::vector<std::uint32_t>& indices)
+{
+    std::vector<bool> isDrawn(progressive.slotCount, false);
+    for (std::uint32_t group = 0; group < progressive.groups.size(); ++group)
+    {
+        std::vector<SlotRange> ranges;
+        level.appendRanges(group, ranges);
+        for (const SlotRange& range : ranges)
+            std::fill_n(isDrawn.begin() + range.first, range.count, true);
+    }
+    std::size_t wrong = 0;
+    for (std::uint32_t slot = 0; slot < progressive.slotCount; ++slot)
+    {
+        const std::uint32_t* const at = &indices[3 * std::size_t{slot}];
+        if (!isDrawn[slot] || at[0] != at[1]) continue;
+        const std::uint32_t expected = slot > 0 && isDrawn[slot - 1] ? at[-1] : 0;
+        wrong += at[0] != expected || at[2] != expected;
+    }
+    return wrong;
+}
+
+TEST(ProgressiveLevel, HolesRepeatTheLastIndexBeforeThem)
+{
+    for (const auto& subject : testsupport::progressiveSubjects())
+    {
+        const ProgressiveMesh progressive = buildProgressiveMesh(
+            subject.mesh, simplify(subject.mesh), testsupport::smallBlocks(Arrangement::windows));
+        ProgressiveLevel level(progressive);
+        std::size_t told = 0;
+        for (std::uint32_t i = 0; i <= 2 * progressive.stepCount; ++i)
+        {
+            level.moveTo(i <= progressive.stepCount ? i : 2 * progressive.stepCount - i);
+            std::vector<std::uint32_t> indices = indicesOf(level);
+            ASSERT_EQ(wrongHoles(progressive, level, indices), 0u) << subject.name << ", move " << i;
+            for (std::size_t first = 0; first < indices.size(); first += 3) // the control: other last indices
+                if (indices[first] != indices[first + 1]) ++indices[first + 2];
+            told += wrongHoles(progressive, level, indices) > 0;
+        }
+        EXPECT_GT(told, progressive.stepCount / 2) << subject.name;
+    }
+}
+
+TEST(ProgressiveLevel, ReachesTheSameBuffersInMovesOfAnyLength)
+{
+    // Large enough for more changed slots in one move than the few hundred after which holes are brought up to date.
+    const Mesh mesh =
+        testsupport::together(testsupport::waves(40, 30), testsupport::torus(24, 16), {20, 0, 0});
+    const CollapseSequence sequence = simplify(mesh);
+    for (const Arrangement arrangement : kArrangements)
+    {
+        const ProgressiveMesh progressive =
+            buildProgressiveMesh(mesh, sequence, testsupport::smallBlocks(arrangement));
+        ProgressiveLevel single(progressive);
+        std::vector<std::vector<std::uint32_t>> buffers;
+        for (std::uint32_t steps = 0; steps <= progressive.stepCount; ++steps)
+        {
+            single.moveTo(steps);
+            buffers.push_back(indicesOf(single));
+        }
+        ProgressiveLevel level(progressive);
+        for (const std::uint32_t length : {2u, 7u, 60u, 500u, progressive.stepCount})
+            for (std::uint32_t i = 0; i < 2 * progressive.stepCount + length; i += length)
+            {
+                const std::uint32_t steps = i <= progressive.stepCount      ? i
+                                            : i < 2 * progressive.stepCount ? 2 * progressive.stepCount - i
+                                                                            : 0;
+                level.moveTo(steps);
+                ASSERT_EQ(indicesOf(level), buffers[steps]) << "arrangement " << static_cast<int>(arrangement)
+                                                            << ", " << length << " steps to " << steps;
+            }
+        EXPECT_NE(buffers.front(), buffers[progressive.stepCount / 2]); // the control: levels differ
+    }
+}
+
 } // namespace

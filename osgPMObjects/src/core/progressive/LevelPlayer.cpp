@@ -6,6 +6,7 @@
 
 #include "IndexSlots.h"
 #include "RearrangementReader.h"
+#include "StepHead.h"
 #include "StepRecord.h"
 
 namespace osgPMObjects::core
@@ -32,7 +33,8 @@ public:
           _widths(progressive),
           _parents(progressive.parents.begin(), progressive.parents.end()),
           _at(progressive.records.data() + progressive.records.size() - kRecordPadding),
-          _slots(progressive.slotCount),
+          _slots(progressive.slotCount,
+                 progressive.mostSlotsOfStep + RearrangementReader<Index>::mostNotes(progressive)),
           _slotsOfStep(progressive.mostSlotsOfStep),
           _fromOfPatched(progressive.mostSlotsOfStep),
           _rearrangements(progressive.mostRearrangements),
@@ -43,10 +45,18 @@ public:
 
     void moveTo(std::uint32_t steps) override
     {
+        Cursor cursor{_slots.writer(), _at, _wedges, _faces};
+        _statistics.steps += std::max(steps, _steps) - std::min(steps, _steps);
         while (_steps < steps)
-            ecol();
+            if (down<true>(cursor, steps); _steps < steps) cursor = specialDown(cursor, steps);
         while (_steps > steps)
-            vsplit();
+            if (up<true>(cursor, steps); _steps > steps) cursor = specialUp(cursor, steps);
+        cursor.slots.refreshHoles();
+        _at = cursor.at;
+        _wedges = cursor.wedges;
+        _faces = cursor.faces;
+        _statistics.facesPatched += cursor.patched;
+        _statistics.facesVanished += cursor.vanished;
     }
 
     void takeChanges(std::vector<SlotRange>& changes) override { _slots.takeChanges(changes); }
@@ -55,6 +65,23 @@ public:
     std::span<const std::uint32_t> wideIndices() const override { return indicesAs<std::uint32_t>(); }
 
 private:
+    using Slots = SlotWriter<Index>;
+
+    /// Where a play is. A local variable is one: its members stay in registers while bytes are written.
+    struct Cursor
+    {
+        Slots slots;
+        const std::byte* at; ///< end of the last record that was played
+        std::uint32_t wedges, faces;
+        std::uint64_t patched = 0, vanished = 0; ///< faces so far
+
+        void count(const StepHead& head)
+        {
+            patched += head.patched;
+            vanished += head.vanished;
+        }
+    };
+
     template<class Wanted>
     std::span<const Wanted> indicesAs() const
     {
@@ -66,13 +93,13 @@ private:
 
     void putBase()
     {
-        const SlotWriter<Index> slots = _slots.writer();
+        Slots slots = _slots.writer();
         auto next = _progressive.base.begin();
         for (const FaceBlock& block : _progressive.blocks)
         {
             slots.fill(
                 block.firstSlot, block.extent, [&](std::uint32_t i) { return !repeatsCorner(next[i]); },
-                [&](std::uint32_t i) -> typename SlotWriter<Index>::Slot {
+                [&](std::uint32_t i) -> typename Slots::Slot {
                     return {static_cast<Index>(next[i][0]), static_cast<Index>(next[i][1]),
                             static_cast<Index>(next[i][2])};
                 });
@@ -83,88 +110,110 @@ private:
                                                      [](const Triangle& t) { return !repeatsCorner(t); }));
     }
 
-    /// The head of a step's record.
-    struct Head
+    /// Plays steps as long as they are plain, or as long as they are not.
+    template<bool plain>
+    void down(Cursor& cursor, std::uint32_t steps)
     {
-        std::uint32_t vanished, patched, wedges = 1;
-        bool severalGo, facesMove;
-        ByteReader counts{nullptr}; ///< of patched faces by wedge, if several are removed
-
-        explicit Head(ByteReader& in)
+        for (; _steps < steps && StepHead::isPlain(*cursor.at) == plain; ++_steps)
         {
-            const std::uint32_t head = in.byte();
-            vanished = head & 3;
-            patched = head >> 2 & 15;
-            severalGo = head & 0x40;
-            facesMove = head & 0x80;
-            if (vanished == 3) [[unlikely]]
-                vanished = in.number();
-            if (patched == 15) [[unlikely]]
-                patched = in.number();
-            if (!severalGo) return;
-            wedges = in.number();
-            counts = in;
-            for (std::uint32_t i = 0; i < wedges; ++i)
-                in.number();
+            ecol<plain>(cursor);
+            if (_slots.areMany(cursor.slots.noted())) [[unlikely]]
+                cursor.slots = refreshed(cursor.slots);
         }
-    };
-
-    void ecol()
-    {
-        const SlotWriter<Index> slots = _slots.writer();
-        ByteReader in(_at);
-        Head head(in);
-        SlotLists lists(in, _widths.slot);
-        for (std::uint32_t gone = 0; gone < head.wedges; ++gone)
-        {
-            const Index from = static_cast<Index>(_wedges - 1 - gone), to = _parents[from];
-            lists.visit(head.severalGo ? head.counts.number() : head.patched,
-                        [slots, from, to](std::uint32_t slot) { slots.patch(slot, from, to); });
-        }
-        lists.visit(head.vanished, [slots](std::uint32_t slot) { slots.makeHole(slot); });
-        skipCodes(in, head.vanished);
-        if (head.facesMove)
-            for (std::uint32_t count = in.number(); count > 0; --count)
-                _statistics.facesMoved += _rearranger.forth(in, slots);
-        _at = skipLength(in.at(), static_cast<std::size_t>(in.at() - _at));
-        _wedges -= head.wedges;
-        _faces -= head.vanished;
-        ++_steps;
-        count(head);
     }
 
-    void vsplit()
+    template<bool plain>
+    void up(Cursor& cursor, std::uint32_t steps)
     {
-        const std::byte* const begin = beginOfRecordBefore(_at);
-        const SlotWriter<Index> slots = _slots.writer();
+        for (; _steps > steps; --_steps)
+        {
+            const std::byte* const begin = beginOfRecordBefore(cursor.at);
+            if (StepHead::isPlain(*begin) != plain) break;
+            vsplit<plain>(cursor, begin);
+            if (_slots.areMany(cursor.slots.noted())) [[unlikely]]
+                cursor.slots = refreshed(cursor.slots);
+        }
+    }
+
+    /// Steps that are not plain, apart, so that they take no registers from the loops of plain ones.
+    [[gnu::noinline]] Cursor specialDown(Cursor cursor, std::uint32_t steps)
+    {
+        down<false>(cursor, steps);
+        return cursor;
+    }
+    [[gnu::noinline]] Cursor specialUp(Cursor cursor, std::uint32_t steps)
+    {
+        up<false>(cursor, steps);
+        return cursor;
+    }
+    [[gnu::noinline]] static Slots refreshed(Slots slots)
+    {
+        slots.refreshHoles();
+        return slots;
+    }
+
+    template<bool plain>
+    void ecol(Cursor& cursor)
+    {
+        Slots slots = cursor.slots;
+        ByteReader in(cursor.at);
+        const StepHead head = StepHead::read<plain>(in);
+        SlotLists lists(in, _widths.slot);
+        cursor.wedges -= head.wedges;
+        visitPatched<plain>(head, lists, cursor.wedges,
+                            [&slots](std::uint32_t slot, Index from, Index to)
+                            { slots.patch(slot, from, to); });
+        lists.visit(head.vanished, [&slots](std::uint32_t slot) { slots.makeHole(slot); });
+        skipCodes(in, head.vanished);
+        if (!plain && head.facesMove) slots = forthRearrangements(in, slots);
+        cursor.at = skipLength(in.at(), plain ? 0 : static_cast<std::size_t>(in.at() - cursor.at));
+        cursor.faces -= head.vanished;
+        cursor.count(head);
+        cursor.slots = slots;
+    }
+
+    template<bool plain>
+    void vsplit(Cursor& cursor, const std::byte* begin)
+    {
+        Slots slots = cursor.slots;
         std::uint32_t* const slotsOfStep = _slotsOfStep.data();
         Index* const fromOfPatched = _fromOfPatched.data();
         ByteReader in(begin);
-        Head head(in);
-        if (head.facesMove) [[unlikely]]
-            backRearrangements(in, head);
+        const StepHead head = StepHead::read<plain>(in);
+        if (!plain && head.facesMove) slots = backRearrangements(in, head, slots);
         SlotLists lists(in, _widths.slot);
         std::uint32_t read = 0;
-        _wedges += head.wedges;
+        visitPatched<plain>(head, lists, cursor.wedges,
+                            [&](std::uint32_t slot, Index from, Index to)
+                            {
+                                slots.patch(slot, to, from);
+                                slotsOfStep[read] = slot;
+                                fromOfPatched[read++] = from;
+                            });
+        const std::uint32_t patched = read;
+        lists.visit(head.vanished, [&](std::uint32_t slot) { slotsOfStep[read++] = slot; });
+        for (std::uint32_t i = patched; i < read; ++i)
+            putVanished(slotsOfStep[i], in, slots);
+        cursor.at = begin;
+        cursor.wedges += head.wedges;
+        cursor.faces += head.vanished;
+        cursor.count(head);
+        cursor.slots = slots;
+    }
+
+    /// Calls `visit(slot, from, to)` for each patched face of a step, after which `wedges` wedges are left.
+    template<bool plain, class Lists, class Visit>
+    void visitPatched(StepHead head, Lists& lists, std::uint32_t wedges, const Visit& visit) const
+    {
         for (std::uint32_t gone = 0; gone < head.wedges; ++gone)
         {
-            const Index from = static_cast<Index>(_wedges - 1 - gone), to = _parents[from];
-            lists.visit(head.severalGo ? head.counts.number() : head.patched,
-                        [&read, slots, slotsOfStep, fromOfPatched, from, to](std::uint32_t slot)
-                        {
-                            slots.patch(slot, to, from);
-                            slotsOfStep[read] = slot;
-                            fromOfPatched[read++] = from;
-                        });
+            const Index from = static_cast<Index>(wedges + head.wedges - 1 - gone), to = _parents[from];
+            const auto visitSlot = [&visit, from, to](std::uint32_t slot) { visit(slot, from, to); };
+            if constexpr (plain)
+                lists.visitSome(head.patched, visitSlot);
+            else
+                lists.visit(head.nextCount(), visitSlot);
         }
-        const std::uint32_t patched = read;
-        lists.visit(head.vanished, [&read, slotsOfStep](std::uint32_t slot) { slotsOfStep[read++] = slot; });
-        for (std::uint32_t i = patched; i < read; ++i)
-            slots.put(slotsOfStep[i], vanishedFace(in, slots));
-        _at = begin;
-        _faces += head.vanished;
-        --_steps;
-        count(head);
     }
 
     void skipCodes(ByteReader& in, std::uint32_t vanished) const
@@ -174,14 +223,22 @@ private:
                 in.skip(3 * _widths.wedge.bytes);
     }
 
-    /// Undoes the rearrangements. Their bytes follow the lists of slots, which refer to the slots before them.
-    void backRearrangements(ByteReader in, Head head)
+    Slots forthRearrangements(ByteReader& in, Slots slots)
     {
-        const auto ignore = [](std::uint32_t) {};
+        for (std::uint32_t count = in.number(); count > 0; --count)
+        {
+            if (_slots.areMany(slots.noted())) slots = refreshed(slots);
+            _statistics.facesMoved += _rearranger.forth(in, slots);
+        }
+        return slots;
+    }
+
+    /// Undoes the rearrangements. Their bytes follow the lists of slots, which refer to the slots before them.
+    Slots backRearrangements(ByteReader in, const StepHead& head, Slots slots)
+    {
         SlotLists lists(in, _widths.slot);
-        for (std::uint32_t gone = 0; gone < head.wedges; ++gone)
-            lists.visit(head.severalGo ? head.counts.number() : head.patched, ignore);
-        lists.visit(head.vanished, ignore);
+        visitPatched<false>(head, lists, 0, [](std::uint32_t, Index, Index) {});
+        lists.visit(head.vanished, [](std::uint32_t) {});
         skipCodes(in, head.vanished);
         const std::uint32_t count = in.number();
         for (std::uint32_t i = 0; i < count; ++i)
@@ -192,37 +249,33 @@ private:
         for (std::uint32_t i = count; i-- > 0;)
         {
             ByteReader rearrangement(_rearrangements[i]);
-            _statistics.facesMoved += _rearranger.back(rearrangement, _slots.writer());
+            if (_slots.areMany(slots.noted())) slots = refreshed(slots);
+            _statistics.facesMoved += _rearranger.back(rearrangement, slots);
         }
+        return slots;
     }
 
-    typename SlotWriter<Index>::Slot vanishedFace(ByteReader& codes, const SlotWriter<Index>& slots) const
+    /// Puts a vanished face back, once the patched faces of its step have their corners again.
+    void putVanished(std::uint32_t slot, ByteReader& codes, Slots& slots) const
     {
         const std::uint32_t code = codes.byte();
         if (code == VanishedFace::kPlain) [[unlikely]]
         {
-            const std::uint32_t a = codes.fixed(_widths.wedge), b = codes.fixed(_widths.wedge),
-                                c = codes.fixed(_widths.wedge);
-            return {static_cast<Index>(a), static_cast<Index>(b), static_cast<Index>(c)};
+            const auto a = static_cast<Index>(codes.fixed(_widths.wedge));
+            const auto b = static_cast<Index>(codes.fixed(_widths.wedge));
+            const auto c = static_cast<Index>(codes.fixed(_widths.wedge));
+            slots.put(slot, {a, b, c});
+            return;
         }
         const VanishedFace face = kVanishedFaces[code];
-        const Index from = _fromOfPatched[face.patched], to = _parents[from];
-        typename SlotWriter<Index>::Slot corners{to, to, to};
-        corners[face.third] = slots[_slotsOfStep[face.patched]][face.corner];
-        corners[face.from] = from;
-        return corners;
-    }
-
-    void count(const Head& head)
-    {
-        ++_statistics.steps;
-        _statistics.facesPatched += head.patched;
-        _statistics.facesVanished += head.vanished;
+        const Index from = _fromOfPatched[face.patched];
+        const Index third = slots[_slotsOfStep[face.patched]][face.corner];
+        slots.put(slot, _parents[from], face.third, third, face.from, from);
     }
 
     RecordWidths _widths;
     std::vector<Index> _parents;
-    const std::byte* _at; ///< end of the last record that was played
+    const std::byte* _at; ///< Cursor::at
     IndexSlots<Index> _slots;
     std::vector<std::uint32_t> _slotsOfStep;
     std::vector<Index> _fromOfPatched;

@@ -8,7 +8,7 @@
 #include <osgPMObjects/core/progressive/Bytes.h>
 #include <osgPMObjects/core/progressive/ProgressiveMesh.h>
 
-#include "IndexSlots.h"
+#include "SlotWriter.h"
 #include "StepRecord.h"
 
 namespace osgPMObjects::core
@@ -35,13 +35,19 @@ public:
         _extentsBefore.reserve(progressive.blocks.size());
     }
 
-    std::uint32_t forth(ByteReader& in, Slots slots)
+    /// The most that one rearrangement notes (SlotWriter).
+    static std::size_t mostNotes(const ProgressiveMesh& progressive)
+    {
+        return std::size_t{progressive.mostSlotsMoved} + 2 * progressive.blocks.size() + 2;
+    }
+
+    std::uint32_t forth(ByteReader& in, Slots& slots)
     {
         const std::uint32_t head = in.number();
         return head & 1 ? chainForth(in, head >> 1, slots) : rewriteForth(in, head >> 1, slots);
     }
 
-    std::uint32_t back(ByteReader& in, Slots slots)
+    std::uint32_t back(ByteReader& in, Slots& slots)
     {
         const std::uint32_t head = in.number();
         return head & 1 ? chainBack(in, head >> 1, slots) : rewriteBack(in, head >> 1, slots);
@@ -69,18 +75,18 @@ private:
             _chain[i] = _chain[i - 1] + in.difference();
     }
 
-    std::uint32_t chainForth(ByteReader& in, std::uint32_t moves, Slots slots)
+    std::uint32_t chainForth(ByteReader& in, std::uint32_t moves, Slots& slots)
     {
         --_extents[in.number()];
         readChain(in, moves);
         for (std::uint32_t i = 0; i < moves; ++i)
             slots.put(_chain[i], slots[_chain[i + 1]]);
-        slots.makeUnused(_chain[moves]);
-        slots.fillHolesBehind(_chain[moves]);
+        slots.makeUnused(_chain[moves], 1);
+        slots.note(_chain[moves] + 1);
         return moves;
     }
 
-    std::uint32_t chainBack(ByteReader& in, std::uint32_t moves, Slots slots)
+    std::uint32_t chainBack(ByteReader& in, std::uint32_t moves, Slots& slots)
     {
         ++_extents[in.number()];
         readChain(in, moves);
@@ -104,7 +110,7 @@ private:
     std::uint32_t endSlot(std::uint32_t block) const { return _progressive.endSlot(block); }
 
     /// Copies the drawn slots of the window's blocks into one list.
-    void gather(Slots slots, std::vector<Slot>& faces) const
+    void gather(const Slots& slots, std::vector<Slot>& faces) const
     {
         std::size_t next = 0;
         for (const std::uint32_t block : _blocks)
@@ -116,14 +122,14 @@ private:
     }
 
     /// Marks the slots behind a block's extent as unused, up to its extent before.
-    void trim(std::uint32_t block, std::uint32_t extentBefore, Slots slots)
+    void trim(std::uint32_t block, std::uint32_t extentBefore, Slots& slots)
     {
-        for (std::uint32_t i = _extents[block]; i < extentBefore; ++i)
-            slots.makeUnused(firstSlot(block) + i);
-        slots.fillHolesBehind(endSlot(block) - 1);
+        if (_extents[block] < extentBefore)
+            slots.makeUnused(firstSlot(block) + _extents[block], extentBefore - _extents[block]);
+        slots.note(endSlot(block));
     }
 
-    std::uint32_t rewriteForth(ByteReader& in, std::uint32_t count, Slots slots)
+    std::uint32_t rewriteForth(ByteReader& in, std::uint32_t count, Slots& slots)
     {
         readWindow(in, count);
         gather(slots, _window);
@@ -147,7 +153,7 @@ private:
         return moves;
     }
 
-    std::uint32_t rewriteBack(ByteReader& in, std::uint32_t count, Slots slots)
+    std::uint32_t rewriteBack(ByteReader& in, std::uint32_t count, Slots& slots)
     {
         readWindow(in, count);
         gather(slots, _faces);

@@ -107,7 +107,13 @@ public:
     template<class Visit>
     void visit(std::uint32_t count, const Visit& visit)
     {
-        if (count == 0) return;
+        if (count > 0) visitSome(count, visit);
+    }
+
+    /// Does so for a list that is known to have slots.
+    template<class Visit>
+    void visitSome(std::uint32_t count, const Visit& visit)
+    {
         _firstOfList = _isFirst ? _in.fixed(_slotWidth) : _firstOfList + _in.difference();
         _isFirst = false;
         std::uint32_t slot = _firstOfList;
