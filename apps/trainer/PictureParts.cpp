@@ -59,11 +59,12 @@ void count(osg::Camera& camera, PictureCost& cost)
 
 } // namespace
 
-PictureParts::PictureParts(PlayScene& scene, osgViewer::Viewer& viewer,
+PictureParts::PictureParts(PlayScene& scene, InteriorView* interior, osgViewer::Viewer& viewer,
                            const std::vector<osg::ref_ptr<osg::GraphicsContext>>& contexts)
     : _viewer(viewer), _contexts(contexts)
 {
     addParts(scene);
+    if (interior) addParts(*interior);
     for (const Part& part : _parts)
         _costs.push_back({part.name, {}});
 }
@@ -94,6 +95,16 @@ void PictureParts::addParts(PlayScene& scene)
     for (unsigned int i = 0; i < drawn->root().getNumChildren(); ++i)
         if (osg::Node* const node = drawn->root().getChild(i); node->getName() == "sky")
             _parts.push_back({"sky", [node](bool isShown) { setShown(node, isShown); }});
+}
+
+/// Mirrors and inside are told anew in every picture what they show.
+void PictureParts::addParts(InteriorView& interior)
+{
+    _parts.push_back({"mirrors", [&interior](bool isShown)
+                      {
+                          if (!isShown) interior.restMirrors();
+                      }});
+    _parts.push_back({"inside without mirrors", [&interior](bool isShown) { interior.showInside(isShown); }});
 }
 
 void PictureParts::draw(double timeS)

@@ -8,19 +8,20 @@
 #include <osgViewer/Viewer>
 
 #include "PlayScene.h"
+#include "view/InteriorView.h"
 #include "view/PartsTable.h"
 
 namespace trainer
 {
 
 /// Measures what the parts of a picture cost: while a play goes on, each picture leaves out another part (shadows, scenery, roads, ground,
-/// sky, entities, or none), in turn, and is waited for. A part costs what pictures without it take less. The first round of pictures, which
+/// sky, mirrors, inside, or none), in turn, and is waited for. A part costs what pictures without it take less. The first round of pictures, which
 /// makes meshes and compiles shaders, does not count. Threads: between pictures.
 class PictureParts
 {
 public:
-    /// `viewer`, `contexts` and `scene` must outlive it.
-    PictureParts(PlayScene& scene, osgViewer::Viewer& viewer,
+    /// `viewer`, `contexts`, `scene` and `interior` must outlive it. `interior`: null without.
+    PictureParts(PlayScene& scene, InteriorView* interior, osgViewer::Viewer& viewer,
                  const std::vector<osg::ref_ptr<osg::GraphicsContext>>& contexts);
 
     /// Draws a picture without the part whose turn it is; the scene is whole again afterwards.
@@ -36,6 +37,7 @@ private:
     };
 
     void addParts(PlayScene& scene);
+    void addParts(InteriorView& interior);
 
     osgViewer::Viewer& _viewer;
     const std::vector<osg::ref_ptr<osg::GraphicsContext>>& _contexts;

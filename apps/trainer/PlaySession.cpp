@@ -106,7 +106,8 @@ foundation::Outcome PlaySession::openPictures(const ViewSetup& setup)
     // Patches and samples between those of the raster, as roads have them, exclude each other.
     if (!_request.terrain.patchExponent && _play.terrain.terrain && !_play.terrain.roads) tunePatches();
     if (!_request.output.partsFile.empty())
-        _parts = std::make_unique<PictureParts>(_play, *_viewer, _contexts);
+        _parts = std::make_unique<PictureParts>(_play, _interior ? &_interior->view() : nullptr, *_viewer,
+                                                _contexts);
     return beginCaptures(setup);
 }
 

@@ -70,8 +70,9 @@ InteriorNode::InteriorNode(models::InteriorModel model)
         _placed->addChild(makeMirror(mirror));
     if (_model.propeller)
     {
-        _disc = makeRotorDisc(*_model.propeller);
-        _placed->addChild(_disc);
+        _discPlaced = new osg::MatrixTransform;
+        _discPlaced->setDataVariance(osg::Object::DYNAMIC);
+        _discPlaced->addChild(makeRotorDisc(*_model.propeller));
     }
     show({}, {}, false);
 }
@@ -113,7 +114,9 @@ void InteriorNode::show(const Pose& vehicle, const models::Readings& readings, b
         if (made.coat == InteriorCoat::inside || made.coat == InteriorCoat::dial)
             _parts[i]->getStateSet()->getUniform("interiorLamp")->set(lampOn(made.coat, isDark));
     }
-    if (_disc) _disc->setNodeMask(isBlurred(readings[Reading::propellerRadps]) ? ~0U : 0U);
+    if (!_discPlaced) return;
+    _discPlaced->setMatrix(_placed->getMatrix());
+    _discPlaced->setNodeMask(isBlurred(readings[Reading::propellerRadps]) ? ~0U : 0U);
 }
 
 } // namespace scenery

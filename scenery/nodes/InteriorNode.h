@@ -20,7 +20,11 @@ class InteriorNode
 public:
     explicit InteriorNode(models::InteriorModel model);
 
+    /// All that hides what is behind it.
     osg::Node* node() const { return _placed.get(); }
+
+    /// The disc of a propeller that turns fast, which one sees through; it belongs behind node() and before the scene. Null: none.
+    osg::Node* disc() const { return _discPlaced.get(); }
     const models::InteriorModel& model() const { return _model; }
 
     /// The picture of each of the model's mirrors, in their order, as makeMirrorCamera() draws it.
@@ -36,7 +40,7 @@ private:
     osg::ref_ptr<osg::MatrixTransform> _placed;
     std::vector<osg::ref_ptr<osg::MatrixTransform>> _parts;
     std::vector<osg::ref_ptr<osg::Texture2D>> _mirrors;
-    osg::ref_ptr<osg::Node> _disc; ///< null without a propeller
+    osg::ref_ptr<osg::MatrixTransform> _discPlaced; ///< null without a propeller
 };
 
 } // namespace scenery

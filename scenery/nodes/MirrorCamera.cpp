@@ -30,6 +30,22 @@ MirrorView mirrorView(const models::InteriorMirror& mirror, const Pose& vehicle,
     return made;
 }
 
+bool isInPicture(const models::InteriorMirror& mirror, const Pose& vehicle, const glm::dmat4& clipFromWorld)
+{
+    const glm::dvec3 topRight = mirror.lowRight + mirror.topLeft - mirror.lowLeft;
+    int left = 0, right = 0, below = 0, above = 0, behind = 0;
+    for (const glm::dvec3& corner : {mirror.lowLeft, mirror.lowRight, mirror.topLeft, topRight})
+    {
+        const glm::dvec4 clip = clipFromWorld * glm::dvec4(vehicle.worldFromBodyPoint(corner), 1.0);
+        left += clip.x < -clip.w;
+        right += clip.x > clip.w;
+        below += clip.y < -clip.w;
+        above += clip.y > clip.w;
+        behind += clip.w <= 0.0;
+    }
+    return std::max({left, right, below, above, behind}) < 4;
+}
+
 osg::ref_ptr<osg::Camera> makeMirrorCamera(osg::Texture2D& picture)
 {
     osg::ref_ptr<osg::Camera> camera = new osg::Camera;

@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include <osg/Stencil>
 #include <osgViewer/View>
 
 #include "scenery/nodes/InteriorNode.h"
@@ -17,11 +18,12 @@ namespace trainer
 enum class MirrorPace
 {
     all,
-    one, ///< in turn, where pictures take long
+    one, ///< of those in sight, in turn, where pictures take long
 };
 
-/// The inside of the vehicle that the eye is in, drawn over the picture of one channel by a camera of its own: its near plane is at the
-/// eye, that of the scene is not (decision 37). Its mirrors show the scene. Threads: the update phase of the viewer.
+/// The inside of the vehicle that the eye is in, drawn into the picture of one channel by a camera of its own: its near plane is at the
+/// eye, that of the scene is not (decision 37). It is drawn first; the scene fills what it leaves free, by the stencil. Its mirrors show the
+/// scene. Threads: the update phase of the viewer.
 class InteriorView
 {
 public:
@@ -29,12 +31,18 @@ public:
     static std::unique_ptr<InteriorView> create(const simulation::ScenarioObject& vehicle,
                                                 const glm::dvec3& eyeInBody);
 
-    /// Begins to draw after `picture`, a camera of the view. `air`: the uniforms of an Atmosphere. `scene`: what mirrors show.
+    /// Begins to draw before `picture`, a camera of the view, and to keep it from what is covered. `air`: the uniforms of an Atmosphere. `scene`: what mirrors show.
     void addTo(osgViewer::View& view, osg::Camera& picture, osg::StateSet& air, osg::Node& scene);
 
     /// Whether it is drawn; hidden, it costs nothing.
     void show(bool isShown);
     bool isShown() const { return _isShown; }
+
+    /// Leaves the mirrors as they are in the next picture.
+    void restMirrors();
+
+    /// Whether all but the pictures of the mirrors is drawn.
+    void showInside(bool isShown);
 
     /// Of the eye's own direction. Units: degrees.
     double lookDownDeg() const { return _isShown ? _interior.model().lookDownDeg : 0.0; }
@@ -48,12 +56,19 @@ public:
 
 private:
     explicit InteriorView(scenery::models::InteriorModel model);
-    void updateMirrors(const scenery::Pose& vehicle, const scenery::Pose& eye, MirrorPace pace);
+    std::vector<bool> dueMirrors(const scenery::Pose& vehicle, const glm::dmat4& clipFromWorld,
+                                 MirrorPace pace);
+    void updateMirrors(const scenery::Pose& vehicle, const scenery::Pose& eye,
+                       const glm::dmat4& clipFromWorld, MirrorPace pace);
+
+    void addCamera(osgViewer::View& view, osg::Camera& camera, osg::Node& shown, osg::Stencil& stencil,
+                   osg::StateSet& air);
 
     scenery::InteriorNode _interior;
-    osg::ref_ptr<osg::Camera> _camera;
+    osg::ref_ptr<osg::Camera> _camera, _disc; ///< before the scene, and after it
+    osg::ref_ptr<osg::Camera> _picture;
     std::vector<osg::ref_ptr<osg::Camera>> _mirrors;
-    std::size_t _turn = 0; ///< the mirror that comes next
+    std::size_t _turn = 0; ///< the mirror that was drawn last
     bool _isShown = true;
 };
 

@@ -31,16 +31,19 @@ void SeatTexts::show(TextOverlay& overlay, double wallS, const simulation::RealT
     char text[300];
     std::snprintf(text, sizeof text,
                   "time     %8.2f s\npicture  %8.1f ms\nmean     %8.1f ms\nworst    %8.1f ms\n"
-                  "steps    %8lld\ncut      %8.2f s\nerror    %8.2f px\n%s",
+                  "steps    %8lld\ncut      %8.2f s\nprocessor%8.1f ms\nerror    %8.2f px\n%s",
                   pace.timeS(), times.lastMs(), times.meanMs(), times.worstMs(),
-                  static_cast<long long>(pace.steps()), pace.cutS(), tolerancePx, std::string(phase).c_str());
+                  static_cast<long long>(pace.steps()), pace.cutS(), times.meanProcessorMs(), tolerancePx,
+                  std::string(phase).c_str());
     overlay.setStatistics(text);
 }
 
 void printEnd(const simulation::RealTimePace& pace, const PictureTimes& times)
 {
-    std::printf("shown %.2f s in %.2f s of the clock, %d pictures of %.1f ms, %.1f ms at most\n",
-                pace.timeS(), pace.wallS(), times.count(), times.meanMs(), times.worstMs());
+    std::printf("shown %.2f s in %.2f s of the clock, %d pictures of %.1f ms, %.1f ms at most; %.1f ms of "
+                "processor time\n",
+                pace.timeS(), pace.wallS(), times.count(), times.meanMs(), times.worstMs(),
+                times.meanProcessorMs());
     if (pace.cutS() > 0.0)
         std::printf("note: %.2f s were lost in pictures that took longer than a second\n", pace.cutS());
 }

@@ -5,6 +5,7 @@
 #include <iostream>
 #include <thread>
 
+#include "view/ProcessorTime.h"
 #include "window/EndSignals.h"
 #include "window/OpenWindow.h"
 #include "window/WindowEvents.h"
@@ -221,9 +222,10 @@ void WindowSession::waitForNext(std::chrono::steady_clock::time_point begun) con
     std::this_thread::sleep_until(begun + kLeastPicture);
 }
 
-void WindowSession::measurePicture(std::chrono::steady_clock::time_point begun)
+void WindowSession::measurePicture(std::chrono::steady_clock::time_point begun, double usedMs)
 {
-    _times.add(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begun).count());
+    _times.add(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begun).count(),
+               processorMs() - usedMs);
     // Time that counts by pictures gives the same ones on every machine.
     if (_request.window.pictureS > 0.0 || _isHidden) return;
     const Quality before = _quality.quality();
@@ -252,9 +254,10 @@ foundation::Outcome WindowSession::run()
     while (!_viewer->done() && !_isEnded && !signals.haveCome() && _failed)
     {
         const auto begun = std::chrono::steady_clock::now();
+        const double usedMs = processorMs();
         injectEvents(wallS());
         showPicture();
-        measurePicture(begun);
+        measurePicture(begun, usedMs);
         waitForNext(begun);
     }
     printEnd(_live->pace(), _times);

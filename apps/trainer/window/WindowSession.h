@@ -61,7 +61,7 @@ private:
     void look(double wallS);
     void openSound();
     void sound();
-    void measurePicture(std::chrono::steady_clock::time_point begun);
+    void measurePicture(std::chrono::steady_clock::time_point begun, double usedMs);
     foundation::Outcome openDevices();
     void readDevicesNow();
     void restart(std::size_t place);
