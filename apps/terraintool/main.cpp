@@ -69,6 +69,7 @@ int run(int argc, char** argv)
     bench->add_option("--drivers", request.drivers, "only these drivers: wheel, walk, queue, scratch")
         ->check(CLI::IsMember({"wheel", "walk", "queue", "scratch"}));
     terraintool::addMtBuild(app, jsonFile, command);
+    terraintool::addMtBench(app, jsonFile, command);
     if (const auto ends = terminal::parse(app, argc, argv)) return *ends;
     return terraintool::run(command, request, jsonFile);
 }

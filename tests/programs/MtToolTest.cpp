@@ -62,6 +62,40 @@ TEST(MtTool, validateTellsTheTreeThatIsDamagedAndFliesOverTheOthers)
     EXPECT_NE(run.output.find("5 frames"), std::string::npos) << run.text();
 }
 
+TEST(MtTool, pointsOfAFileAreTriangulated)
+{
+    const Workplace place;
+    std::string text;
+    for (int i = 0; i < 400; ++i)
+        text += std::to_string(i * 37 % 401) + ".25 " + std::to_string(i * i % 397) + " " +
+                std::to_string(i % 13) + "\n";
+    place.write("points.xyz", text);
+    const ProgramRun built =
+        runTerrainTool({"mt-build", place.path("points.xyz"), "-o", place.path("points.mt")});
+    EXPECT_TRUE(succeeds(built));
+    EXPECT_NE(built.output.find("400 points"), std::string::npos) << built.text();
+    EXPECT_TRUE(succeeds(runTerrainTool({"validate", place.path("points.mt"), "--frames", "10"})));
+    place.write("bad.xyz", text + "1 2\n");
+    EXPECT_TRUE(failsWith(runTerrainTool({"mt-build", place.path("bad.xyz"), "-o", place.path("b.mt")}), 1,
+                          "terraintool", {"bad.xyz:401"}));
+    EXPECT_TRUE(failsWith(
+        runTerrainTool({"mt-build", place.path("points.xyz"), place.hill(), "-o", place.path("b.mt")}), 1,
+        "terraintool", {"another kind"}));
+}
+
+TEST(MtTool, benchHasTheKeysThatWereAgreed)
+{
+    const Workplace place;
+    EXPECT_TRUE(succeeds(runTerrainTool({"mt-bench", "--points", "2000", "4000", "--folder", place.path(""),
+                                         "--json", place.path("t.json")})));
+    const auto table = ordered_json::parse(readBytes(place.path("t.json")));
+    ASSERT_EQ(table["cases"].size(), 8U);
+    for (const char* key : {"distribution", "points", "buildMs", "trees", "largestTree", "smallestTree",
+                            "mainPart", "peakMB", "limitMB", "fileBytes", "extractMs"})
+        EXPECT_TRUE(table["cases"][0].contains(key)) << key;
+    EXPECT_EQ(table["growth"].size(), 4U);
+}
+
 TEST(MtTool, wrongUseIsTold)
 {
     const Workplace place;

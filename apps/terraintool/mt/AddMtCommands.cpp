@@ -12,7 +12,7 @@ void addMtBuild(CLI::App& app, std::filesystem::path& jsonFile, Command& command
     CLI::App* sub = app.add_subcommand("mt-build", "build a multi-triangulation, a .mt file");
     const auto request = std::make_shared<MtBuildRequest>();
     request->options.jobs = std::max(1u, std::thread::hardware_concurrency());
-    sub->add_option("INPUT", request->inputs, "elevation rasters, joined")->required();
+    sub->add_option("INPUT", request->inputs, "rasters, or files of points")->required();
     sub->add_option("-o,--output", request->output, "the file to write")
         ->required()
         ->check(terminal::extension(".mt"));
@@ -28,6 +28,21 @@ void addMtBuild(CLI::App& app, std::filesystem::path& jsonFile, Command& command
         ->check(terminal::between(0.001, 1e5));
     sub->add_option("--json", jsonFile, "also write the table to this file");
     sub->callback([request, &command] { command = [request](const Request&) { return buildMt(*request); }; });
+}
+
+void addMtBench(CLI::App& app, std::filesystem::path& jsonFile, Command& command)
+{
+    CLI::App* sub = app.add_subcommand("mt-bench", "build made-up points of four distributions");
+    const auto request = std::make_shared<MtBenchRequest>();
+    request->folder = std::filesystem::temp_directory_path();
+    sub->add_option("--points", request->points, "numbers of points")->check(CLI::Range(100, 100'000'000));
+    sub->add_option("--folder", request->folder, "for the files; they are removed")
+        ->check(CLI::ExistingDirectory);
+    sub->add_option("--jobs", request->options.jobs, "threads (1)")->check(CLI::Range(1u, 1024u));
+    sub->add_option("--trees", request->options.treeCount, "rectangles; without it: balanced")
+        ->check(CLI::Range(1u, 1'000'000u));
+    sub->add_option("--json", jsonFile, "also write the table to this file");
+    sub->callback([request, &command] { command = [request](const Request&) { return benchMt(*request); }; });
 }
 
 } // namespace terraintool

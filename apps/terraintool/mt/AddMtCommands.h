@@ -10,7 +10,8 @@
 namespace terraintool
 {
 
-/// Declares `mt-build`. When it is asked for, `command` does it.
+/// Declares `mt-build` and `mt-bench`. When one is asked for, `command` does it.
 void addMtBuild(CLI::App& app, std::filesystem::path& jsonFile, Command& command);
+void addMtBench(CLI::App& app, std::filesystem::path& jsonFile, Command& command);
 
 } // namespace terraintool

@@ -7,6 +7,8 @@
 
 #include <osgMultiTriangulation/core/check/SurfaceCheck.h>
 #include <osgMultiTriangulation/core/file/BuildMtFile.h>
+#include <osgMultiTriangulation/core/input/Delaunay.h>
+#include <osgMultiTriangulation/core/input/PointSet.h>
 #include <osgMultiTriangulation/core/surface/DropPoints.h>
 #include <osgMultiTriangulation/core/surface/GridSurface.h>
 
@@ -45,6 +47,38 @@ foundation::Result<PlacedSurface> readRasters(const MtBuildRequest& request)
     return surface;
 }
 
+bool isPointFile(const std::filesystem::path& file)
+{
+    const std::string extension = file.extension().string();
+    return extension == ".csv" || extension == ".xyz" || extension == ".txt";
+}
+
+foundation::Result<PlacedSurface> readPoints(const MtBuildRequest& request)
+{
+    std::vector<MeasuredPoint> points;
+    for (const std::filesystem::path& input : request.inputs)
+    {
+        const auto read = readPointFile(input);
+        if (!read) return read.error();
+        points.insert(points.end(), read->begin(), read->end());
+    }
+    PlacedPoints placed = placeOnLattice(points);
+    if (placed.repeated > 0) std::cout << placed.repeated << " points at the place of another are left out\n";
+    if (placed.mostMoved > 1e-3 * placed.frame.stepX)
+        std::cout << "places are rounded by up to " << placed.mostMoved << '\n';
+    return PlacedSurface{delaunay(std::move(placed.points)), placed.frame};
+}
+
+foundation::Result<PlacedSurface> readSurface(const MtBuildRequest& request)
+{
+    const bool arePoints = isPointFile(request.inputs[0]);
+    for (const std::filesystem::path& input : request.inputs)
+        if (isPointFile(input) != arePoints)
+            return foundation::Error{input.string(), "stands among inputs of another kind",
+                                     "give rasters, or files of points"};
+    return arePoints ? readPoints(request) : readRasters(request);
+}
+
 /// The memory that a build takes at most, in MB: surface and rests by point, and a tree in each thread.
 double neededMb(std::size_t points, std::uint32_t trees, unsigned jobs)
 {
@@ -71,7 +105,7 @@ foundation::Outcome checkMemory(const MtBuildRequest& request, std::size_t point
 foundation::Result<terminal::Report> buildMt(const MtBuildRequest& request)
 {
     if (const auto writable = foundation::checkWritable(request.output); !writable) return writable.error();
-    const auto surface = readRasters(request);
+    const auto surface = readSurface(request);
     if (!surface) return surface.error();
     if (const auto fault = checkInput(surface->mesh))
         return foundation::Error{request.inputs[0].string(), *fault, "repair the input"};

@@ -23,7 +23,18 @@ struct MtBuildRequest
     double memoryMb = 0.0; ///< 0: no limit
 };
 
-/// Builds a split multi-triangulation from elevation rasters.
+/// What the command line of mt-bench asks for.
+struct MtBenchRequest
+{
+    std::vector<std::size_t> points{10'000, 50'000, 100'000, 250'000, 500'000};
+    std::filesystem::path folder; ///< for the files, which are removed again
+    osgMultiTriangulation::core::ForestOptions options;
+};
+
+/// Builds made-up points of four distributions, and fits how time and borders grow with their number.
+foundation::Result<terminal::Report> benchMt(const MtBenchRequest& request);
+
+/// Builds a split multi-triangulation from elevation rasters, or from files of points (.csv, .xyz, .txt).
 foundation::Result<terminal::Report> buildMt(const MtBuildRequest& request);
 
 /// Checks a .mt file: every tree by itself, how they hang together, and a flight over all that is whole.

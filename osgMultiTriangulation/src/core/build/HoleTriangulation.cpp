@@ -38,12 +38,6 @@ void HoleTriangulation::begin(int count)
         }
 }
 
-bool HoleTriangulation::isLeft(int i, int j, const Point& p) const
-{
-    const Point &a = _corners[i], &b = _corners[j];
-    return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x) >= 0.0;
-}
-
 void HoleTriangulation::add(const Point& point)
 {
     // Bit j of left[i]: the point lies left of i→j. Sides of the polygon have it on their left, the last side from 0 on its right.

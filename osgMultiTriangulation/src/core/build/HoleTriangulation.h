@@ -68,7 +68,11 @@ private:
     };
 
     Candidate& candidate(int i, int j, int k) { return _candidates[_base[i][j] + k]; }
-    bool isLeft(int i, int j, const Point& p) const;
+    bool isLeft(int i, int j, const Point& p) const
+    {
+        const Point &a = _corners[i], &b = _corners[j];
+        return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x) >= 0.0;
+    }
 
     int _count = 0;
     std::array<Point, kMostCorners> _corners;

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <span>
+#include <vector>
+
+#include <foundation/Result.h>
+
+#include <osgMultiTriangulation/core/file/MtInfo.h>
+#include <osgMultiTriangulation/core/surface/SurfaceMesh.h>
+
+namespace osgMultiTriangulation::core
+{
+
+/// A measured point: x to the east, y to the north, height.
+using MeasuredPoint = std::array<double, 3>;
+
+/// Reads a file of points, one a line: three numbers, divided by commas, semicolons or white space; what follows them is left out. Empty
+/// lines and those that begin with # are passed over, and a first line without numbers.
+/// Errors: no such file; a line without three finite numbers, with its number; no point.
+foundation::Result<std::vector<MeasuredPoint>> readPointFile(const std::filesystem::path& file);
+
+/// Points on a lattice.
+struct PlacedPoints
+{
+    std::vector<SurfacePoint> points;
+    PlanFrame frame;
+    double mostMoved =
+        0.0; ///< greatest distance of a place from its point of the lattice, in units of the input
+    std::size_t repeated = 0; ///< points left out, at a place that an earlier one has
+};
+
+/// Puts points on a lattice whose step is a power of ten, 10^-6 or more, of which all coordinates are multiples, when the extent has no
+/// more than 2^26 of them; else the least step that has. Heights stay.
+PlacedPoints placeOnLattice(std::span<const MeasuredPoint> points);
+
+} // namespace osgMultiTriangulation::core

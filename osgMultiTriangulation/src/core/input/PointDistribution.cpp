@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <unordered_set>
+
+#include <osgMultiTriangulation/core/input/PointDistribution.h>
+
+namespace osgMultiTriangulation::core
+{
+
+namespace
+{
+
+/// SplitMix64: Steele, Lea & Flood, *Fast splittable pseudorandom number generators* (2014).
+class Numbers
+{
+public:
+    explicit Numbers(std::uint64_t seed) : _state(seed) {}
+
+    std::uint64_t next()
+    {
+        std::uint64_t z = (_state += 0x9e3779b97f4a7c15ull);
+        z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ull;
+        z = (z ^ (z >> 27)) * 0x94d049bb133111ebull;
+        return z ^ (z >> 31);
+    }
+
+    /// Above 0 and below 1.
+    double unit() { return (static_cast<double>(next() >> 12) + 0.5) * 0x1p-52; }
+
+    /// The sum of twelve: nearly normal, with a deviation of 1, and the same on every machine.
+    double normal()
+    {
+        double sum = -6.0;
+        for (int i = 0; i < 12; ++i)
+            sum += unit();
+        return sum;
+    }
+
+    double laplace()
+    {
+        const double u = unit() - 0.5;
+        return (u < 0.0 ? 1.0 : -1.0) * std::log(1.0 - 2.0 * std::abs(u)) / std::numbers::sqrt2;
+    }
+
+private:
+    std::uint64_t _state;
+};
+
+double hillHeight(double x, double y)
+{
+    const double height = 300.0 * std::sin(9.0 * x) * std::cos(7.0 * y) +
+                          80.0 * std::sin(31.0 * x + 23.0 * y) +
+                          20.0 * std::sin(101.0 * x) * std::sin(97.0 * y);
+    return std::floor(height * 64.0) / 64.0;
+}
+
+} // namespace
+
+std::vector<SurfacePoint> madeUpPoints(PointDistribution distribution, std::size_t count, std::uint64_t seed)
+{
+    Numbers numbers(seed);
+    std::array<std::array<double, 2>, 20> clusters;
+    for (auto& cluster : clusters)
+        cluster = {0.1 + 0.8 * numbers.unit(), 0.1 + 0.8 * numbers.unit()};
+    std::vector<SurfacePoint> points;
+    points.reserve(count);
+    std::unordered_set<std::uint64_t> taken;
+    taken.reserve(count);
+    while (points.size() < count)
+    {
+        const auto& cluster = clusters[numbers.next() % clusters.size()];
+        double at[2];
+        for (int axis = 0; axis < 2; ++axis)
+            at[axis] = distribution == PointDistribution::uniform   ? numbers.unit()
+                       : distribution == PointDistribution::normal  ? 0.5 + numbers.normal() / 8.0
+                       : distribution == PointDistribution::laplace ? 0.5 + numbers.laplace() / 8.0
+                                                                    : cluster[axis] + numbers.normal() / 60.0;
+        if (!(at[0] > 0.0 && at[0] < 1.0 && at[1] > 0.0 && at[1] < 1.0)) continue;
+        const auto x = static_cast<std::int32_t>(at[0] * kMostPlan),
+                   y = static_cast<std::int32_t>(at[1] * kMostPlan);
+        if (!taken.insert(std::uint64_t(x) << 32 | std::uint32_t(y)).second) continue;
+        points.push_back({x, y, hillHeight(at[0], at[1])});
+    }
+    return points;
+}
+
+} // namespace osgMultiTriangulation::core

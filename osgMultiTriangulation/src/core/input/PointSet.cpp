@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_set>
+
+#include <osgMultiTriangulation/core/input/PointSet.h>
+
+namespace osgMultiTriangulation::core
+{
+
+namespace
+{
+
+std::optional<MeasuredPoint> pointOf(std::string_view line)
+{
+    MeasuredPoint point{};
+    for (double& value : point)
+    {
+        const std::size_t first = line.find_first_not_of(" \t,;\r");
+        if (first == std::string_view::npos) return std::nullopt;
+        line.remove_prefix(first);
+        if (line.front() == '+') line.remove_prefix(1);
+        const auto [end, failed] = std::from_chars(line.data(), line.data() + line.size(), value);
+        if (failed != std::errc() || !std::isfinite(value)) return std::nullopt;
+        line.remove_prefix(static_cast<std::size_t>(end - line.data()));
+        if (!line.empty() && std::string_view(" \t,;\r").find(line.front()) == std::string_view::npos)
+            return std::nullopt;
+    }
+    return point;
+}
+
+/// Whether a number is a multiple of a step, but for the rounding of its decimals.
+bool isMultiple(double value, double perStep)
+{
+    const double steps = value * perStep;
+    return std::abs(steps - std::round(steps)) <= 1e-6 && std::abs(steps) < 0x1p52;
+}
+
+/// Steps in a unit, as a power of ten from 1 to 10^6, of which all numbers are multiples; 0: there is none.
+double decimalsOf(std::span<const MeasuredPoint> points)
+{
+    double perStep = 1.0;
+    for (const MeasuredPoint& p : points)
+        for (int axis = 0; axis < 2; ++axis)
+            while (!isMultiple(p[axis], perStep))
+            {
+                perStep *= 10.0;
+                if (perStep > 1e6) return 0.0;
+            }
+    return perStep;
+}
+
+} // namespace
+
+foundation::Result<std::vector<MeasuredPoint>> readPointFile(const std::filesystem::path& file)
+{
+    std::ifstream stream(file);
+    if (!stream)
+        return foundation::Error{file.string(), "cannot be opened", "check the path and its permissions"};
+    std::vector<MeasuredPoint> points;
+    std::string line;
+    for (std::size_t number = 1; std::getline(stream, line); ++number)
+    {
+        const std::size_t first = line.find_first_not_of(" \t\r");
+        if (first == std::string::npos || line[first] == '#') continue;
+        if (const auto point = pointOf(line))
+            points.push_back(*point);
+        else if (number > 1 || std::string_view("+-.0123456789").find(line[first]) != std::string_view::npos)
+            return foundation::Error{file.string() + ":" + std::to_string(number), "has no three numbers",
+                                     "write x, y and height, divided by commas or blanks"};
+    }
+    if (points.empty())
+        return foundation::Error{file.string(), "has no points", "write a point on each line"};
+    return points;
+}
+
+PlacedPoints placeOnLattice(std::span<const MeasuredPoint> points)
+{
+    PlacedPoints placed;
+    if (points.empty()) return placed;
+    MeasuredPoint low = points[0], high = points[0];
+    for (const MeasuredPoint& p : points)
+        for (int axis = 0; axis < 2; ++axis)
+        {
+            low[axis] = std::min(low[axis], p[axis]);
+            high[axis] = std::max(high[axis], p[axis]);
+        }
+    const double extent = std::max(high[0] - low[0], high[1] - low[1]);
+    double perStep = decimalsOf(points);
+    if (perStep == 0.0 || extent * perStep > kMostPlan) perStep = extent > 0.0 ? kMostPlan / extent : 1.0;
+    placed.frame = {low[0], low[1], 1.0 / perStep, 1.0 / perStep};
+    std::unordered_set<std::uint64_t> taken;
+    taken.reserve(points.size());
+    for (const MeasuredPoint& p : points)
+    {
+        std::int32_t at[2];
+        for (int axis = 0; axis < 2; ++axis)
+        {
+            at[axis] = static_cast<std::int32_t>(std::lround((p[axis] - low[axis]) * perStep));
+            placed.mostMoved = std::max(placed.mostMoved, std::abs(low[axis] + at[axis] / perStep - p[axis]));
+        }
+        if (taken.insert(std::uint64_t(at[0]) << 32 | std::uint32_t(at[1])).second)
+            placed.points.push_back({at[0], at[1], p[2]});
+        else
+            ++placed.repeated;
+    }
+    return placed;
+}
+
+} // namespace osgMultiTriangulation::core
