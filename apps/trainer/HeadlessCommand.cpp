@@ -53,6 +53,7 @@ foundation::Result<std::unique_ptr<simulation::ScenarioPlayer>> openPlayer(simul
     auto roads = simulation::openRoads(scenario, request.scenario.parent_path());
     if (!roads) return roads.error();
     options.roads = std::move(*roads);
+    if (options.roads) options.projection = simulation::projectionOf(*options.roads);
     if (!options.roads) options.origin = originOf(scenario);
     options.clock = simulation::FixedClock::forStep(request.stepS);
     options.scenarioName = request.scenario.string();
@@ -84,6 +85,7 @@ foundation::Outcome playOut(simulation::ScenarioPlayer& player, const HeadlessRe
     std::optional<simulation::MotionLog> log;
     if (!request.logFile.empty())
         log.emplace(request.logFile, player.scenario(), request.scenario.filename().string());
+    tellWarnings(player);
     const auto begin = std::chrono::steady_clock::now();
     if (log) log->add(0.0, player.entities());
     while (!player.isFinished() && !player.areMotionsDone() && player.timeS() < request.durationS - 1e-9)

@@ -130,6 +130,7 @@ foundation::Outcome playOver(SceneTerrain terrain, simulation::Scenario scenario
     }
     auto session = PlaySession::create(std::move(scenario), std::move(terrain), request);
     if (!session) return session.error();
+    tellWarnings((*session)->player());
     for (const std::string& note : (*session)->notes())
         std::cout << "note: " << note << '\n';
     if (const auto played = playToTheEnd(**session, request); !played) return played;

@@ -83,11 +83,13 @@ foundation::Result<simulation::PlayerOptions> playerOptionsOf(const simulation::
     stage.motionSource = std::make_shared<simulation::ScenarioMotions>(simulation::ScenarioMotions::World{
         groundForWheels(terrain), stage.origin, request.scenario.parent_path(), request.seed});
     if (!request.scenario.empty()) stage.scenarioName = request.scenario.string();
-    if (scenario.needsRoads())
+    const bool isOnRoads = !stage.origin && !scenario.roadNetwork.logicFile.empty(); // they are the scene
+    if (isOnRoads || scenario.needsRoads())
     {
         // One that is not there is told by the player, with the place that needs it.
         auto roads = simulation::openRoads(scenario, request.scenario.parent_path());
         if (!roads) return roads.error();
+        if (*roads && !stage.origin) stage.projection = simulation::projectionOf(**roads);
         stage.roads = inScene(std::move(*roads), terrain);
     }
     stage.motions = request.motions;

@@ -36,4 +36,10 @@ foundation::Outcome tellRecordings(simulation::Scenario& scenario, const simulat
     return foundation::success();
 }
 
+void tellWarnings(const simulation::ScenarioPlayer& player)
+{
+    for (const foundation::Error& warning : player.warnings())
+        std::cerr << "warning: " << warning.message() << '\n';
+}
+
 } // namespace trainer

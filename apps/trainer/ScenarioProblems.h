@@ -6,6 +6,7 @@
 #include <foundation/Result.h>
 
 #include "simulation/parser/ParseScenario.h"
+#include "simulation/player/ScenarioPlayer.h"
 #include "simulation/track/LayRecordings.h"
 
 namespace trainer
@@ -17,5 +18,8 @@ foundation::Outcome tellProblems(const std::vector<simulation::Problem>& problem
 
 /// Reads the recorded tracks that a scenario names, and tells what was done to them. Errors: as simulation::layRecordings().
 foundation::Outcome tellRecordings(simulation::Scenario& scenario, const simulation::RecordingPlace& place);
+
+/// Tells what a scenario refers to that is not there.
+void tellWarnings(const simulation::ScenarioPlayer& player);
 
 } // namespace trainer

@@ -5,6 +5,7 @@
 #include <system_error>
 
 #include "simulation/parser/CoverageWalk.h"
+#include "simulation/scenario/NamedFile.h"
 
 namespace simulation
 {
@@ -51,7 +52,7 @@ void CatalogShelf::open(ParseContext& context, pugi::xml_node locations)
         if (!_folder)
             context.invalid(directory, "a scenario in memory has no catalogues", "read it from its file");
         else
-            openDirectory(context, directory, (*_folder / path).lexically_normal());
+            openDirectory(context, directory, namedFile(*_folder, path).lexically_normal());
     }
 }
 

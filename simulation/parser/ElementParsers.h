@@ -41,10 +41,10 @@ std::vector<std::string> parseEntityRefs(ElementReader reference); // ParseEntit
 std::vector<std::string> parseSelection(ElementReader reader,
                                         const std::vector<ScenarioObject>& objects); // ParseSelection.cpp
 std::vector<ScenarioObject> parseScenarioObject(ElementReader reader); // ParseEntity.cpp: with its trailers
-/// The same of an element without a name of its own.
-std::vector<ScenarioObject> parseObjectContent(ElementReader reader,
-                                               const std::string& name); // ParseEntity.cpp
-FileHeader parseHeader(ElementReader reader);                            // ParseScenario.cpp
+/// The same of an element without a name of its own. `instead`: see CatalogVisit.
+std::vector<ScenarioObject> parseObjectContent(ElementReader reader, const std::string& name,
+                                               const char* instead); // ParseEntity.cpp
+FileHeader parseHeader(ElementReader reader);                        // ParseScenario.cpp
 /// A Controller, or one of a catalogue. One that is not played is told.
 Controller parseObjectController(ElementReader reader); // ParseEntity.cpp
 Controller parseController(ElementReader reader);       // ParseController.cpp

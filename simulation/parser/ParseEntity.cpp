@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "simulation/parser/CatalogShelf.h"
 #include "simulation/parser/ElementParsers.h"
+#include "simulation/scenario/UsualVehicle.h"
 
 namespace simulation
 {
@@ -41,8 +42,23 @@ void parseHitch(ElementReader reader, Vehicle& vehicle)
         vehicle.trailerHitchDxM = ElementReader(reader.context, node).number("dx");
     if (const pugi::xml_node node = reader.node.child("TrailerCoupler"))
         vehicle.trailerCouplerDxM = ElementReader(reader.context, node).number("dx");
-    if (const pugi::xml_node node = reader.node.child("Trailer").child("TrailerRef"))
-        vehicle.trailerEntity = ElementReader(reader.context, node).textOr("entityRef", "");
+    pugi::xml_node trailer = reader.node.child("Trailer").child("TrailerRef");
+    if (!trailer) trailer = reader.node.child("Trailer").child("EntityRef"); // esmini's, before 1.3
+    if (trailer) vehicle.trailerEntity = ElementReader(reader.context, trailer).textOr("entityRef", "");
+}
+
+void parsePerformance(ElementReader reader, Vehicle& vehicle)
+{
+    const pugi::xml_node node = reader.node.child("Performance");
+    if (!node)
+    {
+        vehicle.performance = usualVehicle(vehicle.category).performance;
+        return reader.context.assumed(reader.node, "Vehicle has no element Performance",
+                                      "that of a usual " + vehicle.category + " is taken; add it");
+    }
+    ElementReader performance(reader.context, node);
+    vehicle.performance = {performance.notNegative("maxSpeed"), performance.notNegative("maxAcceleration"),
+                           performance.notNegative("maxDeceleration")};
 }
 
 Vehicle parseVehicle(ElementReader reader)
@@ -58,10 +74,15 @@ Vehicle parseVehicle(ElementReader reader)
     vehicle.model3d = reader.textOr("model3d", "");
     vehicle.massKg = reader.optionalNumber("mass");
     vehicle.box = parseBoundingBox(reader.child("BoundingBox"));
-    ElementReader performance = reader.child("Performance");
-    vehicle.performance = {performance.notNegative("maxSpeed"), performance.notNegative("maxAcceleration"),
-                           performance.notNegative("maxDeceleration")};
-    parseAxles(reader.child("Axles"), vehicle);
+    parsePerformance(reader, vehicle);
+    if (const pugi::xml_node node = reader.node.child("Axles"))
+        parseAxles({context, node}, vehicle);
+    else
+    {
+        fitUsualAxles(vehicle);
+        context.assumed(reader.node, "Vehicle has no element Axles",
+                        "those of a usual " + vehicle.category + " are fitted into its box; add it");
+    }
     parseHitch(reader, vehicle);
     vehicle.properties = parseProperties(reader);
     return vehicle;
@@ -85,7 +106,9 @@ Object parseSimpleObject(ElementReader reader, const char* categoryAttribute)
 
 /// Reads the entity of an object, and behind it in `objects` the trailers that are defined in place: the trailer of X is
 /// X+, that of X+ is X++, as in esmini.
-void parseObject(ElementReader reader, std::size_t index, std::vector<ScenarioObject>& objects);
+/// `instead`: what is done without an entry of a catalogue; null: nothing can be.
+void parseObject(ElementReader reader, std::size_t index, std::vector<ScenarioObject>& objects,
+                 const char* instead = nullptr);
 
 void parseTrailer(ElementReader reader, std::size_t index, std::vector<ScenarioObject>& objects)
 {
@@ -105,11 +128,12 @@ void parseTrailer(ElementReader reader, std::size_t index, std::vector<ScenarioO
     parseObject({context, content}, objects.size() - 1, objects);
 }
 
-void parseObject(ElementReader reader, std::size_t index, std::vector<ScenarioObject>& objects)
+void parseObject(ElementReader reader, std::size_t index, std::vector<ScenarioObject>& objects,
+                 const char* instead)
 {
     if (reader.is("CatalogReference"))
     {
-        CatalogVisit visit(reader);
+        CatalogVisit visit(reader, instead);
         objects[index].object = Unsupported{reader.context.line(reader.node), "CatalogReference"};
         if (visit.entry()) parseObject({reader.context, visit.entry()}, index, objects);
         return;
@@ -157,10 +181,11 @@ Properties parseProperties(ElementReader parent)
 
 std::vector<ScenarioObject> parseScenarioObject(ElementReader reader)
 {
-    return parseObjectContent(reader, reader.has("name") ? reader.name() : reader.text("name"));
+    return parseObjectContent(reader, reader.has("name") ? reader.name() : reader.text("name"), nullptr);
 }
 
-std::vector<ScenarioObject> parseObjectContent(ElementReader reader, const std::string& name)
+std::vector<ScenarioObject> parseObjectContent(ElementReader reader, const std::string& name,
+                                               const char* instead)
 {
     std::vector<ScenarioObject> objects(1);
     objects[0].source = reader.context.line(reader.node);
@@ -178,7 +203,7 @@ std::vector<ScenarioObject> parseObjectContent(ElementReader reader, const std::
             reader.context.foreign(node, std::string("the element ") + node.name());
         else
         {
-            parseObject(content, 0, objects);
+            parseObject(content, 0, objects, instead);
             hasObject = true;
         }
     }

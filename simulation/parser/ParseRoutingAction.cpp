@@ -18,7 +18,11 @@ void parseFinalSpeed(ElementReader reader, SynchronizeAction& action)
                                 content.choice("speedTargetValueType", kSpeedValueTypes), false};
     else
         unsupportedContent(content, "final speed");
-    content.allowChildren({});
+    content.allowChildren({"TargetDistanceSteadyState", "TargetTimeSteadyState"});
+    if (const pugi::xml_node node = content.node.child("TargetDistanceSteadyState"))
+        action.steadyDistanceM = ElementReader(reader.context, node).notNegative("distance");
+    else if (const pugi::xml_node time = content.node.child("TargetTimeSteadyState"))
+        action.steadyTimeS = ElementReader(reader.context, time).notNegative("time");
 }
 
 } // namespace

@@ -67,7 +67,10 @@ TrafficMix parseDistribution(ElementReader reader)
         {
             ElementReader one(reader.context, inner);
             const double weight = one.notNegative("weight");
-            auto objects = parseObjectContent(one.child("ScenarioObjectTemplate"), "template");
+            auto objects =
+                parseObjectContent(one.child("ScenarioObjectTemplate"), "template", "a usual car is taken");
+            if (std::holds_alternative<Unsupported>(objects.front().object))
+                objects.front().object = usualVehicle("car");
             mix.kinds.push_back({share * weight, std::move(objects.front())}); // trailers are left out
         }
     }

@@ -197,6 +197,11 @@ WayAhead EntityMotion::wayAhead(double lengthM) const
     return _state.place ? wayAlongLane(*_roads, *_state.place, _way, _turns, lengthM) : WayAhead{};
 }
 
+std::optional<double> EntityMotion::wayOnTrajectory(const glm::dvec3& place) const
+{
+    return _run ? _run->wayTo(place) : std::nullopt;
+}
+
 void EntityMotion::setPlace(const RoadPlace& place)
 {
     _state.place = place;

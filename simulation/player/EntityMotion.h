@@ -94,6 +94,9 @@ public:
     /// Where it goes by itself from here: the rest of its trajectory, else its lane by its way, up to a length. Without either no points.
     WayAhead wayAhead(double lengthM) const;
 
+    /// The way along the rest of its trajectory to a place: see TrajectoryRun::wayTo(). Nothing without one.
+    std::optional<double> wayOnTrajectory(const glm::dvec3& place) const;
+
     /// Starts an action and returns its ticket for isDone() and cancel(). A new action of the same kind ends the one
     /// before.
     std::int64_t startSpeed(const SpeedAction& action, double timeS);

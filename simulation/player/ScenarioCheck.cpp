@@ -3,6 +3,8 @@
 
 #include <optional>
 #include <set>
+#include <utility>
+#include <vector>
 
 #include "simulation/player/TrajectoryRun.h"
 #include "simulation/scenario/VisitActions.h"
@@ -12,7 +14,7 @@ namespace simulation
 namespace
 {
 
-/// Walks a scenario and keeps the first thing that stands against playing it.
+/// Walks a scenario and keeps the first thing that stands against playing it, and what refers to nothing.
 class Walk
 {
 public:
@@ -21,7 +23,7 @@ public:
     {
     }
 
-    foundation::Outcome run()
+    foundation::Result<std::vector<foundation::Error>> run()
     {
         for (const InitPrivate& initial : _scenario.storyboard.init.privates)
         {
@@ -39,7 +41,7 @@ public:
         for (const auto& [condition, line] : _references)
             reference(*condition, line);
         if (_error) return *_error;
-        return foundation::success();
+        return std::move(_warnings);
     }
 
 private:
@@ -77,6 +79,8 @@ private:
 
     void action(const PrivateAction& content)
     {
+        if (const auto* change = std::get_if<LaneChangeAction>(&content)) onLanes(change->source);
+        if (const auto* offset = std::get_if<LaneOffsetAction>(&content)) onLanes(offset->source);
         if (const auto* teleport = std::get_if<TeleportAction>(&content))
         {
             const bool isGeo = std::holds_alternative<GeoPosition>(teleport->position);
@@ -97,11 +101,19 @@ private:
         }
     }
 
+    void onLanes(SourceLine source)
+    {
+        if (!_roads)
+            warn(source, "an action on lanes, but there are no roads",
+                 "nothing is done; name the OpenDRIVE file in LogicFile");
+    }
+
     /// Whether there is the road.
     bool onRoad(const std::string& id, SourceLine source)
     {
         if (!_roads || _roads->network().roadIndex(id) >= 0) return _roads != nullptr;
-        fail(source, "the road " + id + " does not exist", "write the id of a road of the LogicFile");
+        warn(source, "the road " + id + " does not exist",
+             "the entity is not placed; write the id of a road of the LogicFile");
         return false;
     }
 
@@ -109,10 +121,10 @@ private:
     {
         if (!onRoad(position.roadId, position.source)) return;
         if (!_roads->onLane(position.roadId, position.lane, position.sM, 0.0))
-            fail(position.source,
+            warn(position.source,
                  "the road " + position.roadId + " has no lane " + std::to_string(position.lane) +
                      " at this s",
-                 "write the id of a lane there");
+                 "the entity is not placed; write the id of a lane there");
     }
 
     static bool isSupported(const FollowTrajectoryAction& follow)
@@ -141,8 +153,8 @@ private:
         const std::string name =
             colon == std::string::npos ? condition.element : condition.element.substr(colon + 2);
         if (!_names.contains(Name(condition.type, name)))
-            fail(source, "the storyboard element " + condition.element + " does not exist",
-                 "correct the reference");
+            warn(source, "the storyboard element " + condition.element + " does not exist",
+                 "the condition is never true; correct the reference");
     }
 
     void entity(const std::string& name, SourceLine source)
@@ -156,6 +168,11 @@ private:
         if (!_error) _error = foundation::Error{_name + ":" + std::to_string(source.line), what, remedy};
     }
 
+    void warn(SourceLine source, const std::string& what, const std::string& instead)
+    {
+        _warnings.push_back({_name + ":" + std::to_string(source.line), what, "instead: " + instead});
+    }
+
     const Scenario& _scenario;
     const SceneFrame& _frame;
     const std::string& _name;
@@ -163,12 +180,15 @@ private:
     std::set<Name> _names;
     std::vector<std::pair<const StoryboardElementStateCondition*, SourceLine>> _references;
     std::optional<foundation::Error> _error;
+    std::vector<foundation::Error> _warnings;
 };
 
 } // namespace
 
-foundation::Outcome checkPlayable(const Scenario& scenario, const SceneFrame& frame, const std::string& name,
-                                  const RoadScene* roads)
+foundation::Result<std::vector<foundation::Error>> checkPlayable(const Scenario& scenario,
+                                                                 const SceneFrame& frame,
+                                                                 const std::string& name,
+                                                                 const RoadScene* roads)
 {
     return Walk(scenario, frame, name, roads).run();
 }

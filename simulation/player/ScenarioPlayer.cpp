@@ -17,7 +17,7 @@ public:
     Stage(Scenario scenarioIn, PlayerOptions options)
         : scenario(std::move(scenarioIn)),
           _traffic(scenario, options.seed),
-          frame(options.origin, std::move(options.ground)),
+          frame(options.origin, std::move(options.ground), std::move(options.projection)),
           clock(options.clock),
           _roads(std::move(options.roads)),
           _environmentClock(options.origin),
@@ -55,6 +55,7 @@ public:
     const std::vector<StoryboardLogEntry>& log() const { return _runner.elements().log(); }
     const std::map<std::string, std::string>& signalStates() const { return _performer.signals().states(); }
 
+    std::vector<foundation::Error> warnings;
     Scenario scenario;
     TrafficPlan _traffic; ///< adds entities to the scenario, before anything counts them
     SceneFrame frame;
@@ -94,7 +95,7 @@ private:
 foundation::Result<std::unique_ptr<ScenarioPlayer>> ScenarioPlayer::create(Scenario scenario,
                                                                            PlayerOptions options)
 {
-    const auto line = options.roads ? std::nullopt : scenario.needsRoads();
+    const auto line = options.roads ? std::nullopt : scenario.placesOnRoads();
     const std::string& logicFile = scenario.roadNetwork.logicFile;
     if (line)
         return foundation::Error{options.scenarioName + ":" + std::to_string(line->line),
@@ -102,11 +103,9 @@ foundation::Result<std::unique_ptr<ScenarioPlayer>> ScenarioPlayer::create(Scena
                                      (logicFile.empty() ? "RoadNetwork names no LogicFile"
                                                         : "the LogicFile " + logicFile + " is not there"),
                                  "name the OpenDRIVE file there"};
-    const SceneFrame frame(options.origin, options.ground);
-    if (foundation::Outcome playable =
-            checkPlayable(scenario, frame, options.scenarioName, options.roads.get());
-        !playable)
-        return playable.error();
+    const SceneFrame frame(options.origin, options.ground, options.projection);
+    auto warnings = checkPlayable(scenario, frame, options.scenarioName, options.roads.get());
+    if (!warnings) return warnings.error();
     if (options.motionSource)
         if (auto usable = checkControllers(scenario, *options.motionSource, options.scenarioName); !usable)
             return usable.error();
@@ -116,6 +115,7 @@ foundation::Result<std::unique_ptr<ScenarioPlayer>> ScenarioPlayer::create(Scena
                                      "name one of Entities"};
     std::unique_ptr<ScenarioPlayer> player(new ScenarioPlayer(std::move(scenario), std::move(options)));
     if (const auto& begun = player->_stage->begun; !begun) return begun.error();
+    player->_stage->warnings = std::move(*warnings);
     return player;
 }
 
@@ -165,6 +165,10 @@ const std::map<std::string, bool>& ScenarioPlayer::monitors() const
 std::vector<std::string> ScenarioPlayer::notes() const
 {
     return _stage->notes();
+}
+const std::vector<foundation::Error>& ScenarioPlayer::warnings() const
+{
+    return _stage->warnings;
 }
 bool ScenarioPlayer::areMotionsDone() const
 {

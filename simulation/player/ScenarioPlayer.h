@@ -26,6 +26,7 @@ struct PlayerOptions
 {
     std::optional<Geodetic> origin; ///< of the scene; absent: no georeference
     GroundProvider ground;          ///< may be empty: positions are used as the scenario gives them
+    MapProjection projection{};     ///< of the roads, where there is no origin; may be empty
     FixedClock clock = FixedClock(120);
     std::string scenarioName = "scenario";    ///< replaces the file in errors: scenarioName:line
     std::shared_ptr<const RoadScene> roads{}; ///< of the LogicFile; null: positions on roads are not placed
@@ -49,9 +50,10 @@ struct PlayerOptions
 class ScenarioPlayer
 {
 public:
-    /// Errors, with the line of the element: a place on a road without a road network, a GeoPosition without an origin, an unknown entity or storyboard
-    /// element, a trajectory that cannot be run, a motion of no entity or that cannot begin. Unsupported content of a tolerant reading is skipped: such an action
-    /// ends at once, such a condition is never true, such an entity stands at the origin.
+    /// Errors, with the line of the element: a place on a road without a road network, a GeoPosition without an origin, an unknown entity, a trajectory that
+    /// cannot be run, a motion of no entity or that cannot begin. Unsupported content of a tolerant reading is skipped: such an action
+    /// ends at once, such a condition is never true, such an entity stands at the origin. The same goes for references to a road, a lane or a
+    /// storyboard element that is not there: see warnings().
     static foundation::Result<std::unique_ptr<ScenarioPlayer>> create(Scenario scenario,
                                                                       PlayerOptions options);
 
@@ -78,6 +80,9 @@ public:
 
     /// What a person should know of vehicles with physics: a crash, a controller that could not begin. A line each.
     std::vector<std::string> notes() const;
+
+    /// What refers to something that is not there, with the line of the element and what is done instead.
+    const std::vector<foundation::Error>& warnings() const;
 
     /// Whether there are motions that were lent, and all are done.
     bool areMotionsDone() const;

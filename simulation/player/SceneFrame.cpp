@@ -16,8 +16,8 @@ constexpr double kFarthestGroundM = 1e8;
 
 } // namespace
 
-SceneFrame::SceneFrame(const std::optional<Geodetic>& origin, GroundProvider ground)
-    : _ground(std::move(ground))
+SceneFrame::SceneFrame(const std::optional<Geodetic>& origin, GroundProvider ground, MapProjection projection)
+    : _projection(std::move(projection)), _ground(std::move(ground))
 {
     if (origin) _frame.emplace(*origin);
 }
@@ -26,7 +26,7 @@ bool SceneFrame::canPlace(const Position& position) const
 {
     const auto isSane = [](double value) { return std::fabs(value) <= kLargestCoordinate; };
     if (const auto* geo = std::get_if<GeoPosition>(&position))
-        return _frame.has_value() && isSane(geo->latitudeDeg) && isSane(geo->longitudeDeg) &&
+        return (_frame || onMap(*geo)) && isSane(geo->latitudeDeg) && isSane(geo->longitudeDeg) &&
                isSane(geo->heightM.value_or(0.0)) && isSane(geo->altitudeM.value_or(0.0));
     const auto* world = std::get_if<WorldPosition>(&position);
     return world && isSane(world->xM) && isSane(world->yM) && isSane(world->zM.value_or(0.0));
@@ -48,8 +48,20 @@ glm::dvec3 SceneFrame::place(const WorldPosition& position) const
     return local;
 }
 
+/// The heights of a map count as those of the place.
+std::optional<glm::dvec3> SceneFrame::onMap(const GeoPosition& position) const
+{
+    if (!_projection) return std::nullopt;
+    auto local = _projection({position.latitudeDeg, position.longitudeDeg, position.heightM.value_or(0.0)});
+    if (!local || position.heightM) return local;
+    const std::optional<GroundSample> ground = groundAt(local->x, local->y);
+    local->z = position.altitudeM.value_or(0.0) + (ground ? ground->heightM : 0.0);
+    return local;
+}
+
 glm::dvec3 SceneFrame::place(const GeoPosition& position) const
 {
+    if (!_frame) return onMap(position).value_or(glm::dvec3(0.0));
     if (position.heightM)
         return _frame->localFromGeodetic({position.latitudeDeg, position.longitudeDeg, *position.heightM});
     // Far from the origin the place's vertical leans against the scene's: the height found there moves the place.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <optional>
 
 #include <glm/glm.hpp>
@@ -12,12 +13,16 @@
 namespace simulation
 {
 
+/// Where a place of the earth lies in a scene that is a map: that of a road network with a georeference. Nothing: outside of it.
+using MapProjection = std::function<std::optional<glm::dvec3>(const Geodetic& place)>;
+
 /// Converts the positions of a scenario to points of the scene.
 class SceneFrame
 {
 public:
-    /// `origin` absent: a scene without georeference, in which GeoPosition has no meaning. `ground` may be empty.
-    SceneFrame(const std::optional<Geodetic>& origin, GroundProvider ground);
+    /// `origin` absent: a scene without a local frame; without a `projection` either, GeoPosition has no meaning there.
+    /// `ground` may be empty.
+    SceneFrame(const std::optional<Geodetic>& origin, GroundProvider ground, MapProjection projection = {});
 
     bool hasOrigin() const { return _frame.has_value(); }
     bool hasGround() const { return static_cast<bool>(_ground); }
@@ -37,8 +42,10 @@ public:
 private:
     glm::dvec3 place(const WorldPosition& position) const;
     glm::dvec3 place(const GeoPosition& position) const;
+    std::optional<glm::dvec3> onMap(const GeoPosition& position) const;
 
     std::optional<LocalFrame> _frame;
+    MapProjection _projection;
     GroundProvider _ground;
 };
 

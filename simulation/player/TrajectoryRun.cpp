@@ -12,6 +12,7 @@ namespace
 
 constexpr double kSameSpotM = 1e-9;
 constexpr double kLargestTimeS = 1e9;
+constexpr double kAheadM = 1.0; ///< between the places of pointsAhead()
 
 std::vector<PathVertex> placedVertices(const FollowTrajectoryAction& action, const SceneFrame& frame)
 {
@@ -122,14 +123,35 @@ std::optional<double> TrajectoryRun::advanceBy(double distanceM)
 
 std::vector<AheadPoint> TrajectoryRun::pointsAhead(double lengthM) const
 {
-    constexpr double kPointM = 1.0;
     const double from = _curve.distanceAt(_parameter);
     const double to = _curve.isClosed() ? from + lengthM : std::min(from + lengthM, _curve.lengthM());
     std::vector<AheadPoint> points;
-    for (double at = from; at < to; at += kPointM)
+    for (double at = from; at < to; at += kAheadM)
         points.push_back({_curve.at(_curve.parameterAt(at)).position, std::nullopt});
     points.push_back({_curve.at(_curve.parameterAt(to)).position, std::nullopt});
     return points;
+}
+
+std::optional<double> TrajectoryRun::wayTo(const glm::dvec3& place) const
+{
+    constexpr double kFarthestM = 5.0;
+    const double total = _curve.lengthM() - (_curve.isClosed() ? 0.0 : _curve.distanceAt(_parameter));
+    double nearest = kFarthestM;
+    std::optional<double> way;
+    const std::vector<AheadPoint> points = pointsAhead(total);
+    for (std::size_t i = 0; i + 1 < points.size(); ++i)
+    {
+        const glm::dvec2 from(points[i].place), along = glm::dvec2(points[i + 1].place) - from;
+        const double squared = glm::dot(along, along);
+        const double share =
+            squared > 0.0 ? std::clamp(glm::dot(glm::dvec2(place) - from, along) / squared, 0.0, 1.0) : 0.0;
+        const double distance = glm::distance(glm::dvec2(place), from + along * share);
+        if (distance >= nearest) continue;
+        nearest = distance;
+        const double begin = kAheadM * static_cast<double>(i);
+        way = begin + share * std::min(kAheadM, total - begin);
+    }
+    return way;
 }
 
 double TrajectoryRun::timedSpeedMps() const

@@ -38,6 +38,9 @@ public:
     /// Returns places of the rest, a metre apart, up to a length; a closed one goes round. The first is where it now is.
     std::vector<AheadPoint> pointsAhead(double lengthM) const;
 
+    /// Returns the way along the rest to where it comes nearest to a place; nothing where it stays farther than 5 m from it.
+    std::optional<double> wayTo(const glm::dvec3& place) const;
+
     /// Returns the speed of the curve at the current point, for trajectories with times; 0 before the time of the
     /// first vertex.
     double timedSpeedMps() const;

@@ -23,7 +23,7 @@ inline double shapeValue(DynamicsShape shape, double x)
 /// Its derivative.
 inline double shapeSlope(DynamicsShape shape, double x)
 {
-    if (shape == DynamicsShape::step || x <= 0.0 || x >= 1.0) return 0.0;
+    if (shape == DynamicsShape::step || x < 0.0 || x >= 1.0) return 0.0;
     if (shape == DynamicsShape::cubic) return 6.0 * x * (1.0 - x);
     if (shape == DynamicsShape::sinusoidal) return 0.5 * std::numbers::pi * std::sin(std::numbers::pi * x);
     return 1.0;

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "simulation/road/ScenarioRoads.h"
 
+#include <osgRoads/core/query/GeoReference.h>
+
+#include "simulation/scenario/NamedFile.h"
+
 namespace simulation
 {
 
@@ -10,7 +14,8 @@ std::filesystem::path roadsFile(const Scenario& scenario, const std::filesystem:
     if (name.empty()) return {};
     std::error_code ignored;
     for (const char* extension : {"", ".xodr"})
-        if (const auto file = folder / (name + extension); std::filesystem::is_regular_file(file, ignored))
+        if (const auto file = namedFile(folder, name + extension);
+            std::filesystem::is_regular_file(file, ignored))
             return file;
     return {};
 }
@@ -29,6 +34,18 @@ foundation::Result<std::shared_ptr<const RoadScene>> openRoads(const Scenario& s
     const std::filesystem::path file = roadsFile(scenario, folder);
     if (file.empty()) return std::shared_ptr<const RoadScene>();
     return RoadScene::open(file);
+}
+
+std::function<std::optional<glm::dvec3>(const Geodetic&)> projectionOf(const RoadScene& roads)
+{
+    auto created = osgRoads::core::GeoReference::create(roads.network().header, "the road network");
+    if (!created) return {};
+    auto reference = std::make_shared<const osgRoads::core::GeoReference>(std::move(*created));
+    return [reference](const Geodetic& place) -> std::optional<glm::dvec3>
+    {
+        const auto inertial = reference->toInertial({place.latitudeDeg, place.longitudeDeg, place.heightM});
+        return inertial ? std::optional(*inertial) : std::nullopt;
+    };
 }
 
 } // namespace simulation

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 
+#include "simulation/geodesy/LocalFrame.h"
 #include "simulation/road/RoadScene.h"
 #include "simulation/scenario/Scenario.h"
 
@@ -22,5 +24,8 @@ std::optional<foundation::Error> missingRoads(const Scenario& scenario, const st
 /// Errors: as RoadScene::open().
 foundation::Result<std::shared_ptr<const RoadScene>> openRoads(const Scenario& scenario,
                                                                const std::filesystem::path& folder);
+
+/// The projection of a network with a georeference that PROJ knows; else empty.
+std::function<std::optional<glm::dvec3>(const Geodetic&)> projectionOf(const RoadScene& roads);
 
 } // namespace simulation

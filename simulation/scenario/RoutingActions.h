@@ -73,6 +73,7 @@ struct SynchronizeAction
     Position position;
     double masterToleranceM = 1.0, toleranceM = 1.0;
     std::variant<std::monostate, AbsoluteTargetSpeed, RelativeTargetSpeed> finalSpeed; ///< nothing: any
+    std::optional<double> steadyDistanceM, steadyTimeS; ///< of the final speed before the target; one of them
 
     bool operator==(const SynchronizeAction&) const = default;
 };

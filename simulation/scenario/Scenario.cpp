@@ -20,13 +20,35 @@ bool isOnRoad(const Position& position)
            !std::holds_alternative<Unsupported>(position);
 }
 
+std::optional<SourceLine> placeOnRoad(const PrivateAction& action)
+{
+    const auto* teleport = std::get_if<TeleportAction>(&action);
+    return teleport && isOnRoad(teleport->position) ? std::optional(teleport->source) : std::nullopt;
+}
+
 std::optional<SourceLine> roadsFor(const PrivateAction& action)
 {
-    if (const auto* teleport = std::get_if<TeleportAction>(&action))
-        if (isOnRoad(teleport->position)) return teleport->source;
+    if (const auto line = placeOnRoad(action)) return line;
     if (const auto* change = std::get_if<LaneChangeAction>(&action)) return change->source;
     if (const auto* offset = std::get_if<LaneOffsetAction>(&action)) return offset->source;
     return std::nullopt;
+}
+
+/// The first line that a function finds in the actions of entities.
+template<class Find>
+std::optional<SourceLine> firstLine(const Scenario& scenario, Find find)
+{
+    for (const InitPrivate& initial : scenario.storyboard.init.privates)
+        for (const PrivateAction& action : initial.actions)
+            if (const auto line = find(action)) return line;
+    std::optional<SourceLine> line;
+    visitActions(scenario,
+                 [&](const Action& action)
+                 {
+                     const auto* own = std::get_if<PrivateAction>(&action);
+                     if (!line && own) line = find(*own);
+                 });
+    return line;
 }
 
 /// A driver goes along the roads where there are some.
@@ -86,17 +108,12 @@ std::optional<SourceLine> Scenario::needsRoads() const
         if (const auto line = trafficLine(*this)) return line;
         if (const auto line = driverLine(*this)) return line;
     }
-    for (const InitPrivate& initial : storyboard.init.privates)
-        for (const PrivateAction& action : initial.actions)
-            if (const auto line = roadsFor(action)) return line;
-    std::optional<SourceLine> line;
-    visitActions(*this,
-                 [&](const Action& action)
-                 {
-                     const auto* own = std::get_if<PrivateAction>(&action);
-                     if (!line && own) line = roadsFor(*own);
-                 });
-    return line;
+    return firstLine(*this, roadsFor);
+}
+
+std::optional<SourceLine> Scenario::placesOnRoads() const
+{
+    return firstLine(*this, placeOnRoad);
 }
 
 } // namespace simulation

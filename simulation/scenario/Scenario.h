@@ -74,6 +74,9 @@ struct Scenario
     /// Returns the line of the first action that needs the roads of the LogicFile: one that places an entity on a road, or
     /// changes its lane; nothing: none does.
     std::optional<SourceLine> needsRoads() const;
+
+    /// Returns the line of the first action that places an entity on a road; nothing: none does.
+    std::optional<SourceLine> placesOnRoads() const;
 };
 
 } // namespace simulation

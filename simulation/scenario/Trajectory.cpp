@@ -23,7 +23,8 @@ std::string smallExtensionOf(const std::filesystem::path& file)
 
 bool namesTrackFile(const std::filesystem::path& file)
 {
-    static constexpr std::array<std::string_view, 5> kExtensions{".igc", ".gpx", ".kml", ".acmi", ".csv"};
+    static constexpr std::array<std::string_view, 6> kExtensions{".igc", ".gpx",  ".kml",
+                                                                 ".kmz", ".acmi", ".csv"};
     const std::string last = smallExtensionOf(file);
     const std::string extension = last == ".gz" ? smallExtensionOf(file.stem()) : last;
     return std::find(kExtensions.begin(), kExtensions.end(), extension) != kExtensions.end();

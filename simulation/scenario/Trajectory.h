@@ -105,7 +105,7 @@ struct Recording
     bool operator==(const Recording&) const = default;
 };
 
-/// Returns whether a file is one of recorded tracks by its name (.igc, .gpx, .kml, .acmi, .csv, in small or capital letters), with .gz after it
+/// Returns whether a file is one of recorded tracks by its name (.igc, .gpx, .kml, .kmz, .acmi, .csv, in small or capital letters), with .gz after it
 /// or without.
 bool namesTrackFile(const std::filesystem::path& file);
 

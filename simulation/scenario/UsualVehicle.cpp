@@ -50,4 +50,21 @@ Vehicle usualVehicle(const std::string& category)
     return vehicle;
 }
 
+void fitUsualAxles(Vehicle& vehicle)
+{
+    const Vehicle usual = usualVehicle(vehicle.category);
+    const double scale = vehicle.box.lengthM / usual.box.lengthM;
+    const double middle = vehicle.box.centre.x - usual.box.centre.x * scale; // of the rear axle
+    const auto fitted = [&](Axle axle)
+    {
+        axle.positionXM = middle + axle.positionXM * scale;
+        axle.wheelDiameterM *= scale;
+        axle.positionZM *= scale;
+        axle.trackWidthM *= vehicle.box.widthM / usual.box.widthM;
+        return axle;
+    };
+    vehicle.frontAxle = fitted(*usual.frontAxle);
+    vehicle.rearAxle = fitted(usual.rearAxle);
+}
+
 } // namespace simulation

@@ -12,4 +12,7 @@ namespace simulation
 /// an unknown one a car. Sources of sizes: directive 96/53/EC for lorries and buses, otherwise common makes.
 Vehicle usualVehicle(const std::string& category);
 
+/// Gives a vehicle the two axles of a usual one of its category, as long and as wide as its box.
+void fitUsualAxles(Vehicle& vehicle);
+
 } // namespace simulation

@@ -111,11 +111,11 @@ foundation::Result<TrackReading> parse(std::string_view text, const std::filesys
     const std::string extension = extensionOf(file) == ".gz" ? extensionOf(file.stem()) : extensionOf(file);
     if (extension == ".igc") return parseIgc(text, name);
     if (extension == ".gpx") return parseGpx(text, name);
-    if (extension == ".kml") return parseKml(text, name);
+    if (extension == ".kml" || extension == ".kmz") return parseKml(text, name);
     if (extension == ".csv") return parseTrackTable(text, name);
     if (extension == ".acmi") return parseAcmi(text, name);
     return foundation::Error{name, "is no track file by its name",
-                             "name an .igc, .gpx, .kml, .acmi or .csv file"};
+                             "name an .igc, .gpx, .kml, .kmz, .acmi or .csv file"};
 }
 
 } // namespace

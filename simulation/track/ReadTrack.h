@@ -15,7 +15,7 @@ namespace simulation
 /// Returns whether a file is one of recorded tracks by its name, with .gz after it or without.
 bool isTrackFile(const std::filesystem::path& file);
 
-/// Reads the tracks of a file: .igc, .gpx, .kml, .acmi, .csv, in small or capital letters; as they are, or compressed by gzip or
+/// Reads the tracks of a file: .igc, .gpx, .kml, .kmz, .acmi, .csv, in small or capital letters; as they are, or compressed by gzip or
 /// as the only file of a zip archive. Each track has a name of its own.
 /// Errors, with the line: not a readable file, larger than 256 MiB, of no known kind, damaged as a whole, without any position.
 /// A damaged record is a problem of the reading, with its line; the others are read.

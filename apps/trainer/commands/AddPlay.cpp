@@ -101,7 +101,7 @@ std::vector<Command> addPlay(CLI::App& program)
     CLI::App* command = program.add_subcommand("play", "play an OpenSCENARIO file, or a recorded flight");
     command
         ->add_option("SCENARIO", line->play.request.scenario,
-                     "OpenSCENARIO XML, or a recording (.igc, .gpx, .kml, .acmi, .csv)")
+                     "OpenSCENARIO XML, or a recording (.igc, .gpx, .kml, .kmz, .acmi, .csv)")
         ->required();
     command->add_option("--terrain", line->play.request.terrain.file,
                         "terrain or scene file instead of the scenario's SceneGraphFile");

@@ -108,6 +108,7 @@ std::optional<foundation::Error> saidOf(const std::string& text)
         if (event.name == "second") event.actions.clear(); // its lane needs roads
     const auto player = ScenarioPlayer::create(std::move(scenario), std::move(options));
     if (!player) return player.error();
+    if (!(*player)->warnings().empty()) return (*player)->warnings().front();
     return std::nullopt;
 }
 

@@ -89,6 +89,8 @@ INSTANTIATE_TEST_SUITE_P(
         Slip{"NameOfAnEvent", "<Event name=\"go\"", "<Event", "Event has no attribute name", "left empty"},
         Slip{"NameOfAVehicle", "<Vehicle name=\"car\"", "<Vehicle", "Vehicle has no attribute name",
              "left empty"},
+        Slip{"Performance", R"(<Performance maxSpeed="70" maxDeceleration="10" maxAcceleration="5"/>)", "",
+             "Vehicle has no element Performance", "that of a usual car is taken"},
         Slip{"Priority", " priority=\"parallel\"", "", "Event has no attribute priority",
              "overwrite is taken"},
         Slip{"Edge", " conditionEdge=\"none\"", "", "Condition has no attribute conditionEdge",
@@ -112,6 +114,25 @@ INSTANTIATE_TEST_SUITE_P(
              "entryName=\"e\"/></EnvironmentAction></GlobalAction>",
              "the catalogue entry c/e does not exist", "the environment stays as it is"}),
     [](const testing::TestParamInfo<Slip>& test) { return std::string(test.param.name); });
+
+/// A usual car is 4.5 m long, 1.8 m wide, has its rear axle 0.95 m before its end and 2.7 m between the axles; the box is 5 m by 2 m.
+TEST(Slips, AxlesAreFittedIntoTheBox)
+{
+    std::string text = soundText().text();
+    const std::size_t at = text.find("<Axles>");
+    text.erase(at, text.find("</Axles>") + 8 - at);
+    const auto parsed = parseScenario(text, "test.xosc", {.tolerant = true, .parameters = {}});
+    ASSERT_TRUE(parsed);
+    ASSERT_EQ(parsed->problems.size(), 1u);
+    EXPECT_EQ(parsed->problems[0].kind, Problem::Kind::assumed);
+    EXPECT_NE(parsed->problems[0].error.message().find("no element Axles"), std::string::npos);
+    const auto& car = std::get<Vehicle>(parsed->scenario.entities[0].object);
+    const double scale = 5.0 / 4.5, end = car.box.centre.x - 2.5;
+    EXPECT_NEAR(car.rearAxle.positionXM, end + 0.95 * scale, 1e-9);
+    EXPECT_NEAR(car.frontAxle->positionXM - car.rearAxle.positionXM, 2.7 * scale, 1e-9);
+    EXPECT_NEAR(car.rearAxle.trackWidthM, 0.86 * 2.0, 1e-9);
+    EXPECT_NEAR(car.rearAxle.positionZM, 0.5 * car.rearAxle.wheelDiameterM, 1e-9);
+}
 
 TEST(Slips, WhatTheMotionHangsOnIsRefusedAsBefore)
 {
