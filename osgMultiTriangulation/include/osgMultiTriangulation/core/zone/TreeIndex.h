@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <boost/geometry.hpp>
+#include <boost/geometry/geometries/box.hpp>
+#include <boost/geometry/geometries/point_xy.hpp>
+#include <boost/geometry/index/rtree.hpp>
+
+#include <osgMultiTriangulation/core/file/MtInfo.h>
+
+namespace osgMultiTriangulation::core
+{
+
+/// The extents of the trees of a file in an R-tree of Boost.Geometry.
+/// Threads: any number may ask at once.
+class TreeIndex
+{
+public:
+    explicit TreeIndex(std::span<const MtEntry> trees);
+
+    /// Returns the numbers of the trees whose extent meets a square, ascending. `x`, `y`: its middle, on the lattice.
+    std::vector<std::uint32_t> near(double x, double y, double halfSide) const;
+
+private:
+    using Place = boost::geometry::model::d2::point_xy<double>;
+    using Box = boost::geometry::model::box<Place>;
+    using Entry = std::pair<Box, std::uint32_t>;
+
+    boost::geometry::index::rtree<Entry, boost::geometry::index::rstar<16>> _tree;
+};
+
+/// The distance of a place from a tree's extent; 0 inside.
+double distanceTo(const MtEntry& tree, double x, double y);
+
+} // namespace osgMultiTriangulation::core

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include <osgMultiTriangulation/core/zone/TreeIndex.h>
+
+namespace osgMultiTriangulation::core
+{
+
+TreeIndex::TreeIndex(std::span<const MtEntry> trees)
+{
+    std::vector<Entry> entries;
+    for (std::uint32_t t = 0; t < trees.size(); ++t)
+        entries.emplace_back(
+            Box(Place(trees[t].low[0], trees[t].low[1]), Place(trees[t].high[0], trees[t].high[1])), t);
+    _tree = decltype(_tree)(entries);
+}
+
+std::vector<std::uint32_t> TreeIndex::near(double x, double y, double halfSide) const
+{
+    const Box square(Place(x - halfSide, y - halfSide), Place(x + halfSide, y + halfSide));
+    std::vector<Entry> found;
+    _tree.query(boost::geometry::index::intersects(square), std::back_inserter(found));
+    std::vector<std::uint32_t> numbers;
+    for (const Entry& entry : found)
+        numbers.push_back(entry.second);
+    std::ranges::sort(numbers);
+    return numbers;
+}
+
+double distanceTo(const MtEntry& tree, double x, double y)
+{
+    const double beyondX = std::max({tree.low[0] - x, x - tree.high[0], 0.0});
+    const double beyondY = std::max({tree.low[1] - y, y - tree.high[1], 0.0});
+    return std::hypot(beyondX, beyondY);
+}
+
+} // namespace osgMultiTriangulation::core
