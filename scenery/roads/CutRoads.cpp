@@ -81,8 +81,10 @@ std::vector<PlanBox> boxesOf(const PlacedTile& tile, const PlacedNetwork& roads,
 
 } // namespace
 
-foundation::Result<osgTerrainROAM::core::EditReport>
-cutRoads(osgTerrainROAM::core::TileEditor& editor, const PlacedNetwork& roads, const RoadCutShape& asked)
+foundation::Result<osgTerrainROAM::core::EditReport> cutRoads(osgTerrainROAM::core::TileEditor& editor,
+                                                              const PlacedNetwork& roads,
+                                                              const RoadCutShape& asked,
+                                                              const osgTerrainROAM::core::Earthworks* water)
 {
     const PlacedTile& tile = editor.tile().tile;
     RoadCutShape shape = asked;
@@ -107,6 +109,7 @@ cutRoads(osgTerrainROAM::core::TileEditor& editor, const PlacedNetwork& roads, c
                                          isByPortal ? shape.reachM : shape.structureM);
         if (band.isBed) return band.nearestTo(heightM);
         const double riseM = edges.riseAt(place);
+        if (water && std::abs(riseM) >= kLeastRiseM && water->bedM(place)) return heightM;
         return band.nearestTo(std::abs(riseM) < kLeastRiseM ? heightM : heightM + riseM);
     };
     const bool isFine = tile.grid().exponent() > 0;

@@ -8,6 +8,7 @@
 #include <osgRoads/core/query/RoadSurface.h>
 #include <osgRoads/core/query/Stations.h>
 #include <osgTerrainROAM/core/LoadTerrain.h>
+#include <osgTerrainROAM/core/edit/ShapeGround.h>
 
 #include "scenery/roads/CutRoads.h"
 
@@ -113,6 +114,22 @@ void addRibbons(const osgRoads::core::PlacedNetwork& roads, int road, const Stre
     finish();
 }
 
+/// The earthworks of a terrain that have shores.
+foundation::Result<osgTerrainROAM::core::Earthworks>
+waterOf(const osgTerrainROAM::core::RoamFile& description, const osgTerrainROAM::core::PlacedTile& tile)
+{
+    std::vector<osgTerrainROAM::core::Earthwork> works;
+    for (const auto& source : description.earthworks)
+    {
+        auto read = osgTerrainROAM::core::importEarthworks(source, tile);
+        if (!read) return read.error();
+        for (auto& work : *read)
+            if (work.riseM > 0.0) works.push_back(std::move(work));
+    }
+    return osgTerrainROAM::core::Earthworks(std::move(works), 0.0,
+                                            [](const glm::dvec2&) { return std::optional<double>(); });
+}
+
 } // namespace
 
 foundation::Result<SceneRoads> layRoads(const osgTerrainROAM::core::RoamFile& description,
@@ -125,8 +142,10 @@ foundation::Result<SceneRoads> layRoads(const osgTerrainROAM::core::RoamFile& de
         request.origin = RoadOrigin{origin->latitudeDeg, origin->longitudeDeg, origin->headingDeg};
     auto roads = placeRoads(request, tile->tile);
     if (!roads || !description.edits.empty()) return roads;
+    const auto water = waterOf(description, tile->tile);
+    if (!water) return water.error();
     osgTerrainROAM::core::TileEditor editor(tile);
-    if (const auto cut = cutRoads(editor, *roads->placed); !cut) return cut.error();
+    if (const auto cut = cutRoads(editor, *roads->placed, {}, &*water); !cut) return cut.error();
     return roads;
 }
 

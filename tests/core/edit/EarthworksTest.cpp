@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -58,6 +59,40 @@ Earthwork runway()
     return work;
 }
 
+/// A river of two pieces that falls by 7 %, 40 m wide, and a brook from the side, whose end lies in it.
+std::vector<Earthwork> widePieces(int number, int brook)
+{
+    std::vector<Earthwork> works;
+    for (const double from : {0.0, 150.0})
+    {
+        Earthwork work;
+        work.paths = {{{from, 0}, {from + 150.0, 0}}};
+        work.heightsM = {{90.0 - 0.07 * from, 90.0 - 0.07 * (from + 150.0)}};
+        work.widthM = from > 0.0 ? 60.0 : 40.0;
+        work.river = number;
+        works.push_back(work);
+    }
+    Earthwork side;
+    side.paths = {{{150, 100}, {150, 0}}};
+    side.heightsM = {{85.0, 79.5}};
+    side.widthM = 6.0;
+    side.river = brook;
+    works.push_back(side);
+    return works;
+}
+
+/// The highest step over a metre in the bed of the river.
+double highestStepM(const std::vector<Earthwork>& made)
+{
+    const Earthworks works(made, 0.0, known);
+    double worst = 0.0;
+    for (double east = 20.0; east < 280.0; east += 1.0)
+        for (const double side : {-15.0, -5.0, 5.0})
+            worst = std::max(
+                worst, std::abs(works.heightM({east, side}, 0.0) - works.heightM({east + 1.0, side}, 0.0)));
+    return worst;
+}
+
 /// Looks around a lake whether its shore is higher than its water.
 bool holdsWater(const Earthworks& works, double levelM)
 {
@@ -70,6 +105,13 @@ bool holdsWater(const Earthworks& works, double levelM)
 }
 
 } // namespace
+
+TEST(Earthworks, ARiverHasNoStepWhereItsPiecesMeet)
+{
+    EXPECT_LT(highestStepM(widePieces(1, 2)), 0.08);
+    // The control: works that nobody calls one river.
+    EXPECT_GT(highestStepM(widePieces(0, 0)), 0.5);
+}
 
 TEST(Earthworks, ALakeIsLevelAndItsShoreHoldsIt)
 {

@@ -110,6 +110,41 @@ TEST(CutRoads, AShallowBedIsSeenAsTooShallow) // the test above can fail
     EXPECT_LT(depthsUnder(*tile, *roads).leastM, 0.3);
 }
 
+/// How far the ground of a strip beside a road, 11 to 15 m from its middle, has moved by the cut.
+double movedBesideM(const osgTerrainROAM::core::Earthworks* water)
+{
+    const auto tile = hillTile(), before = hillTile();
+    const auto roads = bankedRoad(430.0);
+    TileEditor editor(tile);
+    EXPECT_TRUE(scenery::cutRoads(editor, *roads, {}, water));
+    double moved = 0.0;
+    for (double s = 60.0; s < 240.0; s += 3.0)
+        for (const double t : {11.0, 13.0, 15.0})
+        {
+            const glm::dvec3 place = roads->surfacePoint(0, s, t);
+            moved = std::max(moved, std::abs(groundM(*tile, place) - groundM(*before, place)));
+        }
+    return moved;
+}
+
+TEST(CutRoads, SlopesStayOutOfWater)
+{
+    const auto roads = bankedRoad(430.0);
+    osgTerrainROAM::core::Earthwork river;
+    river.riseM = 0.5;
+    river.widthM = 14.0;
+    for (double s = 30.0; s <= 280.0; s += 5.0)
+    {
+        if (river.paths.empty()) river.paths.emplace_back(), river.heightsM.emplace_back();
+        river.paths.front().emplace_back(roads->surfacePoint(0, s, 13.0));
+        river.heightsM.front().push_back(400.0);
+    }
+    const osgTerrainROAM::core::Earthworks water({river}, 0.0,
+                                                 [](const glm::dvec2&) { return std::optional<double>(); });
+    EXPECT_LT(movedBesideM(&water), 0.02);
+    EXPECT_GT(movedBesideM(nullptr), 0.5); // the control: without water the slope lies there
+}
+
 TEST(CutRoads, GroundLiesBelowTheLowSideOfASteepBank)
 {
     const auto tile = hillTile();

@@ -43,6 +43,16 @@ struct Bed
 {
     std::size_t work;
     double outM, heightM;
+    int river = 0;
+    double awayM = 0.0; ///< from the line of a river
+
+    /// Whether this bed counts where `other` was found before.
+    bool isBefore(const Bed& other) const
+    {
+        if (river > 0 && river == other.river) return awayM < other.awayM;
+        if (river > 0 && other.river > 0) return heightM < other.heightM;
+        return work != other.work || outM < other.outM;
+    }
 };
 
 /// One piece of a work.
@@ -66,7 +76,9 @@ public:
     struct Beside
     {
         double outM, edgeM;
+        double awayM = 0.0; ///< from a line
     };
+    int river() const { return _work.river; }
     Beside beside(const glm::dvec2& place) const
     {
         if (_outline)
@@ -77,7 +89,7 @@ public:
         const double halfM = 0.5 * _work.widthM;
         const double edgeM = heightAt(foot.alongM) - _work.crossfall * std::min(foot.distanceM, halfM) -
                              _work.stripFall * std::clamp(foot.distanceM - halfM, 0.0, _work.stripM);
-        return {foot.distanceM - halfM - _work.stripM, edgeM};
+        return {foot.distanceM - halfM - _work.stripM, edgeM, foot.distanceM};
     }
 
     /// `slopesM`: how far slopes reach. Towards there they give way, so that ground that is steeper than they are is met without a wall.
@@ -270,9 +282,8 @@ double Earthworks::heightM(const glm::dvec2& place, double groundM) const
     {
         const Piece& piece = _works->pieces[number];
         const Piece::Beside at = piece.beside(place);
-        // Of the pieces of one line the nearest counts, of several works the last.
-        if (at.outM <= _works->flatM && (!bed || bed->work != _works->workOf[number] || at.outM < bed->outM))
-            bed = Bed{_works->workOf[number], at.outM, at.edgeM};
+        const Bed its{_works->workOf[number], at.outM, at.edgeM, piece.river(), at.awayM};
+        if (at.outM <= _works->flatM && (!bed || its.isBefore(*bed))) bed = its;
         if (bed || at.outM - _works->flatM >= _works->slopesM[number]) continue;
         const Limits limits = piece.limits(at, _works->flatM, _works->slopesM[number]);
         all = {std::max(all.lowM, limits.lowM), std::min(all.highM, limits.highM)};

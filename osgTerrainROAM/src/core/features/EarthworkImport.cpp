@@ -43,6 +43,7 @@ public:
         work.widthM = numberOf(feature, "width", work.widthM, 0.1, 1000.0);
         work.crossfall = numberOf(feature, "crossfall", 0.0, 0.0, 0.2);
         work.stripM = numberOf(feature, "strip", 0.0, 0.0, 500.0);
+        work.river = static_cast<int>(numberOf(feature, "river", 0.0, 0.0, 1e9));
         work.stripFall = numberOf(feature, "strip_fall", 0.0, 0.0, 0.2);
         work.slope = numberOf(feature, "slope", work.slope, 0.02, 10.0);
         work.riseM = numberOf(feature, "rise", 0.0, 0.0, 10.0);

@@ -26,10 +26,12 @@ struct Earthwork
     double stripM = 0.0;                        ///< of graded ground beside the bed
     double stripFall = 0.0;                     ///< of that, away from the bed
     double slope = 0.5;                         ///< of cuttings and embankments
+    int river = 0;      ///< lines of one river have one number above 0, and one bed: see Earthworks
     double riseM = 0.0; ///< of a shore: the ground rises by a tenth, up to this height, before it may fall
 };
 
-/// Tells the height of ground that earthworks have shaped. A place within beds has the height of the last of them; one beside beds
+/// Tells the height of ground that earthworks have shaped. A place within beds has the height of the last of them, but of
+/// beds of rivers that of the nearest line of one river, and that of the lowest of several; one beside beds
 /// lies between their slopes: at least as high as their embankments, at most as high as their cuttings.
 /// Invariant: within a bed the height does not depend on the ground.
 /// Cost: some microseconds a place that works are near, else 0.1. Threads: const, any.

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <span>
 
-#include <osgTerrainROAM/Climate>
+#include <osgTerrainROAM/core/Climate.h>
 
-namespace osgTerrainROAM
+namespace osgTerrainROAM::core
 {
 
 namespace
@@ -99,13 +99,13 @@ Climate climateAt(double latitudeDeg, double longitudeDeg)
     return climate;
 }
 
-Climate climateOf(const core::PlacedTile& tile, const core::LandParameters& land)
+Climate climateOf(const PlacedTile& tile, const LandParameters& land)
 {
     Climate climate = climateAt(47.0, 8.0);
     if (tile.field().net)
     {
-        const core::GeodeticNet& net = *tile.field().net;
-        const core::GeodeticNet::Node& centre =
+        const GeodeticNet& net = *tile.field().net;
+        const GeodeticNet::Node& centre =
             net.node(std::min(tile.field().columns / 2 / net.step, net.nodesPerSide - 1),
                      std::min(tile.field().rows / 2 / net.step, net.nodesPerSide - 1));
         climate = climateAt(centre.latitudeDeg, centre.longitudeDeg);
@@ -118,4 +118,4 @@ Climate climateOf(const core::PlacedTile& tile, const core::LandParameters& land
     return climate;
 }
 
-} // namespace osgTerrainROAM
+} // namespace osgTerrainROAM::core
