@@ -20,6 +20,16 @@ enum class RoofForm : std::uint8_t
     hipped,
     pyramidal,
     skillion, ///< one slope
+    round,    ///< an arc over the shorter side
+};
+
+/// What the walls have openings for.
+enum class Openings : std::uint8_t
+{
+    none,
+    house,   ///< windows in each storey, and a door
+    hangar,  ///< gates over most of both gables
+    control, ///< a band of glass around the highest storey, and a door: a tower of an airfield
 };
 
 /// A building on its footprint. Frame: the scene's east and north. Units: metres; colours as display values.
@@ -32,7 +42,8 @@ struct Building
     RoofForm roof = RoofForm::gabled;
     bool isRidgeAcross = false; ///< the ridge lies along the shorter side
     int storeys = 2;
-    bool hasWindows = true, hasShop = false;
+    Openings openings = Openings::house;
+    bool hasShop = false;
     models::Painting wall = models::Painting::plaster, cover = models::Painting::roofTiles;
     glm::vec3 wallTint{1.0F}, roofTint{0.6F, 0.36F, 0.28F}, doorTint{0.42F, 0.26F, 0.16F};
 };

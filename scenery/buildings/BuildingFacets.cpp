@@ -53,7 +53,7 @@ public:
         addRoof(covered);
         for (std::size_t i = 0; i < covered.front().size(); ++i)
             addEaves(i, covered.front());
-        if (_building.hasWindows) addOpenings();
+        if (_building.openings != Openings::none) addOpenings();
     }
 
 private:
@@ -187,6 +187,8 @@ private:
         const PlanRing& corners = _building.rings[ring];
         const glm::dvec2 &from = corners[edge], &to = corners[(edge + 1) % corners.size()];
         const double lengthM = glm::length(to - from);
+        if (_building.openings == Openings::hangar) return addGate(from, to, lengthM);
+        if (_building.openings == Openings::control) addGlassBand(from, to, lengthM);
         const int axes = static_cast<int>((lengthM - 0.6) / kAxisM + 0.25);
         const bool hasDoor = ring == 0 && edge == _standing.doorEdge;
         for (int axis = 0; axis < axes; ++axis)
@@ -194,6 +196,7 @@ private:
             const double share = (axis + 0.5) / axes, groundM = _standing.groundAt(ring, edge, share);
             const bool isDoor = hasDoor && axis == axes / 2;
             if (isDoor) addDoor(from, to, share * lengthM, groundM);
+            if (_building.openings == Openings::control) continue;
             for (int storey = isDoor ? 1 : 0; storey < _building.storeys; ++storey)
                 addWindow(from, to, {share * lengthM, lengthM / axes, groundM}, storey);
         }
@@ -205,6 +208,28 @@ private:
             _standing.floorM - groundM > kHighStepM ? groundM : std::max(_standing.floorM, groundM);
         addOpening(from, to, middleM, kDoorHalfM, floorM + 0.05, floorM + kDoorM,
                    _building.hasShop ? Detail::glassDoor : Detail::door, _building.doorTint);
+    }
+
+    /// The gates of a hangar are in its gables.
+    void addGate(const glm::dvec2& from, const glm::dvec2& to, double lengthM)
+    {
+        constexpr double kGateShare = 0.84, kLeastGateM = 6.0;
+        const PlanRectangle box = rectangleAround(_building.rings.front());
+        const glm::dvec2 ridge = _building.isRidgeAcross ? box.across() : box.along;
+        if (lengthM < kLeastGateM || std::abs(glm::dot(ridge, to - from)) > 0.1 * lengthM) return;
+        addOpening(from, to, 0.5 * lengthM, 0.5 * kGateShare * lengthM, _standing.floorM + 0.05,
+                   _standing.floorM + 0.94 * _building.eavesM, Detail::gate, _building.doorTint);
+    }
+
+    /// The highest storey of a control tower is glass all around.
+    void addGlassBand(const glm::dvec2& from, const glm::dvec2& to, double lengthM)
+    {
+        const double storeyM = _building.eavesM / _building.storeys,
+                     lowM = _standing.floorM + _building.eavesM - storeyM;
+        const int panes = std::max(1, static_cast<int>(std::lround(lengthM / 1.8)));
+        for (int pane = 0; pane < panes; ++pane)
+            addOpening(from, to, (pane + 0.5) * lengthM / panes, 0.5 * lengthM / panes, lowM + 0.7,
+                       lowM + storeyM - 0.15, Detail::shopFront, glm::vec3(0.85F));
     }
 
     /// The place of windows over each other. Units: metres.

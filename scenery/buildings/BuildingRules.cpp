@@ -69,12 +69,17 @@ int storeysOf(std::string_view kind, double areaM2, Dice& dice)
     return areaM2 < 600.0 ? 3 : 4;
 }
 
+bool isHangar(std::string_view kind, const BuildingTags& tags)
+{
+    return kind == "hangar" || valueOf(tags, "aeroway") == "hangar";
+}
+
 std::optional<RoofForm> roofOfTag(std::string_view shape)
 {
     if (shape == "flat") return RoofForm::flat;
-    if (shape == "gabled" || shape == "gambrel" || shape == "saltbox" || shape == "round" ||
-        shape == "side_hipped")
+    if (shape == "gabled" || shape == "gambrel" || shape == "saltbox" || shape == "side_hipped")
         return RoofForm::gabled;
+    if (shape == "round") return RoofForm::round;
     if (shape == "hipped" || shape == "half-hipped" || shape == "mansard") return RoofForm::hipped;
     if (shape == "pyramidal" || shape == "dome" || shape == "cone" || shape == "onion")
         return RoofForm::pyramidal;
@@ -122,7 +127,8 @@ void setRoof(Building& building, std::string_view kind, double areaM2, const Bui
 {
     const auto shape = roofOfTag(valueOf(tags, "roof:shape"));
     const RoofForm byRule = roofOf(building, kind, areaM2, dice);
-    building.roof = shape.value_or(byRule);
+    const bool isArched = isHangar(kind, tags) && building.rings.size() == 1;
+    building.roof = shape.value_or(isArched ? RoofForm::round : byRule);
     building.isRidgeAcross = valueOf(tags, "roof:orientation") == "across";
     const double halfM = rectangleAround(building.rings.front()).halfWidthM;
     const double pitch = dice.between(0.42, 0.70); // 23° to 35°
@@ -132,13 +138,23 @@ void setRoof(Building& building, std::string_view kind, double areaM2, const Bui
     const double byRules = building.roof == RoofForm::flat ? 0.0 : (levels > 0.0 ? levels : byPitch);
     building.roofM = numberOf(tags, "roof:height", 0.0, 60.0).value_or(byRules);
     building.roofTint = dice.oneOf(models::kTileTints);
-    if (building.roof == RoofForm::flat)
+    if (building.roof == RoofForm::flat || building.roof == RoofForm::round)
     {
         building.cover = Painting::roofMetal;
         building.roofTint =
             dice.chance(0.5) ? glm::vec3(0.62F, 0.61F, 0.59F) : glm::vec3(0.48F, 0.47F, 0.46F);
     }
     if (const auto colour = colourOfTag(valueOf(tags, "roof:colour"))) building.roofTint = *colour;
+}
+
+Openings openingsOf(std::string_view kind, const BuildingTags& tags)
+{
+    if (isHangar(kind, tags)) return Openings::hangar;
+    if (valueOf(tags, "service") == "aircraft_control" || valueOf(tags, "aeroway") == "control_tower" ||
+        valueOf(tags, "tower:type") == "airport_control")
+        return Openings::control;
+    const bool isBlind = isOneOf(kind, kLow) || kind == "transformer_tower" || kind == "silo";
+    return isBlind ? Openings::none : Openings::house;
 }
 
 void setHeights(Building& building, std::string_view kind, double areaM2, const BuildingTags& tags,
@@ -173,7 +189,7 @@ std::optional<Building> buildingOf(std::vector<std::vector<glm::dvec2>> rings, c
         const bool hasLevels = !valueOf(tags, "building:levels").empty();
         if (!hasLevels) building.storeys = std::max(1, static_cast<int>(building.eavesM / kStoreyM));
     }
-    building.hasWindows = !isOneOf(kind, kLow) && kind != "transformer_tower" && kind != "silo";
+    building.openings = openingsOf(kind, tags);
     building.hasShop = kind == "retail" || kind == "supermarket" || !valueOf(tags, "shop").empty();
     return building;
 }
@@ -212,7 +228,7 @@ std::optional<Building> towerOf(const glm::dvec2& place, const BuildingTags& tag
     building.wall = kind == "chimney" || kind == "tower" ? Painting::bricks : Painting::sheetMetal;
     building.cover = Painting::roofMetal;
     building.wallTint = glm::vec3(static_cast<float>(Dice(id).between(0.75, 0.95)));
-    building.hasWindows = false;
+    building.openings = Openings::none;
     return building;
 }
 

@@ -2,6 +2,7 @@
 #include "scenery/buildings/RoofPlanes.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "scenery/buildings/Outline.h"
 
@@ -12,6 +13,7 @@ namespace
 {
 
 constexpr double kLeastHalfM = 0.5;
+constexpr int kArcPlanes = 3; ///< on either side of the ridge
 
 /// Keeps the part of a convex polygon where `height` is not above 0 (its signed height at the corners).
 std::vector<glm::dvec2> cutBelow(const std::vector<glm::dvec2>& polygon, const std::vector<double>& height)
@@ -50,6 +52,16 @@ RoofPlanes::RoofPlanes(const Building& building)
         break;
     case RoofForm::skillion:
         add(0.5 * top, 0.5 * slope * across);
+        break;
+    case RoofForm::round: // what touches an arc of a circle from above
+        for (int i = -kArcPlanes; i <= kArcPlanes; ++i)
+        {
+            const double radius = 0.5 * (halfWidth * halfWidth / std::max(top, 1e-3) + top);
+            const double half = std::asin(std::min(halfWidth / radius, 1.0)),
+                         angle = half * i / (kArcPlanes + 0.5);
+            const double gradient = -std::tan(angle), at = radius * std::sin(angle);
+            add(radius * std::cos(angle) - (radius - top) - gradient * at, gradient * across);
+        }
         break;
     case RoofForm::hipped:
     case RoofForm::pyramidal:

@@ -43,6 +43,8 @@ const char* nameOf(scenery::RoofForm roof)
         return "pyramidal";
     case scenery::RoofForm::skillion:
         return "skillion";
+    case scenery::RoofForm::round:
+        return "round";
     }
     return "flat";
 }
@@ -68,7 +70,8 @@ foundation::Outcome writeHouses(std::span<const House> houses, const std::filesy
     MapFile map(file);
     map.beginLayer("buildings", ShapeForm::area,
                    {"osm_id", "building", "name", "height", "building:levels", "roof:shape", "roof:height",
-                    "roof:orientation", "building:colour", "roof:colour", "building:material", "shop"});
+                    "roof:orientation", "building:colour", "roof:colour", "building:material", "shop",
+                    "aeroway", "service", "tower:type"});
     for (const House& house : houses)
         if (house.shape.form == ShapeForm::area) map.add(house.shape.paths, tagsOf(house));
     map.beginLayer("towers", ShapeForm::point, {"osm_id", "man_made", "name", "height"});

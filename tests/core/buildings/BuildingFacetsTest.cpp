@@ -88,8 +88,8 @@ double expectedVolume(const StandingBuilding& standing)
 
 TEST(BuildingFacets, EncloseWhatLiesBelowTheRoof)
 {
-    for (const RoofForm roof :
-         {RoofForm::flat, RoofForm::gabled, RoofForm::hipped, RoofForm::pyramidal, RoofForm::skillion})
+    for (const RoofForm roof : {RoofForm::flat, RoofForm::gabled, RoofForm::hipped, RoofForm::pyramidal,
+                                RoofForm::skillion, RoofForm::round})
         for (const auto* rings :
              {&kHook, &kCourt}) // outlines that are not convex have no eaves, which would add to the volume
         {
@@ -136,8 +136,40 @@ TEST(BuildingFacets, EachStoreyHasWindowsAndOneHouseOneDoor)
     standing.building.storeys = 2;
     // 10 m of wall have three axes: four walls, two storeys.
     EXPECT_EQ(facetsOf(standing).openings.indices.size(), 6u * 24u);
-    standing.building.hasWindows = false;
+    standing.building.openings = scenery::Openings::none;
     EXPECT_TRUE(facetsOf(standing).openings.indices.empty());
+}
+
+TEST(BuildingFacets, AHangarHasAGateInEachGableAndAControlTowerGlassAllAround)
+{
+    StandingBuilding hangar = house({{{0, 0}, {30, 0}, {30, 20}, {0, 20}}}, RoofForm::round);
+    hangar.building.openings = scenery::Openings::hangar;
+    const auto gates = facetsOf(hangar).openings;
+    ASSERT_EQ(gates.positions.size(), 8u);
+    for (const glm::vec3& corner : gates.positions) // the ridge runs along the longer side
+        EXPECT_NEAR(std::abs(corner.x - 15.0F), 15.04F, 1e-3F);
+    StandingBuilding tower = house(kSquare, RoofForm::flat);
+    tower.building.storeys = 4;
+    tower.building.openings = scenery::Openings::control;
+    const double glassFromM = kFloorM + 0.75 * tower.building.eavesM;
+    std::size_t panes = 0;
+    for (const glm::vec3& corner : facetsOf(tower).openings.positions)
+        panes += corner.z + kFootM > glassFromM;
+    EXPECT_EQ(panes, 4u * 6u * 4u) << "six panes on each side";
+}
+
+TEST(RoofPlanes, OfARoundRoofTouchAnArc)
+{
+    const StandingBuilding standing = house({{{0, 0}, {30, 0}, {30, 20}, {0, 20}}}, RoofForm::round);
+    const RoofPlanes roof(standing.building);
+    const double top = standing.building.roofM, radius = 0.5 * (100.0 / top + top);
+    for (double side = -9.5; side <= 9.5; side += 0.5)
+    {
+        const double arc = std::sqrt(radius * radius - side * side) - (radius - top);
+        const double height = roof.heightM(glm::dvec2(kOrigin) + glm::dvec2(15.0, 10.0 + side));
+        EXPECT_GE(height, arc - 1e-9) << side;
+        EXPECT_LE(height, arc + 0.08) << side;
+    }
 }
 
 TEST(RoofPlanes, OfAHipRoofFallToAllFourSides)
