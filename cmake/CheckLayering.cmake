@@ -45,7 +45,7 @@ layer(terrain        "^osgTerrainROAM/"    graphics foundation viewlod objects-c
 layer(roads          "^osgRoads/"          graphics foundation viewlod roads-core traversal)
 layer(offscreen      "^osgOffscreen/"      graphics foundation viewlod)
 layer(nodes          "^scenery/nodes/"     graphics foundation viewlod objects-core terrain-core roads-core simulation models placement
-    objects terrain roads road-things buildings)
+    traversal objects terrain roads road-things buildings)
 set(cores foundation viewlod objects-core terrain-core roads-core mt-core simulation models placement buildings scene-roads road-things worldmaking measurement)
 set(libraries graphics ${cores} traversal objects terrain roads offscreen nodes measurement-view)
 layer(trainer-input "^apps/trainer/input/" foundation simulation)

@@ -28,6 +28,7 @@ using osgTerrainROAM::core::MapShape;
 using osgTerrainROAM::core::ShapeSet;
 
 constexpr double kTreesGoneM = 1600.0, kTreesFadeM = 1300.0, kHousesGoneM = 8000.0;
+static_assert(kTreesFadeM >= 1000.0); // an eye over a wood sees trees for a kilometre
 constexpr std::uint64_t kBudgetTriangles = 400000;
 
 double numberIn(const MapShape& shape, std::string_view key, double otherwise)

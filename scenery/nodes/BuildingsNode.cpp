@@ -62,12 +62,12 @@ osg::ref_ptr<osg::Group> makeBuildingsNode(std::span<const StandingBuilding> bui
     };
     for (const auto& [square, made] : facetsBySquare(buildings, kShellSquareM))
     {
-        osg::Group& group = addRange(*root, made.origin, 0.0, kShellFarM);
+        osg::Group& group = addOverlapping(*root, made.origin, kShellFarM);
         for (const auto& [painting, facets] : made.facets.shell)
             add(group, facets, painting);
     }
     for (const auto& [square, made] : facetsBySquare(buildings, kOpeningsSquareM))
-        add(addRange(*root, made.origin, 0.0, kOpeningsFarM), made.facets.openings,
+        add(addOverlapping(*root, made.origin, kOpeningsFarM), made.facets.openings,
             models::Painting::houseDetails);
     return root;
 }

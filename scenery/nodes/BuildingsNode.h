@@ -11,7 +11,7 @@ namespace scenery
 {
 
 /// Makes a node of buildings: walls and roofs in squares of kShellSquareM, one geometry for each texture, drawn up to kShellFarM;
-/// windows and doors in squares of kOpeningsSquareM, drawn up to kOpeningsFarM.
+/// windows and doors in squares of kOpeningsSquareM, drawn up to kOpeningsFarM. Both ranges overlap the next (RangedGroup).
 /// Frame: the scene's. Needs the uniforms of an Atmosphere above it in the graph. Memory: some 15 KB a building.
 osg::ref_ptr<osg::Group> makeBuildingsNode(std::span<const StandingBuilding> buildings);
 

@@ -4,6 +4,8 @@
 #include <osg/LOD>
 #include <osg/MatrixTransform>
 
+#include "scenery/nodes/RangedGroup.h"
+
 namespace scenery
 {
 
@@ -13,6 +15,14 @@ namespace
 osg::Vec3f vectorOf(const glm::vec3& v)
 {
     return {v.x, v.y, v.z};
+}
+
+osg::Group& placeAt(osg::Group& parent, const glm::dvec3& origin)
+{
+    const osg::ref_ptr<osg::MatrixTransform> place =
+        new osg::MatrixTransform(osg::Matrixd::translate(origin.x, origin.y, origin.z));
+    parent.addChild(place);
+    return *place;
 }
 
 } // namespace
@@ -41,15 +51,19 @@ osg::ref_ptr<osg::Geometry> geometryOf(const Facets& facets)
     return geometry;
 }
 
+osg::Group& addOverlapping(osg::Group& parent, const glm::dvec3& origin, double farM)
+{
+    const osg::ref_ptr<RangedGroup> content = new RangedGroup(farM);
+    placeAt(parent, origin).addChild(content);
+    return *content;
+}
+
 osg::Group& addRange(osg::Group& parent, const glm::dvec3& origin, double nearM, double farM)
 {
-    const osg::ref_ptr<osg::MatrixTransform> place =
-        new osg::MatrixTransform(osg::Matrixd::translate(origin.x, origin.y, origin.z));
     const osg::ref_ptr<osg::LOD> lod = new osg::LOD;
     const osg::ref_ptr<osg::Group> content = new osg::Group;
     lod->addChild(content, static_cast<float>(nearM), static_cast<float>(farM));
-    place->addChild(lod);
-    parent.addChild(place);
+    placeAt(parent, origin).addChild(lod);
     return *content;
 }
 

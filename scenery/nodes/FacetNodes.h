@@ -12,6 +12,9 @@ namespace scenery
 /// Makes a geometry of facets, in their frame.
 osg::ref_ptr<osg::Geometry> geometryOf(const Facets& facets);
 
+/// Adds a node below `parent`, at `origin`, whose content is drawn up to `farM`, by ranges that overlap (RangedGroup); returns it.
+osg::Group& addOverlapping(osg::Group& parent, const glm::dvec3& origin, double farM);
+
 /// Adds a node below `parent`, at `origin`, whose content is drawn from `nearM` to `farM`; returns it.
 osg::Group& addRange(osg::Group& parent, const glm::dvec3& origin, double nearM, double farM);
 
