@@ -5,15 +5,17 @@
 #include <string>
 #include <system_error>
 
+#include <osgTerrainROAM/core/Climate.h>
+
 #include "worldmaking/land/Runways.h"
 #include "worldmaking/madeup/MadeUpMap.h"
-#include "worldmaking/map/ClipShapes.h"
 #include "worldmaking/map/ReadLand.h"
-#include "worldmaking/map/ReadOsm.h"
 #include "worldtool/BuildReport.h"
 #include "worldtool/BuildState.h"
 #include "worldtool/Commands.h"
 #include "worldtool/EarthGround.h"
+#include "worldtool/LandCover.h"
+#include "worldtool/ReadMap.h"
 #include "worldtool/WorldMaker.h"
 
 namespace worldtool
@@ -32,62 +34,14 @@ foundation::Result<MapBounds> boundsOf(const Request& request)
     return foundation::Error{"--bounds", "is no rectangle", "give WEST,SOUTH,EAST,NORTH in degrees"};
 }
 
-/// Leaves out streets of which no node lies within bounds.
-void cutTo(const MapBounds& bounds, worldmaking::StreetMap& streets)
-{
-    std::erase_if(streets.ways,
-                  [&](const worldmaking::MapWay& way)
-                  {
-                      return std::none_of(way.nodes.begin(), way.nodes.end(),
-                                          [&](std::uint32_t node)
-                                          {
-                                              const auto& at = streets.nodes[node];
-                                              return bounds.contains({at.longitudeDeg, at.latitudeDeg});
-                                          });
-                  });
-}
-
-bool isOsm(const std::filesystem::path& file)
-{
-    const std::string name = file.filename().string();
-    return name.ends_with(".osm") || name.ends_with(".osm.gz") || name.ends_with(".pbf") ||
-           name.ends_with(".osm.bz2");
-}
-
-/// A map: its streets with nodes and rules of turns, and everything as shapes.
-struct WholeMap
-{
-    worldmaking::StreetMap streets;
-    worldmaking::LandMap land;
-};
-
-/// `ground`: of the elevation data.
-foundation::Result<WholeMap> readMap(const std::filesystem::path& file, const MapBounds& bounds,
-                                     const MapBounds& ground)
-{
-    constexpr double kMarginDeg = 0.05; // woods and waters go on to the edge of what is seen
-
-    WholeMap map;
-    if (isOsm(file))
-    {
-        auto streets = worldmaking::readOsm(file);
-        if (!streets) return streets.error();
-        map.streets = std::move(*streets);
-        cutTo(bounds, map.streets);
-    }
-    auto land = worldmaking::readLand(file, bounds);
-    if (!land) return land.error();
-    map.land = std::move(*land);
-    worldmaking::clipTo(ground, kMarginDeg, map.land);
-    if (!isOsm(file)) map.streets = worldmaking::streetsOf(map.land);
-    return map;
-}
-
 worldmaking::MadeUpSettings settingsOf(const Request& request, const MapBounds& ground)
 {
     worldmaking::MadeUpSettings settings;
     settings.seed = request.seed;
-    settings.aridity = request.aridity;
+    const auto climate = osgTerrainROAM::core::climateAt(0.5 * (ground.south + ground.north),
+                                                         0.5 * (ground.west + ground.east));
+    settings.aridity = request.aridity.value_or(climate.aridity);
+    settings.treeLineM = climate.treeLineM;
     settings.bounds = ground;
     if (const auto& b = request.bounds; !b.empty())
         settings.bounds = {std::max(b[0], ground.west), std::max(b[1], ground.south),
@@ -134,14 +88,22 @@ foundation::Result<Report> build(const Request& request)
     auto map =
         isMadeUp ? foundation::Result<WholeMap>(WholeMap()) : readMap(request.map, *bounds, ground->bounds);
     if (!map) return map.error();
+    if (!isMadeUp && map->streets.ways.empty() && !map->isOn(*ground))
+        return foundation::Error{request.map.string(), "nothing in it lies on the elevation data",
+                                 "give a map and elevation data of the same region"};
+    auto cover = coverOf(request, *ground);
+    if (!cover) return cover.error();
     std::vector<worldmaking::Runway> runways;
     bool hasSea = false;
+    std::optional<WorldClimate> climate;
     std::vector<worldmaking::MadeUpPlace> madePlaces;
     nlohmann::ordered_json madeUp, places = nlohmann::ordered_json::array();
     if (isMadeUp)
     {
-        auto made = worldmaking::makeUpMap(ground->heightM, settingsOf(request, ground->bounds));
+        const auto settings = settingsOf(request, ground->bounds);
+        auto made = worldmaking::makeUpMap(ground->heightM, settings);
         if (!made) return made.error();
+        climate = WorldClimate{settings.aridity, made->treeLineM};
         map->land = std::move(made->land);
         map->streets = worldmaking::streetsOf(map->land);
         runways = std::move(made->runways);
@@ -160,7 +122,7 @@ foundation::Result<Report> build(const Request& request)
         runways.insert(runways.end(), read->begin(), read->end());
     }
     WorldMaker maker({request, map->streets, map->land, *bounds, runways, unusableRunways, hasSea, madePlaces,
-                      ground->placeInScene},
+                      ground->placeInScene, climate, *std::move(cover)},
                      ground->heightM, std::move(*state));
     if (isMadeUp) maker.report.json["madeUp"] = madeUp;
     if (isMadeUp) maker.report.json["places"] = places;

@@ -64,12 +64,14 @@ foundation::Result<BuildState> BuildState::open(const Request& request)
     Sum sum;
     sum.add(request.version);
     (void)sum.addFile("/proc/self/exe"); // another program may make another world
-    sum.add(std::to_string(request.seed) + ' ' + std::to_string(request.aridity));
+    sum.add(std::to_string(request.seed) + ' ' + std::to_string(request.aridity.value_or(-1.0)));
     for (const double bound : request.bounds)
         sum.add(std::to_string(bound));
     std::vector<std::filesystem::path> inputs = request.dems;
     inputs.push_back(request.map);
     inputs.push_back(request.runways);
+    inputs.push_back(request.landCover);
+    inputs.push_back(request.landCoverClasses);
     std::error_code ignored;
     if (std::filesystem::is_directory(request.map, ignored))
         for (const auto& entry : std::filesystem::directory_iterator(request.map, ignored))

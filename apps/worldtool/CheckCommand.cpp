@@ -125,6 +125,27 @@ nlohmann::ordered_json placesOf(const worldmaking::WorldFaults& faults,
     return rows;
 }
 
+/// The waters that do not lie as water does. Units: metres, degrees.
+nlohmann::ordered_json watersOf(const worldmaking::WorldFaults& faults, const PlacedTile& tile)
+{
+    auto rows = nlohmann::ordered_json::array();
+    for (const auto& fault : faults.waterFaults)
+    {
+        nlohmann::ordered_json row{{"areaM2", fault.areaM2},
+                                   {"slope", fault.figures.slope},
+                                   {"lowShore", fault.figures.lowShore},
+                                   {"isKnown", fault.figures.isKnown}};
+        if (tile.frame().placement() == osgTerrainROAM::core::Placement::curved)
+        {
+            const auto at = tile.frame().geodeticFromLocal({fault.place, 0.0});
+            row["latitudeDeg"] = at.latitudeDeg;
+            row["longitudeDeg"] = at.longitudeDeg;
+        }
+        rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
 } // namespace
 
 foundation::Result<Report> check(const std::filesystem::path& world)
@@ -156,6 +177,7 @@ foundation::Result<Report> check(const std::filesystem::path& world)
     for (const auto& [key, value] : report.json.items())
         std::cout << key << ' ' << value.dump() << '\n';
     if (things.roads) report.json["roadFaults"] = placesOf(faults, *things.roads, tile);
+    report.json["waterFaults"] = watersOf(faults, tile);
     return report;
 }
 

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,11 +20,15 @@ struct Request
     std::vector<std::filesystem::path> dems; ///< elevation rasters, one or more
     std::filesystem::path map;               ///< an OpenStreetMap extract; empty: one is made up
     std::uint64_t seed = 1;                  ///< of what is made up
-    double aridity = 0.12;                   ///< of what is made up: 0 wet … 1 desert
-    std::filesystem::path runways;           ///< a table of OurAirports; empty: none
-    std::filesystem::path world;             ///< the folder to write
-    std::string version;                     ///< of the program: another one makes a world anew
-    std::vector<double> bounds;              ///< west, south, east, north in degrees; empty: the whole map
+    std::optional<double> aridity;           ///< of what is made up: 0 wet … 1 desert; absent: of the place
+    std::filesystem::path
+        landCover; ///< a raster of land cover, for what the map says nothing of; empty: none
+    std::filesystem::path landCoverClasses = "worldcover"; ///< as readCoverTable() takes it
+    int jobs = 0;                                          ///< processors to use at most; 0: all
+    std::filesystem::path runways;                         ///< a table of OurAirports; empty: none
+    std::filesystem::path world;                           ///< the folder to write
+    std::string version;                                   ///< of the program: another one makes a world anew
+    std::vector<double> bounds; ///< west, south, east, north in degrees; empty: the whole map
 };
 
 using terminal::Report;

@@ -17,10 +17,25 @@ namespace
 
 using osgTerrainROAM::core::PlacedTile;
 
-std::optional<double> heightOf(const PlacedTile& tile, double latitudeDeg, double longitudeDeg)
+constexpr double kEdgeM = 5.0; ///< what stands nearer to the data's edge may lean beyond it
+
+/// The width of the edge in steps of the grid.
+glm::dvec2 edgeOf(const PlacedTile& tile)
+{
+    const auto stepM = [&](int column, int row)
+    { return glm::distance(tile.frame().positionOf(0, 0, 0.0), tile.frame().positionOf(column, row, 0.0)); };
+    return {kEdgeM / stepM(1, 0), kEdgeM / stepM(0, 1)};
+}
+
+/// Nothing within `edge` of the border of the data.
+std::optional<double> heightOf(const PlacedTile& tile, const glm::dvec2& edge, double latitudeDeg,
+                               double longitudeDeg)
 {
     const auto& frame = tile.frame();
     const glm::dvec2 grid = frame.gridAt(frame.localFromGeodetic({latitudeDeg, longitudeDeg, 0.0}));
+    const glm::dvec2 last(tile.grid().dataColumns() - 1, tile.grid().dataRows() - 1);
+    if (!glm::all(glm::greaterThanEqual(grid, edge)) || !glm::all(glm::lessThanEqual(grid, last - edge)))
+        return std::nullopt;
     double heightM = 0.0;
     for (int i = 0; i < 2; ++i) // the first height only straightens the way up
     {
@@ -55,13 +70,14 @@ foundation::Result<EarthGround> loadGround(const std::vector<std::filesystem::pa
     if (tile->frame().placement() == osgTerrainROAM::core::Placement::planar)
         return foundation::Error{dems.front().string(), "has no georeference, so no map fits it",
                                  "give elevation data with a coordinate reference system"};
+    const glm::dvec2 edge = edgeOf(*tile);
     return EarthGround{
-        [tile](double latitudeDeg, double longitudeDeg)
-        { return heightOf(*tile, latitudeDeg, longitudeDeg); },
-        boundsOf(*tile),
+        [tile, edge](double latitudeDeg, double longitudeDeg)
+        { return heightOf(*tile, edge, latitudeDeg, longitudeDeg); },
+        boundsOf(*tile), tile,
         [tile](const glm::dvec2& degrees)
         {
-            const double heightM = heightOf(*tile, degrees.y, degrees.x).value_or(0.0);
+            const double heightM = heightOf(*tile, glm::dvec2(-0.01), degrees.y, degrees.x).value_or(0.0);
             const auto& frame = tile->frame();
             const glm::dvec2 grid = frame.gridAt(frame.localFromGeodetic({degrees.y, degrees.x, 0.0}));
             return frame.positionAt(grid.x, grid.y, heightM);

@@ -3,10 +3,13 @@
 
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <vector>
 
 #include <foundation/Result.h>
 #include <glm/glm.hpp>
+
+#include <osgTerrainROAM/core/heightfield/PlacedTile.h>
 
 #include "worldmaking/map/LandMap.h"
 #include "worldmaking/streets/BuildStreets.h"
@@ -17,8 +20,10 @@ namespace worldtool
 /// The ground of elevation data, and the rectangle of degrees around its corners; there need not be ground everywhere in it.
 struct EarthGround
 {
-    worldmaking::GroundOnEarth heightM; ///< by latitude and longitude, in the datum of the samples
+    worldmaking::GroundOnEarth
+        heightM; ///< by latitude and longitude, in the datum of the samples; nothing within 5 m of the data's edge
     worldmaking::MapBounds bounds;
+    std::shared_ptr<const osgTerrainROAM::core::PlacedTile> tile;
     /// Where the ground is in the scene that shows the data: metres east and north of their middle, and up.
     std::function<glm::dvec3(const glm::dvec2& degrees)> placeInScene;
 };

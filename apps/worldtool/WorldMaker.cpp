@@ -40,16 +40,18 @@ foundation::Outcome WorldMaker::make()
     const std::string mapName =
         _source.request.map.empty() ? "the made-up map" : _source.request.map.string();
     if (auto made = makeEarth(); !made) return made;
-    const auto streets = worldmaking::buildStreets(_source.streets, _shaped, mapName);
+    const auto streets = makeStreets(mapName);
     if (!streets) return streets.error();
+    _hasRoads = !streets->network.roads.empty();
     report.json["streets"] = rowOf(streets->report);
     std::error_code ignored;
     if (!_state.has("world.roam")) std::filesystem::remove(file("world.roam"), ignored); // of other inputs
     if (auto written = _writeEarth(); !written) return written;
-    if (auto written = part("roads.xodr", [&](const auto& path)
-                            { return osgRoads::core::writeNetwork(streets->network, path); });
-        !written)
-        return written;
+    if (_hasRoads)
+        if (auto written = part("roads.xodr", [&](const auto& path)
+                                { return osgRoads::core::writeNetwork(streets->network, path); });
+            !written)
+            return written;
     const auto plane = worldmaking::MapPlane::create(streets->network.header, mapName);
     if (!plane) return plane.error();
     const worldmaking::RoadRoom room(streets->network);
@@ -68,9 +70,20 @@ foundation::Outcome WorldMaker::make()
                             { return foundation::writeWholeFile(path, report.json.dump(2) + '\n'); });
         !written)
         return written;
-    if (auto made = part("ground.edits", [&](const auto&) { return makeEdits(); }); !made) return made;
-    return part("world.roam", [&](const auto& path)
-                { return foundation::writeWholeFile(path, describe() + "edits = ground.edits\n"); });
+    if (_hasRoads)
+        if (auto made = part("ground.edits", [&](const auto&) { return makeEdits(); }); !made) return made;
+    const std::string edits = _hasRoads ? "edits = ground.edits\n" : "";
+    return part("world.roam",
+                [&](const auto& path) { return foundation::writeWholeFile(path, describe() + edits); });
+}
+
+/// A map without streets becomes a world without roads.
+foundation::Result<worldmaking::Streets> WorldMaker::makeStreets(const std::string& mapName) const
+{
+    if (!_source.streets.ways.empty()) return worldmaking::buildStreets(_source.streets, _shaped, mapName);
+    worldmaking::Streets none;
+    none.network.header = worldmaking::planeAbout(_source.land);
+    return none;
 }
 
 /// Cuts the ground to the roads, so that opening the world need not.
@@ -155,6 +168,26 @@ foundation::Outcome WorldMaker::makeHouses(const worldmaking::MapPlane& plane,
     return part("buildings.gpkg", [&](const auto& path) { return worldmaking::writeHouses(_houses, path); });
 }
 
+/// Gives what the map says nothing of the kinds of the land-cover raster; without one, woods by rule. What is made up leaves nothing open.
+void WorldMaker::fillCover(worldmaking::CoverRaster& cover, const worldmaking::MapPlane& plane,
+                           const worldmaking::RoadRoom& room, worldmaking::LandReport& land) const
+{
+    const worldmaking::PlanHeight height = [&](const glm::dvec2& plan) { return heightM(plane, plan); };
+    const auto middle = plane.toDegrees({0.0, 0.0});
+    const std::size_t before = cover.count(worldmaking::Cover::trees);
+    if (_source.coverAt)
+        cover.fillRest(
+            [&](const glm::dvec2& plan)
+            {
+                const auto place = plane.toDegrees(plan);
+                return place ? _source.coverAt(*place) : worldmaking::Cover::none;
+            });
+    else if (!_source.request.map.empty() && middle)
+        worldmaking::fillSilentLand(cover, {room, _houses, height, middle->y});
+    land.silentWoodsHa = 1e-4 * cover.texelM() * cover.texelM() *
+                         static_cast<double>(cover.count(worldmaking::Cover::trees) - before);
+}
+
 foundation::Outcome WorldMaker::makeLand(const worldmaking::MapPlane& plane,
                                          const worldmaking::RoadRoom& room, const std::string& proj)
 {
@@ -168,12 +201,8 @@ foundation::Outcome WorldMaker::makeLand(const worldmaking::MapPlane& plane,
     auto cover = worldmaking::coverRasterOf(_source.land, plane, limitIn(plane), land);
     _hasCover = land.coverAreas > 0;
     const worldmaking::PlanHeight height = [&](const glm::dvec2& plan) { return heightM(plane, plan); };
-    const auto middle = plane.toDegrees({0.0, 0.0});
-    const bool isMap = !_source.request.map.empty(); // what is made up leaves nothing open
-    if (_hasCover && isMap && middle)
-        land.silentWoodsHa =
-            1e-4 * cover.texelM() * cover.texelM() *
-            static_cast<double>(worldmaking::fillSilentLand(cover, {room, _houses, height, middle->y}));
+    _hasCover = _hasCover || _source.coverAt;
+    if (_hasCover) fillCover(cover, plane, room, land);
     if (_hasCover)
         if (auto written = part("landcover.tif", [&](const auto& path) { return cover.write(path, proj); });
             !written)
@@ -185,7 +214,7 @@ foundation::Outcome WorldMaker::makeLand(const worldmaking::MapPlane& plane,
         return written;
     _hasStructures = standing.written > 0;
     report.json["structures"] = rowOf(standing);
-    const auto models = worldmaking::writeModels(_source.land, plane, room, file("objects.gpkg"));
+    const auto models = worldmaking::writeModels(_source.land, plane, room, height, file("objects.gpkg"));
     if (!models) return models.error();
     _hasModels = *models > 0;
     report.json["models"] = {{"standing", *models}};
@@ -218,7 +247,11 @@ std::string WorldMaker::describe() const
         text << "dem = " << (failed || relative.empty() ? std::filesystem::absolute(dem) : relative).string()
              << '\n';
     }
-    text << "roads = roads.xodr\nroads_heights = file\nfinest_spacing = " << kRoadSampleM << '\n';
+    if (_hasRoads)
+        text << "roads = roads.xodr\nroads_heights = file\nfinest_spacing = " << kRoadSampleM << '\n';
+    if (_source.climate)
+        text << "aridity = " << _source.climate->aridity << "\ntree_line = " << _source.climate->treeLineM
+             << '\n';
     if (_hasEarth) text << "earthworks = earthworks.gpkg\n";
     if (!_houses.empty()) text << "buildings = buildings.gpkg\n";
     if (_hasStructures) text << "structures = structures.gpkg\n";

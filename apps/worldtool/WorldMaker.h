@@ -9,16 +9,25 @@
 #include <osgTerrainROAM/core/edit/Earthworks.h>
 
 #include "terminal/Terminal.h"
+#include "worldmaking/land/CoverRaster.h"
 #include "worldmaking/land/Houses.h"
+#include "worldmaking/land/LandUse.h"
 #include "worldmaking/land/PlanGrid.h"
 #include "worldmaking/land/Runways.h"
 #include "worldmaking/madeup/MadeUpMap.h"
 #include "worldmaking/streets/BuildStreets.h"
 #include "worldtool/BuildState.h"
 #include "worldtool/Commands.h"
+#include "worldtool/LandCover.h"
 
 namespace worldtool
 {
+
+/// What trees bear in a made-up world, where it is not what the place would have.
+struct WorldClimate
+{
+    double aridity = 0.12, treeLineM = 2000.0;
+};
 
 /// What a world is made of. All must outlive the maker.
 struct WorldSource
@@ -32,6 +41,8 @@ struct WorldSource
     bool hasSea = false;                                ///< at height 0: the world says so
     std::span<const worldmaking::MadeUpPlace> places{}; ///< of a made-up map, which gets scenarios
     std::function<glm::dvec3(const glm::dvec2& degrees)> placeInScene{};
+    std::optional<WorldClimate> climate{}; ///< absent: that of the place
+    CoverOnEarth coverAt{};                ///< empty: there is no raster of it
 };
 
 /// Makes the parts of a world one after the other, and writes each as it is
@@ -64,6 +75,9 @@ private:
         return foundation::success();
     }
     foundation::Outcome makeEarth();
+    foundation::Result<worldmaking::Streets> makeStreets(const std::string& mapName) const;
+    void fillCover(worldmaking::CoverRaster& cover, const worldmaking::MapPlane& plane,
+                   const worldmaking::RoadRoom& room, worldmaking::LandReport& land) const;
     foundation::Outcome makeHouses(const worldmaking::MapPlane& plane, const worldmaking::RoadRoom& room);
     foundation::Outcome makeLand(const worldmaking::MapPlane& plane, const worldmaking::RoadRoom& room,
                                  const std::string& proj);
@@ -83,7 +97,7 @@ private:
     std::vector<worldmaking::PlanRings> _strips;
     std::function<foundation::Outcome()> _writeEarth = [] { return foundation::success(); };
     bool _hasGround = false, _hasCover = false, _hasTrees = false, _hasEarth = false, _hasStructures = false;
-    bool _hasModels = false;
+    bool _hasModels = false, _hasRoads = true;
 };
 
 } // namespace worldtool

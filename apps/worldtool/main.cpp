@@ -3,6 +3,7 @@
 #include "terminal/CommandLine.h"
 #include "terminal/Guard.h"
 #include "worldtool/Commands.h"
+#include "worldtool/Processors.h"
 
 namespace
 {
@@ -21,7 +22,9 @@ int run(int argc, char** argv)
         build->add_option("--map", request.map,
                           "an OpenStreetMap extract: .osm, .osm.gz or .osm.pbf; without it a map is made up");
     build->add_option("--seed", request.seed, "of the map that is made up")->excludes(map);
-    build->add_option("--aridity", request.aridity, "of the made-up map: 0 wet and green … 1 desert")
+    build
+        ->add_option("--aridity", request.aridity,
+                     "of the made-up map: 0 wet and green … 1 desert, instead of that of the place")
         ->check(CLI::Range(0.0, 1.0))
         ->excludes(map);
     build->add_option("-o,--output", request.world, "the folder of the world")->required();
@@ -30,6 +33,13 @@ int run(int argc, char** argv)
                      "the part of the map to use: WEST,SOUTH,EAST,NORTH in degrees")
         ->delimiter(',')
         ->expected(4);
+    build
+        ->add_option("--land-cover", request.landCover,
+                     "raster of land cover, for what the map says nothing of")
+        ->needs(map);
+    build->add_option("--land-cover-classes", request.landCoverClasses,
+                      "what its classes mean: worldcover, corine, or a file");
+    build->add_option("--jobs", request.jobs, "processors to use at most")->check(CLI::Range(1, 1024));
     build->add_option("--runways", request.runways, "runways as OurAirports lists them: .csv");
     build->add_option("--json", jsonFile, "also write the report to this file");
     std::filesystem::path checked;
@@ -37,9 +47,13 @@ int run(int argc, char** argv)
     check->add_option("WORLD", checked, "the folder of a world, or a .roam file")->required();
     check->add_option("--json", jsonFile, "also write the report to this file");
     if (const auto ends = terminal::parse(app, argc, argv)) return *ends;
-    return terminal::report(
-        "worldtool", jsonFile,
-        [&] { return check->parsed() ? worldtool::check(checked) : worldtool::build(request); });
+    return terminal::report("worldtool", jsonFile,
+                            [&]
+                            {
+                                worldtool::limitProcessors(request.jobs);
+                                return check->parsed() ? worldtool::check(checked)
+                                                       : worldtool::build(request);
+                            });
 }
 
 } // namespace

@@ -256,7 +256,13 @@ WorldFaults checkWorld(const WorldThings& things)
                                         glm::distance(corner[0], corner[3]), things.elevationM));
     }
     for (const PlanRings& water : things.waters)
-        faults.unevenWaters += !isEvenWater(waterFigures(water, things.elevationM));
+    {
+        const LevelFigures figures = waterFigures(water, things.elevationM);
+        if (isEvenWater(figures)) continue;
+        const MapBox box = boxOf(water.front());
+        faults.waterFaults.push_back({0.5 * (box.low + box.high), scenery::areaOf(water), figures});
+    }
+    faults.unevenWaters = faults.waterFaults.size();
     return faults;
 }
 

@@ -12,6 +12,7 @@
 #include <osgRoads/core/place/PlacedNetwork.h>
 
 #include "scenery/buildings/Building.h"
+#include "worldmaking/check/LevelCheck.h"
 #include "worldmaking/land/PlanHeight.h"
 #include "worldmaking/land/RoadRoom.h"
 
@@ -44,6 +45,14 @@ struct RoadFault
     static constexpr double kReasonM = 20.0, kReasonHeightM = 0.3;
 };
 
+/// Open water that does not lie as water does.
+struct WaterFault
+{
+    glm::dvec2 place{0.0}; ///< the middle of the box around it, in the scene
+    double areaM2 = 0.0;
+    LevelFigures figures;
+};
+
 /// What stands wrong, and how much there is.
 struct WorldFaults
 {
@@ -59,7 +68,8 @@ struct WorldFaults
     std::size_t unevenRunways = 0; ///< steep or bumpy (LevelCheck.h)
     std::size_t unevenWaters = 0;  ///< steep, or higher than their shores
     double maxGradePercent = 0.0;
-    std::vector<RoadFault> roadFaults; ///< one for each floating or sunk road, in their order
+    std::vector<RoadFault> roadFaults;   ///< one for each floating or sunk road, in their order
+    std::vector<WaterFault> waterFaults; ///< one for each uneven water
 
     std::size_t total() const
     {

@@ -33,7 +33,7 @@ foundation::Outcome writeEarthworks(std::span<const osgTerrainROAM::core::Earthw
         if (!before || before->isArea != work.isArea)
             made.beginLayer((work.isArea ? "areas" : "lines") + std::to_string(++layer),
                             work.isArea ? ShapeForm::area : ShapeForm::line,
-                            {"width", "crossfall", "strip", "strip_fall", "slope", "rise"}, true);
+                            {"width", "crossfall", "strip", "strip_fall", "slope", "rise", "river"}, true);
         before = &work;
         if (const auto degrees = plane.toDegrees(work.paths))
             made.add(*degrees,
@@ -42,7 +42,8 @@ foundation::Outcome writeEarthworks(std::span<const osgTerrainROAM::core::Earthw
                       {"strip", textOf(work.stripM)},
                       {"strip_fall", textOf(work.stripFall)},
                       {"slope", textOf(work.slope)},
-                      {"rise", textOf(work.riseM)}},
+                      {"rise", textOf(work.riseM)},
+                      {"river", std::to_string(work.river)}},
                      work.heightsM);
     }
     return made.finish();

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numeric>
+#include <queue>
 
 namespace worldmaking
 {
@@ -52,6 +54,44 @@ std::vector<double> waterLevels(const WaterNet& net)
     for (std::size_t i = 0; i < cut.size(); ++i)
         levels.push_back(std::lerp(filled[i], cut[i], kCutShare));
     return levels;
+}
+
+std::vector<double> spreadFalls(const WaterNet& net, const std::vector<double>& levels)
+{
+    /// A node may lie no higher than another, and `aboveM`.
+    struct Bound
+    {
+        std::uint32_t node;
+        double aboveM;
+    };
+    std::vector<std::vector<Bound>> bounds(levels.size());
+    for (std::size_t flow = 0; flow < net.flows.size(); ++flow)
+    {
+        const auto [from, to] = net.flows[flow];
+        bounds[to].push_back({from, kRiverGrade * net.flowsM[flow]});
+        bounds[from].push_back({to, 0.0});
+    }
+    std::vector<double> gentle = levels;
+    using Entry = std::pair<double, std::uint32_t>;
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> waiting;
+    for (std::uint32_t node = 0; node < levels.size(); ++node)
+        waiting.emplace(levels[node], node);
+    while (!waiting.empty())
+    {
+        const auto [level, node] = waiting.top();
+        waiting.pop();
+        if (level > gentle[node]) continue; // it has come to lie lower since
+        for (const Bound& bound : bounds[node])
+        {
+            const double most = level + bound.aboveM;
+            if (most >= gentle[bound.node]) continue;
+            gentle[bound.node] = most;
+            waiting.emplace(most, bound.node);
+        }
+    }
+    for (std::size_t i = 0; i < levels.size(); ++i)
+        gentle[i] = std::max(gentle[i], levels[i] - kMostSpreadM);
+    return gentle;
 }
 
 } // namespace worldmaking

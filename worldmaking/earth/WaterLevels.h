@@ -14,6 +14,7 @@ struct WaterNet
 {
     std::vector<double> groundM;
     std::vector<std::pair<std::uint32_t, std::uint32_t>> flows; ///< from, to
+    std::vector<double> flowsM; ///< how long each of them is; empty: not known
 };
 
 /// Returns the level of each node: no level is higher than one upstream. Between two such levels, the highest that need no bank (the
@@ -23,6 +24,12 @@ struct WaterNet
 /// 2016. Differs: along a given net. Cost: O(n log n).
 std::vector<double> waterLevels(const WaterNet& net);
 
+/// Spreads falls along the way: lowers levels upstream of them until no flow is steeper than kRiverGrade, by kMostSpreadM at most, since steep ground is more often real than
+/// a step of coarse elevation data. No level comes to lie higher than one upstream. Needs flowsM.
+/// Source: Dijkstra, *A note on two problems in connexion with graphs*, 1959, upstream from the lowest. Cost: O(n log n).
+std::vector<double> spreadFalls(const WaterNet& net, const std::vector<double>& levels);
+
+inline constexpr double kRiverGrade = 0.07, kMostSpreadM = 5.0;
 inline constexpr double kCutShare =
     0.8; ///< a bump of elevation data is more often a tree or a bridge than a dam
 

@@ -11,6 +11,7 @@
 #include <glm/glm.hpp>
 
 #include "scenery/buildings/Outline.h"
+#include "worldmaking/earth/RiverBed.h"
 #include "worldmaking/earth/WaterLevels.h"
 #include "worldmaking/land/Waters.h"
 
@@ -28,7 +29,7 @@ constexpr double kBankM = 12.0; ///< the lowest ground so far beside a river cou
 constexpr double kSunkM = 0.3;  ///< below the ground
 constexpr double kShore = 0.25; ///< of the shores that reach to the ground
 constexpr double kBank = 0.8;   ///< of a river's banks
-constexpr double kRiseM = 0.3;
+constexpr double kRiseM = 0.5;
 constexpr double kLevelM = 2.0;     ///< between high and low of the shore of an area that can be level
 constexpr double kShoreShare = 0.2; ///< of the shore's ground is lower than a lake
 constexpr double kBedM = 2.0;       ///< a bed is wider than what is painted
@@ -46,20 +47,6 @@ bool isRiverArea(const Tags& tags)
     const auto water = valueOf(tags, "water");
     return valueOf(tags, "waterway") == "riverbank" || water == "river" || water == "canal" ||
            water == "stream";
-}
-
-double distanceM(const PlanRings& rings, const glm::dvec2& place)
-{
-    double least = 1e300;
-    for (const auto& ring : rings)
-        for (std::size_t i = 0; i < ring.size(); ++i)
-        {
-            const glm::dvec2 along = ring[(i + 1) % ring.size()] - ring[i];
-            const double share = std::clamp(
-                glm::dot(place - ring[i], along) / std::max(glm::dot(along, along), 1e-12), 0.0, 1.0);
-            least = std::min(least, glm::distance(place, ring[i] + share * along));
-        }
-    return least;
 }
 
 /// An area of open water.
@@ -150,10 +137,10 @@ public:
 
     std::vector<Earthwork> works()
     {
-        const std::vector<double> levels = waterLevels(_net);
+        const std::vector<double> levels = spreadFalls(_net, waterLevels(_net));
         std::vector<Earthwork> made;
-        for (const River& river : _rivers)
-            addRiverWorks(river, levels, made);
+        for (std::size_t i = 0; i < _rivers.size(); ++i)
+            addRiverWorks(_rivers[i], static_cast<int>(i) + 1, levels, made);
         _report.rivers = _rivers.size();
         for (const Area& area : _areas)
         {
@@ -221,17 +208,23 @@ private:
             its = found->second;
         }
         if (!river.nodes.empty() && river.nodes.back() != *its)
+        {
             _net.flows.emplace_back(river.nodes.back(), *its);
+            _net.flowsM.push_back(glm::distance(river.line.back(), place));
+        }
         river.line.push_back(place);
         river.nodes.push_back(*its);
     }
 
-    /// The width of the area that a place lies in.
-    double widthAt(const glm::dvec2& place, double otherwiseM) const
+    /// The bed across a point of a river: within its area from shore to shore.
+    RiverBed bedAt(const River& river, std::size_t point) const
     {
-        const Area* const area = areaAt(place);
-        return area && area->isRiver ? std::clamp(2.4 * distanceM(area->rings, place), otherwiseM, 200.0)
-                                     : otherwiseM;
+        const auto& line = river.line;
+        const glm::dvec2 along = line[std::min(point + 1, line.size() - 1)] - line[point > 0 ? point - 1 : 0];
+        const Area* const area = areaAt(line[point]);
+        const auto bed =
+            area && area->isRiver ? bedAcross(area->rings, line[point], along) : std::optional<RiverBed>();
+        return bed && bed->widthM > river.widthM ? *bed : RiverBed{line[point], river.widthM};
     }
 
     bool isLake(std::uint32_t node) const
@@ -241,7 +234,8 @@ private:
     }
 
     /// Pieces of one width each; nothing where both ends lie in a lake.
-    void addRiverWorks(const River& river, const std::vector<double>& levels, std::vector<Earthwork>& made)
+    void addRiverWorks(const River& river, int number, const std::vector<double>& levels,
+                       std::vector<Earthwork>& made)
     {
         for (std::size_t from = 0; from + 1 < river.line.size(); from += kPiece)
         {
@@ -251,13 +245,15 @@ private:
             work.heightsM.emplace_back();
             work.slope = kBank;
             work.riseM = kRiseM;
+            work.river = number;
             work.widthM = 0.0;
             std::size_t inLake = 0;
             for (std::size_t i = from; i <= to; ++i)
             {
-                work.paths.front().push_back(river.line[i]);
+                const RiverBed bed = bedAt(river, i);
+                work.paths.front().push_back(bed.middle);
                 work.heightsM.front().push_back(levels[river.nodes[i]]);
-                work.widthM = std::max(work.widthM, widthAt(river.line[i], river.widthM) + kBedM);
+                work.widthM = std::max(work.widthM, bed.widthM + kBedM);
                 inLake += isLake(river.nodes[i]);
             }
             if (inLake < work.paths.front().size()) made.push_back(std::move(work));

@@ -9,14 +9,15 @@ namespace worldmaking
 {
 
 foundation::Result<std::size_t> writeModels(const LandMap& map, const MapPlane& plane, const RoadRoom& roads,
-                                            const std::filesystem::path& file)
+                                            const PlanHeight& height, const std::filesystem::path& file)
 {
     std::vector<const LandShape*> standing;
     for (const LandShape& shape : map.shapes)
     {
         if (shape.form != ShapeForm::point || valueOf(shape.tags, "model").empty()) continue;
         const auto place = plane.toPlan(shape.paths.front().front());
-        if (place && roads.distanceM(*place, kModelRoomM) >= kModelRoomM) standing.push_back(&shape);
+        if (place && roads.distanceM(*place, kModelRoomM) >= kModelRoomM && height(*place))
+            standing.push_back(&shape);
     }
     if (standing.empty()) return std::size_t{0};
     MapFile made(file);

@@ -6,6 +6,7 @@
 
 #include <foundation/Result.h>
 
+#include "worldmaking/land/PlanHeight.h"
 #include "worldmaking/land/RoadRoom.h"
 #include "worldmaking/map/LandMap.h"
 #include "worldmaking/map/MapPlane.h"
@@ -14,10 +15,10 @@ namespace worldmaking
 {
 
 /// Writes the points of a map that name a generated model (key `model`, and `heading` in degrees from north, clockwise, and `seed`) as
-/// objects of a world, but those nearer than kModelRoomM to lanes. Returns how many there are; no file where there is none.
+/// objects of a world, but those nearer than kModelRoomM to lanes or beyond the ground. Returns how many there are; no file where there is none.
 /// Errors: as MapFile::finish().
 foundation::Result<std::size_t> writeModels(const LandMap& map, const MapPlane& plane, const RoadRoom& roads,
-                                            const std::filesystem::path& file);
+                                            const PlanHeight& height, const std::filesystem::path& file);
 
 inline constexpr double kModelRoomM = 1.2;
 

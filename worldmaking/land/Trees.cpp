@@ -90,7 +90,7 @@ private:
                      });
         _runways.near({place, place}, [&](std::size_t i)
                       { isFree = isFree && !scenery::isWithin(_taken.runways[i], place); });
-        return isFree && _taken.roads.distanceM(place, kTreeRoomM) >= kTreeRoomM;
+        return isFree && _taken.roads.distanceM(place, kTreeRoomM) >= kTreeRoomM && _height(place);
     }
 
     /// The height by squares of 200 m is exact enough for a kind.

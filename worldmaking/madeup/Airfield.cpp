@@ -112,8 +112,9 @@ MadeShapes Airfield::shapes() const
     shapes.push_back(areaShape(rectangleOf(at(0.42, 130.0), way, 260.0, 60.0),
                                {{"aeroway", "apron"}, {"surface", "asphalt"}}));
     for (const double share : {0.345, 0.375, 0.405})
-        shapes.push_back(areaShape(rectangleOf(at(share, 174.0), way, 28.0, 22.0),
-                                   {{"building", "hangar"}, {"aeroway", "hangar"}, {"height", "8"}}));
+        shapes.push_back(areaShape(
+            rectangleOf(at(share, 174.0), way, 22.0, 30.0),
+            {{"building", "hangar"}, {"aeroway", "hangar"}, {"height", "9"}, {"roof:height", "4"}}));
     shapes.push_back(areaShape(rectangleOf(at(0.455, 172.0), way, 24.0, 11.0),
                                {{"building", "office"}, {"aeroway", "terminal"}, {"building:levels", "2"}}));
     shapes.push_back(areaShape(rectangleOf(at(0.472, 174.0), way, 7.0, 7.0), {{"building", "tower"},

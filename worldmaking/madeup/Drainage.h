@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "worldmaking/madeup/GroundGrid.h"
@@ -13,6 +15,8 @@ struct Stream
 {
     std::vector<glm::dvec2> points;
     double areaKm2 = 0.0; ///< that it drains at its end
+
+    double widthM() const { return std::clamp(1.2 * std::sqrt(areaKm2), 1.5, 14.0); }
 };
 
 /// Where water runs on a ground: the area above each point, and streams where it is large. Hollows are filled up to their lowest rim.

@@ -29,6 +29,9 @@ public:
     std::vector<std::pair<std::string_view, glm::dvec2>> places; ///< as MadeUpPlace, in the plane
     MadeUpReport report;
 
+    /// The line above which no tree stands.
+    double treeLineM() const { return _treeLineM; }
+
 private:
     void layWaters();
     void settle();
@@ -43,13 +46,17 @@ private:
     bool isFree(const glm::dvec2& place) const;   ///< to build on
     double tollAt(const glm::dvec2& place) const; ///< of roads
     double farmWish(const glm::dvec2& place) const;
+    static std::vector<std::vector<glm::dvec2>> piecesOf(const std::vector<glm::dvec2>& line);
+
+    static constexpr double kBridgedKm2 = 2.0; ///< roads cross smaller streams by culverts
 
     const GroundGrid& _ground;
     const MadeUpSettings& _settings;
     Drainage _drainage;
     std::vector<Stream> _streams;
-    AreaSet _strip, _approaches, _lakes, _shores, _zones, _fields,
-        _tilled; ///< tilled: fields with a balk around
+    AreaSet _strip, _approaches, _lakes, _shores, _brooks, _zones, _fields,
+        _tilled; ///< tilled: fields with a balk around; brooks: streams with some room beside them
+    double _treeLineM = 0.0;
     std::vector<Settlement> _settlements;
     WayWeb _web;
     TakenPlots _plots;

@@ -117,6 +117,7 @@ foundation::Result<MadeUpMap> makeUpMap(const GroundOnEarth& ground, const MadeU
     MadeUpMap made;
     made.report = land.report;
     made.hasSea = grid.hasSea();
+    made.treeLineM = land.treeLineM();
     std::int64_t id = 0;
     for (const MadeShape& shape : land.shapes)
     {

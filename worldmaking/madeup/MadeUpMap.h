@@ -19,9 +19,9 @@ namespace worldmaking
 struct MadeUpSettings
 {
     std::uint64_t seed = 1;
-    double aridity = 0.12; ///< 0 wet … 1 desert, which has hardly any woods and fields
-    double treeLineM = 2000.0;
-    MapBounds bounds; ///< the part of the ground to fill
+    double aridity = 0.12;     ///< 0 wet … 1 desert, which has hardly any woods and fields
+    double treeLineM = 2000.0; ///< of the place; summits below it are bare, too
+    MapBounds bounds;          ///< the part of the ground to fill
 };
 
 /// Something of a made-up map that one may look for: town, village, hamlet, airfield, lake, bridge.
@@ -47,7 +47,8 @@ struct MadeUpMap
     std::vector<Runway> runways;
     std::vector<MadeUpPlace> places; ///< the town first
     MadeUpReport report;
-    bool hasSea = false; ///< at height 0
+    bool hasSea = false;    ///< at height 0
+    double treeLineM = 0.0; ///< above which no tree stands
 };
 
 /// Makes up a map over a ground: an airfield on the gentlest, lakes, a town, villages, hamlets and farms on gentle ground near water, roads

@@ -113,4 +113,10 @@ std::vector<PlanRings> PlanArea::parts(double leastM2) const
     return parts;
 }
 
+PlanRings grownRings(const PlanRings& rings, double byM)
+{
+    const auto parts = PlanArea(rings).grown(byM).parts(0.0);
+    return parts.empty() ? rings : parts.front();
+}
+
 } // namespace worldmaking

@@ -40,4 +40,7 @@ private:
     std::shared_ptr<const OGRGeometry> _shape; ///< null: nothing
 };
 
+/// An outline grown by a distance: its first part, or what it was where nothing is left.
+PlanRings grownRings(const PlanRings& rings, double byM);
+
 } // namespace worldmaking

@@ -20,7 +20,7 @@ namespace
 
 using scenery::models::Dice;
 
-constexpr double kSteepestPlot = 0.22, kAlongM = 4.0;
+constexpr double kSteepestPlot = 0.22, kAlongM = 4.0, kLookM = 6.0;
 
 /// A house that may be built. Units: metres.
 struct PlannedHouse
@@ -105,8 +105,12 @@ public:
     {
         const auto& ring = rings.front();
         for (std::size_t i = 0; i < ring.size(); ++i)
-            for (const double share : {0.0, 0.5})
-                if (!isGood(glm::mix(ring[i], ring[(i + 1) % ring.size()], share))) return false;
+        {
+            const glm::dvec2 &from = ring[i], &to = ring[(i + 1) % ring.size()];
+            const int steps = std::max(2, static_cast<int>(std::ceil(glm::distance(from, to) / kLookM)));
+            for (int k = 0; k < steps; ++k)
+                if (!isGood(glm::mix(from, to, static_cast<double>(k) / steps))) return false;
+        }
         return _taken.take(rings, gapM);
     }
 

@@ -61,10 +61,7 @@ void buildRoad(const std::vector<glm::dvec2>& way, std::string_view kind, RoadSe
         if (endsOnRoad) meetWeb(path, web);
         std::reverse(path.begin(), path.end());
         if (startsOnRoad) meetWeb(path, web);
-        double lengthM = 0.0;
-        for (std::size_t i = 0; i + 1 < path.size(); ++i)
-            lengthM += glm::distance(path[i], path[i + 1]);
-        if (path.size() < 2 || lengthM < kShortestRoadM) continue;
+        if (path.size() < 2 || lengthOf(path) < kShortestRoadM) continue;
         web.add({kind, roundedPath(path), -1});
     }
     search.use(way);

@@ -60,6 +60,7 @@ struct RoadSearch::Graph
     int columns = 0, rows = 0;
     RoadGraph roads;
     std::vector<char> isFree, isUsed;
+    std::vector<char> isReachable; ///< of the largest part that hangs together
 
     std::size_t index(int column, int row) const
     {
@@ -93,6 +94,39 @@ struct GoalWatch : boost::default_astar_visitor
         if (point == goal) throw Arrived();
     }
 };
+
+/// Which places lie in the largest part of a graph that hangs together. Its edges lead both ways.
+std::vector<char> largestPart(const RoadGraph& roads, std::size_t count)
+{
+    std::vector<std::uint32_t> part(count, 0), sizes{0};
+    std::vector<std::size_t> waiting;
+    for (std::size_t first = 0; first < count; ++first)
+    {
+        if (part[first] != 0) continue;
+        const auto number = static_cast<std::uint32_t>(sizes.size());
+        sizes.push_back(0);
+        part[first] = number;
+        waiting.push_back(first);
+        while (!waiting.empty())
+        {
+            const std::size_t at = waiting.back();
+            waiting.pop_back();
+            ++sizes[number];
+            for (const auto& edge : boost::make_iterator_range(boost::out_edges(at, roads)))
+                if (const std::size_t next = boost::target(edge, roads); part[next] == 0)
+                {
+                    part[next] = number;
+                    waiting.push_back(next);
+                }
+        }
+    }
+    const auto largest =
+        static_cast<std::uint32_t>(std::max_element(sizes.begin(), sizes.end()) - sizes.begin());
+    std::vector<char> isLargest(count, 0);
+    for (std::size_t i = 0; i < count; ++i)
+        isLargest[i] = part[i] == largest;
+    return isLargest;
+}
 
 } // namespace
 
@@ -139,6 +173,7 @@ RoadSearch::RoadSearch(const GroundGrid& ground, double cellM, const Toll& toll)
                      static_cast<float>(lengthM * (0.5 * (tolls[from] + tolls[to]) + share * share)), false});
             }
     graph.roads = RoadGraph(boost::edges_are_sorted, ends.begin(), ends.end(), edges.begin(), count);
+    graph.isReachable = largestPart(graph.roads, count);
 }
 
 std::vector<glm::dvec2> RoadSearch::path(const glm::dvec2& from, const glm::dvec2& to) const
@@ -188,6 +223,12 @@ void RoadSearch::use(const std::vector<glm::dvec2>& path)
             for (const auto& edge : boost::make_iterator_range(boost::out_edges(from, graph.roads)))
                 if (boost::target(edge, graph.roads) == to) graph.roads[edge].isUsed = true;
     }
+}
+
+bool RoadSearch::isReachable(const glm::dvec2& place) const
+{
+    const std::size_t point = _graph->nearest(place);
+    return _graph->isFree[point] != 0 && _graph->isReachable[point] != 0;
 }
 
 bool RoadSearch::isUsed(const glm::dvec2& place) const

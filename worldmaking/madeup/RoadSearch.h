@@ -29,6 +29,9 @@ public:
     /// Returns the way from the place of the search that is nearest to one place to that nearest to another; empty where none leads.
     std::vector<glm::dvec2> path(const glm::dvec2& from, const glm::dvec2& to) const;
 
+    /// Whether a way leads from a place to most of the ground: it lies in the largest part that ways hold together.
+    bool isReachable(const glm::dvec2& place) const;
+
     /// Makes a way cheap for the next ones.
     void use(const std::vector<glm::dvec2>& path);
     /// Whether a place of the search lies on a way that use() was told of.

@@ -15,7 +15,7 @@ namespace worldmaking
 namespace
 {
 
-constexpr double kSiteSearchM = 150.0, kSiteBorderM = 900.0;
+constexpr double kSiteSearchM = 150.0, kSiteBorderM = 900.0, kSiteDiscM = 260.0;
 constexpr double kSteepestSite = 0.09; ///< mean slope that a settlement bears
 constexpr double kVillageKm2 = 60.0, kHamletKm2 = 45.0;
 constexpr double kMostWaterM = 1500.0; ///< beyond it water counts as far
@@ -62,9 +62,10 @@ double waterDistanceM(const GroundGrid& ground, const Drainage& drainage, const 
 
 } // namespace
 
-std::vector<Settlement> settlementsOn(const GroundGrid& ground, const Drainage& drainage, std::uint64_t seed,
-                                      const std::function<bool(const glm::dvec2&)>& isFree)
+std::vector<Settlement> settlementsOn(const SiteRules& rules)
 {
+    const GroundGrid& ground = rules.ground;
+    const Drainage& drainage = rules.drainage;
     std::vector<Site> sites;
     const MapBox& box = ground.box();
     std::size_t land = 0;
@@ -76,18 +77,19 @@ std::vector<Settlement> settlementsOn(const GroundGrid& ground, const Drainage& 
                 ++land;
                 lowest = std::min(lowest, *ground.heightM({x, y}));
             }
-    const double border =
-        std::min(kSiteBorderM, 0.1 * std::min(box.high.x - box.low.x, box.high.y - box.low.y));
+    const double sideM = std::min(box.high.x - box.low.x, box.high.y - box.low.y);
+    const double border = std::min(kSiteBorderM, 0.1 * sideM), discM = std::min(kSiteDiscM, 0.2 * sideM);
     for (double y = box.low.y + border; y < box.high.y - border; y += kSiteSearchM)
         for (double x = box.low.x + border; x < box.high.x - border; x += kSiteSearchM)
         {
             const glm::dvec2 place(x, y);
-            const auto slope = ground.isLand(place) ? meanSlope(ground, place, 260.0, isFree) : std::nullopt;
+            if (!ground.isLand(place) || !rules.isReachable(place)) continue;
+            const auto slope = meanSlope(ground, place, discM, rules.isFree);
             if (!slope || *slope > kSteepestSite || drainage.areaKm2(place) > kSiteStreamKm2) continue;
             const double water = waterDistanceM(ground, drainage, place) / kMostWaterM;
             const double high = (*ground.heightM(place) - lowest) / 1000.0;
-            sites.push_back(
-                {place, roughNoiseAt(place, 4000.0, seedFor(seed, 11)) - 9.0 * *slope - 0.5 * water - high});
+            sites.push_back({place, roughNoiseAt(place, 4000.0, seedFor(rules.seed, 11)) - 9.0 * *slope -
+                                        0.5 * water - high});
         }
     std::stable_sort(sites.begin(), sites.end(),
                      [](const Site& a, const Site& b) { return a.score > b.score; });
@@ -103,17 +105,17 @@ std::vector<Settlement> settlementsOn(const GroundGrid& ground, const Drainage& 
                             [&](const Settlement& other)
                             { return glm::distance(other.middle, site.place) > apartM + other.radiusM(); });
             const Settlement made{kind, site.place};
-            if (!isApart || !meanSlope(ground, site.place, made.radiusM(), isFree)) continue;
+            if (!isApart || !meanSlope(ground, site.place, made.radiusM(), rules.isFree)) continue;
             chosen.push_back(made);
             --count;
         }
     };
     const auto share = [&](double km2)
     { return static_cast<std::size_t>(std::clamp(landKm2 / km2, 0.0, 12.0)); };
-    choose(SettlementKind::town, 1, 0.0);
+    choose(SettlementKind::town, landKm2 >= kTownKm2 ? 1 : 0, 0.0);
     choose(SettlementKind::village, std::max<std::size_t>(landKm2 > 30.0 ? 2 : 1, share(kVillageKm2)),
            2200.0);
-    choose(SettlementKind::hamlet, share(kHamletKm2), 1400.0);
+    choose(SettlementKind::hamlet, std::max<std::size_t>(chosen.empty() ? 1 : 0, share(kHamletKm2)), 1400.0);
     return chosen;
 }
 

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <string_view>
 #include <vector>
 
 #include "worldmaking/madeup/Drainage.h"
@@ -18,6 +19,12 @@ enum class SettlementKind : std::uint8_t
     hamlet,
 };
 
+/// The value of `place` in OpenStreetMap.
+constexpr std::string_view nameOf(SettlementKind kind)
+{
+    return kind == SettlementKind::town ? "town" : (kind == SettlementKind::village ? "village" : "hamlet");
+}
+
 /// A settlement of a made-up map. Frame: the plane.
 struct Settlement
 {
@@ -30,10 +37,21 @@ struct Settlement
     }
 };
 
+/// What places for settlements are chosen by.
+struct SiteRules
+{
+    const GroundGrid& ground;
+    const Drainage& drainage;
+    std::uint64_t seed = 1;
+    std::function<bool(const glm::dvec2&)> isFree;      ///< to build on
+    std::function<bool(const glm::dvec2&)> isReachable; ///< by a road from most of the ground
+};
+
 /// Chooses where people settle: on gentle ground with a stream or the shore near by, lower rather than higher, each kind a distance from
-/// the others. One town, and villages and hamlets by the area of the land: four and five on 250 km².
-/// `isFree`: whether a place may be built on. Fewer are found where there is too little gentle ground.
-std::vector<Settlement> settlementsOn(const GroundGrid& ground, const Drainage& drainage, std::uint64_t seed,
-                                      const std::function<bool(const glm::dvec2&)>& isFree);
+/// the others. One town (on kTownKm2 of land and more), and villages and hamlets by the area of the land: four and five on 250 km².
+/// Fewer are found where there is too little gentle ground.
+std::vector<Settlement> settlementsOn(const SiteRules& rules);
+
+inline constexpr double kTownKm2 = 6.0;
 
 } // namespace worldmaking

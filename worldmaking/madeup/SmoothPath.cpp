@@ -70,4 +70,12 @@ std::vector<glm::dvec2> roundedPath(const std::vector<glm::dvec2>& path)
     return evenPoints(splineOf(evenPoints(path, kRoundM)), kCourseStepM);
 }
 
+double lengthOf(const std::vector<glm::dvec2>& line)
+{
+    double lengthM = 0.0;
+    for (std::size_t i = 0; i + 1 < line.size(); ++i)
+        lengthM += glm::distance(line[i], line[i + 1]);
+    return lengthM;
+}
+
 } // namespace worldmaking

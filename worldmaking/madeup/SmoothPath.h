@@ -15,6 +15,9 @@ std::vector<glm::dvec2> smoothPath(const std::vector<glm::dvec2>& steps);
 /// Rounds the corners of a course by the same spline over its own points, through both ends.
 std::vector<glm::dvec2> roundedPath(const std::vector<glm::dvec2>& path);
 
+/// The length of a line.
+double lengthOf(const std::vector<glm::dvec2>& line);
+
 /// The points of a line, a distance apart, both ends among them.
 std::vector<glm::dvec2> evenPoints(const std::vector<glm::dvec2>& line, double stepM);
 

@@ -170,12 +170,10 @@ foundation::Result<StreetMap> readOr(const std::string& name, const Open& open)
     try
     {
         StreetMap map = read(open());
-        if (!map.ways.empty()) return map;
-        if (map.shortWays > 0)
+        if (map.ways.empty() && map.shortWays > 0)
             return foundation::Error{name, "its streets have no nodes",
                                      "extract the map with the nodes of its ways"};
-        return foundation::Error{name, "there is no street in it (key highway)",
-                                 "name an OpenStreetMap extract of the region"};
+        return map;
     }
     catch (const std::bad_alloc&)
     {

@@ -263,6 +263,100 @@ TEST(MadeUpMap, EverySettlementIsReachedByRoad)
     EXPECT_GT(partsOf(streets), 1u);
 }
 
+/// How far the houses of a map stay from its brooks, without half their width.
+double leastBrookRoomM(const Laid& laid, const glm::dvec2& moved)
+{
+    double least = 1e300;
+    for (const Laid::Thing& brook : laid.things)
+    {
+        if (valueOf(brook.shape->tags, "waterway").empty()) continue;
+        const double halfM = 0.5 * std::stod(std::string(valueOf(brook.shape->tags, "width")));
+        for (const PlanRings& house : laid.with("building"))
+        {
+            const auto& ring = house.front();
+            if (glm::distance(ring.front(), brook.paths.front().front()) > 2e4) continue;
+            for (std::size_t i = 0; i < ring.size(); ++i)
+                for (const double share : {0.0, 0.25, 0.5, 0.75})
+                    least = std::min(least,
+                                     distanceM(glm::mix(ring[i], ring[(i + 1) % ring.size()], share) + moved,
+                                               brook.paths.front()) -
+                                         halfM);
+        }
+    }
+    return least;
+}
+
+TEST(MadeUpMap, NoBrookRunsUnderAHouse)
+{
+    const Laid laid(madeMap());
+    EXPECT_GT(leastBrookRoomM(laid, {}), 1.0);
+    double nearest = 1e300; // the control: the houses moved to and fro come onto a brook
+    for (double east = -200.0; east <= 200.0; east += 20.0)
+        nearest = std::min(nearest, leastBrookRoomM(laid, {east, 0.0}));
+    EXPECT_LT(nearest, 0.0);
+}
+
+TEST(MadeUpMap, SettlementsLieWhereRoadsLead)
+{
+    // A wall from north to south that no road climbs; the smaller part is the gentler one.
+    const auto parted = [](double latitudeDeg, double longitudeDeg) -> std::optional<double>
+    {
+        const double east =
+            (longitudeDeg - kLongitudeDeg) * kPerDegree * std::cos(kLatitudeDeg * 0.0174532925);
+        const double north = (latitudeDeg - kLatitudeDeg) * kPerDegree;
+        return 300.0 + std::clamp(2.0 * (east - 1500.0), 0.0, 400.0) +
+               (east < 1600.0 ? 12.0 * std::sin(east / 300.0) * std::sin(north / 400.0) : 0.0);
+    };
+    const auto made = makeUpMap(parted, settingsOf(1));
+    ASSERT_TRUE(made) << made.error().message();
+    EXPECT_GE(made->report.settlements, 2u);
+    EXPECT_EQ(made->report.unreached, 0u);
+    for (const MadeUpPlace& place : made->places)
+    {
+        const bool isSettlement = place.kind == "town" || place.kind == "village" || place.kind == "hamlet";
+        EXPECT_TRUE(!isSettlement || (place.degrees.x - kLongitudeDeg) * kPerDegree * 0.6947 < 1600.0);
+    }
+    EXPECT_EQ(partsOf(streetsOf(made->land)), 1u);
+}
+
+TEST(MadeUpMap, GroundForOneSettlementHasARoadThroughIt)
+{
+    MadeUpSettings settings = settingsOf(1);
+    settings.bounds = {8.0, 46.0, 8.026, 46.0099}; // 2 by 1.1 km
+    const auto made = makeUpMap(hillyGround, settings);
+    ASSERT_TRUE(made) << made.error().message();
+    EXPECT_EQ(made->report.settlements, 1u);
+    EXPECT_EQ(made->report.unreached, 0u);
+    EXPECT_GT(made->report.roadsKm, 0.8);
+    EXPECT_GT(made->report.houses, 3u);
+}
+
+TEST(MadeUpMap, SummitsAreBare)
+{
+    const auto mountain = [](double latitudeDeg, double longitudeDeg) -> std::optional<double>
+    {
+        const double away = std::hypot(latitudeDeg - 46.01, 0.7 * (longitudeDeg - 8.0)) * kPerDegree;
+        return *hillyGround(45.99, longitudeDeg) + std::max(0.0, 900.0 - 0.45 * away);
+    };
+    MadeUpSettings settings = settingsOf(1);
+    const auto made = makeUpMap(mountain, settings);
+    ASSERT_TRUE(made) << made.error().message();
+    EXPECT_LT(made->treeLineM, 1000.0);
+    EXPECT_GT(made->treeLineM, 800.0);
+    const auto highestWoodM = [&](const MadeUpMap& map)
+    {
+        double highest = 0.0;
+        for (const LandShape& shape : map.land.shapes)
+            if (valueOf(shape.tags, "natural") == "wood")
+                for (const glm::dvec2& at : shape.paths.front())
+                    highest = std::max(highest, *mountain(at.y, at.x));
+        return highest;
+    };
+    EXPECT_LT(highestWoodM(*made), made->treeLineM + 60.0);
+    // Lower ground has no summit, and is green to the top.
+    EXPECT_EQ(madeMap().treeLineM, settings.treeLineM);
+}
+
 TEST(MadeUpMap, RoadsKeepTheGradesOfTheirClasses)
 {
     const auto built = buildStreets(streetsOf(madeMap().land), hillyGround, "made up");

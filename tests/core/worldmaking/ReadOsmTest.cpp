@@ -56,7 +56,7 @@ TEST(ReadOsm, TellsWhatIsWrong)
         const auto map = parseOsm(text, format, "bad");
         return map ? std::string("it was read") : map.error().message();
     };
-    EXPECT_THAT(messageOf("<osm version=\"0.6\"/>", "osm"), HasSubstr("bad: there is no street in it"));
+    EXPECT_EQ(messageOf("<osm version=\"0.6\"/>", "osm"), "it was read"); // a map may have no street
     EXPECT_THAT(messageOf("<osm version=\"0.6\"><way id=\"1\"", "osm"), HasSubstr("bad: cannot be read"));
     EXPECT_THAT(messageOf("no map at all", "osm"), HasSubstr("check that it is complete"));
     EXPECT_THAT(messageOf("no map at all", "pbf"), HasSubstr("check that it is complete"));

@@ -7,6 +7,7 @@
 
 #include "RoughLand.h"
 #include "worldmaking/check/LevelCheck.h"
+#include "worldmaking/earth/RiverBed.h"
 #include "worldmaking/earth/WaterLevels.h"
 #include "worldmaking/earth/WaterWorks.h"
 
@@ -34,7 +35,7 @@ bool falls(const WaterNet& net, const std::vector<double>& levels)
 
 TEST(WaterLevels, FallAlongALineByHand)
 {
-    const WaterNet line{{10.0, 12.0, 8.0, 9.0}, {{0, 1}, {1, 2}, {2, 3}}};
+    const WaterNet line{{10.0, 12.0, 8.0, 9.0}, {{0, 1}, {1, 2}, {2, 3}}, {}};
     const auto levels = waterLevels(line);
     // Cut: 10, 10, 8, 8. Filled: 12, 12, 9, 9.
     EXPECT_NEAR(levels[0], 0.8 * 10.0 + 0.2 * 12.0, 1e-12);
@@ -57,9 +58,47 @@ TEST(WaterLevels, NeverRiseInAnyNet)
     }
 }
 
+TEST(WaterLevels, FallsAreSpreadUpstream)
+{
+    // Three metres in the last 25 m: spread over as much of the way as kRiverGrade needs.
+    WaterNet step{{103.0, 103.0, 103.0, 100.0}, {{0, 1}, {1, 2}, {2, 3}}, {25.0, 25.0, 25.0}};
+    const auto levels = worldmaking::spreadFalls(step, step.groundM);
+    EXPECT_NEAR(levels[2], 100.0 + 25.0 * worldmaking::kRiverGrade, 1e-9);
+    EXPECT_NEAR(levels[1], 103.0, 1e-9);
+    EXPECT_NEAR(levels[0], 103.0, 1e-9);
+    // A fall of 40 m stays: no bed is cut more than kMostSpreadM deep.
+    step.groundM = {140.0, 140.0, 140.0, 100.0};
+    const auto real = worldmaking::spreadFalls(step, step.groundM);
+    EXPECT_NEAR(real[2], 140.0 - worldmaking::kMostSpreadM, 1e-9);
+    std::mt19937 random(3);
+    for (int round = 0; round < 100; ++round)
+    {
+        WaterNet net;
+        for (int i = 0; i < 50; ++i)
+            net.groundM.push_back(static_cast<double>(random() % 1000));
+        for (int i = 0; i < 70; ++i)
+        {
+            net.flows.emplace_back(random() % 50, random() % 50);
+            net.flowsM.push_back(1.0 + static_cast<double>(random() % 100));
+        }
+        EXPECT_TRUE(falls(net, worldmaking::spreadFalls(net, waterLevels(net))));
+    }
+}
+
+TEST(RiverBed, ReachesFromShoreToShore)
+{
+    const worldmaking::PlanRings area{{{0, 0}, {200, 0}, {200, 40}, {0, 40}}};
+    const auto bed = worldmaking::bedAcross(area, {100, 30}, {5, 0});
+    ASSERT_TRUE(bed);
+    EXPECT_NEAR(bed->widthM, 40.0, 1e-9);
+    EXPECT_NEAR(bed->middle.y, 20.0, 1e-9);
+    EXPECT_FALSE(worldmaking::bedAcross(area, {100, 50}, {5, 0})) << "beside it";
+    EXPECT_FALSE(worldmaking::bedAcross(area, {110, 30}, {0, 5})) << "no shore near by on one side";
+}
+
 TEST(WaterLevels, GroundThatFallsIsKept)
 {
-    const WaterNet net{{30.0, 20.0, 10.0}, {{0, 1}, {1, 2}}};
+    const WaterNet net{{30.0, 20.0, 10.0}, {{0, 1}, {1, 2}}, {}};
     EXPECT_EQ(waterLevels(net), net.groundM);
 }
 
