@@ -21,7 +21,6 @@ std::vector<std::byte> encodeTree(const TreeRecord& record, double heightStep);
 /// Reads what encodeTree() wrote; nothing when the bytes are no tree. Stars follow from floors, so whatever is returned keeps the
 /// invariant of MultiTriangulation.
 /// `fragments`: at most so many are read; the rest is left out, and with it childRoots.
-/// Cost: about 0.3 µs a fragment.
 std::optional<TreeRecord> decodeTree(std::span<const std::byte> bytes, double heightStep,
                                      std::size_t fragments = std::numeric_limits<std::size_t>::max());
 
