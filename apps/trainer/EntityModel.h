@@ -54,6 +54,13 @@ public:
     /// Which lamps the last show() has lit.
     const scenery::models::LitLamps& litLamps() const { return _lit; }
 
+    /// Where its lamps are; none of a model that was read. Frame: the entity's.
+    const std::vector<scenery::models::EntityLamp>& lamps() const
+    {
+        static const std::vector<scenery::models::EntityLamp> kNone;
+        return _generated ? _generated->lamps() : kNone;
+    }
+
     /// Returns a note when another model is drawn than asked for, else an empty text.
     const std::string& note() const { return _note; }
 

@@ -123,6 +123,7 @@ foundation::Result<PlayScene> PlayScene::create(simulation::Scenario scenario, S
     auto scene = ScenarioScene::create(play.player->scenario(), play.terrain, request.scenario.parent_path());
     if (!scene) return scene.error();
     play.scene = std::make_unique<ScenarioScene>(std::move(*scene));
+    play.scene->bearLamps(play.watched);
     play.scene->setShadows(request.frames.hasShadows);
     if (play.scenery) play.scene->sunlit().addChild(play.scenery->node.root);
     play.cover = makeCover(play.terrain);

@@ -15,7 +15,8 @@ ScenarioScene::ScenarioScene()
     : _root(new osg::Group),
       _atmosphere(new osgTerrainROAM::Atmosphere),
       _sunlit(new osgTerrainROAM::SunShadows(_atmosphere)),
-      _roadWetness(new osg::Uniform("roadWetness", 0.0F))
+      _roadWetness(new osg::Uniform("roadWetness", 0.0F)),
+      _beam(*_root->getOrCreateStateSet())
 {
     _atmosphere->addUniformsTo(*_root->getOrCreateStateSet());
     _root->getStateSet()->addUniform(_roadWetness);
@@ -97,8 +98,17 @@ void ScenarioScene::show(const simulation::ScenarioPlayer& player,
                                    _sunlit->isShown()};
     for (std::size_t i = 0; i < _entities.size(); ++i)
         _entities[i].show(entities[i], light, _ground);
+    showBeam(entities, light.isDark);
     showSignals(player.signalStates());
     showWeather(player.environment(), player.timeS(), entities);
+}
+
+void ScenarioScene::showBeam(const std::vector<simulation::EntityState>& entities, bool isDark)
+{
+    if (!_lampBearer) return;
+    const EntityModel& bearer = _entities[*_lampBearer];
+    constexpr auto kHead = static_cast<std::size_t>(scenery::models::EntityLamp::Kind::head);
+    _beam.show(scenery::poseOf(entities[*_lampBearer]), bearer.lamps(), isDark && bearer.litLamps()[kHead]);
 }
 
 void ScenarioScene::showWeather(const simulation::EnvironmentState& environment, double timeS,

@@ -18,6 +18,7 @@
 #include "EntityModel.h"
 #include "SceneTerrain.h"
 #include "scenery/nodes/FallingDrops.h"
+#include "scenery/nodes/HeadLampBeam.h"
 #include "simulation/player/ScenarioPlayer.h"
 #include "view/Quality.h"
 
@@ -54,6 +55,9 @@ public:
     /// The eye moves with this entity, or stands: drops are streaks by their speed relative to it.
     void ride(const std::optional<std::size_t>& entity) { _ridden = entity; }
 
+    /// The head lamps of this entity light what is before it, in the dark.
+    void bearLamps(std::size_t entity) { _lampBearer = entity; }
+
     /// Shadows of the sun by maps, or patches below entities alone.
     void setShadows(bool areShown) { _sunlit->setShown(areShown); }
 
@@ -77,6 +81,7 @@ public:
 
 private:
     ScenarioScene();
+    void showBeam(const std::vector<simulation::EntityState>& entities, bool isDark);
     void showSignals(const std::map<std::string, std::string>& states);
     void showWeather(const simulation::EnvironmentState& environment, double timeS,
                      const std::vector<simulation::EntityState>& entities);
@@ -86,7 +91,8 @@ private:
     osg::ref_ptr<osgTerrainROAM::SunShadows> _sunlit;
     osg::ref_ptr<osg::Uniform> _roadWetness;
     scenery::FallingDrops _drops;
-    std::optional<std::size_t> _ridden;
+    std::optional<std::size_t> _ridden, _lampBearer;
+    scenery::HeadLampBeam _beam;
     std::shared_ptr<scenery::RoadThingsNode> _roadThings; ///< null without roads
     std::shared_ptr<scenery::AirfieldNode> _airfield;     ///< null without any
     std::map<std::string, std::string> _signals;          ///< states that are shown

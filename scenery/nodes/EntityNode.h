@@ -37,6 +37,9 @@ public:
     /// Returns the eye of the driver, rider or walker. Frame: the entity's.
     const glm::dvec3& eye() const { return _entity->model.eye; }
 
+    /// Frame: the entity's.
+    const std::vector<models::EntityLamp>& lamps() const { return _entity->model.lamps; }
+
 private:
     std::shared_ptr<const ProgressiveEntity> _entity;
     osg::ref_ptr<osg::MatrixTransform> _placed;

@@ -116,7 +116,7 @@ vec3 groundRadiance(vec3 directionWorld)
     // Where no shadow is known, ground that sees little of the sky sees little of the sun.
     sunlit *= sunShare(directionWorld * length(fromEye), terrainWorldFromLocal * vec3(tilt, sqrt(max(1.0 - dot(tilt, tilt), 0.02))),
                        smoothstep(0.15, 0.6, land.a));
-    vec3 colour = albedo * lightOn(normalWorld, sunlit, land.a);
+    vec3 colour = albedo * (lightOn(normalWorld, sunlit, land.a) + headLight(directionWorld * length(fromEye), normalWorld));
     // No branch: software drawing leaves out a loop that no pixel of a group enters.
     for (int i = water > 0.0 ? 0 : 1; i < 1; ++i)
         colour = mix(colour, waterColour(directionWorld, g), water);

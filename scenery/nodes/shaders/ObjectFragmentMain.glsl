@@ -29,7 +29,7 @@ void main()
     float sunHeight = max(sunCosine, 0.0);
     if (objectLeaves > 0.0) sunHeight = max((sunCosine + 0.5) / 1.5, 0.12); // light comes round the crown and through it
     float share = sunShare(fromEye, normal, 1.0);
-    vec3 lit = albedo * lightOn(normal, share * sunHeight, 1.0);
+    vec3 lit = albedo * (lightOn(normal, share * sunHeight, 1.0) + headLight(fromEye, normal));
 #ifdef OBJECT_LACQUER
     // Lacquer and glass reflect 4 % at normal incidence. The mirrored scene is sky above and ground below.
     float fresnel = objectLacquer * (0.04 + 0.96 * pow(1.0 - max(-dot(normal, towards), 0.0), 5.0));

@@ -30,7 +30,7 @@ void main()
     vec3 towards = roadFromEye / distanceM;
     vec3 normal = normalize(roadNormalWorld);
     float sunlit = max(dot(normal, sunDirection()), 0.0) * sunShare(roadFromEye, normal, 1.0);
-    vec3 lit = albedo * lightOn(normal, sunlit, 1.0);
+    vec3 lit = albedo * (lightOn(normal, sunlit, 1.0) + headLight(roadFromEye, normal));
     if (roadKind < 5) lit = mirroring(lit, towards, normal);
     gl_FragColor = vec4(displayColour(applyHaze(lit, towards, distanceM)), roadShown());
 #endif
