@@ -4,6 +4,8 @@
 #include <map>
 #include <string>
 
+#include <osgTerrainROAM/SunShadows>
+
 #include "ModelFile.h"
 #include "scenery/nodes/EntityLook.h"
 #include "scenery/nodes/ObjectShading.h"
@@ -93,7 +95,7 @@ scenery::models::LitLamps switched(scenery::models::LitLamps lit, const simulati
 void EntityModel::show(const simulation::EntityState& state, const Light& light,
                        const simulation::GroundProvider& ground)
 {
-    node()->setNodeMask(state.isVisible && !_isHidden ? ~0U : 0U);
+    node()->setNodeMask(state.isVisible && !_isHidden ? osgTerrainROAM::SunShadows::kMoves : 0U);
     if (!_generated) return _placed->setMatrix(matrixOf(scenery::poseOf(state)));
     simulation::EntityState shown = state;
     if (_flies && !shown.aircraft) shown.aircraft = scenery::usualAircraftParts(state, light.isDark);

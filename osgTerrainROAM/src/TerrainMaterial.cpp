@@ -5,6 +5,8 @@
 
 #include <osg/Uniform>
 
+#include <osgTerrainROAM/core/cover/GroundMakeup.h>
+
 #include <osgTerrainROAM/TerrainMaterial>
 
 #include "material/CoverTexture.h"
@@ -261,9 +263,16 @@ void TerrainMaterial::setPalette()
         _stateSet->getOrCreateUniform("coverAlbedo", osg::Uniform::FLOAT_VEC4, core::kGroundKinds);
     osg::Uniform* patches =
         _stateSet->getOrCreateUniform("coverPatch", osg::Uniform::FLOAT_VEC4, core::kGroundKinds);
+    osg::Uniform* open =
+        _stateSet->getOrCreateUniform("coverOpen", osg::Uniform::FLOAT_VEC4, core::kGroundKinds);
+    osg::Uniform* litter =
+        _stateSet->getOrCreateUniform("coverLitter", osg::Uniform::FLOAT, core::kGroundKinds);
     const auto looks = kindLooks(palette);
     for (unsigned i = 0; i < looks.size(); ++i)
     {
+        const core::GroundMakeup& of = core::kGroundMakeup[i];
+        open->setElement(i, osg::Vec4f(of.grass, of.stones, of.earth, of.rock));
+        litter->setElement(i, of.litter);
         albedos->setElement(i, osg::Vec4f(looks[i].albedo, looks[i].wood));
         patches->setElement(i, osg::Vec4f(looks[i].patch, looks[i].patches));
     }

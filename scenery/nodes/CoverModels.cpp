@@ -48,7 +48,7 @@ void addBlade(ModelBuilder& builder, const glm::dvec3& foot, const Blade& blade)
         middle + 0.45 * blade.lengthM * (blade.lean * 1.6 * out + glm::dvec3(0.0, 0.0, 0.6 * up));
     const glm::vec3 normal = glm::normalize(glm::vec3(0.35 * out) + glm::vec3(0.0F, 0.0F, 1.0F));
     const auto corner = [&](const glm::dvec3& at, float light) { return Corner{at, {}, normal, light}; };
-    builder.quad(corner(foot - side, 0.62F), corner(foot + side, 0.62F), corner(middle + 0.7 * side, 0.95F),
+    builder.quad(corner(foot - side, 0.5F), corner(foot + side, 0.5F), corner(middle + 0.7 * side, 0.95F),
                  corner(middle - 0.7 * side, 0.95F));
     builder.triangle(corner(middle - 0.7 * side, 0.95F), corner(middle + 0.7 * side, 0.95F),
                      corner(tip, 1.0F));
@@ -59,10 +59,10 @@ models::Model tuft(const glm::vec3& green, const glm::vec3& pale)
     ModelBuilder builder;
     Dice dice(11);
     builder.begin("grass", {}, green);
-    for (int i = 0; i < 14; ++i)
+    for (int i = 0; i < 20; ++i)
     {
         builder.tint(dice.chance(0.25) ? pale : green);
-        const double turn = dice.between(0.0, kFull), awayM = 0.11 * std::sqrt(dice.unit());
+        const double turn = dice.between(0.0, kFull), awayM = 0.15 * std::sqrt(dice.unit());
         addBlade(builder, {awayM * std::cos(turn), awayM * std::sin(turn), -0.01},
                  {turn + dice.between(-0.8, 0.8), dice.between(0.12, 0.24), dice.between(0.011, 0.020),
                   dice.between(0.1, 0.6)});
@@ -148,8 +148,8 @@ models::Model twigs(const glm::vec3& brown)
 std::array<osg::ref_ptr<const osgPMObjects::ProgressiveShape>, kCoverShapes>
 coverModels(const osgTerrainROAM::TerrainMaterial& material)
 {
-    const glm::vec3 green = shown(material, "terrainMeadow", 0.8F),
-                    pale = shown(material, "terrainDryGrass", 0.5F);
+    const glm::vec3 green = shown(material, "terrainMeadow", 0.66F),
+                    pale = shown(material, "terrainDryGrass", 0.42F);
     const std::array<models::Model, kCoverShapes> made{tuft(green, pale), herb(green * 0.9F),
                                                        stone(shown(material, "terrainRock", 1.1F)),
                                                        twigs({0.31F, 0.27F, 0.20F})};

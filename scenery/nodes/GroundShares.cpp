@@ -2,7 +2,6 @@
 #include "scenery/nodes/GroundShares.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -10,6 +9,8 @@
 #include <glm/common.hpp>
 
 #include <osg/Texture2D>
+
+#include <osgTerrainROAM/core/cover/GroundMakeup.h>
 
 namespace scenery
 {
@@ -20,20 +21,15 @@ namespace
 using osgTerrainROAM::TerrainMaterial;
 using Shares = GroundShares::Shares;
 
-/// By osgTerrainROAM::core::GroundKind; kCoverOpen of LandCover.glsl has the same, and rock and earth besides.
-constexpr std::array<Shares, 13> kSharesOfKinds{{{},
-                                                 {0.0F, 0.2F, 0.0F},
-                                                 {0.0F, 0.2F, 0.0F},
-                                                 {0.6F, 0.0F, 0.0F},
-                                                 {1.0F, 0.0F, 0.0F},
-                                                 {0.6F, 0.0F, 0.2F},
-                                                 {0.0F, 0.0F, 1.0F},
-                                                 {},
-                                                 {},
-                                                 {},
-                                                 {},
-                                                 {0.2F, 0.0F, 0.0F},
-                                                 {0.9F, 0.0F, 0.0F}}};
+/// What grows wild there. Between houses half of it is mown; crops are painted.
+Shares byKind(std::size_t kind)
+{
+    using osgTerrainROAM::core::GroundKind;
+    const auto& of = osgTerrainROAM::core::kGroundMakeup[kind];
+    if (kind == static_cast<std::size_t>(GroundKind::crop)) return {};
+    if (kind == static_cast<std::size_t>(GroundKind::urban)) return {0.5F * of.grass, 0.0F, 0.0F};
+    return {of.grass, of.stones, of.litter};
+}
 
 /// The rules of GroundColour.glsl.
 Shares byLand(float green, float steep)
@@ -113,7 +109,7 @@ Shares GroundShares::at(glm::dvec2 place) const
     if (land.g > kSnow || land.b > kWater) return {};
     if (std::max({beds.x, beds.y, beds.z, beds.w, crops.x + crops.y + crops.z + crops.w}) > kSome) return {};
     const auto kind = static_cast<std::size_t>(std::lround(255.0F * _cover.at(grid).r));
-    if (kind > 0 && kind < kSharesOfKinds.size()) return kSharesOfKinds[kind];
+    if (kind > 0 && kind < osgTerrainROAM::core::kGroundMakeup.size()) return byKind(kind);
     const glm::vec4 normal = _normals.at(grid) * 2.0F - 1.0F;
     const float flat2 = 1.0F - normal.x * normal.x - normal.y * normal.y;
     return byLand(land.r, 1.0F - std::sqrt(std::max(flat2, 0.0F)));

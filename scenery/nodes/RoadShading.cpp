@@ -48,18 +48,18 @@ osg::ref_ptr<osg::StateSet> makeGroundState(osgRoads::RoadDrawable& drawable,
     state->addUniform(new osg::Uniform("roadGridOrigin", osg::Vec2f(osg::Vec2d(grid.x, grid.y))));
     state->addUniform(
         new osg::Uniform("roadGridFromPlan", osg::Vec4f(osg::Vec4d(east.x, east.y, north.x, north.y))));
-    // The names by which the road is given what depends on the eye.
+    // The names by which the road is given what depends on the eye. One grain serves both: OpenGL 3.3 guarantees 16 samplers.
     const std::string names =
         "#define terrainEyeWrapped roadEyeWrapped\n#define terrainEyeWraps roadEyeWraps\n"
+        "#define roadGrain terrainGrain\n"
         "#define terrainWorldFromLocal roadWorldFromLocal\n";
     const auto finish =
         [own = osg::ref_ptr<osg::StateSet>(drawable.getStateSet())](osg::StateSet& to, osg::Program& program)
     {
         osgRoads::bindRoadAttributes(program);
         int unit = kFirstRoadUnit; // the terrain's textures have the road's units
-        for (const auto& [name, ownUnit] : {std::pair{"roadMarks", osgRoads::kMarksUnit},
-                                            {"roadGrain", osgRoads::kGrainUnit},
-                                            {"roadDecals", osgRoads::kDecalsUnit}})
+        for (const auto& [name, ownUnit] :
+             {std::pair{"roadMarks", osgRoads::kMarksUnit}, {"roadDecals", osgRoads::kDecalsUnit}})
         {
             to.setTextureAttributeAndModes(unit,
                                            own->getTextureAttribute(ownUnit, osg::StateAttribute::TEXTURE));

@@ -11,7 +11,9 @@ flat in int roadKind;
 flat in ivec3 roadMarkRows;
 
 uniform sampler2D roadMarks;
+#ifndef roadGrain // a program that has a grain of its own names it
 uniform sampler2D roadGrain;
+#endif
 uniform vec4 roadLift;
 
 // The share of a filter around x that lies within halfWidth of 0.

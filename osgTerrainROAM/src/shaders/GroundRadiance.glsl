@@ -8,6 +8,8 @@ vec2 lentTilt();
 vec3 lentAlbedo(vec3 ground, Grain g, inout GroundKinds kinds);
 #endif
 
+const float kCrowns = 0.2; // of the sky that crowns hide from the floor of a wood
+
 // Returns the radiance of the ground towards the eye, without haze.
 vec3 groundRadiance(vec3 directionWorld)
 {
@@ -116,7 +118,8 @@ vec3 groundRadiance(vec3 directionWorld)
     // Where no shadow is known, ground that sees little of the sky sees little of the sun.
     sunlit *= sunShare(directionWorld * length(fromEye), terrainWorldFromLocal * vec3(tilt, sqrt(max(1.0 - dot(tilt, tilt), 0.02))),
                        smoothstep(0.15, 0.6, land.a));
-    vec3 colour = albedo * (lightOn(normalWorld, sunlit, land.a) + headLight(directionWorld * length(fromEye), normalWorld));
+    float skyShare = land.a * (1.0 - kCrowns * kinds.other.y);
+    vec3 colour = albedo * (lightOn(normalWorld, sunlit, skyShare) + headLight(directionWorld * length(fromEye), normalWorld));
     // No branch: software drawing leaves out a loop that no pixel of a group enters.
     for (int i = water > 0.0 ? 0 : 1; i < 1; ++i)
         colour = mix(colour, waterColour(directionWorld, g), water);

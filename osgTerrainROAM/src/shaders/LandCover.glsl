@@ -10,6 +10,8 @@ uniform vec4 coverFromGrid;
 uniform int coverLevels;
 uniform vec4 coverAlbedo[13];     // rgb, and the share of wood
 uniform vec4 coverPatch[13];      // rgb of patches, and their share
+uniform vec4 coverOpen[13];       // what the kind is made of near by: grass, stones, earth, rock (GroundMakeup.h)
+uniform float coverLitter[13];    // and litter
 uniform vec4 coverBend;           // by how many texels each layer of the grain bends borders
 
 struct Cover
@@ -22,18 +24,12 @@ struct Cover
     float litter;
 };
 
-// What each kind of land cover is made of near by: grass, stones, earth, rock (GroundKinds). The rest is litter.
-const vec4 kCoverOpen[13] = vec4[13](vec4(0.0), vec4(0.0, 0.2, 0.0, 0.8), vec4(0.0, 0.2, 0.8, 0.0), vec4(0.6, 0.0, 0.4, 0.0),
-                                     vec4(1.0, 0.0, 0.0, 0.0), vec4(0.6, 0.0, 0.2, 0.0), vec4(0.0), vec4(0.0, 0.0, 0.4, 0.0),
-                                     vec4(0.0), vec4(0.0), vec4(0.3, 0.0, 0.7, 0.0), vec4(0.4, 0.4, 0.2, 0.0),
-                                     vec4(0.9, 0.0, 0.1, 0.0));
-
 void addCover(inout Cover cover, int kind, float weight)
 {
     if (kind == 0) return;
     cover.known += weight;
-    cover.open += weight * kCoverOpen[kind];
-    cover.litter += kind == 6 ? weight : kind == 5 ? 0.2 * weight : 0.0;
+    cover.open += weight * coverOpen[kind];
+    cover.litter += weight * coverLitter[kind];
     cover.albedo += weight * coverAlbedo[kind].rgb;
     cover.wood += weight * coverAlbedo[kind].a;
     cover.patched += weight * coverPatch[kind].rgb;

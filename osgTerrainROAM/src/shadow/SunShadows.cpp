@@ -24,7 +24,8 @@ bool areUsable(const SunShadowSettings& settings)
 {
     return settings.reachesM[0] > 0.0 && std::is_sorted(settings.reachesM.begin(), settings.reachesM.end()) &&
            settings.reachesM[kMaps - 1] <= ShadowPlan::kDepthM && settings.texels >= 64 &&
-           settings.texels <= 4096 && settings.cellShare >= 0.0 && settings.cellShare <= 0.2;
+           settings.texels <= 4096 && settings.cellShare >= 0.0 && settings.cellShare <= 0.2 &&
+           settings.movingMaps >= 0 && settings.movingMaps <= kMaps;
 }
 
 /// Four maps, two by two.
@@ -44,8 +45,9 @@ osg::ref_ptr<osg::Texture2D> makeTexture(int texels)
     return texture;
 }
 
-osg::ref_ptr<osg::Camera> makeCamera(osg::Texture2D* texture, int map, int texels)
+osg::ref_ptr<osg::Camera> makeCamera(osg::Texture2D* texture, int map, const SunShadowSettings& settings)
 {
+    const int texels = settings.texels;
     osg::ref_ptr<osg::Camera> camera = new osg::Camera;
     camera->setName("sun shadow map");
     camera->setReferenceFrame(osg::Transform::ABSOLUTE_RF_INHERIT_VIEWPOINT); // the levels of the main camera
@@ -59,7 +61,7 @@ osg::ref_ptr<osg::Camera> makeCamera(osg::Texture2D* texture, int map, int texel
     camera->setComputeNearFarMode(osg::Camera::DO_NOT_COMPUTE_NEAR_FAR);
     camera->getOrCreateStateSet()->setDefine("SUN_SHADOW_MAP");
     camera->setInheritanceMask(camera->getInheritanceMask() & ~osg::CullSettings::CULL_MASK);
-    camera->setCullMask(~SunShadows::kCastsNone);
+    camera->setCullMask(~(SunShadows::kCastsNone | (map < settings.movingMaps ? 0U : SunShadows::kMoves)));
     camera->setCullingMode(osg::CullSettings::VIEW_FRUSTUM_SIDES_CULLING);
     return camera;
 }
@@ -153,8 +155,8 @@ void SunShadows::setSettings(const SunShadowSettings& settings)
     if (!areUsable(_settings))
     {
         OSG_WARN << "SunShadows: reaches must ascend from above 0 to " << ShadowPlan::kDepthM
-                 << " m, a map have 64 to 4096 texels and a cell a share of 0 to 0.2; the usual settings are "
-                    "used\n";
+                 << " m, a map have 64 to 4096 texels, a cell a share of 0 to 0.2, and 0 to 4 maps show what "
+                    "moves; the usual settings are used\n";
         _settings = {};
     }
     makeMaps();
@@ -166,7 +168,7 @@ void SunShadows::makeMaps()
     _texture = makeTexture(_settings.texels);
     for (int map = 0; map < kMaps; ++map)
     {
-        _cameras[map] = makeCamera(_texture, map, _settings.texels);
+        _cameras[map] = makeCamera(_texture, map, _settings);
         _cameras[map]->addChild(new Casters(*this));
         _drawn[map] = std::make_unique<Drawn>();
     }
@@ -227,6 +229,8 @@ bool SunShadows::hasMoved(int map, const ShadowPlan& plan) const
     };
     for (unsigned int i = 0; i < getNumChildren(); ++i)
     {
+        if ((getChild(i)->getNodeMask() & _cameras[static_cast<std::size_t>(map)]->getCullMask()) == 0U)
+            continue;
         const osg::BoundingSphere &before = drawn.casters[i], now = getChild(i)->getBound();
         if (before.center() == now.center() && before.radius() == now.radius()) continue;
         for (const osg::BoundingSphere& sphere : {before, now})

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <iterator>
 #include <map>
 #include <regex>
 #include <sstream>
@@ -62,10 +63,11 @@ std::vector<Fault> faultsIn(const std::string& output, const std::map<std::strin
     return faults;
 }
 
-std::vector<Fault> validate(const std::string& options, const Composition* first, std::size_t count)
+/// Runs the validator on compositions. `files`: becomes which composition each file name stands for.
+std::string outputFor(const std::string& options, const Composition* first, std::size_t count,
+                      std::map<std::string, const Composition*>& files)
 {
     const testsupport::TestFolder folder("shaders");
-    std::map<std::string, const Composition*> files;
     std::string arguments = options;
     for (std::size_t i = 0; i < count; ++i)
     {
@@ -75,7 +77,14 @@ std::vector<Fault> validate(const std::string& options, const Composition* first
         files[file] = &composition;
         arguments += " " + file;
     }
-    return faultsIn(runValidator(arguments), files);
+    return runValidator(arguments);
+}
+
+std::vector<Fault> validate(const std::string& options, const Composition* first, std::size_t count)
+{
+    std::map<std::string, const Composition*> files;
+    const std::string output = outputFor(options, first, count, files);
+    return faultsIn(output, files);
 }
 
 } // namespace
@@ -94,6 +103,16 @@ std::vector<Fault> compileAll(const std::vector<Composition>& compositions)
 std::vector<Fault> linkProgram(const std::vector<Composition>& stages)
 {
     return validate(" -l", stages.data(), stages.size());
+}
+
+int samplersOf(const std::vector<Composition>& stages)
+{
+    // GL_SAMPLER_2D, _2D_SHADOW, _2D_ARRAY in the list of uniforms that are read.
+    static const std::regex kSampler(R"(\n\w+: offset -?\d+, type (8b5e|8b62|8dc1),)");
+    std::map<std::string, const Composition*> files;
+    const std::string output = outputFor(" -l -q", stages.data(), stages.size(), files);
+    return static_cast<int>(
+        std::distance(std::sregex_iterator(output.begin(), output.end(), kSampler), std::sregex_iterator()));
 }
 
 } // namespace shadercheck

@@ -24,4 +24,7 @@ std::vector<Fault> compileAll(const std::vector<Composition>& compositions);
 /// Compiles the stages of one program and links them. Throws as compileAll().
 std::vector<Fault> linkProgram(const std::vector<Composition>& stages);
 
+/// Counts the samplers that the linked stages of one program read. Throws as compileAll().
+int samplersOf(const std::vector<Composition>& stages);
+
 } // namespace shadercheck

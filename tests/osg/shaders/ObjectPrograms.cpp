@@ -43,7 +43,7 @@ osg::ref_ptr<const osg::Program> bakedProgram()
     return programOf(look.stateFor(*state, osgPMObjects::Finish(), true));
 }
 
-/// Of verges that look as the ground of a terrain does, which has features and a season.
+/// Of verges that look as the ground of a terrain does, which has features, cover, openings and a season.
 osg::ref_ptr<const osg::Program> roadGroundProgram()
 {
     using namespace osgTerrainROAM;
@@ -54,6 +54,11 @@ osg::ref_ptr<const osg::Program> roadGroundProgram()
     const osg::ref_ptr<osg::Node> road =
         scenery::makeRoadNode(std::make_shared<osgRoads::core::RoadMesh>(), terrain);
     material->setFeatures(core::FeatureCells({}));
+    core::CoverMap cover;
+    cover.width = cover.height = 2;
+    cover.kinds.assign(4, core::GroundKind::meadow);
+    material->setCover(cover);
+    material->setOpenings(*core::OpeningCells::build({}));
     (void)material->setSeason(0.9);
     const auto* drawable = dynamic_cast<const osgRoads::RoadDrawable*>(road->asGeode()->getDrawable(0));
     return programOf(drawable->groundState());

@@ -66,6 +66,18 @@ TEST(ShaderSyntax, StagesOfEveryProgramFitTogether)
         }
 }
 
+TEST(ShaderSyntax, AVergeReadsNoMoreSamplersThanOpenGlGuarantees)
+{
+    // 16 in OpenGL 3.3 (table 6.51), two of which are for edits of the ground, which this terrain has none of.
+    int most = 0;
+    for (const NamedProgram& named : objectPrograms())
+        if (named.name.starts_with("verge"))
+            for (const auto& stages : variantsOf(named))
+                most = std::max(most, samplersOf(stages));
+    EXPECT_LE(most, 14);
+    EXPECT_GE(most, 10) << "some have to be found";
+}
+
 TEST(ShaderSyntax, EveryShaderFileStandsInAComposition)
 {
     const auto pieces = shaderPieces(OSGTRAINER_SOURCE_DIR);

@@ -31,18 +31,21 @@ osg::ref_ptr<osg::Geode> post()
 class Picture
 {
 public:
-    Picture(double sunDeg, const glm::dvec3& eye, const glm::dvec3& at, bool hasShadows = true)
+    Picture(double sunDeg, const glm::dvec3& eye, const glm::dvec3& at, bool hasShadows = true,
+            const osgTerrainROAM::SunShadowSettings& maps = {}, unsigned int postMask = ~0U)
     {
         osgTerrainROAM::AtmosphereSettings air;
         air.sunDirectionWorld = osgTerrainROAM::sunDirectionFromAngles(90.0, sunDeg);
         const rendered::ViewScene scene(air);
         const osg::ref_ptr<osgTerrainROAM::SunShadows> sunlit =
-            new osgTerrainROAM::SunShadows(scene.atmosphere);
+            new osgTerrainROAM::SunShadows(scene.atmosphere, maps);
         sunlit->setShown(hasShadows);
         const osg::ref_ptr<osg::Node> ground = scene.root->getChild(1);
         scene.root->removeChild(ground);
         sunlit->addChild(ground);
-        sunlit->addChild(post());
+        const osg::ref_ptr<osg::Geode> caster = post();
+        caster->setNodeMask(postMask);
+        sunlit->addChild(caster);
         scene.root->addChild(sunlit);
         osgOffscreen::OffscreenSettings settings;
         settings.backend = osgOffscreen::defaultBackend();
@@ -129,4 +132,16 @@ TEST(SunShadowMaps, WithoutSunOrSwitchedOffThereIsNone)
 {
     EXPECT_FALSE(Picture(50.0, kEye, kAt, false).shadowEnd());
     EXPECT_FALSE(Picture(-5.0, kEye, kAt).shadowEnd());
+}
+
+TEST(SunShadowMaps, WhatMovesIsInTheNearestMapsAlone)
+{
+    using osgTerrainROAM::SunShadows;
+    osgTerrainROAM::SunShadowSettings maps;
+    maps.cellShare = 0.125;
+    maps.movingMaps = 1;
+    EXPECT_TRUE(Picture(50.0, kEye, kAt, true, maps, SunShadows::kMoves).shadowEnd()) << "near, it casts one";
+    maps.movingMaps = 0;
+    EXPECT_FALSE(Picture(50.0, kEye, kAt, true, maps, SunShadows::kMoves).shadowEnd());
+    EXPECT_TRUE(Picture(50.0, kEye, kAt, true, maps).shadowEnd()) << "what stands casts into all";
 }
