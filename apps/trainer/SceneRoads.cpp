@@ -115,6 +115,12 @@ SceneTerrain moved(SceneTerrain scene, const glm::dvec2& corner)
     return scene;
 }
 
+/// Returns the land cover of ground that is made up for a network: meadow. Nothing is planted on it, so it shows no wood either.
+osgTerrainROAM::core::CoverMap meadow()
+{
+    return {2, 2, std::vector(4, osgTerrainROAM::core::GroundKind::meadow), {}};
+}
+
 /// Visits the drawables of roads.
 class RoadSetter : public osg::NodeVisitor
 {
@@ -198,6 +204,7 @@ foundation::Result<SceneTerrain> openNetwork(const std::filesystem::path& file, 
     osgTerrainROAM::core::TileEditor editor(tile);
     if (const auto cut = scenery::cutRoads(editor, *ground->roads.placed); !cut) return cut.error();
     auto scene = makeScene(description, tile, ground->roads, {});
+    if (scene) scene->terrain->material()->setCover(meadow());
     return scene && request.inRoadsFrame ? moved(std::move(*scene), ground->cornerM) : scene;
 }
 
