@@ -24,9 +24,12 @@ using Player = std::unique_ptr<simulation::ScenarioPlayer>;
 foundation::Result<Player> playerOver(const osgTerrainROAM::core::PlacedTile& tile,
                                       simulation::Scenario scenario, const std::string& name)
 {
-    return simulation::ScenarioPlayer::create(std::move(scenario),
-                                              {ground::originOf(tile), ground::groundOf(tile),
-                                               simulation::FixedClock::forFrameRate(kFramesPerSecond), name});
+    simulation::PlayerOptions options;
+    options.origin = ground::originOf(tile);
+    options.ground = ground::groundOf(tile);
+    options.clock = simulation::FixedClock::forFrameRate(kFramesPerSecond);
+    options.scenarioName = name;
+    return simulation::ScenarioPlayer::create(std::move(scenario), std::move(options));
 }
 
 /// Returns the current view of the first entity.

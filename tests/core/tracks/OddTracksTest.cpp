@@ -12,14 +12,14 @@ namespace simulation
 namespace
 {
 
-constexpr double kStartS = 1618648760.0; ///< 2021-04-17T08:39:20Z
+constexpr double kOddStartS = 1618648760.0; ///< 2021-04-17T08:39:20Z
 
 struct OddTrack
 {
     const char* name;
     foundation::Result<TrackReading> (*parse)(std::string_view, const std::string&);
     std::string text;
-    double startS = kStartS;
+    double startS = kOddStartS;
     std::size_t problems = 0;
 };
 
@@ -77,7 +77,7 @@ INSTANTIATE_TEST_SUITE_P(
             "gpxFirstPointWithoutTime", parseGpx,
             R"(<gpx><trk><trkseg><trkpt lat="46.4" lon="8.25"/><trkpt lat="46.5" lon="8.25"><time>2021-04-17T08:39:20Z</time></trkpt>
 <trkpt lat="46.6" lon="8.25"><ele>304.8</ele><time>2021-04-17T08:39:21Z</time></trkpt></trkseg></trk></gpx>)",
-            kStartS, 1},
+            kOddStartS, 1},
         OddTrack{"gpxFewTimes", parseGpx,
                  R"(<gpx><trk><trkseg><trkpt lat="46.5" lon="8.25"><time>2021-04-17T08:39:20Z</time></trkpt>
 <trkpt lat="46.6" lon="8.25"><ele>304.8</ele></trkpt></trkseg></trk></gpx>)",
