@@ -16,6 +16,7 @@ namespace
 constexpr double kStandardGravityMps2 = 9.80665;
 constexpr double kGreatestBankDeg = 60.0;
 constexpr double kSmallestPlanSpeed = 1e-6;
+constexpr double kBesideRoadM = 10.0; ///< so far from its lanes a road tells the height
 
 double wrappedDeg(double angleDeg)
 {
@@ -216,6 +217,13 @@ void EntityMotion::standOnRoad()
     _state.headingDeg = wrappedDeg(glm::degrees(pose.headingRad));
     _state.pitchDeg = wrappedDeg(glm::degrees(pose.pitchRad) + _givenPitchDeg);
     _state.rollDeg = wrappedDeg(glm::degrees(pose.rollRad) + _givenRollDeg);
+    if (std::fabs(_state.place->t) > kBesideRoadM) standOnGroundFarFromRoads();
+}
+
+/// The surface of a road says nothing about the height of places far beside it.
+void EntityMotion::standOnGroundFarFromRoads()
+{
+    if (!_roads->hasRoadWithin(kBesideRoadM, _state.position)) standOnGround(_contact, *_frame, _state);
 }
 
 /// Finds the place on the road of an entity that has moved without it; it then stands on the road.
@@ -226,6 +234,7 @@ void EntityMotion::findPlace()
     place->heightM = _state.place ? _state.place->heightM : 0.0;
     _state.place = place;
     _state.position.z = _roads->poseAt(*place).position.z;
+    standOnGroundFarFromRoads();
 }
 
 /// Along the heading; an airborne entity climbs or sinks with its pitch.

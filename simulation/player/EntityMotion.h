@@ -116,6 +116,7 @@ private:
     double roadStepM(double timeS, double stepS) const;
     void standOnRoad();
     void findPlace();
+    void standOnGroundFarFromRoads();
     void takePoint(const PathPoint& point, double speedMps);
     void settle(double timeS);
 

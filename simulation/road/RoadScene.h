@@ -63,6 +63,12 @@ public:
     /// Whether traffic on the lane of the place runs towards greater s.
     bool runsForward(const RoadPlace& place) const;
 
+    /// Whether the lanes of any road come as near to a position as that, in the plan. Units: metres.
+    bool hasRoadWithin(double distanceM, const glm::dvec3& position) const
+    {
+        return !_locator.within(glm::dvec2(position), distanceM).empty();
+    }
+
     /// Whether the lanes at a place, sidewalks and verges not counted, are under it.
     bool isOffRoad(const RoadPlace& place, const glm::dvec3& position) const;
 

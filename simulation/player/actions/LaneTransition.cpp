@@ -5,7 +5,10 @@
 #include <cmath>
 #include <utility>
 
+#include <osgRoads/core/query/LaneSpan.h>
+
 #include "simulation/player/TransitionShape.h"
+#include "simulation/road/RoadScene.h"
 
 namespace simulation
 {
@@ -26,11 +29,12 @@ LaneTransition::LaneTransition(const Course& course, const EntityMotion& actor, 
     _fromOffsetM = roads.putOnLane(middle, course.lane, 0.0) ? place.t - middle.t : place.laneOffsetM;
 }
 
-/// While the entity is on the way, the walk along the road changes its lane by the links.
-void LaneTransition::followLinks(const RoadPlace& place)
+/// Where the entity comes to another lane section, the walk along the road has changed its lane by the links. Within a section the lane
+/// stays that of the course: a vehicle with physics is still beside it.
+void LaneTransition::followLinks(const RoadPlace& place, const osgRoads::core::LaneSection* section)
 {
     const bool isForward = looksForward(place);
-    if (_isOnLane)
+    if (_isOnLane && section != _section)
     {
         _course.lane = place.lane;
         if (isForward != _isForward)
@@ -40,6 +44,7 @@ void LaneTransition::followLinks(const RoadPlace& place)
         }
     }
     _isForward = isForward;
+    _section = section;
 }
 
 void LaneTransition::turnTo(EntityMotion& actor, double offsetM, double turnRad)
@@ -100,8 +105,9 @@ bool LaneTransition::stepOffset(EntityMotion& actor, double stepS)
 
 bool LaneTransition::step(ActionScene& scene, EntityMotion& actor)
 {
-    if (!actor.state().place) return true;
-    followLinks(*actor.state().place);
+    if (!actor.state().place || !scene.roads()) return true;
+    const RoadPlace& place = *actor.state().place;
+    followLinks(place, osgRoads::core::sectionAt(scene.roads()->roadAt(place), place.s));
     return _course.isAhead ? stepAhead(actor, scene.stepS()) : stepOffset(actor, scene.stepS());
 }
 

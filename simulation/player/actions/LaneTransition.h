@@ -33,7 +33,7 @@ public:
     bool step(ActionScene& scene, EntityMotion& actor) override;
 
 private:
-    void followLinks(const RoadPlace& place);
+    void followLinks(const RoadPlace& place, const osgRoads::core::LaneSection* section);
     void turnTo(EntityMotion& actor, double offsetM, double turnRad);
     bool stepAhead(EntityMotion& actor, double stepS);
     bool stepOffset(EntityMotion& actor, double stepS);
@@ -47,6 +47,7 @@ private:
     bool _hasBegun = false;
     bool _isForward = true; ///< of the reference line, when it was last on the lane
     bool _isOnLane = false; ///< has been put there
+    const osgRoads::core::LaneSection* _section = nullptr; ///< where it was then
 };
 
 /// Returns how long a change takes whose dynamics are given, `amount` being the size of the change; seconds or metres.

@@ -123,7 +123,8 @@ bool isNothing(const osg::Vec4& colour)
 
 bool isGround(const osg::Vec4& colour)
 {
-    return !isNothing(colour) && colour.g() > 1.1F * colour.b();
+    // Green: the crown of the tube is lit from below, by light that earth and grass throw back, and is brown.
+    return !isNothing(colour) && colour.g() > 1.1F * colour.b() && colour.g() > colour.r();
 }
 
 constexpr double kHalf = 4.5; ///< of the tube, inside
