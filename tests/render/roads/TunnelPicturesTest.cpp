@@ -124,7 +124,7 @@ bool isNothing(const osg::Vec4& colour)
 bool isGround(const osg::Vec4& colour)
 {
     // Green: the crown of the tube is lit from below, by light that earth and grass throw back, and is brown.
-    return !isNothing(colour) && colour.g() > 1.1F * colour.b() && colour.g() > colour.r();
+    return !isNothing(colour) && colour.g() > 1.1F * colour.b() && colour.g() > 1.05F * colour.r();
 }
 
 constexpr double kHalf = 4.5; ///< of the tube, inside
