@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What stands in a world, by the three selections of the fifth paper: parked vehicles by the continuous rule with geomorph, houses by
+// What stands in a world, by the three selections of Sadykov and Zakharov (2002): parked vehicles by the continuous rule with geomorph, houses by
 // overlapping ranges, trees by a budget. A car drives towards them; each golden is the fifth frame. Written anew with those of the trainer
 // (-R TrainerGolden).
 #include <cmath>
