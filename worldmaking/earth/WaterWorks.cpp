@@ -11,7 +11,6 @@
 #include <glm/glm.hpp>
 
 #include "scenery/buildings/Outline.h"
-#include "worldmaking/earth/RiverBed.h"
 #include "worldmaking/earth/WaterLevels.h"
 #include "worldmaking/land/Waters.h"
 
@@ -47,6 +46,20 @@ bool isRiverArea(const Tags& tags)
     const auto water = valueOf(tags, "water");
     return valueOf(tags, "waterway") == "riverbank" || water == "river" || water == "canal" ||
            water == "stream";
+}
+
+double shoreDistanceM(const PlanRings& area, const glm::dvec2& place)
+{
+    double least = 1e300;
+    for (const auto& ring : area)
+        for (std::size_t i = 0; i < ring.size(); ++i)
+        {
+            const glm::dvec2 along = ring[(i + 1) % ring.size()] - ring[i];
+            const double share = std::clamp(
+                glm::dot(place - ring[i], along) / std::max(glm::dot(along, along), 1e-12), 0.0, 1.0);
+            least = std::min(least, glm::distance(place, ring[i] + share * along));
+        }
+    return least;
 }
 
 /// An area of open water.
@@ -216,15 +229,12 @@ private:
         river.nodes.push_back(*its);
     }
 
-    /// The bed across a point of a river: within its area from shore to shore.
-    RiverBed bedAt(const River& river, std::size_t point) const
+    /// The width of the bed at a place of a river: within its area as wide as the nearest shore allows.
+    double widthAt(const glm::dvec2& place, double otherwiseM) const
     {
-        const auto& line = river.line;
-        const glm::dvec2 along = line[std::min(point + 1, line.size() - 1)] - line[point > 0 ? point - 1 : 0];
-        const Area* const area = areaAt(line[point]);
-        const auto bed =
-            area && area->isRiver ? bedAcross(area->rings, line[point], along) : std::optional<RiverBed>();
-        return bed && bed->widthM > river.widthM ? *bed : RiverBed{line[point], river.widthM};
+        const Area* const area = areaAt(place);
+        return area && area->isRiver ? std::clamp(2.4 * shoreDistanceM(area->rings, place), otherwiseM, 200.0)
+                                     : otherwiseM;
     }
 
     bool isLake(std::uint32_t node) const
@@ -250,10 +260,9 @@ private:
             std::size_t inLake = 0;
             for (std::size_t i = from; i <= to; ++i)
             {
-                const RiverBed bed = bedAt(river, i);
-                work.paths.front().push_back(bed.middle);
+                work.paths.front().push_back(river.line[i]);
                 work.heightsM.front().push_back(levels[river.nodes[i]]);
-                work.widthM = std::max(work.widthM, bed.widthM + kBedM);
+                work.widthM = std::max(work.widthM, widthAt(river.line[i], river.widthM) + kBedM);
                 inLake += isLake(river.nodes[i]);
             }
             if (inLake < work.paths.front().size()) made.push_back(std::move(work));

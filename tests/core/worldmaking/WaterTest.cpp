@@ -7,7 +7,6 @@
 
 #include "RoughLand.h"
 #include "worldmaking/check/LevelCheck.h"
-#include "worldmaking/earth/RiverBed.h"
 #include "worldmaking/earth/WaterLevels.h"
 #include "worldmaking/earth/WaterWorks.h"
 
@@ -83,17 +82,6 @@ TEST(WaterLevels, FallsAreSpreadUpstream)
         }
         EXPECT_TRUE(falls(net, worldmaking::spreadFalls(net, waterLevels(net))));
     }
-}
-
-TEST(RiverBed, ReachesFromShoreToShore)
-{
-    const worldmaking::PlanRings area{{{0, 0}, {200, 0}, {200, 40}, {0, 40}}};
-    const auto bed = worldmaking::bedAcross(area, {100, 30}, {5, 0});
-    ASSERT_TRUE(bed);
-    EXPECT_NEAR(bed->widthM, 40.0, 1e-9);
-    EXPECT_NEAR(bed->middle.y, 20.0, 1e-9);
-    EXPECT_FALSE(worldmaking::bedAcross(area, {100, 50}, {5, 0})) << "beside it";
-    EXPECT_FALSE(worldmaking::bedAcross(area, {110, 30}, {0, 5})) << "no shore near by on one side";
 }
 
 TEST(WaterLevels, GroundThatFallsIsKept)
