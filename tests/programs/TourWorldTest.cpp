@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "HillsText.h"
 #include "Playing.h"
 #include "ProgramRun.h"
 #include "Workplace.h"
@@ -16,21 +17,10 @@ namespace
 /// A georeferenced plain of 7 km with hills in the north.
 std::string writePlain(const Workplace& place)
 {
-    constexpr int kSide = 91;
-    std::string text = "ncols 91\nnrows 91\nxllcorner 1.455\nyllcorner 42.465\ncellsize 0.001\n";
-    for (int row = 0; row < kSide; ++row)
-    {
-        for (int column = 0; column < kSide; ++column)
-        {
-            const double rise = std::max(0, 40 - row);
-            text += std::to_string(400.0 + 6.0 * rise + 2.5 * rise * std::sin(0.2 * column)) + ' ';
-        }
-        text += '\n';
-    }
     (void)place.write("plain.prj",
                       "GEOGCS[\"WGS 84\",DATUM[\"WGS_1984\",SPHEROID[\"WGS 84\",6378137,298.257223563]],"
                       "PRIMEM[\"Greenwich\",0],UNIT[\"degree\",0.0174532925199433]]");
-    return place.write("plain.asc", text);
+    return place.write("plain.asc", hillsText());
 }
 
 bool tells(const ProgramRun& run, const char* words)

@@ -10,6 +10,7 @@
 #include <osgRoads/core/check/NetworkCheck.h>
 #include <osgRoads/core/read/ReadNetwork.h>
 
+#include "HillsText.h"
 #include "MadeMap.h"
 #include "ProgramRun.h"
 #include "RealData.h"
@@ -243,19 +244,8 @@ Extremes extremesOf(const osgRoads::core::RoadNetwork& network)
 /// A plain with hills in the north, 7 km wide.
 std::string writeHills(const TestFolder& folder)
 {
-    constexpr int kSide = 91;
-    std::string text = "ncols 91\nnrows 91\nxllcorner 1.455\nyllcorner 42.465\ncellsize 0.001\n";
-    for (int row = 0; row < kSide; ++row)
-    {
-        for (int column = 0; column < kSide; ++column)
-        {
-            const double rise = std::max(0, 40 - row);
-            text += std::to_string(400.0 + 6.0 * rise + 2.5 * rise * std::sin(0.2 * column)) + ' ';
-        }
-        text += '\n';
-    }
     folder.write("hills.prj", testsupport::bytesOf(folder / "flat.prj"));
-    return folder.write("hills.asc", text).string();
+    return folder.write("hills.asc", hillsText()).string();
 }
 
 TEST(WorldTool, WithoutAMapItMakesOneUpThatStandsRight)
