@@ -13,6 +13,7 @@
 #include <osgMultiTriangulation/core/input/Delaunay.h>
 #include <osgMultiTriangulation/core/input/PointDistribution.h>
 
+#include "terraintool/mt/ForestFigures.h"
 #include "terraintool/mt/MtRequest.h"
 
 namespace terraintool
@@ -88,12 +89,7 @@ foundation::Result<nlohmann::ordered_json> benchCase(const std::string& name, st
     row["buildMs"] = wallMs() - wall;
     row["processorMs"] = processorMs() - processor;
     row["delaunayMs"] = triangulated - processor;
-    row["trees"] = built->trees;
-    row["rectangles"] = built->rectangles;
-    row["largestTree"] = built->largestTree;
-    row["smallestTree"] = built->smallestTree;
-    row["mainPart"] = built->mainPart;
-    row["borderPoints"] = built->borderPoints;
+    addForestFigures(row, *built);
     row["peakMB"] = peakMb();
     row["limitMB"] = nullptr;
     row["fileBytes"] = std::filesystem::file_size(file);

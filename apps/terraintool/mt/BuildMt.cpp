@@ -13,6 +13,7 @@
 #include <osgMultiTriangulation/core/surface/GridSurface.h>
 
 #include "terminal/Terminal.h"
+#include "terraintool/mt/ForestFigures.h"
 #include "terraintool/mt/MtRequest.h"
 
 namespace terraintool
@@ -126,12 +127,7 @@ foundation::Result<terminal::Report> buildMt(const MtBuildRequest& request)
     row["file"] = request.output.string();
     row["points"] = surface->mesh.points.size();
     row["triangles"] = surface->mesh.triangles.size();
-    row["trees"] = built->trees;
-    row["rectangles"] = built->rectangles;
-    row["largestTree"] = built->largestTree;
-    row["smallestTree"] = built->smallestTree;
-    row["mainPart"] = built->mainPart;
-    row["borderPoints"] = built->borderPoints;
+    addForestFigures(row, *built);
     row["fileBytes"] = std::filesystem::file_size(request.output);
     std::cout << request.output.string() << ": " << surface->mesh.points.size() << " points in "
               << built->trees << " trees, " << row["fileBytes"] << " bytes\n";
