@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // `trainer drive`: a car and its driver on a street, twice, and by its recorded inputs.
+#include <algorithm>
+#include <cctype>
+#include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 
 #include "ProgramRun.h"
 #include "Workplace.h"
@@ -104,6 +109,80 @@ TEST(Drive, TyresMeetTheWeather)
     EXPECT_TRUE(drivenOn(place, "", {"--weather", "rain"}) != dry);
     // Gravel is no wetter than it is.
     EXPECT_TRUE(drivenOn(place, "gravel", {"--weather", "rain"}) == drivenOn(place, "gravel"));
+}
+
+/// A world of the test's hill and a level road through its top, 840 m long and east to west, 300 m high; `objects`: what lies on the road.
+std::string roadThroughHill(const Workplace& place, const std::string& objects, const std::string& more = "")
+{
+    place.write(
+        "through.xodr",
+        R"(<OpenDRIVE><header revMajor="1" revMinor="7"/><road id="1" length="840" junction="-1"><planView>)"
+        R"(<geometry s="0" x="-420" y="0" hdg="0" length="840"><line/></geometry></planView><elevationProfile>)"
+        R"(<elevation s="0" a="300" b="0" c="0" d="0"/></elevationProfile><lanes><laneSection s="0"><center>)"
+        R"(<lane id="0" type="none" level="false"/></center><right><lane id="-1" type="driving" level="false">)"
+        R"(<width sOffset="0" a="3.5" b="0" c="0" d="0"/></lane></right></laneSection></lanes><objects>)" +
+            objects + "</objects></road></OpenDRIVE>");
+    return place.write("through.roam",
+                       "dem = hill.tif\nroads = through.xodr\nroads_origin = 43.611222 8.218796\n"
+                       "roads_heights = file\n" +
+                           more);
+}
+
+constexpr double kRoadHeightM = 300.0 + 46.3; ///< of that road above the ellipsoid, as the scene has it
+
+/// A drive begins on a lane, never inside a hill: a tunnel leads through it, and else the ground is cut down to the road.
+TEST(Drive, BelowAHillItBeginsOnItsLane)
+{
+    const Workplace place;
+    for (const std::string tunnel : {"", R"(<tunnel id="t" type="standard" s="100" length="640"/>)"})
+    {
+        const std::string log = place.path("below.csv");
+        const ProgramRun run =
+            runTrainer({"drive", roadThroughHill(place, tunnel), "--headless", "--vehicle", kDriven,
+                        "--duration", "3", "--start-at", "410", "--csv_logger", log});
+        EXPECT_TRUE(succeeds(run)) << run.text();
+        EXPECT_NE(run.output.find(", 41"), std::string::npos) << run.text();
+        EXPECT_EQ(run.output.find("note"), std::string::npos) << run.text();
+        // The cell 15 of a row is its height; the top of the hill lies 200 m above the road.
+        std::istringstream lines(bytesOf(log));
+        std::vector<double> heightsM;
+        for (std::string line; std::getline(lines, line);)
+        {
+            std::istringstream cells(line);
+            std::string cell;
+            for (int i = 0; i <= 15; ++i)
+                std::getline(cells, cell, ',');
+            if (std::isdigit(static_cast<unsigned char>(line[0])))
+                heightsM.push_back(std::atof(cell.c_str()));
+        }
+        ASSERT_GT(heightsM.size(), 100U);
+        const auto [least, most] = std::minmax_element(heightsM.begin(), heightsM.end());
+        EXPECT_LT(*most - *least, 0.5) << "it falls";
+        EXPECT_NEAR(*least, kRoadHeightM, 1.0);
+    }
+}
+
+TEST(Drive, SaysWhereItCannotBegin)
+{
+    const Workplace place;
+    const auto told = [&](const std::string& world, const std::vector<std::string>& words,
+                          const std::string& vehicle = kDriven)
+    {
+        EXPECT_TRUE(failsWith(runTrainer({"drive", world, "--headless", "--vehicle", vehicle, "--csv_logger",
+                                          place.path("none.csv"), "--record-inputs", place.path("none.txt")}),
+                              1, "trainer", words));
+        EXPECT_FALSE(std::filesystem::exists(place.path("none.csv")));
+        EXPECT_FALSE(std::filesystem::exists(place.path("none.txt")));
+    };
+    told(roadThroughHill(place, "", "sea_level = 1000\n"),
+         {"the start at", "lies in water", "move it onto land"});
+    told(place.write("bare.roam", "dem = hill.tif\n"), {"bare.roam", "no roads", "OpenDRIVE"});
+    told(place.write("walk.xodr", with(bytesOf(streetOf(place, "")), "driving", "sidewalk")),
+         {"walk.xodr", "no lane for cars"});
+    const std::string car = bytesOf(kDriven);
+    told(kStreet, {"light.xml:", "massKg"},
+         place.write("light.xml", with(car, "massKg=\"1425\"", "massKg=\"-1425\"")));
+    told(kStreet, {"cut.xml"}, place.write("cut.xml", car.substr(0, car.size() / 2)));
 }
 
 TEST(Drive, SaysWhatIsWrong)
