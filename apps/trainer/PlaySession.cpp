@@ -218,6 +218,14 @@ FrameStatistics PlaySession::measured()
         row.adaptUs += group.adaptUs;
         row.maxErrorPx = std::max(row.maxErrorPx, group.refine.tolerancePx);
     }
+    if (_play.terrain.triangulation)
+        for (const auto& group : _play.terrain.triangulation->statistics())
+        {
+            if (group.frame != drawn) continue;
+            row.triangles += group.triangles;
+            row.adaptUs += group.stallUs;
+            row.maxErrorPx = _play.terrain.terrain->settings().errorTolerancePx;
+        }
     // A group that has gone takes its count with it.
     row.uploadBytes = uploadedBytes - std::min(uploadedBytes, _uploadedBytes);
     _uploadedBytes = uploadedBytes;

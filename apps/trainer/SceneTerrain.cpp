@@ -10,6 +10,8 @@
 
 #include <osgTerrainROAM/core/LoadTerrain.h>
 
+#include <osgMultiTriangulation/OpenMultiTriangulation>
+
 #include "ModelFile.h"
 #include "SceneRoads.h"
 #include "SceneStructures.h"
@@ -40,10 +42,20 @@ public:
 
 bool isTerrainFile(const std::filesystem::path& file)
 {
-    static constexpr std::array kSuffixes{"roam", "xodr", "tif", "tiff", "hgt", "gz",  "zip", "asc",
-                                          "dt0",  "dt1",  "dt2", "png",  "img", "vrt", "bil"};
+    static constexpr std::array kSuffixes{"roam", "xodr", "mt",  "tif", "tiff", "hgt", "gz",  "zip",
+                                          "asc",  "dt0",  "dt1", "dt2", "png",  "img", "vrt", "bil"};
     const std::string suffix = osgDB::getLowerCaseFileExtension(file.string());
     return std::find(kSuffixes.begin(), kSuffixes.end(), suffix) != kSuffixes.end();
+}
+
+/// Frames wait for detail, so that captures repeat; a window does not let them.
+foundation::Result<SceneTerrain> openTriangulation(const std::filesystem::path& file)
+{
+    const auto opened = osgMultiTriangulation::openMultiTriangulation(file, {.waits = true});
+    if (!opened) return opened.error();
+    SceneTerrain scene{opened->terrain, opened->terrain, nullptr};
+    scene.triangulation = opened->drawable;
+    return scene;
 }
 
 } // namespace
@@ -67,6 +79,7 @@ foundation::Result<SceneTerrain> openElevation(const std::filesystem::path& file
                                                const TerrainRequest& request)
 {
     if (osgDB::getLowerCaseFileExtension(file.string()) == "xodr") return openNetwork(file, request);
+    if (osgDB::getLowerCaseFileExtension(file.string()) == "mt") return openTriangulation(file);
     auto description = osgTerrainROAM::core::describeTerrain(file, request.import);
     if (!description) return description.error();
     description->showsVoids = description->showsVoids || request.showsVoids;

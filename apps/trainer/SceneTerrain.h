@@ -12,6 +12,7 @@
 
 #include <osgRoads/core/place/PlacedNetwork.h>
 
+#include <osgMultiTriangulation/MtDrawable>
 #include <osgTerrainROAM/RoamTerrain>
 
 #include "PlayRequest.h"
@@ -35,6 +36,8 @@ struct SceneTerrain
     glm::dvec2 cornerM{0.0};            ///< of the terrain's frame in that of the scene
     std::vector<SceneRunway> runways{}; ///< those of its maps
     std::shared_ptr<scenery::AirfieldNode> airfield = nullptr; ///< lights and windsocks; null: none
+    osg::ref_ptr<osgMultiTriangulation::MtDrawable> triangulation =
+        nullptr; ///< draws the ground instead of the ROAM terrain; null: none
 
     /// Returns the origin of the scene's frame; absent without georeference.
     std::optional<simulation::Geodetic> origin() const;
@@ -43,8 +46,8 @@ struct SceneTerrain
     simulation::GroundProvider ground() const;
 };
 
-/// Opens a .roam file, with its roads, an elevation raster or an OpenDRIVE network (.xodr); `terrain` is never null. Errors: as
-/// makeTerrainWithRoads() and openNetwork().
+/// Opens a .roam file, with its roads, an elevation raster, a multi-triangulation (.mt) or an OpenDRIVE network (.xodr); `terrain` is never
+/// null. Errors: as makeTerrainWithRoads(), openMultiTriangulation() and openNetwork().
 foundation::Result<SceneTerrain> openElevation(const std::filesystem::path& file,
                                                const TerrainRequest& request);
 

@@ -87,7 +87,8 @@ std::optional<fs::path> worldOver(const fs::path& dem, const fs::path& folder)
 {
     std::error_code failed;
     const std::string suffix = dem.extension().string();
-    if (suffix == ".roam" || suffix == ".xodr" || !fs::is_regular_file(dem, failed)) return std::nullopt;
+    if (suffix == ".roam" || suffix == ".xodr" || suffix == ".mt" || !fs::is_regular_file(dem, failed))
+        return std::nullopt;
     const fs::path place = fs::canonical(dem, failed), cache = cacheFolder();
     const auto made =
         folder.empty() && cache.empty()

@@ -6,9 +6,9 @@
 #include <osgTerrainROAM/RoamDrawable>
 #include <osgTerrainROAM/Serializers>
 #include <osgTraversal/CullFacts>
+#include <osgTraversal/NearFar>
 
 #include "view/ClippedTriangles.h"
-#include "view/NearFar.h"
 #include "view/TileBounds.h"
 #include "view/ViewGroupTable.h"
 #include "view/ViewPart.h"

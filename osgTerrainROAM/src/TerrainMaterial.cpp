@@ -96,17 +96,22 @@ TerrainMaterial::TerrainMaterial(const core::PlacedTile& tile, const Climate& cl
     _stateSet->setMode(GL_CULL_FACE, osg::StateAttribute::ON);
 }
 
+TerrainLook TerrainMaterial::ownLook() const
+{
+    return {.drape = _hasDrape,
+            .layers = _imageryLayers,
+            .features = _hasFeatures,
+            .farFeatures = _featuresFromM > 0.0,
+            .openings = _hasOpenings,
+            .cover = _hasCover,
+            .sheets = _sheetNormals ? _sheetNormals->maps() : 0,
+            .fine = _fineNormals != nullptr,
+            .season = _season.has_value()};
+}
+
 void TerrainMaterial::setProgram()
 {
-    _stateSet->setAttributeAndModes(terrainProgram({.drape = _hasDrape,
-                                                    .layers = _imageryLayers,
-                                                    .features = _hasFeatures,
-                                                    .farFeatures = _featuresFromM > 0.0,
-                                                    .openings = _hasOpenings,
-                                                    .cover = _hasCover,
-                                                    .sheets = _sheetNormals ? _sheetNormals->maps() : 0,
-                                                    .fine = _fineNormals != nullptr,
-                                                    .season = _season.has_value()}));
+    _stateSet->setAttributeAndModes(terrainProgram(ownLook()));
     for (const auto& [state, look] : _borrowers)
         lend(*state, look);
 }
@@ -132,7 +137,9 @@ void TerrainMaterial::lend(osg::StateSet& to, const BorrowedLook& look) const
                              .lentNames = look.names};
     program->addShader(
         new osg::Shader(osg::Shader::VERTEX, "#version 330 compatibility\n" + look.vertexText));
-    program->addShader(new osg::Shader(osg::Shader::FRAGMENT, groundText(ground) + look.fragmentText));
+    program->addShader(new osg::Shader(osg::Shader::FRAGMENT, look.fragmentText.empty()
+                                                                  ? terrainFragmentText(ownLook())
+                                                                  : groundText(ground) + look.fragmentText));
     if (look.finish) look.finish(to, *program);
     to.setAttributeAndModes(program);
 }

@@ -20,6 +20,7 @@ function(plantTree)
             "osgRoads/include/osgRoads/core/Road.h|foundation/Result.h"
             "osgMultiTriangulation/include/osgMultiTriangulation/core/Forest.h|osgPMObjects/core/Mesh.h"
             "osgRoads/include/osgRoads/RoadDrawable|osg/Drawable"
+            "osgMultiTriangulation/include/osgMultiTriangulation/MtDrawable|osgTerrainROAM/RoamTerrain"
             "osgPMObjects/src/Object.cpp|osgTraversal/CullFacts"
             "osgOffscreen/include/osgOffscreen/Capture|osg/Image"
             "simulation/Clock.h|cstdint"
@@ -107,6 +108,7 @@ expectBreach(osgMultiTriangulation/include/osgMultiTriangulation/core/Forest.h "
 expectBreach(osgTerrainROAM/src/core/Tile.cpp "#include <osgMultiTriangulation/core/NotThere.h>")
 expectBreach(osgTerrainROAM/src/core/Tile.cpp "#include <osgRoads/core/NotThere.h>")
 expectBreach(osgTerrainROAM/src/Terrain.cpp "#include <osgOffscreen/Capture>")
+expectBreach(osgTerrainROAM/src/Terrain.cpp "#include <osgMultiTriangulation/MtDrawable>")
 expectBreach(osgTraversal/include/osgTraversal/CullFacts "#include <osgPMObjects/Object>")
 expectBreach(osgTraversal/include/osgTraversal/CullFacts "#include <osgPMObjects/core/Mesh.h>")
 expectBreach(osgTraversal/src/CullFacts.cpp "#include <osgTerrainROAM/Terrain>")

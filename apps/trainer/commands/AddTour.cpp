@@ -39,7 +39,8 @@ std::vector<Command> addTour(CLI::App& program)
         program.add_subcommand("tour", "fly over an elevation file, or drive through a road network");
     command
         ->add_option("DEM", line->play.request.terrain.file,
-                     "any elevation raster, a .roam file, or an OpenDRIVE network (.xodr)")
+                     "any elevation raster, a .roam file, a multi-triangulation (.mt), or an OpenDRIVE "
+                     "network (.xodr)")
         ->required();
     command->add_option("--save", line->saveFile, "file for the scenario that is played");
     command->add_option("--duration", line->durationS, "seconds")->check(terminal::between(4.0, 3600.0));

@@ -44,6 +44,7 @@ WindowSession::create(simulation::Scenario scenario, SceneTerrain terrain, const
 
 foundation::Outcome WindowSession::open(simulation::Scenario scenario, SceneTerrain terrain)
 {
+    if (terrain.triangulation) terrain.triangulation->setWaits(false);
     std::vector<WindowEvent> script;
     if (!_request.window.keysFile.empty())
     {

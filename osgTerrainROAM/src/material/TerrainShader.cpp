@@ -67,12 +67,17 @@ osg::ref_ptr<osg::Shader> terrainVertexShader()
     return new osg::Shader(osg::Shader::VERTEX, shaders::kTerrainVert);
 }
 
+std::string terrainFragmentText(const TerrainLook& look)
+{
+    return groundText(look) + shaders::kTerrainMain;
+}
+
 osg::ref_ptr<osg::Program> terrainProgram(const TerrainLook& look)
 {
     osg::ref_ptr<osg::Program> program = new osg::Program;
     program->setName("terrain");
     program->addShader(terrainVertexShader());
-    program->addShader(new osg::Shader(osg::Shader::FRAGMENT, groundText(look) + shaders::kTerrainMain));
+    program->addShader(new osg::Shader(osg::Shader::FRAGMENT, terrainFragmentText(look)));
     return program;
 }
 

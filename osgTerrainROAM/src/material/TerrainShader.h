@@ -33,6 +33,9 @@ struct TerrainLook
 /// The text of the look's fragment shader without main(): vec3 groundRadiance(vec3 directionWorld) and what it needs.
 std::string groundText(const TerrainLook& look);
 
+/// The text of the fragment shader of the terrain's own ground.
+std::string terrainFragmentText(const TerrainLook& look);
+
 /// The terrain's program, composed of the parts in shaders/ that the look needs.
 osg::ref_ptr<osg::Program> terrainProgram(const TerrainLook& look);
 

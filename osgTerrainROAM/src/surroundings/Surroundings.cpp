@@ -7,12 +7,12 @@
 #include <osg/Uniform>
 #include <osgUtil/CullVisitor>
 
+#include <osgTerrainROAM/TileUniforms>
 #include <osgTraversal/CullFacts>
+#include <osgTraversal/NearFar>
 
 #include "../material/MapTexture.h"
 #include "../material/TerrainShader.h"
-#include "../view/NearFar.h"
-#include "../view/TileUniforms.h"
 #include "OuterMaps.h"
 
 namespace osgTerrainROAM
@@ -179,8 +179,8 @@ void Surroundings::cull(osgUtil::CullVisitor& visitor)
         const osg::Matrixd& eyeFromLocal = *visitor.getModelViewMatrix();
         const auto view = osgTraversal::viewStateOf(visitor, eyeFromLocal,
                                                     osgTraversal::toGlm(*visitor.getProjectionMatrix()));
-        tellNearFar(visitor, box, view.cornerStretch,
-                    std::max(nearestM, 1.0) * osgTraversal::eyePerLocal(eyeFromLocal));
+        osgTraversal::tellNearFar(visitor, box, view.cornerStretch,
+                                  std::max(nearestM, 1.0) * osgTraversal::eyePerLocal(eyeFromLocal));
     }
     visitor.pushStateSet(_material->stateSet());
     visitor.pushStateSet(_maps);

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "TileUniforms.h"
-
 #include <algorithm>
 #include <bit>
 
+#include <osgTerrainROAM/TileUniforms>
 #include <osgTraversal/ProgramUniforms>
 
 #include "FixedFunction.h"

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ViewPart.h"
 
+#include <osgTerrainROAM/TileUniforms>
+
 #include "ClippedTriangles.h"
 #include "FixedFunction.h"
-#include "TileUniforms.h"
 
 namespace osgTerrainROAM
 {

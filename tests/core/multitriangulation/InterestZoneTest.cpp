@@ -32,7 +32,7 @@ struct HillFile
     }
 };
 
-constexpr ZoneSettings kSettings{15.0, 60.0, 2'000'000, 0.25};
+const ZoneSettings kSettings{15.0, 60.0, 2'000'000, 0.25};
 
 void refineTo(Extraction& extraction, float toleranceM)
 {
@@ -68,7 +68,7 @@ TEST(TreeIndex, findsWhatALinearScanFinds)
                 tree.high[1] >= y - half)
                 scanned.push_back(t);
         }
-        ASSERT_EQ(index.near(x, y, half), scanned);
+        ASSERT_EQ(index.near(x, y, half, half), scanned);
     }
 }
 

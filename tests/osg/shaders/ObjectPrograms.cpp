@@ -2,6 +2,7 @@
 #include <bake/BakedState.h>
 #include <bake/Finish.h>
 
+#include <osgMultiTriangulation/MtDrawable>
 #include <osgPMObjects/ObjectShader>
 #include <osgRoads/RoadDrawable>
 #include <osgRoads/RoadShader>
@@ -64,6 +65,20 @@ osg::ref_ptr<const osg::Program> roadGroundProgram()
     return programOf(drawable->groundState());
 }
 
+/// Of a multi-triangulation on a terrain that has all that a ground may have.
+osg::ref_ptr<const osg::Program> triangulationProgram()
+{
+    using namespace osgTerrainROAM;
+    const core::PlacedTile tile(testsupport::hills(9, 9), core::Placement::planar);
+    const osg::ref_ptr<TerrainMaterial> material = new TerrainMaterial(tile, Climate{});
+    const osg::ref_ptr<osgMultiTriangulation::MtDrawable> drawable = new osgMultiTriangulation::MtDrawable;
+    drawable->takeLook(*material);
+    material->setFeatures(core::FeatureCells({}));
+    material->setOpenings(*core::OpeningCells::build({}));
+    (void)material->setSeason(0.9);
+    return programOf(drawable->getStateSet());
+}
+
 } // namespace
 
 std::vector<NamedProgram> objectPrograms()
@@ -77,6 +92,7 @@ std::vector<NamedProgram> objectPrograms()
             {"road under the atmosphere",
              programOf(scenery::makeRoadNode(std::make_shared<osgRoads::core::RoadMesh>())->getStateSet())},
             {"verge of a road on a terrain", roadGroundProgram()},
+            {"multi-triangulation on a terrain", triangulationProgram()},
             {"road lamp", scenery::makeRoadLampProgram()},
             {"interior of a vehicle", scenery::makeInteriorProgram()},
             {"mirror", scenery::makeMirrorProgram()},

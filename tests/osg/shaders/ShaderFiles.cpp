@@ -46,7 +46,8 @@ std::vector<ShaderPiece> shaderPieces(const std::filesystem::path& root)
 {
     static const std::set<std::string> kExtensions = {".vert", ".frag", ".glsl"};
     std::vector<ShaderPiece> pieces;
-    for (const char* folder : {"apps", "bench", "osgOffscreen", "osgPMObjects", "osgTerrainROAM", "scenery"})
+    for (const char* folder : {"apps", "bench", "osgMultiTriangulation", "osgOffscreen", "osgPMObjects",
+                               "osgTerrainROAM", "scenery"})
         for (const auto& entry : std::filesystem::recursive_directory_iterator(root / folder))
             if (kExtensions.contains(entry.path().extension().string()) &&
                 entry.path().parent_path().filename() == "shaders")

@@ -17,9 +17,9 @@ TreeIndex::TreeIndex(std::span<const MtEntry> trees)
     _tree = decltype(_tree)(entries);
 }
 
-std::vector<std::uint32_t> TreeIndex::near(double x, double y, double halfSide) const
+std::vector<std::uint32_t> TreeIndex::near(double x, double y, double halfWidth, double halfHeight) const
 {
-    const Box square(Place(x - halfSide, y - halfSide), Place(x + halfSide, y + halfSide));
+    const Box square(Place(x - halfWidth, y - halfHeight), Place(x + halfWidth, y + halfHeight));
     std::vector<Entry> found;
     _tree.query(boost::geometry::index::intersects(square), std::back_inserter(found));
     std::vector<std::uint32_t> numbers;
@@ -29,11 +29,11 @@ std::vector<std::uint32_t> TreeIndex::near(double x, double y, double halfSide) 
     return numbers;
 }
 
-double distanceTo(const MtEntry& tree, double x, double y)
+double distanceTo(const MtEntry& tree, double x, double y, double stepX, double stepY)
 {
     const double beyondX = std::max({tree.low[0] - x, x - tree.high[0], 0.0});
     const double beyondY = std::max({tree.low[1] - y, y - tree.high[1], 0.0});
-    return std::hypot(beyondX, beyondY);
+    return std::hypot(beyondX * stepX, beyondY * stepY);
 }
 
 } // namespace osgMultiTriangulation::core

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -13,74 +14,81 @@
 #include <osgMultiTriangulation/core/extract/Extraction.h>
 #include <osgMultiTriangulation/core/file/MtFile.h>
 #include <osgMultiTriangulation/core/zone/TreeIndex.h>
+#include <osgMultiTriangulation/core/zone/ZoneSettings.h>
 
 namespace osgMultiTriangulation::core
 {
 
-/// Which trees are wanted around the eye. Distances are on the lattice.
-struct ZoneSettings
-{
-    double completeWithin = 0.0; ///< trees that are nearer are loaded completely
-    double nothingBeyond =
-        0.0; ///< trees that are farther, not at all; between the two the level falls evenly
-    std::size_t memoryBytes = 0; ///< that trees may take
-    double hysteresis =
-        0.25; ///< a tree stays as it is while its level is within this share of the wanted one
-};
-
-/// Keeps the trees of a file in memory that are wanted around a moving eye, and an extraction over them.
+/// Keeps the trees of a file in memory that are wanted around moving eyes, and an extraction over them for each view.
 /// A tree whose child is wanted is wanted completely. The nearest trees have the memory first; what does not fit is not loaded.
-/// Reading happens in moveTo(), in the calling thread. A damaged tree is told once and then left out: the surface is coarser there.
+/// Reading happens in moveTo() and step(), in the calling thread. A damaged tree is told once and then left out: the surface is coarser
+/// there.
 /// Source: *Multi-Triangulation as applied to very large terrains visualization* (Graphicon 2005), sections 4 and 5. Differs: a tree
 /// is read anew when its level changes.
 /// Threads: one.
 class InterestZone
 {
 public:
-    /// `file`: must live as long as the zone. Errors: the main part is damaged, or does not fit the memory.
+    /// `file`: must live as long as the zone. There is one view in the beginning, 0.
+    /// Errors: the main part is damaged, or does not fit the memory.
     static foundation::Result<std::unique_ptr<InterestZone>> open(const MtFile& file,
                                                                   const ZoneSettings& settings);
 
-    /// Drops, loads and changes trees for an eye at a place on the lattice.
+    /// Drops, loads and changes trees for an eye at a place on the lattice, or for several eyes.
     void moveTo(double x, double y);
+    void moveTo(std::span<const ZoneEye> eyes);
 
-    Extraction& extraction() { return *_extraction; }
+    /// Does a part of what moveTo() does: drops what has to go, then loads one tree at most. Returns whether all is as it is wanted.
+    bool step(std::span<const ZoneEye> eyes);
+
+    /// Adds a view with an extraction of its own over the same trees, and returns its number: that of another view when the memory does
+    /// not hold the main part once more. Trees far from the eyes may leave for it.
+    std::size_t addView();
+    void removeView(std::size_t view) { _extractions[view] = nullptr; }
+    std::size_t views() const;
+
+    Extraction& extraction(std::size_t view = 0) { return *_extractions[view]; }
 
     std::size_t memoryBytes() const { return _memory; }
     std::size_t loadedTrees() const { return _loaded.size(); }
     std::uint64_t reads() const { return _reads; }
+    std::uint64_t readBytes() const { return _readBytes; }
     const std::vector<std::string>& faults() const { return _faults; }
 
     /// Returns the memory that a tree with so many fragments is counted with, which is no less than it takes.
-    static std::size_t bytesOf(const MtEntry& tree, std::size_t fragments);
+    static std::size_t bytesOf(const MtEntry& tree, std::size_t fragments, std::size_t views = 1);
 
 private:
-    struct Loaded
-    {
-        ReadTree read;
-        std::size_t bytes = 0;
-    };
     using Wanted = std::map<std::uint32_t, std::uint32_t>; ///< fragments by tree
-
-    InterestZone(const MtFile& file, const ZoneSettings& settings)
-        : _file(file), _settings(settings), _index(file.info().trees)
+    /// What is wanted, and the trees in the order in which they are loaded.
+    struct Plan
     {
-    }
+        Wanted wanted;
+        std::vector<std::uint32_t> order;
+    };
 
-    Wanted wantedAt(double x, double y) const;
+    InterestZone(const MtFile& file, const ZoneSettings& settings);
+
+    std::vector<std::pair<double, std::uint32_t>> inReach(std::span<const ZoneEye> eyes) const;
+    Plan planFor(std::span<const ZoneEye> eyes, std::size_t views) const;
     bool isNearEnough(std::uint32_t tree, std::uint32_t wanted) const;
+    void dropUnwanted(const Wanted& wanted);
     void drop(std::uint32_t tree);
     void load(std::uint32_t tree, std::uint32_t fragments);
+    void countMemory();
 
     const MtFile& _file;
     ZoneSettings _settings;
     TreeIndex _index;
-    std::map<std::uint32_t, std::unique_ptr<Loaded>> _loaded;
-    std::unique_ptr<Extraction> _extraction;
+    std::vector<float> _errors; ///< by tree: the greatest of its root's and of those of all trees below it
+    float _greatestError = 0.0f;
+    std::map<std::uint32_t, std::unique_ptr<ReadTree>> _loaded;
+    std::vector<std::unique_ptr<Extraction>> _extractions;
+    std::vector<ZoneEye> _eyes; ///< the last
     std::vector<bool> _isDamaged;
     std::vector<std::string> _faults;
     std::size_t _memory = 0;
-    std::uint64_t _reads = 0;
+    std::uint64_t _reads = 0, _readBytes = 0;
 };
 
 } // namespace osgMultiTriangulation::core

@@ -22,8 +22,8 @@ class TreeIndex
 public:
     explicit TreeIndex(std::span<const MtEntry> trees);
 
-    /// Returns the numbers of the trees whose extent meets a square, ascending. `x`, `y`: its middle, on the lattice.
-    std::vector<std::uint32_t> near(double x, double y, double halfSide) const;
+    /// Returns the numbers of the trees whose extent meets a rectangle, ascending. `x`, `y`: its middle, on the lattice.
+    std::vector<std::uint32_t> near(double x, double y, double halfWidth, double halfHeight) const;
 
 private:
     using Place = boost::geometry::model::d2::point_xy<double>;
@@ -33,7 +33,7 @@ private:
     boost::geometry::index::rtree<Entry, boost::geometry::index::rstar<16>> _tree;
 };
 
-/// The distance of a place from a tree's extent; 0 inside.
-double distanceTo(const MtEntry& tree, double x, double y);
+/// The distance of a place on the lattice from a tree's extent, in the units of the steps; 0 inside.
+double distanceTo(const MtEntry& tree, double x, double y, double stepX = 1.0, double stepY = 1.0);
 
 } // namespace osgMultiTriangulation::core

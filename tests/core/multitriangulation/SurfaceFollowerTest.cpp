@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <chrono>
+#include <cmath>
+#include <fstream>
+#include <thread>
+
+#include <gtest/gtest.h>
+
+#include <osgMultiTriangulation/core/check/ErrorCheck.h>
+#include <osgMultiTriangulation/core/check/SurfaceCheck.h>
+#include <osgMultiTriangulation/core/file/BuildMtFile.h>
+#include <osgMultiTriangulation/core/follow/SampledSurface.h>
+#include <osgMultiTriangulation/core/follow/SurfaceFollower.h>
+
+#include "HillSurface.h"
+#include "TestFolder.h"
+
+namespace osgMultiTriangulation::core
+{
+
+namespace
+{
+
+constexpr double kVertexStep = 1.0 / 1024.0;
+constexpr double kErrorPerDistance = 0.02;
+
+/// Hills of 120 × 100 points, 10 m apart, in a file of 16 rectangles.
+struct HillsOfTenMetres
+{
+    testsupport::TestFolder folder{"follower"};
+    SurfaceMesh mesh = testsupport::hillSurface(120, 100);
+    std::filesystem::path path = folder / "hills.mt";
+    PlanFrame frame{1000.0, 2000.0, 10.0, 10.0};
+
+    HillsOfTenMetres()
+    {
+        ForestOptions options;
+        options.treeCount = 16;
+        EXPECT_TRUE(buildMtFile(mesh, frame, options, path));
+    }
+
+    std::unique_ptr<SurfaceFollower> follower(std::size_t memory = 20'000'000, double bytesPerS = 1e12) const
+    {
+        ZoneSettings settings;
+        settings.memoryBytes = memory;
+        settings.mostBytesPerS = bytesPerS;
+        auto opened = SurfaceFollower::open(*MtFile::open(path), settings, kVertexStep);
+        EXPECT_TRUE(opened);
+        return std::move(*opened);
+    }
+};
+
+FollowTarget targetAt(double share)
+{
+    return {
+        {1190.0 * share, 900.0 * (1.0 - share), 90.0 + 50.0 * std::sin(9.0 * share)}, kErrorPerDistance, 1.0};
+}
+
+/// A drawn surface as a mesh on the lattice.
+SurfaceMesh latticeOf(const DrawnSurface& surface)
+{
+    SurfaceMesh mesh;
+    for (const DrawnSurface::Vertex& v : surface.vertices)
+        mesh.points.push_back({static_cast<std::int32_t>(std::lround(v[0] * kVertexStep / 10.0)),
+                               static_cast<std::int32_t>(std::lround(v[1] * kVertexStep / 10.0)),
+                               v[2] * kVertexStep});
+    mesh.triangles = surface.triangles;
+    // A point is a vertex of each tree that has it.
+    std::map<std::pair<int, int>, std::uint32_t> numbers;
+    for (Triangle& triangle : mesh.triangles)
+        for (std::uint32_t& corner : triangle)
+            corner =
+                numbers.try_emplace({mesh.points[corner].x, mesh.points[corner].y}, corner).first->second;
+    return mesh;
+}
+
+/// Checks that a surface is a triangulation of everything, in cells that have each triangle once and within their boxes.
+void expectSound(const DrawnSurface& surface, const std::vector<OutlineSide>& outline)
+{
+    EXPECT_EQ(checkSurface(latticeOf(surface), outline), std::nullopt);
+    std::uint32_t next = 0;
+    for (const DrawnSurface::Cell& cell : surface.cells)
+    {
+        EXPECT_EQ(cell.firstTriangle, next);
+        next += cell.triangles;
+        for (std::uint32_t t = cell.firstTriangle; t < next; ++t)
+            for (const std::uint32_t corner : surface.triangles[t])
+            {
+                const auto& v = surface.vertices[corner];
+                const glm::dvec3 place = glm::dvec3(v[0], v[1], v[2]) * kVertexStep;
+                EXPECT_TRUE(glm::all(glm::greaterThanEqual(place, cell.low)) &&
+                            glm::all(glm::lessThanEqual(place, cell.high)));
+            }
+    }
+    EXPECT_EQ(next, surface.triangles.size());
+}
+
+/// By how much, in metres, a point is farther from the surface than `allowed` times what the target allows at the distance of its triangle.
+double excessOf(const DrawnSurface& surface, const PointCells& points, const FollowTarget& target,
+                double allowed)
+{
+    const SurfaceMesh mesh = latticeOf(surface);
+    std::vector<float> bounds;
+    for (const Triangle& triangle : mesh.triangles)
+    {
+        glm::dvec3 low(1e30), high(-1e30);
+        for (const std::uint32_t corner : triangle)
+        {
+            const SurfacePoint& p = mesh.points[corner];
+            low = glm::min(low, glm::dvec3(10.0 * p.x, 10.0 * p.y, p.height));
+            high = glm::max(high, glm::dvec3(10.0 * p.x, 10.0 * p.y, p.height));
+        }
+        const double distance =
+            glm::length(glm::max(glm::max(low - target.eye, target.eye - high), glm::dvec3(0.0)));
+        bounds.push_back(
+            static_cast<float>(allowed * target.errorPerDistance * std::max(distance, target.nearest)));
+    }
+    return points.greatestExcess(mesh, bounds);
+}
+
+TEST(SurfaceFollower, settledSurfacesAreTriangulationsWithinTheToleranceByBruteForce)
+{
+    const HillsOfTenMetres here;
+    const auto follower = here.follower();
+    const PointCells points(here.mesh.points);
+    const std::vector<OutlineSide> outline = outlineOf(here.mesh);
+    const std::size_t view = follower->addView();
+    double worstOfAThird = -1e30;
+    for (int step = 0; step < 30; ++step)
+    {
+        const FollowTarget target = targetAt(step / 30.0);
+        const auto surface = follower->settle(view, target);
+        expectSound(*surface, outline);
+        EXPECT_LE(excessOf(*surface, points, target, 1.0), 1e-3) << step;
+        worstOfAThird = std::max(worstOfAThird, excessOf(*surface, points, target, 1.0 / 3.0));
+        EXPECT_LT(surface->triangles.size(), here.mesh.triangles.size() / 3);
+        EXPECT_GT(surface->triangles.size(), 100u);
+    }
+    EXPECT_GT(worstOfAThird, 0.1) << "a check that passes with a third of the tolerance checks nothing";
+}
+
+TEST(SurfaceFollower, equalFlightsGiveEqualSurfaces)
+{
+    const HillsOfTenMetres here;
+    const auto one = here.follower(), other = here.follower();
+    one->addView();
+    other->addView();
+    for (int step = 0; step < 20; ++step)
+    {
+        const auto a = one->settle(0, targetAt(step / 20.0)), b = other->settle(0, targetAt(step / 20.0));
+        EXPECT_EQ(a->vertices, b->vertices);
+        EXPECT_EQ(a->triangles, b->triangles);
+    }
+}
+
+TEST(SurfaceFollower, aSurfaceIsThereAtOnceAndDetailFollowsWithoutAHole)
+{
+    const HillsOfTenMetres here;
+    const auto follower = here.follower(20'000'000, 2e6); // slow, so that surfaces between are seen
+    const std::vector<OutlineSide> outline = outlineOf(here.mesh);
+    const std::size_t view = follower->addView();
+    const FollowTarget target = targetAt(0.4);
+    std::vector<std::uint64_t> serials;
+    for (int i = 0; i < 4000; ++i)
+    {
+        const auto surface = follower->follow(view, target);
+        if (serials.empty() || serials.back() != surface->serial)
+        {
+            serials.push_back(surface->serial);
+            expectSound(*surface, outline);
+        }
+        std::this_thread::sleep_for(std::chrono::microseconds(200));
+    }
+    EXPECT_EQ(serials.front(), follower->coarsest()->serial);
+    EXPECT_GT(serials.size(), 3u);
+    const auto direct = here.follower();
+    direct->addView();
+    EXPECT_EQ(follower->settle(view, target)->triangles.size(), direct->settle(0, target)->triangles.size());
+}
+
+TEST(SurfaceFollower, viewsComeAndGoWithinTheMemory)
+{
+    const HillsOfTenMetres here;
+    constexpr std::size_t kMemory = 900'000;
+    const auto follower = here.follower(kMemory);
+    const std::vector<OutlineSide> outline = outlineOf(here.mesh);
+    const std::size_t first = follower->addView();
+    for (int round = 0; round < 6; ++round)
+    {
+        const std::size_t second = follower->addView(), third = follower->addView();
+        for (const std::size_t view : {first, second, third})
+        {
+            expectSound(*follower->settle(view, targetAt(0.1 * round + 0.2 * static_cast<double>(view))),
+                        outline);
+            EXPECT_LE(follower->figures().memoryBytes, kMemory);
+        }
+        follower->removeView(second);
+        follower->removeView(third);
+        follower->settle(first, targetAt(0.15 * round + 0.03));
+        EXPECT_EQ(follower->figures().views, 1u);
+    }
+}
+
+TEST(SurfaceFollower, aDamagedTreeIsCoarserAndNoHole)
+{
+    const HillsOfTenMetres here;
+    std::string bytes = testsupport::bytesOf(here.path);
+    const std::size_t last = MtFile::open(here.path)->info().trees.back().offset + 30;
+    bytes[last] = static_cast<char>(bytes[last] ^ 1);
+    std::ofstream(here.path, std::ios::binary) << bytes;
+    const auto follower = here.follower();
+    follower->addView();
+    for (const double share : {0.1, 0.5, 0.9})
+        expectSound(*follower->settle(0, targetAt(share)), outlineOf(here.mesh));
+    EXPECT_LE(follower->figures().faults.size(), 1u);
+    FollowTarget everywhere = targetAt(0.5);
+    everywhere.errorPerDistance = 0.0;
+    expectSound(*follower->settle(0, everywhere), outlineOf(here.mesh));
+    EXPECT_EQ(follower->figures().faults.size(), 1u);
+}
+
+TEST(SampledSurface, isTheInputWhereTheLatticeIsTheGrid)
+{
+    const HillsOfTenMetres here;
+    const auto sampled = sampleSurface(*MtFile::open(here.path));
+    ASSERT_TRUE(sampled);
+    ASSERT_EQ(sampled->columns, 120);
+    ASSERT_EQ(sampled->rows, 100);
+    EXPECT_EQ(sampled->spacingX, 10.0);
+    for (std::size_t i = 0; i < here.mesh.points.size(); ++i)
+        ASSERT_EQ(sampled->heights[i], static_cast<float>(here.mesh.points[i].height)) << i;
+    EXPECT_EQ(std::ranges::count(sampled->isThere, 1), 120 * 100);
+}
+
+TEST(SampledSurface, isNearTheInputOnACoarserGrid)
+{
+    const HillsOfTenMetres here;
+    const auto sampled = sampleSurface(*MtFile::open(here.path), 41);
+    ASSERT_TRUE(sampled);
+    EXPECT_EQ(sampled->columns, 41);
+    EXPECT_EQ(sampled->rows, 34);
+    for (int row = 0; row < sampled->rows; ++row)
+        for (int column = 0; column < sampled->columns; ++column)
+        {
+            const auto at = [](int i, double pitch, int most)
+            { return std::min(static_cast<int>(std::lround(i * pitch / 10.0)), most); };
+            const std::size_t nearest =
+                at(row, sampled->spacingY, 99) * 120 + at(column, sampled->spacingX, 119);
+            EXPECT_NEAR(sampled->heights[row * 41 + column], here.mesh.points[nearest].height, 12.0);
+        }
+}
+
+} // namespace
+
+} // namespace osgMultiTriangulation::core
