@@ -5,6 +5,7 @@
 
 #include <osgOffscreen/EglContext>
 #include <osgOffscreen/OffscreenContext>
+#include <osgOffscreen/ProcessorDrawing>
 #ifdef OSGTRAINER_WITH_OSMESA
 #include <osgOffscreen/OSMesaContext>
 #endif
@@ -110,13 +111,15 @@ bool OffscreenContext::realizeImplementation()
     if (!makeNativeCurrent()) return fail("could not be made current", "try another backend");
 
     const std::string version = glText(GL_VERSION);
-    const osg::GLExtensions* gl = nullptr;
+    osg::GLExtensions* gl = nullptr;
     if (!version.empty()) gl = osg::GLExtensions::Get(getState()->getContextID(), true);
     bool drawable = false;
     foundation::Outcome recent = foundation::success();
     if (gl)
     {
-        _rendererName = glText(GL_RENDERER) + " | " + version;
+        const std::string renderer = glText(GL_RENDERER);
+        leaveOutAnisotropy(*gl, renderer);
+        _rendererName = renderer + " | " + version;
         recent = checkOpenGl(version, hasCoreProfile(*gl), _settings.leastOpenGl, placeOf(_settings));
     }
     if (gl && recent)

@@ -10,6 +10,7 @@
 #include <osg/State>
 
 #include <osgOffscreen/OpenGlVersion>
+#include <osgOffscreen/ProcessorDrawing>
 
 namespace trainer
 {
@@ -120,26 +121,36 @@ foundation::Outcome checkScreen(const WindowRequest& request, const Traits& trai
     return foundation::success();
 }
 
-/// Mesa's drivers without a GPU: each sample takes its time.
-bool isDrawnByProcessor(osgViewer::GraphicsWindow& window)
+/// What a window's driver says of itself.
+struct Driver
 {
-    window.makeCurrent();
-    const GLubyte* const renderer = glGetString(GL_RENDERER);
-    const std::string text = renderer ? reinterpret_cast<const char*>(renderer) : "";
-    window.releaseContext();
-    return text.find("llvmpipe") != std::string::npos || text.find("softpipe") != std::string::npos;
+    std::string version;
+    std::string renderer;
+};
+
+std::string glText(GLenum name)
+{
+    const GLubyte* const text = glGetString(name);
+    return text ? reinterpret_cast<const char*>(text) : "";
 }
 
-foundation::Outcome checkGl(osgViewer::GraphicsWindow& window)
+Driver driverOf(osgViewer::GraphicsWindow& window)
 {
     window.makeCurrent();
-    const GLubyte* const version = glGetString(GL_VERSION);
-    const std::string text = version ? reinterpret_cast<const char*>(version) : "";
+    Driver driver{glText(GL_VERSION), glText(GL_RENDERER)};
+    if (!driver.version.empty())
+        osgOffscreen::leaveOutAnisotropy(*osg::GLExtensions::Get(window.getState()->getContextID(), true),
+                                         driver.renderer);
     window.releaseContext();
-    if (text.empty())
+    return driver;
+}
+
+foundation::Outcome checkGl(const std::string& version)
+{
+    if (version.empty())
         return foundation::Error{kPlace, "OpenGL's calls do not reach the window",
                                  "build with OSGTRAINER_WITH_OSMESA=OFF for a vendor's own driver"};
-    return osgOffscreen::checkOpenGl(text, false, osgOffscreen::kEverythingNeeds, kPlace);
+    return osgOffscreen::checkOpenGl(version, false, osgOffscreen::kEverythingNeeds, kPlace);
 }
 
 } // namespace
@@ -153,16 +164,19 @@ foundation::Result<osg::ref_ptr<osgViewer::GraphicsWindow>> openWindow(const Win
     if (request.isFullscreen)
         if (const auto covered = coverScreen(*traits); !covered) return covered.error();
     osg::ref_ptr<osgViewer::GraphicsWindow> window = realizedSoon(*traits);
-    if (window && request.choosesSamples && traits->samples > 1 && isDrawnByProcessor(*window))
+    Driver driver = window ? driverOf(*window) : Driver();
+    if (window && request.choosesSamples && traits->samples > 1 &&
+        osgOffscreen::drawsOnProcessor(driver.renderer))
     {
         traits->samples = traits->sampleBuffers = 0;
         window->close();
         window = realizedSoon(*traits);
+        if (window) driver = driverOf(*window);
     }
     if (!window)
         return foundation::Error{kPlace, "the display has no OpenGL for windows",
                                  "use one with GLX, try --samples 1, or leave --window out"};
-    if (const auto recent = checkGl(*window); !recent) return recent.error();
+    if (const auto recent = checkGl(driver.version); !recent) return recent.error();
     return window;
 }
 

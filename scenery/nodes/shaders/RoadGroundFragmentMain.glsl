@@ -19,7 +19,12 @@ vec3 lentAlbedo(vec3 ground, Grain g, inout GroundKinds kinds)
         kinds.open = mix(kinds.open, vec4(0.0, 1.0, 0.0, 0.0), gravel);
         kinds.other *= 1.0 - gravel;
     }
-    return roadPainted(ground, roadFilters());
+    vec3 painted = roadPainted(ground, roadFilters());
+    // A line lies on the ground's blades and stones: the farther it moves the colour, the less of their relief is left.
+    float bare = 1.0 - min(4.0 * distance(painted, ground), 1.0);
+    kinds.open *= bare;
+    kinds.other *= bare;
+    return painted;
 }
 
 void main()

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <osgOffscreen/ProcessorDrawing>
+
+namespace osgOffscreen
+{
+
+bool drawsOnProcessor(std::string_view renderer)
+{
+    return renderer.find("llvmpipe") != std::string_view::npos ||
+           renderer.find("softpipe") != std::string_view::npos;
+}
+
+void leaveOutAnisotropy(osg::GLExtensions& gl, std::string_view renderer)
+{
+    if (drawsOnProcessor(renderer)) gl.isTextureFilterAnisotropicSupported = false;
+}
+
+} // namespace osgOffscreen
