@@ -93,4 +93,15 @@ foundation::Result<SceneTerrain> makeFlatScene(const std::vector<simulation::Fli
     return SceneTerrain{terrain->get(), *terrain, nullptr};
 }
 
+foundation::Result<SceneTerrain> makeLevelScene(const simulation::Geodetic& middle,
+                                                std::vector<osgTerrainROAM::core::GroundFeature> painted)
+{
+    simulation::FlightTrack there;
+    simulation::TrackFix& fix = there.fixes.emplace_back();
+    fix.latitudeDeg = middle.latitudeDeg;
+    fix.longitudeDeg = middle.longitudeDeg;
+    fix.heightM = middle.heightM;
+    return makeFlatScene({there}, std::move(painted));
+}
+
 } // namespace trainer

@@ -39,14 +39,9 @@ foundation::Result<SceneTerrain> openWorld(const FlyRequest& request)
     const std::filesystem::path& world = request.play.terrain.file;
     if (!world.empty()) return openElevation(world, request.play.terrain);
     if (request.isHeadless) return SceneTerrain{};
-    simulation::FlightTrack middle;
-    middle.fixes.push_back({});
-    middle.fixes.back().latitudeDeg = 46.0;
-    middle.fixes.back().longitudeDeg = 8.0;
-    middle.fixes.back().heightM = 0.0;
     std::vector<osgTerrainROAM::core::GroundFeature> painted;
     if (request.play.terrain.strip) painted.push_back(paintedStrip(*request.play.terrain.strip));
-    return makeFlatScene({middle}, std::move(painted));
+    return makeLevelScene({46.0, 8.0, 0.0}, std::move(painted));
 }
 
 } // namespace

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <optional>
 
+#include "ScenarioPlace.h"
 #include "ScenarioProblems.h"
 #include "simulation/control/scenario/ScenarioMotions.h"
 #include "simulation/parser/ParseScenario.h"
@@ -18,32 +19,6 @@ namespace trainer
 namespace
 {
 
-std::optional<simulation::Geodetic> placeOf(const simulation::Position& position)
-{
-    const auto* geo = std::get_if<simulation::GeoPosition>(&position);
-    if (!geo) return std::nullopt;
-    return simulation::Geodetic{geo->latitudeDeg, geo->longitudeDeg, 0.0};
-}
-
-std::optional<simulation::Geodetic> placeOf(const simulation::PrivateAction& action)
-{
-    if (const auto* teleport = std::get_if<simulation::TeleportAction>(&action))
-        return placeOf(teleport->position);
-    const auto* follow = std::get_if<simulation::FollowTrajectoryAction>(&action);
-    const auto* polyline = follow ? std::get_if<simulation::Polyline>(&follow->trajectory.shape) : nullptr;
-    if (!polyline || polyline->vertices.empty()) return std::nullopt;
-    return placeOf(polyline->vertices.front().position);
-}
-
-/// Without terrain the origin of the scene is the first place on earth in Init, at height 0.
-std::optional<simulation::Geodetic> originOf(const simulation::Scenario& scenario)
-{
-    for (const simulation::InitPrivate& initial : scenario.storyboard.init.privates)
-        for (const simulation::PrivateAction& action : initial.actions)
-            if (const auto place = placeOf(action)) return place;
-    return std::nullopt;
-}
-
 foundation::Result<std::unique_ptr<simulation::ScenarioPlayer>> openPlayer(simulation::Scenario scenario,
                                                                            const HeadlessRequest& request)
 {
@@ -54,7 +29,7 @@ foundation::Result<std::unique_ptr<simulation::ScenarioPlayer>> openPlayer(simul
     if (!roads) return roads.error();
     options.roads = std::move(*roads);
     if (options.roads) options.projection = simulation::projectionOf(*options.roads);
-    if (!options.roads) options.origin = originOf(scenario);
+    if (!options.roads) options.origin = placeOnEarth(scenario);
     options.clock = simulation::FixedClock::forStep(request.stepS);
     options.scenarioName = request.scenario.string();
     options.seed = request.seed;

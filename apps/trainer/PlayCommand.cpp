@@ -7,9 +7,9 @@
 
 #include "PlaySession.h"
 #include "ScenarioProblems.h"
+#include "ScenarioStage.h"
 #include "SceneTour.h"
 #include "simulation/parser/ParseScenario.h"
-#include "simulation/road/ScenarioRoads.h"
 #include "simulation/writer/WriteScenario.h"
 #include "terminal/Terminal.h"
 #include "view/HtmlReport.h"
@@ -35,29 +35,6 @@ foundation::Outcome checkResultPlaces(const PlayRequest& request)
     for (const auto& file : files)
         if (const auto writable = foundation::checkWritable(file); !writable) return writable;
     return foundation::success();
-}
-
-/// A SceneGraphFile that is there comes before the LogicFile: storyboards of other programs often name models that are not kept.
-foundation::Result<std::filesystem::path> sceneFileOf(const simulation::Scenario& scenario,
-                                                      const PlayRequest& request)
-{
-    if (!request.terrain.file.empty()) return request.terrain.file;
-    const simulation::RoadNetwork& network = scenario.roadNetwork;
-    const bool namesScene = !network.sceneGraphFile.empty(), namesRoads = !network.logicFile.empty();
-    if (!namesScene && !namesRoads)
-        return foundation::Error{request.scenario.string(),
-                                 "RoadNetwork names neither SceneGraphFile nor LogicFile",
-                                 "add one, or give --terrain FILE"};
-    const std::filesystem::path folder = request.scenario.parent_path();
-    const std::filesystem::path scene = folder / network.sceneGraphFile;
-    std::error_code ignored;
-    if (namesScene && (!namesRoads || std::filesystem::exists(scene, ignored))) return scene;
-    if (namesScene)
-        std::cout << "note: " << network.sceneGraphFile
-                  << " is not there; the roads are shown on ground of their own\n";
-    const std::filesystem::path roads = simulation::roadsFile(scenario, folder);
-    return roads.empty() ? folder / network.logicFile
-                         : roads; // one that is not there is told when it is opened
 }
 
 foundation::Outcome saveScenario(const simulation::Scenario& scenario, const std::filesystem::path& file)
@@ -146,11 +123,7 @@ foundation::Outcome play(const PlayRequest& request)
         simulation::readScenario(request.scenario, {.tolerant = true, .parameters = request.parameters});
     if (!parsed) return parsed.error();
     if (const auto sound = tellProblems(parsed->problems); !sound) return sound;
-    const auto file = sceneFileOf(parsed->scenario, request);
-    if (!file) return file.error();
-    TerrainRequest scene = request.terrain;
-    scene.inRoadsFrame = true;
-    auto terrain = openScene(*file, scene);
+    auto terrain = openStage(parsed->scenario, request);
     if (!terrain) return terrain.error();
     const simulation::SceneFrame frame(terrain->origin(), terrain->ground());
     if (const auto laid = tellRecordings(parsed->scenario, {request.scenario, &frame}); !laid) return laid;

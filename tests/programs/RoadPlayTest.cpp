@@ -52,4 +52,24 @@ TEST(RoadPlay, ShowsTheRoadsOfAScenarioWhereItsPositionsAre)
     EXPECT_GT(greenBefore(place, "beside", R"(<WorldPosition x="31050" y="-17060"/>)"), 8);
 }
 
+TEST(RoadPlay, LaysLevelGroundWhereTheTownIsNotThere)
+{
+    const Workplace place;
+    const std::string scenario = place.write("town.xosc", carAt(R"(<WorldPosition x="40" y="-7" z="12"/>)"));
+    for (const char* eye : {"above", "driver"})
+    {
+        const std::string folder = place.path(eye);
+        const ProgramRun run = runTrainer({"play", scenario, "--frames", "1", "--size", "64x36", "--eye", eye,
+                                           "--interior", "off", "--capture", folder});
+        EXPECT_TRUE(succeeds(run));
+        EXPECT_NE(run.output.find("the LogicFile road.xodr is not there; entities move over level ground"),
+                  std::string::npos)
+            << run.output;
+        const auto picture = osgOffscreen::readPng(folder + "/frame_00000.png");
+        ASSERT_TRUE(picture);
+        const unsigned char* pixel = (*picture)->data(4, 4);
+        EXPECT_GT(pixel[1], pixel[2] + 8) << "no ground from " << eye;
+    }
+}
+
 } // namespace

@@ -13,7 +13,7 @@ void main()
     float shownAlpha = pmAlpha();
     vec3 normal = normalize(normalWorld);
     if (!gl_FrontFacing) normal = -normal;
-    vec4 texel = texture(objectTexture, textureAt);
+    vec4 texel = texture(objectTexture, textureAt, -0.75); // scales stay legible where there is no anisotropic filter
     vec4 paint = colour * texel;
     if (objectTintMask > 0.0) paint = vec4(mix(texel.rgb, paint.rgb, texel.a), 1.0);
     vec3 albedo = paint.rgb * paint.rgb; // the inverse of displayColour's gamma

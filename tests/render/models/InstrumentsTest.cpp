@@ -139,9 +139,13 @@ std::pair<double, double> horizonPx(InteriorStudio& studio, double pitchDeg)
     const glm::dvec3 on = models::attitudeTurn(pitchDeg, 0.0) * glm::dvec4(0.0, 0.0, radiusM, 0.0);
     const glm::dvec2 wanted = studio.pixelOf(dialAt + glm::dvec3(-(on.z + capM - radiusM), -on.x, on.y));
     const int x = static_cast<int>(wanted.x);
+    const auto isBrown = [&](int y)
+    {
+        const osg::Vec4 colour = image->getColor(x + 12, y);
+        return colour.r() > colour.b() + 0.1F;
+    };
     for (int y = static_cast<int>(wanted.y) + 20; y > static_cast<int>(wanted.y) - 20; --y)
-        if (const osg::Vec4 colour = image->getColor(x + 12, y); colour.r() > colour.b() + 0.1F)
-            return {y + 1.0, wanted.y};
+        if (isBrown(y) && isBrown(y - 5)) return {y + 1.0, wanted.y}; // a cream pitch line is 3 px wide
     return {-1.0, wanted.y};
 }
 
