@@ -6,6 +6,7 @@
 
 #include <osg/Geode>
 
+#include "scenery/nodes/LampQuads.h"
 #include "scenery/nodes/RoadLamps.h"
 
 namespace scenery
@@ -13,8 +14,6 @@ namespace scenery
 
 namespace
 {
-
-constexpr std::size_t kCorners = 4; ///< of a lamp
 
 /// Returns the light of a lamp, linear: 1 is about that of a white wall in the sun.
 osg::Vec4f lightOf(models::EntityLamp::Kind kind)
@@ -103,32 +102,15 @@ models::LitLamps usualLamps(const simulation::EntityState& state, bool isDark, d
 EntityLamps::EntityLamps(std::vector<models::EntityLamp> lamps) : _lamps(std::move(lamps))
 {
     if (_lamps.empty()) return;
-    const osg::ref_ptr<osg::Vec3Array> corners = new osg::Vec3Array, normals = new osg::Vec3Array;
-    const osg::ref_ptr<osg::DrawElementsUShort> faces = new osg::DrawElementsUShort(GL_TRIANGLES);
-    for (const models::EntityLamp& lamp : _lamps)
-    {
-        const double ahead = lamp.looksAhead ? 1.0 : -1.0;
-        const auto first = static_cast<GLushort>(corners->size());
-        for (const auto& [across, up] : {std::pair{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}})
+    const osg::ref_ptr<osg::Geometry> geometry = makeLampQuads(
+        _lamps, *_colours,
+        [](const models::EntityLamp& lamp, float across, float up)
         {
-            const osg::Vec3d at(lamp.middle.x + ahead * across * lamp.sweepM,
-                                lamp.middle.y + ahead * across * lamp.widthM,
-                                lamp.middle.z + up * lamp.heightM);
-            corners->push_back(osg::Vec3f(at));
-            normals->push_back(osg::Vec3f(static_cast<float>(ahead), 0.0F, 0.0F));
-            _colours->push_back({});
-        }
-        for (const int corner : {0, 1, 2, 0, 2, 3})
-            faces->push_back(static_cast<GLushort>(first + corner));
-    }
-    const osg::ref_ptr<osg::Geometry> geometry = new osg::Geometry;
-    geometry->setDataVariance(osg::Object::DYNAMIC);
-    geometry->setUseDisplayList(false);
-    geometry->setUseVertexBufferObjects(true);
-    geometry->setVertexArray(corners);
-    geometry->setNormalArray(normals, osg::Array::BIND_PER_VERTEX);
-    geometry->setColorArray(_colours, osg::Array::BIND_PER_VERTEX);
-    geometry->addPrimitiveSet(faces);
+            const double ahead = lamp.looksAhead ? 1.0 : -1.0, aside = 0.5 * ahead * across;
+            const osg::Vec3d at(lamp.middle.x + aside * lamp.sweepM, lamp.middle.y + aside * lamp.widthM,
+                                lamp.middle.z + 0.5 * up * lamp.heightM);
+            return LampCorner{osg::Vec3f(at), {static_cast<float>(ahead), 0.0F, 0.0F}};
+        });
     const osg::ref_ptr<osg::Geode> geode = new osg::Geode;
     geode->addDrawable(geometry);
     geode->getOrCreateStateSet()->setAttributeAndModes(makeRoadLampProgram());
@@ -150,8 +132,8 @@ void EntityLamps::light(const models::LitLamps& lit)
         const bool isLit = lit[static_cast<std::size_t>(_lamps[i].kind)];
         isAnyLit = isAnyLit || isLit;
         if (isLit) glows[i] = glowOf(_lamps[i]);
-        for (std::size_t corner = 0; corner < kCorners; ++corner)
-            (*_colours)[kCorners * i + corner] = isLit ? lightOf(_lamps[i].kind) : osg::Vec4f();
+        for (std::size_t corner = 0; corner < kLampCorners.size(); ++corner)
+            (*_colours)[kLampCorners.size() * i + corner] = isLit ? lightOf(_lamps[i].kind) : osg::Vec4f();
     }
     _colours->dirty();
     _glow->light(glows);

@@ -12,13 +12,13 @@
 #include <osgTerrainROAM/Atmosphere>
 #include <shaders/scenery.h>
 
+#include "scenery/nodes/LampQuads.h"
+
 namespace scenery
 {
 
 namespace
 {
-
-constexpr std::size_t kGlowCorners = 4;
 
 /// Half the width of the glow of a lamp: some times its lens.
 float glowM(const models::EntityLamp& lamp)
@@ -72,45 +72,36 @@ osg::ref_ptr<osg::Program> makeLampGlowProgram()
 
 LampGlow::LampGlow(const std::vector<models::EntityLamp>& lamps)
 {
-    const osg::ref_ptr<osg::Vec3Array> middles = new osg::Vec3Array, normals = new osg::Vec3Array,
-                                       across = new osg::Vec3Array;
-    const osg::ref_ptr<osg::DrawElementsUShort> faces = new osg::DrawElementsUShort(GL_TRIANGLES);
+    const osg::ref_ptr<osg::Vec3Array> across = new osg::Vec3Array;
     for (const models::EntityLamp& lamp : lamps)
     {
         _edges.push_back(
             lamp.halfAngleRad >= std::numbers::pi ? -1.0F : static_cast<float>(std::cos(lamp.halfAngleRad)));
-        const auto first = static_cast<GLushort>(middles->size());
-        for (const auto& [x, y] : {std::pair{-1.0F, -1.0F}, {1.0F, -1.0F}, {1.0F, 1.0F}, {-1.0F, 1.0F}})
-        {
-            middles->push_back(osg::Vec3f(osg::Vec3d(lamp.middle.x, lamp.middle.y, lamp.middle.z)));
-            normals->push_back(middleOfLight(lamp));
+        for (const auto& [x, y] : kLampCorners)
             across->push_back({x, y, glowM(lamp)});
-            _colours->push_back({0.0F, 0.0F, 0.0F, _edges.back()});
-        }
-        for (const int corner : {0, 1, 2, 0, 2, 3})
-            faces->push_back(static_cast<GLushort>(first + corner));
     }
-    const osg::ref_ptr<osg::Geometry> geometry = new osg::Geometry;
-    geometry->setDataVariance(osg::Object::DYNAMIC);
-    geometry->setUseDisplayList(false);
-    geometry->setUseVertexBufferObjects(true);
-    geometry->setVertexArray(middles);
-    geometry->setNormalArray(normals, osg::Array::BIND_PER_VERTEX);
+    // The shader spreads the corners, which all lie in the lamp's middle.
+    const osg::ref_ptr<osg::Geometry> geometry = makeLampQuads(
+        lamps, *_colours,
+        [](const models::EntityLamp& lamp, float, float)
+        {
+            return LampCorner{osg::Vec3f(osg::Vec3d(lamp.middle.x, lamp.middle.y, lamp.middle.z)),
+                              middleOfLight(lamp)};
+        });
     geometry->setTexCoordArray(0, across, osg::Array::BIND_PER_VERTEX);
-    geometry->setColorArray(_colours, osg::Array::BIND_PER_VERTEX);
-    geometry->addPrimitiveSet(faces);
     geometry->setComputeBoundingBoxCallback(new GlowBound);
     const osg::ref_ptr<osg::Geode> geode = new osg::Geode;
     geode->addDrawable(geometry);
     geode->setStateSet(glowState());
     _node = geode;
+    light(std::vector<osg::Vec3f>(lamps.size()));
 }
 
 void LampGlow::light(const std::vector<osg::Vec3f>& lights)
 {
     for (std::size_t i = 0; i < lights.size(); ++i)
-        for (std::size_t corner = 0; corner < kGlowCorners; ++corner)
-            (*_colours)[kGlowCorners * i + corner] = osg::Vec4f(lights[i], _edges[i]);
+        for (std::size_t corner = 0; corner < kLampCorners.size(); ++corner)
+            (*_colours)[kLampCorners.size() * i + corner] = osg::Vec4f(lights[i], _edges[i]);
     _colours->dirty();
 }
 

@@ -33,10 +33,10 @@ protected:
             path("") + " --record-inputs " + path("in.txt") + " --csv_logger " + path("in.csv") +
             " --size 240x136 --samples 1 " + more + " --window & p=$!; shot() { n=0; while [ ! -s " +
             path("picture-") +
-            "$1.png ] && [ $n -lt 600 ]; do n=$((n+1)); sleep 0.1; done; sleep 0.3; }; "
+            "$1.png ] && [ $n -lt 2400 ]; do n=$((n+1)); sleep 0.1; done; sleep 0.3; }; "
             "shot 1; w=$(xdotool search --onlyvisible --name '^trainer$' | head -n 1); " +
             deeds + "; wait $p";
-        return runProgram({kOnDisplay, "--", "sh", "-c", line}, 150.0);
+        return runProgram({kOnDisplay, "--", "sh", "-c", line}, 400.0);
     }
 
     std::string path(const std::string& name) const { return place.path(name); }

@@ -26,8 +26,11 @@ void PictureTaker::operator()(osg::RenderInfo& renderInfo) const
         file = _folder / ("picture-" + std::to_string(++_count) + ".png");
     while (std::filesystem::exists(file) && _count < 10'000);
     const osg::ref_ptr<osg::Image> image = new osg::Image;
+    const osg::GLExtensions& gl = *renderInfo.getState()->get<osg::GLExtensions>();
+    if (_buffer) _buffer->buffer().bindForReading(gl);
     image->readPixels(0, 0, static_cast<int>(viewport->width()), static_cast<int>(viewport->height()), GL_RGB,
                       GL_UNSIGNED_BYTE);
+    if (_buffer) _buffer->buffer().bindForDrawing(gl);
     std::error_code ignored;
     std::filesystem::create_directories(_folder, ignored);
     _note = osgDB::writeImageFile(*image, file.string()) ? "picture: " + file.string()

@@ -8,6 +8,8 @@
 
 #include <osg/Camera>
 
+#include "window/WindowBuffer.h"
+
 namespace trainer
 {
 
@@ -21,6 +23,9 @@ public:
     /// The next picture that is drawn is written.
     void ask() { _isAsked = true; }
 
+    /// Where the cameras draw; null: into the window.
+    void readFrom(osg::ref_ptr<WindowBuffer> buffer) { _buffer = std::move(buffer); }
+
     /// What became of the last one, once: its file, or why there is none.
     std::optional<std::string> takeNote();
 
@@ -28,6 +33,7 @@ public:
 
 private:
     std::filesystem::path _folder;
+    osg::ref_ptr<WindowBuffer> _buffer;
     mutable std::mutex _mutex; ///< for what follows
     mutable bool _isAsked = false;
     mutable int _count = 0;

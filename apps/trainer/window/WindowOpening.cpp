@@ -110,6 +110,8 @@ foundation::Outcome WindowSession::openPictures()
     auto capture = osgOffscreen::FrameCapture::begin(_window, _request.output.captureFolder);
     if (!capture) return capture.error();
     _capture = std::move(*capture);
+    _buffer = WindowBuffer::begin(*_window, static_cast<int>(traits.samples));
+    _pictures->readFrom(_buffer);
     return foundation::success();
 }
 

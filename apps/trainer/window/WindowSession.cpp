@@ -35,6 +35,7 @@ void WindowSession::injectEvents(double wallS)
 /// The size of the window may change at any time.
 void WindowSession::fitToWindow()
 {
+    if (_buffer) _buffer->fit();
     const int width = std::max(_window->getTraits()->width, 16);
     const int height = std::max(_window->getTraits()->height, 16);
     const bool isInterior = _interior && _interior->view().isShown();
@@ -159,6 +160,8 @@ foundation::Outcome WindowSession::run()
 void WindowSession::finishCapture()
 {
     if (!_capture) return;
+    if (_buffer) _buffer->release();
+    _pictures->readFrom(_buffer = nullptr);
     if (const auto captured = _capture->finish(); !captured && _failed) _failed = captured.error();
     _capture.reset();
 }

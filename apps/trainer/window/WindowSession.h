@@ -24,6 +24,7 @@
 #include "window/SeatCamera.h"
 #include "window/SeatTexts.h"
 #include "window/SeatViewer.h"
+#include "window/WindowBuffer.h"
 #include "window/WindowLoss.h"
 #include "window/WindowWatch.h"
 
@@ -104,6 +105,7 @@ private:
     std::optional<bool> _isHudWanted;      ///< absent: where no instruments of a cockpit are seen
     osg::ref_ptr<PictureTaker> _pictures;
     std::unique_ptr<osgOffscreen::FrameCapture> _capture;
+    osg::ref_ptr<WindowBuffer> _buffer; ///< of captured pictures, that they are those without a window
     std::unique_ptr<WindowWatch> _watch;
     std::unique_ptr<InjectedEvents> _injected;
     std::chrono::steady_clock::time_point _begun;
