@@ -12,7 +12,7 @@ void addMtBuild(CLI::App& app, std::filesystem::path& jsonFile, Command& command
     CLI::App* sub = app.add_subcommand("mt-build", "build a multi-triangulation, a .mt file");
     const auto request = std::make_shared<MtBuildRequest>();
     request->options.jobs = std::max(1u, std::thread::hardware_concurrency());
-    sub->add_option("INPUT", request->inputs, "rasters, or files of points")->required();
+    sub->add_option("INPUT", request->inputs, "rasters, files of points, or a TIN")->required();
     sub->add_option("-o,--output", request->output, "the file to write")
         ->required()
         ->check(terminal::extension(".mt"));
@@ -43,6 +43,24 @@ void addMtBench(CLI::App& app, std::filesystem::path& jsonFile, Command& command
         ->check(CLI::Range(1u, 1'000'000u));
     sub->add_option("--json", jsonFile, "also write the table to this file");
     sub->callback([request, &command] { command = [request](const Request&) { return benchMt(*request); }; });
+}
+
+void addMtFly(CLI::App& app, std::filesystem::path& jsonFile, Command& command)
+{
+    CLI::App* sub = app.add_subcommand("mt-fly", "fly over a .mt file without drawing, in real time");
+    const auto request = std::make_shared<MtFlyRequest>();
+    sub->add_option("FILE", request->file, "the .mt file")->required()->check(CLI::ExistingFile);
+    sub->add_option("--speed", request->speedMps, "m/s (100)")->check(terminal::between(0.0, 10000.0));
+    sub->add_option("--above", request->aboveM, "metres above ground (100)")
+        ->check(terminal::between(1.0, 1e5));
+    sub->add_option("--seconds", request->seconds, "length (60)")->check(terminal::between(1.0, 36000.0));
+    sub->add_option("--memory", request->memoryMb, "MB for trees (64)")->check(terminal::between(1.0, 1e7));
+    sub->add_option("--rate", request->megabytesPerS, "MB/s of the disk (50)")
+        ->check(terminal::between(0.0, 1e5));
+    sub->add_option("--tolerance", request->tolerancePx, "pixels (2)")
+        ->check(terminal::between(0.01, 1000.0));
+    sub->add_option("--json", jsonFile, "also write the table to this file");
+    sub->callback([request, &command] { command = [request](const Request&) { return flyMt(*request); }; });
 }
 
 } // namespace terraintool

@@ -10,8 +10,9 @@
 namespace terraintool
 {
 
-/// Declares `mt-build` and `mt-bench`. When one is asked for, `command` does it.
+/// Declares `mt-build`, `mt-bench` and `mt-fly`. When one is asked for, `command` does it.
 void addMtBuild(CLI::App& app, std::filesystem::path& jsonFile, Command& command);
 void addMtBench(CLI::App& app, std::filesystem::path& jsonFile, Command& command);
+void addMtFly(CLI::App& app, std::filesystem::path& jsonFile, Command& command);
 
 } // namespace terraintool

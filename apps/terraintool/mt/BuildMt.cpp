@@ -9,6 +9,7 @@
 #include <osgMultiTriangulation/core/file/BuildMtFile.h>
 #include <osgMultiTriangulation/core/input/Delaunay.h>
 #include <osgMultiTriangulation/core/input/PointSet.h>
+#include <osgMultiTriangulation/core/input/TinFile.h>
 #include <osgMultiTriangulation/core/surface/DropPoints.h>
 #include <osgMultiTriangulation/core/surface/GridSurface.h>
 
@@ -54,6 +55,12 @@ bool isPointFile(const std::filesystem::path& file)
     return extension == ".csv" || extension == ".xyz" || extension == ".txt";
 }
 
+/// Tells by how much places have been moved, where that is more than a thousandth of a step.
+void tellRounding(double mostMoved, const PlanFrame& frame)
+{
+    if (mostMoved > 1e-3 * frame.stepX) std::cout << "places are rounded by up to " << mostMoved << '\n';
+}
+
 foundation::Result<PlacedSurface> readPoints(const MtBuildRequest& request)
 {
     std::vector<MeasuredPoint> points;
@@ -65,18 +72,31 @@ foundation::Result<PlacedSurface> readPoints(const MtBuildRequest& request)
     }
     PlacedPoints placed = placeOnLattice(points);
     if (placed.repeated > 0) std::cout << placed.repeated << " points at the place of another are left out\n";
-    if (placed.mostMoved > 1e-3 * placed.frame.stepX)
-        std::cout << "places are rounded by up to " << placed.mostMoved << '\n';
+    tellRounding(placed.mostMoved, placed.frame);
     return PlacedSurface{delaunay(std::move(placed.points)), placed.frame};
+}
+
+foundation::Result<PlacedSurface> readTin(const MtBuildRequest& request)
+{
+    if (request.inputs.size() > 1)
+        return foundation::Error{request.inputs[1].string(), "is one surface too many",
+                                 "give one file of triangles"};
+    const auto tin = readTinFile(request.inputs[0]);
+    if (!tin) return tin.error();
+    auto placed = placeTin(*tin, request.inputs[0].string());
+    if (!placed) return placed.error();
+    tellRounding(placed->mostMoved, placed->frame);
+    return PlacedSurface{std::move(placed->mesh), placed->frame};
 }
 
 foundation::Result<PlacedSurface> readSurface(const MtBuildRequest& request)
 {
+    if (isTinFile(request.inputs[0])) return readTin(request);
     const bool arePoints = isPointFile(request.inputs[0]);
     for (const std::filesystem::path& input : request.inputs)
         if (isPointFile(input) != arePoints)
             return foundation::Error{input.string(), "stands among inputs of another kind",
-                                     "give rasters, or files of points"};
+                                     "give rasters, files of points, or one file of triangles"};
     return arePoints ? readPoints(request) : readRasters(request);
 }
 

@@ -31,10 +31,25 @@ struct MtBenchRequest
     osgMultiTriangulation::core::ForestOptions options;
 };
 
+/// What the command line of mt-fly asks for.
+struct MtFlyRequest
+{
+    std::filesystem::path file;
+    double speedMps = 100.0, aboveM = 100.0, seconds = 60.0;
+    double memoryMb = 64.0;      ///< that trees may take
+    double megabytesPerS = 50.0; ///< reading is slowed down to this; 0: it is not
+    double tolerancePx = 2.0;
+    int widthPx = 1280; ///< of the picture, which is 60 degrees wide
+};
+
+/// Flies over a .mt file in real time, 60 frames a second, without drawing: measures how long frames wait, and checks surfaces for holes.
+foundation::Result<terminal::Report> flyMt(const MtFlyRequest& request);
+
 /// Builds made-up points of four distributions, and fits how time and borders grow with their number.
 foundation::Result<terminal::Report> benchMt(const MtBenchRequest& request);
 
-/// Builds a split multi-triangulation from elevation rasters, or from files of points (.csv, .xyz, .txt).
+/// Builds a split multi-triangulation from elevation rasters, from files of points (.csv, .xyz, .txt), or from a file of triangles (.obj, .ply,
+/// .terrain).
 foundation::Result<terminal::Report> buildMt(const MtBuildRequest& request);
 
 /// Checks a .mt file: every tree by itself, how they hang together, and a flight over all that is whole.

@@ -35,7 +35,8 @@ MtAnswer MtViewTable::answer(const MtRequest& request, bool waits)
         if (const Group* main = groupOf(request.mainCamera); main && main->surface)
             return {main->surface, main->buffers};
     Group& group = groupFor(request);
-    const bool isFirst = group.frame != request.frame || !group.surface;
+    const bool isFirst = group.frame != request.frame || !group.surface || group.hasMoved;
+    group.hasMoved = false;
     const core::FollowTarget before = isFirst ? core::FollowTarget() : strictest(group);
     for (const auto& other : _groups)
         std::erase_if(other->members, [&](const Member& m) { return m.identity == request.camera; });
@@ -43,7 +44,11 @@ MtAnswer MtViewTable::answer(const MtRequest& request, bool waits)
     group.frame = request.frame;
     const core::FollowTarget target = strictest(group);
     if (isFirst || (waits && target != before))
-        group.surface = waits ? _follower->settle(group.view, target) : _follower->follow(group.view, target);
+    {
+        auto newest = waits ? _follower->settle(group.view, target) : _follower->follow(group.view, target);
+        if (newest) group.surface = std::move(newest);
+        if (!group.surface) group.surface = _follower->coarsest();
+    }
     group.stallUs =
         std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - began).count();
     _latest = group.surface;
@@ -64,7 +69,7 @@ MtViewTable::Group& MtViewTable::groupFor(const MtRequest& request)
     if (own && (own->frame != request.frame || own->members.size() == 1))
     {
         own->eye = eye;
-        own->surface = nullptr;
+        own->hasMoved = true;
         return *own;
     }
     Group& fresh = *_groups.emplace_back(std::make_unique<Group>());

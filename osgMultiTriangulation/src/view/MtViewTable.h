@@ -68,6 +68,7 @@ private:
         unsigned int frame = 0; ///< last asked in, by a camera of its own
         std::vector<Member> members;
         std::shared_ptr<const core::DrawnSurface> surface; ///< of that frame
+        bool hasMoved = false;                             ///< since it was taken
         std::shared_ptr<MtBuffers> buffers;
         double stallUs = 0.0;
 

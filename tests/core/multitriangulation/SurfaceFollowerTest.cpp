@@ -9,6 +9,7 @@
 #include <osgMultiTriangulation/core/check/ErrorCheck.h>
 #include <osgMultiTriangulation/core/check/SurfaceCheck.h>
 #include <osgMultiTriangulation/core/file/BuildMtFile.h>
+#include <osgMultiTriangulation/core/follow/DrawnSurfaceCheck.h>
 #include <osgMultiTriangulation/core/follow/SampledSurface.h>
 #include <osgMultiTriangulation/core/follow/SurfaceFollower.h>
 
@@ -56,50 +57,17 @@ FollowTarget targetAt(double share)
         {1190.0 * share, 900.0 * (1.0 - share), 90.0 + 50.0 * std::sin(9.0 * share)}, kErrorPerDistance, 1.0};
 }
 
-/// A drawn surface as a mesh on the lattice.
-SurfaceMesh latticeOf(const DrawnSurface& surface)
+void expectSound(const DrawnSurface& surface, const SurfaceFollower& follower,
+                 const std::vector<OutlineSide>& outline)
 {
-    SurfaceMesh mesh;
-    for (const DrawnSurface::Vertex& v : surface.vertices)
-        mesh.points.push_back({static_cast<std::int32_t>(std::lround(v[0] * kVertexStep / 10.0)),
-                               static_cast<std::int32_t>(std::lround(v[1] * kVertexStep / 10.0)),
-                               v[2] * kVertexStep});
-    mesh.triangles = surface.triangles;
-    // A point is a vertex of each tree that has it.
-    std::map<std::pair<int, int>, std::uint32_t> numbers;
-    for (Triangle& triangle : mesh.triangles)
-        for (std::uint32_t& corner : triangle)
-            corner =
-                numbers.try_emplace({mesh.points[corner].x, mesh.points[corner].y}, corner).first->second;
-    return mesh;
-}
-
-/// Checks that a surface is a triangulation of everything, in cells that have each triangle once and within their boxes.
-void expectSound(const DrawnSurface& surface, const std::vector<OutlineSide>& outline)
-{
-    EXPECT_EQ(checkSurface(latticeOf(surface), outline), std::nullopt);
-    std::uint32_t next = 0;
-    for (const DrawnSurface::Cell& cell : surface.cells)
-    {
-        EXPECT_EQ(cell.firstTriangle, next);
-        next += cell.triangles;
-        for (std::uint32_t t = cell.firstTriangle; t < next; ++t)
-            for (const std::uint32_t corner : surface.triangles[t])
-            {
-                const auto& v = surface.vertices[corner];
-                const glm::dvec3 place = glm::dvec3(v[0], v[1], v[2]) * kVertexStep;
-                EXPECT_TRUE(glm::all(glm::greaterThanEqual(place, cell.low)) &&
-                            glm::all(glm::lessThanEqual(place, cell.high)));
-            }
-    }
-    EXPECT_EQ(next, surface.triangles.size());
+    EXPECT_EQ(checkDrawn(surface, follower.frame(), outline), std::nullopt);
 }
 
 /// By how much, in metres, a point is farther from the surface than `allowed` times what the target allows at the distance of its triangle.
-double excessOf(const DrawnSurface& surface, const PointCells& points, const FollowTarget& target,
-                double allowed)
+double excessOf(const DrawnSurface& surface, const DrawnFrame& frame, const PointCells& points,
+                const FollowTarget& target, double allowed)
 {
-    const SurfaceMesh mesh = latticeOf(surface);
+    const SurfaceMesh mesh = latticeMeshOf(surface, frame);
     std::vector<float> bounds;
     for (const Triangle& triangle : mesh.triangles)
     {
@@ -130,13 +98,38 @@ TEST(SurfaceFollower, settledSurfacesAreTriangulationsWithinTheToleranceByBruteF
     {
         const FollowTarget target = targetAt(step / 30.0);
         const auto surface = follower->settle(view, target);
-        expectSound(*surface, outline);
-        EXPECT_LE(excessOf(*surface, points, target, 1.0), 1e-3) << step;
-        worstOfAThird = std::max(worstOfAThird, excessOf(*surface, points, target, 1.0 / 3.0));
+        expectSound(*surface, *follower, outline);
+        EXPECT_LE(excessOf(*surface, follower->frame(), points, target, 1.0), 1e-3) << step;
+        worstOfAThird =
+            std::max(worstOfAThird, excessOf(*surface, follower->frame(), points, target, 1.0 / 3.0));
+        EXPECT_LE(seenErrorPerDistance(*surface, follower->frame(), target.eye, target.nearest),
+                  1.001 * kErrorPerDistance);
         EXPECT_LT(surface->triangles.size(), here.mesh.triangles.size() / 3);
         EXPECT_GT(surface->triangles.size(), 100u);
     }
     EXPECT_GT(worstOfAThird, 0.1) << "a check that passes with a third of the tolerance checks nothing";
+}
+
+TEST(DrawnSurfaceCheck, findsWhatIsDamaged)
+{
+    const HillsOfTenMetres here;
+    const auto follower = here.follower();
+    const std::vector<OutlineSide> outline = outlineOf(here.mesh);
+    const DrawnSurface sound = *follower->settle(follower->addView(), targetAt(0.5));
+    expectSound(sound, *follower, outline);
+    const auto isFound = [&](const auto& damage)
+    {
+        DrawnSurface surface = sound;
+        damage(surface);
+        return checkDrawn(surface, follower->frame(), outline).has_value();
+    };
+    EXPECT_TRUE(isFound([](DrawnSurface& s) { s.vertices[s.vertices.size() / 2][0] += 40 * 1024; }));
+    EXPECT_TRUE(isFound([](DrawnSurface& s) { s.triangles[7] = s.triangles[8]; }));
+    EXPECT_TRUE(isFound([](DrawnSurface& s) { s.cells[3].high.z = s.cells[3].low.z; }));
+    EXPECT_TRUE(isFound([](DrawnSurface& s) { --s.cells.back().triangles; }));
+    EXPECT_TRUE(isFound([](DrawnSurface& s) { ++s.cells[2].firstTriangle; }));
+    EXPECT_GT(seenErrorPerDistance(sound, follower->frame(), targetAt(0.9).eye, 1.0),
+              1.5 * kErrorPerDistance);
 }
 
 TEST(SurfaceFollower, equalFlightsGiveEqualSurfaces)
@@ -164,10 +157,11 @@ TEST(SurfaceFollower, aSurfaceIsThereAtOnceAndDetailFollowsWithoutAHole)
     for (int i = 0; i < 4000; ++i)
     {
         const auto surface = follower->follow(view, target);
+        if (!surface) continue; // it is just being changed
         if (serials.empty() || serials.back() != surface->serial)
         {
             serials.push_back(surface->serial);
-            expectSound(*surface, outline);
+            expectSound(*surface, *follower, outline);
         }
         std::this_thread::sleep_for(std::chrono::microseconds(200));
     }
@@ -191,7 +185,7 @@ TEST(SurfaceFollower, viewsComeAndGoWithinTheMemory)
         for (const std::size_t view : {first, second, third})
         {
             expectSound(*follower->settle(view, targetAt(0.1 * round + 0.2 * static_cast<double>(view))),
-                        outline);
+                        *follower, outline);
             EXPECT_LE(follower->figures().memoryBytes, kMemory);
         }
         follower->removeView(second);
@@ -211,11 +205,11 @@ TEST(SurfaceFollower, aDamagedTreeIsCoarserAndNoHole)
     const auto follower = here.follower();
     follower->addView();
     for (const double share : {0.1, 0.5, 0.9})
-        expectSound(*follower->settle(0, targetAt(share)), outlineOf(here.mesh));
+        expectSound(*follower->settle(0, targetAt(share)), *follower, outlineOf(here.mesh));
     EXPECT_LE(follower->figures().faults.size(), 1u);
     FollowTarget everywhere = targetAt(0.5);
     everywhere.errorPerDistance = 0.0;
-    expectSound(*follower->settle(0, everywhere), outlineOf(here.mesh));
+    expectSound(*follower->settle(0, everywhere), *follower, outlineOf(here.mesh));
     EXPECT_EQ(follower->figures().faults.size(), 1u);
 }
 

@@ -51,7 +51,7 @@ void SurfaceWriter::write(const Extraction& extraction, DrawnSurface& surface)
     surface.vertices.clear();
     surface.triangles.resize(extraction.active().size());
     surface.cells.clear();
-    surface.greatestError = 0.0f;
+    surface.errors.resize(surface.triangles.size());
     _first.assign(kCells * kCells + 1, 0);
     _cells.clear();
     for (const InTree& at : extraction.active())
@@ -79,7 +79,7 @@ void SurfaceWriter::write(const Extraction& extraction, DrawnSurface& surface)
         {
             const InTree at{surface.triangles[t][0], surface.triangles[t][1]};
             const MultiTriangulation& tree = extraction.part(at.tree);
-            surface.greatestError = std::max(surface.greatestError, tree.errors[at.number]);
+            surface.errors[t] = tree.errors[at.number];
             for (int corner = 0; corner < 3; ++corner)
             {
                 const std::uint32_t vertex =

@@ -71,13 +71,11 @@ void SurfaceFollower::removeView(std::size_t view)
 
 std::shared_ptr<const DrawnSurface> SurfaceFollower::follow(std::size_t view, const FollowTarget& target)
 {
-    std::shared_ptr<const DrawnSurface> newest;
-    bool isNew = false;
-    {
-        const std::lock_guard lock(_mutex);
-        isNew = ask(*_views[view], target);
-        newest = _views[view]->newest;
-    }
+    std::unique_lock lock(_mutex, std::try_to_lock);
+    if (!lock) return nullptr;
+    const bool isNew = ask(*_views[view], target);
+    const std::shared_ptr<const DrawnSurface> newest = _views[view]->newest;
+    lock.unlock();
     if (isNew) _isAsked.notify_one();
     return newest;
 }

@@ -79,10 +79,9 @@ foundation::Result<std::vector<MeasuredPoint>> readPointFile(const std::filesyst
     return points;
 }
 
-PlacedPoints placeOnLattice(std::span<const MeasuredPoint> points)
+PlanFrame latticeFor(std::span<const MeasuredPoint> points)
 {
-    PlacedPoints placed;
-    if (points.empty()) return placed;
+    if (points.empty()) return {};
     MeasuredPoint low = points[0], high = points[0];
     for (const MeasuredPoint& p : points)
         for (int axis = 0; axis < 2; ++axis)
@@ -93,19 +92,33 @@ PlacedPoints placeOnLattice(std::span<const MeasuredPoint> points)
     const double extent = std::max(high[0] - low[0], high[1] - low[1]);
     double perStep = decimalsOf(points);
     if (perStep == 0.0 || extent * perStep > kMostPlan) perStep = extent > 0.0 ? kMostPlan / extent : 1.0;
-    placed.frame = {low[0], low[1], 1.0 / perStep, 1.0 / perStep};
+    return {low[0], low[1], 1.0 / perStep, 1.0 / perStep};
+}
+
+SurfacePoint onLattice(const PlanFrame& frame, const MeasuredPoint& point, double& mostMoved)
+{
+    const double low[2] = {frame.originX, frame.originY}, step[2] = {frame.stepX, frame.stepY};
+    std::int32_t at[2];
+    for (int axis = 0; axis < 2; ++axis)
+    {
+        const double steps = std::round((point[axis] - low[axis]) / step[axis]);
+        at[axis] = static_cast<std::int32_t>(std::clamp(steps, 0.0, double(kMostPlan)));
+        mostMoved = std::max(mostMoved, std::abs(low[axis] + at[axis] * step[axis] - point[axis]));
+    }
+    return {at[0], at[1], point[2]};
+}
+
+PlacedPoints placeOnLattice(std::span<const MeasuredPoint> points)
+{
+    PlacedPoints placed;
+    placed.frame = latticeFor(points);
     std::unordered_set<std::uint64_t> taken;
     taken.reserve(points.size());
     for (const MeasuredPoint& p : points)
     {
-        std::int32_t at[2];
-        for (int axis = 0; axis < 2; ++axis)
-        {
-            at[axis] = static_cast<std::int32_t>(std::lround((p[axis] - low[axis]) * perStep));
-            placed.mostMoved = std::max(placed.mostMoved, std::abs(low[axis] + at[axis] / perStep - p[axis]));
-        }
-        if (taken.insert(std::uint64_t(at[0]) << 32 | std::uint32_t(at[1])).second)
-            placed.points.push_back({at[0], at[1], p[2]});
+        const SurfacePoint point = onLattice(placed.frame, p, placed.mostMoved);
+        if (taken.insert(std::uint64_t(std::uint32_t(point.x)) << 32 | std::uint32_t(point.y)).second)
+            placed.points.push_back(point);
         else
             ++placed.repeated;
     }

@@ -27,9 +27,9 @@ struct DrawnSurface
 
     std::vector<Vertex> vertices;
     std::vector<Triangle> triangles;
-    std::vector<Cell> cells;  ///< with triangles, each of them once
-    std::uint64_t serial = 0; ///< differs between any two that differ
-    float greatestError = 0.0f;
+    std::vector<float> errors; ///< by triangle: bounds its distance from the surface along the vertical
+    std::vector<Cell> cells;   ///< with triangles, each of them once
+    std::uint64_t serial = 0;  ///< differs between any two that differ
 };
 
 /// How points of the lattice become vertices.

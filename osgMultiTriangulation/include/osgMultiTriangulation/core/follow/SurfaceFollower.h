@@ -43,7 +43,7 @@ struct FollowFigures
 /// vertices; who draws takes the surface that is ready.
 /// A surface is always a triangulation of everything. While the eye moves it is one or a few frames old: it was refined for an eye that may
 /// move on by twice as far as it last did meanwhile; where trees are not read yet it is coarser.
-/// Threads: any. Nobody but settle() waits for the disk or for refinement.
+/// Threads: any. Only settle() waits for the disk or for refinement.
 class SurfaceFollower
 {
 public:
@@ -58,7 +58,8 @@ public:
     std::size_t addView();
     void removeView(std::size_t view);
 
-    /// Tells where the eye of a view is, and returns the newest surface of this view.
+    /// Tells where the eye of a view is, and returns the newest surface of this view; null where the thread is just changing it: then the
+    /// caller keeps what it has, and tells the eye the next time. Never waits.
     std::shared_ptr<const DrawnSurface> follow(std::size_t view, const FollowTarget& target);
 
     /// The same, and waits until trees and detail are as the target needs. The same targets give the same surfaces.

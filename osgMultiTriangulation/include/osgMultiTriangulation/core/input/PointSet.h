@@ -32,6 +32,12 @@ struct PlacedPoints
     std::size_t repeated = 0; ///< points left out, at a place that an earlier one has
 };
 
+/// Returns the lattice of placeOnLattice() for points.
+PlanFrame latticeFor(std::span<const MeasuredPoint> points);
+
+/// Puts a point on a lattice. `mostMoved`: raised to the distance of its place from there, along an axis.
+SurfacePoint onLattice(const PlanFrame& frame, const MeasuredPoint& point, double& mostMoved);
+
 /// Puts points on a lattice whose step is a power of ten, 10^-6 or more, of which all coordinates are multiples, when the extent has no
 /// more than 2^26 of them; else the least step that has. Heights stay.
 PlacedPoints placeOnLattice(std::span<const MeasuredPoint> points);
