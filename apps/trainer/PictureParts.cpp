@@ -5,8 +5,6 @@
 
 #include <osg/GL>
 #include <osg/NodeVisitor>
-#include <osgUtil/Statistics>
-#include <osgViewer/Renderer>
 
 #include <osgRoads/RoadDrawable>
 
@@ -41,22 +39,6 @@ void setShown(osg::Node* node, bool isShown)
     if (node) node->setNodeMask(isShown ? ~0U : 0U);
 }
 
-/// The draws and triangles of what was culled last for a camera, with those of the cameras below it.
-void count(osg::Camera& camera, PictureCost& cost)
-{
-    const auto* const renderer = dynamic_cast<osgViewer::Renderer*>(camera.getRenderer());
-    if (!renderer) return;
-    for (unsigned int i = 0; i < 2; ++i)
-    {
-        osgUtil::SceneView* const view = const_cast<osgViewer::Renderer*>(renderer)->getSceneView(i);
-        if (!view || !view->getRenderStage()) continue;
-        osgUtil::Statistics statistics;
-        if (!view->getStats(statistics)) continue;
-        cost.drawables += statistics.numDrawables;
-        return;
-    }
-}
-
 } // namespace
 
 PictureParts::PictureParts(PlayScene& scene, InteriorView* interior, osgViewer::Viewer& viewer,
@@ -65,6 +47,11 @@ PictureParts::PictureParts(PlayScene& scene, InteriorView* interior, osgViewer::
 {
     addParts(scene);
     if (interior) addParts(*interior);
+    for (unsigned int i = 0; i < viewer.getNumSlaves(); ++i)
+    {
+        _counters.push_back(new DrawCounter);
+        viewer.getSlave(i)._camera->setInitialDrawCallback(_counters.back());
+    }
     for (const Part& part : _parts)
         _costs.push_back({part.name, {}});
 }
@@ -78,6 +65,12 @@ void PictureParts::addParts(PlayScene& scene)
     if (scene.scenery)
         _parts.push_back(
             {"scenery", [root = scene.scenery->node.root](bool isShown) { setShown(root, isShown); }});
+    for (const StandingPart& part : scene.terrain.standing)
+        _parts.push_back({part.name, [node = part.node](bool isShown) { setShown(node, isShown); }});
+    _parts.push_back({"entities", [drawn](bool isShown)
+                      {
+                          if (!isShown) drawn->hideEntities();
+                      }});
     if (scene.cover)
         _parts.push_back({"ground cover", [node = scene.cover->node()](bool isShown)
                           { node->setNodeMask(isShown ? osgTerrainROAM::SunShadows::kCastsNone : 0U); }});
@@ -122,8 +115,8 @@ void PictureParts::draw(double timeS)
     }
     cost.processorMs = processorMs() - usedMs;
     cost.wallMs = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
-    for (unsigned int i = 0; i < _viewer.getNumSlaves(); ++i)
-        count(*_viewer.getSlave(i)._camera, cost);
+    for (const auto& counter : _counters)
+        cost.draws += counter->draws();
     _parts[turn].show(true);
     if (_pictures >= _parts.size()) _costs[turn].pictures.push_back(cost);
     ++_pictures;

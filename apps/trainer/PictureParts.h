@@ -8,6 +8,7 @@
 #include <osgViewer/Viewer>
 
 #include "PlayScene.h"
+#include "view/DrawCounts.h"
 #include "view/InteriorView.h"
 #include "view/PartsTable.h"
 
@@ -41,6 +42,7 @@ private:
 
     osgViewer::Viewer& _viewer;
     const std::vector<osg::ref_ptr<osg::GraphicsContext>>& _contexts;
+    std::vector<osg::ref_ptr<DrawCounter>> _counters; ///< of the viewer's cameras
     std::vector<Part> _parts;
     std::vector<PartCosts> _costs; ///< by part
     std::size_t _pictures = 0;

@@ -40,6 +40,15 @@ std::shared_ptr<const simulation::RoadScene> inScene(std::shared_ptr<const simul
     return isSame ? std::make_shared<const simulation::RoadScene>(roadsInScene(*terrain.roads)) : roads;
 }
 
+/// Gives a field a share of its triangles.
+void setBudget(osgPMObjects::ProgressiveField& field, osgPMObjects::core::SceneBudgetSettings budget,
+               double share)
+{
+    if (budget.budget != std::numeric_limits<std::uint64_t>::max())
+        budget.budget = static_cast<std::uint64_t>(share * static_cast<double>(budget.budget));
+    (void)field.setBudget(budget); // valid, as the whole one is
+}
+
 } // namespace
 
 void setTolerance(SceneTerrain& terrain, double tolerancePx)
@@ -58,11 +67,9 @@ void setQuality(PlayScene& play, Quality quality)
     const QualityRules rules = rulesOf(quality);
     play.scene->setQuality(rules);
     if (play.cover) play.cover->setReaches(rules.coverReaches);
-    if (!play.scenery) return;
-    osgPMObjects::core::SceneBudgetSettings budget = play.scenery->fullBudget;
-    if (budget.budget != std::numeric_limits<std::uint64_t>::max())
-        budget.budget = static_cast<std::uint64_t>(rules.budgetShare * static_cast<double>(budget.budget));
-    (void)play.scenery->node.field->setBudget(budget); // valid, as the whole one is
+    for (const StandingPart& part : play.terrain.standing)
+        if (part.field) setBudget(*part.field, part.fullBudget, rules.budgetShare);
+    if (play.scenery) setBudget(*play.scenery->node.field, play.scenery->fullBudget, rules.budgetShare);
 }
 
 double nearPlaneM(const simulation::ScenarioObject& ownship, EyePoint eye)

@@ -79,6 +79,13 @@ public:
     /// Hides an entity: the one whose camera is used; or shows it again.
     void hide(std::size_t entity, bool isHidden = true) { _entities[entity].hide(isHidden); }
 
+    /// Hides all entities until they are shown anew.
+    void hideEntities()
+    {
+        for (EntityModel& entity : _entities)
+            entity.node()->setNodeMask(0U);
+    }
+
 private:
     ScenarioScene();
     void showBeam(const std::vector<simulation::EntityState>& entities, bool isDark);

@@ -111,13 +111,13 @@ public:
             if (shape.isArea() || !stand(shape)) ++unused;
     }
 
-    foundation::Outcome addTo(osg::Group& scene, const std::string& place) const
+    foundation::Outcome addTo(std::vector<StandingPart>& standing, const std::string& place) const
     {
         const auto shapes = scenery::makeSceneryShapes(scenery::objectsOf(_description));
         if (!shapes) return shapes.error();
         const auto node = scenery::makeSceneryNode(_description, _placed, *shapes, place);
         if (!node) return node.error();
-        scene.addChild(node->root);
+        standing.push_back({"trees and vehicles", node->root, node->field, node->field->budget()});
         return foundation::success();
     }
 
@@ -162,7 +162,7 @@ foundation::Error nothingIn(const std::filesystem::path& source, const char* rem
 
 foundation::Outcome addBuildings(const std::filesystem::path& source,
                                  const osgTerrainROAM::core::PlacedTile& tile, const HeightOfGround& ground,
-                                 const scenery::NearestStreet& street, osg::Group& scene)
+                                 const scenery::NearestStreet& street, std::vector<StandingPart>& standing)
 {
     const auto shapes = osgTerrainROAM::core::importShapes(source, tile);
     if (!shapes) return shapes.error();
@@ -171,7 +171,7 @@ foundation::Outcome addBuildings(const std::filesystem::path& source,
     OSG_NOTICE << source.string() << ": " << made.buildings.size() << " buildings; "
                << shapes->outside + made.beyondGround << " beyond the ground, "
                << shapes->lines + shapes->invalid + made.unusable << " not usable\n";
-    scene.addChild(scenery::makeBuildingsNode(made.buildings));
+    standing.push_back({"buildings", scenery::makeBuildingsNode(made.buildings)});
     return foundation::success();
 }
 
@@ -179,11 +179,12 @@ foundation::Outcome addBuildings(const std::filesystem::path& source,
 
 foundation::Outcome addMapScenery(const osgTerrainROAM::core::RoamFile& description,
                                   const osgTerrainROAM::core::PlacedTile& tile, const HeightOfGround& ground,
-                                  const osgRoads::core::PlacedNetwork* roads, osg::Group& scene)
+                                  const osgRoads::core::PlacedNetwork* roads,
+                                  std::vector<StandingPart>& standing)
 {
     const scenery::NearestStreet street = roads ? scenery::nearestStreet(*roads) : scenery::NearestStreet();
     for (const std::filesystem::path& source : description.buildings)
-        if (const auto added = addBuildings(source, tile, ground, street, scene); !added) return added;
+        if (const auto added = addBuildings(source, tile, ground, street, standing); !added) return added;
     Objects objects(ground);
     for (const std::filesystem::path& source : description.objects)
     {
@@ -194,7 +195,7 @@ foundation::Outcome addMapScenery(const osgTerrainROAM::core::RoamFile& descript
     }
     if (objects.unused > 0)
         OSG_NOTICE << "objects: " << objects.unused << " of no known kind, or beyond the ground\n";
-    return objects.isEmpty() ? foundation::success() : objects.addTo(scene, "objects");
+    return objects.isEmpty() ? foundation::success() : objects.addTo(standing, "objects");
 }
 
 } // namespace trainer

@@ -63,8 +63,10 @@ foundation::Result<SceneTerrain> withMap(const RoamFile& description, SceneTerra
     const osg::ref_ptr<osg::Group> group = new osg::Group;
     group->addChild(scene.node);
     const auto added = addMapScenery(description, scene.terrain->tile()->tile, bareGround(*scene.terrain),
-                                     scene.roads.get(), *group);
+                                     scene.roads.get(), scene.standing);
     if (!added) return added.error();
+    for (const StandingPart& part : scene.standing)
+        group->addChild(part.node);
     scene.node = group;
     return scene;
 }

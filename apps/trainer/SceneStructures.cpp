@@ -120,8 +120,11 @@ foundation::Outcome addStructures(const osgTerrainROAM::core::RoamFile& descript
     group->addChild(scene.node);
     std::size_t beyondGround = 0;
     if (!standing->structures.empty())
-        group->addChild(scenery::makeStructuresNode(
-            scenery::structureFacets(standing->structures, ground, beyondGround)));
+    {
+        scene.standing.push_back({"structures", scenery::makeStructuresNode(scenery::structureFacets(
+                                                    standing->structures, ground, beyondGround))});
+        group->addChild(scene.standing.back().node);
+    }
     if (standing->unused + beyondGround > 0)
         OSG_NOTICE << "structures: " << standing->unused << " of no known kind, " << beyondGround
                    << " beyond the ground\n";

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include <foundation/Result.h>
 
@@ -13,6 +14,7 @@
 #include <osgRoads/core/place/PlacedNetwork.h>
 
 #include <osgMultiTriangulation/MtDrawable>
+#include <osgPMObjects/ProgressiveField>
 #include <osgTerrainROAM/RoamTerrain>
 
 #include "PlayRequest.h"
@@ -23,6 +25,15 @@
 
 namespace trainer
 {
+
+/// A part of what stands in a world.
+struct StandingPart
+{
+    const char* name;
+    osg::ref_ptr<osg::Node> node;
+    osg::ref_ptr<osgPMObjects::ProgressiveField> field = nullptr; ///< null: it has no levels
+    osgPMObjects::core::SceneBudgetSettings fullBudget{};         ///< of the field, whatever the quality
+};
 
 /// The terrain of a scenario.
 struct SceneTerrain
@@ -35,6 +46,7 @@ struct SceneTerrain
     std::optional<double> seaLevelM{};  ///< z of the sea at the scene's origin; absent: not known
     glm::dvec2 cornerM{0.0};            ///< of the terrain's frame in that of the scene
     std::vector<SceneRunway> runways{}; ///< those of its maps
+    std::vector<StandingPart> standing{};
     std::shared_ptr<scenery::AirfieldNode> airfield = nullptr; ///< lights and windsocks; null: none
     osg::ref_ptr<osgMultiTriangulation::MtDrawable> triangulation =
         nullptr; ///< draws the ground instead of the ROAM terrain; null: none

@@ -155,10 +155,13 @@ void PlayOptions::addFrameOptions(CLI::App& command)
                    ->check(CLI::IsMember({1, 4}));
     _quality = command
                    .add_option("--quality", request.frames.quality,
-                               "low, medium or high: what pictures leave out to be quick "
+                               "low, medium, high or reference: what pictures leave out to be quick "
                                "(docs/reference/quality.md)")
-                   ->transform(CLI::CheckedTransformer(std::map<std::string, Quality>{
-                       {"low", Quality::low}, {"medium", Quality::medium}, {"high", Quality::high}}));
+                   ->transform(CLI::CheckedTransformer(
+                       std::map<std::string, Quality>{{"low", Quality::low},
+                                                      {"medium", Quality::medium},
+                                                      {"high", Quality::high},
+                                                      {"reference", Quality::reference}}));
     command
         .add_option("--shadows", _shadows,
                     "on or off: shadows of the sun on everything (the usual), or below entities alone")

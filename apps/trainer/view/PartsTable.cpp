@@ -26,12 +26,12 @@ ColumnSummary summaryOf(const PartCosts& part, double PictureCost::*column)
 struct Row
 {
     ColumnSummary processor, wall;
-    double drawables, costsMs;
+    double draws, costsMs;
 
     Row(const PartCosts& part, const PartCosts& whole)
         : processor(summaryOf(part, &PictureCost::processorMs)),
           wall(summaryOf(part, &PictureCost::wallMs)),
-          drawables(summaryOf(part, &PictureCost::drawables).median),
+          draws(summaryOf(part, &PictureCost::draws).median),
           costsMs(summaryOf(whole, &PictureCost::processorMs).median - processor.median)
     {
     }
@@ -41,15 +41,15 @@ struct Row
 
 std::string partsText(const std::vector<PartCosts>& parts)
 {
-    std::string text = "without         processor ms p50     p99   wall ms p50     p99   costs drawables\n";
+    std::string text = "without         processor ms p50     p99   wall ms p50     p99   costs  draws\n";
     for (const PartCosts& part : parts)
     {
         if (part.pictures.empty()) continue;
         const Row row(part, parts.front());
         char line[160];
-        std::snprintf(line, sizeof line, "%-15s %16.1f %7.1f %13.1f %7.1f %7.1f %9.0f\n",
+        std::snprintf(line, sizeof line, "%-15s %16.1f %7.1f %13.1f %7.1f %7.1f %6.0f\n",
                       part.without.empty() ? "-" : part.without.c_str(), row.processor.median,
-                      row.processor.p99, row.wall.median, row.wall.p99, row.costsMs, row.drawables);
+                      row.processor.p99, row.wall.median, row.wall.p99, row.costsMs, row.draws);
         text += line;
     }
     return text;
@@ -68,7 +68,7 @@ foundation::Outcome writeParts(const std::vector<PartCosts>& parts, const std::f
                                  {"processorMsP99", row.processor.p99},
                                  {"wallMsP50", row.wall.median},
                                  {"wallMsP99", row.wall.p99},
-                                 {"drawables", row.drawables},
+                                 {"draws", row.draws},
                                  {"costsMs", row.costsMs}});
     }
     return foundation::writeWholeFile(file, root.dump(1) + "\n");

@@ -14,7 +14,7 @@ namespace trainer
 struct PictureCost
 {
     double wallMs = 0.0, processorMs = 0.0;
-    double drawables = 0.0; ///< of the picture and of what is drawn for it: shadow maps, mirrors
+    double draws = 0.0; ///< of OpenGL, without those of shadow maps
 };
 
 /// The pictures that were drawn without one part. An empty name: with all parts.
@@ -28,7 +28,7 @@ struct PartCosts
 /// Rows without pictures are left out. The first row must be that with all parts.
 std::string partsText(const std::vector<PartCosts>& parts);
 
-/// Writes the same as JSON: {"parts": [{"without", "pictures", "processorMsP50", "processorMsP99", "wallMsP50", "wallMsP99", "drawables",
+/// Writes the same as JSON: {"parts": [{"without", "pictures", "processorMsP50", "processorMsP99", "wallMsP50", "wallMsP99", "draws",
 /// "costsMs"}, …]}; `costsMs` is processor time. Errors: a file that cannot be written.
 foundation::Outcome writeParts(const std::vector<PartCosts>& parts, const std::filesystem::path& file);
 

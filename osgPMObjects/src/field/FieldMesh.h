@@ -32,6 +32,12 @@ public:
     /// The arrays of a group; with targets if they are there and asked for.
     const osg::Geometry& arrays(std::uint32_t group, bool withTargets) const;
 
+    /// Whether a group of a rung has faces, and so takes a draw.
+    bool hasFaces(std::uint32_t rung, std::uint32_t group) const
+    {
+        return _ladder.facesOf(rung, group).count > 0;
+    }
+
     /// Draws a group of a rung so many times, from the arrays that are set; sets what leaves grow by.
     void draw(osg::State& state, std::uint32_t rung, std::uint32_t group, std::uint32_t instances) const;
 

@@ -38,6 +38,14 @@ void FieldPart::drawImplementation(osg::RenderInfo& renderInfo) const
     arrays->unbindElementBufferObject();
 }
 
+unsigned int FieldPart::draws() const
+{
+    unsigned int draws = 0;
+    for (std::uint32_t i = _batch.firstRun; i < _batch.endRun; ++i)
+        draws += _mesh->hasFaces(_culled->drawList.runs[i].rung, _group);
+    return draws;
+}
+
 osg::BoundingBox FieldPart::computeBoundingBox() const
 {
     const auto& [low, high] = std::tie(_batch.low, _batch.high);

@@ -5,6 +5,8 @@
 
 #include <osg/Drawable>
 
+#include <osgTraversal/DrawCount>
+
 #include "FieldMesh.h"
 #include "InstanceBuffer.h"
 
@@ -20,7 +22,7 @@ struct CulledField
 };
 
 /// What a field puts into the render graph: one material of one model in one pass, all its rungs.
-class FieldPart : public osg::Drawable
+class FieldPart : public osg::Drawable, public osgTraversal::DrawCount
 {
 public:
     FieldPart(std::shared_ptr<const CulledField> culled, const core::FieldBatch& batch,
@@ -28,6 +30,9 @@ public:
 
     void drawImplementation(osg::RenderInfo& renderInfo) const override;
     osg::BoundingBox computeBoundingBox() const override;
+
+    /// One for each rung.
+    unsigned int draws() const override;
 
 protected:
     ~FieldPart() override = default;
