@@ -151,7 +151,8 @@ foundation::Outcome WorldMaker::makeEarth()
 
 std::optional<worldmaking::MapBox> WorldMaker::limitIn(const worldmaking::MapPlane& plane) const
 {
-    if (_source.request.bounds.empty()) return std::nullopt;
+    if (_source.request.bounds.empty())
+        return _source.coverAt ? worldmaking::extentOf(_source.land, plane) : std::nullopt;
     const auto low = plane.toPlan({_source.bounds.west, _source.bounds.south}),
                high = plane.toPlan({_source.bounds.east, _source.bounds.north});
     return low && high ? std::optional(worldmaking::MapBox{*low, *high}) : std::nullopt;

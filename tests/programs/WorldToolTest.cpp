@@ -212,6 +212,68 @@ TEST(WorldTool, AWorldThatIsMadeStaysAndADamagedFileIsMadeAgain)
     EXPECT_FALSE(filesOf(folder / "world") == whole);
 }
 
+TEST(WorldTool, AsManyProcessorsAsOneLikesGiveTheSameBytes)
+{
+    const TestFolder folder("worldtool");
+    const std::string ground = writeGround(folder);
+    const std::string file = folder.write("map.osm", mapOfEverything().text()).string();
+    for (const char* jobs : {"1", "4"})
+        ASSERT_TRUE(succeeds(
+            runWorldTool({"build", ground, "--map", file, "--jobs", jobs, "-o", (folder / jobs).string()})));
+    EXPECT_GT(filesOf(folder / "1").size(), 8u);
+    EXPECT_TRUE(filesOf(folder / "1") == filesOf(folder / "4"));
+}
+
+/// A raster of one class over the ground of writeGround().
+std::string writeCover(const TestFolder& folder, const std::string& name, const std::string& number)
+{
+    std::string text = "ncols 40\nnrows 40\nxllcorner 1.49\nyllcorner 42.49\ncellsize 0.0005\n";
+    for (int row = 0; row < 40; ++row)
+    {
+        for (int column = 0; column < 40; ++column)
+            text += number + ' ';
+        text += '\n';
+    }
+    folder.write(name + ".prj", testsupport::bytesOf(folder / "flat.prj"));
+    return folder.write(name + ".asc", text).string();
+}
+
+/// Where the map has a street and a lake, and nothing else.
+TEST(WorldTool, ARasterOfLandCoverTellsWhatTheMapDoesNot)
+{
+    const TestFolder folder("worldtool");
+    const std::string ground = writeGround(folder);
+    MadeMap map;
+    map.way({map.node(-400, -300), map.node(400, 300)});
+    const int a = map.node(0, 200), b = map.node(30, 200), c = map.node(30, 230);
+    map.way({a, b, c, a}, {{"natural", "water"}});
+    const std::string file = folder.write("map.osm", map.text()).string();
+    const auto treesWith = [&](const char* name, const char* number)
+    {
+        const std::string table = (folder / (std::string(name) + ".json")).string();
+        EXPECT_TRUE(succeeds(
+            runWorldTool({"build", ground, "--map", file, "--land-cover", writeCover(folder, name, number),
+                          "-o", (folder / name).string(), "--json", table})));
+        return nlohmann::json::parse(testsupport::bytesOf(table))["trees"]["inWoods"].get<int>();
+    };
+    EXPECT_GT(treesWith("trees", "10"), 1000); // WorldCover's classes
+    EXPECT_EQ(treesWith("grass", "30"), 0);
+}
+
+TEST(WorldTool, AMapWithoutStreetsMakesAWorldWithoutRoads)
+{
+    const TestFolder folder("worldtool");
+    const std::string ground = writeGround(folder), world = (folder / "world").string();
+    MadeMap map;
+    const int a = map.node(60, 80), b = map.node(75, 80), c = map.node(75, 92);
+    map.way({a, b, c, a}, {{"building", "house"}});
+    EXPECT_TRUE(succeeds(
+        runWorldTool({"build", ground, "--map", folder.write("map.osm", map.text()).string(), "-o", world})));
+    EXPECT_TRUE(std::filesystem::exists(folder / "world/buildings.gpkg"));
+    EXPECT_FALSE(std::filesystem::exists(folder / "world/roads.xodr"));
+    EXPECT_TRUE(succeeds(runWorldTool({"check", world})));
+}
+
 /// The steepest grade of the roads for cars, and the worst tunnel: how far it lies above the straight line between its ends.
 struct Extremes
 {

@@ -182,6 +182,19 @@ std::optional<Cover> coverOf(const Tags& tags)
     return std::nullopt;
 }
 
+std::optional<MapBox> extentOf(const LandMap& map, const MapPlane& plane)
+{
+    MapBox box{glm::dvec2(1e300), glm::dvec2(-1e300)};
+    for (const LandShape& shape : map.shapes)
+    {
+        const auto paths = plane.toPlan(shape.paths);
+        if (!paths || paths->empty()) continue;
+        const MapBox its = boxOf(paths->front());
+        box = {glm::min(box.low, its.low), glm::max(box.high, its.high)};
+    }
+    return box.low.x <= box.high.x ? std::optional(box) : std::nullopt;
+}
+
 CoverRaster coverRasterOf(const LandMap& map, const MapPlane& plane, const std::optional<MapBox>& limit,
                           LandReport& report)
 {

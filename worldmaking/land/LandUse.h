@@ -30,8 +30,11 @@ struct LandReport
 /// Returns the class of an area of a map; nothing where its tags name none.
 std::optional<Cover> coverOf(const Tags& tags);
 
+/// Returns the part of the plane that the things of a map lie in, streets included; nothing where there are none.
+std::optional<MapBox> extentOf(const LandMap& map, const MapPlane& plane);
+
 /// Paints the areas of a map, larger ones below smaller ones; water lies above all.
-/// `limit`: the part of the plane to cover; absent: all.
+/// `limit`: the part of the plane to cover; absent: that of these areas.
 CoverRaster coverRasterOf(const LandMap& map, const MapPlane& plane, const std::optional<MapBox>& limit,
                           LandReport& report);
 
