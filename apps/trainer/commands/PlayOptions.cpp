@@ -70,8 +70,8 @@ void PlayOptions::addWindowOptions(CLI::App& command)
     command.add_flag("--fullscreen", window.isFullscreen, "the same on the whole screen");
     command.add_option("--screen", window.screen, "screen of the window, from 0")->check(CLI::Range(0, 63));
     command.add_option("--units", window.units, "of the figures in the picture: usual, metric or imperial")
-        ->transform(CLI::CheckedTransformer(std::map<std::string, HudUnits>{
-            {"usual", HudUnits::usual}, {"metric", HudUnits::metric}, {"imperial", HudUnits::imperial}}));
+        ->transform(terminal::named<HudUnits>(
+            {{"usual", HudUnits::usual}, {"metric", HudUnits::metric}, {"imperial", HudUnits::imperial}}));
     command.add_option("--pictures", window.picturesFolder, "folder for the pictures that F12 writes");
     command.add_option("--devices", window.devicesFile,
                        "devices file: what joysticks, pedals and wheels do (docs/reference/devices-file.md)");
@@ -157,11 +157,10 @@ void PlayOptions::addFrameOptions(CLI::App& command)
                    .add_option("--quality", request.frames.quality,
                                "low, medium, high or reference: what pictures leave out to be quick "
                                "(docs/reference/quality.md)")
-                   ->transform(CLI::CheckedTransformer(
-                       std::map<std::string, Quality>{{"low", Quality::low},
-                                                      {"medium", Quality::medium},
-                                                      {"high", Quality::high},
-                                                      {"reference", Quality::reference}}));
+                   ->transform(terminal::named<Quality>({{"low", Quality::low},
+                                                         {"medium", Quality::medium},
+                                                         {"high", Quality::high},
+                                                         {"reference", Quality::reference}}));
     command
         .add_option("--shadows", _shadows,
                     "on or off: shadows of the sun on everything (the usual), or below entities alone")
