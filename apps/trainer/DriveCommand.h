@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 
+#include <foundation/DataFile.h>
 #include <foundation/Result.h>
 
 #include "Ride.h"
@@ -15,7 +16,7 @@ namespace trainer
 /// The arguments of `trainer drive`; the terrain file is the world: an OpenDRIVE network, or a .roam file with roads. Empty paths: none.
 struct DriveRequest : RideRequest
 {
-    std::filesystem::path vehicle = "data/vehicles/car.xml";
+    std::filesystem::path vehicle = foundation::dataFile("vehicles/car.xml");
     double lengthM = 5000.0;                       ///< of the way
     double speedMps = 0.0;                         ///< most that the driver wants; 0: what the roads allow
     double startM = 1.0;                           ///< of the way, at which the rear axle begins

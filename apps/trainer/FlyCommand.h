@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include <foundation/DataFile.h>
 #include <foundation/Result.h>
 #include <glm/vec2.hpp>
 
@@ -17,8 +18,8 @@ namespace trainer
 /// The arguments of `trainer fly`; the terrain file is the world, none is level ground. Empty paths: none.
 struct FlyRequest : RideRequest
 {
-    std::filesystem::path aircraft =
-        "data/aircraft/c172p.xml";    ///< a data file; with jsbsimRoot also the name of an aircraft of JSBSim
+    std::filesystem::path aircraft = foundation::dataFile(
+        "aircraft/c172p.xml");        ///< a data file; with jsbsimRoot also the name of an aircraft of JSBSim
     std::filesystem::path jsbsimRoot; ///< the folder with JSBSim's aircraft/; empty: that of the data file
     std::filesystem::path jsbsim;     ///< JSBSim's program; empty: that of the data file, or of PATH
     std::string

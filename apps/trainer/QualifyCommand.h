@@ -4,13 +4,15 @@
 #include <filesystem>
 #include <vector>
 
+#include <foundation/DataFile.h>
+
 namespace trainer
 {
 
 /// The arguments of `trainer qualify flight`.
 struct QualifyRequest
 {
-    std::filesystem::path aircraft = "data/aircraft/c172p.xml";
+    std::filesystem::path aircraft = foundation::dataFile("aircraft/c172p.xml");
     std::filesystem::path jsonFile; ///< empty: none
 };
 
@@ -22,8 +24,9 @@ int qualifyFlight(const QualifyRequest& request);
 /// The arguments of `trainer qualify drive`.
 struct QualifyDriveRequest
 {
-    std::vector<std::filesystem::path> vehicles{"data/vehicles/car.xml", "data/vehicles/van.xml",
-                                                "data/vehicles/bus.xml"};
+    std::vector<std::filesystem::path> vehicles{foundation::dataFile("vehicles/car.xml"),
+                                                foundation::dataFile("vehicles/van.xml"),
+                                                foundation::dataFile("vehicles/bus.xml")};
     double standsS = 3600.0;        ///< on a slope
     std::filesystem::path jsonFile; ///< empty: none
 };

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include <foundation/DataFile.h>
+
 #include "RunProgram.h"
 
 namespace trainer
@@ -19,13 +21,6 @@ namespace
 namespace fs = std::filesystem;
 
 constexpr const char* kLeaveOut = "name a WORLD, or give --no-world";
-
-/// The folder that the program lies in; empty where the system does not tell.
-fs::path programFolder()
-{
-    std::error_code failed;
-    return fs::read_symlink("/proc/self/exe", failed).parent_path();
-}
 
 /// A name that differs for rasters of the same name in different folders. Source: Fowler, Noll & Vo, FNV-1a, 64 bit.
 std::string folderName(const fs::path& dem)
@@ -50,7 +45,7 @@ fs::path cacheFolder()
 /// Makes a world, or finds it made. One program at a time does that in a folder.
 foundation::Result<fs::path> madeWorld(const fs::path& dem, const fs::path& folder)
 {
-    const fs::path tool = programFolder() / "worldtool";
+    const fs::path tool = foundation::programFolder() / "worldtool";
     std::error_code failed;
     if (!fs::exists(tool, failed))
         return foundation::Error{tool.string(), "is not there, so no world can be made up", kLeaveOut};
@@ -74,7 +69,7 @@ foundation::Result<fs::path> madeWorld(const fs::path& dem, const fs::path& fold
 
 foundation::Result<fs::path> defaultWorld()
 {
-    const fs::path data = programFolder().parent_path() / "data", world = data / "world/world.roam";
+    const fs::path data = foundation::programFolder().parent_path() / "data", world = data / "world/world.roam";
     std::error_code failed;
     if (fs::exists(world, failed)) return world;
     const fs::path dem = data / "default_terrain.tif";

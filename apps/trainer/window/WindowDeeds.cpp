@@ -3,6 +3,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include <foundation/DataFile.h>
+
 #include "input/HandInputs.h"
 #include "window/WindowSession.h"
 
@@ -13,7 +15,6 @@ namespace
 {
 
 constexpr double kLeanMps = 0.3;
-constexpr const char* kUsualDevices = "data/devices.txt";
 
 } // namespace
 
@@ -22,7 +23,7 @@ foundation::Outcome WindowSession::openDevices()
 {
     std::filesystem::path file = _request.window.devicesFile;
     std::error_code ignored;
-    if (file.empty() && !std::filesystem::exists(file = kUsualDevices, ignored)) return foundation::success();
+    if (file.empty() && !std::filesystem::exists(file = foundation::dataFile("devices.txt"), ignored)) return foundation::success();
     auto maps = readDevices(file);
     if (!maps) return maps.error();
     _devices = std::make_unique<Devices>();

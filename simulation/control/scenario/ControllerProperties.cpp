@@ -79,7 +79,7 @@ bool ControllerProperties::flag(std::string_view name, bool fallback)
     return fallback;
 }
 
-std::filesystem::path ControllerProperties::file(std::string_view name, const std::string& fallback)
+std::filesystem::path ControllerProperties::file(std::string_view name, const std::filesystem::path& fallback)
 {
     const auto value = _controller.properties.find(std::string(name));
     if (!value) return fallback;

@@ -36,7 +36,7 @@ public:
     bool flag(std::string_view name, bool fallback);
 
     /// A file: beside the scenario, else from where the program runs. `fallback`: as it stands, from where the program runs.
-    std::filesystem::path file(std::string_view name, const std::string& fallback);
+    std::filesystem::path file(std::string_view name, const std::filesystem::path& fallback);
 
 private:
     void fail(std::string_view name, const std::string& what, const std::string& remedy);

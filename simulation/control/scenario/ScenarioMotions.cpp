@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <foundation/DataFile.h>
+
 #include "simulation/control/VehicleMotion.h"
 #include "simulation/control/driver/Driver.h"
 #include "simulation/control/flight/Autopilot.h"
@@ -32,13 +34,13 @@ struct VehicleWish
     double turbulenceMps = 0.0; ///< deviation above 600 m
 };
 
-std::string usualFileOf(const ScenarioObject& object)
+std::filesystem::path usualFileOf(const ScenarioObject& object)
 {
-    if (object.isAirborne()) return "data/aircraft/c172p.xml";
+    if (object.isAirborne()) return foundation::dataFile("aircraft/c172p.xml");
     const auto* const vehicle = std::get_if<Vehicle>(&object.object);
     const std::string category = vehicle ? vehicle->category : "";
-    if (category == "bus" || category == "truck" || category == "semitrailer") return "data/vehicles/bus.xml";
-    return category == "van" ? "data/vehicles/van.xml" : "data/vehicles/car.xml";
+    if (category == "bus" || category == "truck" || category == "semitrailer") return foundation::dataFile("vehicles/bus.xml");
+    return foundation::dataFile(category == "van" ? "vehicles/van.xml" : "vehicles/car.xml");
 }
 
 VehicleWish vehicleWish(ControllerProperties& properties, const ScenarioObject& object)
