@@ -69,7 +69,8 @@ foundation::Result<fs::path> madeWorld(const fs::path& dem, const fs::path& fold
 
 foundation::Result<fs::path> defaultWorld()
 {
-    const fs::path data = foundation::programFolder().parent_path() / "data", world = data / "world/world.roam";
+    const fs::path data = foundation::programFolder().parent_path() / "data",
+                   world = data / "world/world.roam";
     std::error_code failed;
     if (fs::exists(world, failed)) return world;
     const fs::path dem = data / "default_terrain.tif";

@@ -23,7 +23,8 @@ foundation::Outcome WindowSession::openDevices()
 {
     std::filesystem::path file = _request.window.devicesFile;
     std::error_code ignored;
-    if (file.empty() && !std::filesystem::exists(file = foundation::dataFile("devices.txt"), ignored)) return foundation::success();
+    if (file.empty() && !std::filesystem::exists(file = foundation::dataFile("devices.txt"), ignored))
+        return foundation::success();
     auto maps = readDevices(file);
     if (!maps) return maps.error();
     _devices = std::make_unique<Devices>();

@@ -39,7 +39,8 @@ std::filesystem::path usualFileOf(const ScenarioObject& object)
     if (object.isAirborne()) return foundation::dataFile("aircraft/c172p.xml");
     const auto* const vehicle = std::get_if<Vehicle>(&object.object);
     const std::string category = vehicle ? vehicle->category : "";
-    if (category == "bus" || category == "truck" || category == "semitrailer") return foundation::dataFile("vehicles/bus.xml");
+    if (category == "bus" || category == "truck" || category == "semitrailer")
+        return foundation::dataFile("vehicles/bus.xml");
     return foundation::dataFile(category == "van" ? "vehicles/van.xml" : "vehicles/car.xml");
 }
 
