@@ -14,6 +14,7 @@ namespace
 
 constexpr double kTrimmed = 0.02,
                  kTrimS = 1.5; ///< of the elevator that is wished for, in the mean of so long
+constexpr double kPaid = 0.3;  ///< the share of a moment's lack that is made up for in the next
 
 /// Where an axis is after a moment of being pushed so, without what speed takes from its reach.
 double after(const simulation::HandAxis& axis, double value, double direction, double nextS)
@@ -47,6 +48,15 @@ double KeyHand::trimDirection(double elevator, double nextS)
 {
     _elevator += (elevator - _elevator) * std::min(1.0, nextS / kTrimS);
     return std::abs(_elevator) < kTrimmed ? 0.0 : std::copysign(1.0, _elevator);
+}
+
+/// The wish and what it is owed: pushes are steps, so that the input is right in the mean alone.
+double KeyHand::owing(const simulation::HandAxis& axis, double wish, double value, double nextS)
+{
+    const double step = axis.perSecond * nextS;
+    double& owed = _owed[axis.input];
+    owed = std::clamp(owed + kPaid * (wish - value), -step, step);
+    return wish + owed;
 }
 
 void KeyHand::push(std::string_view input, double direction, std::vector<KeyStroke>& strokes)
@@ -90,7 +100,8 @@ std::vector<KeyStroke> KeyHand::decide(const simulation::Hands& hands, std::span
         if (names[i] == "elevator") push("elevator_trim", trimDirection(wishes[i], nextS), strokes);
         if (names[i] == "elevator_trim") continue;
         add(names[i], wishes[i] - value, strokes);
-        push(keyedInput(names[i]), nearestPush(axis, value, wishes[i], nextS), strokes);
+        push(keyedInput(names[i]), nearestPush(axis, value, owing(axis, wishes[i], value, nextS), nextS),
+             strokes);
     }
     return strokes;
 }

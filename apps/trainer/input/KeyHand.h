@@ -35,10 +35,12 @@ public:
 private:
     void push(std::string_view input, double direction, std::vector<KeyStroke>& strokes);
     void add(std::string_view input, double missing, std::vector<KeyStroke>& strokes) const;
+    double owing(const simulation::HandAxis& axis, double wish, double value, double nextS);
     double trimDirection(double elevator, double nextS);
 
     KeyScope _vehicle;
     std::map<std::string_view, double> _pushed; ///< directions by input
+    std::map<std::string_view, double> _owed;   ///< by input, what pushes fell short of the wishes
     double _elevator = 0.0;                     ///< wished for, in the mean
 };
 
