@@ -55,15 +55,23 @@ TEST(RoadPlay, ShowsTheRoadsOfAScenarioWhereItsPositionsAre)
 TEST(RoadPlay, LaysLevelGroundWhereTheTownIsNotThere)
 {
     const Workplace place;
-    const std::string scenario = place.write("town.xosc", carAt(R"(<WorldPosition x="40" y="-7" z="12"/>)"));
-    for (const char* eye : {"above", "driver"})
+    const std::string there = carAt(R"(<WorldPosition x="40" y="-7" z="12"/>)");
+    const std::size_t begin = there.find("<RoadNetwork>") + 13;
+    const std::string nowhere = there.substr(0, begin) + there.substr(there.find("</RoadNetwork>"));
+    struct Case
     {
-        const std::string folder = place.path(eye);
+        const char *eye, *note;
+        std::string text;
+    };
+    for (const auto& [eye, note, text] :
+         {Case{"above", "the LogicFile road.xodr is not there", there},
+          Case{"driver", "RoadNetwork names neither SceneGraphFile nor LogicFile", nowhere}})
+    {
+        const std::string folder = place.path(eye), scenario = place.write(std::string(eye) + ".xosc", text);
         const ProgramRun run = runTrainer({"play", scenario, "--frames", "1", "--size", "64x36", "--eye", eye,
                                            "--interior", "off", "--capture", folder});
         EXPECT_TRUE(succeeds(run));
-        EXPECT_NE(run.output.find("the LogicFile road.xodr is not there; entities move over level ground"),
-                  std::string::npos)
+        EXPECT_NE(run.output.find(std::string(note) + "; entities move over level ground"), std::string::npos)
             << run.output;
         const auto picture = osgOffscreen::readPng(folder + "/frame_00000.png");
         ASSERT_TRUE(picture);
