@@ -2,6 +2,7 @@
 // The simulated hand: which keys it presses for a wish.
 #include "input/KeyHand.h"
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <vector>
@@ -70,6 +71,31 @@ TEST(KeyHand, TapsFlapsAndTrimsAway)
     EXPECT_NE(words.find("+s "), std::string::npos) << words;
     EXPECT_NE(words.find("+Down "), std::string::npos) << words;
     EXPECT_EQ(words.find("+w "), std::string::npos) << words;
+}
+
+/// The elevator in the mean of 20 s in which hands obey what is pressed, for a wish that is less than a push: 0.1 s of it are 0.04.
+double meanElevator(double wish)
+{
+    const testsupport::StillVehicle vehicle(kWished);
+    simulation::Hands hands = handsOf(vehicle);
+    KeyHand hand(KeyScope::flight);
+    double sum = 0.0, direction = 0.0;
+    for (int i = 0; i < 200; ++i)
+    {
+        for (const KeyStroke& stroke : hand.decide(hands, std::array{wish, 0.0, 0.0, 0.0}, kWished, 0.1))
+            if (const std::string key = keyName(stroke.key); key == "w" || key == "s")
+                direction = !stroke.isDown ? 0.0 : key == "s" ? -1.0 : 1.0;
+        const double value = hands.value(0);
+        addToInput(hands, "elevator", direction != 0.0 ? 0.04 * direction : std::clamp(-value, -0.08, 0.08));
+        sum += hands.value(0);
+    }
+    return sum / 200.0;
+}
+
+TEST(KeyHand, IsRightInTheMeanWhereAPushIsTooCoarse)
+{
+    EXPECT_NEAR(meanElevator(-0.013), -0.013, 0.004);
+    EXPECT_NEAR(meanElevator(0.029), 0.029, 0.004);
 }
 
 TEST(KeyHand, WaitsWithoutWishes)
