@@ -83,8 +83,8 @@ double meanElevator(double wish)
     for (int i = 0; i < 200; ++i)
     {
         for (const KeyStroke& stroke : hand.decide(hands, std::array{wish, 0.0, 0.0, 0.0}, kWished, 0.1))
-            if (const std::string key = keyName(stroke.key); key == "w" || key == "s")
-                direction = !stroke.isDown ? 0.0 : key == "s" ? -1.0 : 1.0;
+            if (const std::string key = keyName(stroke.key); key == "Up" || key == "Down")
+                direction += (key == "Up" ? 1.0 : -1.0) * (stroke.isDown ? 1.0 : -1.0);
         const double value = hands.value(0);
         addToInput(hands, "elevator", direction != 0.0 ? 0.04 * direction : std::clamp(-value, -0.08, 0.08));
         sum += hands.value(0);
