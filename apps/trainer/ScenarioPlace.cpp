@@ -36,18 +36,21 @@ std::optional<simulation::Geodetic> placeOnEarth(const simulation::Scenario& sce
     return std::nullopt;
 }
 
-double lowestStartM(const simulation::Scenario& scenario)
+std::optional<glm::dvec3> startInWorld(const simulation::Scenario& scenario)
 {
-    std::optional<double> lowest;
+    std::optional<glm::dvec3> start;
     for (const simulation::InitPrivate& initial : scenario.storyboard.init.privates)
         for (const simulation::PrivateAction& action : initial.actions)
         {
             const auto* teleport = std::get_if<simulation::TeleportAction>(&action);
             const auto* world =
                 teleport ? std::get_if<simulation::WorldPosition>(&teleport->position) : nullptr;
-            if (world && world->zM) lowest = std::min(lowest.value_or(*world->zM), *world->zM);
+            if (!world) continue;
+            const double z = world->zM.value_or(0.0);
+            if (!start) start = glm::dvec3(world->xM, world->yM, z);
+            start->z = std::min(start->z, z);
         }
-    return lowest.value_or(0.0);
+    return start;
 }
 
 } // namespace trainer

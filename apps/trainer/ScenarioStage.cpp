@@ -3,6 +3,8 @@
 
 #include <iostream>
 
+#include <glm/geometric.hpp>
+
 #include "FlatScene.h"
 #include "ScenarioPlace.h"
 #include "simulation/road/ScenarioRoads.h"
@@ -33,6 +35,8 @@ std::filesystem::path sceneFileOf(const simulation::Scenario& scenario, const Pl
 
 /// Where Init names no place on earth, level ground needs some place there.
 constexpr simulation::Geodetic kSomewhere{46.0, 8.0, 0.0};
+// Coordinates of a map (UTM) are hundreds of kilometres from their origin; the ground reaches 20 km.
+constexpr double kFarM = 10e3;
 
 foundation::Result<SceneTerrain> levelStage(const simulation::Scenario& scenario)
 {
@@ -41,9 +45,13 @@ foundation::Result<SceneTerrain> levelStage(const simulation::Scenario& scenario
               << (roads.empty() ? "RoadNetwork names neither SceneGraphFile nor LogicFile"
                                 : "the LogicFile " + roads + " is not there")
               << "; entities move over level ground (--terrain FILE gives another)\n";
-    simulation::Geodetic middle = placeOnEarth(scenario).value_or(kSomewhere);
-    middle.heightM = lowestStartM(scenario);
-    return makeLevelScene(middle);
+    const std::optional<simulation::Geodetic> onEarth = placeOnEarth(scenario);
+    const glm::dvec3 start = startInWorld(scenario).value_or(glm::dvec3(0.0));
+    simulation::Geodetic middle = onEarth.value_or(kSomewhere);
+    middle.heightM = start.z;
+    auto scene = makeLevelScene(middle);
+    const bool isFar = !onEarth && glm::length(glm::dvec2(start)) > kFarM;
+    return scene && isFar ? moved(std::move(*scene), start) : scene;
 }
 
 } // namespace

@@ -4,7 +4,6 @@
 #include <string>
 
 #include <osg/Group>
-#include <osg/MatrixTransform>
 #include <osg/NodeVisitor>
 #include <osg/Notify>
 
@@ -104,17 +103,6 @@ foundation::Result<SceneTerrain> makeScene(const RoamFile& description, const st
     if (!openings) return openings.error();
     (*terrain)->material()->setOpenings(*openings);
     return withRoads(*terrain, roads);
-}
-
-/// Moves a scene so that the corner of its terrain lies at a place.
-SceneTerrain moved(SceneTerrain scene, const glm::dvec2& corner)
-{
-    const osg::ref_ptr<osg::MatrixTransform> place =
-        new osg::MatrixTransform(osg::Matrixd::translate(corner.x, corner.y, 0.0));
-    place->addChild(scene.node);
-    scene.node = place;
-    scene.cornerM = corner;
-    return scene;
 }
 
 /// Returns the land cover of ground that is made up for a network: meadow. Nothing is planted on it, so it shows no wood either.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include <osg/MatrixTransform>
 #include <osg/NodeVisitor>
 #include <osgDB/FileNameUtils>
 #include <osgDB/Registry>
@@ -73,6 +74,16 @@ simulation::GroundProvider SceneTerrain::ground() const
     if (cornerM == glm::dvec2(0.0)) return surface;
     return [surface = std::move(surface), corner = cornerM](double eastM, double northM, double fromM)
     { return surface(eastM - corner.x, northM - corner.y, fromM); };
+}
+
+SceneTerrain moved(SceneTerrain scene, const glm::dvec2& corner)
+{
+    const osg::ref_ptr<osg::MatrixTransform> place =
+        new osg::MatrixTransform(osg::Matrixd::translate(corner.x, corner.y, 0.0));
+    place->addChild(scene.node);
+    scene.node = place;
+    scene.cornerM = corner;
+    return scene;
 }
 
 foundation::Result<SceneTerrain> openElevation(const std::filesystem::path& file,

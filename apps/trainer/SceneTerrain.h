@@ -58,6 +58,9 @@ struct SceneTerrain
     simulation::GroundProvider ground() const;
 };
 
+/// Moves a scene so that the origin of its terrain's frame lies at a place. Units: metres.
+SceneTerrain moved(SceneTerrain scene, const glm::dvec2& corner);
+
 /// Opens a .roam file, with its roads, an elevation raster, a multi-triangulation (.mt) or an OpenDRIVE network (.xodr); `terrain` is never
 /// null. Errors: as makeTerrainWithRoads(), openMultiTriangulation() and openNetwork().
 foundation::Result<SceneTerrain> openElevation(const std::filesystem::path& file,

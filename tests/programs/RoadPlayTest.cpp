@@ -65,6 +65,8 @@ TEST(RoadPlay, LaysLevelGroundWhereTheTownIsNotThere)
     };
     for (const auto& [eye, note, text] :
          {Case{"above", "the LogicFile road.xodr is not there", there},
+          Case{"chase", "the LogicFile road.xodr is not there",
+               carAt(R"(<WorldPosition x="487000" y="5432000" z="120"/>)")}, // as a map's coordinates are
           Case{"driver", "RoadNetwork names neither SceneGraphFile nor LogicFile", nowhere}})
     {
         const std::string folder = place.path(eye), scenario = place.write(std::string(eye) + ".xosc", text);
