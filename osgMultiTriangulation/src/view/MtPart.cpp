@@ -8,17 +8,12 @@ namespace osgMultiTriangulation
 
 MtPart::MtPart(MtAnswer answer, std::vector<std::uint32_t> cells, double vertexStep,
                std::shared_ptr<const osgTerrainROAM::core::RoamTile> tile, const osg::BoundingBox& bounds)
-    : _answer(std::move(answer)),
+    : CulledPart(bounds),
+      _answer(std::move(answer)),
       _cells(std::move(cells)),
       _vertexStep(vertexStep),
-      _tile(std::move(tile)),
-      _bounds(bounds)
+      _tile(std::move(tile))
 {
-    setUseDisplayList(false);
-    setSupportsDisplayList(false);
-    setUseVertexBufferObjects(true);
-    setUseVertexArrayObject(false);
-    setDataVariance(osg::Object::STATIC);
 }
 
 void MtPart::drawImplementation(osg::RenderInfo& renderInfo) const

@@ -4,28 +4,25 @@
 #include <memory>
 #include <vector>
 
-#include <osg/Drawable>
-
 #include <osgTerrainROAM/core/roam/RoamTile.h>
+
+#include <osgTraversal/CulledPart>
 
 #include "MtViewTable.h"
 
 namespace osgMultiTriangulation
 {
 
-/// The drawable that one cull traversal puts into the render graph: the cells of a surface that one camera sees in one frame.
-/// It never changes, so a frame may be culled while the last is drawn.
-class MtPart : public osg::Drawable
+/// The cells of a surface that one camera sees in one frame.
+class MtPart : public osgTraversal::CulledPart
 {
 public:
     MtPart(MtAnswer answer, std::vector<std::uint32_t> cells, double vertexStep,
            std::shared_ptr<const osgTerrainROAM::core::RoamTile> tile, const osg::BoundingBox& bounds);
 
     void drawImplementation(osg::RenderInfo& renderInfo) const override;
-    osg::BoundingBox computeBoundingBox() const override { return _bounds; }
 
-    using osg::Drawable::accept;
-    bool supports(const osg::PrimitiveFunctor&) const override { return true; }
+    using CulledPart::accept;
     void accept(osg::PrimitiveFunctor& functor) const override;
 
 protected:
@@ -36,7 +33,6 @@ private:
     std::vector<std::uint32_t> _cells;
     double _vertexStep;
     std::shared_ptr<const osgTerrainROAM::core::RoamTile> _tile;
-    osg::BoundingBox _bounds;
 };
 
 /// Shows the triangles of cells to a functor, in single precision, as OSG's functors have it.

@@ -33,17 +33,12 @@ std::vector<RoadRange> rangesOf(const core::RoadMesh& mesh, const std::vector<co
 RoadPart::RoadPart(std::shared_ptr<RoadBuffers> buffers, std::vector<RoadRange> ranges,
                    const core::RoadViewSettings& settings, double pixelsPerTangent,
                    const osg::BoundingBox& bounds)
-    : _buffers(std::move(buffers)),
+    : CulledPart(bounds),
+      _buffers(std::move(buffers)),
       _ranges(std::move(ranges)),
       _settings(settings),
-      _pixelsPerTangent(pixelsPerTangent),
-      _bounds(bounds)
+      _pixelsPerTangent(pixelsPerTangent)
 {
-    setUseDisplayList(false);
-    setSupportsDisplayList(false);
-    setUseVertexBufferObjects(true);
-    setUseVertexArrayObject(false);
-    setDataVariance(osg::Object::STATIC);
 }
 
 void RoadPart::setUniforms(osg::State& state) const

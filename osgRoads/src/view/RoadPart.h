@@ -4,9 +4,9 @@
 #include <memory>
 #include <vector>
 
-#include <osg/Drawable>
-
 #include <osgRoads/core/surface/RoadView.h>
+
+#include <osgTraversal/CulledPart>
 
 #include "RoadBuffers.h"
 
@@ -25,19 +25,16 @@ enum class RoadStrips
 std::vector<RoadRange> rangesOf(const core::RoadMesh& mesh, const std::vector<core::ChunkChoice>& choices,
                                 RoadStrips strips);
 
-/// The drawable that one cull traversal puts into the render graph: the chunks that one camera sees, at its levels. It never
-/// changes, so a frame may be culled while the last is drawn.
-class RoadPart : public osg::Drawable
+/// The chunks that one camera sees, at its levels.
+class RoadPart : public osgTraversal::CulledPart
 {
 public:
     RoadPart(std::shared_ptr<RoadBuffers> buffers, std::vector<RoadRange> ranges,
              const core::RoadViewSettings& settings, double pixelsPerTangent, const osg::BoundingBox& bounds);
 
     void drawImplementation(osg::RenderInfo& renderInfo) const override;
-    osg::BoundingBox computeBoundingBox() const override { return _bounds; }
 
-    using osg::Drawable::accept;
-    bool supports(const osg::PrimitiveFunctor&) const override { return true; }
+    using CulledPart::accept;
     void accept(osg::PrimitiveFunctor& functor) const override;
 
 protected:
@@ -50,7 +47,6 @@ private:
     std::vector<RoadRange> _ranges;
     core::RoadViewSettings _settings;
     double _pixelsPerTangent;
-    osg::BoundingBox _bounds;
 };
 
 /// Shows the triangles of ranges to a functor (statistics, intersection), in the scene's frame.

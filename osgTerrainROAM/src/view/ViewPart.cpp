@@ -11,13 +11,8 @@ namespace osgTerrainROAM
 
 ViewPart::ViewPart(std::shared_ptr<ViewGroup> group, ViewAnswer answer, const viewlod::Frustum& frustum,
                    const osg::BoundingBox& bounds)
-    : _group(std::move(group)), _answer(std::move(answer)), _frustum(frustum), _bounds(bounds)
+    : CulledPart(bounds), _group(std::move(group)), _answer(std::move(answer)), _frustum(frustum)
 {
-    setUseDisplayList(false);
-    setSupportsDisplayList(false);
-    setUseVertexBufferObjects(true);
-    setUseVertexArrayObject(false);
-    setDataVariance(osg::Object::STATIC);
 }
 
 void ViewPart::drawImplementation(osg::RenderInfo& renderInfo) const
