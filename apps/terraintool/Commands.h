@@ -9,6 +9,7 @@
 #include <foundation/Result.h>
 
 #include <osgTerrainROAM/core/heightfield/DemImport.h>
+#include <osgTerrainROAM/core/method/Method.h>
 
 #include "terminal/Report.h"
 
@@ -23,8 +24,9 @@ struct Request
     int frames = 480; ///< of the tour's 20 seconds: every one at 24 per second
     double tolerancePx = 1.0;
     unsigned maxTriangles = 500000;
-    bool morphing = false; ///< check what is drawn with morphing
-    int patchExponent = 0; ///< 2^k triangles for each leaf
+    bool morphing = false;                                ///< check what is drawn with morphing
+    std::optional<osgTerrainROAM::core::Method> method{}; ///< absent: the terrain's own
+    int patchExponent = 0;                                ///< 2^k triangles for each leaf
 
     // Of bench alone.
     int benchFrames = 240;

@@ -7,7 +7,7 @@
 #include <viewlod/Budget.h>
 
 #include <osgTerrainROAM/core/roam/DrawnMeshCheck.h>
-#include <osgTerrainROAM/core/roam/RoamMesh.h>
+#include <osgTerrainROAM/core/roam/RefineResult.h>
 
 namespace terraintool
 {

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include <osgTerrainROAM/core/LoadTerrain.h>
+#include <osgTerrainROAM/core/method/PrepareTerrain.h>
 
 #include "scenery/roads/LayRoads.h"
 #include "simulation/parser/ParseScenario.h"
@@ -22,7 +23,7 @@ namespace
 
 using namespace osgTerrainROAM::core;
 
-void checkFrame(RoamMesh& mesh, const viewlod::ViewState& view, const viewlod::Budget& budget,
+void checkFrame(TerrainMesh& mesh, const viewlod::ViewState& view, const viewlod::Budget& budget,
                 FlightFindings& flight)
 {
     const RefineResult result = mesh.refine(view, budget);
@@ -78,13 +79,16 @@ foundation::Result<FlightFindings> fly(const Request& request, const std::string
                                  : tourViews(placed, request.frames);
     if (!views) return views.error();
 
-    RoamMesh mesh(SplitBounds(*tile, request.patchExponent));
-    mesh.setMorphing(request.morphing);
+    const auto prepared = prepareTerrain(
+        *tile, {request.method.value_or(description->method), request.patchExponent, request.morphing}, file);
+    if (!prepared) return prepared.error();
+    const std::unique_ptr<TerrainMesh> mesh = (*prepared)->newMesh();
+    mesh->setMorphing(request.morphing);
     FlightFindings flight;
     terminal::Progress progress(file, views->size());
     for (const viewlod::ViewState& view : *views)
     {
-        checkFrame(mesh, view,
+        checkFrame(*mesh, view,
                    {.errorTolerancePx = request.tolerancePx, .maxTriangles = request.maxTriangles}, flight);
         progress.advance();
     }

@@ -36,6 +36,11 @@ int run(int argc, char** argv)
         ->check(terminal::between(0.01, 1000.0));
     validate->add_option("--max-triangles", request.maxTriangles, "triangle limit")
         ->check(CLI::Range(2u, 100000000u));
+    validate
+        ->add_option("--method", request.method,
+                     "method of level of detail, instead of the terrain's own: " +
+                         osgTerrainROAM::core::methodNames())
+        ->transform(terminal::named(osgTerrainROAM::core::methodsByName()));
     validate->add_flag("--morph", request.morphing, "check the terrain drawn with morphing");
     const auto addPatches = [&](CLI::App* sub)
     {

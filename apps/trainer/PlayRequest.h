@@ -13,6 +13,7 @@
 #include <glm/vec3.hpp>
 
 #include <osgTerrainROAM/core/heightfield/DemImport.h>
+#include <osgTerrainROAM/core/method/Method.h>
 
 #include <osgOffscreen/Backend>
 
@@ -68,6 +69,7 @@ struct TerrainRequest
     bool showsVoids = false;             ///< colours the ground that fills voids
     bool inRoadsFrame =
         false; ///< an OpenDRIVE network keeps its own frame, in which scenarios place entities
+    std::optional<osgTerrainROAM::core::Method> method{}; ///< of level of detail; absent: the terrain's own
     double errorTolerancePx = 1.0;
     std::uint32_t maxTriangles = 500000;
     bool morphing = false; ///< vertices move to their new position during several frames

@@ -21,6 +21,7 @@ namespace
 foundation::Outcome configure(osgTerrainROAM::RoamTerrain& terrain, const TerrainRequest& request)
 {
     osgTerrainROAM::RoamDrawableSettings settings = terrain.settings();
+    settings.method = request.method.value_or(settings.method);
     settings.errorTolerancePx = request.errorTolerancePx;
     settings.maxTriangles = request.maxTriangles;
     settings.morphing = request.morphing;

@@ -42,7 +42,7 @@ PopRow::PopRow(const Request& request, Stage& stage, Setting setting)
       _drawable(new osgTerrainROAM::RoamDrawable(request.tile)),
       _mesh(request.tile)
 {
-    _drawable->setMorphing(_setting.following == Following::morphing);
+    (void)_drawable->setMorphing(_setting.following == Following::morphing);
     _mesh.setMorphing(_setting.following == Following::morphing);
     if (_setting.following != Following::frozen) return;
     refine(request.frames / 2);

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <shared_mutex>
 
+#include <osgTerrainROAM/core/method/PrepareTerrain.h>
+
 #include <osgTerrainROAM/RoamDrawable>
 #include <osgTerrainROAM/Serializers>
 #include <osgTraversal/CullFacts>
@@ -53,20 +55,25 @@ viewlod::ViewState viewOf(osgUtil::CullVisitor& visitor, double nearestM)
 
 RoamDrawable::RoamDrawable() : RoamDrawable(nullptr) {}
 
-RoamDrawable::RoamDrawable(std::shared_ptr<const core::RoamTile> tile)
-    : _tile(std::move(tile)), _groups(newGroups(0))
+RoamDrawable::RoamDrawable(std::shared_ptr<const core::RoamTile> tile) : _tile(std::move(tile))
 {
     setUseDisplayList(false);
     setSupportsDisplayList(false);
     setUseVertexBufferObjects(true);
-    if (_tile) _box = tileBounds(_tile->tile);
+    if (_tile)
+    {
+        _prepared = *prepared(_settings); // ROAM takes every tile
+        _box = tileBounds(_tile->tile);
+    }
+    _groups = std::make_unique<ViewGroupTable>(_prepared);
 }
 
 RoamDrawable::RoamDrawable(const RoamDrawable& other, const osg::CopyOp& copyOp)
     : osg::Drawable(other, copyOp),
       _tile(other._tile),
       _box(other._box),
-      _groups(newGroups(other._settings.patchExponent)),
+      _prepared(other._prepared),
+      _groups(std::make_unique<ViewGroupTable>(_prepared)),
       _settings(other._settings),
       _closesEdge(other._closesEdge)
 {
@@ -74,20 +81,31 @@ RoamDrawable::RoamDrawable(const RoamDrawable& other, const osg::CopyOp& copyOp)
 
 RoamDrawable::~RoamDrawable() = default;
 
-std::unique_ptr<ViewGroupTable> RoamDrawable::newGroups(int patchExponent) const
+/// What the settings' method has prepared: what there is already, if it serves.
+foundation::Result<core::PreparedPtr> RoamDrawable::prepared(const RoamDrawableSettings& settings) const
 {
-    std::optional<core::SplitBounds> bounds;
-    if (_tile) bounds.emplace(_tile, patchExponent);
-    return std::make_unique<ViewGroupTable>(std::move(bounds));
+    const bool isSame =
+        settings.method == _settings.method && settings.patchExponent == _settings.patchExponent;
+    if (!_tile || (_prepared && isSame)) return _prepared;
+    const std::shared_lock lock(_tile->mutex());
+    return core::prepareTerrain(_tile, methodRequest(settings));
 }
 
 foundation::Outcome RoamDrawable::setSettings(const RoamDrawableSettings& settings)
 {
     foundation::Outcome checked = checkSettings(settings);
     if (!checked) return checked;
-    const bool hasOtherPatches = settings.patchExponent != _settings.patchExponent;
+    const auto terrain = prepared(settings);
+    if (!terrain) return terrain.error();
+    const std::uint32_t fewest = *terrain ? (*terrain)->fewestTriangles() : 2;
+    if (settings.maxTriangles < fewest)
+        return foundation::Error{"RoamDrawable.maxTriangles",
+                                 std::to_string(settings.maxTriangles) +
+                                     " are too few: " + std::string(core::methodName(settings.method)) +
+                                     " draws " + std::to_string(fewest) + " or more over this tile",
+                                 "give at least these"};
     _settings = settings;
-    if (hasOtherPatches) _groups = newGroups(settings.patchExponent);
+    if (*terrain != _prepared) _groups = std::make_unique<ViewGroupTable>(_prepared = *terrain);
     return checked;
 }
 
@@ -122,6 +140,16 @@ foundation::Outcome RoamDrawable::setSkirtM(std::optional<double> leastM)
 foundation::Outcome RoamDrawable::setPatchExponent(int exponent)
 {
     return set(&RoamDrawableSettings::patchExponent, exponent);
+}
+
+foundation::Outcome RoamDrawable::setMorphing(bool on)
+{
+    return set(&RoamDrawableSettings::morphing, on);
+}
+
+foundation::Outcome RoamDrawable::setMethod(core::Method method)
+{
+    return set(&RoamDrawableSettings::method, method);
 }
 
 foundation::Outcome RoamDrawable::setNearestM(double metres)
@@ -214,7 +242,7 @@ void RoamDrawable::accept(osg::PrimitiveFunctor& functor) const
     if (!_tile) return;
     ClippedTriangles triangles;
     _groups->latest(defaultErrorM())
-        ->visitMesh([&](const core::RoamMesh& mesh)
+        ->visitMesh([&](const core::TerrainMesh& mesh)
                     { triangles = clippedTriangles(mesh.tile().tile, mesh.drawn()); });
     triangles.accept(functor);
 }

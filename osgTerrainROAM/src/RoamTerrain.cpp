@@ -222,6 +222,7 @@ foundation::Result<osg::ref_ptr<RoamTerrain>> makeTerrain(const core::RoamFile& 
     osg::ref_ptr<RoamTerrain> terrain = new RoamTerrain(tile, material.get());
     terrain->setFeatureReport(*features);
     RoamDrawableSettings settings;
+    settings.method = description.method;
     settings.errorTolerancePx = description.errorTolerancePx;
     settings.maxTriangles = description.maxTriangles;
     if (const auto set = terrain->setSettings(settings); !set) return set.error();

@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <osgTerrainROAM/core/roam/RoamMesh.h>
+
 #include "RasterWriter.h"
 #include "SyntheticField.h"
 #include "terminal/Terminal.h"

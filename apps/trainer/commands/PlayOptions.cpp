@@ -204,6 +204,11 @@ void PlayOptions::addTerrainOptions(CLI::App& command)
                      "colour ground that is filled because the raster has no data there");
     command.add_flag("--morph", request.terrain.morphing,
                      "move vertices gradually when detail changes, with more triangles");
+    command
+        .add_option("--method", request.terrain.method,
+                    "method of level of detail, instead of the terrain's own: " +
+                        osgTerrainROAM::core::methodNames())
+        ->transform(terminal::named(osgTerrainROAM::core::methodsByName()));
     command.add_option("--patch-exponent", _patchExponent,
                        "2^K triangles for each leaf, K even from 0 to 10; or 'measure': the fastest on "
                        "this machine");

@@ -86,6 +86,14 @@ Outcome assignTriangles(RoamFile& file, const RoamEntry& entry)
     return success();
 }
 
+Outcome assignMethod(RoamFile& file, const RoamEntry& entry)
+{
+    const auto method = methodNamed(entry.value);
+    if (!method) return unknownWord(entry, methodNames());
+    file.method = *method;
+    return success();
+}
+
 /// Resolves the path of a class table; the name of a built-in table stays as it is.
 Outcome assignClasses(RoamFile& file, const RoamEntry& entry)
 {
@@ -156,6 +164,7 @@ constexpr std::array kKeys{
         [](RoamFile& f, const RoamEntry& e) { return assignWord(f.import.verticalDatum, e, kDatums); }},
     Key{"finest_spacing",
         [](RoamFile& f, const RoamEntry& e) { return assignNumber(f.finestSpacingM, e, 0.01, 1000.0); }},
+    Key{"method", assignMethod},
     Key{"error_tolerance",
         [](RoamFile& f, const RoamEntry& e) { return assignNumber(f.errorTolerancePx, e, 1e-3, 1e3); }},
     Key{"max_triangles", assignTriangles},

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <string_view>
 #include <type_traits>
 
 #include <viewlod/Budget.h>
@@ -20,6 +22,20 @@ constexpr auto sceneFileNames(Budget::Clock)
 }
 
 } // namespace viewlod
+
+namespace osgTerrainROAM::core
+{
+
+/// The names of the methods in scene files.
+constexpr auto sceneFileNames(Method)
+{
+    std::array<std::string_view, kMethods.size()> names{};
+    for (std::size_t i = 0; i < names.size(); ++i)
+        names[i] = kMethods[i].name;
+    return names;
+}
+
+} // namespace osgTerrainROAM::core
 
 namespace osgTerrainROAM
 {
@@ -47,6 +63,7 @@ void visitFields(auto& settings, Visit& visit)
     }
     if constexpr (std::is_same_v<Settings, RoamDrawableSettings>)
     {
+        visit("method", settings.method);
         visit("maxAdaptTimeUs", settings.maxAdaptTimeUs);
         visit("adaptClock", settings.adaptClock);
         visit("skirtM", settings.skirtM);

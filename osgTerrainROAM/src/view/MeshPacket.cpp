@@ -14,28 +14,26 @@ constexpr std::uint32_t kMaxVertexGap = 16; ///< 256 B bridged: about what anoth
 constexpr std::uint32_t kMaxTriangleGap = 21;
 constexpr std::uint32_t kLeastCapacity = 4096;
 
-void copyRanges(const core::RoamMesh& mesh, MeshPacket& packet)
+void copyRanges(const core::TerrainMesh& mesh, MeshPacket& packet)
 {
     for (const core::IndexRange& range : packet.vertexRanges)
-        for (std::uint32_t slot = range.first; slot < range.first + range.count; ++slot)
-            packet.vertices.push_back(mesh.vertex(slot));
+        mesh.appendVertices(range, packet.vertices);
     for (const core::IndexRange& range : packet.triangleRanges)
-        for (std::uint32_t slot = range.first; slot < range.first + range.count; ++slot)
-            packet.triangles.push_back(mesh.triangle(slot));
+        mesh.appendTriangles(range, packet.triangles);
 }
 
-MeshPacket emptyPacket(const core::RoamMesh& mesh, std::uint64_t serial)
+MeshPacket emptyPacket(const core::TerrainMesh& mesh, std::uint64_t serial)
 {
     MeshPacket packet;
     packet.serial = serial;
-    packet.patchExponent = mesh.patchExponent();
+    packet.patchExponent = mesh.patches() ? mesh.patches()->shape().exponent : 0;
     packet.vertexCount = mesh.vertexSlots();
     packet.triangleCount = mesh.triangleSlots();
     return packet;
 }
 
 /// A packet with the patches of some slots: their vertices one patch after the other.
-MeshPacket patchPacket(const core::RoamMesh& mesh, std::uint64_t serial, std::vector<std::uint32_t> slots)
+MeshPacket patchPacket(const core::TerrainMesh& mesh, std::uint64_t serial, std::vector<std::uint32_t> slots)
 {
     MeshPacket packet = emptyPacket(mesh, serial);
     const core::PatchPool& patches = *mesh.patches();
@@ -47,14 +45,13 @@ MeshPacket patchPacket(const core::RoamMesh& mesh, std::uint64_t serial, std::ve
     for (core::IndexRange& range : packet.vertexRanges)
     {
         for (std::uint32_t slot = range.first; slot < range.first + range.count; ++slot)
-            shape.appendVertices(mesh.tile().tile, mesh.tree().gridTriangle(patches.leaf(slot)),
-                                 packet.vertices);
+            mesh.appendPatch(slot, packet.vertices);
         range = {range.first * perPatch, range.count * perPatch};
     }
     return packet;
 }
 
-MeshPacket wholePatchPacket(const core::RoamMesh& mesh, std::uint64_t serial)
+MeshPacket wholePatchPacket(const core::TerrainMesh& mesh, std::uint64_t serial)
 {
     const core::PatchPool& patches = *mesh.patches();
     std::vector<std::uint32_t> slots;
@@ -67,7 +64,7 @@ MeshPacket wholePatchPacket(const core::RoamMesh& mesh, std::uint64_t serial)
     return packet;
 }
 
-MeshPacket wholeTrianglePacket(const core::RoamMesh& mesh, std::uint64_t serial)
+MeshPacket wholeTrianglePacket(const core::TerrainMesh& mesh, std::uint64_t serial)
 {
     MeshPacket packet = emptyPacket(mesh, serial);
     packet.vertexRanges = {{0, packet.vertexCount}};
@@ -83,7 +80,7 @@ std::uint32_t bufferCapacity(std::uint32_t count)
     return std::max(kLeastCapacity, std::bit_ceil(count));
 }
 
-PacketPtr changedPacket(const core::RoamMesh& mesh, std::uint64_t serial)
+PacketPtr changedPacket(const core::TerrainMesh& mesh, std::uint64_t serial)
 {
     if (mesh.patches())
         return std::make_shared<const MeshPacket>(patchPacket(mesh, serial, mesh.patches()->written()));
@@ -94,7 +91,7 @@ PacketPtr changedPacket(const core::RoamMesh& mesh, std::uint64_t serial)
     return std::make_shared<const MeshPacket>(std::move(packet));
 }
 
-PacketPtr wholePacket(const core::RoamMesh& mesh, std::uint64_t serial)
+PacketPtr wholePacket(const core::TerrainMesh& mesh, std::uint64_t serial)
 {
     MeshPacket packet = mesh.patches() ? wholePatchPacket(mesh, serial) : wholeTrianglePacket(mesh, serial);
     packet.whole = true;

@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include <osgTerrainROAM/core/roam/RoamMesh.h>
+#include <osgTerrainROAM/core/roam/TerrainMesh.h>
 
 namespace osgTerrainROAM
 {
@@ -32,7 +32,7 @@ using PacketPtr = std::shared_ptr<const MeshPacket>;
 /// The capacity of a buffer for `count` elements: a power of two, so that it is rarely reallocated.
 std::uint32_t bufferCapacity(std::uint32_t count);
 
-PacketPtr changedPacket(const core::RoamMesh& mesh, std::uint64_t serial);
-PacketPtr wholePacket(const core::RoamMesh& mesh, std::uint64_t serial);
+PacketPtr changedPacket(const core::TerrainMesh& mesh, std::uint64_t serial);
+PacketPtr wholePacket(const core::TerrainMesh& mesh, std::uint64_t serial);
 
 } // namespace osgTerrainROAM

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <array>
+#include <cmath>
 
 #include <osgTerrainROAM/core/roam/SplitBounds.h>
 
@@ -9,6 +10,12 @@
 
 namespace osgTerrainROAM
 {
+
+core::MethodRequest methodRequest(const RoamDrawableSettings& settings)
+{
+    return {settings.method, settings.patchExponent, settings.morphing,
+            std::isfinite(settings.maxAdaptTimeUs)};
+}
 
 foundation::Outcome checkSettings(const RoamDrawableSettings& settings, const std::string& owner)
 {
@@ -30,7 +37,8 @@ foundation::Outcome checkSettings(const RoamDrawableSettings& settings, const st
         {isFiniteFrom0(defaultErrorM), "defaultErrorM", defaultErrorM,
          "a finite length in metres, 0 or more"},
     }};
-    return checkRequirements(owner, requirements);
+    if (const auto met = checkRequirements(owner, requirements); !met) return met;
+    return core::checkMethod(methodRequest(settings), owner);
 }
 
 } // namespace osgTerrainROAM

@@ -30,53 +30,30 @@ struct Side
 class SkirtCollector
 {
 public:
-    SkirtCollector(const core::RoamMesh& mesh, const std::function<double(const glm::dvec3&)>& depthM)
-        : _tree(mesh.tree()),
+    SkirtCollector(const core::TerrainMesh& mesh, const std::function<double(const glm::dvec3&)>& depthM)
+        : _mesh(mesh),
           _tile(mesh.tile().tile),
           _depthM(depthM),
-          _lastColumn(_tile.grid().dataColumns() - 1),
-          _lastRow(_tile.grid().dataRows() - 1),
           _sides{{false, 0.0, 1.0},
                  {true, 0.0, 1.0},
-                 {false, static_cast<double>(_lastColumn), -1.0},
-                 {true, static_cast<double>(_lastRow), -1.0}}
+                 {false, _tile.grid().dataColumns() - 1.0, -1.0},
+                 {true, _tile.grid().dataRows() - 1.0, -1.0}}
     {
-        for (const core::TriangleId root : core::DiamondTree::kRoots)
-            visit(root, _tree.gridTriangle(root));
+        mesh.forEachTriangleAtBorder(
+            [this](const core::GridPoint(&corners)[3], const core::LeafTriangle& triangle)
+            {
+                for (const Side& side : _sides)
+                    addEdge(side, corners, triangle);
+            });
     }
 
     MeshPacket packet;
 
 private:
-    bool touchesBorder(const core::GridTriangle& g) const
-    {
-        const auto [west, east] = std::minmax({g.apex.column, g.left.column, g.right.column});
-        const auto [south, north] = std::minmax({g.apex.row, g.left.row, g.right.row});
-        if (west > _lastColumn || south > _lastRow) return false;
-        return west == 0 || south == 0 || east >= _lastColumn || north >= _lastRow;
-    }
-
-    void visit(core::TriangleId t, const core::GridTriangle& g)
-    {
-        if (!touchesBorder(g)) return;
-        if (_tree.isLeaf(t))
-        {
-            const core::LeafTriangle leaf = _tree.vertices(t);
-            for (const Side& side : _sides)
-                addEdge(side, g, leaf);
-            return;
-        }
-        const auto children = _tree.children(t);
-        const auto halves = g.children();
-        for (const std::size_t half : {0u, 1u})
-            visit(children[half], halves[half]);
-    }
-
     /// Where a triangle that lies inside, in part at least, meets the line.
-    void addEdge(const Side& side, const core::GridTriangle& g, const core::LeafTriangle& leaf)
+    void addEdge(const Side& side, const core::GridPoint (&corners)[3], const core::LeafTriangle& leaf)
     {
-        const core::GridPoint corners[3] = {g.apex, g.left, g.right};
-        const double shares[3] = {side.share(g.apex), side.share(g.left), side.share(g.right)};
+        const double shares[3] = {side.share(corners[0]), side.share(corners[1]), side.share(corners[2])};
         if (*std::max_element(shares, shares + 3) <= 0.0) return;
         EdgePlace ends[3];
         int found = 0;
@@ -100,10 +77,16 @@ private:
         return side.inwards * (side.isRow ? place.column : -place.row);
     }
 
-    EdgePlace between(core::GridPoint a, core::GridPoint b, core::VertexSlot from, core::VertexSlot to,
-                      double t) const
+    core::MeshVertex vertex(std::uint32_t slot)
     {
-        const core::MeshVertex u = _tree.vertex(from), v = _tree.vertex(to);
+        _one.clear();
+        _mesh.appendVertices({slot, 1}, _one);
+        return _one.front();
+    }
+
+    EdgePlace between(core::GridPoint a, core::GridPoint b, std::uint32_t from, std::uint32_t to, double t)
+    {
+        const core::MeshVertex u = vertex(from), v = vertex(to);
         EdgePlace place;
         place.vertex.position =
             glm::ivec3(glm::round(glm::mix(glm::dvec3(u.position), glm::dvec3(v.position), t)));
@@ -134,16 +117,16 @@ private:
         packet.triangles.push_back({{first + 1, first + 2, first + 3}});
     }
 
-    const core::DiamondTree& _tree;
+    const core::TerrainMesh& _mesh;
     const core::PlacedTile& _tile;
     const std::function<double(const glm::dvec3&)>& _depthM;
-    int _lastColumn, _lastRow;
     Side _sides[4];
+    std::vector<core::MeshVertex> _one;
 };
 
 } // namespace
 
-PacketPtr skirtPacket(const core::RoamMesh& mesh, std::uint64_t serial,
+PacketPtr skirtPacket(const core::TerrainMesh& mesh, std::uint64_t serial,
                       const std::function<double(const glm::dvec3&)>& depthM)
 {
     if (mesh.patches()) return nullptr;

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <chrono>
 
-#include "NearestSurface.h"
 #include "SkirtPacket.h"
 
 namespace osgTerrainROAM
@@ -28,7 +27,7 @@ double scaleOf(const RefineTarget& target)
 
 bool ViewGroup::isMetBy(unsigned int frame, const RefineTarget& target) const
 {
-    const bool sameKind = _serial != 0 && !_mesh.isBehind() && target.errorM == _target.errorM &&
+    const bool sameKind = _serial != 0 && !_mesh->isBehind() && target.errorM == _target.errorM &&
                           target.isMorphing == _target.isMorphing && target.skirtM == _target.skirtM &&
                           target.view.eyeWorld == _target.view.eyeWorld &&
                           target.budget.maxTriangles == _target.budget.maxTriangles;
@@ -44,15 +43,15 @@ void ViewGroup::refine(const RefineTarget& target)
 {
     using Clock = std::chrono::steady_clock;
     const auto start = Clock::now();
-    _mesh.setMorphing(target.isMorphing);
+    _mesh->setMorphing(target.isMorphing);
     _statistics.refine =
-        target.errorM ? _mesh.refine(*target.errorM) : _mesh.refine(target.view, target.budget);
+        target.errorM ? _mesh->refine(*target.errorM) : _mesh->refine(target.view, target.budget);
     const auto refined = Clock::now();
-    const core::MeshChanges& changes = _mesh.changes();
-    const bool patchesChanged = _mesh.patches() && !_mesh.patches()->written().empty();
+    const core::MeshChanges& changes = _mesh->changes();
+    const bool patchesChanged = _mesh->patches() && !_mesh->patches()->written().empty();
     if (_serial == 0 || patchesChanged || !changes.vertices.empty() || !changes.triangles.empty())
     {
-        _changed = _serial == 0 ? nullptr : changedPacket(_mesh, _serial + 1);
+        _changed = _serial == 0 ? nullptr : changedPacket(*_mesh, _serial + 1);
         _whole = nullptr;
         ++_serial;
     }
@@ -75,7 +74,7 @@ ViewAnswer ViewGroup::answer(unsigned int frame, const RefineTarget& target, con
     }
     _frame = _statistics.frame = frame;
     const glm::dvec3& eye = target.view.eyeWorld;
-    return answerLocked(frustum, eye, _mesh.horizon(eye), contextId);
+    return answerLocked(frustum, eye, _mesh->horizon(eye), contextId);
 }
 
 ViewAnswer ViewGroup::answerAsIs(const viewlod::Frustum& frustum, const glm::dvec3& eye,
@@ -90,8 +89,8 @@ ViewAnswer ViewGroup::answerLocked(const viewlod::Frustum& frustum, const glm::d
                                    std::optional<unsigned int> contextId)
 {
     ViewAnswer answer;
-    answer.triangles = _mesh.visibleRanges(frustum, eye, horizon ? &*horizon : nullptr, answer.ranges);
-    answer.nearestM = nearestSurfaceM(_mesh.tree(), eye);
+    answer.triangles = _mesh->visibleRanges(frustum, eye, horizon ? &*horizon : nullptr, answer.ranges);
+    answer.nearestM = _mesh->nearestM(eye);
     answer.serial = _serial;
     if (contextId) answer.packet = packetFor(*contextId);
     if (contextId && _target.skirtM) answer.skirt = skirtNow();
@@ -111,7 +110,7 @@ PacketPtr ViewGroup::packetFor(unsigned int contextId)
 
 PacketPtr ViewGroup::wholeNow()
 {
-    if (!_whole) _whole = wholePacket(_mesh, _serial);
+    if (!_whole) _whole = wholePacket(*_mesh, _serial);
     return _whole;
 }
 
@@ -128,7 +127,7 @@ PacketPtr ViewGroup::skirtNow()
             _target.errorM ? *_target.errorM : errorPerM * glm::distance(place, _target.view.eyeWorld);
         return std::max(3.0 * errorM, *_target.skirtM);
     };
-    _skirt = skirtPacket(_mesh, _serial, depthM);
+    _skirt = skirtPacket(*_mesh, _serial, depthM);
     return _skirt;
 }
 
@@ -151,7 +150,7 @@ std::uint32_t ViewGroup::draw(osg::State& state, const ViewAnswer& answer, const
         const Locked lock(*this);
         packet = wholeNow();
         ranges.clear();
-        triangles = _mesh.visibleRanges(frustum, ranges);
+        triangles = _mesh->visibleRanges(frustum, ranges);
     }
     std::size_t bytes = gpu->upload(state, *packet);
     gpu->draw(state, ranges);

@@ -14,6 +14,8 @@
 #include <viewlod/Budget.h>
 #include <viewlod/ViewState.h>
 
+#include <osgTerrainROAM/core/roam/TerrainMesh.h>
+
 #include <osgTerrainROAM/RoamStatistics>
 
 #include "GpuMesh.h"
@@ -38,7 +40,7 @@ struct ViewAnswer
     std::uint64_t serial = 0;             ///< state of the mesh that `ranges` belong to
     PacketPtr packet;                     ///< leads to that state; null when nobody was known to draw
     PacketPtr skirt;                      ///< of that state; null: none
-    std::vector<core::IndexRange> ranges; ///< RoamMesh::visibleRanges()
+    std::vector<core::IndexRange> ranges; ///< TerrainMesh::visibleRanges()
     std::uint32_t triangles = 0;          ///< in them, gaps not counted
     double nearestM = 0.0;                ///< from the eye to the drawn surface
 };
@@ -50,7 +52,7 @@ struct ViewAnswer
 class ViewGroup
 {
 public:
-    explicit ViewGroup(core::SplitBounds bounds) : _mesh(std::move(bounds)) {}
+    explicit ViewGroup(std::unique_ptr<core::TerrainMesh> mesh) : _mesh(std::move(mesh)) {}
 
     /// Refines for the target, unless this frame's mesh is as strict already, and answers for one frustum.
     /// `contextId`: the context that will draw, which may need the whole mesh; absent: none.
@@ -70,21 +72,21 @@ public:
     void visitMesh(const ViewAnswer& answer, const viewlod::Frustum& frustum, Visit visit) const
     {
         const Locked lock(*this);
-        if (answer.serial == _serial) return visit(_mesh, answer.ranges);
+        if (answer.serial == _serial) return visit(*_mesh, answer.ranges);
         std::vector<core::IndexRange> ranges;
-        _mesh.visibleRanges(frustum, ranges);
-        visit(_mesh, ranges);
+        _mesh->visibleRanges(frustum, ranges);
+        visit(*_mesh, ranges);
     }
 
     /// Threads: any, without the lock.
-    const core::PlacedTile& tile() const { return _mesh.tile().tile; }
+    const core::PlacedTile& tile() const { return _mesh->tile().tile; }
 
     /// Calls visit(mesh) under the lock.
     template<class Visit>
     void visitMesh(Visit visit) const
     {
         const Locked lock(*this);
-        visit(_mesh);
+        visit(*_mesh);
     }
 
     /// Releases the buffers of one context, or (nullptr) of all.
@@ -97,7 +99,7 @@ private:
     class Locked
     {
     public:
-        explicit Locked(const ViewGroup& group) : _mesh(group._meshMutex), _tile(group._mesh.tile().mutex())
+        explicit Locked(const ViewGroup& group) : _mesh(group._meshMutex), _tile(group._mesh->tile().mutex())
         {
         }
 
@@ -117,7 +119,7 @@ private:
     bool isMetBy(unsigned int frame, const RefineTarget& target) const;
 
     mutable std::mutex _meshMutex; ///< guards everything down to _statistics
-    core::RoamMesh _mesh;
+    std::unique_ptr<core::TerrainMesh> _mesh;
     std::uint64_t _serial = 0;
     PacketPtr _changed; ///< to _serial from the state before; null: _whole alone leads there
     PacketPtr _whole;   ///< to _serial from nothing; made when asked for

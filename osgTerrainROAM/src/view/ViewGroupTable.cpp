@@ -10,10 +10,10 @@
 namespace osgTerrainROAM
 {
 
-ViewGroupTable::ViewGroupTable(std::optional<core::SplitBounds> bounds) : _bounds(std::move(bounds))
+ViewGroupTable::ViewGroupTable(core::PreparedPtr terrain) : _terrain(std::move(terrain))
 {
-    if (!_bounds) return;
-    const core::HeightField& field = _bounds->tile().tile.field();
+    if (!_terrain) return;
+    const core::HeightField& field = _terrain->tile().tile.field();
     _reachM = field.spacingEastM * field.columns + field.spacingNorthM * field.rows;
 }
 
@@ -82,9 +82,8 @@ ViewGroupTable::Entry& ViewGroupTable::entryFor(const ViewRequest& request)
 /// Locks the tile while the mesh is made, because an edit may be going on.
 std::shared_ptr<ViewGroup> ViewGroupTable::newGroup() const
 {
-    const core::SplitBounds& bounds = _bounds.value();
-    const std::shared_lock lock(bounds.tile().mutex());
-    return std::make_shared<ViewGroup>(bounds);
+    const std::shared_lock lock(_terrain->tile().mutex());
+    return std::make_shared<ViewGroup>(_terrain->newMesh());
 }
 
 void ViewGroupTable::leave(const osg::Camera* camera, const Entry* except)

@@ -9,6 +9,8 @@
 #include <osg/Camera>
 #include <osg/observer_ptr>
 
+#include <osgTerrainROAM/core/roam/PreparedTerrain.h>
+
 #include "ViewGroup.h"
 
 namespace osgTerrainROAM
@@ -31,8 +33,8 @@ struct ViewRequest
 class ViewGroupTable
 {
 public:
-    /// Without `bounds`, find() must not be called.
-    explicit ViewGroupTable(std::optional<core::SplitBounds> bounds);
+    /// Without `terrain`, find() must not be called.
+    explicit ViewGroupTable(core::PreparedPtr terrain);
 
     /// The group for a request, and the target with the strictest scale among the group's cameras.
     struct Match
@@ -72,7 +74,7 @@ private:
     void dropUnused(unsigned int frame);
     static RefineTarget strictest(const Entry& entry);
 
-    std::optional<core::SplitBounds> _bounds;
+    core::PreparedPtr _terrain;
     double _reachM = 0.0; ///< of the tile from its origin
     mutable std::mutex _mutex;
     std::vector<Entry> _entries;

@@ -28,7 +28,7 @@ void ViewPart::accept(osg::PrimitiveFunctor& functor) const
 {
     ClippedTriangles triangles;
     _group->visitMesh(_answer, _frustum,
-                      [&](const core::RoamMesh& mesh, const std::vector<core::IndexRange>& ranges)
+                      [&](const core::TerrainMesh& mesh, const std::vector<core::IndexRange>& ranges)
                       { triangles = clippedTriangles(mesh.tile().tile, mesh.drawn(ranges)); });
     triangles.accept(functor);
 }

@@ -61,6 +61,34 @@ TEST(DrawnMeshCheck, SeesAVertexOffItsPlace)
     EXPECT_GT(drawn.check().cracks, 0u);
 }
 
+TEST(DrawnMeshCheck, SeesATriangleThatIsTurnedOver)
+{
+    Drawn drawn(33, 33);
+    std::swap(drawn.drawn.triangles[7].vertices[1], drawn.drawn.triangles[7].vertices[2]);
+    EXPECT_GT(drawn.check().cracks, 0u);
+}
+
+TEST(DrawnMeshCheck, TakesTrianglesOfAnyShape)
+{
+    // A fan around a point that is in the middle of nothing.
+    const auto tile = testsupport::planarTile(testsupport::hills(17, 17));
+    DrawnMesh mesh;
+    mesh.stepM = tile->tile.frame().vertexStepM();
+    for (const GridPoint p : {GridPoint{5, 9}, {0, 0}, {16, 0}, {16, 16}, {0, 16}})
+    {
+        mesh.grid.push_back(p);
+        mesh.vertices.push_back(meshVertex(tile->tile.position(p.column, p.row), p, mesh.stepM));
+    }
+    for (std::uint32_t i = 1; i <= 4; ++i)
+        mesh.triangles.push_back({{0, i, i % 4 + 1}});
+    const DrawnMeshReport sound = checkDrawnMesh(*tile, mesh, nullptr);
+    EXPECT_EQ(sound.tJunctions + sound.cracks, 0u);
+    mesh.triangles.pop_back();
+    const DrawnMeshReport open = checkDrawnMesh(*tile, mesh, nullptr);
+    EXPECT_GT(open.tJunctions, 0u);
+    EXPECT_GT(open.cracks, 0u);
+}
+
 TEST(DrawnMeshCheck, SeesATJunction)
 {
     Drawn drawn(33, 33);

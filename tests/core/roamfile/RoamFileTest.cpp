@@ -143,6 +143,7 @@ TEST(RoamFile, ErrorsNameFileAndLine)
                 HasSubstr("place.roam:3: 'spacing' stands here a second time"));
     EXPECT_THAT(messageOf("dem = a.tif\nvoids = dig\n"), HasSubstr("use one of: fill, keep"));
     EXPECT_THAT(messageOf("dem = a.tif\nplacement = round\n"), HasSubstr("use one of: curved, planar"));
+    EXPECT_THAT(messageOf("dem = a.tif\nmethod = magic\n"), HasSubstr("roam"));
     EXPECT_THAT(messageOf("dem = a.tif\nsun = 10 100\n"), HasSubstr("place.roam:2"));
     EXPECT_THAT(messageOf("dem = a.tif\nmax_triangles =\n"), HasSubstr("has no value"));
     EXPECT_THAT(messageOf("dem a.tif\n"), HasSubstr("place.roam:1: not of the form key = value"));

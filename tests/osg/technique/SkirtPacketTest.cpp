@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <osgTerrainROAM/core/roam/RoamMesh.h>
+
 #include "SyntheticField.h"
 
 namespace

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <osgTerrainROAM/core/roam/RoamMesh.h>
+
 #include "SyntheticField.h"
 #include "view/ViewGroup.h"
 
@@ -42,7 +44,7 @@ struct Buffers
     }
 
     /// The vertices that a draw of some ranges reads, triangle by triangle.
-    std::vector<core::MeshVertex> drawn(const core::RoamMesh& mesh,
+    std::vector<core::MeshVertex> drawn(const core::TerrainMesh& mesh,
                                         const std::vector<core::IndexRange>& ranges) const
     {
         std::vector<core::MeshVertex> read;
@@ -68,7 +70,7 @@ struct Buffers
     }
 
     /// Whether what is drawn are the triangles that the mesh draws.
-    bool shows(const core::RoamMesh& mesh, const std::vector<core::IndexRange>& ranges) const
+    bool shows(const core::TerrainMesh& mesh, const std::vector<core::IndexRange>& ranges) const
     {
         const std::vector<core::MeshVertex> mine = drawn(mesh, ranges);
         const core::DrawnMesh wanted = mesh.drawn(ranges);
@@ -105,11 +107,13 @@ void fly(ViewGroup& group, Buffers& steady, Buffers* seldom)
         const RefineTarget target = targetAt(x, y, 500 + 1500 * random.unit());
         const ViewAnswer answer = group.answer(frame, target, viewlod::Frustum(), 0);
         steady.take(*answer.packet);
-        group.visitMesh([&](const core::RoamMesh& mesh) { ASSERT_TRUE(steady.shows(mesh, answer.ranges)); });
+        group.visitMesh([&](const core::TerrainMesh& mesh)
+                        { ASSERT_TRUE(steady.shows(mesh, answer.ranges)); });
         if (!seldom || frame % 5 != 0) continue;
         const ViewAnswer late = group.answer(frame, target, viewlod::Frustum(), 1);
         seldom->take(*late.packet);
-        group.visitMesh([&](const core::RoamMesh& mesh) { ASSERT_TRUE(seldom->shows(mesh, late.ranges)); });
+        group.visitMesh([&](const core::TerrainMesh& mesh)
+                        { ASSERT_TRUE(seldom->shows(mesh, late.ranges)); });
     }
 }
 
@@ -121,7 +125,8 @@ class MeshPackets : public testing::TestWithParam<int>
 
 TEST_P(MeshPackets, LeadEveryContextToTheMesh)
 {
-    ViewGroup group(core::SplitBounds(testsupport::planarTile(testsupport::hills(129, 129)), GetParam()));
+    ViewGroup group(std::make_unique<core::RoamMesh>(
+        core::SplitBounds(testsupport::planarTile(testsupport::hills(129, 129)), GetParam())));
     Buffers steady, seldom;
     fly(group, steady, &seldom);
     EXPECT_GT(steady.serial, 50u);
@@ -165,7 +170,7 @@ TEST(MeshPacket, ALostRangeIsNoticed)
 
 TEST(MeshPacket, CarryFarLessThanTheMesh)
 {
-    ViewGroup group(testsupport::planarTile(testsupport::hills(257, 257)));
+    ViewGroup group(std::make_unique<core::RoamMesh>(testsupport::planarTile(testsupport::hills(257, 257))));
     group.answer(1, targetAt(3000, 3000, 900), viewlod::Frustum(), 0);
     const auto answer = group.answer(2, targetAt(3003, 3000, 900), viewlod::Frustum(), 0);
     EXPECT_FALSE(answer.packet->whole);
@@ -174,7 +179,7 @@ TEST(MeshPacket, CarryFarLessThanTheMesh)
 
 TEST(MeshPacket, TheSameEyeSendsNothingNew)
 {
-    ViewGroup group(testsupport::planarTile(testsupport::hills(129, 129)));
+    ViewGroup group(std::make_unique<core::RoamMesh>(testsupport::planarTile(testsupport::hills(129, 129))));
     const auto first = group.answer(1, targetAt(3000, 3000, 900), viewlod::Frustum(), 0);
     const auto second = group.answer(2, targetAt(3000, 3000, 900), viewlod::Frustum(), 0);
     EXPECT_EQ(first.packet, second.packet);

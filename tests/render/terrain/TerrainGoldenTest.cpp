@@ -8,6 +8,8 @@
 #include <osg/Texture2D>
 #include <osgUtil/CullVisitor>
 
+#include <osgTerrainROAM/core/roam/RoamMesh.h>
+
 #include "RenderedGolden.h"
 #include "RenderedPicture.h"
 #include "SyntheticScene.h"
@@ -58,7 +60,9 @@ class HoleyDrawable : public osg::Drawable
 {
 public:
     HoleyDrawable(std::shared_ptr<const core::RoamTile> tile, int rank)
-        : _bounds(tileBounds(tile->tile)), _group(std::make_shared<ViewGroup>(std::move(tile))), _rank(rank)
+        : _bounds(tileBounds(tile->tile)),
+          _group(std::make_shared<ViewGroup>(std::make_unique<core::RoamMesh>(std::move(tile)))),
+          _rank(rank)
     {
     }
 

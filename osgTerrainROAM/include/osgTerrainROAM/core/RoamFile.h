@@ -13,6 +13,7 @@
 
 #include <osgTerrainROAM/core/heightfield/DemImport.h>
 #include <osgTerrainROAM/core/heightfield/PlacedTile.h>
+#include <osgTerrainROAM/core/method/Method.h>
 
 namespace osgTerrainROAM::core
 {
@@ -56,6 +57,7 @@ struct RoadsOrigin
 ///   spacing = METRES                  of a raster without georeference
 ///   finest_spacing = METRES           of samples that edits may add; absent: edits change the raster's samples only
 ///   vertical_datum = automatic | egm96 | ellipsoid
+///   method = NAME                     of level of detail (Method.h)
 ///   error_tolerance = PIXELS          max_triangles = COUNT
 ///   aridity = 0…1    tree_line = METRES    snow_line = METRES    sea_level = METRES
 ///   water = level | none              level ground and ground below the sea is water, or all ground is land
@@ -85,6 +87,7 @@ struct RoamFile
     Placement placement = Placement::curved;
     DemImportOptions import;
     std::optional<double> finestSpacingM; ///< of samples that edits may add
+    Method method = Method::roam;
     double errorTolerancePx = 1.0;
     std::uint32_t maxTriangles = std::numeric_limits<std::uint32_t>::max();
     LandParameters land;

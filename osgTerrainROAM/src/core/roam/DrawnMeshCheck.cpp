@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
 #include <limits>
 #include <unordered_set>
 #include <vector>
@@ -10,6 +11,7 @@
 
 #include <osgTerrainROAM/core/roam/DrawnMeshCheck.h>
 #include <osgTerrainROAM/core/roam/Outline.h>
+#include <osgTerrainROAM/core/roam/PlanTriangle.h>
 #include <osgTerrainROAM/core/roam/TriangleSamples.h>
 
 #include "../heightfield/NearestSample.h"
@@ -46,7 +48,12 @@ public:
     {
         const PlacedTile& placed = _tile.tile;
         const auto corner = [&](int i) { return mesh.grid[t.vertices[i]]; };
-        const GridTriangle triangle{corner(0), corner(1), corner(2)};
+        const PlanTriangle triangle{{corner(0), corner(1), corner(2)}};
+        if (triangle.doubleArea() <= 0)
+        {
+            ++_turnedOver;
+            return;
+        }
         const glm::dvec3 a = mesh.position(t.vertices[0]), du = mesh.position(t.vertices[1]) - a,
                          dw = mesh.position(t.vertices[2]) - a;
         const bool projected = _view && mayBeSeen(triangle, a, du, dw);
@@ -65,7 +72,8 @@ public:
     std::size_t uncovered()
     {
         if (_tile.tile.samples().hasHoles()) compareOutline();
-        return std::count(_covered.begin(), _covered.end(), false) + _uncovered.size() + uncoveredOfSheets();
+        return _turnedOver + std::count(_covered.begin(), _covered.end(), false) + _uncovered.size() +
+               uncoveredOfSheets();
     }
     double maxErrorPx() const { return _maxErrorPx; }
 
@@ -91,7 +99,7 @@ private:
     int step() const { return _tile.tile.grid().cellSide(); }
 
     /// Counts missing samples that are drawn.
-    void noteHoles(const GridTriangle& t)
+    void noteHoles(const PlanTriangle& t)
     {
         const PlacedTile& placed = _tile.tile;
         t.forEachRow(
@@ -153,16 +161,32 @@ private:
             if (sheets[i].holds(p.column, p.row)) _sheetsCovered[i][sheets[i].index(p.column, p.row)] = true;
     }
 
-    /// Tests a sphere around the triangle thickened by its error: whether any of its samples can be visible.
-    bool mayBeSeen(const GridTriangle& t, const glm::dvec3& a, const glm::dvec3& du,
+    /// Tests a sphere around the triangle thickened by its error: whether any of its samples can be visible. Of a triangle that is
+    /// none of the bintree no error is known.
+    bool mayBeSeen(const PlanTriangle& plan, const glm::dvec3& a, const glm::dvec3& du,
                    const glm::dvec3& dw) const
     {
+        const GridTriangle t{plan.corners[0], plan.corners[1], plan.corners[2]};
+        if (!isOfBintree(t)) return true;
         const GridPoint mid = middle(t.left, t.right);
         const bool finest = (t.left.column + t.right.column) % 2 != 0 || (t.left.row + t.right.row) % 2 != 0;
         const double error = finest ? 0.0 : _tile.bound(mid).errorM;
         const glm::dvec3 centre = a + (du + dw) * 0.5;
         const double radius = std::max(glm::length(du - dw) * 0.5, glm::distance(centre, a)) + error;
         return !_view->frustum.classify(centre, radius).outside;
+    }
+
+    /// Whether it has the shape of a triangle of the bintree, at the place of one.
+    static bool isOfBintree(const GridTriangle& t)
+    {
+        const int lc = t.left.column - t.apex.column, lr = t.left.row - t.apex.row;
+        const int rc = t.right.column - t.apex.column, rr = t.right.row - t.apex.row;
+        const bool isAlongAxes = lc == 0 || lr == 0;
+        const int size = std::max(std::abs(lc), std::abs(lr));
+        if (rc != -lr || rr != lc || (!isAlongAxes && std::abs(lc) != std::abs(lr))) return false;
+        if ((size & (size - 1)) != 0 || t.apex.column % size != 0 || t.apex.row % size != 0) return false;
+        const bool isOddColumn = t.apex.column / size % 2 != 0, isOddRow = t.apex.row / size % 2 != 0;
+        return isAlongAxes ? isOddColumn != isOddRow : isOddColumn && isOddRow;
     }
 
     void compare(const glm::dvec3& sample, const glm::dvec3& drawn)
@@ -182,6 +206,7 @@ private:
     std::vector<std::vector<bool>> _sheetsCovered;
     std::unordered_set<std::uint64_t> _uncovered; ///< those between
     std::vector<GridPoint> _misplaced;            ///< samples by which the outline is off
+    std::size_t _turnedOver = 0;                  ///< triangles without extent, or turned over in plan
     double _maxErrorPx = 0.0;
 };
 

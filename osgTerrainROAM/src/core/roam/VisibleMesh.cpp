@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <osgTerrainROAM/core/roam/DrawnGround.h>
+#include <osgTerrainROAM/core/roam/NearestSurface.h>
 #include <osgTerrainROAM/core/roam/RoamMesh.h>
 
 namespace osgTerrainROAM::core
@@ -81,16 +82,26 @@ std::uint32_t RoamMesh::appendPatches(std::uint32_t region, const viewlod::Frust
     return static_cast<std::uint32_t>(ranges.size() - before) << patchExponent();
 }
 
-std::vector<IndexRange> RoamMesh::allRanges() const
+void RoamMesh::appendVertices(IndexRange slots, std::vector<MeshVertex>& vertices) const
 {
-    std::vector<IndexRange> ranges;
-    visibleRanges(viewlod::Frustum(glm::dmat4(0.0)), ranges); // planes without direction cull nothing
-    return ranges;
+    for (std::uint32_t slot = slots.first; slot < slots.first + slots.count; ++slot)
+        vertices.push_back(vertex(slot));
 }
 
-DrawnMesh RoamMesh::drawn() const
+void RoamMesh::appendTriangles(IndexRange slots, std::vector<LeafTriangle>& triangles) const
 {
-    return drawn(allRanges());
+    for (std::uint32_t slot = slots.first; slot < slots.first + slots.count; ++slot)
+        triangles.push_back(triangle(slot));
+}
+
+void RoamMesh::appendPatch(std::uint32_t slot, std::vector<MeshVertex>& vertices) const
+{
+    _patches->shape().appendVertices(tile().tile, _tree.gridTriangle(_patches->leaf(slot)), vertices);
+}
+
+double RoamMesh::nearestM(const glm::dvec3& point) const
+{
+    return nearestSurfaceM(_tree, point);
 }
 
 DrawnMesh RoamMesh::drawn(std::span<const IndexRange> ranges) const

@@ -16,7 +16,8 @@ struct DrawnMeshReport
 {
     std::size_t tJunctions = 0; ///< edges inside the data that no neighbouring triangle shares
     std::size_t cracks =
-        0; ///< data samples under no triangle, and vertices that, without morphing, are off their samples
+        0; ///< data samples under no triangle, and vertices that, without morphing, are off their samples; triangles without
+           ///< extent, or turned over in plan
     double maxErrorPx =
         0.0; ///< largest distance in the frame, in pixels, between a visible sample and the drawn surface
 };

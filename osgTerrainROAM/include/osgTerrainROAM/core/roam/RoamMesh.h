@@ -17,6 +17,7 @@
 #include <osgTerrainROAM/core/roam/Morph.h>
 #include <osgTerrainROAM/core/roam/PatchPool.h>
 #include <osgTerrainROAM/core/roam/RefineResult.h>
+#include <osgTerrainROAM/core/roam/TerrainMesh.h>
 #include <osgTerrainROAM/core/roam/WheelDriver.h>
 
 namespace osgTerrainROAM::core
@@ -30,7 +31,7 @@ namespace osgTerrainROAM::core
 /// Invariant: isConforming() after every operation. Threads: one at a time; if the tile is edited, with a shared lock of its
 /// mutex. Memory: memoryBytes(), about 30 B per triangle; splits allocate only to grow a pool.
 /// Source: *Methods of continuous level of detail for terrain* (Graphicon 2002), section 5 (ROAM and its frame loop).
-class RoamMesh
+class RoamMesh final : public TerrainMesh
 {
 public:
     /// `bounds`: a tile, or the SplitBounds of one with patches.
@@ -48,59 +49,63 @@ public:
     /// ceiling is met as soon as the time slices allow. When the time slice ends, the work stops; the next call continues: the wheel
     /// with the remaining work, the other drivers from the start.
     /// Frame of `view`: the tile's local frame. Cost: see the drivers.
-    RefineResult refine(const viewlod::ViewState& view, const viewlod::Budget& budget);
+    RefineResult refine(const viewlod::ViewState& view, const viewlod::Budget& budget) override;
 
     /// Morphing: from the next refinement for an eye, vertices appear and disappear without a jump, and the error target holds for
     /// the drawn surface; the mesh is refined to two thirds of it (Morph). Patches do not morph: with them it stays off.
-    void setMorphing(bool on) { _isMorphing = on && !patches(); }
+    void setMorphing(bool on) override { _isMorphing = on && !patches(); }
     bool isMorphing() const { return _isMorphing; }
 
     /// Refines for no eye in particular: a vertex is active exactly when e_v > errorM.
-    RefineResult refine(double errorM);
+    RefineResult refine(double errorM) override;
 
     /// Whether the tile has been edited since the last refinement.
-    bool isBehind() const { return _revision != tile().revision(); }
+    bool isBehind() const override { return _revision != tile().revision(); }
 
     /// The data for the graphics card by slot, and the changes of the last refinement. Unused slots have any content.
-    std::uint32_t vertexSlots() const { return _tree.vertexSlots(); }
-    std::uint32_t triangleSlots() const { return _tree.leaves().slotCount(); }
+    std::uint32_t vertexSlots() const override { return _tree.vertexSlots(); }
+    std::uint32_t triangleSlots() const override { return _tree.leaves().slotCount(); }
     MeshVertex vertex(VertexSlot v) const { return _tree.place(v).isFree() ? MeshVertex{} : _tree.vertex(v); }
     LeafTriangle triangle(std::uint32_t slot) const
     {
         const TriangleId leaf = _tree.leaves().leaf(slot);
         return leaf.exists() ? _tree.vertices(leaf) : LeafTriangle{};
     }
-    const MeshChanges& changes() const { return _tree.changes(); }
+    void appendVertices(IndexRange slots, std::vector<MeshVertex>& vertices) const override;
+    void appendTriangles(IndexRange slots, std::vector<LeafTriangle>& triangles) const override;
+    const MeshChanges& changes() const override { return _tree.changes(); }
 
     /// The patches, which are drawn instead of the leaves and have slots of their own; null: the leaves carry none.
-    const PatchPool* patches() const { return _patches ? &*_patches : nullptr; }
+    const PatchPool* patches() const override { return _patches ? &*_patches : nullptr; }
+    void appendPatch(std::uint32_t slot, std::vector<MeshVertex>& vertices) const override;
     int patchExponent() const { return _tree.bounds().patchExponent(); }
 
     /// Appends the ranges of slots (of triangles or of patches) that may be visible to `ranges`: conservative, by regions of the
     /// tree (RegionBounds), then patch by patch. Only these ranges hold live slots; they also hold gaps, triangles without extent.
     /// Returns the number of triangles in them, gaps not counted.
-    std::uint32_t visibleRanges(const viewlod::Frustum& frustum, std::vector<IndexRange>& ranges) const;
+    std::uint32_t visibleRanges(const viewlod::Frustum& frustum,
+                                std::vector<IndexRange>& ranges) const override;
 
     /// Does the same, near ranges first, so that the depth test saves hidden fragments: about half of them in hills. With a horizon
     /// it omits ranges that are wholly below it.
     std::uint32_t visibleRanges(const viewlod::Frustum& frustum, const glm::dvec3& eye,
-                                const Horizon* horizon, std::vector<IndexRange>& ranges) const;
+                                const Horizon* horizon, std::vector<IndexRange>& ranges) const override;
 
     /// The horizon for a camera at the eye that the mesh was last refined for. None for any other eye, and where it is not
     /// certain.
-    std::optional<Horizon> horizon(const glm::dvec3& eye) const;
+    std::optional<Horizon> horizon(const glm::dvec3& eye) const override;
 
-    /// All ranges, without a camera.
-    std::vector<IndexRange> allRanges() const;
+    DrawnMesh drawn(std::span<const IndexRange> ranges) const override;
+    using TerrainMesh::drawn;
 
-    /// The mesh that such ranges draw; the whole mesh.
-    DrawnMesh drawn(std::span<const IndexRange> ranges) const;
-    DrawnMesh drawn() const;
+    double nearestM(const glm::dvec3& point) const override;
+    void forEachTriangleAtBorder(const BorderVisit& visit) const override;
 
     const DiamondTree& tree() const { return _tree; }
-    const RoamTile& tile() const { return _tree.tile(); }
+    const RoamTile& tile() const override { return _tree.tile(); }
+    bool isValid() const override { return isConforming(); }
     bool isConforming() const { return _tree.isConforming(); }
-    std::size_t memoryBytes() const
+    std::size_t memoryBytes() const override
     {
         return _tree.memoryBytes() + _wheel.memoryBytes() + (_patches ? _patches->memoryBytes() : 0);
     }

@@ -9,9 +9,10 @@
 namespace osgTerrainROAM::core
 {
 
-/// Calls visit(GridPoint) for every sample of a tile's sheets in a triangle, its borders included, row by row.
-template<class Visit>
-void forEachSheetSampleIn(const PlacedTile& tile, const GridTriangle& triangle, const Visit& visit)
+/// Calls visit(GridPoint) for every sample of a tile's sheets in a triangle (GridTriangle or PlanTriangle), its borders included, row
+/// by row.
+template<class Triangle, class Visit>
+void forEachSheetSampleIn(const PlacedTile& tile, const Triangle& triangle, const Visit& visit)
 {
     for (const SampleSheet& sheet : tile.samples().sheets())
     {
@@ -31,8 +32,8 @@ void forEachSheetSampleIn(const PlacedTile& tile, const GridTriangle& triangle, 
 }
 
 /// Does the same for every sample of the data: the raster's, the sheets', then those between. Some may be visited twice.
-template<class Visit>
-void forEachSampleIn(const PlacedTile& tile, const GridTriangle& triangle, const Visit& visit)
+template<class Triangle, class Visit>
+void forEachSampleIn(const PlacedTile& tile, const Triangle& triangle, const Visit& visit)
 {
     const int step = tile.grid().cellSide();
     triangle.forEachRow(

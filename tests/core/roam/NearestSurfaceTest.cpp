@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "view/NearestSurface.h"
-
 #include <cmath>
 
 #include <gtest/gtest.h>
 
+#include <osgTerrainROAM/core/roam/NearestSurface.h>
 #include <osgTerrainROAM/core/roam/RoamMesh.h>
 
 #include "SyntheticField.h"
@@ -49,7 +48,7 @@ TEST_P(NearestSurfaces, AgreesWithBruteForce)
     for (int i = 0; i < 40; ++i)
     {
         const glm::dvec3 point(random.unit() * 1900, random.unit() * 1900, 100 + 1200 * random.unit());
-        const double exact = nearestSurfaceM(mesh.tree(), point);
+        const double exact = core::nearestSurfaceM(mesh.tree(), point);
         const double sampled = sampledDistance(mesh, point);
         EXPECT_LE(exact, sampled + 1e-6);
         EXPECT_GE(exact, sampled - 25.0);
@@ -66,6 +65,6 @@ TEST(NearestSurface, IsTheHeightOverAPlain)
     field.heightsM.assign(33 * 33, 7.0f);
     core::RoamMesh mesh(testsupport::planarTile(field));
     mesh.refine(0.0);
-    EXPECT_NEAR(nearestSurfaceM(mesh.tree(), {101, 207, 8.5}), 1.5, 1e-9);
-    EXPECT_NEAR(nearestSurfaceM(mesh.tree(), {-30, 207, 47.0}), 50.0, 1e-9);
+    EXPECT_NEAR(core::nearestSurfaceM(mesh.tree(), {101, 207, 8.5}), 1.5, 1e-9);
+    EXPECT_NEAR(core::nearestSurfaceM(mesh.tree(), {-30, 207, 47.0}), 50.0, 1e-9);
 }

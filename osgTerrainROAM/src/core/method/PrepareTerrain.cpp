@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <utility>
+
+#include <osgTerrainROAM/core/method/PrepareTerrain.h>
+#include <osgTerrainROAM/core/roam/RoamMesh.h>
+
+namespace osgTerrainROAM::core
+{
+
+namespace
+{
+
+/// ROAM: the bounds of the split vertices are the tile's, or those of patches.
+class PreparedRoam : public PreparedTerrain
+{
+public:
+    explicit PreparedRoam(SplitBounds bounds)
+        : _bounds(std::move(bounds)), _revision(_bounds.tile().revision())
+    {
+    }
+
+    const RoamTile& tile() const override { return _bounds.tile(); }
+
+    std::unique_ptr<TerrainMesh> newMesh() const override
+    {
+        // The bounds of patches are those of the time when they were measured.
+        const bool isStale = _bounds.patchExponent() > 0 && tile().revision() != _revision;
+        return std::make_unique<RoamMesh>(isStale ? _bounds.remade() : _bounds);
+    }
+
+    std::uint32_t fewestTriangles() const override { return 2; }
+    std::size_t memoryBytes() const override { return _bounds.memoryBytes(); }
+
+private:
+    SplitBounds _bounds;
+    std::uint64_t _revision;
+};
+
+} // namespace
+
+foundation::Result<PreparedPtr> prepareTerrain(std::shared_ptr<const RoamTile> tile,
+                                               const MethodRequest& request, const std::string& owner)
+{
+    if (const auto able = checkMethod(request, owner); !able) return able.error();
+    if (const auto able = checkMethod(request.method, *tile, owner); !able) return able.error();
+    switch (request.method)
+    {
+    case Method::roam:
+        break;
+    }
+    return PreparedPtr(std::make_shared<PreparedRoam>(SplitBounds(std::move(tile), request.patchExponent)));
+}
+
+} // namespace osgTerrainROAM::core
