@@ -88,6 +88,47 @@ bool HoleTriangulation::solve()
     return _best[0][_count - 1].middle >= 0;
 }
 
+HoleTriangulation::Candidate& HoleTriangulation::fanPiece(int apex, int i)
+{
+    const int next = (i + 1) % _count;
+    if (next == 0) return candidate(0, apex, i);
+    return apex < i ? candidate(apex, i, next) : candidate(i, next, apex);
+}
+
+bool HoleTriangulation::solveFan(bool isAtBorder)
+{
+    Part& best = _best[0][_count - 1] = {std::numeric_limits<double>::max(), 0.0, -1};
+    for (int apex = 0; apex < _count; apex += isAtBorder ? _count - 1 : 1)
+    {
+        double error = 0.0, squares = 0.0;
+        bool isProper = true;
+        for (int i = (apex + 1) % _count; isProper && (i + 1) % _count != apex; i = (i + 1) % _count)
+        {
+            const Candidate& piece = fanPiece(apex, i);
+            isProper = piece.isProper && piece.error <= best.error;
+            error = std::max(error, piece.error);
+            squares += piece.squares;
+        }
+        if (!isProper || (error == best.error && squares >= best.squares)) continue;
+        best = {error, squares, apex};
+        _apex = apex;
+    }
+    return best.middle >= 0;
+}
+
+std::span<const HoleTriangulation::Piece> HoleTriangulation::piecesOfFan()
+{
+    std::size_t found = 0;
+    for (int i = (_apex + 1) % _count; (i + 1) % _count != _apex; i = (i + 1) % _count)
+    {
+        std::array<std::uint8_t, 3> corners{static_cast<std::uint8_t>(_apex), static_cast<std::uint8_t>(i),
+                                            static_cast<std::uint8_t>((i + 1) % _count)};
+        std::ranges::sort(corners);
+        _pieces[found++] = {corners[0], corners[1], corners[2], fanPiece(_apex, i).error};
+    }
+    return std::span(_pieces).first(found);
+}
+
 std::span<const HoleTriangulation::Piece> HoleTriangulation::pieces()
 {
     std::array<std::pair<int, int>, kMostCorners> open; // sides of pieces still to be found

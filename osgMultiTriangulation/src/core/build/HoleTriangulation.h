@@ -44,12 +44,20 @@ public:
     /// Returns whether there is a triangulation at all (without triangles of no area).
     bool solve();
 
+    /// The same among the fans: the triangulations whose triangles all have one corner. `isAtBorder`: only the first corner and the
+    /// last may be that corner, as on a border, where the side between these two is to become the outline.
+    bool solveFan(bool isAtBorder);
+
+    /// Returns the corner that all triangles have, after solveFan().
+    int apex() const { return _apex; }
+
     /// Returns the greatest error of the triangulation found.
     double error() const { return _best[0][_count - 1].error; }
     double squares() const { return _best[0][_count - 1].squares; }
 
     /// Returns the triangles found, `count - 2`.
     std::span<const Piece> pieces();
+    std::span<const Piece> piecesOfFan();
 
 private:
     static constexpr int kMostPieces = 84; ///< kMostCorners choose 3
@@ -74,7 +82,10 @@ private:
         return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x) >= 0.0;
     }
 
-    int _count = 0;
+    /// Returns the triangle at an apex and a side, i to the next, not at the apex.
+    Candidate& fanPiece(int apex, int i);
+
+    int _count = 0, _apex = 0;
     std::array<Point, kMostCorners> _corners;
     std::array<Candidate, kMostPieces> _candidates;
     std::array<std::array<int, kMostCorners>, kMostCorners>

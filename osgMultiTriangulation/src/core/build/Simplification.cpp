@@ -25,8 +25,9 @@ bool Simplification::Candidate::operator<(const Candidate& other) const
     return vertex > other.vertex;
 }
 
-Simplification::Simplification(const MeasuredMesh& input, const std::vector<bool>& isLocked)
-    : _surface(input),
+Simplification::Simplification(const MeasuredMesh& input, const std::vector<bool>& isLocked, Filling filling)
+    : _filling(filling),
+      _surface(input),
       _versions(input.mesh.points.size(), 0),
       _states(input.mesh.points.size(), State::stays),
       _left(input.mesh.points.size()),
@@ -97,7 +98,9 @@ bool Simplification::judge(std::uint32_t vertex, Points points, Candidate& candi
         for (std::uint32_t p = face.firstPoint; left > 0; p = _surface.vertex(p).next, --left)
             _hole.add(relativeTo(middle, _surface.vertex(p)));
     }
-    if (!_hole.solve()) return false;
+    const bool isSolved =
+        _filling == Filling::best ? _hole.solve() : _hole.solveFan(_star.corners > _star.triangles);
+    if (!isSolved) return false;
     candidate.vertex = vertex;
     candidate.error = static_cast<float>(_hole.error());
     candidate.squares = _hole.squares();
@@ -120,10 +123,12 @@ void Simplification::push(const Candidate& candidate)
 /// Removes the vertex that was judged last, by all points.
 void Simplification::remove(const Candidate& candidate)
 {
-    const std::span<const HoleTriangulation::Piece> pieces = _hole.pieces();
+    const std::span<const HoleTriangulation::Piece> pieces =
+        _filling == Filling::best ? _hole.pieces() : _hole.piecesOfFan();
     Removal removal;
     removal.vertex = candidate.vertex;
     removal.firstStar = static_cast<std::uint32_t>(_stars.size());
+    if (_filling == Filling::fan) removal.apex = _star.ring[_hole.apex()];
     removal.starCount = static_cast<std::uint8_t>(_star.triangles);
     removal.firstCreated = static_cast<std::uint32_t>(_corners.size());
     removal.createdCount = static_cast<std::uint8_t>(pieces.size());

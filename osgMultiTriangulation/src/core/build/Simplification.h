@@ -13,12 +13,21 @@
 namespace osgMultiTriangulation::core
 {
 
+/// How the hole of a removed vertex is filled: by the triangulation with the least error, or by the best fan around one of its
+/// corners, so that the removal is a half-edge collapse.
+enum class Filling
+{
+    best,
+    fan,
+};
+
 /// A vertex that was removed. Numbers of triangles are by creation, the input's first.
 struct Removal
 {
     std::uint32_t vertex = 0;
     std::uint32_t firstStar = 0;    ///< in Simplification::stars()
     std::uint32_t firstCreated = 0; ///< the triangles of the hole
+    std::uint32_t apex = kNone;     ///< of a fan: the vertex that all triangles of the hole have
     std::uint8_t starCount = 0, createdCount = 0;
 };
 
@@ -27,7 +36,8 @@ struct Removal
 class Simplification
 {
 public:
-    Simplification(const MeasuredMesh& input, const std::vector<bool>& isLocked);
+    Simplification(const MeasuredMesh& input, const std::vector<bool>& isLocked,
+                   Filling filling = Filling::best);
 
     /// Removes vertices until no more than `keep` are left, or none can go.
     void run(std::size_t keep);
@@ -63,6 +73,7 @@ private:
     void push(const Candidate& candidate);
     void remove(const Candidate& candidate);
 
+    Filling _filling;
     LiveSurface _surface;
     HoleTriangulation _hole;
     LiveStar _star;

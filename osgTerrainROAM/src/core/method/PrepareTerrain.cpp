@@ -3,6 +3,7 @@
 
 #include <osgTerrainROAM/core/method/PrepareTerrain.h>
 #include <osgTerrainROAM/core/roam/RoamMesh.h>
+#include <osgTerrainROAM/core/vdpm/PrepareVdpm.h>
 
 namespace osgTerrainROAM::core
 {
@@ -47,6 +48,8 @@ foundation::Result<PreparedPtr> prepareTerrain(std::shared_ptr<const RoamTile> t
     {
     case Method::roam:
         break;
+    case Method::vdpm:
+        return prepareVdpm(std::move(tile));
     }
     return PreparedPtr(std::make_shared<PreparedRoam>(SplitBounds(std::move(tile), request.patchExponent)));
 }

@@ -20,6 +20,7 @@ class RoamTile;
 enum class Method
 {
     roam, ///< a bintree of right triangles that follows the eye (RoamMesh)
+    vdpm, ///< a view-dependent progressive mesh of the raster (VdpmMesh)
 };
 
 /// What a method can do besides following an eye to a tolerance within a ceiling of triangles.
@@ -38,6 +39,7 @@ struct MethodTraits
 /// In the order of the enumeration.
 inline constexpr std::array kMethods{
     MethodTraits{Method::roam, "roam", true, true, true, true, true, true},
+    MethodTraits{Method::vdpm, "vdpm", false, false, true, false, false, false},
 };
 
 constexpr const MethodTraits& traitsOf(Method method)
