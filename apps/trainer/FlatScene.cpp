@@ -88,7 +88,7 @@ foundation::Result<SceneTerrain> makeFlatScene(const std::vector<simulation::Fli
     core::RoamFile description;
     description.land.hasWater = false;
     const auto tile = std::make_shared<core::RoamTile>(core::PlacedTile(flatField(std::move(extent))));
-    auto terrain = osgTerrainROAM::makeTerrain(description, tile, {std::move(painted), 0.0});
+    auto terrain = osgTerrainROAM::makeTerrain(description, tile, {std::move(painted), {}});
     if (!terrain) return terrain.error();
     return SceneTerrain{terrain->get(), *terrain, nullptr};
 }

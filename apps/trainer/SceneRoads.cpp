@@ -94,10 +94,8 @@ foundation::Result<SceneTerrain> makeScene(const RoamFile& description, const st
                                            const scenery::SceneRoads& roads,
                                            const std::vector<osgTerrainROAM::core::GroundFeature>& painted)
 {
-    osgTerrainROAM::FarFeatures far{scenery::farRoads(*roads.placed), kRibbonsFromM};
-    if (!painted.empty()) far.nearestM = 0.0; // a runway has no mesh
-    far.features.insert(far.features.end(), painted.begin(), painted.end());
-    auto terrain = osgTerrainROAM::makeTerrain(description, tile, std::move(far));
+    auto terrain = osgTerrainROAM::makeTerrain(description, tile,
+                                               {painted, scenery::farRoads(*roads.placed), kRibbonsFromM});
     if (!terrain) return terrain.error();
     const auto openings = osgTerrainROAM::core::OpeningCells::build(scenery::tunnelOpenings(*roads.placed));
     if (!openings) return openings.error();
@@ -174,7 +172,7 @@ foundation::Result<SceneTerrain> makeTerrainWithRoads(const RoamFile& asked,
         auto scene = makeScene(description, tile, roads, painted);
         return scene ? withMap(description, *std::move(scene)) : scene;
     }
-    auto terrain = osgTerrainROAM::makeTerrain(description, tile, {std::move(painted), 0.0});
+    auto terrain = osgTerrainROAM::makeTerrain(description, tile, {std::move(painted), {}});
     if (!terrain) return terrain.error();
     return withMap(description, SceneTerrain{terrain->get(), *terrain, nullptr});
 }

@@ -25,7 +25,7 @@ namespace
 
 using namespace osgTraversal;
 
-constexpr int kFadingBin = 1; ///< after opaque things
+constexpr int kFadingBin = 3; ///< after the ground and what surrounds it
 constexpr int kNearBin = -1;  ///< before the ground, so that no pixel of it is shaded below a road
 
 viewlod::ViewState viewOf(osgUtil::CullVisitor& visitor)

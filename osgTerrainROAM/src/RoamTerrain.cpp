@@ -36,10 +36,10 @@ AtmosphereSettings atmosphereSettings(const core::RoamFile& description)
 /// Imports all sources of features and gives them to the material.
 foundation::Result<core::FeatureReport> paintFeatures(TerrainMaterial& material,
                                                       const core::RoamFile& description,
-                                                      const core::PlacedTile& tile, FarFeatures more)
+                                                      const core::PlacedTile& tile, MoreFeatures more)
 {
     core::FeatureSet all;
-    all.features = std::move(more.features);
+    all.features = std::move(more.everywhere);
     for (const std::filesystem::path& source : description.features)
     {
         auto set = core::importFeatures(source, tile);
@@ -48,10 +48,18 @@ foundation::Result<core::FeatureReport> paintFeatures(TerrainMaterial& material,
             osg::notify(osg::NOTICE) << source.string() << ": " << set->report.message() << std::endl;
         all.append(std::move(*set));
     }
-    if (all.features.empty()) return all.report;
-    const auto cells = core::FeatureCells::build(all.features);
-    if (!cells) return cells.error();
-    material.setFeatures(*cells, description.features.empty() ? more.nearestM : 0.0);
+    if (!all.features.empty())
+    {
+        const auto cells = core::FeatureCells::build(all.features);
+        if (!cells) return cells.error();
+        material.setFeatures(*cells);
+    }
+    if (!more.far.empty())
+    {
+        const auto cells = core::FeatureCells::build(more.far);
+        if (!cells) return cells.error();
+        material.setFarFeatures(*cells, more.farFromM);
+    }
     return all.report;
 }
 
@@ -199,9 +207,8 @@ foundation::Result<osg::ref_ptr<RoamTerrain>> makeTerrain(const core::RoamFile& 
     return makeTerrain(description, *tile);
 }
 
-foundation::Result<osg::ref_ptr<RoamTerrain>> makeTerrain(const core::RoamFile& description,
-                                                          const std::shared_ptr<core::RoamTile>& tile,
-                                                          FarFeatures moreFeatures)
+foundation::Result<osg::ref_ptr<RoamTerrain>>
+makeTerrain(const core::RoamFile& description, const std::shared_ptr<core::RoamTile>& tile, MoreFeatures more)
 {
     osg::ref_ptr<osg::Image> drape;
     if (description.imagery.size() == 1 && !description.showsVoids)
@@ -217,7 +224,7 @@ foundation::Result<osg::ref_ptr<RoamTerrain>> makeTerrain(const core::RoamFile& 
         return covered.error();
     if (description.seasonOfYear)
         if (const auto set = material->setSeason(description.seasonOfYear); !set) return set.error();
-    const auto features = paintFeatures(*material, description, tile->tile, std::move(moreFeatures));
+    const auto features = paintFeatures(*material, description, tile->tile, std::move(more));
     if (!features) return features.error();
     osg::ref_ptr<RoamTerrain> terrain = new RoamTerrain(tile, material.get());
     terrain->setFeatureReport(*features);

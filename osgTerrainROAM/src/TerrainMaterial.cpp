@@ -92,6 +92,8 @@ TerrainMaterial::TerrainMaterial(const core::PlacedTile& tile, const Climate& cl
     if (tile.grid().exponent() > 0)
         _fineNormals = std::make_unique<FineNormals>(tile, *_stateSet, fineIndex, fineNormals);
     setProgram();
+    // After what stands on it, which hides much of it: its pixels are the dearest.
+    _stateSet->setRenderBinDetails(1, "RenderBin");
     // The ground has no underside, and a far slope must not win against the near one in the depth buffer's last step.
     _stateSet->setMode(GL_CULL_FACE, osg::StateAttribute::ON);
 }
@@ -101,7 +103,7 @@ TerrainLook TerrainMaterial::ownLook() const
     return {.drape = _hasDrape,
             .layers = _imageryLayers,
             .features = _hasFeatures,
-            .farFeatures = _featuresFromM > 0.0,
+            .farFeatures = _hasFarFeatures,
             .openings = _hasOpenings,
             .cover = _hasCover,
             .sheets = _sheetNormals ? _sheetNormals->maps() : 0,
@@ -131,7 +133,7 @@ void TerrainMaterial::lend(osg::StateSet& to, const BorrowedLook& look) const
     program->setName("lent ground");
     const TerrainLook ground{.drape = _hasDrape,
                              .layers = _imageryLayers,
-                             .features = _hasFeatures && _featuresFromM <= 0.0,
+                             .features = _hasFeatures,
                              .cover = _hasCover,
                              .season = _season.has_value(),
                              .lentNames = look.names};
@@ -144,12 +146,19 @@ void TerrainMaterial::lend(osg::StateSet& to, const BorrowedLook& look) const
     to.setAttributeAndModes(program);
 }
 
-void TerrainMaterial::setFeatures(const core::FeatureCells& cells, double nearestM)
+void TerrainMaterial::setFeatures(const core::FeatureCells& cells)
 {
-    addFeatureTextures(*_stateSet, cells, features, nearestM > 0.0);
-    _stateSet->getOrCreateUniform("featureNearestM", osg::Uniform::FLOAT)->set(static_cast<float>(nearestM));
+    addFeatureTextures(*_stateSet, cells, features);
     _hasFeatures = true;
-    _featuresFromM = nearestM;
+    setProgram();
+}
+
+void TerrainMaterial::setFarFeatures(const core::FeatureCells& cells, double nearestM)
+{
+    addFarFeatureTexture(*_stateSet, cells, farFeatures);
+    _stateSet->getOrCreateUniform("farFeatureNearestM", osg::Uniform::FLOAT)
+        ->set(static_cast<float>(nearestM));
+    _hasFarFeatures = true;
     setProgram();
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <string>
 
 #include <osg/Texture2D>
 #include <osg/Uniform>
@@ -125,23 +126,33 @@ void addTexture(osg::StateSet& stateSet, const char* name, int unit, osg::Image*
     stateSet.addUniform(new osg::Uniform(name, unit));
 }
 
-} // namespace
-
-void addFeatureTextures(osg::StateSet& stateSet, const core::FeatureCells& cells, int firstUnit, bool isFar)
+/// Adds where the cells lie, as uniforms of names that begin with `prefix`.
+void addGrid(osg::StateSet& stateSet, const core::FeatureCells& cells, const std::string& prefix)
 {
-    const FarMaps far(cells, isFar ? 2 * kMaxFarPerCell : kMaxFarPerCell);
-    if (!isFar)
-    {
-        addTexture(stateSet, "featureCells", firstUnit, cellImage(cells).get(), false);
-        addTexture(stateSet, "featureRecords", firstUnit + 1, recordImage(cells).get(), false);
-        addTexture(stateSet, "featureFarCrops", firstUnit + 2, far.crops.get(), true);
-    }
-    addTexture(stateSet, "featureFarBeds", firstUnit + 3, far.beds.get(), true);
-    osg::ref_ptr<osg::Uniform> grid = new osg::Uniform(osg::Uniform::INT_VEC4, "featureGrid");
+    osg::ref_ptr<osg::Uniform> grid = new osg::Uniform(osg::Uniform::INT_VEC4, prefix + "Grid");
     grid->set(cells.firstCell.x, cells.firstCell.y, cells.columns, cells.rows);
     stateSet.addUniform(grid);
-    stateSet.addUniform(new osg::Uniform("featureCellM", static_cast<float>(cells.cellM)));
+    const std::string cellM = prefix + "CellM";
+    stateSet.addUniform(new osg::Uniform(cellM.c_str(), static_cast<float>(cells.cellM)));
+}
+
+} // namespace
+
+void addFeatureTextures(osg::StateSet& stateSet, const core::FeatureCells& cells, int firstUnit)
+{
+    const FarMaps far(cells, kMaxFarPerCell);
+    addTexture(stateSet, "featureCells", firstUnit, cellImage(cells).get(), false);
+    addTexture(stateSet, "featureRecords", firstUnit + 1, recordImage(cells).get(), false);
+    addTexture(stateSet, "featureFarCrops", firstUnit + 2, far.crops.get(), true);
+    addTexture(stateSet, "featureFarBeds", firstUnit + 3, far.beds.get(), true);
+    addGrid(stateSet, cells, "feature");
     stateSet.addUniform(new osg::Uniform("featureFarTexelM", static_cast<float>(cells.cellM / far.perCell)));
+}
+
+void addFarFeatureTexture(osg::StateSet& stateSet, const core::FeatureCells& cells, int unit)
+{
+    addTexture(stateSet, "farFeatureBeds", unit, FarMaps(cells, 2 * kMaxFarPerCell).beds.get(), true);
+    addGrid(stateSet, cells, "farFeature");
 }
 
 } // namespace osgTerrainROAM

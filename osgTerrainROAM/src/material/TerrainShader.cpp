@@ -20,7 +20,9 @@ std::string definesOf(const TerrainLook& look)
     std::string text;
     if (look.drape) text += "#define TERRAIN_DRAPE\n";
     if (look.layers > 0) text += "#define TERRAIN_LAYERS\n";
-    if (look.features) text += "#define TERRAIN_FEATURES\n";
+    if (look.features || look.farFeatures) text += "#define TERRAIN_FEATURES\n";
+    if (look.features) text += "#define TERRAIN_LISTED_FEATURES\n";
+    if (look.farFeatures) text += "#define TERRAIN_FAR_FEATURES\n";
     if (look.openings) text += "#define TERRAIN_OPENINGS\n";
     if (look.cover) text += "#define TERRAIN_COVER\n";
     if (look.season) text += "#define TERRAIN_SEASON\n";
@@ -31,12 +33,15 @@ std::string definesOf(const TerrainLook& look)
     return text;
 }
 
-std::string featureFunctions(bool far)
+std::string featureFunctions(bool listed, bool far)
 {
-    const std::string painted = far ? std::string(shaders::kFarFeatures)
-                                    : std::string(shaders::kFeatureAreas) + shaders::kFeatureLines +
-                                          shaders::kFeatureStrokes + shaders::kFeaturePaint;
-    return std::string(shaders::kFeatureFilters) + shaders::kFeatureMaps + painted + shaders::kFeatureColours;
+    std::string text = shaders::kFeatureFilters;
+    if (listed)
+        for (const char* part : {shaders::kFeatureMaps, shaders::kFeatureAreas, shaders::kFeatureLines,
+                                 shaders::kFeatureStrokes, shaders::kFeaturePaint})
+            text += part;
+    if (far) text += shaders::kFarFeatures;
+    return text + shaders::kFeatureColours;
 }
 
 } // namespace
@@ -54,7 +59,7 @@ std::string groundText(const TerrainLook& look)
     text += shaders::kGroundDetail;
     text += shaders::kGroundColour;
     text += shaders::kWaterColour;
-    if (look.features) text += featureFunctions(look.farFeatures);
+    if (look.features || look.farFeatures) text += featureFunctions(look.features, look.farFeatures);
     if (look.openings) text += shaders::kGroundOpenings;
     if (look.layers > 0) text += imageryText(look.layers);
     if (look.cover) text += shaders::kLandCover;

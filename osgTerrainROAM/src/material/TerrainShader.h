@@ -19,7 +19,7 @@ struct TerrainLook
     bool drape = false;        ///< imagery (TerrainMaterial::drape)
     int layers = 0;            ///< number of imagery layers in several resolutions, instead of drape
     bool features = false;     ///< vector features (FeatureTextures.h)
-    bool farFeatures = false;  ///< those are painted far from the eye only
+    bool farFeatures = false;  ///< those that stand for meshes near the eye
     bool openings = false;     ///< places without ground (OpeningTexture.h)
     bool cover = false;        ///< land cover (CoverTexture.h)
     int sheets = 0;            ///< number of normal maps of denser sheets (SheetNormals.h)

@@ -1,19 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
-// Paints features that stand for meshes near the eye: from featureNearestM on, by the map of beds alone. A far pixel covers more ground
+// Paints features that stand for meshes near the eye: from farFeatureNearestM on, by a map of beds alone. A far pixel covers more ground
 // than a road is wide, so the exact lists of the cells would show no more; software drawing paid three times as much for them as for all
 // other ground.
 
-uniform float featureNearestM;
+uniform sampler2D farFeatureBeds; // shares of river, asphalt, gravel, runway
+uniform ivec4 farFeatureGrid;     // first cell, number of cells
+uniform float farFeatureCellM;
+uniform float farFeatureNearestM;
 
-Paint terrainPaint(vec2 place, vec2 alongX, vec2 alongY)
+void addFarFeatures(inout Paint paint, vec2 place, vec2 alongX, vec2 alongY)
 {
     bool wide = dot(alongX, alongX) > dot(alongY, alongY);
-    vec2 scale = featureMapScale(), at = featureMapPlace(place);
+    vec2 scale = featureMapScale(farFeatureGrid, farFeatureCellM);
+    vec2 at = featureMapPlace(place, farFeatureGrid, farFeatureCellM);
     vec2 part = 0.25 * scale * (wide ? alongX : alongY), shorter = scale * (wide ? alongY : alongX);
-    bool isPainted = length(fromEye) >= featureNearestM && all(lessThan(abs(at - 0.5), 0.5 + 2.0 * abs(part)));
+    bool isPainted = length(fromEye) >= farFeatureNearestM && all(lessThan(abs(at - 0.5), 0.5 + 2.0 * abs(part)));
     vec4 beds = vec4(0.0);
     // No branch: software drawing leaves out a loop that no pixel of a group enters.
     for (int i = isPainted ? 0 : 4; i < 4; ++i)
-        beds += 0.25 * textureGrad(featureFarBeds, at + part * (float(i) - 1.5), part, shorter);
-    return paintOfShares(vec4(0.0), beds);
+        beds += 0.25 * textureGrad(farFeatureBeds, at + part * (float(i) - 1.5), part, shorter);
+    paint.beds = max(paint.beds, beds);
+    paint.marks = max(paint.marks, marksOfBeds(beds));
 }

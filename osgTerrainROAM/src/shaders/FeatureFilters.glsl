@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Declares the vector features' textures and the shares that they paint, and filters bands over a pixel's footprint.
 // The filters are exact integrals over the footprint's width, so a line thinner than a pixel becomes its share of it.
-// Features are drawn by the parts FeatureFilters, Maps, then Areas, Lines, Strokes, Paint or FarFeatures alone, then Colours, in this order.
+// Features are drawn by the parts FeatureFilters, then Maps, Areas, Lines, Strokes, Paint, then FarFeatures, then Colours, in this order; either
+// of the two in the middle may be missing.
 // Source of the lists: Nehab and Hoppe, Random-access rendering of general vector graphics (2008), section 3.
 
 uniform sampler2D featureCells;     // per cell: first record; numbers of areas, lines, strokes
@@ -52,5 +53,18 @@ float coveredDashes(float x, float width, float period, float on)
     vec2 filled = whole * (on / period) + min(ends - whole, vec2(on / period));
     return (filled.x - filled.y) * period / width;
 }
+
+// A position in the maps of shares, 0 to 1. `place`: the wrapped position, metres; `grid`, `cellM`: of the cells.
+vec2 featureMapPlace(vec2 place, ivec4 grid, float cellM)
+{
+    vec2 cell = place / cellM + vec2(terrainEyeWraps.xy * int(4096.0 / cellM) - grid.xy);
+    return cell / vec2(grid.zw);
+}
+
+// The scale from metres to these maps.
+vec2 featureMapScale(ivec4 grid, float cellM) { return 1.0 / (cellM * vec2(grid.zw)); }
+
+// What the shares of beds mean for marks: a part of a road's asphalt is white paint.
+vec4 marksOfBeds(vec4 beds) { return vec4(0.03 * beds.y + 0.07 * beds.w, 0.05 * beds.y, 0.25, 0.02 * beds.w); }
 
 vec4 featureRecord(int index) { return texelFetch(featureRecords, ivec2(index & 1023, index >> 10), 0); }

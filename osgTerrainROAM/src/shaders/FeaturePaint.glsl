@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds the features under a pixel: Paint terrainPaint(vec2 place, vec2 alongX, vec2 alongY). `place`: the wrapped position, metres; the
+// Finds the features under a pixel: Paint listedPaint(vec2 place, vec2 alongX, vec2 alongY). `place`: the wrapped position, metres; the
 // others: its derivatives. Near features come from cells, far ones from mip-mapped maps of shares.
 
 Paint paintInCell(vec2 place, Footprint f)
@@ -25,7 +25,7 @@ Paint mixed(Paint a, Paint b, float t)
 
 // Divides a long footprint into up to four parts along its length. The far maps replace the cells where the parts are longer
 // than the reach of the lists, or the pixel is as wide as a texel of the maps.
-Paint terrainPaint(vec2 place, vec2 alongX, vec2 alongY)
+Paint listedPaint(vec2 place, vec2 alongX, vec2 alongY)
 {
     bool wide = dot(alongX, alongX) > dot(alongY, alongY);
     vec2 longer = wide ? alongX : alongY;

@@ -64,7 +64,13 @@ vec3 groundRadiance(vec3 directionWorld)
     snow *= 1.0 - ground.a * clamp(0.5 + 2.2 * g.metres28.z + 1.6 * g.metres2.z, 0.0, 1.0);
 #endif
 #ifdef TERRAIN_FEATURES
-    Paint paint = terrainPaint(place.xy, dFdx(fromEye.xy), dFdy(fromEye.xy));
+    Paint paint = kNoPaint;
+#ifdef TERRAIN_LISTED_FEATURES
+    paint = listedPaint(place.xy, dFdx(fromEye.xy), dFdy(fromEye.xy));
+#endif
+#ifdef TERRAIN_FAR_FEATURES
+    addFarFeatures(paint, place.xy, dFdx(fromEye.xy), dFdy(fromEye.xy));
+#endif
     ground = fieldAlbedo(ground, paint, g, kinds);
     ground.a *= openShare(paint);
     roughness *= 0.25 + 0.75 * openShare(paint);

@@ -26,8 +26,8 @@ constexpr double kReachM = 300000.0; ///< the horizon from 7000 m
 /// edge where the tile is drawn above its true height.
 constexpr float kLift = 0.0005f;
 
-/// After opaque things (0), before the sky and what is transparent.
-constexpr int kBin = 1;
+/// After opaque things and the ground (0, 1), before the sky and what is transparent.
+constexpr int kBin = 2;
 
 /// The image of one of the material's maps.
 const osg::Image& mapOf(const TerrainMaterial& material, TerrainMaterial::Unit unit)

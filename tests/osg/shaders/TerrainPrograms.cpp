@@ -24,7 +24,8 @@ NamedProgram programOf(const TerrainLook& look)
     std::string name = "terrain";
     if (look.drape) name += " drape";
     if (look.layers > 0) name += " layers" + std::to_string(look.layers);
-    if (look.features) name += look.farFeatures ? " far features" : " features";
+    if (look.features) name += " features";
+    if (look.farFeatures) name += " far features";
     if (look.openings) name += " openings";
     if (look.cover) name += " cover";
     if (look.sheets > 0) name += " sheets" + std::to_string(look.sheets);
@@ -61,9 +62,10 @@ std::vector<NamedProgram> terrainPrograms()
         programs.push_back(programOf({.season = season, .surroundings = true}));
     for (const bool features : {false, true})
         programs.push_back(programOf({.features = features, .openings = true}));
-    for (const bool fine : {false, true})
-        programs.push_back(
-            programOf({.features = true, .farFeatures = true, .openings = true, .fine = fine}));
+    for (const bool features : {false, true})
+        for (const bool fine : {false, true})
+            programs.push_back(
+                programOf({.features = features, .farFeatures = true, .openings = true, .fine = fine}));
     return programs;
 }
 
@@ -74,10 +76,11 @@ std::vector<NamedProgram> terrainExtremes()
          {TerrainLook{}, TerrainLook{.drape = true}, TerrainLook{.layers = kMostImagery},
           TerrainLook{.features = true}, TerrainLook{.cover = true}, TerrainLook{.sheets = kMostSheets},
           TerrainLook{.fine = true}, TerrainLook{.season = true}, TerrainLook{.surroundings = true},
-          TerrainLook{.openings = true}, TerrainLook{.features = true, .farFeatures = true},
+          TerrainLook{.openings = true}, TerrainLook{.farFeatures = true},
           TerrainLook{.drape = true,
           .layers = kMostImagery,
           .features = true,
+          .farFeatures = true,
           .openings = true,
           .cover = true,
           .sheets = kMostSheets,

@@ -239,9 +239,8 @@ TEST(FeaturePaint, IsLeftOutNearerThanTold)
                                line(FeatureKind::road, 200.0, {0.0, 22000.0}, {2000.0, 22000.0})};
     const auto levels = [&](double nearestM)
     {
-        const auto terrain = plain(roads);
-        const auto cells = core::FeatureCells::build(roads);
-        if (nearestM > 0.0) terrain->material()->setFeatures(*cells, nearestM);
+        const auto terrain = plain(nearestM > 0.0 ? std::vector<core::GroundFeature>() : roads);
+        if (nearestM > 0.0) terrain->material()->setFarFeatures(*core::FeatureCells::build(roads), nearestM);
         Camera camera(terrain);
         const osg::Vec3d eye(1000.0, 19850.0, 60.0);
         const auto picture = camera.picture(eye, osg::Vec3d(0.0, 1.0, -0.2), kZenith);
