@@ -94,15 +94,20 @@ void compare(const measurement::RasterCrop& crop, const std::filesystem::path& f
         for (const double tolerancePx : {2.0, 1.0})
         {
             std::cout << "  " << pathName(path) << ", " << tolerancePx << " px\n";
-            Flight vdpm, seen, wheel, walk;
+            Flight vdpm, moving, seen, wheel, walk;
+            VdpmMesh morphing(tile, forest);
+            morphing.setMorphing(true);
             VdpmMesh inFrustum(tile, forest);
             inFrustum.setInFrustum(true);
             RoamMesh byWheel(tile), byWalk(tile, Driver::walk);
             vdpm.fly(mesh, *tile, path, tolerancePx);
+            moving.fly(morphing, *tile, path, tolerancePx);
             seen.fly(inFrustum, *tile, path, tolerancePx);
             wheel.fly(byWheel, *tile, path, tolerancePx);
             walk.fly(byWalk, *tile, path, tolerancePx);
             vdpm.print("vdpm");
+            moving.print("vdpm morphing");
+            std::cout << "      splits done at once: " << morphing.driver().jumps() << '\n';
             seen.print("vdpm in frustum");
             wheel.print("roam wheel");
             walk.print("roam walk");

@@ -79,8 +79,11 @@ foundation::Result<FlightFindings> fly(const Request& request, const std::string
                                  : tourViews(placed, request.frames);
     if (!views) return views.error();
 
-    const auto prepared = prepareTerrain(
-        *tile, {request.method.value_or(description->method), request.patchExponent, request.morphing}, file);
+    const Method method = request.method.value_or(description->method);
+    if (request.morphing && method == Method::vdpm)
+        return foundation::Error{file, "vertices of vdpm move sideways, which this check does not follow",
+                                 "leave out --morph"};
+    const auto prepared = prepareTerrain(*tile, {method, request.patchExponent, request.morphing}, file);
     if (!prepared) return prepared.error();
     const std::unique_ptr<TerrainMesh> mesh = (*prepared)->newMesh();
     mesh->setMorphing(request.morphing);

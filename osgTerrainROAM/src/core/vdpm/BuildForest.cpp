@@ -239,7 +239,7 @@ private:
             _floorFaces.push_back(f);
             _floorCorners.push_back(t);
         }
-        witness.collapse({c.v0, _star, _starCorners, _floorFaces, _floorCorners});
+        witness.collapse({c.v0, c.v1, _star, _starCorners, _floorFaces, _floorCorners});
     }
 
     void numberVertices()

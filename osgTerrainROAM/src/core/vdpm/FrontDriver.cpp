@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <osgTerrainROAM/core/vdpm/FrontDriver.h>
 
@@ -31,6 +32,8 @@ FrontDriver::FrontDriver(const BoundedForest& forest)
       _front(forest.forest),
       _wheel(tickOf(forest)),
       _marks(forest.forest.splitCount(), kNotWatched),
+      _phases(forest.forest.splitCount(), kInPlace),
+      _isHeld(forest.forest.splitCount(), 0),
       _isWanted(forest.forest.splitCount(), 0),
       _dependants(forest.forest.splitCount(), 0)
 {
@@ -55,9 +58,11 @@ bool FrontDriver::refine(const SplitCriterion& criterion, std::uint32_t maxFaces
     checkDue(frame);
     coarsen(frame);
     if (!refineWanted(frame)) return false;
-    // What an ended slice has left half done may be needed no more.
-    _toCollapse.insert(_toCollapse.end(), _halfDone.begin(), _halfDone.end());
-    _halfDone.clear();
+    // What was done for others that wait may be needed no more.
+    const auto left =
+        std::ranges::partition(_halfDone, [this](std::uint32_t split) { return _isHeld[split] != 0; });
+    _toCollapse.insert(_toCollapse.end(), left.begin(), left.end());
+    _halfDone.erase(left.begin(), left.end());
     coarsen(frame);
     return _toCollapse.empty() && _found.empty() && !_wheel.hasDue();
 }
@@ -143,7 +148,7 @@ void FrontDriver::unwant(std::uint32_t first)
     }
 }
 
-/// Collapses what is neither wanted nor needed, and then what has become so.
+/// Collapses what is neither wanted nor needed, and then what has become so. When vertices move, they only begin to.
 void FrontDriver::coarsen(Frame& frame)
 {
     while (!_toCollapse.empty() && !frame.slice.isSpent())
@@ -151,26 +156,124 @@ void FrontDriver::coarsen(Frame& frame)
         const std::uint32_t split = _toCollapse.back();
         _toCollapse.pop_back();
         if (!_front.isDone(split) || isWanted(split) || _dependants[split] > 0) continue;
+        if (_morphFrames > 0)
+        {
+            if (std::exchange(_phases[split], std::min(_phases[split], _morphFrames)) == kInPlace)
+                _moving.push_back(split);
+            continue;
+        }
         const std::uint32_t before = _front.faceCount();
-        _front.ecol(split);
+        remove(split);
         frame.result.merges += before - _front.faceCount();
         frame.slice.change(before - _front.faceCount());
-        for (const std::uint32_t needed : _forest.forest.dependenciesOf(split))
-            if (--_dependants[needed] == 0 && !isWanted(needed)) _toCollapse.push_back(needed);
     }
+}
+
+void FrontDriver::remove(std::uint32_t split)
+{
+    _front.ecol(split);
+    for (const std::uint32_t needed : _forest.forest.dependenciesOf(split))
+        if (--_dependants[needed] == 0 && !isWanted(needed)) _toCollapse.push_back(needed);
 }
 
 bool FrontDriver::refineWanted(Frame& frame)
 {
     // Coarse splits first: what stops here leaves the finer ones.
     std::ranges::sort(_toSplit, std::greater<>());
-    while (!_toSplit.empty())
+    std::size_t left = _toSplit.size(), waiting = 0;
+    for (; left > 0; --left)
     {
-        const std::uint32_t split = _toSplit.back();
-        if (isWanted(split) && !_front.isDone(split) && !force(frame, split)) return false;
-        _toSplit.pop_back();
+        const std::uint32_t split = _toSplit[left - 1];
+        if (!isWanted(split) || _front.isDone(split)) continue;
+        const bool moves = _morphFrames > 0 && frame.criterion.errorPx(_forest, split) <= _mostPx;
+        if (!(moves ? begin(frame, split) : force(frame, split))) break;
+        if (!_front.isDone(split)) _toSplit[_toSplit.size() - ++waiting] = split; // behind those to come
+    }
+    _toSplit.erase(_toSplit.begin() + static_cast<std::ptrdiff_t>(left),
+                   _toSplit.end() - static_cast<std::ptrdiff_t>(waiting));
+    return left == 0;
+}
+
+void FrontDriver::doSplit(Frame& frame, std::uint32_t split)
+{
+    const std::uint32_t before = _front.faceCount();
+    _front.vsplit(split);
+    frame.result.splits += _front.faceCount() - before;
+    frame.slice.change(_front.faceCount() - before);
+    for (const std::uint32_t needed : _forest.forest.dependenciesOf(split))
+        ++_dependants[needed];
+}
+
+/// Begins those splits that one needs, itself included, whose dependencies are in their places. Returns false when a limit stops it.
+bool FrontDriver::begin(Frame& frame, std::uint32_t split)
+{
+    gatherNeeded(split);
+    for (const std::uint32_t next : _needed)
+    {
+        const auto inPlace = [this](std::uint32_t needed) { return isInPlace(needed); };
+        if (!_front.isDone(next) && std::ranges::all_of(_forest.forest.dependenciesOf(next), inPlace))
+        {
+            if (frame.slice.isSpent() || _front.faceCount() + 2 > frame.maxFaces) return false;
+            doSplit(frame, next);
+            _phases[next] = 0;
+            _moving.push_back(next);
+        }
+        if (!std::exchange(_isHeld[next], 1)) _held.push_back(next);
     }
     return true;
+}
+
+void FrontDriver::setMorph(std::uint8_t frames, double mostPx)
+{
+    if (frames != _morphFrames) stopMoving();
+    _morphFrames = frames;
+    _mostPx = mostPx;
+}
+
+/// Puts all vertices into their places, those that were to go, too.
+void FrontDriver::stopMoving()
+{
+    for (const std::uint32_t split : _moving)
+    {
+        if (!_front.isDone(split)) continue;
+        _phases[split] = kInPlace;
+        _front.touch(_forest.forest.v0(split));
+        if (!isWanted(split) && _dependants[split] == 0) _toCollapse.push_back(split);
+    }
+    _moving.clear();
+}
+
+void FrontDriver::moveVertices(const SplitCriterion& criterion, RefineResult& result)
+{
+    const std::vector<std::uint32_t> moving = std::exchange(_moving, {});
+    for (const std::uint32_t split : moving)
+    {
+        std::uint8_t& phase = _phases[split];
+        if (!_front.isDone(split) || phase == kInPlace) continue;
+        const bool stays = isWanted(split) || _dependants[split] > 0 || _isHeld[split];
+        if (!stays && phase == 0)
+        {
+            phase = kInPlace;
+            const std::uint32_t before = _front.faceCount();
+            remove(split);
+            result.merges += before - _front.faceCount();
+            continue;
+        }
+        _front.touch(_forest.forest.v0(split));
+        phase = static_cast<std::uint8_t>(stays ? phase + 1 : phase - 1);
+        const bool isLate = stays && criterion.errorPx(_forest, split) > _mostPx;
+        if (isLate && phase < _morphFrames) ++_jumps;
+        if (phase >= _morphFrames || isLate)
+        {
+            phase = kInPlace;
+            if (!isWanted(split) && _dependants[split] == 0) _halfDone.push_back(split);
+        }
+        else
+            _moving.push_back(split);
+    }
+    for (const std::uint32_t split : _held)
+        _isHeld[split] = 0;
+    _held.clear();
 }
 
 /// Does a split after all that it needs. Returns false when the ceiling does not allow for them, or when the slice ended on the way.
@@ -178,28 +281,35 @@ bool FrontDriver::force(Frame& frame, std::uint32_t split)
 {
     gatherNeeded(split);
     if (_front.faceCount() + 2 * _needed.size() > frame.maxFaces) return false;
+    std::size_t halfDone = 0;
     for (const std::uint32_t next : _needed)
     {
+        if (_front.isDone(next)) // it moves: it has to be in its place now
+        {
+            _front.touch(_forest.forest.v0(next));
+            _phases[next] = kInPlace;
+            continue;
+        }
         if (frame.slice.isSpent()) return false;
-        if (next != split) _halfDone.push_back(next);
-        const std::uint32_t before = _front.faceCount();
-        _front.vsplit(next);
-        frame.result.splits += _front.faceCount() - before;
-        frame.slice.change(_front.faceCount() - before);
-        for (const std::uint32_t needed : _forest.forest.dependenciesOf(next))
-            ++_dependants[needed];
+        if (next != split)
+        {
+            _halfDone.push_back(next);
+            ++halfDone;
+        }
+        doSplit(frame, next);
+        _jumps += _morphFrames > 0;
     }
-    _halfDone.resize(_halfDone.size() - (_needed.size() - 1));
+    _halfDone.resize(_halfDone.size() - halfDone);
     return true;
 }
 
-/// Lists the splits to do for one, itself included, in an order in which they can be done: dependencies have smaller numbers.
+/// Lists the splits that are not in place of those that one needs, itself included, in an order in which they can be done: dependencies have smaller numbers.
 void FrontDriver::gatherNeeded(std::uint32_t split)
 {
     _needed.assign(1, split);
     for (std::size_t i = 0; i < _needed.size(); ++i)
         for (const std::uint32_t needed : _forest.forest.dependenciesOf(_needed[i]))
-            if (!_front.isDone(needed) && std::ranges::find(_needed, needed) == _needed.end())
+            if (!isInPlace(needed) && std::ranges::find(_needed, needed) == _needed.end())
                 _needed.push_back(needed);
     std::ranges::sort(_needed);
 }
@@ -232,7 +342,8 @@ bool FrontDriver::keepsDependencies() const
         }
     }
     if (counted != _dependants) return false;
-    if (!_toCollapse.empty() || !_toSplit.empty() || !_found.empty() || !_halfDone.empty() || _wheel.hasDue())
+    if (!_toCollapse.empty() || !_toSplit.empty() || !_found.empty() || !_halfDone.empty() ||
+        !_moving.empty() || _wheel.hasDue())
         return true;
     for (std::uint32_t w = 0; w < counted.size(); ++w)
         if (isWanted(w) ? !_front.isDone(w) : _front.isDone(w) && counted[w] == 0) return false;
@@ -242,6 +353,7 @@ bool FrontDriver::keepsDependencies() const
 std::size_t FrontDriver::memoryBytes() const
 {
     return _front.memoryBytes() + _wheel.memoryBytes() + _marks.capacity() + _isWanted.capacity() +
+           _phases.capacity() + _isHeld.capacity() +
            sizeof(std::uint32_t) *
                (_dependants.capacity() + _toSplit.capacity() + _toCollapse.capacity() + _found.capacity() +
                 _halfDone.capacity() + _needed.capacity() + _path.capacity());

@@ -36,6 +36,9 @@ public:
         double error = 0.0;
         for (const Triangle& t : star.floorCorners)
             error = std::max(error, errorOf(t));
+        for (const Triangle& t : star.corners)
+            for (const std::uint32_t v : t)
+                error = std::max(error, errorOfSwept(star.v0, star.v1, v));
         _bounds.push_back(ballAround(star.corners, _positions, error));
     }
 
@@ -49,6 +52,15 @@ private:
     {
         return {static_cast<int>(sample % static_cast<std::uint32_t>(_columns)),
                 static_cast<int>(sample / static_cast<std::uint32_t>(_columns))};
+    }
+
+    /// The same for the triangle that the side from v0 to a neighbour sweeps while v0 moves to v1.
+    double errorOfSwept(std::uint32_t v0, std::uint32_t v1, std::uint32_t neighbour) const
+    {
+        const PlanTriangle plan{{pointOf(v0), pointOf(v1), pointOf(neighbour)}};
+        const std::int64_t area = plan.doubleArea();
+        if (area == 0) return 0.0;
+        return errorOf(area > 0 ? Triangle{v0, v1, neighbour} : Triangle{v1, v0, neighbour});
     }
 
     /// The largest distance of a sample in a triangle from the point of the triangle at its place in the plan.

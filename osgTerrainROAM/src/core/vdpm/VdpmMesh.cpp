@@ -13,7 +13,9 @@ namespace osgTerrainROAM::core
 namespace
 {
 
-constexpr int kMostTolerances = 40; ///< that a frame tries at a ceiling
+constexpr int kMostTolerances = 40;       ///< that a frame tries at a ceiling
+constexpr std::uint8_t kMorphFrames = 16; ///< that a vertex moves
+constexpr double kMorphShare = 0.75;      ///< of the tolerance, at which a vertex begins to move
 
 /// Narrows the tolerance at which a mesh just fits under a ceiling.
 struct ToleranceBracket
@@ -48,12 +50,16 @@ bool VdpmMesh::runWithinCeiling(const viewlod::ViewState& view, const viewlod::B
                                 viewlod::Slice& slice, RefineResult& result)
 {
     const std::uint32_t most = budget.maxTriangles, unused = std::max(most / 100, 4u);
-    const double aim = most - 0.5 * unused, targetPx = budget.errorTolerancePx;
+    const double aim = most - 0.5 * unused,
+                 targetPx = budget.errorTolerancePx * (_isMorphing ? kMorphShare : 1.0);
     ToleranceBracket bracket;
     double tolerancePx = _ceilingBound ? std::max(_lastTolerancePx, targetPx) : targetPx;
     for (int attempt = 0;; ++attempt)
     {
         result.tolerancePx = tolerancePx;
+        // Under a ceiling, and in the first frame, vertices jump.
+        const bool moves = _isMorphing && _hasRefined && !_ceilingBound && attempt == 0;
+        _driver.setMorph(moves ? kMorphFrames : 0, budget.errorTolerancePx);
         const SplitCriterion criterion(view, tolerancePx, {.inFrustum = _inFrustum});
         const bool finished = _driver.refine(criterion, most, slice, result);
         result.errorBoundPx = _driver.errorBoundPx(criterion);
@@ -78,9 +84,16 @@ RefineResult VdpmMesh::refine(const viewlod::ViewState& view, const viewlod::Bud
     RefineResult result;
     viewlod::Slice slice(budget);
     result.sliceBound = !runWithinCeiling(view, budget, slice, result);
-    _ceilingBound = result.tolerancePx > budget.errorTolerancePx;
+    _driver.moveVertices(SplitCriterion(view, result.tolerancePx, {.inFrustum = _inFrustum}), result);
+    _ceilingBound = result.tolerancePx > budget.errorTolerancePx * (_isMorphing ? kMorphShare : 1.0);
+    _hasRefined = true;
     result.ceilingBound = _ceilingBound && !result.sliceBound;
     _lastTolerancePx = result.tolerancePx;
+    if (_isMorphing) // until it is done, what moves may be off by the whole tolerance
+    {
+        result.tolerancePx = std::max(result.tolerancePx, budget.errorTolerancePx);
+        result.errorBoundPx = std::max(result.errorBoundPx, result.tolerancePx);
+    }
     _driver.trimChanges();
     result.triangles = result.leaves = _driver.front().faceCount();
     return result;
@@ -90,6 +103,7 @@ RefineResult VdpmMesh::refine(double errorM)
 {
     _driver.clearChanges();
     _driver.forget();
+    _driver.setMorph(0, 0.0);
     RefineResult result;
     viewlod::Slice unlimited({});
     _driver.refine(SplitCriterion(errorM), std::numeric_limits<std::uint32_t>::max(), unlimited, result);
@@ -109,6 +123,18 @@ GridPoint VdpmMesh::gridAt(std::uint32_t slot) const
     const std::uint32_t sample = _forest->forest.original[vertex];
     return {static_cast<int>(sample % columns) << tile.grid().exponent(), static_cast<int>(sample / columns)
                                                                               << tile.grid().exponent()};
+}
+
+/// The place at which the vertex in a slot is drawn. What it moves away from stays: only one of two neighbours moves.
+glm::dvec3 VdpmMesh::positionAt(std::uint32_t slot) const
+{
+    const std::uint32_t vertex = _driver.front().vertexAt(slot);
+    const glm::dvec3& place = _forest->positions[vertex];
+    const float weight = _driver.weightOf(vertex);
+    if (weight == 1.0f) return place;
+    const VertexForest& forest = _forest->forest;
+    return glm::mix(_forest->positions[forest.splits[forest.makerOfVertex(vertex)].v1], place,
+                    double(weight));
 }
 
 void VdpmMesh::appendVertices(IndexRange slots, std::vector<MeshVertex>& vertices) const
@@ -144,6 +170,7 @@ std::uint32_t VdpmMesh::visibleRanges(const viewlod::Frustum& frustum, const glm
 DrawnMesh VdpmMesh::drawn(std::span<const IndexRange> ranges) const
 {
     DrawnMesh mesh;
+    mesh.isMorphed = _isMorphing;
     mesh.stepM = _tile->tile.frame().vertexStepM();
     appendVertices({0, vertexSlots()}, mesh.vertices);
     for (std::uint32_t slot = 0; slot < vertexSlots(); ++slot)

@@ -39,7 +39,7 @@ struct MethodTraits
 /// In the order of the enumeration.
 inline constexpr std::array kMethods{
     MethodTraits{Method::roam, "roam", true, true, true, true, true, true},
-    MethodTraits{Method::vdpm, "vdpm", false, false, true, false, false, false},
+    MethodTraits{Method::vdpm, "vdpm", false, true, true, false, false, false},
 };
 
 constexpr const MethodTraits& traitsOf(Method method)

@@ -63,6 +63,9 @@ public:
     const MeshChanges& changes() const { return _changes; }
     void clearChanges() { _changes.clear(); }
 
+    /// Records a vertex that is drawn at another place than before.
+    void touch(std::uint32_t vertex) { _changes.vertices.push_back(_slotOfVertex[vertex]); }
+
     /// Leaves out of the changes slots of faces that are used no more.
     void trimChanges()
     {

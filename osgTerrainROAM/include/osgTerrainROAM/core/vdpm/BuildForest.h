@@ -18,7 +18,7 @@ struct EdgeCollapse
 /// What a collapse changes. Faces keep their numbers in the mesh; those at the edge vanish.
 struct CollapsedStar
 {
-    std::uint32_t v0 = 0;                      ///< the vertex that goes
+    std::uint32_t v0 = 0, v1 = 0;              ///< the vertex that goes, and the one that it merges into
     std::span<const std::uint32_t> faces;      ///< around v0 before the collapse
     std::span<const Triangle> corners;         ///< of these
     std::span<const std::uint32_t> floorFaces; ///< those of them that remain

@@ -38,6 +38,26 @@ public:
     bool refine(const SplitCriterion& criterion, std::uint32_t maxFaces, viewlod::Slice& slice,
                 RefineResult& result);
 
+    /// From the next refinement on, vertices move to their places, and back before they go, in so many refinements; 0: they jump. A
+    /// split begins only when all that it depends on have ended, so that what moves at the same time has no face in common: then the
+    /// error of each is known. Where a bound exceeds `mostPx` before, it is done at once.
+    void setMorph(std::uint8_t frames, double mostPx);
+
+    /// Moves vertices by a frame. Call it once after each refinement.
+    void moveVertices(const SplitCriterion& criterion, RefineResult& result);
+
+    /// How far a vertex has moved from v1 of its split to its own place, 0…1. Vertices of M0: 1.
+    float weightOf(std::uint32_t vertex) const
+    {
+        const std::uint32_t split = _forest.forest.makerOfVertex(vertex);
+        return split == kNone || _phases[split] == kInPlace
+                   ? 1.0f
+                   : static_cast<float>(_phases[split]) / static_cast<float>(_morphFrames);
+    }
+
+    /// The number of splits so far that were done at once although vertices ought to move.
+    std::uint64_t jumps() const { return _jumps; }
+
     /// Has all splits checked at the next refinement.
     void forget() { _knowsFront = false; }
 
@@ -76,11 +96,23 @@ private:
     bool refineWanted(Frame& frame);
     bool force(Frame& frame, std::uint32_t split);
     void gatherNeeded(std::uint32_t split);
+    bool isInPlace(std::uint32_t split) const { return _front.isDone(split) && _phases[split] == kInPlace; }
+    void doSplit(Frame& frame, std::uint32_t split);
+    bool begin(Frame& frame, std::uint32_t split);
+    void remove(std::uint32_t split);
+    void stopMoving();
 
     const BoundedForest& _forest;
     ActiveFront _front;
     DeferralWheel _wheel;
-    std::vector<DeferralWheel::Mark> _marks;          ///< by split; 0: not watched
+    std::vector<DeferralWheel::Mark> _marks; ///< by split; 0: not watched
+    static constexpr std::uint8_t kInPlace = 255;
+    std::uint8_t _morphFrames = 0;
+    double _mostPx = 0.0;
+    std::uint64_t _jumps = 0;
+    std::vector<std::uint8_t> _phases; ///< by split: frames that its vertex has moved, or kInPlace
+    std::vector<std::uint8_t> _isHeld; ///< by split: one that waits needs it in this frame
+    std::vector<std::uint32_t> _moving, _held;
     std::vector<std::uint8_t> _isWanted;              ///< by split
     std::vector<std::uint32_t> _dependants;           ///< by split: done splits that depend on it
     std::vector<std::uint32_t> _toSplit, _toCollapse; ///< splits to look at; decisions may have changed since

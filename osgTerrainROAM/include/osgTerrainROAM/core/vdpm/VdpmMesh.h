@@ -24,7 +24,7 @@ namespace osgTerrainROAM::core
 /// The triangulation of one terrain tile for one view group by a view-dependent progressive mesh.
 /// In error-target mode the mesh depends on the eye alone. Where the ceiling of triangles binds, the tolerance rises for the whole
 /// frame; which of the tolerances within 1 % of the ceiling it is depends on the frames before.
-/// The tile must not be edited: progressive meshes follow no edits. It does not morph.
+/// The tile must not be edited: progressive meshes follow no edits. With morphing it depends on what came before, too.
 /// Invariant: isValid(). Threads: one at a time. Memory: memoryBytes(); the forest is shared.
 /// Source: Hoppe, *View-dependent refinement of progressive meshes*, 1997; *Methods of continuous level of detail for terrain*
 /// (Graphicon 2002), section 4.4. Differs: triangles of unknown error cannot appear (VertexForest::dependencies), so no sample is off
@@ -42,7 +42,7 @@ public:
 
     RefineResult refine(const viewlod::ViewState& view, const viewlod::Budget& budget) override;
     RefineResult refine(double errorM) override;
-    void setMorphing(bool) override {}
+    void setMorphing(bool on) override { _isMorphing = on; }
     bool isBehind() const override { return false; }
 
     /// Slots of triangles have no gaps.
@@ -71,16 +71,15 @@ public:
 private:
     bool runWithinCeiling(const viewlod::ViewState& view, const viewlod::Budget& budget,
                           viewlod::Slice& slice, RefineResult& result);
-    const glm::dvec3& positionAt(std::uint32_t slot) const
-    {
-        return _forest->positions[_driver.front().vertexAt(slot)];
-    }
+    glm::dvec3 positionAt(std::uint32_t slot) const;
     GridPoint gridAt(std::uint32_t slot) const;
 
     std::shared_ptr<const RoamTile> _tile;
     std::shared_ptr<const BoundedForest> _forest;
     FrontDriver _driver;
     bool _inFrustum = false;
+    bool _isMorphing = false;
+    bool _hasRefined = false;
     bool _ceilingBound = false; ///< in the last frame
     double _lastTolerancePx = 0.0;
 };
