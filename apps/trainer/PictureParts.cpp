@@ -50,7 +50,7 @@ PictureParts::PictureParts(PlayScene& scene, InteriorView* interior, osgViewer::
     for (unsigned int i = 0; i < viewer.getNumSlaves(); ++i)
     {
         _counters.push_back(new DrawCounter);
-        viewer.getSlave(i)._camera->setInitialDrawCallback(_counters.back());
+        viewer.getSlave(i)._camera->setCullCallback(_counters.back());
     }
     for (const Part& part : _parts)
         _costs.push_back({part.name, {}});
@@ -116,7 +116,10 @@ void PictureParts::draw(double timeS)
     cost.processorMs = processorMs() - usedMs;
     cost.wallMs = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
     for (const auto& counter : _counters)
+    {
         cost.draws += counter->draws();
+        cost.mapDraws += counter->drawsBefore();
+    }
     _parts[turn].show(true);
     if (_pictures >= _parts.size()) _costs[turn].pictures.push_back(cost);
     ++_pictures;

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include <osg/Geometry>
-#include <osgViewer/Renderer>
+#include <osgUtil/CullVisitor>
 
 #include <osgTraversal/DrawCount>
 
@@ -37,16 +37,21 @@ unsigned int drawsOf(osgUtil::RenderBin& bin)
     return draws;
 }
 
-void DrawCounter::operator()(osg::RenderInfo& renderInfo) const
+unsigned int drawsBefore(osgUtil::RenderStage& stage)
 {
-    auto* const renderer = dynamic_cast<osgViewer::Renderer*>(renderInfo.getCurrentCamera()->getRenderer());
-    for (unsigned int i = 0; renderer && i < 2; ++i)
-    {
-        osgUtil::SceneView* const view = renderer->getSceneView(i);
-        if (!view || !view->getRenderStage()) continue;
-        _draws = drawsOf(*view->getRenderStage());
-        if (_draws > 0) return;
-    }
+    unsigned int draws = 0;
+    for (const auto& [order, before] : stage.getPreRenderList())
+        draws += drawsOf(*before) + drawsBefore(*before);
+    return draws;
+}
+
+void DrawCounter::operator()(osg::Node* node, osg::NodeVisitor* visitor)
+{
+    traverse(node, visitor);
+    osgUtil::CullVisitor* const cull = visitor->asCullVisitor();
+    if (!cull || !cull->getRenderStage()) return;
+    _draws = drawsOf(*cull->getRenderStage());
+    _drawsBefore = trainer::drawsBefore(*cull->getRenderStage());
 }
 
 } // namespace trainer

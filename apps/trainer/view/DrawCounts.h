@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <osg/Camera>
-#include <osgUtil/RenderBin>
+#include <osg/NodeCallback>
+#include <osgUtil/RenderStage>
 
 namespace trainer
 {
@@ -11,16 +11,20 @@ namespace trainer
 /// it, as shadow maps are, does not count.
 unsigned int drawsOf(osgUtil::RenderBin& bin);
 
-/// Counts the draws of each picture of a camera of a viewer, as its initial draw callback. Threads: that which draws.
-class DrawCounter : public osg::Camera::DrawCallback
+/// Returns how many draws the stages take that are drawn before a stage, as shadow maps are, with those before them.
+unsigned int drawsBefore(osgUtil::RenderStage& stage);
+
+/// Counts the draws of each picture of a camera of a viewer, as its cull callback. Threads: that which culls.
+class DrawCounter : public osg::NodeCallback
 {
 public:
-    void operator()(osg::RenderInfo& renderInfo) const override;
+    void operator()(osg::Node* node, osg::NodeVisitor* visitor) override;
 
     unsigned int draws() const { return _draws; }
+    unsigned int drawsBefore() const { return _drawsBefore; }
 
 private:
-    mutable unsigned int _draws = 0; ///< OSG calls it as if it were constant
+    unsigned int _draws = 0, _drawsBefore = 0;
 };
 
 } // namespace trainer

@@ -26,12 +26,13 @@ ColumnSummary summaryOf(const PartCosts& part, double PictureCost::*column)
 struct Row
 {
     ColumnSummary processor, wall;
-    double draws, costsMs;
+    double draws, mapDraws, costsMs;
 
     Row(const PartCosts& part, const PartCosts& whole)
         : processor(summaryOf(part, &PictureCost::processorMs)),
           wall(summaryOf(part, &PictureCost::wallMs)),
           draws(summaryOf(part, &PictureCost::draws).median),
+          mapDraws(summaryOf(part, &PictureCost::mapDraws).median),
           costsMs(summaryOf(whole, &PictureCost::processorMs).median - processor.median)
     {
     }
@@ -41,15 +42,16 @@ struct Row
 
 std::string partsText(const std::vector<PartCosts>& parts)
 {
-    std::string text = "without         processor ms p50     p99   wall ms p50     p99   costs  draws\n";
+    std::string text =
+        "without         processor ms p50     p99   wall ms p50     p99   costs  draws  of maps\n";
     for (const PartCosts& part : parts)
     {
         if (part.pictures.empty()) continue;
         const Row row(part, parts.front());
         char line[160];
-        std::snprintf(line, sizeof line, "%-15s %16.1f %7.1f %13.1f %7.1f %7.1f %6.0f\n",
+        std::snprintf(line, sizeof line, "%-15s %16.1f %7.1f %13.1f %7.1f %7.1f %6.0f %8.0f\n",
                       part.without.empty() ? "-" : part.without.c_str(), row.processor.median,
-                      row.processor.p99, row.wall.median, row.wall.p99, row.costsMs, row.draws);
+                      row.processor.p99, row.wall.median, row.wall.p99, row.costsMs, row.draws, row.mapDraws);
         text += line;
     }
     return text;
@@ -69,6 +71,7 @@ foundation::Outcome writeParts(const std::vector<PartCosts>& parts, const std::f
                                  {"wallMsP50", row.wall.median},
                                  {"wallMsP99", row.wall.p99},
                                  {"draws", row.draws},
+                                 {"mapDraws", row.mapDraws},
                                  {"costsMs", row.costsMs}});
     }
     return foundation::writeWholeFile(file, root.dump(1) + "\n");

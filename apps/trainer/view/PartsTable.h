@@ -14,7 +14,8 @@ namespace trainer
 struct PictureCost
 {
     double wallMs = 0.0, processorMs = 0.0;
-    double draws = 0.0; ///< of OpenGL, without those of shadow maps
+    double draws = 0.0;    ///< of OpenGL, without those of shadow maps
+    double mapDraws = 0.0; ///< those of shadow maps
 };
 
 /// The pictures that were drawn without one part. An empty name: with all parts.
@@ -29,7 +30,7 @@ struct PartCosts
 std::string partsText(const std::vector<PartCosts>& parts);
 
 /// Writes the same as JSON: {"parts": [{"without", "pictures", "processorMsP50", "processorMsP99", "wallMsP50", "wallMsP99", "draws",
-/// "costsMs"}, …]}; `costsMs` is processor time. Errors: a file that cannot be written.
+/// "mapDraws", "costsMs"}, …]}; `costsMs` is processor time. Errors: a file that cannot be written.
 foundation::Outcome writeParts(const std::vector<PartCosts>& parts, const std::filesystem::path& file);
 
 } // namespace trainer

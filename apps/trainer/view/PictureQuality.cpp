@@ -10,21 +10,31 @@ bool PictureQuality::add(double pictureMs)
 {
     if (++_count == 0) return false;
     _sumMs += pictureMs;
-    if (_count < kPictures) return false;
-    const double meanMs = _sumMs / kPictures, before = _tolerancePx;
+    const bool isSlow = _sumMs > kSlowMs * kPictures; // whatever the rest of them take
+    if (_count < kPictures && !isSlow) return false;
+    const double meanMs = _sumMs / _count;
     _sumMs = 0.0;
     _count = 0;
-    if (_choosesQuality && meanMs > kSlowMs && _quality != Quality::low)
-    {
-        _quality = _quality == Quality::high ? Quality::medium : Quality::low;
-        return true;
-    }
-    if (_choosesQuality && meanMs < kVeryQuickMs && before == _askedPx && _quality != Quality::high)
-    {
-        _quality = _quality == Quality::low ? Quality::medium : Quality::high;
-        return true;
-    }
+    const bool changes = changeQuality(meanMs) || changeTolerance(meanMs);
+    if (changes) _count = -1;
+    return changes;
+}
+
+bool PictureQuality::changeQuality(double meanMs)
+{
+    if (!_choosesQuality) return false;
+    const Quality before = _quality;
+    if (meanMs > kSlowMs && before != Quality::low)
+        _quality = before == Quality::high ? Quality::medium : Quality::low;
+    if (meanMs < kVeryQuickMs && _tolerancePx == _askedPx && before != Quality::high)
+        _quality = before == Quality::low ? Quality::medium : Quality::high;
+    return _quality != before;
+}
+
+bool PictureQuality::changeTolerance(double meanMs)
+{
     if (!_choosesTolerance) return false;
+    const double before = _tolerancePx;
     if (meanMs > kSlowMs) _tolerancePx = std::min(kStep * _tolerancePx, kMost * _askedPx);
     if (meanMs < kQuickMs) _tolerancePx = std::max(_tolerancePx / kStep, _askedPx);
     return _tolerancePx != before;

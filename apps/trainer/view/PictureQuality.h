@@ -14,7 +14,7 @@ class PictureQuality
 {
 public:
     static constexpr double kSlowMs = 85.0, kQuickMs = 40.0, kVeryQuickMs = 25.0, kStep = 1.5, kMost = 4.0;
-    static constexpr int kPictures = 10; ///< over which it looks
+    static constexpr int kPictures = 10; ///< over which it looks, or fewer when these are slow already
 
     /// `tolerancePx`, `quality`: asked for, and whether they may change.
     explicit PictureQuality(double tolerancePx, bool choosesTolerance = true, Quality quality = Quality::high,
@@ -34,11 +34,14 @@ public:
     Quality quality() const { return _quality; }
 
 private:
+    bool changeQuality(double meanMs);
+    bool changeTolerance(double meanMs);
+
     double _askedPx, _tolerancePx;
     Quality _quality;
     bool _choosesTolerance, _choosesQuality;
     double _sumMs = 0.0;
-    int _count = -1; ///< the first picture makes meshes and compiles shaders
+    int _count = -1; ///< the first picture, and the first after a change, makes meshes and compiles shaders
 };
 
 } // namespace trainer

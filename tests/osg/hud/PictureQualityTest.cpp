@@ -22,8 +22,8 @@ TEST(PictureQuality, GrowsCoarserWhilePicturesAreSlowAndFinerAgain)
 {
     PictureQuality quality(1.0);
     EXPECT_EQ(add(quality, 1, 5000.0), 0); // the first is always slow
-    EXPECT_EQ(add(quality, 9, 200.0), 0);
-    EXPECT_EQ(add(quality, 1, 200.0), 1);
+    EXPECT_EQ(add(quality, 9, 90.0), 0);
+    EXPECT_EQ(add(quality, 1, 90.0), 1);
     EXPECT_EQ(quality.tolerancePx(), 1.5);
     add(quality, 200, 200.0);
     EXPECT_EQ(quality.tolerancePx(), 4.0); // and no coarser
@@ -48,17 +48,29 @@ TEST(PictureQuality, LeavesOutDetailBeforeTheGroundGetsCoarser)
 {
     PictureQuality quality(1.0, true, Quality::high, true);
     add(quality, 1, 0.0);
-    add(quality, 10, 200.0);
+    add(quality, 5, 200.0);
     EXPECT_EQ(quality.quality(), Quality::medium);
     EXPECT_EQ(quality.tolerancePx(), 1.0);
-    add(quality, 10, 200.0);
+    add(quality, 6, 200.0);
     EXPECT_EQ(quality.quality(), Quality::low);
-    add(quality, 10, 200.0);
+    add(quality, 6, 200.0);
     EXPECT_EQ(quality.tolerancePx(), 1.5);
-    add(quality, 20, 20.0);
+    add(quality, 22, 20.0);
     EXPECT_EQ(quality.tolerancePx(), 1.0);
     EXPECT_EQ(quality.quality(), Quality::medium);
     EXPECT_EQ(add(quality, 100, 35.0), 0) << "quick enough for this quality, not for the next";
+}
+
+TEST(PictureQuality, DoesNotWaitForTenPicturesWhereThreeAreTooSlow)
+{
+    PictureQuality quality(1.0, true, Quality::high, true);
+    add(quality, 1, 3000.0);
+    EXPECT_EQ(add(quality, 2, 400.0), 0);
+    EXPECT_EQ(add(quality, 1, 400.0), 1);
+    EXPECT_EQ(quality.quality(), Quality::medium);
+    EXPECT_EQ(add(quality, 1, 3000.0), 0) << "it compiles shaders";
+    EXPECT_EQ(add(quality, 3, 200.0), 0);
+    EXPECT_EQ(quality.quality(), Quality::medium);
 }
 
 TEST(PictureQuality, KeepsWhatWasAskedFor)

@@ -40,4 +40,12 @@ TEST(DrawCounts, AreThoseOfOpenGl)
     EXPECT_EQ(trainer::drawsOf(*bin), 6U);
     geometry->addPrimitiveSet(new osg::DrawArrays(GL_TRIANGLES, 6, 3));
     EXPECT_EQ(trainer::drawsOf(*bin), 7U);
+
+    const osg::ref_ptr<osgUtil::RenderStage> picture = new osgUtil::RenderStage,
+                                             map = new osgUtil::RenderStage;
+    map->addStateGraph(graph);
+    EXPECT_EQ(trainer::drawsBefore(*picture), 0U);
+    picture->addPreRenderStage(map);
+    EXPECT_EQ(trainer::drawsBefore(*picture), 7U);
+    EXPECT_EQ(trainer::drawsOf(*picture), 0U) << "those before are not its own";
 }
