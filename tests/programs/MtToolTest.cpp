@@ -24,7 +24,7 @@ TEST(MtTool, buildsAFileThatValidateFindsSound)
     const auto built = ordered_json::parse(readBytes(place.path("built.json")))["files"][0];
     EXPECT_EQ(keysOf(built),
               (std::vector<std::string>{"file", "points", "triangles", "trees", "rectangles", "largestTree",
-                                        "smallestTree", "mainPart", "borderPoints", "fileBytes"}));
+                                        "smallestTree", "mainPart", "borderPoints", "fileBytes", "peakMB"}));
     EXPECT_EQ(built["points"], 65 * 65);
     EXPECT_FALSE(std::filesystem::exists(place.path("hill.mt.parts")));
     EXPECT_TRUE(succeeds(runTerrainTool(
@@ -94,6 +94,51 @@ TEST(MtTool, benchHasTheKeysThatWereAgreed)
                             "mainPart", "peakMB", "limitMB", "fileBytes", "extractMs"})
         EXPECT_TRUE(table["cases"][0].contains(key)) << key;
     EXPECT_EQ(table["growth"].size(), 4U);
+}
+
+/// Builds a surface of 200 000 points within a limit; 0: without one. Returns the row of the table.
+ordered_json builtWithin(const Workplace& place, const std::string& input, const std::string& limitMb)
+{
+    const std::string output = place.path("w" + limitMb + ".mt"), table = place.path("w" + limitMb + ".json");
+    std::vector<std::string> words{"mt-build", input, "-o", output, "--json", table};
+    if (limitMb != "0") words.insert(words.end(), {"--memory", limitMb});
+    EXPECT_TRUE(succeeds(runTerrainTool(words)));
+    return ordered_json::parse(readBytes(table))["files"][0];
+}
+
+TEST(MtTool, aBuildKeepsWithinItsMemory)
+{
+    const Workplace place;
+    std::string text;
+    for (int i = 0; i < 200000; ++i)
+        text += std::to_string(i * 7919 % 200003) + "," + std::to_string(i % 449 * 331 + i / 449) + "," +
+                std::to_string(i % 89) + "\n";
+    place.write("points.csv", text);
+    const ordered_json free = builtWithin(place, place.path("points.csv"), "0");
+    const ordered_json within = builtWithin(place, place.path("points.csv"), "64");
+    EXPECT_LE(within["peakMB"], 64.0);
+    EXPECT_GT(free["peakMB"], 64.0) << "a build that does not care takes more";
+    EXPECT_EQ(within["points"], free["points"]);
+    EXPECT_EQ(within["triangles"], free["triangles"]);
+    EXPECT_TRUE(succeeds(runTerrainTool({"validate", place.path("w64.mt"), "--frames", "4"})));
+    EXPECT_FALSE(std::filesystem::exists(place.path("w64.mt.spool")));
+    EXPECT_FALSE(std::filesystem::exists(place.path("w64.mt.parts")));
+}
+
+TEST(MtTool, benchTellsTheLimitAndThePeakBelowIt)
+{
+    const Workplace place;
+    EXPECT_TRUE(
+        succeeds(runTerrainTool({"mt-bench", "--points", "100000", "--distribution", "clustered", "--memory",
+                                 "64", "--folder", place.path(""), "--json", place.path("t.json")})));
+    const auto table = ordered_json::parse(readBytes(place.path("t.json")));
+    ASSERT_EQ(table["cases"].size(), 1U);
+    EXPECT_EQ(table["cases"][0]["limitMB"], 64.0);
+    EXPECT_LE(table["cases"][0]["peakMB"], 64.0);
+    EXPECT_EQ(runTerrainTool({"mt-bench", "--points", "100000", "--distribution", "uniform", "--memory", "30",
+                              "--folder", place.path("")})
+                  .exitCode,
+              1);
 }
 
 TEST(MtTool, wrongUseIsTold)

@@ -36,6 +36,10 @@ void addMtBench(CLI::App& app, std::filesystem::path& jsonFile, Command& command
     const auto request = std::make_shared<MtBenchRequest>();
     request->folder = std::filesystem::temp_directory_path();
     sub->add_option("--points", request->points, "numbers of points")->check(CLI::Range(100, 100'000'000));
+    sub->add_option("--distribution", request->distribution, "one of the four alone")
+        ->check(CLI::IsMember({"uniform", "normal", "laplace", "clustered"}));
+    sub->add_option("--memory", request->memoryMb, "MB that each build may take")
+        ->check(terminal::between(1.0, 1e7));
     sub->add_option("--folder", request->folder, "for the files; they are removed")
         ->check(CLI::ExistingDirectory);
     sub->add_option("--jobs", request->options.jobs, "threads (1)")->check(CLI::Range(1u, 1024u));

@@ -5,14 +5,13 @@
 #include <iostream>
 #include <map>
 
-#include <sys/resource.h>
-
 #include <osgMultiTriangulation/core/extract/Extraction.h>
 #include <osgMultiTriangulation/core/file/BuildMtFile.h>
 #include <osgMultiTriangulation/core/file/MtFile.h>
 #include <osgMultiTriangulation/core/input/Delaunay.h>
 #include <osgMultiTriangulation/core/input/PointDistribution.h>
 
+#include "terraintool/mt/BenchMtWithin.h"
 #include "terraintool/mt/ForestFigures.h"
 #include "terraintool/mt/MtRequest.h"
 
@@ -40,13 +39,6 @@ double wallMs()
 {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch())
         .count();
-}
-
-double peakMb()
-{
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    return static_cast<double>(usage.ru_maxrss) / 1024.0;
 }
 
 /// Reads all trees of a file and takes the drain. Returns the time.
@@ -124,10 +116,12 @@ foundation::Result<terminal::Report> benchMt(const MtBenchRequest& request)
     terminal::Report report;
     for (const auto& [name, distribution] : kDistributions)
     {
+        if (!request.distribution.empty() && request.distribution != name) continue;
         std::vector<std::pair<double, double>> times, borders;
         for (const std::size_t count : request.points)
         {
-            auto row = benchCase(name, count, request);
+            auto row = request.memoryMb > 0.0 ? benchCaseWithin(name, distribution, count, request)
+                                              : benchCase(name, count, request);
             if (!row) return row.error();
             std::cout << name << ' ' << count << ": " << (*row)["processorMs"].get<double>()
                       << " ms of the processor\n"

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <cmath>
 #include <iostream>
-#include <optional>
 
 #include <foundation/WholeFile.h>
 
@@ -13,8 +11,7 @@
 #include <osgMultiTriangulation/core/surface/DropPoints.h>
 #include <osgMultiTriangulation/core/surface/GridSurface.h>
 
-#include "terminal/Terminal.h"
-#include "terraintool/mt/ForestFigures.h"
+#include "terraintool/mt/BuildProgress.h"
 #include "terraintool/mt/MtRequest.h"
 
 namespace terraintool
@@ -49,18 +46,6 @@ foundation::Result<PlacedSurface> readRasters(const MtBuildRequest& request)
     return surface;
 }
 
-bool isPointFile(const std::filesystem::path& file)
-{
-    const std::string extension = file.extension().string();
-    return extension == ".csv" || extension == ".xyz" || extension == ".txt";
-}
-
-/// Tells by how much places have been moved, where that is more than a thousandth of a step.
-void tellRounding(double mostMoved, const PlanFrame& frame)
-{
-    if (mostMoved > 1e-3 * frame.stepX) std::cout << "places are rounded by up to " << mostMoved << '\n';
-}
-
 foundation::Result<PlacedSurface> readPoints(const MtBuildRequest& request)
 {
     std::vector<MeasuredPoint> points;
@@ -78,9 +63,6 @@ foundation::Result<PlacedSurface> readPoints(const MtBuildRequest& request)
 
 foundation::Result<PlacedSurface> readTin(const MtBuildRequest& request)
 {
-    if (request.inputs.size() > 1)
-        return foundation::Error{request.inputs[1].string(), "is one surface too many",
-                                 "give one file of triangles"};
     const auto tin = readTinFile(request.inputs[0]);
     if (!tin) return tin.error();
     auto placed = placeTin(*tin, request.inputs[0].string());
@@ -92,66 +74,49 @@ foundation::Result<PlacedSurface> readTin(const MtBuildRequest& request)
 foundation::Result<PlacedSurface> readSurface(const MtBuildRequest& request)
 {
     if (isTinFile(request.inputs[0])) return readTin(request);
-    const bool arePoints = isPointFile(request.inputs[0]);
-    for (const std::filesystem::path& input : request.inputs)
-        if (isPointFile(input) != arePoints)
-            return foundation::Error{input.string(), "stands among inputs of another kind",
-                                     "give rasters, files of points, or one file of triangles"};
-    return arePoints ? readPoints(request) : readRasters(request);
-}
-
-/// The memory that a build takes at most, in MB: surface and rests by point, and a tree in each thread.
-double neededMb(std::size_t points, std::uint32_t trees, unsigned jobs)
-{
-    constexpr double kBytesOfPoint = 190.0, kBytesOfTreePoint = 500.0;
-    const double all = static_cast<double>(points);
-    return (kBytesOfPoint * all + kBytesOfTreePoint * jobs * all / trees) / 1e6;
-}
-
-foundation::Outcome checkMemory(const MtBuildRequest& request, std::size_t points)
-{
-    const std::uint32_t trees = request.options.treeCount > 0
-                                    ? request.options.treeCount
-                                    : balancedTreeCount(static_cast<double>(points), request.options.border);
-    const double needed = neededMb(points, trees, request.options.jobs);
-    if (request.memoryMb <= 0.0 || needed <= request.memoryMb) return foundation::success();
-    return foundation::Error{request.output.string(),
-                             "needs " + std::to_string(std::lround(std::ceil(needed))) + " MB for " +
-                                 std::to_string(points) + " points",
-                             "allow more with --memory, or build parts of the input by themselves"};
+    return isPointFile(request.inputs[0]) ? readPoints(request) : readRasters(request);
 }
 
 } // namespace
 
+bool isPointFile(const std::filesystem::path& file)
+{
+    const std::string extension = file.extension().string();
+    return extension == ".csv" || extension == ".xyz" || extension == ".txt";
+}
+
+void tellRounding(double mostMoved, const PlanFrame& frame)
+{
+    if (mostMoved > 1e-3 * frame.stepX) std::cout << "places are rounded by up to " << mostMoved << '\n';
+}
+
+foundation::Outcome checkKinds(const MtBuildRequest& request)
+{
+    const bool areTriangles = isTinFile(request.inputs[0]), arePoints = isPointFile(request.inputs[0]);
+    if (areTriangles && request.inputs.size() > 1)
+        return foundation::Error{request.inputs[1].string(), "is one surface too many",
+                                 "give one file of triangles"};
+    for (const std::filesystem::path& input : request.inputs)
+        if (isPointFile(input) != arePoints || isTinFile(input) != areTriangles)
+            return foundation::Error{input.string(), "stands among inputs of another kind",
+                                     "give rasters, files of points, or one file of triangles"};
+    return foundation::success();
+}
+
 foundation::Result<terminal::Report> buildMt(const MtBuildRequest& request)
 {
     if (const auto writable = foundation::checkWritable(request.output); !writable) return writable.error();
+    if (const auto kinds = checkKinds(request); !kinds) return kinds.error();
+    if (request.memoryMb > 0.0) return buildMtWithin(request);
     const auto surface = readSurface(request);
     if (!surface) return surface.error();
     if (const auto fault = checkInput(surface->mesh))
         return foundation::Error{request.inputs[0].string(), *fault, "repair the input"};
-    if (const auto enough = checkMemory(request, surface->mesh.points.size()); !enough) return enough.error();
-    ForestOptions options = request.options;
-    std::optional<terminal::Progress> bar;
-    options.progress = [&](std::uint32_t done, std::uint32_t all)
-    {
-        if (!bar) bar.emplace(request.output.string(), all - done + 1);
-        bar->advance();
-        return true;
-    };
-    const auto built = buildMtFile(surface->mesh, surface->frame, options, request.output);
-    bar.reset();
+    BuildProgress progress(request);
+    const auto built = buildMtFile(surface->mesh, surface->frame, progress.options(), request.output);
+    progress.end();
     if (!built) return built.error();
-    terminal::Report report;
-    nlohmann::ordered_json& row = report.json["files"].emplace_back();
-    row["file"] = request.output.string();
-    row["points"] = surface->mesh.points.size();
-    row["triangles"] = surface->mesh.triangles.size();
-    addForestFigures(row, *built);
-    row["fileBytes"] = std::filesystem::file_size(request.output);
-    std::cout << request.output.string() << ": " << surface->mesh.points.size() << " points in "
-              << built->trees << " trees, " << row["fileBytes"] << " bytes\n";
-    return report;
+    return reportOfBuild(request, surface->mesh.points.size(), surface->mesh.triangles.size(), *built);
 }
 
 } // namespace terraintool

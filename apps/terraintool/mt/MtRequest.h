@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include <osgMultiTriangulation/core/file/MtInfo.h>
 #include <osgMultiTriangulation/core/split/BuildForest.h>
 #include <osgTerrainROAM/core/heightfield/DemImport.h>
 
@@ -27,7 +28,9 @@ struct MtBuildRequest
 struct MtBenchRequest
 {
     std::vector<std::size_t> points{10'000, 50'000, 100'000, 250'000, 500'000};
+    std::string distribution;     ///< one alone; empty: all four
     std::filesystem::path folder; ///< for the files, which are removed again
+    double memoryMb = 0.0;        ///< 0: no limit
     osgMultiTriangulation::core::ForestOptions options;
 };
 
@@ -51,6 +54,21 @@ foundation::Result<terminal::Report> benchMt(const MtBenchRequest& request);
 /// Builds a split multi-triangulation from elevation rasters, from files of points (.csv, .xyz, .txt), or from a file of triangles (.obj, .ply,
 /// .terrain).
 foundation::Result<terminal::Report> buildMt(const MtBuildRequest& request);
+
+/// The same within request.memoryMb of memory: the surface is read in streams, and built from files beside the output.
+foundation::Result<terminal::Report> buildMtWithin(const MtBuildRequest& request);
+
+/// Whether a file has points as text: .csv, .xyz, .txt.
+bool isPointFile(const std::filesystem::path& file);
+
+/// Tells inputs of different kinds, or more than one file of triangles.
+foundation::Outcome checkKinds(const MtBuildRequest& request);
+
+/// Tells by how much places have been moved, where that is more than a thousandth of a step.
+void tellRounding(double mostMoved, const osgMultiTriangulation::core::PlanFrame& frame);
+
+/// The most resident memory that this process has had, MB.
+double peakMb();
 
 /// Checks a .mt file: every tree by itself, how they hang together, and a flight over all that is whole.
 /// Adds a row of a table to `report`, and prints it.

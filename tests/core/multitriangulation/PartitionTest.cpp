@@ -18,7 +18,7 @@ TEST(Partition, sixteenPointsBecomeFourSquares) // by hand
     const Partition partition = partitionPoints(mesh.points, 4.0);
     EXPECT_EQ(partition.rectangles, 4u);
     EXPECT_EQ(partition.parts.size(), 7u);
-    const auto at = [&](int column, int row) { return partition.partOf[row * 4 + column]; };
+    const auto at = [&](int column, int row) { return partition.partAt(mesh.points[row * 4 + column]); };
     EXPECT_EQ(at(0, 0), at(1, 1));
     EXPECT_EQ(at(2, 2), at(3, 3));
     EXPECT_NE(at(1, 1), at(2, 1));

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <mutex>
+#include <limits>
 #include <string>
 
 #include <osgMultiTriangulation/core/file/BuildMtFile.h>
 
 #include "../split/JobQueue.h"
+#include "../split/MeshSource.h"
+#include "../spool/MemoryPlan.h"
+#include "../spool/SpoolSource.h"
 #include "MtHeader.h"
 #include "PartStore.h"
+#include "StoredBuild.h"
 
 namespace osgMultiTriangulation::core
 {
@@ -18,6 +22,21 @@ template<class T>
 std::uint32_t sumOf(const std::vector<T>& list)
 {
     return mtChecksum({reinterpret_cast<const char*>(list.data()), list.size() * sizeof(T)});
+}
+
+/// A sum over the cuts.
+std::uint32_t identityOf(const Partition& partition)
+{
+    std::string all;
+    LittleEndian out(all);
+    for (const PlanPart& part : partition.parts)
+    {
+        out.add(part.halves[0]);
+        out.add(part.halves[1]);
+        out.add(part.axis);
+        out.add(part.cut);
+    }
+    return mtChecksum(all);
 }
 
 /// A sum over all on which the bytes of the parts depend.
@@ -36,100 +55,50 @@ std::uint32_t identityOf(const SurfaceMesh& mesh, const PlanFrame& frame, const 
     }
     std::string all;
     LittleEndian out(all);
-    for (const std::uint32_t sum : {points, sumOf(mesh.triangles), sumOf(partition.partOf), kMtVersion})
+    for (const std::uint32_t sum : {points, sumOf(mesh.triangles), identityOf(partition), kMtVersion})
         out.add(sum);
     for (const double value : {frame.originX, frame.originY, frame.stepX, frame.stepY})
         out.add(value);
     return mtChecksum(all);
 }
 
-/// A build whose parts are kept in a folder.
-class StoredBuild
+std::uint32_t identityOf(const SurfaceSpool& spool, const PlanFrame& frame, const Partition& partition,
+                         std::uint64_t mostHidden)
 {
-public:
-    StoredBuild(const SurfaceMesh& mesh, const Partition& partition, const PartStore& store)
-        : _partition(partition),
-          _store(store),
-          _jobs(mesh, partition),
-          _heightStep(commonHeightStep(mesh.points)),
-          _entries(partition.parts.size()),
-          _locked(partition.parts.size())
-    {
-    }
+    std::string all;
+    LittleEndian out(all);
+    for (const std::uint32_t sum : {spool.sum(), identityOf(partition), kMtVersion})
+        out.add(sum);
+    for (const double value : {frame.originX, frame.originY, frame.stepX, frame.stepY})
+        out.add(value);
+    out.add(mostHidden);
+    return mtChecksum(all);
+}
 
-    /// Takes what an earlier run has finished. Returns by part whether it needs no work.
-    std::vector<bool> resume()
-    {
-        std::vector<bool> isDone(_partition.parts.size(), false);
-        for (std::uint32_t part = 0; part < isDone.size(); ++part)
-        {
-            const std::uint32_t parent = _partition.parts[part].parent;
-            const auto tree = _store.tree(part);
-            if (!tree) continue;
-            if (parent != kNone && !isDone[parent])
-            {
-                auto rest = _store.rest(part);
-                if (!rest) continue;
-                _jobs.restore(part, std::move(*rest));
-            }
-            isDone[part] = true;
-            keep(part, *tree);
-        }
-        return isDone;
-    }
+/// Builds all parts that are not in the store, writes the file, and removes the store.
+foundation::Result<ForestReport> buildParts(StoredBuild& build, const Partition& partition,
+                                            const PartStore& store, const ForestOptions& options,
+                                            const MtInfo& info, const std::filesystem::path& file)
+{
+    const std::vector<bool> isDone = build.resume();
+    ForestOptions watched = options;
+    watched.progress = [&](std::uint32_t done, std::uint32_t all)
+    { return build.outcome() && (!options.progress || options.progress(done, all)); };
+    JobQueue queue(partition, watched, isDone);
+    queue.run([&](std::uint32_t part) { build.build(part); });
+    if (const auto outcome = build.outcome(); !outcome) return outcome.error();
+    if (queue.isStopped())
+        return foundation::Error{file.string(), "the build was stopped", "start it again to go on"};
+    if (const auto outcome = build.write(info, file); !outcome) return outcome.error();
+    store.remove();
+    return build.report();
+}
 
-    void build(std::uint32_t part)
-    {
-        const TreeRecord record = _jobs.build(part);
-        const StoredTree tree{encodedTree(record, _partition.parts[part].parent, _heightStep),
-                              _jobs.lockedIn(part)};
-        if (part != 0) note(_store.putRest(part, _jobs.restOf(part)));
-        note(_store.putTree(part, tree));
-        keep(part, tree);
-        for (const std::uint32_t half : _partition.parts[part].halves)
-            if (half != kNone) _store.dropRest(half);
-    }
-
-    foundation::Outcome outcome() const { return _outcome; }
-    bool hasFailed() const { return !_outcome; }
-
-    foundation::Outcome write(MtInfo info, const std::filesystem::path& file) const
-    {
-        info.heightStep = _heightStep;
-        return writeMtFile(file, info, _entries,
-                           [this, &file](std::uint32_t part) -> foundation::Result<std::vector<std::byte>>
-                           {
-                               auto tree = _store.tree(part);
-                               if (tree) return std::move(tree->encoded.bytes);
-                               return foundation::Error{file.string(), "a finished part has disappeared",
-                                                        "start the build again"};
-                           });
-    }
-
-    ForestReport report() const { return reportOf(_partition, _locked, _entries[0].points); }
-
-private:
-    void keep(std::uint32_t part, const StoredTree& tree)
-    {
-        _entries[part] = tree.encoded.entry;
-        _locked[part] = tree.locked;
-    }
-
-    void note(const foundation::Outcome& outcome)
-    {
-        const std::lock_guard lock(_mutex);
-        if (!outcome) _outcome = outcome;
-    }
-
-    const Partition& _partition;
-    const PartStore& _store;
-    PartJobs _jobs;
-    double _heightStep;
-    std::vector<MtEntry> _entries;
-    std::vector<std::uint32_t> _locked;
-    std::mutex _mutex;
-    foundation::Outcome _outcome = foundation::success();
-};
+std::filesystem::path beside(const std::filesystem::path& file, const char* ending)
+{
+    std::filesystem::path folder = file;
+    return folder += ending;
+}
 
 } // namespace
 
@@ -137,27 +106,34 @@ foundation::Result<ForestReport> buildMtFile(const SurfaceMesh& mesh, const Plan
                                              const ForestOptions& options, const std::filesystem::path& file)
 {
     const Partition partition = partitionFor(mesh, options);
-    std::filesystem::path folder = file;
-    folder += ".parts";
-    const auto store = PartStore::open(folder, identityOf(mesh, frame, partition));
+    const auto store = PartStore::open(beside(file, ".parts"), identityOf(mesh, frame, partition));
     if (!store) return store.error();
-    StoredBuild build(mesh, partition, *store);
-    const std::vector<bool> isDone = build.resume();
-    ForestOptions watched = options;
-    watched.progress = [&](std::uint32_t done, std::uint32_t all)
-    { return !build.hasFailed() && (!options.progress || options.progress(done, all)); };
-    JobQueue queue(partition, watched, isDone);
-    queue.run([&](std::uint32_t part) { build.build(part); });
-    if (const auto outcome = build.outcome(); !outcome) return outcome.error();
-    if (queue.isStopped())
-        return foundation::Error{file.string(), "the build was stopped", "start it again to go on"};
-    MtInfo info;
-    info.frame = frame;
-    info.points = mesh.points.size();
-    info.triangles = mesh.triangles.size();
-    if (const auto outcome = build.write(info, file); !outcome) return outcome.error();
-    store->remove();
-    return build.report();
+    const MeshSource source(mesh, partition);
+    StoredBuild build(source, partition, *store, commonHeightStep(mesh.points),
+                      std::numeric_limits<std::uint64_t>::max());
+    const MtInfo info{frame, 0.0, mesh.points.size(), mesh.triangles.size(), {}};
+    return buildParts(build, partition, *store, options, info, file);
+}
+
+foundation::Result<ForestReport> buildMtFile(const SurfaceSpool& spool, const PlanFrame& frame,
+                                             const ForestOptions& options, double limitMb,
+                                             const std::filesystem::path& file)
+{
+    const std::uint64_t points = spool.points().size();
+    const auto plan = planMemory(points, options, limitMb);
+    if (!plan) return plan.error();
+    const Partition partition =
+        partitionPoints(scanOf(spool), static_cast<double>(points) / plan->treeCount, options.where);
+    const auto store =
+        PartStore::open(beside(file, ".parts"), identityOf(spool, frame, partition, plan->mostHidden));
+    if (!store) return store.error();
+    const auto source = SpoolSource::create(spool, partition, spool.folder());
+    if (!source) return source.error();
+    StoredBuild build(**source, partition, *store, spool.heightStep(), plan->mostHidden);
+    ForestOptions within = options;
+    within.jobs = plan->jobs;
+    const MtInfo info{frame, 0.0, points, spool.triangles().size(), {}};
+    return buildParts(build, partition, *store, within, info, file);
 }
 
 } // namespace osgMultiTriangulation::core

@@ -134,6 +134,8 @@ std::optional<StoredTree> PartStore::tree(std::uint32_t part) const
 foundation::Outcome PartStore::putRest(std::uint32_t part, const PartMesh& rest) const
 {
     std::string bytes;
+    appendPlain(bytes, rest.allHidden);
+    appendPlain(bytes, rest.hiddenSum);
     visitLists(rest, [&](const auto& list) { appendList(bytes, list); });
     return put(nameOf(part, ".rest"), std::move(bytes));
 }
@@ -144,7 +146,7 @@ std::optional<PartMesh> PartStore::rest(std::uint32_t part) const
     if (!bytes) return std::nullopt;
     std::string_view left = *bytes;
     PartMesh rest;
-    bool isWhole = true;
+    bool isWhole = takePlain(left, rest.allHidden) && takePlain(left, rest.hiddenSum);
     visitLists(rest, [&](auto& list) { isWhole = isWhole && takeList(left, list); });
     if (!isWhole) return std::nullopt;
     return rest;
@@ -154,6 +156,32 @@ void PartStore::dropRest(std::uint32_t part) const
 {
     std::error_code ignored;
     std::filesystem::remove(nameOf(part, ".rest"), ignored);
+    std::filesystem::remove(nameOf(part, ".hidden"), ignored);
+}
+
+foundation::Result<RecordFile<HiddenRecord>> PartStore::createHidden(std::uint32_t part) const
+{
+    return RecordFile<HiddenRecord>::create(nameOf(part, ".hidden"));
+}
+
+foundation::Result<RecordFile<HiddenRecord>> PartStore::openHidden(std::uint32_t part) const
+{
+    return RecordFile<HiddenRecord>::open(nameOf(part, ".hidden"));
+}
+
+bool PartStore::isHiddenWhole(std::uint32_t part, const PartMesh& rest) const
+{
+    if (rest.hasAllHidden()) return true;
+    const auto file = openHidden(part);
+    if (!file || file->size() != rest.allHidden) return false;
+    std::uint32_t sum = 0;
+    file->scan([&](std::span<const HiddenRecord> run) { sum = sumOfRecords(run, sum); });
+    return file->outcome() && sum == rest.hiddenSum;
+}
+
+std::uint32_t sumOfRecords(std::span<const HiddenRecord> records, std::uint32_t before)
+{
+    return before * 31 + mtChecksum({reinterpret_cast<const char*>(records.data()), records.size_bytes()});
 }
 
 void PartStore::remove() const

@@ -6,6 +6,7 @@
 #include <osgMultiTriangulation/core/file/TreeCode.h>
 #include <osgMultiTriangulation/core/structure/ErrorCode.h>
 #include <osgMultiTriangulation/core/structure/StarRing.h>
+#include <osgMultiTriangulation/core/surface/HeightStep.h>
 #include <osgPMObjects/core/progressive/Bytes.h>
 
 namespace osgMultiTriangulation::core
@@ -102,16 +103,10 @@ private:
 
 double commonHeightStep(std::span<const SurfacePoint> points)
 {
-    double step = 1.0;
+    HeightStep heights;
     for (const SurfacePoint& p : points)
-    {
-        while (step >= 0x1p-20 && p.height / step != std::floor(p.height / step))
-            step /= 2.0;
-        if (step < 0x1p-20) return 0.0;
-    }
-    for (const SurfacePoint& p : points)
-        if (!(std::abs(p.height / step) < 0x1p28)) return 0.0;
-    return step;
+        heights.add(p.height);
+    return heights.step();
 }
 
 std::vector<std::byte> encodeTree(const TreeRecord& record, double heightStep)

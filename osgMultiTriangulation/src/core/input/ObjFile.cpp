@@ -5,6 +5,8 @@
 
 #include <osgMultiTriangulation/core/input/TinFile.h>
 
+#include "TinCollector.h"
+
 namespace osgMultiTriangulation::core
 {
 
@@ -25,9 +27,9 @@ std::string_view wordOf(std::string_view& line)
 class ObjReader
 {
 public:
-    explicit ObjReader(std::string name) : _name(std::move(name)) {}
+    ObjReader(std::string name, TinSink& sink) : _name(std::move(name)), _sink(sink) {}
 
-    foundation::Result<MeasuredTin> read(std::string_view text)
+    foundation::Outcome read(std::string_view text)
     {
         while (!text.empty())
         {
@@ -36,12 +38,24 @@ public:
             if (const auto taken = take(text.substr(0, end)); !taken) return taken.error();
             text.remove_prefix(std::min(end + 1, text.size()));
         }
-        if (_tin.triangles.empty())
+        if (_counts.triangles == 0)
             return foundation::Error{_name, "has no faces", "give a surface of triangles"};
-        return std::move(_tin);
+        return foundation::success();
     }
 
 private:
+    void addPoint(const MeasuredPoint& point)
+    {
+        _sink.add(point);
+        ++_counts.points;
+    }
+
+    void addTriangle(const Triangle& triangle)
+    {
+        _sink.add(triangle);
+        ++_counts.triangles;
+    }
+
     foundation::Outcome take(std::string_view line)
     {
         const std::string_view keyword = wordOf(line);
@@ -61,7 +75,7 @@ private:
             if (failed != std::errc() || end != word.data() + word.size() || !std::isfinite(value))
                 return failure("has a vertex without three numbers");
         }
-        _tin.points.push_back(point);
+        addPoint(point);
         return foundation::success();
     }
 
@@ -74,7 +88,7 @@ private:
             const auto corner = cornerOf(word);
             if (!corner) return failure("has a face with a vertex that is not there");
             if (corners == 0) first = *corner;
-            if (corners >= 2) _tin.triangles.push_back({first, before, *corner});
+            if (corners >= 2) addTriangle(Triangle{first, before, *corner});
             before = *corner;
             ++corners;
         }
@@ -88,7 +102,7 @@ private:
         word = word.substr(0, word.find('/'));
         std::int64_t number = 0;
         const auto [end, failed] = std::from_chars(word.data(), word.data() + word.size(), number);
-        const auto count = static_cast<std::int64_t>(_tin.points.size());
+        const auto count = static_cast<std::int64_t>(_counts.points);
         if (failed != std::errc() || end != word.data() + word.size()) return std::nullopt;
         const std::int64_t place = number < 0 ? count + number : number - 1;
         if (place < 0 || place >= count) return std::nullopt;
@@ -102,14 +116,22 @@ private:
 
     std::string _name;
     std::size_t _line = 0;
-    MeasuredTin _tin;
+    TinSink& _sink;
+    TinCounts _counts;
 };
 
 } // namespace
 
+foundation::Outcome streamObj(std::string_view text, const std::string& name, TinSink& sink)
+{
+    return ObjReader(name, sink).read(text);
+}
+
 foundation::Result<MeasuredTin> parseObj(std::string_view text, const std::string& name)
 {
-    return ObjReader(name).read(text);
+    TinCollector collector;
+    if (const auto read = streamObj(text, name, collector); !read) return read.error();
+    return std::move(collector.tin);
 }
 
 } // namespace osgMultiTriangulation::core

@@ -10,6 +10,8 @@
 
 #include <osgMultiTriangulation/core/input/TinFile.h>
 
+#include "TinCollector.h"
+
 namespace osgMultiTriangulation::core
 {
 
@@ -133,9 +135,12 @@ private:
 class PlyReader
 {
 public:
-    PlyReader(std::string_view bytes, std::string name) : _rest(bytes), _name(std::move(name)) {}
+    PlyReader(std::string_view bytes, std::string name, TinSink& sink)
+        : _rest(bytes), _name(std::move(name)), _sink(sink)
+    {
+    }
 
-    foundation::Result<MeasuredTin> read()
+    foundation::Outcome read()
     {
         if (const auto header = readHeader(); !header) return header.error();
         PlyValues values(_rest, _form);
@@ -147,11 +152,23 @@ public:
             for (std::size_t item = 0; item < element.count; ++item)
                 if (const auto taken = takeItem(values, element, item); !taken) return taken.error();
         }
-        if (_tin.triangles.empty()) return failure("has no faces");
-        return std::move(_tin);
+        if (_counts.triangles == 0) return failure("has no faces");
+        return foundation::success();
     }
 
 private:
+    void addPoint(const MeasuredPoint& point)
+    {
+        _sink.add(point);
+        ++_counts.points;
+    }
+
+    void addTriangle(const Triangle& triangle)
+    {
+        _sink.add(triangle);
+        ++_counts.triangles;
+    }
+
     foundation::Outcome readHeader()
     {
         std::string line;
@@ -238,7 +255,7 @@ private:
             for (std::size_t axis = 0; axis < 3; ++axis)
                 if (property.name.size() == 1 && property.name[0] == "xyz"[axis]) point[axis] = value;
         }
-        if (element.name == "vertex") _tin.points.push_back(point);
+        if (element.name == "vertex") addPoint(point);
         return foundation::success();
     }
 
@@ -251,10 +268,10 @@ private:
             double value = 0.0;
             if (!values.take(property.type, value)) return false;
             if (!isFace) continue;
-            if (!(value >= 0.0 && value < static_cast<double>(_tin.points.size()))) return false;
+            if (!(value >= 0.0 && value < static_cast<double>(_counts.points))) return false;
             fan[2] = static_cast<std::uint32_t>(value);
             if (i == 0.0) fan[0] = fan[2];
-            if (i >= 2.0) _tin.triangles.push_back(fan);
+            if (i >= 2.0) addTriangle(fan);
             fan[1] = fan[2];
         }
         return true;
@@ -269,14 +286,22 @@ private:
     std::string _name;
     PlyValues::Form _form = PlyValues::Form::text;
     std::vector<PlyElement> _elements;
-    MeasuredTin _tin;
+    TinSink& _sink;
+    TinCounts _counts;
 };
 
 } // namespace
 
+foundation::Outcome streamPly(std::string_view bytes, const std::string& name, TinSink& sink)
+{
+    return PlyReader(bytes, name, sink).read();
+}
+
 foundation::Result<MeasuredTin> parsePly(std::string_view bytes, const std::string& name)
 {
-    return PlyReader(bytes, name).read();
+    TinCollector collector;
+    if (const auto read = streamPly(bytes, name, collector); !read) return read.error();
+    return std::move(collector.tin);
 }
 
 } // namespace osgMultiTriangulation::core

@@ -56,32 +56,75 @@ double hillHeight(double x, double y)
     return std::floor(height * 64.0) / 64.0;
 }
 
+/// Makes one point after the other.
+class PointMaker
+{
+public:
+    PointMaker(PointDistribution distribution, std::uint64_t seed)
+        : _distribution(distribution), _numbers(seed)
+    {
+        for (auto& cluster : _clusters)
+            cluster = {0.1 + 0.8 * _numbers.unit(), 0.1 + 0.8 * _numbers.unit()};
+    }
+
+    SurfacePoint next()
+    {
+        while (true)
+        {
+            const auto& cluster = _clusters[_numbers.next() % _clusters.size()];
+            double at[2];
+            for (int axis = 0; axis < 2; ++axis)
+                at[axis] = coordinate(cluster[axis]);
+            if (!(at[0] > 0.0 && at[0] < 1.0 && at[1] > 0.0 && at[1] < 1.0)) continue;
+            return {static_cast<std::int32_t>(at[0] * kMostPlan),
+                    static_cast<std::int32_t>(at[1] * kMostPlan), hillHeight(at[0], at[1])};
+        }
+    }
+
+private:
+    double coordinate(double cluster)
+    {
+        switch (_distribution)
+        {
+        case PointDistribution::uniform:
+            return _numbers.unit();
+        case PointDistribution::normal:
+            return 0.5 + _numbers.normal() / 8.0;
+        case PointDistribution::laplace:
+            return 0.5 + _numbers.laplace() / 8.0;
+        case PointDistribution::clustered:
+            break;
+        }
+        return cluster + _numbers.normal() / 60.0;
+    }
+
+    PointDistribution _distribution;
+    Numbers _numbers;
+    std::array<std::array<double, 2>, 20> _clusters;
+};
+
 } // namespace
+
+void streamMadeUpPoints(PointDistribution distribution, std::size_t count,
+                        const std::function<void(const SurfacePoint&)>& visit, std::uint64_t seed)
+{
+    PointMaker maker(distribution, seed);
+    for (std::size_t i = 0; i < count; ++i)
+        visit(maker.next());
+}
 
 std::vector<SurfacePoint> madeUpPoints(PointDistribution distribution, std::size_t count, std::uint64_t seed)
 {
-    Numbers numbers(seed);
-    std::array<std::array<double, 2>, 20> clusters;
-    for (auto& cluster : clusters)
-        cluster = {0.1 + 0.8 * numbers.unit(), 0.1 + 0.8 * numbers.unit()};
+    PointMaker maker(distribution, seed);
     std::vector<SurfacePoint> points;
     points.reserve(count);
     std::unordered_set<std::uint64_t> taken;
     taken.reserve(count);
     while (points.size() < count)
     {
-        const auto& cluster = clusters[numbers.next() % clusters.size()];
-        double at[2];
-        for (int axis = 0; axis < 2; ++axis)
-            at[axis] = distribution == PointDistribution::uniform   ? numbers.unit()
-                       : distribution == PointDistribution::normal  ? 0.5 + numbers.normal() / 8.0
-                       : distribution == PointDistribution::laplace ? 0.5 + numbers.laplace() / 8.0
-                                                                    : cluster[axis] + numbers.normal() / 60.0;
-        if (!(at[0] > 0.0 && at[0] < 1.0 && at[1] > 0.0 && at[1] < 1.0)) continue;
-        const auto x = static_cast<std::int32_t>(at[0] * kMostPlan),
-                   y = static_cast<std::int32_t>(at[1] * kMostPlan);
-        if (!taken.insert(std::uint64_t(x) << 32 | std::uint32_t(y)).second) continue;
-        points.push_back({x, y, hillHeight(at[0], at[1])});
+        const SurfacePoint point = maker.next();
+        if (taken.insert(std::uint64_t(point.x) << 32 | std::uint32_t(point.y)).second)
+            points.push_back(point);
     }
     return points;
 }

@@ -41,58 +41,69 @@ bool isMultiple(double value, double perStep)
     return std::abs(steps - std::round(steps)) <= 1e-6 && std::abs(steps) < 0x1p52;
 }
 
-/// Steps in a unit, as a power of ten from 1 to 10^6, of which all numbers are multiples; 0: there is none.
-double decimalsOf(std::span<const MeasuredPoint> points)
-{
-    double perStep = 1.0;
-    for (const MeasuredPoint& p : points)
-        for (int axis = 0; axis < 2; ++axis)
-            while (!isMultiple(p[axis], perStep))
-            {
-                perStep *= 10.0;
-                if (perStep > 1e6) return 0.0;
-            }
-    return perStep;
-}
-
 } // namespace
 
-foundation::Result<std::vector<MeasuredPoint>> readPointFile(const std::filesystem::path& file)
+foundation::Outcome streamPointFile(const std::filesystem::path& file,
+                                    const std::function<void(const MeasuredPoint&)>& visit)
 {
     std::ifstream stream(file);
     if (!stream)
         return foundation::Error{file.string(), "cannot be opened", "check the path and its permissions"};
-    std::vector<MeasuredPoint> points;
+    bool hasPoints = false;
     std::string line;
     for (std::size_t number = 1; std::getline(stream, line); ++number)
     {
         const std::size_t first = line.find_first_not_of(" \t\r");
         if (first == std::string::npos || line[first] == '#') continue;
         if (const auto point = pointOf(line))
-            points.push_back(*point);
+        {
+            visit(*point);
+            hasPoints = true;
+        }
         else if (number > 1 || std::string_view("+-.0123456789").find(line[first]) != std::string_view::npos)
             return foundation::Error{file.string() + ":" + std::to_string(number), "has no three numbers",
                                      "write x, y and height, divided by commas or blanks"};
     }
-    if (points.empty())
-        return foundation::Error{file.string(), "has no points", "write a point on each line"};
+    if (hasPoints) return foundation::success();
+    return foundation::Error{file.string(), "has no points", "write a point on each line"};
+}
+
+foundation::Result<std::vector<MeasuredPoint>> readPointFile(const std::filesystem::path& file)
+{
+    std::vector<MeasuredPoint> points;
+    const auto read =
+        streamPointFile(file, [&points](const MeasuredPoint& point) { points.push_back(point); });
+    if (!read) return read.error();
     return points;
+}
+
+void LatticeFinder::add(const MeasuredPoint& point)
+{
+    for (std::size_t axis = 0; axis < 2; ++axis)
+    {
+        _low[axis] = _isEmpty ? point[axis] : std::min(_low[axis], point[axis]);
+        _high[axis] = _isEmpty ? point[axis] : std::max(_high[axis], point[axis]);
+        while (_perStep > 0.0 && !isMultiple(point[axis], _perStep))
+            _perStep = _perStep < 1e6 ? _perStep * 10.0 : 0.0;
+    }
+    _isEmpty = false;
+}
+
+PlanFrame LatticeFinder::frame() const
+{
+    if (_isEmpty) return {};
+    const double most = std::max(extent(0), extent(1));
+    double perStep = _perStep;
+    if (perStep == 0.0 || most * perStep > kMostPlan) perStep = most > 0.0 ? kMostPlan / most : 1.0;
+    return {_low[0], _low[1], 1.0 / perStep, 1.0 / perStep};
 }
 
 PlanFrame latticeFor(std::span<const MeasuredPoint> points)
 {
-    if (points.empty()) return {};
-    MeasuredPoint low = points[0], high = points[0];
-    for (const MeasuredPoint& p : points)
-        for (int axis = 0; axis < 2; ++axis)
-        {
-            low[axis] = std::min(low[axis], p[axis]);
-            high[axis] = std::max(high[axis], p[axis]);
-        }
-    const double extent = std::max(high[0] - low[0], high[1] - low[1]);
-    double perStep = decimalsOf(points);
-    if (perStep == 0.0 || extent * perStep > kMostPlan) perStep = extent > 0.0 ? kMostPlan / extent : 1.0;
-    return {low[0], low[1], 1.0 / perStep, 1.0 / perStep};
+    LatticeFinder finder;
+    for (const MeasuredPoint& point : points)
+        finder.add(point);
+    return finder.frame();
 }
 
 SurfacePoint onLattice(const PlanFrame& frame, const MeasuredPoint& point, double& mostMoved)

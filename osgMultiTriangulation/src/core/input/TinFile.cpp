@@ -8,6 +8,9 @@
 #include <osgMultiTriangulation/core/input/TinFile.h>
 #include <osgMultiTriangulation/core/surface/DropPoints.h>
 
+#include "MappedFile.h"
+#include "TinPlaces.h"
+
 namespace osgMultiTriangulation::core
 {
 
@@ -23,10 +26,34 @@ std::string lowerExtensionOf(const std::filesystem::path& file)
     return extension;
 }
 
-std::string placeOf(const MeasuredPoint& p)
+/// Hands on what it gets, and lets go of the pages of the file that was read now and then.
+class ForgetfulSink : public TinSink
 {
-    return "(" + std::to_string(p[0]) + ", " + std::to_string(p[1]) + ")";
-}
+public:
+    ForgetfulSink(const MappedFile& file, TinSink& sink) : _file(file), _sink(sink) {}
+
+    void add(const MeasuredPoint& point) override
+    {
+        _sink.add(point);
+        count();
+    }
+
+    void add(const Triangle& triangle) override
+    {
+        _sink.add(triangle);
+        count();
+    }
+
+private:
+    void count()
+    {
+        if (++_taken % 4096 == 0) _file.forget();
+    }
+
+    const MappedFile& _file;
+    TinSink& _sink;
+    std::uint64_t _taken = 0;
+};
 
 } // namespace
 
@@ -46,6 +73,23 @@ foundation::Result<MeasuredTin> readTinFile(const std::filesystem::path& file)
     return parseQuantizedMesh(*bytes, file.string());
 }
 
+foundation::Outcome streamTinFile(const std::filesystem::path& file, TinSink& sink)
+{
+    const auto mapped = MappedFile::open(file);
+    if (!mapped) return mapped.error();
+    ForgetfulSink forgetful(*mapped, sink);
+    const std::string extension = lowerExtensionOf(file);
+    if (extension == ".obj") return streamObj(mapped->text(), file.string(), forgetful);
+    if (extension == ".ply") return streamPly(mapped->text(), file.string(), forgetful);
+    const auto tin = parseQuantizedMesh(mapped->text(), file.string()); // has 65 536 points at most
+    if (!tin) return tin.error();
+    for (const MeasuredPoint& point : tin->points)
+        sink.add(point);
+    for (const Triangle& triangle : tin->triangles)
+        sink.add(triangle);
+    return foundation::success();
+}
+
 foundation::Result<PlacedTin> placeTin(const MeasuredTin& tin, const std::string& name)
 {
     PlacedTin placed;
@@ -61,8 +105,7 @@ foundation::Result<PlacedTin> placeTin(const MeasuredTin& tin, const std::string
         if (isNew)
             placed.mesh.points.push_back(point);
         else if (placed.mesh.points[found->second].height != point.height)
-            return foundation::Error{name, "has two heights at " + placeOf(p),
-                                     "leave out walls and overhangs: each place has one height"};
+            return twoHeightsAt(name, p);
         numbers.push_back(found->second);
     }
     for (std::size_t t = 0; t < tin.triangles.size(); ++t)
@@ -72,12 +115,7 @@ foundation::Result<PlacedTin> placeTin(const MeasuredTin& tin, const std::string
             corner = numbers[corner];
         const double area = twiceArea(placed.mesh.points[triangle[0]], placed.mesh.points[triangle[1]],
                                       placed.mesh.points[triangle[2]]);
-        if (area == 0.0)
-            return foundation::Error{name,
-                                     "triangle " + std::to_string(t) + " at " +
-                                         placeOf(tin.points[tin.triangles[t][0]]) +
-                                         " has no area in the plan",
-                                     "leave out walls and needles"};
+        if (area == 0.0) return noAreaAt(name, t, tin.points[tin.triangles[t][0]]);
         if (area < 0.0) std::swap(triangle[1], triangle[2]);
         placed.mesh.triangles.push_back(triangle);
     }

@@ -4,6 +4,7 @@
 #include <osgMultiTriangulation/core/split/BuildForest.h>
 
 #include "JobQueue.h"
+#include "MeshSource.h"
 #include "PartJobs.h"
 
 namespace osgMultiTriangulation::core
@@ -38,15 +39,22 @@ Partition partitionFor(const SurfaceMesh& mesh, const ForestOptions& options)
 foundation::Result<BuiltForest> buildForest(const SurfaceMesh& mesh, const ForestOptions& options)
 {
     const Partition partition = partitionFor(mesh, options);
-    PartJobs jobs(mesh, partition);
+    const MeshSource source(mesh, partition);
     JobQueue queue(partition, options);
     std::vector<TreeRecord> records(partition.parts.size());
+    std::vector<PartMesh> rests(partition.parts.size());
     std::vector<std::uint32_t> locked(partition.parts.size());
     queue.run(
         [&](std::uint32_t part)
         {
-            records[part] = jobs.build(part);
-            locked[part] = jobs.lockedIn(part);
+            PartHalves halves;
+            for (std::size_t place = 0; place < halves.size(); ++place)
+                if (const std::uint32_t half = partition.parts[part].halves[place]; half != kNone)
+                    halves[place] = std::move(rests[half]);
+            BuiltPart built = buildPart(source, partition, part, std::move(halves));
+            records[part] = std::move(built.record);
+            rests[part] = std::move(built.rest);
+            locked[part] = built.locked;
         });
     if (queue.isStopped()) return foundation::Error{"the build", "was stopped", "start it again"};
     BuiltForest built;

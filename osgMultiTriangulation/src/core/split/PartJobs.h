@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
-#include <span>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include <osgMultiTriangulation/core/build/BuildTree.h>
-#include <osgMultiTriangulation/core/split/BuildForest.h>
 #include <osgMultiTriangulation/core/structure/TreeRecord.h>
+
+#include "PartSource.h"
 
 namespace osgMultiTriangulation::core
 {
@@ -18,42 +21,28 @@ struct PartMesh
     MeasuredMesh measured;
     std::vector<std::uint32_t> inputs;  ///< by point of the mesh: its number in the input
     std::vector<std::uint8_t> joinedAt; ///< by point: depth of the part that has all triangles around it
+    std::uint64_t allHidden =
+        0; ///< hidden points; those beyond the ones in the mesh are in a file (PartStore.h)
+    std::uint32_t hiddenSum = 0; ///< of that file
+
+    bool hasAllHidden() const { return allHidden == measured.hidden.size(); }
 };
 
-/// The jobs of a split build: one for each part of a partition. A part may be built once its halves are.
-/// Threads: parts that do not hold each other may be built at once.
-class PartJobs
+/// A part that was built.
+struct BuiltPart
 {
-public:
-    PartJobs(const SurfaceMesh& mesh, const Partition& partition);
-
-    /// Builds the tree of a part, and keeps what is left of it for the part above.
-    TreeRecord build(std::uint32_t part);
-
-    /// What is left of a part that was built, until the part above is.
-    const PartMesh& restOf(std::uint32_t part) const { return _rests[part]; }
-
-    /// Goes on from a part that was built by an earlier run.
-    void restore(std::uint32_t part, PartMesh rest);
-
-    /// The points that stay on the border of a part, after it was built.
-    std::uint32_t lockedIn(std::uint32_t part) const { return _locked[part]; }
-
-private:
-    PartMesh gather(std::uint32_t part);
-    void addTriangles(std::uint32_t part, PartMesh& gathered);
-    void join(PartMesh& whole, PartMesh& half);
-
-    const SurfaceMesh& _mesh;
-    const Partition& _partition;
-    std::vector<std::uint32_t> _trianglesOf; ///< triangles of the input, by the smallest part that holds them
-    std::vector<std::uint32_t> _firstOf;     ///< by part, and one more
-    std::vector<std::uint8_t> _joinedAt;     ///< by point of the input
-    std::vector<std::uint32_t>
-        _current;                 ///< by point of the input: its number in the part it is in; kNone: in none
-    std::vector<PartMesh> _rests; ///< by part
-    std::vector<ForestTree> _trees;     ///< by part
-    std::vector<std::uint32_t> _locked; ///< by part
+    TreeRecord record;
+    PartMesh rest;                      ///< for the part above; empty for the whole
+    std::uint32_t locked = 0;           ///< points that stay on its border
+    std::optional<std::string> fault{}; ///< of an input that was not checked; then there is no tree
 };
+
+/// The halves of a part, built before; empty where there is none.
+using PartHalves = std::array<PartMesh, 2>;
+
+/// Builds the tree of a part, from what is left of its halves and the triangles between them. The same halves give the same part,
+/// wherever and how often it is built.
+BuiltPart buildPart(const PartSource& source, const Partition& partition, std::uint32_t part,
+                    PartHalves halves);
 
 } // namespace osgMultiTriangulation::core

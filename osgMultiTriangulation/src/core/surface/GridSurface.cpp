@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cassert>
-#include <cmath>
 
 #include <osgMultiTriangulation/core/surface/GridSurface.h>
 
@@ -21,7 +20,7 @@ SurfaceMesh gridSurface(int columns, int rows, std::span<const float> heights)
         {
             const auto sw = static_cast<std::uint32_t>(row * columns + column);
             const std::uint32_t se = sw + 1, nw = sw + columns, ne = nw + 1;
-            const bool rises = std::abs(heights[sw] - heights[ne]) <= std::abs(heights[se] - heights[nw]);
+            const bool rises = isCutRising(heights[sw], heights[se], heights[nw], heights[ne]);
             mesh.triangles.push_back(rises ? Triangle{sw, se, ne} : Triangle{sw, se, nw});
             mesh.triangles.push_back(rises ? Triangle{sw, ne, nw} : Triangle{se, ne, nw});
         }

@@ -9,12 +9,10 @@
 
 #include <osgTerrainROAM/core/heightfield/DemImport.h>
 
-#include "CellSizeReference.h"
 #include "DemMosaic.h"
-#include "GeodeticLocator.h"
-#include "GeodeticNetBuilder.h"
 #include "HoleFill.h"
 #include "MosaicSource.h"
+#include "PlaceField.h"
 #include "RasterFile.h"
 #include "VoidFill.h"
 
@@ -27,34 +25,6 @@ namespace
 using foundation::Error;
 using foundation::Outcome;
 using foundation::Result;
-
-/// Gives the field its net from the raster's georeference; without one, the field stays planar.
-Outcome place(HeightField& field, Raster& raster, const DemImportOptions& options, GdalSession& gdal)
-{
-    if (!raster.frame)
-    {
-        if (!options.spacingM)
-            return Error{field.name, "has no georeference",
-                         "state the metres between its samples: spacing = METRES in a .roam file, or "
-                         "--spacing METRES"};
-        if (!std::isfinite(*options.spacingM) || *options.spacingM <= 0.0)
-            return Error{field.name, "cannot have samples " + std::to_string(*options.spacingM) + " m apart",
-                         "give --spacing the metres between samples"};
-        field.spacingEastM = field.spacingNorthM = *options.spacingM;
-        return foundation::success();
-    }
-    settleReference(raster);
-    if (const std::optional<double> metres = metresOfPlane(raster.crsWkt))
-    {
-        field.spacingEastM = raster.frame->stepX * *metres;
-        field.spacingNorthM = raster.frame->stepY * *metres;
-        return foundation::success();
-    }
-    const Result<GeodeticLocator> locator =
-        GeodeticLocator::create(field.name, raster, options.verticalDatum, gdal);
-    if (!locator) return locator.error();
-    return georeference(field, *locator);
-}
 
 /// Marks the samples that do not exist.
 void openHoles(HeightField& field, std::vector<std::uint8_t> isOutside, Voids voids)
@@ -100,7 +70,7 @@ Result<HeightField> import(std::span<const std::filesystem::path> files, const D
     field.name = namesOf(files);
     field.columns = raster->columns;
     field.rows = raster->rows;
-    if (const Outcome placed = place(field, *raster, options, gdal); !placed) return placed.error();
+    if (const Outcome placed = placeField(field, *raster, options, gdal); !placed) return placed.error();
 
     field.heightsM = std::move(raster->heightsM);
     field.parts = std::move(raster->parts);

@@ -34,14 +34,10 @@ void flipColumns(Raster& raster)
 
 } // namespace
 
-Outcome orientRaster(const std::string& name, GDALDatasetH dataset, Raster& raster)
+foundation::Result<RasterTurn> readOrientation(const std::string& name, GDALDatasetH dataset, Raster& raster)
 {
     double t[6];
-    if (GDALGetGeoTransform(dataset, t) != CE_None)
-    {
-        flipRows(raster); // images begin at the top
-        return foundation::success();
-    }
+    if (GDALGetGeoTransform(dataset, t) != CE_None) return RasterTurn{true, false}; // images begin at the top
     const double size = std::max({std::abs(t[1]), std::abs(t[2]), std::abs(t[4]), std::abs(t[5])});
     if (!std::isfinite(size) || !std::isfinite(t[0]) || !std::isfinite(t[3]))
         return Error{name, "has a georeference that is no number", "assign one with gdal_translate -a_ullr"};
@@ -52,18 +48,26 @@ Outcome orientRaster(const std::string& name, GDALDatasetH dataset, Raster& rast
 
     raster.frame = GridFrame{t[0] + 0.5 * t[1], t[3] + 0.5 * t[5], t[1], t[5]};
     GridFrame& frame = *raster.frame;
-    if (frame.stepX < 0.0)
+    const RasterTurn turn{frame.stepY < 0.0, frame.stepX < 0.0};
+    if (turn.flipsColumns)
     {
-        flipColumns(raster);
         frame.firstX += frame.stepX * (raster.columns - 1);
         frame.stepX = -frame.stepX;
     }
-    if (frame.stepY < 0.0)
+    if (turn.flipsRows)
     {
-        flipRows(raster);
         frame.firstY += frame.stepY * (raster.rows - 1);
         frame.stepY = -frame.stepY;
     }
+    return turn;
+}
+
+Outcome orientRaster(const std::string& name, GDALDatasetH dataset, Raster& raster)
+{
+    const auto turn = readOrientation(name, dataset, raster);
+    if (!turn) return turn.error();
+    if (turn->flipsColumns) flipColumns(raster);
+    if (turn->flipsRows) flipRows(raster);
     return foundation::success();
 }
 

@@ -4,18 +4,10 @@
 #include <cstdint>
 #include <vector>
 
+#include <osgMultiTriangulation/core/surface/PlanFrame.h>
+
 namespace osgMultiTriangulation::core
 {
-
-/// Where the lattice of the plan lies: place = origin + step · lattice.
-/// Units: metres, or those of the input.
-struct PlanFrame
-{
-    double originX = 0.0, originY = 0.0;
-    double stepX = 1.0, stepY = 1.0;
-
-    bool operator==(const PlanFrame&) const = default;
-};
 
 /// What the directory of a file tells of a tree.
 struct MtEntry

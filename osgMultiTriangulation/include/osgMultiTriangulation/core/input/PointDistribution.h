@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include <osgMultiTriangulation/core/surface/SurfaceMesh.h>
@@ -18,6 +19,10 @@ enum class PointDistribution
     laplace,
     clustered, ///< normal around each of 20 places
 };
+
+/// Calls visit(point) for as many points of a distribution; few may lie at the place of another.
+void streamMadeUpPoints(PointDistribution distribution, std::size_t count,
+                        const std::function<void(const SurfacePoint&)>& visit, std::uint64_t seed = 1);
 
 /// Returns points of a distribution on the whole lattice, no two at one place, with heights of rolling hills.
 /// Source: *Multi-Triangulation as applied to very large terrains visualization* (Graphicon 2005), table 1, which names the

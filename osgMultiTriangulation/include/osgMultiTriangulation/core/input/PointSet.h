@@ -3,12 +3,13 @@
 
 #include <array>
 #include <filesystem>
+#include <functional>
 #include <span>
 #include <vector>
 
 #include <foundation/Result.h>
 
-#include <osgMultiTriangulation/core/file/MtInfo.h>
+#include <osgMultiTriangulation/core/surface/PlanFrame.h>
 #include <osgMultiTriangulation/core/surface/SurfaceMesh.h>
 
 namespace osgMultiTriangulation::core
@@ -16,6 +17,10 @@ namespace osgMultiTriangulation::core
 
 /// A measured point: x to the east, y to the north, height.
 using MeasuredPoint = std::array<double, 3>;
+
+/// Reads a file of points as readPointFile() does, without holding it in memory. Calls visit(point) for each, in order.
+foundation::Outcome streamPointFile(const std::filesystem::path& file,
+                                    const std::function<void(const MeasuredPoint&)>& visit);
 
 /// Reads a file of points, one a line: three numbers, divided by commas, semicolons or white space; what follows them is left out. Empty
 /// lines and those that begin with # are passed over, and a first line without numbers.
@@ -30,6 +35,20 @@ struct PlacedPoints
     double mostMoved =
         0.0; ///< greatest distance of a place from its point of the lattice, in units of the input
     std::size_t repeated = 0; ///< points left out, at a place that an earlier one has
+};
+
+/// Finds the lattice of placeOnLattice() point by point.
+class LatticeFinder
+{
+public:
+    void add(const MeasuredPoint& point);
+    PlanFrame frame() const;
+    double extent(std::size_t axis) const { return _high[axis] - _low[axis]; }
+
+private:
+    bool _isEmpty = true;
+    MeasuredPoint _low{}, _high{};
+    double _perStep = 1.0; ///< steps in a unit, a power of ten; 0: there is none of which all are multiples
 };
 
 /// Returns the lattice of placeOnLattice() for points.

@@ -20,6 +20,21 @@ struct MeasuredTin
     std::vector<Triangle> triangles;
 };
 
+/// Takes what a file of triangles has, in its order.
+class TinSink
+{
+public:
+    virtual ~TinSink() = default;
+    virtual void add(const MeasuredPoint& point) = 0;
+    virtual void add(const Triangle& triangle) = 0; ///< of points that were added before
+};
+
+/// Reads a file by its extension without holding it in memory. Errors: no such file; those of the format.
+foundation::Outcome streamTinFile(const std::filesystem::path& file, TinSink& sink);
+
+foundation::Outcome streamObj(std::string_view text, const std::string& name, TinSink& sink);
+foundation::Outcome streamPly(std::string_view bytes, const std::string& name, TinSink& sink);
+
 /// Reads the vertices and faces of a Wavefront OBJ text; all else is passed over, and faces of more corners are cut into fans.
 /// `name`: for messages. Errors: a vertex without three finite numbers, a face without three vertices or with one that is not there, each
 /// with its line; no face.

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <osgMultiTriangulation/core/input/TinFile.h>
+
+namespace osgMultiTriangulation::core
+{
+
+/// Keeps all that a file has.
+struct TinCollector : TinSink
+{
+    void add(const MeasuredPoint& point) override { tin.points.push_back(point); }
+    void add(const Triangle& triangle) override { tin.triangles.push_back(triangle); }
+
+    MeasuredTin tin;
+};
+
+/// What a reader has given to its sink so far.
+struct TinCounts
+{
+    std::uint64_t points = 0, triangles = 0;
+};
+
+} // namespace osgMultiTriangulation::core

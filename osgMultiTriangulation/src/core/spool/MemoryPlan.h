@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+
+#include <foundation/Result.h>
+
+#include <osgMultiTriangulation/core/split/BuildForest.h>
+
+namespace osgMultiTriangulation::core
+{
+
+/// How a build keeps within a limit of memory.
+struct MemoryPlan
+{
+    std::uint32_t treeCount = 1;  ///< rectangles; does not depend on the threads
+    std::uint64_t mostHidden = 0; ///< points that a part keeps of those hidden below it
+    unsigned jobs = 1;            ///< threads for which there is room
+};
+
+/// Chooses rectangles so small that one part after the other fits: the balanced number of them, or more. A part is a rectangle with
+/// the borders that were joined, about 8·√N points.
+/// `limitMb`: of the whole process. Errors: no number of rectangles fits; tells the least limit that would do.
+foundation::Result<MemoryPlan> planMemory(std::uint64_t points, const ForestOptions& options, double limitMb);
+
+} // namespace osgMultiTriangulation::core
