@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <utility>
 
+#include <osgTerrainROAM/core/blocks/DecimatedMesh.h>
 #include <osgTerrainROAM/core/method/PrepareTerrain.h>
 #include <osgTerrainROAM/core/roam/RoamMesh.h>
 #include <osgTerrainROAM/core/vdpm/PrepareVdpm.h>
@@ -50,6 +51,8 @@ foundation::Result<PreparedPtr> prepareTerrain(std::shared_ptr<const RoamTile> t
         break;
     case Method::vdpm:
         return prepareVdpm(std::move(tile));
+    case Method::regularDecimation:
+        return PreparedPtr(std::make_shared<PreparedDecimation>(std::move(tile)));
     }
     return PreparedPtr(std::make_shared<PreparedRoam>(SplitBounds(std::move(tile), request.patchExponent)));
 }

@@ -19,8 +19,9 @@ class RoamTile;
 /// Source: *Methods of continuous level of detail for terrain* (Graphicon 2002), sections 3 to 5.
 enum class Method
 {
-    roam, ///< a bintree of right triangles that follows the eye (RoamMesh)
-    vdpm, ///< a view-dependent progressive mesh of the raster (VdpmMesh)
+    roam,              ///< a bintree of right triangles that follows the eye (RoamMesh)
+    vdpm,              ///< a view-dependent progressive mesh of the raster (VdpmMesh)
+    regularDecimation, ///< blocks that drop rows and columns (DecimatedMesh)
 };
 
 /// What a method can do besides following an eye to a tolerance within a ceiling of triangles.
@@ -40,6 +41,7 @@ struct MethodTraits
 inline constexpr std::array kMethods{
     MethodTraits{Method::roam, "roam", true, true, true, true, true, true},
     MethodTraits{Method::vdpm, "vdpm", false, true, true, false, false, false},
+    MethodTraits{Method::regularDecimation, "regular-decimation", false, true, false, true, true, false},
 };
 
 constexpr const MethodTraits& traitsOf(Method method)
