@@ -17,6 +17,7 @@ namespace
 using namespace osgTerrainROAM::core;
 using measurement::BenchmarkFlight;
 using testsupport::isSound;
+using testsupport::pictured;
 
 std::shared_ptr<const RoamTile> hills(int columns = 129, int rows = 129)
 {
@@ -28,24 +29,6 @@ viewlod::ViewState viewAt(const RoamTile& tile, double frame)
     auto view = BenchmarkFlight{}.view(tile.tile, static_cast<int>(frame));
     view.eyeWorld += glm::dvec3(36.0, 27.0, 0.0) * (frame - std::floor(frame));
     return view;
-}
-
-/// The mesh as a set of triangles by places and positions, whatever slots they have.
-using Pictured = std::multiset<std::vector<int>>;
-Pictured pictured(const TerrainMesh& mesh)
-{
-    Pictured triangles;
-    const DrawnMesh drawn = mesh.drawn();
-    for (const LeafTriangle& t : drawn.triangles)
-    {
-        std::vector<int> numbers;
-        for (const std::uint32_t v : t.vertices)
-            numbers.insert(numbers.end(),
-                           {drawn.grid[v].column, drawn.grid[v].row, drawn.vertices[v].position.x,
-                            drawn.vertices[v].position.y, drawn.vertices[v].position.z});
-        triangles.insert(numbers);
-    }
-    return triangles;
 }
 
 TEST(DecimatedMesh, DrawsRastersOfAnySize)

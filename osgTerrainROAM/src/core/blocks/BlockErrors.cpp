@@ -4,6 +4,7 @@
 
 #include <osgTerrainROAM/core/blocks/BlockErrors.h>
 
+#include "BlocksOfRects.h"
 #include "SurfaceError.h"
 
 namespace osgTerrainROAM::core
@@ -50,15 +51,12 @@ struct MorphedSide
 
 } // namespace
 
-BlockBox boundBlock(const PlacedTile& tile, const BlockGrid& grid, std::uint32_t block, int apron)
+BlockBox boundBlock(const PlacedTile& tile, const BlockGrid& grid, std::uint32_t block)
 {
     BlockBox box;
     const GridPoint origin = grid.origin(block);
-    const int last = tile.grid().side() - 1;
-    const int north = std::min(origin.row + grid.side() + apron, last),
-              east = std::min(origin.column + grid.side() + apron, last);
-    for (int row = std::max(origin.row - apron, 0); row <= north; ++row)
-        for (int column = std::max(origin.column - apron, 0); column <= east; ++column)
+    for (int row = origin.row; row <= origin.row + grid.side(); ++row)
+        for (int column = origin.column; column <= origin.column + grid.side(); ++column)
             box.include(tile.position(column, row));
     return box;
 }
@@ -123,15 +121,8 @@ void BlockErrors::measure(std::uint32_t block)
 void BlockErrors::remeasure(std::span<const GridRect> rects)
 {
     _revision = _tile->revision();
-    for (std::uint32_t block = 0; block < _grid.count(); ++block)
-    {
-        const GridPoint origin = _grid.origin(block);
-        const GridRect around{origin.column, origin.row, origin.column + _grid.side(),
-                              origin.row + _grid.side()};
-        if (std::any_of(rects.begin(), rects.end(),
-                        [&](const GridRect& r) { return !r.cutTo(around).isEmpty(); }))
-            measure(block);
-    }
+    for (const std::uint32_t block : blocksOf(_grid, rects))
+        measure(block);
 }
 
 std::size_t BlockErrors::memoryBytes() const

@@ -5,6 +5,8 @@
 
 #include <osgTerrainROAM/core/blocks/DecimatedMesh.h>
 
+#include "BlocksOfRects.h"
+
 namespace osgTerrainROAM::core
 {
 
@@ -15,13 +17,8 @@ namespace
 std::shared_ptr<const BlockErrors> presentErrors(const std::shared_ptr<const BlockErrors>& errors,
                                                  std::vector<GridRect>* moved = nullptr)
 {
-    const RoamTile& tile = errors->tile();
-    if (tile.revision() == errors->revision()) return errors;
-    std::vector<GridRect> rects;
-    const auto changes = tile.changesSince(errors->revision());
-    if (!changes) rects.push_back({0, 0, tile.tile.grid().side() - 1, tile.tile.grid().side() - 1});
-    for (const TileChange* change : changes.value_or(std::vector<const TileChange*>()))
-        rects.insert(rects.end(), change->moved.begin(), change->moved.end());
+    if (errors->tile().revision() == errors->revision()) return errors;
+    std::vector<GridRect> rects = movedSince(errors->tile(), errors->revision());
     const auto present = std::make_shared<BlockErrors>(*errors);
     present->remeasure(rects);
     if (moved) *moved = std::move(rects);
@@ -78,15 +75,8 @@ void DecimatedMesh::followTile()
     if (!isBehind()) return;
     std::vector<GridRect> moved;
     _errors = presentErrors(_errors, &moved);
-    for (std::uint32_t block = 0; block < grid().count(); ++block)
-    {
-        const GridPoint origin = grid().origin(block);
-        const GridRect around{origin.column, origin.row, origin.column + grid().side(),
-                              origin.row + grid().side()};
-        if (std::any_of(moved.begin(), moved.end(),
-                        [&](const GridRect& r) { return !r.cutTo(around).isEmpty(); }))
-            _states[block] = {};
-    }
+    for (const std::uint32_t block : blocksOf(grid(), moved))
+        _states[block] = {};
 }
 
 DecimatedMesh::State DecimatedMesh::stateOf(std::uint32_t block) const

@@ -4,6 +4,8 @@
 
 #include <osgTerrainROAM/core/blocks/LevelChoice.h>
 
+#include "CeilingSearch.h"
+
 namespace osgTerrainROAM::core
 {
 
@@ -75,8 +77,7 @@ void limitSteps(const BlockGrid& grid, BlockLevels& levels)
 AllowedErrors::AllowedErrors(const BlockErrors& errors, const viewlod::ViewState& view)
 {
     for (std::uint32_t block = 0; block < errors.grid().count(); ++block)
-        perTolerance.push_back(std::max(errors.box(block).distanceM(view.eyeWorld), view.nearM) /
-                               view.guaranteedPixelsPerTangent());
+        perTolerance.push_back(allowedErrorM(errors.box(block), view));
 }
 
 BlockLevels chooseLevels(const BlockErrors& errors, const AllowedErrors& allowed, double tolerance)
@@ -124,7 +125,6 @@ BlockShape shapeAt(const BlockGrid& grid, const BlockLevels& levels, std::uint32
 LevelsInCeiling levelsInCeiling(const BlockErrors& errors, const AllowedErrors& allowed, double target,
                                 std::uint32_t most, bool morphs)
 {
-    constexpr double kNear = 1.0001, kHopeless = 1e12;
     const auto at = [&](double tolerance)
     {
         LevelsInCeiling found{morphs ? chooseMorphedLevels(errors, allowed, tolerance)
@@ -135,23 +135,7 @@ LevelsInCeiling levelsInCeiling(const BlockErrors& errors, const AllowedErrors& 
                 triangleCount(errors.grid().exponent(), shapeAt(errors.grid(), found.levels, block));
         return found;
     };
-    LevelsInCeiling best = at(target);
-    if (best.triangles <= most) return best;
-    double low = target;
-    while (best.triangles > most && best.tolerance < kHopeless)
-    {
-        low = best.tolerance;
-        best = at(low * 2.0);
-    }
-    while (best.tolerance > low * kNear)
-    {
-        LevelsInCeiling between = at(std::sqrt(low * best.tolerance));
-        if (between.triangles <= most)
-            best = std::move(between);
-        else
-            low = between.tolerance;
-    }
-    return best;
+    return withinCeiling(target, most, at);
 }
 
 } // namespace osgTerrainROAM::core

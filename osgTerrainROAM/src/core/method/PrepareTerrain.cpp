@@ -2,6 +2,7 @@
 #include <utility>
 
 #include <osgTerrainROAM/core/blocks/DecimatedMesh.h>
+#include <osgTerrainROAM/core/blocks/VipmMesh.h>
 #include <osgTerrainROAM/core/method/PrepareTerrain.h>
 #include <osgTerrainROAM/core/roam/RoamMesh.h>
 #include <osgTerrainROAM/core/vdpm/PrepareVdpm.h>
@@ -53,6 +54,8 @@ foundation::Result<PreparedPtr> prepareTerrain(std::shared_ptr<const RoamTile> t
         return prepareVdpm(std::move(tile));
     case Method::regularDecimation:
         return PreparedPtr(std::make_shared<PreparedDecimation>(std::move(tile)));
+    case Method::vipmLocked:
+        return PreparedPtr(std::make_shared<PreparedVipm>(std::move(tile)));
     }
     return PreparedPtr(std::make_shared<PreparedRoam>(SplitBounds(std::move(tile), request.patchExponent)));
 }

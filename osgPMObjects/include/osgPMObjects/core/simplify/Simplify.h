@@ -39,6 +39,11 @@ struct SimplifySettings
     /// This is proved for whole triangles, not sampled. The sequence ends when no collapse keeps the bound; no part vanishes, and
     /// no face turns over. Units: as the positions. Takes some twenty times as long.
     double envelope = 0.0;
+    /// The mesh is a height field: a face that turns over in plan (seen along z) counts as one that turns over.
+    bool isHeightField = false;
+    /// By position: whether it is never removed; empty: none is. Its neighbours may merge into it. With subset placement only. The
+    /// sequence ends when no other position is left.
+    std::vector<bool> locked = {};
     /// By material: its mean colour, 0 to 1, as it is seen from far away (osgPMObjects::materialColours()); empty: unknown. A material
     /// that looks like one of larger area is given up the earlier, the less they differ.
     std::vector<glm::vec3> materialColours = {};

@@ -59,6 +59,21 @@ bool isBorder(const CollapseState& state, const Star& star, std::span<const Star
     return false;
 }
 
+/// Whether a face that stays has no area left in plan, or the other side up, when the middle of its star merges into `to` at `at`.
+bool turnsOverInPlan(const Star& star, std::span<const glm::dvec3> positions, std::uint32_t to,
+                     const glm::dvec3& at)
+{
+    constexpr double kLeastArea = 1e-9; ///< in the unit frame: above what rounding makes of none
+    return std::any_of(star.faces.begin(), star.faces.end(),
+                       [&](const Star::Spoked& spoked)
+                       {
+                           if (spoked.has(to)) return false;
+                           const glm::dvec3 a = positions[spoked.second] - at,
+                                            b = positions[spoked.third] - at;
+                           return a.x * b.y - a.y * b.x < kLeastArea;
+                       });
+}
+
 } // namespace
 
 StarShape CollapseChoice::shapeOf(const Star& star) const
@@ -188,6 +203,7 @@ PatchGap CollapseChoice::gapTo(std::uint32_t to, const glm::dvec3& at, bool with
 
 PatchTurn CollapseChoice::turnTo(std::uint32_t to, const glm::dvec3& at)
 {
+    if (_state.settings.isHeightField && turnsOverInPlan(_star, _state.positions, to, at)) return {true, 0.0};
     const PatchTurn folded{true, 0.0};
     PatchTurn turn = turnOf({_star, _state.positions, to, at});
     if (turn.foldsOver || foldsWithTwin(_state.twins, _state.positions, _star, to, at)) return folded;

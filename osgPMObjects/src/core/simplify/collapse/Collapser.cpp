@@ -32,7 +32,8 @@ PartialSequence Collapser::run(std::span<const std::uint32_t> parts)
 
 void Collapser::enter(std::uint32_t position)
 {
-    const Candidate best = _choice.bestOf(position);
+    const bool isLocked = !_state.settings.locked.empty() && _state.settings.locked[position];
+    const Candidate best = isLocked ? Candidate() : _choice.bestOf(position);
     _state.candidates[position] = best;
     if (best.to == ~0u)
         _queue.erase(position);

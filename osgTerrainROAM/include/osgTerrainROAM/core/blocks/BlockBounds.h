@@ -8,6 +8,7 @@
 #include <glm/glm.hpp>
 
 #include <viewlod/Frustum.h>
+#include <viewlod/ViewState.h>
 
 #include <osgTerrainROAM/core/blocks/BlockGrid.h>
 #include <osgTerrainROAM/core/heightfield/PlacedTile.h>
@@ -46,7 +47,14 @@ struct BlockBox
     }
 };
 
-/// Bounds a block by all its points of the grid, `apron` points beyond its borders included.
-BlockBox boundBlock(const PlacedTile& tile, const BlockGrid& grid, std::uint32_t block, int apron = 0);
+/// The error that a block may have for each pixel of tolerance: K e / max(d, n) <= tolerance, with d the least distance from the eye to
+/// the box (viewlod::screenErrorBoundPx).
+inline double allowedErrorM(const BlockBox& box, const viewlod::ViewState& view)
+{
+    return std::max(box.distanceM(view.eyeWorld), view.nearM) / view.guaranteedPixelsPerTangent();
+}
+
+/// Bounds a block by all its points of the grid.
+BlockBox boundBlock(const PlacedTile& tile, const BlockGrid& grid, std::uint32_t block);
 
 } // namespace osgTerrainROAM::core

@@ -59,6 +59,7 @@ protected:
     void writeTriangles(std::uint32_t block, std::span<const LeafTriangle> triangles, std::uint32_t capacity);
 
     std::uint32_t triangleCount() const { return _triangleCount; }
+    IndexRange vertexRun(std::uint32_t block) const { return _runs[block].vertices; }
     bool isWritten(std::uint32_t block) const { return _runs[block].triangles.count > 0; }
 
     bool _isMorphed = false; ///< vertices need not lie where their samples are

@@ -22,6 +22,7 @@ enum class Method
     roam,              ///< a bintree of right triangles that follows the eye (RoamMesh)
     vdpm,              ///< a view-dependent progressive mesh of the raster (VdpmMesh)
     regularDecimation, ///< blocks that drop rows and columns (DecimatedMesh)
+    vipmLocked,        ///< blocks of progressive meshes whose borders are never simplified (VipmMesh)
 };
 
 /// What a method can do besides following an eye to a tolerance within a ceiling of triangles.
@@ -42,6 +43,7 @@ inline constexpr std::array kMethods{
     MethodTraits{Method::roam, "roam", true, true, true, true, true, true},
     MethodTraits{Method::vdpm, "vdpm", false, true, true, false, false, false},
     MethodTraits{Method::regularDecimation, "regular-decimation", false, true, false, true, true, false},
+    MethodTraits{Method::vipmLocked, "vipm-locked", false, false, false, true, false, false},
 };
 
 constexpr const MethodTraits& traitsOf(Method method)
