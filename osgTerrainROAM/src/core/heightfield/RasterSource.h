@@ -14,11 +14,11 @@
 namespace osgTerrainROAM::core
 {
 
-struct DatasetCloser
+struct RasterCloser
 {
     void operator()(GDALDatasetH dataset) const { GDALClose(dataset); }
 };
-using RasterDataset = std::unique_ptr<std::remove_pointer_t<GDALDatasetH>, DatasetCloser>;
+using RasterDataset = std::unique_ptr<std::remove_pointer_t<GDALDatasetH>, RasterCloser>;
 
 /// An open raster: GDAL's handles, and its path for GDAL.
 struct RasterSource
