@@ -3,6 +3,7 @@
 #include "terminal/CommandLine.h"
 #include "terminal/Guard.h"
 #include "terraintool/RunCommand.h"
+#include "terraintool/compare/AddCompareCommand.h"
 #include "terraintool/mt/AddMtCommands.h"
 
 namespace
@@ -73,6 +74,7 @@ int run(int argc, char** argv)
         ->check(CLI::Range(1, 100000));
     bench->add_option("--drivers", request.drivers, "only these drivers: wheel, walk, queue, scratch")
         ->check(CLI::IsMember({"wheel", "walk", "queue", "scratch"}));
+    terraintool::addCompare(app, jsonFile, command);
     terraintool::addMtBuild(app, jsonFile, command);
     terraintool::addMtBench(app, jsonFile, command);
     terraintool::addMtFly(app, jsonFile, command);

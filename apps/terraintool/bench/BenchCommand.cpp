@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <iomanip>
 #include <iostream>
@@ -12,6 +11,7 @@
 #include "terraintool/bench/BenchDump.h"
 #include "terraintool/bench/BenchParts.h"
 #include "terraintool/bench/BenchRun.h"
+#include "terraintool/bench/BenchSquare.h"
 
 namespace terraintool
 {
@@ -20,45 +20,6 @@ namespace
 {
 
 using namespace osgTerrainROAM::core;
-
-/// Cells of whole seconds of arc count as squares of 30 m a second, as in the other figures on these terrains.
-double nominalCellM(double spacingM)
-{
-    const double seconds = std::round(spacingM / 30.0);
-    return seconds >= 1.0 && std::abs(spacingM - 30.0 * seconds) < 0.04 * spacingM ? 30.0 * seconds
-                                                                                   : spacingM;
-}
-
-/// Returns the square of samples that was asked for, from the north-west; else the largest of 2^n+1 samples in the
-/// middle.
-foundation::Result<HeightField> squareOf(const HeightField& all, const Request& request,
-                                         const std::string& file)
-{
-    int size = 2;
-    while (2 * size < std::min(all.columns, all.rows))
-        size *= 2;
-    int side = size + 1;
-    int column = (all.columns - side) / 2, fromNorth = (all.rows - side) / 2;
-    if (!request.crop.empty()) side = request.crop[0];
-    if (request.crop.size() == 3)
-    {
-        column = request.crop[1];
-        fromNorth = request.crop[2];
-    }
-    const bool fits = side >= 3 && column >= 0 && fromNorth >= 0 && column + side <= all.columns &&
-                      fromNorth + side <= all.rows;
-    if (!fits)
-        return foundation::Error{file, "the square is no part of the raster, or too small",
-                                 "choose at least 3 samples within it"};
-    HeightField square;
-    square.name = all.name;
-    square.columns = square.rows = side;
-    square.spacingEastM = square.spacingNorthM = request.cellM.value_or(nominalCellM(all.spacingNorthM));
-    for (int row = all.rows - fromNorth - side; row < all.rows - fromNorth; ++row)
-        for (int c = column; c < column + side; ++c)
-            square.heightsM.push_back(all.heightM(c, row));
-    return square;
-}
 
 void printRow(const nlohmann::ordered_json& row)
 {
@@ -129,7 +90,7 @@ foundation::Result<Report> bench(const Request& request)
     {
         const auto field = importDem(file, request.import);
         if (!field) return field.error();
-        auto square = squareOf(*field, request, file);
+        auto square = squareOf(*field, {request.crop, request.cellM}, file);
         if (!square) return square.error();
         const auto tile = std::make_shared<const RoamTile>(PlacedTile(std::move(*square), Placement::planar));
         std::cout << file << ": " << tile->tile.grid().side() << " x " << tile->tile.grid().side()

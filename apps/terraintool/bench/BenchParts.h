@@ -20,7 +20,7 @@ nlohmann::ordered_json measureMerges(const std::shared_ptr<const osgTerrainROAM:
 nlohmann::ordered_json measureSlices(const std::shared_ptr<const osgTerrainROAM::core::RoamTile>& tile);
 
 /// Measures popping on two flights, at 240 m/s and close to the ground at 30 m/s, both at 60 frames a second and at
-/// most half a cell a frame: the largest change of the drawn height between two frames at any vertex of both meshes,
+/// most half a cell a frame: the largest change of the drawn height between two frames at any sample,
 /// in centre pixels, with and without morphing at the same tolerance.
 nlohmann::ordered_json measurePops(const std::shared_ptr<const osgTerrainROAM::core::RoamTile>& tile);
 

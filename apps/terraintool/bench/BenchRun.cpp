@@ -6,14 +6,12 @@
 #include <unordered_set>
 #include <vector>
 
-#include <viewlod/Slice.h>
-
 #include <osgTerrainROAM/core/roam/DrawnMeshCheck.h>
 #include <osgTerrainROAM/core/roam/LeafOrder.h>
-#include <osgTerrainROAM/core/roam/Outline.h>
 #include <osgTerrainROAM/core/roam/ScratchRefinement.h>
 
 #include "measurement/Percentile.h"
+#include "terraintool/bench/Measured.h"
 
 namespace terraintool
 {
@@ -32,15 +30,6 @@ struct Totals
     double triangles = 0.0, changes = 0.0, checks = 0.0, uploadBytes = 0.0, maxErrorPx = 0.0;
 };
 
-/// Of this thread, so that other work on the machine does not count.
-template<class Work>
-double microsecondsOf(const Work& work)
-{
-    const double begin = viewlod::Slice::threadUs();
-    work();
-    return viewlod::Slice::threadUs() - begin;
-}
-
 double uploadBytes(const RoamMesh& mesh)
 {
     if (const PatchPool* patches = mesh.patches())
@@ -51,16 +40,6 @@ double uploadBytes(const RoamMesh& mesh)
     { return static_cast<double>(std::unordered_set<std::uint32_t>(slots.begin(), slots.end()).size()); };
     return distinct(changes.vertices) * sizeof(MeshVertex) +
            distinct(changes.triangles) * sizeof(LeafTriangle);
-}
-
-/// A mesh without slots: every leaf, or its patch, with vertices of its own.
-DrawnMesh meshOf(const SplitBounds& bounds, const std::vector<GridTriangle>& leaves)
-{
-    const PlacedTile& tile = bounds.tile().tile;
-    DrawnMesh mesh;
-    for (const GridTriangle& t : leaves)
-        if (isDrawn(tile, t)) PatchShape::of(bounds.patchExponent()).append(tile, t, mesh);
-    return mesh;
 }
 
 /// What is measured: one of the drivers, or starting over.
@@ -93,7 +72,7 @@ public:
         if (_mesh) totals.uploadBytes += uploadBytes(*_mesh);
     }
 
-    DrawnMesh drawn() const { return _mesh ? _mesh->drawn() : meshOf(_run.bounds, _leaves); }
+    DrawnMesh drawn() const { return _mesh ? _mesh->drawn() : meshOfLeaves(_run.bounds, _leaves); }
 
     /// How the triangles lie that the last frame would draw.
     std::optional<LeafOrder> order() const { return _mesh ? std::optional(orderOf(*_mesh)) : std::nullopt; }

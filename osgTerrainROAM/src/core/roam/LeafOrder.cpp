@@ -4,7 +4,7 @@
 #include <utility>
 
 #include <osgTerrainROAM/core/roam/LeafOrder.h>
-#include <osgTerrainROAM/core/roam/RoamMesh.h>
+#include <osgTerrainROAM/core/roam/TerrainMesh.h>
 
 namespace osgTerrainROAM::core
 {
@@ -107,7 +107,7 @@ LeafOrder orderOf(const PatchShape& shape)
 
 } // namespace
 
-LeafOrder orderOf(const RoamMesh& mesh)
+LeafOrder orderOf(const TerrainMesh& mesh)
 {
     if (mesh.patches()) return orderOf(mesh.patches()->shape());
     LeafOrderMeter meter(mesh.vertexSlots());
@@ -115,8 +115,7 @@ LeafOrder orderOf(const RoamMesh& mesh)
     for (const IndexRange& range : mesh.allRanges())
     {
         drawn.clear();
-        for (std::uint32_t slot = range.first; slot < range.first + range.count; ++slot)
-            drawn.push_back(mesh.triangle(slot));
+        mesh.appendTriangles(range, drawn);
         meter.draw(drawn);
     }
     return meter.result();

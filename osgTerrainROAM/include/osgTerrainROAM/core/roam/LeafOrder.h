@@ -11,7 +11,7 @@
 namespace osgTerrainROAM::core
 {
 
-class RoamMesh;
+class TerrainMesh;
 
 /// Measures of how well an order of triangles suits the hardware. Units: per triangle, except the strips.
 struct LeafOrder
@@ -57,7 +57,7 @@ private:
     std::uint64_t _triangles = 0, _gaps = 0, _strips = 0, _stripVertices = 0;
 };
 
-/// Measures a whole mesh as it is drawn, one call a region.
-LeafOrder orderOf(const RoamMesh& mesh);
+/// Measures a whole mesh as it is drawn, one call a range of slots.
+LeafOrder orderOf(const TerrainMesh& mesh);
 
 } // namespace osgTerrainROAM::core

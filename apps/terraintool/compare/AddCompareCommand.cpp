@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "terraintool/compare/AddCompareCommand.h"
+
+#include <memory>
+
+#include "terraintool/compare/CompareRequest.h"
+
+namespace terraintool
+{
+
+void addCompare(CLI::App& app, std::filesystem::path& jsonFile, Command& command)
+{
+    CLI::App* sub = app.add_subcommand("compare", "compare all methods at equal true error");
+    const auto request = std::make_shared<CompareRequest>();
+    sub->add_option("DEM", request->files, "elevation rasters")->required();
+    sub->add_option("--flight", request->flight, "a scenario (.xosc) to fly")->check(CLI::ExistingFile);
+    sub->add_option("--json", jsonFile, "also write the table to this file");
+    sub->add_option("--error", request->errorPx, "true error, pixels (2)")
+        ->check(terminal::between(0.01, 1000.0));
+    sub->add_option("--frames", request->frames, "frames of the flight (48)")->check(CLI::Range(2, 100000));
+    sub->add_option("--check-every", request->framesBetweenChecks, "frames between checks (12)")
+        ->check(CLI::Range(1, 100000));
+    sub->add_option("--crop", request->square.crop, "SIDE [COLUMN ROW] of the square")
+        ->expected(1, 3)
+        ->check(CLI::Range(0, 65536));
+    sub->add_option("--cell", request->square.cellM, "metres between samples")
+        ->check(terminal::between(0.001, 1e5));
+    sub->add_option("--spacing", request->import.spacingM, "metres between samples without georeference")
+        ->check(terminal::between(0.001, 1e5));
+    sub->callback([request, &command] { command = [request](const Request&) { return compare(*request); }; });
+}
+
+} // namespace terraintool

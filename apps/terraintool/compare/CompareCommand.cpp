@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <filesystem>
+#include <iomanip>
+#include <iostream>
+
+#include "measurement/flights/BenchmarkFlight.h"
+#include "simulation/parser/ParseScenario.h"
+#include "terraintool/FlightViews.h"
+#include "terraintool/compare/CompareJson.h"
+#include "terraintool/compare/CompareRequest.h"
+#include "terraintool/compare/MeasureRival.h"
+#include "terraintool/compare/Verdicts.h"
+
+namespace terraintool
+{
+
+namespace
+{
+
+using osgTerrainROAM::core::PlacedTile;
+using Views = std::vector<viewlod::ViewState>;
+
+foundation::Result<Views> viewsOver(const PlacedTile& tile, const CompareRequest& request)
+{
+    if (!request.flight.empty())
+    {
+        auto parsed = simulation::readScenario(request.flight);
+        if (!parsed) return parsed.error();
+        return scenarioViews(std::move(parsed->scenario), request.flight.string(), tile, request.frames);
+    }
+    const auto flight = measurement::BenchmarkFlight::along(measurement::Path::flight);
+    Views views;
+    for (int frame = 0; frame < request.frames; ++frame)
+        views.push_back(flight.view(tile, frame));
+    return views;
+}
+
+foundation::Result<ComparedFlight> flightOver(const PlacedTile& tile, const CompareRequest& request)
+{
+    auto views = viewsOver(tile, request);
+    if (!views) return views.error();
+    if (views->size() < 2)
+        return foundation::Error{request.flight.string(), "the flight has fewer than two frames",
+                                 "let it last longer"};
+    return ComparedFlight{std::move(*views), request.errorPx, request.framesBetweenChecks};
+}
+
+void print(const DemComparison& dem)
+{
+    std::cout << dem.dem << '\n' << std::fixed;
+    for (const MethodFigures& m : dem.methods)
+        std::cout << "  " << std::left << std::setw(20) << m.name << std::right << std::setprecision(0)
+                  << std::setw(9) << m.triangles << " triangles" << std::setprecision(2) << std::setw(7)
+                  << m.trueErrorPx << " px off" << std::setprecision(1) << std::setw(9) << m.adaptUsP50
+                  << " us" << std::setw(9) << m.adaptUsP99 << " us p99" << std::setprecision(2)
+                  << std::setw(7) << m.changedPercent << " % change" << std::endl;
+    for (const RequirementVerdict& v : requirementVerdicts(dem))
+        std::cout << "  " << v.requirement << ' ' << v.method << ": " << v.verdict << ", " << v.figure
+                  << '\n';
+}
+
+} // namespace
+
+foundation::Result<terminal::Report> compare(const CompareRequest& request)
+{
+    std::vector<DemComparison> dems;
+    for (const std::string& file : request.files)
+    {
+        const auto field = osgTerrainROAM::core::importDem(file, request.import);
+        if (!field) return field.error();
+        const auto square = squareOf(*field, request.square, file);
+        if (!square) return square.error();
+        auto compared =
+            compareOver(*square, [&](const PlacedTile& tile) { return flightOver(tile, request); });
+        if (!compared) return compared.error();
+        compared->dem = std::filesystem::path(file).filename().string();
+        print(*compared);
+        dems.push_back(std::move(*compared));
+    }
+    for (const ClaimVerdict& v : claimVerdicts(dems))
+        std::cout << v.claim << ": " << v.verdict << ", " << v.figure << '\n';
+    return terminal::Report{comparisonJson(dems), true};
+}
+
+} // namespace terraintool

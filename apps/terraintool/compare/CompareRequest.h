@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <foundation/Result.h>
+
+#include <osgTerrainROAM/core/heightfield/DemImport.h>
+
+#include "terminal/Report.h"
+#include "terraintool/bench/BenchSquare.h"
+
+namespace terraintool
+{
+
+/// What the command line of compare asks for.
+struct CompareRequest
+{
+    std::vector<std::string> files; ///< elevation rasters
+    osgTerrainROAM::core::DemImportOptions import;
+    SquareChoice square;
+    std::filesystem::path flight; ///< a scenario; empty: BenchmarkFlight
+    double errorPx = 2.0;
+    int frames = 48;
+    int framesBetweenChecks = 12;
+};
+
+/// Compares all methods of level of detail over the same flight, at equal true error and at equal numbers of triangles.
+foundation::Result<terminal::Report> compare(const CompareRequest& request);
+
+} // namespace terraintool

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "terraintool/compare/MeasureRival.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include <osgTerrainROAM/core/roam/DrawnMeshCheck.h>
+
+#include "measurement/Percentile.h"
+#include "terraintool/bench/BenchParts.h"
+#include "terraintool/bench/FrameChange.h"
+#include "terraintool/bench/Measured.h"
+
+namespace terraintool
+{
+
+namespace
+{
+
+using namespace osgTerrainROAM::core;
+
+double mean(const std::vector<double>& values)
+{
+    return values.empty()
+               ? 0.0
+               : std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+/// Flies all frames at the tolerance of `figures`.
+void fly(const Rival& rival, const RoamTile& tile, const ComparedFlight& flight, MethodFigures& figures)
+{
+    const auto mesh = rival.newMesh();
+    std::vector<double> changed;
+    DrawnMesh before;
+    for (std::size_t frame = 0; frame < flight.views.size(); ++frame)
+    {
+        const viewlod::ViewState& view = flight.views[frame];
+        const double us =
+            microsecondsOf([&] { mesh->refine(view, {.errorTolerancePx = figures.tolerancePx}); });
+        DrawnMesh now = mesh->drawn();
+        if (flight.isChecked(frame))
+        {
+            const DrawnMeshReport found = checkDrawnMesh(tile, now, &view);
+            figures.trueErrorPx = std::max(figures.trueErrorPx, found.maxErrorPx);
+            figures.breaks += found.tJunctions + found.cracks;
+        }
+        if (frame > 0)
+        {
+            const FrameChange change = changeBetween(tile.tile, before, now, view);
+            const auto triangles = static_cast<double>(now.triangles.size());
+            figures.frameUs.push_back(us);
+            figures.frameTriangles.push_back(triangles);
+            changed.push_back(100.0 * static_cast<double>(change.newTriangles) / triangles);
+            figures.popPx = std::max(figures.popPx, change.popPx);
+        }
+        before = std::move(now);
+    }
+    figures.triangles = mean(figures.frameTriangles);
+    figures.changedPercent = mean(changed);
+    figures.transformsPerTriangle = mesh->transformsPerTriangle();
+    figures.memoryMB = 1e-6 * static_cast<double>(rival.sharedBytes + mesh->memoryBytes());
+}
+
+/// Flies the checked frames within a ceiling, with work for more.
+CeilingFigures flyWithin(double ceiling, const Rival& rival, const RoamTile& tile,
+                         const ComparedFlight& flight)
+{
+    constexpr double kMoreThanFits = 0.01; // of the error
+    const auto mesh = rival.newMesh();
+    CeilingFigures figures;
+    figures.ceiling = std::floor(std::max(ceiling, rival.fewestTriangles));
+    for (std::size_t frame = 0; frame < flight.views.size(); ++frame)
+    {
+        const RefineResult result =
+            mesh->refine(flight.views[frame], {.errorTolerancePx = kMoreThanFits * flight.errorPx,
+                                               .maxTriangles = static_cast<std::uint32_t>(figures.ceiling)});
+        figures.framesAbove += result.leaves > figures.ceiling ? 1 : 0;
+        figures.leastShare = std::min(figures.leastShare, result.leaves / figures.ceiling);
+        if (flight.isChecked(frame))
+            figures.trueErrorPx =
+                std::max(figures.trueErrorPx, trueErrorPx(*mesh, tile, flight.views[frame]));
+    }
+    return figures;
+}
+
+/// Flies in slices too short for the work of the first frames, and checks what each leaves.
+SliceFigures flyInSlices(double tolerancePx, const Rival& rival, const RoamTile& tile,
+                         const ComparedFlight& flight)
+{
+    constexpr double kSliceUs = 20.0;
+    const auto mesh = rival.newMesh();
+    SliceFigures figures;
+    for (const viewlod::ViewState& view : flight.views)
+    {
+        const RefineResult result = mesh->refine(view, {.errorTolerancePx = tolerancePx,
+                                                        .maxTimeUs = kSliceUs,
+                                                        .clock = viewlod::Budget::Clock::modelled});
+        const DrawnMeshReport found = checkDrawnMesh(tile, mesh->drawn(), nullptr);
+        figures.stops += result.sliceBound ? 1 : 0;
+        figures.faults += mesh->isValid() && found.tJunctions + found.cracks == 0 ? 0 : 1;
+    }
+    return figures;
+}
+
+/// Raises one sample, where the first eye of the comparison flight sees little detail, by two cells.
+HeightField withSpike(HeightField square)
+{
+    const int place = 4 * square.columns / 5 | 1;
+    square.heightsM[static_cast<std::size_t>(place) * static_cast<std::size_t>(square.columns) +
+                    static_cast<std::size_t>(place)] += static_cast<float>(2.0 * square.spacingEastM);
+    return square;
+}
+
+double trianglesOf(const Rival& rival, double tolerancePx, const viewlod::ViewState& view)
+{
+    const auto mesh = rival.newMesh();
+    mesh->refine(view, {.errorTolerancePx = tolerancePx});
+    return static_cast<double>(mesh->drawn().triangles.size());
+}
+
+} // namespace
+
+MethodFigures measureRival(const Rival& rival, const RoamTile& tile, const ComparedFlight& flight)
+{
+    MethodFigures figures;
+    figures.name = rival.name;
+    figures.isOfBlocks = rival.isOfBlocks;
+    figures.preparationS = rival.preparationS;
+    figures.sideSamples = tile.tile.field().columns;
+    figures.tolerancePx = toleranceForError(rival, tile, flight);
+    fly(rival, tile, flight, figures);
+    figures.adaptUsP50 = measurement::percentile(figures.frameUs, 0.5);
+    figures.adaptUsP99 = measurement::percentile(figures.frameUs, 0.99);
+    figures.adaptUsMax = measurement::percentile(figures.frameUs, 1.0);
+    if (rival.stopsInTime) figures.slices = flyInSlices(figures.tolerancePx, rival, tile, flight);
+    return figures;
+}
+
+foundation::Result<DemComparison> compareOver(const HeightField& square, const FlightMaker& flightOver)
+{
+    auto plain = prepareRivals(square);
+    if (!plain) return plain.error();
+    auto spiked = prepareRivals(withSpike(square));
+    if (!spiked) return spiked.error();
+    const auto flight = flightOver(plain->tile->tile);
+    if (!flight) return flight.error();
+    DemComparison comparison;
+    comparison.dem = square.name;
+    for (const Rival& rival : plain->all)
+        comparison.methods.push_back(measureRival(rival, *plain->tile, *flight));
+    const double ceiling = comparison.of("roam")->triangles;
+    for (std::size_t i = 0; i < plain->all.size(); ++i)
+    {
+        const Rival& rival = plain->all[i];
+        MethodFigures& figures = comparison.methods[i];
+        if (rival.keepsCeiling) figures.ceiling = flyWithin(ceiling, rival, *plain->tile, *flight);
+        figures.spikeTriangles = trianglesOf(spiked->all[i], figures.tolerancePx, flight->views.front()) -
+                                 trianglesOf(rival, figures.tolerancePx, flight->views.front());
+    }
+    const auto merges = measureMerges(plain->tile);
+    comparison.merges = {merges["nsPerRemovedTriangle"], merges["singleMergeNsPerRemovedTriangle"]};
+    return comparison;
+}
+
+} // namespace terraintool

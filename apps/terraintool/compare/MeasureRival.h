@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <foundation/Result.h>
+
+#include <viewlod/ViewState.h>
+
+#include "terraintool/compare/MethodFigures.h"
+#include "terraintool/compare/Rival.h"
+
+namespace terraintool
+{
+
+/// The flight over which methods are compared, and the error that is equal for all.
+struct ComparedFlight
+{
+    std::vector<viewlod::ViewState> views;
+    double errorPx = 2.0;         ///< true, largest of the checked frames
+    int framesBetweenChecks = 12; ///< by brute force; 1: all
+
+    bool isChecked(std::size_t frame) const
+    {
+        return (frame + 1) % static_cast<std::size_t>(framesBetweenChecks) == 0 || frame + 1 == views.size();
+    }
+};
+
+/// Returns the largest distance between a visible sample and a drawn mesh, by brute force. Units: pixels.
+double trueErrorPx(const RivalMesh& mesh, const osgTerrainROAM::core::RoamTile& tile,
+                   const viewlod::ViewState& view);
+
+/// Finds the tolerance of a method at which its true error is that of the flight, by halving the interval of its logarithm.
+/// The error is no continuous function, so the nearest that was met is taken. Cost: up to some 20 passes over the checked frames.
+double toleranceForError(const Rival& rival, const osgTerrainROAM::core::RoamTile& tile,
+                         const ComparedFlight& flight);
+
+/// Measures a method along the flight. Times are of this thread, in microseconds.
+MethodFigures measureRival(const Rival& rival, const osgTerrainROAM::core::RoamTile& tile,
+                           const ComparedFlight& flight);
+
+/// Compares all methods over a square of samples. Errors: a method cannot draw it.
+using FlightMaker =
+    std::function<foundation::Result<ComparedFlight>(const osgTerrainROAM::core::PlacedTile&)>;
+foundation::Result<DemComparison> compareOver(const osgTerrainROAM::core::HeightField& square,
+                                              const FlightMaker& flightOver);
+
+} // namespace terraintool

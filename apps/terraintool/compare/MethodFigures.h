@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace terraintool
+{
+
+/// What a method does at a ceiling of triangles: as many as ROAM draws at equal error, or the fewest that it can draw.
+struct CeilingFigures
+{
+    double ceiling = 0.0;
+    std::size_t framesAbove = 0; ///< with more triangles than allowed
+    double leastShare = 1.0;     ///< of the ceiling that a frame used, at least
+    double trueErrorPx = 0.0;
+};
+
+/// What a method does in slices of modelled time.
+struct SliceFigures
+{
+    std::size_t stops = 0;  ///< frames whose work was left over
+    std::size_t faults = 0; ///< frames after which the mesh was not valid, or not conforming
+};
+
+/// The figures of one method on one terrain, at the true error at which all methods are compared.
+struct MethodFigures
+{
+    std::string name;
+    bool isOfBlocks = false;
+    double tolerancePx = 0.0; ///< the method's own, at which the true error was found
+    double triangles = 0.0;   ///< mean of the frames
+    double trueErrorPx = 0.0; ///< by brute force, largest of the checked frames
+    double adaptUsP50 = 0.0, adaptUsP99 = 0.0, adaptUsMax = 0.0;
+    double changedPercent = 0.0; ///< triangles that the frame before did not draw, mean of the frames
+    double popPx = 0.0;          ///< largest of the frames
+    std::optional<double> transformsPerTriangle;
+    double memoryMB = 0.0; ///< besides the tile
+    double preparationS = 0.0;
+    std::size_t breaks = 0;                  ///< T-junctions and cracks in the checked frames
+    double spikeTriangles = 0.0;             ///< that one raised sample adds
+    double sideSamples = 0.0;                ///< of the square
+    std::optional<CeilingFigures> ceiling{}; ///< absent: the method takes none
+    std::optional<SliceFigures> slices{};    ///< absent: the method takes no limit of time
+    std::vector<double> frameUs{},
+        frameTriangles{}; ///< for plots; the first frame, which builds the mesh, is left out
+};
+
+/// The time to remove a triangle, by both ways of merging; 0: the terrain is too small to tell.
+struct MergeFigures
+{
+    double bulkNs = 0.0, singleNs = 0.0;
+};
+
+/// All methods on one terrain.
+struct DemComparison
+{
+    std::string dem;
+    std::vector<MethodFigures> methods;
+    MergeFigures merges{};
+
+    /// The figures of that method; null: it was not compared.
+    const MethodFigures* of(const std::string& name) const
+    {
+        for (const MethodFigures& method : methods)
+            if (method.name == name) return &method;
+        return nullptr;
+    }
+};
+
+} // namespace terraintool

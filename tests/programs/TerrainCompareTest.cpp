@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: Apache-2.0
+// Tests `terraintool compare`: the search for equal true error, the figures, and verdicts that follow from them.
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include <osgTerrainROAM/core/method/Method.h>
+#include <osgTerrainROAM/core/roam/DrawnGround.h>
+#include <osgTerrainROAM/core/roam/RoamMesh.h>
+
+#include "Playing.h"
+#include "SyntheticField.h"
+#include "measurement/flights/BenchmarkFlight.h"
+#include "terraintool/bench/FrameChange.h"
+#include "terraintool/compare/CompareJson.h"
+#include "terraintool/compare/MeasureRival.h"
+#include "terraintool/compare/Verdicts.h"
+
+namespace
+{
+
+using namespace osgTerrainROAM::core;
+using namespace terraintool;
+using nlohmann::ordered_json;
+using Keys = std::vector<std::string>;
+
+constexpr double kErrorPx = 10.0;
+
+foundation::Result<ComparedFlight> shortFlight(const PlacedTile& tile)
+{
+    ComparedFlight flight{{}, kErrorPx, 4};
+    for (int frame = 0; frame < 12; ++frame)
+        flight.views.push_back(measurement::BenchmarkFlight{}.view(tile, frame));
+    return flight;
+}
+
+const std::vector<DemComparison>& overHills()
+{
+    static const std::vector<DemComparison> dems{
+        compareOver(testsupport::hills(129, 129), shortFlight).value()};
+    return dems;
+}
+
+TEST(TerrainCompare, MeetsTheSameTrueErrorByAllMethods)
+{
+    for (const MethodFigures& m : overHills()[0].methods) // blocks have few levels to choose from
+        EXPECT_NEAR(m.trueErrorPx, kErrorPx, (m.isOfBlocks ? 0.1 : 0.03) * kErrorPx) << m.name;
+}
+
+TEST(TerrainCompare, FindsPlausibleFigures)
+{
+    const DemComparison& hills = overHills()[0];
+    ASSERT_EQ(hills.methods.size(), kMethods.size() + 1) << "all methods, and from scratch";
+    for (const MethodFigures& m : hills.methods)
+    {
+        EXPECT_GT(m.triangles, 100.0) << m.name;
+        EXPECT_LT(m.triangles, 2.0 * 128 * 128) << m.name;
+        EXPECT_GT(m.adaptUsP50, 0.0) << m.name;
+        EXPECT_LE(m.adaptUsP50, m.adaptUsP99) << m.name;
+        EXPECT_LE(m.adaptUsP99, m.adaptUsMax) << m.name;
+        EXPECT_GT(m.changedPercent, 0.0) << m.name;
+        EXPECT_LE(m.changedPercent, 100.0) << m.name;
+        EXPECT_GT(m.popPx, 0.0) << m.name;
+        EXPECT_GT(m.memoryMB, 0.0) << m.name;
+        EXPECT_GT(m.preparationS, 0.0) << m.name;
+        EXPECT_GT(m.spikeTriangles, 0.0) << m.name;
+    }
+    const MethodFigures &roam = *hills.of("roam"), &vdpm = *hills.of("vdpm"), &scratch = *hills.of("scratch");
+    EXPECT_LT(vdpm.triangles, 0.7 * roam.triangles);
+    EXPECT_LT(vdpm.ceiling->trueErrorPx, roam.ceiling->trueErrorPx) << "at equal numbers of triangles";
+    EXPECT_NEAR(scratch.triangles, roam.triangles, 1e-9) << "the same meshes";
+    EXPECT_NEAR(scratch.popPx, roam.popPx, 1e-9);
+    EXPECT_FALSE(scratch.ceiling || scratch.slices || scratch.transformsPerTriangle);
+    EXPECT_GT(roam.slices->stops, 0u);
+}
+
+TEST(TerrainCompare, WritesTheKeysOfTheReference)
+{
+    const ordered_json json = comparisonJson(overHills());
+    EXPECT_EQ(keysOf(json), (Keys{"dems", "claims"}));
+    const ordered_json& dem = json["dems"][0];
+    EXPECT_EQ(keysOf(dem), (Keys{"dem", "methods", "requirements"}));
+    EXPECT_EQ(
+        keysOf(dem["methods"][0]),
+        (Keys{"name", "triangles", "trueErrorPx", "adaptUsP50", "adaptUsP99", "adaptUsMax", "changedPercent",
+              "popPx", "transformsPerTriangle", "memoryMB", "preparationS", "frameMs"}));
+    EXPECT_EQ(dem["requirements"].size(), 8 * dem["methods"].size());
+    EXPECT_EQ(keysOf(dem["requirements"][0]), (Keys{"requirement", "method", "verdict", "figure"}));
+    EXPECT_EQ(keysOf(json["claims"][0]), (Keys{"claim", "verdict", "figure"}));
+}
+
+/// The table without what a clock decides.
+ordered_json withoutTimes(ordered_json json)
+{
+    for (ordered_json& dem : json["dems"])
+    {
+        for (ordered_json& method : dem["methods"])
+            for (const char* key : {"adaptUsP50", "adaptUsP99", "adaptUsMax", "preparationS"})
+                method.erase(key);
+        for (ordered_json& row : dem["requirements"])
+            if (row["requirement"] == "R4") row = nullptr;
+    }
+    json["claims"].erase(3);
+    return json;
+}
+
+TEST(TerrainCompare, IsTheSameInEveryRunButForTimes)
+{
+    const std::vector<DemComparison> again{compareOver(testsupport::hills(129, 129), shortFlight).value()};
+    const ordered_json first = withoutTimes(comparisonJson(overHills()));
+    EXPECT_EQ(first, withoutTimes(comparisonJson(again)));
+    const std::vector<DemComparison> other{
+        compareOver(testsupport::hills(129, 129, 30.0, 2), shortFlight).value()};
+    EXPECT_NE(first, withoutTimes(comparisonJson(other))) << "other hills have other figures";
+}
+
+TEST(TerrainCompare, FindsWhatChangesBetweenTwoFrames)
+{
+    const auto tile = testsupport::planarTile(testsupport::hills(65, 65));
+    const viewlod::ViewState view = measurement::BenchmarkFlight{}.view(tile->tile, 0);
+    RoamMesh coarse(tile), fine(tile);
+    coarse.refine(view, {.errorTolerancePx = 20.0});
+    fine.refine(view, {.errorTolerancePx = 4.0});
+    double popPx = 0.0; // by queries at every sample
+    std::vector<glm::dvec2> places;
+    for (int row = 0; row < 65; ++row)
+        for (int column = 0; column < 65; ++column)
+            places.emplace_back(tile->tile.frame().positionAt(column, row, 0.0));
+    std::vector<std::optional<DrawnGround>> was(places.size()), is(places.size());
+    drawnGroundAt(coarse.tree(), places, was);
+    drawnGroundAt(fine.tree(), places, is);
+    for (std::size_t i = 0; i < places.size(); ++i)
+        popPx = std::max(popPx, view.pixelsPerTangent * std::abs(is[i]->position.z - was[i]->position.z) /
+                                    std::max(glm::distance(is[i]->position, view.eyeWorld), view.nearM));
+    const FrameChange change = changeBetween(tile->tile, coarse.drawn(), fine.drawn(), view);
+    EXPECT_GT(popPx, 1.0);
+    EXPECT_NEAR(change.popPx, popPx, 0.02 * popPx) << "vertices are rounded to steps";
+    EXPECT_GT(change.newTriangles, 0u);
+    const FrameChange none = changeBetween(tile->tile, fine.drawn(), fine.drawn(), view);
+    EXPECT_EQ(none.newTriangles, 0u);
+    EXPECT_EQ(none.popPx, 0.0);
+}
+
+/// Two methods of which every requirement and claim holds.
+DemComparison goodFigures()
+{
+    MethodFigures good;
+    good.name = "vdpm";
+    good.triangles = 400.0;
+    good.trueErrorPx = 2.0;
+    good.adaptUsP50 = 10.0;
+    good.adaptUsP99 = good.adaptUsMax = 20.0;
+    good.changedPercent = 1.0;
+    good.popPx = 0.5;
+    good.transformsPerTriangle = 0.8;
+    good.spikeTriangles = 20.0;
+    good.sideSamples = 129.0;
+    good.ceiling = CeilingFigures{1000.0, 0, 0.995, 1.0};
+    good.slices = SliceFigures{5, 0};
+    MethodFigures roam = good, blocks = good;
+    roam.name = "roam";
+    roam.triangles = 1000.0;
+    blocks.name = "blocks";
+    blocks.isOfBlocks = true;
+    blocks.triangles = 1500.0;
+    return {"made up", {good, roam, blocks}, {10.0, 50.0}};
+}
+
+std::string verdictOf(const DemComparison& dem, const std::string& requirement)
+{
+    for (const RequirementVerdict& v : requirementVerdicts(dem))
+        if (v.requirement == requirement && v.method == "vdpm") return v.verdict;
+    return "none";
+}
+
+struct Plant
+{
+    const char* requirement;
+    void (*bad)(MethodFigures& figures);
+};
+
+class PlantedFigure : public testing::TestWithParam<Plant>
+{
+};
+
+TEST_P(PlantedFigure, TurnsTheVerdictOfItsRequirementAlone)
+{
+    DemComparison dem = goodFigures();
+    EXPECT_EQ(verdictOf(dem, GetParam().requirement), "met");
+    GetParam().bad(dem.methods[0]);
+    for (const char* r : {"R1", "R2", "R3", "R4", "R5", "R6", "R7", "R8"})
+        EXPECT_EQ(verdictOf(dem, r), r == std::string(GetParam().requirement) ? "not met" : "met") << r;
+}
+
+INSTANTIATE_TEST_SUITE_P(TerrainCompare, PlantedFigure,
+                         testing::Values(Plant{"R1", [](MethodFigures& m) { m.triangles = 1151.0; }},
+                                         Plant{"R2", [](MethodFigures& m) { m.breaks = 1; }},
+                                         Plant{"R3", [](MethodFigures& m) { m.spikeTriangles = 5000.0; }},
+                                         Plant{"R4", [](MethodFigures& m) { m.adaptUsP99 = 41.0; }},
+                                         Plant{"R5", [](MethodFigures& m) { m.transformsPerTriangle = 1.1; }},
+                                         Plant{"R6", [](MethodFigures& m) { m.popPx = 1.1; }},
+                                         Plant{"R6", [](MethodFigures& m) { m.changedPercent = 6.0; }},
+                                         Plant{"R7", [](MethodFigures& m) { m.ceiling->framesAbove = 1; }},
+                                         Plant{"R7", [](MethodFigures& m) { m.ceiling->leastShare = 0.9; }},
+                                         Plant{"R7", [](MethodFigures& m) { m.ceiling.reset(); }},
+                                         Plant{"R8", [](MethodFigures& m) { m.slices->faults = 1; }},
+                                         Plant{"R8", [](MethodFigures& m) { m.slices.reset(); }}));
+
+TEST(TerrainCompare, TurnsTheVerdictOfAClaimByAPlantedFigure)
+{
+    const DemComparison good = goodFigures();
+    const auto verdict = [&](std::size_t claim, const DemComparison& dem) {
+        return claimVerdicts({good, dem})[claim].verdict;
+    };
+    for (std::size_t claim = 0; claim < 4; ++claim)
+        EXPECT_EQ(verdict(claim, good), "confirmed") << claim;
+    DemComparison many = good, few = good, restless = good, lean = good, slow = good;
+    many.methods[0].triangles = 600.0;
+    few.methods[0].triangles = 200.0;
+    restless.methods[1].changedPercent = 5.5;
+    lean.methods[2].triangles = 900.0;
+    slow.merges.bulkNs = 60.0;
+    EXPECT_EQ(verdict(0, many), "refuted");
+    EXPECT_EQ(verdict(0, few), "refuted") << "far better than the claim is not the claim";
+    EXPECT_EQ(verdict(1, restless), "refuted");
+    EXPECT_EQ(verdict(2, lean), "refuted");
+    EXPECT_EQ(verdict(3, slow), "refuted");
+    DemComparison less = good;
+    less.methods.resize(1);
+    less.merges = {};
+    for (const ClaimVerdict& v : claimVerdicts({less}))
+        EXPECT_EQ(v.verdict, "not measured") << v.claim;
+}
+
+TEST(TerrainCompare, FliesTheComparisonFlightOrAScenario)
+{
+    const Workplace place;
+    const std::string drive = place.write("drive.xosc", driveText("hill.tif"));
+    for (const Keys& flight : {Keys{}, Keys{"--flight", drive}})
+    {
+        Keys arguments{"compare", place.hill(), "--frames", "6",
+                       "--error", "1",          "--json",   place.path("compared.json")};
+        arguments.insert(arguments.end(), flight.begin(), flight.end());
+        EXPECT_TRUE(succeeds(runTerrainTool(arguments)));
+        const auto json = ordered_json::parse(readBytes(place.path("compared.json")), nullptr, false);
+        EXPECT_EQ(json["dems"][0]["dem"], "hill.tif");
+        EXPECT_EQ(json["dems"][0]["methods"].size(), kMethods.size() + 1);
+    }
+}
+
+TEST(TerrainCompare, SaysWhatItCannotDo)
+{
+    const Workplace place;
+    EXPECT_TRUE(
+        failsWith(runTerrainTool({"compare", place.hill(), "--crop", "66"}), 1, "terraintool", {"square"}));
+    EXPECT_TRUE(failsWith(runTerrainTool({"compare", "none.tif"}), 1, "terraintool", {"none.tif"}));
+    EXPECT_EQ(runTerrainTool({"compare", place.hill(), "--error", "0"}).exitCode, 2);
+    EXPECT_EQ(runTerrainTool({"compare", place.hill(), "--flight", place.path("no.xosc")}).exitCode, 2);
+    const std::string wrong = place.write("wrong.xosc", "<OpenSCENARIO");
+    EXPECT_TRUE(failsWith(runTerrainTool({"compare", place.hill(), "--flight", wrong}), 1, "terraintool",
+                          {"wrong.xosc"}));
+}
+
+} // namespace
