@@ -12,6 +12,7 @@
 #include "SyntheticField.h"
 #include "measurement/flights/BenchmarkFlight.h"
 #include "terraintool/bench/FrameChange.h"
+#include "terraintool/compare/CompareHtml.h"
 #include "terraintool/compare/CompareJson.h"
 #include "terraintool/compare/MeasureRival.h"
 #include "terraintool/compare/Verdicts.h"
@@ -141,6 +142,26 @@ TEST(TerrainCompare, FindsWhatChangesBetweenTwoFrames)
     EXPECT_EQ(none.popPx, 0.0);
 }
 
+TEST(TerrainCompare, WritesAReportOfTablesAndPlots)
+{
+    const std::string html = comparisonHtml(overHills());
+    for (const MethodFigures& m : overHills()[0].methods)
+        EXPECT_NE(html.find("<td>" + m.name + "</td>"), std::string::npos) << m.name;
+    const auto count = [&](const std::string& text)
+    {
+        std::size_t found = 0;
+        for (std::size_t at = html.find(text); at != std::string::npos; at = html.find(text, at + 1))
+            ++found;
+        return found;
+    };
+    const std::size_t methods = overHills()[0].methods.size();
+    EXPECT_EQ(count("<svg"), 2u);
+    EXPECT_EQ(count("<polyline"), 2 * methods);
+    EXPECT_EQ(count("<table>"), count("</table>"));
+    EXPECT_EQ(count("<tr>"), (1 + 4) + (1 + methods) + (1 + 8 * methods)) << "claims, figures, requirements";
+    EXPECT_EQ(count("http"), count("http://www.w3.org/2000/svg")) << "needs no network";
+}
+
 /// Two methods of which every requirement and claim holds.
 DemComparison goodFigures()
 {
@@ -155,7 +176,7 @@ DemComparison goodFigures()
     good.transformsPerTriangle = 0.8;
     good.spikeTriangles = 20.0;
     good.sideSamples = 129.0;
-    good.ceiling = CeilingFigures{1000.0, 0, 0.995, 1.0};
+    good.ceiling = CeilingFigures{1000.0, 1000.0, 0, 0.995, 1.0};
     good.slices = SliceFigures{5, 0};
     MethodFigures roam = good, blocks = good;
     roam.name = "roam";
@@ -202,6 +223,7 @@ INSTANTIATE_TEST_SUITE_P(TerrainCompare, PlantedFigure,
                                          Plant{"R6", [](MethodFigures& m) { m.changedPercent = 6.0; }},
                                          Plant{"R7", [](MethodFigures& m) { m.ceiling->framesAbove = 1; }},
                                          Plant{"R7", [](MethodFigures& m) { m.ceiling->leastShare = 0.9; }},
+                                         Plant{"R7", [](MethodFigures& m) { m.ceiling->asked = 900.0; }},
                                          Plant{"R7", [](MethodFigures& m) { m.ceiling.reset(); }},
                                          Plant{"R8", [](MethodFigures& m) { m.slices->faults = 1; }},
                                          Plant{"R8", [](MethodFigures& m) { m.slices.reset(); }}));
@@ -238,12 +260,16 @@ TEST(TerrainCompare, FliesTheComparisonFlightOrAScenario)
     const std::string drive = place.write("drive.xosc", driveText("hill.tif"));
     for (const Keys& flight : {Keys{}, Keys{"--flight", drive}})
     {
-        Keys arguments{"compare", place.hill(), "--frames", "6",
-                       "--error", "1",          "--json",   place.path("compared.json")};
+        Keys arguments{"compare",  place.hill(),
+                       "--frames", "6",
+                       "--error",  "1",
+                       "--json",   place.path("compared.json"),
+                       "--html",   place.path("compared.html")};
         arguments.insert(arguments.end(), flight.begin(), flight.end());
         EXPECT_TRUE(succeeds(runTerrainTool(arguments)));
         const auto json = ordered_json::parse(readBytes(place.path("compared.json")), nullptr, false);
         EXPECT_EQ(json["dems"][0]["dem"], "hill.tif");
+        EXPECT_NE(readBytes(place.path("compared.html")).find("hill.tif"), std::string::npos);
         EXPECT_EQ(json["dems"][0]["methods"].size(), kMethods.size() + 1);
     }
 }
@@ -256,6 +282,9 @@ TEST(TerrainCompare, SaysWhatItCannotDo)
     EXPECT_TRUE(failsWith(runTerrainTool({"compare", "none.tif"}), 1, "terraintool", {"none.tif"}));
     EXPECT_EQ(runTerrainTool({"compare", place.hill(), "--error", "0"}).exitCode, 2);
     EXPECT_EQ(runTerrainTool({"compare", place.hill(), "--flight", place.path("no.xosc")}).exitCode, 2);
+    EXPECT_TRUE(failsWith(
+        runTerrainTool({"compare", place.hill(), "--frames", "2", "--html", place.path("no/a.html")}), 1,
+        "terraintool", {"no"}));
     const std::string wrong = place.write("wrong.xosc", "<OpenSCENARIO");
     EXPECT_TRUE(failsWith(runTerrainTool({"compare", place.hill(), "--flight", wrong}), 1, "terraintool",
                           {"wrong.xosc"}));

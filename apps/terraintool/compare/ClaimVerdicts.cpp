@@ -4,7 +4,7 @@
 #include <functional>
 #include <limits>
 
-#include "terraintool/compare/FigureText.h"
+#include "measurement/HtmlPage.h"
 #include "terraintool/compare/Verdicts.h"
 
 namespace terraintool
@@ -12,6 +12,8 @@ namespace terraintool
 
 namespace
 {
+
+using measurement::figureText;
 
 using Figures = std::function<void(const DemComparison& dem, std::vector<double>& figures)>;
 
@@ -26,7 +28,7 @@ ClaimVerdict judge(const std::string& claim, const std::string& unit, const std:
     const auto [lowest, highest] = std::minmax_element(figures.begin(), figures.end());
     const bool holds = *lowest >= least && *highest <= most;
     const std::string range =
-        *lowest == *highest ? number(*lowest) : number(*lowest) + " to " + number(*highest);
+        *lowest == *highest ? figureText(*lowest) : figureText(*lowest) + " to " + figureText(*highest);
     return {claim, holds ? "confirmed" : "refuted", range + unit};
 }
 

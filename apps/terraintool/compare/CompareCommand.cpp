@@ -3,9 +3,12 @@
 #include <iomanip>
 #include <iostream>
 
+#include <foundation/WholeFile.h>
+
 #include "measurement/flights/BenchmarkFlight.h"
 #include "simulation/parser/ParseScenario.h"
 #include "terraintool/FlightViews.h"
+#include "terraintool/compare/CompareHtml.h"
 #include "terraintool/compare/CompareJson.h"
 #include "terraintool/compare/CompareRequest.h"
 #include "terraintool/compare/MeasureRival.h"
@@ -63,6 +66,7 @@ void print(const DemComparison& dem)
 
 foundation::Result<terminal::Report> compare(const CompareRequest& request)
 {
+    if (const auto writable = foundation::checkWritable(request.html); !writable) return writable.error();
     std::vector<DemComparison> dems;
     for (const std::string& file : request.files)
     {
@@ -79,6 +83,9 @@ foundation::Result<terminal::Report> compare(const CompareRequest& request)
     }
     for (const ClaimVerdict& v : claimVerdicts(dems))
         std::cout << v.claim << ": " << v.verdict << ", " << v.figure << '\n';
+    if (!request.html.empty())
+        if (const auto written = foundation::writeWholeFile(request.html, comparisonHtml(dems)); !written)
+            return written.error();
     return terminal::Report{comparisonJson(dems), true};
 }
 

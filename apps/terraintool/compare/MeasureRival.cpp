@@ -70,7 +70,8 @@ CeilingFigures flyWithin(double ceiling, const Rival& rival, const RoamTile& til
     constexpr double kMoreThanFits = 0.01; // of the error
     const auto mesh = rival.newMesh();
     CeilingFigures figures;
-    figures.ceiling = std::floor(std::max(ceiling, rival.fewestTriangles));
+    figures.asked = std::floor(ceiling);
+    figures.ceiling = std::max(figures.asked, rival.fewestTriangles);
     for (std::size_t frame = 0; frame < flight.views.size(); ++frame)
     {
         const RefineResult result =

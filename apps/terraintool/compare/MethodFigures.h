@@ -12,7 +12,8 @@ namespace terraintool
 /// What a method does at a ceiling of triangles: as many as ROAM draws at equal error, or the fewest that it can draw.
 struct CeilingFigures
 {
-    double ceiling = 0.0;
+    double asked = 0.0;          ///< as many as ROAM draws
+    double ceiling = 0.0;        ///< the same, or the fewest that the method can draw
     std::size_t framesAbove = 0; ///< with more triangles than allowed
     double leastShare = 1.0;     ///< of the ceiling that a frame used, at least
     double trueErrorPx = 0.0;

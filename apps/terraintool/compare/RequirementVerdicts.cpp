@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "terraintool/compare/FigureText.h"
+#include "measurement/HtmlPage.h"
 #include "terraintool/compare/Verdicts.h"
 
 namespace terraintool
@@ -11,6 +11,8 @@ namespace terraintool
 
 namespace
 {
+
+using measurement::figureText;
 
 constexpr double kMostTimesFewest = 1.15;      // R1
 constexpr double kSpikeTrianglesPerLevel = 32; // R3, of log2 of the side
@@ -36,49 +38,57 @@ double fewestTriangles(const DemComparison& dem)
 RequirementVerdict noRedundancy(const MethodFigures& m, double fewest)
 {
     return {"R1", m.name, met(m.triangles <= kMostTimesFewest * fewest),
-            number(m.triangles / fewest) + " times the triangles of the method with the fewest"};
+            figureText(m.triangles / fewest) + " times the triangles of the method with the fewest"};
 }
 
 RequirementVerdict noBreaks(const MethodFigures& m)
 {
-    return {"R2", m.name, met(m.breaks == 0), number(m.breaks) + " T-junctions and cracks"};
+    return {"R2", m.name, met(m.breaks == 0),
+            figureText(static_cast<double>(m.breaks)) + " T-junctions and cracks"};
 }
 
 RequirementVerdict localFeatures(const MethodFigures& m)
 {
     const double most = kSpikeTrianglesPerLevel * std::log2(m.sideSamples);
     return {"R3", m.name, met(m.spikeTriangles <= most),
-            "a spike adds " + number(m.spikeTriangles) + " triangles, " + number(most) + " are allowed"};
+            "a spike adds " + figureText(m.spikeTriangles) + " triangles, " + figureText(most) +
+                " are allowed"};
 }
 
 RequirementVerdict steadyTime(const MethodFigures& m)
 {
     return {"R4", m.name, met(m.adaptUsP99 <= kMostTimesMedian * m.adaptUsP50),
-            "the 99th percentile is " + number(m.adaptUsP99 / m.adaptUsP50) + " times the median"};
+            "the 99th percentile is " + figureText(m.adaptUsP99 / m.adaptUsP50) + " times the median"};
 }
 
 RequirementVerdict longStrips(const MethodFigures& m)
 {
     if (!m.transformsPerTriangle) return {"R5", m.name, "not measured", "triangles share no vertices"};
     return {"R5", m.name, met(*m.transformsPerTriangle <= kMostTransforms),
-            number(*m.transformsPerTriangle) + " vertices transformed a triangle"};
+            figureText(*m.transformsPerTriangle) + " vertices transformed a triangle"};
 }
 
 RequirementVerdict smallChanges(const MethodFigures& m)
 {
     return {"R6", m.name, met(m.changedPercent <= kMostChangedPercent && m.popPx <= kMostPopPx),
-            number(m.changedPercent) + " % of the triangles change in a frame, the surface by up to " +
-                number(m.popPx) + " px"};
+            figureText(m.changedPercent) + " % of the triangles change in a frame, the surface by up to " +
+                figureText(m.popPx) + " px"};
 }
 
 RequirementVerdict knownComplexity(const MethodFigures& m)
 {
     if (!m.ceiling) return {"R7", m.name, "not met", "takes no number of triangles"};
+    if (m.ceiling->ceiling > m.ceiling->asked)
+        return {"R7", m.name, "not met",
+                "draws no fewer than " + figureText(m.ceiling->ceiling) + " triangles, " +
+                    figureText(m.ceiling->asked) + " were asked; true error " +
+                    figureText(m.ceiling->trueErrorPx) + " px"};
     const bool isMet = m.ceiling->framesAbove == 0 && m.ceiling->leastShare >= kLeastOfCeiling;
     return {"R7", m.name, met(isMet),
-            "of " + number(m.ceiling->ceiling) + " triangles at least " +
-                number(100.0 * m.ceiling->leastShare) + " % used, " + number(m.ceiling->framesAbove) +
-                " frames above; true error " + number(m.ceiling->trueErrorPx) + " px"};
+            "of " + figureText(m.ceiling->ceiling) + " triangles at least " +
+                figureText(100.0 * m.ceiling->leastShare) + " % used, " +
+                figureText(static_cast<double>(m.ceiling->framesAbove)) + " frames above; true error " +
+                figureText(m.ceiling->trueErrorPx) + " px"};
 }
 
 RequirementVerdict alwaysValid(const MethodFigures& m)
@@ -86,8 +96,9 @@ RequirementVerdict alwaysValid(const MethodFigures& m)
     if (!m.slices) return {"R8", m.name, "not met", "does not stop in time"};
     if (m.slices->stops == 0) return {"R8", m.name, "not measured", "no frame had to stop"};
     return {"R8", m.name, met(m.slices->faults == 0),
-            number(m.slices->stops) + " frames stopped before their work was done, " +
-                number(m.slices->faults) + " left a mesh that is not valid"};
+            figureText(static_cast<double>(m.slices->stops)) +
+                " frames stopped before their work was done, " +
+                figureText(static_cast<double>(m.slices->faults)) + " left a mesh that is not valid"};
 }
 
 } // namespace

@@ -1,41 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "view/HtmlReport.h"
 
-#include <cstdio>
-
 #include <foundation/WholeFile.h>
 
+#include "measurement/HtmlPage.h"
 #include "measurement/SvgPlot.h"
 
 namespace trainer
 {
 
 using measurement::escapedMarkup;
+using measurement::figureText;
 using measurement::PlotSeries;
 using measurement::svgPlot;
 
 namespace
 {
-
-const char* const kStyle = R"(<style>
-body { font: 16px/1.5 system-ui, sans-serif; max-width: 60rem; margin: 2rem auto; padding: 0 1rem; color: #1b2733; background: #fff }
-h1 { font-size: 1.6rem } h2 { font-size: 1.15rem; margin-top: 2rem }
-table { border-collapse: collapse } td, th { padding: .2rem .8rem .2rem 0; text-align: left; vertical-align: top }
-td.number, th.number { text-align: right; font-variant-numeric: tabular-nums }
-tr + tr td { border-top: 1px solid #dde3e8 }
-img, video, svg { width: 100%; height: auto; margin: .5rem 0 }
-svg text { font: 11px system-ui, sans-serif; fill: #44525e } svg g text { fill: inherit }
-svg .grid { stroke: #dde3e8; stroke-width: 1 } svg polyline { stroke-width: 1.4; stroke-linejoin: round }
-</style>
-)";
-
-std::string number(double value)
-{
-    char text[48];
-    std::snprintf(text, sizeof text, "%.4g", value);
-    if (value >= 1000.0) std::snprintf(text, sizeof text, "%.0f", value);
-    return text;
-}
 
 std::string factsTable(const ReportContent& content)
 {
@@ -55,7 +35,7 @@ std::string summaryTable(const std::vector<FrameStatistics>& frames)
         const ColumnSummary summary = summaryOf(frames, column);
         html += "<tr><td>" + std::string(column.name) + (column.isMeasured ? " (measured)" : "") + "</td>";
         for (const double value : {summary.first, summary.median, summary.p99, summary.largest})
-            html += "<td class=\"number\">" + number(value) + "</td>";
+            html += "<td class=\"number\">" + figureText(value) + "</td>";
         html += "</tr>\n";
     }
     return html + "</table>\n";
@@ -133,11 +113,7 @@ std::string plots(const std::vector<FrameStatistics>& frames)
 
 std::string reportHtml(const ReportContent& content, const std::vector<FrameStatistics>& frames)
 {
-    const std::string title = escapedMarkup(content.title);
-    std::string html = "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-                       "<meta name=\"viewport\" content=\"width=device-width\">\n<title>" +
-                       title + "</title>\n" + kStyle + "</head>\n<body>\n<h1>" + title + "</h1>\n" +
-                       factsTable(content);
+    std::string html = factsTable(content);
     if (!content.video.empty())
         html += "<video controls loop muted src=\"" + escapedMarkup(content.video) + "\"></video>\n";
     if (!content.contactSheet.empty())
@@ -145,7 +121,7 @@ std::string reportHtml(const ReportContent& content, const std::vector<FrameStat
                 escapedMarkup(content.contactSheet) + "\">\n";
     html += "<h2>Figures</h2>\n" + summaryTable(frames) + "<h2>Over time</h2>\n" + plots(frames);
     if (!frames.empty() && frames.front().objects) html += methodsTable(frames);
-    return html + "</body>\n</html>\n";
+    return measurement::htmlPage(content.title, html);
 }
 
 foundation::Outcome writeReport(const ReportContent& content, const std::vector<FrameStatistics>& frames,

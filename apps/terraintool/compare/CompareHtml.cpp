@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "terraintool/compare/CompareHtml.h"
+
+#include <array>
+#include <functional>
+
+#include "measurement/HtmlPage.h"
+#include "measurement/SvgPlot.h"
+#include "terraintool/compare/Verdicts.h"
+
+namespace terraintool
+{
+
+namespace
+{
+
+using measurement::escapedMarkup;
+using measurement::figureText;
+
+constexpr std::array kColours{"#1f6feb", "#0a7d4f", "#b4451f", "#7a3fb0", "#7a5c00", "#00738a", "#c02a4a"};
+
+/// A column of the table of figures.
+struct Column
+{
+    const char* title;
+    std::function<std::string(const MethodFigures&)> text;
+};
+
+std::string orNone(const std::optional<double>& value)
+{
+    return value ? figureText(*value) : "–";
+}
+
+const std::vector<Column>& columns()
+{
+    static const std::vector<Column> all{
+        {"triangles", [](const MethodFigures& m) { return figureText(m.triangles); }},
+        {"true error, px", [](const MethodFigures& m) { return figureText(m.trueErrorPx); }},
+        {"own tolerance, px", [](const MethodFigures& m) { return figureText(m.tolerancePx); }},
+        {"error at ROAM's triangles, px", [](const MethodFigures& m)
+         { return orNone(m.ceiling ? std::optional(m.ceiling->trueErrorPx) : std::nullopt); }},
+        {"adaptation, µs", [](const MethodFigures& m) { return figureText(m.adaptUsP50); }},
+        {"99 %", [](const MethodFigures& m) { return figureText(m.adaptUsP99); }},
+        {"worst", [](const MethodFigures& m) { return figureText(m.adaptUsMax); }},
+        {"changed, %", [](const MethodFigures& m) { return figureText(m.changedPercent); }},
+        {"pop, px", [](const MethodFigures& m) { return figureText(m.popPx); }},
+        {"transforms a triangle", [](const MethodFigures& m) { return orNone(m.transformsPerTriangle); }},
+        {"memory, MB", [](const MethodFigures& m) { return figureText(m.memoryMB); }},
+        {"preparation, s", [](const MethodFigures& m) { return figureText(m.preparationS); }}};
+    return all;
+}
+
+std::string figuresTable(const DemComparison& dem)
+{
+    std::string html = "<table>\n<tr><th>method</th>";
+    for (const Column& column : columns())
+        html += std::string("<th class=\"number\">") + column.title + "</th>";
+    html += "</tr>\n";
+    for (const MethodFigures& m : dem.methods)
+    {
+        html += "<tr><td>" + escapedMarkup(m.name) + "</td>";
+        for (const Column& column : columns())
+            html += "<td class=\"number\">" + column.text(m) + "</td>";
+        html += "</tr>\n";
+    }
+    return html + "</table>\n";
+}
+
+std::string requirementsTable(const DemComparison& dem)
+{
+    std::string html = "<table>\n<tr><th></th><th>method</th><th>verdict</th><th>figure</th></tr>\n";
+    for (const RequirementVerdict& v : requirementVerdicts(dem))
+        html += "<tr><td>" + v.requirement + "</td><td>" + escapedMarkup(v.method) + "</td><td>" + v.verdict +
+                "</td><td>" + escapedMarkup(v.figure) + "</td></tr>\n";
+    return html + "</table>\n";
+}
+
+std::string claimsTable(const std::vector<DemComparison>& dems)
+{
+    std::string html = "<table>\n<tr><th>claim</th><th>verdict</th><th>figure</th></tr>\n";
+    for (const ClaimVerdict& v : claimVerdicts(dems))
+        html += "<tr><td>" + escapedMarkup(v.claim) + "</td><td>" + v.verdict + "</td><td>" +
+                escapedMarkup(v.figure) + "</td></tr>\n";
+    return html + "</table>\n";
+}
+
+/// Plots one list of figures of each method over the frames.
+std::string plotOf(const DemComparison& dem, const char* title, std::vector<double> MethodFigures::*values)
+{
+    measurement::Plot plot{title, "frame", {}, {}};
+    for (const MethodFigures& m : dem.methods)
+    {
+        plot.series.push_back({m.name, kColours[plot.series.size() % kColours.size()], m.*values});
+        for (std::size_t frame = plot.x.size(); frame < (m.*values).size(); ++frame)
+            plot.x.push_back(static_cast<double>(frame + 1));
+    }
+    return measurement::svgPlot(plot);
+}
+
+} // namespace
+
+std::string comparisonHtml(const std::vector<DemComparison>& dems)
+{
+    std::string html = "<h2>Claims of the paper</h2>\n" + claimsTable(dems);
+    for (const DemComparison& dem : dems)
+        html += "<h2>" + escapedMarkup(dem.dem) + "</h2>\n" + figuresTable(dem) +
+                plotOf(dem, "Triangles", &MethodFigures::frameTriangles) +
+                plotOf(dem, "Adaptation, µs", &MethodFigures::frameUs) + requirementsTable(dem);
+    return measurement::htmlPage("Methods of level of detail at equal true error", html);
+}
+
+} // namespace terraintool
