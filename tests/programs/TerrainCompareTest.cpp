@@ -48,6 +48,32 @@ TEST(TerrainCompare, MeetsTheSameTrueErrorByAllMethods)
         EXPECT_NEAR(m.trueErrorPx, kErrorPx, (m.isOfBlocks ? 0.1 : 0.03) * kErrorPx) << m.name;
 }
 
+/// A mesh with one error whatever is asked.
+class ConstantError final : public RivalMesh
+{
+public:
+    explicit ConstantError(std::shared_ptr<const RoamTile> tile) : _mesh(std::move(tile)) {}
+    RefineResult refine(const viewlod::ViewState&, const viewlod::Budget&) override
+    {
+        return _mesh.refine(1e-9);
+    }
+    DrawnMesh drawn() const override { return _mesh.drawn(); }
+    std::optional<double> transformsPerTriangle() const override { return std::nullopt; }
+    bool isValid() const override { return true; }
+    std::size_t memoryBytes() const override { return 0; }
+
+private:
+    RoamMesh _mesh;
+};
+
+TEST(TerrainCompare, TakesTheGreatestToleranceOfThoseWithTheSameError)
+{
+    const auto tile = testsupport::planarTile(testsupport::hills(65, 65));
+    Rival rival;
+    rival.newMesh = [&] { return std::make_unique<ConstantError>(tile); };
+    EXPECT_GT(toleranceForError(rival, *tile, shortFlight(tile->tile).value()), kErrorPx);
+}
+
 TEST(TerrainCompare, FindsPlausibleFigures)
 {
     const DemComparison& hills = overHills()[0];

@@ -38,7 +38,7 @@ public:
     bool isBeyond(double tolerancePx, double errorPx)
     {
         const double off = errorPx > 0.0 ? std::abs(std::log(errorPx / _wantedPx)) : _off;
-        if (off < _off)
+        if (off < _off || (off == _off && tolerancePx > _tolerancePx)) // fewer triangles for the same error
         {
             _off = off;
             _tolerancePx = tolerancePx;
