@@ -29,10 +29,10 @@ protected:
         const std::string script = place.write("desk.keys", "osgtrainer-keys 1\n" + keys + "0.6 tap F12\n");
         const std::string line =
             before + " " + OSGTRAINER_TRAINER + " fly --no-world --aircraft " + kSeatAircraft +
-            " --mute --interior off --shadows off --tolerance 8 --keys " + script + " --pictures " +
-            path("") + " --record-inputs " + path("in.txt") + " --csv_logger " + path("in.csv") +
-            " --size 240x136 --samples 1 " + more + " --window & p=$!; shot() { n=0; while [ ! -s " +
-            path("picture-") +
+            " --mute --interior off --shadows off --quality low --tolerance 8 --keys " + script +
+            " --pictures " + path("") + " --record-inputs " + path("in.txt") + " --csv_logger " +
+            path("in.csv") + " --size 240x136 --samples 1 " + more +
+            " --window & p=$!; shot() { n=0; while [ ! -s " + path("picture-") +
             "$1.png ] && [ $n -lt 2400 ]; do n=$((n+1)); sleep 0.1; done; sleep 0.3; }; "
             "shot 1; w=$(xdotool search --onlyvisible --name '^trainer$' | head -n 1); " +
             deeds + "; wait $p";

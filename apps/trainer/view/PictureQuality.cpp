@@ -6,6 +6,12 @@
 namespace trainer
 {
 
+void PictureQuality::beginCoarse()
+{
+    if (_choosesQuality) _quality = Quality::low;
+    if (_choosesTolerance) _tolerancePx = kMost * _askedPx;
+}
+
 bool PictureQuality::add(double pictureMs)
 {
     if (++_count == 0) return false;

@@ -27,6 +27,9 @@ public:
     {
     }
 
+    /// Begins with what it would come to in the end where pictures are slow, of what may change.
+    void beginCoarse();
+
     /// Takes the time of a picture. Returns whether the tolerance or the quality has changed.
     bool add(double pictureMs);
 

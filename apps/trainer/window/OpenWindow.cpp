@@ -155,8 +155,7 @@ foundation::Outcome checkGl(const std::string& version)
 
 } // namespace
 
-foundation::Result<osg::ref_ptr<osgViewer::GraphicsWindow>> openWindow(const WindowRequest& request,
-                                                                       const FrameRequest& frames)
+foundation::Result<OpenedWindow> openWindow(const WindowRequest& request, const FrameRequest& frames)
 {
     const QuietNotices quiet;
     const osg::ref_ptr<Traits> traits = traitsOf(request, frames);
@@ -177,7 +176,7 @@ foundation::Result<osg::ref_ptr<osgViewer::GraphicsWindow>> openWindow(const Win
         return foundation::Error{kPlace, "the display has no OpenGL for windows",
                                  "use one with GLX, try --samples 1, or leave --window out"};
     if (const auto recent = checkGl(driver.version); !recent) return recent.error();
-    return window;
+    return OpenedWindow{window, osgOffscreen::drawsOnProcessor(driver.renderer)};
 }
 
 } // namespace trainer

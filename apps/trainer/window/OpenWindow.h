@@ -10,9 +10,15 @@
 namespace trainer
 {
 
+/// A window, and whether its driver draws on the processor, without a GPU.
+struct OpenedWindow
+{
+    osg::ref_ptr<osgViewer::GraphicsWindow> window;
+    bool drawsOnProcessor = false;
+};
+
 /// Opens a window that OpenGL draws into; not current in any thread.
 /// Errors: no display, no such screen, no OpenGL for windows there, an OpenGL too old.
-foundation::Result<osg::ref_ptr<osgViewer::GraphicsWindow>> openWindow(const WindowRequest& request,
-                                                                       const FrameRequest& frames);
+foundation::Result<OpenedWindow> openWindow(const WindowRequest& request, const FrameRequest& frames);
 
 } // namespace trainer

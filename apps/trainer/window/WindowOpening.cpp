@@ -56,7 +56,8 @@ foundation::Outcome WindowSession::open(simulation::Scenario scenario, SceneTerr
     // Before the work of a scene, so that a machine without a display hears of it at once.
     auto window = openWindow(_request.window, _request.frames);
     if (!window) return window.error();
-    _window = *window;
+    _window = window->window;
+    if (window->drawsOnProcessor) beginCoarse();
     _loss = std::make_unique<WindowLoss>(*_window, [this] { (void)_files.finish(_ride.motion.get()); });
     _watch = std::make_unique<WindowWatch>(*_window);
     _injected = std::make_unique<InjectedEvents>(_window, std::move(script), _vehicle);
@@ -77,6 +78,14 @@ foundation::Outcome WindowSession::open(simulation::Scenario scenario, SceneTerr
     for (const std::string& note : _play.notes())
         std::cout << "note: " << note << '\n';
     return openPictures();
+}
+
+/// Where a processor draws, pictures are too slow nearly everywhere unless they leave out what they may: they begin so.
+void WindowSession::beginCoarse()
+{
+    _quality.beginCoarse();
+    _request.frames.quality = _quality.quality();
+    _request.terrain.errorTolerancePx = _quality.tolerancePx();
 }
 
 foundation::Outcome WindowSession::openPictures()

@@ -53,6 +53,7 @@ public:
 private:
     WindowSession(const PlayRequest& request, RideMaker* maker, const std::filesystem::path& recordInputs);
     foundation::Outcome open(simulation::Scenario scenario, SceneTerrain terrain);
+    void beginCoarse();
     foundation::Outcome openPictures();
     double wallS() const;
     void injectEvents(double wallS);

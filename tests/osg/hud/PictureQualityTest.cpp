@@ -73,9 +73,22 @@ TEST(PictureQuality, DoesNotWaitForTenPicturesWhereThreeAreTooSlow)
     EXPECT_EQ(quality.quality(), Quality::medium);
 }
 
+TEST(PictureQuality, BeginsCoarseAndGrowsFinerWherePicturesAreQuick)
+{
+    PictureQuality quality(1.0, true, Quality::high, true);
+    quality.beginCoarse();
+    EXPECT_EQ(quality.quality(), Quality::low);
+    EXPECT_EQ(quality.tolerancePx(), 4.0);
+    EXPECT_EQ(add(quality, 100, 60.0), 0);
+    add(quality, 400, 10.0);
+    EXPECT_EQ(quality.quality(), Quality::high);
+    EXPECT_EQ(quality.tolerancePx(), 1.0);
+}
+
 TEST(PictureQuality, KeepsWhatWasAskedFor)
 {
     PictureQuality quality(1.0, false, Quality::high, false);
+    quality.beginCoarse();
     EXPECT_EQ(add(quality, 200, 500.0) + add(quality, 200, 5.0), 0);
     EXPECT_EQ(quality.quality(), Quality::high);
 }
