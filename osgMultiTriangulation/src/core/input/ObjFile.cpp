@@ -5,6 +5,7 @@
 
 #include <osgMultiTriangulation/core/input/TinFile.h>
 
+#include "CountedSink.h"
 #include "TinCollector.h"
 
 namespace osgMultiTriangulation::core
@@ -38,24 +39,12 @@ public:
             if (const auto taken = take(text.substr(0, end)); !taken) return taken.error();
             text.remove_prefix(std::min(end + 1, text.size()));
         }
-        if (_counts.triangles == 0)
+        if (_sink.triangles() == 0)
             return foundation::Error{_name, "has no faces", "give a surface of triangles"};
         return foundation::success();
     }
 
 private:
-    void addPoint(const MeasuredPoint& point)
-    {
-        _sink.add(point);
-        ++_counts.points;
-    }
-
-    void addTriangle(const Triangle& triangle)
-    {
-        _sink.add(triangle);
-        ++_counts.triangles;
-    }
-
     foundation::Outcome take(std::string_view line)
     {
         const std::string_view keyword = wordOf(line);
@@ -75,7 +64,7 @@ private:
             if (failed != std::errc() || end != word.data() + word.size() || !std::isfinite(value))
                 return failure("has a vertex without three numbers");
         }
-        addPoint(point);
+        _sink.add(point);
         return foundation::success();
     }
 
@@ -88,7 +77,7 @@ private:
             const auto corner = cornerOf(word);
             if (!corner) return failure("has a face with a vertex that is not there");
             if (corners == 0) first = *corner;
-            if (corners >= 2) addTriangle(Triangle{first, before, *corner});
+            if (corners >= 2) _sink.add(Triangle{first, before, *corner});
             before = *corner;
             ++corners;
         }
@@ -102,7 +91,7 @@ private:
         word = word.substr(0, word.find('/'));
         std::int64_t number = 0;
         const auto [end, failed] = std::from_chars(word.data(), word.data() + word.size(), number);
-        const auto count = static_cast<std::int64_t>(_counts.points);
+        const auto count = static_cast<std::int64_t>(_sink.points());
         if (failed != std::errc() || end != word.data() + word.size()) return std::nullopt;
         const std::int64_t place = number < 0 ? count + number : number - 1;
         if (place < 0 || place >= count) return std::nullopt;
@@ -116,8 +105,7 @@ private:
 
     std::string _name;
     std::size_t _line = 0;
-    TinSink& _sink;
-    TinCounts _counts;
+    CountedSink _sink;
 };
 
 } // namespace

@@ -10,6 +10,7 @@
 
 #include <osgMultiTriangulation/core/input/TinFile.h>
 
+#include "CountedSink.h"
 #include "TinCollector.h"
 
 namespace osgMultiTriangulation::core
@@ -152,23 +153,11 @@ public:
             for (std::size_t item = 0; item < element.count; ++item)
                 if (const auto taken = takeItem(values, element, item); !taken) return taken.error();
         }
-        if (_counts.triangles == 0) return failure("has no faces");
+        if (_sink.triangles() == 0) return failure("has no faces");
         return foundation::success();
     }
 
 private:
-    void addPoint(const MeasuredPoint& point)
-    {
-        _sink.add(point);
-        ++_counts.points;
-    }
-
-    void addTriangle(const Triangle& triangle)
-    {
-        _sink.add(triangle);
-        ++_counts.triangles;
-    }
-
     foundation::Outcome readHeader()
     {
         std::string line;
@@ -255,7 +244,7 @@ private:
             for (std::size_t axis = 0; axis < 3; ++axis)
                 if (property.name.size() == 1 && property.name[0] == "xyz"[axis]) point[axis] = value;
         }
-        if (element.name == "vertex") addPoint(point);
+        if (element.name == "vertex") _sink.add(point);
         return foundation::success();
     }
 
@@ -268,10 +257,10 @@ private:
             double value = 0.0;
             if (!values.take(property.type, value)) return false;
             if (!isFace) continue;
-            if (!(value >= 0.0 && value < static_cast<double>(_counts.points))) return false;
+            if (!(value >= 0.0 && value < static_cast<double>(_sink.points()))) return false;
             fan[2] = static_cast<std::uint32_t>(value);
             if (i == 0.0) fan[0] = fan[2];
-            if (i >= 2.0) addTriangle(fan);
+            if (i >= 2.0) _sink.add(fan);
             fan[1] = fan[2];
         }
         return true;
@@ -286,8 +275,7 @@ private:
     std::string _name;
     PlyValues::Form _form = PlyValues::Form::text;
     std::vector<PlyElement> _elements;
-    TinSink& _sink;
-    TinCounts _counts;
+    CountedSink _sink;
 };
 
 } // namespace

@@ -15,10 +15,4 @@ struct TinCollector : TinSink
     MeasuredTin tin;
 };
 
-/// What a reader has given to its sink so far.
-struct TinCounts
-{
-    std::uint64_t points = 0, triangles = 0;
-};
-
 } // namespace osgMultiTriangulation::core
