@@ -157,8 +157,8 @@ struct WindowRequest
     bool byKeys = false; ///< a test aid: the autopilot or driver presses the keys of a person
     HudUnits units = HudUnits::usual;
     bool choosesSamples = true;   ///< none was asked for: one where a processor draws
-    bool choosesQuality = true;   ///< none was asked for: as pictures are quick
-    bool choosesTolerance = true; ///< none was asked for: as pictures are quick
+    bool choosesQuality = true;   ///< none was asked for, nothing is captured: as pictures are quick
+    bool choosesTolerance = true; ///< none was asked for, nothing is captured: as pictures are quick
     double pictureS = 0.0;        ///< a test aid: each picture counts as so long; 0: the wall clock
 };
 

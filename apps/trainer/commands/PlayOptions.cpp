@@ -249,8 +249,10 @@ foundation::Outcome PlayOptions::complete()
     if (const auto placed = placeFreeEye(); !placed) return placed;
     if (const auto placed = placeWindow(); !placed) return placed;
     request.window.choosesSamples = _samples->count() == 0;
-    request.window.choosesQuality = _quality->count() == 0;
-    request.window.choosesTolerance = _tolerance->count() == 0;
+    // Captured pictures are the same bytes in every run, so the clock has no say in them.
+    const bool isCaptured = !request.output.captureFolder.empty();
+    request.window.choosesQuality = _quality->count() == 0 && !isCaptured;
+    request.window.choosesTolerance = _tolerance->count() == 0 && !isCaptured;
     if (_tolerance->count() == 0) request.terrain.errorTolerancePx = rulesOf(frames.quality).tolerancePx;
     if (frames.isInside() && frames.eyeHeightM.value_or(0.0) > kHighestDriverM)
         return foundation::Error{"--eye-height", "no driver's eye is higher than 10 m",
