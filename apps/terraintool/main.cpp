@@ -76,6 +76,7 @@ int run(int argc, char** argv)
         ->check(CLI::IsMember({"wheel", "walk", "queue", "scratch"}));
     terraintool::addCompare(app, jsonFile, command);
     terraintool::addMtBuild(app, jsonFile, command);
+    terraintool::addMtJobs(app, jsonFile, command);
     terraintool::addMtBench(app, jsonFile, command);
     terraintool::addMtFly(app, jsonFile, command);
     if (const auto ends = terminal::parse(app, argc, argv)) return *ends;

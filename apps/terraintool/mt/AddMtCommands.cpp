@@ -7,27 +7,68 @@
 namespace terraintool
 {
 
+namespace
+{
+
+/// Declares what a build is made of: inputs, memory, rectangles.
+void addSurfaceOptions(CLI::App& app, MtBuildRequest& request)
+{
+    app.add_option("INPUT", request.inputs, "rasters, files of points, or a TIN")->required();
+    app.add_option("--memory", request.memoryMb, "MB that the build may take")
+        ->check(terminal::between(1.0, 1e7));
+    app.add_option("--trees", request.options.treeCount, "rectangles; without it: balanced")
+        ->check(CLI::Range(1u, 1'000'000u));
+    app.add_flag_callback(
+        "--median", [&request] { request.options.where = osgMultiTriangulation::core::SplitAt::median; },
+        "halve rectangles at the median");
+    app.add_option("--spacing", request.import.spacingM, "metres between samples without georeference")
+        ->check(terminal::between(0.001, 1e5));
+}
+
+} // namespace
+
+void addMtBuildOptions(CLI::App& app, MtBuildRequest& request, std::filesystem::path& jsonFile)
+{
+    addSurfaceOptions(app, request);
+    app.add_option("-o,--output", request.output, "the file to write")
+        ->required()
+        ->check(terminal::extension(".mt"));
+    app.add_option("--json", jsonFile, "also write the table to this file");
+}
+
 void addMtBuild(CLI::App& app, std::filesystem::path& jsonFile, Command& command)
 {
     CLI::App* sub = app.add_subcommand("mt-build", "build a multi-triangulation, a .mt file");
     const auto request = std::make_shared<MtBuildRequest>();
     request->options.jobs = std::max(1u, std::thread::hardware_concurrency());
-    sub->add_option("INPUT", request->inputs, "rasters, files of points, or a TIN")->required();
-    sub->add_option("-o,--output", request->output, "the file to write")
+    addMtBuildOptions(*sub, *request, jsonFile);
+    sub->add_option("--jobs", request->options.jobs, "threads")->check(CLI::Range(1u, 1024u));
+    sub->callback([request, &command] { command = [request](const Request&) { return buildMt(*request); }; });
+}
+
+void addMtJobs(CLI::App& app, std::filesystem::path& jsonFile, Command& command)
+{
+    CLI::App* plan = app.add_subcommand("mt-plan", "cut a build into jobs, for many processes");
+    const auto build = std::make_shared<MtBuildRequest>();
+    addSurfaceOptions(*plan, *build);
+    plan->add_option("-o,--output", build->output, "the folder of the jobs")->required();
+    plan->add_option("--json", jsonFile, "also write the table to this file");
+    plan->callback([build, &command] { command = [build](const Request&) { return planMt(*build); }; });
+
+    CLI::App* job = app.add_subcommand("mt-job", "do jobs of a plan");
+    const auto request = std::make_shared<MtJobRequest>();
+    job->add_option("FOLDER", request->folder, "of mt-plan")->required()->check(CLI::ExistingDirectory);
+    job->add_option("JOB", request->jobs, "numbers of jobs")->required();
+    job->callback([request, &command]
+                  { command = [request](const Request&) { return doMtJobs(*request); }; });
+
+    CLI::App* join = app.add_subcommand("mt-join", "write the .mt file of a plan whose jobs are done");
+    join->add_option("FOLDER", request->folder, "of mt-plan")->required()->check(CLI::ExistingDirectory);
+    join->add_option("-o,--output", request->output, "the file to write")
         ->required()
         ->check(terminal::extension(".mt"));
-    sub->add_option("--memory", request->memoryMb, "MB that the build may take")
-        ->check(terminal::between(1.0, 1e7));
-    sub->add_option("--jobs", request->options.jobs, "threads")->check(CLI::Range(1u, 1024u));
-    sub->add_option("--trees", request->options.treeCount, "rectangles; without it: balanced")
-        ->check(CLI::Range(1u, 1'000'000u));
-    sub->add_flag_callback(
-        "--median", [request] { request->options.where = osgMultiTriangulation::core::SplitAt::median; },
-        "halve rectangles at the median");
-    sub->add_option("--spacing", request->import.spacingM, "metres between samples without georeference")
-        ->check(terminal::between(0.001, 1e5));
-    sub->add_option("--json", jsonFile, "also write the table to this file");
-    sub->callback([request, &command] { command = [request](const Request&) { return buildMt(*request); }; });
+    join->add_option("--json", jsonFile, "also write the table to this file");
+    join->callback([request, &command] { command = [request](const Request&) { return joinMt(*request); }; });
 }
 
 void addMtBench(CLI::App& app, std::filesystem::path& jsonFile, Command& command)

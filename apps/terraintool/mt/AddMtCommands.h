@@ -10,8 +10,12 @@
 namespace terraintool
 {
 
-/// Declares `mt-build`, `mt-bench` and `mt-fly`. When one is asked for, `command` does it.
+/// Declares the options of mt-build but for its threads.
+void addMtBuildOptions(CLI::App& app, MtBuildRequest& request, std::filesystem::path& jsonFile);
+
+/// Declares `mt-build`; `mt-plan`, `mt-job` and `mt-join`; `mt-bench`; `mt-fly`. When one is asked for, `command` does it.
 void addMtBuild(CLI::App& app, std::filesystem::path& jsonFile, Command& command);
+void addMtJobs(CLI::App& app, std::filesystem::path& jsonFile, Command& command);
 void addMtBench(CLI::App& app, std::filesystem::path& jsonFile, Command& command);
 void addMtFly(CLI::App& app, std::filesystem::path& jsonFile, Command& command);
 

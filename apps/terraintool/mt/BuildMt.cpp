@@ -13,6 +13,7 @@
 
 #include "terraintool/mt/BuildProgress.h"
 #include "terraintool/mt/MtRequest.h"
+#include "terraintool/mt/ReadSurface.h"
 
 namespace terraintool
 {
@@ -21,13 +22,6 @@ namespace
 {
 
 using namespace osgMultiTriangulation::core;
-
-/// A surface with the place of its lattice.
-struct PlacedSurface
-{
-    SurfaceMesh mesh;
-    PlanFrame frame;
-};
 
 foundation::Result<PlacedSurface> readRasters(const MtBuildRequest& request)
 {
@@ -71,13 +65,22 @@ foundation::Result<PlacedSurface> readTin(const MtBuildRequest& request)
     return PlacedSurface{std::move(placed->mesh), placed->frame};
 }
 
-foundation::Result<PlacedSurface> readSurface(const MtBuildRequest& request)
+foundation::Result<PlacedSurface> readUnchecked(const MtBuildRequest& request)
 {
     if (isTinFile(request.inputs[0])) return readTin(request);
     return isPointFile(request.inputs[0]) ? readPoints(request) : readRasters(request);
 }
 
 } // namespace
+
+foundation::Result<PlacedSurface> readSurface(const MtBuildRequest& request)
+{
+    auto surface = readUnchecked(request);
+    if (!surface) return surface;
+    if (const auto fault = checkInput(surface->mesh))
+        return foundation::Error{request.inputs[0].string(), *fault, "repair the input"};
+    return surface;
+}
 
 bool isPointFile(const std::filesystem::path& file)
 {
@@ -110,8 +113,6 @@ foundation::Result<terminal::Report> buildMt(const MtBuildRequest& request)
     if (request.memoryMb > 0.0) return buildMtWithin(request);
     const auto surface = readSurface(request);
     if (!surface) return surface.error();
-    if (const auto fault = checkInput(surface->mesh))
-        return foundation::Error{request.inputs[0].string(), *fault, "repair the input"};
     BuildProgress progress(request);
     const auto built = buildMtFile(surface->mesh, surface->frame, progress.options(), request.output);
     progress.end();

@@ -9,6 +9,7 @@
 #include <osgTerrainROAM/core/heightfield/DemRows.h>
 
 #include "terraintool/mt/BuildProgress.h"
+#include "terraintool/mt/ReadSurface.h"
 #include "terraintool/mt/SpoolFolder.h"
 
 namespace terraintool
@@ -57,24 +58,45 @@ foundation::Result<PlanFrame> spoolInput(const MtBuildRequest& request, SurfaceS
     return input->frame;
 }
 
+/// Reads the surface at once, checks it, and puts it into a spool.
+foundation::Result<PlanFrame> spoolAtOnce(const MtBuildRequest& request, SurfaceSpool& spool)
+{
+    const auto surface = readSurface(request);
+    if (!surface) return surface.error();
+    for (const SurfacePoint& point : surface->mesh.points)
+        spool.addPoint(point);
+    for (const Triangle& triangle : surface->mesh.triangles)
+        spool.addTriangle(triangle);
+    return surface->frame;
+}
+
 } // namespace
+
+foundation::Result<SpooledSurface> spoolSurface(const MtBuildRequest& request,
+                                                const std::filesystem::path& folder)
+{
+    auto spool = SurfaceSpool::create(folder);
+    if (!spool) return spool.error();
+    const auto frame = request.memoryMb > 0.0 ? spoolInput(request, *spool) : spoolAtOnce(request, *spool);
+    if (!frame) return frame.error();
+    if (const auto whole = spool->finish(); !whole) return whole.error();
+    if (spool->triangles().size() == 0)
+        return foundation::Error{request.inputs[0].string(), "has no triangle", "give a surface"};
+    return SpooledSurface{std::move(*spool), *frame};
+}
 
 foundation::Result<terminal::Report> buildMtWithin(const MtBuildRequest& request)
 {
     keepHeapSmall();
     const SpoolFolder folder(request.output);
-    auto spool = SurfaceSpool::create(folder.path());
-    if (!spool) return spool.error();
-    const auto frame = spoolInput(request, *spool);
-    if (!frame) return frame.error();
-    if (const auto whole = spool->finish(); !whole) return whole.error();
-    if (spool->triangles().size() == 0)
-        return foundation::Error{request.inputs[0].string(), "has no triangle", "give a surface"};
+    const auto surface = spoolSurface(request, folder.path());
+    if (!surface) return surface.error();
     BuildProgress progress(request);
-    const auto built = buildMtFile(*spool, *frame, progress.options(), request.memoryMb, request.output);
+    const auto built =
+        buildMtFile(surface->spool, surface->frame, progress.options(), request.memoryMb, request.output);
     progress.end();
     if (!built) return built.error();
-    return reportOfBuild(request, spool->points().size(), spool->triangles().size(), *built);
+    return reportOfBuild(request, surface->spool.points().size(), surface->spool.triangles().size(), *built);
 }
 
 } // namespace terraintool

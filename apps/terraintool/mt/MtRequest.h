@@ -24,6 +24,14 @@ struct MtBuildRequest
     double memoryMb = 0.0; ///< 0: no limit
 };
 
+/// What the command lines of mt-job and mt-join ask for.
+struct MtJobRequest
+{
+    std::filesystem::path folder;    ///< of mt-plan
+    std::vector<std::uint64_t> jobs; ///< of mt-job
+    std::filesystem::path output;    ///< of mt-join
+};
+
 /// What the command line of mt-bench asks for.
 struct MtBenchRequest
 {
@@ -57,6 +65,18 @@ foundation::Result<terminal::Report> buildMt(const MtBuildRequest& request);
 
 /// The same within request.memoryMb of memory: the surface is read in streams, and built from files beside the output.
 foundation::Result<terminal::Report> buildMtWithin(const MtBuildRequest& request);
+
+/// Cuts a build into jobs, in the folder request.output, and prints which of them may be done at once.
+foundation::Result<terminal::Report> planMt(const MtBuildRequest& request);
+
+/// Reads the inputs and plans the build in a folder.
+foundation::Outcome planInto(const MtBuildRequest& request, const std::filesystem::path& folder);
+
+/// Does some jobs of a plan, one after the other.
+foundation::Result<terminal::Report> doMtJobs(const MtJobRequest& request);
+
+/// Writes the .mt file of a plan whose jobs are done.
+foundation::Result<terminal::Report> joinMt(const MtJobRequest& request);
 
 /// Whether a file has points as text: .csv, .xyz, .txt.
 bool isPointFile(const std::filesystem::path& file);

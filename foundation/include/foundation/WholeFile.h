@@ -15,12 +15,13 @@ namespace foundation
 
 /// A file that appears under its final name only when it is complete. It is written under a temporary name in the same folder;
 /// commit() renames it, the destructor removes it otherwise. Of a symbolic link, the target is replaced. A device or a pipe
-/// (/dev/stdout) is written directly.
+/// (/dev/stdout) is written directly. `ending`: of the temporary name; where several processes may write the same file at once, each has its own.
 /// Threads: one.
 class WholeFile
 {
 public:
-    explicit WholeFile(std::filesystem::path file) : _asked(std::move(file)), _final(_asked), _written(_asked)
+    explicit WholeFile(std::filesystem::path file, std::string_view ending = ".part")
+        : _asked(std::move(file)), _final(_asked), _written(_asked)
     {
         std::error_code code;
         const std::filesystem::file_status status = std::filesystem::status(_asked, code);
@@ -30,7 +31,7 @@ public:
             if (std::filesystem::path real = std::filesystem::canonical(_asked, code); !code)
                 _final = std::move(real);
         _written = _final;
-        _written += ".part";
+        _written += ending;
     }
 
     ~WholeFile()
@@ -69,9 +70,10 @@ private:
 };
 
 /// Writes `bytes` as a WholeFile. Errors: no such folder, no permission, no room; then nothing is left behind.
-inline Outcome writeWholeFile(const std::filesystem::path& path, std::string_view bytes)
+inline Outcome writeWholeFile(const std::filesystem::path& path, std::string_view bytes,
+                              std::string_view ending = ".part")
 {
-    WholeFile file(path);
+    WholeFile file(path, ending);
     const auto reason = [] { return std::generic_category().message(errno); };
     errno = 0;
     std::ofstream stream(file.written(), std::ios::binary);

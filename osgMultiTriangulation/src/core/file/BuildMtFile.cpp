@@ -8,7 +8,7 @@
 #include "../split/MeshSource.h"
 #include "../spool/MemoryPlan.h"
 #include "../spool/SpoolSource.h"
-#include "MtHeader.h"
+#include "BuildIdentity.h"
 #include "PartStore.h"
 #include "StoredBuild.h"
 
@@ -17,63 +17,6 @@ namespace osgMultiTriangulation::core
 
 namespace
 {
-
-template<class T>
-std::uint32_t sumOf(const std::vector<T>& list)
-{
-    return mtChecksum({reinterpret_cast<const char*>(list.data()), list.size() * sizeof(T)});
-}
-
-/// A sum over the cuts.
-std::uint32_t identityOf(const Partition& partition)
-{
-    std::string all;
-    LittleEndian out(all);
-    for (const PlanPart& part : partition.parts)
-    {
-        out.add(part.halves[0]);
-        out.add(part.halves[1]);
-        out.add(part.axis);
-        out.add(part.cut);
-    }
-    return mtChecksum(all);
-}
-
-/// A sum over all on which the bytes of the parts depend.
-std::uint32_t identityOf(const SurfaceMesh& mesh, const PlanFrame& frame, const Partition& partition)
-{
-    std::uint32_t points = 0;
-    for (const SurfacePoint& p :
-         mesh.points) // field by field: there are bytes between them that nobody wrote
-    {
-        std::string bytes;
-        LittleEndian out(bytes);
-        out.add(p.x);
-        out.add(p.y);
-        out.add(p.height);
-        points = points * 31 + mtChecksum(bytes);
-    }
-    std::string all;
-    LittleEndian out(all);
-    for (const std::uint32_t sum : {points, sumOf(mesh.triangles), identityOf(partition), kMtVersion})
-        out.add(sum);
-    for (const double value : {frame.originX, frame.originY, frame.stepX, frame.stepY})
-        out.add(value);
-    return mtChecksum(all);
-}
-
-std::uint32_t identityOf(const SurfaceSpool& spool, const PlanFrame& frame, const Partition& partition,
-                         std::uint64_t mostHidden)
-{
-    std::string all;
-    LittleEndian out(all);
-    for (const std::uint32_t sum : {spool.sum(), identityOf(partition), kMtVersion})
-        out.add(sum);
-    for (const double value : {frame.originX, frame.originY, frame.stepX, frame.stepY})
-        out.add(value);
-    out.add(mostHidden);
-    return mtChecksum(all);
-}
 
 /// Builds all parts that are not in the store, writes the file, and removes the store.
 foundation::Result<ForestReport> buildParts(StoredBuild& build, const Partition& partition,

@@ -6,6 +6,7 @@
 #include <type_traits>
 
 #include <foundation/WholeFile.h>
+#include <unistd.h>
 
 #include "MtHeader.h"
 
@@ -67,20 +68,35 @@ void visitLists(Mesh& rest, const Visit& visit)
 
 } // namespace
 
-foundation::Result<PartStore> PartStore::open(const std::filesystem::path& folder, std::uint32_t identity)
+PartStore::PartStore(const std::filesystem::path& folder) : _folder(folder)
 {
-    PartStore store;
-    store._folder = folder;
-    const std::filesystem::path mark = folder / "build";
+    char host[256] = "";
+    ::gethostname(host, sizeof host - 1);
+    _ending = std::string(".") + host + "-" + std::to_string(::getpid()) + ".part";
+}
+
+foundation::Result<PartStore> PartStore::existing(const std::filesystem::path& folder, std::uint32_t identity)
+{
+    PartStore store(folder);
     std::string wanted;
     appendPlain(wanted, identity);
+    if (store.get(folder / "build") == wanted) return store;
+    return foundation::Error{folder.string(), "is not the folder of this build", "plan the build again"};
+}
+
+foundation::Result<PartStore> PartStore::open(const std::filesystem::path& folder, std::uint32_t identity)
+{
+    if (auto store = existing(folder, identity)) return store;
+    PartStore store(folder);
     std::error_code code;
-    if (store.get(mark) != wanted) std::filesystem::remove_all(folder, code);
+    std::filesystem::remove_all(folder, code);
     std::filesystem::create_directories(folder, code);
     if (code)
         return foundation::Error{folder.string(), "cannot be created: " + code.message(),
                                  "check that its folder exists and is writable"};
-    if (const auto outcome = store.put(mark, wanted); !outcome) return outcome.error();
+    std::string mark;
+    appendPlain(mark, identity);
+    if (const auto outcome = store.put(folder / "build", mark); !outcome) return outcome.error();
     return store;
 }
 
@@ -92,7 +108,7 @@ std::filesystem::path PartStore::nameOf(std::uint32_t part, const char* kind) co
 foundation::Outcome PartStore::put(const std::filesystem::path& file, std::string bytes) const
 {
     appendPlain(bytes, mtChecksum(bytes));
-    return foundation::writeWholeFile(file, bytes);
+    return foundation::writeWholeFile(file, bytes, _ending);
 }
 
 std::optional<std::string> PartStore::get(const std::filesystem::path& file) const
@@ -161,7 +177,17 @@ void PartStore::dropRest(std::uint32_t part) const
 
 foundation::Result<RecordFile<HiddenRecord>> PartStore::createHidden(std::uint32_t part) const
 {
-    return RecordFile<HiddenRecord>::create(nameOf(part, ".hidden"));
+    return RecordFile<HiddenRecord>::create(nameOf(part, ".hidden") += _ending);
+}
+
+foundation::Outcome PartStore::commitHidden(std::uint32_t part) const
+{
+    const std::filesystem::path file = nameOf(part, ".hidden");
+    std::error_code code;
+    std::filesystem::rename(std::filesystem::path(file) += _ending, file, code);
+    if (!code) return foundation::success();
+    return foundation::Error{file.string(), "cannot be put in place: " + code.message(),
+                             "check that the folder exists, is writable and has room"};
 }
 
 foundation::Result<RecordFile<HiddenRecord>> PartStore::openHidden(std::uint32_t part) const

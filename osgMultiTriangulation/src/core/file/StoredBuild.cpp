@@ -103,16 +103,24 @@ std::vector<bool> StoredBuild::resume()
     {
         const std::uint32_t parent = _partition.parts[part].parent;
         const auto tree = _store.tree(part);
-        if (!tree) continue;
-        if (parent != kNone && !isDone[parent])
-        {
-            const auto rest = _store.rest(part);
-            if (!rest || !_store.isHiddenWhole(part, *rest)) continue;
-        }
+        if (!tree || (parent != kNone && !isDone[parent] && !hasRest(part))) continue;
         isDone[part] = true;
         keep(part, *tree);
     }
     return isDone;
+}
+
+bool StoredBuild::hasRest(std::uint32_t part) const
+{
+    const auto rest = _store.rest(part);
+    return rest && _store.isHiddenWhole(part, *rest);
+}
+
+bool StoredBuild::isDone(std::uint32_t part) const
+{
+    if (!_store.tree(part)) return false;
+    const std::uint32_t parent = _partition.parts[part].parent;
+    return parent == kNone || hasRest(part) || isDone(parent);
 }
 
 void StoredBuild::build(std::uint32_t part)
@@ -191,6 +199,7 @@ void StoredBuild::measureAgain(std::uint32_t part, BuiltPart& built)
     if (!output) return;
     output->finish(built.rest);
     note(file->outcome());
+    note(_store.commitHidden(part));
     std::copy_n(tree.errors.begin(), tree.rootTriangles, built.rest.measured.errors.begin());
 }
 
@@ -211,6 +220,7 @@ void StoredBuild::thinOut(std::uint32_t part, BuiltPart& built)
     }
     output.finish(built.rest);
     note(file->outcome());
+    note(_store.commitHidden(part));
 }
 
 foundation::Outcome StoredBuild::outcome() const

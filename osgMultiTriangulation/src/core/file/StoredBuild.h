@@ -28,6 +28,12 @@ public:
     /// Takes what an earlier run has finished. Returns by part whether it needs no work.
     std::vector<bool> resume();
 
+    /// Whether a part needs no work: its tree is whole, and so is what is left of it, until the part above has taken that.
+    bool isDone(std::uint32_t part) const;
+
+    /// Whether what is left of a part is whole.
+    bool hasRest(std::uint32_t part) const;
+
     /// Builds a part. Threads: parts that do not hold each other may be built at once.
     void build(std::uint32_t part);
 

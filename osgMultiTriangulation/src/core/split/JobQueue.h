@@ -8,6 +8,7 @@
 #include <foundation/Threads.h>
 
 #include <osgMultiTriangulation/core/split/BuildForest.h>
+#include <osgMultiTriangulation/core/split/PartSchedule.h>
 
 namespace osgMultiTriangulation::core
 {
@@ -18,20 +19,8 @@ class JobQueue
 public:
     /// `isDone`: by part: needs no work; those below it are not asked for either. Empty: none.
     JobQueue(const Partition& partition, const ForestOptions& options, const std::vector<bool>& isDone = {})
-        : _partition(partition), _options(options), _missing(partition.parts.size(), 0)
+        : _schedule(partition, isDone), _options(options)
     {
-        for (std::uint32_t p = static_cast<std::uint32_t>(partition.parts.size()); p-- > 0;)
-        {
-            const PlanPart& part = partition.parts[p];
-            if (!isDone.empty() && isDone[p])
-            {
-                ++_done;
-                continue;
-            }
-            for (const std::uint32_t half : part.halves)
-                if (half != kNone && (isDone.empty() || !isDone[half])) ++_missing[p];
-            if (_missing[p] == 0) _ready.push_back(p);
-        }
     }
 
     /// Does `work(part)` for all parts, in as many threads as the options say. Errors: what a thread throws.
@@ -49,21 +38,15 @@ public:
     std::uint32_t take()
     {
         std::unique_lock lock(_mutex);
-        _changed.wait(lock, [this] { return !_ready.empty() || _isStopped || _done == _missing.size(); });
-        if (_ready.empty() || _isStopped) return kNone;
-        const std::uint32_t part = _ready.back();
-        _ready.pop_back();
-        return part;
+        _changed.wait(lock, [this] { return _schedule.hasReady() || _isStopped || _schedule.isFinished(); });
+        return _isStopped ? kNone : _schedule.take();
     }
 
     void finish(std::uint32_t part)
     {
         const std::lock_guard lock(_mutex);
-        ++_done;
-        const std::uint32_t parent = _partition.parts[part].parent;
-        if (parent != kNone && --_missing[parent] == 0) _ready.push_back(parent);
-        if (_options.progress && !_options.progress(_done, static_cast<std::uint32_t>(_missing.size())))
-            _isStopped = true;
+        _schedule.finish(part);
+        if (_options.progress && !_options.progress(_schedule.done(), _schedule.all())) _isStopped = true;
         _changed.notify_all();
     }
 
@@ -96,13 +79,10 @@ private:
         }
     }
 
-    const Partition& _partition;
+    PartSchedule _schedule;
     const ForestOptions& _options;
     std::mutex _mutex;
     std::condition_variable _changed;
-    std::vector<std::uint32_t> _missing; ///< by part: halves that are not built
-    std::vector<std::uint32_t> _ready;
-    std::uint32_t _done = 0;
     bool _isStopped = false;
 };
 

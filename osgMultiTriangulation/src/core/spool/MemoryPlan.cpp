@@ -41,6 +41,9 @@ foundation::Result<MemoryPlan> planMemory(std::uint64_t points, const ForestOpti
     const auto all = static_cast<double>(points);
     const double limit = limitMb * 1e6;
     double trees = options.treeCount > 0 ? options.treeCount : balancedTreeCount(all, options.border);
+    if (limitMb == 0.0)
+        return MemoryPlan{static_cast<std::uint32_t>(trees), std::numeric_limits<std::uint64_t>::max(),
+                          options.jobs};
     double least = std::numeric_limits<double>::max();
     while (true)
     {

@@ -20,7 +20,7 @@ struct MemoryPlan
 
 /// Chooses rectangles so small that one part after the other fits: the balanced number of them, or more. A part is a rectangle with
 /// the borders that were joined, about 8·√N points.
-/// `limitMb`: of the whole process. Errors: no number of rectangles fits; tells the least limit that would do.
+/// `limitMb`: of the whole process; 0: none, then the balanced number and all hidden points. Errors: no number of rectangles fits; tells the least limit that would do.
 foundation::Result<MemoryPlan> planMemory(std::uint64_t points, const ForestOptions& options, double limitMb);
 
 } // namespace osgMultiTriangulation::core

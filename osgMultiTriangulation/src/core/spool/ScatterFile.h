@@ -24,15 +24,17 @@ public:
     static foundation::Result<ScatterFile> create(const std::filesystem::path& file,
                                                   const std::vector<std::uint64_t>& counts)
     {
-        auto records = RecordFile<T>::create(file);
-        if (!records) return records.error();
-        ScatterFile scatter;
-        scatter._records = std::move(*records);
-        scatter._firstOf.push_back(0);
-        for (const std::uint64_t count : counts)
-            scatter._firstOf.push_back(scatter._firstOf.back() + count);
-        scatter._next.assign(scatter._firstOf.begin(), scatter._firstOf.end() - 1);
-        scatter._waiting.resize(counts.size());
+        return over(RecordFile<T>::create(file), counts);
+    }
+
+    /// Takes a file that has been flushed, to be read. Errors: it has another size.
+    static foundation::Result<ScatterFile> open(const std::filesystem::path& file,
+                                                const std::vector<std::uint64_t>& counts)
+    {
+        auto scatter = over(RecordFile<T>::open(file), counts);
+        if (scatter && scatter->_records.size() != scatter->_firstOf.back())
+            return foundation::Error{file.string(), "has another size than it was written with",
+                                     "plan the build again"};
         return scatter;
     }
 
@@ -57,9 +59,30 @@ public:
     }
 
     std::uint32_t groups() const { return static_cast<std::uint32_t>(_firstOf.size() - 1); }
+    std::vector<std::uint64_t> counts() const
+    {
+        std::vector<std::uint64_t> counts;
+        for (std::uint32_t group = 0; group < groups(); ++group)
+            counts.push_back(_firstOf[group + 1] - _firstOf[group]);
+        return counts;
+    }
     foundation::Outcome outcome() const { return _records.outcome(); }
 
 private:
+    static foundation::Result<ScatterFile> over(foundation::Result<RecordFile<T>> records,
+                                                const std::vector<std::uint64_t>& counts)
+    {
+        if (!records) return records.error();
+        ScatterFile scatter;
+        scatter._records = std::move(*records);
+        scatter._firstOf.push_back(0);
+        for (const std::uint64_t count : counts)
+            scatter._firstOf.push_back(scatter._firstOf.back() + count);
+        scatter._next.assign(scatter._firstOf.begin(), scatter._firstOf.end() - 1);
+        scatter._waiting.resize(counts.size());
+        return scatter;
+    }
+
     void give(std::uint32_t group)
     {
         _records.write(_waiting[group], _next[group]);

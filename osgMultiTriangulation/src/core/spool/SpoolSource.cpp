@@ -13,6 +13,8 @@ namespace
 constexpr std::size_t kPointBlocks = 64;    ///< of a cache
 constexpr std::size_t kScatterBlocks = 256; ///< while triangles are dealt out
 
+constexpr const char *kJoinedName = "joined", *kByPartName = "triangles-of-parts";
+
 class SpoolPoints : public PartSource::Points
 {
 public:
@@ -35,14 +37,32 @@ foundation::Result<std::unique_ptr<SpoolSource>> SpoolSource::create(const Surfa
                                                                      const std::filesystem::path& folder)
 {
     std::unique_ptr<SpoolSource> source(new SpoolSource(spool, partition));
-    auto joinedAt = RecordFile<std::uint8_t>::create(folder / "joined");
+    auto joinedAt = RecordFile<std::uint8_t>::create(folder / kJoinedName);
     if (!joinedAt) return joinedAt.error();
     source->_joinedAt = std::move(*joinedAt);
-    auto byPart = ScatterFile<Triangle>::create(folder / "triangles-of-parts", source->countParts());
+    auto byPart = ScatterFile<Triangle>::create(folder / kByPartName, source->countParts());
     if (!byPart) return byPart.error();
     source->_byPart = std::move(*byPart);
     source->scatter();
     if (const auto outcome = source->outcome(); !outcome) return outcome.error();
+    return source;
+}
+
+foundation::Result<std::unique_ptr<SpoolSource>> SpoolSource::open(const SurfaceSpool& spool,
+                                                                   const Partition& partition,
+                                                                   const std::vector<std::uint64_t>& counts)
+{
+    std::unique_ptr<SpoolSource> source(new SpoolSource(spool, partition));
+    const std::filesystem::path joined = spool.folder() / kJoinedName;
+    auto joinedAt = RecordFile<std::uint8_t>::open(joined);
+    if (!joinedAt) return joinedAt.error();
+    if (joinedAt->size() != spool.points().size())
+        return foundation::Error{joined.string(), "has another size than it was written with",
+                                 "plan the build again"};
+    source->_joinedAt = std::move(*joinedAt);
+    auto byPart = ScatterFile<Triangle>::open(spool.folder() / kByPartName, counts);
+    if (!byPart) return byPart.error();
+    source->_byPart = std::move(*byPart);
     return source;
 }
 

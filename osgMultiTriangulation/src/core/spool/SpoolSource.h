@@ -22,6 +22,13 @@ public:
     static foundation::Result<std::unique_ptr<SpoolSource>>
     create(const SurfaceSpool& spool, const Partition& partition, const std::filesystem::path& folder);
 
+    /// Takes the files that create() has made in the folder of a spool, whose triangles are not needed any more.
+    /// `counts`: triangles by part, from counts(). Errors: a file is missing or of another size.
+    static foundation::Result<std::unique_ptr<SpoolSource>>
+    open(const SurfaceSpool& spool, const Partition& partition, const std::vector<std::uint64_t>& counts);
+
+    std::vector<std::uint64_t> counts() const { return _byPart.counts(); } ///< triangles by part
+
     std::unique_ptr<Points> points() const override;
     std::vector<Triangle> trianglesOf(std::uint32_t part) const override;
     foundation::Outcome outcome() const override;

@@ -34,6 +34,20 @@ foundation::Result<SurfaceSpool> SurfaceSpool::create(const std::filesystem::pat
     return spool;
 }
 
+foundation::Result<SurfaceSpool> SurfaceSpool::openPoints(const std::filesystem::path& folder,
+                                                          std::uint64_t points)
+{
+    SurfaceSpool spool;
+    spool._folder = folder;
+    auto file = RecordFile<SurfacePoint>::open(folder / "points");
+    if (!file) return file.error();
+    if (file->size() != points)
+        return foundation::Error{(folder / "points").string(), "has another size than it was written with",
+                                 "plan the build again"};
+    spool._points = std::move(*file);
+    return spool;
+}
+
 void SurfaceSpool::addPoint(const SurfacePoint& point)
 {
     _points.append(point); // 4 + 4 + 8 bytes: there are none between them
