@@ -24,7 +24,7 @@ enum class Path
     still,  ///< no motion
     turn,   ///< the heading turns once around, the position stays
     uturn,  ///< as flight, and the heading reverses in every frame
-    jump,   ///< as flight, and every second frame is 1 km aside
+    jump,   ///< as flight, and every second frame is `jumpM` aside, but no more than half the tile
 };
 
 inline constexpr Path kPaths[] = {Path::flight, Path::drive, Path::still,
@@ -43,6 +43,7 @@ struct BenchmarkFlight
     double cellsPerFrame = 0.5;
     double aboveGroundM = 300.0;
     Path path = Path::flight;
+    double jumpM = 1000.0;
     static constexpr int kFrames = 240;
 
     static BenchmarkFlight along(Path path) { return {0.5, path == Path::drive ? 2.0 : 300.0, path}; }
@@ -54,7 +55,7 @@ struct BenchmarkFlight
         const double last = tile.grid().dataColumns() - 1, s = stays ? 0.0 : cellsPerFrame * frame;
         double column = 0.12 * last + 0.8 * s;
         const double row = 0.15 * last + 0.6 * s;
-        if (path == Path::jump && away) column += std::min(1000.0 / tile.field().spacingEastM, 0.5 * last);
+        if (path == Path::jump && away) column += std::min(jumpM / tile.field().spacingEastM, 0.5 * last);
         const glm::dvec3 eye =
             tile.frame().positionAt(column, row, groundM(tile, column, row) + aboveGroundM);
         const double circle = 2.0 * std::numbers::pi * frame / kFrames;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <utility>
 
-#include "measurement/HtmlPage.h"
+#include "terraintool/compare/JudgedFigures.h"
 #include "terraintool/compare/Verdicts.h"
 
 namespace terraintool
@@ -13,23 +13,17 @@ namespace terraintool
 namespace
 {
 
-using measurement::figureText;
-
 using Figures = std::function<void(const DemComparison& dem, std::vector<double>& figures)>;
 
-/// Confirms a claim when all its figures lie in [least, most]; without a figure it is not measured.
+/// Judges a claim by the figures of all terrains.
 ClaimVerdict judge(const std::string& claim, const std::string& unit, const std::vector<DemComparison>& dems,
-                   double least, double most, const Figures& figuresOf)
+                   HeldRange holds, const Figures& figuresOf)
 {
     std::vector<double> figures;
     for (const DemComparison& dem : dems)
         figuresOf(dem, figures);
-    if (figures.empty()) return {claim, "not measured", "no figure"};
-    const auto [lowest, highest] = std::minmax_element(figures.begin(), figures.end());
-    const bool holds = *lowest >= least && *highest <= most;
-    const std::string range =
-        *lowest == *highest ? figureText(*lowest) : figureText(*lowest) + " to " + figureText(*highest);
-    return {claim, holds ? "confirmed" : "refuted", range + unit};
+    auto [verdict, figure] = judgeFigures(figures, holds, unit);
+    return {claim, std::move(verdict), std::move(figure)};
 }
 
 void fewerThanRoam(const DemComparison& dem, std::vector<double>& figures)
@@ -56,19 +50,72 @@ void bulkToSingle(const DemComparison& dem, std::vector<double>& figures)
         figures.push_back(dem.merges.bulkNs / dem.merges.singleNs);
 }
 
+/// Compares two ways along all paths that were measured.
+Figures reworkRatio(const char* way, const char* other)
+{
+    return [=](const DemComparison& dem, std::vector<double>& figures)
+    {
+        for (const ReworkFigures& rework : dem.reworks)
+            if (const auto otherUs = dem.reworkUs(rework.path, other); rework.way == way && otherUs)
+                figures.push_back(rework.adaptUsP50 / *otherUs);
+    };
+}
+
+/// The share of a method's time that a fit ascribes to the size of its mesh or to what changes.
+Figures shareOfTime(const char* method, double FitFigures::*share)
+{
+    return [=](const DemComparison& dem, std::vector<double>& figures)
+    {
+        const MethodFigures* m = dem.of(method);
+        if (m && m->fit && m->fit->sizePercent + m->fit->changePercent > 0.0)
+            figures.push_back(m->fit.value().*share);
+    };
+}
+
+/// How much dearer morphing makes regular decimation's frames than it makes ROAM's, by time and by vertices written.
+void morphingOfBlocks(const DemComparison& dem, std::vector<double>& figures)
+{
+    const MethodFigures *blocks = dem.of("regular-decimation"), *roam = dem.of("roam");
+    if (!blocks || !roam || !blocks->morph || !roam->morph || roam->morph->vertices <= 0.0) return;
+    figures.push_back(blocks->morph->vertices / roam->morph->vertices);
+}
+
+void lightOfBlocks(const DemComparison& dem, std::vector<double>& figures)
+{
+    const MethodFigures *blocks = dem.of("regular-decimation"), *roam = dem.of("roam");
+    if (blocks && roam && roam->lightDeg > 0.0) figures.push_back(blocks->lightDeg / roam->lightDeg);
+}
+
 } // namespace
 
 std::vector<ClaimVerdict> claimVerdicts(const std::vector<DemComparison>& dems)
 {
-    constexpr double kNoLimit = std::numeric_limits<double>::infinity();
-    return {
-        judge("VDPM needs 50 to 70 % fewer triangles than ROAM", " % fewer", dems, 50.0, 70.0, fewerThanRoam),
-        judge("no more than 5 % of ROAM's mesh changes in a frame", " % of the triangles", dems, 0.0, 5.0,
-              changedOfRoam),
-        judge("methods of blocks are more redundant than ROAM", " times ROAM's triangles", dems,
-              std::nextafter(1.0, 2.0), kNoLimit, blocksToRoam),
-        judge("enhMerge is quicker than merges one by one", " times their time for a triangle", dems, 0.0,
-              std::nextafter(1.0, 0.0), bulkToSingle)};
+    constexpr double kNoLimit = std::numeric_limits<double>::infinity(), kHalf = 50.0;
+    const HeldRange more{std::nextafter(1.0, 2.0), kNoLimit}, less{0.0, std::nextafter(1.0, 0.0)};
+    return {judge("VDPM needs 50 to 70 % fewer triangles than ROAM", " % fewer", dems, {50.0, 70.0},
+                  fewerThanRoam),
+            judge("no more than 5 % of ROAM's mesh changes in a frame", " % of the triangles", dems,
+                  {0.0, 5.0}, changedOfRoam),
+            judge("methods of blocks are more redundant than ROAM", " times ROAM's triangles", dems, more,
+                  blocksToRoam),
+            judge("enhMerge is quicker than merges one by one", " times their time for a triangle", dems,
+                  less, bulkToSingle),
+            judge("in frames that have little in common, enhMerge is quicker than merges one by one",
+                  " times the time of the same walk", dems, less, reworkRatio("enhMerge", "one by one")),
+            judge("with enhMerge, such frames need no restart", " times the time of a restart", dems, less,
+                  reworkRatio("enhMerge", "restart")),
+            judge("the default driver needs no restart in such frames", " times the time of a restart", dems,
+                  less, reworkRatio("wheel", "restart")),
+            judge("ROAM's time follows what changes", " % of what is not constant", dems, {kHalf, 100.0},
+                  shareOfTime("roam", &FitFigures::changePercent)),
+            judge("VIPM's time follows what changes", " % of what is not constant", dems, {kHalf, 100.0},
+                  shareOfTime("vipm-locked", &FitFigures::changePercent)),
+            judge("VDPM's time follows the size of its mesh", " % of what is not constant", dems,
+                  {kHalf, 100.0}, shareOfTime("vdpm", &FitFigures::sizePercent)),
+            judge("morphing whole blocks takes more than ROAM's morphing", " times the vertices written",
+                  dems, more, morphingOfBlocks),
+            judge("light jumps more with regular decimation than with ROAM",
+                  " times the largest turn of a normal", dems, more, lightOfBlocks)};
 }
 
 } // namespace terraintool

@@ -46,21 +46,68 @@ const std::vector<Column>& columns()
         {"pop, px", [](const MethodFigures& m) { return figureText(m.popPx); }},
         {"transforms a triangle", [](const MethodFigures& m) { return orNone(m.transformsPerTriangle); }},
         {"memory, MB", [](const MethodFigures& m) { return figureText(m.memoryMB); }},
-        {"preparation, s", [](const MethodFigures& m) { return figureText(m.preparationS); }}};
+        {"preparation, s", [](const MethodFigures& m) { return figureText(m.preparationS); }},
+        {"picture, ms", [](const MethodFigures& m) { return orNone(m.frameMs); }}};
     return all;
 }
 
-std::string figuresTable(const DemComparison& dem)
+const std::vector<Column>& furtherColumns()
+{
+    static const std::vector<Column> all{
+        {"strip, triangles", [](const MethodFigures& m) { return orNone(m.stripLength); }},
+        {"left by culling, %", [](const MethodFigures& m) { return orNone(m.visiblePercent); }},
+        {"normals turned, %", [](const MethodFigures& m) { return figureText(m.lightPercent); }},
+        {"right and isosceles, %", [](const MethodFigures& m) { return figureText(m.regularPercent); }},
+        {"an edit, µs", [](const MethodFigures& m) { return orNone(m.editUs); }},
+        {"morphing, µs",
+         [](const MethodFigures& m) { return orNone(m.morph ? std::optional(m.morph->us) : std::nullopt); }},
+        {"the same without, µs", [](const MethodFigures& m)
+         { return orNone(m.morph ? std::optional(m.morph->plainUs) : std::nullopt); }},
+        {"a frame, µs",
+         [](const MethodFigures& m) { return orNone(m.fit ? std::optional(m.fit->baseUs) : std::nullopt); }},
+        {"+ a triangle, ns", [](const MethodFigures& m)
+         { return orNone(m.fit ? std::optional(m.fit->nsPerTriangle) : std::nullopt); }},
+        {"+ a change, ns", [](const MethodFigures& m)
+         { return orNone(m.fit ? std::optional(m.fit->nsPerChange) : std::nullopt); }}};
+    return all;
+}
+
+std::string figuresTable(const DemComparison& dem, const std::vector<Column>& columns)
 {
     std::string html = "<table>\n<tr><th>method</th>";
-    for (const Column& column : columns())
+    for (const Column& column : columns)
         html += std::string("<th class=\"number\">") + column.title + "</th>";
     html += "</tr>\n";
     for (const MethodFigures& m : dem.methods)
     {
         html += "<tr><td>" + escapedMarkup(m.name) + "</td>";
-        for (const Column& column : columns())
+        for (const Column& column : columns)
             html += "<td class=\"number\">" + column.text(m) + "</td>";
+        html += "</tr>\n";
+    }
+    return html + "</table>\n";
+}
+
+std::string reworksTable(const DemComparison& dem)
+{
+    std::string html = "<table>\n<tr><th>frames that have little in common</th><th>way</th>"
+                       "<th class=\"number\">µs</th><th class=\"number\">worst</th></tr>\n";
+    for (const ReworkFigures& r : dem.reworks)
+        html += "<tr><td>" + escapedMarkup(r.path) + "</td><td>" + escapedMarkup(r.way) +
+                "</td><td class=\"number\">" + figureText(r.adaptUsP50) + "</td><td class=\"number\">" +
+                figureText(r.adaptUsMax) + "</td></tr>\n";
+    return html + "</table>\n";
+}
+
+std::string qualitiesTable(const std::vector<DemComparison>& dems)
+{
+    std::string html = "<table>\n<tr><th>section</th><th>method</th><th></th><th></th><th>verdict</th>"
+                       "<th>figure</th></tr>\n";
+    for (const QualityVerdict& v : qualityVerdicts(dems))
+    {
+        html += "<tr>";
+        for (const std::string& text : {v.section, v.method, v.kind, v.quality, v.verdict, v.figure})
+            html += "<td>" + escapedMarkup(text) + "</td>";
         html += "</tr>\n";
     }
     return html + "</table>\n";
@@ -101,9 +148,11 @@ std::string plotOf(const DemComparison& dem, const char* title, std::vector<doub
 
 std::string comparisonHtml(const std::vector<DemComparison>& dems)
 {
-    std::string html = "<h2>Claims of the paper</h2>\n" + claimsTable(dems);
+    std::string html = "<h2>Claims of the paper</h2>\n" + claimsTable(dems) +
+                       "<h2>Advantages and drawbacks that it lists</h2>\n" + qualitiesTable(dems);
     for (const DemComparison& dem : dems)
-        html += "<h2>" + escapedMarkup(dem.dem) + "</h2>\n" + figuresTable(dem) +
+        html += "<h2>" + escapedMarkup(dem.dem) + "</h2>\n" + figuresTable(dem, columns()) +
+                figuresTable(dem, furtherColumns()) + reworksTable(dem) +
                 plotOf(dem, "Triangles", &MethodFigures::frameTriangles) +
                 plotOf(dem, "Adaptation, µs", &MethodFigures::frameUs) + requirementsTable(dem);
     return measurement::htmlPage("Methods of level of detail at equal true error", html);

@@ -9,6 +9,11 @@ namespace terraintool
 namespace
 {
 
+nlohmann::ordered_json jsonOf(const std::optional<double>& figure)
+{
+    return figure ? nlohmann::ordered_json(*figure) : nlohmann::ordered_json(nullptr);
+}
+
 nlohmann::ordered_json jsonOf(const MethodFigures& m)
 {
     nlohmann::ordered_json row;
@@ -20,11 +25,29 @@ nlohmann::ordered_json jsonOf(const MethodFigures& m)
     row["adaptUsMax"] = m.adaptUsMax;
     row["changedPercent"] = m.changedPercent;
     row["popPx"] = m.popPx;
-    row["transformsPerTriangle"] = nullptr;
-    if (m.transformsPerTriangle) row["transformsPerTriangle"] = *m.transformsPerTriangle;
+    row["transformsPerTriangle"] = jsonOf(m.transformsPerTriangle);
     row["memoryMB"] = m.memoryMB;
     row["preparationS"] = m.preparationS;
-    row["frameMs"] = nullptr; // this program does not draw
+    row["frameMs"] = jsonOf(m.frameMs);
+    row["stripLength"] = jsonOf(m.stripLength);
+    row["lightPercent"] = m.lightPercent;
+    row["lightDeg"] = m.lightDeg;
+    row["regularPercent"] = m.regularPercent;
+    row["visiblePercent"] = jsonOf(m.visiblePercent);
+    row["editUs"] = jsonOf(m.editUs);
+    row["morph"] = nullptr;
+    if (m.morph)
+        row["morph"] = {{"us", m.morph->us},
+                        {"plainUs", m.morph->plainUs},
+                        {"verticesWritten", m.morph->vertices},
+                        {"plainVerticesWritten", m.morph->plain}};
+    row["fit"] = nullptr;
+    if (m.fit)
+        row["fit"] = {{"baseUs", m.fit->baseUs},
+                      {"nsPerTriangle", m.fit->nsPerTriangle},
+                      {"nsPerChange", m.fit->nsPerChange},
+                      {"sizePercent", m.fit->sizePercent},
+                      {"changePercent", m.fit->changePercent}};
     return row;
 }
 
@@ -41,6 +64,13 @@ nlohmann::ordered_json jsonOf(const DemComparison& dem)
                                         {"method", v.method},
                                         {"verdict", v.verdict},
                                         {"figure", v.figure}});
+    json["reworks"] = nlohmann::ordered_json::array();
+    for (const ReworkFigures& r : dem.reworks)
+        json["reworks"].push_back({{"path", r.path},
+                                   {"way", r.way},
+                                   {"adaptUsP50", r.adaptUsP50},
+                                   {"adaptUsMax", r.adaptUsMax},
+                                   {"changedTriangles", r.changedTriangles}});
     return json;
 }
 
@@ -55,6 +85,14 @@ nlohmann::ordered_json comparisonJson(const std::vector<DemComparison>& dems)
         json["dems"].push_back(jsonOf(dem));
     for (const ClaimVerdict& v : claimVerdicts(dems))
         json["claims"].push_back({{"claim", v.claim}, {"verdict", v.verdict}, {"figure", v.figure}});
+    json["qualities"] = nlohmann::ordered_json::array();
+    for (const QualityVerdict& v : qualityVerdicts(dems))
+        json["qualities"].push_back({{"section", v.section},
+                                     {"method", v.method},
+                                     {"kind", v.kind},
+                                     {"quality", v.quality},
+                                     {"verdict", v.verdict},
+                                     {"figure", v.figure}});
     return json;
 }
 

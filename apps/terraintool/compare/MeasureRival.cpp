@@ -2,16 +2,24 @@
 #include "terraintool/compare/MeasureRival.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <numeric>
 #include <utility>
 
 #include <osgTerrainROAM/core/roam/DrawnMeshCheck.h>
+#include <osgTerrainROAM/core/roam/PlanTriangle.h>
 
 #include "measurement/Percentile.h"
 #include "terraintool/bench/BenchParts.h"
 #include "terraintool/bench/FrameChange.h"
 #include "terraintool/bench/Measured.h"
+#include "terraintool/compare/IncoherentFrames.h"
+#include "terraintool/compare/LightChange.h"
+#include "terraintool/compare/MeasureChanges.h"
+#include "terraintool/compare/WorkFit.h"
 
 namespace terraintool
 {
@@ -28,11 +36,46 @@ double mean(const std::vector<double>& values)
                : std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
+/// Measures how the last frame's triangles lie, and what they look like in plan.
+void measureShape(const RivalMesh& mesh, const DrawnMesh& drawn, const viewlod::Frustum& frustum,
+                  MethodFigures& figures)
+{
+    if (const auto order = mesh.order())
+    {
+        figures.transformsPerTriangle = order->missesBatch32;
+        figures.stripLength = order->stripLength;
+    }
+    const auto count = static_cast<double>(drawn.triangles.size());
+    if (const auto visible = mesh.trianglesIn(frustum)) figures.visiblePercent = 100.0 * *visible / count;
+    std::int64_t largest = 0, smallest = std::numeric_limits<std::int64_t>::max();
+    std::size_t regular = 0;
+    for (const LeafTriangle& t : drawn.triangles)
+    {
+        const std::array corners{drawn.grid[t.vertices[0]], drawn.grid[t.vertices[1]],
+                                 drawn.grid[t.vertices[2]]};
+        const std::int64_t area = PlanTriangle{corners}.doubleArea();
+        largest = std::max(largest, area);
+        smallest = std::min(smallest, area);
+        std::array<std::int64_t, 3> sides{};
+        for (std::size_t i = 0; i < 3; ++i)
+        {
+            const std::int64_t columns = corners[i].column - corners[(i + 1) % 3].column,
+                               rows = corners[i].row - corners[(i + 1) % 3].row;
+            sides[i] = columns * columns + rows * rows;
+        }
+        std::sort(sides.begin(), sides.end());
+        regular += sides[0] == sides[1] && sides[2] == 2 * sides[0] ? 1 : 0;
+    }
+    figures.regularPercent = 100.0 * static_cast<double>(regular) / count;
+    figures.areaRatio =
+        static_cast<double>(largest) / static_cast<double>(std::max<std::int64_t>(smallest, 1));
+}
+
 /// Flies all frames at the tolerance of `figures`.
 void fly(const Rival& rival, const RoamTile& tile, const ComparedFlight& flight, MethodFigures& figures)
 {
     const auto mesh = rival.newMesh();
-    std::vector<double> changed;
+    std::vector<double> changed, lit;
     DrawnMesh before;
     for (std::size_t frame = 0; frame < flight.views.size(); ++frame)
     {
@@ -49,6 +92,9 @@ void fly(const Rival& rival, const RoamTile& tile, const ComparedFlight& flight,
         if (frame > 0)
         {
             const FrameChange change = changeBetween(tile.tile, before, now, view);
+            const LightChange light = lightChangeBetween(before, now);
+            lit.push_back(light.turnedPercent);
+            figures.lightDeg = std::max(figures.lightDeg, light.largestDeg);
             const auto triangles = static_cast<double>(now.triangles.size());
             figures.frameUs.push_back(us);
             figures.frameTriangles.push_back(triangles);
@@ -59,7 +105,8 @@ void fly(const Rival& rival, const RoamTile& tile, const ComparedFlight& flight,
     }
     figures.triangles = mean(figures.frameTriangles);
     figures.changedPercent = mean(changed);
-    figures.transformsPerTriangle = mesh->transformsPerTriangle();
+    figures.lightPercent = mean(lit);
+    measureShape(*mesh, before, flight.views.back().frustum, figures);
     figures.memoryMB = 1e-6 * static_cast<double>(rival.sharedBytes + mesh->memoryBytes());
 }
 
@@ -136,6 +183,8 @@ MethodFigures measureRival(const Rival& rival, const RoamTile& tile, const Compa
     figures.adaptUsP99 = measurement::percentile(figures.frameUs, 0.99);
     figures.adaptUsMax = measurement::percentile(figures.frameUs, 1.0);
     if (rival.stopsInTime) figures.slices = flyInSlices(figures.tolerancePx, rival, tile, flight);
+    figures.morph = measureMorph(rival, flight, figures.tolerancePx);
+    figures.fit = measureWork(rival, flight, figures.tolerancePx);
     return figures;
 }
 
@@ -160,8 +209,10 @@ foundation::Result<DemComparison> compareOver(const HeightField& square, const F
         figures.spikeTriangles = trianglesOf(spiked->all[i], figures.tolerancePx, flight->views.front()) -
                                  trianglesOf(rival, figures.tolerancePx, flight->views.front());
     }
+    measureEdits(*spiked, *flight, comparison.methods);
     const auto merges = measureMerges(plain->tile);
     comparison.merges = {merges["nsPerRemovedTriangle"], merges["singleMergeNsPerRemovedTriangle"]};
+    comparison.reworks = measureReworks(plain->tile, comparison.of("roam")->tolerancePx);
     return comparison;
 }
 

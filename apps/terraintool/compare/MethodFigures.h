@@ -26,6 +26,21 @@ struct SliceFigures
     std::size_t faults = 0; ///< frames after which the mesh was not valid, or not conforming
 };
 
+/// What an adaptation costs: µs = baseUs + nsPerTriangle of the mesh + nsPerChange of a triangle that is written (WorkFit.h).
+struct FitFigures
+{
+    double baseUs = 0.0, nsPerTriangle = 0.0, nsPerChange = 0.0;
+    double sizePercent = 0.0,
+           changePercent = 0.0; ///< of what is not base, at the compared error; both 0: all is base
+};
+
+/// What morphing costs: the first frames of the flight with it and without, at one tolerance.
+struct MorphFigures
+{
+    double us = 0.0, plainUs = 0.0;     ///< medians
+    double vertices = 0.0, plain = 0.0; ///< written in a frame, means
+};
+
 /// The figures of one method on one terrain, at the true error at which all methods are compared.
 struct MethodFigures
 {
@@ -37,8 +52,17 @@ struct MethodFigures
     double adaptUsP50 = 0.0, adaptUsP99 = 0.0, adaptUsMax = 0.0;
     double changedPercent = 0.0; ///< triangles that the frame before did not draw, mean of the frames
     double popPx = 0.0;          ///< largest of the frames
-    std::optional<double> transformsPerTriangle;
-    double memoryMB = 0.0; ///< besides the tile
+    std::optional<double> transformsPerTriangle, stripLength;
+    double lightPercent = 0.0; ///< of vertices: normals turned in a frame, mean of the frames (LightChange.h)
+    double lightDeg = 0.0;     ///< the largest turn of all frames
+    double regularPercent = 0.0; ///< of the triangles: right and isosceles in plan, last frame
+    double areaRatio = 1.0;      ///< the largest triangle's area in plan to the smallest's, last frame
+    std::optional<double> visiblePercent{}; ///< of the triangles left by culling, last frame
+    std::optional<double> editUs{};      ///< following an edit of a sample; absent: the mesh does not follow
+    std::optional<MorphFigures> morph{}; ///< absent: the method does not morph
+    std::optional<FitFigures> fit{};
+    std::optional<double> frameMs{}; ///< a whole picture, median; absent: not drawn
+    double memoryMB = 0.0;           ///< besides the tile
     double preparationS = 0.0;
     std::size_t breaks = 0;                  ///< T-junctions and cracks in the checked frames
     double spikeTriangles = 0.0;             ///< that one raised sample adds
@@ -55,12 +79,21 @@ struct MergeFigures
     double bulkNs = 0.0, singleNs = 0.0;
 };
 
+/// The time of one way to get from a frame to a very different one.
+struct ReworkFigures
+{
+    std::string path, way; ///< IncoherentFrames.h
+    double adaptUsP50 = 0.0, adaptUsMax = 0.0;
+    double changedTriangles = 0.0; ///< split and merged in a frame, mean
+};
+
 /// All methods on one terrain.
 struct DemComparison
 {
     std::string dem;
     std::vector<MethodFigures> methods;
     MergeFigures merges{};
+    std::vector<ReworkFigures> reworks{};
 
     /// The figures of that method; null: it was not compared.
     const MethodFigures* of(const std::string& name) const
@@ -68,6 +101,14 @@ struct DemComparison
         for (const MethodFigures& method : methods)
             if (method.name == name) return &method;
         return nullptr;
+    }
+
+    /// The median of a way along a path; nothing: it was not measured.
+    std::optional<double> reworkUs(const std::string& path, const std::string& way) const
+    {
+        for (const ReworkFigures& rework : reworks)
+            if (rework.path == path && rework.way == way) return rework.adaptUsP50;
+        return std::nullopt;
     }
 };
 

@@ -9,6 +9,7 @@
 #include <osgTerrainROAM/core/roam/ScratchRefinement.h>
 
 #include "terraintool/bench/Measured.h"
+#include "terraintool/compare/MtRival.h"
 
 namespace terraintool
 {
@@ -28,19 +29,34 @@ double processorS()
 class MethodMesh final : public RivalMesh
 {
 public:
-    explicit MethodMesh(std::unique_ptr<TerrainMesh> mesh) : _mesh(std::move(mesh)) {}
+    MethodMesh(std::unique_ptr<TerrainMesh> mesh, bool morphs) : _mesh(std::move(mesh)), _morphs(morphs) {}
 
     RefineResult refine(const viewlod::ViewState& view, const viewlod::Budget& budget) override
     {
         return _mesh->refine(view, budget);
     }
     DrawnMesh drawn() const override { return _mesh->drawn(); }
-    std::optional<double> transformsPerTriangle() const override { return orderOf(*_mesh).missesBatch32; }
+    std::optional<LeafOrder> order() const override { return orderOf(*_mesh); }
+    bool setMorphing(bool on) override
+    {
+        _mesh->setMorphing(on && _morphs);
+        return _morphs;
+    }
+    WrittenSlots written() const override
+    {
+        return {_mesh->changes().triangles.size(), _mesh->changes().vertices.size()};
+    }
+    std::optional<std::uint32_t> trianglesIn(const viewlod::Frustum& frustum) const override
+    {
+        std::vector<IndexRange> ranges;
+        return _mesh->visibleRanges(frustum, ranges);
+    }
     bool isValid() const override { return _mesh->isValid(); }
     std::size_t memoryBytes() const override { return _mesh->memoryBytes(); }
 
 private:
     std::unique_ptr<TerrainMesh> _mesh;
+    bool _morphs;
 };
 
 /// The leaves of the bintree, found anew for each eye.
@@ -58,7 +74,8 @@ public:
         return result;
     }
     DrawnMesh drawn() const override { return meshOfLeaves(_bounds, _leaves); }
-    std::optional<double> transformsPerTriangle() const override { return std::nullopt; }
+    std::optional<LeafOrder> order() const override { return std::nullopt; }
+    WrittenSlots written() const override { return {_leaves.size(), 3 * _leaves.size()}; }
     bool isValid() const override { return true; }
     std::size_t memoryBytes() const override { return _leaves.capacity() * sizeof(GridTriangle); }
 
@@ -80,7 +97,9 @@ foundation::Result<Rival> prepareRival(const MethodTraits& traits,
     rival.stopsInTime = traits.stopsInTime;
     rival.preparationS = processorS() - begin;
     rival.sharedBytes = (*prepared)->memoryBytes();
-    rival.newMesh = [shared = *prepared] { return std::make_unique<MethodMesh>(shared->newMesh()); };
+    rival.drawnBy = traits.method;
+    rival.newMesh = [shared = *prepared, morphs = traits.morphs]
+    { return std::make_unique<MethodMesh>(shared->newMesh(), morphs); };
     return rival;
 }
 
@@ -89,7 +108,7 @@ foundation::Result<Rival> prepareRival(const MethodTraits& traits,
 foundation::Result<Rivals> prepareRivals(const HeightField& square)
 {
     const double begin = processorS();
-    Rivals rivals{std::make_shared<const RoamTile>(PlacedTile(square, Placement::planar)), {}};
+    Rivals rivals{std::make_shared<RoamTile>(PlacedTile(square, Placement::planar)), {}};
     const double tileS = processorS() - begin;
     for (const MethodTraits& traits : kMethods)
     {
@@ -97,6 +116,9 @@ foundation::Result<Rivals> prepareRivals(const HeightField& square)
         if (!rival) return rival.error();
         rivals.all.push_back(std::move(*rival));
     }
+    const double forestBegin = processorS();
+    rivals.all.push_back(multiTriangulationRival(rivals.tile));
+    rivals.all.back().preparationS = processorS() - forestBegin;
     Rival scratch;
     scratch.name = "scratch";
     scratch.keepsCeiling = false;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -14,12 +15,20 @@
 #include <viewlod/ViewState.h>
 
 #include <osgTerrainROAM/core/heightfield/HeightField.h>
+#include <osgTerrainROAM/core/method/Method.h>
+#include <osgTerrainROAM/core/roam/LeafOrder.h>
 #include <osgTerrainROAM/core/roam/MeshData.h>
 #include <osgTerrainROAM/core/roam/RefineResult.h>
 #include <osgTerrainROAM/core/roam/RoamTile.h>
 
 namespace terraintool
 {
+
+/// How much a refinement wrote.
+struct WrittenSlots
+{
+    std::size_t triangles = 0, vertices = 0;
+};
 
 /// The mesh of one method, as the comparison sees it.
 class RivalMesh
@@ -31,8 +40,17 @@ public:
                                                       const viewlod::Budget& budget) = 0;
     virtual osgTerrainROAM::core::DrawnMesh drawn() const = 0;
 
-    /// Vertices that a card transforms for each triangle (batches of 32 triangles). Nothing where triangles do not share vertices.
-    virtual std::optional<double> transformsPerTriangle() const = 0;
+    /// How the triangles lie. Nothing where they do not share vertices.
+    virtual std::optional<osgTerrainROAM::core::LeafOrder> order() const = 0;
+
+    /// Lets detail come and go without a jump from the next refinement on. Returns whether the method does.
+    virtual bool setMorphing(bool) { return false; }
+
+    /// Slots of triangles and vertices that the last refinement wrote; of a mesh that is made anew all of them.
+    virtual WrittenSlots written() const = 0;
+
+    /// Triangles that are left when those are omitted that cannot be in the frame. Nothing: the method omits none.
+    virtual std::optional<std::uint32_t> trianglesIn(const viewlod::Frustum&) const { return std::nullopt; }
 
     virtual bool isValid() const = 0;
 
@@ -46,17 +64,19 @@ struct Rival
     std::string name;
     bool isOfBlocks = false; ///< chooses the detail of whole blocks
     double fewestTriangles = 2.0;
-    bool keepsCeiling = true;    ///< takes a number of triangles in advance
-    bool stopsInTime = false;    ///< takes a limit of time
+    bool keepsCeiling = true; ///< takes a number of triangles in advance
+    bool stopsInTime = false; ///< takes a limit of time
+    std::optional<osgTerrainROAM::core::Method>
+        drawnBy{};               ///< what RoamDrawable calls it; nothing: it draws no such mesh
     double preparationS = 0.0;   ///< processor time of all threads, that of the tile included
     std::size_t sharedBytes = 0; ///< what all meshes share besides the tile
     std::function<std::unique_ptr<RivalMesh>()> newMesh;
 };
 
-/// The terrain and all methods, with ROAM from scratch ("scratch") as the last.
+/// The terrain and all methods, then split multi-triangulations ("multi-triangulation") and ROAM from scratch ("scratch").
 struct Rivals
 {
-    std::shared_ptr<const osgTerrainROAM::core::RoamTile> tile;
+    std::shared_ptr<osgTerrainROAM::core::RoamTile> tile;
     std::vector<Rival> all;
 };
 

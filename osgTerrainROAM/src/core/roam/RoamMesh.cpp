@@ -6,9 +6,9 @@
 #include <osgTerrainROAM/core/roam/Refinement.h>
 #include <osgTerrainROAM/core/roam/RoamMesh.h>
 #include <osgTerrainROAM/core/roam/TriangleCeiling.h>
+#include <osgTerrainROAM/core/roam/WalkDriver.h>
 
 #include "QueueDriver.h"
-#include "WalkDriver.h"
 
 namespace osgTerrainROAM::core
 {

@@ -12,6 +12,13 @@
 namespace osgTerrainROAM::core
 {
 
+/// How the walk removes a subtree.
+enum class Removal
+{
+    atOnce,   ///< DiamondTree::enhMerge()
+    oneByOne, ///< DiamondTree::forceMerge(), for comparison
+};
+
 /// Adapts a tree by a walk over all of it: splits or merges each triangle by its screen error.
 /// Source: *Methods of continuous level of detail for terrain* (Graphicon 2002), section 5.2 (the frame loop).
 /// Differs: the bounds nest in space, too (Refinement.h), so the result does not depend on the visiting order.
@@ -20,8 +27,13 @@ class WalkDriver
 {
 public:
     WalkDriver(DiamondTree& tree, const Active& active, std::uint32_t maxLeaves, viewlod::Slice& slice,
-               RefineResult& result)
-        : _tree(tree), _active(active), _maxLeaves(maxLeaves), _slice(slice), _result(result)
+               RefineResult& result, Removal removal = Removal::atOnce)
+        : _tree(tree),
+          _active(active),
+          _maxLeaves(maxLeaves),
+          _slice(slice),
+          _result(result),
+          _removal(removal)
     {
     }
 
@@ -60,7 +72,8 @@ private:
         }
         else if (!active)
         {
-            count(_result.merges, _tree.enhMerge(_tree.splitVertex(t)));
+            const VertexSlot v = _tree.splitVertex(t);
+            count(_result.merges, _removal == Removal::atOnce ? _tree.enhMerge(v) : _tree.forceMerge(v));
             return true;
         }
         const auto [first, second] = _tree.children(t);
@@ -78,6 +91,7 @@ private:
     std::uint32_t _maxLeaves;
     viewlod::Slice& _slice;
     RefineResult& _result;
+    Removal _removal;
     bool _leftOut = false; ///< a split for want of room
 };
 
