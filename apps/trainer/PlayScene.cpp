@@ -6,8 +6,8 @@
 #include <memory>
 
 #include "DriveWay.h"
-#include "RoadsInScene.h"
 #include "SceneRoads.h"
+#include "scenery/roads/RoadsInScene.h"
 #include "simulation/control/scenario/ScenarioMotions.h"
 #include "simulation/road/ScenarioRoads.h"
 #include "view/WatchedEntity.h"
@@ -38,7 +38,8 @@ std::shared_ptr<const simulation::RoadScene> inScene(std::shared_ptr<const simul
     const bool isSame =
         std::equal(named.begin(), named.end(), shown.begin(), shown.end(),
                    [](const auto& a, const auto& b) { return a.id == b.id && a.length == b.length; });
-    return isSame ? std::make_shared<const simulation::RoadScene>(roadsInScene(*terrain.roads)) : roads;
+    return isSame ? std::make_shared<const simulation::RoadScene>(scenery::roadsInScene(*terrain.roads))
+                  : roads;
 }
 
 /// Gives a field a share of its triangles.

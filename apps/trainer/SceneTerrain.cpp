@@ -46,7 +46,9 @@ bool isTerrainFile(const std::filesystem::path& file)
     static constexpr std::array kSuffixes{"roam", "xodr", "mt",  "tif", "tiff", "hgt", "gz",  "zip",
                                           "asc",  "dt0",  "dt1", "dt2", "png",  "img", "vrt", "bil"};
     const std::string suffix = osgDB::getLowerCaseFileExtension(file.string());
-    return std::find(kSuffixes.begin(), kSuffixes.end(), suffix) != kSuffixes.end();
+    std::error_code failed;
+    return std::filesystem::is_directory(file, failed) ||
+           std::find(kSuffixes.begin(), kSuffixes.end(), suffix) != kSuffixes.end();
 }
 
 /// Frames wait for detail, so that captures repeat; a window does not let them.

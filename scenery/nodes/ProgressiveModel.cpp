@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scenery/nodes/ProgressiveModel.h"
 
+#include <utility>
+
+#include <foundation/ForEachAtOnce.h>
+
 #include <osg/Matrixd>
 #include <osg/Texture>
 
 #include <osgPMObjects/core/simplify/Simplifiable.h>
 #include <osgPMObjects/core/simplify/Simplify.h>
+
+#include "scenery/nodes/ModelStates.h"
 
 namespace scenery
 {
@@ -21,6 +27,9 @@ core::ProgressiveMesh progressiveOf(core::Mesh mesh)
     return core::buildProgressiveMesh(mesh, sequence, settings);
 }
 
+namespace
+{
+
 void useIsotropicTextures(const std::vector<osg::ref_ptr<osg::StateSet>>& states)
 {
     for (const osg::ref_ptr<osg::StateSet>& state : states)
@@ -29,12 +38,26 @@ void useIsotropicTextures(const std::vector<osg::ref_ptr<osg::StateSet>>& states
             texture->setMaxAnisotropy(1.0F);
 }
 
-osg::ref_ptr<const osgPMObjects::ProgressiveShape> makeProgressiveModel(const models::Model& model,
-                                                                        ModelStates& states)
+} // namespace
+
+std::vector<osg::ref_ptr<const osgPMObjects::ProgressiveShape>>
+makeProgressiveModels(std::vector<models::Model> models)
 {
-    auto ofModel = states.statesOf(model);
-    useIsotropicTextures(ofModel);
-    return new osgPMObjects::ProgressiveShape(progressiveOf(model.mesh), std::move(ofModel));
+    ModelStates states; // paints, in one thread
+    std::vector<std::vector<osg::ref_ptr<osg::StateSet>>> statesOf;
+    for (const models::Model& model : models)
+    {
+        statesOf.push_back(states.statesOf(model));
+        useIsotropicTextures(statesOf.back());
+    }
+    std::vector<osg::ref_ptr<const osgPMObjects::ProgressiveShape>> shapes(models.size());
+    foundation::forEachAtOnce(models.size(),
+                              [&](std::size_t i)
+                              {
+                                  shapes[i] = new osgPMObjects::ProgressiveShape(
+                                      progressiveOf(std::move(models[i].mesh)), std::move(statesOf[i]));
+                              });
+    return shapes;
 }
 
 osg::Quat attitudeOf(const glm::dmat3& axes)

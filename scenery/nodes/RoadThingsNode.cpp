@@ -5,7 +5,6 @@
 #include <optional>
 #include <sstream>
 
-#include "scenery/nodes/ModelStates.h"
 #include "scenery/nodes/ObjectShading.h"
 #include "scenery/nodes/ProgressiveModel.h"
 
@@ -47,25 +46,27 @@ std::optional<std::vector<bool>> lensesOf(const std::string& state)
 foundation::Result<std::unique_ptr<RoadThingsNode>> RoadThingsNode::create(const roads::RoadThings& things)
 {
     std::unique_ptr<RoadThingsNode> made(new RoadThingsNode);
-    ModelStates states;
-    std::vector<FieldKind> kinds;
+    std::vector<models::Model> models;
     std::vector<FieldInstance> instances;
     for (const models::RoadModel& model : things.models)
-        kinds.push_back({makeProgressiveModel(models::makeRoadModel(model), states)});
+        models.push_back(models::makeRoadModel(model));
     for (const roads::StandingThing& thing : things.standing)
         instances.push_back(instanceOf(thing, thing.model));
-    const std::size_t firstGrown = kinds.size();
+    const std::size_t firstGrown = models.size();
     for (const roads::GrownModel& grown : things.grown)
-        kinds.push_back({makeProgressiveModel(models::generate(grown.kind, grown.seed), states)});
+        models.push_back(models::generate(grown.kind, grown.seed));
     for (const roads::StandingThing& plant : things.plants)
         instances.push_back(instanceOf(plant, firstGrown + plant.model));
     for (const roads::OwnThing& own : things.own)
     {
         roads::StandingThing thing;
         thing.position = own.origin;
-        instances.push_back(instanceOf(thing, kinds.size()));
-        kinds.push_back({makeProgressiveModel(own.model, states)});
+        instances.push_back(instanceOf(thing, models.size()));
+        models.push_back(own.model);
     }
+    std::vector<FieldKind> kinds;
+    for (const auto& shape : makeProgressiveModels(std::move(models)))
+        kinds.push_back({shape});
     made->_root = new osg::Group;
     made->_field = new osgPMObjects::ProgressiveField;
     setObjectShading(*made->_root, Finish::matt);

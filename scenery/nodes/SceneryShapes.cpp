@@ -2,13 +2,11 @@
 #include "scenery/nodes/SceneryShapes.h"
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
 #include <fstream>
 #include <limits>
-#include <thread>
 
-#include <foundation/Threads.h>
+#include <foundation/ForEachAtOnce.h>
 
 #include <osg/Notify>
 #include <osgDB/FileNameUtils>
@@ -18,7 +16,6 @@
 #include <osgPMObjects/ReadModel>
 
 #include "scenery/models/Catalogue.h"
-#include "scenery/nodes/ModelStates.h"
 #include "scenery/nodes/ProgressiveModel.h"
 
 namespace scenery
@@ -33,23 +30,6 @@ namespace core = osgPMObjects::core;
 Stance stanceOf(models::Kind kind)
 {
     return kind >= models::Kind::saloon ? Stance::tilted : Stance::upright;
-}
-
-/// Calls `work(i)` for each number, in as many threads as there are processors, the next free one taking the next number.
-template<class Work>
-void forEachAtOnce(std::size_t count, const Work& work)
-{
-    std::atomic<std::size_t> next{0};
-    const auto run = [&]
-    {
-        for (std::size_t i = next++; i < count; i = next++)
-            work(i);
-    };
-    foundation::Threads others;
-    for (std::size_t t = 1; t < std::min<std::size_t>(count, std::thread::hardware_concurrency()); ++t)
-        others.run(run);
-    run();
-    others.join();
 }
 
 foundation::Result<osg::ref_ptr<const ProgressiveShape>> shapeOfPm(const std::string& file)
@@ -114,27 +94,21 @@ foundation::Result<SceneryShapes> makeSceneryShapes(const std::vector<SceneryObj
     made.groundZM.resize(objects.size());
     if (const auto read = readFiles(objects, made); !read) return read.error();
 
-    std::vector<models::Model> generated(objects.size());
-    forEachAtOnce(objects.size(),
-                  [&](std::size_t i)
-                  {
-                      if (objects[i].kind) generated[i] = models::generate(*objects[i].kind, objects[i].seed);
-                  });
-    ModelStates states; // paints, in one thread
-    std::vector<std::vector<osg::ref_ptr<osg::StateSet>>> statesOf;
-    for (const models::Model& model : generated)
-        statesOf.push_back(states.statesOf(model));
-    for (const auto& ofModel : statesOf)
-        useIsotropicTextures(ofModel);
-    forEachAtOnce(objects.size(),
-                  [&](std::size_t i)
-                  {
-                      if (!objects[i].kind) return;
-                      made.measures[i] =
-                          measuresOf(generated[i].mesh, generated[i].foundationM, stanceOf(*objects[i].kind));
-                      made.shapes[i] = new ProgressiveShape(progressiveOf(std::move(generated[i].mesh)),
-                                                            std::move(statesOf[i]));
-                  });
+    std::vector<std::size_t> places; // of those that are generated
+    for (std::size_t i = 0; i < objects.size(); ++i)
+        if (objects[i].kind) places.push_back(i);
+    std::vector<models::Model> generated(places.size());
+    foundation::forEachAtOnce(places.size(),
+                              [&](std::size_t i)
+                              {
+                                  const SceneryObject& object = objects[places[i]];
+                                  generated[i] = models::generate(*object.kind, object.seed);
+                                  made.measures[places[i]] = measuresOf(
+                                      generated[i].mesh, generated[i].foundationM, stanceOf(*object.kind));
+                              });
+    const auto shapes = makeProgressiveModels(std::move(generated));
+    for (std::size_t i = 0; i < places.size(); ++i)
+        made.shapes[places[i]] = shapes[i];
     made.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return made;
 }

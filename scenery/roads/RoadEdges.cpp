@@ -125,7 +125,7 @@ RoadEdges::RoadEdges(const PlacedNetwork& roads, const osgTerrainROAM::core::Pla
         return true;
     };
     const std::size_t count = roads.network().roads.size();
-    const std::size_t runs = std::clamp<std::size_t>(std::thread::hardware_concurrency(), 1, 8);
+    const std::size_t runs = std::clamp<std::size_t>(foundation::processors(), 1, 8);
     std::vector<std::vector<Point>> found(runs);
     const auto look = [&](std::size_t run)
     {

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "terraintool/mt/AddMtCommands.h"
 
-#include <algorithm>
-#include <thread>
+#include <foundation/Threads.h>
 
 namespace terraintool
 {
@@ -40,7 +39,7 @@ void addMtBuild(CLI::App& app, std::filesystem::path& jsonFile, Command& command
 {
     CLI::App* sub = app.add_subcommand("mt-build", "build a multi-triangulation, a .mt file");
     const auto request = std::make_shared<MtBuildRequest>();
-    request->options.jobs = std::max(1u, std::thread::hardware_concurrency());
+    request->options.jobs = static_cast<unsigned>(foundation::processors());
     addMtBuildOptions(*sub, *request, jsonFile);
     sub->add_option("--jobs", request->options.jobs, "threads")->check(CLI::Range(1u, 1024u));
     sub->callback([request, &command] { command = [request](const Request&) { return buildMt(*request); }; });

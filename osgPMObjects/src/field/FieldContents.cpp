@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <string>
+
+#include <foundation/ForEachAtOnce.h>
 
 #include "../settings/ErrorPlace.h"
 
@@ -69,13 +72,20 @@ foundation::Outcome checkContents(const std::vector<FieldKind>& kinds,
 std::vector<osg::ref_ptr<FieldMesh>> meshesOf(const std::vector<FieldKind>& kinds,
                                               const std::vector<osg::ref_ptr<FieldMesh>>& known)
 {
-    std::vector<osg::ref_ptr<FieldMesh>> all = known, meshes;
+    std::map<const ProgressiveShape*, osg::ref_ptr<FieldMesh>> all;
+    for (const osg::ref_ptr<FieldMesh>& mesh : known)
+        all.emplace(&mesh->shape(), mesh);
+    std::vector<osg::ref_ptr<const ProgressiveShape>> missing;
+    for (const FieldKind& kind : kinds)
+        if (all.emplace(kind.shape.get(), nullptr).second) missing.push_back(kind.shape);
+    std::vector<osg::ref_ptr<FieldMesh>> made(missing.size());
+    foundation::forEachAtOnce(missing.size(), [&](std::size_t i) { made[i] = new FieldMesh(missing[i]); });
+    for (std::size_t i = 0; i < missing.size(); ++i)
+        all[missing[i].get()] = made[i];
+    std::vector<osg::ref_ptr<FieldMesh>> meshes;
     for (const FieldKind& kind : kinds)
     {
-        const auto found = std::find_if(all.begin(), all.end(),
-                                        [&](const auto& mesh) { return &mesh->shape() == kind.shape.get(); });
-        meshes.push_back(found != all.end() ? *found : osg::ref_ptr<FieldMesh>(new FieldMesh(kind.shape)));
-        all.push_back(meshes.back());
+        meshes.push_back(all[kind.shape.get()]);
         if (kind.switching.method == core::SwitchMethod::geomorph) meshes.back()->addTargets();
     }
     return meshes;

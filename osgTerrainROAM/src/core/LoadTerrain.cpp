@@ -29,6 +29,9 @@ foundation::Result<RoamFile> describeTerrain(const std::filesystem::path& file,
                                              const DemImportOptions& import)
 {
     if (file.extension() == ".roam") return readRoamFile(file);
+    std::error_code failed;
+    if (const auto world = file / "world.roam"; std::filesystem::exists(world, failed))
+        return readRoamFile(world);
     RoamFile description;
     description.dems = {file};
     description.import = import;

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <functional>
-#include <thread>
 
 #include <foundation/Threads.h>
 
@@ -15,7 +14,7 @@ namespace osgTerrainROAM
 /// Errors: the first exception of a band is thrown again here, after all have ended.
 inline void parallelRows(int rows, const std::function<void(int, int)>& work)
 {
-    const int bands = std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, 8);
+    const int bands = std::clamp(static_cast<int>(foundation::processors()), 1, 8);
     if (rows < 64 || bands == 1) return work(0, rows);
     foundation::Threads threads;
     for (int band = 0; band < bands; ++band)

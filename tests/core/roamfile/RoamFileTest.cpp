@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <filesystem>
 #include <fstream>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <osgTerrainROAM/core/LoadTerrain.h>
 #include <osgTerrainROAM/core/RoamFile.h>
 
 #include "SyntheticField.h"
@@ -125,6 +127,22 @@ TEST(RoamFile, NeedsOnlyADem)
     EXPECT_FALSE(file->origin);
     EXPECT_FALSE(file->land.aridity);
     EXPECT_EQ(messageOf("dem = a b.tif"), "") << "names may have blanks";
+}
+
+TEST(RoamFile, AFolderStandsForTheWorldInIt)
+{
+    const auto folder = std::filesystem::temp_directory_path() / "osgtrainer-a-world";
+    std::filesystem::create_directories(folder);
+    std::ofstream(folder / "ground.tif") << "heights";
+    std::ofstream(folder / "world.roam") << "dem = ground.tif\n";
+    const auto world = describeTerrain(folder);
+    ASSERT_TRUE(world) << world.error().message();
+    EXPECT_EQ(world->dems.front(), folder / "ground.tif");
+    std::filesystem::remove(folder / "world.roam");
+    const auto none = describeTerrain(folder);
+    ASSERT_TRUE(none);
+    EXPECT_EQ(none->dems.front(), folder) << "a raster by name, whose reader refuses folders";
+    std::filesystem::remove_all(folder);
 }
 
 TEST(RoamFile, ErrorsNameFileAndLine)

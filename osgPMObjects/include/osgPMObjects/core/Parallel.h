@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <thread>
 
 #include <foundation/Threads.h>
 
@@ -17,7 +16,7 @@ namespace osgPMObjects::core
 template<class Work>
 std::size_t parallelShares(std::size_t count, std::size_t least, const Work& work)
 {
-    const std::size_t threads = std::max(1u, std::thread::hardware_concurrency());
+    const std::size_t threads = foundation::processors();
     const std::size_t shares = std::clamp<std::size_t>(count / std::max<std::size_t>(least, 1), 1, threads);
     foundation::Threads others;
     for (std::size_t s = 1; s < shares; ++s)

@@ -136,7 +136,7 @@ BakedMaps bakeMaps(const Mesh& full, const Mesh& simplified, const Atlas& atlas,
     maps.sizePx = atlas.sizePx;
     maps.colours.resize(owners.faces.size());
     maps.normals.resize(owners.faces.size());
-    std::vector<std::size_t> unmatched(std::max(1u, std::thread::hardware_concurrency()), 0);
+    std::vector<std::size_t> unmatched(foundation::processors(), 0);
     parallelShares(owned.size(), kLeastTexelsAThread,
                    [&](std::size_t first, std::size_t last, std::size_t share)
                    {

@@ -95,7 +95,7 @@ public:
         const PointTree tree(_places);
         std::atomic<bool> isCutShort = false;
         const std::size_t most = kMostJunctions * (_edges.size() + _vertices.size()) + kFewJunctions;
-        std::vector<std::vector<TJunction>> found(std::max(1u, std::thread::hardware_concurrency()));
+        std::vector<std::vector<TJunction>> found(foundation::processors());
         parallelShares(groupCount(), kLeastGroupsAThread,
                        [&](std::size_t first, std::size_t last, std::size_t share)
                        {

@@ -44,7 +44,7 @@ TriangleTree::TriangleTree(std::span<const glm::dvec3> positions, std::span<cons
         centres.push_back((positions[t[0]] + positions[t[1]] + positions[t[2]]) / 3.0);
     _nodes.reserve(triangles.size());
     const auto count = static_cast<std::uint32_t>(triangles.size());
-    if (count > 0) build(0, count, centres, std::max(1u, std::thread::hardware_concurrency()), _nodes);
+    if (count > 0) build(0, count, centres, foundation::processors(), _nodes);
 }
 
 void TriangleTree::build(std::uint32_t first, std::uint32_t last, std::span<const glm::dvec3> centres,

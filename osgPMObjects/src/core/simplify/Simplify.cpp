@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <thread>
 
 #include <osgPMObjects/core/Parallel.h>
 #include <osgPMObjects/core/simplify/Simplify.h>
@@ -17,8 +16,8 @@ namespace osgPMObjects::core
 CollapseSequence simplify(const Mesh& mesh, const SimplifySettings& settings)
 {
     CollapseState state(mesh, settings);
-    const std::size_t threads = std::thread::
-        hardware_concurrency(); // one for each material of foliage, the other parts share the rest
+    // One for each material of foliage, the other parts share the rest.
+    const std::size_t threads = foundation::processors();
     const auto shares = partShares(state, threads - std::min(threads, state.foliage.size()));
     std::vector<PartialSequence> partial(shares.size() + state.foliage.size());
     const auto part = [&](std::size_t i)

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <atomic>
-#include <thread>
 #include <utility>
 
-#include <foundation/Threads.h>
+#include <foundation/ForEachAtOnce.h>
 #include <glm/common.hpp>
 
 #include <osgRoads/core/read/Problem.h>
@@ -77,23 +75,6 @@ std::vector<RoadSpan> partsOf(const RoadNetwork& network)
     return spans;
 }
 
-/// Calls `work(i)` for the numbers below `count`, in as many threads as the machine has.
-template<class Work>
-void inThreads(std::size_t count, const Work& work)
-{
-    std::atomic<std::size_t> next = 0;
-    const auto some = [&]
-    {
-        for (std::size_t i = next++; i < count; i = next++)
-            work(i);
-    };
-    foundation::Threads others;
-    for (std::size_t i = 1; i < std::min<std::size_t>(count, std::thread::hardware_concurrency()); ++i)
-        others.run(some);
-    some();
-    others.join();
-}
-
 } // namespace
 
 RoadMeshSettings meshSettingsFor(const RoadNetwork& network)
@@ -114,8 +95,9 @@ RoadMesh buildRoadMesh(const PlacedNetwork& network, const RoadMeshSettings& set
     for (std::size_t first = 0; first < spans.size(); first += kPartsAtOnce)
     {
         parts.resize(std::min(kPartsAtOnce, spans.size() - first));
-        inThreads(parts.size(), [&](std::size_t i)
-                  { parts[i] = buildPart(network, settings, decals, joiner.origin(), spans[first + i]); });
+        foundation::forEachAtOnce(
+            parts.size(), [&](std::size_t i)
+            { parts[i] = buildPart(network, settings, decals, joiner.origin(), spans[first + i]); });
         for (RoadMesh& part : parts)
             joiner.add(std::exchange(part, {}));
     }

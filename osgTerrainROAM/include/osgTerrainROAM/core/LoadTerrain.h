@@ -14,7 +14,7 @@
 namespace osgTerrainROAM::core
 {
 
-/// Describes the terrain of a file: a .roam text is read; any other file counts as the elevation raster itself, with `import` and
+/// Describes the terrain of a file: a .roam text is read, a folder stands for the world.roam in it; any other file counts as the elevation raster itself, with `import` and
 /// defaults for the rest. Errors: those of readRoamFile. A missing raster is an error of loadTile.
 foundation::Result<RoamFile> describeTerrain(const std::filesystem::path& file,
                                              const DemImportOptions& import = {});

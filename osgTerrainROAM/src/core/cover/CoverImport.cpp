@@ -3,6 +3,7 @@
 #include <cmath>
 #include <memory>
 
+#include <foundation/ForEachAtOnce.h>
 #include <gdal_priv.h>
 
 #include <osgTerrainROAM/core/cover/CoverImport.h>
@@ -99,14 +100,18 @@ CoverMap mapOf(const Classes& classes, const PixelNet& net, const CoverTable& ta
     const glm::dvec2 corner = net.pixelAt(0, 0);
     map.width = sideOf(glm::distance(corner, net.pixelAt(lastColumn, 0)));
     map.height = sideOf(glm::distance(corner, net.pixelAt(0, lastRow)));
-    map.kinds.reserve(static_cast<std::size_t>(map.width) * map.height);
-    for (int y = 0; y < map.height; ++y)
-        for (int x = 0; x < map.width; ++x)
-        {
-            const double column = static_cast<double>(x) * lastColumn / (map.width - 1);
-            const double row = static_cast<double>(y) * lastRow / (map.height - 1);
-            map.kinds.push_back(kindOf(classes.at(net.pixelAt(column, row)), table, map));
-        }
+    std::vector<std::int32_t> codes(static_cast<std::size_t>(map.width) * map.height);
+    foundation::forEachAtOnce(static_cast<std::size_t>(map.height),
+                              [&](std::size_t y)
+                              {
+                                  const double row = static_cast<double>(y) * lastRow / (map.height - 1);
+                                  for (int x = 0; x < map.width; ++x)
+                                      codes[y * map.width + x] = classes.at(net.pixelAt(
+                                          static_cast<double>(x) * lastColumn / (map.width - 1), row));
+                              });
+    map.kinds.reserve(codes.size());
+    for (const std::int32_t code : codes)
+        map.kinds.push_back(kindOf(code, table, map));
     return map;
 }
 

@@ -110,7 +110,7 @@ std::vector<HeightChange> changesIn(const std::vector<GridRect>& blocks, const H
                                     const PlacedTile& tile, bool ofSamples)
 {
     const GridRect data{0, 0, tile.grid().dataColumns() - 1, tile.grid().dataRows() - 1};
-    const std::size_t most = std::clamp(std::thread::hardware_concurrency(), 1u, 8u);
+    const std::size_t most = std::clamp<std::size_t>(foundation::processors(), 1, 8);
     const std::size_t runs = std::clamp(blocks.size() / kLeastBlocks, std::size_t{1}, most);
     std::vector<std::vector<HeightChange>> found(runs);
     const auto look = [&](std::size_t run)
