@@ -20,7 +20,7 @@
 #include <osgOffscreen/OffscreenViewer>
 #include <osgOffscreen/PngFile>
 
-#include "OutlinedTriangles.h"
+#include "SheetPictures.h"
 #include "measurement/view/ContactSheet.h"
 
 namespace
@@ -31,7 +31,8 @@ using namespace osgMultiTriangulation;
 constexpr double kTolerancePx = 2.0;
 constexpr double kHeightDeg = 45.0;
 
-using sheet::endWith, sheet::outlined, sheet::Soup, sheet::viewerOn, sheet::write;
+using measurement::drawnTriangles;
+using sheet::endWith, sheet::Soup, sheet::viewerOn, sheet::write;
 
 /// Collects the triangles of a drawable, lighter the flatter they are.
 struct Shaded
@@ -84,7 +85,7 @@ void drawGround(const std::filesystem::path& path, const std::filesystem::path& 
         write(*groundPicture(opened->terrain, box), folder / (std::string(name) + ".png"), files);
         const Soup soup = soupOf(*drawn);
         std::printf("%s: %zu triangles at %g px\n", name, soup.corners->size() / 3, kTolerancePx);
-        wires.push_back(groundPicture(outlined(soup), box));
+        wires.push_back(groundPicture(drawnTriangles(soup), box));
     }
     write(*wires[0], folder / "mt-wires.png", files);
     write(*wires[1], folder / "roam-wires.png", files);
@@ -121,7 +122,7 @@ osg::ref_ptr<osg::Image> planPicture(const core::Extraction& extraction, const c
 {
     const Soup soup = planOf(extraction);
     std::printf("%s: %zu triangles\n", name, soup.corners->size() / 3);
-    const osg::ref_ptr<osg::Group> scene = outlined(soup);
+    const osg::ref_ptr<osg::Group> scene = drawnTriangles(soup);
     const osg::BoundingSphere bound = scene->getBound();
     const auto viewer = viewerOn(scene, 800, 800);
     osg::BoundingBox box;

@@ -21,7 +21,7 @@
 
 #include <osgOffscreen/PngFile>
 
-#include "OutlinedTriangles.h"
+#include "SheetPictures.h"
 #include "measurement/view/ContactSheet.h"
 
 namespace
@@ -53,7 +53,7 @@ osg::Vec3d toOsg(const glm::dvec3& v)
 /// Draws a soup as an eye sees it; `nearM`: what is nearer is cut away.
 osg::ref_ptr<osg::Image> pictureOf(const sheet::Soup& soup, const Look& look, double nearM)
 {
-    const auto viewer = sheet::viewerOn(sheet::outlined(soup), kWidthPx, kHeightPx);
+    const auto viewer = sheet::viewerOn(measurement::drawnTriangles(soup), kWidthPx, kHeightPx);
     viewer->camera().setProjectionMatrixAsPerspective(kHeightRad * 180.0 / 3.14159265358979,
                                                       double(kWidthPx) / kHeightPx, nearM, 4000.0 * nearM);
     viewer->camera().setComputeNearFarMode(osg::CullSettings::DO_NOT_COMPUTE_NEAR_FAR);

@@ -344,7 +344,7 @@ DemComparison goodFigures()
     good.lightDeg = 2.0;
     good.areaRatio = 64.0;
     good.visiblePercent = 20.0;
-    good.editUs = 3.0;
+    good.followsEdits = true;
     good.memoryMB = 1.0;
     good.morph = MorphFigures{4.0, 3.0, 100.0, 10.0};
     good.fit = FitFigures{1.0, 2.0, 3.0, 20.0, 80.0};
@@ -393,7 +393,7 @@ TEST(TerrainCompare, TurnsTheVerdictOfEveryQualityByAPlantedFigure)
                                                        [](MethodFigures& m) { m.lightDeg = 1.5 * kSeenDeg; },
                                                        [](MethodFigures& m) { m.lightDeg = 0.1; },
                                                        [](MethodFigures& m) { m.spikeTriangles = 5000.0; },
-                                                       [](MethodFigures& m) { m.editUs.reset(); },
+                                                       [](MethodFigures& m) { m.followsEdits = false; },
                                                        [](MethodFigures& m) { m.regularPercent = 90.0; },
                                                        [](MethodFigures& m) { m.adaptUsP50 = 30.0; },
                                                        [](MethodFigures& m) { m.ceiling->leastShare = 0.5; },
@@ -516,6 +516,14 @@ TEST(TerrainCompare, FliesTheComparisonFlightOrAScenario)
         EXPECT_EQ(json["dems"][0]["dem"], "hill.tif");
         EXPECT_NE(readBytes(place.path("compared.html")).find("hill.tif"), std::string::npos);
         EXPECT_EQ(json["dems"][0]["methods"].size(), kMethods.size() + 2);
+        for (const ordered_json& method : json["dems"][0]["methods"])
+        {
+            const auto name = method["name"].get<std::string>();
+            EXPECT_EQ(method["frameMs"].is_number(), methodNamed(name).has_value()) << name;
+            const std::string picture = readBytes(place.path("compared-pictures/hill-" + name + ".jpg"));
+            EXPECT_EQ(picture.substr(0, 2), "\xFF\xD8") << name << ": a JPEG file";
+            EXPECT_GT(picture.size(), 5000u) << name << ": with something in it";
+        }
     }
 }
 

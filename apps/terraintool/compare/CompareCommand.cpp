@@ -48,6 +48,17 @@ foundation::Result<ComparedFlight> flightOver(const PlacedTile& tile, const Comp
     return ComparedFlight{std::move(*views), request.errorPx, request.framesBetweenChecks};
 }
 
+/// The folder beside the report that its pictures go to, made; empty: no report.
+foundation::Result<std::filesystem::path> pictureFolder(const CompareRequest& request)
+{
+    if (request.html.empty()) return std::filesystem::path();
+    const std::filesystem::path folder = request.html.parent_path() / picturesOf(request.html);
+    std::error_code failed;
+    std::filesystem::create_directories(folder, failed);
+    if (failed) return foundation::Error{folder.string(), failed.message(), "name a folder that can be made"};
+    return folder;
+}
+
 void print(const DemComparison& dem)
 {
     std::cout << dem.dem << '\n' << std::fixed;
@@ -67,6 +78,10 @@ void print(const DemComparison& dem)
 foundation::Result<terminal::Report> compare(const CompareRequest& request)
 {
     if (const auto writable = foundation::checkWritable(request.html); !writable) return writable.error();
+    const auto painter = makePainter();
+    if (!painter) std::cerr << "terraintool: no pictures: " << painter.error().message() << '\n';
+    const auto folder = pictureFolder(request);
+    if (!folder) return folder.error();
     std::vector<DemComparison> dems;
     for (const std::string& file : request.files)
     {
@@ -74,8 +89,10 @@ foundation::Result<terminal::Report> compare(const CompareRequest& request)
         if (!field) return field.error();
         const auto square = squareOf(*field, request.square, file);
         if (!square) return square.error();
-        auto compared =
-            compareOver(*square, [&](const PlacedTile& tile) { return flightOver(tile, request); });
+        const Painting painting{painter ? painter->get() : nullptr, *folder,
+                                std::filesystem::path(file).stem().string()};
+        auto compared = compareOver(
+            *square, [&](const PlacedTile& tile) { return flightOver(tile, request); }, painting);
         if (!compared) return compared.error();
         compared->dem = std::filesystem::path(file).filename().string();
         print(*compared);
@@ -84,7 +101,9 @@ foundation::Result<terminal::Report> compare(const CompareRequest& request)
     for (const ClaimVerdict& v : claimVerdicts(dems))
         std::cout << v.claim << ": " << v.verdict << ", " << v.figure << '\n';
     if (!request.html.empty())
-        if (const auto written = foundation::writeWholeFile(request.html, comparisonHtml(dems)); !written)
+        if (const auto written =
+                foundation::writeWholeFile(request.html, comparisonHtml(dems, picturesOf(request.html)));
+            !written)
             return written.error();
     return terminal::Report{comparisonJson(dems), true};
 }

@@ -131,6 +131,22 @@ std::string claimsTable(const std::vector<DemComparison>& dems)
     return html + "</table>\n";
 }
 
+/// Pictures of all methods from the same eye, side by side; nothing where none was written.
+std::string picturesTable(const DemComparison& dem, const std::string& folder)
+{
+    std::string images, names;
+    for (const MethodFigures& m : dem.methods)
+    {
+        if (m.picture.empty()) continue;
+        images += "<td><img src=\"" + escapedMarkup(folder + "/" + m.picture) + "\" alt=\"" +
+                  escapedMarkup(m.name) + "\" width=\"240\"></td>";
+        names += "<th>" + escapedMarkup(m.name) + "</th>";
+    }
+    if (images.empty()) return "";
+    return "<p>From the middle of the flight, at four times the tolerances.</p>\n<table>\n<tr>" + names +
+           "</tr>\n<tr>" + images + "</tr>\n</table>\n";
+}
+
 /// Plots one list of figures of each method over the frames.
 std::string plotOf(const DemComparison& dem, const char* title, std::vector<double> MethodFigures::*values)
 {
@@ -146,13 +162,18 @@ std::string plotOf(const DemComparison& dem, const char* title, std::vector<doub
 
 } // namespace
 
-std::string comparisonHtml(const std::vector<DemComparison>& dems)
+std::string picturesOf(const std::filesystem::path& html)
+{
+    return html.stem().string() + "-pictures";
+}
+
+std::string comparisonHtml(const std::vector<DemComparison>& dems, const std::string& pictures)
 {
     std::string html = "<h2>Claims of the paper</h2>\n" + claimsTable(dems) +
                        "<h2>Advantages and drawbacks that it lists</h2>\n" + qualitiesTable(dems);
     for (const DemComparison& dem : dems)
-        html += "<h2>" + escapedMarkup(dem.dem) + "</h2>\n" + figuresTable(dem, columns()) +
-                figuresTable(dem, furtherColumns()) + reworksTable(dem) +
+        html += "<h2>" + escapedMarkup(dem.dem) + "</h2>\n" + picturesTable(dem, pictures) +
+                figuresTable(dem, columns()) + figuresTable(dem, furtherColumns()) + reworksTable(dem) +
                 plotOf(dem, "Triangles", &MethodFigures::frameTriangles) +
                 plotOf(dem, "Adaptation, µs", &MethodFigures::frameUs) + requirementsTable(dem);
     return measurement::htmlPage("Methods of level of detail at equal true error", html);

@@ -36,10 +36,10 @@ std::pair<double, double> firstFrames(RivalMesh& mesh, const ComparedFlight& fli
     return {measurement::percentile(us, 0.5), vertices / static_cast<double>(us.size())};
 }
 
-/// The sample nearest to an eye in the middle of its picture; nothing: no sample lies there.
+/// The sample nearest to an eye well inside its picture; nothing: no sample lies there.
 std::optional<GridPoint> sampleInSight(const PlacedTile& tile, const viewlod::ViewState& view)
 {
-    constexpr double kMiddle = 0.3, kFarM = 1e30;
+    constexpr double kMiddle = 0.85, kFarM = 1e30;
     std::optional<GridPoint> found;
     double nearestM = kFarM;
     const int step = 1 << tile.grid().exponent();
@@ -71,7 +71,8 @@ std::optional<MorphFigures> measureMorph(const Rival& rival, const ComparedFligh
 void measureEdits(const Rivals& rivals, const ComparedFlight& flight, std::vector<MethodFigures>& methods)
 {
     constexpr int kEdits = 8;
-    constexpr double kDepth = 0.02; // of each edit, as a share of the distance: some 20 pixels
+    constexpr double kDepth =
+        0.005; // of each edit, as a share of the distance: some 5 pixels, so that it stays in sight
     const viewlod::ViewState& view = flight.views.front();
     const PlacedTile& tile = rivals.tile->tile;
     const auto place = sampleInSight(tile, view);
@@ -95,8 +96,10 @@ void measureEdits(const Rivals& rivals, const ComparedFlight& flight, std::vecto
                 [&] { meshes[i]->refine(view, {.errorTolerancePx = methods[i].tolerancePx}); }));
     }
     for (std::size_t i = 0; i < meshes.size(); ++i)
-        if (trueErrorPx(*meshes[i], *rivals.tile, view) <= 2.0 * flight.errorPx)
-            methods[i].editUs = measurement::percentile(us[i], 0.5);
+    {
+        methods[i].followsEdits = trueErrorPx(*meshes[i], *rivals.tile, view) <= 2.0 * flight.errorPx;
+        if (*methods[i].followsEdits) methods[i].editUs = measurement::percentile(us[i], 0.5);
+    }
 }
 
 } // namespace terraintool

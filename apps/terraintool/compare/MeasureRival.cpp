@@ -19,6 +19,7 @@
 #include "terraintool/compare/IncoherentFrames.h"
 #include "terraintool/compare/LightChange.h"
 #include "terraintool/compare/MeasureChanges.h"
+#include "terraintool/compare/PaintMethods.h"
 #include "terraintool/compare/WorkFit.h"
 
 namespace terraintool
@@ -188,7 +189,8 @@ MethodFigures measureRival(const Rival& rival, const RoamTile& tile, const Compa
     return figures;
 }
 
-foundation::Result<DemComparison> compareOver(const HeightField& square, const FlightMaker& flightOver)
+foundation::Result<DemComparison> compareOver(const HeightField& square, const FlightMaker& flightOver,
+                                              const Painting& painting)
 {
     auto plain = prepareRivals(square);
     if (!plain) return plain.error();
@@ -209,6 +211,11 @@ foundation::Result<DemComparison> compareOver(const HeightField& square, const F
         figures.spikeTriangles = trianglesOf(spiked->all[i], figures.tolerancePx, flight->views.front()) -
                                  trianglesOf(rival, figures.tolerancePx, flight->views.front());
     }
+    if (painting.painter)
+        if (const auto painted = paintMethods(*painting.painter, *plain, *flight, painting.folder,
+                                              painting.stem, comparison.methods);
+            !painted)
+            return painted.error();
     measureEdits(*spiked, *flight, comparison.methods);
     const auto merges = measureMerges(plain->tile);
     comparison.merges = {merges["nsPerRemovedTriangle"], merges["singleMergeNsPerRemovedTriangle"]};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -8,6 +9,7 @@
 
 #include <viewlod/ViewState.h>
 
+#include "terraintool/compare/MeshPainter.h"
 #include "terraintool/compare/MethodFigures.h"
 #include "terraintool/compare/Rival.h"
 
@@ -40,10 +42,18 @@ double toleranceForError(const Rival& rival, const osgTerrainROAM::core::RoamTil
 MethodFigures measureRival(const Rival& rival, const osgTerrainROAM::core::RoamTile& tile,
                            const ComparedFlight& flight);
 
-/// Compares all methods over a square of samples. Errors: a method cannot draw it.
+/// Who draws pictures of the meshes, and where they are written.
+struct Painting
+{
+    MeshPainter* painter = nullptr; ///< null: none
+    std::filesystem::path folder{}; ///< empty: pictures are measured, but not written
+    std::string stem{};             ///< begins the names of the files
+};
+
+/// Compares all methods over a square of samples. Errors: a method cannot draw it; a picture cannot be drawn or written.
 using FlightMaker =
     std::function<foundation::Result<ComparedFlight>(const osgTerrainROAM::core::PlacedTile&)>;
 foundation::Result<DemComparison> compareOver(const osgTerrainROAM::core::HeightField& square,
-                                              const FlightMaker& flightOver);
+                                              const FlightMaker& flightOver, const Painting& painting = {});
 
 } // namespace terraintool

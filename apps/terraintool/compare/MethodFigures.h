@@ -58,10 +58,12 @@ struct MethodFigures
     double regularPercent = 0.0; ///< of the triangles: right and isosceles in plan, last frame
     double areaRatio = 1.0;      ///< the largest triangle's area in plan to the smallest's, last frame
     std::optional<double> visiblePercent{}; ///< of the triangles left by culling, last frame
-    std::optional<double> editUs{};      ///< following an edit of a sample; absent: the mesh does not follow
-    std::optional<MorphFigures> morph{}; ///< absent: the method does not morph
+    std::optional<double> editUs{};         ///< following an edit of a sample; absent: not, or not measured
+    std::optional<bool> followsEdits{};     ///< absent: not measured
+    std::optional<MorphFigures> morph{};    ///< absent: the method does not morph
     std::optional<FitFigures> fit{};
     std::optional<double> frameMs{}; ///< a whole picture, median; absent: not drawn
+    std::string picture{};           ///< name of the file; empty: none
     double memoryMB = 0.0;           ///< besides the tile
     double preparationS = 0.0;
     std::size_t breaks = 0;                  ///< T-junctions and cracks in the checked frames

@@ -110,9 +110,10 @@ const Property kSteadyLight =
            [](const MethodFigures& m, const DemComparison&) { return std::optional(m.lightDeg); });
 const Property kLocal =
     atMost("local features stay local", " triangles a level added by a spike", 32.0, spikePerLevel);
-const Property kDynamic = moreThan("follows changes of the ground", " of the terrains", 0.5,
-                                   [](const MethodFigures& m, const DemComparison&)
-                                   { return std::optional(m.editUs ? 1.0 : 0.0); });
+const Property kDynamic =
+    moreThan("follows changes of the ground", " of the terrains", 0.5,
+             [](const MethodFigures& m, const DemComparison&)
+             { return m.followsEdits ? std::optional(*m.followsEdits ? 1.0 : 0.0) : std::nullopt; });
 const Property kIrregular =
     atMost("an irregular triangulation", " % are right and isosceles", 50.0,
            [](const MethodFigures& m, const DemComparison&) { return std::optional(m.regularPercent); });

@@ -1,24 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "OutlinedTriangles.h"
+#include "measurement/view/OutlinedTriangles.h"
 
 #include <algorithm>
-#include <cstdio>
-#include <cstdlib>
 
 #include <osg/Geometry>
 #include <osg/PolygonMode>
 #include <osg/PolygonOffset>
 
-#include <osgOffscreen/PngFile>
-
-namespace sheet
+namespace measurement
 {
-
-void endWith(const std::string& message)
-{
-    std::fprintf(stderr, "%s\n", message.c_str());
-    std::exit(1);
-}
 
 void Soup::add(const osg::Vec3& a, const osg::Vec3& b, const osg::Vec3& c, const osg::Vec4& colour)
 {
@@ -37,11 +27,12 @@ void Soup::addLit(const osg::Vec3& a, const osg::Vec3& b, const osg::Vec3& c)
     add(a, b, c, {light, light, 0.95F * light, 1.0F});
 }
 
-osg::ref_ptr<osg::Group> outlined(const Soup& soup)
+osg::ref_ptr<osg::Group> drawnTriangles(const Soup& soup, bool hasSides)
 {
     const osg::ref_ptr<osg::Group> group = new osg::Group;
     for (const bool isFilled : {true, false})
     {
+        if (!isFilled && !hasSides) continue;
         const osg::ref_ptr<osg::Geometry> geometry = new osg::Geometry;
         geometry->setVertexArray(soup.corners);
         const osg::ref_ptr<osg::Vec4Array> dark = new osg::Vec4Array(1);
@@ -64,21 +55,4 @@ osg::ref_ptr<osg::Group> outlined(const Soup& soup)
     return group;
 }
 
-std::unique_ptr<osgOffscreen::OffscreenViewer> viewerOn(osg::Node* scene, int widthPx, int heightPx)
-{
-    auto made =
-        osgOffscreen::OffscreenViewer::create({.widthPx = widthPx, .heightPx = heightPx, .samples = 4});
-    if (!made) endWith(made.error().message());
-    (*made)->viewer().setSceneData(scene);
-    (*made)->camera().setClearColor({0.82F, 0.87F, 0.92F, 1.0F});
-    return std::move(*made);
-}
-
-void write(const osg::Image& image, const std::filesystem::path& file,
-           std::vector<std::filesystem::path>& files)
-{
-    files.push_back(file);
-    if (!osgOffscreen::writePng(image, file)) endWith(file.string() + " cannot be written");
-}
-
-} // namespace sheet
+} // namespace measurement
