@@ -6,6 +6,8 @@
 #include <map>
 #include <utility>
 
+#include <osgTerrainROAM/SunShadows>
+
 #include "scenery/buildings/BuildingFacets.h"
 #include "scenery/nodes/FacetNodes.h"
 #include "scenery/nodes/ModelStates.h"
@@ -58,6 +60,7 @@ osg::ref_ptr<osg::Group> makeBuildingsNode(std::span<const StandingBuilding> bui
         if (facets.indices.empty()) return;
         const osg::ref_ptr<osg::Geometry> geometry = geometryOf(facets);
         geometry->setStateSet(states.stateOf({painting, models::Coat::matt}));
+        geometry->setNodeMask(osgTerrainROAM::SunShadows::kCastsNone);
         group.addChild(geometry);
     };
     for (const auto& [square, made] : facetsBySquare(buildings, kShellSquareM))
@@ -65,6 +68,7 @@ osg::ref_ptr<osg::Group> makeBuildingsNode(std::span<const StandingBuilding> bui
         osg::Group& group = addOverlapping(*root, made.origin, kShellFarM);
         for (const auto& [painting, facets] : made.facets.shell)
             add(group, facets, painting);
+        group.addChild(casterOf(made.facets.shell));
     }
     for (const auto& [square, made] : facetsBySquare(buildings, kOpeningsSquareM))
         add(addOverlapping(*root, made.origin, kOpeningsFarM), made.facets.openings,

@@ -4,6 +4,8 @@
 #include <osg/LOD>
 #include <osg/MatrixTransform>
 
+#include <osgTerrainROAM/SunShadows>
+
 #include "scenery/nodes/RangedGroup.h"
 
 namespace scenery
@@ -16,6 +18,15 @@ osg::Vec3f vectorOf(const glm::vec3& v)
 {
     return {v.x, v.y, v.z};
 }
+
+/// Lets shadow maps alone draw what has it: their cameras leave out what casts no shadow.
+struct DrawnInMapsAlone : osg::Drawable::CullCallback
+{
+    bool cull(osg::NodeVisitor* visitor, osg::Drawable*, osg::State*) const override
+    {
+        return (visitor->getTraversalMask() & osgTerrainROAM::SunShadows::kCastsNone) != 0;
+    }
+};
 
 osg::Group& placeAt(osg::Group& parent, const glm::dvec3& origin)
 {
@@ -48,6 +59,27 @@ osg::ref_ptr<osg::Geometry> geometryOf(const Facets& facets)
     geometry->setTexCoordArray(0, uvs, osg::Array::BIND_PER_VERTEX);
     geometry->addPrimitiveSet(
         new osg::DrawElementsUInt(GL_TRIANGLES, facets.indices.begin(), facets.indices.end()));
+    return geometry;
+}
+
+osg::ref_ptr<osg::Geometry> casterOf(const std::map<models::Painting, Facets>& facets)
+{
+    const osg::ref_ptr<osg::Vec3Array> positions = new osg::Vec3Array;
+    const osg::ref_ptr<osg::DrawElementsUInt> indices = new osg::DrawElementsUInt(GL_TRIANGLES);
+    for (const auto& [painting, some] : facets)
+    {
+        const auto first = static_cast<std::uint32_t>(positions->size());
+        for (const glm::vec3& position : some.positions)
+            positions->push_back(vectorOf(position));
+        for (const std::uint32_t index : some.indices)
+            indices->push_back(first + index);
+    }
+    const osg::ref_ptr<osg::Geometry> geometry = new osg::Geometry;
+    geometry->setUseVertexBufferObjects(true);
+    geometry->setUseDisplayList(false);
+    geometry->setVertexArray(positions);
+    geometry->addPrimitiveSet(indices);
+    geometry->setCullCallback(new DrawnInMapsAlone);
     return geometry;
 }
 

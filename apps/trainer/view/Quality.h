@@ -40,7 +40,7 @@ inline QualityRules rulesOf(Quality quality)
     case Quality::high:
         break;
     }
-    return {1.0, 1.0, 3, nullptr, {}};
+    return {1.0, 1.0, 3, nullptr, {.movingMaps = 3}};
 }
 
 } // namespace trainer
