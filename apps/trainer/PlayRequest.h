@@ -60,6 +60,9 @@ struct StripRequest
     double lengthM = 800.0, widthM = 30.0;
 };
 
+/// The usual limit of the terrain's triangles.
+inline constexpr std::uint32_t kUsualMaxTriangles = 500000;
+
 /// The terrain and how it is drawn.
 struct TerrainRequest
 {
@@ -71,7 +74,8 @@ struct TerrainRequest
         false; ///< an OpenDRIVE network keeps its own frame, in which scenarios place entities
     std::optional<osgTerrainROAM::core::Method> method{}; ///< of level of detail; absent: the terrain's own
     double errorTolerancePx = 1.0;
-    std::uint32_t maxTriangles = 500000;
+    std::optional<std::uint32_t>
+        maxTriangles{};    ///< absent: kUsualMaxTriangles, or none where the method needs more
     bool morphing = false; ///< vertices move to their new position during several frames
     std::optional<int> patchExponent =
         0; ///< 2^k triangles a leaf; absent: measured to be the fastest on this machine

@@ -177,6 +177,11 @@ void RoamTerrain::traverse(osg::NodeVisitor& visitor)
     osg::Group::traverse(visitor);
 }
 
+core::GroundEditor* RoamTerrain::editor() const
+{
+    return core::traitsOf(settings().method).followsEdits ? _editor.get() : nullptr;
+}
+
 void RoamTerrain::followEdits()
 {
     if (!_editor) return;

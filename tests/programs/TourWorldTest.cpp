@@ -6,6 +6,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <osgTerrainROAM/core/method/Method.h>
+
 #include "HillsText.h"
 #include "Playing.h"
 #include "ProgramRun.h"
@@ -65,6 +67,21 @@ TEST(TourWorld, WhereNoneCanBeMadeTheElevationIsShownAlone)
     EXPECT_TRUE(succeeds(run));
     EXPECT_TRUE(tells(run, "the elevation is shown alone")) << run.text();
     EXPECT_FALSE(std::filesystem::exists(place.path("world/world.roam")));
+}
+
+TEST(TourWorld, EveryMethodFliesOverARaster)
+{
+    const Workplace place;
+    for (const auto& traits : osgTerrainROAM::core::kMethods)
+    {
+        const std::string name(traits.name);
+        const ProgramRun run =
+            runTrainer({"tour", writePlain(place), "--method", name, "--world-folder", place.path("world"),
+                        "--frames", "1", "--size", "32x18", "--samples", "1"});
+        EXPECT_TRUE(succeeds(run)) << name;
+        EXPECT_EQ(tells(run, "takes no samples between those of the raster"), !traits.hasFineSamples)
+            << run.text();
+    }
 }
 
 TEST(TourWorld, FlightsAndDrivesUseTheDefaultWorldBesideTheProgram)

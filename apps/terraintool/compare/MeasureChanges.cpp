@@ -97,7 +97,8 @@ void measureEdits(const Rivals& rivals, const ComparedFlight& flight, std::vecto
     }
     for (std::size_t i = 0; i < meshes.size(); ++i)
     {
-        methods[i].followsEdits = trueErrorPx(*meshes[i], *rivals.tile, view) <= 2.0 * flight.errorPx;
+        methods[i].followsEdits = trueErrorPx(*meshes[i], *rivals.tile, view) <=
+                                  2.0 * std::max(flight.errorPx, methods[i].tolerancePx);
         if (*methods[i].followsEdits) methods[i].editUs = measurement::percentile(us[i], 0.5);
     }
 }

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <iostream>
 #include <memory>
+
+#include <osgTerrainROAM/core/method/Method.h>
 
 #include "PlayCommand.h"
 #include "WorldFiles.h"
@@ -20,11 +23,22 @@ struct TourLine
     WorldChoice world;
 };
 
+/// Whether a world can be shown: its roads and waters lie between the samples of the raster, which not every method takes.
+bool takesWorld(const PlayRequest& request)
+{
+    using namespace osgTerrainROAM::core;
+    if (!request.terrain.method || traitsOf(*request.terrain.method).hasFineSamples) return true;
+    std::cerr
+        << "note: " << methodName(*request.terrain.method)
+        << " takes no samples between those of the raster, as roads need; the elevation is shown alone\n";
+    return false;
+}
+
 /// Where files say what stands on the elevation, no world is made up over it.
 foundation::Outcome tourOne(const TourLine& line)
 {
     PlayRequest request = line.play.request;
-    if (!line.world.isLeftOut && request.scenery.isEmpty())
+    if (!line.world.isLeftOut && request.scenery.isEmpty() && takesWorld(request))
         if (const auto world = worldOver(request.terrain.file, line.world.folder))
             request.terrain.file = *world;
     return tour(request, line.saveFile, line.durationS);

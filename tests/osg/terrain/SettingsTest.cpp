@@ -2,6 +2,7 @@
 // Values out of range are refused, by name, and change nothing.
 #include <cmath>
 #include <limits>
+#include <memory>
 
 #include <gtest/gtest.h>
 
@@ -38,6 +39,22 @@ void expectRefused(const Settings& good, Value Settings::*field, const std::stri
         EXPECT_EQ(checked.error().place, place);
         EXPECT_NE(checked.error().remedy.find("give "), std::string::npos);
     }
+}
+
+TEST(RoamTerrainEditor, IsHandedOutWhileTheMethodFollowsEdits)
+{
+    using namespace osgTerrainROAM::core;
+    const osg::ref_ptr<RoamTerrain> terrain = new RoamTerrain(
+        std::make_shared<RoamTile>(PlacedTile(testsupport::hills(65, 65), Placement::planar)), nullptr);
+    for (const MethodTraits& traits : kMethods)
+    {
+        RoamDrawableSettings settings;
+        settings.method = traits.method;
+        ASSERT_TRUE(terrain->setSettings(settings)) << traits.name;
+        EXPECT_EQ(terrain->editor() != nullptr, traits.followsEdits) << traits.name;
+    }
+    ASSERT_TRUE(terrain->setSettings({}));
+    EXPECT_TRUE(terrain->editor());
 }
 
 TEST(RoamDrawableSettings, RefusesWhatIsNoNumberOrOutOfRange)
