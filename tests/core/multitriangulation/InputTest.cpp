@@ -80,6 +80,8 @@ TEST(PointSet, readsCommasBlanksHeadersAndTellsTheBadLine)
     EXPECT_FALSE(readPointFile(folder.write("d.xyz", "1 2 nan\n")));
     EXPECT_FALSE(readPointFile(folder.write("e.xyz", "1 2 3x\n")));
     EXPECT_FALSE(readPointFile(folder.write("f.xyz", "\n")));
+    EXPECT_FALSE(readPointFile(folder.write("g.xyz", "0 0 0\n1e308 0 0\n-1e308 0 0\n"))); // no extent
+    EXPECT_TRUE(readPointFile(folder.write("h.xyz", "1e15 0 0\n-1e15 0 0\n")));
     EXPECT_FALSE(readPointFile(folder / "none.xyz"));
 }
 

@@ -16,6 +16,10 @@ namespace osgMultiTriangulation::core
 namespace
 {
 
+constexpr double kMostNumber =
+    1e15; ///< greater ones are no lengths; extents and steps of all others are finite
+constexpr double kMostPerStep = 1e15;
+
 std::optional<MeasuredPoint> pointOf(std::string_view line)
 {
     MeasuredPoint point{};
@@ -26,7 +30,7 @@ std::optional<MeasuredPoint> pointOf(std::string_view line)
         line.remove_prefix(first);
         if (line.front() == '+') line.remove_prefix(1);
         const auto [end, failed] = std::from_chars(line.data(), line.data() + line.size(), value);
-        if (failed != std::errc() || !std::isfinite(value)) return std::nullopt;
+        if (failed != std::errc() || !(std::abs(value) <= kMostNumber)) return std::nullopt;
         line.remove_prefix(static_cast<std::size_t>(end - line.data()));
         if (!line.empty() && std::string_view(" \t,;\r").find(line.front()) == std::string_view::npos)
             return std::nullopt;
@@ -49,6 +53,12 @@ foundation::Outcome streamPointFile(const std::filesystem::path& file,
     std::ifstream stream(file);
     if (!stream)
         return foundation::Error{file.string(), "cannot be opened", "check the path and its permissions"};
+    return streamPoints(stream, file.string(), visit);
+}
+
+foundation::Outcome streamPoints(std::istream& stream, const std::string& place,
+                                 const std::function<void(const MeasuredPoint&)>& visit)
+{
     bool hasPoints = false;
     std::string line;
     for (std::size_t number = 1; std::getline(stream, line); ++number)
@@ -61,11 +71,11 @@ foundation::Outcome streamPointFile(const std::filesystem::path& file,
             hasPoints = true;
         }
         else if (number > 1 || std::string_view("+-.0123456789").find(line[first]) != std::string_view::npos)
-            return foundation::Error{file.string() + ":" + std::to_string(number), "has no three numbers",
+            return foundation::Error{place + ":" + std::to_string(number), "has no three numbers",
                                      "write x, y and height, divided by commas or blanks"};
     }
     if (hasPoints) return foundation::success();
-    return foundation::Error{file.string(), "has no points", "write a point on each line"};
+    return foundation::Error{place, "has no points", "write a point on each line"};
 }
 
 foundation::Result<std::vector<MeasuredPoint>> readPointFile(const std::filesystem::path& file)
@@ -94,7 +104,8 @@ PlanFrame LatticeFinder::frame() const
     if (_isEmpty) return {};
     const double most = std::max(extent(0), extent(1));
     double perStep = _perStep;
-    if (perStep == 0.0 || most * perStep > kMostPlan) perStep = most > 0.0 ? kMostPlan / most : 1.0;
+    if (perStep == 0.0 || most * perStep > kMostPlan)
+        perStep = most > 0.0 ? std::min(kMostPlan / most, kMostPerStep) : 1.0;
     return {_low[0], _low[1], 1.0 / perStep, 1.0 / perStep};
 }
 

@@ -4,7 +4,9 @@
 #include <array>
 #include <filesystem>
 #include <functional>
+#include <istream>
 #include <span>
+#include <string>
 #include <vector>
 
 #include <foundation/Result.h>
@@ -22,9 +24,13 @@ using MeasuredPoint = std::array<double, 3>;
 foundation::Outcome streamPointFile(const std::filesystem::path& file,
                                     const std::function<void(const MeasuredPoint&)>& visit);
 
+/// The same from a stream; `place`: what errors name.
+foundation::Outcome streamPoints(std::istream& stream, const std::string& place,
+                                 const std::function<void(const MeasuredPoint&)>& visit);
+
 /// Reads a file of points, one a line: three numbers, divided by commas, semicolons or white space; what follows them is left out. Empty
 /// lines and those that begin with # are passed over, and a first line without numbers.
-/// Errors: no such file; a line without three finite numbers, with its number; no point.
+/// Errors: no such file; a line without three numbers of at most 10^15, with its number; no point.
 foundation::Result<std::vector<MeasuredPoint>> readPointFile(const std::filesystem::path& file);
 
 /// Points on a lattice.
