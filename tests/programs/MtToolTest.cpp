@@ -141,6 +141,19 @@ TEST(MtTool, benchTellsTheLimitAndThePeakBelowIt)
               1);
 }
 
+TEST(MtTool, sweepsShowThatThresholdsSaveReads)
+{
+    const Workplace place;
+    EXPECT_TRUE(succeeds(runTerrainTool({"mt-bench", "--points", "20000", "--sweeps", "--folder",
+                                         place.path(""), "--json", place.path("t.json")})));
+    const auto sweeps = ordered_json::parse(readBytes(place.path("t.json")))["sweeps"];
+    EXPECT_EQ(keysOf(sweeps), (std::vector<std::string>{"treeCounts", "thresholds", "index"}));
+    EXPECT_EQ(sweeps["treeCounts"].size(), 5U);
+    EXPECT_GT(sweeps["treeCounts"].back()["rectangles"], sweeps["treeCounts"].front()["rectangles"]);
+    EXPECT_GT(sweeps["thresholds"].front()["reads"], sweeps["thresholds"].back()["reads"]);
+    EXPECT_FALSE(std::filesystem::exists(place.path("sweeps.mt")));
+}
+
 TEST(MtTool, wrongUseIsTold)
 {
     const Workplace place;

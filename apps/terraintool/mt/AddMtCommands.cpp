@@ -82,6 +82,7 @@ void addMtBench(CLI::App& app, std::filesystem::path& jsonFile, Command& command
         ->check(terminal::between(1.0, 1e7));
     sub->add_option("--folder", request->folder, "for the files; they are removed")
         ->check(CLI::ExistingDirectory);
+    sub->add_flag("--sweeps", request->hasSweeps, "sweep trees, thresholds, index instead");
     sub->add_option("--jobs", request->options.jobs, "threads (1)")->check(CLI::Range(1u, 1024u));
     sub->add_option("--trees", request->options.treeCount, "rectangles; without it: balanced")
         ->check(CLI::Range(1u, 1'000'000u));

@@ -14,6 +14,7 @@
 #include "terraintool/mt/BenchMtWithin.h"
 #include "terraintool/mt/ForestFigures.h"
 #include "terraintool/mt/MtRequest.h"
+#include "terraintool/mt/SweepsMt.h"
 
 namespace terraintool
 {
@@ -114,6 +115,15 @@ nlohmann::ordered_json fitted(const std::vector<std::pair<double, double>>& pair
 foundation::Result<terminal::Report> benchMt(const MtBenchRequest& request)
 {
     terminal::Report report;
+    if (request.hasSweeps)
+    {
+        const std::string name = request.distribution.empty() ? "uniform" : request.distribution;
+        const auto sweeps =
+            sweepsOver(delaunay(madeUpPoints(kDistributions.at(name), request.points[0])), request);
+        if (!sweeps) return sweeps.error();
+        report.json["sweeps"] = *sweeps;
+        return report;
+    }
     for (const auto& [name, distribution] : kDistributions)
     {
         if (!request.distribution.empty() && request.distribution != name) continue;

@@ -40,6 +40,7 @@ struct MtBenchRequest
     std::filesystem::path folder; ///< for the files, which are removed again
     double memoryMb = 0.0;        ///< 0: no limit
     osgMultiTriangulation::core::ForestOptions options;
+    bool hasSweeps = false; ///< sweeps over the first number of points, instead of the cases
 };
 
 /// What the command line of mt-fly asks for.
