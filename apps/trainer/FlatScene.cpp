@@ -86,7 +86,7 @@ foundation::Result<SceneTerrain> makeFlatScene(const std::vector<simulation::Fli
                                  "the recording reaches too far for flat ground to be made below it",
                                  "give a terrain of that place"};
     core::RoamFile description;
-    description.land.hasWater = false;
+    description.land.water = osgTerrainROAM::core::WaterRule::none;
     const auto tile = std::make_shared<core::RoamTile>(core::PlacedTile(flatField(std::move(extent))));
     auto terrain = osgTerrainROAM::makeTerrain(description, tile, {std::move(painted), {}});
     if (!terrain) return terrain.error();

@@ -184,7 +184,8 @@ foundation::Result<SceneTerrain> openNetwork(const std::filesystem::path& file, 
     RoamFile description;
     description.placement = osgTerrainROAM::core::Placement::planar;
     description.showsVoids = request.showsVoids;
-    description.land.hasWater = false; // networks know no sea; many lie at height 0
+    description.land.water =
+        osgTerrainROAM::core::WaterRule::none; // networks know no sea; many lie at height 0
     osgTerrainROAM::core::PlacedTileOptions options{.placement = description.placement};
     options.gridExponent = osgTerrainROAM::core::gridExponentFor(ground->field, ground->roadSampleM);
     const auto tile = std::make_shared<RoamTile>(

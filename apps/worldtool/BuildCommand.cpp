@@ -8,6 +8,7 @@
 #include <osgTerrainROAM/core/Climate.h>
 
 #include "worldmaking/land/Runways.h"
+#include "worldmaking/land/Waters.h"
 #include "worldmaking/madeup/MadeUpMap.h"
 #include "worldmaking/map/ReadLand.h"
 #include "worldtool/BuildReport.h"
@@ -54,6 +55,13 @@ void print(const nlohmann::ordered_json& rows)
     for (const auto& [part, row] : rows.items())
         for (const auto& [key, value] : row.items())
             std::cout << part << '.' << key << ' ' << value.dump() << '\n';
+}
+
+/// Level ground is no lake where the map tells what water there is: villages stood in water on a delta whose heights are whole metres.
+const char* waterOf(const worldmaking::LandMap& land, bool isMadeUp, bool hasSea)
+{
+    if (isMadeUp) return hasSea ? "sea" : "none";
+    return std::any_of(land.shapes.begin(), land.shapes.end(), worldmaking::isWater) ? "sea" : nullptr;
 }
 
 } // namespace
@@ -121,8 +129,9 @@ foundation::Result<Report> build(const Request& request)
         if (!read) return read.error();
         runways.insert(runways.end(), read->begin(), read->end());
     }
-    WorldMaker maker({request, map->streets, map->land, *bounds, runways, unusableRunways, hasSea, madePlaces,
-                      ground->placeInScene, climate, *std::move(cover)},
+    WorldMaker maker({request, map->streets, map->land, *bounds, runways, unusableRunways, hasSea,
+                      waterOf(map->land, isMadeUp, hasSea), madePlaces, ground->placeInScene, climate,
+                      *std::move(cover)},
                      ground->heightM, std::move(*state));
     if (isMadeUp) maker.report.json["madeUp"] = madeUp;
     if (isMadeUp) maker.report.json["places"] = places;

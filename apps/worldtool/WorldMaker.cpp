@@ -259,6 +259,7 @@ std::string WorldMaker::describe() const
     if (_hasTrees) text << "objects = trees.gpkg\n";
     if (_hasModels) text << "objects = objects.gpkg\n";
     if (_source.hasSea) text << "sea_level = 0\n";
+    if (_source.water) text << "water = " << _source.water << '\n';
     if (_hasGround) text << "features = ground.gpkg\n";
     if (_hasCover) text << "land_cover = landcover.tif\nland_cover_classes = worldcover\n";
     return text.str();

@@ -38,7 +38,9 @@ struct WorldSource
     worldmaking::MapBounds bounds;
     std::span<const worldmaking::Runway> runways;
     std::size_t unusableRunways = 0;
-    bool hasSea = false;                                ///< at height 0: the world says so
+    bool hasSea = false; ///< at height 0: the world says so
+    const char* water =
+        nullptr; ///< what else is water than the map's: the word of a .roam file; null: the usual
     std::span<const worldmaking::MadeUpPlace> places{}; ///< of a made-up map, which gets scenarios
     std::function<glm::dvec3(const glm::dvec2& degrees)> placeInScene{};
     std::optional<WorldClimate> climate{}; ///< absent: that of the place

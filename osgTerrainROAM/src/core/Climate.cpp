@@ -113,7 +113,7 @@ Climate climateOf(const PlacedTile& tile, const LandParameters& land)
     climate.aridity = land.aridity.value_or(climate.aridity);
     climate.treeLineM = land.treeLineM.value_or(climate.treeLineM);
     climate.snowLineM = land.snowLineM.value_or(climate.snowLineM);
-    climate.hasWater = land.hasWater;
+    climate.water = land.water;
     climate.seaLevelM = land.seaLevelM.value_or(climate.seaLevelM);
     return climate;
 }

@@ -63,7 +63,8 @@ struct VoidsWord
 constexpr Word<VoidsWord> kVoids[] = {
     {"fill", {Voids::fill, false}}, {"keep", {Voids::keep, false}}, {"show", {Voids::fill, true}}};
 constexpr Word<bool> kRoadsHeights[] = {{"file", false}, {"ground", true}};
-constexpr Word<bool> kWaters[] = {{"level", true}, {"none", false}};
+constexpr Word<WaterRule> kWaters[] = {
+    {"level", WaterRule::level}, {"sea", WaterRule::sea}, {"none", WaterRule::none}};
 constexpr Word<bool> kSurroundings[] = {{"made", true}, {"none", false}};
 constexpr Word<VerticalDatum> kDatums[] = {{"automatic", VerticalDatum::automatic},
                                            {"egm96", VerticalDatum::egm96},
@@ -175,7 +176,7 @@ constexpr std::array kKeys{
         [](RoamFile& f, const RoamEntry& e) { return assignNumber(f.land.snowLineM, e, -kFar, kFar); }},
     Key{"sea_level",
         [](RoamFile& f, const RoamEntry& e) { return assignNumber(f.land.seaLevelM, e, -kFar, kFar); }},
-    Key{"water", [](RoamFile& f, const RoamEntry& e) { return assignWord(f.land.hasWater, e, kWaters); }},
+    Key{"water", [](RoamFile& f, const RoamEntry& e) { return assignWord(f.land.water, e, kWaters); }},
     Key{"sun", assignSun},
     Key{"surroundings",
         [](RoamFile& f, const RoamEntry& e) { return assignWord(f.surroundings, e, kSurroundings); }},

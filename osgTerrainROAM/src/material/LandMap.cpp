@@ -29,7 +29,7 @@ unsigned char byteOf(double share)
 std::vector<std::uint8_t> waterOf(MapField heights, const core::PlacedTile& tile, const MapGrid& grid,
                                   const Climate& climate)
 {
-    if (!climate.hasWater) return std::vector<std::uint8_t>(heights.size(), 0);
+    if (climate.water == core::WaterRule::none) return std::vector<std::uint8_t>(heights.size(), 0);
     const auto& samples = tile.samples();
     const bool isPlain = !samples.hasHoles() && samples.fineSamples().isEmpty();
     std::size_t at = 0;
@@ -38,7 +38,7 @@ std::vector<std::uint8_t> waterOf(MapField heights, const core::PlacedTile& tile
             if (!samples.isGround(x * grid.step, y * grid.step) ||
                 samples.hasFineSample(x * grid.step, y * grid.step))
                 heights[at] = std::numeric_limits<float>::quiet_NaN();
-    return waterMask(heights, grid, climate.seaLevelM);
+    return waterMask(heights, grid, climate.seaLevelM, climate.water == core::WaterRule::level);
 }
 
 /// Smooths vegetation and snow over the neighbouring texels: thresholds of single samples would draw the lattice. The weights

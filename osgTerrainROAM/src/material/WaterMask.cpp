@@ -16,11 +16,12 @@ constexpr double kLowerRimShare = 0.04;
 class WaterSearch
 {
 public:
-    WaterSearch(const MapField& heights, const MapGrid& grid, double seaLevelM)
+    WaterSearch(const MapField& heights, const MapGrid& grid, double seaLevelM, bool hasLakes)
         : _heights(heights),
           _width(grid.width),
           _height(grid.height),
           _seaLevel(static_cast<float>(seaLevelM) + 0.01f),
+          _hasLakes(hasLakes),
           _visited(heights.size(), 0)
     {
     }
@@ -48,7 +49,7 @@ private:
     /// A lake's sample has an equal neighbour; this keeps rough land out of the fill.
     bool startsWater(std::size_t at) const
     {
-        return isSea(at) || (at + 1 < _heights.size() && _heights[at + 1] == _heights[at]);
+        return isSea(at) || (_hasLakes && at + 1 < _heights.size() && _heights[at + 1] == _heights[at]);
     }
 
     bool joins(std::size_t from, std::size_t to) const
@@ -89,6 +90,7 @@ private:
     const MapField& _heights;
     int _width, _height;
     float _seaLevel;
+    bool _hasLakes;
     std::vector<std::uint8_t> _visited;
     std::vector<std::size_t> _component;
     std::size_t _rim = 0;
@@ -112,9 +114,10 @@ void grow(std::vector<std::uint8_t>& mask, const MapGrid& grid, std::uint8_t nex
 
 } // namespace
 
-std::vector<std::uint8_t> waterMask(const MapField& heights, const MapGrid& grid, double seaLevelM)
+std::vector<std::uint8_t> waterMask(const MapField& heights, const MapGrid& grid, double seaLevelM,
+                                    bool hasLakes)
 {
-    std::vector<std::uint8_t> mask = WaterSearch(heights, grid, seaLevelM).mask();
+    std::vector<std::uint8_t> mask = WaterSearch(heights, grid, seaLevelM, hasLakes).mask();
     grow(mask, grid, kWater, kShore);
     grow(mask, grid, kShore, kFarShore);
     return mask;

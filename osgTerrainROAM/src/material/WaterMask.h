@@ -14,8 +14,9 @@ namespace osgTerrainROAM
 /// - sea: connected samples at or below sea level, at least kLeastSamples of them;
 /// - lake: connected samples of exactly equal height, at least kLeastSamples, that no more than 4 % of their rim
 ///   lies below (files flatten standing water; a terrace has a lower side).
-/// NaN heights are neither.
+/// `hasLakes`: else there is only sea. NaN heights are neither.
 constexpr int kLeastWaterSamples = 100;
-std::vector<std::uint8_t> waterMask(const MapField& heights, const MapGrid& grid, double seaLevelM);
+std::vector<std::uint8_t> waterMask(const MapField& heights, const MapGrid& grid, double seaLevelM,
+                                    bool hasLakes);
 
 } // namespace osgTerrainROAM

@@ -72,7 +72,7 @@ TEST(RoamFile, HasEveryKey)
     EXPECT_EQ(file->errorTolerancePx, 1.5);
     EXPECT_EQ(file->maxTriangles, 60000u);
     EXPECT_EQ(file->land.aridity, 0.4);
-    EXPECT_FALSE(file->land.hasWater);
+    EXPECT_EQ(file->land.water, WaterRule::none);
     EXPECT_EQ(file->land.treeLineM, 1900.0);
     EXPECT_EQ(file->land.snowLineM, 2500.0);
     EXPECT_EQ(file->land.seaLevelM, -1.5);

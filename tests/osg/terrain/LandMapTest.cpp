@@ -159,7 +159,7 @@ TEST(WaterMask, FindsSeaAndLakeButNoTerrace)
                                          return c < 95 ? 80.0 : 60.0 - c * 0.1 - r * 0.01;
                                      }));
     const MapGrid grid(tile);
-    const auto mask = waterMask(mapHeights(tile, grid), grid, 0.0);
+    const auto mask = waterMask(mapHeights(tile, grid), grid, 0.0, true);
     const auto at = [&](int x, int y) { return mask[static_cast<std::size_t>(y) * grid.width + x]; };
     EXPECT_EQ(at(5, 30), 255);
     EXPECT_EQ(at(50, 30), 255);
@@ -196,7 +196,10 @@ TEST(WaterMask, FindsNoneWhereEditsHaveLevelledTheGround)
                                          return isLake ? 100.0 : 103.0 + c + 0.3 * r;
                                      }));
     EXPECT_EQ(waterOf(data, Climate{}), 255);
-    EXPECT_EQ(waterOf(data, Climate{.hasWater = false}), 0);
+    EXPECT_EQ(waterOf(data, Climate{.water = core::WaterRule::none}), 0);
+    EXPECT_EQ(waterOf(data, Climate{.water = core::WaterRule::sea}), 0);
+    EXPECT_EQ(waterOf(data, Climate{.seaLevelM = 101.0, .water = core::WaterRule::sea}), 255);
+    EXPECT_EQ(waterOf(data, Climate{.seaLevelM = 101.0, .water = core::WaterRule::none}), 0);
 }
 
 /// Where there is no ground, the heights that stand for it are those of the nearest: flat.

@@ -49,7 +49,7 @@ osg::ref_ptr<osg::Node> makeScene(const Faults& faults)
     EXPECT_TRUE(scenery::cutRoads(editor, *roads));
     core::RoamFile description;
     description.placement = core::Placement::planar;
-    description.land.hasWater = false;
+    description.land.water = osgTerrainROAM::core::WaterRule::none;
     description.surroundings = false;
     const auto terrain = makeTerrain(description, tile);
     EXPECT_TRUE(terrain);

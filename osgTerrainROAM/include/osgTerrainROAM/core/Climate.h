@@ -14,7 +14,7 @@ struct Climate
     double treeLineM = 2000.0;
     double snowLineM = 2700.0; ///< of early summer
     double seaLevelM = 0.0;
-    bool hasWater = true;      ///< level ground and ground below the sea is water
+    WaterRule water = WaterRule::level;
     double latitudeDeg = 47.0; ///< how much the seasons change, and when
 };
 

@@ -18,6 +18,14 @@
 namespace osgTerrainROAM::core
 {
 
+/// What the heights themselves say of water, besides what features and land cover call so.
+enum class WaterRule
+{
+    level, ///< level ground is a lake, flat ground at or below the sea is sea
+    sea,   ///< the sea alone
+    none   ///< all ground is land
+};
+
 /// Parameters of the land's appearance. Absent values follow from latitude and longitude (osgTerrainROAM::Climate).
 /// Units: metres in the samples' datum, shares 0…1.
 struct LandParameters
@@ -26,7 +34,7 @@ struct LandParameters
     std::optional<double> treeLineM;
     std::optional<double> snowLineM;
     std::optional<double> seaLevelM;
-    bool hasWater = true; ///< level ground and ground below the sea is water; false: all ground is land
+    WaterRule water = WaterRule::level;
 };
 
 /// Where the (0, 0) of a road network lies that has no georeference of its own. Units: degrees.
