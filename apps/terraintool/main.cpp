@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // terraintool: inspects elevation files and checks the terrain that the ROAM engine draws from them.
+#include <string_view>
+
 #include "terminal/CommandLine.h"
 #include "terminal/Guard.h"
 #include "terraintool/RunCommand.h"
 #include "terraintool/compare/AddCompareCommand.h"
+#include "terraintool/compare/MeshPainter.h"
 #include "terraintool/mt/AddMtCommands.h"
 
 namespace
@@ -87,5 +90,6 @@ int run(int argc, char** argv)
 
 int main(int argc, char** argv)
 {
+    if (argc > 1 && std::string_view(argv[1]) == "compare") terraintool::becomeProgramWithPainter(argv);
     return terminal::guarded("terraintool", [=] { return run(argc, argv); });
 }

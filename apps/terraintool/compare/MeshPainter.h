@@ -39,7 +39,10 @@ public:
                                       const viewlod::ViewState& view, const std::filesystem::path& file) = 0;
 };
 
-/// Returns a painter. Errors: there is no graphics context, or the program was built without OpenSceneGraph.
+/// Runs terraintool-pictures, the program with a painter, in place of this one. Returns if this is it, or if it does not lie beside this one.
+void becomeProgramWithPainter(char** argv);
+
+/// Returns a painter. Errors: there is no graphics context, or the program has none.
 foundation::Result<std::unique_ptr<MeshPainter>> makePainter();
 
 } // namespace terraintool

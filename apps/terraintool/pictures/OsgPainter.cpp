@@ -142,6 +142,8 @@ private:
 
 } // namespace
 
+void becomeProgramWithPainter(char**) {}
+
 foundation::Result<std::unique_ptr<MeshPainter>> makePainter()
 {
     auto measured = OffscreenViewer::create({.widthPx = kWidthPx, .heightPx = kHeightPx});
