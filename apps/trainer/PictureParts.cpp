@@ -8,7 +8,7 @@
 
 #include <osgRoads/RoadDrawable>
 
-#include "view/ProcessorTime.h"
+#include "measurement/ProcessorTime.h"
 
 namespace trainer
 {
@@ -106,14 +106,14 @@ void PictureParts::draw(double timeS)
     _parts[turn].show(false);
     PictureCost cost;
     const auto begin = std::chrono::steady_clock::now();
-    const double usedMs = processorMs();
+    const double usedMs = measurement::processorMs();
     _viewer.frame(timeS);
     for (const auto& context : _contexts)
     {
         context->makeCurrent();
         glFinish();
     }
-    cost.processorMs = processorMs() - usedMs;
+    cost.processorMs = measurement::processorMs() - usedMs;
     cost.wallMs = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
     for (const auto& counter : _counters)
     {

@@ -10,8 +10,8 @@
 #include <osgOffscreen/OffscreenContext>
 
 #include "MeasurePatches.h"
+#include "measurement/ProcessorTime.h"
 #include "view/CameraTimings.h"
-#include "view/ProcessorTime.h"
 #include "view/ViewFile.h"
 
 namespace trainer
@@ -173,7 +173,7 @@ foundation::Outcome PlaySession::frame()
     const double frameS = 1.0 / _request.frames.perSecond;
     _play.scene->show(*_play.player);
     const auto begin = std::chrono::steady_clock::now();
-    const double usedMs = processorMs();
+    const double usedMs = measurement::processorMs();
     look(_statistics.empty() ? 0.0 : frameS);
     if (_parts)
         _parts->draw(_play.player->timeS());
@@ -181,7 +181,7 @@ foundation::Outcome PlaySession::frame()
         _viewer->frame(_play.player->timeS());
     const auto end = std::chrono::steady_clock::now();
     _statistics.push_back(measured());
-    _statistics.back().processorMs = processorMs() - usedMs;
+    _statistics.back().processorMs = measurement::processorMs() - usedMs;
     _statistics.back().wallMs = std::chrono::duration<double, std::milli>(end - begin).count();
     for (auto i = _play.player->clock().stepsPerSecond() / _request.frames.perSecond; i > 0; --i)
     {

@@ -3,11 +3,11 @@
 
 #include <chrono>
 #include <cmath>
-#include <ctime>
 
 #include <osg/Light>
 #include <osg/LightSource>
 
+#include "measurement/ProcessorTime.h"
 #include "scenery/nodes/Sky.h"
 
 namespace framebench
@@ -33,13 +33,6 @@ double wallMs()
 {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch())
         .count();
-}
-
-double cpuMs()
-{
-    timespec now{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-    return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
 }
 
 osg::Matrixd toOsg(const glm::dmat4& matrix)
@@ -134,9 +127,9 @@ void Stage::place(const Eye& eye)
 FrameCost Stage::draw(const Eye& eye)
 {
     place(eye);
-    const double wall = wallMs(), cpu = cpuMs();
+    const double wall = wallMs(), cpu = measurement::processorMs();
     _viewer->frame(0.0);
-    return {wallMs() - wall, cpuMs() - cpu};
+    return {wallMs() - wall, measurement::processorMs() - cpu};
 }
 
 osg::ref_ptr<osg::Image> Stage::picture(const Eye& eye)

@@ -28,6 +28,15 @@ struct DrawnInMapsAlone : osg::Drawable::CullCallback
     }
 };
 
+osg::ref_ptr<osg::Geometry> geometryAt(const osg::ref_ptr<osg::Vec3Array>& positions)
+{
+    const osg::ref_ptr<osg::Geometry> geometry = new osg::Geometry;
+    geometry->setUseVertexBufferObjects(true);
+    geometry->setUseDisplayList(false);
+    geometry->setVertexArray(positions);
+    return geometry;
+}
+
 osg::Group& placeAt(osg::Group& parent, const glm::dvec3& origin)
 {
     const osg::ref_ptr<osg::MatrixTransform> place =
@@ -50,10 +59,7 @@ osg::ref_ptr<osg::Geometry> geometryOf(const Facets& facets)
         colours->push_back(osg::Vec4f(vectorOf(facets.colours[i]), 1.0F));
         uvs->push_back({facets.uvs[i].x, facets.uvs[i].y});
     }
-    const osg::ref_ptr<osg::Geometry> geometry = new osg::Geometry;
-    geometry->setUseVertexBufferObjects(true);
-    geometry->setUseDisplayList(false);
-    geometry->setVertexArray(positions);
+    const osg::ref_ptr<osg::Geometry> geometry = geometryAt(positions);
     geometry->setNormalArray(normals, osg::Array::BIND_PER_VERTEX);
     geometry->setColorArray(colours, osg::Array::BIND_PER_VERTEX);
     geometry->setTexCoordArray(0, uvs, osg::Array::BIND_PER_VERTEX);
@@ -74,10 +80,7 @@ osg::ref_ptr<osg::Geometry> casterOf(const std::map<models::Painting, Facets>& f
         for (const std::uint32_t index : some.indices)
             indices->push_back(first + index);
     }
-    const osg::ref_ptr<osg::Geometry> geometry = new osg::Geometry;
-    geometry->setUseVertexBufferObjects(true);
-    geometry->setUseDisplayList(false);
-    geometry->setVertexArray(positions);
+    const osg::ref_ptr<osg::Geometry> geometry = geometryAt(positions);
     geometry->addPrimitiveSet(indices);
     geometry->setCullCallback(new DrawnInMapsAlone);
     return geometry;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "terraintool/compare/Rival.h"
 
-#include <ctime>
 #include <utility>
 
 #include <osgTerrainROAM/core/method/PrepareTerrain.h>
 #include <osgTerrainROAM/core/roam/LeafOrder.h>
 #include <osgTerrainROAM/core/roam/ScratchRefinement.h>
 
+#include "measurement/ProcessorTime.h"
 #include "terraintool/bench/Measured.h"
 #include "terraintool/compare/MtRival.h"
 
@@ -22,7 +22,7 @@ using namespace osgTerrainROAM::core;
 /// Of all threads of the program.
 double processorS()
 {
-    return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+    return 1e-3 * measurement::processorMs();
 }
 
 /// A mesh of one of the methods that draw terrains.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <chrono>
 #include <cmath>
-#include <ctime>
 #include <iostream>
 #include <map>
 
@@ -11,6 +10,7 @@
 #include <osgMultiTriangulation/core/input/Delaunay.h>
 #include <osgMultiTriangulation/core/input/PointDistribution.h>
 
+#include "measurement/ProcessorTime.h"
 #include "terraintool/mt/BenchMtWithin.h"
 #include "terraintool/mt/ForestFigures.h"
 #include "terraintool/mt/MtRequest.h"
@@ -23,18 +23,12 @@ namespace
 {
 
 using namespace osgMultiTriangulation::core;
+using measurement::processorMs;
 
 const std::map<std::string, PointDistribution> kDistributions{{"uniform", PointDistribution::uniform},
                                                               {"normal", PointDistribution::normal},
                                                               {"laplace", PointDistribution::laplace},
                                                               {"clustered", PointDistribution::clustered}};
-
-double processorMs()
-{
-    timespec now{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-    return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
-}
 
 double wallMs()
 {

@@ -3,11 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <iostream>
 
 #include <osgMultiTriangulation/core/file/BuildMtFile.h>
 #include <osgMultiTriangulation/core/zone/InterestZone.h>
+
+#include "measurement/ProcessorTime.h"
 
 namespace terraintool
 {
@@ -20,13 +21,6 @@ using namespace osgMultiTriangulation::core;
 constexpr int kSteps = 400;        ///< of a way across the surface
 constexpr double kComplete = 0.05; ///< trees that are nearer are whole; shares of the width
 constexpr double kNothing = 0.2;   ///< trees that are farther are not loaded
-
-double processorUs()
-{
-    timespec now{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-    return 1e6 * static_cast<double>(now.tv_sec) + 1e-3 * static_cast<double>(now.tv_nsec);
-}
 
 /// The place of a step on a winding way from one corner of an extent to the other.
 std::pair<double, double> placeAt(const MtEntry& extent, int step)
@@ -146,10 +140,10 @@ foundation::Result<nlohmann::ordered_json> sweepIndex()
         std::size_t byTree = 0, byScan = 0;
         const auto ask = [&](const auto& query)
         {
-            const double before = processorUs();
+            const double before = measurement::processorMs();
             for (int q = 0; q < queries; ++q)
                 query(100.0 * (q * 37 % side) + 30.0, 100.0 * (q * 53 % side) + 70.0);
-            return (processorUs() - before) / queries;
+            return 1000.0 * (measurement::processorMs() - before) / queries;
         };
         const double treeUs =
             ask([&](double x, double y) { byTree += index.near(x, y, 100.0, 100.0).size(); });

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <ctime>
 #include <utility>
 #include <vector>
 
@@ -14,6 +13,7 @@
 #include <osgTerrainROAM/TerrainMaterial>
 
 #include "measurement/Percentile.h"
+#include "measurement/ProcessorTime.h"
 #include "measurement/view/OutlinedTriangles.h"
 #include "terraintool/compare/MeshPainter.h"
 
@@ -24,15 +24,11 @@ namespace
 {
 
 using namespace osgTerrainROAM::core;
+using measurement::processorMs;
 using osgOffscreen::OffscreenViewer;
 
 constexpr int kWidthPx = 640, kHeightPx = 512;           // of measured pictures
 constexpr int kSmallWidthPx = 400, kSmallHeightPx = 320; // of those that are written
-
-double processorMs()
-{
-    return 1e3 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-}
 
 osg::Matrixd toOsg(const glm::dmat4& matrix)
 {

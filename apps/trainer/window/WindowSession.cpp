@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <thread>
 
-#include "view/ProcessorTime.h"
+#include "measurement/ProcessorTime.h"
 #include "window/EndSignals.h"
 
 namespace trainer
@@ -117,7 +117,7 @@ void WindowSession::waitForNext(std::chrono::steady_clock::time_point begun) con
 void WindowSession::measurePicture(std::chrono::steady_clock::time_point begun, double usedMs)
 {
     _times.add(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begun).count(),
-               processorMs() - usedMs);
+               measurement::processorMs() - usedMs);
     // Time that counts by pictures gives the same ones on every machine.
     if (_request.window.pictureS > 0.0 || _isHidden) return;
     const Quality before = _quality.quality();
@@ -146,7 +146,7 @@ foundation::Outcome WindowSession::run()
     while (!_viewer->done() && !_isEnded && !signals.haveCome() && _failed)
     {
         const auto begun = std::chrono::steady_clock::now();
-        const double usedMs = processorMs();
+        const double usedMs = measurement::processorMs();
         injectEvents(wallS());
         showPicture();
         measurePicture(begun, usedMs);

@@ -3,7 +3,7 @@
 
 #include <ctime>
 
-namespace trainer
+namespace measurement
 {
 
 /// Returns the processor time that all threads of this process have used, in milliseconds; 0 where the system does not tell.
@@ -14,4 +14,4 @@ inline double processorMs()
     return 1000.0 * static_cast<double>(used.tv_sec) + 1e-6 * static_cast<double>(used.tv_nsec);
 }
 
-} // namespace trainer
+} // namespace measurement
