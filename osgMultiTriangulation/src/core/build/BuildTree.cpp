@@ -42,7 +42,7 @@ private:
         const LiveSurface& surface = _done.surface();
         MeasuredMesh& rest = _built.rest;
         for (std::uint32_t v = 0; v < _mesh.points.size(); ++v)
-            if (surface.vertex(v).triangle != kNone) addPoint(v);
+            if (surface.isThere(v)) addPoint(v);
         rest.mesh.points = _built.tree.points;
         for (std::uint32_t slot = 0; slot < surface.slots(); ++slot)
         {
@@ -55,10 +55,8 @@ private:
             rest.mesh.triangles.push_back(_built.tree.corners.back());
             rest.errors.push_back(_built.tree.errors.back());
             rest.firstHidden.push_back(static_cast<std::uint32_t>(rest.hidden.size()));
-            for (std::uint32_t p = face.firstPoint; p != kNone; p = surface.vertex(p).next)
-                rest.hidden.push_back({static_cast<std::int32_t>(surface.vertex(p).x),
-                                       static_cast<std::int32_t>(surface.vertex(p).y),
-                                       surface.vertex(p).height});
+            const std::span<const SurfacePoint> removed = surface.removedIn(slot);
+            rest.hidden.insert(rest.hidden.end(), removed.begin(), removed.end());
         }
         rest.firstHidden.push_back(static_cast<std::uint32_t>(rest.hidden.size()));
         _built.tree.rootPoints = static_cast<std::uint32_t>(_built.tree.points.size());

@@ -8,7 +8,8 @@ namespace osgMultiTriangulation::core
 
 std::vector<VertexCollapse> collapseOrder(const SurfaceMesh& mesh)
 {
-    Simplification simplification(fullMesh(mesh), {}, Filling::fan);
+    const MeasuredMesh input = fullMesh(mesh);
+    Simplification simplification(input, {}, Filling::fan);
     simplification.run(0);
     std::vector<VertexCollapse> order;
     order.reserve(simplification.removals().size());

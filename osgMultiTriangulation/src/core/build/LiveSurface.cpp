@@ -14,11 +14,6 @@ namespace osgMultiTriangulation::core
 namespace
 {
 
-double crossOf(const LiveSurface::Vertex& a, const LiveSurface::Vertex& b, const LiveSurface::Vertex& c)
-{
-    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-}
-
 int cornerOfVertex(const LiveSurface::Face& face, std::uint32_t v)
 {
     return face.corners[0] == v ? 0 : face.corners[1] == v ? 1 : 2;
@@ -33,36 +28,32 @@ float roundedUp(double value)
 } // namespace
 
 LiveSurface::LiveSurface(const MeasuredMesh& input)
+    : _points(input.mesh.points), _triangleOf(input.mesh.points.size(), kNone)
 {
     const SurfaceMesh& mesh = input.mesh;
     const osgPMObjects::core::TriangleAdjacency adjacency(mesh.triangles);
-    _vertices.reserve(mesh.points.size() + input.hidden.size());
-    for (const SurfacePoint& p : mesh.points)
-        _vertices.push_back({double(p.x), double(p.y), p.height, kNone, kNone});
     _faces.reserve(mesh.triangles.size());
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
     {
-        const std::span<const SurfacePoint> hidden = input.hiddenOf(t);
-        const auto first = static_cast<std::uint32_t>(_vertices.size());
-        for (std::uint32_t i = 0; i < hidden.size(); ++i)
-            _vertices.push_back({double(hidden[i].x), double(hidden[i].y), hidden[i].height, kNone,
-                                 i + 1 < hidden.size() ? first + i + 1 : kNone});
-        _faces.push_back({mesh.triangles[t], adjacency.neighbours(t), input.errors[t],
-                          hidden.empty() ? kNone : first, static_cast<std::uint32_t>(hidden.size()), t});
+        const std::uint32_t first = input.firstHidden[t];
+        _faces.push_back({mesh.triangles[t], adjacency.neighbours(t), input.errors[t], first,
+                          input.firstHidden[t + 1] - first, t});
         for (const std::uint32_t v : mesh.triangles[t])
-            _vertices[v].triangle = t;
+            _triangleOf[v] = t;
     }
+    _removed.reserve(2 * (mesh.points.size() + input.hidden.size()));
+    _removed.assign(input.hidden.begin(), input.hidden.end());
 }
 
 bool LiveSurface::gatherStar(std::uint32_t v, LiveStar& star) const
 {
-    std::uint32_t slot = _vertices[v].triangle;
+    std::uint32_t slot = _triangleOf[v];
     bool isClosed = true;
     for (int turns = 0;; ++turns) // clockwise to the border, or round
     {
         const std::uint32_t before = _faces[slot].across[cornerOfVertex(_faces[slot], v)];
         if (before == kNone) isClosed = false;
-        if (before == kNone || before == _vertices[v].triangle) break;
+        if (before == kNone || before == _triangleOf[v]) break;
         if (turns == LiveStar::kMost) return false;
         slot = before;
     }
@@ -88,26 +79,46 @@ bool LiveSurface::gatherStar(std::uint32_t v, LiveStar& star) const
     }
     if (star.corners < 3) return false;
     return isClosed ||
-           crossOf(_vertices[star.ring[0]], _vertices[v], _vertices[star.ring[star.corners - 1]]) == 0.0;
+           twiceArea(_points[star.ring[0]], _points[v], _points[star.ring[star.corners - 1]]) == 0.0;
 }
 
 void LiveSurface::replaceStar(std::uint32_t v, const LiveStar& star,
-                              std::span<const HoleTriangulation::Piece> pieces, std::uint32_t firstNumber)
+                              std::span<const HoleTriangulation::Piece> pieces, std::uint32_t firstNumber,
+                              std::span<const std::uint8_t> pieceOf)
 {
-    std::uint32_t points = takePoints(v, star);
+    makeRoom(pieceOf.size());
+    std::array<Filled, LiveStar::kMost> filled;
+    std::array<std::uint32_t, LiveStar::kMost> counts{};
+    for (const std::uint8_t piece : pieceOf)
+        ++counts[piece];
+    auto next = static_cast<std::uint32_t>(_removed.size());
+    _removed.resize(next + pieceOf.size()); // room is there
+    for (std::size_t p = 0; p < pieces.size(); ++p)
+    {
+        Filled& piece = filled[p];
+        piece.corners = {&_points[star.ring[pieces[p].i]], &_points[star.ring[pieces[p].j]],
+                         &_points[star.ring[pieces[p].k]]};
+        piece.area = twiceArea(*piece.corners[0], *piece.corners[1], *piece.corners[2]);
+        piece.first = piece.next = next;
+        next += counts[p];
+    }
+    const std::uint8_t* piece = pieceOf.data();
+    put(filled[*piece++], _points[v]);
     for (int t = 0; t < star.triangles; ++t)
+    {
+        for (const SurfacePoint& point : removedIn(star.slots[t]))
+            put(filled[*piece++], point);
         _faces[star.slots[t]].number = kNone;
+    }
+    _triangleOf[v] = kNone;
     link(star, pieces);
     for (std::uint32_t p = 0; p < pieces.size(); ++p)
-        _faces[star.slots[p]].number = firstNumber + p;
-    while (points != kNone)
     {
-        const std::uint32_t point = points;
-        points = _vertices[point].next;
-        std::size_t p = 0;
-        while (p + 1 < pieces.size() && !contains(_faces[star.slots[p]], _vertices[point]))
-            ++p;
-        addPoint(star.slots[p], point);
+        Face& face = _faces[star.slots[p]];
+        face.number = firstNumber + p;
+        face.firstPoint = filled[p].first;
+        face.pointCount = counts[p];
+        face.error = counts[p] == 0 ? 0.0f : roundedUp(filled[p].worst[0]);
     }
 }
 
@@ -129,15 +140,12 @@ void LiveSurface::link(const LiveStar& star, std::span<const HoleTriangulation::
         const std::array<std::uint8_t, 3> at{pieces[p].i, pieces[p].j, pieces[p].k};
         const std::uint32_t slot = star.slots[p];
         Face& face = _faces[slot];
-        face.error = 0.0f;
-        face.firstPoint = kNone;
-        face.pointCount = 0;
         for (int c = 0; c < 3; ++c)
         {
             const std::uint32_t from = at[c], to = at[(c + 1) % 3];
             face.corners[c] = star.ring[from];
             face.across[c] = slotOfSide[to][from];
-            _vertices[star.ring[from]].triangle = slot;
+            _triangleOf[star.ring[from]] = slot;
             if (to != (from + 1) % star.corners || face.across[c] == kNone) continue;
             Face& outside = _faces[face.across[c]]; // its side runs from `to` to `from`
             outside.across[cornerOfVertex(outside, star.ring[to])] = slot;
@@ -145,48 +153,46 @@ void LiveSurface::link(const LiveStar& star, std::span<const HoleTriangulation::
     }
 }
 
-std::uint32_t LiveSurface::takePoints(std::uint32_t v, const LiveStar& star)
+/// Puts the points of all faces together when there is no room for some more.
+void LiveSurface::makeRoom(std::size_t count)
 {
-    std::uint32_t all = v;
-    _vertices[v].triangle = _vertices[v].next = kNone;
-    for (int t = 0; t < star.triangles; ++t)
-        for (std::uint32_t point = _faces[star.slots[t]].firstPoint; point != kNone;)
-        {
-            const std::uint32_t next = _vertices[point].next;
-            _vertices[point].next = all;
-            all = point;
-            point = next;
-        }
-    return all;
-}
-
-/// Puts a point into a face: in front when it is the worst there, else second.
-void LiveSurface::addPoint(std::uint32_t slot, std::uint32_t point)
-{
-    Face& face = _faces[slot];
-    Vertex& p = _vertices[point];
-    const Vertex &a = _vertices[face.corners[0]], &b = _vertices[face.corners[1]],
-                 &c = _vertices[face.corners[2]];
-    const double onA = crossOf(b, c, p), onB = crossOf(c, a, p), onC = crossOf(a, b, p);
-    const double height = (a.height * onA + b.height * onB + c.height * onC) / (onA + onB + onC);
-    const float error = roundedUp(std::abs(height - p.height));
-    ++face.pointCount;
-    if (face.firstPoint == kNone || error >= face.error)
+    if (_removed.size() + count <= _removed.capacity()) return;
+    std::vector<SurfacePoint> together;
+    together.reserve(_removed.capacity());
+    for (std::uint32_t slot = 0; slot < _faces.size(); ++slot)
     {
-        face.error = std::max(error, face.error);
-        p.next = face.firstPoint;
-        face.firstPoint = point;
-        return;
+        if (_faces[slot].number == kNone) continue;
+        const std::span<const SurfacePoint> own = removedIn(slot);
+        _faces[slot].firstPoint = static_cast<std::uint32_t>(together.size());
+        together.insert(together.end(), own.begin(), own.end());
     }
-    p.next = _vertices[face.firstPoint].next;
-    _vertices[face.firstPoint].next = point;
+    _removed = std::move(together);
 }
 
-bool LiveSurface::contains(const Face& face, const Vertex& point) const
+/// Puts a point into a piece: among those in front when it is one of the worst, else behind them.
+void LiveSurface::put(Filled& piece, const SurfacePoint& point)
 {
-    const Vertex &a = _vertices[face.corners[0]], &b = _vertices[face.corners[1]],
-                 &c = _vertices[face.corners[2]];
-    return crossOf(a, b, point) >= 0.0 && crossOf(b, c, point) >= 0.0 && crossOf(c, a, point) >= 0.0;
+    const SurfacePoint &a = *piece.corners[0], &b = *piece.corners[1], &c = *piece.corners[2];
+    const double onA = twiceArea(b, c, point), onB = twiceArea(c, a, point), onC = twiceArea(a, b, point);
+    const double height = (a.height * onA + b.height * onB + c.height * onC) / piece.area;
+    const double error = std::abs(height - point.height);
+    std::size_t place = piece.next - piece.first;
+    if (place < kWorst)
+        piece.worst[place] = error;
+    else if (error > piece.worst[kWorst - 1])
+    {
+        place = kWorst - 1; // what is there goes to the end
+        _removed[piece.next] = _removed[piece.first + place];
+        piece.worst[place] = error;
+    }
+    ++piece.next;
+    for (; place > 0 && place < kWorst && error > piece.worst[place - 1]; --place)
+    {
+        piece.worst[place] = piece.worst[place - 1];
+        _removed[piece.first + place] = _removed[piece.first + place - 1];
+        piece.worst[place - 1] = error;
+    }
+    _removed[piece.first + place] = point;
 }
 
 } // namespace osgMultiTriangulation::core

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <queue>
 #include <span>
@@ -54,21 +55,20 @@ private:
         double squares;
         float error;
         std::uint32_t vertex, version;
+        std::uint32_t filling; ///< how its hole is filled, a code of HoleTriangulation, once it is judged
 
         bool operator<(const Candidate& other) const; ///< less urgent
-    };
-
-    enum class Points
-    {
-        worst,
-        all,
     };
 
     bool isCurrent(const Candidate& candidate) const
     {
         return candidate.version == _versions[candidate.vertex];
     }
-    bool judge(std::uint32_t vertex, Points points, Candidate& candidate);
+    bool judge(std::uint32_t vertex, Candidate& candidate);
+    void measure(Candidate& candidate);
+    bool gatherHole(std::uint32_t vertex);
+    bool solve();
+    void fill(const Candidate& candidate);
     bool isNext(const Candidate& candidate);
     void push(const Candidate& candidate);
     void remove(const Candidate& candidate);
@@ -76,7 +76,11 @@ private:
     Filling _filling;
     LiveSurface _surface;
     HoleTriangulation _hole;
+    HoleMeasure _measure;
     LiveStar _star;
+    std::array<HoleTriangulation::Point, LiveStar::kMost> _ring; ///< corners of the hole, from the vertex
+    HoleTriangulation::Pieces _pieces;
+    std::vector<std::uint8_t> _pieceOf; ///< by point of the hole: the vertex, those of its star
     std::priority_queue<Candidate> _queue;
     std::vector<std::uint32_t> _versions; ///< by vertex: an entry of the queue with another one is stale
     enum class State : std::uint8_t
