@@ -69,6 +69,8 @@ foundation::Outcome addGround(const RoamFile& world, const PlacedTile& tile, Wor
         {
             if (feature.style.kind == FeatureKind::river && feature.isArea)
                 things.waters.push_back(feature.paths);
+            if (feature.style.kind == FeatureKind::river && !feature.isArea)
+                things.courses.insert(things.courses.end(), feature.paths.begin(), feature.paths.end());
             if (feature.style.kind == FeatureKind::runway && !feature.isArea)
                 things.runways.push_back(pavingOf(feature.paths.front(), feature.style.widthM));
         }
@@ -133,6 +135,8 @@ nlohmann::ordered_json watersOf(const worldmaking::WorldFaults& faults, const Pl
     {
         nlohmann::ordered_json row{{"areaM2", fault.areaM2},
                                    {"slope", fault.figures.slope},
+                                   {"fall", fault.figures.fall},
+                                   {"rise", fault.figures.rise},
                                    {"lowShore", fault.figures.lowShore},
                                    {"isKnown", fault.figures.isKnown}};
         if (tile.frame().placement() == osgTerrainROAM::core::Placement::curved)
@@ -140,6 +144,10 @@ nlohmann::ordered_json watersOf(const worldmaking::WorldFaults& faults, const Pl
             const auto at = tile.frame().geodeticFromLocal({fault.place, 0.0});
             row["latitudeDeg"] = at.latitudeDeg;
             row["longitudeDeg"] = at.longitudeDeg;
+            const auto steep = tile.frame().geodeticFromLocal({fault.figures.steepAt, 0.0});
+            if (fault.figures.slope > 0.0)
+                row["steepestAt"] = {{"latitudeDeg", steep.latitudeDeg},
+                                     {"longitudeDeg", steep.longitudeDeg}};
         }
         rows.push_back(std::move(row));
     }

@@ -15,6 +15,7 @@
 #include "scenery/roads/LayRoads.h"
 #include "worldmaking/earth/Airfields.h"
 #include "worldmaking/earth/EarthworkFile.h"
+#include "worldmaking/earth/LevelWaters.h"
 #include "worldmaking/earth/WaterWorks.h"
 #include "worldmaking/land/HouseFile.h"
 #include "worldmaking/land/LandUse.h"
@@ -54,6 +55,9 @@ foundation::Outcome WorldMaker::make()
             return written;
     const auto plane = worldmaking::MapPlane::create(streets->network.header, mapName);
     if (!plane) return plane.error();
+    _land = _source.land;
+    report.json["water"]["cutAway"] =
+        worldmaking::cutToLevel(_land, *plane, waterWorksIn(*plane), streets->network);
     const worldmaking::RoadRoom room(streets->network);
     for (const worldmaking::Runway& runway : _runways)
         if (const auto strip = worldmaking::stripOf(runway, *plane)) _strips.push_back(*strip);
@@ -102,6 +106,20 @@ foundation::Outcome WorldMaker::makeEdits()
     return osgTerrainROAM::core::writeEdits(**before, *cut->tile, *source, file("ground.edits"));
 }
 
+/// The works of waters in the plane of the roads, which is about the middle of the streets alone.
+std::vector<osgTerrainROAM::core::Earthwork>
+WorldMaker::waterWorksIn(const worldmaking::MapPlane& plane) const
+{
+    std::vector<osgTerrainROAM::core::Earthwork> works;
+    for (auto work : _waterWorks)
+        if (auto paths = plane.toPlan(work.paths); paths && !paths->empty())
+        {
+            work.paths = std::move(*paths);
+            works.push_back(std::move(work));
+        }
+    return works;
+}
+
 std::optional<double> WorldMaker::heightM(const worldmaking::MapPlane& plane, const glm::dvec2& plan) const
 {
     const auto place = plane.toDegrees(plan);
@@ -127,6 +145,9 @@ foundation::Outcome WorldMaker::makeEarth()
     worldmaking::WaterReport water;
     worldmaking::AirfieldReport air;
     auto works = worldmaking::waterWorks(_source.land, *plane, ground, water);
+    _waterWorks = works;
+    for (auto& work : _waterWorks)
+        work.paths = plane->toDegrees(work.paths).value_or(worldmaking::PlanRings());
     auto ofAir = worldmaking::airfieldWorks(_source.land, _runways, *plane, ground, air);
     std::move(ofAir.begin(), ofAir.end(), std::back_inserter(works));
     report.json["water"] = rowOf(water);
@@ -194,12 +215,12 @@ foundation::Outcome WorldMaker::makeLand(const worldmaking::MapPlane& plane,
 {
     worldmaking::LandReport land;
     worldmaking::TreeReport plants;
-    if (auto written = worldmaking::writeGround(_source.land, _runways, file("ground.gpkg"), land); !written)
+    if (auto written = worldmaking::writeGround(_land, _runways, file("ground.gpkg"), land); !written)
         return written; // and counts, so it is written in any case
     _hasGround =
         land.fields + land.waters + land.waterLines + land.ways + land.railways + land.aprons + land.runways >
         0;
-    auto cover = worldmaking::coverRasterOf(_source.land, plane, limitIn(plane), land);
+    auto cover = worldmaking::coverRasterOf(_land, plane, limitIn(plane), land);
     _hasCover = land.coverAreas > 0;
     const worldmaking::PlanHeight height = [&](const glm::dvec2& plan) { return heightM(plane, plan); };
     _hasCover = _hasCover || _source.coverAt;

@@ -84,6 +84,7 @@ private:
     foundation::Outcome makeLand(const worldmaking::MapPlane& plane, const worldmaking::RoadRoom& room,
                                  const std::string& proj);
     foundation::Outcome makeEdits();
+    std::vector<osgTerrainROAM::core::Earthwork> waterWorksIn(const worldmaking::MapPlane& plane) const;
     std::optional<double> heightM(const worldmaking::MapPlane& plane, const glm::dvec2& plan) const;
     std::optional<worldmaking::MapBox> limitIn(const worldmaking::MapPlane& plane) const;
     std::filesystem::path file(const char* name) const { return _source.request.world / name; }
@@ -93,7 +94,9 @@ private:
     const worldmaking::GroundOnEarth& _ground;
     BuildState _state;
     terminal::Progress _progress{"worldtool: files", 0};
-    worldmaking::GroundOnEarth _shaped; ///< with its earthworks
+    worldmaking::GroundOnEarth _shaped;                       ///< with its earthworks
+    worldmaking::LandMap _land;                               ///< with its waters cut to their level
+    std::vector<osgTerrainROAM::core::Earthwork> _waterWorks; ///< their paths in degrees
     std::vector<worldmaking::House> _houses;
     std::vector<worldmaking::Runway> _runways; ///< those on the ground
     std::vector<worldmaking::PlanRings> _strips;

@@ -109,7 +109,7 @@ foundation::Result<osgTerrainROAM::core::EditReport> cutRoads(osgTerrainROAM::co
                                          isByPortal ? shape.reachM : shape.structureM);
         if (band.isBed) return band.nearestTo(heightM);
         const double riseM = edges.riseAt(place);
-        if (water && std::abs(riseM) >= kLeastRiseM && water->bedM(place)) return heightM;
+        if (water && std::abs(riseM) >= kLeastRiseM && water->bedM(place)) return band.nearestTo(heightM);
         return band.nearestTo(std::abs(riseM) < kLeastRiseM ? heightM : heightM + riseM);
     };
     const bool isFine = tile.grid().exponent() > 0;

@@ -19,6 +19,7 @@ using osgRoads::core::RoadMatch;
 
 constexpr double kUndercutSamples = 2.0;  ///< a triangle's long side and some more
 constexpr double kProtectedSamples = 1.2; ///< so far from lower lanes no bed lies higher
+constexpr double kAbutmentShare = 0.25;   ///< of a bridge, at most
 
 /// The band of a bed below a verge whose surface is at `surfaceM`, `outM` from the lanes.
 HeightBand bandUnderVerge(double surfaceM, double outM, const RoadCutShape& shape)
@@ -119,6 +120,20 @@ HeightBand bedOf(const PlacedNetwork& roads, const RoadMatch& match,
     return band;
 }
 
+/// Whether a place of a bridge lies so near to its end that the ground has to carry the road there: between a sample on the road and the
+/// next one under the bridge the ground falls, and must not do so before the bridge begins.
+bool isOnAbutment(const osgRoads::core::Road& road, const osgRoads::core::RoadStructure& structure, double s,
+                  const RoadCutShape& shape)
+{
+    if (structure.kind != osgRoads::core::StructureKind::bridge) return false;
+    const double reachM = std::min(shape.abutmentSamples * shape.sampleM, kAbutmentShare * structure.length);
+    const double beforeM = s - structure.s, afterM = structure.s + structure.length - s;
+    const auto isOpen = [&](double at)
+    { return at > 0.0 && at < road.length && !osgRoads::core::structureAt(road, at); };
+    return (beforeM < reachM && isOpen(structure.s - shape.sampleM)) ||
+           (afterM < reachM && isOpen(structure.s + structure.length + shape.sampleM));
+}
+
 } // namespace
 
 HeightBand roadBand(const PlacedNetwork& roads, const osgTerrainROAM::core::TileFrame& frame,
@@ -132,7 +147,8 @@ HeightBand roadBand(const PlacedNetwork& roads, const osgTerrainROAM::core::Tile
     {
         const auto& [index, s, t, h] = match.position;
         if (shape.torn && shape.torn->at(index, s)) continue;
-        if (const auto* structure = osgRoads::core::structureAt(roads.road(index), s))
+        const auto* structure = osgRoads::core::structureAt(roads.road(index), s);
+        if (structure && !isOnAbutment(roads.road(index), *structure, s, shape))
         {
             const HeightBand asked = bandOfStructure(roads, match, *structure, frame, shape);
             beside.lowM = std::max(beside.lowM, asked.lowM);

@@ -18,15 +18,16 @@ namespace scenery
 struct RoadCutShape
 {
     osgRoads::core::RoadBed bed;
-    double slope = 1.0 / 1.5; ///< of the ground that is kept off bridges and portals
-    double reachM = 40.0;     ///< from the lanes; at it any ground is left as it is
-    double structureM = 12.0; ///< the same of bridges
-    double vergeEndM = 0.1;   ///< the ground meets the mesh's skirt so far below the verge's outer edge
-    double riseM = 1.0;       ///< width over which the bed comes up to there
-    double sampleM = 2.0;     ///< between the samples of the ground
-    double deckM = 1.5;       ///< from a bridge's road down to where ground may be
-    double portalSlope = 2.0; ///< of the ground that rises behind a portal, over its tube
-    double portalBackM = 3.0; ///< from the portal to where it begins; more than a sample
+    double slope = 1.0 / 1.5;     ///< of the ground that is kept off bridges and portals
+    double reachM = 40.0;         ///< from the lanes; at it any ground is left as it is
+    double structureM = 12.0;     ///< the same of bridges
+    double vergeEndM = 0.1;       ///< the ground meets the mesh's skirt so far below the verge's outer edge
+    double riseM = 1.0;           ///< width over which the bed comes up to there
+    double sampleM = 2.0;         ///< between the samples of the ground
+    double abutmentSamples = 1.2; ///< so far into a bridge the bed of the road before it goes on
+    double deckM = 1.5;           ///< from a bridge's road down to where ground may be
+    double portalSlope = 2.0;     ///< of the ground that rises behind a portal, over its tube
+    double portalBackM = 3.0;     ///< from the portal to where it begins; more than a sample
     std::shared_ptr<const TornRoads> torn; ///< where roads ask nothing of the ground; null: nowhere
 };
 

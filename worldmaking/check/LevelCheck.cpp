@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
 
 #include <glm/glm.hpp>
 
@@ -27,24 +30,96 @@ double heightOr(const PlanHeight& elevationM, const glm::dvec2& place, LevelFigu
     return height.value_or(0.0);
 }
 
-/// The slopes between the places of a grid within rings.
-void addSlopes(const PlanRings& rings, const PlanHeight& elevationM, LevelFigures& figures)
+/// Finds the courses of rivers within water.
+class Courses
+{
+public:
+    Courses(const PlanRings& lines, const PlanRings& rings) : _rings(rings)
+    {
+        const MapBox box = boxOf(rings.front());
+        for (const auto& line : lines)
+            for (std::size_t i = 0; i + 1 < line.size(); ++i)
+                if (boxOf({line[i], line[i + 1]}).meets(box)) _pieces.emplace_back(line[i], line[i + 1]);
+    }
+
+    /// The nearest place of a course, if it is within kCourseM.
+    std::optional<glm::dvec2> nearest(const glm::dvec2& place) const
+    {
+        std::optional<glm::dvec2> found;
+        double leastM = kCourseM;
+        for (const auto& [a, b] : _pieces)
+        {
+            const glm::dvec2 along = b - a;
+            const double share =
+                std::clamp(glm::dot(place - a, along) / std::max(glm::dot(along, along), 1e-12), 0.0, 1.0);
+            const double awayM = glm::distance(place, a + share * along);
+            if (awayM >= leastM) continue;
+            leastM = awayM;
+            found = a + share * along;
+        }
+        return found;
+    }
+
+    /// How courses fall and rise within the water.
+    void addFalls(const PlanHeight& elevationM, LevelFigures& figures) const
+    {
+        for (const auto& [a, b] : _pieces)
+        {
+            const double lengthM = glm::distance(a, b);
+            const int steps = std::max(1, static_cast<int>(lengthM / kPlaceM));
+            for (int i = 0; i < steps && lengthM > kBeyondM; ++i)
+            {
+                const glm::dvec2 from = glm::mix(a, b, static_cast<double>(i) / steps),
+                                 to = glm::mix(a, b, (i + 1.0) / steps);
+                if (!scenery::isWithin(_rings, from) || !scenery::isWithin(_rings, to)) continue;
+                const double fall =
+                    (heightOr(elevationM, from, figures) - heightOr(elevationM, to, figures)) / lengthM *
+                    steps;
+                figures.fall = std::max(figures.fall, fall);
+                figures.rise = std::max(figures.rise, -fall);
+            }
+        }
+    }
+
+private:
+    const PlanRings& _rings;
+    std::vector<std::pair<glm::dvec2, glm::dvec2>> _pieces;
+};
+
+/// The slope between a place of water and the next ones, or of a river to its course.
+double slopeAt(const glm::dvec2& place, double stepM, const PlanRings& rings, const Courses& courses,
+               const PlanHeight& elevationM, LevelFigures& figures)
+{
+    const double height = heightOr(elevationM, place, figures);
+    const auto awayM = [&](const glm::dvec2& other)
+    { return std::abs(heightOr(elevationM, other, figures) - height); };
+    if (const auto course = courses.nearest(place))
+        return scenery::isWithin(rings, *course)
+                   ? std::max(0.0, awayM(*course) - kLowM) / std::max(kPlaceM, glm::distance(place, *course))
+                   : 0.0;
+    double slope = 0.0;
+    for (const glm::dvec2 step : {glm::dvec2(stepM, 0.0), glm::dvec2(0.0, stepM)})
+        if (scenery::isWithin(rings, place + step) && !courses.nearest(place + step))
+            slope = std::max(slope, awayM(place + step) / stepM);
+    return slope;
+}
+
+/// The slopes of a grid of places within rings.
+void addSlopes(const PlanRings& rings, const Courses& courses, const PlanHeight& elevationM,
+               LevelFigures& figures)
 {
     const MapBox box = boxOf(rings.front());
     const glm::dvec2 size = box.high - box.low;
     const double stepM = std::max(kPlaceM, std::max(size.x, size.y) / kMostPlaces);
-    const auto within = [&](const glm::dvec2& place) { return scenery::isWithin(rings, place); };
     for (double north = box.low.y; north <= box.high.y; north += stepM)
         for (double east = box.low.x; east <= box.high.x; east += stepM)
         {
             const glm::dvec2 place(east, north);
-            if (!within(place)) continue;
-            const double height = heightOr(elevationM, place, figures);
-            for (const glm::dvec2 step : {glm::dvec2(stepM, 0.0), glm::dvec2(0.0, stepM)})
-                if (within(place + step))
-                    figures.slope =
-                        std::max(figures.slope,
-                                 std::abs(heightOr(elevationM, place + step, figures) - height) / stepM);
+            if (!scenery::isWithin(rings, place)) continue;
+            const double slope = slopeAt(place, stepM, rings, courses, elevationM, figures);
+            if (slope <= figures.slope) continue;
+            figures.slope = slope;
+            figures.steepAt = place;
         }
 }
 
@@ -79,10 +154,12 @@ LevelFigures runwayFigures(const glm::dvec2& from, const glm::dvec2& to, double 
     return figures;
 }
 
-LevelFigures waterFigures(const PlanRings& rings, const PlanHeight& elevationM)
+LevelFigures waterFigures(const PlanRings& rings, const PlanRings& lines, const PlanHeight& elevationM)
 {
     LevelFigures figures;
-    addSlopes(rings, elevationM, figures);
+    const Courses courses(lines, rings);
+    addSlopes(rings, courses, elevationM, figures);
+    courses.addFalls(elevationM, figures);
     double places = 0.0, low = 0.0;
     for (const auto& ring : rings)
         for (std::size_t i = 0; i < ring.size(); ++i)
@@ -111,7 +188,7 @@ bool isEvenRunway(const LevelFigures& figures)
 
 bool isEvenWater(const LevelFigures& figures)
 {
-    return figures.slope <= 0.1 && figures.lowShore <= 0.1;
+    return figures.slope <= 0.1 && figures.fall <= 0.5 && figures.rise <= 0.03 && figures.lowShore <= 0.1;
 }
 
 } // namespace worldmaking

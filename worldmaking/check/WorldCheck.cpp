@@ -257,7 +257,7 @@ WorldFaults checkWorld(const WorldThings& things)
     }
     for (const PlanRings& water : things.waters)
     {
-        const LevelFigures figures = waterFigures(water, things.elevationM);
+        const LevelFigures figures = waterFigures(water, things.courses, things.elevationM);
         if (isEvenWater(figures)) continue;
         const MapBox box = boxOf(water.front());
         faults.waterFaults.push_back({0.5 * (box.low + box.high), scenery::areaOf(water), figures});

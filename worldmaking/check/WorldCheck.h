@@ -26,6 +26,7 @@ struct WorldThings
     std::vector<scenery::StandingBuilding> houses;
     std::vector<glm::dvec2> plants; ///< trees, and whatever else stands at a point
     std::vector<PlanRings> waters, runways;
+    PlanRings courses; ///< lines of rivers and streams, downstream
     std::function<std::optional<double>(double eastM, double northM)>
         groundM; ///< with its cuttings; nothing beyond the data
     PlanHeight

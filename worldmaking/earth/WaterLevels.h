@@ -31,6 +31,6 @@ std::vector<double> spreadFalls(const WaterNet& net, const std::vector<double>& 
 
 inline constexpr double kRiverGrade = 0.07, kMostSpreadM = 5.0;
 inline constexpr double kCutShare =
-    0.8; ///< a bump of elevation data is more often a tree or a bridge than a dam
+    0.95; ///< a bump of elevation data is more often a tree or a bridge than a dam
 
 } // namespace worldmaking

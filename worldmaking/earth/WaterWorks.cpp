@@ -11,8 +11,11 @@
 #include <glm/glm.hpp>
 
 #include "scenery/buildings/Outline.h"
+#include "worldmaking/earth/WaterArea.h"
 #include "worldmaking/earth/WaterLevels.h"
 #include "worldmaking/land/Waters.h"
+#include "worldmaking/map/GdalScope.h"
+#include "worldmaking/map/OgrPolygon.h"
 
 namespace worldmaking
 {
@@ -29,71 +32,16 @@ constexpr double kSunkM = 0.3;  ///< below the ground
 constexpr double kShore = 0.25; ///< of the shores that reach to the ground
 constexpr double kBank = 0.8;   ///< of a river's banks
 constexpr double kRiseM = 0.5;
-constexpr double kLevelM = 2.0;     ///< between high and low of the shore of an area that can be level
-constexpr double kShoreShare = 0.2; ///< of the shore's ground is lower than a lake
-constexpr double kBedM = 2.0;       ///< a bed is wider than what is painted
-constexpr std::size_t kPiece = 6;   ///< points of a river of one width
+constexpr double kShoreShare = 0.05; ///< of the shore's ground is lower than a lake
+constexpr double kTouchM = 1.0;      ///< between areas of one lake, at most
+constexpr double kBedM = 2.0;        ///< a bed is wider than what is painted
+constexpr std::size_t kPiece = 6;    ///< points of a river of one width
 
 double numberOf(std::string_view text)
 {
     double number = 0.0;
     const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), number);
     return failure == std::errc() ? number : 0.0;
-}
-
-bool isRiverArea(const Tags& tags)
-{
-    const auto water = valueOf(tags, "water");
-    return valueOf(tags, "waterway") == "riverbank" || water == "river" || water == "canal" ||
-           water == "stream";
-}
-
-double shoreDistanceM(const PlanRings& area, const glm::dvec2& place)
-{
-    double least = 1e300;
-    for (const auto& ring : area)
-        for (std::size_t i = 0; i < ring.size(); ++i)
-        {
-            const glm::dvec2 along = ring[(i + 1) % ring.size()] - ring[i];
-            const double share = std::clamp(
-                glm::dot(place - ring[i], along) / std::max(glm::dot(along, along), 1e-12), 0.0, 1.0);
-            least = std::min(least, glm::distance(place, ring[i] + share * along));
-        }
-    return least;
-}
-
-/// An area of open water.
-struct Area
-{
-    PlanRings rings;
-    std::vector<double> shoreM; ///< of the ground, the lowest first
-    bool isRiver = false;
-    std::uint32_t node = 0;
-
-    double shareM(double share) const
-    {
-        return shoreM[static_cast<std::size_t>(share * static_cast<double>(shoreM.size() - 1))];
-    }
-    bool isLevel() const { return !isRiver || shareM(0.9) - shareM(0.1) < kLevelM; }
-};
-
-std::optional<std::vector<double>> shoreOf(const PlanRings& rings, const PlanHeight& ground)
-{
-    std::vector<double> heights;
-    for (const auto& ring : rings)
-        for (std::size_t i = 0; i < ring.size(); ++i)
-        {
-            const glm::dvec2 a = ring[i], b = ring[(i + 1) % ring.size()];
-            const int steps = std::max(1, static_cast<int>(glm::distance(a, b) / kRiverStepM));
-            for (int step = 0; step < steps; ++step)
-            {
-                const auto height = ground(glm::mix(a, b, static_cast<double>(step) / steps));
-                if (!height) return std::nullopt;
-                heights.push_back(*height);
-            }
-        }
-    std::sort(heights.begin(), heights.end());
-    return heights.empty() ? std::nullopt : std::optional(heights);
 }
 
 /// A river's line, by nodes of the net.
@@ -122,8 +70,10 @@ public:
             ++_report.beyondGround;
             return;
         }
-        Area area{std::move(*rings), std::move(*shore), isRiverArea(shape.tags)};
-        area.node = node(area.shareM(kShoreShare));
+        WaterArea area{std::move(*rings), std::move(*shore), isRiverArea(shape.tags)};
+        const WaterArea* const same = touching(area);
+        area.node = same ? same->node : node(area.shareM(kShoreShare));
+        _net.groundM[area.node] = std::min(_net.groundM[area.node], area.shareM(kShoreShare));
         _grid.add(_areas.size(), boxOf(area.rings.front()));
         _areas.push_back(std::move(area));
     }
@@ -155,7 +105,7 @@ public:
         for (std::size_t i = 0; i < _rivers.size(); ++i)
             addRiverWorks(_rivers[i], static_cast<int>(i) + 1, levels, made);
         _report.rivers = _rivers.size();
-        for (const Area& area : _areas)
+        for (const WaterArea& area : _areas)
         {
             const bool hasLine = area.isRiver && _flowsThrough[area.node];
             if (hasLine) continue; // its rivers lie as wide
@@ -185,9 +135,24 @@ private:
         return static_cast<std::uint32_t>(_net.groundM.size() - 1);
     }
 
-    const Area* areaAt(const glm::dvec2& place) const
+    /// An area that is part of the same lake as another, since they touch: of maps that draw a lake in pieces.
+    const WaterArea* touching(const WaterArea& area) const
     {
-        const Area* found = nullptr;
+        const WaterArea* found = nullptr;
+        const MapBox box = boxOf(area.rings.front());
+        const auto polygon = polygonOf(area.rings);
+        _grid.near({box.low - kTouchM, box.high + kTouchM},
+                   [&](std::size_t i)
+                   {
+                       if (found || area.isRiver || _areas[i].isRiver) return;
+                       if (polygon->Distance(polygonOf(_areas[i].rings).get()) < kTouchM) found = &_areas[i];
+                   });
+        return found;
+    }
+
+    const WaterArea* areaAt(const glm::dvec2& place) const
+    {
+        const WaterArea* found = nullptr;
         _grid.near({place, place}, [&](std::size_t i)
                    { found = !found && scenery::isWithin(_areas[i].rings, place) ? &_areas[i] : found; });
         return found;
@@ -207,7 +172,7 @@ private:
 
     void addPoint(const glm::dvec2& place, const glm::dvec2& along, River& river)
     {
-        const Area* const area = areaAt(place);
+        const WaterArea* const area = areaAt(place);
         std::optional<std::uint32_t> its;
         if (area && !area->isRiver) its = area->node;
         if (area && area->isRiver) _flowsThrough[area->node] = 1;
@@ -232,7 +197,7 @@ private:
     /// The width of the bed at a place of a river: within its area as wide as the nearest shore allows.
     double widthAt(const glm::dvec2& place, double otherwiseM) const
     {
-        const Area* const area = areaAt(place);
+        const WaterArea* const area = areaAt(place);
         return area && area->isRiver ? std::clamp(2.4 * shoreDistanceM(area->rings, place), otherwiseM, 200.0)
                                      : otherwiseM;
     }
@@ -240,7 +205,7 @@ private:
     bool isLake(std::uint32_t node) const
     {
         return std::any_of(_areas.begin(), _areas.end(),
-                           [=](const Area& area) { return area.node == node && !area.isRiver; });
+                           [=](const WaterArea& area) { return area.node == node && !area.isRiver; });
     }
 
     /// Pieces of one width each; nothing where both ends lie in a lake.
@@ -274,13 +239,20 @@ private:
     WaterReport& _report;
     WaterNet _net;
     std::vector<char> _flowsThrough; ///< by node: a river's line lies in that area
-    std::vector<Area> _areas;
+    std::vector<WaterArea> _areas;
     std::vector<River> _rivers;
     PlanGrid _grid;
     std::map<std::pair<long long, long long>, std::uint32_t> _places;
 };
 
 } // namespace
+
+bool isRiverArea(const Tags& tags)
+{
+    const auto water = valueOf(tags, "water");
+    return valueOf(tags, "waterway") == "riverbank" || water == "river" || water == "canal" ||
+           water == "stream";
+}
 
 std::optional<double> riverWidthM(const LandShape& shape)
 {
@@ -295,6 +267,7 @@ std::optional<double> riverWidthM(const LandShape& shape)
 std::vector<Earthwork> waterWorks(const LandMap& map, const MapPlane& plane, const PlanHeight& ground,
                                   WaterReport& report)
 {
+    const GdalScope quiet;
     WaterMaker maker(plane, ground, report);
     for (const LandShape& shape : map.shapes)
         if (isWater(shape)) maker.addArea(shape);

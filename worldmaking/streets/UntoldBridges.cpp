@@ -84,8 +84,8 @@ void cutOff(const Road& road, std::vector<Stretch>& stretches)
             else
                 stretch.from = std::min(end, stretch.to);
         }
-    std::erase_if(stretches,
-                  [](const Stretch& stretch) { return stretch.to - stretch.from < kLeastBridgeM; });
+    std::erase_if(stretches, [&](const Stretch& stretch)
+                  { return stretch.to - stretch.from < std::min(kLeastBridgeM, 0.9 * road.length); });
 }
 
 } // namespace

@@ -110,6 +110,31 @@ TEST(CutRoads, AShallowBedIsSeenAsTooShallow) // the test above can fail
     EXPECT_LT(depthsUnder(*tile, *roads).leastM, 0.3);
 }
 
+/// How far the ground lies below a road on a high embankment, at most, in the last 3 m before its bridge.
+double gapBeforeBridgeM(const RoadCutShape& shape)
+{
+    const auto tile = hillTile();
+    const auto roads = bankedRoad(520.0, 0.0);
+    TileEditor editor(tile);
+    EXPECT_TRUE(scenery::cutRoads(editor, *roads, shape));
+    double most = 0.0;
+    for (double beforeM = 0.1; beforeM < 3.0; beforeM += 0.2)
+        for (const double s : {300.0 - beforeM, 360.0 + beforeM})
+        {
+            const glm::dvec3 place = roads->surfacePoint(0, s, 0.0);
+            most = std::max(most, place.z - groundM(*tile, place));
+        }
+    return most;
+}
+
+TEST(CutRoads, TheGroundCarriesTheRoadUpToItsBridge)
+{
+    EXPECT_LT(gapBeforeBridgeM({}), 0.6);
+    RoadCutShape without;
+    without.abutmentSamples = 0.0;
+    EXPECT_GT(gapBeforeBridgeM(without), 1.0) << "the control: ground that falls before the bridge is seen";
+}
+
 /// How far the ground of a strip beside a road, 11 to 15 m from its middle, has moved by the cut.
 double movedBesideM(const osgTerrainROAM::core::Earthworks* water)
 {

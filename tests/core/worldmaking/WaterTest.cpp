@@ -37,9 +37,9 @@ TEST(WaterLevels, FallAlongALineByHand)
     const WaterNet line{{10.0, 12.0, 8.0, 9.0}, {{0, 1}, {1, 2}, {2, 3}}, {}};
     const auto levels = waterLevels(line);
     // Cut: 10, 10, 8, 8. Filled: 12, 12, 9, 9.
-    EXPECT_NEAR(levels[0], 0.8 * 10.0 + 0.2 * 12.0, 1e-12);
-    EXPECT_NEAR(levels[1], 0.8 * 10.0 + 0.2 * 12.0, 1e-12);
-    EXPECT_NEAR(levels[2], 0.8 * 8.0 + 0.2 * 9.0, 1e-12);
+    EXPECT_NEAR(levels[0], 0.95 * 10.0 + 0.05 * 12.0, 1e-12);
+    EXPECT_NEAR(levels[1], 0.95 * 10.0 + 0.05 * 12.0, 1e-12);
+    EXPECT_NEAR(levels[2], 0.95 * 8.0 + 0.05 * 9.0, 1e-12);
     EXPECT_FALSE(falls(line, line.groundM)) << "the ground itself does not fall";
 }
 
@@ -121,9 +121,9 @@ TEST(WaterWorks, ALakeAndItsRiverLieAsWaterDoes)
     ASSERT_TRUE(lake);
     const worldmaking::PlanHeight after = [&](const glm::dvec2& place) -> std::optional<double>
     { return shaped.heightM(place, *falling(place)); };
-    EXPECT_TRUE(worldmaking::isEvenWater(worldmaking::waterFigures(*lake, after)));
-    EXPECT_LT(worldmaking::waterFigures(*lake, after).slope, 1e-9);
-    EXPECT_FALSE(worldmaking::isEvenWater(worldmaking::waterFigures(*lake, falling))) << "as it was";
+    EXPECT_TRUE(worldmaking::isEvenWater(worldmaking::waterFigures(*lake, {}, after)));
+    EXPECT_LT(worldmaking::waterFigures(*lake, {}, after).slope, 1e-9);
+    EXPECT_FALSE(worldmaking::isEvenWater(worldmaking::waterFigures(*lake, {}, falling))) << "as it was";
     double before = 1e9;
     for (double x = 160.0; x < 590.0; x += 2.0) // along the river, out of the lake
     {
