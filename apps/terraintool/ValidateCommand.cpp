@@ -80,9 +80,6 @@ foundation::Result<FlightFindings> fly(const Request& request, const std::string
     if (!views) return views.error();
 
     const Method method = request.method.value_or(description->method);
-    if (request.morphing && method == Method::vdpm)
-        return foundation::Error{file, "vertices of vdpm move sideways, which this check does not follow",
-                                 "leave out --morph"};
     const auto prepared = prepareTerrain(*tile, {method, request.patchExponent, request.morphing}, file);
     if (!prepared) return prepared.error();
     const std::unique_ptr<TerrainMesh> mesh = (*prepared)->newMesh();

@@ -113,8 +113,8 @@ TEST(TerrainCompare, FindsPlausibleFigures)
         EXPECT_EQ(m.breaks, 0u) << m.name;
         const bool follows = m.name != "vdpm" && m.name != "multi-triangulation";
         EXPECT_EQ(m.editUs.has_value(), follows) << m.name;
-        EXPECT_EQ(m.morph.has_value(),
-                  m.name != "vipm-locked" && m.name != "multi-triangulation" && m.name != "scratch")
+        EXPECT_EQ(m.morph.has_value(), m.name != "vipm-locked" && m.name != "vipm-overlapping" &&
+                                           m.name != "multi-triangulation" && m.name != "scratch")
             << m.name;
         EXPECT_GT(m.areaRatio, 1.0) << m.name;
         EXPECT_EQ(m.regularPercent == 100.0, m.name == "roam" || m.name == "scratch") << m.name;
@@ -356,12 +356,14 @@ DemComparison goodFigures()
     blocks.name = "blocks";
     blocks.isOfBlocks = true;
     blocks.triangles = 1500.0;
-    MethodFigures decimated = blocks, vipm = blocks;
+    MethodFigures decimated = blocks, vipm = blocks, overlapping = blocks;
     decimated.name = "regular-decimation";
     decimated.morph->vertices = 500.0;
     decimated.lightDeg = 20.0;
     vipm.name = "vipm-locked";
-    DemComparison dem{"made up", {good, roam, blocks, decimated, vipm}, {10.0, 50.0}, {}};
+    overlapping.name = "vipm-overlapping";
+    overlapping.triangles = 1400.0;
+    DemComparison dem{"made up", {good, roam, blocks, decimated, vipm, overlapping}, {10.0, 50.0}, {}};
     for (const auto& [way, us] :
          {std::pair{"wheel", 1.0}, {"enhMerge", 2.0}, {"one by one", 3.0}, {"restart", 4.0}})
         dem.reworks.push_back({"jump", way, us, us, 10.0});
@@ -476,19 +478,22 @@ TEST(TerrainCompare, TurnsTheVerdictOfAClaimByAPlantedFigure)
     slow.reworks[1].adaptUsP50 = 5.0; // enhMerge
     DemComparison idle = good, calm = good, lazy = good;
     idle.reworks[0].adaptUsP50 = 5.0; // wheel
-    calm.methods[1].fit->changePercent = calm.methods[4].fit->changePercent = 40.0;
+    for (const std::size_t method : {1, 4, 5})
+        calm.methods[method].fit->changePercent = 40.0;
     calm.methods[0].fit->sizePercent = 40.0;
     lazy.methods[3].morph->vertices = lazy.methods[3].lightDeg = 0.5;
     EXPECT_EQ(verdict(0, many), "refuted");
     EXPECT_EQ(verdict(0, few), "refuted") << "far better than the claim is not the claim";
     EXPECT_EQ(verdict(1, restless), "refuted");
     EXPECT_EQ(verdict(2, lean), "refuted");
+    lean.methods[5].triangles = 1600.0;
+    EXPECT_EQ(verdict(10, lean), "refuted");
     for (const std::size_t claim : {3, 4, 5})
         EXPECT_EQ(verdict(claim, slow), "refuted") << claim;
     EXPECT_EQ(verdict(6, idle), "refuted");
-    for (const std::size_t claim : {7, 8, 9})
+    for (const std::size_t claim : {7, 8, 9, 11})
         EXPECT_EQ(verdict(claim, calm), "refuted") << claim;
-    for (const std::size_t claim : {10, 11})
+    for (const std::size_t claim : {12, 13})
         EXPECT_EQ(verdict(claim, lazy), "refuted") << claim;
     DemComparison less = good;
     less.methods.resize(1);

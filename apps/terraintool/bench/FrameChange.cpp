@@ -11,6 +11,7 @@
 
 #include <osgTerrainROAM/core/roam/PlanTriangle.h>
 #include <osgTerrainROAM/core/roam/TriangleSamples.h>
+#include <osgTerrainROAM/core/roam/UpperSurface.h>
 
 namespace terraintool
 {
@@ -79,6 +80,27 @@ std::uint64_t keyOf(GridPoint p)
     return static_cast<std::uint64_t>(p.row) << 32 | static_cast<std::uint32_t>(p.column);
 }
 
+/// How far a change of height moves what is drawn at a place, in pixels of the middle of the picture.
+double movedPx(const viewlod::ViewState& view, const glm::dvec3& place, double oldM)
+{
+    const double distanceM = std::max(glm::distance(place, view.eyeWorld), view.nearM);
+    return view.pixelsPerTangent * std::abs(place.z - oldM) / distanceM;
+}
+
+/// The largest change of what is uppermost, over all samples: of meshes whose parts overlap.
+double popOfUpper(const PlacedTile& tile, const DrawnMesh& before, const DrawnMesh& now,
+                  const viewlod::ViewState& view)
+{
+    const UpperSurface was(tile, before), is(tile, now);
+    double largestPx = 0.0;
+    for (int row = 0; row < is.rows(); ++row)
+        for (int column = 0; column < is.columns(); ++column)
+            if (was.covers(column, row) && is.covers(column, row))
+                largestPx =
+                    std::max(largestPx, movedPx(view, is.point(column, row), was.point(column, row).z));
+    return largestPx;
+}
+
 } // namespace
 
 FrameChange changeBetween(const PlacedTile& tile, const DrawnMesh& before, const DrawnMesh& now,
@@ -86,6 +108,7 @@ FrameChange changeBetween(const PlacedTile& tile, const DrawnMesh& before, const
 {
     const auto was = sortedTriangles(before), is = sortedTriangles(now);
     const auto gone = without(was, is), come = without(is, was);
+    if (now.overlaps()) return {come.size(), come.empty() ? 0.0 : popOfUpper(tile, before, now, view)};
     std::unordered_map<std::uint64_t, double> heightsM;
     for (const PlacedTriangle& t : gone)
         forEachDrawn(tile, before, t.triangle,
@@ -97,10 +120,7 @@ FrameChange changeBetween(const PlacedTile& tile, const DrawnMesh& before, const
                      {
                          const auto old = heightsM.find(keyOf(p));
                          if (old == heightsM.end()) return;
-                         const double distanceM = std::max(glm::distance(place, view.eyeWorld), view.nearM);
-                         const double px =
-                             view.pixelsPerTangent * std::abs(place.z - old->second) / distanceM;
-                         change.popPx = std::max(change.popPx, px);
+                         change.popPx = std::max(change.popPx, movedPx(view, place, old->second));
                      });
     return change;
 }

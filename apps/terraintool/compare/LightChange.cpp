@@ -23,6 +23,7 @@ Normals normalsOf(const DrawnMesh& mesh)
     normals.reserve(mesh.triangles.size());
     for (const LeafTriangle& t : mesh.triangles)
     {
+        if (mesh.isSunk(t)) continue; // it belongs to no surface that is lit
         const glm::dvec3 a = mesh.position(t.vertices[0]);
         const glm::dvec3 across =
             glm::cross(mesh.position(t.vertices[1]) - a, mesh.position(t.vertices[2]) - a);

@@ -151,8 +151,8 @@ struct Listed
 
 std::vector<Listed> listed()
 {
-    constexpr const char *kDecimation = "regular-decimation", *kVipm = "vipm-locked", *kVdpm = "vdpm",
-                         *kRoam = "roam";
+    constexpr const char *kDecimation = "regular-decimation", *kVipm = "vipm-locked",
+                         *kOverlapping = "vipm-overlapping", *kVdpm = "vdpm", *kRoam = "roam";
     return {{"3.3", kDecimation, true, kDetailVaries},
             {"3.3", kDecimation, true, kSteady},
             {"3.3", kDecimation, true, kUnbroken},
@@ -174,6 +174,15 @@ std::vector<Listed> listed()
             {"4.3", kVipm, false, kUnbroken},
             {"4.3", kVipm, false, kComplexitySet},
             {"4.3", kVipm, false, kDynamic},
+            {"4.3", kOverlapping, true, kDetailVaries},
+            {"4.3", kOverlapping, true, kSimple},
+            {"4.3", kOverlapping, true, kStrips},
+            {"4.3", kOverlapping, true, kQualitySet},
+            {"4.3", kOverlapping, true, kSmall},
+            {"4.3", kOverlapping, false, kLean},
+            {"4.3", kOverlapping, false, kUnbroken},
+            {"4.3", kOverlapping, false, kComplexitySet},
+            {"4.3", kOverlapping, false, kDynamic},
             {"4.5", kVdpm, true, kDetailVaries},
             {"4.5", kVdpm, true, kLean},
             {"4.5", kVdpm, true, kUnbroken},

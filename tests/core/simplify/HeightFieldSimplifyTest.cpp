@@ -2,6 +2,7 @@
 // What blocks of terrain ask of simplify(): positions that stay, and faces that do not turn over in plan.
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include <gtest/gtest.h>
 
@@ -92,6 +93,50 @@ TEST(SimplifyHeightField, FacesKeepTheirUpperSideUp)
     };
     EXPECT_EQ(turned(true), 0u);
     EXPECT_GT(turned(false), 0u) << "no face turns over anyway";
+}
+
+/// By position: a bit for each side of the field.
+std::vector<std::uint8_t> sidesOf(const Mesh& mesh)
+{
+    constexpr double kLast = kSide - 1.0;
+    std::vector<std::uint8_t> sides;
+    for (const glm::dvec3& p : mesh.positions)
+        sides.push_back(static_cast<std::uint8_t>((p.y == 0.0) | (p.x == kLast) << 1 | (p.y == kLast) << 2 |
+                                                  (p.x == 0.0) << 3));
+    return sides;
+}
+
+/// Twice the area in plan; the whole field has 2 (kSide - 1)² of it, where no face lies over another.
+double doubleAreaInPlan(const Mesh& mesh)
+{
+    double sum = 0.0;
+    for (const Face& face : mesh.faces)
+    {
+        const glm::dvec3 a = mesh.at(face, 1) - mesh.at(face, 0), b = mesh.at(face, 2) - mesh.at(face, 0);
+        sum += a.x * b.y - a.y * b.x;
+    }
+    return sum;
+}
+
+TEST(SimplifyHeightField, AnOutlineOfLinesKeepsItsShapeDownToTwoFaces)
+{
+    const Mesh mesh = roughGround();
+    const double whole = 2.0 * (kSide - 1) * (kSide - 1);
+    SimplifySettings settings;
+    settings.keepSymmetry = settings.growLeaves = false;
+    settings.isHeightField = true;
+    const CollapseSequence free = simplify(mesh, settings);
+    settings.lines = sidesOf(mesh);
+    const CollapseSequence kept = simplify(mesh, settings);
+    EXPECT_TRUE(isSequenceOf(kept, mesh));
+    for (const std::size_t faces : {400, 100, 30, 8, 2})
+    {
+        const Mesh level = meshAfter(mesh, kept, stepsToFaces(kept, faces));
+        EXPECT_EQ(turnedOver(level), 0u) << faces;
+        EXPECT_NEAR(doubleAreaInPlan(level), whole, 1e-6) << faces;
+    }
+    EXPECT_LT(doubleAreaInPlan(meshAfter(mesh, free, stepsToFaces(free, 8))), 0.99 * whole)
+        << "the outline is kept anyway";
 }
 
 } // namespace

@@ -87,6 +87,12 @@ std::uint32_t BlockMesh::visibleRanges(const viewlod::Frustum& frustum, const gl
 DrawnMesh BlockMesh::drawn(std::span<const IndexRange> ranges) const
 {
     DrawnMesh mesh{_vertices, _places, {}, _stepM, _isMorphed};
+    for (const Run& run : _runs)
+    {
+        if (run.sunk == 0) continue;
+        mesh.sunk.resize(_vertices.size());
+        std::fill_n(mesh.sunk.begin() + run.vertices.first, run.sunk, true);
+    }
     for (const IndexRange& range : ranges)
         appendTriangles(range, mesh.triangles);
     return mesh;
@@ -125,7 +131,7 @@ void BlockMesh::forEachTriangleAtBorder(const BorderVisit& visit) const
         for (int side = 0; side < kSides; ++side)
             isAtBorder = isAtBorder || _grid.neighbour(block, side) == kNone;
         const Run& run = _runs[block];
-        for (std::uint32_t i = 0; isAtBorder && i < run.triangleCount; ++i)
+        for (std::uint32_t i = 0; isAtBorder && i < run.triangleCount - run.ofRim; ++i)
         {
             const LeafTriangle& t = _triangles[run.triangles.first + i];
             visit({_places[t.vertices[0]], _places[t.vertices[1]], _places[t.vertices[2]]}, t);
@@ -157,8 +163,10 @@ std::size_t BlockMesh::memoryBytes() const
            _triangles.capacity() * sizeof(LeafTriangle) + _runs.capacity() * sizeof(Run);
 }
 
-void BlockMesh::writeVertices(std::uint32_t block, std::span<const Vertex> vertices, std::uint32_t capacity)
+void BlockMesh::writeVertices(std::uint32_t block, std::span<const Vertex> vertices, std::uint32_t capacity,
+                              std::uint32_t sunk)
 {
+    _runs[block].sunk = sunk;
     IndexRange& run = _runs[block].vertices;
     resize(run, capacity, _vertexSlots);
     _vertices.resize(_vertexSlots.slotCount());
@@ -172,9 +180,10 @@ void BlockMesh::writeVertices(std::uint32_t block, std::span<const Vertex> verti
 }
 
 void BlockMesh::writeTriangles(std::uint32_t block, std::span<const LeafTriangle> triangles,
-                               std::uint32_t capacity)
+                               std::uint32_t capacity, std::uint32_t ofRim)
 {
     Run& run = _runs[block];
+    run.ofRim = ofRim;
     resize(run.triangles, capacity, _triangleSlots);
     _triangles.resize(_triangleSlots.slotCount());
     for (std::size_t i = 0; i < triangles.size(); ++i)

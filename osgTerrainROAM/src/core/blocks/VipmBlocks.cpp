@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // View-independent progressive meshes of terrain blocks.
-// Source: *Methods of continuous level of detail for terrain* (Graphicon 2002), sections 4.1 and 4.2 (blocks, locked borders);
+// Source: *Methods of continuous level of detail for terrain* (Graphicon 2002), sections 4.1 and 4.2 (blocks, borders);
 // *Cache-friendly view-independent progressive meshes* (Graphicon 2003), section 5 (tswap). Differs: errors are measured over all
 // samples instead of kept with each collapse.
 #include <algorithm>
@@ -13,6 +13,7 @@
 #include <osgPMObjects/core/progressive/LevelMesh.h>
 #include <osgPMObjects/core/simplify/ErrorLadder.h>
 #include <osgPMObjects/core/simplify/Simplify.h>
+#include <osgTerrainROAM/core/blocks/BlockRim.h>
 #include <osgTerrainROAM/core/blocks/VipmBlocks.h>
 
 #include "BlocksOfRects.h"
@@ -33,19 +34,16 @@ class BlockSurface
 {
 public:
     BlockSurface(const PlacedTile& tile, const BlockGrid& grid, std::uint32_t block)
-        : _rect(GridRect{grid.origin(block).column, grid.origin(block).row,
-                         grid.origin(block).column + grid.side(), grid.origin(block).row + grid.side()}
-                    .cutTo(tile.grid().dataRect())),
-          _columns(_rect.east - _rect.west + 1)
+        : _rect(rectOf(tile.grid(), grid, block)), _columns(_rect.east - _rect.west + 1)
     {
         for (int row = _rect.south; row <= _rect.north; ++row)
             for (int column = _rect.west; column <= _rect.east; ++column)
             {
                 mesh.wedgePositions.push_back(static_cast<std::uint32_t>(mesh.positions.size()));
                 mesh.positions.push_back(tile.position(column, row));
-                const bool isBorder =
-                    column == _rect.west || column == _rect.east || row == _rect.south || row == _rect.north;
-                border.push_back(isBorder);
+                sides.push_back(static_cast<std::uint8_t>(
+                    (row == _rect.south) << south | (column == _rect.east) << east |
+                    (row == _rect.north) << north | (column == _rect.west) << west));
             }
         mesh.materials.push_back({});
         mesh.parts.push_back({});
@@ -62,7 +60,7 @@ public:
     }
 
     pm::Mesh mesh;
-    std::vector<bool> border; ///< by position
+    std::vector<std::uint8_t> sides; ///< by position: a bit for each side of the block on which it lies
 
 private:
     std::uint32_t at(int column, int row) const
@@ -121,16 +119,35 @@ bool measure(const VipmBlock& block, const pm::ProgressiveLevel& level, const Su
     return isSound;
 }
 
+/// The number of triangles of a level's rim: two beyond each edge of the border.
+std::uint32_t rimTriangles(const VipmBlock& block, const pm::ProgressiveLevel& level, const BlockRim& rim)
+{
+    std::uint32_t edges = 0;
+    pm::forEachDrawnFace(block.progressive, level,
+                         [&](const pm::Triangle& face, std::uint32_t)
+                         {
+                             for (std::size_t i = 0; i < 3; ++i)
+                                 edges +=
+                                     rim.isBeyond(block.places[face[i]], block.places[face[(i + 1) % 3]]);
+                         });
+    return 2 * edges;
+}
+
 } // namespace
 
-VipmBlock makeVipmBlock(const PlacedTile& tile, const BlockGrid& grid, std::uint32_t index, bool locksBorder)
+VipmBlock makeVipmBlock(const PlacedTile& tile, const BlockGrid& grid, std::uint32_t index,
+                        std::optional<VipmBorders> borders)
 {
     const BlockSurface surface(tile, grid, index);
+    const BlockRim rim(tile.grid(), grid, index);
     pm::SimplifySettings settings;
     settings.keepSymmetry = false;
     settings.growLeaves = false;
     settings.isHeightField = true;
-    if (locksBorder) settings.locked = surface.border;
+    if (borders) settings.lines = surface.sides;
+    if (borders == VipmBorders::locked)
+        for (const std::uint8_t sides : surface.sides)
+            settings.locked.push_back(sides != 0);
     const pm::CollapseSequence sequence = pm::simplify(surface.mesh, settings);
     VipmBlock block;
     block.progressive =
@@ -148,15 +165,21 @@ VipmBlock makeVipmBlock(const PlacedTile& tile, const BlockGrid& grid, std::uint
     {
         level.moveTo(steps);
         if (level.faceCount() == 0 || !measure(block, level, error, errorM)) break;
+        const std::uint32_t ofRim = borders == VipmBorders::overlapping ? rimTriangles(block, level, rim) : 0;
         const double roundedM = steps == 0 ? 0.0 : errorM + tile.frame().vertexStepM();
         block.levels.push_back(
-            {steps, level.faceCount(), std::nextafter(static_cast<float>(roundedM), 1e30f)});
+            {steps, level.faceCount() + ofRim, std::nextafter(static_cast<float>(roundedM), 1e30f)});
     }
     return block;
 }
 
-VipmBlocks::VipmBlocks(std::shared_ptr<const RoamTile> tile, const BlockGrid& grid)
-    : _tile(std::move(tile)), _grid(grid), _blocks(grid.count()), _revision(_tile->revision())
+VipmBlocks::VipmBlocks(std::shared_ptr<const RoamTile> tile, const BlockGrid& grid, VipmBorders borders)
+    : _tile(std::move(tile)),
+      _grid(grid),
+      _borders(borders),
+      _blocks(grid.count()),
+      _rimHeightsM(grid.count()),
+      _revision(_tile->revision())
 {
     std::vector<std::uint32_t> all(grid.count());
     std::iota(all.begin(), all.end(), 0u);
@@ -170,8 +193,23 @@ void VipmBlocks::make(std::span<const std::uint32_t> blocks)
                        {
                            for (std::size_t i = first; i < last; ++i)
                                _blocks[blocks[i]] = std::make_shared<const VipmBlock>(
-                                   makeVipmBlock(_tile->tile, _grid, blocks[i]));
+                                   makeVipmBlock(_tile->tile, _grid, blocks[i], _borders));
                        });
+    for (std::uint32_t block = 0; block < _grid.count(); ++block)
+        _rimHeightsM[block] = heightOfRimM(block);
+}
+
+/// A surface between samples is nowhere lower than the lowest of them; vertices are rounded to steps.
+double VipmBlocks::heightOfRimM(std::uint32_t block) const
+{
+    constexpr double kSteps = 4.0;
+    const int column = static_cast<int>(block) % _grid.columns(),
+              row = static_cast<int>(block) / _grid.columns();
+    double lowestM = _blocks[block]->box.low.z;
+    for (int r = std::max(row - 1, 0); r <= std::min(row + 1, _grid.rows() - 1); ++r)
+        for (int c = std::max(column - 1, 0); c <= std::min(column + 1, _grid.columns() - 1); ++c)
+            lowestM = std::min(lowestM, _blocks[_grid.blockAt(c, r)]->box.low.z);
+    return lowestM - kSteps * _tile->tile.frame().vertexStepM();
 }
 
 std::shared_ptr<const VipmBlocks> VipmBlocks::remade(std::span<const GridRect> moved) const

@@ -55,7 +55,9 @@ foundation::Result<PreparedPtr> prepareTerrain(std::shared_ptr<const RoamTile> t
     case Method::regularDecimation:
         return PreparedPtr(std::make_shared<PreparedDecimation>(std::move(tile)));
     case Method::vipmLocked:
-        return PreparedPtr(std::make_shared<PreparedVipm>(std::move(tile)));
+        return PreparedPtr(std::make_shared<PreparedVipm>(std::move(tile), VipmBorders::locked));
+    case Method::vipmOverlapping:
+        return PreparedPtr(std::make_shared<PreparedVipm>(std::move(tile), VipmBorders::overlapping));
     }
     return PreparedPtr(std::make_shared<PreparedRoam>(SplitBounds(std::move(tile), request.patchExponent)));
 }

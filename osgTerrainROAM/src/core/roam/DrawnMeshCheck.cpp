@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <limits>
+#include <optional>
 #include <unordered_set>
 #include <vector>
 
@@ -13,8 +14,11 @@
 #include <osgTerrainROAM/core/roam/Outline.h>
 #include <osgTerrainROAM/core/roam/PlanTriangle.h>
 #include <osgTerrainROAM/core/roam/TriangleSamples.h>
+#include <osgTerrainROAM/core/roam/UpperSurface.h>
 
 #include "../heightfield/NearestSample.h"
+#include "BareEdges.h"
+#include "MovedTriangle.h"
 #include "OpenEdges.h"
 
 namespace osgTerrainROAM::core
@@ -22,6 +26,16 @@ namespace osgTerrainROAM::core
 
 namespace
 {
+
+/// The distance between a sample and the point that is drawn for it; 0 outside the frame.
+double errorPx(const viewlod::ViewState& view, const glm::dvec3& sample, const glm::dvec3& drawn)
+{
+    const auto wanted = viewlod::projectPx(view, sample);
+    if (!wanted || wanted->x < 0 || wanted->y < 0 || wanted->x > view.widthPx || wanted->y > view.heightPx)
+        return 0.0;
+    const auto shown = viewlod::projectPx(view, drawn);
+    return shown ? glm::distance(*wanted, *shown) : std::numeric_limits<double>::infinity();
+}
 
 /// Compares samples and surface, triangle by triangle.
 class SampleSweep
@@ -38,6 +52,7 @@ public:
                                                  });
         for (const SampleSheet& sheet : placed.samples().sheets())
             _sheetsCovered.emplace_back(sheet.table().size(), false);
+        if (view) _reliefM = reliefOf(placed);
         if (!placed.samples().hasHoles()) return;
         for (int row = 0; row < placed.grid().dataRows(); row += step())
             for (int column = 0; column < placed.grid().dataColumns(); column += step())
@@ -47,6 +62,8 @@ public:
     void visit(const DrawnMesh& mesh, const LeafTriangle& t)
     {
         const PlacedTile& placed = _tile.tile;
+        if (mesh.isMorphed)
+            if (const auto moved = movedSideways(mesh, t)) return visit(mesh, t, *moved);
         const auto corner = [&](int i) { return mesh.grid[t.vertices[i]]; };
         const PlanTriangle triangle{{corner(0), corner(1), corner(2)}};
         if (triangle.doubleArea() <= 0)
@@ -81,6 +98,42 @@ private:
     static std::uint64_t key(GridPoint p)
     {
         return static_cast<std::uint64_t>(p.row) << 32 | static_cast<std::uint64_t>(p.column);
+    }
+
+    /// Where the corners of a triangle are drawn on the grid, if any of them is not above or below its sample.
+    std::optional<MovedTriangle> movedSideways(const DrawnMesh& mesh, const LeafTriangle& t) const
+    {
+        constexpr double kAside = 0.01; // of a point of the grid; less is the Earth's curvature
+        MovedTriangle moved;
+        bool isMoved = false;
+        for (std::size_t i = 0; i < 3; ++i)
+        {
+            const GridPoint own = mesh.grid[t.vertices[i]];
+            const glm::dvec2 there(own.column, own.row);
+            moved.corners[i] = _tile.tile.frame().gridAt(mesh.position(t.vertices[i]));
+            if (glm::distance(moved.corners[i], there) > kAside)
+                isMoved = true;
+            else
+                moved.corners[i] = there;
+        }
+        return isMoved ? std::optional(moved) : std::nullopt;
+    }
+
+    /// Compares the samples that a triangle covers with the places of its corners as they are drawn. One without extent covers none:
+    /// a vertex has just begun to move.
+    void visit(const DrawnMesh& mesh, const LeafTriangle& t, const MovedTriangle& moved)
+    {
+        const PlacedTile& placed = _tile.tile;
+        if (moved.doubleArea() < -MovedTriangle::kRounding) ++_turnedOver;
+        if (moved.doubleArea() <= MovedTriangle::kRounding) return;
+        const glm::dvec3 a = mesh.position(t.vertices[0]), du = mesh.position(t.vertices[1]) - a,
+                         dw = mesh.position(t.vertices[2]) - a;
+        moved.forEachSample(placed,
+                            [&](int column, int row, double u, double w)
+                            {
+                                cover({column, row});
+                                if (_view) compare(placed.position(column, row), a + du * u + dw * w);
+                            });
     }
 
     std::size_t uncoveredOfSheets() const
@@ -161,13 +214,20 @@ private:
             if (sheets[i].holds(p.column, p.row)) _sheetsCovered[i][sheets[i].index(p.column, p.row)] = true;
     }
 
-    /// Tests a sphere around the triangle thickened by its error: whether any of its samples can be visible. Of a triangle that is
-    /// none of the bintree no error is known.
+    /// Tests a sphere around the triangle thickened by its error: whether any of its samples can be visible. A triangle that is none of
+    /// the bintree may be off by all of the relief.
     bool mayBeSeen(const PlanTriangle& plan, const glm::dvec3& a, const glm::dvec3& du,
                    const glm::dvec3& dw) const
     {
         const GridTriangle t{plan.corners[0], plan.corners[1], plan.corners[2]};
-        if (!isOfBintree(t)) return true;
+        if (!isOfBintree(t))
+        {
+            constexpr double kTurned = 1.1; // on the round Earth heights are not along the frame's third axis
+            const glm::dvec3 middle = a + (du + dw) / 3.0;
+            const double farthest = std::max(
+                {glm::distance(middle, a), glm::distance(middle, a + du), glm::distance(middle, a + dw)});
+            return !_view->frustum.classify(middle, farthest + kTurned * _reliefM).outside;
+        }
         const GridPoint mid = middle(t.left, t.right);
         const bool finest = (t.left.column + t.right.column) % 2 != 0 || (t.left.row + t.right.row) % 2 != 0;
         const double error = finest ? 0.0 : _tile.bound(mid).errorM;
@@ -191,17 +251,28 @@ private:
 
     void compare(const glm::dvec3& sample, const glm::dvec3& drawn)
     {
-        const auto wanted = viewlod::projectPx(*_view, sample);
-        if (!wanted || wanted->x < 0 || wanted->y < 0 || wanted->x > _view->widthPx ||
-            wanted->y > _view->heightPx)
-            return;
-        const auto shown = viewlod::projectPx(*_view, drawn);
-        const double error = shown ? glm::distance(*wanted, *shown) : std::numeric_limits<double>::infinity();
-        _maxErrorPx = std::max(_maxErrorPx, error);
+        _maxErrorPx = std::max(_maxErrorPx, errorPx(*_view, sample, drawn));
+    }
+
+    /// From the lowest sample to the highest, along the frame's third axis; infinite where samples lie between those of the raster.
+    static double reliefOf(const PlacedTile& tile)
+    {
+        if (tile.grid().exponent() > 0) return std::numeric_limits<double>::infinity();
+        double lowM = std::numeric_limits<double>::infinity(), highM = -lowM;
+        for (int row = 0; row < tile.grid().dataRows(); ++row)
+            for (int column = 0; column < tile.grid().dataColumns(); ++column)
+            {
+                if (!tile.samples().isGround(column, row)) continue;
+                const double z = tile.position(column, row).z;
+                lowM = std::min(lowM, z);
+                highM = std::max(highM, z);
+            }
+        return highM - lowM;
     }
 
     const RoamTile& _tile;
     const viewlod::ViewState* _view;
+    double _reliefM = 0.0;
     std::vector<bool> _covered; ///< samples of the raster
     std::vector<std::vector<bool>> _sheetsCovered;
     std::unordered_set<std::uint64_t> _uncovered; ///< those between
@@ -210,26 +281,75 @@ private:
     double _maxErrorPx = 0.0;
 };
 
+/// Whether a vertex is drawn where its sample lies, but for rounding, or below it if it hangs under other parts.
+bool isInPlace(const PlacedTile& tile, const DrawnMesh& mesh, std::uint32_t vertex)
+{
+    const GridPoint p = mesh.grid[vertex];
+    const glm::dvec3 off = mesh.position(vertex) - tile.position(p.column, p.row);
+    if (mesh.overlaps() && mesh.sunk[vertex])
+        return glm::length(glm::dvec2(off)) <= mesh.stepM && off.z < 0.0;
+    return glm::length(off) <= mesh.stepM; // rounding: half a step on each axis
+}
+
+/// Counts as cracks the samples under no triangle, and compares what is uppermost.
+void compareUppermost(const RoamTile& tile, const DrawnMesh& mesh, const viewlod::ViewState* view,
+                      DrawnMeshReport& report)
+{
+    const PlacedTile& placed = tile.tile;
+    const UpperSurface surface(placed, mesh);
+    const int shift = placed.grid().exponent();
+    for (int row = 0; row < surface.rows(); ++row)
+        for (int column = 0; column < surface.columns(); ++column)
+            if (!surface.covers(column, row))
+                ++report.cracks;
+            else if (view)
+                report.maxErrorPx =
+                    std::max(report.maxErrorPx, errorPx(*view, placed.position(column << shift, row << shift),
+                                                        surface.point(column, row)));
+}
+
+/// Compares samples and surface only.
+DrawnMeshReport sweep(const RoamTile& tile, const DrawnMesh& mesh, const viewlod::ViewState* view)
+{
+    DrawnMeshReport report;
+    if (mesh.overlaps())
+    {
+        compareUppermost(tile, mesh, view, report);
+        return report;
+    }
+    SampleSweep samples(tile, view);
+    for (const LeafTriangle& t : mesh.triangles)
+        samples.visit(mesh, t);
+    report.cracks = samples.uncovered();
+    report.maxErrorPx = samples.maxErrorPx();
+    return report;
+}
+
+/// Whether a triangle has no extent in plan, or is turned over.
+bool isFlat(const DrawnMesh& mesh, const LeafTriangle& t)
+{
+    return PlanTriangle{{mesh.grid[t.vertices[0]], mesh.grid[t.vertices[1]], mesh.grid[t.vertices[2]]}}
+               .doubleArea() <= 0;
+}
+
 } // namespace
 
 DrawnMeshReport checkDrawnMesh(const RoamTile& tile, const DrawnMesh& mesh, const viewlod::ViewState* view)
 {
-    DrawnMeshReport report;
-    report.tJunctions = tJunctions(tile.tile, mesh);
-    SampleSweep sweep(tile, view);
+    DrawnMeshReport report = sweep(tile, mesh, view);
+    report.tJunctions = mesh.overlaps() ? bareEdges(tile.tile, mesh) : tJunctions(tile.tile, mesh);
     for (const LeafTriangle& t : mesh.triangles)
     {
+        report.cracks += mesh.overlaps() && isFlat(mesh, t) ? 1 : 0; // the sweep counts those of others
         for (const std::uint32_t v : t.vertices)
-        {
-            const GridPoint p = mesh.grid[v];
-            const double offM = glm::distance(mesh.position(v), tile.tile.position(p.column, p.row));
-            if (!mesh.isMorphed && offM > mesh.stepM) ++report.cracks; // rounding: half a step on each axis
-        }
-        sweep.visit(mesh, t);
+            if (!mesh.isMorphed && !isInPlace(tile.tile, mesh, v)) ++report.cracks;
     }
-    report.cracks += sweep.uncovered();
-    report.maxErrorPx = sweep.maxErrorPx();
     return report;
+}
+
+double drawnErrorPx(const RoamTile& tile, const DrawnMesh& mesh, const viewlod::ViewState& view)
+{
+    return sweep(tile, mesh, &view).maxErrorPx;
 }
 
 } // namespace osgTerrainROAM::core

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
+#include <vector>
+
 #include <osgPMObjects/core/mesh/Mesh.h>
 #include <osgPMObjects/core/simplify/CollapseSequence.h>
 
@@ -44,6 +47,10 @@ struct SimplifySettings
     /// By position: whether it is never removed; empty: none is. Its neighbours may merge into it. With subset placement only. The
     /// sequence ends when no other position is left.
     std::vector<bool> locked = {};
+    /// By position: the straight lines in plan on which it lies, a bit for each; empty: none. It merges only into positions on all of
+    /// these lines, so ends and crossings of lines stay; and a face between three positions of one line counts as one that turns over.
+    /// So an outline of straight sides keeps its shape in plan. With subset placement only.
+    std::vector<std::uint8_t> lines = {};
     /// By material: its mean colour, 0 to 1, as it is seen from far away (osgPMObjects::materialColours()); empty: unknown. A material
     /// that looks like one of larger area is given up the earlier, the less they differ.
     std::vector<glm::vec3> materialColours = {};

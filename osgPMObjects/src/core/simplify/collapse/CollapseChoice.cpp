@@ -74,7 +74,24 @@ bool turnsOverInPlan(const Star& star, std::span<const glm::dvec3> positions, st
                        });
 }
 
+/// Whether a face that stays lies between three positions of one line, when the middle of its star merges into `to`.
+bool liesOnALine(const Star& star, std::span<const std::uint8_t> lines, std::uint32_t to)
+{
+    return std::any_of(star.faces.begin(), star.faces.end(),
+                       [&](const Star::Spoked& spoked) {
+                           return !spoked.has(to) &&
+                                  (lines[to] & lines[spoked.second] & lines[spoked.third]) != 0;
+                       });
+}
+
 } // namespace
+
+/// Whether the middle of the star may merge into a position, by the lines on which both lie.
+bool CollapseChoice::staysOnItsLines(std::uint32_t to) const
+{
+    const std::vector<std::uint8_t>& lines = _state.settings.lines;
+    return lines.empty() || (lines[_star.middle] & ~lines[to]) == 0;
+}
 
 StarShape CollapseChoice::shapeOf(const Star& star) const
 {
@@ -204,6 +221,7 @@ PatchGap CollapseChoice::gapTo(std::uint32_t to, const glm::dvec3& at, bool with
 PatchTurn CollapseChoice::turnTo(std::uint32_t to, const glm::dvec3& at)
 {
     if (_state.settings.isHeightField && turnsOverInPlan(_star, _state.positions, to, at)) return {true, 0.0};
+    if (!_state.settings.lines.empty() && liesOnALine(_star, _state.settings.lines, to)) return {true, 0.0};
     const PatchTurn folded{true, 0.0};
     PatchTurn turn = turnOf({_star, _state.positions, to, at});
     if (turn.foldsOver || foldsWithTwin(_state.twins, _state.positions, _star, to, at)) return folded;
@@ -233,7 +251,8 @@ Candidate CollapseChoice::bestOf(std::uint32_t position, std::span<const std::ui
     if (!_state.movesPlaces()) _state.shapes[position] = shapeOf(_star);
     _ranked.clear();
     for (const std::uint32_t to : _star.neighbours)
-        if (std::find(refused.begin(), refused.end(), to) == refused.end()) _ranked.push_back(candidate(to));
+        if (staysOnItsLines(to) && std::find(refused.begin(), refused.end(), to) == refused.end())
+            _ranked.push_back(candidate(to));
     const std::uint32_t nearby = _state.nearbyNow(position);
     if (nearby != ~0u && !_ranked.empty() &&
         !std::binary_search(_star.neighbours.begin(), _star.neighbours.end(), nearby))

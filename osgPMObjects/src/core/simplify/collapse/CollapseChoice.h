@@ -60,6 +60,7 @@ private:
     Place placeFor(std::uint32_t to) const;
     glm::dvec3 allowedPlace(std::uint32_t to, const glm::dvec3& wanted) const;
     glm::dvec3 placeKeepingLastArea(std::uint32_t to);
+    bool staysOnItsLines(std::uint32_t to) const;
     double featureCost(std::uint32_t to) const;
     void gather(Star& star, std::uint32_t position) const
     {

@@ -52,11 +52,14 @@ protected:
         GridPoint place;
     };
 
-    /// Writes all vertices of a block; the run keeps its place if it has room for `capacity`, no more and no less.
-    void writeVertices(std::uint32_t block, std::span<const Vertex> vertices, std::uint32_t capacity);
+    /// Writes all vertices of a block; the run keeps its place if it has room for `capacity`, no more and no less. The first `sunk` of
+    /// them hang below their samples.
+    void writeVertices(std::uint32_t block, std::span<const Vertex> vertices, std::uint32_t capacity,
+                       std::uint32_t sunk = 0);
 
-    /// Writes all triangles of a block, by the numbers of its vertices.
-    void writeTriangles(std::uint32_t block, std::span<const LeafTriangle> triangles, std::uint32_t capacity);
+    /// Writes all triangles of a block, by the numbers of its vertices. The last `ofRim` of them lie outside the block, under others.
+    void writeTriangles(std::uint32_t block, std::span<const LeafTriangle> triangles, std::uint32_t capacity,
+                        std::uint32_t ofRim = 0);
 
     std::uint32_t triangleCount() const { return _triangleCount; }
     IndexRange vertexRun(std::uint32_t block) const { return _runs[block].vertices; }
@@ -69,6 +72,8 @@ private:
     {
         IndexRange vertices, triangles;
         std::uint32_t triangleCount = 0; ///< of those slots that are used, from the first
+        std::uint32_t ofRim = 0;         ///< the last of them
+        std::uint32_t sunk = 0;          ///< vertices, from the first
     };
 
     void append(std::uint32_t block, std::vector<IndexRange>& ranges) const;

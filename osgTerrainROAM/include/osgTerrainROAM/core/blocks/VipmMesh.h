@@ -6,14 +6,15 @@
 
 #include <osgPMObjects/core/progressive/ProgressiveLevel.h>
 #include <osgTerrainROAM/core/blocks/BlockMesh.h>
+#include <osgTerrainROAM/core/blocks/BlockRim.h>
 #include <osgTerrainROAM/core/blocks/VipmBlocks.h>
 #include <osgTerrainROAM/core/roam/PreparedTerrain.h>
 
 namespace osgTerrainROAM::core
 {
 
-/// Blocks of view-independent progressive meshes with locked borders: each block has the coarsest level whose error is allowed at its
-/// distance. The levels depend on the eye alone, not on what came before; only blocks whose level has changed are written.
+/// Blocks of view-independent progressive meshes: each block has the coarsest level whose error is allowed at its distance. Their borders
+/// are locked, and the mesh conforms; or the blocks overlap, and no ray from above passes between them (BlockRim). The levels depend on the eye alone, not on what came before; only blocks whose level has changed are written.
 /// Cost of a refinement: about 50 ns a block; for a block that changes, the edge collapses or vertex splits between its levels, and
 /// writing it.
 /// Source: *Methods of continuous level of detail for terrain* (Graphicon 2002), section 4.2.
@@ -33,7 +34,7 @@ public:
     std::size_t level(std::uint32_t block) const { return _levels[block]; }
 
 protected:
-    const BlockBox& box(std::uint32_t block) const override { return _blocks->block(block).box; }
+    const BlockBox& box(std::uint32_t block) const override { return _boxes[block]; }
 
 private:
     static constexpr std::size_t kUnwritten = ~std::size_t{0};
@@ -46,21 +47,25 @@ private:
         std::uint32_t triangles = 0;
     };
 
+    bool overlaps() const { return _blocks->borders() == VipmBorders::overlapping; }
+    void bound();
     void followTile();
     Choice choose(const std::vector<double>& allowedPerTolerance, double tolerance) const;
     RefineResult show(const Choice& choice);
     void write(std::uint32_t block, std::size_t level);
+    void writeVerticesOf(std::uint32_t block, const BlockRim* rim, std::uint32_t capacity);
 
     std::shared_ptr<const VipmBlocks> _blocks;
     std::vector<std::unique_ptr<osgPMObjects::core::ProgressiveLevel>> _players; ///< by block
     std::vector<std::size_t> _levels;                                            ///< by block
+    std::vector<BlockBox> _boxes; ///< by block: around all that it draws
 };
 
 /// A tile prepared for blocks of progressive meshes.
 class PreparedVipm : public PreparedTerrain
 {
 public:
-    explicit PreparedVipm(std::shared_ptr<const RoamTile> tile);
+    explicit PreparedVipm(std::shared_ptr<const RoamTile> tile, VipmBorders borders = VipmBorders::locked);
 
     const RoamTile& tile() const override { return _blocks->tile(); }
     std::unique_ptr<TerrainMesh> newMesh() const override;

@@ -23,6 +23,7 @@ enum class Method
     vdpm,              ///< a view-dependent progressive mesh of the raster (VdpmMesh)
     regularDecimation, ///< blocks that drop rows and columns (DecimatedMesh)
     vipmLocked,        ///< blocks of progressive meshes whose borders are never simplified (VipmMesh)
+    vipmOverlapping,   ///< blocks of progressive meshes that overlap at their borders (VipmMesh)
 };
 
 /// What a method can do besides following an eye to a tolerance within a ceiling of triangles.
@@ -44,6 +45,7 @@ inline constexpr std::array kMethods{
     MethodTraits{Method::vdpm, "vdpm", false, true, true, false, false, false},
     MethodTraits{Method::regularDecimation, "regular-decimation", false, true, false, true, true, false},
     MethodTraits{Method::vipmLocked, "vipm-locked", false, false, false, true, false, false},
+    MethodTraits{Method::vipmOverlapping, "vipm-overlapping", false, false, false, true, false, false},
 };
 
 constexpr const MethodTraits& traitsOf(Method method)

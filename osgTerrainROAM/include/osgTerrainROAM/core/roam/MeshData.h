@@ -72,6 +72,14 @@ struct DrawnMesh
     std::vector<LeafTriangle> triangles; ///< in arena order
     double stepM = 0.0;                  ///< unit of the positions
     bool isMorphed = false;              ///< vertices need not lie where their samples are
+    std::vector<bool> sunk = {};         ///< by vertex: it hangs below its sample; empty: none does
+
+    /// Whether parts of the mesh lie under others: what is seen at a place is the uppermost, and edges of parts hang under others.
+    bool overlaps() const { return !sunk.empty(); }
+    bool isSunk(const LeafTriangle& t) const
+    {
+        return overlaps() && (sunk[t.vertices[0]] || sunk[t.vertices[1]] || sunk[t.vertices[2]]);
+    }
 
     glm::dvec3 position(std::uint32_t vertex) const { return positionOf(vertices[vertex], stepM); }
 };
