@@ -53,16 +53,24 @@ viewlod::ViewState viewOf(osgUtil::CullVisitor& visitor, double nearestM)
 
 } // namespace
 
-RoamDrawable::RoamDrawable() : RoamDrawable(nullptr) {}
+RoamDrawable::RoamDrawable() : RoamDrawable(std::shared_ptr<const core::RoamTile>()) {}
 
-RoamDrawable::RoamDrawable(std::shared_ptr<const core::RoamTile> tile) : _tile(std::move(tile))
+RoamDrawable::RoamDrawable(std::shared_ptr<const core::RoamTile> tile)
+    : RoamDrawable(std::move(tile), core::Method::roam, nullptr)
+{
+}
+
+RoamDrawable::RoamDrawable(std::shared_ptr<const core::RoamTile> tile, core::Method method,
+                           core::PreparedPtr terrain)
+    : _tile(std::move(tile)), _prepared(std::move(terrain))
 {
     setUseDisplayList(false);
     setSupportsDisplayList(false);
     setUseVertexBufferObjects(true);
+    _settings.method = method;
     if (_tile)
     {
-        _prepared = *prepared(_settings); // ROAM takes every tile
+        if (!_prepared) _prepared = *prepared(_settings); // ROAM takes every tile
         _box = tileBounds(_tile->tile);
     }
     _groups = std::make_unique<ViewGroupTable>(_prepared);

@@ -9,6 +9,8 @@
 #include <numeric>
 #include <utility>
 
+#include <foundation/Threads.h>
+
 #include <osgTerrainROAM/core/roam/DrawnMeshCheck.h>
 #include <osgTerrainROAM/core/roam/PlanTriangle.h>
 
@@ -19,6 +21,7 @@
 #include "terraintool/compare/IncoherentFrames.h"
 #include "terraintool/compare/LightChange.h"
 #include "terraintool/compare/MeasureChanges.h"
+#include "terraintool/compare/MeasureSpike.h"
 #include "terraintool/compare/PaintMethods.h"
 #include "terraintool/compare/WorkFit.h"
 
@@ -84,16 +87,18 @@ void fly(const Rival& rival, const RoamTile& tile, const ComparedFlight& flight,
         const double us =
             microsecondsOf([&] { mesh->refine(view, {.errorTolerancePx = figures.tolerancePx}); });
         DrawnMesh now = mesh->drawn();
-        if (flight.isChecked(frame))
-        {
-            const DrawnMeshReport found = checkDrawnMesh(tile, now, &view);
-            figures.trueErrorPx = std::max(figures.trueErrorPx, found.maxErrorPx);
-            figures.breaks += found.tJunctions + found.cracks;
-        }
+        FrameChange change;
+        LightChange light;
+        DrawnMeshReport found;
+        foundation::Threads looks; // joined before the next frame is timed
+        if (flight.isChecked(frame)) looks.run([&] { found = checkDrawnMesh(tile, now, &view); });
+        if (frame > 0) looks.run([&] { light = lightChangeBetween(before, now); });
+        if (frame > 0) change = changeBetween(tile.tile, before, now, view);
+        looks.join();
+        figures.trueErrorPx = std::max(figures.trueErrorPx, found.maxErrorPx);
+        figures.breaks += found.tJunctions + found.cracks;
         if (frame > 0)
         {
-            const FrameChange change = changeBetween(tile.tile, before, now, view);
-            const LightChange light = lightChangeBetween(before, now);
             lit.push_back(light.turnedPercent);
             figures.lightDeg = std::max(figures.lightDeg, light.largestDeg);
             const auto triangles = static_cast<double>(now.triangles.size());
@@ -139,34 +144,36 @@ SliceFigures flyInSlices(double tolerancePx, const Rival& rival, const RoamTile&
                          const ComparedFlight& flight)
 {
     constexpr double kSliceUs = 20.0;
+    struct Look
+    {
+        DrawnMesh mesh;
+        bool isSound;
+    };
     const auto mesh = rival.newMesh();
     SliceFigures figures;
+    std::vector<Look> looked; // as many frames as are checked at once
     for (const viewlod::ViewState& view : flight.views)
     {
         const RefineResult result = mesh->refine(view, {.errorTolerancePx = tolerancePx,
                                                         .maxTimeUs = kSliceUs,
                                                         .clock = viewlod::Budget::Clock::modelled});
-        const DrawnMeshReport found = checkDrawnMesh(tile, mesh->drawn(), nullptr);
         figures.stops += result.sliceBound ? 1 : 0;
-        figures.faults += mesh->isValid() && found.tJunctions + found.cracks == 0 ? 0 : 1;
+        looked.push_back({mesh->drawn(), mesh->isValid()});
+        if (looked.size() < foundation::processors() && &view != &flight.views.back()) continue;
+        foundation::Threads checks;
+        for (Look& look : looked)
+            checks.run(
+                [&look, &tile]
+                {
+                    const DrawnMeshReport found = checkDrawnMesh(tile, look.mesh, nullptr);
+                    look.isSound = look.isSound && found.tJunctions + found.cracks == 0;
+                });
+        checks.join();
+        figures.faults += static_cast<std::size_t>(
+            std::count_if(looked.begin(), looked.end(), [](const Look& look) { return !look.isSound; }));
+        looked.clear();
     }
     return figures;
-}
-
-/// Raises one sample, where the first eye of the comparison flight sees little detail, by two cells.
-HeightField withSpike(HeightField square)
-{
-    const int place = 4 * square.columns / 5 | 1;
-    square.heightsM[static_cast<std::size_t>(place) * static_cast<std::size_t>(square.columns) +
-                    static_cast<std::size_t>(place)] += static_cast<float>(2.0 * square.spacingEastM);
-    return square;
-}
-
-double trianglesOf(const Rival& rival, double tolerancePx, const viewlod::ViewState& view)
-{
-    const auto mesh = rival.newMesh();
-    mesh->refine(view, {.errorTolerancePx = tolerancePx});
-    return static_cast<double>(mesh->drawn().triangles.size());
 }
 
 } // namespace
@@ -194,8 +201,6 @@ foundation::Result<DemComparison> compareOver(const HeightField& square, const F
 {
     auto plain = prepareRivals(square);
     if (!plain) return plain.error();
-    auto spiked = prepareRivals(withSpike(square));
-    if (!spiked) return spiked.error();
     const auto flight = flightOver(plain->tile->tile);
     if (!flight) return flight.error();
     DemComparison comparison;
@@ -208,18 +213,18 @@ foundation::Result<DemComparison> compareOver(const HeightField& square, const F
         const Rival& rival = plain->all[i];
         MethodFigures& figures = comparison.methods[i];
         if (rival.keepsCeiling) figures.ceiling = flyWithin(ceiling, rival, *plain->tile, *flight);
-        figures.spikeTriangles = trianglesOf(spiked->all[i], figures.tolerancePx, flight->views.front()) -
-                                 trianglesOf(rival, figures.tolerancePx, flight->views.front());
     }
+    if (const auto measured = measureSpike(square, plain->tile->tile, *flight, comparison.methods); !measured)
+        return measured.error();
     if (painting.painter)
         if (const auto painted = paintMethods(*painting.painter, *plain, *flight, painting.folder,
                                               painting.stem, comparison.methods);
             !painted)
             return painted.error();
-    measureEdits(*spiked, *flight, comparison.methods);
     const auto merges = measureMerges(plain->tile);
     comparison.merges = {merges["nsPerRemovedTriangle"], merges["singleMergeNsPerRemovedTriangle"]};
     comparison.reworks = measureReworks(plain->tile, comparison.of("roam")->tolerancePx);
+    measureEdits(*plain, *flight, comparison.methods); // the tile is another one afterwards
     return comparison;
 }
 

@@ -33,8 +33,9 @@ struct ComparedFlight
 double trueErrorPx(const RivalMesh& mesh, const osgTerrainROAM::core::RoamTile& tile,
                    const viewlod::ViewState& view);
 
-/// Finds the tolerance of a method at which its true error is that of the flight, by halving the interval of its logarithm.
-/// The error is no continuous function, so the nearest that was met is taken. Cost: up to some 20 passes over the checked frames.
+/// Finds the tolerance of a method at which its true error is that of the flight: the error grows about as the tolerance does, so the next one
+/// tried is where the line through two others, in logarithms, meets it; every third one halves the interval. The error is no continuous
+/// function, so the nearest that was met is taken. Cost: up to 20 passes over the checked frames, in parallel.
 double toleranceForError(const Rival& rival, const osgTerrainROAM::core::RoamTile& tile,
                          const ComparedFlight& flight);
 

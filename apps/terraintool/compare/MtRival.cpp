@@ -4,6 +4,8 @@
 #include <utility>
 #include <vector>
 
+#include <foundation/Threads.h>
+
 #include <osgMultiTriangulation/core/extract/Extraction.h>
 #include <osgMultiTriangulation/core/extract/EyeCriterion.h>
 #include <osgMultiTriangulation/core/split/BuildForest.h>
@@ -35,7 +37,9 @@ PlacedForest forestOf(const std::shared_ptr<const RoamTile>& tile)
     for (int row = 0; row < rows; ++row)
         for (int column = 0; column < columns; ++column)
             heights.push_back(placed.samples().heightM(column << shift, row << shift));
-    auto built = mt::buildForest(mt::gridSurface(columns, rows, heights)); // nothing stops it
+    mt::ForestOptions options;
+    options.jobs = static_cast<unsigned>(foundation::processors());
+    auto built = mt::buildForest(mt::gridSurface(columns, rows, heights), options); // nothing stops it
     PlacedForest made{tile, std::move(built->forest)};
     const glm::dvec3 corner = placed.position(0, 0);
     made.origin = corner - glm::dvec3(0.0, 0.0, heights.front());

@@ -36,7 +36,8 @@ foundation::Outcome paintMethods(MeshPainter& painter, const Rivals& rivals, con
         MethodFigures& figures = methods[i];
         if (rival.drawnBy && views.size() > 2)
         {
-            const auto ms = painter.pictureMs(rivals.tile, *rival.drawnBy, figures.tolerancePx, views);
+            const auto ms =
+                painter.pictureMs({rivals.tile, *rival.drawnBy, rival.prepared}, figures.tolerancePx, views);
             if (!ms) return ms.error();
             figures.frameMs = *ms;
         }

@@ -98,6 +98,7 @@ foundation::Result<Rival> prepareRival(const MethodTraits& traits,
     rival.preparationS = processorS() - begin;
     rival.sharedBytes = (*prepared)->memoryBytes();
     rival.drawnBy = traits.method;
+    rival.prepared = *prepared;
     rival.newMesh = [shared = *prepared, morphs = traits.morphs]
     { return std::make_unique<MethodMesh>(shared->newMesh(), morphs); };
     return rival;

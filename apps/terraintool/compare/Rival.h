@@ -18,6 +18,7 @@
 #include <osgTerrainROAM/core/method/Method.h>
 #include <osgTerrainROAM/core/roam/LeafOrder.h>
 #include <osgTerrainROAM/core/roam/MeshData.h>
+#include <osgTerrainROAM/core/roam/PreparedTerrain.h>
 #include <osgTerrainROAM/core/roam/RefineResult.h>
 #include <osgTerrainROAM/core/roam/RoamTile.h>
 
@@ -67,7 +68,8 @@ struct Rival
     bool keepsCeiling = true; ///< takes a number of triangles in advance
     bool stopsInTime = false; ///< takes a limit of time
     std::optional<osgTerrainROAM::core::Method>
-        drawnBy{};               ///< what RoamDrawable calls it; nothing: it draws no such mesh
+        drawnBy{}; ///< what RoamDrawable calls it; nothing: it draws no such mesh
+    osgTerrainROAM::core::PreparedPtr prepared{}; ///< by that method
     double preparationS = 0.0;   ///< processor time of all threads, that of the tile included
     std::size_t sharedBytes = 0; ///< what all meshes share besides the tile
     std::function<std::unique_ptr<RivalMesh>()> newMesh;

@@ -66,19 +66,18 @@ public:
 
     std::string rendererName() const override { return _measured->context().rendererName(); }
 
-    foundation::Result<double> pictureMs(const std::shared_ptr<const RoamTile>& tile, Method method,
-                                         double tolerancePx,
+    foundation::Result<double> pictureMs(const PaintedTerrain& terrain, double tolerancePx,
                                          std::span<const viewlod::ViewState> views) override
     {
         constexpr std::size_t kWarmUp = 2;
-        const osg::ref_ptr<osgTerrainROAM::RoamDrawable> ground = new osgTerrainROAM::RoamDrawable(tile);
+        const osg::ref_ptr<osgTerrainROAM::RoamDrawable> ground =
+            new osgTerrainROAM::RoamDrawable(terrain.tile, terrain.method, terrain.prepared);
         // Views are 1280 pixels wide; the picture is smaller, so the same mesh has fewer pixels of error in it.
         const double scale = static_cast<double>(kWidthPx) / views.front().widthPx;
-        osgTerrainROAM::RoamDrawableSettings settings;
+        osgTerrainROAM::RoamDrawableSettings settings = ground->settings();
         settings.errorTolerancePx = scale * tolerancePx;
-        settings.method = method;
         if (const auto set = ground->setSettings(settings); !set) return set.error();
-        _measured->viewer().setSceneData(sceneOf(*tile, ground));
+        _measured->viewer().setSceneData(sceneOf(*terrain.tile, ground));
         std::vector<double> ms;
         for (std::size_t i = 0; i < views.size(); ++i)
         {
