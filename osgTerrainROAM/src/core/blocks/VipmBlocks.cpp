@@ -143,6 +143,7 @@ VipmBlock makeVipmBlock(const PlacedTile& tile, const BlockGrid& grid, std::uint
     pm::SimplifySettings settings;
     settings.keepSymmetry = false;
     settings.growLeaves = false;
+    settings.keepSeams = false;
     settings.isHeightField = true;
     if (borders) settings.lines = surface.sides;
     if (borders == VipmBorders::locked)
