@@ -18,6 +18,7 @@
 #include "terraintool/bench/FrameChange.h"
 #include "terraintool/compare/CompareHtml.h"
 #include "terraintool/compare/CompareJson.h"
+#include "terraintool/compare/CompareMarkdown.h"
 #include "terraintool/compare/IncoherentFrames.h"
 #include "terraintool/compare/LightChange.h"
 #include "terraintool/compare/MeasureRival.h"
@@ -210,26 +211,13 @@ TEST(TerrainCompare, WritesTheKeysOfTheReference)
     EXPECT_EQ(keysOf(json), (Keys{"dems", "claims", "qualities"}));
     const ordered_json& dem = json["dems"][0];
     EXPECT_EQ(keysOf(dem), (Keys{"dem", "methods", "requirements", "reworks"}));
-    EXPECT_EQ(keysOf(dem["methods"][0]), (Keys{"name",
-                                               "triangles",
-                                               "trueErrorPx",
-                                               "adaptUsP50",
-                                               "adaptUsP99",
-                                               "adaptUsMax",
-                                               "changedPercent",
-                                               "popPx",
-                                               "transformsPerTriangle",
-                                               "memoryMB",
-                                               "preparationS",
-                                               "frameMs",
-                                               "stripLength",
-                                               "lightPercent",
-                                               "lightDeg",
-                                               "regularPercent",
-                                               "visiblePercent",
-                                               "editUs",
-                                               "morph",
-                                               "fit"}));
+    EXPECT_EQ(keysOf(dem["methods"][0]), (Keys{"name",           "triangles",      "trueErrorPx",
+                                               "adaptUsP50",     "adaptUsP99",     "adaptUsMax",
+                                               "changedPercent", "popPx",          "transformsPerTriangle",
+                                               "memoryMB",       "preparationS",   "parts",
+                                               "frameMs",        "stripLength",    "lightPercent",
+                                               "lightDeg",       "regularPercent", "visiblePercent",
+                                               "editUs",         "morph",          "fit"}));
     EXPECT_EQ(keysOf(dem["reworks"][0]),
               (Keys{"path", "way", "adaptUsP50", "adaptUsMax", "changedTriangles"}));
     EXPECT_EQ(keysOf(json["qualities"][0]),
@@ -403,7 +391,8 @@ TEST(TerrainCompare, TurnsTheVerdictOfEveryQualityByAPlantedFigure)
                                                        [](MethodFigures& m) { m.memoryMB = 1000.0; },
                                                        [](MethodFigures& m) { m.fit->changePercent = 10.0; },
                                                        [](MethodFigures& m) { m.fit->changePercent = 90.0; },
-                                                       [](MethodFigures& m) { m.frameMs = 1e-3; }};
+                                                       [](MethodFigures& m) { m.frameMs = 1e-3; },
+                                                       [](MethodFigures& m) { m.parts = 9.0; }};
     for (const auto& plant : plants)
         for (std::size_t method = 0; method < good.methods.size(); ++method)
         {
@@ -415,7 +404,7 @@ TEST(TerrainCompare, TurnsTheVerdictOfEveryQualityByAPlantedFigure)
         }
     const auto rows = qualityVerdicts({good});
     for (std::size_t i = 0; i < rows.size(); ++i)
-        EXPECT_EQ(turned[i], rows[i].verdict != "not measured") << rows[i].method << ", " << rows[i].quality;
+        EXPECT_TRUE(turned[i]) << rows[i].method << ", " << rows[i].quality;
     for (const QualityVerdict& v : qualityVerdicts({}))
         EXPECT_EQ(v.verdict, "not measured") << v.quality;
 }
@@ -510,16 +499,21 @@ TEST(TerrainCompare, FliesTheComparisonFlightOrAScenario)
     const std::string drive = place.write("drive.xosc", driveText("hill.tif"));
     for (const Keys& flight : {Keys{}, Keys{"--flight", drive}})
     {
-        Keys arguments{"compare",  place.hill(),
-                       "--frames", "6",
-                       "--error",  "1",
-                       "--json",   place.path("compared.json"),
-                       "--html",   place.path("compared.html")};
+        Keys arguments{"compare",    place.hill(),
+                       "--frames",   "6",
+                       "--error",    "1",
+                       "--json",     place.path("compared.json"),
+                       "--html",     place.path("compared.html"),
+                       "--markdown", place.path("compared.md")};
         arguments.insert(arguments.end(), flight.begin(), flight.end());
         EXPECT_TRUE(succeeds(runTerrainTool(arguments)));
         const auto json = ordered_json::parse(readBytes(place.path("compared.json")), nullptr, false);
         EXPECT_EQ(json["dems"][0]["dem"], "hill.tif");
         EXPECT_NE(readBytes(place.path("compared.html")).find("hill.tif"), std::string::npos);
+        const std::string tables = readBytes(place.path("compared.md"));
+        for (const char* heading : {"## Figures", "## Requirements", "## Claims of the paper",
+                                    "## Advantages and drawbacks that it lists"})
+            EXPECT_NE(tables.find(heading), std::string::npos) << heading;
         EXPECT_EQ(json["dems"][0]["methods"].size(), kMethods.size() + 2);
         for (const ordered_json& method : json["dems"][0]["methods"])
         {
@@ -530,6 +524,26 @@ TEST(TerrainCompare, FliesTheComparisonFlightOrAScenario)
             EXPECT_GT(picture.size(), 5000u) << name << ": with something in it";
         }
     }
+}
+
+TEST(TerrainCompare, TablesOfMarkdownHaveARowForEachFigureAndMarksThatTurn)
+{
+    DemComparison dem = goodFigures();
+    const auto count = [](const std::string& text, const std::string& what)
+    {
+        std::size_t found = 0;
+        for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1))
+            ++found;
+        return found;
+    };
+    const std::string good = comparisonMarkdown({dem});
+    EXPECT_EQ(count(good, "| confirmed |") + count(good, "| refuted |") + count(good, "| not measured |"),
+              claimVerdicts({dem}).size() + qualityVerdicts({dem}).size());
+    const std::size_t marks = count(good, "−");
+    dem.methods[0].breaks = 7;
+    EXPECT_EQ(count(comparisonMarkdown({dem}), "−"), marks + 1) << "a requirement that is not met any more";
+    EXPECT_EQ(count(comparisonMarkdown({dem, dem}), "\n| made up | vdpm |"), 2u + 2u + 2u)
+        << "figures, further figures, and what it does at a ceiling";
 }
 
 TEST(TerrainCompare, SaysWhatItCannotDo)

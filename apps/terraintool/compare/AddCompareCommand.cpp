@@ -16,6 +16,7 @@ void addCompare(CLI::App& app, std::filesystem::path& jsonFile, Command& command
     sub->add_option("--flight", request->flight, "a scenario (.xosc) to fly")->check(CLI::ExistingFile);
     sub->add_option("--json", jsonFile, "also write the table to this file");
     sub->add_option("--html", request->html, "write a report to this file");
+    sub->add_option("--markdown", request->markdown, "write its tables to this file");
     sub->add_option("--error", request->errorPx, "true error, pixels (2)")
         ->check(terminal::between(0.01, 1000.0));
     sub->add_option("--frames", request->frames, "frames of the flight (48)")->check(CLI::Range(2, 100000));

@@ -10,6 +10,7 @@
 #include "terraintool/FlightViews.h"
 #include "terraintool/compare/CompareHtml.h"
 #include "terraintool/compare/CompareJson.h"
+#include "terraintool/compare/CompareMarkdown.h"
 #include "terraintool/compare/CompareRequest.h"
 #include "terraintool/compare/MeasureRival.h"
 #include "terraintool/compare/Verdicts.h"
@@ -77,7 +78,8 @@ void print(const DemComparison& dem)
 
 foundation::Result<terminal::Report> compare(const CompareRequest& request)
 {
-    if (const auto writable = foundation::checkWritable(request.html); !writable) return writable.error();
+    for (const std::filesystem::path& file : {request.html, request.markdown})
+        if (const auto writable = foundation::checkWritable(file); !writable) return writable.error();
     const auto painter = makePainter();
     if (!painter) std::cerr << "terraintool: no pictures: " << painter.error().message() << '\n';
     const auto folder = pictureFolder(request);
@@ -103,6 +105,10 @@ foundation::Result<terminal::Report> compare(const CompareRequest& request)
     if (!request.html.empty())
         if (const auto written =
                 foundation::writeWholeFile(request.html, comparisonHtml(dems, picturesOf(request.html)));
+            !written)
+            return written.error();
+    if (!request.markdown.empty())
+        if (const auto written = foundation::writeWholeFile(request.markdown, comparisonMarkdown(dems));
             !written)
             return written.error();
     return terminal::Report{comparisonJson(dems), true};

@@ -2,10 +2,10 @@
 #include "terraintool/compare/CompareHtml.h"
 
 #include <array>
-#include <functional>
 
 #include "measurement/HtmlPage.h"
 #include "measurement/SvgPlot.h"
+#include "terraintool/compare/FigureColumns.h"
 #include "terraintool/compare/Verdicts.h"
 
 namespace terraintool
@@ -19,69 +19,16 @@ using measurement::figureText;
 
 constexpr std::array kColours{"#1f6feb", "#0a7d4f", "#b4451f", "#7a3fb0", "#7a5c00", "#00738a", "#c02a4a"};
 
-/// A column of the table of figures.
-struct Column
-{
-    const char* title;
-    std::function<std::string(const MethodFigures&)> text;
-};
-
-std::string orNone(const std::optional<double>& value)
-{
-    return value ? figureText(*value) : "–";
-}
-
-const std::vector<Column>& columns()
-{
-    static const std::vector<Column> all{
-        {"triangles", [](const MethodFigures& m) { return figureText(m.triangles); }},
-        {"true error, px", [](const MethodFigures& m) { return figureText(m.trueErrorPx); }},
-        {"own tolerance, px", [](const MethodFigures& m) { return figureText(m.tolerancePx); }},
-        {"error at ROAM's triangles, px", [](const MethodFigures& m)
-         { return orNone(m.ceiling ? std::optional(m.ceiling->trueErrorPx) : std::nullopt); }},
-        {"adaptation, µs", [](const MethodFigures& m) { return figureText(m.adaptUsP50); }},
-        {"99 %", [](const MethodFigures& m) { return figureText(m.adaptUsP99); }},
-        {"worst", [](const MethodFigures& m) { return figureText(m.adaptUsMax); }},
-        {"changed, %", [](const MethodFigures& m) { return figureText(m.changedPercent); }},
-        {"pop, px", [](const MethodFigures& m) { return figureText(m.popPx); }},
-        {"transforms a triangle", [](const MethodFigures& m) { return orNone(m.transformsPerTriangle); }},
-        {"memory, MB", [](const MethodFigures& m) { return figureText(m.memoryMB); }},
-        {"preparation, s", [](const MethodFigures& m) { return figureText(m.preparationS); }},
-        {"picture, ms", [](const MethodFigures& m) { return orNone(m.frameMs); }}};
-    return all;
-}
-
-const std::vector<Column>& furtherColumns()
-{
-    static const std::vector<Column> all{
-        {"strip, triangles", [](const MethodFigures& m) { return orNone(m.stripLength); }},
-        {"left by culling, %", [](const MethodFigures& m) { return orNone(m.visiblePercent); }},
-        {"normals turned, %", [](const MethodFigures& m) { return figureText(m.lightPercent); }},
-        {"right and isosceles, %", [](const MethodFigures& m) { return figureText(m.regularPercent); }},
-        {"an edit, µs", [](const MethodFigures& m) { return orNone(m.editUs); }},
-        {"morphing, µs",
-         [](const MethodFigures& m) { return orNone(m.morph ? std::optional(m.morph->us) : std::nullopt); }},
-        {"the same without, µs", [](const MethodFigures& m)
-         { return orNone(m.morph ? std::optional(m.morph->plainUs) : std::nullopt); }},
-        {"a frame, µs",
-         [](const MethodFigures& m) { return orNone(m.fit ? std::optional(m.fit->baseUs) : std::nullopt); }},
-        {"+ a triangle, ns", [](const MethodFigures& m)
-         { return orNone(m.fit ? std::optional(m.fit->nsPerTriangle) : std::nullopt); }},
-        {"+ a change, ns", [](const MethodFigures& m)
-         { return orNone(m.fit ? std::optional(m.fit->nsPerChange) : std::nullopt); }}};
-    return all;
-}
-
-std::string figuresTable(const DemComparison& dem, const std::vector<Column>& columns)
+std::string figuresTable(const DemComparison& dem, const std::vector<FigureColumn>& columns)
 {
     std::string html = "<table>\n<tr><th>method</th>";
-    for (const Column& column : columns)
+    for (const FigureColumn& column : columns)
         html += std::string("<th class=\"number\">") + column.title + "</th>";
     html += "</tr>\n";
     for (const MethodFigures& m : dem.methods)
     {
         html += "<tr><td>" + escapedMarkup(m.name) + "</td>";
-        for (const Column& column : columns)
+        for (const FigureColumn& column : columns)
             html += "<td class=\"number\">" + column.text(m) + "</td>";
         html += "</tr>\n";
     }
@@ -173,8 +120,8 @@ std::string comparisonHtml(const std::vector<DemComparison>& dems, const std::st
                        "<h2>Advantages and drawbacks that it lists</h2>\n" + qualitiesTable(dems);
     for (const DemComparison& dem : dems)
         html += "<h2>" + escapedMarkup(dem.dem) + "</h2>\n" + picturesTable(dem, pictures) +
-                figuresTable(dem, columns()) + figuresTable(dem, furtherColumns()) + reworksTable(dem) +
-                plotOf(dem, "Triangles", &MethodFigures::frameTriangles) +
+                figuresTable(dem, figureColumns()) + figuresTable(dem, furtherFigureColumns()) +
+                reworksTable(dem) + plotOf(dem, "Triangles", &MethodFigures::frameTriangles) +
                 plotOf(dem, "Adaptation, µs", &MethodFigures::frameUs) + requirementsTable(dem);
     return measurement::htmlPage("Methods of level of detail at equal true error", html);
 }

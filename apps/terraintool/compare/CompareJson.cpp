@@ -28,6 +28,7 @@ nlohmann::ordered_json jsonOf(const MethodFigures& m)
     row["transformsPerTriangle"] = jsonOf(m.transformsPerTriangle);
     row["memoryMB"] = m.memoryMB;
     row["preparationS"] = m.preparationS;
+    row["parts"] = m.parts;
     row["frameMs"] = jsonOf(m.frameMs);
     row["stripLength"] = jsonOf(m.stripLength);
     row["lightPercent"] = m.lightPercent;

@@ -184,6 +184,7 @@ MethodFigures measureRival(const Rival& rival, const RoamTile& tile, const Compa
     figures.name = rival.name;
     figures.isOfBlocks = rival.isOfBlocks;
     figures.preparationS = rival.preparationS;
+    figures.parts = static_cast<double>(rival.parts);
     figures.sideSamples = tile.tile.field().columns;
     figures.tolerancePx = toleranceForError(rival, tile, flight);
     fly(rival, tile, flight, figures);

@@ -66,6 +66,7 @@ struct MethodFigures
     std::string picture{};           ///< name of the file; empty: none
     double memoryMB = 0.0;           ///< besides the tile
     double preparationS = 0.0;
+    double parts = 1.0;                      ///< of what is prepared, each whole without the others
     std::size_t breaks = 0;                  ///< T-junctions and cracks in the checked frames
     double spikeTriangles = 0.0;             ///< that one raised sample adds
     double sideSamples = 0.0;                ///< of the square

@@ -136,6 +136,7 @@ Rival multiTriangulationRival(const std::shared_ptr<const RoamTile>& tile)
     rival.name = "multi-triangulation";
     rival.keepsCeiling = false;
     rival.sharedBytes = bytesOf(placed->forest);
+    rival.parts = placed->forest.trees.size();
     rival.newMesh = [placed] { return std::make_unique<ExtractedMesh>(placed); };
     return rival;
 }

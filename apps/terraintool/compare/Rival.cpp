@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include <osgTerrainROAM/core/blocks/BlockGrid.h>
 #include <osgTerrainROAM/core/method/PrepareTerrain.h>
 #include <osgTerrainROAM/core/roam/LeafOrder.h>
 #include <osgTerrainROAM/core/roam/ScratchRefinement.h>
@@ -93,6 +94,7 @@ foundation::Result<Rival> prepareRival(const MethodTraits& traits,
     Rival rival;
     rival.name = traits.name;
     rival.isOfBlocks = traits.method != Method::roam && traits.method != Method::vdpm;
+    if (rival.isOfBlocks) rival.parts = BlockGrid(tile->tile.grid()).count();
     rival.fewestTriangles = (*prepared)->fewestTriangles();
     rival.stopsInTime = traits.stopsInTime;
     rival.preparationS = processorS() - begin;

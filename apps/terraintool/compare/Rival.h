@@ -72,6 +72,7 @@ struct Rival
     osgTerrainROAM::core::PreparedPtr prepared{}; ///< by that method
     double preparationS = 0.0;   ///< processor time of all threads, that of the tile included
     std::size_t sharedBytes = 0; ///< what all meshes share besides the tile
+    std::size_t parts = 1;       ///< of what is prepared: those that are whole without the others
     std::function<std::unique_ptr<RivalMesh>()> newMesh;
 };
 
