@@ -7,6 +7,8 @@
 #include <gtest/gtest.h>
 
 #include <osgTerrainROAM/core/heightfield/DemImport.h>
+#include <osgTerrainROAM/core/roam/DrawnMeshCheck.h>
+#include <osgTerrainROAM/core/vdpm/BuildForest.h>
 #include <osgTerrainROAM/core/vdpm/HeightFieldForest.h>
 #include <osgTerrainROAM/core/vdpm/VdpmMesh.h>
 
@@ -84,6 +86,42 @@ TEST(HeightFieldForest, ATooSmallErrorOfOneVertexIsFound)
         found += testsupport::surfaceError(*tile, mesh.drawn(), nullptr).errorM > kErrorM + kStepsM;
     }
     EXPECT_GT(found, 0);
+}
+
+/// Says of every collapse what it is told to.
+struct Verdict final : CollapseWitness
+{
+    explicit Verdict(bool allowed) : allows(allowed) {}
+    bool collapse(const CollapsedStar&) override { return allows; }
+    bool allows;
+};
+
+TEST(HeightFieldForest, CollapsesThatAreNotAllowedAreLeftOut)
+{
+    const std::vector<Triangle> fan{{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}};
+    const std::vector<EdgeCollapse> collapses{{4, 0}};
+    for (const bool allows : {false, true})
+    {
+        Verdict witness(allows);
+        const VertexForest forest = buildForest(fan, 5, collapses, &witness);
+        EXPECT_EQ(forest.splitCount(), allows ? 1u : 0u);
+        EXPECT_EQ(forest.rootFaces.size(), allows ? 2u : 4u);
+    }
+}
+
+TEST(HeightFieldForest, NoTriangleOfAnyLevelIsTurnedOver)
+{
+    for (const std::uint64_t seed : {1, 2, 3})
+    {
+        const auto tile = testsupport::planarTile(testsupport::hills(65, 49, 30.0, seed));
+        VdpmMesh mesh(tile, forestOf(*tile));
+        for (const double errorM : {1e9, 300.0, 100.0, 30.0})
+        {
+            mesh.refine(errorM);
+            const DrawnMeshReport report = checkDrawnMesh(*tile, mesh.drawn(), nullptr);
+            EXPECT_EQ(report.tJunctions + report.cracks, 0u) << seed << ' ' << errorM;
+        }
+    }
 }
 
 TEST(HeightFieldForest, RefusesWhatItCannotFollow)

@@ -180,7 +180,7 @@ public:
             _mesh.gatherStar(c.v0, _star);
             const auto edge = _mesh.edge(c, _star);
             if (!edge) continue;
-            if (witness) show(c, *edge, *witness);
+            if (witness && !show(c, *edge, *witness)) continue;
             const auto step = static_cast<std::uint32_t>(_steps.size());
             for (const std::uint32_t f : _star)
             {
@@ -225,7 +225,7 @@ private:
     std::uint32_t splitCount() const { return static_cast<std::uint32_t>(_steps.size()); }
     std::uint32_t splitOf(std::uint32_t step) const { return splitCount() - 1 - step; }
 
-    void show(const EdgeCollapse& c, const CollapsingMesh::Edge& edge, CollapseWitness& witness)
+    bool show(const EdgeCollapse& c, const CollapsingMesh::Edge& edge, CollapseWitness& witness)
     {
         _starCorners.clear();
         _floorFaces.clear();
@@ -239,7 +239,7 @@ private:
             _floorFaces.push_back(f);
             _floorCorners.push_back(t);
         }
-        witness.collapse({c.v0, c.v1, _star, _starCorners, _floorFaces, _floorCorners});
+        return witness.collapse({c.v0, c.v1, _star, _starCorners, _floorFaces, _floorCorners});
     }
 
     void numberVertices()

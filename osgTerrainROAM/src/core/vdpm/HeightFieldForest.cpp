@@ -31,8 +31,11 @@ public:
                 _positions.push_back(tile.position(column << shift, row << shift));
     }
 
-    void collapse(const CollapsedStar& star) override
+    /// Collapses that were left out before may let a later one turn a face over in plan.
+    bool collapse(const CollapsedStar& star) override
     {
+        for (const Triangle& t : star.floorCorners)
+            if (PlanTriangle{{pointOf(t[0]), pointOf(t[1]), pointOf(t[2])}}.doubleArea() <= 0) return false;
         double error = 0.0;
         for (const Triangle& t : star.floorCorners)
             error = std::max(error, errorOf(t));
@@ -40,6 +43,7 @@ public:
             for (const std::uint32_t v : t)
                 error = std::max(error, errorOfSwept(star.v0, star.v1, v));
         _bounds.push_back(ballAround(star.corners, _positions, error));
+        return true;
     }
 
     const std::vector<glm::dvec3>& positions() const { return _positions; }

@@ -43,7 +43,7 @@ public:
         }
     }
 
-    void collapse(const CollapsedStar& star) override
+    bool collapse(const CollapsedStar& star) override
     {
         std::uint32_t points = star.v0; // positions that are left lie in no list
         NormalCone cone = _cones[star.v0];
@@ -65,6 +65,7 @@ public:
         }
         _bounds.push_back(ballAround(star.corners, _positions, error));
         _splitCones.push_back(cone);
+        return true;
     }
 
     /// By split.

@@ -30,11 +30,13 @@ class CollapseWitness
 {
 public:
     virtual ~CollapseWitness() = default;
-    virtual void collapse(const CollapsedStar& star) = 0;
+    /// Returns whether it may be done; one that may not is left out.
+    virtual bool collapse(const CollapsedStar& star) = 0;
 };
 
 /// Builds the forest of a mesh and a sequence of collapses, finest first. Collapses that would not leave a manifold (there is no such
-/// edge, or its ends have other common neighbours than the opposite corners of its faces) are left out. What is left is M0.
+/// edge, or its ends have other common neighbours than the opposite corners of its faces), or that the witness does not allow, are left
+/// out. What is left is M0.
 /// Splits are numbered from the last collapse to the first.
 /// `triangles`: a manifold, with or without border; vertices that no triangle has are left out.
 /// Cost: 1 to 2 µs a collapse. Memory: about 150 B a vertex besides the result.
