@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scenery/nodes/RoadThingsNode.h"
 
+#include <algorithm>
 #include <map>
 #include <optional>
 #include <sstream>
+
+#include <osgTerrainROAM/SunShadows>
 
 #include "scenery/nodes/ObjectShading.h"
 #include "scenery/nodes/ProgressiveModel.h"
@@ -17,6 +20,8 @@ namespace
 using osgPMObjects::FieldInstance;
 using osgPMObjects::FieldKind;
 
+constexpr double kSlenderM = 2.5; ///< height of what casts into the nearest shadow maps alone
+
 FieldInstance instanceOf(const roads::StandingThing& thing, std::size_t kind)
 {
     FieldInstance instance;
@@ -25,6 +30,34 @@ FieldInstance instanceOf(const roads::StandingThing& thing, std::size_t kind)
     instance.attitude = attitudeOf(thing.axes);
     instance.scale = thing.scale;
     return instance;
+}
+
+struct Contents
+{
+    std::vector<models::Model> models;
+    std::vector<FieldInstance> instances;
+};
+
+foundation::Result<osg::ref_ptr<osgPMObjects::ProgressiveField>> fieldOf(Contents contents)
+{
+    std::vector<FieldKind> kinds;
+    for (const auto& shape : makeProgressiveModels(std::move(contents.models)))
+        kinds.push_back({shape});
+    osg::ref_ptr<osgPMObjects::ProgressiveField> field = new osgPMObjects::ProgressiveField;
+    if (const auto set = field->setContents(std::move(kinds), contents.instances); !set) return set.error();
+    return field;
+}
+
+/// Whether a model is a rail or a fence: long, and no higher than a person.
+bool isSlender(const models::Model& model)
+{
+    double low = 1e300, high = -1e300;
+    for (const auto& position : model.mesh.positions)
+    {
+        low = std::min(low, static_cast<double>(position.z));
+        high = std::max(high, static_cast<double>(position.z));
+    }
+    return high - low < kSlenderM;
 }
 
 /// Reads `on;off;off`; nothing when the text is not such a list.
@@ -46,8 +79,8 @@ std::optional<std::vector<bool>> lensesOf(const std::string& state)
 foundation::Result<std::unique_ptr<RoadThingsNode>> RoadThingsNode::create(const roads::RoadThings& things)
 {
     std::unique_ptr<RoadThingsNode> made(new RoadThingsNode);
-    std::vector<models::Model> models;
-    std::vector<FieldInstance> instances;
+    Contents others;
+    auto& [models, instances] = others;
     for (const models::RoadModel& model : things.models)
         models.push_back(models::makeRoadModel(model));
     for (const roads::StandingThing& thing : things.standing)
@@ -57,21 +90,25 @@ foundation::Result<std::unique_ptr<RoadThingsNode>> RoadThingsNode::create(const
         models.push_back(models::generate(grown.kind, grown.seed));
     for (const roads::StandingThing& plant : things.plants)
         instances.push_back(instanceOf(plant, firstGrown + plant.model));
+    Contents slender;
     for (const roads::OwnThing& own : things.own)
     {
         roads::StandingThing thing;
         thing.position = own.origin;
-        instances.push_back(instanceOf(thing, models.size()));
-        models.push_back(own.model);
+        Contents& contents = isSlender(own.model) ? slender : others;
+        contents.instances.push_back(instanceOf(thing, contents.models.size()));
+        contents.models.push_back(own.model);
     }
-    std::vector<FieldKind> kinds;
-    for (const auto& shape : makeProgressiveModels(std::move(models)))
-        kinds.push_back({shape});
     made->_root = new osg::Group;
-    made->_field = new osgPMObjects::ProgressiveField;
     setObjectShading(*made->_root, Finish::matt);
-    if (const auto set = made->_field->setContents(std::move(kinds), instances); !set) return set.error();
-    made->_root->addChild(made->_field);
+    for (Contents* const contents : {&others, &slender})
+    {
+        auto field = fieldOf(std::move(*contents));
+        if (!field) return field.error();
+        if (contents == &slender) (*field)->setNodeMask(osgTerrainROAM::SunShadows::kSlender);
+        made->_root->addChild(*field);
+        made->_fields.push_back(std::move(*field));
+    }
     made->_lamps = std::make_unique<RoadLamps>(things);
     if (made->_lamps->node()) made->_root->addChild(made->_lamps->node());
     return made;

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include <foundation/Result.h>
 
@@ -16,7 +17,7 @@
 namespace scenery
 {
 
-/// Everything beside and over roads as one field of progressive models, and the lamps of traffic lights, which shine by themselves.
+/// Everything beside and over roads as two fields of progressive models, and the lamps of traffic lights, which shine by themselves.
 /// To make it: RoadThingsNode::create(roads::placeRoadThings(placedNetwork, groundHeight)), then add node() to a group that has the uniforms of an
 /// Atmosphere. `groundHeight` may be empty.
 /// Frame: the scene's. Threads: setState() in the update phase. Cost: 1 to 10 ms a distinct model, 0.3 to 1 s a kind of plant.
@@ -27,7 +28,8 @@ public:
     static foundation::Result<std::unique_ptr<RoadThingsNode>> create(const roads::RoadThings& things);
 
     osg::Group* node() const { return _root.get(); }
-    const osgPMObjects::ProgressiveField& field() const { return *_field; }
+    /// What stands beside roads, and of it what is no higher than a person and made for one place: rails, fences.
+    const std::vector<osg::ref_ptr<osgPMObjects::ProgressiveField>>& fields() const { return _fields; }
 
     /// Sets what a traffic light shows. Returns false when there is no light of that id. All begin at stop.
     bool setState(const std::string& signalId, LightState state) { return _lamps->setState(signalId, state); }
@@ -38,7 +40,7 @@ public:
 
 private:
     osg::ref_ptr<osg::Group> _root;
-    osg::ref_ptr<osgPMObjects::ProgressiveField> _field;
+    std::vector<osg::ref_ptr<osgPMObjects::ProgressiveField>> _fields;
     std::unique_ptr<RoadLamps> _lamps;
 };
 

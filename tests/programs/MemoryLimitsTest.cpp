@@ -166,4 +166,40 @@ TEST(MemoryLimits, EveryCommandOfRoadtoolSaysWhatItLacks)
     limits.expectSomeTold(2);
 }
 
+/// So many streets of five nodes each, about the hill, as .osm.
+std::string streetMap(int streets)
+{
+    std::ostringstream text;
+    text.precision(9);
+    text << "<osm version=\"0.6\">\n";
+    for (int node = 0; node < 5 * streets; ++node)
+        text << "<node id=\"" << node + 1 << "\" lat=\"" << 43.6108 + 1e-7 * (node / 5 % 9000) << "\" lon=\""
+             << 8.2110 + 2e-5 * (node % 5) << "\"/>\n";
+    for (int way = 0; way < streets; ++way)
+    {
+        text << "<way id=\"" << way + 1 << "\">";
+        for (int i = 1; i <= 5; ++i)
+            text << "<nd ref=\"" << 5 * way + i << "\"/>";
+        text << "<tag k=\"highway\" v=\"residential\"/></way>\n";
+    }
+    return text.str() + "</osm>\n";
+}
+
+TEST(MemoryLimits, AHugeMapIsToldAndLeavesNoWorld)
+{
+    if (kIsSanitized) GTEST_SKIP() << "NOT TESTED: sanitizers reserve more address space than there is";
+    const Workplace place;
+    const std::string worldtool = OSGTRAINER_WORLDTOOL, small = place.write("small.osm", streetMap(1)),
+                      huge = place.write("huge.osm", streetMap(60000));
+    const auto build = [&](const std::string& map)
+    { return Command{worldtool, "build", place.hill(), "--map", map, "-o", place.path("world")}; };
+    const int mebibytes = leastToStart(worldtool) + 90;
+    const ProgramRun control = underLimit(mebibytes, build(small));
+    EXPECT_EQ(control.exitCode, 0) << "the control: a small map fits; " << control.text();
+    std::filesystem::remove_all(place.path("world"));
+    Limits limits(place);
+    limits.run("worldtool", build(huge), {mebibytes - 60, mebibytes});
+    limits.expectSomeTold(2);
+}
+
 } // namespace

@@ -7,6 +7,10 @@
 #include <fstream>
 #include <iostream>
 #include <iterator>
+#include <map>
+#include <utility>
+
+#include <nlohmann/json.hpp>
 
 #include "FrameSteps.h"
 #include "Playing.h"
@@ -131,6 +135,39 @@ TEST(WorldFrames, OfSixViewsDifferNoMore)
                   << excess << std::endl;
         EXPECT_LE(excess.ofMean, kMostLevels) << view.name;
     }
+}
+
+/// The draws of a picture, and of its shadow maps, by what was left out.
+std::map<std::string, std::pair<double, double>> drawsByPart(const Workplace& place)
+{
+    const std::string file = place.path("parts.json");
+    EXPECT_TRUE(succeeds(runProgram({OSGTRAINER_TRAINER, "play", scenarioOf(place, kViews.front()), "--eye",
+                                     "driver", "--interior", "off", "--samples", "1", "--size", "320x180",
+                                     "--frames", "15", "--parts", file},
+                                    kLimitS)));
+    std::map<std::string, std::pair<double, double>> draws;
+    const auto table = nlohmann::json::parse(textOf(file));
+    for (const auto& row : table.at("parts"))
+        draws[row.at("without")] = {row.at("draws"), row.at("mapDraws")};
+    return draws;
+}
+
+TEST(WorldDraws, FromTheDriversSeatAreAtMost400AndOfShadowMapsToo)
+{
+    if (!isWorldMade()) GTEST_SKIP() << "build the target default_world";
+    const InProject project;
+    const Workplace place;
+    const auto draws = drawsByPart(place);
+    for (const char* part : {"", "entities", "shadows"})
+        ASSERT_TRUE(draws.contains(part)) << part;
+    const auto [picture, maps] = draws.at("");
+    EXPECT_LE(picture, 400.0);
+    EXPECT_LE(maps, 400.0);
+    RecordProperty("draws", std::to_string(picture) + ", of maps " + std::to_string(maps));
+    // The figures count: without vehicles both are smaller, without shadows there are no maps.
+    EXPECT_GT(picture, draws.at("entities").first + 20.0);
+    EXPECT_GT(maps, draws.at("entities").second + 20.0);
+    EXPECT_EQ(draws.at("shadows").second, 0.0);
 }
 
 } // namespace

@@ -26,9 +26,10 @@ public:
     {
         GDALAllRegister(); // does nothing when done before
         CPLPushErrorHandlerEx(
-            [](CPLErr severity, CPLErrorNum, const char* message)
+            [](CPLErr severity, CPLErrorNum number, const char* message)
             {
                 auto* const scope = static_cast<GdalScope*>(CPLGetErrorHandlerUserData());
+                scope->lacksMemory = scope->lacksMemory || number == CPLE_OutOfMemory;
                 if (severity < CE_Failure || !scope->firstError.empty()) return;
                 scope->firstError = message;
                 std::replace(scope->firstError.begin(), scope->firstError.end(), '\n', ' ');
@@ -42,6 +43,7 @@ public:
     GdalScope& operator=(const GdalScope&) = delete;
 
     std::string firstError; ///< on one line; empty: none so far
+    bool lacksMemory = false;
 };
 
 } // namespace worldmaking

@@ -176,6 +176,12 @@ bool isOneOf(std::string_view word, std::initializer_list<std::string_view> word
     return std::find(words.begin(), words.end(), word) != words.end();
 }
 
+Error tooLarge(const std::string& name)
+{
+    return Error{name, "does not fit into memory",
+                 "raise the limit (ulimit -v), or cut a part out with osmium extract or ogr2ogr -spat"};
+}
+
 } // namespace
 
 foundation::Result<LandMap> readLand(const std::filesystem::path& file, const MapBounds& bounds)
@@ -188,6 +194,7 @@ foundation::Result<LandMap> readLand(const std::filesystem::path& file, const Ma
     const std::string name = file.string();
     const DatasetPtr dataset(GDALDataset::Open(openableName(file).c_str(),
                                                GDAL_OF_VECTOR | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR));
+    if (errors.lacksMemory) return tooLarge(name);
     if (!dataset)
         return Error{name,
                      "cannot be read as a map" + (errors.firstError.empty() ? "" : ": " + errors.firstError),
@@ -205,6 +212,7 @@ foundation::Result<LandMap> readLand(const std::filesystem::path& file, const Ma
             std::find_if(ways->begin(), ways->end(), [&](const auto& w) { return w.first == layer; });
         reader.take(*feature, way == ways->end() ? nullptr : way->second.get());
     }
+    if (errors.lacksMemory) return tooLarge(name);
     if (!errors.firstError.empty())
         return Error{name, "is damaged: " + errors.firstError, "fetch it again, or repair it with ogr2ogr"};
     return std::move(reader.map);

@@ -18,6 +18,7 @@ namespace
 {
 
 constexpr int kMaps = ShadowPlan::kMaps;
+constexpr float kLeastTexels = 3.0F;   ///< what is smaller in a map is not drawn into it
 constexpr double kSameSun = 0.9999985; ///< cosine of 0.1 degrees
 
 bool areUsable(const SunShadowSettings& settings)
@@ -61,8 +62,11 @@ osg::ref_ptr<osg::Camera> makeCamera(osg::Texture2D* texture, int map, const Sun
     camera->setComputeNearFarMode(osg::Camera::DO_NOT_COMPUTE_NEAR_FAR);
     camera->getOrCreateStateSet()->setDefine("SUN_SHADOW_MAP");
     camera->setInheritanceMask(camera->getInheritanceMask() & ~osg::CullSettings::CULL_MASK);
-    camera->setCullMask(~(SunShadows::kCastsNone | (map < settings.movingMaps ? 0U : SunShadows::kMoves)));
-    camera->setCullingMode(osg::CullSettings::VIEW_FRUSTUM_SIDES_CULLING);
+    camera->setCullMask(~(SunShadows::kCastsNone |
+                          (map < settings.movingMaps ? 0U : SunShadows::kMoves | SunShadows::kSlender)));
+    camera->setCullingMode(osg::CullSettings::VIEW_FRUSTUM_SIDES_CULLING |
+                           osg::CullSettings::SMALL_FEATURE_CULLING);
+    camera->setSmallFeatureCullingPixelSize(kLeastTexels);
     return camera;
 }
 
