@@ -102,7 +102,7 @@ void PictureParts::addParts(InteriorView& interior)
 
 void PictureParts::draw(double timeS)
 {
-    const std::size_t turn = _pictures % _parts.size();
+    const std::size_t run = _pictures / kRun, turn = run == 0 ? 0 : (run - 1) % _parts.size();
     _parts[turn].show(false);
     PictureCost cost;
     const auto begin = std::chrono::steady_clock::now();
@@ -121,7 +121,7 @@ void PictureParts::draw(double timeS)
         cost.mapDraws += counter->drawsBefore();
     }
     _parts[turn].show(true);
-    if (_pictures >= _parts.size()) _costs[turn].pictures.push_back(cost);
+    if (run > 0 && _pictures % kRun > 0) _costs[turn].pictures.push_back(cost);
     ++_pictures;
 }
 

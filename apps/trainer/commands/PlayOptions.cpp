@@ -133,8 +133,9 @@ void PlayOptions::addOutputOptions(CLI::App& command)
                        "WAVE file of what is heard where the eye is, with offscreen pictures");
     command.add_flag("--mute", request.sound.isMuted, "nothing is heard");
     command.add_option("--stats", request.output.statsFile, "JSON file for the statistics of each frame");
-    command.add_option("--parts", request.output.partsFile,
-                       "JSON file for what the parts of a picture cost: each picture leaves out another");
+    command.add_option(
+        "--parts", request.output.partsFile,
+        "JSON file for what the parts of a picture cost: pictures leave out one after another");
     command.add_option("--report", request.output.reportFile, "HTML file with plots of the statistics");
     command.add_option("--report-sheet", request.output.contactSheet,
                        "image file beside the report, shown in it");

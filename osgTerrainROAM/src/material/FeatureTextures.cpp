@@ -138,6 +138,34 @@ void addGrid(osg::StateSet& stateSet, const core::FeatureCells& cells, const std
 
 } // namespace
 
+namespace
+{
+
+constexpr std::size_t kMostRunways =
+    16; ///< in shaders/FeatureMaps.glsl; where there are more, the far map shows them all
+
+void addRunways(osg::StateSet& stateSet, const core::FeatureCells& cells)
+{
+    const bool areAll = cells.runways.size() <= kMostRunways;
+    const std::size_t count = areAll ? cells.runways.size() : 0;
+    const osg::ref_ptr<osg::Uniform> ends =
+        new osg::Uniform(osg::Uniform::FLOAT_VEC4, "featureRunways", kMostRunways);
+    const osg::ref_ptr<osg::Uniform> halves =
+        new osg::Uniform(osg::Uniform::FLOAT, "featureRunwayHalfM", kMostRunways);
+    const glm::dvec2 first = glm::dvec2(cells.firstCell) * cells.cellM;
+    for (unsigned int i = 0; i < count; ++i)
+    {
+        const glm::vec2 from(cells.runways[i].from - first), to(cells.runways[i].to - first);
+        ends->setElement(i, osg::Vec4f(from.x, from.y, to.x, to.y));
+        halves->setElement(i, static_cast<float>(0.5 * cells.runways[i].widthM));
+    }
+    stateSet.addUniform(ends);
+    stateSet.addUniform(halves);
+    stateSet.addUniform(new osg::Uniform("featureRunwayCount", static_cast<int>(count)));
+}
+
+} // namespace
+
 void addFeatureTextures(osg::StateSet& stateSet, const core::FeatureCells& cells, int firstUnit)
 {
     const FarMaps far(cells, kMaxFarPerCell);
@@ -146,6 +174,7 @@ void addFeatureTextures(osg::StateSet& stateSet, const core::FeatureCells& cells
     addTexture(stateSet, "featureFarCrops", firstUnit + 2, far.crops.get(), true);
     addTexture(stateSet, "featureFarBeds", firstUnit + 3, far.beds.get(), true);
     addGrid(stateSet, cells, "feature");
+    addRunways(stateSet, cells);
     stateSet.addUniform(new osg::Uniform("featureFarTexelM", static_cast<float>(cells.cellM / far.perCell)));
 }
 

@@ -35,7 +35,7 @@ Paint listedPaint(vec2 place, vec2 alongX, vec2 alongY)
     float far = max(smoothstep(96.0, 160.0, length1), smoothstep(0.5, 1.0, across / featureFarTexelM));
     Footprint whole = Footprint(longer, shorter);
     Paint distant;
-    if (far > 0.0) distant = paintOfMaps(place, Footprint(0.25 * longer, shorter));
+    if (far > 0.0) distant = paintOfMaps(place, whole);
     if (far >= 1.0) return distant;
     int taps = int(clamp(ceil(length1 / 24.0), 1.0, 4.0));
     Footprint f = Footprint(longer / float(taps), shorter);

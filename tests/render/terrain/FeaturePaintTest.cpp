@@ -260,6 +260,32 @@ TEST(FeaturePaint, IsLeftOutNearerThanTold)
     EXPECT_NE(all[1], none[1]);
 }
 
+/// How much of what asphalt takes from bright snow a runway of 30 m takes 1 km behind its threshold, seen on final approach 2 km before that: in the middle of the strip.
+double runwayShareFromFinal(const std::string& mutated)
+{
+    const auto levelOf = [&](const std::vector<core::GroundFeature>& features)
+    {
+        const auto terrain = plain(features, true);
+        if (!mutated.empty() && !features.empty()) mutate(*terrain, mutated, "if (false)");
+        Camera camera(terrain);
+        const auto picture = camera.picture({20000.0, 18000.0, 108.0}, osg::Vec3d(0.0, 1.0, -0.052), kZenith);
+        const osg::Vec2d at = camera.pixelOf({20000.0, 21000.0, 0.0});
+        return level(*picture, static_cast<int>(at.x()), static_cast<int>(at.y()));
+    };
+    const auto runway = [](double widthM) {
+        return std::vector{line(FeatureKind::runway, widthM, {20000.0, 20000.0}, {20000.0, 21500.0})};
+    };
+    const double bare = levelOf({});
+    return (bare - levelOf(runway(30.0))) / (bare - levelOf(runway(1000.0)));
+}
+
+TEST(FeaturePaint, ARunwayIsSeenFromFinal)
+{
+    const double seen = runwayShareFromFinal(""), byMap = runwayShareFromFinal("if (featureRunwayCount > 0)");
+    EXPECT_GT(seen, 0.85) << "five pixels wide there";
+    EXPECT_LT(byMap, 0.7) << "the control: the far map alone blurs it";
+}
+
 TEST(FeaturePaint, NothingOfItIsDrawnWhereNothingIsPainted)
 {
     const auto far = plain({line(FeatureKind::road, 8.0, {50000.0, 50000.0}, {50500.0, 50000.0})});

@@ -47,6 +47,22 @@ bool FeatureCells::isConsistent() const
     return true;
 }
 
+namespace
+{
+
+std::vector<FeatureCells::Runway> runwaysOf(const std::vector<GroundFeature>& features)
+{
+    std::vector<FeatureCells::Runway> runways;
+    for (const GroundFeature& feature : features)
+        if (feature.style.kind == FeatureKind::runway && !feature.isArea)
+            for (const auto& path : feature.paths)
+                for (std::size_t i = 0; i + 1 < path.size(); ++i)
+                    runways.push_back({path[i], path[i + 1], feature.style.widthM});
+    return runways;
+}
+
+} // namespace
+
 Result<FeatureCells> FeatureCells::build(const std::vector<GroundFeature>& features)
 {
     FeatureCells cells;
@@ -64,6 +80,7 @@ Result<FeatureCells> FeatureCells::build(const std::vector<GroundFeature>& featu
         return Error{"features", "have more than 16 million edges in their cells",
                      "simplify them with ogr2ogr -simplify"};
     builder.store();
+    cells.runways = runwaysOf(features);
     return cells;
 }
 

@@ -50,11 +50,19 @@ struct FeatureCells
         edgeLight, ///< of a runway, at night
     };
 
+    /// A straight runway: far maps are too coarse for what a pilot looks for.
+    struct Runway
+    {
+        glm::dvec2 from{0.0}, to{0.0};
+        double widthM = 0.0;
+    };
+
     double cellM = 64.0; ///< a power of two, 16 … 256
     glm::ivec2 firstCell{0};
     int columns = 0, rows = 0;
     std::vector<Cell> cells; ///< row-major, southernmost first
     std::vector<std::array<float, 4>> records;
+    std::vector<Runway> runways;
 
     /// The cell that holds a position; null beyond all features.
     const Cell* cellAt(const glm::dvec2& place) const;
