@@ -5,9 +5,15 @@
 #include <cstdio>
 #include <filesystem>
 
+#include <osg/Group>
+#include <osg/LightModel>
+#include <osg/PolygonMode>
+#include <osg/PolygonOffset>
+
 #include <osgTerrainROAM/core/bisection/BisectionCheck.h>
 
 #include <osgOffscreen/PngFile>
+#include <osgTerrainROAM/BisectionDrawable>
 
 #include "MadeSurfaces.h"
 #include "SheetPictures.h"
@@ -32,26 +38,34 @@ osg::Vec3 osgOf(const glm::dvec3& v)
     return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
 }
 
-osg::ref_ptr<osg::Image> pictureFrom(const BisectionMesh& mesh, const Stand& stand)
+osg::ref_ptr<osg::Image> pictureFrom(osg::Node* scene, const Stand& stand)
 {
-    sheet::Soup soup;
-    for (const DrawnBisector& t : mesh.drawn())
-    {
-        soup.addLit(osgOf(mesh.point(t.vertices[0])), osgOf(mesh.point(t.vertices[1])),
-                    osgOf(mesh.point(t.vertices[2])));
-        if (t.patch == kNoSide) continue;
-        for (std::size_t corner = soup.colours->size() - 3; corner < soup.colours->size(); ++corner)
-        {
-            osg::Vec4& colour = (*soup.colours)[corner];
-            colour.set(colour.r(), 0.7F * colour.g(), 0.35F * colour.b(), 1.0F);
-        }
-    }
-    const auto viewer = sheet::viewerOn(measurement::drawnTriangles(soup), kPictureWidthPx, kPictureHeightPx);
+    const auto viewer = sheet::viewerOn(scene, kPictureWidthPx, kPictureHeightPx);
     viewer->camera().setProjectionMatrixAsPerspective(
         kFieldDeg, static_cast<double>(kPictureWidthPx) / kPictureHeightPx, 0.01, 50.0);
     viewer->camera().setComputeNearFarMode(osg::CullSettings::DO_NOT_COMPUTE_NEAR_FAR);
     viewer->camera().setViewMatrixAsLookAt(osgOf(stand.eye), osgOf(stand.at), osgOf(stand.up));
     return viewer->picture();
+}
+
+/// What a node has drawn, lit from both sides, with the sides of its triangles.
+osg::ref_ptr<osg::Group> withSides(const osg::Geometry& drawn)
+{
+    const osg::ref_ptr<osg::Group> scene = new osg::Group;
+    const osg::ref_ptr<osg::LightModel> bothSides = new osg::LightModel;
+    bothSides->setTwoSided(true);
+    const osg::ref_ptr<osg::Geometry> faces = new osg::Geometry(drawn), sides = new osg::Geometry(drawn);
+    faces->getOrCreateStateSet()->setAttributeAndModes(bothSides);
+    faces->getOrCreateStateSet()->setAttributeAndModes(new osg::PolygonOffset(1.0F, 1.0F));
+    const osg::ref_ptr<osg::Vec4Array> dark = new osg::Vec4Array;
+    dark->push_back({0.1F, 0.1F, 0.12F, 1.0F});
+    sides->setColorArray(dark, osg::Array::BIND_OVERALL);
+    sides->getOrCreateStateSet()->setAttribute(
+        new osg::PolygonMode(osg::PolygonMode::FRONT_AND_BACK, osg::PolygonMode::LINE));
+    sides->getOrCreateStateSet()->setMode(GL_LIGHTING, osg::StateAttribute::OFF);
+    scene->addChild(faces);
+    scene->addChild(sides);
+    return scene;
 }
 
 /// Pictures on their way into the sheet.
@@ -63,17 +77,22 @@ public:
         std::filesystem::create_directories(folder);
     }
 
-    /// Refines for one eye and draws from another.
-    void add(BisectionMesh& mesh, const Stand& refined, const Stand& drawn, double tolerance,
-             const std::string& name)
+    /// Lets a node draw for one eye, and shows what it has drawn from another.
+    void add(const std::shared_ptr<const BisectionModel>& model, const Stand& refined, const Stand& drawn,
+             double tolerance, const std::string& name)
     {
+        const osg::ref_ptr<osgTerrainROAM::BisectionDrawable> node =
+            new osgTerrainROAM::BisectionDrawable(model);
+        node->setErrorTolerancePx(tolerance * kPictureHeightPx /
+                                  (2.0 * std::tan(osg::DegreesToRadians(0.5 * kFieldDeg))));
+        pictureFrom(node, refined);
+        BisectionMesh mesh(model->surface, model->patches);
         const BisectionView view{refined.eye, tolerance, 0.02};
         mesh.refine(view);
-        const auto triangles = mesh.drawn();
-        if (const auto fault = checkDrawn(mesh.surface(), triangles)) sheet::endWith(*fault);
-        std::printf("%s: %zu triangles, worst %.2f of the tolerance\n", name.c_str(), triangles.size(),
-                    worstShare(mesh, view));
-        sheet::write(*pictureFrom(mesh, drawn), _folder / (name + ".png"), _files);
+        if (const auto fault = checkDrawn(mesh.surface(), mesh.drawn())) sheet::endWith(*fault);
+        std::printf("%s: %u triangles drawn; %zu for this error, worst %.2f of it\n", name.c_str(),
+                    node->statistics().at(0).triangles, mesh.drawn().size(), worstShare(mesh, view));
+        sheet::write(*pictureFrom(withSides(*node->latest()), drawn), _folder / (name + ".png"), _files);
     }
 
     void finish() const
@@ -143,33 +162,33 @@ void drawPatch(Pictures& pictures)
     if (const auto fault = checkPatch(ground, patches[0])) sheet::endWith(*fault);
     std::printf("tower: %zu triangles, %zu vertices on its border\n", patches[0].triangles.size(),
                 patches[0].border.size());
-    BisectionMesh mesh(ground, patches);
+    const auto model = std::make_shared<const BisectionModel>(ground, patches);
     const CornerVertices corners = ground.cornersOf(carrier);
     const glm::dvec3 middle =
         (ground.point(corners[0]) + ground.point(corners[1]) + ground.point(corners[2])) / 3.0;
     const Stand near{middle + glm::dvec3(-0.7, -0.75, 0.5), middle + glm::dvec3(0.0, 0.0, 0.1)};
     Stand far = near;
     far.eye = middle + glm::dvec3(-0.7, -0.75, 0.5) * 12.0;
-    pictures.add(mesh, near, near, 0.01, "tower for an eye near it");
-    pictures.add(mesh, far, near, 0.03, "the same triangle for an eye far off");
+    pictures.add(model, near, near, 0.01, "tower for an eye near it");
+    pictures.add(model, far, near, 0.04, "the same triangle for an eye far off");
 }
 
 void drawSphere(Pictures& pictures)
 {
-    const BisectionSurface sphere = testsupport::madeSphere(13);
-    BisectionMesh mesh(sphere);
+    const auto model =
+        std::make_shared<const BisectionModel>(testsupport::madeSphere(13), std::vector<BisectionPatch>{});
     const Stand near{{0.0, -1.2, 0.45}, {0.15, -0.65, 0.8}, {0.0, -0.9, 0.4}}, aside{{3.0, -1.6, 1.0}, {}};
-    pictures.add(mesh, near, near, 0.007, "sphere for an eye near it");
-    pictures.add(mesh, near, aside, 0.007, "that mesh from aside");
+    pictures.add(model, near, near, 0.007, "sphere for an eye near it");
+    pictures.add(model, near, aside, 0.007, "that mesh from aside");
 }
 
 void drawOverhang(Pictures& pictures)
 {
-    const BisectionSurface cliff = testsupport::madeOverhang(12);
-    BisectionMesh mesh(cliff);
+    const auto model =
+        std::make_shared<const BisectionModel>(testsupport::madeOverhang(12), std::vector<BisectionPatch>{});
     const Stand near{{-1.3, 0.6, 0.35}, {0.4, 2.4, 0.75}}, aside{{-2.3, -3.2, 1.3}, {0.1, 1.7, 0.6}};
-    pictures.add(mesh, near, near, 0.008, "cliff for an eye below it");
-    pictures.add(mesh, near, aside, 0.008, "that cliff from aside");
+    pictures.add(model, near, near, 0.008, "cliff for an eye below it");
+    pictures.add(model, near, aside, 0.008, "that cliff from aside");
 }
 
 } // namespace

@@ -6,6 +6,7 @@
 #include <osgUtil/CullVisitor>
 
 #include <osgMultiTriangulation/MtDrawable>
+#include <osgTraversal/AllowedError>
 #include <osgTraversal/CullFacts>
 #include <osgTraversal/NearFar>
 #include <shaders/osgMultiTriangulation.h>
@@ -19,26 +20,6 @@ namespace
 {
 
 using namespace osgTraversal;
-
-constexpr double kEverywhere = 1e9; ///< a distance beyond all others, metres
-
-/// What a camera needs: in perspective an error that grows with the distance, with parallel rays one for all distances.
-core::FollowTarget targetOf(osgUtil::CullVisitor& visitor, const viewlod::ViewState& view,
-                            const osgTerrainROAM::RoamDrawableSettings& settings)
-{
-    core::FollowTarget target{view.eyeWorld, 0.0, settings.nearestM};
-    const double pixels = settings.errorTolerancePx * lodScaleOf(visitor);
-    if (isParallel(toGlm(*visitor.getProjectionMatrix())))
-    {
-        target.errorPerDistance = pixels / view.pixelsPerTangent / kEverywhere;
-        target.nearest = kEverywhere;
-        return target;
-    }
-    target.errorPerDistance = pixels / view.guaranteedPixelsPerTangent();
-    if (!seeksNearFar(visitor)) target.nearest = view.nearM / eyePerLocal(*visitor.getModelViewMatrix());
-    target.nearest = std::max(target.nearest, 1e-3);
-    return target;
-}
 
 osg::BoundingBox boxOf(const core::DrawnSurface::Cell& cell)
 {
@@ -54,11 +35,7 @@ double distanceTo(const core::DrawnSurface::Cell& cell, const glm::dvec3& eye)
 
 } // namespace
 
-MtDrawable::MtDrawable()
-{
-    setUseDisplayList(false);
-    setSupportsDisplayList(false);
-}
+MtDrawable::MtDrawable() = default;
 
 MtDrawable::MtDrawable(std::unique_ptr<core::SurfaceFollower> follower,
                        const osgTerrainROAM::RoamTerrain& terrain, const osg::BoundingBox& box, bool waits)
@@ -69,13 +46,10 @@ MtDrawable::MtDrawable(std::unique_ptr<core::SurfaceFollower> follower,
       _box(box),
       _waits(waits)
 {
-    setUseDisplayList(false);
-    setSupportsDisplayList(false);
-    setUseVertexBufferObjects(true);
 }
 
 MtDrawable::MtDrawable(const MtDrawable& other, const osg::CopyOp& copyOp)
-    : osg::Drawable(other, copyOp),
+    : osgTraversal::CulledDrawable(other, copyOp),
       _follower(other._follower),
       _tile(other._tile),
       _ground(other._ground),
@@ -97,24 +71,16 @@ std::vector<MtViewStatistics> MtDrawable::statistics() const
     return _views ? _views->statistics() : std::vector<MtViewStatistics>();
 }
 
-void MtDrawable::accept(osg::NodeVisitor& visitor)
-{
-    osgUtil::CullVisitor* cullVisitor = visitor.asCullVisitor();
-    if (!cullVisitor) return osg::Drawable::accept(visitor);
-    if (!_follower || !visitor.validNodeMask(*this)) return;
-    visitor.pushOntoNodePath(this);
-    cull(*cullVisitor);
-    visitor.popFromNodePath();
-}
-
 void MtDrawable::cull(osgUtil::CullVisitor& visitor)
 {
     const osg::BoundingBox& box = getBoundingBox();
     if (isCullingActive() && visitor.isCulled(box)) return;
     const viewlod::ViewState view = detailViewOf(visitor);
-    MtAnswer answer = _views->answer({visitor.getCurrentCamera(), mainCameraOf(visitor), frameOf(visitor),
-                                      targetOf(visitor, view, _ground->settings())},
-                                     _waits);
+    const osgTerrainROAM::RoamDrawableSettings& settings = _ground->settings();
+    MtAnswer answer =
+        _views->answer({visitor.getCurrentCamera(), mainCameraOf(visitor), frameOf(visitor), view.eyeWorld,
+                        allowedErrorOf(visitor, view, settings.errorTolerancePx, settings.nearestM)},
+                       _waits);
     std::vector<std::uint32_t> cells;
     double nearestM = kEverywhere;
     for (std::uint32_t c = 0; c < answer.surface->cells.size(); ++c)
@@ -125,7 +91,7 @@ void MtDrawable::cull(osgUtil::CullVisitor& visitor)
         nearestM = std::min(nearestM, distanceTo(cell, view.eyeWorld));
     }
     if (cells.empty()) return;
-    nearestM = std::max(nearestM, _ground->settings().nearestM);
+    nearestM = std::max(nearestM, settings.nearestM);
     if (seeksNearFar(visitor))
         tellNearFar(visitor, box, view.cornerStretch, nearestM * eyePerLocal(*visitor.getModelViewMatrix()));
     if (getStateSet()) visitor.pushStateSet(getStateSet());

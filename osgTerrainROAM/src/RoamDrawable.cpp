@@ -64,9 +64,6 @@ RoamDrawable::RoamDrawable(std::shared_ptr<const core::RoamTile> tile, core::Met
                            core::PreparedPtr terrain)
     : _tile(std::move(tile)), _prepared(std::move(terrain))
 {
-    setUseDisplayList(false);
-    setSupportsDisplayList(false);
-    setUseVertexBufferObjects(true);
     _settings.method = method;
     if (_tile)
     {
@@ -77,7 +74,7 @@ RoamDrawable::RoamDrawable(std::shared_ptr<const core::RoamTile> tile, core::Met
 }
 
 RoamDrawable::RoamDrawable(const RoamDrawable& other, const osg::CopyOp& copyOp)
-    : osg::Drawable(other, copyOp),
+    : osgTraversal::CulledDrawable(other, copyOp),
       _tile(other._tile),
       _box(other._box),
       _prepared(other._prepared),
@@ -195,16 +192,6 @@ void RoamDrawable::followEdits(std::span<const core::GridRect> moved)
 std::vector<ViewGroupStatistics> RoamDrawable::statistics() const
 {
     return _groups->statistics();
-}
-
-void RoamDrawable::accept(osg::NodeVisitor& visitor)
-{
-    osgUtil::CullVisitor* cullVisitor = visitor.asCullVisitor();
-    if (!cullVisitor) return osg::Drawable::accept(visitor);
-    if (!_tile || !visitor.validNodeMask(*this)) return;
-    visitor.pushOntoNodePath(this);
-    cull(*cullVisitor);
-    visitor.popFromNodePath();
 }
 
 void RoamDrawable::cull(osgUtil::CullVisitor& visitor)

@@ -31,12 +31,17 @@ double processorOfThreadUs()
     return 1e6 * static_cast<double>(now.tv_sec) + 1e-3 * static_cast<double>(now.tv_nsec);
 }
 
-/// How often this thread has given up the processor to wait for something.
-long waitsOfThread()
+/// How often this thread has given up the processor to wait for something, and how often it lost it to others.
+struct Switches
+{
+    long waits = 0, losses = 0;
+};
+
+Switches switchesOfThread()
 {
     rusage usage{};
     getrusage(RUSAGE_THREAD, &usage);
-    return usage.ru_nvcsw;
+    return {usage.ru_nvcsw, usage.ru_nivcsw};
 }
 
 /// Heights of the ground under a flight.
@@ -105,7 +110,8 @@ double percentile(std::vector<double> values, double share)
 struct FlownFrames
 {
     std::vector<double> stallsUs, processorUs, errorsPx;
-    std::size_t blocked = 0; ///< frames that gave up the processor to wait, not those that lost it to others
+    std::vector<double> keptUs; ///< the stalls of frames that did not lose the processor to others
+    std::size_t blocked = 0;    ///< frames that gave up the processor to wait
     std::size_t mostTriangles = 0, mostBytes = 0, checked = 0;
     std::optional<std::string> fault;
 };
@@ -126,13 +132,15 @@ FlownFrames flyAlong(SurfaceFollower& follower, const GroundBelow& ground, const
         const glm::dvec3 eye = path.step(double(frame) / frames, request.speedMps / 60.0, request.aboveM);
         const FollowTarget target{eye, request.tolerancePx / pixels, 1.0};
         if (frame == 0) surface = follower.settle(view, target);
-        const long waits = waitsOfThread();
+        const Switches switches = switchesOfThread();
         const double processor = processorOfThreadUs();
         const auto before = Clock::now();
         if (auto newest = follower.follow(view, target)) surface = std::move(newest);
         flown.stallsUs.push_back(std::chrono::duration<double, std::micro>(Clock::now() - before).count());
         flown.processorUs.push_back(processorOfThreadUs() - processor);
-        flown.blocked += waitsOfThread() != waits;
+        const Switches after = switchesOfThread();
+        flown.blocked += after.waits != switches.waits;
+        if (after.losses == switches.losses) flown.keptUs.push_back(flown.stallsUs.back());
         flown.mostTriangles = std::max(flown.mostTriangles, surface->triangles.size());
         flown.mostBytes = std::max(flown.mostBytes, follower.figures().memoryBytes);
         if (frame % 6 == 0)
@@ -176,6 +184,9 @@ foundation::Result<terminal::Report> flyMt(const MtFlyRequest& request)
                       {"p99", percentile(flown.stallsUs, 0.99)},
                       {"p999", percentile(flown.stallsUs, 0.999)},
                       {"most", percentile(flown.stallsUs, 1.0)}};
+    row["keptUs"] = {{"frames", flown.keptUs.size()},
+                     {"p999", percentile(flown.keptUs, 0.999)},
+                     {"most", percentile(flown.keptUs, 1.0)}};
     row["processorUs"] = {{"median", percentile(flown.processorUs, 0.5)},
                           {"p999", percentile(flown.processorUs, 0.999)},
                           {"most", percentile(flown.processorUs, 1.0)}};
@@ -196,7 +207,8 @@ foundation::Result<terminal::Report> flyMt(const MtFlyRequest& request)
     std::cout << request.file.string() << ": " << row["frames"] << " frames, " << flown.checked
               << " surfaces checked, " << (flown.fault ? *flown.fault : "no hole") << "\n  a frame waits "
               << row["stallUs"]["p99"] << " us at 99 %, " << row["stallUs"]["p999"] << " at 99.9 %, "
-              << flown.blocked << " frames were blocked; error " << row["errorPx"]["median"] << " px, "
+              << flown.blocked << " frames were blocked, " << flown.stallsUs.size() - flown.keptUs.size()
+              << " lost their processor; error " << row["errorPx"]["median"] << " px, "
               << row["errorPx"]["p99"] << " at 99 %\n  trees " << row["treesMB"] << " of " << request.memoryMb
               << " MB, the process " << row["peakMB"] << " MB, " << figures.reads << " reads\n";
     return report;

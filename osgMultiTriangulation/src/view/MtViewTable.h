@@ -5,12 +5,10 @@
 #include <mutex>
 #include <vector>
 
-#include <osg/Camera>
-#include <osg/observer_ptr>
-
 #include <osgMultiTriangulation/core/follow/SurfaceFollower.h>
 
 #include <osgMultiTriangulation/MtDrawable>
+#include <osgTraversal/EyeGroups>
 
 #include "MtBuffers.h"
 
@@ -24,7 +22,8 @@ struct MtRequest
     const osg::Camera* mainCamera =
         nullptr; ///< whose surface a shadow or reflection camera uses, once there is one
     unsigned int frame = 0;
-    core::FollowTarget target;
+    glm::dvec3 eye{0.0};
+    osgTraversal::AllowedError allowed;
 };
 
 /// What a camera draws in one frame.
@@ -41,7 +40,7 @@ class MtViewTable
 public:
     /// `reachM`: how far the surface reaches from its origin.
     MtViewTable(std::shared_ptr<core::SurfaceFollower> follower, double reachM)
-        : _follower(std::move(follower)), _reachM(reachM)
+        : _follower(std::move(follower)), _groups(reachM)
     {
     }
     ~MtViewTable();
@@ -55,35 +54,20 @@ public:
     void releaseGLObjects(osg::State* state);
 
 private:
-    struct Member
+    struct Detail
     {
-        osg::Camera* identity; ///< compared only
-        osg::observer_ptr<osg::Camera> camera;
-        core::FollowTarget target; ///< as last asked
-    };
-    struct Group
-    {
-        std::size_t view = 0; ///< of the follower
-        glm::dvec3 eye{0.0};
-        unsigned int frame = 0; ///< last asked in, by a camera of its own
-        std::vector<Member> members;
-        std::shared_ptr<const core::DrawnSurface> surface; ///< of that frame
-        bool hasMoved = false;                             ///< since it was taken
+        std::size_t view = 0;                              ///< of the follower
+        std::shared_ptr<const core::DrawnSurface> surface; ///< of the group's frame
         std::shared_ptr<MtBuffers> buffers;
         double stallUs = 0.0;
-
-        bool has(const osg::Camera* camera) const;
     };
+    using Groups = osgTraversal::EyeGroups<Detail>;
 
-    Group* groupOf(const osg::Camera* camera);
-    Group& groupFor(const MtRequest& request);
-    void dropUnused(unsigned int frame);
-    static core::FollowTarget strictest(const Group& group);
+    static core::FollowTarget targetOf(const Groups::Group& group);
 
     std::shared_ptr<core::SurfaceFollower> _follower;
-    double _reachM;
     mutable std::mutex _mutex;
-    std::vector<std::unique_ptr<Group>> _groups;
+    Groups _groups;
     std::shared_ptr<const core::DrawnSurface> _latest;
 };
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <fstream>
 #include <set>
 #include <system_error>
 #include <vector>
@@ -20,8 +19,6 @@ namespace
 
 using foundation::Error;
 using foundation::Result;
-
-constexpr std::size_t kMostRoamFileBytes = 1 << 20; ///< a larger file is not a .roam text
 
 /// A file that a key names: the `nth` line with this key.
 struct NamedFile
@@ -66,49 +63,39 @@ std::string placeOfKey(std::string_view text, const NamedFile& named, const std:
     return name.string() + ":" + std::to_string(line);
 }
 
+/// The number of lines of a text, of which the last may lack its end.
+std::ptrdiff_t linesOf(std::string_view text)
+{
+    return std::ranges::count(text, '\n') + (!text.empty() && text.back() != '\n');
+}
+
 } // namespace
 
 Result<RoamFile> parseRoamFile(std::string_view text, const std::filesystem::path& name)
 {
     RoamFile file;
     std::set<std::string, std::less<>> seen;
-    std::size_t line = 0;
-    for (std::size_t at = 0; at < text.size();)
-    {
-        const std::size_t end = std::min(text.find('\n', at), text.size());
-        std::string_view content = text.substr(at, end - at);
-        at = end + 1;
-        ++line;
-        content = trimmed(content.substr(0, content.find('#')));
-        if (content.empty()) continue;
-        RoamEntry entry{name.string() + ":" + std::to_string(line), {}, {}, name.parent_path()};
-        const std::size_t equals = content.find('=');
-        if (equals == std::string_view::npos || content.find('\0') != std::string_view::npos)
-            return entry.error("not of the form key = value", "see the keys: " + roamKeyNames());
-        entry.key = trimmed(content.substr(0, equals));
-        entry.value = trimmed(content.substr(equals + 1));
-        if (!seen.emplace(entry.key).second && !repeatsInRoamFile(entry.key))
-            return entry.error("'" + std::string(entry.key) + "' stands here a second time",
-                               "keep one of them");
-        if (const auto assigned = assignRoamEntry(file, entry); !assigned) return assigned.error();
-    }
+    const auto read =
+        visitEntries(text, name, roamKeyNames(),
+                     [&](const RoamEntry& entry) -> foundation::Outcome
+                     {
+                         if (!seen.emplace(entry.key).second && !repeatsInRoamFile(entry.key))
+                             return entry.error("'" + std::string(entry.key) + "' stands here a second time",
+                                                "keep one of them");
+                         return assignRoamEntry(file, entry);
+                     });
+    if (!read) return read.error();
     if (file.dems.empty())
-        return Error{name.string() + ":" + std::to_string(line + 1), "no dem is named",
+        return Error{name.string() + ":" + std::to_string(1 + linesOf(text)), "no dem is named",
                      "add a line dem = FILE"};
     return file;
 }
 
 Result<RoamFile> readRoamFile(const std::filesystem::path& file)
 {
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream) return Error{file.string(), "cannot be read", "check the path and its permissions"};
-    std::string text(kMostRoamFileBytes + 1, '\0');
-    stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-    text.resize(static_cast<std::size_t>(std::max<std::streamsize>(stream.gcount(), 0)));
-    if (text.size() > kMostRoamFileBytes || text.find('\0') != std::string::npos)
-        return Error{file.string(), "is no .roam text", "a .roam file holds lines key = value"};
-
-    const auto parsed = parseRoamFile(text, file);
+    const auto text = readEntries(file);
+    if (!text) return text.error();
+    const auto parsed = parseRoamFile(*text, file);
     if (!parsed) return parsed;
     for (const NamedFile& named : namedFiles(*parsed))
     {
@@ -116,7 +103,7 @@ Result<RoamFile> readRoamFile(const std::filesystem::path& file)
         if (named.path.empty() || named.path.string().starts_with("/vsi") ||
             std::filesystem::exists(named.path, ignored))
             continue;
-        return Error{placeOfKey(text, named, file),
+        return Error{placeOfKey(*text, named, file),
                      std::string(named.key) + " '" + foundation::excerpt(named.path.string()) +
                          "' does not exist",
                      "paths are relative to the .roam file"};

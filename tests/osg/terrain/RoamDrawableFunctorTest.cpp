@@ -9,6 +9,7 @@
 #include <osgUtil/Statistics>
 
 #include <osgTerrainROAM/core/heightfield/GroundQuery.h>
+#include <osgTerrainROAM/core/roam/RoamMesh.h>
 
 #include <osgTerrainROAM/RoamTerrain>
 

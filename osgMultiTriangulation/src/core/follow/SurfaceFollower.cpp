@@ -2,6 +2,11 @@
 #include <algorithm>
 #include <atomic>
 
+#ifdef __linux__
+#include <pthread.h>
+#include <sched.h>
+#endif
+
 #include <osgMultiTriangulation/core/extract/EyeCriterion.h>
 #include <osgMultiTriangulation/core/follow/SurfaceFollower.h>
 #include <osgMultiTriangulation/core/zone/InterestZone.h>
@@ -14,6 +19,15 @@ namespace
 
 constexpr double kMostSpare = 50.0; ///< an eye that moves faster has jumped
 constexpr double kSpareOfMove = 2.0;
+
+/// Lets a woken thread wait until a processor is free, instead of taking that of the thread which woke it: a frame would wait for it.
+void yieldToOthers()
+{
+#ifdef __linux__
+    const sched_param none{};
+    pthread_setschedparam(pthread_self(), SCHED_BATCH, &none); // else it stays as it is
+#endif
+}
 
 } // namespace
 
@@ -110,6 +124,7 @@ FollowFigures SurfaceFollower::figures() const
 
 void SurfaceFollower::run()
 {
+    yieldToOthers();
     std::unique_lock lock(_mutex);
     while (!_isEnding)
     {

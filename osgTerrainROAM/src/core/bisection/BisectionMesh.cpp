@@ -36,11 +36,12 @@ void splitBorder(BisectionTree& tree, Bisector t, BorderSides on = {})
 
 } // namespace
 
-BisectionMesh::BisectionMesh(const BisectionSurface& surface, std::span<const BisectionPatch> patches)
+BisectionMesh::BisectionMesh(const BisectionSurface& surface, std::span<const BisectionPatch> patches,
+                             std::shared_ptr<const BisectionBounds> bounds)
     : _surface(surface),
       _patches(patches),
       _carriers(patches),
-      _bounds(surface, patches),
+      _bounds(std::move(bounds)),
       _tree(surface.mesh(), surface.levels()),
       _isPatchActive(patches.size(), false),
       _needed(surface.vertices(), 0)
@@ -86,7 +87,7 @@ BisectionChanges BisectionMesh::refine(const BisectionView& view)
 {
     for (std::uint32_t p = 0; p < _patches.size(); ++p)
     {
-        const bool isActive = _bounds.isActive(_surface.vertexOf(_patches[p].carrier), view);
+        const bool isActive = _bounds->isActive(_surface.vertexOf(_patches[p].carrier), view);
         if (isActive == _isPatchActive[p]) continue;
         _isPatchActive[p] = isActive;
         for (const std::uint32_t vertex : _needs[p])
@@ -103,7 +104,7 @@ void BisectionMesh::follow(const BisectorNeighbours& at, const BisectionView& vi
     if (at.self.level() >= _tree.levels()) return;
     const std::uint32_t vertex = _surface.vertexOf(at);
     const bool isSplit = _tree.isSplit(at.self);
-    if (_needed[vertex] == 0 && !_bounds.isActive(vertex, view))
+    if (_needed[vertex] == 0 && !_bounds->isActive(vertex, view))
     {
         if (isSplit) changes.merged += _tree.enhMerge(at.self);
         return;

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include <osgTerrainROAM/core/bisection/BisectionBounds.h>
@@ -29,12 +30,19 @@ struct BisectionChanges
 /// from where it is drawn than the tolerance allows at its distance.
 /// A vertex is wanted when it is active, or when the border of a patch whose carrier would split depends on it. Wanted vertices depend on
 /// wanted ones alone, so the mesh is a function of the eye: equal for equal eyes, whatever came before.
-/// Memory: 6 B a triangle of the complete bintrees.
+/// Memory: 3 B a triangle of the complete bintrees, without the bounds.
 class BisectionMesh
 {
 public:
     /// `surface` and `patches` must stay. Patches are sound by checkPatch(), and no carrier lies below another.
-    explicit BisectionMesh(const BisectionSurface& surface, std::span<const BisectionPatch> patches = {});
+    explicit BisectionMesh(const BisectionSurface& surface, std::span<const BisectionPatch> patches = {})
+        : BisectionMesh(surface, patches, std::make_shared<const BisectionBounds>(surface, patches))
+    {
+    }
+
+    /// The same, with bounds that others have, too.
+    BisectionMesh(const BisectionSurface& surface, std::span<const BisectionPatch> patches,
+                  std::shared_ptr<const BisectionBounds> bounds);
 
     /// Follows an eye, from the mesh of the last one. Cost: one test a triangle of both meshes.
     BisectionChanges refine(const BisectionView& view);
@@ -42,7 +50,7 @@ public:
     const BisectionSurface& surface() const { return _surface; }
     std::span<const BisectionPatch> patches() const { return _patches; }
     const BisectionTree& tree() const { return _tree; }
-    const BisectionBounds& bounds() const { return _bounds; }
+    const BisectionBounds& bounds() const { return *_bounds; }
 
     bool isShown(std::uint32_t patch) const { return _tree.isSplit(_patches[patch].carrier); }
 
@@ -59,7 +67,7 @@ private:
     const BisectionSurface& _surface;
     std::span<const BisectionPatch> _patches;
     CarrierTable _carriers;
-    BisectionBounds _bounds;
+    std::shared_ptr<const BisectionBounds> _bounds;
     BisectionTree _tree;
     std::vector<std::vector<std::uint32_t>> _needs; ///< by patch: vertices on which its border depends
     std::vector<bool> _isPatchActive;

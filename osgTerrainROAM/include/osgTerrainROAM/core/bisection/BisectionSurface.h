@@ -63,6 +63,21 @@ public:
         visitWeighted(at.half(1), {corners[1], corners[2], middle}, visit);
     }
 
+    /// Calls visit(vertex) for all vertices that there are, for some twice. Numbers of others have no place.
+    template<class Visit>
+    void forEachVertex(const Visit& visit) const
+    {
+        for (std::uint32_t vertex = 0; vertex < _firstMiddle; ++vertex)
+            visit(vertex);
+        for (std::uint32_t side = 0; side < _mesh.sides(); ++side)
+            visitWeighted(neighboursOf(_mesh, {side, 1}), kOwnCorners,
+                          [&](const auto&, std::uint32_t vertex, const auto&)
+                          {
+                              visit(vertex);
+                              return true;
+                          });
+    }
+
 private:
     CoarseMesh _mesh;
     int _levels;
