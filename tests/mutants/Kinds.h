@@ -50,6 +50,9 @@ std::vector<InputKind> modelKinds(const MutantFolders& folders);
 /// What a world is made of: rasters, .roam files, objects, views, road networks, maps and runways.
 std::vector<InputKind> worldKinds(const MutantFolders& folders);
 
+/// Multi-triangulations, and the surfaces from which they are built.
+std::vector<InputKind> triangulationKinds(const MutantFolders& folders);
+
 /// What moves: scenarios, vehicles, recorded flights, inputs, orders, keys and devices.
 std::vector<InputKind> rideKinds(const MutantFolders& folders);
 

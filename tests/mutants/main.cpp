@@ -144,9 +144,10 @@ int main(int argc, char** argv)
     app.add_option("--scratch", request.folders.scratch, "folder for mutants; faulty ones are kept there");
     app.add_option("--count", request.count, "mutants of each kind (3)");
     app.add_option("--first", request.first, "number of the first mutant (0)");
-    app.add_option("--kinds", request.kinds,
-                   "only these kinds: obj, ac, glb, gltf, pm, dem, roam, scenery, view, xosc, xodr, osm, "
-                   "geojson, runways, aircraft, vehicle, tracks, inputs, keys, devices, polygons");
+    app.add_option(
+        "--kinds", request.kinds,
+        "only these kinds: obj, ac, glb, gltf, pm, dem, roam, scenery, view, xosc, xodr, osm, "
+        "geojson, runways, aircraft, vehicle, tracks, inputs, keys, devices, polygons, mt, tin, points");
     app.add_flag("--control", request.isControl,
                  "run programs that crash, hang or eat memory, which must be found out");
     CLI11_PARSE(app, argc, argv);
