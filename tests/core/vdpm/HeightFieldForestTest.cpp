@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <limits>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -86,6 +87,21 @@ TEST(HeightFieldForest, ATooSmallErrorOfOneVertexIsFound)
         found += testsupport::surfaceError(*tile, mesh.drawn(), nullptr).errorM > kErrorM + kStepsM;
     }
     EXPECT_GT(found, 0);
+}
+
+TEST(HeightFieldForest, EqualBallsNest)
+{
+    const auto tile = testsupport::planarTile(testsupport::hills(17, 17));
+    const auto made = heightFieldForest(tile->tile);
+    ASSERT_TRUE(made);
+    SplitBound ball = made->bounds.front();
+    ball.radiusM = 1234.5f;
+    const std::vector<SplitBound> equal(made->forest.splitCount(), ball);
+    BoundedForest forest = nestBounds(made->forest, made->positions, equal);
+    EXPECT_TRUE(areBoundsNested(forest))
+        << "of equal balls the distance is 0, by which nothing may be divided";
+    forest.bounds.front().radiusM = std::numeric_limits<float>::quiet_NaN();
+    EXPECT_FALSE(areBoundsNested(forest)) << "the control";
 }
 
 /// Says of every collapse what it is told to.

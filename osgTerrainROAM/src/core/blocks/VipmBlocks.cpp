@@ -29,6 +29,17 @@ namespace pm = osgPMObjects::core;
 
 constexpr double kLadderRatio = 1.19; ///< the fourth root of 2
 
+/// A sample as simplification sees it: on the round Earth in the plane of the grid, where borders are straight and no triangle that is turned over
+/// there looks sound.
+glm::dvec3 flatPosition(const PlacedTile& tile, int column, int row)
+{
+    const glm::dvec3 position = tile.position(column, row);
+    if (tile.frame().placement() == Placement::planar) return position;
+    const double cell = tile.grid().cellSide();
+    return {column / cell * tile.field().spacingEastM, row / cell * tile.field().spacingNorthM,
+            tile.frame().heightOf(position)};
+}
+
 /// The samples of a block, and the triangles between them.
 class BlockSurface
 {
@@ -40,7 +51,7 @@ public:
             for (int column = _rect.west; column <= _rect.east; ++column)
             {
                 mesh.wedgePositions.push_back(static_cast<std::uint32_t>(mesh.positions.size()));
-                mesh.positions.push_back(tile.position(column, row));
+                mesh.positions.push_back(flatPosition(tile, column, row));
                 sides.push_back(static_cast<std::uint8_t>(
                     (row == _rect.south) << south | (column == _rect.east) << east |
                     (row == _rect.north) << north | (column == _rect.west) << west));
@@ -154,8 +165,11 @@ VipmBlock makeVipmBlock(const PlacedTile& tile, const BlockGrid& grid, std::uint
     block.progressive =
         pm::buildProgressiveMesh(surface.mesh, sequence, {.arrangement = pm::Arrangement::tswap});
     block.places = placesOf(block.progressive, surface);
-    for (const glm::dvec3& position : surface.mesh.positions)
-        block.box.include(position);
+    for (std::size_t wedge = 0; wedge < block.places.size(); ++wedge)
+        block.progressive.mesh.positions[block.progressive.mesh.wedgePositions[wedge]] =
+            tile.position(block.places[wedge].column, block.places[wedge].row);
+    for (std::size_t i = 0; i < surface.mesh.positions.size(); ++i)
+        block.box.include(tile.position(surface.place(i).column, surface.place(i).row));
     std::vector<std::uint32_t> faces{sequence.facesBefore};
     for (const pm::CollapseStep& step : sequence.steps)
         faces.push_back(step.facesAfter);

@@ -35,7 +35,8 @@ SplitBound joined(const SplitBound& outer, const SplitBound& inner)
     if (distance + inner.radiusM * ErrorTree::kRadiusSlack <= outer.radiusM) return both;
     if (distance + outer.radiusM <= inner.radiusM)
         both.centre = inner.centre;
-    else
+    else if (distance + inner.radiusM >
+             outer.radiusM) // else the slack alone makes it larger, about the same centre
         both.centre =
             glm::vec3(from + (to - from) * ((distance + inner.radiusM - outer.radiusM) / (2.0 * distance)));
     const glm::dvec3 centre(both.centre); // the rounding of the centre counts
@@ -106,7 +107,8 @@ bool areBoundsNested(const BoundedForest& forest)
         if (forest.finder[w] == kNone) continue;
         const SplitBound &outer = forest.bounds[forest.finder[w]], &inner = forest.bounds[w];
         const double distance = glm::distance(glm::dvec3(outer.centre), glm::dvec3(inner.centre));
-        if (outer.errorM < inner.errorM || distance + inner.radiusM > outer.radiusM) return false;
+        if (!(outer.errorM >= inner.errorM && distance + inner.radiusM <= outer.radiusM))
+            return false; // or no number
         if (!forest.cones.empty() && !forest.cones[forest.finder[w]].contains(forest.cones[w])) return false;
     }
     return true;
