@@ -34,7 +34,7 @@ inline QualityRules rulesOf(Quality quality)
     case Quality::low:
         return {4.0, 0.2, 0, "PICTURE_LOW", {{15.0, 60.0, 240.0, 2000.0}, 512, 0.125, 1, false}};
     case Quality::medium:
-        return {2.0, 0.4, 1, "PICTURE_MEDIUM", {{20.0, 90.0, 400.0, 5000.0}, 1024, 0.125, 2, false}};
+        return {2.0, 0.4, 1, "PICTURE_MEDIUM", {{40.0, 120.0, 480.0, 5000.0}, 1024, 0.125, 1, false}};
     case Quality::reference:
         return {0.1, 40.0, 3, nullptr, {{20.0, 90.0, 400.0, 5000.0}, 4096}};
     case Quality::high:
