@@ -110,9 +110,15 @@ void addRoad(const Road& road, Bands& beds)
         band.line.push_back(place);
         band.widthM = std::max(band.widthM, widthM);
         if (!isOnGround(road, s))
-            band.line.pop_back(), finish();
+        {
+            band.line.pop_back();
+            finish();
+        }
         else if (band.line.size() > kStripSteps)
-            finish(), band = {{place}, widthM};
+        {
+            finish();
+            band = {{place}, widthM};
+        }
     }
     finish();
 }
