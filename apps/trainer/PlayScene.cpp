@@ -76,6 +76,7 @@ void setQuality(PlayScene& play, Quality quality)
     const QualityRules rules = rulesOf(quality);
     play.scene->setQuality(rules);
     if (play.cover) play.cover->setReaches(rules.coverReaches);
+    if (play.skyShade) play.skyShade->setShown(rules.hasSkyShade);
     for (const StandingPart& part : play.terrain.standing)
         if (part.field) setBudget(*part.field, part.fullBudget, rules.budgetShare);
     if (play.scenery) setBudget(*play.scenery->node.field, play.scenery->fullBudget, rules.budgetShare);
@@ -144,6 +145,8 @@ foundation::Result<PlayScene> PlayScene::create(simulation::Scenario scenario, S
     if (play.scenery) play.scene->sunlit().addChild(play.scenery->node.root);
     play.cover = makeCover(play.terrain);
     if (play.cover) play.scene->sunlit().addChild(play.cover->node());
+    play.skyShade = makeSkyShade(play.terrain, play.scenery ? &play.scenery->hiders : nullptr);
+    if (play.skyShade) play.scene->sunlit().addChild(play.skyShade->node());
     trainer::setQuality(play, request.frames.quality);
     return play;
 }

@@ -24,6 +24,7 @@ struct PlayScene
     std::unique_ptr<ScenarioScene> scene;
     std::optional<SceneScenery> scenery;
     std::unique_ptr<scenery::GroundCoverNode> cover; ///< null: none
+    std::unique_ptr<scenery::SkyShadeNode> skyShade; ///< null: none
     std::size_t watched = 0;                         ///< the entity that the eye is in or looks at
 
     /// `terrain`: from openScene(). Errors: a scenario without entities or with other faults, an entity to watch that there is not, terrain
@@ -36,6 +37,7 @@ struct PlayScene
     void follow(const glm::dvec3& eye) const
     {
         if (cover) cover->follow(eye);
+        if (skyShade) skyShade->follow(eye);
     }
 
     /// Returns one line for each difference from what was asked for.

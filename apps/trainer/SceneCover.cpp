@@ -33,4 +33,21 @@ std::unique_ptr<scenery::GroundCoverNode> makeCover(const SceneTerrain& terrain)
     return std::make_unique<scenery::GroundCoverNode>(std::move(query), *terrain.terrain->material());
 }
 
+std::unique_ptr<scenery::SkyShadeNode> makeSkyShade(const SceneTerrain& terrain,
+                                                    const scenery::SkyHiders* more)
+{
+    if (!terrain.terrain || terrain.cornerM != glm::dvec2(0.0)) return nullptr;
+    scenery::SkyHiders hiders;
+    for (const StandingPart& part : terrain.standing)
+        hiders.add(part.hiders);
+    if (more) hiders.add(*more);
+    if (hiders.bodies.empty() && hiders.walls.empty()) return nullptr;
+    auto heightM = [ground = terrain.ground()](double eastM, double northM) -> std::optional<double>
+    {
+        const auto sample = ground(eastM, northM);
+        return sample ? std::optional(sample->heightM) : std::nullopt;
+    };
+    return std::make_unique<scenery::SkyShadeNode>(std::move(hiders), std::move(heightM));
+}
+
 } // namespace trainer

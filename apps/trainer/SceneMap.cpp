@@ -117,7 +117,8 @@ public:
         if (!shapes) return shapes.error();
         const auto node = scenery::makeSceneryNode(_description, _placed, *shapes, place);
         if (!node) return node.error();
-        standing.push_back({"trees and vehicles", node->root, node->field, node->field->budget()});
+        standing.push_back({"trees and vehicles", node->root, node->field, node->field->budget(),
+                            scenery::hidersOf(_description, _placed, shapes->measures)});
         return foundation::success();
     }
 
@@ -160,6 +161,21 @@ foundation::Error nothingIn(const std::filesystem::path& source, const char* rem
     return {source.string(), "has nothing that can stand here", remedy};
 }
 
+scenery::SkyHiders wallsOf(const std::vector<scenery::StandingBuilding>& buildings)
+{
+    scenery::SkyHiders hiders;
+    for (const scenery::StandingBuilding& standing : buildings)
+        for (std::size_t r = 0; r < standing.building.rings.size(); ++r)
+        {
+            const auto& ring = standing.building.rings[r];
+            for (std::size_t i = 0; i < ring.size(); ++i)
+                hiders.walls.push_back(
+                    {ring[i], ring[(i + 1) % ring.size()],
+                     standing.floorM + standing.building.eavesM - standing.groundAt(r, i, 0.5)});
+        }
+    return hiders;
+}
+
 foundation::Outcome addBuildings(const std::filesystem::path& source,
                                  const osgTerrainROAM::core::PlacedTile& tile, const HeightOfGround& ground,
                                  const scenery::NearestStreet& street, std::vector<StandingPart>& standing)
@@ -171,7 +187,8 @@ foundation::Outcome addBuildings(const std::filesystem::path& source,
     OSG_NOTICE << source.string() << ": " << made.buildings.size() << " buildings; "
                << shapes->outside + made.beyondGround << " beyond the ground, "
                << shapes->lines + shapes->invalid + made.unusable << " not usable\n";
-    standing.push_back({"buildings", scenery::makeBuildingsNode(made.buildings)});
+    standing.push_back(
+        {"buildings", scenery::makeBuildingsNode(made.buildings), nullptr, {}, wallsOf(made.buildings)});
     return foundation::success();
 }
 

@@ -21,6 +21,7 @@
 #include "SceneRunways.h"
 #include "scenery/nodes/AirfieldNode.h"
 #include "scenery/nodes/RoadThingsNode.h"
+#include "scenery/placement/SkyHiders.h"
 #include "simulation/player/SceneFrame.h"
 
 namespace trainer
@@ -33,6 +34,7 @@ struct StandingPart
     osg::ref_ptr<osg::Node> node;
     osg::ref_ptr<osgPMObjects::ProgressiveField> field = nullptr; ///< null: it has no levels
     osgPMObjects::core::SceneBudgetSettings fullBudget{};         ///< of the field, whatever the quality
+    scenery::SkyHiders hiders{}; ///< what of it hides the sky from the ground
 };
 
 /// The terrain of a scenario.

@@ -22,6 +22,8 @@ namespace
 using models::Detail;
 
 constexpr double kEavesOutM = 0.45, kFasciaM = 0.22;
+constexpr double kUnderEavesM = 1.0; ///< of a wall: there the eaves hide a tenth of what it sees of the sky
+constexpr float kSkyAtEaves = 0.35F; ///< what the ground throws up is left
 constexpr double kProudM = 0.04;
 constexpr float kPlinthShade = 0.62F; ///< of the wall's colour
 constexpr double kClearM = 0.15;      ///< from the ground to the sill of a window
@@ -48,8 +50,11 @@ public:
         std::vector<PlanRing> covered = _building.rings;
         if (_building.roof != RoofForm::flat) covered.front() = grownRing(covered.front(), kEavesOutM);
         for (const PlanRing& ring : _building.rings)
+        {
+            const bool hasEaves = &ring == &_building.rings.front() && covered.front() != ring;
             for (std::size_t i = 0; i < ring.size(); ++i)
-                addWall(ring[i], ring[(i + 1) % ring.size()]);
+                addWall(ring[i], ring[(i + 1) % ring.size()], hasEaves);
+        }
         addRoof(covered);
         for (std::size_t i = 0; i < covered.front().size(); ++i)
             addEaves(i, covered.front());
@@ -62,7 +67,7 @@ private:
         return glm::vec3(glm::dvec3(place, heightM) - _origin);
     }
 
-    void addWall(const glm::dvec2& from, const glm::dvec2& to)
+    void addWall(const glm::dvec2& from, const glm::dvec2& to, bool hasEaves)
     {
         const double lengthM = glm::length(to - from), lowM = std::max(_standing.footM, _standing.floorM);
         addPlinth(from, to, lowM);
@@ -76,10 +81,35 @@ private:
         {
             const glm::dvec2 place = glm::mix(from, to, *share);
             const double topM = std::max(_eavesM + _roof.heightM(place), lowM);
-            corners.push_back(local(place, topM));
-            uv.push_back(uvOf(*share * lengthM, topM));
+            const double freeM = hasEaves ? std::max(topM - kUnderEavesM, lowM) : topM;
+            corners.push_back(local(place, freeM));
+            uv.push_back(uvOf(*share * lengthM, freeM));
         }
         _facets.shell[_building.wall].addPolygon(corners, uv, _building.wallTint);
+        for (std::size_t i = 0; hasEaves && i + 1 < shares.size(); ++i)
+            addUnderEaves(from, to, {shares[i], shares[i + 1]}, lowM);
+    }
+
+    /// The part of a wall from one share of its length to another that lies in the shade of the eaves.
+    void addUnderEaves(const glm::dvec2& from, const glm::dvec2& to, const glm::dvec2& shares, double lowM)
+    {
+        const double lengthM = glm::length(to - from);
+        std::vector<glm::vec3> corners;
+        std::vector<glm::vec2> uv;
+        const auto add = [&](double share, bool isTop)
+        {
+            const glm::dvec2 place = glm::mix(from, to, share);
+            const double topM = std::max(_eavesM + _roof.heightM(place), lowM);
+            const double heightM = isTop ? topM : std::max(topM - kUnderEavesM, lowM);
+            corners.push_back(local(place, heightM));
+            uv.push_back(uvOf(share * lengthM, heightM));
+        };
+        add(shares.x, false);
+        add(shares.y, false);
+        add(shares.y, true);
+        add(shares.x, true);
+        _facets.shell[_building.wall].addPolygon(corners, uv, _building.wallTint,
+                                                 {1.0F, 1.0F, kSkyAtEaves, kSkyAtEaves});
     }
 
     /// The wall below the floor, which shows where the ground falls.
@@ -162,17 +192,19 @@ private:
             const glm::dvec2 c = glm::mix(wall[edge], wall[next], shares[i]);
             const glm::dvec2 d = glm::mix(wall[edge], wall[next], shares[i + 1]);
             const double aM = _eavesM + _roof.heightM(a), bM = _eavesM + _roof.heightM(b);
-            addBoard({local(a, aM - kFasciaM), local(b, bM - kFasciaM), local(b, bM), local(a, aM)});
+            addBoard({local(a, aM - kFasciaM), local(b, bM - kFasciaM), local(b, bM), local(a, aM)}, 1.0F);
             addBoard({local(c, _eavesM + _roof.heightM(c) - kFasciaM),
                       local(d, _eavesM + _roof.heightM(d) - kFasciaM), local(b, bM - kFasciaM),
-                      local(a, aM - kFasciaM)});
+                      local(a, aM - kFasciaM)},
+                     kSkyAtEaves);
         }
     }
 
-    void addBoard(const std::vector<glm::vec3>& corners)
+    void addBoard(const std::vector<glm::vec3>& corners, float skyShare)
     {
         _facets.shell[_building.cover].addPolygon(
-            corners, std::vector<glm::vec2>(corners.size(), glm::vec2(0.2F)), 0.7F * _building.roofTint);
+            corners, std::vector<glm::vec2>(corners.size(), glm::vec2(0.2F)), 0.7F * _building.roofTint,
+            std::vector<float>(corners.size(), skyShare));
     }
 
     void addOpenings()
@@ -275,7 +307,7 @@ private:
 } // namespace
 
 void Facets::addPolygon(const std::vector<glm::vec3>& corners, const std::vector<glm::vec2>& uv,
-                        const glm::vec3& colour)
+                        const glm::vec3& colour, const std::vector<float>& skyShares)
 {
     glm::vec3 normal(0.0F); // twice the area (Newell)
     for (std::size_t i = 0; i < corners.size(); ++i)
@@ -289,6 +321,7 @@ void Facets::addPolygon(const std::vector<glm::vec3>& corners, const std::vector
         normals.push_back(normal / length);
         colours.push_back(colour);
         uvs.push_back(uv[i]);
+        skies.push_back(skyShares.empty() ? 1.0F : skyShares[i]);
     }
     for (std::uint32_t i = 1; i + 1 < corners.size(); ++i)
         indices.insert(indices.end(), {first, first + i, first + i + 1});

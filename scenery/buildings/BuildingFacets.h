@@ -17,11 +17,13 @@ struct Facets
 {
     std::vector<glm::vec3> positions, normals, colours;
     std::vector<glm::vec2> uvs;
+    std::vector<float> skies; ///< share of the sky that each corner sees
     std::vector<std::uint32_t> indices;
 
     /// Adds a flat convex polygon, counter-clockwise seen from outside.
+    /// `skies`: share of the sky that each corner sees; empty: all of it.
     void addPolygon(const std::vector<glm::vec3>& corners, const std::vector<glm::vec2>& uv,
-                    const glm::vec3& colour);
+                    const glm::vec3& colour, const std::vector<float>& skies = {});
 };
 
 /// The facets of buildings: walls and roofs by texture, and windows and doors, which are only worth drawing near by.

@@ -155,7 +155,7 @@ coverModels(const osgTerrainROAM::TerrainMaterial& material)
                                                        twigs({0.31F, 0.27F, 0.20F})};
     const osg::ref_ptr<osg::Group> carrier =
         new osg::Group; // a field has a program of its own, which these states replace
-    setObjectShading(*carrier, Finish::foliage);
+    setObjectShading(*carrier, Finish::blades);
     std::array<osg::ref_ptr<const osgPMObjects::ProgressiveShape>, kCoverShapes> shapes;
     for (std::size_t i = 0; i < shapes.size(); ++i)
         shapes[i] = new osgPMObjects::ProgressiveShape(

@@ -56,7 +56,7 @@ osg::ref_ptr<osg::Geometry> geometryOf(const Facets& facets)
     {
         positions->push_back(vectorOf(facets.positions[i]));
         normals->push_back(vectorOf(facets.normals[i]));
-        colours->push_back(osg::Vec4f(vectorOf(facets.colours[i]), 1.0F));
+        colours->push_back(osg::Vec4f(vectorOf(facets.colours[i]), facets.skies[i]));
         uvs->push_back({facets.uvs[i].x, facets.uvs[i].y});
     }
     const osg::ref_ptr<osg::Geometry> geometry = geometryAt(positions);

@@ -11,8 +11,21 @@
 #include <osgTerrainROAM/Atmosphere>
 #include <shaders/scenery.h>
 
+#include "scenery/models/paint/MipChain.h"
+
 namespace scenery
 {
+
+namespace
+{
+
+/// What the shader calls objectLeaves.
+float leavesOf(Finish finish)
+{
+    return finish == Finish::foliage ? 1.0F : finish == Finish::blades ? 0.5F : 0.0F;
+}
+
+} // namespace
 
 void setObjectShading(osg::Node& node, Finish finish)
 {
@@ -31,7 +44,8 @@ void setObjectShading(osg::Node& node, Finish finish)
     state->addUniform(new osg::Uniform("objectTexture", 0));
     state->addUniform(new osg::Uniform("objectLacquer", finish == Finish::lacquered ? 1.0F : 0.0F));
     if (finish == Finish::lacquered) state->setDefine("OBJECT_LACQUER");
-    state->addUniform(new osg::Uniform("objectLeaves", finish == Finish::foliage ? 1.0F : 0.0F));
+    state->addUniform(new osg::Uniform("objectLeaves", leavesOf(finish)));
+    state->addUniform(new osg::Uniform("objectCutOut", static_cast<float>(models::kAlphaThreshold) / 255.0F));
     state->addUniform(new osg::Uniform("objectTintMask", 0.0F));
     state->setTextureAttributeAndModes(0, osgPMObjects::whiteTexture());
     if (finish != Finish::seeThrough) return;

@@ -70,8 +70,9 @@ osg::ref_ptr<osg::Program> makeSunShadowProgram()
     program->setName("shadow");
     const std::string version = "#version 130\n";
     program->addShader(new osg::Shader(osg::Shader::VERTEX, version + shaders::kShadowVertexMain));
-    program->addShader(new osg::Shader(
-        osg::Shader::FRAGMENT, version + osgTerrainROAM::Atmosphere::glslFunctions() + shaders::kShadowMain));
+    program->addShader(
+        new osg::Shader(osg::Shader::FRAGMENT, version + osgTerrainROAM::Atmosphere::glslFunctions() +
+                                                   shaders::kDarkening + shaders::kShadowMain));
     return program;
 }
 

@@ -10,26 +10,42 @@ in vec4 colour;
 in vec2 textureAt;
 uniform sampler2D objectTexture;
 uniform float objectLacquer;
-uniform float objectLeaves;   // 1: foliage
+uniform float objectLeaves;   // 1: foliage; 0.5: blades, which stand alone
 uniform float objectTintMask;
+uniform float objectCutOut;   // alpha below which foliage is not drawn
+
+// Of the sunlight that a crown meets, what its leaves let through and scatter comes out of the inner ones again. Green leaves let some 10 % of
+// visible light through and reflect as much (Gates, Keegan, Schleter and Weidner, Spectral Properties of Plants, 1965).
+const float kThroughLeaves = 0.2;
+
 void main()
 {
     float shownAlpha = pmAlpha();
-#ifndef SUN_SHADOW_MAP // depth alone
+#ifdef SUN_SHADOW_MAP // depth alone; the test of alpha needs a colour
+#ifndef PICTURE_LOW
+    if (objectLeaves > 0.75 && texture(objectTexture, textureAt).a < objectCutOut) discard;
+#endif
+    gl_FragColor = vec4(1.0);
+#else
     float distanceM = length(fromEye);
     vec3 towards = fromEye / distanceM;
     vec3 normal = normalize(normalWorld);
     if (!gl_FrontFacing && objectLeaves == 0.0) normal = -normal; // open surfaces have two sides
     vec4 texel = texture(objectTexture, textureAt);
     vec4 paint = colour * texel;
-    if (objectTintMask > 0.0) paint = vec4(mix(texel.rgb, paint.rgb, texel.a), 1.0);
+    float skyShare = 1.0;
+    if (objectTintMask > 0.0)
+    {
+        paint = vec4(mix(texel.rgb, paint.rgb, texel.a), 1.0);
+        skyShare = colour.a;
+    }
     vec3 albedo = paint.rgb * paint.rgb;              // the inverse of displayColour's gamma
 
     float sunCosine = dot(normal, sunDirection());
     float sunHeight = max(sunCosine, 0.0);
     if (objectLeaves > 0.0) sunHeight = max((sunCosine + 0.5) / 1.5, 0.12); // light comes round the crown and through it
-    float share = sunShare(fromEye, normal, 1.0);
-    vec3 lit = albedo * (lightOn(normal, share * sunHeight, 1.0) + headLight(fromEye, normal));
+    float share = mix(sunShare(fromEye, normal, 1.0), 1.0, kThroughLeaves * step(0.75, objectLeaves));
+    vec3 lit = albedo * (lightOn(normal, share * sunHeight, skyShare) + headLight(fromEye, normal));
 #ifdef OBJECT_LACQUER
     // Lacquer and glass reflect 4 % at normal incidence. The mirrored scene is sky above and ground below.
     float fresnel = objectLacquer * (0.04 + 0.96 * pow(1.0 - max(-dot(normal, towards), 0.0), 5.0));

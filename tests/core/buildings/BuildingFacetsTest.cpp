@@ -2,6 +2,7 @@
 // The walls and roofs of buildings enclose their volume: what is missing or stands off changes it.
 #include "scenery/buildings/BuildingFacets.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -113,6 +114,26 @@ TEST(BuildingFacets, AMissingWallOrARaisedRoofIsSeen)
     for (glm::vec3& position : raised.shell.at(standing.building.cover).positions)
         position.z += 0.3F;
     EXPECT_GT(std::abs(volumeOf(raised) - expected), 0.01 * expected);
+}
+
+/// The least and the most that the walls see of the sky.
+std::pair<float, float> skiesOf(const StandingBuilding& standing)
+{
+    const BuildingFacets facets = facetsOf(standing);
+    const std::vector<float>& skies = facets.shell.at(standing.building.wall).skies;
+    const auto [least, most] = std::minmax_element(skies.begin(), skies.end());
+    return {*least, *most};
+}
+
+TEST(BuildingFacets, EavesHideTheSkyFromTheWallBelowThem)
+{
+    const StandingBuilding standing = house(kSquare, RoofForm::gabled);
+    EXPECT_EQ(skiesOf(standing), std::pair(0.35F, 1.0F));
+    EXPECT_EQ(skiesOf(house(kSquare, RoofForm::flat)), std::pair(1.0F, 1.0F)) << "without eaves";
+    EXPECT_EQ(skiesOf(house(kHook, RoofForm::gabled)), std::pair(1.0F, 1.0F)) << "without eaves";
+    const Facets walls = facetsOf(standing).shell.at(standing.building.wall);
+    for (std::size_t i = 0; i < walls.skies.size(); ++i)
+        EXPECT_TRUE(walls.skies[i] == 1.0F || walls.positions[i].z > 6.0F) << "far below the eaves";
 }
 
 TEST(BuildingFacets, AGableRoofHasItsRidgeInTheMiddleAndEavesBeyondTheWalls)

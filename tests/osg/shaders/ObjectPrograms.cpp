@@ -19,6 +19,7 @@
 #include "scenery/nodes/RoadShading.h"
 #include "scenery/nodes/RoadThingsNode.h"
 #include "scenery/nodes/Sky.h"
+#include "scenery/nodes/SkyShadeNode.h"
 #include "scenery/nodes/SunShadow.h"
 
 namespace shadercheck
@@ -100,6 +101,7 @@ std::vector<NamedProgram> objectPrograms()
             {"lamp glow", scenery::makeLampGlowProgram()},
             {"falling drops", scenery::makeFallingDropsProgram()},
             {"sun shadow", scenery::makeSunShadowProgram()},
+            {"sky shade", scenery::makeSkyShadeProgram()},
             {"sky", programOf(scenery::makeSky()->getStateSet())},
             {"tests' triangle", programOf(rendered::shadedTriangle(0.0F)->getStateSet())}};
 }

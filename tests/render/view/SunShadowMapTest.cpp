@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Shadow maps in pictures: the shadow of a post lies where the sun's rays put it, from any eye and whichever way one looks.
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
+
+#include <osg/Texture2D>
 
 #include <osgTerrainROAM/SunShadows>
 
@@ -27,12 +30,31 @@ osg::ref_ptr<osg::Geode> post()
     return geode;
 }
 
+/// A card of leaves, 2 m wide and 3 m high, 4 m east; its southern half is cut out, if `hasGap`.
+osg::ref_ptr<osg::Geode> leaves(bool hasGap)
+{
+    const osg::ref_ptr<osg::Geode> geode = new osg::Geode;
+    geode->addDrawable(
+        osg::createTexturedQuadGeometry({kPostAtM, -1.0, 0.0}, {0.0, 2.0, 0.0}, {0.0, 0.0, kPostM}));
+    scenery::setObjectShading(*geode, scenery::Finish::foliage);
+    const osg::ref_ptr<osg::Image> image = new osg::Image;
+    image->allocateImage(2, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE);
+    std::fill_n(image->data(), 8, 255);
+    if (hasGap) image->data()[3] = 0;
+    const osg::ref_ptr<osg::Texture2D> texture = new osg::Texture2D(image);
+    texture->setFilter(osg::Texture::MIN_FILTER, osg::Texture::NEAREST);
+    texture->setFilter(osg::Texture::MAG_FILTER, osg::Texture::NEAREST);
+    geode->getOrCreateStateSet()->setTextureAttributeAndModes(0, texture);
+    return geode;
+}
+
 /// A picture of the post on a plain with the sun in the east, and where places on the plain are in it.
 class Picture
 {
 public:
     Picture(double sunDeg, const glm::dvec3& eye, const glm::dvec3& at, bool hasShadows = true,
-            const osgTerrainROAM::SunShadowSettings& maps = {}, unsigned int postMask = ~0U)
+            const osgTerrainROAM::SunShadowSettings& maps = {}, unsigned int postMask = ~0U,
+            const osg::ref_ptr<osg::Geode>& caster = post())
     {
         osgTerrainROAM::AtmosphereSettings air;
         air.sunDirectionWorld = osgTerrainROAM::sunDirectionFromAngles(90.0, sunDeg);
@@ -43,7 +65,6 @@ public:
         const osg::ref_ptr<osg::Node> ground = scene.root->getChild(1);
         scene.root->removeChild(ground);
         sunlit->addChild(ground);
-        const osg::ref_ptr<osg::Geode> caster = post();
         caster->setNodeMask(postMask);
         sunlit->addChild(caster);
         scene.root->addChild(sunlit);
@@ -132,6 +153,14 @@ TEST(SunShadowMaps, WithoutSunOrSwitchedOffThereIsNone)
 {
     EXPECT_FALSE(Picture(50.0, kEye, kAt, false).shadowEnd());
     EXPECT_FALSE(Picture(-5.0, kEye, kAt).shadowEnd());
+}
+
+TEST(SunShadowMaps, LeavesCastTheShadowOfWhatIsSeenOfThem)
+{
+    const Picture cut(50.0, kEye, kAt, true, {}, ~0U, leaves(true));
+    EXPECT_TRUE(cut.isDark(3.0, 0.5));
+    EXPECT_FALSE(cut.isDark(3.0, -0.5)) << "the sun shines through the half that is cut out";
+    EXPECT_TRUE(Picture(50.0, kEye, kAt, true, {}, ~0U, leaves(false)).isDark(3.0, -0.5)) << "the control";
 }
 
 TEST(SunShadowMaps, WhatMovesIsInTheNearestMapsAlone)

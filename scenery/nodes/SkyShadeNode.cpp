@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scenery/nodes/SkyShadeNode.h"
+
+#include <cmath>
+
+#include <osg/BlendFunc>
+#include <osg/Depth>
+#include <osg/Geode>
+#include <osg/Program>
+
+#include <osgTerrainROAM/Atmosphere>
+#include <osgTerrainROAM/SunShadows>
+#include <shaders/scenery.h>
+
+namespace scenery
+{
+
+namespace
+{
+
+constexpr double kCellM = 16.0;
+
+std::pair<int, int> cellOf(const glm::dvec2& place)
+{
+    const glm::ivec2 cell(glm::floor(place / kCellM));
+    return {cell.x, cell.y};
+}
+
+osg::ref_ptr<osg::StateSet> patchState()
+{
+    osg::ref_ptr<osg::StateSet> state = new osg::StateSet;
+    state->setAttributeAndModes(makeSkyShadeProgram());
+    state->addUniform(new osg::Uniform("skyShadeReachM", static_cast<float>(SkyShadeNode::kReachM)));
+    state->setAttributeAndModes(new osg::BlendFunc(GL_ZERO, GL_SRC_COLOR));
+    state->setAttributeAndModes(new osg::Depth(osg::Depth::LESS, 0.0, 1.0, false));
+    state->setMode(GL_CULL_FACE, osg::StateAttribute::OFF);
+    state->setRenderBinDetails(8, "RenderBin"); // after the ground, before shadows of what moves
+    return state;
+}
+
+} // namespace
+
+osg::ref_ptr<osg::Program> makeSkyShadeProgram()
+{
+    osg::ref_ptr<osg::Program> program = new osg::Program;
+    program->setName("sky shade");
+    const std::string version = "#version 130\n";
+    program->addShader(new osg::Shader(osg::Shader::VERTEX, version + shaders::kShadowVertexMain));
+    program->addShader(
+        new osg::Shader(osg::Shader::FRAGMENT, version + osgTerrainROAM::Atmosphere::glslFunctions() +
+                                                   shaders::kDarkening + shaders::kSkyShadeMain));
+    return program;
+}
+
+SkyShadeNode::SkyShadeNode(SkyHiders hiders, SkyShadeGround ground)
+    : _hiders(std::move(hiders)),
+      _ground(std::move(ground)),
+      _geometry(new osg::Geometry),
+      _placed(new osg::MatrixTransform)
+{
+    for (std::size_t i = 0; i < _hiders.bodies.size(); ++i)
+        _inCell[cellOf(_hiders.bodies[i].place)].push_back(i);
+    for (std::size_t i = 0; i < _hiders.walls.size(); ++i)
+        _inCell[cellOf(0.5 * (_hiders.walls[i].from + _hiders.walls[i].to))].push_back(_hiders.bodies.size() +
+                                                                                       i);
+    _geometry->setDataVariance(osg::Object::DYNAMIC);
+    _geometry->setUseDisplayList(false);
+    _geometry->setUseVertexBufferObjects(true);
+    const osg::ref_ptr<osg::Geode> geode = new osg::Geode;
+    geode->addDrawable(_geometry);
+    geode->setStateSet(patchState());
+    _placed->setName("sky shade");
+    _placed->setDataVariance(osg::Object::DYNAMIC);
+    _placed->addChild(geode);
+    _placed->setNodeMask(0);
+}
+
+void SkyShadeNode::setShown(bool isShown)
+{
+    if (isShown == _isShown) return;
+    _isShown = isShown;
+    _eye.reset();
+}
+
+const SkyShadePatch& SkyShadeNode::patchOf(std::size_t hider)
+{
+    const auto [found, isNew] = _patches.try_emplace(hider);
+    const std::size_t bodies = _hiders.bodies.size();
+    if (isNew)
+        found->second = hider < bodies ? patchBelow(_hiders.bodies[hider], _ground)
+                                       : patchBefore(_hiders.walls[hider - bodies], _ground);
+    return found->second;
+}
+
+void SkyShadeNode::follow(const glm::dvec3& eye)
+{
+    const Cell cell = cellOf(glm::dvec2(eye));
+    if (_eye == cell) return;
+    _eye = cell;
+    gather(eye);
+}
+
+void SkyShadeNode::gather(const glm::dvec3& eye)
+{
+    constexpr int kAround = static_cast<int>(kReachM / kCellM) + 2; // a long wall has its middle farther off
+    const osg::ref_ptr<osg::Vec3Array> places = new osg::Vec3Array;
+    const osg::ref_ptr<osg::Vec2Array> hidden = new osg::Vec2Array;
+    const osg::ref_ptr<osg::DrawElementsUInt> triangles = new osg::DrawElementsUInt(GL_TRIANGLES);
+    std::map<std::size_t, SkyShadePatch> near;
+    for (int y = -kAround; _isShown && y <= kAround; ++y)
+        for (int x = -kAround; x <= kAround; ++x)
+        {
+            const auto found = _inCell.find({_eye->first + x, _eye->second + y});
+            if (found == _inCell.end()) continue;
+            for (const std::size_t hider : found->second)
+            {
+                const SkyShadePatch& patch = patchOf(hider);
+                const auto first = static_cast<std::uint32_t>(places->size());
+                for (const SkyShadePatch::Corner& corner : patch.corners)
+                {
+                    const glm::vec3 at(corner.place - eye);
+                    places->push_back({at.x, at.y, at.z});
+                    hidden->push_back({corner.hidden, 0.0F});
+                }
+                for (const std::uint32_t corner : patch.triangles)
+                    triangles->push_back(first + corner);
+                near[hider] = patch;
+            }
+        }
+    _patches = std::move(near);
+    _placed->setNodeMask(triangles->empty() ? 0U : osgTerrainROAM::SunShadows::kCastsNone);
+    _placed->setMatrix(osg::Matrixd::translate(eye.x, eye.y, eye.z));
+    _geometry->setVertexArray(places);
+    _geometry->setTexCoordArray(0, hidden, osg::Array::BIND_PER_VERTEX);
+    _geometry->removePrimitiveSet(0, _geometry->getNumPrimitiveSets());
+    _geometry->addPrimitiveSet(triangles);
+    _geometry->dirtyBound();
+}
+
+} // namespace scenery
