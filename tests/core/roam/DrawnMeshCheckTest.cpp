@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <utility>
+#include <vector>
+
 #include <gtest/gtest.h>
 
 #include <osgTerrainROAM/core/roam/DrawnMeshCheck.h>
 #include <osgTerrainROAM/core/roam/RoamMesh.h>
 
+#include "Random.h"
 #include "SyntheticField.h"
 
 namespace
@@ -43,6 +48,42 @@ TEST(DrawnMeshCheck, SeesAMissingTriangle)
     Drawn drawn(33, 33);
     drawn.drawn.triangles.erase(drawn.drawn.triangles.begin() + 5);
     EXPECT_GT(drawn.check().tJunctions, 0u);
+}
+
+TEST(DrawnMeshCheck, CountsEdgesWithoutTwinAsAComparisonOfAllPairsDoes)
+{
+    // Vertices of their own for each triangle, as blocks have them: edges are the same where their ends lie at the same places.
+    Drawn drawn(33, 33);
+    DrawnMesh mesh;
+    mesh.stepM = drawn.drawn.stepM;
+    testsupport::Random random(7);
+    for (const LeafTriangle& t : drawn.drawn.triangles)
+    {
+        if (random.below(8) == 0) continue;
+        const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+        for (const std::uint32_t v : t.vertices)
+        {
+            mesh.vertices.push_back(drawn.drawn.vertices[v]);
+            mesh.grid.push_back(drawn.drawn.grid[v]);
+        }
+        mesh.triangles.push_back({{first, first + 1, first + 2}});
+    }
+    std::vector<std::pair<GridPoint, GridPoint>> edges;
+    for (const LeafTriangle& t : mesh.triangles)
+        for (int i = 0; i < 3; ++i)
+            edges.emplace_back(mesh.grid[t.vertices[i]], mesh.grid[t.vertices[(i + 1) % 3]]);
+    const auto isAtBorder = [](GridPoint a, GridPoint b)
+    {
+        return (a.column == b.column && (a.column == 0 || a.column == 32)) ||
+               (a.row == b.row && (a.row == 0 || a.row == 32));
+    };
+    std::size_t open = 0;
+    for (const auto& [from, to] : edges)
+        if (!isAtBorder(from, to) &&
+            std::find(edges.begin(), edges.end(), std::pair(to, from)) == edges.end())
+            ++open;
+    EXPECT_GT(open, 10u);
+    EXPECT_EQ(checkDrawnMesh(*drawn.tile, mesh, nullptr).tJunctions, open);
 }
 
 TEST(DrawnMeshCheck, SeesAHoleInTheSamples)

@@ -3,10 +3,13 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <numeric>
 #include <utility>
 #include <vector>
 
 #include <osgTerrainROAM/core/roam/PlanTriangle.h>
+
+#include "EdgesWithoutTwin.h"
 
 namespace osgTerrainROAM::core
 {
@@ -14,26 +17,20 @@ namespace osgTerrainROAM::core
 namespace
 {
 
-/// A directed edge between vertex slots.
-using SlotEdge = std::pair<std::uint32_t, std::uint32_t>;
-
 /// Edges of one part of the mesh that no other triangle of that part has, but for those at the edge of the data.
 std::vector<SlotEdge> endsOfParts(const PlacedTile& tile, const DrawnMesh& mesh)
 {
-    std::vector<SlotEdge> edges, ends;
-    for (const LeafTriangle& t : mesh.triangles)
-        for (int i = 0; i < 3; ++i)
-            edges.emplace_back(t.vertices[i], t.vertices[(i + 1) % 3]);
-    std::sort(edges.begin(), edges.end());
+    std::vector<std::uint32_t> slots(mesh.grid.size());
+    std::iota(slots.begin(), slots.end(), 0u);
+    std::vector<SlotEdge> ends = edgesWithoutTwin(mesh.triangles, slots);
     const int east = tile.grid().dataColumns() - 1, north = tile.grid().dataRows() - 1;
-    for (const auto& [from, to] : edges)
-    {
-        if (std::binary_search(edges.begin(), edges.end(), SlotEdge{to, from})) continue;
-        const GridPoint a = mesh.grid[from], b = mesh.grid[to];
-        const bool isAtDataBorder = (a.column == b.column && (a.column == 0 || a.column >= east)) ||
-                                    (a.row == b.row && (a.row == 0 || a.row >= north));
-        if (!isAtDataBorder) ends.emplace_back(from, to);
-    }
+    std::erase_if(ends,
+                  [&](const SlotEdge& edge)
+                  {
+                      const GridPoint a = mesh.grid[edge.first], b = mesh.grid[edge.second];
+                      return (a.column == b.column && (a.column == 0 || a.column >= east)) ||
+                             (a.row == b.row && (a.row == 0 || a.row >= north));
+                  });
     return ends;
 }
 
@@ -45,39 +42,50 @@ public:
         : _columns(tile.grid().dataColumns() / kSide + 1), _rows(tile.grid().dataRows() / kSide + 1)
     {
         _squares.resize(static_cast<std::size_t>(_columns) * static_cast<std::size_t>(_rows));
+        _extents.reserve(mesh.triangles.size());
         for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i)
         {
             const auto& v = mesh.triangles[i].vertices;
-            const PlanTriangle plan{{mesh.grid[v[0]], mesh.grid[v[1]], mesh.grid[v[2]]}};
-            forEachSquare(plan.extent(), [&](std::vector<std::uint32_t>& square) { square.push_back(i); });
+            _extents.push_back(PlanTriangle{{mesh.grid[v[0]], mesh.grid[v[1]], mesh.grid[v[2]]}}.extent());
+            forEachSquare(_extents[i],
+                          [&](GridRect, std::vector<std::uint32_t>& square) { square.push_back(i); });
         }
     }
 
-    /// The triangles near a rectangle, without repetition.
-    std::vector<std::uint32_t> near(const GridRect& around)
+    /// Calls visit(triangle) once for each triangle whose extent touches a rectangle.
+    void forEachNear(const GridRect& around, const auto& visit)
     {
-        std::vector<std::uint32_t> found;
-        forEachSquare(around, [&](std::vector<std::uint32_t>& square)
-                      { found.insert(found.end(), square.begin(), square.end()); });
-        std::sort(found.begin(), found.end());
-        found.erase(std::unique(found.begin(), found.end()), found.end());
-        return found;
+        forEachSquare(around,
+                      [&](GridRect square, std::vector<std::uint32_t>& triangles)
+                      {
+                          for (const std::uint32_t i : triangles)
+                          {
+                              // In more than one square, both extents have their lowest common point in one of them.
+                              const GridRect common = _extents[i].cutTo(around);
+                              if (!common.isEmpty() && common.west / kSide == square.west &&
+                                  common.south / kSide == square.south)
+                                  visit(i);
+                          }
+                      });
     }
 
 private:
     static constexpr int kSide = 16;
 
+    /// Calls visit(square's column and row, its triangles).
     void forEachSquare(const GridRect& rect, const auto& visit)
     {
         const int east = std::min(rect.east / kSide, _columns - 1),
                   north = std::min(rect.north / kSide, _rows - 1);
         for (int row = rect.south / kSide; row <= north; ++row)
             for (int column = rect.west / kSide; column <= east; ++column)
-                visit(_squares[static_cast<std::size_t>(row * _columns + column)]);
+                visit(GridRect{column, row, column, row},
+                      _squares[static_cast<std::size_t>(row * _columns + column)]);
     }
 
     int _columns, _rows;
     std::vector<std::vector<std::uint32_t>> _squares;
+    std::vector<GridRect> _extents; ///< by triangle
 };
 
 using Interval = std::pair<double, double>;
@@ -147,12 +155,14 @@ std::size_t bareEdges(const PlacedTile& tile, const DrawnMesh& mesh)
     {
         const GridPoint a = mesh.grid[edge.first], b = mesh.grid[edge.second];
         std::vector<Interval> parts;
-        for (const std::uint32_t i : squares.near({std::min(a.column, b.column), std::min(a.row, b.row),
-                                                   std::max(a.column, b.column), std::max(a.row, b.row)}))
-        {
-            const Interval part = coveredBy(mesh, mesh.triangles[i], edge);
-            if (part.first <= part.second) parts.push_back(part);
-        }
+        const GridRect around{std::min(a.column, b.column), std::min(a.row, b.row),
+                              std::max(a.column, b.column), std::max(a.row, b.row)};
+        squares.forEachNear(around,
+                            [&](std::uint32_t i)
+                            {
+                                const Interval part = coveredBy(mesh, mesh.triangles[i], edge);
+                                if (part.first <= part.second) parts.push_back(part);
+                            });
         bare += coverAll(std::move(parts)) ? 0 : 1;
     }
     return bare;

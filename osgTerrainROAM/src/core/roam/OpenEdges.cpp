@@ -2,9 +2,10 @@
 #include "OpenEdges.h"
 
 #include <algorithm>
-#include <cstdint>
 #include <tuple>
 #include <vector>
+
+#include "EdgesWithoutTwin.h"
 
 namespace osgTerrainROAM::core
 {
@@ -16,10 +17,6 @@ namespace
 struct Edge
 {
     GridPoint from, to;
-
-    std::tuple<int, int, int, int> key() const { return {from.row, from.column, to.row, to.column}; }
-    Edge reversed() const { return {to, from}; }
-    friend bool operator<(const Edge& a, const Edge& b) { return a.key() < b.key(); }
 };
 
 /// The position of an edge on its line.
@@ -44,19 +41,6 @@ struct Piece
     }
     auto key() const { return std::tuple(direction, line, begin, end, isForward); }
 };
-
-std::vector<Edge> edgesWithoutTwin(const DrawnMesh& mesh)
-{
-    std::vector<Edge> edges, open;
-    edges.reserve(3 * mesh.triangles.size());
-    for (const LeafTriangle& t : mesh.triangles)
-        for (int i = 0; i < 3; ++i)
-            edges.push_back({mesh.grid[t.vertices[i]], mesh.grid[t.vertices[(i + 1) % 3]]});
-    std::sort(edges.begin(), edges.end());
-    for (const Edge& e : edges)
-        if (!std::binary_search(edges.begin(), edges.end(), e.reversed())) open.push_back(e);
-    return open;
-}
 
 bool isAtDataBorder(const PlacedTile& tile, const Edge& e)
 {
@@ -84,8 +68,12 @@ std::size_t countOpposed(const std::vector<Edge>& open)
 
 std::size_t tJunctions(const PlacedTile& tile, const DrawnMesh& mesh)
 {
-    std::vector<Edge> open = edgesWithoutTwin(mesh);
-    std::erase_if(open, [&](const Edge& e) { return isAtDataBorder(tile, e); });
+    std::vector<Edge> open;
+    for (const auto& [from, to] : edgesWithoutTwin(mesh.triangles, firstAtPlace(mesh.grid)))
+    {
+        const Edge edge{mesh.grid[from], mesh.grid[to]};
+        if (!isAtDataBorder(tile, edge)) open.push_back(edge);
+    }
     return tile.samples().hasHoles() ? countOpposed(open) : open.size();
 }
 

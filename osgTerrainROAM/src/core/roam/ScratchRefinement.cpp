@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <osgTerrainROAM/core/roam/Outline.h>
+#include <osgTerrainROAM/core/roam/PatchShape.h>
 #include <osgTerrainROAM/core/roam/ScratchRefinement.h>
 
 namespace osgTerrainROAM::core
@@ -35,6 +37,15 @@ void refineFromScratch(const SplitBounds& bounds, const viewlod::ViewState& view
     Descent descent{bounds, ActiveForEye(view, tolerancePx), leaves};
     for (const GridTriangle& root : rootTriangles(bounds.tile().tile.grid().side()))
         descent.visit(root, 0);
+}
+
+DrawnMesh meshOfLeaves(const SplitBounds& bounds, std::span<const GridTriangle> leaves)
+{
+    const PlacedTile& tile = bounds.tile().tile;
+    DrawnMesh mesh;
+    for (const GridTriangle& t : leaves)
+        if (isDrawn(tile, t)) PatchShape::of(bounds.patchExponent()).append(tile, t, mesh);
+    return mesh;
 }
 
 } // namespace osgTerrainROAM::core

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include <osgTerrainROAM/core/roam/GridTriangle.h>
+#include <osgTerrainROAM/core/roam/MeshData.h>
 #include <osgTerrainROAM/core/roam/Refinement.h>
 #include <osgTerrainROAM/core/roam/SplitBounds.h>
 
@@ -15,5 +17,8 @@ namespace osgTerrainROAM::core
 /// Cost: O(leaves). Source: Lindstrom & Pascucci, *Visualization of large terrains made easy*, 2001 (SOAR). Differs: exact errors.
 void refineFromScratch(const SplitBounds& bounds, const viewlod::ViewState& view, double tolerancePx,
                        std::vector<GridTriangle>& leaves);
+
+/// Makes the mesh that leaves of the bintree draw: every one that is drawn, or its patch, with vertices of its own.
+DrawnMesh meshOfLeaves(const SplitBounds& bounds, std::span<const GridTriangle> leaves);
 
 } // namespace osgTerrainROAM::core
