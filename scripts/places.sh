@@ -1,18 +1,22 @@
 # SPDX-License-Identifier: Apache-2.0
 # Shell functions of the sheets of the default world: they put one car from place to place, a second at each. To be sourced by a script that has set
-# $trainer, $world (its folder), $out and $places, a line each: a name, then `lane ROAD FROM TO` (metres along a road, on its first lane to the right), or
-# latitude and longitude of where the car stands and how far ahead of it, in degrees, lies what it looks at.
+# $trainer, $world (its folder), $out and $places, a line each: a name, then `lane ROAD[/LANE/OFFSET] FROM TO` (metres along a road, on its first lane to the
+# right unless told), or latitude and longitude of where the car stands and how far ahead of it, in degrees, lies what it looks at.
+# Where it has set $before to the folder OUT of another build, its pictures stand to the left of these.
 
-position() { # lane road s | latitude longitude
-    if [ "$1" = lane ]; then echo "<LanePosition roadId=\"$2\" laneId=\"-1\" s=\"$3\"/>"
+position() { # lane road[/lane/offset] s | latitude longitude
+    local road lane offset
+    if [ "$1" = lane ]; then
+        IFS=/ read -r road lane offset <<< "$2"
+        echo "<LanePosition roadId=\"$road\" laneId=\"${lane:--1}\" offset=\"${offset:-0}\" s=\"$3\"/>"
     else echo "<GeoPosition latitudeDeg=\"$1\" longitudeDeg=\"$2\"/>"; fi
 }
 
-scenario() { # hour of the day, UTC
+scenario() { # hour of the day, UTC; $day: of the year, in June unless told; $scene: instead of the world's own
     local second=0 from to
     sed -n '1,/<\/Entities>/p' "$world/drive.xosc" | sed '/name="aircraft">/,/<\/ScenarioObject>/d; /<ObjectController>.*Driver/d' |
-        sed "s|\"roads.xodr\"|\"$world/roads.xodr\"|; s|\"world.roam\"|\"$world/world.roam\"|"
-    echo "<Storyboard><Init><Actions><GlobalAction><EnvironmentAction><Environment name=\"day\"><TimeOfDay animation=\"false\" dateTime=\"2024-06-21T$1:00:00Z\"/>
+        sed "s|\"roads.xodr\"|\"$world/roads.xodr\"|; s|\"world.roam\"|\"${scene:-$world/world.roam}\"|"
+    echo "<Storyboard><Init><Actions><GlobalAction><EnvironmentAction><Environment name=\"day\"><TimeOfDay animation=\"false\" dateTime=\"${day:-2024-06-21}T$1:00:00Z\"/>
         <Weather fractionalCloudCover=\"zeroOktas\"><Fog visualRange=\"36000\"/></Weather></Environment></EnvironmentAction></GlobalAction>
         <Private entityRef=\"car\"><PrivateAction><TeleportAction><Position>$(position lane 70 550)</Position></TeleportAction></PrivateAction><PrivateAction><RoutingAction><FollowTrajectoryAction><TrajectoryRef><Trajectory name=\"places\" closed=\"false\"><Shape><Polyline>"
     while read -r _ a b c d; do
@@ -39,12 +43,14 @@ pictures() { # name, hour, options
 }
 
 sheet() { # file, columns
-    local file=$1 list=() filter="" rows="" n=0 row
+    local file=$1 list=() filter="" rows="" n=0 row folders=() width=${sheetWidth:-320}
     shift
+    for name in "$@"; do folders+=(${before:+"$before/frames/$name"} "$out/frames/$name"); done
+    set -- "${folders[@]}"
     for ((row = 0; row < count; ++row)); do
         for name in "$@"; do
-            list+=(-i "$out/frames/$name/frame_$(printf %05d $((2 * row + 1))).png")
-            filter+="[$n]scale=320:180:flags=area[s$n];"
+            list+=(-i "$name/frame_$(printf %05d $((2 * row + 1))).png")
+            filter+="[$n]scale=$width:-2:flags=area[s$n];"
             n=$((n + 1))
         done
         local first=$((n - $#)) part=""

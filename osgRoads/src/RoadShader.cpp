@@ -14,8 +14,8 @@ const char* glslVertexFunctions()
 
 const char* glslFragmentFunctions()
 {
-    static const std::string kFunctions =
-        std::string(shaders::kRoadMarks) + shaders::kRoadDecals + shaders::kRoadMaterials;
+    static const std::string kFunctions = std::string(shaders::kRoadMarks) + shaders::kRoadDecals +
+                                          shaders::kRoadWear + shaders::kRoadMaterials;
     return kFunctions.c_str();
 }
 

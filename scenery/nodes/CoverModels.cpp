@@ -48,7 +48,7 @@ void addBlade(ModelBuilder& builder, const glm::dvec3& foot, const Blade& blade)
         middle + 0.45 * blade.lengthM * (blade.lean * 1.6 * out + glm::dvec3(0.0, 0.0, 0.6 * up));
     const glm::vec3 normal = glm::normalize(glm::vec3(0.35 * out) + glm::vec3(0.0F, 0.0F, 1.0F));
     const auto corner = [&](const glm::dvec3& at, float light) { return Corner{at, {}, normal, light}; };
-    builder.quad(corner(foot - side, 0.5F), corner(foot + side, 0.5F), corner(middle + 0.7 * side, 0.95F),
+    builder.quad(corner(foot - side, 0.62F), corner(foot + side, 0.62F), corner(middle + 0.7 * side, 0.95F),
                  corner(middle - 0.7 * side, 0.95F));
     builder.triangle(corner(middle - 0.7 * side, 0.95F), corner(middle + 0.7 * side, 0.95F),
                      corner(tip, 1.0F));
@@ -148,7 +148,7 @@ models::Model twigs(const glm::vec3& brown)
 std::array<osg::ref_ptr<const osgPMObjects::ProgressiveShape>, kCoverShapes>
 coverModels(const osgTerrainROAM::TerrainMaterial& material)
 {
-    const glm::vec3 green = shown(material, "terrainMeadow", 0.66F),
+    const glm::vec3 green = shown(material, "terrainMeadow", 0.82F),
                     pale = shown(material, "terrainDryGrass", 0.42F);
     const std::array<models::Model, kCoverShapes> made{tuft(green, pale), herb(green * 0.9F),
                                                        stone(shown(material, "terrainRock", 1.1F)),

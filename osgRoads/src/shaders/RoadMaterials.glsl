@@ -9,12 +9,18 @@ float roadShown()
     return 1.0 - smoothstep(0.85 * roadLift.w, roadLift.w, length(roadFromEye));
 }
 
-// Two tracks that wheels have polished.
+bool roadIsLane() { return roadAt.z > 2.2 && roadAt.z < 6.0; }
+
 float roadTracks()
 {
-    float place = roadAt.y / max(roadAt.z, 0.1);
-    float track = max(1.0 - abs(place - 0.26) * 7.0, 1.0 - abs(place - 0.74) * 7.0);
-    return roadAt.z > 2.2 && roadAt.z < 6.0 ? max(track, 0.0) : 0.0;
+    return roadIsLane() ? roadTracksAt(roadAt.y / max(roadAt.z, 0.1), 7.0) : 0.0;
+}
+
+// Gravel is pressed bright by the wheels and thrown up between them.
+vec3 roadGravel(float stones, float wide)
+{
+    float tracks = roadTracks();
+    return vec3(0.19, 0.175, 0.15) * (1.0 + (1.1 - 0.6 * tracks) * stones + 0.3 * wide + 0.16 * tracks);
 }
 
 vec3 roadSlabs(vec3 colour, vec2 filters)
@@ -26,16 +32,19 @@ vec3 roadSlabs(vec3 colour, vec2 filters)
 
 vec3 roadSurface(vec2 filters)
 {
-    vec3 fine = texture(roadGrain, roadGround * 0.5).rgb - 0.5;
+    vec3 fine = roadStones();
     vec3 wide = texture(roadGrain, roadGround * 0.03125).rgb - 0.5;
     float stones = 0.55 * fine.r + 0.35 * fine.g;
     if (roadKind == 0)
-        return vec3(0.098, 0.098, 0.100) * (1.0 + 0.55 * stones + 0.30 * wide.b + 0.22 * wide.g + 0.14 * roadTracks());
+    {
+        float worn = roadIsLane() ? roadWearOfAsphalt(wide.g + 0.5 * wide.r, filters) : 1.0;
+        return vec3(0.098, 0.098, 0.100) * worn * (1.0 + 0.9 * stones + 0.30 * wide.b + 0.22 * wide.g + 0.14 * roadTracks());
+    }
     if (roadKind == 1) return vec3(0.27, 0.26, 0.245) * (1.0 + 0.25 * stones + 0.20 * wide.b);
     if (roadKind == 2) return vec3(0.115, 0.112, 0.108) * (1.0 + 0.75 * stones + 0.35 * wide.b);
     if (roadKind == 3) return vec3(0.30, 0.295, 0.285) * (1.0 + 0.25 * stones);
     if (roadKind == 4) return roadSlabs(vec3(0.235, 0.23, 0.22) * (1.0 + 0.20 * stones + 0.25 * wide.g), filters);
-    if (roadKind == 5) return vec3(0.19, 0.175, 0.15) * (1.0 + 1.1 * stones + 0.3 * wide.g);
+    if (roadKind == 5) return roadGravel(stones, wide.g);
     // Grass: tufts, and soil that shows through.
     float soil = smoothstep(0.05, 0.30, wide.g + 0.6 * fine.g);
     vec3 grass = roadVerge * (1.0 + 0.7 * fine.r + 0.8 * fine.g + 0.5 * wide.b);

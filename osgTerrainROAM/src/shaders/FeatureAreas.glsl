@@ -19,6 +19,22 @@ vec2 rowsOf(vec4 head, vec4 rows, vec2 at, Footprint f)
     return vec2(1.0 - coveredDashes(x, wide, 4.0, 2.4) * (0.3 + 0.7 * coveredDashes(y, far, 3.0, 2.2)), shade);
 }
 
+// The slope of what the plough and the harrow left, along the rows: wheat in drills of 25 cm, row crops on ridges of 75 cm, strips between
+// trees. A wave that fades into level ground before a pixel is as wide as half of it.
+vec2 furrowsOf(vec4 head, vec4 rows, vec2 at, Footprint f)
+{
+#ifdef PICTURE_LOW
+    return vec2(0.0);
+#else
+    vec2 across = vec2(-rows.y, rows.x);
+    vec2 shape = head.z < 0.5 ? vec2(0.25, 0.22) : head.z < 1.5 ? vec2(0.75, 0.55) : vec2(0.25, 0.0); // period, steepest slope
+    float shown = max(1.0 - 2.0 * widthAlong(f, across) / shape.x, 0.0);
+    // Soil lies in the furrow: bare from 0 to four tenths of the period.
+    float x = dot(at, across) + rows.z - 0.2 * shape.x;
+    return across * (shape.y * shown * sin(6.2831853 * x / shape.x));
+#endif
+}
+
 void paintArea(inout Paint paint, vec4 head, vec4 rows, float signedEdge, float width, vec2 at, Footprint f)
 {
     float share = clamp(0.5 + signedEdge / width, 0.0, 1.0);
@@ -28,6 +44,7 @@ void paintArea(inout Paint paint, vec4 head, vec4 rows, float signedEdge, float 
         paint.crops *= 1.0 - share;
         paint.crops[int(head.z)] += share;
         paint.rows = mix(paint.rows, rowsOf(head, rows, at, f), share);
+        paint.slope = mix(paint.slope, furrowsOf(head, rows, at, f), share);
     }
     else if (head.y < 1.5)
         paint.beds.x = max(paint.beds.x, share);

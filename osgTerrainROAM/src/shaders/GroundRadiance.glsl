@@ -10,6 +10,19 @@ vec3 lentAlbedo(vec3 ground, Grain g, inout GroundKinds kinds);
 
 const float kCrowns = 0.2; // of the sky that crowns hide from the floor of a wood
 
+// A wood's colour is that of its crowns. Where a map of land cover tells woods, trees stand in them: who stands among them sees last
+// year's leaves between the green.
+vec3 woodFloor(vec3 crowns, float litter, Grain g)
+{
+#ifdef PICTURE_LOW
+    return crowns;
+#else
+    float seen = litter * (1.0 - smoothstep(4.0, 14.0, -fromEye.z)) * (1.0 - smoothstep(60.0, 150.0, length(fromEye)));
+    float bare = smoothstep(-0.12, 0.06, g.metres28.z + 0.6 * g.metres2.w);
+    return mix(crowns, terrainSoil * vec3(0.52, 0.42, 0.34) * (1.0 + 1.3 * g.metres2.z), seen * bare);
+#endif
+}
+
 // Returns the radiance of the ground towards the eye, without haze.
 vec3 groundRadiance(vec3 directionWorld)
 {
@@ -74,11 +87,15 @@ vec3 groundRadiance(vec3 directionWorld)
     ground = fieldAlbedo(ground, paint, g, kinds);
     ground.a *= openShare(paint);
     roughness *= 0.25 + 0.75 * openShare(paint);
+    tilt -= paint.slope * (openShare(paint) * (1.0 - snow));
 #endif
     kinds.open *= 1.0 - snow;
     kinds.other = vec2(snow, kinds.other.y * (1.0 - snow));
 
     vec3 albedo = ground.rgb;
+#ifdef TERRAIN_COVER
+    albedo = woodFloor(albedo, min(cover.litter, kinds.other.y), g);
+#endif
     float shore = smoothstep(terrainShore, terrainShore + 0.08, land.b + 0.12 * g.metres28.w + 0.12 * g.metres324.w)
                 * (1.0 - smoothstep(0.01, 0.05, steep));
 #ifdef TERRAIN_SURROUNDINGS
@@ -109,8 +126,10 @@ vec3 groundRadiance(vec3 directionWorld)
     water = max(water, paint.beds.x) * (1.0 - max(max(paint.beds.y, paint.beds.z), paint.beds.w));
 #endif
 
-    vec4 detail = groundDetail(kinds, mix(place.xy, vec2(dot(place, cliffAlong), place.z), step(0.5, cliff)), dFdx(fromEye.xy),
-                               dFdy(fromEye.xy), fromEye);
+    bool isUpright = cliff >= 0.5;
+    vec3 toRight = dFdx(fromEye), toTop = dFdy(fromEye);
+    vec4 detail = groundDetail(kinds, onGround(place, cliffAlong, isUpright), onGround(toRight, cliffAlong, isUpright),
+                               onGround(toTop, cliffAlong, isUpright), fromEye);
     albedo *= max(1.0 + detail.w, 0.15);
     // On cliffs the bumps of the two finest layers and the detail lie on the upright plane.
     vec2 upright = g.metres2.xy * (coarse * bumpiness.x * roughness) + detail.xy;

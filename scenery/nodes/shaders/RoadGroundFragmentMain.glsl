@@ -16,6 +16,10 @@ vec3 lentAlbedo(vec3 ground, Grain g, inout GroundKinds kinds)
         float raggedM = roadAt.y + 1.3 * g.metres2.w + 0.9 * g.metres28.w + 0.5 * g.metres2.z;
         float gravel = 0.85 * (1.0 - smoothstep(0.25, 0.75, raggedM));
         ground = mix(ground, vec3(0.19, 0.175, 0.15) * (1.0 + 0.9 * g.metres2.z), gravel);
+        // Here and there wheels have left the road, and pressed a rut into the grass.
+        float rut = max(1.0 - abs(raggedM - 0.9) * 3.0, 0.0) * smoothstep(0.05, 0.18, g.metres28.z + 0.6 * g.metres324.w);
+        ground = mix(ground, vec3(0.105, 0.085, 0.06) * (1.0 + 0.8 * g.metres2.z), 0.7 * rut);
+        kinds.open = mix(kinds.open, vec4(0.1, 0.1, 0.8, 0.0), 0.7 * rut);
         kinds.open = mix(kinds.open, vec4(0.0, 1.0, 0.0, 0.0), gravel);
         kinds.other *= 1.0 - gravel;
     }
