@@ -29,6 +29,9 @@ void addCompare(CLI::App& app, std::filesystem::path& jsonFile, Command& command
         ->check(terminal::between(0.001, 1e5));
     sub->add_option("--spacing", request->import.spacingM, "metres between samples without georeference")
         ->check(terminal::between(0.001, 1e5));
+    sub->add_option("--external", request->external, "NAME=COMMAND: adds a program that makes meshes")
+        ->check([](const std::string& text)
+                { return text.find('=') + 1 > 1 ? "" : "NAME=COMMAND is expected, not " + text; });
     sub->callback([request, &command] { command = [request](const Request&) { return compare(*request); }; });
 }
 

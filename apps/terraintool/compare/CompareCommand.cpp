@@ -60,15 +60,32 @@ foundation::Result<std::filesystem::path> pictureFolder(const CompareRequest& re
     return folder;
 }
 
+std::vector<ExternalMethod> externalMethods(const CompareRequest& request)
+{
+    std::vector<ExternalMethod> methods;
+    for (const std::string& text : request.external)
+    {
+        const std::size_t at = text.find('=');
+        methods.push_back({text.substr(0, at), text.substr(at + 1)});
+    }
+    return methods;
+}
+
 void print(const DemComparison& dem)
 {
     std::cout << dem.dem << '\n' << std::fixed;
     for (const MethodFigures& m : dem.methods)
+    {
         std::cout << "  " << std::left << std::setw(20) << m.name << std::right << std::setprecision(0)
                   << std::setw(9) << m.triangles << " triangles" << std::setprecision(2) << std::setw(7)
-                  << m.trueErrorPx << " px off" << std::setprecision(1) << std::setw(9) << m.adaptUsP50
-                  << " us" << std::setw(9) << m.adaptUsP99 << " us p99" << std::setprecision(2)
-                  << std::setw(7) << m.changedPercent << " % change" << std::endl;
+                  << m.trueErrorPx << " px off";
+        if (m.adapts)
+            std::cout << std::setprecision(1) << std::setw(9) << m.adaptUsP50 << " us" << std::setw(9)
+                      << m.adaptUsP99 << " us p99" << std::setprecision(2) << std::setw(7) << m.changedPercent
+                      << " % change" << std::endl;
+        else
+            std::cout << "   one mesh for all eyes" << std::endl;
+    }
     for (const RequirementVerdict& v : requirementVerdicts(dem))
         std::cout << "  " << v.requirement << ' ' << v.method << ": " << v.verdict << ", " << v.figure
                   << '\n';
@@ -94,7 +111,8 @@ foundation::Result<terminal::Report> compare(const CompareRequest& request)
         const Painting painting{painter ? painter->get() : nullptr, *folder,
                                 std::filesystem::path(file).stem().string()};
         auto compared = compareOver(
-            *square, [&](const PlacedTile& tile) { return flightOver(tile, request); }, painting);
+            *square, [&](const PlacedTile& tile) { return flightOver(tile, request); }, painting,
+            externalMethods(request));
         if (!compared) return compared.error();
         compared->dem = std::filesystem::path(file).filename().string();
         print(*compared);

@@ -17,7 +17,8 @@ namespace
 using measurement::escapedMarkup;
 using measurement::figureText;
 
-constexpr std::array kColours{"#1f6feb", "#0a7d4f", "#b4451f", "#7a3fb0", "#7a5c00", "#00738a", "#c02a4a"};
+constexpr std::array kColours{"#1f6feb", "#0a7d4f", "#b4451f", "#7a3fb0", "#7a5c00",
+                              "#00738a", "#c02a4a", "#4d5663", "#8a4b00", "#2f6d1c"};
 
 std::string figuresTable(const DemComparison& dem, const std::vector<FigureColumn>& columns)
 {
@@ -100,6 +101,7 @@ std::string plotOf(const DemComparison& dem, const char* title, std::vector<doub
     measurement::Plot plot{title, "frame", {}, {}};
     for (const MethodFigures& m : dem.methods)
     {
+        if ((m.*values).empty()) continue;
         plot.series.push_back({m.name, kColours[plot.series.size() % kColours.size()], m.*values});
         for (std::size_t frame = plot.x.size(); frame < (m.*values).size(); ++frame)
             plot.x.push_back(static_cast<double>(frame + 1));

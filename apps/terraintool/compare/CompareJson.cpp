@@ -20,9 +20,9 @@ nlohmann::ordered_json jsonOf(const MethodFigures& m)
     row["name"] = m.name;
     row["triangles"] = m.triangles;
     row["trueErrorPx"] = m.trueErrorPx;
-    row["adaptUsP50"] = m.adaptUsP50;
-    row["adaptUsP99"] = m.adaptUsP99;
-    row["adaptUsMax"] = m.adaptUsMax;
+    row["adaptUsP50"] = m.adapts ? nlohmann::ordered_json(m.adaptUsP50) : nullptr;
+    row["adaptUsP99"] = m.adapts ? nlohmann::ordered_json(m.adaptUsP99) : nullptr;
+    row["adaptUsMax"] = m.adapts ? nlohmann::ordered_json(m.adaptUsMax) : nullptr;
     row["changedPercent"] = m.changedPercent;
     row["popPx"] = m.popPx;
     row["transformsPerTriangle"] = jsonOf(m.transformsPerTriangle);

@@ -25,8 +25,9 @@ struct CompareRequest
     double errorPx = 2.0;
     int frames = 48;
     int framesBetweenChecks = 12;
-    std::filesystem::path html;     ///< the report; empty: none
-    std::filesystem::path markdown; ///< its tables; empty: none
+    std::vector<std::string> external; ///< NAME=COMMAND: programs that make meshes (ExternalRival.h)
+    std::filesystem::path html;        ///< the report; empty: none
+    std::filesystem::path markdown;    ///< its tables; empty: none
 };
 
 /// Compares all methods of level of detail over the same flight, at equal true error and at equal numbers of triangles.

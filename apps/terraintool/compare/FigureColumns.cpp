@@ -18,6 +18,12 @@ std::string orNone(const std::optional<double>& value)
     return value ? figureText(*value) : "–";
 }
 
+/// A figure of adaptation; nothing where there is none.
+std::optional<double> adaptation(const MethodFigures& m, double figure)
+{
+    return m.adapts ? std::optional(figure) : std::nullopt;
+}
+
 } // namespace
 
 const std::vector<FigureColumn>& figureColumns()
@@ -28,9 +34,9 @@ const std::vector<FigureColumn>& figureColumns()
         {"own tolerance, px", [](const MethodFigures& m) { return figureText(m.tolerancePx); }},
         {"error at ROAM's triangles, px", [](const MethodFigures& m)
          { return orNone(m.ceiling ? std::optional(m.ceiling->trueErrorPx) : std::nullopt); }},
-        {"adaptation, µs", [](const MethodFigures& m) { return figureText(m.adaptUsP50); }},
-        {"99 %", [](const MethodFigures& m) { return figureText(m.adaptUsP99); }},
-        {"worst", [](const MethodFigures& m) { return figureText(m.adaptUsMax); }},
+        {"adaptation, µs", [](const MethodFigures& m) { return orNone(adaptation(m, m.adaptUsP50)); }},
+        {"99 %", [](const MethodFigures& m) { return orNone(adaptation(m, m.adaptUsP99)); }},
+        {"worst", [](const MethodFigures& m) { return orNone(adaptation(m, m.adaptUsMax)); }},
         {"changed, %", [](const MethodFigures& m) { return figureText(m.changedPercent); }},
         {"pop, px", [](const MethodFigures& m) { return figureText(m.popPx); }},
         {"transforms a triangle", [](const MethodFigures& m) { return orNone(m.transformsPerTriangle); }},

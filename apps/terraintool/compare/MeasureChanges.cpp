@@ -36,7 +36,8 @@ std::pair<double, double> firstFrames(RivalMesh& mesh, const ComparedFlight& fli
     return {measurement::percentile(us, 0.5), vertices / static_cast<double>(us.size())};
 }
 
-/// The sample nearest to an eye well inside its picture; nothing: no sample lies there.
+} // namespace
+
 std::optional<GridPoint> sampleInSight(const PlacedTile& tile, const viewlod::ViewState& view)
 {
     constexpr double kMiddle = 0.85, kFarM = 1e30;
@@ -56,8 +57,6 @@ std::optional<GridPoint> sampleInSight(const PlacedTile& tile, const viewlod::Vi
         }
     return found;
 }
-
-} // namespace
 
 std::optional<MorphFigures> measureMorph(const Rival& rival, const ComparedFlight& flight, double tolerancePx)
 {

@@ -9,6 +9,10 @@
 namespace terraintool
 {
 
+/// The sample nearest to an eye well inside its picture; nothing: no sample lies there.
+std::optional<osgTerrainROAM::core::GridPoint> sampleInSight(const osgTerrainROAM::core::PlacedTile& tile,
+                                                             const viewlod::ViewState& view);
+
 /// Measures what morphing costs over the first frames of the flight; nothing: the method does not morph.
 std::optional<MorphFigures> measureMorph(const Rival& rival, const ComparedFlight& flight,
                                          double tolerancePx);

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <iostream>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -23,6 +24,7 @@
 #include "terraintool/compare/MeasureChanges.h"
 #include "terraintool/compare/MeasureSpike.h"
 #include "terraintool/compare/PaintMethods.h"
+#include "terraintool/compare/TinLeavesRival.h"
 #include "terraintool/compare/WorkFit.h"
 
 namespace terraintool
@@ -113,6 +115,7 @@ void fly(const Rival& rival, const RoamTile& tile, const ComparedFlight& flight,
     figures.changedPercent = mean(changed);
     figures.lightPercent = mean(lit);
     measureShape(*mesh, before, flight.views.back().frustum, figures);
+    figures.preparationS += mesh->preparationS();
     figures.memoryMB = 1e-6 * static_cast<double>(rival.sharedBytes + mesh->memoryBytes());
 }
 
@@ -176,6 +179,43 @@ SliceFigures flyInSlices(double tolerancePx, const Rival& rival, const RoamTile&
     return figures;
 }
 
+/// Adds rows whose preparation depends on the flight, and those of programs.
+void addFurtherRivals(Rivals& rivals, const ComparedFlight& flight,
+                      const std::vector<ExternalMethod>& external)
+{
+    constexpr double kShareOfError = 0.5; // of the compared error, where the flight is nearest to the ground
+    double tinErrorM = std::numeric_limits<double>::infinity();
+    for (std::size_t frame = 0; frame < flight.views.size(); ++frame)
+    {
+        if (!flight.isChecked(frame)) continue;
+        const viewlod::ViewState& view = flight.views[frame];
+        if (const auto place = sampleInSight(rivals.tile->tile, view))
+            tinErrorM =
+                std::min(tinErrorM, kShareOfError * flight.errorPx / view.pixelsPerTangent *
+                                        glm::distance(rivals.tile->tile.position(place->column, place->row),
+                                                      view.eyeWorld));
+    }
+    if (auto leaves = tinLeavesRival(rivals.tile, tinErrorM)) rivals.all.push_back(std::move(*leaves));
+    for (const ExternalMethod& method : external)
+        if (auto rival = externalRival(method, rivals.tile))
+            rivals.all.push_back(std::move(*rival));
+        else
+            std::cerr << "terraintool: no row of " << method.name << ": " << rival.error().message() << '\n';
+}
+
+/// Leaves out the rows of programs that have failed on the way.
+void leaveOutFailed(Rivals& rivals, std::vector<MethodFigures>& methods)
+{
+    for (std::size_t i = methods.size(); i-- > 0;)
+    {
+        const auto failure = rivals.all[i].failure ? rivals.all[i].failure() : std::nullopt;
+        if (!failure) continue;
+        std::cerr << "terraintool: no row of " << methods[i].name << ": " << failure->message() << '\n';
+        rivals.all.erase(rivals.all.begin() + static_cast<std::ptrdiff_t>(i));
+        methods.erase(methods.begin() + static_cast<std::ptrdiff_t>(i));
+    }
+}
+
 } // namespace
 
 MethodFigures measureRival(const Rival& rival, const RoamTile& tile, const ComparedFlight& flight)
@@ -183,6 +223,7 @@ MethodFigures measureRival(const Rival& rival, const RoamTile& tile, const Compa
     MethodFigures figures;
     figures.name = rival.name;
     figures.isOfBlocks = rival.isOfBlocks;
+    figures.adapts = rival.adapts;
     figures.preparationS = rival.preparationS;
     figures.parts = static_cast<double>(rival.parts);
     figures.sideSamples = tile.tile.field().columns;
@@ -191,14 +232,16 @@ MethodFigures measureRival(const Rival& rival, const RoamTile& tile, const Compa
     figures.adaptUsP50 = measurement::percentile(figures.frameUs, 0.5);
     figures.adaptUsP99 = measurement::percentile(figures.frameUs, 0.99);
     figures.adaptUsMax = measurement::percentile(figures.frameUs, 1.0);
+    if (!rival.adapts) figures.frameUs.clear();
     if (rival.stopsInTime) figures.slices = flyInSlices(figures.tolerancePx, rival, tile, flight);
     figures.morph = measureMorph(rival, flight, figures.tolerancePx);
-    figures.fit = measureWork(rival, flight, figures.tolerancePx);
+    if (rival.adapts) figures.fit = measureWork(rival, flight, figures.tolerancePx);
     return figures;
 }
 
 foundation::Result<DemComparison> compareOver(const HeightField& square, const FlightMaker& flightOver,
-                                              const Painting& painting)
+                                              const Painting& painting,
+                                              const std::vector<ExternalMethod>& external)
 {
     auto plain = prepareRivals(square);
     if (!plain) return plain.error();
@@ -206,8 +249,10 @@ foundation::Result<DemComparison> compareOver(const HeightField& square, const F
     if (!flight) return flight.error();
     DemComparison comparison;
     comparison.dem = square.name;
+    addFurtherRivals(*plain, *flight, external);
     for (const Rival& rival : plain->all)
         comparison.methods.push_back(measureRival(rival, *plain->tile, *flight));
+    leaveOutFailed(*plain, comparison.methods);
     const double ceiling = comparison.of("roam")->triangles;
     for (std::size_t i = 0; i < plain->all.size(); ++i)
     {

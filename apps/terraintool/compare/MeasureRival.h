@@ -9,6 +9,7 @@
 
 #include <viewlod/ViewState.h>
 
+#include "terraintool/compare/ExternalRival.h"
 #include "terraintool/compare/MeshPainter.h"
 #include "terraintool/compare/MethodFigures.h"
 #include "terraintool/compare/Rival.h"
@@ -51,10 +52,12 @@ struct Painting
     std::string stem{};             ///< begins the names of the files
 };
 
-/// Compares all methods over a square of samples. Errors: a method cannot draw it; a picture cannot be drawn or written.
+/// Compares all methods over a square of samples, and programs; of one that fails there is no row, and stderr says so.
+/// Errors: a method cannot draw it; a picture cannot be drawn or written.
 using FlightMaker =
     std::function<foundation::Result<ComparedFlight>(const osgTerrainROAM::core::PlacedTile&)>;
 foundation::Result<DemComparison> compareOver(const osgTerrainROAM::core::HeightField& square,
-                                              const FlightMaker& flightOver, const Painting& painting = {});
+                                              const FlightMaker& flightOver, const Painting& painting = {},
+                                              const std::vector<ExternalMethod>& external = {});
 
 } // namespace terraintool

@@ -71,7 +71,7 @@ foundation::Outcome measureSpike(const HeightField& square, const PlacedTile& ti
     if (!plain) return plain.error();
     if (!spiked) return spiked.error();
     const int step = tile.grid().cellSide();
-    for (std::size_t i = 0; i < methods.size(); ++i)
+    for (std::size_t i = 0; i < plain->all.size(); ++i)
     {
         const auto triangles = [&](const Rivals& rivals)
         {

@@ -46,6 +46,7 @@ struct MethodFigures
 {
     std::string name;
     bool isOfBlocks = false;
+    bool adapts = true;       ///< false: one mesh for all eyes
     double tolerancePx = 0.0; ///< the method's own, at which the true error was found
     double triangles = 0.0;   ///< mean of the frames
     double trueErrorPx = 0.0; ///< by brute force, largest of the checked frames
@@ -68,7 +69,7 @@ struct MethodFigures
     double preparationS = 0.0;
     double parts = 1.0;                      ///< of what is prepared, each whole without the others
     std::size_t breaks = 0;                  ///< T-junctions and cracks in the checked frames
-    double spikeTriangles = 0.0;             ///< that one raised sample adds
+    std::optional<double> spikeTriangles{};  ///< that one raised sample adds; absent: not measured
     double sideSamples = 0.0;                ///< of the square
     std::optional<CeilingFigures> ceiling{}; ///< absent: the method takes none
     std::optional<SliceFigures> slices{};    ///< absent: the method takes no limit of time

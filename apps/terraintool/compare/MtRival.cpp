@@ -91,13 +91,7 @@ public:
         return mesh;
     }
 
-    std::optional<LeafOrder> order() const override
-    {
-        const DrawnMesh mesh = drawn();
-        LeafOrderMeter meter(static_cast<std::uint32_t>(mesh.vertices.size()));
-        meter.draw(mesh.triangles);
-        return meter.result();
-    }
+    std::optional<LeafOrder> order() const override { return orderOf(drawn()); }
 
     /// A fragment comes or goes with some six triangles and one vertex.
     WrittenSlots written() const override { return {6 * _changed, _changed}; }

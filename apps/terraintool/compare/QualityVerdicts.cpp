@@ -59,7 +59,7 @@ double fewestTrianglesOf(const DemComparison& dem)
 
 std::optional<double> spikePerLevel(const MethodFigures& m, const DemComparison&)
 {
-    return m.spikeTriangles / std::log2(m.sideSamples);
+    return m.spikeTriangles ? std::optional(*m.spikeTriangles / std::log2(m.sideSamples)) : std::nullopt;
 }
 
 std::optional<double> ceilingMissed(const MethodFigures& m, const DemComparison&)

@@ -57,6 +57,9 @@ public:
 
     /// Without what the meshes of a tile share.
     virtual std::size_t memoryBytes() const = 0;
+
+    /// Processor time that this mesh has cost besides Rival::preparationS.
+    virtual double preparationS() const { return 0.0; }
 };
 
 /// One of the methods that are compared, prepared for a terrain.
@@ -65,6 +68,7 @@ struct Rival
     std::string name;
     bool isOfBlocks = false; ///< chooses the detail of whole blocks
     double fewestTriangles = 2.0;
+    bool adapts = true;       ///< to the eye; else its mesh depends on the tolerance alone
     bool keepsCeiling = true; ///< takes a number of triangles in advance
     bool stopsInTime = false; ///< takes a limit of time
     std::optional<osgTerrainROAM::core::Method>
@@ -74,6 +78,8 @@ struct Rival
     std::size_t sharedBytes = 0; ///< what all meshes share besides the tile
     std::size_t parts = 1;       ///< of what is prepared: those that are whole without the others
     std::function<std::unique_ptr<RivalMesh>()> newMesh;
+    std::function<std::optional<foundation::Error>()>
+        failure{}; ///< tells what has kept it from making a mesh; empty: nothing can
 };
 
 /// The terrain and all methods, then split multi-triangulations ("multi-triangulation") and ROAM from scratch ("scratch").

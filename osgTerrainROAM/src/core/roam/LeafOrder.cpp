@@ -121,6 +121,13 @@ LeafOrder orderOf(const TerrainMesh& mesh)
     return meter.result();
 }
 
+LeafOrder orderOf(const DrawnMesh& mesh)
+{
+    LeafOrderMeter meter(static_cast<std::uint32_t>(mesh.vertices.size()));
+    meter.draw(mesh.triangles);
+    return meter.result();
+}
+
 LeafOrder LeafOrderMeter::result() const
 {
     if (_triangles == 0) return {};

@@ -60,4 +60,7 @@ private:
 /// Measures a whole mesh as it is drawn, one call a range of slots.
 LeafOrder orderOf(const TerrainMesh& mesh);
 
+/// The same of triangles in the order in which they lie.
+LeafOrder orderOf(const DrawnMesh& mesh);
+
 } // namespace osgTerrainROAM::core
