@@ -5,11 +5,9 @@
 #include <string>
 
 #include <osg/Notify>
-#include <osgDB/FileNameUtils>
-#include <osgDB/FileUtils>
-#include <osgDB/Registry>
 
 #include <osgRoads/OpenNetwork>
+#include <osgTraversal/NodeReader>
 
 namespace
 {
@@ -17,8 +15,7 @@ namespace
 /// osgDB's way to road networks: osgviewer town.xodr shows the surface of its roads with their marks, without ground (for that:
 /// trainer tour town.xodr). Options, as words of the option string: "farthest=METRES" and "tolerance=PIXELS", the members of
 /// RoadViewSettings.
-/// Errors: ReadResult::message() is the Error's line, with file, place and remedy.
-class ReaderWriterXodr : public osgDB::ReaderWriter
+class ReaderWriterXodr : public osgTraversal::NodeReader
 {
 public:
     ReaderWriterXodr()
@@ -30,16 +27,9 @@ public:
 
     const char* className() const override { return "osgRoads reader"; }
 
-    ReadResult readObject(const std::string& name, const Options* options) const override
+protected:
+    ReadResult open(const std::string& file, const Options* options) const override
     {
-        return readNode(name, options);
-    }
-
-    ReadResult readNode(const std::string& name, const Options* options) const override
-    {
-        if (!acceptsExtension(osgDB::getLowerCaseFileExtension(name))) return ReadResult::FILE_NOT_HANDLED;
-        const std::string file = osgDB::findDataFile(name, options);
-        if (file.empty()) return ReadResult::FILE_NOT_FOUND;
         const auto settings = settingsOf(options);
         if (!settings) return ReadResult(settings.error().message());
         const auto node = osgRoads::openNetwork(file, *settings);

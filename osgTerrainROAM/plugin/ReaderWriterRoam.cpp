@@ -4,10 +4,10 @@
 
 #include <osgDB/FileNameUtils>
 #include <osgDB/FileUtils>
-#include <osgDB/Registry>
 
 #include <osgTerrainROAM/RoamTechnique>
 #include <osgTerrainROAM/RoamTerrain>
+#include <osgTraversal/NodeReader>
 
 namespace
 {
@@ -16,8 +16,7 @@ namespace
 /// the suffix is taken off and the rest opened as elevation raster: osgviewer dem.tif.roam, osgviewer
 /// /vsigzip/dem.hgt.gz.roam. What GDAL does not know and osgDB does is a database: its osgTerrain tiles, those of paged
 /// files as well, are drawn by RoamTechnique: osgviewer db.osgb.roam.
-/// Errors: ReadResult::message() is the Error's line, with file, place and remedy.
-class ReaderWriterRoam : public osgDB::ReaderWriter
+class ReaderWriterRoam : public osgTraversal::NodeReader
 {
 public:
     ReaderWriterRoam()
@@ -29,19 +28,24 @@ public:
 
     const char* className() const override { return "osgTerrainROAM reader"; }
 
-    ReadResult readObject(const std::string& name, const Options* options) const override
+protected:
+    ReadResult open(const std::string& name, const Options* options) const override
     {
-        return readNode(name, options);
-    }
-
-    ReadResult readNode(const std::string& name, const Options* options) const override
-    {
-        if (!acceptsExtension(osgDB::getLowerCaseFileExtension(name))) return ReadResult::FILE_NOT_HANDLED;
-        const std::filesystem::path file = fileToOpen(name, options);
+        const std::filesystem::path file = name;
         const auto terrain = osgTerrainROAM::openTerrain(file);
         if (!terrain && file.extension() == ".roam") return ReadResult(terrain.error().message());
         if (!terrain) return readDatabase(file.string(), options, terrain.error());
-        return ReadResult(terrain->get(), ReadResult::FILE_LOADED);
+        return resultOf(terrain);
+    }
+
+    /// osgDB's search path applies to plain names; it knows nothing of GDAL's /vsi names.
+    std::string fileToOpen(const std::string& name, const Options* options) const override
+    {
+        if (const std::string found = osgDB::findDataFile(name, options); !found.empty()) return found;
+        const std::string stripped = osgDB::getNameLessExtension(name);
+        if (stripped.starts_with("/vsi")) return stripped;
+        const std::string found = osgDB::findDataFile(stripped, options);
+        return found.empty() ? stripped : found;
     }
 
 private:
@@ -61,16 +65,6 @@ private:
         return ReadResult(
             foundation::Error{file, "has no osgTerrain tile and pages no file in", "open it without .roam"}
                 .message());
-    }
-
-    /// osgDB's search path applies to plain names; it knows nothing of GDAL's /vsi names.
-    static std::filesystem::path fileToOpen(const std::string& name, const Options* options)
-    {
-        if (const std::string found = osgDB::findDataFile(name, options); !found.empty()) return found;
-        const std::string stripped = osgDB::getNameLessExtension(name);
-        if (stripped.starts_with("/vsi")) return stripped;
-        const std::string found = osgDB::findDataFile(stripped, options);
-        return found.empty() ? stripped : found;
     }
 };
 

@@ -18,27 +18,22 @@ core::FollowTarget MtViewTable::targetOf(const Groups::Group& group)
     return {group.eye, allowed.perDistance, allowed.nearest};
 }
 
-MtAnswer MtViewTable::answer(const MtRequest& request, bool waits)
+MtAnswer MtViewTable::answer(const osgTraversal::EyeRequest& request, bool waits)
 {
     const auto began = std::chrono::steady_clock::now();
     const std::lock_guard lock(_mutex);
-    _groups.dropUnused(request.frame, [this](const Detail& detail) { _follower->removeView(detail.view); });
-    if (request.mainCamera)
-        if (const auto* main = _groups.groupOf(request.mainCamera); main && main->detail.surface)
-            return {main->detail.surface, main->detail.buffers};
-    Groups::Group& group =
-        _groups.groupFor(request.camera, request.frame, request.eye,
-                         [this] {
-                             return Detail{_follower->addView(), nullptr, std::make_shared<MtBuffers>()};
-                         });
-    Detail& detail = group.detail;
-    const bool isFirst = group.frame != request.frame || !detail.surface || group.hasMoved;
-    group.hasMoved = false;
-    const core::FollowTarget before = isFirst ? core::FollowTarget() : targetOf(group);
-    _groups.join(group, request.camera, request.frame, request.allowed);
-    const core::FollowTarget target = targetOf(group);
-    if (isFirst || (waits && target != before))
+    const auto asked = _groups.ask(
+        request,
+        [this] {
+            return Detail{_follower->addView(), nullptr, std::make_shared<MtBuffers>()};
+        },
+        [this](const Detail& left) { _follower->removeView(left.view); },
+        [](const Detail& given) { return given.surface != nullptr; });
+    Detail& detail = asked.group.detail;
+    if (asked.isOfMain) return {detail.surface, detail.buffers};
+    if (asked.isFirst || (waits && asked.isChanged))
     {
+        const core::FollowTarget target = targetOf(asked.group);
         auto newest = waits ? _follower->settle(detail.view, target) : _follower->follow(detail.view, target);
         if (newest) detail.surface = std::move(newest);
         if (!detail.surface) detail.surface = _follower->coarsest();

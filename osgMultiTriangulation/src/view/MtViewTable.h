@@ -15,17 +15,6 @@
 namespace osgMultiTriangulation
 {
 
-/// The request of one camera in one frame.
-struct MtRequest
-{
-    osg::Camera* camera = nullptr;
-    const osg::Camera* mainCamera =
-        nullptr; ///< whose surface a shadow or reflection camera uses, once there is one
-    unsigned int frame = 0;
-    glm::dvec3 eye{0.0};
-    osgTraversal::AllowedError allowed;
-};
-
 /// What a camera draws in one frame.
 struct MtAnswer
 {
@@ -46,7 +35,7 @@ public:
     ~MtViewTable();
 
     /// Returns the surface of the camera's group, which is the same for all its cameras in one frame.
-    MtAnswer answer(const MtRequest& request, bool waits);
+    MtAnswer answer(const osgTraversal::EyeRequest& request, bool waits);
 
     /// The surface that was answered last; null: none yet.
     std::shared_ptr<const core::DrawnSurface> latest() const;

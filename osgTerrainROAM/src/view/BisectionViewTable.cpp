@@ -75,28 +75,19 @@ osg::ref_ptr<osg::Geometry> geometryOf(const core::BisectionMesh& mesh)
     return geometry;
 }
 
-osg::ref_ptr<osg::Geometry> BisectionViewTable::answer(const BisectionRequest& request)
+osg::ref_ptr<osg::Geometry> BisectionViewTable::answer(const osgTraversal::EyeRequest& request)
 {
     const std::lock_guard lock(_mutex);
-    _groups.dropUnused(request.frame, [](const Detail&) {});
-    if (request.mainCamera)
-        if (const auto* main = _groups.groupOf(request.mainCamera); main && main->detail.geometry)
-            return main->detail.geometry;
-    auto& group = _groups.groupFor(
-        request.camera, request.frame, request.eye,
-        [this]
-        {
-            const std::shared_ptr<const core::BisectionBounds> bounds(std::shared_ptr<void>(),
-                                                                      &_model.bounds);
-            return Detail{std::make_unique<core::BisectionMesh>(_model.surface, _model.patches, bounds),
-                          nullptr};
-        });
-    const bool isFirst = group.frame != request.frame || !group.detail.geometry || group.hasMoved;
-    group.hasMoved = false;
-    const osgTraversal::AllowedError before = isFirst ? osgTraversal::AllowedError() : group.strictest();
-    _groups.join(group, request.camera, request.frame, request.allowed);
-    if (isFirst || group.strictest() != before) refine(group);
-    return _latest = group.detail.geometry;
+    const auto newDetail = [this]
+    {
+        const std::shared_ptr<const core::BisectionBounds> bounds(std::shared_ptr<void>(), &_model.bounds);
+        return Detail{std::make_unique<core::BisectionMesh>(_model.surface, _model.patches, bounds), nullptr};
+    };
+    const auto asked = _groups.ask(
+        request, newDetail, [](const Detail&) {}, [](const Detail& given) { return given.geometry.valid(); });
+    if (asked.isOfMain) return asked.group.detail.geometry;
+    if (asked.isChanged) refine(asked.group);
+    return _latest = asked.group.detail.geometry;
 }
 
 void BisectionViewTable::refine(osgTraversal::EyeGroups<Detail>::Group& group)

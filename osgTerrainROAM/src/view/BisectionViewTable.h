@@ -15,17 +15,6 @@
 namespace osgTerrainROAM
 {
 
-/// The request of one camera in one frame.
-struct BisectionRequest
-{
-    osg::Camera* camera = nullptr;
-    const osg::Camera* mainCamera =
-        nullptr; ///< whose mesh a shadow or reflection camera uses, once there is one
-    unsigned int frame = 0;
-    glm::dvec3 eye{0.0};
-    osgTraversal::AllowedError allowed;
-};
-
 /// The view groups of one drawable. Threads: any; one at a time.
 class BisectionViewTable
 {
@@ -34,7 +23,7 @@ public:
     BisectionViewTable(const core::BisectionModel& model, double reach) : _model(model), _groups(reach) {}
 
     /// Returns what the camera's group draws, which is the same for all its cameras in one frame.
-    osg::ref_ptr<osg::Geometry> answer(const BisectionRequest& request);
+    osg::ref_ptr<osg::Geometry> answer(const osgTraversal::EyeRequest& request);
 
     /// What was answered last; null: nothing yet.
     osg::ref_ptr<osg::Geometry> latest() const;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
 #include <set>
 #include <vector>
 
@@ -8,6 +9,9 @@
 
 #include <osgTerrainROAM/core/roam/DrawnMeshCheck.h>
 #include <osgTerrainROAM/core/roam/TerrainMesh.h>
+
+#include "SyntheticField.h"
+#include "measurement/flights/BenchmarkFlight.h"
 
 namespace testsupport
 {
@@ -23,6 +27,23 @@ inline testing::AssertionResult isSound(const osgTerrainROAM::core::TerrainMesh&
                << report.tJunctions << " T-junctions, " << report.cracks << " cracks, " << report.maxErrorPx
                << " px where " << tolerancePx << " are allowed";
     return testing::AssertionSuccess() << report.maxErrorPx << " px";
+}
+
+/// Checks that a method holds its tolerance in each frame of a flight over hills on the round Earth.
+template<class Prepare>
+void expectSoundOnTheRoundEarth(const Prepare& prepare)
+{
+    using namespace osgTerrainROAM::core;
+    const auto tile =
+        std::make_shared<const RoamTile>(PlacedTile(onTheEarth(hills(100, 75, 90.0)), Placement::curved));
+    const auto prepared = prepare(tile);
+    const auto mesh = prepared.newMesh();
+    for (int frame = 0; frame < 120; frame += 8)
+    {
+        const auto view = measurement::BenchmarkFlight{}.view(tile->tile, frame);
+        mesh->refine(view, {.errorTolerancePx = 1.0});
+        ASSERT_TRUE(isSound(*mesh, view, 1.0)) << frame;
+    }
 }
 
 /// The mesh as a set of triangles by places and positions, whatever slots they have.

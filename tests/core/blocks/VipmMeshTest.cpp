@@ -72,15 +72,7 @@ TEST(VipmMesh, DrawsRastersOfAnySize)
 
 TEST(VipmMesh, KeepsTheBoundOnTheRoundEarthToo)
 {
-    const auto tile = std::make_shared<const RoamTile>(
-        PlacedTile(testsupport::onTheEarth(testsupport::hills(100, 75, 90.0)), Placement::curved));
-    const auto mesh = PreparedVipm(tile).newMesh();
-    for (int frame = 0; frame < 120; frame += 8)
-    {
-        const auto view = viewOver(*tile, frame);
-        mesh->refine(view, {.errorTolerancePx = 1.0});
-        ASSERT_TRUE(isSound(*mesh, view, 1.0)) << frame;
-    }
+    testsupport::expectSoundOnTheRoundEarth([](const auto& tile) { return PreparedVipm(tile); });
 }
 
 TEST(VipmMesh, ErrorsTooSmallAndBordersNotLockedAreFound)

@@ -184,15 +184,7 @@ TEST(VipmOverlap, DrawsRastersOfAnySize)
 
 TEST(VipmOverlap, KeepsTheBoundOnTheRoundEarthToo)
 {
-    const auto tile = std::make_shared<const RoamTile>(
-        PlacedTile(testsupport::onTheEarth(testsupport::hills(100, 75, 90.0)), Placement::curved));
-    const auto mesh = overlapping(tile).newMesh();
-    for (int frame = 0; frame < 120; frame += 8)
-    {
-        const auto view = viewAt(*tile, frame);
-        mesh->refine(view, {.errorTolerancePx = 1.0});
-        ASSERT_TRUE(isSound(*mesh, view, 1.0)) << frame;
-    }
+    testsupport::expectSoundOnTheRoundEarth(overlapping);
 }
 
 TEST(VipmOverlap, OnTheRoundEarthBlocksComeDownToAsFewTriangles)
