@@ -79,7 +79,7 @@ float cliffGrain(inout Grain g, vec3 place, vec2 tilt, float steep, out vec3 alo
     vec2 size = abs(tilt);
     along = size.x > size.y ? vec3(0.0, 1.0, 0.0) : vec3(1.0, 0.0, 0.0);
     if (min(size.x, size.y) > 0.414 * max(size.x, size.y)) along = vec3(0.6875, tilt.x * tilt.y > 0.0 ? -0.6875 : 0.6875, 0.0);
-    float share = smoothstep(0.26, 0.36, steep);
+    float share = smoothstep(0.30, 0.45, steep);
     vec2 on = onGround(place, along, true);
     vec2 alongX = onGround(dFdx(place), along, true), alongY = onGround(dFdy(place), along, true);
     // No branch: software drawing leaves out a loop that no pixel of a group enters.

@@ -10,5 +10,8 @@ void main()
     const vec3 kUp = vec3(0.0, 0.0, 1.0);
     float sunlit = max(sunDirection().z, 0.0) * sunShare(fromEye, kUp, 1.0);
     float hidden = maskAt.x * (1.0 - smoothstep(0.6 * skyShadeReachM, skyShadeReachM, length(fromEye)));
-    gl_FragColor = vec4(darkening(lightOn(kUp, sunlit, 1.0), lightOn(kUp, sunlit, 1.0 - hidden), fromEye), 1.0);
+    // Grey: what hides the blue of the sky sends light of its own colour down, and snow must not turn brown.
+    vec3 before = lightOn(kUp, sunlit, 1.0);
+    float left = lightOn(kUp, sunlit, 1.0 - hidden).g / max(before.g, 1e-6);
+    gl_FragColor = vec4(darkening(before, before * left, fromEye), 1.0);
 }
