@@ -130,6 +130,32 @@ TEST(DrawnMeshCheck, TakesTrianglesOfAnyShape)
     EXPECT_GT(open.cracks, 0u);
 }
 
+TEST(DrawnMeshCheck, AVertexThatBeginsToMoveTurnsATriangleOverOnlyBeyondRounding)
+{
+    // A fan whose middle begins at a corner: two triangles have no extent yet, but for rounding.
+    const auto tile = testsupport::planarTile(testsupport::hills(17, 17));
+    const double cellM = tile->tile.field().spacingEastM;
+    const auto cracksWhenOff = [&](double offCells)
+    {
+        DrawnMesh mesh;
+        mesh.isMorphed = true;
+        mesh.stepM = 1e-6 * cellM;
+        for (const GridPoint p : {GridPoint{5, 9}, {0, 0}, {16, 0}, {16, 16}, {0, 16}})
+        {
+            mesh.grid.push_back(p);
+            mesh.vertices.push_back(meshVertex(tile->tile.position(p.column, p.row), p, mesh.stepM));
+        }
+        mesh.vertices[0] = meshVertex(tile->tile.position(0, 0) - glm::dvec3(0.0, offCells * cellM, 0.0),
+                                      mesh.grid[0], mesh.stepM);
+        for (std::uint32_t i = 1; i <= 4; ++i)
+            mesh.triangles.push_back({{0, i, i % 4 + 1}});
+        return checkDrawnMesh(*tile, mesh, nullptr).cracks;
+    };
+    EXPECT_EQ(cracksWhenOff(0.0), 0u);
+    EXPECT_EQ(cracksWhenOff(2e-5), 0u) << "16 cells long: -3e-4 cells of area";
+    EXPECT_GT(cracksWhenOff(0.05), 0u);
+}
+
 TEST(DrawnMeshCheck, SeesATJunction)
 {
     Drawn drawn(33, 33);

@@ -124,7 +124,7 @@ private:
     void visit(const DrawnMesh& mesh, const LeafTriangle& t, const MovedTriangle& moved)
     {
         const PlacedTile& placed = _tile.tile;
-        if (moved.doubleArea() < -MovedTriangle::kRounding) ++_turnedOver;
+        if (moved.isTurnedOver()) ++_turnedOver;
         if (moved.doubleArea() <= MovedTriangle::kRounding) return;
         const glm::dvec3 a = mesh.position(t.vertices[0]), du = mesh.position(t.vertices[1]) - a,
                          dw = mesh.position(t.vertices[2]) - a;

@@ -26,6 +26,15 @@ struct MovedTriangle
         return u.x * w.y - u.y * w.x;
     }
 
+    /// Whether a corner lies beyond the opposite side by more than vertices are rounded: one that has just begun to move lies on it.
+    bool isTurnedOver() const
+    {
+        const double longest =
+            std::max({glm::distance(corners[0], corners[1]), glm::distance(corners[1], corners[2]),
+                      glm::distance(corners[2], corners[0])});
+        return doubleArea() < -kRounding * std::max(longest, 1.0);
+    }
+
     /// Calls visit(column, row, u, w) for the samples of the raster in it: a sample lies at c0 + u (c1 - c0) + w (c2 - c0).
     /// Precondition: doubleArea() > kRounding.
     template<class Visit>
