@@ -101,6 +101,7 @@ foundation::Outcome PlaySession::openPictures(const ViewSetup& setup)
     }
     _viewer = makeViewer(_play.scene->root());
     _rig = std::make_unique<ChannelRig>(*_viewer, setup, _contexts);
+    _rig->setDrawnSide(rulesOf(_request.frames.quality).drawnSide);
     if (_request.frames.showsInterior(false)) _interior = SceneInterior::create(_play, *_viewer, *_rig);
     keepCameraTimings(*_viewer);
     // Patches and samples between those of the raster, as roads have them, exclude each other.

@@ -12,6 +12,7 @@
 #include <osgRoads/RoadDrawable>
 #include <osgRoads/RoadShader>
 #include <osgTraversal/CullFacts>
+#include <osgTraversal/DrawOrder>
 
 #include "view/GrainTexture.h"
 #include "view/RoadPart.h"
@@ -24,9 +25,6 @@ namespace
 {
 
 using namespace osgTraversal;
-
-constexpr int kFadingBin = 3; ///< after the ground and what surrounds it
-constexpr int kNearBin = -1;  ///< before the ground, so that no pixel of it is shaded below a road
 
 viewlod::ViewState viewOf(osgUtil::CullVisitor& visitor)
 {
@@ -48,18 +46,17 @@ void setState(osg::StateSet& state, const core::RoadMesh& mesh)
     state.addUniform(new osg::Uniform("roadDecals", kDecalsUnit));
 }
 
-osg::ref_ptr<osg::StateSet> fadingState()
+osg::ref_ptr<osg::StateSet> binState(int bin)
 {
     osg::ref_ptr<osg::StateSet> state = new osg::StateSet;
-    state->setAttributeAndModes(new osg::BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA));
-    state->setRenderBinDetails(kFadingBin, "RenderBin");
+    state->setRenderBinDetails(bin, "RenderBin");
     return state;
 }
 
-osg::ref_ptr<osg::StateSet> nearState()
+osg::ref_ptr<osg::StateSet> fadingState()
 {
-    osg::ref_ptr<osg::StateSet> state = new osg::StateSet;
-    state->setRenderBinDetails(kNearBin, "RenderBin");
+    osg::ref_ptr<osg::StateSet> state = binState(DrawOrder::kFadingRoads);
+    state->setAttributeAndModes(new osg::BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA));
     return state;
 }
 
@@ -148,22 +145,24 @@ void RoadDrawable::cull(osgUtil::CullVisitor& visitor)
             new RoadPart(_buffers, std::move(ranges), _settings, view.pixelsPerTangent, box);
         visitor.addDrawableAndDepth(part.get(), &matrix, 0.0F);
     };
-    const auto addAll = [&](const std::vector<core::ChunkChoice>& chosen, osg::StateSet* state)
+    const auto addAll =
+        [&](const std::vector<core::ChunkChoice>& chosen, osg::StateSet* paved, osg::StateSet* verges)
     {
-        visitor.pushStateSet(state);
+        visitor.pushStateSet(paved);
         add(chosen, _groundState ? RoadStrips::paved : RoadStrips::all);
-        if (_groundState)
-        {
-            visitor.pushStateSet(_groundState.get());
-            add(chosen, RoadStrips::ground);
-            visitor.popStateSet();
-        }
+        visitor.popStateSet();
+        if (!_groundState) return;
+        visitor.pushStateSet(verges);
+        visitor.pushStateSet(_groundState.get());
+        add(chosen, RoadStrips::ground);
+        visitor.popStateSet();
         visitor.popStateSet();
     };
-    static const osg::ref_ptr<osg::StateSet> kNear = nearState(), kFading = fadingState();
+    static const osg::ref_ptr<osg::StateSet> kPaved = binState(DrawOrder::kPavedRoads),
+                                             kVerges = binState(DrawOrder::kVerges), kFading = fadingState();
     visitor.pushStateSet(getStateSet());
-    addAll(choices, kNear.get());
-    addAll(fading, kFading.get());
+    addAll(choices, kPaved.get(), kVerges.get());
+    addAll(fading, kFading.get(), kFading.get());
     visitor.popStateSet();
 }
 

@@ -8,6 +8,7 @@
 #include <osgTerrainROAM/core/cover/GroundMakeup.h>
 
 #include <osgTerrainROAM/TerrainMaterial>
+#include <osgTraversal/DrawOrder>
 
 #include "material/CoverTexture.h"
 #include "material/DetailImages.h"
@@ -92,8 +93,7 @@ TerrainMaterial::TerrainMaterial(const core::PlacedTile& tile, const Climate& cl
     if (tile.grid().exponent() > 0)
         _fineNormals = std::make_unique<FineNormals>(tile, *_stateSet, fineIndex, fineNormals);
     setProgram();
-    // After what stands on it, which hides much of it: its pixels are the dearest.
-    _stateSet->setRenderBinDetails(1, "RenderBin");
+    _stateSet->setRenderBinDetails(osgTraversal::DrawOrder::kGround, "RenderBin");
     // The ground has no underside, and a far slope must not win against the near one in the depth buffer's last step.
     _stateSet->setMode(GL_CULL_FACE, osg::StateAttribute::ON);
 }

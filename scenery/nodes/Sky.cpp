@@ -9,6 +9,7 @@
 #include <osg/Program>
 
 #include <osgTerrainROAM/Atmosphere>
+#include <osgTraversal/DrawOrder>
 #include <shaders/scenery.h>
 
 #include "scenery/nodes/NoBound.h"
@@ -18,9 +19,6 @@ namespace scenery
 
 namespace
 {
-
-/// After the opaque bin (0), so that hidden sky costs nothing; before transparent things (10).
-constexpr int kSkyBin = 5;
 
 osg::ref_ptr<osg::Geometry> wholePicture()
 {
@@ -56,7 +54,7 @@ osg::ref_ptr<osg::Node> makeSky()
     state->setAttributeAndModes(program);
     state->setAttributeAndModes(new osg::Depth(osg::Depth::LEQUAL, 1.0, 1.0, false));
     state->setMode(GL_CULL_FACE, osg::StateAttribute::OFF);
-    state->setRenderBinDetails(kSkyBin, "RenderBin");
+    state->setRenderBinDetails(osgTraversal::DrawOrder::kSky, "RenderBin");
     return sky;
 }
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "view/ChannelRig.h"
 
+#include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <utility>
 
 namespace trainer
@@ -13,6 +15,12 @@ namespace
 osg::Matrixd toOsg(const glm::dmat4& matrix)
 {
     return osg::Matrixd(&matrix[0][0]); // both keep the translation in the last four
+}
+
+PicturePlace placeOf(const Channel& channel, int leftPx, double drawnSide)
+{
+    const auto drawn = [=](int px) { return std::max(static_cast<int>(std::lround(drawnSide * px)), 1); };
+    return {leftPx, drawn(channel.widthPx), drawn(channel.heightPx), channel.widthPx, channel.heightPx};
 }
 
 } // namespace
@@ -36,9 +44,11 @@ ChannelRig::ChannelRig(osgViewer::View& view, ViewSetup setup,
         camera->setProjectionResizePolicy(osg::Camera::FIXED);
         _cameras.push_back(camera);
     }
-    shape();
     for (const auto& camera : _cameras)
         view.addSlave(camera, true);
+    for (const auto& camera : _cameras)
+        _enlarged.emplace_back(view, *camera);
+    shape();
 }
 
 void ChannelRig::shape()
@@ -50,7 +60,9 @@ void ChannelRig::shape()
     for (std::size_t i = 0; i < _cameras.size(); ++i)
     {
         const Channel& channel = _setup.channels[i];
-        _cameras[i]->setViewport(isTiled ? leftPx : 0, 0, channel.widthPx, channel.heightPx);
+        const PicturePlace place = placeOf(channel, isTiled ? leftPx : 0, _drawnSide);
+        _cameras[i]->setViewport(place.leftPx, 0, place.drawnWidthPx, place.drawnHeightPx);
+        _enlarged[i].fit(place);
         _cameras[i]->setProjectionMatrix(toOsg(channelProjection(channel, _setup.nearM, _setup.farM)));
         leftPx += channel.widthPx;
     }
@@ -60,6 +72,13 @@ void ChannelRig::reshape(ViewSetup setup)
 {
     assert(setup.channels.size() == _cameras.size());
     _setup = std::move(setup);
+    shape();
+}
+
+void ChannelRig::setDrawnSide(double share)
+{
+    if (share == _drawnSide) return;
+    _drawnSide = share;
     shape();
 }
 

@@ -7,6 +7,7 @@
 #include <osgViewer/View>
 
 #include "view/Channel.h"
+#include "view/EnlargedPicture.h"
 
 namespace trainer
 {
@@ -28,6 +29,9 @@ public:
     /// Takes other sizes, frustums, near and far planes of the same channels, for a window that has changed.
     void reshape(ViewSetup setup);
 
+    /// Draws a share of the pixels along each side, above 0 and at most 1; EnlargedPicture spreads them over the whole picture.
+    void setDrawnSide(double share);
+
     const ViewSetup& setup() const { return _setup; }
     const std::vector<osg::ref_ptr<osg::Camera>>& cameras() const { return _cameras; }
 
@@ -37,6 +41,8 @@ private:
     osg::ref_ptr<osg::Camera> _master;
     ViewSetup _setup;
     std::vector<osg::ref_ptr<osg::Camera>> _cameras;
+    std::vector<EnlargedPicture> _enlarged; ///< one for each camera
+    double _drawnSide = 1.0;
 };
 
 } // namespace trainer

@@ -138,7 +138,7 @@ void InteriorView::update(const scenery::Pose& vehicle, const scenery::Pose& eye
                      projection = channelProjection(channel, kNearM, kFarM);
     for (osg::Camera* const camera : {_camera.get(), _disc.get()})
     {
-        camera->setViewport(0, 0, channel.widthPx, channel.heightPx);
+        camera->setViewport(new osg::Viewport(*_picture->getViewport()));
         camera->setViewMatrix(matrixOf(view));
         camera->setProjectionMatrix(matrixOf(projection));
     }

@@ -20,12 +20,13 @@ enum class Quality : std::uint8_t
 /// What a quality leaves out. docs/reference/quality.md tells people the same.
 struct QualityRules
 {
-    double tolerancePx; ///< of terrain, roads and single objects, where none was asked for
-    double budgetShare; ///< of the triangles that a scenery file allows
-    int coverReaches;   ///< of what grows around the eye: how many of scenery::kCoverReachesM
-    bool hasSkyShade;   ///< whether ground below trees, vehicles and walls gets less light of the sky
-    const char* define; ///< of the shaders, for cheaper ones; null: none
-    osgTerrainROAM::SunShadowSettings shadows;
+    double tolerancePx = 1.0; ///< of terrain, roads and single objects, where none was asked for
+    double budgetShare = 1.0; ///< of the triangles that a scenery file allows
+    int coverReaches = 3;     ///< of what grows around the eye: how many of scenery::kCoverReachesM
+    bool hasSkyShade = true;  ///< whether ground below trees, vehicles and walls gets less light of the sky
+    double drawnSide = 1.0;   ///< share of the pixels along each side that are drawn (EnlargedPicture)
+    const char* define = nullptr; ///< of the shaders, for cheaper ones; null: none
+    osgTerrainROAM::SunShadowSettings shadows{.movingMaps = 3};
 };
 
 inline QualityRules rulesOf(Quality quality)
@@ -33,15 +34,25 @@ inline QualityRules rulesOf(Quality quality)
     switch (quality)
     {
     case Quality::low:
-        return {4.0, 0.2, 0, false, "PICTURE_LOW", {{15.0, 60.0, 240.0, 2000.0}, 512, 0.125, 1, false}};
+        return {.tolerancePx = 4.0,
+                .budgetShare = 0.2,
+                .coverReaches = 0,
+                .hasSkyShade = false,
+                .drawnSide = 0.75,
+                .define = "PICTURE_LOW",
+                .shadows = {{15.0, 60.0, 240.0, 2000.0}, 512, 0.125, 1, false}};
     case Quality::medium:
-        return {2.0, 0.4, 1, true, "PICTURE_MEDIUM", {{40.0, 120.0, 480.0, 5000.0}, 1024, 0.125, 1, false}};
+        return {.tolerancePx = 2.0,
+                .budgetShare = 0.4,
+                .coverReaches = 1,
+                .define = "PICTURE_MEDIUM",
+                .shadows = {{40.0, 120.0, 480.0, 5000.0}, 1024, 0.125, 1, false}};
     case Quality::reference:
-        return {0.1, 40.0, 3, true, nullptr, {{20.0, 90.0, 400.0, 5000.0}, 4096}};
+        return {.tolerancePx = 0.1, .budgetShare = 40.0, .shadows = {{20.0, 90.0, 400.0, 5000.0}, 4096}};
     case Quality::high:
         break;
     }
-    return {1.0, 1.0, 3, true, nullptr, {.movingMaps = 3}};
+    return {};
 }
 
 } // namespace trainer

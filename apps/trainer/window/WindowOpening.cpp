@@ -98,6 +98,7 @@ foundation::Outcome WindowSession::openPictures()
     const osg::GraphicsContext::Traits& traits = *_window->getTraits();
     _rig = std::make_unique<ChannelRig>(*_viewer, singleChannel(traits.width, traits.height),
                                         std::vector<osg::ref_ptr<osg::GraphicsContext>>{_window});
+    _rig->setDrawnSide(rulesOf(_request.frames.quality).drawnSide);
     if (_ride.motion)
     {
         _hud = std::make_unique<Hud>(hudLayoutOf(_ride.motion->vehicle().vehicle(), _request.window.units));

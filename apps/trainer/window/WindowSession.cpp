@@ -122,7 +122,11 @@ void WindowSession::measurePicture(std::chrono::steady_clock::time_point begun, 
     if (_request.window.pictureS > 0.0 || _isHidden) return;
     const Quality before = _quality.quality();
     if (!_quality.add(_times.lastMs())) return;
-    if (_quality.quality() != before) setQuality(_play, _quality.quality());
+    if (_quality.quality() != before)
+    {
+        setQuality(_play, _quality.quality());
+        _rig->setDrawnSide(rulesOf(_quality.quality()).drawnSide);
+    }
     setTolerance(_play.terrain, _quality.tolerancePx());
 }
 

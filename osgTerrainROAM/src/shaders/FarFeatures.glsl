@@ -13,12 +13,17 @@ void addFarFeatures(inout Paint paint, vec2 place, vec2 alongX, vec2 alongY)
     bool wide = dot(alongX, alongX) > dot(alongY, alongY);
     vec2 scale = featureMapScale(farFeatureGrid, farFeatureCellM);
     vec2 at = featureMapPlace(place, farFeatureGrid, farFeatureCellM);
-    vec2 part = 0.25 * scale * (wide ? alongX : alongY), shorter = scale * (wide ? alongY : alongX);
-    bool isPainted = length(fromEye) >= farFeatureNearestM && all(lessThan(abs(at - 0.5), 0.5 + 2.0 * abs(part)));
+#ifdef PICTURE_LOW
+    const int kParts = 1;
+#else
+    const int kParts = 4;
+#endif
+    vec2 part = scale * (wide ? alongX : alongY) / float(kParts), shorter = scale * (wide ? alongY : alongX);
+    bool isPainted = length(fromEye) >= farFeatureNearestM && all(lessThan(abs(at - 0.5), 0.5 + 0.5 * float(kParts) * abs(part)));
     vec4 beds = vec4(0.0);
     // No branch: software drawing leaves out a loop that no pixel of a group enters.
-    for (int i = isPainted ? 0 : 4; i < 4; ++i)
-        beds += 0.25 * textureGrad(farFeatureBeds, at + part * (float(i) - 1.5), part, shorter);
+    for (int i = isPainted ? 0 : kParts; i < kParts; ++i)
+        beds += textureGrad(farFeatureBeds, at + part * (float(i) - 0.5 * float(kParts - 1)), part, shorter) / float(kParts);
     paint.beds = max(paint.beds, beds);
     paint.marks = max(paint.marks, marksOfBeds(beds));
 }

@@ -9,7 +9,7 @@ vec2 rowsOf(vec4 head, vec4 rows, vec2 at, Footprint f)
     float wide = widthAlong(f, across), far = widthAlong(f, rows.xy);
     float shade = 1.0 + 0.5 * (head.w / 63.0 - 0.5);
     // From afar the mean counts.
-    if (wide > 12.0) return vec2(head.z < 0.5 ? 0.14 : head.z < 1.5 ? 0.44 : head.z < 2.5 ? 0.0 : 0.51, shade);
+    if (wide > 12.0) return vec2(kMeanSoil[int(head.z)], shade);
     // Tracks of the sprayer's wheels, every 24 m.
     float tracks = coveredDashes(x, wide, 24.0, 0.45) + coveredDashes(x - 1.8, wide, 24.0, 0.45);
     shade *= 1.0 + 0.08 * (coveredDashes(x, wide, 6.0, 3.0) - 0.5);
@@ -38,20 +38,18 @@ vec2 furrowsOf(vec4 head, vec4 rows, vec2 at, Footprint f)
 void paintArea(inout Paint paint, vec4 head, vec4 rows, float signedEdge, float width, vec2 at, Footprint f)
 {
     float share = clamp(0.5 + signedEdge / width, 0.0, 1.0);
-    if (share <= 0.0) return;
-    if (head.y < 0.5)
+    bool isField = head.y < 0.5;
+    // No branch: software drawing leaves out a loop that no pixel of a group enters.
+    for (int i = isField && share > 0.0 ? 0 : 1; i < 1; ++i)
     {
         paint.crops *= 1.0 - share;
         paint.crops[int(head.z)] += share;
         paint.rows = mix(paint.rows, rowsOf(head, rows, at, f), share);
         paint.slope = mix(paint.slope, furrowsOf(head, rows, at, f), share);
     }
-    else if (head.y < 1.5)
-        paint.beds.x = max(paint.beds.x, share);
-    else if (head.y < 2.5)
-        paint.beds.y = max(paint.beds.y, share);
-    else
-        paint.beds.w = max(paint.beds.w, share);
+    if (isField) return;
+    vec3 kinds = vec3(lessThan(abs(vec3(head.y) - vec3(1.0, 2.0, 3.0)), vec3(0.5)));
+    paint.beds.xyw = max(paint.beds.xyw, share * kinds);
 }
 
 // Tests inside and outside with a ray to the east (even-odd rule), and filters the nearest edge along its normal.

@@ -34,5 +34,7 @@ Paint paintOfMaps(vec2 place, Footprint f)
     vec2 part = 0.25 * f.x * scale, shorter = f.y * scale;
     vec4 beds = textureGrad(featureFarBeds, at, part, shorter);
     if (featureRunwayCount > 0) beds.w = runwayShare(at / scale, f);
-    return Paint(textureGrad(featureFarCrops, at, part, shorter), beds, marksOfBeds(beds), vec2(0.12, 1.0), vec2(0.0));
+    vec4 crops = textureGrad(featureFarCrops, at, part, shorter);
+    float soil = dot(crops, kMeanSoil) / max(dot(crops, vec4(1.0)), 1e-3);
+    return Paint(crops, beds, marksOfBeds(beds), vec2(soil, 1.0), vec2(0.0));
 }

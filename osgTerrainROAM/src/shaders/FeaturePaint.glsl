@@ -2,6 +2,18 @@
 // Finds the features under a pixel: Paint listedPaint(vec2 place, vec2 alongX, vec2 alongY). `place`: the wrapped position, metres; the
 // others: its derivatives. Near features come from cells, far ones from mip-mapped maps of shares.
 
+#ifdef PICTURE_LOW
+// From the maps alone. Where a texel is wider than a pixel the blended shares of crops are made steeper, so that fields have an edge.
+Paint listedPaint(vec2 place, vec2 alongX, vec2 alongY)
+{
+    bool wide = dot(alongX, alongX) > dot(alongY, alongY);
+    vec2 longer = wide ? alongX : alongY;
+    Paint paint = paintOfMaps(place, Footprint(longer, wide ? alongY : alongX));
+    float blur = clamp(length(longer) / featureFarTexelM, 0.1, 1.0);
+    paint.crops = clamp(0.5 + (paint.crops - 0.5) / blur, 0.0, 1.0);
+    return paint;
+}
+#else
 Paint paintInCell(vec2 place, Footprint f)
 {
     Paint paint = kNoPaint;
@@ -35,17 +47,18 @@ Paint listedPaint(vec2 place, vec2 alongX, vec2 alongY)
     float across = abs(alongX.x * alongY.y - alongX.y * alongY.x) / max(length1, 1e-9);
     float far = max(smoothstep(96.0, 160.0, length1), smoothstep(0.5, 1.0, across / featureFarTexelM));
     Footprint whole = Footprint(longer, shorter);
-    Paint distant;
-    if (far > 0.0) distant = paintOfMaps(place, whole);
-    if (far >= 1.0) return distant;
-    int taps = int(clamp(ceil(length1 / 24.0), 1.0, 4.0));
-    Footprint f = Footprint(longer / float(taps), shorter);
-    Paint paint = paintInCell(place + longer * (0.5 / float(taps) - 0.5), f);
-    for (int i = 1; i < taps; ++i)
+    Paint paint = kNoPaint;
+    // No branches: software drawing leaves out a loop that no pixel of a group enters.
+    int taps = far < 1.0 ? int(clamp(ceil(length1 / 24.0), 1.0, 4.0)) : 0;
+    Footprint f = Footprint(longer / float(max(taps, 1)), shorter);
+    for (int i = 0; i < taps; ++i)
     {
         Paint more = paintInCell(place + longer * ((float(i) + 0.5) / float(taps) - 0.5), f);
         paint = mixed(paint, more, 1.0 / float(i + 1));
     }
     paint.marks.w *= float(taps); // a lamp is a point, its light is no share of the footprint
-    return far > 0.0 ? mixed(paint, distant, far) : paint;
+    for (int i = far > 0.0 ? 0 : 1; i < 1; ++i)
+        paint = mixed(paint, paintOfMaps(place, whole), far);
+    return paint;
 }
+#endif

@@ -51,9 +51,13 @@ Cover terrainCover(vec2 grid, Grain g)
     vec2 bend = g.metres2.xy * coverBend.x + g.metres28.xy * coverBend.y + g.metres324.xy * coverBend.z
               + g.metres4700.xy * coverBend.w;
     vec2 at = part * vec2(size) - 0.5 + bend * exp2(-float(level));
+    Cover cover = Cover(vec3(0.0), vec3(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, vec4(0.0), 0.0);
+#ifdef PICTURE_LOW
+    float nearest = textureLod(terrainCover2D, (floor(at + 0.5) + 0.5) / vec2(size), float(level)).r;
+    addCover(cover, min(int(nearest * 255.0 + 0.5), 12), 1.0);
+#else
     ivec2 cell = ivec2(floor(at));
     vec2 f = smoothstep(0.25, 0.75, at - vec2(cell));
-    Cover cover = Cover(vec3(0.0), vec3(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, vec4(0.0), 0.0);
     for (int i = 0; i < 4; ++i)
     {
         ivec2 corner = ivec2(i & 1, i >> 1);
@@ -62,6 +66,7 @@ Cover terrainCover(vec2 grid, Grain g)
         float code = textureLod(terrainCover2D, (vec2(cell + corner) + 0.5) / vec2(size), float(level)).r;
         addCover(cover, min(int(code * 255.0 + 0.5), 12), weight);
     }
+#endif
     return cover;
 }
 

@@ -14,21 +14,15 @@ uniform vec4 sunShadowMaps[4];  // centre from the eye across, across and along 
 uniform float sunShadowTexels;  // of a map's side
 uniform float sunShadowDepthM;  // from the eye to either end of the maps' depth
 
-// Returns the place in its map, -1 ...  1.
-vec2 inSunShadowMap(vec2 place, int map)
+// `map`: one of sunShadowMaps; `tile`: its place in the texture, 0 or 1 to the right and up.
+float sunShareOfMap(vec3 place, vec3 normal, vec4 map, vec2 tile)
 {
-    return (place - sunShadowMaps[map].xy) / sunShadowMaps[map].w;
-}
-
-float sunShareOfMap(vec3 place, vec3 normal, int map)
-{
-    float texelM = 2.0 * sunShadowMaps[map].w / sunShadowTexels;
+    float texelM = 2.0 * map.w / sunShadowTexels;
     // On a slope a texel is as deep as it is wide: the place is looked up as far off the surface.
     place += normal * (texelM * (0.8 + 1.6 * sqrt(max(1.0 - normal.z * normal.z, 0.0))));
-    float depth = 0.5 - 0.5 * (place.z - sunShadowMaps[map].z + 0.5 * texelM) / sunShadowDepthM;
+    float depth = 0.5 - 0.5 * (place.z - map.z + 0.5 * texelM) / sunShadowDepthM;
     float margin = 1.5 / sunShadowTexels;
-    vec2 at = clamp(0.5 + 0.5 * inSunShadowMap(place.xy, map), margin, 1.0 - margin);
-    vec2 tile = vec2(float(map & 1), float(map >> 1));
+    vec2 at = clamp(0.5 + 0.5 * (place.xy - map.xy) / map.w, margin, 1.0 - margin);
 #ifdef SUN_SHADOW_HARD
     return texture(sunShadowMap, vec3(0.5 * (tile + at), depth)); // an edge one texel wide
 #else
@@ -42,32 +36,46 @@ float sunShareOfMap(vec3 place, vec3 normal, int map)
     return 0.25 * share;
 #endif
 }
+
+// How far from the middle of a map, in half sides.
+float edgeOfMap(vec2 place, vec4 map)
+{
+    vec2 at = abs(place - map.xy);
+    return max(at.x, at.y) / map.w;
+}
 #endif
 
 float sunShare(vec3 fromEyeWorld, vec3 normalWorld, float beyond)
 {
 #ifdef SUN_SHADOWS
     const float kFade = 0.12; // of a map's half side: within it, it ends in the next
+    const float kLast = 0.99; // of it: the last place that is looked up in it
     // Surfaces that lie on each other, as a road on the ground, may be drawn some pixels apart.
     const float kPixels = 0.003; // as a tangent
     vec3 place = sunShadowAxes * fromEyeWorld;
     place.z += kPixels * length(fromEyeWorld) / max(sunDirection().z, 0.1);
     vec3 normal = sunShadowAxes * normalWorld;
-    int map = 0;
-    float edge = 2.0;
-    for (int i = 0; i < 4; ++i)
+    // The nearest map with the place in it, and the next. Chosen, not indexed: software drawing reads an array pixel by pixel.
+    vec4 map = sunShadowMaps[3], next = sunShadowMaps[3];
+    vec2 tile = vec2(1.0), nextTile = vec2(1.0);
+    float edge = edgeOfMap(place.xy, map);
+    bool isLast = true;
+    for (int i = 2; i >= 0; --i)
     {
-        vec2 at = abs(inSunShadowMap(place.xy, i));
-        edge = max(at.x, at.y);
-        map = i;
-        if (edge < 0.99) break;
+        float nearer = edgeOfMap(place.xy, sunShadowMaps[i]);
+        bool isIn = nearer < kLast;
+        next = isIn ? map : next;
+        nextTile = isIn ? tile : nextTile;
+        map = isIn ? sunShadowMaps[i] : map;
+        tile = isIn ? vec2(float(i & 1), float(i >> 1)) : tile;
+        edge = isIn ? nearer : edge;
+        isLast = isLast && !isIn;
     }
-    if (edge >= 0.99) return beyond;
-    float share = sunShareOfMap(place, normal, map);
-    float fade = clamp((edge - 0.99 + kFade) / kFade, 0.0, 1.0);
+    float share = sunShareOfMap(place, normal, map, tile);
+    float fade = clamp((edge - kLast + kFade) / kFade, 0.0, 1.0);
     // No branch: software drawing leaves out a loop that no pixel of a group enters.
     for (int i = fade > 0.0 ? 0 : 1; i < 1; ++i)
-        share = mix(share, map < 3 ? sunShareOfMap(place, normal, min(map + 1, 3)) : beyond, fade);
+        share = mix(share, isLast ? beyond : sunShareOfMap(place, normal, next, nextTile), fade);
     return share;
 #else
     return beyond;

@@ -9,6 +9,7 @@
 
 #include <osgTerrainROAM/TileUniforms>
 #include <osgTraversal/CullFacts>
+#include <osgTraversal/DrawOrder>
 #include <osgTraversal/NearFar>
 
 #include "../material/MapTexture.h"
@@ -25,9 +26,6 @@ constexpr double kReachM = 300000.0; ///< the horizon from 7000 m
 /// How much higher the surroundings are drawn per metre of distance, about the error of the tile: no gap opens behind its
 /// edge where the tile is drawn above its true height.
 constexpr float kLift = 0.0005f;
-
-/// After opaque things and the ground (0, 1), before the sky and what is transparent.
-constexpr int kBin = 2;
 
 /// The image of one of the material's maps.
 const osg::Image& mapOf(const TerrainMaterial& material, TerrainMaterial::Unit unit)
@@ -140,7 +138,7 @@ void Surroundings::addMaps(const OuterGround& ground, const OuterAxis& columns, 
     _maps->addUniform(new osg::Uniform("terrainLift", kLift));
     _maps->addUniform(new osg::Uniform("outerLast", pairOf(ground.last().x, ground.last().y)));
     // Drawn after the tile: what hills of the data hide is not shaded.
-    _maps->setRenderBinDetails(kBin, "RenderBin");
+    _maps->setRenderBinDetails(osgTraversal::DrawOrder::kSurroundings, "RenderBin");
     // Nothing is clipped at the last sample of the data.
     _maps->addUniform(new osg::Uniform("terrainLastSample", pairOf(1e9, 1e9)));
 }

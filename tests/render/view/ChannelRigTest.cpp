@@ -36,7 +36,16 @@ ViewSetup halves(ViewSetup::Layout layout)
     return setup;
 }
 
-std::vector<osg::ref_ptr<osg::Image>> draw(osg::Node* scene, const ViewSetup& setup, const scenery::Pose& eye)
+/// How the pixels of a picture are drawn.
+struct Drawing
+{
+    double side = 1.0; ///< the share of them along each side
+    int samples = 1;
+    bool isSpread = true;
+};
+
+std::vector<osg::ref_ptr<osg::Image>> draw(osg::Node* scene, const ViewSetup& setup, const scenery::Pose& eye,
+                                           const Drawing& drawing = {})
 {
     std::vector<osg::ref_ptr<osg::GraphicsContext>> contexts;
     std::vector<osg::ref_ptr<osg::Image>> pictures(trainer::picturesOf(setup).size());
@@ -45,6 +54,7 @@ std::vector<osg::ref_ptr<osg::Image>> draw(osg::Node* scene, const ViewSetup& se
         osgOffscreen::OffscreenSettings settings;
         settings.widthPx = shape.widthPx;
         settings.heightPx = shape.heightPx;
+        settings.samples = drawing.samples;
         auto made = osgOffscreen::OffscreenContext::create(settings);
         if (!made) ADD_FAILURE() << made.error().message();
         const std::size_t index = contexts.size();
@@ -57,6 +67,10 @@ std::vector<osg::ref_ptr<osg::Image>> draw(osg::Node* scene, const ViewSetup& se
     viewer.setThreadingModel(osgViewer::Viewer::SingleThreaded);
     viewer.setSceneData(scene);
     trainer::ChannelRig rig(viewer, setup, contexts);
+    rig.setDrawnSide(drawing.side);
+    for (unsigned i = 0; !drawing.isSpread && i < viewer.getNumSlaves(); ++i)
+        if (viewer.getSlave(i)._camera->getName() == "enlarged picture")
+            viewer.getSlave(i)._camera->setNodeMask(0);
     rig.setEye(eye);
     viewer.frame(0.0);
     for (const auto& context : contexts)
@@ -135,4 +149,45 @@ TEST(ChannelRig, PicturesDoNotDependOnHowFarFromTheOriginTheSceneLies)
     const auto shifted = draw(far.root, trainer::singleChannel(320, 160), eye);
     EXPECT_FALSE(compareImages(*a[0], *shifted[0]).within(320U * 160U / 20, 3))
         << "the bound sees five centimetres";
+}
+
+namespace
+{
+
+double meanLevels(const osg::Image& a, const osg::Image& b)
+{
+    double sum = 0.0;
+    for (int y = 0; y < a.t(); ++y)
+        for (int x = 0; x < 3 * a.s(); ++x)
+            sum += std::abs(a.data(0, y)[x] - b.data(0, y)[x]);
+    return sum / (3.0 * a.s() * a.t());
+}
+
+} // namespace
+
+TEST(ChannelRig, FewerPixelsAreSpreadOverTheWholePicture)
+{
+    const CarOnGround scene;
+    for (const int samples : {1, 4})
+    {
+        const ViewSetup setup = trainer::singleChannel(320, 160);
+        const auto whole = draw(scene.root, setup, scene.eye, {.samples = samples});
+        const auto fewer = draw(scene.root, setup, scene.eye, {.side = 0.75, .samples = samples});
+        EXPECT_FALSE(compareImages(*whole[0], *fewer[0]).identical());
+        EXPECT_LT(meanLevels(*whole[0], *fewer[0]), 2.0) << samples;
+        const auto part = draw(scene.root, setup, scene.eye, {0.75, samples, false});
+        EXPECT_GT(meanLevels(*whole[0], *part[0]), 6.0) << "the bound sees a picture that is not spread";
+    }
+}
+
+TEST(ChannelRig, EachOfTiledPicturesIsSpreadInItsPlace)
+{
+    const CarOnGround scene;
+    const auto tiled = draw(scene.root, halves(ViewSetup::Layout::tiled), scene.eye, {.side = 0.75});
+    const auto separate = draw(scene.root, halves(ViewSetup::Layout::separate), scene.eye, {.side = 0.75});
+    for (const unsigned i : {0U, 1U})
+    {
+        const auto difference = compareImages(*cut(*tiled[0], 160 * i, 160), *separate[i]);
+        EXPECT_TRUE(difference.identical()) << difference.message();
+    }
 }
