@@ -48,7 +48,7 @@ void paintArea(inout Paint paint, vec4 head, vec4 rows, float signedEdge, float 
         paint.slope = mix(paint.slope, furrowsOf(head, rows, at, f), share);
     }
     if (isField) return;
-    vec3 kinds = vec3(lessThan(abs(vec3(head.y) - vec3(1.0, 2.0, 3.0)), vec3(0.5)));
+    vec3 kinds = vec3(head.y < 1.5, head.y >= 1.5 && head.y < 2.5, head.y >= 2.5);
     paint.beds.xyw = max(paint.beds.xyw, share * kinds);
 }
 

@@ -8,6 +8,7 @@ vec2 lentTilt();
 vec3 lentAlbedo(vec3 ground, Grain g, inout GroundKinds kinds);
 #endif
 
+const float kWaterSteep = 0.03; // one less the height of the normal: 14 degrees; rapids are less steep
 const float kCrowns = 0.2; // of the sky that crowns hide from the floor of a wood
 
 // A wood's colour is that of its crowns. Where a map of land cover tells woods, trees stand in them: who stands among them sees last
@@ -68,7 +69,7 @@ vec3 groundRadiance(vec3 directionWorld)
     GroundKinds kinds;
     vec4 ground = groundColour(land.r, steep, place.z, g, kinds);
 #ifdef TERRAIN_COVER
-    Cover cover = terrainCover(grid, g);
+    Cover cover = terrainCover(grid, place.xy, g);
     ground = coveredGround(ground, cover, g, kinds);
     snow = max(snow, smoothstep(0.35, 0.65, cover.snow));
 #endif
@@ -125,6 +126,8 @@ vec3 groundRadiance(vec3 directionWorld)
     albedo = pavedAlbedo(albedo, paint, g);
     water = max(water, paint.beds.x) * (1.0 - max(max(paint.beds.y, paint.beds.z), paint.beds.w));
 #endif
+    // Water lies level: where a map is coarser than the bank of a river, the bank is ground.
+    water *= 1.0 - smoothstep(kWaterSteep, 2.0 * kWaterSteep, steep);
 
     bool isUpright = cliff >= 0.5;
     vec3 toRight = dFdx(fromEye), toTop = dFdy(fromEye);

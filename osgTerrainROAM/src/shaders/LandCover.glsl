@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Draws land cover, a raster of classes (CoverTexture.h). Neighbouring texels are blended; the grain bends the borders of
 // classes, so that the raster's steps do not show. Functions:
-//   Cover terrainCover(vec2 grid, Grain)                 the classes at a grid position, blended
+//   Cover terrainCover(vec2 grid, vec2 place, Grain)     the classes at a grid position, blended
 //   vec4 coveredGround(vec4 ground, Cover, Grain, GroundKinds)   ground colour and share of wood; what it is made of
 //   vec3 townLight(Cover, vec2 place, vec2 x, vec2 y)    radiance of a town's lamps at night; `place`: wrapped position
 
@@ -39,7 +39,19 @@ void addCover(inout Cover cover, int kind, float weight)
     cover.town += kind == 11 ? weight : 0.0;
 }
 
-Cover terrainCover(vec2 grid, Grain g)
+// How many texels borders are bent by at a place. Of the grain of 28 m what is coarser than a metre: its fine bumps would move places that are
+// centimetres apart by metres, and strew each kind over the other.
+vec2 bendOfCover(vec2 place, Grain g)
+{
+    const float kCoarse = 5.0; // mip level
+    vec2 at = vec2(2.0 * place.x + place.y, 2.0 * place.y - place.x) * (1.0 / 64.0);
+    vec2 x = dFdx(at), y = dFdy(at);
+    float level = max(0.5 * log2(max(max(dot(x, x), dot(y, y)), 1e-12)) + kGrainLevels, kCoarse);
+    vec2 broad = textureLod(terrainGrain, at, level).xy - 0.5;
+    return g.metres2.xy * coverBend.x + broad * coverBend.y + g.metres324.xy * coverBend.z + g.metres4700.xy * coverBend.w;
+}
+
+Cover terrainCover(vec2 grid, vec2 place, Grain g)
 {
     vec2 part = grid * coverFromGrid.xy + coverFromGrid.zw;
     vec2 texels = vec2(textureSize(terrainCover2D, 0));
@@ -48,8 +60,7 @@ Cover terrainCover(vec2 grid, Grain g)
     float span = sqrt(abs(x.x * y.y - x.y * y.x));
     int level = int(clamp(log2(max(span, 1e-3)) + 1.0, 0.0, float(coverLevels - 1)));
     ivec2 size = textureSize(terrainCover2D, level);
-    vec2 bend = g.metres2.xy * coverBend.x + g.metres28.xy * coverBend.y + g.metres324.xy * coverBend.z
-              + g.metres4700.xy * coverBend.w;
+    vec2 bend = bendOfCover(place, g);
     vec2 at = part * vec2(size) - 0.5 + bend * exp2(-float(level));
     Cover cover = Cover(vec3(0.0), vec3(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, vec4(0.0), 0.0);
 #ifdef PICTURE_LOW
